@@ -94,7 +94,7 @@ def table(structure):
                  number(row["ideal_jump_most_n"]), number(row["seizures"]),
                  number(row["build_seconds"]), number(row["bytes"], 1e-3)]
         lines.append("| " + " | ".join(cells) + " |")
-    refused = [f"- {row['setting']}: {row['sentence']}" for row in structure["rows"]
+    refused = [f"- {row['setting']}: {row['message']}" for row in structure["rows"]
                if row["outcome"] == "refused"]
     return "\n".join(lines) + "\n" + ("\nRefused:\n\n" + "\n".join(refused) + "\n" if refused else "")
 
@@ -102,7 +102,7 @@ def table(structure):
 def section(found, picture):
     parts = [TEXT.format(picture=picture)]
     for name, structure in found.items():
-        sentence = structure["advice"]["sentence"]
-        parts.append(f"### {SCENES[name]}\n\n{sentence[0].upper() + sentence[1:]}\n\n"
-                     f"Reference: {structure['truth']}.\n\n{table(structure)}")
+        message = structure["advice"]["message"]
+        parts.append(f"### {SCENES[name]}\n\n{message[0].upper() + message[1:]}\n\n"
+                     f"Reference: {structure['reference']}.\n\n{table(structure)}")
     return "\n".join(parts)

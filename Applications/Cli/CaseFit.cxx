@@ -205,7 +205,7 @@ private:
         std::accumulate(result.Seconds.begin(), result.Seconds.end(), 0.0,
                         [](double sum, const auto& stage) { return sum + stage.second; });
     result.Seconds.emplace_back("total", total);
-    this->Tell(result, isWritten ? FolderText(place) : std::string());
+    this->ReportOnce(result, isWritten ? FolderText(place) : std::string());
     this->Take(std::move(result), place, isWritten);
   }
   std::string FolderText(const std::filesystem::path& place) const
@@ -213,7 +213,7 @@ private:
     return (place.empty() ? this->Mask.Output : this->Mask.Output / place).string();
   }
 
-  void Tell(const FitResult& result, const std::string& folder)
+  void ReportOnce(const FitResult& result, const std::string& folder)
   {
     this->Output.EndProgress();
     if (this->Mask.Json)

@@ -307,7 +307,7 @@ int CohortFit::Conclude(Console& console)
       tally.Add(row.Result.State);
       if (row.Result.State != FitResult::Outcome::Fitted)
       {
-        console.Error(CaseSentence(row.Result.Input, row.Result.Structure, row.Result.Message));
+        console.Error(CaseMessage(row.Result.Input, row.Result.Structure, row.Result.Message));
       }
     }
   }

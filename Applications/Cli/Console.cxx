@@ -37,21 +37,21 @@ Console::Console(std::ostream& output, std::ostream& errors, bool errorsAreTermi
 {
 }
 
-void Console::Note(const std::string& sentence)
+void Console::Note(const std::string& message)
 {
   if (!this->Quiet)
   {
     this->Wipe();
-    this->Errors << Printable(sentence) << '\n' << std::flush;
+    this->Errors << Printable(message) << '\n' << std::flush;
   }
 }
 
-void Console::Error(const std::string& sentence)
+void Console::Error(const std::string& message)
 {
   this->Wipe();
   // Pending output comes first, in the order that the user expects.
   this->Out << std::flush;
-  this->Errors << "palpate: " << Printable(sentence) << '\n' << std::flush;
+  this->Errors << "palpate: " << Printable(message) << '\n' << std::flush;
 }
 
 bool Console::IsTimeToDraw()

@@ -19,9 +19,9 @@ public:
   /// Results, for scripts to read.
   std::ostream& Output() { return this->Out; }
   /// A note: one line on the error stream, even if names from files contain line breaks.
-  void Note(const std::string& sentence);
+  void Note(const std::string& message);
   /// An error: one line "palpate: message" on the error stream, likewise.
-  void Error(const std::string& sentence);
+  void Error(const std::string& message);
   /// Draws `stage` with a bar and the time left; fraction in 0..1. Cheap enough to call often.
   void Progress(double fraction, const std::string& stage);
   /// Draws a line that the next one replaces, like progress.

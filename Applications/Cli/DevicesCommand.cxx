@@ -25,7 +25,7 @@ nlohmann::ordered_json AsJson(const DeviceReport& report)
                                 {"name", report.Name},
                                 {"description", report.Description},
                                 {"there", report.IsThere},
-                                {"says", report.Says}};
+                                {"details", report.Details}};
   if (report.IsThere)
   {
     const DeviceCapabilities& device = report.Capabilities;
@@ -46,12 +46,12 @@ void Print(const DeviceReport& report, std::ostream& out)
   out << Printable(report.Name + ": " + report.Description) << '\n';
   if (!report.IsThere)
   {
-    out << "  " << Printable(report.Says) << '\n';
+    out << "  " << Printable(report.Details) << '\n';
     return;
   }
   const DeviceCapabilities& device = report.Capabilities;
   const Vector3 size = device.Workspace.sizes();
-  out << "  " << Printable(device.Name + ", " + report.Says) << "; " << device.DegreesOfFreedom
+  out << "  " << Printable(device.Name + ", " + report.Details) << "; " << device.DegreesOfFreedom
       << " degrees of freedom, " << size[0] << " x " << size[1] << " x " << size[2] << " mm\n"
       << "  at most " << device.MaximumForce << " N and " << device.MaximumStiffness
       << " N/mm; positions to " << device.Resolution << " mm, " << device.Rate << " Hz\n";

@@ -105,7 +105,7 @@ int FitCommand::Run(Console& console)
   }
   this->Names = CaseNames(this->Inputs);
   this->Tally = {};
-  this->Sentences.clear();
+  this->Messages.clear();
   this->Index = {};
   if (!this->OutputFolder.empty())
   {
@@ -157,8 +157,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
             this->Tally.Add(result.State);
             if (result.State != FitResult::Outcome::Fitted)
             {
-              this->Sentences.push_back(
-                  CaseSentence(result.Input, result.Structure, result.Message));
+              this->Messages.push_back(CaseMessage(result.Input, result.Structure, result.Message));
             }
           });
 }
@@ -182,9 +181,9 @@ bool FitCommand::WriteIndex(Console& console) const
 int FitCommand::Conclude(Console& console) const
 {
   console.EndProgress();
-  for (const std::string& sentence : this->Sentences)
+  for (const std::string& message : this->Messages)
   {
-    console.Error(sentence);
+    console.Error(message);
   }
   if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
   {

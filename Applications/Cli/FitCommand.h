@@ -49,7 +49,7 @@ private:
   FitSettings Settings;
   CaseNames Names;
   CaseTally Tally;
-  std::vector<std::string> Sentences; ///< errors, printed at the end
+  std::vector<std::string> Messages; ///< errors, printed at the end
   ReportIndex Index;
 };
 } // namespace palpate::cli

@@ -42,7 +42,7 @@ Json CoverageJson(const DirectionCoverage& coverage)
   constexpr double DegreesPerRadian = 180.0 / M_PI;
   const Vector3& gap = coverage.LargestGap.Center;
   return {{"verdict", CoverageWord(coverage)},
-          {"message", coverage.Sentence},
+          {"message", coverage.Message},
           {"largest_gap_degrees", coverage.LargestGap.Radius * DegreesPerRadian},
           {"gap_direction", {gap.x(), gap.y(), gap.z()}},
           {"noise_gain_rms", coverage.NoiseGainRms},

@@ -42,12 +42,12 @@ void InfoCommand::Describe(const std::string& input, Console& console) const
 }
 
 void InfoCommand::RecordLost(const std::string& input, const std::string& status,
-                             const std::string& sentence, Console& console) const
+                             const std::string& message, Console& console) const
 {
-  console.Error(sentence);
+  console.Error(message);
   if (this->Json)
   {
-    console.Output() << InfoReport::FailureJson(input, status, sentence) << '\n';
+    console.Output() << InfoReport::FailureJson(input, status, message) << '\n';
   }
 }
 

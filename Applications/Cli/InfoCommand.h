@@ -21,7 +21,7 @@ public:
 
 private:
   void Describe(const std::string& input, Console& console) const;
-  void RecordLost(const std::string& input, const std::string& status, const std::string& sentence,
+  void RecordLost(const std::string& input, const std::string& status, const std::string& message,
                   Console& console) const;
 
   std::vector<std::string> Inputs;

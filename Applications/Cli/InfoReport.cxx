@@ -188,11 +188,11 @@ std::string InfoReport::Json() const
 }
 
 std::string InfoReport::FailureJson(const std::string& input, const std::string& status,
-                                    const std::string& sentence)
+                                    const std::string& message)
 {
   return OneLine({{JsonSchemaKey, JsonSchemaVersion},
                   {"input", input},
                   {"status", status},
-                  {"message", sentence}});
+                  {"message", message}});
 }
 } // namespace palpate::cli

@@ -21,6 +21,6 @@ struct InfoReport
   std::string Json() const;
   /// The object of a file that could not be read: `status` is bad-input or failed.
   static std::string FailureJson(const std::string& input, const std::string& status,
-                                 const std::string& sentence);
+                                 const std::string& message);
 };
 } // namespace palpate::cli

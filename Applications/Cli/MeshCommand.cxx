@@ -260,19 +260,19 @@ void MeshCommand::RecordWritten(const Case& one, vtkSegmentationSurface* surface
 }
 
 void MeshCommand::RecordLost(const std::filesystem::path& input, const Segment& structure,
-                             FitResult::Outcome state, const std::string& message, Console& console)
+                             FitResult::Outcome state, const std::string& reason, Console& console)
 {
   this->Tally.Add(state);
-  const std::string sentence = CaseSentence(input, structure, message);
+  const std::string message = CaseMessage(input, structure, reason);
   console.EndProgress();
-  console.Error(sentence);
+  console.Error(message);
   if (this->Json)
   {
     JsonObject result{{JsonSchemaKey, JsonSchemaVersion}, {"input", input.string()}};
     result["label"] = structure.Label == 0 ? JsonObject() : JsonObject(structure.Label);
     result["name"] = structure.Name;
     result["status"] = OutcomeWord(state);
-    result["message"] = sentence;
+    result["message"] = message;
     console.Output() << result.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
   }
 }

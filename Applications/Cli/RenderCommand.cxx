@@ -146,9 +146,9 @@ std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, Cons
   }
   catch (const FilterError& error)
   {
-    const std::string sentence = error.what();
-    const bool namesFile = sentence.rfind(file.string(), 0) == 0;
-    throw InputError(namesFile ? sentence : file.string() + ": " + sentence);
+    const std::string message = error.what();
+    const bool namesFile = message.rfind(file.string(), 0) == 0;
+    throw InputError(namesFile ? message : file.string() + ": " + message);
   }
 }
 } // namespace
@@ -339,7 +339,7 @@ void RenderCommand::AddVolume(SceneRenderer& scene, Console& console)
   const std::vector<std::string> every{"axial", "sagittal", "coronal"};
   const bool isPlain = this->Slices.empty() && this->IsoValues.empty();
   const Vector3 middle =
-      this->Inputs.empty() && isPlain ? Vector3(volume.Image->GetCenter()) : scene.MiddleWorld();
+      this->Inputs.empty() && isPlain ? Vector3(volume.Image->GetCenter()) : scene.CenterWorld();
   for (const std::string& word : isPlain ? every : this->Slices)
   {
     scene.AddSlice(volume.Image, Planes().at(word), middle);

@@ -97,16 +97,16 @@ std::string TextOf(const SceneAccount& account)
   }
   AddRow(table, "servo", "touch", account.Servo);
   const Totals totals(account);
-  const auto sentence =
+  const auto message =
       [](std::size_t count, std::size_t all, const std::string& what, const SceneItem& item)
   {
     return std::to_string(count) + " of " + std::to_string(all) + " " + what + ", " +
            KilobytesOf(item) + ", " + MillisecondsOf(item) + "\n";
   };
   const std::size_t structures = account.Structures.size();
-  return table.Text() + sentence(totals.Read, account.Files.size(), "files read", totals.Reading) +
-         sentence(totals.Touched, structures, "structures touchable", totals.Contacts) +
-         sentence(totals.Seen, structures, "structures drawn", totals.Drawings);
+  return table.Text() + message(totals.Read, account.Files.size(), "files read", totals.Reading) +
+         message(totals.Touched, structures, "structures touchable", totals.Contacts) +
+         message(totals.Seen, structures, "structures drawn", totals.Drawings);
 }
 
 JsonObject AsJson(const SceneItem& item)

@@ -88,8 +88,8 @@ struct Line
 {
   std::string Name;
   std::string State;
-  std::string Says;
-  std::vector<std::string> Sentences;
+  std::string Details;
+  std::vector<std::string> Messages;
   bool IsLost = false;
   std::optional<double> TickMicroseconds; ///< of the servo, if measured
 };
@@ -98,7 +98,7 @@ Line LineOf(SceneStep step, const StudyStepState& state)
 {
   const bool isLost = state.Is == Kind::Failed;
   return {NameOf(step), NameOf(state.Is),
-          {},           isLost ? std::vector{state.Sentence} : std::vector<std::string>{},
+          {},           isLost ? std::vector{state.Message} : std::vector<std::string>{},
           isLost,       {}};
 }
 
@@ -110,7 +110,7 @@ void AddMeasures(const SceneStructure& structure, Study& study, Line& line)
   if (cost != nullptr && cost->Ticks > 0)
   {
     line.TickMicroseconds = 1e-3 * cost->MedianNanoseconds;
-    line.Says += "; " + FixedText(*line.TickMicroseconds, 2) + " us per tick";
+    line.Details += "; " + FixedText(*line.TickMicroseconds, 2) + " us per tick";
   }
 }
 
@@ -128,26 +128,27 @@ Line LineOf(const SceneStructure& structure, Study& study)
       line.State = NameOf(found.Is);
       line.IsLost = found.Is == Kind::Failed;
     }
-    if (!found.Sentence.empty() && said.insert(found.Sentence).second)
+    if (!found.Message.empty() && said.insert(found.Message).second)
     {
-      line.Sentences.push_back(found.Sentence);
+      line.Messages.push_back(found.Message);
     }
   }
   if (const auto contact = pipeline.Newest<TouchContact>(SceneStep::Touch, structure.Id))
   {
-    line.Says = contact->Represented;
+    line.Details = contact->Represented;
   }
   const auto fit = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   if (fit != nullptr && fit->State == FitResult::Outcome::Fitted)
   {
-    line.Says += (line.Says.empty() ? "" : "; ") + std::string("Dice ") + FixedText(fit->Dice, 4) +
-                 ", mean distance to the mask " + FixedText(fit->ModelToMask.Mean, 3) + " mm";
+    line.Details += (line.Details.empty() ? "" : "; ") + std::string("Dice ") +
+                    FixedText(fit->Dice, 4) + ", mean distance to the mask " +
+                    FixedText(fit->ModelToMask.Mean, 3) + " mm";
   }
   AddMeasures(structure, study, line);
   if (structure.IsVisible && structure.Appearance != SceneAppearance::Automatic)
   {
-    line.Says +=
-        (line.Says.empty() ? "" : "; ") + std::string("shown as ") + NameOf(structure.Appearance);
+    line.Details += (line.Details.empty() ? "" : "; ") + std::string("shown as ") +
+                    NameOf(structure.Appearance);
   }
   return line;
 }
@@ -180,15 +181,15 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
       JsonObject object{{JsonSchemaKey, JsonSchemaVersion},
                         {"name", line.Name},
                         {"state", line.State},
-                        {"says", line.Says},
-                        {"sentences", line.Sentences}};
+                        {"details", line.Details},
+                        {"messages", line.Messages}};
       if (line.TickMicroseconds)
       {
         object["tick_us"] = *line.TickMicroseconds;
       }
       console.Output() << object.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
     }
-    table.AddRow({line.Name, line.State, line.Says});
+    table.AddRow({line.Name, line.State, line.Details});
   }
   if (!asJson)
   {
@@ -197,19 +198,19 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
 }
 
 // Each message once: the structures of a file repeat its message.
-CaseTally Tell(const std::vector<Line>& lines, Console& console)
+CaseTally ReportOnce(const std::vector<Line>& lines, Console& console)
 {
   CaseTally tally;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const Line& line : lines)
   {
     ++tally.Cases;
     tally.BadInputs += line.IsLost ? 1 : 0;
-    for (const std::string& sentence : line.Sentences)
+    for (const std::string& message : line.Messages)
     {
-      if (told.insert(sentence).second)
+      if (reported.insert(message).second)
       {
-        line.IsLost ? console.Error(sentence) : console.Note(sentence);
+        line.IsLost ? console.Error(message) : console.Note(message);
       }
     }
   }
@@ -258,7 +259,7 @@ int StudyCommand::Run(Console& console)
   console.EndProgress();
   const std::vector<Line> lines = LinesOf(study);
   Print(lines, this->Json, console);
-  const CaseTally tally = Tell(lines, console);
+  const CaseTally tally = ReportOnce(lines, console);
   if (!this->OutputFolder.empty() && tally.Lost() < tally.Cases)
   {
     WriteStudyFiles(study.State(), study.Pipeline(), this->OutputFolder, ProgramVersion());

@@ -395,7 +395,7 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
 {
   TouchRunSettings settings;
   settings.IsVirtual = !this->IsRealTime;
-  settings.Guide = [&console](const std::string& sentence) { console.Note(sentence); };
+  settings.Guide = [&console](const std::string& message) { console.Note(message); };
   if (!this->OutputFolder.empty())
   {
     MakeOutputFolder(this->OutputFolder);

@@ -57,15 +57,15 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
                   Short(row.Bytes / Mega), Short(row.BuildSeconds)});
   }
   out << table.Text();
-  for (const std::string& sentence : RefusalsOf(structure))
+  for (const std::string& message : RefusalsOf(structure))
   {
-    out << Printable(sentence) << '\n';
+    out << Printable(message) << '\n';
   }
   if (!structure.Rows.empty())
   {
     out << "Errors (99 %) are against " << Printable(structure.Rows.front().Truth) << ".\n";
   }
-  out << Printable(structure.Name) << ": " << structure.Advice.Sentence << ".\n";
+  out << Printable(structure.Name) << ": " << structure.Advice.Message << ".\n";
 }
 } // namespace
 

@@ -27,11 +27,11 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
   const QCommandLineOption version = parser.addVersionOption();
   const QCommandLineOption touch("touch", "Starts touching as soon as a structure is ready.");
   const QCommandLineOption demo("demo", "Opens the Colin 27 head of Debian's mricron-data.");
-  const QCommandLineOption picture(
+  const QCommandLineOption image(
       "screenshot", "Writes a screenshot of the window when everything is ready, and exits.",
       "file.png");
   const QCommandLineOption size("size", "Size of the window in pixels.", "WxH", "1280x800");
-  parser.addOptions({touch, demo, picture, size});
+  parser.addOptions({touch, demo, image, size});
   parser.addPositionalArgument("files", "Files to open; their kinds are detected.", "[files...]");
   ViewerOptions options;
   if (!parser.parse(arguments))
@@ -44,7 +44,7 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
   options.Files = parser.positionalArguments();
   options.StartsTouch = parser.isSet(touch);
   options.ShowsDemo = parser.isSet(demo);
-  options.Screenshot = parser.value(picture);
+  options.Screenshot = parser.value(image);
   options.Size = SizeOf(parser.value(size));
   if (options.Size.isEmpty())
   {

@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int PictureDelay = 500; // ms: the last results are drawn, the hand is at rest
-constexpr int LookInterval = 50;  // ms
+constexpr int ImageDelay = 500;  // ms: the last results are drawn, the hand is at rest
+constexpr int LookInterval = 50; // ms
 } // namespace
 
 ViewerRun::ViewerRun(StudyController& study, MainWindow& window, const ViewerOptions& options)
@@ -59,7 +59,7 @@ void ViewerRun::GoOn()
   disconnect(&this->Study, &StudyController::StepsChanged, this, &ViewerRun::GoOn);
   if (!this->Options.Screenshot.isEmpty())
   {
-    QTimer::singleShot(PictureDelay, this, &ViewerRun::TakePicture);
+    QTimer::singleShot(ImageDelay, this, &ViewerRun::TakeScreenshot);
   }
 }
 
@@ -79,7 +79,7 @@ void ViewerRun::ChooseDemo()
   this->Window.Messages()->Clear(); // on the structure shown by default
 }
 
-void ViewerRun::TakePicture()
+void ViewerRun::TakeScreenshot()
 {
   const bool isSaved = this->Window.SaveScreenshot(this->Options.Screenshot);
   this->Study.Close();

@@ -21,7 +21,7 @@ public:
 private:
   void GoOn();
   void ChooseDemo();
-  void TakePicture();
+  void TakeScreenshot();
   void EndIfAsked();
 
   StudyController& Study;

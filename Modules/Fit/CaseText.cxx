@@ -46,8 +46,8 @@ std::string CaseTitle(const std::filesystem::path& input, const Segment& structu
   return Printable(structure.Name.empty() ? title : title + " (" + structure.Name + ")");
 }
 
-std::string CaseSentence(const std::filesystem::path& input, const Segment& structure,
-                         const std::string& message)
+std::string CaseMessage(const std::filesystem::path& input, const Segment& structure,
+                        const std::string& message)
 {
   const bool isOfFile = structure.Label == 0 && structure.Name.empty();
   if (isOfFile || StartsWith(message, input.string()))

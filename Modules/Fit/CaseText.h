@@ -22,6 +22,6 @@ PALPATEFIT_EXPORT std::string CaseTitle(const std::filesystem::path& input,
 /// A case and its message, in one sentence. A message that is a predicate ("is not star-shaped")
 /// follows its subject, a full clause follows a colon, and a message that starts with the file's
 /// path, or concerns a file without a structure, stands alone.
-PALPATEFIT_EXPORT std::string CaseSentence(const std::filesystem::path& input,
-                                           const Segment& structure, const std::string& message);
+PALPATEFIT_EXPORT std::string CaseMessage(const std::filesystem::path& input,
+                                          const Segment& structure, const std::string& message);
 } // namespace palpate

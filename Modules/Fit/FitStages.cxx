@@ -202,7 +202,7 @@ void RemarkOnCoverage(FitResult& result)
 {
   if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
   {
-    result.Notes.push_back(result.Coverage.Sentence);
+    result.Notes.push_back(result.Coverage.Message);
   }
 }
 

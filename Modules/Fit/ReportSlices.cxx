@@ -3,10 +3,10 @@
 #include "AnatomicalView.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
-#include "Picture.h"
+#include "RasterImage.h"
 #include "ReportPage.h"
 #include "SliceContour.h"
-#include "SlicePicture.h"
+#include "SliceImage.h"
 #include "SlicePlane.h"
 
 #include "vtkSMPTools.h"
@@ -83,7 +83,7 @@ std::string ScaleBar(const SlicePlane& plane)
 }
 
 // `share` is the image's width relative to the widest one, so that all have the same scale.
-std::string SliceFigure(const SlicePlane& plane, double share, const Picture& picture,
+std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage& raster,
                         const FitResult& result)
 {
   const std::string width = std::to_string(plane.Width);
@@ -91,7 +91,7 @@ std::string SliceFigure(const SlicePlane& plane, double share, const Picture& pi
   std::string svg = "<svg class=\"slice\" style=\"width: " + FixedText(100.0 * share, 2) +
                     "%\" role=\"img\" viewBox=\"0 0 " + width + " " + height + "\" aria-label=\"" +
                     plane.Name + " slice\"><image width=\"" + width + "\" height=\"" + height +
-                    "\" href=\"" + PngDataUri(picture) + "\"/>";
+                    "\" href=\"" + PngDataUri(raster) + "\"/>";
   svg += PathElement("mask", MaskOutlinePath(result.Mask, result.Structure.Value, plane));
   if (result.Surface)
   {
@@ -118,9 +118,9 @@ std::string Legend(const FitResult& result, const Volume* volume)
   {
     html += "<li><i class=\"model\"></i>model</li>";
   }
-  const std::string picture =
+  const std::string raster =
       volume ? volume->Source.filename().string() : std::string("the mask itself, no volume given");
-  return html + "<li class=\"soft\">image: " + EscapeHtml(picture) + "</li></ul>\n";
+  return html + "<li class=\"soft\">image: " + EscapeHtml(raster) + "</li></ul>\n";
 }
 } // namespace
 

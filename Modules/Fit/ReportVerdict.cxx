@@ -53,20 +53,20 @@ std::string StructureText(const FitResult& result)
                                        : result.Structure.Name;
 }
 
-std::string SharedText(const std::filesystem::path& file, std::string sentence)
+std::string SharedText(const std::filesystem::path& file, std::string message)
 {
   const std::string folder = file.parent_path().string() + "/";
-  std::size_t at = folder.size() > 1 ? sentence.find(folder) : std::string::npos;
+  std::size_t at = folder.size() > 1 ? message.find(folder) : std::string::npos;
   while (at != std::string::npos)
   {
-    const bool isStart = at == 0 || std::strchr(" \"'(", sentence[at - 1]) != nullptr;
+    const bool isStart = at == 0 || std::strchr(" \"'(", message[at - 1]) != nullptr;
     if (isStart)
     {
-      sentence.erase(at, folder.size());
+      message.erase(at, folder.size());
     }
-    at = sentence.find(folder, at + (isStart ? 0 : 1));
+    at = message.find(folder, at + (isStart ? 0 : 1));
   }
-  return sentence;
+  return message;
 }
 
 std::string VerdictText(const FitResult& result)

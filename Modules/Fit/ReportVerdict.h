@@ -19,7 +19,7 @@ PALPATEFIT_EXPORT std::string StructureText(const FitResult& result);
 
 /// A message about a file for a page that may be shared: the file's path is reduced to its name.
 /// Not escaped.
-PALPATEFIT_EXPORT std::string SharedText(const std::filesystem::path& file, std::string sentence);
+PALPATEFIT_EXPORT std::string SharedText(const std::filesystem::path& file, std::string message);
 
 /// The verdict in one or two sentences: the result's message, or the quality of the fit. Not
 /// escaped.

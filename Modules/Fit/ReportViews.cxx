@@ -3,7 +3,7 @@
 #include "AnatomicalView.h"
 #include "DecimalText.h"
 #include "DivergingColorMap.h"
-#include "Picture.h"
+#include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
 

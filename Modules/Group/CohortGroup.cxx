@@ -226,7 +226,7 @@ void WriteGroupFiles(const CohortGroup& group, const std::filesystem::path& fold
   WriteWholeFile(folder / "measures.csv", MeasureTable(group));
   WriteShape(group, -1, 0.0, folder / "mean.json", program);
   WriteSurface(folder / "mean.vtp", DrawModel(ShapeOf(group, -1, 0.0), SurfaceFrequency));
-  for (int mode = 0; mode < PicturedModes(group); ++mode)
+  for (int mode = 0; mode < ShownModes(group); ++mode)
   {
     const std::string name = "mode_" + std::to_string(mode + 1);
     WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
@@ -278,7 +278,7 @@ void WriteCohortGroup(const CohortGroup& group, const std::filesystem::path& fol
                       const std::string& program)
 {
   std::vector<std::string> obsolete;
-  for (int mode = PicturedModes(group); mode < MostPicturedModes; ++mode)
+  for (int mode = ShownModes(group); mode < MostShownModes; ++mode)
   {
     const std::string name = "mode_" + std::to_string(mode + 1);
     obsolete.insert(obsolete.end(), {name + "_minus.json", name + "_plus.json"});

@@ -5,7 +5,7 @@
 #include "DivergingColorMap.h"
 #include "HtmlText.h"
 #include "ModelSurface.h"
-#include "Picture.h"
+#include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
 #include "SoftwareVersions.h"
@@ -164,7 +164,7 @@ std::vector<Drawn> DrawAll(const CohortGroup& group, double deviations)
 {
   const SphericalHarmonicModel mean = ShapeOf(group, -1, 0.0);
   std::vector<Drawn> drawn{Draw(mean, mean)};
-  for (int mode = 0; mode < PicturedModes(group); ++mode)
+  for (int mode = 0; mode < ShownModes(group); ++mode)
   {
     drawn.push_back(Draw(ShapeOf(group, mode, -deviations), mean));
     drawn.push_back(Draw(ShapeOf(group, mode, deviations), mean));
@@ -173,9 +173,9 @@ std::vector<Drawn> DrawAll(const CohortGroup& group, double deviations)
 }
 } // namespace
 
-int PicturedModes(const CohortGroup& group)
+int ShownModes(const CohortGroup& group)
 {
-  return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostPicturedModes));
+  return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostShownModes));
 }
 
 std::string CohortPage(const CohortGroup& group, double deviations)
@@ -200,7 +200,7 @@ std::string CohortPage(const CohortGroup& group, double deviations)
     meanViews += figures.Figure(drawn.front(), side, NameOf(side));
   }
   std::string modes = Explained(group.Modes);
-  for (int mode = 0; mode < PicturedModes(group); ++mode)
+  for (int mode = 0; mode < ShownModes(group); ++mode)
   {
     const auto first = static_cast<std::size_t>(2 * mode + 1);
     modes += "<h3>" + ModeTitle(group.Modes, mode) + "</h3>\n<div class=\"views\">\n" +

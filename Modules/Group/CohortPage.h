@@ -8,10 +8,10 @@
 namespace palpate
 {
 /// The most modes on a page.
-constexpr int MostPicturedModes = 5;
+constexpr int MostShownModes = 5;
 
 /// Number of modes with images: at most five.
-PALPATEGROUP_EXPORT int PicturedModes(const CohortGroup& group);
+PALPATEGROUP_EXPORT int ShownModes(const CohortGroup& group);
 
 /// One self-contained HTML page: the mean shape, the principal modes as the mean plus and minus
 /// `deviations` standard deviations, all at the same scale and coloured by their distance outside

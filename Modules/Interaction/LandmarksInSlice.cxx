@@ -42,7 +42,7 @@ Vector3 PlaceOf(const vtkLandmarks& landmarks, int number)
 }
 
 // Returns the number of spheres that the slice cuts.
-int AddBalls(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
+int AddSpheres(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
 {
   int count = 0;
   const double radius = landmarks.GetRadius();
@@ -103,7 +103,7 @@ void LandmarksInSlice::Update(vtkLandmarks* landmarks, const SlicePosition& slic
   {
     const double* shade = landmarks->GetColor();
     color = {{shade[0], shade[1], shade[2]}};
-    this->Reached = AddBalls(*landmarks, slice, drawing);
+    this->Reached = AddSpheres(*landmarks, slice, drawing);
     AddDistances(*landmarks, slice, drawing);
   }
   this->Marks.SetCurves(drawing.Curves, slice.Lift(LandmarkLayer));

@@ -17,30 +17,30 @@ namespace palpate
 {
 namespace
 {
-constexpr int BallResolution = 16;
+constexpr int SphereResolution = 16;
 constexpr double LineWidth = 2.0; // pixels
 } // namespace
 
 LandmarksInSpace::LandmarksInSpace()
 {
-  this->Ball->SetThetaResolution(BallResolution);
-  this->Ball->SetPhiResolution(BallResolution);
+  this->Sphere->SetThetaResolution(SphereResolution);
+  this->Sphere->SetPhiResolution(SphereResolution);
   vtkNew<vtkGlyph3D> glyphs;
   glyphs->SetInputData(this->Places);
-  glyphs->SetSourceConnection(this->Ball->GetOutputPort());
+  glyphs->SetSourceConnection(this->Sphere->GetOutputPort());
   glyphs->ScalingOff();
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(glyphs->GetOutputPort());
   mapper->ScalarVisibilityOff();
-  this->Balls->SetMapper(mapper);
-  this->Balls->PickableOff();
+  this->Spheres->SetMapper(mapper);
+  this->Spheres->PickableOff();
 }
 
 LandmarksInSpace::~LandmarksInSpace() = default;
 
 void LandmarksInSpace::SetRenderer(vtkRenderer* renderer)
 {
-  for (vtkActor* actor : {this->Balls.Get(), this->Distances.Actor()})
+  for (vtkActor* actor : {this->Spheres.Get(), this->Distances.Actor()})
   {
     if (this->Renderer != nullptr)
     {
@@ -58,7 +58,7 @@ void LandmarksInSpace::SetRenderer(vtkRenderer* renderer)
 void LandmarksInSpace::Update(vtkLandmarks* landmarks)
 {
   const bool isShown = landmarks != nullptr && landmarks->GetNumberOfLandmarks() > 0;
-  this->Balls->SetVisibility(isShown ? 1 : 0);
+  this->Spheres->SetVisibility(isShown ? 1 : 0);
   this->Distances.SetVisible(isShown);
   if (!isShown)
   {
@@ -82,8 +82,8 @@ void LandmarksInSpace::Update(vtkLandmarks* landmarks)
   }
   const double* color = landmarks->GetColor();
   this->Places->SetPoints(points);
-  this->Ball->SetRadius(landmarks->GetRadius());
-  this->Balls->GetProperty()->SetColor(landmarks->GetColor());
+  this->Sphere->SetRadius(landmarks->GetRadius());
+  this->Spheres->GetProperty()->SetColor(landmarks->GetColor());
   this->Distances.SetCurves(lines, Vector3::Zero());
   this->Distances.SetStyle({{color[0], color[1], color[2]}}, 1.0, LineWidth);
   this->Labels.Update(labels, {{color[0], color[1], color[2]}});

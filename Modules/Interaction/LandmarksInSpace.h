@@ -29,8 +29,8 @@ public:
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkNew<vtkPolyData> Places;
-  vtkNew<vtkSphereSource> Ball;
-  vtkNew<vtkActor> Balls;
+  vtkNew<vtkSphereSource> Sphere;
+  vtkNew<vtkActor> Spheres;
   CurveActor Distances;
   PointLabels Labels;
 };

@@ -122,7 +122,7 @@ Vector3 SliceGeometry::Moved(const Vector3& world, int steps) const
     return world + steps * this->StepMillimeters * this->ForwardWorld;
   }
   const int number = std::clamp(this->NumberOf(world) + steps, 0, this->Count - 1);
-  const double way = (this->FirstWorld - world).dot(this->ForwardWorld);
-  return world + (way + number * this->StepMillimeters) * this->ForwardWorld;
+  const double path = (this->FirstWorld - world).dot(this->ForwardWorld);
+  return world + (path + number * this->StepMillimeters) * this->ForwardWorld;
 }
 } // namespace palpate

@@ -110,7 +110,7 @@ void SliceInSpace::Update(vtkImageDisplay* display, bool isAlongImage, const Vec
       {
         const double pixel = *std::min_element(axes.Spacing.begin(), axes.Spacing.end());
         const PixelGrid grid = this->GridOf(corners, frame, pixel);
-        PaintSlice(display->GetContent(), grid, this->Patch.Picture());
+        PaintSlice(display->GetContent(), grid, this->Patch.RasterImage());
         this->Patch.Place(grid, corners);
         this->Outline.SetCurves({{corners, true}}, Vector3::Zero());
       }

@@ -129,24 +129,24 @@ private:
   std::vector<PaintedLayer> Layers;
 };
 
-void Allocate(vtkImageData* picture, const PixelGrid& grid)
+void Allocate(vtkImageData* raster, const PixelGrid& grid)
 {
-  const int* size = picture->GetDimensions();
-  if (picture->GetNumberOfScalarComponents() != 4 || size[0] != grid.Width ||
+  const int* size = raster->GetDimensions();
+  if (raster->GetNumberOfScalarComponents() != 4 || size[0] != grid.Width ||
       size[1] != grid.Height || size[2] != 1)
   {
-    picture->SetDimensions(grid.Width, grid.Height, 1);
-    picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    raster->SetDimensions(grid.Width, grid.Height, 1);
+    raster->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   }
 }
 } // namespace
 
-void PaintSlice(const SliceContent& content, const PixelGrid& grid, vtkImageData* picture)
+void PaintSlice(const SliceContent& content, const PixelGrid& grid, vtkImageData* raster)
 {
   constexpr vtkIdType RowsAtATime = 16;
-  Allocate(picture, grid);
-  const RowPainter painter(content, grid, static_cast<std::uint8_t*>(picture->GetScalarPointer()));
+  Allocate(raster, grid);
+  const RowPainter painter(content, grid, static_cast<std::uint8_t*>(raster->GetScalarPointer()));
   vtkSMPTools::For(0, grid.Height, RowsAtATime, painter);
-  picture->Modified();
+  raster->Modified();
 }
 } // namespace palpate

@@ -38,5 +38,5 @@ struct SliceContent
 /// not depend on the number of threads. `picture` becomes red, green, blue and opacity (0 to 255),
 /// its first row at the grid's first one.
 PALPATEINTERACTION_EXPORT void PaintSlice(const SliceContent& content, const PixelGrid& grid,
-                                          vtkImageData* picture);
+                                          vtkImageData* raster);
 } // namespace palpate

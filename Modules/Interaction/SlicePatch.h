@@ -25,7 +25,7 @@ public:
   SlicePatch& operator=(const SlicePatch&) = delete;
 
   /// The image to show; paint into it, then place it.
-  vtkImageData* Picture() const { return this->Pixels; }
+  vtkImageData* RasterImage() const { return this->Pixels; }
   /// Corners in order, world, mm.
   void Place(const PixelGrid& grid, const std::vector<Vector3>& cornersWorld);
   /// The corners of the whole image.

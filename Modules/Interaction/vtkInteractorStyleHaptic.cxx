@@ -137,7 +137,7 @@ palpate::TouchScene vtkInteractorStyleHaptic::MakeScene() const
 bool vtkInteractorStyleHaptic::Publish(const palpate::WorkspaceFrame& frame)
 {
   const palpate::Status status =
-      this->Inner->Session.Publish(this->MakeScene(), frame, palpate::SceneEntry::Anew);
+      this->Inner->Session.Publish(this->MakeScene(), frame, palpate::SceneEntry::FadeIn);
   if (!status.IsOk())
   {
     vtkErrorMacro(<< status.Message());

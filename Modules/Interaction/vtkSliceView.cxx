@@ -268,7 +268,7 @@ void vtkSliceView::UpdateFor(vtkRenderer* renderer)
     return;
   }
   this->PlaceCamera(renderer, position);
-  this->UpdatePicture(position);
+  this->UpdateImage(position);
   state.Contours.Update(position);
   state.Marks.Update(this->GetLandmarks(), position);
   state.Tool.Update(this->GetProbe(), position);
@@ -294,7 +294,7 @@ void vtkSliceView::PlaceCamera(vtkRenderer* renderer, const SlicePosition& posit
   camera->SetClippingRange(0.5 * EyeDistance, 1.5 * EyeDistance);
 }
 
-void vtkSliceView::UpdatePicture(const SlicePosition& position)
+void vtkSliceView::UpdateImage(const SlicePosition& position)
 {
   State& state = *this->Inner;
   vtkImageDisplay* display = this->GetImageDisplay();
@@ -309,7 +309,7 @@ void vtkSliceView::UpdatePicture(const SlicePosition& position)
   {
     return;
   }
-  palpate::PaintSlice(display->GetContent(), grid, state.Patch.Picture());
+  palpate::PaintSlice(display->GetContent(), grid, state.Patch.RasterImage());
   state.Patch.Place(grid, palpate::SlicePatch::CornersOf(grid));
   state.PaintedGrid = grid;
   state.PaintedTime = time;

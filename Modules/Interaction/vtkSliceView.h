@@ -91,7 +91,7 @@ private:
 
   void Fit();
   void PlaceCamera(vtkRenderer* renderer, const palpate::SlicePosition& position);
-  void UpdatePicture(const palpate::SlicePosition& position);
+  void UpdateImage(const palpate::SlicePosition& position);
 
   int Orientation = AXIAL;
 

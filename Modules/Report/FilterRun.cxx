@@ -22,7 +22,7 @@ struct RunState
 };
 
 // VTK's message is "ERROR: In file, line n\nvtkClass (0x...): text\n\n".
-std::string Sentence(const char* message)
+std::string Message(const char* message)
 {
   std::string text = message != nullptr ? message : "";
   const std::size_t start = text.find("): ");
@@ -45,7 +45,7 @@ void OnEvent(vtkObject* caller, unsigned long event, void* clientData, void* cal
     // The first error is the cause; the executive reports its consequences after it.
     if (state->Error.empty())
     {
-      state->Error = Sentence(static_cast<const char*>(callData));
+      state->Error = Message(static_cast<const char*>(callData));
     }
     return;
   }

@@ -54,7 +54,7 @@ a { color: var(--bar); }
 .notes { padding-left: 20px; } .notes li { overflow-wrap: anywhere; }
 )css";
 
-const char* const Pictures = R"css(
+const char* const Images = R"css(
 figure { margin: 0; break-inside: avoid; }
 figcaption { font-size: 13px; margin-top: 4px; }
 .slices { display: grid; grid-template-columns: repeat(auto-fill, minmax(280px, 1fr)); gap: 18px;
@@ -122,7 +122,7 @@ std::string ReportPage(const std::string& title, const std::string& body)
 {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Pictures + Tables +
+         EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Images + Tables +
          "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n</body>\n</html>\n";
 }
 

@@ -25,11 +25,11 @@ std::string PointText(const Eigen::Vector2d& point)
 
 std::string CurvePath(const SurfaceCurve& curve, const SlicePlane& plane)
 {
-  Eigen::Vector2d last = plane.ToPicture(curve.Points.front());
+  Eigen::Vector2d last = plane.ToImage(curve.Points.front());
   std::string path = "M" + PointText(last);
   for (std::size_t p = 1; p < curve.Points.size(); ++p)
   {
-    const Eigen::Vector2d point = plane.ToPicture(curve.Points[p]);
+    const Eigen::Vector2d point = plane.ToImage(curve.Points[p]);
     const bool isEnd = !curve.IsClosed && p + 1 == curve.Points.size();
     if (isEnd || (point - last).norm() >= Resolution)
     {
@@ -126,7 +126,7 @@ private:
     index[axis] = along - 0.5;
     index[otherAxis] = across - 0.5;
     index[this->Plane.SliceAxis] = this->Plane.SliceIndex;
-    return PointText(this->Plane.ToPicture(this->Axes.ToWorld(index)));
+    return PointText(this->Plane.ToImage(this->Axes.ToWorld(index)));
   }
 
   ImageAxes Axes;

@@ -77,8 +77,8 @@ public:
       }
       previous = index;
     }
-    planes.push_back(this->Make("Sagittal", 0, 1, 2, -1.0, this->Middle(0)));
-    planes.push_back(this->Make("Coronal", 1, 0, 2, -1.0, this->Middle(1)));
+    planes.push_back(this->Make("Sagittal", 0, 1, 2, -1.0, this->Center(0)));
+    planes.push_back(this->Make("Coronal", 1, 0, 2, -1.0, this->Center(1)));
     return planes;
   }
 
@@ -87,7 +87,7 @@ private:
   {
     return (this->Box.High[axis] - this->Box.Low[axis] + 1) * this->Image.Spacing[axis];
   }
-  int Middle(int bodyAxis) const
+  int Center(int bodyAxis) const
   {
     const int axis = this->Body.Axis[bodyAxis];
     return (this->Box.Low[axis] + this->Box.High[axis]) / 2;

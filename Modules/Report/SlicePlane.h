@@ -32,12 +32,12 @@ struct PALPATEREPORT_EXPORT SlicePlane
   int SliceNumber = 1; ///< the same, counted from 1
   int SliceCount = 1;
 
-  Vector3 ToWorld(const Eigen::Vector2d& picture) const
+  Vector3 ToWorld(const Eigen::Vector2d& raster) const
   {
-    return this->CornerWorld + this->PixelMillimeters *
-                                   (picture.x() * this->RightWorld + picture.y() * this->DownWorld);
+    return this->CornerWorld +
+           this->PixelMillimeters * (raster.x() * this->RightWorld + raster.y() * this->DownWorld);
   }
-  Eigen::Vector2d ToPicture(const Vector3& world) const
+  Eigen::Vector2d ToImage(const Vector3& world) const
   {
     const Vector3 offset = (world - this->CornerWorld) / this->PixelMillimeters;
     return {offset.dot(this->RightWorld), offset.dot(this->DownWorld)};

@@ -263,19 +263,19 @@ void SoftwareRenderer::Resolve(int column, int row, const Samples& samples,
   pixel[3] = static_cast<std::uint8_t>(255 * covered / (SamplesPerPixel * SamplesPerPixel));
 }
 
-Picture SoftwareRenderer::Render(ViewSide side, int size) const
+RasterImage SoftwareRenderer::Render(ViewSide side, int size) const
 {
   Samples samples(SamplesPerPixel * size);
   const std::vector<Projected> points = this->Project(FrameOf(side), samples.Across);
   this->Rasterise(points, samples);
-  Picture picture(size, size);
+  RasterImage raster(size, size);
   for (int row = 0; row < size; ++row)
   {
     for (int column = 0; column < size; ++column)
     {
-      this->Resolve(column, row, samples, points, picture.Pixel(column, row));
+      this->Resolve(column, row, samples, points, raster.Pixel(column, row));
     }
   }
-  return picture;
+  return raster;
 }
 } // namespace palpate

@@ -2,7 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "PalpateReportModule.h"
-#include "Picture.h"
+#include "RasterImage.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -37,7 +37,7 @@ public:
 
   /// A square image of `size` pixels from one side, centred on the mesh's bounding box, with a
   /// transparent background. Const and thread-safe.
-  Picture Render(ViewSide side, int size) const;
+  RasterImage Render(ViewSide side, int size) const;
 
 private:
   struct Projected

@@ -58,7 +58,7 @@ public:
                             this->Felt);
   }
 
-  Vector3 Middle() const { return this->Bounds.center(); }
+  Vector3 Center() const { return this->Bounds.center(); }
   /// Distance from the centre beyond which there is no structure.
   double Extent() const { return this->Reach; }
 
@@ -70,11 +70,11 @@ public:
     constexpr int Halvings = 12;
     const double farthest = 1.05 * this->Reach;
     double outside = farthest;
-    this->Touches(this->Middle() + outside * direction, true);
+    this->Touches(this->Center() + outside * direction, true);
     for (int n = Steps - 1; n >= 0; --n)
     {
       double inside = farthest * n / Steps;
-      if (!this->Touches(this->Middle() + inside * direction, false))
+      if (!this->Touches(this->Center() + inside * direction, false))
       {
         outside = inside;
         continue;
@@ -82,7 +82,7 @@ public:
       for (int halving = 0; halving < Halvings; ++halving)
       {
         const double between = 0.5 * (inside + outside);
-        (this->Touches(this->Middle() + between * direction, true) ? inside : outside) = between;
+        (this->Touches(this->Center() + between * direction, true) ? inside : outside) = between;
       }
       return inside;
     }
@@ -115,9 +115,9 @@ public:
 
   void GoTo(const Vector3& point)
   {
-    const double way = (point - this->Places.back().PointWorld).norm();
+    const double path = (point - this->Places.back().PointWorld).norm();
     // Coinciding places would take no time.
-    this->Places.push_back({this->Places.back().Time + std::max(way / this->Speed, 1e-3), point});
+    this->Places.push_back({this->Places.back().Time + std::max(path / this->Speed, 1e-3), point});
   }
   HandPath Path() { return HandPath(std::move(this->Places)); }
 
@@ -208,14 +208,14 @@ Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& pa
     return status;
   }
   const double outside = 1.05 * probe.Extent();
-  Walk walk(probe.Middle() + outside * OnSpiral(0.0), speed);
+  Walk walk(probe.Center() + outside * OnSpiral(0.0), speed);
   for (int knot = 0; knot <= Knots; ++knot)
   {
     const Vector3 direction = OnSpiral(static_cast<double>(knot) / Knots);
     const double touch = probe.FirstTouch(direction);
-    walk.GoTo(probe.Middle() + (touch < 0.0 ? outside : std::max(touch - depth, 0.0)) * direction);
+    walk.GoTo(probe.Center() + (touch < 0.0 ? outside : std::max(touch - depth, 0.0)) * direction);
   }
-  walk.GoTo(probe.Middle() + outside * OnSpiral(1.0));
+  walk.GoTo(probe.Center() + outside * OnSpiral(1.0));
   path = walk.Path();
   return status;
 }
@@ -230,7 +230,7 @@ Status PressesOf(const TouchScene& scene, const HandPresses& presses, HandPath& 
   }
   std::mt19937_64 random(presses.Seed);
   const double outside = 1.05 * probe.Extent();
-  Walk walk(probe.Middle() + outside * Vector3::UnitZ(), presses.Speed);
+  Walk walk(probe.Center() + outside * Vector3::UnitZ(), presses.Speed);
   for (int n = 0; n < presses.Count; ++n)
   {
     const Vector3 direction = RandomDirection(random);
@@ -241,7 +241,7 @@ Status PressesOf(const TouchScene& scene, const HandPresses& presses, HandPath& 
     {
       continue;
     }
-    const Vector3 deepest = probe.Middle() + std::max(touch - presses.Depth, 0.0) * direction;
+    const Vector3 deepest = probe.Center() + std::max(touch - presses.Depth, 0.0) * direction;
     const Vector3 before = presses.Aside * direction;
     for (const Vector3& point : {Vector3(deepest + before), deepest, Vector3(deepest + aside),
                                  Vector3(deepest + aside + before)})

@@ -17,7 +17,7 @@ void RequireVoxels(const Segmentation& segmentation, const Segment& segment)
 {
   if (const std::string reason = TooFewVoxels(segmentation, segment); !reason.empty())
   {
-    throw InputError(WithHint(CaseSentence(segmentation.Source, segment, reason), ChooseAnother));
+    throw InputError(WithHint(CaseMessage(segmentation.Source, segment, reason), ChooseAnother));
   }
 }
 } // namespace
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> ProtectedSurfaceOf(const SceneStructure& structure,
     }
     catch (const FilterError& error)
     {
-      throw InputError(CaseSentence(read->Source, segment, error.what()));
+      throw InputError(CaseMessage(read->Source, segment, error.what()));
     }
   }
   if (const auto model = ProductAs<FitResult>(&source))

@@ -37,7 +37,7 @@ void Require(const Segmentation& segmentation, const Segment& structure, const s
 {
   if (!reason.empty())
   {
-    throw FilterError(WithHint(CaseSentence(segmentation.Source, structure, reason), hint));
+    throw FilterError(WithHint(CaseMessage(segmentation.Source, structure, reason), hint));
   }
 }
 

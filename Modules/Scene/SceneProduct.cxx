@@ -42,7 +42,7 @@ const FitResult* RefusedOf(const SceneProduct& product)
 std::string FailureOf(const SceneProduct& product)
 {
   const FitResult* refused = RefusedOf(product);
-  return refused != nullptr ? CaseSentence(refused->Input, refused->Structure, ReasonOf(product))
+  return refused != nullptr ? CaseMessage(refused->Input, refused->Structure, ReasonOf(product))
                             : ReasonOf(product);
 }
 
@@ -50,15 +50,15 @@ std::string ReasonOf(const SceneProduct& product)
 {
   const FitResult* refused = RefusedOf(product);
   const auto* failure = std::get_if<SceneFailure>(&product);
-  const std::string sentence = failure != nullptr ? failure->Sentence : std::string();
-  return refused != nullptr ? WithHint(refused->Message, refused->WindowHint) : sentence;
+  const std::string message = failure != nullptr ? failure->Message : std::string();
+  return refused != nullptr ? WithHint(refused->Message, refused->WindowHint) : message;
 }
 
 std::size_t BytesOf(const SceneProduct& product)
 {
   return std::visit(
       Overloaded{
-          [](const SceneFailure& failure) { return failure.Sentence.size(); },
+          [](const SceneFailure& failure) { return failure.Message.size(); },
           [](const std::shared_ptr<const Volume>& volume) { return BytesOf(volume->Image.Get()); },
           [](const std::shared_ptr<const Segmentation>& segmentation)
           {

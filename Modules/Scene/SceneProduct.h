@@ -21,11 +21,11 @@ namespace palpate
 /// The product could not be made: a message, the same as on the command line.
 struct SceneFailure
 {
-  std::string Sentence;
+  std::string Message;
 };
 inline bool operator==(const SceneFailure& a, const SceneFailure& b)
 {
-  return a.Sentence == b.Sentence;
+  return a.Message == b.Message;
 }
 
 /// The product of a step: shared and immutable. Pass a shallow copy to VTK pipelines, since they

@@ -24,7 +24,7 @@ std::size_t SceneProtection::Bytes() const
   std::size_t bytes = 2 * Kibibyte * this->Structure->Surface()->GetActualMemorySize();
   for (const auto& kept : this->Kept)
   {
-    bytes += kept->BytesBeside(nullptr);
+    bytes += kept->BytesNotIn(nullptr);
   }
   return bytes;
 }

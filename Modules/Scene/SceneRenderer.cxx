@@ -7,7 +7,7 @@
 #include "ImageAxes.h"
 #include "SurfaceMaterial.h"
 #include "SurfaceNormals.h"
-#include "WindowPicture.h"
+#include "WindowImage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -134,9 +134,9 @@ std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, 
   return this->Surfaces.size() - 1;
 }
 
-void SceneRenderer::MoveSurface(std::size_t surface, const Vector3& wayWorld)
+void SceneRenderer::MoveSurface(std::size_t surface, const Vector3& pathWorld)
 {
-  this->Surfaces[surface].Actor->SetPosition(wayWorld[0], wayWorld[1], wayWorld[2]);
+  this->Surfaces[surface].Actor->SetPosition(pathWorld[0], pathWorld[1], pathWorld[2]);
 }
 
 std::size_t SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
@@ -271,7 +271,7 @@ std::vector<std::string> SceneRenderer::ArrayNames() const
   return {names.begin(), names.end()};
 }
 
-Vector3 SceneRenderer::MiddleWorld() const
+Vector3 SceneRenderer::CenterWorld() const
 {
   Eigen::AlignedBox3d box;
   for (const Vector3& point : this->Outline)
@@ -414,19 +414,19 @@ void SceneRenderer::AddAnnotations(int width, int height)
   }
 }
 
-Picture SceneRenderer::Render(const ViewFrame& frame, int width, int height)
+RasterImage SceneRenderer::Render(const ViewFrame& frame, int width, int height)
 {
-  Picture picture(width, height);
-  this->Render(frame, picture);
-  return picture;
+  RasterImage raster(width, height);
+  this->Render(frame, raster);
+  return raster;
 }
 
-void SceneRenderer::Render(const ViewFrame& frame, Picture& picture)
+void SceneRenderer::Render(const ViewFrame& frame, RasterImage& raster)
 {
-  this->AddAnnotations(picture.Width, picture.Height);
+  this->AddAnnotations(raster.Width, raster.Height);
   this->SetLetters(frame);
-  this->PlaceCamera(frame, static_cast<double>(picture.Width) / picture.Height);
+  this->PlaceCamera(frame, static_cast<double>(raster.Width) / raster.Height);
   this->Window->Render();
-  ReadWindow(this->Window, this->Pixels, picture);
+  ReadWindow(this->Window, this->Pixels, raster);
 }
 } // namespace palpate

@@ -2,7 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "PalpateSceneModule.h"
-#include "Picture.h"
+#include "RasterImage.h"
 #include "ScalarField.h"
 
 #include "vtkSmartPointer.h"
@@ -49,9 +49,9 @@ public:
   void SetBackground(const Color& color);
   /// Returns the surface's number, from 0, for MoveSurface.
   std::size_t AddSurface(vtkPolyData* surface, const Color& color, double opacity);
-  /// Draws the surface displaced by `wayWorld` (mm) from its original position, which alone decides
-  /// the extent of the image.
-  void MoveSurface(std::size_t surface, const Vector3& wayWorld);
+  /// Draws the surface displaced by `pathWorld` (mm) from its original position, which alone
+  /// decides the extent of the image.
+  void MoveSurface(std::size_t surface, const Vector3& pathWorld);
   /// Draws the sub-voxel surfaces of a field's materials by the ray caster that haptic queries use.
   /// One colour per material. Returns the field's number, from 0, for ChangeField.
   std::size_t AddField(const std::shared_ptr<const ScalarField>& field,
@@ -69,12 +69,12 @@ public:
   std::vector<std::string> ArrayNames() const;
 
   /// Centre of the objects added so far, mm.
-  Vector3 MiddleWorld() const;
+  Vector3 CenterWorld() const;
 
   /// Renders the scene along a frame, as large as it fits.
-  Picture Render(const ViewFrame& frame, int width, int height);
+  RasterImage Render(const ViewFrame& frame, int width, int height);
   /// The same into an existing image, at its size and without allocating memory.
-  void Render(const ViewFrame& frame, Picture& picture);
+  void Render(const ViewFrame& frame, RasterImage& raster);
 
 private:
   struct Surface

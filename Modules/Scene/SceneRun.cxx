@@ -54,7 +54,7 @@ std::string TitleOf(const SceneSettings& scene, const SceneNode& node)
 bool IsReleased(const SceneProduct& product)
 {
   const auto* failure = std::get_if<SceneFailure>(&product);
-  return failure != nullptr && failure->Sentence.empty();
+  return failure != nullptr && failure->Message.empty();
 }
 } // namespace
 
@@ -235,7 +235,7 @@ void SceneRun::RequireMade(const SceneSettings& scene, const SceneNode& node,
   const SceneStructure* structure = FindStructure(scene, node.Id);
   const bool isFit = structure->Representation == TouchRepresentation::Harmonics;
   throw InputError(WithHint(
-      CaseSentence(structure->File, found->Structure, found->Message),
+      CaseMessage(structure->File, found->Structure, found->Message),
       isRefused && isFit ? "fit it with palpate fit and touch the model, or omit the representation"
       : isFit && !isBad  ? "omit the representation"
                          : ChooseAnother));

@@ -46,7 +46,7 @@ auto OfSegment(const Segmentation& segmentation, const Segment& segment, const M
   }
   catch (const FilterError& error)
   {
-    throw InputError(CaseSentence(segmentation.Source, segment, error.what()));
+    throw InputError(CaseMessage(segmentation.Source, segment, error.what()));
   }
 }
 } // namespace
@@ -344,12 +344,12 @@ void StructurePlan::Replace(std::size_t last, const std::string& replacement,
   }
 }
 
-void StructurePlan::AddRefusal(const std::string& fact, const std::string& wayOut)
+void StructurePlan::AddRefusal(const std::string& fact, const std::string& remedy)
 {
   this->AddNode(SceneStep::Touch, SceneKey("refusal", this->Structure.Id, fact), {},
-                [file = this->Structure.File, fact, wayOut](const Inputs&,
+                [file = this->Structure.File, fact, remedy](const Inputs&,
                                                             const ProgressFunction&) -> SceneProduct
-                { Refuse(file, fact, wayOut); });
+                { Refuse(file, fact, remedy); });
 }
 
 void StructurePlan::AddContact(const std::string& kind, const std::string& input, Making make)

@@ -76,7 +76,7 @@ private:
   void AddOnlyDisplayed();
   void AddAppearance();
   void AddEffects();
-  void AddRefusal(const std::string& fact, const std::string& wayOut);
+  void AddRefusal(const std::string& fact, const std::string& remedy);
   std::string WithTool(const std::string& start) const;
   std::string ReasonAt(std::size_t node) const;
 

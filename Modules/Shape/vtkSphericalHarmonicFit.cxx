@@ -194,5 +194,5 @@ void vtkSphericalHarmonicFit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NoiseDeviation: " << this->NoiseDeviation << " mm\n";
   os << indent << "DegreesOfFreedom: " << this->DegreesOfFreedom << "\n";
   os << indent << "DownWeighted: " << this->DownWeighted << "\n";
-  os << indent << "Coverage: " << this->Coverage.Sentence << "\n";
+  os << indent << "Coverage: " << this->Coverage.Message << "\n";
 }

@@ -168,9 +168,9 @@ void Study::RelocateFile(const std::filesystem::path& missing, const std::filesy
   this->Change("Find " + missing.filename().string(), Relocate(this->State(), missing, moved));
 }
 
-bool Study::Change(const std::string& sentence, const StudyState& next, const std::string& gesture)
+bool Study::Change(const std::string& message, const StudyState& next, const std::string& gesture)
 {
-  const bool isChanged = this->Steps.Change(sentence, next, gesture);
+  const bool isChanged = this->Steps.Change(message, next, gesture);
   if (isChanged)
   {
     this->Follow();
@@ -288,10 +288,10 @@ void Study::StartTouch()
           }
         });
   };
-  job.Fail = [this](const std::string& sentence)
+  job.Fail = [this](const std::string& message)
   {
     this->Opening.reset();
-    this->Problem = sentence;
+    this->Problem = message;
   };
   this->Opening = this->Work.Start(std::move(job));
 }
@@ -305,7 +305,7 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
   {
     device->Close();
     this->Problem = tool.Is == StudyStepState::Kind::Failed
-                        ? tool.Sentence
+                        ? tool.Message
                         : "The tool's file is still being read: start the touch afterwards.";
     return;
   }
@@ -365,10 +365,10 @@ void Study::OpenReplay(const std::filesystem::path& file)
           }
         });
   };
-  job.Fail = [this](const std::string& sentence)
+  job.Fail = [this](const std::string& message)
   {
     this->Reading.reset();
-    this->Unplayable = sentence;
+    this->Unplayable = message;
   };
   this->Reading = this->Work.Start(std::move(job));
 }
@@ -398,7 +398,7 @@ void Study::ExportReplay(const std::filesystem::path& file)
     ExportTouch(*recording, file);
     return StudyJob::Delivery([] {});
   };
-  job.Fail = [this](const std::string& sentence) { this->Unplayable = sentence; };
+  job.Fail = [this](const std::string& message) { this->Unplayable = message; };
   this->Work.Start(std::move(job));
 }
 

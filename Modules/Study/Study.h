@@ -64,7 +64,7 @@ public:
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
 
   /// See StudyHistory.
-  bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
+  bool Change(const std::string& message, const StudyState& next, const std::string& gesture = {});
   void EndGesture() { this->Steps.EndGesture(); }
   void ChangeView(const StudyView& view) { this->Steps.ChangeView(view); }
   bool Undo();

@@ -55,7 +55,7 @@ std::string DrillHoldText(const std::vector<StudyForbidden>& unready)
   if (failed != unready.end())
   {
     return "Drilling is off, because " + failed->Name +
-           " cannot be protected: " + failed->State.Sentence +
+           " cannot be protected: " + failed->State.Message +
            ". Give it another drill role, or fix this and press \"Again\" next to \"protection\".";
   }
   const auto cancelled =
@@ -79,7 +79,7 @@ std::string ProtectionText(const StudyForbidden& forbidden)
   case Kind::Running:
     return "Protection: " + std::to_string(std::lround(100.0 * forbidden.State.Fraction)) + " %";
   case Kind::Failed:
-    return "Not protected: " + forbidden.State.Sentence;
+    return "Not protected: " + forbidden.State.Message;
   case Kind::NeedsUpdate:
   case Kind::NotWanted:
     break;

@@ -19,7 +19,7 @@ StudyHistory::StudyHistory(StudyState first, std::size_t mostSteps)
 {
 }
 
-bool StudyHistory::Change(const std::string& sentence, const StudyState& next,
+bool StudyHistory::Change(const std::string& message, const StudyState& next,
                           const std::string& gesture)
 {
   if (WithView(next, this->Now.View) == this->Now)
@@ -35,11 +35,11 @@ bool StudyHistory::Change(const std::string& sentence, const StudyState& next,
   }
   else if (isSameGesture)
   {
-    this->Past.back().Sentence = sentence;
+    this->Past.back().Message = message;
   }
   else
   {
-    this->Past.push_back({sentence, std::make_shared<const StudyState>(this->Now)});
+    this->Past.push_back({message, std::make_shared<const StudyState>(this->Now)});
   }
   if (this->Past.size() > this->MostSteps)
   {
@@ -64,7 +64,7 @@ void StudyHistory::Swap(std::deque<Step>& from, std::deque<Step>& to)
 {
   const Step step = std::move(from.back());
   from.pop_back();
-  to.push_back({step.Sentence, std::make_shared<const StudyState>(this->Now)});
+  to.push_back({step.Message, std::make_shared<const StudyState>(this->Now)});
   this->Now = WithView(*step.State, this->Now.View);
   this->Gesture.clear();
 }

@@ -20,10 +20,10 @@ public:
 
   const StudyState& Current() const { return this->Now; }
 
-  /// Makes `next` the current state, as a step named `sentence` ("Change the degree to 14"); undone
+  /// Makes `next` the current state, as a step named `message` ("Change the degree to 14"); undone
   /// steps are discarded. Consecutive changes with the same `gesture`, such as those of one slider,
   /// become one step, until EndGesture. Returns false if nothing differs.
-  bool Change(const std::string& sentence, const StudyState& next, const std::string& gesture = {});
+  bool Change(const std::string& message, const StudyState& next, const std::string& gesture = {});
   /// Adds consequences of the last step to it; they are undone and redone with it.
   void Amend(const StudyState& next) { this->Now = next; }
   /// Ends a gesture: the next change is a separate step.
@@ -36,8 +36,8 @@ public:
   bool CanUndo() const { return !this->Past.empty(); }
   bool CanRedo() const { return !this->Future.empty(); }
   /// The name of the step to undo or redo; may be empty.
-  std::string UndoText() const { return this->CanUndo() ? this->Past.back().Sentence : ""; }
-  std::string RedoText() const { return this->CanRedo() ? this->Future.back().Sentence : ""; }
+  std::string UndoText() const { return this->CanUndo() ? this->Past.back().Message : ""; }
+  std::string RedoText() const { return this->CanRedo() ? this->Future.back().Message : ""; }
   bool Undo();
   bool Redo();
 
@@ -50,7 +50,7 @@ private:
   // A step's name, and the state before it (Past) or after it (Future).
   struct Step
   {
-    std::string Sentence;
+    std::string Message;
     std::shared_ptr<const StudyState> State;
   };
   void Swap(std::deque<Step>& from, std::deque<Step>& to);

@@ -25,13 +25,13 @@ struct Entry
 };
 using EntryPointer = std::shared_ptr<Entry>;
 
-StudyJob::Delivery FailWith(const Entry& entry, const std::string& sentence)
+StudyJob::Delivery FailWith(const Entry& entry, const std::string& message)
 {
-  return [fail = entry.Job.Fail, sentence]
+  return [fail = entry.Job.Fail, message]
   {
     if (fail)
     {
-      fail(sentence);
+      fail(message);
     }
   };
 }

@@ -25,7 +25,7 @@ struct StudyJob
   /// message is shown to the user.
   std::function<Delivery(const ProgressFunction& progress)> Work;
   /// Called on the owner's thread if Work threw.
-  std::function<void(const std::string& sentence)> Fail;
+  std::function<void(const std::string& message)> Fail;
   /// Runs before waiting jobs that are not urgent.
   bool IsUrgent = false;
 };

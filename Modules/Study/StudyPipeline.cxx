@@ -10,15 +10,15 @@ namespace palpate
 {
 namespace
 {
-StudyStepState Failed(const std::string& sentence)
+StudyStepState Failed(const std::string& message)
 {
-  return {StudyStepState::Kind::Failed, 0.0, {}, sentence};
+  return {StudyStepState::Kind::Failed, 0.0, {}, message};
 }
 
 // The state of a failed node: replaced if it has a replacement.
-StudyStepState Lost(const SceneNode& node, const std::string& sentence)
+StudyStepState Lost(const SceneNode& node, const std::string& message)
 {
-  return node.Advice.empty() ? Failed(sentence)
+  return node.Advice.empty() ? Failed(message)
                              : StudyStepState{StudyStepState::Kind::Replaced, 0.0, {}, node.Advice};
 }
 
@@ -172,8 +172,8 @@ void StudyPipeline::Start(const SceneNode& node)
     return StudyJob::Delivery([this, key, product = make(inputs, progress)]
                               { this->Finish(key, product); });
   };
-  job.Fail = [this, key = node.Key](const std::string& sentence)
-  { this->Finish(key, SceneFailure{sentence}); };
+  job.Fail = [this, key = node.Key](const std::string& message)
+  { this->Finish(key, SceneFailure{message}); };
   this->Running[node.Key] = this->Jobs.Start(std::move(job));
   ++this->Started;
 }
@@ -328,16 +328,16 @@ StudyStepState StudyPipeline::StateOf(SceneStep step) const
 
 std::vector<std::string> StudyPipeline::Advice() const
 {
-  std::vector<std::string> sentences;
+  std::vector<std::string> messages;
   for (const SceneNode& node : this->Plan)
   {
     const bool isTrue = !node.Advice.empty() && this->ProductOf(node.Replacement) != nullptr;
-    if (isTrue && (sentences.empty() || sentences.back() != node.Advice))
+    if (isTrue && (messages.empty() || messages.back() != node.Advice))
     {
-      sentences.push_back(node.Advice);
+      messages.push_back(node.Advice);
     }
   }
-  return sentences;
+  return messages;
 }
 
 template <typename Do>

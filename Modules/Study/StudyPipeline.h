@@ -32,7 +32,7 @@ struct StudyStepState
   Kind Is = Kind::NotWanted;
   double Fraction = 0.0; ///< while running
   std::string Stage;     ///< while running, one word
-  std::string Sentence;  ///< why it failed, or its replacement
+  std::string Message;   ///< why it failed, or its replacement
   /// It needs an update that will not start by itself, since it or one of its inputs was cancelled.
   bool IsCancelled = false;
 };

@@ -135,7 +135,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     }
     next.Tool = state.Tool;
     next.DrillRevision = this->Drilled.Revision();
-    const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::Anew;
+    const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::FadeIn;
     next.Frame = this->FrameFor(state.Placement, scene);
     for (std::size_t s = 0; s < next.Contacts.size(); ++s)
     {

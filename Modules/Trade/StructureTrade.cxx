@@ -131,7 +131,7 @@ TradeRow StructureTrade::Measure(const ContactSetting& setting, const ProgressFu
   TradeRow row;
   row.Structure = TitleOf(this->Scene.Structures.front());
   row.Setting = setting;
-  row.Truth = this->Reference->Says();
+  row.Truth = this->Reference->Details();
   const auto refuse = [&row](const std::exception& why)
   {
     row.State = TradeRow::Outcome::Refused;

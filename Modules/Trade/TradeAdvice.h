@@ -14,7 +14,7 @@ struct TradeAdvice
 {
   std::optional<std::size_t> Row; ///< none if no setting was measured
   bool IsMet = false;             ///< keeps the rate, and its errors are not noticeable
-  std::string Sentence;           ///< the recommendation and its reason
+  std::string Message;            ///< the recommendation and its reason
 };
 
 /// Of the settings whose 99.9 % tick reaches `servoRate` (Hz), the fastest, by its mean tick, whose

@@ -48,7 +48,7 @@ public:
 
   void Add(const TradePath::Tick& tick, const FeltTick& felt)
   {
-    const TradeTruth& truth = tick.Truth;
+    const TradePosition& truth = tick.Truth;
     const Vector3 ideal = this->Stiffness * (truth.ProxyWorld - tick.ProbeWorld);
     this->FeltJumps.Add(felt.IsTouching, felt.Force);
     this->IdealJumps.Add(truth.IsTouching, ideal);
@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  void AddPosition(const Vector3& error, const TradeTruth& truth)
+  void AddPosition(const Vector3& error, const TradePosition& truth)
   {
     this->Positions.push_back(error.norm());
     if (truth.IsTouching)

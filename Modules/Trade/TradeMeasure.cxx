@@ -49,7 +49,7 @@ class Rehearsal
 public:
   Rehearsal(const ContactModel& model, const TradeTouch& touch, const TradePath& path,
             const Clock& clock)
-      : Touch(touch), Way(path), Time(clock), Scene(SceneOf(model, touch)),
+      : Touch(touch), Path(path), Time(clock), Scene(SceneOf(model, touch)),
         Times(path.Ticks.size(), std::numeric_limits<double>::infinity()), Felt(path.Ticks.size())
   {
     RequireInput(this->Scene.Check());
@@ -59,7 +59,7 @@ public:
 
   void Run(const ProgressFunction& progress)
   {
-    const std::size_t strokes = this->Way.Strokes.size();
+    const std::size_t strokes = this->Path.Strokes.size();
     for (int run = 0; run < this->Touch.Runs; ++run)
     {
       for (std::size_t stroke = 0; stroke < strokes; ++stroke)
@@ -69,9 +69,9 @@ public:
         {
           throw Cancelled();
         }
-        this->RunStroke(this->Way.Strokes[stroke], stroke + 1 < strokes
-                                                       ? this->Way.Strokes[stroke + 1]
-                                                       : this->Way.Ticks.size());
+        this->RunStroke(this->Path.Strokes[stroke], stroke + 1 < strokes
+                                                        ? this->Path.Strokes[stroke + 1]
+                                                        : this->Path.Ticks.size());
       }
     }
   }
@@ -91,7 +91,7 @@ public:
     row.TickRare = QuantileOf(times, Rare);
     row.TickLongest = QuantileOf(times, 1.0);
     row.Rate = 1.0 / (SecondsPerNanosecond * row.TickRare);
-    CompareWithTruth(this->Way, this->Felt, this->Touch.Stiffness, row);
+    CompareWithTruth(this->Path, this->Felt, this->Touch.Stiffness, row);
   }
 
   std::size_t Bytes() const { return this->Followers.front().Bytes(); }
@@ -103,11 +103,11 @@ private:
     follower.Leave();
     FollowStep step;
     step.Passed = TradePath::Period;
-    Vector3 before = this->Way.Ticks[first].ProbeWorld;
+    Vector3 before = this->Path.Ticks[first].ProbeWorld;
     for (std::size_t tick = first; tick < end; ++tick)
     {
       step.Last.PositionWorld = before;
-      step.Now.PositionWorld = this->Way.Ticks[tick].ProbeWorld;
+      step.Now.PositionWorld = this->Path.Ticks[tick].ProbeWorld;
       step.HandVelocity = (step.Now.PositionWorld - before) / TradePath::Period;
       const std::int64_t began = this->Time.Now();
       const Vector3 force = follower.Follow(step);
@@ -119,7 +119,7 @@ private:
   }
 
   const TradeTouch& Touch;
-  const TradePath& Way;
+  const TradePath& Path;
   const Clock& Time;
   TouchScene Scene; // referenced by the followers
   std::vector<StructureFollower> Followers;

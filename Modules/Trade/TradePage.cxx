@@ -34,13 +34,13 @@ std::string NumberText(double number)
 }
 
 // The message with a capital first letter.
-std::string CapitalOf(std::string sentence)
+std::string CapitalOf(std::string message)
 {
-  if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
+  if (!message.empty() && message.front() >= 'a' && message.front() <= 'z')
   {
-    sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+    message.front() = static_cast<char>(message.front() - 'a' + 'A');
   }
-  return sentence;
+  return message;
 }
 
 std::string StyleOf(const std::string& representation)
@@ -182,9 +182,9 @@ std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* 
 std::string Refusals(const TradeStructureResult& structure)
 {
   std::string items;
-  for (const std::string& sentence : RefusalsOf(structure))
+  for (const std::string& message : RefusalsOf(structure))
   {
-    items += "<li>" + EscapeHtml(sentence) + "</li>\n";
+    items += "<li>" + EscapeHtml(message) + "</li>\n";
   }
   return items.empty() ? items
                        : "<h3>Not measured</h3>\n<ul class=\"notes\">\n" + items + "</ul>\n";
@@ -203,7 +203,7 @@ std::string StructureSection(const TradeStructureResult& structure)
   const std::string truth = structure.Rows.empty() ? std::string() : structure.Rows.front().Truth;
   return ReportSection(structure.Name,
                        "<div class=\"verdict " + std::string(advice.IsMet ? "good" : "poor") +
-                           "\"><p>" + EscapeHtml(CapitalOf(advice.Sentence)) +
+                           "\"><p>" + EscapeHtml(CapitalOf(advice.Message)) +
                            ".</p></div>\n<p class=\"soft\">Reference: " + EscapeHtml(truth) +
                            ".</p>\n" + Legend() + "<div class=\"charts\">\n" + plots + "</div>\n" +
                            FeltTable(rows, chosen) + Refusals(structure));

@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  const TradeTruth& Truth() const { return this->Path.Ticks.back().Truth; }
+  const TradePosition& Truth() const { return this->Path.Ticks.back().Truth; }
 
   // Searches in coarse steps along a line through the centre; returns the last position outside.
   std::optional<Vector3> FirstTouch(const Vector3& inward)
@@ -117,9 +117,9 @@ private:
 
   void GoTo(const Vector3& target)
   {
-    const Vector3 way = target - this->Probe;
-    const double length = way.norm();
-    this->Probe += length > LargestStep ? Vector3(LargestStep / length * way) : way;
+    const Vector3 path = target - this->Probe;
+    const double length = path.norm();
+    this->Probe += length > LargestStep ? Vector3(LargestStep / length * path) : path;
     this->Path.Ticks.push_back({this->Probe, this->Reference.At(this->Probe)});
     if (this->Truth().IsTouching)
     {

@@ -24,7 +24,7 @@ struct TradePath
   struct Tick
   {
     Vector3 ProbeWorld; ///< mm
-    TradeTruth Truth;
+    TradePosition Truth;
   };
 
   static constexpr double Period = 1e-3; ///< s

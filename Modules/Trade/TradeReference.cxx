@@ -27,7 +27,7 @@ public:
     this->Tracker->Release();
     this->Tracker->Follow({probeWorld, Eigen::Quaterniond::Identity()});
   }
-  TradeTruth At(const Vector3& probeWorld) override
+  TradePosition At(const Vector3& probeWorld) override
   {
     const Contact& contact = this->Tracker->Follow({probeWorld, Eigen::Quaterniond::Identity()});
     return {contact.IsTouching, contact.IsTouching ? contact.ProxyWorld : probeWorld,
@@ -51,7 +51,7 @@ public:
   }
 
   void Begin(const Vector3& /*probeWorld*/) override {}
-  TradeTruth At(const Vector3& probeWorld) override
+  TradePosition At(const Vector3& probeWorld) override
   {
     constexpr double LargestOverlap = 1e-6; // mm
     const ToolContact contact = this->Search.TouchAnywhere(probeWorld, this->ToolRadius);

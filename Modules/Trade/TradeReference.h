@@ -12,7 +12,7 @@
 namespace palpate
 {
 /// Reference position of the tool's proxy, world mm.
-struct TradeTruth
+struct TradePosition
 {
   bool IsTouching = false;
   Vector3 ProxyWorld = Vector3::Zero();   ///< of the tool's centre; the probe without contact
@@ -33,10 +33,10 @@ public:
   /// Begins a new path, outside the structure.
   virtual void Begin(const Vector3& probeWorld) = 0;
   /// The next position on that path.
-  virtual TradeTruth At(const Vector3& probeWorld) = 0;
+  virtual TradePosition At(const Vector3& probeWorld) = 0;
   virtual Eigen::AlignedBox3d BoundsWorld() const = 0;
   /// Description of the reference.
-  const std::string& Says() const { return this->Words; }
+  const std::string& Details() const { return this->Words; }
 
 protected:
   explicit TradeReference(std::string words) : Words(std::move(words)) {}

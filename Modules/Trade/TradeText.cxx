@@ -63,7 +63,7 @@ JsonObject AsJson(const TradeRow& row)
                   {"outcome", isMeasured ? "measured" : "refused"}};
   if (!isMeasured)
   {
-    json["sentence"] = row.Message;
+    json["message"] = row.Message;
     return json;
   }
   json["represented"] = row.Represented;
@@ -85,8 +85,8 @@ JsonObject AsJson(const TradeStructureResult& structure)
   const auto chosen =
       advice.Row ? JsonObject(KeyOf(structure.Rows[*advice.Row].Setting)) : JsonObject(nullptr);
   return {{"name", structure.Name},
-          {"truth", structure.Rows.empty() ? std::string() : structure.Rows.front().Truth},
-          {"advice", {{"met", advice.IsMet}, {"choose", chosen}, {"sentence", advice.Sentence}}},
+          {"reference", structure.Rows.empty() ? std::string() : structure.Rows.front().Truth},
+          {"advice", {{"met", advice.IsMet}, {"choose", chosen}, {"message", advice.Message}}},
           {"rows", rows}};
 }
 } // namespace
@@ -102,15 +102,15 @@ std::vector<std::string> RefusalsOf(const TradeStructureResult& structure)
       firsts.push_back(&row);
     }
   }
-  std::vector<std::string> sentences;
+  std::vector<std::string> messages;
   for (const TradeRow* first : firsts)
   {
     const int others = counts[first->Message] - 1;
-    sentences.push_back(Describe(first->Setting) +
-                        (others > 0 ? " and " + std::to_string(others) + " more" : std::string()) +
-                        ": " + first->Message);
+    messages.push_back(Describe(first->Setting) +
+                       (others > 0 ? " and " + std::to_string(others) + " more" : std::string()) +
+                       ": " + first->Message);
   }
-  return sentences;
+  return messages;
 }
 
 std::string TradeJson(const TradeResult& result)
@@ -138,8 +138,8 @@ std::string TradeJson(const TradeResult& result)
 
 std::string TradeCsv(const TradeResult& result)
 {
-  std::vector<std::string> fields{"structure",   "setting", "key",    "outcome",
-                                  "represented", "truth",   "message"};
+  std::vector<std::string> fields{"structure",   "setting",   "key",    "outcome",
+                                  "represented", "reference", "message"};
   for (const TradeColumn& column : TradeColumns)
   {
     fields.emplace_back(column.Name);

@@ -134,17 +134,17 @@ double FieldRenderer::ClearBeam(int column0, int column1, int row0, int row1,
 
 // Blends from the first visible hit; surfaces behind it are cast ray by ray.
 void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit,
-                              std::size_t pixel, FieldPicture& picture) const noexcept
+                              std::size_t pixel, FieldImage& image) const noexcept
 {
-  if (!picture.Hits.empty())
+  if (!image.Hits.empty())
   {
-    picture.Hits[pixel] = hit;
+    image.Hits[pixel] = hit;
   }
   if (hit.Material < 0)
   {
-    return picture.Clear(pixel);
+    return image.Clear(pixel);
   }
-  picture.Depths[pixel] = static_cast<float>(this->Scene.Rays.Depth(hit.Position));
+  image.Depths[pixel] = static_cast<float>(this->Scene.Rays.Depth(hit.Position));
   Vector3 color = Vector3::Zero();
   double open = 1.0; // transmittance so far
   const Vector3 fromEye = this->VectorToScene * ray.Direction;
@@ -165,7 +165,7 @@ void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHi
     interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
     hit = this->NextHit(ray, interval);
   }
-  std::uint8_t* bytes = &picture.Colors[4 * pixel];
+  std::uint8_t* bytes = &image.Colors[4 * pixel];
   bytes[0] = Byte(color[0]);
   bytes[1] = Byte(color[1]);
   bytes[2] = Byte(color[2]);
@@ -181,7 +181,7 @@ struct FieldRenderer::Beam
 };
 
 void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, double from, Beam& beam,
-                             FieldPicture& picture) const noexcept
+                             FieldImage& image) const noexcept
 {
   auto& [rays, intervals, pixels, hits] = beam;
   std::size_t count = 0;
@@ -191,7 +191,7 @@ void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, doubl
     const int row = row0 + InSquares[n].Row;
     if (column < column1 && row < row1)
     {
-      pixels[count] = picture.Pixel(column, row);
+      pixels[count] = image.Pixel(column, row);
       rays[count] = this->Scene.Rays.OfPixel(column, row);
       intervals[count] = this->IntervalOf(rays[count], pixels[count], from);
       ++count;
@@ -208,18 +208,18 @@ void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, doubl
     {
       hits[n] = FieldHit();
     }
-    this->DrawPixel(rays[n], intervals[n], hits[n], pixels[n], picture);
+    this->DrawPixel(rays[n], intervals[n], hits[n], pixels[n], image);
   }
 }
 
 void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
-                             FieldPicture& picture) const noexcept
+                             FieldImage& image) const noexcept
 {
   // All rays skip the common empty space together.
   const double clear = this->ClearBeam(column0, column1, row0, row1, 0.0);
   if (clear >= 1.0)
   {
-    return picture.Clear(column0, column1, row0, row1);
+    return image.Clear(column0, column1, row0, row1);
   }
   Beam beam;
   for (int row = row0; row < row1; row += BeamSide)
@@ -229,8 +229,8 @@ void FieldRenderer::DrawTile(int column0, int column1, int row0, int row1,
       const int columnEnd = std::min(column1, column + BeamSide);
       const int rowEnd = std::min(row1, row + BeamSide);
       const double from = this->ClearBeam(column, columnEnd, row, rowEnd, clear);
-      from < 1.0 ? this->DrawBeam(column, columnEnd, row, rowEnd, from, beam, picture)
-                 : picture.Clear(column, columnEnd, row, rowEnd);
+      from < 1.0 ? this->DrawBeam(column, columnEnd, row, rowEnd, from, beam, image)
+                 : image.Clear(column, columnEnd, row, rowEnd);
     }
   }
 }

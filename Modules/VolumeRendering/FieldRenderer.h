@@ -2,7 +2,7 @@
 
 #include "ContactMark.h"
 #include "CropRegions.h"
-#include "FieldPicture.h"
+#include "FieldImage.h"
 #include "PixelRays.h"
 #include "SurfaceShading.h"
 
@@ -50,7 +50,7 @@ public:
   FieldHit FirstHitAt(double x, double y) const noexcept;
   /// Fills the pixels of `picture` (of the view's size) with column0 <= column < column1 and
   /// row0 <= row < row1.
-  void DrawTile(int column0, int column1, int row0, int row1, FieldPicture& picture) const noexcept;
+  void DrawTile(int column0, int column1, int row0, int row1, FieldImage& raster) const noexcept;
 
 private:
   // Rays that are cast together.
@@ -63,9 +63,9 @@ private:
   void PassHidden(const FieldRay& ray, RayInterval interval, FieldHit& hit) const noexcept;
   Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
   void DrawBeam(int column0, int column1, int row0, int row1, double from, Beam& beam,
-                FieldPicture& picture) const noexcept;
+                FieldImage& raster) const noexcept;
   void DrawPixel(const FieldRay& ray, RayInterval interval, FieldHit& hit, std::size_t pixel,
-                 FieldPicture& picture) const noexcept;
+                 FieldImage& raster) const noexcept;
 
   RayCaster Caster;
   FieldView Scene;

@@ -1,6 +1,6 @@
 #include "vtkSubVoxelVolumeMapper.h"
 
-#include "DepthPicture.h"
+#include "DepthImage.h"
 #include "FieldOfImage.h"
 #include "FieldRenderer.h"
 #include "SceneView.h"
@@ -58,7 +58,7 @@ struct vtkSubVoxelVolumeMapper::State
   std::shared_ptr<const palpate::ScalarField> Made;
   vtkTimeStamp SettingsTime; ///< of the settings that the field is built from
   vtkTimeStamp MadeTime;
-  palpate::DepthPicture Drawing;
+  palpate::DepthImage Drawing;
   double SecondsPerRay = 0.0; ///< of the last frame
 
   palpate::MaterialLook& Look(int material)
@@ -73,7 +73,7 @@ struct vtkSubVoxelVolumeMapper::State
 };
 
 vtkSubVoxelVolumeMapper::vtkSubVoxelVolumeMapper()
-    : Inner(std::make_unique<State>()), Picture(std::make_unique<palpate::FieldPicture>())
+    : Inner(std::make_unique<State>()), RasterImage(std::make_unique<palpate::FieldImage>())
 {
 }
 
@@ -268,20 +268,20 @@ std::unique_ptr<palpate::FieldRenderer> vtkSubVoxelVolumeMapper::MakeRenderer(vt
 bool vtkSubVoxelVolumeMapper::CastRays(vtkRenderer* renderer)
 {
   const palpate::FieldRenderer& caster = *this->Caster;
-  palpate::FieldPicture& picture = *this->Picture;
-  const int columns = (picture.Width + TileSide - 1) / TileSide;
-  const int rows = (picture.Height + TileSide - 1) / TileSide;
+  palpate::FieldImage& raster = *this->RasterImage;
+  const int columns = (raster.Width + TileSide - 1) / TileSide;
+  const int rows = (raster.Height + TileSide - 1) / TileSide;
   const auto drawTiles = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType tile = first; tile < last; ++tile)
     {
       const int column = static_cast<int>(tile % columns) * TileSide;
       const int row = static_cast<int>(tile / columns) * TileSide;
-      caster.DrawTile(column, std::min(picture.Width, column + TileSide), row,
-                      std::min(picture.Height, row + TileSide), picture);
+      caster.DrawTile(column, std::min(raster.Width, column + TileSide), row,
+                      std::min(raster.Height, row + TileSide), raster);
     }
   };
-  const double expected = this->Inner->SecondsPerRay * picture.Width * picture.Height;
+  const double expected = this->Inner->SecondsPerRay * raster.Width * raster.Height;
   const int bands = std::clamp(static_cast<int>(expected / BandTime), 1, rows);
   for (int band = 0; band < bands; ++band)
   {
@@ -315,7 +315,7 @@ void vtkSubVoxelVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     return;
   }
-  this->Picture->Resize(width, height, this->KeepHits);
+  this->RasterImage->Resize(width, height, this->KeepHits);
 
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   const double start = vtkTimerLog::GetUniversalTime();
@@ -324,7 +324,7 @@ void vtkSubVoxelVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
     this->Inner->SecondsPerRay = this->TimeToDraw / (1.0 * width * height);
-    this->Inner->Drawing.Draw(renderer, *this->Picture, isOpaque);
+    this->Inner->Drawing.Draw(renderer, *this->RasterImage, isOpaque);
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
 }

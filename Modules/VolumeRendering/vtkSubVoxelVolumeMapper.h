@@ -38,7 +38,7 @@ namespace palpate
 class FieldRenderer;
 class ScalarField;
 struct ContactMark;
-struct FieldPicture;
+struct FieldImage;
 } // namespace palpate
 
 class PALPATEVOLUMERENDERING_EXPORT vtkSubVoxelVolumeMapper : public vtkVolumeMapper
@@ -113,9 +113,9 @@ public:
 #ifndef __VTK_WRAP__
   ///@{
   /** The last frame: the image, and its rays. Null before the first. */
-  const palpate::FieldPicture* GetPicture() const
+  const palpate::FieldImage* GetImage() const
   {
-    return this->Picture.get();
+    return this->RasterImage.get();
   }
   const palpate::FieldRenderer* GetFieldRenderer() const
   {
@@ -164,7 +164,7 @@ private:
 
   struct State;
   std::unique_ptr<State> Inner;
-  std::unique_ptr<palpate::FieldPicture> Picture;
+  std::unique_ptr<palpate::FieldImage> RasterImage;
   std::unique_ptr<palpate::FieldRenderer> Caster;
 };
 

@@ -179,7 +179,7 @@ void DrillPanel::MakeTable()
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
 }
 
-void DrillPanel::ChangeStructure(int label, const QString& sentence,
+void DrillPanel::ChangeStructure(int label, const QString& message,
                                  const std::function<void(SceneStructure&)>& change)
 {
   StudyState next = this->Study.State();
@@ -190,7 +190,7 @@ void DrillPanel::ChangeStructure(int label, const QString& sentence,
       change(structure);
     }
   }
-  this->Study.Change(sentence, next);
+  this->Study.Change(message, next);
 }
 
 void DrillPanel::MakeRow(int row, const SceneStructure& structure)

@@ -42,7 +42,7 @@ private:
   void ShowAlarm(const StudyDrillReading& reading, const std::vector<StudyForbidden>& forbidden);
   std::string HoldText(const StudyDrillReading& reading,
                        std::vector<StudyForbidden> forbidden) const;
-  void ChangeStructure(int label, const QString& sentence,
+  void ChangeStructure(int label, const QString& message,
                        const std::function<void(SceneStructure&)>& change);
   void Press(bool isDown);
   void Save();

@@ -118,7 +118,7 @@ void FitPanel::AddOthers(QFormLayout* form)
       });
 }
 
-void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& sentence,
+void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& message,
                          double low, double high, double step,
                          const std::function<double&(StudyState&)>& field)
 {
@@ -128,11 +128,11 @@ void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString&
   box->setKeyboardTracking(false);
   form->addRow(label, box);
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this, sentence, field](double value)
+          [this, message, field](double value)
           {
             StudyState next = this->Study.State();
             field(next) = value;
-            this->Study.Change(QString("%1 to %2").arg(sentence).arg(value), next, sentence);
+            this->Study.Change(QString("%1 to %2").arg(message).arg(value), next, message);
           });
   connect(box, &QDoubleSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
   this->Shows.emplace_back(
@@ -144,7 +144,7 @@ void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString&
       });
 }
 
-void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low,
+void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& message, int low,
                         int high, std::function<int(const StudyState&)> get,
                         std::function<void(StudyState&, int)> set)
 {
@@ -154,11 +154,11 @@ void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& 
   box->setKeyboardTracking(false);
   form->addRow(label, box);
   connect(box, qOverload<int>(&QSpinBox::valueChanged), this,
-          [this, sentence, set = std::move(set)](int value)
+          [this, message, set = std::move(set)](int value)
           {
             StudyState next = this->Study.State();
             set(next, value);
-            this->Study.Change(QString("%1 to %2").arg(sentence).arg(value), next, sentence);
+            this->Study.Change(QString("%1 to %2").arg(message).arg(value), next, message);
           });
   connect(box, &QSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
   this->Shows.emplace_back(
@@ -169,7 +169,7 @@ void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& 
       });
 }
 
-void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
+void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString& message,
                          const QStringList& choices, std::function<int(const StudyState&)> get,
                          std::function<void(StudyState&, int)> set)
 {
@@ -178,28 +178,28 @@ void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString&
   box->addItems(choices);
   form->addRow(label, box);
   connect(box, qOverload<int>(&QComboBox::activated), this,
-          [this, sentence, box, set = std::move(set)](int choice)
+          [this, message, box, set = std::move(set)](int choice)
           {
             StudyState next = this->Study.State();
             set(next, choice);
-            this->Study.Change(sentence + " to " + box->itemText(choice), next);
+            this->Study.Change(message + " to " + box->itemText(choice), next);
           });
   this->Shows.emplace_back([box, get = std::move(get)](const StudyState& state)
                            { box->setCurrentIndex(get(state)); });
 }
 
-void FitPanel::AddCheck(QFormLayout* form, const QString& label, const QString& sentence,
+void FitPanel::AddCheck(QFormLayout* form, const QString& label, const QString& message,
                         const std::function<bool&(StudyState&)>& field)
 {
   auto* box = new QCheckBox(this);
   box->setObjectName(label);
   form->addRow(label, box);
   connect(box, &QCheckBox::clicked, this,
-          [this, sentence, field](bool isOn)
+          [this, message, field](bool isOn)
           {
             StudyState next = this->Study.State();
             field(next) = isOn;
-            this->Study.Change(sentence + (isOn ? " to on" : " to off"), next);
+            this->Study.Change(message + (isOn ? " to on" : " to off"), next);
           });
   this->Shows.emplace_back(
       [box, field](const StudyState& state)
@@ -224,7 +224,7 @@ void FitPanel::ShowCoverage()
     ++models;
     if (fit->Coverage.Outcome != DirectionCoverage::Verdict::Good)
     {
-      warnings += ScreenString(structure.Name + ": " + fit->Coverage.Sentence);
+      warnings += ScreenString(structure.Name + ": " + fit->Coverage.Message);
     }
   }
   this->Coverage->setText(models == 0          ? QString("no model yet")

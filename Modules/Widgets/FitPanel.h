@@ -28,15 +28,15 @@ public:
 private:
   void AddImportant(QFormLayout* form);
   void AddOthers(QFormLayout* form);
-  void AddNumber(QFormLayout* form, const QString& label, const QString& sentence, double low,
+  void AddNumber(QFormLayout* form, const QString& label, const QString& message, double low,
                  double high, double step, const std::function<double&(StudyState&)>& field);
-  void AddWhole(QFormLayout* form, const QString& label, const QString& sentence, int low, int high,
+  void AddWhole(QFormLayout* form, const QString& label, const QString& message, int low, int high,
                 std::function<int(const StudyState&)> get,
                 std::function<void(StudyState&, int)> set);
-  void AddChoice(QFormLayout* form, const QString& label, const QString& sentence,
+  void AddChoice(QFormLayout* form, const QString& label, const QString& message,
                  const QStringList& choices, std::function<int(const StudyState&)> get,
                  std::function<void(StudyState&, int)> set);
-  void AddCheck(QFormLayout* form, const QString& label, const QString& sentence,
+  void AddCheck(QFormLayout* form, const QString& label, const QString& message,
                 const std::function<bool&(StudyState&)>& field);
   void Show();
   /// Of all available models.

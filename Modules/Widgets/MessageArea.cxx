@@ -10,17 +10,17 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostSentences = 200;
+constexpr int MostMessages = 200;
 constexpr int Lines = 3;
 } // namespace
 
-MessageArea::MessageArea(QWidget* parent) : QFrame(parent), Sentences(new QPlainTextEdit(this))
+MessageArea::MessageArea(QWidget* parent) : QFrame(parent), Messages(new QPlainTextEdit(this))
 {
   this->setObjectName("messages");
   this->setFrameShape(QFrame::StyledPanel);
-  this->Sentences->setReadOnly(true);
-  this->Sentences->setMaximumBlockCount(MostSentences);
-  this->Sentences->setFixedHeight(Lines * this->fontMetrics().lineSpacing() + 12);
+  this->Messages->setReadOnly(true);
+  this->Messages->setMaximumBlockCount(MostMessages);
+  this->Messages->setFixedHeight(Lines * this->fontMetrics().lineSpacing() + 12);
   auto* copy = new QPushButton("Copy", this);
   copy->setObjectName("copy");
   auto* close = new QPushButton("Close", this);
@@ -30,7 +30,7 @@ MessageArea::MessageArea(QWidget* parent) : QFrame(parent), Sentences(new QPlain
   buttons->addWidget(close);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 2, 4, 2);
-  row->addWidget(this->Sentences, 1);
+  row->addWidget(this->Messages, 1);
   row->addLayout(buttons);
   connect(copy, &QPushButton::clicked, this,
           [this] { QApplication::clipboard()->setText(this->Text()); });
@@ -38,15 +38,15 @@ MessageArea::MessageArea(QWidget* parent) : QFrame(parent), Sentences(new QPlain
   this->hide();
 }
 
-void MessageArea::Add(const QString& sentence)
+void MessageArea::Add(const QString& message)
 {
-  this->Sentences->appendPlainText(sentence);
+  this->Messages->appendPlainText(message);
   this->show();
 }
 
 void MessageArea::Clear()
 {
-  this->Sentences->clear();
+  this->Messages->clear();
   this->hide();
 }
 } // namespace palpate

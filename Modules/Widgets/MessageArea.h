@@ -14,12 +14,12 @@ class MessageArea : public QFrame
 public:
   explicit MessageArea(QWidget* parent = nullptr);
 
-  void Add(const QString& sentence);
+  void Add(const QString& message);
   /// All messages, one per line.
-  QString Text() const { return this->Sentences->toPlainText(); }
+  QString Text() const { return this->Messages->toPlainText(); }
   void Clear();
 
 private:
-  QPlainTextEdit* Sentences;
+  QPlainTextEdit* Messages;
 };
 } // namespace palpate

@@ -59,7 +59,7 @@ void StepRow::Show(const StudyStepState& state)
   colors.setColor(QPalette::WindowText, ReadableOn(ground, QColor(look.Color)));
   this->Sign->setPalette(colors);
   this->State->setText(look.Word);
-  this->State->setToolTip(PlainToolTip(ScreenString(state.Sentence)));
+  this->State->setToolTip(PlainToolTip(ScreenString(state.Message)));
   // Without a forbidden structure there is nothing to protect.
   const bool isShown =
       this->Step != SceneStep::Protection || state.Is != StudyStepState::Kind::NotWanted;

@@ -237,21 +237,21 @@ bool StructureTableModel::setData(const QModelIndex& index, const QVariant& valu
   StudyState next = this->Study.State();
   SceneStructure& structure = next.Structures.at(static_cast<std::size_t>(index.row()));
   const QString name = QString::fromStdString(TitleOf(structure));
-  QString sentence;
+  QString message;
   if (role == Qt::CheckStateRole)
   {
-    sentence = Check(structure, index.column(), value.toInt() == Qt::Checked) + " " + name;
+    message = Check(structure, index.column(), value.toInt() == Qt::Checked) + " " + name;
   }
   else
   {
     const QString change = Write(structure, index.column(), value);
-    sentence = change.isEmpty() ? QString() : QString("Change %1: %2").arg(name, change);
+    message = change.isEmpty() ? QString() : QString("Change %1: %2").arg(name, change);
   }
-  if (!sentence.isEmpty())
+  if (!message.isEmpty())
   {
-    this->Study.Change(sentence, next);
+    this->Study.Change(message, next);
   }
-  return !sentence.isEmpty();
+  return !message.isEmpty();
 }
 
 Qt::ItemFlags StructureTableModel::flags(const QModelIndex& index) const

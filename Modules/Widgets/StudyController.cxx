@@ -95,9 +95,9 @@ void StudyController::TakeRole()
                              });
         });
   };
-  job.Fail = [this, goOn](const std::string& sentence)
+  job.Fail = [this, goOn](const std::string& message)
   {
-    this->Report(sentence);
+    this->Report(message);
     goOn();
   };
   this->Open.Jobs().Start(std::move(job));
@@ -164,7 +164,7 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
 
 void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
 {
-  this->Told.erase(SceneStep::Volume); // a file that is opened again is reported again
+  this->Reported.erase(SceneStep::Volume); // a file that is opened again is reported again
   this->Try([&] { this->Open.OpenVolume(file, series); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -188,10 +188,10 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
           QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
         });
   };
-  job.Fail = [this](const std::string& sentence)
+  job.Fail = [this](const std::string& message)
   {
     --this->Folders;
-    this->Report(sentence);
+    this->Report(message);
   };
   this->Open.Jobs().Start(std::move(job));
 }
@@ -209,7 +209,7 @@ void StudyController::TakeSeries(const std::filesystem::path& folder, const QStr
 
 void StudyController::OpenSegmentation(const std::filesystem::path& file)
 {
-  this->Told.erase(this->Told.upper_bound(SceneStep::Volume), this->Told.end());
+  this->Reported.erase(this->Reported.upper_bound(SceneStep::Volume), this->Reported.end());
   this->Try([&] { this->Open.OpenSegmentation(file); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
 }
@@ -220,7 +220,7 @@ void StudyController::OpenSession(const std::filesystem::path& file)
       [&]
       {
         this->Open.Open(file);
-        this->Told.clear();
+        this->Reported.clear();
         Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
       });
 }
@@ -244,10 +244,9 @@ bool StudyController::Save(const std::filesystem::path& file)
   return isSaved;
 }
 
-void StudyController::Change(const QString& sentence, const StudyState& next,
-                             const QString& gesture)
+void StudyController::Change(const QString& message, const StudyState& next, const QString& gesture)
 {
-  if (this->Open.Change(sentence.toStdString(), next, gesture.toStdString()))
+  if (this->Open.Change(message.toStdString(), next, gesture.toStdString()))
   {
     this->Announce();
   }
@@ -287,7 +286,7 @@ void StudyController::CancelStep(SceneStep step)
 
 void StudyController::ResumeStep(SceneStep step)
 {
-  this->Told.clear();
+  this->Reported.clear();
   this->Open.ResumeStep(step);
   this->LooksToSteps = 0;
   this->Look();
@@ -295,7 +294,7 @@ void StudyController::ResumeStep(SceneStep step)
 
 void StudyController::StartTouch()
 {
-  this->ToldOfTouch.clear();
+  this->ReportedTouch.clear();
   this->Open.StartTouch();
   this->Look();
 }
@@ -367,7 +366,7 @@ void StudyController::StopRecording()
 
 void StudyController::OpenReplay(const std::filesystem::path& file)
 {
-  this->ToldOfReplay.clear();
+  this->ReportedReplay.clear();
   this->Open.OpenReplay(StudyPath(file));
   this->Look();
 }
@@ -380,7 +379,7 @@ void StudyController::CloseReplay()
 
 void StudyController::ExportReplay(const std::filesystem::path& file)
 {
-  this->ToldOfReplay.clear();
+  this->ReportedReplay.clear();
   this->Open.ExportReplay(file);
 }
 
@@ -398,9 +397,9 @@ void StudyController::TurnAxes(const Matrix3& rotation)
   this->Open.TurnAxes(rotation);
 }
 
-void StudyController::Report(const std::string& sentence)
+void StudyController::Report(const std::string& message)
 {
-  Q_EMIT Problem(ScreenString(sentence));
+  Q_EMIT Problem(ScreenString(message));
 }
 
 bool StudyController::Close()
@@ -441,15 +440,18 @@ void StudyController::Look()
 
 // Reports each problem once: a step's problem also blocks all later ones. Those of the volume are
 // separate.
-void StudyController::Tell(SceneStep step, const std::string& sentence)
+void StudyController::ReportOnce(SceneStep step, const std::string& message)
 {
   const bool isOfVolume = step == SceneStep::Volume;
-  const auto says = [&](const auto& told)
-  { return (told.first == SceneStep::Volume) == isOfVolume && told.second.count(sentence) > 0; };
-  if (std::none_of(this->Told.begin(), this->Told.end(), says))
+  const auto isReported = [&](const auto& reported)
   {
-    this->Told[step].insert(sentence);
-    this->Report(sentence);
+    return (reported.first == SceneStep::Volume) == isOfVolume &&
+           reported.second.count(message) > 0;
+  };
+  if (std::none_of(this->Reported.begin(), this->Reported.end(), isReported))
+  {
+    this->Reported[step].insert(message);
+    this->Report(message);
   }
 }
 
@@ -463,7 +465,7 @@ void StudyController::LookAtNotes()
       noted = image;
       for (const std::string& note : image->Notes)
       {
-        this->Tell(step, image->Source.filename().string() + ": " + note);
+        this->ReportOnce(step, image->Source.filename().string() + ": " + note);
       }
     }
   };
@@ -483,13 +485,13 @@ void StudyController::LookAtSteps()
                state.Is == StudyStepState::Kind::NeedsUpdate;
     if (state.Is == StudyStepState::Kind::Failed && step != SceneStep::Protection)
     {
-      this->Tell(step, state.Sentence);
+      this->ReportOnce(step, state.Message);
     }
   }
   this->LookAtProtection();
   for (const std::string& advice : this->Open.Pipeline().Advice())
   {
-    this->Tell(SceneStep::Touch, advice);
+    this->ReportOnce(SceneStep::Touch, advice);
   }
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();
@@ -505,15 +507,15 @@ void StudyController::LookAtProtection()
                failed.end());
   if (!failed.empty())
   {
-    this->Tell(SceneStep::Protection, DrillHoldText(failed));
+    this->ReportOnce(SceneStep::Protection, DrillHoldText(failed));
   }
 }
 
-void StudyController::Tell(const std::string& problem, std::string& told)
+void StudyController::ReportOnce(const std::string& problem, std::string& reported)
 {
-  if (problem != told)
+  if (problem != reported)
   {
-    told = problem;
+    reported = problem;
     if (!problem.empty())
     {
       this->Report(problem);
@@ -523,15 +525,15 @@ void StudyController::Tell(const std::string& problem, std::string& told)
 
 void StudyController::LookAtTouch()
 {
-  this->Tell(this->Open.TouchProblem(), this->ToldOfTouch);
+  this->ReportOnce(this->Open.TouchProblem(), this->ReportedTouch);
   const bool isTouching = this->IsTouching();
   if (isTouching)
   {
     this->Felt = this->Open.Touch().Poll();
     if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
     {
-      this->Tell(SceneStep::Protection,
-                 this->Felt.Drill.Hold); // for the key and the device's button
+      this->ReportOnce(SceneStep::Protection,
+                       this->Felt.Drill.Hold); // for the key and the device's button
     }
     Q_EMIT Touched();
   }
@@ -544,7 +546,7 @@ void StudyController::LookAtTouch()
 
 void StudyController::LookAtReplay()
 {
-  this->Tell(this->Open.ReplayProblem(), this->ToldOfReplay);
+  this->ReportOnce(this->Open.ReplayProblem(), this->ReportedReplay);
   StudyReplay* replay = this->Open.Replay();
   if (this->IsReplaying() != this->WasReplaying)
   {

@@ -59,7 +59,7 @@ public:
   bool Save(const std::filesystem::path& file);
 
   /// An undo step; see StudyHistory.
-  void Change(const QString& sentence, const StudyState& next, const QString& gesture = {});
+  void Change(const QString& message, const StudyState& next, const QString& gesture = {});
   void EndGesture() { this->Open.EndGesture(); }
   /// Changes the view; not an undo step.
   void ChangeView(const StudyView& view);
@@ -96,7 +96,7 @@ public:
   void TurnAxes(const Matrix3& rotation);
 
   /// Shows a message to the user, from anywhere in the window.
-  void Report(const std::string& sentence);
+  void Report(const std::string& message);
   /// Switches forces off, then cancels work; nothing happens afterwards. Returns Study::Close.
   bool Close();
   /// The result of Close.
@@ -111,17 +111,17 @@ Q_SIGNALS:
   void TouchChanged();  ///< began or ended
   void Touched();       ///< a new reading
   void ReplayChanged(); ///< opened or closed, played or paused
-  void Problem(const QString& sentence);
+  void Problem(const QString& message);
 
 private:
   void Look();
   void LookAtTouch();
   void LookAtReplay();
-  void Tell(const std::string& problem, std::string& told);
+  void ReportOnce(const std::string& problem, std::string& reported);
   void LookAtNotes();
   void LookAtSteps();
   void LookAtProtection();
-  void Tell(SceneStep step, const std::string& sentence);
+  void ReportOnce(SceneStep step, const std::string& message);
   void Announce();
   void TakeRole();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
@@ -137,11 +137,11 @@ private:
   int Folders = 0;                          ///< number of folders whose series are being listed
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
-  std::map<SceneStep, std::set<std::string>> Told; ///< reported failures and replacements
-  std::weak_ptr<const Volume> NotedVolume;         ///< whose notes were reported
+  std::map<SceneStep, std::set<std::string>> Reported; ///< reported failures and replacements
+  std::weak_ptr<const Volume> NotedVolume;             ///< whose notes were reported
   std::weak_ptr<const Segmentation> NotedLabels;
-  std::string ToldOfTouch;
-  std::string ToldOfReplay;
+  std::string ReportedTouch;
+  std::string ReportedReplay;
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;

@@ -243,12 +243,12 @@ QString TouchPanel::Warnings() const
     lines += ScreenString(warning);
   }
   const StudyTouchReading& reading = this->Study.Reading();
-  for (const std::string& sentence :
+  for (const std::string& message :
        {reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
   {
-    if (!sentence.empty())
+    if (!message.empty())
     {
-      lines += ScreenString(sentence);
+      lines += ScreenString(message);
     }
   }
   return lines.join("\n");

@@ -17,32 +17,32 @@ namespace palpate
 {
 namespace
 {
-void AskForPicture(vtkObject* /*shared*/, unsigned long /*event*/, void* pane, void* /*data*/)
+void AskForImage(vtkObject* /*shared*/, unsigned long /*event*/, void* pane, void* /*data*/)
 {
   static_cast<ViewPane*>(pane)->RequestRender();
 }
 } // namespace
 
 ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
-    : QWidget(parent), Bar(new ViewHeader(name, color, this)), Picture(new ViewCanvas(this))
+    : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this))
 {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(this->Bar);
-  column->addWidget(this->Picture, 1);
-  this->Picture->renderWindow()->AddRenderer(this->Scene);
-  this->Picture->installEventFilter(this);
+  column->addWidget(this->RasterImage, 1);
+  this->RasterImage->renderWindow()->AddRenderer(this->Scene);
+  this->RasterImage->installEventFilter(this);
   // Requests to the interactor, such as a style's at each mouse move, are drawn in the next turn.
-  this->Listener->SetCallback(AskForPicture);
+  this->Listener->SetCallback(AskForImage);
   this->Listener->SetClientData(this);
-  this->Picture->interactor()->AddObserver(vtkCommand::RenderEvent, this->Listener);
+  this->RasterImage->interactor()->AddObserver(vtkCommand::RenderEvent, this->Listener);
   connect(this->Bar, &ViewHeader::MaximizeAsked, this, &ViewPane::MaximizeAsked);
 }
 
 ViewPane::~ViewPane()
 {
-  this->Picture->interactor()->RemoveObserver(this->Listener);
+  this->RasterImage->interactor()->RemoveObserver(this->Listener);
   for (const auto& shared : this->Followed)
   {
     shared->RemoveObserver(this->Listener);
@@ -51,7 +51,7 @@ ViewPane::~ViewPane()
 
 void ViewPane::SetStyle(vtkInteractorStyle* style)
 {
-  this->Picture->interactor()->SetInteractorStyle(style);
+  this->RasterImage->interactor()->SetInteractorStyle(style);
 }
 
 void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
@@ -115,11 +115,11 @@ void ViewPane::RequestRender()
 void ViewPane::RenderNow()
 {
   // A hidden view is drawn when it is shown.
-  const bool draws = this->IsDue && this->Picture->isVisible() && this->Picture->isValid();
+  const bool draws = this->IsDue && this->RasterImage->isVisible() && this->RasterImage->isValid();
   this->IsDue = false;
   if (draws)
   {
-    this->Picture->renderWindow()->Render();
+    this->RasterImage->renderWindow()->Render();
     ++this->Drawn;
     Q_EMIT Rendered();
   }
@@ -128,9 +128,9 @@ void ViewPane::RenderNow()
 bool ViewPane::TakeMouse(QEvent* event)
 {
   auto* mouse = static_cast<QMouseEvent*>(event);
-  const double ratio = this->Picture->devicePixelRatioF();
+  const double ratio = this->RasterImage->devicePixelRatioF();
   const double x = ratio * mouse->localPos().x();
-  const double y = ratio * (this->Picture->height() - 1 - mouse->localPos().y());
+  const double y = ratio * (this->RasterImage->height() - 1 - mouse->localPos().y());
   if (event->type() == QEvent::MouseMove)
   {
     Q_EMIT PointerMoved(x, y);

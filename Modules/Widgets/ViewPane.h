@@ -30,7 +30,7 @@ public:
   ~ViewPane() override;
 
   /// The widget that VTK draws in and that receives the mouse.
-  ViewCanvas* Canvas() const { return this->Picture; }
+  ViewCanvas* Canvas() const { return this->RasterImage; }
   vtkRenderer* Renderer() const { return this->Scene; }
   /// Draws soon.
   void RequestRender();
@@ -65,7 +65,7 @@ private:
   bool TakeMouse(QEvent* event);
 
   ViewHeader* Bar;
-  ViewCanvas* Picture;
+  ViewCanvas* RasterImage;
   vtkNew<vtkRenderer> Scene;
   vtkNew<vtkCallbackCommand> Listener; ///< of the followed objects
   std::vector<vtkSmartPointer<vtkObject>> Followed;

@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t Ticks = 500;
 constexpr double Step = 0.05;  // mm a tick: 50 mm/s at 1 kHz
 constexpr double Depth = 1.5;  // mm
-constexpr double Radius = 6.0; // mm, of the ball
+constexpr double Radius = 6.0; // mm, of the sphere
 
 // A probe that wanders `depth` below where a tool of this radius touches.
 std::vector<Vector3> PathOn(const SphericalHarmonicModel& organ, double toolRadius)

@@ -115,7 +115,7 @@ public:
   }
 
   // Rebuilds the drilled field from its samples.
-  void BuildFromSamples() { this->Anew = Build(this->After); }
+  void BuildFromSamples() { this->FadeIn = Build(this->After); }
 
   std::string Compared()
   {
@@ -125,11 +125,11 @@ public:
     {
       text << "only " << this->Orders << " cuts removed " << this->Removed << " mm3";
     }
-    else if (this->SurfaceBricks != this->Anew->Memory().SurfaceBricks)
+    else if (this->SurfaceBricks != this->FadeIn->Memory().SurfaceBricks)
     {
       text << "the drilled field has " << this->SurfaceBricks
            << " bricks with a surface, and one that is built anew "
-           << this->Anew->Memory().SurfaceBricks;
+           << this->FadeIn->Memory().SurfaceBricks;
     }
     return text.str();
   }
@@ -161,7 +161,7 @@ private:
   std::size_t SurfaceBricks = 0;
   std::vector<float> After;
   std::shared_ptr<const ScalarField> Newest;
-  std::shared_ptr<const ScalarField> Anew;
+  std::shared_ptr<const ScalarField> FadeIn;
   double Removed = 0.0;
   std::uint64_t Orders = 0;
 };

@@ -24,7 +24,7 @@ namespace
 {
 constexpr int Nodes = 160;
 constexpr int Points = 26 * 770;
-constexpr int PictureSide = 96;
+constexpr int ImageSide = 96;
 constexpr int TouchRays = 4000;
 constexpr double TouchReach = 10.0; // mm
 
@@ -58,17 +58,17 @@ std::vector<Vector3> PointsOfATool(const SkullPhantom& skull)
 }
 
 // A camera in front of the face, one ray per pixel.
-std::vector<FieldRay> PictureRays(const SkullPhantom& skull)
+std::vector<FieldRay> ImageRays(const SkullPhantom& skull)
 {
   const Vector3 half = skull.HalfAxes();
   const Vector3 eye = skull.CenterWorld - Vector3(0.0, 3.0 * half[1], 0.0);
   std::vector<FieldRay> rays;
-  for (int y = 0; y < PictureSide; ++y)
+  for (int y = 0; y < ImageSide; ++y)
   {
-    for (int x = 0; x < PictureSide; ++x)
+    for (int x = 0; x < ImageSide; ++x)
     {
-      const double right = 2.2 * (x + 0.5) / PictureSide - 1.1;
-      const double up = 2.2 * (y + 0.5) / PictureSide - 1.1;
+      const double right = 2.2 * (x + 0.5) / ImageSide - 1.1;
+      const double up = 2.2 * (y + 0.5) / ImageSide - 1.1;
       const Vector3 aim = skull.CenterWorld + Vector3(right * half[0], 0.0, up * half[2]);
       rays.push_back({eye, (aim - eye).normalized()});
     }
@@ -280,7 +280,7 @@ std::vector<PairedBenchmark> FieldBenchmarks()
   constexpr auto Linear = FieldInterpolation::Trilinear;
   constexpr auto Cubic = FieldInterpolation::TricubicBSpline;
   const auto theCase = std::make_shared<FieldCase>();
-  const auto picture = PictureRays(theCase->Phantom());
+  const auto raster = ImageRays(theCase->Phantom());
   const auto tool = RaysOfATool(theCase->Phantom());
   const auto agree = [theCase] { return theCase->InsideDisagreement(); };
   const auto inside = [theCase](FieldInterpolation interpolation)
@@ -291,12 +291,12 @@ std::vector<PairedBenchmark> FieldBenchmarks()
            [theCase] { theCase->AreInsideByItk(Linear); }, agree, Points},
           {"field/inside/tricubic", "itk::BSplineInterpolateImageFunction", inside(Cubic),
            [theCase] { theCase->AreInsideByItk(Cubic); }, agree, Points},
-          FirstHits(theCase, "field/firsthit", "vtkImageInterpolator, half steps", Linear, picture,
+          FirstHits(theCase, "field/firsthit", "vtkImageInterpolator, half steps", Linear, raster,
                     INFINITY),
           FirstHits(theCase, "field/firsthit/tool", "vtkImageInterpolator, half steps", Linear,
                     tool, TouchReach),
           FirstHits(theCase, "field/firsthit/tricubic", "vtkImageBSplineInterpolator, half steps",
-                    Cubic, picture, INFINITY),
+                    Cubic, raster, INFINITY),
           FirstHits(theCase, "field/firsthit/tricubic/tool",
                     "vtkImageBSplineInterpolator, half steps", Cubic, tool, TouchReach)};
 }

@@ -114,7 +114,7 @@ MissingCapRow MakeRow(const IcosahedronDirections& sphere, double capDegrees,
   row.NoiseGainRms = coverage.NoiseGainRms;
   row.NoiseGainMaximum = coverage.NoiseGainMaximum;
   row.Verdict = coverage.Outcome;
-  row.Sentence = status.IsOk() ? coverage.Sentence : status.Message();
+  row.Message = status.IsOk() ? coverage.Message : status.Message();
   return row;
 }
 

@@ -21,7 +21,7 @@ struct MissingCapRow
   double ErrorOutside; ///< mm
   double ErrorInside;  ///< mm; 0 if no cap is missing
   DirectionCoverage::Verdict Verdict;
-  std::string Sentence;
+  std::string Message;
 };
 
 /// Organ-like bodies of degree 12 (20 mm), 4,002 directions without the cap, noise of 0.3 mm, fits

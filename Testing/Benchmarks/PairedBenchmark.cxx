@@ -73,18 +73,18 @@ void Register(const std::string& name, const std::function<void()>& run)
 
 std::vector<std::string> Disagreements(const std::vector<PairedBenchmark>& pairs)
 {
-  std::vector<std::string> sentences;
+  std::vector<std::string> messages;
   for (const PairedBenchmark& pair : pairs)
   {
     pair.Run();
     pair.RunAgainst();
-    const std::string sentence = pair.Disagreement();
-    if (!sentence.empty())
+    const std::string message = pair.Disagreement();
+    if (!message.empty())
     {
-      sentences.push_back(pair.Name + " and " + pair.Against + ": " + sentence);
+      messages.push_back(pair.Name + " and " + pair.Against + ": " + message);
     }
   }
-  return sentences;
+  return messages;
 }
 
 std::vector<Comparison> Measure(const std::vector<PairedBenchmark>& pairs,

@@ -180,14 +180,14 @@ void AddVoxels(PublishedComparison& made)
   constexpr double ToolRadius = 2.0;
   const FieldGrid grid({Nodes, Nodes, Nodes}, Vector3::Zero(), Vector3::Constant(Spacing),
                        Matrix3::Identity());
-  const test::SphereField ball{Vector3(69.3, 70.1, 68.7), 60.0};
-  const auto samples = test::SampleAtIndices<float>(grid.Size(), ball);
+  const test::SphereField sphere{Vector3(69.3, 70.1, 68.7), 60.0};
+  const auto samples = test::SampleAtIndices<float>(grid.Size(), sphere);
   FieldBuilder builder(grid);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
   std::shared_ptr<const ScalarField> field;
   Require(builder.Build(field));
-  const Vector3 center = grid.PointWorld(ball.Center);
-  const double contact = Spacing * ball.Radius + ToolRadius;
+  const Vector3 center = grid.PointWorld(sphere.Center);
+  const double contact = Spacing * sphere.Radius + ToolRadius;
   const Truth truth = [&](const Vector3& probe)
   {
     const Vector3 normal = (probe - center).normalized();

@@ -111,13 +111,13 @@ public:
     for (const Vector3& u : Wander(Step / 20.0))
     {
       this->PointPath.push_back(organ->PointWorld(u) - 1.5 * organ->Normal(u));
-      this->BallPath.push_back(organ->PointWorld(u) + (BallRadius - 1.5) * organ->Normal(u));
+      this->SpherePath.push_back(organ->PointWorld(u) + (SphereRadius - 1.5) * organ->Normal(u));
     }
     std::shared_ptr<const ContactModel> model;
     if (HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model).IsOk())
     {
       this->Harmonic = TrackerOf(model, ToolShape::Sphere(0.0));
-      this->HarmonicBall = TrackerOf(model, ToolShape::Sphere(BallRadius));
+      this->HarmonicSphere = TrackerOf(model, ToolShape::Sphere(SphereRadius));
     }
     this->MakeMesh(*organ);
     for (const int frequency : {20, 40, 80})
@@ -129,16 +129,22 @@ public:
   void FollowHarmonic() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Ours); }
   void FollowHarmonicAsTheirs() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Theirs); }
   void TouchHarmonicPoint() { TouchAll(*this->Harmonic, 0.0, this->PointPath, this->Pairs.Theirs); }
-  void TouchHarmonicBall()
+  void TouchHarmonicSphere()
   {
-    TouchAll(*this->HarmonicBall, BallRadius, this->BallPath, this->Pairs.Ours);
+    TouchAll(*this->HarmonicSphere, SphereRadius, this->SpherePath, this->Pairs.Ours);
   }
-  void FollowHarmonicBall() { FollowAll(*this->HarmonicBall, this->BallPath, this->Pairs.Ours); }
+  void FollowHarmonicSphere()
+  {
+    FollowAll(*this->HarmonicSphere, this->SpherePath, this->Pairs.Ours);
+  }
   void FollowFacets(std::size_t size)
   {
     FollowAll(*this->Facets[size], this->PointPath, this->Pairs.Ours);
   }
-  void FollowFacetsBall() { FollowAll(*this->FacetsBall[0], this->BallPath, this->Pairs.Theirs); }
+  void FollowFacetsSphere()
+  {
+    FollowAll(*this->FacetsSphere[0], this->SpherePath, this->Pairs.Theirs);
+  }
   void Locate()
   {
     for (std::size_t i = 0; i < Ticks; ++i)
@@ -165,7 +171,7 @@ public:
   std::string FacetsDisagreement() const { return this->Pairs.Disagreement(0.6); }
 
 private:
-  static constexpr double BallRadius = 2.0; // mm
+  static constexpr double SphereRadius = 2.0; // mm
 
   void MakeMesh(const SphericalHarmonicModel& organ)
   {
@@ -200,16 +206,16 @@ private:
     if (FacetContactModel::Make(corners, sphere.Triangles(), model).IsOk())
     {
       this->Facets.push_back(TrackerOf(model, ToolShape::Sphere(0.0)));
-      this->FacetsBall.push_back(TrackerOf(model, ToolShape::Sphere(BallRadius)));
+      this->FacetsSphere.push_back(TrackerOf(model, ToolShape::Sphere(SphereRadius)));
     }
   }
 
   std::vector<Vector3> PointPath;
-  std::vector<Vector3> BallPath;
+  std::vector<Vector3> SpherePath;
   std::unique_ptr<ContactTracker> Harmonic;
-  std::unique_ptr<ContactTracker> HarmonicBall;
+  std::unique_ptr<ContactTracker> HarmonicSphere;
   std::vector<std::unique_ptr<ContactTracker>> Facets;
-  std::vector<std::unique_ptr<ContactTracker>> FacetsBall;
+  std::vector<std::unique_ptr<ContactTracker>> FacetsSphere;
   Proxies Pairs;
   vtkNew<vtkPolyData> Mesh;
   vtkNew<vtkStaticCellLocator> Locator;
@@ -226,8 +232,8 @@ public:
     constexpr int Nodes = 140;
     const FieldGrid grid({Nodes, Nodes, Nodes}, Vector3::Zero(), Vector3::Constant(0.5),
                          Matrix3::Identity());
-    const test::SphereField ball{Vector3(69.3, 70.1, 68.7), 60.0};
-    const auto samples = test::SampleAtIndices<float>(grid.Size(), ball);
+    const test::SphereField sphere{Vector3(69.3, 70.1, 68.7), 60.0};
+    const auto samples = test::SampleAtIndices<float>(grid.Size(), sphere);
     FieldBuilder builder(grid);
     builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
     std::shared_ptr<const ScalarField> field;
@@ -249,7 +255,7 @@ public:
     }
     for (const Vector3& u : Wander(Step / 30.0))
     {
-      const Vector3 place = grid.PointWorld(ball.Center) + (30.0 - 0.5) * u;
+      const Vector3 place = grid.PointWorld(sphere.Center) + (30.0 - 0.5) * u;
       this->Path.push_back(place + 2.0 * u);
       this->SmallPath.push_back(place + SmallRadius * u);
       this->LargePath.push_back(place + LargeRadius * u);
@@ -316,11 +322,11 @@ std::vector<PairedBenchmark> TouchBenchmarks()
            [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree,
            Ticks},
           {"touch/sh/degree12/ball", "god-object on 8,000 triangles (ours), ball of 2 mm",
-           [organ] { organ->FollowHarmonicBall(); }, [organ] { organ->FollowFacetsBall(); }, agree,
-           Ticks},
+           [organ] { organ->FollowHarmonicSphere(); }, [organ] { organ->FollowFacetsSphere(); },
+           agree, Ticks},
           {"touch/sh/degree12/radius", "a point instead of a ball of 2 mm (ours)",
-           [organ] { organ->TouchHarmonicBall(); }, [organ] { organ->TouchHarmonicPoint(); }, agree,
-           Ticks},
+           [organ] { organ->TouchHarmonicSphere(); }, [organ] { organ->TouchHarmonicPoint(); },
+           agree, Ticks},
           facets(0, "8000"),
           facets(1, "32000"),
           facets(2, "128000"),

@@ -21,7 +21,7 @@ constexpr double MeanRadius = 25.0; // mm
 constexpr std::size_t DirectionCount = 1000;
 
 // One way to evaluate a degree.
-struct Way
+struct Variant
 {
   int Degree;
   EvaluationFormulation Formulation;
@@ -39,21 +39,21 @@ struct Way
   }
 };
 
-std::vector<Way> AllWays()
+std::vector<Variant> AllVariants()
 {
-  std::vector<Way> ways;
+  std::vector<Variant> variants;
   for (const int degree : {4, 8, 12, 16})
   {
     for (const bool isBatch : {false, true})
     {
-      ways.push_back({degree, EvaluationFormulation::Automatic, isBatch});
+      variants.push_back({degree, EvaluationFormulation::Automatic, isBatch});
     }
   }
   for (const int degree : {4, 8, 12, 16, 20, 32, 48, 64})
   {
-    ways.push_back({degree, EvaluationFormulation::Recurrence, false});
+    variants.push_back({degree, EvaluationFormulation::Recurrence, false});
   }
-  return ways;
+  return variants;
 }
 
 SphericalHarmonicModel Body()
@@ -72,8 +72,8 @@ SphericalHarmonicModel Body()
 class Evaluation
 {
 public:
-  Evaluation(const Way& way, const std::vector<double>& coefficients)
-      : Evaluator(way.Degree, coefficients, way.Formulation), IsBatch(way.IsBatch),
+  Evaluation(const Variant& variant, const std::vector<double>& coefficients)
+      : Evaluator(variant.Degree, coefficients, variant.Formulation), IsBatch(variant.IsBatch),
         Samples(DirectionCount)
   {
     test::Random random(3);
@@ -102,11 +102,11 @@ private:
   std::vector<SphericalHarmonicEvaluator::Sample> Samples;
 };
 
-PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
+PairedBenchmark Pair(const Variant& variant, const std::vector<double>& coefficients)
 {
-  const auto ours = std::make_shared<Evaluation>(way, coefficients);
+  const auto ours = std::make_shared<Evaluation>(variant, coefficients);
   const auto plain = std::make_shared<Evaluation>(
-      Way{way.Degree, EvaluationFormulation::Recurrence, false}, coefficients);
+      Variant{variant.Degree, EvaluationFormulation::Recurrence, false}, coefficients);
   const auto disagreement = [ours, plain]() -> std::string
   {
     double worst = 0.0;
@@ -119,7 +119,7 @@ PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
     text << "radii differ by " << worst << " mm";
     return worst <= Bound ? std::string() : text.str();
   };
-  return {way.Name(),
+  return {variant.Name(),
           "recurrence, one direction a call",
           [ours] { ours->Run(); },
           [plain] { plain->Run(); },
@@ -128,16 +128,16 @@ PairedBenchmark Pair(const Way& way, const std::vector<double>& coefficients)
 }
 
 // Largest error of the radius of the truncated body, for a few directions: the oracle is slow.
-double Rounding(const Way& way, const std::vector<double>& coefficients)
+double Rounding(const Variant& variant, const std::vector<double>& coefficients)
 {
-  const SphericalHarmonicEvaluator evaluator(way.Degree, coefficients, way.Formulation);
+  const SphericalHarmonicEvaluator evaluator(variant.Degree, coefficients, variant.Formulation);
   test::Random random(4);
   double worst = 0.0;
   for (const Vector3& direction : test::RandomDirections(random, 20))
   {
     const Vector3 exact = direction.normalized();
     long double sum = 0.0L;
-    for (int l = 0; l <= way.Degree; ++l)
+    for (int l = 0; l <= variant.Degree; ++l)
     {
       for (int m = -l; m <= l; ++m)
       {
@@ -167,10 +167,10 @@ std::vector<PairedBenchmark> TradeOffBenchmarks()
 {
   const SphericalHarmonicModel body = Body();
   std::vector<PairedBenchmark> pairs;
-  for (const Way& way : AllWays())
+  for (const Variant& variant : AllVariants())
   {
-    const std::vector<double> coefficients = body.WithDegree(way.Degree).Coefficients();
-    pairs.push_back(Pair(way, coefficients));
+    const std::vector<double> coefficients = body.WithDegree(variant.Degree).Coefficients();
+    pairs.push_back(Pair(variant, coefficients));
   }
   return pairs;
 }
@@ -180,19 +180,19 @@ std::vector<TradeOffRow> TradeOffRows(const std::vector<Comparison>& comparisons
   const SphericalHarmonicModel body = Body();
   const SphericalHarmonicSpectrum spectrum(body);
   std::vector<TradeOffRow> rows;
-  for (const Way& way : AllWays())
+  for (const Variant& variant : AllVariants())
   {
     const auto measured = std::find_if(comparisons.begin(), comparisons.end(),
-                                       [name = way.Name()](const Comparison& comparison)
+                                       [name = variant.Name()](const Comparison& comparison)
                                        { return comparison.Name == name; });
     if (measured == comparisons.end())
     {
       continue;
     }
-    const std::vector<double> coefficients = body.WithDegree(way.Degree).Coefficients();
-    rows.push_back({way.Degree, way.FormulationName(), way.CallsName(), measured->Nanoseconds,
-                    Rounding(way, coefficients), spectrum.Truncation(way.Degree).Rms,
-                    LargestLoss(body, way.Degree)});
+    const std::vector<double> coefficients = body.WithDegree(variant.Degree).Coefficients();
+    rows.push_back({variant.Degree, variant.FormulationName(), variant.CallsName(),
+                    measured->Nanoseconds, Rounding(variant, coefficients),
+                    spectrum.Truncation(variant.Degree).Rms, LargestLoss(body, variant.Degree)});
   }
   return rows;
 }

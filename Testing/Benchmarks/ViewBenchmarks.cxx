@@ -2,9 +2,9 @@
 
 #include "FourViews.h"
 #include "ImageAxes.h"
-#include "Picture.h"
+#include "RasterImage.h"
 #include "SlicePosition.h"
-#include "WindowPicture.h"
+#include "WindowImage.h"
 #include "vtkOrientedVolumeReader.h"
 
 #include "vtkActor.h"
@@ -129,9 +129,9 @@ public:
       this->Planes[slice]->SetNormal(normal.data());
       this->Slices[slice]->GetActiveCamera()->DeepCopy(like->GetRenderer()->GetActiveCamera());
       Vector3 focus(this->Slices[slice]->GetActiveCamera()->GetFocalPoint());
-      const Vector3 way = (place - focus).dot(normal) * normal;
-      const Vector3 eye = Vector3(this->Slices[slice]->GetActiveCamera()->GetPosition()) + way;
-      focus += way;
+      const Vector3 path = (place - focus).dot(normal) * normal;
+      const Vector3 eye = Vector3(this->Slices[slice]->GetActiveCamera()->GetPosition()) + path;
+      focus += path;
       this->Slices[slice]->GetActiveCamera()->SetFocalPoint(focus.data());
       this->Slices[slice]->GetActiveCamera()->SetPosition(eye.data());
     }
@@ -223,8 +223,8 @@ public:
     const int frame = 5;
     this->Ours->Frame(frame);
     this->Theirs->Frame(frame);
-    const Picture ours = ReadWindow(this->Ours->Views.Window);
-    const Picture theirs = ReadWindow(this->Theirs->Window);
+    const RasterImage ours = ReadWindow(this->Ours->Views.Window);
+    const RasterImage theirs = ReadWindow(this->Theirs->Window);
     int different = 0;
     int bright = 0;
     for (int row = 0; row < Height / 2; ++row)

@@ -1,4 +1,4 @@
-// PalpateWindow FILE [SECONDS]: measures the servo beside what the window does, and how long the
+// PalpateWindow FILE [SECONDS]: measures the servo next to what the window does, and how long the
 // window takes to close, and writes them as JSON; see Utilities/window.sh.
 #include "Application.h"
 #include "DisplayCheck.h"
@@ -36,7 +36,7 @@ nlohmann::json ToJson(const WindowStretch& stretch)
           {"touching", stretch.Touching},
           {"missed", stretch.Missed},
           {"faults", stretch.Faults},
-          {"pictures", stretch.Pictures},
+          {"pictures", stretch.Images},
           {"events", stretch.Events},
           {"period", ToJson(stretch.Periods)},
           {"tick", ToJson(stretch.Durations)}};

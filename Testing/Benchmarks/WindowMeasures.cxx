@@ -194,7 +194,7 @@ WindowStretch WindowMeasures::Measure(const std::string& name, const Act& act)
   const auto panes = this->Window->Views()->Panes();
   for (std::size_t p = 0; p < before.size(); ++p)
   {
-    stretch.Pictures.push_back(panes[p]->RenderCount() - before[p]);
+    stretch.Images.push_back(panes[p]->RenderCount() - before[p]);
   }
   this->Study->StopTouch();
   return stretch;

@@ -25,7 +25,7 @@ struct WindowStretch
   std::uint64_t Touching = 0; ///< number of them in contact
   std::uint64_t Missed = 0;   ///< ticks skipped
   std::uint64_t Faults = 0;   ///< times the safety chain switched forces off
-  std::vector<int> Pictures;  ///< frames of each view: axial, coronal, sagittal, 3D
+  std::vector<int> Images;    ///< frames of each view: axial, coronal, sagittal, 3D
   int Events = 0;             ///< number of times that the window performed the activity
 };
 

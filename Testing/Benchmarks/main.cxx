@@ -1,4 +1,4 @@
-// PalpateBenchmarks: times ours beside named alternatives, after checking that both agree.
+// PalpateBenchmarks: times ours next to named alternatives, after checking that both agree.
 #include "BoundsBenchmarks.h"
 #include "BumpyTouchBenchmarks.h"
 #include "ComparisonReport.h"
@@ -128,9 +128,9 @@ int main(int argc, char** argv)
     return palpate::bench::InstructionCounts::Count(pairs) ? 0 : 1;
   }
   const std::vector<std::string> disagreements = palpate::bench::Disagreements(pairs);
-  for (const std::string& sentence : disagreements)
+  for (const std::string& message : disagreements)
   {
-    std::cerr << sentence << '\n';
+    std::cerr << message << '\n';
   }
   if (!disagreements.empty() || verifyOnly)
   {

@@ -21,7 +21,7 @@ struct ObliquePlane
     std::mt19937_64 random(8820);
     this->Grid = {{30, 30, 30}, originWorld, spacing, test::RandomOrientation(random)};
     const Vector3 middle = Vector3::Constant(14.5);
-    this->MiddleWorld = this->Grid.PointWorld(middle);
+    this->CenterWorld = this->Grid.PointWorld(middle);
     // Crosses a similar number of voxels along each axis.
     this->Normal = this->Grid.GradientWorld(Vector3(1.0, -0.8, 0.6)).normalized();
     for (std::size_t n = 0; n < this->Grid.NodeCount(); ++n)
@@ -32,11 +32,11 @@ struct ObliquePlane
   }
   double Height(const Vector3& pointWorld) const
   {
-    return this->Normal.dot(pointWorld - this->MiddleWorld);
+    return this->Normal.dot(pointWorld - this->CenterWorld);
   }
 
   FieldGrid Grid;
-  Vector3 MiddleWorld;
+  Vector3 CenterWorld;
   Vector3 Normal; // into the material
   std::vector<double> Samples;
 };
@@ -45,11 +45,11 @@ constexpr double NoAnswer = 1e9;
 
 struct PlaneErrors
 {
-  WorstCase Hit;        // mm
-  WorstCase Depth;      // mm, of a point
-  WorstCase Normal;     // rad
-  WorstCase BallDepth;  // relative to the finest spacing, for a sphere of four times its width
-  WorstCase BallNormal; // rad
+  WorstCase Hit;          // mm
+  WorstCase Depth;        // mm, of a point
+  WorstCase Normal;       // rad
+  WorstCase SphereDepth;  // relative to the finest spacing, for a sphere of four times its width
+  WorstCase SphereNormal; // rad
   int WrongSide = 0;
 };
 
@@ -62,7 +62,7 @@ std::vector<Vector3> PlacesOn(const ObliquePlane& plane)
   for (int n = 0; n < 200; ++n)
   {
     const Vector3 inIndex(aside(random), aside(random), aside(random));
-    const Vector3 near = plane.MiddleWorld + plane.Grid.VectorWorld(inIndex);
+    const Vector3 near = plane.CenterWorld + plane.Grid.VectorWorld(inIndex);
     places.emplace_back(near - plane.Height(near) * plane.Normal);
   }
   return places;
@@ -97,9 +97,9 @@ PlaneErrors TouchPlane(const ObliquePlane& plane)
     const Contact point = Pressed(*contact, plane, 0.0, place);
     errors.Depth.Add(point.IsValid ? point.Depth - 0.5 * step : NoAnswer);
     errors.Normal.Add((point.NormalWorld + plane.Normal).norm());
-    const Contact ball = Pressed(*contact, plane, 2.0 * step, place);
-    errors.BallDepth.Add(ball.IsValid ? ball.Depth / step - 0.5 : NoAnswer);
-    errors.BallNormal.Add((ball.NormalWorld + plane.Normal).norm());
+    const Contact sphere = Pressed(*contact, plane, 2.0 * step, place);
+    errors.SphereDepth.Add(sphere.IsValid ? sphere.Depth / step - 0.5 : NoAnswer);
+    errors.SphereNormal.Add((sphere.NormalWorld + plane.Normal).norm());
   }
   return errors;
 }
@@ -111,8 +111,8 @@ void ExpectExact(const PlaneErrors& errors, double bound)
   EXPECT_LE(errors.Depth.Value(), bound);
   EXPECT_LE(errors.Normal.Value(), bound);
   // Its shell is nowhere lower than the sphere by more than that.
-  EXPECT_LE(errors.BallDepth.Value(), 0.05);
-  EXPECT_LE(errors.BallNormal.Value(), bound);
+  EXPECT_LE(errors.SphereDepth.Value(), 0.05);
+  EXPECT_LE(errors.SphereNormal.Value(), bound);
   EXPECT_EQ(errors.WrongSide, 0);
 }
 

@@ -12,12 +12,12 @@ namespace palpate
 namespace
 {
 // A sphere that keeps a point out, as a minimal contact model.
-class SmallBall final : public ContactModel
+class SmallSphere final : public ContactModel
 {
 public:
   static constexpr double Radius = 1.0; // mm
 
-  explicit SmallBall(const Vector3& centerWorld) : Center(centerWorld) {}
+  explicit SmallSphere(const Vector3& centerWorld) : Center(centerWorld) {}
   Eigen::AlignedBox3d BoundsWorld() const noexcept override
   {
     return {this->Center - Vector3::Constant(Radius), this->Center + Vector3::Constant(Radius)};
@@ -36,12 +36,12 @@ private:
     explicit Tracker(const Vector3& center) : Center(center) {}
     const Contact& Follow(const ToolPose& pose) noexcept override
     {
-      const Vector3 way = pose.PositionWorld - this->Center;
-      const double distance = way.norm();
+      const Vector3 path = pose.PositionWorld - this->Center;
+      const double distance = path.norm();
       this->Felt.IsValid = true;
       this->Felt.IsTouching = distance < Radius;
       this->Felt.Depth = this->Felt.IsTouching ? Radius - distance : 0.0;
-      this->Felt.NormalWorld = distance > 0.0 ? Vector3(way / distance) : Vector3::UnitZ();
+      this->Felt.NormalWorld = distance > 0.0 ? Vector3(path / distance) : Vector3::UnitZ();
       this->Felt.ProxyWorld = pose.PositionWorld + this->Felt.Depth * this->Felt.NormalWorld;
       return this->Felt;
     }
@@ -70,7 +70,7 @@ TouchScene SceneOf(const std::vector<Vector3>& places)
   scene.Structures.reserve(places.size());
   for (const Vector3& place : places)
   {
-    scene.Structures.push_back({"ball", std::make_shared<SmallBall>(place), {0.5, 0.0}, {}});
+    scene.Structures.push_back({"ball", std::make_shared<SmallSphere>(place), {0.5, 0.0}, {}});
   }
   return scene;
 }

@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Each, SlenderShapes, ::testing::ValuesIn(SlenderCases),
                          [](const auto& each) { return each.param.Name; });
 
 // A place that moves in and out of an organ of 20 mm along its surface.
-Vector3 PlaceOnTheWay(int tick)
+Vector3 PlaceOnThePath(int tick)
 {
   return (20.0 + 3.0 * std::sin(0.05 * tick)) *
          Vector3(std::cos(0.01 * tick), std::sin(0.01 * tick), 0.3).normalized();
@@ -182,7 +182,7 @@ TEST(ShapeExtremes, TouchHasTheSameDigitsFromANanometreToAKilometre)
     int touches = 0;
     for (int tick = 0; tick < 400; ++tick)
     {
-      const Vector3 place = PlaceOnTheWay(tick);
+      const Vector3 place = PlaceOnThePath(tick);
       EXPECT_EQ(otherSearch.Nearest(scale * place).SignedDistance,
                 scale * search.Nearest(place).SignedDistance);
       const Contact& expected = organ.Tracker->Follow(At(place));
@@ -204,7 +204,7 @@ TEST(ShapeExtremes, TouchTenMetresAwayIsEqualUpToRounding)
   WorstCase depth;
   for (int tick = 0; tick < 2000; ++tick)
   {
-    const Vector3 place = PlaceOnTheWay(tick);
+    const Vector3 place = PlaceOnThePath(tick);
     const Contact& expected = here.Tracker->Follow(At(place));
     const Contact& felt = there.Tracker->Follow(At(far + place));
     ASSERT_EQ(felt.IsTouching, expected.IsTouching) << tick;

@@ -91,12 +91,12 @@ public:
       MutateBytes(this->Bytes, this->Numbers);
       return;
     }
-    static constexpr void (DicomChange::*Ways[])() = {
+    static constexpr void (DicomChange::*Paths[])() = {
         &DicomChange::ChangeValue, &DicomChange::ChangeValue,  &DicomChange::ChangeValue,
         &DicomChange::ChangeValue, &DicomChange::ChangeLength, &DicomChange::ChangeTag,
         &DicomChange::ChangeVr,    &DicomChange::Remove,       &DicomChange::Repeat,
         &DicomChange::CopyOther,   &DicomChange::Nest};
-    (this->*Choose(Ways, this->Numbers))();
+    (this->*Choose(Paths, this->Numbers))();
   }
 
 private:

@@ -33,7 +33,7 @@ struct FuzzRun::Progress
 namespace
 {
 // Exit codes of a child that reports a problem: with one input, or before the first.
-constexpr int ToldProblem = 77;
+constexpr int ReportedProblem = 77;
 constexpr int CannotBegin = 78;
 constexpr std::uint64_t InputsOfChild = 2000; // limits the effect of leaks in libraries
 
@@ -118,7 +118,7 @@ void LimitAddresses()
 std::string EndOf(int status, const char* problem, std::size_t inputSize)
 {
   if (WIFEXITED(status) &&
-      (WEXITSTATUS(status) == ToldProblem || WEXITSTATUS(status) == CannotBegin))
+      (WEXITSTATUS(status) == ReportedProblem || WEXITSTATUS(status) == CannotBegin))
   {
     return problem;
   }
@@ -192,7 +192,7 @@ void FuzzRun::ReadOne(const InputReader& read, Progress& progress) const
   catch (const std::exception& error)
   {
     progress.Say((std::string("let another exception out: ") + error.what()).c_str());
-    _exit(ToldProblem);
+    _exit(ReportedProblem);
   }
   LimitTime(0.0);
   alarm(0);
@@ -206,12 +206,12 @@ void FuzzRun::ReadOne(const InputReader& read, Progress& progress) const
   if (seconds > InputLimits::Seconds(bytes.size()))
   {
     progress.Say("took too much processor time, with its decoder");
-    _exit(ToldProblem);
+    _exit(ReportedProblem);
   }
   if (used > InputLimits::Bytes(bytes.size()))
   {
     progress.Say(("took " + std::to_string(used >> 20) + " MB of memory").c_str());
-    _exit(ToldProblem);
+    _exit(ReportedProblem);
   }
   ++(isRead ? progress.Read : progress.Refused);
 }

@@ -236,7 +236,7 @@ std::string ColorTable()
 }
 
 // Reads a label map together with the mutated file that describes it.
-InputReader BesideLabelMap(const std::string& name)
+InputReader NextToLabelMap(const std::string& name)
 {
   return FileReader(
       name, [](const std::filesystem::path& file) { ReadImage(file.parent_path() / "a.nii"); },
@@ -270,8 +270,8 @@ std::vector<FuzzTarget> ImageTargets()
            MetaImageMutator(), [] { return HeaderReader("a.mhd"); }},
           {"label-names", "a.nii.txt",
            [] { return std::vector<std::string>{"1 Precentral_L 2001\n2 Precentral_R 2002\n"}; },
-           OneOf({TextMutator({}), MutateBytes}), [] { return BesideLabelMap("a.nii.txt"); }},
+           OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.nii.txt"); }},
           {"label-colours", "a.nii.lut", [] { return std::vector<std::string>{ColorTable()}; },
-           MutateBytes, [] { return BesideLabelMap("a.nii.lut"); }}};
+           MutateBytes, [] { return NextToLabelMap("a.nii.lut"); }}};
 }
 } // namespace palpate::test

@@ -89,9 +89,9 @@ void MutateBytes(std::string& bytes, Random& random)
     AddBytes(bytes, random);
     return;
   }
-  static constexpr void (*Ways[])(std::string&, Random&) = {
+  static constexpr void (*Paths[])(std::string&, Random&) = {
       FlipBytes, FlipBytes, FlipBytes, CutEnd, RepeatPart, RemovePart, CopyPart, AddBytes};
-  Choose(Ways, random)(bytes, random);
+  Choose(Paths, random)(bytes, random);
 }
 
 std::uint64_t OddInteger(std::uint64_t present, Random& random)

@@ -107,13 +107,13 @@ public:
 
   void Make()
   {
-    static constexpr void (TextChange::*Ways[])() = {
+    static constexpr void (TextChange::*Paths[])() = {
         &TextChange::ChangeNumber, &TextChange::ChangeNumber, &TextChange::ChangeNumber,
         &TextChange::ChangeWord,   &TextChange::ChangeWord,   &TextChange::ChangeMark,
         &TextChange::RepeatLine,   &TextChange::RemoveLine,   &TextChange::SwapLines,
         &TextChange::RepeatToken,  &TextChange::RemoveToken,  &TextChange::Lengthen,
         &TextChange::Nest,         &TextChange::InsertOddText};
-    (this->*Choose(Ways, this->Numbers))();
+    (this->*Choose(Paths, this->Numbers))();
   }
 
 private:

@@ -13,7 +13,7 @@ namespace palpate::test
 {
 /// A sphere of label 1 (radius 9 mm around the origin) and a small one of label 2, on an
 /// anisotropic grid.
-inline void WriteTwoBalls(const std::filesystem::path& path)
+inline void WriteTwoSpheres(const std::filesystem::path& path)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(41, 41, 15);

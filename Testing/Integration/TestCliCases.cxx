@@ -159,7 +159,7 @@ TEST(CliCases, NumbersNamesThatCollideWhenCombined)
 TEST(CliCases, EveryCommandReadsLeftHandedFilesUnlessRefused)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "plain.nrrd");
+  WriteTwoSpheres(folder / "plain.nrrd");
   const std::string axis = "space directions: (1,0,0)";
   std::string bytes = ReadAll(folder / "plain.nrrd");
   ASSERT_NE(bytes.find(axis), std::string::npos) << bytes.substr(0, 500);

@@ -35,9 +35,9 @@ protected:
   CliCohort()
   {
     std::filesystem::create_directory(this->Folder / "masks");
-    WriteTwoBalls(this->Folder / "masks/a.nii.gz");
+    WriteTwoSpheres(this->Folder / "masks/a.nii.gz");
     WriteAll(this->Folder / "masks/b.nii.gz", "no image");
-    WriteTwoBalls(this->Folder / "masks/c.nii.gz");
+    WriteTwoSpheres(this->Folder / "masks/c.nii.gz");
     WriteAll(this->Folder / "masks/notes.txt", "not looked at");
   }
   CommandRun Fit() const { return RunPalpate(FitMasks, this->Folder.Path()); }
@@ -92,7 +92,7 @@ TEST_F(CliCohort, SecondRunProcessesOnlyChanges)
   EXPECT_EQ(again.Output, "");
   EXPECT_EQ(ReadAll(this->Folder / "out/cohort.csv"), table);
   // The invalid mask becomes valid; a model is lost.
-  WriteTwoBalls(this->Folder / "masks/b.nii.gz");
+  WriteTwoSpheres(this->Folder / "masks/b.nii.gz");
   std::filesystem::remove(this->Folder / "out/c/1/model.json");
   const CommandRun third = this->Fit();
   EXPECT_EQ(third.Code, 0) << third.Errors;
@@ -199,7 +199,7 @@ TEST_F(CliCohort, SingleCaseRunsKeepEachOthersRows)
 TEST_F(CliCohort, ConcurrentRunsKeepEachOthersRows)
 {
   std::filesystem::create_directory(this->Folder / "others");
-  WriteTwoBalls(this->Folder / "others/x.nii.gz");
+  WriteTwoSpheres(this->Folder / "others/x.nii.gz");
   StartedCommand slow(PALPATE_PROGRAM, FitMasks, this->Folder.Path());
   const auto hasLock = [this]
   { return std::filesystem::exists(this->Folder / "out/.palpate-cohort.lock"); };
@@ -243,7 +243,7 @@ TEST_F(CliCohort, EveryStructureIsARowWithoutLabels)
   EXPECT_EQ(rows[1].Result.Structure.Label, 2);
 }
 
-TEST_F(CliCohort, BadInputGivesOneSentence)
+TEST_F(CliCohort, BadInputGivesOneMessage)
 {
   std::filesystem::create_directory(this->Folder / "empty");
   WriteAll(this->Folder / "none.csv", "case,mask\n");
@@ -305,8 +305,8 @@ TEST_F(CliCohort, FormulaLikeNamesAreDisarmedAndRestored)
 TEST_F(CliCohort, MaskNamedLikeParentFolderWritesInsideOutput)
 {
   std::filesystem::create_directories(this->Folder / "h/in");
-  WriteTwoBalls(this->Folder / "h/in/...nii.gz");
-  WriteTwoBalls(this->Folder / "h/in/cohort.csv.nii.gz");
+  WriteTwoSpheres(this->Folder / "h/in/...nii.gz");
+  WriteTwoSpheres(this->Folder / "h/in/cohort.csv.nii.gz");
   const CommandRun run =
       this->FitWith({"h/in", "--label", "1", "--degree", "3", "--output", "h/out"});
   EXPECT_EQ(run.Code, 0) << run.Errors;
@@ -322,8 +322,8 @@ TEST_F(CliCohort, LongNamesWithEqualStartHaveSeparateFolders)
 {
   const std::string stem(60, 'x');
   std::filesystem::create_directory(this->Folder / "long");
-  WriteTwoBalls(this->Folder / ("long/" + stem + "1.nii.gz"));
-  WriteTwoBalls(this->Folder / ("long/" + stem + "2.nii.gz"));
+  WriteTwoSpheres(this->Folder / ("long/" + stem + "1.nii.gz"));
+  WriteTwoSpheres(this->Folder / ("long/" + stem + "2.nii.gz"));
   const CommandRun run =
       this->FitWith({"long", "--label", "1", "--degree", "3", "--output", "out"});
   EXPECT_EQ(run.Code, 0) << run.Errors;

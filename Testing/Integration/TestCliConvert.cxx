@@ -87,7 +87,7 @@ TEST(CliConvert, ConvertsRealCoefficientFiles)
 TEST(CliConvert, EveryImageFormatKeepsVoxels)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const auto before = ReadVolume(folder / "a.nii.gz").Image;
   for (const char* name : {"b.nrrd", "c.mha", "d.nii"})
   {
@@ -103,7 +103,7 @@ TEST(CliConvert, EveryImageFormatKeepsVoxels)
 TEST(CliConvert, WritesSingleLabelAsBinaryMask)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   ASSERT_EQ(RunPalpate({"convert", "a.nii.gz", "b.nrrd", "--label", "2"}, folder.Path()).Code, 0);
   const auto before = ReadVolume(folder / "a.nii.gz").Image;
   const auto after = ReadVolume(folder / "b.nrrd").Image;
@@ -118,7 +118,7 @@ TEST(CliConvert, WritesSingleLabelAsBinaryMask)
 TEST(CliConvert, MissingLabelListsExistingLabels)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"convert", "a.nii.gz", "b.nrrd", "--label", "7"}, folder.Path());
   ExpectRefused(run, "a.nii.gz");
@@ -130,7 +130,7 @@ TEST(CliConvert, RejectsIncompatibleInputAndOutput)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "bad.json", "{\"format\": 3}");
   WriteAll(folder / "bad.nii.gz", "no image");
   WriteAll(folder / "bad.stl", "no surface");

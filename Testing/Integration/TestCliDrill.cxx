@@ -84,7 +84,7 @@ TEST_F(CliDrill, OptionsDrillImageWithoutScene)
   EXPECT_NE(run.Output.find("removed"), std::string::npos) << run.Output;
 }
 
-TEST_F(CliDrill, RejectsInvalidRequestsWithOneSentence)
+TEST_F(CliDrill, RejectsInvalidRequestsWithOneMessage)
 {
   EXPECT_EQ(this->Run({"--drill", "hand.csv"}).Code, 2);
   EXPECT_EQ(this->Run({"--drill", "none.json"}).Code, 2);

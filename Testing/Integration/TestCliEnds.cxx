@@ -17,7 +17,7 @@ namespace
 class CliEnds : public testing::Test
 {
 protected:
-  CliEnds() { WriteTwoBalls(this->Folder / "a.nii.gz"); }
+  CliEnds() { WriteTwoSpheres(this->Folder / "a.nii.gz"); }
 
   std::vector<std::string> Touch(const std::vector<std::string>& more = {}) const
   {

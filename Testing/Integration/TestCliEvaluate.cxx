@@ -128,7 +128,7 @@ TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
   EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model).Value, 1e-9);
 }
 
-TEST(CliEvaluate, RejectsBadArgumentsWithOneSentence)
+TEST(CliEvaluate, RejectsBadArgumentsWithOneMessage)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");

@@ -168,7 +168,7 @@ TEST_F(CliFalcon, ListReportsMissingDevice)
   ASSERT_EQ(falcons.size(), 1U);
   EXPECT_EQ(falcons[0]["name"], "falcon");
   EXPECT_FALSE(falcons[0]["there"].get<bool>());
-  EXPECT_EQ(falcons[0]["says"],
+  EXPECT_EQ(falcons[0]["details"],
             "There is no Falcon on USB: plug in its cable and its power supply.");
   const CommandRun home = this->Run({"devices", "--home"});
   EXPECT_EQ(home.Code, 2);
@@ -182,9 +182,9 @@ TEST_F(CliFalcon, ListFollowsHotPlugAndState)
   ASSERT_EQ(falcons.size(), 1U);
   EXPECT_EQ(falcons[0]["name"], "falcon:device=1-2");
   EXPECT_FALSE(falcons[0]["there"].get<bool>());
-  const std::string says = falcons[0]["says"];
-  EXPECT_NE(says.find("no firmware"), std::string::npos) << says;
-  EXPECT_NE(says.find("VF000001"), std::string::npos) << says;
+  const std::string isReported = falcons[0]["details"];
+  EXPECT_NE(isReported.find("no firmware"), std::string::npos) << isReported;
+  EXPECT_NE(isReported.find("VF000001"), std::string::npos) << isReported;
 
   setenv("PALPATE_FALCON_FIRMWARE", (this->Folder / "firmware.bin").c_str(), 1);
   falcons = this->Listed("falcon");
@@ -215,8 +215,8 @@ TEST_F(CliFalcon, MissingPermissionGivesFix)
   }
   this->Bed.Plug(this->Bus, 2);
   this->Bed.Forbid(2, true);
-  const std::string says = this->Listed("falcon").at(0)["says"];
-  EXPECT_NE(says.find("Utilities/install-udev-rule.sh"), std::string::npos) << says;
+  const std::string isReported = this->Listed("falcon").at(0)["details"];
+  EXPECT_NE(isReported.find("Utilities/install-udev-rule.sh"), std::string::npos) << isReported;
   const CommandRun run = this->Run({"devices", "--home"});
   EXPECT_EQ(run.Code, 1);
   EXPECT_NE(run.Errors.find("Utilities/install-udev-rule.sh"), std::string::npos) << run.Errors;
@@ -235,8 +235,9 @@ TEST_F(CliFalcon, LoadsAndHomesWithGuidance)
   EXPECT_NE(report["connection"].get<std::string>().find("replies"), std::string::npos);
   EXPECT_EQ(this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }),
             (std::array<std::int16_t, 3>{}));
-  const std::string says = this->Listed("falcon").at(0)["says"];
-  EXPECT_NE(says.find("homed"), std::string::npos) << "firmware and zero stay: " << says;
+  const std::string isReported = this->Listed("falcon").at(0)["details"];
+  EXPECT_NE(isReported.find("homed"), std::string::npos)
+      << "firmware and zero stay: " << isReported;
 }
 
 TEST_F(CliFalcon, MissingOrInvalidFirmwareGivesFix)
@@ -258,7 +259,7 @@ TEST_F(CliFalcon, MissingOrInvalidFirmwareGivesFix)
 TEST_F(CliFalcon, TouchesMask)
 {
   this->Bed.Plug(this->Bus, 2);
-  WriteTwoBalls(this->Folder / "a.nii.gz");
+  WriteTwoSpheres(this->Folder / "a.nii.gz");
   bool isFelt = false;
   for (int tries = 0; tries < 15 && !isFelt; ++tries)
   {
@@ -276,7 +277,7 @@ protected:
   std::unique_ptr<StartedCommand> Pushing()
   {
     this->Bed.Plug(this->Bus, 2);
-    WriteTwoBalls(this->Folder / "a.nii.gz");
+    WriteTwoSpheres(this->Folder / "a.nii.gz");
     WriteAll(this->Folder / "calibration.txt", "palpate-falcon-calibration 1\ncarried-mass 0.5\n");
     std::unique_ptr<StartedCommand> command;
     for (int tries = 0; tries < 15 && !this->HasTorque(); ++tries)

@@ -22,7 +22,7 @@ bool Has(const std::string& text, const std::string& part)
 TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"fit", "a.nii.gz", "--label", "1", "--degree", "6", "--output", "out", "--json"},
                  folder.Path());
@@ -60,7 +60,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
 TEST(CliFit, EveryLabelHasFolderAndOverview)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"fit", "a.nii.gz", "--degree", "4", "--output", "out", "--json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
@@ -73,7 +73,7 @@ TEST(CliFit, EveryLabelHasFolderAndOverview)
 TEST(CliFit, FailingCaseIsReportedLastAndDoesNotStopOthers)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "good.nii.gz");
+  WriteTwoSpheres(folder / "good.nii.gz");
   std::ofstream(folder / "bad.nii.gz") << "no image";
   const CommandRun run = RunPalpate({"fit", "bad.nii.gz", "missing.nrrd", "good.nii.gz", "--label",
                                      "1", "--degree", "4", "--json"},
@@ -87,10 +87,10 @@ TEST(CliFit, FailingCaseIsReportedLastAndDoesNotStopOthers)
   EXPECT_TRUE(Has(run.Errors, "2 of 3 cases were not fitted")) << run.Errors;
 }
 
-TEST(CliFit, BadInputGivesOneSentenceAndLeavesNothing)
+TEST(CliFit, BadInputGivesOneMessageAndLeavesNothing)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"missing.nii.gz"}, "missing.nii.gz"},
       {{"a.nii.gz", "--label", "7"}, "1, 2"},
@@ -119,7 +119,7 @@ TEST(CliFit, BadInputGivesOneSentenceAndLeavesNothing)
 TEST(CliFit, UnwritableOutputIsBadInput)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   std::ofstream(folder / "file") << "in the way";
   const CommandRun run = RunPalpate(
       {"fit", "a.nii.gz", "--label", "1", "--degree", "4", "--output", "file/out"}, folder.Path());
@@ -130,7 +130,7 @@ TEST(CliFit, UnwritableOutputIsBadInput)
 TEST(CliFit, RejectsFewerDirectionsThanCoefficientsWithFix)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate(
       {"fit", "a.nii.gz", "--label", "1", "--degree", "12", "--frequency", "3"}, folder.Path());
   EXPECT_EQ(run.Code, 2);
@@ -140,7 +140,7 @@ TEST(CliFit, RejectsFewerDirectionsThanCoefficientsWithFix)
 TEST(CliFit, AutoDegreeIsSmallestWithinTolerance)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate(
       {"fit", "a.nii.gz", "--label", "1", "--degree", "auto", "--tolerance", "0.3", "--json"},
       folder.Path());
@@ -157,7 +157,7 @@ TEST(CliFit, AutoDegreeIsSmallestWithinTolerance)
 TEST(CliFit, AcceptsPenaltiesAndCentres)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"fit", "a.nii.gz", "--label", "1", "--degree", "8", "--penalty", "auto",
                   "--center", "1,-1,0.5", "--weights", "solid-angle", "--json"},
@@ -172,7 +172,7 @@ TEST(CliFit, AcceptsPenaltiesAndCentres)
 TEST(CliFit, RobustFitReportsDownWeightedSamples)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate(
       {"fit", "a.nii.gz", "--label", "1", "--degree", "4", "--robust", "--json"}, folder.Path());
   ASSERT_EQ(run.Code, 0) << run.Errors;
@@ -185,7 +185,7 @@ TEST(CliFit, RobustFitReportsDownWeightedSamples)
 TEST(CliFit, DirectionGapGivesNoteAndVerdict)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"fit", "a.nii.gz", "--label", "1", "--degree", "4", "--penalty", "0.001",
                   "--center", "0,0,40", "--max-hidden", "100", "--min-dice", "0", "--json"},

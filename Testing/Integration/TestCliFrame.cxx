@@ -39,7 +39,7 @@ TEST(CliFrame, EveryCommandHelpEndsWithExamples)
   }
 }
 
-TEST(CliFrame, BadCommandLineExitsWithTwoAndOneSentence)
+TEST(CliFrame, BadCommandLineExitsWithTwoAndOneMessage)
 {
   const TemporaryFolder folder;
   for (const std::vector<std::string>& words :

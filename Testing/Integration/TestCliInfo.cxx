@@ -33,24 +33,24 @@ std::vector<std::string> WordsOfLine(const std::string& text, const std::string&
 TEST(CliInfo, TableListsLabels)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate({"info", "a.nii.gz"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_EQ(run.Errors, "");
   EXPECT_EQ(WordsOfLine(run.Output, "size"),
             (std::vector<std::string>{"size", "41", "x", "41", "x", "15", "voxels"}));
   EXPECT_EQ(WordsOfLine(run.Output, "holds")[1], "NIfTI");
-  const std::vector<std::string> ball = WordsOfLine(run.Output, "1");
-  ASSERT_EQ(ball.size(), 7u) << run.Output;
-  EXPECT_EQ(ball[3], "-");
-  EXPECT_EQ(ball[4], "1");
-  EXPECT_EQ(ball[5], "0");
+  const std::vector<std::string> sphere = WordsOfLine(run.Output, "1");
+  ASSERT_EQ(sphere.size(), 7u) << run.Output;
+  EXPECT_EQ(sphere[3], "-");
+  EXPECT_EQ(sphere[4], "1");
+  EXPECT_EQ(sphere[5], "0");
 }
 
 TEST(CliInfo, JsonHasTheSameNumbers)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nrrd");
+  WriteTwoSpheres(folder / "a.nrrd");
   const CommandRun run = RunPalpate({"info", "a.nrrd", "--json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
   const Json info = Json::parse(run.Output);
@@ -58,17 +58,17 @@ TEST(CliInfo, JsonHasTheSameNumbers)
   EXPECT_EQ(info.at("kind"), "NRRD label map");
   EXPECT_EQ(info.at("geometry").at("spacing_mm"), Json({1.0, 1.0, 2.5}));
   EXPECT_EQ(info.at("geometry").at("origin_mm"), Json({-20.0, -20.0, -17.5}));
-  const Json& ball = info.at("labels").at(0);
-  EXPECT_EQ(ball.at("label"), 1);
-  EXPECT_EQ(ball.at("touches_border"), false);
-  EXPECT_EQ(ball.at("component_voxels").at(0), ball.at("voxels"));
-  EXPECT_DOUBLE_EQ(ball.at("ml").get<double>(), ball.at("voxels").get<int>() * 2.5 / 1000.0);
+  const Json& sphere = info.at("labels").at(0);
+  EXPECT_EQ(sphere.at("label"), 1);
+  EXPECT_EQ(sphere.at("touches_border"), false);
+  EXPECT_EQ(sphere.at("component_voxels").at(0), sphere.at("voxels"));
+  EXPECT_DOUBLE_EQ(sphere.at("ml").get<double>(), sphere.at("voxels").get<int>() * 2.5 / 1000.0);
 }
 
 TEST(CliInfo, BadFileDoesNotStopOthers)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "bad.nii", "");
   const CommandRun run =
       RunPalpate({"info", "bad.nii", "missing.nii", "a.nii.gz", "--json"}, folder.Path());

@@ -57,7 +57,7 @@ std::map<std::string, std::string> ResultsOf(const Words& words)
 {
   const TemporaryFolder folder;
   WriteFractionalImages(folder.Path());
-  WriteTwoBalls(folder / "balls.nrrd");
+  WriteTwoSpheres(folder / "balls.nrrd");
   WriteAll(folder / "cases.csv", "case,mask,label\nfirst,balls.nrrd,1\n");
   const CommandRun run = RunPalpate(words, folder.Path());
   EXPECT_EQ(run.Code, 0) << words[0] << ": " << run.Errors;

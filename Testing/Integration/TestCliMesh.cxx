@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 TEST(CliMesh, OneStructureBecomesOneFile)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate(
       {"mesh", "a.nii.gz", "--label", "1", "--output", "s.stl", "--json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
@@ -30,7 +30,7 @@ TEST(CliMesh, OneStructureBecomesOneFile)
 TEST(CliMesh, EveryStructureBecomesOneFile)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"mesh", "a.nii.gz", "--output", "out/deep", "--json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
@@ -46,7 +46,7 @@ TEST(CliMesh, FailingFileIsReportedAndDoesNotStopOthers)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "bad.nii.gz", "no image");
-  WriteTwoBalls(folder / "good.nii.gz");
+  WriteTwoSpheres(folder / "good.nii.gz");
   const CommandRun run =
       RunPalpate({"mesh", "bad.nii.gz", "good.nii.gz", "--output", "out", "--json"}, folder.Path());
   EXPECT_EQ(run.Code, 1);
@@ -61,7 +61,7 @@ TEST(CliMesh, FailingFileIsReportedAndDoesNotStopOthers)
 TEST(CliMesh, BadInputIsRefusedAndLeavesNothing)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
            {"none.nii.gz", "--output", "s.vtp"},
            {"a.nii.gz", "--label", "7", "--output", "s.vtp"},

@@ -35,7 +35,7 @@ std::string Refusal(const std::vector<std::string>& words)
 
 // A bowl of label 1, from whose hollow a third of all directions meets nothing, and a sphere of
 // label 2.
-void WriteBowlAndBall(const std::filesystem::path& path)
+void WriteBowlAndSphere(const std::filesystem::path& path)
 {
   LabelGrid grid;
   grid.Size = {50, 50, 70};
@@ -120,7 +120,7 @@ TEST(CliMessages, NearestWordDiffersByFewLetters)
 TEST(CliMessages, RejectsDivergingModelAndContinues)
 {
   const TemporaryFolder folder;
-  WriteBowlAndBall(folder / "a.nii.gz");
+  WriteBowlAndSphere(folder / "a.nii.gz");
   const CommandRun run = RunPalpate({"fit", "a.nii.gz", "--max-hidden", "100", "--min-dice", "0",
                                      "--penalty", "auto", "--degree", "12", "--json"},
                                     folder.Path());
@@ -192,7 +192,7 @@ TEST(CliMessages, NamesStructureLostBySmoothing)
 TEST(CliMessages, RefusedFitSuggestsCommandOptions)
 {
   const TemporaryFolder folder;
-  WriteBowlAndBall(folder / "a.nii.gz");
+  WriteBowlAndSphere(folder / "a.nii.gz");
   const std::string fit = RunPalpate({"fit", "a.nii.gz", "--label", "1"}, folder.Path()).Errors;
   EXPECT_TRUE(Has(fit, "try --center visible, or raise --max-hidden")) << fit;
   WriteAll(folder / "a.palpate.json",
@@ -212,7 +212,7 @@ TEST(CliMessages, RefusedFitSuggestsCommandOptions)
 TEST(CliMessages, ProgressNamesCaseAndCount)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const std::string file = (folder / "a.nii.gz").string();
   const std::string fit = OnTerminal({"fit", file, "--degree", "2"});
   EXPECT_TRUE(Has(fit, "case 1 of 2: label 1: surface")) << fit;
@@ -227,7 +227,7 @@ TEST(CliMessages, CohortProgressNamesCaseAndCount)
   std::filesystem::create_directory(folder / "masks");
   for (const char* name : {"10014.nii.gz", "10015.nii.gz", "10016.nii.gz"})
   {
-    WriteTwoBalls(folder / "masks" / name);
+    WriteTwoSpheres(folder / "masks" / name);
   }
   const std::string cohort = OnTerminal({"fit", (folder / "masks").string(), "--label", "1",
                                          "--degree", "2", "--output", (folder / "out").string()});
@@ -237,8 +237,8 @@ TEST(CliMessages, CohortProgressNamesCaseAndCount)
 TEST(CliMessages, ProgressNamesFile)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
-  WriteTwoBalls(folder / "b.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "b.nii.gz");
   const std::string fit = OnTerminal(
       {"fit", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--degree", "2"});
   EXPECT_TRUE(Has(fit, "file 2 of 2: b.nii.gz, case 1 of 2: label 1: surface")) << fit;
@@ -247,8 +247,8 @@ TEST(CliMessages, ProgressNamesFile)
 TEST(CliMessages, MeshProgressNamesFile)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
-  WriteTwoBalls(folder / "b.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "b.nii.gz");
   const std::string mesh =
       OnTerminal({"mesh", (folder / "a.nii.gz").string(), (folder / "b.nii.gz").string(), "--label",
                   "1", "--output", (folder / "out").string()});
@@ -258,7 +258,7 @@ TEST(CliMessages, MeshProgressNamesFile)
 TEST(CliMessages, StudyProgressNamesStructureAndCount)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "a.palpate.json",
            "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
            "[{\"label\": 1, \"name\": \"ball\"}, {\"label\": 2}]}");

@@ -40,15 +40,15 @@ TEST(CliRender, DrawsSegmentationsModelsAndSlicesTogether)
 TEST(CliRender, DrawsIsoValuesAndSegmentationsSubVoxel)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
-  const std::vector<std::vector<std::string>> pictures{
+  WriteTwoSpheres(folder / "a.nii.gz");
+  const std::vector<std::vector<std::string>> images{
       {"--volume", "a.nii.gz", "--iso", "0.5,1.5"},
       {"--volume", "a.nii.gz", "--iso", "0.5", "--interpolation", "cubic", "--slices", "axial"},
       {"--volume", "a.nii.gz", "--iso", "0.5", "--within", "a.nii.gz", "--within-label", "2"},
       {"a.nii.gz", "--sub-voxel", "--smoothing", "0"},
       {"a.nii.gz", "--sub-voxel", "--opacity", "0.4", "--volume", "a.nii.gz"},
   };
-  for (std::vector<std::string> words : pictures)
+  for (std::vector<std::string> words : images)
   {
     words.insert(words.begin(), "render");
     words.insert(words.end(), {"--size", "120x100", "--output", "picture.png"});
@@ -62,7 +62,7 @@ TEST(CliRender, DrawsIsoValuesAndSegmentationsSubVoxel)
 TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
            {"a.nii.gz", "--output", "x.jpg"},
            {"--output", "x.png"},
@@ -95,7 +95,7 @@ TEST(CliRender, BadInputIsRefusedAndLeavesNothing)
 TEST(CliDisplay, MissingDisplayGivesFix)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const std::vector<std::string> render{PALPATE_PROGRAM, "render", "a.nii.gz", "--output", "x.png"};
   const std::vector<std::string> touch{PALPATE_PROGRAM, "touch",  "a.nii.gz",  "--label", "1",
                                        "--real-time",   "--view", "--seconds", "0.1"};
@@ -118,7 +118,7 @@ TEST(CliDisplay, MissingDisplayGivesFix)
 TEST(CliDisplay, FittingNeedsNoDisplay)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunCommand("env",
                  {"-u", "DISPLAY", PALPATE_PROGRAM, "fit", "a.nii.gz", "--label", "1", "--degree",

@@ -13,7 +13,7 @@ namespace
 // Two spheres of a mask, a model that is only touched, and a missing file.
 void WriteScene(const TemporaryFolder& folder)
 {
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteNearlyASphere(folder / "ball.json");
   WriteAll(folder / "all.scene.json",
            R"({"format": "palpate-scene", "structures": [

@@ -16,7 +16,7 @@ const std::string Start = "{\"format\": \"palpate-study\", \"fit\": {\"frequency
 TEST(CliStudy, BuildsSessionThatCanBeTouched)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "case.palpate.json",
            Start + "\"segmentation\": \"a.nii.gz\", \"structures\": [{\"label\": 1, \"degree\": 4, "
                    "\"name\": \"ball\"}]}");
@@ -34,7 +34,7 @@ TEST(CliStudy, BuildsSessionThatCanBeTouched)
 TEST(CliStudy, SessionWithoutStructuresUsesAllOfItsFiles)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "case.palpate.json", Start + "\"segmentation\": \"a.nii.gz\"}");
   const CommandRun run = RunPalpate({"study", "case.palpate.json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
@@ -46,7 +46,7 @@ TEST(CliStudy, SessionWithoutStructuresUsesAllOfItsFiles)
 TEST(CliStudy, FallbackForRefusedModelIsNotFailure)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "case.palpate.json",
            "{\"format\": \"palpate-study\", \"fit\": {\"frequency\": 10, \"min_dice\": 1.0}, "
            "\"segmentation\": \"a.nii.gz\", \"structures\": [{\"label\": 1, \"degree\": 0, "
@@ -90,7 +90,7 @@ TEST(CliStudy, RejectsMalformedSession)
 TEST(CliStudy, FailedStructureIsReportedAndOthersWritten)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   WriteAll(folder / "case.palpate.json",
            Start + "\"segmentation\": \"a.nii.gz\", \"structures\": [{\"label\": 1}, {\"label\": "
                    "9}]}");

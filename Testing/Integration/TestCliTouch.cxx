@@ -12,7 +12,7 @@ using namespace palpate::test;
 TEST(CliTouch, SweepsMaskAndWritesForces)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate(
       {"touch", "a.nii.gz", "--label", "1", "--speed", "200", "--output", "felt", "--json"},
       folder.Path());
@@ -39,7 +39,7 @@ TEST(CliTouch, SweepsMaskAndWritesForces)
 TEST(CliTouch, RecordingHasOneLinePerTick)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   ASSERT_EQ(
       RunPalpate({"touch", "a.nii.gz", "--label", "1", "--seconds", "0.5", "--output", "felt"},
                  folder.Path())
@@ -70,7 +70,7 @@ TEST(CliTouch, RecordingHasOneLinePerTick)
 TEST(CliTouch, WarnsOfHighStiffnessBeforeForcesStart)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run =
       RunPalpate({"touch", "a.nii.gz", "--label", "1", "--stiffness", "40", "--seconds", "0.2"},
                  folder.Path());
@@ -80,7 +80,7 @@ TEST(CliTouch, WarnsOfHighStiffnessBeforeForcesStart)
 TEST(CliTouch, BadInputIsRefusedAndLeavesNothing)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   for (const std::vector<std::string>& more :
        std::vector<std::vector<std::string>>{{},
                                              {"missing.json"},
@@ -118,7 +118,7 @@ TEST(CliDevices, ListsEachDeviceWithItsStatus)
 TEST(CliTouchView, DrawsWhileTheServoRuns)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   const CommandRun run = RunPalpate({"touch", "a.nii.gz", "--label", "1", "--real-time", "--view",
                                      "--seconds", "0.5", "--rate", "200", "--json"},
                                     folder.Path());
@@ -132,6 +132,6 @@ TEST(CliTouchView, DrawsWhileTheServoRuns)
 TEST(CliTouch, ViewNeedsRealTime)
 {
   const TemporaryFolder folder;
-  WriteTwoBalls(folder / "a.nii.gz");
+  WriteTwoSpheres(folder / "a.nii.gz");
   EXPECT_EQ(RunPalpate({"touch", "a.nii.gz", "--view"}, folder.Path()).Code, 2);
 }

@@ -22,7 +22,7 @@ protected:
   CliTradeoff()
   {
     WriteNearlyASphere(this->Folder / "ball.json");
-    WriteTwoBalls(this->Folder / "a.nii.gz");
+    WriteTwoSpheres(this->Folder / "a.nii.gz");
   }
   CommandRun Run(std::vector<std::string> arguments) const
   {

@@ -197,7 +197,7 @@ TEST(CohortGroup, SeveralStructuresRequireChoice)
   EXPECT_THROW(cohort.Group(AlignmentAxes::Patient, "3"), InputError);
 }
 
-TEST(CohortGroup, RejectsInvalidCohortWithOneSentence)
+TEST(CohortGroup, RejectsInvalidCohortWithOneMessage)
 {
   const TemporaryFolder folder;
   palpate::test::WriteAll(folder / "cohort.csv", "case,mask\na,b\n");

@@ -69,7 +69,7 @@ class JsonOutput : public testing::Test
 protected:
   JsonOutput()
   {
-    WriteTwoBalls(this->Folder / "a.nii.gz");
+    WriteTwoSpheres(this->Folder / "a.nii.gz");
     WriteNearlyASphere(this->Folder / "ball.json");
     WriteAll(this->Folder / "bad.nii.gz", "no image");
   }

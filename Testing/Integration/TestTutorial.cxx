@@ -1,6 +1,6 @@
-#include "BaselinePicture.h"
+#include "BaselineImage.h"
 #include "CommandRun.h"
-#include "WidgetPicture.h"
+#include "WidgetImage.h"
 #include "WindowTest.h"
 
 #include <QDockWidget>
@@ -49,10 +49,10 @@ protected:
     QApplication::sendEvent(this->Window.get(), &drop);
   }
   void Raise(const char* panel) { this->Window->findChild<QDockWidget*>(panel)->raise(); }
-  void ExpectPicture(const std::string& name)
+  void ExpectBaseline(const std::string& name)
   {
     DrawAll(*this->Window->Views());
-    test::ExpectLikeBaseline(test::PictureOf(*this->Window),
+    test::ExpectLikeBaseline(test::ImageOf(*this->Window),
                              std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / name);
   }
   const FitResult& Fit()
@@ -122,7 +122,7 @@ void TutorialTest::OpenAndLook()
   Click(axial->Canvas(),
         {0.5 * axial->Canvas()->width() + 20.0, 0.5 * axial->Canvas()->height() + 12.0});
   EXPECT_EQ(this->Messages(), "");
-  this->ExpectPicture("tutorial-open.png");
+  this->ExpectBaseline("tutorial-open.png");
 }
 
 void TutorialTest::Judge()
@@ -136,7 +136,7 @@ void TutorialTest::Judge()
   EXPECT_GT(this->Fit().ModelToMask.Mean, fine);
   this->Action("All as error maps")->trigger();
   this->Settle();
-  this->ExpectPicture("tutorial-error.png");
+  this->ExpectBaseline("tutorial-error.png");
   this->Action("Undo")->trigger();
   this->Action("Undo")->trigger();
   this->Settle();
@@ -154,7 +154,7 @@ void TutorialTest::Touch()
   this->Button("add-touched")->click();
   ASSERT_EQ(this->Study->State().Landmarks.size(), 1U);
   this->Raise("Plots");
-  this->ExpectPicture("tutorial-touch.png");
+  this->ExpectBaseline("tutorial-touch.png");
 }
 
 // Records the touch and replays it.
@@ -174,7 +174,7 @@ void TutorialTest::Replay()
   auto* slider = this->Window->findChild<QSlider*>("replay-slider");
   slider->setValue(slider->maximum());
   WaitUntil([this] { return this->Window->Contents().Probe()->GetInContact(); });
-  this->ExpectPicture("tutorial-replay.png");
+  this->ExpectBaseline("tutorial-replay.png");
   this->Button("replay-close")->click();
 }
 

@@ -34,9 +34,9 @@ struct Sources
 {
   explicit Sources(Random& random)
   {
-    const SphericalHarmonicModel ball(0, {6.0 * std::sqrt(4.0 * M_PI)}, Vector3(10.0, 9.0, 0.0));
-    WriteModel(this->Model, {ball, {}});
-    WriteSurface(this->Surface, DrawModel(ball, 3));
+    const SphericalHarmonicModel sphere(0, {6.0 * std::sqrt(4.0 * M_PI)}, Vector3(10.0, 9.0, 0.0));
+    WriteModel(this->Model, {sphere, {}});
+    WriteSurface(this->Surface, DrawModel(sphere, 3));
     test::LabelGrid grid;
     grid.Size = {{56, 40, 28}};
     grid.CenterOnOrigin();

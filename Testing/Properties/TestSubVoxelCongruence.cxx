@@ -70,15 +70,15 @@ private:
   static void ComparePixels(const vtkSubVoxelVolumeMapper& mapper,
                             const std::shared_ptr<const ScalarField>& field)
   {
-    const FieldPicture& picture = *mapper.GetPicture();
+    const FieldImage& raster = *mapper.GetImage();
     const PixelRays& rays = mapper.GetFieldRenderer()->View().Rays;
     const RayCaster hand(field);
     int hits = 0;
-    for (int row = 0; row < picture.Height; ++row)
+    for (int row = 0; row < raster.Height; ++row)
     {
-      for (int column = 0; column < picture.Width; ++column)
+      for (int column = 0; column < raster.Width; ++column)
       {
-        const FieldHit& seen = picture.Hits[picture.Pixel(column, row)];
+        const FieldHit& seen = raster.Hits[raster.Pixel(column, row)];
         const FieldRay ray = rays.OfPixel(column, row);
         ExpectSame(seen, hand.CastWorld(ray, 0.0, 1.0), column, row);
         if (seen.Material >= 0)

@@ -26,7 +26,7 @@ protected:
     return scene;
   }
 
-  test::MaskTrade Mask = test::BallMask();
+  test::MaskTrade Mask = test::SphereMask();
 };
 
 TEST_F(SampleRepresentationTest, RoundTripsInSceneFiles)

@@ -32,8 +32,8 @@ vtkSmartPointer<vtkPolyData> MakeBody(int frequency, const Place& place)
   return body;
 }
 
-inline vtkSmartPointer<vtkPolyData> MakeBall(double radius, const Vector3& center,
-                                             int frequency = 20)
+inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius, const Vector3& center,
+                                               int frequency = 20)
 {
   return MakeBody(frequency,
                   [&](const Vector3& direction) -> Vector3 { return center + radius * direction; });

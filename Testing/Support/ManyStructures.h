@@ -11,7 +11,7 @@
 namespace palpate::test
 {
 /// A sphere of 20 facets; null if it cannot be made.
-inline std::shared_ptr<const ContactModel> FacetBall(const Vector3& centerWorld, double radius)
+inline std::shared_ptr<const ContactModel> FacetSphere(const Vector3& centerWorld, double radius)
 {
   const IcosahedronDirections sphere(1);
   std::vector<Vector3> points;
@@ -47,7 +47,7 @@ inline TouchScene ManyStructures(int count, double apart = 10.0)
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n)
   {
     scene.Structures.push_back(
-        {"ball " + std::to_string(n), FacetBall(places[n], 2.0), {0.5, 0.001}, {}});
+        {"ball " + std::to_string(n), FacetSphere(places[n], 2.0), {0.5, 0.001}, {}});
   }
   return scene;
 }

@@ -49,8 +49,8 @@ inline std::shared_ptr<const ContactModel> Voxels(const Vector3& centerIndex, do
   constexpr int Nodes = 90;
   const FieldGrid grid({Nodes, Nodes, Nodes}, Vector3::Zero(), Vector3::Constant(spacing),
                        Matrix3::Identity());
-  const SphereField ball{centerIndex, radius / spacing};
-  const std::vector<float> samples = SampleAtIndices<float>(grid.Size(), ball);
+  const SphereField sphere{centerIndex, radius / spacing};
+  const std::vector<float> samples = SampleAtIndices<float>(grid.Size(), sphere);
   FieldBuilder builder(grid);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
   std::shared_ptr<const ScalarField> field;
@@ -83,10 +83,10 @@ inline std::vector<PressableScene> MakePressableScenes(Random& random)
   std::shared_ptr<const ContactModel> facets;
   const bool isFacets = FacetContactModel::Make(corners, sphere.Triangles(), facets).IsOk();
 
-  constexpr double BallRadius = 20.0; // mm
-  const Vector3 ballIndex(44.3, 45.1, 43.7);
-  const auto voxels = Voxels(ballIndex, BallRadius, pressable::VoxelSize);
-  const Vector3 ball = pressable::VoxelSize * ballIndex;
+  constexpr double SphereRadius = 20.0; // mm
+  const Vector3 sphereIndex(44.3, 45.1, 43.7);
+  const auto voxels = Voxels(sphereIndex, SphereRadius, pressable::VoxelSize);
+  const Vector3 sphere = pressable::VoxelSize * sphereIndex;
 
   const ToolShape point = ToolShape::Sphere(0.0);
   const ToolShape tool = ToolShape::Sphere(ToolRadius);
@@ -95,8 +95,8 @@ inline std::vector<PressableScene> MakePressableScenes(Random& random)
              Vector3::UnitZ()),
           At(random, "harmonics", tool, isHarmonics ? harmonics : nullptr, center, normal),
           At(random, "facets", tool, isFacets ? facets : nullptr, center, normal),
-          At(random, "sub-voxel, point", point, voxels, ball + BallRadius * place, place),
+          At(random, "sub-voxel, point", point, voxels, sphere + SphereRadius * place, place),
           At(random, "sub-voxel, 26 points", shell, voxels,
-             ball + (BallRadius + ToolRadius) * place, place)};
+             sphere + (SphereRadius + ToolRadius) * place, place)};
 }
 } // namespace palpate::test

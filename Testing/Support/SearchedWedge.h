@@ -53,10 +53,10 @@ inline void SearchedWedge::Begin(const Vector3& centerWorld) noexcept
 
 inline void SearchedWedge::MoveTo(const Vector3& goalWorld) noexcept
 {
-  bool isOnItsWay = true;
-  for (int step = 0; step < MostSteps && isOnItsWay; ++step)
+  bool isMoving = true;
+  for (int step = 0; step < MostSteps && isMoving; ++step)
   {
-    isOnItsWay = this->Step(goalWorld);
+    isMoving = this->Step(goalWorld);
   }
   // Walls that were reached in the last step, or that leave no place between them: moves out by the
   // shortest distance.

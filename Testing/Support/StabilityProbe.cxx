@@ -76,18 +76,18 @@ class RestingMotion
 public:
   void Add(const Vector3& position)
   {
-    this->Way += this->HasFirst ? (position - this->Last).norm() : 0.0;
+    this->Path += this->HasFirst ? (position - this->Last).norm() : 0.0;
     this->First = this->HasFirst ? this->First : position;
     this->Last = position;
     this->HasFirst = true;
   }
-  double ToAndFro() const { return this->Way - (this->Last - this->First).norm(); }
+  double ToAndFro() const { return this->Path - (this->Last - this->First).norm(); }
 
 private:
   bool HasFirst = false;
   Vector3 First = Vector3::Zero();
   Vector3 Last = Vector3::Zero();
-  double Way = 0.0;
+  double Path = 0.0;
 };
 
 class Trial

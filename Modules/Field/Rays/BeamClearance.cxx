@@ -24,14 +24,14 @@ struct Box
 // at t.
 double StaysUntil(const FieldBeam& beam, int axis, double lower, double upper, double t) noexcept
 {
-  const double middle = beam.Middle.Origin[axis];
-  const double place = middle + t * beam.Middle.Direction[axis];
+  const double middle = beam.Center.Origin[axis];
+  const double place = middle + t * beam.Center.Direction[axis];
   const double half = beam.HalfSize[axis] + t * beam.Growth[axis] + Slack;
   if (place - half < lower || place + half > upper)
   {
     return -Infinite;
   }
-  const double slope = beam.Middle.Direction[axis];
+  const double slope = beam.Center.Direction[axis];
   const double rise = slope + beam.Growth[axis];
   const double fall = slope - beam.Growth[axis];
   double until = Infinite;
@@ -53,10 +53,10 @@ double Arrival(const FieldBeam& beam, const FieldGrid& grid, double t) noexcept
   {
     const double last = grid.Size()[static_cast<std::size_t>(axis)] - 1;
     const double half = beam.HalfSize[axis] + Slack;
-    const double low = beam.Middle.Origin[axis] - half;
-    const double high = beam.Middle.Origin[axis] + half;
-    const double rise = beam.Middle.Direction[axis] + beam.Growth[axis];
-    const double fall = beam.Middle.Direction[axis] - beam.Growth[axis];
+    const double low = beam.Center.Origin[axis] - half;
+    const double high = beam.Center.Origin[axis] + half;
+    const double rise = beam.Center.Direction[axis] + beam.Growth[axis];
+    const double fall = beam.Center.Direction[axis] - beam.Growth[axis];
     if (high + t * rise < 0.0)
     {
       t = rise > 0.0 ? -high / rise : Infinite;
@@ -89,7 +89,7 @@ BrickRange Reached(const FieldBeam& beam, const BrickLayout& layout, double t) n
   for (int axis = 0; axis < 3; ++axis)
   {
     const int count = layout.Bricks[static_cast<std::size_t>(axis)];
-    const double place = beam.Middle.Origin[axis] + t * beam.Middle.Direction[axis];
+    const double place = beam.Center.Origin[axis] + t * beam.Center.Direction[axis];
     // Slightly more than StaysUntil allows, so that every range extends beyond the last one.
     const double half = beam.HalfSize[axis] + t * beam.Growth[axis] + 2.0 * Slack;
     range.First[axis] = BrickOf(place - half, layout.Cells, count);
@@ -186,11 +186,11 @@ public:
   explicit SlabMarch(const FieldBeam& beam) noexcept : Beam(beam)
   {
     Eigen::Index fastest = 0;
-    beam.Middle.Direction.cwiseAbs().maxCoeff(&fastest);
+    beam.Center.Direction.cwiseAbs().maxCoeff(&fastest);
     this->Axis = static_cast<int>(fastest);
-    this->Rises = beam.Middle.Direction[fastest] > 0.0;
-    const double speed = std::abs(beam.Middle.Direction[fastest]);
-    const double middle = (this->Rises ? 1.0 : -1.0) * beam.Middle.Origin[fastest];
+    this->Rises = beam.Center.Direction[fastest] > 0.0;
+    const double speed = std::abs(beam.Center.Direction[fastest]);
+    const double middle = (this->Rises ? 1.0 : -1.0) * beam.Center.Origin[fastest];
     this->Front = middle + beam.HalfSize[fastest] + Slack;
     this->Back = middle - beam.HalfSize[fastest] - Slack;
     this->FrontSpeed = speed + beam.Growth[fastest];
@@ -198,7 +198,7 @@ public:
   }
 
   // Whether the beam leaves a slab at all.
-  bool IsOnItsWay() const noexcept { return this->BackSpeed > 0.0; }
+  bool IsMoving() const noexcept { return this->BackSpeed > 0.0; }
   double BackAt(double t) const noexcept { return this->Back + t * this->BackSpeed; }
   double EntersAt(double slab) const noexcept { return (slab - this->Front) / this->FrontSpeed; }
   double LeavesAt(double slab) const noexcept
@@ -235,7 +235,7 @@ public:
 private:
   double EdgeAt(int axis, double side, double t) const noexcept
   {
-    return this->Beam.Middle.Origin[axis] + t * this->Beam.Middle.Direction[axis] +
+    return this->Beam.Center.Origin[axis] + t * this->Beam.Center.Direction[axis] +
            side * (this->Beam.HalfSize[axis] + t * this->Beam.Growth[axis] + Slack);
   }
 
@@ -255,7 +255,7 @@ double FreeUntil(const ScalarField& field, const FieldBeam& beam, double t, doub
 {
   const int mostSlabs = 3 * field.Layout().Cells; // after these, bricks may be empty again
   const SlabMarch march(beam);
-  if (!march.IsOnItsWay())
+  if (!march.IsMoving())
   {
     return t;
   }
@@ -278,17 +278,17 @@ double FreeUntil(const ScalarField& field, const FieldBeam& beam, double t, doub
 FieldBeam BeamOf(const FieldRay (&cornersIndex)[4]) noexcept
 {
   FieldBeam beam;
-  beam.Middle.Origin.setZero();
-  beam.Middle.Direction.setZero();
+  beam.Center.Origin.setZero();
+  beam.Center.Direction.setZero();
   for (const FieldRay& corner : cornersIndex)
   {
-    beam.Middle.Origin += 0.25 * corner.Origin;
-    beam.Middle.Direction += 0.25 * corner.Direction;
+    beam.Center.Origin += 0.25 * corner.Origin;
+    beam.Center.Direction += 0.25 * corner.Direction;
   }
   for (const FieldRay& corner : cornersIndex)
   {
-    beam.HalfSize = beam.HalfSize.cwiseMax((corner.Origin - beam.Middle.Origin).cwiseAbs());
-    beam.Growth = beam.Growth.cwiseMax((corner.Direction - beam.Middle.Direction).cwiseAbs());
+    beam.HalfSize = beam.HalfSize.cwiseMax((corner.Origin - beam.Center.Origin).cwiseAbs());
+    beam.Growth = beam.Growth.cwiseMax((corner.Direction - beam.Center.Direction).cwiseAbs());
   }
   return beam;
 }

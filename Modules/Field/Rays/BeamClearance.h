@@ -8,7 +8,7 @@ namespace palpate
 /// a box around the central ray (index frame, voxels), whose half-size grows with t.
 struct FieldBeam
 {
-  FieldRay Middle;
+  FieldRay Center;
   Vector3 HalfSize = Vector3::Zero(); ///< at t = 0
   Vector3 Growth = Vector3::Zero();   ///< of the half-size per t
 };

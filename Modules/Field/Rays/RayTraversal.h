@@ -87,16 +87,16 @@ private:
     constexpr double Infinity = std::numeric_limits<double>::infinity();
     double entry = -Infinity;
     this->GridEnd = Infinity;
-    bool isBeside = false;
+    bool misses = false;
     for (int axis = 0; axis < 3; ++axis)
     {
       entry = std::max(entry, this->Path.EntryAt(axis, this->FirstCell(axis)));
       this->GridEnd = std::min(this->GridEnd, this->Path.ExitAt(axis, this->LastCell(axis)));
       const double at = this->Path.Coordinate(axis, 0.0);
       const auto a = static_cast<std::size_t>(axis);
-      isBeside |= this->Path.StepOf(axis) == 0 && !(at >= 0.0 && at <= this->Layout.Nodes[a] - 1);
+      misses |= this->Path.StepOf(axis) == 0 && !(at >= 0.0 && at <= this->Layout.Nodes[a] - 1);
     }
-    if (isBeside || entry >= this->GridEnd || this->TMin > this->GridEnd || entry > this->TMax)
+    if (misses || entry >= this->GridEnd || this->TMin > this->GridEnd || entry > this->TMax)
     {
       return false;
     }

@@ -8,8 +8,8 @@
 namespace palpate
 {
 CutSweep::CutSweep(CutTool tool, const CutPose& from, const CutPose& to, double step)
-    : Tool(std::move(tool)), From(from.PositionWorld), Way(to.PositionWorld - from.PositionWorld),
-      WaySquared(Way.squaredNorm())
+    : Tool(std::move(tool)), From(from.PositionWorld), Path(to.PositionWorld - from.PositionWorld),
+      PathSquared(Path.squaredNorm())
 {
   const Vector3 reach = Vector3::Constant(this->Tool.BoundingRadius());
   this->Bounds.extend(from.PositionWorld);
@@ -21,13 +21,13 @@ CutSweep::CutSweep(CutTool tool, const CutPose& from, const CutPose& to, double 
   }
   constexpr double MostSteps = 4096.0;
   const double turn = from.Orientation.angularDistance(to.Orientation);
-  const double way = this->Way.norm() + turn * this->Tool.BoundingRadius();
-  const double steps = std::clamp(std::ceil(way / step), 1.0, MostSteps);
+  const double path = this->Path.norm() + turn * this->Tool.BoundingRadius();
+  const double steps = std::clamp(std::ceil(path / step), 1.0, MostSteps);
   for (int n = 0; n <= static_cast<int>(steps); ++n)
   {
     const Eigen::Quaterniond turned = from.Orientation.slerp(n / steps, to.Orientation);
     this->Places.push_back(
-        {this->From + n / steps * this->Way, turned.toRotationMatrix().transpose()});
+        {this->From + n / steps * this->Path, turned.toRotationMatrix().transpose()});
   }
 }
 
@@ -36,10 +36,10 @@ double CutSweep::Distance(const Vector3& pointWorld) const noexcept
   if (this->Tool.IsSphere())
   {
     const Vector3 offset = pointWorld - this->From;
-    const double along = this->WaySquared > 0.0
-                             ? std::clamp(offset.dot(this->Way) / this->WaySquared, 0.0, 1.0)
+    const double along = this->PathSquared > 0.0
+                             ? std::clamp(offset.dot(this->Path) / this->PathSquared, 0.0, 1.0)
                              : 0.0;
-    return this->Tool.Distance(offset - along * this->Way);
+    return this->Tool.Distance(offset - along * this->Path);
   }
   double nearest = std::numeric_limits<double>::infinity();
   for (const Place& place : this->Places)

@@ -34,7 +34,7 @@ public:
     return this->Tool.BoundingRadius();
   } ///< of a sphere around the tool
   const Vector3& FromWorld() const noexcept { return this->From; }
-  const Vector3& WayWorld() const noexcept { return this->Way; }
+  const Vector3& PathWorld() const noexcept { return this->Path; }
 
 private:
   struct Place
@@ -45,8 +45,8 @@ private:
 
   CutTool Tool;
   Vector3 From;
-  Vector3 Way;
-  double WaySquared;
+  Vector3 Path;
+  double PathSquared;
   std::vector<Place> Places; // of tools other than spheres
   Eigen::AlignedBox3d Bounds;
 };

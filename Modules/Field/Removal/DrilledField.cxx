@@ -355,7 +355,7 @@ void DrilledField::ForgetOldest()
   while (bytes > this->MostHistoryBytes && forgotten < this->Place)
   {
     const auto& oldest = this->History[forgotten];
-    bytes -= std::min(bytes, oldest->BytesBeside(this->History[forgotten + 1].get()));
+    bytes -= std::min(bytes, oldest->BytesNotIn(this->History[forgotten + 1].get()));
     ++forgotten;
   }
   this->History.erase(this->History.begin(),
@@ -374,14 +374,14 @@ std::size_t DrilledField::HistoryBytes() const noexcept
   std::size_t bytes = 0;
   for (std::size_t n = 0; n + 1 < this->History.size(); ++n)
   {
-    bytes += this->History[n]->BytesBeside(this->History[n + 1].get());
+    bytes += this->History[n]->BytesNotIn(this->History[n + 1].get());
   }
   return bytes;
 }
 
 std::size_t DrilledField::Bytes() const noexcept
 {
-  return this->Field->Bytes() + this->HistoryBytes() + this->Now().BytesBeside(nullptr) +
+  return this->Field->Bytes() + this->HistoryBytes() + this->Now().BytesNotIn(nullptr) +
          this->PlaceOf.size() * sizeof(std::uint32_t);
 }
 

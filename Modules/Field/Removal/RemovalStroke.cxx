@@ -43,11 +43,11 @@ private:
   Vector3 First = Vector3::Zero();
 };
 
-class BallRows
+class SphericalRows
 {
 public:
-  BallRows(const CutSweep& sweep, const FieldGrid& grid, bool goesOn)
-      : Rows(grid, sweep.FromWorld(), sweep.WayWorld(), sweep.Radius()), GoesOn(goesOn)
+  SphericalRows(const CutSweep& sweep, const FieldGrid& grid, bool goesOn)
+      : Rows(grid, sweep.FromWorld(), sweep.PathWorld(), sweep.Radius()), GoesOn(goesOn)
   {
     static_assert(SphereRows::Count == Side);
   }
@@ -65,8 +65,8 @@ private:
 
 // Lowers distances outside the forbidden region; inside it, no lower than the depth in it.
 template <typename Rows>
-unsigned LowerBeside(const float* forbidden, const Rows& rows, int j, int k, float least,
-                     float* kept)
+unsigned LowerUnlessForbidden(const float* forbidden, const Rows& rows, int j, int k, float least,
+                              float* kept)
 {
   Row before;
   std::copy_n(kept, Side, before.begin());
@@ -161,9 +161,9 @@ void RemovalStroke::Cut(const CutSweep& sweep, std::vector<NodeBox>& changed)
   // start.
   const bool goesOn =
       this->Last.Radius == sweep.Radius() && this->Last.EndWorld == sweep.FromWorld();
-  BallRows rows(sweep, this->Working->Frame, goesOn);
+  SphericalRows rows(sweep, this->Working->Frame, goesOn);
   this->CutWith(rows, sweep, changed);
-  this->Last = {sweep.Radius(), sweep.FromWorld() + sweep.WayWorld()};
+  this->Last = {sweep.Radius(), sweep.FromWorld() + sweep.PathWorld()};
 }
 
 template <typename Rows>
@@ -225,9 +225,9 @@ bool RemovalStroke::CutBlock(const Corner& corner, Rows& rows, NodeBox& changed)
     {
       const auto first = static_cast<std::size_t>((k * Side + j) * Side);
       float* row = &distances[first];
-      const unsigned lowered = forbidden == nullptr
-                                   ? rows.Lower(j, k, least, row)
-                                   : LowerBeside(forbidden + first, rows, j, k, least, row);
+      const unsigned lowered =
+          forbidden == nullptr ? rows.Lower(j, k, least, row)
+                               : LowerUnlessForbidden(forbidden + first, rows, j, k, least, row);
       if (lowered != 0)
       {
         box.Extend({{__builtin_ctz(lowered), j, k}, {31 - __builtin_clz(lowered), j, k}});
@@ -291,11 +291,11 @@ RemovalStroke::Without(const std::shared_ptr<const RemovedDistances>& forbidden,
   {
     Nodes distances;
     std::copy_n(removed->BlockAt(corner), distances.size(), distances.begin());
-    const float* beside = forbidden->BlockAt(corner);
-    for (std::size_t n = 0; beside != nullptr && n < distances.size(); ++n)
+    const float* nearby = forbidden->BlockAt(corner);
+    for (std::size_t n = 0; nearby != nullptr && n < distances.size(); ++n)
     {
-      isDifferent = isDifferent || distances[n] < -beside[n];
-      distances[n] = std::max(distances[n], -beside[n]);
+      isDifferent = isDifferent || distances[n] < -nearby[n];
+      distances[n] = std::max(distances[n], -nearby[n]);
     }
     without.Set(corner, distances);
   }

@@ -48,7 +48,7 @@ private:
 
   bool MayChange(const Corner& corner, const CutSweep& sweep, const Block* block) const noexcept;
   // The sphere of the last cut, and where it ended.
-  struct Ball
+  struct Sphere
   {
     double Radius = 0.0;
     Vector3 EndWorld = Vector3::Zero();
@@ -67,6 +67,6 @@ private:
   std::shared_ptr<const RemovedDistances> Forbidden;
   std::shared_ptr<RemovedDistances> Working;
   bool IsChanged = false;
-  Ball Last;
+  Sphere Last;
 };
 } // namespace palpate

@@ -123,7 +123,7 @@ std::vector<RemovedDistances::Corner> RemovedDistances::Corners() const
   return Difference(*this, *None(this->Frame, this->Limit));
 }
 
-std::size_t RemovedDistances::BytesBeside(const RemovedDistances* other) const noexcept
+std::size_t RemovedDistances::BytesNotIn(const RemovedDistances* other) const noexcept
 {
   std::size_t bytes = sizeof(*this) + this->Pages.size() * sizeof(this->Pages[0]);
   for (std::size_t p = 0; p < this->Pages.size(); ++p)

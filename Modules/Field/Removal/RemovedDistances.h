@@ -47,7 +47,7 @@ public:
   std::vector<Corner> Corners() const;
 
   /// Memory that is not shared with `other`; all memory if it is nullptr.
-  std::size_t BytesBeside(const RemovedDistances* other) const noexcept;
+  std::size_t BytesNotIn(const RemovedDistances* other) const noexcept;
 
 private:
   static constexpr int PageSide = 8; // blocks

@@ -15,13 +15,13 @@ class SphereRows
 public:
   static constexpr int Count = 8; ///< nodes of a row
 
-  SphereRows(const FieldGrid& grid, const Vector3& from, const Vector3& way, double radius)
-      : Grid(grid), From(from), Way(way.cast<float>()), Radius(static_cast<float>(radius))
+  SphereRows(const FieldGrid& grid, const Vector3& from, const Vector3& path, double radius)
+      : Grid(grid), From(from), Path(path.cast<float>()), Radius(static_cast<float>(radius))
   {
     constexpr double Shortest = 1e-6; // mm; shorter segments count as points
-    const double squared = way.squaredNorm();
-    const double perWay = squared > Shortest * Shortest ? 1.0 / squared : 0.0;
-    this->PartOf = perWay * way;
+    const double squared = path.squaredNorm();
+    const double perPath = squared > Shortest * Shortest ? 1.0 / squared : 0.0;
+    this->PartOf = perPath * path;
     for (int axis = 0; axis < 3; ++axis)
     {
       const Vector3 step = grid.VectorWorld(Vector3::Unit(axis));
@@ -58,9 +58,9 @@ public:
       Lanes t = this->PartAt(j, k) + at * this->Parts[0];
       t = t > none ? t : none;
       t = t < none + 1.0f ? t : none + 1.0f;
-      const Lanes x = first[0] + at * step[0] - t * this->Way[0];
-      const Lanes y = first[1] + at * step[1] - t * this->Way[1];
-      const Lanes z = first[2] + at * step[2] - t * this->Way[2];
+      const Lanes x = first[0] + at * step[0] - t * this->Path[0];
+      const Lanes y = first[1] + at * step[1] - t * this->Path[1];
+      const Lanes z = first[2] + at * step[2] - t * this->Path[2];
       const Lanes square = x * x + y * y + z * z;
       Lanes distance = {std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]),
                         std::sqrt(square[3])};
@@ -95,7 +95,7 @@ private:
   const FieldGrid& Grid;
   Vector3 From;
   Vector3 PartOf; // factor from an offset to the parameter of the segment
-  Eigen::Vector3f Way;
+  Eigen::Vector3f Path;
   float Radius;
   std::array<Eigen::Vector3f, 3> Steps;
   Eigen::Vector3f Parts;

@@ -21,18 +21,18 @@ public:
   static constexpr double Inside = 1500.0;
 
   ScannedBone(const FieldGrid& grid, double radius, double blur)
-      : Grid(grid), Middle(grid.PointWorld(
+      : Grid(grid), Center(grid.PointWorld(
                         0.5 * Vector3(grid.Size()[0] - 1, grid.Size()[1] - 1, grid.Size()[2] - 1)))
   {
     for (std::size_t n = 0; n < grid.NodeCount(); ++n)
     {
       const Vector3 p = grid.PointWorld(NodeIndex(grid.Size(), n));
-      const double depth = radius - (p - this->Middle).norm();
+      const double depth = radius - (p - this->Center).norm();
       this->Bone.push_back(
           static_cast<float>(std::round(0.5 * Inside * (1.0 + std::tanh(depth / blur)))));
       // Around an axis of the world off the centre.
-      const Vector3 beside = p - this->Middle - Vector3(0.3 * radius, 0.0, 0.0);
-      this->Nerve.push_back(static_cast<float>(0.12 * radius - std::hypot(beside[0], beside[1])));
+      const Vector3 nearby = p - this->Center - Vector3(0.3 * radius, 0.0, 0.0);
+      this->Nerve.push_back(static_cast<float>(0.12 * radius - std::hypot(nearby[0], nearby[1])));
     }
   }
 
@@ -52,7 +52,7 @@ public:
   std::shared_ptr<const ScalarField> Make() const { return this->Make(this->Bone); }
 
   FieldGrid Grid;
-  Vector3 Middle;
+  Vector3 Center;
   std::vector<float> Bone;
   std::vector<float> Nerve;
 };
@@ -73,8 +73,8 @@ inline std::shared_ptr<const ScalarField> VersionOf(DrilledField& drilled)
   return version;
 }
 
-inline void CutWay(DrilledField& drilled, const CutTool& tool, const Vector3& from,
-                   const Vector3& to)
+inline void CutPath(DrilledField& drilled, const CutTool& tool, const Vector3& from,
+                    const Vector3& to)
 {
   const auto still = Eigen::Quaterniond::Identity();
   const Status status = drilled.Cut(tool, {from, still}, {to, still});

@@ -10,7 +10,7 @@ namespace
 {
 using Real = RayOracle::Real;
 
-std::string Sentence(const char* fact, Real t, Real value)
+std::string Message(const char* fact, Real t, Real value)
 {
   std::ostringstream text;
   text.precision(17);
@@ -144,7 +144,7 @@ std::string RayOracle::FaultOfHit(const FieldRay& ray, const FieldHit& hit) cons
   const bool isBound = sign * before <= Tiny && sign * after >= -Tiny;
   if (!isBound && std::abs(at) > this->Tolerance)
   {
-    return Sentence("no crossing within the error bound", hit.T, at);
+    return Message("no crossing within the error bound", hit.T, at);
   }
   return {};
 }
@@ -157,14 +157,14 @@ std::string RayOracle::FaultAtBorder(const FieldRay& ray, const Interval& grid, 
   const bool isSaid = hit.Kind == HitKind::Border && hit.IsEntering;
   if (isExpected && !isSaid)
   {
-    return Sentence("no hit where the ray enters the grid inside", grid.From, relation);
+    return Message("no hit where the ray enters the grid inside", grid.From, relation);
   }
   if (hit.Kind == HitKind::Border)
   {
     const Real border = hit.IsEntering ? grid.From : grid.To;
     if (!(std::abs(hit.T - border) <= hit.ErrorT) || this->Relation(ray, border) < -this->Tolerance)
     {
-      return Sentence("a hit that is not at the border", hit.T, this->Relation(ray, border));
+      return Message("a hit that is not at the border", hit.T, this->Relation(ray, border));
     }
   }
   return {};
@@ -181,7 +181,7 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
   }
   if (hit.Kind != HitKind::Missed && !(hit.T >= tMin && hit.T <= tMax))
   {
-    return Sentence("a hit outside the interval", hit.T, 0);
+    return Message("a hit outside the interval", hit.T, 0);
   }
   std::string fault = this->FaultAtBorder(ray, grid, tMin, hit);
   if (!fault.empty() || (hit.Kind == HitKind::Border && hit.IsEntering))
@@ -192,11 +192,11 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
   const bool isInside = hit.StartsInside != 0;
   if (std::abs(start) > this->Tolerance && isInside != (start > 0))
   {
-    return Sentence("starts on the wrong side", asked.From, start);
+    return Message("starts on the wrong side", asked.From, start);
   }
   if (hit.Kind == HitKind::Surface)
   {
-    fault = hit.IsEntering == isInside ? Sentence("crosses to its own side", hit.T, 0)
+    fault = hit.IsEntering == isInside ? Message("crosses to its own side", hit.T, 0)
                                        : this->FaultOfHit(ray, hit);
   }
   const Real until = hit.Kind == HitKind::Missed ? asked.To : static_cast<Real>(hit.T) - hit.ErrorT;
@@ -204,7 +204,7 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
   if (fault.empty() && until > asked.From &&
       this->Contradicts(ray, {asked.From, until}, isInside, where))
   {
-    fault = Sentence("a crossing was lost before", where, this->Relation(ray, where));
+    fault = Message("a crossing was lost before", where, this->Relation(ray, where));
   }
   return fault;
 }

@@ -92,16 +92,16 @@ void ExpectSameHits(const std::shared_ptr<const ScalarField>& field, std::mt1993
 }
 
 // Small spheres far apart.
-struct BallsField
+struct SpheresField
 {
-  std::vector<test::SphereField> Balls;
+  std::vector<test::SphereField> Spheres;
 
   double Value(const Vector3& p) const
   {
     double most = -1e3;
-    for (const test::SphereField& ball : this->Balls)
+    for (const test::SphereField& sphere : this->Spheres)
     {
-      most = std::max(most, ball.Value(p));
+      most = std::max(most, sphere.Value(p));
     }
     return most;
   }
@@ -112,12 +112,12 @@ TEST(BeamClearance, SkipsNoneOfManySpheres)
   std::mt19937_64 random(73);
   int skipped = 0;
   const FieldGrid grid = test::PlainGrid({120, 110, 130});
-  BallsField balls;
-  for (int ball = 0; ball < 25; ++ball)
+  SpheresField spheres;
+  for (int sphere = 0; sphere < 25; ++sphere)
   {
-    balls.Balls.push_back({Vector3(60.0, 55.0, 65.0) + RandomVector(random, 50.0), 2.5});
+    spheres.Spheres.push_back({Vector3(60.0, 55.0, 65.0) + RandomVector(random, 50.0), 2.5});
   }
-  const auto samples = test::SampleAtIndices(grid.Size(), balls);
+  const auto samples = test::SampleAtIndices(grid.Size(), spheres);
   const auto field = test::MakeField(grid, samples, 0.0);
   for (int round = 0; round < 30; ++round)
   {
@@ -157,13 +157,13 @@ TEST(BeamClearance, SkipsNoSheetBetweenFreeCells)
 {
   std::mt19937_64 random(74);
   const FieldGrid grid = test::PlainGrid({70, 61, 83});
-  BallsField balls;
-  for (int ball = 0; ball < 400; ++ball)
+  SpheresField spheres;
+  for (int sphere = 0; sphere < 400; ++sphere)
   {
-    balls.Balls.push_back({Vector3(35.0, 30.0, 41.0) + RandomVector(random, 40.0), 0.9});
+    spheres.Spheres.push_back({Vector3(35.0, 30.0, 41.0) + RandomVector(random, 40.0), 0.9});
   }
   int skipped = 0;
-  const auto samples = test::SampleAtIndices(grid.Size(), balls);
+  const auto samples = test::SampleAtIndices(grid.Size(), spheres);
   const auto field = test::MakeField(grid, samples, 0.0);
   for (int round = 0; round < 30; ++round)
   {

@@ -100,7 +100,7 @@ private:
   std::vector<double> Distances;
 };
 
-double BallVolume(double radius)
+double SphereVolume(double radius)
 {
   return 4.0 / 3.0 * M_PI * std::pow(radius, 3);
 }
@@ -161,7 +161,7 @@ TEST(CutSweep, SphereRemovesItsVolumeWithinOnePercentFromThreeVoxels)
       Block block(1.0, Vector3::Constant(radius + 4.0), test::RandomOrientation(random));
       const CutPose pose = At(Vector3(offset(random), offset(random), offset(random)));
       block.Cut(CutSweep(CutTool::Sphere(radius), pose, pose, 0.25));
-      EXPECT_NEAR(block.Removed() / BallVolume(radius), 1.0, 0.01) << radius;
+      EXPECT_NEAR(block.Removed() / SphereVolume(radius), 1.0, 0.01) << radius;
     }
   }
 }
@@ -183,7 +183,7 @@ TEST(CutSweep, StrokeRemovesACapsuleWithinOnePercent)
       block.Cut(CutSweep(CutTool::Sphere(Radius), At(from + tick * (to - from) / Ticks),
                          At(from + (tick + 1) * (to - from) / Ticks), 0.25));
     }
-    const double capsule = BallVolume(Radius) + M_PI * Radius * Radius * (to - from).norm();
+    const double capsule = SphereVolume(Radius) + M_PI * Radius * Radius * (to - from).norm();
     EXPECT_NEAR(block.Removed() / capsule, 1.0, 0.01);
   }
 }
@@ -202,7 +202,7 @@ TEST(CutSweep, RemovedVolumeConvergesWithOrderTwo)
       Block block(spacing, Vector3::Constant(3.0 + 4.0 * spacing), test::RandomOrientation(random));
       const CutPose pose = At(spacing * Vector3(offset(random), offset(random), offset(random)));
       block.Cut(CutSweep(CutTool::Sphere(3.0), pose, pose, 0.25));
-      sum += std::pow(block.Removed() / BallVolume(3.0) - 1.0, 2);
+      sum += std::pow(block.Removed() / SphereVolume(3.0) - 1.0, 2);
     }
     return std::sqrt(sum / Trials);
   };

@@ -10,7 +10,7 @@ namespace palpate
 namespace
 {
 // A sphere of 2 mm as samples, 0.25 mm apart.
-CutTool SampledBall(double radius)
+CutTool SampledSphere(double radius)
 {
   const FieldGrid grid({25, 25, 25}, Vector3::Constant(-3.0), Vector3::Constant(0.25),
                        Matrix3::Identity());
@@ -50,7 +50,7 @@ TEST(CutTool, SampledSurfaceInterpolatesItsSamples)
 {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> place(-3.0, 3.0);
-  const CutTool tool = SampledBall(2.0);
+  const CutTool tool = SampledSphere(2.0);
   ASSERT_TRUE(tool.Check().IsOk());
   for (int trial = 0; trial < 1000; ++trial)
   {
@@ -63,7 +63,7 @@ TEST(CutTool, SampledSurfaceInterpolatesItsSamples)
 
 TEST(CutTool, SampledDistanceGrowsBeyondItsGrid)
 {
-  const CutTool tool = SampledBall(2.0);
+  const CutTool tool = SampledSphere(2.0);
   EXPECT_NEAR(tool.Distance(Vector3(8.0, 0.0, 0.0)), 6.0, 1e-12);
   EXPECT_GE(tool.Distance(Vector3(5.0, 5.0, 5.0)), std::sqrt(75.0) - 2.0 - 1e-12);
 }
@@ -72,7 +72,8 @@ TEST(CutTool, BoundingRadiusContainsTheInside)
 {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> place(-6.0, 6.0);
-  for (const CutTool& tool : {CutTool::Sphere(2.0), CutTool::Cylinder(1.0, 8.0), SampledBall(2.0)})
+  for (const CutTool& tool :
+       {CutTool::Sphere(2.0), CutTool::Cylinder(1.0, 8.0), SampledSphere(2.0)})
   {
     for (int trial = 0; trial < 2000; ++trial)
     {
@@ -91,9 +92,9 @@ TEST(CutTool, RejectsInvalidTools)
     EXPECT_FALSE(CutTool::Cylinder(length, 1.0).Check().IsOk()) << length;
     EXPECT_FALSE(CutTool::Cylinder(1.0, length).Check().IsOk()) << length;
   }
-  EXPECT_FALSE(SampledBall(3.5).Check().IsOk()); // cut off by its grid
-  EXPECT_FALSE(SampledBall(-1.0).Check().IsOk());
-  EXPECT_FALSE(SampledBall(nan).Check().IsOk());
+  EXPECT_FALSE(SampledSphere(3.5).Check().IsOk()); // cut off by its grid
+  EXPECT_FALSE(SampledSphere(-1.0).Check().IsOk());
+  EXPECT_FALSE(SampledSphere(nan).Check().IsOk());
   const FieldGrid grid({3, 3, 3}, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity());
   EXPECT_FALSE(CutTool::Surface(grid, std::vector<double>(26, 1.0)).Check().IsOk());
 }

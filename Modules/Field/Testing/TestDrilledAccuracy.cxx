@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-using test::CutWay;
+using test::CutPath;
 using test::Drill;
 using test::ScannedBone;
 using test::VersionOf;
@@ -21,7 +21,7 @@ ScannedBone BoneOf(double spacing, double radius, std::mt19937_64& random)
   return {grid, radius, 0.8};
 }
 
-double BallVolume(double radius)
+double SphereVolume(double radius)
 {
   return 4.0 / 3.0 * M_PI * std::pow(radius, 3);
 }
@@ -45,9 +45,9 @@ TEST(DrilledAccuracy, SphereRemovesItsVolumeWithinOnePercentFromThreeVoxels)
       for (int trial = 0; trial < 4; ++trial)
       {
         const auto drilled = Drill(*field);
-        const Vector3 place = bone.Middle + RandomOffset(spacing, random);
-        CutWay(*drilled, CutTool::Sphere(radius), place, place);
-        EXPECT_NEAR(drilled->RemovedVolume() / BallVolume(radius), 1.0, 0.01) << spacing;
+        const Vector3 place = bone.Center + RandomOffset(spacing, random);
+        CutPath(*drilled, CutTool::Sphere(radius), place, place);
+        EXPECT_NEAR(drilled->RemovedVolume() / SphereVolume(radius), 1.0, 0.01) << spacing;
       }
     }
   }
@@ -61,15 +61,15 @@ TEST(DrilledAccuracy, StrokeOfTicksRemovesACapsuleWithinOnePercent)
     const double radius = 3.0 * spacing;
     const ScannedBone bone = BoneOf(spacing, 12.0 * spacing, random);
     const auto drilled = Drill(*bone.Make());
-    const Vector3 way = 6.0 * spacing * Vector3(0.6, -0.64, 0.48);
-    const Vector3 from = bone.Middle - 0.5 * way + RandomOffset(spacing, random);
+    const Vector3 path = 6.0 * spacing * Vector3(0.6, -0.64, 0.48);
+    const Vector3 from = bone.Center - 0.5 * path + RandomOffset(spacing, random);
     constexpr int Ticks = 60;
     for (int tick = 0; tick < Ticks; ++tick)
     {
-      CutWay(*drilled, CutTool::Sphere(radius), from + tick * way / Ticks,
-             from + (tick + 1) * way / Ticks);
+      CutPath(*drilled, CutTool::Sphere(radius), from + tick * path / Ticks,
+              from + (tick + 1) * path / Ticks);
     }
-    const double capsule = BallVolume(radius) + M_PI * radius * radius * way.norm();
+    const double capsule = SphereVolume(radius) + M_PI * radius * radius * path.norm();
     EXPECT_NEAR(drilled->RemovedVolume() / capsule, 1.0, 0.01) << spacing;
   }
 }
@@ -86,14 +86,14 @@ TEST(DrilledAccuracy, CountsOnlyVolumeInsideTheMaterial)
   {
     const ScannedBone bone = BoneOf(spacing, 10.0, random);
     const auto drilled = Drill(*bone.Make());
-    CutWay(*drilled, CutTool::Sphere(12.0), bone.Middle, bone.Middle);
-    const double surface = std::cbrt(drilled->RemovedVolume() / BallVolume(1.0));
+    CutPath(*drilled, CutTool::Sphere(12.0), bone.Center, bone.Center);
+    const double surface = std::cbrt(drilled->RemovedVolume() / SphereVolume(1.0));
     EXPECT_NEAR(surface, 10.0 + 0.8 * std::atanh(0.6), 0.1);
     for (const double between : {9.0, 10.0, 11.0})
     {
       drilled->Undo();
-      const Vector3 place = bone.Middle + between * Vector3(0.48, 0.6, 0.64);
-      CutWay(*drilled, CutTool::Sphere(Tool), place, place);
+      const Vector3 place = bone.Center + between * Vector3(0.48, 0.6, 0.64);
+      CutPath(*drilled, CutTool::Sphere(Tool), place, place);
       const double lens = M_PI * std::pow(surface + Tool - between, 2) *
                           (between * between + 2.0 * between * (surface + Tool) -
                            3.0 * std::pow(surface - Tool, 2)) /
@@ -115,9 +115,9 @@ TEST(DrilledAccuracy, RemovedVolumeConvergesWithOrderTwo)
     constexpr int Trials = 20;
     for (int trial = 0; trial < Trials; ++trial)
     {
-      const Vector3 place = bone.Middle + RandomOffset(spacing, random);
-      CutWay(*drilled, CutTool::Sphere(3.0), place, place);
-      sum += std::pow(drilled->RemovedVolume() / BallVolume(3.0) - 1.0, 2);
+      const Vector3 place = bone.Center + RandomOffset(spacing, random);
+      CutPath(*drilled, CutTool::Sphere(3.0), place, place);
+      sum += std::pow(drilled->RemovedVolume() / SphereVolume(3.0) - 1.0, 2);
       drilled->Undo();
     }
     return std::sqrt(sum / Trials);
@@ -138,14 +138,14 @@ TEST(DrilledAccuracy, CanalRadiusEqualsTheToolsWithinATenthOfAVoxel)
   const Vector3 along = Vector3(0.6, -0.64, 0.48);
   for (int tick = 0; tick < 100; ++tick)
   {
-    CutWay(*drilled, CutTool::Sphere(Radius), bone.Middle + (0.3 * tick - 15.0) * along,
-           bone.Middle + (0.3 * (tick + 1) - 15.0) * along);
+    CutPath(*drilled, CutTool::Sphere(Radius), bone.Center + (0.3 * tick - 15.0) * along,
+            bone.Center + (0.3 * (tick + 1) - 15.0) * along);
   }
   const RayCaster caster(VersionOf(*drilled));
   std::uniform_real_distribution<double> place(-7.0, 7.0);
   for (int n = 0; n < 500; ++n)
   {
-    const Vector3 from = bone.Middle + place(random) * along;
+    const Vector3 from = bone.Center + place(random) * along;
     const Vector3 out = along.cross(RandomOffset(1.0, random)).normalized();
     const FieldHit hit = caster.CastWorld({from, out}, 0.0, 20.0, OnlyMaterial(0));
     ASSERT_EQ(hit.Kind, HitKind::Surface);

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-using test::CutWay;
+using test::CutPath;
 using test::Drill;
 using test::SameBits;
 using test::SamplesNow;
@@ -26,7 +26,7 @@ protected:
   Vector3 RandomPoint()
   {
     std::uniform_real_distribution<double> part(-1.1, 1.1);
-    return this->Bone.Middle +
+    return this->Bone.Center +
            Vector3(part(this->Random), part(this->Random), part(this->Random)) * Radius;
   }
   // With one of several tools, through bone or next to it.
@@ -35,9 +35,9 @@ protected:
     const std::vector<CutTool> tools{CutTool::Sphere(1.5), CutTool::Sphere(2.5),
                                      CutTool::Cylinder(1.0, 6.0)};
     const Vector3 from = this->RandomPoint();
-    const Vector3 way = 0.3 * (this->RandomPoint() - this->Bone.Middle);
+    const Vector3 path = 0.3 * (this->RandomPoint() - this->Bone.Center);
     const CutPose start{from, Eigen::Quaterniond(test::RandomOrientation(this->Random))};
-    const CutPose end{from + way, start.Orientation};
+    const CutPose end{from + path, start.Orientation};
     ASSERT_TRUE(drilled.Cut(tools[this->Random() % tools.size()], start, end).IsOk());
   }
 
@@ -149,8 +149,8 @@ TEST_F(DrilledFieldTest, ForbiddenMaterialNeverChanges)
   {
     this->CutSomewhere(*drilled);
   }
-  CutWay(*drilled, CutTool::Sphere(3.0), this->Bone.Middle - Vector3(8.0, 0.0, 0.0),
-         this->Bone.Middle + Vector3(8.0, 0.0, 0.0));
+  CutPath(*drilled, CutTool::Sphere(3.0), this->Bone.Center - Vector3(8.0, 0.0, 0.0),
+          this->Bone.Center + Vector3(8.0, 0.0, 0.0));
   const auto version = VersionOf(*drilled);
   const FieldSampler after(version);
   for (int n = 0; n < 3000; ++n)
@@ -212,7 +212,7 @@ TEST_F(DrilledFieldTest, UndoRevertsAnOpenStroke)
   this->CutSomewhere(*drilled);
   drilled->EndStroke();
   const std::vector<float> state = SamplesNow(*drilled, this->Bone);
-  CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(2.0), this->Bone.Center, this->Bone.Center);
   drilled->Undo();
   EXPECT_EQ(SamplesNow(*drilled, this->Bone), state);
   drilled->Redo();
@@ -222,11 +222,11 @@ TEST_F(DrilledFieldTest, UndoRevertsAnOpenStroke)
 TEST_F(DrilledFieldTest, CutAfterUndoDiscardsRedo)
 {
   const auto drilled = Drill(*this->Bone.Make());
-  CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(2.0), this->Bone.Center, this->Bone.Center);
   drilled->Undo();
   EXPECT_TRUE(drilled->CanRedo());
-  const Vector3 beside = this->Bone.Middle + Vector3(4.0, 0.0, 0.0);
-  CutWay(*drilled, CutTool::Sphere(2.0), beside, beside);
+  const Vector3 nearby = this->Bone.Center + Vector3(4.0, 0.0, 0.0);
+  CutPath(*drilled, CutTool::Sphere(2.0), nearby, nearby);
   EXPECT_FALSE(drilled->CanRedo());
   const double volume = drilled->RemovedVolume();
   drilled->Redo();
@@ -256,7 +256,7 @@ TEST_F(DrilledFieldTest, StrokeCostsOnlyChangedMemory)
   std::size_t before = drilled->HistoryBytes();
   for (int stroke = 0; stroke < 6; ++stroke)
   {
-    CutWay(*drilled, CutTool::Sphere(1.0), this->Bone.Middle, this->RandomPoint());
+    CutPath(*drilled, CutTool::Sphere(1.0), this->Bone.Center, this->RandomPoint());
     drilled->EndStroke();
     const std::size_t bytes = drilled->HistoryBytes();
     // Previous copies of the changed blocks, and pages of pointers to them: of the whole grid at
@@ -288,23 +288,23 @@ TEST_F(DrilledFieldTest, LimitedHistoryDiscardsTheOldestStrokes)
 
 TEST_F(DrilledFieldTest, RemovedVolumeIsIndependentOfOrderAndQueries)
 {
-  constexpr int Ways = 8;
-  std::vector<std::pair<Vector3, Vector3>> ways;
-  ways.reserve(Ways);
-  for (int n = 0; n < Ways; ++n)
+  constexpr int Paths = 8;
+  std::vector<std::pair<Vector3, Vector3>> paths;
+  paths.reserve(Paths);
+  for (int n = 0; n < Paths; ++n)
   {
-    ways.emplace_back(this->RandomPoint(), this->RandomPoint());
+    paths.emplace_back(this->RandomPoint(), this->RandomPoint());
   }
   const auto field = this->Bone.Make();
   const auto forwards = Drill(*field);
   const auto backwards = Drill(*field);
   const CutTool tool = CutTool::Sphere(1.5);
-  for (std::size_t n = 0; n < ways.size(); ++n)
+  for (std::size_t n = 0; n < paths.size(); ++n)
   {
-    CutWay(*forwards, tool, ways[n].first, ways[n].second);
+    CutPath(*forwards, tool, paths[n].first, paths[n].second);
     EXPECT_GE(forwards->RemovedVolume(), 0.0);
-    const auto& way = ways[ways.size() - 1 - n];
-    CutWay(*backwards, tool, way.first, way.second);
+    const auto& path = paths[paths.size() - 1 - n];
+    CutPath(*backwards, tool, path.first, path.second);
   }
   EXPECT_GT(forwards->RemovedVolume(), 100.0);
   EXPECT_EQ(forwards->RemovedVolume(), backwards->RemovedVolume());
@@ -347,10 +347,10 @@ TEST_F(DrilledFieldTest, VersionWithoutCutIsTheSameObject)
   const auto drilled = Drill(*this->Bone.Make());
   const auto first = VersionOf(*drilled);
   EXPECT_EQ(VersionOf(*drilled), first);
-  CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(2.0), this->Bone.Center, this->Bone.Center);
   const auto second = VersionOf(*drilled);
   EXPECT_NE(second, first);
-  CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(2.0), this->Bone.Center, this->Bone.Center);
   EXPECT_EQ(VersionOf(*drilled), second) << "nothing more was there to be removed";
 }
 
@@ -378,7 +378,7 @@ TEST_F(DrilledFieldTest, RoundsOnlyIntegersThatACutChanges)
 {
   const auto drilled = Drill(*this->Bone.Make());
   this->CutSomewhere(*drilled);
-  CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(2.0), this->Bone.Center, this->Bone.Center);
   const std::vector<std::int16_t> scan(this->Bone.Bone.begin(), this->Bone.Bone.end());
   std::vector<std::int16_t> rounded(scan.size());
   drilled->WriteSamples(SamplesOfGrid(scan.data(), this->Bone.Grid), rounded.data());
@@ -392,7 +392,7 @@ TEST_F(DrilledFieldTest, RoundsOnlyIntegersThatACutChanges)
 TEST_F(DrilledFieldTest, WritesSamplesOfABoxWithTheValueOutside)
 {
   const auto drilled = Drill(*this->Bone.Make());
-  CutWay(*drilled, CutTool::Sphere(2.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(2.0), this->Bone.Center, this->Bone.Center);
   const std::array<int, 3> size = this->Bone.Grid.Size();
   FieldSamples box = SamplesOfGrid(this->Bone.Bone.data(), this->Bone.Grid);
   box.Size[2] = 20;
@@ -422,7 +422,7 @@ TEST_F(DrilledFieldTest, DrillsAtMostConditions)
   const auto above = Drill(*this->Bone.Make());
   for (const auto& drilled : {below.get(), above.get()})
   {
-    CutWay(*drilled, CutTool::Sphere(3.0), this->Bone.Middle, this->Bone.Middle);
+    CutPath(*drilled, CutTool::Sphere(3.0), this->Bone.Center, this->Bone.Center);
   }
   // mm^3 of 113; floats of some thousand.
   EXPECT_NEAR(below->RemovedVolume(), above->RemovedVolume(), 1e-2);
@@ -476,7 +476,7 @@ TEST_F(DrilledFieldTest, VolumesCountTheIntersectionWithTheLimit)
   for (std::size_t n = 0; n < this->Bone.Bone.size(); ++n)
   {
     const Vector3 p = this->Bone.Grid.PointWorld(test::NodeIndex(this->Bone.Grid.Size(), n));
-    side.push_back(static_cast<float>((p - this->Bone.Middle)[0]));
+    side.push_back(static_cast<float>((p - this->Bone.Center)[0]));
   }
   FieldBuilder builder(this->Bone.Grid);
   const int bone = builder.AddChannel(SamplesOfGrid(this->Bone.Bone.data(), this->Bone.Grid));
@@ -485,7 +485,7 @@ TEST_F(DrilledFieldTest, VolumesCountTheIntersectionWithTheLimit)
   std::shared_ptr<const ScalarField> field;
   ASSERT_TRUE(builder.Build(field).IsOk());
   const auto drilled = Drill(*field);
-  CutWay(*drilled, CutTool::Sphere(3.0), this->Bone.Middle, this->Bone.Middle);
+  CutPath(*drilled, CutTool::Sphere(3.0), this->Bone.Center, this->Bone.Center);
   EXPECT_NEAR(drilled->RemovedVolume() / (2.0 / 3.0 * M_PI * 27.0), 1.0, 0.01);
 }
 } // namespace

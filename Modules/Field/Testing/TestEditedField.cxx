@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-using test::CutWay;
+using test::CutPath;
 using test::Drill;
 using test::SameBits;
 using test::SamplesNow;
@@ -32,7 +32,7 @@ protected:
   Vector3 RandomPlace()
   {
     std::uniform_real_distribution<double> part(-7.0, 7.0);
-    return this->Bone.Middle + Vector3(part(this->Random), part(this->Random), part(this->Random));
+    return this->Bone.Center + Vector3(part(this->Random), part(this->Random), part(this->Random));
   }
   std::vector<FieldHit> HitsOf(const std::shared_ptr<const ScalarField>& field, int count) const
   {
@@ -65,7 +65,7 @@ TEST_F(EditedFieldTest, HeldVersionsKeepTheirBits)
   std::vector<Held> held;
   for (int round = 0; round < 120; ++round)
   {
-    CutWay(*drilled, this->Tool, this->RandomPlace(), this->RandomPlace());
+    CutPath(*drilled, this->Tool, this->RandomPlace(), this->RandomPlace());
     const auto version = VersionOf(*drilled);
     held.push_back({version, this->HitsOf(version, 60)});
     if (held.size() > 3)
@@ -86,7 +86,7 @@ TEST_F(EditedFieldTest, HeldVersionsKeepTheirBits)
 TEST_F(EditedFieldTest, VersionOutlivesItsField)
 {
   auto drilled = Drill(*this->Bone.Make());
-  CutWay(*drilled, this->Tool, this->Bone.Middle, this->RandomPlace());
+  CutPath(*drilled, this->Tool, this->Bone.Center, this->RandomPlace());
   const auto version = VersionOf(*drilled);
   const auto hits = this->HitsOf(version, 200);
   drilled.reset();
@@ -103,7 +103,7 @@ TEST_F(EditedFieldTest, MemoryIsBoundedByBricksNotCuts)
   for (int round = 0; round < 600; ++round)
   {
     const Vector3 place = this->RandomPlace();
-    CutWay(*drilled, this->Tool, place, place);
+    CutPath(*drilled, this->Tool, place, place);
     used = VersionOf(*drilled);
     if (round == 300)
     {
@@ -124,7 +124,7 @@ TEST_F(EditedFieldTest, RejectsTooManyVersionsUntilSomeAreReleased)
   Status status = Status::Success();
   for (int round = 0; round < 500 && status.IsOk(); ++round)
   {
-    CutWay(*drilled, this->Tool, this->RandomPlace(), this->RandomPlace());
+    CutPath(*drilled, this->Tool, this->RandomPlace(), this->RandomPlace());
     drilled->EndStroke();
     held.emplace_back();
     status = drilled->MakeVersion(held.back());
@@ -153,7 +153,7 @@ TEST_F(EditedFieldTest, HitsANewSurfaceFarFromOthers)
   ASSERT_TRUE(builder.Build(field).IsOk());
   const auto drilled = Drill(*field);
   const Vector3 middle(100.0, 90.0, 110.0);
-  CutWay(*drilled, CutTool::Sphere(4.0), middle, middle);
+  CutPath(*drilled, CutTool::Sphere(4.0), middle, middle);
   const auto version = VersionOf(*drilled);
   const RayCaster caster(version);
   for (int n = 0; n < 300; ++n)
@@ -182,7 +182,7 @@ TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
   for (int cut = 0; cut < Cuts; ++cut)
   {
     places.push_back(this->RandomPlace());
-    CutWay(*alone, this->Tool, places.back(), places.back());
+    CutPath(*alone, this->Tool, places.back(), places.back());
     expected.push_back(this->HitsOf(VersionOf(*alone), 40));
   }
   struct Slot
@@ -226,7 +226,7 @@ TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
       drilled->Reset();
     }
     const Vector3& place = places[static_cast<std::size_t>(cut)];
-    CutWay(*drilled, this->Tool, place, place);
+    CutPath(*drilled, this->Tool, place, place);
     const auto version = VersionOf(*drilled);
     Slot& slot = slots[static_cast<std::size_t>(round) % slots.size()];
     // Every fourth version is certain to be read; meanwhile the others are overwritten.

@@ -19,9 +19,9 @@ std::vector<double> Ramp()
   return test::SampleAtIndices({6, 6, 6}, test::PlaneField{{1, 0, 0}, 0.0});
 }
 
-bool Says(const std::string& sentence, const std::string& part)
+bool Details(const std::string& message, const std::string& part)
 {
-  return sentence.find(part) != std::string::npos;
+  return message.find(part) != std::string::npos;
 }
 
 std::string RefusalOfIso(double iso)
@@ -36,9 +36,9 @@ TEST(FieldBuilder, RejectsIsoValuesWithoutSurface)
 {
   EXPECT_EQ(RefusalOfIso(2.5), "");
   EXPECT_EQ(RefusalOfIso(5.0), ""); // the iso-value itself is inside
-  EXPECT_TRUE(Says(RefusalOfIso(5.5), "samples run from 0 to 5"));
-  EXPECT_TRUE(Says(RefusalOfIso(0.0), "samples run from 0 to 5"));
-  EXPECT_TRUE(Says(RefusalOfIso(std::numeric_limits<double>::quiet_NaN()), "no surface"));
+  EXPECT_TRUE(Details(RefusalOfIso(5.5), "samples run from 0 to 5"));
+  EXPECT_TRUE(Details(RefusalOfIso(0.0), "samples run from 0 to 5"));
+  EXPECT_TRUE(Details(RefusalOfIso(std::numeric_limits<double>::quiet_NaN()), "no surface"));
 }
 
 TEST(FieldBuilder, RejectsNonFiniteSamples)
@@ -50,7 +50,7 @@ TEST(FieldBuilder, RejectsNonFiniteSamples)
     ramp[6 * 6 * 3 + 6 * 2 + 1] = bad;
     FieldBuilder builder(Cube);
     builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), Cube)), 2.5});
-    EXPECT_TRUE(Says(RefusalOf(builder), "index (1, 2, 3)"));
+    EXPECT_TRUE(Details(RefusalOf(builder), "index (1, 2, 3)"));
   }
 }
 
@@ -73,13 +73,13 @@ TEST(FieldBuilder, RejectsSamplesOutOfRange)
   const auto tricubic = FieldInterpolation::TricubicBSpline;
   EXPECT_EQ(RefusalOfScaledRamp(1e139, 0.0, trilinear), "");
   EXPECT_EQ(RefusalOfScaledRamp(1e-139, 0.0, trilinear), "");
-  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e140, 0.0, trilinear), "from 0 to 5e+140"));
-  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e-141, 0.0, trilinear), "from 0 to 5e-141"));
-  EXPECT_TRUE(Says(RefusalOfScaledRamp(-3e307, 1.5e308, trilinear), "rescale them"));
+  EXPECT_TRUE(Details(RefusalOfScaledRamp(1e140, 0.0, trilinear), "from 0 to 5e+140"));
+  EXPECT_TRUE(Details(RefusalOfScaledRamp(1e-141, 0.0, trilinear), "from 0 to 5e-141"));
+  EXPECT_TRUE(Details(RefusalOfScaledRamp(-3e307, 1.5e308, trilinear), "rescale them"));
   EXPECT_EQ(RefusalOfScaledRamp(1e35, 0.0, tricubic), "");
   EXPECT_EQ(RefusalOfScaledRamp(1e-29, 0.0, tricubic), "");
-  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e36, 0.0, tricubic), "from 0 to 5e+36"));
-  EXPECT_TRUE(Says(RefusalOfScaledRamp(1e-31, 0.0, tricubic), "from 0 to 5e-31"));
+  EXPECT_TRUE(Details(RefusalOfScaledRamp(1e36, 0.0, tricubic), "from 0 to 5e+36"));
+  EXPECT_TRUE(Details(RefusalOfScaledRamp(1e-31, 0.0, tricubic), "from 0 to 5e-31"));
 }
 
 TEST(FieldBuilder, RejectsSingleSliceVolume)
@@ -88,7 +88,7 @@ TEST(FieldBuilder, RejectsSingleSliceVolume)
   const std::vector<double> ramp = Ramp();
   FieldBuilder builder(slice);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), slice)), 2.5});
-  EXPECT_TRUE(Says(RefusalOf(builder), "1 samples along axis 2"));
+  EXPECT_TRUE(Details(RefusalOf(builder), "1 samples along axis 2"));
 }
 
 TEST(FieldBuilder, RejectsInvalidMaterials)
@@ -96,14 +96,14 @@ TEST(FieldBuilder, RejectsInvalidMaterials)
   const std::vector<double> ramp = Ramp();
   FieldBuilder none(Cube);
   none.AddChannel(SamplesOfGrid(ramp.data(), Cube));
-  EXPECT_TRUE(Says(RefusalOf(none), "1 to 32 materials"));
+  EXPECT_TRUE(Details(RefusalOf(none), "1 to 32 materials"));
   FieldBuilder unknown(Cube);
   unknown.AddMaterial({unknown.AddChannel(SamplesOfGrid(ramp.data(), Cube)) + 1, 2.5});
-  EXPECT_TRUE(Says(RefusalOf(unknown), "channel 1"));
+  EXPECT_TRUE(Details(RefusalOf(unknown), "channel 1"));
   FieldBuilder contradiction(Cube);
   const int channel = contradiction.AddChannel(SamplesOfGrid(ramp.data(), Cube));
   contradiction.AddMaterial({channel, 4.0}, {channel, 1.0, FieldSense::AtMost});
-  EXPECT_TRUE(Says(RefusalOf(contradiction), "Material 0 has no surface"));
+  EXPECT_TRUE(Details(RefusalOf(contradiction), "Material 0 has no surface"));
 }
 
 TEST(FieldBuilder, RejectsMissingOrOutlyingSamples)
@@ -111,9 +111,9 @@ TEST(FieldBuilder, RejectsMissingOrOutlyingSamples)
   const std::vector<double> ramp = Ramp();
   FieldSamples absent = SamplesOfGrid(ramp.data(), Cube);
   absent.Data = nullptr;
-  FieldSamples beside = SamplesOfGrid(ramp.data(), Cube);
-  beside.StartIndex[1] = 1;
-  for (const FieldSamples& samples : {absent, beside})
+  FieldSamples nearby = SamplesOfGrid(ramp.data(), Cube);
+  nearby.StartIndex[1] = 1;
+  for (const FieldSamples& samples : {absent, nearby})
   {
     FieldBuilder builder(Cube);
     builder.AddMaterial({builder.AddChannel(samples), 2.5});
@@ -130,7 +130,7 @@ TEST(FieldBuilder, StopsWhenCancelled)
   for (const double stopAt : {0.0, 0.5})
   {
     const Status status = builder.Build(field, [stopAt](double done) { return done < stopAt; });
-    EXPECT_TRUE(Says(status.Message(), "cancelled"));
+    EXPECT_TRUE(Details(status.Message(), "cancelled"));
     EXPECT_EQ(field, nullptr);
   }
 }

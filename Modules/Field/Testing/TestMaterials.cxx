@@ -83,8 +83,8 @@ TEST(Materials, TwoConditionsAgreeWithTheOracle)
 struct Scene
 {
   FieldGrid Grid = PlainGrid({60, 40, 40});
-  test::SphereField Ball{{20, 20, 20}, 0.0};
-  std::vector<double> Distances = test::SampleAtIndices(Grid.Size(), Ball);
+  test::SphereField Sphere{{20, 20, 20}, 0.0};
+  std::vector<double> Distances = test::SampleAtIndices(Grid.Size(), Sphere);
   std::vector<double> Height = test::SampleAtIndices(Grid.Size(), test::PlaneField{{1, 0, 0}, 0.0});
   std::shared_ptr<const ScalarField> Field;
 

@@ -20,8 +20,8 @@ test::ScannedBone Bone()
 
 double DistanceToNerve(const test::ScannedBone& bone, const Vector3& point)
 {
-  const Vector3 beside = point - bone.Middle;
-  return std::hypot(beside[0], beside[1]) - Nerve;
+  const Vector3 nearby = point - bone.Center;
+  return std::hypot(nearby[0], nearby[1]) - Nerve;
 }
 
 std::shared_ptr<const RemovedDistances> NerveOf(const test::ScannedBone& bone,
@@ -61,8 +61,8 @@ struct Protected
   void CutAcross(double radius)
   {
     const Vector3 along = 4.0 * Vector3::UnitX();
-    test::CutWay(*this->Drilled, CutTool::Sphere(radius), this->Scan.Middle - along,
-                 this->Scan.Middle + along);
+    test::CutPath(*this->Drilled, CutTool::Sphere(radius), this->Scan.Center - along,
+                  this->Scan.Center + along);
   }
 };
 
@@ -120,7 +120,7 @@ TEST(Protection, RemainingPillarIsForbiddenOneWithinATenthOfAVoxel)
     double radius = 0.5 * Nerve;
     for (; radius < 2.0; radius += 0.001)
     {
-      const Vector3 point = bone.Scan.Middle + radius * out;
+      const Vector3 point = bone.Scan.Center + radius * out;
       unsigned char inside = 0;
       sampler.AreInsideWorld(0, &point, 1, &inside);
       if (inside == 0)
@@ -138,7 +138,7 @@ TEST(Protection, RestoredStateRemovesNothingForbidden)
   bone.CutAcross(2.0);
   const auto open = test::Drill(*bone.Scan.Make());
   const Vector3 along = 4.0 * Vector3::UnitX();
-  test::CutWay(*open, CutTool::Sphere(2.0), bone.Scan.Middle - along, bone.Scan.Middle + along);
+  test::CutPath(*open, CutTool::Sphere(2.0), bone.Scan.Center - along, bone.Scan.Center + along);
   Protected restored;
   ASSERT_TRUE(restored.Drilled->Restore(open->Removed()).IsOk());
   EXPECT_EQ(BytesOf(*restored.Drilled->Removed()), BytesOf(*bone.Drilled->Removed()));
@@ -150,7 +150,7 @@ TEST(Protection, RestoredStateRemovesNothingForbidden)
 TEST(Protection, FullyForbiddenCutRemovesNothing)
 {
   Protected bone;
-  test::CutWay(*bone.Drilled, CutTool::Sphere(0.3), bone.Scan.Middle, bone.Scan.Middle);
+  test::CutPath(*bone.Drilled, CutTool::Sphere(0.3), bone.Scan.Center, bone.Scan.Center);
   EXPECT_EQ(bone.Drilled->RemovedVolume(), 0.0);
 }
 

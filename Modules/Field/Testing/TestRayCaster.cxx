@@ -189,8 +189,8 @@ TEST(RayCaster, FindsBothCrossingsOfRaysThatNearlyGraze)
     EXPECT_LE(in.ErrorT, 1e-9);
     EXPECT_GE(in.ErrorT, 1e-16 / half);
   }
-  const FieldRay beside{{16 + 2.5 - 1e-6 - 10, 16 + 2.5 - 1e-6 + 10, 16.2}, {1, -1, 0}};
-  EXPECT_EQ(caster.CastIndex(beside, 8.0, 12.0).Kind, HitKind::Missed);
+  const FieldRay nearby{{16 + 2.5 - 1e-6 - 10, 16 + 2.5 - 1e-6 + 10, 16.2}, {1, -1, 0}};
+  EXPECT_EQ(caster.CastIndex(nearby, 8.0, 12.0).Kind, HitKind::Missed);
 }
 
 TEST(RayCaster, HitsRepresentableFieldsToRounding)

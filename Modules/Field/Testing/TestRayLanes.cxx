@@ -173,18 +173,18 @@ std::shared_ptr<const ScalarField> MixedField(const FieldGrid& grid, std::mt1993
 {
   const auto steps = test::RandomSteps<std::int16_t>(grid, random, 9);
   auto bumps = test::RandomSteps<float>(grid, random, 90);
-  auto ball = test::RandomSteps<std::uint8_t>(grid, random, 3);
+  auto sphere = test::RandomSteps<std::uint8_t>(grid, random, 3);
   for (std::size_t at = 0; at < grid.NodeCount(); ++at)
   {
     const Vector3 node = test::NodeIndex(grid.Size(), at);
     const bool isNear = (node - Vector3::Constant(20.0)).norm() < 9.0;
     bumps[at] = bumps[at] > 85.0f ? 1.0f : 0.0f;
-    ball[at] = static_cast<std::uint8_t>(ball[at] + (isNear ? 100 : 0));
+    sphere[at] = static_cast<std::uint8_t>(sphere[at] + (isNear ? 100 : 0));
   }
   FieldBuilder builder(grid);
   const int first = builder.AddChannel(SamplesOfGrid(steps.data(), grid));
   const int second = builder.AddChannel(SamplesOfGrid(bumps.data(), grid));
-  const int third = builder.AddChannel(SamplesOfGrid(ball.data(), grid));
+  const int third = builder.AddChannel(SamplesOfGrid(sphere.data(), grid));
   builder.AddMaterial({third, 50.0});
   builder.AddMaterial({second, 0.5});
   builder.AddMaterial({first, 4.0}, {third, 50.0});

@@ -133,9 +133,9 @@ TEST_F(RemovedDistancesTest, HandlesAStepTooShortForFloat)
   const Vector3 from = this->Grid.PointWorld(Vector3(15.0, 20.0, 8.0));
   const Removed none = RemovedDistances::None(this->Grid, Band);
   const Removed still = this->Cut(none, {CutTool::Sphere(3.0), {from, {}}, {from, {}}, 0.25});
-  for (const double way : {1e-25, 1e-12, 1e-7})
+  for (const double path : {1e-25, 1e-12, 1e-7})
   {
-    const CutPose to{from + Vector3::Constant(way), {}};
+    const CutPose to{from + Vector3::Constant(path), {}};
     const Removed moved = this->Cut(none, {CutTool::Sphere(3.0), {from, {}}, to, 0.25});
     // mm; as above.
     this->ForEachNode([&](int i, int j, int k)
@@ -204,7 +204,7 @@ TEST_F(RemovedDistancesTest, StateCostsOnlyChangedMemory)
     const std::size_t blocks =
         RemovedDistances::Difference(*before, *after).size() * (512 + 2) * sizeof(float);
     const std::size_t most = blocks + 2 * 512 * 16 + 1024;
-    EXPECT_LE(after->BytesBeside(before.get()), most);
+    EXPECT_LE(after->BytesNotIn(before.get()), most);
     before = after;
   }
 }

@@ -118,8 +118,8 @@ TEST(FitStructure, WarnsIfHalfOfDirectionsMissSurface)
   palpate::test::LabelGrid grid;
   grid.Size = {60, 60, 60};
   grid.CenterOnOrigin();
-  const auto ball = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
-                                                  { return x * x + y * y + z * z < 400.0; });
+  const auto sphere = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                                    { return x * x + y * y + z * z < 400.0; });
   FitSettings settings;
   settings.Degree = 6;
   settings.PenaltyKind = FitSettings::Penalty::Given;
@@ -127,15 +127,15 @@ TEST(FitStructure, WarnsIfHalfOfDirectionsMissSurface)
   settings.MaximumHiddenPercent = 100.0;
   settings.MinimumDice = 0.0;
   settings.GivenCenterWorld = {0.0, 0.0, 19.0};
-  const FitResult half = Fit(SegmentationOf(ball), settings);
+  const FitResult half = Fit(SegmentationOf(sphere), settings);
   ASSERT_EQ(half.State, Outcome::Fitted) << half.Message;
   EXPECT_EQ(half.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Good);
   settings.GivenCenterWorld = {0.0, 0.0, 22.0};
-  const FitResult outside = Fit(SegmentationOf(ball), settings);
+  const FitResult outside = Fit(SegmentationOf(sphere), settings);
   ASSERT_EQ(outside.State, Outcome::Fitted) << outside.Message;
   EXPECT_EQ(outside.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Gaps);
   EXPECT_GT(outside.Coverage.LargestGap.Center.z(), 0.99); // away from the body
-  EXPECT_EQ(std::count(outside.Notes.begin(), outside.Notes.end(), outside.Coverage.Sentence), 1);
+  EXPECT_EQ(std::count(outside.Notes.begin(), outside.Notes.end(), outside.Coverage.Message), 1);
 }
 
 TEST(FitStructure, DoesNotWarnIfAllDirectionsMeetSurface)
@@ -155,10 +155,10 @@ void AddSpikes(vtkImageData* mask, const Vector3& centerWorld, int count, double
     const std::size_t number = static_cast<std::size_t>(spike) * sphere.Directions().size() /
                                static_cast<std::size_t>(count);
     const Vector3& direction = sphere.Directions()[number];
-    for (double way = 0.0; way < length; way += 0.25)
+    for (double path = 0.0; path < length; path += 0.25)
     {
       Vector3 index;
-      const Vector3 point = centerWorld + way * direction;
+      const Vector3 point = centerWorld + path * direction;
       mask->TransformPhysicalPointToContinuousIndex(point.data(), index.data());
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -269,17 +269,17 @@ TEST(FitStructure, RemarksOnNegativeRadius)
   palpate::test::LabelGrid grid;
   grid.Size = {50, 50, 50};
   grid.CenterOnOrigin();
-  const auto ball = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
-                                                  { return std::hypot(x, y, z) < 20.0; });
+  const auto sphere = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                                    { return std::hypot(x, y, z) < 20.0; });
   FitSettings settings;
   settings.GivenCenterWorld = {19.0, 0.0, 0.0};
   settings.Degree = 5;
-  const FitResult result = Fit(SegmentationOf(ball), settings);
+  const FitResult result = Fit(SegmentationOf(sphere), settings);
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   ASSERT_EQ(result.Notes.size(), 2U); // the first is on the coverage
   EXPECT_NE(result.Notes[1].find("radius is negative"), std::string::npos) << result.Notes[1];
   settings.GivenCenterWorld.reset();
-  EXPECT_TRUE(Fit(SegmentationOf(ball), settings).Notes.empty());
+  EXPECT_TRUE(Fit(SegmentationOf(sphere), settings).Notes.empty());
 }
 
 TEST(FitStructure, DoesNotSuggestCentreInUse)
@@ -324,8 +324,8 @@ TEST(FitStructure, NeverRoundsMissToSuccess)
   const FitResult result = Fit(segmentation, settings);
   ASSERT_EQ(result.State, Outcome::Refused);
   const std::string mark = "Dice ";
-  const double told = std::stod(result.Message.substr(result.Message.find(mark) + mark.size()));
-  EXPECT_LT(told, settings.MinimumDice) << result.Message;
+  const double reported = std::stod(result.Message.substr(result.Message.find(mark) + mark.size()));
+  EXPECT_LT(reported, settings.MinimumDice) << result.Message;
 }
 
 TEST(FitStructure, OutOfMemoryFailsStructure)

@@ -115,7 +115,7 @@ TEST(SlicePlane, ImageCoordinatesAreToScaleAndInvertible)
   {
     const Eigen::Vector2d a(place(random), place(random));
     const Eigen::Vector2d b(place(random), place(random));
-    EXPECT_NEAR((plane.ToPicture(plane.ToWorld(a)) - a).norm(), 0.0, 1e-9);
+    EXPECT_NEAR((plane.ToImage(plane.ToWorld(a)) - a).norm(), 0.0, 1e-9);
     EXPECT_NEAR((plane.ToWorld(a) - plane.ToWorld(b)).norm(),
                 plane.PixelMillimeters * (a - b).norm(), 1e-9);
   }
@@ -128,7 +128,7 @@ TEST(SlicePlane, StructureIsInsideEveryImage)
   {
     for (const Vector3& index : {Vector3(9.5, 7.5, 4.5), Vector3(31.5, 20.5, 13.5)})
     {
-      const Eigen::Vector2d place = plane.ToPicture(palpate::ImageAxes(image).ToWorld(index));
+      const Eigen::Vector2d place = plane.ToImage(palpate::ImageAxes(image).ToWorld(index));
       EXPECT_GT(place.minCoeff(), 5.0) << plane.Name;
       EXPECT_LT(place.x(), plane.Width - 5.0) << plane.Name;
       EXPECT_LT(place.y(), plane.Height - 5.0) << plane.Name;

@@ -44,7 +44,7 @@ std::vector<Entry> EntriesOf(FalconCalibration& c)
           {"home-angle-2", &g.HomeAngles[1], RadiansPerDegree},
           {"home-angle-3", &g.HomeAngles[2], RadiansPerDegree},
           {"angle-per-count", &g.AnglePerCount, RadiansPerDegree},
-          {"middle-height", &g.MiddleHeight, 1.0},
+          {"middle-height", &g.CenterHeight, 1.0},
           {"lowest-angle", &g.LowestAngle, RadiansPerDegree},
           {"highest-angle", &g.HighestAngle, RadiansPerDegree},
           {"counts-per-newton-millimeter", &c.CountsPerNewtonMillimeter, 1.0},
@@ -98,7 +98,7 @@ Status Check(const FalconCalibration& calibration)
   }
   const FalconKinematics kinematics(g);
   Vector3 angles;
-  if (!kinematics.AnglesAt(kinematics.Middle(), angles))
+  if (!kinematics.AnglesAt(kinematics.Center(), angles))
   {
     return Status::Failure("With these lengths a Falcon's legs do not reach its middle.");
   }

@@ -21,7 +21,7 @@ constexpr int Farewells = 3;                         // zero-torque packets befo
 double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewtonMillimeter)
 {
   const double torque = LargestMotorValue / countsPerNewtonMillimeter;
-  double least = kinematics.LeastForce(torque, kinematics.Middle());
+  double least = kinematics.LeastForce(torque, kinematics.Center());
   for (const double x : {-1.0, 0.0, 1.0})
   {
     for (const double y : {-1.0, 0.0, 1.0})
@@ -29,7 +29,7 @@ double MaximumForceOf(const FalconKinematics& kinematics, double countsPerNewton
       for (const double z : {-1.0, 0.0, 1.0})
       {
         const Vector3 direction(x, y, z);
-        const Vector3 edge = kinematics.Middle() + WorkspaceRadius * direction.stableNormalized();
+        const Vector3 edge = kinematics.Center() + WorkspaceRadius * direction.stableNormalized();
         least = std::min(least, kinematics.LeastForce(torque, edge));
       }
     }
@@ -130,7 +130,7 @@ void FalconDevice::Forget() noexcept
   this->Last.Position = Vector3(Vector3::Zero());
   this->Last.Buttons = 0;
   this->Last.Time = this->Time.Now();
-  this->Grip = this->Kinematics.Middle();
+  this->Grip = this->Kinematics.Center();
   this->HasPosition = false;
   this->HasLapsed = false;
   this->Measured = this->Time.Now();
@@ -207,7 +207,7 @@ void FalconDevice::Measure(const FalconReply& reply, std::int64_t now) noexcept
   if (this->HasPosition || !isReady)
   {
     // While homing, samples are returned even if the counts have no valid position.
-    this->Last.Position = Vector3(this->Grip - this->Kinematics.Middle());
+    this->Last.Position = Vector3(this->Grip - this->Kinematics.Center());
     this->Last.Time = now;
     ++this->Last.Sequence;
     this->Measured = now;

@@ -33,11 +33,11 @@ void FalconExchange::GiveUpReplies(std::int64_t now) noexcept
   const bool isOverdue = now - std::max(this->Sent, this->Replied) >= ReplyDeadline;
   // Replies are in order: while they arrive, only the newest can be outstanding.
   const bool isAnswering = this->Owed >= MostOwed && now - this->Replied < Promptness;
-  const int underWay = isOverdue ? 0 : isAnswering ? 1 : this->Owed;
-  if (this->Owed > underWay)
+  const int underway = isOverdue ? 0 : isAnswering ? 1 : this->Owed;
+  if (this->Owed > underway)
   {
-    this->Counts.Lost += static_cast<std::uint64_t>(this->Owed - underWay);
-    this->Owed = underWay;
+    this->Counts.Lost += static_cast<std::uint64_t>(this->Owed - underway);
+    this->Owed = underway;
   }
 }
 

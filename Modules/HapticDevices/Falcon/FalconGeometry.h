@@ -29,7 +29,7 @@ struct FalconGeometry
   /// 1280 counts per turn of a capstan of 14.25 mm on a sector of 110 mm.
   double AnglePerCount = 2.0 * M_PI / 1280.0 * (14.25 / 110.0);
   /// Height of the centre of the workspace above the base.
-  double MiddleHeight = 125.0;
+  double CenterHeight = 125.0;
   /// Limits of the thighs' angles; housing and stops are tighter.
   double LowestAngle = -30.0 * M_PI / 180.0;
   double HighestAngle = 100.0 * M_PI / 180.0;

@@ -6,7 +6,7 @@
 
 namespace palpate
 {
-/// A small process beside this one that tells a Falcon's board 0 N where this process cannot: when
+/// A small process next to this one that tells a Falcon's board 0 N where this process cannot: when
 /// it ends without a word (a crash, SIGKILL), and when the device left the bus and comes back while
 /// the board kept its supply. It has its own session, so no signal of a terminal reaches it, and
 /// holds nothing of the device until then. The program is palpate-falcon-guard.

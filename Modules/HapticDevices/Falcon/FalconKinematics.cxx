@@ -24,7 +24,7 @@ FalconKinematics::FalconKinematics(const FalconGeometry& geometry)
 {
   Vector3 angles;
   Matrix3 jacobian;
-  if (this->Evaluate(this->Middle(), angles, jacobian))
+  if (this->Evaluate(this->Center(), angles, jacobian))
   {
     this->Determinant = jacobian.determinant();
   }
@@ -163,7 +163,7 @@ bool FalconKinematics::PositionAt(const Vector3& angles, const Vector3& start,
   {
     return false;
   }
-  for (const Vector3& first : {start, this->Middle()})
+  for (const Vector3& first : {start, this->Center()})
   {
     Vector3 found = first;
     if (first.allFinite() && this->Descend(angles, found))

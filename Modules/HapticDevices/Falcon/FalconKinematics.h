@@ -43,7 +43,7 @@ public:
     return this->Lengths.HomeAngles + this->Lengths.AnglePerCount * counts;
   }
   /// The centre of the workspace.
-  Vector3 Middle() const noexcept { return {0.0, 0.0, this->Lengths.MiddleHeight}; }
+  Vector3 Center() const noexcept { return {0.0, 0.0, this->Lengths.CenterHeight}; }
 
 private:
   // The thigh's angle, and its derivatives by the position in the leg's own plane, across it, and

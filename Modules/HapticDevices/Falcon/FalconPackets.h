@@ -36,7 +36,7 @@ struct FalconReply
 {
   FalconNumbers Counts{};
   unsigned Homed = 0;   ///< one bit per leg, from bit 0; only valid while homing was requested
-  unsigned Buttons = 0; ///< of the ball grip: plus, forward, centre, minus, from bit 0
+  unsigned Buttons = 0; ///< of the sphere grip: plus, forward, centre, minus, from bit 0
 
   static constexpr unsigned AllHomed = 7;
 };

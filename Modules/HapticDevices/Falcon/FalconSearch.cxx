@@ -71,7 +71,7 @@ Status FindFalcons(FalconFinder& finder, Clock& clock, const std::string& firmwa
   for (const FalconListing& listing : listings)
   {
     FoundDevice device;
-    device.Says = listing.Obstacle;
+    device.Details = listing.Obstacle;
     if (listing.Obstacle.empty())
     {
       std::unique_ptr<FalconLink> link;
@@ -81,7 +81,7 @@ Status FindFalcons(FalconFinder& finder, Clock& clock, const std::string& firmwa
                              : FoundDevice{"", false, opened.Message()};
     }
     device.Argument = "device=" + listing.BusPath;
-    device.Says += listing.Serial.empty() ? "" : " (serial number " + listing.Serial + ")";
+    device.Details += listing.Serial.empty() ? "" : " (serial number " + listing.Serial + ")";
     found.push_back(device);
   }
   return Status::Success();

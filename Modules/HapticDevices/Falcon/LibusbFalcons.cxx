@@ -86,7 +86,7 @@ std::string DriverOf(const std::string& busPath)
   return unknown ? "" : link.filename().string();
 }
 
-std::string BusySentence(const std::string& busPath)
+std::string BusyMessage(const std::string& busPath)
 {
   const std::string driver = DriverOf(busPath);
   return driver.empty() || driver == "usbfs"
@@ -95,7 +95,7 @@ std::string BusySentence(const std::string& busPath)
                    ", which does not let go: unload it by 'sudo modprobe -r " + driver + "'.";
 }
 
-std::string Sentence(int error, const std::string& busPath)
+std::string Message(int error, const std::string& busPath)
 {
   switch (error)
   {
@@ -103,7 +103,7 @@ std::string Sentence(int error, const std::string& busPath)
     return Named(busPath) + " may not be used by this user: install its udev rule by 'sudo "
                             "Utilities/install-udev-rule.sh', then unplug it and plug it in again.";
   case LIBUSB_ERROR_BUSY:
-    return BusySentence(busPath);
+    return BusyMessage(busPath);
   case LIBUSB_ERROR_NO_DEVICE:
     return Named(busPath) + " was unplugged: plug it in again.";
   default:
@@ -140,7 +140,7 @@ Status Claim(libusb_device_handle* handle, const std::string& busPath)
     std::this_thread::sleep_for(Nap);
     error = libusb_claim_interface(handle, Interface);
   }
-  return error == LIBUSB_SUCCESS ? Status::Success() : Status::Failure(Sentence(error, busPath));
+  return error == LIBUSB_SUCCESS ? Status::Success() : Status::Failure(Message(error, busPath));
 }
 
 Status OpenAndClaim(const FalconOnBus& falcon, const std::string& serial, LibusbHandle& handle)
@@ -149,7 +149,7 @@ Status OpenAndClaim(const FalconOnBus& falcon, const std::string& serial, Libusb
   const int error = libusb_open(falcon.Device.get(), &opened);
   if (error != LIBUSB_SUCCESS)
   {
-    return Status::Failure(Sentence(error, falcon.BusPath));
+    return Status::Failure(Message(error, falcon.BusPath));
   }
   LibusbHandle owned(opened);
   if (!serial.empty() && SerialOf(opened) != serial)
@@ -172,14 +172,14 @@ FalconListing Inspect(const FalconOnBus& falcon)
   const int error = libusb_open(falcon.Device.get(), &opened);
   if (error != LIBUSB_SUCCESS)
   {
-    listing.Obstacle = Sentence(error, falcon.BusPath);
+    listing.Obstacle = Message(error, falcon.BusPath);
     return listing;
   }
   const LibusbHandle handle(opened);
   listing.Serial = SerialOf(opened);
   if (DriverOf(falcon.BusPath) == "usbfs")
   {
-    listing.Obstacle = BusySentence(falcon.BusPath);
+    listing.Obstacle = BusyMessage(falcon.BusPath);
   }
   return listing;
 }
@@ -256,7 +256,7 @@ Status OpenFalcon(libusb_context& context, int descriptor, LibusbHandle& handle)
   const int error = libusb_wrap_sys_device(&context, descriptor, &opened);
   if (error != LIBUSB_SUCCESS)
   {
-    return Status::Failure(Sentence(error, ""));
+    return Status::Failure(Message(error, ""));
   }
   LibusbHandle owned(opened);
   Status status = Claim(opened, "");

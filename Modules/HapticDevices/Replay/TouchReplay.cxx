@@ -64,7 +64,7 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
       scene = tick.Scene;
       status = scene <= scenes.size()
                    ? servo.Publish(scenes[scene - 1],
-                                   tick.WasContinued ? SceneEntry::Continuing : SceneEntry::Anew)
+                                   tick.WasContinued ? SceneEntry::Continuing : SceneEntry::FadeIn)
                    : Status::Failure("The recording takes over more scenes than were given.");
     }
     if (tick.WasRearmed)

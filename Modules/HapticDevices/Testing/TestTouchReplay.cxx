@@ -172,7 +172,7 @@ TEST(TouchReplay, ScenesThatWereContinuedAreSoAgain)
   {
     if (n % 500 == 250 && n < 1500)
     {
-      const SceneEntry entry = n == 750 ? SceneEntry::Anew : SceneEntry::Continuing;
+      const SceneEntry entry = n == 750 ? SceneEntry::FadeIn : SceneEntry::Continuing;
       ASSERT_TRUE(touch.Loop.Publish(scenes[static_cast<std::size_t>(n) / 500 + 1], entry).IsOk());
     }
     recording->Ticks.push_back(touch.Tick());
@@ -192,13 +192,13 @@ TEST(TouchReplay, ScenesThatWereContinuedAreSoAgain)
   ReplayComparison comparison;
   ASSERT_TRUE(ReplayTouch(recording, scenes, comparison).IsOk());
   EXPECT_EQ(comparison.DifferentTicks, 0u);
-  auto anew = std::make_shared<TouchRecording>(*recording);
-  for (TouchState& tick : anew->Ticks)
+  auto again = std::make_shared<TouchRecording>(*recording);
+  for (TouchState& tick : again->Ticks)
   {
     tick.WasContinued = false;
   }
   ReplayComparison different;
-  ASSERT_TRUE(ReplayTouch(anew, scenes, different).IsOk());
+  ASSERT_TRUE(ReplayTouch(again, scenes, different).IsOk());
   EXPECT_GT(different.DifferentTicks, 100u);
 }
 

@@ -101,9 +101,9 @@ bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
   Vector3 target = goal;
   while (count < mostPlanes)
   {
-    const Vector3 way = target - this->ProxyWorld;
-    const SweepHit hit = this->Tree->Sweep({this->ProxyWorld, way, this->ToolRadius + this->Skin});
-    this->ProxyWorld = hit.IsHit ? Vector3(this->ProxyWorld + hit.Part * way) : target;
+    const Vector3 path = target - this->ProxyWorld;
+    const SweepHit hit = this->Tree->Sweep({this->ProxyWorld, path, this->ToolRadius + this->Skin});
+    this->ProxyWorld = hit.IsHit ? Vector3(this->ProxyWorld + hit.Part * path) : target;
     if (!hit.IsHit)
     {
       break;

@@ -29,7 +29,7 @@ double PartToBox(const SphereMotion& motion, const Vector3& inverse, const Eigen
   {
     const double low = box.min()[axis] - motion.Radius - motion.Start[axis];
     const double high = box.max()[axis] + motion.Radius - motion.Start[axis];
-    if (motion.Way[axis] == 0.0)
+    if (motion.Path[axis] == 0.0)
     {
       if (low > 0.0 || high < 0.0)
       {
@@ -153,13 +153,13 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
 SweepHit FacetTree::Sweep(const SphereMotion& motion) const noexcept
 {
   const double before =
-      PartToBox(motion, motion.Way.cwiseInverse(), this->Boxes.Nodes().front().Box, 1.0);
+      PartToBox(motion, motion.Path.cwiseInverse(), this->Boxes.Nodes().front().Box, 1.0);
   if (!(before <= 1.0))
   {
     return {};
   }
   SweepHit hit = this->SweepNear(
-      {motion.Start + before * motion.Way, (1.0 - before) * motion.Way, motion.Radius});
+      {motion.Start + before * motion.Path, (1.0 - before) * motion.Path, motion.Radius});
   hit.Part = before + hit.Part * (1.0 - before);
   return hit;
 }
@@ -171,7 +171,7 @@ SweepHit FacetTree::SweepNear(const SphereMotion& motion) const noexcept
     std::int32_t Number;
     double Part;
   };
-  const Vector3 inverse = motion.Way.cwiseInverse();
+  const Vector3 inverse = motion.Path.cwiseInverse();
   const auto partTo = [&](std::int32_t number, double last)
   {
     return PartToBox(motion, inverse, this->Boxes.Nodes()[static_cast<std::size_t>(number)].Box,

@@ -111,17 +111,17 @@ void FieldProxyTracker::Advance(const Vector3& probe) noexcept
 // Returns false on contact.
 bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
 {
-  const Eigen::AlignedBox3d path =
+  const Eigen::AlignedBox3d box =
       Eigen::AlignedBox3d(this->ToolWorld.cwiseMin(probe), this->ToolWorld.cwiseMax(probe));
   const double square = this->Reach * this->Reach;
-  if (path.squaredExteriorDistance(this->Solid->BoundsWorld()) > square)
+  if (box.squaredExteriorDistance(this->Solid->BoundsWorld()) > square)
   {
     this->ProbeWorld = this->ToolWorld = probe;
     return true;
   }
-  const Vector3 way = probe - this->ToolWorld;
-  const double part = way.norm() > LongestStep * this->Solid->VoxelSize()
-                          ? this->Shell.PartToEntry(*this->Solid, this->ToolWorld, way)
+  const Vector3 path = probe - this->ToolWorld;
+  const double part = path.norm() > LongestStep * this->Solid->VoxelSize()
+                          ? this->Shell.PartToEntry(*this->Solid, this->ToolWorld, path)
                           : 1.0;
   if (part == 1.0 && this->Shell.CountInside(*this->Solid, probe) == 0)
   {
@@ -132,7 +132,7 @@ bool FieldProxyTracker::MoveFree(const Vector3& probe) noexcept
   }
   if (part < 1.0)
   {
-    this->ToolWorld += part * way;
+    this->ToolWorld += part * path;
   }
   this->ProbeWorld = this->ToolWorld;
   this->Known = State::Touching;
@@ -221,12 +221,12 @@ void FieldProxyTracker::Escape(const Vector3& probe) noexcept
 void FieldProxyTracker::Slide(const Vector3& probe) noexcept
 {
   const Vector3 start = this->ProbeWorld;
-  const Vector3 way = probe - start;
-  const double wanted = way.norm() / (LongestStep * this->Solid->VoxelSize());
+  const Vector3 path = probe - start;
+  const double wanted = path.norm() / (LongestStep * this->Solid->VoxelSize());
   const int strides = 1 + static_cast<int>(std::min(wanted, MostStrides - 1.0));
   for (int i = 1; i <= strides; ++i)
   {
-    this->ProbeWorld = i == strides ? probe : Vector3(start + (1.0 * i / strides) * way);
+    this->ProbeWorld = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
     if (!this->Press(this->ProbeWorld))
     {
       this->Known = State::Free;
@@ -309,9 +309,9 @@ void FieldProxyTracker::Surface() noexcept
     this->GatherPlanes();
     const NearestHeld held =
         NearestInHalfSpaces(this->ToolWorld, this->Planes.data(), this->FootCount);
-    const Vector3 way = held.Point - this->ToolWorld;
+    const Vector3 path = held.Point - this->ToolWorld;
     const double longest = LongestStep * this->Solid->VoxelSize();
-    this->ToolWorld += std::min(1.0, longest / way.norm()) * way;
+    this->ToolWorld += std::min(1.0, longest / path.norm()) * path;
   }
 }
 

@@ -26,15 +26,15 @@ const Contact& FieldShellTracker::Follow(const ToolPose& pose) noexcept
   this->Shell.Turn(pose.Orientation);
   const bool isFar = this->Solid->BoundsWorld().exteriorDistance(probe) > this->Reach;
   const int touching = isFar ? 0 : this->Shell.CountInside(*this->Solid, probe);
-  this->ProxyWorld = touching > this->MostTouching && this->HasProxy ? this->WayBack(probe)
+  this->ProxyWorld = touching > this->MostTouching && this->HasProxy ? this->PathBack(probe)
                      : touching > 0                                  ? this->PushedOut(probe)
                                                                      : probe;
   this->HasProxy = true;
-  const Vector3 way = this->ProxyWorld - probe;
+  const Vector3 path = this->ProxyWorld - probe;
   this->Felt.IsTouching = touching > 0;
   this->Felt.ProxyWorld = this->ProxyWorld;
-  this->Felt.Depth = way.norm();
-  this->Felt.NormalWorld = this->Felt.Depth > 0.0 ? Vector3(way / this->Felt.Depth) : normal;
+  this->Felt.Depth = path.norm();
+  this->Felt.NormalWorld = this->Felt.Depth > 0.0 ? Vector3(path / this->Felt.Depth) : normal;
   return this->Felt;
 }
 
@@ -62,27 +62,27 @@ Vector3 FieldShellTracker::PushedOut(const Vector3& probe) const noexcept
 }
 
 // In quarters of a voxel; if those would be too many, in longer steps and then by bisection.
-Vector3 FieldShellTracker::WayBack(const Vector3& probe) noexcept
+Vector3 FieldShellTracker::PathBack(const Vector3& probe) noexcept
 {
   constexpr double StepsPerVoxel = 4.0;
   constexpr double MostSteps = 64.0;
-  const Vector3 way = this->ProxyWorld - probe;
-  const double wanted = std::ceil(StepsPerVoxel * way.norm() / this->Solid->VoxelSize());
+  const Vector3 path = this->ProxyWorld - probe;
+  const double wanted = std::ceil(StepsPerVoxel * path.norm() / this->Solid->VoxelSize());
   const double steps = std::clamp(wanted, 1.0, MostSteps);
   double free = 1.0;
   for (int step = 1; step < static_cast<int>(steps) && free == 1.0; ++step)
   {
-    free = this->IsOutsideAt(probe + step / steps * way) ? step / steps : 1.0;
+    free = this->IsOutsideAt(probe + step / steps * path) ? step / steps : 1.0;
   }
   double touching = free - 1.0 / steps;
   double length = wanted / steps; // in quarters of a voxel
   while (length > 1.0)
   {
     const double middle = 0.5 * (touching + free);
-    (this->IsOutsideAt(probe + middle * way) ? free : touching) = middle;
+    (this->IsOutsideAt(probe + middle * path) ? free : touching) = middle;
     length *= 0.5;
   }
-  return probe + free * way;
+  return probe + free * path;
 }
 
 bool FieldShellTracker::IsOutsideAt(const Vector3& place) noexcept

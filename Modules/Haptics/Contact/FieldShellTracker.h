@@ -28,7 +28,7 @@ public:
 
 private:
   Vector3 PushedOut(const Vector3& probe) const noexcept;
-  Vector3 WayBack(const Vector3& probe) noexcept;
+  Vector3 PathBack(const Vector3& probe) noexcept;
   bool IsOutsideAt(const Vector3& place) noexcept;
 
   std::shared_ptr<const FieldSolid> Solid;

@@ -156,13 +156,13 @@ void FieldSolid::JoinBorder(const Vector3& pointIndex, Wall& wall) const noexcep
   }
 }
 
-double FieldSolid::PartToEntry(const Vector3& fromWorld, const Vector3& way) const noexcept
+double FieldSolid::PartToEntry(const Vector3& fromWorld, const Vector3& path) const noexcept
 {
-  if (way.isZero(0.0))
+  if (path.isZero(0.0))
   {
     return 1.0;
   }
-  const FieldRay ray{fromWorld, way};
+  const FieldRay ray{fromWorld, path};
   const MaterialSet material = OnlyMaterial(this->Number);
   FieldHit hit = this->Caster.CastWorld(ray, 0.0, 1.0, material);
   if (hit.Kind != HitKind::Missed && !hit.IsEntering)

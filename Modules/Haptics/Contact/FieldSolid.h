@@ -49,7 +49,7 @@ public:
   Wall WallNear(const Vector3& pointWorld, const Vector3& outward) const noexcept;
   /// The fraction (0 to 1) of the path after which it first enters the solid; 1 if it never does. A
   /// path that starts inside is considered from where it leaves.
-  double PartToEntry(const Vector3& fromWorld, const Vector3& way) const noexcept;
+  double PartToEntry(const Vector3& fromWorld, const Vector3& path) const noexcept;
   /// Distance (mm) along a unit vector to the exit from the solid that contains the start; at most
   /// `reach`.
   double DistanceToExit(const Vector3& fromWorld, const Vector3& direction,

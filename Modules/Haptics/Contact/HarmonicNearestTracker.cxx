@@ -130,9 +130,9 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
     {
       break;
     }
-    const Vector3 way = probe - this->ProbeWorld;
-    const double length = way.norm();
-    this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * way;
+    const Vector3 path = probe - this->ProbeWorld;
+    const double length = path.norm();
+    this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
   }
   this->Touch(this->NearestTo(this->ProbeWorld));
   return false;
@@ -191,12 +191,12 @@ void HarmonicNearestTracker::LetGo(const ClosestPoint& nearest) noexcept
 void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
 {
   const Vector3 start = this->ProbeWorld;
-  const Vector3 way = probe - start;
-  const double length = way.norm();
+  const Vector3 path = probe - start;
+  const double length = path.norm();
   const int strides = 1 + static_cast<int>(std::min(length / this->Stride, MostStrides - 1.0));
   for (int i = 1; i <= strides; ++i)
   {
-    const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * way);
+    const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
     if (!this->Press(next, length / strides))
     {
       return;

@@ -105,9 +105,9 @@ void HarmonicWedge::MoveTo(const Vector3& goalWorld) noexcept
 {
   // Planes at a goal that is far away would be lost in rounding.
   const double far = 4.0 * (this->Surface->LargestRadius() + this->Radius);
-  const Vector3 way = goalWorld - this->Center;
-  const double length = way.stableNorm();
-  this->Approach(length > far ? Vector3(this->Center + (far / length) * way) : goalWorld);
+  const Vector3 path = goalWorld - this->Center;
+  const double length = path.stableNorm();
+  this->Approach(length > far ? Vector3(this->Center + (far / length) * path) : goalWorld);
 }
 
 void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
@@ -212,10 +212,10 @@ bool HarmonicWedge::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
     {
       return true;
     }
-    const Vector3 way =
+    const Vector3 path =
         this->Center + relaxation.Relaxed(held.Point - this->Center) - leash.ClearWorld;
-    const double length = way.norm();
-    const Vector3 next = leash.ClearWorld + std::min(1.0, leash.Length / length) * way;
+    const double length = path.norm();
+    const Vector3 next = leash.ClearWorld + std::min(1.0, leash.Length / length) * path;
     const double left = (next - this->Center).norm();
     this->GoTo(next, nullptr);
     if (left <= this->End && held.IsHeld && length <= leash.Length)

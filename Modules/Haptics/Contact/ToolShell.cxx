@@ -38,12 +38,12 @@ int ToolShell::CountInside(const FieldSolid& solid, const Vector3& positionWorld
 }
 
 double ToolShell::PartToEntry(const FieldSolid& solid, const Vector3& positionWorld,
-                              const Vector3& way) const noexcept
+                              const Vector3& path) const noexcept
 {
   double part = 1.0;
   for (const Vector3& offset : this->Offsets)
   {
-    part = std::min(part, solid.PartToEntry(positionWorld + offset, way));
+    part = std::min(part, solid.PartToEntry(positionWorld + offset, path));
   }
   return part;
 }

@@ -36,7 +36,7 @@ public:
   /// The fraction of the path from this position after which the first point enters; 1 if none
   /// does.
   double PartToEntry(const FieldSolid& solid, const Vector3& positionWorld,
-                     const Vector3& way) const noexcept;
+                     const Vector3& path) const noexcept;
 
 private:
   std::vector<Vector3> ToolPoints;

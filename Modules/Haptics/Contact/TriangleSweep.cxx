@@ -8,14 +8,14 @@ namespace palpate
 namespace
 {
 // Motion along a touched plane approaches it only by rounding.
-bool ComesNearer(const Vector3& normal, const Vector3& way) noexcept
+bool ComesNearer(const Vector3& normal, const Vector3& path) noexcept
 {
-  return normal.dot(way) < -1e-12 * normal.norm() * way.norm();
+  return normal.dot(path) < -1e-12 * normal.norm() * path.norm();
 }
 
-void Record(double part, const Vector3& normal, const Vector3& way, SweepHit& hit) noexcept
+void Record(double part, const Vector3& normal, const Vector3& path, SweepHit& hit) noexcept
 {
-  if (part < hit.Part && ComesNearer(normal, way))
+  if (part < hit.Part && ComesNearer(normal, path))
   {
     hit = {part, normal, 0.0, true};
   }
@@ -30,11 +30,11 @@ double FirstRoot(double a, double b, double c) noexcept
 void SweepCorner(const SphereMotion& motion, const Vector3& corner, SweepHit& hit) noexcept
 {
   const Vector3 m = motion.Start - corner;
-  const double part = FirstRoot(motion.Way.squaredNorm(), m.dot(motion.Way),
+  const double part = FirstRoot(motion.Path.squaredNorm(), m.dot(motion.Path),
                                 m.squaredNorm() - motion.Radius * motion.Radius);
   if (part >= 0.0 && part < hit.Part)
   {
-    Record(part, (m + part * motion.Way).normalized(), motion.Way, hit);
+    Record(part, (m + part * motion.Path).normalized(), motion.Path, hit);
   }
 }
 
@@ -46,15 +46,15 @@ void SweepEdge(const SphereMotion& motion, const Vector3& from, const Vector3& t
   // Perpendicular to the edge it is the same as for a corner.
   const Vector3 m = motion.Start - from;
   const double start = m.dot(edge) / square;
-  const double rate = motion.Way.dot(edge) / square;
+  const double rate = motion.Path.dot(edge) / square;
   const Vector3 across = m - start * edge;
-  const Vector3 way = motion.Way - rate * edge;
-  const double part = FirstRoot(way.squaredNorm(), across.dot(way),
+  const Vector3 path = motion.Path - rate * edge;
+  const double part = FirstRoot(path.squaredNorm(), across.dot(path),
                                 across.squaredNorm() - motion.Radius * motion.Radius);
   const double place = start + part * rate;
   if (part >= 0.0 && part < hit.Part && place >= 0.0 && place <= 1.0)
   {
-    Record(part, (across + part * way).normalized(), motion.Way, hit);
+    Record(part, (across + part * path).normalized(), motion.Path, hit);
   }
 }
 
@@ -72,16 +72,16 @@ bool SweepFace(const SphereMotion& motion, const Facet& facet, SweepHit& hit) no
   const double height = normal.dot(motion.Start - facet.A);
   const double side = height >= 0.0 ? 1.0 : -1.0;
   const double gap = std::abs(height) - motion.Radius;
-  const double speed = -side * normal.dot(motion.Way);
+  const double speed = -side * normal.dot(motion.Path);
   if (gap > 0.0 && !(speed * hit.Part > gap))
   {
     return true; // the plane is not reached
   }
   const double part = gap / speed;
-  const Vector3 touched = motion.Start + part * motion.Way - side * motion.Radius * normal;
+  const Vector3 touched = motion.Start + part * motion.Path - side * motion.Radius * normal;
   if (gap > 0.0 && IsInFacet(touched, facet))
   {
-    Record(part, side * normal, motion.Way, hit);
+    Record(part, side * normal, motion.Path, hit);
     return true;
   }
   return false;
@@ -147,7 +147,7 @@ void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) 
   {
     const double overlap = std::max(0.0, motion.Radius - distance);
     const bool isFirst = hit.Part > 0.0 || overlap > hit.Overlap;
-    if (distance > 0.0 && isFirst && ComesNearer(offset, motion.Way))
+    if (distance > 0.0 && isFirst && ComesNearer(offset, motion.Path))
     {
       hit = {0.0, offset / distance, overlap, true};
     }

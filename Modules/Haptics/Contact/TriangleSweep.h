@@ -22,7 +22,7 @@ struct Facet
 struct SphereMotion
 {
   Vector3 Start; ///< of its centre
-  Vector3 Way;
+  Vector3 Path;
   double Radius;
 };
 

@@ -15,7 +15,7 @@ struct FoundDevice
 {
   std::string Argument;  ///< for the factory of its kind
   bool IsUsable = false; ///< it can be opened in its current state
-  std::string Says;      ///< its state, or what prevents its use
+  std::string Details;   ///< its state, or what prevents its use
 };
 
 /// Kinds of devices that a program supports, by name. Not a global: the program creates, fills and

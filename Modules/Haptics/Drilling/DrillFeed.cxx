@@ -29,7 +29,7 @@ double DrillFeed::MostAhead() const noexcept
   double ahead = this->Play + this->Unordered;
   for (std::size_t i = 0; i < this->Count; ++i)
   {
-    ahead += this->Waiting[(this->First + i) % MostWaiting].Way;
+    ahead += this->Waiting[(this->First + i) % MostWaiting].Path;
   }
   return ahead;
 }
@@ -44,10 +44,10 @@ Vector3 DrillFeed::Meet(const ToolPose& probe, const Vector3& offset, bool cuts)
   if (this->IsTouching && length > 0.0)
   {
     const Vector3 out = offset / length;
-    const Vector3 way = this->Tool - proxy;
-    ahead = -way.dot(out);
+    const Vector3 path = this->Tool - proxy;
+    ahead = -path.dot(out);
     const double below = std::max(ahead + this->Clearance, 0.0);
-    ahead -= (way + ahead * out).norm() * std::sqrt(2.0 * below / this->Radius);
+    ahead -= (path + ahead * out).norm() * std::sqrt(2.0 * below / this->Radius);
     ahead = std::clamp(ahead, -this->Play, std::min(this->MostAhead(), length));
   }
   this->IsTouching = true;
@@ -57,10 +57,10 @@ Vector3 DrillFeed::Meet(const ToolPose& probe, const Vector3& offset, bool cuts)
   return this->Remaining;
 }
 
-double DrillFeed::Advance(double way) noexcept
+double DrillFeed::Advance(double path) noexcept
 {
   const double length = this->Remaining.norm();
-  const double went = this->Count < MostWaiting ? std::clamp(way, 0.0, length) : 0.0;
+  const double went = this->Count < MostWaiting ? std::clamp(path, 0.0, length) : 0.0;
   if (!this->IsCutting)
   {
     this->IsCutting = true;

@@ -37,8 +37,8 @@ public:
   /// Once per tick in contact: returns the tool's position as an offset (mm) from the probe, given
   /// the offset from the probe to the proxy. `cuts`: the tool will advance.
   Vector3 Meet(const ToolPose& probe, const Vector3& offset, bool cuts) noexcept;
-  /// Advances by up to `way` (mm) towards the probe. Returns the distance.
-  double Advance(double way) noexcept;
+  /// Advances by up to `path` (mm) towards the probe. Returns the distance.
+  double Advance(double path) noexcept;
   /// The tool does not cut in this tick.
   void Rest() noexcept;
   /// Contact has ended.
@@ -54,7 +54,7 @@ private:
   struct Step
   {
     std::uint64_t Number = 0; // of the order
-    double Way = 0.0;         // mm
+    double Path = 0.0;        // mm
   };
   double MostAhead() const noexcept;
 

@@ -5,9 +5,9 @@
 
 namespace palpate
 {
-void EnergyObserver::Account(const Vector3& force, const Vector3& way) noexcept
+void EnergyObserver::Account(const Vector3& force, const Vector3& path) noexcept
 {
-  const double taken = -force.dot(way);
+  const double taken = -force.dot(path);
   this->Balance += std::isfinite(taken) ? taken : 0.0;
 }
 

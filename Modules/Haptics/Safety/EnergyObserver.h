@@ -21,8 +21,8 @@ public:
   /// `largestDamping` (N s/mm): the device's limit; 0 only observes.
   explicit EnergyObserver(double largestDamping) noexcept : LargestDamping(largestDamping) {}
 
-  /// The hand moved by `way` (mm) while `force` (N) was applied.
-  void Account(const Vector3& force, const Vector3& way) noexcept;
+  /// The hand moved by `path` (mm) while `force` (N) was applied.
+  void Account(const Vector3& force, const Vector3& path) noexcept;
   /// Energy (N mm) absorbed by the mechanism itself; ignored if not positive.
   void Credit(double energy) noexcept;
   /// The force (N) to add to the contact's, against the hand's velocity (mm/s), that absorbs the

@@ -27,16 +27,16 @@ double SafetyChain::PeriodBefore(const TickObservation& now) const noexcept
                        : 0.0;
 }
 
-Vector3 SafetyChain::WayBefore(const TickObservation& now) const noexcept
+Vector3 SafetyChain::PathBefore(const TickObservation& now) const noexcept
 {
   return this->HasLast ? Vector3(Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position))
                        : Vector3::Zero();
 }
 
-void SafetyChain::KeepBooks(const TickObservation& now, const Vector3& way, double period) noexcept
+void SafetyChain::KeepBooks(const TickObservation& now, const Vector3& path, double period) noexcept
 {
   const double speed = this->Motion.Update(now.Sample.Position, period).norm();
-  this->Energy.Account(this->AppliedContact, way);
+  this->Energy.Account(this->AppliedContact, path);
   this->Energy.Credit((this->DeviceDamping * speed + this->DeviceFriction) * speed * period);
 }
 
@@ -104,8 +104,8 @@ Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
 Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
 {
   const double period = this->PeriodBefore(input.Observed);
-  const Vector3 way = this->WayBefore(input.Observed);
-  this->KeepBooks(input.Observed, way, period);
+  const Vector3 path = this->PathBefore(input.Observed);
+  this->KeepBooks(input.Observed, path, period);
   const double factor = this->Ramp.Advance(period);
   Vector3 contact = factor * this->Guard.Apply(input.ContactForce);
   const Vector3 ambient = factor * this->Guard.Apply(input.AmbientForce);
@@ -114,7 +114,7 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
     this->Energy.Close();
   }
   // By the unfiltered difference: a filtered velocity is too late to absorb energy.
-  const Vector3 damping = this->Energy.Damping(contact, way / period, period);
+  const Vector3 damping = this->Energy.Damping(contact, path / period, period);
   contact += damping;
 
   const Vector3 limited = this->Limit.Apply(contact + ambient);

@@ -59,8 +59,8 @@ private:
   SafetyFault FaultOf(const SafetyInput& input) noexcept;
   Vector3 Shape(const SafetyInput& input) noexcept;
   double PeriodBefore(const TickObservation& now) const noexcept;
-  Vector3 WayBefore(const TickObservation& now) const noexcept;
-  void KeepBooks(const TickObservation& now, const Vector3& way, double period) noexcept;
+  Vector3 PathBefore(const TickObservation& now) const noexcept;
+  void KeepBooks(const TickObservation& now, const Vector3& path, double period) noexcept;
   Vector3 Zero() noexcept;
 
   Watchdog Dog;

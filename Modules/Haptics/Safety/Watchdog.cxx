@@ -42,8 +42,8 @@ SafetyFault Watchdog::CheckTime(const TickInfo& now) const noexcept
 bool Watchdog::IsTooFast(const TickObservation& now) const noexcept
 {
   const double passed = 1e-9 * static_cast<double>(now.Sample.Time - this->Last.Sample.Time);
-  const double way = (Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position)).norm();
-  return !(way <= this->Limits.FastestMotion * std::max(passed, ShortestPeriod));
+  const double path = (Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position)).norm();
+  return !(path <= this->Limits.FastestMotion * std::max(passed, ShortestPeriod));
 }
 
 SafetyFault Watchdog::CheckDevice(const TickObservation& now) noexcept

@@ -50,7 +50,7 @@ public:
   /// to the probe from there; the force changes from the old to the new one within
   /// HandoverDuration, and structures that only now surround the tool fade in as at a start.
   /// Continuing has no effect if nothing was rendered yet.
-  Status Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry = SceneEntry::Anew);
+  Status Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry = SceneEntry::FadeIn);
   /// Destroys scenes that the servo no longer uses; Publish calls it too.
   void Reclaim() noexcept { this->Scenes.Reclaim(); }
 

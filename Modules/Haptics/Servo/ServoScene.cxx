@@ -126,10 +126,10 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   constexpr double Wider = 8.0;   // paths, on each side
   constexpr double TooWide = 4.0; // times that, if the hand has become slower
   constexpr std::size_t Few = 8;
-  const Eigen::AlignedBox3d way = step.WayWorld();
-  const double margin = Wider * way.sizes().maxCoeff();
+  const Eigen::AlignedBox3d path = step.PathWorld();
+  const double margin = Wider * path.sizes().maxCoeff();
   const bool isTooWide = this->NearCount > Few && this->Margin > TooWide * margin;
-  if (this->LookedAt.contains(way) && !isTooWide)
+  if (this->LookedAt.contains(path) && !isTooWide)
   {
     return;
   }
@@ -142,7 +142,7 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
     }
   }
   this->Margin = margin;
-  this->LookedAt = {way.min().array() - margin, way.max().array() + margin};
+  this->LookedAt = {path.min().array() - margin, path.max().array() + margin};
   this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
 }
 

@@ -16,7 +16,7 @@ namespace palpate
 /// How a scene replaces the previous one.
 enum class SceneEntry
 {
-  Anew,      ///< fades in from zero
+  FadeIn,    ///< fades in from zero
   Continuing ///< structures with the same id carry on
 };
 
@@ -91,6 +91,6 @@ private:
   const DrillVersions* Versions = nullptr; // in use; owned by the link
   std::uint64_t Version = 0;               // their number
   bool HasGrown = false;                   // since the last Follow that queried models
-  SceneEntry EnteredAs = SceneEntry::Anew;
+  SceneEntry EnteredAs = SceneEntry::FadeIn;
 };
 } // namespace palpate

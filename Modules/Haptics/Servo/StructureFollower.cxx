@@ -95,7 +95,7 @@ std::size_t StructureFollower::Bytes() const noexcept
 
 bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 {
-  return step.WayWorld().intersects(this->Reach);
+  return step.PathWorld().intersects(this->Reach);
 }
 
 void StructureFollower::Leave() noexcept

@@ -32,7 +32,7 @@ struct FollowStep
   double MostPush = 0.0; ///< N, the device's limit: a larger push does not drive a drill faster
 
   /// Contains the path from Last to Now.
-  Eigen::AlignedBox3d WayWorld() const noexcept
+  Eigen::AlignedBox3d PathWorld() const noexcept
   {
     return {this->Last.PositionWorld.cwiseMin(this->Now.PositionWorld),
             this->Last.PositionWorld.cwiseMax(this->Now.PositionWorld)};

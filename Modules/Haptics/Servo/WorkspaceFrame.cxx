@@ -39,14 +39,14 @@ Vector3 WorkspaceFrame::FirstHand(const Vector3& towardsViewerWorld,
     return Vector3::Zero();
   }
   const Vector3 middle = this->NearestInReach(this->CenterWorld, workspace);
-  const Vector3 way = this->Rotation.transpose() * towardsViewerWorld.normalized();
+  const Vector3 path = this->Rotation.transpose() * towardsViewerWorld.normalized();
   double reach = workspace.diagonal().norm();
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double side = way[axis] > 0.0 ? workspace.max()[axis] : workspace.min()[axis];
+    const double side = path[axis] > 0.0 ? workspace.max()[axis] : workspace.min()[axis];
     // A direction parallel to a pair of sides meets neither.
-    reach = way[axis] != 0.0 ? std::min(reach, (side - middle[axis]) / way[axis]) : reach;
+    reach = path[axis] != 0.0 ? std::min(reach, (side - middle[axis]) / path[axis]) : reach;
   }
-  return middle + reach * way;
+  return middle + reach * path;
 }
 } // namespace palpate

@@ -27,7 +27,7 @@ void TouchSession::Open(std::unique_ptr<HapticDevice> opened, const ServoSetting
 Status TouchSession::Begin(TouchScene scene, const WorkspaceFrame& frame)
 {
   this->MakeServo();
-  Status status = this->Publish(std::move(scene), frame, SceneEntry::Anew);
+  Status status = this->Publish(std::move(scene), frame, SceneEntry::FadeIn);
   if (!status.IsOk())
   {
     this->Thread.reset();
@@ -152,7 +152,7 @@ void TouchSession::HoldClutch(bool isHeld, const TouchState& now)
     this->Current = std::move(scene);
   }
   // The servo has accepted this scene before.
-  static_cast<void>(this->Send(this->Current, SceneEntry::Anew));
+  static_cast<void>(this->Send(this->Current, SceneEntry::FadeIn));
 }
 
 void TouchSession::TakeTicks()
@@ -230,7 +230,7 @@ Status TouchSession::StartRecording(const std::filesystem::path& path,
     this->Pause();
     this->TakeTicks();
     this->MakeServo();
-    status = this->Send(this->Current, SceneEntry::Anew);
+    status = this->Send(this->Current, SceneEntry::FadeIn);
     status = status.IsOk() ? this->Run() : status;
   }
   this->Recorder = std::move(recorder);

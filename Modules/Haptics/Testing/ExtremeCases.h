@@ -21,7 +21,7 @@ enum class Representation
 
 enum class ExtremeShape
 {
-  Ball,     ///< 9 mm
+  Sphere,   ///< 9 mm
   ThinWall, ///< a plate or a pancake
   Needle,
   Cleft,   ///< with walls that meet; for spherical harmonics, a deep and narrow hollow
@@ -29,7 +29,7 @@ enum class ExtremeShape
 };
 
 /// Centre of the structures (mm).
-inline const Vector3 ExtremeMiddle(7.0, -30.0, 12.0);
+inline const Vector3 ExtremeCenter(7.0, -30.0, 12.0);
 
 struct ExtremeCase
 {
@@ -37,11 +37,11 @@ struct ExtremeCase
   std::vector<Vector3> SurfacePoints; ///< exact up to rounding
 };
 
-inline Mesh Moved(Mesh mesh, const Matrix3& rotation, const Vector3& way)
+inline Mesh Moved(Mesh mesh, const Matrix3& rotation, const Vector3& path)
 {
   for (Vector3& point : mesh.Points)
   {
-    point = rotation * point + way;
+    point = rotation * point + path;
   }
   return mesh;
 }
@@ -62,7 +62,7 @@ inline SphericalHarmonicModel ExtremeHarmonics(ExtremeShape shape)
   const auto ellipsoid = [](const Vector3& axes)
   {
     return Project(
-        24, [axes](const Vector3& u) { return 1.0 / u.cwiseQuotient(axes).norm(); }, ExtremeMiddle);
+        24, [axes](const Vector3& u) { return 1.0 / u.cwiseQuotient(axes).norm(); }, ExtremeCenter);
   };
   switch (shape)
   {
@@ -75,13 +75,13 @@ inline SphericalHarmonicModel ExtremeHarmonics(ExtremeShape shape)
         24,
         [](const Vector3& u)
         { return 9.0 - 7.0 * std::exp(-(u - Vector3::UnitZ()).squaredNorm() / 0.05); },
-        ExtremeMiddle);
+        ExtremeCenter);
   case ExtremeShape::OneVoxel:
-    return Sphere(0.25, ExtremeMiddle);
-  case ExtremeShape::Ball:
+    return Sphere(0.25, ExtremeCenter);
+  case ExtremeShape::Sphere:
     break;
   }
-  return Sphere(9.0, ExtremeMiddle);
+  return Sphere(9.0, ExtremeCenter);
 }
 
 inline Mesh ExtremeMesh(ExtremeShape shape)
@@ -90,24 +90,24 @@ inline Mesh ExtremeMesh(ExtremeShape shape)
   switch (shape)
   {
   case ExtremeShape::ThinWall:
-    return Moved(BoxMesh({10.0, 10.0, 0.005}), level, ExtremeMiddle);
+    return Moved(BoxMesh({10.0, 10.0, 0.005}), level, ExtremeCenter);
   case ExtremeShape::Needle:
-    return Moved(BoxMesh({0.01, 0.01, 10.0}), level, ExtremeMiddle);
+    return Moved(BoxMesh({0.01, 0.01, 10.0}), level, ExtremeCenter);
   case ExtremeShape::Cleft:
   {
     // Two bars on their edges, next to each other.
     const Matrix3 turned = Eigen::AngleAxisd(0.25 * M_PI, Vector3::UnitY()).matrix();
     const Vector3 aside = 3.0 * std::sqrt(2.0) * Vector3::UnitX();
     const Mesh bar = BoxMesh({3.0, 6.0, 3.0});
-    return Joined(Moved(bar, turned, ExtremeMiddle - aside),
-                  Moved(bar, turned, ExtremeMiddle + aside));
+    return Joined(Moved(bar, turned, ExtremeCenter - aside),
+                  Moved(bar, turned, ExtremeCenter + aside));
   }
   case ExtremeShape::OneVoxel:
-    return Moved(BoxMesh(Vector3::Constant(0.25)), level, ExtremeMiddle);
-  case ExtremeShape::Ball:
+    return Moved(BoxMesh(Vector3::Constant(0.25)), level, ExtremeCenter);
+  case ExtremeShape::Sphere:
     break;
   }
-  return MeshOf(ExtremeHarmonics(ExtremeShape::Ball), 10);
+  return MeshOf(ExtremeHarmonics(ExtremeShape::Sphere), 10);
 }
 
 /// In voxels of 0.5 mm, from the centre.
@@ -129,7 +129,7 @@ struct ExtremeField
       return std::min(longest, 6.0 - std::abs(std::abs(p[0]) - 6.0) - std::abs(p[2]));
     case ExtremeShape::OneVoxel:
       return 0.5 - p.norm();
-    case ExtremeShape::Ball:
+    case ExtremeShape::Sphere:
       break;
     }
     return 18.0 - p.norm();
@@ -151,14 +151,14 @@ inline std::vector<Vector3> ProbingDirections()
 inline ExtremeCase ExtremeFieldCase(ExtremeShape shape, FieldContactMode mode)
 {
   constexpr int Nodes = 49;
-  const FieldGrid grid({Nodes, Nodes, Nodes}, ExtremeMiddle - Vector3::Constant(12.0),
+  const FieldGrid grid({Nodes, Nodes, Nodes}, ExtremeCenter - Vector3::Constant(12.0),
                        Vector3::Constant(0.5), Matrix3::Identity());
   const auto field = SampledField(grid, ExtremeField{shape});
   const RayCaster caster(field);
   ExtremeCase made{FieldContact(field, mode), {}};
   for (const Vector3& u : ProbingDirections())
   {
-    const FieldHit hit = caster.CastWorld({ExtremeMiddle + 40.0 * u, -u}, 0.0, 80.0);
+    const FieldHit hit = caster.CastWorld({ExtremeCenter + 40.0 * u, -u}, 0.0, 80.0);
     if (hit.Kind == HitKind::Surface)
     {
       made.SurfacePoints.push_back(hit.Position);
@@ -214,7 +214,7 @@ inline ExtremeCase MakeExtremeCase(Representation representation, ExtremeShape s
 {
   ExtremeCase made = MadeExtremeCase(representation, shape);
   auto& points = made.SurfacePoints;
-  const auto isInTheMiddle = [](const Vector3& p) { return (p - ExtremeMiddle).norm() < 1e-3; };
+  const auto isInTheMiddle = [](const Vector3& p) { return (p - ExtremeCenter).norm() < 1e-3; };
   points.erase(std::remove_if(points.begin(), points.end(), isInTheMiddle), points.end());
   return made;
 }

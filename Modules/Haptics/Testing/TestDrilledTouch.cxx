@@ -40,7 +40,7 @@ ToolPose PoseAt(const Vector3& position)
 void CutCanal(DrilledField& drilled, double radius, const Vector3& middle)
 {
   const Vector3 along = 8.0 * Vector3::UnitX();
-  test::CutWay(drilled, CutTool::Sphere(radius), middle - along, middle + along);
+  test::CutPath(drilled, CutTool::Sphere(radius), middle - along, middle + along);
 }
 
 TEST(DrilledTouch, SmallerSphereMeasuresTheCanalWithinATenthOfAVoxel)
@@ -48,20 +48,20 @@ TEST(DrilledTouch, SmallerSphereMeasuresTheCanalWithinATenthOfAVoxel)
   const test::ScannedBone bone = PlainBone();
   const auto drilled = test::Drill(*bone.Make());
   constexpr double Canal = 2.0;
-  constexpr double Ball = 1.0;
-  const Vector3 middle = bone.Middle + Vector3(0.0, 0.13, -0.21);
+  constexpr double Sphere = 1.0;
+  const Vector3 middle = bone.Center + Vector3(0.0, 0.13, -0.21);
   CutCanal(*drilled, Canal, middle);
   for (int n = 0; n < 21; ++n)
   {
     const double angle = 0.3 * n;
-    const auto tracker = TrackerOf(*drilled, Ball);
+    const auto tracker = TrackerOf(*drilled, Sphere);
     const Vector3 out(0.0, std::cos(angle), std::sin(angle));
     Vector3 proxy;
     for (int tick = 0; tick <= 150; ++tick)
     {
       proxy = tracker->Follow(PoseAt(middle + 0.01 * tick * out)).ProxyWorld;
     }
-    EXPECT_NEAR((proxy - middle).norm() + Ball, Canal, 0.1 * Spacing) << angle;
+    EXPECT_NEAR((proxy - middle).norm() + Sphere, Canal, 0.1 * Spacing) << angle;
   }
 }
 
@@ -75,22 +75,22 @@ TEST(DrilledTouch, ThinWallStopsFastTools)
     const test::ScannedBone bone = PlainBone();
     const auto drilled = test::Drill(*bone.Make());
     const Vector3 apart = (Canal + 0.5 * voxels * Spacing) * Vector3::UnitZ();
-    CutCanal(*drilled, Canal, bone.Middle - apart);
-    CutCanal(*drilled, Canal, bone.Middle + apart);
+    CutCanal(*drilled, Canal, bone.Center - apart);
+    CutCanal(*drilled, Canal, bone.Center + apart);
     for (const double step : {0.05, 0.2, 0.9, 3.0}) // mm per tick
     {
-      const Vector3 start = bone.Middle - apart;
+      const Vector3 start = bone.Center - apart;
       const auto tracker = TrackerOf(*drilled, 0.5);
       std::vector<std::shared_ptr<const FieldSolid>> versions; // outlive their use
       for (int tick = 0; step * tick < 8.0; ++tick)
       {
         // Removal continues at the canal's end.
         const Vector3 end = start + Vector3(7.0 + 0.01 * tick, 0.0, 0.0);
-        test::CutWay(*drilled, CutTool::Sphere(1.0), end, end);
+        test::CutPath(*drilled, CutTool::Sphere(1.0), end, end);
         versions.push_back(SolidOf(*drilled));
         tracker->UseSolid(*versions.back());
         const Contact& contact = tracker->Follow(PoseAt(start + step * tick * Vector3::UnitZ()));
-        ASSERT_LT(contact.ProxyWorld[2], bone.Middle[2]) << voxels << " " << step;
+        ASSERT_LT(contact.ProxyWorld[2], bone.Center[2]) << voxels << " " << step;
       }
     }
   }

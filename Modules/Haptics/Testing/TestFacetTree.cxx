@@ -84,18 +84,18 @@ TEST(FacetTree, SweptSphereStopsAtFirstContact)
   {
     const double radius = sample % 2 == 0 ? 1e-5 : 3.0;
     const Vector3 start = organ.CenterWorld() + 40.0 * RandomDirection(random);
-    const Vector3 way = organ.CenterWorld() + 25.0 * RandomDirection(random) - start;
-    const SweepHit hit = tree->Sweep({start, way, radius});
+    const Vector3 path = organ.CenterWorld() + 25.0 * RandomDirection(random) - start;
+    const SweepHit hit = tree->Sweep({start, path, radius});
     hits += hit.IsHit ? 1 : 0;
     // No place before is nearer than the radius.
     for (int step = 0; step < 20; ++step)
     {
-      const Vector3 place = start + hit.Part * step / 20.0 * way;
+      const Vector3 place = start + hit.Part * step / 20.0 * path;
       ASSERT_GE(DistanceByTrial(mesh, place), radius - Rounding);
     }
     if (hit.IsHit)
     {
-      const Vector3 end = start + hit.Part * way;
+      const Vector3 end = start + hit.Part * path;
       gap.Add(DistanceByTrial(mesh, end) - radius);
       ASSERT_NEAR(tree->NearestTo(end - radius * hit.Normal, 1.0).Distance, 0.0, 1e-6);
     }

@@ -34,12 +34,12 @@ struct CleftField
 // A plate of this thickness across z.
 struct PlateField
 {
-  double Middle = 24.0;
+  double Center = 24.0;
   double Thickness = 1.0;
 
   double Value(const Vector3& p) const
   {
-    return 0.5 * this->Thickness - std::abs(p[2] - this->Middle);
+    return 0.5 * this->Thickness - std::abs(p[2] - this->Center);
   }
 };
 
@@ -83,9 +83,9 @@ TEST(FieldProxyTracker, DeepestSpherePointLiesOnTheFieldsSurface)
           const Contact& contact = tracker->Follow(At(probe));
           // After a start inside, or the loss of its minimum, the proxy moves for some ticks; and a
           // deep one must not reach the far side.
-          const bool isOnItsWay = tick < 20 || (contact.ProxyWorld - before).norm() > 0.5;
+          const bool isMoving = tick < 20 || (contact.ProxyWorld - before).norm() > 0.5;
           before = contact.ProxyWorld;
-          if (isOnItsWay || !contact.IsTouching || contact.Depth > 2.0)
+          if (isMoving || !contact.IsTouching || contact.Depth > 2.0)
           {
             continue;
           }

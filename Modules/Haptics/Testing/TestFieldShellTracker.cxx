@@ -35,12 +35,12 @@ public:
     else if (touching > 13)
     {
       // The path back, in quarters of a voxel.
-      const Vector3 way = this->Proxy - probe;
-      const int steps = static_cast<int>(std::ceil(way.norm() / (0.25 * VoxelSize)));
+      const Vector3 path = this->Proxy - probe;
+      const int steps = static_cast<int>(std::ceil(path.norm() / (0.25 * VoxelSize)));
       Vector3 place = this->Proxy;
       for (int step = steps - 1; step >= 1; --step)
       {
-        const Vector3 earlier = probe + (1.0 * step / steps) * way;
+        const Vector3 earlier = probe + (1.0 * step / steps) * path;
         place = this->Touching(earlier) <= 13 ? earlier : place;
       }
       this->Proxy = place;

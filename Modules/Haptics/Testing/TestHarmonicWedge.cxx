@@ -15,7 +15,7 @@ using test::TrackerOf;
 using test::WorstCase;
 
 // A sphere with a groove along the equator, up to 3 mm deep and some 6 mm wide.
-SphericalHarmonicModel GroovedBall()
+SphericalHarmonicModel GroovedSphere()
 {
   return test::Project(24, [](const Vector3& u)
                        { return 20.0 - 3.0 * std::exp(-u[2] * u[2] / (0.1 * 0.1)); });
@@ -31,7 +31,7 @@ std::shared_ptr<const HarmonicSurface> SurfaceOf(const SphericalHarmonicModel& m
 TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheSphere)
 {
   EXPECT_FALSE(HarmonicWedge::IsNeeded(*SurfaceOf(test::Sphere(20.0)), 100.0));
-  const auto grooved = SurfaceOf(GroovedBall());
+  const auto grooved = SurfaceOf(GroovedSphere());
   EXPECT_FALSE(HarmonicWedge::IsNeeded(*grooved, 0.0));
   EXPECT_FALSE(HarmonicWedge::IsNeeded(*grooved, 0.2));
   EXPECT_TRUE(HarmonicWedge::IsNeeded(*grooved, 4.0));
@@ -39,9 +39,9 @@ TEST(HarmonicWedge, IsNeededWhereAHollowIsNarrowerThanTheSphere)
 
 TEST(HarmonicWedge, RestsOnBothEdgesOfANarrowGroove)
 {
-  const SphericalHarmonicModel ball = GroovedBall();
-  const ClosestPointSearch search(test::Shared(ball));
-  const auto model = HarmonicContact(ball);
+  const SphericalHarmonicModel sphere = GroovedSphere();
+  const ClosestPointSearch search(test::Shared(sphere));
+  const auto model = HarmonicContact(sphere);
   constexpr double Radius = 4.0;
   // By symmetry the resting place is on the x axis: there the sphere just touches.
   double rest = 20.0;

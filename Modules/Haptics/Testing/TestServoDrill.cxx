@@ -361,25 +361,25 @@ TEST(ServoDrill, MaterialGrowingBackElsewhereCausesNoStep)
   Press(run);
   DrillFor(700, run, block);
   run.Loop.RunDrill(false);
-  const Vector3 beside = Pressed + 6.0 * Vector3::UnitX();
-  for (double way = 0.0; way < 1.0; way += 0.01)
+  const Vector3 nearby = Pressed + 6.0 * Vector3::UnitX();
+  for (double path = 0.0; path < 1.0; path += 0.01)
   {
-    run.TickAt(Pressed + 4.0 * way * Vector3::UnitZ());
+    run.TickAt(Pressed + 4.0 * path * Vector3::UnitZ());
   }
-  for (double way = 0.0; way < 1.0; way += 0.01)
+  for (double path = 0.0; path < 1.0; path += 0.01)
   {
-    run.TickAt(Pressed + 4.0 * Vector3::UnitZ() + way * (beside - Pressed));
+    run.TickAt(Pressed + 4.0 * Vector3::UnitZ() + path * (nearby - Pressed));
   }
   for (double height = 4.0; height > 0.0; height -= 0.01)
   {
-    run.TickAt(beside + height * Vector3::UnitZ());
+    run.TickAt(nearby + height * Vector3::UnitZ());
   }
-  const Vector3 before = run.RestAt(beside);
+  const Vector3 before = run.RestAt(nearby);
   EXPECT_GT(before.norm(), 1.0);
   run.Loop.Command(DrillCommand::Undo);
   for (int n = 0; n < 300; ++n)
   {
-    ASSERT_LE((run.TickAt(beside) - before).norm(), 0.1 * Close) << n;
+    ASSERT_LE((run.TickAt(nearby) - before).norm(), 0.1 * Close) << n;
     block.Editor->Take();
   }
 }

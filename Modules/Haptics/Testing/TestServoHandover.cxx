@@ -26,24 +26,24 @@ FieldGrid CenteredGrid(int size)
           Matrix3::Identity()};
 }
 
-std::shared_ptr<const ContactModel> HarmonicBall(double radius)
+std::shared_ptr<const ContactModel> HarmonicSphere(double radius)
 {
   return test::HarmonicContact({0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()});
 }
 
-std::shared_ptr<const ContactModel> VoxelBall(double radius)
+std::shared_ptr<const ContactModel> VoxelSphere(double radius)
 {
   return test::FieldContact(test::SampledField(
       CenteredGrid(96), test::SphereField{Vector3::Constant(47.5), 2.0 * radius}));
 }
 
-std::shared_ptr<const ContactModel> BallOfFacets(double radius)
+std::shared_ptr<const ContactModel> SphereOfFacets(double radius)
 {
-  const SphericalHarmonicModel ball(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-  return test::FacetContact(test::MeshOf(ball, 12));
+  const SphericalHarmonicModel sphere(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  return test::FacetContact(test::MeshOf(sphere, 12));
 }
 
-const std::vector<ModelMaker> Balls = {HarmonicBall, VoxelBall, BallOfFacets};
+const std::vector<ModelMaker> Spheres = {HarmonicSphere, VoxelSphere, SphereOfFacets};
 
 // Plates with their top at z = 0.5, so thin that a tool placed below it would stay there.
 std::vector<std::shared_ptr<const ContactModel>> Plates()
@@ -96,38 +96,38 @@ void ExpectSmooth(const TouchScene& before, const TouchScene& after, double tick
 
 TEST(ServoHandover, RepublishedSceneGivesTheSameForces)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    ExpectSmooth(SceneOf(ball(Radius)), SceneOf(ball(Radius)), TicksOfHandover);
+    ExpectSmooth(SceneOf(sphere(Radius)), SceneOf(sphere(Radius)), TicksOfHandover);
   }
 }
 
 TEST(ServoHandover, NewStiffnessCausesNoStep)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    ExpectSmooth(SceneOf(ball(Radius)), SceneOf(ball(Radius), 1.1), TicksOfHandover);
-    ExpectSmooth(SceneOf(ball(Radius), 1.1), SceneOf(ball(Radius)), TicksOfHandover);
+    ExpectSmooth(SceneOf(sphere(Radius)), SceneOf(sphere(Radius), 1.1), TicksOfHandover);
+    ExpectSmooth(SceneOf(sphere(Radius), 1.1), SceneOf(sphere(Radius)), TicksOfHandover);
   }
 }
 
 TEST(ServoHandover, ShrinkingOrGrowingShapeCausesNoStep)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
     for (const double growth : {-1.0, 1.0, 2.5})
     {
-      ExpectSmooth(SceneOf(ball(Radius)), SceneOf(ball(Radius + growth)), TicksOfHandover);
+      ExpectSmooth(SceneOf(sphere(Radius)), SceneOf(sphere(Radius + growth)), TicksOfHandover);
     }
-    ExpectSmooth(SceneOf(ball(Radius)), SceneOf(ball(Radius - 3.0)), TicksOfHandover);
+    ExpectSmooth(SceneOf(sphere(Radius)), SceneOf(sphere(Radius - 3.0)), TicksOfHandover);
   }
 }
 
 TEST(ServoHandover, NewRepresentationCausesNoStep)
 {
-  for (const ModelMaker& before : Balls)
+  for (const ModelMaker& before : Spheres)
   {
-    for (const ModelMaker& after : Balls)
+    for (const ModelMaker& after : Spheres)
     {
       // If several facets are nearest, the proxy's path decides, on edges of 2 mm.
       ExpectSmooth(SceneOf(before(Radius)), SceneOf(after(Radius)), TicksOfHandover, 0.1);
@@ -137,35 +137,35 @@ TEST(ServoHandover, NewRepresentationCausesNoStep)
 
 TEST(ServoHandover, NewToolCausesNoStep)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    TouchScene larger = SceneOf(ball(Radius));
+    TouchScene larger = SceneOf(sphere(Radius));
     larger.Tool = ToolShape::SpherePoints(2.0, ToolShape::NeighbourCount);
-    ExpectSmooth(SceneOf(ball(Radius)), larger, TicksOfHandover);
+    ExpectSmooth(SceneOf(sphere(Radius)), larger, TicksOfHandover);
   }
 }
 
 TEST(ServoHandover, NewStructureAroundTheToolFadesIn)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    TouchScene empty = SceneOf(ball(Radius));
+    TouchScene empty = SceneOf(sphere(Radius));
     empty.Structures.clear();
-    ExpectSmooth(empty, SceneOf(ball(Radius)), TicksOfAppearing);
-    TouchScene other = SceneOf(ball(Radius));
+    ExpectSmooth(empty, SceneOf(sphere(Radius)), TicksOfAppearing);
+    TouchScene other = SceneOf(sphere(Radius));
     other.Structures[0].Id = 8;
-    ExpectSmooth(SceneOf(ball(5.0)), other, TicksOfAppearing);
+    ExpectSmooth(SceneOf(sphere(5.0)), other, TicksOfAppearing);
   }
 }
 
 TEST(ServoHandover, RemovedStructureFadesOutToExactlyZero)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    TouchScene empty = SceneOf(ball(Radius));
+    TouchScene empty = SceneOf(sphere(Radius));
     empty.Structures.clear();
-    ExpectSmooth(SceneOf(ball(Radius)), empty, TicksOfHandover);
-    test::ServoRun run(SceneOf(ball(Radius)));
+    ExpectSmooth(SceneOf(sphere(Radius)), empty, TicksOfHandover);
+    test::ServoRun run(SceneOf(sphere(Radius)));
     EXPECT_GT(run.RestAt(Pressed)[2], 0.9);
     Continue(run, empty);
     run.TickAt(Pressed);
@@ -178,15 +178,15 @@ TEST(ServoHandover, RemovedStructureFadesOutToExactlyZero)
 
 TEST(ServoHandover, WithoutTouchThereIsNoForce)
 {
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    test::ServoRun run(SceneOf(ball(Radius)));
-    const Vector3 beside(0.0, 0.0, 21.5);
-    run.RestAt(beside);
-    Continue(run, SceneOf(ball(Radius), 1.1));
+    test::ServoRun run(SceneOf(sphere(Radius)));
+    const Vector3 nearby(0.0, 0.0, 21.5);
+    run.RestAt(nearby);
+    Continue(run, SceneOf(sphere(Radius), 1.1));
     for (int n = 0; n < 200; ++n)
     {
-      ASSERT_EQ(run.TickAt(beside), Vector3::Zero());
+      ASSERT_EQ(run.TickAt(nearby), Vector3::Zero());
     }
     // After contact the full force is there.
     EXPECT_NEAR(run.TickAt({0.0, 0.0, 20.5})[2], 0.55, 0.03); // the facets' height, of 20 mm
@@ -243,9 +243,9 @@ TEST(ServoHandover, DraggedWorkspaceLeavesTheToolBeforeAWall)
 TEST(ServoHandover, DraggedWorkspaceCausesNoStep)
 {
   test::Random random(451);
-  for (const ModelMaker& ball : Balls)
+  for (const ModelMaker& sphere : Spheres)
   {
-    const TouchScene before = SceneOf(ball(Radius));
+    const TouchScene before = SceneOf(sphere(Radius));
     TouchScene after = before;
     // The hand stays in place, 2 mm deep; its place in the world rotates and moves.
     after.Frame = DeviceFrame(Eigen::AngleAxisd(0.3, test::RandomDirection(random)).matrix(), 0.9,
@@ -283,10 +283,10 @@ TEST(ServoHandover, TakeoverCostsOneExtraQuery)
 
 TEST(ServoHandover, KeepsTheForceUntilANewSample)
 {
-  test::ServoRun run(SceneOf(HarmonicBall(Radius)));
+  test::ServoRun run(SceneOf(HarmonicSphere(Radius)));
   const Vector3 force = run.RestAt(Pressed);
-  TouchScene two = SceneOf(HarmonicBall(Radius));
-  two.Structures.insert(two.Structures.begin(), SceneOf(HarmonicBall(3.0)).Structures[0]);
+  TouchScene two = SceneOf(HarmonicSphere(Radius));
+  two.Structures.insert(two.Structures.begin(), SceneOf(HarmonicSphere(3.0)).Structures[0]);
   two.Structures[0].Id = 3;
   Continue(run, two);
   run.Device.RepeatsSample = true;
@@ -294,7 +294,7 @@ TEST(ServoHandover, KeepsTheForceUntilANewSample)
   EXPECT_EQ(run.Loop.Latest().Structure, 1);
   run.Device.RepeatsSample = false;
   // Two in a row: the second one is adopted after the first has begun.
-  Continue(run, SceneOf(HarmonicBall(Radius)));
+  Continue(run, SceneOf(HarmonicSphere(Radius)));
   EXPECT_LE((run.TickAt(Pressed) - force).norm(), 1e-9);
   EXPECT_LE((run.TickAt(Pressed) - force).norm(), 1e-9);
   EXPECT_EQ(run.Loop.Latest().Scene, 3U);
@@ -302,14 +302,14 @@ TEST(ServoHandover, KeepsTheForceUntilANewSample)
 
 TEST(ServoHandover, FadesInAtTheStartAndAfterRearm)
 {
-  test::ServoRun run(SceneOf(HarmonicBall(Radius)));
-  Continue(run, SceneOf(HarmonicBall(Radius)));
+  test::ServoRun run(SceneOf(HarmonicSphere(Radius)));
+  Continue(run, SceneOf(HarmonicSphere(Radius)));
   run.TickAt(Pressed);
   EXPECT_FALSE(run.Loop.Latest().WasContinued);
   EXPECT_TRUE(run.Loop.Latest().Safety.IsRamping);
   const Vector3 force = run.RestAt(Pressed);
   run.Loop.Rearm();
-  Continue(run, SceneOf(HarmonicBall(Radius)));
+  Continue(run, SceneOf(HarmonicSphere(Radius)));
   EXPECT_EQ(run.TickAt(Pressed), Vector3::Zero());
   EXPECT_TRUE(run.Loop.Latest().Safety.IsRamping);
   EXPECT_LE((run.RestAt(Pressed) - force).norm(), 1e-12);

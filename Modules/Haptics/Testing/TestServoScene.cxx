@@ -93,7 +93,7 @@ TouchScene RandomScene(test::Random& random)
   {
     add(test::HarmonicContact(CloseOrgan(random)));
     add(test::FacetContact(test::MeshOf(CloseOrgan(random), 3)));
-    add(test::FacetBall(100.0 * test::RandomDirection(random), 10.0 * part(random)));
+    add(test::FacetSphere(100.0 * test::RandomDirection(random), 10.0 * part(random)));
   }
   add(test::FieldContact(
       test::SampledField(test::FineGrid(32), test::SphereField{Vector3::Constant(15.5), 14.0})));

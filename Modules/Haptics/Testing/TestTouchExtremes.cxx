@@ -12,7 +12,7 @@ namespace palpate
 namespace
 {
 using test::At;
-using test::ExtremeMiddle;
+using test::ExtremeCenter;
 using test::ExtremeShape;
 using test::Random;
 using test::Representation;
@@ -64,13 +64,13 @@ void TouchExtremes::ExpectBounded(const Vector3& probe, const Contact& contact,
 
 std::vector<Vector3> SpecialPlaces()
 {
-  std::vector<Vector3> places{ExtremeMiddle};
+  std::vector<Vector3> places{ExtremeCenter};
   for (const Vector3& u : test::ProbingDirections())
   {
     for (const double distance :
          {1e-300, 1e-15, 1e-6, 0.25, 1.0, 8.999, 9.0, 10.0, 30.0, 1e4, 1e90})
     {
-      places.push_back(ExtremeMiddle + distance * u);
+      places.push_back(ExtremeCenter + distance * u);
     }
   }
   return places;
@@ -104,10 +104,10 @@ TEST_P(TouchExtremes, NoContactTenMetresAway)
     const auto tracker = this->TrackerFor(toolRadius);
     for (const Vector3& u : test::ProbingDirections())
     {
-      tracker->Follow(At(ExtremeMiddle));
+      tracker->Follow(At(ExtremeCenter));
       tracker->Release();
-      EXPECT_FALSE(tracker->Follow(At(ExtremeMiddle + 1e4 * u)).IsTouching);
-      EXPECT_FALSE(tracker->Follow(At(ExtremeMiddle + 1e4 * u + u)).IsTouching);
+      EXPECT_FALSE(tracker->Follow(At(ExtremeCenter + 1e4 * u)).IsTouching);
+      EXPECT_FALSE(tracker->Follow(At(ExtremeCenter + 1e4 * u + u)).IsTouching);
     }
   }
 }
@@ -122,16 +122,16 @@ TEST_P(TouchExtremes, DepthAtTheSurfaceIsWithinRounding)
   WorstCase depth;
   for (const Vector3& point : this->Case.SurfacePoints)
   {
-    const Vector3 outward = (point - ExtremeMiddle).normalized();
+    const Vector3 outward = (point - ExtremeCenter).normalized();
     for (const double side : {1e300, -1e300})
     {
-      Vector3 beside = point;
+      Vector3 nearby = point;
       for (int axis = 0; axis < 3; ++axis)
       {
-        beside[axis] = std::nextafter(point[axis], std::copysign(side, side * outward[axis]));
+        nearby[axis] = std::nextafter(point[axis], std::copysign(side, side * outward[axis]));
       }
       tracker->Release();
-      for (const Vector3& probe : {beside, point, beside})
+      for (const Vector3& probe : {nearby, point, nearby})
       {
         const Contact& contact = tracker->Follow(At(probe));
         ASSERT_NO_FATAL_FAILURE(this->ExpectBounded(probe, contact, 0.0));
@@ -156,8 +156,8 @@ TEST_P(TouchExtremes, ToolStaysOutsideAtAnySpeed)
       for (const Vector3& u : test::ProbingDirections())
       {
         const auto tracker = this->TrackerFor(toolRadius);
-        const Vector3 start = ExtremeMiddle + 60.0 * u;
-        const Vector3 end = ExtremeMiddle - 50.0 * u;
+        const Vector3 start = ExtremeCenter + 60.0 * u;
+        const Vector3 end = ExtremeCenter - 50.0 * u;
         tracker->Follow(At(start));
         test::MoveStraight(*tracker, start, end, step, check);
         test::MoveStraight(*tracker, end, start, step, check);
@@ -179,7 +179,7 @@ TEST_P(TouchExtremes, ToolLeavesOnItsSideAtAnySpeed)
     {
       for (const Vector3& place : this->Case.SurfacePoints)
       {
-        const Vector3 u = (place - ExtremeMiddle).normalized();
+        const Vector3 u = (place - ExtremeCenter).normalized();
         const Vector3 start = place + (toolRadius + 60.0) * u;
         const Vector3 end = place + (toolRadius - 0.2) * u;
         const auto tracker = this->TrackerFor(toolRadius);
@@ -213,7 +213,7 @@ TEST_P(TouchExtremes, ForceIsFiniteAndWithinTheDevicesLimitForAnyStiffness)
       const Vector3 surface =
           *std::max_element(places.begin(), places.end(),
                             [](const Vector3& a, const Vector3& b) { return a[0] < b[0]; });
-      const Vector3 outward = (surface - ExtremeMiddle).normalized();
+      const Vector3 outward = (surface - ExtremeCenter).normalized();
       double largest = 0.0;
       for (int tick = 0; tick < 1500; ++tick)
       {
@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Representation::HarmonicNearest,
                                          Representation::HarmonicRadial, Representation::Facets,
                                          Representation::FieldProxy, Representation::FieldShell),
-                       ::testing::Values(ExtremeShape::Ball, ExtremeShape::ThinWall,
+                       ::testing::Values(ExtremeShape::Sphere, ExtremeShape::ThinWall,
                                          ExtremeShape::Needle, ExtremeShape::Cleft,
                                          ExtremeShape::OneVoxel)),
     [](const auto& each)

@@ -199,14 +199,14 @@ TEST(TouchTruth, ForcesOnConvexBodiesAreIndependentOfTheRadius)
   const auto point = TrackerOf(*model, ToolShape::Sphere(0.0));
   for (const double toolRadius : {0.1, 1.0, 10.0})
   {
-    const auto ball = TrackerOf(*model, ToolShape::Sphere(toolRadius));
+    const auto sphere = TrackerOf(*model, ToolShape::Sphere(toolRadius));
     WorstCase difference;
     for (int path = 0; path < 1000; ++path)
     {
       const HarmonicWalk walk(body, random);
       std::vector<Vector3> forces;
       point->Release();
-      ball->Release();
+      sphere->Release();
       test::FollowTouchPath(walk, 0.0,
                             [&](const Vector3& probe)
                             { forces.push_back(point->Follow(At(probe)).ProxyWorld - probe); });
@@ -214,7 +214,7 @@ TEST(TouchTruth, ForcesOnConvexBodiesAreIndependentOfTheRadius)
       test::FollowTouchPath(
           walk, toolRadius,
           [&](const Vector3& probe) {
-            difference.Add((ball->Follow(At(probe)).ProxyWorld - probe - forces[tick++]).norm());
+            difference.Add((sphere->Follow(At(probe)).ProxyWorld - probe - forces[tick++]).norm());
           });
     }
     // Two trackings, each within 1e-5 mm, and normals that turn by 1e-6 rad in that.
@@ -234,7 +234,7 @@ struct EllipsoidField
   }
 };
 
-const Vector3 FieldMiddle(31.3, 32.1, 30.7); // index, of a grid of 64 nodes of 0.5 mm
+const Vector3 FieldCenter(31.3, 32.1, 30.7); // index, of a grid of 64 nodes of 0.5 mm
 const Vector3 FieldHalfAxes(24.0, 20.0, 18.0);
 constexpr double VoxelSize = 0.5;
 
@@ -255,19 +255,19 @@ std::shared_ptr<const ScalarField> Sampled(const Procedure& field, FieldInterpol
 const FieldCase FieldCases[] = {
     {"Sphere",
      [](FieldInterpolation kind) {
-       return Sampled(test::SphereField{FieldMiddle, 24.0}, kind);
+       return Sampled(test::SphereField{FieldCenter, 24.0}, kind);
      },
-     [] { return test::Sphere(24.0 * VoxelSize, test::FineGrid(64).PointWorld(FieldMiddle)); }},
+     [] { return test::Sphere(24.0 * VoxelSize, test::FineGrid(64).PointWorld(FieldCenter)); }},
     {"Ellipsoid",
      [](FieldInterpolation kind) {
-       return Sampled(EllipsoidField{FieldMiddle, FieldHalfAxes}, kind);
+       return Sampled(EllipsoidField{FieldCenter, FieldHalfAxes}, kind);
      },
      []
      {
        const Vector3 axes = VoxelSize * FieldHalfAxes;
        return test::Project(
            24, [axes](const Vector3& u) { return 1.0 / u.cwiseQuotient(axes).norm(); },
-           test::FineGrid(64).PointWorld(FieldMiddle));
+           test::FineGrid(64).PointWorld(FieldCenter));
      }},
     {"Gyroid", [](FieldInterpolation kind) { return Sampled(test::GyroidField{24.0}, kind); },
      nullptr}};
@@ -282,9 +282,9 @@ protected:
   Vector3 Beginning(Random& random) const
   {
     std::uniform_real_distribution<double> aside(-14.0, 14.0);
-    const Vector3 index = FieldMiddle + Vector3(aside(random), aside(random), aside(random));
+    const Vector3 index = FieldCenter + Vector3(aside(random), aside(random), aside(random));
     return this->Field->Grid().PointWorld(
-        this->Case().Truth != nullptr ? Vector3(FieldMiddle + 20.0 * test::RandomDirection(random))
+        this->Case().Truth != nullptr ? Vector3(FieldCenter + 20.0 * test::RandomDirection(random))
                                       : index);
   }
 

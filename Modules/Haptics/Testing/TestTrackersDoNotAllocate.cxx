@@ -72,9 +72,9 @@ TEST(TrackersDoNotAllocate, OfASphereTooLargeForSomeHollows)
 {
   test::Random random(7103);
   const auto model = test::HarmonicContact(test::RandomRough(random, 12, 15.0));
-  const ToolShape ball = ToolShape::Sphere(4.0);
-  EXPECT_GT(test::TrackerOf(*model, ball)->Bytes(), 100000U); // with its proof
-  EXPECT_GT(TouchesWithoutAllocation(*model, ball, {0.3, 0.2}), 300);
+  const ToolShape sphere = ToolShape::Sphere(4.0);
+  EXPECT_GT(test::TrackerOf(*model, sphere)->Bytes(), 100000U); // with its proof
+  EXPECT_GT(TouchesWithoutAllocation(*model, sphere, {0.3, 0.2}), 300);
 }
 
 TEST(TrackersDoNotAllocate, OnFacets)

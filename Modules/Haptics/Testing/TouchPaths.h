@@ -45,7 +45,7 @@ class FieldWalk
 {
 public:
   FieldWalk(const FieldSampler& sampler, const Vector3& near, Random& random)
-      : Sampler(sampler), Place(near), Way(RandomDirection(random))
+      : Sampler(sampler), Place(near), Path(RandomDirection(random))
   {
     this->Settle();
   }
@@ -53,8 +53,8 @@ public:
   const Vector3& Normal() const { return this->Outward; }
   void Step(double length)
   {
-    this->Way = (this->Way - this->Way.dot(this->Outward) * this->Outward).normalized();
-    this->Place += length * this->Way;
+    this->Path = (this->Path - this->Path.dot(this->Outward) * this->Outward).normalized();
+    this->Place += length * this->Path;
     this->Settle();
   }
 
@@ -71,7 +71,7 @@ private:
 
   const FieldSampler& Sampler;
   Vector3 Place;
-  Vector3 Way;
+  Vector3 Path;
   Vector3 Outward;
 };
 

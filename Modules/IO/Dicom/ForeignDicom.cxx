@@ -21,7 +21,7 @@ struct Kind
 {
   const char* Class; // of the object (PS3.4, B.5), or the beginning of several classes
   const char* Is;
-  const char* WayOut;
+  const char* Remedy;
 };
 
 constexpr const char* ToVoxels =
@@ -75,7 +75,7 @@ std::optional<ForeignFile> RecognizeForeignDicom(const std::filesystem::path& fi
                    [&](const Kind& kind) { return IsOfKind(objectClass, kind.Class); });
   if (found != Kinds.end())
   {
-    return ForeignFile{found->Is, found->WayOut};
+    return ForeignFile{found->Is, found->Remedy};
   }
   const bool isSegmentation = IsOfKind(objectClass, "1.2.840.10008.5.1.4.1.1.66");
   const double frames = DicomNumber(root, DCM_NumberOfFrames, 1.0);
@@ -91,7 +91,7 @@ void RefuseForeignDicom(const std::filesystem::path& file)
 {
   if (const std::optional<ForeignFile> foreign = RecognizeForeignDicom(file))
   {
-    Refuse(file, foreign->Is, foreign->WayOut);
+    Refuse(file, foreign->Is, foreign->Remedy);
   }
 }
 
@@ -110,7 +110,7 @@ void RefuseForeignDicomIn(const std::filesystem::path& folder)
     }
     if (foreign)
     {
-      Refuse(file, foreign->Is, foreign->WayOut);
+      Refuse(file, foreign->Is, foreign->Remedy);
     }
   }
 }

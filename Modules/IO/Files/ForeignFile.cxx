@@ -119,7 +119,7 @@ struct Mark
   std::size_t Offset;
   std::string_view Bytes;
   const char* Is;
-  const char* WayOut;
+  const char* Remedy;
   std::string_view Own = {}; // endings that match the content: not a foreign file
 };
 
@@ -161,7 +161,7 @@ std::optional<ForeignFile> ByContent(const Head& head, const std::string& ending
   {
     if (head.Has(mark.Offset, mark.Bytes) && !EndsAs(ending, mark.Own))
     {
-      return ForeignFile{mark.Is, mark.WayOut};
+      return ForeignFile{mark.Is, mark.Remedy};
     }
   }
   return NiftiOrAnalyze(head, ending);
@@ -171,7 +171,7 @@ struct Ending
 {
   const char* Name;
   const char* Is;
-  const char* WayOut;
+  const char* Remedy;
 };
 
 constexpr std::array<Ending, 10> Endings{{
@@ -195,7 +195,7 @@ std::optional<ForeignFile> ByEnding(const std::string& ending)
   const auto* found = std::find_if(Endings.begin(), Endings.end(),
                                    [&](const Ending& one) { return ending == one.Name; });
   return found == Endings.end() ? std::nullopt
-                                : std::optional<ForeignFile>({found->Is, found->WayOut});
+                                : std::optional<ForeignFile>({found->Is, found->Remedy});
 }
 } // namespace
 
@@ -208,7 +208,7 @@ std::optional<ForeignFile> RecognizeForeignFile(const std::filesystem::path& fil
   if (found && head.IsCompressed && !isOwnNifti)
   {
     found->Is = "is a gzip file, and its content " + found->Is;
-    found->WayOut = "unpack it (gunzip); then " + found->WayOut;
+    found->Remedy = "unpack it (gunzip); then " + found->Remedy;
   }
   found = found ? found : ByEnding(ending);
   if (!found && head.IsCompressed && ending != ".nii.gz")
@@ -220,9 +220,9 @@ std::optional<ForeignFile> RecognizeForeignFile(const std::filesystem::path& fil
 }
 
 void RefuseContent(const std::filesystem::path& file, const std::string& fact,
-                   const std::string& wayOut)
+                   const std::string& remedy)
 {
   const std::optional<ForeignFile> known = RecognizeForeignFile(file);
-  Refuse(file, known ? known->Is : fact, known ? known->WayOut : wayOut);
+  Refuse(file, known ? known->Is : fact, known ? known->Remedy : remedy);
 }
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace palpate
 struct ForeignFile
 {
   std::string Is;     ///< "is a legacy VTK file (POLYDATA), a surface"
-  std::string WayOut; ///< "save it as .vtp"
+  std::string Remedy; ///< "save it as .vtp"
 };
 
 /// Recognizes a file by its first bytes (decompressed if it is a gzip file), otherwise by the
@@ -22,5 +22,5 @@ PALPATEIO_EXPORT std::optional<ForeignFile> RecognizeForeignFile(const std::file
 /// Throws InputError with the file's recognized format; if it is unknown, with this fact and fix.
 [[noreturn]] PALPATEIO_EXPORT void RefuseContent(const std::filesystem::path& file,
                                                  const std::string& fact,
-                                                 const std::string& wayOut);
+                                                 const std::string& remedy);
 } // namespace palpate

@@ -71,7 +71,7 @@ std::string PlaceText(std::string_view text, std::size_t byte)
 }
 
 template <typename Json>
-Json Parse(std::string_view text, const std::filesystem::path& file, const std::string& wayOut,
+Json Parse(std::string_view text, const std::filesystem::path& file, const std::string& remedy,
            std::size_t mostKeys)
 {
   const JsonExtent extent = ExtentOf(text);
@@ -79,12 +79,12 @@ Json Parse(std::string_view text, const std::filesystem::path& file, const std::
   {
     Refuse(file,
            "cannot be read: its JSON is nested more than " + std::to_string(MostDepth) + " deep",
-           wayOut);
+           remedy);
   }
   if (extent.Keys > mostKeys)
   {
     Refuse(file, "cannot be read: its JSON has more than " + std::to_string(mostKeys) + " keys",
-           wayOut);
+           remedy);
   }
   CheckMemory(file, BytesOfValue * static_cast<double>(extent.Values), AvailableMemoryBytes());
   try
@@ -93,30 +93,30 @@ Json Parse(std::string_view text, const std::filesystem::path& file, const std::
   }
   catch (const nlohmann::json::parse_error& error)
   {
-    Refuse(file, "is not valid JSON at " + PlaceText(text, error.byte), wayOut);
+    Refuse(file, "is not valid JSON at " + PlaceText(text, error.byte), remedy);
   }
   catch (const nlohmann::json::out_of_range&)
   {
-    Refuse(file, "cannot be read: it holds a number that is too large", wayOut);
+    Refuse(file, "cannot be read: it holds a number that is too large", remedy);
   }
 }
 } // namespace
 
 nlohmann::json ParseJson(std::string_view text, const std::filesystem::path& file,
-                         const std::string& wayOut)
+                         const std::string& remedy)
 {
-  return Parse<nlohmann::json>(text, file, wayOut, std::numeric_limits<std::size_t>::max());
+  return Parse<nlohmann::json>(text, file, remedy, std::numeric_limits<std::size_t>::max());
 }
 
 nlohmann::ordered_json ParseOrderedJson(std::string_view text, const std::filesystem::path& file,
-                                        const std::string& wayOut)
+                                        const std::string& remedy)
 {
-  return Parse<nlohmann::ordered_json>(text, file, wayOut, MostOrderedKeys);
+  return Parse<nlohmann::ordered_json>(text, file, remedy, MostOrderedKeys);
 }
 
 nlohmann::json ReadJson(const std::filesystem::path& file, std::uintmax_t maximumBytes,
-                        const std::string& wayOut)
+                        const std::string& remedy)
 {
-  return ParseJson(ReadWholeFile(file, maximumBytes), file, wayOut);
+  return ParseJson(ReadWholeFile(file, maximumBytes), file, remedy);
 }
 } // namespace palpate

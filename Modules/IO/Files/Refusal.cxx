@@ -7,9 +7,9 @@
 
 namespace palpate
 {
-void Refuse(const std::filesystem::path& file, const std::string& fact, const std::string& wayOut)
+void Refuse(const std::filesystem::path& file, const std::string& fact, const std::string& remedy)
 {
-  throw InputError(file.string() + " " + fact + "; " + wayOut + ".");
+  throw InputError(file.string() + " " + fact + "; " + remedy + ".");
 }
 
 void RequireInput(const Status& status, const std::string& about)

@@ -11,7 +11,7 @@ namespace palpate
 /// Throws InputError with the message "<file> <fact>; <way out>.", where the way out says what to
 /// do.
 [[noreturn]] PALPATEIO_EXPORT void Refuse(const std::filesystem::path& file,
-                                          const std::string& fact, const std::string& wayOut);
+                                          const std::string& fact, const std::string& remedy);
 
 /// Throws InputError with a failure's message, prefixed with "<about>: " unless that is empty. Does
 /// nothing for a success.

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-std::filesystem::path Beside(std::filesystem::path image, const char* ending)
+std::filesystem::path NextTo(std::filesystem::path image, const char* ending)
 {
   if (image.extension() == ".gz")
   {
@@ -86,8 +86,8 @@ void ApplyColors(const std::filesystem::path& file, Segmentation& segmentation)
 
 void ApplyLabelNames(Segmentation& segmentation)
 {
-  const std::filesystem::path namesFile = Beside(segmentation.Source, ".txt");
-  ApplyColors(Beside(segmentation.Source, ".lut"), segmentation);
+  const std::filesystem::path namesFile = NextTo(segmentation.Source, ".txt");
+  ApplyColors(NextTo(segmentation.Source, ".lut"), segmentation);
   std::error_code isNoFile; // such as a name that is too long with the ending
   if (!std::filesystem::exists(namesFile, isNoFile))
   {

@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* WayOut = "write it again with space left-posterior-superior";
+constexpr const char* Remedy = "write it again with space left-posterior-superior";
 
 // Names are compared without case, spaces and hyphens.
 std::string Normalised(const std::string& name)
@@ -164,12 +164,12 @@ void NrrdSpace::TakeName(const std::filesystem::path& file)
   else if (space == "3dlefthanded")
   {
     Refuse(file, "has the left-handed space " + this->Name + ", which is not a patient frame",
-           WayOut);
+           Remedy);
   }
   else if (!IsOneOf(space, {"scannerxyz", "3drighthanded"}))
   {
     Refuse(file, "has the space " + this->Name + ", which is not three-dimensional or not known",
-           WayOut);
+           Remedy);
   }
 }
 

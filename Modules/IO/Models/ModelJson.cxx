@@ -112,9 +112,9 @@ public:
   }
 
 private:
-  [[noreturn]] void Refuse(const std::string& fact, const std::string& wayOut) const
+  [[noreturn]] void Refuse(const std::string& fact, const std::string& remedy) const
   {
-    palpate::Refuse(this->FileName, "is not a model that Palpate can read: " + fact, wayOut);
+    palpate::Refuse(this->FileName, "is not a model that Palpate can read: " + fact, remedy);
   }
   [[noreturn]] void RefuseEntry(const std::string& key, const std::string& what) const
   {

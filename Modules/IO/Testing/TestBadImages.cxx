@@ -15,8 +15,8 @@ using namespace palpate::test;
 namespace
 {
 // One sentence: it starts with the file, contains the fact and a fix, and no line break.
-void ExpectSentence(const std::string& message, const std::filesystem::path& file,
-                    const std::string& fact)
+void ExpectMessage(const std::string& message, const std::filesystem::path& file,
+                   const std::string& fact)
 {
   EXPECT_EQ(message.rfind(file.string(), 0), 0u) << message;
   EXPECT_TRUE(Contains(message, fact));
@@ -50,8 +50,8 @@ void ExpectRefused(const std::vector<BadFile>& cases)
           asVolume = MessageOf([&] { ReadVolume(file); });
           asSegmentation = MessageOf([&] { ReadSegmentation(file); });
         });
-    ExpectSentence(asVolume, file, bad.Fact);
-    ExpectSentence(asSegmentation, file, bad.Fact);
+    ExpectMessage(asVolume, file, bad.Fact);
+    ExpectMessage(asSegmentation, file, bad.Fact);
     EXPECT_EQ(chatter, "") << bad.Name;
     EXPECT_EQ(folder.EntryCount(), 1u) << bad.Name;
   }
@@ -65,7 +65,7 @@ std::string SegmentationRefusal(const std::string& nrrd)
 }
 } // namespace
 
-TEST(BadImages, RejectsBadNiftiWithOneSentence)
+TEST(BadImages, RejectsBadNiftiWithOneMessage)
 {
   ExpectRefused(BadNiftiFiles());
 }
@@ -100,30 +100,30 @@ TEST(BadImages, RejectsTruncatedDetachedCompressedData)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "b.mhd"); }), "b.zraw is truncated"));
 }
 
-TEST(BadImages, RejectsBadNrrdWithOneSentence)
+TEST(BadImages, RejectsBadNrrdWithOneMessage)
 {
   ExpectRefused(BadNrrdFiles());
 }
 
-TEST(BadImages, RejectsOtherBadFilesWithOneSentence)
+TEST(BadImages, RejectsOtherBadFilesWithOneMessage)
 {
   ExpectRefused(BadOtherFiles());
 }
 
 TEST(BadImages, RejectsMissingFile)
 {
-  ExpectSentence(MessageOf([] { ReadVolume("/no/such/file.nii"); }), "/no/such/file.nii",
-                 "does not exist");
-  ExpectSentence(MessageOf([] { ReadSegmentation("/no/such/file.nii"); }), "/no/such/file.nii",
-                 "does not exist");
+  ExpectMessage(MessageOf([] { ReadVolume("/no/such/file.nii"); }), "/no/such/file.nii",
+                "does not exist");
+  ExpectMessage(MessageOf([] { ReadSegmentation("/no/such/file.nii"); }), "/no/such/file.nii",
+                "does not exist");
 }
 
 TEST(BadImages, RejectsFolderWithoutImages)
 {
   const TemporaryFolder folder;
-  ExpectSentence(MessageOf([&] { ReadVolume(folder.Path()); }), folder.Path(), "no DICOM file");
-  ExpectSentence(MessageOf([&] { ReadSegmentation(folder.Path()); }), folder.Path(),
-                 "holds 0 DICOM segmentation objects");
+  ExpectMessage(MessageOf([&] { ReadVolume(folder.Path()); }), folder.Path(), "no DICOM file");
+  ExpectMessage(MessageOf([&] { ReadSegmentation(folder.Path()); }), folder.Path(),
+                "holds 0 DICOM segmentation objects");
 }
 
 TEST(BadImages, RejectsFractionalLabels)

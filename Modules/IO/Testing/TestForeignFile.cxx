@@ -48,7 +48,7 @@ struct Foreign
   const char* Name;
   std::string Bytes;
   const char* Is;
-  const char* WayOut;
+  const char* Remedy;
 };
 
 std::vector<Foreign> ForeignFiles()
@@ -96,7 +96,7 @@ TEST(ForeignFile, RejectsNamingFormatAndFix)
     {
       EXPECT_EQ(message.rfind(file.string() + " ", 0), 0U) << message;
       EXPECT_TRUE(Contains(message, foreign.Is));
-      EXPECT_TRUE(Contains(message.substr(message.find("; ") + 1), foreign.WayOut));
+      EXPECT_TRUE(Contains(message.substr(message.find("; ") + 1), foreign.Remedy));
     }
   }
 }

@@ -60,7 +60,7 @@ protected:
     return MessageOf([&] { ReadVolume(this->Folder / name); });
   }
   // For a header whose voxels are in another file with this content.
-  std::string RefusalBeside(const std::string& data, const std::string& line) const
+  std::string RefusalNextTo(const std::string& data, const std::string& line) const
   {
     WriteAll(this->Folder / "a.raw", data);
     return this->Refusal(
@@ -185,7 +185,7 @@ TEST_F(HostileMetaImages, BytesBeforeVoxelsAreNotCounted)
 {
   for (const char* size : {"1", "100", "100000"})
   {
-    EXPECT_TRUE(Contains(this->RefusalBeside(Voxels(), std::string("HeaderSize = ") + size),
+    EXPECT_TRUE(Contains(this->RefusalNextTo(Voxels(), std::string("HeaderSize = ") + size),
                          "is truncated: its header declares 120 bytes of voxels"))
         << size;
   }
@@ -193,15 +193,15 @@ TEST_F(HostileMetaImages, BytesBeforeVoxelsAreNotCounted)
 
 TEST_F(HostileMetaImages, ReadsVoxelsAfterOwnHeader)
 {
-  EXPECT_EQ(this->RefusalBeside(std::string(100, '\0') + Voxels(), "HeaderSize = 100"), "no error");
-  EXPECT_EQ(this->RefusalBeside(std::string(100, '\0') + Voxels(), "HeaderSize = -1"), "no error");
+  EXPECT_EQ(this->RefusalNextTo(std::string(100, '\0') + Voxels(), "HeaderSize = 100"), "no error");
+  EXPECT_EQ(this->RefusalNextTo(std::string(100, '\0') + Voxels(), "HeaderSize = -1"), "no error");
 }
 
 TEST_F(HostileMetaImages, RejectsInvalidHeaderSizes)
 {
   for (const char* size : {"1e300", "-2", "0.5", "5000000000"})
   {
-    EXPECT_TRUE(Contains(this->RefusalBeside(Voxels(), std::string("HeaderSize = ") + size),
+    EXPECT_TRUE(Contains(this->RefusalNextTo(Voxels(), std::string("HeaderSize = ") + size),
                          "damaged header (HeaderSize)"))
         << size;
   }

@@ -2,8 +2,8 @@
 // module's classes together. Argument: the PNG file to write.
 #include "DisplayCheck.h"
 #include "PhantomViews.h"
-#include "Picture.h"
-#include "WindowPicture.h"
+#include "RasterImage.h"
+#include "WindowImage.h"
 
 #include <fstream>
 #include <iostream>

@@ -3,7 +3,7 @@
 #include "DisplayTest.h"
 #include "ImageAxes.h"
 #include "RandomOrientation.h"
-#include "WindowPicture.h"
+#include "WindowImage.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkSliceView.h"
@@ -82,14 +82,14 @@ protected:
   }
 
   /// Rows count from below, as in the window.
-  Picture Draw()
+  RasterImage Draw()
   {
     this->Window->Render();
     return ReadWindow(this->Window);
   }
-  static const std::uint8_t* PixelAt(const Picture& picture, int x, int y)
+  static const std::uint8_t* PixelAt(const RasterImage& raster, int x, int y)
   {
-    return picture.Pixel(x, picture.Height - 1 - y);
+    return raster.Pixel(x, raster.Height - 1 - y);
   }
   Vector3 WorldAt(double x, double y)
   {

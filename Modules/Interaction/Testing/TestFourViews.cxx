@@ -1,7 +1,7 @@
-#include "BaselinePicture.h"
+#include "BaselineImage.h"
 #include "DisplayTest.h"
 #include "PhantomViews.h"
-#include "WindowPicture.h"
+#include "WindowImage.h"
 
 #include <gtest/gtest.h>
 

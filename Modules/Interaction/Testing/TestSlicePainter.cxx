@@ -23,10 +23,10 @@ PixelGrid Plane(int width, int height)
   return {-0.5 * (width - 1) * right - 0.5 * (height - 1) * up, right, up, width, height};
 }
 
-std::vector<unsigned char> Bytes(vtkImageData* picture)
+std::vector<unsigned char> Bytes(vtkImageData* raster)
 {
-  const auto* bytes = static_cast<unsigned char*>(picture->GetScalarPointer());
-  return {bytes, bytes + 4 * picture->GetNumberOfPoints()};
+  const auto* bytes = static_cast<unsigned char*>(raster->GetScalarPointer());
+  return {bytes, bytes + 4 * raster->GetNumberOfPoints()};
 }
 
 vtkSmartPointer<vtkImageData> Uniform(double value)
@@ -56,9 +56,9 @@ TEST(SlicePainter, OutsidePixelsAreTransparent)
 {
   SliceContent content;
   content.Image = Uniform(1.0);
-  vtkNew<vtkImageData> picture;
-  PaintSlice(content, Plane(300, 2), picture);
-  const auto bytes = Bytes(picture);
+  vtkNew<vtkImageData> raster;
+  PaintSlice(content, Plane(300, 2), raster);
+  const auto bytes = Bytes(raster);
   EXPECT_EQ(bytes[3], 0);
   EXPECT_EQ(bytes[4 * 150 + 3], 255);
   EXPECT_EQ(bytes[4 * 150], 255);
@@ -71,9 +71,9 @@ TEST(SlicePainter, BlendsLayersInOrderAndMultipliesOpacities)
   content.LabelOpacity = 0.5F;
   content.Layers = {{Uniform(1.0), {{1, {{1.0F, 0.0F, 0.0F, 1.0F}}}}},
                     {Uniform(2.0), {{2, {{0.0F, 1.0F, 0.0F, 0.5F}}}}}};
-  vtkNew<vtkImageData> picture;
-  PaintSlice(content, Plane(1, 1), picture);
-  const auto bytes = Bytes(picture);
+  vtkNew<vtkImageData> raster;
+  PaintSlice(content, Plane(1, 1), raster);
+  const auto bytes = Bytes(raster);
   EXPECT_NEAR(bytes[0], 0.75 * 127.5, 1.0); // half red, a quarter of which is covered
   EXPECT_NEAR(bytes[1], 0.25 * 255.0, 1.0);
   EXPECT_EQ(bytes[2], 0);
@@ -83,12 +83,12 @@ TEST(SlicePainter, PaintsColoredLabelsWithoutImage)
 {
   SliceContent content;
   content.Layers = {{Uniform(-4.0), {{-4, {{0.0F, 0.0F, 1.0F, 1.0F}}}}}};
-  vtkNew<vtkImageData> picture;
-  PaintSlice(content, Plane(1, 1), picture);
-  EXPECT_EQ(Bytes(picture), (std::vector<unsigned char>{0, 0, 255, 255}));
+  vtkNew<vtkImageData> raster;
+  PaintSlice(content, Plane(1, 1), raster);
+  EXPECT_EQ(Bytes(raster), (std::vector<unsigned char>{0, 0, 255, 255}));
   content.Layers = {{Uniform(5.0), {{-4, {{0.0F, 0.0F, 1.0F, 1.0F}}}}}};
-  PaintSlice(content, Plane(1, 1), picture);
-  EXPECT_EQ(Bytes(picture), (std::vector<unsigned char>{0, 0, 0, 0}));
+  PaintSlice(content, Plane(1, 1), raster);
+  EXPECT_EQ(Bytes(raster), (std::vector<unsigned char>{0, 0, 0, 0}));
 }
 
 TEST(SlicePatch, CornersMatchPixelGrid)

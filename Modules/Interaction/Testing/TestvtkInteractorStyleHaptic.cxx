@@ -29,7 +29,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double BallRadius = 20.0; // mm
+constexpr double SphereRadius = 20.0; // mm
 constexpr double ToolRadius = 2.0;
 constexpr int Side = 200; // pixels
 
@@ -58,13 +58,13 @@ protected:
     this->Interactor->SetRenderWindow(this->Window);
     this->Touch = vtkSmartPointer<Style>::New();
     this->Interactor->SetInteractorStyle(this->Touch);
-    vtkNew<vtkSphereSource> ball;
-    ball->SetRadius(BallRadius);
-    ball->SetThetaResolution(60);
-    ball->SetPhiResolution(60);
-    ball->Update();
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(SphereRadius);
+    sphere->SetThetaResolution(60);
+    sphere->SetPhiResolution(60);
+    sphere->Update();
     this->Touch->SetToolRadius(ToolRadius);
-    ASSERT_EQ(this->Touch->AddSurface(ball->GetOutput(), 0.5), 0);
+    ASSERT_EQ(this->Touch->AddSurface(sphere->GetOutput(), 0.5), 0);
     this->Listen();
   }
   void TearDown() override
@@ -95,7 +95,7 @@ protected:
           self->Events.push_back(event);
           if (event == Style::FaultEvent)
           {
-            self->Sentence = static_cast<const char*>(data);
+            self->Message = static_cast<const char*>(data);
           }
         });
     for (unsigned long event = Style::ContactBeginEvent; event <= Style::FaultEvent; ++event)
@@ -147,7 +147,7 @@ protected:
     }
   }
   // Starts in front of the sphere, and moves the hand to its right.
-  void StartBesideTheBall()
+  void StartNextToTheSphere()
   {
     ASSERT_TRUE(this->Touch->StartTouch());
     this->MoveMouse(70, 0);                              // 35 mm
@@ -162,19 +162,19 @@ protected:
   vtkSmartPointer<vtkGenericRenderWindowInteractor> Interactor;
   vtkSmartPointer<Style> Touch;
   std::vector<unsigned long> Events;
-  std::string Sentence;
+  std::string Message;
   int Mouse[2] = {Side / 2, Side / 2};
 };
 
 TEST_F(StyleHapticTest, MouseTouchesSurfacesOfWindow)
 {
-  this->StartBesideTheBall();
+  this->StartNextToTheSphere();
   this->MoveMouse(-36, 0); // to 17 mm, 5 below where the tool first touches
   ASSERT_TRUE(this->Comes(Style::ContactBeginEvent));
   ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
   // Facets lie up to 0.03 mm inside the sphere.
-  EXPECT_NEAR(this->Proxy().norm(), BallRadius + ToolRadius, 0.1);
-  EXPECT_LT(this->Probe().norm(), BallRadius + ToolRadius);
+  EXPECT_NEAR(this->Proxy().norm(), SphereRadius + ToolRadius, 0.1);
+  EXPECT_LT(this->Probe().norm(), SphereRadius + ToolRadius);
   EXPECT_TRUE(this->Touch->GetProbe()->GetInContact());
   this->MoveMouse(60, 0);
   EXPECT_TRUE(this->Comes(Style::ContactEndEvent));
@@ -183,7 +183,7 @@ TEST_F(StyleHapticTest, MouseTouchesSurfacesOfWindow)
 
 TEST_F(StyleHapticTest, WheelMovesInDepth)
 {
-  this->StartBesideTheBall();
+  this->StartNextToTheSphere();
   const double before = this->Probe().z();
   this->Wheel(vtkCommand::MouseWheelForwardEvent, 6);
   EXPECT_TRUE(this->PollUntil([&] { return this->Probe().z() < before - 10.0; }));
@@ -193,7 +193,7 @@ TEST_F(StyleHapticTest, WheelMovesInDepth)
 
 TEST_F(StyleHapticTest, DeviceAxesEqualCameraAxesAtRest)
 {
-  this->StartBesideTheBall();
+  this->StartNextToTheSphere();
   // Seen from the left with the head up: 35 mm to the viewer's right stays so.
   this->LookFrom({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
   EXPECT_TRUE(this->PollUntil([&] { return this->Probe().y() > 30.0; }));
@@ -232,14 +232,14 @@ TEST_F(StyleHapticTest, ClutchHoldsToolWithoutForce)
 
 TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFSwitchesThemOn)
 {
-  this->StartBesideTheBall();
+  this->StartNextToTheSphere();
   this->MoveMouse(-36, 0);
   ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
   this->Interactor->SetKeySym("Escape");
   this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
   ASSERT_TRUE(this->Comes(Style::FaultEvent));
-  EXPECT_EQ(this->Sentence, Describe(SafetyFault::SwitchedOff));
-  EXPECT_EQ(this->Touch->GetStatusText(), this->Sentence);
+  EXPECT_EQ(this->Message, Describe(SafetyFault::SwitchedOff));
+  EXPECT_EQ(this->Touch->GetStatusText(), this->Message);
   EXPECT_EQ(this->Force(), 0.0);
   EXPECT_TRUE(this->Touch->IsTouching());
   this->Interactor->SetKeyCode('f');
@@ -257,18 +257,18 @@ TEST_F(StyleHapticTest, LostDeviceRaisesFaultWithInstructions)
   ASSERT_TRUE(this->Touch->StartTouch(std::move(owned)));
   device->Inject(SimulatedFault::Unplugged);
   ASSERT_TRUE(this->Comes(Style::FaultEvent));
-  EXPECT_NE(this->Sentence, "");
+  EXPECT_NE(this->Message, "");
   EXPECT_EQ(this->Touch->GetStatusText(), device->Problem());
 }
 
 TEST_F(StyleHapticTest, AddsStructureWhileTouching)
 {
-  this->StartBesideTheBall();
-  vtkNew<vtkSphereSource> ball;
-  ball->SetCenter(45.0, 0.0, 0.0);
-  ball->SetRadius(15.0);
-  ball->Update();
-  EXPECT_EQ(this->Touch->AddSurface(ball->GetOutput(), 0.3), 1);
+  this->StartNextToTheSphere();
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(45.0, 0.0, 0.0);
+  sphere->SetRadius(15.0);
+  sphere->Update();
+  EXPECT_EQ(this->Touch->AddSurface(sphere->GetOutput(), 0.3), 1);
   EXPECT_TRUE(this->Comes(Style::ContactBeginEvent));
   this->Touch->RemoveAllStructures();
   EXPECT_TRUE(this->Comes(Style::ContactEndEvent));
@@ -277,7 +277,7 @@ TEST_F(StyleHapticTest, AddsStructureWhileTouching)
 TEST_F(StyleHapticTest, DrawsToolWhileTouching)
 {
   const int before = this->Renderer->GetViewProps()->GetNumberOfItems();
-  this->StartBesideTheBall();
+  this->StartNextToTheSphere();
   EXPECT_GT(this->Renderer->GetViewProps()->GetNumberOfItems(), before);
   this->Window->Render();
   this->Touch->StopTouch();
@@ -293,9 +293,9 @@ TEST_F(StyleHapticTest, RejectsInvalidRequestsWithMessage)
   EXPECT_NE(errors->GetErrorMessage().find("phantom"), std::string::npos);
   vtkNew<vtkPolyData> nothing;
   EXPECT_EQ(this->Touch->AddSurface(nothing, 1.0), -1);
-  vtkNew<vtkSphereSource> ball;
-  ball->Update();
-  EXPECT_EQ(this->Touch->AddSurface(ball->GetOutput(), -1.0), -1);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  EXPECT_EQ(this->Touch->AddSurface(sphere->GetOutput(), -1.0), -1);
   EXPECT_EQ(this->Touch->GetNumberOfStructures(), 1);
   this->Interactor->SetInteractorStyle(nullptr);
   this->Touch->SetDeviceName("simulated");
@@ -305,7 +305,7 @@ TEST_F(StyleHapticTest, RejectsInvalidRequestsWithMessage)
 
 TEST_F(StyleHapticTest, LostWindowStopsTouch)
 {
-  this->StartBesideTheBall();
+  this->StartNextToTheSphere();
   this->Interactor->SetInteractorStyle(nullptr);
   EXPECT_FALSE(this->Touch->IsTouching());
 }

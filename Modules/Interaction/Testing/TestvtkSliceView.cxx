@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 using palpate::ImageAxes;
-using palpate::Picture;
+using palpate::RasterImage;
 using palpate::Vector3;
 
 namespace
@@ -53,7 +53,7 @@ TEST_F(vtkSliceViewTest, PixelsShowVolumeAtWorldCoordinates)
       this->View->SetOrientation(orientation);
       this->View->SetAlongImage(isAlongImage);
       this->View->FitToImage();
-      const Picture picture = this->Draw();
+      const RasterImage image = this->Draw();
       int inside = 0;
       for (int y = 0; y < Height; ++y)
       {
@@ -61,7 +61,7 @@ TEST_F(vtkSliceViewTest, PixelsShowVolumeAtWorldCoordinates)
         {
           const Vector3 index = axes.ToIndex(this->WorldAt(x, y));
           const Vector3 last(45.0, 60.0, 30.0);
-          const std::uint8_t* pixel = PixelAt(picture, x, y);
+          const std::uint8_t* pixel = PixelAt(image, x, y);
           if ((index.array() > 0.01).all() && ((last - index).array() > 0.01).all())
           {
             const double value = palpate::test::Ramp(this->WorldAt(x, y));
@@ -99,7 +99,7 @@ TEST_F(vtkSliceViewTest, PlanePassesThroughCrosshairAndFacesViewer)
 TEST_F(vtkSliceViewTest, NearestInterpolationShowsVoxelValues)
 {
   this->Display->InterpolateOff();
-  const Picture picture = this->Draw();
+  const RasterImage image = this->Draw();
   const ImageAxes axes(this->Image);
   int checked = 0;
   for (int y = 20; y < Height - 20; y += 3)
@@ -113,7 +113,7 @@ TEST_F(vtkSliceViewTest, NearestInterpolationShowsVoxelValues)
       if (isInside && (index - voxel).cwiseAbs().maxCoeff() < 0.499)
       {
         const double value = palpate::test::Ramp(axes.ToWorld(voxel));
-        ASSERT_NEAR(PixelAt(picture, x, y)[0], 255.0 * (value + 50.0) / 300.0, 0.502);
+        ASSERT_NEAR(PixelAt(image, x, y)[0], 255.0 * (value + 50.0) / 300.0, 0.502);
         ++checked;
       }
     }
@@ -132,14 +132,14 @@ TEST_F(vtkSliceViewTest, BlendsLabelsOverImage)
   const int layer = this->Display->AddLabels(labels);
   this->Display->SetLabelColor(layer, 1, 1.0, 0.0, 0.0, 1.0);
   this->Display->SetLabelOpacity(0.5);
-  const Picture picture = this->Draw();
+  const RasterImage image = this->Draw();
   const ImageAxes axes(labels);
   int painted = 0;
   for (int y = 40; y < Height - 40; ++y)
   {
     for (int x = 80; x < Width - 80; ++x)
     {
-      const std::uint8_t* pixel = PixelAt(picture, x, y);
+      const std::uint8_t* pixel = PixelAt(image, x, y);
       const double grey = 255.0 * (palpate::test::Ramp(this->WorldAt(x, y)) + 50.0) / 300.0;
       const Vector3 voxel = axes.ToIndex(this->WorldAt(x, y)).array().round().matrix();
       if (std::abs(palpate::test::Ramp(axes.ToWorld(voxel)) - 100.0) < 0.01)
@@ -165,7 +165,7 @@ TEST_F(vtkSliceViewTest, ContourLiesOnSurfaceAndPlane)
   for (const int orientation : Orientations)
   {
     this->View->SetOrientation(orientation);
-    const Picture picture = this->Draw();
+    const RasterImage image = this->Draw();
     const palpate::SlicePosition position = this->View->GetPosition();
     const double height = position.HeightOver(center);
     const double radius = std::sqrt(400.0 - height * height);
@@ -174,7 +174,7 @@ TEST_F(vtkSliceViewTest, ContourLiesOnSurfaceAndPlane)
     {
       for (int x = 0; x < Width; ++x)
       {
-        if (IsGreen(PixelAt(picture, x, y)))
+        if (IsGreen(PixelAt(image, x, y)))
         {
           const double distance = (this->WorldAt(x, y) - position.Projected(center)).norm();
           // A line of 1.5 points, to the pixel, along chords up to 0.02 mm inside.
@@ -192,13 +192,13 @@ TEST_F(vtkSliceViewTest, RemovedOrHiddenSurfaceHasNoContour)
   const auto surface = SphereDisplay(Vector3::Zero(), 20.0);
   const auto count = [this]
   {
-    const Picture picture = this->Draw();
+    const RasterImage image = this->Draw();
     int green = 0;
     for (int y = 0; y < Height; ++y)
     {
       for (int x = 0; x < Width; ++x)
       {
-        green += IsGreen(PixelAt(picture, x, y)) ? 1 : 0;
+        green += IsGreen(PixelAt(image, x, y)) ? 1 : 0;
       }
     }
     return green;
@@ -317,14 +317,14 @@ TEST_F(vtkSliceViewTest, ShowsLandmarksWithinReachOnly)
   this->View->SetLandmarks(landmarks);
   const auto radiusSeen = [this, &position]
   {
-    const Picture picture = this->Draw();
+    const RasterImage image = this->Draw();
     double radius = 0.0;
     const Vector3 middle = this->View->GetPosition().Projected(position.CenterWorld);
     for (int y = 0; y < Height; ++y)
     {
       for (int x = 0; x < Width / 2; ++x) // its name is on the right
       {
-        if (IsGreen(PixelAt(picture, x, y)))
+        if (IsGreen(PixelAt(image, x, y)))
         {
           radius = std::max(radius, (this->WorldAt(x, y) - middle).norm());
         }
@@ -349,8 +349,8 @@ TEST_F(vtkSliceViewTest, DrawsNothingWithoutContents)
   this->Window->AddRenderer(renderer);
   empty->SetRenderer(renderer);
   empty->AnnotationVisibilityOff();
-  const Picture picture = this->Draw();
-  EXPECT_TRUE(std::all_of(picture.Rgba.begin(), picture.Rgba.end(),
+  const RasterImage image = this->Draw();
+  EXPECT_TRUE(std::all_of(image.Rgba.begin(), image.Rgba.end(),
                           [](std::uint8_t part) { return part == 0 || part == 255; }));
   empty->Scroll(3);
   EXPECT_EQ(empty->GetNumberOfSlices(), 0);

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::Picture;
+using palpate::RasterImage;
 using palpate::Vector3;
 
 namespace
@@ -28,7 +28,7 @@ namespace
 constexpr int Side = 200; // pixels, 60 mm
 constexpr double PixelMillimeters = 0.3;
 
-vtkSmartPointer<vtkPolyData> Ball(const Vector3& center, double radius)
+vtkSmartPointer<vtkPolyData> Sphere(const Vector3& center, double radius)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(center.x(), center.y(), center.z());
@@ -63,7 +63,7 @@ protected:
   }
 
   // The first frame chooses a camera; this replaces it.
-  Picture Draw(int side = vtkSpaceView::ANTERIOR)
+  RasterImage Draw(int side = vtkSpaceView::ANTERIOR)
   {
     this->Window->Render();
     this->View->LookFrom(side);
@@ -79,10 +79,10 @@ protected:
     return palpate::ReadWindow(this->Window);
   }
   // From the front: x to the right, z up, mm.
-  static const std::uint8_t* PixelAt(const Picture& picture, double x, double z)
+  static const std::uint8_t* PixelAt(const RasterImage& raster, double x, double z)
   {
-    return picture.Pixel(static_cast<int>(0.5 * Side + x / PixelMillimeters),
-                         static_cast<int>(0.5 * Side - z / PixelMillimeters));
+    return raster.Pixel(static_cast<int>(0.5 * Side + x / PixelMillimeters),
+                        static_cast<int>(0.5 * Side - z / PixelMillimeters));
   }
   bool PickAt(double x, double z, Vector3& world)
   {
@@ -103,13 +103,13 @@ protected:
 
 TEST_F(vtkSpaceViewTest, DrawsSurfaceAtItsPositionInItsColor)
 {
-  this->Surface->SetSurface(Ball(Vector3(8.0, 0.0, 0.0), 10.0));
+  this->Surface->SetSurface(Sphere(Vector3(8.0, 0.0, 0.0), 10.0));
   this->View->AddSurface(this->Surface);
-  const Picture picture = this->Draw();
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 8.0, 0.0)));
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 17.0, 0.0)));
-  EXPECT_TRUE(IsBlack(PixelAt(picture, 19.0, 0.0)));
-  EXPECT_TRUE(IsBlack(PixelAt(picture, -3.0, 0.0)));
+  const RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 8.0, 0.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 17.0, 0.0)));
+  EXPECT_TRUE(IsBlack(PixelAt(raster, 19.0, 0.0)));
+  EXPECT_TRUE(IsBlack(PixelAt(raster, -3.0, 0.0)));
   this->Surface->VisibilityOff();
   EXPECT_TRUE(IsBlack(PixelAt(this->Draw(), 8.0, 0.0)));
   this->Surface->VisibilityOn();
@@ -119,23 +119,23 @@ TEST_F(vtkSpaceViewTest, DrawsSurfaceAtItsPositionInItsColor)
 
 TEST_F(vtkSpaceViewTest, ArrayColorsSurfaceBySign)
 {
-  const auto ball = Ball(Vector3::Zero(), 15.0);
+  const auto sphere = Sphere(Vector3::Zero(), 15.0);
   vtkNew<vtkDoubleArray> distances;
   distances->SetName("DistanceToSurface");
-  for (vtkIdType p = 0; p < ball->GetNumberOfPoints(); ++p)
+  for (vtkIdType p = 0; p < sphere->GetNumberOfPoints(); ++p)
   {
-    distances->InsertNextValue(ball->GetPoint(p)[0]);
+    distances->InsertNextValue(sphere->GetPoint(p)[0]);
   }
-  ball->GetPointData()->AddArray(distances);
-  this->Surface->SetSurface(ball);
+  sphere->GetPointData()->AddArray(distances);
+  this->Surface->SetSurface(sphere);
   this->Surface->SetColorArray("DistanceToSurface");
   this->View->AddSurface(this->Surface);
-  Picture picture = this->Draw();
-  EXPECT_TRUE(IsRed(PixelAt(picture, 12.0, 0.0)));
-  EXPECT_GT(PixelAt(picture, -12.0, 0.0)[2], PixelAt(picture, -12.0, 0.0)[0] + 40);
+  RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(raster, 12.0, 0.0)));
+  EXPECT_GT(PixelAt(raster, -12.0, 0.0)[2], PixelAt(raster, -12.0, 0.0)[0] + 40);
   this->Surface->SetColorArray("");
-  picture = this->Draw();
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 12.0, 0.0)));
+  raster = this->Draw();
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 12.0, 0.0)));
   this->Surface->SetColorArray("nothing of this name");
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 12.0, 0.0)));
 }
@@ -144,13 +144,13 @@ TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareScale)
 {
   const auto measured = [](const Vector3& middle, double number)
   {
-    const auto ball = Ball(middle, 8.0);
+    const auto sphere = Sphere(middle, 8.0);
     vtkNew<vtkDoubleArray> distances;
     distances->SetName("DistanceToSurface");
-    distances->SetNumberOfTuples(ball->GetNumberOfPoints());
+    distances->SetNumberOfTuples(sphere->GetNumberOfPoints());
     distances->Fill(number);
-    ball->GetPointData()->AddArray(distances);
-    return ball;
+    sphere->GetPointData()->AddArray(distances);
+    return sphere;
   };
   const auto colorfulness = [](const std::uint8_t* pixel) { return pixel[0] - pixel[2]; };
   this->Surface->SetSurface(measured(Vector3(-10.0, 0.0, 0.0), 0.2));
@@ -161,16 +161,16 @@ TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareScale)
   other->SetSurface(measured(Vector3(10.0, 0.0, 0.0), 2.0));
   other->SetColorArray("DistanceToSurface");
   this->View->AddSurface(other);
-  const Picture picture = this->Draw();
-  EXPECT_TRUE(IsRed(PixelAt(picture, 10.0, 0.0)));
-  EXPECT_LT(colorfulness(PixelAt(picture, -10.0, 0.0)), 40) << "a tenth of the other";
+  const RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(raster, 10.0, 0.0)));
+  EXPECT_LT(colorfulness(PixelAt(raster, -10.0, 0.0)), 40) << "a tenth of the other";
   other->VisibilityOff();
   EXPECT_TRUE(IsRed(PixelAt(this->Draw(), -10.0, 0.0)));
 }
 
 TEST_F(vtkSpaceViewTest, LookFromShowsThatSide)
 {
-  this->Surface->SetSurface(Ball(Vector3(3.0, 4.0, 5.0), 10.0));
+  this->Surface->SetSurface(Sphere(Vector3(3.0, 4.0, 5.0), 10.0));
   this->View->AddSurface(this->Surface);
   for (const palpate::ViewSide side : palpate::AllViewSides)
   {
@@ -198,7 +198,7 @@ TEST_F(vtkSpaceViewTest, SlicesShowVolumeAtItsPosition)
   for (const double depth : {0.0, 12.0})
   {
     this->Crosshair->SetPositionWorld(0.0, depth, 0.0);
-    const Picture picture = this->Draw();
+    const RasterImage raster = this->Draw();
     for (int place = 0; place < 30 * 30; ++place)
     {
       const int step = place / 30;
@@ -210,7 +210,7 @@ TEST_F(vtkSpaceViewTest, SlicesShowVolumeAtItsPosition)
       const Vector3 world((column - 0.5 * Side) * PixelMillimeters, depth,
                           (0.5 * Side - row) * PixelMillimeters);
       // Two roundings to levels and the graphics system's interpolation between them.
-      ASSERT_NEAR(PixelAt(picture, x, z)[0], 255.0 * (palpate::test::Ramp(world) + 50.0) / 300.0,
+      ASSERT_NEAR(PixelAt(raster, x, z)[0], 255.0 * (palpate::test::Ramp(world) + 50.0) / 300.0,
                   1.6);
     }
   }
@@ -232,7 +232,7 @@ TEST_F(vtkSpaceViewTest, DoesNotDrawSliceOutsideVolume)
 TEST_F(vtkSpaceViewTest, PickedPointLiesOnSurfaceUnderPointer)
 {
   const Vector3 center(4.0, 6.0, -3.0);
-  this->Surface->SetSurface(Ball(center, 12.0));
+  this->Surface->SetSurface(Sphere(center, 12.0));
   this->View->AddSurface(this->Surface);
   this->Draw();
   Vector3 world;
@@ -261,14 +261,14 @@ TEST_F(vtkSpaceViewTest, PicksNearerOfPolygonsAndSubVoxelSurfaces)
   ASSERT_TRUE(this->PickAt(2.0, 3.0, seen));
   EXPECT_NEAR(palpate::test::Ramp(seen), 100.0, 1e-4); // voxels are floats
   EXPECT_EQ(this->View->GetPickedSurface(), nullptr);
-  this->Surface->SetSurface(Ball(seen + Vector3(0.0, 20.0, 0.0), 3.0));
+  this->Surface->SetSurface(Sphere(seen + Vector3(0.0, 20.0, 0.0), 3.0));
   this->View->AddSurface(this->Surface);
   this->Draw(vtkSpaceView::POSTERIOR);
   Vector3 nearer;
   ASSERT_TRUE(this->PickAt(2.0, 3.0, nearer));
   EXPECT_EQ(this->View->GetPickedSurface(), this->Surface.Get());
   EXPECT_NEAR(nearer.y(), seen.y() + 23.0, 0.1);
-  this->Surface->SetSurface(Ball(seen - Vector3(0.0, 20.0, 0.0), 3.0));
+  this->Surface->SetSurface(Sphere(seen - Vector3(0.0, 20.0, 0.0), 3.0));
   this->Draw(vtkSpaceView::POSTERIOR);
   ASSERT_TRUE(this->PickAt(2.0, 3.0, nearer));
   EXPECT_NEAR((nearer - seen).norm(), 0.0, 1e-9);
@@ -276,7 +276,7 @@ TEST_F(vtkSpaceViewTest, PicksNearerOfPolygonsAndSubVoxelSurfaces)
 
 TEST_F(vtkSpaceViewTest, ContactRegionHasContactColor)
 {
-  this->Surface->SetSurface(Ball(Vector3::Zero(), 15.0));
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 15.0));
   this->View->AddSurface(this->Surface);
   vtkNew<vtkProbeRepresentation> probe;
   this->View->SetProbe(probe);
@@ -291,17 +291,17 @@ TEST_F(vtkSpaceViewTest, ContactRegionHasContactColor)
   probe->SetProxyPosition(place.x(), place.y(), place.z());
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8))) << "without contact";
   probe->InContactOn();
-  Picture picture = this->Draw();
-  EXPECT_TRUE(IsRed(PixelAt(picture, 5.0, 1.8)));
-  EXPECT_TRUE(IsRed(PixelAt(picture, 3.5, 0.0)));
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 5.0, 6.0)));
-  EXPECT_TRUE(IsBlue(PixelAt(picture, -3.0, 0.0)));
+  RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(raster, 5.0, 1.8)));
+  EXPECT_TRUE(IsRed(PixelAt(raster, 3.5, 0.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 5.0, 6.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(raster, -3.0, 0.0)));
   // The region is fixed to the surface, whatever the camera; from the left, y increases to the
   // right.
-  picture = this->Draw(vtkSpaceView::LEFT);
-  EXPECT_TRUE(IsRed(PixelAt(picture, -13.8, 1.0)));
-  EXPECT_TRUE(IsBlue(PixelAt(picture, -13.8, 5.0)));
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 0.0, 0.0)));
+  raster = this->Draw(vtkSpaceView::LEFT);
+  EXPECT_TRUE(IsRed(PixelAt(raster, -13.8, 1.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(raster, -13.8, 5.0)));
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 0.0, 0.0)));
   probe->InContactOff();
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8)));
 }
@@ -328,15 +328,15 @@ TEST_F(vtkSpaceViewTest, SubVoxelContactRegionHasContactColor)
   probe->SetForceScale(0.0); // no arrow in front of it
   probe->SetProxyPosition(touched.x(), touched.y() + 0.5, touched.z());
   probe->SetProbePosition(touched.x(), touched.y() + 0.5, touched.z());
-  Picture picture = this->Draw(vtkSpaceView::POSTERIOR);
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, 4.2))) << "without contact";
+  RasterImage raster = this->Draw(vtkSpaceView::POSTERIOR);
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 2.0, 4.2))) << "without contact";
   probe->InContactOn();
-  picture = this->Draw(vtkSpaceView::POSTERIOR);
-  EXPECT_TRUE(IsRed(PixelAt(picture, 2.0, 4.2)));
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, -4.0))) << "7 mm away";
+  raster = this->Draw(vtkSpaceView::POSTERIOR);
+  EXPECT_TRUE(IsRed(PixelAt(raster, 2.0, 4.2)));
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 2.0, -4.0))) << "7 mm away";
   probe->InContactOff();
-  picture = this->Draw(vtkSpaceView::POSTERIOR);
-  EXPECT_TRUE(IsBlue(PixelAt(picture, 2.0, 4.2)));
+  raster = this->Draw(vtkSpaceView::POSTERIOR);
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 2.0, 4.2)));
 }
 
 TEST_F(vtkSpaceViewTest, ToolIsSolidAtProxyAndTranslucentAtProbe)
@@ -347,9 +347,9 @@ TEST_F(vtkSpaceViewTest, ToolIsSolidAtProxyAndTranslucentAtProbe)
   probe->SetColor(0.0, 0.0, 1.0);
   probe->SetProxyPosition(-10.0, 0.0, 0.0);
   probe->SetProbePosition(10.0, 0.0, 0.0);
-  const Picture picture = this->Draw();
-  const int solid = PixelAt(picture, -10.0, 0.0)[2];
-  const int translucent = PixelAt(picture, 10.0, 0.0)[2];
+  const RasterImage raster = this->Draw();
+  const int solid = PixelAt(raster, -10.0, 0.0)[2];
+  const int translucent = PixelAt(raster, 10.0, 0.0)[2];
   EXPECT_GT(solid, 150);
   EXPECT_GT(translucent, 30);
   EXPECT_LT(translucent, solid - 50);
@@ -366,14 +366,14 @@ TEST_F(vtkSpaceViewTest, ArrowLengthFollowsForce)
   probe->SetContactColor(1.0, 0.0, 0.0);
   probe->SetForce(0.0, 0.0, 2.0);
   probe->SetForceScale(8.0);
-  Picture picture = this->Draw();
-  EXPECT_TRUE(IsRed(PixelAt(picture, 0.0, 8.0)));
-  EXPECT_TRUE(IsRed(PixelAt(picture, 0.0, 15.0)));
-  EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, 16.5)));
-  EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, -4.0)));
+  RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsRed(PixelAt(raster, 0.0, 8.0)));
+  EXPECT_TRUE(IsRed(PixelAt(raster, 0.0, 15.0)));
+  EXPECT_TRUE(IsBlack(PixelAt(raster, 0.0, 16.5)));
+  EXPECT_TRUE(IsBlack(PixelAt(raster, 0.0, -4.0)));
   probe->SetForce(0.0, 0.0, 0.0);
-  picture = this->Draw();
-  EXPECT_TRUE(IsBlack(PixelAt(picture, 0.0, 8.0)));
+  raster = this->Draw();
+  EXPECT_TRUE(IsBlack(PixelAt(raster, 0.0, 8.0)));
 }
 
 TEST_F(vtkSpaceViewTest, DrawsLandmarksAsSpheresAndDistancesAsLines)
@@ -386,14 +386,14 @@ TEST_F(vtkSpaceViewTest, DrawsLandmarksAsSpheresAndDistancesAsLines)
   this->View->SetLandmarks(landmarks);
   const auto isLine = [this]
   {
-    const Picture picture = this->Draw();
+    const RasterImage raster = this->Draw();
     bool isSeen = false;
     for (int row = -2; row <= 2; ++row)
     {
-      isSeen = isSeen || IsBlue(PixelAt(picture, -4.0, row * PixelMillimeters));
+      isSeen = isSeen || IsBlue(PixelAt(raster, -4.0, row * PixelMillimeters));
     }
-    EXPECT_TRUE(IsBlue(PixelAt(picture, -12.0, 2.0)));
-    EXPECT_TRUE(IsBlue(PixelAt(picture, 12.0, -2.0)));
+    EXPECT_TRUE(IsBlue(PixelAt(raster, -12.0, 2.0)));
+    EXPECT_TRUE(IsBlue(PixelAt(raster, 12.0, -2.0)));
     return isSeen;
   };
   EXPECT_FALSE(isLine());
@@ -403,7 +403,7 @@ TEST_F(vtkSpaceViewTest, DrawsLandmarksAsSpheresAndDistancesAsLines)
 
 TEST_F(vtkSpaceViewTest, ReleasedRendererIsEmpty)
 {
-  this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 9.0));
   this->View->AddSurface(this->Surface);
   this->Draw();
   this->View->SetRenderer(nullptr);
@@ -413,7 +413,7 @@ TEST_F(vtkSpaceViewTest, ReleasedRendererIsEmpty)
 
 TEST_F(vtkSpaceViewTest, MayOutliveItsWindow)
 {
-  this->Surface->SetSurface(Ball(Vector3::Zero(), 9.0));
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 9.0));
   this->View->AddSurface(this->Surface);
   this->Draw();
   this->Window = nullptr;

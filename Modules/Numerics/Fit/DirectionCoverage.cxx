@@ -139,7 +139,7 @@ void Judge(int degree, double strength, std::size_t count, DirectionCoverage& co
     text << count << " directions determine degree " << degree << " everywhere (largest gap " << gap
          << " degrees in radius, noise gain at most " << coverage.NoiseGainMaximum << ")";
   }
-  coverage.Sentence = text.str();
+  coverage.Message = text.str();
 }
 
 struct FittedSystem

@@ -35,7 +35,7 @@ struct DirectionCoverage
   Vector3 NoiseGainDirection = Vector3::UnitZ();
   ///@}
   Verdict Outcome = Verdict::Undetermined;
-  std::string Sentence; ///< the verdict and its reason, for display
+  std::string Message; ///< the verdict and its reason, for display
 
   /// Largest acceptable radius of a gap (rad): half a wavelength of the highest degree, 180 degrees
   /// over the degree. Inside a wider one the highest terms can oscillate between samples. Measured:

@@ -227,8 +227,8 @@ TEST(ClosestPointSearch, ClearanceIsSafeAndProvesTwoThirds)
       const double proven = std::abs(found.SignedDistance) - found.DistanceError;
       const double rounding = 1e-9; // mm, far above that of numbers of 100 mm
       ASSERT_LE(proven, exact + rounding);
-      const double way = std::max(0.0, std::abs(found.SignedDistance) - ToolRadius);
-      ASSERT_LE(found.DistanceError, ClosestPointSearch::ClearanceLeftOpen * way + rounding);
+      const double path = std::max(0.0, std::abs(found.SignedDistance) - ToolRadius);
+      ASSERT_LE(found.DistanceError, ClosestPointSearch::ClearanceLeftOpen * path + rounding);
       spared += truth.Evaluations - found.Evaluations;
     }
   }

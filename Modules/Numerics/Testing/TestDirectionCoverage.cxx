@@ -41,7 +41,7 @@ DirectionCoverage Assess(const std::vector<Vector3>& directions, int degree, dou
   const Status status = AssessCoverage(directions, std::vector<double>(directions.size(), 1.0),
                                        degree, strength, coverage);
   EXPECT_TRUE(status.IsOk()) << status.Message();
-  EXPECT_FALSE(coverage.Sentence.empty());
+  EXPECT_FALSE(coverage.Message.empty());
   return coverage;
 }
 
@@ -163,7 +163,7 @@ TEST(DirectionCoverage, NoiseGainIsRelativeRadiusDeviation)
 TEST(DirectionCoverage, FullSphereIsGood)
 {
   const DirectionCoverage coverage = Assess(IcosahedronDirections(20).Directions(), 12);
-  EXPECT_EQ(coverage.Outcome, Verdict::Good) << coverage.Sentence;
+  EXPECT_EQ(coverage.Outcome, Verdict::Good) << coverage.Message;
   // 169 coefficients from 4,002 samples.
   EXPECT_NEAR(coverage.NoiseGainRms, std::sqrt(169.0 / 4002.0), 0.01);
   EXPECT_LE(coverage.LargestGap.Radius, 3.0 * Deg);
@@ -175,7 +175,7 @@ TEST(DirectionCoverage, TooFewDirectionsHaveTooMuchNoise)
   const DirectionCoverage coverage = Assess(IcosahedronDirections(5).Directions(), 14);
   EXPECT_LT(coverage.LargestGap.Radius, DirectionCoverage::WidestGap(14));
   EXPECT_GT(coverage.NoiseGainMaximum, 1.0);
-  EXPECT_NE(coverage.Outcome, Verdict::Good) << coverage.Sentence;
+  EXPECT_NE(coverage.Outcome, Verdict::Good) << coverage.Message;
 }
 
 TEST(DirectionCoverage, RepeatedDirectionIsUndetermined)
@@ -293,7 +293,7 @@ TEST_F(MissingCaps, VerdictWarnsWhereErrorsGrow)
     // Without a cap or with one of 10 degrees the error inside is no worse than elsewhere.
     const bool grows = row.ErrorInside > 1.1 * Row(0, row.Penalty).ErrorOutside;
     EXPECT_TRUE(!grows || row.Verdict != Verdict::Good) << row.CapDegrees << row.Penalty;
-    EXPECT_EQ(row.Verdict == Verdict::Good, row.CapDegrees < 15.0) << row.Sentence;
+    EXPECT_EQ(row.Verdict == Verdict::Good, row.CapDegrees < 15.0) << row.Message;
   }
   EXPECT_EQ(Row(60, "none").Verdict, Verdict::Undetermined);
 }

@@ -12,7 +12,7 @@
 #include <vector>
 
 using palpate::FrameOf;
-using palpate::Picture;
+using palpate::RasterImage;
 using palpate::SoftwareRenderer;
 using palpate::Vector3;
 using palpate::ViewSide;
@@ -20,20 +20,20 @@ using palpate::ViewSide;
 namespace
 {
 // Opaque area in pixels; partly covered ones count partly.
-double CoveredPixels(const Picture& picture)
+double CoveredPixels(const RasterImage& raster)
 {
   double covered = 0.0;
-  for (std::size_t p = 3; p < picture.Rgba.size(); p += 4)
+  for (std::size_t p = 3; p < raster.Rgba.size(); p += 4)
   {
-    covered += picture.Rgba[p] / 255.0;
+    covered += raster.Rgba[p] / 255.0;
   }
   return covered;
 }
 
 // Two small spheres, the first red and the second blue.
-struct TwoBalls
+struct TwoSpheres
 {
-  TwoBalls(const Vector3& red, const Vector3& blue)
+  TwoSpheres(const Vector3& red, const Vector3& blue)
   {
     vtkNew<vtkAppendPolyData> both;
     both->AddInputData(palpate::test::MakeModelMesh(palpate::test::SphereModel(3.0, red), 6));
@@ -45,7 +45,7 @@ struct TwoBalls
     this->Colors.insert(this->Colors.end(), half, {{0, 0, 255}});
   }
 
-  Picture Draw(ViewSide side) const
+  RasterImage Draw(ViewSide side) const
   {
     SoftwareRenderer renderer(this->Mesh);
     renderer.SetPointColors(this->Colors);
@@ -57,20 +57,20 @@ struct TwoBalls
 };
 
 // Mean position of pixels that are more red than blue, in pixels from the image centre (right, up).
-std::array<double, 2> RedPlace(const Picture& picture)
+std::array<double, 2> RedPlace(const RasterImage& raster)
 {
   double right = 0.0;
   double up = 0.0;
   double count = 0.0;
-  for (int row = 0; row < picture.Height; ++row)
+  for (int row = 0; row < raster.Height; ++row)
   {
-    for (int column = 0; column < picture.Width; ++column)
+    for (int column = 0; column < raster.Width; ++column)
     {
-      const std::uint8_t* pixel = picture.Pixel(column, row);
+      const std::uint8_t* pixel = raster.Pixel(column, row);
       if (pixel[3] > 0 && pixel[0] > pixel[2])
       {
-        right += column - 0.5 * (picture.Width - 1);
-        up += 0.5 * (picture.Height - 1) - row;
+        right += column - 0.5 * (raster.Width - 1);
+        up += 0.5 * (raster.Height - 1) - row;
         count += 1.0;
       }
     }
@@ -78,12 +78,12 @@ std::array<double, 2> RedPlace(const Picture& picture)
   return {right / count, up / count};
 }
 
-int CountColor(const Picture& picture, int channel)
+int CountColor(const RasterImage& raster, int channel)
 {
   int count = 0;
-  for (std::size_t p = 0; p < picture.Rgba.size(); p += 4)
+  for (std::size_t p = 0; p < raster.Rgba.size(); p += 4)
   {
-    const std::uint8_t* pixel = picture.Rgba.data() + p;
+    const std::uint8_t* pixel = raster.Rgba.data() + p;
     count += pixel[3] > 0 && pixel[channel] > pixel[2 - channel] ? 1 : 0;
   }
   return count;
@@ -113,7 +113,7 @@ TEST(SoftwareRenderer, CoversEveryPixelOfSphere)
   const auto mesh =
       palpate::test::MakeModelMesh(palpate::test::SphereModel(10.0, Vector3::Zero()), 63);
   const SoftwareRenderer renderer(mesh);
-  const Picture picture = renderer.Render(ViewSide::Anterior, Size);
+  const RasterImage raster = renderer.Render(ViewSide::Anterior, Size);
   const double millimetersPerPixel = 2.0 * renderer.HalfWidthMillimeters() / Size;
   for (int row = 0; row < Size; ++row)
   {
@@ -123,7 +123,7 @@ TEST(SoftwareRenderer, CoversEveryPixelOfSphere)
           millimetersPerPixel * std::hypot(column + 0.5 - Size / 2.0, row + 0.5 - Size / 2.0);
       if (fromMiddle < 9.8) // more than a pixel inside the rim
       {
-        ASSERT_EQ(picture.Pixel(column, row)[3], 255) << column << ", " << row;
+        ASSERT_EQ(raster.Pixel(column, row)[3], 255) << column << ", " << row;
       }
     }
   }
@@ -138,9 +138,9 @@ TEST(SoftwareRenderer, NearerSphereHidesOther)
        {ViewSide::Superior, ViewSide::Inferior}}};
   for (int axis = 0; axis < 3; ++axis)
   {
-    const TwoBalls balls(10.0 * Vector3::Unit(axis), -10.0 * Vector3::Unit(axis));
-    const Picture fromPositive = balls.Draw(ends[axis].first);
-    const Picture fromNegative = balls.Draw(ends[axis].second);
+    const TwoSpheres spheres(10.0 * Vector3::Unit(axis), -10.0 * Vector3::Unit(axis));
+    const RasterImage fromPositive = spheres.Draw(ends[axis].first);
+    const RasterImage fromNegative = spheres.Draw(ends[axis].second);
     EXPECT_GT(CountColor(fromPositive, 0), 100);
     EXPECT_EQ(CountColor(fromPositive, 2), 0);
     EXPECT_GT(CountColor(fromNegative, 2), 100);
@@ -164,7 +164,7 @@ TEST(SoftwareRenderer, OffsetsAppearAlongViewAxes)
       {
         continue; // the spheres would overlap in the image
       }
-      const std::array<double, 2> place = RedPlace(TwoBalls(red, Vector3(-red)).Draw(side));
+      const std::array<double, 2> place = RedPlace(TwoSpheres(red, Vector3(-red)).Draw(side));
       EXPECT_GT(place[0] * right, 0.0) << palpate::NameOf(side) << " " << red.transpose();
       EXPECT_GT(place[1] * up, 0.0) << palpate::NameOf(side) << " " << red.transpose();
     }
@@ -175,7 +175,7 @@ TEST(SoftwareRenderer, DrawsInwardAndOutwardFacingTriangles)
 {
   const auto mesh =
       palpate::test::MakeModelMesh(palpate::test::SphereModel(10.0, Vector3::Zero()), 8);
-  const Picture outward = SoftwareRenderer(mesh).Render(ViewSide::Left, 60);
+  const RasterImage outward = SoftwareRenderer(mesh).Render(ViewSide::Left, 60);
   vtkNew<vtkCellArray> turned;
   const palpate::IcosahedronDirections directions(8);
   for (const auto& triangle : directions.Triangles())

@@ -27,7 +27,7 @@ class DrillBlock
 public:
   static constexpr double Spacing = 0.4;
   static constexpr double Top = 4.0;
-  static constexpr double Ball = 1.6;
+  static constexpr double Sphere = 1.6;
   static constexpr double Iso = 750.0;
 
   DrillBlock()
@@ -65,7 +65,7 @@ public:
       nerve.AlarmDistance = 1.0;
       settings.Structures.push_back(nerve);
     }
-    settings.Tool.Radius = Ball;
+    settings.Tool.Radius = Sphere;
     settings.Tool.Points = 0;
     settings.Placement.Scale = 1.0;
     return settings;
@@ -77,7 +77,7 @@ public:
   {
     TouchScript script;
     script.Path = HandPath({{0.0, {-3.0, 0.0, 8.0}},
-                            {1.0, {-3.0, 0.0, Top + Ball + 0.2}},
+                            {1.0, {-3.0, 0.0, Top + Sphere + 0.2}},
                             {3.0, {-3.0, 0.0, height}},
                             {6.0, {3.0, 0.0, height}},
                             {8.0, {-3.0, 0.0, height}},

@@ -15,7 +15,7 @@ namespace
 {
 constexpr double ToolRadius = 2.0; // mm
 const Vector3 Place(2.5, -2.0, 1.5);
-const double BallVolume = 4.0 / 3.0 * M_PI * std::pow(ToolRadius, 3);
+const double SphereVolume = 4.0 / 3.0 * M_PI * std::pow(ToolRadius, 3);
 
 class DrillExport : public testing::Test
 {
@@ -72,7 +72,7 @@ TEST_F(DrillExport, SurfaceEnclosesTheRemainingVolume)
   const double before = MeasureEnclosed(DrilledSurface(*whole, 0, test::GoOn)).Volume;
   const auto context = Drilled(this->Files.Scene());
   const auto surface = DrilledSurface(*context, 0, test::GoOn);
-  EXPECT_NEAR(before - MeasureEnclosed(surface).Volume, BallVolume, 0.01 * BallVolume);
+  EXPECT_NEAR(before - MeasureEnclosed(surface).Volume, SphereVolume, 0.01 * SphereVolume);
   for (const char* name : {"left.stl", "left.vtp"})
   {
     WriteSurface(this->Files.Folder / name, surface);

@@ -50,7 +50,7 @@ TEST(DrillRun, ScriptedHandDrillsACanalOfTheToolsSize)
   EXPECT_GT(result.DrillOrders, 100u);
   const auto canal = [](double deep)
   {
-    constexpr double R = DrillBlock::Ball;
+    constexpr double R = DrillBlock::Sphere;
     const double across =
         R * R * std::acos(1.0 - deep / R) - (R - deep) * std::sqrt(2.0 * R * deep - deep * deep);
     return 6.0 * across + M_PI * deep * deep * (R - deep / 3.0);
@@ -83,7 +83,7 @@ TEST(DrillRun, ForbiddenStructureIsNotRemovedAndRaisesAlarm)
   const DrillBlock block;
   std::vector<std::string> said;
   TouchRunSettings settings;
-  settings.Guide = [&said](const std::string& sentence) { said.push_back(sentence); };
+  settings.Guide = [&said](const std::string& message) { said.push_back(message); };
   const PreparedTouch touch = test::Prepare(block.Settings(true), DrillBlock::CanalAt(0.0));
   const TouchResult result = RunTouch(touch, settings, test::NeverCancels);
   ASSERT_EQ(result.Approaches.size(), 1u);

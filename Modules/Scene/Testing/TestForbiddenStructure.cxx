@@ -14,11 +14,11 @@ namespace palpate
 namespace
 {
 constexpr double Radius = 3.0; // mm
-const Vector3 Middle(1.0, -2.0, 4.0);
+const Vector3 Center(1.0, -2.0, 4.0);
 // Depth of a sphere's fine triangles inside of it.
 constexpr double Coarse = 0.01;
 
-ForbiddenStructure Ball(const Vector3& middle = Middle)
+ForbiddenStructure Sphere(const Vector3& middle = Center)
 {
   vtkNew<vtkSphereSource> source;
   source->SetRadius(Radius);
@@ -32,12 +32,12 @@ ForbiddenStructure Ball(const Vector3& middle = Middle)
 TEST(ForbiddenStructureTest, PointDistanceIsSignedDistanceToTheSurface)
 {
   test::Random random(81);
-  const ForbiddenStructure ball = Ball();
+  const ForbiddenStructure sphere = Sphere();
   std::uniform_real_distribution<double> far(0.2, 15.0);
   for (int trial = 0; trial < 2000; ++trial)
   {
     const double from = far(random);
-    EXPECT_NEAR(ball.Distance(Middle + from * test::RandomDirection(random)), from - Radius,
+    EXPECT_NEAR(sphere.Distance(Center + from * test::RandomDirection(random)), from - Radius,
                 Coarse);
   }
 }
@@ -45,16 +45,16 @@ TEST(ForbiddenStructureTest, PointDistanceIsSignedDistanceToTheSurface)
 TEST(ForbiddenStructureTest, ToolDistanceIsThatOfItsNearestPoint)
 {
   test::Random random(82);
-  const ForbiddenStructure ball = Ball();
+  const ForbiddenStructure sphere = Sphere();
   const ToolShape tool = ToolShape::Capsule(1.0, 6.0, 2000);
   for (int trial = 0; trial < 20; ++trial)
   {
     const Vector3 out = test::RandomDirection(random);
-    const ToolPose pose{Middle + 10.0 * out,
+    const ToolPose pose{Center + 10.0 * out,
                         Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), out)};
     // With its end towards the sphere; its 2000 points are 0.2 mm apart.
-    EXPECT_NEAR(ball.Distance(tool, pose), 10.0 - 4.0 - Radius, 0.02);
-    EXPECT_NEAR(ball.Distance(ToolShape::Sphere(1.25), pose), 10.0 - 1.25 - Radius, Coarse);
+    EXPECT_NEAR(sphere.Distance(tool, pose), 10.0 - 4.0 - Radius, 0.02);
+    EXPECT_NEAR(sphere.Distance(ToolShape::Sphere(1.25), pose), 10.0 - 1.25 - Radius, Coarse);
   }
 }
 
@@ -67,9 +67,9 @@ TEST(ForbiddenStructureTest, ProtectionEqualsTheDistanceWithinTheBand)
   const auto none = RemovedDistances::None(grid, Band);
   // Two overlapping structures at the grid's centre.
   const Vector3 middle = grid.PointWorld({20.0, 18.0, 15.0});
-  const Vector3 beside = middle + Vector3(1.5, 1.0, -0.5);
-  const auto made = JoinProtections({ProtectionOf(Ball(middle), *none, test::GoOn),
-                                     ProtectionOf(Ball(beside), *none, test::GoOn)});
+  const Vector3 nearby = middle + Vector3(1.5, 1.0, -0.5);
+  const auto made = JoinProtections({ProtectionOf(Sphere(middle), *none, test::GoOn),
+                                     ProtectionOf(Sphere(nearby), *none, test::GoOn)});
   EXPECT_EQ(made->Band(), Band);
   int near = 0;
   for (int k = 0; k < 30; ++k)
@@ -79,7 +79,7 @@ TEST(ForbiddenStructureTest, ProtectionEqualsTheDistanceWithinTheBand)
       for (int i = 0; i < 42; ++i)
       {
         const Vector3 p = grid.PointWorld(Vector3(i, j, k));
-        const double distance = std::min((p - middle).norm(), (p - beside).norm()) - Radius;
+        const double distance = std::min((p - middle).norm(), (p - nearby).norm()) - Radius;
         ASSERT_NEAR(made->At(i, j, k), std::clamp(distance, -Band, Band), Coarse);
         near += std::abs(distance) < Band ? 1 : 0;
       }
@@ -92,15 +92,15 @@ TEST(ForbiddenStructureTest, ProtectsNothingFarFromTheGrid)
 {
   const FieldGrid grid({20, 20, 20}, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity());
   const auto none = RemovedDistances::None(grid, 2.0);
-  const ForbiddenStructure far = Ball(Vector3(200.0, 0.0, 0.0));
+  const ForbiddenStructure far = Sphere(Vector3(200.0, 0.0, 0.0));
   EXPECT_TRUE(ProtectionOf(far, *none, test::GoOn)->Corners().empty());
 }
 
 TEST(ForbiddenStructureTest, ProtectionCanBeCancelled)
 {
-  const FieldGrid grid({20, 20, 20}, Middle - Vector3::Constant(10.0), Vector3::Ones(),
+  const FieldGrid grid({20, 20, 20}, Center - Vector3::Constant(10.0), Vector3::Ones(),
                        Matrix3::Identity());
-  EXPECT_THROW(ProtectionOf(Ball(), *RemovedDistances::None(grid, 2.0),
+  EXPECT_THROW(ProtectionOf(Sphere(), *RemovedDistances::None(grid, 2.0),
                             [](double, const std::string&) { return false; }),
                Cancelled);
 }
@@ -136,10 +136,10 @@ TEST(ForbiddenStructureTest, MaskOnAnotherGridSurvivesFullDrilling)
   const auto context = test::BenchOf(files.SceneWithNerve());
   ASSERT_EQ(context->Forbidden().size(), 1U);
   test::ContextCuts cuts(context);
-  constexpr int Ways = 12;
-  for (int a = 0; a < Ways; ++a)
+  constexpr int Paths = 12;
+  for (int a = 0; a < Paths; ++a)
   {
-    for (int b = 0; b < Ways; ++b)
+    for (int b = 0; b < Paths; ++b)
     {
       const Vector3 from(-9.0, 1.5 * a - 9.0, 1.5 * b - 9.0);
       cuts.Cut(from, from + Vector3(18.0, 0.0, 0.0));
@@ -155,17 +155,17 @@ TEST(ForbiddenStructureTest, MaskOnAnotherGridSurvivesFullDrilling)
     {
       const double x = (a + 0.5) * Step - test::BoneFiles::NerveRadius;
       const double y = (b + 0.5) * Step - test::BoneFiles::NerveRadius;
-      const double beside = std::hypot(x + 3.0, y);
+      const double nearby = std::hypot(x + 3.0, y);
       if (std::hypot(x, y) < test::BoneFiles::NerveRadius)
       {
-        left += 2.0 * std::sqrt(std::pow(test::BoneFiles::BoneRadius, 2) - beside * beside) * Step *
+        left += 2.0 * std::sqrt(std::pow(test::BoneFiles::BoneRadius, 2) - nearby * nearby) * Step *
                 Step;
       }
     }
   }
-  const double ball = 4.0 / 3.0 * M_PI * std::pow(test::BoneFiles::BoneRadius, 3);
+  const double sphere = 4.0 / 3.0 * M_PI * std::pow(test::BoneFiles::BoneRadius, 3);
   // The nerve's smooth surface, from voxels of a third of its radius, differs from the cylinder's.
-  EXPECT_NEAR(ball - context->Editor().RemovedVolumes()[0], left, 0.1 * left);
+  EXPECT_NEAR(sphere - context->Editor().RemovedVolumes()[0], left, 0.1 * left);
 }
 
 // A tick at a position, mm, world.
@@ -183,16 +183,16 @@ TEST(DrillWatchTest, ReportsEachAlarmOnce)
 {
   const test::BoneFiles files;
   DrillWatch watch(test::BenchOf(files.SceneWithNerve()));
-  const auto beside = [](double distance)
+  const auto nearby = [](double distance)
   { return At(Vector3(3.0 - 1.5 - 2.0 - distance, 0.0, 0.0)); };
-  EXPECT_TRUE(watch.Look(0.0, beside(4.0)).empty());
-  EXPECT_TRUE(watch.Look(1.0, beside(1.6)).empty());
-  const std::vector<std::string> said = watch.Look(2.0, beside(0.8));
+  EXPECT_TRUE(watch.Look(0.0, nearby(4.0)).empty());
+  EXPECT_TRUE(watch.Look(1.0, nearby(1.6)).empty());
+  const std::vector<std::string> said = watch.Look(2.0, nearby(0.8));
   ASSERT_EQ(said.size(), 1U);
   EXPECT_NE(said[0].find("nerve"), std::string::npos);
-  EXPECT_TRUE(watch.Look(3.0, beside(0.5)).empty()) << "the alarm continues";
-  EXPECT_TRUE(watch.Look(4.5, beside(3.0)).empty());
-  EXPECT_EQ(watch.Look(6.0, beside(0.9)).size(), 1U);
+  EXPECT_TRUE(watch.Look(3.0, nearby(0.5)).empty()) << "the alarm continues";
+  EXPECT_TRUE(watch.Look(4.5, nearby(3.0)).empty());
+  EXPECT_EQ(watch.Look(6.0, nearby(0.9)).size(), 1U);
   const DrillApproach& approach = watch.Approaches().at(0);
   EXPECT_EQ(approach.Name, "nerve");
   EXPECT_TRUE(approach.IsAlarmed);

@@ -55,13 +55,13 @@ TEST(HandPath, SweepFollowsASphereAtItsDepth)
   constexpr double Speed = 40.0;
   const Vector3 center(10.0, -30.0, 5.0);
   TouchScene scene;
-  TouchStructure ball;
+  TouchStructure sphere;
   ASSERT_TRUE(HarmonicContactModel::Make(
                   std::make_shared<const SphericalHarmonicModel>(
                       0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
-                  HarmonicContactMode::Nearest, ball.Model)
+                  HarmonicContactMode::Nearest, sphere.Model)
                   .IsOk());
-  scene.Structures = {ball};
+  scene.Structures = {sphere};
   scene.Tool = ToolShape::Sphere(ToolRadius);
   HandPath path;
   ASSERT_TRUE(SweepOf(scene, Depth, Speed, path).IsOk());
@@ -71,8 +71,8 @@ TEST(HandPath, SweepFollowsASphereAtItsDepth)
   {
     // Bisection finds the contact to 2^-12 of the marching step.
     EXPECT_NEAR((places[p].PointWorld - center).norm(), Radius + ToolRadius - Depth, 1e-3);
-    const double way = (places[p].PointWorld - places[p - 1].PointWorld).norm();
-    EXPECT_NEAR(way / (places[p].Time - places[p - 1].Time), Speed, 1e-6 * Speed);
+    const double path = (places[p].PointWorld - places[p - 1].PointWorld).norm();
+    EXPECT_NEAR(path / (places[p].Time - places[p - 1].Time), Speed, 1e-6 * Speed);
   }
   EXPECT_GT((places.front().PointWorld - center).norm(), Radius + ToolRadius);
   EXPECT_GT((places.back().PointWorld - center).norm(), Radius + ToolRadius);

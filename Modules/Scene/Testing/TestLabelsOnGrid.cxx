@@ -21,15 +21,15 @@ test::LabelGrid ObliqueGrid(unsigned int seed)
   return grid;
 }
 
-bool IsInBall(double x, double y, double z)
+bool IsInSphere(double x, double y, double z)
 {
   return std::hypot(x, y, z) < 6.0;
 }
 
 TEST(LabelsOnGrid, SameGridGivesTheMapItself)
 {
-  const auto labels = test::MakeLabelImage(ObliqueGrid(1), IsInBall);
-  const auto image = test::MakeLabelImage<short>(ObliqueGrid(1), IsInBall);
+  const auto labels = test::MakeLabelImage(ObliqueGrid(1), IsInSphere);
+  const auto image = test::MakeLabelImage<short>(ObliqueGrid(1), IsInSphere);
   EXPECT_EQ(LabelsOnGrid(labels, image), labels);
 }
 
@@ -41,8 +41,8 @@ TEST(LabelsOnGrid, EqualNearestVoxelOrZeroOutside)
   large.Size = {{9, 8, 11}};
   large.Spacing = {{4.3, 4.1, 3.7}};
   large.CenterOnOrigin();
-  const auto labels = test::MakeLabelImage(small, IsInBall, 7);
-  const auto image = test::MakeLabelImage<short>(large, IsInBall);
+  const auto labels = test::MakeLabelImage(small, IsInSphere, 7);
+  const auto image = test::MakeLabelImage<short>(large, IsInSphere);
   const auto matched = LabelsOnGrid(labels, image);
   const FieldGrid from = GridOfImage(labels);
   const FieldGrid to = GridOfImage(image);

@@ -25,7 +25,7 @@ bool GoOn(double, const std::string&)
 class SceneBuilderTest : public testing::Test
 {
 protected:
-  static constexpr int Balls = 8;
+  static constexpr int Spheres = 8;
 
   void SetUp() override
   {
@@ -127,8 +127,8 @@ TEST_F(SceneBuilderTest, MakesNoDisplayWithoutViewer)
 
 TEST_F(SceneBuilderTest, OnlyDisplayedHasNeitherFieldNorContact)
 {
-  SceneStructure ball = this->Entry(this->MaskPath, true, false);
-  ball.Labels = {"3"};
+  SceneStructure sphere = this->Entry(this->MaskPath, true, false);
+  sphere.Labels = {"3"};
   SceneStructure bright = this->Entry(this->MaskPath, true, false);
   bright.Iso = 2.5;
   std::vector<SceneStructure> entries{bright};
@@ -136,9 +136,9 @@ TEST_F(SceneBuilderTest, OnlyDisplayedHasNeitherFieldNorContact)
        {TouchRepresentation::Automatic, TouchRepresentation::Facets, TouchRepresentation::Harmonics,
         TouchRepresentation::SubVoxel})
   {
-    ball.Representation = representation;
-    ball.Degree = 2;
-    entries.push_back(ball);
+    sphere.Representation = representation;
+    sphere.Degree = 2;
+    entries.push_back(sphere);
   }
   for (const SceneStructure& entry : entries)
   {
@@ -154,14 +154,14 @@ TEST_F(SceneBuilderTest, OnlyDisplayedHasNeitherFieldNorContact)
 
 TEST_F(SceneBuilderTest, OnlyTouchedHasNoDrawing)
 {
-  SceneStructure ball = this->Entry(this->MaskPath, false, true);
-  ball.Labels = {"3"};
-  ball.Degree = 2;
+  SceneStructure sphere = this->Entry(this->MaskPath, false, true);
+  sphere.Labels = {"3"};
+  sphere.Degree = 2;
   for (const char* const representation :
        {TouchRepresentation::SubVoxel, TouchRepresentation::Facets, TouchRepresentation::Harmonics})
   {
-    ball.Representation = representation;
-    const BuiltScene made = this->Make({ball});
+    sphere.Representation = representation;
+    const BuiltScene made = this->Make({sphere});
     ASSERT_EQ(made.Touched.size(), 1u);
     const TouchAppearance& looks = made.Touched[0].Looks;
     EXPECT_TRUE(looks.Field == nullptr && looks.Surface == nullptr && looks.Model == nullptr);
@@ -177,13 +177,13 @@ TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
   test::LabelGrid grid;
   grid.Size = {{100, 100, 100}};
   grid.CenterOnOrigin();
-  SceneStructure ball = this->Entry(this->ModelPath, false, true);
-  const std::uintmax_t smooth = this->Make({ball}).Account.Structures[0].Contact.Bytes;
-  ball.SetNumber("texture_n", 0.2);
-  ball.SetImage("texture_image", this->Folder / "image.nrrd");
+  SceneStructure sphere = this->Entry(this->ModelPath, false, true);
+  const std::uintmax_t smooth = this->Make({sphere}).Account.Structures[0].Contact.Bytes;
+  sphere.SetNumber("texture_n", 0.2);
+  sphere.SetImage("texture_image", this->Folder / "image.nrrd");
   WriteImage(this->Folder / "image.nrrd",
              test::MakeLabelImage(grid, [](double x, double, double) { return x > 0.0; }));
-  const BuiltScene made = this->Make({ball});
+  const BuiltScene made = this->Make({sphere});
   EXPECT_EQ(made.Touched.at(0).Touch.Effects.size(), 1U);
   const std::uintmax_t textured = made.Account.Structures[0].Contact.Bytes;
   EXPECT_GT(textured, smooth + 4 * 14 * 14 * 14);
@@ -192,34 +192,34 @@ TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
 
 TEST_F(SceneBuilderTest, TouchedVoxelsAreDrawnByTheSameField)
 {
-  SceneStructure ball = this->Entry(this->MaskPath, true, true);
-  ball.Labels = {"3"};
-  const BuiltScene made = this->Make({ball});
+  SceneStructure sphere = this->Entry(this->MaskPath, true, true);
+  sphere.Labels = {"3"};
+  const BuiltScene made = this->Make({sphere});
   EXPECT_NE(made.Touched.at(0).Looks.Field, nullptr);
   EXPECT_EQ(made.Account.Structures[0].Drawing.Bytes, 0u);
 }
 
 TEST_F(SceneBuilderTest, ReadsASharedFileOnce)
 {
-  SceneSettings settings = this->RowOf(this->MaskPath, Balls, 3);
+  SceneSettings settings = this->RowOf(this->MaskPath, Spheres, 3);
   for (SceneStructure& structure : settings.Structures)
   {
     structure.IsTouchable = true;
   }
   const BuiltScene made = BuildScene(settings, true, GoOn);
-  EXPECT_EQ(made.Touched.size(), 1u * Balls);
+  EXPECT_EQ(made.Touched.size(), 1u * Spheres);
   EXPECT_EQ(made.Account.Files.size(), 1u);
 }
 
 TEST_F(SceneBuilderTest, MakesOnlyTheTouchedStructureWithEqualForces)
 {
-  const SceneSettings all = this->RowOf(this->MaskPath, Balls, 3);
+  const SceneSettings all = this->RowOf(this->MaskPath, Spheres, 3);
   SceneSettings alone = all;
   alone.Structures = {all.Structures[2]};
   const BuiltScene made = BuildScene(all, true, GoOn);
   EXPECT_EQ(made.Touched.size(), 1u);
   EXPECT_TRUE(made.OnlyDisplayed.empty());
-  EXPECT_EQ(made.Account.Structures.size(), 1u * Balls);
+  EXPECT_EQ(made.Account.Structures.size(), 1u * Spheres);
   TouchScript script;
   script.Duration = 0.5;
   const auto file = this->Folder / "session.touch";

@@ -75,30 +75,30 @@ TEST_F(SceneFieldWithin, MemoryTextComparesWithAllNodes)
   const double dense = 4.0 * 48 * 40 * 40;
   const double percent = 100.0 * static_cast<double>(field->Memory().Bytes) / dense;
   const std::string text = MemoryText(*field);
-  double told = 0.0;
-  ASSERT_EQ(std::sscanf(text.c_str(), "%*f MB, %lf %% of", &told), 1) << text;
-  EXPECT_NEAR(told, percent, 0.06) << "one digit";
+  double reported = 0.0;
+  ASSERT_EQ(std::sscanf(text.c_str(), "%*f MB, %lf %% of", &reported), 1) << text;
+  EXPECT_NEAR(reported, percent, 0.06) << "one digit";
 }
 
 // A sphere of 6 mm, off the lattice, in a volume around the same place with this many nodes along
 // each axis.
-Segmentation BallIn(int nodes)
+Segmentation SphereIn(int nodes)
 {
   test::LabelGrid grid;
   grid.Size = {{nodes, nodes, nodes}};
   grid.CenterOnOrigin();
-  Segmentation ball;
-  ball.Layers = {test::MakeLabelImage(grid, [](double x, double y, double z)
-                                      { return std::hypot(x - 1.3, y + 0.4, z) < 6.0; })};
-  ball.Segments.resize(1);
-  ball.Segments[0].Label = ball.Segments[0].Value = 1;
-  return ball;
+  Segmentation sphere;
+  sphere.Layers = {test::MakeLabelImage(grid, [](double x, double y, double z)
+                                        { return std::hypot(x - 1.3, y + 0.4, z) < 6.0; })};
+  sphere.Segments.resize(1);
+  sphere.Segments[0].Label = sphere.Segments[0].Value = 1;
+  return sphere;
 }
 
-std::shared_ptr<const ScalarField> FieldOfBall(int nodes, FieldInterpolation interpolation)
+std::shared_ptr<const ScalarField> FieldOfSphere(int nodes, FieldInterpolation interpolation)
 {
-  const Segmentation ball = BallIn(nodes);
-  return MakeSegmentField(ball, ball.Segments, interpolation, 1.0, GoOn);
+  const Segmentation sphere = SphereIn(nodes);
+  return MakeSegmentField(sphere, sphere.Segments, interpolation, 1.0, GoOn);
 }
 
 TEST(SceneFieldOfSegments, MemoryDoesNotDependOnImageSize)
@@ -106,23 +106,23 @@ TEST(SceneFieldOfSegments, MemoryDoesNotDependOnImageSize)
   for (const auto interpolation :
        {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
   {
-    const auto field = FieldOfBall(64, interpolation);
-    const auto larger = FieldOfBall(128, interpolation);
+    const auto field = FieldOfSphere(64, interpolation);
+    const auto larger = FieldOfSphere(128, interpolation);
     EXPECT_EQ(field->Memory().Bytes, larger->Memory().Bytes);
     EXPECT_EQ(field->Grid().Size(), larger->Grid().Size());
     // Close around the sphere, the volume's border is the field's.
-    EXPECT_EQ(FieldOfBall(16, interpolation)->Grid().Size(), (std::array<int, 3>{16, 16, 16}));
+    EXPECT_EQ(FieldOfSphere(16, interpolation)->Grid().Size(), (std::array<int, 3>{16, 16, 16}));
   }
 }
 
 // Compared with a field of the whole volume.
 TEST(SceneFieldOfSegments, SurfaceEqualsThatOfTheWholeVolume)
 {
-  const Segmentation ball = BallIn(64);
+  const Segmentation sphere = SphereIn(64);
   LabelField distance;
   FieldSamples labels;
-  const FieldGrid grid = GridOfImage(ball.Layers[0]);
-  ASSERT_TRUE(SamplesOfImage(ball.Layers[0], labels).IsOk());
+  const FieldGrid grid = GridOfImage(sphere.Layers[0]);
+  ASSERT_TRUE(SamplesOfImage(sphere.Layers[0], labels).IsOk());
   ASSERT_TRUE(LabelField::Make(labels, grid, 1, 1.0, distance).IsOk());
   for (const auto interpolation :
        {FieldInterpolation::Trilinear, FieldInterpolation::TricubicBSpline})
@@ -133,7 +133,7 @@ TEST(SceneFieldOfSegments, SurfaceEqualsThatOfTheWholeVolume)
     std::shared_ptr<const ScalarField> whole;
     ASSERT_TRUE(builder.Build(whole).IsOk());
     const RayCaster oracle(whole);
-    const RayCaster caster(FieldOfBall(64, interpolation));
+    const RayCaster caster(FieldOfSphere(64, interpolation));
     // Positions are computed from another origin, and B-spline coefficients are floats of 4 mm.
     const double tolerance = interpolation == FieldInterpolation::Trilinear ? 1e-9 : 1e-5;
     test::Random random(4411);

@@ -15,7 +15,7 @@ namespace palpate
 {
 namespace
 {
-const Eigen::Vector3d Middle(3.0, -5.0, 8.0);
+const Eigen::Vector3d Center(3.0, -5.0, 8.0);
 constexpr double Radius = 9.0;
 
 bool GoOn(double, const std::string&)
@@ -33,14 +33,14 @@ vtkSmartPointer<vtkImageData> DistanceImage(std::mt19937_64& random)
   grid.CenterOnOrigin();
   for (int axis = 0; axis < 3; ++axis)
   {
-    grid.Origin[static_cast<std::size_t>(axis)] += Middle[axis];
+    grid.Origin[static_cast<std::size_t>(axis)] += Center[axis];
   }
   const auto image =
       test::MakeLabelImage<float>(grid, [](double, double, double) { return false; });
   for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
   {
     const Eigen::Vector3d place(image->GetPoint(voxel));
-    image->GetPointData()->GetScalars()->SetTuple1(voxel, Radius - (place - Middle).norm());
+    image->GetPointData()->GetScalars()->SetTuple1(voxel, Radius - (place - Center).norm());
   }
   return image;
 }
@@ -55,7 +55,7 @@ TEST(SceneIsoSurface, LiesInTheWorldWhereTheImagePassesTheValue)
     for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
     {
       // Linear between voxels: by less than 1.3^2 / 8 / 7 mm.
-      EXPECT_NEAR((Eigen::Vector3d(surface->GetPoint(point)) - Middle).norm(), Radius - 2.0, 0.04);
+      EXPECT_NEAR((Eigen::Vector3d(surface->GetPoint(point)) - Center).norm(), Radius - 2.0, 0.04);
     }
   }
 }
@@ -63,11 +63,11 @@ TEST(SceneIsoSurface, LiesInTheWorldWhereTheImagePassesTheValue)
 TEST(SceneIsoSurface, FacesLowerValues)
 {
   std::mt19937_64 random(82);
-  const double ball = 4.0 / 3.0 * M_PI * std::pow(Radius - 2.0, 3);
+  const double sphere = 4.0 / 3.0 * M_PI * std::pow(Radius - 2.0, 3);
   for (int round = 0; round < 5; ++round)
   {
     const auto surface = MakeIsoSurface(DistanceImage(random), 2.0, GoOn);
-    EXPECT_NEAR(MeasureEnclosed(surface).Volume, ball, 0.02 * ball)
+    EXPECT_NEAR(MeasureEnclosed(surface).Volume, sphere, 0.02 * sphere)
         << "a polyhedron inside of the sphere";
   }
 }

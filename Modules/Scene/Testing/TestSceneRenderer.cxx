@@ -1,6 +1,6 @@
 #include "SceneRenderer.h"
 
-#include "BaselinePicture.h"
+#include "BaselineImage.h"
 #include "DisplayTest.h"
 #include "SceneField.h"
 #include "SyntheticFit.h"
@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 using palpate::FrameOf;
-using palpate::Picture;
+using palpate::RasterImage;
 using palpate::SceneRenderer;
 using palpate::Vector3;
 using palpate::ViewSide;
@@ -72,8 +72,8 @@ TEST_F(SceneRendererTest, FieldCoversThePixelsOfItsMesh)
     scene.AddField(field, {Tan}, fieldOpacity);
     return scene.Render(palpate::ObliqueFrame(), 300, 300);
   };
-  const Picture seenMesh = draw(1.0, 0.0);
-  const Picture seenField = draw(0.0, 1.0);
+  const RasterImage seenMesh = draw(1.0, 0.0);
+  const RasterImage seenField = draw(0.0, 1.0);
   int covered = 0;
   int different = 0;
   for (int row = 0; row < 300; ++row)
@@ -98,13 +98,13 @@ TEST_F(SceneRendererTest, ObliqueSliceAgreesWithTheSurface)
   SceneRenderer scene;
   scene.SetBackground({{0.0, 0.0, 0.0}});
   scene.AddSlice(fit.Mri.Image, SceneRenderer::Plane::Axial, palpate::test::SyntheticFit::Center);
-  const Picture slice = scene.Render(FrameOf(ViewSide::Inferior), 300, 300);
+  const RasterImage slice = scene.Render(FrameOf(ViewSide::Inferior), 300, 300);
   const auto mesh = fit.Result.Surface;
   SceneRenderer both;
   both.SetBackground({{0.0, 0.0, 0.0}});
   both.AddSlice(fit.Mri.Image, SceneRenderer::Plane::Axial, palpate::test::SyntheticFit::Center);
   both.AddSurface(mesh, {{0.0, 0.0, 1.0}}, 1.0);
-  const Picture covered = both.Render(FrameOf(ViewSide::Inferior), 300, 300);
+  const RasterImage covered = both.Render(FrameOf(ViewSide::Inferior), 300, 300);
   double bright = 0.0;
   double brightAndCovered = 0.0;
   for (int row = 60; row < 240; ++row) // without the letters
@@ -131,17 +131,17 @@ TEST_F(SceneRendererTest, EverythingFitsIntoTheImage)
   scene.AddSurface(fit.Result.Surface, {{0.0, 0.0, 1.0}}, 1.0);
   for (const ViewSide side : palpate::AllViewSides)
   {
-    const Picture picture = scene.Render(FrameOf(side), 240, 150);
+    const RasterImage image = scene.Render(FrameOf(side), 240, 150);
     int blue = 0;
-    for (int row = 0; row < picture.Height; ++row)
+    for (int row = 0; row < image.Height; ++row)
     {
-      for (int column = 0; column < picture.Width; ++column)
+      for (int column = 0; column < image.Width; ++column)
       {
-        const std::uint8_t* pixel = picture.Pixel(column, row);
+        const std::uint8_t* pixel = image.Pixel(column, row);
         const bool isSurface = pixel[2] > pixel[0] + 40;
         blue += isSurface ? 1 : 0;
         const bool isRim =
-            row == 0 || column == 0 || row + 1 == picture.Height || column + 1 == picture.Width;
+            row == 0 || column == 0 || row + 1 == image.Height || column + 1 == image.Width;
         ASSERT_FALSE(isRim && isSurface) << palpate::NameOf(side);
       }
     }
@@ -177,7 +177,7 @@ TEST_F(SceneRendererTest, ImageDoesNotDependOnEarlierOnes)
   scene.AddSurface(fit.Result.ModelSurface, Tan, 1.0);
   scene.Render(FrameOf(ViewSide::Left), 300, 240);
   ASSERT_TRUE(color(scene));
-  Picture colored(300, 240);
+  RasterImage colored(300, 240);
   scene.Render(FrameOf(ViewSide::Superior), colored);
   EXPECT_EQ(colored.Rgba, drawnFirst(300, 240).Rgba);
   EXPECT_EQ(scene.Render(FrameOf(ViewSide::Superior), 160, 130).Rgba, drawnFirst(160, 130).Rgba);
@@ -186,8 +186,8 @@ TEST_F(SceneRendererTest, ImageDoesNotDependOnEarlierOnes)
 TEST_F(SceneRendererTest, EmptySceneShowsTheBackground)
 {
   SceneRenderer scene;
-  const Picture picture = scene.Render(FrameOf(ViewSide::Left), 64, 48);
-  EXPECT_EQ(picture.Width, 64);
-  EXPECT_EQ(picture.Height, 48);
-  EXPECT_TRUE(IsBackground(picture.Pixel(20, 12)));
+  const RasterImage image = scene.Render(FrameOf(ViewSide::Left), 64, 48);
+  EXPECT_EQ(image.Width, 64);
+  EXPECT_EQ(image.Height, 48);
+  EXPECT_TRUE(IsBackground(image.Pixel(20, 12)));
 }

@@ -14,7 +14,7 @@ namespace
 {
 constexpr double Radius = 20.0;
 
-TouchContact Ball()
+TouchContact Sphere()
 {
   const SphericalHarmonicModel model(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   return MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball");
@@ -40,7 +40,7 @@ private:
 TEST(TouchCost, EqualsTheMedianOnTheClock)
 {
   const CountingClock clock;
-  const TouchCost cost = MeasureTouchCost(Ball(), {}, clock, GoOn);
+  const TouchCost cost = MeasureTouchCost(Sphere(), {}, clock, GoOn);
   EXPECT_EQ(cost.MedianNanoseconds, static_cast<double>(CountingClock::Glance));
   EXPECT_GT(cost.Ticks, 1000U) << "24 presses of some 10 mm in steps of 0.05 mm";
 }
@@ -48,7 +48,7 @@ TEST(TouchCost, EqualsTheMedianOnTheClock)
 TEST(TouchCost, IsPositiveAndFinite)
 {
   const SteadyClock clock;
-  const TouchCost cost = MeasureTouchCost(Ball(), {}, clock, GoOn);
+  const TouchCost cost = MeasureTouchCost(Sphere(), {}, clock, GoOn);
   EXPECT_GT(cost.MedianNanoseconds, 0.0);
   EXPECT_TRUE(std::isfinite(cost.MedianNanoseconds));
 }
@@ -58,14 +58,14 @@ TEST(TouchCost, RejectsToolThatCannotTouch)
   const SteadyClock clock;
   TouchToolSettings tool;
   tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics require a sphere
-  EXPECT_THROW(static_cast<void>(MeasureTouchCost(Ball(), tool, clock, GoOn)), InputError);
+  EXPECT_THROW(static_cast<void>(MeasureTouchCost(Sphere(), tool, clock, GoOn)), InputError);
 }
 
 TEST(TouchCost, CanBeCancelled)
 {
   const SteadyClock clock;
   const auto stop = [](double /*fraction*/, const std::string& /*stage*/) { return false; };
-  EXPECT_THROW(static_cast<void>(MeasureTouchCost(Ball(), {}, clock, stop)), Cancelled);
+  EXPECT_THROW(static_cast<void>(MeasureTouchCost(Sphere(), {}, clock, stop)), Cancelled);
 }
 
 TEST(HandPresses, ReachExactlyTheirDepthAndRepeatForASeed)
@@ -73,7 +73,7 @@ TEST(HandPresses, ReachExactlyTheirDepthAndRepeatForASeed)
   TouchScene scene;
   scene.Tool = ToolShape::Sphere(2.0);
   scene.Structures.emplace_back();
-  scene.Structures.front().Model = Ball().Model;
+  scene.Structures.front().Model = Sphere().Model;
   HandPresses presses;
   presses.Aside = 0.0;
   HandPath path;

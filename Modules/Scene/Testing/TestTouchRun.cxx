@@ -77,7 +77,7 @@ protected:
 
 // At rest the springs of hand and structure, both 0.5 N/mm, share the distance: half of 4 mm each.
 // The mechanism's friction (0.2 N) may hold 0.2 mm of it.
-TEST_F(TouchRun, EveryRepresentationOfABallGivesTheSameForce)
+TEST_F(TouchRun, EveryRepresentationOfASphereGivesTheSameForce)
 {
   for (const char* const representation :
        {TouchRepresentation::Automatic, TouchRepresentation::SubVoxel,
@@ -107,10 +107,10 @@ TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
   const SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   const PreparedTouch touch = PrepareTouch(settings, PressTo(10.0), GoOn);
   const auto file = this->Folder / "session.touch";
-  std::string told;
+  std::string reported;
   TouchRunSettings run;
   run.Recording = file;
-  run.Guide = [&told](const std::string& sentence) { told = sentence; };
+  run.Guide = [&reported](const std::string& message) { reported = message; };
   TouchResult result;
   {
     const test::FileSizeLimit full(300'000); // within tick 1013
@@ -118,7 +118,7 @@ TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
   }
   EXPECT_EQ(result.Ticks, 2000U);
   EXPECT_NE(result.RecordingProblem.find("1.013 s"), std::string::npos) << result.RecordingProblem;
-  EXPECT_EQ(told, result.RecordingProblem);
+  EXPECT_EQ(reported, result.RecordingProblem);
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask and recording";
 }
@@ -249,13 +249,13 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   script.Duration = 1.5;
   const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
   test::PacedClock clock;
-  std::uint64_t pictures = 0;
+  std::uint64_t images = 0;
   TouchRunSettings run;
   run.IsVirtual = false;
   run.Time = &clock;
-  run.View = [&pictures](double, const TouchState&)
+  run.View = [&images](double, const TouchState&)
   {
-    ++pictures;
+    ++images;
     std::this_thread::yield();
   };
   const TouchResult result = RunTouch(touch, run, GoOn);
@@ -272,7 +272,7 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   EXPECT_EQ(result.Durations.Misses(), 0U);
   EXPECT_GT(result.TouchedSeconds[0], 0.5);
   EXPECT_EQ(result.Trace.Whole().Computation.Most, 0.0F);
-  EXPECT_EQ(result.Frames.Count(), pictures);
+  EXPECT_EQ(result.Frames.Count(), images);
   EXPECT_GT(result.FramesPerSecond, 0.0);
 }
 
@@ -340,9 +340,9 @@ TEST(DeviceList, HasTheSimulatedDeviceAndObstaclesOfOthers)
                          [&](const DeviceReport& report) { return report.Name == name; });
   };
   EXPECT_TRUE(named("simulated").IsThere);
-  EXPECT_EQ(named("simulated").Says, "ready");
+  EXPECT_EQ(named("simulated").Details, "ready");
   EXPECT_FALSE(named("replay").IsThere);
-  EXPECT_NE(named("replay").Says.find("file"), std::string::npos);
+  EXPECT_NE(named("replay").Details.find("file"), std::string::npos);
 }
 } // namespace
 } // namespace palpate

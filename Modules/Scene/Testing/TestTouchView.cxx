@@ -11,14 +11,14 @@ namespace palpate
 namespace
 {
 // Pixels of the tool, which is blue.
-int ToolPixels(const Picture& picture)
+int ToolPixels(const RasterImage& image)
 {
   int count = 0;
-  for (int row = 0; row < picture.Height; ++row)
+  for (int row = 0; row < image.Height; ++row)
   {
-    for (int column = 0; column < picture.Width; ++column)
+    for (int column = 0; column < image.Width; ++column)
     {
-      const std::uint8_t* pixel = picture.Pixel(column, row);
+      const std::uint8_t* pixel = image.Pixel(column, row);
       count += pixel[2] > pixel[0] + 40 ? 1 : 0;
     }
   }
@@ -42,9 +42,9 @@ TEST_F(TouchViewTest, DrawsTheToolWhereItsProxyIs)
   TouchView view(touch);
   const Vector3 middle = test::SyntheticFit::Center;
   // At time 0 the view is from the front, towards smaller y.
-  const Picture before = view.Draw(0.0, middle - Vector3(0.0, 60.0, 0.0));
-  const Picture behind = view.Draw(0.0, middle + Vector3(0.0, 60.0, 0.0));
-  const Picture turned = view.Draw(6.0, middle + Vector3(0.0, 60.0, 0.0));
+  const RasterImage before = view.Draw(0.0, middle - Vector3(0.0, 60.0, 0.0));
+  const RasterImage behind = view.Draw(0.0, middle + Vector3(0.0, 60.0, 0.0));
+  const RasterImage turned = view.Draw(6.0, middle + Vector3(0.0, 60.0, 0.0));
   EXPECT_EQ(before.Width, TouchView::Width);
   EXPECT_GT(ToolPixels(before), 100);
   EXPECT_EQ(ToolPixels(behind), 0); // hidden
@@ -65,7 +65,7 @@ TEST_F(TouchViewTest, ShowsTheCurrentDrilledState)
   const PreparedTouch touch = test::Prepare(block.Settings(), script);
   TouchView view(touch);
   const Vector3 away(0.0, 0.0, 500.0); // the tool
-  const Picture before = view.Draw(0.0, away);
+  const RasterImage before = view.Draw(0.0, away);
   ASSERT_GT(RunTouch(touch, {}, test::NeverCancels).RemovedVolumes[0], 10.0);
   EXPECT_NE(view.Draw(0.0, away).Rgba, before.Rgba);
   // And as before again.

@@ -22,11 +22,11 @@ void Ask(const DeviceRegistry& registry, Clock& clock, DeviceReport& report)
   }
   if (!status.IsOk())
   {
-    report.Says = status.Message();
+    report.Details = status.Message();
     return;
   }
   report.Capabilities = device->Capabilities();
-  report.Says = NameOf(device->State());
+  report.Details = NameOf(device->State());
   device->Close();
 }
 
@@ -39,13 +39,13 @@ void Find(const DeviceRegistry& registry, Clock& clock, const DeviceReport& kind
   if (!status.IsOk())
   {
     reports.push_back(kind);
-    reports.back().Says = status.Message();
+    reports.back().Details = status.Message();
   }
   for (const FoundDevice& one : found)
   {
     DeviceReport report = kind;
     report.Name += ":" + one.Argument;
-    report.Says = one.Says;
+    report.Details = one.Details;
     std::unique_ptr<HapticDevice> device;
     report.IsThere = one.IsUsable && registry.Make(report.Name, clock, device).IsOk();
     if (report.IsThere)

@@ -15,7 +15,7 @@ struct DeviceReport
   std::string Description;
   bool IsThere = false;
   DeviceCapabilities Capabilities; ///< if it is there
-  std::string Says;                ///< its state, or why it cannot be used
+  std::string Details;             ///< its state, or why it cannot be used
 };
 
 /// Lists every kind. If devices of a kind can be searched for, each one that is plugged in, without

@@ -23,7 +23,7 @@ namespace palpate
 namespace
 {
 constexpr std::string_view Magic = "palpate-drill-state 1\n";
-constexpr const char* WayOut = "use a file written by palpate touch or saved from the window";
+constexpr const char* Remedy = "use a file written by palpate touch or saved from the window";
 constexpr std::uintmax_t LargestFile = std::uintmax_t{1} << 33;
 
 template <typename T>
@@ -59,7 +59,7 @@ std::string DigestOf(const DrillContext& context, std::size_t site)
 
 [[noreturn]] void RefuseDamaged(const std::filesystem::path& path)
 {
-  Refuse(path, "is damaged, or not a drilled state", WayOut);
+  Refuse(path, "is damaged, or not a drilled state", Remedy);
 }
 
 // The next bytes of a file.
@@ -141,7 +141,7 @@ void ReadDrillState(const std::filesystem::path& path, const DrillContext& conte
     RefuseDamaged(path);
   }
   const std::string_view line(file.data() + Magic.size(), end - Magic.size());
-  const nlohmann::json header = ParseJson(line, path, WayOut);
+  const nlohmann::json header = ParseJson(line, path, Remedy);
   if (!header.is_array())
   {
     RefuseDamaged(path);

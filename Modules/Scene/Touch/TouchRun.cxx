@@ -205,11 +205,11 @@ private:
 
   void LookOut(double time, const TouchState& state)
   {
-    for (const std::string& sentence : this->Watch.Look(time, state))
+    for (const std::string& message : this->Watch.Look(time, state))
     {
       if (this->Guide)
       {
-        this->Guide(sentence);
+        this->Guide(message);
       }
     }
   }

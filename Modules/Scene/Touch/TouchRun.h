@@ -94,7 +94,7 @@ PALPATESCENE_EXPORT PreparedTouch PrepareTouch(const SceneSettings& settings,
 using TouchViewer = std::function<void(double time, const TouchState& newest)>;
 
 /// Tells the user what to do now, such as during homing.
-using TouchGuide = std::function<void(const std::string& sentence)>;
+using TouchGuide = std::function<void(const std::string& message)>;
 
 /// Settings of a run.
 struct TouchRunSettings

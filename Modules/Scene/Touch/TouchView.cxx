@@ -24,7 +24,7 @@ TouchView::TouchView(const PreparedTouch& touch) : Drill(touch.Drill)
       this->Add(structure);
     }
   }
-  this->Middle = this->Renderer.MiddleWorld();
+  this->Center = this->Renderer.CenterWorld();
   this->AddTool(touch.Scene->Tool);
 }
 
@@ -51,12 +51,12 @@ void TouchView::AddTool(const ToolShape& tool)
   constexpr double LeastRadius = 0.5; // mm, so that a point is visible
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(std::max(LeastRadius, tool.BoundingRadius()));
-  sphere->SetCenter(this->Middle.data());
+  sphere->SetCenter(this->Center.data());
   sphere->Update();
   this->Tool = this->Renderer.AddSurface(sphere->GetOutput(), ToolColor, 1.0);
 }
 
-const Picture& TouchView::Draw(double time, const Vector3& proxyWorld)
+const RasterImage& TouchView::Draw(double time, const Vector3& proxyWorld)
 {
   constexpr double Turning = M_PI / 6.0; // rad/s
   if (this->Drill != nullptr)
@@ -70,7 +70,7 @@ const Picture& TouchView::Draw(double time, const Vector3& proxyWorld)
   const double angle = Turning * time;
   const Vector3 up = Vector3::UnitZ();
   const Vector3 right(std::cos(angle), std::sin(angle), 0.0);
-  this->Renderer.MoveSurface(this->Tool, proxyWorld - this->Middle);
+  this->Renderer.MoveSurface(this->Tool, proxyWorld - this->Center);
   this->Renderer.Render({right, up, right.cross(up)}, this->Drawn);
   return this->Drawn;
 }

@@ -19,17 +19,17 @@ public:
 
   /// `time` (s) turns the scene by 30 degrees per second. The image belongs to the view and is
   /// valid until the next call.
-  const Picture& Draw(double time, const Vector3& proxyWorld);
+  const RasterImage& Draw(double time, const Vector3& proxyWorld);
 
 private:
   void Add(const BuiltStructure& structure);
   void AddTool(const ToolShape& tool);
 
   SceneRenderer Renderer;
-  Picture Drawn{Width, Height};
+  RasterImage Drawn{Width, Height};
   std::size_t Tool = 0; // number of its surface
   std::shared_ptr<DrillContext> Drill;
   std::vector<std::size_t> DrilledFields; // field numbers, by drill site
-  Vector3 Middle = Vector3::Zero();
+  Vector3 Center = Vector3::Zero();
 };
 } // namespace palpate

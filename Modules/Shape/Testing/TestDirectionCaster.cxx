@@ -15,7 +15,7 @@ using palpate::Vector3;
 
 IndexedMesh Sphere(double radius, const Vector3& center, int frequency)
 {
-  return palpate::ToIndexedMesh(palpate::test::MakeBall(radius, center, frequency));
+  return palpate::ToIndexedMesh(palpate::test::MakeSphere(radius, center, frequency));
 }
 
 // Solves center + distance d = a + u (b - a) + v (c - a) for every triangle.

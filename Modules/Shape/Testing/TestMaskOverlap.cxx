@@ -10,7 +10,7 @@
 namespace
 {
 using palpate::Vector3;
-using palpate::test::MakeBall;
+using palpate::test::MakeSphere;
 
 constexpr double VoxelCount = 8000.0;
 
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkImageData> Block()
 
 double DiceOfSphere(double radius)
 {
-  return palpate::DiceOfSurfaceAndMask(MakeBall(radius, Vector3::Zero(), 40), Block(), 1);
+  return palpate::DiceOfSurfaceAndMask(MakeSphere(radius, Vector3::Zero(), 40), Block(), 1);
 }
 
 TEST(MaskOverlap, CountsVoxelsBeyondTheBorder)
@@ -55,7 +55,7 @@ TEST(MaskOverlap, MemoryIsIndependentOfSurfaceBounds)
 
 TEST(MaskOverlap, IsZeroForNonFiniteSurface)
 {
-  const auto sphere = MakeBall(8.0, Vector3::Zero());
+  const auto sphere = MakeSphere(8.0, Vector3::Zero());
   sphere->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
   EXPECT_EQ(palpate::DiceOfSurfaceAndMask(sphere, Block(), 1), 0.0);
 }

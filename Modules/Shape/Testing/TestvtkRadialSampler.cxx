@@ -46,7 +46,7 @@ TEST(IcosahedronDirectionsSource, HasPublishedCounts)
 
 TEST(RadialSampler, MeasuresRadiusOfSphere)
 {
-  auto sampler = Sample(palpate::test::MakeBall(12.0, {3, -4, 50}, 40));
+  auto sampler = Sample(palpate::test::MakeSphere(12.0, {3, -4, 50}, 40));
   sampler->Update();
   EXPECT_TRUE(sampler->GetStarShaped());
   EXPECT_DOUBLE_EQ(sampler->GetMultiplePercent(), 0.0);
@@ -62,7 +62,7 @@ TEST(RadialSampler, MeasuresRadiusOfSphere)
 
 TEST(RadialSampler, SolidAnglesAndAreasSumToSphere)
 {
-  auto sampler = Sample(palpate::test::MakeBall(12.0, {0, 0, 0}, 40));
+  auto sampler = Sample(palpate::test::MakeSphere(12.0, {0, 0, 0}, 40));
   sampler->Update();
   EXPECT_NEAR(SumOf(sampler, "SolidAngle"), 4.0 * M_PI, 1e-9);
   EXPECT_NEAR(SumOf(sampler, "AreaWeight"), 4.0 * M_PI * 144.0, 1e-3 * 1810.0);
@@ -70,7 +70,7 @@ TEST(RadialSampler, SolidAnglesAndAreasSumToSphere)
 
 TEST(RadialSampler, PointsLieOnSurfaceAlongDirection)
 {
-  auto sampler = Sample(palpate::test::MakeBall(12.0, {3, -4, 50}));
+  auto sampler = Sample(palpate::test::MakeSphere(12.0, {3, -4, 50}));
   sampler->SetCenterMode(vtkRadialSampler::GIVEN);
   sampler->SetCenter(5.0, 0.0, 47.0);
   sampler->Update();
@@ -89,7 +89,7 @@ TEST(RadialSampler, PointsLieOnSurfaceAlongDirection)
 
 TEST(RadialSampler, OutsideCentreMissesOrCrossesTwice)
 {
-  auto sampler = Sample(palpate::test::MakeBall(10.0, {0, 0, 0}));
+  auto sampler = Sample(palpate::test::MakeSphere(10.0, {0, 0, 0}));
   sampler->SetCenterMode(vtkRadialSampler::GIVEN);
   sampler->SetCenter(20.0, 0.0, 0.0);
   sampler->Update();
@@ -104,7 +104,7 @@ TEST(RadialSampler, OutsideCentreMissesOrCrossesTwice)
 
 TEST(RadialSampler, OutermostAndInnermostDifferOnMultiples)
 {
-  auto sampler = Sample(palpate::test::MakeBall(10.0, {0, 0, 0}));
+  auto sampler = Sample(palpate::test::MakeSphere(10.0, {0, 0, 0}));
   sampler->SetCenterMode(vtkRadialSampler::GIVEN);
   sampler->SetCenter(20.0, 0.0, 0.0);
   sampler->Update();

@@ -114,7 +114,7 @@ TEST(SphericalHarmonicFitFilter, RaisesErrorForTooFewSamples)
 
 TEST(SphericalHarmonicFitFilter, RaisesErrorForInputWithoutSamples)
 {
-  auto fit = Fit(palpate::test::MakeBall(1.0, {0, 0, 0}));
+  auto fit = Fit(palpate::test::MakeSphere(1.0, {0, 0, 0}));
   const palpate::test::ErrorLog errors(fit);
   fit->Update();
   EXPECT_TRUE(errors.Contains("has no samples"));
@@ -151,7 +151,7 @@ TEST(SphericalHarmonicSurface, DistancesToOriginalAreSigned)
   {
     vtkNew<vtkSphericalHarmonicSurface> surface;
     surface->SetInputData(table);
-    surface->SetOriginalData(palpate::test::MakeBall(radius, {1, 2, 3}, 40));
+    surface->SetOriginalData(palpate::test::MakeSphere(radius, {1, 2, 3}, 40));
     surface->Update();
     double distances[2];
     double residuals[2];

@@ -13,7 +13,7 @@
 namespace
 {
 using palpate::Vector3;
-using palpate::test::MakeBall;
+using palpate::test::MakeSphere;
 
 vtkSmartPointer<vtkSurfaceQuality> Compare(vtkPolyData* tested, vtkPolyData* reference)
 {
@@ -28,7 +28,7 @@ constexpr double FacetError = 0.004;
 
 TEST(SurfaceQuality, EqualSurfacesHaveZeroDistance)
 {
-  const auto sphere = MakeBall(20.0, {1, 2, 3});
+  const auto sphere = MakeSphere(20.0, {1, 2, 3});
   auto quality = Compare(sphere, sphere);
   quality->Update();
   EXPECT_NEAR(quality->GetMaximumDistance(), 0.0, 1e-9);
@@ -38,7 +38,7 @@ TEST(SurfaceQuality, EqualSurfacesHaveZeroDistance)
 
 TEST(SurfaceQuality, ConcentricSpheresDifferByTheirRadii)
 {
-  auto quality = Compare(MakeBall(21.0, {0, 0, 0}, 40), MakeBall(20.0, {0, 0, 0}, 40));
+  auto quality = Compare(MakeSphere(21.0, {0, 0, 0}, 40), MakeSphere(20.0, {0, 0, 0}, 40));
   quality->Update();
   EXPECT_NEAR(quality->GetMeanDistance(), 1.0, FacetError);
   EXPECT_NEAR(quality->GetRmsDistance(), 1.0, FacetError);
@@ -53,7 +53,7 @@ TEST(SurfaceQuality, ShiftedSpheresFollowCosine)
   // A shift d moves a sphere's surface by about d cos along the normal: mean d / 2, mean square
   // d^2 / 3, maximum d; 95 % of a sphere's area lies within |cos| <= 0.95. Corrections are of
   // second order, d^2 / r = 0.0125 mm.
-  auto quality = Compare(MakeBall(20.0, {0.5, 0, 0}, 40), MakeBall(20.0, {0, 0, 0}, 40));
+  auto quality = Compare(MakeSphere(20.0, {0.5, 0, 0}, 40), MakeSphere(20.0, {0, 0, 0}, 40));
   quality->Update();
   EXPECT_NEAR(quality->GetMeanDistance(), 0.25, 0.01);
   EXPECT_NEAR(quality->GetRmsDistance(), 0.5 / std::sqrt(3.0), 0.01);
@@ -63,7 +63,7 @@ TEST(SurfaceQuality, ShiftedSpheresFollowCosine)
 
 TEST(SurfaceQuality, IsSymmetric)
 {
-  const auto sphere = MakeBall(20.0, {0, 0, 0}, 10);
+  const auto sphere = MakeSphere(20.0, {0, 0, 0}, 10);
   const auto egg = palpate::test::MakeBody(25, [](const Vector3& u)
                                            { return Vector3(22 * u.x(), 19 * u.y(), 25 * u.z()); });
   auto there = Compare(sphere, egg);
@@ -81,7 +81,7 @@ TEST(SurfaceQuality, FindsThornOnReference)
   // One direction alone would miss it: the tested sphere is close to the other body everywhere.
   const auto thorned = palpate::test::MakeBody(
       20, [](const Vector3& u) -> Vector3 { return (u.z() > 0.9995 ? 30.0 : 20.0) * u; });
-  auto quality = Compare(MakeBall(20.0, {0, 0, 0}, 20), thorned);
+  auto quality = Compare(MakeSphere(20.0, {0, 0, 0}, 20), thorned);
   quality->Update();
   EXPECT_NEAR(quality->GetMaximumDistance(), 10.0, 0.1);
 }
@@ -97,7 +97,7 @@ TEST(SurfaceQuality, DiceOfShiftedSpheresIsThatOfLens)
   const auto mask = palpate::test::MakeLabelImage<int>(
       grid, [](double x, double y, double z) { return x * x + y * y + z * z < 400.0; }, 4);
   const double shift = 3.0;
-  const auto sphere = MakeBall(20.0, {shift, 0, 0}, 40);
+  const auto sphere = MakeSphere(20.0, {shift, 0, 0}, 40);
   auto quality = Compare(sphere, sphere);
   quality->SetMaskData(mask);
   quality->SetLabel(4);
@@ -118,7 +118,7 @@ TEST(SurfaceQuality, DiceCountsVoxelsWithCentreInside)
   const double radius = std::sqrt(101.3);
   const auto mask = palpate::test::MakeLabelImage(
       grid, [=](double x, double y, double z) { return x * x + y * y + z * z < radius * radius; });
-  const auto sphere = MakeBall(radius, {0, 0, 0}, 150); // facets within 0.2 micrometres
+  const auto sphere = MakeSphere(radius, {0, 0, 0}, 150); // facets within 0.2 micrometres
   auto quality = Compare(sphere, sphere);
   quality->SetMaskData(mask);
   quality->Update();
@@ -133,7 +133,7 @@ TEST(SurfaceQuality, DiceCountsBeyondTheGrid)
   grid.Origin[2] = 0.5; // the upper half only
   const auto half = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
                                                   { return x * x + y * y + z * z < 400.0; });
-  const auto sphere = MakeBall(20.0, {0, 0, 0}, 40);
+  const auto sphere = MakeSphere(20.0, {0, 0, 0}, 40);
   auto quality = Compare(sphere, sphere);
   quality->SetMaskData(half);
   quality->Update();
@@ -143,7 +143,7 @@ TEST(SurfaceQuality, DiceCountsBeyondTheGrid)
 
 TEST(SurfaceQuality, DiceNeedsMask)
 {
-  const auto sphere = MakeBall(20.0, {0, 0, 0}, 5);
+  const auto sphere = MakeSphere(20.0, {0, 0, 0}, 5);
   auto quality = Compare(sphere, sphere);
   quality->Update();
   EXPECT_DOUBLE_EQ(quality->GetDice(), -1.0);
@@ -153,7 +153,7 @@ TEST(SurfaceQuality, DiceNeedsMask)
 TEST(SurfaceQuality, RaisesErrorWithoutTriangles)
 {
   vtkNew<vtkPolyData> nothing;
-  auto quality = Compare(nothing, MakeBall(1.0, {0, 0, 0}));
+  auto quality = Compare(nothing, MakeSphere(1.0, {0, 0, 0}));
   const palpate::test::ErrorLog errors(quality);
   quality->Update();
   EXPECT_TRUE(errors.Contains("need triangles"));

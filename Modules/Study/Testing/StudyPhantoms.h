@@ -24,7 +24,7 @@ public:
         this->Folder / "volume.nii.gz",
         MakeLabelImage<short>(
             grid, [](double x, double y, double z) { return std::hypot(x, y, z) < 16.0; }, 700));
-    const auto mask = MakeLabelImage(grid, IsBall, 1);
+    const auto mask = MakeLabelImage(grid, IsSphere, 1);
     Paint(mask, IsHorseshoe, 2);
     *static_cast<unsigned char*>(mask->GetScalarPointer(1, 1, 1)) = 3;
     WriteImage(this->Folder / "mask.nii.gz", mask);
@@ -60,7 +60,7 @@ public:
   TemporaryFolder Folder;
 
 private:
-  static bool IsBall(double x, double y, double z) { return std::hypot(x + 15.0, y, z) < 9.0; }
+  static bool IsSphere(double x, double y, double z) { return std::hypot(x + 15.0, y, z) < 9.0; }
   static bool IsHorseshoe(double x, double y, double z)
   {
     const double ring = std::hypot(x - 14.0, y) - 9.0;

@@ -172,10 +172,10 @@ TEST(StudyText, RejectsMalformedTextWithThePosition)
       {start + ", \"view\": {\"window\": null}}", "view"}};
   for (const auto& [text, place] : cases)
   {
-    const std::string sentence = RefusalOf(text);
-    EXPECT_EQ(sentence.rfind("case.palpate.json ", 0), 0U) << text << ": " << sentence;
-    EXPECT_NE(sentence.find(place), std::string::npos) << text << ": " << sentence;
-    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
+    const std::string message = RefusalOf(text);
+    EXPECT_EQ(message.rfind("case.palpate.json ", 0), 0U) << text << ": " << message;
+    EXPECT_NE(message.find(place), std::string::npos) << text << ": " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
 }
 

@@ -110,7 +110,7 @@ TEST_F(StudyForbiddenTest, ProtectsThoughNeitherVisibleNorTouchable)
   ASSERT_FALSE(nerve.IsVisible || nerve.IsTouchable);
   this->Change(ForbiddenPhantom::Forbidden(ForbiddenPhantom::Drilled(this->Open.State())));
   this->Settle();
-  ASSERT_EQ(this->Protection().Is, Kind::UpToDate) << this->Protection().Sentence;
+  ASSERT_EQ(this->Protection().Is, Kind::UpToDate) << this->Protection().Message;
   this->StartTouch();
   this->PressWithPedal(0.0, 8.0);
   const StudyDrillReading& drill =
@@ -172,9 +172,9 @@ TEST_F(StudyForbiddenTest, HeldButtonDoesNotStartToCut)
   this->Change(ForbiddenPhantom::Forbidden(this->Open.State()));
   ASSERT_NE(this->Hold(), "");
   const Vector3 pressed = this->Open.Touch().Frame().ToDevice({6.0, 0.0, 0.0});
-  for (double way = 0.0; way < 1.0; way += 0.01)
+  for (double path = 0.0; path < 1.0; path += 0.01)
   {
-    device->Put(way * pressed, 0);
+    device->Put(path * pressed, 0);
     this->Pass(0.001);
   }
   device->Put(pressed, Button);

@@ -112,19 +112,18 @@ TEST(StudyJobs, DeliveryMayStartJobs)
 TEST(StudyJobs, ReportsExceptionsAsMessages)
 {
   StudyJobs jobs;
-  std::vector<std::string> sentences;
+  std::vector<std::string> messages;
   const auto start = [&](std::function<StudyJob::Delivery(const ProgressFunction&)> work)
   {
-    jobs.Start(
-        {std::move(work), [&](const std::string& sentence) { sentences.push_back(sentence); }});
+    jobs.Start({std::move(work), [&](const std::string& message) { messages.push_back(message); }});
   };
   start([](const ProgressFunction&) -> StudyJob::Delivery
         { throw std::runtime_error("mask.nii.gz is missing"); });
   start([](const ProgressFunction&) -> StudyJob::Delivery { throw std::bad_alloc(); });
   DeliverAll(jobs);
-  ASSERT_EQ(sentences.size(), 2U);
-  EXPECT_EQ(sentences[0], "mask.nii.gz is missing");
-  EXPECT_NE(sentences[1].find("memory"), std::string::npos);
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0], "mask.nii.gz is missing");
+  EXPECT_NE(messages[1].find("memory"), std::string::npos);
 }
 
 TEST(StudyJobs, CancelledJobStopsAndDeliversNothing)

@@ -50,7 +50,7 @@ protected:
     for (const SceneStep step : steps)
     {
       const StudyStepState state = this->Pipeline.StateOf(step);
-      EXPECT_EQ(state.Is, Kind::UpToDate) << NameOf(step) << ": " << state.Sentence;
+      EXPECT_EQ(state.Is, Kind::UpToDate) << NameOf(step) << ": " << state.Message;
     }
   }
   std::shared_ptr<const FitResult> Model(int label) const
@@ -173,19 +173,19 @@ TEST_F(StudyPipelineTest, TouchesTheFieldIfHarmonicsRefuse)
   this->Make(state);
   const StudyStepState samples = this->Pipeline.StateOf(SceneStep::Samples);
   EXPECT_EQ(samples.Is, Kind::Replaced);
-  EXPECT_EQ(samples.Sentence.rfind(
+  EXPECT_EQ(samples.Message.rfind(
                 "label 2: touched by its sub-voxel field, because it is not star-shaped: ", 0),
             0U)
-      << samples.Sentence;
-  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Model).Sentence, samples.Sentence);
-  EXPECT_EQ(this->Pipeline.Advice(), std::vector<std::string>{samples.Sentence});
+      << samples.Message;
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Model).Message, samples.Message);
+  EXPECT_EQ(this->Pipeline.Advice(), std::vector<std::string>{samples.Message});
   this->ExpectUpToDate({SceneStep::Surface, SceneStep::Field, SceneStep::Touch});
   // An explicit choice is refused and not replaced.
   state.Structures[0].Representation = TouchRepresentation::Harmonics;
   this->Make(state);
   const StudyStepState touch = this->Pipeline.StateOf(SceneStep::Touch);
   EXPECT_EQ(touch.Is, Kind::Failed);
-  EXPECT_NE(touch.Sentence.find("is not star-shaped"), std::string::npos) << touch.Sentence;
+  EXPECT_NE(touch.Message.find("is not star-shaped"), std::string::npos) << touch.Message;
   EXPECT_TRUE(this->Pipeline.Advice().empty());
 }
 
@@ -237,9 +237,9 @@ TEST_F(StudyPipelineTest, FailedStructureStopsNoOther)
       test::StudyPhantom::Structure(77, TouchRepresentation::Harmonics, state.SegmentationFile));
   this->Make(state);
   EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch, 1).Is, Kind::UpToDate);
-  EXPECT_NE(this->Pipeline.StateOf(SceneStep::Surface, 3).Sentence.find("label 3 has only"),
+  EXPECT_NE(this->Pipeline.StateOf(SceneStep::Surface, 3).Message.find("label 3 has only"),
             std::string::npos)
-      << this->Pipeline.StateOf(SceneStep::Surface, 3).Sentence;
+      << this->Pipeline.StateOf(SceneStep::Surface, 3).Message;
   EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures, 77).Is, Kind::Failed);
   EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures).Is, Kind::Failed);
 }
@@ -343,19 +343,19 @@ TEST_F(StudyPipelineTest, FailedFilesHaveTheCommandLinesMessages)
   {
     state.SegmentationFile = this->Phantom.Folder / name;
     state.Structures[0].File = state.SegmentationFile;
-    std::string sentence;
+    std::string message;
     try
     {
       ReadSegmentation(state.SegmentationFile);
     }
     catch (const InputError& error)
     {
-      sentence = error.what();
+      message = error.what();
     }
     this->Make(state);
-    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Segmentation).Sentence, sentence);
-    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures).Sentence, sentence);
-    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch).Sentence, sentence);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Segmentation).Message, message);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Structures).Message, message);
+    EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch).Message, message);
     EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Volume).Is, Kind::UpToDate);
   }
 }
@@ -462,7 +462,7 @@ TEST_F(StudyPipelineTest, RandomChangesEndAsIfMadeDirectly)
   for (const SceneStep one : AllSteps)
   {
     EXPECT_EQ(this->Pipeline.StateOf(one).Is, fresh.StateOf(one).Is) << NameOf(one);
-    EXPECT_EQ(this->Pipeline.StateOf(one).Sentence, fresh.StateOf(one).Sentence) << NameOf(one);
+    EXPECT_EQ(this->Pipeline.StateOf(one).Message, fresh.StateOf(one).Message) << NameOf(one);
   }
 }
 

@@ -28,14 +28,14 @@ RealtimeRequest Ordinary()
   return request;
 }
 
-SceneContact Ball(int label, double radius)
+SceneContact Sphere(int label, double radius)
 {
   const SphericalHarmonicModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   return {label, std::make_shared<const TouchContact>(
                      MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball"))};
 }
 
-StudyState BallState(int label)
+StudyState SphereState(int label)
 {
   StudyState state;
   state.Structures = {test::StudyPhantom::Structure(label, TouchRepresentation::Harmonics)};
@@ -88,8 +88,8 @@ protected:
 
   std::uint64_t Expected = 2; // scene
   ManualClock Time;
-  StudyState State = BallState(7);
-  std::vector<SceneContact> Contacts{Ball(7, Radius)};
+  StudyState State = SphereState(7);
+  std::vector<SceneContact> Contacts{Sphere(7, Radius)};
   StudyTouch Touch{Time, Ordinary()};
 };
 
@@ -132,7 +132,7 @@ TEST_F(StudyTouchTest, RefittedModelIsSwappedIn)
   this->AtRest();
   const Vector3 center = this->Touch.Frame().CenterWorld;
   const double scale = this->Touch.Frame().Scale;
-  this->Contacts = {Ball(7, Radius - 10.0)};
+  this->Contacts = {Sphere(7, Radius - 10.0)};
   ASSERT_TRUE(this->Touch.Update(this->State, this->Contacts).IsOk());
   EXPECT_EQ(this->AtRest().TouchedId, 0) << "the hand is outside of the smaller sphere";
   EXPECT_EQ(this->Touch.Frame().CenterWorld, center) << "the workspace stays where it is";
@@ -168,7 +168,7 @@ TEST_F(StudyTouchTest, ForcesContinueAcrossSceneChanges)
   };
   this->State.Structures[0].Stiffness = 1.0;
   expectNoGap(2.0);
-  this->Contacts = {Ball(7, Radius + 1.0)};
+  this->Contacts = {Sphere(7, Radius + 1.0)};
   expectNoGap(3.0);
   this->State.Placement.CenterWorld = Vector3(-0.5, 0.0, 0.0);
   expectNoGap(3.5);
@@ -268,7 +268,7 @@ TEST_F(StudyTouchTest, OmitsContactsOfUntouchableStructures)
   this->State.Structures.insert(this->State.Structures.begin(),
                                 test::StudyPhantom::Structure(3, TouchRepresentation::Harmonics));
   this->State.Structures[0].IsTouchable = false;
-  this->Contacts = {Ball(3, 2.0 * Radius), Ball(99, 2.0 * Radius), Ball(7, Radius)};
+  this->Contacts = {Sphere(3, 2.0 * Radius), Sphere(99, 2.0 * Radius), Sphere(7, Radius)};
   this->Start();
   this->Press(4.0);
   EXPECT_EQ(this->AtRest().TouchedId, 7);

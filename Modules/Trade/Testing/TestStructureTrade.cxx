@@ -50,7 +50,7 @@ TEST(TradeMeasure, FacetsOfASphereErrByTheirSagitta)
   {
     const auto corner = [&](int n) { return sphere.Directions()[static_cast<std::size_t>(n)]; };
     const Vector3 normal = (corner(b) - corner(a)).cross(corner(c) - corner(a)).normalized();
-    sagitta = std::max(sagitta, test::BallRadius * (1.0 - std::abs(normal.dot(corner(a)))));
+    sagitta = std::max(sagitta, test::SphereRadius * (1.0 - std::abs(normal.dot(corner(a)))));
   }
   // At the reference contact the facet lies at most its sagitta below; for a deep probe the nearest
   // point on the facets is slightly displaced towards a corner.
@@ -82,7 +82,7 @@ TEST(TradeMeasure, TickTimeExcludesTheClocksOverhead)
 TEST(StructureTrade, ReferenceEqualsItself)
 {
   constexpr int Points = 400; // as in the reference
-  const test::MaskTrade mask = test::BallMask();
+  const test::MaskTrade mask = test::SphereMask();
   const TradeRow row =
       mask.Trade().Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, Points), GoOn);
   EXPECT_LT(row.PositionMost, 1e-12);
@@ -91,7 +91,7 @@ TEST(StructureTrade, ReferenceEqualsItself)
 
 TEST(StructureTrade, FewerPointsOfAnEllipsoidAreLessAccurate)
 {
-  test::MaskTrade mask = test::BallMask();
+  test::MaskTrade mask = test::SphereMask();
   mask.Scene.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // 4, 2, 2 mm
   StructureTrade trade = mask.Trade();
   const TradeRow few = trade.Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 26), GoOn);
@@ -105,7 +105,7 @@ TEST(StructureTrade, FewerPointsOfAnEllipsoidAreLessAccurate)
 
 TEST(StructureTrade, EqualSeedsGiveEqualBits)
 {
-  const test::MaskTrade mask = test::BallMask();
+  const test::MaskTrade mask = test::SphereMask();
   const auto measure = [&mask](std::uint64_t seed)
   {
     return mask.Trade(test::ShortPath(seed))
@@ -137,7 +137,7 @@ TEST(StructureTrade, ImpossibleRepresentationIsARowWithTheReason)
 
 TEST(StructureTrade, EveryCandidateOfAMaskCanBeMeasured)
 {
-  const test::MaskTrade mask = test::BallMask();
+  const test::MaskTrade mask = test::SphereMask();
   StructureTrade trade = mask.Trade();
   const std::vector<ContactSetting> candidates = trade.Candidates(GoOn);
   EXPECT_GT(candidates.size(), 10U);
@@ -150,7 +150,7 @@ TEST(StructureTrade, EveryCandidateOfAMaskCanBeMeasured)
 
 TEST(StructureTrade, CandidatesDiffer)
 {
-  const test::MaskTrade mask = test::BallMask();
+  const test::MaskTrade mask = test::SphereMask();
   std::set<std::string> keys;
   for (const ContactSetting& candidate : mask.Trade().Candidates(GoOn))
   {
@@ -193,7 +193,7 @@ TEST(StructureTrade, DisplayAndDrillTakeNoPart)
 
 TEST(StructureTrade, ToleranceDoesNotReplaceTheDegree)
 {
-  test::MaskTrade mask = test::BallMask();
+  test::MaskTrade mask = test::SphereMask();
   mask.Scene.Fit.Tolerance = 0.5;
   StructureTrade trade = mask.Trade();
   ContactSetting setting = SettingOf(mask.Scene, TouchRepresentation::Harmonics);
@@ -207,7 +207,7 @@ TEST(StructureTrade, ToleranceDoesNotReplaceTheDegree)
 
 TEST(StructureTrade, CanBeCancelled)
 {
-  const test::MaskTrade mask = test::BallMask();
+  const test::MaskTrade mask = test::SphereMask();
   StructureTrade trade = mask.Trade();
   const ContactSetting setting = mask.SubVoxel(FieldInterpolation::Trilinear, 26);
   const auto stop = [](double /*fraction*/, const std::string& stage) { return stage != "touch"; };

@@ -37,8 +37,8 @@ TEST(TradeAdvice, RecommendsTheFastestWithoutNoticeableErrors)
   const TradeAdvice advice = AdviseOn(Rows, 1000.0);
   EXPECT_EQ(advice.Row, 1U);
   EXPECT_TRUE(advice.IsMet);
-  EXPECT_TRUE(Has(advice.Sentence, "degree 8")) << advice.Sentence;
-  EXPECT_TRUE(Has(advice.Sentence, "fastest of 2")) << "the last does not reach 1 kHz";
+  EXPECT_TRUE(Has(advice.Message, "degree 8")) << advice.Message;
+  EXPECT_TRUE(Has(advice.Message, "fastest of 2")) << "the last does not reach 1 kHz";
 }
 
 TEST(TradeAdvice, RejectsSettingsWithSeizures)

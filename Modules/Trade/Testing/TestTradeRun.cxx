@@ -42,7 +42,7 @@ protected:
   }
 
   test::TemporaryFolder Folder;
-  test::MaskTrade Mask = test::BallMask();
+  test::MaskTrade Mask = test::SphereMask();
   test::StillClock Clock;
   TradeRunSettings Settings;
 };
@@ -111,10 +111,10 @@ TEST(TradeText, StatesEachReasonOnce)
     row.Message = degree < 12 ? "is not star-shaped" : "has too few samples";
     structure.Rows.push_back(row);
   }
-  const std::vector<std::string> sentences = RefusalsOf(structure);
-  ASSERT_EQ(sentences.size(), 2U);
-  EXPECT_EQ(sentences[0], "harmonics of degree 4, nearest point and 1 more: is not star-shaped");
-  EXPECT_EQ(sentences[1], "harmonics of degree 12, nearest point: has too few samples");
+  const std::vector<std::string> messages = RefusalsOf(structure);
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0], "harmonics of degree 4, nearest point and 1 more: is not star-shaped");
+  EXPECT_EQ(messages[1], "harmonics of degree 12, nearest point: has too few samples");
 }
 
 TEST_F(TradeRunTest, TableAndJsonHaveTheSameNumbers)
@@ -123,7 +123,7 @@ TEST_F(TradeRunTest, TableAndJsonHaveTheSameNumbers)
   const TradeResult result = this->Measure();
   const nlohmann::json json = nlohmann::json::parse(TradeJson(result));
   const nlohmann::json& row = json["structures"][0]["rows"][0];
-  EXPECT_FALSE(json["structures"][0]["truth"].get<std::string>().empty());
+  EXPECT_FALSE(json["structures"][0]["reference"].get<std::string>().empty());
   const std::string table = TradeCsv(result);
   EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
             1 + result.Structures[0].Rows.size());

@@ -24,14 +24,14 @@ inline bool GoOn(double /*fraction*/, const std::string& /*stage*/)
   return true;
 }
 
-constexpr double BallRadius = 20.0; // mm
+constexpr double SphereRadius = 20.0; // mm
 
 /// A sphere of 20 mm with bumps of degree 6 of this height (mm) at the pole; 0 for none.
 inline SphericalHarmonicModel BumpyModel(double height)
 {
   constexpr int Degree = 6;
   std::vector<double> coefficients(49, 0.0);
-  coefficients[0] = BallRadius * std::sqrt(4.0 * M_PI);
+  coefficients[0] = SphereRadius * std::sqrt(4.0 * M_PI);
   // Y_l0 at the pole is sqrt((2 l + 1) / 4 pi), where it is largest.
   coefficients[Degree * (Degree + 1)] = height / std::sqrt((2.0 * Degree + 1.0) / (4.0 * M_PI));
   return {Degree, coefficients, Vector3(3.0, -7.0, 11.0)};
@@ -122,7 +122,7 @@ private:
   StillClock Time;
 };
 
-inline MaskTrade BallMask()
+inline MaskTrade SphereMask()
 {
   return MaskTrade([](double x, double y, double z) { return std::hypot(x, y, z) < 14.0; });
 }

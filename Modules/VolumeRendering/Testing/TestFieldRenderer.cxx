@@ -64,18 +64,18 @@ FieldView ViewAlongZ(int side)
   return view;
 }
 
-FieldPicture Draw(const FieldRenderer& renderer)
+FieldImage Draw(const FieldRenderer& renderer)
 {
   const PixelRays& rays = renderer.View().Rays;
-  FieldPicture picture;
-  picture.Resize(rays.Width(), rays.Height(), true);
-  renderer.DrawTile(0, rays.Width(), 0, rays.Height(), picture);
-  return picture;
+  FieldImage image;
+  image.Resize(rays.Width(), rays.Height(), true);
+  renderer.DrawTile(0, rays.Width(), 0, rays.Height(), image);
+  return image;
 }
 
-std::array<int, 4> ColorAt(const FieldPicture& picture, int column, int row)
+std::array<int, 4> ColorAt(const FieldImage& image, int column, int row)
 {
-  const std::uint8_t* bytes = &picture.Colors[4 * picture.Pixel(column, row)];
+  const std::uint8_t* bytes = &image.Colors[4 * image.Pixel(column, row)];
   return {bytes[0], bytes[1], bytes[2], bytes[3]};
 }
 
@@ -84,7 +84,7 @@ TEST(FieldRenderer, PixelsShowHitsOfRayCaster)
   const auto field = Spheres({6.0});
   const RayCaster caster(field);
   const FieldRenderer renderer(field, ViewAlongZ(64));
-  const FieldPicture picture = Draw(renderer);
+  const FieldImage image = Draw(renderer);
   int hits = 0;
   for (int row = 0; row < 64; ++row)
   {
@@ -92,7 +92,7 @@ TEST(FieldRenderer, PixelsShowHitsOfRayCaster)
     {
       const FieldHit expected =
           caster.CastWorld(renderer.View().Rays.OfPixel(column, row), 0.0, 1.0);
-      const FieldHit& seen = picture.Hits[picture.Pixel(column, row)];
+      const FieldHit& seen = image.Hits[image.Pixel(column, row)];
       ASSERT_EQ(seen.Kind, expected.Kind);
       ASSERT_EQ(seen.T, expected.T);
       ASSERT_EQ(seen.Position, expected.Position);
@@ -106,22 +106,22 @@ TEST(FieldRenderer, PixelsShowHitsOfRayCaster)
 
 TEST(FieldRenderer, DepthsMatchHits)
 {
-  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), ViewAlongZ(65)));
+  const FieldImage image = Draw(FieldRenderer(Spheres({6.0}), ViewAlongZ(65)));
   // The central ray meets the sphere at z = 6: (20 - 6) / 40. That node lies on the sphere.
-  EXPECT_NEAR(picture.Depths[picture.Pixel(32, 32)], 14.0 / 40.0, 1e-6);
-  EXPECT_EQ(picture.Depths[picture.Pixel(0, 0)], 1.0F);
-  EXPECT_EQ(ColorAt(picture, 0, 0), (std::array<int, 4>{0, 0, 0, 0}));
+  EXPECT_NEAR(image.Depths[image.Pixel(32, 32)], 14.0 / 40.0, 1e-6);
+  EXPECT_EQ(image.Depths[image.Pixel(0, 0)], 1.0F);
+  EXPECT_EQ(ColorAt(image, 0, 0), (std::array<int, 4>{0, 0, 0, 0}));
 }
 
 TEST(FieldRenderer, BlendsTranslucentSurfacesFrontToBack)
 {
   FieldView view = ViewAlongZ(65);
   view.Looks = {{{1.0, 0.0, 0.0}, 0.25}, {{0.0, 1.0, 0.0}, 1.0}};
-  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0, 3.0}), view));
+  const FieldImage image = Draw(FieldRenderer(Spheres({6.0, 3.0}), view));
   // One crossing of red lies in front of green, which is opaque.
-  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{64, 191, 0, 255}));
+  EXPECT_EQ(ColorAt(image, 32, 32), (std::array<int, 4>{64, 191, 0, 255}));
   // Next to green the ray enters and leaves red: 1/4 + 3/4 * 1/4.
-  EXPECT_EQ(ColorAt(picture, 32 + 14, 32), (std::array<int, 4>{112, 0, 0, 112}));
+  EXPECT_EQ(ColorAt(image, 32 + 14, 32), (std::array<int, 4>{112, 0, 0, 112}));
 }
 
 TEST(FieldRenderer, ZeroOpacityHidesMaterial)
@@ -129,18 +129,18 @@ TEST(FieldRenderer, ZeroOpacityHidesMaterial)
   FieldView view = ViewAlongZ(65);
   view.Looks = {{{1.0, 0.0, 0.0}, 0.0}, {{0.0, 1.0, 0.0}, 1.0}};
   const FieldRenderer renderer(Spheres({6.0, 3.0}), view);
-  const FieldPicture picture = Draw(renderer);
+  const FieldImage image = Draw(renderer);
   EXPECT_TRUE(renderer.IsOpaque());
-  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{0, 255, 0, 255}));
-  EXPECT_EQ(ColorAt(picture, 32 + 14, 32)[3], 0);
+  EXPECT_EQ(ColorAt(image, 32, 32), (std::array<int, 4>{0, 255, 0, 255}));
+  EXPECT_EQ(ColorAt(image, 32 + 14, 32)[3], 0);
 }
 
 TEST(FieldRenderer, ClippingPlaneShowsBackOfSurface)
 {
   FieldView view = ViewAlongZ(65);
   view.Kept = {{-Vector3::UnitZ(), 0.0}}; // z <= 0
-  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), view));
-  const FieldHit& hit = picture.Hits[picture.Pixel(32, 32)];
+  const FieldImage image = Draw(FieldRenderer(Spheres({6.0}), view));
+  const FieldHit& hit = image.Hits[image.Pixel(32, 32)];
   EXPECT_NEAR(hit.Position[2], -6.0, 1e-9);
   EXPECT_FALSE(hit.IsEntering);
 }
@@ -155,8 +155,8 @@ TEST(FieldRenderer, CropBySidesEqualsCropByRegions)
   FieldView byRegions = ViewAlongZ(80);
   // The same plus an empty corner region.
   byRegions.Crop = CropRegions(planes, 1 << 13 | 1);
-  const FieldPicture a = Draw(FieldRenderer(field, bySides));
-  const FieldPicture b = Draw(FieldRenderer(field, byRegions));
+  const FieldImage a = Draw(FieldRenderer(field, bySides));
+  const FieldImage b = Draw(FieldRenderer(field, byRegions));
   int shown = 0;
   for (std::size_t pixel = 0; pixel < a.Depths.size(); ++pixel)
   {
@@ -190,16 +190,16 @@ TEST(FieldRenderer, SceneDepthsEndRays)
   // Between the front at depth 0.35 and the back at 0.65; then in front of both.
   view.SceneDepths.assign(65 * 65, 0.5F);
   view.SceneDepths[32 * 65 + 33] = 0.3F;
-  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), view));
-  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{128, 0, 0, 128}));
-  EXPECT_EQ(ColorAt(picture, 33, 32), (std::array<int, 4>{0, 0, 0, 0}));
+  const FieldImage image = Draw(FieldRenderer(Spheres({6.0}), view));
+  EXPECT_EQ(ColorAt(image, 32, 32), (std::array<int, 4>{128, 0, 0, 128}));
+  EXPECT_EQ(ColorAt(image, 33, 32), (std::array<int, 4>{0, 0, 0, 0}));
 }
 
 TEST(FieldRenderer, TilesMatchWholeImage)
 {
   const FieldRenderer renderer(Spheres({6.0}), ViewAlongZ(50));
-  const FieldPicture whole = Draw(renderer);
-  FieldPicture tiled;
+  const FieldImage whole = Draw(renderer);
+  FieldImage tiled;
   tiled.Resize(50, 50, true);
   for (int row = 0; row < 50; row += 7)
   {
@@ -221,8 +221,8 @@ TEST(FieldRenderer, ScenePlacementAffectsOnlyShading)
   // Rotated so that the field's +z is the scene's +x: the side facing the viewer is fully lit.
   view.ToScene.topLeftCorner<3, 3>() =
       Eigen::AngleAxisd(M_PI / 2.0, Vector3::UnitY()).toRotationMatrix();
-  const FieldPicture picture = Draw(FieldRenderer(Spheres({6.0}), view));
-  EXPECT_EQ(ColorAt(picture, 32, 32), (std::array<int, 4>{255, 255, 255, 255}));
+  const FieldImage image = Draw(FieldRenderer(Spheres({6.0}), view));
+  EXPECT_EQ(ColorAt(image, 32, 32), (std::array<int, 4>{255, 255, 255, 255}));
 }
 } // namespace
 } // namespace palpate

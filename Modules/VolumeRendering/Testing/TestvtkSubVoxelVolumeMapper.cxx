@@ -226,11 +226,11 @@ TEST_F(SubVoxelVolumeMapper, WritesDepthBuffer)
 {
   this->Mapper->KeepHitsOn();
   this->Render();
-  const palpate::FieldPicture& picture = *this->Mapper->GetPicture();
+  const palpate::FieldImage& raster = *this->Mapper->GetImage();
   const palpate::PixelRays& rays = this->Mapper->GetFieldRenderer()->View().Rays;
   for (const int column : {60, 100, 140})
   {
-    const palpate::FieldHit& hit = picture.Hits[picture.Pixel(column, 90)];
+    const palpate::FieldHit& hit = raster.Hits[raster.Pixel(column, 90)];
     ASSERT_EQ(hit.Material, 0);
     // Depths are floats, and the buffer has at least 24 bits.
     EXPECT_NEAR(this->Window->GetZbufferDataAtPoint(column, 90), rays.Depth(hit.Position), 2e-7);
@@ -244,16 +244,16 @@ TEST_F(SubVoxelVolumeMapper, HitsEqualHapticQueriesBitForBit)
   this->Renderer->GetActiveCamera()->Azimuth(33.0);
   this->Renderer->GetActiveCamera()->Elevation(21.0);
   this->Render();
-  const palpate::FieldPicture& picture = *this->Mapper->GetPicture();
+  const palpate::FieldImage& raster = *this->Mapper->GetImage();
   const palpate::PixelRays& rays = this->Mapper->GetFieldRenderer()->View().Rays;
   const palpate::RayCaster hand(this->Mapper->GetField());
   int hits = 0;
-  for (int row = 0; row < picture.Height; ++row)
+  for (int row = 0; row < raster.Height; ++row)
   {
-    for (int column = 0; column < picture.Width; ++column)
+    for (int column = 0; column < raster.Width; ++column)
     {
       const palpate::FieldHit felt = hand.CastWorld(rays.OfPixel(column, row), 0.0, 1.0);
-      const palpate::FieldHit& seen = picture.Hits[picture.Pixel(column, row)];
+      const palpate::FieldHit& seen = raster.Hits[raster.Pixel(column, row)];
       ASSERT_EQ(seen.Kind, felt.Kind);
       ASSERT_EQ(seen.Material, felt.Material);
       ASSERT_EQ(seen.T, felt.T);
@@ -269,10 +269,10 @@ TEST_F(SubVoxelVolumeMapper, PickerFindsVisiblePoint)
 {
   this->Mapper->KeepHitsOn();
   this->Render();
-  const palpate::FieldPicture& picture = *this->Mapper->GetPicture();
+  const palpate::FieldImage& raster = *this->Mapper->GetImage();
   vtkNew<vtkSubVoxelPicker> picker;
   ASSERT_EQ(picker->Pick(77.0, 91.0, 0.0, this->Renderer), 1);
-  const palpate::FieldHit& seen = picture.Hits[picture.Pixel(77, 91)];
+  const palpate::FieldHit& seen = raster.Hits[raster.Pixel(77, 91)];
   EXPECT_EQ(Vector3(picker->GetPickPosition()), seen.Position);
   EXPECT_EQ(picker->GetMaterial(), 0);
   EXPECT_EQ(picker->GetViewProp(), this->Volume.Get());
@@ -334,20 +334,20 @@ TEST_F(SubVoxelVolumeMapper, CastsFewerRaysIfTimeIsShort)
   this->Window->SetDesiredUpdateRate(1e5);
   this->Render();
   EXPECT_EQ(this->Mapper->GetImageSampleDistance(), 4.0);
-  EXPECT_EQ(this->Mapper->GetPicture()->Width, Side / 4);
+  EXPECT_EQ(this->Mapper->GetImage()->Width, Side / 4);
   EXPECT_EQ(this->ColorAt(100, 100), Red);
   this->Window->SetDesiredUpdateRate(1e-4);
   this->Render();
-  EXPECT_EQ(this->Mapper->GetPicture()->Width, Side);
+  EXPECT_EQ(this->Mapper->GetImage()->Width, Side);
 }
 
 TEST_F(SubVoxelVolumeMapper, ImageIsIndependentOfThreads)
 {
   this->Volume->GetProperty()->ShadeOn();
   this->Render();
-  const std::vector<std::uint8_t> many = this->Mapper->GetPicture()->Colors;
+  const std::vector<std::uint8_t> many = this->Mapper->GetImage()->Colors;
   vtkSMPTools::LocalScope(vtkSMPTools::Config{1, "Sequential", false}, [&] { this->Render(); });
-  EXPECT_EQ(many, this->Mapper->GetPicture()->Colors);
+  EXPECT_EQ(many, this->Mapper->GetImage()->Colors);
 }
 
 TEST_F(SubVoxelVolumeMapper, ContactColoursOnlyItsNeighbourhood)
@@ -471,7 +471,7 @@ TEST_F(SubVoxelVolumeMapper, AbortedFrameDefersFieldBuild)
   const unsigned long tag =
       this->Window->AddObserver(vtkCommand::AbortCheckEvent, AbortingCommand());
   this->Render();
-  EXPECT_EQ(this->Mapper->GetPicture()->Width, 0) << "the image was made despite the abort";
+  EXPECT_EQ(this->Mapper->GetImage()->Width, 0) << "the image was made despite the abort";
   this->Window->RemoveObserver(tag);
   this->Render();
   EXPECT_NE(this->ColorAt(100, 100), Black);

@@ -19,9 +19,9 @@ protected:
   void SetUp() override
   {
     test::WindowTest::SetUp();
-    const SphericalHarmonicModel ball(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-    WriteModel(this->Model, {ball, {}});
-    WriteSurface(this->Surface, DrawModel(ball, 6));
+    const SphericalHarmonicModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+    WriteModel(this->Model, {sphere, {}});
+    WriteSurface(this->Surface, DrawModel(sphere, 6));
   }
   const SceneStructure& Last() const { return this->Study->State().Structures.back(); }
   std::shared_ptr<const TouchContact> Contact() const

@@ -17,15 +17,15 @@ namespace
 using test::BadFile;
 
 // The amount of free memory differs each time.
-std::string WithoutFreeMemory(std::string sentence)
+std::string WithoutFreeMemory(std::string message)
 {
-  const std::size_t end = sentence.find(" GB are free");
+  const std::size_t end = message.find(" GB are free");
   if (end != std::string::npos)
   {
-    const std::size_t begin = sentence.rfind(' ', end - 1);
-    sentence.erase(begin, end - begin);
+    const std::size_t begin = message.rfind(' ', end - 1);
+    message.erase(begin, end - begin);
   }
-  return sentence;
+  return message;
 }
 
 // Files that the command line rejects, opened by the window's dialogs.
@@ -41,7 +41,7 @@ protected:
     WaitUntil([this] { return !this->Messages().empty(); });
     return this->Messages();
   }
-  void ExpectTheReadersSentences(const std::vector<BadFile>& files)
+  void ExpectTheReadersMessages(const std::vector<BadFile>& files)
   {
     for (const BadFile& bad : files)
     {
@@ -88,22 +88,22 @@ protected:
 
 TEST_F(BadFilesTest, NiftiMessageEqualsCommandLine)
 {
-  this->ExpectTheReadersSentences(test::BadNiftiFiles());
+  this->ExpectTheReadersMessages(test::BadNiftiFiles());
 }
 
 TEST_F(BadFilesTest, NrrdMessageEqualsCommandLine)
 {
-  this->ExpectTheReadersSentences(test::BadNrrdFiles());
+  this->ExpectTheReadersMessages(test::BadNrrdFiles());
 }
 
 TEST_F(BadFilesTest, OtherFilesMessageEqualsCommandLine)
 {
-  this->ExpectTheReadersSentences(test::BadOtherFiles());
+  this->ExpectTheReadersMessages(test::BadOtherFiles());
 }
 
 TEST_F(BadFilesTest, DamagedCompressedFileMessageEqualsCommandLine)
 {
-  this->ExpectTheReadersSentences(test::BadCompressedFiles());
+  this->ExpectTheReadersMessages(test::BadCompressedFiles());
 }
 
 TEST_F(BadFilesTest, MaskWithoutLabelsMessageEqualsCommandLine)

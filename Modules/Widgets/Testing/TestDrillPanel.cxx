@@ -66,19 +66,19 @@ protected:
   void Drill(double volume)
   {
     const Vector3 hand = this->Study->Current().Touch().HandWorld();
-    const Vector3 inward = (this->BallMiddle - hand).normalized();
-    double way = 0.0;
+    const Vector3 inward = (this->SphereCenter - hand).normalized();
+    double path = 0.0;
     this->Key(QEvent::KeyPress, Qt::Key_D);
     std::uint64_t last = 0;
     this->FeelUntil(
         [&]
         {
           const TouchState& newest = this->Study->Reading().Newest;
-          if (newest.Tick.Number >= last + 20 && way < (this->BallMiddle - hand).norm())
+          if (newest.Tick.Number >= last + 20 && path < (this->SphereCenter - hand).norm())
           {
             last = newest.Tick.Number;
-            way += 0.5;
-            this->Study->MoveHand(hand + way * inward);
+            path += 0.5;
+            this->Study->MoveHand(hand + path * inward);
           }
           return this->Removed() > volume;
         });
@@ -94,7 +94,7 @@ protected:
                : vtkSubVoxelVolumeMapper::SafeDownCast(one->second->GetMapper())->GetField();
   }
 
-  const Vector3 BallMiddle{-15.0, 0.0, 0.0};
+  const Vector3 SphereCenter{-15.0, 0.0, 0.0};
 };
 
 TEST_F(DrillPanelTest, RolesAreUndoStepsAndRestoredBySession)
@@ -138,9 +138,9 @@ TEST_F(DrillPanelTest, KeyReleaseReleasesPedalDespiteOtherKeys)
   const QKeyEvent withShift(QEvent::KeyRelease, Qt::Key_D, Qt::ShiftModifier);
   const QKeyEvent inText(QEvent::KeyRelease, Qt::Key_D, Qt::NoModifier);
   QLineEdit text;
-  const std::pair<QObject*, QKeyEvent> ways[] = {{this->Window->Views(), withShift},
-                                                 {&text, inText}};
-  for (auto [receiver, event] : ways)
+  const std::pair<QObject*, QKeyEvent> paths[] = {{this->Window->Views(), withShift},
+                                                  {&text, inText}};
+  for (auto [receiver, event] : paths)
   {
     this->HoldPedal();
     QApplication::sendEvent(receiver, &event);

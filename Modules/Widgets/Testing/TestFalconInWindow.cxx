@@ -71,13 +71,13 @@ protected:
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
   }
   // Starts, homes, and presses the sphere from the user's side.
-  void TouchTheBall()
+  void TouchTheSphere()
   {
     this->StartTouch();
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
     WaitUntil([this] { return this->Study->Reading().Newest.State == DeviceState::Ready; });
-    const Vector3 ball = this->Study->Current().Touch().Frame().ToDevice({-15.0, 0.0, 0.0});
-    this->SetHand([ball](double) -> Vector3 { return ball + Vector3(0.0, 0.0, MiddleHeight); });
+    const Vector3 sphere = this->Study->Current().Touch().Frame().ToDevice({-15.0, 0.0, 0.0});
+    this->SetHand([sphere](double) -> Vector3 { return sphere + Vector3(0.0, 0.0, CenterHeight); });
     this->FeelDespiteDelaysUntil(
         [this]
         {
@@ -107,7 +107,7 @@ protected:
         });
   }
 
-  static constexpr double MiddleHeight = 125.0; // mm, of the workspace over the base
+  static constexpr double CenterHeight = 125.0; // mm, of the workspace over the base
 
   VirtualFalcon Model;
   UsbfsFalcon Bus{Model};
@@ -137,7 +137,7 @@ TEST_F(FalconInWindowTest, ShowsHomingInstructions)
 TEST_F(FalconInWindowTest, UnpluggingEndsForcesAndReplugRestoresTouch)
 {
   this->Bed.Plug(this->Bus, 2);
-  ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
+  ASSERT_NO_FATAL_FAILURE(this->TouchTheSphere());
   this->Bed.Unplug(2);
   auto* advice = this->Window->findChild<QLabel*>("advice");
   WaitUntil([advice] { return advice->text().contains("unplugged"); });
@@ -146,14 +146,14 @@ TEST_F(FalconInWindowTest, UnpluggingEndsForcesAndReplugRestoresTouch)
   this->Button("start-touch")->click(); // stops
   EXPECT_FALSE(this->Study->IsTouching());
   this->Bed.Plug(this->Bus, 2);
-  ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
+  ASSERT_NO_FATAL_FAILURE(this->TouchTheSphere());
   this->FeelDespiteDelaysUntil([this] { return this->Window->Contents().Probe()->GetInContact(); });
 }
 
 TEST_F(FalconInWindowTest, ClosingWhileTouchingSwitchesMotorsOff)
 {
   this->Bed.Plug(this->Bus, 2);
-  ASSERT_NO_FATAL_FAILURE(this->TouchTheBall());
+  ASSERT_NO_FATAL_FAILURE(this->TouchTheSphere());
   EXPECT_TRUE(this->Window->close());
   EXPECT_EQ(this->Bus.WithFalcon([](VirtualFalcon& falcon)
                                  { return falcon.Mechanism().MotorForce().norm(); }),

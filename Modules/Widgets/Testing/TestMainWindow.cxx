@@ -60,22 +60,22 @@ TEST_F(MainWindowTest, BadFileMessageEqualsCommandLineAndWindowContinues)
 {
   const auto bad = this->Phantom.Folder / "bad.nii.gz";
   std::ofstream(bad) << "no image";
-  std::string sentence;
+  std::string message;
   try
   {
     ReadVolume(bad);
   }
   catch (const InputError& error)
   {
-    sentence = error.what();
+    message = error.what();
   }
-  ASSERT_FALSE(sentence.empty());
+  ASSERT_FALSE(message.empty());
   this->Opened = QStringList{QString::fromStdString(bad.string())};
   this->Action("Open volume")->trigger();
   WaitUntil([this] { return !this->Messages().empty(); });
-  EXPECT_EQ(this->Messages(), sentence);
+  EXPECT_EQ(this->Messages(), message);
   this->Button("copy")->click();
-  EXPECT_EQ(QApplication::clipboard()->text().toStdString(), sentence);
+  EXPECT_EQ(QApplication::clipboard()->text().toStdString(), message);
   this->Button("close")->click();
   EXPECT_FALSE(this->Window->Messages()->isVisible());
   this->OpenPhantom();

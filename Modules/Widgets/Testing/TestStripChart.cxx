@@ -16,13 +16,13 @@ protected:
   // Number of visible pixels in the curve's colour, some red.
   static int InkOf(StripChart& chart)
   {
-    const QImage picture = chart.grab().toImage();
+    const QImage image = chart.grab().toImage();
     int ink = 0;
-    for (int y = 0; y < picture.height(); ++y)
+    for (int y = 0; y < image.height(); ++y)
     {
-      for (int x = 0; x < picture.width(); ++x)
+      for (int x = 0; x < image.width(); ++x)
       {
-        const QColor color = picture.pixelColor(x, y);
+        const QColor color = image.pixelColor(x, y);
         ink += color.red() > color.green() + 100 && color.red() > color.blue() + 100 ? 1 : 0;
       }
     }

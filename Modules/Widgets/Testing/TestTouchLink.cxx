@@ -48,7 +48,7 @@ protected:
   void PressByMouse()
   {
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
-    const QPointF place = this->PlaceOf(BallMiddle);
+    const QPointF place = this->PlaceOf(SphereCenter);
     Move(canvas, place);
     // One notch per 20 ticks: the hand follows slowly, and a faster target would pass through the
     // sphere.
@@ -93,7 +93,7 @@ protected:
     return this->Study->Reading().Newest;
   }
 
-  const Vector3 BallMiddle{-15.0, 0.0, 0.0};
+  const Vector3 SphereCenter{-15.0, 0.0, 0.0};
 };
 
 TEST_F(TouchLinkTest, MouseMovesHandShownInEveryView)
@@ -165,7 +165,7 @@ TEST_F(TouchLinkTest, WheelStopsAtWorkspaceLimit)
 {
   this->StartTouch();
   SpacePane* space = this->Window->Views()->Space();
-  const QPointF place = this->PlaceOf(this->BallMiddle);
+  const QPointF place = this->PlaceOf(this->SphereCenter);
   Move(space->Canvas(), place);
   const double reach = this->Study->Current().Touch().Capabilities().Workspace.max().x();
   const WorkspaceFrame& frame = this->Study->Current().Touch().Frame();
@@ -199,18 +199,18 @@ TEST_F(TouchLinkTest, WorkspaceIsShownAndDraggedByMouse)
   SendMouse(canvas, QEvent::MouseMove, {120.0, 100.0}, Qt::NoButton, Qt::LeftButton);
   SendMouse(canvas, QEvent::MouseMove, {150.0, 100.0}, Qt::NoButton, Qt::LeftButton);
   SendMouse(canvas, QEvent::MouseButtonRelease, {150.0, 100.0}, Qt::LeftButton, Qt::NoButton);
-  const Vector3 way = touch.Frame().CenterWorld - before;
-  EXPECT_GT(way.norm(), 1.0);
+  const Vector3 path = touch.Frame().CenterWorld - before;
+  EXPECT_GT(path.norm(), 1.0);
   // To the right on the screen: a few roundings through its coordinates.
-  EXPECT_NEAR(way.normalized().dot(space->Axes().col(0)), 1.0, 1e-6);
+  EXPECT_NEAR(path.normalized().dot(space->Axes().col(0)), 1.0, 1e-6);
   Vector3 corner;
   shown->GetCorner(0, corner.data());
   const Vector3 least = touch.Capabilities().Workspace.min();
   EXPECT_LT((corner - touch.Frame().ToWorld(least)).norm(), 1e-9);
   Wheel(canvas, {150.0, 100.0}, 1);
-  EXPECT_GT((touch.Frame().CenterWorld - before - way).norm(), 0.1);
+  EXPECT_GT((touch.Frame().CenterWorld - before - path).norm(), 0.1);
   this->Action("Undo")->trigger();
-  EXPECT_LT((touch.Frame().CenterWorld - before - way).norm(), 1e-9);
+  EXPECT_LT((touch.Frame().CenterWorld - before - path).norm(), 1e-9);
   this->Action("Undo")->trigger();
   EXPECT_EQ(touch.Frame().CenterWorld, before);
   this->Action("Show the workspace")->trigger();
@@ -303,7 +303,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   ASSERT_EQ(this->Study->State().Landmarks.size(), 2U);
   // Touched from outside: at least the sphere's radius from the centre, within a voxel.
   const Vector3 touched = this->Study->State().Landmarks.front().PositionWorld;
-  EXPECT_GT((touched - this->BallMiddle).norm(), 9.0 - 1.0);
+  EXPECT_GT((touched - this->SphereCenter).norm(), 9.0 - 1.0);
   this->Window->findChild<QTableWidget*>("landmarks")->selectAll();
   this->Button("add-distance")->click();
   ASSERT_EQ(this->Study->State().Distances.size(), 1U) << this->Messages();

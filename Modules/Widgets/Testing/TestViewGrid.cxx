@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 // A sphere of 12 mm in a volume of 60 x 50 x 40 mm around the origin.
-vtkSmartPointer<vtkImageData> BallImage()
+vtkSmartPointer<vtkImageData> SphereImage()
 {
   test::LabelGrid grid;
   grid.Size = {{60, 50, 40}};
@@ -33,7 +33,7 @@ protected:
     {
       return;
     }
-    this->Contents.Images()->SetImage(BallImage());
+    this->Contents.Images()->SetImage(SphereImage());
     this->Contents.Crosshair()->SetPositionWorld(0.0, 0.0, 0.0);
     this->Views = std::make_unique<ViewGrid>(this->Contents);
     this->Views->resize(640, 480);
@@ -74,9 +74,9 @@ TEST_F(ViewGridTest, ShowsVolumeInEverySlice)
 {
   for (const SliceOrientation orientation : AllSliceOrientations)
   {
-    const QImage picture = this->CanvasOf(orientation)->grab().toImage();
+    const QImage image = this->CanvasOf(orientation)->grab().toImage();
     // Off the crosshair's lines, within the sphere: 12 mm are at least 40 pixels.
-    const QColor middle = picture.pixelColor(picture.width() / 2 + 12, picture.height() / 2 + 12);
+    const QColor middle = image.pixelColor(image.width() / 2 + 12, image.height() / 2 + 12);
     EXPECT_GT(middle.lightness(), 150) << NameOf(orientation);
   }
 }

@@ -19,13 +19,13 @@ namespace
 // differs most from it. Edges of letters are blended with the background, their centres are not.
 double DrawnContrast(QWidget& widget)
 {
-  const QImage picture = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
+  const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB32);
   std::unordered_map<QRgb, int> counts;
-  for (int row = 0; row < picture.height(); ++row)
+  for (int row = 0; row < image.height(); ++row)
   {
-    for (int column = 0; column < picture.width(); ++column)
+    for (int column = 0; column < image.width(); ++column)
     {
-      ++counts[picture.pixel(column, row)];
+      ++counts[image.pixel(column, row)];
     }
   }
   const auto most =

@@ -22,7 +22,7 @@ using test::VirtualFalconAnswer;
 
 constexpr std::int64_t Period = 1'000'000; // ns
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-const Vector3 Middle(0.0, 0.0, 125.0); // mm
+const Vector3 Center(0.0, 0.0, 125.0); // mm
 
 // A driver with a virtual Falcon on its cable. The hand is rigid and first pulls the handle out and
 // pushes it in; then the test sets its position.
@@ -80,7 +80,7 @@ protected:
   void GoTo(const Vector3& position, const Vector3& force = Vector3::Zero())
   {
     this->IsPulling = false;
-    this->Hand = Middle + position;
+    this->Hand = Center + position;
     for (int n = 0; n < 8; ++n)
     {
       ASSERT_TRUE(this->Tick(force));
@@ -98,7 +98,7 @@ protected:
   test::VirtualFalconLink* Cable = nullptr;
   std::unique_ptr<FalconDevice> Device;
   DeviceSample Sample;
-  Vector3 Hand = Middle;
+  Vector3 Hand = Center;
   bool IsPulling = true;
 };
 
@@ -340,7 +340,7 @@ TEST_F(FalconDeviceTest, WireFaultsNeverMovePosition)
     const Vector3 before = this->Sample.Position;
     ASSERT_TRUE(this->Tick({1.0, 0.0, 0.0}));
     ASSERT_EQ(this->Device->State(), DeviceState::Ready);
-    const Vector3 hand = this->Mechanism().Position() - Middle;
+    const Vector3 hand = this->Mechanism().Position() - Center;
     // 0.16 m/s for up to ten milliseconds; a changed nibble of 12 counts, 0.7 mm.
     ASSERT_LT((Vector3(this->Sample.Position) - hand).norm(), 1.6 + 0.7) << n;
     ASSERT_LT((Vector3(this->Sample.Position) - before).norm(), 1.6 + 0.7) << n;

@@ -14,13 +14,13 @@ namespace palpate
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-const Vector3 Middle(0.0, 0.0, 125.0); // mm
+const Vector3 Center(0.0, 0.0, 125.0); // mm
 
 // Uniform in the sphere that programs use as the Falcon's workspace.
 Vector3 RandomPosition(test::Random& random, double radius = 40.0)
 {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  return Middle + radius * std::cbrt(unit(random)) * test::RandomDirection(random);
+  return Center + radius * std::cbrt(unit(random)) * test::RandomDirection(random);
 }
 
 TEST(FalconKinematics, PositionsMatchTable)
@@ -37,7 +37,7 @@ TEST(FalconKinematics, PositionsMatchTable)
     // The table used pi as 3.14159265, which is off by 1e-7 degrees at 90.
     EXPECT_LT((degrees - Vector3(row[3], row[4], row[5])).cwiseAbs().maxCoeff(), 1.5e-7);
     Vector3 position;
-    ASSERT_TRUE(kinematics.PositionAt(angles, kinematics.Middle(), position));
+    ASSERT_TRUE(kinematics.PositionAt(angles, kinematics.Center(), position));
     // Nine digits of a metre, plus the effect of that pi: 4e-10 m at most.
     EXPECT_LT((1e-3 * position - Vector3(row[6], row[7], row[8])).cwiseAbs().maxCoeff(), 9.1e-10)
         << row[0] << " " << row[1] << " " << row[2];
@@ -149,7 +149,7 @@ TEST(FalconKinematics, ForwardInvertsInverseAtEdgesOfReach)
     if (kinematics.AnglesAt(position, angles))
     {
       Vector3 found;
-      if (kinematics.PositionAt(angles, kinematics.Middle(), found))
+      if (kinematics.PositionAt(angles, kinematics.Center(), found))
       {
         ++reached;
         ASSERT_LT((found - position).norm(), 1e-6) << position;
@@ -170,7 +170,7 @@ TEST(FalconKinematics, PositionsHaveRequestedAngles)
     const Vector3 angles =
         kinematics.AnglesOf(Vector3(counts(random), counts(random), counts(random)));
     Vector3 position(NaN, 1.0, 2.0);
-    if (!kinematics.PositionAt(angles, kinematics.Middle(), position))
+    if (!kinematics.PositionAt(angles, kinematics.Center(), position))
     {
       EXPECT_TRUE(std::isnan(position[0])) << "without a solution the result must not change";
       ++none;
@@ -205,11 +205,11 @@ TEST(FalconKinematics, OutOfReachHasNoSolution)
                                 Vector3(1.7, 1.7, -0.5), Vector3(1e300, 0.0, 0.0)})
   {
     Vector3 result(1.0, 2.0, 3.0);
-    EXPECT_FALSE(kinematics.PositionAt(angles, Middle, result)) << angles;
+    EXPECT_FALSE(kinematics.PositionAt(angles, Center, result)) << angles;
     EXPECT_EQ(result, Vector3(1.0, 2.0, 3.0));
   }
   Vector3 result;
-  EXPECT_FALSE(kinematics.TorquesFor({NaN, 0.0, 0.0}, Middle, result));
+  EXPECT_FALSE(kinematics.TorquesFor({NaN, 0.0, 0.0}, Center, result));
 }
 
 TEST(FalconKinematics, InvalidStartDoesNotMatter)
@@ -249,19 +249,19 @@ TEST(FalconKinematics, LeastForceIsSharp)
   const FalconKinematics kinematics{FalconGeometry()};
   test::Random random(17);
   const double torque = 600.0; // N mm
-  const double least = kinematics.LeastForce(torque, Middle);
+  const double least = kinematics.LeastForce(torque, Center);
   double largest = 0.0;
   for (int i = 0; i < 100000; ++i)
   {
     Vector3 torques;
-    ASSERT_TRUE(kinematics.TorquesFor(least * test::RandomDirection(random), Middle, torques));
+    ASSERT_TRUE(kinematics.TorquesFor(least * test::RandomDirection(random), Center, torques));
     largest = std::max(largest, torques.cwiseAbs().maxCoeff());
   }
   EXPECT_LE(largest, torque * (1.0 + 1e-12));
   // The closest of so many directions is off by a percent of angle, which enters squared.
   EXPECT_GT(largest, torque * (1.0 - 1e-3));
   // The published 9.2 N for 4095 values at 6616 a N m.
-  EXPECT_NEAR(kinematics.LeastForce(4095.0 / 6.616, Middle), 9.2, 0.05);
+  EXPECT_NEAR(kinematics.LeastForce(4095.0 / 6.616, Center), 9.2, 0.05);
 }
 } // namespace
 } // namespace palpate

@@ -59,28 +59,28 @@ TEST_F(FalconSearchTest, ReportsObstacle)
   const FoundDevice found = this->Ask(this->Path);
   EXPECT_EQ(found.Argument, "device=1-2");
   EXPECT_FALSE(found.IsUsable);
-  EXPECT_EQ(found.Says, "It is in use. (serial number S1)");
+  EXPECT_EQ(found.Details, "It is in use. (serial number S1)");
 }
 
 TEST_F(FalconSearchTest, FindsUsableFalconWithoutLoadingFirmware)
 {
   EXPECT_FALSE(this->Ask().IsUsable);
-  EXPECT_NE(this->Ask().Says.find("PALPATE_FALCON_FIRMWARE"), std::string::npos);
+  EXPECT_NE(this->Ask().Details.find("PALPATE_FALCON_FIRMWARE"), std::string::npos);
   EXPECT_FALSE(this->Ask("/no/such/file").IsUsable);
   EXPECT_TRUE(this->Ask(this->Path).IsUsable);
-  EXPECT_NE(this->Ask(this->Path).Says.find("no firmware runs"), std::string::npos);
+  EXPECT_NE(this->Ask(this->Path).Details.find("no firmware runs"), std::string::npos);
   EXPECT_TRUE(this->Finder.Falcon.Board().Image().empty());
 }
 
 TEST_F(FalconSearchTest, ReportsHomingOfRunningFirmware)
 {
   ASSERT_NO_FATAL_FAILURE(this->Load());
-  EXPECT_EQ(this->Ask().Says, "its firmware runs; it has to be homed");
+  EXPECT_EQ(this->Ask().Details, "its firmware runs; it has to be homed");
   this->Finder.Falcon.Mechanism().Settings.IsRigid = true;
   this->Finder.Falcon.Mechanism().Settings.Path = [](double t)
   { return Vector3(0.0, 0.0, 130.0 - 45.0 * std::cos(4.0 * M_PI * t)); };
   this->Time.Advance(1'000'000'000);
-  EXPECT_EQ(this->Ask().Says, "its firmware runs, and it is homed");
+  EXPECT_EQ(this->Ask().Details, "its firmware runs, and it is homed");
   EXPECT_TRUE(this->Ask().IsUsable);
   EXPECT_EQ(this->Finder.Falcon.Board().Motors(), (std::array<std::int16_t, 3>{}));
 }
@@ -90,7 +90,7 @@ TEST_F(FalconSearchTest, ReportsRefusedRequest)
   this->Finder.Falcon.Faults.StalledRequest = 9;
   const FoundDevice found = this->Ask(this->Path);
   EXPECT_FALSE(found.IsUsable);
-  EXPECT_FALSE(found.Says.empty());
+  EXPECT_FALSE(found.Details.empty());
 }
 } // namespace
 } // namespace palpate

@@ -22,14 +22,14 @@ double Left(DrillFeed& feed, bool cuts = true)
   return feed.Meet(At(Vector3::Zero()), Up, cuts).norm();
 }
 
-// Feeds by `way` in a number of ticks; orders are numbered from `number`.
-int Feed(DrillFeed& feed, int ticks, double way, std::uint64_t& number)
+// Feeds by `path` in a number of ticks; orders are numbered from `number`.
+int Feed(DrillFeed& feed, int ticks, double path, std::uint64_t& number)
 {
   int orders = 0;
   for (int n = 0; n < ticks; ++n)
   {
     Left(feed);
-    feed.Advance(way);
+    feed.Advance(path);
     CutOrder order;
     if (feed.NextCut(order))
     {
@@ -100,17 +100,17 @@ TEST(DrillFeed, StopsAtTheProbe)
 // balances the feed is R / 2 (feed / speed)^2.
 TEST(DrillFeed, DepthOfAMovingToolFollowsFeedAndSpeed)
 {
-  for (const double feedOfWay : {0.05, 0.1, 0.2})
+  for (const double feedOfPath : {0.05, 0.1, 0.2})
   {
     DrillFeed feed(Radius, 0.0);
-    constexpr double Way = 0.001; // mm per tick
+    constexpr double Path = 0.001; // mm per tick
     for (int n = 0; n < 20000; ++n)
     {
-      feed.Meet(At({Way * n, 0.0, 0.0}), Up, true);
-      feed.Advance(feedOfWay * Way);
+      feed.Meet(At({Path * n, 0.0, 0.0}), Up, true);
+      feed.Advance(feedOfPath * Path);
     }
-    const double depth = 3.0 - feed.Meet(At({Way * 20000, 0.0, 0.0}), Up, true).norm();
-    const double wanted = 0.5 * Radius * feedOfWay * feedOfWay;
+    const double depth = 3.0 - feed.Meet(At({Path * 20000, 0.0, 0.0}), Up, true).norm();
+    const double wanted = 0.5 * Radius * feedOfPath * feedOfPath;
     EXPECT_NEAR(depth, wanted, 0.1 * wanted); // steps of 0.001 mm
   }
 }

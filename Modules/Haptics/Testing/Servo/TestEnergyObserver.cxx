@@ -12,12 +12,12 @@ TEST(EnergyObserver, ReturningSpringHasZeroBalance)
 {
   EnergyObserver observer(0.02);
   // Held forces of a spring of 1 N/mm lag behind: in by 2 mm, and out again, in steps of 0.5 mm.
-  const double ways[] = {0.5, 0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5};
+  const double paths[] = {0.5, 0.5, 0.5, 0.5, -0.5, -0.5, -0.5, -0.5};
   double depth = 0.0;
-  for (const double way : ways)
+  for (const double path : paths)
   {
-    observer.Account({-depth, 0.0, 0.0}, {way, 0.0, 0.0});
-    depth += way;
+    observer.Account({-depth, 0.0, 0.0}, {path, 0.0, 0.0});
+    depth += path;
   }
   // Worked out by hand: in 0.5 (0 + 0.5 + 1 + 1.5), out 0.5 (2 + 1.5 + 1 + 0.5).
   EXPECT_DOUBLE_EQ(observer.Energy(), 1.5 - 2.5);

@@ -14,7 +14,7 @@ constexpr double Period = 0.001; // s, of the device
 constexpr int Interval = 4;      // device ticks in one of the model
 
 // The contact of a point with a sphere around the origin.
-Contact TouchBall(double radius, const Vector3& probe)
+Contact TouchSphere(double radius, const Vector3& probe)
 {
   Contact contact;
   contact.IsValid = true;
@@ -47,7 +47,7 @@ Slide SlideBy(OffsetAt offsetAt)
   for (int tick = 0; tick < 400; ++tick)
   {
     const Vector3 offset = offsetAt(tick);
-    const Contact exact = TouchBall(20.0, Sliding(tick));
+    const Contact exact = TouchSphere(20.0, Sliding(tick));
     if (tick > 2 * Interval)
     {
       slide.LargestStep = std::max(slide.LargestStep, (offset - last).norm());
@@ -86,7 +86,7 @@ TEST(ForceInterpolation, IsSmootherAndMoreAccurateThanHolding)
         Vector3 offset = felt.Advance(Sliding(tick), Period).Offset;
         if (tick % Interval == 0)
         {
-          felt.Renew(TouchBall(20.0, Sliding(tick)), Sliding(tick), Sliding(tick),
+          felt.Renew(TouchSphere(20.0, Sliding(tick)), Sliding(tick), Sliding(tick),
                      Interval * Period);
           offset = felt.Advance(Sliding(tick), 0.0).Offset;
         }
@@ -96,7 +96,7 @@ TEST(ForceInterpolation, IsSmootherAndMoreAccurateThanHolding)
       [&](int tick)
       {
         const Vector3 probe = Sliding(tick - tick % Interval);
-        return Vector3(TouchBall(20.0, probe).ProxyWorld - probe);
+        return Vector3(TouchSphere(20.0, probe).ProxyWorld - probe);
       });
   // Direction turns by 2.5 mrad per tick, four at once if the result is held.
   EXPECT_GT(held.LargestStep, 0.99 * Interval * 1.5 * 0.0025);
@@ -114,7 +114,7 @@ TEST(ForceInterpolation, NewResultCausesNoStep)
     const double radius =
         20.0 + test::RandomDirection(random)[0]; // a model with inconsistent results
     const Vector3 before = felt.Advance(probe, 0.0).Offset;
-    felt.Renew(TouchBall(radius, probe), probe, probe, Interval * Period);
+    felt.Renew(TouchSphere(radius, probe), probe, probe, Interval * Period);
     const Vector3 after = felt.Advance(probe, 0.0).Offset;
     ASSERT_NEAR((after - before).norm(), 0.0, 1e-13); // roundings of 20 mm
     probe = 18.0 * (probe + 0.1 * test::RandomDirection(random)).normalized();
@@ -126,9 +126,9 @@ TEST(ForceInterpolation, EndedContactFadesOutInOneModelPeriod)
 {
   ForceInterpolation felt;
   const Vector3 inside(18.0, 0.0, 0.0);
-  felt.Renew(TouchBall(20.0, inside), inside, inside, Period);
+  felt.Renew(TouchSphere(20.0, inside), inside, inside, Period);
   static_cast<void>(felt.Advance(inside, Period));
-  felt.Renew(TouchBall(17.0, inside), inside, inside, 4.0 * Period);
+  felt.Renew(TouchSphere(17.0, inside), inside, inside, 4.0 * Period);
   EXPECT_NEAR(felt.Advance(inside, 0.0).Offset[0], 2.0, 1e-13);
   EXPECT_NEAR(felt.Advance(inside, 2.0 * Period).Offset[0], 1.0, 1e-13);
   const ContactOffset end = felt.Advance(inside, 2.0 * Period);

@@ -311,13 +311,13 @@ TEST(SafetyChain, EveryFaultHasItsOwnMessage)
 {
   // Values after the last fault are none; a new one must be counted here too.
   constexpr int count = static_cast<int>(SafetyFault::UntakenForce) + 1;
-  std::set<std::string> sentences{Describe(static_cast<SafetyFault>(count))};
-  EXPECT_EQ(*sentences.begin(), "An unknown fault.");
+  std::set<std::string> messages{Describe(static_cast<SafetyFault>(count))};
+  EXPECT_EQ(*messages.begin(), "An unknown fault.");
   for (int fault = 0; fault < count; ++fault)
   {
     const std::string text = Describe(static_cast<SafetyFault>(fault));
     EXPECT_EQ(text.back(), '.');
-    EXPECT_TRUE(sentences.insert(text).second) << text;
+    EXPECT_TRUE(messages.insert(text).second) << text;
   }
 }
 } // namespace

@@ -70,8 +70,8 @@ TEST_F(WorkspaceFrameTest, HandStartsAtTheBorderTowardsTheViewer)
     const Vector3 first = frame.FirstHand(viewer, this->Workspace);
     EXPECT_NEAR(this->Workspace.squaredExteriorDistance(first), 0.0, Rounding);
     EXPECT_FALSE(this->Workspace.contains(Vector3(1.001 * first)));
-    const Vector3 way = frame.ToWorld(first) - frame.CenterWorld;
-    EXPECT_NEAR(way.normalized().dot(viewer.normalized()), 1.0, Rounding);
+    const Vector3 path = frame.ToWorld(first) - frame.CenterWorld;
+    EXPECT_NEAR(path.normalized().dot(viewer.normalized()), 1.0, Rounding);
   }
 }
 

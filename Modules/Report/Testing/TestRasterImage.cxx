@@ -1,4 +1,4 @@
-#include "Picture.h"
+#include "RasterImage.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -7,12 +7,12 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::Picture;
+using palpate::RasterImage;
 
 namespace
 {
 // Reads a PNG back; row 0 of the result is the top.
-Picture Decode(const std::string& png, int& components)
+RasterImage Decode(const std::string& png, int& components)
 {
   vtkNew<vtkPNGReader> reader;
   reader->SetMemoryBuffer(png.data());
@@ -22,7 +22,7 @@ Picture Decode(const std::string& png, int& components)
   int size[3];
   image->GetDimensions(size);
   components = image->GetNumberOfScalarComponents();
-  Picture picture(size[0], size[1]);
+  RasterImage raster(size[0], size[1]);
   for (int row = 0; row < size[1]; ++row)
   {
     for (int column = 0; column < size[0]; ++column)
@@ -32,56 +32,56 @@ Picture Decode(const std::string& png, int& components)
       for (int c = 0; c < 4; ++c)
       {
         const bool isColor = c < 3;
-        picture.Pixel(column, row)[c] = components == 1  ? (isColor ? source[0] : 255)
-                                        : c < components ? source[c]
-                                                         : 255;
+        raster.Pixel(column, row)[c] = components == 1  ? (isColor ? source[0] : 255)
+                                       : c < components ? source[c]
+                                                        : 255;
       }
     }
   }
-  return picture;
+  return raster;
 }
 
-Picture RandomPicture(bool isGrey, bool isOpaque)
+RasterImage RandomRasterImage(bool isGrey, bool isOpaque)
 {
   std::mt19937_64 random(99);
-  Picture picture(37, 21);
-  for (std::size_t p = 0; p < picture.Rgba.size(); p += 4)
+  RasterImage raster(37, 21);
+  for (std::size_t p = 0; p < raster.Rgba.size(); p += 4)
   {
-    std::uint8_t* pixel = picture.Rgba.data() + p;
+    std::uint8_t* pixel = raster.Rgba.data() + p;
     pixel[0] = static_cast<std::uint8_t>(random());
     pixel[1] = isGrey ? pixel[0] : static_cast<std::uint8_t>(random());
     pixel[2] = isGrey ? pixel[0] : static_cast<std::uint8_t>(random());
     pixel[3] = isOpaque ? 255 : static_cast<std::uint8_t>(random());
   }
-  return picture;
+  return raster;
 }
 } // namespace
 
-TEST(Picture, PngKeepsPixelsInFewestComponents)
+TEST(RasterImage, PngKeepsPixelsInFewestComponents)
 {
   int components = 0;
   for (const bool isGrey : {true, false})
   {
-    const Picture picture = RandomPicture(isGrey, true);
-    EXPECT_EQ(Decode(palpate::EncodePng(picture), components).Rgba, picture.Rgba);
+    const RasterImage raster = RandomRasterImage(isGrey, true);
+    EXPECT_EQ(Decode(palpate::EncodePng(raster), components).Rgba, raster.Rgba);
     EXPECT_EQ(components, isGrey ? 1 : 3);
   }
-  const Picture transparent = RandomPicture(false, false);
+  const RasterImage transparent = RandomRasterImage(false, false);
   EXPECT_EQ(Decode(palpate::EncodePng(transparent), components).Rgba, transparent.Rgba);
   EXPECT_EQ(components, 4);
 }
 
-TEST(Picture, DataUriIsBase64OfPng)
+TEST(RasterImage, DataUriIsBase64OfPng)
 {
   // RFC 4648: a PNG's first nine bytes 89 50 4E 47 0D 0A 1A 0A 00 are "iVBORw0KGgoA".
-  const std::string uri = palpate::PngDataUri(RandomPicture(true, true));
+  const std::string uri = palpate::PngDataUri(RandomRasterImage(true, true));
   const std::string start = "data:image/png;base64,";
   EXPECT_EQ(uri.substr(0, start.size() + 12), start + "iVBORw0KGgoA");
-  const std::string png = palpate::EncodePng(RandomPicture(true, true));
+  const std::string png = palpate::EncodePng(RandomRasterImage(true, true));
   EXPECT_EQ(uri.size() - start.size(), (png.size() + 2) / 3 * 4);
 }
 
-TEST(Picture, EmptyImageHasNoBytes)
+TEST(RasterImage, EmptyImageHasNoBytes)
 {
-  EXPECT_EQ(palpate::EncodePng(Picture()), "");
+  EXPECT_EQ(palpate::EncodePng(RasterImage()), "");
 }

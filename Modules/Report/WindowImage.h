@@ -1,7 +1,7 @@
 #pragma once
 
 #include "PalpateReportModule.h"
-#include "Picture.h"
+#include "RasterImage.h"
 
 class vtkRenderWindow;
 class vtkUnsignedCharArray;
@@ -9,8 +9,8 @@ class vtkUnsignedCharArray;
 namespace palpate
 {
 /// Reads the image that a window has rendered.
-PALPATEREPORT_EXPORT Picture ReadWindow(vtkRenderWindow* window);
+PALPATEREPORT_EXPORT RasterImage ReadWindow(vtkRenderWindow* window);
 /// The same into an image of the window's size, through an array; reusing both avoids allocations.
 PALPATEREPORT_EXPORT void ReadWindow(vtkRenderWindow* window, vtkUnsignedCharArray* pixels,
-                                     Picture& picture);
+                                     RasterImage& raster);
 } // namespace palpate

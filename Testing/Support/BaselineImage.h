@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Picture.h"
+#include "RasterImage.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -15,7 +15,7 @@
 
 namespace palpate::test
 {
-inline Picture ReadBaseline(const std::filesystem::path& file)
+inline RasterImage ReadBaseline(const std::filesystem::path& file)
 {
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(file.c_str());
@@ -23,28 +23,28 @@ inline Picture ReadBaseline(const std::filesystem::path& file)
   vtkImageData* image = reader->GetOutput();
   int size[3];
   image->GetDimensions(size);
-  Picture picture(size[0], size[1]);
+  RasterImage raster(size[0], size[1]);
   for (int row = 0; row < size[1]; ++row)
   {
     for (int column = 0; column < size[0]; ++column)
     {
       for (int c = 0; c < 3; ++c)
       {
-        picture.Pixel(column, row)[c] = static_cast<std::uint8_t>(
+        raster.Pixel(column, row)[c] = static_cast<std::uint8_t>(
             image->GetScalarComponentAsDouble(column, size[1] - 1 - row, 0, c));
       }
     }
   }
-  return picture;
+  return raster;
 }
 
-struct PictureDifference
+struct ImageDifference
 {
   double Mean = 255.0;     // over pixels and colours, of 255
   double LargeShare = 1.0; // share of pixels with a colour that differs by more than 40
 };
 
-inline PictureDifference Compare(const Picture& a, const Picture& b)
+inline ImageDifference Compare(const RasterImage& a, const RasterImage& b)
 {
   if (a.Width != b.Width || a.Height != b.Height)
   {
@@ -70,17 +70,17 @@ inline PictureDifference Compare(const Picture& a, const Picture& b)
 // The baseline was rendered with llvmpipe. Other drivers place samples and hint letters
 // differently, which changes pixels along edges: about 1 % of them here. A prop that is missing,
 // moved by two pixels or lit differently changes more.
-inline void ExpectLikeBaseline(const Picture& picture, const std::filesystem::path& file)
+inline void ExpectLikeBaseline(const RasterImage& raster, const std::filesystem::path& file)
 {
   const std::string name = file.filename().string();
-  const PictureDifference difference = Compare(picture, ReadBaseline(file));
+  const ImageDifference difference = Compare(raster, ReadBaseline(file));
   const bool isAlike = difference.Mean < 1.5 && difference.LargeShare < 0.015;
   EXPECT_TRUE(isAlike) << name << ": mean difference " << difference.Mean << ", large in "
                        << 100.0 * difference.LargeShare << " % of the pixels; the picture is in "
                        << std::filesystem::current_path() / name;
   if (!isAlike)
   {
-    std::ofstream(name, std::ios::binary) << palpate::EncodePng(picture);
+    std::ofstream(name, std::ios::binary) << palpate::EncodePng(raster);
   }
 }
 } // namespace palpate::test

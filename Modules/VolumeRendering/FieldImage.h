@@ -10,7 +10,7 @@
 namespace palpate
 {
 /// A rendered image of a field: rows from the bottom up.
-struct FieldPicture
+struct FieldImage
 {
   int Width = 0;
   int Height = 0;

@@ -1,4 +1,4 @@
-#include "SlicePicture.h"
+#include "SliceImage.h"
 
 #include "PlaneSampler.h"
 
@@ -30,18 +30,18 @@ std::vector<float> SampleNearest(vtkImageData* image, const SlicePlane& plane)
   return values;
 }
 
-Picture DrawGrey(const std::vector<float>& values, const SlicePlane& plane,
-                 const GreyWindow& window)
+RasterImage DrawGrey(const std::vector<float>& values, const SlicePlane& plane,
+                     const GreyWindow& window)
 {
-  Picture picture(plane.Width, plane.Height);
+  RasterImage raster(plane.Width, plane.Height);
   const double scale = 255.0 / (window.High - window.Low);
   for (std::size_t p = 0; p < values.size(); ++p)
   {
     const double grey = std::isfinite(values[p]) ? (values[p] - window.Low) * scale : 0.0;
-    std::uint8_t* pixel = picture.Rgba.data() + 4 * p;
+    std::uint8_t* pixel = raster.Rgba.data() + 4 * p;
     std::fill_n(pixel, 3, static_cast<std::uint8_t>(std::clamp(grey, 0.0, 255.0)));
     pixel[3] = 255;
   }
-  return picture;
+  return raster;
 }
 } // namespace palpate

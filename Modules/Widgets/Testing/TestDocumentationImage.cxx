@@ -1,6 +1,6 @@
-#include "BaselinePicture.h"
+#include "BaselineImage.h"
 #include "TestData.h"
-#include "WidgetPicture.h"
+#include "WidgetImage.h"
 #include "WindowTest.h"
 
 #include <QStyleFactory>
@@ -14,11 +14,11 @@ namespace
 const std::filesystem::path Head = "/usr/share/mricron/templates/ch2.nii.gz";
 const std::filesystem::path Labels = "/usr/share/mricron/templates/aal.nii.gz";
 
-using WindowPictures = test::WindowTest;
+using WindowImages = test::WindowTest;
 
 // The window's image in the documentation: in Qt's own style, so that it looks the same wherever
 // the test runs.
-TEST_F(WindowPictures, WindowShowsHeadAndModels)
+TEST_F(WindowImages, WindowShowsHeadAndModels)
 {
   PALPATE_REQUIRE_FILE(Head);
   PALPATE_REQUIRE_FILE(Labels);
@@ -44,7 +44,7 @@ TEST_F(WindowPictures, WindowShowsHeadAndModels)
   this->Settle();
   this->Window->Messages()->Clear();
   DrawAll(*this->Window->Views());
-  test::ExpectLikeBaseline(test::PictureOf(*this->Window),
+  test::ExpectLikeBaseline(test::ImageOf(*this->Window),
                            std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "viewer.png");
 }
 } // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Picture.h"
+#include "RasterImage.h"
 
 #include <QImage>
 #include <QWidget>
@@ -10,15 +10,15 @@
 namespace palpate::test
 {
 /// A widget's image.
-inline Picture PictureOf(QWidget& widget)
+inline RasterImage ImageOf(QWidget& widget)
 {
   const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGBA8888);
-  Picture picture(image.width(), image.height());
+  RasterImage raster(image.width(), image.height());
   for (int row = 0; row < image.height(); ++row)
   {
     std::copy_n(image.constScanLine(row), 4 * static_cast<std::size_t>(image.width()),
-                picture.Pixel(0, row));
+                raster.Pixel(0, row));
   }
-  return picture;
+  return raster;
 }
 } // namespace palpate::test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FieldPicture.h"
+#include "FieldImage.h"
 #include "PalpateVolumeRenderingModule.h"
 
 #include "vtkNew.h"
@@ -18,20 +18,20 @@ namespace palpate
 /// Draws an image with depths over a renderer's viewport, pixel by pixel if it has the viewport's
 /// size, so that it hides other props and is hidden by them. OpenGL; belongs to one window at a
 /// time.
-class PALPATEVOLUMERENDERING_EXPORT DepthPicture
+class PALPATEVOLUMERENDERING_EXPORT DepthImage
 {
 public:
-  DepthPicture();
-  DepthPicture(const DepthPicture&) = delete;
-  DepthPicture& operator=(const DepthPicture&) = delete;
-  ~DepthPicture();
+  DepthImage();
+  DepthImage(const DepthImage&) = delete;
+  DepthImage& operator=(const DepthImage&) = delete;
+  ~DepthImage();
 
   /// `writesDepths`: also hides props that are drawn later.
-  void Draw(vtkRenderer* renderer, const FieldPicture& picture, bool writesDepths);
+  void Draw(vtkRenderer* renderer, const FieldImage& raster, bool writesDepths);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Load(vtkOpenGLRenderWindow* window, const FieldPicture& picture);
+  void Load(vtkOpenGLRenderWindow* window, const FieldImage& raster);
 
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;

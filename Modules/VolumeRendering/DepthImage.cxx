@@ -1,4 +1,4 @@
-#include "DepthPicture.h"
+#include "DepthImage.h"
 
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -33,34 +33,34 @@ void main()
 )";
 } // namespace
 
-DepthPicture::DepthPicture() = default;
-DepthPicture::~DepthPicture() = default;
+DepthImage::DepthImage() = default;
+DepthImage::~DepthImage() = default;
 
-void DepthPicture::Load(vtkOpenGLRenderWindow* window, const FieldPicture& picture)
+void DepthImage::Load(vtkOpenGLRenderWindow* window, const FieldImage& image)
 {
-  const auto width = static_cast<unsigned int>(picture.Width);
-  const auto height = static_cast<unsigned int>(picture.Height);
+  const auto width = static_cast<unsigned int>(image.Width);
+  const auto height = static_cast<unsigned int>(image.Height);
   // vtkTextureObject takes non-const pointers, but does not write to them.
   this->Colors->SetContext(window);
   this->Colors->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->Colors->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR,
-                                const_cast<std::uint8_t*>(picture.Colors.data()));
+                                const_cast<std::uint8_t*>(image.Colors.data()));
   this->Depths->SetContext(window);
   this->Depths->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->Depths->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT,
-                                const_cast<float*>(picture.Depths.data()));
+                                const_cast<float*>(image.Depths.data()));
 }
 
-void DepthPicture::Draw(vtkRenderer* renderer, const FieldPicture& picture, bool writesDepths)
+void DepthImage::Draw(vtkRenderer* renderer, const FieldImage& image, bool writesDepths)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window == nullptr || picture.Width <= 0 || picture.Height <= 0)
+  if (window == nullptr || image.Width <= 0 || image.Height <= 0)
   {
     return;
   }
-  this->Load(window, picture);
+  this->Load(window, image);
   if (!this->Quad)
   {
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, FragmentShader, "");
@@ -90,7 +90,7 @@ void DepthPicture::Draw(vtkRenderer* renderer, const FieldPicture& picture, bool
   this->Colors->Deactivate();
 }
 
-void DepthPicture::ReleaseGraphicsResources(vtkWindow* window)
+void DepthImage::ReleaseGraphicsResources(vtkWindow* window)
 {
   if (this->Quad)
   {

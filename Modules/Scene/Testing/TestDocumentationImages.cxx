@@ -1,4 +1,4 @@
-#include "BaselinePicture.h"
+#include "BaselineImage.h"
 #include "DisplayTest.h"
 #include "FitStructure.h"
 #include "HeadCt.h"
@@ -17,21 +17,21 @@
 
 namespace
 {
-using palpate::Picture;
+using palpate::RasterImage;
 using palpate::SceneRenderer;
 
 constexpr SceneRenderer::Color Tan{{0.85, 0.66, 0.55}};
 
-Picture SideBySide(const std::vector<Picture>& panels)
+RasterImage SideBySide(const std::vector<RasterImage>& panels)
 {
-  Picture whole(0, panels.front().Height);
-  for (const Picture& panel : panels)
+  RasterImage whole(0, panels.front().Height);
+  for (const RasterImage& panel : panels)
   {
     whole.Width += panel.Width;
   }
   whole.Rgba.resize(4 * static_cast<std::size_t>(whole.Width * whole.Height));
   int left = 0;
-  for (const Picture& panel : panels)
+  for (const RasterImage& panel : panels)
   {
     for (int row = 0; row < whole.Height; ++row)
     {
@@ -71,16 +71,16 @@ struct PhantomFit
   palpate::FitResult Model;
   palpate::FitResult Steps; // the mask's own boundary
 };
-class DocumentationPictures : public palpate::test::DisplayTest
+class DocumentationImages : public palpate::test::DisplayTest
 {
 };
 } // namespace
 
-TEST_F(DocumentationPictures, OverviewShowsMaskModelAndError)
+TEST_F(DocumentationImages, OverviewShowsMaskModelAndError)
 {
   const PhantomFit fit;
   ASSERT_EQ(fit.Model.State, palpate::FitResult::Outcome::Fitted) << fit.Model.Message;
-  std::vector<Picture> panels;
+  std::vector<RasterImage> panels;
   {
     SceneRenderer scene;
     scene.AddSurface(fit.Steps.Surface, Tan, 1.0);
@@ -104,7 +104,7 @@ TEST_F(DocumentationPictures, OverviewShowsMaskModelAndError)
       SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "overview.png");
 }
 
-TEST_F(DocumentationPictures, DrawsSkullFromCtAloneAndUnderSkin)
+TEST_F(DocumentationImages, DrawsSkullFromCtAloneAndUnderSkin)
 {
   PALPATE_REQUIRE_FILE(palpate::test::HeadCtProject);
   const palpate::test::TemporaryFolder folder;
@@ -116,7 +116,7 @@ TEST_F(DocumentationPictures, DrawsSkullFromCtAloneAndUnderSkin)
                                  [](double, const std::string&) { return true; });
   };
   constexpr SceneRenderer::Color Bone{{0.93, 0.89, 0.80}};
-  std::vector<Picture> panels;
+  std::vector<RasterImage> panels;
   for (const bool hasSkin : {false, true})
   {
     SceneRenderer scene;

@@ -1,4 +1,4 @@
-#include "Picture.h"
+#include "RasterImage.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -12,12 +12,12 @@ namespace palpate
 namespace
 {
 // The fewest lossless PNG components: grey, RGB or RGBA.
-int ComponentsNeeded(const Picture& picture)
+int ComponentsNeeded(const RasterImage& raster)
 {
   bool isGrey = true;
-  for (std::size_t p = 0; p < picture.Rgba.size(); p += 4)
+  for (std::size_t p = 0; p < raster.Rgba.size(); p += 4)
   {
-    const std::uint8_t* pixel = picture.Rgba.data() + p;
+    const std::uint8_t* pixel = raster.Rgba.data() + p;
     if (pixel[3] != 255)
     {
       return 4;
@@ -50,22 +50,22 @@ std::string Base64(const std::string& bytes)
 }
 } // namespace
 
-std::string EncodePng(const Picture& picture)
+std::string EncodePng(const RasterImage& raster)
 {
-  if (picture.Width < 1 || picture.Height < 1)
+  if (raster.Width < 1 || raster.Height < 1)
   {
     return {};
   }
-  const int components = ComponentsNeeded(picture);
+  const int components = ComponentsNeeded(raster);
   vtkNew<vtkImageData> image;
-  image->SetDimensions(picture.Width, picture.Height, 1);
+  image->SetDimensions(raster.Width, raster.Height, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, components);
   auto* target = static_cast<std::uint8_t*>(image->GetScalarPointer());
-  for (int row = picture.Height - 1; row >= 0; --row) // VTK's rows rise
+  for (int row = raster.Height - 1; row >= 0; --row) // VTK's rows rise
   {
-    for (int column = 0; column < picture.Width; ++column)
+    for (int column = 0; column < raster.Width; ++column)
     {
-      const std::uint8_t* pixel = picture.Pixel(column, row);
+      const std::uint8_t* pixel = raster.Pixel(column, row);
       for (int c = 0; c < components; ++c)
       {
         *target++ = pixel[c];
@@ -83,8 +83,8 @@ std::string EncodePng(const Picture& picture)
           static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 
-std::string PngDataUri(const Picture& picture)
+std::string PngDataUri(const RasterImage& raster)
 {
-  return "data:image/png;base64," + Base64(EncodePng(picture));
+  return "data:image/png;base64," + Base64(EncodePng(raster));
 }
 } // namespace palpate

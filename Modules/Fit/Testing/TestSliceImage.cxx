@@ -1,4 +1,4 @@
-#include "SlicePicture.h"
+#include "SliceImage.h"
 
 #include "ImageAxes.h"
 #include "SyntheticFit.h"
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkImageData> MakeLinearImage()
 }
 } // namespace
 
-TEST(SlicePicture, ReproducesLinearImageOnOtherGrid)
+TEST(SliceImage, ReproducesLinearImageOnOtherGrid)
 {
   const palpate::test::SyntheticFit fit;
   const auto image = MakeLinearImage();
@@ -67,7 +67,7 @@ TEST(SlicePicture, ReproducesLinearImageOnOtherGrid)
   EXPECT_GT(inside, 10000);
 }
 
-TEST(SlicePicture, IsNanOutsideImage)
+TEST(SliceImage, IsNanOutsideImage)
 {
   const palpate::test::SyntheticFit fit;
   SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 50).front();
@@ -82,7 +82,7 @@ TEST(SlicePicture, IsNanOutsideImage)
   }
 }
 
-TEST(SlicePicture, NearestSamplesUseVoxelAtPoint)
+TEST(SliceImage, NearestSamplesUseVoxelAtPoint)
 {
   const palpate::test::SyntheticFit fit;
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 77).front();
@@ -103,16 +103,16 @@ TEST(SlicePicture, NearestSamplesUseVoxelAtPoint)
   }
 }
 
-TEST(SlicePicture, GreyRunsFromBlackToWhiteAndNanIsBlack)
+TEST(SliceImage, GreyRunsFromBlackToWhiteAndNanIsBlack)
 {
   SlicePlane plane;
   plane.Width = 4;
   plane.Height = 1;
-  const palpate::Picture picture = palpate::DrawGrey(
+  const palpate::RasterImage raster = palpate::DrawGrey(
       {10.0F, 20.0F, 15.0F, std::numeric_limits<float>::quiet_NaN()}, plane, {10.0, 20.0});
-  EXPECT_EQ(picture.Pixel(0, 0)[0], 0);
-  EXPECT_EQ(picture.Pixel(1, 0)[1], 255);
-  EXPECT_NEAR(picture.Pixel(2, 0)[2], 127, 1);
-  EXPECT_EQ(picture.Pixel(3, 0)[0], 0);
-  EXPECT_EQ(picture.Pixel(3, 0)[3], 255);
+  EXPECT_EQ(raster.Pixel(0, 0)[0], 0);
+  EXPECT_EQ(raster.Pixel(1, 0)[1], 255);
+  EXPECT_NEAR(raster.Pixel(2, 0)[2], 127, 1);
+  EXPECT_EQ(raster.Pixel(3, 0)[0], 0);
+  EXPECT_EQ(raster.Pixel(3, 0)[3], 255);
 }

@@ -10,10 +10,10 @@
 namespace palpate
 {
 /// An RGBA image: red, green, blue, opacity (not premultiplied), rows from top to bottom.
-struct Picture
+struct RasterImage
 {
-  Picture() = default;
-  Picture(int width, int height)
+  RasterImage() = default;
+  RasterImage(int width, int height)
       : Width(width), Height(height),
         Rgba(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))
   {
@@ -38,8 +38,8 @@ private:
 };
 
 /// The bytes of a PNG file, with as few components as the image needs. Empty for an empty image.
-PALPATEREPORT_EXPORT std::string EncodePng(const Picture& picture);
+PALPATEREPORT_EXPORT std::string EncodePng(const RasterImage& raster);
 
 /// The image as a "data:image/png;base64," URI, for self-contained pages.
-PALPATEREPORT_EXPORT std::string PngDataUri(const Picture& picture);
+PALPATEREPORT_EXPORT std::string PngDataUri(const RasterImage& raster);
 } // namespace palpate

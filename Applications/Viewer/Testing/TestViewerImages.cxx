@@ -16,9 +16,9 @@ namespace
 constexpr int Width = 900; // of the window, before it is scaled
 constexpr int Height = 650;
 
-bool IsWhite(const QImage& picture, int column, int row)
+bool IsWhite(const QImage& raster, int column, int row)
 {
-  const QColor color = picture.pixelColor(column, row);
+  const QColor color = raster.pixelColor(column, row);
   return color.red() > 250 && color.green() > 250 && color.blue() > 250;
 }
 
@@ -31,41 +31,41 @@ struct Bar
   int Thickness() const { return this->Bottom - this->Top + 1; }
 };
 
-bool IsBlack(const QImage& picture, int column, int row)
+bool IsBlack(const QImage& raster, int column, int row)
 {
-  return picture.valid(column, row) && qGray(picture.pixel(column, row)) < 30;
+  return raster.valid(column, row) && qGray(raster.pixel(column, row)) < 30;
 }
 
 // The white pixels from a corner to the right, and below its centre; of length 0 unless black above
 // and below.
-Bar BarFrom(const QImage& picture, int left, int top)
+Bar BarFrom(const QImage& raster, int left, int top)
 {
   Bar bar{left, left, top, top};
-  while (bar.Right + 1 < picture.width() && IsWhite(picture, bar.Right + 1, top))
+  while (bar.Right + 1 < raster.width() && IsWhite(raster, bar.Right + 1, top))
   {
     ++bar.Right;
   }
   const int middle = (bar.Left + bar.Right) / 2;
-  while (bar.Bottom + 1 < picture.height() && IsWhite(picture, middle, bar.Bottom + 1))
+  while (bar.Bottom + 1 < raster.height() && IsWhite(raster, middle, bar.Bottom + 1))
   {
     ++bar.Bottom;
   }
   const bool isOnBlack =
-      IsBlack(picture, middle, top - 1) && IsBlack(picture, middle, bar.Bottom + 1);
+      IsBlack(raster, middle, top - 1) && IsBlack(raster, middle, bar.Bottom + 1);
   return isOnBlack ? bar : Bar();
 }
 
 // The longest scale bar of all views: nothing else in them is white on black and long.
-Bar FindScaleBar(const QImage& picture)
+Bar FindScaleBar(const QImage& raster)
 {
   Bar longest;
-  for (int row = 0; row < picture.height(); ++row)
+  for (int row = 0; row < raster.height(); ++row)
   {
-    for (int column = 1; column < picture.width(); ++column)
+    for (int column = 1; column < raster.width(); ++column)
     {
-      if (IsWhite(picture, column, row) && IsBlack(picture, column - 1, row))
+      if (IsWhite(raster, column, row) && IsBlack(raster, column - 1, row))
       {
-        const Bar bar = BarFrom(picture, column, row);
+        const Bar bar = BarFrom(raster, column, row);
         longest = bar.Length() > longest.Length() ? bar : longest;
         column = std::max(column, bar.Right);
       }
@@ -76,16 +76,16 @@ Bar FindScaleBar(const QImage& picture)
 
 // Number of squares of 2 x 2 pixels with different pixels: none in an image that was enlarged after
 // drawing.
-int MixedSquares(const QImage& picture, const QRect& part)
+int MixedSquares(const QImage& raster, const QRect& part)
 {
   int mixed = 0;
   for (int row = part.top() / 2 * 2; row + 1 <= part.bottom(); row += 2)
   {
     for (int column = part.left() / 2 * 2; column + 1 <= part.right(); column += 2)
     {
-      const QRgb first = picture.pixel(column, row);
-      mixed += picture.pixel(column + 1, row) != first || picture.pixel(column, row + 1) != first ||
-                       picture.pixel(column + 1, row + 1) != first
+      const QRgb first = raster.pixel(column, row);
+      mixed += raster.pixel(column + 1, row) != first || raster.pixel(column, row + 1) != first ||
+                       raster.pixel(column + 1, row + 1) != first
                    ? 1
                    : 0;
     }
@@ -93,7 +93,7 @@ int MixedSquares(const QImage& picture, const QRect& part)
   return mixed;
 }
 
-class ViewerPicturesTest : public test::DisplayTest
+class ViewerImagesTest : public test::DisplayTest
 {
 protected:
   // The program's image of the phantom if a desktop pixel is `factor` screen pixels.
@@ -119,7 +119,7 @@ protected:
   test::StudyPhantom Phantom;
 };
 
-TEST_F(ViewerPicturesTest, KeepApparentSizeOnHighResolutionScreens)
+TEST_F(ViewerImagesTest, KeepApparentSizeOnHighResolutionScreens)
 {
   char name[] = "ViewerTests";
   char* all[] = {name, nullptr};

@@ -2,7 +2,7 @@
 
 #include "GreyWindow.h"
 #include "PalpateReportModule.h"
-#include "Picture.h"
+#include "RasterImage.h"
 #include "SlicePlane.h"
 
 #include <vector>
@@ -19,6 +19,6 @@ PALPATEREPORT_EXPORT std::vector<float> SampleLinear(vtkImageData* image, const 
 PALPATEREPORT_EXPORT std::vector<float> SampleNearest(vtkImageData* image, const SlicePlane& plane);
 
 /// A plane's values in grey; NaN is black.
-PALPATEREPORT_EXPORT Picture DrawGrey(const std::vector<float>& values, const SlicePlane& plane,
-                                      const GreyWindow& window);
+PALPATEREPORT_EXPORT RasterImage DrawGrey(const std::vector<float>& values, const SlicePlane& plane,
+                                          const GreyWindow& window);
 } // namespace palpate
