@@ -86,7 +86,7 @@ inline std::vector<PressableScene> MakePressableScenes(Random& random)
   constexpr double SphereRadius = 20.0; // mm
   const Vector3 sphereIndex(44.3, 45.1, 43.7);
   const auto voxels = Voxels(sphereIndex, SphereRadius, pressable::VoxelSize);
-  const Vector3 sphere = pressable::VoxelSize * sphereIndex;
+  const Vector3 centerWorld = pressable::VoxelSize * sphereIndex;
 
   const ToolShape point = ToolShape::Sphere(0.0);
   const ToolShape tool = ToolShape::Sphere(ToolRadius);
@@ -95,8 +95,8 @@ inline std::vector<PressableScene> MakePressableScenes(Random& random)
              Vector3::UnitZ()),
           At(random, "harmonics", tool, isHarmonics ? harmonics : nullptr, center, normal),
           At(random, "facets", tool, isFacets ? facets : nullptr, center, normal),
-          At(random, "sub-voxel, point", point, voxels, sphere + SphereRadius * place, place),
+          At(random, "sub-voxel, point", point, voxels, centerWorld + SphereRadius * place, place),
           At(random, "sub-voxel, 26 points", shell, voxels,
-             sphere + (SphereRadius + ToolRadius) * place, place)};
+             centerWorld + (SphereRadius + ToolRadius) * place, place)};
 }
 } // namespace palpate::test

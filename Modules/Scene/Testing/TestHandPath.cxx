@@ -71,8 +71,8 @@ TEST(HandPath, SweepFollowsASphereAtItsDepth)
   {
     // Bisection finds the contact to 2^-12 of the marching step.
     EXPECT_NEAR((places[p].PointWorld - center).norm(), Radius + ToolRadius - Depth, 1e-3);
-    const double path = (places[p].PointWorld - places[p - 1].PointWorld).norm();
-    EXPECT_NEAR(path / (places[p].Time - places[p - 1].Time), Speed, 1e-6 * Speed);
+    const double length = (places[p].PointWorld - places[p - 1].PointWorld).norm();
+    EXPECT_NEAR(length / (places[p].Time - places[p - 1].Time), Speed, 1e-6 * Speed);
   }
   EXPECT_GT((places.front().PointWorld - center).norm(), Radius + ToolRadius);
   EXPECT_GT((places.back().PointWorld - center).norm(), Radius + ToolRadius);
