@@ -98,17 +98,9 @@ int MeshCommand::Run(Console& console)
   {
     CheckOutputFolder(this->Output);
   }
-  try
+  for (std::size_t file = 0; file < this->Inputs.size(); ++file)
   {
-    for (std::size_t file = 0; file < this->Inputs.size(); ++file)
-    {
-      this->MeshFile(file, console);
-    }
-  }
-  catch (const Cancelled&)
-  {
-    console.Error("cancelled; finished surfaces are kept");
-    return 1;
+    this->MeshFile(file, console);
   }
   if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
   {
