@@ -107,15 +107,8 @@ std::string ViewFigure(const SoftwareRenderer& renderer, ViewSide side)
 std::string AllViews(const SoftwareRenderer& renderer)
 {
   std::array<std::string, AllViewSides.size()> figures;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(figures.size()), 1,
-                   [&](vtkIdType first, vtkIdType last)
-                   {
-                     for (auto v = static_cast<std::size_t>(first);
-                          v < static_cast<std::size_t>(last); ++v)
-                     {
-                       figures[v] = ViewFigure(renderer, AllViewSides[v]);
-                     }
-                   });
+  vtkSMPTools::Transform(AllViewSides.begin(), AllViewSides.end(), figures.begin(),
+                         [&](ViewSide side) { return ViewFigure(renderer, side); });
   std::string html = "<div class=\"views\">\n";
   for (const std::string& figure : figures)
   {

@@ -8,7 +8,6 @@
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
-#include "SoftwareVersions.h"
 #include "SvgChart.h"
 
 #include <algorithm>
@@ -132,31 +131,11 @@ std::string CaseRows(const CohortGroup& group)
          rows + "</tbody></table></div>\n";
 }
 
-std::string NoteList(const std::vector<std::string>& notes)
-{
-  std::string items;
-  for (const std::string& note : notes)
-  {
-    items += "<li>" + EscapeHtml(note) + "</li>\n";
-  }
-  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
-}
-
 std::string ModeTitle(const ShapeModes& modes, int mode)
 {
   return "Mode " + std::to_string(mode + 1) + ": " + FixedText(100.0 * modes.Explained[mode], 1) +
          " % of the variance, standard deviation " +
          FixedText(modes.Deviations[mode] / std::sqrt(4.0 * M_PI), 2) + " mm (RMS of the radius)";
-}
-
-std::string Footer()
-{
-  std::string versions;
-  for (const auto& [name, version] : SoftwareVersions())
-  {
-    versions.append(versions.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
-  }
-  return "<footer>" + EscapeHtml(versions) + "</footer>\n";
 }
 
 // The mean first, then the two shapes of each shown mode.
@@ -223,6 +202,6 @@ std::string CohortPage(const CohortGroup& group, double deviations)
           SignificantText(limit, 3) + " mm.</p>\n</header>\n" +
           ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n") +
           ReportSection("Principal modes", modes) + ReportSection("Cases", CaseRows(group)) +
-          ReportSection("Notes", NoteList(group.Notes)) + Footer());
+          ReportSection("Notes", ReportNotes(group.Notes)) + ReportFooter());
 }
 } // namespace palpate
