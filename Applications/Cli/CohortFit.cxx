@@ -301,11 +301,6 @@ int CohortFit::Conclude(Console& console)
       }
     }
   }
-  if (tally.Lost() > 0 && tally.Cases > 1)
-  {
-    console.Error(std::to_string(tally.Lost()) + " of " + std::to_string(tally.Cases) +
-                  " cases were not fitted");
-  }
-  return tally.ExitCode();
+  return tally.Conclude(console, "were not fitted");
 }
 } // namespace palpate::cli

@@ -175,17 +175,13 @@ int FitCommand::Conclude(Console& console) const
   {
     console.Error(message);
   }
-  if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
-  {
-    console.Error(std::to_string(this->Tally.Lost()) + " of " + std::to_string(this->Tally.Cases) +
-                  " cases were not fitted");
-  }
+  const int code = this->Tally.Conclude(console, "were not fitted");
   const bool hasIndex = !this->OutputFolder.empty() && this->Tally.Cases > 1 &&
                         this->Tally.BadInputs < this->Tally.Cases;
   if (hasIndex && !this->WriteIndex(console))
   {
     return Failure;
   }
-  return this->Tally.ExitCode();
+  return code;
 }
 } // namespace palpate::cli

@@ -102,12 +102,7 @@ int MeshCommand::Run(Console& console)
   {
     this->MeshFile(file, console);
   }
-  if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
-  {
-    console.Error(std::to_string(this->Tally.Lost()) + " of " + std::to_string(this->Tally.Cases) +
-                  " cases have no surface");
-  }
-  return this->Tally.ExitCode();
+  return this->Tally.Conclude(console, "have no surface");
 }
 
 Segmentation MeshCommand::Read(const std::filesystem::path& input, StructureChoice& choice) const
