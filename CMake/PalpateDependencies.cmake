@@ -8,7 +8,7 @@ set(PALPATE_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
   FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources
   ImagingCore ImagingGeneral ImagingMorphological ImagingStencil
-  IOExport IOGeometry IOImage IOPLY IOXML
+  IOCore IOExport IOGeometry IOImage IOPLY IOXML
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingVolume)
 set(palpate_vtk_build_components TestingCore TestingRendering RenderingImage

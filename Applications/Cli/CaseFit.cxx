@@ -14,8 +14,10 @@
 #include "SegmentationFile.h"
 #include "StageClock.h"
 #include "StructureChoice.h"
-#include "VolumeCoverage.h"
 #include "VolumeFile.h"
+#include "VoxelValue.h"
+
+#include "vtkBoundingBox.h"
 
 #include <algorithm>
 #include <exception>
@@ -56,16 +58,34 @@ void BlameInput(FitResult& result)
   }
 }
 
+// Whether a box (patient LPS) lies in an image's voxels, which are convex: its corners decide. They
+// are moved inwards a little, since a structure at the border of the same grid touches the limit.
+bool Covers(vtkImageData* image, const double* boundsWorld)
+{
+  vtkBoundingBox box(boundsWorld);
+  box.ScaleAboutCenter(23.0 / 24.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Vector3 point;
+    box.GetCorner(corner, point.data());
+    if (!VoxelValueAt(image, point))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 void RemarkOnVolume(const Volume& volume, FitResult& result)
 {
   if (result.Surface == nullptr || result.Surface->GetNumberOfPoints() == 0)
   {
     return;
   }
-  if (const std::string note = CoverageNote(volume.Image, result.Surface->GetBounds());
-      !note.empty())
+  if (!Covers(volume.Image, result.Surface->GetBounds()))
   {
-    result.Notes.push_back(note);
+    result.Notes.emplace_back(
+        "the volume does not cover the whole structure; check that it belongs to the mask");
   }
 }
 

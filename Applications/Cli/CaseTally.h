@@ -1,6 +1,9 @@
 #pragma once
 
+#include "Console.h"
 #include "FitResult.h"
+
+#include <string>
 
 namespace palpate::cli
 {
@@ -27,6 +30,16 @@ struct CaseTally
       return 0;
     }
     return this->BadInputs == this->Cases ? 2 : 1;
+  }
+  /// Reports how many of several cases were lost, e.g. "were not fitted"; returns the exit code.
+  int Conclude(Console& console, const std::string& lost) const
+  {
+    if (this->Lost() > 0 && this->Cases > 1)
+    {
+      console.Error(std::to_string(this->Lost()) + " of " + std::to_string(this->Cases) +
+                    " cases " + lost);
+    }
+    return this->ExitCode();
   }
 };
 } // namespace palpate::cli

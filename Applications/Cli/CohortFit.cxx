@@ -23,7 +23,6 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int Failure = 1;
 // Held while the table is read, changed and written.
 constexpr const char* TableLock = ".palpate-cohort.lock";
 
@@ -117,16 +116,7 @@ int CohortFit::Run(const std::filesystem::path& output, Console& console)
     atWork.Share();
     this->ReadEarlierRows(isAlone);
   }
-  try
-  {
-    this->RunCases(console);
-  }
-  catch (const Cancelled&)
-  {
-    console.EndProgress();
-    console.Error("cancelled; finished cases are kept, and the same command resumes");
-    return Failure;
-  }
+  this->RunCases(console);
   return this->Conclude(console);
 }
 
@@ -311,11 +301,6 @@ int CohortFit::Conclude(Console& console)
       }
     }
   }
-  if (tally.Lost() > 0 && tally.Cases > 1)
-  {
-    console.Error(std::to_string(tally.Lost()) + " of " + std::to_string(tally.Cases) +
-                  " cases were not fitted");
-  }
-  return tally.ExitCode();
+  return tally.Conclude(console, "were not fitted");
 }
 } // namespace palpate::cli

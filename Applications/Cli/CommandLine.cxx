@@ -179,8 +179,14 @@ int CommandLine::RunParsed(Console& console)
   }
   catch (const Cancelled&)
   {
-    console.Error("cancelled");
+    console.Error("cancelled; what was finished is kept");
     return Interruption::ExitCode();
+  }
+  // A filter refuses its input: a structure that is too thin, for example.
+  catch (const FilterError& error)
+  {
+    console.Error(error.what());
+    return BadInput;
   }
   catch (const InputError& error)
   {

@@ -10,10 +10,14 @@
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SegmentationFile.h"
-#include "StructureMask.h"
 #include "SurfaceFile.h"
 #include "TouchExport.h"
 #include "TouchTicksFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <CLI/CLI.hpp>
 
@@ -36,6 +40,23 @@ void RequireGoingOn()
   {
     throw Cancelled();
   }
+}
+
+// One structure as a mask of 0 and 1 on its layer's grid (unsigned char).
+vtkSmartPointer<vtkImageData> MaskOf(const Segmentation& segmentation, const Segment& structure)
+{
+  vtkImageData* layer = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
+  vtkDataArray* values = layer->GetPointData()->GetScalars();
+  vtkNew<vtkUnsignedCharArray> inside;
+  inside->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    inside->SetValue(i, values->GetComponent(i, 0) == structure.Value ? 1 : 0);
+  }
+  auto mask = vtkSmartPointer<vtkImageData>::New();
+  mask->CopyStructure(layer);
+  mask->GetPointData()->SetScalars(inside);
+  return mask;
 }
 } // namespace
 

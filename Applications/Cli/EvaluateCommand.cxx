@@ -7,18 +7,14 @@
 #include "InputError.h"
 #include "ModelFile.h"
 #include "VectorText.h"
-#include "WholeFile.h"
 
 #include <CLI/CLI.hpp>
 #include <ostream>
-#include <sstream>
 
 namespace palpate::cli
 {
 namespace
 {
-constexpr std::uintmax_t MaximumDirectionsBytes = 1u << 30;
-
 Vector3 UnitVector(const std::string& subject, const std::string& word)
 {
   const Vector3 vector = ParseVector(subject, word);
@@ -30,24 +26,6 @@ Vector3 UnitVector(const std::string& subject, const std::string& word)
   }
   return (vector / largest).normalized();
 }
-
-// One direction x,y,z per line; a title line and lines that start with # are skipped.
-std::vector<Vector3> ReadDirections(const std::string& file)
-{
-  std::vector<Vector3> directions;
-  std::istringstream lines(ReadWholeFile(file, MaximumDirectionsBytes));
-  int number = 0;
-  for (std::string line; std::getline(lines, line);)
-  {
-    ++number;
-    const bool title = number == 1 && line.find_first_of("xX") != std::string::npos;
-    if (!title && line.find_first_not_of(" \t\r") != std::string::npos && line.front() != '#')
-    {
-      directions.push_back(UnitVector(file + ", line " + std::to_string(number) + ":", line));
-    }
-  }
-  return directions;
-}
 } // namespace
 
 std::string EvaluateCommand::Examples() const
@@ -56,7 +34,7 @@ std::string EvaluateCommand::Examples() const
          "  palpate evaluate model.json --direction 1,0,0 --direction 0,0,1\n"
          "  palpate evaluate model.json --point 10,-5,22.5       inside or outside, and the "
          "distance\n"
-         "  palpate evaluate model.json --frequency 20 --csv > samples.csv   4,002 directions";
+         "  palpate evaluate model.json --frequency 20 --json > samples.json   4,002 directions";
 }
 
 void EvaluateCommand::DeclareOptions(CLI::App& app)
@@ -67,9 +45,6 @@ void EvaluateCommand::DeclareOptions(CLI::App& app)
                  "Evaluate along this direction from the centre (LPS); may be repeated")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
-  app.add_option("--directions", this->DirectionsFile,
-                 "Evaluate along each direction of a file, one x,y,z per line")
-      ->type_name("FILE.csv");
   app.add_option("--frequency", this->Frequency,
                  "Evaluate along the 10 F^2 + 2 directions of a subdivided icosahedron")
       ->type_name("F")
@@ -78,9 +53,7 @@ void EvaluateCommand::DeclareOptions(CLI::App& app)
                  "Report whether this point (mm, LPS) is inside; may be repeated")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
-  CLI::Option* json = app.add_flag("--json", this->Json, "Print one JSON object");
-  app.add_flag("--csv", this->Csv, "Print one table: directions, points, or the spectrum")
-      ->excludes(json);
+  app.add_flag("--json", this->Json, "Print one JSON object");
 }
 
 std::vector<Vector3> EvaluateCommand::UnitDirections() const
@@ -89,11 +62,6 @@ std::vector<Vector3> EvaluateCommand::UnitDirections() const
   for (const std::string& word : this->DirectionWords)
   {
     directions.push_back(UnitVector("--direction", word));
-  }
-  if (!this->DirectionsFile.empty())
-  {
-    const std::vector<Vector3> more = ReadDirections(this->DirectionsFile);
-    directions.insert(directions.end(), more.begin(), more.end());
   }
   if (this->Frequency > 0)
   {
@@ -111,16 +79,9 @@ int EvaluateCommand::Run(Console& console)
   {
     pointsWorld.push_back(ParseVector("--point", word));
   }
-  if (this->Csv && !directions.empty() && !pointsWorld.empty())
-  {
-    throw InputError("--csv prints one table, but directions and points need two; request one at a "
-                     "time, or use --json.");
-  }
   const ModelEvaluation evaluation =
       EvaluateModel(this->Model, ReadModel(this->Model).Surface, directions, pointsWorld);
-  console.Output() << (this->Json  ? EvaluationAsJson(evaluation)
-                       : this->Csv ? EvaluationAsCsv(evaluation)
-                                   : EvaluationAsText(evaluation));
+  console.Output() << (this->Json ? EvaluationAsJson(evaluation) : EvaluationAsText(evaluation));
   return 0;
 }
 } // namespace palpate::cli

@@ -26,10 +26,8 @@ private:
 
   std::string Model;
   std::vector<std::string> DirectionWords;
-  std::string DirectionsFile;
   int Frequency = 0;
   std::vector<std::string> PointWords;
   bool Json = false;
-  bool Csv = false;
 };
 } // namespace palpate::cli

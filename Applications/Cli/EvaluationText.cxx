@@ -3,7 +3,6 @@
 #include "DecimalText.h"
 #include "JsonSchema.h"
 #include "TextTable.h"
-#include "VectorText.h"
 
 #include <nlohmann/json.hpp>
 
@@ -51,30 +50,6 @@ std::string PointTable(const ModelEvaluation& evaluation)
                   FixedText(sample.RadialDistance, Decimals), FixedText(sample.Radius, Decimals)});
   }
   return "\n" + table.Text();
-}
-
-std::string DirectionCsv(const ModelEvaluation& evaluation)
-{
-  std::string text = "ux,uy,uz,radius_mm,gradient_x_mm_per_rad,gradient_y_mm_per_rad,"
-                     "gradient_z_mm_per_rad,x_mm,y_mm,z_mm,nx,ny,nz\n";
-  for (const ModelEvaluation::DirectionSample& sample : evaluation.Directions)
-  {
-    text += VectorText(sample.Direction) + "," + (sample.Radius ? ExactText(*sample.Radius) : "") +
-            "," + (sample.Gradient ? VectorText(*sample.Gradient) : ",,") + "," +
-            VectorText(sample.PointWorld) + "," + VectorText(sample.Normal) + "\n";
-  }
-  return text;
-}
-
-std::string PointCsv(const ModelEvaluation& evaluation)
-{
-  std::string text = "x_mm,y_mm,z_mm,inside,radial_distance_mm,radius_mm\n";
-  for (const ModelEvaluation::PointSample& sample : evaluation.Points)
-  {
-    text += VectorText(sample.PointWorld) + (sample.Inside ? ",1," : ",0,") +
-            ExactText(sample.RadialDistance) + "," + ExactText(sample.Radius) + "\n";
-  }
-  return text;
 }
 } // namespace
 
@@ -148,23 +123,5 @@ std::string EvaluationAsJson(const ModelEvaluation& evaluation)
                                 {"radius_mm", sample.Radius}});
   }
   return result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string EvaluationAsCsv(const ModelEvaluation& evaluation)
-{
-  if (!evaluation.Directions.empty())
-  {
-    return DirectionCsv(evaluation);
-  }
-  if (!evaluation.Points.empty())
-  {
-    return PointCsv(evaluation);
-  }
-  std::string text = "degree,power_mm2\n";
-  for (std::size_t l = 0; l < evaluation.Power.size(); ++l)
-  {
-    text += std::to_string(l) + "," + ExactText(evaluation.Power[l]) + "\n";
-  }
-  return text;
 }
 } // namespace palpate::cli

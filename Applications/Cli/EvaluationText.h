@@ -10,6 +10,4 @@ namespace palpate::cli
 std::string EvaluationAsText(const ModelEvaluation& evaluation);
 /// For scripts: one JSON object; numbers round-trip to the same bits.
 std::string EvaluationAsJson(const ModelEvaluation& evaluation);
-/// For spreadsheets: one table, of the directions, else of the points, else of the power spectrum.
-std::string EvaluationAsCsv(const ModelEvaluation& evaluation);
 } // namespace palpate::cli

@@ -5,7 +5,6 @@
 #include "CohortFit.h"
 #include "CommandProgress.h"
 #include "Console.h"
-#include "FilterRun.h"
 #include "FitFiles.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -116,18 +115,9 @@ int FitCommand::Run(Console& console)
   {
     volume = ReadVolume(this->VolumePath, this->Images.Choice());
   }
-  try
+  for (std::size_t file = 0; file < this->Inputs.size(); ++file)
   {
-    for (std::size_t file = 0; file < this->Inputs.size(); ++file)
-    {
-      this->FitFile(file, volume ? &*volume : nullptr, console);
-    }
-  }
-  catch (const Cancelled&)
-  {
-    console.EndProgress();
-    console.Error("cancelled; finished cases are kept");
-    return Failure;
+    this->FitFile(file, volume ? &*volume : nullptr, console);
   }
   return this->Conclude(console);
 }
@@ -185,17 +175,13 @@ int FitCommand::Conclude(Console& console) const
   {
     console.Error(message);
   }
-  if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
-  {
-    console.Error(std::to_string(this->Tally.Lost()) + " of " + std::to_string(this->Tally.Cases) +
-                  " cases were not fitted");
-  }
+  const int code = this->Tally.Conclude(console, "were not fitted");
   const bool hasIndex = !this->OutputFolder.empty() && this->Tally.Cases > 1 &&
                         this->Tally.BadInputs < this->Tally.Cases;
   if (hasIndex && !this->WriteIndex(console))
   {
     return Failure;
   }
-  return this->Tally.ExitCode();
+  return code;
 }
 } // namespace palpate::cli

@@ -98,24 +98,11 @@ int MeshCommand::Run(Console& console)
   {
     CheckOutputFolder(this->Output);
   }
-  try
+  for (std::size_t file = 0; file < this->Inputs.size(); ++file)
   {
-    for (std::size_t file = 0; file < this->Inputs.size(); ++file)
-    {
-      this->MeshFile(file, console);
-    }
+    this->MeshFile(file, console);
   }
-  catch (const Cancelled&)
-  {
-    console.Error("cancelled; finished surfaces are kept");
-    return 1;
-  }
-  if (this->Tally.Lost() > 0 && this->Tally.Cases > 1)
-  {
-    console.Error(std::to_string(this->Tally.Lost()) + " of " + std::to_string(this->Tally.Cases) +
-                  " cases have no surface");
-  }
-  return this->Tally.ExitCode();
+  return this->Tally.Conclude(console, "have no surface");
 }
 
 Segmentation MeshCommand::Read(const std::filesystem::path& input, StructureChoice& choice) const

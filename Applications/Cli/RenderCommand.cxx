@@ -61,25 +61,6 @@ const std::map<std::string, SceneRenderer::Plane>& Planes()
   return planes;
 }
 
-std::pair<int, int> ParseSize(const std::string& word)
-{
-  const char* end = word.data() + word.size();
-  int width = 0;
-  int height = 0;
-  const auto first = std::from_chars(word.data(), end, width);
-  if (first.ec == std::errc() && first.ptr != end && *first.ptr == 'x')
-  {
-    const auto second = std::from_chars(first.ptr + 1, end, height);
-    if (second.ec == std::errc() && second.ptr == end && std::min(width, height) >= 16 &&
-        std::max(width, height) <= LargestSide)
-    {
-      return {width, height};
-    }
-  }
-  throw InputError("--size " + word + " is not a valid image size; give WIDTHxHEIGHT, 16 to " +
-                   std::to_string(LargestSide) + " pixels each");
-}
-
 SceneRenderer::Color ParseColor(const std::string& word)
 {
   if (word == "white" || word == "black")
@@ -206,8 +187,10 @@ void RenderCommand::DeclareOptions(CLI::App& app)
           {"anterior", "posterior", "left", "right", "superior", "inferior", "oblique"}))
       ->capture_default_str();
   app.add_option("--size", this->Size, "Width and height in pixels")
+      ->delimiter('x')
+      ->check(CLI::Range(16, LargestSide))
       ->type_name("WxH")
-      ->capture_default_str();
+      ->default_str("800x800");
   app.add_option("--array", this->ArrayName,
                  "Colour surfaces by this point array, e.g. DistanceToSurface");
   app.add_option("--opacity", this->Opacity, "Opacity of the surfaces")
@@ -365,7 +348,7 @@ void RenderCommand::ColorByArray(SceneRenderer& scene) const
 int RenderCommand::Run(Console& console)
 {
   const Interruption interruption;
-  const auto [width, height] = ParseSize(this->Size);
+  const auto [width, height] = this->Size;
   const SceneRenderer::Color background = ParseColor(this->Background);
   if (this->Output.extension() != ".png")
   {

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::cli
@@ -54,7 +55,7 @@ private:
   std::vector<std::string> WithinLabels;
   bool IsSubVoxel = false;
   double Smoothing = 1.0;
-  std::string Size = "800x800";
+  std::pair<int, int> Size{800, 800};
   std::string View = "oblique";
   std::string Background = "white";
   std::string ArrayName;

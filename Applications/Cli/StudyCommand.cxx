@@ -246,16 +246,7 @@ int StudyCommand::Run(Console& console)
   SteadyClock clock;
   Study study(clock);
   study.Open(this->Input);
-  try
-  {
-    MakeAll(study, console);
-  }
-  catch (const Cancelled&)
-  {
-    console.EndProgress();
-    console.Error("cancelled; nothing was written");
-    return 1;
-  }
+  MakeAll(study, console);
   console.EndProgress();
   const std::vector<Line> lines = LinesOf(study);
   Print(lines, this->Json, console);

@@ -6,7 +6,6 @@
 #include "DrillExport.h"
 #include "DrillReport.h"
 #include "DrillState.h"
-#include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "FitStructure.h"
 #include "ImageFormat.h"
@@ -443,29 +442,17 @@ int TouchCommand::Run(Console& console)
   {
     CheckOutputFolder(this->OutputFolder);
   }
-  try
+  const PreparedTouch touch = PrepareTouch(this->Settings(), this->Script(), ProgressOn(console));
+  console.EndProgress();
+  for (const std::string& warning : touch.Warnings)
   {
-    const PreparedTouch touch = PrepareTouch(this->Settings(), this->Script(), ProgressOn(console));
-    console.EndProgress();
-    for (const std::string& warning : touch.Warnings)
-    {
-      console.Note(warning);
-    }
-    this->CheckDrilled(touch);
-    if (!this->DrillStateFile.empty())
-    {
-      ReadDrillState(this->DrillStateFile, *touch.Drill);
-    }
-    return this->ReplayFile.empty() ? this->Touch(touch, console) : this->Replay(touch, console);
+    console.Note(warning);
   }
-  catch (const FilterError& error)
+  this->CheckDrilled(touch);
+  if (!this->DrillStateFile.empty())
   {
-    throw InputError(error.what());
+    ReadDrillState(this->DrillStateFile, *touch.Drill);
   }
-  catch (const Cancelled&)
-  {
-    console.Error("cancelled before anything was touched");
-    return 1;
-  }
+  return this->ReplayFile.empty() ? this->Touch(touch, console) : this->Replay(touch, console);
 }
 } // namespace palpate::cli

@@ -3,7 +3,6 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -26,7 +25,6 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int Failure = 1;
 constexpr double Micro = 1e-3; // us per ns
 constexpr double Mega = 1e6;
 
@@ -174,8 +172,9 @@ void TradeoffCommand::Write(const TradeResult& result, Console& console) const
   }
 }
 
-int TradeoffCommand::Measure(Console& console) const
+int TradeoffCommand::Run(Console& console)
 {
+  const Interruption interruption;
   const TradeRunSettings settings = this->Settings();
   if (!this->OutputFolder.empty())
   {
@@ -186,24 +185,5 @@ int TradeoffCommand::Measure(Console& console) const
   console.EndProgress();
   this->Write(result, console);
   return 0;
-}
-
-int TradeoffCommand::Run(Console& console)
-{
-  const Interruption interruption;
-  try
-  {
-    return this->Measure(console);
-  }
-  catch (const FilterError& error)
-  {
-    throw InputError(error.what());
-  }
-  catch (const Cancelled&)
-  {
-    console.EndProgress();
-    console.Error("cancelled");
-    return Failure;
-  }
 }
 } // namespace palpate::cli

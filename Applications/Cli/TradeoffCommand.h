@@ -26,7 +26,6 @@ public:
 private:
   TradeRunSettings Settings() const;
   SceneSettings Scene() const;
-  int Measure(Console& console) const;
   void Write(const TradeResult& result, Console& console) const;
 
   std::string Input;

@@ -27,9 +27,4 @@ Vector3 ParseVector(const std::string& subject, const std::string& word)
   }
   return vector;
 }
-
-std::string VectorText(const Vector3& vector)
-{
-  return ExactText(vector.x()) + "," + ExactText(vector.y()) + "," + ExactText(vector.z());
-}
 } // namespace palpate::cli

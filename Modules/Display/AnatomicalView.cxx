@@ -8,31 +8,32 @@ namespace palpate
 {
 namespace
 {
-Vector3 Towards(ViewSide side)
+struct Side
 {
-  switch (side)
-  {
-  case ViewSide::Anterior:
-    return -Vector3::UnitY();
-  case ViewSide::Posterior:
-    return Vector3::UnitY();
-  case ViewSide::Left:
-    return Vector3::UnitX();
-  case ViewSide::Right:
-    return -Vector3::UnitX();
-  case ViewSide::Superior:
-    return Vector3::UnitZ();
-  case ViewSide::Inferior:
-    break;
-  }
-  return -Vector3::UnitZ();
+  const char* Name;
+  int Axis; // towards the viewer, patient LPS
+  double Sign;
+};
+
+// In the order of ViewSide.
+constexpr std::array<Side, 6> Sides{{{"Anterior", 1, -1.0},
+                                     {"Posterior", 1, 1.0},
+                                     {"Left", 0, 1.0},
+                                     {"Right", 0, -1.0},
+                                     {"Superior", 2, 1.0},
+                                     {"Inferior", 2, -1.0}}};
+
+const Side& PropertiesOf(ViewSide side)
+{
+  return Sides[static_cast<std::size_t>(side)];
 }
 } // namespace
 
 ViewFrame FrameOf(ViewSide side)
 {
-  const Vector3 towards = Towards(side);
-  const bool isAlongBody = side == ViewSide::Superior || side == ViewSide::Inferior;
+  const Side& properties = PropertiesOf(side);
+  const Vector3 towards = properties.Sign * Vector3::Unit(properties.Axis);
+  const bool isAlongBody = properties.Axis == 2;
   const Vector3 up = isAlongBody ? Vector3(-Vector3::UnitY()) : Vector3(Vector3::UnitZ());
   return {up.cross(towards), up, towards};
 }
@@ -46,22 +47,7 @@ ViewFrame ObliqueFrame()
 
 std::string NameOf(ViewSide side)
 {
-  switch (side)
-  {
-  case ViewSide::Anterior:
-    return "Anterior";
-  case ViewSide::Posterior:
-    return "Posterior";
-  case ViewSide::Left:
-    return "Left";
-  case ViewSide::Right:
-    return "Right";
-  case ViewSide::Superior:
-    return "Superior";
-  case ViewSide::Inferior:
-    break;
-  }
-  return "Inferior";
+  return PropertiesOf(side).Name;
 }
 
 std::string OrientationLetters(const Vector3& directionWorld)

@@ -4,41 +4,9 @@
 #include "vtkMatrix3x3.h"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <limits>
 
 namespace palpate
 {
-namespace
-{
-template <typename T>
-void GrowBox(const T* voxels, const ImageAxes& axes, int value, IndexBox& box)
-{
-  const int rowLength = axes.Size(0);
-  for (int k = axes.Extent[4]; k <= axes.Extent[5]; ++k)
-  {
-    for (int j = axes.Extent[2]; j <= axes.Extent[3]; ++j, voxels += rowLength)
-    {
-      const auto isValue = [value](T v) { return static_cast<double>(v) == value; };
-      const T* first = std::find_if(voxels, voxels + rowLength, isValue);
-      if (first == voxels + rowLength)
-      {
-        continue;
-      }
-      const T* last = voxels + rowLength - 1;
-      while (!isValue(*last))
-      {
-        --last;
-      }
-      const int lowI = axes.Extent[0] + static_cast<int>(first - voxels);
-      const int highI = axes.Extent[0] + static_cast<int>(last - voxels);
-      box.Low = box.Low.cwiseMin(Eigen::Vector3i(lowI, j, k));
-      box.High = box.High.cwiseMax(Eigen::Vector3i(highI, j, k));
-    }
-  }
-}
-} // namespace
-
 ImageAxes::ImageAxes(vtkImageData* image)
 {
   image->GetExtent(this->Extent.data());
@@ -70,18 +38,5 @@ std::array<Vector3, 8> ImageAxes::CornersWorld() const
     corners[c] = this->ToWorld(index);
   }
   return corners;
-}
-
-bool FindValueBox(vtkImageData* image, int value, IndexBox& box)
-{
-  const ImageAxes axes(image);
-  box.Low.setConstant(std::numeric_limits<int>::max());
-  box.High.setConstant(std::numeric_limits<int>::lowest());
-  switch (image->GetScalarType())
-  {
-    vtkTemplateMacro(
-        GrowBox(static_cast<const VTK_TT*>(image->GetScalarPointer()), axes, value, box));
-  }
-  return box.Low.x() <= box.High.x();
 }
 } // namespace palpate

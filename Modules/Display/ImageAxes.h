@@ -36,14 +36,4 @@ struct PALPATEDISPLAY_EXPORT ImageAxes
   Eigen::Matrix3d StepWorld;             ///< columns: the step of one index along each axis, mm
   Eigen::Matrix3d WorldToIndex;
 };
-
-/// A box of voxels, both ends included.
-struct IndexBox
-{
-  Eigen::Vector3i Low = Eigen::Vector3i::Zero();
-  Eigen::Vector3i High = Eigen::Vector3i::Zero();
-};
-
-/// The smallest box that contains all voxels with a value; false if there are none.
-PALPATEDISPLAY_EXPORT bool FindValueBox(vtkImageData* image, int value, IndexBox& box);
 } // namespace palpate

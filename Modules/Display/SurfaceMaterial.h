@@ -12,5 +12,15 @@ struct SurfaceMaterial
   /// Direction of the light relative to the camera: above the viewer's left shoulder. It is white,
   /// since tinted light would falsify colours that represent numbers.
   static constexpr double Lamp[3] = {-0.35, 0.45, 1.0};
+
+  /// Of a vtkProperty or vtkVolumeProperty.
+  template <typename Property>
+  static void Set(Property* property)
+  {
+    property->SetAmbient(Ambient);
+    property->SetDiffuse(Diffuse);
+    property->SetSpecular(Specular);
+    property->SetSpecularPower(SpecularPower);
+  }
 };
 } // namespace palpate

@@ -70,26 +70,21 @@ std::string Cards(const FitResult& result)
   return cards.empty() ? cards : "<dl class=\"cards\">\n" + cards + "</dl>\n";
 }
 
-std::string NoteItem(const std::string& note)
-{
-  return "<li>" + EscapeHtml(note) + "</li>\n";
-}
-
 std::string Notes(const FitResult& result, const Volume* volume)
 {
-  std::string items;
+  std::vector<std::string> notes;
   for (const std::string& note : result.Notes)
   {
-    items += NoteItem(SharedText(result.Input, note));
+    notes.push_back(SharedText(result.Input, note));
   }
   if (volume)
   {
     for (const std::string& note : volume->Notes)
     {
-      items += NoteItem(SharedText(volume->Source, note));
+      notes.push_back(SharedText(volume->Source, note));
     }
   }
-  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
+  return ReportNotes(notes);
 }
 } // namespace
 

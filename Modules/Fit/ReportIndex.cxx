@@ -4,7 +4,6 @@
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "ReportVerdict.h"
-#include "SoftwareVersions.h"
 #include "WholeFile.h"
 
 #include <array>
@@ -128,11 +127,6 @@ void ReportIndex::Write(const std::filesystem::path& html) const
     heads +=
         std::string("<th scope=\"col\" class=\"") + column.Style + "\">" + column.Head + "</th>";
   }
-  std::string versions;
-  for (const auto& [name, version] : SoftwareVersions())
-  {
-    versions.append(versions.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
-  }
   const std::string messages = this->Messages.empty()
                                    ? std::string()
                                    : "<ul class=\"notes\">\n" + this->Messages + "</ul>\n";
@@ -147,7 +141,6 @@ void ReportIndex::Write(const std::filesystem::path& html) const
                      heads + "</tr></thead><tbody>\n" + this->Rows +
                      "</tbody></table></div>\n<p class=\"soft\">Distances are those between model "
                      "and mask boundary.</p>\n</section>\n" +
-                     ReportSection("Not fitted", messages) + "<footer>" + EscapeHtml(versions) +
-                     "</footer>\n" + SortScript));
+                     ReportSection("Not fitted", messages) + ReportFooter() + SortScript));
 }
 } // namespace palpate

@@ -25,16 +25,11 @@ std::vector<std::vector<float>> SampleAll(const std::vector<SlicePlane>& planes,
                                           const FitResult& result, const Volume* volume)
 {
   std::vector<std::vector<float>> values(planes.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(planes.size()), 1,
-                   [&](vtkIdType first, vtkIdType last)
-                   {
-                     for (auto p = static_cast<std::size_t>(first);
-                          p < static_cast<std::size_t>(last); ++p)
-                     {
-                       values[p] = volume ? SampleLinear(volume->Image, planes[p])
-                                          : SampleNearest(result.Mask, planes[p]);
-                     }
-                   });
+  vtkSMPTools::Transform(planes.begin(), planes.end(), values.begin(),
+                         [&](const SlicePlane& plane) {
+                           return volume ? SampleLinear(volume->Image, plane)
+                                         : SampleNearest(result.Mask, plane);
+                         });
   return values;
 }
 
@@ -154,17 +149,12 @@ std::string ReportSlices(const FitResult& result, const Volume* volume)
                        [](const SlicePlane& a, const SlicePlane& b) { return a.Width < b.Width; })
           ->Width;
   std::vector<std::string> figures(planes.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(planes.size()), 1,
-                   [&](vtkIdType first, vtkIdType last)
-                   {
-                     for (auto p = static_cast<std::size_t>(first);
-                          p < static_cast<std::size_t>(last); ++p)
-                     {
-                       const double share = static_cast<double>(planes[p].Width) / widest;
-                       figures[p] = SliceFigure(planes[p], share,
-                                                DrawGrey(values[p], planes[p], window), result);
-                     }
-                   });
+  vtkSMPTools::Transform(planes.begin(), planes.end(), values.begin(), figures.begin(),
+                         [&](const SlicePlane& plane, const std::vector<float>& slice)
+                         {
+                           const double share = static_cast<double>(plane.Width) / widest;
+                           return SliceFigure(plane, share, DrawGrey(slice, plane, window), result);
+                         });
   std::string html = Legend(result, volume) + "<div class=\"slices\">\n";
   for (const std::string& figure : figures)
   {

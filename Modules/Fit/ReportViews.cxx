@@ -1,8 +1,8 @@
 #include "ReportViews.h"
 
 #include "AnatomicalView.h"
+#include "ArrayColors.h"
 #include "DecimalText.h"
-#include "DivergingColorMap.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
@@ -27,9 +27,9 @@ vtkDataArray* DistancesOf(vtkPolyData* model)
   return model ? model->GetPointData()->GetArray("DistanceToSurface") : nullptr;
 }
 
-// The 99th percentile of the absolute distances, rounded up to a convenient number: a few extremes
-// must not reduce the contrast of the rest.
-double ColorLimit(vtkDataArray* distances)
+// The 99th percentile of the absolute distances: a few extremes must not reduce the contrast of the
+// rest.
+double ColoredDistance(vtkDataArray* distances)
 {
   std::vector<double> sizes;
   for (vtkIdType p = 0; p < distances->GetNumberOfTuples(); ++p)
@@ -47,7 +47,7 @@ double ColorLimit(vtkDataArray* distances)
   const auto rank = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + rank, sizes.end());
   // Below a micrometre only rounding would be coloured.
-  return DivergingColorMap::RoundLimit(std::max(1e-3, sizes[static_cast<std::size_t>(rank)]));
+  return std::max(1e-3, sizes[static_cast<std::size_t>(rank)]);
 }
 
 std::string CssColor(const std::array<std::uint8_t, 3>& color)
@@ -57,8 +57,9 @@ std::string CssColor(const std::array<std::uint8_t, 3>& color)
   return text.data();
 }
 
-std::string ColorBar(const DivergingColorMap& colors)
+std::string ColorBar(vtkLookupTable* colors)
 {
+  const double limit = colors->GetRange()[1];
   constexpr int Stops = 16;
   constexpr double Left = 20.0;
   constexpr double Width = 360.0;
@@ -68,7 +69,7 @@ std::string ColorBar(const DivergingColorMap& colors)
   {
     const double share = static_cast<double>(stop) / Stops;
     svg += "<stop offset=\"" + SignificantText(share, 4) + "\" stop-color=\"" +
-           CssColor(colors.ColorOf((2.0 * share - 1.0) * colors.Limit())) + "\"/>";
+           CssColor(ColorOf(colors, (2.0 * share - 1.0) * limit)) + "\"/>";
   }
   svg += "</linearGradient></defs><rect x=\"20\" y=\"18\" width=\"360\" height=\"14\" rx=\"2\" "
          "fill=\"url(#distance)\"/>";
@@ -77,7 +78,7 @@ std::string ColorBar(const DivergingColorMap& colors)
     const double x = Left + 0.5 * (share + 1.0) * Width;
     const std::string sign = share > 0.0 ? "+" : "";
     svg += "<text text-anchor=\"middle\" x=\"" + FixedText(x, 1) + "\" y=\"48\">" + sign +
-           SignificantText(share * colors.Limit(), 3) + "</text>";
+           SignificantText(share * limit, 3) + "</text>";
   }
   return svg + "<text x=\"20\" y=\"12\">model inside</text><text x=\"380\" y=\"12\" "
                "text-anchor=\"end\">model outside</text><text x=\"200\" y=\"12\" "
@@ -107,15 +108,8 @@ std::string ViewFigure(const SoftwareRenderer& renderer, ViewSide side)
 std::string AllViews(const SoftwareRenderer& renderer)
 {
   std::array<std::string, AllViewSides.size()> figures;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(figures.size()), 1,
-                   [&](vtkIdType first, vtkIdType last)
-                   {
-                     for (auto v = static_cast<std::size_t>(first);
-                          v < static_cast<std::size_t>(last); ++v)
-                     {
-                       figures[v] = ViewFigure(renderer, AllViewSides[v]);
-                     }
-                   });
+  vtkSMPTools::Transform(AllViewSides.begin(), AllViewSides.end(), figures.begin(),
+                         [&](ViewSide side) { return ViewFigure(renderer, side); });
   std::string html = "<div class=\"views\">\n";
   for (const std::string& figure : figures)
   {
@@ -152,7 +146,8 @@ std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
   constexpr SoftwareRenderer::Color Uncovered{{110, 110, 110}};
   vtkPolyData* model = result.ModelSurface;
   const UncoveredCap uncovered(result);
-  const DivergingColorMap colors(ColorLimit(distances));
+  const double coloured = ColoredDistance(distances);
+  const vtkSmartPointer<vtkLookupTable> colors = MakeArrayColors(-coloured, coloured);
   std::vector<SoftwareRenderer::Color> pointColors;
   double range[2];
   distances->GetRange(range);
@@ -160,7 +155,7 @@ std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
   {
     pointColors.push_back(uncovered.Holds(Vector3(model->GetPoint(p)))
                               ? Uncovered
-                              : colors.ColorOf(distances->GetComponent(p, 0)));
+                              : ColorOf(colors, distances->GetComponent(p, 0)));
   }
   SoftwareRenderer renderer(model);
   renderer.SetPointColors(std::move(pointColors));

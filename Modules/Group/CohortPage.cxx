@@ -1,14 +1,13 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
+#include "ArrayColors.h"
 #include "DecimalText.h"
-#include "DivergingColorMap.h"
 #include "HtmlText.h"
 #include "ModelSurface.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
-#include "SoftwareVersions.h"
 #include "SvgChart.h"
 
 #include <algorithm>
@@ -56,7 +55,13 @@ double LargestExtent(const Drawn& drawn)
 class ShapeFigures
 {
 public:
-  ShapeFigures(double halfWidth, double limit) : HalfWidth(halfWidth), Colors(limit) {}
+  ShapeFigures(double halfWidth, double offset)
+      : HalfWidth(halfWidth), Colors(MakeArrayColors(-offset, offset))
+  {
+  }
+
+  /// The offset of full colour.
+  double Limit() const { return this->Colors->GetRange()[1]; }
 
   std::string Figure(const Drawn& drawn, ViewSide side, const std::string& caption) const
   {
@@ -64,7 +69,7 @@ public:
     std::vector<SoftwareRenderer::Color> colors;
     for (const double offset : drawn.Offsets)
     {
-      colors.push_back(this->Colors.ColorOf(offset));
+      colors.push_back(ColorOf(this->Colors, offset));
     }
     renderer.SetPointColors(std::move(colors));
     // The renderer puts the centre of the bounding box in the centre of its image.
@@ -87,7 +92,7 @@ public:
 
 private:
   double HalfWidth;
-  DivergingColorMap Colors;
+  vtkSmartPointer<vtkLookupTable> Colors;
 };
 
 std::string Explained(const ShapeModes& modes)
@@ -132,31 +137,11 @@ std::string CaseRows(const CohortGroup& group)
          rows + "</tbody></table></div>\n";
 }
 
-std::string NoteList(const std::vector<std::string>& notes)
-{
-  std::string items;
-  for (const std::string& note : notes)
-  {
-    items += "<li>" + EscapeHtml(note) + "</li>\n";
-  }
-  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
-}
-
 std::string ModeTitle(const ShapeModes& modes, int mode)
 {
   return "Mode " + std::to_string(mode + 1) + ": " + FixedText(100.0 * modes.Explained[mode], 1) +
          " % of the variance, standard deviation " +
          FixedText(modes.Deviations[mode] / std::sqrt(4.0 * M_PI), 2) + " mm (RMS of the radius)";
-}
-
-std::string Footer()
-{
-  std::string versions;
-  for (const auto& [name, version] : SoftwareVersions())
-  {
-    versions.append(versions.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
-  }
-  return "<footer>" + EscapeHtml(versions) + "</footer>\n";
 }
 
 // The mean first, then the two shapes of each shown mode.
@@ -191,8 +176,7 @@ std::string CohortPage(const CohortGroup& group, double deviations)
       offset = std::max(offset, std::abs(one));
     }
   }
-  const double limit = DivergingColorMap::RoundLimit(offset);
-  const ShapeFigures figures(FrameShare * extent, limit);
+  const ShapeFigures figures(FrameShare * extent, offset);
   const std::string several = SignificantText(deviations, 2) + " sd";
   std::string meanViews;
   for (const ViewSide side : Sides)
@@ -220,9 +204,9 @@ std::string CohortPage(const CohortGroup& group, double deviations)
                        "as up") +
           ". All images have the same scale; red is outside the mean, blue inside, full colour "
           "at " +
-          SignificantText(limit, 3) + " mm.</p>\n</header>\n" +
+          SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n" +
           ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n") +
           ReportSection("Principal modes", modes) + ReportSection("Cases", CaseRows(group)) +
-          ReportSection("Notes", NoteList(group.Notes)) + Footer());
+          ReportSection("Notes", ReportNotes(group.Notes)) + ReportFooter());
 }
 } // namespace palpate

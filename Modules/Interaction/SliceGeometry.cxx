@@ -12,34 +12,32 @@ namespace palpate
 {
 namespace
 {
-ViewSide SideOf(SliceOrientation orientation)
+struct Properties
 {
-  switch (orientation)
-  {
-  case SliceOrientation::Axial:
-    return ViewSide::Inferior;
-  case SliceOrientation::Coronal:
-    return ViewSide::Anterior;
-  case SliceOrientation::Sagittal:
-    break;
-  }
-  return ViewSide::Left;
+  const char* Name;
+  ViewSide Side;
+  // To the patient's head, front or right: the direction of increasing RAS coordinates, in which
+  // imaging programs count slices.
+  int ForwardAxis;
+  double ForwardSign;
+  std::array<double, 3> Color;
+};
+
+// In the order of SliceOrientation.
+constexpr std::array<Properties, 3> AllProperties{
+    {{"Axial", ViewSide::Inferior, 2, 1.0, {{0.84, 0.37, 0.0}}},
+     {"Coronal", ViewSide::Anterior, 1, -1.0, {{0.0, 0.62, 0.45}}},
+     {"Sagittal", ViewSide::Left, 0, -1.0, {{0.94, 0.89, 0.26}}}}};
+
+const Properties& PropertiesOf(SliceOrientation orientation)
+{
+  return AllProperties[static_cast<std::size_t>(orientation)];
 }
 
-// To the patient's head, front or right: the direction of increasing RAS coordinates, in which
-// imaging programs count slices.
 Vector3 BodyForward(SliceOrientation orientation)
 {
-  switch (orientation)
-  {
-  case SliceOrientation::Axial:
-    return Vector3::UnitZ();
-  case SliceOrientation::Coronal:
-    return -Vector3::UnitY();
-  case SliceOrientation::Sagittal:
-    break;
-  }
-  return -Vector3::UnitX();
+  const Properties& properties = PropertiesOf(orientation);
+  return properties.ForwardSign * Vector3::Unit(properties.ForwardAxis);
 }
 
 // The image's directions need not be perpendicular; those of a view are.
@@ -52,34 +50,16 @@ ViewFrame Orthonormal(const Vector3& right, const Vector3& up)
 
 const char* NameOf(SliceOrientation orientation)
 {
-  switch (orientation)
-  {
-  case SliceOrientation::Axial:
-    return "Axial";
-  case SliceOrientation::Coronal:
-    return "Coronal";
-  case SliceOrientation::Sagittal:
-    break;
-  }
-  return "Sagittal";
+  return PropertiesOf(orientation).Name;
 }
 
 std::array<double, 3> ColorOf(SliceOrientation orientation)
 {
-  switch (orientation)
-  {
-  case SliceOrientation::Axial:
-    return {{0.84, 0.37, 0.0}};
-  case SliceOrientation::Coronal:
-    return {{0.0, 0.62, 0.45}};
-  case SliceOrientation::Sagittal:
-    break;
-  }
-  return {{0.94, 0.89, 0.26}};
+  return PropertiesOf(orientation).Color;
 }
 
 SliceGeometry::SliceGeometry(SliceOrientation orientation, bool isAlongImage, vtkImageData* image)
-    : Frame(FrameOf(SideOf(orientation))), ForwardWorld(BodyForward(orientation))
+    : Frame(FrameOf(PropertiesOf(orientation).Side)), ForwardWorld(BodyForward(orientation))
 {
   if (image == nullptr)
   {

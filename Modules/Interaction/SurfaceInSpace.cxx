@@ -38,11 +38,7 @@ constexpr const char* ContactShader = R"(//VTK::Color::Impl
 SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
 {
   this->Surface->SetMapper(this->Mapper);
-  vtkProperty* property = this->Surface->GetProperty();
-  property->SetAmbient(SurfaceMaterial::Ambient);
-  property->SetDiffuse(SurfaceMaterial::Diffuse);
-  property->SetSpecular(SurfaceMaterial::Specular);
-  property->SetSpecularPower(SurfaceMaterial::SpecularPower);
+  SurfaceMaterial::Set(this->Surface->GetProperty());
   this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
                                                                    ContactShader, false);
   this->UpdateContact({}, nullptr);

@@ -3,7 +3,6 @@
 #include "PalpateReportModule.h"
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -16,9 +15,6 @@ class PALPATEREPORT_EXPORT ContentDigest
 public:
   /// Adds a piece; the boundaries between pieces count too.
   void Add(std::string_view piece);
-  /// Adds all bytes of a file, or of all files of a folder with their names. Throws InputError if
-  /// they cannot be read.
-  void AddContent(const std::filesystem::path& path);
   /// 16 hexadecimal digits.
   std::string Text() const;
 

@@ -69,13 +69,6 @@ private:
 };
 } // namespace
 
-std::vector<std::vector<std::string>> ParseCsv(std::string_view text)
-{
-  std::vector<std::vector<std::string>> rows;
-  CsvReader([&](std::vector<std::string> row) { rows.push_back(std::move(row)); }).Read(text);
-  return rows;
-}
-
 std::string CsvLine(const std::vector<std::string>& fields)
 {
   std::string line;

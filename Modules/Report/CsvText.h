@@ -13,11 +13,6 @@
 
 namespace palpate
 {
-/// The rows of a comma-separated text (RFC 4180: quotes around fields with commas, line breaks or
-/// quotes, which are doubled). Empty lines and a byte-order mark are ignored. CsvLine's changes to
-/// fields that look like formulas are undone.
-PALPATEREPORT_EXPORT std::vector<std::vector<std::string>> ParseCsv(std::string_view text);
-
 /// One row with its line break. Fields are quoted if needed, also for programs that separate by
 /// semicolons or tabs, and passed through InertCell: numbers remain numbers, and no text is
 /// interpreted as a formula.
@@ -41,8 +36,10 @@ private:
   std::vector<std::string> Fields;
 };
 
-/// Calls `take` with each row after the header. Keeps one row at a time: a text of commas would
-/// need many times its size.
+/// Calls `take` with each row of a comma-separated text (RFC 4180: quotes around fields with
+/// commas, line breaks or quotes, which are doubled) after the header. Empty lines and a byte-order
+/// mark are ignored. CsvLine's changes to fields that look like formulas are undone. Keeps one row
+/// at a time: a text of commas would need many times its size.
 PALPATEREPORT_EXPORT void ForEachCsvRecord(std::string_view text,
                                            const std::function<void(const CsvRecord&)>& take);
 } // namespace palpate

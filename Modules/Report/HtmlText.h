@@ -9,8 +9,8 @@
 namespace palpate
 {
 /// Escapes text for an HTML or SVG element or a quoted attribute: the characters & < > " and ' are
-/// replaced by references, line breaks by spaces, invalid UTF-8 by U+FFFD; other control characters
-/// are removed.
+/// replaced by references, line breaks and tabs by spaces, everything else that Printable replaces
+/// as it does.
 PALPATEREPORT_EXPORT std::string EscapeHtml(const std::string& text);
 
 /// Names and values, not yet escaped.

@@ -1,11 +1,10 @@
 #include "RasterImage.h"
 
+#include "vtkBase64Utilities.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <algorithm>
 
 namespace palpate
 {
@@ -29,23 +28,9 @@ int ComponentsNeeded(const RasterImage& raster)
 
 std::string Base64(const std::string& bytes)
 {
-  static const char* const Digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t start = 0; start < bytes.size(); start += 3)
-  {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - start);
-    unsigned int group = 0;
-    for (std::size_t b = 0; b < 3; ++b)
-    {
-      group = group << 8U | (b < count ? static_cast<unsigned char>(bytes[start + b]) : 0U);
-    }
-    for (std::size_t digit = 0; digit < 4; ++digit)
-    {
-      text += digit <= count ? Digits[group >> (18U - 6U * digit) & 63U] : '=';
-    }
-  }
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                             reinterpret_cast<unsigned char*>(text.data()));
   return text;
 }
 } // namespace

@@ -1,6 +1,7 @@
 #include "ReportPage.h"
 
 #include "HtmlText.h"
+#include "SoftwareVersions.h"
 
 namespace palpate
 {
@@ -138,5 +139,25 @@ std::string ReportFigure(const std::string& content, const std::string& caption)
   return content.empty() ? std::string()
                          : "<figure>" + content + "<figcaption>" + EscapeHtml(caption) +
                                "</figcaption></figure>\n";
+}
+
+std::string ReportNotes(const std::vector<std::string>& notes)
+{
+  std::string items;
+  for (const std::string& note : notes)
+  {
+    items += "<li>" + EscapeHtml(note) + "</li>\n";
+  }
+  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
+}
+
+std::string ReportFooter(const std::string& text)
+{
+  std::string all = text;
+  for (const auto& [name, version] : SoftwareVersions())
+  {
+    all.append(all.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
+  }
+  return "<footer>" + EscapeHtml(all) + "</footer>\n";
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "PalpateReportModule.h"
 
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -18,4 +19,10 @@ PALPATEREPORT_EXPORT std::string ReportSection(const std::string& heading,
 /// A figure of some content (HTML) with a caption (plain text); empty if it has no content.
 PALPATEREPORT_EXPORT std::string ReportFigure(const std::string& content,
                                               const std::string& caption);
+
+/// A list of notes (plain text); empty if there are none.
+PALPATEREPORT_EXPORT std::string ReportNotes(const std::vector<std::string>& notes);
+
+/// A footer with a text (plain, may be empty) and SoftwareVersions.
+PALPATEREPORT_EXPORT std::string ReportFooter(const std::string& text = {});
 } // namespace palpate

@@ -1,6 +1,9 @@
 #include "SlicePlane.h"
 
 #include "BodyAxes.h"
+#include "VoxelMask.h"
+
+#include "vtkImageData.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -14,11 +17,29 @@ namespace
 constexpr double SmallestMargin = 6.0;
 constexpr double MarginShare = 0.22;
 
+// The voxels that have a value, in the image's own indices.
+LabelBounds BoxOf(vtkImageData* mask, int value, const ImageAxes& axes)
+{
+  LabelBounds box;
+  switch (mask->GetScalarType())
+  {
+    vtkTemplateMacro(box = FindLabelBounds(static_cast<const VTK_TT*>(mask->GetScalarPointer()),
+                                           {axes.Size(0), axes.Size(1), axes.Size(2)},
+                                           static_cast<VTK_TT>(value)));
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.First[axis] += axes.Extent[2 * axis];
+    box.Last[axis] += axes.Extent[2 * axis];
+  }
+  return box;
+}
+
 // Lays out planes around one box of voxels.
 class Layout
 {
 public:
-  Layout(const ImageAxes& image, const IndexBox& box, int longestSide)
+  Layout(const ImageAxes& image, const LabelBounds& box, int longestSide)
       : Image(image), Box(box), Body(image)
   {
     double longest = 0.0;
@@ -51,7 +72,11 @@ public:
     plane.SliceNumber = sliceIndex - this->Image.Extent[2 * plane.SliceAxis] + 1;
     plane.SliceCount = this->Image.Size(plane.SliceAxis);
 
-    Vector3 middleIndex = 0.5 * (this->Box.Low + this->Box.High).cast<double>();
+    Vector3 middleIndex;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      middleIndex[axis] = 0.5 * (this->Box.First[axis] + this->Box.Last[axis]);
+    }
     middleIndex[plane.SliceAxis] = sliceIndex;
     plane.CornerWorld = this->Image.ToWorld(middleIndex) -
                         0.5 * this->PixelMillimeters *
@@ -63,14 +88,14 @@ public:
   {
     std::vector<SlicePlane> planes;
     const int axis = this->Body.Axis[2];
-    int previous = this->Box.Low[axis] - 1;
+    int previous = this->Box.First[axis] - 1;
     for (int k = 0; k < axialCount; ++k)
     {
       // The centres of equal parts of the structure's height, from below.
       const int part = this->Body.Sign[2] > 0.0 ? k : axialCount - 1 - k;
-      const double height = this->Box.High[axis] - this->Box.Low[axis];
+      const double height = this->Box.Last[axis] - this->Box.First[axis];
       const int index =
-          this->Box.Low[axis] + static_cast<int>(std::lround(height * (part + 0.5) / axialCount));
+          this->Box.First[axis] + static_cast<int>(std::lround(height * (part + 0.5) / axialCount));
       if (k == 0 || index != previous)
       {
         planes.push_back(this->Make("Axial", 2, 0, 1, 1.0, index));
@@ -85,16 +110,16 @@ public:
 private:
   double SideMillimeters(int axis) const
   {
-    return (this->Box.High[axis] - this->Box.Low[axis] + 1) * this->Image.Spacing[axis];
+    return (this->Box.Last[axis] - this->Box.First[axis] + 1) * this->Image.Spacing[axis];
   }
   int Center(int bodyAxis) const
   {
     const int axis = this->Body.Axis[bodyAxis];
-    return (this->Box.Low[axis] + this->Box.High[axis]) / 2;
+    return (this->Box.First[axis] + this->Box.Last[axis]) / 2;
   }
 
   const ImageAxes& Image;
-  const IndexBox& Box;
+  const LabelBounds& Box;
   BodyAxes Body;
   double Margin;
   double PixelMillimeters;
@@ -110,11 +135,8 @@ std::vector<SlicePlane> ChooseSlicePlanes(vtkImageData* mask, int value, int axi
                                           int longestSide)
 {
   const ImageAxes image(mask);
-  IndexBox box;
-  if (!FindValueBox(mask, value, box))
-  {
-    return {};
-  }
-  return Layout(image, box, longestSide).All(axialCount);
+  const LabelBounds box = BoxOf(mask, value, image);
+  return box.IsEmpty() ? std::vector<SlicePlane>()
+                       : Layout(image, box, longestSide).All(axialCount);
 }
 } // namespace palpate

@@ -111,10 +111,7 @@ std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, 
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
-  actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
-  actor->GetProperty()->SetSpecular(SurfaceMaterial::Specular);
-  actor->GetProperty()->SetSpecularPower(SurfaceMaterial::SpecularPower);
+  SurfaceMaterial::Set(actor->GetProperty());
   actor->GetProperty()->SetOpacity(opacity);
   this->Renderer->AddActor(actor);
   this->Surfaces.push_back({actor, shown});
@@ -153,12 +150,8 @@ std::size_t SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& fi
   }
   vtkNew<vtkSubVoxelVolume> volume;
   volume->SetMapper(mapper);
-  vtkVolumeProperty* property = volume->GetProperty();
-  property->ShadeOn();
-  property->SetAmbient(SurfaceMaterial::Ambient);
-  property->SetDiffuse(SurfaceMaterial::Diffuse);
-  property->SetSpecular(SurfaceMaterial::Specular);
-  property->SetSpecularPower(SurfaceMaterial::SpecularPower);
+  volume->GetProperty()->ShadeOn();
+  SurfaceMaterial::Set(volume->GetProperty());
   this->Renderer->AddVolume(volume);
   for (const std::array<int, 3>& cell : field->SurfaceCells())
   {

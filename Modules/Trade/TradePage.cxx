@@ -3,7 +3,6 @@
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
-#include "SoftwareVersions.h"
 #include "SvgChart.h"
 #include "TradePareto.h"
 #include "TradeText.h"
@@ -181,13 +180,8 @@ std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* 
 
 std::string Refusals(const TradeStructureResult& structure)
 {
-  std::string items;
-  for (const std::string& message : RefusalsOf(structure))
-  {
-    items += "<li>" + EscapeHtml(message) + "</li>\n";
-  }
-  return items.empty() ? items
-                       : "<h3>Not measured</h3>\n<ul class=\"notes\">\n" + items + "</ul>\n";
+  const std::string notes = ReportNotes(RefusalsOf(structure));
+  return notes.empty() ? notes : "<h3>Not measured</h3>\n" + notes;
 }
 
 std::string StructureSection(const TradeStructureResult& structure)
@@ -223,16 +217,6 @@ std::string HowItWasMeasured(const TradeResult& result)
          "of its direction is 18\xC2\xB0 to 33\xC2\xB0, evaluated from 0.02 N on. A seizure: the "
          "position error exceeds 2 mm.</p>\n";
 }
-
-std::string Footer(const TradeResult& result)
-{
-  std::string text = result.Machine;
-  for (const auto& [name, version] : SoftwareVersions())
-  {
-    text.append(" \xC2\xB7 ").append(name).append(" ").append(version);
-  }
-  return "<footer>" + EscapeHtml(text) + "</footer>\n";
-}
 } // namespace
 
 std::string TradePage(const TradeResult& result)
@@ -246,6 +230,7 @@ std::string TradePage(const TradeResult& result)
                     "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 trade-off</div>\n<h1>Speed "
                     "against accuracy</h1>\n<p class=\"soft\">" +
                         EscapeHtml(result.Machine) + "</p>\n</header>\n" + sections +
-                        ReportSection("Method", HowItWasMeasured(result)) + Footer(result));
+                        ReportSection("Method", HowItWasMeasured(result)) +
+                        ReportFooter(result.Machine));
 }
 } // namespace palpate

@@ -219,12 +219,8 @@ void ViewContents::ShowField(const SceneStructure& structure,
     mapper->SetField(field);
     shown = vtkSmartPointer<vtkSubVoxelVolume>::New();
     shown->SetMapper(mapper);
-    vtkVolumeProperty* property = shown->GetProperty();
-    property->ShadeOn(); // like surfaces
-    property->SetAmbient(SurfaceMaterial::Ambient);
-    property->SetDiffuse(SurfaceMaterial::Diffuse);
-    property->SetSpecular(SurfaceMaterial::Specular);
-    property->SetSpecularPower(SurfaceMaterial::SpecularPower);
+    shown->GetProperty()->ShadeOn(); // like surfaces
+    SurfaceMaterial::Set(shown->GetProperty());
   }
   auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->GetMapper());
   std::array<double, 3> color{};

@@ -1,5 +1,5 @@
 #include "CohortTable.h"
-#include "CsvText.h"
+#include "CsvRecords.h"
 #include "StartedCommand.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
@@ -18,6 +18,17 @@ namespace
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
+}
+
+/// The fields below a head of numbers.
+std::vector<std::string> FieldsOf(const palpate::CsvRecord& row, std::size_t count)
+{
+  std::vector<std::string> fields;
+  for (std::size_t column = 0; column < count; ++column)
+  {
+    fields.push_back(*row.Find(std::to_string(column)));
+  }
+  return fields;
 }
 
 std::vector<CohortRow> RowsIn(const std::filesystem::path& folder)
@@ -273,10 +284,15 @@ TEST(CsvText, RoundTripsAnyField)
 {
   const std::vector<std::string> fields{"a,b", "say \"yes\"", "two\nlines", "", " blank ", "é"};
   const std::string line = palpate::CsvLine(fields);
-  EXPECT_EQ(palpate::ParseCsv(line + line),
-            (std::vector<std::vector<std::string>>{fields, fields}));
-  EXPECT_EQ(palpate::ParseCsv("\xEF\xBB\xBFx,y\r\n\r\n1,2"),
-            (std::vector<std::vector<std::string>>{{"x", "y"}, {"1", "2"}}));
+  const auto rows = CsvRecordsIn("0,1,2,3,4,5,6\n" + line + line);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(FieldsOf(rows[0], fields.size()), fields);
+  EXPECT_EQ(FieldsOf(rows[1], fields.size()), fields);
+  EXPECT_EQ(*rows[0].Find("6"), "") << "one field more";
+  const auto marked = CsvRecordsIn("\xEF\xBB\xBFx,y\r\n\r\n1,2");
+  ASSERT_EQ(marked.size(), 1U);
+  EXPECT_EQ(*marked[0].Find("x"), "1");
+  EXPECT_EQ(*marked[0].Find("y"), "2");
 }
 
 TEST(CsvText, DisarmsFormulasForSemicolonSeparatorsToo)
@@ -284,7 +300,9 @@ TEST(CsvText, DisarmsFormulasForSemicolonSeparatorsToo)
   const std::vector<std::string> fields{"=1+1", "-1.5", "@a", "a;=1", "'=x", "+x,y"};
   const std::string line = palpate::CsvLine(fields);
   EXPECT_EQ(line, "'=1+1,-1.5,'@a,\"a;=1\",''=x,\"'+x,y\"\n");
-  EXPECT_EQ(palpate::ParseCsv(line), (std::vector<std::vector<std::string>>{fields}));
+  const auto rows = CsvRecordsIn("0,1,2,3,4,5\n" + line);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(FieldsOf(rows[0], fields.size()), fields);
 }
 
 TEST_F(CliCohort, FormulaLikeNamesAreDisarmedAndRestored)

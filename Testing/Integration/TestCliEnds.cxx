@@ -142,7 +142,7 @@ TEST_F(CliEnds, SignalWritesDrillingDoneSoFar)
   EXPECT_EQ(run.Code, 130) << run.Errors;
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "left.nrrd")) << run.Errors;
   EXPECT_EQ(this->FilesThatAreLeft().count("drill.state"), 1U);
-  EXPECT_EQ(run.Errors.find("before anything was touched"), std::string::npos) << run.Errors;
+  EXPECT_EQ(run.Errors.find("cancelled"), std::string::npos) << run.Errors;
 }
 
 // The test's own X server, to be stopped and killed.

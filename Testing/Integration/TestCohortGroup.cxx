@@ -12,6 +12,7 @@
 #include "TemporaryFolder.h"
 #include "WorstCase.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace palpate;
@@ -116,11 +117,11 @@ TEST(CohortGroup, TablesHaveOneRowPerCase)
   AddKnownCases(cohort);
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
   WriteCohortGroup(group, cohort.Folder / "out", "test");
-  const auto coefficients =
-      CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv"));
+  const std::string table = palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv");
+  const auto coefficients = CsvRecordsIn(table);
   ASSERT_EQ(coefficients.size(), 4U);
-  const auto rows = ParseCsv(palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv"));
-  EXPECT_EQ(rows[1].size(), 36U + 2U);
+  const std::size_t row = table.find('\n') + 1;
+  EXPECT_EQ(std::count(&table[row], &table[table.find('\n', row)], ','), 36 + 1);
   const SphericalHarmonicModel& last = cohort.Table.Rows()[3].Result.Model;
   EXPECT_EQ(Field(coefficients[3], "c_0_0"), last.Coefficients()[0]);
   EXPECT_EQ(Field(coefficients[3], "c_1_-1"), last.Coefficients()[1]);

@@ -8,7 +8,6 @@
 #include <random>
 
 using palpate::ImageAxes;
-using palpate::IndexBox;
 using palpate::Vector3;
 
 TEST(ImageAxes, VoxelPositionsEqualVtk)
@@ -44,33 +43,4 @@ TEST(ImageAxes, CornersAreHalfAVoxelBeyondOutermostCentres)
   EXPECT_EQ(corners[0], Vector3(-7.0, 1.5, -2.0));
   EXPECT_EQ(corners[5], Vector3(19.0, 1.5, 34.0));
   EXPECT_EQ(corners[7], Vector3(19.0, 12.5, 34.0));
-}
-
-TEST(ImageAxes, ValueBoxIsSmallest)
-{
-  std::mt19937_64 random(2);
-  for (int trial = 0; trial < 50; ++trial)
-  {
-    vtkNew<vtkImageData> image;
-    image->SetExtent(-3, 9, 2, 12, 0, 8);
-    image->AllocateScalars(VTK_SHORT, 1);
-    std::fill_n(static_cast<short*>(image->GetScalarPointer()), image->GetNumberOfPoints(),
-                short{1});
-    Eigen::Vector3i low(1000, 1000, 1000);
-    Eigen::Vector3i high(-1000, -1000, -1000);
-    const int count = 1 + static_cast<int>(random() % 4);
-    for (int c = 0; c < count; ++c)
-    {
-      const Eigen::Vector3i at(static_cast<int>(random() % 13) - 3,
-                               static_cast<int>(random() % 11) + 2, static_cast<int>(random() % 9));
-      *static_cast<short*>(image->GetScalarPointer(at.x(), at.y(), at.z())) = 42;
-      low = low.cwiseMin(at);
-      high = high.cwiseMax(at);
-    }
-    IndexBox box;
-    ASSERT_TRUE(palpate::FindValueBox(image, 42, box));
-    EXPECT_EQ(box.Low, low);
-    EXPECT_EQ(box.High, high);
-    EXPECT_FALSE(palpate::FindValueBox(image, 43, box));
-  }
 }

@@ -152,3 +152,21 @@ TEST(SlicePlane, StructureOfOneSliceIsShownOnce)
   ASSERT_EQ(planes.size(), 3U);
   EXPECT_EQ(planes[0].SliceIndex, 3);
 }
+
+TEST(SlicePlane, IndicesNeedNotStartAtZero)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(-3, 9, 2, 12, 5, 8);
+  image->AllocateScalars(VTK_SHORT, 1);
+  std::fill_n(static_cast<short*>(image->GetScalarPointer()), image->GetNumberOfPoints(), short{0});
+  const Eigen::Vector3i voxel(-2, 4, 7);
+  *static_cast<short*>(image->GetScalarPointer(voxel.x(), voxel.y(), voxel.z())) = 7;
+  const auto planes = ChooseSlicePlanes(image, 7, 1, 100);
+  ASSERT_EQ(planes.size(), 3U);
+  for (const SlicePlane& plane : planes)
+  {
+    EXPECT_EQ(plane.SliceIndex, voxel[plane.SliceAxis]) << plane.Name;
+    const Vector3 centre = plane.ToWorld({0.5 * plane.Width, 0.5 * plane.Height});
+    EXPECT_NEAR((centre - voxel.cast<double>()).norm(), 0.0, 1e-12) << plane.Name;
+  }
+}

@@ -2,6 +2,8 @@
 
 #include "LittleEndian.h"
 
+#include "vtkBase64Utilities.h"
+
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -153,22 +155,9 @@ GltfFile Describe(const TriangleMesh& mesh)
 
 std::string Base64(const std::string& bytes)
 {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    std::uint32_t group = 0;
-    const std::size_t given = std::min<std::size_t>(3, bytes.size() - i);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      group = group << 8 | (k < given ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      text.push_back(k <= given ? digits[group >> (18 - 6 * k) & 63] : '=');
-    }
-  }
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                             reinterpret_cast<unsigned char*>(text.data()));
   return text;
 }
 

@@ -10,19 +10,20 @@ TEST(HtmlText, EscapesMarkupAndQuotes)
             "&lt;b a=&quot;1&quot; b=&#39;2&#39;&gt;&amp;amp;");
 }
 
-TEST(HtmlText, KeepsUtf8AndReplacesInvalidBytes)
+TEST(HtmlText, KeepsUtf8AndShowsInvalidBytes)
 {
   EXPECT_EQ(EscapeHtml("Dr\xC3\xBCse \xF0\x9F\x98\x80"), "Dr\xC3\xBCse \xF0\x9F\x98\x80");
-  const std::string replaced = "\xEF\xBF\xBD";
-  EXPECT_EQ(EscapeHtml("Dr\xFCse"), "Dr" + replaced + "se");             // Latin-1
-  EXPECT_EQ(EscapeHtml("\xC3"), replaced);                               // cut off
-  EXPECT_EQ(EscapeHtml("\xC0\xBC"), replaced + replaced);                // overlong '<'
-  EXPECT_EQ(EscapeHtml("\xED\xA0\x80"), replaced + replaced + replaced); // surrogate
+  EXPECT_EQ(EscapeHtml("Dr\xFCse"), "Dr\\xfcse");           // Latin-1
+  EXPECT_EQ(EscapeHtml("\xC3"), "\\xc3");                   // cut off
+  EXPECT_EQ(EscapeHtml("\xC0\xBC"), "\\xc0\\xbc");          // overlong '<'
+  EXPECT_EQ(EscapeHtml("\xED\xA0\x80"), "\\xed\\xa0\\x80"); // surrogate
 }
 
-TEST(HtmlText, RemovesControlCharactersAndLineBreaks)
+TEST(HtmlText, ShowsControlCharactersAndReplacesLineBreaks)
 {
-  EXPECT_EQ(EscapeHtml(std::string("a\0b\x01\x1B[31mc\nd\x7F", 12)), "ab[31mc d");
+  EXPECT_EQ(EscapeHtml(std::string("a\0b\x01\x1B[31mc\nd\x7F", 13)),
+            "a\\x00b\\x01\\x1b[31mc d\\x7f");
+  EXPECT_EQ(EscapeHtml("gpj.\u202ecod.exe"), "gpj.\\xe2\\x80\\xaecod.exe");
 }
 
 TEST(HtmlText, TablesEscapeNamesAndValues)
