@@ -70,7 +70,7 @@ SceneSettings ReadScene(const std::filesystem::path& path)
       ReadJson(path, LargestFile, "write a scene as Documentation/HowTo/Touch.md shows");
   JsonFields fields(root, path, "scene");
   std::string format;
-  fields.Read("format", format);
+  fields.Exchange("format", format);
   if (format != Format)
   {
     Refuse(path, "is not marked as a scene",

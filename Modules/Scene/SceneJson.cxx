@@ -41,15 +41,12 @@ public:
   {
     SceneSettings scene;
     fields.Skip(RetiredKeys::Scene);
-    fields.ReadChoice("left_handed", LeftHandedWords, scene.LeftHanded);
+    fields.Exchange("left_handed", scene.LeftHanded, LeftHandedWords);
     if (fields.Has("structures"))
     {
       this->ReadStructures(scene);
     }
-    if (fields.Has("fit"))
-    {
-      scene.Fit = ReadFitSettings(this->Object["fit"], this->File);
-    }
+    fields.ExchangeObject("fit", scene.Fit, ExchangeFitSettings);
     if (fields.Has("tool"))
     {
       scene.Tool = ReadSceneTool(this->Object["tool"], this->Folder, this->File);
@@ -57,13 +54,13 @@ public:
     if (fields.Has("drill"))
     {
       JsonFields drill(this->Object["drill"], this->File, "drill");
-      drill.Read("turns_per_s", scene.Drill.Turns, 0.0, DrillLimits::Turns);
-      drill.Read("vibration_hz", scene.Drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
+      drill.Exchange("turns_per_s", scene.Drill.Turns, 0.0, DrillLimits::Turns);
+      drill.Exchange("vibration_hz", scene.Drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
       drill.RefuseOthers();
     }
-    fields.Read("device", scene.Device);
-    fields.Read("rate_hz", scene.Rate, 1.0, 1e5);
-    fields.Read("model_interval", scene.ModelInterval, 1, 100);
+    fields.Exchange("device", scene.Device);
+    fields.Exchange("rate_hz", scene.Rate, 1.0, 1e5);
+    fields.Exchange("model_interval", scene.ModelInterval, 1, 100);
     this->ReadPlacement(fields, scene.Placement);
     return scene;
   }
@@ -95,21 +92,21 @@ private:
     SceneStructure structure;
     JsonFields fields(object, this->File, place);
     fields.Skip(RetiredKeys::SceneStructure);
-    fields.Read("id", structure.Id, 0, LargestId);
-    fields.Read("name", structure.Name);
+    fields.Exchange("id", structure.Id, 0, LargestId);
+    fields.Exchange("name", structure.Name);
     std::string file;
-    fields.Read("file", file);
+    fields.Exchange("file", file);
     if (file.empty())
     {
       Refuse(this->File, "cannot be read: " + place + " has no file",
              "name a model, a surface, a segmentation or an image in its entry \"file\"");
     }
     structure.File = this->PathOf(file);
-    fields.Read("label", structure.Labels);
+    fields.Exchange("label", structure.Labels);
     if (fields.Has("iso"))
     {
       structure.Iso = 0.0;
-      fields.Read("iso", *structure.Iso, -LargestIso, LargestIso);
+      fields.Exchange("iso", *structure.Iso, -LargestIso, LargestIso);
     }
     this->ReadDisplay(fields, structure);
     this->ReadTouch(fields, structure);
@@ -120,25 +117,25 @@ private:
 
   void ReadDisplay(JsonFields& fields, SceneStructure& structure) const
   {
-    fields.Read("seen", structure.IsVisible);
+    fields.Exchange("seen", structure.IsVisible);
     Vector3 color(structure.Color[0], structure.Color[1], structure.Color[2]);
-    fields.Read("color", color, 0.0, 1.0);
+    fields.Exchange("color", color, 0.0, 1.0);
     structure.Color = {{color[0], color[1], color[2]}};
-    fields.ReadChoice("shown_as", AppearanceWords, structure.Appearance);
+    fields.Exchange("shown_as", structure.Appearance, AppearanceWords);
   }
 
   void ReadTouch(JsonFields& fields, SceneStructure& structure) const
   {
-    fields.Read("touched", structure.IsTouchable);
+    fields.Exchange("touched", structure.IsTouchable);
     ReadRepresentation(fields, structure);
-    fields.Read("degree", structure.Degree, 0, 64);
-    fields.ReadChoice("mode", ModeWords, structure.Mode);
-    fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
-    fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
-    fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
-    fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
-    fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
-    fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
+    fields.Exchange("degree", structure.Degree, 0, 64);
+    fields.Exchange("mode", structure.Mode, ModeWords);
+    fields.Exchange("interpolation", structure.Interpolation, InterpolationWords);
+    fields.Exchange("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
+    fields.Exchange("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
+    fields.Exchange("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
+    fields.Exchange("static_friction", structure.Friction.Static, 0.0, LargestFriction);
+    fields.Exchange("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
     for (const SceneEffectKind& kind : SceneEffectKinds())
     {
       this->ReadEffect(fields, kind, structure);
@@ -153,10 +150,7 @@ private:
       names.push_back(representation.Name);
       ReadNumbers(fields, representation.Numbers, structure);
     }
-    int number = -1;
-    fields.Read("representation", number, names);
-    structure.Representation =
-        number < 0 ? structure.Representation : names[static_cast<std::size_t>(number)];
+    fields.Exchange("representation", structure.Representation, names);
   }
 
   static void ReadNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers,
@@ -165,7 +159,7 @@ private:
     for (const SceneNumber& number : numbers)
     {
       double value = 0.0;
-      fields.Read(number.Key.c_str(), value, 0.0, number.Largest);
+      fields.Exchange(number.Key.c_str(), value, 0.0, number.Largest);
       structure.SetNumber(number.Key, value);
     }
   }
@@ -176,7 +170,7 @@ private:
     if (!kind.ImageKey.empty())
     {
       std::string image;
-      fields.Read(kind.ImageKey.c_str(), image);
+      fields.Exchange(kind.ImageKey.c_str(), image);
       structure.SetImage(kind.ImageKey, this->PathOf(image));
     }
   }
@@ -188,13 +182,13 @@ private:
     {
       DrillLaw& law = structure.Drill;
       JsonFields drill(object["drill"], this->File, place + ".drill");
-      drill.Read("wear_mm_per_nm", law.Wear, 0.0, DrillLimits::Wear);
-      drill.Read("drag_s_per_mm", law.Drag, 0.0, DrillLimits::Drag);
-      drill.Read("vibration", law.Vibration, 0.0, 1.0);
+      drill.Exchange("wear_mm_per_nm", law.Wear, 0.0, DrillLimits::Wear);
+      drill.Exchange("drag_s_per_mm", law.Drag, 0.0, DrillLimits::Drag);
+      drill.Exchange("vibration", law.Vibration, 0.0, 1.0);
       drill.RefuseOthers();
     }
-    fields.Read("forbidden", structure.IsForbidden);
-    fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
+    fields.Exchange("forbidden", structure.IsForbidden);
+    fields.Exchange("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
   }
 
   // Version 0.1.0 had only the scale, next to the rate.
@@ -208,10 +202,10 @@ private:
       if (place.Has("center_mm"))
       {
         Vector3 center = Vector3::Zero();
-        place.Read("center_mm", center, -LargestPlace, LargestPlace);
+        place.Exchange("center_mm", center, -LargestPlace, LargestPlace);
         placement.CenterWorld = center;
       }
-      place.ReadChoice("axes", AxesWords, placement.AxesFollowCamera);
+      place.Exchange("axes", placement.AxesFollowCamera, AxesWords);
       place.RefuseOthers();
     }
   }
@@ -221,7 +215,7 @@ private:
     if (fields.Has("scale"))
     {
       placement.Scale = 1.0;
-      fields.Read("scale", *placement.Scale, 1e-3, 1e3);
+      fields.Exchange("scale", *placement.Scale, 1e-3, 1e3);
     }
   }
 

@@ -20,12 +20,12 @@ TouchToolSettings ReadSceneTool(const nlohmann::json& object, const std::filesys
 {
   TouchToolSettings tool;
   JsonFields fields(object, file, "tool");
-  fields.ReadChoice("shape", ShapeWords, tool.Kind);
-  fields.Read("radius_mm", tool.Radius, 0.0, LargestLength);
-  fields.Read("length_mm", tool.Length, 0.0, LargestLength);
-  fields.Read("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
+  fields.Exchange("shape", tool.Kind, ShapeWords);
+  fields.Exchange("radius_mm", tool.Radius, 0.0, LargestLength);
+  fields.Exchange("length_mm", tool.Length, 0.0, LargestLength);
+  fields.Exchange("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
   std::string surface;
-  fields.Read("file", surface);
+  fields.Exchange("file", surface);
   if (surface.empty() == (tool.Kind == TouchToolSettings::Shape::Surface))
   {
     Refuse(file, "has a tool whose shape and file contradict each other",
@@ -33,7 +33,7 @@ TouchToolSettings ReadSceneTool(const nlohmann::json& object, const std::filesys
   }
   tool.File = surface.empty() ? std::filesystem::path()
                               : (folder / std::filesystem::u8path(surface)).lexically_normal();
-  fields.Read("points", tool.Points, 0, ToolShape::MaximumCount);
+  fields.Exchange("points", tool.Points, 0, ToolShape::MaximumCount);
   fields.RefuseOthers();
   return tool;
 }

@@ -55,12 +55,12 @@ void ReadIfGiven(JsonFields& fields, const char* key, std::optional<T>& value, c
 void ReadIfGiven(JsonFields& fields, const char* key, std::optional<double>& value, double least,
                  double most)
 {
-  ReadIfGiven(fields, key, value, [&](double& given) { fields.Read(key, given, least, most); });
+  ReadIfGiven(fields, key, value, [&](double& given) { fields.Exchange(key, given, least, most); });
 }
 
 void ReadPlace(JsonFields& fields, const char* key, Vector3& place)
 {
-  fields.Read(key, place, -LargestPlace, LargestPlace);
+  fields.Exchange(key, place, -LargestPlace, LargestPlace);
 }
 
 // Reads a session's root object.
@@ -98,13 +98,13 @@ private:
   {
     std::string format;
     int version = Version;
-    fields.Read("format", format);
+    fields.Exchange("format", format);
     if (format != Format)
     {
       Refuse(this->File, "is not marked as a Palpate session",
              "begin it with \"format\": \"" + std::string(Format) + "\"");
     }
-    fields.Read("version", version, 1, 1000);
+    fields.Exchange("version", version, 1, 1000);
     if (version > Version)
     {
       Refuse(this->File,
@@ -117,7 +117,7 @@ private:
   std::filesystem::path ReadPath(JsonFields& fields, const char* key) const
   {
     std::string text;
-    fields.Read(key, text);
+    fields.Exchange(key, text);
     return text.empty() ? std::filesystem::path()
                         : (this->Folder / std::filesystem::u8path(text)).lexically_normal();
   }
@@ -125,7 +125,7 @@ private:
   void ReadFiles(JsonFields& fields, StudyState& state) const
   {
     state.VolumeFile = this->ReadPath(fields, "volume");
-    fields.Read("dicom_series", state.DicomSeries);
+    fields.Exchange("dicom_series", state.DicomSeries);
     state.SegmentationFile = this->ReadPath(fields, "segmentation");
   }
 
@@ -155,7 +155,7 @@ private:
   static StudyLandmark ReadLandmark(JsonFields& fields)
   {
     StudyLandmark landmark;
-    fields.Read("name", landmark.Name);
+    fields.Exchange("name", landmark.Name);
     ReadPlace(fields, "position_mm", landmark.PositionWorld);
     return landmark;
   }
@@ -163,7 +163,7 @@ private:
   static StudyDistance ReadDistance(JsonFields& fields)
   {
     StudyDistance distance;
-    fields.Read("name", distance.Name);
+    fields.Exchange("name", distance.Name);
     ReadPlace(fields, "from_mm", distance.FromWorld);
     ReadPlace(fields, "to_mm", distance.ToWorld);
     return distance;
@@ -178,10 +178,10 @@ private:
                   [&](Vector3& place) { ReadPlace(look, "crosshair_mm", place); });
       ReadIfGiven(look, "window", view.Window, 0.0, LargestIntensity);
       ReadIfGiven(look, "level", view.Level, -LargestIntensity, LargestIntensity);
-      look.Read("layout", view.Layout);
-      look.Read("overlay_opacity", view.OverlayOpacity, 0.0, 1.0);
-      look.ReadChoice("slice_axes", SliceAxesWords, view.UsesVolumeAxes);
-      look.Read("slices_follow_probe", view.SlicesFollowProbe);
+      look.Exchange("layout", view.Layout);
+      look.Exchange("overlay_opacity", view.OverlayOpacity, 0.0, 1.0);
+      look.Exchange("slice_axes", view.UsesVolumeAxes, SliceAxesWords);
+      look.Exchange("slices_follow_probe", view.SlicesFollowProbe);
       look.RefuseOthers();
     }
   }

@@ -21,7 +21,7 @@ std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
       ReadJson(path, LargestFile, "write it as Documentation/HowTo/Drill.md shows");
   JsonFields fields(root, path, "script");
   std::string format;
-  fields.Read("format", format);
+  fields.Exchange("format", format);
   if (format != Format)
   {
     Refuse(path, "is not marked as a drill script",
@@ -39,8 +39,8 @@ std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
     const std::string place = "actions[" + std::to_string(actions.size()) + "]";
     JsonFields entry(object, path, place);
     DrillAction action;
-    entry.Read("time_s", action.Time, 0.0, LongestTime);
-    entry.ReadChoice("do", Words, action.Do);
+    entry.Exchange("time_s", action.Time, 0.0, LongestTime);
+    entry.Exchange("do", action.Do, Words);
     if (!entry.Has("do") || (!actions.empty() && action.Time < actions.back().Time))
     {
       Refuse(path, "has " + place + " without an action, or out of order",
