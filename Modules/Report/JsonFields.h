@@ -144,11 +144,4 @@ private:
   std::set<std::string> Known;
   std::set<std::string> Skipped;
 };
-
-/// The word for a choice.
-template <typename Choice>
-const char* WordOf(std::initializer_list<const char*> words, Choice choice)
-{
-  return *(words.begin() + static_cast<int>(choice));
-}
 } // namespace palpate
