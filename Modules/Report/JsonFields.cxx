@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <system_error>
+#include <utility>
 
 namespace palpate
 {
@@ -15,30 +17,68 @@ std::string RangeText(double least, double most)
 {
   return "from " + SignificantText(least) + " to " + SignificantText(most);
 }
+
+// The path of a file as written in a file in `folder`.
+std::string RelativeFile(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+  std::error_code failure;
+  std::filesystem::path relative = std::filesystem::proximate(file, folder, failure);
+  relative = failure ? file.lexically_proximate(folder) : relative;
+  // With symbolic links a relative path may lead elsewhere.
+  const bool leadsElsewhere = file.is_absolute() && folder.is_absolute() &&
+                              (folder / relative).lexically_normal() != file.lexically_normal();
+  return (leadsElsewhere ? file : relative).generic_string();
+}
 } // namespace
 
-JsonFields::JsonFields(const nlohmann::json& object, std::filesystem::path file, std::string place)
-    : Object(object), File(std::move(file)), Place(std::move(place))
+JsonFields::JsonFields(const nlohmann::json& object, std::filesystem::path file, std::string place,
+                       std::filesystem::path folder)
+    : Source(&object), File(std::move(file)), Folder(std::move(folder)), Name(std::move(place))
 {
-  if (!object.is_object())
-  {
-    Refuse(this->File, "cannot be read: its " + this->Place + " is not an object",
-           "write it as { \"name\": value, ... }");
-  }
+  this->Require(object.is_object(), "cannot be read: its " + this->Name + " is not an object",
+                "write it as { \"name\": value, ... }");
+}
+
+JsonFields::JsonFields(nlohmann::ordered_json& object, std::filesystem::path folder)
+    : Written(&object), Folder(std::move(folder))
+{
+  object = nlohmann::ordered_json::object();
 }
 
 void JsonFields::RefuseEntry(const std::string& key, const std::string& what) const
 {
   Refuse(this->File,
-         "cannot be read: the entry \"" + key + "\" of its " + this->Place + " is not valid",
+         "cannot be read: the entry \"" + key + "\" of its " + this->Name + " is not valid",
          "make it " + what);
+}
+
+void JsonFields::Require(bool isFulfilled, const std::string& fact, const std::string& remedy) const
+{
+  if (this->IsReading() && !isFulfilled)
+  {
+    Refuse(this->File, fact, remedy);
+  }
 }
 
 const nlohmann::json* JsonFields::Find(const char* key)
 {
+  if (!this->IsReading())
+  {
+    return nullptr;
+  }
   this->Known.insert(key);
-  const auto found = this->Object.find(key);
-  return found == this->Object.end() ? nullptr : &*found;
+  const auto found = this->Source->find(key);
+  return found == this->Source->end() ? nullptr : &*found;
+}
+
+template <typename T>
+const nlohmann::json* JsonFields::WriteOrFind(const char* key, const T& value)
+{
+  if (!this->IsReading())
+  {
+    (*this->Written)[key] = value;
+  }
+  return this->Find(key);
 }
 
 bool JsonFields::Has(const char* key)
@@ -57,17 +97,17 @@ double JsonFields::NumberOf(const nlohmann::json& entry, const char* key, double
   return value;
 }
 
-void JsonFields::Read(const char* key, double& value, double least, double most)
+void JsonFields::Exchange(const char* key, double& value, double least, double most)
 {
-  if (const nlohmann::json* entry = this->Find(key))
+  if (const nlohmann::json* entry = this->WriteOrFind(key, value))
   {
     value = this->NumberOf(*entry, key, least, most);
   }
 }
 
-void JsonFields::Read(const char* key, int& value, int least, int most)
+void JsonFields::Exchange(const char* key, int& value, int least, int most)
 {
-  if (const nlohmann::json* entry = this->Find(key))
+  if (const nlohmann::json* entry = this->WriteOrFind(key, value))
   {
     const double number = this->NumberOf(*entry, key, least, most);
     if (std::floor(number) != number)
@@ -78,9 +118,9 @@ void JsonFields::Read(const char* key, int& value, int least, int most)
   }
 }
 
-void JsonFields::Read(const char* key, bool& value)
+void JsonFields::Exchange(const char* key, bool& value)
 {
-  if (const nlohmann::json* entry = this->Find(key))
+  if (const nlohmann::json* entry = this->WriteOrFind(key, value))
   {
     if (!entry->is_boolean())
     {
@@ -90,9 +130,9 @@ void JsonFields::Read(const char* key, bool& value)
   }
 }
 
-void JsonFields::Read(const char* key, std::string& value)
+void JsonFields::Exchange(const char* key, std::string& value)
 {
-  if (const nlohmann::json* entry = this->Find(key))
+  if (const nlohmann::json* entry = this->WriteOrFind(key, value))
   {
     if (!entry->is_string())
     {
@@ -102,9 +142,9 @@ void JsonFields::Read(const char* key, std::string& value)
   }
 }
 
-void JsonFields::Read(const char* key, std::vector<std::string>& values)
+void JsonFields::Exchange(const char* key, std::vector<std::string>& values)
 {
-  const nlohmann::json* entry = this->Find(key);
+  const nlohmann::json* entry = this->WriteOrFind(key, values);
   if (entry == nullptr)
   {
     return;
@@ -123,45 +163,107 @@ void JsonFields::Read(const char* key, std::vector<std::string>& values)
   }
 }
 
-void JsonFields::Read(const char* key, Vector3& value, double least, double most)
+void JsonFields::Exchange(const char* key, std::filesystem::path& value)
 {
-  if (const nlohmann::json* entry = this->Find(key))
+  std::string text = this->IsReading() ? std::string() : RelativeFile(value, this->Folder);
+  this->Exchange(key, text);
+  if (this->Has(key))
   {
-    if (!entry->is_array() || entry->size() != 3)
-    {
-      this->RefuseEntry(key, "a list of three numbers " + RangeText(least, most));
-    }
-    for (Eigen::Index i = 0; i < 3; ++i)
-    {
-      value[i] = this->NumberOf((*entry)[static_cast<std::size_t>(i)], key, least, most);
-    }
+    value = text.empty() ? std::filesystem::path()
+                         : (this->Folder / std::filesystem::u8path(text)).lexically_normal();
   }
 }
 
-void JsonFields::Read(const char* key, int& value, const std::vector<std::string>& words)
+void JsonFields::Exchange(const char* key, std::string& value,
+                          const std::vector<std::string>& words)
 {
-  const nlohmann::json* entry = this->Find(key);
+  const nlohmann::json* entry = this->WriteOrFind(key, value);
   if (entry == nullptr)
   {
     return;
   }
   std::string list;
-  int number = 0;
   for (const std::string& word : words)
   {
     if (entry->is_string() && entry->get<std::string>() == word)
     {
-      value = number;
+      value = word;
       return;
     }
-    list += (number++ == 0 ? "\"" : ", \"") + word + "\"";
+    list += (list.empty() ? "\"" : ", \"") + word + "\"";
   }
   this->RefuseEntry(key, "one of " + list);
 }
 
+void JsonFields::ExchangeThree(const char* key, double* values, double least, double most)
+{
+  if (!this->IsReading())
+  {
+    (*this->Written)[key] = {values[0], values[1], values[2]};
+  }
+  else if (const nlohmann::json* entry = this->Find(key))
+  {
+    if (!entry->is_array() || entry->size() != 3)
+    {
+      this->RefuseEntry(key, "a list of three numbers " + RangeText(least, most));
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      values[i] = this->NumberOf((*entry)[i], key, least, most);
+    }
+  }
+}
+
+void JsonFields::ExchangeFormat(const std::string& format, const std::string& name)
+{
+  std::string given = this->IsReading() ? std::string() : format;
+  this->Exchange("format", given);
+  this->Require(given == format, "is not marked as " + name,
+                "begin it with \"format\": \"" + format + "\"");
+}
+
+JsonFields JsonFields::Object(const char* key)
+{
+  if (!this->IsReading())
+  {
+    return JsonFields((*this->Written)[key], this->Folder);
+  }
+  return {*this->Find(key), this->File, this->Prefix + key, this->Folder};
+}
+
+std::size_t JsonFields::BeginList(const char* key, std::size_t count)
+{
+  if (!this->IsReading())
+  {
+    (*this->Written)[key] = nlohmann::ordered_json::array();
+    return count;
+  }
+  const nlohmann::json* list = this->Find(key);
+  this->Require(list == nullptr || list->is_array(),
+                "cannot be read: its \"" + this->Prefix + key + "\" is not a list",
+                "write it as [ { ... }, ... ]");
+  return list == nullptr ? 0 : list->size();
+}
+
+JsonFields JsonFields::Item(const char* key, std::size_t number)
+{
+  if (!this->IsReading())
+  {
+    return JsonFields((*this->Written)[key].emplace_back(), this->Folder);
+  }
+  const std::string name = this->Prefix + key + "[" + std::to_string(number) + "]";
+  JsonFields fields((*this->Find(key))[number], this->File, name, this->Folder);
+  fields.Prefix = name + ".";
+  return fields;
+}
+
 void JsonFields::RefuseOthers() const
 {
-  for (const auto& [key, value] : this->Object.items())
+  if (!this->IsReading())
+  {
+    return;
+  }
+  for (const auto& [key, value] : this->Source->items())
   {
     if (this->Known.count(key) == 0 && this->Skipped.count(key) == 0)
     {
@@ -171,7 +273,7 @@ void JsonFields::RefuseOthers() const
         list += (list.empty() ? "" : ", ") + known;
       }
       Refuse(this->File,
-             "cannot be read: its " + this->Place + " has an unknown entry \"" + key + "\"",
+             "cannot be read: its " + this->Name + " has an unknown entry \"" + key + "\"",
              "use one of " + list);
     }
   }

@@ -10,7 +10,6 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* Format = "palpate-scene";
 constexpr std::uintmax_t LargestFile = 1 << 26; // bytes; some hundred thousand structures
 
 // Only a linear sub-voxel field can be drilled.
@@ -53,6 +52,13 @@ void Check(const SceneStructure& structure, const std::filesystem::path& path, s
     CheckDrilled(structure, path, place);
   }
 }
+
+void ExchangeFile(JsonFields& fields, SceneSettings& scene)
+{
+  fields.ExchangeFormat("palpate-scene", "a scene");
+  ExchangeScene(fields, scene);
+  fields.RefuseOthers();
+}
 } // namespace
 
 bool IsSceneFile(const std::filesystem::path& path)
@@ -68,16 +74,9 @@ SceneSettings ReadScene(const std::filesystem::path& path)
 {
   const nlohmann::json root =
       ReadJson(path, LargestFile, "write a scene as Documentation/HowTo/Touch.md shows");
-  JsonFields fields(root, path, "scene");
-  std::string format;
-  fields.Read("format", format);
-  if (format != Format)
-  {
-    Refuse(path, "is not marked as a scene",
-           "begin it with \"format\": \"" + std::string(Format) + "\"");
-  }
-  SceneSettings scene = ReadSceneJson(root, fields, path.parent_path(), path);
-  fields.RefuseOthers();
+  JsonFields fields(root, path, "scene", path.parent_path());
+  SceneSettings scene;
+  ExchangeFile(fields, scene);
   if (scene.Structures.empty())
   {
     Refuse(path, "has no structures", "list them: \"structures\": [ { \"file\": ... } ]");
@@ -89,11 +88,11 @@ SceneSettings ReadScene(const std::filesystem::path& path)
   return scene;
 }
 
-std::string SceneText(const SceneSettings& scene, const std::filesystem::path& folder)
+std::string SceneText(SceneSettings scene, const std::filesystem::path& folder)
 {
   nlohmann::ordered_json root;
-  root["format"] = Format;
-  AddSceneJson(root, scene, folder);
+  JsonFields fields(root, folder);
+  ExchangeFile(fields, scene);
   return root.dump(2) + "\n";
 }
 } // namespace palpate

@@ -12,11 +12,10 @@ namespace palpate
 /// JSON files too.
 PALPATESCENE_EXPORT bool IsSceneFile(const std::filesystem::path& path);
 
-/// Reads a scene: "format": "palpate-scene" and the entries of ReadSceneJson, with paths relative
+/// Reads a scene: "format": "palpate-scene" and the entries of ExchangeScene, with paths relative
 /// to the file. Throws InputError, also for settings that contradict each other.
 PALPATESCENE_EXPORT SceneSettings ReadScene(const std::filesystem::path& path);
 
 /// A scene as the text of a scene file: all entries, paths relative to the folder.
-PALPATESCENE_EXPORT std::string SceneText(const SceneSettings& scene,
-                                          const std::filesystem::path& folder);
+PALPATESCENE_EXPORT std::string SceneText(SceneSettings scene, const std::filesystem::path& folder);
 } // namespace palpate

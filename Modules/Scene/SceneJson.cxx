@@ -2,19 +2,16 @@
 
 #include "DrillLimits.h"
 #include "FitSettingsJson.h"
-#include "Refusal.h"
 #include "RetiredKeys.h"
 #include "SceneEffect.h"
 #include "SceneRepresentation.h"
-#include "SceneToolJson.h"
 
 namespace palpate
 {
 namespace
 {
-using OrderedJson = nlohmann::ordered_json;
-
 constexpr double LargestPlace = 1e6;     // mm, of coordinates
+constexpr double LargestLength = 1e4;    // mm, of tools
 constexpr double LargestStiffness = 1e4; // N/mm
 constexpr double LargestDamping = 10.0;  // N s/mm
 constexpr double LargestFriction = 10.0;
@@ -27,306 +24,138 @@ const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
 const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
                                                          "error-map", "sub-voxel"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
+const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
+                                                    "surface"};
 
-class SceneReader
+void ExchangeNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers,
+                     SceneStructure& structure)
 {
-public:
-  SceneReader(const nlohmann::json& object, const std::filesystem::path& folder,
-              const std::filesystem::path& file)
-      : Object(object), Folder(folder), File(file)
+  for (const SceneNumber& number : numbers)
   {
+    double value = structure.Number(number.Key);
+    fields.ExchangeIfSet(number.Key.c_str(), value, 0.0, number.Largest);
+    structure.SetNumber(number.Key, value);
   }
+}
 
-  SceneSettings Read(JsonFields& fields) const
+void ExchangeRepresentation(JsonFields& fields, SceneStructure& structure)
+{
+  std::vector<std::string> names;
+  for (const SceneRepresentation& representation : SceneRepresentations())
   {
-    SceneSettings scene;
-    fields.Skip(RetiredKeys::Scene);
-    fields.ReadChoice("left_handed", LeftHandedWords, scene.LeftHanded);
-    if (fields.Has("structures"))
-    {
-      this->ReadStructures(scene);
-    }
-    if (fields.Has("fit"))
-    {
-      scene.Fit = ReadFitSettings(this->Object["fit"], this->File);
-    }
-    if (fields.Has("tool"))
-    {
-      scene.Tool = ReadSceneTool(this->Object["tool"], this->Folder, this->File);
-    }
-    if (fields.Has("drill"))
-    {
-      JsonFields drill(this->Object["drill"], this->File, "drill");
-      drill.Read("turns_per_s", scene.Drill.Turns, 0.0, DrillLimits::Turns);
-      drill.Read("vibration_hz", scene.Drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
-      drill.RefuseOthers();
-    }
-    fields.Read("device", scene.Device);
-    fields.Read("rate_hz", scene.Rate, 1.0, 1e5);
-    fields.Read("model_interval", scene.ModelInterval, 1, 100);
-    this->ReadPlacement(fields, scene.Placement);
-    return scene;
+    names.push_back(representation.Name);
+    ExchangeNumbers(fields, representation.Numbers, structure);
   }
+  fields.Exchange("representation", structure.Representation, names);
+}
 
-private:
-  std::filesystem::path PathOf(const std::string& text) const
+void ExchangeEffects(JsonFields& fields, SceneStructure& structure)
+{
+  for (const SceneEffectKind& kind : SceneEffectKinds())
   {
-    return text.empty() ? std::filesystem::path()
-                        : (this->Folder / std::filesystem::u8path(text)).lexically_normal();
-  }
-
-  void ReadStructures(SceneSettings& scene) const
-  {
-    const nlohmann::json& list = this->Object["structures"];
-    if (!list.is_array())
-    {
-      Refuse(this->File, "cannot be read: its \"structures\" is not a list",
-             "write them as [ { \"file\": ... } ]");
-    }
-    for (const nlohmann::json& object : list)
-    {
-      scene.Structures.push_back(this->ReadStructure(object, scene.Structures.size()));
-    }
-  }
-
-  SceneStructure ReadStructure(const nlohmann::json& object, std::size_t number) const
-  {
-    const std::string place = "structures[" + std::to_string(number) + "]";
-    SceneStructure structure;
-    JsonFields fields(object, this->File, place);
-    fields.Skip(RetiredKeys::SceneStructure);
-    fields.Read("id", structure.Id, 0, LargestId);
-    fields.Read("name", structure.Name);
-    std::string file;
-    fields.Read("file", file);
-    if (file.empty())
-    {
-      Refuse(this->File, "cannot be read: " + place + " has no file",
-             "name a model, a surface, a segmentation or an image in its entry \"file\"");
-    }
-    structure.File = this->PathOf(file);
-    fields.Read("label", structure.Labels);
-    if (fields.Has("iso"))
-    {
-      structure.Iso = 0.0;
-      fields.Read("iso", *structure.Iso, -LargestIso, LargestIso);
-    }
-    this->ReadDisplay(fields, structure);
-    this->ReadTouch(fields, structure);
-    this->ReadDrill(object, fields, place, structure);
-    fields.RefuseOthers();
-    return structure;
-  }
-
-  void ReadDisplay(JsonFields& fields, SceneStructure& structure) const
-  {
-    fields.Read("seen", structure.IsVisible);
-    Vector3 color(structure.Color[0], structure.Color[1], structure.Color[2]);
-    fields.Read("color", color, 0.0, 1.0);
-    structure.Color = {{color[0], color[1], color[2]}};
-    fields.ReadChoice("shown_as", AppearanceWords, structure.Appearance);
-  }
-
-  void ReadTouch(JsonFields& fields, SceneStructure& structure) const
-  {
-    fields.Read("touched", structure.IsTouchable);
-    ReadRepresentation(fields, structure);
-    fields.Read("degree", structure.Degree, 0, 64);
-    fields.ReadChoice("mode", ModeWords, structure.Mode);
-    fields.ReadChoice("interpolation", InterpolationWords, structure.Interpolation);
-    fields.Read("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
-    fields.Read("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
-    fields.Read("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
-    fields.Read("static_friction", structure.Friction.Static, 0.0, LargestFriction);
-    fields.Read("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
-    for (const SceneEffectKind& kind : SceneEffectKinds())
-    {
-      this->ReadEffect(fields, kind, structure);
-    }
-  }
-
-  static void ReadRepresentation(JsonFields& fields, SceneStructure& structure)
-  {
-    std::vector<std::string> names;
-    for (const SceneRepresentation& representation : SceneRepresentations())
-    {
-      names.push_back(representation.Name);
-      ReadNumbers(fields, representation.Numbers, structure);
-    }
-    int number = -1;
-    fields.Read("representation", number, names);
-    structure.Representation =
-        number < 0 ? structure.Representation : names[static_cast<std::size_t>(number)];
-  }
-
-  static void ReadNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers,
-                          SceneStructure& structure)
-  {
-    for (const SceneNumber& number : numbers)
-    {
-      double value = 0.0;
-      fields.Read(number.Key.c_str(), value, 0.0, number.Largest);
-      structure.SetNumber(number.Key, value);
-    }
-  }
-
-  void ReadEffect(JsonFields& fields, const SceneEffectKind& kind, SceneStructure& structure) const
-  {
-    ReadNumbers(fields, kind.Numbers, structure);
+    ExchangeNumbers(fields, kind.Numbers, structure);
     if (!kind.ImageKey.empty())
     {
-      std::string image;
-      fields.Read(kind.ImageKey.c_str(), image);
-      structure.SetImage(kind.ImageKey, this->PathOf(image));
+      std::filesystem::path image = structure.Image(kind.ImageKey);
+      fields.ExchangeIfSet(kind.ImageKey.c_str(), image);
+      structure.SetImage(kind.ImageKey, image);
     }
   }
-
-  void ReadDrill(const nlohmann::json& object, JsonFields& fields, const std::string& place,
-                 SceneStructure& structure) const
-  {
-    if (fields.Has("drill"))
-    {
-      DrillLaw& law = structure.Drill;
-      JsonFields drill(object["drill"], this->File, place + ".drill");
-      drill.Read("wear_mm_per_nm", law.Wear, 0.0, DrillLimits::Wear);
-      drill.Read("drag_s_per_mm", law.Drag, 0.0, DrillLimits::Drag);
-      drill.Read("vibration", law.Vibration, 0.0, 1.0);
-      drill.RefuseOthers();
-    }
-    fields.Read("forbidden", structure.IsForbidden);
-    fields.Read("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
-  }
-
-  // Version 0.1.0 had only the scale, next to the rate.
-  void ReadPlacement(JsonFields& fields, ScenePlacement& placement) const
-  {
-    ReadScale(fields, placement);
-    if (fields.Has("placement"))
-    {
-      JsonFields place(this->Object["placement"], this->File, "placement");
-      ReadScale(place, placement);
-      if (place.Has("center_mm"))
-      {
-        Vector3 center = Vector3::Zero();
-        place.Read("center_mm", center, -LargestPlace, LargestPlace);
-        placement.CenterWorld = center;
-      }
-      place.ReadChoice("axes", AxesWords, placement.AxesFollowCamera);
-      place.RefuseOthers();
-    }
-  }
-
-  static void ReadScale(JsonFields& fields, ScenePlacement& placement)
-  {
-    if (fields.Has("scale"))
-    {
-      placement.Scale = 1.0;
-      fields.Read("scale", *placement.Scale, 1e-3, 1e3);
-    }
-  }
-
-  const nlohmann::json& Object;
-  const std::filesystem::path& Folder;
-  const std::filesystem::path& File;
-};
-
-bool IsOtherDrill(const DrillLaw& law)
-{
-  const DrillLaw none;
-  return law.Wear != none.Wear || law.Drag != none.Drag || law.Vibration != none.Vibration;
 }
 
-OrderedJson AsJson(const SceneStructure& structure, const std::filesystem::path& folder)
+void ExchangeDrillLaw(JsonFields& fields, DrillLaw& law)
 {
-  OrderedJson object;
-  if (structure.Id != 0)
-  {
-    object["id"] = structure.Id;
-  }
-  if (!structure.Name.empty())
-  {
-    object["name"] = structure.Name;
-  }
-  object["file"] = RelativeFile(structure.File, folder);
-  if (!structure.Labels.empty())
-  {
-    object["label"] = structure.Labels;
-  }
-  if (structure.Iso)
-  {
-    object["iso"] = *structure.Iso;
-  }
-  object["seen"] = structure.IsVisible;
-  object["color"] = structure.Color;
-  object["shown_as"] = WordOf(AppearanceWords, structure.Appearance);
-  object["touched"] = structure.IsTouchable;
-  object["representation"] = structure.Representation;
-  object["degree"] = structure.Degree;
-  object["mode"] = WordOf(ModeWords, structure.Mode);
-  object["interpolation"] = WordOf(InterpolationWords, structure.Interpolation);
-  object["smoothing_voxels"] = structure.Smoothing;
-  object["stiffness_n_per_mm"] = structure.Stiffness;
-  object["damping_ns_per_mm"] = structure.Damping;
-  object["static_friction"] = structure.Friction.Static;
-  object["dynamic_friction"] = structure.Friction.Dynamic;
-  for (const auto& [key, number] : structure.Numbers)
-  {
-    object[key] = number;
-  }
-  for (const auto& [key, image] : structure.Images)
-  {
-    object[key] = RelativeFile(image, folder);
-  }
-  if (IsOtherDrill(structure.Drill))
-  {
-    object["drill"] = {{"wear_mm_per_nm", structure.Drill.Wear},
-                       {"drag_s_per_mm", structure.Drill.Drag},
-                       {"vibration", structure.Drill.Vibration}};
-  }
-  object["forbidden"] = structure.IsForbidden;
-  object["alarm_mm"] = structure.AlarmDistance;
-  return object;
+  fields.Exchange("wear_mm_per_nm", law.Wear, 0.0, DrillLimits::Wear);
+  fields.Exchange("drag_s_per_mm", law.Drag, 0.0, DrillLimits::Drag);
+  fields.Exchange("vibration", law.Vibration, 0.0, 1.0);
 }
 
-OrderedJson AsJson(const ScenePlacement& placement)
+void ExchangeSource(JsonFields& fields, SceneStructure& structure)
 {
-  OrderedJson object = OrderedJson::object();
-  if (placement.Scale)
+  fields.ExchangeIfSet("id", structure.Id, 0, LargestId);
+  fields.ExchangeIfSet("name", structure.Name);
+  fields.Exchange("file", structure.File);
+  fields.Require(!structure.File.empty(), "cannot be read: " + fields.Place() + " has no file",
+                 "name a model, a surface, a segmentation or an image in its entry \"file\"");
+  fields.ExchangeIfSet("label", structure.Labels);
+  fields.Exchange("iso", structure.Iso, -LargestIso, LargestIso);
+}
+
+void ExchangeStructure(JsonFields& fields, SceneStructure& structure)
+{
+  fields.Skip(RetiredKeys::SceneStructure);
+  ExchangeSource(fields, structure);
+  fields.Exchange("seen", structure.IsVisible);
+  fields.Exchange("color", structure.Color, 0.0, 1.0);
+  fields.Exchange("shown_as", structure.Appearance, AppearanceWords);
+  fields.Exchange("touched", structure.IsTouchable);
+  ExchangeRepresentation(fields, structure);
+  fields.Exchange("degree", structure.Degree, 0, 64);
+  fields.Exchange("mode", structure.Mode, ModeWords);
+  fields.Exchange("interpolation", structure.Interpolation, InterpolationWords);
+  fields.Exchange("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
+  fields.Exchange("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
+  fields.Exchange("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
+  fields.Exchange("static_friction", structure.Friction.Static, 0.0, LargestFriction);
+  fields.Exchange("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
+  ExchangeEffects(fields, structure);
+  const DrillLaw& law = structure.Drill;
+  if (fields.IsReading() || law.Wear != 0.0 || law.Drag != 0.0 || law.Vibration != 0.0)
   {
-    object["scale"] = *placement.Scale;
+    fields.ExchangeObject("drill", structure.Drill, ExchangeDrillLaw);
   }
-  if (placement.CenterWorld)
-  {
-    const Vector3& center = *placement.CenterWorld;
-    object["center_mm"] = {center[0], center[1], center[2]};
-  }
-  object["axes"] = WordOf(AxesWords, placement.AxesFollowCamera);
-  return object;
+  fields.Exchange("forbidden", structure.IsForbidden);
+  fields.Exchange("alarm_mm", structure.AlarmDistance, 0.0, DrillLimits::Alarm);
+}
+
+void ExchangeTool(JsonFields& fields, TouchToolSettings& tool)
+{
+  fields.Exchange("shape", tool.Kind, ShapeWords);
+  fields.Exchange("radius_mm", tool.Radius, 0.0, LargestLength);
+  fields.Exchange("length_mm", tool.Length, 0.0, LargestLength);
+  fields.Exchange("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
+  fields.ExchangeIfSet("file", tool.File);
+  fields.Require(tool.File.empty() != (tool.Kind == TouchToolSettings::Shape::Surface),
+                 "has a tool whose shape and file contradict each other",
+                 "give a \"file\" for the shape \"surface\", and for no other");
+  fields.Exchange("points", tool.Points, 0, ToolShape::MaximumCount);
+}
+
+void ExchangeDrillMotion(JsonFields& fields, TouchDrillSettings& drill)
+{
+  fields.Exchange("turns_per_s", drill.Turns, 0.0, DrillLimits::Turns);
+  fields.Exchange("vibration_hz", drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
+}
+
+void ExchangeScale(JsonFields& fields, ScenePlacement& placement)
+{
+  fields.Exchange("scale", placement.Scale, 1e-3, 1e3);
+}
+
+void ExchangePlacement(JsonFields& fields, ScenePlacement& placement)
+{
+  ExchangeScale(fields, placement);
+  fields.Exchange("center_mm", placement.CenterWorld, -LargestPlace, LargestPlace);
+  fields.Exchange("axes", placement.AxesFollowCamera, AxesWords);
 }
 } // namespace
 
-SceneSettings ReadSceneJson(const nlohmann::json& object, JsonFields& fields,
-                            const std::filesystem::path& folder, const std::filesystem::path& file)
+void ExchangeScene(JsonFields& fields, SceneSettings& scene)
 {
-  return SceneReader(object, folder, file).Read(fields);
-}
-
-void AddSceneJson(OrderedJson& object, const SceneSettings& scene,
-                  const std::filesystem::path& folder)
-{
-  object["left_handed"] = WordOf(LeftHandedWords, scene.LeftHanded);
-  object["structures"] = OrderedJson::array();
-  for (const SceneStructure& structure : scene.Structures)
+  fields.Skip(RetiredKeys::Scene);
+  fields.Exchange("left_handed", scene.LeftHanded, LeftHandedWords);
+  fields.ExchangeList("structures", scene.Structures, ExchangeStructure);
+  fields.ExchangeObject("fit", scene.Fit, ExchangeFitSettings);
+  fields.ExchangeObject("tool", scene.Tool, ExchangeTool);
+  fields.ExchangeObject("drill", scene.Drill, ExchangeDrillMotion);
+  fields.Exchange("device", scene.Device);
+  fields.Exchange("rate_hz", scene.Rate, 1.0, 1e5);
+  fields.Exchange("model_interval", scene.ModelInterval, 1, 100);
+  // Version 0.1.0 had only the scale, next to the rate.
+  if (fields.Has("scale"))
   {
-    object["structures"].push_back(AsJson(structure, folder));
+    ExchangeScale(fields, scene.Placement);
   }
-  object["fit"] = FitSettingsJson(scene.Fit);
-  object["tool"] = SceneToolJson(scene.Tool, folder);
-  object["drill"] = {{"turns_per_s", scene.Drill.Turns},
-                     {"vibration_hz", scene.Drill.VibrationFrequency}};
-  object["device"] = scene.Device;
-  object["rate_hz"] = scene.Rate;
-  object["model_interval"] = scene.ModelInterval;
-  object["placement"] = AsJson(scene.Placement);
+  fields.ExchangeObject("placement", scene.Placement, ExchangePlacement);
 }
 } // namespace palpate

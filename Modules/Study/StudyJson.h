@@ -11,8 +11,7 @@ namespace palpate
 /// A state as the text of a session file: "format": "palpate-study", "version": 2; names of numbers
 /// end with the unit. Paths are relative to `folder`. Throws InputError, naming `file`, for names
 /// that are not UTF-8.
-PALPATESTUDY_EXPORT std::string StudyText(const StudyState& state,
-                                          const std::filesystem::path& folder,
+PALPATESTUDY_EXPORT std::string StudyText(StudyState state, const std::filesystem::path& folder,
                                           const std::filesystem::path& file);
 
 /// Reads a state from such a text. Missing entries keep their defaults. Throws InputError that

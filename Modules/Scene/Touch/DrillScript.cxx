@@ -2,13 +2,11 @@
 
 #include "JsonFields.h"
 #include "JsonText.h"
-#include "Refusal.h"
 
 namespace palpate
 {
 namespace
 {
-constexpr const char* Format = "palpate-drill";
 constexpr std::uintmax_t LargestFile = 1 << 24;
 constexpr double LongestTime = 36000.0; // s
 const std::initializer_list<const char*> Words{"start", "stop", "end-stroke",
@@ -20,35 +18,23 @@ std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
   const nlohmann::json root =
       ReadJson(path, LargestFile, "write it as Documentation/HowTo/Drill.md shows");
   JsonFields fields(root, path, "script");
-  std::string format;
-  fields.Read("format", format);
-  if (format != Format)
-  {
-    Refuse(path, "is not marked as a drill script",
-           "begin it with \"format\": \"" + std::string(Format) + "\"");
-  }
-  if (!fields.Has("actions") || !root["actions"].is_array() || root["actions"].empty())
-  {
-    Refuse(path, "has no actions",
-           "list its \"actions\": [ { \"time_s\": 0, \"do\": \"start\" } ]");
-  }
-  fields.RefuseOthers();
+  fields.ExchangeFormat("palpate-drill", "a drill script");
   std::vector<DrillAction> actions;
-  for (const nlohmann::json& object : root["actions"])
-  {
-    const std::string place = "actions[" + std::to_string(actions.size()) + "]";
-    JsonFields entry(object, path, place);
-    DrillAction action;
-    entry.Read("time_s", action.Time, 0.0, LongestTime);
-    entry.ReadChoice("do", Words, action.Do);
-    if (!entry.Has("do") || (!actions.empty() && action.Time < actions.back().Time))
-    {
-      Refuse(path, "has " + place + " without an action, or out of order",
-             "give each a \"do\", and sort them by \"time_s\"");
-    }
-    entry.RefuseOthers();
-    actions.push_back(action);
-  }
+  double last = 0.0;
+  fields.ExchangeList("actions", actions,
+                      [&last](JsonFields& entry, DrillAction& action)
+                      {
+                        entry.Exchange("time_s", action.Time, 0.0, LongestTime);
+                        entry.Exchange("do", action.Do, Words);
+                        entry.Require(entry.Has("do") && action.Time >= last,
+                                      "has " + entry.Place() +
+                                          " without an action, or out of order",
+                                      "give each a \"do\", and sort them by \"time_s\"");
+                        last = action.Time;
+                      });
+  fields.Require(!actions.empty(), "has no actions",
+                 "list its \"actions\": [ { \"time_s\": 0, \"do\": \"start\" } ]");
+  fields.RefuseOthers();
   return actions;
 }
 

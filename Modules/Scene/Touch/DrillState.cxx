@@ -83,10 +83,10 @@ std::shared_ptr<const RemovedDistances> StateOf(const nlohmann::json& entry, std
   std::string source;
   std::string digest;
   std::string count;
-  fields.Read("name", name);
-  fields.Read("source", source);
-  fields.Read("bytes", count);
-  fields.Read("digest", digest);
+  fields.Exchange("name", name);
+  fields.Exchange("source", source);
+  fields.Exchange("bytes", count);
+  fields.Exchange("digest", digest);
   fields.RefuseOthers();
   const DrillSite& here = context.Sites()[site];
   if (source != DigestOf(context, site))
