@@ -60,14 +60,14 @@ bool IsOfKind(const std::string& objectClass, const std::string& key)
 }
 } // namespace
 
-std::optional<ForeignFile> RecognizeForeignDicom(const std::filesystem::path& file)
+std::optional<ForeignDicom> RecognizeForeignDicom(const std::filesystem::path& file)
 {
   const DicomDataset dataset(file, DicomDataset::Extent::UpToPixels);
   DcmItem& root = dataset.Root();
   if (root.tagExists(DCM_DirectoryRecordSequence))
   {
-    return ForeignFile{"is the index of a DICOM medium (DICOMDIR)",
-                       "specify the folder with the slices of a series"};
+    return ForeignDicom{"is the index of a DICOM medium (DICOMDIR)",
+                        "specify the folder with the slices of a series"};
   }
   const std::string objectClass = DicomText(root, DCM_SOPClassUID);
   const auto* found =
@@ -75,21 +75,21 @@ std::optional<ForeignFile> RecognizeForeignDicom(const std::filesystem::path& fi
                    [&](const Kind& kind) { return IsOfKind(objectClass, kind.Class); });
   if (found != Kinds.end())
   {
-    return ForeignFile{found->Is, found->Remedy};
+    return ForeignDicom{found->Is, found->Remedy};
   }
   const bool isSegmentation = IsOfKind(objectClass, "1.2.840.10008.5.1.4.1.1.66");
   const double frames = DicomNumber(root, DCM_NumberOfFrames, 1.0);
   if (frames > 1.0 && !isSegmentation)
   {
-    return ForeignFile{"is a multi-frame DICOM image, which is not supported",
-                       "convert it to one slice per file or to NIfTI-1 (.nii.gz)"};
+    return ForeignDicom{"is a multi-frame DICOM image, which is not supported",
+                        "convert it to one slice per file or to NIfTI-1 (.nii.gz)"};
   }
   return std::nullopt;
 }
 
 void RefuseForeignDicom(const std::filesystem::path& file)
 {
-  if (const std::optional<ForeignFile> foreign = RecognizeForeignDicom(file))
+  if (const std::optional<ForeignDicom> foreign = RecognizeForeignDicom(file))
   {
     Refuse(file, foreign->Is, foreign->Remedy);
   }
@@ -99,7 +99,7 @@ void RefuseForeignDicomIn(const std::filesystem::path& folder)
 {
   for (const std::filesystem::path& file : DicomFilesIn(folder))
   {
-    std::optional<ForeignFile> foreign;
+    std::optional<ForeignDicom> foreign;
     try
     {
       foreign = RecognizeForeignDicom(file);
