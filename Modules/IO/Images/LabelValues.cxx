@@ -1,7 +1,6 @@
 #include "LabelValues.h"
 
 #include "DecimalText.h"
-#include "LimitText.h"
 #include "MemoryCheck.h"
 #include "Refusal.h"
 
