@@ -1,12 +1,12 @@
 #include "DicomPixelData.h"
 
+#include "AvailableMemory.h"
 #include "CompressedFrame.h"
 #include "DecimalText.h"
 #include "DicomFrameDecoder.h"
 #include "DicomTransferSyntax.h"
 #include "EncapsulatedFrames.h"
 #include "Jpeg2000Decoder.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -96,7 +96,7 @@ void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDatase
   const std::size_t frameBytes = frame.PixelCount() * static_cast<std::size_t>(frame.BytesPerPixel);
   const double allBytes = static_cast<double>(frameBytes) * static_cast<double>(frameCount);
   CheckRatio(file, allBytes, frames.ByteCount());
-  CheckMemory(file, allBytes, AvailableMemoryBytes());
+  CheckMemory(file, allBytes);
   this->Count = frameBytes * frameCount;
   this->Decoded.resize(this->Count);
   const PixelCoding coding = PixelCodingOf(dataset.TransferSyntax());

@@ -1,11 +1,11 @@
 #include "ImageWriter.h"
 
 #include "AtomicFile.h"
+#include "AvailableMemory.h"
 #include "CNumericLocale.h"
 #include "ImageFormat.h"
 #include "ImageReadBack.h"
 #include "ItkImageWriter.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include "vtkDataArray.h"
@@ -36,8 +36,7 @@ vtkSmartPointer<vtkDataArray> Narrowed(const std::filesystem::path& path, vtkDat
   {
     return voxels;
   }
-  CheckMemory(path, static_cast<double>(voxels->GetNumberOfValues()) * sizeof(int),
-              AvailableMemoryBytes());
+  CheckMemory(path, static_cast<double>(voxels->GetNumberOfValues()) * sizeof(int));
   auto narrowed = vtkSmartPointer<vtkDataArray>::Take(
       vtkDataArray::CreateDataArray(fitsSigned ? VTK_INT : VTK_UNSIGNED_INT));
   narrowed->DeepCopy(voxels);
