@@ -4,7 +4,6 @@
 #include "AvailableMemory.h"
 #include "CNumericLocale.h"
 #include "ImageFormat.h"
-#include "ImageReadBack.h"
 #include "ItkImageWriter.h"
 #include "Refusal.h"
 
@@ -12,8 +11,10 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstring>
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -61,6 +62,24 @@ void CheckWritable(const std::filesystem::path& path, vtkDataArray* voxels)
                std::string(voxels->GetDataTypeAsString()) + "\"",
            "convert them to another type");
   }
+}
+
+// Whether a newly written file holds exactly these voxels: their type and all their bits, not the
+// geometry. Throws std::exception if it cannot be read.
+bool HoldsVoxels(const std::filesystem::path& file, vtkDataArray* voxels)
+{
+  const std::unique_ptr<ImageFile> written = ImageFormatOf(file).Open(file);
+  const int type = voxels->GetDataType();
+  const auto size = static_cast<std::size_t>(voxels->GetNumberOfTuples()) *
+                    static_cast<std::size_t>(voxels->GetDataTypeSize());
+  if (written->ScalarType() != (type == VTK_CHAR ? VTK_SIGNED_CHAR : type) ||
+      written->Grid().VoxelCount() != voxels->GetNumberOfTuples())
+  {
+    return false;
+  }
+  std::vector<char> back(size);
+  written->ReadInto(back.data());
+  return std::memcmp(back.data(), voxels->GetVoidPointer(0), size) == 0;
 }
 } // namespace
 
