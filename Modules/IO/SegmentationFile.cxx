@@ -52,10 +52,7 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
   const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
   file.ReadInto(voxels->GetVoidPointer(0));
   ImageGrid grid = file.Grid();
-  if (const std::string note = MakeRightHanded(path, leftHanded, grid, voxels); !note.empty())
-  {
-    segmentation.Notes.push_back(note);
-  }
+  MakeRightHanded(path, leftHanded, grid, voxels, segmentation.Notes);
   for (int layer = 0; layer < file.Components(); ++layer)
   {
     segmentation.Layers.push_back(

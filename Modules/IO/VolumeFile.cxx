@@ -32,10 +32,7 @@ Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
   Volume volume;
   volume.Source = path;
   volume.Notes = file->Notes();
-  if (const std::string note = MakeRightHanded(path, handling, grid, voxels); !note.empty())
-  {
-    volume.Notes.push_back(note);
-  }
+  MakeRightHanded(path, handling, grid, voxels, volume.Notes);
   volume.Image = MakeImage(grid, voxels);
   return volume;
 }
