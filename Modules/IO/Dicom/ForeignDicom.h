@@ -8,7 +8,6 @@
 
 namespace palpate
 {
-/// A kind of DICOM object that is not read.
 struct ForeignDicom
 {
   std::string Is;     ///< "is a multi-frame DICOM image (RTDoseStorage), which is not supported"
