@@ -6,20 +6,12 @@
 
 namespace palpate::cli
 {
-namespace
-{
-std::optional<double> NumberOf(const std::string& word)
-{
-  return ParseNumber(word.size() > 1 && word.front() == '+' ? word.substr(1) : word);
-}
-} // namespace
-
 FiniteNumber::FiniteNumber(double low, double high, bool lowIsIn, const std::string& range)
     : CLI::Validator(range)
 {
   this->func_ = [low, high, lowIsIn, range](const std::string& word)
   {
-    const std::optional<double> number = NumberOf(word);
+    const std::optional<double> number = ParseNumber(word);
     const bool good = number && *number <= high && (lowIsIn ? *number >= low : *number > low);
     return good ? std::string() : word + " is not a number " + range;
   };

@@ -1,5 +1,6 @@
 #include "PhantomCommand.h"
 
+#include "AvailableMemory.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DrillPhantom.h"
@@ -8,7 +9,6 @@
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
-#include "MemoryCheck.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
 #include "PhantomSampler.h"

@@ -13,6 +13,5 @@ namespace palpate
 pid_t StartChildProgram(const std::string& name, const std::vector<std::string>& arguments,
                         int input);
 
-/// Waits until the process has ended.
 void WaitForChildProgram(pid_t process) noexcept;
 } // namespace palpate

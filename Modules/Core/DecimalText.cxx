@@ -7,6 +7,8 @@ namespace palpate
 {
 namespace
 {
+constexpr int MostDigits = 17; // that a double needs
+
 template <typename Real>
 std::string Shortest(Real value)
 {
@@ -46,6 +48,26 @@ std::string_view WithoutPlus(std::string_view text)
   const bool plus = text.size() > 1 && text.front() == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;
 }
+
+bool IsOnSameSide(double shown, double value, double limit)
+{
+  return (shown < limit) == (value < limit) && (shown > limit) == (value > limit);
+}
+
+std::string AgainstLimit(double value, double limit, int digits, std::string (*write)(double, int))
+{
+  for (; std::isfinite(value) && digits <= MostDigits; ++digits)
+  {
+    std::string text = write(value, digits);
+    // The largest numbers may round to text that is too large.
+    const std::optional<double> shown = ParseNumber(text);
+    if (shown && IsOnSameSide(*shown, value, limit))
+    {
+      return text;
+    }
+  }
+  return ExactText(value);
+}
 } // namespace
 
 std::string ExactText(double value)
@@ -67,6 +89,16 @@ std::string FixedText(double value, int decimals)
 std::string SignificantText(double value, int digits)
 {
   return Rounded(value, std::chars_format::general, digits);
+}
+
+std::string TextAgainstLimit(double value, double limit, int decimals)
+{
+  return AgainstLimit(value, limit, decimals, &FixedText);
+}
+
+std::string SignificantAgainstLimit(double value, double limit, int digits)
+{
+  return AgainstLimit(value, limit, digits, &SignificantText);
 }
 
 std::optional<double> ParseNumber(std::string_view text)

@@ -21,6 +21,13 @@ std::string FixedText(double value, int decimals);
 /// exponent form; a dash if it is not finite.
 std::string SignificantText(double value, int digits = 6);
 
+/// FixedText with as many more digits as the text needs to compare with `limit` as the value does:
+/// below, above or equal. So 0.98499 against 0.985 is not written "0.985". A value equal to the
+/// limit is written with all its digits.
+std::string TextAgainstLimit(double value, double limit, int decimals);
+/// The same with SignificantText.
+std::string SignificantAgainstLimit(double value, double limit, int digits);
+
 /// The finite number that the whole text is, blanks around it left out; nothing otherwise.
 std::optional<double> ParseNumber(std::string_view text);
 std::optional<int> ParseInteger(std::string_view text);

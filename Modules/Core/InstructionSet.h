@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 namespace palpate
 {
 enum class InstructionSet
@@ -12,8 +10,4 @@ enum class InstructionSet
 
 /// The fastest set that this processor supports; detected once.
 InstructionSet FastestInstructionSet() noexcept;
-/// Every set that this processor supports, Portable first; for tests and benchmarks.
-std::vector<InstructionSet> RunnableInstructionSets();
-/// "portable", "avx2".
-const char* NameOf(InstructionSet set) noexcept;
 } // namespace palpate

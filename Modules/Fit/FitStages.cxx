@@ -4,7 +4,6 @@
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "FitStructure.h"
-#include "LimitText.h"
 #include "ModelPlausibility.h"
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"

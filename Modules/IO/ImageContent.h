@@ -10,7 +10,6 @@
 
 namespace palpate
 {
-/// The content of a path of unknown kind.
 struct ImageContent
 {
   /// "NIfTI label map", "DICOM series", "3D Slicer segmentation", ...

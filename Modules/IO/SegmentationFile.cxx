@@ -1,12 +1,12 @@
 #include "SegmentationFile.h"
 
+#include "AvailableMemory.h"
 #include "DicomSegmentation.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
 #include "ImageFormat.h"
 #include "LabelMap.h"
 #include "LabelValues.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
 #include "SegmentCompletion.h"
@@ -29,8 +29,7 @@ vtkSmartPointer<vtkDataArray> ExtractLayer(const std::filesystem::path& file, vt
   }
   auto single =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(voxels->GetDataType()));
-  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * voxels->GetDataTypeSize(),
-              AvailableMemoryBytes());
+  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * voxels->GetDataTypeSize());
   single->SetNumberOfTuples(voxels->GetNumberOfTuples());
   single->CopyComponent(0, voxels, layer);
   return single;
@@ -53,10 +52,7 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
   const vtkSmartPointer<vtkDataArray> voxels = file.NewArray();
   file.ReadInto(voxels->GetVoidPointer(0));
   ImageGrid grid = file.Grid();
-  if (const std::string note = MakeRightHanded(path, leftHanded, grid, voxels); !note.empty())
-  {
-    segmentation.Notes.push_back(note);
-  }
+  MakeRightHanded(path, leftHanded, grid, voxels, segmentation.Notes);
   for (int layer = 0; layer < file.Components(); ++layer)
   {
     segmentation.Layers.push_back(

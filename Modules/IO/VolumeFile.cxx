@@ -7,9 +7,12 @@
 #include "ImageFormat.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
-#include "VoxelCheck.h"
 
 #include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
 
 namespace palpate
 {
@@ -29,10 +32,7 @@ Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
   Volume volume;
   volume.Source = path;
   volume.Notes = file->Notes();
-  if (const std::string note = MakeRightHanded(path, handling, grid, voxels); !note.empty())
-  {
-    volume.Notes.push_back(note);
-  }
+  MakeRightHanded(path, handling, grid, voxels, volume.Notes);
   volume.Image = MakeImage(grid, voxels);
   return volume;
 }
@@ -54,6 +54,31 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   const std::vector<DicomSeries> all = FindDicomSeries(folder);
   return ReadDicomVolume(SeriesOfFile(path, all), path);
+}
+
+template <typename T>
+vtkIdType CountNotFinite(const T* values, vtkIdType count)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return std::count_if(values, values + count, [](T value) { return !std::isfinite(value); });
+  }
+  return 0;
+}
+
+void CheckFinite(const std::filesystem::path& file, vtkDataArray* voxels)
+{
+  vtkIdType found = 0;
+  switch (voxels->GetDataType())
+  {
+    vtkTemplateMacro(found = CountNotFinite(static_cast<const VTK_TT*>(voxels->GetVoidPointer(0)),
+                                            voxels->GetNumberOfValues()));
+  }
+  if (found > 0)
+  {
+    Refuse(file, "holds " + std::to_string(found) + " voxels that are NaN or infinite",
+           "replace them, for example by 0");
+  }
 }
 } // namespace
 

@@ -1,6 +1,6 @@
 #include "vtkSphericalHarmonicFit.h"
 
-#include "LimitText.h"
+#include "DecimalText.h"
 #include "ModelTable.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicFit.h"

@@ -4,8 +4,8 @@
 #include "ImageAxes.h"
 #include "RasterImage.h"
 #include "SlicePosition.h"
+#include "VolumeFile.h"
 #include "WindowImage.h"
-#include "vtkOrientedVolumeReader.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -32,14 +32,6 @@ namespace
 constexpr const char* BrainFile = "/usr/share/mricron/templates/ch2.nii.gz"; // Colin 27
 constexpr int Width = 1280;
 constexpr int Height = 800;
-
-vtkSmartPointer<vtkImageData> ReadBrain()
-{
-  vtkNew<vtkOrientedVolumeReader> reader;
-  reader->SetFileName(BrainFile);
-  reader->Update();
-  return reader->GetOutput();
-}
 
 // A structure as large as a lobe, of as many triangles as the surface of a segmentation has.
 vtkSmartPointer<vtkPolyData> StructureSurface()
@@ -250,7 +242,7 @@ private:
   {
     if (!this->Ours)
     {
-      const vtkSmartPointer<vtkImageData> brain = ReadBrain();
+      const vtkSmartPointer<vtkImageData> brain = ReadVolume(BrainFile).Image;
       const vtkSmartPointer<vtkPolyData> surface = StructureSurface();
       this->Ours = std::make_unique<OurViews>(brain, surface);
       this->Ours->Frame(0);

@@ -1,6 +1,7 @@
 #include "DenseReference.h"
 #include "FieldCases.h"
 #include "FieldSampler.h"
+#include "InstructionSets.h"
 #include "ProceduralFields.h"
 #include "WorstCase.h"
 
@@ -12,7 +13,9 @@ namespace palpate
 namespace
 {
 using test::MakeField;
+using test::NameOf;
 using test::PlainGrid;
+using test::RunnableInstructionSets;
 using test::WorstCase;
 
 constexpr FieldInterpolation Methods[] = {FieldInterpolation::Trilinear,

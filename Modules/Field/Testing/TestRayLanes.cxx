@@ -1,4 +1,5 @@
 #include "FieldCases.h"
+#include "InstructionSets.h"
 #include "RandomRays.h"
 #include "RandomVolume.h"
 #include "RayCaster.h"
@@ -11,7 +12,9 @@ namespace palpate
 {
 namespace
 {
+using test::NameOf;
 using test::RandomVolume;
+using test::RunnableInstructionSets;
 using test::SameBits;
 
 const double Infinity = std::numeric_limits<double>::infinity();

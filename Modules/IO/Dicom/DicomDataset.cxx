@@ -1,8 +1,8 @@
 #include "DicomDataset.h"
 
+#include "AvailableMemory.h"
 #include "BoundedDicomStream.h"
 #include "DecimalText.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include <Eigen/Geometry>

@@ -23,7 +23,6 @@ namespace palpate
 class PALPATEIO_EXPORT DicomDataset
 {
 public:
-  /// How much of the file is read.
   enum class Extent
   {
     UpToPixels,

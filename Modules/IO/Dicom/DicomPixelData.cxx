@@ -1,12 +1,13 @@
 #include "DicomPixelData.h"
 
+#include "AvailableMemory.h"
 #include "CompressedFrame.h"
 #include "DecimalText.h"
 #include "DicomFrameDecoder.h"
+#include "DicomPixels.h"
 #include "DicomTransferSyntax.h"
 #include "EncapsulatedFrames.h"
 #include "Jpeg2000Decoder.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include "dcmtk/config/osconfig.h"
@@ -36,28 +37,6 @@ void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_
            "copy or export it again");
   }
 }
-
-CompressedFrame FrameForm(const DicomDataset& dataset)
-{
-  DcmItem& root = dataset.Root();
-  CompressedFrame frame;
-  frame.Columns = DicomInteger(root, DCM_Columns, 0);
-  frame.Rows = DicomInteger(root, DCM_Rows, 0);
-  const int bitsAllocated = DicomInteger(root, DCM_BitsAllocated, 0);
-  frame.BytesPerPixel = bitsAllocated / 8;
-  frame.BitsStored = std::max(0, DicomInteger(root, DCM_BitsStored, bitsAllocated));
-  frame.HighBit = DicomInteger(root, DCM_HighBit, frame.BitsStored - 1);
-  frame.IsSigned = DicomInteger(root, DCM_PixelRepresentation, 0) == 1;
-  return frame;
-}
-
-bool IsPlausible(const CompressedFrame& frame)
-{
-  const bool isWord =
-      frame.BytesPerPixel == 1 || frame.BytesPerPixel == 2 || frame.BytesPerPixel == 4;
-  return isWord && frame.Columns >= 1 && frame.Rows >= 1 && frame.BitsStored >= 1 &&
-         frame.HighBit >= frame.BitsStored - 1 && frame.HighBit < 8 * frame.BytesPerPixel;
-}
 } // namespace
 
 void CheckTransferSyntax(const std::filesystem::path& file, const std::string& transferSyntaxUid)
@@ -86,9 +65,16 @@ DicomPixelData::DicomPixelData(const std::filesystem::path& file, const DicomDat
 void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDataset& dataset,
                             std::size_t frameCount, DicomFrameDecoder& decoder)
 {
-  CompressedFrame frame = FrameForm(dataset);
+  const DicomPixelFormat format = ReadPixelFormat(dataset);
+  CompressedFrame frame;
+  frame.Columns = DicomInteger(dataset.Root(), DCM_Columns, 0);
+  frame.Rows = DicomInteger(dataset.Root(), DCM_Rows, 0);
+  frame.BytesPerPixel = format.BitsAllocated / 8;
+  frame.BitsStored = format.BitsStored;
+  frame.HighBit = format.HighBit;
+  frame.IsSigned = format.IsSigned;
   const EncapsulatedFrames frames(dataset.Root(), frameCount);
-  if (!IsPlausible(frame) || !frames.AreFound())
+  if (!format.IsPlausible() || frame.Columns < 1 || frame.Rows < 1 || !frames.AreFound())
   {
     Refuse(file, "is truncated or damaged: its pixel data do not match its header",
            "copy or export it again");
@@ -96,7 +82,7 @@ void DicomPixelData::Decode(const std::filesystem::path& file, const DicomDatase
   const std::size_t frameBytes = frame.PixelCount() * static_cast<std::size_t>(frame.BytesPerPixel);
   const double allBytes = static_cast<double>(frameBytes) * static_cast<double>(frameCount);
   CheckRatio(file, allBytes, frames.ByteCount());
-  CheckMemory(file, allBytes, AvailableMemoryBytes());
+  CheckMemory(file, allBytes);
   this->Count = frameBytes * frameCount;
   this->Decoded.resize(this->Count);
   const PixelCoding coding = PixelCodingOf(dataset.TransferSyntax());

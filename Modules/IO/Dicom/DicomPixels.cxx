@@ -24,13 +24,6 @@ namespace
          "copy or export it again");
 }
 
-bool IsPlausible(const DicomPixelFormat& format)
-{
-  return (format.BitsAllocated == 8 || format.BitsAllocated == 16 || format.BitsAllocated == 32) &&
-         format.BitsStored >= 1 && format.BitsStored <= format.BitsAllocated &&
-         format.HighBit < format.BitsAllocated && format.HighBit >= format.BitsStored - 1;
-}
-
 // Stored values: the bits below the high bit, with their sign.
 class StoredPixels
 {
@@ -86,6 +79,14 @@ void Rescale(const StoredPixels& stored, const DicomPixelFormat& format, vtkIdTy
 
 } // namespace
 
+bool DicomPixelFormat::IsPlausible() const
+{
+  const bool isWord =
+      this->BitsAllocated == 8 || this->BitsAllocated == 16 || this->BitsAllocated == 32;
+  return isWord && this->BitsStored >= 1 && this->HighBit >= this->BitsStored - 1 &&
+         this->HighBit < this->BitsAllocated;
+}
+
 int DicomPixelFormat::ScalarType() const
 {
   if (this->Slope == 1.0 && this->Intercept == 0.0)
@@ -123,7 +124,7 @@ void ReadSlicePixels(const std::filesystem::path& file, const DicomPixelFormat& 
   {
     Refuse(file, "holds colours", "use a greyscale series");
   }
-  if (!IsPlausible(format))
+  if (!format.IsPlausible())
   {
     RefuseDamaged(file);
   }

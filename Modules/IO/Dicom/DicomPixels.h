@@ -23,6 +23,8 @@ struct DicomPixelFormat
   double Slope = 1.0;
   double Intercept = 0.0;
 
+  /// Whether pixels are words of 8, 16 or 32 bits that hold the stored ones.
+  PALPATEIO_EXPORT bool IsPlausible() const;
   /// The smallest VTK type that holds every value after slope and intercept: the stored type if
   /// these change nothing, int if they are whole numbers, otherwise float.
   PALPATEIO_EXPORT int ScalarType() const;

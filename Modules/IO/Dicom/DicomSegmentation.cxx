@@ -1,6 +1,5 @@
 #include "DicomSegmentation.h"
 
-#include "CieLabColor.h"
 #include "DicomDataset.h"
 #include "DicomSegmentationFrames.h"
 #include "Refusal.h"

@@ -30,7 +30,6 @@ public:
   /// Right-handed by construction: its third axis is the cross product of the others.
   const ImageGrid& Grid() const { return this->Stack.Grid; }
   std::size_t Count() const { return this->Planes.size(); }
-  /// Number of stored pixels of all frames.
   std::int64_t PixelCount() const
   {
     return static_cast<std::int64_t>(this->Planes.size()) * this->PixelsPerFrame;

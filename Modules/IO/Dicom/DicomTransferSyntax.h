@@ -6,7 +6,6 @@
 
 namespace palpate
 {
-/// Pixel coding of a DICOM file.
 enum class PixelCoding
 {
   Native, ///< uncompressed

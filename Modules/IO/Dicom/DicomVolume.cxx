@@ -1,8 +1,8 @@
 #include "DicomVolume.h"
 
+#include "AvailableMemory.h"
 #include "DicomFrameDecoder.h"
 #include "DicomPixels.h"
-#include "MemoryCheck.h"
 
 #include <cstddef>
 
@@ -28,8 +28,7 @@ Volume ReadDicomVolume(const DicomSeries& series, const std::filesystem::path& s
   CheckGrid(source, stack.Grid);
   auto voxels = vtkSmartPointer<vtkDataArray>::Take(
       vtkDataArray::CreateDataArray(CommonScalarType(series.Formats)));
-  CheckMemory(source, static_cast<double>(stack.Grid.VoxelCount()) * voxels->GetDataTypeSize(),
-              AvailableMemoryBytes());
+  CheckMemory(source, static_cast<double>(stack.Grid.VoxelCount()) * voxels->GetDataTypeSize());
   voxels->SetNumberOfTuples(stack.Grid.VoxelCount());
   const vtkIdType sliceVoxels = static_cast<vtkIdType>(stack.Grid.Size[0]) * stack.Grid.Size[1];
   DicomFrameDecoder decoder;

@@ -1,13 +1,22 @@
 #pragma once
 
-#include "ForeignFile.h"
+#include "PalpateIOModule.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
 
 namespace palpate
 {
-/// Recognizes a DICOM file that holds neither a segmentation nor a slice of a volume: contours, a
-/// dose, a report, an index, ...; empty for slices, segmentations and unknown objects. Throws
-/// InputError for a file that is not DICOM or is damaged.
-PALPATEIO_EXPORT std::optional<ForeignFile>
+struct ForeignDicom
+{
+  std::string Is;     ///< "is a multi-frame DICOM image (RTDoseStorage), which is not supported"
+  std::string Remedy; ///< "convert it to one slice per file or to NIfTI-1 (.nii.gz)"
+};
+
+/// Recognizes a DICOM file that is no segmentation and has several frames or no pixels: contours, a
+/// dose, a report, an index, ... Throws InputError for a file that is not DICOM or is damaged.
+PALPATEIO_EXPORT std::optional<ForeignDicom>
 RecognizeForeignDicom(const std::filesystem::path& file);
 
 /// Throws InputError for a file that RecognizeForeignDicom recognizes.

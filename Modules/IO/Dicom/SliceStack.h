@@ -10,7 +10,6 @@
 
 namespace palpate
 {
-/// Plane of a DICOM slice or frame.
 struct SlicePlane
 {
   Vector3 PositionWorld = Vector3::Zero(); ///< centre of its first pixel, mm, patient LPS
@@ -32,7 +31,6 @@ struct SliceStack
   std::vector<int> SliceOfPlane; ///< slice index of each given plane
 };
 
-/// Rules for a stack of planes.
 struct SliceStackRules
 {
   /// Slices may be absent and several planes may lie in one slice (a segmentation's frames).

@@ -19,7 +19,6 @@ public:
   AlgorithmErrors& operator=(const AlgorithmErrors&) = delete;
   ~AlgorithmErrors();
 
-  /// Whether an error was raised.
   bool Raised() const { return !this->First.empty(); }
   /// The first error, without VTK's file, line and address.
   const std::string& Message() const { return this->First; }

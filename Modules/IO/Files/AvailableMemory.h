@@ -21,4 +21,9 @@ struct MemorySources
 /// that nothing is refused. Source: Linux, Documentation/admin-guide/cgroup-v2.rst and
 /// cgroup-v1/memory.rst.
 PALPATEIO_EXPORT std::uint64_t AvailableMemoryBytes(const MemorySources& sources = {});
+
+/// Throws InputError if reading `dataBytes` of voxels from `file` needs more than `availableBytes`.
+/// The voxels count twice, since the format libraries decode into their own buffer.
+PALPATEIO_EXPORT void CheckMemory(const std::filesystem::path& file, double dataBytes,
+                                  std::uint64_t availableBytes = AvailableMemoryBytes());
 } // namespace palpate

@@ -2,6 +2,7 @@
 
 #include "FileFormat.h"
 #include "Refusal.h"
+#include "WholeFile.h"
 
 #include <algorithm>
 #include <fstream>
@@ -10,30 +11,6 @@
 
 namespace palpate
 {
-namespace
-{
-void CheckReadable(const std::filesystem::path& file)
-{
-  std::error_code failure;
-  if (!std::filesystem::exists(file, failure))
-  {
-    Refuse(file, "does not exist", "check the path");
-  }
-  if (!std::filesystem::is_regular_file(file, failure))
-  {
-    Refuse(file, "is not a file", "specify an image file");
-  }
-  if (!std::ifstream(file, std::ios::binary))
-  {
-    Refuse(file, "cannot be opened", "check its permissions");
-  }
-  if (std::filesystem::file_size(file, failure) == 0)
-  {
-    Refuse(file, "is empty", "copy or export it again");
-  }
-}
-} // namespace
-
 bool HasDicomMark(const std::filesystem::path& file)
 {
   std::ifstream stream(file, std::ios::binary);
@@ -64,7 +41,7 @@ std::vector<std::filesystem::path> DicomFilesIn(const std::filesystem::path& fol
 
 bool IsDicomFile(const std::filesystem::path& file)
 {
-  CheckReadable(file);
+  InputFileSize(file);
   return HasDicomMark(file) || !EndingOf(file, {DicomEndings.begin(), DicomEndings.end()}).empty();
 }
 } // namespace palpate

@@ -1,6 +1,6 @@
 #include "JsonText.h"
 
-#include "MemoryCheck.h"
+#include "AvailableMemory.h"
 #include "Refusal.h"
 #include "WholeFile.h"
 
@@ -86,7 +86,7 @@ Json Parse(std::string_view text, const std::filesystem::path& file, const std::
     Refuse(file, "cannot be read: its JSON has more than " + std::to_string(mostKeys) + " keys",
            remedy);
   }
-  CheckMemory(file, BytesOfValue * static_cast<double>(extent.Values), AvailableMemoryBytes());
+  CheckMemory(file, BytesOfValue * static_cast<double>(extent.Values));
   try
   {
     return Json::parse(text);

@@ -21,6 +21,10 @@ std::uintmax_t InputFileSize(const std::filesystem::path& path)
   {
     Refuse(path, "is not a file", "specify a file");
   }
+  if (!std::ifstream(path, std::ios::binary))
+  {
+    Refuse(path, "cannot be opened", "check its permissions");
+  }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error)
   {
@@ -28,7 +32,7 @@ std::uintmax_t InputFileSize(const std::filesystem::path& path)
   }
   if (size == 0)
   {
-    Refuse(path, "is empty", "write it again");
+    Refuse(path, "is empty", "copy or export it again");
   }
   return size;
 }

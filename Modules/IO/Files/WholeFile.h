@@ -9,7 +9,8 @@
 
 namespace palpate
 {
-/// A file's size in bytes. Throws InputError if it is missing, not a regular file, or empty.
+/// A file's size in bytes. Throws InputError if it is missing, not a regular file, empty, or cannot
+/// be opened.
 PALPATEIO_EXPORT std::uintmax_t InputFileSize(const std::filesystem::path& path);
 
 /// All bytes of a file. Throws InputError if it is missing, not a regular file, empty, unreadable,

@@ -1,6 +1,6 @@
 #include "ImageFile.h"
 
-#include "MemoryCheck.h"
+#include "AvailableMemory.h"
 
 namespace palpate
 {
@@ -15,7 +15,7 @@ vtkSmartPointer<vtkDataArray> ImageFile::NewArray() const
   auto array =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->ScalarType()));
   this->CheckLength();
-  CheckMemory(this->File, this->DataBytes(), AvailableMemoryBytes());
+  CheckMemory(this->File, this->DataBytes());
   array->SetNumberOfComponents(this->Components());
   array->SetNumberOfTuples(this->FileGrid.VoxelCount());
   return array;

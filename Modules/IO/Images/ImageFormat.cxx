@@ -22,7 +22,7 @@ const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
   {
     return *format;
   }
-  if (SurfaceFormats().Reader(file) != nullptr && !RecognizeForeignFile(file))
+  if (SurfaceFormats().Reader(file) != nullptr)
   {
     Refuse(file, "is a surface, not an image",
            "use voxels here, and surfaces with commands that take them");

@@ -1,19 +1,20 @@
 #include "ImageWriter.h"
 
 #include "AtomicFile.h"
+#include "AvailableMemory.h"
 #include "CNumericLocale.h"
 #include "ImageFormat.h"
-#include "ImageReadBack.h"
 #include "ItkImageWriter.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstring>
 #include <exception>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -36,8 +37,7 @@ vtkSmartPointer<vtkDataArray> Narrowed(const std::filesystem::path& path, vtkDat
   {
     return voxels;
   }
-  CheckMemory(path, static_cast<double>(voxels->GetNumberOfValues()) * sizeof(int),
-              AvailableMemoryBytes());
+  CheckMemory(path, static_cast<double>(voxels->GetNumberOfValues()) * sizeof(int));
   auto narrowed = vtkSmartPointer<vtkDataArray>::Take(
       vtkDataArray::CreateDataArray(fitsSigned ? VTK_INT : VTK_UNSIGNED_INT));
   narrowed->DeepCopy(voxels);
@@ -62,6 +62,24 @@ void CheckWritable(const std::filesystem::path& path, vtkDataArray* voxels)
                std::string(voxels->GetDataTypeAsString()) + "\"",
            "convert them to another type");
   }
+}
+
+// Whether a newly written file holds exactly these voxels: their type and all their bits, not the
+// geometry. Throws std::exception if it cannot be read.
+bool HoldsVoxels(const std::filesystem::path& file, vtkDataArray* voxels)
+{
+  const std::unique_ptr<ImageFile> written = ImageFormatOf(file).Open(file);
+  const int type = voxels->GetDataType();
+  const auto size = static_cast<std::size_t>(voxels->GetNumberOfTuples()) *
+                    static_cast<std::size_t>(voxels->GetDataTypeSize());
+  if (written->ScalarType() != (type == VTK_CHAR ? VTK_SIGNED_CHAR : type) ||
+      written->Grid().VoxelCount() != voxels->GetNumberOfTuples())
+  {
+    return false;
+  }
+  std::vector<char> back(size);
+  written->ReadInto(back.data());
+  return std::memcmp(back.data(), voxels->GetVoidPointer(0), size) == 0;
 }
 } // namespace
 

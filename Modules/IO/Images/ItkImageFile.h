@@ -9,7 +9,6 @@
 
 namespace palpate
 {
-/// An image file that ITK reads.
 class ItkImageFile : public ImageFile
 {
 public:

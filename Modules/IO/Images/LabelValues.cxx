@@ -1,8 +1,7 @@
 #include "LabelValues.h"
 
+#include "AvailableMemory.h"
 #include "DecimalText.h"
-#include "LimitText.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include "vtkSetGet.h"
@@ -142,8 +141,7 @@ vtkSmartPointer<vtkDataArray> ToLabels(const std::filesystem::path& file, vtkDat
     return voxels;
   }
   auto labels = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * labels->GetDataTypeSize(),
-              AvailableMemoryBytes());
+  CheckMemory(file, static_cast<double>(voxels->GetNumberOfTuples()) * labels->GetDataTypeSize());
   labels->SetNumberOfTuples(voxels->GetNumberOfTuples());
   switch (voxels->GetDataType())
   {

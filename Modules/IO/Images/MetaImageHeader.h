@@ -8,7 +8,6 @@
 
 namespace palpate
 {
-/// Content of a checked MetaImage header.
 struct MetaImageFacts
 {
   std::vector<double> Size; ///< of the three axes

@@ -5,6 +5,8 @@
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
+#include "vtkDataArray.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -12,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <utility>
 #include <zlib.h>
 
 namespace palpate
@@ -19,6 +22,18 @@ namespace palpate
 namespace
 {
 constexpr std::size_t HeaderBytes = 348;
+
+// Codes of the header, and VTK's types.
+constexpr std::array<std::pair<int, int>, 10> VoxelTypes{{{2, VTK_UNSIGNED_CHAR},
+                                                          {4, VTK_SHORT},
+                                                          {8, VTK_INT},
+                                                          {16, VTK_FLOAT},
+                                                          {64, VTK_DOUBLE},
+                                                          {256, VTK_SIGNED_CHAR},
+                                                          {512, VTK_UNSIGNED_SHORT},
+                                                          {768, VTK_UNSIGNED_INT},
+                                                          {1024, VTK_LONG},
+                                                          {1280, VTK_UNSIGNED_LONG}}};
 
 // The header's bytes, and reading of numbers in the file's byte order.
 class HeaderReader
@@ -125,29 +140,7 @@ void CheckSpacings(const std::filesystem::path& file, const HeaderReader& header
   }
 }
 
-std::size_t BytesPerVoxel(NiftiType type)
-{
-  switch (type)
-  {
-  case NiftiType::UnsignedChar:
-  case NiftiType::SignedChar:
-    return 1;
-  case NiftiType::Short:
-  case NiftiType::UnsignedShort:
-    return 2;
-  case NiftiType::Int:
-  case NiftiType::UnsignedInt:
-  case NiftiType::Float:
-    return 4;
-  case NiftiType::Long:
-  case NiftiType::UnsignedLong:
-  case NiftiType::Double:
-    return 8;
-  }
-  return 0;
-}
-
-NiftiType VoxelType(const std::filesystem::path& file, const HeaderReader& header)
+int VoxelType(const std::filesystem::path& file, const HeaderReader& header)
 {
   const int code = header.At<std::int16_t>(70);
   if (code == 128 || code == 2304)
@@ -158,13 +151,15 @@ NiftiType VoxelType(const std::filesystem::path& file, const HeaderReader& heade
   {
     Refuse(file, "holds complex numbers", "convert it to magnitudes");
   }
-  const auto type = static_cast<NiftiType>(code);
-  if (BytesPerVoxel(type) == 0)
+  const auto* found =
+      std::find_if(VoxelTypes.begin(), VoxelTypes.end(),
+                   [code](const std::pair<int, int>& type) { return type.first == code; });
+  if (found == VoxelTypes.end())
   {
     Refuse(file, "has voxels of a type that is not supported (code " + std::to_string(code) + ")",
            "convert it to integers or floating-point numbers");
   }
-  return type;
+  return found->second;
 }
 
 // The data of a single file cannot start within its header, whatever the header states.
@@ -180,10 +175,12 @@ std::size_t VoxelOffset(const std::filesystem::path& file, const HeaderReader& h
 
 void CheckLength(const std::filesystem::path& file, bool isCompressed, const NiftiHeader& header)
 {
+  const auto bytesPerVoxel =
+      static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(header.VoxelType));
   const std::size_t needed = header.VoxelOffset + static_cast<std::size_t>(header.Size[0]) *
                                                       static_cast<std::size_t>(header.Size[1]) *
                                                       static_cast<std::size_t>(header.Size[2]) *
-                                                      BytesPerVoxel(header.Type);
+                                                      bytesPerVoxel;
   const std::uintmax_t length = std::filesystem::file_size(file);
   if (isCompressed)
   {
@@ -262,7 +259,7 @@ NiftiHeader ReadNiftiHeader(const std::filesystem::path& file)
     header.Size[axis] = reader.Dimension(axis + 1);
     header.Spacing[static_cast<Eigen::Index>(axis)] = unit * reader.PixelDimension(axis + 1);
   }
-  header.Type = VoxelType(file, reader);
+  header.VoxelType = VoxelType(file, reader);
   header.VoxelOffset = VoxelOffset(file, reader);
   header.Slope = FiniteOrZero(reader.At<float>(112));
   header.Slope = header.Slope == 0.0 ? 1.0 : header.Slope;

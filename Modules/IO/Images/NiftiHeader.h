@@ -3,6 +3,7 @@
 #include "NiftiOrientation.h"
 #include "PalpateIOModule.h"
 #include "Vector3.h"
+#include "vtkType.h"
 
 #include <array>
 #include <cstddef>
@@ -10,28 +11,13 @@
 
 namespace palpate
 {
-/// Supported voxel types of NIfTI-1, by their code in the header.
-enum class NiftiType : int
-{
-  UnsignedChar = 2,
-  Short = 4,
-  Int = 8,
-  Float = 16,
-  Double = 64,
-  SignedChar = 256,
-  UnsignedShort = 512,
-  UnsignedInt = 768,
-  Long = 1024,
-  UnsignedLong = 1280
-};
-
 /// The fields of a NIfTI-1 header that locate its voxels in the file and in the patient.
 struct NiftiHeader
 {
   std::array<int, 3> Size{};         ///< voxels along each axis
   Vector3 Spacing = Vector3::Ones(); ///< mm
   NiftiOrientation Orientation;
-  NiftiType Type = NiftiType::UnsignedChar;
+  int VoxelType = VTK_UNSIGNED_CHAR;
   std::size_t VoxelOffset = 0; ///< bytes from the start of the (decompressed) file
   double Slope = 1.0;          ///< value = slope * stored + intercept
   double Intercept = 0.0;

@@ -3,11 +3,10 @@
 #include "GzipFile.h"
 #include "Refusal.h"
 
-#include "vtkType.h"
+#include "vtkSetGet.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -87,31 +86,8 @@ bool NiftiVoxels::IsScaled() const
 
 int NiftiVoxels::ScalarType() const
 {
-  const int whole = this->IsScaled() ? VTK_FLOAT : 0;
-  switch (this->Header.Type)
-  {
-  case NiftiType::UnsignedChar:
-    return whole != 0 ? whole : VTK_UNSIGNED_CHAR;
-  case NiftiType::SignedChar:
-    return whole != 0 ? whole : VTK_SIGNED_CHAR;
-  case NiftiType::UnsignedShort:
-    return whole != 0 ? whole : VTK_UNSIGNED_SHORT;
-  case NiftiType::Short:
-    return whole != 0 ? whole : VTK_SHORT;
-  case NiftiType::UnsignedInt:
-    return whole != 0 ? whole : VTK_UNSIGNED_INT;
-  case NiftiType::Int:
-    return whole != 0 ? whole : VTK_INT;
-  case NiftiType::UnsignedLong:
-    return whole != 0 ? whole : VTK_UNSIGNED_LONG;
-  case NiftiType::Long:
-    return whole != 0 ? whole : VTK_LONG;
-  case NiftiType::Float:
-    return VTK_FLOAT;
-  case NiftiType::Double:
-    return VTK_DOUBLE;
-  }
-  return 0;
+  const int type = this->Header.VoxelType;
+  return this->IsScaled() && type != VTK_DOUBLE ? VTK_FLOAT : type;
 }
 
 void NiftiVoxels::ReadInto(void* buffer) const
@@ -119,40 +95,9 @@ void NiftiVoxels::ReadInto(void* buffer) const
   const Scaling scaling{this->IsScaled(), this->Header.Slope, this->Header.Intercept};
   GzipFile file(this->File);
   file.Skip(this->Header.VoxelOffset);
-  const auto decode = [&](auto stored)
-  { DecodeTo<decltype(stored)>(file, this->Header, scaling, buffer); };
-  switch (this->Header.Type)
+  switch (this->Header.VoxelType)
   {
-  case NiftiType::UnsignedChar:
-    decode(std::uint8_t{});
-    break;
-  case NiftiType::SignedChar:
-    decode(std::int8_t{});
-    break;
-  case NiftiType::UnsignedShort:
-    decode(std::uint16_t{});
-    break;
-  case NiftiType::Short:
-    decode(std::int16_t{});
-    break;
-  case NiftiType::UnsignedInt:
-    decode(std::uint32_t{});
-    break;
-  case NiftiType::Int:
-    decode(std::int32_t{});
-    break;
-  case NiftiType::UnsignedLong:
-    decode(std::uint64_t{});
-    break;
-  case NiftiType::Long:
-    decode(std::int64_t{});
-    break;
-  case NiftiType::Float:
-    decode(float{});
-    break;
-  case NiftiType::Double:
-    decode(double{});
-    break;
+    vtkTemplateMacro(DecodeTo<VTK_TT>(file, this->Header, scaling, buffer));
   }
   file.ReadToEnd();
 }

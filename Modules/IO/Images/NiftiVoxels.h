@@ -16,7 +16,7 @@ public:
   NiftiVoxels(const std::filesystem::path& file, const NiftiHeader& header);
 
   /// VTK_SHORT, ...: the file's type, but VTK_FLOAT for whole numbers with a slope or an
-  /// intercept; 0 for a type that is not supported.
+  /// intercept.
   int ScalarType() const;
   /// Reads all voxels, with slope and intercept applied, to `buffer`, which must be large enough.
   /// Throws InputError if the file is truncated or its compressed data are damaged. NaN and

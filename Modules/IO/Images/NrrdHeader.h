@@ -11,7 +11,6 @@
 
 namespace palpate
 {
-/// A field of an NRRD header.
 struct NrrdField
 {
   std::string Name;  ///< lower case without spaces, since the format treats "Space Directions" and

@@ -58,12 +58,12 @@ void ReverseAxis(const ImageGrid& grid, int axis, vtkDataArray* voxels)
 }
 } // namespace
 
-std::string MakeRightHanded(const std::filesystem::path& file, LeftHandedAxes handling,
-                            ImageGrid& grid, vtkDataArray* voxels)
+void MakeRightHanded(const std::filesystem::path& file, LeftHandedAxes handling, ImageGrid& grid,
+                     vtkDataArray* voxels, std::vector<std::string>& notes)
 {
   if (grid.Direction.determinant() > 0.0)
   {
-    return {};
+    return;
   }
   if (handling == LeftHandedAxes::Refuse)
   {
@@ -75,7 +75,7 @@ std::string MakeRightHanded(const std::filesystem::path& file, LeftHandedAxes ha
   const int last = grid.Size[static_cast<std::size_t>(axis)] - 1;
   grid.OriginWorld += last * grid.Spacing[axis] * grid.Direction.col(axis);
   grid.Direction.col(axis) *= -1.0;
-  return "The axes were left-handed: index axis " + std::to_string(axis + 1) +
-         " was reversed; every voxel keeps its place in the patient.";
+  notes.push_back("The axes were left-handed: index axis " + std::to_string(axis + 1) +
+                  " was reversed; every voxel keeps its place in the patient.");
 }
 } // namespace palpate

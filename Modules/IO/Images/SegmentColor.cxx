@@ -4,6 +4,7 @@
 
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -18,5 +19,16 @@ std::array<double, 3> DefaultSegmentColor(int label)
     vtkMath::HSVToRGB(hue, 0.55, 0.9, &color[0], &color[1], &color[2]);
   }
   return color;
+}
+
+std::array<double, 3> CieLabToRgb(const std::array<std::uint16_t, 3>& encoded) noexcept
+{
+  const double lab[3] = {encoded[0] / 65535.0 * 100.0, encoded[1] / 65535.0 * 255.0 - 128.0,
+                         encoded[2] / 65535.0 * 255.0 - 128.0};
+  std::array<double, 3> rgb{};
+  vtkMath::LabToRGB(lab, rgb.data());
+  std::transform(rgb.begin(), rgb.end(), rgb.begin(),
+                 [](double part) { return std::clamp(part, 0.0, 1.0); });
+  return rgb;
 }
 } // namespace palpate

@@ -1,8 +1,8 @@
 #include "SegmentLayers.h"
 
+#include "AvailableMemory.h"
 #include "DecimalText.h"
 #include "LabelValues.h"
-#include "MemoryCheck.h"
 #include "Refusal.h"
 
 #include "vtkSetGet.h"
@@ -69,7 +69,7 @@ void SegmentLayers::AddLayer()
                " x " + std::to_string(this->Grid.Size[2]) + " voxels, most of them without data",
            "export fewer segments at a time");
   }
-  CheckMemory(this->File, bytes, AvailableMemoryBytes());
+  CheckMemory(this->File, bytes);
   layer->SetNumberOfTuples(this->Grid.VoxelCount());
   layer->Fill(0.0);
   this->Layers.push_back(layer);

@@ -20,7 +20,6 @@ struct Volume
   std::vector<std::string> Notes;
 };
 
-/// User choices for reading a path.
 struct VolumeChoice
 {
   /// Series instance UID, or its number in the error message's list (from 1); empty if there is

@@ -1,6 +1,5 @@
 #include "ModelCsv.h"
 
-#include "CsvCell.h"
 #include "DecimalText.h"
 #include "ModelConvention.h"
 #include "Refusal.h"
@@ -8,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,33 +31,21 @@ std::vector<std::pair<std::string, std::string>> Statements()
       {"unit", ModelConvention::Unit}};
 }
 
-// A name with a line break in it must not become a line of its own.
-std::string OnOneLine(std::string text)
+// A name with a line break in it must not become a line of its own, nor one with a comma, at which
+// spreadsheets split comments too, a cell of its own.
+std::string InOneCell(std::string text)
 {
   std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      text.begin(), text.end(),
+      [](char c) { return std::string_view("\n\r\t,;").find(c) != std::string_view::npos; }, ' ');
   return text;
-}
-
-// A spreadsheet splits a comment at commas and takes the parts for cells.
-std::string InertAfterEachComma(const std::string& text)
-{
-  std::size_t end = std::min(text.find_first_of(",;\t"), text.size());
-  std::string changed = text.substr(0, end);
-  while (end < text.size())
-  {
-    const std::size_t start = end + 1;
-    end = std::min(text.find_first_of(",;\t", start), text.size());
-    changed += text[start - 1] + InertCell(text.substr(start, end - start));
-  }
-  return changed;
 }
 
 void AddComment(std::string& text, const std::string& name, const std::string& value)
 {
   if (!value.empty())
   {
-    text += InertAfterEachComma("# " + OnOneLine(name) + ": " + OnOneLine(value)) + "\n";
+    text += "# " + InOneCell(name) + ": " + InOneCell(value) + "\n";
   }
 }
 
@@ -101,7 +89,7 @@ std::string ModelToCsv(const ModelDocument& document, const std::string& fileNam
   std::string text;
   for (const auto& [name, value] : Statements())
   {
-    AddComment(text, name, value);
+    text += "# " + name + ": " + value + "\n";
   }
   AddComment(text, "surface",
              model != nullptr ? ModelConvention::StarShaped : ModelConvention::Parametric);

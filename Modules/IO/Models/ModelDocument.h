@@ -23,7 +23,6 @@ struct ModelProvenance
 /// A surface of spherical harmonics, star-shaped or parametric (patient LPS, mm).
 using SurfaceModel = std::variant<SphericalHarmonicModel, ParametricSphericalSurface>;
 
-/// Content of a model file.
 struct ModelDocument
 {
   SurfaceModel Surface;

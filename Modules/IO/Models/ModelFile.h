@@ -12,7 +12,6 @@ namespace palpate
 /// Whether the ending is that of a model file: .json, .coef, or .csv, which is write-only.
 PALPATEIO_EXPORT bool IsModelFile(const std::filesystem::path& path);
 
-/// Endings of readable models.
 PALPATEIO_EXPORT std::vector<std::string> ReadableModelEndings();
 
 /// Whether a file of this ending preserves a star-shaped model; SPHARM-PDM has only parametric

@@ -46,7 +46,7 @@ public:
     vtkNew<vtkPoints> points;
     points->SetData(AsArray(this->Points, ""));
     surface->SetPoints(points);
-    surface->SetPolys(this->CheckedFaces());
+    surface->SetPolys(this->Faces);
     this->AddNormals(surface);
     return surface;
   }
@@ -134,7 +134,6 @@ private:
     const std::size_t slash = word.find('/');
     const vtkIdType point = this->Index(word.substr(0, slash), this->Points.size());
     this->Corners.push_back(point);
-    this->LastPoint = std::max(this->LastPoint, point);
     const std::size_t second = slash == std::string_view::npos ? slash : word.find('/', slash + 1);
     const bool hasNormal = second != std::string_view::npos && second + 1 < word.size();
     const vtkIdType normal =
@@ -163,17 +162,6 @@ private:
       this->Refuse("a face refers to a point or normal that does not exist");
     }
     return index;
-  }
-
-  vtkCellArray* CheckedFaces() const
-  {
-    if (this->LastPoint >= static_cast<vtkIdType>(this->Points.size()))
-    {
-      palpate::Refuse(this->FileName,
-                      "is not a readable OBJ surface: a face refers to a point that does not exist",
-                      "write the file again");
-    }
-    return this->Faces;
   }
 
   void AddNormals(vtkPolyData* surface) const
@@ -219,7 +207,6 @@ private:
   std::vector<Triple> Normals;
   std::vector<vtkIdType> Corners; // of the face that is being read
   vtkNew<vtkCellArray> Faces;
-  vtkIdType LastPoint = None;
   std::vector<vtkIdType> NormalOfPoint; // an index of Normals, None or Unset
   bool AllHaveNormals = true;
 };

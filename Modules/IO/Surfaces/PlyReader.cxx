@@ -81,7 +81,6 @@ public:
         this->ReadOthers(element, mesh);
       }
     }
-    this->CheckCorners(mesh);
     return mesh;
   }
 
@@ -395,20 +394,6 @@ private:
       this->Refuse("a face refers to a point that does not exist");
     }
     return static_cast<int>(index);
-  }
-
-  void CheckCorners(const TriangleMesh& mesh) const
-  {
-    for (const auto& triangle : mesh.Triangles)
-    {
-      for (const int corner : triangle)
-      {
-        if (static_cast<std::size_t>(corner) >= mesh.PointsWorld.size())
-        {
-          this->Refuse("a face refers to a point that does not exist");
-        }
-      }
-    }
   }
 
   std::string_view Rest;

@@ -26,16 +26,10 @@ struct SurfaceFormat : FileFormat
 /// The formats below and added formats.
 PALPATEIO_EXPORT FormatList<SurfaceFormat>& SurfaceFormats();
 
-/// Whether the ending is that of a readable or writable surface format.
 PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 
-/// Writes a surface (patient LPS, mm) in the format of the ending, under AtomicFile's rules:
-///   .vtp         the complete data set, in its own precision;
-///   .ply         points, normals, colours, one-component point arrays (see MeshToPly);
-///   .stl, .obj   see MeshToStl and MeshToObj;
-///   .gltf, .glb  see MeshToGltf;
-///   .x3d         an indexed face set (see MeshToX3d).
-/// Needs no display. Throws InputError, also for a surface without triangles.
+/// Writes a surface (patient LPS, mm) in the format of the ending, under AtomicFile's rules. Needs
+/// no display. Throws InputError, also for a surface without triangles.
 PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
 
 /// Reads .vtp, .stl, .ply or .obj into patient LPS in mm. A file that states SPACE=RAS as in 3D

@@ -1,4 +1,5 @@
 #include "AvailableMemory.h"
+#include "MessageOf.h"
 #include "TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -106,4 +107,15 @@ TEST_F(AvailableMemory, UsesMachineIfGroupHasMore)
   this->Write("groups/a/memory.max", "204800000\n");
   this->Write("groups/a/memory.current", "0\n");
   EXPECT_EQ(this->Left(), 300 * Kibibyte);
+}
+
+TEST_F(AvailableMemory, CountsDataTwice)
+{
+  EXPECT_NO_THROW(CheckMemory("x.nii", 500.0, 1000));
+  EXPECT_EQ(
+      MessageOf([] { CheckMemory("x.nii", 2e9, 1000000000); }),
+      "x.nii needs about 4 GB of memory to read but 1 GB are free; crop or resample it, or use "
+      "a larger machine.");
+  EXPECT_NE(MessageOf([] { CheckMemory("x.nii", std::numeric_limits<double>::quiet_NaN(), 1000); }),
+            "no error");
 }

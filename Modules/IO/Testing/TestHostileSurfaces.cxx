@@ -100,6 +100,20 @@ TEST(HostileSurfaces, RejectsObjIndicesOutOfRange)
   EXPECT_TRUE(Contains(ObjRefusal(""), "has no triangles"));
 }
 
+TEST(HostileSurfaces, RejectsPlyIndicesOutOfRange)
+{
+  for (const char* corners : {"0 1 3", "0 1 2147483647"})
+  {
+    const std::string bytes =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n3 " +
+        std::string(corners) + "\n";
+    EXPECT_TRUE(Contains(Refusal("a.ply", bytes), "refers to a point that does not exist"))
+        << corners;
+  }
+}
+
 TEST(HostileSurfaces, ReadsEveryFormOfObjFace)
 {
   const TemporaryFolder folder;

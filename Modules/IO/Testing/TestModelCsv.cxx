@@ -87,16 +87,17 @@ TEST(ModelCsv, ProvenanceHasOneLinePerEntry)
   const ModelProvenance provenance{
       "palpate 9.8", "evil\n0,0,7", "Prostata Süd", "2024-01-02", {{"degree", "12"}}};
   const std::string table = ModelToCsv({RandomModel(random, 1), provenance}, "f");
-  EXPECT_TRUE(Has(table, "# program: palpate 9.8\n# input: evil 0,0,7\n# label: Prostata Süd\n"
+  EXPECT_TRUE(Has(table, "# program: palpate 9.8\n# input: evil 0 0 7\n# label: Prostata Süd\n"
                          "# date: 2024-01-02\n# setting degree: 12\n"));
 }
 
-TEST(ModelCsv, DisarmsFormulasAfterCommasInComments)
+TEST(ModelCsv, CommentsAreOneCell)
 {
   std::mt19937_64 random(4);
-  const ModelProvenance provenance{"p", "a,=cmd|' /C calc'!A0;+1+1,-2,'@x", {}, {}, {}};
+  const ModelProvenance provenance{"p", "a,=cmd|' /C calc'!A0;+1+1\t-2", {}, {}, {}};
   const std::string text = ModelToCsv({RandomModel(random, 1), provenance}, "f");
-  EXPECT_TRUE(Has(text, "# input: a,'=cmd|' /C calc'!A0;'+1+1,-2,''@x\n")) << text;
+  EXPECT_TRUE(Has(text, "# signs: m >= 0: cos(m phi), m < 0: sin(|m| phi)\n"));
+  EXPECT_TRUE(Has(text, "# input: a =cmd|' /C calc'!A0 +1+1 -2\n")) << text;
 }
 
 TEST(ModelCsv, RejectsNonFiniteNumbers)

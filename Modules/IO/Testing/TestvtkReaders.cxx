@@ -1,7 +1,6 @@
 #include "ImageGrid.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
-#include "vtkOrientedVolumeReader.h"
 #include "vtkSegmentationReader.h"
 
 #include "vtkCommand.h"
@@ -47,11 +46,11 @@ struct ErrorWatch
 };
 } // namespace
 
-TEST(vtkOrientedVolumeReader, OutputAndInformationHaveDirection)
+TEST(vtkSegmentationReader, OutputAndInformationHaveDirection)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nrrd", TurnedNrrd(std::string(120, '\1')));
-  vtkNew<vtkOrientedVolumeReader> reader;
+  vtkNew<vtkSegmentationReader> reader;
   reader->SetFileName((folder / "a.nrrd").c_str());
   reader->UpdateInformation();
   const double* direction = reader->GetOutputInformation(0)->Get(vtkDataObject::DIRECTION());
@@ -64,11 +63,11 @@ TEST(vtkOrientedVolumeReader, OutputAndInformationHaveDirection)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(3, 4, 5, 0), 1.0);
 }
 
-TEST(vtkOrientedVolumeReader, BadFileRaisesErrorAndNextNameRecovers)
+TEST(vtkSegmentationReader, BadFileRaisesErrorAndNextNameRecovers)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nrrd", TurnedNrrd(std::string(120, '\1')));
-  vtkNew<vtkOrientedVolumeReader> reader;
+  vtkNew<vtkSegmentationReader> reader;
   const ErrorWatch errors(reader);
   reader->SetFileName("/no/such/file.nrrd");
   reader->Update();
@@ -81,12 +80,11 @@ TEST(vtkOrientedVolumeReader, BadFileRaisesErrorAndNextNameRecovers)
   EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 120);
 }
 
-template <typename Reader>
-void ExpectLeftHandedFileUnlessRefused()
+TEST(vtkSegmentationReader, LeftHandedFileIsReversedUnlessRefused)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.nrrd", MirroredNrrd());
-  vtkNew<Reader> reader;
+  vtkNew<vtkSegmentationReader> reader;
   const ErrorWatch errors(reader);
   reader->SetFileName((folder / "a.nrrd").c_str());
   reader->Update();
@@ -98,16 +96,6 @@ void ExpectLeftHandedFileUnlessRefused()
   reader->RefuseLeftHandedOn();
   reader->Update();
   EXPECT_NE(errors.Own->GetErrorMessage().find("left-handed"), std::string::npos);
-}
-
-TEST(vtkOrientedVolumeReader, LeftHandedFileIsReversedUnlessRefused)
-{
-  ExpectLeftHandedFileUnlessRefused<vtkOrientedVolumeReader>();
-}
-
-TEST(vtkSegmentationReader, LeftHandedFileIsReversedUnlessRefused)
-{
-  ExpectLeftHandedFileUnlessRefused<vtkSegmentationReader>();
 }
 
 TEST(vtkSegmentationReader, ProvidesLayersAndSegments)

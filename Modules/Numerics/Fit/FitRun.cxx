@@ -2,8 +2,8 @@
 
 #include "ConditionEstimate.h"
 #include "CrossValidation.h"
+#include "DecimalText.h"
 #include "HuberWeights.h"
-#include "LimitText.h"
 
 #include <algorithm>
 #include <cmath>

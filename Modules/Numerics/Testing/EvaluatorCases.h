@@ -1,5 +1,6 @@
 #pragma once
 
+#include "InstructionSets.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicEvaluator.h"
 

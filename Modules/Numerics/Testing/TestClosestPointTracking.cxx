@@ -1,5 +1,6 @@
 #include "ClosestPointSearch.h"
 
+#include "InstructionSets.h"
 #include "NearestByBruteForce.h"
 #include "ProjectedShapes.h"
 #include "RandomShapes.h"
@@ -12,7 +13,9 @@ namespace palpate
 namespace
 {
 using Outcome = ClosestPoint::Outcome;
+using test::NameOf;
 using test::Random;
+using test::RunnableInstructionSets;
 
 ClosestPointSearch SearchOn(const SphericalHarmonicModel& model)
 {

@@ -1,5 +1,7 @@
 #include "HouseholderReduction.h"
 
+#include "InstructionSets.h"
+
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 #include <random>
@@ -10,6 +12,8 @@ namespace
 {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
+using test::NameOf;
+using test::RunnableInstructionSets;
 
 Matrix RandomMatrix(Eigen::Index rows, Eigen::Index columns, unsigned seed)
 {

@@ -1,6 +1,7 @@
 #include "PackedTriangle.h"
 
 #include "ConditionEstimate.h"
+#include "InstructionSets.h"
 #include "RandomShapes.h"
 #include "TriangleKernelChoice.h"
 
@@ -15,6 +16,8 @@ namespace
 {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
+using test::NameOf;
+using test::RunnableInstructionSets;
 
 constexpr int Sizes[] = {1, 2, 3, 4, 5, 7, 8, 13, 16, 31, 169};
 

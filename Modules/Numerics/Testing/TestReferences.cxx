@@ -1,4 +1,5 @@
 #include "IcosahedronDirections.h"
+#include "InstructionSets.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicEvaluator.h"
 #include "SphericalHarmonicModel.h"
@@ -14,7 +15,9 @@ namespace palpate
 {
 namespace
 {
+using test::NameOf;
 using test::ReferenceKind;
+using test::RunnableInstructionSets;
 using test::SphericalHarmonicReference;
 using Sample = SphericalHarmonicModel::Sample;
 using Evaluation = std::function<Sample(const Vector3&)>;

@@ -5,6 +5,7 @@
 #include "ResidualMoments.h"
 #include "SampleMoments.h"
 
+#include "InstructionSets.h"
 #include "RandomShapes.h"
 #include "WorstCase.h"
 
@@ -18,7 +19,9 @@ namespace palpate
 {
 namespace
 {
+using test::NameOf;
 using test::Random;
+using test::RunnableInstructionSets;
 using test::WorstCase;
 
 // Directions everywhere, at and near both poles; uneven weights, some zero.

@@ -1,11 +1,11 @@
 #include "DrillPhantom.h"
 
+#include "AvailableMemory.h"
 #include "FieldGrid.h"
 #include "FieldOfImage.h"
 #include "FilterRun.h"
 #include "ImageWriter.h"
 #include "InputError.h"
-#include "MemoryCheck.h"
 #include "SceneFile.h"
 #include "WholeFile.h"
 

@@ -1,7 +1,6 @@
 #include "DrillWatch.h"
 
 #include "DecimalText.h"
-#include "LimitText.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
-#include "CieLabColor.h"
 #include "DicomSegmentation.h"
 #include "ImageGrid.h"
 #include "LabelStatistics.h"
 #include "MessageOf.h"
 #include "RandomShapes.h"
+#include "SegmentColor.h"
 #include "SegmentationFile.h"
 #include "SyntheticImages.h"
 #include "TemporaryFolder.h"
@@ -257,7 +257,7 @@ TEST(DicomSegmentation, SparseLabelMapHasEmptySlice)
   EXPECT_EQ(MeasureLabels(segmentation)[0].ComponentVoxels.size(), 2u);
 }
 
-TEST(CieLabColor, WhiteAndBlackAreNeutral)
+TEST(SegmentColor, CieLabWhiteAndBlackAreNeutral)
 {
   const auto white = CieLabToRgb({65535, 32896, 32896});
   const auto black = CieLabToRgb({0, 32896, 32896});
@@ -269,7 +269,7 @@ TEST(CieLabColor, WhiteAndBlackAreNeutral)
   }
 }
 
-TEST(CieLabColor, RestoresSlicerColors)
+TEST(SegmentColor, RestoresSlicerColors)
 {
   // 3D Slicer's colours of liver, tissue and artery, as dcmqi encoded them in the test files.
   const std::array<std::array<std::uint16_t, 3>, 3> encoded{

@@ -25,16 +25,11 @@ struct Foreign
 };
 
 const std::vector<Foreign> Objects{
-    {"1.2.840.10008.5.1.4.1.1.481.3", "is a DICOM structure set (RTSTRUCT)"},
-    {"1.2.840.10008.5.1.4.1.1.481.2", "is a DICOM dose (RTDOSE)"},
-    {"1.2.840.10008.5.1.4.1.1.481.5", "is a DICOM treatment plan (RTPLAN)"},
-    {"1.2.840.10008.5.1.4.1.1.481.8", "is a DICOM radiotherapy object"},
-    {"1.2.840.10008.5.1.4.1.1.88.33", "is a DICOM report (SR)"},
-    {"1.2.840.10008.5.1.4.1.1.11.1", "is a DICOM presentation state"},
-    {"1.2.840.10008.5.1.4.1.1.66.5", "is a DICOM surface segmentation"},
-    {"1.2.840.10008.5.1.4.1.1.66.1", "is a DICOM registration"},
-    {"1.2.840.10008.5.1.4.1.1.104.1", "is a document within DICOM"},
-    {"1.2.840.10008.5.1.4.1.1.1.1", "is a DICOM projection image"}};
+    {"1.2.840.10008.5.1.4.1.1.481.3", "is a DICOM object without pixels (RTStructureSetStorage)"},
+    {"1.2.840.10008.5.1.4.1.1.66.5", "(SurfaceSegmentationStorage)"},
+    {"1.2.840.10008.5.1.4.1.1.88.33", "(ComprehensiveSRStorage)"},
+    {"1.2.840.10008.5.1.4.1.1.104.1", "(EncapsulatedPDFStorage)"},
+    {"1.2.3.4", "(an unknown class)"}};
 
 // An object of a class: without pixels, or with this many frames stated, or an index of one record.
 void WriteObject(const std::filesystem::path& file, const char* objectClass, int frames = 0,
@@ -47,6 +42,7 @@ void WriteObject(const std::filesystem::path& file, const char* objectClass, int
   item.putAndInsertString(DCM_PatientName, "Secret^Patient");
   if (frames > 0)
   {
+    item.putAndInsertUint16(DCM_Columns, 4);
     item.putAndInsertString(DCM_NumberOfFrames, std::to_string(frames).c_str());
   }
   DcmItem* record = nullptr;
@@ -94,7 +90,7 @@ TEST(ForeignDicom, RejectsStructureSetWithoutReading)
   const TemporaryFolder folder;
   WriteObject(folder / "rs.dcm", Objects.front().Class);
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "rs.dcm"); }),
-                       "convert it to a segmentation on its image's grid"));
+                       "3D Slicer converts contours and surfaces"));
 }
 
 TEST(ForeignDicom, IndexSuggestsSeriesFolder)
@@ -105,12 +101,17 @@ TEST(ForeignDicom, IndexSuggestsSeriesFolder)
              "is the index of a DICOM medium (DICOMDIR)");
 }
 
-TEST(ForeignDicom, NamesMultiFrameImage)
+TEST(ForeignDicom, NamesMultiFrameImages)
 {
   const TemporaryFolder folder;
-  WriteObject(folder / "enhanced.dcm", "1.2.840.10008.5.1.4.1.1.4.1", 20);
-  ExpectTold(MessageOf([&] { ReadVolume(folder / "enhanced.dcm"); }), folder / "enhanced.dcm",
-             "is a multi-frame DICOM image");
+  for (const auto& [objectClass, name] :
+       {std::pair("1.2.840.10008.5.1.4.1.1.4.1", "EnhancedMRImageStorage"),
+        std::pair("1.2.840.10008.5.1.4.1.1.481.2", "RTDoseStorage")})
+  {
+    WriteObject(folder / "a.dcm", objectClass, 20);
+    const std::string is = "is a multi-frame DICOM image (" + std::string(name) + ")";
+    ExpectTold(MessageOf([&] { ReadVolume(folder / "a.dcm"); }), folder / "a.dcm", is.c_str());
+  }
 }
 
 TEST(ForeignDicom, SlicesAndSegmentationsAreNotForeign)
