@@ -180,7 +180,7 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
     result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
   }
   result.ModelMilliliters = VolumeOf(result.Model) / CubicMillimetersPerMilliliter;
-  result.ModelAreaSquareMillimeters = AreaOf(result.Model).Value;
+  result.ModelAreaSquareMillimeters = AreaOf(result.Model);
 }
 
 // If the degree search ended before it met the tolerance.

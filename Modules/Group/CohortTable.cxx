@@ -216,14 +216,6 @@ void CohortTable::Write(const std::filesystem::path& file) const
   WriteWholeFile(file, text);
 }
 
-std::vector<CohortRow> CohortTable::RowsOf(const std::string& name) const
-{
-  std::vector<CohortRow> rows;
-  std::copy_if(this->Content.begin(), this->Content.end(), std::back_inserter(rows),
-               [&](const CohortRow& row) { return row.Case == name; });
-  return rows;
-}
-
 void CohortTable::Add(const std::vector<CohortRow>& rows)
 {
   this->Content.insert(this->Content.end(), rows.begin(), rows.end());

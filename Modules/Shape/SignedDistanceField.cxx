@@ -18,20 +18,6 @@ namespace
 constexpr int MaximumRefinement = 16;
 constexpr double MaximumSamples = 6e7; // 240 MB of float: beyond, slices are refined less
 
-// Distances run between voxel centres; the boundary lies half a step from the last one.
-std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep)
-{
-  const std::vector<float> inner = DistanceToOthers(mask, 1, domain);
-  const std::vector<float> outer = DistanceToOthers(mask, 0, domain);
-  const auto half = static_cast<float>(halfStep);
-  std::vector<float> field(inner.size());
-  for (std::size_t at = 0; at < field.size(); ++at)
-  {
-    field[at] = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
-  }
-  return field;
-}
-
 ScalarGrid GridOf(const VoxelMask& mask)
 {
   ScalarGrid grid;

@@ -108,7 +108,7 @@ TEST(SphericalHarmonicPhantom, MaskVolumeConvergesToModelVolume)
     const auto inside = static_cast<double>(std::count(mask.begin(), mask.end(), 1));
     // Five standard deviations of counting.
     EXPECT_NEAR(inside * std::pow(spacing, 3), VolumeOf(model),
-                5.0 * CountingDeviation(AreaOf(model).Value, spacing))
+                5.0 * CountingDeviation(AreaOf(model), spacing))
         << "spacing " << spacing;
   }
 }
@@ -174,7 +174,7 @@ TEST(SphericalHarmonicPhantom, PartialVolumesSumToModelVolume)
     sum += fraction;
   }
   // A 2 mm voxel is averaged over points 0.5 mm apart: five standard deviations of that count.
-  EXPECT_NEAR(sum * 8.0, VolumeOf(model), 5.0 * CountingDeviation(AreaOf(model).Value, 0.5));
+  EXPECT_NEAR(sum * 8.0, VolumeOf(model), 5.0 * CountingDeviation(AreaOf(model), 0.5));
 }
 
 TEST(SphericalHarmonicPhantom, SkippingPureVoxelsChangesNothing)
