@@ -18,18 +18,15 @@ using SampleView = moments::Points;
 ///
 /// Sums are over chunks of 32, then over chunks: a moment of n samples has an error of at most
 /// (n / 32 + 12 degree + 40) epsilon sum_i w_i, and the same bound holds between any two orders of
-/// the samples or partitions among threads (each with its own object, then Merge).
+/// the samples.
 class SampleMoments
 {
 public:
-  explicit SampleMoments(std::shared_ptr<const MomentTables> tables);
   SampleMoments(std::shared_ptr<const MomentTables> tables, const moments::Kernel& kernel);
 
   void Clear() noexcept;
   /// Values and weights must be finite, directions unit vectors. Does not allocate.
   void Add(const SampleView& samples) noexcept;
-  /// Adds the sums of another subset of the samples, for the same degree.
-  void Merge(const SampleMoments& other) noexcept;
 
   /// Pairs (real, imaginary), starting at order 0 and column 0; see moments::MomentStart.
   const double* Weights() const noexcept { return this->GramSums.data(); }
