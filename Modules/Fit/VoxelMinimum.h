@@ -17,8 +17,7 @@ inline constexpr const char* ChooseAnother = "choose another structure";
 /// The message for a structure with too few voxels to have a shape, as a predicate ("has only
 /// ..."); empty if there are enough. `cubicMillimeters` is its volume in the mask.
 PALPATEFIT_EXPORT std::string TooFewVoxels(double cubicMillimeters, vtkImageData* mask);
-/// The same for a structure whose every part counts, as in a field; if all parts are too small, it
-/// reports the largest.
+/// The same for a structure whose every part counts, as in a field.
 PALPATEFIT_EXPORT std::string TooFewVoxels(const Segmentation& segmentation,
                                            const Segment& structure);
 } // namespace palpate
