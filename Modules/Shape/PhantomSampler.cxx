@@ -2,6 +2,10 @@
 
 #include "SeededNoise.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,6 +52,19 @@ std::array<double, 9> SmoothTerms(const Vector3& s)
 {
   return {s.x(),         s.y(),         s.z(),         s.x() * s.x(), s.y() * s.y(),
           s.z() * s.z(), s.x() * s.y(), s.y() * s.z(), s.z() * s.x()};
+}
+
+vtkSmartPointer<vtkImageData> EmptyImage(const PhantomGrid& grid, int type, const char* name)
+{
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = grid.Direction;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(grid.Size.data());
+  image->SetSpacing(grid.Spacing.data());
+  image->SetOrigin(grid.OriginWorld.data());
+  image->SetDirectionMatrix(direction.data());
+  image->AllocateScalars(type, 1);
+  image->GetPointData()->GetScalars()->SetName(name);
+  return image;
 }
 } // namespace
 
@@ -164,18 +181,12 @@ void PhantomSampler::SampleRow(int j, int k, float* intensities, unsigned char* 
       const Vector3 direction = distance > 0.0 ? Vector3(offset / distance) : Vector3::UnitZ();
       const double radius = this->Model.Radius(direction);
       isInside = distance <= radius;
-      mean = intensities ? this->VoxelMean(offset, distance, radius) : 0.0;
+      mean = this->VoxelMean(offset, distance, radius);
     }
-    if (mask)
-    {
-      mask[i] = isInside ? 1 : 0;
-    }
-    if (intensities)
-    {
-      intensities[i] = static_cast<float>(mean * this->BiasAt(index));
-    }
+    mask[i] = isInside ? 1 : 0;
+    intensities[i] = static_cast<float>(mean * this->BiasAt(index));
   }
-  if (intensities && this->Appearance.NoiseDeviation > 0.0)
+  if (this->Appearance.NoiseDeviation > 0.0)
   {
     this->AddNoise(j, k, intensities);
   }
@@ -194,5 +205,34 @@ void PhantomSampler::AddNoise(int j, int k, float* intensities) const
     intensities[i] =
         static_cast<float>(isMagnitude ? std::hypot(real, deviation * noise.Next()) : real);
   }
+}
+
+PhantomImages MakePhantom(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+                          const PhantomAppearance& appearance,
+                          const std::function<void(double)>& progress)
+{
+  const PhantomSampler sampler(model, grid, appearance);
+  PhantomImages images{EmptyImage(grid, VTK_FLOAT, "Intensity"),
+                       EmptyImage(grid, VTK_UNSIGNED_CHAR, "Label")};
+  auto* intensities = static_cast<float*>(images.Volume->GetScalarPointer());
+  auto* labels = static_cast<unsigned char*>(images.Mask->GetScalarPointer());
+  const vtkIdType rowLength = grid.Size[0];
+  const vtkIdType rowsPerSlice = grid.Size[1];
+  // Slice by slice, so that the calling thread can report progress.
+  for (int k = 0; k < grid.Size[2]; ++k)
+  {
+    vtkSMPTools::For(0, rowsPerSlice,
+                     [&](vtkIdType first, vtkIdType last)
+                     {
+                       for (vtkIdType j = first; j < last; ++j)
+                       {
+                         const vtkIdType start = (k * rowsPerSlice + j) * rowLength;
+                         sampler.SampleRow(static_cast<int>(j), k, intensities + start,
+                                           labels + start);
+                       }
+                     });
+    progress((k + 1.0) / grid.Size[2]);
+  }
+  return images;
 }
 } // namespace palpate
