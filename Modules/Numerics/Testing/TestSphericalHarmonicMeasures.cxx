@@ -5,7 +5,7 @@
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicRotation.h"
+#include "TurnedModel.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -221,11 +221,10 @@ TEST(SphericalHarmonicMeasures, RotateWithBody)
     const SphericalHarmonicModel model = test::RandomOrgan(random, 9);
     const Eigen::Matrix3d q =
         Eigen::AngleAxisd(1.0 + sample, test::RandomDirection(random)).toRotationMatrix();
-    SphericalHarmonicRotation rotation;
-    ASSERT_TRUE(SphericalHarmonicRotation::Make(9, q, rotation).IsOk());
     const Vector3 pivot = 50.0 * test::RandomDirection(random);
     const BodyMoments before = Measure(model);
-    const BodyMoments after = Measure(rotation.ApplyAbout(pivot, model));
+    const SphericalHarmonicModel turned = test::TurnedModel(model, q, pivot);
+    const BodyMoments after = Measure(turned);
     // Exact quadratures of two orientations: thousands of rounding errors.
     EXPECT_NEAR(after.Volume / before.Volume, 1.0, 1e-13);
     EXPECT_LE((after.CentroidWorld - pivot - q * (before.CentroidWorld - pivot)).norm(), 1e-12);
@@ -233,7 +232,7 @@ TEST(SphericalHarmonicMeasures, RotateWithBody)
               1e-13);
     EXPECT_LE((after.SemiAxes - before.SemiAxes).norm(), 1e-11);
     // The area's quadrature is accurate to its tolerance.
-    EXPECT_NEAR(AreaOf(rotation.Apply(model)) / AreaOf(model), 1.0, 1e-9);
+    EXPECT_NEAR(AreaOf(turned) / AreaOf(model), 1.0, 1e-9);
   }
 }
 
