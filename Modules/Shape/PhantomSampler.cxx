@@ -1,6 +1,7 @@
 #include "PhantomSampler.h"
 
 #include "SeededNoise.h"
+#include "SphericalHarmonicSpectrum.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -18,34 +19,6 @@ namespace
 // Random streams of the phantom's seed; each row has its own, starting at FirstRowStream.
 constexpr std::uint64_t BiasStream = 0;
 constexpr std::uint64_t FirstRowStream = 1;
-
-// With |Y_l|^2 = sum over m of Y_lm^2 = (2l + 1) / (4 pi) everywhere, the degree l part of R is at
-// most sqrt(power_l (2l + 1) / (4 pi)) by Cauchy and Schwarz; its gradient's component along any
-// tangent is at most that times sqrt(l (l + 1) / 2).
-struct Bounds
-{
-  double Deviation = 0.0; // of R from its mean, mm
-  double Slope = 0.0;     // mm/rad
-};
-
-Bounds BoundsOf(const SphericalHarmonicModel& model)
-{
-  Bounds bounds;
-  const std::vector<double> power = model.PowerSpectrum();
-  for (std::size_t l = 1; l < power.size(); ++l)
-  {
-    const double degree = static_cast<double>(l);
-    const double part = std::sqrt(power[l] * (2.0 * degree + 1.0) / (4.0 * M_PI));
-    bounds.Deviation += part;
-    bounds.Slope += part * std::sqrt(degree * (degree + 1.0) / 2.0);
-  }
-  return bounds;
-}
-
-double MeanRadius(const SphericalHarmonicModel& model)
-{
-  return model.Coefficients().front() / std::sqrt(4.0 * M_PI);
-}
 
 // Nine smooth functions of voxel position scaled to [-1, 1]^3, each within [-1, 1].
 std::array<double, 9> SmoothTerms(const Vector3& s)
@@ -73,10 +46,8 @@ PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const Phanto
     : Model(model), Grid(grid), Appearance(appearance),
       StepWorld(grid.Direction * grid.Spacing.asDiagonal()), HalfDiagonal(0.5 * grid.Spacing.norm())
 {
-  const Bounds bounds = BoundsOf(model);
-  this->LargestRadius = MeanRadius(model) + bounds.Deviation;
-  this->SlopeBound = bounds.Slope;
-
+  this->LargestRadius = RadiusBound(model);
+  this->SlopeBound = SphericalHarmonicSpectrum(model).Slope();
   SeededNoise noise(appearance.Seed, BiasStream);
   double sum = 0.0;
   for (double& term : this->BiasTerms)
@@ -92,7 +63,8 @@ PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const Phanto
 
 double PhantomSampler::RadiusBound(const SphericalHarmonicModel& model)
 {
-  return MeanRadius(model) + BoundsOf(model).Deviation;
+  const SphericalHarmonicSpectrum spectrum(model);
+  return spectrum.MeanRadius() + spectrum.Relief();
 }
 
 double PhantomSampler::BiasAt(const Vector3& index) const
