@@ -9,7 +9,6 @@
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
 #include "StageClock.h"
-#include "SupportedDegree.h"
 #include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
 #include "vtkRadialSampler.h"

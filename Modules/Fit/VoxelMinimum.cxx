@@ -59,4 +59,13 @@ std::string TooFewVoxels(const Segmentation& segmentation, const Segment& struct
   // Callers have their own message for a structure without voxels.
   return voxels == 0 || voxels >= SmallestVoxelCount ? std::string() : TooFew(voxels);
 }
+
+int SupportedDegree(double cubicMillimeters, vtkImageData* mask)
+{
+  constexpr double Highest = 1000.0;
+  const double* spacing = mask->GetSpacing();
+  const double coarsest = std::max({spacing[0], spacing[1], spacing[2]});
+  const double radius = std::cbrt(3.0 * cubicMillimeters / (4.0 * M_PI));
+  return static_cast<int>(std::clamp(std::floor(M_PI * radius / coarsest), 1.0, Highest));
+}
 } // namespace palpate

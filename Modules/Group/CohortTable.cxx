@@ -55,7 +55,7 @@ std::vector<std::string> FieldsOf(const CohortRow& row)
   return {row.Case,
           result.Structure.Label == 0 ? "" : std::to_string(result.Structure.Label),
           result.Structure.Name,
-          OutcomeWord(result.State),
+          TextOf(result.State).Word,
           result.Message,
           fitted ? std::to_string(row.Degree) : "",
           number(fitted, center.x()),
@@ -135,7 +135,7 @@ private:
   {
     const auto* const found = std::find_if(
         Outcomes.begin(), Outcomes.end(),
-        [&](FitResult::Outcome outcome) { return OutcomeWord(outcome) == this->Text("outcome"); });
+        [&](FitResult::Outcome outcome) { return TextOf(outcome).Word == this->Text("outcome"); });
     if (found == Outcomes.end())
     {
       throw InputError(this->File.string() + ": the outcome \"" + this->Text("outcome") +

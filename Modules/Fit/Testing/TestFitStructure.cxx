@@ -10,8 +10,8 @@
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
 #include "SphericalHarmonicMeasures.h"
-#include "SupportedDegree.h"
 #include "TestData.h"
+#include "VoxelMinimum.h"
 #include "vtkSphericalHarmonicSurface.h"
 
 #include "vtkImageData.h"
