@@ -60,13 +60,12 @@ void RunStage(const Stage& stage, FitResult& result)
   }
 }
 
-void Refuse(const std::string& reason, const std::string& optionHint, const std::string& windowHint,
-            FitResult& result)
+void Refuse(const std::string& reason, const Hint& hint, FitResult& result)
 {
   result.State = FitResult::Outcome::Refused;
   result.Message = reason;
-  result.OptionHint = optionHint;
-  result.WindowHint = windowHint;
+  result.OptionHint = hint(result.Settings, OptionWords);
+  result.WindowHint = hint(result.Settings, WindowWords);
 }
 
 void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
@@ -281,7 +280,7 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
                TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
                TextAgainstLimit(limit, limit, 1) +
                " %), so one radius per direction cannot describe it",
-           HintForHidden(result.Settings), WindowHintForHidden(result.Settings), result);
+           HintForHidden, result);
   }
 }
 
@@ -317,8 +316,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   clock.EndStage("model");
   if (const std::string reason = WhyImplausible(result); !reason.empty())
   {
-    Refuse(reason, HintForImplausible(result.Settings), WindowHintForImplausible(result.Settings),
-           result);
+    Refuse(reason, HintForImplausible, result);
     result.ModelSurface = nullptr; // nothing to show: it reaches far beyond the image
     return;
   }
@@ -335,7 +333,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
                ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
                TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
                " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
-           HintForMisfit(result.Settings), WindowHintForMisfit(result.Settings), result);
+           HintForMisfit, result);
     return;
   }
   result.State = FitResult::Outcome::Fitted;
