@@ -40,7 +40,6 @@ public:
   void Write(const std::filesystem::path& file) const;
 
   const std::vector<CohortRow>& Rows() const { return this->Content; }
-  /// Appends rows.
   void Add(const std::vector<CohortRow>& rows);
 
 private:

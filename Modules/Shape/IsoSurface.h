@@ -19,7 +19,6 @@ struct EnclosedMeasure
 
 PALPATESHAPE_EXPORT EnclosedMeasure MeasureEnclosed(vtkPolyData* surface);
 
-/// Reverses the orientation of every triangle.
 PALPATESHAPE_EXPORT void ReverseTriangles(vtkPolyData* surface);
 
 /// Moves a surface from mm along the axes of `grid` (from its first sample) to world mm, where

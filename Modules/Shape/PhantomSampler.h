@@ -75,7 +75,6 @@ public:
   /// Row (j, k) of the grid: Size[0] values each.
   void SampleRow(int j, int k, float* intensities, unsigned char* mask) const;
 
-  /// Bias field factor at voxel `index`.
   double BiasAt(const Vector3& index) const;
 
   /// An upper bound of the model's radius (mm), from its power spectrum.

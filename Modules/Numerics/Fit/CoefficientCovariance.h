@@ -13,7 +13,6 @@ namespace palpate
 class CoefficientCovariance
 {
 public:
-  /// No coefficients.
   CoefficientCovariance() = default;
   /// Without a penalty.
   CoefficientCovariance(const PackedTriangle& samples, double variance)

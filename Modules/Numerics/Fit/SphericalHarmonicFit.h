@@ -10,7 +10,6 @@
 
 namespace palpate
 {
-/// Settings of a fit.
 struct SphericalHarmonicFitOptions
 {
   enum class Penalty

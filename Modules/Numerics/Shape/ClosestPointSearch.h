@@ -24,12 +24,10 @@ struct ToolContact
 /// from the last one. Immutable; queries are const, thread-safe and allocation-free. Construction
 /// evaluates the model some thousand times, so it belongs to the thread that publishes models.
 ///
-/// The global search is branch and bound over the directions, best first: SurfacePatchTree bounds
-/// the distance of whole parts from below, ClosestPointDescent finds a minimum from the most
-/// promising one and proves a neighbourhood without closer points, and the rest is split further.
-/// It ends with a proof (up to rounding), or at the evaluation limit; DistanceError holds the bound
-/// in both cases. The surface need not have R > 0; the sign of the distance then only gives the
-/// side of the surface at its closest point.
+/// The global search is branch and bound over the directions (README.md). It ends with a proof (up
+/// to rounding), or at the evaluation limit; DistanceError holds the bound in both cases. The
+/// surface need not have R > 0; the sign of the distance then only gives the side of the surface at
+/// its closest point.
 class ClosestPointSearch
 {
 public:
