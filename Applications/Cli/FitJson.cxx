@@ -104,7 +104,7 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["label"] = result.Structure.Label == 0 ? Json() : Json(result.Structure.Label);
   json["name"] = result.Structure.Name;
   json["degree"] = fitted ? result.Model.Degree() : result.Settings.Degree;
-  json["status"] = OutcomeWord(result.State);
+  json["status"] = TextOf(result.State).Word;
   json["message"] = result.Message;
   json["notes"] = result.Notes;
   json["star"] = StarJson(result, WasSampled(result));

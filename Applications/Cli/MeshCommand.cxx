@@ -258,7 +258,7 @@ void MeshCommand::RecordLost(const std::filesystem::path& input, const Segment& 
     JsonObject result{{JsonSchemaKey, JsonSchemaVersion}, {"input", input.string()}};
     result["label"] = structure.Label == 0 ? JsonObject() : JsonObject(structure.Label);
     result["name"] = structure.Name;
-    result["status"] = OutcomeWord(state);
+    result["status"] = TextOf(state).Word;
     result["message"] = message;
     console.Output() << result.dump(-1, ' ', false, JsonObject::error_handler_t::replace) << '\n';
   }

@@ -24,7 +24,7 @@ void Evaluate(const SphericalHarmonicModel& model, const std::vector<Vector3>& d
   result.StarShaped = true;
   result.CenterWorld = model.CenterWorld();
   result.Volume = VolumeOf(model);
-  result.Area = AreaOf(model).Value;
+  result.Area = AreaOf(model);
   result.Power = model.PowerSpectrum();
   for (const Vector3& u : directions)
   {

@@ -11,19 +11,15 @@
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
-#include "PhantomSampler.h"
 #include "ProgramVersion.h"
 #include "ProstateLikeModel.h"
 #include "SphericalHarmonicMeasures.h"
 
 #include "ScreenText.h"
-#include "vtkNew.h"
-#include "vtkSphericalHarmonicPhantom.h"
 
 #include <CLI/CLI.hpp>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
 #include <numeric>
@@ -143,46 +139,42 @@ SphericalHarmonicModel PhantomCommand::TrueModel() const
   return *model;
 }
 
-void PhantomCommand::PrepareGrid(vtkSphericalHarmonicPhantom& phantom,
-                                 const SphericalHarmonicModel& model) const
+PhantomGrid PhantomCommand::GridAround(const SphericalHarmonicModel& model) const
 {
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = this->Direction();
-  const Vector3 spacing = this->SpacingOr(Vector3(0.5, 0.5, 3.0));
-  phantom.SetDirectionMatrix(direction.data());
-  phantom.SetSpacing(spacing.data());
-  std::array<int, 3> size{};
+  PhantomGrid grid;
+  grid.Direction = this->Direction();
+  grid.Spacing = this->SpacingOr(grid.Spacing);
   double voxels = 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double wanted = 2.0 * (PhantomSampler::RadiusBound(model) + MarginMillimeters);
     const double needed =
         this->Size.empty()
-            ? std::clamp(std::ceil(wanted / spacing[static_cast<Eigen::Index>(axis)]), 1.0,
+            ? std::clamp(std::ceil(wanted / grid.Spacing[static_cast<Eigen::Index>(axis)]), 1.0,
                          MostVoxels)
             : static_cast<double>(this->Size[axis]);
     voxels *= needed;
-    size[axis] = static_cast<int>(needed);
+    grid.Size[axis] = static_cast<int>(needed);
   }
   if (voxels * BytesPerVoxel > static_cast<double>(AvailableMemoryBytes()))
   {
-    throw InputError(this->OutputFolder + ": a phantom of " + std::to_string(size[0]) + " x " +
-                     std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+    throw InputError(this->OutputFolder + ": a phantom of " + std::to_string(grid.Size[0]) + " x " +
+                     std::to_string(grid.Size[1]) + " x " + std::to_string(grid.Size[2]) +
                      " voxels is larger than the free memory; give a coarser --spacing or a "
                      "smaller --size");
   }
-  phantom.SetDimensions(size.data());
-  const Vector3& center = model.CenterWorld();
-  phantom.CenterGridOn(center.x(), center.y(), center.z());
+  grid.CenterOn(model.CenterWorld());
+  return grid;
 }
 
-void PhantomCommand::PrepareAppearance(vtkSphericalHarmonicPhantom& phantom) const
+PhantomAppearance PhantomCommand::Appearance() const
 {
   PhantomAppearance look;
   look.NoiseDeviation = this->Noise;
   look.BiasAmplitude = this->Bias;
   look.Subdivision = this->PartialVolume;
   look.Seed = this->Seed;
-  phantom.SetAppearance(look);
+  return look;
 }
 
 void PhantomCommand::WriteTruth(const SphericalHarmonicModel& model,
@@ -229,12 +221,17 @@ int PhantomCommand::MakeDrillBlock(Console& console) const
 int PhantomCommand::MakeBody(Console& console) const
 {
   const SphericalHarmonicModel model = this->TrueModel();
-  vtkNew<vtkSphericalHarmonicPhantom> phantom;
-  phantom->SetModel(model);
-  this->PrepareGrid(*phantom, model);
-  this->PrepareAppearance(*phantom);
+  const PhantomGrid grid = this->GridAround(model);
   const std::filesystem::path folder = this->OutputFolder;
-  RunFilter(phantom, "making the phantom", 0.0, 1.0, ProgressOn(console));
+  const ProgressFunction progress = ProgressOn(console);
+  const auto goOn = [&progress](double part)
+  {
+    if (!progress(part, "making the phantom"))
+    {
+      throw Cancelled();
+    }
+  };
+  const PhantomImages phantom = MakePhantom(model, grid, this->Appearance(), goOn);
   console.EndProgress();
 
   const std::string volume = "volume." + this->Format;
@@ -243,15 +240,14 @@ int PhantomCommand::MakeBody(Console& console) const
   WriteOutputSet(folder,
                  [&](const std::filesystem::path& stage)
                  {
-                   WriteImage(stage / volume, phantom->GetOutput(0));
-                   WriteImage(stage / mask, phantom->GetOutput(1));
+                   WriteImage(stage / volume, phantom.Volume);
+                   WriteImage(stage / mask, phantom.Mask);
                    this->WriteTruth(model, stage / truth);
                  });
-  const int* size = phantom->GetDimensions();
-  console.Output() << Printable((folder / volume).string()) << ": " << size[0] << " x " << size[1]
-                   << " x " << size[2] << " voxels\n"
+  console.Output() << Printable((folder / volume).string()) << ": " << grid.Size[0] << " x "
+                   << grid.Size[1] << " x " << grid.Size[2] << " voxels\n"
                    << std::fixed << std::setprecision(3) << Printable((folder / mask).string())
-                   << ": " << MaskMilliliters(phantom->GetOutput(1)) << " ml\n"
+                   << ": " << MaskMilliliters(phantom.Mask) << " ml\n"
                    << Printable((folder / truth).string()) << ": degree " << model.Degree() << ", "
                    << VolumeOf(model) / 1000.0 << " ml\n";
   return 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Command.h"
+#include "PhantomSampler.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
@@ -13,7 +14,6 @@ namespace CLI
 {
 class Option;
 }
-class vtkSphericalHarmonicPhantom;
 
 namespace palpate::cli
 {
@@ -38,8 +38,8 @@ private:
   int MakeDrillBlock(Console& console) const;
   Matrix3 Direction() const;
   Vector3 SpacingOr(const Vector3& usual) const; // mm
-  void PrepareGrid(vtkSphericalHarmonicPhantom& phantom, const SphericalHarmonicModel& model) const;
-  void PrepareAppearance(vtkSphericalHarmonicPhantom& phantom) const;
+  PhantomGrid GridAround(const SphericalHarmonicModel& model) const;
+  PhantomAppearance Appearance() const;
   SphericalHarmonicModel TrueModel() const;
   void WriteTruth(const SphericalHarmonicModel& model, const std::filesystem::path& file) const;
 

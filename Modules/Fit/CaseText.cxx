@@ -12,18 +12,18 @@ bool StartsWith(const std::string& text, const std::string& start)
 }
 } // namespace
 
-std::string OutcomeWord(FitResult::Outcome outcome)
+OutcomeText TextOf(FitResult::Outcome outcome)
 {
   switch (outcome)
   {
   case FitResult::Outcome::Fitted:
-    return "fitted";
+    return {"fitted", "Fitted", "good"};
   case FitResult::Outcome::Refused:
-    return "refused";
+    return {"refused", "Refused", "poor"};
   case FitResult::Outcome::BadInput:
-    return "bad-input";
+    return {"bad-input", "Bad input", "bad"};
   default:
-    return "failed";
+    return {"failed", "Failed", "bad"};
   }
 }
 

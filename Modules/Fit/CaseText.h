@@ -9,8 +9,13 @@
 
 namespace palpate
 {
-/// "fitted", "refused", "bad-input" or "failed": an outcome as in JSON and tables.
-PALPATEFIT_EXPORT std::string OutcomeWord(FitResult::Outcome outcome);
+struct OutcomeText
+{
+  std::string Word;  ///< in JSON and tables: "fitted", "refused", "bad-input" or "failed"
+  std::string Title; ///< on pages: "Fitted", ...
+  std::string Style; ///< the style sheet's class for its colour: "good", "poor" or "bad"
+};
+PALPATEFIT_EXPORT OutcomeText TextOf(FitResult::Outcome outcome);
 
 /// "good", "gaps" or "undetermined": how well the directions determine a fit.
 PALPATEFIT_EXPORT std::string CoverageWord(const DirectionCoverage& coverage);

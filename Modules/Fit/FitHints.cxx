@@ -11,11 +11,6 @@ bool UsesMostVisible(const FitSettings& settings)
   return settings.Center == FitSettings::CenterChoice::MostVisible && !settings.GivenCenterWorld;
 }
 
-std::string DegreeOption(const FitSettings& settings)
-{
-  return settings.Tolerance ? "another --max-degree" : "another --degree";
-}
-
 // "a, b or c".
 std::string AnyOf(const std::vector<std::string>& choices)
 {
@@ -27,44 +22,37 @@ std::string AnyOf(const std::vector<std::string>& choices)
   return text;
 }
 
-std::vector<std::string> WindowChoices(const FitSettings& settings)
+std::vector<std::string> Choices(const FitSettings& settings, const HintWords& words)
 {
-  std::vector<std::string> choices{"another degree", "a higher Frequency"};
+  std::vector<std::string> choices{settings.Tolerance ? words.MaximumDegree : words.Degree,
+                                   words.Frequency};
   if (!UsesMostVisible(settings))
   {
-    choices.emplace_back("the most visible Centre");
-  }
-  return choices;
-}
-
-std::vector<std::string> Choices(const FitSettings& settings)
-{
-  std::vector<std::string> choices{DegreeOption(settings), "a higher --frequency"};
-  if (!UsesMostVisible(settings))
-  {
-    choices.emplace_back("--center visible");
+    choices.emplace_back(words.VisibleCenter);
   }
   return choices;
 }
 } // namespace
 
-std::string HintForHidden(const FitSettings& settings)
+std::string HintForHidden(const FitSettings& settings, const HintWords& words)
 {
-  const std::string raise = "raise --max-hidden to see what is lost";
-  return UsesMostVisible(settings) ? raise : "try --center visible, or " + raise;
+  const std::string raise = std::string("raise ") + words.MaximumHidden + " to see what is lost";
+  return UsesMostVisible(settings) ? raise
+                                   : std::string("try ") + words.VisibleCenter + ", or " + raise;
 }
 
-std::string HintForMisfit(const FitSettings& settings)
+std::string HintForMisfit(const FitSettings& settings, const HintWords& words)
 {
-  return "try " + AnyOf(Choices(settings)) + ", or lower --min-dice to see it";
+  return "try " + AnyOf(Choices(settings, words)) + ", or lower " + words.MinimumDice +
+         " to see it";
 }
 
-std::string HintForImplausible(const FitSettings& settings)
+std::string HintForImplausible(const FitSettings& settings, const HintWords& words)
 {
-  std::vector<std::string> choices = Choices(settings);
-  if (settings.PenaltyKind == FitSettings::Penalty::None)
+  std::vector<std::string> choices = Choices(settings, words);
+  if (settings.PenaltyKind == FitSettings::Penalty::None && words.Penalty[0] != '\0')
   {
-    choices.emplace_back("--penalty auto");
+    choices.emplace_back(words.Penalty);
   }
   return "try " + AnyOf(choices);
 }
@@ -78,22 +66,6 @@ std::string OptionsOfFit(const FitSettings& settings)
 std::string HintForTooFewVoxels()
 {
   return "choose another --label or --component";
-}
-
-std::string WindowHintForHidden(const FitSettings& settings)
-{
-  const std::string raise = "raise Maximum hidden to see what is lost";
-  return UsesMostVisible(settings) ? raise : "try the most visible Centre, or " + raise;
-}
-
-std::string WindowHintForMisfit(const FitSettings& settings)
-{
-  return "try " + AnyOf(WindowChoices(settings)) + ", or lower Minimum Dice to see it";
-}
-
-std::string WindowHintForImplausible(const FitSettings& settings)
-{
-  return "try " + AnyOf(WindowChoices(settings));
 }
 
 std::string WithHint(const std::string& reason, const std::string& hint)

@@ -7,24 +7,43 @@
 
 namespace palpate
 {
-/// Suggestions for a structure that is refused or fails, as options of `palpate fit`; settings that
-/// are already in use are not suggested.
+/// What suggestions call the settings of a fit.
+struct HintWords
+{
+  const char* Degree;
+  const char* MaximumDegree; ///< the degree if it is searched for
+  const char* Frequency;
+  const char* VisibleCenter;
+  const char* MaximumHidden;
+  const char* MinimumDice;
+  const char* Penalty; ///< empty if none is suggested
+};
+/// As options of `palpate fit`.
+inline constexpr HintWords OptionWords{
+    "another --degree", "another --max-degree", "a higher --frequency", "--center visible",
+    "--max-hidden",     "--min-dice",           "--penalty auto"};
+/// As controls of the window, also used for session files.
+inline constexpr HintWords WindowWords{"another degree",
+                                       "another degree",
+                                       "a higher Frequency",
+                                       "the most visible Centre",
+                                       "Maximum hidden",
+                                       "Minimum Dice",
+                                       ""};
 
+/// Suggestions for a structure that is refused; settings that are already in use are not suggested.
+using Hint = std::string(const FitSettings& settings, const HintWords& words);
 /// If the centre does not see enough of the surface.
-PALPATEFIT_EXPORT std::string HintForHidden(const FitSettings& settings);
+PALPATEFIT_EXPORT Hint HintForHidden;
 /// If a model overlaps the mask too little.
-PALPATEFIT_EXPORT std::string HintForMisfit(const FitSettings& settings);
+PALPATEFIT_EXPORT Hint HintForMisfit;
 /// If a model cannot be the structure's.
-PALPATEFIT_EXPORT std::string HintForImplausible(const FitSettings& settings);
+PALPATEFIT_EXPORT Hint HintForImplausible;
+
 /// The options that affect whether samples determine a model, in brackets.
 PALPATEFIT_EXPORT std::string OptionsOfFit(const FitSettings& settings);
 /// If a structure has too few voxels; `palpate mesh` has these options too.
 PALPATEFIT_EXPORT std::string HintForTooFewVoxels();
-
-/// The same as controls of the window, also used for session files.
-PALPATEFIT_EXPORT std::string WindowHintForHidden(const FitSettings& settings);
-PALPATEFIT_EXPORT std::string WindowHintForMisfit(const FitSettings& settings);
-PALPATEFIT_EXPORT std::string WindowHintForImplausible(const FitSettings& settings);
 
 /// A reason and a hint, as one sentence; the reason alone for an empty hint.
 PALPATEFIT_EXPORT std::string WithHint(const std::string& reason, const std::string& hint);

@@ -18,12 +18,12 @@ namespace
 {
 std::string Header(const FitResult& result)
 {
-  const FitResult::Outcome outcome = result.State;
+  const OutcomeText outcome = TextOf(result.State);
   return "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 spherical-harmonic fit</div>\n<h1>" +
          EscapeHtml(StructureText(result)) + "</h1>\n<div class=\"soft\">label " +
          std::to_string(result.Structure.Label) + " of " +
          EscapeHtml(result.Input.filename().string()) + "</div>\n<div class=\"verdict " +
-         OutcomeStyle(outcome) + "\"><strong>" + OutcomeText(outcome) + "</strong><p>" +
+         outcome.Style + "\"><strong>" + outcome.Title + "</strong><p>" +
          EscapeHtml(VerdictText(result)) + "</p></div>\n</header>\n";
 }
 

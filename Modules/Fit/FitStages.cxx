@@ -8,7 +8,6 @@
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
 #include "StageClock.h"
-#include "SupportedDegree.h"
 #include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
 #include "vtkRadialSampler.h"
@@ -60,13 +59,12 @@ void RunStage(const Stage& stage, FitResult& result)
   }
 }
 
-void Refuse(const std::string& reason, const std::string& optionHint, const std::string& windowHint,
-            FitResult& result)
+void Refuse(const std::string& reason, const Hint& hint, FitResult& result)
 {
   result.State = FitResult::Outcome::Refused;
   result.Message = reason;
-  result.OptionHint = optionHint;
-  result.WindowHint = windowHint;
+  result.OptionHint = hint(result.Settings, OptionWords);
+  result.WindowHint = hint(result.Settings, WindowWords);
 }
 
 void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
@@ -179,7 +177,7 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
     result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
   }
   result.ModelMilliliters = VolumeOf(result.Model) / CubicMillimetersPerMilliliter;
-  result.ModelAreaSquareMillimeters = AreaOf(result.Model).Value;
+  result.ModelAreaSquareMillimeters = AreaOf(result.Model);
 }
 
 // If the degree search ended before it met the tolerance.
@@ -281,7 +279,7 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
                TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
                TextAgainstLimit(limit, limit, 1) +
                " %), so one radius per direction cannot describe it",
-           HintForHidden(result.Settings), WindowHintForHidden(result.Settings), result);
+           HintForHidden, result);
   }
 }
 
@@ -317,8 +315,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   clock.EndStage("model");
   if (const std::string reason = WhyImplausible(result); !reason.empty())
   {
-    Refuse(reason, HintForImplausible(result.Settings), WindowHintForImplausible(result.Settings),
-           result);
+    Refuse(reason, HintForImplausible, result);
     result.ModelSurface = nullptr; // nothing to show: it reaches far beyond the image
     return;
   }
@@ -335,7 +332,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
                ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
                TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
                " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
-           HintForMisfit(result.Settings), WindowHintForMisfit(result.Settings), result);
+           HintForMisfit, result);
     return;
   }
   result.State = FitResult::Outcome::Fitted;

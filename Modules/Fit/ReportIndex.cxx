@@ -1,5 +1,6 @@
 #include "ReportIndex.h"
 
+#include "CaseText.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportPage.h"
@@ -98,9 +99,9 @@ void ReportIndex::Add(const FitResult& result, int degree, const std::filesystem
   this->FittedCount += isFitted ? 1 : 0;
   const std::string name =
       HasStructure(result) ? EscapeHtml(StructureText(result)) : std::string("\xE2\x80\x93");
-  const std::string verdict = "<span class=\"" + OutcomeStyle(result.State) + "\" title=\"" +
-                              EscapeHtml(ReasonText(result)) + "\">" + OutcomeText(result.State) +
-                              "</span>";
+  const OutcomeText outcome = TextOf(result.State);
+  const std::string verdict = "<span class=\"" + outcome.Style + "\" title=\"" +
+                              EscapeHtml(ReasonText(result)) + "\">" + outcome.Title + "</span>";
   this->Rows +=
       "<tr>" +
       Cell("text",

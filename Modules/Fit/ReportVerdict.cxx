@@ -16,37 +16,6 @@ bool IsPredicate(const std::string& message, const FitResult& result)
 }
 } // namespace
 
-std::string OutcomeText(FitResult::Outcome outcome)
-{
-  switch (outcome)
-  {
-  case FitResult::Outcome::Fitted:
-    return "Fitted";
-  case FitResult::Outcome::Refused:
-    return "Refused";
-  case FitResult::Outcome::BadInput:
-    return "Bad input";
-  case FitResult::Outcome::Failed:
-    break;
-  }
-  return "Failed";
-}
-
-std::string OutcomeStyle(FitResult::Outcome outcome)
-{
-  switch (outcome)
-  {
-  case FitResult::Outcome::Fitted:
-    return "good";
-  case FitResult::Outcome::Refused:
-    return "poor";
-  case FitResult::Outcome::BadInput:
-  case FitResult::Outcome::Failed:
-    break;
-  }
-  return "bad";
-}
-
 std::string StructureText(const FitResult& result)
 {
   return result.Structure.Name.empty() ? "Label " + std::to_string(result.Structure.Label)

@@ -8,12 +8,6 @@
 
 namespace palpate
 {
-/// An outcome in one or two words ("Fitted", "Refused", ...).
-PALPATEFIT_EXPORT std::string OutcomeText(FitResult::Outcome outcome);
-
-/// The style sheet's class for an outcome's colour: "good", "poor" or "bad".
-PALPATEFIT_EXPORT std::string OutcomeStyle(FitResult::Outcome outcome);
-
 /// The structure's name, or "Label 3" if it has none. Not escaped.
 PALPATEFIT_EXPORT std::string StructureText(const FitResult& result);
 

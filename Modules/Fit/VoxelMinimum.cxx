@@ -7,10 +7,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <vector>
 
 namespace palpate
 {
@@ -27,65 +24,16 @@ std::string TooFew(long voxels)
 
 // Voxels of the label, up to the required number.
 template <typename T>
-std::vector<vtkIdType> FirstVoxels(vtkDataArray* labels, int label)
+long CountVoxels(const T* values, vtkIdType count, int label)
 {
-  const T* values = static_cast<const T*>(labels->GetVoidPointer(0));
-  const T* end = values + labels->GetNumberOfTuples();
-  std::vector<vtkIdType> found;
+  const T* end = values + count;
+  long found = 0;
   for (const T* at = std::find(values, end, static_cast<T>(label));
-       at != end && found.size() < SmallestVoxelCount;
-       at = std::find(at + 1, end, static_cast<T>(label)))
+       at != end && found < SmallestVoxelCount; at = std::find(at + 1, end, static_cast<T>(label)))
   {
-    found.push_back(at - values);
+    ++found;
   }
   return found;
-}
-
-std::vector<vtkIdType> FirstVoxels(vtkDataArray* labels, int label)
-{
-  switch (labels->GetDataType())
-  {
-  case VTK_UNSIGNED_CHAR:
-    return FirstVoxels<unsigned char>(labels, label);
-  case VTK_UNSIGNED_SHORT:
-    return FirstVoxels<unsigned short>(labels, label);
-  default:
-    return FirstVoxels<int>(labels, label);
-  }
-}
-
-bool ShareAFace(vtkImageData* image, vtkIdType one, vtkIdType other)
-{
-  const int* size = image->GetDimensions();
-  const auto place = [&](vtkIdType voxel)
-  {
-    return std::array<vtkIdType, 3>{voxel % size[0], voxel / size[0] % size[1],
-                                    voxel / size[0] / size[1]};
-  };
-  const auto a = place(one);
-  const auto b = place(other);
-  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) == 1;
-}
-
-// Size of the largest part connected through faces.
-std::size_t LargestPart(vtkImageData* image, std::vector<vtkIdType> voxels)
-{
-  std::size_t largest = 0;
-  while (!voxels.empty())
-  {
-    std::vector<vtkIdType> part{voxels.back()};
-    voxels.pop_back();
-    for (std::size_t p = 0; p < part.size(); ++p)
-    {
-      const auto joined =
-          std::partition(voxels.begin(), voxels.end(),
-                         [&](vtkIdType voxel) { return !ShareAFace(image, part[p], voxel); });
-      part.insert(part.end(), joined, voxels.end());
-      voxels.erase(joined, voxels.end());
-    }
-    largest = std::max(largest, part.size());
-  }
-  return largest;
 }
 } // namespace
 
@@ -98,12 +46,26 @@ std::string TooFewVoxels(double cubicMillimeters, vtkImageData* mask)
 
 std::string TooFewVoxels(const Segmentation& segmentation, const Segment& structure)
 {
-  vtkImageData* layer = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
-  const std::vector<vtkIdType> voxels =
-      FirstVoxels(layer->GetPointData()->GetScalars(), structure.Value);
+  vtkDataArray* labels =
+      segmentation.Layers[static_cast<std::size_t>(structure.Layer)]->GetPointData()->GetScalars();
+  long voxels = 0;
+  switch (labels->GetDataType())
+  {
+    vtkTemplateMacro(voxels = CountVoxels(static_cast<const VTK_TT*>(labels->GetVoidPointer(0)),
+                                          labels->GetNumberOfTuples(), structure.Value));
+  default:
+    break;
+  }
   // Callers have their own message for a structure without voxels.
-  return voxels.empty() || voxels.size() >= SmallestVoxelCount
-             ? std::string()
-             : TooFew(static_cast<long>(LargestPart(layer, voxels)));
+  return voxels == 0 || voxels >= SmallestVoxelCount ? std::string() : TooFew(voxels);
+}
+
+int SupportedDegree(double cubicMillimeters, vtkImageData* mask)
+{
+  constexpr double Highest = 1000.0;
+  const double* spacing = mask->GetSpacing();
+  const double coarsest = std::max({spacing[0], spacing[1], spacing[2]});
+  const double radius = std::cbrt(3.0 * cubicMillimeters / (4.0 * M_PI));
+  return static_cast<int>(std::clamp(std::floor(M_PI * radius / coarsest), 1.0, Highest));
 }
 } // namespace palpate

@@ -55,7 +55,7 @@ std::vector<std::string> FieldsOf(const CohortRow& row)
   return {row.Case,
           result.Structure.Label == 0 ? "" : std::to_string(result.Structure.Label),
           result.Structure.Name,
-          OutcomeWord(result.State),
+          TextOf(result.State).Word,
           result.Message,
           fitted ? std::to_string(row.Degree) : "",
           number(fitted, center.x()),
@@ -135,7 +135,7 @@ private:
   {
     const auto* const found = std::find_if(
         Outcomes.begin(), Outcomes.end(),
-        [&](FitResult::Outcome outcome) { return OutcomeWord(outcome) == this->Text("outcome"); });
+        [&](FitResult::Outcome outcome) { return TextOf(outcome).Word == this->Text("outcome"); });
     if (found == Outcomes.end())
     {
       throw InputError(this->File.string() + ": the outcome \"" + this->Text("outcome") +
@@ -214,14 +214,6 @@ void CohortTable::Write(const std::filesystem::path& file) const
     text += CsvLine(FieldsOf(row));
   }
   WriteWholeFile(file, text);
-}
-
-std::vector<CohortRow> CohortTable::RowsOf(const std::string& name) const
-{
-  std::vector<CohortRow> rows;
-  std::copy_if(this->Content.begin(), this->Content.end(), std::back_inserter(rows),
-               [&](const CohortRow& row) { return row.Case == name; });
-  return rows;
 }
 
 void CohortTable::Add(const std::vector<CohortRow>& rows)

@@ -40,9 +40,6 @@ public:
   void Write(const std::filesystem::path& file) const;
 
   const std::vector<CohortRow>& Rows() const { return this->Content; }
-  /// The rows of a case, in their order.
-  std::vector<CohortRow> RowsOf(const std::string& name) const;
-  /// Appends rows.
   void Add(const std::vector<CohortRow>& rows);
 
 private:

@@ -6,9 +6,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 
 #include <algorithm>
 
@@ -26,7 +24,7 @@ ScalarGrid GridOf(vtkImageData* image, double isoValue)
   std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    grid.StartIndex[axis] = extent[2 * axis] - Border;
+    grid.StartIndex[axis] = -Border;
     grid.StepIndex[axis] = 1.0;
     grid.Spacing[axis] = image->GetSpacing()[axis];
     grid.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1 + 2 * Border;
@@ -55,26 +53,6 @@ ScalarGrid GridOf(vtkImageData* image, double isoValue)
   return grid;
 }
 
-void MoveToWorld(const ScalarGrid& grid, vtkImageData* image, vtkPolyData* surface)
-{
-  vtkPoints* points = surface->GetPoints();
-  for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
-  {
-    double point[3];
-    points->GetPoint(p, point);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      point[axis] = grid.StartIndex[axis] + point[axis] / grid.Spacing[axis];
-    }
-    double world[3];
-    image->TransformContinuousIndexToPhysicalPoint(point, world);
-    points->SetPoint(p, world);
-  }
-  if (image->GetDirectionMatrix()->Determinant() < 0.0)
-  {
-    ReverseTriangles(surface);
-  }
-}
 } // namespace
 
 vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue,

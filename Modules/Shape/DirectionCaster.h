@@ -8,14 +8,12 @@
 
 namespace palpate
 {
-/// A triangle mesh as arrays.
 struct IndexedMesh
 {
   std::vector<Vector3> Points;
   std::vector<std::array<int, 3>> Triangles;
 };
 
-/// The intersection of a ray and a triangle.
 struct RayCrossing
 {
   int Triangle;

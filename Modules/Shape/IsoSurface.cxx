@@ -5,6 +5,7 @@
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataConnectivityFilter.h"
@@ -140,6 +141,29 @@ void ReverseTriangles(vtkPolyData* surface)
     reversed->InsertNextCell({ids[0], ids[2], ids[1]});
   }
   surface->SetPolys(reversed);
+}
+
+void MoveToWorld(const ScalarGrid& grid, vtkImageData* image, vtkPolyData* surface)
+{
+  const int* extent = image->GetExtent();
+  vtkPoints* points = surface->GetPoints();
+  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
+  {
+    double point[3];
+    points->GetPoint(id, point);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      point[axis] = extent[2 * axis] + grid.StartIndex[axis] +
+                    point[axis] / grid.Spacing[axis] * grid.StepIndex[axis];
+    }
+    double world[3];
+    image->TransformContinuousIndexToPhysicalPoint(point, world);
+    points->SetPoint(id, world);
+  }
+  if (image->GetDirectionMatrix()->Determinant() < 0.0)
+  {
+    ReverseTriangles(surface);
+  }
 }
 
 IsoSurface ExtractIsoSurface(ScalarGrid& grid, float level, SurfacePieces pieces)

@@ -5,6 +5,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+class vtkImageData;
+
 namespace palpate
 {
 /// Volume and area of a closed surface, in the units of its points; the volume is positive where
@@ -17,8 +19,12 @@ struct EnclosedMeasure
 
 PALPATESHAPE_EXPORT EnclosedMeasure MeasureEnclosed(vtkPolyData* surface);
 
-/// Reverses the orientation of every triangle.
 PALPATESHAPE_EXPORT void ReverseTriangles(vtkPolyData* surface);
+
+/// Moves a surface from mm along the axes of `grid` (from its first sample) to world mm, where
+/// triangles still face outwards.
+PALPATESHAPE_EXPORT void MoveToWorld(const ScalarGrid& grid, vtkImageData* image,
+                                     vtkPolyData* surface);
 
 enum class SurfacePieces
 {

@@ -35,6 +35,5 @@ struct MaskCavities
   long long Voxels = 0;
 };
 
-/// Fills the cavities of `mask` and reports them.
 PALPATESHAPE_EXPORT MaskCavities FillCavities(VoxelMask& mask);
 } // namespace palpate

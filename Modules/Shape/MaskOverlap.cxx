@@ -1,10 +1,11 @@
 #include "MaskOverlap.h"
 
+#include "IsoSurface.h"
+
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkImageStencilData.h"
-#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -76,11 +77,9 @@ bool IsWithin(vtkPolyData* indexSurface, const std::array<int, 6>& extent)
 // Number of voxels that a closed surface encloses, from its volume in index space.
 long long EnclosedVoxels(vtkPolyData* indexSurface)
 {
-  vtkNew<vtkMassProperties> measure;
-  measure->SetInputData(indexSurface);
-  const double volume = std::abs(measure->GetVolume());
+  const double volume = std::abs(MeasureEnclosed(indexSurface).Volume);
   constexpr double Most = 1e18;
-  return std::llround(std::min(volume, Most));
+  return std::llround(volume < Most ? volume : Most); // also if it is not a number
 }
 
 bool IsFinite(vtkPolyData* indexSurface)

@@ -1,6 +1,11 @@
 #include "PhantomSampler.h"
 
 #include "SeededNoise.h"
+#include "SphericalHarmonicSpectrum.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,39 +20,24 @@ namespace
 constexpr std::uint64_t BiasStream = 0;
 constexpr std::uint64_t FirstRowStream = 1;
 
-// With |Y_l|^2 = sum over m of Y_lm^2 = (2l + 1) / (4 pi) everywhere, the degree l part of R is at
-// most sqrt(power_l (2l + 1) / (4 pi)) by Cauchy and Schwarz; its gradient's component along any
-// tangent is at most that times sqrt(l (l + 1) / 2).
-struct Bounds
-{
-  double Deviation = 0.0; // of R from its mean, mm
-  double Slope = 0.0;     // mm/rad
-};
-
-Bounds BoundsOf(const SphericalHarmonicModel& model)
-{
-  Bounds bounds;
-  const std::vector<double> power = model.PowerSpectrum();
-  for (std::size_t l = 1; l < power.size(); ++l)
-  {
-    const double degree = static_cast<double>(l);
-    const double part = std::sqrt(power[l] * (2.0 * degree + 1.0) / (4.0 * M_PI));
-    bounds.Deviation += part;
-    bounds.Slope += part * std::sqrt(degree * (degree + 1.0) / 2.0);
-  }
-  return bounds;
-}
-
-double MeanRadius(const SphericalHarmonicModel& model)
-{
-  return model.Coefficients().front() / std::sqrt(4.0 * M_PI);
-}
-
 // Nine smooth functions of voxel position scaled to [-1, 1]^3, each within [-1, 1].
 std::array<double, 9> SmoothTerms(const Vector3& s)
 {
   return {s.x(),         s.y(),         s.z(),         s.x() * s.x(), s.y() * s.y(),
           s.z() * s.z(), s.x() * s.y(), s.y() * s.z(), s.z() * s.x()};
+}
+
+vtkSmartPointer<vtkImageData> EmptyImage(const PhantomGrid& grid, int type, const char* name)
+{
+  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = grid.Direction;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(grid.Size.data());
+  image->SetSpacing(grid.Spacing.data());
+  image->SetOrigin(grid.OriginWorld.data());
+  image->SetDirectionMatrix(direction.data());
+  image->AllocateScalars(type, 1);
+  image->GetPointData()->GetScalars()->SetName(name);
+  return image;
 }
 } // namespace
 
@@ -56,10 +46,8 @@ PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const Phanto
     : Model(model), Grid(grid), Appearance(appearance),
       StepWorld(grid.Direction * grid.Spacing.asDiagonal()), HalfDiagonal(0.5 * grid.Spacing.norm())
 {
-  const Bounds bounds = BoundsOf(model);
-  this->LargestRadius = MeanRadius(model) + bounds.Deviation;
-  this->SlopeBound = bounds.Slope;
-
+  this->LargestRadius = RadiusBound(model);
+  this->SlopeBound = SphericalHarmonicSpectrum(model).Slope();
   SeededNoise noise(appearance.Seed, BiasStream);
   double sum = 0.0;
   for (double& term : this->BiasTerms)
@@ -75,7 +63,8 @@ PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const Phanto
 
 double PhantomSampler::RadiusBound(const SphericalHarmonicModel& model)
 {
-  return MeanRadius(model) + BoundsOf(model).Deviation;
+  const SphericalHarmonicSpectrum spectrum(model);
+  return spectrum.MeanRadius() + spectrum.Relief();
 }
 
 double PhantomSampler::BiasAt(const Vector3& index) const
@@ -164,18 +153,12 @@ void PhantomSampler::SampleRow(int j, int k, float* intensities, unsigned char* 
       const Vector3 direction = distance > 0.0 ? Vector3(offset / distance) : Vector3::UnitZ();
       const double radius = this->Model.Radius(direction);
       isInside = distance <= radius;
-      mean = intensities ? this->VoxelMean(offset, distance, radius) : 0.0;
+      mean = this->VoxelMean(offset, distance, radius);
     }
-    if (mask)
-    {
-      mask[i] = isInside ? 1 : 0;
-    }
-    if (intensities)
-    {
-      intensities[i] = static_cast<float>(mean * this->BiasAt(index));
-    }
+    mask[i] = isInside ? 1 : 0;
+    intensities[i] = static_cast<float>(mean * this->BiasAt(index));
   }
-  if (intensities && this->Appearance.NoiseDeviation > 0.0)
+  if (this->Appearance.NoiseDeviation > 0.0)
   {
     this->AddNoise(j, k, intensities);
   }
@@ -194,5 +177,34 @@ void PhantomSampler::AddNoise(int j, int k, float* intensities) const
     intensities[i] =
         static_cast<float>(isMagnitude ? std::hypot(real, deviation * noise.Next()) : real);
   }
+}
+
+PhantomImages MakePhantom(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+                          const PhantomAppearance& appearance,
+                          const std::function<void(double)>& progress)
+{
+  const PhantomSampler sampler(model, grid, appearance);
+  PhantomImages images{EmptyImage(grid, VTK_FLOAT, "Intensity"),
+                       EmptyImage(grid, VTK_UNSIGNED_CHAR, "Label")};
+  auto* intensities = static_cast<float*>(images.Volume->GetScalarPointer());
+  auto* labels = static_cast<unsigned char*>(images.Mask->GetScalarPointer());
+  const vtkIdType rowLength = grid.Size[0];
+  const vtkIdType rowsPerSlice = grid.Size[1];
+  // Slice by slice, so that the calling thread can report progress.
+  for (int k = 0; k < grid.Size[2]; ++k)
+  {
+    vtkSMPTools::For(0, rowsPerSlice,
+                     [&](vtkIdType first, vtkIdType last)
+                     {
+                       for (vtkIdType j = first; j < last; ++j)
+                       {
+                         const vtkIdType start = (k * rowsPerSlice + j) * rowLength;
+                         sampler.SampleRow(static_cast<int>(j), k, intensities + start,
+                                           labels + start);
+                       }
+                     });
+    progress((k + 1.0) / grid.Size[2]);
+  }
+  return images;
 }
 } // namespace palpate

@@ -3,10 +3,13 @@
 #include "PalpateShapeModule.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <functional>
 
 namespace palpate
 {
@@ -16,12 +19,20 @@ struct PhantomGrid
 {
   std::array<int, 3> Size{{160, 160, 24}};
   Vector3 Spacing{0.5, 0.5, 3.0};
-  Vector3 OriginWorld = Vector3::Zero();
+  Vector3 OriginWorld{-39.75, -39.75, -34.5};              ///< centred on the world's origin
   Eigen::Matrix3d Direction = Eigen::Matrix3d::Identity(); ///< orthonormal columns
 
   Vector3 PointWorld(const Vector3& index) const
   {
     return this->OriginWorld + this->Direction * this->Spacing.cwiseProduct(index);
+  }
+
+  /// Moves the grid so that its centre is at this point (mm, LPS).
+  void CenterOn(const Vector3& centerWorld)
+  {
+    const Vector3 centerIndex(0.5 * (this->Size[0] - 1), 0.5 * (this->Size[1] - 1),
+                              0.5 * (this->Size[2] - 1));
+    this->OriginWorld = centerWorld - (this->PointWorld(centerIndex) - this->OriginWorld);
   }
 };
 
@@ -48,7 +59,8 @@ struct PhantomAppearance
 };
 
 /// Fills the rows of a phantom's mask and MR-like volume. Rows can be filled independently, in any
-/// order and by any thread, with the same result.
+/// order and by any thread, with the same result. Grid and appearance must be sensible: voxels of
+/// positive size, no negative noise.
 ///
 /// The mask holds the voxels whose centre lies inside the model. The intensity is the mean over
 /// Subdivision^3 points of background, capsule, inner zone or body, times the bias field, with
@@ -60,10 +72,9 @@ public:
   PhantomSampler(const SphericalHarmonicModel& model, const PhantomGrid& grid,
                  const PhantomAppearance& appearance);
 
-  /// Row (j, k) of the grid: Size[0] values each; pass null for an array that is not needed.
+  /// Row (j, k) of the grid: Size[0] values each.
   void SampleRow(int j, int k, float* intensities, unsigned char* mask) const;
 
-  /// Bias field factor at voxel `index`.
   double BiasAt(const Vector3& index) const;
 
   /// An upper bound of the model's radius (mm), from its power spectrum.
@@ -87,4 +98,18 @@ private:
   double SlopeBound;         ///< upper bound of |grad R| on the unit sphere, mm/rad
   std::array<double, 9> BiasTerms{};
 };
+
+struct PhantomImages
+{
+  vtkSmartPointer<vtkImageData> Volume; ///< float
+  vtkSmartPointer<vtkImageData> Mask;   ///< unsigned char, 1 inside
+};
+
+/// An MR-like volume and the mask of a body whose coefficients are known, on any grid, including
+/// oblique ones, by PhantomSampler. The result does not depend on the number of threads. `progress`
+/// is called with the part that is done, by the calling thread, and may throw to end the work.
+PALPATESHAPE_EXPORT PhantomImages MakePhantom(
+    const SphericalHarmonicModel& model, const PhantomGrid& grid,
+    const PhantomAppearance& appearance = {},
+    const std::function<void(double)>& progress = [](double) {});
 } // namespace palpate

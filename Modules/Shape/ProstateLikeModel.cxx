@@ -1,8 +1,8 @@
 #include "ProstateLikeModel.h"
 
 #include "SeededNoise.h"
-#include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicProjection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,30 +25,13 @@ double SmoothRadius(const Vector3& u)
   return ellipsoid * (1.0 - rectum - apex);
 }
 
-std::vector<double> ProjectSmoothBody(int degree)
-{
-  const SphericalHarmonicBasis basis(degree);
-  // The body is smooth: its harmonics beyond degree 40 are below rounding.
-  const SphereQuadrature sphere(degree + 40);
-  std::vector<double> values(basis.Size());
-  std::vector<double> coefficients(basis.Size(), 0.0);
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-  {
-    basis.Evaluate(sphere.Directions[i], values.data());
-    const double weighted = sphere.Weights[i] * SmoothRadius(sphere.Directions[i]);
-    for (std::size_t c = 0; c < values.size(); ++c)
-    {
-      coefficients[c] += weighted * values[c];
-    }
-  }
-  return coefficients;
-}
 } // namespace
 
 SphericalHarmonicModel MakeProstateLikeModel(int degree, std::uint64_t seed,
                                              const Vector3& centerWorld)
 {
-  std::vector<double> coefficients = ProjectSmoothBody(degree);
+  // The body is smooth: its harmonics beyond degree 40 are below rounding.
+  std::vector<double> coefficients = ProjectOnHarmonics(degree, degree + 40, SmoothRadius);
   for (int l = 2; l <= std::min(degree, HighestBumpDegree); ++l)
   {
     // One stream per degree, so that a body of lower degree has the same bumps up to there.

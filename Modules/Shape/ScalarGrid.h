@@ -9,7 +9,7 @@ namespace palpate
 /// Samples of a scalar field on a regular grid parallel to an image's axes.
 struct ScalarGrid
 {
-  std::array<double, 3> StartIndex{}; ///< continuous image index of the first sample
+  std::array<double, 3> StartIndex{}; ///< of the first sample, from the image's first voxel
   std::array<double, 3> StepIndex{};  ///< in image voxels
   std::array<double, 3> Spacing{};    ///< the same step in mm
   std::array<int, 3> Size{};          ///< samples along i, j, k

@@ -18,20 +18,6 @@ namespace
 constexpr int MaximumRefinement = 16;
 constexpr double MaximumSamples = 6e7; // 240 MB of float: beyond, slices are refined less
 
-// Distances run between voxel centres; the boundary lies half a step from the last one.
-std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep)
-{
-  const std::vector<float> inner = DistanceToOthers(mask, 1, domain);
-  const std::vector<float> outer = DistanceToOthers(mask, 0, domain);
-  const auto half = static_cast<float>(halfStep);
-  std::vector<float> field(inner.size());
-  for (std::size_t at = 0; at < field.size(); ++at)
-  {
-    field[at] = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
-  }
-  return field;
-}
-
 ScalarGrid GridOf(const VoxelMask& mask)
 {
   ScalarGrid grid;
@@ -42,150 +28,63 @@ ScalarGrid GridOf(const VoxelMask& mask)
   return grid;
 }
 
-// The mask with its axes permuted so that the coarsest is the third.
-struct TurnedMask
+// Steps between the mask's slices that make samples about as dense as in the slices.
+int RefinementAlong(std::size_t axis, const VoxelMask& mask)
 {
-  VoxelMask Mask;
-  std::array<std::size_t, 3> Axes; // axis of the original that each axis of Mask was
-};
-
-std::size_t CoarsestAxis(const VoxelMask& mask)
-{
-  return static_cast<std::size_t>(std::max_element(mask.Spacing.begin(), mask.Spacing.end()) -
-                                  mask.Spacing.begin());
+  const double inPlane = std::sqrt(mask.Spacing[(axis + 1) % 3] * mask.Spacing[(axis + 2) % 3]);
+  const double wanted = std::round(mask.Spacing[axis] / inPlane);
+  const double affordable = MaximumSamples / static_cast<double>(mask.Inside.size());
+  return static_cast<int>(
+      std::clamp(std::min(wanted, affordable), 1.0, static_cast<double>(MaximumRefinement)));
 }
 
-TurnedMask TurnCoarsestLast(const VoxelMask& mask)
+// The signed in-plane distance of slices across an axis, clamped to one slice step.
+std::vector<float> SliceDistances(std::size_t axis, const VoxelMask& mask)
 {
-  const std::size_t axis = CoarsestAxis(mask);
-  TurnedMask turned{{}, {(axis + 1) % 3, (axis + 2) % 3, axis}};
-  for (std::size_t a = 0; a < 3; ++a)
+  const double halfStep = 0.25 * (mask.Spacing[(axis + 1) % 3] + mask.Spacing[(axis + 2) % 3]);
+  std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(axis), halfStep);
+  const auto bound = static_cast<float>(mask.Spacing[axis]);
+  for (float& value : field)
   {
-    turned.Mask.Size[a] = mask.Size[turned.Axes[a]];
-    turned.Mask.Spacing[a] = mask.Spacing[turned.Axes[a]];
-    turned.Mask.StartIndex[a] = mask.StartIndex[turned.Axes[a]];
+    value = std::clamp(value, -bound, bound);
   }
-  turned.Mask.Inside.resize(mask.Inside.size());
-  std::array<int, 3> at{};
-  for (at[2] = 0; at[2] < mask.Size[2]; ++at[2])
-  {
-    for (at[1] = 0; at[1] < mask.Size[1]; ++at[1])
-    {
-      for (at[0] = 0; at[0] < mask.Size[0]; ++at[0])
-      {
-        turned.Mask.Inside[turned.Mask.Offset(at[turned.Axes[0]], at[turned.Axes[1]],
-                                              at[turned.Axes[2]])] =
-            mask.Inside[mask.Offset(at[0], at[1], at[2])];
-      }
-    }
-  }
-  return turned;
+  return field;
 }
 
-// Permutes a grid over a turned mask back to the original's axes.
-ScalarGrid TurnBack(const ScalarGrid& turned, const std::array<std::size_t, 3>& axes)
-{
-  ScalarGrid grid;
-  std::array<std::size_t, 3> stride{};
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    grid.Size[axes[a]] = turned.Size[a];
-    grid.Spacing[axes[a]] = turned.Spacing[a];
-    grid.StepIndex[axes[a]] = turned.StepIndex[a];
-    grid.StartIndex[axes[a]] = turned.StartIndex[a];
-    stride[axes[a]] = turned.SliceStride(static_cast<int>(a));
-  }
-  grid.Values.resize(turned.Values.size());
-  float* target = grid.Values.data();
-  for (int k = 0; k < grid.Size[2]; ++k)
-  {
-    for (int j = 0; j < grid.Size[1]; ++j)
-    {
-      const float* source = &turned.Values[static_cast<std::size_t>(k) * stride[2] +
-                                           static_cast<std::size_t>(j) * stride[1]];
-      for (int i = 0; i < grid.Size[0]; ++i, source += stride[0])
-      {
-        *target++ = *source;
-      }
-    }
-  }
-  return grid;
-}
-
-// Interpolates the slices of a signed in-plane distance along the third axis. The distance is
-// clamped to one slice step: outlines that lie closer than that from slice to slice are joined by
+// Interpolates the slices of a signed in-plane distance along the coarsest axis. As the distance is
+// clamped to one slice step, outlines that lie closer than that from slice to slice are joined by
 // an oblique wall; where they lie further apart, or a slice is empty, the shape ends half way
 // between the slices with a rounded edge, as in the mask itself. So the surface never crosses a
 // line between voxel centres of one kind, and stays within half a step of the mask's own half
 // level.
-class SliceInterpolator
-{
-public:
-  SliceInterpolator(const VoxelMask& mask, int refinement)
-      : Mask(mask), Refinement(refinement), SliceSize(mask.Offset(0, 0, 1)),
-        Field(SignedDistance(mask, DistanceDomain::AcrossK,
-                             0.25 * (mask.Spacing[0] + mask.Spacing[1])))
-  {
-    const auto bound = static_cast<float>(mask.Spacing[2]);
-    for (float& value : this->Field)
-    {
-      value = std::clamp(value, -bound, bound);
-    }
-  }
-
-  ScalarGrid Run() const
-  {
-    ScalarGrid grid = GridOf(this->Mask);
-    grid.Size[2] = (this->Mask.Size[2] - 1) * this->Refinement + 1;
-    grid.StepIndex[2] = 1.0 / this->Refinement;
-    grid.Spacing[2] /= this->Refinement;
-    grid.Values.resize(this->SliceSize * static_cast<std::size_t>(grid.Size[2]));
-    for (int k = 0; k + 1 < this->Mask.Size[2]; ++k)
-    {
-      const int steps = k + 2 == this->Mask.Size[2] ? this->Refinement + 1 : this->Refinement;
-      for (int step = 0; step < steps; ++step)
-      {
-        const double t = static_cast<double>(step) / this->Refinement;
-        float* target =
-            &grid.Values[this->SliceSize * static_cast<std::size_t>(k * this->Refinement + step)];
-        this->Between(k, t, target);
-      }
-    }
-    return grid;
-  }
-
-private:
-  const float* Slice(int k) const
-  {
-    return &this->Field[this->SliceSize * static_cast<std::size_t>(k)];
-  }
-
-  void Between(int k, double t, float* target) const
-  {
-    const float* low = this->Slice(k);
-    const float* high = this->Slice(k + 1);
-    const auto part = static_cast<float>(t);
-    for (std::size_t at = 0; at < this->SliceSize; ++at)
-    {
-      target[at] = low[at] + part * (high[at] - low[at]);
-    }
-  }
-
-  const VoxelMask& Mask;
-  int Refinement;
-  std::size_t SliceSize;
-  std::vector<float> Field;
-};
-
 ScalarGrid InterpolateShape(const VoxelMask& mask)
 {
-  const TurnedMask turned = TurnCoarsestLast(mask);
-  const std::array<double, 3>& spacing = turned.Mask.Spacing;
-  const double wanted = std::round(spacing[2] / std::sqrt(spacing[0] * spacing[1]));
-  const double affordable = MaximumSamples / static_cast<double>(mask.Inside.size());
-  const int refinement = static_cast<int>(
-      std::clamp(std::min(wanted, affordable), 1.0, static_cast<double>(MaximumRefinement)));
-  return TurnBack(SliceInterpolator(turned.Mask, refinement).Run(), turned.Axes);
+  const auto axis = static_cast<std::size_t>(
+      std::max_element(mask.Spacing.begin(), mask.Spacing.end()) - mask.Spacing.begin());
+  const int refinement = RefinementAlong(axis, mask);
+  const std::vector<float> field = SliceDistances(axis, mask);
+  const std::array<std::size_t, 3> strides{1, mask.Offset(0, 1, 0), mask.Offset(0, 0, 1)};
+  ScalarGrid grid = GridOf(mask);
+  grid.Size[axis] = (mask.Size[axis] - 1) * refinement + 1;
+  grid.StepIndex[axis] = 1.0 / refinement;
+  grid.Spacing[axis] /= refinement;
+  grid.Values.reserve(grid.SliceStride(3));
+  for (int k = 0; k < grid.Size[2]; ++k)
+  {
+    for (int j = 0; j < grid.Size[1]; ++j)
+    {
+      for (int i = 0; i < grid.Size[0]; ++i)
+      {
+        std::array<int, 3> at{i, j, k};
+        const int slice = std::min(at[axis] / refinement, mask.Size[axis] - 2);
+        const double part = static_cast<double>(at[axis] - slice * refinement) / refinement;
+        at[axis] = slice;
+        const float* low = &field[mask.Offset(at[0], at[1], at[2])];
+        grid.Values.push_back(*low + static_cast<float>(part) * (low[strides[axis]] - *low));
+      }
+    }
+  }
+  return grid;
 }
 
 ScalarGrid DistanceInSpace(const VoxelMask& mask)

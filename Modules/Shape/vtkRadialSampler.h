@@ -56,7 +56,6 @@ public:
   vtkGetMacro(MissedPercent, double);
   ///@}
 
-  /// The directions' input port.
   void SetDirectionsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
 protected:

@@ -9,7 +9,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -56,30 +55,6 @@ palpate::VoxelMask ExtractMask(vtkImageData* image, int label, int rim, bool& to
   return mask;
 }
 
-// Points from mm along the grid's axes to world mm.
-void MoveToWorld(const palpate::ScalarGrid& grid, vtkImageData* image, vtkPolyData* surface)
-{
-  int extent[6];
-  image->GetExtent(extent);
-  vtkPoints* points = surface->GetPoints();
-  for (vtkIdType id = 0; id < points->GetNumberOfPoints(); ++id)
-  {
-    double point[3];
-    points->GetPoint(id, point);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      point[axis] = extent[2 * axis] + grid.StartIndex[axis] +
-                    point[axis] / grid.Spacing[axis] * grid.StepIndex[axis];
-    }
-    double world[3];
-    image->TransformContinuousIndexToPhysicalPoint(point, world);
-    points->SetPoint(id, world);
-  }
-  if (image->GetDirectionMatrix()->Determinant() < 0.0)
-  {
-    palpate::ReverseTriangles(surface);
-  }
-}
 } // namespace
 
 void vtkSegmentationSurface::SetSmoothing(double smoothing)
@@ -187,7 +162,7 @@ bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkIma
     return false;
   }
   this->SurfaceVolume = palpate::MeasureEnclosed(surface.Surface).Volume;
-  MoveToWorld(grid, image, surface.Surface);
+  palpate::MoveToWorld(grid, image, surface.Surface);
   output->ShallowCopy(surface.Surface);
   this->UpdateProgress(1.0);
   return true;

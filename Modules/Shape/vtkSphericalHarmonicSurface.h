@@ -30,7 +30,6 @@ public:
   vtkGetMacro(Frequency, int);
   ///@}
 
-  /// The original surface's input port.
   void SetOriginalConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetOriginalData(vtkPolyData* surface);
 

@@ -1,13 +1,13 @@
 #include "vtkSurfaceQuality.h"
 
 #include "ClosestPointDistances.h"
+#include "IsoSurface.h"
 #include "MaskOverlap.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -110,15 +110,12 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
   this->Percentile95Distance = Percentile(all, 0.95);
   this->MaximumDistance = all.back().Distance;
 
-  vtkNew<vtkMassProperties> measure;
-  measure->SetInputData(reference);
-  const double referenceVolume = measure->GetVolume();
-  const double referenceArea = measure->GetSurfaceArea();
-  measure->SetInputData(tested);
-  this->Volume = measure->GetVolume();
-  this->Area = measure->GetSurfaceArea();
-  this->VolumeDifference = this->Volume - referenceVolume;
-  this->AreaDifference = this->Area - referenceArea;
+  const palpate::EnclosedMeasure measured = palpate::MeasureEnclosed(tested);
+  const palpate::EnclosedMeasure expected = palpate::MeasureEnclosed(reference);
+  this->Volume = measured.Volume;
+  this->Area = measured.Area;
+  this->VolumeDifference = measured.Volume - expected.Volume;
+  this->AreaDifference = measured.Area - expected.Area;
   this->Dice = mask != nullptr ? palpate::DiceOfSurfaceAndMask(tested, mask, this->Label) : -1.0;
 
   vtkPolyData* output = vtkPolyData::GetData(outputs);

@@ -2,8 +2,8 @@
 
 #include "FilterRun.h"
 #include "InputError.h"
-#include "SupportedDegree.h"
 #include "TradeMeasure.h"
+#include "VoxelMinimum.h"
 
 #include <utility>
 

@@ -1,8 +1,11 @@
 #include "FitBenchmarks.h"
 
 #include "EigenPeers.h"
+#include "FitRun.h"
 #include "HuberWeights.h"
 #include "IcosahedronDirections.h"
+#include "MomentSolver.h"
+#include "OrthogonalSolver.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicFit.h"
@@ -28,7 +31,7 @@ constexpr int Degree = 12;
 class FitCase
 {
 public:
-  explicit FitCase(bool outliers = false) : Workspace(Degree)
+  explicit FitCase(bool outliers = false) : Moments(Degree)
   {
     const IcosahedronDirections sphere(20);
     test::Random random(12);
@@ -55,13 +58,23 @@ public:
     this->WeightedRadii = scales.cwiseProduct(this->Radii);
   }
 
-  void Fit(Options::Method method, Options::Robust robust = Options::Robust::None)
+  void FitByMoments(Options::Robust robust = Options::Robust::None)
+  {
+    this->Fit(this->Moments, robust);
+  }
+
+  void FitOrthogonally()
+  {
+    OrthogonalSolver solver(Degree);
+    this->Fit(solver, Options::Robust::None);
+  }
+
+  void Fit(LeastSquaresSolver& solver, Options::Robust robust)
   {
     Options options;
     options.Degree = Degree;
-    options.MethodKind = method;
     options.RobustKind = robust;
-    this->Outcome = FitSphericalHarmonics(this->Samples, options, this->Workspace, this->Result);
+    this->Outcome = FitRun(this->Samples, options, solver).Run(this->Result);
     this->Ours =
         Eigen::Map<const Vector>(this->Result.Coefficients.data(),
                                  static_cast<Eigen::Index>(this->Result.Coefficients.size()));
@@ -133,7 +146,7 @@ protected:
   Vector Weights;
   Matrix WeightedDesign;
   Vector WeightedRadii;
-  MomentSolver Workspace;
+  MomentSolver Moments; // keeps its tables from fit to fit
   SphericalHarmonicFitResult Result;
   Status Outcome = Status::Failure("the fit did not run");
   Vector Ours = Vector::Zero((Degree + 1) * (Degree + 1));
@@ -149,8 +162,8 @@ std::vector<PairedBenchmark> FitBenchmarks()
   // Eigen is given the matrix; ours makes it.
   const auto solve = [fit](const EigenPeers& (*peers)(), FitCase::Method method)
   { return [fit, peers, method] { fit->Solve(peers(), method); }; };
-  const auto orthogonal = [fit] { fit->Fit(Options::Method::Orthogonal); };
-  const auto moments = [fit] { fit->Fit(Options::Method::Moments); };
+  const auto orthogonal = [fit] { fit->FitOrthogonally(); };
+  const auto moments = [fit] { fit->FitByMoments(); };
   // A condition below 2 and thousands of roundings; the robust ones stop within a ten-thousandth of
   // the noise.
   const auto agree = [fit] { return fit->Disagreement(1e-12); };
@@ -163,7 +176,7 @@ std::vector<PairedBenchmark> FitBenchmarks()
           {"sh/fit/4002x169/sse2", "Eigen normal equations for SSE2, matrix given", moments,
            solve(PortableEigenPeers, &EigenPeers::NormalEquations), agree},
           {"sh/fit/robust/4002x169", "the same weights with Eigen normal equations",
-           [robust] { robust->Fit(Options::Method::Moments, Options::Robust::Huber); },
+           [robust] { robust->FitByMoments(Options::Robust::Huber); },
            [robust] { robust->SolveRobustly(); }, [robust] { return robust->Disagreement(1e-6); }}};
 }
 } // namespace palpate::bench

@@ -62,16 +62,22 @@ RadialSamples Samples(const IcosahedronDirections& sphere, const SphericalHarmon
   return samples;
 }
 
+Options FitOptions(Options::Penalty kind, double strength)
+{
+  Options options;
+  options.Degree = Degree;
+  options.PenaltyKind = kind;
+  options.Roughness = strength;
+  options.MaximumCondition = std::numeric_limits<double>::infinity();
+  return options;
+}
+
 Errors Fit(const IcosahedronDirections& sphere, double capDegrees, const PenaltyKind& penalty,
            unsigned seed)
 {
   test::Random random(seed);
   const SphericalHarmonicModel body = test::RandomOrgan(random, Degree);
-  Options options;
-  options.Degree = Degree;
-  options.PenaltyKind = penalty.Kind;
-  options.Roughness = penalty.Strength;
-  options.MaximumCondition = std::numeric_limits<double>::infinity();
+  const Options options = FitOptions(penalty.Kind, penalty.Strength);
   SphericalHarmonicFitResult result;
   constexpr double NoFit = std::numeric_limits<double>::infinity();
   if (!FitSphericalHarmonics(Samples(sphere, body, capDegrees, random), options, result).IsOk())
@@ -107,9 +113,15 @@ MissingCapRow MakeRow(const IcosahedronDirections& sphere, double capDegrees,
   row.Strength = strengths[strengths.size() / 2];
   test::Random random(1);
   const RadialSamples samples = Samples(sphere, SphericalHarmonicModel(), capDegrees, random);
+  const Options options = FitOptions(
+      row.Strength > 0.0 ? Options::Penalty::Given : Options::Penalty::None, row.Strength);
   DirectionCoverage coverage;
-  const Status status =
-      AssessCoverage(samples.Directions, samples.Weights, Degree, row.Strength, coverage);
+  SphericalHarmonicFitResult fit;
+  Status status = FitSphericalHarmonics(samples, options, fit);
+  if (status.IsOk())
+  {
+    status = AssessCoverage(samples.Directions, samples.Weights, fit, coverage);
+  }
   row.Condition = coverage.Condition;
   row.NoiseGainRms = coverage.NoiseGainRms;
   row.NoiseGainMaximum = coverage.NoiseGainMaximum;

@@ -2,11 +2,11 @@
 
 #include "FitStructure.h"
 #include "ImageWriter.h"
+#include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
 #include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
-#include "vtkSphericalHarmonicPhantom.h"
 
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkMassProperties.h"
@@ -29,14 +29,11 @@ public:
   {
     const SphericalHarmonicModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
     this->TrueVolume = VolumeOf(body);
-    vtkNew<vtkSphericalHarmonicPhantom> phantom;
-    phantom->SetDimensions(384, 384, 23);
-    phantom->SetSpacing(0.5, 0.5, 3.0);
-    phantom->CenterGridOn(0.0, 0.0, 0.0);
-    phantom->SetModel(body);
-    phantom->Update();
+    PhantomGrid grid;
+    grid.Size = {384, 384, 23};
+    grid.CenterOn(Vector3::Zero());
     this->File = this->Folder / "mask.nii.gz";
-    WriteImage(this->File, vtkImageData::SafeDownCast(phantom->GetOutputDataObject(1)));
+    WriteImage(this->File, MakePhantom(body, grid).Mask);
   }
 
   void Fit()

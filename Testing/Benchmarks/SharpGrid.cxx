@@ -1,7 +1,7 @@
 #include "SharpGrid.h"
 
 #include "GaussLegendre.h"
-#include "SphericalHarmonicConventions.h"
+#include "SphericalHarmonicBasis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,20 +28,34 @@ struct SharpGrid::Plan
   }
 };
 
+namespace
+{
+// The coefficient of the complex orthonormal harmonic with the Condon-Shortley phase, m >= 0.
+std::complex<double> Complex(const std::vector<double>& coefficients, int l, int m)
+{
+  const double real = coefficients[SphericalHarmonicBasis::Index(l, m)];
+  if (m == 0)
+  {
+    return {real, 0.0};
+  }
+  const double scale = (m % 2 == 0 ? 1.0 : -1.0) / std::sqrt(2.0);
+  return {scale * real, -scale * coefficients[SphericalHarmonicBasis::Index(l, -m)]};
+}
+} // namespace
+
 SharpGrid::SharpGrid(int degree, const std::vector<double>& coefficients, int rings, int columns)
     : Work(std::make_unique<Plan>())
 {
   omp_set_num_threads(1); // the comparison is on one core
   sharp_make_triangular_alm_info(degree, degree, 1, &this->Work->Order);
   sharp_make_gauss_geom_info(rings, columns, 0.0, 1, columns, &this->Work->Geometry);
-  const std::vector<std::complex<double>> packed = ToComplex(coefficients);
-  this->Work->Coefficients.resize(packed.size());
+  this->Work->Coefficients.resize(static_cast<std::size_t>((degree + 1) * (degree + 2) / 2));
   for (int l = 0; l <= degree; ++l)
   {
     for (int m = 0; m <= l; ++m)
     {
       const auto place = static_cast<std::size_t>(sharp_alm_index(this->Work->Order, l, m));
-      this->Work->Coefficients[place] = packed[static_cast<std::size_t>(l * (l + 1) / 2 + m)];
+      this->Work->Coefficients[place] = Complex(coefficients, l, m);
     }
   }
   std::vector<double> nodes = GaussLegendre(rings).Nodes;

@@ -152,8 +152,7 @@ TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
       }
       // Volumes and areas are sums of such numbers, in another order of magnitude.
       EXPECT_NEAR(std::ldexp(VolumeOf(scaled), -3 * exponent) / VolumeOf(model), 1.0, 1e-14);
-      EXPECT_NEAR(std::ldexp(AreaOf(scaled).Value, -2 * exponent) / AreaOf(model).Value, 1.0,
-                  1e-14);
+      EXPECT_NEAR(std::ldexp(AreaOf(scaled), -2 * exponent) / AreaOf(model), 1.0, 1e-14);
     }
   }
 }

@@ -38,7 +38,7 @@ TEST(CliEvaluate, JsonNumbersEqualKernelsBitForBit)
   const Vector3 down(0.0, 0.0, -1.0);
   EXPECT_EQ(result.at("degree"), 1);
   EXPECT_EQ(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0);
-  EXPECT_EQ(result.at("area_mm2").get<double>(), AreaOf(model).Value);
+  EXPECT_EQ(result.at("area_mm2").get<double>(), AreaOf(model));
   EXPECT_EQ(result.at("power_mm2").get<std::vector<double>>(), model.PowerSpectrum());
   EXPECT_EQ(AsVector(result.at("center_mm")), model.CenterWorld());
   const Json& sample = result.at("directions").at(0);
@@ -103,7 +103,7 @@ TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
   EXPECT_EQ(result.at("inside_out"), false);
   // Both are sums of some hundred terms of equal magnitude.
   EXPECT_NEAR(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0, 1e-12);
-  EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model).Value, 1e-9);
+  EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model), 1e-9);
 }
 
 TEST(CliEvaluate, RejectsBadArgumentsWithOneMessage)

@@ -8,8 +8,8 @@
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicMeasures.h"
-#include "SphericalHarmonicRotation.h"
 #include "TemporaryFolder.h"
+#include "TurnedModel.h"
 #include "WorstCase.h"
 
 #include <algorithm>
@@ -139,11 +139,8 @@ TEST(CohortGroup, RotatedAndMovedCopiesAlignToOneShape)
   cohort.Add("0", model);
   for (int copy = 1; copy < 5; ++copy)
   {
-    SphericalHarmonicRotation rotation;
-    ASSERT_TRUE(
-        SphericalHarmonicRotation::Make(6, palpate::test::RandomOrientation(random), rotation)
-            .IsOk());
-    cohort.Add(std::to_string(copy), rotation.ApplyAbout({1.0, 20.0, -9.0}, model));
+    const palpate::Matrix3 turn = palpate::test::RandomOrientation(random);
+    cohort.Add(std::to_string(copy), palpate::test::TurnedModel(model, turn, {1.0, 20.0, -9.0}));
   }
   const CohortGroup group = cohort.Group(AlignmentAxes::Ellipsoid);
   palpate::test::WorstCase worst;

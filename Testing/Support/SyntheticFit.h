@@ -2,13 +2,13 @@
 
 #include "FitResult.h"
 #include "ModelMesh.h"
+#include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SphericalHarmonicMeasures.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkSphericalHarmonicPhantom.h"
 
 #include <cmath>
 
@@ -21,22 +21,20 @@ struct SyntheticFit
 {
   explicit SyntheticFit(int modelDegree = 5)
   {
-    vtkNew<vtkSphericalHarmonicPhantom> phantom;
     const double c = std::cos(M_PI / 9.0);
     const double s = std::sin(M_PI / 9.0);
-    const double direction[9] = {c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0};
-    phantom->SetDirectionMatrix(direction);
-    phantom->SetDimensions(96, 96, 20);
-    phantom->SetSpacing(0.8, 0.8, 3.0);
-    phantom->CenterGridOn(Center.x(), Center.y(), Center.z());
+    PhantomGrid grid;
+    grid.Direction << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
+    grid.Size = {96, 96, 20};
+    grid.Spacing = {0.8, 0.8, 3.0};
+    grid.CenterOn(Center);
     PhantomAppearance look;
     look.NoiseDeviation = 8.0;
     look.Subdivision = 1;
-    phantom->SetAppearance(look);
-    phantom->Update();
-    this->Truth = phantom->GetModel();
+    this->Truth = MakeProstateLikeModel(12, 1, Center);
+    const PhantomImages phantom = MakePhantom(this->Truth, grid, look);
 
-    this->Mri.Image = phantom->GetOutput(0);
+    this->Mri.Image = phantom.Volume;
     this->Mri.Source = "/home/someone/secret-folder/t2.nii.gz";
     FitResult& fit = this->Result;
     fit.Input = "/home/someone/secret-folder/case_17.nii.gz";
@@ -45,7 +43,7 @@ struct SyntheticFit
     fit.Structure.Value = 1;
     fit.Structure.Name = "Prostate";
     fit.State = FitResult::Outcome::Fitted;
-    fit.Mask = phantom->GetOutput(1);
+    fit.Mask = phantom.Mask;
     fit.Surface = MakeModelMesh(this->Truth, 30);
     fit.Model = this->Truth.WithDegree(modelDegree);
     fit.ModelSurface = MakeModelMesh(fit.Model, 20);

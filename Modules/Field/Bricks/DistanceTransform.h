@@ -21,4 +21,8 @@ enum class DistanceDomain
 /// Computing 8 (2012): along each axis in turn, the lower envelope of parabolas.
 std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
                                     DistanceDomain domain);
+
+/// Distance (mm) of every voxel centre from the mask's boundary, positive inside, which lies
+/// `halfStep` (mm) from the last centre on either side.
+std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep);
 } // namespace palpate

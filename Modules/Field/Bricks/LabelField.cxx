@@ -107,20 +107,17 @@ bool CutOutLabel(const T* labels, const FieldGrid& grid, long long label,
   return false;
 }
 
-std::vector<float> SignedDistances(const VoxelMask& mask, const DistanceRule& rule)
+std::vector<float> ClampedDistances(const VoxelMask& mask, const DistanceRule& rule)
 {
-  const std::vector<float> inner = DistanceToOthers(mask, 1, rule.Domain);
-  const std::vector<float> outer = DistanceToOthers(mask, 0, rule.Domain);
-  const auto half = static_cast<float>(rule.HalfStep);
+  std::vector<float> distances = SignedDistance(mask, rule.Domain, rule.HalfStep);
   const auto cutOff = static_cast<float>(rule.CutOff);
-  std::vector<float> distances(inner.size());
-  for (std::size_t at = 0; at < distances.size(); ++at)
+  for (float& distance : distances)
   {
-    const float distance = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
-    distances[at] = std::clamp(distance, -cutOff, cutOff);
+    distance = std::clamp(distance, -cutOff, cutOff);
   }
   return distances;
 }
+
 // Weights of a Gaussian, starting at its centre; together with their mirror images they sum to one.
 std::vector<float> GaussianWeights(double deviation)
 {
@@ -195,7 +192,7 @@ Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long 
   {
     return Status::Failure("No voxel has the label " + std::to_string(label) + ".");
   }
-  field.Distances = SignedDistances(mask, rule);
+  field.Distances = ClampedDistances(mask, rule);
   for (std::size_t axis = 0; axis < 3 && smoothing > 0.0; ++axis)
   {
     Smooth(mask, axis, rule.Deviation[axis], field.Distances);

@@ -6,12 +6,12 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelTable.h"
+#include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
 #include "SphericalHarmonicMeasures.h"
-#include "SupportedDegree.h"
 #include "TestData.h"
-#include "vtkSphericalHarmonicPhantom.h"
+#include "VoxelMinimum.h"
 #include "vtkSphericalHarmonicSurface.h"
 
 #include "vtkImageData.h"
@@ -52,17 +52,13 @@ FitResult Fit(const Segmentation& segmentation, const FitSettings& settings = {}
 // The mask of a body on cubes of `step` mm.
 vtkSmartPointer<vtkImageData> PhantomMask(const palpate::SphericalHarmonicModel& model, double step)
 {
-  vtkNew<vtkSphericalHarmonicPhantom> phantom;
   const int size = static_cast<int>(64.0 / step);
-  phantom->SetDimensions(size, size, size);
-  phantom->SetSpacing(step, step, step);
-  const Vector3& center = model.CenterWorld();
+  palpate::PhantomGrid grid;
+  grid.Size = {size, size, size};
+  grid.Spacing.setConstant(step);
   // Off the grid's symmetry, so that errors don't cancel.
-  phantom->CenterGridOn(center.x() + 0.3 * step, center.y() - 0.2 * step, center.z() + 0.1);
-  phantom->SetModel(model);
-  phantom->Update();
-  vtkSmartPointer<vtkImageData> mask = vtkImageData::SafeDownCast(phantom->GetOutputDataObject(1));
-  return mask;
+  grid.CenterOn(model.CenterWorld() + Vector3(0.3 * step, -0.2 * step, 0.1));
+  return palpate::MakePhantom(model, grid).Mask;
 }
 
 // Root mean square distance (mm) of the fitted surface from the true body's.

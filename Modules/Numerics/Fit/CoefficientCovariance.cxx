@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace palpate
 {
@@ -14,8 +15,10 @@ Eigen::Map<const Eigen::VectorXd> AsVector(const CacheLineVector<double>& v, int
 }
 } // namespace
 
-double CoefficientCovariance::Deviation(CacheLineVector<double> combination) const
+double CoefficientCovariance::RadiusDeviation(const double* basisValues) const
 {
+  CacheLineVector<double> combination = this->Samples.MakeVector();
+  std::copy_n(basisValues, this->Size(), combination.begin());
   if (this->System.Size() == 0)
   {
     this->Samples.SolveLower(combination.data());
@@ -25,20 +28,6 @@ double CoefficientCovariance::Deviation(CacheLineVector<double> combination) con
   CacheLineVector<double> reached = this->Samples.MakeVector();
   this->Samples.MultiplyUpper(combination.data(), reached.data());
   return std::sqrt(this->Variance) * AsVector(reached, this->Size()).norm();
-}
-
-double CoefficientCovariance::RadiusDeviation(const double* basisValues) const
-{
-  CacheLineVector<double> values = this->Samples.MakeVector();
-  std::copy_n(basisValues, this->Size(), values.begin());
-  return this->Deviation(std::move(values));
-}
-
-double CoefficientCovariance::CoefficientDeviation(std::size_t index) const
-{
-  CacheLineVector<double> unit = this->Samples.MakeVector();
-  unit[index] = 1.0;
-  return this->Deviation(std::move(unit));
 }
 
 Eigen::MatrixXd CoefficientCovariance::Factor() const
@@ -88,10 +77,13 @@ double CoefficientCovariance::DegreesOfFreedom() const
 double CoefficientCovariance::Trace() const
 {
   double trace = 0.0;
-  for (int i = 0; i < this->Size(); ++i)
+  std::vector<double> unit(static_cast<std::size_t>(this->Size()));
+  for (double& entry : unit)
   {
-    const double deviation = this->CoefficientDeviation(static_cast<std::size_t>(i));
+    entry = 1.0;
+    const double deviation = this->RadiusDeviation(unit.data());
     trace += deviation * deviation;
+    entry = 0.0;
   }
   return trace;
 }

@@ -3,7 +3,6 @@
 #include "PackedTriangle.h"
 
 #include <Eigen/Core>
-#include <cstddef>
 
 namespace palpate
 {
@@ -14,7 +13,6 @@ namespace palpate
 class CoefficientCovariance
 {
 public:
-  /// No coefficients.
   CoefficientCovariance() = default;
   /// Without a penalty.
   CoefficientCovariance(const PackedTriangle& samples, double variance)
@@ -32,8 +30,6 @@ public:
   /// Standard deviation (mm) of the fitted radius at a direction with these harmonic values (Size()
   /// of them). Allocates; at most two triangular solves.
   double RadiusDeviation(const double* basisValues) const;
-  /// Standard deviation (mm) of one coefficient.
-  double CoefficientDeviation(std::size_t index) const;
   /// F such that F F^T is the covariance (mm^2).
   Eigen::MatrixXd Factor() const;
   /// Trace of the influence matrix: the number of coefficients that the samples determine.
@@ -42,8 +38,6 @@ public:
   double Trace() const;
 
 private:
-  double Deviation(CacheLineVector<double> combination) const;
-
   PackedTriangle Samples;
   PackedTriangle System; // empty without a penalty
   double Variance = 0.0;

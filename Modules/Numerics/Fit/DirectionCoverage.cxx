@@ -1,10 +1,7 @@
 #include "DirectionCoverage.h"
 
 #include "CoefficientCovariance.h"
-#include "ConditionEstimate.h"
 #include "IcosahedronDirections.h"
-#include "MomentSolver.h"
-#include "OrthogonalSolver.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicConventions.h"
 #include "SphericalHarmonicFit.h"
@@ -12,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <sstream>
 
 namespace palpate
@@ -33,21 +29,6 @@ SphericalCap FindGap(const std::vector<Vector3>& directions, const std::vector<d
   }
   const double spacing = std::sqrt(4.0 * M_PI / static_cast<double>(used.size()));
   return LargestEmptyCap(used, 0.25 * spacing);
-}
-
-// Normal equations by moments or, if those are numerically singular, an orthogonal factorisation.
-std::unique_ptr<LeastSquaresSolver> ReduceAnyhow(const SampleView& view, int degree,
-                                                 double strength)
-{
-  std::unique_ptr<LeastSquaresSolver> solver = std::make_unique<MomentSolver>(degree);
-  if (!solver->Reduce(view) || !solver->FactoriseSystem(strength) ||
-      EstimateCondition(solver->Triangle()) > solver->HighestCondition())
-  {
-    solver = std::make_unique<OrthogonalSolver>(degree);
-    static_cast<void>(solver->Reduce(view));
-    static_cast<void>(solver->FactoriseSystem(strength));
-  }
-  return solver;
 }
 
 // The largest noise gain over the sphere: from a grid of a third of the shortest wavelength and the
@@ -142,29 +123,6 @@ void Judge(int degree, double strength, std::size_t count, DirectionCoverage& co
   coverage.Message = text.str();
 }
 
-struct FittedSystem
-{
-  int Degree;
-  double Strength; // of the penalty
-  double Condition;
-};
-
-void Assess(const std::vector<Vector3>& directions, const std::vector<double>& weights,
-            const FittedSystem& system, CoefficientCovariance covariance,
-            DirectionCoverage& coverage)
-{
-  coverage = {};
-  coverage.LargestGap = FindGap(directions, weights);
-  coverage.Condition = system.Condition;
-  const std::size_t count = CountWeighted(weights);
-  covariance.SetVariance(4.0 * M_PI / static_cast<double>(count));
-  GainSearch search(covariance, system.Degree);
-  search.Run(coverage.LargestGap.Center);
-  coverage.NoiseGainMaximum = search.Gain;
-  coverage.NoiseGainDirection = search.Direction;
-  coverage.NoiseGainRms = std::sqrt(covariance.Trace() / (4.0 * M_PI));
-  Judge(system.Degree, system.Strength, count, coverage);
-}
 } // namespace
 
 double DirectionCoverage::WidestGap(int degree)
@@ -173,40 +131,27 @@ double DirectionCoverage::WidestGap(int degree)
 }
 
 Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
-                      int degree, double strength, DirectionCoverage& coverage)
+                      const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage)
 {
+  const int degree = DegreeOfCount(fit.Coefficients.size());
   const std::vector<double> radii(directions.size(), 0.0);
   Status status = CheckSamples({directions, radii, weights}, degree);
   if (!status.IsOk())
   {
     return status;
   }
-  if (!(strength >= 0.0) || !std::isfinite(strength))
-  {
-    return Status::Failure("the strength of the penalty must not be negative");
-  }
-  const std::vector<double> normalised = NormalisedWeights(weights);
-  const auto solver = ReduceAnyhow(
-      {directions.front().data(), normalised.data(), radii.data(), static_cast<long>(radii.size())},
-      degree, strength);
-  const CoefficientCovariance covariance =
-      strength > 0.0 ? CoefficientCovariance(solver->Triangle(), solver->System(), 1.0)
-                     : CoefficientCovariance(solver->Triangle(), 1.0);
-  Assess(directions, weights, {degree, strength, EstimateCondition(solver->Triangle())}, covariance,
-         coverage);
-  return Status::Success();
-}
-
-Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
-                      const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage)
-{
-  const int degree = DegreeOfCount(fit.Coefficients.size());
-  const std::vector<double> radii(directions.size(), 0.0);
-  Status status = CheckSamples({directions, radii, weights}, degree);
-  if (status.IsOk())
-  {
-    Assess(directions, weights, {degree, fit.Roughness, fit.Condition}, fit.Covariance, coverage);
-  }
+  coverage = {};
+  coverage.LargestGap = FindGap(directions, weights);
+  coverage.Condition = fit.Condition;
+  const std::size_t count = CountWeighted(weights);
+  CoefficientCovariance covariance = fit.Covariance;
+  covariance.SetVariance(4.0 * M_PI / static_cast<double>(count));
+  GainSearch search(covariance, degree);
+  search.Run(coverage.LargestGap.Center);
+  coverage.NoiseGainMaximum = search.Gain;
+  coverage.NoiseGainDirection = search.Direction;
+  coverage.NoiseGainRms = std::sqrt(covariance.Trace() / (4.0 * M_PI));
+  Judge(degree, fit.Roughness, count, coverage);
   return status;
 }
 } // namespace palpate

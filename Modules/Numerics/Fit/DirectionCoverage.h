@@ -27,9 +27,8 @@ struct DirectionCoverage
   /// 2-norm condition number of the weighted design matrix without the penalty.
   double Condition = 0.0;
   ///@{ Standard deviation of the fitted radius relative to that of a sample of mean weight, with
-  /// the
-  /// penalty: root mean square and maximum over the sphere, and the position of the maximum. The
-  /// bias of a penalty is not included.
+  /// the penalty: root mean square and maximum over the sphere, and the position of the maximum.
+  /// The bias of a penalty is not included.
   double NoiseGainRms = 0.0;
   double NoiseGainMaximum = 0.0;
   Vector3 NoiseGainDirection = Vector3::UnitZ();
@@ -48,16 +47,11 @@ struct DirectionCoverage
   static constexpr double HighestCondition = 1e4;
 };
 
-/// Undetermined: without a penalty, a condition above HighestCondition. Gaps: a gap wider than
-/// WidestGap, with or without a penalty (which reduces the noise in a gap but adds no information),
-/// or a maximum of the noise gain above HighestNoiseGain. `strength`: of the roughness penalty of
-/// FitSphericalHarmonics, 0 for none. Fails if CheckSamples does, or if the strength is negative.
+/// Judges the directions and weights of a fit by its own factorisation; of a robust fit with its
+/// final weights. Undetermined: without a penalty, a condition above HighestCondition. Gaps: a gap
+/// wider than WidestGap, with or without a penalty (which reduces the noise in a gap but adds no
+/// information), or a maximum of the noise gain above HighestNoiseGain. Fails if CheckSamples does.
 /// Some milliseconds for 4,002 directions at degree 12.
-Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
-                      int degree, double strength, DirectionCoverage& coverage);
-
-/// The same for a fit that was made with these directions and weights, by its own factorisation; of
-/// a robust fit with its final weights.
 Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
                       const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage);
 } // namespace palpate

@@ -11,8 +11,7 @@ namespace palpate
 ///   2 Re w^m Re w^m' = Re w^(m+m') + s^(2m) Re w^(m'-m), and so on for the other three products,
 /// so every entry is a sum of order m' + m and one of order m' - m, of polynomials in z that the
 /// 2 L + 1 nodes of MomentTables integrate exactly. The polynomials are even or odd, so half the
-/// nodes suffice. About 13 products per entry at degree 12; forming the matrix from 4,002 samples
-/// takes 4,002.
+/// nodes suffice.
 class GramAssembly
 {
 public:

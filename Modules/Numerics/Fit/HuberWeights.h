@@ -22,7 +22,6 @@ public:
   /// Estimates the scale (mm, of a sample of mean weight) from residuals (mm), at least `smallest`;
   /// `fitted`: degrees of freedom that the fit used.
   void Rescale(const std::vector<double>& residuals, double fitted, double smallest);
-  /// Computes the factors for the scale.
   void Update(const std::vector<double>& residuals);
 
   double Scale() const noexcept { return this->Deviation; }

@@ -15,7 +15,6 @@ class LeastSquaresSolver
 public:
   virtual ~LeastSquaresSolver() = default;
 
-  int Degree() const noexcept { return this->MaximumDegree; }
   /// Factor of c_lm^2 in the penalty: (l (l+1))^2.
   static double Roughness(int degree) noexcept
   {

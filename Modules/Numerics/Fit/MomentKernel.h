@@ -62,8 +62,7 @@ struct Kernel
   void (*Accumulate)(const Recurrence& recurrence, int degree, int rightDegree,
                      const Points& points, double* scratch, double* gram, double* right);
   /// Residuals, value - sum_mk (cosine p_k Re (x+iy)^m + sine p_k Im (x+iy)^m), and adds their
-  /// moments, with the weights, to `right`. `coefficients` are pairs in the order of the moments;
-  /// null means zeros. `residuals` may be null.
+  /// moments, with the weights, to `right`. `coefficients` are pairs in the order of the moments.
   void (*Residuals)(const Recurrence& recurrence, int degree, const Points& points,
                     const double* coefficients, double* scratch, double* residuals, double* right);
   /// sum_k left[i][k] weights[c][k] right[k][j] for four sets of weights c: `left` has `rows` rows
@@ -357,14 +356,14 @@ struct Arithmetic
         const int family = start / OrdersPerFamily;
         chunk.FillColumns(recurrence.Factors + family * recurrence.Stride, degree - start, columns);
         for (int m = degree < start + OrdersPerFamily ? degree : start + OrdersPerFamily - 1;
-             coefficients != nullptr && m >= start; --m)
+             m >= start; --m)
         {
           SubtractOrder(chunk.Powers + 2 * m * Vectors, degree + 1 - m, columns,
                         coefficients + 2 * MomentStart(degree, m), chunk.Value);
         }
         columns += (degree + 1 - start) * Vectors;
       }
-      Store(chunk.Value, points.Count - first, residuals != nullptr ? residuals + first : nullptr);
+      Store(chunk.Value, points.Count - first, residuals + first);
       for (int v = 0; v < Vectors; ++v)
       {
         chunk.Value[v] *= chunk.Weight[v];
@@ -384,7 +383,7 @@ struct Arithmetic
   static void Store(const Vector* values, long left, double* out)
   {
     const auto* from = reinterpret_cast<const double*>(values);
-    for (int i = 0; out != nullptr && i < ChunkPoints && i < left; ++i)
+    for (int i = 0; i < ChunkPoints && i < left; ++i)
     {
       out[i] = from[i];
     }

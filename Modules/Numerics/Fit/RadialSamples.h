@@ -7,7 +7,6 @@
 
 namespace palpate
 {
-/// Radii measured along directions, with weights.
 struct RadialSamples
 {
   std::vector<Vector3> Directions; ///< unit vectors

@@ -1,17 +1,10 @@
 #include "ResidualMoments.h"
 
-#include "MomentKernelChoice.h"
-
 #include <algorithm>
 #include <utility>
 
 namespace palpate
 {
-ResidualMoments::ResidualMoments(std::shared_ptr<const MomentTables> tables)
-    : ResidualMoments(std::move(tables), moments::KernelFor(FastestInstructionSet()))
-{
-}
-
 ResidualMoments::ResidualMoments(std::shared_ptr<const MomentTables> tables,
                                  const moments::Kernel& kernel)
     : Tables(std::move(tables)), Kernel(&kernel)
@@ -25,14 +18,11 @@ ResidualMoments::ResidualMoments(std::shared_ptr<const MomentTables> tables,
 void ResidualMoments::Find(const SampleView& samples, const double* coefficients, double* residuals,
                            double* sums) noexcept
 {
-  if (coefficients != nullptr)
-  {
-    this->Tables->FromHarmonics(coefficients, this->Pairs.data());
-  }
+  this->Tables->FromHarmonics(coefficients, this->Pairs.data());
   std::fill(this->LaneSums.begin(), this->LaneSums.end(), 0.0);
   this->Kernel->Residuals(this->Tables->FamilyRecurrence(), this->Tables->Degree(), samples,
-                          coefficients != nullptr ? this->Pairs.data() : nullptr,
-                          this->Scratch.data(), residuals, this->LaneSums.data());
+                          this->Pairs.data(), this->Scratch.data(), residuals,
+                          this->LaneSums.data());
   const double* lane = this->LaneSums.data();
   for (double& pair : this->Pairs)
   {

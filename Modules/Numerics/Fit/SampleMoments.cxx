@@ -1,7 +1,5 @@
 #include "SampleMoments.h"
 
-#include "MomentKernelChoice.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -14,11 +12,6 @@ std::size_t PairCount(int degree)
   return 2 * static_cast<std::size_t>(moments::MomentCount(degree));
 }
 } // namespace
-
-SampleMoments::SampleMoments(std::shared_ptr<const MomentTables> tables)
-    : SampleMoments(std::move(tables), moments::KernelFor(FastestInstructionSet()))
-{
-}
 
 SampleMoments::SampleMoments(std::shared_ptr<const MomentTables> tables,
                              const moments::Kernel& kernel)
@@ -56,18 +49,6 @@ void SampleMoments::Add(const SampleView& samples) noexcept
         sum += *lane++;
       }
     }
-  }
-}
-
-void SampleMoments::Merge(const SampleMoments& other) noexcept
-{
-  for (std::size_t i = 0; i < this->GramSums.size(); ++i)
-  {
-    this->GramSums[i] += other.GramSums[i];
-  }
-  for (std::size_t i = 0; i < this->RightSums.size(); ++i)
-  {
-    this->RightSums[i] += other.RightSums[i];
   }
 }
 } // namespace palpate

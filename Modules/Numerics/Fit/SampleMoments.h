@@ -13,23 +13,19 @@ using SampleView = moments::Points;
 
 /// Sums over weighted samples that determine the normal equations of a fit, however many samples
 /// there are: the moments of the weights up to twice the degree, and of weight times value up to
-/// the degree. One vectorised pass computes both: about 1,100 products per sample at degree 12,
-/// where the matrix of the normal equations takes 14,365.
+/// the degree.
 ///
 /// Sums are over chunks of 32, then over chunks: a moment of n samples has an error of at most
 /// (n / 32 + 12 degree + 40) epsilon sum_i w_i, and the same bound holds between any two orders of
-/// the samples or partitions among threads (each with its own object, then Merge).
+/// the samples.
 class SampleMoments
 {
 public:
-  explicit SampleMoments(std::shared_ptr<const MomentTables> tables);
   SampleMoments(std::shared_ptr<const MomentTables> tables, const moments::Kernel& kernel);
 
   void Clear() noexcept;
   /// Values and weights must be finite, directions unit vectors. Does not allocate.
   void Add(const SampleView& samples) noexcept;
-  /// Adds the sums of another subset of the samples, for the same degree.
-  void Merge(const SampleMoments& other) noexcept;
 
   /// Pairs (real, imaginary), starting at order 0 and column 0; see moments::MomentStart.
   const double* Weights() const noexcept { return this->GramSums.data(); }

@@ -1,6 +1,7 @@
 #include "SphericalHarmonicFit.h"
 
 #include "FitRun.h"
+#include "MomentSolver.h"
 #include "OrthogonalSolver.h"
 
 #include <cmath>
@@ -21,67 +22,29 @@ Status CheckOptions(const Options& options)
   return Status::Success();
 }
 
-Status FitOrthogonally(const RadialSamples& samples, const Options& options,
-                       SphericalHarmonicFitResult& result)
-{
-  OrthogonalSolver solver(options.Degree);
-  Status status = FitRun(samples, options, solver).Run(result);
-  result.UsedMethod = Options::Method::Orthogonal;
-  return status;
-}
-
-Status FitByMoments(const RadialSamples& samples, const Options& options, MomentSolver& workspace,
-                    SphericalHarmonicFitResult& result)
-{
-  FitRun run(samples, options, workspace);
-  Status status = run.Run(result);
-  result.UsedMethod = Options::Method::Moments;
-  return run.Able() || options.MethodKind == Options::Method::Moments
-             ? status
-             : FitOrthogonally(samples, options, result);
-}
-
-Status Check(const RadialSamples& samples, const Options& options)
-{
-  Status status = CheckSamples(samples, options.Degree);
-  return status.IsOk() ? CheckOptions(options) : status;
-}
 } // namespace
 
 Status FitSphericalHarmonics(const RadialSamples& samples,
                              const SphericalHarmonicFitOptions& options,
                              SphericalHarmonicFitResult& result)
 {
-  Status status = Check(samples, options);
+  Status status = CheckSamples(samples, options.Degree);
+  if (status.IsOk())
+  {
+    status = CheckOptions(options);
+  }
   if (!status.IsOk())
   {
     return status;
   }
-  if (options.MethodKind == Options::Method::Orthogonal)
-  {
-    return FitOrthogonally(samples, options, result);
-  }
-  MomentSolver workspace(options.Degree);
-  return FitByMoments(samples, options, workspace, result);
-}
-
-Status FitSphericalHarmonics(const RadialSamples& samples,
-                             const SphericalHarmonicFitOptions& options, MomentSolver& workspace,
-                             SphericalHarmonicFitResult& result)
-{
-  Status status = Check(samples, options);
-  if (!status.IsOk())
+  MomentSolver moments(options.Degree);
+  FitRun run(samples, options, moments);
+  status = run.Run(result);
+  if (run.Able())
   {
     return status;
   }
-  if (options.MethodKind == Options::Method::Orthogonal)
-  {
-    return FitOrthogonally(samples, options, result);
-  }
-  if (workspace.Degree() != options.Degree)
-  {
-    return Status::Failure("the workspace of the fit has a different degree");
-  }
-  return FitByMoments(samples, options, workspace, result);
+  OrthogonalSolver orthogonal(options.Degree);
+  return FitRun(samples, options, orthogonal).Run(result);
 }
 } // namespace palpate

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "CoefficientCovariance.h"
-#include "MomentSolver.h"
 #include "RadialSamples.h"
 #include "Status.h"
 
@@ -11,7 +10,6 @@
 
 namespace palpate
 {
-/// Settings of a fit.
 struct SphericalHarmonicFitOptions
 {
   enum class Penalty
@@ -19,12 +17,6 @@ struct SphericalHarmonicFitOptions
     None,
     Given,                     ///< strength is Roughness
     GeneralisedCrossValidation ///< strength chosen from the samples
-  };
-  enum class Method
-  {
-    Automatic, ///< moments, or the orthogonal factorisation where those fail
-    Moments,   ///< MomentSolver only; fails where the condition is above 1e6
-    Orthogonal ///< OrthogonalSolver only
   };
   enum class Robust
   {
@@ -39,7 +31,6 @@ struct SphericalHarmonicFitOptions
   /// Without a penalty, a weighted design matrix with a larger condition number is refused: noise
   /// would be amplified by up to that factor where directions are missing.
   double MaximumCondition = 1e4;
-  Method MethodKind = Method::Automatic;
   Robust RobustKind = Robust::None;
   /// Polled during long fits; true ends the fit with a failure.
   std::function<bool()> IsCancelled;
@@ -63,9 +54,7 @@ struct SphericalHarmonicFitResult
   /// Robust fit: the factor in (0, 1] of each sample's weight; otherwise empty.
   std::vector<double> RobustFactors;
   std::size_t DownWeighted = 0; ///< number of factors below 1
-  /// The method that was used; never Automatic.
-  SphericalHarmonicFitOptions::Method UsedMethod = SphericalHarmonicFitOptions::Method::Orthogonal;
-  /// Gives the standard deviations of the radius and of each coefficient.
+  /// Gives the standard deviation of the radius.
   CoefficientCovariance Covariance;
 };
 
@@ -84,11 +73,5 @@ struct SphericalHarmonicFitResult
 /// weights that are negative or all zero, and a condition above the limit without a penalty.
 Status FitSphericalHarmonics(const RadialSamples& samples,
                              const SphericalHarmonicFitOptions& options,
-                             SphericalHarmonicFitResult& result);
-
-/// The same with memory and tables of earlier fits, which saves a sixth of the time at degree 12.
-/// `workspace` must have the degree of the options; use one per thread.
-Status FitSphericalHarmonics(const RadialSamples& samples,
-                             const SphericalHarmonicFitOptions& options, MomentSolver& workspace,
                              SphericalHarmonicFitResult& result);
 } // namespace palpate

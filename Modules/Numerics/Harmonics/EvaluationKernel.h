@@ -10,7 +10,6 @@ namespace palpate
 ///   Hessians   R, the gradient (3) and the surface Hessian (9, symmetric).
 /// A direction is taken as normalised if its squared length is 1 up to rounding; if it differs
 /// from 1 by more than 1e-3, the result is NaN.
-/// differs from 1 by more than 1e-3, not-a-number is written.
 struct EvaluationKernel
 {
   using Single = void (*)(const double* table, int degree, const double* direction,

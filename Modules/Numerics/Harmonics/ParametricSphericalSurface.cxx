@@ -1,7 +1,7 @@
 #include "ParametricSphericalSurface.h"
 
 #include "SphereQuadrature.h"
-#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicProjection.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -21,25 +21,13 @@ ParametricSphericalSurface
 ParametricSphericalSurface::FromModel(const SphericalHarmonicModel& model)
 {
   const int degree = model.Degree() + 1;
-  const SphericalHarmonicBasis basis(degree);
   // R(u) u_k times a harmonic is a polynomial of degree 2 (L + 1): the quadrature is exact.
-  const SphereQuadrature sphere(2 * degree);
-  std::array<std::vector<double>, 3> coefficients;
-  coefficients.fill(std::vector<double>(basis.Size(), 0.0));
-  std::vector<double> values(basis.Size());
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
+  const auto coordinate = [&](Eigen::Index axis)
   {
-    const Vector3& u = sphere.Directions[i];
-    basis.Evaluate(u, values.data());
-    const Vector3 weighted = sphere.Weights[i] * model.PointWorld(u);
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      coefficients[0][k] += weighted.x() * values[k];
-      coefficients[1][k] += weighted.y() * values[k];
-      coefficients[2][k] += weighted.z() * values[k];
-    }
-  }
-  return {degree, coefficients};
+    return ProjectOnHarmonics(degree, 2 * degree,
+                              [&](const Vector3& u) { return model.PointWorld(u)[axis]; });
+  };
+  return {degree, {coordinate(0), coordinate(1), coordinate(2)}};
 }
 
 Vector3 ParametricSphericalSurface::Point(const Vector3& parameter) const noexcept

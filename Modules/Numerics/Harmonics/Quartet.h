@@ -342,15 +342,6 @@ PALPATE_INLINE ComplexQuartet<Set> Turned(const ComplexQuartet<Set>& d,
   return {d.Real * w.Real + d.Imaginary * w.Imaginary, d.Imaginary * w.Real - d.Real * w.Imaginary};
 }
 
-template <typename Set>
-PALPATE_INLINE ComplexQuartet<Set> AddTurned(const ComplexQuartet<Set>& sum,
-                                             const ComplexQuartet<Set>& d,
-                                             const ComplexQuartet<Set>& w)
-{
-  return {sum.Real + d.Real * w.Real + d.Imaginary * w.Imaginary,
-          sum.Imaginary + d.Imaginary * w.Real - d.Real * w.Imaginary};
-}
-
 /// The real part of d conj(w).
 template <typename Set>
 PALPATE_INLINE Quartet<Set> Terms(const ComplexQuartet<Set>& d, const ComplexQuartet<Set>& w)

@@ -36,43 +36,6 @@ int DegreeOfCount(std::size_t count) noexcept
   return side > 0 && side * side == count ? static_cast<int>(side) - 1 : -1;
 }
 
-std::vector<std::complex<double>> ToComplex(const std::vector<double>& coefficients)
-{
-  std::vector<std::complex<double>> result;
-  const int degree = DegreeOfCount(coefficients.size());
-  for (int l = 0; l <= degree; ++l)
-  {
-    result.emplace_back(coefficients[SphericalHarmonicBasis::Index(l, 0)], 0.0);
-    for (int m = 1; m <= l; ++m)
-    {
-      const std::complex<double> pair(coefficients[SphericalHarmonicBasis::Index(l, m)],
-                                      -coefficients[SphericalHarmonicBasis::Index(l, -m)]);
-      result.push_back(PhaseSign(m) / Root2 * pair);
-    }
-  }
-  return result;
-}
-
-std::vector<double> FromComplex(const std::vector<std::complex<double>>& coefficients)
-{
-  std::vector<double> result;
-  std::size_t next = 0;
-  for (int l = 0; next < coefficients.size(); ++l)
-  {
-    result.resize(SphericalHarmonicBasis::CoefficientCount(l));
-    for (int m = 0; m <= l && next < coefficients.size(); ++m, ++next)
-    {
-      const double scale = m == 0 ? 1.0 : PhaseSign(m) * Root2;
-      result[SphericalHarmonicBasis::Index(l, m)] = scale * coefficients[next].real();
-      if (m > 0)
-      {
-        result[SphericalHarmonicBasis::Index(l, -m)] = -scale * coefficients[next].imag();
-      }
-    }
-  }
-  return result;
-}
-
 std::vector<double> ToSpharmPdm(const std::vector<double>& coefficients)
 {
   std::vector<double> rows(coefficients.size());

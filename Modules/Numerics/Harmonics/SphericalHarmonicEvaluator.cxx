@@ -1,12 +1,29 @@
 #include "SphericalHarmonicEvaluator.h"
 
-#include "EvaluationKernelChoice.h"
+#include "EvaluationKernelsPortable.h"
 #include "PolynomialTable.h"
 #include "RecurrenceTable.h"
 #include "SphericalHarmonicBasis.h"
+#if defined(__x86_64__)
+#include "EvaluationKernelsAvx2.h"
+#endif
 
 namespace palpate
 {
+namespace
+{
+const EvaluationKernels& KernelsFor(InstructionSet set)
+{
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx2)
+  {
+    return evaluation::Avx2;
+  }
+#endif
+  return evaluation::Portable;
+}
+} // namespace
+
 SphericalHarmonicEvaluator::SphericalHarmonicEvaluator(int degree,
                                                        const std::vector<double>& coefficients,
                                                        EvaluationFormulation formulation,

@@ -2,7 +2,6 @@
 
 #include "SphericalHarmonicBasis.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -61,8 +60,6 @@ std::vector<double> SphericalHarmonicModel::PowerSpectrum() const
 
 SphericalHarmonicModel SphericalHarmonicModel::WithDegree(int degree) const
 {
-  std::vector<double> values(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
-  std::copy_n(this->Values.begin(), std::min(values.size(), this->Values.size()), values.begin());
-  return {degree, std::move(values), this->Center};
+  return {degree, this->Values, this->Center};
 }
 } // namespace palpate

@@ -10,14 +10,9 @@
 namespace palpate
 {
 /// Proves from step to step that no part of a surface other than known minima is closer to a moving
-/// point than a given distance, or finds the part that is.
-///
-/// The directions are split into cells as in ClosestPointSearch. A lower bound of a cell's
-/// distance, minus the path length since, holds wherever the point moves: a cell is visited again
-/// only when the path has used up its clearance, and stays as finely split as was needed. So a step
-/// visits few cells, those next to the known minima, and evaluates the model only where it reaches
-/// new ones. Memory is fixed; queries do not allocate. They cache their results, so a proof is for
-/// one thread.
+/// point than a given distance, or finds the part that is. It keeps the bounds of cells of
+/// directions while the point moves (README.md). Memory is fixed; queries do not allocate. They
+/// cache their results, so a proof is for one thread.
 class ClearanceProof
 {
 public:

@@ -87,29 +87,14 @@ ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
   return this->LocalSearch.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
 }
 
-ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
-                                       const Vector3& previousDirection) const noexcept
-{
-  ClosestPoint start;
-  start.SampleDirection = previousDirection;
-  start.Sample = this->Surface->EvaluateSecondOrder(previousDirection);
-  ClosestPoint point = this->Track(queryWorld, start);
-  ++point.Evaluations;
-  return point;
-}
-
-ToolContact ClosestPointSearch::Touch(const ClosestPoint& closest, double toolRadius) noexcept
-{
-  return {closest.SignedDistance - toolRadius, closest.PointWorld, closest.Normal,
-          closest.PointWorld + toolRadius * closest.Normal, 0.0};
-}
-
 ToolContact ClosestPointSearch::TouchAnywhere(const Vector3& toolCenterWorld,
                                               double toolRadius) const noexcept
 {
   // In a hollow narrower than the tool the opposite walls push it out alternately.
   constexpr int MostPushes = 64;
-  ToolContact contact = Touch(this->Nearest(toolCenterWorld), toolRadius);
+  const ClosestPoint nearest = this->Nearest(toolCenterWorld);
+  ToolContact contact{nearest.SignedDistance - toolRadius, nearest.Normal,
+                      nearest.PointWorld + toolRadius * nearest.Normal, 0.0};
   for (int push = 0; push < MostPushes; ++push)
   {
     const ClosestPoint closest = this->Nearest(contact.ToolCenterWorld);

@@ -13,8 +13,7 @@ namespace palpate
 struct ToolContact
 {
   double SignedDistance;   ///< between tool and surface, mm; negative where they overlap
-  Vector3 ContactWorld;    ///< point of the surface closest to the tool's centre, mm
-  Vector3 Normal;          ///< outward unit normal there
+  Vector3 Normal;          ///< outward unit normal at the point closest to the tool's centre
   Vector3 ToolCenterWorld; ///< the proxy: tool centre where the tool just touches, mm
   /// Depth (mm) to which the tool at ToolCenterWorld still penetrates: 0 unless the surface has a
   /// hollow narrower than the tool there.
@@ -25,12 +24,10 @@ struct ToolContact
 /// from the last one. Immutable; queries are const, thread-safe and allocation-free. Construction
 /// evaluates the model some thousand times, so it belongs to the thread that publishes models.
 ///
-/// The global search is branch and bound over the directions, best first: SurfacePatchTree bounds
-/// the distance of whole parts from below, ClosestPointDescent finds a minimum from the most
-/// promising one and proves a neighbourhood without closer points, and the rest is split further.
-/// It ends with a proof (up to rounding), or at the evaluation limit; DistanceError holds the bound
-/// in both cases. The surface need not have R > 0; the sign of the distance then only gives the
-/// side of the surface at its closest point.
+/// The global search is branch and bound over the directions (README.md). It ends with a proof (up
+/// to rounding), or at the evaluation limit; DistanceError holds the bound in both cases. The
+/// surface need not have R > 0; the sign of the distance then only gives the side of the surface at
+/// its closest point.
 class ClosestPointSearch
 {
 public:
@@ -71,15 +68,9 @@ public:
   /// even if another one becomes closer, and reports in State if it no longer exists: call Nearest
   /// then.
   ClosestPoint Track(const Vector3& queryWorld, const ClosestPoint& previous) const noexcept;
-  /// The same from any unit vector; one evaluation more.
-  ClosestPoint Track(const Vector3& queryWorld, const Vector3& previousDirection) const noexcept;
 
-  /// The contact of a spherical tool (radius in mm) whose centre has the given closest point. The
-  /// tool's centre is placed at the point plus radius times normal, which is correct unless the
-  /// surface has a hollow narrower than the tool there; Overlap is not computed and 0. For every
-  /// tick.
-  static ToolContact Touch(const ClosestPoint& closest, double toolRadius) noexcept;
-  /// The same over the whole surface, with the tool's centre pushed out until the tool does not
+  /// The contact of a spherical tool (radius in mm) with the whole surface. The tool's centre is
+  /// placed at the closest point plus radius times normal and pushed out until the tool does not
   /// overlap the surface anywhere; Overlap holds the remaining depth.
   ToolContact TouchAnywhere(const Vector3& toolCenterWorld, double toolRadius) const noexcept;
 

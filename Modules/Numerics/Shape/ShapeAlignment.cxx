@@ -2,7 +2,7 @@
 
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicMeasures.h"
-#include "SphericalHarmonicRotation.h"
+#include "SphericalHarmonicProjection.h"
 
 #include <algorithm>
 #include <array>
@@ -64,20 +64,15 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
   {
     return status;
   }
-  const SphericalHarmonicModel centered(model.Degree(), model.Coefficients(), Vector3::Zero());
+  const int degree = model.Degree();
   if (axes == AlignmentAxes::Patient)
   {
-    aligned = centered;
+    aligned = {degree, model.Coefficients(), Vector3::Zero()};
     return Status::Success();
   }
-  SphericalHarmonicRotation rotation;
-  const Matrix3 turn = SignedAxes(model, body).transpose();
-  if (Status status = SphericalHarmonicRotation::Make(model.Degree(), turn, rotation);
-      !status.IsOk())
-  {
-    return status;
-  }
-  aligned = rotation.Apply(centered);
+  const Matrix3 turned = SignedAxes(model, body);
+  const auto radius = [&](const Vector3& u) { return model.Radius(turned * u); };
+  aligned = {degree, ProjectOnHarmonics(degree, 2 * degree, radius), Vector3::Zero()};
   return Status::Success();
 }
 } // namespace palpate

@@ -13,10 +13,10 @@ enum class AlignmentAxes
 };
 
 /// Moves a model's centre to the origin and, for Ellipsoid, rotates it so that its body extends
-/// most along x, less along y and least along z. The coefficients are rotated exactly
-/// (SphericalHarmonicRotation); the centre is the model's own, which a fit places at the
-/// structure's centroid, since about any other point the radii would not be a finite sum of
-/// harmonics.
+/// most along x, less along y and least along z. The coefficients are rotated by
+/// an exact quadrature (SphericalHarmonicProjection); the centre is the model's own, which a fit
+/// places at the structure's centroid, since about any other point the radii would not be a finite
+/// sum of harmonics.
 ///
 /// An ellipsoid is symmetric under rotations by pi about its axes, so the third moments about the
 /// centroid decide: of the three axes the two along which the body is most skewed (third moment

@@ -98,7 +98,7 @@ double VolumeOf(const SphericalHarmonicModel& model)
   return sum / 3.0;
 }
 
-SurfaceArea AreaOf(const SphericalHarmonicModel& model, double relativeTolerance)
+double AreaOf(const SphericalHarmonicModel& model, double relativeTolerance)
 {
   const int largest = 8 * model.Degree() + 128;
   int degree = 2 * model.Degree() + 16;
@@ -111,7 +111,7 @@ SurfaceArea AreaOf(const SphericalHarmonicModel& model, double relativeTolerance
     change = std::abs(finer - area);
     area = finer;
   } while (change > relativeTolerance * area && degree < largest);
-  return {area, change + 1e-14 * area};
+  return area;
 }
 
 Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments)
@@ -125,8 +125,6 @@ Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments)
   moments.Volume = central.Volume;
   moments.CentroidWorld = model.CenterWorld() + centroid;
   moments.SecondMoments = central.Second - central.Volume * centroid * centroid.transpose();
-  moments.Inertia =
-      moments.SecondMoments.trace() * Eigen::Matrix3d::Identity() - moments.SecondMoments;
   SetPrincipalAxes(moments);
   return Status::Success();
 }

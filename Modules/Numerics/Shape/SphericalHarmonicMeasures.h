@@ -13,19 +13,12 @@ namespace palpate
 /// negative. Allocates.
 double VolumeOf(const SphericalHarmonicModel& model);
 
-struct SurfaceArea
-{
-  double Value;         ///< mm^2
-  double ErrorEstimate; ///< mm^2; an estimate, not a bound, see AreaOf
-};
-
-/// The integral of |R| sqrt(R^2 + |grad R|^2), which is not a polynomial: quadratures of degrees
-/// that grow by half until two in a row agree to `relativeTolerance`, or the degree passes 8L +
-/// 128. The error estimate is the last change, plus 1e-14 of the area for rounding; the value is
-/// that of the finer quadrature, so the true error is usually far smaller: where R > 0 it falls
-/// geometrically with the degree. A surface that passes through the centre has a kink there, and
-/// the estimate is large. Allocates.
-SurfaceArea AreaOf(const SphericalHarmonicModel& model, double relativeTolerance = 1e-9);
+/// Surface area (mm^2), the integral of |R| sqrt(R^2 + |grad R|^2), which is not a polynomial:
+/// quadratures of degrees that grow by half until two in a row agree to `relativeTolerance`, or the
+/// degree passes 8L + 128. The value is that of the finer quadrature, so the error is usually far
+/// smaller than the last change: where R > 0 it falls geometrically with the degree. A surface that
+/// passes through the centre has a kink there, and the error is large. Allocates.
+double AreaOf(const SphericalHarmonicModel& model, double relativeTolerance = 1e-9);
 
 /// A body of uniform density 1 (per mm^3), in the frame of the model (patient LPS).
 struct BodyMoments
@@ -34,8 +27,6 @@ struct BodyMoments
   Vector3 CentroidWorld; ///< mm
   /// Integral of (x - centroid)(x - centroid)^T over the body (mm^5).
   Eigen::Matrix3d SecondMoments;
-  /// About the centroid (mm^5): trace(SecondMoments) times the identity minus SecondMoments.
-  Eigen::Matrix3d Inertia;
   /// Columns are unit vectors, right-handed, along which the body extends most, less and least; the
   /// signs of the first two are such that the largest component is positive.
   Eigen::Matrix3d PrincipalAxes;

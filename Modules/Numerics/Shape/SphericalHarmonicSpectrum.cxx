@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace palpate
 {
@@ -43,8 +44,7 @@ double Amplitude(const std::vector<double>& coefficients, int l, double unit)
 } // namespace
 
 SphericalHarmonicSpectrum::SphericalHarmonicSpectrum(const SphericalHarmonicModel& model)
-    : Mean(model.Coefficients()[0] / std::sqrt(4.0 * M_PI)),
-      Tails(static_cast<std::size_t>(model.Degree()) + 1)
+    : Mean(model.Coefficients()[0] / std::sqrt(4.0 * M_PI))
 {
   const double largest = LargestOf(model.Coefficients());
   const double unit = largest == 0.0 ? 1.0 : largest;
@@ -52,25 +52,23 @@ SphericalHarmonicSpectrum::SphericalHarmonicSpectrum(const SphericalHarmonicMode
   const double roundUp =
       1.0 + (4.0 * model.Degree() + 32.0) * std::numeric_limits<double>::epsilon();
   double length = 0.0; // squared, of the coefficients seen so far
-  double rms = 0.0;    // squared
-  double maximum = 0.0;
+  double relief = 0.0;
   double slope = 0.0;
   double bend = 0.0;
   double slopeScale = 0.0; // squared
   for (int l = model.Degree(); l >= 0; --l)
   {
-    this->Tails[static_cast<std::size_t>(l)] = {unit * std::sqrt(rms), unit * maximum * roundUp};
     const double k = static_cast<double>(l) * (l + 1);
     const double share = (2 * l + 1) / (4.0 * M_PI);
     const double amplitude = Amplitude(model.Coefficients(), l, unit);
     const double reach = amplitude * std::sqrt(share);
-    rms += amplitude * amplitude / (4.0 * M_PI);
-    maximum += reach;
+    relief += l > 0 ? reach : 0.0;
     slope += reach * std::sqrt(k / 2);
     bend += reach * std::sqrt(k * (3 * k - 2) / 8);
     length += amplitude * amplitude;
     slopeScale += share * k / 2;
   }
+  this->LargestRelief = unit * relief * roundUp;
   this->LargestSlope = unit * slope * roundUp;
   this->LargestBend = unit * bend * roundUp;
   const double error = EvaluationTolerance * unit * std::sqrt(length);

@@ -2,8 +2,6 @@
 
 #include "SphericalHarmonicModel.h"
 
-#include <vector>
-
 namespace palpate
 {
 /// Radii (mm) from Lower to Upper.
@@ -29,28 +27,15 @@ class SphericalHarmonicSpectrum
 public:
   explicit SphericalHarmonicSpectrum(const SphericalHarmonicModel& model);
 
-  int Degree() const noexcept { return static_cast<int>(this->Tails.size()) - 1; }
   /// Mean of the radius over all directions (mm).
   double MeanRadius() const noexcept { return this->Mean; }
   /// Largest deviation of a radius from the mean (mm).
-  double Relief() const noexcept { return this->Tails.front().Maximum; }
+  double Relief() const noexcept { return this->LargestRelief; }
   /// A Lipschitz constant of the radius: bounds every surface gradient (mm/rad).
   double Slope() const noexcept { return this->LargestSlope; }
   /// Bounds the magnitude of every second derivative along a great circle, and so of every
   /// eigenvalue of the Hessian (mm/rad^2).
   double SecondDerivative() const noexcept { return this->LargestBend; }
-
-  /// Error of omitting all terms above a degree (mm).
-  struct TruncationError
-  {
-    double Rms;     ///< root mean square over all directions: exact up to rounding (Parseval)
-    double Maximum; ///< certified bound of the largest error
-  };
-  /// `degree` from 0 to Degree().
-  TruncationError Truncation(int degree) const noexcept
-  {
-    return this->Tails[static_cast<std::size_t>(degree)];
-  }
 
   /// Encloses the radius within `angle` (rad) of the direction at which `sample` was evaluated,
   /// including the error of evaluation.
@@ -63,10 +48,10 @@ public:
 
 private:
   double Mean = 0.0;
+  double LargestRelief = 0.0;
   double LargestSlope = 0.0;
   double LargestBend = 0.0;
   double RadiusError = 0.0;
   double SlopeError = 0.0;
-  std::vector<TruncationError> Tails;
 };
 } // namespace palpate

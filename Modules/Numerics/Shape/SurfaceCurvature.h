@@ -23,14 +23,9 @@ struct SurfaceCurvature
 /// Curvature where the unit vector `direction` meets the surface, from the radius and its first two
 /// derivatives there (SphericalHarmonicModel::EvaluateSecondOrder). If R < 0 it is that of the
 /// surface through centre + R u, still with the normal pointing away from the centre. If R = 0 the
-/// surface has no tangent plane, and all results are NaN.
-///
-/// With g and H the surface gradient and Hessian of R, and t a tangent of the unit sphere, the
-/// fundamental forms are
-///   I(t, t) = R^2 |t|^2 + (g.t)^2
-///   II(t, t) = (R^2 |t|^2 + 2 (g.t)^2 - R t.H t) / sqrt(R^2 + |g|^2),
-/// and no angle appears. Source: do Carmo, Differential Geometry of Curves and Surfaces (1976),
-/// sections 2-5 and 3-3, for x(u) = R u.
+/// surface has no tangent plane, and all results are NaN. The fundamental forms are in README.md.
+/// Source: do Carmo, Differential Geometry of Curves and Surfaces (1976), sections 2-5 and 3-3, for
+/// x(u) = R u.
 SurfaceCurvature CurvatureAt(const Vector3& direction,
                              const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
 } // namespace palpate

@@ -1,22 +1,14 @@
 #include "SurfacePatchTree.h"
 
-#include "IcosahedronDirections.h"
-
 #include <limits>
 
 namespace palpate
 {
 SurfacePatchTree::SurfacePatchTree(const SphericalHarmonicModel& model,
                                    const RadiusDerivativeBounds& bounds, int levels)
-    : Lowest(std::numeric_limits<double>::infinity()), Highest(-Lowest)
+    : Roots(SphericalTriangle::Icosahedron()), Lowest(std::numeric_limits<double>::infinity()),
+      Highest(-Lowest)
 {
-  const IcosahedronDirections icosahedron(1);
-  for (const auto& [a, b, c] : icosahedron.Triangles())
-  {
-    const auto at = [&](int corner)
-    { return icosahedron.Directions()[static_cast<std::size_t>(corner)]; };
-    this->Roots.push_back({{at(a), at(b), at(c)}});
-  }
   std::size_t inner = 0;
   std::size_t finest = RootCount;
   for (int level = 0; level < levels; ++level)

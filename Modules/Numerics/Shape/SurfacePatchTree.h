@@ -41,9 +41,7 @@ public:
     const Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
   }
-  /// The directions of a node.
   SphericalTriangle Triangle(int node) const noexcept;
-  /// A cap that encloses them.
   const SphericalCap& CapOf(int node) const noexcept
   {
     return this->Caps[static_cast<std::size_t>(node)];

@@ -125,8 +125,10 @@ double SolidAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 IcosahedronDirections::IcosahedronDirections(int frequency) : Parts(std::max(1, frequency))
 {
   const std::array<Vector3, CornerCount> corners = Corners();
-  this->Points.reserve(static_cast<std::size_t>(DirectionCount(this->Parts)));
-  this->Faces.reserve(static_cast<std::size_t>(TriangleCount(this->Parts)));
+  const std::size_t square =
+      static_cast<std::size_t>(this->Parts) * static_cast<std::size_t>(this->Parts);
+  this->Points.reserve(10 * square + 2);
+  this->Faces.reserve(20 * square);
   for (const Vector3& corner : corners)
   {
     this->Points.push_back(corner.normalized());

@@ -18,11 +18,6 @@ public:
   explicit IcosahedronDirections(int frequency);
 
   int Frequency() const noexcept { return this->Parts; }
-  static long long DirectionCount(int frequency) noexcept
-  {
-    return 10LL * frequency * frequency + 2;
-  }
-  static long long TriangleCount(int frequency) noexcept { return 20LL * frequency * frequency; }
 
   /// Unit vectors.
   const std::vector<Vector3>& Directions() const noexcept { return this->Points; }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "FitRun.h"
 #include "IcosahedronDirections.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicFit.h"
 
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <vector>
 
 namespace palpate::test
@@ -64,6 +66,18 @@ inline RadialSamples SilenceEvery(std::size_t step, RadialSamples& samples)
     kept.Weights.push_back(samples.Weights[i]);
   }
   return kept;
+}
+
+/// A fit by one solver only.
+template <typename Solver>
+SphericalHarmonicFitResult FitBy(const RadialSamples& samples,
+                                 const SphericalHarmonicFitOptions& options)
+{
+  Solver solver(options.Degree);
+  SphericalHarmonicFitResult result;
+  const Status status = FitRun(samples, options, solver).Run(result);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return result;
 }
 
 /// Norm of the difference of two coefficient vectors.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "SphereQuadrature.h"
-#include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicModel.h"
+#include "SphericalHarmonicProjection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,20 +16,8 @@ inline SphericalHarmonicModel Project(int degree,
                                       const std::function<double(const Vector3&)>& radius,
                                       const Vector3& centerWorld = Vector3::Zero())
 {
-  const SphericalHarmonicBasis basis(degree);
-  const SphereQuadrature sphere(std::max(4 * degree, 2 * degree + 80));
-  std::vector<double> values(basis.Size());
-  std::vector<double> coefficients(basis.Size(), 0.0);
-  for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-  {
-    basis.Evaluate(sphere.Directions[i], values.data());
-    const double weighted = sphere.Weights[i] * radius(sphere.Directions[i]);
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      coefficients[k] += weighted * values[k];
-    }
-  }
-  return {degree, coefficients, centerWorld};
+  const int fine = std::max(4 * degree, 2 * degree + 80);
+  return {degree, ProjectOnHarmonics(degree, fine, radius), centerWorld};
 }
 
 /// An ellipsoid with these half axes along the columns of `rotation`.

@@ -1,5 +1,7 @@
-// The two methods of FitSphericalHarmonics against each other: moments with refinement, and the
+// The two solvers of FitSphericalHarmonics against each other: moments with refinement, and the
 // orthogonal factorisation.
+#include "MomentSolver.h"
+#include "OrthogonalSolver.h"
 #include "SphericalHarmonicFit.h"
 
 #include "FitSamples.h"
@@ -14,13 +16,12 @@ namespace
 {
 using test::Random;
 using Options = SphericalHarmonicFitOptions;
-using Method = Options::Method;
+using test::FitBy;
 
-Options WithMethod(int degree, Method method)
+Options OfDegree(int degree)
 {
   Options options;
   options.Degree = degree;
-  options.MethodKind = method;
   options.MaximumCondition = std::numeric_limits<double>::infinity();
   return options;
 }
@@ -49,10 +50,8 @@ TEST(FitMethods, Agree)
     {
       const RadialSamples samples =
           NoisyCap(1000U + static_cast<unsigned>(degree), degree + 2, cap);
-      const SphericalHarmonicFitResult fast = Fit(samples, WithMethod(degree, Method::Moments));
-      const SphericalHarmonicFitResult slow = Fit(samples, WithMethod(degree, Method::Orthogonal));
-      EXPECT_EQ(fast.UsedMethod, Method::Moments);
-      EXPECT_EQ(slow.UsedMethod, Method::Orthogonal);
+      const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, OfDegree(degree));
+      const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(degree));
       // Rounding of radii of 20 mm, times a condition of up to 200 at degree 20.
       const double tolerance = 1e-13 * slow.Condition * test::Norm(slow.Coefficients);
       EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), tolerance) << degree;
@@ -76,12 +75,11 @@ TEST(FitMethods, AgreeWithPenalty)
     for (const double roughness : {1e-8, 1e-4, 1e2})
     {
       const RadialSamples samples = NoisyCap(1100, 12, cap);
-      Options options = WithMethod(12, Method::Moments);
+      Options options = OfDegree(12);
       options.PenaltyKind = Options::Penalty::Given;
       options.Roughness = roughness;
-      const SphericalHarmonicFitResult fast = Fit(samples, options);
-      options.MethodKind = Method::Orthogonal;
-      const SphericalHarmonicFitResult slow = Fit(samples, options);
+      const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, options);
+      const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, options);
       // The weakest penalty leaves a condition of 2e3.
       EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), 1e-9);
       EXPECT_NEAR(fast.DegreesOfFreedom / slow.DegreesOfFreedom, 1.0, 1e-8);
@@ -97,12 +95,12 @@ TEST(FitMethods, AgreeWithPenalty)
 TEST(FitMethods, ChooseSameStrengthByCrossValidation)
 {
   const RadialSamples samples = NoisyCap(1110, 12, 45.0);
-  Options options = WithMethod(12, Method::Moments);
+  Options options = OfDegree(12);
   options.PenaltyKind = Options::Penalty::GeneralisedCrossValidation;
-  const SphericalHarmonicFitResult fast = Fit(samples, options);
-  options.MethodKind = Method::Orthogonal;
+  const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, options);
+  const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, options);
   // The search ends within a thousandth on both sides.
-  EXPECT_NEAR(fast.Roughness / Fit(samples, options).Roughness, 1.0, 2e-3);
+  EXPECT_NEAR(fast.Roughness / slow.Roughness, 1.0, 2e-3);
 }
 
 TEST(FitMethods, RefinedMomentsAreAsAccurateAsOrthogonal)
@@ -114,7 +112,7 @@ TEST(FitMethods, RefinedMomentsAreAsAccurateAsOrthogonal)
   for (const double cap : {30.0, 45.0, 60.0})
   {
     const RadialSamples samples = test::WithoutCap(sphere, cap * M_PI / 180.0);
-    const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(12, Method::Moments));
+    const SphericalHarmonicFitResult fit = FitBy<MomentSolver>(samples, OfDegree(12));
     // The requirement at a condition of 1e5: the radii's own rounding, 1e-16, times the condition,
     // distributed over all samples.
     EXPECT_LE(test::Distance(fit.Coefficients, truth.Coefficients()),
@@ -129,14 +127,14 @@ TEST(FitMethods, AutomaticUsesOrthogonalAboveLimit)
   Random random(1130);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
   const RadialSamples sphere = test::SamplesOf(truth, 20);
-  const auto fit = [&sphere](double cap)
-  { return Fit(test::WithoutCap(sphere, cap * M_PI / 180.0), WithMethod(12, Method::Automatic)); };
-  const SphericalHarmonicFitResult below = fit(68.0);
+  const RadialSamples narrow = test::WithoutCap(sphere, 68.0 * M_PI / 180.0);
+  const SphericalHarmonicFitResult below = Fit(narrow, OfDegree(12));
   EXPECT_LT(below.Condition, 1e6);
-  EXPECT_EQ(below.UsedMethod, Method::Moments);
-  const SphericalHarmonicFitResult above = fit(70.0);
+  EXPECT_EQ(below.Coefficients, FitBy<MomentSolver>(narrow, OfDegree(12)).Coefficients);
+  const RadialSamples wide = test::WithoutCap(sphere, 70.0 * M_PI / 180.0);
+  const SphericalHarmonicFitResult above = Fit(wide, OfDegree(12));
   EXPECT_GT(above.Condition, 1e6);
-  EXPECT_EQ(above.UsedMethod, Method::Orthogonal);
+  EXPECT_EQ(above.Coefficients, FitBy<OrthogonalSolver>(wide, OfDegree(12)).Coefficients);
   for (const auto* result : {&below, &above})
   {
     // 1e-16 times a condition of 1e6.
@@ -151,7 +149,11 @@ TEST(FitMethods, MomentsFailAboveLimit)
   const RadialSamples samples =
       test::WithoutCap(test::SamplesOf(test::RandomOrgan(random, 12), 20), 70.0 * M_PI / 180.0);
   SphericalHarmonicFitResult result;
-  const Status status = FitSphericalHarmonics(samples, WithMethod(12, Method::Moments), result);
+  const Options options = OfDegree(12);
+  MomentSolver solver(12);
+  FitRun run(samples, options, solver);
+  const Status status = run.Run(result);
+  EXPECT_FALSE(run.Able());
   EXPECT_NE(status.Message().find("method of moments"), std::string::npos) << status.Message();
 }
 
@@ -161,7 +163,7 @@ TEST(FitMethods, AutomaticFitsUnderdeterminedPenalisedProblem)
   Random random(1140);
   const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
   const RadialSamples samples = test::WithoutCap(test::SamplesOf(truth, 14), 100.0 * M_PI / 180.0);
-  Options options = WithMethod(12, Method::Automatic);
+  Options options = OfDegree(12);
   options.PenaltyKind = Options::Penalty::Given;
   options.Roughness = 1e-6;
   const SphericalHarmonicFitResult fit = Fit(samples, options);
@@ -172,42 +174,36 @@ TEST(FitMethods, AutomaticFitsUnderdeterminedPenalisedProblem)
   }
 }
 
-TEST(FitMethods, WorkspaceReproducesBits)
+TEST(FitMethods, ReusedSolverReproducesBits)
 {
-  MomentSolver workspace(8);
-  const Options options = WithMethod(8, Method::Automatic);
+  MomentSolver solver(8);
+  const Options options = OfDegree(8);
   for (unsigned seed = 1150; seed < 1153; ++seed)
   {
     const RadialSamples samples = NoisyCap(seed, 8, seed == 1151 ? 20.0 : 0.0);
     SphericalHarmonicFitResult result;
-    ASSERT_TRUE(FitSphericalHarmonics(samples, options, workspace, result).IsOk());
+    ASSERT_TRUE(FitRun(samples, options, solver).Run(result).IsOk());
     EXPECT_EQ(result.Coefficients, Fit(samples, options).Coefficients);
   }
-  SphericalHarmonicFitResult result;
-  EXPECT_NE(FitSphericalHarmonics(NoisyCap(1, 8, 0.0), WithMethod(7, Method::Automatic), workspace,
-                                  result)
-                .Message()
-                .find("different degree"),
-            std::string::npos);
 }
 
-TEST(FitMethods, WorkspaceRecoversFromOverflow)
+TEST(FitMethods, ReusedSolverRecoversFromOverflow)
 {
-  MomentSolver workspace(8);
-  const Options options = WithMethod(8, Method::Moments);
+  MomentSolver solver(8);
+  const Options options = OfDegree(8);
   const RadialSamples good = NoisyCap(1155, 8, 0.0);
   RadialSamples huge = good;
   huge.Radii.assign(huge.Radii.size(), 1e308);
   SphericalHarmonicFitResult result;
-  EXPECT_FALSE(FitSphericalHarmonics(huge, options, workspace, result).IsOk());
-  ASSERT_TRUE(FitSphericalHarmonics(good, options, workspace, result).IsOk());
+  EXPECT_FALSE(FitRun(huge, options, solver).Run(result).IsOk());
+  ASSERT_TRUE(FitRun(good, options, solver).Run(result).IsOk());
   EXPECT_EQ(result.Coefficients, Fit(good, options).Coefficients);
 }
 
 TEST(FitMethods, FitIsIndependentOfWeightScale)
 {
   RadialSamples samples = NoisyCap(1160, 6, 0.0);
-  const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(6, Method::Automatic));
+  const SphericalHarmonicFitResult fit = Fit(samples, OfDegree(6));
   for (const double scale : {1e-280, 1e300})
   {
     RadialSamples scaled = samples;
@@ -215,7 +211,7 @@ TEST(FitMethods, FitIsIndependentOfWeightScale)
     {
       weight *= scale;
     }
-    const SphericalHarmonicFitResult other = Fit(scaled, WithMethod(6, Method::Automatic));
+    const SphericalHarmonicFitResult other = Fit(scaled, OfDegree(6));
     EXPECT_LE(test::Distance(fit.Coefficients, other.Coefficients), 1e-11) << scale;
     EXPECT_NEAR(other.Rms / fit.Rms, 1.0, 1e-11) << scale;
   }
@@ -228,8 +224,8 @@ TEST(FitMethods, AcceptsSinglePrecisionDirections)
   {
     direction = direction.cast<float>().cast<double>();
   }
-  const SphericalHarmonicFitResult fast = Fit(samples, WithMethod(12, Method::Moments));
-  const SphericalHarmonicFitResult slow = Fit(samples, WithMethod(12, Method::Orthogonal));
+  const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, OfDegree(12));
+  const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(12));
   EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients),
             1e-11 * test::Norm(slow.Coefficients));
 }
@@ -238,9 +234,9 @@ TEST(FitMethods, ZeroRadiiGiveZeroCoefficients)
 {
   RadialSamples samples = NoisyCap(1180, 4, 0.0);
   samples.Radii.assign(samples.Radii.size(), 0.0);
-  for (const Method method : {Method::Moments, Method::Orthogonal})
+  for (const SphericalHarmonicFitResult& fit :
+       {FitBy<MomentSolver>(samples, OfDegree(4)), FitBy<OrthogonalSolver>(samples, OfDegree(4))})
   {
-    const SphericalHarmonicFitResult fit = Fit(samples, WithMethod(4, method));
     EXPECT_EQ(test::Norm(fit.Coefficients), 0.0);
     EXPECT_EQ(fit.Rms, 0.0);
   }

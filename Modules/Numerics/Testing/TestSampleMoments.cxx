@@ -88,6 +88,11 @@ struct Case
   double WeightSum = 0.0;
 };
 
+const moments::Kernel& Fastest()
+{
+  return moments::KernelFor(FastestInstructionSet());
+}
+
 Eigen::MatrixXd GramOf(const MomentTables& tables, const moments::Kernel& kernel,
                        const SampleMoments& moments)
 {
@@ -193,9 +198,8 @@ TEST(SampleMoments, SampleOrderMattersOnlyWithinBound)
   for (const int degree : {3, 12})
   {
     Case c(degree, 4000);
-    const auto tables = std::make_shared<const MomentTables>(
-        degree, moments::KernelFor(FastestInstructionSet()).Lanes);
-    SampleMoments moments(tables);
+    const auto tables = std::make_shared<const MomentTables>(degree, Fastest().Lanes);
+    SampleMoments moments(tables, Fastest());
     moments.Add(c.View());
     for (int trial = 0; trial < 5; ++trial)
     {
@@ -209,31 +213,10 @@ TEST(SampleMoments, SampleOrderMattersOnlyWithinBound)
         shuffled.Weights[i] = c.Weights[order[i]];
         shuffled.Radii[i] = c.Radii[order[i]];
       }
-      SampleMoments others(tables);
+      SampleMoments others(tables, Fastest());
       others.Add(shuffled.View());
       EXPECT_LE(LargestDifference(moments, others, degree), Bound(c));
     }
-  }
-}
-
-TEST(SampleMoments, MergedPartsEqualWholeWithinBound)
-{
-  constexpr int Degree = 12;
-  const Case c(Degree, 4000);
-  const auto tables = std::make_shared<const MomentTables>(
-      Degree, moments::KernelFor(FastestInstructionSet()).Lanes);
-  SampleMoments whole(tables);
-  whole.Add(c.View());
-  for (const std::size_t parts : {2U, 3U, 7U, 64U})
-  {
-    SampleMoments merged(tables);
-    for (std::size_t part = 0; part < parts; ++part)
-    {
-      SampleMoments some(tables);
-      some.Add(c.View(part * c.Radii.size() / parts, (part + 1) * c.Radii.size() / parts));
-      merged.Merge(some);
-    }
-    EXPECT_LE(LargestDifference(whole, merged, Degree), Bound(c)) << parts;
   }
 }
 
@@ -241,12 +224,11 @@ TEST(SampleMoments, BoundDetectsMissingSample)
 {
   constexpr int Degree = 12;
   Case c(Degree, 4000);
-  const auto tables = std::make_shared<const MomentTables>(
-      Degree, moments::KernelFor(FastestInstructionSet()).Lanes);
-  SampleMoments whole(tables);
+  const auto tables = std::make_shared<const MomentTables>(Degree, Fastest().Lanes);
+  SampleMoments whole(tables, Fastest());
   whole.Add(c.View());
   c.Weights[17] += 1e-9 * c.WeightSum;
-  SampleMoments changed(tables);
+  SampleMoments changed(tables, Fastest());
   changed.Add(c.View());
   EXPECT_GT(LargestDifference(whole, changed, Degree), Bound(c));
 }
@@ -255,9 +237,8 @@ TEST(SampleMoments, PropagateNan)
 {
   Case c(3);
   c.Weights[5] = std::nan("");
-  const auto tables =
-      std::make_shared<const MomentTables>(3, moments::KernelFor(FastestInstructionSet()).Lanes);
-  SampleMoments moments(tables);
+  const auto tables = std::make_shared<const MomentTables>(3, Fastest().Lanes);
+  SampleMoments moments(tables, Fastest());
   moments.Add(c.View());
   EXPECT_TRUE(std::isnan(moments.Weights()[0]));
 }
@@ -300,7 +281,7 @@ TEST(ResidualMoments, MatchModelEvaluation)
   }
 }
 
-TEST(ResidualMoments, GiveRightHandSideWithoutModel)
+TEST(ResidualMoments, GiveRightHandSideForZeroModel)
 {
   for (const InstructionSet set : RunnableInstructionSets())
   {
@@ -309,7 +290,10 @@ TEST(ResidualMoments, GiveRightHandSideWithoutModel)
     const auto tables = std::make_shared<const MomentTables>(12, kernel.Lanes);
     std::vector<double> sums(169);
     std::vector<double> right(169);
-    ResidualMoments(tables, kernel).Find(c.View(), nullptr, nullptr, sums.data());
+    const std::vector<double> zeros(169);
+    std::vector<double> residuals(c.Radii.size());
+    ResidualMoments(tables, kernel).Find(c.View(), zeros.data(), residuals.data(), sums.data());
+    EXPECT_EQ(residuals, c.Radii);
     SampleMoments moments(tables, kernel);
     moments.Add(c.View());
     moments.RightSide(right.data());

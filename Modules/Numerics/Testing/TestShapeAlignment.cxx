@@ -3,7 +3,7 @@
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicMeasures.h"
-#include "SphericalHarmonicRotation.h"
+#include "TurnedModel.h"
 #include "WorstCase.h"
 
 #include <gtest/gtest.h>
@@ -24,13 +24,6 @@ SphericalHarmonicModel Align(const SphericalHarmonicModel& model, AlignmentAxes 
   return aligned;
 }
 
-SphericalHarmonicModel Turned(const SphericalHarmonicModel& model, const Matrix3& matrix)
-{
-  SphericalHarmonicRotation rotation;
-  EXPECT_TRUE(SphericalHarmonicRotation::Make(model.Degree(), matrix, rotation).IsOk());
-  return rotation.ApplyAbout({5.0, -70.0, 11.0}, model);
-}
-
 TEST(ShapeAlignment, PatientAxesOnlyMoveTheCentre)
 {
   Random random(1);
@@ -49,7 +42,8 @@ TEST(ShapeAlignment, RotatedCopiesAlign)
     const SphericalHarmonicModel model = test::RandomOrgan(random, 2 + trial % 9);
     const SphericalHarmonicModel aligned = Align(model, AlignmentAxes::Ellipsoid);
     const SphericalHarmonicModel copy =
-        Align(Turned(model, test::RandomOrientation(random)), AlignmentAxes::Ellipsoid);
+        Align(test::TurnedModel(model, test::RandomOrientation(random), {5.0, -70.0, 11.0}),
+              AlignmentAxes::Ellipsoid);
     for (std::size_t k = 0; k < aligned.Coefficients().size(); ++k)
     {
       worst.Add(copy.Coefficients()[k] - aligned.Coefficients()[k]);

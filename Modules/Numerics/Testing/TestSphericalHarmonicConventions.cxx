@@ -1,9 +1,7 @@
 #include "SphericalHarmonicConventions.h"
 
 #include "RandomShapes.h"
-#include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicModel.h"
 #include "TextbookHarmonics.h"
 
 #include <gtest/gtest.h>
@@ -32,64 +30,6 @@ double SpharmPdmSum(const std::vector<double>& rows, const Vector3& u)
     }
   }
   return static_cast<double>(sum);
-}
-
-TEST(SphericalHarmonicConventions, ComplexCoefficientsOfXAndYAreKnown)
-{
-  const double root = 1.0 / std::sqrt(2.0);
-  const auto ofX = ToComplex({0.0, 0.0, 0.0, 1.0});
-  ASSERT_EQ(ofX.size(), 3U);
-  EXPECT_EQ(ofX[1], std::complex<double>(0.0, 0.0));
-  EXPECT_NEAR(ofX[2].real(), -root, 1e-16); // rounding
-  EXPECT_NEAR(ofX[2].imag(), 0.0, 1e-16);
-  const auto ofY = ToComplex({0.0, 1.0, 0.0, 0.0});
-  EXPECT_NEAR(ofY[2].real(), 0.0, 1e-16);
-  EXPECT_NEAR(ofY[2].imag(), root, 1e-16);
-  EXPECT_EQ(ToComplex({0.0, 0.0, 1.0, 0.0})[1], std::complex<double>(1.0, 0.0));
-}
-
-TEST(SphericalHarmonicConventions, ComplexCoefficientsAreProjections)
-{
-  Random random(301);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, Degree);
-  const auto complex = ToComplex(model.Coefficients());
-  const SphereQuadrature sphere(2 * Degree);
-  std::size_t next = 0;
-  for (int l = 0; l <= Degree; ++l)
-  {
-    for (int m = 0; m <= l; ++m, ++next)
-    {
-      std::complex<long double> integral = 0.0L;
-      for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-      {
-        const Vector3& u = sphere.Directions[i];
-        const long double weighted = sphere.Weights[i] * model.Radius(u);
-        integral += weighted * std::conj(test::TextbookComplex(l, m, u));
-      }
-      // A radius of 20 mm over the sphere: 70 in units of which each value has rounding errors.
-      EXPECT_NEAR(complex[next].real(), static_cast<double>(integral.real()), 2e-13);
-      EXPECT_NEAR(complex[next].imag(), static_cast<double>(integral.imag()), 2e-13);
-    }
-  }
-  EXPECT_EQ(next, complex.size());
-}
-
-TEST(SphericalHarmonicConventions, ComplexRoundTripIsExactToRounding)
-{
-  Random random(302);
-  const std::vector<double> c = test::RandomCoefficients(random, Degree);
-  const std::vector<double> back = FromComplex(ToComplex(c));
-  ASSERT_EQ(back.size(), c.size());
-  for (std::size_t k = 0; k < c.size(); ++k)
-  {
-    EXPECT_NEAR(back[k], c[k], 1e-15); // two roundings of numbers of size 1 to 4
-  }
-}
-
-TEST(SphericalHarmonicConventions, PadsIncompleteComplexDegrees)
-{
-  const std::vector<double> c = FromComplex({{1.0, 0.0}, {2.0, 0.0}});
-  EXPECT_EQ(c, (std::vector<double>{1.0, 0.0, 2.0, 0.0}));
 }
 
 TEST(SphericalHarmonicConventions, SpharmPdmRowsGiveSameFunction)

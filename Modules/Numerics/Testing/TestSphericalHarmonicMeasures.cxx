@@ -5,7 +5,7 @@
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicRotation.h"
+#include "TurnedModel.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -84,12 +84,11 @@ TEST(SphericalHarmonicMeasures, SphereMatchesClosedForms)
   const BodyMoments moments = Measure(sphere);
   // Relative: some roundings.
   EXPECT_NEAR(VolumeOf(sphere) / (4 * M_PI / 3 * r * r * r), 1.0, 1e-14);
-  EXPECT_NEAR(AreaOf(sphere).Value / (4 * M_PI * r * r), 1.0, 1e-14);
+  EXPECT_NEAR(AreaOf(sphere) / (4 * M_PI * r * r), 1.0, 1e-14);
   EXPECT_NEAR(moments.Volume / VolumeOf(sphere), 1.0, 1e-14);
   EXPECT_LE((moments.CentroidWorld - Center).norm(), 1e-14 * Center.norm());
   const double second = 4 * M_PI / 15 * std::pow(r, 5);
   EXPECT_LE(LargestRelative(moments.SecondMoments, second * Eigen::Matrix3d::Identity()), 1e-14);
-  EXPECT_LE(LargestRelative(moments.Inertia, 2 * second * Eigen::Matrix3d::Identity()), 1e-14);
   EXPECT_LE((moments.SemiAxes - Vector3::Constant(r)).norm(), 1e-13);
 }
 
@@ -144,9 +143,7 @@ TEST(SphericalHarmonicMeasures, ProlateSpheroidMatchesClosedForm)
   const double c = 26.0;
   const double e = std::sqrt(1.0 - a * a / (c * c));
   const double exact = 2.0 * M_PI * a * a * (1.0 + c / (a * e) * std::asin(e));
-  const SurfaceArea area = AreaOf(Ellipsoid({a, a, c}, 48));
-  EXPECT_NEAR(area.Value / exact, 1.0, 1e-12); // the series, as above
-  EXPECT_LE(area.ErrorEstimate, 1e-9 * exact); // the default tolerance
+  EXPECT_NEAR(AreaOf(Ellipsoid({a, a, c}, 48)) / exact, 1.0, 1e-12); // the series, as above
 }
 
 TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToClosedForms)
@@ -168,7 +165,7 @@ TEST(SphericalHarmonicMeasures, ShiftedSphereConvergesToClosedForms)
   EXPECT_LE((moments.CentroidWorld - Center - shift).norm(), 1e-12 * r);
   const double second = 4 * M_PI / 15 * std::pow(r, 5);
   EXPECT_LE(LargestRelative(moments.SecondMoments, second * Eigen::Matrix3d::Identity()), 1e-12);
-  EXPECT_NEAR(AreaOf(sphere).Value / (4 * M_PI * r * r), 1.0, 1e-12);
+  EXPECT_NEAR(AreaOf(sphere) / (4 * M_PI * r * r), 1.0, 1e-12);
 }
 
 TEST(SphericalHarmonicMeasures, MatchLimitOfMesh)
@@ -224,11 +221,10 @@ TEST(SphericalHarmonicMeasures, RotateWithBody)
     const SphericalHarmonicModel model = test::RandomOrgan(random, 9);
     const Eigen::Matrix3d q =
         Eigen::AngleAxisd(1.0 + sample, test::RandomDirection(random)).toRotationMatrix();
-    SphericalHarmonicRotation rotation;
-    ASSERT_TRUE(SphericalHarmonicRotation::Make(9, q, rotation).IsOk());
     const Vector3 pivot = 50.0 * test::RandomDirection(random);
     const BodyMoments before = Measure(model);
-    const BodyMoments after = Measure(rotation.ApplyAbout(pivot, model));
+    const SphericalHarmonicModel turned = test::TurnedModel(model, q, pivot);
+    const BodyMoments after = Measure(turned);
     // Exact quadratures of two orientations: thousands of rounding errors.
     EXPECT_NEAR(after.Volume / before.Volume, 1.0, 1e-13);
     EXPECT_LE((after.CentroidWorld - pivot - q * (before.CentroidWorld - pivot)).norm(), 1e-12);
@@ -236,7 +232,7 @@ TEST(SphericalHarmonicMeasures, RotateWithBody)
               1e-13);
     EXPECT_LE((after.SemiAxes - before.SemiAxes).norm(), 1e-11);
     // The area's quadrature is accurate to its tolerance.
-    EXPECT_NEAR(AreaOf(rotation.Apply(model)).Value / AreaOf(model).Value, 1.0, 1e-9);
+    EXPECT_NEAR(AreaOf(turned) / AreaOf(model), 1.0, 1e-9);
   }
 }
 
@@ -252,7 +248,7 @@ TEST(SphericalHarmonicMeasures, ScaleWithBody)
   const SphericalHarmonicModel large(7, doubled, model.CenterWorld());
   // Scaling by a power of two is exact.
   EXPECT_EQ(VolumeOf(large), 8.0 * VolumeOf(model));
-  EXPECT_EQ(AreaOf(large).Value, 4.0 * AreaOf(model).Value);
+  EXPECT_EQ(AreaOf(large), 4.0 * AreaOf(model));
   EXPECT_LE(LargestRelative(Measure(large).SecondMoments, 32.0 * Measure(model).SecondMoments),
             1e-15);
 }
@@ -273,13 +269,10 @@ TEST(SphericalHarmonicMeasures, PrincipalAxesDiagonaliseAndAreRightHanded)
     EXPECT_LE(LargestRelative(diagonal, expected.asDiagonal().toDenseMatrix()), 1e-13);
     EXPECT_GE(moments.SemiAxes[0], moments.SemiAxes[1]);
     EXPECT_GE(moments.SemiAxes[1], moments.SemiAxes[2]);
-    EXPECT_LE(LargestRelative(moments.Inertia + moments.SecondMoments,
-                              moments.SecondMoments.trace() * Eigen::Matrix3d::Identity()),
-              1e-15);
   }
 }
 
-TEST(SphericalHarmonicMeasures, AreaIsWithinErrorEstimate)
+TEST(SphericalHarmonicMeasures, AreaIsWithinTolerance)
 {
   Random random(447);
   const auto areaAtDegree = [](const SphericalHarmonicModel& model, int degree)
@@ -299,16 +292,10 @@ TEST(SphericalHarmonicMeasures, AreaIsWithinErrorEstimate)
     for (int sample = 0; sample < 4; ++sample)
     {
       const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
-      const SurfaceArea area = AreaOf(model, tolerance);
-      EXPECT_LE(std::abs(area.Value - areaAtDegree(model, 300)), area.ErrorEstimate);
-      EXPECT_LE(area.ErrorEstimate, 1.1 * tolerance * area.Value);
+      const double area = AreaOf(model, tolerance);
+      EXPECT_LE(std::abs(area - areaAtDegree(model, 300)), (tolerance + 1e-14) * area);
     }
   }
-  // A surface through its own centre: |R| has a kink, and the quadrature converges slowly.
-  const SphericalHarmonicModel kinked(1, {1.0, 2.0, -3.0, 1.0}, Center);
-  const SurfaceArea area = AreaOf(kinked, 1e-9);
-  EXPECT_LE(std::abs(area.Value - areaAtDegree(kinked, 1200)), area.ErrorEstimate);
-  EXPECT_GT(area.ErrorEstimate, 1e-9 * area.Value) << "the tolerance must not look reached";
 }
 
 TEST(SphericalHarmonicMeasures, VolumeIsNegativeForNegativeRadii)
@@ -316,9 +303,9 @@ TEST(SphericalHarmonicMeasures, VolumeIsNegativeForNegativeRadii)
   const SphericalHarmonicModel inverted(0, {-3.0}, Center);
   const SphericalHarmonicModel upright(0, {3.0}, Center);
   EXPECT_EQ(VolumeOf(inverted), -VolumeOf(upright));
-  EXPECT_EQ(AreaOf(inverted).Value, AreaOf(upright).Value);
+  EXPECT_EQ(AreaOf(inverted), AreaOf(upright));
   EXPECT_EQ(VolumeOf(SphericalHarmonicModel()), 0.0);
-  EXPECT_EQ(AreaOf(SphericalHarmonicModel()).Value, 0.0);
+  EXPECT_EQ(AreaOf(SphericalHarmonicModel()), 0.0);
 }
 
 TEST(SphericalHarmonicMeasures, RejectBodyWithoutVolume)
@@ -328,6 +315,6 @@ TEST(SphericalHarmonicMeasures, RejectBodyWithoutVolume)
   EXPECT_FALSE(MeasureBody({0, {-3.0}, Center}, moments).IsOk());
   EXPECT_FALSE(MeasureBody({1, {3.0, std::nan(""), 0.0, 0.0}, Center}, moments).IsOk());
   EXPECT_FALSE(MeasureBody({1, {INFINITY, 1.0, 0.0, 0.0}, Center}, moments).IsOk());
-  EXPECT_TRUE(std::isnan(AreaOf({1, {3.0, std::nan(""), 0.0, 0.0}, Center}).Value));
+  EXPECT_TRUE(std::isnan(AreaOf({1, {3.0, std::nan(""), 0.0, 0.0}, Center})));
 }
 } // namespace palpate

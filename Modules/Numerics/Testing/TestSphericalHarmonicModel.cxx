@@ -171,7 +171,7 @@ TEST(SphericalHarmonicModel, SphereMatchesClosedForms)
   const SphericalHarmonicModel sphere = test::Sphere(7.0);
   // Relative: some roundings.
   EXPECT_NEAR(VolumeOf(sphere) / (4.0 / 3.0 * M_PI * 343.0), 1.0, 1e-14);
-  EXPECT_NEAR(AreaOf(sphere).Value / (4.0 * M_PI * 49.0), 1.0, 1e-14);
+  EXPECT_NEAR(AreaOf(sphere) / (4.0 * M_PI * 49.0), 1.0, 1e-14);
   const Vector3 u = Vector3(1.0, -2.0, 2.0) / 3.0;
   EXPECT_LE((sphere.Normal(u) - u).norm(), 1e-15);
 }
@@ -188,8 +188,7 @@ TEST(SphericalHarmonicModel, EllipsoidMatchesClosedForms)
   const double c = 26.0;
   const double e = std::sqrt(1.0 - a * a / (c * c));
   const double prolate = 2.0 * M_PI * a * a * (1.0 + c / (a * e) * std::asin(e));
-  EXPECT_NEAR(AreaOf(test::Ellipsoid({a, a, c}, Matrix3::Identity(), 48)).Value / prolate, 1.0,
-              1e-12);
+  EXPECT_NEAR(AreaOf(test::Ellipsoid({a, a, c}, Matrix3::Identity(), 48)) / prolate, 1.0, 1e-12);
 }
 
 TEST(SphericalHarmonicModel, VolumeMatchesLimitOfMesh)
@@ -233,7 +232,7 @@ TEST(SphericalHarmonicModel, VolumeAndAreaAreConverged)
     }
     EXPECT_NEAR(VolumeOf(model) / volume, 1.0, 1e-13); // exact: thousands of roundings
     // The area's integrand is not a polynomial; its quadrature converges geometrically.
-    EXPECT_NEAR(AreaOf(model).Value / area, 1.0, 1e-8);
+    EXPECT_NEAR(AreaOf(model) / area, 1.0, 1e-8);
   }
 }
 

@@ -1,7 +1,6 @@
 #include "SphericalHarmonicSpectrum.h"
 
 #include "RandomShapes.h"
-#include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
 #include "WorstCase.h"
 
@@ -104,36 +103,6 @@ TEST(SphericalHarmonicSpectrum, SecondDerivativeIsSharp)
   EXPECT_NEAR(Bend(model, Pole, Vector3::UnitX()) / spectrum.SecondDerivative(), 1.0, 1e-7);
 }
 
-TEST(SphericalHarmonicSpectrum, TruncationErrorIsNormOfOmittedTerms)
-{
-  Random random(402);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 10);
-  const SphericalHarmonicSpectrum spectrum(model);
-  const SphereQuadrature sphere(20);
-  for (int degree = 0; degree <= 10; ++degree)
-  {
-    const SphericalHarmonicModel lower = model.WithDegree(degree);
-    double square = 0.0;
-    for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
-    {
-      const double lost = model.Radius(sphere.Directions[i]) - lower.Radius(sphere.Directions[i]);
-      square += sphere.Weights[i] * lost * lost;
-      EXPECT_LE(std::abs(lost), spectrum.Truncation(degree).Maximum + 2e-13); // radii near 20
-    }
-    // Parseval; differences of radii near 20 are good to 1e-14.
-    EXPECT_NEAR(spectrum.Truncation(degree).Rms, std::sqrt(square / (4.0 * M_PI)), 1e-13);
-  }
-  EXPECT_EQ(spectrum.Truncation(10).Maximum, 0.0);
-  EXPECT_EQ(spectrum.Truncation(0).Maximum, spectrum.Relief());
-}
-
-TEST(SphericalHarmonicSpectrum, TruncationBoundIsSharp)
-{
-  const SphericalHarmonicModel model = Aligned(14, [](int l, double* c) { c[0] = 1.0 / l; });
-  const double lost = model.Radius(Pole) - model.WithDegree(9).Radius(Pole);
-  EXPECT_NEAR(lost / SphericalHarmonicSpectrum(model).Truncation(9).Maximum, 1.0, 1e-13);
-}
-
 TEST(SphericalHarmonicSpectrum, EnclosesRadiiAndSlopesAroundDirection)
 {
   Random random(403);
@@ -197,14 +166,12 @@ TEST(SphericalHarmonicSpectrum, BoundsScaleBeyondRangeOfSquares)
     EXPECT_EQ(spectrum.Relief(), std::ldexp(plain.Relief(), power));
     EXPECT_EQ(spectrum.Slope(), std::ldexp(plain.Slope(), power));
     EXPECT_EQ(spectrum.SecondDerivative(), std::ldexp(plain.SecondDerivative(), power));
-    EXPECT_EQ(spectrum.Truncation(3).Rms, std::ldexp(plain.Truncation(3).Rms, power));
   }
 }
 
 TEST(SphericalHarmonicSpectrum, IsZeroForPoint)
 {
   const SphericalHarmonicSpectrum spectrum{SphericalHarmonicModel()};
-  EXPECT_EQ(spectrum.Degree(), 0);
   EXPECT_EQ(spectrum.Relief(), 0.0);
   EXPECT_EQ(spectrum.Slope(), 0.0);
   EXPECT_EQ(spectrum.SecondDerivative(), 0.0);
@@ -220,7 +187,6 @@ TEST(SphericalHarmonicSpectrum, IsNanForNonFiniteCoefficients)
     EXPECT_TRUE(std::isnan(spectrum.Relief()));
     EXPECT_TRUE(std::isnan(spectrum.Slope()));
     EXPECT_TRUE(std::isnan(spectrum.SecondDerivative()));
-    EXPECT_TRUE(std::isnan(spectrum.Truncation(0).Rms));
     const RadiusInterval radius = spectrum.RadiusAround({20.0, Vector3::Zero()}, 0.1);
     EXPECT_TRUE(std::isnan(radius.Lower));
     EXPECT_TRUE(std::isnan(radius.Upper));

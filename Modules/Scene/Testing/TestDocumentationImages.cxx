@@ -2,13 +2,13 @@
 #include "DisplayTest.h"
 #include "FitStructure.h"
 #include "HeadCt.h"
+#include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SceneField.h"
 #include "SceneRenderer.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
 #include "VolumeFile.h"
-#include "vtkSphericalHarmonicPhantom.h"
 
 #include "vtkNew.h"
 
@@ -48,15 +48,15 @@ struct PhantomFit
 {
   PhantomFit()
   {
-    this->Phantom->SetDimensions(160, 160, 24);
-    this->Phantom->SetSpacing(0.4, 0.4, 3.0);
-    this->Phantom->CenterGridOn(0.0, 0.0, 0.0);
-    this->Phantom->SetModel(palpate::MakeProstateLikeModel(8, 4, palpate::Vector3::Zero()));
-    this->Phantom->SetNoiseDeviation(12.0);
-    this->Phantom->Update();
+    palpate::PhantomGrid grid;
+    grid.Spacing = {0.4, 0.4, 3.0};
+    grid.CenterOn(palpate::Vector3::Zero());
+    palpate::PhantomAppearance look;
+    look.NoiseDeviation = 12.0;
+    this->Phantom = palpate::MakePhantom(
+        palpate::MakeProstateLikeModel(8, 4, palpate::Vector3::Zero()), grid, look);
     palpate::Segmentation segmentation;
-    segmentation.Layers.emplace_back(
-        vtkImageData::SafeDownCast(this->Phantom->GetOutputDataObject(1)));
+    segmentation.Layers.emplace_back(this->Phantom.Mask);
     palpate::Segment structure;
     structure.Label = 1;
     structure.Value = 1;
@@ -67,7 +67,7 @@ struct PhantomFit
     this->Steps = palpate::FitStructure(segmentation, structure, settings);
   }
 
-  vtkNew<vtkSphericalHarmonicPhantom> Phantom;
+  palpate::PhantomImages Phantom;
   palpate::FitResult Model;
   palpate::FitResult Steps; // the mask's own boundary
 };
@@ -88,7 +88,7 @@ TEST_F(DocumentationImages, OverviewShowsMaskModelAndError)
   }
   {
     SceneRenderer scene;
-    vtkImageData* volume = fit.Phantom->GetOutput();
+    vtkImageData* volume = fit.Phantom.Volume;
     scene.AddSurface(fit.Model.ModelSurface, Tan, 0.75);
     scene.AddSlice(volume, SceneRenderer::Plane::Axial, palpate::Vector3::Zero());
     scene.AddSlice(volume, SceneRenderer::Plane::Sagittal, palpate::Vector3::Zero());
