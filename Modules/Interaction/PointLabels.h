@@ -34,8 +34,6 @@ public:
   void SetRenderer(vtkRenderer* renderer);
   void Update(const std::vector<Label>& labels, const std::array<double, 3>& color);
 
-  int Count() const { return static_cast<int>(this->Texts.size()); }
-
 private:
   void Resize(std::size_t count);
 

@@ -227,12 +227,6 @@ void vtkSliceView::Pan(double right, double up)
   this->Modified();
 }
 
-void vtkSliceView::CenterOnCrosshair()
-{
-  this->Inner->Center = this->Inner->Focus(this);
-  this->Modified();
-}
-
 void vtkSliceView::DisplayToWorld(double x, double y, double world[3])
 {
   const SlicePosition position = this->GetPosition();

@@ -100,8 +100,6 @@ void MarkVolumes(vtkRenderer* renderer, const palpate::ContactMark& contact)
 
 struct vtkSpaceView::State
 {
-  vtkSmartPointer<vtkSurfaceDisplay> Picked;
-
   bool NeedsReset = true;
   std::vector<std::unique_ptr<palpate::SurfaceInSpace>> Surfaces;
   std::array<palpate::SliceInSpace, 3> Slices{{palpate::SliceInSpace(SliceOrientation::Axial),
@@ -134,13 +132,6 @@ struct vtkSpaceView::State
       return false;
     }
     picker->GetPickPosition(world);
-    for (const auto& surface : this->Surfaces)
-    {
-      if (surface->Actor() == picker->GetActor())
-      {
-        this->Picked = surface->Display();
-      }
-    }
     return true;
   }
 };
@@ -231,12 +222,6 @@ void vtkSpaceView::SetSliceVisibility(int orientation, bool visibility)
   this->Modified();
 }
 
-bool vtkSpaceView::GetSliceVisibility(int orientation)
-{
-  const int index = vtkMath::ClampValue(orientation, 0, 2);
-  return this->Inner->AreSlicesShown[static_cast<std::size_t>(index)];
-}
-
 void vtkSpaceView::ResetCamera()
 {
   vtkRenderer* renderer = this->GetRenderer();
@@ -274,22 +259,19 @@ void vtkSpaceView::LookFrom(int side)
 
 bool vtkSpaceView::Pick(double x, double y, double world[3])
 {
-  State& state = *this->Inner;
   vtkRenderer* renderer = this->GetRenderer();
-  state.Picked = nullptr;
   if (renderer == nullptr)
   {
     return false;
   }
   double polygon[3];
-  const bool hasPolygon = state.PickPolygons(renderer, x, y, polygon);
+  const bool hasPolygon = this->Inner->PickPolygons(renderer, x, y, polygon);
   vtkNew<vtkSubVoxelPicker> picker;
   const bool hasVoxels = picker->Pick(x, y, 0.0, renderer) != 0;
   vtkCamera* camera = renderer->GetActiveCamera();
   if (hasVoxels && (!hasPolygon || DistanceFrom(camera, picker->GetPickPosition()) <
                                        DistanceFrom(camera, polygon)))
   {
-    state.Picked = nullptr;
     picker->GetPickPosition(world);
     return true;
   }
@@ -298,11 +280,6 @@ bool vtkSpaceView::Pick(double x, double y, double world[3])
     std::copy_n(polygon, 3, world);
   }
   return hasPolygon;
-}
-
-vtkSurfaceDisplay* vtkSpaceView::GetPickedSurface()
-{
-  return this->Inner->Picked;
 }
 
 void vtkSpaceView::UpdateContents()

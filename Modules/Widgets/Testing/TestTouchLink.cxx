@@ -321,7 +321,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   this->Settle();
   DrawAll(*this->Window->Views());
   EXPECT_EQ(this->Study->State(), saved);
-  EXPECT_EQ(this->Window->Contents().Landmarks()->GetNumberOfDistances(), 1);
+  EXPECT_EQ(this->Window->Contents().Landmarks()->GetDistances().size(), 1U);
 }
 } // namespace
 } // namespace palpate
