@@ -243,8 +243,7 @@ std::unique_ptr<palpate::FieldRenderer> vtkSubVoxelVolumeMapper::MakeRenderer(vt
                                                                               bool readsSceneDepths)
 {
   const auto field = this->GetField();
-  palpate::FieldView view =
-      palpate::MakeSceneView(renderer, volume, this, field->Grid(), width, height);
+  palpate::FieldView view = palpate::MakeSceneView(renderer, volume, this, width, height);
   view.Looks = this->Inner->Looks;
   view.Contact = this->Inner->Contact;
   if (readsSceneDepths)

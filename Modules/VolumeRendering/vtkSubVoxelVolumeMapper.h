@@ -10,8 +10,8 @@
  *
  * Colour and opacity belong to the material; shading (on or off, ambient, diffuse, specular and its
  * power) is the vtkVolumeProperty's, whose transfer functions are not used. Translucent surfaces
- * are blended from front to back. Clipping planes (world) and cropping regions cut the surfaces
- * open; cropping planes are in the image's own axes, origin + spacing times index in mm.
+ * are blended from front to back. Clipping planes (world) cut the surfaces open; VTK's cropping
+ * regions are ignored.
  *
  * The image has depths, so the surface and other props hide each other correctly. For translucent
  * polygons see vtkSubVoxelVolume. Rays are cast by vtkSMPTools; the image does not depend on the
