@@ -5,9 +5,7 @@
 #include "vtkImageDisplay.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkImageData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -24,26 +22,8 @@ constexpr double LongestSide = 512.0; // pixels
 // The polygon in which a plane cuts the box of an image; empty if it misses it.
 std::vector<Vector3> CutBox(const ImageAxes& axes, const Vector3& through, const Vector3& normal)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vector3& corner : axes.CornersWorld())
-  {
-    points->InsertNextPoint(corner.data());
-  }
-  vtkNew<vtkCellArray> faces;
-  for (const auto& face : {std::array<vtkIdType, 4>{{0, 1, 3, 2}},
-                           {{4, 6, 7, 5}},
-                           {{0, 4, 5, 1}},
-                           {{2, 3, 7, 6}},
-                           {{0, 2, 6, 4}},
-                           {{1, 5, 7, 3}}})
-  {
-    faces->InsertNextCell(4, face.data());
-  }
-  vtkNew<vtkPolyData> box;
-  box->SetPoints(points);
-  box->SetPolys(faces);
-  const std::vector<SurfaceCurve> curves = CutSurface(box, through, normal);
+  const std::vector<SurfaceCurve> curves =
+      CutSurface(MakeBox(axes.CornersWorld()), through, normal);
   return curves.empty() ? std::vector<Vector3>{} : curves.front().Points;
 }
 } // namespace

@@ -4,7 +4,6 @@
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
-#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkCommand.h"
 #include "vtkRenderer.h"
@@ -18,7 +17,6 @@ struct vtkLinkedView::Shared
   vtkSmartPointer<vtkCrosshair> Crosshair;
   vtkSmartPointer<vtkLandmarks> Landmarks;
   vtkSmartPointer<vtkProbeRepresentation> Probe;
-  vtkSmartPointer<vtkWorkspaceRepresentation> Workspace;
 };
 
 vtkLinkedView::vtkLinkedView() : Given(std::make_unique<Shared>()) {}
@@ -93,17 +91,6 @@ void vtkLinkedView::SetProbe(vtkProbeRepresentation* probe)
 vtkProbeRepresentation* vtkLinkedView::GetProbe()
 {
   return this->Given->Probe;
-}
-
-void vtkLinkedView::SetWorkspace(vtkWorkspaceRepresentation* workspace)
-{
-  this->Given->Workspace = workspace;
-  this->Modified();
-}
-
-vtkWorkspaceRepresentation* vtkLinkedView::GetWorkspace()
-{
-  return this->Given->Workspace;
 }
 
 void vtkLinkedView::Update()

@@ -3,10 +3,9 @@
  * @brief a view in a renderer whose contents are shared with other views
  *
  * Base of vtkSliceView and vtkSpaceView. Set a renderer of any render window, and the contents: a
- * volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay), landmarks, a haptic tool and
- * its device's workspace, the point through which slices pass (vtkCrosshair). All of them may be
- * shared with other views. The view updates itself whenever the renderer draws, and updates only
- * what changed.
+ * volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay), landmarks, a haptic tool,
+ * the point through which slices pass (vtkCrosshair). All of them may be shared with other views.
+ * The view updates itself whenever the renderer draws, and updates only what changed.
  */
 #ifndef vtkLinkedView_h
 #define vtkLinkedView_h
@@ -22,7 +21,6 @@ class vtkLandmarks;
 class vtkProbeRepresentation;
 class vtkRenderer;
 class vtkSurfaceDisplay;
-class vtkWorkspaceRepresentation;
 
 class PALPATEINTERACTION_EXPORT vtkLinkedView : public vtkObject
 {
@@ -46,8 +44,6 @@ public:
   vtkLandmarks* GetLandmarks();
   void SetProbe(vtkProbeRepresentation* probe);
   vtkProbeRepresentation* GetProbe();
-  void SetWorkspace(vtkWorkspaceRepresentation* workspace);
-  vtkWorkspaceRepresentation* GetWorkspace();
   virtual void AddSurface(vtkSurfaceDisplay* surface) = 0;
   virtual void RemoveSurface(vtkSurfaceDisplay* surface) = 0;
   ///@}

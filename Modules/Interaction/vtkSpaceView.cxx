@@ -12,7 +12,6 @@
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
 #include "ViewText.h"
-#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
@@ -20,7 +19,6 @@
 #include "vtkSubVoxelPicker.h"
 #include "vtkSubVoxelVolumeMapper.h"
 #include "vtkSurfaceDisplay.h"
-#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -108,7 +106,6 @@ struct vtkSpaceView::State
   std::array<bool, 3> AreSlicesShown{{true, true, true}};
   palpate::LandmarksInSpace Marks;
   palpate::ProbeInSpace Tool;
-  palpate::WorkspaceLines Reach;
   palpate::AxesMarker Axes;
   palpate::ArrayScales Scales;
   palpate::ColorBar Bar;
@@ -162,7 +159,6 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
-  state.Reach.AddTo(renderer);
   state.Axes.AddTo(renderer);
   state.Bar.AddTo(renderer);
   renderer->AddLight(state.Lamp);
@@ -182,7 +178,6 @@ void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
-  state.Reach.RemoveFrom(renderer);
   state.Axes.RemoveFrom(renderer);
   state.Bar.RemoveFrom(renderer);
   renderer->RemoveLight(state.Lamp);
@@ -231,11 +226,17 @@ void vtkSpaceView::ResetCamera()
     return;
   }
   this->UpdateContents();
-  // A workspace may be much larger than the scene.
-  vtkActor* reach = this->Inner->Reach.Drawn().Actor();
-  reach->UseBoundsOff();
+  const auto& surfaces = this->Inner->Surfaces;
+  for (const auto& surface : surfaces)
+  {
+    surface->Actor()->SetUseBounds(!surface->Display()->GetWireframe());
+  }
   renderer->ComputeVisiblePropBounds(bounds);
-  reach->UseBoundsOn();
+  // The clipping range includes wireframes.
+  for (const auto& surface : surfaces)
+  {
+    surface->Actor()->UseBoundsOn();
+  }
   if (vtkMath::AreBoundsInitialized(bounds))
   {
     renderer->ResetCamera(bounds);
@@ -300,7 +301,6 @@ void vtkSpaceView::UpdateContents()
   }
   state.Marks.Update(this->GetLandmarks());
   state.Tool.Update(this->GetProbe());
-  state.Reach.Update(this->GetWorkspace());
 }
 
 void vtkSpaceView::UpdateFor(vtkRenderer* renderer)

@@ -41,5 +41,6 @@ void vtkSurfaceDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Visibility: " << this->Visibility << '\n';
   os << indent << "ContourVisibility: " << this->ContourVisibility << '\n';
   os << indent << "LineWidth: " << this->LineWidth << '\n';
+  os << indent << "Wireframe: " << this->Wireframe << '\n';
   os << indent << "ColorArray: " << this->ColorArray << '\n';
 }

@@ -57,6 +57,13 @@ public:
   vtkGetMacro(LineWidth, double);
   ///@}
   ///@{
+  /** Whether 3D shows its edges only, as of a region that may be larger than the scene: they cannot
+   * be picked, and the camera's reset leaves them out. Off by default. */
+  vtkSetMacro(Wireframe, bool);
+  vtkGetMacro(Wireframe, bool);
+  vtkBooleanMacro(Wireframe, bool);
+  ///@}
+  ///@{
   /** The one-component point array that colours it in 3D; empty for none, the default. */
   vtkSetStdStringFromCharMacro(ColorArray);
   vtkGetCharFromStdStringMacro(ColorArray);
@@ -79,6 +86,7 @@ private:
   bool Visibility = true;
   bool ContourVisibility = true;
   double LineWidth = 1.5;
+  bool Wireframe = false;
   std::string ColorArray;
 };
 

@@ -61,13 +61,12 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   view->SetCrosshair(contents.Crosshair());
   view->SetLandmarks(contents.Landmarks());
   view->SetProbe(contents.Probe());
-  view->SetWorkspace(contents.Workspace());
   view->SetRenderer(this->Scene);
   this->Follow(contents.Images());
   this->Follow(contents.Crosshair());
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
-  this->Follow(contents.Workspace());
+  this->AddSurface(contents.Workspace());
 }
 
 void ViewPane::AddSurface(vtkSurfaceDisplay* surface)
