@@ -5,7 +5,6 @@
 #include "vtkActor.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 
@@ -67,26 +66,17 @@ std::vector<SurfaceCurve> FlatArrow(const Vector3& from, const Vector3& vector,
           {{back + 0.5 * head * across, tip, back - 0.5 * head * across}, false}};
 }
 
-void ProbeInSlice::AddTo(vtkRenderer* renderer) const
+ProbeInSlice::ProbeInSlice()
 {
-  renderer->AddViewProp(this->Probe.Actor());
-  renderer->AddViewProp(this->Proxy.Actor());
-  renderer->AddViewProp(this->Arrow.Actor());
-}
-
-void ProbeInSlice::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Probe.Actor());
-  renderer->RemoveViewProp(this->Proxy.Actor());
-  renderer->RemoveViewProp(this->Arrow.Actor());
+  this->Add(this->Probe.Actor());
+  this->Add(this->Proxy.Actor());
+  this->Add(this->Arrow.Actor());
 }
 
 void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& slice)
 {
   const bool isShown = probe != nullptr && probe->GetVisibility() && probe->GetTool() != nullptr;
-  this->Probe.SetVisible(isShown);
-  this->Proxy.SetVisible(isShown);
-  this->Arrow.SetVisible(isShown);
+  this->SetVisible(isShown);
   if (!isShown)
   {
     return;

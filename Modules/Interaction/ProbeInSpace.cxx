@@ -4,13 +4,11 @@
 #include "Vector3.h"
 #include "vtkProbeRepresentation.h"
 
-#include "vtkActor.h"
 #include "vtkArrowSource.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 
@@ -63,25 +61,11 @@ ProbeInSpace::ProbeInSpace()
   mapper->SetInputConnection(arrow->GetOutputPort());
   this->Arrow->SetMapper(mapper);
   this->Arrow->SetUserMatrix(vtkNew<vtkMatrix4x4>());
-  SetMaterial(this->Probe);
-  SetMaterial(this->Proxy);
-  SetMaterial(this->Arrow);
-}
-
-ProbeInSpace::~ProbeInSpace() = default;
-
-void ProbeInSpace::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Probe);
-  renderer->AddViewProp(this->Proxy);
-  renderer->AddViewProp(this->Arrow);
-}
-
-void ProbeInSpace::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Probe);
-  renderer->RemoveViewProp(this->Proxy);
-  renderer->RemoveViewProp(this->Arrow);
+  for (vtkActor* actor : {this->Probe.Get(), this->Proxy.Get(), this->Arrow.Get()})
+  {
+    SetMaterial(actor);
+    this->Add(actor);
+  }
 }
 
 void ProbeInSpace::Update(vtkProbeRepresentation* probe)

@@ -7,7 +7,6 @@
 #include "vtkActor.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,23 +31,8 @@ SliceInSpace::SliceInSpace(SliceOrientation orientation) : Orientation(orientati
 {
   this->Patch.SetInterpolate(true);
   this->Outline.SetStyle(ColorOf(orientation), 1.0, OutlineWidth);
-}
-
-void SliceInSpace::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Patch.Actor());
-  renderer->AddViewProp(this->Outline.Actor());
-}
-
-void SliceInSpace::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Patch.Actor());
-  renderer->RemoveViewProp(this->Outline.Actor());
-}
-
-void SliceInSpace::SetVisible(bool isVisible)
-{
-  this->IsVisible = isVisible;
+  this->Add(this->Patch.Actor());
+  this->Add(this->Outline.Actor());
 }
 
 PixelGrid SliceInSpace::GridOf(const std::vector<Vector3>& corners, const ViewFrame& frame,
@@ -74,8 +58,7 @@ PixelGrid SliceInSpace::GridOf(const std::vector<Vector3>& corners, const ViewFr
 void SliceInSpace::Update(vtkImageDisplay* display, bool isAlongImage, const Vector3& throughWorld)
 {
   vtkImageData* image = display == nullptr ? nullptr : display->GetImage();
-  const bool isShown = this->IsVisible && image != nullptr;
-  if (isShown)
+  if (image != nullptr)
   {
     const ViewFrame frame = SliceGeometry(this->Orientation, isAlongImage, image).Frame;
     const Vector3& normal = frame.TowardsViewerWorld;
@@ -99,7 +82,6 @@ void SliceInSpace::Update(vtkImageDisplay* display, bool isAlongImage, const Vec
       this->PaintedNormal = normal;
     }
   }
-  this->Patch.Actor()->SetVisibility(isShown && !this->IsEmpty ? 1 : 0);
-  this->Outline.SetVisible(isShown && !this->IsEmpty);
+  this->SetVisible(image != nullptr && !this->IsEmpty);
 }
 } // namespace palpate

@@ -5,14 +5,12 @@
 #include "SurfaceNormals.h"
 #include "vtkSurfaceDisplay.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
@@ -43,8 +41,6 @@ SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
                                                                    ContactShader, false);
   this->UpdateContact({}, nullptr);
 }
-
-SurfaceInSpace::~SurfaceInSpace() = default;
 
 void SurfaceInSpace::Update()
 {

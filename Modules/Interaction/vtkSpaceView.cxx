@@ -296,8 +296,8 @@ void vtkSpaceView::UpdateContents()
       crosshair == nullptr ? Vector3(Vector3::Zero()) : Vector3(crosshair->GetPositionWorld());
   for (std::size_t orientation = 0; orientation < 3; ++orientation)
   {
-    state.Slices[orientation].SetVisible(state.AreSlicesShown[orientation]);
-    state.Slices[orientation].Update(this->GetImageDisplay(), this->GetAlongImage(), focus);
+    vtkImageDisplay* shown = state.AreSlicesShown[orientation] ? this->GetImageDisplay() : nullptr;
+    state.Slices[orientation].Update(shown, this->GetAlongImage(), focus);
   }
   state.Marks.Update(this->GetLandmarks());
   state.Tool.Update(this->GetProbe());
