@@ -1,29 +1,10 @@
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkSurfaceDisplay);
-
-vtkSurfaceDisplay::vtkSurfaceDisplay() = default;
-
-vtkSurfaceDisplay::~vtkSurfaceDisplay() = default;
-
-void vtkSurfaceDisplay::SetSurface(vtkPolyData* surface)
-{
-  if (this->Surface != surface)
-  {
-    this->Surface = surface;
-    this->Modified();
-  }
-}
-
-vtkPolyData* vtkSurfaceDisplay::GetSurface()
-{
-  return this->Surface;
-}
 
 vtkMTimeType vtkSurfaceDisplay::GetMTime()
 {

@@ -11,11 +11,10 @@
 
 #include "PalpateInteractionModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For the surface
+#include "vtkPolyData.h" // For the surface
+#include "vtkSmartPointer.h"
 
 #include <string> // For the array's name
-
-class vtkPolyData;
 
 class PALPATEINTERACTION_EXPORT vtkSurfaceDisplay : public vtkObject
 {
@@ -25,8 +24,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  void SetSurface(vtkPolyData* surface);
-  vtkPolyData* GetSurface();
+  vtkSetSmartPointerMacro(Surface, vtkPolyData);
+  vtkGetSmartPointerMacro(Surface, vtkPolyData);
   ///@}
 
   ///@{
@@ -73,8 +72,8 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkSurfaceDisplay();
-  ~vtkSurfaceDisplay() override;
+  vtkSurfaceDisplay() = default;
+  ~vtkSurfaceDisplay() override = default;
 
 private:
   vtkSurfaceDisplay(const vtkSurfaceDisplay&) = delete;
