@@ -50,7 +50,26 @@ FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView
 
 RayInterval FieldRenderer::ShownInterval(const FieldRay& ray) const noexcept
 {
-  return this->Scene.Kept.empty() ? RayInterval() : ClippedInterval(ray, this->Scene.Kept, {});
+  RayInterval interval;
+  for (const Eigen::Hyperplane<double, 3>& plane : this->Scene.Kept)
+  {
+    const Vector3 normal = plane.normal();
+    const double height = normal.dot(ray.Origin) + plane.offset();
+    const double rise = normal.dot(ray.Direction);
+    if (rise > 0.0)
+    {
+      interval.From = std::max(interval.From, -height / rise);
+    }
+    else if (rise < 0.0)
+    {
+      interval.To = std::min(interval.To, -height / rise);
+    }
+    else if (!(height >= 0.0))
+    {
+      return {1.0, -1.0};
+    }
+  }
+  return interval;
 }
 
 // The interval of a pixel's ray to search, starting at `from`.

@@ -2,10 +2,12 @@
 
 #include "ContactMark.h"
 #include "FieldImage.h"
-#include "HalfSpace.h"
+#include "PalpateVolumeRenderingModule.h"
 #include "PixelRays.h"
+#include "RayCaster.h"
 #include "SurfaceShading.h"
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -22,8 +24,8 @@ struct MaterialLook
 /// elsewhere in the scene: rays and clips are in the former, lights in the latter.
 struct FieldView
 {
-  PixelRays Rays; ///< in the field's world
-  std::vector<HalfSpace> Kept;
+  PixelRays Rays;                                 ///< in the field's world
+  std::vector<Eigen::Hyperplane<double, 3>> Kept; ///< clipping planes: their positive sides
   std::vector<MaterialLook> Looks; ///< by material; missing ones have the default appearance
   SurfaceFinish Finish;
   std::vector<SurfaceLight> Lights;

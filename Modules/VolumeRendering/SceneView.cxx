@@ -46,9 +46,10 @@ std::vector<SurfaceLight> LightsOf(vtkRenderer* renderer)
   return lights;
 }
 
-std::vector<HalfSpace> KeptHalves(vtkVolumeMapper* mapper, const Eigen::Matrix4d& toScene)
+std::vector<Eigen::Hyperplane<double, 3>> KeptHalves(vtkVolumeMapper* mapper,
+                                                     const Eigen::Matrix4d& toScene)
 {
-  std::vector<HalfSpace> kept;
+  std::vector<Eigen::Hyperplane<double, 3>> kept;
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   for (int i = 0; planes != nullptr && i < planes->GetNumberOfItems(); ++i)
   {
@@ -57,7 +58,7 @@ std::vector<HalfSpace> KeptHalves(vtkVolumeMapper* mapper, const Eigen::Matrix4d
     Eigen::Vector4d scene;
     scene << normal, -normal.dot(Vector3(plane->GetOrigin()));
     const Eigen::Vector4d own = toScene.transpose() * scene;
-    kept.push_back({own.head<3>(), own[3]});
+    kept.emplace_back(own.head<3>(), own[3]);
   }
   return kept;
 }

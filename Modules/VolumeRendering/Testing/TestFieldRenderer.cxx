@@ -138,7 +138,7 @@ TEST(FieldRenderer, ZeroOpacityHidesMaterial)
 TEST(FieldRenderer, ClippingPlaneShowsBackOfSurface)
 {
   FieldView view = ViewAlongZ(65);
-  view.Kept = {{-Vector3::UnitZ(), 0.0}}; // z <= 0
+  view.Kept.emplace_back(-Vector3::UnitZ(), 0.0); // z <= 0
   const FieldImage image = Draw(FieldRenderer(Spheres({6.0}), view));
   const FieldHit& hit = image.Hits[image.Pixel(32, 32)];
   EXPECT_NEAR(hit.Position[2], -6.0, 1e-9);
