@@ -27,16 +27,9 @@ std::array<double, 3> ToArray(const double* color)
 std::vector<SurfaceCurve> CutTool(vtkPolyData* tool, vtkMatrix4x4* place,
                                   const Vector3& originWorld, const Vector3& normalWorld)
 {
-  Matrix3 turn;
-  Vector3 position;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      turn(row, column) = place->GetElement(row, column);
-    }
-    position[row] = place->GetElement(row, 3);
-  }
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> pose(place->GetData());
+  const Matrix3 turn = pose.topLeftCorner<3, 3>();
+  const Vector3 position = pose.topRightCorner<3, 1>();
   std::vector<SurfaceCurve> curves =
       CutSurface(tool, turn.transpose() * (originWorld - position), turn.transpose() * normalWorld);
   for (SurfaceCurve& curve : curves)

@@ -34,16 +34,9 @@ void PlaceArrow(const Vector3& from, const Vector3& vector, vtkMatrix4x4* matrix
   const Vector3 along = vector.normalized();
   const Vector3 across = along.unitOrthogonal();
   const double thickness = std::min(ArrowThickness, vector.norm());
-  Matrix3 axes;
-  axes << vector, thickness * across, thickness * along.cross(across);
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, axes(row, column));
-    }
-    matrix->SetElement(row, 3, from[row]);
-  }
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> pose(matrix->GetData());
+  pose.topRows<3>() << vector, thickness * across, thickness * along.cross(across), from;
+  matrix->Modified();
 }
 } // namespace
 
