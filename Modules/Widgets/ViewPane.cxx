@@ -2,6 +2,7 @@
 
 #include "ViewContents.h"
 
+#include "vtkCommand.h"
 #include "vtkInteractorStyle.h"
 #include "vtkLinkedView.h"
 #include "vtkRenderWindow.h"
@@ -11,18 +12,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace palpate
 {
-namespace
-{
-void AskForImage(vtkObject* /*shared*/, unsigned long /*event*/, void* pane, void* /*data*/)
-{
-  static_cast<ViewPane*>(pane)->RequestRender();
-}
-} // namespace
-
 ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
     : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this))
 {
@@ -34,19 +25,9 @@ ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
   this->RasterImage->renderWindow()->AddRenderer(this->Scene);
   this->RasterImage->installEventFilter(this);
   // Requests to the interactor, such as a style's at each mouse move, are drawn in the next turn.
-  this->Listener->SetCallback(AskForImage);
-  this->Listener->SetClientData(this);
-  this->RasterImage->interactor()->AddObserver(vtkCommand::RenderEvent, this->Listener);
+  this->Links->Connect(this->RasterImage->interactor(), vtkCommand::RenderEvent, this,
+                       SLOT(RequestRender()));
   connect(this->Bar, &ViewHeader::MaximizeAsked, this, &ViewPane::MaximizeAsked);
-}
-
-ViewPane::~ViewPane()
-{
-  this->RasterImage->interactor()->RemoveObserver(this->Listener);
-  for (const auto& shared : this->Followed)
-  {
-    shared->RemoveObserver(this->Listener);
-  }
 }
 
 void ViewPane::SetStyle(vtkInteractorStyle* style)
@@ -89,16 +70,13 @@ void ViewPane::SetAlongImage(bool isAlongImage)
 
 void ViewPane::Follow(vtkObject* shared)
 {
-  shared->AddObserver(vtkCommand::ModifiedEvent, this->Listener);
-  this->Followed.emplace_back(shared);
+  this->Links->Connect(shared, vtkCommand::ModifiedEvent, this, SLOT(RequestRender()));
   this->RequestRender();
 }
 
 void ViewPane::Unfollow(vtkObject* shared)
 {
-  shared->RemoveObserver(this->Listener);
-  this->Followed.erase(std::remove(this->Followed.begin(), this->Followed.end(), shared),
-                       this->Followed.end());
+  this->Links->Disconnect(shared, vtkCommand::ModifiedEvent, this);
   this->RequestRender();
 }
 

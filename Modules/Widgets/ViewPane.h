@@ -3,13 +3,12 @@
 #include "ViewCanvas.h"
 #include "ViewHeader.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkEventQtSlotConnect.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <QWidget>
-
-#include <vector>
 
 class vtkInteractorStyle;
 class vtkLinkedView;
@@ -27,13 +26,10 @@ class ViewPane : public QWidget
 
 public:
   ViewPane(const QString& name, const QColor& color, QWidget* parent);
-  ~ViewPane() override;
 
   /// The widget that VTK draws in and that receives the mouse.
   ViewCanvas* Canvas() const { return this->RasterImage; }
   vtkRenderer* Renderer() const { return this->Scene; }
-  /// Draws soon.
-  void RequestRender();
   /// Draws now if a frame is due.
   void RenderNow();
   /// Number of frames drawn.
@@ -43,9 +39,13 @@ public:
   void RemoveSurface(vtkSurfaceDisplay* surface);
   void SetAlongImage(bool isAlongImage);
 
-  /// Draws whenever the object is modified; observers end with the pane.
+  /// Draws whenever the object is modified, until the pane ends.
   void Follow(vtkObject* shared);
   void Unfollow(vtkObject* shared);
+
+public Q_SLOTS:
+  /// Draws soon.
+  void RequestRender();
 
 Q_SIGNALS:
   void MaximizeAsked();
@@ -67,8 +67,7 @@ private:
   ViewHeader* Bar;
   ViewCanvas* RasterImage;
   vtkNew<vtkRenderer> Scene;
-  vtkNew<vtkCallbackCommand> Listener; ///< of the followed objects
-  std::vector<vtkSmartPointer<vtkObject>> Followed;
+  vtkNew<vtkEventQtSlotConnect> Links; ///< to the followed objects
   vtkSmartPointer<vtkLinkedView> Shown;
   bool IsDue = false;
   int Drawn = 0;
