@@ -1,7 +1,5 @@
 #include "FalconDevice.h"
 
-#include "MotorValues.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Clock.h"
+#include "DeviceRegistry.h"
 #include "FalconBoot.h"
 #include "FalconCalibration.h"
 #include "FalconExchange.h"
@@ -90,4 +91,8 @@ private:
   std::int64_t Measured = 0;      // ns, time of the counts
   unsigned Pressed = 0;           // buttons in the last reply, confirmed or not
 };
+
+/// Adds "falcon": real devices on USB (FalconKind with a LibusbFalconFinder). Only in builds with
+/// libusb.
+Status RegisterFalconDevices(DeviceRegistry& registry);
 } // namespace palpate
