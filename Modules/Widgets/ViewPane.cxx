@@ -3,9 +3,9 @@
 #include "ViewContents.h"
 
 #include "vtkCommand.h"
+#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkInteractorStyle.h"
 #include "vtkLinkedView.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <QMouseEvent>
@@ -14,6 +14,25 @@
 
 namespace palpate
 {
+ViewCanvas::ViewCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
+{
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  this->setRenderWindow(window);
+  this->interactor()->EnableRenderOff();
+  this->setMouseTracking(true);
+  this->setFocusPolicy(Qt::StrongFocus);
+}
+
+// VTK's widget expects the interactor to draw the first frame, and that of a new size, here;
+// otherwise later ones are never shown.
+void ViewCanvas::paintGL()
+{
+  this->interactor()->EnableRenderOn();
+  QVTKOpenGLNativeWidget::paintGL();
+  this->interactor()->EnableRenderOff();
+}
+
 ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
     : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this))
 {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ViewCanvas.h"
 #include "ViewHeader.h"
 
 #include "vtkEventQtSlotConnect.h"
@@ -8,6 +7,7 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
 
 class vtkInteractorStyle;
@@ -17,6 +17,17 @@ class vtkSurfaceDisplay;
 namespace palpate
 {
 class ViewContents;
+
+/// VTK's canvas in a window. Its interactor draws only when Qt paints: a style that asks to render
+/// at each mouse move triggers only a RenderEvent.
+class ViewCanvas : public QVTKOpenGLNativeWidget
+{
+public:
+  explicit ViewCanvas(QWidget* parent);
+
+protected:
+  void paintGL() override;
+};
 
 /// A view with its header. It draws at most once per turn of the event loop, however often it is
 /// asked to, and not at all while hidden.
