@@ -96,7 +96,7 @@ protected:
     this->FeelUntil(
         [&]
         {
-          this->Study->MoveHand(place);
+          this->Study->Current().Touch().MoveHand(place);
           const bool isSteady = this->Force() > 0.1 && std::abs(this->Force() - former) < 1e-4;
           const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
           since = isSteady ? since : now;
