@@ -1,7 +1,11 @@
 #include "ImageAxes.h"
 
+#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 
 #include <Eigen/LU>
 
@@ -38,5 +42,29 @@ std::array<Vector3, 8> ImageAxes::CornersWorld() const
     corners[c] = this->ToWorld(index);
   }
   return corners;
+}
+
+vtkSmartPointer<vtkPolyData> MakeBox(const std::array<Vector3, 8>& corners)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector3& corner : corners)
+  {
+    points->InsertNextPoint(corner.data());
+  }
+  vtkNew<vtkCellArray> faces;
+  for (const auto& face : {std::array<vtkIdType, 4>{{0, 1, 3, 2}},
+                           {{4, 6, 7, 5}},
+                           {{0, 4, 5, 1}},
+                           {{2, 3, 7, 6}},
+                           {{0, 2, 6, 4}},
+                           {{1, 5, 7, 3}}})
+  {
+    faces->InsertNextCell(4, face.data());
+  }
+  auto box = vtkSmartPointer<vtkPolyData>::New();
+  box->SetPoints(points);
+  box->SetPolys(faces);
+  return box;
 }
 } // namespace palpate

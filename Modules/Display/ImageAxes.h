@@ -3,10 +3,13 @@
 #include "PalpateDisplayModule.h"
 #include "Vector3.h"
 
+#include "vtkSmartPointer.h"
+
 #include <Eigen/Core>
 #include <array>
 
 class vtkImageData;
+class vtkPolyData;
 
 namespace palpate
 {
@@ -36,4 +39,7 @@ struct PALPATEDISPLAY_EXPORT ImageAxes
   Eigen::Matrix3d StepWorld;             ///< columns: the step of one index along each axis, mm
   Eigen::Matrix3d WorldToIndex;
 };
+
+/// The sides of a box with its corners in the order of CornersWorld.
+PALPATEDISPLAY_EXPORT vtkSmartPointer<vtkPolyData> MakeBox(const std::array<Vector3, 8>& corners);
 } // namespace palpate

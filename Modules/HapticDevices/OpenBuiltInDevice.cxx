@@ -1,7 +1,5 @@
 #include "OpenBuiltInDevice.h"
 
-#include "BuiltInDevices.h"
-
 namespace palpate
 {
 Status MakeBuiltInDevice(const std::string& name, Clock& clock,

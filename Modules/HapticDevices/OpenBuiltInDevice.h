@@ -1,13 +1,15 @@
 #pragma once
 
-#include "Clock.h"
-#include "HapticDevice.h"
+#include "DeviceRegistry.h"
 
 #include <memory>
 #include <string>
 
 namespace palpate
 {
+/// Adds every kind of device of this build. CMake generates the source from the list of back ends.
+Status RegisterBuiltInDevices(DeviceRegistry& registry);
+
 /// Creates a closed device of this build by its name ("simulated", "replay:file"). Fails with a
 /// message that names the obstacle. The clock must outlive the device.
 Status MakeBuiltInDevice(const std::string& name, Clock& clock,

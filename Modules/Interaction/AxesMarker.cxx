@@ -2,14 +2,11 @@
 
 #include "ViewText.h"
 
-#include "vtkActor2D.h"
 #include "vtkCellArray.h"
 #include "vtkCoordinate.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
-#include "vtkRenderer.h"
 #include "vtkTextActor.h"
 
 namespace palpate
@@ -30,41 +27,14 @@ AxesMarker::AxesMarker()
   this->Axes->SetMapper(mapper);
   this->Axes->GetProperty()->SetColor(1.0, 1.0, 1.0);
   this->Axes->PickableOff();
+  this->Add(this->Axes);
   for (int part = 0; part < 3; ++part)
   {
     auto& letter = this->Letters[static_cast<std::size_t>(part)];
     letter = MakeViewText(0.5, 0.5, LetterSize); // centred
     letter->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     SetViewText(letter, OrientationLetters(Vector3::Unit(part)));
-  }
-}
-
-AxesMarker::~AxesMarker() = default;
-
-void AxesMarker::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Axes);
-  for (vtkTextActor* letter : this->Letters)
-  {
-    renderer->AddViewProp(letter);
-  }
-}
-
-void AxesMarker::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Axes);
-  for (vtkTextActor* letter : this->Letters)
-  {
-    renderer->RemoveViewProp(letter);
-  }
-}
-
-void AxesMarker::SetVisible(bool isVisible)
-{
-  this->Axes->SetVisibility(isVisible ? 1 : 0);
-  for (vtkTextActor* letter : this->Letters)
-  {
-    letter->SetVisibility(isVisible ? 1 : 0);
+    this->Add(letter);
   }
 }
 

@@ -4,8 +4,6 @@
 #include "ViewText.h"
 
 #include "vtkLookupTable.h"
-#include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -37,26 +35,13 @@ ColorBar::ColorBar() : Title(MakeViewText(Left, Bottom + Height + Gap, TextSize)
   style->SetFontSize(TextSize);
   style->BoldOff();
   style->ItalicOff();
-}
-
-ColorBar::~ColorBar() = default;
-
-void ColorBar::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Bar);
-  renderer->AddViewProp(this->Title);
-}
-
-void ColorBar::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Bar);
-  renderer->RemoveViewProp(this->Title);
+  this->Add(this->Bar);
+  this->Add(this->Title);
 }
 
 void ColorBar::Update(vtkLookupTable* colors, const std::string& array)
 {
-  this->Bar->SetVisibility(colors != nullptr ? 1 : 0);
-  this->Title->SetVisibility(colors != nullptr ? 1 : 0);
+  this->SetVisible(colors != nullptr);
   if (colors != nullptr && this->Bar->GetLookupTable() != colors)
   {
     this->Bar->SetLookupTable(colors);

@@ -3,7 +3,6 @@
 #include "vtkCrosshair.h"
 
 #include "vtkActor.h"
-#include "vtkRenderer.h"
 
 namespace palpate
 {
@@ -13,24 +12,17 @@ constexpr double Gap = 8.0; // points from the centre to the lines
 constexpr double LineWidth = 1.0;
 } // namespace
 
-void CrosshairInSlice::AddTo(vtkRenderer* renderer) const
+CrosshairInSlice::CrosshairInSlice()
 {
-  renderer->AddViewProp(this->Across.Actor());
-  renderer->AddViewProp(this->Up.Actor());
-}
-
-void CrosshairInSlice::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Across.Actor());
-  renderer->RemoveViewProp(this->Up.Actor());
+  this->Add(this->Across.Actor());
+  this->Add(this->Up.Actor());
 }
 
 void CrosshairInSlice::Update(vtkCrosshair* crosshair, SliceOrientation orientation,
                               const SlicePosition& slice)
 {
   const bool isShown = crosshair != nullptr && crosshair->GetVisibility();
-  this->Across.SetVisible(isShown);
-  this->Up.SetVisible(isShown);
+  this->SetVisible(isShown);
   if (!isShown)
   {
     return;

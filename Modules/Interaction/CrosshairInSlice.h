@@ -4,19 +4,19 @@
 #include "PalpateInteractionModule.h"
 #include "SliceGeometry.h"
 #include "SlicePosition.h"
+#include "ViewProps.h"
 
 class vtkCrosshair;
-class vtkRenderer;
 
 namespace palpate
 {
 /// A crosshair in a slice: two lines with a gap, so that the point itself is visible; each has the
 /// colour of the plane whose trace it is.
-class PALPATEINTERACTION_EXPORT CrosshairInSlice
+class PALPATEINTERACTION_EXPORT CrosshairInSlice : public ViewProps
 {
 public:
-  void AddTo(vtkRenderer* renderer) const;
-  void RemoveFrom(vtkRenderer* renderer) const;
+  CrosshairInSlice();
+
   /// Null shows nothing.
   void Update(vtkCrosshair* crosshair, SliceOrientation orientation, const SlicePosition& slice);
 

@@ -1,9 +1,7 @@
 #include "CurveActor.h"
 
-#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 
@@ -18,8 +16,6 @@ CurveActor::CurveActor()
   this->Lines->GetProperty()->LightingOff();
   this->Lines->PickableOff();
 }
-
-CurveActor::~CurveActor() = default;
 
 void CurveActor::SetCurves(const std::vector<SurfaceCurve>& curves, const Vector3& lift)
 {

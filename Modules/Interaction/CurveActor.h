@@ -3,14 +3,12 @@
 #include "PalpateInteractionModule.h"
 #include "SurfaceCut.h"
 
+#include "vtkActor.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 
 #include <array>
 #include <vector>
-
-class vtkActor;
-class vtkPolyData;
-class vtkRenderer;
 
 namespace palpate
 {
@@ -19,9 +17,6 @@ class PALPATEINTERACTION_EXPORT CurveActor
 {
 public:
   CurveActor();
-  ~CurveActor();
-  CurveActor(const CurveActor&) = delete;
-  CurveActor& operator=(const CurveActor&) = delete;
 
   /// Moved by `lift`, towards the viewer, which changes only the drawing order.
   void SetCurves(const std::vector<SurfaceCurve>& curves, const Vector3& lift);

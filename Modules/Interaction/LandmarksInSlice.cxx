@@ -41,10 +41,8 @@ Vector3 PlaceOf(const vtkLandmarks& landmarks, int number)
   return Vector3(landmarks.GetLandmarks()[static_cast<std::size_t>(number)].PositionWorld.data());
 }
 
-// Returns the number of spheres that the slice cuts.
-int AddSpheres(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
+void AddSpheres(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
 {
-  int count = 0;
   const double radius = landmarks.GetRadius();
   for (const vtkLandmarks::Landmark& landmark : landmarks.GetLandmarks())
   {
@@ -56,10 +54,8 @@ int AddSpheres(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& dra
       const Vector3 center = slice.Projected(place);
       drawing.Curves.push_back(Circle(center, cut, slice.Frame));
       drawing.Labels.push_back({landmark.Name, center + cut * slice.Frame.RightWorld});
-      ++count;
     }
   }
-  return count;
 }
 
 void AddDistances(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
@@ -98,12 +94,11 @@ void LandmarksInSlice::Update(vtkLandmarks* landmarks, const SlicePosition& slic
 {
   Drawing drawing;
   std::array<double, 3> color{};
-  this->Reached = 0;
   if (landmarks != nullptr)
   {
     const double* shade = landmarks->GetColor();
     color = {{shade[0], shade[1], shade[2]}};
-    this->Reached = AddSpheres(*landmarks, slice, drawing);
+    AddSpheres(*landmarks, slice, drawing);
     AddDistances(*landmarks, slice, drawing);
   }
   this->Marks.SetCurves(drawing.Curves, slice.Lift(LandmarkLayer));

@@ -20,13 +20,9 @@ public:
   /// Null shows nothing.
   void Update(vtkLandmarks* landmarks, const SlicePosition& slice);
 
-  /// Number of landmarks within reach.
-  int Count() const { return this->Reached; }
-
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
   CurveActor Marks;
   PointLabels Labels;
-  int Reached = 0;
 };
 } // namespace palpate

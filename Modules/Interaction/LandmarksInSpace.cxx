@@ -4,14 +4,11 @@
 
 #include "vtkLandmarks.h"
 
-#include "vtkActor.h"
 #include "vtkGlyph3D.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkSphereSource.h"
 
 namespace palpate
 {
@@ -35,8 +32,6 @@ LandmarksInSpace::LandmarksInSpace()
   this->Spheres->SetMapper(mapper);
   this->Spheres->PickableOff();
 }
-
-LandmarksInSpace::~LandmarksInSpace() = default;
 
 void LandmarksInSpace::SetRenderer(vtkRenderer* renderer)
 {

@@ -4,11 +4,10 @@
 #include "PalpateInteractionModule.h"
 #include "PointLabels.h"
 
-class vtkActor;
+#include "vtkSphereSource.h"
+
 class vtkLandmarks;
-class vtkPolyData;
 class vtkRenderer;
-class vtkSphereSource;
 
 namespace palpate
 {
@@ -17,9 +16,6 @@ class PALPATEINTERACTION_EXPORT LandmarksInSpace
 {
 public:
   LandmarksInSpace();
-  ~LandmarksInSpace();
-  LandmarksInSpace(const LandmarksInSpace&) = delete;
-  LandmarksInSpace& operator=(const LandmarksInSpace&) = delete;
 
   /// Null removes them.
   void SetRenderer(vtkRenderer* renderer);

@@ -14,10 +14,6 @@ namespace
 constexpr int TextSize = 10; // points
 } // namespace
 
-PointLabels::PointLabels() = default;
-
-PointLabels::~PointLabels() = default;
-
 void PointLabels::SetRenderer(vtkRenderer* renderer)
 {
   this->Resize(0);

@@ -25,16 +25,9 @@ public:
     Vector3 PositionWorld;
   };
 
-  PointLabels();
-  ~PointLabels();
-  PointLabels(const PointLabels&) = delete;
-  PointLabels& operator=(const PointLabels&) = delete;
-
   /// Removes them from the previous renderer; null for none.
   void SetRenderer(vtkRenderer* renderer);
   void Update(const std::vector<Label>& labels, const std::array<double, 3>& color);
-
-  int Count() const { return static_cast<int>(this->Texts.size()); }
 
 private:
   void Resize(std::size_t count);

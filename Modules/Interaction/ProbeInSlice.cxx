@@ -5,7 +5,6 @@
 #include "vtkActor.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 
@@ -28,16 +27,9 @@ std::array<double, 3> ToArray(const double* color)
 std::vector<SurfaceCurve> CutTool(vtkPolyData* tool, vtkMatrix4x4* place,
                                   const Vector3& originWorld, const Vector3& normalWorld)
 {
-  Matrix3 turn;
-  Vector3 position;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      turn(row, column) = place->GetElement(row, column);
-    }
-    position[row] = place->GetElement(row, 3);
-  }
+  const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> pose(place->GetData());
+  const Matrix3 turn = pose.topLeftCorner<3, 3>();
+  const Vector3 position = pose.topRightCorner<3, 1>();
   std::vector<SurfaceCurve> curves =
       CutSurface(tool, turn.transpose() * (originWorld - position), turn.transpose() * normalWorld);
   for (SurfaceCurve& curve : curves)
@@ -67,26 +59,17 @@ std::vector<SurfaceCurve> FlatArrow(const Vector3& from, const Vector3& vector,
           {{back + 0.5 * head * across, tip, back - 0.5 * head * across}, false}};
 }
 
-void ProbeInSlice::AddTo(vtkRenderer* renderer) const
+ProbeInSlice::ProbeInSlice()
 {
-  renderer->AddViewProp(this->Probe.Actor());
-  renderer->AddViewProp(this->Proxy.Actor());
-  renderer->AddViewProp(this->Arrow.Actor());
-}
-
-void ProbeInSlice::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Probe.Actor());
-  renderer->RemoveViewProp(this->Proxy.Actor());
-  renderer->RemoveViewProp(this->Arrow.Actor());
+  this->Add(this->Probe.Actor());
+  this->Add(this->Proxy.Actor());
+  this->Add(this->Arrow.Actor());
 }
 
 void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& slice)
 {
   const bool isShown = probe != nullptr && probe->GetVisibility() && probe->GetTool() != nullptr;
-  this->Probe.SetVisible(isShown);
-  this->Proxy.SetVisible(isShown);
-  this->Arrow.SetVisible(isShown);
+  this->SetVisible(isShown);
   if (!isShown)
   {
     return;

@@ -3,13 +3,13 @@
 #include "CurveActor.h"
 #include "PalpateInteractionModule.h"
 #include "SlicePosition.h"
+#include "ViewProps.h"
 
 #include <vector>
 
 class vtkMatrix4x4;
 class vtkPolyData;
 class vtkProbeRepresentation;
-class vtkRenderer;
 
 namespace palpate
 {
@@ -25,11 +25,11 @@ FlatArrow(const Vector3& from, const Vector3& vector, const Vector3& normal, dou
 
 /// A probe in a slice: a thin outline at the probe, a thick one at the proxy, and from there the
 /// force's component in the plane. Nothing if the slice does not cut the tool.
-class PALPATEINTERACTION_EXPORT ProbeInSlice
+class PALPATEINTERACTION_EXPORT ProbeInSlice : public ViewProps
 {
 public:
-  void AddTo(vtkRenderer* renderer) const;
-  void RemoveFrom(vtkRenderer* renderer) const;
+  ProbeInSlice();
+
   /// Null shows nothing.
   void Update(vtkProbeRepresentation* probe, const SlicePosition& slice);
 

@@ -4,13 +4,11 @@
 #include "Vector3.h"
 #include "vtkProbeRepresentation.h"
 
-#include "vtkActor.h"
 #include "vtkArrowSource.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 
@@ -36,16 +34,9 @@ void PlaceArrow(const Vector3& from, const Vector3& vector, vtkMatrix4x4* matrix
   const Vector3 along = vector.normalized();
   const Vector3 across = along.unitOrthogonal();
   const double thickness = std::min(ArrowThickness, vector.norm());
-  Matrix3 axes;
-  axes << vector, thickness * across, thickness * along.cross(across);
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      matrix->SetElement(row, column, axes(row, column));
-    }
-    matrix->SetElement(row, 3, from[row]);
-  }
+  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> pose(matrix->GetData());
+  pose.topRows<3>() << vector, thickness * across, thickness * along.cross(across), from;
+  matrix->Modified();
 }
 } // namespace
 
@@ -63,25 +54,11 @@ ProbeInSpace::ProbeInSpace()
   mapper->SetInputConnection(arrow->GetOutputPort());
   this->Arrow->SetMapper(mapper);
   this->Arrow->SetUserMatrix(vtkNew<vtkMatrix4x4>());
-  SetMaterial(this->Probe);
-  SetMaterial(this->Proxy);
-  SetMaterial(this->Arrow);
-}
-
-ProbeInSpace::~ProbeInSpace() = default;
-
-void ProbeInSpace::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Probe);
-  renderer->AddViewProp(this->Proxy);
-  renderer->AddViewProp(this->Arrow);
-}
-
-void ProbeInSpace::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Probe);
-  renderer->RemoveViewProp(this->Proxy);
-  renderer->RemoveViewProp(this->Arrow);
+  for (vtkActor* actor : {this->Probe.Get(), this->Proxy.Get(), this->Arrow.Get()})
+  {
+    SetMaterial(actor);
+    this->Add(actor);
+  }
 }
 
 void ProbeInSpace::Update(vtkProbeRepresentation* probe)

@@ -3,13 +3,10 @@
 #include "DecimalText.h"
 #include "ViewText.h"
 
-#include "vtkActor2D.h"
 #include "vtkCellArray.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
-#include "vtkRenderer.h"
 #include "vtkTextActor.h"
 
 #include <algorithm>
@@ -33,9 +30,9 @@ ScaleBar::ScaleBar() : Label(MakeViewText(Left, Bottom, TextSize))
   this->Bar->SetMapper(mapper);
   this->Bar->GetProperty()->SetColor(1.0, 1.0, 1.0);
   this->Bar->PickableOff();
+  this->Add(this->Bar);
+  this->Add(this->Label);
 }
-
-ScaleBar::~ScaleBar() = default;
 
 double ScaleBar::RoundLength(double millimeters)
 {
@@ -47,24 +44,6 @@ double ScaleBar::RoundLength(double millimeters)
     length = step * decade <= millimeters * (1.0 + 1e-12) ? step * decade : length;
   }
   return length;
-}
-
-void ScaleBar::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Bar);
-  renderer->AddViewProp(this->Label);
-}
-
-void ScaleBar::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Bar);
-  renderer->RemoveViewProp(this->Label);
-}
-
-void ScaleBar::SetVisible(bool isVisible)
-{
-  this->Bar->SetVisibility(isVisible ? 1 : 0);
-  this->Label->SetVisibility(isVisible ? 1 : 0);
 }
 
 void ScaleBar::Update(double pixelMillimeters, int width, int height, double pointPixels)

@@ -1,32 +1,25 @@
 #pragma once
 
 #include "PalpateInteractionModule.h"
+#include "ViewProps.h"
 
+#include "vtkActor2D.h"
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
+#include "vtkPolyData.h"
 
-class vtkActor2D;
-class vtkPolyData;
-class vtkRenderer;
 class vtkTextActor;
 
 namespace palpate
 {
 /// A bar of a round length at the lower left of a view, with the length as text.
-class PALPATEINTERACTION_EXPORT ScaleBar
+class PALPATEINTERACTION_EXPORT ScaleBar : public ViewProps
 {
 public:
   ScaleBar();
-  ~ScaleBar();
-  ScaleBar(const ScaleBar&) = delete;
-  ScaleBar& operator=(const ScaleBar&) = delete;
 
   /// The largest 1, 2 or 5 times a power of ten that does not exceed `millimeters` > 0.
   static double RoundLength(double millimeters);
 
-  void AddTo(vtkRenderer* renderer) const;
-  void RemoveFrom(vtkRenderer* renderer) const;
-  void SetVisible(bool isVisible);
   /// For a view of that many pixels, with `pointPixels` pixels per point (1/72 inch).
   void Update(double pixelMillimeters, int width, int height, double pointPixels);
 

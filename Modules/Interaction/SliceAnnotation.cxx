@@ -2,7 +2,6 @@
 
 #include "DecimalText.h"
 
-#include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -37,27 +36,9 @@ SliceAnnotation::SliceAnnotation() : Text(MakeViewText(0.015, 0.985, TextSize))
   style->ShadowOff(); // VTK would draw a white one under such colours
   style->SetBackgroundColor(0.0, 0.0, 0.0);
   style->SetBackgroundOpacity(0.5);
-}
-
-void SliceAnnotation::AddTo(vtkRenderer* renderer) const
-{
-  this->Letters.AddTo(renderer);
-  this->Bar.AddTo(renderer);
-  renderer->AddViewProp(this->Text);
-}
-
-void SliceAnnotation::RemoveFrom(vtkRenderer* renderer) const
-{
-  this->Letters.RemoveFrom(renderer);
-  this->Bar.RemoveFrom(renderer);
-  renderer->RemoveViewProp(this->Text);
-}
-
-void SliceAnnotation::SetVisible(bool isVisible)
-{
-  this->Letters.SetVisible(isVisible);
-  this->Bar.SetVisible(isVisible);
-  this->Text->SetVisibility(isVisible ? 1 : 0);
+  this->Add(this->Letters);
+  this->Add(this->Bar);
+  this->Add(this->Text);
 }
 
 void SliceAnnotation::Update(SliceOrientation orientation, const SliceGeometry& geometry,

@@ -10,14 +10,10 @@ namespace palpate
 {
 /// Text over a slice: letters of the patient's directions, a scale bar, and the slice's number and
 /// position, in the colour of its plane.
-class PALPATEINTERACTION_EXPORT SliceAnnotation
+class PALPATEINTERACTION_EXPORT SliceAnnotation : public ViewProps
 {
 public:
   SliceAnnotation();
-
-  void AddTo(vtkRenderer* renderer) const;
-  void RemoveFrom(vtkRenderer* renderer) const;
-  void SetVisible(bool isVisible);
   /// `placeWorld` is a point of the slice.
   void Update(SliceOrientation orientation, const SliceGeometry& geometry,
               const SlicePosition& slice, const Vector3& placeWorld);

@@ -5,11 +5,8 @@
 #include "vtkImageDisplay.h"
 
 #include "vtkActor.h"
-#include "vtkCellArray.h"
 #include "vtkImageData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,26 +21,8 @@ constexpr double LongestSide = 512.0; // pixels
 // The polygon in which a plane cuts the box of an image; empty if it misses it.
 std::vector<Vector3> CutBox(const ImageAxes& axes, const Vector3& through, const Vector3& normal)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vector3& corner : axes.CornersWorld())
-  {
-    points->InsertNextPoint(corner.data());
-  }
-  vtkNew<vtkCellArray> faces;
-  for (const auto& face : {std::array<vtkIdType, 4>{{0, 1, 3, 2}},
-                           {{4, 6, 7, 5}},
-                           {{0, 4, 5, 1}},
-                           {{2, 3, 7, 6}},
-                           {{0, 2, 6, 4}},
-                           {{1, 5, 7, 3}}})
-  {
-    faces->InsertNextCell(4, face.data());
-  }
-  vtkNew<vtkPolyData> box;
-  box->SetPoints(points);
-  box->SetPolys(faces);
-  const std::vector<SurfaceCurve> curves = CutSurface(box, through, normal);
+  const std::vector<SurfaceCurve> curves =
+      CutSurface(MakeBox(axes.CornersWorld()), through, normal);
   return curves.empty() ? std::vector<Vector3>{} : curves.front().Points;
 }
 } // namespace
@@ -52,23 +31,8 @@ SliceInSpace::SliceInSpace(SliceOrientation orientation) : Orientation(orientati
 {
   this->Patch.SetInterpolate(true);
   this->Outline.SetStyle(ColorOf(orientation), 1.0, OutlineWidth);
-}
-
-void SliceInSpace::AddTo(vtkRenderer* renderer) const
-{
-  renderer->AddViewProp(this->Patch.Actor());
-  renderer->AddViewProp(this->Outline.Actor());
-}
-
-void SliceInSpace::RemoveFrom(vtkRenderer* renderer) const
-{
-  renderer->RemoveViewProp(this->Patch.Actor());
-  renderer->RemoveViewProp(this->Outline.Actor());
-}
-
-void SliceInSpace::SetVisible(bool isVisible)
-{
-  this->IsVisible = isVisible;
+  this->Add(this->Patch.Actor());
+  this->Add(this->Outline.Actor());
 }
 
 PixelGrid SliceInSpace::GridOf(const std::vector<Vector3>& corners, const ViewFrame& frame,
@@ -94,8 +58,7 @@ PixelGrid SliceInSpace::GridOf(const std::vector<Vector3>& corners, const ViewFr
 void SliceInSpace::Update(vtkImageDisplay* display, bool isAlongImage, const Vector3& throughWorld)
 {
   vtkImageData* image = display == nullptr ? nullptr : display->GetImage();
-  const bool isShown = this->IsVisible && image != nullptr;
-  if (isShown)
+  if (image != nullptr)
   {
     const ViewFrame frame = SliceGeometry(this->Orientation, isAlongImage, image).Frame;
     const Vector3& normal = frame.TowardsViewerWorld;
@@ -119,7 +82,6 @@ void SliceInSpace::Update(vtkImageDisplay* display, bool isAlongImage, const Vec
       this->PaintedNormal = normal;
     }
   }
-  this->Patch.Actor()->SetVisibility(isShown && !this->IsEmpty ? 1 : 0);
-  this->Outline.SetVisible(isShown && !this->IsEmpty);
+  this->SetVisible(image != nullptr && !this->IsEmpty);
 }
 } // namespace palpate

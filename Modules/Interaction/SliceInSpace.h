@@ -4,26 +4,22 @@
 #include "PalpateInteractionModule.h"
 #include "SliceGeometry.h"
 #include "SlicePatch.h"
+#include "ViewProps.h"
 
 #include <cstdint>
 
 class vtkImageDisplay;
-class vtkRenderer;
 
 namespace palpate
 {
 /// A whole slice of a volume as a textured plane in 3D, at about the voxels' resolution, with an
 /// outline in its plane's colour. World is patient LPS, mm.
-class PALPATEINTERACTION_EXPORT SliceInSpace
+class PALPATEINTERACTION_EXPORT SliceInSpace : public ViewProps
 {
 public:
   explicit SliceInSpace(SliceOrientation orientation);
-
-  void AddTo(vtkRenderer* renderer) const;
-  void RemoveFrom(vtkRenderer* renderer) const;
-  void SetVisible(bool isVisible);
-  /// Through a point; nothing is shown if the plane misses the volume. Painted again only after a
-  /// change.
+  /// Through a point; nothing is shown without a display, or if the plane misses the volume.
+  /// Painted again only after a change.
   void Update(vtkImageDisplay* display, bool isAlongImage, const Vector3& throughWorld);
 
   vtkActor* Actor() const { return this->Patch.Actor(); }
@@ -33,7 +29,6 @@ private:
                    double pixelMillimeters) const;
 
   SliceOrientation Orientation;
-  bool IsVisible = true;
   SlicePatch Patch;
   CurveActor Outline;
   std::uint64_t PaintedTime = 0;

@@ -1,15 +1,11 @@
 #include "SlicePatch.h"
 
-#include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkTexture.h"
 
 namespace palpate
 {
@@ -28,8 +24,6 @@ SlicePatch::SlicePatch()
   this->Polygon->ForceOpaqueOn();
   this->Polygon->GetProperty()->LightingOff();
 }
-
-SlicePatch::~SlicePatch() = default;
 
 void SlicePatch::SetInterpolate(bool interpolate)
 {

@@ -3,14 +3,13 @@
 #include "PalpateInteractionModule.h"
 #include "PixelGrid.h"
 
+#include "vtkActor.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTexture.h"
 
 #include <vector>
-
-class vtkActor;
-class vtkImageData;
-class vtkPolyData;
-class vtkTexture;
 
 namespace palpate
 {
@@ -20,9 +19,6 @@ class PALPATEINTERACTION_EXPORT SlicePatch
 {
 public:
   SlicePatch();
-  ~SlicePatch();
-  SlicePatch(const SlicePatch&) = delete;
-  SlicePatch& operator=(const SlicePatch&) = delete;
 
   /// The image to show; paint into it, then place it.
   vtkImageData* RasterImage() const { return this->Pixels; }

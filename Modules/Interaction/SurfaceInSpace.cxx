@@ -5,14 +5,12 @@
 #include "SurfaceNormals.h"
 #include "vtkSurfaceDisplay.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
 #include "vtkUniforms.h"
@@ -38,13 +36,11 @@ constexpr const char* ContactShader = R"(//VTK::Color::Impl
 SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
 {
   this->Surface->SetMapper(this->Mapper);
-  SurfaceMaterial::Set(this->Surface->GetProperty());
+  this->Surface->GetProperty()->SetSpecularPower(SurfaceMaterial::SpecularPower);
   this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
                                                                    ContactShader, false);
   this->UpdateContact({}, nullptr);
 }
-
-SurfaceInSpace::~SurfaceInSpace() = default;
 
 void SurfaceInSpace::Update()
 {
@@ -63,8 +59,16 @@ void SurfaceInSpace::Update()
   }
   this->Time = time;
   this->Mapper->SetInputData(WithNormals(this->Shown->GetSurface()));
-  this->Surface->GetProperty()->SetColor(this->Shown->GetColor());
-  this->Surface->GetProperty()->SetOpacity(this->Shown->GetOpacity());
+  const bool isWireframe = this->Shown->GetWireframe();
+  this->Surface->SetPickable(isWireframe ? 0 : 1);
+  vtkProperty* property = this->Surface->GetProperty();
+  property->SetRepresentation(isWireframe ? VTK_WIREFRAME : VTK_SURFACE);
+  // Edges look unlit. Without VTK's lighting the contact's shader would have no positions.
+  property->SetAmbient(isWireframe ? 1.0 : SurfaceMaterial::Ambient);
+  property->SetDiffuse(isWireframe ? 0.0 : SurfaceMaterial::Diffuse);
+  property->SetSpecular(isWireframe ? 0.0 : SurfaceMaterial::Specular);
+  property->SetColor(this->Shown->GetColor());
+  property->SetOpacity(this->Shown->GetOpacity());
   this->ColorByArray();
 }
 

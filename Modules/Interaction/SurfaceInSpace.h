@@ -2,17 +2,17 @@
 
 #include "PalpateInteractionModule.h"
 
+#include "vtkActor.h"
 #include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
 
-class vtkActor;
 class vtkCamera;
 class vtkLookupTable;
-class vtkPolyDataMapper;
 class vtkSurfaceDisplay;
 
 namespace palpate
@@ -25,9 +25,6 @@ class PALPATEINTERACTION_EXPORT SurfaceInSpace
 {
 public:
   explicit SurfaceInSpace(vtkSurfaceDisplay* display);
-  ~SurfaceInSpace();
-  SurfaceInSpace(const SurfaceInSpace&) = delete;
-  SurfaceInSpace& operator=(const SurfaceInSpace&) = delete;
 
   void Update();
   /// Sets the contact, for the camera of the next frame.

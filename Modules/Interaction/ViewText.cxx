@@ -54,32 +54,7 @@ EdgeLetters::EdgeLetters()
   for (vtkTextActor* letter : this->Letters)
   {
     letter->GetTextProperty()->BoldOn();
-  }
-}
-
-EdgeLetters::~EdgeLetters() = default;
-
-void EdgeLetters::AddTo(vtkRenderer* renderer) const
-{
-  for (vtkTextActor* letter : this->Letters)
-  {
-    renderer->AddViewProp(letter);
-  }
-}
-
-void EdgeLetters::RemoveFrom(vtkRenderer* renderer) const
-{
-  for (vtkTextActor* letter : this->Letters)
-  {
-    renderer->RemoveViewProp(letter);
-  }
-}
-
-void EdgeLetters::SetVisible(bool isVisible)
-{
-  for (vtkTextActor* letter : this->Letters)
-  {
-    letter->SetVisibility(isVisible ? 1 : 0);
+    this->Add(letter);
   }
 }
 

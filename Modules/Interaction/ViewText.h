@@ -2,8 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "PalpateInteractionModule.h"
-
-#include "vtkSmartPointer.h"
+#include "ViewProps.h"
 
 #include <array>
 
@@ -23,17 +22,10 @@ PALPATEINTERACTION_EXPORT vtkSmartPointer<vtkTextActor> MakeViewText(double x, d
 PALPATEINTERACTION_EXPORT void SetViewText(vtkTextActor* actor, const std::string& text);
 
 /// Letters of the patient's directions at the four edges of a view.
-class PALPATEINTERACTION_EXPORT EdgeLetters
+class PALPATEINTERACTION_EXPORT EdgeLetters : public ViewProps
 {
 public:
   EdgeLetters();
-  ~EdgeLetters();
-  EdgeLetters(const EdgeLetters&) = delete;
-  EdgeLetters& operator=(const EdgeLetters&) = delete;
-
-  void AddTo(vtkRenderer* renderer) const;
-  void RemoveFrom(vtkRenderer* renderer) const;
-  void SetVisible(bool isVisible);
   void Update(const ViewFrame& frame);
 
   /// Left, right, top, bottom.

@@ -88,11 +88,6 @@ void vtkImageDisplay::SetInterpolate(bool interpolate)
   }
 }
 
-bool vtkImageDisplay::GetInterpolate()
-{
-  return this->Content->IsSmooth;
-}
-
 int vtkImageDisplay::AddLabels(vtkImageData* labels)
 {
   this->Content->Layers.push_back({labels, {}});

@@ -54,7 +54,6 @@ public:
   ///@{
   /** Whether values between voxels are interpolated (the default) or taken from the nearest. */
   void SetInterpolate(bool interpolate);
-  bool GetInterpolate();
   vtkBooleanMacro(Interpolate, bool);
   ///@}
 

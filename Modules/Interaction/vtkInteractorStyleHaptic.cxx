@@ -283,7 +283,7 @@ void vtkInteractorStyleHaptic::ShowNewest()
   inner.Probe->SetProxyPosition(proxy[0], proxy[1], proxy[2]);
   inner.Probe->SetForce(now.ForceWorld.X, now.ForceWorld.Y, now.ForceWorld.Z);
   inner.Probe->SetInContact(isTouched);
-  inner.Drawn.Update(this->ProbeVisibility ? inner.Probe.Get() : nullptr);
+  inner.Drawn.Update(inner.Probe);
 }
 
 void vtkInteractorStyleHaptic::TellChanges()
@@ -409,6 +409,5 @@ void vtkInteractorStyleHaptic::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ToolRadius: " << this->ToolRadius << '\n';
   os << indent << "Scale: " << this->Scale << '\n';
   os << indent << "ClutchButton: " << this->ClutchButton << '\n';
-  os << indent << "ProbeVisibility: " << this->ProbeVisibility << '\n';
   os << indent << "Touching: " << this->IsTouching() << '\n';
 }

@@ -95,12 +95,6 @@ public:
   vtkSetClampMacro(ClutchButton, int, -1, 31);
   vtkGetMacro(ClutchButton, int);
   ///@}
-  ///@{
-  /** Whether this style draws the tool into its renderer. On by default. */
-  vtkSetMacro(ProbeVisibility, bool);
-  vtkGetMacro(ProbeVisibility, bool);
-  vtkBooleanMacro(ProbeVisibility, bool);
-  ///@}
 
   /**
    * Opens the device and starts touching. Needs an interactor and a renderer in its window. Returns
@@ -154,7 +148,6 @@ private:
   double ToolRadius = 2.0;
   double Scale = 0.0;
   int ClutchButton = 2;
-  bool ProbeVisibility = true;
 
   struct Live;
   std::unique_ptr<Live> Inner;

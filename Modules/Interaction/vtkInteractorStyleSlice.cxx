@@ -27,15 +27,6 @@ void vtkInteractorStyleSlice::AddView(vtkSliceView* view)
   this->Views.emplace_back(view);
 }
 
-void vtkInteractorStyleSlice::RemoveView(vtkSliceView* view)
-{
-  this->Views.erase(std::remove(this->Views.begin(), this->Views.end(), view), this->Views.end());
-  if (this->DraggedView == view)
-  {
-    this->EndDrag();
-  }
-}
-
 vtkSliceView* vtkInteractorStyleSlice::PokedView()
 {
   if (this->Interactor == nullptr)
@@ -149,12 +140,6 @@ void vtkInteractorStyleSlice::OnLeftButtonUp()
   {
     this->Superclass::OnLeftButtonUp();
   }
-}
-
-void vtkInteractorStyleSlice::OnLeftButtonDoubleClick()
-{
-  this->PokedView();
-  this->InvokeEvent(MaximizeEvent, this->CurrentRenderer);
 }
 
 void vtkInteractorStyleSlice::OnMiddleButtonDown()

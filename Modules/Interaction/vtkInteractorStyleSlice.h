@@ -6,7 +6,6 @@
  *   LeftButtonMode selects which, Ctrl the other one
  * - mouse wheel: slices; with Ctrl: zoom. Middle drag: pan. Right drag: zoom, upwards larger
  * - arrow keys: one slice; page up and down: ten slices; r: fit the view to the volume
- * - double click: a MaximizeEvent
  *
  * It acts on the added view whose renderer is under the pointer. In other renderers of the window
  * it is a vtkInteractorStyleTrackballCamera, so that one style serves slices and a 3D view side by
@@ -17,7 +16,6 @@
 #define vtkInteractorStyleSlice_h
 
 #include "PalpateInteractionModule.h" // For export macro
-#include "vtkCommand.h"               // For the number of the event
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkSmartPointer.h" // For the views
 
@@ -32,11 +30,6 @@ public:
   vtkTypeMacro(vtkInteractorStyleSlice, vtkInteractorStyleTrackballCamera);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Events
-  {
-    /** A double click; the call data is the vtkRenderer, of any view. */
-    MaximizeEvent = vtkCommand::UserEvent + 701
-  };
   enum LeftButtonModes
   {
     CROSSHAIR,
@@ -44,7 +37,6 @@ public:
   };
 
   void AddView(vtkSliceView* view);
-  void RemoveView(vtkSliceView* view);
 
   ///@{
   /** Action of a left drag. Default: CROSSHAIR. */
@@ -55,7 +47,6 @@ public:
   void OnMouseMove() override;
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
-  void OnLeftButtonDoubleClick() override;
   void OnMiddleButtonDown() override;
   void OnMiddleButtonUp() override;
   void OnRightButtonDown() override;

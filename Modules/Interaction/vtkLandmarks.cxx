@@ -42,11 +42,6 @@ int vtkLandmarks::GetNumberOfLandmarks()
   return static_cast<int>(this->Landmarks.size());
 }
 
-int vtkLandmarks::GetNumberOfDistances()
-{
-  return static_cast<int>(this->Distances.size());
-}
-
 void vtkLandmarks::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

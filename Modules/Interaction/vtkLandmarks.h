@@ -34,7 +34,6 @@ public:
   void RemoveAll();
 
   int GetNumberOfLandmarks();
-  int GetNumberOfDistances();
 
   ///@{
   /** Radius of the spheres, mm. */

@@ -3,26 +3,23 @@
  * @brief a view in a renderer whose contents are shared with other views
  *
  * Base of vtkSliceView and vtkSpaceView. Set a renderer of any render window, and the contents: a
- * volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay), landmarks, a haptic tool and
- * its device's workspace, the point through which slices pass (vtkCrosshair). All of them may be
- * shared with other views. The view updates itself whenever the renderer draws, and updates only
- * what changed.
+ * volume with labels (vtkImageDisplay), surfaces (vtkSurfaceDisplay), landmarks, a haptic tool,
+ * the point through which slices pass (vtkCrosshair). All of them may be shared with other views.
+ * The view updates itself whenever the renderer draws, and updates only what changed.
  */
 #ifndef vtkLinkedView_h
 #define vtkLinkedView_h
 
 #include "PalpateInteractionModule.h" // For export macro
+#include "vtkCrosshair.h"             // For what is shared
+#include "vtkImageDisplay.h"
+#include "vtkLandmarks.h"
 #include "vtkObject.h"
+#include "vtkProbeRepresentation.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
-#include <memory> // For what is shared
-
-class vtkCrosshair;
-class vtkImageDisplay;
-class vtkLandmarks;
-class vtkProbeRepresentation;
-class vtkRenderer;
 class vtkSurfaceDisplay;
-class vtkWorkspaceRepresentation;
 
 class PALPATEINTERACTION_EXPORT vtkLinkedView : public vtkObject
 {
@@ -33,21 +30,19 @@ public:
   ///@{
   /** The view's renderer. The view removes its props from the previous one. */
   void SetRenderer(vtkRenderer* renderer);
-  vtkRenderer* GetRenderer();
+  vtkGetSmartPointerMacro(Renderer, vtkRenderer);
   ///@}
 
   ///@{
   /** Contents; null for none. */
-  virtual void SetImageDisplay(vtkImageDisplay* display);
-  vtkImageDisplay* GetImageDisplay();
-  void SetCrosshair(vtkCrosshair* crosshair);
-  vtkCrosshair* GetCrosshair();
-  void SetLandmarks(vtkLandmarks* landmarks);
-  vtkLandmarks* GetLandmarks();
-  void SetProbe(vtkProbeRepresentation* probe);
-  vtkProbeRepresentation* GetProbe();
-  void SetWorkspace(vtkWorkspaceRepresentation* workspace);
-  vtkWorkspaceRepresentation* GetWorkspace();
+  vtkSetSmartPointerMacro(ImageDisplay, vtkImageDisplay);
+  vtkGetSmartPointerMacro(ImageDisplay, vtkImageDisplay);
+  vtkSetSmartPointerMacro(Crosshair, vtkCrosshair);
+  vtkGetSmartPointerMacro(Crosshair, vtkCrosshair);
+  vtkSetSmartPointerMacro(Landmarks, vtkLandmarks);
+  vtkGetSmartPointerMacro(Landmarks, vtkLandmarks);
+  vtkSetSmartPointerMacro(Probe, vtkProbeRepresentation);
+  vtkGetSmartPointerMacro(Probe, vtkProbeRepresentation);
   virtual void AddSurface(vtkSurfaceDisplay* surface) = 0;
   virtual void RemoveSurface(vtkSurfaceDisplay* surface) = 0;
   ///@}
@@ -69,10 +64,10 @@ public:
   void Update();
 
 protected:
-  vtkLinkedView();
+  vtkLinkedView() = default;
   /** Subclasses call SetRenderer(nullptr) in their destructors: their contents are gone when this
    * runs. */
-  ~vtkLinkedView() override;
+  ~vtkLinkedView() override = default;
 
   /** Adds the view's props to its renderer, and removes them. */
   virtual void AddTo(vtkRenderer* renderer) = 0;
@@ -86,9 +81,12 @@ private:
 
   bool AlongImage = true;
   bool AnnotationVisibility = true;
-
-  struct Shared;
-  std::unique_ptr<Shared> Given;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  unsigned long Observer = 0;
+  vtkSmartPointer<vtkImageDisplay> ImageDisplay;
+  vtkSmartPointer<vtkCrosshair> Crosshair;
+  vtkSmartPointer<vtkLandmarks> Landmarks;
+  vtkSmartPointer<vtkProbeRepresentation> Probe;
 };
 
 #endif

@@ -3,9 +3,7 @@
 #include "ToolSurface.h"
 
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,31 +21,14 @@ bool AreNumbers(const double* numbers, int count)
 } // namespace
 
 vtkProbeRepresentation::vtkProbeRepresentation()
-    : ProbeMatrix(vtkSmartPointer<vtkMatrix4x4>::New()),
+    : Tool(palpate::MakeToolSphere(1.0)), ProbeMatrix(vtkSmartPointer<vtkMatrix4x4>::New()),
       ProxyMatrix(vtkSmartPointer<vtkMatrix4x4>::New())
 {
-  this->SetToolSphere(1.0);
 }
-
-vtkProbeRepresentation::~vtkProbeRepresentation() = default;
 
 void vtkProbeRepresentation::SetToolSphere(double radius)
 {
   this->SetTool(palpate::MakeToolSphere(radius));
-}
-
-void vtkProbeRepresentation::SetTool(vtkPolyData* closedSurface)
-{
-  if (this->Tool != closedSurface)
-  {
-    this->Tool = closedSurface;
-    this->Modified();
-  }
-}
-
-vtkPolyData* vtkProbeRepresentation::GetTool()
-{
-  return this->Tool;
 }
 
 double vtkProbeRepresentation::GetToolRadius()
@@ -101,16 +82,6 @@ void vtkProbeRepresentation::SetProxyPosition(double x, double y, double z)
 {
   const double position[3] = {x, y, z};
   this->SetProxyPose(position, Upright);
-}
-
-vtkMatrix4x4* vtkProbeRepresentation::GetProbeMatrix()
-{
-  return this->ProbeMatrix;
-}
-
-vtkMatrix4x4* vtkProbeRepresentation::GetProxyMatrix()
-{
-  return this->ProxyMatrix;
 }
 
 void vtkProbeRepresentation::SetForce(double x, double y, double z)

@@ -14,11 +14,10 @@
 #define vtkProbeRepresentation_h
 
 #include "PalpateInteractionModule.h" // For export macro
+#include "vtkMatrix4x4.h"             // For the poses
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For the tool
-
-class vtkMatrix4x4;
-class vtkPolyData;
+#include "vtkPolyData.h" // For the tool
+#include "vtkSmartPointer.h"
 
 class PALPATEINTERACTION_EXPORT vtkProbeRepresentation : public vtkObject
 {
@@ -28,10 +27,11 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The tool; the default is a sphere of 1 mm. A point (radius 0) is drawn as one of 0.5 mm. */
+  /** The tool, a closed surface; the default is a sphere of 1 mm. A point (radius 0) is drawn as
+   * one of 0.5 mm. */
   void SetToolSphere(double radius);
-  void SetTool(vtkPolyData* closedSurface);
-  vtkPolyData* GetTool();
+  vtkSetSmartPointerMacro(Tool, vtkPolyData);
+  vtkGetSmartPointerMacro(Tool, vtkPolyData);
   ///@}
   /** Radius of its bounding sphere around the origin of the tool's frame, mm. */
   double GetToolRadius();
@@ -48,8 +48,8 @@ public:
   ///@}
   ///@{
   /** From the tool's frame to the world. Do not change. */
-  vtkMatrix4x4* GetProbeMatrix();
-  vtkMatrix4x4* GetProxyMatrix();
+  vtkGetSmartPointerMacro(ProbeMatrix, vtkMatrix4x4);
+  vtkGetSmartPointerMacro(ProxyMatrix, vtkMatrix4x4);
   ///@}
 
   ///@{
@@ -93,7 +93,7 @@ public:
 
 protected:
   vtkProbeRepresentation();
-  ~vtkProbeRepresentation() override;
+  ~vtkProbeRepresentation() override = default;
 
 private:
   vtkProbeRepresentation(const vtkProbeRepresentation&) = delete;

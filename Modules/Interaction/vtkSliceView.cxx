@@ -10,13 +10,11 @@
 #include "SlicePainter.h"
 #include "SlicePatch.h"
 #include "ViewText.h"
-#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSurfaceDisplay.h"
-#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -56,7 +54,6 @@ struct vtkSliceView::State
   palpate::SliceContours Contours;
   palpate::LandmarksInSlice Marks;
   palpate::ProbeInSlice Tool;
-  palpate::WorkspaceLines Reach;
   palpate::CrosshairInSlice Pointer;
   palpate::SliceAnnotation Annotation;
 
@@ -87,7 +84,6 @@ void vtkSliceView::AddTo(vtkRenderer* renderer)
   state.Contours.SetRenderer(renderer);
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
-  state.Reach.AddTo(renderer);
   state.Pointer.AddTo(renderer);
   state.Annotation.AddTo(renderer);
 }
@@ -99,7 +95,6 @@ void vtkSliceView::RemoveFrom(vtkRenderer* renderer)
   state.Contours.SetRenderer(nullptr);
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
-  state.Reach.RemoveFrom(renderer);
   state.Pointer.RemoveFrom(renderer);
   state.Annotation.RemoveFrom(renderer);
 }
@@ -227,12 +222,6 @@ void vtkSliceView::Pan(double right, double up)
   this->Modified();
 }
 
-void vtkSliceView::CenterOnCrosshair()
-{
-  this->Inner->Center = this->Inner->Focus(this);
-  this->Modified();
-}
-
 void vtkSliceView::DisplayToWorld(double x, double y, double world[3])
 {
   const SlicePosition position = this->GetPosition();
@@ -272,7 +261,6 @@ void vtkSliceView::UpdateFor(vtkRenderer* renderer)
   state.Contours.Update(position);
   state.Marks.Update(this->GetLandmarks(), position);
   state.Tool.Update(this->GetProbe(), position);
-  state.Reach.Update(this->GetWorkspace(), position);
   const auto orientation = static_cast<SliceOrientation>(this->Orientation);
   state.Pointer.Update(this->GetCrosshair(), orientation, position);
   state.Annotation.SetVisible(this->GetAnnotationVisibility());

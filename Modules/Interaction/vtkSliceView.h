@@ -59,8 +59,6 @@ public:
   void Zoom(double factor, double x, double y);
   /** Moves the contents by pixels to the right and up. */
   void Pan(double right, double up);
-  /** Centres the view on the crosshair. */
-  void CenterOnCrosshair();
   /** mm per pixel. */
   double GetPixelMillimeters();
 

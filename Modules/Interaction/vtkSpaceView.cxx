@@ -12,7 +12,6 @@
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
 #include "ViewText.h"
-#include "WorkspaceLines.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
@@ -20,7 +19,6 @@
 #include "vtkSubVoxelPicker.h"
 #include "vtkSubVoxelVolumeMapper.h"
 #include "vtkSurfaceDisplay.h"
-#include "vtkWorkspaceRepresentation.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -100,8 +98,6 @@ void MarkVolumes(vtkRenderer* renderer, const palpate::ContactMark& contact)
 
 struct vtkSpaceView::State
 {
-  vtkSmartPointer<vtkSurfaceDisplay> Picked;
-
   bool NeedsReset = true;
   std::vector<std::unique_ptr<palpate::SurfaceInSpace>> Surfaces;
   std::array<palpate::SliceInSpace, 3> Slices{{palpate::SliceInSpace(SliceOrientation::Axial),
@@ -110,7 +106,6 @@ struct vtkSpaceView::State
   std::array<bool, 3> AreSlicesShown{{true, true, true}};
   palpate::LandmarksInSpace Marks;
   palpate::ProbeInSpace Tool;
-  palpate::WorkspaceLines Reach;
   palpate::AxesMarker Axes;
   palpate::ArrayScales Scales;
   palpate::ColorBar Bar;
@@ -134,13 +129,6 @@ struct vtkSpaceView::State
       return false;
     }
     picker->GetPickPosition(world);
-    for (const auto& surface : this->Surfaces)
-    {
-      if (surface->Actor() == picker->GetActor())
-      {
-        this->Picked = surface->Display();
-      }
-    }
     return true;
   }
 };
@@ -171,7 +159,6 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
-  state.Reach.AddTo(renderer);
   state.Axes.AddTo(renderer);
   state.Bar.AddTo(renderer);
   renderer->AddLight(state.Lamp);
@@ -191,7 +178,6 @@ void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
-  state.Reach.RemoveFrom(renderer);
   state.Axes.RemoveFrom(renderer);
   state.Bar.RemoveFrom(renderer);
   renderer->RemoveLight(state.Lamp);
@@ -231,12 +217,6 @@ void vtkSpaceView::SetSliceVisibility(int orientation, bool visibility)
   this->Modified();
 }
 
-bool vtkSpaceView::GetSliceVisibility(int orientation)
-{
-  const int index = vtkMath::ClampValue(orientation, 0, 2);
-  return this->Inner->AreSlicesShown[static_cast<std::size_t>(index)];
-}
-
 void vtkSpaceView::ResetCamera()
 {
   vtkRenderer* renderer = this->GetRenderer();
@@ -246,11 +226,17 @@ void vtkSpaceView::ResetCamera()
     return;
   }
   this->UpdateContents();
-  // A workspace may be much larger than the scene.
-  vtkActor* reach = this->Inner->Reach.Drawn().Actor();
-  reach->UseBoundsOff();
+  const auto& surfaces = this->Inner->Surfaces;
+  for (const auto& surface : surfaces)
+  {
+    surface->Actor()->SetUseBounds(!surface->Display()->GetWireframe());
+  }
   renderer->ComputeVisiblePropBounds(bounds);
-  reach->UseBoundsOn();
+  // The clipping range includes wireframes.
+  for (const auto& surface : surfaces)
+  {
+    surface->Actor()->UseBoundsOn();
+  }
   if (vtkMath::AreBoundsInitialized(bounds))
   {
     renderer->ResetCamera(bounds);
@@ -274,22 +260,19 @@ void vtkSpaceView::LookFrom(int side)
 
 bool vtkSpaceView::Pick(double x, double y, double world[3])
 {
-  State& state = *this->Inner;
   vtkRenderer* renderer = this->GetRenderer();
-  state.Picked = nullptr;
   if (renderer == nullptr)
   {
     return false;
   }
   double polygon[3];
-  const bool hasPolygon = state.PickPolygons(renderer, x, y, polygon);
+  const bool hasPolygon = this->Inner->PickPolygons(renderer, x, y, polygon);
   vtkNew<vtkSubVoxelPicker> picker;
   const bool hasVoxels = picker->Pick(x, y, 0.0, renderer) != 0;
   vtkCamera* camera = renderer->GetActiveCamera();
   if (hasVoxels && (!hasPolygon || DistanceFrom(camera, picker->GetPickPosition()) <
                                        DistanceFrom(camera, polygon)))
   {
-    state.Picked = nullptr;
     picker->GetPickPosition(world);
     return true;
   }
@@ -298,11 +281,6 @@ bool vtkSpaceView::Pick(double x, double y, double world[3])
     std::copy_n(polygon, 3, world);
   }
   return hasPolygon;
-}
-
-vtkSurfaceDisplay* vtkSpaceView::GetPickedSurface()
-{
-  return this->Inner->Picked;
 }
 
 void vtkSpaceView::UpdateContents()
@@ -318,12 +296,11 @@ void vtkSpaceView::UpdateContents()
       crosshair == nullptr ? Vector3(Vector3::Zero()) : Vector3(crosshair->GetPositionWorld());
   for (std::size_t orientation = 0; orientation < 3; ++orientation)
   {
-    state.Slices[orientation].SetVisible(state.AreSlicesShown[orientation]);
-    state.Slices[orientation].Update(this->GetImageDisplay(), this->GetAlongImage(), focus);
+    vtkImageDisplay* shown = state.AreSlicesShown[orientation] ? this->GetImageDisplay() : nullptr;
+    state.Slices[orientation].Update(shown, this->GetAlongImage(), focus);
   }
   state.Marks.Update(this->GetLandmarks());
   state.Tool.Update(this->GetProbe());
-  state.Reach.Update(this->GetWorkspace());
 }
 
 void vtkSpaceView::UpdateFor(vtkRenderer* renderer)

@@ -37,11 +37,8 @@ public:
   void AddSurface(vtkSurfaceDisplay* surface) override;
   void RemoveSurface(vtkSurfaceDisplay* surface) override;
 
-  ///@{
   /** Whether a slice is shown; orientations as in vtkSliceView. All are shown by default. */
   void SetSliceVisibility(int orientation, bool visibility);
-  bool GetSliceVisibility(int orientation);
-  ///@}
 
   /** Shows everything from a side of the patient; see palpate::FrameOf for the up direction. */
   void LookFrom(int side);
@@ -54,8 +51,6 @@ public:
    * depth buffer.
    */
   bool Pick(double x, double y, double world[3]);
-  /** The surface of the last pick; null if it hit something else, or nothing. */
-  vtkSurfaceDisplay* GetPickedSurface();
 
 protected:
   vtkSpaceView();

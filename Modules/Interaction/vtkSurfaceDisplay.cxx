@@ -1,29 +1,10 @@
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkSurfaceDisplay);
-
-vtkSurfaceDisplay::vtkSurfaceDisplay() = default;
-
-vtkSurfaceDisplay::~vtkSurfaceDisplay() = default;
-
-void vtkSurfaceDisplay::SetSurface(vtkPolyData* surface)
-{
-  if (this->Surface != surface)
-  {
-    this->Surface = surface;
-    this->Modified();
-  }
-}
-
-vtkPolyData* vtkSurfaceDisplay::GetSurface()
-{
-  return this->Surface;
-}
 
 vtkMTimeType vtkSurfaceDisplay::GetMTime()
 {
@@ -41,5 +22,6 @@ void vtkSurfaceDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Visibility: " << this->Visibility << '\n';
   os << indent << "ContourVisibility: " << this->ContourVisibility << '\n';
   os << indent << "LineWidth: " << this->LineWidth << '\n';
+  os << indent << "Wireframe: " << this->Wireframe << '\n';
   os << indent << "ColorArray: " << this->ColorArray << '\n';
 }

@@ -11,11 +11,10 @@
 
 #include "PalpateInteractionModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For the surface
+#include "vtkPolyData.h" // For the surface
+#include "vtkSmartPointer.h"
 
 #include <string> // For the array's name
-
-class vtkPolyData;
 
 class PALPATEINTERACTION_EXPORT vtkSurfaceDisplay : public vtkObject
 {
@@ -25,8 +24,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  void SetSurface(vtkPolyData* surface);
-  vtkPolyData* GetSurface();
+  vtkSetSmartPointerMacro(Surface, vtkPolyData);
+  vtkGetSmartPointerMacro(Surface, vtkPolyData);
   ///@}
 
   ///@{
@@ -57,6 +56,13 @@ public:
   vtkGetMacro(LineWidth, double);
   ///@}
   ///@{
+  /** Whether 3D shows its edges only, as of a region that may be larger than the scene: they cannot
+   * be picked, and the camera's reset leaves them out. Off by default. */
+  vtkSetMacro(Wireframe, bool);
+  vtkGetMacro(Wireframe, bool);
+  vtkBooleanMacro(Wireframe, bool);
+  ///@}
+  ///@{
   /** The one-component point array that colours it in 3D; empty for none, the default. */
   vtkSetStdStringFromCharMacro(ColorArray);
   vtkGetCharFromStdStringMacro(ColorArray);
@@ -66,8 +72,8 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkSurfaceDisplay();
-  ~vtkSurfaceDisplay() override;
+  vtkSurfaceDisplay() = default;
+  ~vtkSurfaceDisplay() override = default;
 
 private:
   vtkSurfaceDisplay(const vtkSurfaceDisplay&) = delete;
@@ -79,6 +85,7 @@ private:
   bool Visibility = true;
   bool ContourVisibility = true;
   double LineWidth = 1.5;
+  bool Wireframe = false;
   std::string ColorArray;
 };
 

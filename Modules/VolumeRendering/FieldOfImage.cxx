@@ -3,7 +3,6 @@
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <optional>
@@ -12,6 +11,8 @@ namespace palpate
 {
 namespace
 {
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>; // as VTK's matrices
+
 std::optional<ScalarType> TypeOf(vtkDataArray* scalars)
 {
   switch (scalars->GetDataType())
@@ -27,14 +28,7 @@ FieldGrid GridOfImage(vtkImageData* image)
   const int* extent = image->GetExtent();
   std::array<int, 3> size{};
   image->GetDimensions(size.data());
-  Matrix3 direction;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      direction(row, column) = image->GetDirectionMatrix()->GetElement(row, column);
-    }
-  }
+  const Matrix3 direction = Eigen::Map<const RowMajor>(image->GetDirectionMatrix()->GetData());
   Vector3 origin;
   image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], origin.data());
   return {size, origin, Vector3(image->GetSpacing()), direction};
@@ -46,15 +40,7 @@ vtkSmartPointer<vtkImageData> EmptyImageOf(const FieldGrid& grid)
   image->SetDimensions(grid.Size().data());
   image->SetSpacing(grid.Spacing().data());
   image->SetOrigin(grid.OriginWorld().data());
-  vtkNew<vtkMatrix3x3> direction;
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      direction->SetElement(row, column, grid.Direction()(row, column));
-    }
-  }
-  image->SetDirectionMatrix(direction);
+  image->SetDirectionMatrix(RowMajor(grid.Direction()).data());
   return image;
 }
 

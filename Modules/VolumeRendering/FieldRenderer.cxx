@@ -46,17 +46,30 @@ FieldRenderer::FieldRenderer(std::shared_ptr<const ScalarField> field, FieldView
       this->Opaque = this->Opaque && opacity >= 1.0;
     }
   }
-  const std::vector<HalfSpace> sides = this->Scene.Crop.Sides(this->Caster.Field().Grid());
-  this->Scene.Kept.insert(this->Scene.Kept.end(), sides.begin(), sides.end());
-  if (!sides.empty())
-  {
-    this->Scene.Crop = CropRegions();
-  }
 }
 
 RayInterval FieldRenderer::ShownInterval(const FieldRay& ray) const noexcept
 {
-  return this->Scene.Kept.empty() ? RayInterval() : ClippedInterval(ray, this->Scene.Kept, {});
+  RayInterval interval;
+  for (const Eigen::Hyperplane<double, 3>& plane : this->Scene.Kept)
+  {
+    const Vector3 normal = plane.normal();
+    const double height = normal.dot(ray.Origin) + plane.offset();
+    const double rise = normal.dot(ray.Direction);
+    if (rise > 0.0)
+    {
+      interval.From = std::max(interval.From, -height / rise);
+    }
+    else if (rise < 0.0)
+    {
+      interval.To = std::min(interval.To, -height / rise);
+    }
+    else if (!(height >= 0.0))
+    {
+      return {1.0, -1.0};
+    }
+  }
+  return interval;
 }
 
 // The interval of a pixel's ray to search, starting at `from`.
@@ -73,30 +86,11 @@ RayInterval FieldRenderer::IntervalOf(const FieldRay& ray, std::size_t pixel,
   return interval;
 }
 
-FieldHit FieldRenderer::NextHit(const FieldRay& ray, RayInterval interval) const noexcept
-{
-  FieldHit hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
-  this->PassHidden(ray, interval, hit);
-  return hit;
-}
-
-// Replaces a hit hidden by cropping by the next visible one.
-void FieldRenderer::PassHidden(const FieldRay& ray, RayInterval interval,
-                               FieldHit& hit) const noexcept
-{
-  const FieldGrid& grid = this->Caster.Field().Grid();
-  while (hit.Material >= 0 && !this->Scene.Crop.ShowsAll() &&
-         !this->Scene.Crop.Shows(grid.PointIndex(hit.Position)))
-  {
-    interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
-    hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
-  }
-}
-
 FieldHit FieldRenderer::FirstHitAt(double x, double y) const noexcept
 {
   const FieldRay ray = this->Scene.Rays.At(x, y);
-  return this->NextHit(ray, this->ShownInterval(ray));
+  const RayInterval interval = this->ShownInterval(ray);
+  return this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
 }
 
 Vector3 FieldRenderer::ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept
@@ -163,7 +157,7 @@ void FieldRenderer::DrawPixel(const FieldRay& ray, RayInterval interval, FieldHi
       break;
     }
     interval.From = std::nextafter(hit.T, std::numeric_limits<double>::infinity());
-    hit = this->NextHit(ray, interval);
+    hit = this->Caster.CastWorld(ray, interval.From, interval.To, this->Shown);
   }
   std::uint8_t* bytes = &image.Colors[4 * pixel];
   bytes[0] = Byte(color[0]);
@@ -200,11 +194,7 @@ void FieldRenderer::DrawBeam(int column0, int column1, int row0, int row1, doubl
   this->Caster.CastAllWorld(rays, intervals, count, hits, this->Shown);
   for (std::size_t n = 0; n < count; ++n)
   {
-    if (intervals[n].From < intervals[n].To)
-    {
-      this->PassHidden(rays[n], intervals[n], hits[n]);
-    }
-    else
+    if (!(intervals[n].From < intervals[n].To))
     {
       hits[n] = FieldHit();
     }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "ContactMark.h"
-#include "CropRegions.h"
 #include "FieldImage.h"
+#include "PalpateVolumeRenderingModule.h"
 #include "PixelRays.h"
+#include "RayCaster.h"
 #include "SurfaceShading.h"
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -19,12 +21,11 @@ struct MaterialLook
 };
 
 /// All parameters of an image of a field. The field's own world (patient LPS, mm) may be placed
-/// elsewhere in the scene: rays, clips and crops are in the former, lights in the latter.
+/// elsewhere in the scene: rays and clips are in the former, lights in the latter.
 struct FieldView
 {
-  PixelRays Rays; ///< in the field's world
-  std::vector<HalfSpace> Kept;
-  CropRegions Crop;
+  PixelRays Rays;                                 ///< in the field's world
+  std::vector<Eigen::Hyperplane<double, 3>> Kept; ///< clipping planes: their positive sides
   std::vector<MaterialLook> Looks; ///< by material; missing ones have the default appearance
   SurfaceFinish Finish;
   std::vector<SurfaceLight> Lights;
@@ -59,8 +60,6 @@ private:
   double ClearBeam(int column0, int column1, int row0, int row1, double from) const noexcept;
   RayInterval ShownInterval(const FieldRay& ray) const noexcept;
   RayInterval IntervalOf(const FieldRay& ray, std::size_t pixel, double from) const noexcept;
-  FieldHit NextHit(const FieldRay& ray, RayInterval interval) const noexcept;
-  void PassHidden(const FieldRay& ray, RayInterval interval, FieldHit& hit) const noexcept;
   Vector3 ColorOf(const FieldHit& hit, const Vector3& toEyeScene) const noexcept;
   void DrawBeam(int column0, int column1, int row0, int row1, double from, Beam& beam,
                 FieldImage& raster) const noexcept;

@@ -46,9 +46,10 @@ std::vector<SurfaceLight> LightsOf(vtkRenderer* renderer)
   return lights;
 }
 
-std::vector<HalfSpace> KeptHalves(vtkVolumeMapper* mapper, const Eigen::Matrix4d& toScene)
+std::vector<Eigen::Hyperplane<double, 3>> KeptHalves(vtkVolumeMapper* mapper,
+                                                     const Eigen::Matrix4d& toScene)
 {
-  std::vector<HalfSpace> kept;
+  std::vector<Eigen::Hyperplane<double, 3>> kept;
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   for (int i = 0; planes != nullptr && i < planes->GetNumberOfItems(); ++i)
   {
@@ -57,25 +58,9 @@ std::vector<HalfSpace> KeptHalves(vtkVolumeMapper* mapper, const Eigen::Matrix4d
     Eigen::Vector4d scene;
     scene << normal, -normal.dot(Vector3(plane->GetOrigin()));
     const Eigen::Vector4d own = toScene.transpose() * scene;
-    kept.push_back({own.head<3>(), own[3]});
+    kept.emplace_back(own.head<3>(), own[3]);
   }
   return kept;
-}
-
-CropRegions CropOf(vtkVolumeMapper* mapper, const FieldGrid& grid)
-{
-  if (mapper->GetCropping() == 0)
-  {
-    return {};
-  }
-  const double* planes = mapper->GetCroppingRegionPlanes();
-  std::array<double, 6> planesIndex{};
-  for (std::size_t i = 0; i < 6; ++i)
-  {
-    const auto axis = static_cast<Eigen::Index>(i / 2);
-    planesIndex[i] = (planes[i] - grid.OriginWorld()[axis]) / grid.Spacing()[axis];
-  }
-  return {planesIndex, mapper->GetCroppingRegionFlags()};
 }
 
 SurfaceFinish FinishOf(vtkVolume* volume)
@@ -87,7 +72,7 @@ SurfaceFinish FinishOf(vtkVolume* volume)
 } // namespace
 
 FieldView MakeSceneView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMapper* mapper,
-                        const FieldGrid& grid, int width, int height)
+                        int width, int height)
 {
   FieldView view;
   view.ToScene = ToEigen(volume->GetMatrix());
@@ -96,7 +81,6 @@ FieldView MakeSceneView(vtkRenderer* renderer, vtkVolume* volume, vtkVolumeMappe
           renderer->GetTiledAspectRatio(), 0.0, 1.0));
   view.Rays = PixelRays(toClip * view.ToScene, width, height);
   view.Kept = KeptHalves(mapper, view.ToScene);
-  view.Crop = CropOf(mapper, grid);
   view.Finish = FinishOf(volume);
   view.Lights = LightsOf(renderer);
   return view;

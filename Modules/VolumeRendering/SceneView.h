@@ -9,12 +9,11 @@ class vtkVolumeMapper;
 namespace palpate
 {
 /// The view of a renderer's camera and lights, a volume's matrix and property, and a mapper's
-/// clipping and cropping, for an image of `width` x `height` pixels over the whole viewport,
-/// without appearances and scene depths. Cropping planes are in the image's own axes, mm: origin +
-/// spacing times index, without the direction.
+/// clipping planes, for an image of `width` x `height` pixels over the whole viewport, without
+/// appearances and scene depths.
 PALPATEVOLUMERENDERING_EXPORT FieldView MakeSceneView(vtkRenderer* renderer, vtkVolume* volume,
-                                                      vtkVolumeMapper* mapper,
-                                                      const FieldGrid& grid, int width, int height);
+                                                      vtkVolumeMapper* mapper, int width,
+                                                      int height);
 
 /// The depth buffer over a renderer's viewport, resampled for an image of `width` x `height`
 /// pixels.

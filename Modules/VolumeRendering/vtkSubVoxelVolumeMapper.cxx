@@ -7,7 +7,6 @@
 
 #include "vtkCommand.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -25,6 +24,7 @@ namespace
 {
 // Rays of a tile visit the same bricks.
 constexpr int TileSide = 16;
+constexpr double MaximumSampleDistance = 4.0; // of rays while the camera moves, pixels
 // Interval of abort checks, s.
 constexpr double BandTime = 0.1;
 
@@ -121,12 +121,6 @@ void vtkSubVoxelVolumeMapper::SetInterpolation(int interpolation)
   }
 }
 
-double vtkSubVoxelVolumeMapper::GetIsoValue(int material)
-{
-  const bool exists = material >= 0 && material < this->GetNumberOfIsoValues();
-  return exists ? this->Inner->IsoValues[static_cast<std::size_t>(material)] : vtkMath::Nan();
-}
-
 void vtkSubVoxelVolumeMapper::SetField(std::shared_ptr<const palpate::ScalarField> field)
 {
   if (this->Inner->Given == field)
@@ -164,11 +158,6 @@ void vtkSubVoxelVolumeMapper::SetMaterialOpacity(int material, double opacity)
 {
   this->Inner->Look(material).Opacity = std::clamp(opacity, 0.0, 1.0);
   this->Modified();
-}
-
-double vtkSubVoxelVolumeMapper::GetMaterialOpacity(int material)
-{
-  return this->Inner->Look(material).Opacity;
 }
 
 void vtkSubVoxelVolumeMapper::SetContact(const palpate::ContactMark& contact)
@@ -243,7 +232,7 @@ double vtkSubVoxelVolumeMapper::ChooseSampleDistance(vtkVolume* volume, double p
   {
     const double allowed = std::max(1e-4, volume->GetAllocatedRenderTime());
     const double needed = std::sqrt(this->Inner->SecondsPerRay * pixels / allowed);
-    this->ImageSampleDistance = std::clamp(needed, 1.0, this->MaximumImageSampleDistance);
+    this->ImageSampleDistance = std::clamp(needed, 1.0, MaximumSampleDistance);
   }
   return this->ImageSampleDistance;
 }
@@ -254,8 +243,7 @@ std::unique_ptr<palpate::FieldRenderer> vtkSubVoxelVolumeMapper::MakeRenderer(vt
                                                                               bool readsSceneDepths)
 {
   const auto field = this->GetField();
-  palpate::FieldView view =
-      palpate::MakeSceneView(renderer, volume, this, field->Grid(), width, height);
+  palpate::FieldView view = palpate::MakeSceneView(renderer, volume, this, width, height);
   view.Looks = this->Inner->Looks;
   view.Contact = this->Inner->Contact;
   if (readsSceneDepths)
@@ -381,6 +369,5 @@ void vtkSubVoxelVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Field given: " << (this->Inner->Given != nullptr) << '\n';
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << '\n';
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << '\n';
-  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << '\n';
   os << indent << "KeepHits: " << this->KeepHits << '\n';
 }

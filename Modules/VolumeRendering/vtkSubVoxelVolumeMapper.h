@@ -10,8 +10,8 @@
  *
  * Colour and opacity belong to the material; shading (on or off, ambient, diffuse, specular and its
  * power) is the vtkVolumeProperty's, whose transfer functions are not used. Translucent surfaces
- * are blended from front to back. Clipping planes (world) and cropping regions cut the surfaces
- * open; cropping planes are in the image's own axes, origin + spacing times index in mm.
+ * are blended from front to back. Clipping planes (world) cut the surfaces open; VTK's cropping
+ * regions are ignored.
  *
  * The image has depths, so the surface and other props hide each other correctly. For translucent
  * polygons see vtkSubVoxelVolume. Rays are cast by vtkSMPTools; the image does not depend on the
@@ -59,7 +59,6 @@ public:
   void SetNumberOfIsoValues(int count);
   int GetNumberOfIsoValues();
   void SetIsoValue(int material, double value);
-  double GetIsoValue(int material);
   ///@}
 
   ///@{
@@ -80,7 +79,6 @@ public:
   void SetMaterialColor(int material, double red, double green, double blue);
   void GetMaterialColor(int material, double color[3]);
   void SetMaterialOpacity(int material, double opacity);
-  double GetMaterialOpacity(int material);
   ///@}
 #ifndef __VTK_WRAP__
   /** Where the surface is coloured differently; see ContactMark. Default: nowhere. */
@@ -93,15 +91,13 @@ public:
   /**
    * Whether rays may be fewer than pixels so that a frame takes no longer than the renderer allows.
    * On by default. ImageSampleDistance is the distance of rays in pixels if this is off, and
-   * reports that of the last frame if it is on; MaximumImageSampleDistance bounds it.
+   * reports that of the last frame, at most 4, if it is on.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
   vtkBooleanMacro(AutoAdjustSampleDistances, bool);
   vtkSetClampMacro(ImageSampleDistance, double, 1.0, 64.0);
   vtkGetMacro(ImageSampleDistance, double);
-  vtkSetClampMacro(MaximumImageSampleDistance, double, 1.0, 64.0);
-  vtkGetMacro(MaximumImageSampleDistance, double);
   ///@}
 
   ///@{
@@ -159,7 +155,6 @@ private:
   int Interpolation = TRILINEAR;
   bool AutoAdjustSampleDistances = true;
   double ImageSampleDistance = 1.0;
-  double MaximumImageSampleDistance = 4.0;
   bool KeepHits = false;
 
   struct State;

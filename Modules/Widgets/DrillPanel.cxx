@@ -357,25 +357,13 @@ void DrillPanel::Press(bool isDown)
   this->Study.Current().Touch().RunDrill(isDown);
 }
 
-void DrillPanel::Try(const std::function<void()>& act)
-{
-  try
-  {
-    act();
-  }
-  catch (const std::exception& error)
-  {
-    this->Study.Report(error.what());
-  }
-}
-
 void DrillPanel::Save()
 {
   const QString file = this->Questions.ToSave(this, "Save the drilling state", "drill.state",
                                               "Drilling states (*.state)");
   if (!file.isEmpty())
   {
-    this->Try([&] { this->Study.Current().Touch().Drill().Save(file.toStdString()); });
+    this->Study.Try([&] { this->Study.Current().Touch().Drill().Save(file.toStdString()); });
   }
 }
 
@@ -385,7 +373,7 @@ void DrillPanel::Open()
       this->Questions.ToOpen(this, "Open a drilling state", "Drilling states (*.state)");
   if (!files.isEmpty())
   {
-    this->Try([&] { this->Study.OpenDrilled(files.front().toStdString()); });
+    this->Study.Try([&] { this->Study.OpenDrilled(files.front().toStdString()); });
   }
 }
 
@@ -402,7 +390,7 @@ void DrillPanel::Export()
                              PatternsOf(ImageFormats().WrittenEndings()) + ")"));
   if (!file.isEmpty())
   {
-    this->Try(
+    this->Study.Try(
         [&]
         {
           this->Study.Current().Touch().Drill().Export(

@@ -48,7 +48,6 @@ private:
   void Save();
   void Open();
   void Export();
-  void Try(const std::function<void()>& act);
 
   StudyController& Study;
   const FileQuestions& Questions;

@@ -45,11 +45,12 @@ FitPanel::FitPanel(StudyController& study, QWidget* parent) : QWidget(parent), S
 
 void FitPanel::AddImportant(QFormLayout* form)
 {
-  this->AddWhole(
-      form, "Degree of all", "Change the degree of all structures", 0, 64,
+  this->AddNumber(
+      form, "Degree of all", "Change the degree of all structures", {0.0, 64.0, 1.0, 0},
       [](const StudyState& state) { return state.Fit.Degree; },
-      [](StudyState& state, int degree)
+      [](StudyState& state, double value)
       {
+        const int degree = static_cast<int>(value);
         state.Fit.Degree = degree;
         for (SceneStructure& structure : state.Structures)
         {
@@ -61,8 +62,10 @@ void FitPanel::AddImportant(QFormLayout* form)
       [](const StudyState& state) { return static_cast<int>(state.Fit.Method); },
       [](StudyState& state, int choice)
       { state.Fit.Method = static_cast<FitSettings::SurfaceMethod>(choice); });
-  this->AddNumber(form, "Smoothing, voxels", "Change the smoothing of surfaces", 0.0, 8.0, 0.25,
-                  [](StudyState& state) -> double& { return state.Fit.Smoothing; });
+  this->AddNumber(
+      form, "Smoothing, voxels", "Change the smoothing of surfaces", {0.0, 8.0, 0.25, 2},
+      [](const StudyState& state) { return state.Fit.Smoothing; },
+      [](StudyState& state, double value) { state.Fit.Smoothing = value; });
   this->Coverage = new QLabel(this);
   this->Coverage->setObjectName("coverage");
   this->Coverage->setWordWrap(true);
@@ -79,10 +82,10 @@ void FitPanel::AddOthers(QFormLayout* form)
       [](const StudyState& state) { return static_cast<int>(state.LeftHanded); },
       [](StudyState& state, int choice)
       { state.LeftHanded = static_cast<LeftHandedAxes>(choice); });
-  this->AddWhole(
-      form, "Frequency", "Change the number of directions", 1, 64,
+  this->AddNumber(
+      form, "Frequency", "Change the number of directions", {1.0, 64.0, 1.0, 0},
       [](const StudyState& state) { return state.Fit.Frequency; },
-      [](StudyState& state, int frequency) { state.Fit.Frequency = frequency; });
+      [](StudyState& state, double value) { state.Fit.Frequency = static_cast<int>(value); });
   this->AddChoice(
       form, "Centre", "Change the choice of the centre", {"centroid", "most visible"},
       [](const StudyState& state) { return static_cast<int>(state.Fit.Center); },
@@ -93,16 +96,22 @@ void FitPanel::AddOthers(QFormLayout* form)
       [](const StudyState& state) { return static_cast<int>(state.Fit.Weight); },
       [](StudyState& state, int choice)
       { state.Fit.Weight = static_cast<FitSettings::SampleWeight>(choice); });
-  this->AddCheck(form, "Robust", "Change the robust weights",
-                 [](StudyState& state) -> bool& { return state.Fit.IsRobust; });
+  this->AddChoice(
+      form, "Robust", "Change the robust weights", {"off", "on"},
+      [](const StudyState& state) { return state.Fit.IsRobust ? 1 : 0; },
+      [](StudyState& state, int choice) { state.Fit.IsRobust = choice == 1; });
   this->AddChoice(
       form, "Component", "Change the component", {"all", "largest", "second", "third"},
       [](const StudyState& state) { return std::min(state.Fit.Component, 3); },
       [](StudyState& state, int choice) { state.Fit.Component = choice; });
-  this->AddNumber(form, "Maximum hidden, %", "Change the maximum hidden share", 0.0, 100.0, 1.0,
-                  [](StudyState& state) -> double& { return state.Fit.MaximumHiddenPercent; });
-  this->AddNumber(form, "Minimum Dice", "Change the minimum Dice", 0.0, 1.0, 0.05,
-                  [](StudyState& state) -> double& { return state.Fit.MinimumDice; });
+  this->AddNumber(
+      form, "Maximum hidden, %", "Change the maximum hidden share", {0.0, 100.0, 1.0, 2},
+      [](const StudyState& state) { return state.Fit.MaximumHiddenPercent; },
+      [](StudyState& state, double value) { state.Fit.MaximumHiddenPercent = value; });
+  this->AddNumber(
+      form, "Minimum Dice", "Change the minimum Dice", {0.0, 1.0, 0.05, 2},
+      [](const StudyState& state) { return state.Fit.MinimumDice; },
+      [](StudyState& state, double value) { state.Fit.MinimumDice = value; });
   this->AddChoice(
       form, "Interpolation", "Change the interpolation of fields", {"linear", "cubic"},
       [](const StudyState& state) {
@@ -119,48 +128,24 @@ void FitPanel::AddOthers(QFormLayout* form)
 }
 
 void FitPanel::AddNumber(QFormLayout* form, const QString& label, const QString& message,
-                         double low, double high, double step,
-                         const std::function<double&(StudyState&)>& field)
+                         const Range& range, std::function<double(const StudyState&)> get,
+                         std::function<void(StudyState&, double)> set)
 {
   auto* box = new QDoubleSpinBox(this);
-  box->setRange(low, high);
-  box->setSingleStep(step);
+  box->setObjectName(label);
+  box->setDecimals(range.Decimals);
+  box->setRange(range.Low, range.High);
+  box->setSingleStep(range.Step);
   box->setKeyboardTracking(false);
   form->addRow(label, box);
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this, message, field](double value)
-          {
-            StudyState next = this->Study.State();
-            field(next) = value;
-            this->Study.Change(QString("%1 to %2").arg(message).arg(value), next, message);
-          });
-  connect(box, &QDoubleSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
-  this->Shows.emplace_back(
-      [box, field](const StudyState& state)
-      {
-        const QSignalBlocker quiet(box);
-        StudyState copy = state;
-        box->setValue(field(copy));
-      });
-}
-
-void FitPanel::AddWhole(QFormLayout* form, const QString& label, const QString& message, int low,
-                        int high, std::function<int(const StudyState&)> get,
-                        std::function<void(StudyState&, int)> set)
-{
-  auto* box = new QSpinBox(this);
-  box->setObjectName(label);
-  box->setRange(low, high);
-  box->setKeyboardTracking(false);
-  form->addRow(label, box);
-  connect(box, qOverload<int>(&QSpinBox::valueChanged), this,
-          [this, message, set = std::move(set)](int value)
+          [this, message, set = std::move(set)](double value)
           {
             StudyState next = this->Study.State();
             set(next, value);
             this->Study.Change(QString("%1 to %2").arg(message).arg(value), next, message);
           });
-  connect(box, &QSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
+  connect(box, &QDoubleSpinBox::editingFinished, this, [this] { this->Study.EndGesture(); });
   this->Shows.emplace_back(
       [box, get = std::move(get)](const StudyState& state)
       {
@@ -186,27 +171,6 @@ void FitPanel::AddChoice(QFormLayout* form, const QString& label, const QString&
           });
   this->Shows.emplace_back([box, get = std::move(get)](const StudyState& state)
                            { box->setCurrentIndex(get(state)); });
-}
-
-void FitPanel::AddCheck(QFormLayout* form, const QString& label, const QString& message,
-                        const std::function<bool&(StudyState&)>& field)
-{
-  auto* box = new QCheckBox(this);
-  box->setObjectName(label);
-  form->addRow(label, box);
-  connect(box, &QCheckBox::clicked, this,
-          [this, message, field](bool isOn)
-          {
-            StudyState next = this->Study.State();
-            field(next) = isOn;
-            this->Study.Change(message + (isOn ? " to on" : " to off"), next);
-          });
-  this->Shows.emplace_back(
-      [box, field](const StudyState& state)
-      {
-        StudyState copy = state;
-        box->setChecked(field(copy));
-      });
 }
 
 void FitPanel::ShowCoverage()

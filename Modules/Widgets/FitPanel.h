@@ -2,12 +2,10 @@
 
 #include "StudyController.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <QWidget>
 
 #include <functional>
@@ -28,16 +26,17 @@ public:
 private:
   void AddImportant(QFormLayout* form);
   void AddOthers(QFormLayout* form);
-  void AddNumber(QFormLayout* form, const QString& label, const QString& message, double low,
-                 double high, double step, const std::function<double&(StudyState&)>& field);
-  void AddWhole(QFormLayout* form, const QString& label, const QString& message, int low, int high,
-                std::function<int(const StudyState&)> get,
-                std::function<void(StudyState&, int)> set);
+  struct Range
+  {
+    double Low, High, Step;
+    int Decimals;
+  };
+  void AddNumber(QFormLayout* form, const QString& label, const QString& message,
+                 const Range& range, std::function<double(const StudyState&)> get,
+                 std::function<void(StudyState&, double)> set);
   void AddChoice(QFormLayout* form, const QString& label, const QString& message,
                  const QStringList& choices, std::function<int(const StudyState&)> get,
                  std::function<void(StudyState&, int)> set);
-  void AddCheck(QFormLayout* form, const QString& label, const QString& message,
-                const std::function<bool&(StudyState&)>& field);
   void Show();
   /// Of all available models.
   void ShowCoverage();

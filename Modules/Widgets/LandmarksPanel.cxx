@@ -184,17 +184,10 @@ void LandmarksPanel::Export()
 {
   const QString file = this->Questions.ToSave(this, "Export landmarks", "landmarks.mrk.json",
                                               "3D Slicer markups (*.mrk.json);;Table (*.csv)");
-  if (file.isEmpty())
+  if (!file.isEmpty())
   {
-    return;
-  }
-  try
-  {
-    WriteMarkups(file.toStdString(), this->Study.State().Landmarks, this->Study.State().Distances);
-  }
-  catch (const std::exception& error)
-  {
-    this->Study.Report(error.what());
+    const StudyState& state = this->Study.State();
+    this->Study.Try([&] { WriteMarkups(file.toStdString(), state.Landmarks, state.Distances); });
   }
 }
 } // namespace palpate

@@ -31,6 +31,13 @@ namespace
 {
 constexpr int LeftWidth = 280; // pixels
 constexpr int BottomHeight = 150;
+
+// Names an action after the step of the study that it undoes or redoes.
+void ShowStep(QAction* action, const QString& verb, const std::string& step)
+{
+  action->setEnabled(!step.empty());
+  action->setText(step.empty() ? verb : verb + ": " + MenuString(ScreenString(step)));
+}
 } // namespace
 
 MainWindow::MainWindow(StudyController& study, FileQuestions questions)
@@ -75,7 +82,11 @@ void MainWindow::MakeMenus()
                            { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
   this->menuBar()->addMenu(this->Files);
-  this->menuBar()->addMenu(new EditMenu(this->Study, this));
+  QMenu* edit = this->menuBar()->addMenu("&Edit");
+  this->Undo = edit->addAction("&Undo", &this->Study, &StudyController::Undo,
+                               QKeySequence(QKeySequence::Undo));
+  this->Redo = edit->addAction("&Redo", &this->Study, &StudyController::Redo,
+                               QKeySequence(QKeySequence::Redo));
   this->menuBar()->addMenu(new ViewMenu(this->Study, *this->Grid, this->Shown, this));
   this->Touching = new TouchMenu(this->Study, this->Questions, this);
   this->menuBar()->addMenu(this->Touching);
@@ -168,6 +179,9 @@ void MainWindow::ShowState()
     this->Shown.Show(this->Study.State(), this->Study.Current().Pipeline());
     this->Grid->TakeContents();
   }
+  const StudyHistory& history = this->Study.Current().History();
+  ShowStep(this->Undo, "&Undo", history.UndoText());
+  ShowStep(this->Redo, "&Redo", history.RedoText());
   this->ShowTitle();
 }
 
@@ -247,7 +261,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-  this->Study.SwitchForcesOff();
+  this->Study.Current().Touch().SwitchForcesOff();
   if (!this->Files->MayLeave())
   {
     // Forces stay off until the user allows them again: they may have been off before.

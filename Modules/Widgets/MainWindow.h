@@ -1,6 +1,5 @@
 #pragma once
 
-#include "EditMenu.h"
 #include "FileMenu.h"
 #include "FileQuestions.h"
 #include "LandmarksPanel.h"
@@ -62,6 +61,8 @@ private:
   TouchMenu* Touching = nullptr;
   LandmarksPanel* Marks = nullptr;
   QMenu* Panels = nullptr;
+  QAction* Undo = nullptr;
+  QAction* Redo = nullptr;
   bool IsShowing =
       false; ///< while showing the study's view, which is then not taken for the user's
 };

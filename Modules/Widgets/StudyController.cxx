@@ -33,7 +33,6 @@ void StudyController::Announce()
   this->Look();
 }
 
-// Reports errors to the user; the open study is kept.
 void StudyController::Try(const std::function<void()>& act)
 {
   try
@@ -305,21 +304,6 @@ void StudyController::StopTouch()
   this->Look();
 }
 
-void StudyController::SwitchForcesOff()
-{
-  this->Open.Touch().SwitchForcesOff();
-}
-
-void StudyController::SwitchForcesOn()
-{
-  this->Open.Touch().SwitchForcesOn();
-}
-
-void StudyController::MoveHand(const Vector3& targetWorld)
-{
-  this->Open.Touch().MoveHand(targetWorld);
-}
-
 void StudyController::MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
 {
   this->Open.MoveWorkspace(centerWorld, gesture.toStdString());
@@ -390,11 +374,6 @@ void StudyController::PlayReplay(bool isPlayed)
     isPlayed ? replay->Play() : replay->Pause();
     Q_EMIT ReplayChanged();
   }
-}
-
-void StudyController::TurnAxes(const Matrix3& rotation)
-{
-  this->Open.TurnAxes(rotation);
 }
 
 void StudyController::Report(const std::string& message)

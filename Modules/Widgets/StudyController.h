@@ -76,9 +76,6 @@ public:
 
   void StartTouch();
   void StopTouch();
-  void SwitchForcesOff();
-  void SwitchForcesOn();
-  void MoveHand(const Vector3& targetWorld);
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
   void FitWorkspace();
   /// Opens an earlier drilling state, interrupting touch. Throws InputError.
@@ -92,11 +89,11 @@ public:
   void ExportReplay(const std::filesystem::path& file);
   /// No effect without a replay.
   void PlayReplay(bool isPlayed);
-  /// Sets the device's axes in the world, if they follow the camera.
-  void TurnAxes(const Matrix3& rotation);
 
   /// Shows a message to the user, from anywhere in the window.
   void Report(const std::string& message);
+  /// Acts, reporting an error to the user.
+  void Try(const std::function<void()>& act);
   /// Switches forces off, then cancels work; nothing happens afterwards. Returns Study::Close.
   bool Close();
   /// The result of Close.
@@ -128,7 +125,6 @@ private:
   void OpenFolder(const std::filesystem::path& folder);
   void TakeSeries(const std::filesystem::path& folder, const QStringList& series);
   void OpenVolumeNow(const std::filesystem::path& file, const std::string& series);
-  void Try(const std::function<void()>& act);
 
   Study Open;
   StudyTouchReading Felt;

@@ -51,7 +51,7 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
 
 void TouchLink::TellAxes()
 {
-  this->Study.TurnAxes(this->Views.Space()->Axes());
+  this->Study.Current().TurnAxes(this->Views.Space()->Axes());
   this->ShowHand();
 }
 
@@ -96,7 +96,7 @@ void TouchLink::ShowProbe()
 
 void TouchLink::MoveHand(const Vector3& targetWorld)
 {
-  this->Study.MoveHand(targetWorld);
+  this->Study.Current().Touch().MoveHand(targetWorld);
   this->ShowHand();
 }
 
@@ -148,7 +148,7 @@ void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
 {
   if (key.key() == Qt::Key_Escape)
   {
-    this->Study.SwitchForcesOff();
+    this->Study.Current().Touch().SwitchForcesOff();
   }
   if (key.key() == Qt::Key_D && key.modifiers() == Qt::NoModifier && !key.isAutoRepeat() &&
       !receiver->isWindowType() && !TakesText(QApplication::focusWidget()))

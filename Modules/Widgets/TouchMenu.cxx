@@ -13,10 +13,10 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
 {
   this->Touch = this->addAction("", this, &TouchMenu::ToggleTouch, QKeySequence("Ctrl+T"));
   // Escape does the first anywhere in the program, so it is not a menu shortcut.
-  this->StopForce =
-      this->addAction("Stop all &force (Esc)", &study, &StudyController::SwitchForcesOff);
-  this->AllowForce =
-      this->addAction("&Allow force again", &study, &StudyController::SwitchForcesOn);
+  this->StopForce = this->addAction("Stop all &force (Esc)", this,
+                                    [this] { this->Study.Current().Touch().SwitchForcesOff(); });
+  this->AllowForce = this->addAction("&Allow force again", this,
+                                     [this] { this->Study.Current().Touch().SwitchForcesOn(); });
   this->AddWorkspace();
   this->AddRecording();
   connect(&study, &StudyController::TouchChanged, this, &TouchMenu::ShowTouch);

@@ -1,6 +1,6 @@
 #include "TouchPanel.h"
 
-#include "BuiltInDevices.h"
+#include "OpenBuiltInDevice.h"
 #include "ScreenString.h"
 
 #include <QFormLayout>
@@ -115,8 +115,10 @@ void TouchPanel::MakeButtons()
             }
             this->ShowTouch();
           });
-  connect(this->StopForce, &QPushButton::clicked, &this->Study, &StudyController::SwitchForcesOff);
-  connect(this->AllowForce, &QPushButton::clicked, &this->Study, &StudyController::SwitchForcesOn);
+  connect(this->StopForce, &QPushButton::clicked, this,
+          [this] { this->Study.Current().Touch().SwitchForcesOff(); });
+  connect(this->AllowForce, &QPushButton::clicked, this,
+          [this] { this->Study.Current().Touch().SwitchForcesOn(); });
   connect(this->Record, &QPushButton::clicked, this, &TouchPanel::RecordAsked);
 }
 

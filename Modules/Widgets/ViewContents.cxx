@@ -1,5 +1,6 @@
 #include "ViewContents.h"
 
+#include "ImageAxes.h"
 #include "PlainVector3.h"
 #include "SceneRepresentation.h"
 #include "SceneTool.h"
@@ -95,6 +96,10 @@ void KeepOnly(std::map<int, Shown>& shown, const std::set<int>& labels)
 ViewContents::ViewContents()
 {
   this->ProbeShown->VisibilityOff();
+  this->WorkspaceShown->VisibilityOff();
+  this->WorkspaceShown->WireframeOn();
+  this->WorkspaceShown->SetLineWidth(1.0);
+  this->WorkspaceShown->SetColor(0.8, 0.47, 0.65); // Okabe and Ito's reddish purple
 }
 
 void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
@@ -363,14 +368,16 @@ void ViewContents::ShowWorkspace(const WorkspaceFrame& frame, const Eigen::Align
   {
     return;
   }
-  std::array<double, 24> corners{};
-  for (int c = 0; c < 8; ++c)
+  std::array<Vector3, 8> corners;
+  for (std::size_t c = 0; c < corners.size(); ++c)
   {
-    const Vector3 corner =
-        frame.ToWorld(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(c)));
-    std::copy_n(corner.data(), 3, corners.data() + 3 * c);
+    corners[c] = frame.ToWorld(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(c)));
   }
-  this->WorkspaceShown->SetCorners(corners.data());
+  if (this->WorkspaceShown->GetSurface() == nullptr || corners != this->WorkspaceCorners)
+  {
+    this->WorkspaceCorners = corners;
+    this->WorkspaceShown->SetSurface(MakeBox(corners));
+  }
 }
 
 std::string ViewContents::TextAt(const Vector3& pointWorld) const

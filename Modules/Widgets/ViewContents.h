@@ -13,8 +13,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceDisplay.h"
 #include "vtkVolume.h"
-#include "vtkWorkspaceRepresentation.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -47,7 +47,7 @@ public:
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
   vtkLandmarks* Landmarks() const { return this->LandmarksShown; }
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
-  vtkWorkspaceRepresentation* Workspace() const { return this->WorkspaceShown; }
+  vtkSurfaceDisplay* Workspace() const { return this->WorkspaceShown; }
   /// By the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Surfaces() const
   {
@@ -75,7 +75,7 @@ private:
   vtkNew<vtkCrosshair> CrosshairShown;
   vtkNew<vtkLandmarks> LandmarksShown;
   vtkNew<vtkProbeRepresentation> ProbeShown;
-  vtkNew<vtkWorkspaceRepresentation> WorkspaceShown;
+  vtkNew<vtkSurfaceDisplay> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
@@ -90,5 +90,6 @@ private:
   std::vector<StudyLandmark> Marks;
   std::vector<StudyDistance> Distances;
   std::optional<TouchToolSettings> Tool;
+  std::array<Vector3, 8> WorkspaceCorners; // of the box that is shown
 };
 } // namespace palpate

@@ -50,7 +50,6 @@ public:
   ViewLayout Layout() const { return this->Shown; }
   /// Shows one view alone, or all again.
   void ToggleMaximized(ViewPane* pane);
-  ViewPane* Maximized() const { return this->Alone; }
 
   /// Takes over the current surfaces and fields of the contents.
   void TakeContents();

@@ -2,26 +2,36 @@
 
 #include "ViewContents.h"
 
+#include "vtkCommand.h"
+#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkInteractorStyle.h"
 #include "vtkLinkedView.h"
-#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <QMouseEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace palpate
 {
-namespace
+ViewCanvas::ViewCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
 {
-void AskForImage(vtkObject* /*shared*/, unsigned long /*event*/, void* pane, void* /*data*/)
-{
-  static_cast<ViewPane*>(pane)->RequestRender();
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  window->SetMultiSamples(0);
+  this->setRenderWindow(window);
+  this->interactor()->EnableRenderOff();
+  this->setMouseTracking(true);
+  this->setFocusPolicy(Qt::StrongFocus);
 }
-} // namespace
+
+// VTK's widget expects the interactor to draw the first frame, and that of a new size, here;
+// otherwise later ones are never shown.
+void ViewCanvas::paintGL()
+{
+  this->interactor()->EnableRenderOn();
+  QVTKOpenGLNativeWidget::paintGL();
+  this->interactor()->EnableRenderOff();
+}
 
 ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
     : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this))
@@ -34,19 +44,9 @@ ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
   this->RasterImage->renderWindow()->AddRenderer(this->Scene);
   this->RasterImage->installEventFilter(this);
   // Requests to the interactor, such as a style's at each mouse move, are drawn in the next turn.
-  this->Listener->SetCallback(AskForImage);
-  this->Listener->SetClientData(this);
-  this->RasterImage->interactor()->AddObserver(vtkCommand::RenderEvent, this->Listener);
+  this->Links->Connect(this->RasterImage->interactor(), vtkCommand::RenderEvent, this,
+                       SLOT(RequestRender()));
   connect(this->Bar, &ViewHeader::MaximizeAsked, this, &ViewPane::MaximizeAsked);
-}
-
-ViewPane::~ViewPane()
-{
-  this->RasterImage->interactor()->RemoveObserver(this->Listener);
-  for (const auto& shared : this->Followed)
-  {
-    shared->RemoveObserver(this->Listener);
-  }
 }
 
 void ViewPane::SetStyle(vtkInteractorStyle* style)
@@ -61,13 +61,12 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   view->SetCrosshair(contents.Crosshair());
   view->SetLandmarks(contents.Landmarks());
   view->SetProbe(contents.Probe());
-  view->SetWorkspace(contents.Workspace());
   view->SetRenderer(this->Scene);
   this->Follow(contents.Images());
   this->Follow(contents.Crosshair());
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
-  this->Follow(contents.Workspace());
+  this->AddSurface(contents.Workspace());
 }
 
 void ViewPane::AddSurface(vtkSurfaceDisplay* surface)
@@ -90,16 +89,13 @@ void ViewPane::SetAlongImage(bool isAlongImage)
 
 void ViewPane::Follow(vtkObject* shared)
 {
-  shared->AddObserver(vtkCommand::ModifiedEvent, this->Listener);
-  this->Followed.emplace_back(shared);
+  this->Links->Connect(shared, vtkCommand::ModifiedEvent, this, SLOT(RequestRender()));
   this->RequestRender();
 }
 
 void ViewPane::Unfollow(vtkObject* shared)
 {
-  shared->RemoveObserver(this->Listener);
-  this->Followed.erase(std::remove(this->Followed.begin(), this->Followed.end(), shared),
-                       this->Followed.end());
+  this->Links->Disconnect(shared, vtkCommand::ModifiedEvent, this);
   this->RequestRender();
 }
 

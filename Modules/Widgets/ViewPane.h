@@ -1,15 +1,14 @@
 #pragma once
 
-#include "ViewCanvas.h"
 #include "ViewHeader.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkEventQtSlotConnect.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
+#include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
-
-#include <vector>
 
 class vtkInteractorStyle;
 class vtkLinkedView;
@@ -19,6 +18,17 @@ namespace palpate
 {
 class ViewContents;
 
+/// VTK's canvas in a window. Its interactor draws only when Qt paints: a style that asks to render
+/// at each mouse move triggers only a RenderEvent.
+class ViewCanvas : public QVTKOpenGLNativeWidget
+{
+public:
+  explicit ViewCanvas(QWidget* parent);
+
+protected:
+  void paintGL() override;
+};
+
 /// A view with its header. It draws at most once per turn of the event loop, however often it is
 /// asked to, and not at all while hidden.
 class ViewPane : public QWidget
@@ -27,13 +37,10 @@ class ViewPane : public QWidget
 
 public:
   ViewPane(const QString& name, const QColor& color, QWidget* parent);
-  ~ViewPane() override;
 
   /// The widget that VTK draws in and that receives the mouse.
   ViewCanvas* Canvas() const { return this->RasterImage; }
   vtkRenderer* Renderer() const { return this->Scene; }
-  /// Draws soon.
-  void RequestRender();
   /// Draws now if a frame is due.
   void RenderNow();
   /// Number of frames drawn.
@@ -43,9 +50,13 @@ public:
   void RemoveSurface(vtkSurfaceDisplay* surface);
   void SetAlongImage(bool isAlongImage);
 
-  /// Draws whenever the object is modified; observers end with the pane.
+  /// Draws whenever the object is modified, until the pane ends.
   void Follow(vtkObject* shared);
   void Unfollow(vtkObject* shared);
+
+public Q_SLOTS:
+  /// Draws soon.
+  void RequestRender();
 
 Q_SIGNALS:
   void MaximizeAsked();
@@ -67,8 +78,7 @@ private:
   ViewHeader* Bar;
   ViewCanvas* RasterImage;
   vtkNew<vtkRenderer> Scene;
-  vtkNew<vtkCallbackCommand> Listener; ///< of the followed objects
-  std::vector<vtkSmartPointer<vtkObject>> Followed;
+  vtkNew<vtkEventQtSlotConnect> Links; ///< to the followed objects
   vtkSmartPointer<vtkLinkedView> Shown;
   bool IsDue = false;
   int Drawn = 0;

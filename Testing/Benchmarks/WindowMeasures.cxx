@@ -130,7 +130,7 @@ void WindowMeasures::StartTouch()
   WaitUntil(
       [this]
       {
-        this->Study->MoveHand(this->Path.front());
+        this->Study->Current().Touch().MoveHand(this->Path.front());
         return this->Study->Reading().TouchedId != 0;
       });
 }
@@ -183,7 +183,8 @@ WindowStretch WindowMeasures::Measure(const std::string& name, const Act& act)
   while (SecondsOf(timer) < this->Length)
   {
     const double round = std::fmod(SecondsOf(timer) / RoundSeconds, 1.0);
-    this->Study->MoveHand(this->Path[static_cast<std::size_t>(round * PathPoints)]);
+    this->Study->Current().Touch().MoveHand(
+        this->Path[static_cast<std::size_t>(round * PathPoints)]);
     act(stretch, SecondsOf(timer));
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }

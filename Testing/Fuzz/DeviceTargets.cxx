@@ -66,10 +66,11 @@ std::string ReplySeed()
   {
     stream += "<" + std::string(14, static_cast<char>('A' + reply % 16)) + ">";
   }
+  constexpr std::size_t Payload = FtdiPackets::PacketSize - FtdiPackets::StatusSize;
   std::string bytes;
-  for (std::size_t place = 0; place < stream.size(); place += FtdiPackets::PayloadSize)
+  for (std::size_t place = 0; place < stream.size(); place += Payload)
   {
-    bytes += "\x11\x60" + stream.substr(place, FtdiPackets::PayloadSize);
+    bytes += "\x11\x60" + stream.substr(place, Payload);
   }
   return bytes;
 }
@@ -99,6 +100,10 @@ void ReadReplies(const std::string& bytes)
     }
   }
 }
+
+constexpr char CalibrationSeed[] =
+    "palpate-falcon-calibration 1\n# measured\nthigh 60\nshin 102.5\nplatform-tangential -25\n"
+    "home-angle-1 35\nangle-per-count 0.0364\nhighest-angle 100\ncarried-mass 0.09\n";
 
 std::string FirmwareSeed()
 {
@@ -141,7 +146,7 @@ std::vector<FuzzTarget> DeviceTargets()
                          FalconFirmware firmware;
                          return FalconFirmware::Read(path, firmware);
                        }),
-          StatusTarget("falcon-calibration", "a.txt", TextOf(FalconCalibration()),
+          StatusTarget("falcon-calibration", "a.txt", CalibrationSeed,
                        OneOf({TextMutator({}), MutateBytes}),
                        [](const std::string& path)
                        {

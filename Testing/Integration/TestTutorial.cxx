@@ -4,10 +4,10 @@
 #include "WindowTest.h"
 
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QSlider>
-#include <QSpinBox>
 #include <QStyleFactory>
 #include <QTableWidget>
 #include <QUrl>
@@ -96,7 +96,7 @@ protected:
     this->FeelUntil(
         [&]
         {
-          this->Study->MoveHand(place);
+          this->Study->Current().Touch().MoveHand(place);
           const bool isSteady = this->Force() > 0.1 && std::abs(this->Force() - former) < 1e-4;
           const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
           since = isSteady ? since : now;
@@ -130,7 +130,7 @@ void TutorialTest::Judge()
   EXPECT_EQ(this->Fit().State, FitResult::Outcome::Fitted);
   const double fine = this->Fit().ModelToMask.Mean;
   EXPECT_LT(fine, 0.3); // mm; a tenth of a slice
-  auto* degree = this->Window->findChild<QSpinBox*>("Degree of all");
+  auto* degree = this->Window->findChild<QDoubleSpinBox*>("Degree of all");
   degree->setValue(4);
   this->Settle();
   EXPECT_GT(this->Fit().ModelToMask.Mean, fine);

@@ -92,7 +92,6 @@ bool FalconBoot::WaitForBytes(const std::uint8_t* wanted, std::size_t count, std
 
 Status FalconBoot::Greet()
 {
-  this->Account.Step = FalconBootStep::Setup;
   Status status =
       this->Command({FtdiRequest::PurgeOut(), FtdiRequest::PurgeIn(), FtdiRequest::LatencyTimer(16),
                      FtdiRequest::Baud(GreetingDivisor, GreetingEighths),
@@ -105,7 +104,6 @@ Status FalconBoot::Greet()
   // The edge resets the board into its loader; its minimum length was never measured.
   this->Wait(Hold);
   status = this->Command({FtdiRequest::DataTerminalReady(true)});
-  this->Account.Step = FalconBootStep::Greeting;
   for (int n = 0; n < Greetings && status.IsOk(); ++n)
   {
     status = this->SendAll(Greeting.data(), Greeting.size());
@@ -121,16 +119,15 @@ Status FalconBoot::Greet()
                                "try again.");
 }
 
-Status FalconBoot::LockRate()
+Status FalconBoot::LockRate(bool isSlow)
 {
-  const unsigned divisor = this->Account.IsSlow ? SlowDivisor : UploadDivisor;
+  const unsigned divisor = isSlow ? SlowDivisor : UploadDivisor;
   Status status = this->Command(
       {FtdiRequest::DataTerminalReady(false), FtdiRequest::Baud(divisor), FtdiRequest::PurgeIn()});
   if (!status.IsOk())
   {
     return status;
   }
-  this->Account.Step = FalconBootStep::RateLock;
   // Awaited but not required: it is unknown whether every Falcon reports it.
   const std::int64_t deadline = this->Time.Now() + ReadyTime;
   std::uint8_t ignored = 0;
@@ -154,7 +151,6 @@ Status FalconBoot::LockRate()
 
 Status FalconBoot::Upload(const FalconFirmware& firmware)
 {
-  this->Account.Step = FalconBootStep::Upload;
   const auto& image = firmware.Bytes();
   for (std::size_t first = 0; first < image.size(); first += Portion)
   {
@@ -220,16 +216,15 @@ bool FalconBoot::Answers(int rounds)
   return false;
 }
 
-Status FalconBoot::Attempt(const FalconFirmware& firmware)
+Status FalconBoot::Attempt(const FalconFirmware& firmware, bool isSlow)
 {
   Status status = this->Greet();
-  status = status.IsOk() ? this->LockRate() : status;
+  status = status.IsOk() ? this->LockRate(isSlow) : status;
   status = status.IsOk() ? this->Upload(firmware) : status;
   if (!status.IsOk())
   {
     return status;
   }
-  this->Account.Step = FalconBootStep::Start;
   status = this->SwitchToRunning();
   if (!status.IsOk() || this->Answers(RoundsAfter))
   {
@@ -250,11 +245,9 @@ Status FalconBoot::Reopen()
 
 Status FalconBoot::Run(const std::string& firmwarePath)
 {
-  this->Account = {};
   Status status = this->SwitchToRunning();
   if (!status.IsOk() || this->Answers(RoundsBefore))
   {
-    this->Account.Step = status.IsOk() ? FalconBootStep::Done : FalconBootStep::Setup;
     return status;
   }
   if (firmwarePath.empty())
@@ -274,13 +267,10 @@ Status FalconBoot::Run(const std::string& firmwarePath)
     status = n == 0 ? Status::Success() : this->Reopen();
     if (status.IsOk())
     {
-      ++this->Account.Attempts;
-      this->Account.IsSlow = n % (FastInARow + 1) == FastInARow;
-      status = this->Attempt(firmware);
+      status = this->Attempt(firmware, n % (FastInARow + 1) == FastInARow);
     }
     if (status.IsOk() || this->Link.IsGone())
     {
-      this->Account.Step = status.IsOk() ? FalconBootStep::Done : this->Account.Step;
       return status;
     }
   }

@@ -13,25 +13,6 @@
 
 namespace palpate
 {
-/// Stage of a boot.
-enum class FalconBootStep
-{
-  Setup,    ///< of the serial chip
-  Greeting, ///< of the boot loader, at 9600 Bd
-  RateLock, ///< the loader finds the rate of the upload
-  Upload,   ///< every byte is echoed
-  Start,    ///< the firmware answers
-  Done
-};
-
-/// Result of a boot.
-struct FalconBootReport
-{
-  FalconBootStep Step = FalconBootStep::Setup; ///< of the last attempt
-  int Attempts = 0;                            ///< uploads started; 0 if the firmware was running
-  bool IsSlow = false;                         ///< the last attempt used the lower rate
-};
-
 /// Starts a Falcon's firmware over an open link. Running firmware is kept. Otherwise it resets the
 /// board into its loader, sends the image, compares the echo of each byte, and waits for the
 /// firmware to answer; a failure at any step is retried from a reopened link, alternating with a
@@ -56,13 +37,12 @@ public:
   /// `firmwarePath` may be empty if the firmware is running. On failure the message names the step
   /// and the remedy; the link may then be open or closed.
   Status Run(const std::string& firmwarePath);
-  const FalconBootReport& Report() const noexcept { return this->Account; }
 
 private:
-  Status Attempt(const FalconFirmware& firmware);
+  Status Attempt(const FalconFirmware& firmware, bool isSlow);
   Status Reopen();
   Status Greet();
-  Status LockRate();
+  Status LockRate(bool isSlow);
   Status Upload(const FalconFirmware& firmware);
   Status SwitchToRunning();
   bool Answers(int rounds);
@@ -75,6 +55,5 @@ private:
 
   FalconLink& Link;
   Clock& Time;
-  FalconBootReport Account;
 };
 } // namespace palpate

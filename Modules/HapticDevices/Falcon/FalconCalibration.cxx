@@ -105,17 +105,6 @@ Status Check(const FalconCalibration& calibration)
   return Status::Success();
 }
 
-std::string TextOf(const FalconCalibration& calibration)
-{
-  FalconCalibration copy = calibration;
-  std::string text = std::string(Head) + "\n";
-  for (const Entry& entry : EntriesOf(copy))
-  {
-    text += std::string(entry.Name) + " " + ExactText(*entry.Value / entry.Unit) + "\n";
-  }
-  return text;
-}
-
 Status ParseCalibration(const std::string& text, const std::string& name,
                         FalconCalibration& calibration)
 {

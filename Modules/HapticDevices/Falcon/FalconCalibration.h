@@ -24,11 +24,9 @@ struct FalconCalibration
 /// reaches the centre of the workspace.
 Status Check(const FalconCalibration& calibration);
 
-/// The text of a calibration file: a line "palpate-falcon-calibration 1", then one line per number,
+/// Parses a calibration file: a line "palpate-falcon-calibration 1", then one line per number,
 /// with its name and value; lengths in mm, angles in degrees, mass in kg. Omitted numbers keep
-/// their defaults; `#` starts a comment.
-std::string TextOf(const FalconCalibration& calibration);
-/// `name` denotes the text in error messages.
+/// their defaults; `#` starts a comment. `name` denotes the text in error messages.
 Status ParseCalibration(const std::string& text, const std::string& name,
                         FalconCalibration& calibration);
 Status ReadCalibration(const std::string& path, FalconCalibration& calibration);

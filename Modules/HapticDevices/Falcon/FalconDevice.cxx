@@ -1,7 +1,5 @@
 #include "FalconDevice.h"
 
-#include "MotorValues.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -107,7 +105,7 @@ std::string FalconDevice::Guidance() const
 
 std::string FalconDevice::ConnectionReport() const
 {
-  const FalconStatistics& s = this->Exchange.Statistics();
+  const FalconStatistics& s = this->Statistics();
   const std::string caution = this->Link->Caution();
   const auto count = [](std::uint64_t number, const char* what)
   { return std::to_string(number) + " " + what; };
@@ -235,7 +233,6 @@ bool FalconDevice::Read(DeviceSample& sample) noexcept
   {
     this->Measure(reply, now);
   }
-  this->Numbers.Publish(this->Exchange.Statistics());
   if (this->Exchange.Silence(now) > LongestSilence)
   {
     return this->Fail(Fault::Silent);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Clock.h"
+#include "DeviceRegistry.h"
 #include "FalconBoot.h"
 #include "FalconCalibration.h"
 #include "FalconExchange.h"
@@ -8,7 +9,6 @@
 #include "FalconLink.h"
 #include "HapticDevice.h"
 #include "HomingWatch.h"
-#include "LatestValue.h"
 
 #include <atomic>
 #include <cstdint>
@@ -53,9 +53,8 @@ public:
   bool Read(DeviceSample& sample) noexcept override;
   bool Apply(const Vector3& force) noexcept override;
 
-  /// Communication statistics since Open, as of the last Read; owner thread only.
-  FalconStatistics Statistics() noexcept { return this->Numbers.Latest(); }
-  const FalconBootReport& BootReport() const noexcept { return this->Boot.Report(); }
+  /// Communication statistics since Open; only while no other thread reads or applies.
+  const FalconStatistics& Statistics() const noexcept { return this->Exchange.Statistics(); }
 
 private:
   enum class Fault
@@ -85,7 +84,6 @@ private:
   std::atomic<DeviceState> Life{DeviceState::Closed};
   std::atomic<Fault> Failure{Fault::None};
   std::atomic<unsigned> HomedLegs{0}; // one bit per leg, from the newest reply
-  LatestValue<FalconStatistics> Numbers;
   DeviceSample Last;
   Vector3 Grip = Vector3::Zero(); // mm, from the base
   bool HasPosition = false;       // the newest counts have one
@@ -93,4 +91,8 @@ private:
   std::int64_t Measured = 0;      // ns, time of the counts
   unsigned Pressed = 0;           // buttons in the last reply, confirmed or not
 };
+
+/// Adds "falcon": real devices on USB (FalconKind with a LibusbFalconFinder). Only in builds with
+/// libusb.
+Status RegisterFalconDevices(DeviceRegistry& registry);
 } // namespace palpate

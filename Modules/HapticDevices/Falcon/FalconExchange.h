@@ -55,8 +55,6 @@ public:
 
   /// Starts again: no outstanding and no partial replies.
   void Restart(std::int64_t now) noexcept;
-  /// The next counts need not continue the last ones, as after encoders were zeroed.
-  void ExpectJump() noexcept { this->Screen.Restart(); }
 
 private:
   void GiveUpReplies(std::int64_t now) noexcept;

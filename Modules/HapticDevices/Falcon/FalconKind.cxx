@@ -2,9 +2,9 @@
 
 #include "FalconDevice.h"
 #include "FalconFirmware.h"
-#include "FalconOptions.h"
 #include "FalconSearch.h"
 
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -12,6 +12,36 @@ namespace palpate
 {
 namespace
 {
+struct FalconOptions
+{
+  std::string Device;          // bus path or serial; empty: the first usable one
+  std::string FirmwarePath;    // empty: the environment's (FalconFirmware::PathOf)
+  std::string CalibrationPath; // empty: the published values
+};
+
+// Parses the text after "falcon:"; empty text gives the defaults.
+Status ParseFalconOptions(const std::string& text, FalconOptions& options)
+{
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    const std::size_t equals = word.find('=');
+    const std::string name = word.substr(0, equals);
+    std::string* const value = name == "device"        ? &options.Device
+                               : name == "firmware"    ? &options.FirmwarePath
+                               : name == "calibration" ? &options.CalibrationPath
+                                                       : nullptr;
+    if (value == nullptr || equals == std::string::npos || equals + 1 == word.size())
+    {
+      return Status::Failure("\"" + word +
+                             "\" is not understood: a Falcon takes device=, "
+                             "firmware= and calibration=, separated by commas.");
+    }
+    *value = word.substr(equals + 1);
+  }
+  return Status::Success();
+}
+
 Status MakeFalcon(FalconFinder& finder, Clock& clock, const std::string& argument,
                   std::unique_ptr<HapticDevice>& device)
 {

@@ -7,7 +7,11 @@
 
 namespace palpate
 {
-/// Adds "falcon", whose argument is parsed by FalconOptions, with links from `finder`. The kind
-/// supports searching for devices, which reports the environment's firmware.
+/// Adds "falcon" with links from `finder`. Its argument are options, separated by commas, in any
+/// order:
+///
+///     falcon:device=1-2.3,firmware=/home/me/firmware.bin,calibration=/home/me/falcon.txt
+///
+/// The kind supports searching for devices, which reports the environment's firmware.
 Status AddFalconKind(DeviceRegistry& registry, const std::shared_ptr<FalconFinder>& finder);
 } // namespace palpate

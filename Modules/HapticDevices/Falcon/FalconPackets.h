@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Vector3.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +42,14 @@ struct FalconReply
 
   static constexpr unsigned AllHomed = 7;
 };
+
+/// Largest magnitude of a motor value.
+constexpr double LargestMotorValue = 4095.0;
+
+/// Motor values for torques at the thighs (N mm); a positive value turns a thigh inwards, where its
+/// angle decreases. If one exceeds the limit all three are scaled together, which keeps the force's
+/// direction; a value that wrapped round would pull the other way. NaN becomes 0.
+FalconNumbers MotorValuesFor(const Vector3& torques, double countsPerNewtonMillimeter) noexcept;
 
 FalconPacket Encoded(const FalconRequest& request) noexcept;
 

@@ -14,8 +14,6 @@ class FalconReplyParser
 public:
   /// Returns true if the byte completes a reply.
   bool Take(std::uint8_t byte, FalconReply& reply) noexcept;
-  /// Discards a partial reply.
-  void Restart() noexcept { this->Count = 0; }
   /// Number of bytes so far outside of replies.
   std::uint64_t SkippedBytes() const noexcept { return this->Skipped; }
 

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Every Falcon that is plugged in, with its status; its argument is parsed by FalconOptions.
+/// Every Falcon that is plugged in, with its status; see FalconKind for its argument.
 /// Usable ones are opened and queried, by requests without torque, for running firmware and homing;
 /// nothing is loaded. `firmwarePath` is the file that would be loaded; empty for none. Fails if
 /// there is no Falcon.

@@ -5,11 +5,6 @@
 
 namespace palpate
 {
-namespace
-{
-constexpr std::uint8_t LineErrorBits = 0x0E; // overrun, parity, framing
-}
-
 std::size_t FtdiPackets::Strip(const std::uint8_t* transfer, std::size_t count,
                                std::uint8_t* payload) noexcept
 {
@@ -18,7 +13,6 @@ std::size_t FtdiPackets::Strip(const std::uint8_t* transfer, std::size_t count,
   {
     const std::size_t packet = std::min(PacketSize, count - start);
     this->Modem = transfer[start];
-    this->ErrorCount += (transfer[start + 1] & LineErrorBits) != 0 ? 1 : 0;
     // Source and destination overlap if a transfer is stripped in place.
     std::memmove(payload + length, transfer + start + StatusSize, packet - StatusSize);
     length += packet - StatusSize;

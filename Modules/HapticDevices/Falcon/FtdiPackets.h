@@ -13,7 +13,6 @@ class FtdiPackets
 public:
   static constexpr std::size_t PacketSize = 64;
   static constexpr std::size_t StatusSize = 2;
-  static constexpr std::size_t PayloadSize = PacketSize - StatusSize;
 
   /// Copies the payload of one IN transfer of `count` bytes and returns its length, which is less
   /// than `count` or 0. `payload` holds `count` bytes; it may be `transfer` itself. A packet of one
@@ -23,11 +22,8 @@ public:
 
   /// From the newest packet; false before the first.
   bool ClearToSend() const noexcept { return (this->Modem & 0x10U) != 0; }
-  /// Number of packets so far with overrun, parity or framing errors.
-  std::uint64_t LineErrors() const noexcept { return this->ErrorCount; }
 
 private:
   std::uint8_t Modem = 0; // first byte of the status
-  std::uint64_t ErrorCount = 0;
 };
 } // namespace palpate

@@ -1,5 +1,7 @@
 #include "LibusbFalconFinder.h"
 
+#include "FalconDevice.h"
+#include "FalconKind.h"
 #include "LibusbFalconLink.h"
 #include "LibusbFalcons.h"
 
@@ -17,5 +19,10 @@ Status LibusbFalconFinder::MakeLink(const std::string& which, std::unique_ptr<Fa
 {
   link = std::make_unique<LibusbFalconLink>(which);
   return Status::Success();
+}
+
+Status RegisterFalconDevices(DeviceRegistry& registry)
+{
+  return AddFalconKind(registry, std::make_shared<LibusbFalconFinder>());
 }
 } // namespace palpate

@@ -60,4 +60,24 @@ bool ReplayDevice::Apply(const Vector3&) noexcept
 {
   return this->State() != DeviceState::Closed && this->Recording->Ticks[this->Current].WasTaken;
 }
+
+Status RegisterReplayDevices(DeviceRegistry& registry)
+{
+  return registry.Add(
+      "replay", "what a device did in a recorded session; replay:<file>",
+      [](Clock& clock, const std::string& path, std::unique_ptr<HapticDevice>& device)
+      {
+        if (path.empty())
+        {
+          return Status::Failure("A replay needs a session's file, replay:<file>.");
+        }
+        auto recording = std::make_shared<TouchRecording>();
+        Status status = ReadTouchRecording(path, *recording);
+        if (status.IsOk())
+        {
+          device = std::make_unique<ReplayDevice>(clock, std::move(recording));
+        }
+        return status;
+      });
+}
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Clock.h"
+#include "DeviceRegistry.h"
 #include "HapticDevice.h"
 #include "TouchRecording.h"
 
@@ -35,4 +36,7 @@ private:
   std::int64_t Shift = 0;  // ns, from recorded time to the clock's
   std::size_t Current = 0; // tick
 };
+
+/// Adds "replay:<file>": a ReplayDevice of a recorded session.
+Status RegisterReplayDevices(DeviceRegistry& registry);
 } // namespace palpate

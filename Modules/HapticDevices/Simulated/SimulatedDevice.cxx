@@ -187,4 +187,14 @@ bool SimulatedDevice::Apply(const Vector3& force) noexcept
                                               : Vector3::Zero();
   return true;
 }
+
+Status RegisterSimulatedDevices(DeviceRegistry& registry)
+{
+  return registry.Add("simulated", "a computed device with a hand on it, to be moved by a program",
+                      [](Clock& clock, const std::string&, std::unique_ptr<HapticDevice>& device)
+                      {
+                        device = std::make_unique<SimulatedDevice>(clock, SimulatedSettings());
+                        return Status::Success();
+                      });
+}
 } // namespace palpate

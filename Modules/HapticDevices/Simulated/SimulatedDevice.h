@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Clock.h"
+#include "DeviceRegistry.h"
 #include "HapticDevice.h"
 #include "LatestValue.h"
 #include "SimulatedHand.h"
@@ -102,4 +103,7 @@ private:
   std::size_t CommandCount = 0;
   Command InEffect;
 };
+
+/// Adds "simulated": a SimulatedDevice with default settings.
+Status RegisterSimulatedDevices(DeviceRegistry& registry);
 } // namespace palpate

@@ -1,4 +1,4 @@
-#include "BuiltInDevices.h"
+#include "OpenBuiltInDevice.h"
 
 #include "DeviceContract.h"
 #include "ManualClock.h"

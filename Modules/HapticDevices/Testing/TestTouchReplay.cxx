@@ -1,6 +1,6 @@
 #include "TouchReplay.h"
 
-#include "BuiltInDevices.h"
+#include "OpenBuiltInDevice.h"
 #include "RecordedSession.h"
 #include "ReplayDevice.h"
 #include "TemporaryFolder.h"

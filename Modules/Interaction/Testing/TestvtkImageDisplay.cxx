@@ -91,8 +91,8 @@ TEST(vtkLandmarks, RejectsNonFinitePositionsAndUnknownNumbers)
   EXPECT_TRUE(landmarks->AddDistance(0, 1));
   EXPECT_FALSE(landmarks->AddDistance(0, 2));
   EXPECT_FALSE(landmarks->AddDistance(-1, 0));
-  EXPECT_EQ(landmarks->GetNumberOfDistances(), 1);
+  EXPECT_EQ(landmarks->GetDistances().size(), 1U);
   landmarks->RemoveAll();
   EXPECT_EQ(landmarks->GetNumberOfLandmarks(), 0);
-  EXPECT_EQ(landmarks->GetNumberOfDistances(), 0);
+  EXPECT_TRUE(landmarks->GetDistances().empty());
 }

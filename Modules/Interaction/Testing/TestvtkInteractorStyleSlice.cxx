@@ -3,13 +3,11 @@
 #include "SlicePosition.h"
 #include "SliceViewTest.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindowInteractor.h"
 
 #include <gtest/gtest.h>
-#include <vector>
 
 using palpate::Vector3;
 
@@ -193,19 +191,6 @@ TEST_F(vtkInteractorStyleSliceTest, OnlyKeyRActsAndFitsView)
   EXPECT_NEAR(this->View->GetPixelMillimeters(), pixel, 1e-12);
 }
 
-TEST_F(vtkInteractorStyleSliceTest, DoubleClickReportsItsRenderer)
-{
-  std::vector<void*> renderers;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&renderers);
-  command->SetCallback([](vtkObject*, unsigned long, void* list, void* renderer)
-                       { static_cast<std::vector<void*>*>(list)->push_back(renderer); });
-  this->Style->AddObserver(vtkInteractorStyleSlice::MaximizeEvent, command);
-  this->Send(vtkCommand::LeftButtonDoubleClickEvent, 60, 60);
-  this->Send(vtkCommand::LeftButtonDoubleClickEvent, 210, 60);
-  EXPECT_EQ(renderers, (std::vector<void*>{this->Renderer.Get(), this->Other.Get()}));
-}
-
 TEST_F(vtkInteractorStyleSliceTest, OtherRenderersRotateCameraAndKeepCrosshair)
 {
   const Vector3 before = this->Place();
@@ -226,15 +211,4 @@ TEST_F(vtkInteractorStyleSliceTest, DrawsViewsThatShareCrosshair)
   const int painted = coronal->GetPaintCount();
   this->Drag(vtkCommand::LeftButtonPressEvent, 50, 20, 50, 100);
   EXPECT_GT(coronal->GetPaintCount(), painted);
-}
-
-TEST_F(vtkInteractorStyleSliceTest, IgnoresRemovedView)
-{
-  this->Send(vtkCommand::LeftButtonPressEvent, 50, 60);
-  const Vector3 before = this->Place();
-  this->Style->RemoveView(this->View);
-  this->Send(vtkCommand::MouseMoveEvent, 90, 20);
-  this->Send(vtkCommand::LeftButtonReleaseEvent, 90, 20);
-  this->Send(vtkCommand::MouseWheelForwardEvent, 90, 20);
-  EXPECT_EQ(this->Place(), before);
 }

@@ -1,6 +1,7 @@
 #include "vtkSpaceView.h"
 
 #include "AnatomicalView.h"
+#include "ImageAxes.h"
 #include "SliceViewTest.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
@@ -17,6 +18,7 @@
 #include "vtkSphereSource.h"
 #include "vtkVolumeProperty.h"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -242,9 +244,7 @@ TEST_F(vtkSpaceViewTest, PickedPointLiesOnSurfaceUnderPointer)
   EXPECT_LT(world.y(), center.y()) << "the nearer side";
   EXPECT_NEAR(world.x(), 9.0, PixelMillimeters);
   EXPECT_NEAR(world.z(), -1.0, PixelMillimeters);
-  EXPECT_EQ(this->View->GetPickedSurface(), this->Surface.Get());
   EXPECT_FALSE(this->PickAt(25.0, 25.0, world));
-  EXPECT_EQ(this->View->GetPickedSurface(), nullptr);
 }
 
 TEST_F(vtkSpaceViewTest, PicksNearerOfPolygonsAndSubVoxelSurfaces)
@@ -260,18 +260,49 @@ TEST_F(vtkSpaceViewTest, PicksNearerOfPolygonsAndSubVoxelSurfaces)
   Vector3 seen;
   ASSERT_TRUE(this->PickAt(2.0, 3.0, seen));
   EXPECT_NEAR(palpate::test::Ramp(seen), 100.0, 1e-4); // voxels are floats
-  EXPECT_EQ(this->View->GetPickedSurface(), nullptr);
   this->Surface->SetSurface(Sphere(seen + Vector3(0.0, 20.0, 0.0), 3.0));
   this->View->AddSurface(this->Surface);
   this->Draw(vtkSpaceView::POSTERIOR);
   Vector3 nearer;
   ASSERT_TRUE(this->PickAt(2.0, 3.0, nearer));
-  EXPECT_EQ(this->View->GetPickedSurface(), this->Surface.Get());
   EXPECT_NEAR(nearer.y(), seen.y() + 23.0, 0.1);
   this->Surface->SetSurface(Sphere(seen - Vector3(0.0, 20.0, 0.0), 3.0));
   this->Draw(vtkSpaceView::POSTERIOR);
   ASSERT_TRUE(this->PickAt(2.0, 3.0, nearer));
   EXPECT_NEAR((nearer - seen).norm(), 0.0, 1e-9);
+}
+
+TEST_F(vtkSpaceViewTest, WireframeShowsEdgesThatAreNeitherPickedNorFitted)
+{
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 9.0));
+  this->View->AddSurface(this->Surface);
+  this->Window->Render();
+  this->View->LookFrom(vtkSpaceView::ANTERIOR);
+  const double distance = this->Renderer->GetActiveCamera()->GetDistance();
+  std::array<Vector3, 8> corners;
+  for (std::size_t c = 0; c < corners.size(); ++c)
+  {
+    corners[c] = Vector3((c & 1U) != 0 ? 20.0 : -20.0, (c & 2U) != 0 ? 20.0 : -20.0,
+                         (c & 4U) != 0 ? 20.0 : -20.0);
+  }
+  vtkNew<vtkSurfaceDisplay> box;
+  box->SetSurface(palpate::MakeBox(corners));
+  box->SetColor(1.0, 0.0, 0.0);
+  box->WireframeOn();
+  this->View->AddSurface(box);
+  this->View->LookFrom(vtkSpaceView::ANTERIOR);
+  EXPECT_NEAR(this->Renderer->GetActiveCamera()->GetDistance(), distance, 1e-9); // roundings
+  const RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 0.0, 0.0))) << "there are no faces";
+  EXPECT_TRUE(IsBlack(PixelAt(raster, 15.0, 5.0)));
+  bool isEdgeSeen = false;
+  for (int column = -2; column <= 2; ++column)
+  {
+    isEdgeSeen = isEdgeSeen || IsRed(PixelAt(raster, 20.0 + column * PixelMillimeters, 5.0));
+  }
+  EXPECT_TRUE(isEdgeSeen);
+  Vector3 world;
+  EXPECT_FALSE(this->PickAt(15.0, 5.0, world));
 }
 
 TEST_F(vtkSpaceViewTest, ContactRegionHasContactColor)

@@ -1,7 +1,7 @@
 #include "DeviceList.h"
 
-#include "BuiltInDevices.h"
 #include "InputError.h"
+#include "OpenBuiltInDevice.h"
 #include "SteadyClock.h"
 
 #include <stdexcept>

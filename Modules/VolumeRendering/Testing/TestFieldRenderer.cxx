@@ -138,49 +138,11 @@ TEST(FieldRenderer, ZeroOpacityHidesMaterial)
 TEST(FieldRenderer, ClippingPlaneShowsBackOfSurface)
 {
   FieldView view = ViewAlongZ(65);
-  view.Kept = {{-Vector3::UnitZ(), 0.0}}; // z <= 0
+  view.Kept.emplace_back(-Vector3::UnitZ(), 0.0); // z <= 0
   const FieldImage image = Draw(FieldRenderer(Spheres({6.0}), view));
   const FieldHit& hit = image.Hits[image.Pixel(32, 32)];
   EXPECT_NEAR(hit.Position[2], -6.0, 1e-9);
   EXPECT_FALSE(hit.IsEntering);
-}
-
-TEST(FieldRenderer, CropBySidesEqualsCropByRegions)
-{
-  const auto field = Spheres({6.0, 3.0});
-  // -3.3 to 2.2 mm along x, all along y, -5.3 to 4.9 along z.
-  const std::array<double, 6> planes{9.4, 20.4, -1.0, 40.0, 5.4, 25.8};
-  FieldView bySides = ViewAlongZ(80);
-  bySides.Crop = CropRegions(planes, 1 << 13);
-  FieldView byRegions = ViewAlongZ(80);
-  // The same plus an empty corner region.
-  byRegions.Crop = CropRegions(planes, 1 << 13 | 1);
-  const FieldImage a = Draw(FieldRenderer(field, bySides));
-  const FieldImage b = Draw(FieldRenderer(field, byRegions));
-  int shown = 0;
-  for (std::size_t pixel = 0; pixel < a.Depths.size(); ++pixel)
-  {
-    ASSERT_EQ(a.Hits[pixel].Kind, b.Hits[pixel].Kind);
-    ASSERT_EQ(a.Hits[pixel].T, b.Hits[pixel].T);
-    shown += a.Hits[pixel].Material >= 0 ? 1 : 0;
-  }
-  EXPECT_GT(shown, 500);
-}
-
-TEST(FieldRenderer, CropRegionsUseVtkNumbering)
-{
-  const std::array<double, 6> planes{1.0, 2.0, 1.0, 2.0, 1.0, 2.0};
-  for (int region = 0; region < 27; ++region)
-  {
-    const CropRegions crop(planes, 1 << region);
-    for (int other = 0; other < 27; ++other)
-    {
-      const int j = other / 3 % 3;
-      const int k = other / 9;
-      const Vector3 point(0.5 + other % 3, 0.5 + j, 0.5 + k);
-      EXPECT_EQ(crop.Shows(point), other == region);
-    }
-  }
 }
 
 TEST(FieldRenderer, SceneDepthsEndRays)

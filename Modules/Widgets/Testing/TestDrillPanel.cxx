@@ -78,7 +78,7 @@ protected:
           {
             last = newest.Tick.Number;
             path += 0.5;
-            this->Study->MoveHand(hand + path * inward);
+            this->Study->Current().Touch().MoveHand(hand + path * inward);
           }
           return this->Removed() > volume;
         });

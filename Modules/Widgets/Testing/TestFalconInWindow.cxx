@@ -97,7 +97,7 @@ protected:
           if (fault == SafetyFault::StalledTick || fault == SafetyFault::StaleSample ||
               fault == SafetyFault::UntakenForce || fault == SafetyFault::ImplausibleMotion)
           {
-            this->Study->SwitchForcesOn();
+            this->Study->Current().Touch().SwitchForcesOn();
           }
           if (std::chrono::steady_clock::now() > end)
           {

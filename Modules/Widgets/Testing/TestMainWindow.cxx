@@ -3,12 +3,12 @@
 #include "VolumeFile.h"
 #include "WindowTest.h"
 
-#include <QCheckBox>
 #include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QSpinBox>
 #include <QUrl>
 
 #include <cmath>
@@ -85,7 +85,7 @@ TEST_F(MainWindowTest, BadFileMessageEqualsCommandLineAndWindowContinues)
 TEST_F(MainWindowTest, UndoNamesTheStep)
 {
   this->OpenPhantom();
-  auto* degree = this->Window->findChild<QSpinBox*>("Degree of all");
+  auto* degree = this->Window->findChild<QDoubleSpinBox*>("Degree of all");
   degree->setValue(5);
   EXPECT_EQ(this->Study->State().Structures.at(0).Degree, 5);
   QAction* undo = this->Action("Undo");
@@ -101,12 +101,12 @@ TEST_F(MainWindowTest, RobustIsUndoStepAndCoverageIsShown)
 {
   this->OpenPhantom();
   EXPECT_EQ(this->Window->findChild<QLabel*>("coverage")->text(), "good");
-  auto* robust = this->Window->findChild<QCheckBox*>("Robust");
-  robust->click();
+  auto* robust = this->Window->findChild<QComboBox*>("Robust");
+  Q_EMIT robust->activated(1);
   EXPECT_TRUE(this->Study->State().Fit.IsRobust);
   this->Action("Undo")->trigger();
   EXPECT_FALSE(this->Study->State().Fit.IsRobust);
-  EXPECT_FALSE(robust->isChecked());
+  EXPECT_EQ(robust->currentText(), "off");
 }
 
 TEST_F(MainWindowTest, StatusLineShowsPositionValueAndLabel)
@@ -150,7 +150,7 @@ TEST_F(MainWindowTest, StudyAmongFilesAsksBeforeReplacingChanges)
   this->OpenPhantom();
   const auto file = this->Phantom.Folder / "case.palpate.json";
   ASSERT_TRUE(this->Study->Save(file));
-  this->Window->findChild<QSpinBox*>("Degree of all")->setValue(5);
+  this->Window->findChild<QDoubleSpinBox*>("Degree of all")->setValue(5);
   const StudyState changed = this->Study->State();
   this->Leaving = FileQuestions::Answer::Cancel;
   this->Study->OpenFiles({file});

@@ -183,7 +183,7 @@ TEST_F(TouchLinkTest, WheelStopsAtWorkspaceLimit)
 
 TEST_F(TouchLinkTest, WorkspaceIsShownAndDraggedByMouse)
 {
-  vtkWorkspaceRepresentation* shown = this->Window->Contents().Workspace();
+  vtkSurfaceDisplay* shown = this->Window->Contents().Workspace();
   EXPECT_FALSE(shown->GetVisibility());
   this->StartTouch();
   EXPECT_TRUE(shown->GetVisibility());
@@ -204,7 +204,7 @@ TEST_F(TouchLinkTest, WorkspaceIsShownAndDraggedByMouse)
   // To the right on the screen: a few roundings through its coordinates.
   EXPECT_NEAR(path.normalized().dot(space->Axes().col(0)), 1.0, 1e-6);
   Vector3 corner;
-  shown->GetCorner(0, corner.data());
+  shown->GetSurface()->GetPoint(0, corner.data());
   const Vector3 least = touch.Capabilities().Workspace.min();
   EXPECT_LT((corner - touch.Frame().ToWorld(least)).norm(), 1e-9);
   Wheel(canvas, {150.0, 100.0}, 1);
@@ -321,7 +321,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   this->Settle();
   DrawAll(*this->Window->Views());
   EXPECT_EQ(this->Study->State(), saved);
-  EXPECT_EQ(this->Window->Contents().Landmarks()->GetNumberOfDistances(), 1);
+  EXPECT_EQ(this->Window->Contents().Landmarks()->GetDistances().size(), 1U);
 }
 } // namespace
 } // namespace palpate

@@ -13,6 +13,13 @@ namespace palpate
 namespace
 {
 const std::string Head = "palpate-falcon-calibration 1\n";
+const std::string AllNumbers =
+    Head +
+    "thigh 60\nshin 102.5\nknee-offset 11.25\nankle-offset 11.25\nplatform-radial 14.43\n"
+    "platform-tangential -25\nbase-radial 36.6\nbase-tangential -23.09\nleg-direction-1 105\n"
+    "leg-direction-2 -15\nleg-direction-3 -135\nhome-angle-1 35\nhome-angle-2 40\n"
+    "home-angle-3 35\nangle-per-count 0.0364\nmiddle-height 125\nlowest-angle -30\n"
+    "highest-angle 95\ncounts-per-newton-millimeter 7.1\ncarried-mass 0.09\n";
 
 std::string FaultOf(const std::string& text)
 {
@@ -29,23 +36,17 @@ TEST(FalconCalibration, DefaultsAreValid)
   EXPECT_TRUE(Check(FalconCalibration()).IsOk());
 }
 
-TEST(FalconCalibration, RoundTrips)
+TEST(FalconCalibration, ReadsEveryNumber)
 {
-  FalconCalibration written;
-  written.Geometry.BaseRadial = 36.6;
-  written.Geometry.HomeAngles[1] = 0.7;
-  written.CountsPerNewtonMillimeter = 7.1;
-  written.CarriedMass = 0.09;
   const test::TemporaryFolder folder;
-  test::WriteAll(folder / "a.txt", TextOf(written));
+  test::WriteAll(folder / "a.txt", AllNumbers);
   FalconCalibration read;
   ASSERT_TRUE(ReadCalibration((folder / "a.txt").string(), read).IsOk());
   EXPECT_EQ(read.Geometry.BaseRadial, 36.6);
-  // Degrees in the file: one rounding each way.
-  EXPECT_NEAR(read.Geometry.HomeAngles[1], 0.7, 1e-15);
+  EXPECT_NEAR(read.Geometry.HomeAngles[1], 40.0 * M_PI / 180.0, 1e-15);
+  EXPECT_NEAR(read.Geometry.HighestAngle, 95.0 * M_PI / 180.0, 1e-15);
   EXPECT_EQ(read.CountsPerNewtonMillimeter, 7.1);
   EXPECT_EQ(read.CarriedMass, 0.09);
-  EXPECT_EQ(TextOf(read), TextOf(written));
 }
 
 TEST(FalconCalibration, OmittedNumbersKeepDefaults)
@@ -88,10 +89,9 @@ TEST(FalconCalibration, ReportsEachFault)
 TEST(FalconCalibration, ParserSurvivesRandomText)
 {
   std::mt19937_64 random(71);
-  const std::string good = TextOf(FalconCalibration());
   for (int round = 0; round < 5000; ++round)
   {
-    std::string text = good;
+    std::string text = AllNumbers;
     for (std::size_t faults = 1 + random() % 3; faults > 0; --faults)
     {
       text[random() % text.size()] = static_cast<char>(random());

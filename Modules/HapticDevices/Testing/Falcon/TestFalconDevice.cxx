@@ -192,8 +192,9 @@ TEST_F(FalconDeviceTest, HomedDeviceIsReadyOnReopen)
 {
   this->OpenAndHome();
   this->Device->Close();
+  const int resets = this->Falcon.Board().Resets();
   ASSERT_TRUE(this->Device->Open().IsOk());
-  EXPECT_EQ(this->Device->BootReport().Attempts, 0);
+  EXPECT_EQ(this->Falcon.Board().Resets(), resets);
   for (int n = 0; n < 40; ++n)
   {
     ASSERT_TRUE(this->Tick());

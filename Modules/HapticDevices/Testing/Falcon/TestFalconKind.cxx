@@ -1,6 +1,5 @@
 #include "FalconKind.h"
 
-#include "FalconOptions.h"
 #include "ManualClock.h"
 #include "TemporaryFolder.h"
 #include "VirtualFinder.h"
@@ -65,10 +64,7 @@ TEST_F(FalconKindTest, ErrorsNameUnknownOption)
                                 "firmware= and calibration=, separated by commas.";
     EXPECT_EQ(this->Make("falcon:" + word).Message(), message);
   }
-  FalconOptions options;
-  options.Device = "kept";
-  EXPECT_FALSE(ParseFalconOptions("device=new,wrong", options).IsOk());
-  EXPECT_EQ(options.Device, "kept");
+  EXPECT_FALSE(this->Make("falcon:device=1-2,wrong").IsOk());
 }
 } // namespace
 } // namespace palpate

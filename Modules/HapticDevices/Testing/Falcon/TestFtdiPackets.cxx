@@ -30,7 +30,7 @@ TEST(FtdiPackets, StripsStatusOfEveryPacket)
     Bytes transfer;
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (i % FtdiPackets::PayloadSize == 0)
+      if (i % (FtdiPackets::PacketSize - FtdiPackets::StatusSize) == 0)
       {
         transfer.insert(transfer.end(), {0x01, 0x60});
       }
@@ -57,18 +57,6 @@ TEST(FtdiPackets, IgnoresStatusFragments)
   EXPECT_TRUE(Stripped(packets, {}).empty());
   EXPECT_TRUE(Stripped(packets, {0x11}).empty());
   EXPECT_FALSE(packets.ClearToSend());
-}
-
-TEST(FtdiPackets, CountsLineErrors)
-{
-  FtdiPackets packets;
-  Stripped(packets, {0x01, 0x60});
-  EXPECT_EQ(packets.LineErrors(), 0U);
-  for (const std::uint8_t line : {0x62, 0x64, 0x68})
-  {
-    Stripped(packets, {0x01, line, 0x00});
-  }
-  EXPECT_EQ(packets.LineErrors(), 3U);
 }
 
 // The values known to work with a Falcon.

@@ -1,4 +1,4 @@
-#include "MotorValues.h"
+#include "FalconPackets.h"
 
 #include "RandomShapes.h"
 

@@ -6,6 +6,7 @@ namespace
 {
 using test::FalconOverUsb;
 using test::UsbfsFalcon;
+using test::VirtualFalcon;
 
 TEST_F(FalconOverUsb, LoadsHomesAndPushes)
 {
@@ -23,10 +24,11 @@ TEST_F(FalconOverUsb, LoadsHomesAndPushes)
 TEST_F(FalconOverUsb, KeepsRunningFirmware)
 {
   ASSERT_NO_FATAL_FAILURE(this->OpenAndHome());
-  EXPECT_EQ(this->Device->BootReport().Attempts, 1);
+  const auto resets = [](VirtualFalcon& falcon) { return falcon.Board().Resets(); };
+  EXPECT_EQ(this->Bus.WithFalcon(resets), 1) << "one upload";
   this->Device->Close();
   ASSERT_NO_FATAL_FAILURE(this->OpenAndHome());
-  EXPECT_EQ(this->Device->BootReport().Attempts, 0);
+  EXPECT_EQ(this->Bus.WithFalcon(resets), 1);
 }
 
 TEST_F(FalconOverUsb, RecoversFromUnpluggingByReopening)
