@@ -93,7 +93,7 @@ class Rehearsal
 {
 public:
   Rehearsal(const ContactModel& model, const ToolShape& tool, const Path& path)
-      : Path(path), Times(Ticks, std::numeric_limits<double>::infinity()), Felt(Ticks)
+      : Followed(path), Times(Ticks, std::numeric_limits<double>::infinity()), Felt(Ticks)
   {
     Require(model.MakeTracker(tool, {}, this->Tracker));
     for (int run = 0; run < Runs; ++run)
@@ -119,10 +119,10 @@ private:
   void Run()
   {
     this->Tracker->Release();
-    this->Tracker->Follow({this->Path.Start, Eigen::Quaterniond::Identity()});
+    this->Tracker->Follow({this->Followed.Start, Eigen::Quaterniond::Identity()});
     for (std::size_t tick = 0; tick < Ticks; ++tick)
     {
-      const ToolPose pose{this->Path.Probes[tick], Eigen::Quaterniond::Identity()};
+      const ToolPose pose{this->Followed.Probes[tick], Eigen::Quaterniond::Identity()};
       const auto start = Clock::now();
       const Contact& contact = this->Tracker->Follow(pose);
       this->Times[tick] = std::min(this->Times[tick], NanosecondsSince(start));
@@ -135,10 +135,10 @@ private:
     bool wasWrong = false;
     for (std::size_t tick = 0; tick < Ticks; ++tick)
     {
-      const double gap = search.Nearest(this->Felt[tick]).SignedDistance - this->Path.ToolRadius;
+      const double gap = search.Nearest(this->Felt[tick]).SignedDistance - this->Followed.ToolRadius;
       row.SurfaceMean += std::abs(gap) / static_cast<double>(Ticks);
       row.SurfaceMaximum = std::max(row.SurfaceMaximum, std::abs(gap));
-      const bool isWrong = !((this->Felt[tick] - this->Path.Proxies[tick]).norm() <= Seizure);
+      const bool isWrong = !((this->Felt[tick] - this->Followed.Proxies[tick]).norm() <= Seizure);
       row.Seizures += isWrong && !wasWrong ? 1 : 0;
       wasWrong = isWrong;
     }
@@ -149,8 +149,8 @@ private:
     test::ForceQuality quality;
     for (std::size_t tick = 0; tick < Ticks; ++tick)
     {
-      const Vector3& probe = this->Path.Probes[tick];
-      quality.Add(this->Felt[tick] - probe, this->Path.Proxies[tick] - probe);
+      const Vector3& probe = this->Followed.Probes[tick];
+      quality.Add(this->Felt[tick] - probe, this->Followed.Proxies[tick] - probe);
     }
     row.AngleMean = quality.MeanAngle();
     row.AngleRare = quality.AngleQuantile(0.99);
@@ -161,7 +161,7 @@ private:
     row.IdealJumpMaximum = quality.IdealJumps().RelativeMaximum();
   }
 
-  const Path& Path;
+  const Path& Followed;
   std::unique_ptr<ContactTracker> Tracker;
   std::vector<double> Times;
   std::vector<Vector3> Felt;
