@@ -114,24 +114,3 @@ TEST(CliDevices, ListsEachDeviceWithItsStatus)
   EXPECT_TRUE(
       nlohmann::json::parse(json.Output.substr(0, json.Output.find('\n')))["there"].is_boolean());
 }
-
-TEST(CliTouchView, DrawsWhileTheServoRuns)
-{
-  const TemporaryFolder folder;
-  WriteTwoSpheres(folder / "a.nii.gz");
-  const CommandRun run = RunPalpate({"touch", "a.nii.gz", "--label", "1", "--real-time", "--view",
-                                     "--seconds", "0.5", "--rate", "200", "--json"},
-                                    folder.Path());
-  ASSERT_EQ(run.Code, 0) << run.Errors;
-  const nlohmann::json summary = nlohmann::json::parse(run.Output);
-  EXPECT_GT(summary["frame"]["count"].get<int>(), 0);
-  EXPECT_GT(summary["frames_per_second"].get<double>(), 0.0);
-  EXPECT_GT(summary["memory_start_mib"].get<double>(), 1.0);
-}
-
-TEST(CliTouch, ViewNeedsRealTime)
-{
-  const TemporaryFolder folder;
-  WriteTwoSpheres(folder / "a.nii.gz");
-  EXPECT_EQ(RunPalpate({"touch", "a.nii.gz", "--view"}, folder.Path()).Code, 2);
-}

@@ -200,7 +200,7 @@ TEST(DrillRun, DrillingAlwaysUsesALinearField)
   SceneSettings settings = block.Settings();
   settings.Structures[0].Interpolation = FieldInterpolation::TricubicBSpline;
   const PreparedTouch touch = test::Prepare(settings, DrillBlock::CanalAt(4.0));
-  EXPECT_EQ(touch.Structures[0].Drilled.Field->Interpolation(), FieldInterpolation::Trilinear);
+  EXPECT_EQ(touch.Drill->Sites()[0].Source.Field->Interpolation(), FieldInterpolation::Trilinear);
 }
 
 TEST(DrillRun, SummaryHasRemovedVolumeAndForbiddenStructures)

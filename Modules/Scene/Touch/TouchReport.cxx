@@ -73,11 +73,6 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   {
     summary["period"] = StatisticsAsJson(result.Periods);
   }
-  if (result.Frames.Count() > 0)
-  {
-    summary["frame"] = StatisticsAsJson(result.Frames);
-    summary["frames_per_second"] = result.FramesPerSecond;
-  }
   summary["memory_start_mib"] = result.MebibytesAtStart;
   summary["memory_end_mib"] = result.MebibytesAtEnd;
   summary["fault"] = result.Fault == SafetyFault::None ? "" : Describe(result.Fault);
@@ -133,10 +128,6 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
       {"memory after 1 s and at the end", FixedText(result.MebibytesAtStart, 1) + " and " +
                                               FixedText(result.MebibytesAtEnd, 1) + " MiB"},
       {"forces", result.Fault == SafetyFault::None ? "on until the end" : Describe(result.Fault)}};
-  if (result.Frames.Count() > 0)
-  {
-    rows.emplace_back("frames of the view", FixedText(result.FramesPerSecond, 1) + " per second");
-  }
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);

@@ -80,8 +80,8 @@ class LiveTouch
 {
 public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
-      : Touch(touch), View(settings.View), Guide(settings.Guide),
-        Keeper(Result, touch.Structures.size()), Watch(touch.Drill), Session(clock)
+      : Touch(touch), Guide(settings.Guide), Keeper(Result, touch.Structures.size()),
+        Watch(touch.Drill), Session(clock)
   {
     ServoSettings servo;
     servo.Rate = touch.Settings.Rate;
@@ -138,16 +138,16 @@ public:
     this->Result.ThreadAdvice = this->Session.Grant().Advice;
     const std::int64_t start = clock.Now();
     double passed = 0.0;
+    constexpr auto Nap = std::chrono::milliseconds(20);
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
       this->Act(passed);
-      this->Look(clock, passed);
+      std::this_thread::sleep_for(Nap);
       this->LookOut(passed, this->Session.Loop().Latest());
       this->NoteRemoval(passed);
       this->Fetch();
       passed = Nano * static_cast<double>(clock.Now() - start);
     }
-    this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
     this->Session.Pause();
     this->Fetch();
     this->Result.Durations = this->Session.Statistics().Durations;
@@ -245,20 +245,6 @@ private:
                });
   }
 
-  // Draws a frame, or waits for about as long.
-  void Look(const Clock& clock, double time)
-  {
-    constexpr auto Nap = std::chrono::milliseconds(20);
-    if (!this->View)
-    {
-      std::this_thread::sleep_for(Nap);
-      return;
-    }
-    const std::int64_t start = clock.Now();
-    this->View(time, this->Session.Loop().Latest());
-    this->Result.Frames.Add(clock.Now() - start);
-  }
-
   void Fetch(float microseconds = 0.0F)
   {
     const TouchSessionReading& now = this->Session.Poll();
@@ -300,7 +286,6 @@ private:
   }
 
   const PreparedTouch& Touch;
-  const TouchViewer& View;
   const TouchGuide& Guide;
   TouchResult Result;
   TouchResultCollector Keeper;
@@ -314,7 +299,7 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
                            const ProgressFunction& progress)
 {
   PreparedTouch touch;
-  BuiltScene built = BuildScene(settings, script.IsSeen, progress);
+  BuiltScene built = BuildScene(settings, progress);
   if (built.Contacts.empty())
   {
     throw InputError("no structure of the scene is touchable; remove \"touched\": false from one "
@@ -329,7 +314,6 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   }
   touch.Actions = script.Actions;
   touch.Structures = std::move(built.Touched);
-  touch.OnlyDisplayed = std::move(built.OnlyDisplayed);
   auto scene = std::make_shared<TouchScene>(MakeTouchScene(touch.Settings, built.Contacts, {}));
   if (touch.Drill != nullptr)
   {
