@@ -194,7 +194,7 @@ void TouchCommand::DeclareOptions(CLI::App& app)
   this->DeclareStructure(app);
   this->DeclareRun(app);
   app.add_option("--output", this->OutputFolder,
-                 "Folder for report.html, summary.json, trace.csv, scene.json and session.touch")
+                 "Folder for report.html, summary.json, scene.json and session.touch")
       ->type_name("DIR");
   app.add_option("--replay", this->ReplayFile,
                  "Replay a recorded session (session.touch), and compare each tick's force")

@@ -78,7 +78,7 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
 {
   const SceneSettings settings = SceneOf(file, count, touched);
   malloc_trim(0);
-  const double before = ResidentMebibytes();
+  const double before = test::ResidentMebibytes();
   BuiltScene made = BuildScene(settings, GoOn);
   SceneGrowthRow row{scene, count, touched, 0, 0.0, 0.0, 0, 0, 0.0, 0.0};
   for (const SceneFileAccount& read : made.Account.Files)
@@ -94,7 +94,7 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
   row.ServoBytes = AccountForServo(made).Bytes;
   made.Account = {}; // which no touch keeps
   malloc_trim(0);
-  row.ResidentMebibytes = ResidentMebibytes() - before;
+  row.ResidentMebibytes = test::ResidentMebibytes() - before;
   made = {};
   TouchScript script;
   script.Duration = 2.0;

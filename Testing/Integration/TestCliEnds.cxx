@@ -50,9 +50,8 @@ protected:
   // All files of a touch that ends by itself, complete, and no temporary ones.
   void ExpectWholeFiles() const
   {
-    EXPECT_EQ(this->FilesThatAreLeft(),
-              (std::set<std::string>{"report.html", "scene.json", "session.touch", "summary.json",
-                                     "trace.csv"}));
+    EXPECT_EQ(this->FilesThatAreLeft(), (std::set<std::string>{"report.html", "scene.json",
+                                                               "session.touch", "summary.json"}));
     EXPECT_GT(nlohmann::json::parse(ReadAll(this->Folder / "felt/summary.json"))["ticks"], 0);
     const CommandRun again = RunPalpate(
         {"touch", "felt/scene.json", "--replay", "felt/session.touch"}, this->Folder.Path());

@@ -12,9 +12,8 @@ namespace palpate
 PALPATESCENE_EXPORT std::string TouchSummaryText(const PreparedTouch& touch,
                                                  const TouchResult& result);
 
-/// Writes into an existing folder: `summary.json`, `trace.csv` (one line per interval of the
-/// trace), `scene.json` and `report.html` with force, depth and tick time over time. Throws
-/// InputError.
+/// Writes into an existing folder: `summary.json`, `scene.json` and `report.html` with force, depth
+/// and tick time over time. Throws InputError.
 PALPATESCENE_EXPORT void WriteTouchFiles(const std::filesystem::path& folder,
                                          const PreparedTouch& touch, const TouchResult& result);
 } // namespace palpate

@@ -10,7 +10,6 @@
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
 #include "TouchReplay.h"
-#include "TouchResultCollector.h"
 #include "TouchSession.h"
 #include "WorkspaceFrame.h"
 
@@ -74,6 +73,45 @@ BackgroundWriter::Limits RecordingLimits(bool isVirtual)
   }
   return limits;
 }
+
+// Accumulates the ticks of a touch into its result, in bounded memory.
+class TouchResultCollector
+{
+public:
+  TouchResultCollector(TouchResult& result, std::size_t structures) : Result(result)
+  {
+    result.TouchedSeconds.resize(structures);
+  }
+
+  // The next tick, which took `microseconds` to compute; 0 if unknown.
+  void Add(const TouchState& state, float microseconds)
+  {
+    if (this->Result.Ticks++ == 0)
+    {
+      this->Start = state.Tick.Scheduled;
+      this->Last = state.Tick.Started;
+    }
+    const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
+    TouchStretch tick = StretchOf(state, this->Start, this->Last);
+    tick.Computation = {microseconds, microseconds};
+    this->Result.Trace.Add(tick);
+    this->Last = state.Tick.Started;
+    if (state.Structure >= 0)
+    {
+      this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
+    }
+    this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
+    if (this->Result.Fault == SafetyFault::None)
+    {
+      this->Result.Fault = state.Safety.Fault;
+    }
+  }
+
+private:
+  TouchResult& Result;
+  std::int64_t Start = 0; // ns
+  std::int64_t Last = 0;  // ns
+};
 
 // A running session and its result.
 class LiveTouch
@@ -281,7 +319,6 @@ private:
     }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Session.Device().Problem();
-    this->Keeper.Close();
     return std::move(this->Result);
   }
 

@@ -60,11 +60,8 @@ struct DrillMoment
 struct TouchResult
 {
   TouchTrace Trace;
-  PeriodStatistics Durations;    ///< of ticks; its misses are late ticks
-  PeriodStatistics Periods;      ///< from tick to tick; its misses are skipped ticks
-  double MebibytesAtStart = 0.0; ///< resident, one second after the first tick (if shorter: at
-                                 ///< its end); 0 if unknown
-  double MebibytesAtEnd = 0.0;
+  PeriodStatistics Durations; ///< of ticks; its misses are late ticks
+  PeriodStatistics Periods;   ///< from tick to tick; its misses are skipped ticks
   std::uint64_t Ticks = 0;
   std::uint64_t LostTicks = 0;        ///< executed but missing in the trace
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
