@@ -112,7 +112,7 @@ private:
   const SceneSettings& Asked;
   const ProgressFunction& Progress;
   SceneSettings Planned; // with nothing displayed
-  SceneRun Run{false};
+  SceneRun Run;
   BuiltScene Made;
 };
 } // namespace

@@ -25,7 +25,7 @@ QualityMeasurement MeasureQuality(const SceneSettings& scene, const SceneStructu
   StructureTrade::Settings settings;
   settings.Path.Seconds = PathSeconds;
   settings.Runs = Runs;
-  StructureTrade trade(scene, structure, SceneRun(true), settings, clock);
+  StructureTrade trade(scene, structure, SceneRun(), settings, clock);
   const int highest = trade.HighestDegree(progress);
   std::vector<ContactSetting> presets;
   for (int preset = 0; preset < QualityPresetCount; ++preset)

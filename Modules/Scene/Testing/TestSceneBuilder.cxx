@@ -84,7 +84,7 @@ TEST_F(SceneBuilderTest, RefusesALabelWithoutAnyShape)
   WriteImage(this->Folder / "voxel.nii.gz", oneVoxel);
   SceneStructure entry = this->Entry(this->Folder / "voxel.nii.gz", true);
   entry.Representation = TouchRepresentation::ModelOrField;
-  // The field is tried after the surface was refused, and the segmentation released.
+  // The field is tried after the surface was refused.
   EXPECT_THROW(this->Make({entry}), InputError);
 }
 

@@ -171,7 +171,7 @@ TEST(StructureTrade, CandidatesOfAModelAreItsModes)
   scene.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
   EXPECT_TRUE(CandidatesFor(scene, 0).empty());
   const test::StillClock clock;
-  StructureTrade trade(scene, scene.Structures.front(), SceneRun(true), test::ShortPath(), clock);
+  StructureTrade trade(scene, scene.Structures.front(), SceneRun(), test::ShortPath(), clock);
   EXPECT_THROW(trade.Measure(SettingOf(scene, TouchRepresentation::Harmonics), GoOn), InputError);
 }
 
