@@ -2,10 +2,13 @@
 
 #include "FieldOfImage.h"
 #include "FilterRun.h"
-#include "ImageWithin.h"
+#include "NodeBox.h"
 #include "Refusal.h"
 #include "SceneSettings.h"
 #include "SurfaceTexture.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
 
 namespace palpate
 {
@@ -17,11 +20,26 @@ std::shared_ptr<const ForceEffect> MakeTexture(const SceneEffectSource& source, 
   const Volume& volume = *source.Image;
   const Eigen::AlignedBox3d& boundsWorld = source.BoundsWorld;
   const Vector3 margin = Vector3::Constant(source.ToolReach);
-  const vtkSmartPointer<vtkImageData> image =
-      ImageWithin(volume.Image, {boundsWorld.min() - margin, boundsWorld.max() + margin});
+  FieldGrid grid = GridOfImage(volume.Image);
+  // One node more than needed, against rounding.
+  const NodeBox nodes =
+      NodesRound(grid, {boundsWorld.min() - margin, boundsWorld.max() + margin}, 1.0);
+  vtkNew<vtkImageData> image;
+  image->ShallowCopy(volume.Image);
+  if (nodes.HasCells())
+  {
+    std::array<int, 6> extent{};
+    image->GetExtent(extent.data());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      extent[2 * axis + 1] = extent[2 * axis] + nodes.Last[axis];
+      extent[2 * axis] += nodes.First[axis];
+    }
+    image->Crop(extent.data());
+    grid = PartOf(grid, nodes);
+  }
   FieldSamples samples;
   Status status = SamplesOfImage(image, samples);
-  const FieldGrid grid = GridOfImage(image);
   FieldBuilder builder(grid);
   const int channel = builder.AddChannel(samples);
   // A field keeps only samples near its surfaces; any surface will do here, since all samples are

@@ -4,6 +4,7 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
+#include "SurfaceTexture.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
 #include "TouchRun.h"
@@ -138,9 +139,18 @@ TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
   sphere.SetNumber("texture_n", 0.2);
   sphere.SetImage("texture_image", this->Folder / "image.nrrd");
   WriteImage(this->Folder / "image.nrrd",
-             test::MakeLabelImage(grid, [](double x, double, double) { return x > 0.0; }));
+             test::MakeLabelImage(grid, [](double x, double y, double z)
+                                  { return x > 0.0 && y > 0.0 && z > 0.0; }));
   const BuiltScene made = this->Make({sphere});
-  EXPECT_EQ(made.Touched.at(0).Touch.Effects.size(), 1U);
+  ASSERT_EQ(made.Touched.at(0).Touch.Effects.size(), 1U);
+  const auto texture =
+      std::dynamic_pointer_cast<const SurfaceTexture>(made.Touched[0].Touch.Effects[0]);
+  ASSERT_NE(texture, nullptr);
+  const Vector3 bright = Vector3::Constant(0.5); // a node next to the centre
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_GT(texture->BrightnessAt(bright), texture->BrightnessAt(bright - Vector3::Unit(axis)));
+  }
   const std::uintmax_t textured = made.Account.Structures[0].Contact.Bytes;
   EXPECT_GT(textured, smooth + 4 * 14 * 14 * 14);
   EXPECT_LT(textured, smooth + 4 * 100 * 100 * 100 / 10);
