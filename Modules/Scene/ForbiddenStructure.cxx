@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace palpate
 {
@@ -88,21 +87,12 @@ private:
 };
 } // namespace
 
-ForbiddenStructure::ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm)
-    : Title(std::move(name)), Alarm(alarm), Triangles(surface),
-      Query(vtkSmartPointer<vtkImplicitPolyDataDistance>::New())
+ForbiddenStructure::ForbiddenStructure(vtkPolyData* surface)
+    : Triangles(surface), Query(vtkSmartPointer<vtkImplicitPolyDataDistance>::New())
 {
   this->Query->SetInput(surface);
 }
 
-ForbiddenStructure::ForbiddenStructure(const ForbiddenStructure& like, std::string name,
-                                       double alarm)
-    : Title(std::move(name)), Alarm(alarm), Triangles(like.Triangles), Query(like.Query)
-{
-}
-
-ForbiddenStructure::ForbiddenStructure(ForbiddenStructure&&) noexcept = default;
-ForbiddenStructure& ForbiddenStructure::operator=(ForbiddenStructure&&) noexcept = default;
 ForbiddenStructure::~ForbiddenStructure() = default;
 
 double ForbiddenStructure::Distance(const Vector3& pointWorld) const

@@ -30,7 +30,8 @@ std::vector<StudyForbidden> ForbiddenOf(const StudyState& state, const StudyPipe
   {
     if (structure.IsForbidden)
     {
-      StudyForbidden one{structure.Id, TitleOf(structure), structure.AlarmDistance,
+      StudyForbidden one{{TitleOf(structure), structure.AlarmDistance, nullptr},
+                         structure.Id,
                          pipeline.StateOf(SceneStep::Protection, structure.Id)};
       // The newest product may belong to a previous state.
       if (one.State.Is == Kind::UpToDate)

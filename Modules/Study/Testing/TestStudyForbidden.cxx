@@ -274,7 +274,7 @@ TEST_F(StudyForbiddenTest, RowShowsTheStateOfTheProtection)
 TEST(DrillHoldText, NamesTwoAndCountsTheOthers)
 {
   const auto waiting = [](const std::string& name) {
-    return StudyForbidden{1, name, 2.0, {Kind::Running, 0.5, {}, {}}};
+    return StudyForbidden{{name, 2.0, nullptr}, 1, {Kind::Running, 0.5, {}, {}}};
   };
   EXPECT_EQ(DrillHoldText({}), "");
   EXPECT_EQ(DrillHoldText({waiting("a"), waiting("b")}),
@@ -323,7 +323,7 @@ TEST_F(StudyForbiddenTest, CommandLineProtectsTheSame)
 
   const auto context = test::BenchOf(state);
   ASSERT_EQ(context->Forbidden().size(), 1U);
-  EXPECT_EQ(context->Forbidden()[0].AlarmDistance(), state.Structures.back().AlarmDistance);
+  EXPECT_EQ(context->Forbidden()[0].AlarmDistance, state.Structures.back().AlarmDistance);
   test::ContextCuts cuts(context);
   for (const auto& [from, to] : RandomSweeps())
   {
