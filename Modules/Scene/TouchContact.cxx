@@ -3,7 +3,6 @@
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
 #include "Refusal.h"
-#include "SceneField.h"
 #include "TriangleMesh.h"
 
 namespace palpate
@@ -38,8 +37,7 @@ TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field, i
   RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, made.Model),
                file.string());
   const bool isLinear = field->Interpolation() == FieldInterpolation::Trilinear;
-  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic") +
-                     ", " + MemoryText(*field);
+  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic");
   return made;
 }
 } // namespace palpate
