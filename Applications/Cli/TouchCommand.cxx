@@ -4,7 +4,6 @@
 #include "Console.h"
 #include "DeviceOption.h"
 #include "DrillExport.h"
-#include "DrillReport.h"
 #include "DrillState.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"

@@ -1,6 +1,5 @@
 #include "DrillContext.h"
 
-#include "DrillTool.h"
 #include "Refusal.h"
 #include "SceneTool.h"
 
