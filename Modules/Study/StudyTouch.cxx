@@ -122,7 +122,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
   try
   {
     Feelable next;
-    next.Contacts = TouchableOf(state, contacts);
+    next.Contacts = contacts;
     TouchScene scene = MakeTouchScene(state, next.Contacts, {});
     const bool wasHeld = !this->Drilled.Hold().empty();
     this->Drilled.Follow(state, next.Contacts, this->Forbidden);

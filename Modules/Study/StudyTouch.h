@@ -37,8 +37,8 @@ public:
   StudyTouch(const StudyTouch&) = delete;
   StudyTouch& operator=(const StudyTouch&) = delete;
 
-  /// Starts with an open device. Fails, and closes it, if there is nothing to touch or the tool
-  /// cannot touch it.
+  /// Starts with an open device; `contacts` are those of `state` (see ContactsOf). Fails, and
+  /// closes it, if there is nothing to touch or the tool cannot touch it.
   Status Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
                const std::vector<SceneContact>& contacts);
   bool IsRunning() const { return this->Session.IsRunning(); }
