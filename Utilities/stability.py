@@ -4,7 +4,7 @@
     Utilities/stability.py BORDERS [--page FILE] [--picture FILE]
 
 BORDERS is build/release/stability.json (see Utilities/stability.sh, which calls this). The part of the
-page below the line "## Ten minutes with a view" is kept as it is: it comes from a separate run.
+page below the line "## Ten minutes" is kept as it is: it comes from a separate run.
 """
 import argparse
 import json
@@ -17,7 +17,7 @@ from matplotlib import pyplot  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCUMENTATION = ROOT / "Documentation"
-KEPT_FROM = "## Ten minutes with a view"
+KEPT_FROM = "## Ten minutes"
 
 INTRODUCTION = """# Stability
 

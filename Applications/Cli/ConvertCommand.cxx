@@ -11,7 +11,6 @@
 #include "ModelSurface.h"
 #include "SegmentationFile.h"
 #include "SurfaceFile.h"
-#include "TouchExport.h"
 #include "TouchTicksFile.h"
 
 #include "vtkDataArray.h"
@@ -68,8 +67,7 @@ std::string ConvertCommand::Examples() const
          "  palpate convert surface.vtp surface.stl\n"
          "  palpate convert mask.nii.gz mask.nrrd\n"
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
-         "  palpate convert felt/session.touch ticks.csv       one line per tick\n"
-         "  palpate convert felt/session.touch plots.svg       force and depth over time";
+         "  palpate convert felt/session.touch ticks.csv       one line per tick";
 }
 
 void ConvertCommand::DeclareOptions(CLI::App& app)

@@ -3,7 +3,6 @@
 #include "AvailableMemory.h"
 #include "CommandProgress.h"
 #include "Console.h"
-#include "DrillPhantom.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "ImageWriter.h"
@@ -49,8 +48,7 @@ std::string PhantomCommand::Examples() const
   return "  palpate phantom --output p                        0.5 x 0.5 x 3 mm voxels, some noise\n"
          "  palpate phantom --output p --spacing 1,1,1 --noise 0 --bias 0   clean and isotropic\n"
          "  palpate phantom --output p --oblique 20 --seed 7  a rotated grid, another body\n"
-         "  palpate phantom --output p --model model.json     the body of a fitted model\n"
-         "  palpate phantom --output p --drill-block          bone to drill, with a hidden nerve";
+         "  palpate phantom --output p --model model.json     the body of a fitted model";
 }
 
 void PhantomCommand::DeclareOptions(CLI::App& app)
@@ -58,8 +56,7 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder, "Folder for volume, mask and truth.json")
       ->type_name("DIR")
       ->required();
-  app.add_option("--spacing", this->Spacing,
-                 "Voxel size x,y,z in mm (default: 0.5,0.5,3; for the block 0.3,0.3,0.3)")
+  app.add_option("--spacing", this->Spacing, "Voxel size x,y,z in mm (default: 0.5,0.5,3)")
       ->delimiter(',')
       ->expected(3)
       ->check(FiniteNumber::Between(0.01, 100.0));
@@ -71,47 +68,30 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
   app.add_option("--format", this->Format, "File format of the images")
       ->check(CLI::IsMember({"nii.gz", "nrrd", "mha"}))
       ->capture_default_str();
-  CLI::Option* block =
-      app.add_flag("--drill-block", this->IsDrillBlock,
-                   "Instead of a body, make a CT of a block of bone with a canal and a hidden "
-                   "nerve, with a scene, a path and a script to drill it");
-  for (CLI::Option* option : this->DeclareBody(app))
-  {
-    block->excludes(option);
-  }
-}
-
-std::vector<CLI::Option*> PhantomCommand::DeclareBody(CLI::App& app)
-{
-  CLI::Option* model = app.add_option("--model", this->ModelPath,
-                                      "The body: a model file (default: a prostate-like body)");
-  CLI::Option* degree = app.add_option("--degree", this->Degree, "Degree of the prostate-like body")
-                            ->check(CLI::Range(0, 64))
-                            ->capture_default_str();
-  CLI::Option* seed =
-      app.add_option("--seed", this->Seed,
-                     "Random seed of the body's bumps, the noise and the bias field")
-          ->capture_default_str();
-  CLI::Option* size =
-      app.add_option("--size", this->Size, "Voxels x,y,z (default: as many as the body needs)")
-          ->delimiter(',')
-          ->expected(3)
-          ->check(CLI::Range(1, static_cast<int>(MostVoxels)));
-  CLI::Option* noise =
-      app.add_option("--noise", this->Noise,
-                     "Standard deviation of the Rician noise; the body's intensity is 220")
-          ->check(FiniteNumber::Between(0.0, 1e4))
-          ->capture_default_str();
-  CLI::Option* bias = app.add_option("--bias", this->Bias, "The bias field lies within 1 +- this")
-                          ->check(FiniteNumber::Between(0.0, 0.99))
-                          ->capture_default_str();
-  CLI::Option* partial =
-      app.add_option("--partial-volume", this->PartialVolume,
-                     "Average a voxel over N points along each axis (1 for none)")
-          ->type_name("N")
-          ->check(CLI::Range(1, 16))
-          ->capture_default_str();
-  return {model, degree, seed, size, noise, bias, partial};
+  app.add_option("--model", this->ModelPath,
+                 "The body: a model file (default: a prostate-like body)");
+  app.add_option("--degree", this->Degree, "Degree of the prostate-like body")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  app.add_option("--seed", this->Seed,
+                 "Random seed of the body's bumps, the noise and the bias field")
+      ->capture_default_str();
+  app.add_option("--size", this->Size, "Voxels x,y,z (default: as many as the body needs)")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(1, static_cast<int>(MostVoxels)));
+  app.add_option("--noise", this->Noise,
+                 "Standard deviation of the Rician noise; the body's intensity is 220")
+      ->check(FiniteNumber::Between(0.0, 1e4))
+      ->capture_default_str();
+  app.add_option("--bias", this->Bias, "The bias field lies within 1 +- this")
+      ->check(FiniteNumber::Between(0.0, 0.99))
+      ->capture_default_str();
+  app.add_option("--partial-volume", this->PartialVolume,
+                 "Average a voxel over N points along each axis (1 for none)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
 }
 
 Matrix3 PhantomCommand::Direction() const
@@ -143,7 +123,10 @@ PhantomGrid PhantomCommand::GridAround(const SphericalHarmonicModel& model) cons
 {
   PhantomGrid grid;
   grid.Direction = this->Direction();
-  grid.Spacing = this->SpacingOr(grid.Spacing);
+  if (!this->Spacing.empty())
+  {
+    grid.Spacing = Vector3(this->Spacing.data());
+  }
   double voxels = 1.0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -190,36 +173,9 @@ void PhantomCommand::WriteTruth(const SphericalHarmonicModel& model,
   WriteModel(file, {model, provenance});
 }
 
-Vector3 PhantomCommand::SpacingOr(const Vector3& usual) const
-{
-  return this->Spacing.empty() ? usual
-                               : Vector3(this->Spacing[0], this->Spacing[1], this->Spacing[2]);
-}
-
 int PhantomCommand::Run(Console& console)
 {
   const Interruption interruption;
-  return this->IsDrillBlock ? this->MakeDrillBlock(console) : this->MakeBody(console);
-}
-
-int PhantomCommand::MakeDrillBlock(Console& console) const
-{
-  const DrillPhantom phantom = MakeDrillPhantom(this->SpacingOr(Vector3::Constant(0.3)),
-                                                this->Direction(), ProgressOn(console));
-  console.EndProgress();
-  WriteOutputSet(this->OutputFolder, [&](const std::filesystem::path& stage)
-                 { WriteDrillPhantom(phantom, stage, this->Format); });
-  const int* size = phantom.Ct->GetDimensions();
-  const std::string folder = Printable(this->OutputFolder) + "/";
-  console.Output() << folder << "volume." << this->Format << ": " << size[0] << " x " << size[1]
-                   << " x " << size[2] << " voxels\n"
-                   << "drill it: palpate touch " << folder << "block.scene.json --path " << folder
-                   << "hand.csv --drill " << folder << "strokes.json --output drilled\n";
-  return 0;
-}
-
-int PhantomCommand::MakeBody(Console& console) const
-{
   const SphericalHarmonicModel model = this->TrueModel();
   const PhantomGrid grid = this->GridAround(model);
   const std::filesystem::path folder = this->OutputFolder;

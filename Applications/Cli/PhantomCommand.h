@@ -10,15 +10,10 @@
 #include <string>
 #include <vector>
 
-namespace CLI
-{
-class Option;
-}
-
 namespace palpate::cli
 {
 /// `palpate phantom`: an MR-like volume, a mask and the true coefficients of a body, with the
-/// ground truth available on any machine. Or a block of bone to drill.
+/// ground truth available on any machine.
 class PhantomCommand : public Command
 {
 public:
@@ -32,12 +27,7 @@ public:
   int Run(Console& console) override;
 
 private:
-  /// Declares the options that do not apply to the block, and returns them.
-  std::vector<CLI::Option*> DeclareBody(CLI::App& app);
-  int MakeBody(Console& console) const;
-  int MakeDrillBlock(Console& console) const;
   Matrix3 Direction() const;
-  Vector3 SpacingOr(const Vector3& usual) const; // mm
   PhantomGrid GridAround(const SphericalHarmonicModel& model) const;
   PhantomAppearance Appearance() const;
   SphericalHarmonicModel TrueModel() const;
@@ -46,7 +36,6 @@ private:
   std::string OutputFolder;
   std::string ModelPath;
   std::string Format = "nii.gz";
-  bool IsDrillBlock = false;
   std::vector<double> Spacing; ///< mm; empty for the default
   std::vector<int> Size;       ///< voxels; empty for as many as the body needs
   double ObliqueDegrees = 0.0;

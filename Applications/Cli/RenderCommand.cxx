@@ -113,7 +113,7 @@ std::vector<SceneRenderer::Color> ColorsOf(const std::vector<Segment>& structure
   return colors;
 }
 
-// Makes a field and reports its memory. A failure is blamed on the file or the options.
+// Makes a field. A failure is blamed on the file or the options.
 template <typename Make>
 std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, Console& console,
                                          const Make& make)
@@ -122,7 +122,6 @@ std::shared_ptr<const ScalarField> Field(const std::filesystem::path& file, Cons
   {
     auto field = make();
     console.EndProgress();
-    console.Note(file.filename().string() + ": the field takes " + MemoryText(*field));
     return field;
   }
   catch (const FilterError& error)

@@ -50,10 +50,8 @@ struct Totals
 {
   std::size_t Read = 0;
   std::size_t Touched = 0;
-  std::size_t Seen = 0;
   SceneItem Reading;
   SceneItem Contacts;
-  SceneItem Drawings;
 
   explicit Totals(const SceneAccount& account)
   {
@@ -64,7 +62,6 @@ struct Totals
     for (const SceneStructureAccount& structure : account.Structures)
     {
       Add(structure.Contact, this->Touched, this->Contacts);
-      Add(structure.Drawing, this->Seen, this->Drawings);
     }
   }
 
@@ -91,9 +88,7 @@ std::string TextOf(const SceneAccount& account)
   }
   for (const SceneStructureAccount& structure : account.Structures)
   {
-    const std::string name = Printable(structure.Name);
-    AddRow(table, name, "touch", structure.Contact);
-    AddRow(table, name, "see", structure.Drawing);
+    AddRow(table, Printable(structure.Name), "touch", structure.Contact);
   }
   AddRow(table, "servo", "touch", account.Servo);
   const Totals totals(account);
@@ -103,10 +98,9 @@ std::string TextOf(const SceneAccount& account)
     return std::to_string(count) + " of " + std::to_string(all) + " " + what + ", " +
            KilobytesOf(item) + ", " + MillisecondsOf(item) + "\n";
   };
-  const std::size_t structures = account.Structures.size();
   return table.Text() + message(totals.Read, account.Files.size(), "files read", totals.Reading) +
-         message(totals.Touched, structures, "structures touchable", totals.Contacts) +
-         message(totals.Seen, structures, "structures drawn", totals.Drawings);
+         message(totals.Touched, account.Structures.size(), "structures touchable",
+                 totals.Contacts);
 }
 
 JsonObject AsJson(const SceneItem& item)
@@ -135,8 +129,7 @@ JsonObject AsJson(const SceneAccount& account)
   {
     structures.push_back({{"name", structure.Name},
                           {"file", structure.File.string()},
-                          {"touch", AsJson(structure.Contact)},
-                          {"see", AsJson(structure.Drawing)}});
+                          {"touch", AsJson(structure.Contact)}});
   }
   const Totals totals(account);
   return {{JsonSchemaKey, JsonSchemaVersion},
@@ -145,15 +138,13 @@ JsonObject AsJson(const SceneAccount& account)
           {"servo", AsJson(account.Servo)},
           {"total",
            {{"read", SumAsJson(totals.Read, totals.Reading)},
-            {"touch", SumAsJson(totals.Touched, totals.Contacts)},
-            {"see", SumAsJson(totals.Seen, totals.Drawings)}}}};
+            {"touch", SumAsJson(totals.Touched, totals.Contacts)}}}};
 }
 } // namespace
 
 std::string SceneCommand::Examples() const
 {
-  return "  palpate scene explain knee.scene.json             what is built, and why\n"
-         "  palpate scene explain knee.scene.json --unseen    like palpate touch without --view\n"
+  return "  palpate scene explain knee.scene.json\n"
          "  palpate scene explain knee.scene.json --json";
 }
 
@@ -163,7 +154,6 @@ void SceneCommand::DeclareOptions(CLI::App& app)
       ->required()
       ->check(CLI::IsMember({"explain"}));
   app.add_option("SCENE", this->Input, "A scene to touch (.scene.json)")->required();
-  app.add_flag("--unseen", this->IsUnseen, "Make no drawings, like palpate touch without --view");
   app.add_flag("--json", this->Json, "Print one JSON object");
 }
 
@@ -173,7 +163,7 @@ int SceneCommand::Run(Console& console)
   try
   {
     const SceneSettings settings = ReadScene(this->Input);
-    BuiltScene made = BuildScene(settings, !this->IsUnseen, ProgressOn(console));
+    BuiltScene made = BuildScene(settings, ProgressOn(console));
     made.Account.Servo = AccountForServo(made);
     console.EndProgress();
     console.Output()

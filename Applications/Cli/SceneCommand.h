@@ -7,8 +7,8 @@
 
 namespace palpate::cli
 {
-/// `palpate scene explain SCENE`: builds a scene to touch as `touch --view` does, and reports what
-/// was built for which purpose, at what cost, and what was not and why.
+/// `palpate scene explain SCENE`: builds a scene as `touch` does, and reports what was built, at
+/// what cost, and what was not and why.
 class SceneCommand : public Command
 {
 public:
@@ -24,7 +24,6 @@ public:
 private:
   std::string Action;
   std::filesystem::path Input;
-  bool IsUnseen = false;
   bool Json = false;
 };
 } // namespace palpate::cli

@@ -4,7 +4,6 @@
 #include "Console.h"
 #include "DeviceOption.h"
 #include "DrillExport.h"
-#include "DrillReport.h"
 #include "DrillState.h"
 #include "FiniteNumber.h"
 #include "FitStructure.h"
@@ -20,7 +19,6 @@
 #include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "TouchReport.h"
-#include "TouchView.h"
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -184,10 +182,6 @@ void TouchCommand::DeclareRun(CLI::App& app)
       ->check(FiniteNumber::Between(0.001, 36000.0));
   app.add_flag("--real-time", this->IsRealTime,
                "Run at the servo rate on a separate thread; otherwise as fast as possible");
-  app.add_flag("--view", this->IsViewed,
-               "Draw the scene off screen meanwhile, and report frames per second; without a "
-               "display, run it under xvfb-run -a")
-      ->needs("--real-time");
 }
 
 void TouchCommand::DeclareOptions(CLI::App& app)
@@ -198,7 +192,7 @@ void TouchCommand::DeclareOptions(CLI::App& app)
   this->DeclareStructure(app);
   this->DeclareRun(app);
   app.add_option("--output", this->OutputFolder,
-                 "Folder for report.html, summary.json, trace.csv, scene.json and session.touch")
+                 "Folder for report.html, summary.json, scene.json and session.touch")
       ->type_name("DIR");
   app.add_option("--replay", this->ReplayFile,
                  "Replay a recorded session (session.touch), and compare each tick's force")
@@ -263,7 +257,6 @@ TouchScript TouchCommand::Script() const
   {
     script.Actions = ReadDrillScript(this->DrillScript);
   }
-  script.IsSeen = this->IsViewed;
   if (!this->Seconds.empty())
   {
     script.Duration = this->Seconds.front();
@@ -295,12 +288,6 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   for (const std::string& line : DrillLines(touch, result))
   {
     out << Printable(line) << '\n';
-  }
-  if (result.Frames.Count() > 0)
-  {
-    out << result.FramesPerSecond << " frames per second, " << result.Periods.Misses()
-        << " missed ticks; memory " << result.MebibytesAtStart << " MiB after a second, "
-        << result.MebibytesAtEnd << " MiB at the end\n";
   }
   if (!this->OutputFolder.empty())
   {
@@ -399,13 +386,6 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   {
     MakeOutputFolder(this->OutputFolder);
     settings.Recording = this->OutputFolder / "session.touch";
-  }
-  std::unique_ptr<TouchView> view;
-  if (this->IsViewed)
-  {
-    view = std::make_unique<TouchView>(touch);
-    settings.View = [&view](double time, const TouchState& newest)
-    { view->Draw(time, newest.ProxyWorld); };
   }
   const TouchResult result = RunTouch(touch, settings, ProgressOn(console));
   console.EndProgress();

@@ -54,7 +54,6 @@ private:
   TouchScript Sweep;
   std::vector<double> Seconds; ///< none or one
   bool IsRealTime = false;
-  bool IsViewed = false;
   std::string ReplayFile;
   bool Json = false;
   std::filesystem::path OutputFolder;

@@ -316,7 +316,7 @@ std::string SvgChart::DotsSvg(const Axis& x, const Axis& y) const
   return svg;
 }
 
-std::string SvgChart::Content() const
+std::string SvgChart::Svg() const
 {
   Points points = this->Data;
   for (const Dot& dot : this->Dots)
@@ -330,19 +330,11 @@ std::string SvgChart::Content() const
   }
   const Axis x = this->HorizontalAxis(points);
   const Axis y = this->VerticalAxis(points);
-  return this->Axes(x, y) + this->StairsSvg(x, y) +
+  return "<svg class=\"chart\" role=\"img\" viewBox=\"0 0 " + FixedText(Width, 0) + " " +
+         FixedText(Height, 0) + "\" aria-label=\"" +
+         EscapeHtml(this->VerticalLabel + " against " + this->HorizontalLabel) + "\">" +
+         this->Axes(x, y) + this->StairsSvg(x, y) +
          (this->BarWidth > 0.0 ? this->Bars(x, y) : this->Line(x, y)) + this->DotsSvg(x, y) +
-         this->Rules(x, y);
-}
-
-std::string SvgChart::Svg() const
-{
-  const std::string content = this->Content();
-  return content.empty()
-             ? content
-             : "<svg class=\"chart\" role=\"img\" viewBox=\"0 0 " + FixedText(Width, 0) + " " +
-                   FixedText(Height, 0) + "\" aria-label=\"" +
-                   EscapeHtml(this->VerticalLabel + " against " + this->HorizontalLabel) + "\">" +
-                   content + "</svg>\n";
+         this->Rules(x, y) + "</svg>\n";
 }
 } // namespace palpate

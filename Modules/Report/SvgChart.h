@@ -47,8 +47,6 @@ public:
 
   /// The whole <svg> element; empty if there is no point to draw.
   std::string Svg() const;
-  /// The elements inside it.
-  std::string Content() const;
 
 private:
   struct Axis;

@@ -12,12 +12,6 @@ RasterImage ReadWindow(vtkRenderWindow* window)
 {
   vtkNew<vtkUnsignedCharArray> pixels;
   RasterImage image(window->GetSize()[0], window->GetSize()[1]);
-  ReadWindow(window, pixels, image);
-  return image;
-}
-
-void ReadWindow(vtkRenderWindow* window, vtkUnsignedCharArray* pixels, RasterImage& image)
-{
   window->GetPixelData(0, 0, image.Width - 1, image.Height - 1, 1, pixels);
   for (int row = 0; row < image.Height; ++row)
   {
@@ -29,5 +23,6 @@ void ReadWindow(vtkRenderWindow* window, vtkUnsignedCharArray* pixels, RasterIma
       pixel[3] = 255;
     }
   }
+  return image;
 }
 } // namespace palpate

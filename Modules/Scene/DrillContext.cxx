@@ -1,6 +1,5 @@
 #include "DrillContext.h"
 
-#include "DrillTool.h"
 #include "Refusal.h"
 #include "SceneTool.h"
 
@@ -31,10 +30,7 @@ std::shared_ptr<DrillContext> DrillContext::Make(const SceneSettings& scene,
   {
     return nullptr;
   }
-  for (const DrillProtection& one : protections)
-  {
-    context->Guarded.emplace_back(*one.Protection->Structure, one.Name, one.AlarmDistance);
-  }
+  context->Guarded = protections;
   std::unique_ptr<DrillEditor> editor;
   RequireInput(DrillEditor::Make(std::move(fields), editor), "the scene cannot be drilled");
   context->Edits = std::move(editor);
@@ -88,9 +84,9 @@ void DrillContext::PutInto(TouchScene& scene, const std::vector<int>& sites) con
 std::vector<double> DrillContext::Distances(const ToolPose& pose) const
 {
   std::vector<double> distances;
-  for (const ForbiddenStructure& structure : this->Guarded)
+  for (const DrillProtection& one : this->Guarded)
   {
-    distances.push_back(structure.Distance(this->Cutter, pose));
+    distances.push_back(one.Protection->Structure->Distance(this->Cutter, pose));
   }
   return distances;
 }

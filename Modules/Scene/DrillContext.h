@@ -1,7 +1,6 @@
 #pragma once
 
 #include "DrillEditor.h"
-#include "ForbiddenStructure.h"
 #include "PalpateSceneModule.h"
 #include "SceneContacts.h"
 #include "SceneProtection.h"
@@ -51,7 +50,7 @@ public:
   DrillEditor& Editor() const { return *this->Edits; }
   const std::shared_ptr<DrillEditor>& SharedEditor() const { return this->Edits; }
   const std::vector<DrillSite>& Sites() const { return this->Drilled; }
-  const std::vector<ForbiddenStructure>& Forbidden() const { return this->Guarded; }
+  const std::vector<DrillProtection>& Forbidden() const { return this->Guarded; }
   /// Distance from the cutting tool to each of Forbidden(), mm; negative inside.
   std::vector<double> Distances(const ToolPose& pose) const;
 
@@ -63,7 +62,7 @@ private:
 
   std::vector<DrillSite> Drilled;
   std::vector<int> SiteOf; // of each touched structure; -1: not drilled
-  std::vector<ForbiddenStructure> Guarded;
+  std::vector<DrillProtection> Guarded;
   std::shared_ptr<DrillEditor> Edits;
   ToolShape Cutter = ToolShape::Sphere(0.0);
   TouchDrill Drill;

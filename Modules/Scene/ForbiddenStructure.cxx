@@ -1,18 +1,17 @@
 #include "ForbiddenStructure.h"
 
 #include "FilterRun.h"
+#include "NodeBox.h"
 #include "RemovalStroke.h"
 #include "vtkSegmentationSurface.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkImageData.h"
 #include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace palpate
 {
@@ -20,31 +19,6 @@ namespace
 {
 constexpr int Side = RemovedDistances::Side;
 using Corner = RemovedDistances::Corner;
-
-// Node range within `around` (mm) of a structure, clipped to the grid.
-std::pair<Corner, Corner> NodesRound(const ForbiddenStructure& structure, const FieldGrid& grid,
-                                     double around)
-{
-  std::array<double, 6> bounds{};
-  structure.Surface()->GetBounds(bounds.data());
-  const Vector3 margin = Vector3::Constant(around);
-  const Eigen::AlignedBox3d box(Vector3(Vector3(bounds[0], bounds[2], bounds[4]) - margin),
-                                Vector3(Vector3(bounds[1], bounds[3], bounds[5]) + margin));
-  Eigen::AlignedBox3d index;
-  for (int n = 0; n < 8; ++n)
-  {
-    index.extend(grid.PointIndex(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n))));
-  }
-  std::pair<Corner, Corner> nodes;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const auto a = static_cast<Eigen::Index>(axis);
-    const double end = grid.Size()[axis] - 1;
-    nodes.first[axis] = static_cast<int>(std::clamp(std::floor(index.min()[a]), 0.0, end));
-    nodes.second[axis] = static_cast<int>(std::clamp(std::ceil(index.max()[a]), 0.0, end));
-  }
-  return nodes;
-}
 
 // Makes the blocks of a protected region; only those near its surface are evaluated node by node.
 class ProtectionMaker
@@ -58,7 +32,11 @@ public:
 
   std::shared_ptr<const RemovedDistances> Make(const ProgressFunction& progress)
   {
-    const auto [first, last] = NodesRound(this->Structure, this->Grid, this->Band);
+    const vtkBoundingBox bounds(this->Structure.Surface()->GetBounds());
+    const Vector3 band = Vector3::Constant(this->Band);
+    const auto [first, last] = NodesRound(
+        this->Grid, {Vector3(bounds.GetMinPoint()) - band, Vector3(bounds.GetMaxPoint()) + band},
+        0.0);
     const int begin = first[2] / Side * Side;
     for (int k = begin; k <= last[2]; k += Side)
     {
@@ -109,21 +87,12 @@ private:
 };
 } // namespace
 
-ForbiddenStructure::ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm)
-    : Title(std::move(name)), Alarm(alarm), Triangles(surface),
-      Query(vtkSmartPointer<vtkImplicitPolyDataDistance>::New())
+ForbiddenStructure::ForbiddenStructure(vtkPolyData* surface)
+    : Triangles(surface), Query(vtkSmartPointer<vtkImplicitPolyDataDistance>::New())
 {
   this->Query->SetInput(surface);
 }
 
-ForbiddenStructure::ForbiddenStructure(const ForbiddenStructure& like, std::string name,
-                                       double alarm)
-    : Title(std::move(name)), Alarm(alarm), Triangles(like.Triangles), Query(like.Query)
-{
-}
-
-ForbiddenStructure::ForbiddenStructure(ForbiddenStructure&&) noexcept = default;
-ForbiddenStructure& ForbiddenStructure::operator=(ForbiddenStructure&&) noexcept = default;
 ForbiddenStructure::~ForbiddenStructure() = default;
 
 double ForbiddenStructure::Distance(const Vector3& pointWorld) const

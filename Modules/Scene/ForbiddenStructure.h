@@ -10,29 +10,21 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
-#include <string>
 #include <vector>
 
 class vtkImplicitPolyDataDistance;
 
 namespace palpate
 {
-/// A structure that the drill must not remove: a closed surface (world mm, patient LPS) and its
-/// alarm distance.
+/// A structure that the drill must not remove: a closed surface (world mm, patient LPS).
 class PALPATESCENE_EXPORT ForbiddenStructure
 {
 public:
-  /// `alarm` in mm.
-  ForbiddenStructure(std::string name, vtkPolyData* surface, double alarm);
-  /// Copy with another name and alarm distance. Shares the search structure, which takes long to
-  /// build for a large surface, so both must be used by the same thread.
-  ForbiddenStructure(const ForbiddenStructure& like, std::string name, double alarm);
-  ForbiddenStructure(ForbiddenStructure&&) noexcept;
-  ForbiddenStructure& operator=(ForbiddenStructure&&) noexcept;
+  explicit ForbiddenStructure(vtkPolyData* surface);
+  ForbiddenStructure(const ForbiddenStructure&) = delete;
+  ForbiddenStructure& operator=(const ForbiddenStructure&) = delete;
   ~ForbiddenStructure();
 
-  const std::string& Name() const { return this->Title; }
-  double AlarmDistance() const { return this->Alarm; }
   vtkPolyData* Surface() const { return this->Triangles; }
 
   /// Distance (mm) from a point to the surface, negative inside. One thread at a time.
@@ -41,8 +33,6 @@ public:
   double Distance(const ToolShape& tool, const ToolPose& pose) const;
 
 private:
-  std::string Title;
-  double Alarm;
   vtkSmartPointer<vtkPolyData> Triangles;
   vtkSmartPointer<vtkImplicitPolyDataDistance> Query;
 };

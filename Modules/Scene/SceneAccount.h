@@ -22,7 +22,6 @@ struct SceneStructureAccount
   std::string Name;
   std::filesystem::path File;
   SceneItem Contact; ///< its contact model; time without reading files
-  SceneItem Drawing;
 };
 
 /// A file that a scene names. Its bytes are those on disk.

@@ -62,21 +62,6 @@ std::vector<SceneContact> ContactsOf(const SceneSettings& scene, const SceneProd
   return contacts;
 }
 
-std::vector<SceneContact> TouchableOf(const SceneSettings& scene,
-                                      const std::vector<SceneContact>& contacts)
-{
-  std::vector<SceneContact> touchable;
-  for (const SceneContact& contact : contacts)
-  {
-    const SceneStructure* structure = FindStructure(scene, contact.Id);
-    if (structure != nullptr && structure->IsTouchable)
-    {
-      touchable.push_back(contact);
-    }
-  }
-  return touchable;
-}
-
 TouchScene MakeTouchScene(const SceneSettings& scene, const std::vector<SceneContact>& contacts,
                           const WorkspaceFrame& frame)
 {

@@ -27,10 +27,6 @@ struct SceneContact
 PALPATESCENE_EXPORT std::vector<SceneContact> ContactsOf(const SceneSettings& scene,
                                                          const SceneProducts& products);
 
-/// Those of `contacts` whose structures exist in the scene and are touchable.
-PALPATESCENE_EXPORT std::vector<SceneContact>
-TouchableOf(const SceneSettings& scene, const std::vector<SceneContact>& contacts);
-
 /// Assembles the scene for the servo: one structure for each of `contacts`, which must be
 /// touchable. Throws InputError if the settings do not describe a valid tool.
 PALPATESCENE_EXPORT TouchScene MakeTouchScene(const SceneSettings& scene,

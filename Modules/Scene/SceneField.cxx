@@ -7,6 +7,7 @@
 #include "FitHints.h"
 #include "LabelField.h"
 #include "LabelsOnGrid.h"
+#include "NodeBox.h"
 #include "VoxelMinimum.h"
 
 #include "vtkImageData.h"
@@ -78,24 +79,6 @@ std::shared_ptr<const ScalarField> Build(const FieldBuilder& builder,
   return Build([&](const auto& report, auto& field) { return builder.Build(field, report); },
                DistancesPart, progress);
 }
-
-// Nodes of a grid, from the first to the last.
-struct NodeBox
-{
-  std::array<int, 3> First{};
-  std::array<int, 3> Last{};
-
-  FieldGrid Of(const FieldGrid& whole) const
-  {
-    std::array<int, 3> size{};
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      size[axis] = this->Last[axis] - this->First[axis] + 1;
-    }
-    const Vector3 first(this->First[0], this->First[1], this->First[2]);
-    return {size, whole.PointWorld(first), whole.Spacing(), whole.Direction()};
-  }
-};
 
 // The region of known distances, with a margin such that the border's influence on B-spline
 // coefficients, 0.27 to the power of the number of nodes between, is below the rounding of floats.
@@ -201,7 +184,7 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
   }
   const FieldGrid whole = GridOfImage(segmentation.Layers.front());
   const NodeBox box = BoxOf(distances, whole, form.Interpolation);
-  FieldBuilder builder(box.Of(whole));
+  FieldBuilder builder(PartOf(whole, box));
   builder.SetForm(form);
   for (const LabelField& distance : distances)
   {
@@ -213,15 +196,5 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
     builder.AddMaterial({builder.AddChannel(samples), 0.0, FieldSense::AtLeast});
   }
   return Build(builder, progress);
-}
-
-std::string MemoryText(const ScalarField& field)
-{
-  constexpr double Mega = 1e6;
-  const auto bytes = static_cast<double>(field.Memory().Bytes);
-  const double dense =
-      sizeof(float) * static_cast<double>(field.Grid().NodeCount()) * field.ChannelCount();
-  return FixedText(bytes / Mega, 1) + " MB, " + FixedText(100.0 * bytes / dense, 1) +
-         " % of all its nodes as floats";
 }
 } // namespace palpate

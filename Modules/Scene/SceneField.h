@@ -19,9 +19,6 @@ PALPATESCENE_EXPORT std::shared_ptr<const ScalarField>
 MakeIsoField(vtkImageData* image, const std::vector<double>& isoValues, const FieldForm& form,
              const ProgressFunction& progress);
 
-/// Memory of a field: "3.2 MB, 6.1 % of all its nodes as floats".
-PALPATESCENE_EXPORT std::string MemoryText(const ScalarField& field);
-
 /// One material per structure, in their order: where the image is at least the value, within the
 /// structure. Structures are matched with the image in mm and bounded as in MakeSegmentField. At
 /// most MostMaterials structures.

@@ -4,14 +4,22 @@
 #include "Progress.h"
 #include "SceneProduct.h"
 #include "SceneSettings.h"
-#include "SceneStamps.h"
 
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
+/// Stamps of a scene's files; a file's stamp changes when it is written again.
+using SceneStamps = std::map<std::filesystem::path, std::string>;
+
+/// Made of the modification time and size of a file and of its companion files. Reads no file
+/// content.
+PALPATESCENE_EXPORT std::string StampOf(const std::filesystem::path& file);
+
 /// Steps from files to touch. Volume, segmentation and tool belong to the whole scene, the others
 /// to a structure.
 enum class SceneStep

@@ -79,8 +79,8 @@ std::size_t BytesOf(const SceneProduct& product)
           { return static_cast<std::size_t>(field->Memory().Bytes); },
           [](const std::shared_ptr<const TouchContact>& contact)
           {
-            // The bounding-box tree of the facets takes about as much memory as they do.
-            return sizeof(*contact) + 2 * BytesOf(contact->Looks.Surface.Get());
+            const bool isField = contact->Field != nullptr; // a product of its own
+            return sizeof(*contact) + (isField ? 0 : contact->Model->Bytes());
           },
           [](const std::shared_ptr<const TouchCost>& cost) { return sizeof(*cost); },
           [](const std::shared_ptr<const ImageEffects>& effects) { return effects->Bytes(); },

@@ -6,7 +6,6 @@
 #include "InputError.h"
 
 #include <algorithm>
-#include <string>
 
 namespace palpate
 {
@@ -34,7 +33,7 @@ SceneProtection MakeSceneProtection(vtkPolyData* surface,
                                     const ProgressFunction& progress)
 {
   SceneProtection made;
-  made.Structure = std::make_shared<const ForbiddenStructure>(std::string(), surface, 0.0);
+  made.Structure = std::make_shared<const ForbiddenStructure>(surface);
   const double part = 1.0 / static_cast<double>(std::max<std::size_t>(fields.size(), 1));
   for (const auto& field : fields)
   {

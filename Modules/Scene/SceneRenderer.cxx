@@ -78,9 +78,7 @@ vtkSmartPointer<vtkMatrix4x4> PlaceOf(const ImageAxes& axes)
 } // namespace
 
 SceneRenderer::SceneRenderer()
-    : Renderer(vtkSmartPointer<vtkRenderer>::New()),
-      Window(vtkSmartPointer<vtkRenderWindow>::New()),
-      Pixels(vtkSmartPointer<vtkUnsignedCharArray>::New())
+    : Renderer(vtkSmartPointer<vtkRenderer>::New()), Window(vtkSmartPointer<vtkRenderWindow>::New())
 {
   RequireDisplay();
   this->Window->SetOffScreenRendering(1);
@@ -99,10 +97,9 @@ void SceneRenderer::SetBackground(const Color& color)
 {
   this->Background = color;
   this->Renderer->SetBackground(color[0], color[1], color[2]);
-  this->RemoveAnnotations();
 }
 
-std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
+void SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, double opacity)
 {
   const vtkSmartPointer<vtkPolyData> shown = WithNormals(surface);
   vtkNew<vtkPolyDataMapper> mapper;
@@ -128,16 +125,10 @@ std::size_t SceneRenderer::AddSurface(vtkPolyData* surface, const Color& color, 
     this->Window->SetAlphaBitPlanes(1);
     this->Renderer->SetUseDepthPeeling(1);
   }
-  return this->Surfaces.size() - 1;
 }
 
-void SceneRenderer::MoveSurface(std::size_t surface, const Vector3& pathWorld)
-{
-  this->Surfaces[surface].Actor->SetPosition(pathWorld[0], pathWorld[1], pathWorld[2]);
-}
-
-std::size_t SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
-                                    const std::vector<Color>& colors, double opacity)
+void SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& field,
+                             const std::vector<Color>& colors, double opacity)
 {
   vtkNew<vtkSubVoxelVolumeMapper> mapper;
   mapper->SetField(field);
@@ -157,16 +148,6 @@ std::size_t SceneRenderer::AddField(const std::shared_ptr<const ScalarField>& fi
   {
     this->Outline.push_back(
         field->Grid().PointWorld(Vector3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5)));
-  }
-  this->Fields.emplace_back(mapper);
-  return this->Fields.size() - 1;
-}
-
-void SceneRenderer::ChangeField(std::size_t number, const std::shared_ptr<const ScalarField>& field)
-{
-  if (this->Fields[number]->GetField() != field)
-  {
-    this->Fields[number]->SetField(field);
   }
 }
 
@@ -241,7 +222,6 @@ bool SceneRenderer::ColorByArray(const std::string& name)
   {
     this->BarColors = table;
     this->ColoredArray = name;
-    this->RemoveAnnotations();
   }
   return isFound;
 }
@@ -313,12 +293,13 @@ int SceneRenderer::FontSize(double referenceSize) const
   return std::max(9, static_cast<int>(referenceSize * std::min(size[0], size[1]) / ReferenceSide));
 }
 
-void SceneRenderer::AddLetters()
+void SceneRenderer::AddLetters(const ViewFrame& frame)
 {
   const Color ink = this->InkColor();
-  const auto add = [&](double x, double y)
+  const auto add = [&](const std::string& letters, double x, double y)
   {
-    auto text = vtkSmartPointer<vtkTextActor>::New();
+    vtkNew<vtkTextActor> text;
+    text->SetInput(letters.c_str());
     vtkTextProperty* style = text->GetTextProperty();
     style->SetFontSize(this->FontSize(LetterSize));
     style->BoldOn();
@@ -330,19 +311,12 @@ void SceneRenderer::AddLetters()
     text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
     text->SetPosition(x, y);
     this->Annotate(text);
-    return text;
   };
-  this->Letters = {add(0.012, 0.5), add(0.988, 0.5), add(0.5, 0.985),
-                   add(this->BarColors ? 0.6 : 0.5, 0.015)};
-}
-
-void SceneRenderer::SetLetters(const ViewFrame& frame)
-{
-  const auto texts = EdgeLettersOf(frame);
-  for (std::size_t side = 0; side < texts.size(); ++side)
-  {
-    this->Letters[side]->SetInput(texts[side].c_str());
-  }
+  const auto [left, right, top, bottom] = EdgeLettersOf(frame);
+  add(left, 0.012, 0.5);
+  add(right, 0.988, 0.5);
+  add(top, 0.5, 0.985);
+  add(bottom, this->BarColors ? 0.6 : 0.5, 0.015);
 }
 
 void SceneRenderer::Annotate(vtkProp* prop)
@@ -390,36 +364,17 @@ void SceneRenderer::RemoveAnnotations()
   this->Annotations.clear();
 }
 
-// Kept between images: creating the text each time would keep allocating and freeing memory.
-void SceneRenderer::AddAnnotations(int width, int height)
+RasterImage SceneRenderer::Render(const ViewFrame& frame, int width, int height)
 {
-  const int* size = this->Window->GetSize();
-  if (!this->Annotations.empty() && size[0] == width && size[1] == height)
-  {
-    return;
-  }
   this->RemoveAnnotations();
   this->Window->SetSize(width, height);
-  this->AddLetters();
+  this->AddLetters(frame);
   if (this->BarColors)
   {
     this->AddColorBar();
   }
-}
-
-RasterImage SceneRenderer::Render(const ViewFrame& frame, int width, int height)
-{
-  RasterImage raster(width, height);
-  this->Render(frame, raster);
-  return raster;
-}
-
-void SceneRenderer::Render(const ViewFrame& frame, RasterImage& raster)
-{
-  this->AddAnnotations(raster.Width, raster.Height);
-  this->SetLetters(frame);
-  this->PlaceCamera(frame, static_cast<double>(raster.Width) / raster.Height);
+  this->PlaceCamera(frame, static_cast<double>(width) / height);
   this->Window->Render();
-  ReadWindow(this->Window, this->Pixels, raster);
+  return ReadWindow(this->Window);
 }
 } // namespace palpate

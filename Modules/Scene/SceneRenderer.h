@@ -19,9 +19,6 @@ class vtkProp;
 class vtkRenderer;
 class vtkRenderWindow;
 class vtkScalarsToColors;
-class vtkSubVoxelVolumeMapper;
-class vtkTextActor;
-class vtkUnsignedCharArray;
 
 namespace palpate
 {
@@ -47,17 +44,11 @@ public:
   ~SceneRenderer();
 
   void SetBackground(const Color& color);
-  /// Returns the surface's number, from 0, for MoveSurface.
-  std::size_t AddSurface(vtkPolyData* surface, const Color& color, double opacity);
-  /// Draws the surface displaced by `pathWorld` (mm) from its original position, which alone
-  /// decides the extent of the image.
-  void MoveSurface(std::size_t surface, const Vector3& pathWorld);
+  void AddSurface(vtkPolyData* surface, const Color& color, double opacity);
   /// Draws the sub-voxel surfaces of a field's materials by the ray caster that haptic queries use.
-  /// One colour per material. Returns the field's number, from 0, for ChangeField.
-  std::size_t AddField(const std::shared_ptr<const ScalarField>& field,
-                       const std::vector<Color>& colors, double opacity);
-  /// Replaces a field by another version with the same materials.
-  void ChangeField(std::size_t number, const std::shared_ptr<const ScalarField>& field);
+  /// One colour per material.
+  void AddField(const std::shared_ptr<const ScalarField>& field, const std::vector<Color>& colors,
+                double opacity);
   /// The slice of a volume (with its direction matrix) through a point, along the image's axis
   /// that is nearest to the body's.
   void AddSlice(vtkImageData* volume, Plane plane, const Vector3& throughWorld);
@@ -73,8 +64,6 @@ public:
 
   /// Renders the scene along a frame, as large as it fits.
   RasterImage Render(const ViewFrame& frame, int width, int height);
-  /// The same into an existing image, at its size and without allocating memory.
-  void Render(const ViewFrame& frame, RasterImage& raster);
 
 private:
   struct Surface
@@ -85,11 +74,9 @@ private:
 
   std::array<double, 2> RangeOf(const std::string& name) const;
   void PlaceCamera(const ViewFrame& frame, double aspect);
-  void AddLetters();
-  void SetLetters(const ViewFrame& frame);
+  void AddLetters(const ViewFrame& frame);
   void AddColorBar();
   void RemoveAnnotations();
-  void AddAnnotations(int width, int height);
   void Annotate(vtkProp* prop);
   Color InkColor() const;
   int FontSize(double referenceSize) const;
@@ -97,11 +84,8 @@ private:
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;
   std::vector<Surface> Surfaces;
-  std::vector<vtkSmartPointer<vtkSubVoxelVolumeMapper>> Fields;
-  std::vector<Vector3> Outline;                         ///< points that must be visible, mm
-  std::vector<vtkSmartPointer<vtkProp>> Annotations;    ///< of the last rendered image
-  std::array<vtkSmartPointer<vtkTextActor>, 4> Letters; ///< left, right, top, bottom
-  vtkSmartPointer<vtkUnsignedCharArray> Pixels;
+  std::vector<Vector3> Outline;                      ///< points that must be visible, mm
+  std::vector<vtkSmartPointer<vtkProp>> Annotations; ///< of the last rendered image
   Color Background{{1.0, 1.0, 1.0}};
   std::string ColoredArray;
   vtkSmartPointer<vtkScalarsToColors> BarColors;

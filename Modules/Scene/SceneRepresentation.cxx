@@ -1,9 +1,6 @@
 #include "SceneRepresentation.h"
 
-#include "AutomaticRepresentations.h"
-#include "FacetRepresentation.h"
-#include "FieldRepresentation.h"
-#include "HarmonicRepresentation.h"
+#include "BuiltInRepresentations.h"
 #include "InputError.h"
 #include "KindRegistration.h"
 

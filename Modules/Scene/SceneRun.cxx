@@ -50,12 +50,6 @@ std::string TitleOf(const SceneSettings& scene, const SceneNode& node)
   }
   return title + TitleOf(*structure);
 }
-
-bool IsReleased(const SceneProduct& product)
-{
-  const auto* failure = std::get_if<SceneFailure>(&product);
-  return failure != nullptr && failure->Message.empty();
-}
 } // namespace
 
 std::shared_ptr<const Segmentation> SceneRun::SegmentationOf(const std::filesystem::path& file,
@@ -80,7 +74,6 @@ void SceneRun::Make(const SceneSettings& scene, const ProgressFunction& progress
     this->Plan.clear();
     PlanScene(
         scene, {}, [this](const std::string& key) { return this->Find(key); }, false, this->Plan);
-    this->ReadAgain();
     for (std::size_t n = 0; n < this->Plan.size(); ++n)
     {
       if (this->IsReady(this->Plan[n]))
@@ -122,31 +115,12 @@ const SceneProduct* SceneRun::Find(const std::string& key) const
   return found != this->Products.end() ? &found->second : nullptr;
 }
 
-// Content that was released and is needed after all, since something else was refused.
-void SceneRun::ReadAgain()
-{
-  for (const SceneNode& node : this->Plan)
-  {
-    if (!node.Key.empty() && this->Find(node.Key) == nullptr)
-    {
-      for (const std::string& input : node.Inputs)
-      {
-        const SceneProduct* product = this->Find(input);
-        if (product != nullptr && IsReleased(*product))
-        {
-          this->Products.erase(input);
-        }
-      }
-    }
-  }
-}
-
 bool SceneRun::IsReady(const SceneNode& node) const
 {
   const auto isMade = [this](const std::string& input)
   {
     const SceneProduct* product = this->Find(input);
-    return product != nullptr && !IsReleased(*product) && FailureOf(*product).empty();
+    return product != nullptr && FailureOf(*product).empty();
   };
   return !node.Key.empty() && this->Find(node.Key) == nullptr &&
          std::all_of(node.Inputs.begin(), node.Inputs.end(), isMade);
@@ -160,10 +134,6 @@ void SceneRun::RunNode(const SceneSettings& scene, std::size_t number,
   this->Run(
       this->Plan[number], [&](double fraction, const std::string& stage)
       { return progress((static_cast<double>(number) + fraction) / count, title + ": " + stage); });
-  if (!this->KeepsFiles)
-  {
-    this->Release(number);
-  }
 }
 
 void SceneRun::Run(const SceneNode& node, const ProgressFunction& progress)
@@ -186,29 +156,6 @@ void SceneRun::Run(const SceneNode& node, const ProgressFunction& progress)
   }
   this->Seconds[node.Key] = seconds;
   this->Products[node.Key] = std::move(product);
-}
-
-// Releases the content of files that no remaining node needs.
-void SceneRun::Release(std::size_t number)
-{
-  const bool isDecided = std::none_of(this->Plan.begin(), this->Plan.end(),
-                                      [](const SceneNode& node) { return node.Key.empty(); });
-  for (const std::string& input : this->Plan[number].Inputs)
-  {
-    const SceneProduct& product = *this->Find(input);
-    const bool isLarge = ProductAs<Segmentation>(&product) || ProductAs<Volume>(&product);
-    const bool isWanted =
-        std::any_of(this->Plan.begin(), this->Plan.end(),
-                    [&](const SceneNode& node)
-                    {
-                      return this->Find(node.Key) == nullptr &&
-                             std::count(node.Inputs.begin(), node.Inputs.end(), input) > 0;
-                    });
-    if (isDecided && isLarge && !isWanted)
-    {
-      this->Products[input] = SceneFailure(); // releases the content
-    }
-  }
 }
 
 // A fit may refuse shapes that other representations accept.

@@ -17,10 +17,6 @@ namespace palpate
 class PALPATESCENE_EXPORT SceneRun
 {
 public:
-  /// `keepsFiles`: keeps file contents for further scenes. Otherwise the content of a file is
-  /// released once no remaining product needs it.
-  explicit SceneRun(bool keepsFiles) : KeepsFiles(keepsFiles) {}
-
   /// Reads a segmentation, once. Throws InputError and Cancelled.
   std::shared_ptr<const Segmentation> SegmentationOf(const std::filesystem::path& file,
                                                      LeftHandedAxes leftHanded,
@@ -39,15 +35,12 @@ public:
 
 private:
   const SceneProduct* Find(const std::string& key) const;
-  void ReadAgain();
   bool IsReady(const SceneNode& node) const;
   void RunNode(const SceneSettings& scene, std::size_t number, const ProgressFunction& progress);
   void Run(const SceneNode& node, const ProgressFunction& progress);
-  void Release(std::size_t number);
   static void RequireMade(const SceneSettings& scene, const SceneNode& node,
                           const SceneProduct* product);
 
-  bool KeepsFiles;
   std::vector<SceneNode> Plan; // of the last scene
   std::map<std::string, SceneProduct> Products;
   std::map<std::string, double> Seconds; // of a key

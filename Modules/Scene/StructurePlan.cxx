@@ -1,7 +1,7 @@
 #include "StructurePlan.h"
 
+#include "BuiltInRepresentations.h"
 #include "CaseText.h"
-#include "FieldRepresentation.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "ProtectedSurface.h"

@@ -3,7 +3,6 @@
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
 #include "Refusal.h"
-#include "SceneField.h"
 #include "TriangleMesh.h"
 
 namespace palpate
@@ -12,8 +11,9 @@ TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicCo
                                  const std::filesystem::path& file)
 {
   TouchContact made;
-  made.Looks.Model = std::make_shared<const SphericalHarmonicModel>(model);
-  RequireInput(HarmonicContactModel::Make(made.Looks.Model, mode, made.Model), file.string());
+  RequireInput(HarmonicContactModel::Make(std::make_shared<const SphericalHarmonicModel>(model),
+                                          mode, made.Model),
+               file.string());
   made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
                      (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
   return made;
@@ -23,7 +23,6 @@ TouchContact MakeFacetContact(vtkPolyData* surface, const std::filesystem::path&
 {
   const TriangleMesh mesh = TrianglesOf(surface, file);
   TouchContact made;
-  made.Looks.Surface = surface;
   RequireInput(FacetContactModel::Make(mesh.PointsWorld, mesh.Triangles, made.Model),
                file.string());
   made.Represented = std::to_string(mesh.Triangles.size()) + " facets";
@@ -34,12 +33,11 @@ TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field, i
                               const std::filesystem::path& file)
 {
   TouchContact made;
-  made.Looks.Field = field;
+  made.Field = field;
   RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, made.Model),
                file.string());
   const bool isLinear = field->Interpolation() == FieldInterpolation::Trilinear;
-  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic") +
-                     ", " + MemoryText(*field);
+  made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic");
   return made;
 }
 } // namespace palpate

@@ -18,14 +18,6 @@
 
 namespace palpate
 {
-/// Display of a touched structure: the one of these that its contact model is made from.
-struct TouchAppearance
-{
-  std::shared_ptr<const SphericalHarmonicModel> Model;
-  vtkSmartPointer<vtkPolyData> Surface;
-  std::shared_ptr<const ScalarField> Field; ///< its first material
-};
-
 /// Source of a drilled structure: the region where an image reaches a value, or a label of a label
 /// map.
 struct DrillSource
@@ -35,13 +27,13 @@ struct DrillSource
   std::optional<int> Label; ///< none: an image
 };
 
-/// A structure's contact model, with its display.
+/// A structure's contact model.
 struct TouchContact
 {
   std::shared_ptr<const ContactModel> Model;
-  TouchAppearance Looks;
-  std::string Represented; ///< "harmonics of degree 12, nearest point"
-  DrillSource Drilled;     ///< for a field that keeps its inside
+  std::shared_ptr<const ScalarField> Field; ///< that it is made from; null: of another kind
+  std::string Represented;                  ///< "harmonics of degree 12, nearest point"
+  DrillSource Drilled;                      ///< for a field that keeps its inside
 };
 
 /// The three kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched.

@@ -10,8 +10,8 @@
 #include "SegmentationFile.h"
 #include "SteadyClock.h"
 #include "StudyFile.h"
-#include "TouchExport.h"
 #include "TouchRecording.h"
+#include "TouchTicksFile.h"
 
 #include <algorithm>
 #include <iterator>

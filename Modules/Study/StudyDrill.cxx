@@ -105,13 +105,8 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<SceneContact>&
   std::vector<StudyForbidden> ready;
   std::copy_if(forbidden.begin(), forbidden.end(), std::back_inserter(ready),
                [](const StudyForbidden& one) { return one.IsReady(); });
-  std::vector<DrillProtection> protections;
-  for (const StudyForbidden& one : ready)
-  {
-    protections.push_back({one.Name, one.AlarmDistance, one.Protection});
-  }
   // If this throws, the state is unchanged.
-  const auto next = DrillContext::Make(state, drilled, protections);
+  const auto next = DrillContext::Make(state, drilled, {ready.begin(), ready.end()});
   const std::shared_ptr<DrillContext> before = std::exchange(this->Context, next);
   const std::vector<SceneContact> drilledBefore = std::exchange(this->Drilled, drilled);
   this->Forbidden = ready;

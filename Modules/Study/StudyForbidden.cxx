@@ -9,17 +9,12 @@ namespace
 {
 using Kind = StudyStepState::Kind;
 
-// "Pallidum_L", "Pallidum_L and Caudate_L", "Pallidum_L, Caudate_L and 3 more".
+// "Pallidum_L", "Pallidum_L and 4 more".
 std::string NamesOf(const std::vector<StudyForbidden>& forbidden)
 {
-  constexpr std::size_t Most = 2;
-  const std::size_t count = forbidden.size();
-  std::string text = forbidden.front().Name;
-  if (count > Most)
-  {
-    return text + ", " + forbidden[1].Name + " and " + std::to_string(count - Most) + " more";
-  }
-  return count == Most ? text + " and " + forbidden[1].Name : text;
+  const std::size_t others = forbidden.size() - 1;
+  return forbidden.front().Name +
+         (others > 0 ? " and " + std::to_string(others) + " more" : std::string());
 }
 } // namespace
 
@@ -30,7 +25,8 @@ std::vector<StudyForbidden> ForbiddenOf(const StudyState& state, const StudyPipe
   {
     if (structure.IsForbidden)
     {
-      StudyForbidden one{structure.Id, TitleOf(structure), structure.AlarmDistance,
+      StudyForbidden one{{TitleOf(structure), structure.AlarmDistance, nullptr},
+                         structure.Id,
                          pipeline.StateOf(SceneStep::Protection, structure.Id)};
       // The newest product may belong to a previous state.
       if (one.State.Is == Kind::UpToDate)

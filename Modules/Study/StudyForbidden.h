@@ -1,24 +1,20 @@
 #pragma once
 
+#include "DrillContext.h"
 #include "PalpateStudyModule.h"
-#include "SceneProtection.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace palpate
 {
-/// A forbidden structure with the state of its protection.
-struct StudyForbidden
+/// A forbidden structure with the state of its protection, which is null until it is up to date.
+struct StudyForbidden : DrillProtection
 {
   int Id = 0;
-  std::string Name;
-  double AlarmDistance = 0.0;                                  ///< mm
-  StudyStepState State;                                        ///< of its protection
-  std::shared_ptr<const SceneProtection> Protection = nullptr; ///< null until it is up to date
+  StudyStepState State; ///< of its protection
 
   bool IsReady() const { return this->Protection != nullptr; }
 };

@@ -122,7 +122,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
   try
   {
     Feelable next;
-    next.Contacts = TouchableOf(state, contacts);
+    next.Contacts = contacts;
     TouchScene scene = MakeTouchScene(state, next.Contacts, {});
     const bool wasHeld = !this->Drilled.Hold().empty();
     this->Drilled.Follow(state, next.Contacts, this->Forbidden);
@@ -210,12 +210,7 @@ bool StudyTouch::PlaceHand(const Vector3& towardsViewerWorld)
 void StudyTouch::TakeReading(const TouchSessionReading& now)
 {
   StudyTouchReading& reading = this->Reading;
-  reading.Newest = now.Newest;
-  reading.NewTicks = now.NewTicks;
-  reading.LostTicks = now.LostTicks;
-  reading.RecordedTicks = now.RecordedTicks;
-  reading.RecordingProblem = now.RecordingProblem;
-  reading.IsClutched = now.IsClutched;
+  static_cast<TouchSessionReading&>(reading) = now;
   const auto touched = static_cast<std::size_t>(now.Newest.Structure);
   reading.TouchedId = touched < this->Felt.Contacts.size() ? this->Felt.Contacts[touched].Id : 0;
   reading.Safety = now.IsClutched ? "The clutch is held: touch is off, and the tool stays."

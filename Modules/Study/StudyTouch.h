@@ -16,21 +16,15 @@
 namespace palpate
 {
 /// Current state of a touch.
-struct StudyTouchReading
+struct StudyTouchReading : TouchSessionReading
 {
-  TouchState Newest;
-  std::vector<TouchState> NewTicks; ///< since the last reading, oldest first
-  int TouchedId = 0;                ///< of the structure touched most deeply; 0 without contact
-  std::string Safety;               ///< state of the safety chain as text
-  std::string DeviceProblem;        ///< one message; may be empty
-  std::string Guidance;             ///< what the user should do now; may be empty
-  PeriodStatistics Periods;         ///< ns from tick to tick; misses are skipped ticks
-  PeriodStatistics Durations;       ///< ns that ticks took; misses are late ticks
-  std::uint64_t LostTicks = 0;      ///< missing in all readings
-  std::uint64_t RecordedTicks = 0;  ///< of the current or the last recording
-  std::string RecordingProblem;     ///< why a recording ended early; may be empty
-  bool IsClutched = false;          ///< the tool is held, and touch is off
-  StudyDrillReading Drill;          ///< empty if nothing is drilled
+  int TouchedId = 0;          ///< of the structure touched most deeply; 0 without contact
+  std::string Safety;         ///< state of the safety chain as text
+  std::string DeviceProblem;  ///< one message; may be empty
+  std::string Guidance;       ///< what the user should do now; may be empty
+  PeriodStatistics Periods;   ///< ns from tick to tick; misses are skipped ticks
+  PeriodStatistics Durations; ///< ns that ticks took; misses are late ticks
+  StudyDrillReading Drill;    ///< empty if nothing is drilled
 };
 
 /// Touch of a study: a session whose scene follows the study's state. Owner thread only; it blocks
@@ -43,8 +37,8 @@ public:
   StudyTouch(const StudyTouch&) = delete;
   StudyTouch& operator=(const StudyTouch&) = delete;
 
-  /// Starts with an open device. Fails, and closes it, if there is nothing to touch or the tool
-  /// cannot touch it.
+  /// Starts with an open device; `contacts` are those of `state` (see ContactsOf). Fails, and
+  /// closes it, if there is nothing to touch or the tool cannot touch it.
   Status Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
                const std::vector<SceneContact>& contacts);
   bool IsRunning() const { return this->Session.IsRunning(); }

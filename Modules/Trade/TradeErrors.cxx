@@ -57,7 +57,6 @@ public:
       return;
     }
     const Vector3 error = felt.Force - ideal;
-    this->Forces.push_back(error.norm());
     this->AddPosition(error / this->Stiffness, truth);
     this->Noticeable.push_back(error.norm() / TradeThresholds::JustNoticeable(ideal.norm()));
     if (truth.IsTouching && ideal.norm() >= TradeThresholds::LeastForce)
@@ -73,9 +72,6 @@ public:
     row.PositionMost = QuantileOf(this->Positions, Most);
     row.SurfaceMean = MeanOf(this->Surfaces);
     row.SurfaceMost = QuantileOf(this->Surfaces, Most);
-    row.ForceMean = MeanOf(this->Forces);
-    row.ForceRare = QuantileOf(this->Forces, Rare);
-    row.ForceMost = QuantileOf(this->Forces, Most);
     row.NoticeableMean = MeanOf(this->Noticeable);
     row.NoticeableRare = QuantileOf(this->Noticeable, Rare);
     row.DirectionMean = MeanOf(this->Directions);
@@ -83,7 +79,6 @@ public:
     row.DirectionMost = QuantileOf(this->Directions, Most);
     row.JumpMean = MeanOf(this->FeltJumps.All());
     row.JumpMost = QuantileOf(this->FeltJumps.All(), Most);
-    row.IdealJumpMean = MeanOf(this->IdealJumps.All());
     row.IdealJumpMost = QuantileOf(this->IdealJumps.All(), Most);
     row.Seizures = this->Seizures;
   }
@@ -114,7 +109,6 @@ private:
   double Stiffness;
   std::vector<double> Positions; // mm
   std::vector<double> Surfaces;  // mm
-  std::vector<double> Forces;    // N
   std::vector<double> Noticeable;
   std::vector<double> Directions; // degrees
   Jumps FeltJumps;

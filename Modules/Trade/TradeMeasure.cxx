@@ -89,7 +89,6 @@ public:
     row.TickMean = MeanOf(times);
     row.TickMedian = QuantileOf(times, 0.5);
     row.TickRare = QuantileOf(times, Rare);
-    row.TickLongest = QuantileOf(times, 1.0);
     row.Rate = 1.0 / (SecondsPerNanosecond * row.TickRare);
     CompareWithTruth(this->Path, this->Felt, this->Touch.Stiffness, row);
   }

@@ -4,13 +4,13 @@
 #include "HtmlText.h"
 #include "ReportPage.h"
 #include "SvgChart.h"
-#include "TradePareto.h"
 #include "TradeText.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace palpate
 {
@@ -232,5 +232,31 @@ std::string TradePage(const TradeResult& result)
                         EscapeHtml(result.Machine) + "</p>\n</header>\n" + sections +
                         ReportSection("Method", HowItWasMeasured(result)) +
                         ReportFooter(result.Machine));
+}
+
+std::vector<std::size_t> ParetoFront(const std::vector<std::pair<double, double>>& points)
+{
+  std::vector<std::size_t> order;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (std::isfinite(points[p].first) && std::isfinite(points[p].second))
+    {
+      order.push_back(p);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&points](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::vector<std::size_t> front;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t p : order)
+  {
+    // Equal points do not dominate each other.
+    if (points[p].second < least || (!front.empty() && points[p] == points[front.back()]))
+    {
+      front.push_back(p);
+      least = points[p].second;
+    }
+  }
+  return front;
 }
 } // namespace palpate

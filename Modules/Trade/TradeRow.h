@@ -46,8 +46,7 @@ struct TradeRow
   double TickMean = NAN;
   double TickMedian = NAN;
   double TickRare = NAN; ///< 99.9 % quantile
-  double TickLongest = NAN;
-  double Rate = NAN; ///< Hz: 1 / TickRare, with no other work
+  double Rate = NAN;     ///< Hz: 1 / TickRare, with no other work
 
   // Position errors from the reference proxy, mm: as felt in the force, and along the reference
   // normal alone.
@@ -57,10 +56,7 @@ struct TradeRow
   double SurfaceMean = NAN;
   double SurfaceMost = NAN;
 
-  // Force errors from the ideal force, N, and in just noticeable differences of it.
-  double ForceMean = NAN;
-  double ForceRare = NAN; ///< 99 %
-  double ForceMost = NAN;
+  // Force errors in just noticeable differences of the ideal force.
   double NoticeableMean = NAN;
   double NoticeableRare = NAN; ///< 99 %
 
@@ -72,7 +68,6 @@ struct TradeRow
   // Jumps of the force from tick to tick, N.
   double JumpMean = NAN;
   double JumpMost = NAN;
-  double IdealJumpMean = NAN;
   double IdealJumpMost = NAN;
 
   double Seizures = NAN; ///< how often the position error came to exceed TradeThresholds::Seizure

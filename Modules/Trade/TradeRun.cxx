@@ -71,7 +71,7 @@ TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
 {
   constexpr double Preparing = 0.05; // fraction of a structure's time, roughly
   TradeResult result{{}, MachineName(), settings};
-  SceneRun files(true);
+  SceneRun files;
   const std::vector<SceneStructure> structures =
       Choose(settings.Structures, TouchedOf(settings.Scene, files, progress));
   const auto count = static_cast<double>(structures.size());

@@ -22,20 +22,16 @@ struct TradeColumn
   double TradeRow::*Number;
 };
 
-constexpr std::array<TradeColumn, 25> TradeColumns{
+constexpr std::array<TradeColumn, 20> TradeColumns{
     {{"tick_mean_ns", &TradeRow::TickMean},
      {"tick_median_ns", &TradeRow::TickMedian},
      {"tick_p999_ns", &TradeRow::TickRare},
-     {"tick_longest_ns", &TradeRow::TickLongest},
      {"rate_hz", &TradeRow::Rate},
      {"position_mean_mm", &TradeRow::PositionMean},
      {"position_p99_mm", &TradeRow::PositionRare},
      {"position_most_mm", &TradeRow::PositionMost},
      {"surface_mean_mm", &TradeRow::SurfaceMean},
      {"surface_most_mm", &TradeRow::SurfaceMost},
-     {"force_mean_n", &TradeRow::ForceMean},
-     {"force_p99_n", &TradeRow::ForceRare},
-     {"force_most_n", &TradeRow::ForceMost},
      {"noticeable_mean_jnd", &TradeRow::NoticeableMean},
      {"noticeable_p99_jnd", &TradeRow::NoticeableRare},
      {"direction_mean_degrees", &TradeRow::DirectionMean},
@@ -43,7 +39,6 @@ constexpr std::array<TradeColumn, 25> TradeColumns{
      {"direction_most_degrees", &TradeRow::DirectionMost},
      {"jump_mean_n", &TradeRow::JumpMean},
      {"jump_most_n", &TradeRow::JumpMost},
-     {"ideal_jump_mean_n", &TradeRow::IdealJumpMean},
      {"ideal_jump_most_n", &TradeRow::IdealJumpMost},
      {"seizures", &TradeRow::Seizures},
      {"build_seconds", &TradeRow::BuildSeconds},

@@ -176,7 +176,7 @@ QString StructureTableModel::RepresentationOf(const SceneStructure& structure) c
   const auto contact =
       this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
   const bool isReplaced = structure.Representation == TouchRepresentation::ModelOrField &&
-                          contact != nullptr && contact->Looks.Field != nullptr;
+                          contact != nullptr && contact->Field != nullptr;
   return isReplaced ? name + ": sub-voxel" : name;
 }
 

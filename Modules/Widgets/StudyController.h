@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Study.h"
-#include "StudyFileRole.h"
+#include "StudyFile.h"
 
 #include <QObject>
 #include <QString>

@@ -53,12 +53,7 @@ void TouchMenu::AddRecording()
       QKeySequence("P"));
   this->Close = this->addAction("&Close the replay", &this->Study, &StudyController::CloseReplay);
   this->addSeparator();
-  this->Table =
-      this->addAction("Export every &tick...", this,
-                      [this] { this->Export("Export every tick", "ticks.csv", "Tables (*.csv)"); });
-  this->Plots =
-      this->addAction("Export p&lots...", this,
-                      [this] { this->Export("Export the plots", "plots.svg", "Images (*.svg)"); });
+  this->Table = this->addAction("Export every &tick...", this, &TouchMenu::Export);
 }
 
 void TouchMenu::ToggleTouch()
@@ -92,9 +87,10 @@ void TouchMenu::OpenRecording()
   }
 }
 
-void TouchMenu::Export(const QString& title, const QString& proposal, const QString& filter)
+void TouchMenu::Export()
 {
-  const QString file = this->Questions.ToSave(this->Window, title, proposal, filter);
+  const QString file =
+      this->Questions.ToSave(this->Window, "Export every tick", "ticks.csv", "Tables (*.csv)");
   if (!file.isEmpty())
   {
     this->Study.ExportReplay(file.toStdString());
@@ -115,7 +111,7 @@ void TouchMenu::ShowTouch()
   }
   this->Play->setText(replay != nullptr && replay->IsPlaying() ? "&Pause the replay"
                                                                : "&Play the replay");
-  for (QAction* action : {this->Play, this->Close, this->Table, this->Plots})
+  for (QAction* action : {this->Play, this->Close, this->Table})
   {
     action->setEnabled(replay != nullptr);
   }

@@ -31,7 +31,7 @@ private:
   void AddWorkspace();
   void AddRecording();
   void OpenRecording();
-  void Export(const QString& title, const QString& proposal, const QString& filter);
+  void Export();
   void ShowTouch();
 
   StudyController& Study;
@@ -46,6 +46,5 @@ private:
   QAction* Play;
   QAction* Close;
   QAction* Table;
-  QAction* Plots;
 };
 } // namespace palpate

@@ -78,8 +78,8 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
 {
   const SceneSettings settings = SceneOf(file, count, touched);
   malloc_trim(0);
-  const double before = ResidentMebibytes();
-  BuiltScene made = BuildScene(settings, false, GoOn);
+  const double before = test::ResidentMebibytes();
+  BuiltScene made = BuildScene(settings, GoOn);
   SceneGrowthRow row{scene, count, touched, 0, 0.0, 0.0, 0, 0, 0.0, 0.0};
   for (const SceneFileAccount& read : made.Account.Files)
   {
@@ -88,13 +88,13 @@ SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& fi
   }
   for (const SceneStructureAccount& structure : made.Account.Structures)
   {
-    row.Bytes += structure.Contact.Bytes + structure.Drawing.Bytes;
-    row.MakeSeconds += structure.Contact.Seconds + structure.Drawing.Seconds;
+    row.Bytes += structure.Contact.Bytes;
+    row.MakeSeconds += structure.Contact.Seconds;
   }
   row.ServoBytes = AccountForServo(made).Bytes;
   made.Account = {}; // which no touch keeps
   malloc_trim(0);
-  row.ResidentMebibytes = ResidentMebibytes() - before;
+  row.ResidentMebibytes = test::ResidentMebibytes() - before;
   made = {};
   TouchScript script;
   script.Duration = 2.0;

@@ -19,18 +19,10 @@ class CliEnds : public testing::Test
 protected:
   CliEnds() { WriteTwoSpheres(this->Folder / "a.nii.gz"); }
 
-  std::vector<std::string> Touch(const std::vector<std::string>& more = {}) const
+  std::vector<std::string> Touch() const
   {
-    std::vector<std::string> words{"touch",       "a.nii.gz",  "--label",     "1",
-                                   "--real-time", "--seconds", "600",         "--json",
-                                   "--output",    "felt",      "--stiffness", "100"};
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  }
-  // Slowly, since a frame may take seconds on a busy machine, and ticks are fetched in between.
-  std::vector<std::string> TouchWithView() const
-  {
-    return this->Touch({"--view", "--rate", "100"});
+    return {"touch", "a.nii.gz", "--label",  "1",    "--real-time", "--seconds",
+            "600",   "--json",   "--output", "felt", "--stiffness", "100"};
   }
   // Whether this many bytes of a recording were written: the servo runs.
   bool IsRecorded(std::uintmax_t bytes) const
@@ -58,9 +50,8 @@ protected:
   // All files of a touch that ends by itself, complete, and no temporary ones.
   void ExpectWholeFiles() const
   {
-    EXPECT_EQ(this->FilesThatAreLeft(),
-              (std::set<std::string>{"report.html", "scene.json", "session.touch", "summary.json",
-                                     "trace.csv"}));
+    EXPECT_EQ(this->FilesThatAreLeft(), (std::set<std::string>{"report.html", "scene.json",
+                                                               "session.touch", "summary.json"}));
     EXPECT_GT(nlohmann::json::parse(ReadAll(this->Folder / "felt/summary.json"))["ticks"], 0);
     const CommandRun again = RunPalpate(
         {"touch", "felt/scene.json", "--replay", "felt/session.touch"}, this->Folder.Path());
@@ -145,84 +136,6 @@ TEST_F(CliEnds, SignalWritesDrillingDoneSoFar)
   EXPECT_EQ(run.Errors.find("cancelled"), std::string::npos) << run.Errors;
 }
 
-// The test's own X server, to be stopped and killed.
-class OwnDisplay
-{
-public:
-  OwnDisplay()
-      : Server("Xvfb",
-               {"-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset", "-nolisten", "tcp"},
-               Folder.Path())
-  {
-    EXPECT_TRUE(
-        IsSoon([this] { return this->Server.OutputSoFar().find('\n') != std::string::npos; }));
-  }
-  OwnDisplay(const OwnDisplay&) = delete;
-  OwnDisplay& operator=(const OwnDisplay&) = delete;
-  ~OwnDisplay()
-  {
-    this->Send(SIGCONT);
-    this->Send(SIGTERM);
-    this->Server.Finish();
-  }
-
-  /// Arguments of `env` that run the program on it.
-  std::vector<std::string> With(const std::vector<std::string>& words) const
-  {
-    const std::string output = this->Server.OutputSoFar();
-    std::vector<std::string> all{"DISPLAY=:" + output.substr(0, output.find('\n')),
-                                 PALPATE_PROGRAM};
-    all.insert(all.end(), words.begin(), words.end());
-    return all;
-  }
-  void Send(int signal) const { this->Server.Send(signal); }
-
-private:
-  TemporaryFolder Folder;
-  StartedCommand Server;
-};
-
-// To the whole process group, as a terminal sends it.
-TEST_F(CliEnds, CtrlCEndsViewAsWithoutIt)
-{
-  const OwnDisplay display;
-  StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
-  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
-  command.Send(SIGINT);
-  const CommandRun run = command.Finish();
-  EXPECT_EQ(run.Code, 130) << run.Errors;
-  this->ExpectWholeFiles();
-}
-
-// The command waits for it forever, and cannot end by itself.
-TEST_F(CliEnds, FifthSignalEndsViewOnHungDisplay)
-{
-  const OwnDisplay display;
-  StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
-  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
-  display.Send(SIGSTOP);
-  for (int n = 0; n < 5 && !command.HasEnded(); ++n)
-  {
-    command.Send(SIGTERM);
-    ASSERT_TRUE(IsSoon([&] { return command.HasTakenSignals(); }));
-  }
-  EXPECT_TRUE(IsSoon([&] { return command.HasEnded(); }));
-  EXPECT_EQ(command.Finish().Code, 128 + SIGTERM);
-}
-
-// Xlib calls exit() then.
-TEST_F(CliEnds, LostXServerLeavesCompleteRecording)
-{
-  const OwnDisplay display;
-  StartedCommand command("env", display.With(this->TouchWithView()), this->Folder.Path());
-  ASSERT_TRUE(IsSoon([this] { return this->IsRecorded(SomeTicks); }));
-  display.Send(SIGKILL);
-  const CommandRun run = command.Finish();
-  EXPECT_EQ(run.Code, 1) << run.Errors;
-  EXPECT_EQ(this->FilesThatAreLeft(), std::set<std::string>{"session.touch"});
-  EXPECT_EQ(RunPalpate({"convert", "felt/session.touch", "ticks.csv"}, this->Folder.Path()).Code,
-            0);
-}
 } // namespace
 
 // Compressing takes so long that the signal comes while the file is written.

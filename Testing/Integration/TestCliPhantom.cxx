@@ -75,28 +75,6 @@ TEST(CliPhantom, UsesBodyOfModelFile)
   EXPECT_EQ(MaskMilliliters(folder / "a/mask.nii.gz"), MaskMilliliters(folder / "b/mask.nii.gz"));
 }
 
-TEST(CliPhantom, DrillsBlockAndKeepsNerve)
-{
-  const TemporaryFolder folder;
-  const CommandRun made = RunPalpate({"phantom", "--output", "b", "--drill-block", "--spacing",
-                                      "0.5,0.5,0.5", "--oblique", "10", "--format", "nrrd"},
-                                     folder.Path());
-  ASSERT_EQ(made.Code, 0) << made.Errors;
-  EXPECT_NE(made.Output.find("b/block.scene.json --path b/hand.csv --drill b/strokes.json"),
-            std::string::npos)
-      << made.Output;
-  const CommandRun drilled = RunPalpate({"touch", "b/block.scene.json", "--path", "b/hand.csv",
-                                         "--drill", "b/strokes.json", "--output", "drilled"},
-                                        folder.Path());
-  ASSERT_EQ(drilled.Code, 0) << drilled.Errors;
-  EXPECT_NE(drilled.Output.find("mm\u00b3 removed"), std::string::npos) << drilled.Output;
-  EXPECT_NE(drilled.Output.find("within 1.00 mm"), std::string::npos) << drilled.Output;
-  const std::size_t near = drilled.Output.find("nerve: smallest distance ");
-  ASSERT_NE(near, std::string::npos) << drilled.Output;
-  // A tenth of a voxel is the burr's clearance, and the nerve's surface follows voxels.
-  EXPECT_GT(std::stod(drilled.Output.substr(near + 25)), -0.25);
-}
-
 TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)
 {
   const TemporaryFolder folder;
@@ -108,8 +86,6 @@ TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)
                                              {"--noise", "-1"},
                                              {"--size", "90000,90000,90000"},
                                              {"--model", "missing.json"},
-                                             {"--drill-block", "--seed", "3"},
-                                             {"--drill-block", "--spacing", "0.01,0.01,0.01"},
                                              {"--output", "file"}})
   {
     std::vector<std::string> arguments{"phantom"};

@@ -97,20 +97,15 @@ TEST(CliDisplay, MissingDisplayGivesFix)
   const TemporaryFolder folder;
   WriteTwoSpheres(folder / "a.nii.gz");
   const std::vector<std::string> render{PALPATE_PROGRAM, "render", "a.nii.gz", "--output", "x.png"};
-  const std::vector<std::string> touch{PALPATE_PROGRAM, "touch",  "a.nii.gz",  "--label", "1",
-                                       "--real-time",   "--view", "--seconds", "0.1"};
   for (const std::vector<std::string>& display :
        {std::vector<std::string>{"-u", "DISPLAY"}, std::vector<std::string>{"DISPLAY=:98765"}})
   {
-    for (const std::vector<std::string>& command : {render, touch})
-    {
-      std::vector<std::string> words = display;
-      words.insert(words.end(), command.begin(), command.end());
-      const CommandRun run = RunCommand("env", words, folder.Path());
-      EXPECT_EQ(run.Code, 1) << run.Errors;
-      EXPECT_NE(run.Errors.find("xvfb-run -a"), std::string::npos) << run.Errors;
-      EXPECT_EQ(folder.EntryCount(), 1U);
-    }
+    std::vector<std::string> words = display;
+    words.insert(words.end(), render.begin(), render.end());
+    const CommandRun run = RunCommand("env", words, folder.Path());
+    EXPECT_EQ(run.Code, 1) << run.Errors;
+    EXPECT_NE(run.Errors.find("xvfb-run -a"), std::string::npos) << run.Errors;
+    EXPECT_EQ(folder.EntryCount(), 1U);
   }
 }
 

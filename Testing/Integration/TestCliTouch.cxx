@@ -21,8 +21,7 @@ TEST(CliTouch, SweepsMaskAndWritesForces)
   EXPECT_EQ(summary["structures"].size(), 1U);
   EXPECT_GT(summary["touching_percent"].get<double>(), 50.0);
   EXPECT_GT(summary["force_max_n"].get<double>(), 0.1);
-  for (const char* name :
-       {"report.html", "summary.json", "trace.csv", "scene.json", "session.touch"})
+  for (const char* name : {"report.html", "summary.json", "scene.json", "session.touch"})
   {
     EXPECT_TRUE(std::filesystem::exists(folder / "felt" / name)) << name;
   }
@@ -53,10 +52,6 @@ TEST(CliTouch, RecordingHasOneLinePerTick)
   const std::string last = text.substr(text.rfind('\n', text.size() - 2) + 1);
   EXPECT_EQ(std::count(first.begin(), first.end(), ','), std::count(last.begin(), last.end(), ','));
   EXPECT_EQ(last.rfind("499,", 0), 0U) << last;
-  const CommandRun drawn =
-      RunPalpate({"convert", "felt/session.touch", "plots.svg"}, folder.Path());
-  EXPECT_EQ(drawn.Code, 0) << drawn.Errors;
-  EXPECT_FALSE(ReadAll(folder / "plots.svg").empty());
   // Truncated, as by a program that crashed.
   const std::string bytes = ReadAll(folder / "felt/session.touch");
   std::ofstream(folder / "cut.part", std::ios::binary) << bytes.substr(0, bytes.size() - 100);
@@ -64,7 +59,7 @@ TEST(CliTouch, RecordingHasOneLinePerTick)
   EXPECT_EQ(cut.Code, 0) << cut.Errors;
   EXPECT_NE(cut.Errors.find("left out"), std::string::npos) << cut.Errors;
   EXPECT_EQ(RunPalpate({"convert", "a.nii.gz", "b.csv"}, folder.Path()).Code, 2);
-  EXPECT_EQ(RunPalpate({"convert", "cut.part", "b.nrrd"}, folder.Path()).Code, 2);
+  EXPECT_EQ(RunPalpate({"convert", "cut.part", "b.svg"}, folder.Path()).Code, 2);
 }
 
 TEST(CliTouch, WarnsOfHighStiffnessBeforeForcesStart)
@@ -113,25 +108,4 @@ TEST(CliDevices, ListsEachDeviceWithItsStatus)
   const CommandRun json = RunPalpate({"devices", "--json"}, folder.Path());
   EXPECT_TRUE(
       nlohmann::json::parse(json.Output.substr(0, json.Output.find('\n')))["there"].is_boolean());
-}
-
-TEST(CliTouchView, DrawsWhileTheServoRuns)
-{
-  const TemporaryFolder folder;
-  WriteTwoSpheres(folder / "a.nii.gz");
-  const CommandRun run = RunPalpate({"touch", "a.nii.gz", "--label", "1", "--real-time", "--view",
-                                     "--seconds", "0.5", "--rate", "200", "--json"},
-                                    folder.Path());
-  ASSERT_EQ(run.Code, 0) << run.Errors;
-  const nlohmann::json summary = nlohmann::json::parse(run.Output);
-  EXPECT_GT(summary["frame"]["count"].get<int>(), 0);
-  EXPECT_GT(summary["frames_per_second"].get<double>(), 0.0);
-  EXPECT_GT(summary["memory_start_mib"].get<double>(), 1.0);
-}
-
-TEST(CliTouch, ViewNeedsRealTime)
-{
-  const TemporaryFolder folder;
-  WriteTwoSpheres(folder / "a.nii.gz");
-  EXPECT_EQ(RunPalpate({"touch", "a.nii.gz", "--view"}, folder.Path()).Code, 2);
 }

@@ -1,7 +1,9 @@
 // Compares Documentation/JsonOutput.md with every command's --json output.
 #include "CommandRun.h"
+#include "DrillBlock.h"
 #include "InputError.h"
 #include "JsonPaths.h"
+#include "SceneFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TouchReport.h"
@@ -169,7 +171,7 @@ TEST_F(JsonOutput, SceneIsDocumented)
            R"({"format": "palpate-scene", "structures": [{"file": "ball.json"},
                {"file": "a.nii.gz", "label": 1, "seen": false, "touched": false}]})");
   this->Run({"scene", "explain", "a.scene.json", "--json"});
-  // Without touch there is no servo scene, and without a view no drawing.
+  // Without touch there is no servo scene.
   WriteAll(
       this->Folder / "seen.scene.json",
       R"({"format": "palpate-scene", "structures": [{"file": "ball.json", "touched": false}]})");
@@ -179,19 +181,19 @@ TEST_F(JsonOutput, SceneIsDocumented)
 
 TEST_F(JsonOutput, TouchIsDocumented)
 {
-  const std::vector<std::string> drill{
-      "touch",   "block/block.scene.json", "--path",   "block/hand.csv",
-      "--drill", "block/strokes.json",     "--output", "felt",
-      "--json"};
-  ASSERT_EQ(RunPalpate({"phantom", "--drill-block", "--output", "block"}, this->Folder.Path()).Code,
-            0);
-  this->Run(drill);
+  const DrillBlock block;
+  WriteAll(this->Folder / "block.scene.json",
+           palpate::SceneText(block.Settings(true), this->Folder.Path()));
+  WriteAll(this->Folder / "hand.csv",
+           "time_s,x_mm,y_mm,z_mm\n0,0,0,8\n1,0,0,5.8\n4,0,0,0\n5,0,0,8\n");
+  WriteAll(this->Folder / "pedal.json", R"({"format": "palpate-drill",
+    "actions": [{"time_s": 0.5, "do": "start"}, {"time_s": 4.5, "do": "stop"}]})");
+  this->Run({"touch", "block.scene.json", "--path", "hand.csv", "--drill", "pedal.json", "--output",
+             "felt", "--json"});
   this->Run({"touch", "felt/scene.json", "--replay", "felt/session.touch", "--json"});
-  // Require a view and real time, which a machine without a display does not have.
-  palpate::TouchResult viewed;
-  viewed.Frames.Add(1000);
-  viewed.Periods.Add(1000);
-  this->Take(palpate::TouchSummaryText({}, viewed));
+  palpate::TouchResult realTime;
+  realTime.Periods.Add(1000);
+  this->Take(palpate::TouchSummaryText({}, realTime));
   this->ExpectDocumented("touch");
 }
 

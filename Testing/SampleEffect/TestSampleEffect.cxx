@@ -44,7 +44,7 @@ protected:
   Vector3 ForceOf(SceneSettings scene) const
   {
     scene.Tool.Radius = 0.0;
-    const BuiltScene built = BuildScene(scene, false, GoOn);
+    const BuiltScene built = BuildScene(scene, GoOn);
     auto touch = std::make_shared<TouchScene>(MakeTouchScene(built.Settings, built.Contacts, {}));
     std::vector<StructureFollower> followers;
     EXPECT_TRUE(StructureFollower::Make(touch->Structures.front(), *touch,

@@ -45,7 +45,7 @@ TEST_F(SampleRepresentationTest, CanBeTouched)
 {
   for (const double margin : {0.0, 1.5})
   {
-    const BuiltScene built = BuildScene(this->SceneWith(margin), false, test::GoOn);
+    const BuiltScene built = BuildScene(this->SceneWith(margin), test::GoOn);
     EXPECT_EQ(built.Touched.front().Represented, "sphere");
     const Vector3 size = built.Contacts.front().Contact->Model->BoundsWorld().sizes();
     EXPECT_NEAR(size.x(), 2.0 * (14.0 + margin), 0.1) << "the mask is a sphere of 14 mm";
@@ -60,7 +60,7 @@ TEST_F(SampleRepresentationTest, RefusesOtherSources)
   scene.Structures.front().SetNumber("sphere_margin_mm", 3.0);
   try
   {
-    BuildScene(scene, false, test::GoOn);
+    BuildScene(scene, test::GoOn);
     FAIL() << "built";
   }
   catch (const InputError& error)

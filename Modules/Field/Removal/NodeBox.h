@@ -1,7 +1,10 @@
 #pragma once
 
+#include "FieldGrid.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace palpate
@@ -16,6 +19,12 @@ struct NodeBox
   {
     return this->First[0] > this->Last[0] || this->First[1] > this->Last[1] ||
            this->First[2] > this->Last[2];
+  }
+  /// Whether there are nodes to interpolate between along every axis.
+  bool HasCells() const noexcept
+  {
+    return this->First[0] < this->Last[0] && this->First[1] < this->Last[1] &&
+           this->First[2] < this->Last[2];
   }
   std::size_t Count() const noexcept
   {
@@ -46,4 +55,38 @@ struct NodeBox
     return common;
   }
 };
+
+/// The nodes needed to interpolate within a box in the world (mm), and `margin` more on each side,
+/// clipped to the grid.
+inline NodeBox NodesRound(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld,
+                          double margin) noexcept
+{
+  Eigen::AlignedBox3d index;
+  for (int n = 0; n < 8; ++n)
+  {
+    const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
+    index.extend(grid.PointIndex(boxWorld.corner(corner)));
+  }
+  NodeBox nodes;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<Eigen::Index>(axis);
+    const double end = grid.Size()[axis] - 1;
+    nodes.First[axis] = static_cast<int>(std::clamp(std::floor(index.min()[a]) - margin, 0.0, end));
+    nodes.Last[axis] = static_cast<int>(std::clamp(std::ceil(index.max()[a]) + margin, 0.0, end));
+  }
+  return nodes;
+}
+
+/// The part of a grid with these nodes.
+inline FieldGrid PartOf(const FieldGrid& grid, const NodeBox& nodes)
+{
+  std::array<int, 3> size{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = nodes.Last[axis] - nodes.First[axis] + 1;
+  }
+  const Vector3 first(nodes.First[0], nodes.First[1], nodes.First[2]);
+  return {size, grid.PointWorld(first), grid.Spacing(), grid.Direction()};
+}
 } // namespace palpate

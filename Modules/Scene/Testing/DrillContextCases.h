@@ -115,7 +115,7 @@ public:
 
 inline std::shared_ptr<DrillContext> BenchOf(const SceneSettings& settings)
 {
-  const BuiltScene built = BuildScene(settings, false, GoOn);
+  const BuiltScene built = BuildScene(settings, GoOn);
   return DrillContext::Make(built.Settings, built.Contacts, built.Protections);
 }
 

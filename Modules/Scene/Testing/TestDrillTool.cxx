@@ -1,4 +1,4 @@
-#include "DrillTool.h"
+#include "SceneTool.h"
 
 #include "DrilledField.h"
 #include "FieldBuilder.h"

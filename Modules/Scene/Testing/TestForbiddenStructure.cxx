@@ -26,7 +26,7 @@ ForbiddenStructure Sphere(const Vector3& middle = Center)
   source->SetThetaResolution(80);
   source->SetPhiResolution(80);
   source->Update();
-  return {"ball", source->GetOutput(), 1.5};
+  return ForbiddenStructure(source->GetOutput());
 }
 
 TEST(ForbiddenStructureTest, PointDistanceIsSignedDistanceToTheSurface)
@@ -123,8 +123,7 @@ TEST(ForbiddenStructureTest, AllComponentsOfAMaskAreForbidden)
   Segment segment;
   segment.Value = 1;
   segmentation.Segments = {segment};
-  const ForbiddenStructure made("nerve", MakeForbiddenSurface(segmentation, segment, test::GoOn),
-                                1.0);
+  const ForbiddenStructure made(MakeForbiddenSurface(segmentation, segment, test::GoOn));
   constexpr double PartOfVoxel = 0.5; // of 1 mm
   EXPECT_NEAR(made.Distance(large), -5.0, PartOfVoxel);
   EXPECT_NEAR(made.Distance(small), -3.0, PartOfVoxel);

@@ -4,6 +4,7 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
+#include "SurfaceTexture.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
 #include "TouchRun.h"
@@ -44,11 +45,10 @@ protected:
                {SphericalHarmonicModel(0, {5.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
   }
 
-  SceneStructure Entry(const std::filesystem::path& file, bool isSeen, bool isTouched) const
+  SceneStructure Entry(const std::filesystem::path& file, bool isTouched) const
   {
     SceneStructure entry;
     entry.File = file;
-    entry.IsVisible = isSeen;
     entry.IsTouchable = isTouched;
     return entry;
   }
@@ -58,16 +58,16 @@ protected:
     SceneSettings settings;
     for (int label = 1; label <= count; ++label)
     {
-      settings.Structures.push_back(this->Entry(file, false, label == touched));
+      settings.Structures.push_back(this->Entry(file, label == touched));
       settings.Structures.back().Labels = {std::to_string(label)};
     }
     return settings;
   }
-  BuiltScene Make(const std::vector<SceneStructure>& entries, bool isSeen = true) const
+  BuiltScene Make(const std::vector<SceneStructure>& entries) const
   {
     SceneSettings settings;
     settings.Structures = entries;
-    return BuildScene(settings, isSeen, GoOn);
+    return BuildScene(settings, GoOn);
   }
 
   test::TemporaryFolder Folder;
@@ -76,33 +76,32 @@ protected:
   std::filesystem::path Missing = Folder / "missing.nii.gz";
 };
 
-TEST_F(SceneBuilderTest, RefusesToDisplayALabelWithoutAnyShape)
+TEST_F(SceneBuilderTest, RefusesALabelWithoutAnyShape)
 {
   test::LabelGrid grid;
   grid.Size = {{20, 12, 12}};
   const auto oneVoxel = test::MakeLabelImage(grid, [](double x, double y, double z)
                                              { return x == 5.0 && y == 5.0 && z == 5.0; });
   WriteImage(this->Folder / "voxel.nii.gz", oneVoxel);
-  SceneStructure entry = this->Entry(this->Folder / "voxel.nii.gz", true, false);
+  SceneStructure entry = this->Entry(this->Folder / "voxel.nii.gz", true);
   entry.Representation = TouchRepresentation::ModelOrField;
-  // The field is tried after the surface was refused, and the segmentation released.
+  // The field is tried after the surface was refused.
   EXPECT_THROW(this->Make({entry}), InputError);
 }
 
-TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUnneededStructures)
+TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUntouchedStructures)
 {
-  SceneStructure smooth = this->Entry(this->ModelPath, true, false);
+  SceneStructure smooth = this->Entry(this->ModelPath, false);
   smooth.SetNumber("texture_n", 0.2);
   smooth.SetImage("texture_image", this->Folder / "missing.nrrd");
-  const BuiltScene made = this->Make(
-      {this->Entry(this->Missing, false, false), smooth, this->Entry(this->ModelPath, true, true)});
+  const BuiltScene made =
+      this->Make({this->Entry(this->Missing, false), smooth, this->Entry(this->ModelPath, true)});
   EXPECT_EQ(made.Touched.size(), 1u);
-  EXPECT_EQ(made.OnlyDisplayed.size(), 1u);
   ASSERT_EQ(made.Account.Structures.size(), 3u);
-  const SceneStructureAccount& neither = made.Account.Structures[0];
-  EXPECT_EQ(neither.Name, "missing");
-  EXPECT_NE(neither.Contact.WhyNot.find("neither"), std::string::npos);
-  EXPECT_TRUE(neither.Contact.Is.empty() && neither.Drawing.Is.empty());
+  const SceneStructureAccount& untouched = made.Account.Structures[0];
+  EXPECT_EQ(untouched.Name, "missing");
+  EXPECT_EQ(untouched.Contact.WhyNot, "not touched in the scene");
+  EXPECT_TRUE(untouched.Contact.Is.empty());
   int unread = 0;
   for (const SceneFileAccount& file : made.Account.Files)
   {
@@ -110,51 +109,12 @@ TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUnneededStructures)
     EXPECT_NE(file.Reading.Is.empty(), file.Reading.WhyNot.empty());
   }
   EXPECT_EQ(unread, 2);
-  EXPECT_THROW(this->Make({this->Entry(this->Missing, true, false)}), InputError);
-  EXPECT_THROW(this->Make({this->Entry(this->Missing, false, true)}), InputError);
+  EXPECT_THROW(this->Make({this->Entry(this->Missing, true)}), InputError);
 }
 
-TEST_F(SceneBuilderTest, MakesNoDisplayWithoutViewer)
+TEST_F(SceneBuilderTest, AccountHasTheBytesOfContactModels)
 {
-  const BuiltScene made = this->Make(
-      {this->Entry(this->Missing, true, false), this->Entry(this->ModelPath, true, true)}, false);
-  EXPECT_TRUE(made.OnlyDisplayed.empty());
-  ASSERT_EQ(made.Touched.size(), 1u);
-  EXPECT_EQ(made.Touched[0].Looks.Surface, nullptr);
-  EXPECT_EQ(made.Touched[0].Looks.Model, nullptr);
-  EXPECT_EQ(made.Account.Structures[1].Drawing.WhyNot, "nothing is displayed here");
-}
-
-TEST_F(SceneBuilderTest, OnlyDisplayedHasNeitherFieldNorContact)
-{
-  SceneStructure sphere = this->Entry(this->MaskPath, true, false);
-  sphere.Labels = {"3"};
-  SceneStructure bright = this->Entry(this->MaskPath, true, false);
-  bright.Iso = 2.5;
-  std::vector<SceneStructure> entries{bright};
-  for (const char* const representation :
-       {TouchRepresentation::Automatic, TouchRepresentation::Facets, TouchRepresentation::Harmonics,
-        TouchRepresentation::SubVoxel})
-  {
-    sphere.Representation = representation;
-    sphere.Degree = 2;
-    entries.push_back(sphere);
-  }
-  for (const SceneStructure& entry : entries)
-  {
-    const BuiltScene made = this->Make({entry});
-    ASSERT_EQ(made.OnlyDisplayed.size(), 1u);
-    EXPECT_EQ(made.OnlyDisplayed[0].Touch.Model, nullptr);
-    EXPECT_EQ(made.OnlyDisplayed[0].Looks.Field, nullptr);
-    ASSERT_NE(made.OnlyDisplayed[0].Looks.Surface, nullptr);
-    EXPECT_EQ(made.Account.Structures[0].Contact.Bytes, 0u);
-    EXPECT_GT(made.Account.Structures[0].Drawing.Bytes, 0u);
-  }
-}
-
-TEST_F(SceneBuilderTest, OnlyTouchedHasNoDrawing)
-{
-  SceneStructure sphere = this->Entry(this->MaskPath, false, true);
+  SceneStructure sphere = this->Entry(this->MaskPath, true);
   sphere.Labels = {"3"};
   sphere.Degree = 2;
   for (const char* const representation :
@@ -163,11 +123,8 @@ TEST_F(SceneBuilderTest, OnlyTouchedHasNoDrawing)
     sphere.Representation = representation;
     const BuiltScene made = this->Make({sphere});
     ASSERT_EQ(made.Touched.size(), 1u);
-    const TouchAppearance& looks = made.Touched[0].Looks;
-    EXPECT_TRUE(looks.Field == nullptr && looks.Surface == nullptr && looks.Model == nullptr);
     EXPECT_EQ(made.Account.Structures[0].Contact.Bytes, made.Touched[0].Touch.Model->Bytes());
     EXPECT_GT(made.Account.Structures[0].Contact.Bytes, 0u);
-    EXPECT_EQ(made.Account.Structures[0].Drawing.Bytes, 0u);
   }
 }
 
@@ -177,26 +134,26 @@ TEST_F(SceneBuilderTest, TextureKeepsTheImageWithinReachOfTheTool)
   test::LabelGrid grid;
   grid.Size = {{100, 100, 100}};
   grid.CenterOnOrigin();
-  SceneStructure sphere = this->Entry(this->ModelPath, false, true);
+  SceneStructure sphere = this->Entry(this->ModelPath, true);
   const std::uintmax_t smooth = this->Make({sphere}).Account.Structures[0].Contact.Bytes;
   sphere.SetNumber("texture_n", 0.2);
   sphere.SetImage("texture_image", this->Folder / "image.nrrd");
   WriteImage(this->Folder / "image.nrrd",
-             test::MakeLabelImage(grid, [](double x, double, double) { return x > 0.0; }));
+             test::MakeLabelImage(grid, [](double x, double y, double z)
+                                  { return x > 0.0 && y > 0.0 && z > 0.0; }));
   const BuiltScene made = this->Make({sphere});
-  EXPECT_EQ(made.Touched.at(0).Touch.Effects.size(), 1U);
+  ASSERT_EQ(made.Touched.at(0).Touch.Effects.size(), 1U);
+  const auto texture =
+      std::dynamic_pointer_cast<const SurfaceTexture>(made.Touched[0].Touch.Effects[0]);
+  ASSERT_NE(texture, nullptr);
+  const Vector3 bright = Vector3::Constant(0.5); // a node next to the centre
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_GT(texture->BrightnessAt(bright), texture->BrightnessAt(bright - Vector3::Unit(axis)));
+  }
   const std::uintmax_t textured = made.Account.Structures[0].Contact.Bytes;
   EXPECT_GT(textured, smooth + 4 * 14 * 14 * 14);
   EXPECT_LT(textured, smooth + 4 * 100 * 100 * 100 / 10);
-}
-
-TEST_F(SceneBuilderTest, TouchedVoxelsAreDrawnByTheSameField)
-{
-  SceneStructure sphere = this->Entry(this->MaskPath, true, true);
-  sphere.Labels = {"3"};
-  const BuiltScene made = this->Make({sphere});
-  EXPECT_NE(made.Touched.at(0).Looks.Field, nullptr);
-  EXPECT_EQ(made.Account.Structures[0].Drawing.Bytes, 0u);
 }
 
 TEST_F(SceneBuilderTest, ReadsASharedFileOnce)
@@ -206,7 +163,7 @@ TEST_F(SceneBuilderTest, ReadsASharedFileOnce)
   {
     structure.IsTouchable = true;
   }
-  const BuiltScene made = BuildScene(settings, true, GoOn);
+  const BuiltScene made = BuildScene(settings, GoOn);
   EXPECT_EQ(made.Touched.size(), 1u * Spheres);
   EXPECT_EQ(made.Account.Files.size(), 1u);
 }
@@ -216,9 +173,8 @@ TEST_F(SceneBuilderTest, MakesOnlyTheTouchedStructureWithEqualForces)
   const SceneSettings all = this->RowOf(this->MaskPath, Spheres, 3);
   SceneSettings alone = all;
   alone.Structures = {all.Structures[2]};
-  const BuiltScene made = BuildScene(all, true, GoOn);
+  const BuiltScene made = BuildScene(all, GoOn);
   EXPECT_EQ(made.Touched.size(), 1u);
-  EXPECT_TRUE(made.OnlyDisplayed.empty());
   EXPECT_EQ(made.Account.Structures.size(), 1u * Spheres);
   TouchScript script;
   script.Duration = 0.5;
@@ -232,7 +188,7 @@ TEST_F(SceneBuilderTest, ProgressNamesTheStructureAndTheCount)
   SceneSettings settings = this->RowOf(this->MaskPath, 2, 2);
   settings.Structures[1].Representation = TouchRepresentation::Facets;
   std::set<std::string> stages;
-  BuildScene(settings, true,
+  BuildScene(settings,
              [&stages](double fraction, const std::string& stage)
              {
                EXPECT_TRUE(fraction >= 0.0 && fraction <= 1.0) << fraction;
@@ -246,7 +202,7 @@ TEST_F(SceneBuilderTest, ProgressNamesTheStructureAndTheCount)
 TEST_F(SceneBuilderTest, RejectsSceneWithoutTouchableStructures)
 {
   SceneSettings settings;
-  settings.Structures = {this->Entry(this->ModelPath, true, false)};
+  settings.Structures = {this->Entry(this->ModelPath, false)};
   EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
 }
 
@@ -255,14 +211,14 @@ TEST_F(SceneBuilderTest, MakesOnlyTheTouchedStructureOfAnAtlas)
   const std::filesystem::path atlas = "/usr/share/mricron/templates/aal.nii.gz";
   PALPATE_REQUIRE_FILE(atlas);
   constexpr int Structures = 116;
-  const BuiltScene made = BuildScene(this->RowOf(atlas, Structures, 37), true, GoOn);
+  const BuiltScene made = BuildScene(this->RowOf(atlas, Structures, 37), GoOn);
   ASSERT_EQ(made.Touched.size(), 1u);
   EXPECT_EQ(made.Account.Structures.size(), 1u * Structures);
   EXPECT_EQ(made.Account.Files.size(), 1u);
   std::uintmax_t bytes = 0;
   for (const SceneStructureAccount& structure : made.Account.Structures)
   {
-    bytes += structure.Contact.Bytes + structure.Drawing.Bytes;
+    bytes += structure.Contact.Bytes;
   }
   EXPECT_EQ(bytes, made.Touched[0].Touch.Model->Bytes());
 }

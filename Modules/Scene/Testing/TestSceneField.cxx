@@ -7,7 +7,6 @@
 #include "RandomShapes.h"
 #include "RayCaster.h"
 
-#include <cstdio>
 #include <gtest/gtest.h>
 
 namespace palpate
@@ -67,17 +66,6 @@ TEST_F(SceneFieldWithin, RejectsStructureOutsideTheImage)
   EXPECT_THROW(MakeIsoFieldWithin(this->Image, 50.0, this->Labels, {this->Half},
                                   FieldInterpolation::Trilinear, 0.0, GoOn),
                FilterError);
-}
-
-TEST_F(SceneFieldWithin, MemoryTextComparesWithAllNodes)
-{
-  const auto field = MakeIsoField(this->Image, {50.0}, FieldInterpolation::Trilinear, GoOn);
-  const double dense = 4.0 * 48 * 40 * 40;
-  const double percent = 100.0 * static_cast<double>(field->Memory().Bytes) / dense;
-  const std::string text = MemoryText(*field);
-  double reported = 0.0;
-  ASSERT_EQ(std::sscanf(text.c_str(), "%*f MB, %lf %% of", &reported), 1) << text;
-  EXPECT_NEAR(reported, percent, 0.06) << "one digit";
 }
 
 // A sphere of 6 mm, off the lattice, in a volume around the same place with this many nodes along

@@ -177,9 +177,7 @@ TEST_F(SceneRendererTest, ImageDoesNotDependOnEarlierOnes)
   scene.AddSurface(fit.Result.ModelSurface, Tan, 1.0);
   scene.Render(FrameOf(ViewSide::Left), 300, 240);
   ASSERT_TRUE(color(scene));
-  RasterImage colored(300, 240);
-  scene.Render(FrameOf(ViewSide::Superior), colored);
-  EXPECT_EQ(colored.Rgba, drawnFirst(300, 240).Rgba);
+  EXPECT_EQ(scene.Render(FrameOf(ViewSide::Superior), 300, 240).Rgba, drawnFirst(300, 240).Rgba);
   EXPECT_EQ(scene.Render(FrameOf(ViewSide::Superior), 160, 130).Rgba, drawnFirst(160, 130).Rgba);
 }
 

@@ -17,7 +17,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 namespace palpate
 {
@@ -249,15 +248,9 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   script.Duration = 1.5;
   const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
   test::PacedClock clock;
-  std::uint64_t images = 0;
   TouchRunSettings run;
   run.IsVirtual = false;
   run.Time = &clock;
-  run.View = [&images](double, const TouchState&)
-  {
-    ++images;
-    std::this_thread::yield();
-  };
   const TouchResult result = RunTouch(touch, run, GoOn);
   EXPECT_EQ(result.Fault, SafetyFault::None);
   // Ticks at 0, 5, ... 1495 ms, and those until the end was noticed.
@@ -272,8 +265,6 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   EXPECT_EQ(result.Durations.Misses(), 0U);
   EXPECT_GT(result.TouchedSeconds[0], 0.5);
   EXPECT_EQ(result.Trace.Whole().Computation.Most, 0.0F);
-  EXPECT_EQ(result.Frames.Count(), images);
-  EXPECT_GT(result.FramesPerSecond, 0.0);
 }
 
 TEST_F(TouchRun, RejectsScenesThatCannotBeTouched)
@@ -303,7 +294,7 @@ TEST_F(TouchRun, FilesAreTheSameUnderADecimalComma)
   const test::CommaLocale comma(test::CommaLocale::Scope::Streams);
   const test::TemporaryFolder written;
   WriteTouchFiles(written.Path(), touch, result);
-  for (const char* name : {"trace.csv", "scene.json", "summary.json", "report.html"})
+  for (const char* name : {"scene.json", "summary.json", "report.html"})
   {
     EXPECT_EQ(test::ReadAll(written / name), test::ReadAll(expected / name)) << name;
   }
@@ -324,9 +315,6 @@ TEST_F(TouchRun, FilesDescribeTheTouch)
   EXPECT_EQ(summary["fault"], "");
   EXPECT_GT(summary["force_max_n"].get<double>(), 1.0);
   EXPECT_GT(summary["tick"]["median_us"].get<double>(), 0.0);
-  EXPECT_GT(summary["memory_end_mib"].get<double>(), 1.0);
-  const std::string trace = read("trace.csv");
-  EXPECT_EQ(std::count(trace.begin(), trace.end(), '\n'), 2001);
   EXPECT_NE(read("report.html").find("force, N"), std::string::npos);
   EXPECT_NE(read("scene.json").find("ball.json"), std::string::npos);
 }

@@ -6,9 +6,6 @@
 #include "SceneIsoSurface.h"
 
 #include "vtkDataArray.h"
-#include "vtkFloatArray.h"
-#include "vtkMatrix3x3.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -21,13 +18,6 @@ namespace
 const DrillSite& SiteOf(const DrillContext& context, int site)
 {
   return context.Sites()[static_cast<std::size_t>(site)];
-}
-
-vtkSmartPointer<vtkImageData> CopyOf(vtkImageData* image)
-{
-  auto copy = vtkSmartPointer<vtkImageData>::New();
-  copy->DeepCopy(image);
-  return copy;
 }
 
 // A structure before drilling and now.
@@ -91,22 +81,9 @@ void Require(const Status& status)
 // A field's nodes as an image.
 vtkSmartPointer<vtkImageData> ImageOf(const FieldGrid& grid, const std::vector<float>& nodes)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(grid.Size().data());
-  image->SetSpacing(grid.Spacing().data());
-  image->SetOrigin(grid.OriginWorld().data());
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      image->GetDirectionMatrix()->SetElement(row, column, grid.Direction()(row, column));
-    }
-  }
-  image->SetDirectionMatrix(image->GetDirectionMatrix());
-  vtkNew<vtkFloatArray> values;
-  values->SetNumberOfTuples(static_cast<vtkIdType>(nodes.size()));
-  std::copy(nodes.begin(), nodes.end(), values->GetPointer(0));
-  image->GetPointData()->SetScalars(values);
+  vtkSmartPointer<vtkImageData> image = EmptyImageOf(grid);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  std::copy(nodes.begin(), nodes.end(), static_cast<float*>(image->GetScalarPointer()));
   return image;
 }
 } // namespace
@@ -119,7 +96,8 @@ vtkSmartPointer<vtkImageData> DrilledImage(const DrillContext& context, int site
   {
     throw Cancelled();
   }
-  vtkSmartPointer<vtkImageData> image = CopyOf(source.Image);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->DeepCopy(source.Image);
   if (source.Label)
   {
     BeforeAndNow solids;

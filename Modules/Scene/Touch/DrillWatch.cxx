@@ -25,11 +25,11 @@ DrillWatch::DrillWatch(std::shared_ptr<DrillContext> context) : Context(std::mov
   {
     return;
   }
-  for (const ForbiddenStructure& structure : this->Context->Forbidden())
+  for (const DrillProtection& one : this->Context->Forbidden())
   {
     DrillApproach approach;
-    approach.Name = structure.Name();
-    approach.AlarmDistance = structure.AlarmDistance();
+    approach.Name = one.Name;
+    approach.AlarmDistance = one.AlarmDistance;
     this->Known.push_back(std::move(approach));
   }
 }

@@ -1,26 +1,92 @@
 #include "TouchReport.h"
 
 #include "DecimalText.h"
-#include "DrillReport.h"
 #include "HtmlText.h"
 #include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ReportPage.h"
 #include "SceneFile.h"
-#include "TouchPlots.h"
+#include "SvgChart.h"
 #include "WholeFile.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace palpate
 {
 namespace
 {
+std::string RemovedText(double volume)
+{
+  return SignificantText(volume, 4) + " mm\u00b3 removed";
+}
+
+std::string ApproachText(const DrillApproach& one)
+{
+  std::string text = "smallest distance " + FixedText(one.Least, 2) + " mm at " +
+                     FixedText(one.LeastTime, 2) + " s";
+  if (one.AlarmSeconds > 0.0)
+  {
+    text += "; within " + FixedText(one.AlarmDistance, 2) + " mm for " +
+            FixedText(one.AlarmSeconds, 2) + " s";
+  }
+  return text;
+}
+
+nlohmann::ordered_json DrillSummary(const PreparedTouch& touch, const TouchResult& result)
+{
+  nlohmann::ordered_json summary{{"orders", result.DrillOrders}, {"problem", result.DrillProblem}};
+  for (std::size_t site = 0; site < result.RemovedVolumes.size(); ++site)
+  {
+    summary["removed"].push_back(
+        {{"name", touch.Drill->Sites()[site].Name}, {"mm3", result.RemovedVolumes[site]}});
+  }
+  for (const DrillApproach& one : result.Approaches)
+  {
+    summary["forbidden"].push_back({{"name", one.Name},
+                                    {"least_mm", one.Least},
+                                    {"least_at_s", one.LeastTime},
+                                    {"alarm_mm", one.AlarmDistance},
+                                    {"alarm_s", one.AlarmSeconds}});
+  }
+  return summary;
+}
+
+std::string DrillSection(const PreparedTouch& touch, const TouchResult& result)
+{
+  std::string charts;
+  HtmlRows rows;
+  for (std::size_t site = 0; site < result.RemovedVolumes.size(); ++site)
+  {
+    const std::string& name = touch.Drill->Sites()[site].Name;
+    rows.emplace_back(name, RemovedText(result.RemovedVolumes[site]));
+    SvgChart chart("time, s", "removed, mm\u00b3");
+    std::vector<std::pair<double, double>> points;
+    for (const DrillMoment& moment : result.Removal)
+    {
+      points.emplace_back(moment.Time, moment.Volumes[site]);
+    }
+    chart.SetLine(std::move(points));
+    charts += ReportFigure(chart.Svg(), EscapeHtml(name));
+  }
+  for (const DrillApproach& one : result.Approaches)
+  {
+    rows.emplace_back(one.Name, ApproachText(one));
+  }
+  if (!result.DrillProblem.empty())
+  {
+    rows.emplace_back("problem", result.DrillProblem);
+  }
+  return ReportSection("Drilled",
+                       "<div class=\"charts\">\n" + charts + "</div>\n<div class=\"tables\">\n" +
+                           HtmlTable("Removed volume and protected structures", rows) + "</div>\n");
+}
+
 constexpr double Micro = 1e-3; // us in a ns
+
+using TouchQuantity = LeastAndMost TouchStretch::*;
 
 double TouchingPercent(const TouchResult& result)
 {
@@ -73,13 +139,6 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   {
     summary["period"] = StatisticsAsJson(result.Periods);
   }
-  if (result.Frames.Count() > 0)
-  {
-    summary["frame"] = StatisticsAsJson(result.Frames);
-    summary["frames_per_second"] = result.FramesPerSecond;
-  }
-  summary["memory_start_mib"] = result.MebibytesAtStart;
-  summary["memory_end_mib"] = result.MebibytesAtEnd;
   summary["fault"] = result.Fault == SafetyFault::None ? "" : Describe(result.Fault);
   summary["device_problem"] = result.DeviceProblem;
   summary["warnings"] = touch.Warnings;
@@ -91,10 +150,44 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   return summary;
 }
 
+// Minimum and maximum of each of a few thousand intervals, so that single-tick peaks are visible.
+// Zeros, which mark unknown values, are left out of logarithmic charts.
+std::vector<std::pair<double, double>> Envelope(const std::vector<TouchStretch>& stretches,
+                                                TouchQuantity quantity, bool isLogarithmic)
+{
+  constexpr std::size_t MostPoints = 1000;
+  const std::size_t length = std::max<std::size_t>(1, stretches.size() / MostPoints);
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t first = 0; first < stretches.size(); first += length)
+  {
+    LeastAndMost values = stretches[first].*quantity;
+    for (std::size_t i = first; i < std::min(stretches.size(), first + length); ++i)
+    {
+      values.Join(stretches[i].*quantity);
+    }
+    const auto add = [&](float value)
+    {
+      if (value > 0.0F || !isLogarithmic)
+      {
+        points.emplace_back(stretches[first].Time, static_cast<double>(value));
+      }
+    };
+    add(values.Least);
+    if (values.Most > values.Least)
+    {
+      add(values.Most);
+    }
+  }
+  return points;
+}
+
 std::string Chart(const TouchTrace& trace, TouchQuantity quantity, const std::string& label,
                   const std::string& caption, bool isLogarithmic = false)
 {
-  return ReportFigure(TouchChart(trace, quantity, label, isLogarithmic).Svg(), caption);
+  SvgChart chart("time, s", label);
+  chart.SetLogarithmic(false, isLogarithmic);
+  chart.SetLine(Envelope(trace.Stretches(), quantity, isLogarithmic));
+  return ReportFigure(chart.Svg(), caption);
 }
 
 std::string StructuresTable(const PreparedTouch& touch, const TouchResult& result)
@@ -130,13 +223,7 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
       {"tick time, longest", micro(result.Durations.Max())},
       {"late ticks", std::to_string(result.Durations.Misses())},
       {"skipped ticks", std::to_string(result.Periods.Misses())},
-      {"memory after 1 s and at the end", FixedText(result.MebibytesAtStart, 1) + " and " +
-                                              FixedText(result.MebibytesAtEnd, 1) + " MiB"},
       {"forces", result.Fault == SafetyFault::None ? "on until the end" : Describe(result.Fault)}};
-  if (result.Frames.Count() > 0)
-  {
-    rows.emplace_back("frames of the view", FixedText(result.FramesPerSecond, 1) + " per second");
-  }
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);
@@ -185,31 +272,26 @@ std::string PageOf(const PreparedTouch& touch, const TouchResult& result)
                                                          NumbersTable(touch, result) + "</div>\n") +
                         "<footer>For research; not a medical device.</footer>\n");
 }
-
-std::string TraceAsCsv(const TouchTrace& trace)
-{
-  std::string text = "time_s,force_least_n,force_most_n,depth_least_mm,depth_most_mm,"
-                     "period_most_us,computed_most_us\n";
-  const auto append = [&text](double value, std::chars_format format, int digits, char after)
-  {
-    std::array<char, 64> cell{};
-    const auto end = std::to_chars(cell.data(), cell.data() + cell.size(), value, format, digits);
-    text.append(cell.data(), end.ptr);
-    text += after;
-  };
-  for (const TouchStretch& s : trace.Stretches())
-  {
-    append(s.Time, std::chars_format::fixed, 6, ',');
-    for (const float value : {s.Force.Least, s.Force.Most, s.Depth.Least, s.Depth.Most})
-    {
-      append(static_cast<double>(value), std::chars_format::general, 6, ',');
-    }
-    append(static_cast<double>(s.Period.Most), std::chars_format::general, 5, ',');
-    append(static_cast<double>(s.Computation.Most), std::chars_format::general, 4, '\n');
-  }
-  return text;
-}
 } // namespace
+
+std::vector<std::string> DrillLines(const PreparedTouch& touch, const TouchResult& result)
+{
+  std::vector<std::string> lines;
+  for (std::size_t site = 0; site < result.RemovedVolumes.size(); ++site)
+  {
+    lines.push_back(touch.Drill->Sites()[site].Name + ": " +
+                    RemovedText(result.RemovedVolumes[site]));
+  }
+  for (const DrillApproach& one : result.Approaches)
+  {
+    lines.push_back(one.Name + ": " + ApproachText(one));
+  }
+  if (!result.DrillProblem.empty())
+  {
+    lines.push_back(result.DrillProblem);
+  }
+  return lines;
+}
 
 std::string TouchSummaryText(const PreparedTouch& touch, const TouchResult& result)
 {
@@ -227,7 +309,6 @@ void WriteTouchFiles(const std::filesystem::path& folder, const PreparedTouch& t
                  {
                    WriteWholeFile(stage / "summary.json", TouchSummaryText(touch, result));
                    WriteWholeFile(stage / "scene.json", SceneText(settings, folder));
-                   WriteWholeFile(stage / "trace.csv", TraceAsCsv(result.Trace));
                    WriteWholeFile(stage / "report.html", PageOf(touch, result));
                  });
 }

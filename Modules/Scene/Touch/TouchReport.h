@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -12,9 +13,12 @@ namespace palpate
 PALPATESCENE_EXPORT std::string TouchSummaryText(const PreparedTouch& touch,
                                                  const TouchResult& result);
 
-/// Writes into an existing folder: `summary.json`, `trace.csv` (one line per interval of the
-/// trace), `scene.json` and `report.html` with force, depth and tick time over time. Throws
-/// InputError.
+/// What was drilled as text, one line per structure.
+PALPATESCENE_EXPORT std::vector<std::string> DrillLines(const PreparedTouch& touch,
+                                                        const TouchResult& result);
+
+/// Writes into an existing folder: `summary.json`, `scene.json` and `report.html` with force, depth
+/// and tick time over time. Throws InputError.
 PALPATESCENE_EXPORT void WriteTouchFiles(const std::filesystem::path& folder,
                                          const PreparedTouch& touch, const TouchResult& result);
 } // namespace palpate

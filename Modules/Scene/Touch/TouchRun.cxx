@@ -10,7 +10,6 @@
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
 #include "TouchReplay.h"
-#include "TouchResultCollector.h"
 #include "TouchSession.h"
 #include "WorkspaceFrame.h"
 
@@ -75,13 +74,52 @@ BackgroundWriter::Limits RecordingLimits(bool isVirtual)
   return limits;
 }
 
+// Accumulates the ticks of a touch into its result, in bounded memory.
+class TouchResultCollector
+{
+public:
+  TouchResultCollector(TouchResult& result, std::size_t structures) : Result(result)
+  {
+    result.TouchedSeconds.resize(structures);
+  }
+
+  // The next tick, which took `microseconds` to compute; 0 if unknown.
+  void Add(const TouchState& state, float microseconds)
+  {
+    if (this->Result.Ticks++ == 0)
+    {
+      this->Start = state.Tick.Scheduled;
+      this->Last = state.Tick.Started;
+    }
+    const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
+    TouchStretch tick = StretchOf(state, this->Start, this->Last);
+    tick.Computation = {microseconds, microseconds};
+    this->Result.Trace.Add(tick);
+    this->Last = state.Tick.Started;
+    if (state.Structure >= 0)
+    {
+      this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
+    }
+    this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
+    if (this->Result.Fault == SafetyFault::None)
+    {
+      this->Result.Fault = state.Safety.Fault;
+    }
+  }
+
+private:
+  TouchResult& Result;
+  std::int64_t Start = 0; // ns
+  std::int64_t Last = 0;  // ns
+};
+
 // A running session and its result.
 class LiveTouch
 {
 public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
-      : Touch(touch), View(settings.View), Guide(settings.Guide),
-        Keeper(Result, touch.Structures.size()), Watch(touch.Drill), Session(clock)
+      : Touch(touch), Guide(settings.Guide), Keeper(Result, touch.Structures.size()),
+        Watch(touch.Drill), Session(clock)
   {
     ServoSettings servo;
     servo.Rate = touch.Settings.Rate;
@@ -138,16 +176,16 @@ public:
     this->Result.ThreadAdvice = this->Session.Grant().Advice;
     const std::int64_t start = clock.Now();
     double passed = 0.0;
+    constexpr auto Nap = std::chrono::milliseconds(20);
     while (passed < this->Touch.Duration && progress(passed / this->Touch.Duration, "touch"))
     {
       this->Act(passed);
-      this->Look(clock, passed);
+      std::this_thread::sleep_for(Nap);
       this->LookOut(passed, this->Session.Loop().Latest());
       this->NoteRemoval(passed);
       this->Fetch();
       passed = Nano * static_cast<double>(clock.Now() - start);
     }
-    this->Result.FramesPerSecond = static_cast<double>(this->Result.Frames.Count()) / passed;
     this->Session.Pause();
     this->Fetch();
     this->Result.Durations = this->Session.Statistics().Durations;
@@ -245,20 +283,6 @@ private:
                });
   }
 
-  // Draws a frame, or waits for about as long.
-  void Look(const Clock& clock, double time)
-  {
-    constexpr auto Nap = std::chrono::milliseconds(20);
-    if (!this->View)
-    {
-      std::this_thread::sleep_for(Nap);
-      return;
-    }
-    const std::int64_t start = clock.Now();
-    this->View(time, this->Session.Loop().Latest());
-    this->Result.Frames.Add(clock.Now() - start);
-  }
-
   void Fetch(float microseconds = 0.0F)
   {
     const TouchSessionReading& now = this->Session.Poll();
@@ -295,12 +319,10 @@ private:
     }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Session.Device().Problem();
-    this->Keeper.Close();
     return std::move(this->Result);
   }
 
   const PreparedTouch& Touch;
-  const TouchViewer& View;
   const TouchGuide& Guide;
   TouchResult Result;
   TouchResultCollector Keeper;
@@ -314,7 +336,7 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
                            const ProgressFunction& progress)
 {
   PreparedTouch touch;
-  BuiltScene built = BuildScene(settings, script.IsSeen, progress);
+  BuiltScene built = BuildScene(settings, progress);
   if (built.Contacts.empty())
   {
     throw InputError("no structure of the scene is touchable; remove \"touched\": false from one "
@@ -329,7 +351,6 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   }
   touch.Actions = script.Actions;
   touch.Structures = std::move(built.Touched);
-  touch.OnlyDisplayed = std::move(built.OnlyDisplayed);
   auto scene = std::make_shared<TouchScene>(MakeTouchScene(touch.Settings, built.Contacts, {}));
   if (touch.Drill != nullptr)
   {

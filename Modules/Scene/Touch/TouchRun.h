@@ -23,8 +23,7 @@
 
 namespace palpate
 {
-/// Path of a simulated device's hand, duration of the touch, scripted drill actions, and whether a
-/// view is needed.
+/// Path of a simulated device's hand, duration of the touch, and scripted drill actions.
 struct TouchScript
 {
   HandPath Path;                    ///< empty: a sweep round the scene, back and forth
@@ -32,7 +31,6 @@ struct TouchScript
   double SweepSpeed = 50.0;         ///< mm/s
   std::optional<double> Duration;   ///< s; none: as long as the path
   std::vector<DrillAction> Actions; ///< scripted drill actions, sorted by time
-  bool IsSeen = false;              ///< also make the display of structures
 };
 
 /// A scene prepared for touch, the device's placement in it, and warnings to show before forces
@@ -41,7 +39,6 @@ struct PreparedTouch
 {
   SceneSettings Settings;                 ///< with resolved labels
   std::vector<BuiltStructure> Structures; ///< touched ones, in the scene's order
-  std::vector<BuiltStructure> OnlyDisplayed;
   std::shared_ptr<const TouchScene> Scene;
   std::shared_ptr<DrillContext> Drill; ///< null: nothing is drilled
   std::vector<DrillAction> Actions;    ///< scripted drill actions
@@ -65,11 +62,6 @@ struct TouchResult
   TouchTrace Trace;
   PeriodStatistics Durations; ///< of ticks; its misses are late ticks
   PeriodStatistics Periods;   ///< from tick to tick; its misses are skipped ticks
-  PeriodStatistics Frames;    ///< time of each frame of a view
-  double FramesPerSecond = 0.0;
-  double MebibytesAtStart = 0.0; ///< resident, one second after the first tick (if shorter: at
-                                 ///< its end); 0 if unknown
-  double MebibytesAtEnd = 0.0;
   std::uint64_t Ticks = 0;
   std::uint64_t LostTicks = 0;        ///< executed but missing in the trace
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
@@ -90,9 +82,6 @@ PALPATESCENE_EXPORT PreparedTouch PrepareTouch(const SceneSettings& settings,
                                                const TouchScript& script,
                                                const ProgressFunction& progress);
 
-/// Draws a frame of the newest tick, `time` (s) after the first.
-using TouchViewer = std::function<void(double time, const TouchState& newest)>;
-
 /// Tells the user what to do now, such as during homing.
 using TouchGuide = std::function<void(const std::string& message)>;
 
@@ -102,7 +91,6 @@ struct TouchRunSettings
   bool IsVirtual = true; ///< if the device allows it: as fast as ticks are computed; else at the
                          ///< rate, on a thread
   std::filesystem::path Recording; ///< of the session; empty: none
-  TouchViewer View;                ///< drawn repeatedly while the servo runs; not in virtual time
   TouchGuide Guide;                ///< may be empty
   Clock* Time = nullptr;           ///< in real time; null: the machine's clock
 };

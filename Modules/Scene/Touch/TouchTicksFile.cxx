@@ -1,6 +1,8 @@
 #include "TouchTicksFile.h"
 
 #include "DecimalText.h"
+#include "Refusal.h"
+#include "TouchRecording.h"
 #include "WholeFile.h"
 
 #include <string>
@@ -57,14 +59,28 @@ bool IsTouchRecording(const std::filesystem::path& path)
   return path.extension() == ".touch" || path.extension() == ".part";
 }
 
-void WriteTouchTicks(const std::vector<TouchState>& ticks, const std::filesystem::path& csv)
+void ExportTouch(const TouchRecording& recording, const std::filesystem::path& file)
 {
+  if (file.extension() != ".csv")
+  {
+    Refuse(file, "has no ending of a format for recorded touches",
+           "use .csv for one line per tick");
+  }
   std::string text = Columns;
+  const std::vector<TouchState>& ticks = recording.Ticks;
   const std::int64_t start = ticks.empty() ? 0 : ticks.front().Tick.Scheduled;
   for (const TouchState& state : ticks)
   {
     Append(text, state, start);
   }
-  WriteWholeFile(csv, text);
+  WriteWholeFile(file, text);
+}
+
+bool ExportTouch(const std::filesystem::path& recording, const std::filesystem::path& file)
+{
+  TouchRecording read;
+  RequireInput(ReadTouchRecording(recording.string(), read));
+  ExportTouch(read, file);
+  return read.WasCutOff;
 }
 } // namespace palpate

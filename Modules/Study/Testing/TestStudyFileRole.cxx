@@ -1,4 +1,4 @@
-#include "StudyFileRole.h"
+#include "StudyFile.h"
 
 #include "InputError.h"
 #include "StudyPhantoms.h"

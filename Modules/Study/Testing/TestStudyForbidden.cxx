@@ -271,16 +271,15 @@ TEST_F(StudyForbiddenTest, RowShowsTheStateOfTheProtection)
   EXPECT_EQ(row(), "Protected");
 }
 
-TEST(DrillHoldText, NamesTwoAndCountsTheOthers)
+TEST(DrillHoldText, NamesOneAndCountsTheOthers)
 {
   const auto waiting = [](const std::string& name) {
-    return StudyForbidden{1, name, 2.0, {Kind::Running, 0.5, {}, {}}};
+    return StudyForbidden{{name, 2.0, nullptr}, 1, {Kind::Running, 0.5, {}, {}}};
   };
   EXPECT_EQ(DrillHoldText({}), "");
-  EXPECT_EQ(DrillHoldText({waiting("a"), waiting("b")}),
-            "Drilling waits for the protection of a and b.");
-  EXPECT_EQ(DrillHoldText({waiting("a"), waiting("b"), waiting("c"), waiting("d")}),
-            "Drilling waits for the protection of a, b and 2 more.");
+  EXPECT_EQ(DrillHoldText({waiting("a")}), "Drilling waits for the protection of a.");
+  EXPECT_EQ(DrillHoldText({waiting("a"), waiting("b"), waiting("c")}),
+            "Drilling waits for the protection of a and 2 more.");
 }
 
 // Between random places in the bone.
@@ -323,7 +322,7 @@ TEST_F(StudyForbiddenTest, CommandLineProtectsTheSame)
 
   const auto context = test::BenchOf(state);
   ASSERT_EQ(context->Forbidden().size(), 1U);
-  EXPECT_EQ(context->Forbidden()[0].AlarmDistance(), state.Structures.back().AlarmDistance);
+  EXPECT_EQ(context->Forbidden()[0].AlarmDistance, state.Structures.back().AlarmDistance);
   test::ContextCuts cuts(context);
   for (const auto& [from, to] : RandomSweeps())
   {

@@ -263,12 +263,11 @@ TEST_F(StudyTouchTest, UntouchableStructureLetsTheHandIn)
 }
 
 // Reports refer to the structure that was touched.
-TEST_F(StudyTouchTest, OmitsContactsOfUntouchableStructures)
+TEST_F(StudyTouchTest, ReportsTheTouchedOfSeveralStructures)
 {
   this->State.Structures.insert(this->State.Structures.begin(),
                                 test::StudyPhantom::Structure(3, TouchRepresentation::Harmonics));
-  this->State.Structures[0].IsTouchable = false;
-  this->Contacts = {Sphere(3, 2.0 * Radius), Sphere(99, 2.0 * Radius), Sphere(7, Radius)};
+  this->Contacts = {Sphere(3, 0.5 * Radius), Sphere(7, Radius)};
   this->Start();
   this->Press(4.0);
   EXPECT_EQ(this->AtRest().TouchedId, 7);

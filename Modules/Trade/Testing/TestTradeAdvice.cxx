@@ -17,7 +17,6 @@ TradeRow Row(int degree, double microseconds, double millimeters, double noticea
   row.Rate = 1e9 / row.TickRare;
   row.PositionRare = millimeters;
   row.NoticeableRare = noticeable;
-  row.ForceRare = 0.5 * millimeters;
   row.DirectionRare = 10.0;
   row.Seizures = 0.0;
   row.Bytes = 1e6;

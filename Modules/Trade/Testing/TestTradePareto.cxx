@@ -1,4 +1,4 @@
-#include "TradePareto.h"
+#include "TradePage.h"
 
 #include <algorithm>
 #include <cmath>

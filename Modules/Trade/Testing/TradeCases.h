@@ -112,7 +112,7 @@ public:
   }
   StructureTrade Trade(const StructureTrade::Settings& settings = ShortPath()) const
   {
-    return {this->Scene, this->Scene.Structures.front(), SceneRun(true), settings, this->Time};
+    return {this->Scene, this->Scene.Structures.front(), SceneRun(), settings, this->Time};
   }
 
   SceneSettings Scene;

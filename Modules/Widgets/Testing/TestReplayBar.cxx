@@ -123,21 +123,18 @@ TEST_F(ReplayBarTest, TouchEndsReplay)
   EXPECT_FALSE(this->Window->findChild<ReplayBar*>()->isVisible());
 }
 
-TEST_F(ReplayBarTest, TicksAndPlotsAreExported)
+TEST_F(ReplayBarTest, TicksAreExported)
 {
-  EXPECT_FALSE(this->Action("Export plots")->isEnabled());
+  EXPECT_FALSE(this->Action("Export every tick")->isEnabled());
   this->OpenRecording();
-  const auto plots = this->Phantom.Folder / "plots.svg";
   const auto ticks = this->Phantom.Folder / "ticks.csv";
-  this->SavedTo = QString::fromStdString(plots.string());
-  this->Action("Export plots")->trigger();
   this->SavedTo = QString::fromStdString(ticks.string());
   this->Action("Export every tick")->trigger();
-  WaitUntil([&] { return std::filesystem::exists(plots) && std::filesystem::exists(ticks); });
-  this->SavedTo = "/nowhere/plots.png";
-  this->Action("Export plots")->trigger();
+  WaitUntil([&] { return std::filesystem::exists(ticks); });
+  this->SavedTo = "/nowhere/ticks.csv";
+  this->Action("Export every tick")->trigger();
   WaitUntil([this] { return !this->Messages().empty(); });
-  EXPECT_NE(this->Messages().find("/nowhere/plots.png"), std::string::npos) << this->Messages();
+  EXPECT_NE(this->Messages().find("/nowhere/ticks.csv"), std::string::npos) << this->Messages();
 }
 
 TEST_F(ReplayBarTest, RecordingIsListedAmongRecentFiles)

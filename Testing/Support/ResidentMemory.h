@@ -1,11 +1,13 @@
-#include "ResidentMemory.h"
+#pragma once
 
 #include <fstream>
 #include <unistd.h>
 
-namespace palpate
+namespace palpate::test
 {
-double ResidentMebibytes()
+/// Resident memory of this process, MiB; 0 if the system does not report it (Linux:
+/// /proc/self/statm).
+inline double ResidentMebibytes()
 {
   constexpr double Mebi = 1024.0 * 1024.0;
   std::ifstream file("/proc/self/statm");
@@ -14,4 +16,4 @@ double ResidentMebibytes()
   file >> pages >> resident;
   return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / Mebi : 0.0;
 }
-} // namespace palpate
+} // namespace palpate::test
