@@ -51,8 +51,7 @@ TEST(CliFrame, BadCommandLineExitsWithTwoAndOneMessage)
            {"convert", "a"},
            {"convert", "a", "b", "c"},
            {"convert", "a", "b", "--frequency", "0"},
-           {"completion", "tcsh"},
-           {"phantom", "--output", "p", "--drill-block", "--seed", "3"}})
+           {"completion", "tcsh"}})
   {
     const CommandRun run = RunPalpate(words, folder.Path());
     EXPECT_EQ(run.Code, 2) << run.Errors;
