@@ -65,7 +65,7 @@ public:
     this->IsMade = DrilledField::Make(*this->Field, 0, fields[0]).IsOk() &&
                    DrillEditor::Make(std::move(fields), this->Editor).IsOk() &&
                    this->Editor->AddTool(CutTool::Sphere(radius), tool).IsOk() &&
-                   FieldContactModel::Make(this->Field, 0, FieldContactMode::Proxy, model).IsOk();
+                   FieldContactModel::Make(this->Field, 0, model).IsOk();
     this->Scene.Tool = ToolShape::Sphere(radius - 0.1 * Spacing);
     this->Scene.Structures.push_back({"bone", model, {1.0, 0.0}, {}});
     this->Scene.Structures[0].Site = 0;
