@@ -53,7 +53,7 @@ protected:
       const FieldRay ray = test::RandomRay(this->Bone.Grid, this->Random);
       ASSERT_TRUE(SameBits(a.CastIndex(ray, 0.0, 1e3), b.CastIndex(ray, 0.0, 1e3)));
       const Vector3 p = this->Bone.Grid.PointIndex(this->RandomPoint());
-      ASSERT_EQ(c.MaterialsIndex(p), d.MaterialsIndex(p));
+      ASSERT_EQ(test::MaterialsAt(c, p), test::MaterialsAt(d, p));
     }
   }
 

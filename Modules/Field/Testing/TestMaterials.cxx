@@ -164,13 +164,13 @@ TEST(Materials, SamplerFindsAllMaterials)
 {
   const Scene scene;
   const FieldSampler sampler(scene.Field);
-  EXPECT_EQ(sampler.MaterialsIndex({19, 20, 20}), 0b1011u);
-  EXPECT_EQ(sampler.MaterialsIndex({21, 20, 20}), 0b0011u);
-  EXPECT_EQ(sampler.MaterialsIndex({20, 20, 20}), 0b1011u); // at most 20 is closed too
-  EXPECT_EQ(sampler.MaterialsIndex({8, 20, 20}), 0b1001u);
-  EXPECT_EQ(sampler.MaterialsIndex({50, 1, 1}), 0b0100u);
-  EXPECT_EQ(sampler.MaterialsIndex({40, 1, 1}), 0u);
-  EXPECT_EQ(sampler.MaterialsIndex({60, 1, 1}), 0u);
+  EXPECT_EQ(test::MaterialsAt(sampler, {19, 20, 20}), 0b1011u);
+  EXPECT_EQ(test::MaterialsAt(sampler, {21, 20, 20}), 0b0011u);
+  EXPECT_EQ(test::MaterialsAt(sampler, {20, 20, 20}), 0b1011u); // at most 20 is closed too
+  EXPECT_EQ(test::MaterialsAt(sampler, {8, 20, 20}), 0b1001u);
+  EXPECT_EQ(test::MaterialsAt(sampler, {50, 1, 1}), 0b0100u);
+  EXPECT_EQ(test::MaterialsAt(sampler, {40, 1, 1}), 0u);
+  EXPECT_EQ(test::MaterialsAt(sampler, {60, 1, 1}), 0u);
 }
 
 TEST(Materials, StoresSurfacesOfMaterialsNotChannels)
