@@ -401,11 +401,6 @@ Status EditedField::MakeVersion(std::shared_ptr<const ScalarField>& version)
   return Status::Success();
 }
 
-std::size_t EditedField::VersionsAtOnce() const noexcept
-{
-  return this->Kept->Editions.size();
-}
-
 std::size_t EditedField::Bytes() const noexcept
 {
   const Shelf& shelf = *this->Kept;

@@ -45,8 +45,6 @@ public:
     const T cut = this->IsAtLeast ? least : most;
     return distance > depth ? value : cut;
   }
-  double DepthWorld() const noexcept { return this->Depth; } ///< mm
-  double FloorValue() const noexcept { return this->Floor; }
 
 private:
   double Iso;
