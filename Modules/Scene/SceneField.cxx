@@ -218,7 +218,7 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
 std::string MemoryText(const ScalarField& field)
 {
   constexpr double Mega = 1e6;
-  const auto bytes = static_cast<double>(field.Memory().Bytes);
+  const auto bytes = static_cast<double>(field.Bytes());
   const double dense =
       sizeof(float) * static_cast<double>(field.Grid().NodeCount()) * field.ChannelCount();
   return FixedText(bytes / Mega, 1) + " MB, " + FixedText(100.0 * bytes / dense, 1) +

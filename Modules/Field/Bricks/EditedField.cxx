@@ -121,7 +121,8 @@ void EditedField::Shelf::Edition::FallBehind(std::size_t brick)
 
 EditedField::Shelf::Shelf(const ScalarField& whole, const std::vector<ScalarType>& types,
                           std::size_t stored)
-    : Layout(whole.Layout(), types), Memory(RoomForEach * stored, Layout.Bytes()),
+    : Layout(whole.Layout(), types),
+      Memory(RoomForEach * std::max<std::size_t>(stored, 1), Layout.Bytes()), // rays read the first
       Master(whole.WithoutBricks()), Originals(whole.Layout().BrickCount(), None),
       Slots(Originals.size(), None), Holders(Memory.Count(), 0)
 {
@@ -405,11 +406,11 @@ std::size_t EditedField::Bytes() const noexcept
 {
   const Shelf& shelf = *this->Kept;
   const std::size_t perBrick = 3 * sizeof(std::uint32_t);
-  std::size_t bytes = shelf.UsedSlots * shelf.Layout.Bytes() + shelf.Master.Memory().Bytes +
+  std::size_t bytes = shelf.UsedSlots * shelf.Layout.Bytes() + shelf.Master.Bytes() +
                       shelf.Slots.size() * perBrick + shelf.Holders.size() * sizeof(std::uint32_t);
   for (const auto& edition : shelf.Editions)
   {
-    bytes += edition->Field.Memory().Bytes + shelf.Slots.size() * perBrick;
+    bytes += edition->Field.Bytes() + shelf.Slots.size() * perBrick;
   }
   return bytes;
 }

@@ -22,24 +22,19 @@ void AddCells(const StoredSurface& surface, const std::array<int, 3>& corner,
 }
 } // namespace
 
-FieldMemory ScalarField::Memory() const noexcept
+std::size_t ScalarField::Bytes() const noexcept
 {
-  FieldMemory memory;
-  memory.Bricks = this->Bricks.BrickCount();
-  memory.SurfaceBricks = this->BrickEntries.SurfaceCount();
-  memory.Bytes = sizeof(*this) + this->BrickEntries.Bytes() +
-                 this->Materials.size() * sizeof(FieldMaterial) +
-                 this->Channels.size() * sizeof(BrickedChannel);
+  std::size_t bytes =
+      sizeof(*this) + this->BrickEntries.Bytes() + this->Materials.size() * sizeof(FieldMaterial);
   for (const MaterialMap& map : this->Maps)
   {
-    memory.Bytes += sizeof(MaterialMap) + map.Bytes();
+    bytes += sizeof(MaterialMap) + map.Bytes();
   }
   for (const BrickedChannel& channel : this->Channels)
   {
-    memory.StoredBlocks += channel.BlockCount();
-    memory.Bytes += channel.Bytes();
+    bytes += sizeof(BrickedChannel) + channel.Bytes();
   }
-  return memory;
+  return bytes;
 }
 
 void ScalarField::SetInside(std::size_t brick, MaterialSet inside)

@@ -15,15 +15,6 @@ namespace palpate
 {
 class RecordLayout;
 
-/// Memory use of a field.
-struct FieldMemory
-{
-  std::size_t Bricks = 0;        ///< of the grid
-  std::size_t SurfaceBricks = 0; ///< through which a surface passes
-  std::size_t StoredBlocks = 0;  ///< bricks whose nodes are stored, over all channels
-  std::size_t Bytes = 0;
-};
-
 /// One or several channels on one grid. Only bricks through which the surface of a material passes
 /// are stored, and a margin around them. Immutable once built, so any number of threads may query
 /// it. FieldSampler and RayCaster read values and hits.
@@ -38,7 +29,7 @@ public:
   {
     return this->Materials[static_cast<std::size_t>(material)];
   }
-  FieldMemory Memory() const noexcept;
+  std::size_t Bytes() const noexcept;
   /// The cells through which surfaces may pass, by their lowest nodes. Allocates: not for the servo
   /// thread.
   std::vector<std::array<int, 3>> SurfaceCells() const;

@@ -77,7 +77,8 @@ void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field&
   static_assert(rays::BrickShift == BrickLayout::Shift);
   static const std::uint64_t None[CellSet::WordCount + 1] = {};
   const BrickDirectory& directory = field.Directory();
-  const std::uint64_t* surfaces = directory.SurfaceCount() > 0 ? directory.SurfaceData() : None;
+  const std::uint64_t* surfaces =
+      directory.SurfaceData() != nullptr ? directory.SurfaceData() : None;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     described.Cells[axis] = field.Layout().Nodes[axis] - 1;

@@ -54,6 +54,17 @@ inline std::string RefusalOf(const FieldBuilder& builder)
   return status.Message();
 }
 
+/// Number of bricks through which a surface may pass.
+inline std::size_t SurfaceBricks(const ScalarField& field)
+{
+  std::size_t count = 0;
+  for (std::size_t brick = 0; brick < field.Layout().BrickCount(); ++brick)
+  {
+    count += field.Directory()[brick].HasSurface() ? 1 : 0;
+  }
+  return count;
+}
+
 /// Every material that contains the point.
 inline MaterialSet MaterialsAt(const FieldSampler& sampler, const Vector3& pointIndex)
 {

@@ -78,7 +78,7 @@ TEST_F(DrilledFieldTest, VersionHasTheBitsOfANewlyBuiltField)
     const auto version = VersionOf(*drilled);
     this->ExpectSameHits(version, afresh, 400);
     ASSERT_EQ(version->SurfaceCells(), afresh->SurfaceCells());
-    ASSERT_EQ(version->Memory().SurfaceBricks, afresh->Memory().SurfaceBricks);
+    ASSERT_EQ(test::SurfaceBricks(*version), test::SurfaceBricks(*afresh));
   }
 }
 

@@ -165,13 +165,14 @@ TEST(FieldBuilder, StoresOnlyBricksNearTheSurface)
   const FieldGrid grid = PlainGrid({129, 129, 129});
   const test::SphereField sphere{{64, 64, 64}, 40.0};
   const auto samples = test::SampleAtIndices<std::int16_t>(grid.Size(), sphere);
-  const FieldMemory memory = MakeField(grid, samples, 0.5)->Memory();
-  EXPECT_EQ(memory.Bricks, 16u * 16u * 16u);
-  EXPECT_EQ(memory.StoredBlocks, memory.SurfaceBricks);
+  const auto field = MakeField(grid, samples, 0.5);
+  const std::size_t bricks = test::SurfaceBricks(*field);
+  EXPECT_EQ(field->Layout().BrickCount(), 16u * 16u * 16u);
+  EXPECT_EQ(field->Channel(0).BlockCount(), bricks);
   // The surface is 4 pi 40^2 = 20,000 square voxels; a brick contains at least some dozens of them.
-  EXPECT_LE(memory.SurfaceBricks, 700u);
-  EXPECT_GE(memory.SurfaceBricks, 200u);
-  EXPECT_LE(memory.Bytes, grid.NodeCount() * sizeof(float) / 5);
+  EXPECT_LE(bricks, 700u);
+  EXPECT_GE(bricks, 200u);
+  EXPECT_LE(field->Bytes(), grid.NodeCount() * sizeof(float) / 5);
 }
 
 TEST(FieldBuilder, StoresTheMarginAlongEveryAxis)
@@ -276,7 +277,7 @@ TEST(FieldBuilder, KeepInsideDoesNotChangeResults)
     EXPECT_EQ(isStored, isFilled || plain->Directory()[brick].HasSurface());
   }
   EXPECT_GT(filled, std::size_t{5});
-  EXPECT_EQ(kept->Memory().StoredBlocks, plain->Memory().StoredBlocks + filled);
+  EXPECT_EQ(kept->Channel(0).BlockCount(), plain->Channel(0).BlockCount() + filled);
   EXPECT_EQ(kept->SurfaceCells(), plain->SurfaceCells());
 }
 } // namespace

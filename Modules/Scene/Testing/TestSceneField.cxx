@@ -73,7 +73,7 @@ TEST_F(SceneFieldWithin, MemoryTextComparesWithAllNodes)
 {
   const auto field = MakeIsoField(this->Image, {50.0}, FieldInterpolation::Trilinear, GoOn);
   const double dense = 4.0 * 48 * 40 * 40;
-  const double percent = 100.0 * static_cast<double>(field->Memory().Bytes) / dense;
+  const double percent = 100.0 * static_cast<double>(field->Bytes()) / dense;
   const std::string text = MemoryText(*field);
   double reported = 0.0;
   ASSERT_EQ(std::sscanf(text.c_str(), "%*f MB, %lf %% of", &reported), 1) << text;
@@ -108,7 +108,7 @@ TEST(SceneFieldOfSegments, MemoryDoesNotDependOnImageSize)
   {
     const auto field = FieldOfSphere(64, interpolation);
     const auto larger = FieldOfSphere(128, interpolation);
-    EXPECT_EQ(field->Memory().Bytes, larger->Memory().Bytes);
+    EXPECT_EQ(field->Bytes(), larger->Bytes());
     EXPECT_EQ(field->Grid().Size(), larger->Grid().Size());
     // Close around the sphere, the volume's border is the field's.
     EXPECT_EQ(FieldOfSphere(16, interpolation)->Grid().Size(), (std::array<int, 3>{16, 16, 16}));
