@@ -163,37 +163,22 @@ FieldHit RayCaster::CastWorld(const FieldRay& rayWorld, double tMin, double tMax
   return hit;
 }
 
-void RayCaster::CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
-                             FieldHit* hits, MaterialSet materials) const noexcept
-{
-  const RayInterval interval{tMin, tMax};
-  this->CastEach(raysWorld, &interval, 0, count, hits, materials);
-}
-
 void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals,
                              std::size_t count, FieldHit* hits,
                              MaterialSet materials) const noexcept
 {
-  this->CastEach(raysWorld, intervals, 1, count, hits, materials);
-}
-
-void RayCaster::CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
-                         std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
-{
   if (this->Set == InstructionSet::Avx2)
   {
-    return this->CastInLanes(raysWorld, intervals, step, count, hits, materials);
+    return this->CastInLanes(raysWorld, intervals, count, hits, materials);
   }
   for (std::size_t ray = 0; ray < count; ++ray)
   {
-    const RayInterval& interval = intervals[step * ray];
-    hits[ray] = this->CastWorld(raysWorld[ray], interval.From, interval.To, materials);
+    hits[ray] = this->CastWorld(raysWorld[ray], intervals[ray].From, intervals[ray].To, materials);
   }
 }
 
 void RayCaster::CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals,
-                            std::size_t step, std::size_t count, FieldHit* hits,
-                            MaterialSet materials) const noexcept
+                            std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
 {
   const ScalarField& field = *this->Data;
   const FieldGrid& grid = field.Grid();
@@ -205,7 +190,7 @@ void RayCaster::CastInLanes(const FieldRay* raysWorld, const RayInterval* interv
     const std::size_t size = std::min<std::size_t>(count - first, rays::MostRays);
     for (std::size_t at = 0; at < size; ++at)
     {
-      Put(IndexRay(grid, raysWorld[first + at]), intervals[step * (first + at)], at, batch);
+      Put(IndexRay(grid, raysWorld[first + at]), intervals[first + at], at, batch);
     }
     for (std::size_t at = size; at % rays::Lanes != 0; ++at)
     {

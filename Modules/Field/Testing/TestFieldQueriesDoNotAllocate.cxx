@@ -36,11 +36,12 @@ TEST(FieldQueriesDoNotAllocate, OfSamplersAndRayCasters)
       rays.push_back(test::RandomRay(grid, random));
       points.push_back(grid.PointWorld(rays.back().Origin));
     }
+    const std::vector<RayInterval> intervals(rays.size(), {0.0, 1e3});
     std::vector<FieldHit> hits(rays.size());
     std::vector<unsigned char> inside(points.size());
     bool isFound = false;
     const std::size_t before = test::AllocationCount();
-    caster.CastAllWorld(rays.data(), rays.size(), 0.0, 1e3, hits.data());
+    caster.CastAllWorld(rays.data(), intervals.data(), rays.size(), hits.data());
     sampler.AreInsideWorld(0, points.data(), points.size(), inside.data());
     for (std::size_t n = 0; n < rays.size(); ++n)
     {
