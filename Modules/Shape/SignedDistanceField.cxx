@@ -18,20 +18,6 @@ namespace
 constexpr int MaximumRefinement = 16;
 constexpr double MaximumSamples = 6e7; // 240 MB of float: beyond, slices are refined less
 
-// Distances run between voxel centres; the boundary lies half a step from the last one.
-std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep)
-{
-  const std::vector<float> inner = DistanceToOthers(mask, 1, domain);
-  const std::vector<float> outer = DistanceToOthers(mask, 0, domain);
-  const auto half = static_cast<float>(halfStep);
-  std::vector<float> field(inner.size());
-  for (std::size_t at = 0; at < field.size(); ++at)
-  {
-    field[at] = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
-  }
-  return field;
-}
-
 ScalarGrid GridOf(const VoxelMask& mask)
 {
   ScalarGrid grid;
@@ -123,8 +109,8 @@ class SliceInterpolator
 public:
   SliceInterpolator(const VoxelMask& mask, int refinement)
       : Mask(mask), Refinement(refinement), SliceSize(mask.Offset(0, 0, 1)),
-        Field(SignedDistance(mask, DistanceDomain::AcrossK,
-                             0.25 * (mask.Spacing[0] + mask.Spacing[1])))
+        Field(SignedDistances(mask, DistanceDomain::AcrossK,
+                              0.25 * (mask.Spacing[0] + mask.Spacing[1])))
   {
     const auto bound = static_cast<float>(mask.Spacing[2]);
     for (float& value : this->Field)
@@ -192,7 +178,7 @@ ScalarGrid DistanceInSpace(const VoxelMask& mask)
 {
   ScalarGrid grid = GridOf(mask);
   const double meanSpacing = std::cbrt(mask.VoxelVolume());
-  grid.Values = SignedDistance(mask, DistanceDomain::Space, 0.5 * meanSpacing);
+  grid.Values = SignedDistances(mask, DistanceDomain::Space, 0.5 * meanSpacing);
   return grid;
 }
 

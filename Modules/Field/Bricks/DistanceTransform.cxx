@@ -118,4 +118,17 @@ std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
   }
   return squared;
 }
+
+std::vector<float> SignedDistances(const VoxelMask& mask, DistanceDomain domain, double halfStep)
+{
+  const std::vector<float> inner = DistanceToOthers(mask, 1, domain);
+  const std::vector<float> outer = DistanceToOthers(mask, 0, domain);
+  const auto half = static_cast<float>(halfStep);
+  std::vector<float> distances(inner.size());
+  for (std::size_t at = 0; at < distances.size(); ++at)
+  {
+    distances[at] = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
+  }
+  return distances;
+}
 } // namespace palpate

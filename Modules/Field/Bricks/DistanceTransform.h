@@ -21,4 +21,8 @@ enum class DistanceDomain
 /// Computing 8 (2012): along each axis in turn, the lower envelope of parabolas.
 std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
                                     DistanceDomain domain);
+
+/// For each voxel the distance (mm) from its centre to the label's boundary, positive inside;
+/// distances run between voxel centres, and the boundary lies `halfStep` from the last one.
+std::vector<float> SignedDistances(const VoxelMask& mask, DistanceDomain domain, double halfStep);
 } // namespace palpate
