@@ -16,7 +16,7 @@ namespace palpate
 class RecordLayout;
 
 /// One or several channels on one grid. Only bricks through which the surface of a material passes
-/// are stored, and a margin around them. Immutable once built, so any number of threads may query
+/// are stored, unless more are asked for. Immutable once built, so any number of threads may query
 /// it. FieldSampler and RayCaster read values and hits.
 class ScalarField
 {

@@ -18,7 +18,7 @@ public:
   {
   }
 
-  std::shared_ptr<const ScalarField> Make(const FieldForm& form, double margin = 0.0) const
+  std::shared_ptr<const ScalarField> Make(const FieldForm& form, bool keepsAll = false) const
   {
     FieldBuilder builder(this->Grid);
     const double iso = 0.5 * this->First.back();
@@ -28,7 +28,10 @@ public:
     builder.AddMaterial({second, 1.0, FieldSense::AtMost});
     builder.AddMaterial({first, iso}, {second, 1.5});
     builder.SetForm(form);
-    builder.SetMargin(margin);
+    if (keepsAll)
+    {
+      builder.KeepAll();
+    }
     std::shared_ptr<const ScalarField> field;
     const Status status = builder.Build(field);
     EXPECT_TRUE(status.IsOk()) << status.Message();

@@ -84,13 +84,12 @@ TEST_F(DrilledFieldTest, VersionHasTheBitsOfANewlyBuiltField)
 
 TEST_F(DrilledFieldTest, FullyStoredFieldHasSameValuesAndGradients)
 {
-  constexpr double Everywhere = 1e3; // mm
-  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, Everywhere));
+  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, true));
   for (int round = 0; round < 6; ++round)
   {
     this->CutSomewhere(*drilled);
     const FieldSampler now(VersionOf(*drilled));
-    const FieldSampler afresh(this->Bone.Make(SamplesNow(*drilled, this->Bone), Everywhere));
+    const FieldSampler afresh(this->Bone.Make(SamplesNow(*drilled, this->Bone), true));
     for (int n = 0; n < 1000; ++n)
     {
       const Vector3 p = this->Bone.Grid.PointIndex(this->RandomPoint());

@@ -163,7 +163,7 @@ TEST(FieldSampler, ReproducesLinearFieldsInTheWorld)
   FieldBuilder builder(grid);
   const double middle = plane.Value(grid.PointWorld({5.5, 9.0, 4.0}));
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), middle});
-  builder.SetMargin(100.0);
+  builder.KeepAll();
   std::shared_ptr<const ScalarField> field;
   ASSERT_TRUE(builder.Build(field).IsOk());
   const FieldSampler sampler(field);
