@@ -91,23 +91,9 @@ private:
 
 EditedField::Shelf::Edition::Edition(const ScalarField& like, const RecordLayout& layout,
                                      const BrickMemory& memory)
-    : Field(like.WithoutBricks()), Slots(like.Layout().BrickCount(), None),
+    : Field(like.WithRecords(layout, memory.Data())), Slots(like.Layout().BrickCount(), None),
       IsBehind(like.Layout().BrickCount(), false)
 {
-  this->Field.UseRecords(layout, memory.Data());
-  for (std::size_t brick = 0; brick < this->Slots.size(); ++brick)
-  {
-    for (int c = 0; c < like.ChannelCount(); ++c)
-    {
-      this->Field.Channels[static_cast<std::size_t>(c)].SetConstant(
-          brick, like.Channel(c).SlotOf(brick).Constant);
-    }
-    const BrickDirectory::Entry entry = like.Directory()[brick];
-    if (!entry.HasSurface())
-    {
-      this->Field.SetInside(brick, entry.Word);
-    }
-  }
 }
 
 void EditedField::Shelf::Edition::FallBehind(std::size_t brick)
@@ -123,22 +109,13 @@ EditedField::Shelf::Shelf(const ScalarField& whole, const std::vector<ScalarType
                           std::size_t stored)
     : Layout(whole.Layout(), types),
       Memory(RoomForEach * std::max<std::size_t>(stored, 1), Layout.Bytes()), // rays read the first
-      Master(whole.WithoutBricks()), Originals(whole.Layout().BrickCount(), None),
-      Slots(Originals.size(), None), Holders(Memory.Count(), 0)
+      Master(whole.WithRecords(Layout, Memory.Data())),
+      Originals(whole.Layout().BrickCount(), None), Slots(Originals.size(), None),
+      Holders(Memory.Count(), 0)
 {
-  this->Master.UseRecords(this->Layout, this->Memory.Data());
   for (std::size_t brick = 0; brick < this->Slots.size(); ++brick)
   {
-    for (int c = 0; c < whole.ChannelCount(); ++c)
-    {
-      this->Master.Channels[static_cast<std::size_t>(c)].SetConstant(
-          brick, whole.Channel(c).SlotOf(brick).Constant);
-    }
-    if (!whole.HasStored(brick))
-    {
-      this->Master.SetInside(brick, whole.Directory()[brick].Word);
-    }
-    else
+    if (whole.HasStored(brick))
     {
       const auto slot = static_cast<std::uint32_t>(this->UsedSlots++);
       this->Layout.Write(whole, brick, this->Memory.Record(slot));

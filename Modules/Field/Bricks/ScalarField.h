@@ -57,11 +57,9 @@ private:
   void SetInside(std::size_t brick, MaterialSet inside);
   /// Once its blocks are stored: sets the blocks that inside tests of its materials read.
   void MapSurface(std::size_t brick, const StoredSurface& surface);
-  /// Copy of grid, layout and materials alone.
-  ScalarField WithoutBricks() const;
-  /// Uses records that the caller owns instead of own blocks and surfaces. Layout and materials
-  /// must be set.
-  void UseRecords(const RecordLayout& layout, const std::byte* records);
+  /// A field without surfaces and blocks, but with the constants and insides of this one, that will
+  /// use records that the caller owns.
+  ScalarField WithRecords(const RecordLayout& layout, const std::byte* records) const;
   /// Sets the record, in slot `slot`, of a brick.
   void PlaceRecord(std::size_t brick, std::uint32_t slot, const RecordLayout& layout,
                    const std::byte* record);
