@@ -30,7 +30,11 @@ class NodeCut
 public:
   /// `slope` > 0: the largest change of value per mm across a surface. `depth` > 0: extent (mm) of
   /// the ramp to either side of the surface.
-  NodeCut(const FieldCondition& condition, double slope, double depth);
+  NodeCut(const FieldCondition& condition, double slope, double depth)
+      : Iso(condition.Iso), Rise(condition.Sign() * slope), Depth(depth), Floor(Iso - Rise * depth),
+        IsAtLeast(condition.Sense == FieldSense::AtLeast)
+  {
+  }
 
   /// `distance` (mm) to the tool, negative inside. No cut ever restores material.
   template <typename T>
