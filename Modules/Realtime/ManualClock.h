@@ -19,11 +19,17 @@ public:
   {
     return this->Now() + this->Suspended.load(std::memory_order_acquire);
   }
-  void WaitUntil(std::int64_t time) noexcept override;
+  void WaitUntil(std::int64_t time) noexcept override
+  {
+    if (time > this->Now())
+    {
+      this->Time.store(time, std::memory_order_release);
+    }
+  }
   /// Advances the time by `duration` >= 0 (ns).
-  void Advance(std::int64_t duration) noexcept;
+  void Advance(std::int64_t duration) noexcept { this->Time.fetch_add(duration); }
   /// Suspends the machine for `duration` >= 0 (ns), which Now() does not count.
-  void Suspend(std::int64_t duration) noexcept;
+  void Suspend(std::int64_t duration) noexcept { this->Suspended.fetch_add(duration); }
 
 private:
   std::atomic<std::int64_t> Time;         // ns

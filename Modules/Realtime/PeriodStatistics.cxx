@@ -46,19 +46,6 @@ void PeriodStatistics::Add(std::int64_t duration) noexcept
   this->Sum += static_cast<double>(d);
 }
 
-void PeriodStatistics::Merge(const PeriodStatistics& other) noexcept
-{
-  for (std::size_t i = 0; i < ClassCount; ++i)
-  {
-    this->Counts[i] += other.Counts[i];
-  }
-  this->Total += other.Total;
-  this->MissCount += other.MissCount;
-  this->Least = std::min(this->Least, other.Least);
-  this->Largest = std::max(this->Largest, other.Largest);
-  this->Sum += other.Sum;
-}
-
 double PeriodStatistics::Mean() const noexcept
 {
   return this->Total > 0 ? this->Sum / static_cast<double>(this->Total) : 0.0;

@@ -7,8 +7,7 @@
 namespace palpate
 {
 /// Statistics of durations: a histogram of fixed size with sixteen bins per octave, so that adding
-/// takes constant time and does not allocate. A copy is a snapshot; snapshots of several intervals
-/// or threads merge into the same result as a single count.
+/// takes constant time and does not allocate. A copy is a snapshot.
 class PeriodStatistics
 {
 public:
@@ -16,7 +15,6 @@ public:
   void Add(std::int64_t duration) noexcept;
   /// Adds missed deadlines.
   void AddMisses(std::uint64_t count) noexcept { this->MissCount += count; }
-  void Merge(const PeriodStatistics& other) noexcept;
 
   std::uint64_t Count() const noexcept { return this->Total; }
   std::uint64_t Misses() const noexcept { return this->MissCount; }

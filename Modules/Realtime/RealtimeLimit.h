@@ -8,15 +8,14 @@ namespace palpate
 {
 /// Stops a real-time thread that never sleeps from occupying a core for ever: sets the process's
 /// soft RLIMIT_RTTIME, and a handler of SIGXCPU that returns a thread that reaches it to ordinary
-/// scheduling. By default the signal would end the process, leaving the motors at the last force.
+/// scheduling (see README).
 ///
 /// A lower existing limit and an existing handler are kept. Does nothing where the system has no
 /// such limit.
 class RealtimeLimit
 {
 public:
-  /// Longest time (us) that a thread may run under SCHED_FIFO without sleeping. rtkit's value,
-  /// twenty times the gap between ticks at which forces are switched off anyway.
+  /// Longest time (us) that a thread may run under SCHED_FIFO without sleeping.
   static constexpr std::uint64_t LongestRun = 200'000;
 
   /// Sets the limit and the handler.

@@ -6,19 +6,12 @@
 #include <system_error>
 #include <utility>
 
-#include <cerrno>
 #include <pthread.h>
-#include <sys/mman.h>
 
 namespace palpate
 {
 namespace
 {
-std::string Reason(int error)
-{
-  return std::generic_category().message(error);
-}
-
 void AskForPriority(int priority, RealtimeGrant& grant)
 {
   // Set before the priority, so that there is never a priority without a limit.
@@ -33,22 +26,10 @@ void AskForPriority(int priority, RealtimeGrant& grant)
   }
   if (error != 0)
   {
-    grant.Advice += "Real-time priority " + std::to_string(priority) + " was refused (" +
-                    Reason(error) +
-                    "): forces may be late when the machine is busy; allow it by 'rtprio' in "
-                    "/etc/security/limits.d. ";
-  }
-}
-
-void AskForLockedMemory(RealtimeGrant& grant)
-{
-  // Not MCL_FUTURE: under a limit, it would make ordinary allocations fail.
-  grant.HasLockedMemory = mlockall(MCL_CURRENT) == 0;
-  if (!grant.HasLockedMemory)
-  {
-    grant.Advice += "Locking the memory was refused (" + Reason(errno) +
-                    "): forces may be late when memory is short; allow it by 'memlock' in "
-                    "/etc/security/limits.d. ";
+    grant.Advice = "Real-time priority " + std::to_string(priority) + " was refused (" +
+                   std::generic_category().message(error) +
+                   "): forces may be late when the machine is busy; allow it by 'rtprio' in "
+                   "/etc/security/limits.d. ";
   }
 }
 
@@ -58,10 +39,6 @@ RealtimeGrant AskFor(const RealtimeRequest& request)
   if (request.Priority != 0)
   {
     AskForPriority(request.Priority, grant);
-  }
-  if (request.LocksMemory)
-  {
-    AskForLockedMemory(grant);
   }
   return grant;
 }

@@ -8,19 +8,17 @@
 
 namespace palpate
 {
-/// Settings that a thread requests from the operating system.
+/// What a thread requests from the operating system.
 struct RealtimeRequest
 {
-  int Priority = 80;        ///< of SCHED_FIFO, 1 to 99; 0: none
-  bool LocksMemory = false; ///< keeps the memory mapped at the start from being paged out
+  int Priority = 80; ///< of SCHED_FIFO, 1 to 99; 0: none
 };
 
-/// Settings that were granted.
+/// What was granted.
 struct RealtimeGrant
 {
   bool HasPriority = false;
-  bool HasLockedMemory = false;
-  std::string Advice; ///< one sentence per refused request: the reason, and what would help
+  std::string Advice; ///< for a refused request: the reason, and what would help
 };
 
 /// A thread that requests real-time scheduling and reports what was granted; without the privilege

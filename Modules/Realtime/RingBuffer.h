@@ -19,8 +19,6 @@ public:
   /// Holds `capacity` > 0 values; the only place that allocates.
   explicit RingBuffer(std::size_t capacity) : Slots(capacity > 0 ? capacity : 1) {}
 
-  std::size_t Capacity() const noexcept { return this->Slots.size(); }
-
   /// Writing thread only; returns false if the value was dropped.
   bool Push(const T& value) noexcept
   {

@@ -33,18 +33,14 @@ std::int64_t SteadyClock::BootTime() const noexcept
 
 void SteadyClock::WaitUntil(std::int64_t time) noexcept
 {
-  const std::int64_t wake = time - this->Spin;
-  if (wake > this->Now())
+  if (time > this->Now())
   {
     timespec until{};
-    until.tv_sec = static_cast<time_t>(wake / Second);
-    until.tv_nsec = static_cast<long>(wake % Second);
+    until.tv_sec = static_cast<time_t>(time / Second);
+    until.tv_nsec = static_cast<long>(time % Second);
     while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR)
     {
     }
-  }
-  while (this->Now() < time)
-  {
   }
 }
 } // namespace palpate

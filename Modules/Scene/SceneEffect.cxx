@@ -46,16 +46,14 @@ std::shared_ptr<const ForceEffect> MakeTexture(const SceneEffectSource& source, 
   Status status = SamplesOfImage(image, samples);
   FieldBuilder builder(grid);
   const int channel = builder.AddChannel(samples);
-  // A field keeps only samples near its surfaces; any surface will do here, since all samples are
-  // near.
+  // A field needs a surface; any will do here, since all samples are kept.
   const double* range = image->GetScalarRange();
   if (status.IsOk() && range[0] == range[1])
   {
     status = Status::Failure("The image is constant around the structure, so it has no texture.");
   }
   builder.AddMaterial({channel, 0.5 * (range[0] + range[1])});
-  const auto& size = grid.Size();
-  builder.SetMargin(grid.VectorWorld(Vector3(size[0], size[1], size[2])).norm());
+  builder.KeepAll();
   bool wasCancelled = false;
   std::shared_ptr<const ScalarField> field;
   if (status.IsOk())

@@ -75,8 +75,7 @@ std::size_t BytesOf(const SceneProduct& product)
           { return BytesOf(samples->Samples.Get()); },
           [](const std::shared_ptr<const FitResult>& fit)
           { return BytesOf(fit->ModelSurface.Get()); },
-          [](const std::shared_ptr<const ScalarField>& field)
-          { return static_cast<std::size_t>(field->Memory().Bytes); },
+          [](const std::shared_ptr<const ScalarField>& field) { return field->Bytes(); },
           [](const std::shared_ptr<const TouchContact>& contact)
           {
             const bool isField = contact->Field != nullptr; // a product of its own

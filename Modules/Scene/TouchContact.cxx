@@ -34,8 +34,7 @@ TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field, i
 {
   TouchContact made;
   made.Field = field;
-  RequireInput(FieldContactModel::Make(field, material, FieldContactMode::Proxy, made.Model),
-               file.string());
+  RequireInput(FieldContactModel::Make(field, material, made.Model), file.string());
   const bool isLinear = field->Interpolation() == FieldInterpolation::Trilinear;
   made.Represented = std::string("sub-voxel field, ") + (isLinear ? "trilinear" : "tricubic");
   return made;

@@ -38,12 +38,17 @@ palpate::VoxelMask ExtractMask(vtkImageData* image, int label, int rim, bool& to
   const auto extract = [&](const auto* voxels)
   {
     using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
-    const palpate::LabelBounds bounds =
-        palpate::FindLabelBounds(voxels, size, static_cast<Voxel>(label));
+    const auto wanted = static_cast<Voxel>(label);
+    palpate::LabelBounds bounds = palpate::FindLabelBounds(voxels, size, wanted);
     touchesBorder = bounds.Touches(size);
     if (!bounds.IsEmpty())
     {
-      mask = palpate::CopyLabel(voxels, size, spacing, bounds, label, rim);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        bounds.First[axis] -= rim;
+        bounds.Last[axis] += rim;
+      }
+      mask = palpate::CopyLabel(voxels, size, spacing, bounds, wanted);
     }
   };
   switch (scalars->GetDataType())

@@ -38,7 +38,6 @@ int vtkSubVoxelPicker::Pick(double x, double y, double z, vtkRenderer* renderer)
     }
     nearest = point.Depth;
     this->Material = point.Material;
-    this->Error = point.Error;
     std::copy_n(point.Position, 3, this->PickPosition);
     std::copy_n(point.Normal, 3, this->Normal);
     vtkNew<vtkAssemblyPath> path;
@@ -55,5 +54,4 @@ void vtkSubVoxelPicker::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Material: " << this->Material << '\n';
   os << indent << "Normal: (" << this->Normal[0] << ", " << this->Normal[1] << ", "
      << this->Normal[2] << ")\n";
-  os << indent << "Error: " << this->Error << '\n';
 }

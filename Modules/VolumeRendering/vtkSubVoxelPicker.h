@@ -31,10 +31,6 @@ public:
   vtkGetMacro(Material, int);
   vtkGetVector3Macro(Normal, double);
   ///@}
-  ///@{
-  /** Bound (mm) on the rounding error of the point along the ray. */
-  vtkGetMacro(Error, double);
-  ///@}
 
 protected:
   vtkSubVoxelPicker() = default;
@@ -46,7 +42,6 @@ private:
 
   int Material = -1;
   double Normal[3] = {0.0, 0.0, 0.0};
-  double Error = 0.0;
 };
 
 #endif

@@ -343,7 +343,6 @@ bool vtkSubVoxelVolumeMapper::PickSurface(vtkRenderer* renderer, vtkVolume* volu
       -(view.ToScene.topLeftCorner<3, 3>().inverse().transpose() * hit.Gradient).normalized();
   std::copy_n(position.data(), 3, point.Position);
   std::copy_n(normal.data(), 3, point.Normal);
-  point.Error = hit.ErrorLength;
   point.Depth = view.Rays.Depth(hit.Position);
   point.Material = hit.Material;
   return true;

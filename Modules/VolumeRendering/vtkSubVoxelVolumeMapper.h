@@ -124,7 +124,6 @@ public:
   {
     double Position[3];
     double Normal[3]; ///< outward, unit
-    double Error;     ///< mm along the ray
     double Depth;     ///< 0 at the near plane, 1 at the far plane
     int Material;
   };

@@ -21,9 +21,9 @@ QStringList DeviceNames()
   QStringList names;
   if (RegisterBuiltInDevices(registry).IsOk())
   {
-    for (const std::string& name : registry.Names())
+    for (const DeviceRegistry::Kind& kind : registry.Kinds())
     {
-      names += QString::fromStdString(name);
+      names += QString::fromStdString(kind.Name);
     }
   }
   return names;

@@ -65,7 +65,7 @@ public:
     this->IsMade = DrilledField::Make(*this->Field, 0, fields[0]).IsOk() &&
                    DrillEditor::Make(std::move(fields), this->Editor).IsOk() &&
                    this->Editor->AddTool(CutTool::Sphere(radius), tool).IsOk() &&
-                   FieldContactModel::Make(this->Field, 0, FieldContactMode::Proxy, model).IsOk();
+                   FieldContactModel::Make(this->Field, 0, model).IsOk();
     this->Scene.Tool = ToolShape::Sphere(radius - 0.1 * Spacing);
     this->Scene.Structures.push_back({"bone", model, {1.0, 0.0}, {}});
     this->Scene.Structures[0].Site = 0;
@@ -96,7 +96,7 @@ public:
       this->After.resize(this->Samples.size());
       this->Editor->WriteSamples(0, SamplesOfGrid(this->Samples.data(), Grid()),
                                  this->After.data());
-      this->SurfaceBricks = this->Newest->Memory().SurfaceBricks;
+      this->SurfaceCells = this->Newest->SurfaceCells().size();
     }
     servo.Command(DrillCommand::Reset);
     TickInfo last;
@@ -125,11 +125,11 @@ public:
     {
       text << "only " << this->Orders << " cuts removed " << this->Removed << " mm3";
     }
-    else if (this->SurfaceBricks != this->FadeIn->Memory().SurfaceBricks)
+    else if (this->SurfaceCells != this->FadeIn->SurfaceCells().size())
     {
-      text << "the drilled field has " << this->SurfaceBricks
-           << " bricks with a surface, and one that is built anew "
-           << this->FadeIn->Memory().SurfaceBricks;
+      text << "the drilled field has " << this->SurfaceCells
+           << " cells with a surface, and one that is built anew "
+           << this->FadeIn->SurfaceCells().size();
     }
     return text.str();
   }
@@ -158,7 +158,7 @@ private:
   std::unique_ptr<DrillEditor> Editor;
   TouchScene Scene;
   bool IsMade = false;
-  std::size_t SurfaceBricks = 0;
+  std::size_t SurfaceCells = 0;
   std::vector<float> After;
   std::shared_ptr<const ScalarField> Newest;
   std::shared_ptr<const ScalarField> FadeIn;

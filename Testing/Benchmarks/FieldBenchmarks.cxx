@@ -201,7 +201,8 @@ public:
   {
     const RayCaster& caster = this->CasterOf(interpolation);
     this->OurHits.resize(rays.size());
-    caster.CastAllWorld(rays.data(), rays.size(), 0.0, tMax, this->OurHits.data());
+    this->Intervals.assign(rays.size(), {0.0, tMax});
+    caster.CastAllWorld(rays.data(), this->Intervals.data(), rays.size(), this->OurHits.data());
   }
   void Step(FieldInterpolation interpolation, const std::vector<FieldRay>& rays, double tMax)
   {
@@ -253,6 +254,7 @@ private:
   RayCaster CubicCaster{Skull.MakeField(FieldInterpolation::TricubicBSpline)};
   std::vector<unsigned char> Ours;
   std::vector<unsigned char> Theirs;
+  std::vector<RayInterval> Intervals;
   std::vector<FieldHit> OurHits;
   std::vector<double> TheirHits;
   vtkNew<vtkImageData> Image;

@@ -79,9 +79,9 @@ FieldFootprintRow MakeRow(SkullPhantom& skull, FieldInterpolation interpolation)
   std::shared_ptr<const ScalarField> field;
   row.BuildSeconds = SecondsOf([&] { field = skull.MakeField(interpolation); });
   CheckAnswers(skull, field);
-  const FieldMemory memory = field->Memory();
-  row.Bytes = memory.Bytes;
-  row.StoredPart = static_cast<double>(memory.StoredBlocks) / static_cast<double>(memory.Bricks);
+  row.Bytes = field->Bytes();
+  row.StoredPart = static_cast<double>(field->Channel(0).BlockCount()) /
+                   static_cast<double>(field->Layout().BrickCount());
   return row;
 }
 } // namespace

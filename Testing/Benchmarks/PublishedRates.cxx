@@ -8,6 +8,7 @@
 #include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
 #include "ProceduralFields.h"
+#include "PublishedShell.h"
 #include "RandomShapes.h"
 #include "ServoStroke.h"
 
@@ -200,8 +201,8 @@ void AddVoxels(PublishedComparison& made)
   }
   std::shared_ptr<const ContactModel> published;
   std::shared_ptr<const ContactModel> solved;
-  Require(FieldContactModel::Make(field, 0, FieldContactMode::PublishedShell, published));
-  Require(FieldContactModel::Make(field, 0, FieldContactMode::Proxy, solved));
+  Require(test::MakePublishedShell(field, 0, published));
+  Require(FieldContactModel::Make(field, 0, solved));
   const ToolShape tool = ToolShape::SpherePoints(ToolRadius, ToolShape::NeighbourCount);
   made.Rows.push_back(Measure("26 points, the published law", published, tool, path, truth));
   made.Rows.back().System = "sub-voxel surface of a skull";

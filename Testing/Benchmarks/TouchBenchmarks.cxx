@@ -6,6 +6,7 @@
 #include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
 #include "ProceduralFields.h"
+#include "PublishedShell.h"
 #include "RandomShapes.h"
 #include "StructureStroke.h"
 
@@ -243,13 +244,13 @@ public:
     }
     const ToolShape tool = ToolShape::SpherePoints(2.0, ToolShape::NeighbourCount);
     std::shared_ptr<const ContactModel> model;
-    if (FieldContactModel::Make(field, 0, FieldContactMode::Proxy, model).IsOk())
+    if (FieldContactModel::Make(field, 0, model).IsOk())
     {
       this->Solved = TrackerOf(model, tool);
       this->Small = TrackerOf(model, ToolShape::SpherePoints(SmallRadius, tool.NeighbourCount));
       this->Large = TrackerOf(model, ToolShape::SpherePoints(LargeRadius, tool.NeighbourCount));
     }
-    if (FieldContactModel::Make(field, 0, FieldContactMode::PublishedShell, model).IsOk())
+    if (test::MakePublishedShell(field, 0, model).IsOk())
     {
       this->Published = TrackerOf(model, tool);
     }

@@ -8,6 +8,7 @@
 #include "ForceQuality.h"
 #include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
+#include "PublishedShell.h"
 
 #include <algorithm>
 #include <chrono>
@@ -218,11 +219,17 @@ std::shared_ptr<const ScalarField> FieldOf(const SphericalHarmonicModel& body, i
   return field;
 }
 
-std::shared_ptr<const ContactModel> FieldContactOf(std::shared_ptr<const ScalarField> field,
-                                                   FieldContactMode mode)
+std::shared_ptr<const ContactModel> FieldContactOf(const std::shared_ptr<const ScalarField>& field)
 {
   std::shared_ptr<const ContactModel> model;
-  Require(FieldContactModel::Make(std::move(field), 0, mode, model));
+  Require(FieldContactModel::Make(field, 0, model));
+  return model;
+}
+
+std::shared_ptr<const ContactModel> PublishedOf(const std::shared_ptr<const ScalarField>& field)
+{
+  std::shared_ptr<const ContactModel> model;
+  Require(test::MakePublishedShell(field, 0, model));
   return model;
 }
 
@@ -265,12 +272,9 @@ std::vector<TouchQualityRow> TouchQuality()
     const std::string size = std::to_string(nodes) + "³ voxels, ";
     const auto linear = FieldOf(*body, nodes, FieldInterpolation::Trilinear);
     const auto cubic = FieldOf(*body, nodes, FieldInterpolation::TricubicBSpline);
-    add(*FieldContactOf(linear, FieldContactMode::Proxy), shell,
-        size + "trilinear, 26 points on 1 mm");
-    add(*FieldContactOf(cubic, FieldContactMode::Proxy), shell,
-        size + "tricubic, 26 points on 1 mm");
-    add(*FieldContactOf(linear, FieldContactMode::PublishedShell), shell,
-        size + "the published law, 26 points on 1 mm");
+    add(*FieldContactOf(linear), shell, size + "trilinear, 26 points on 1 mm");
+    add(*FieldContactOf(cubic), shell, size + "tricubic, 26 points on 1 mm");
+    add(*PublishedOf(linear), shell, size + "the published law, 26 points on 1 mm");
   }
   return rows;
 }

@@ -99,7 +99,7 @@ private:
   {
     EXPECT_TRUE(seen.Kind == felt.Kind && seen.Material == felt.Material && seen.T == felt.T &&
                 seen.Position == felt.Position && seen.Gradient == felt.Gradient &&
-                seen.IsEntering == felt.IsEntering && seen.ErrorT == felt.ErrorT)
+                seen.IsEntering == felt.IsEntering)
         << "pixel " << column << ", " << row << ": T " << seen.T << " and " << felt.T;
   }
 };

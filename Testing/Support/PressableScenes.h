@@ -55,8 +55,8 @@ inline std::shared_ptr<const ContactModel> Voxels(const Vector3& centerIndex, do
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
   std::shared_ptr<const ScalarField> field;
   std::shared_ptr<const ContactModel> model;
-  const bool isMade = builder.Build(field).IsOk() &&
-                      FieldContactModel::Make(field, 0, FieldContactMode::Proxy, model).IsOk();
+  const bool isMade =
+      builder.Build(field).IsOk() && FieldContactModel::Make(field, 0, model).IsOk();
   return isMade ? model : nullptr;
 }
 } // namespace pressable

@@ -16,7 +16,7 @@ inline std::shared_ptr<const ScalarField> TexturedField()
                        Matrix3::Identity());
   const auto samples = SampleAtIndices<float>(grid.Size(), GyroidField{6.0});
   FieldBuilder builder(grid);
-  builder.SetMargin(100.0);
+  builder.KeepAll();
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
   std::shared_ptr<const ScalarField> field;
   return builder.Build(field).IsOk() ? field : nullptr;

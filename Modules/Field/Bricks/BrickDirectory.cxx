@@ -67,19 +67,6 @@ void BrickDirectory::AddSurface(std::size_t brick, const SurfaceBrick& surface)
                         surface.Cells.Words.end());
   this->Surfaces.push_back(surface.Sets());
   this->SurfaceWords = this->Surfaces.data();
-  ++this->Count;
-}
-
-void BrickDirectory::SetInside(std::size_t brick, MaterialSet inside)
-{
-  this->Count -= this->Entries[brick].HasSurface() ? 1 : 0;
-  this->Entries[brick] = {inside, 1};
-}
-
-void BrickDirectory::SetSurface(std::size_t brick, std::size_t word)
-{
-  this->Count += this->Entries[brick].HasSurface() ? 0 : 1;
-  this->Entries[brick] = {static_cast<std::uint32_t>(word), 0};
 }
 
 void BrickDirectory::FindLeaps(const BrickLayout& layout)

@@ -60,11 +60,14 @@ public:
   BrickDirectory() = default;
   explicit BrickDirectory(const BrickLayout& layout) : Entries(layout.BrickCount(), Entry{0, 1}) {}
 
-  void SetInside(std::size_t brick, MaterialSet inside);
+  void SetInside(std::size_t brick, MaterialSet inside) { this->Entries[brick] = {inside, 1}; }
   void AddSurface(std::size_t brick, const SurfaceBrick& surface);
   /// Uses stored surfaces that the caller owns instead; SetSurface gives a brick's offset in words.
   void UseSurfaces(const std::uint64_t* words) { this->SurfaceWords = words; }
-  void SetSurface(std::size_t brick, std::size_t word);
+  void SetSurface(std::size_t brick, std::size_t word)
+  {
+    this->Entries[brick] = {static_cast<std::uint32_t>(word), 0};
+  }
   /// Once every brick is set: computes the leaps.
   void FindLeaps(const BrickLayout& layout);
   /// For a brick without a surface; at most the distance to the next surface brick.
@@ -75,10 +78,9 @@ public:
   {
     return StoredSurface(this->SurfaceWords + entry.Word);
   }
-  /// Raw data for batch kernels.
+  /// Raw data for batch kernels. Surfaces: nullptr if there are none.
   const Entry* EntryData() const noexcept { return this->Entries.data(); }
   const std::uint64_t* SurfaceData() const noexcept { return this->SurfaceWords; }
-  std::size_t SurfaceCount() const noexcept { return this->Count; }
   /// Of one stored surface.
   static constexpr std::size_t SurfaceBytes = (CellSet::WordCount + 1) * sizeof(std::uint64_t);
   /// Without surfaces that the caller owns.
@@ -91,6 +93,5 @@ private:
   std::vector<Entry> Entries;
   std::vector<std::uint64_t> Surfaces;
   const std::uint64_t* SurfaceWords = nullptr; ///< of Surfaces, or the caller's
-  std::size_t Count = 0;
 };
 } // namespace palpate

@@ -19,7 +19,6 @@ public:
   }
 
   std::size_t Count() const noexcept { return this->Room; }
-  std::size_t RecordBytes() const noexcept { return this->Stride; }
   std::byte* Record(std::uint32_t slot) noexcept { return this->Bytes.get() + slot * this->Stride; }
   const std::byte* Record(std::uint32_t slot) const noexcept
   {

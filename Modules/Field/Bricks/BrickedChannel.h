@@ -49,8 +49,6 @@ public:
   {
     return static_cast<const std::byte*>(this->Data) + block * this->Stride * BytesOf(this->Type);
   }
-  /// Of one block's nodes.
-  std::size_t BlockBytes() const noexcept { return this->BlockNodes * BytesOf(this->Type); }
   /// Without blocks that the caller owns.
   std::size_t Bytes() const noexcept;
 

@@ -91,23 +91,9 @@ private:
 
 EditedField::Shelf::Edition::Edition(const ScalarField& like, const RecordLayout& layout,
                                      const BrickMemory& memory)
-    : Field(like.WithoutBricks()), Slots(like.Layout().BrickCount(), None),
+    : Field(like.WithRecords(layout, memory.Data())), Slots(like.Layout().BrickCount(), None),
       IsBehind(like.Layout().BrickCount(), false)
 {
-  this->Field.UseRecords(layout, memory.Data());
-  for (std::size_t brick = 0; brick < this->Slots.size(); ++brick)
-  {
-    for (int c = 0; c < like.ChannelCount(); ++c)
-    {
-      this->Field.Channels[static_cast<std::size_t>(c)].SetConstant(
-          brick, like.Channel(c).SlotOf(brick).Constant);
-    }
-    const BrickDirectory::Entry entry = like.Directory()[brick];
-    if (!entry.HasSurface())
-    {
-      this->Field.SetInside(brick, entry.Word);
-    }
-  }
 }
 
 void EditedField::Shelf::Edition::FallBehind(std::size_t brick)
@@ -121,23 +107,15 @@ void EditedField::Shelf::Edition::FallBehind(std::size_t brick)
 
 EditedField::Shelf::Shelf(const ScalarField& whole, const std::vector<ScalarType>& types,
                           std::size_t stored)
-    : Layout(whole.Layout(), types), Memory(RoomForEach * stored, Layout.Bytes()),
-      Master(whole.WithoutBricks()), Originals(whole.Layout().BrickCount(), None),
-      Slots(Originals.size(), None), Holders(Memory.Count(), 0)
+    : Layout(whole.Layout(), types),
+      Memory(RoomForEach * std::max<std::size_t>(stored, 1), Layout.Bytes()), // rays read the first
+      Master(whole.WithRecords(Layout, Memory.Data())),
+      Originals(whole.Layout().BrickCount(), None), Slots(Originals.size(), None),
+      Holders(Memory.Count(), 0)
 {
-  this->Master.UseRecords(this->Layout, this->Memory.Data());
   for (std::size_t brick = 0; brick < this->Slots.size(); ++brick)
   {
-    for (int c = 0; c < whole.ChannelCount(); ++c)
-    {
-      this->Master.Channels[static_cast<std::size_t>(c)].SetConstant(
-          brick, whole.Channel(c).SlotOf(brick).Constant);
-    }
-    if (!whole.HasStored(brick))
-    {
-      this->Master.SetInside(brick, whole.Directory()[brick].Word);
-    }
-    else
+    if (whole.HasStored(brick))
     {
       const auto slot = static_cast<std::uint32_t>(this->UsedSlots++);
       this->Layout.Write(whole, brick, this->Memory.Record(slot));
@@ -401,20 +379,15 @@ Status EditedField::MakeVersion(std::shared_ptr<const ScalarField>& version)
   return Status::Success();
 }
 
-std::size_t EditedField::VersionsAtOnce() const noexcept
-{
-  return this->Kept->Editions.size();
-}
-
 std::size_t EditedField::Bytes() const noexcept
 {
   const Shelf& shelf = *this->Kept;
   const std::size_t perBrick = 3 * sizeof(std::uint32_t);
-  std::size_t bytes = shelf.UsedSlots * shelf.Layout.Bytes() + shelf.Master.Memory().Bytes +
+  std::size_t bytes = shelf.UsedSlots * shelf.Layout.Bytes() + shelf.Master.Bytes() +
                       shelf.Slots.size() * perBrick + shelf.Holders.size() * sizeof(std::uint32_t);
   for (const auto& edition : shelf.Editions)
   {
-    bytes += edition->Field.Memory().Bytes + shelf.Slots.size() * perBrick;
+    bytes += edition->Field.Bytes() + shelf.Slots.size() * perBrick;
   }
   return bytes;
 }

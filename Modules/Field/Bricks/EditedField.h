@@ -46,7 +46,6 @@ public:
   /// insufficient.
   Status MakeVersion(std::shared_ptr<const ScalarField>& version);
 
-  std::size_t VersionsAtOnce() const noexcept;
   /// Of all records ever used, and of directories.
   std::size_t Bytes() const noexcept;
 

@@ -1,40 +1,9 @@
 #include "FieldBuild.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace palpate
 {
-namespace
-{
-// Extends marks by `reach` bricks along one axis.
-void Widen(const BrickLayout& layout, std::size_t axis, int reach,
-           std::vector<unsigned char>& marks)
-{
-  const std::vector<unsigned char> before = marks;
-  std::array<int, 3> at{};
-  for (at[2] = 0; at[2] < layout.Bricks[2]; ++at[2])
-  {
-    for (at[1] = 0; at[1] < layout.Bricks[1]; ++at[1])
-    {
-      for (at[0] = 0; at[0] < layout.Bricks[0]; ++at[0])
-      {
-        if (before[layout.Number(at[0], at[1], at[2])] == 0)
-        {
-          continue;
-        }
-        std::array<int, 3> other = at;
-        const int last = std::min(at[axis] + reach, layout.Bricks[axis] - 1);
-        for (other[axis] = std::max(at[axis] - reach, 0); other[axis] <= last; ++other[axis])
-        {
-          marks[layout.Number(other[0], other[1], other[2])] = 1;
-        }
-      }
-    }
-  }
-}
-} // namespace
-
 FieldBuild::FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
                        const std::vector<FieldMaterial>& materials,
                        const FieldBuilder::Progress& progress)
@@ -64,7 +33,7 @@ void FieldBuild::UseCoefficients(std::vector<float>&& coefficients)
                             SamplesOfGrid(source.Coefficients.data(), this->Field->NodeGrid));
 }
 
-Status FieldBuild::Run(double margin, MaterialSet kept, std::shared_ptr<const ScalarField>& field)
+Status FieldBuild::Run(bool keepsAll, MaterialSet kept, std::shared_ptr<const ScalarField>& field)
 {
   this->Kept = kept;
   Status cancelled = Status::Failure("Building the field was cancelled.");
@@ -78,7 +47,7 @@ Status FieldBuild::Run(double margin, MaterialSet kept, std::shared_ptr<const Sc
     return status;
   }
   this->Field->BrickEntries.FindLeaps(this->Field->Bricks);
-  this->WidenWanted(margin);
+  this->ReserveWanted(keepsAll);
   if (!this->ForEachBrick(0.5, [this](const BrickPlace& brick) { this->StoreWanted(brick); }))
   {
     return cancelled;
@@ -194,23 +163,15 @@ Status FieldBuild::CheckSurfaces() const
   return Status::Success();
 }
 
-void FieldBuild::WidenWanted(double margin)
+void FieldBuild::ReserveWanted(bool keepsAll)
 {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double brickLength =
-        this->Field->NodeGrid.Spacing()[static_cast<int>(axis)] * this->Field->Bricks.Cells;
-    const double reach = std::ceil(margin / brickLength);
-    for (Source& source : this->Sources)
-    {
-      Widen(this->Field->Bricks, axis,
-            static_cast<int>(std::min<double>(reach, this->Field->Bricks.Bricks[axis])),
-            source.IsWanted);
-    }
-  }
   for (std::size_t channel = 0; channel < this->Sources.size(); ++channel)
   {
-    const std::vector<unsigned char>& isWanted = this->Sources[channel].IsWanted;
+    std::vector<unsigned char>& isWanted = this->Sources[channel].IsWanted;
+    if (keepsAll)
+    {
+      std::fill(isWanted.begin(), isWanted.end(), 1);
+    }
     this->Field->Channels[channel].Reserve(
         static_cast<std::size_t>(std::count(isWanted.begin(), isWanted.end(), 1)));
   }

@@ -16,8 +16,8 @@ public:
   void AddChannel(const FieldSamples& samples, ScalarType stored);
   /// Replaces the last channel's samples as the source of its nodes.
   void UseCoefficients(std::vector<float>&& coefficients);
-  /// Bricks that the materials of `kept` fill are stored too.
-  Status Run(double margin, MaterialSet kept, std::shared_ptr<const ScalarField>& field);
+  /// Bricks that the materials of `kept` fill are stored too, or all.
+  Status Run(bool keepsAll, MaterialSet kept, std::shared_ptr<const ScalarField>& field);
 
 private:
   struct Source
@@ -39,7 +39,7 @@ private:
   ConditionCells CellsOf(const FieldMaterial& material) const;
   void Want(const FieldMaterial& material, std::size_t brick);
   Status CheckSurfaces() const;
-  void WidenWanted(double margin);
+  void ReserveWanted(bool keepsAll);
   void StoreWanted(const BrickPlace& brick);
 
   std::shared_ptr<ScalarField> Field;

@@ -162,10 +162,6 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
   {
     return status;
   }
-  if (!(this->Margin >= 0.0))
-  {
-    return Status::Failure("The margin around surfaces is not a valid length.");
-  }
   try
   {
     std::vector<ChannelSurvey> surveys;
@@ -190,7 +186,7 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
     {
       kept |= OnlyMaterial(material);
     }
-    return build.Run(this->Margin, kept, field);
+    return build.Run(this->KeepsAll, kept, field);
   }
   catch (const std::bad_alloc&)
   {

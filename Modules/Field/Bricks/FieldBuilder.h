@@ -33,9 +33,8 @@ public:
   {
     this->Form.Interpolation = interpolation;
   }
-  /// Within this distance (mm) of a surface, FieldSampler has samples of the channels of the
-  /// surface's material. 0 by default.
-  void SetMargin(double margin) { this->Margin = margin; }
+  /// Stores every brick, so that FieldSampler has samples everywhere.
+  void KeepAll() { this->KeepsAll = true; }
   /// Also stores the bricks that a material fills, with all its channels, as drilling requires.
   /// Without this they take one number each; with it, the memory of their nodes (729 numbers for
   /// 8^3 cells).
@@ -56,7 +55,7 @@ private:
 
   FieldGrid Grid;
   FieldForm Form = FieldInterpolation::Trilinear;
-  double Margin = 0.0;
+  bool KeepsAll = false;
   MaterialSet Kept = 0;
   std::vector<FieldSamples> Channels;
   std::vector<FieldMaterial> Materials;

@@ -9,10 +9,6 @@ FieldGrid::FieldGrid(const std::array<int, 3>& size, const Vector3& originWorld,
     : Nodes(size), Origin(originWorld), Steps(spacing), Axes(direction),
       ToWorld(direction * spacing.asDiagonal()), ToIndex(ToWorld.inverse())
 {
-  // One rounding of a difference, one of each product, two of the sum, and those of the matrix.
-  constexpr double Roundings = 8.0;
-  this->Rounding = Roundings * std::numeric_limits<double>::epsilon() *
-                   this->ToIndex.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
 Status FieldGrid::Check() const
@@ -50,16 +46,5 @@ std::size_t FieldGrid::NodeCount() const noexcept
 {
   return static_cast<std::size_t>(this->Nodes[0]) * static_cast<std::size_t>(this->Nodes[1]) *
          static_cast<std::size_t>(this->Nodes[2]);
-}
-
-double FieldGrid::PointIndexRounding(const Vector3& pointWorld) const noexcept
-{
-  return this->Rounding *
-         (pointWorld.lpNorm<Eigen::Infinity>() + this->Origin.lpNorm<Eigen::Infinity>());
-}
-
-double FieldGrid::VectorIndexRounding(const Vector3& vectorWorld) const noexcept
-{
-  return this->Rounding * vectorWorld.lpNorm<Eigen::Infinity>();
 }
 } // namespace palpate

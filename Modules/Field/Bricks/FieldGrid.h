@@ -57,9 +57,6 @@ public:
   {
     return this->ToIndex.transpose() * gradientIndex;
   }
-  /// Bound of the rounding error of PointIndex(pointWorld) along any axis.
-  double PointIndexRounding(const Vector3& pointWorld) const noexcept;
-  double VectorIndexRounding(const Vector3& vectorWorld) const noexcept;
 
 private:
   std::array<int, 3> Nodes{};
@@ -68,6 +65,5 @@ private:
   Matrix3 Axes = Matrix3::Identity();
   Matrix3 ToWorld = Matrix3::Identity();
   Matrix3 ToIndex = Matrix3::Identity();
-  double Rounding = 0.0; ///< of ToIndex times a vector whose largest coordinate is 1
 };
 } // namespace palpate

@@ -50,34 +50,6 @@ DistanceRule RuleFor(const FieldGrid& grid, double smoothing)
   return rule;
 }
 
-// The label's voxels with a rim, clipped to the volume.
-template <typename T>
-VoxelMask CutOut(const T* labels, const FieldGrid& grid, const LabelBounds& bounds, T label,
-                 const std::array<int, 3>& rim)
-{
-  VoxelMask mask;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const int last = std::min(bounds.Last[axis] + rim[axis], grid.Size()[axis] - 1);
-    mask.StartIndex[axis] = std::max(bounds.First[axis] - rim[axis], 0);
-    mask.Size[axis] = last - mask.StartIndex[axis] + 1;
-    mask.Spacing[axis] = grid.Spacing()[static_cast<int>(axis)];
-  }
-  mask.Inside.reserve(mask.Offset(0, 0, mask.Size[2]));
-  const FieldSamples whole = SamplesOfGrid(labels, grid);
-  for (int k = 0; k < mask.Size[2]; ++k)
-  {
-    for (int j = 0; j < mask.Size[1]; ++j)
-    {
-      const T* row =
-          labels + whole.Offset(mask.StartIndex[0], mask.StartIndex[1] + j, mask.StartIndex[2] + k);
-      std::transform(row, row + mask.Size[0], std::back_inserter(mask.Inside),
-                     [label](T voxel) { return voxel == label ? 1 : 0; });
-    }
-  }
-  return mask;
-}
-
 template <typename T>
 bool CanHold(long long label)
 {
@@ -97,12 +69,21 @@ bool CutOutLabel(const T* labels, const FieldGrid& grid, long long label,
     {
       return false;
     }
-    const LabelBounds bounds = FindLabelBounds(labels, grid.Size(), static_cast<T>(label));
-    if (!bounds.IsEmpty())
+    const std::array<int, 3>& size = grid.Size();
+    LabelBounds bounds = FindLabelBounds(labels, size, static_cast<T>(label));
+    if (bounds.IsEmpty())
     {
-      mask = CutOut(labels, grid, bounds, static_cast<T>(label), rim);
+      return false;
     }
-    return !bounds.IsEmpty();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      bounds.First[axis] = std::max(bounds.First[axis] - rim[axis], 0);
+      bounds.Last[axis] = std::min(bounds.Last[axis] + rim[axis], size[axis] - 1);
+    }
+    const Vector3& spacing = grid.Spacing();
+    mask = CopyLabel(labels, size, {spacing[0], spacing[1], spacing[2]}, bounds,
+                     static_cast<T>(label));
+    return true;
   }
   return false;
 }
@@ -199,7 +180,7 @@ Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long 
   }
   field.StartIndex = mask.StartIndex;
   field.Size = mask.Size;
-  field.CutOff = static_cast<float>(rule.CutOff);
+  field.CutOff = cutOff;
   return Status::Success();
 }
 

@@ -22,24 +22,19 @@ void AddCells(const StoredSurface& surface, const std::array<int, 3>& corner,
 }
 } // namespace
 
-FieldMemory ScalarField::Memory() const noexcept
+std::size_t ScalarField::Bytes() const noexcept
 {
-  FieldMemory memory;
-  memory.Bricks = this->Bricks.BrickCount();
-  memory.SurfaceBricks = this->BrickEntries.SurfaceCount();
-  memory.Bytes = sizeof(*this) + this->BrickEntries.Bytes() +
-                 this->Materials.size() * sizeof(FieldMaterial) +
-                 this->Channels.size() * sizeof(BrickedChannel);
+  std::size_t bytes =
+      sizeof(*this) + this->BrickEntries.Bytes() + this->Materials.size() * sizeof(FieldMaterial);
   for (const MaterialMap& map : this->Maps)
   {
-    memory.Bytes += sizeof(MaterialMap) + map.Bytes();
+    bytes += sizeof(MaterialMap) + map.Bytes();
   }
   for (const BrickedChannel& channel : this->Channels)
   {
-    memory.StoredBlocks += channel.BlockCount();
-    memory.Bytes += channel.Bytes();
+    bytes += sizeof(BrickedChannel) + channel.Bytes();
   }
-  return memory;
+  return bytes;
 }
 
 void ScalarField::SetInside(std::size_t brick, MaterialSet inside)
@@ -65,28 +60,35 @@ void ScalarField::MapSurface(std::size_t brick, const StoredSurface& surface)
   }
 }
 
-ScalarField ScalarField::WithoutBricks() const
+ScalarField ScalarField::WithRecords(const RecordLayout& layout, const std::byte* records) const
 {
   ScalarField field;
   field.NodeGrid = this->NodeGrid;
   field.Method = this->Method;
   field.Bricks = this->Bricks;
   field.Materials = this->Materials;
-  return field;
-}
-
-void ScalarField::UseRecords(const RecordLayout& layout, const std::byte* records)
-{
-  this->BrickEntries = BrickDirectory(this->Bricks);
-  this->BrickEntries.UseSurfaces(reinterpret_cast<const std::uint64_t*>(records));
-  this->Maps.assign(this->Materials.size(), MaterialMap(this->Bricks.BrickCount()));
-  this->Channels.clear();
+  field.BrickEntries = BrickDirectory(this->Bricks);
+  field.BrickEntries.UseSurfaces(reinterpret_cast<const std::uint64_t*>(records));
+  field.Maps.assign(this->Materials.size(), MaterialMap(this->Bricks.BrickCount()));
   for (std::size_t c = 0; c < layout.Types().size(); ++c)
   {
     const ScalarType type = layout.Types()[c];
-    this->Channels.emplace_back(this->Bricks, type, records + layout.ChannelAt(static_cast<int>(c)),
+    field.Channels.emplace_back(this->Bricks, type, records + layout.ChannelAt(static_cast<int>(c)),
                                 layout.Bytes() / BytesOf(type));
   }
+  for (std::size_t brick = 0; brick < this->Bricks.BrickCount(); ++brick)
+  {
+    for (std::size_t c = 0; c < field.Channels.size(); ++c)
+    {
+      field.Channels[c].SetConstant(brick, this->Channels[c].SlotOf(brick).Constant);
+    }
+    const BrickDirectory::Entry& entry = this->BrickEntries[brick];
+    if (!entry.HasSurface())
+    {
+      field.SetInside(brick, entry.Word);
+    }
+  }
+  return field;
 }
 
 void ScalarField::PlaceRecord(std::size_t brick, std::uint32_t slot, const RecordLayout& layout,

@@ -15,17 +15,8 @@ namespace palpate
 {
 class RecordLayout;
 
-/// Memory use of a field.
-struct FieldMemory
-{
-  std::size_t Bricks = 0;        ///< of the grid
-  std::size_t SurfaceBricks = 0; ///< through which a surface passes
-  std::size_t StoredBlocks = 0;  ///< bricks whose nodes are stored, over all channels
-  std::size_t Bytes = 0;
-};
-
 /// One or several channels on one grid. Only bricks through which the surface of a material passes
-/// are stored, and a margin around them. Immutable once built, so any number of threads may query
+/// are stored, unless more are asked for. Immutable once built, so any number of threads may query
 /// it. FieldSampler and RayCaster read values and hits.
 class ScalarField
 {
@@ -38,7 +29,7 @@ public:
   {
     return this->Materials[static_cast<std::size_t>(material)];
   }
-  FieldMemory Memory() const noexcept;
+  std::size_t Bytes() const noexcept;
   /// The cells through which surfaces may pass, by their lowest nodes. Allocates: not for the servo
   /// thread.
   std::vector<std::array<int, 3>> SurfaceCells() const;
@@ -66,11 +57,9 @@ private:
   void SetInside(std::size_t brick, MaterialSet inside);
   /// Once its blocks are stored: sets the blocks that inside tests of its materials read.
   void MapSurface(std::size_t brick, const StoredSurface& surface);
-  /// Copy of grid, layout and materials alone.
-  ScalarField WithoutBricks() const;
-  /// Uses records that the caller owns instead of own blocks and surfaces. Layout and materials
-  /// must be set.
-  void UseRecords(const RecordLayout& layout, const std::byte* records);
+  /// A field without surfaces and blocks, but with the constants and insides of this one, that will
+  /// use records that the caller owns.
+  ScalarField WithRecords(const RecordLayout& layout, const std::byte* records) const;
   /// Sets the record, in slot `slot`, of a brick.
   void PlaceRecord(std::size_t brick, std::uint32_t slot, const RecordLayout& layout,
                    const std::byte* record);

@@ -7,11 +7,11 @@
 
 namespace palpate
 {
-/// The voxels of one label inside a box of an image, with a rim of empty voxels around them.
+/// The voxels of one label inside a box.
 struct VoxelMask
 {
-  std::array<int, 3> StartIndex{};   ///< image index of the box's first voxel; the rim may lie
-                                     ///< outside the image
+  std::array<int, 3> StartIndex{};   ///< image index of the box's first voxel; the box may extend
+                                     ///< beyond the image
   std::array<int, 3> Size{};         ///< voxels along i, j, k
   std::array<double, 3> Spacing{};   ///< mm
   std::vector<unsigned char> Inside; ///< 1 inside, 0 outside; i runs fastest
@@ -84,35 +84,34 @@ LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, T w
   return bounds;
 }
 
-/// Copies the voxels that have `label` and lie in `bounds` (not empty), with `rim` empty voxels on
-/// every side.
+/// The voxels that have `label` in a box, not empty, that may extend beyond the image.
 template <typename T>
 VoxelMask CopyLabel(const T* voxels, const std::array<int, 3>& size,
-                    const std::array<double, 3>& spacing, const LabelBounds& bounds, int label,
-                    int rim)
+                    const std::array<double, 3>& spacing, const LabelBounds& box, T label)
 {
   VoxelMask mask;
+  mask.StartIndex = box.First;
   mask.Spacing = spacing;
+  std::array<int, 3> first{};
+  std::array<int, 3> last{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    mask.StartIndex[axis] = bounds.First[axis] - rim;
-    mask.Size[axis] = bounds.Last[axis] - bounds.First[axis] + 1 + 2 * rim;
+    mask.Size[axis] = box.Last[axis] - box.First[axis] + 1;
+    first[axis] = std::max(box.First[axis], 0);
+    last[axis] = std::min(box.Last[axis], size[axis] - 1);
   }
   mask.Inside.assign(mask.Offset(0, 0, mask.Size[2]), 0);
-  const T wanted = static_cast<T>(label);
-  for (int k = bounds.First[2]; k <= bounds.Last[2]; ++k)
+  for (int k = first[2]; k <= last[2]; ++k)
   {
-    for (int j = bounds.First[1]; j <= bounds.Last[1]; ++j)
+    for (int j = first[1]; j <= last[1]; ++j)
     {
       const T* row = voxels + (static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
                                static_cast<std::size_t>(j)) *
                                   static_cast<std::size_t>(size[0]);
-      unsigned char* target =
-          &mask.Inside[mask.Offset(rim, j - mask.StartIndex[1], k - mask.StartIndex[2])];
-      for (int i = bounds.First[0]; i <= bounds.Last[0]; ++i)
-      {
-        *target++ = row[i] == wanted ? 1 : 0;
-      }
+      std::transform(
+          row + first[0], row + last[0] + 1,
+          &mask.Inside[mask.Offset(first[0] - box.First[0], j - box.First[1], k - box.First[2])],
+          [label](T voxel) { return voxel == label ? 1 : 0; });
     }
   }
   return mask;

@@ -227,7 +227,7 @@ private:
     const Mask isPassing = isIn & ~isFound & ~isLeft;
     if (Rays::IsAny(isFound))
     {
-      this->Describe(rays, cells, candidates, exit, t, isInside, isFound, isLeft);
+      this->Describe(rays, cells, candidates, t, isInside, isFound);
     }
     this->IsFound |= isFound;
     return isPassing;
@@ -264,41 +264,26 @@ private:
   }
 
   // RayTraversal::Describe.
-  inline __attribute__((always_inline)) void
-  Describe(const Rays& rays, const Cells& cells, const Candidates& candidates, const Vector& exit,
-           const Vector& t, const Mask& isInside, const Mask& isFound, Mask& isLeft)
+  inline __attribute__((always_inline)) void Describe(const Rays& rays, const Cells& cells,
+                                                      const Candidates& candidates, const Vector& t,
+                                                      const Mask& isInside, const Mask& isFound)
   {
-    constexpr double Epsilon = Cells::Epsilon;
-    constexpr double Roundings = 5.0 * Epsilon;
     Vector u[3];
-    Vector magnitude{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Vector along = t * rays.Direction[axis];
-      u[axis] = Within(rays.Origin[axis] + along - rays.Cell(axis));
-      magnitude =
-          Rays::Largest(magnitude, Rays::Absolute(rays.Origin[axis]) + Rays::Absolute(along));
+      u[axis] = Within(rays.Coordinate(axis, t) - rays.Cell(axis));
     }
     Vector gradient[3];
     cells.Gradient(u, gradient);
-    const Vector coordinateError =
-        Rays::Get(this->Answers.OriginRounding + this->First) +
-        Rays::Absolute(t) * Rays::Get(this->Answers.DirectionRounding + this->First) +
-        Roundings * (1.0 + magnitude);
-    Mask isKnown{};
-    const Vector parameterError = cells.ParameterError(coordinateError, isKnown) + cells.Error;
-    const Vector error = parameterError * (exit - rays.T) + 4.0 * Epsilon * Rays::Absolute(t);
-    isLeft |= isFound & ~isKnown;
     for (int lane = 0; lane < Lanes; ++lane)
     {
-      if ((isFound & isKnown)[lane] == 0)
+      if (isFound[lane] == 0)
       {
         continue;
       }
       const int ray = this->First + lane;
       this->Answers.Answer[ray] = Outcome::Surface;
       this->Answers.T[ray] = t[lane];
-      this->Answers.ErrorT[ray] = error[lane];
       this->Answers.Material[ray] = candidates.Material[lane];
       this->Answers.IsEntering[ray] = isInside[lane] == 0;
       for (int axis = 0; axis < 3; ++axis)

@@ -8,7 +8,7 @@
 namespace palpate::rays
 {
 /// Several rays, each in its own trilinear cell: the operations of TrilinearCell,
-/// BernsteinCrossings and HitError, one by one, for materials with one condition and rays that
+/// BernsteinCrossings, one by one, for materials with one condition and rays that
 /// cross the boundary once.
 template <typename Set>
 struct CellLanes : LaneArithmetic<Set>
@@ -23,7 +23,6 @@ struct CellLanes : LaneArithmetic<Set>
   using typename Base::Mask;
   using typename Base::Vector;
   static constexpr int Side = (1 << BrickShift) + 1; // nodes of a brick along an axis
-  static constexpr double Epsilon = __DBL_EPSILON__;
 
   Vector Nodes[8]; ///< margin of the condition
   Vector Polynomial[4];
@@ -31,7 +30,6 @@ struct CellLanes : LaneArithmetic<Set>
   Mask IsCrossed;  ///< once
   Mask IsManyfold; ///< perhaps crossed more than once: not solved here
   Vector Parameter;
-  Vector Error; ///< of the parameter, due to the solver
 
   // Two neighbours along i for each lane, adjacent in memory.
   template <typename T>
@@ -203,8 +201,7 @@ struct CellLanes : LaneArithmetic<Set>
     Vector low{};
     Vector high = All(1.0);
     const Vector bend = this->LargestBend();
-    const Mask isAtEither = isAtStart | isAtEnd;
-    Mask isOpen = this->IsCrossed & ~isAtEither;
+    Mask isOpen = this->IsCrossed & ~isAtStart & ~isAtEnd;
     for (int n = 0; n < MostSteps && Base::IsAny(isOpen); ++n)
     {
       Vector slope{};
@@ -222,7 +219,6 @@ struct CellLanes : LaneArithmetic<Set>
       isOpen &= error > Resolution;
     }
     this->Parameter = isAtStart ? Vector{} : isAtEnd ? All(1.0) : u;
-    this->Error = isAtEither ? Vector{} : error;
   }
 
   /// TrilinearCell::Gradient, per voxel.
@@ -238,24 +234,6 @@ struct CellLanes : LaneArithmetic<Set>
     gradient[0] = Mean(Mean(slopes[0], slopes[1], u[1]), Mean(slopes[2], slopes[3], u[1]), u[2]);
     gradient[1] = Mean(rows[1] - rows[0], rows[3] - rows[2], u[2]);
     gradient[2] = Mean(rows[2], rows[3], u[1]) - Mean(rows[0], rows[1], u[1]);
-  }
-
-  /// ParameterError in HitError.h; `isKnown` if its first estimate is sufficient.
-  inline __attribute__((always_inline)) Vector ParameterError(const Vector& coordinateError,
-                                                              Mask& isKnown) const
-  {
-    constexpr double Roundings = 40.0;
-    Vector largest{};
-    for (const Vector& node : this->Nodes)
-    {
-      largest = Largest(largest, Absolute(node));
-    }
-    const Vector valueError = largest * (Roundings * Epsilon + 3.0 * 2.0 * coordinateError);
-    Vector slope{};
-    this->Evaluate(this->Parameter, slope);
-    const Vector reach = 2.0 * valueError / Absolute(slope);
-    isKnown = this->LargestBend() * reach < 0.5 * Absolute(slope);
-    return reach;
   }
 };
 } // namespace palpate::rays

@@ -27,10 +27,5 @@ struct FieldHit
   /// this, normalised, whatever the condition's sense. At the border it points into the grid,
   /// normal to its face, with a length of 1 per voxel.
   Vector3 Gradient = Vector3::Zero();
-  /// Bound of the distance, in t, between T and the exact boundary of the interpolated field, due
-  /// to rounding. A ray that only grazes the surface may have no exact boundary there: then the
-  /// value differs from the iso-value by rounding.
-  double ErrorT = 0.0;
-  double ErrorLength = 0.0; ///< the same along the ray, in mm
 };
 } // namespace palpate

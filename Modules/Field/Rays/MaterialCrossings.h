@@ -15,9 +15,7 @@ public:
   struct Crossing
   {
     double T;
-    double Parameter; ///< from 0 to 1 between the segment's ends
-    double Error;     ///< of the parameter, due to the solver
-    int Condition;    ///< condition of the material that changes here
+    int Condition; ///< condition of the material that changes here
   };
 
   /// The cell's brick must be stored for the material's channels.
@@ -28,15 +26,14 @@ public:
     int count = 0;
     for (int c = 0; c < material.ConditionCount; ++c)
     {
-      double* polynomial = this->Polynomials[c];
+      double polynomial[Cell::Degree + 1];
       this->Load(field, material.Conditions[c], brick, firstNode, c);
       this->Cells[c].Restrict(segment.U0, segment.U1, polynomial);
       holds[c] = polynomial[0] >= 0.0;
       const BernsteinCrossings<Cell::Degree> crossings(polynomial);
       for (int n = 0; n < crossings.Count(); ++n)
       {
-        this->Insert(count++, {segment.At(crossings.Parameter(n)), crossings.Parameter(n),
-                               crossings.Error(n), c});
+        this->Insert(count++, {segment.At(crossings.Parameter(n)), c});
       }
     }
     this->StartsInside = material.ConditionCount == 1 ? holds[0] : holds[0] && holds[1];
@@ -46,7 +43,6 @@ public:
   bool IsInsideAtStart() const noexcept { return this->StartsInside; }
   int Count() const noexcept { return this->Found; }
   const Crossing& operator[](int n) const noexcept { return this->Crossings[n]; }
-  const double* Polynomial(int condition) const noexcept { return this->Polynomials[condition]; }
   const Cell& Relation(int condition) const noexcept { return this->Cells[condition]; }
 
 private:
@@ -95,7 +91,6 @@ private:
   bool StartsInside = false;
   int Found = 0;
   Crossing Crossings[Most];
-  double Polynomials[FieldMaterial::MostConditions][Cell::Degree + 1];
   Cell Cells[FieldMaterial::MostConditions];
 };
 } // namespace palpate

@@ -12,29 +12,14 @@ namespace palpate
 {
 namespace
 {
-// A ray in index coordinates.
-struct IndexRay
+FieldRay IndexRay(const FieldGrid& grid, const FieldRay& world) noexcept
 {
-  Vector3 Origin;
-  Vector3 Direction;
-  CoordinateRounding Rounding;
-
-  explicit IndexRay(const FieldRay& index) noexcept
-      : Origin(index.Origin), Direction(index.Direction)
-  {
-  }
-  IndexRay(const FieldGrid& grid, const FieldRay& world) noexcept
-      : Origin(grid.PointIndex(world.Origin)),
-        Direction(grid.VectorIndex(world.Direction)), Rounding{
-                                                          grid.PointIndexRounding(world.Origin),
-                                                          grid.VectorIndexRounding(world.Direction)}
-  {
-  }
-};
+  return {grid.PointIndex(world.Origin), grid.VectorIndex(world.Direction)};
+}
 
 // Calls run(traversal) for the field's interpolation.
 template <typename Function>
-FieldHit Traverse(const ScalarField& field, const IndexRay& ray, const RayInterval& interval,
+FieldHit Traverse(const ScalarField& field, const FieldRay& ray, const RayInterval& interval,
                   MaterialSet materials, const Function& run) noexcept
 {
   RayPath path;
@@ -50,14 +35,12 @@ FieldHit Traverse(const ScalarField& field, const IndexRay& ray, const RayInterv
   }
   if (field.Interpolation() == FieldInterpolation::Trilinear)
   {
-    return run(RayTraversal<TrilinearCell>(field, path, interval.From, interval.To, materials,
-                                           ray.Rounding));
+    return run(RayTraversal<TrilinearCell>(field, path, interval.From, interval.To, materials));
   }
-  return run(
-      RayTraversal<TricubicCell>(field, path, interval.From, interval.To, materials, ray.Rounding));
+  return run(RayTraversal<TricubicCell>(field, path, interval.From, interval.To, materials));
 }
 
-FieldHit Cast(const ScalarField& field, const IndexRay& ray, const RayInterval& interval,
+FieldHit Cast(const ScalarField& field, const FieldRay& ray, const RayInterval& interval,
               MaterialSet materials) noexcept
 {
   return Traverse(field, ray, interval, materials,
@@ -71,7 +54,6 @@ void MoveToWorld(const FieldGrid& grid, const FieldRay& rayWorld, FieldHit& hit)
   {
     hit.Position = rayWorld.Origin + hit.T * rayWorld.Direction;
     hit.Gradient = grid.GradientWorld(hit.Gradient);
-    hit.ErrorLength = hit.ErrorT * rayWorld.Direction.norm();
   }
 }
 
@@ -95,7 +77,8 @@ void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field&
   static_assert(rays::BrickShift == BrickLayout::Shift);
   static const std::uint64_t None[CellSet::WordCount + 1] = {};
   const BrickDirectory& directory = field.Directory();
-  const std::uint64_t* surfaces = directory.SurfaceCount() > 0 ? directory.SurfaceData() : None;
+  const std::uint64_t* surfaces =
+      directory.SurfaceData() != nullptr ? directory.SurfaceData() : None;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     described.Cells[axis] = field.Layout().Nodes[axis] - 1;
@@ -111,7 +94,7 @@ void DescribeField(const ScalarField& field, MaterialSet materials, rays::Field&
   }
 }
 
-void Put(const IndexRay& ray, const RayInterval& interval, std::size_t at,
+void Put(const FieldRay& ray, const RayInterval& interval, std::size_t at,
          rays::Batch& batch) noexcept
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -119,18 +102,14 @@ void Put(const IndexRay& ray, const RayInterval& interval, std::size_t at,
     batch.Origin[axis][at] = ray.Origin[axis];
     batch.Direction[axis][at] = ray.Direction[axis];
   }
-  batch.OriginRounding[at] = ray.Rounding.Origin;
-  batch.DirectionRounding[at] = ray.Rounding.Direction;
   batch.TMin[at] = interval.From;
   batch.TMax[at] = interval.To;
 }
 
-IndexRay RayOf(const rays::Batch& batch, std::size_t at) noexcept
+FieldRay RayOf(const rays::Batch& batch, std::size_t at) noexcept
 {
-  IndexRay ray({{batch.Origin[0][at], batch.Origin[1][at], batch.Origin[2][at]},
-                {batch.Direction[0][at], batch.Direction[1][at], batch.Direction[2][at]}});
-  ray.Rounding = {batch.OriginRounding[at], batch.DirectionRounding[at]};
-  return ray;
+  return {{batch.Origin[0][at], batch.Origin[1][at], batch.Origin[2][at]},
+          {batch.Direction[0][at], batch.Direction[1][at], batch.Direction[2][at]}};
 }
 
 // The kernel's result, completed by RayTraversal if it was left unfinished.
@@ -159,7 +138,6 @@ FieldHit Answer(const ScalarField& field, const rays::Batch& batch, std::size_t 
     hit.Material = batch.Material[at];
     hit.T = batch.T[at];
     hit.Gradient = {batch.Gradient[at][0], batch.Gradient[at][1], batch.Gradient[at][2]};
-    hit.ErrorT = batch.ErrorT[at];
   }
   return hit;
 }
@@ -173,9 +151,7 @@ RayCaster::RayCaster(std::shared_ptr<const ScalarField> field, InstructionSet se
 FieldHit RayCaster::CastIndex(const FieldRay& rayIndex, double tMin, double tMax,
                               MaterialSet materials) const noexcept
 {
-  FieldHit hit = Cast(*this->Data, IndexRay(rayIndex), {tMin, tMax}, materials);
-  hit.ErrorLength = hit.ErrorT * this->Data->Grid().VectorWorld(rayIndex.Direction).norm();
-  return hit;
+  return Cast(*this->Data, rayIndex, {tMin, tMax}, materials);
 }
 
 FieldHit RayCaster::CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
@@ -187,37 +163,22 @@ FieldHit RayCaster::CastWorld(const FieldRay& rayWorld, double tMin, double tMax
   return hit;
 }
 
-void RayCaster::CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
-                             FieldHit* hits, MaterialSet materials) const noexcept
-{
-  const RayInterval interval{tMin, tMax};
-  this->CastEach(raysWorld, &interval, 0, count, hits, materials);
-}
-
 void RayCaster::CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals,
                              std::size_t count, FieldHit* hits,
                              MaterialSet materials) const noexcept
 {
-  this->CastEach(raysWorld, intervals, 1, count, hits, materials);
-}
-
-void RayCaster::CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
-                         std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
-{
   if (this->Set == InstructionSet::Avx2)
   {
-    return this->CastInLanes(raysWorld, intervals, step, count, hits, materials);
+    return this->CastInLanes(raysWorld, intervals, count, hits, materials);
   }
   for (std::size_t ray = 0; ray < count; ++ray)
   {
-    const RayInterval& interval = intervals[step * ray];
-    hits[ray] = this->CastWorld(raysWorld[ray], interval.From, interval.To, materials);
+    hits[ray] = this->CastWorld(raysWorld[ray], intervals[ray].From, intervals[ray].To, materials);
   }
 }
 
 void RayCaster::CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals,
-                            std::size_t step, std::size_t count, FieldHit* hits,
-                            MaterialSet materials) const noexcept
+                            std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept
 {
   const ScalarField& field = *this->Data;
   const FieldGrid& grid = field.Grid();
@@ -229,11 +190,11 @@ void RayCaster::CastInLanes(const FieldRay* raysWorld, const RayInterval* interv
     const std::size_t size = std::min<std::size_t>(count - first, rays::MostRays);
     for (std::size_t at = 0; at < size; ++at)
     {
-      Put(IndexRay(grid, raysWorld[first + at]), intervals[step * (first + at)], at, batch);
+      Put(IndexRay(grid, raysWorld[first + at]), intervals[first + at], at, batch);
     }
     for (std::size_t at = size; at % rays::Lanes != 0; ++at)
     {
-      Put(IndexRay(FieldRay{Vector3::Zero(), Vector3::Zero()}), {}, at, batch);
+      Put({Vector3::Zero(), Vector3::Zero()}, {}, at, batch);
     }
     rays::CastAvx2(described, static_cast<int>(size), batch);
     for (std::size_t at = 0; at < size; ++at)

@@ -48,19 +48,14 @@ public:
   /// The same in the world, patient LPS in mm.
   FieldHit CastWorld(const FieldRay& rayWorld, double tMin, double tMax,
                      MaterialSet materials = AllMaterials) const noexcept;
-  /// CastWorld for many rays, four at once if the instruction set has the lanes for it.
-  void CastAllWorld(const FieldRay* raysWorld, std::size_t count, double tMin, double tMax,
-                    FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
-  /// The same with an interval for each ray.
+  /// CastWorld for many rays, each with its interval; four at once if the instruction set has the
+  /// lanes for it.
   void CastAllWorld(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t count,
                     FieldHit* hits, MaterialSet materials = AllMaterials) const noexcept;
 
 private:
-  // `step`: 1 if each ray has an interval, 0 if all share one.
-  void CastEach(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
-                std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
-  void CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t step,
-                   std::size_t count, FieldHit* hits, MaterialSet materials) const noexcept;
+  void CastInLanes(const FieldRay* raysWorld, const RayInterval* intervals, std::size_t count,
+                   FieldHit* hits, MaterialSet materials) const noexcept;
 
   std::shared_ptr<const ScalarField> Data;
   InstructionSet Set;

@@ -53,8 +53,6 @@ struct Batch
 {
   alignas(32) double Origin[3][MostRays];
   alignas(32) double Direction[3][MostRays];
-  alignas(32) double OriginRounding[MostRays];
-  alignas(32) double DirectionRounding[MostRays];
   alignas(32) double TMin[MostRays];
   alignas(32) double TMax[MostRays];
 
@@ -63,7 +61,6 @@ struct Batch
   double T[MostRays];
   int Cell[MostRays][3];
   double Gradient[MostRays][3]; ///< per voxel
-  double ErrorT[MostRays];
   int Material[MostRays];
   bool IsEntering[MostRays];
 };

@@ -51,15 +51,6 @@ public:
   {
     return {this->Coordinate(0, t), this->Coordinate(1, t), this->Coordinate(2, t)};
   }
-  /// Change of t while the ray moves by one voxel along an axis.
-  double Slowness(int axis) const noexcept { return std::abs(this->Inverse[axis]); }
-  /// The largest number that Coordinate adds.
-  double Magnitude(double t) const noexcept
-  {
-    const auto size = [this, t](int axis)
-    { return std::abs(this->Origins[axis]) + std::abs(t * this->Directions[axis]); };
-    return std::max({size(0), size(1), size(2)});
-  }
 
   /// The plane across which the ray leaves a cell, and the inverse.
   int PlaneAhead(int axis, int cell) const noexcept { return cell + this->Ahead[axis]; }

@@ -2,7 +2,6 @@
 
 #include "BrickWalk.h"
 #include "FieldHit.h"
-#include "HitError.h"
 #include "MaterialCrossings.h"
 #include "RayPath.h"
 #include "ScalarField.h"
@@ -20,9 +19,8 @@ class RayTraversal
 {
 public:
   RayTraversal(const ScalarField& field, const RayPath& path, double tMin, double tMax,
-               MaterialSet materials, const CoordinateRounding& rounding) noexcept
-      : Field(field), Layout(field.Layout()), Path(path), TMin(tMin), TMax(tMax), Wanted(materials),
-        Rounding(rounding)
+               MaterialSet materials) noexcept
+      : Field(field), Layout(field.Layout()), Path(path), TMin(tMin), TMax(tMax), Wanted(materials)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -239,7 +237,7 @@ private:
         earliest = crossings[n].T;
         hit.Material = m;
         hit.IsEntering = !isInside;
-        this->Describe(crossings, crossings[n], segment, hit);
+        this->Describe(crossings, crossings[n], hit);
       }
     }
     return inside;
@@ -247,7 +245,7 @@ private:
 
   void Describe(const MaterialCrossings<Cell>& crossings,
                 const typename MaterialCrossings<Cell>::Crossing& crossing,
-                const CellSegment& segment, FieldHit& hit) const noexcept
+                FieldHit& hit) const noexcept
   {
     hit.Kind = HitKind::Surface;
     hit.T = crossing.T;
@@ -257,13 +255,7 @@ private:
     {
       u[axis] = CellSegment::Within(hit.Position[axis] - this->At[axis]);
     }
-    const Cell& relation = crossings.Relation(crossing.Condition);
-    relation.Gradient(u, hit.Gradient.data());
-    const double coordinateError = this->Rounding.At(this->Path, crossing.T);
-    const double parameterError = ParameterError(crossings.Polynomial(crossing.Condition), relation,
-                                                 crossing.Parameter, coordinateError) +
-                                  crossing.Error;
-    hit.ErrorT = parameterError * (segment.T1 - segment.T0) + RoundingOfT(crossing.T);
+    crossings.Relation(crossing.Condition).Gradient(u, hit.Gradient.data());
   }
 
   // Hit at the current position.
@@ -284,8 +276,6 @@ private:
     hit.Position = this->Path.Point(this->T);
     const int axis = this->BorderAxis(isEntering);
     hit.Gradient[axis] = (this->Path.StepOf(axis) > 0) == isEntering ? 1.0 : -1.0;
-    hit.ErrorT =
-        RoundingOfT(this->T) + this->Rounding.At(this->Path, this->T) * this->Path.Slowness(axis);
     return hit;
   }
 
@@ -307,7 +297,6 @@ private:
   double TMin;
   double TMax;
   MaterialSet Wanted;
-  const CoordinateRounding& Rounding;
   int CellCount[3];
   int At[3];            ///< the current cell
   double T = 0.0;       ///< when the ray entered it

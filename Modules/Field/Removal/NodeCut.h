@@ -30,7 +30,11 @@ class NodeCut
 public:
   /// `slope` > 0: the largest change of value per mm across a surface. `depth` > 0: extent (mm) of
   /// the ramp to either side of the surface.
-  NodeCut(const FieldCondition& condition, double slope, double depth);
+  NodeCut(const FieldCondition& condition, double slope, double depth)
+      : Iso(condition.Iso), Rise(condition.Sign() * slope), Depth(depth), Floor(Iso - Rise * depth),
+        IsAtLeast(condition.Sense == FieldSense::AtLeast)
+  {
+  }
 
   /// `distance` (mm) to the tool, negative inside. No cut ever restores material.
   template <typename T>
@@ -45,8 +49,6 @@ public:
     const T cut = this->IsAtLeast ? least : most;
     return distance > depth ? value : cut;
   }
-  double DepthWorld() const noexcept { return this->Depth; } ///< mm
-  double FloorValue() const noexcept { return this->Floor; }
 
 private:
   double Iso;

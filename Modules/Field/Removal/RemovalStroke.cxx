@@ -94,15 +94,9 @@ float MostOf(const RemovalStroke::Nodes& distances)
   return *std::max_element(most.begin(), most.end());
 }
 
-// Range of blocks that intersect a box, clipped to the grid.
-struct BlockRange
-{
-  std::array<int, 3> First{};
-  std::array<int, 3> Last{};
-};
-
-// Node indices of a box in the world, extended by `around` on each side.
-BlockRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, double around)
+// The blocks that intersect a box in the world, extended by `around` on each side and clipped to
+// the grid; numbers of blocks.
+NodeBox BlocksOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, double around)
 {
   Eigen::AlignedBox3d index;
   for (int n = 0; n < 8; ++n)
@@ -110,7 +104,7 @@ BlockRange RangeOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, d
     const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
     index.extend(grid.PointIndex(boxWorld.corner(corner)));
   }
-  BlockRange range;
+  NodeBox range;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto a = static_cast<Eigen::Index>(axis);
@@ -169,7 +163,7 @@ void RemovalStroke::Cut(const CutSweep& sweep, std::vector<NodeBox>& changed)
 template <typename Rows>
 void RemovalStroke::CutWith(Rows& rows, const CutSweep& sweep, std::vector<NodeBox>& changed)
 {
-  const BlockRange range = RangeOf(this->Working->Frame, sweep.BoundsWorld(), this->Working->Limit);
+  const NodeBox range = BlocksOf(this->Working->Frame, sweep.BoundsWorld(), this->Working->Limit);
   for (int k = range.First[2]; k <= range.Last[2]; ++k)
   {
     for (int j = range.First[1]; j <= range.Last[1]; ++j)

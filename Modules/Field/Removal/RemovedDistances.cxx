@@ -87,34 +87,24 @@ float RemovedDistances::At(int i, int j, int k) const noexcept
                           : static_cast<float>(this->Limit);
 }
 
-template <typename Visit>
-void RemovedDistances::ForEachDifference(const RemovedDistances& other, const Visit& visit) const
-{
-  for (std::size_t p = 0; p < this->Pages.size(); ++p)
-  {
-    const Page* mine = this->Pages[p].get();
-    const Page* theirs = other.Pages[p].get();
-    if (mine == theirs)
-    {
-      continue;
-    }
-    for (std::size_t b = 0; b < std::tuple_size_v<decltype(Page::Blocks)>; ++b)
-    {
-      const Block* one = mine != nullptr ? mine->Blocks[b].get() : nullptr;
-      const Block* two = theirs != nullptr ? theirs->Blocks[b].get() : nullptr;
-      if (one != two)
-      {
-        visit(this->CornerOf(p, b), one);
-      }
-    }
-  }
-}
-
 std::vector<RemovedDistances::Corner> RemovedDistances::Difference(const RemovedDistances& a,
                                                                    const RemovedDistances& b)
 {
   std::vector<Corner> corners;
-  a.ForEachDifference(b, [&](const Corner& corner, const Block*) { corners.push_back(corner); });
+  for (std::size_t p = 0; p < a.Pages.size(); ++p)
+  {
+    const Page* first = a.Pages[p].get();
+    const Page* second = b.Pages[p].get();
+    for (std::size_t n = 0; first != second && n < std::tuple_size_v<decltype(Page::Blocks)>; ++n)
+    {
+      const Block* one = first != nullptr ? first->Blocks[n].get() : nullptr;
+      const Block* two = second != nullptr ? second->Blocks[n].get() : nullptr;
+      if (one != two)
+      {
+        corners.push_back(a.CornerOf(p, n));
+      }
+    }
+  }
   return corners;
 }
 

@@ -69,8 +69,6 @@ private:
   std::size_t PageNumber(const Corner& corner) const noexcept;
   static std::size_t BlockNumber(const Corner& corner) noexcept;
   Corner CornerOf(std::size_t page, std::size_t block) const noexcept;
-  template <typename Visit>
-  void ForEachDifference(const RemovedDistances& other, const Visit& visit) const;
 
   FieldGrid Frame;
   double Limit;

@@ -34,14 +34,7 @@ public:
 
   int Count() const noexcept { return this->Found; }
   double Parameter(int crossing) const noexcept { return this->Parameters[crossing]; }
-  /// Error bound of the solver.
-  double Error(int crossing) const noexcept { return this->Errors[crossing]; }
 
-  static double Value(const double* coefficients, double u) noexcept
-  {
-    double slope = 0.0;
-    return Evaluate(coefficients, u, slope);
-  }
   /// The value at u; `slope` becomes the derivative.
   static double Evaluate(const double* coefficients, double u, double& slope) noexcept
   {
@@ -84,12 +77,11 @@ private:
     return changes;
   }
 
-  void Add(double parameter, double error) noexcept
+  void Add(double parameter) noexcept
   {
     if (this->Found < Degree)
     {
-      this->Parameters[this->Found] = parameter;
-      this->Errors[this->Found++] = error;
+      this->Parameters[this->Found++] = parameter;
     }
   }
 
@@ -110,7 +102,7 @@ private:
     {
       if ((coefficients[0] >= 0.0) != (coefficients[Degree] >= 0.0))
       {
-        this->Add(middle, to - from);
+        this->Add(middle);
       }
       return;
     }
@@ -139,24 +131,23 @@ private:
     const double last = coefficients[Degree];
     if (first == 0.0 && coefficients[1] < 0.0)
     {
-      this->Add(from, 0.0);
+      this->Add(from);
       return;
     }
     if (last == 0.0 && coefficients[Degree - 1] < 0.0)
     {
-      this->Add(to, 0.0);
+      this->Add(to);
       return;
     }
     const double chord = first / (first - last);
-    double error = 0.0;
-    const double u = Newton(coefficients, chord > 0.0 && chord < 1.0 ? chord : 0.5, error);
-    this->Add(from + u * (to - from), error * (to - from));
+    const double u = Newton(coefficients, chord > 0.0 && chord < 1.0 ? chord : 0.5);
+    this->Add(from + u * (to - from));
   }
 
   // Newton's method with bisection, if a step leaves the bracket or the slope has the wrong sign:
   // another root may be close to an end that is nearly zero. A Newton step leaves an error of its
   // square times bend / (2 slope); `error` becomes twice that, or the bracket.
-  static double Newton(const double* coefficients, double u, double& error) noexcept
+  static double Newton(const double* coefficients, double u) noexcept
   {
     constexpr int MostSteps = 60;
     constexpr double Resolution = 1e-16;
@@ -164,7 +155,7 @@ private:
     const double bend = LargestBend(coefficients);
     double low = 0.0;
     double high = 1.0;
-    error = 1.0;
+    double error = 1.0;
     for (int n = 0; n < MostSteps && error > Resolution; ++n)
     {
       double slope = 0.0;
@@ -189,6 +180,5 @@ private:
 
   int Found = 0;
   double Parameters[Degree];
-  double Errors[Degree];
 };
 } // namespace palpate

@@ -1,6 +1,5 @@
 #include "FieldSampler.h"
 
-#include "CellPlace.h"
 #include "InsideKernelChoice.h"
 #include "TricubicCell.h"
 #include "TrilinearCell.h"
@@ -9,6 +8,37 @@ namespace palpate
 {
 namespace
 {
+// The cell that contains a point, its brick, and the point's position in the cell.
+struct CellPlace
+{
+  std::size_t Brick = 0;
+  int FirstNode = 0; // of the cell in its brick's copy of the nodes
+  double U[3] = {};  // from 0 to 1 along i, j, k
+
+  // Returns false outside the grid and for NaN. A point on a face between two cells belongs to the
+  // one of higher index; on the grid's last face to the last cell.
+  bool Locate(const BrickLayout& layout, const Vector3& pointIndex) noexcept
+  {
+    int cell[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double p = pointIndex[axis];
+      const auto a = static_cast<std::size_t>(axis);
+      const int last = layout.Nodes[a] - 1;
+      if (!(p >= 0.0 && p <= last))
+      {
+        return false;
+      }
+      const int below = static_cast<int>(p);
+      cell[axis] = below < last ? below : last - 1;
+      this->U[axis] = p - cell[axis];
+    }
+    this->Brick = layout.NumberOfCell(cell[0], cell[1], cell[2]);
+    this->FirstNode = layout.FirstNodeOfCell(cell[0], cell[1], cell[2]);
+    return true;
+  }
+};
+
 template <typename Cell>
 Cell LoadCell(const BrickedChannel& channel, std::uint32_t block, const CellPlace& place) noexcept
 {
@@ -89,25 +119,12 @@ bool IsInside(const ScalarField& field, int number, const Vector3& pointIndex) n
   return isInside;
 }
 
-template <typename Cell>
-MaterialSet MaterialsAt(const ScalarField& field, const Vector3& pointIndex) noexcept
-{
-  MaterialSet set = 0;
-  for (int material = 0; material < field.MaterialCount(); ++material)
-  {
-    set |= IsInside<Cell>(field, material, pointIndex) ? OnlyMaterial(material) : 0;
-  }
-  return set;
-}
-
 bool IsTrilinear(const ScalarField& field) noexcept
 {
   return field.Interpolation() == FieldInterpolation::Trilinear;
 }
 
-// `toIndex` is applied to points - origin.
-inside::Material DescribeForKernel(const ScalarField& field, int number, const Matrix3& toIndex,
-                                   const Vector3& origin) noexcept
+inside::Material DescribeForKernel(const ScalarField& field, int number) noexcept
 {
   const FieldCondition& condition = field.Material(number).Conditions[0];
   const BrickedChannel& samples = field.Channel(condition.Channel);
@@ -117,9 +134,9 @@ inside::Material DescribeForKernel(const ScalarField& field, int number, const M
     const auto a = static_cast<std::size_t>(axis);
     for (int column = 0; column < 3; ++column)
     {
-      material.ToIndex[3 * axis + column] = toIndex(axis, column);
+      material.ToIndex[3 * axis + column] = field.Grid().WorldToIndex()(axis, column);
     }
-    material.Origin[axis] = origin[axis];
+    material.Origin[axis] = field.Grid().OriginWorld()[axis];
     material.LastCell[axis] = field.Layout().Nodes[a] - 2;
     material.Bricks[axis] = field.Layout().Bricks[a];
   }
@@ -132,22 +149,6 @@ inside::Material DescribeForKernel(const ScalarField& field, int number, const M
   return material;
 }
 
-bool IsForKernel(const ScalarField& field, int number, std::size_t count) noexcept
-{
-  return count > 0 && field.Material(number).ConditionCount == 1;
-}
-
-void RunKernel(const inside::Kernel& kernel, const ScalarField& field, int number,
-               const inside::Material& material, const Vector3* points, std::size_t count,
-               unsigned char* inside) noexcept
-{
-  static_assert(sizeof(Vector3) == 3 * sizeof(double));
-  const int channel = field.Material(number).Conditions[0].Channel;
-  const int type = StoredNumber(field.Channel(channel).StoredType());
-  static_assert(inside::Shift == BrickLayout::Shift);
-  const auto test = IsTrilinear(field) ? kernel.Trilinear[type] : kernel.Tricubic[type];
-  test(material, points->data(), static_cast<long>(count), inside);
-}
 } // namespace
 
 FieldSampler::FieldSampler(std::shared_ptr<const ScalarField> field, InstructionSet set)
@@ -193,44 +194,19 @@ bool FieldSampler::IsInsideWorld(int material, const Vector3& pointWorld) const 
   return this->IsInsideIndex(material, this->Data->Grid().PointIndex(pointWorld));
 }
 
-MaterialSet FieldSampler::MaterialsIndex(const Vector3& pointIndex) const noexcept
-{
-  return IsTrilinear(*this->Data) ? MaterialsAt<TrilinearCell>(*this->Data, pointIndex)
-                                  : MaterialsAt<TricubicCell>(*this->Data, pointIndex);
-}
-
-MaterialSet FieldSampler::MaterialsWorld(const Vector3& pointWorld) const noexcept
-{
-  return this->MaterialsIndex(this->Data->Grid().PointIndex(pointWorld));
-}
-
-void FieldSampler::AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
-                                  unsigned char* inside) const noexcept
-{
-  const ScalarField& field = *this->Data;
-  if (IsForKernel(field, material, count))
-  {
-    RunKernel(*this->Kernel, field, material,
-              DescribeForKernel(field, material, Matrix3::Identity(), Vector3::Zero()), pointsIndex,
-              count, inside);
-    return;
-  }
-  for (std::size_t p = 0; p < count; ++p)
-  {
-    inside[p] = this->IsInsideIndex(material, pointsIndex[p]) ? 1 : 0;
-  }
-}
-
 void FieldSampler::AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
                                   unsigned char* inside) const noexcept
 {
   const ScalarField& field = *this->Data;
-  if (IsForKernel(field, material, count))
+  if (count > 0 && field.Material(material).ConditionCount == 1)
   {
-    const FieldGrid& grid = field.Grid();
-    RunKernel(*this->Kernel, field, material,
-              DescribeForKernel(field, material, grid.WorldToIndex(), grid.OriginWorld()),
-              pointsWorld, count, inside);
+    static_assert(sizeof(Vector3) == 3 * sizeof(double));
+    static_assert(inside::Shift == BrickLayout::Shift);
+    const int channel = field.Material(material).Conditions[0].Channel;
+    const int type = StoredNumber(field.Channel(channel).StoredType());
+    const auto test =
+        IsTrilinear(field) ? this->Kernel->Trilinear[type] : this->Kernel->Tricubic[type];
+    test(DescribeForKernel(field, material), pointsWorld->data(), static_cast<long>(count), inside);
     return;
   }
   for (std::size_t p = 0; p < count; ++p)

@@ -54,13 +54,8 @@ public:
   /// Whether all of a material's conditions hold at a point; they do at the iso-value itself.
   bool IsInsideIndex(int material, const Vector3& pointIndex) const noexcept;
   bool IsInsideWorld(int material, const Vector3& pointWorld) const noexcept;
-  /// Every material that contains the point.
-  MaterialSet MaterialsIndex(const Vector3& pointIndex) const noexcept;
-  MaterialSet MaterialsWorld(const Vector3& pointWorld) const noexcept;
   /// IsInside for each point, 1 or 0. Several points at once if the material has one condition and
   /// the interpolation is trilinear.
-  void AreInsideIndex(int material, const Vector3* pointsIndex, std::size_t count,
-                      unsigned char* inside) const noexcept;
   void AreInsideWorld(int material, const Vector3* pointsWorld, std::size_t count,
                       unsigned char* inside) const noexcept;
 

@@ -36,14 +36,18 @@ public:
     }
   }
 
-  std::shared_ptr<const ScalarField> Make(const std::vector<float>& bone, double margin = 0.0) const
+  std::shared_ptr<const ScalarField> Make(const std::vector<float>& bone,
+                                          bool keepsAll = false) const
   {
     FieldBuilder builder(this->Grid);
     const int first = builder.AddChannel(SamplesOfGrid(bone.data(), this->Grid));
     const int second = builder.AddChannel(SamplesOfGrid(this->Nerve.data(), this->Grid));
     builder.KeepInside(builder.AddMaterial({first, Iso}));
     builder.AddMaterial({second, 0.0});
-    builder.SetMargin(margin);
+    if (keepsAll)
+    {
+      builder.KeepAll();
+    }
     std::shared_ptr<const ScalarField> field;
     const Status status = builder.Build(field);
     EXPECT_TRUE(status.IsOk()) << status.Message();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FieldBuilder.h"
+#include "FieldSampler.h"
 #include "RandomOrientation.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,28 @@ inline std::string RefusalOf(const FieldBuilder& builder)
   const Status status = builder.Build(field);
   EXPECT_EQ(status.IsOk(), field != nullptr);
   return status.Message();
+}
+
+/// Number of bricks through which a surface may pass.
+inline std::size_t SurfaceBricks(const ScalarField& field)
+{
+  std::size_t count = 0;
+  for (std::size_t brick = 0; brick < field.Layout().BrickCount(); ++brick)
+  {
+    count += field.Directory()[brick].HasSurface() ? 1 : 0;
+  }
+  return count;
+}
+
+/// Every material that contains the point.
+inline MaterialSet MaterialsAt(const FieldSampler& sampler, const Vector3& pointIndex)
+{
+  MaterialSet set = 0;
+  for (int material = 0; material < sampler.Field().MaterialCount(); ++material)
+  {
+    set |= sampler.IsInsideIndex(material, pointIndex) ? OnlyMaterial(material) : 0;
+  }
+  return set;
 }
 
 /// Small whole numbers with many repetitions: values equal to the iso-value, saturated regions and

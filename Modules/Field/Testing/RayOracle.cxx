@@ -17,15 +17,58 @@ std::string Message(const char* fact, Real t, Real value)
   text << fact << " at t = " << t << ", relation " << value;
   return text.str();
 }
+
+DenseReference::Point PointAt(const FieldRay& ray, Real t)
+{
+  return {ray.Origin[0] + t * ray.Direction[0], ray.Origin[1] + t * ray.Direction[1],
+          ray.Origin[2] + t * ray.Direction[2]};
+}
+
+// Bound of the rounding of the ray's coordinates at t, in voxels: when a plane is crossed takes
+// three roundings, the coordinates there two, and t between two planes four.
+Real RoundingAt(const FieldRay& ray, Real t)
+{
+  constexpr Real Roundings = 9 * std::numeric_limits<double>::epsilon();
+  Real largest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    largest = std::max(largest, std::abs(static_cast<Real>(ray.Origin[axis])) +
+                                    std::abs(t * ray.Direction[axis]));
+  }
+  return Roundings * (1 + largest);
+}
 } // namespace
 
 Real RayOracle::Relation(const FieldRay& ray, Real t) const
 {
+  return this->Relation(PointAt(ray, t));
+}
+
+bool RayOracle::MayBeZero(const FieldRay& ray, Real t) const
+{
+  const Real rounding = RoundingAt(ray, t);
+  Real least = this->Relation(ray, t);
+  Real largest = least;
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    DenseReference::Point p = PointAt(ray, t);
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      p[axis] += (corner >> axis & 1u) != 0 ? rounding : -rounding;
+    }
+    const Real relation = this->Relation(p);
+    least = std::min(least, relation);
+    largest = std::max(largest, relation);
+  }
+  return least <= this->Tolerance && largest >= -this->Tolerance;
+}
+
+Real RayOracle::Relation(const DenseReference::Point& pointIndex) const
+{
   DenseReference::Point p;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const int a = static_cast<int>(axis);
-    p[axis] = std::clamp<Real>(ray.Origin[a] + t * ray.Direction[a], 0, this->Size[axis] - 1);
+    p[axis] = std::clamp<Real>(pointIndex[axis], 0, this->Size[axis] - 1);
   }
   Real relation = std::numeric_limits<Real>::infinity();
   for (const DenseCondition& condition : this->Conditions)
@@ -118,7 +161,8 @@ bool RayOracle::Contradicts(const FieldRay& ray, const Interval& interval, bool 
     for (const Real t : places)
     {
       const Real relation = this->Relation(ray, t);
-      if (isInside ? relation < -this->Tolerance : relation > this->Tolerance)
+      const bool isOpposite = isInside ? relation < -this->Tolerance : relation > this->Tolerance;
+      if (isOpposite && !this->MayBeZero(ray, t))
       {
         where = t;
         return true;
@@ -130,23 +174,9 @@ bool RayOracle::Contradicts(const FieldRay& ray, const Interval& interval, bool 
 
 std::string RayOracle::FaultOfHit(const FieldRay& ray, const FieldHit& hit) const
 {
-  const Real at = this->Relation(ray, hit.T);
-  DenseReference::Point steps{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    steps[static_cast<std::size_t>(axis)] = std::abs(ray.Direction[axis]);
-  }
-  const Real before = this->Relation(ray, hit.T - hit.ErrorT);
-  const Real after = this->Relation(ray, hit.T + hit.ErrorT);
-  const Real sign = hit.IsEntering ? 1 : -1;
-  // The bound contains the exact crossing, unless the ray grazes there: then all three are zero.
-  constexpr Real Tiny = 1e-16L;
-  const bool isBound = sign * before <= Tiny && sign * after >= -Tiny;
-  if (!isBound && std::abs(at) > this->Tolerance)
-  {
-    return Message("no crossing within the error bound", hit.T, at);
-  }
-  return {};
+  return this->MayBeZero(ray, hit.T)
+             ? std::string()
+             : Message("no crossing within rounding", hit.T, this->Relation(ray, hit.T));
 }
 
 std::string RayOracle::FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin,
@@ -162,7 +192,10 @@ std::string RayOracle::FaultAtBorder(const FieldRay& ray, const Interval& grid, 
   if (hit.Kind == HitKind::Border)
   {
     const Real border = hit.IsEntering ? grid.From : grid.To;
-    if (!(std::abs(hit.T - border) <= hit.ErrorT) || this->Relation(ray, border) < -this->Tolerance)
+    int axis = 0; // of the face
+    hit.Gradient.cwiseAbs().maxCoeff(&axis);
+    const Real voxels = std::abs((hit.T - border) * ray.Direction[axis]);
+    if (!(voxels <= RoundingAt(ray, hit.T)) || this->Relation(ray, border) < -this->Tolerance)
     {
       return Message("a hit that is not at the border", hit.T, this->Relation(ray, border));
     }
@@ -199,7 +232,7 @@ std::string RayOracle::Fault(const FieldRay& ray, double tMin, double tMax,
     fault = hit.IsEntering == isInside ? Message("crosses to its own side", hit.T, 0)
                                        : this->FaultOfHit(ray, hit);
   }
-  const Real until = hit.Kind == HitKind::Missed ? asked.To : static_cast<Real>(hit.T) - hit.ErrorT;
+  const Real until = hit.Kind == HitKind::Missed ? asked.To : static_cast<Real>(hit.T);
   Real where = 0;
   if (fault.empty() && until > asked.From &&
       this->Contradicts(ray, {asked.From, until}, isInside, where))

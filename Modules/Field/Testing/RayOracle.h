@@ -41,6 +41,9 @@ private:
   {
     Real From, To;
   };
+  /// Whether the margin is zero, up to the tolerance, where the ray is at t up to rounding.
+  bool MayBeZero(const FieldRay& ray, Real t) const;
+  Real Relation(const DenseReference::Point& pointIndex) const;
   Interval InGrid(const FieldRay& ray) const;
   std::string FaultAtBorder(const FieldRay& ray, const Interval& grid, double tMin,
                             const FieldHit& hit) const;

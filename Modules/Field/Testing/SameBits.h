@@ -18,8 +18,7 @@ inline bool SameBits(const FieldHit& a, const FieldHit& b)
   };
   const auto same = [&bits](double x, double y) { return bits(x) == bits(y); };
   bool all = a.Kind == b.Kind && a.IsEntering == b.IsEntering && a.Material == b.Material &&
-             a.StartsInside == b.StartsInside && same(a.T, b.T) && same(a.ErrorT, b.ErrorT) &&
-             same(a.ErrorLength, b.ErrorLength);
+             a.StartsInside == b.StartsInside && same(a.T, b.T);
   for (int axis = 0; axis < 3; ++axis)
   {
     all =

@@ -53,7 +53,7 @@ protected:
       const FieldRay ray = test::RandomRay(this->Bone.Grid, this->Random);
       ASSERT_TRUE(SameBits(a.CastIndex(ray, 0.0, 1e3), b.CastIndex(ray, 0.0, 1e3)));
       const Vector3 p = this->Bone.Grid.PointIndex(this->RandomPoint());
-      ASSERT_EQ(c.MaterialsIndex(p), d.MaterialsIndex(p));
+      ASSERT_EQ(test::MaterialsAt(c, p), test::MaterialsAt(d, p));
     }
   }
 
@@ -78,19 +78,18 @@ TEST_F(DrilledFieldTest, VersionHasTheBitsOfANewlyBuiltField)
     const auto version = VersionOf(*drilled);
     this->ExpectSameHits(version, afresh, 400);
     ASSERT_EQ(version->SurfaceCells(), afresh->SurfaceCells());
-    ASSERT_EQ(version->Memory().SurfaceBricks, afresh->Memory().SurfaceBricks);
+    ASSERT_EQ(test::SurfaceBricks(*version), test::SurfaceBricks(*afresh));
   }
 }
 
 TEST_F(DrilledFieldTest, FullyStoredFieldHasSameValuesAndGradients)
 {
-  constexpr double Everywhere = 1e3; // mm
-  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, Everywhere));
+  const auto drilled = Drill(*this->Bone.Make(this->Bone.Bone, true));
   for (int round = 0; round < 6; ++round)
   {
     this->CutSomewhere(*drilled);
     const FieldSampler now(VersionOf(*drilled));
-    const FieldSampler afresh(this->Bone.Make(SamplesNow(*drilled, this->Bone), Everywhere));
+    const FieldSampler afresh(this->Bone.Make(SamplesNow(*drilled, this->Bone), true));
     for (int n = 0; n < 1000; ++n)
     {
       const Vector3 p = this->Bone.Grid.PointIndex(this->RandomPoint());

@@ -165,35 +165,27 @@ TEST(FieldBuilder, StoresOnlyBricksNearTheSurface)
   const FieldGrid grid = PlainGrid({129, 129, 129});
   const test::SphereField sphere{{64, 64, 64}, 40.0};
   const auto samples = test::SampleAtIndices<std::int16_t>(grid.Size(), sphere);
-  const FieldMemory memory = MakeField(grid, samples, 0.5)->Memory();
-  EXPECT_EQ(memory.Bricks, 16u * 16u * 16u);
-  EXPECT_EQ(memory.StoredBlocks, memory.SurfaceBricks);
+  const auto field = MakeField(grid, samples, 0.5);
+  const std::size_t bricks = test::SurfaceBricks(*field);
+  EXPECT_EQ(field->Layout().BrickCount(), 16u * 16u * 16u);
+  EXPECT_EQ(field->Channel(0).BlockCount(), bricks);
   // The surface is 4 pi 40^2 = 20,000 square voxels; a brick contains at least some dozens of them.
-  EXPECT_LE(memory.SurfaceBricks, 700u);
-  EXPECT_GE(memory.SurfaceBricks, 200u);
-  EXPECT_LE(memory.Bytes, grid.NodeCount() * sizeof(float) / 5);
+  EXPECT_LE(bricks, 700u);
+  EXPECT_GE(bricks, 200u);
+  EXPECT_LE(field->Bytes(), grid.NodeCount() * sizeof(float) / 5);
 }
 
-TEST(FieldBuilder, StoresTheMarginAlongEveryAxis)
+TEST(FieldBuilder, KeepAllStoresEveryBrick)
 {
-  const FieldGrid grid({65, 65, 65}, Vector3::Zero(), {1.0, 0.5, 3.0}, Matrix3::Identity());
+  const FieldGrid grid = PlainGrid({65, 65, 65});
   std::vector<double> samples(grid.NodeCount(), 0.0);
-  samples[(32 * 65 + 32) * 65 + 36] = 1.0; // in the brick from (32, 32, 32) to (40, 40, 40)
+  samples[(32 * 65 + 32) * 65 + 36] = 1.0;
   FieldBuilder builder(grid);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.5});
-  builder.SetMargin(6.0);
+  builder.KeepAll();
   std::shared_ptr<const ScalarField> field;
   ASSERT_TRUE(builder.Build(field).IsOk());
-  const auto isStored = [&field](int i, int j, int k)
-  {
-    const std::size_t brick = field->Layout().NumberOfCell(i, j, k);
-    return field->Channel(0).SlotOf(brick).Block != BrickedChannel::NotStored;
-  };
-  EXPECT_TRUE(isStored(40 + 5, 33, 33));
-  EXPECT_TRUE(isStored(33, 40 + 11, 33));
-  EXPECT_TRUE(isStored(33, 33, 40 + 1));
-  EXPECT_FALSE(isStored(33 + 16, 33, 33));
-  EXPECT_FALSE(isStored(33, 33, 33 + 16));
+  EXPECT_EQ(field->Channel(0).BlockCount(), field->Layout().BrickCount());
 }
 
 TEST(FieldBuilder, LeapsAreChessboardDistancesToTheNextSurface)
@@ -276,7 +268,7 @@ TEST(FieldBuilder, KeepInsideDoesNotChangeResults)
     EXPECT_EQ(isStored, isFilled || plain->Directory()[brick].HasSurface());
   }
   EXPECT_GT(filled, std::size_t{5});
-  EXPECT_EQ(kept->Memory().StoredBlocks, plain->Memory().StoredBlocks + filled);
+  EXPECT_EQ(kept->Channel(0).BlockCount(), plain->Channel(0).BlockCount() + filled);
   EXPECT_EQ(kept->SurfaceCells(), plain->SurfaceCells());
 }
 } // namespace

@@ -103,7 +103,6 @@ TEST(FieldSampler, InsideIsWhereTheDenseValueReachesTheIsoValue)
         const bool isInside = sampler.IsInsideIndex(0, p);
         ASSERT_TRUE(std::abs(excess) <= tolerance || isInside == (excess >= 0))
             << "round " << round << " at " << p.transpose() << ": " << excess;
-        ASSERT_EQ(sampler.MaterialsIndex(p), isInside ? 1u : 0u);
       }
     }
   }
@@ -167,7 +166,7 @@ TEST(FieldSampler, ReproducesLinearFieldsInTheWorld)
   FieldBuilder builder(grid);
   const double middle = plane.Value(grid.PointWorld({5.5, 9.0, 4.0}));
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), middle});
-  builder.SetMargin(100.0);
+  builder.KeepAll();
   std::shared_ptr<const ScalarField> field;
   ASSERT_TRUE(builder.Build(field).IsOk());
   const FieldSampler sampler(field);
@@ -288,27 +287,22 @@ void ExpectBatchesLikeSingleQueries(FieldInterpolation method, FieldSense sense)
     const FieldSampler sampler(field, set);
     for (const std::size_t count : {0u, 1u, 3u, 4u, 7u, 400u})
     {
-      std::vector<Vector3> index;
       std::vector<Vector3> world;
       for (std::size_t p = 0; p < count; ++p)
       {
-        index.push_back(RandomPoint(grid, random) * 1.1);
-        world.push_back(grid.PointWorld(index.back()));
+        world.push_back(grid.PointWorld(RandomPoint(grid, random) * 1.1));
       }
       if (count > 3)
       {
-        index[1][2] = world[1][2] = NaN;
-        index[2][0] = world[2][0] = Infinity;
-        index[3][1] = world[3][1] = 1e300;
+        world[1][2] = NaN;
+        world[2][0] = Infinity;
+        world[3][1] = 1e300;
       }
-      std::vector<unsigned char> insideIndex(count, 7);
-      std::vector<unsigned char> insideWorld(count, 7);
-      sampler.AreInsideIndex(0, index.data(), count, insideIndex.data());
-      sampler.AreInsideWorld(0, world.data(), count, insideWorld.data());
+      std::vector<unsigned char> inside(count, 7);
+      sampler.AreInsideWorld(0, world.data(), count, inside.data());
       for (std::size_t p = 0; p < count; ++p)
       {
-        ASSERT_EQ(insideIndex[p], sampler.IsInsideIndex(0, index[p]) ? 1 : 0) << NameOf(set);
-        ASSERT_EQ(insideWorld[p], sampler.IsInsideWorld(0, world[p]) ? 1 : 0) << NameOf(set);
+        ASSERT_EQ(inside[p], sampler.IsInsideWorld(0, world[p]) ? 1 : 0) << NameOf(set);
       }
     }
   }

@@ -22,6 +22,7 @@ TEST(FieldThreads, ManyThreadsGetTheSameResults)
     rays.push_back(test::RandomRay(grid, random));
     points.push_back(grid.PointWorld(rays.back().Origin));
   }
+  const std::vector<RayInterval> intervals(rays.size(), {0.0, 1e3});
   struct Answers
   {
     std::vector<FieldHit> Hits;
@@ -31,7 +32,7 @@ TEST(FieldThreads, ManyThreadsGetTheSameResults)
   {
     answers.Hits.resize(rays.size());
     answers.Inside.resize(points.size());
-    RayCaster(field).CastAllWorld(rays.data(), rays.size(), 0.0, 1e3, answers.Hits.data());
+    RayCaster(field).CastAllWorld(rays.data(), intervals.data(), rays.size(), answers.Hits.data());
     FieldSampler(field).AreInsideWorld(0, points.data(), points.size(), answers.Inside.data());
   };
   Answers expected;

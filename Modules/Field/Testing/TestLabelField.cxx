@@ -215,7 +215,7 @@ TEST(LabelField, StoresLittleOfALargeVolume)
   const auto labels =
       MakeLabels(grid, [](const Vector3& p) { return (p - Vector3(60, 64, 70)).norm() <= 20.0; });
   const auto field = MakeLabelMaterial(grid, labels, 1);
-  EXPECT_LE(field->Memory().Bytes, grid.NodeCount() * sizeof(float) / 10);
+  EXPECT_LE(field->Bytes(), grid.NodeCount() * sizeof(float) / 10);
   const FieldSample far = FieldSampler(field).ValueIndex(0, {1.5, 1, 1});
   EXPECT_EQ(far.Kind, SampleKind::Constant);
   EXPECT_EQ(far.Value, -4.0); // the cut-off

@@ -109,7 +109,8 @@ TEST(RayCasterFuzz, BatchesGiveTheBitsOfSingleRays)
       rays.push_back(test::RandomRay(volume.Grid, random));
     }
     std::vector<FieldHit> hits(rays.size());
-    caster.CastAllWorld(rays.data(), rays.size(), 0.0, 1e3, hits.data());
+    const std::vector<RayInterval> intervals(rays.size(), {0.0, 1e3});
+    caster.CastAllWorld(rays.data(), intervals.data(), rays.size(), hits.data());
     for (std::size_t r = 0; r < rays.size(); ++r)
     {
       ASSERT_TRUE(SameBits(hits[r], caster.CastWorld(rays[r], 0.0, 1e3)));

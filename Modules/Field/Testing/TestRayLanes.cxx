@@ -211,22 +211,5 @@ TEST(RayLanes, EqualSingleRaysForEveryMaterialSet)
   }
   EXPECT_GT(tally.Hits, 3000);
 }
-
-TEST(RayLanes, SharedIntervalEqualsSeparateIntervals)
-{
-  std::mt19937_64 random(64);
-  const RandomVolume volume(FieldInterpolation::Trilinear, random);
-  Questions asked(volume.Grid, 90, random);
-  asked.Intervals.assign(asked.Rays.size(), {-3.0, 60.0});
-  const RayCaster caster(volume.Field);
-  std::vector<FieldHit> shared(asked.Rays.size());
-  std::vector<FieldHit> own(asked.Rays.size());
-  caster.CastAllWorld(asked.Rays.data(), shared.size(), -3.0, 60.0, shared.data());
-  caster.CastAllWorld(asked.Rays.data(), asked.Intervals.data(), own.size(), own.data());
-  for (std::size_t n = 0; n < own.size(); ++n)
-  {
-    EXPECT_TRUE(SameBits(shared[n], own[n])) << n;
-  }
-}
 } // namespace
 } // namespace palpate

@@ -13,10 +13,10 @@ TEST(BuiltInDevices, NamesHaveDescriptions)
 {
   DeviceRegistry registry;
   ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());
-  EXPECT_FALSE(registry.Names().empty());
-  for (const std::string& name : registry.Names())
+  EXPECT_FALSE(registry.Kinds().empty());
+  for (const DeviceRegistry::Kind& kind : registry.Kinds())
   {
-    EXPECT_FALSE(registry.Description(name).empty()) << name;
+    EXPECT_FALSE(kind.Description.empty()) << kind.Name;
   }
 }
 
@@ -27,17 +27,17 @@ TEST(BuiltInDevices, KeepDeviceContract)
   test::RecordSession(session, 400);
   DeviceRegistry registry;
   ASSERT_TRUE(RegisterBuiltInDevices(registry).IsOk());
-  for (const std::string& name : registry.Names())
+  for (const DeviceRegistry::Kind& kind : registry.Kinds())
   {
-    if (registry.CanBeFound(name))
+    if (kind.FindDevices)
     {
       continue; // must be plugged in; its own tests check the contract
     }
-    SCOPED_TRACE(name);
+    SCOPED_TRACE(kind.Name);
     ManualClock clock(5'000'000);
     std::unique_ptr<HapticDevice> device;
-    std::string text = name;
-    text.append(name == "replay" ? ":" + session : "");
+    std::string text = kind.Name;
+    text.append(kind.Name == "replay" ? ":" + session : "");
     ASSERT_TRUE(registry.Make(text, clock, device).IsOk());
     test::ExpectDeviceContract(*device, [&] { clock.Advance(1'000'000); });
   }

@@ -30,13 +30,13 @@ std::shared_ptr<const ContactModel> Harmonic(HarmonicContactMode mode)
   return contact;
 }
 
-std::shared_ptr<const ContactModel> Field(FieldContactMode mode)
+std::shared_ptr<const ScalarField> SphereField()
 {
   const FieldGrid grid({81, 81, 81}, Vector3::Constant(-20.0), Vector3::Constant(0.5),
                        Matrix3::Identity());
   // In index coordinates.
   const test::SphereField sphere{Vector3::Constant(40.0), Radius / 0.5};
-  return test::FieldContact(test::SampledField(grid, sphere), mode);
+  return test::SampledField(grid, sphere);
 }
 
 struct ModelCase
@@ -60,9 +60,9 @@ std::vector<ModelCase> AllModels()
       // Facets of 4,002 corners lie up to 0.02 mm inside the sphere.
       {"Facets", [] { return test::FacetContact(test::MeshOf(*SphereBody(), 20)); }, 0.03, true},
       // Trilinear between voxels of 0.5 mm, and a sphere of points instead of one.
-      {"FieldProxy", [] { return Field(FieldContactMode::Proxy); }, 0.05, true},
+      {"FieldProxy", [] { return test::FieldContact(SphereField()); }, 0.05, true},
       // The published law averages over all points in contact.
-      {"FieldShell", [] { return Field(FieldContactMode::PublishedShell); }, 1.0, false}};
+      {"FieldShell", [] { return test::PublishedContact(SphereField()); }, 1.0, false}};
 }
 
 class TouchModels : public testing::TestWithParam<ModelCase>

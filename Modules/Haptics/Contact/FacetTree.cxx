@@ -9,7 +9,6 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-constexpr int MostPending = BoxHierarchy::MostPending;
 
 Eigen::AlignedBox3d BoxOf(const Facet& facet)
 {
@@ -43,6 +42,48 @@ double PartToBox(const SphereMotion& motion, const Vector3& inverse, const Eigen
     last = std::min(last, std::max(a, b));
   }
   return first <= last ? first : Infinite;
+}
+
+// Calls leaf(number) for the facets of all nodes whose bound(box) isOpen. A pending node keeps its
+// bound, and of two children the one with the smaller bound is visited first.
+template <typename Bound, typename IsOpen, typename Leaf>
+void Visit(const BoxHierarchy& boxes, const Bound& bound, const IsOpen& isOpen,
+           const Leaf& leaf) noexcept
+{
+  struct Pending
+  {
+    std::int32_t Number;
+    double Least;
+  };
+  const auto nodeAt = [&boxes](std::int32_t number) -> const BoxHierarchy::Node&
+  { return boxes.Nodes()[static_cast<std::size_t>(number)]; };
+  Pending pending[BoxHierarchy::MostPending];
+  int count = 0;
+  pending[count++] = {0, bound(nodeAt(0).Box)};
+  while (count > 0)
+  {
+    const Pending next = pending[--count];
+    if (!isOpen(next.Least))
+    {
+      continue;
+    }
+    const BoxHierarchy::Node& node = nodeAt(next.Number);
+    for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
+    {
+      leaf(static_cast<std::size_t>(i));
+    }
+    if (node.Count == 0)
+    {
+      Pending near{next.Number + 1, bound(nodeAt(next.Number + 1).Box)};
+      Pending far{node.Second, bound(nodeAt(node.Second).Box)};
+      if (far.Least < near.Least)
+      {
+        std::swap(near, far);
+      }
+      pending[count++] = far;
+      pending[count++] = near;
+    }
+  }
 }
 
 bool HasArea(const Facet& facet)
@@ -95,57 +136,25 @@ Status FacetTree::Make(const std::vector<Vector3>& pointsWorld,
   return Status::Success();
 }
 
-// Both traversals keep pending nodes with a lower bound, and drop them if something better has been
-// found.
 FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within) const noexcept
 {
-  struct Pending
-  {
-    std::int32_t Number;
-    double Square;
-  };
-  Pending pending[MostPending];
-  int count = 0;
-  pending[count++] = {0, this->Boxes.Nodes().front().Box.squaredExteriorDistance(pointWorld)};
   double least = within * within;
   Nearest nearest;
   nearest.Distance = Infinite;
-  while (count > 0)
-  {
-    const Pending next = pending[--count];
-    if (next.Square > least)
-    {
-      continue;
-    }
-    const BoxHierarchy::Node& node = this->Boxes.Nodes()[static_cast<std::size_t>(next.Number)];
-    for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
-    {
-      const Vector3 point =
-          ClosestPointOnFacet(pointWorld, this->Facets[static_cast<std::size_t>(i)]);
-      const double square = (point - pointWorld).squaredNorm();
-      if (square <= least)
+  Visit(
+      this->Boxes,
+      [&](const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(pointWorld); },
+      [&](double square) { return square <= least; },
+      [&](std::size_t i)
       {
-        least = square;
-        nearest = {point, std::sqrt(square)};
-      }
-    }
-    if (node.Count == 0)
-    {
-      const auto squareOf = [&](std::int32_t number)
-      {
-        return this->Boxes.Nodes()[static_cast<std::size_t>(number)].Box.squaredExteriorDistance(
-            pointWorld);
-      };
-      Pending near{next.Number + 1, squareOf(next.Number + 1)};
-      Pending far{node.Second, squareOf(node.Second)};
-      if (far.Square < near.Square)
-      {
-        std::swap(near, far);
-      }
-      pending[count++] = far;
-      pending[count++] = near;
-    }
-  }
+        const Vector3 point = ClosestPointOnFacet(pointWorld, this->Facets[i]);
+        const double square = (point - pointWorld).squaredNorm();
+        if (square <= least)
+        {
+          least = square;
+          nearest = {point, std::sqrt(square)};
+        }
+      });
   return nearest;
 }
 
@@ -166,45 +175,13 @@ SweepHit FacetTree::Sweep(const SphereMotion& motion) const noexcept
 
 SweepHit FacetTree::SweepNear(const SphereMotion& motion) const noexcept
 {
-  struct Pending
-  {
-    std::int32_t Number;
-    double Part;
-  };
   const Vector3 inverse = motion.Path.cwiseInverse();
-  const auto partTo = [&](std::int32_t number, double last)
-  {
-    return PartToBox(motion, inverse, this->Boxes.Nodes()[static_cast<std::size_t>(number)].Box,
-                     last);
-  };
-  Pending pending[MostPending];
-  int count = 0;
-  pending[count++] = {0, partTo(0, 1.0)};
   SweepHit hit;
-  while (count > 0)
-  {
-    const Pending next = pending[--count];
-    if (!(next.Part < hit.Part))
-    {
-      continue;
-    }
-    const BoxHierarchy::Node& node = this->Boxes.Nodes()[static_cast<std::size_t>(next.Number)];
-    for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
-    {
-      SweepSphere(motion, this->Facets[static_cast<std::size_t>(i)], hit);
-    }
-    if (node.Count == 0)
-    {
-      Pending near{next.Number + 1, partTo(next.Number + 1, hit.Part)};
-      Pending far{node.Second, partTo(node.Second, hit.Part)};
-      if (far.Part < near.Part)
-      {
-        std::swap(near, far);
-      }
-      pending[count++] = far;
-      pending[count++] = near;
-    }
-  }
+  Visit(
+      this->Boxes,
+      [&](const Eigen::AlignedBox3d& box) { return PartToBox(motion, inverse, box, hit.Part); },
+      [&](double part) { return part < hit.Part; },
+      [&](std::size_t i) { SweepSphere(motion, this->Facets[i], hit); });
   return hit;
 }
 

@@ -39,7 +39,6 @@ public:
   {
     return this->Boxes.Bytes() + this->Facets.size() * sizeof(Facet);
   }
-  std::size_t FacetCount() const noexcept { return this->Facets.size(); }
 
   /// The nearest point of the mesh at a distance of at most `within`.
   Nearest NearestTo(const Vector3& pointWorld, double within) const noexcept;

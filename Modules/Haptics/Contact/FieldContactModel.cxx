@@ -1,7 +1,6 @@
 #include "FieldContactModel.h"
 
 #include "FieldProxyTracker.h"
-#include "FieldShellTracker.h"
 #include "FrictionCone.h"
 
 #include <algorithm>
@@ -11,20 +10,15 @@
 namespace palpate
 {
 Status FieldContactModel::Make(const std::shared_ptr<const ScalarField>& field, int material,
-                               FieldContactMode mode, std::shared_ptr<const ContactModel>& contact)
+                               std::shared_ptr<const ContactModel>& contact)
 {
   std::shared_ptr<const FieldSolid> solid;
   Status status = FieldSolid::Make(field, material, solid);
   if (status.IsOk())
   {
-    contact.reset(new FieldContactModel(std::move(solid), mode));
+    contact.reset(new FieldContactModel(std::move(solid)));
   }
   return status;
-}
-
-FieldContactModel::FieldContactModel(std::shared_ptr<const FieldSolid> solid, FieldContactMode mode)
-    : Solid(std::move(solid)), Mode(mode)
-{
 }
 
 int FieldContactModel::PointCountFor(double radius, double voxelSize) noexcept
@@ -44,16 +38,6 @@ ToolShape FieldContactModel::ShellFor(const ToolShape& tool, double voxelSize)
              : tool;
 }
 
-Eigen::AlignedBox3d FieldContactModel::BoundsWorld() const noexcept
-{
-  return this->Solid->BoundsWorld();
-}
-
-std::size_t FieldContactModel::Bytes() const noexcept
-{
-  return this->Solid->Bytes();
-}
-
 Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                                       std::unique_ptr<ContactTracker>& tracker) const
 {
@@ -65,17 +49,7 @@ Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFricti
     }
   }
   const ToolShape shell = ShellFor(tool, this->Solid->VoxelSize());
-  if (this->Mode == FieldContactMode::Proxy)
-  {
-    tracker = std::make_unique<FieldProxyTracker>(this->Solid, shell, friction);
-    return Status::Success();
-  }
-  if (friction.Static > 0.0 || !(shell.BoundingRadius() > 0.0))
-  {
-    return Status::Failure("The published method for sub-voxel tools supports neither friction "
-                           "nor point tools.");
-  }
-  tracker = std::make_unique<FieldShellTracker>(this->Solid, shell);
+  tracker = std::make_unique<FieldProxyTracker>(this->Solid, shell, friction);
   return Status::Success();
 }
 } // namespace palpate

@@ -4,17 +4,10 @@
 #include "FieldSolid.h"
 
 #include <memory>
+#include <utility>
 
 namespace palpate
 {
-/// How a tool's proxy is placed on a field's surface.
-enum class FieldContactMode
-{
-  Proxy,         ///< where no shell point is inside, with friction
-  PublishedShell ///< by the mean of the points' exit vectors: the published method, without
-                 ///< friction
-};
-
 /// A structure whose surface is the boundary of a field's material. Supports tools with a shell of
 /// points; a sphere without one gets as many points as its size in voxels requires.
 class FieldContactModel final : public ContactModel
@@ -25,7 +18,7 @@ public:
 
   /// Fails as FieldSolid::Make.
   static Status Make(const std::shared_ptr<const ScalarField>& field, int material,
-                     FieldContactMode mode, std::shared_ptr<const ContactModel>& contact);
+                     std::shared_ptr<const ContactModel>& contact);
 
   /// Number of shell points for a sphere (radius in mm): within the limits, enough that the sphere
   /// is nowhere more than 0.05 voxel lower than its nearest point, and that objects as wide as a
@@ -34,15 +27,14 @@ public:
   /// The tool with its own shell, or a sphere with PointCountFor points.
   static ToolShape ShellFor(const ToolShape& tool, double voxelSize);
 
-  Eigen::AlignedBox3d BoundsWorld() const noexcept override;
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Solid->BoundsWorld(); }
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
-  std::size_t Bytes() const noexcept override;
+  std::size_t Bytes() const noexcept override { return this->Solid->Bytes(); }
 
 private:
-  FieldContactModel(std::shared_ptr<const FieldSolid> solid, FieldContactMode mode);
+  explicit FieldContactModel(std::shared_ptr<const FieldSolid> solid) : Solid(std::move(solid)) {}
 
   std::shared_ptr<const FieldSolid> Solid;
-  FieldContactMode Mode;
 };
 } // namespace palpate

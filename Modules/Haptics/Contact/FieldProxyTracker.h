@@ -16,15 +16,11 @@ namespace palpate
 /// Tracks a shell of points: the proxy is the place nearest to the probe where no point is inside a
 /// solid, which also holds with many contacts, as in clefts.
 ///
-/// Each touching point gives a plane, by value over gradient of the field. On a sphere the point
-/// then moves to where the sphere is deepest in that plane, so that the sphere keeps its shape,
-/// however far apart its points are. The proxy moves to the nearest place that all planes allow,
-/// samples the field again there, and so on until nothing changes: sequential quadratic
-/// programming, whose result lies on the field's own surface, not on a plane. A sphere is detected
-/// before it touches between its points, so contact begins at its own surface. Steps are shorter
-/// than half a voxel, so the proxy stays on its side of walls that are a voxel thick; without
-/// contact, rays of all points along the path find walls however thin. Work that exceeds a tick's
-/// limit is continued in the next.
+/// By sequential quadratic programming (see the folder's README), whose result lies on the field's
+/// own surface, not on a plane. A sphere is detected before it touches between its points, so
+/// contact begins at its own surface. Steps are shorter than half a voxel, so the proxy stays on
+/// its side of walls that are a voxel thick; without contact, rays of all points along the path
+/// find walls however thin.
 class FieldProxyTracker final : public ContactTracker
 {
 public:

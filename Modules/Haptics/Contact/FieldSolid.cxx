@@ -74,7 +74,7 @@ Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int mat
 
 FieldSolid::FieldSolid(const std::shared_ptr<const ScalarField>& field, int material,
                        const Eigen::AlignedBox3d& boundsWorld)
-    : Sampler(field), Caster(field), Number(material), FieldBytes(field->Memory().Bytes),
+    : Sampler(field), Caster(field), Number(material), FieldBytes(field->Bytes()),
       Bounds(boundsWorld), Voxel(field->Grid().Spacing().minCoeff())
 {
 }

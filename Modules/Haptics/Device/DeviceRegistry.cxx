@@ -7,9 +7,9 @@ namespace palpate
 {
 const DeviceRegistry::Kind* DeviceRegistry::Find(const std::string& name) const
 {
-  const auto found = std::find_if(this->Kinds.begin(), this->Kinds.end(),
+  const auto found = std::find_if(this->Known.begin(), this->Known.end(),
                                   [&](const Kind& kind) { return kind.Name == name; });
-  return found != this->Kinds.end() ? &*found : nullptr;
+  return found != this->Known.end() ? &*found : nullptr;
 }
 
 Status DeviceRegistry::Add(const std::string& name, const std::string& description, Factory factory,
@@ -23,39 +23,8 @@ Status DeviceRegistry::Add(const std::string& name, const std::string& descripti
   {
     return Status::Failure("There is already a kind of device named " + name + ".");
   }
-  this->Kinds.push_back({name, description, std::move(factory), std::move(search)});
+  this->Known.push_back({name, description, std::move(factory), std::move(search)});
   return Status::Success();
-}
-
-std::vector<std::string> DeviceRegistry::Names() const
-{
-  std::vector<std::string> names;
-  for (const Kind& kind : this->Kinds)
-  {
-    names.push_back(kind.Name);
-  }
-  return names;
-}
-
-std::string DeviceRegistry::Description(const std::string& name) const
-{
-  const Kind* const kind = this->Find(name);
-  return kind != nullptr ? kind->Description : "";
-}
-
-bool DeviceRegistry::CanBeFound(const std::string& name) const
-{
-  const Kind* const kind = this->Find(name);
-  return kind != nullptr && kind->FindDevices != nullptr;
-}
-
-Status DeviceRegistry::FindDevices(const std::string& name, Clock& clock,
-                                   std::vector<FoundDevice>& found) const
-{
-  found.clear();
-  return this->CanBeFound(name)
-             ? this->Find(name)->FindDevices(clock, found)
-             : Status::Failure("Devices of the kind " + name + " cannot be searched for.");
 }
 
 Status DeviceRegistry::Make(const std::string& text, Clock& clock,
@@ -66,9 +35,9 @@ Status DeviceRegistry::Make(const std::string& text, Clock& clock,
   if (kind == nullptr)
   {
     std::string known;
-    for (const std::string& name : this->Names())
+    for (const Kind& other : this->Known)
     {
-      known += (known.empty() ? "" : ", ") + name;
+      known += (known.empty() ? "" : ", ") + other.Name;
     }
     return Status::Failure("There is no kind of device named " + text.substr(0, colon) +
                            "; known are: " + (known.empty() ? "none" : known) + ".");

@@ -32,31 +32,26 @@ public:
   /// while to open.
   using Search = std::function<Status(Clock& clock, std::vector<FoundDevice>& found)>;
 
-  /// Fails for an empty or duplicate name, and an empty factory.
-  Status Add(const std::string& name, const std::string& description, Factory factory,
-             Search search = nullptr);
-
-  /// In the order of Add.
-  std::vector<std::string> Names() const;
-  /// Empty for an unknown name.
-  std::string Description(const std::string& name) const;
-  /// Whether this kind has a search.
-  bool CanBeFound(const std::string& name) const;
-  /// Fails if this kind cannot be searched for, on this machine or at all.
-  Status FindDevices(const std::string& name, Clock& clock, std::vector<FoundDevice>& found) const;
-  /// `text` is "name" or "name:argument". For an unknown name it fails, listing the known ones.
-  Status Make(const std::string& text, Clock& clock, std::unique_ptr<HapticDevice>& device) const;
-
-private:
   struct Kind
   {
     std::string Name;
     std::string Description;
     Factory MakeDevice;
-    Search FindDevices;
+    Search FindDevices; ///< null: devices of this kind need not be plugged in
   };
-  const Kind* Find(const std::string& name) const;
 
-  std::vector<Kind> Kinds;
+  /// Fails for an empty or duplicate name, and an empty factory.
+  Status Add(const std::string& name, const std::string& description, Factory factory,
+             Search search = nullptr);
+
+  /// In the order of Add.
+  const std::vector<Kind>& Kinds() const noexcept { return this->Known; }
+  /// Null for an unknown name.
+  const Kind* Find(const std::string& name) const;
+  /// `text` is "name" or "name:argument". For an unknown name it fails, listing the known ones.
+  Status Make(const std::string& text, Clock& clock, std::unique_ptr<HapticDevice>& device) const;
+
+private:
+  std::vector<Kind> Known;
 };
 } // namespace palpate

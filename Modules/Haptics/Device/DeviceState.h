@@ -13,5 +13,9 @@ enum class DeviceState
 };
 
 /// "closed", "opening", "homing", "ready", "error".
-const char* NameOf(DeviceState state) noexcept;
+inline const char* NameOf(DeviceState state) noexcept
+{
+  constexpr const char* Names[] = {"closed", "opening", "homing", "ready", "error"};
+  return Names[static_cast<int>(state)];
+}
 } // namespace palpate

@@ -65,7 +65,6 @@ public:
   /// DrilledField::WriteSamples of a site.
   void WriteSamples(int site, const FieldSamples& original, void* drilled) const;
 
-  int SiteCount() const noexcept { return static_cast<int>(this->Fields.size()); }
   /// Constant properties of a site: its NodeCut, material and channel.
   const DrilledField& Site(int site) const { return *this->Fields[static_cast<std::size_t>(site)]; }
   /// The region removed at a site now, without ending a stroke: signed distances (mm, negative

@@ -92,6 +92,6 @@ Vector3 SurfaceTexture::Force(const EffectTouch& touch) const noexcept
 
 std::size_t SurfaceTexture::Bytes() const noexcept
 {
-  return this->Sampler.Field().Memory().Bytes;
+  return this->Sampler.Field().Bytes();
 }
 } // namespace palpate

@@ -20,7 +20,7 @@ class SurfaceTexture final : public ForceEffect
 {
 public:
   /// Mean and deviation are those of the channel within `boundsWorld` (mm), where the field should
-  /// have samples everywhere (FieldBuilder::SetMargin). Fails for an amplitude (N) that is negative
+  /// have samples everywhere (FieldBuilder::KeepAll). Fails for an amplitude (N) that is negative
   /// or not finite, a missing channel, and an image without contrast there.
   static Status Make(std::shared_ptr<const ScalarField> image, int channel,
                      const Eigen::AlignedBox3d& boundsWorld, double amplitude,

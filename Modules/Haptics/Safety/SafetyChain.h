@@ -29,7 +29,7 @@ struct SafetyInput
   SafetyFault SceneFault = SafetyFault::None; ///< reported by the scene
   bool IsTouching = false;
   Vector3 ContactForce = Vector3::Zero(); ///< N
-  Vector3 AmbientForce = Vector3::Zero(); ///< N, forces that act without contact too
+  Vector3 AmbientForce = Vector3::Zero(); ///< N, acts without contact too: gravity compensation
 };
 
 /// Stands between everything that computes forces and the device; it cannot be switched off. In

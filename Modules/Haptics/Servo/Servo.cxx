@@ -260,10 +260,7 @@ void Servo::Feel(const TickObservation& now) noexcept
   const double passed =
       this->HasFelt ? 1e-9 * static_cast<double>(now.Sample.Time - this->LastFelt.Time) : 0.0;
   this->Current.Pose = scene->Scene().Frame.PoseWorld(now.Sample);
-  const FollowStep step = this->StepTo(now.Sample, passed);
-  this->Current.Felt = scene->Follow(step);
-  const AmbientForce& ambient = scene->Scene().Ambient;
-  this->Current.AmbientForce = ambient.Constant - ambient.Viscosity * step.HandVelocity;
+  this->Current.Felt = scene->Follow(this->StepTo(now.Sample, passed));
   this->LastFelt = now.Sample;
   this->HasFelt = true;
 }
@@ -275,7 +272,7 @@ SafetyInput Servo::InputOf(const TickObservation& now) const noexcept
   input.SceneFault = this->Current.Felt.IsValid ? SafetyFault::None : SafetyFault::InvalidContact;
   input.IsTouching = this->Current.Felt.Structure >= 0;
   input.ContactForce = this->Current.Felt.Force;
-  input.AmbientForce = this->Current.AmbientForce + this->Carrying;
+  input.AmbientForce = this->Carrying;
   return input;
 }
 

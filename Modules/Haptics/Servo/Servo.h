@@ -90,7 +90,6 @@ private:
   struct Answer
   {
     ServoScene::Feeling Felt;
-    Vector3 AmbientForce = Vector3::Zero(); // N, device's frame
     ToolPose Pose;
   };
 

@@ -71,10 +71,6 @@ Status TouchScene::Check() const
         "A drill's radius, clearance, turns and vibration must be finite and not "
         "negative.");
   }
-  if (!this->Ambient.Constant.allFinite() || !IsAmount(this->Ambient.Viscosity))
-  {
-    return Status::Failure("The ambient force must be finite and its viscosity not negative.");
-  }
   return Status::Success();
 }
 

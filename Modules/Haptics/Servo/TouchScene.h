@@ -33,13 +33,6 @@ struct TouchStructure
   int Site = -1;       ///< in DrillVersions; -1: not drilled
 };
 
-/// Forces that act without contact too, in the device's frame.
-struct AmbientForce
-{
-  Vector3 Constant = Vector3::Zero(); ///< N, for example against the mechanism's weight
-  double Viscosity = 0.0;             ///< N s/mm
-};
-
 /// The tool as a drill.
 struct TouchDrill
 {
@@ -57,7 +50,6 @@ struct TouchScene
   std::vector<TouchStructure> Structures;
   ToolShape Tool = ToolShape::Sphere(1.0);
   DeviceFrame Frame;
-  AmbientForce Ambient;
   TouchDrill Drill;
 
   /// Fails, naming the structure, if the scene cannot be rendered.

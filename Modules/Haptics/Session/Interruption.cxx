@@ -62,23 +62,15 @@ Interruption::Interruption()
   Requests = 0;
   EmergencyStop::Forget();
   struct sigaction action = {};
-  action.sa_handler = Ask;
   action.sa_flags = SA_RESTART;
   for (std::size_t s = 0; s < Signals.size(); ++s)
   {
+    const bool isStop = Signals[s] == SIGTSTP || Signals[s] == SIGTTIN || Signals[s] == SIGTTOU;
+    action.sa_handler = isStop ? StopUnlessForced : Ask;
     sigaction(Signals[s], nullptr, &this->Former[s]);
     if (this->Former[s].sa_handler != SIG_IGN)
     {
       sigaction(Signals[s], &action, nullptr);
-    }
-  }
-  action.sa_handler = StopUnlessForced;
-  for (std::size_t s = 0; s < Stops.size(); ++s)
-  {
-    sigaction(Stops[s], nullptr, &this->FormerStops[s]);
-    if (this->FormerStops[s].sa_handler != SIG_IGN)
-    {
-      sigaction(Stops[s], &action, nullptr);
     }
   }
 }
@@ -88,10 +80,6 @@ Interruption::~Interruption()
   for (std::size_t s = 0; s < Signals.size(); ++s)
   {
     sigaction(Signals[s], &this->Former[s], nullptr);
-  }
-  for (std::size_t s = 0; s < Stops.size(); ++s)
-  {
-    sigaction(Stops[s], &this->FormerStops[s], nullptr);
   }
   EmergencyStop::Forget();
 }

@@ -34,9 +34,8 @@ public:
   static int ExitCode() noexcept;
 
 private:
-  static constexpr std::array<int, 4> Signals{SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+  static constexpr std::array<int, 7> Signals{SIGINT,  SIGTERM, SIGHUP, SIGPIPE,
+                                              SIGTSTP, SIGTTIN, SIGTTOU};
   std::array<struct sigaction, Signals.size()> Former{};
-  static constexpr std::array<int, 3> Stops{SIGTSTP, SIGTTIN, SIGTTOU};
-  std::array<struct sigaction, Stops.size()> FormerStops{};
 };
 } // namespace palpate

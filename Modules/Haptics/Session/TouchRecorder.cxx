@@ -26,10 +26,8 @@ constexpr const char* PartEnding = ".part";
 template <std::size_t Count>
 void AppendWords(std::string& bytes, const std::array<std::uint64_t, Count>& words)
 {
-  for (std::size_t i = 0; i < 8 * Count; ++i)
-  {
-    bytes += static_cast<char>(static_cast<unsigned char>(words[i / 8] >> (8 * (i % 8))));
-  }
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
+  bytes.append(reinterpret_cast<const char*>(words.data()), sizeof(words));
 }
 
 /// An open file, closed with the object.

@@ -15,17 +15,9 @@ using namespace TouchRecordingFormat;
 template <std::size_t Count>
 bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words)
 {
-  std::array<unsigned char, 8 * Count> bytes{};
-  file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
-  for (std::size_t i = 0; i < Count; ++i)
-  {
-    words[i] = 0;
-    for (std::size_t b = 8; b-- > 0;)
-    {
-      words[i] = words[i] << 8 | bytes[8 * i + b];
-    }
-  }
-  return file.gcount() == static_cast<std::streamsize>(bytes.size());
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
+  file.read(reinterpret_cast<char*>(words.data()), sizeof(words));
+  return file.gcount() == static_cast<std::streamsize>(sizeof(words));
 }
 
 Status ReadTicks(const std::string& path, std::istream& file, std::uint64_t skippedFlags,

@@ -148,14 +148,14 @@ inline std::vector<Vector3> ProbingDirections()
   return directions;
 }
 
-inline ExtremeCase ExtremeFieldCase(ExtremeShape shape, FieldContactMode mode)
+inline ExtremeCase ExtremeFieldCase(ExtremeShape shape, bool isPublished)
 {
   constexpr int Nodes = 49;
   const FieldGrid grid({Nodes, Nodes, Nodes}, ExtremeCenter - Vector3::Constant(12.0),
                        Vector3::Constant(0.5), Matrix3::Identity());
   const auto field = SampledField(grid, ExtremeField{shape});
   const RayCaster caster(field);
-  ExtremeCase made{FieldContact(field, mode), {}};
+  ExtremeCase made{isPublished ? PublishedContact(field) : FieldContact(field), {}};
   for (const Vector3& u : ProbingDirections())
   {
     const FieldHit hit = caster.CastWorld({ExtremeCenter + 40.0 * u, -u}, 0.0, 80.0);
@@ -202,11 +202,11 @@ inline ExtremeCase MadeExtremeCase(Representation representation, ExtremeShape s
   case Representation::Facets:
     return ExtremeFacetCase(shape);
   case Representation::FieldProxy:
-    return ExtremeFieldCase(shape, FieldContactMode::Proxy);
+    return ExtremeFieldCase(shape, false);
   case Representation::FieldShell:
     break;
   }
-  return ExtremeFieldCase(shape, FieldContactMode::PublishedShell);
+  return ExtremeFieldCase(shape, true);
 }
 
 /// Without points at the centre itself, which has no outward direction.

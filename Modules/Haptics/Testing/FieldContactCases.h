@@ -4,15 +4,25 @@
 #include "FieldCases.h"
 #include "FieldContactModel.h"
 #include "ProceduralFields.h"
+#include "PublishedShell.h"
 
 namespace palpate::test
 {
 inline std::shared_ptr<const ContactModel>
-FieldContact(const std::shared_ptr<const ScalarField>& field,
-             FieldContactMode mode = FieldContactMode::Proxy, int material = 0)
+FieldContact(const std::shared_ptr<const ScalarField>& field)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = FieldContactModel::Make(field, material, mode, contact);
+  const Status status = FieldContactModel::Make(field, 0, contact);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return contact;
+}
+
+/// The same by the published method.
+inline std::shared_ptr<const ContactModel>
+PublishedContact(const std::shared_ptr<const ScalarField>& field)
+{
+  std::shared_ptr<const ContactModel> contact;
+  const Status status = MakePublishedShell(field, 0, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

@@ -494,7 +494,7 @@ TEST(FieldContactModel, ShellsMatchVoxelsAndUnknownMaterialIsRejected)
   for (const int material : {-1, 1})
   {
     std::shared_ptr<const ContactModel> model;
-    EXPECT_FALSE(FieldContactModel::Make(field, material, FieldContactMode::Proxy, model).IsOk());
+    EXPECT_FALSE(FieldContactModel::Make(field, material, model).IsOk());
   }
   const Eigen::AlignedBox3d bounds = FieldContact(field)->BoundsWorld();
   EXPECT_TRUE(bounds.contains(grid.PointWorld(Vector3(7.0, 7.0, 7.0))));

@@ -96,7 +96,7 @@ TEST(TrackersDoNotAllocate, OnFields)
     const auto solved = test::FieldContact(field);
     EXPECT_GT(TouchesWithoutAllocation(*solved, ToolShape::SpherePoints(1.0, 26), {0.3, 0.2}), 300);
     EXPECT_GT(TouchesWithoutAllocation(*solved, ToolShape::Capsule(0.5, 3.0, 40), {}), 300);
-    const auto published = test::FieldContact(field, FieldContactMode::PublishedShell);
+    const auto published = test::PublishedContact(field);
     EXPECT_GT(TouchesWithoutAllocation(*published, ToolShape::SpherePoints(1.0, 26), {}), 300);
   }
 }

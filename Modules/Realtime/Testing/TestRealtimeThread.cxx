@@ -45,18 +45,7 @@ TEST(RealtimeThread, RequestsNothingUnasked)
   request.Priority = 0;
   ASSERT_TRUE(thread.Start(request, [] {}).IsOk());
   EXPECT_FALSE(thread.Grant().HasPriority);
-  EXPECT_FALSE(thread.Grant().HasLockedMemory);
   EXPECT_TRUE(thread.Grant().Advice.empty());
-}
-
-TEST(RealtimeThread, LockedMemoryIsGrantedOrExplained)
-{
-  RealtimeThread thread;
-  RealtimeRequest request;
-  request.Priority = 0;
-  request.LocksMemory = true;
-  ASSERT_TRUE(thread.Start(request, [] {}).IsOk());
-  EXPECT_EQ(thread.Grant().HasLockedMemory, thread.Grant().Advice.empty());
 }
 
 TEST(RealtimeThread, RejectsStartUntilJoined)

@@ -32,8 +32,8 @@ TEST(RingBuffer, KeepsOrderAndCountsDrops)
 TEST(RingBuffer, HasCapacityOfAtLeastOne)
 {
   RingBuffer<int> buffer(0);
-  EXPECT_EQ(buffer.Capacity(), 1u);
   EXPECT_TRUE(buffer.Push(1));
+  EXPECT_FALSE(buffer.Push(2));
 }
 
 TEST(RingBuffer, DeliversOrCountsEveryValueOnce)

@@ -9,23 +9,18 @@ namespace
 {
 TEST(SteadyClock, WaitsEndNoEarlierThanRequested)
 {
-  // Sleeping, partly spinning, and spinning only.
-  for (const std::int64_t spin :
-       {std::int64_t{0}, std::int64_t{50'000}, std::int64_t{1'000'000'000}})
+  SteadyClock clock;
+  for (int i = 0; i < 20; ++i)
   {
-    SteadyClock clock(spin);
-    for (int i = 0; i < 20; ++i)
-    {
-      const std::int64_t until = clock.Now() + 100'000;
-      clock.WaitUntil(until);
-      EXPECT_GE(clock.Now(), until);
-    }
+    const std::int64_t until = clock.Now() + 100'000;
+    clock.WaitUntil(until);
+    EXPECT_GE(clock.Now(), until);
   }
 }
 
 TEST(SteadyClock, PastTimesReturnAtOnce)
 {
-  SteadyClock clock(1'000);
+  SteadyClock clock;
   clock.WaitUntil(INT64_MIN / 2);
   clock.WaitUntil(clock.Now() - 1);
 }

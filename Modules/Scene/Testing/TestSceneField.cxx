@@ -96,7 +96,7 @@ TEST(SceneFieldOfSegments, MemoryDoesNotDependOnImageSize)
   {
     const auto field = FieldOfSphere(64, interpolation);
     const auto larger = FieldOfSphere(128, interpolation);
-    EXPECT_EQ(field->Memory().Bytes, larger->Memory().Bytes);
+    EXPECT_EQ(field->Bytes(), larger->Bytes());
     EXPECT_EQ(field->Grid().Size(), larger->Grid().Size());
     // Close around the sphere, the volume's border is the field's.
     EXPECT_EQ(FieldOfSphere(16, interpolation)->Grid().Size(), (std::array<int, 3>{16, 16, 16}));

@@ -31,19 +31,19 @@ void Ask(const DeviceRegistry& registry, Clock& clock, DeviceReport& report)
 }
 
 // One report per plugged-in device; if there is none, one report that says so.
-void Find(const DeviceRegistry& registry, Clock& clock, const DeviceReport& kind,
-          std::vector<DeviceReport>& reports)
+void Find(const DeviceRegistry& registry, Clock& clock, const DeviceRegistry::Kind& kind,
+          const DeviceReport& empty, std::vector<DeviceReport>& reports)
 {
   std::vector<FoundDevice> found;
-  const Status status = registry.FindDevices(kind.Name, clock, found);
+  const Status status = kind.FindDevices(clock, found);
   if (!status.IsOk())
   {
-    reports.push_back(kind);
+    reports.push_back(empty);
     reports.back().Details = status.Message();
   }
   for (const FoundDevice& one : found)
   {
-    DeviceReport report = kind;
+    DeviceReport report = empty;
     report.Name += ":" + one.Argument;
     report.Details = one.Details;
     std::unique_ptr<HapticDevice> device;
@@ -73,14 +73,14 @@ std::vector<DeviceReport> ListDevices()
   const DeviceRegistry registry = Registry();
   SteadyClock clock;
   std::vector<DeviceReport> reports;
-  for (const std::string& name : registry.Names())
+  for (const DeviceRegistry::Kind& kind : registry.Kinds())
   {
     DeviceReport report;
-    report.Name = name;
-    report.Description = registry.Description(name);
-    if (registry.CanBeFound(name))
+    report.Name = kind.Name;
+    report.Description = kind.Description;
+    if (kind.FindDevices)
     {
-      Find(registry, clock, report, reports);
+      Find(registry, clock, kind, report, reports);
       continue;
     }
     Ask(registry, clock, report);
@@ -95,18 +95,18 @@ std::string FirstDevicePluggedIn()
   SteadyClock clock;
   std::string first;
   std::string obstacle = "this build supports no plug-in device";
-  for (const std::string& name : registry.Names())
+  for (const DeviceRegistry::Kind& kind : registry.Kinds())
   {
     std::vector<FoundDevice> found;
-    if (!registry.CanBeFound(name))
+    if (!kind.FindDevices)
     {
       continue;
     }
-    const Status status = registry.FindDevices(name, clock, found);
+    const Status status = kind.FindDevices(clock, found);
     obstacle = status.IsOk() ? obstacle : status.Message();
     for (const FoundDevice& one : found)
     {
-      std::string text = name + ":" + one.Argument;
+      std::string text = kind.Name + ":" + one.Argument;
       if (one.IsUsable)
       {
         return text;
@@ -123,6 +123,8 @@ std::string FirstDevicePluggedIn()
 
 bool IsPluggedIn(const std::string& device)
 {
-  return Registry().CanBeFound(device.substr(0, device.find(':')));
+  const DeviceRegistry registry = Registry();
+  const DeviceRegistry::Kind* const kind = registry.Find(device.substr(0, device.find(':')));
+  return kind != nullptr && kind->FindDevices;
 }
 } // namespace palpate

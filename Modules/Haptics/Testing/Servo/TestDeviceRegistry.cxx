@@ -28,16 +28,19 @@ TEST(DeviceRegistry, ListsKnownNamesForAnUnknownOne)
   DeviceRegistry registry;
   ASSERT_TRUE(registry.Add("first", "one", Refuse).IsOk());
   ASSERT_TRUE(registry.Add("second", "two", Refuse).IsOk());
-  EXPECT_EQ(registry.Names(), (std::vector<std::string>{"first", "second"}));
-  EXPECT_EQ(registry.Description("second"), "two");
-  EXPECT_EQ(registry.Description("third"), "");
+  ASSERT_EQ(registry.Kinds().size(), 2U);
+  EXPECT_EQ(registry.Kinds()[0].Name, "first");
+  EXPECT_EQ(registry.Kinds()[1].Name, "second");
+  ASSERT_NE(registry.Find("second"), nullptr);
+  EXPECT_EQ(registry.Find("second")->Description, "two");
+  EXPECT_EQ(registry.Find("third"), nullptr);
   ManualClock clock;
   std::unique_ptr<HapticDevice> device;
   EXPECT_EQ(registry.Make("third", clock, device).Message(),
             "There is no kind of device named third; known are: first, second.");
 }
 
-TEST(DeviceRegistry, FindsDevicesOfSearchableKinds)
+TEST(DeviceRegistry, KeepsTheSearchOfAKind)
 {
   DeviceRegistry registry;
   const auto search = [](Clock&, std::vector<FoundDevice>& found)
@@ -48,17 +51,11 @@ TEST(DeviceRegistry, FindsDevicesOfSearchableKinds)
   ASSERT_TRUE(registry.Add("plugged", "", Refuse, search).IsOk());
   ASSERT_TRUE(registry.Add("computed", "", Refuse).IsOk());
   ManualClock clock;
-  std::vector<FoundDevice> found(3);
-  EXPECT_TRUE(registry.CanBeFound("plugged"));
-  EXPECT_TRUE(registry.FindDevices("plugged", clock, found).IsOk());
+  std::vector<FoundDevice> found;
+  EXPECT_TRUE(registry.Find("plugged")->FindDevices(clock, found).IsOk());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].Argument, "1-2");
-  for (const char* name : {"computed", "unknown"})
-  {
-    EXPECT_FALSE(registry.CanBeFound(name));
-    EXPECT_FALSE(registry.FindDevices(name, clock, found).IsOk());
-    EXPECT_TRUE(found.empty());
-  }
+  EXPECT_FALSE(registry.Find("computed")->FindDevices);
 }
 
 TEST(DeviceRegistry, RejectsInvalidKinds)

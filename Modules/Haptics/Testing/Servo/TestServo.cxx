@@ -67,21 +67,6 @@ TEST(Servo, StructuresAddUp)
   EXPECT_EQ(run.Loop.Latest().Structure, 0);
 }
 
-TEST(Servo, AmbientForcesActWithoutContact)
-{
-  TouchScene scene = WallScene(-100.0, {1.0, 0.0});
-  scene.Ambient = {{0.0, 0.7, 0.0}, 0.002};
-  test::ServoRun run(scene);
-  EXPECT_NEAR((run.RestAt(Vector3::Zero()) - Vector3(0.0, 0.7, 0.0)).norm(), 0.0, 1e-12);
-  Vector3 force = Vector3::Zero();
-  for (int n = 1; n < 200; ++n)
-  {
-    force = run.TickAt({0.1 * n, 0.0, 0.0});
-  }
-  // 100 mm/s; the filter has settled after 66 time constants.
-  EXPECT_NEAR((force - Vector3(-0.2, 0.7, 0.0)).norm(), 0.0, 1e-9);
-}
-
 TEST(Servo, StructureOutOfReachIsNotQueried)
 {
   CountedWall wall;

@@ -24,8 +24,6 @@ TEST(TouchScene, RejectsInvalidScenes)
       [](TouchScene& s)
       { s.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(test::NotANumber)}; },
       [](TouchScene& s) { s.Tool = ToolShape::Sphere(-1.0); },
-      [](TouchScene& s) { s.Ambient.Constant[1] = test::NotANumber; },
-      [](TouchScene& s) { s.Ambient.Viscosity = -0.1; },
       [](TouchScene& s) { s.Frame = DeviceFrame(-Matrix3::Identity(), 1.0, Vector3::Zero()); },
       [](TouchScene& s) { s.Frame = DeviceFrame(2.0 * Matrix3::Identity(), 1.0, Vector3::Zero()); },
       [](TouchScene& s) { s.Frame = DeviceFrame(Matrix3::Identity(), 0.0, Vector3::Zero()); },

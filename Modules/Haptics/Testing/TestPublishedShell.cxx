@@ -1,5 +1,4 @@
 #include "FieldContactCases.h"
-#include "FieldShellTracker.h"
 #include "WorstCase.h"
 
 #include <limits>
@@ -89,13 +88,13 @@ private:
   Vector3 Proxy = Vector3::Zero();
 };
 
-TEST(FieldShellTracker, EqualsThePublishedMethod)
+TEST(PublishedShell, EqualsThePublishedMethod)
 {
   Random random(5201);
   const FieldGrid grid = test::FineGrid(48);
   const auto field = test::SampledField(grid, test::GyroidField{20.0});
   const ToolShape tool = ToolShape::SpherePoints(ToolRadius, 26);
-  const auto model = test::FieldContact(field, FieldContactMode::PublishedShell);
+  const auto model = test::PublishedContact(field);
   int kinds[3] = {0, 0, 0};
   for (int path = 0; path < 40; ++path)
   {
@@ -129,12 +128,12 @@ TEST(FieldShellTracker, EqualsThePublishedMethod)
   EXPECT_GT(kinds[2], 100);
 }
 
-TEST(FieldShellTracker, MeanOfManyPointsIsLessThanTheDepth)
+TEST(PublishedShell, MeanOfManyPointsIsLessThanTheDepth)
 {
   // A known limitation left open by its authors; FieldProxyTracker solves it.
   const FieldGrid grid = test::FineGrid(48);
   const auto field = test::SampledField(grid, test::PlaneField{-Vector3::UnitZ(), -24.0});
-  const auto published = test::FieldContact(field, FieldContactMode::PublishedShell);
+  const auto published = test::PublishedContact(field);
   const auto solved = test::FieldContact(field);
   const Vector3 top = grid.PointWorld({24.0, 24.0, 24.0});
   const Vector3 above = top + Vector3(0.0, 0.0, 1.0 + 1e-3);
@@ -149,11 +148,11 @@ TEST(FieldShellTracker, MeanOfManyPointsIsLessThanTheDepth)
   EXPECT_NEAR(second->Follow(At(probe)).Depth, 0.5, 1e-3 * VoxelSize); // where solving ends
 }
 
-TEST(FieldShellTracker, InvalidAndFarPosesHaveNoContact)
+TEST(PublishedShell, InvalidAndFarPosesHaveNoContact)
 {
   const FieldGrid grid = test::FineGrid(48);
   const auto field = test::SampledField(grid, test::SphereField{Vector3::Constant(24.0), 15.0});
-  const auto model = test::FieldContact(field, FieldContactMode::PublishedShell);
+  const auto model = test::PublishedContact(field);
   const auto tracker = TrackerOf(*model, ToolShape::SpherePoints(1.0, 26));
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(tracker->Follow(At({0.0, notANumber, 0.0})).IsValid);
@@ -170,11 +169,11 @@ TEST(FieldShellTracker, InvalidAndFarPosesHaveNoContact)
   EXPECT_TRUE(deep.ProxyWorld.allFinite());
 }
 
-TEST(FieldShellTracker, RejectsPointsAndFriction)
+TEST(PublishedShell, RejectsPointsAndFriction)
 {
   const FieldGrid grid = test::FineGrid(24);
   const auto field = test::SampledField(grid, test::SphereField{Vector3::Constant(12.0), 8.0});
-  const auto model = test::FieldContact(field, FieldContactMode::PublishedShell);
+  const auto model = test::PublishedContact(field);
   std::unique_ptr<ContactTracker> tracker;
   EXPECT_FALSE(model->MakeTracker(ToolShape::Sphere(0.0), {}, tracker).IsOk());
   EXPECT_FALSE(model->MakeTracker(ToolShape::Sphere(1.0), {0.3, 0.2}, tracker).IsOk());
