@@ -180,7 +180,7 @@ Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long 
   }
   field.StartIndex = mask.StartIndex;
   field.Size = mask.Size;
-  field.CutOff = cutOff;
+  field.CutOff = static_cast<float>(rule.CutOff);
   return Status::Success();
 }
 
