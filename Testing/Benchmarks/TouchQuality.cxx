@@ -136,7 +136,8 @@ private:
     bool wasWrong = false;
     for (std::size_t tick = 0; tick < Ticks; ++tick)
     {
-      const double gap = search.Nearest(this->Felt[tick]).SignedDistance - this->Followed.ToolRadius;
+      const double gap =
+          search.Nearest(this->Felt[tick]).SignedDistance - this->Followed.ToolRadius;
       row.SurfaceMean += std::abs(gap) / static_cast<double>(Ticks);
       row.SurfaceMaximum = std::max(row.SurfaceMaximum, std::abs(gap));
       const bool isWrong = !((this->Felt[tick] - this->Followed.Proxies[tick]).norm() <= Seizure);

@@ -42,16 +42,16 @@ TEST(CliFrame, EveryCommandHelpEndsWithExamples)
 TEST(CliFrame, BadCommandLineExitsWithTwoAndOneMessage)
 {
   const TemporaryFolder folder;
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {},
-           {"frobnicate"},
-           {"--frobnicate"},
-           {"evaluate"},
-           {"evaluate", "a", "--frobnicate"},
-           {"convert", "a"},
-           {"convert", "a", "b", "c"},
-           {"convert", "a", "b", "--frequency", "0"},
-           {"completion", "tcsh"}})
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{},
+                                             {"frobnicate"},
+                                             {"--frobnicate"},
+                                             {"evaluate"},
+                                             {"evaluate", "a", "--frobnicate"},
+                                             {"convert", "a"},
+                                             {"convert", "a", "b", "c"},
+                                             {"convert", "a", "b", "--frequency", "0"},
+                                             {"completion", "tcsh"}})
   {
     const CommandRun run = RunPalpate(words, folder.Path());
     EXPECT_EQ(run.Code, 2) << run.Errors;
