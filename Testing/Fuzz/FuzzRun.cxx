@@ -52,7 +52,8 @@ double ProcessorSeconds()
   return sum;
 }
 
-// The largest of all so far, with its program and libraries.
+// The largest of all so far, with its program and libraries. Linux counts what a child shares with
+// this process between fork and exec, so that a peak below this process's own says nothing.
 std::uint64_t DecoderPeakBytes()
 {
   rusage usage{};
@@ -198,8 +199,8 @@ void FuzzRun::ReadOne(const InputReader& read, Progress& progress) const
   alarm(0);
   const std::uint64_t peak = PeakBytes();
   const std::uint64_t own = peak > std::max(before, earlierPeak) ? peak - before : 0;
-  const std::uint64_t used =
-      std::max(own, DecoderPeakBytes() > earlierDecoder ? DecoderPeakBytes() : 0);
+  const std::uint64_t decoder = DecoderPeakBytes();
+  const std::uint64_t used = std::max(own, decoder > std::max(earlierDecoder, peak) ? decoder : 0);
   const double seconds = ProcessorSeconds() - start;
   progress.LargestBytes = std::max(progress.LargestBytes, used);
   progress.LongestSeconds = std::max(progress.LongestSeconds, seconds);
