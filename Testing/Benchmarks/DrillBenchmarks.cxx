@@ -128,7 +128,7 @@ public:
     else if (this->SurfaceCells != this->FadeIn->SurfaceCells().size())
     {
       text << "the drilled field has " << this->SurfaceCells
-           << " cells with a surface, and one that is built anew "
+           << " cells with a surface, and one that is built again "
            << this->FadeIn->SurfaceCells().size();
     }
     return text.str();

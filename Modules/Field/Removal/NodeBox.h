@@ -56,10 +56,9 @@ struct NodeBox
   }
 };
 
-/// The nodes needed to interpolate within a box in the world (mm), and `margin` more on each side,
-/// clipped to the grid.
-inline NodeBox NodesRound(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld,
-                          double margin) noexcept
+/// The box along the grid's axes (continuous indices) that contains a box in the world (mm).
+inline Eigen::AlignedBox3d IndexBounds(const FieldGrid& grid,
+                                       const Eigen::AlignedBox3d& boxWorld) noexcept
 {
   Eigen::AlignedBox3d index;
   for (int n = 0; n < 8; ++n)
@@ -67,6 +66,15 @@ inline NodeBox NodesRound(const FieldGrid& grid, const Eigen::AlignedBox3d& boxW
     const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
     index.extend(grid.PointIndex(boxWorld.corner(corner)));
   }
+  return index;
+}
+
+/// The nodes needed to interpolate within a box in the world (mm), and `margin` more on each side,
+/// clipped to the grid.
+inline NodeBox NodesRound(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld,
+                          double margin) noexcept
+{
+  const Eigen::AlignedBox3d index = IndexBounds(grid, boxWorld);
   NodeBox nodes;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

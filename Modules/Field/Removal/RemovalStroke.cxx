@@ -98,12 +98,7 @@ float MostOf(const RemovalStroke::Nodes& distances)
 // the grid; numbers of blocks.
 NodeBox BlocksOf(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld, double around)
 {
-  Eigen::AlignedBox3d index;
-  for (int n = 0; n < 8; ++n)
-  {
-    const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
-    index.extend(grid.PointIndex(boxWorld.corner(corner)));
-  }
+  const Eigen::AlignedBox3d index = IndexBounds(grid, boxWorld);
   NodeBox range;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
