@@ -14,22 +14,23 @@ DOCUMENTATION = pathlib.Path(__file__).resolve().parent.parent / "Documentation"
 INTRODUCTION = """# Scenes of many structures
 
 Made by `Utilities/scenes.sh`, on {machine}, with {compiler}. Nothing is built, allocated or evaluated for what a scene
-does not require; this page says so in numbers. `palpate scene explain` says it of any scene.
+does not require; this page has the measurements. `palpate scene explain` lists it for any scene.
 
 ## A tick does not grow with the scene
 
 All structures can be touched, and one is: an organ of degree 12, stroked 1.5 mm deep at 50 mm/s and 1 kHz. The others are
-balls of 20 facets on a lattice of 60 mm round it. A tick is all that a servo does, from the device's sample to its force; its time
+spheres of 20 facets on a lattice of 60 mm round it. A tick is all that a servo does, from the device's sample to its force; its time
 is the shortest of {strokes} strokes, so that other programs do not count. *Made in* is what publishing the scene takes, off the servo
-thread; *bytes* are a follower's, its tracker's and the index's, without the models. From 1 to 10,000 structures the median
-grows by {growth:.1f} %, on a clock that tells 10 ns (`touch/structures/10000` of `Utilities/bench.sh` times whole strokes). Forces have the bits of asking every structure in every tick (`TestServoScene`).
+thread; *bytes* counts followers, their trackers and the index, without the models. From 1 to 10,000 structures the median
+grows by {growth:.1f} %, on a clock with a resolution of 10 ns (`touch/structures/10000` of `Utilities/bench.sh` times whole strokes). Forces are
+equal, bit for bit, to those of a servo that queries every structure in every tick (`TestServoScene`).
 """
 
 SCENES = """## Memory follows what is touched
 
 A scene file with an entry for every structure of one segmentation, of which the first ones are `touched` and the others
-are neither seen nor touched. *Made* is what `palpate scene explain` counts; *servo* are
-trackers and index; *process* is by how much it grew while the scene was made. The tick is the
+are neither seen nor touched. *Made* is the memory that `palpate scene explain` reports; *servo* is that of trackers and
+index; *process* is the growth of the process while the scene was made. The tick is the
 median over two seconds of touch. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
 """
 
@@ -47,7 +48,7 @@ def ticks(entries):
                 f"{100 * (e['median_ns'] / first - 1):+.1f} %", f"{e['p999_ns']:.0f} ns",
                 f"{e['max_ns']:.0f} ns", f"{1e3 * e['publish_s']:.1f} ms",
                 f"{e['bytes_each']:,.0f}") for e in entries]
-    return table(["structures", "tick, median", "beside one", "99.9 %", "longest", "made in",
+    return table(["structures", "tick, median", "compared with one", "99.9 %", "longest", "made in",
                   "bytes a structure"], rows)
 
 

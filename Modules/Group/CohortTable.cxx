@@ -4,6 +4,7 @@
 #include "ContentDigest.h"
 #include "CsvText.h"
 #include "DecimalText.h"
+#include "FileStamp.h"
 #include "FitSettingsText.h"
 #include "InputError.h"
 #include "ModelConvention.h"
@@ -28,18 +29,6 @@ const std::vector<std::string> Head{
 constexpr std::array<FitResult::Outcome, 4> Outcomes{
     {FitResult::Outcome::Fitted, FitResult::Outcome::Refused, FitResult::Outcome::BadInput,
      FitResult::Outcome::Failed}};
-
-std::string StampOf(const std::filesystem::path& file)
-{
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(file, error);
-  if (error)
-  {
-    return "absent";
-  }
-  const auto size = std::filesystem::file_size(file, error);
-  return std::to_string(time.time_since_epoch().count()) + " " + std::to_string(error ? 0 : size);
-}
 
 double TotalSeconds(const FitResult& result)
 {

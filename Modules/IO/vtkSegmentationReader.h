@@ -61,7 +61,7 @@ public:
   ///@}
 
   ///@{
-  /** Changes made to the file's data, a sentence each. Valid after UpdateInformation. */
+  /** Changes made to the file's data, one message each. Valid after UpdateInformation. */
   int GetNumberOfNotes();
   const char* GetNote(int index);
   ///@}

@@ -25,8 +25,8 @@
 #include "vtkInteractorStyleMouseHand.h"
 #include "vtkSetGet.h" // For the device's name
 
-#include <memory> // For what touches
-#include <string> // For sentences
+#include <memory> // For the session's state
+#include <string> // For messages
 
 class vtkPolyData;
 class vtkProbeRepresentation;
@@ -71,6 +71,10 @@ public:
   ///@}
   void RemoveAllStructures();
   int GetNumberOfStructures();
+#ifndef __VTK_WRAP__
+  /** All structures and the tool; without a frame, which depends on device and camera. */
+  palpate::TouchScene MakeScene() const;
+#endif
 
   ///@{
   /** The device that StartTouch opens: "simulated" (the default, moved by the mouse), "falcon" … */
@@ -116,7 +120,7 @@ public:
 
   /** The tool and its force, to be shared with other views. */
   vtkProbeRepresentation* GetProbe();
-  /** Status of the forces, in one sentence. */
+  /** Status of the forces. */
   std::string GetStatusText();
   /** Fetches changes since the last call; called by the timer. */
   void Poll();
@@ -134,9 +138,6 @@ private:
   vtkInteractorStyleHaptic(const vtkInteractorStyleHaptic&) = delete;
   void operator=(const vtkInteractorStyleHaptic&) = delete;
 
-#ifndef __VTK_WRAP__
-  palpate::TouchScene MakeScene() const;
-#endif
   bool Publish(const palpate::WorkspaceFrame& frame);
   void FollowCamera();
   void ShowNewest();

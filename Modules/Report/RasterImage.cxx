@@ -1,6 +1,7 @@
 #include "RasterImage.h"
 
-#include "vtkBase64Utilities.h"
+#include "DataUri.h"
+
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
@@ -24,14 +25,6 @@ int ComponentsNeeded(const RasterImage& raster)
     isGrey = isGrey && pixel[0] == pixel[1] && pixel[1] == pixel[2];
   }
   return isGrey ? 1 : 3;
-}
-
-std::string Base64(const std::string& bytes)
-{
-  std::string text((bytes.size() + 2) / 3 * 4, '=');
-  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                             reinterpret_cast<unsigned char*>(text.data()));
-  return text;
 }
 } // namespace
 
@@ -70,6 +63,6 @@ std::string EncodePng(const RasterImage& raster)
 
 std::string PngDataUri(const RasterImage& raster)
 {
-  return "data:image/png;base64," + Base64(EncodePng(raster));
+  return DataUri("image/png", EncodePng(raster));
 }
 } // namespace palpate

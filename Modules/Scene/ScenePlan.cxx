@@ -4,25 +4,9 @@
 #include "StructurePlan.h"
 
 #include <array>
-#include <system_error>
 
 namespace palpate
 {
-namespace
-{
-std::string OwnStampOf(const std::filesystem::path& file)
-{
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(file, error);
-  if (error)
-  {
-    return "absent";
-  }
-  const auto size = std::filesystem::file_size(file, error); // a folder has none
-  return std::to_string(time.time_since_epoch().count()) + "|" + std::to_string(error ? 0 : size);
-}
-} // namespace
-
 const char* NameOf(SceneStep step)
 {
   constexpr std::array<const char*, SceneStepCount> Names{
@@ -64,24 +48,5 @@ void PlanScene(const SceneSettings& scene, const SceneStamps& stamps, const Scen
       StructurePlan(scene, structure, tool, stamps, lookup, nodes).AddProtection(drilled);
     }
   }
-}
-
-// Companion files: names and colours of a label map's labels (see ApplyLabelNames), and data
-// detached from their header. A missing one costs only a directory look-up.
-std::string StampOf(const std::filesystem::path& file)
-{
-  std::string stamps = OwnStampOf(file);
-  std::filesystem::path stem = file;
-  const bool isCompressed = stem.extension() == ".gz";
-  stem = isCompressed ? stem.replace_extension() : stem;
-  for (const char* ending : {".txt", ".lut"})
-  {
-    stamps += "|" + OwnStampOf(std::filesystem::path(stem).concat(ending));
-  }
-  for (const char* ending : {".raw", ".zraw", ".raw.gz", ".img"})
-  {
-    stamps += "|" + OwnStampOf(std::filesystem::path(stem).replace_extension(ending));
-  }
-  return stamps;
 }
 } // namespace palpate

@@ -13,12 +13,8 @@
 
 namespace palpate
 {
-/// Stamps of a scene's files; a file's stamp changes when it is written again.
+/// Stamps of a scene's files; see StampOf.
 using SceneStamps = std::map<std::filesystem::path, std::string>;
-
-/// Made of the modification time and size of a file and of its companion files. Reads no file
-/// content.
-PALPATESCENE_EXPORT std::string StampOf(const std::filesystem::path& file);
 
 /// Steps from files to touch. Volume, segmentation and tool belong to the whole scene, the others
 /// to a structure.

@@ -1,6 +1,7 @@
 #include "Study.h"
 
 #include "DecimalText.h"
+#include "FileStamp.h"
 #include "FitSettingsJson.h"
 #include "InputError.h"
 #include "OpenBuiltInDevice.h"

@@ -1,5 +1,6 @@
 #include "StudyPlan.h"
 
+#include "FileStamp.h"
 #include "SceneReading.h"
 
 namespace palpate

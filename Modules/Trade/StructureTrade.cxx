@@ -35,8 +35,8 @@ StructureTrade::StructureTrade(const SceneSettings& scene, const SceneStructure&
 
 StructureTrade::~StructureTrade() = default;
 
-std::shared_ptr<const TouchContact> StructureTrade::Make(const ContactSetting& setting,
-                                                         const ProgressFunction& progress)
+std::shared_ptr<const TouchContact> StructureTrade::ContactFor(const ContactSetting& setting,
+                                                               const ProgressFunction& progress)
 {
   SceneSettings scene = WithSetting(this->Scene, setting);
   scene.Structures.front() = OnlyTouched(scene.Structures.front());
@@ -54,7 +54,7 @@ int StructureTrade::HighestDegree(const ProgressFunction& progress)
   }
   try
   {
-    this->Make(SettingOf(this->Scene, TouchRepresentation::Facets), progress);
+    this->ContactFor(SettingOf(this->Scene, TouchRepresentation::Facets), progress);
   }
   catch (const InputError&)
   {
@@ -83,7 +83,7 @@ std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunc
   {
     ContactSetting finest = SettingOf(this->Scene, representation);
     finest.Structure.Interpolation = FieldInterpolation::TricubicBSpline;
-    return this->Make(finest, progress);
+    return this->ContactFor(finest, progress);
   };
   switch (structure.Source())
   {
@@ -108,7 +108,7 @@ std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunc
 void StructureTrade::Fill(const ContactSetting& setting, TradeRow& row,
                           const ProgressFunction& progress)
 {
-  const auto contact = this->Make(setting, progress);
+  const auto contact = this->ContactFor(setting, progress);
   const SceneStructure& structure = this->Scene.Structures.front();
   row.Represented = contact->Represented;
   row.BuildSeconds = this->Made.SecondsOf(structure.Id);

@@ -29,8 +29,14 @@ public:
                  const Settings& settings, const Clock& clock);
   ~StructureTrade();
 
-  /// The settings to compare. Throws InputError, FilterError and Cancelled, as does Measure.
+  /// The settings to compare. Throws InputError, FilterError and Cancelled, as do the
+  /// others.
   std::vector<ContactSetting> Candidates(const ProgressFunction& progress);
+
+  /// The contact of the structure with this setting, which is also the scene's for the structure's
+  /// own setting.
+  std::shared_ptr<const TouchContact> ContactFor(const ContactSetting& setting,
+                                                 const ProgressFunction& progress);
 
   /// Measures one setting. The first call makes the reference and the path. A setting that cannot
   /// represent the structure gives a row with the reason. Throws InputError if the tool cannot
@@ -46,8 +52,6 @@ public:
   int HighestDegree(const ProgressFunction& progress);
 
 private:
-  std::shared_ptr<const TouchContact> Make(const ContactSetting& setting,
-                                           const ProgressFunction& progress);
   std::unique_ptr<TradeReference> MakeReference(const ProgressFunction& progress);
   void Fill(const ContactSetting& setting, TradeRow& row, const ProgressFunction& progress);
 

@@ -241,7 +241,7 @@ void AddHarmonics(const std::shared_ptr<const SphericalHarmonicModel>& body,
   for (const double radius : {0.0, 1.0, 4.0})
   {
     std::ostringstream name;
-    name << "spherical harmonics, " << (radius > 0.0 ? "ball of " : "point");
+    name << "spherical harmonics, " << (radius > 0.0 ? "sphere of " : "point");
     radius > 0.0 ? name << radius << " mm" : name;
     rows.push_back(Rehearsal(*nearest, ToolShape::Sphere(radius), Path(search, radius))
                        .Assess(name.str(), search));
@@ -265,7 +265,7 @@ std::vector<TouchQualityRow> TouchQuality()
   for (const int frequency : {20, 40, 80})
   {
     add(*FacetsOf(*body, frequency), ToolShape::Sphere(1.0),
-        std::to_string(20 * frequency * frequency / 1000) + ",000 facets, ball of 1 mm");
+        std::to_string(20 * frequency * frequency / 1000) + ",000 facets, sphere of 1 mm");
   }
   const ToolShape shell = ToolShape::SpherePoints(1.0, ToolShape::NeighbourCount);
   for (const int nodes : {128, 256})

@@ -107,7 +107,7 @@ int main(int argc, char** argv)
   std::string counts;
   bool verifyOnly = false;
   bool countOnly = false;
-  CLI::App app("Times Palpate beside named alternatives in the same run.");
+  CLI::App app("Times Palpate next to named alternatives in the same run.");
   app.add_option("--filter", filter, "only benchmarks whose name contains this");
   app.add_option("--json", json, "file to write the comparisons to");
   app.add_option("--page-json", page, "file to write what the page of measurements needs to");

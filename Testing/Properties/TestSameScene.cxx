@@ -1,4 +1,4 @@
-// Window and command line create the same scene from the same settings.
+// Window, command line, trade and interactor style create the same scene from the same settings.
 #include "InputError.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
@@ -6,6 +6,7 @@
 #include "SceneRepresentation.h"
 #include "Servo.h"
 #include "SimulatedDevice.h"
+#include "StructureTrade.h"
 #include "StudyCases.h"
 #include "StudyDrill.h"
 #include "StudyPhantoms.h"
@@ -13,6 +14,7 @@
 #include "TouchDoubles.h"
 #include "TouchRun.h"
 #include "WorkspaceFrame.h"
+#include "vtkInteractorStyleHaptic.h"
 
 #include "ManualClock.h"
 
@@ -227,7 +229,7 @@ Vector3 HandAt(double time)
           10.0 * std::cos(3.0 * time)};
 }
 
-std::vector<TouchState> TicksOf(const std::shared_ptr<const TouchScene>& scene)
+std::vector<TouchState> TicksOf(const std::shared_ptr<const TouchScene>& scene, double reach)
 {
   test::ScriptedDevice device;
   Servo servo(device, ServoSettings());
@@ -238,7 +240,7 @@ std::vector<TouchState> TicksOf(const std::shared_ptr<const TouchScene>& scene)
     TickInfo tick;
     tick.Number = n;
     tick.Started = static_cast<std::int64_t>(n) * 1'000'000;
-    device.Next.Position = HandAt(0.001 * static_cast<double>(n));
+    device.Next.Position = reach * HandAt(0.001 * static_cast<double>(n));
     device.Next.Time = tick.Started;
     servo.Tick(tick);
     ticks.push_back(servo.Latest());
@@ -293,11 +295,11 @@ void ExpectSameStructure(const TouchStructure& a, const TouchStructure& b)
   EXPECT_EQ(a.Site, b.Site);
 }
 
-// Expects equal forces, some of them not zero.
-std::uint64_t ExpectSameTicks(const TouchScene& a, const TouchScene& b)
+// Returns the number of ticks with contact. `reach` scales the path of the hand.
+std::uint64_t ExpectSameTicks(const TouchScene& a, const TouchScene& b, double reach = 1.0)
 {
-  const std::vector<TouchState> one = TicksOf(std::make_shared<TouchScene>(a));
-  const std::vector<TouchState> other = TicksOf(std::make_shared<TouchScene>(b));
+  const std::vector<TouchState> one = TicksOf(std::make_shared<TouchScene>(a), reach);
+  const std::vector<TouchState> other = TicksOf(std::make_shared<TouchScene>(b), reach);
   std::uint64_t touching = 0;
   for (std::size_t n = 0; n < one.size(); ++n)
   {
@@ -349,6 +351,95 @@ TEST(SameScene, WindowAndCommandLineGiveEqualBits)
   EXPECT_GT(scenes, Cases / 2);
   EXPECT_GT(effects, static_cast<std::size_t>(scenes));
   EXPECT_GT(touching, 100U * static_cast<std::uint64_t>(scenes));
+}
+
+// The scene with the contact models that a trade measures for the scene's own settings.
+TouchScene WithMeasuredContacts(const TouchScene& scene, const SceneSettings& settings)
+{
+  const auto goOn = [](double, const std::string&) { return true; };
+  const ManualClock clock;
+  TouchScene measured = scene;
+  for (TouchStructure& structure : measured.Structures)
+  {
+    const SceneStructure& asked = *std::find_if(
+        settings.Structures.begin(), settings.Structures.end(),
+        [&structure](const SceneStructure& one) { return one.Name == structure.Name; });
+    StructureTrade trade(settings, asked, {}, {}, clock);
+    structure.Model = trade.ContactFor({asked, settings.Tool.Points}, goOn)->Model;
+  }
+  return measured;
+}
+
+TEST(SameScene, TradeMeasuresContactsOfTheScene)
+{
+  Random random(2027);
+  const Sources sources(random);
+  std::uint64_t touching = 0;
+  for (int n = 0; n < Cases / 2; ++n)
+  {
+    SceneCase both(sources, random);
+    for (SceneStructure& structure : both.Window.Structures)
+    {
+      structure.Drill = {}; // a trade does not drill
+    }
+    both.CommandLine.Structures = both.Window.Structures;
+    const Outcome line = CommandLineScene(both.CommandLine);
+    SCOPED_TRACE("case " + std::to_string(n) + " " + line.Refusal);
+    if (line.Scene != nullptr)
+    {
+      touching += ExpectSameTicks(*line.Scene, WithMeasuredContacts(*line.Scene, both.Window));
+    }
+  }
+  EXPECT_GT(touching, 1000U);
+}
+
+// Settings that an interactor style has: surfaces, their stiffness, and a spherical tool.
+SceneSettings RandomSurfaceScene(Random& random, const Sources& sources)
+{
+  SceneSettings settings;
+  settings.Tool = RandomTool(random, true);
+  for (int n = 0; n <= RandomWhole(random, 0, 1); ++n)
+  {
+    SceneStructure structure;
+    structure.File = sources.Surface;
+    structure.Name = "surface " + std::to_string(n);
+    structure.Representation = TouchRepresentation::Facets;
+    structure.Stiffness = RandomNumber(random, 0.1, 1.5);
+    structure.Damping = 0.0;
+    structure.Friction = {};
+    settings.Structures.push_back(structure);
+  }
+  return settings;
+}
+
+TEST(SameScene, InteractorStyleGivesEqualBitsForSurfaces)
+{
+  constexpr double AcrossSphere = 0.4;
+  Random random(2028);
+  const Sources sources(random);
+  std::uint64_t touching = 0;
+  for (int n = 0; n < Cases / 4; ++n)
+  {
+    SCOPED_TRACE("case " + std::to_string(n));
+    const SceneSettings settings = RandomSurfaceScene(random, sources);
+    const Outcome line = CommandLineScene(settings);
+    ASSERT_TRUE(line.Scene != nullptr) << line.Refusal;
+    const vtkNew<vtkInteractorStyleHaptic> style;
+    style->SetToolRadius(settings.Tool.Radius);
+    for (const SceneStructure& structure : settings.Structures)
+    {
+      ASSERT_GE(style->AddSurface(ReadSurface(structure.File), structure.Stiffness), 0);
+    }
+    TouchScene shown = style->MakeScene();
+    ASSERT_EQ(shown.Structures.size(), line.Scene->Structures.size());
+    for (std::size_t s = 0; s < shown.Structures.size(); ++s)
+    {
+      ExpectSameStructure(line.Scene->Structures[s], shown.Structures[s]);
+    }
+    shown.Frame = line.Scene->Frame;
+    touching += ExpectSameTicks(*line.Scene, shown, AcrossSphere);
+  }
+  EXPECT_GT(touching, 1000U);
 }
 } // namespace
 } // namespace palpate

@@ -107,3 +107,16 @@ TEST(CohortTable, RejectsFirstEmptyRow)
   EXPECT_TRUE(Has(RefusalOf(text, [](const auto& file) { ReadManifest(file, {}); }),
                   "a row has no case or no mask"));
 }
+
+// The voxels of such a mask are in another file than its header.
+TEST(CohortTable, KeyChangesWithDetachedVoxels)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "mask.mhd", "header");
+  WriteAll(folder / "mask.raw", "voxels");
+  const auto key = [&folder] { return CohortKey(folder / "mask.mhd", {}, {"1"}, {}, "program"); };
+  const std::string before = key();
+  EXPECT_EQ(key(), before);
+  WriteAll(folder / "mask.raw", "other voxels");
+  EXPECT_NE(key(), before);
+}

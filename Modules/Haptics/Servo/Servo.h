@@ -45,7 +45,7 @@ public:
   /// Prepares `scene`, which the servo thread adopts in its next tick. Fails for an invalid scene;
   /// the previous one then stays.
   ///
-  /// Anew: the scene fades in from zero. Continuing: structures with the same id carry on: their
+  /// FadeIn: forces start from zero. Continuing: structures with the same id carry on: their
   /// proxies stay in place in the world, whatever changed in shape, law, tool and frame, and move
   /// to the probe from there; the force changes from the old to the new one within
   /// HandoverDuration, and structures that only now surround the tool fade in as at a start.

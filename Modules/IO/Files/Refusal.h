@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// Throws InputError with the message "<file> <fact>; <way out>.", where the way out says what to
+/// Throws InputError with the message "<file> <fact>; <remedy>.", where the remedy says what to
 /// do.
 [[noreturn]] PALPATEIO_EXPORT void Refuse(const std::filesystem::path& file,
                                           const std::string& fact, const std::string& remedy);

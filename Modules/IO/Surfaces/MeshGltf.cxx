@@ -1,8 +1,7 @@
 #include "MeshGltf.h"
 
+#include "DataUri.h"
 #include "LittleEndian.h"
-
-#include "vtkBase64Utilities.h"
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -153,14 +152,6 @@ GltfFile Describe(const TriangleMesh& mesh)
   return file;
 }
 
-std::string Base64(const std::string& bytes)
-{
-  std::string text((bytes.size() + 2) / 3 * 4, '=');
-  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                             reinterpret_cast<unsigned char*>(text.data()));
-  return text;
-}
-
 void AppendChunk(std::string& bytes, std::uint32_t type, std::string content, char filler)
 {
   content.resize((content.size() + 3) / 4 * 4, filler);
@@ -173,8 +164,7 @@ void AppendChunk(std::string& bytes, std::uint32_t type, std::string content, ch
 std::string MeshToGltf(const TriangleMesh& mesh)
 {
   GltfFile file = Describe(mesh);
-  file.Description["buffers"][0]["uri"] =
-      "data:application/octet-stream;base64," + Base64(file.Buffer);
+  file.Description["buffers"][0]["uri"] = DataUri("application/octet-stream", file.Buffer);
   return file.Description.dump(1) + "\n";
 }
 

@@ -1,0 +1,40 @@
+#include "FileStamp.h"
+
+#include <system_error>
+
+namespace palpate
+{
+namespace
+{
+std::string OwnStampOf(const std::filesystem::path& file)
+{
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file, error);
+  if (error)
+  {
+    return "absent";
+  }
+  const auto size = std::filesystem::file_size(file, error); // a folder has none
+  return std::to_string(time.time_since_epoch().count()) + "|" + std::to_string(error ? 0 : size);
+}
+} // namespace
+
+// Companion files: names and colours of a label map's labels (see ApplyLabelNames), and data
+// detached from their header. A missing one costs only a directory look-up.
+std::string StampOf(const std::filesystem::path& file)
+{
+  std::string stamps = OwnStampOf(file);
+  std::filesystem::path stem = file;
+  const bool isCompressed = stem.extension() == ".gz";
+  stem = isCompressed ? stem.replace_extension() : stem;
+  for (const char* ending : {".txt", ".lut"})
+  {
+    stamps += "|" + OwnStampOf(std::filesystem::path(stem).concat(ending));
+  }
+  for (const char* ending : {".raw", ".zraw", ".raw.gz", ".img"})
+  {
+    stamps += "|" + OwnStampOf(std::filesystem::path(stem).replace_extension(ending));
+  }
+  return stamps;
+}
+} // namespace palpate

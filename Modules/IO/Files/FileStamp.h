@@ -1,0 +1,13 @@
+#pragma once
+
+#include "PalpateIOModule.h"
+
+#include <filesystem>
+#include <string>
+
+namespace palpate
+{
+/// Made of the modification time and size of a file and of its companion files: it changes when one
+/// of them is written again. Reads no file content.
+PALPATEIO_EXPORT std::string StampOf(const std::filesystem::path& file);
+} // namespace palpate
