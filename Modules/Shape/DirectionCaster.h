@@ -1,19 +1,12 @@
 #pragma once
 
+#include "IndexedMesh.h"
 #include "PalpateShapeModule.h"
-#include "Vector3.h"
 
-#include <array>
 #include <vector>
 
 namespace palpate
 {
-struct IndexedMesh
-{
-  std::vector<Vector3> Points;
-  std::vector<std::array<int, 3>> Triangles;
-};
-
 struct RayCrossing
 {
   int Triangle;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DirectionCaster.h"
+#include "IndexedMesh.h"
 #include "PalpateShapeModule.h"
 
 class vtkPolyData;
