@@ -1,0 +1,247 @@
+#include "ParametricFit.h"
+
+#include "ParametricSolver.h"
+#include "SurfaceSamples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+using Sample = SphericalHarmonicEvaluator::Sample;
+
+// Position and tangents of the surface at the parameters of all samples.
+struct SurfaceState
+{
+  std::array<std::vector<Sample>, 3> Coordinates;
+
+  Vector3 Point(std::size_t i) const
+  {
+    return {this->Coordinates[0][i].Radius, this->Coordinates[1][i].Radius,
+            this->Coordinates[2][i].Radius};
+  }
+  // Rows: gradients of x, y and z.
+  Matrix3 Jacobian(std::size_t i) const
+  {
+    Matrix3 rows;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rows.row(axis) = this->Coordinates[static_cast<std::size_t>(axis)][i].SurfaceGradient;
+    }
+    return rows;
+  }
+};
+
+void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vector3>& parameters,
+              SurfaceState& state)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<Sample>& samples = state.Coordinates[static_cast<std::size_t>(axis)];
+    samples.resize(parameters.size());
+    SphericalHarmonicEvaluator(surface.Degree(), surface.Coefficients(axis))
+        .EvaluateBatch(parameters.data(), parameters.size(), samples.data());
+  }
+}
+
+// Area element of the surface over that of the parameter sphere, along the normal of the mesh.
+double AreaElement(const Matrix3& jacobian, const Vector3& parameter, const Vector3& normal)
+{
+  const Vector3 a = parameter.unitOrthogonal();
+  const Vector3 b = parameter.cross(a);
+  return (jacobian * a).cross(jacobian * b).dot(normal);
+}
+
+double Determinant(const std::vector<Vector3>& q, const std::array<int, 3>& t)
+{
+  return q[static_cast<std::size_t>(t[0])].dot(
+      q[static_cast<std::size_t>(t[1])].cross(q[static_cast<std::size_t>(t[2])]));
+}
+
+// One run over a mesh.
+class Run
+{
+public:
+  Run(const IndexedMesh& mesh, const std::vector<Vector3>& parameters,
+      const ParametricFitOptions& options)
+      : Mesh(mesh), Options(options), Samples(SampleVertices(mesh, parameters)),
+        Solver(options.Degree, options.Ridge)
+  {
+  }
+
+  bool Start() { return this->Solver.FitPoints(this->Samples); }
+  bool Refit()
+  {
+    this->Slide();
+    if (!this->Solver.FitPoints(this->Samples))
+    {
+      return false;
+    }
+    this->TangentWeights.assign(this->Samples.Points.size(), this->Options.TangentWeight);
+    this->Solver.FitNormals(this->Samples, this->TangentWeights, this->Options.Iterations);
+    constexpr int MostRepeats = 3;
+    for (int repeat = 0; repeat < MostRepeats && this->StiffenFolds(); ++repeat)
+    {
+      this->Solver.FitNormals(this->Samples, this->TangentWeights, this->Options.Iterations);
+    }
+    return true;
+  }
+
+  void Finish(ParametricFitResult& result)
+  {
+    result.Surface = this->Solver.Surface();
+    Evaluate(result.Surface, this->Samples.Parameters, this->State);
+    double squares = 0.0;
+    result.Folded = 0;
+    for (std::size_t i = 0; i < this->Samples.Points.size(); ++i)
+    {
+      const double off =
+          this->Samples.Normals[i].dot(this->State.Point(i) - this->Samples.Points[i]);
+      squares += this->Samples.Weights[i] * off * off;
+      result.Folded += this->AreaElementAt(i) > 0.0 ? 0 : 1;
+    }
+    result.NormalRms = std::sqrt(squares);
+    result.Parameters = this->Samples.Parameters;
+  }
+
+private:
+  double AreaElementAt(std::size_t i) const
+  {
+    return AreaElement(this->State.Jacobian(i), this->Samples.Parameters[i],
+                       this->Samples.Normals[i]);
+  }
+
+  // Moves each vertex towards the parameter of its nearest point: a damped Gauss-Newton step.
+  void Slide()
+  {
+    constexpr double LongestStep = 0.15; // rad
+    constexpr double Damping = 1e-3;     // of the mean squared stretch
+    Evaluate(this->Solver.Surface(), this->Samples.Parameters, this->State);
+    std::vector<Vector3> steps(this->Samples.Points.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+    {
+      const Matrix3 jacobian = this->State.Jacobian(i);
+      Matrix3 normal = jacobian.transpose() * jacobian;
+      normal.diagonal().array() += Damping * normal.trace() + 1e-300;
+      const Vector3 left = this->Samples.Points[i] - this->State.Point(i);
+      steps[i] = normal.inverse() * (jacobian.transpose() * left);
+      const double length = steps[i].norm();
+      steps[i] *= length > LongestStep ? LongestStep / length : 1.0;
+    }
+    this->ApplySteps(steps);
+  }
+
+  // Halves steps, and finally omits them, where a triangle would lose nine tenths of its area.
+  void ApplySteps(std::vector<Vector3>& steps)
+  {
+    constexpr int MostRounds = 8;
+    const std::vector<Vector3> before = this->Samples.Parameters;
+    for (int round = 0; round <= MostRounds; ++round)
+    {
+      std::vector<Vector3>& q = this->Samples.Parameters;
+      for (std::size_t i = 0; i < q.size(); ++i)
+      {
+        q[i] = (before[i] + steps[i]).normalized();
+      }
+      bool isFree = true;
+      for (const std::array<int, 3>& t : this->Mesh.Triangles)
+      {
+        if (!(Determinant(q, t) >= 0.1 * Determinant(before, t)))
+        {
+          isFree = false;
+          for (const int corner : t)
+          {
+            steps[static_cast<std::size_t>(corner)] *= round + 1 < MostRounds ? 0.5 : 0.0;
+          }
+        }
+      }
+      if (isFree)
+      {
+        return;
+      }
+    }
+    this->Samples.Parameters = before;
+  }
+
+  // Stiffens the tangents around folds; returns false if there is none.
+  bool StiffenFolds()
+  {
+    constexpr double Stiffer = 5.0;
+    if (this->Options.LeastAreaRatio <= 0.0)
+    {
+      return false;
+    }
+    Evaluate(this->Solver.Surface(), this->Samples.Parameters, this->State);
+    std::vector<double> elements(this->Samples.Points.size());
+    double mean = 0.0;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+    {
+      elements[i] = this->AreaElementAt(i);
+      mean += this->Samples.Weights[i] * elements[i];
+    }
+    std::vector<char> near(elements.size());
+    bool isFolded = false;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+    {
+      near[i] = elements[i] < this->Options.LeastAreaRatio * mean ? 1 : 0;
+      isFolded = isFolded || near[i] != 0;
+    }
+    for (int ring = 0; isFolded && ring < 2; ++ring)
+    {
+      std::vector<char> wider = near;
+      for (const std::array<int, 3>& t : this->Mesh.Triangles)
+      {
+        const bool touches = std::any_of(t.begin(), t.end(),
+                                         [&near](int corner)
+                                         { return near[static_cast<std::size_t>(corner)] != 0; });
+        for (const int corner : t)
+        {
+          wider[static_cast<std::size_t>(corner)] |= touches ? 1 : 0;
+        }
+      }
+      near = wider;
+    }
+    for (std::size_t i = 0; i < near.size(); ++i)
+    {
+      this->TangentWeights[i] =
+          near[i] != 0 ? std::min(1.0, Stiffer * this->TangentWeights[i]) : this->TangentWeights[i];
+    }
+    return isFolded;
+  }
+
+  const IndexedMesh& Mesh;
+  const ParametricFitOptions& Options;
+  SurfaceSamples Samples;
+  ParametricSolver Solver;
+  SurfaceState State;
+  std::vector<double> TangentWeights;
+};
+} // namespace
+
+Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>& parameters,
+                            const ParametricFitOptions& options, ParametricFitResult& result,
+                            const KernelProgress& progress)
+{
+  const auto isCancelled = [&](int done)
+  { return progress && !progress(static_cast<double>(done) / (options.Refits + 1)); };
+  Run run(mesh, parameters, options);
+  bool isDetermined = run.Start();
+  for (int round = 0; isDetermined && round < options.Refits; ++round)
+  {
+    if (isCancelled(round + 1))
+    {
+      return Status::Failure("cancelled");
+    }
+    isDetermined = run.Refit();
+  }
+  if (!isDetermined)
+  {
+    return Status::Failure("the mesh has too few vertices for degree " +
+                           std::to_string(options.Degree));
+  }
+  run.Finish(result);
+  return Status::Success();
+}
+} // namespace palpate

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "IndexedMesh.h"
+#include "KernelProgress.h"
+#include "ParametricSphericalSurface.h"
+#include "Status.h"
+#include "Vector3.h"
+
+#include <vector>
+
+namespace palpate
+{
+struct ParametricFitOptions
+{
+  int Degree = 20;
+  /// Rounds in which the vertices slide to their nearest parameters and the surface is fitted
+  /// again along the mesh's normals. 0: one fit by distances of points.
+  int Refits = 4;
+  double Ridge = 1e-4;         ///< see ParametricSolver
+  double TangentWeight = 0.05; ///< of tangential residuals in a refit
+  int Iterations = 15;         ///< of conjugate gradients in a refit
+  /// A refit is repeated with stiffer tangents around vertices where the surface's area element
+  /// falls below this part of its mean or turns over; 0 for no such guard.
+  double LeastAreaRatio = 0.25;
+};
+
+struct ParametricFitResult
+{
+  ParametricSphericalSurface Surface{0, {{{0.0}, {0.0}, {0.0}}}};
+  std::vector<Vector3> Parameters; ///< of the mesh's vertices, after sliding
+  double NormalRms = 0.0;          ///< mm, area-weighted distance of the vertices along normals
+  int Folded = 0;                  ///< vertices at which the area element turns over
+};
+
+/// Fits a parametric surface to a closed genus-0 mesh (mm) with a bijective spherical
+/// parametrisation, one unit vector per vertex. Fails if the parameters do not determine the
+/// surface, or on cancellation.
+///
+/// After Brechbuhler, Gerig and Kubler, "Parametrization of closed surfaces for 3-D shape
+/// description", CVIU 61 (1995); the refits minimise distances along normals, since a surface may
+/// slide in itself without a change of shape.
+Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>& parameters,
+                            const ParametricFitOptions& options, ParametricFitResult& result,
+                            const KernelProgress& progress = {});
+} // namespace palpate
