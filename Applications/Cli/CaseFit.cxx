@@ -36,7 +36,7 @@ std::string Line(const FitResult& result)
 {
   std::ostringstream text;
   text << CaseTitle(result.Input, result.Structure) << ": ";
-  text << std::fixed << "degree " << result.Model.Degree() << ", Dice " << std::setprecision(4)
+  text << std::fixed << "degree " << DegreeOf(result.Model) << ", Dice " << std::setprecision(4)
        << result.Dice << ", distance to the mask's boundary mean " << std::setprecision(3)
        << result.ModelToMask.Mean << " / 95 % " << result.ModelToMask.Percentile95 << " / max "
        << result.ModelToMask.Maximum << " mm, volume " << std::setprecision(2)

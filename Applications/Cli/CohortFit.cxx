@@ -34,8 +34,8 @@ CohortRow RowOf(const CohortCase& one, FitResult result)
   result.ModelSurface = nullptr;
   CohortRow row;
   row.Case = one.Name;
-  row.Degree = result.Model.Degree();
-  row.CenterWorld = result.Model.CenterWorld();
+  row.Degree = DegreeOf(result.Model);
+  row.CenterWorld = CenterOf(result.Model);
   result.Model = {};
   row.Result = std::move(result);
   return row;

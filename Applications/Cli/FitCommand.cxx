@@ -142,7 +142,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   FitMask(mask, this->Images, console,
           [&](const FitResult& result, const std::filesystem::path& place, bool isWritten)
           {
-            this->Index.Add(result, result.Model.Degree(),
+            this->Index.Add(result, DegreeOf(result.Model),
                             isWritten ? place / "report.html" : std::filesystem::path());
             this->Tally.Add(result.State);
             if (result.State != FitResult::Outcome::Fitted)

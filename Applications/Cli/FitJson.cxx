@@ -55,7 +55,7 @@ Json FitJsonOf(const FitResult& result, bool fitted)
   {
     return {{"condition", nullptr}, {"rms_mm", nullptr}};
   }
-  const Vector3& center = result.Model.CenterWorld();
+  const Vector3& center = CenterOf(result.Model);
   return {{"condition", result.Condition},
           {"rms_mm", result.Rms},
           {"noise_mm", result.NoiseDeviation},
@@ -65,7 +65,7 @@ Json FitJsonOf(const FitResult& result, bool fitted)
           {"coverage", CoverageJson(result.Coverage)},
           {"rms_by_degree_mm", result.RmsByDegree},
           {"center_mm", {center.x(), center.y(), center.z()}},
-          {"power_mm2", result.Model.PowerSpectrum()}};
+          {"power_mm2", PowerSpectrumOf(result.Model)}};
 }
 
 Json QualityJson(const FitResult& result, bool fitted)
@@ -103,7 +103,7 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   // lacks.
   json["label"] = result.Structure.Label == 0 ? Json() : Json(result.Structure.Label);
   json["name"] = result.Structure.Name;
-  json["degree"] = fitted ? result.Model.Degree() : result.Settings.Degree;
+  json["degree"] = fitted ? DegreeOf(result.Model) : result.Settings.Degree;
   json["status"] = TextOf(result.State).Word;
   json["message"] = result.Message;
   json["notes"] = result.Notes;

@@ -46,8 +46,8 @@ std::string QualityCards(const FitResult& result)
          Card("Model volume", FixedText(result.ModelMilliliters, 2), "ml",
               (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the mask") +
          Card("Coverage", CoverageWord(result.Coverage), "", "how far to trust the fit") +
-         Card("Degree", std::to_string(result.Model.Degree()), "",
-              std::to_string(result.Model.Coefficients().size()) + " coefficients");
+         Card("Degree", std::to_string(DegreeOf(result.Model)), "",
+              std::to_string(CoefficientCountOf(result.Model)) + " coefficients");
 }
 
 std::string Cards(const FitResult& result)

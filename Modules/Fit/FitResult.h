@@ -4,7 +4,7 @@
 
 #include "DirectionCoverage.h"
 #include "Segmentation.h"
-#include "SphericalHarmonicModel.h"
+#include "SurfaceModel.h"
 #include "Volume.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -68,7 +68,7 @@ struct FitResult
   double MissedPercent = 0.0;   ///< of the directions: no crossing
 
   // The model.
-  SphericalHarmonicModel Model;
+  SurfaceModel Model;
   double Condition = 0.0;
   double Rms = 0.0;
   double NoiseDeviation = 0.0;
@@ -89,6 +89,12 @@ struct FitResult
   double ModelMilliliters = 0.0;
   double SurfaceAreaSquareMillimeters = 0.0;
   double ModelAreaSquareMillimeters = 0.0;
+
+  /// The model if it is star-shaped, otherwise null.
+  const SphericalHarmonicModel* Radial() const
+  {
+    return std::get_if<SphericalHarmonicModel>(&this->Model);
+  }
 
   /// Seconds of each stage, in the order in which they ran; "total" last.
   std::vector<std::pair<std::string, double>> Seconds;

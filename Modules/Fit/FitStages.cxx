@@ -20,6 +20,7 @@
 #include "vtkTable.h"
 
 #include <new>
+#include <utility>
 
 namespace palpate
 {
@@ -164,7 +165,11 @@ void TakeVerdict(vtkRadialSampler* sampler, FitResult& result)
 
 void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
 {
-  FromTable(fit->GetOutput(), result.Model);
+  SphericalHarmonicModel model;
+  FromTable(fit->GetOutput(), model);
+  result.ModelMilliliters = VolumeOf(model) / CubicMillimetersPerMilliliter;
+  result.ModelAreaSquareMillimeters = AreaOf(model);
+  result.Model = std::move(model);
   result.Condition = fit->GetCondition();
   result.Rms = fit->GetRms();
   result.NoiseDeviation = fit->GetNoiseDeviation();
@@ -176,8 +181,6 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
   {
     result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
   }
-  result.ModelMilliliters = VolumeOf(result.Model) / CubicMillimetersPerMilliliter;
-  result.ModelAreaSquareMillimeters = AreaOf(result.Model);
 }
 
 // If the degree search ended before it met the tolerance.
@@ -328,7 +331,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   const double limit = result.Settings.MinimumDice;
   if (!(result.Dice >= limit))
   {
-    Refuse("is not matched by a model of degree " + std::to_string(result.Model.Degree()) +
+    Refuse("is not matched by a model of degree " + std::to_string(DegreeOf(result.Model)) +
                ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
                TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
                " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",

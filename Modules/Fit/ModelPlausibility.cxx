@@ -44,7 +44,7 @@ double FarthestDistance(vtkPolyData* surface, const Vector3& centerWorld)
 std::string WhyImplausible(const FitResult& result)
 {
   const Range radius = RadiusOf(result);
-  const double farthest = FarthestDistance(result.Surface, result.Model.CenterWorld());
+  const double farthest = FarthestDistance(result.Surface, CenterOf(result.Model));
   // False for NaN.
   const bool isWithinReach =
       radius[0] >= FarthestBelow * farthest && radius[1] <= FarthestReach * farthest;
@@ -53,7 +53,7 @@ std::string WhyImplausible(const FitResult& result)
   {
     return {};
   }
-  return "is not described by the model of degree " + std::to_string(result.Model.Degree()) +
+  return "is not described by the model of degree " + std::to_string(DegreeOf(result.Model)) +
          ": the model's radius runs from " + SignificantText(radius[0], 3) + " to " +
          SignificantText(radius[1], 3) + " mm, while the structure's surface lies within " +
          SignificantText(farthest, 3) + " mm of the centre, and it encloses " +

@@ -20,7 +20,7 @@ constexpr int BinCount = 40;
 std::string SpectrumChart(const FitResult& result)
 {
   std::vector<std::pair<double, double>> points;
-  const std::vector<double> power = result.Model.PowerSpectrum();
+  const std::vector<double> power = PowerSpectrumOf(result.Model);
   for (std::size_t l = 0; l < power.size(); ++l)
   {
     points.emplace_back(static_cast<double>(l), std::sqrt(power[l] / (4.0 * M_PI)));
@@ -42,7 +42,7 @@ std::string DegreeChart(const FitResult& result)
   SvgChart chart("degree", "RMS residual, mm");
   chart.SetLogarithmic(false, true);
   chart.SetLine(std::move(points));
-  const int degree = result.Model.Degree();
+  const int degree = DegreeOf(result.Model);
   chart.SetMarker(degree, "degree " + std::to_string(degree));
   return ReportFigure(chart.Svg(), "Error against degree: residual of the radii for every smaller "
                                    "model.");

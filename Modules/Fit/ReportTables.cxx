@@ -102,9 +102,9 @@ HtmlRows ViewRows(const FitResult& result)
 
 HtmlRows ModelRows(const FitResult& result)
 {
-  return {{"Degree", std::to_string(result.Model.Degree())},
-          {"Coefficients", std::to_string(result.Model.Coefficients().size())},
-          {"Centre (LPS, mm)", Point(result.Model.CenterWorld())},
+  return {{"Degree", std::to_string(DegreeOf(result.Model))},
+          {"Coefficients", std::to_string(CoefficientCountOf(result.Model))},
+          {"Centre (LPS, mm)", Point(CenterOf(result.Model))},
           {"Condition number", SignificantText(result.Condition, 4)},
           {"RMS residual of the radii", Millimeters(result.Rms)},
           {"Noise of a sample", Millimeters(result.NoiseDeviation)},
@@ -114,7 +114,7 @@ HtmlRows ModelRows(const FitResult& result)
           {"Largest gap between directions",
            FixedText(result.Coverage.LargestGap.Radius * 180.0 / M_PI, 1) +
                "\xC2\xB0 in radius (limit " +
-               FixedText(DirectionCoverage::WidestGap(result.Model.Degree()) * 180.0 / M_PI, 1) +
+               FixedText(DirectionCoverage::WidestGap(DegreeOf(result.Model)) * 180.0 / M_PI, 1) +
                "\xC2\xB0)"},
           {"Noise gain: RMS, largest", SignificantText(result.Coverage.NoiseGainRms, 3) + ", " +
                                            SignificantText(result.Coverage.NoiseGainMaximum, 3) +
@@ -147,7 +147,7 @@ HtmlRows ModelToSurfaceRows(const FitResult& result)
 HtmlRows DegreeRows(const FitResult& result)
 {
   HtmlRows rows;
-  const std::vector<double> power = result.Model.PowerSpectrum();
+  const std::vector<double> power = PowerSpectrumOf(result.Model);
   for (std::size_t l = 0; l < power.size(); ++l)
   {
     std::string text = SignificantText(power[l], 5) + " mm\xC2\xB2";

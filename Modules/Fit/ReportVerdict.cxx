@@ -43,8 +43,8 @@ std::string VerdictText(const FitResult& result)
   std::string text;
   if (result.State == FitResult::Outcome::Fitted)
   {
-    text = "A model of degree " + std::to_string(result.Model.Degree()) + " (" +
-           std::to_string(result.Model.Coefficients().size()) +
+    text = "A model of degree " + std::to_string(DegreeOf(result.Model)) + " (" +
+           std::to_string(CoefficientCountOf(result.Model)) +
            " coefficients) follows the mask\xE2\x80\x99s boundary with a mean distance of " +
            FixedText(result.ModelToMask.Mean, 2) + " mm; 95 % of the boundary lies within " +
            FixedText(result.ModelToMask.Percentile95, 2) + " mm. ";

@@ -123,8 +123,8 @@ class UncoveredCap
 {
 public:
   explicit UncoveredCap(const FitResult& result)
-      : CenterWorld(result.Model.CenterWorld()), Gap(result.Coverage.LargestGap),
-        IsWide(Gap.Radius > DirectionCoverage::WidestGap(result.Model.Degree()))
+      : CenterWorld(CenterOf(result.Model)), Gap(result.Coverage.LargestGap),
+        IsWide(Gap.Radius > DirectionCoverage::WidestGap(DegreeOf(result.Model)))
   {
   }
 

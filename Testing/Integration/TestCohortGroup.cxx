@@ -122,7 +122,7 @@ TEST(CohortGroup, TablesHaveOneRowPerCase)
   ASSERT_EQ(coefficients.size(), 4U);
   const std::size_t row = table.find('\n') + 1;
   EXPECT_EQ(std::count(&table[row], &table[table.find('\n', row)], ','), 36 + 1);
-  const SphericalHarmonicModel& last = cohort.Table.Rows()[3].Result.Model;
+  const SphericalHarmonicModel& last = *cohort.Table.Rows()[3].Result.Radial();
   EXPECT_EQ(Field(coefficients[3], "c_0_0"), last.Coefficients()[0]);
   EXPECT_EQ(Field(coefficients[3], "c_1_-1"), last.Coefficients()[1]);
   EXPECT_EQ(Field(coefficients[3], "c_5_5"), last.Coefficients()[35]);

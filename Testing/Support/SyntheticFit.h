@@ -46,7 +46,7 @@ struct SyntheticFit
     fit.Mask = phantom.Mask;
     fit.Surface = MakeModelMesh(this->Truth, 30);
     fit.Model = this->Truth.WithDegree(modelDegree);
-    fit.ModelSurface = MakeModelMesh(fit.Model, 20);
+    fit.ModelSurface = MakeModelMesh(*fit.Radial(), 20);
     this->AddDistances();
     this->AddNumbers();
   }
@@ -65,7 +65,7 @@ private:
     const IcosahedronDirections directions(20);
     for (const Vector3& u : directions.Directions())
     {
-      distances->InsertNextValue(this->Result.Model.Radius(u) - this->Truth.Radius(u));
+      distances->InsertNextValue(this->Result.Radial()->Radius(u) - this->Truth.Radius(u));
     }
     this->Result.ModelSurface->GetPointData()->AddArray(distances);
   }
@@ -86,10 +86,10 @@ private:
     fit.ModelToSurface = {0.171, 0.222, 0.467, 0.933};
     fit.ModelToMask = {0.281, 0.352, 0.713, 1.577};
     fit.Dice = 0.9873;
-    fit.ModelMilliliters = VolumeOf(this->Result.Model) / 1000.0;
+    fit.ModelMilliliters = VolumeOf(*fit.Radial()) / 1000.0;
     fit.SurfaceAreaSquareMillimeters = 6021.5;
     fit.ModelAreaSquareMillimeters = 5987.25;
-    for (int l = 0; l <= fit.Model.Degree(); ++l)
+    for (int l = 0; l <= DegreeOf(fit.Model); ++l)
     {
       fit.RmsByDegree.push_back(3.0 * std::pow(0.6, l));
     }

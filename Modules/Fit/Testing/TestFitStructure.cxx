@@ -397,7 +397,7 @@ TEST(FitStructure, UsesSmallestDegreeWithinTolerance)
   const FitResult result = Fit(SegmentationOf(PhantomMask(truth, 1.0)), settings);
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_LE(result.Rms, 0.25);
-  EXPECT_GT(result.RmsByDegree[static_cast<std::size_t>(result.Model.Degree()) - 1], 0.25);
+  EXPECT_GT(result.RmsByDegree[static_cast<std::size_t>(DegreeOf(result.Model)) - 1], 0.25);
 }
 
 // On voxels of 4 mm, a body of 25 mm has wavelengths of two voxels at degree 18.
@@ -411,7 +411,7 @@ TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
   const FitResult result = Fit(coarse, settings);
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   const int supported = palpate::SupportedDegree(1000.0 * result.MaskMilliliters, result.Mask);
-  EXPECT_EQ(result.Model.Degree(), supported);
+  EXPECT_EQ(DegreeOf(result.Model), supported);
   EXPECT_LT(supported, 40);
   EXPECT_GT(result.Rms, 1e-4);
   ASSERT_FALSE(result.Notes.empty());
@@ -421,7 +421,7 @@ TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
   EXPECT_EQ(Fit(coarse, settings).State, Outcome::Failed);
   settings.Tolerance.reset();
   settings.Degree = supported + 3;
-  EXPECT_EQ(Fit(coarse, settings).Model.Degree(), supported + 3);
+  EXPECT_EQ(DegreeOf(Fit(coarse, settings).Model), supported + 3);
 }
 
 TEST(FitStructure, SupportedDegreeHasWavelengthOfTwoVoxels)
@@ -463,7 +463,7 @@ TEST(FitStructure, IsBitReproducible)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.5));
-  EXPECT_EQ(Fit(segmentation).Model.Coefficients(), Fit(segmentation).Model.Coefficients());
+  EXPECT_EQ(Fit(segmentation).Radial()->Coefficients(), Fit(segmentation).Radial()->Coefficients());
 }
 
 TEST(CaseName, DropsOnlyFolderAndKnownEndings)

@@ -26,7 +26,7 @@ TEST(ReportIndex, LinksEveryCaseAndCountsFitted)
   refused.Structure.Name = "<Zone> & \"more\"";
   refused.Message = "is not star-shaped: <why>";
   palpate::ReportIndex index;
-  index.Add(fit.Result, fit.Result.Model.Degree(), "case 1%/report.html");
+  index.Add(fit.Result, DegreeOf(fit.Result.Model), "case 1%/report.html");
   index.Add(refused, 0, "case_2/report.html");
   index.Add(refused, 0, "");
   const std::string html = Page(index);

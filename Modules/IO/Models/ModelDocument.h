@@ -1,11 +1,9 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
-#include "SphericalHarmonicModel.h"
+#include "SurfaceModel.h"
 
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace palpate
@@ -19,9 +17,6 @@ struct ModelProvenance
   std::string Date;    ///< only if the caller gives one, so that output is reproducible
   std::vector<std::pair<std::string, std::string>> Settings;
 };
-
-/// A surface of spherical harmonics, star-shaped or parametric (patient LPS, mm).
-using SurfaceModel = std::variant<SphericalHarmonicModel, ParametricSphericalSurface>;
 
 struct ModelDocument
 {

@@ -128,7 +128,7 @@ TEST_F(StudyTest, SessionReopensAsSaved)
   EXPECT_FALSE(this->Open.History().CanUndo());
   this->Settle();
   EXPECT_EQ(this->Open.State(), saved);
-  EXPECT_EQ(this->Open.Pipeline().Newest<FitResult>(SceneStep::Model, 1)->Model.Degree(), 5);
+  EXPECT_EQ(this->Open.Pipeline().Newest<FitResult>(SceneStep::Model, 1)->Radial()->Degree(), 5);
 }
 
 TEST_F(StudyTest, FailedOpenKeepsTheCurrentStudy)

@@ -76,7 +76,7 @@ TEST_F(StudyPipelineTest, MakesTheSameAsAFit)
       FitStructure(segmentation, segmentation.Find("1"), FitSettingsOf(state, state.Structures[0]));
   const auto made = this->Model(1);
   ASSERT_NE(made, nullptr);
-  EXPECT_EQ(made->Model.Coefficients(), whole.Model.Coefficients());
+  EXPECT_EQ(made->Radial()->Coefficients(), whole.Radial()->Coefficients());
   EXPECT_EQ(made->Dice, whole.Dice);
   EXPECT_EQ(made->ModelToMask.Mean, whole.ModelToMask.Mean);
   EXPECT_NE(this->Pipeline.Newest<TouchContact>(SceneStep::Touch, 1), nullptr);
@@ -321,7 +321,7 @@ TEST_F(StudyPipelineTest, ShowsThePreviousProductUntilTheNext)
   EXPECT_EQ(this->Model(1), first);
   EXPECT_EQ(this->Pipeline.Revision(), revision);
   test::Settle(this->Jobs);
-  EXPECT_EQ(this->Model(1)->Model.Degree(), 3);
+  EXPECT_EQ(this->Model(1)->Radial()->Degree(), 3);
   EXPECT_GT(this->Pipeline.Revision(), revision);
 }
 
