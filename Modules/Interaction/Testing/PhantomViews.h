@@ -37,7 +37,7 @@ struct PhantomViews
 private:
   Vector3 SurfacePoint(const Vector3& direction) const
   {
-    return this->Fit.Result.Model.PointWorld(direction.normalized());
+    return this->Fit.Result.Radial()->PointWorld(direction.normalized());
   }
   void PlaceLandmarks()
   {
