@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace palpate
 {
@@ -60,33 +62,63 @@ double Determinant(const std::vector<Vector3>& q, const std::array<int, 3>& t)
       q[static_cast<std::size_t>(t[1])].cross(q[static_cast<std::size_t>(t[2])]));
 }
 
+// A third of the shortest wavelength of a degree, on the parameter sphere.
+double LongestEdgeFor(int degree)
+{
+  return 2.0 * M_PI / (3.0 * std::max(degree, 1));
+}
+
+double VolumeOf(const IndexedMesh& mesh)
+{
+  const Vector3& origin = mesh.Points.front();
+  double sixfold = 0.0;
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const auto corner = [&](int i) -> Vector3
+    { return mesh.Points[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])] - origin; };
+    sixfold += corner(0).dot(corner(1).cross(corner(2)));
+  }
+  return sixfold / 6.0;
+}
+
 // One run over a mesh.
 class Run
 {
 public:
   Run(const IndexedMesh& mesh, const std::vector<Vector3>& parameters,
       const ParametricFitOptions& options)
-      : Mesh(mesh), Options(options), Samples(SampleVertices(mesh, parameters)),
-        Solver(options.Degree, options.Ridge)
+      : Mesh(mesh), Options(options), Parameters(parameters), Solver(options.Degree, options.Ridge),
+        MeshVolume(VolumeOf(mesh))
   {
   }
 
-  bool Start() { return this->Solver.FitPoints(this->Samples); }
+  bool Start()
+  {
+    this->Samples = SampleMesh(this->Mesh, this->Parameters, LongestEdgeFor(this->Options.Degree));
+    return this->Solver.FitPoints(this->Samples);
+  }
+
   bool Refit()
   {
     this->Slide();
-    if (!this->Solver.FitPoints(this->Samples))
+    if (!this->Start())
     {
       return false;
     }
-    this->TangentWeights.assign(this->Samples.Points.size(), this->Options.TangentWeight);
-    this->Solver.FitNormals(this->Samples, this->TangentWeights, this->Options.Iterations);
+    this->VertexWeights.assign(this->Mesh.Points.size(), this->Options.TangentWeight);
+    this->FitNormals();
+    return true;
+  }
+
+  // After the last refit.
+  void Complete()
+  {
     constexpr int MostRepeats = 3;
     for (int repeat = 0; repeat < MostRepeats && this->StiffenFolds(); ++repeat)
     {
-      this->Solver.FitNormals(this->Samples, this->TangentWeights, this->Options.Iterations);
+      this->FitNormals();
     }
-    return true;
+    this->MatchVolume();
   }
 
   void Finish(ParametricFitResult& result)
@@ -100,10 +132,10 @@ public:
       const double off =
           this->Samples.Normals[i].dot(this->State.Point(i) - this->Samples.Points[i]);
       squares += this->Samples.Weights[i] * off * off;
-      result.Folded += this->AreaElementAt(i) > 0.0 ? 0 : 1;
+      result.Folded += i >= this->Parameters.size() || this->AreaElementAt(i) > 0.0 ? 0 : 1;
     }
     result.NormalRms = std::sqrt(squares);
-    result.Parameters = this->Samples.Parameters;
+    result.Parameters = this->Parameters;
   }
 
 private:
@@ -113,19 +145,49 @@ private:
                        this->Samples.Normals[i]);
   }
 
+  // Weights of samples inside of a triangle are the largest of its corners.
+  void FitNormals()
+  {
+    std::vector<double> weights = this->VertexWeights;
+    for (const int triangle : this->Samples.Triangles)
+    {
+      double largest = 0.0;
+      for (const int corner : this->Mesh.Triangles[static_cast<std::size_t>(triangle)])
+      {
+        largest = std::max(largest, this->VertexWeights[static_cast<std::size_t>(corner)]);
+      }
+      weights.push_back(largest);
+    }
+    this->Solver.SetTangentWeights(this->Samples, std::move(weights));
+    this->Solver.FitNormals(this->Samples, this->Options.Iterations);
+  }
+
+  // A smooth surface through the middle of noise encloses too much or too little where it is
+  // curved: the points are moved along their normals by what the volume lacks.
+  void MatchVolume()
+  {
+    const ParametricSphericalSurface surface = this->Solver.Surface();
+    const double offset = (this->MeshVolume - surface.Volume()) / surface.Area();
+    for (std::size_t i = 0; i < this->Samples.Points.size(); ++i)
+    {
+      this->Samples.Points[i] += offset * this->Samples.Normals[i];
+    }
+    this->Solver.FitNormals(this->Samples, this->Options.Iterations);
+  }
+
   // Moves each vertex towards the parameter of its nearest point: a damped Gauss-Newton step.
   void Slide()
   {
     constexpr double LongestStep = 0.15; // rad
-    constexpr double Damping = 1e-3;     // of the mean squared stretch
-    Evaluate(this->Solver.Surface(), this->Samples.Parameters, this->State);
-    std::vector<Vector3> steps(this->Samples.Points.size());
+    constexpr double Damping = 1e-3;     // of the squared stretch
+    Evaluate(this->Solver.Surface(), this->Parameters, this->State);
+    std::vector<Vector3> steps(this->Parameters.size());
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
       const Matrix3 jacobian = this->State.Jacobian(i);
       Matrix3 normal = jacobian.transpose() * jacobian;
       normal.diagonal().array() += Damping * normal.trace() + 1e-300;
-      const Vector3 left = this->Samples.Points[i] - this->State.Point(i);
+      const Vector3 left = this->Mesh.Points[i] - this->State.Point(i);
       steps[i] = normal.inverse() * (jacobian.transpose() * left);
       const double length = steps[i].norm();
       steps[i] *= length > LongestStep ? LongestStep / length : 1.0;
@@ -137,10 +199,10 @@ private:
   void ApplySteps(std::vector<Vector3>& steps)
   {
     constexpr int MostRounds = 8;
-    const std::vector<Vector3> before = this->Samples.Parameters;
+    const std::vector<Vector3> before = this->Parameters;
     for (int round = 0; round <= MostRounds; ++round)
     {
-      std::vector<Vector3>& q = this->Samples.Parameters;
+      std::vector<Vector3>& q = this->Parameters;
       for (std::size_t i = 0; i < q.size(); ++i)
       {
         q[i] = (before[i] + steps[i]).normalized();
@@ -162,7 +224,7 @@ private:
         return;
       }
     }
-    this->Samples.Parameters = before;
+    this->Parameters = before;
   }
 
   // Stiffens the tangents around folds; returns false if there is none.
@@ -174,7 +236,7 @@ private:
       return false;
     }
     Evaluate(this->Solver.Surface(), this->Samples.Parameters, this->State);
-    std::vector<double> elements(this->Samples.Points.size());
+    std::vector<double> elements(this->Parameters.size());
     double mean = 0.0;
     for (std::size_t i = 0; i < elements.size(); ++i)
     {
@@ -205,18 +267,20 @@ private:
     }
     for (std::size_t i = 0; i < near.size(); ++i)
     {
-      this->TangentWeights[i] =
-          near[i] != 0 ? std::min(1.0, Stiffer * this->TangentWeights[i]) : this->TangentWeights[i];
+      double& weight = this->VertexWeights[i];
+      weight = near[i] != 0 ? std::min(1.0, Stiffer * weight) : weight;
     }
     return isFolded;
   }
 
   const IndexedMesh& Mesh;
   const ParametricFitOptions& Options;
+  std::vector<Vector3> Parameters; // of the vertices
   SurfaceSamples Samples;
   ParametricSolver Solver;
+  double MeshVolume; // mm^3
   SurfaceState State;
-  std::vector<double> TangentWeights;
+  std::vector<double> VertexWeights; // of tangential residuals
 };
 } // namespace
 
@@ -238,8 +302,12 @@ Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>&
   }
   if (!isDetermined)
   {
-    return Status::Failure("the mesh has too few vertices for degree " +
+    return Status::Failure("the parameters of the mesh do not determine a surface of degree " +
                            std::to_string(options.Degree));
+  }
+  if (options.Refits > 0)
+  {
+    run.Complete();
   }
   run.Finish(result);
   return Status::Success();

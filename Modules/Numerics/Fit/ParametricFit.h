@@ -15,13 +15,13 @@ struct ParametricFitOptions
   int Degree = 20;
   /// Rounds in which the vertices slide to their nearest parameters and the surface is fitted
   /// again along the mesh's normals. 0: one fit by distances of points.
-  int Refits = 4;
+  int Refits = 3;
   double Ridge = 1e-4;         ///< see ParametricSolver
   double TangentWeight = 0.05; ///< of tangential residuals in a refit
   int Iterations = 15;         ///< of conjugate gradients in a refit
-  /// A refit is repeated with stiffer tangents around vertices where the surface's area element
-  /// falls below this part of its mean or turns over; 0 for no such guard.
-  double LeastAreaRatio = 0.25;
+  /// The last refit is repeated with stiffer tangents around vertices where the surface's area
+  /// element falls below this part of its mean or turns over; 0 for no such guard.
+  double LeastAreaRatio = 0.1;
 };
 
 struct ParametricFitResult
@@ -35,6 +35,8 @@ struct ParametricFitResult
 /// Fits a parametric surface to a closed genus-0 mesh (mm) with a bijective spherical
 /// parametrisation, one unit vector per vertex. Fails if the parameters do not determine the
 /// surface, or on cancellation.
+///
+/// With refits, the surface has the volume of the mesh (to second order of the change).
 ///
 /// After Brechbuhler, Gerig and Kubler, "Parametrization of closed surfaces for 3-D shape
 /// description", CVIU 61 (1995); the refits minimise distances along normals, since a surface may

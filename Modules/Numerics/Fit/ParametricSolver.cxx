@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace palpate
 {
@@ -121,9 +122,10 @@ bool ParametricSolver::FitPoints(const SurfaceSamples& samples)
 }
 
 // The matrices sum_i w_i A_i Y Y^T for A = t I + (1 - t) n n^T, entry by entry of A.
-void ParametricSolver::AssembleNormalMatrices(const SurfaceSamples& samples,
-                                              const std::vector<double>& tangentWeights)
+void ParametricSolver::SetTangentWeights(const SurfaceSamples& samples,
+                                         std::vector<double> tangentWeights)
 {
+  this->TangentWeights = std::move(tangentWeights);
   this->Normal.resize(6, PackedTriangle(this->Factor.Size()));
   this->Scaled.resize(samples.Points.size());
   for (std::size_t a = 0; a < 3; ++a)
@@ -132,7 +134,7 @@ void ParametricSolver::AssembleNormalMatrices(const SurfaceSamples& samples,
     {
       for (std::size_t i = 0; i < this->Scaled.size(); ++i)
       {
-        const double t = tangentWeights[i];
+        const double t = this->TangentWeights[i];
         const Vector3& n = samples.Normals[i];
         const double along = n[static_cast<long>(a)] * n[static_cast<long>(b)];
         this->Scaled[i] = samples.Weights[i] * ((a == b ? t : 0.0) + (1.0 - t) * along);
@@ -151,9 +153,7 @@ void ParametricSolver::AssembleNormalMatrices(const SurfaceSamples& samples,
 }
 
 // Minus half the gradient at the solution: sums of w A (p - X) with the harmonics, less the ridge.
-void ParametricSolver::NormalResiduals(const SurfaceSamples& samples,
-                                       const std::vector<double>& tangentWeights,
-                                       Coordinates& gradient)
+void ParametricSolver::NormalResiduals(const SurfaceSamples& samples, Coordinates& gradient)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -169,7 +169,7 @@ void ParametricSolver::NormalResiduals(const SurfaceSamples& samples,
     {
       const Vector3 left(this->Left[0][i], this->Left[1][i], this->Left[2][i]);
       const Vector3& n = samples.Normals[i];
-      const double t = tangentWeights[i];
+      const double t = this->TangentWeights[i];
       const auto at = static_cast<long>(axis);
       this->Values[i] = t * left[at] + (1.0 - t) * n.dot(left) * n[at];
     }
@@ -206,15 +206,13 @@ void ParametricSolver::MultiplyNormal(const Coordinates& x, Coordinates& y) noex
   }
 }
 
-void ParametricSolver::FitNormals(const SurfaceSamples& samples,
-                                  const std::vector<double>& tangentWeights, int iterations)
+void ParametricSolver::FitNormals(const SurfaceSamples& samples, int iterations)
 {
   constexpr double Negligible = 1e-20; // of the squared residual: below rounding
-  this->AssembleNormalMatrices(samples, tangentWeights);
   Coordinates residual = this->MakeCoordinates();
   Coordinates direction = this->MakeCoordinates();
   Coordinates product = this->MakeCoordinates();
-  this->NormalResiduals(samples, tangentWeights, residual);
+  this->NormalResiduals(samples, residual);
   Coordinates conditioned = residual;
   double before = 0.0;
   double first = 0.0;

@@ -30,12 +30,14 @@ public:
   /// surface.
   bool FitPoints(const SurfaceSamples& samples);
 
+  /// Prepares FitNormals for samples that differ from those of the last FitPoints in their points
+  /// only. `tangentWeights` has one number t_i per sample; below about 0.01 the iterations converge
+  /// slowly.
+  void SetTangentWeights(const SurfaceSamples& samples, std::vector<double> tangentWeights);
   /// Minimises sum_i w_i ((n_i . r_i)^2 + t_i |r_i's tangential part|^2) for r_i = X(u_i) - p_i,
-  /// starting at the last solution: points may slide along the surface at the price t_i, which
-  /// should not fall below about 0.01. Conjugate gradients, preconditioned by the factor of the
-  /// last FitPoints, whose parameters must be those of the samples; `iterations` of them.
-  void FitNormals(const SurfaceSamples& samples, const std::vector<double>& tangentWeights,
-                  int iterations);
+  /// starting at the last solution: points may slide along the surface at the price t_i. Conjugate
+  /// gradients, preconditioned by the factor of FitPoints; `iterations` of them.
+  void FitNormals(const SurfaceSamples& samples, int iterations);
 
   ParametricSphericalSurface Surface() const;
 
@@ -45,10 +47,7 @@ private:
   SampleView View(const SurfaceSamples& samples, const std::vector<double>& weights) const noexcept;
   Coordinates MakeCoordinates() const;
   void CopyCoordinate(const SurfaceSamples& samples, int axis);
-  void AssembleNormalMatrices(const SurfaceSamples& samples,
-                              const std::vector<double>& tangentWeights);
-  void NormalResiduals(const SurfaceSamples& samples, const std::vector<double>& tangentWeights,
-                       Coordinates& gradient);
+  void NormalResiduals(const SurfaceSamples& samples, Coordinates& gradient);
   void AddRidge(PackedTriangle& matrix) const noexcept;
   void MultiplyNormal(const Coordinates& x, Coordinates& y) noexcept;
   double RidgeOf(int degree) const noexcept;
@@ -62,6 +61,7 @@ private:
   PackedTriangle Factor;                   // of sum w Y Y^T and the ridge
   std::vector<PackedTriangle> Normal;      // xx, yx, yy, zx, zy, zz
   Vector3 Origin = Vector3::Zero();        // mm, subtracted from the points
+  std::vector<double> TangentWeights;      // of the samples
   Coordinates Solution;                    // mm, around the origin
   std::vector<double> Values;              // one coordinate of all samples
   std::vector<double> Scaled;              // weights of one matrix

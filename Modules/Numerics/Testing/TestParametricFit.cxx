@@ -95,6 +95,27 @@ TEST(ParametricFit, ParametersStayBijective)
   }
 }
 
+double VolumeOf(const IndexedMesh& mesh)
+{
+  double sixfold = 0.0;
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    sixfold += Orientation(mesh.Points, t);
+  }
+  return sixfold / 6.0;
+}
+
+// Of a degree that is too low for the shape, so that the volume of the fit by points differs.
+TEST(ParametricFit, RefitsKeepTheVolume)
+{
+  const MappedMesh mapped = TwistedTube(4.0, 0.0);
+  const double volume = VolumeOf(mapped.Mesh);
+  const auto error = [&](int refits)
+  { return std::abs(Fitted(mapped, OfDegree(3, refits)).Surface.Volume() / volume - 1.0); };
+  EXPECT_GT(error(0), 0.01);
+  EXPECT_LT(error(2), 0.1 * error(0));
+}
+
 TEST(ParametricFit, ScaleAndTranslationCarryOver)
 {
   MappedMesh mapped = TwistedTube(4.0, 1.0);
@@ -113,13 +134,12 @@ TEST(ParametricFit, ScaleAndTranslationCarryOver)
   }
 }
 
-TEST(ParametricFit, RejectsTooFewVertices)
+TEST(ParametricFit, RejectsParametersThatAreNotFinite)
 {
   ParametricFitResult result;
-  const MappedMesh mapped = TwistedTube(1.0, 0.0, 2);
-  ParametricFitOptions options = OfDegree(20, 0);
-  options.Ridge = 0.0;
-  EXPECT_FALSE(FitParametricSurface(mapped.Mesh, mapped.Parameters, options, result).IsOk());
+  MappedMesh mapped = TwistedTube(1.0, 0.0, 8);
+  mapped.Parameters[5] = Vector3::Constant(std::nan(""));
+  EXPECT_FALSE(FitParametricSurface(mapped.Mesh, mapped.Parameters, OfDegree(6, 2), result).IsOk());
 }
 
 TEST(ParametricFit, StopsWhenCancelled)

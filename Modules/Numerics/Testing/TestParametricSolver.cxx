@@ -134,7 +134,8 @@ TEST(ParametricSolver, ExactSamplesStayWhereTheyAre)
   const SurfaceSamples samples = SamplesOf({8, exact}, 12);
   ParametricSolver solver(8, 0.0);
   ASSERT_TRUE(solver.FitPoints(samples));
-  solver.FitNormals(samples, std::vector<double>(samples.Points.size(), 0.05), 15);
+  solver.SetTangentWeights(samples, std::vector<double>(samples.Points.size(), 0.05));
+  solver.FitNormals(samples, 15);
   EXPECT_LT(Difference(solver.Surface(), exact), 1e-11);
 }
 
@@ -145,7 +146,8 @@ TEST(ParametricSolver, NormalFitIsTheMinimumOfItsFunction)
   ParametricSolver solver(4, 0.0);
   ASSERT_TRUE(solver.FitPoints(samples));
   // As many iterations as unknowns, so that only rounding remains.
-  solver.FitNormals(samples, std::vector<double>(samples.Points.size(), 0.05), 75);
+  solver.SetTangentWeights(samples, std::vector<double>(samples.Points.size(), 0.05));
+  solver.FitNormals(samples, 75);
   EXPECT_LT(Difference(solver.Surface(), DenseFit(4, samples, 0.05)), 1e-8);
 }
 
@@ -156,7 +158,8 @@ TEST(ParametricSolver, FullTangentWeightEqualsPointFit)
   ParametricSolver solver(6, 1e-4);
   ASSERT_TRUE(solver.FitPoints(samples));
   const Coefficients points = CoefficientsOf(solver.Surface());
-  solver.FitNormals(samples, std::vector<double>(samples.Points.size(), 1.0), 5);
+  solver.SetTangentWeights(samples, std::vector<double>(samples.Points.size(), 1.0));
+  solver.FitNormals(samples, 5);
   EXPECT_LT(Difference(solver.Surface(), points), 1e-11);
 }
 
@@ -190,7 +193,8 @@ TEST(SurfaceSamples, VerticesShareTheAreaAndPointOutwards)
 {
   const IcosahedronDirections sphere(6);
   const SurfaceSamples samples =
-      SampleVertices({sphere.Directions(), sphere.Triangles()}, sphere.Directions());
+      SampleMesh({sphere.Directions(), sphere.Triangles()}, sphere.Directions(), 1.0);
+  ASSERT_EQ(samples.Points.size(), sphere.Directions().size());
   double sum = 0.0;
   for (std::size_t i = 0; i < samples.Points.size(); ++i)
   {
@@ -198,6 +202,27 @@ TEST(SurfaceSamples, VerticesShareTheAreaAndPointOutwards)
     EXPECT_GT(samples.Normals[i].dot(samples.Points[i]), 0.999); // triangles are 10 degrees wide
   }
   EXPECT_NEAR(sum, 1.0, 1e-13);
+}
+
+// Every triangle is divided; the samples' areas and moments are those of the triangles.
+TEST(SurfaceSamples, DividesTrianglesThatAreWideOnTheSphere)
+{
+  const IcosahedronDirections sphere(2);
+  const IndexedMesh mesh{sphere.Directions(), sphere.Triangles()};
+  const SurfaceSamples samples = SampleMesh(mesh, sphere.Directions(), 0.1);
+  ASSERT_EQ(samples.Points.size(), sphere.Directions().size() + samples.Triangles.size());
+  ASSERT_GT(samples.Triangles.size(), 20 * mesh.Triangles.size());
+  double sum = 0.0;
+  Vector3 mean = Vector3::Zero();
+  for (std::size_t i = 0; i < samples.Points.size(); ++i)
+  {
+    EXPECT_NEAR(samples.Parameters[i].norm(), 1.0, 1e-15);
+    sum += samples.Weights[i];
+    mean += samples.Weights[i] * samples.Points[i];
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-13);
+  EXPECT_LT(mean.norm(), 1e-14);
+  EXPECT_EQ(samples.Weights.front(), 0.0) << "a vertex without an undivided triangle";
 }
 } // namespace
 } // namespace palpate
