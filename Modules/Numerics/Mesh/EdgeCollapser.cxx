@@ -26,7 +26,7 @@ bool EdgeCollapser::TryCollapse(int h)
   const int removed = this->Mesh.End(h);
   const Vector3 point = this->NewPoint(kept, removed);
   const Eigen::Vector3f normal = this->Normals.Merged(kept, removed, point);
-  if (!this->StaysAligned(point, normal, kept))
+  if (!this->StaysAligned(point, normal))
   {
     return false;
   }
@@ -104,8 +104,7 @@ Vector3 EdgeCollapser::NewPoint(int kept, int removed) const
   return shift.squaredNorm() <= half.squaredNorm() ? Vector3(middle + shift) : middle;
 }
 
-bool EdgeCollapser::StaysAligned(const Vector3& point, const Eigen::Vector3f& normal,
-                                 int kept) const
+bool EdgeCollapser::StaysAligned(const Vector3& point, const Eigen::Vector3f& normal) const
 {
   for (const Wing& wing : this->Wings)
   {

@@ -31,7 +31,7 @@ private:
   bool HasTwoCommonNeighbours(int h);
   void CollectWings(int h);
   Vector3 NewPoint(int kept, int removed) const;
-  bool StaysAligned(const Vector3& point, const Eigen::Vector3f& normal, int kept) const;
+  bool StaysAligned(const Vector3& point, const Eigen::Vector3f& normal) const;
 
   HalfEdgeMesh& Mesh;
   ReferenceNormals& Normals;
