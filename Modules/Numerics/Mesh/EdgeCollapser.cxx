@@ -7,7 +7,9 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostNeighbours = 12; // a new point with more would be the hub of a fan of slivers
+// A new point with more would be the hub of a fan of slivers. It has 4 fewer than both old ones.
+constexpr int MostNeighbours = 12;
+constexpr int MostOldNeighbours = MostNeighbours + 4;
 } // namespace
 
 EdgeCollapser::EdgeCollapser(HalfEdgeMesh& mesh, ReferenceNormals& normals)
@@ -53,7 +55,7 @@ bool EdgeCollapser::HasTwoCommonNeighbours(int h)
     this->Stamps[this->Mesh.End(g)] = this->Stamp;
     ++count;
     g = this->Mesh.Around(g);
-  } while (g != h);
+  } while (g != h && count <= MostOldNeighbours);
   int common = 0;
   const int back = this->Mesh.Twin(h);
   g = back;
@@ -62,9 +64,9 @@ bool EdgeCollapser::HasTwoCommonNeighbours(int h)
     common += this->Stamps[this->Mesh.End(g)] == this->Stamp ? 1 : 0;
     ++count;
     g = this->Mesh.Around(g);
-  } while (g != back);
-  // In a tetrahedron both ends have 3 neighbours. The new point has 4 fewer than both together.
-  return common == 2 && count > 6 && count - 4 <= MostNeighbours;
+  } while (g != back && count <= MostOldNeighbours);
+  // In a tetrahedron both ends have 3 neighbours.
+  return common == 2 && count > 6 && count <= MostOldNeighbours;
 }
 
 void EdgeCollapser::CollectWings(int h)

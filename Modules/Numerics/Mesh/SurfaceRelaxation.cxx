@@ -11,18 +11,20 @@ Vector3 AreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
   return (b - a).cross(c - a);
 }
 
+// Walks around both points at once, so that the time is that of the one with fewer neighbours.
 bool AreJoined(const HalfEdgeMesh& mesh, int one, int other)
 {
-  const int first = mesh.Leaving(one);
-  int g = first;
+  int g = mesh.Leaving(one);
+  int h = mesh.Leaving(other);
   do
   {
-    if (mesh.End(g) == other)
+    if (mesh.End(g) == other || mesh.End(h) == one)
     {
       return true;
     }
     g = mesh.Around(g);
-  } while (g != first);
+    h = mesh.Around(h);
+  } while (g != mesh.Leaving(one) && h != mesh.Leaving(other));
   return false;
 }
 

@@ -65,6 +65,22 @@ inline IndexedMesh Tetrahedron(const Vector3& tip, double size)
           {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 }
 
+/// Two cones on a common polygon: two points with `around` triangles each.
+inline IndexedMesh DoubleCone(int around)
+{
+  IndexedMesh mesh;
+  for (int i = 0; i < around; ++i)
+  {
+    const double a = 2.0 * M_PI * i / around;
+    mesh.Points.emplace_back(std::cos(a), std::sin(a), 0.0);
+    mesh.Triangles.push_back({i, (i + 1) % around, around});
+    mesh.Triangles.push_back({(i + 1) % around, i, around + 1});
+  }
+  mesh.Points.emplace_back(0, 0, 1);
+  mesh.Points.emplace_back(0, 0, -1);
+  return mesh;
+}
+
 /// A strip with half a turn.
 inline IndexedMesh MoebiusStrip(int around)
 {

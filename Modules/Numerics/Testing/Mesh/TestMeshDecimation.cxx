@@ -245,6 +245,14 @@ TEST(MeshDecimation, FlipsDoNotJoinPointsTwice)
   ExpectSameTopology(bar, Decimated(bar, 1000, down));
 }
 
+TEST(MeshDecimation, PointsWithManyTrianglesAreNotSlow)
+{
+  const IndexedMesh cone = test::DoubleCone(50'000); // minutes, were it quadratic
+  const IndexedMesh coarse = Decimated(cone, 1000);
+  ExpectSameTopology(cone, coarse);
+  EXPECT_LE(coarse.Triangles.size(), 1000U);
+}
+
 TEST(MeshDecimation, CopesWithFlatAndCoincidentPoints)
 {
   // Closed, but without volume, and with all points in few places.
