@@ -9,7 +9,7 @@ namespace palpate
 {
 /// A closed, oriented manifold of triangles that can be coarsened in place. Half-edge 4 t + k, k in
 /// 0..2, runs from corner k of triangle t to the next corner; its twin runs back along the same
-/// edge in the neighbour. 36 bytes per triangle and 28 per point.
+/// edge in the neighbour. 32 bytes per triangle and 28 per point.
 class HalfEdgeMesh
 {
 public:

@@ -113,8 +113,9 @@ public:
   bool Continues(int count) const
   {
     const bool isDue = (this->First - count) % 2048 == 0;
-    return !this->Report || !isDue ||
-           this->Report(static_cast<double>(this->First - count) / (this->First - this->Last));
+    // The last collapse may remove one triangle more than asked for.
+    const double part = static_cast<double>(this->First - count) / (this->First - this->Last);
+    return !this->Report || !isDue || this->Report(std::min(part, 1.0));
   }
 
 private:

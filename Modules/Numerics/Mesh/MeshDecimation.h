@@ -18,8 +18,8 @@ struct DecimationSettings
 /// parts, handles, and closedness. So is the volume, but for flips and the few points around spikes
 /// (see EdgeCollapser). Triangles are kept from turning over with respect to `normal`, or without a
 /// function to the area-weighted normals of the mesh. Where no further edge can be removed more
-/// triangles are left than asked for. Deterministic. Needs some 60 bytes per triangle in addition
-/// to the mesh, and 1 us per triangle removed.
+/// triangles are left than asked for. Deterministic. Needs 60 to 80 bytes per triangle
+/// in addition to the mesh, and 0.4 to 3 us per triangle removed, most where few are.
 ///
 /// Fails for settings below 4 triangles, for what HalfEdgeMesh refuses, and if cancelled;
 /// `decimated` is then unchanged. It may be the input.

@@ -9,7 +9,7 @@
 namespace palpate
 {
 /// Finds the nearest point of a mesh; unsigned, the mesh may be open. Immutable; queries are
-/// thread-safe and do not allocate. 120 bytes per triangle.
+/// thread-safe and do not allocate. 130 bytes per triangle.
 class NearestOnMesh
 {
 public:

@@ -74,7 +74,7 @@ Status TriangleTree::Make(const IndexedMesh& mesh, TriangleTree& tree)
     centers[t].Triangle = static_cast<std::int32_t>(t);
   }
   tree.Tree.clear();
-  tree.Tree.reserve(2 * (count / 3) + 2); // leaves of 3 triangles at least, but for small meshes
+  tree.Tree.reserve(count + 1); // at least 2 triangles a leaf
   tree.Numbers.resize(count);
   tree.TriangleBoxes.resize(count);
   tree.Build(centers, 0, count);
