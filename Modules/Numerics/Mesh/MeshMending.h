@@ -1,0 +1,39 @@
+#pragma once
+
+#include "IndexedMesh.h"
+#include "Status.h"
+
+namespace palpate
+{
+/// Mends that do not change the surface as a set of points, except KeepLargestPart. All indices
+/// must be valid and the mesh have at most 700 million triangles and points; MendMesh checks that.
+
+/// Merges points at exactly equal positions into the first of them, as STL files need. Returns the
+/// number of points removed. Bounded time also for colliding hashes.
+int WeldPoints(IndexedMesh& mesh);
+/// Drops triangles with a repeated point; returns their number.
+int DropDegenerateTriangles(IndexedMesh& mesh);
+/// Drops points without triangles, keeping the order; returns their number.
+int DropUnusedPoints(IndexedMesh& mesh);
+/// Keeps the part (connected across edges) with the largest area; returns the number of triangles
+/// dropped. Points stay.
+int KeepLargestPart(IndexedMesh& mesh);
+/// Reverses triangles so that all agree with the majority of their sheet, then all if the sheet
+/// that encloses most volume is inside out; a cavity's surface keeps facing inwards. Returns the
+/// number of triangles reversed. Leaves the mesh as it is if it is one-sided.
+int OrientOutwards(IndexedMesh& mesh);
+
+/// What MendMesh changed.
+struct MeshMends
+{
+  int WeldedPoints = 0;
+  int DroppedTriangles = 0; ///< degenerate
+  int DroppedParts = 0;     ///< triangles of smaller parts
+  int DroppedPoints = 0;
+  int ReversedTriangles = 0;
+};
+
+/// All of the above in this order; smaller parts are dropped only if asked. Fails for points that
+/// are not finite and for invalid indices, and leaves the mesh as it is.
+Status MendMesh(IndexedMesh& mesh, bool keepsLargestPartOnly, MeshMends& mends);
+} // namespace palpate

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "IndexedMesh.h"
+#include "Status.h"
+#include "TriangleTree.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Finds the nearest point of a mesh; unsigned, the mesh may be open. Immutable; queries are
+/// thread-safe and do not allocate. 130 bytes per triangle.
+class NearestOnMesh
+{
+public:
+  struct Result
+  {
+    Vector3 Point = Vector3::Zero();
+    double Distance = 0.0; ///< mm
+    int Triangle = 0;      ///< one of the nearest
+  };
+
+  /// Fails as TriangleTree::Make does. Triangles without area count as segments.
+  static Status Make(const IndexedMesh& mesh, NearestOnMesh& made);
+
+  /// The point (mm) must be finite.
+  Result Find(const Vector3& point) const noexcept;
+
+private:
+  struct Corners
+  {
+    Vector3 A;
+    Vector3 B;
+    Vector3 C;
+  };
+
+  static Corners Segment(const Corners& flat);
+
+  TriangleTree Tree;
+  std::vector<Corners> Triangles; // in the order of the tree
+};
+
+/// The nearest point of the triangle a, b, c (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+Vector3 NearestOnTriangle(const Vector3& point, const Vector3& a, const Vector3& b,
+                          const Vector3& c) noexcept;
+} // namespace palpate

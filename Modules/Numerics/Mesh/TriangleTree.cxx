@@ -1,0 +1,145 @@
+#include "TriangleTree.h"
+
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr double MostMillimetres = 1e30; // fits into float, and its cube into double
+constexpr std::size_t MostTriangles = 700'000'000;
+
+float Below(double x)
+{
+  const float rounded = static_cast<float>(x);
+  return rounded <= x ? rounded : std::nextafter(rounded, -std::numeric_limits<float>::max());
+}
+
+float Above(double x)
+{
+  return -Below(-x);
+}
+
+FloatBox BoxOf(const IndexedMesh& mesh, const std::array<int, 3>& t)
+{
+  const Vector3& a = mesh.Points[t[0]];
+  const Vector3& b = mesh.Points[t[1]];
+  const Vector3& c = mesh.Points[t[2]];
+  const Vector3 low = a.cwiseMin(b).cwiseMin(c);
+  const Vector3 high = a.cwiseMax(b).cwiseMax(c);
+  return {{Below(low[0]), Below(low[1]), Below(low[2])},
+          {Above(high[0]), Above(high[1]), Above(high[2])}};
+}
+
+Status CheckMesh(const IndexedMesh& mesh)
+{
+  if (mesh.Triangles.empty() || mesh.Triangles.size() > MostTriangles)
+  {
+    return Status::Failure(mesh.Triangles.empty()
+                               ? "The mesh has no triangles."
+                               : "The mesh has more than 700 million triangles.");
+  }
+  if (!std::all_of(mesh.Points.begin(), mesh.Points.end(),
+                   [](const Vector3& p)
+                   { return p.cwiseAbs().maxCoeff() <= MostMillimetres && p.allFinite(); }))
+  {
+    return Status::Failure("The mesh has coordinates that are not finite or beyond 1e30 mm.");
+  }
+  const auto isValid = [&mesh](int p)
+  { return p >= 0 && static_cast<std::size_t>(p) < mesh.Points.size(); };
+  return std::all_of(mesh.Triangles.begin(), mesh.Triangles.end(),
+                     [&](const std::array<int, 3>& t)
+                     { return std::all_of(t.begin(), t.end(), isValid); })
+             ? Status::Success()
+             : Status::Failure("The mesh has triangles with invalid point indices.");
+}
+} // namespace
+
+Status TriangleTree::Make(const IndexedMesh& mesh, TriangleTree& tree)
+{
+  if (Status status = CheckMesh(mesh); !status.IsOk())
+  {
+    return status;
+  }
+  const std::size_t count = mesh.Triangles.size();
+  std::vector<Center> centers(count);
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    const FloatBox box = BoxOf(mesh, mesh.Triangles[t]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      centers[t].At[axis] = 0.5F * (box.Low[axis] + box.High[axis]);
+    }
+    centers[t].Triangle = static_cast<std::int32_t>(t);
+  }
+  tree.Tree.clear();
+  tree.Tree.reserve(count + 1); // at least 2 triangles a leaf
+  tree.Numbers.resize(count);
+  tree.TriangleBoxes.resize(count);
+  tree.Build(centers, 0, count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    tree.Numbers[i] = centers[i].Triangle;
+    tree.TriangleBoxes[i] = BoxOf(mesh, mesh.Triangles[tree.Numbers[i]]);
+  }
+  for (std::size_t n = tree.Tree.size(); n-- > 0;) // children follow their parents
+  {
+    Node& node = tree.Tree[n];
+    node.Box = node.Count > 0 ? tree.TriangleBoxes[node.Second] : tree.Tree[n + 1].Box;
+    for (int i = 1; i < node.Count; ++i)
+    {
+      node.Box.Extend(tree.TriangleBoxes[node.Second + i]);
+    }
+    if (node.Count == 0)
+    {
+      node.Box.Extend(tree.Tree[node.Second].Box);
+    }
+  }
+  return Status::Success();
+}
+
+void TriangleTree::Build(std::vector<Center>& centers, std::size_t begin, std::size_t end)
+{
+  const std::size_t number = this->Tree.size();
+  this->Tree.push_back({});
+  if (end - begin <= LeafSize)
+  {
+    this->Tree[number].Second = static_cast<std::int32_t>(begin);
+    this->Tree[number].Count = static_cast<std::int32_t>(end - begin);
+    return;
+  }
+  const std::size_t middle = begin + (end - begin) / 2;
+  this->Halve(centers, begin, middle, end);
+  this->Build(centers, begin, middle);
+  this->Tree[number].Second = static_cast<std::int32_t>(this->Tree.size());
+  this->Build(centers, middle, end);
+}
+
+void TriangleTree::Halve(std::vector<Center>& centers, std::size_t begin, std::size_t middle,
+                         std::size_t end) const
+{
+  FloatBox spread{centers[begin].At, centers[begin].At};
+  for (std::size_t i = begin + 1; i < end; ++i)
+  {
+    spread.Extend({centers[i].At, centers[i].At});
+  }
+  std::size_t longest = 0;
+  for (std::size_t axis = 1; axis < 3; ++axis)
+  {
+    longest = spread.High[axis] - spread.Low[axis] > spread.High[longest] - spread.Low[longest]
+                  ? axis
+                  : longest;
+  }
+  const auto at = [&centers](std::size_t i)
+  { return centers.begin() + static_cast<std::ptrdiff_t>(i); };
+  // The number decides between equal centres, so that every library finds the same halves.
+  std::nth_element(at(begin), at(middle), at(end),
+                   [longest](const Center& one, const Center& other)
+                   {
+                     return one.At[longest] != other.At[longest]
+                                ? one.At[longest] < other.At[longest]
+                                : one.Triangle < other.Triangle;
+                   });
+}
+} // namespace palpate

@@ -1,0 +1,173 @@
+#include "MeshDistances.h"
+
+#include "MeshShapes.h"
+#include "NearestOnMesh.h"
+#include "RandomShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+namespace palpate
+{
+namespace
+{
+TEST(NearestOnMesh, EqualsBruteForce)
+{
+  test::Random random(71);
+  std::normal_distribution<double> normal;
+  for (const IndexedMesh& mesh : {test::Lobed(8), test::Torus(20, 10), test::MoebiusStrip(5)})
+  {
+    NearestOnMesh tree;
+    ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
+    for (int i = 0; i < 200; ++i)
+    {
+      const Vector3 query = 15.0 * Vector3(normal(random), normal(random), normal(random));
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& t : mesh.Triangles)
+      {
+        least = std::min(least, (NearestOnTriangle(query, mesh.Points[t[0]], mesh.Points[t[1]],
+                                                   mesh.Points[t[2]]) -
+                                 query)
+                                    .norm());
+      }
+      const NearestOnMesh::Result found = tree.Find(query);
+      EXPECT_EQ(found.Distance, least);
+      EXPECT_EQ((found.Point - query).norm(), least);
+    }
+  }
+}
+
+// Against the definition: the least of the distances to a dense set of the triangle's points.
+TEST(NearestOnMesh, OfTriangleIsNoFartherThanAnyOfItsPoints)
+{
+  test::Random random(72);
+  std::normal_distribution<double> normal;
+  const auto point = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vector3 a = point();
+    const Vector3 b = point();
+    const Vector3 c = point();
+    const Vector3 query = 2.0 * point();
+    const Vector3 nearest = NearestOnTriangle(query, a, b, c);
+    constexpr int Parts = 40;
+    double toPoints = std::numeric_limits<double>::infinity();
+    double toNearest = std::numeric_limits<double>::infinity();
+    for (int u = 0; u <= Parts; ++u)
+    {
+      for (int v = 0; u + v <= Parts; ++v)
+      {
+        const Vector3 p = a + (b - a) * u / Parts + (c - a) * v / Parts;
+        toPoints = std::min(toPoints, (p - query).norm());
+        toNearest = std::min(toNearest, (p - nearest).norm());
+      }
+    }
+    EXPECT_LE((nearest - query).norm(), toPoints + 1e-12);
+    // It is a point of the triangle: within a part of its edges of one of the others.
+    EXPECT_LE(toNearest, ((b - a).norm() + (c - a).norm()) / Parts);
+  }
+}
+
+TEST(NearestOnMesh, TreatsFlatTrianglesAsSegments)
+{
+  const IndexedMesh mesh{{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {9, 9, 9}},
+                         {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {3, 3, 3}, {1, 1, 2}}};
+  NearestOnMesh tree;
+  ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
+  EXPECT_NEAR(tree.Find({2, 2, 5}).Distance, std::sqrt(6.0), 1e-14);
+  // Not quite on a line, by rounding.
+  test::Random random(73);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Vector3 step(normal(random), normal(random), normal(random));
+    const Vector3 from(normal(random), normal(random), normal(random));
+    const IndexedMesh needle{{from + 0.1 * step, from - step, from + 2.0 * step}, {{0, 1, 2}}};
+    ASSERT_TRUE(NearestOnMesh::Make(needle, tree).IsOk());
+    const Vector3 out = step.unitOrthogonal();
+    EXPECT_NEAR(tree.Find(from + 1.7 * step + out).Distance, 1.0, 1e-14);
+    EXPECT_NEAR(tree.Find(from - 0.9 * step + out).Distance, 1.0, 1e-14);
+  }
+}
+
+TEST(NearestOnMesh, FindsNearestFlatTriangle)
+{
+  const IndexedMesh mesh{{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {9, 9, 9}},
+                         {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {3, 3, 3}, {1, 1, 2}}};
+  NearestOnMesh tree;
+  ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
+  EXPECT_NEAR(tree.Find({9, 9, 10}).Distance, 1.0, 1e-14);
+  EXPECT_EQ(tree.Find({9, 9, 10}).Triangle, 3);
+  EXPECT_NEAR(tree.Find({-1, -1, -1}).Distance, std::sqrt(3.0), 1e-14);
+}
+
+TEST(NearestOnMesh, KeepsDigitsFarFromOrigin)
+{
+  // Single precision has steps of 64 mm here.
+  const Vector3 far(1e9, 1e9, -1e9);
+  NearestOnMesh tree;
+  ASSERT_TRUE(NearestOnMesh::Make(test::Box(far, far + Vector3(1, 1, 1)), tree).IsOk());
+  EXPECT_EQ(tree.Find(far + Vector3(0.5, 0.5, 3.0)).Distance, 2.0);
+  EXPECT_EQ(tree.Find(far + Vector3(0.5, 0.25, 0.5)).Distance, 0.25);
+}
+
+TEST(MeshDistances, OfConcentricBoxesAreKnown)
+{
+  // From each corner of the inner box 1 mm; from those of the outer one the space diagonal.
+  MeshDistances distances;
+  ASSERT_TRUE(MeasureMeshDistances(test::Box({1, 1, 1}, {5, 5, 5}), test::Box({0, 0, 0}, {6, 6, 6}),
+                                   distances)
+                  .IsOk());
+  const double root = std::sqrt(3.0);
+  for (const double value : {distances.OneToOther.Mean, distances.OneToOther.Rms,
+                             distances.OneToOther.Percentile95, distances.OneToOther.Largest})
+  {
+    EXPECT_NEAR(value, 1.0, 1e-14);
+  }
+  EXPECT_NEAR(distances.OtherToOne.Mean, root, 1e-14);
+  EXPECT_NEAR(distances.Both.Mean, 0.5 * (1.0 + root), 1e-14);
+  EXPECT_NEAR(distances.Both.Rms, std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(distances.Both.Percentile95, root, 1e-14);
+  EXPECT_NEAR(distances.Both.Largest, root, 1e-14);
+}
+
+TEST(MeshDistances, WeightPointsByArea)
+{
+  // 40 small triangles at height 1 have 4 % of the area of a large one at height 3.
+  IndexedMesh mesh;
+  const auto add = [&mesh](double x, double size, double height)
+  {
+    const int first = static_cast<int>(mesh.Points.size());
+    mesh.Points.emplace_back(x, 0.0, height);
+    mesh.Points.emplace_back(x + size, 0.0, height);
+    mesh.Points.emplace_back(x, size, height);
+    mesh.Triangles.push_back({first, first + 1, first + 2});
+  };
+  add(0.0, 10.0, 3.0);
+  for (int i = 0; i < 40; ++i)
+  {
+    add(0.1 * i, std::sqrt(0.1), 1.0);
+  }
+  const IndexedMesh plane{{{-99, -99, 0}, {999, -99, 0}, {-99, 999, 0}}, {{0, 1, 2}}};
+  MeshDistances distances;
+  ASSERT_TRUE(MeasureMeshDistances(mesh, plane, distances).IsOk());
+  EXPECT_NEAR(distances.OneToOther.Mean, (3.0 * 100.0 + 4.0) / 104.0, 1e-12);
+  EXPECT_NEAR(distances.OneToOther.Percentile95, 3.0, 1e-12);
+  const std::vector<double> areas = PointAreas(mesh);
+  EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), 52.0, 1e-12);
+}
+
+TEST(MeshDistances, RejectBadInput)
+{
+  MeshDistances distances;
+  const IndexedMesh sphere = test::Sphere(2);
+  EXPECT_FALSE(MeasureMeshDistances(sphere, {}, distances).IsOk());
+  EXPECT_FALSE(MeasureMeshDistances({}, sphere, distances).IsOk());
+  IndexedMesh bad = sphere;
+  bad.Points[1][1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(MeasureMeshDistances(sphere, bad, distances).IsOk());
+}
+} // namespace
+} // namespace palpate
