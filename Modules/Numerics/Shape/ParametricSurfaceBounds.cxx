@@ -121,6 +121,24 @@ ParametricSurfaceBounds::SecondAround(const ParametricSphericalSurface::SecondOr
                   taylor >= here ? taylor : this->LargestSecond);
 }
 
+double ParametricSurfaceBounds::SecondOver(const ParametricSphericalSurface& surface,
+                                           const SphericalTriangle& triangle,
+                                           int refinement) const noexcept
+{
+  if (refinement <= 0)
+  {
+    const SphericalCap cap = triangle.Cap();
+    return this->SecondAround(surface.EvaluateSecondOrder(cap.Center), cap.Radius);
+  }
+  double largest = 0.0;
+  for (const SphericalTriangle& part : triangle.Split())
+  {
+    const double second = this->SecondOver(surface, part, refinement - 1);
+    largest = second <= largest ? largest : second;
+  }
+  return largest;
+}
+
 double ParametricSurfaceBounds::DeviationFromTriangle(const SphericalTriangle& triangle,
                                                       double second) noexcept
 {

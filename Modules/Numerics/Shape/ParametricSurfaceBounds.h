@@ -34,6 +34,11 @@ public:
   double SecondAround(const ParametricSphericalSurface::SecondOrderSample& sample,
                       double angle) const noexcept;
 
+  /// |X_tt| at every parameter in the triangle, by SecondAround the centres of its 4^refinement
+  /// parts. Allocation-free.
+  double SecondOver(const ParametricSphericalSurface& surface, const SphericalTriangle& triangle,
+                    int refinement = 0) const noexcept;
+
   /// Largest |X_tt| at one parameter, over all unit tangents t: an upper bound, at most 1.4 times
   /// the largest and usually some per cent above it.
   static double

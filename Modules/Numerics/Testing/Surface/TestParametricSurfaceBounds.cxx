@@ -141,9 +141,8 @@ TEST(ParametricSurfaceBounds, PatchesStayNearTheirTriangles)
       for (int level = 0; level < 5; ++level)
       {
         triangle = triangle.Split()[static_cast<std::size_t>(level) % 4];
-        const SphericalCap cap = triangle.Cap();
         const double deviation = ParametricSurfaceBounds::DeviationFromTriangle(
-            triangle, bounds.SecondAround(surface.EvaluateSecondOrder(cap.Center), cap.Radius));
+            triangle, bounds.SecondOver(surface, triangle, level % 3));
         const std::array<Vector3, 3> corner{surface.Point(triangle.Corners[0]),
                                             surface.Point(triangle.Corners[1]),
                                             surface.Point(triangle.Corners[2])};
@@ -161,6 +160,30 @@ TEST(ParametricSurfaceBounds, PatchesStayNearTheirTriangles)
     }
   }
   EXPECT_GE(closest, 0.5); // else the bound is too wide to be of use
+}
+
+TEST(ParametricSurfaceBounds, RefinementNarrowsTheBoundOverTriangles)
+{
+  Random random(1506);
+  const ParametricSphericalSurface surface = test::RandomSurface(random, 12);
+  const ParametricSurfaceBounds bounds(surface);
+  double sums[4]{};
+  for (const SphericalTriangle& face : SphericalTriangle::Icosahedron())
+  {
+    const SphericalTriangle triangle = face.Split()[3].Split()[3];
+    for (int refinement = 0; refinement < 4; ++refinement)
+    {
+      sums[refinement] += bounds.SecondOver(surface, triangle, refinement);
+    }
+    for (const Vector3& u : triangle.Corners)
+    {
+      EXPECT_LE(SampledSecond(surface.EvaluateSecondOrder(u)),
+                bounds.SecondOver(surface, triangle, 3));
+    }
+  }
+  EXPECT_LT(sums[1], sums[0]);
+  EXPECT_LT(sums[2], sums[1]);
+  EXPECT_LT(sums[3], sums[2]);
 }
 
 TEST(ParametricSurfaceBounds, NonFiniteCoefficientsGiveNoBound)
