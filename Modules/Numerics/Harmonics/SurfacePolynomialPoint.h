@@ -10,40 +10,54 @@
 
 namespace palpate::evaluation
 {
-/// Four numbers for each of x, y and z.
-template <typename Set>
+/// Four numbers for each of `Axes` coordinates, in rows of a table that have them for all three.
+template <typename Set, int Axes>
 struct CoordinateQuartets
 {
   using Numbers = Quartet<Set>;
-  static constexpr int Size = 12; // numbers of a table
+  static constexpr int Size = 12; // numbers of a row
 
-  static PALPATE_INLINE CoordinateQuartets Zero() { return {{Numbers{}, Numbers{}, Numbers{}}}; }
+  static PALPATE_INLINE CoordinateQuartets Zero()
+  {
+    return Each([](int) { return Numbers{}; });
+  }
   static PALPATE_INLINE CoordinateQuartets Load(const typename Set::Real* values)
   {
-    return {{Numbers::Load(values), Numbers::Load(values + 4), Numbers::Load(values + 8)}};
+    return Each([values](int axis) { return Numbers::Load(values + 4 * axis); });
   }
   PALPATE_INLINE void Store(typename Set::Real* values) const
   {
-    this->Axis[0].Store(values);
-    this->Axis[1].Store(values + 4);
-    this->Axis[2].Store(values + 8);
+    for (int axis = 0; axis < Axes; ++axis)
+    {
+      this->Axis[axis].Store(values + 4 * axis);
+    }
+  }
+  template <typename Of>
+  static PALPATE_INLINE CoordinateQuartets Each(const Of& of)
+  {
+    CoordinateQuartets result;
+    for (int axis = 0; axis < Axes; ++axis)
+    {
+      result.Axis[axis] = of(axis);
+    }
+    return result;
   }
 
-  Numbers Axis[3];
+  Numbers Axis[Axes];
 };
 
-template <typename Set>
-PALPATE_INLINE CoordinateQuartets<Set> operator+(const CoordinateQuartets<Set>& a,
-                                                 const CoordinateQuartets<Set>& b)
+template <typename Set, int Axes>
+PALPATE_INLINE CoordinateQuartets<Set, Axes> operator+(const CoordinateQuartets<Set, Axes>& a,
+                                                       const CoordinateQuartets<Set, Axes>& b)
 {
-  return {{a.Axis[0] + b.Axis[0], a.Axis[1] + b.Axis[1], a.Axis[2] + b.Axis[2]}};
+  return CoordinateQuartets<Set, Axes>::Each([&](int axis) { return a.Axis[axis] + b.Axis[axis]; });
 }
 
-template <typename Set>
-PALPATE_INLINE CoordinateQuartets<Set> operator*(const Quartet<Set>& a,
-                                                 const CoordinateQuartets<Set>& b)
+template <typename Set, int Axes>
+PALPATE_INLINE CoordinateQuartets<Set, Axes> operator*(const Quartet<Set>& a,
+                                                       const CoordinateQuartets<Set, Axes>& b)
 {
-  return {{a * b.Axis[0], a * b.Axis[1], a * b.Axis[2]}};
+  return CoordinateQuartets<Set, Axes>::Each([&](int axis) { return a * b.Axis[axis]; });
 }
 
 /// The powers of w of each pair of orders (m, m + 1), interleaved: w^m; then m w^(m-1) and
@@ -118,7 +132,9 @@ struct SurfacePolynomialPoint
 {
   using Real = typename Set::Real;
   using Numbers = Quartet<Set>;
-  using Row = CoordinateQuartets<Set>;
+  // Coordinates whose polynomials are evaluated side by side: as many as fit into the registers.
+  static constexpr int AxesAtOnce = Numbers::Parts == 1 ? 3 : 1;
+  using Row = CoordinateQuartets<Set, AxesAtOnce>;
   using Direction = PolynomialDirection<Set>;
   using Powers = PairPowers<Set, Derivatives>;
   using Space = SpaceDerivatives<Set, Numbers>;
@@ -245,7 +261,10 @@ struct SurfacePolynomialPoint
     const int pairs = degree / 2;
     const Powers powers(d.Unit, pairs);
     alignas(64) Real terms[TermSize * HighestPairs];
-    StoreTerms<1>(table + 8 * (pairs + 1), pairs, d, terms);
+    for (int axis = 0; axis < 3; axis += AxesAtOnce)
+    {
+      StoreTerms<1>(table + 8 * (pairs + 1) + 4 * axis, pairs, d, terms + 4 * axis);
+    }
     SurfaceSums<Set> s =
         Together(PairSums(powers, pairs, terms), PairSums(powers, pairs, terms + 4),
                  PairSums(powers, pairs, terms + 8));

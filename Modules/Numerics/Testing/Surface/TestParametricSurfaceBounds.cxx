@@ -162,6 +162,23 @@ TEST(ParametricSurfaceBounds, PatchesStayNearTheirTriangles)
   EXPECT_GE(closest, 0.5); // else the bound is too wide to be of use
 }
 
+TEST(ParametricSurfaceBounds, SphereLeavesItsTrianglesByMoreThanAnEighth)
+{
+  // |X_tt| = 1. In the middle of an equilateral triangle the sphere is 1 - cos r, or edge^2 / 6,
+  // above it: an eighth, which holds along the edges, would not do.
+  const SphericalTriangle face = SphericalTriangle::Icosahedron()[0].Split()[3].Split()[3];
+  const ParametricSphericalSurface sphere = test::ParametricEllipsoid({1.0, 1.0, 1.0});
+  const double second =
+      ParametricSurfaceBounds::LargestSecondAt(sphere.EvaluateSecondOrder(face.Corners[0]));
+  EXPECT_NEAR(second, 1.0, 1e-14);
+  const double deviation = ParametricSurfaceBounds::DeviationFromTriangle(face, second);
+  const double height = 1.0 - std::cos(face.Cap().Radius);
+  const double edge = std::acos(face.Corners[0].dot(face.Corners[1]));
+  EXPECT_GT(height, edge * edge / 8.0);
+  EXPECT_LE(height, deviation);
+  EXPECT_GE(height, 0.8 * deviation);
+}
+
 TEST(ParametricSurfaceBounds, RefinementNarrowsTheBoundOverTriangles)
 {
   Random random(1506);
