@@ -32,7 +32,7 @@ ImageContent ReadImageContent(const std::filesystem::path& path, const VolumeCho
   content.Kind = isFolder ? std::string() : SegmentationKind(path, isDicom);
   if (!content.Kind.empty())
   {
-    content.Labels = ReadSegmentation(path, choice.LeftHanded);
+    content.Labels = ReadSegmentation(path, choice);
     return content;
   }
   content.Image = ReadVolume(path, choice);

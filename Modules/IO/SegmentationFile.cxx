@@ -88,6 +88,11 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
 
 Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes leftHanded)
 {
+  return ReadSegmentation(path, VolumeChoice{{}, leftHanded});
+}
+
+Segmentation ReadSegmentation(const std::filesystem::path& path, const VolumeChoice& choice)
+{
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure))
   {
@@ -106,8 +111,8 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
   const std::unique_ptr<ImageFile> file = OpenImage(path);
   if (const std::vector<Segment> described = SlicerSegments(file->Entries()); !described.empty())
   {
-    return ReadSlicerSegmentation(path, *file, described, leftHanded);
+    return ReadSlicerSegmentation(path, *file, described, choice.LeftHanded);
   }
-  return LabelMapOf(ReadVolume(path, {{}, leftHanded}));
+  return LabelMapOf(ReadVolume(path, choice));
 }
 } // namespace palpate
