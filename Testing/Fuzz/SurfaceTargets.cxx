@@ -8,6 +8,7 @@
 #include "RandomModels.h"
 #include "SpharmPdmCoefficients.h"
 #include "SurfaceFile.h"
+#include "SyntheticSurfaces.h"
 #include "TextMutator.h"
 
 #include "vtkNew.h"
@@ -165,6 +166,46 @@ Mutator ObjMutator()
   return OneOf({text, text, text, MutateBytes});
 }
 
+std::vector<std::string> GiftiSeeds()
+{
+  std::vector<std::string> seeds;
+  for (const char* encoding : {"ASCII", "Base64Binary", "GZipBase64Binary"})
+  {
+    GiftiSpec spec;
+    spec.Encoding = encoding;
+    spec.Space = seeds.empty() ? "NIFTI_XFORM_SCANNER_ANAT" : spec.Space;
+    seeds.push_back(GiftiBytes(spec));
+  }
+  return seeds;
+}
+
+Mutator GiftiMutator()
+{
+  const Mutator text = TextMutator({{"NIFTI_INTENT_POINTSET",
+                                     "NIFTI_INTENT_TRIANGLE",
+                                     "NIFTI_TYPE_FLOAT32",
+                                     "NIFTI_TYPE_FLOAT64",
+                                     "NIFTI_TYPE_INT32",
+                                     "NIFTI_XFORM_SCANNER_ANAT",
+                                     "ASCII",
+                                     "Base64Binary",
+                                     "GZipBase64Binary",
+                                     "ExternalFileBinary",
+                                     "ColumnMajorOrder",
+                                     "BigEndian",
+                                     "Dim0",
+                                     "Dim1",
+                                     "DataArray",
+                                     "Data",
+                                     "MatrixData",
+                                     "<!ENTITY a \"b\">",
+                                     "&a;",
+                                     "<![CDATA["},
+                                    {{"<DataArray>", "</DataArray>"}, {"<Data>", "</Data>"}},
+                                    ""});
+  return OneOf({text, text, text, MutateBytes});
+}
+
 // Surfaces that are read are also written, which uses every index.
 InputReader SurfaceReader(const std::string& fileName)
 {
@@ -211,6 +252,7 @@ std::vector<FuzzTarget> SurfaceTargets()
           {"stl", "a.stl", StlSeeds, StlMutator(), [] { return SurfaceReader("a.stl"); }},
           {"ply", "a.ply", PlySeeds, PlyMutator(), [] { return SurfaceReader("a.ply"); }},
           {"obj", "a.obj", ObjSeeds, ObjMutator(), [] { return SurfaceReader("a.obj"); }},
+          {"gifti", "a.gii", GiftiSeeds, GiftiMutator(), [] { return SurfaceReader("a.gii"); }},
           {"model-json", "a.json",
            [] {
              return ModelSeeds([](const ModelDocument& model)

@@ -22,7 +22,7 @@ constexpr const char* ToVolume = "use the volume that it was made from";
 constexpr const char* IsVoxels = "has voxels without a header";
 constexpr const char* Unpack = "unpack it and use the image in it";
 
-constexpr std::array<ForeignFormat, 18> Formats{{
+constexpr std::array<ForeignFormat, 17> Formats{{
     {"<!DOCTYPE html", "is a web page", "download the file itself"},
     {"<!doctype html", "is a web page", "download the file itself"},
     {"<html", "is a web page", "download the file itself"},
@@ -40,8 +40,6 @@ constexpr std::array<ForeignFormat, 18> Formats{{
     {".vti", "is a VTK image, which is not supported", ToImage},
     {".vtk", "is a legacy VTK file, which is not supported",
      "save an image as NIfTI-1, NRRD or MetaImage, and a surface as .vtp"},
-    {".gii", "is a GIFTI surface, which is not supported",
-     "convert it to .vtp for commands that take surfaces"},
     {".json", "is a JSON file, not an image", "specify an image file"},
 }};
 } // namespace

@@ -4,6 +4,7 @@
 #include "BoundedPolyDataReader.h"
 #include "CNumericLocale.h"
 #include "ForeignFile.h"
+#include "GiftiReader.h"
 #include "InputError.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
@@ -166,6 +167,12 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::filesystem::path& path)
   return TurnedToLps(SpaceOfComments(path, ObjComments(text)), SurfaceFromObj(text, path.string()));
 }
 
+vtkSmartPointer<vtkPolyData> ReadGifti(const std::filesystem::path& path)
+{
+  const std::string text = ReadWholeFile(path, MaximumBytes);
+  return TurnedToLps(SurfaceSpace::Ras, PolyDataOf(MeshFromGifti(text, path.string())));
+}
+
 using MeshWriter = std::string (*)(const TriangleMesh&);
 
 template <MeshWriter Write>
@@ -182,6 +189,7 @@ FormatList<SurfaceFormat>& SurfaceFormats()
        {{"STL", {".stl"}, {".stl"}}, &ReadStl, &WriteMesh<&MeshToStl>},
        {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
        {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
+       {{"GIfTI", {".gii", ".surf.gii"}, {}}, &ReadGifti, nullptr},
        {{"glTF", {}, {".gltf"}}, nullptr, &WriteMesh<&MeshToGltf>},
        {{"binary glTF", {}, {".glb"}}, nullptr, &WriteMesh<&MeshToGlb>},
        {{"X3D", {}, {".x3d"}}, nullptr, &WriteMesh<&MeshToX3d>}});
