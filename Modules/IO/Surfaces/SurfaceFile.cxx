@@ -5,6 +5,7 @@
 #include "CNumericLocale.h"
 #include "ForeignFile.h"
 #include "GiftiReader.h"
+#include "GltfReader.h"
 #include "InputError.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
@@ -173,6 +174,11 @@ vtkSmartPointer<vtkPolyData> ReadGifti(const std::filesystem::path& path)
   return TurnedToLps(SurfaceSpace::Ras, PolyDataOf(MeshFromGifti(text, path.string())));
 }
 
+vtkSmartPointer<vtkPolyData> ReadGltf(const std::filesystem::path& path)
+{
+  return PolyDataOf(MeshFromGltf(ReadWholeFile(path, MaximumBytes), path.string()));
+}
+
 using MeshWriter = std::string (*)(const TriangleMesh&);
 
 template <MeshWriter Write>
@@ -190,8 +196,8 @@ FormatList<SurfaceFormat>& SurfaceFormats()
        {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
        {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
        {{"GIfTI", {".gii", ".surf.gii"}, {}}, &ReadGifti, nullptr},
-       {{"glTF", {}, {".gltf"}}, nullptr, &WriteMesh<&MeshToGltf>},
-       {{"binary glTF", {}, {".glb"}}, nullptr, &WriteMesh<&MeshToGlb>},
+       {{"glTF", {".gltf"}, {".gltf"}}, &ReadGltf, &WriteMesh<&MeshToGltf>},
+       {{"binary glTF", {".glb"}, {".glb"}}, &ReadGltf, &WriteMesh<&MeshToGlb>},
        {{"X3D", {}, {".x3d"}}, nullptr, &WriteMesh<&MeshToX3d>}});
   return formats;
 }

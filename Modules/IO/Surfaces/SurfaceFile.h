@@ -36,6 +36,6 @@ PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyDat
 /// Slicer is converted; without a statement it is LPS (see SurfaceSpace). STL has no shared points,
 /// so equal ones are merged, which closes a closed surface again. PLY keeps normals, colours and
 /// point arrays (see MeshFromPly), OBJ its normals in single precision; GIfTI is RAS
-/// (see MeshFromGifti). Throws InputError.
+/// (see MeshFromGifti), glTF metres (see MeshFromGltf). Throws InputError.
 PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path);
 } // namespace palpate
