@@ -1,6 +1,7 @@
 #include "VolumeFile.h"
 
 #include "DicomSegmentation.h"
+#include "DicomStructureSet.h"
 #include "DicomVolume.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
@@ -49,6 +50,11 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   if (IsDicomSegmentation(path))
   {
     Refuse(path, "is a DICOM segmentation",
+           "read it as a segmentation, or specify an image series");
+  }
+  if (IsDicomStructureSet(path))
+  {
+    Refuse(path, "is a DICOM structure set (contours)",
            "read it as a segmentation, or specify an image series");
   }
   RefuseForeignDicom(path);
