@@ -159,7 +159,7 @@ void ConvertCommand::ConvertImage(Console& console) const
   }
   if (!this->Label.empty())
   {
-    const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.LeftHanded());
+    const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.Choice());
     PassOn(segmentation.Notes, console);
     RequireGoingOn();
     WriteImage(this->Output, MaskOf(segmentation, segmentation.Find(this->Label)));

@@ -8,7 +8,8 @@ void ImageOptions::Declare(CLI::App& app, const std::string& seriesOf)
 {
   app.add_option("--series", this->Series,
                  "DICOM series of a " + seriesOf +
-                     ": its number in the list that the error message prints, or its UID")
+                     ": its number in the list that the error message prints, or its UID; of a "
+                     "file of several volumes, the number of one")
       ->type_name("N|UID");
   this->DeclareAxes(app);
 }

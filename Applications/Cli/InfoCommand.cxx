@@ -3,6 +3,7 @@
 #include "CaseTally.h"
 #include "Console.h"
 #include "ImageContent.h"
+#include "ImageFormat.h"
 #include "InfoReport.h"
 #include "InputError.h"
 #include "LabelStatistics.h"
@@ -23,7 +24,8 @@ std::string InfoCommand::Examples() const
 void InfoCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
-                 "Images (NIfTI, NRRD, MetaImage, DICOM file or folder) and segmentations")
+                 "Images and segmentations (" + ListOfEndings(ReadableImageEndings()) +
+                     ", or a DICOM folder)")
       ->required();
   this->Images.Declare(app, "folder");
   app.add_flag("--json", this->Json, "Print one JSON object per line instead of text");

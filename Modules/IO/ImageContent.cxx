@@ -1,6 +1,7 @@
 #include "ImageContent.h"
 
 #include "DicomSegmentation.h"
+#include "DicomStructureSet.h"
 #include "FileKind.h"
 #include "ImageFormat.h"
 #include "LabelMap.h"
@@ -17,7 +18,9 @@ std::string SegmentationKind(const std::filesystem::path& path, bool isDicom)
 {
   if (isDicom)
   {
-    return IsDicomSegmentation(path) ? "DICOM segmentation" : "";
+    return IsDicomSegmentation(path)   ? "DICOM segmentation"
+           : IsDicomStructureSet(path) ? "DICOM structure set"
+                                       : "";
   }
   return SlicerSegments(OpenImage(path)->Entries()).empty() ? "" : "3D Slicer segmentation";
 }
@@ -32,7 +35,7 @@ ImageContent ReadImageContent(const std::filesystem::path& path, const VolumeCho
   content.Kind = isFolder ? std::string() : SegmentationKind(path, isDicom);
   if (!content.Kind.empty())
   {
-    content.Labels = ReadSegmentation(path, choice.LeftHanded);
+    content.Labels = ReadSegmentation(path, choice);
     return content;
   }
   content.Image = ReadVolume(path, choice);

@@ -2,6 +2,7 @@
 
 #include "AvailableMemory.h"
 #include "DicomSegmentation.h"
+#include "DicomStructureSet.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
 #include "ImageFormat.h"
@@ -67,7 +68,7 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
   std::vector<std::filesystem::path> found;
   for (const std::filesystem::path& file : DicomFilesIn(folder))
   {
-    if (IsDicomSegmentation(file))
+    if (IsDicomSegmentation(file) || IsDicomStructureSet(file))
     {
       found.push_back(file);
     }
@@ -79,35 +80,46 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
   if (found.size() != 1)
   {
     Refuse(folder,
-           "is a folder that holds " + std::to_string(found.size()) + " DICOM segmentation objects",
+           "is a folder that holds " + std::to_string(found.size()) +
+               " DICOM segmentation objects or structure sets",
            "specify one segmentation file");
   }
   return found.front();
+}
+
+Segmentation ReadDicomLabels(const std::filesystem::path& file)
+{
+  return IsDicomStructureSet(file) ? ReadDicomStructureSet(file) : ReadDicomSegmentation(file);
 }
 } // namespace
 
 Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes leftHanded)
 {
+  return ReadSegmentation(path, VolumeChoice{{}, leftHanded});
+}
+
+Segmentation ReadSegmentation(const std::filesystem::path& path, const VolumeChoice& choice)
+{
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure))
   {
-    return ReadDicomSegmentation(FindDicomSegmentation(path));
+    return ReadDicomLabels(FindDicomSegmentation(path));
   }
   if (IsDicomFile(path))
   {
-    if (!IsDicomSegmentation(path))
+    if (!IsDicomSegmentation(path) && !IsDicomStructureSet(path))
     {
       RefuseForeignDicom(path);
       Refuse(path, "is a DICOM file but not a segmentation",
-             "specify a DICOM segmentation object or a label map");
+             "specify a DICOM segmentation object, a structure set or a label map");
     }
-    return ReadDicomSegmentation(path);
+    return ReadDicomLabels(path);
   }
   const std::unique_ptr<ImageFile> file = OpenImage(path);
   if (const std::vector<Segment> described = SlicerSegments(file->Entries()); !described.empty())
   {
-    return ReadSlicerSegmentation(path, *file, described, leftHanded);
+    return ReadSlicerSegmentation(path, *file, described, choice.LeftHanded);
   }
-  return LabelMapOf(ReadVolume(path, {{}, leftHanded}));
+  return LabelMapOf(ReadVolume(path, choice));
 }
 } // namespace palpate

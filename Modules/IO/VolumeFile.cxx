@@ -1,6 +1,7 @@
 #include "VolumeFile.h"
 
 #include "DicomSegmentation.h"
+#include "DicomStructureSet.h"
 #include "DicomVolume.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
@@ -18,9 +19,10 @@ namespace palpate
 {
 namespace
 {
-Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
+Volume ReadImageFile(const std::filesystem::path& path, const VolumeChoice& choice)
 {
   const std::unique_ptr<ImageFile> file = OpenImage(path);
+  file->ChooseVolume(choice.Series);
   if (file->Components() != 1)
   {
     Refuse(path, "has " + std::to_string(file->Components()) + " values per voxel",
@@ -32,7 +34,7 @@ Volume ReadImageFile(const std::filesystem::path& path, LeftHandedAxes handling)
   Volume volume;
   volume.Source = path;
   volume.Notes = file->Notes();
-  MakeRightHanded(path, handling, grid, voxels, volume.Notes);
+  MakeRightHanded(path, choice.LeftHanded, grid, voxels, volume.Notes);
   volume.Image = MakeImage(grid, voxels);
   return volume;
 }
@@ -48,6 +50,11 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   if (IsDicomSegmentation(path))
   {
     Refuse(path, "is a DICOM segmentation",
+           "read it as a segmentation, or specify an image series");
+  }
+  if (IsDicomStructureSet(path))
+  {
+    Refuse(path, "is a DICOM structure set (contours)",
            "read it as a segmentation, or specify an image series");
   }
   RefuseForeignDicom(path);
@@ -86,8 +93,8 @@ Volume ReadVolume(const std::filesystem::path& path, const VolumeChoice& choice)
 {
   std::error_code failure;
   const bool isFolder = std::filesystem::is_directory(path, failure);
-  Volume volume = isFolder || IsDicomFile(path) ? ReadDicom(path, choice)
-                                                : ReadImageFile(path, choice.LeftHanded);
+  Volume volume =
+      isFolder || IsDicomFile(path) ? ReadDicom(path, choice) : ReadImageFile(path, choice);
   CheckFinite(path, volume.Image->GetPointData()->GetScalars());
   return volume;
 }

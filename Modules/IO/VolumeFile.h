@@ -5,7 +5,7 @@
 
 namespace palpate
 {
-/// Reads NIfTI, NRRD, MetaImage, or a DICOM series given by its folder or by one of its files.
+/// Reads a file of ImageFormats, or a DICOM series given by its folder or by one of its files.
 /// Throws InputError.
 PALPATEIO_EXPORT Volume ReadVolume(const std::filesystem::path& path,
                                    const VolumeChoice& choice = {});

@@ -3,6 +3,7 @@
 #include "CompressedDicom.h"
 #include "DicomMutator.h"
 #include "ImageReading.h"
+#include "SyntheticContours.h"
 #include "SyntheticImages.h"
 
 namespace palpate::test
@@ -103,6 +104,38 @@ std::vector<std::string> CompressedSegmentationSeeds()
   return seeds;
 }
 
+std::vector<std::string> StructureSetSeeds()
+{
+  StructureSetSpec box = BoxOfContours({0, 3, 6});
+  StructureSetSpec two = BoxOfContours({0, 3});
+  two.Structures.push_back({2, "b", {{RectangleText(2, 2, 20, 9, 3)}}, "255\\0\\0"});
+  std::vector<std::string> seeds;
+  for (const StructureSetSpec& spec : {box, two})
+  {
+    seeds.push_back(WrittenBytes("a.dcm", [&](const std::filesystem::path& file)
+                                 { WriteStructureSet(file, spec); }));
+  }
+  return seeds;
+}
+
+// Digits of coordinates, which are far apart from each other in a file.
+Mutator ContourMutator()
+{
+  return [](std::string& bytes, Random& random)
+  {
+    const std::size_t start = Below(random, bytes.size());
+    for (std::size_t i = start, left = 1 + Below(random, 6); i < bytes.size() && left > 0; ++i)
+    {
+      const bool isDigit = bytes[i] >= '0' && bytes[i] <= '9';
+      if (isDigit && Below(random, 4) == 0)
+      {
+        bytes[i] = Choose(std::string("0123456789.-e\\"), random);
+        --left;
+      }
+    }
+  };
+}
+
 // The second of three slices, read as part of their series.
 InputReader SeriesReader(DicomSliceSpec other)
 {
@@ -139,6 +172,9 @@ std::vector<FuzzTarget> DicomTargets()
   return {{"dicom-series", "a.dcm", [] { return std::vector<std::string>{SliceBytes(Slice(1))}; },
            dicom, [] { return SeriesReader(Slice(0)); }},
           {"dicom-segmentation", "a.dcm", SegmentationSeeds, dicom,
+           [] { return FileReader("a.dcm", ReadImage); }},
+          {"dicom-structure-set", "a.dcm", StructureSetSeeds,
+           OneOf({MutateDicom, ContourMutator(), ContourMutator(), MutateBytes}),
            [] { return FileReader("a.dcm", ReadImage); }},
           {"dicom-segmentation-compressed", "a.dcm", CompressedSegmentationSeeds,
            OneOf({MutateFrames, MutateDicom}), [] { return FileReader("a.dcm", ReadImage); }},

@@ -4,6 +4,7 @@
 
 namespace palpate::test
 {
-/// DICOM slices, series and segmentations, uncompressed and in every supported compression.
+/// DICOM slices, series, segmentations and structure sets, uncompressed and in every supported
+/// compression.
 std::vector<FuzzTarget> DicomTargets();
 } // namespace palpate::test

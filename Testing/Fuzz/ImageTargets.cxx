@@ -3,6 +3,7 @@
 #include "BinaryFields.h"
 #include "GzipMutator.h"
 #include "ImageReading.h"
+#include "StoredImages.h"
 #include "SyntheticImages.h"
 #include "TextMutator.h"
 
@@ -59,6 +60,83 @@ Mutator NiftiMutator()
     fields.insert(fields.end(), more.begin(), more.end());
   }
   const Mutator change = FieldMutator(fields);
+  return OneOf({change, change, change, MutateBytes});
+}
+
+std::vector<std::string> Nifti2Seeds()
+{
+  NiftiSpec series;
+  series.Dimensions = {4, 4, 5, 6, 1, 1, 1, 1};
+  return {Nifti2Bytes({}, Labels()), ReversedNifti2(Nifti2Bytes(series, Labels()), 1)};
+}
+
+// Offsets from nifti2.h.
+Mutator Nifti2Mutator()
+{
+  using Type = BinaryField::Type;
+  std::vector<BinaryField> fields{{0, 4},   {4, 4},   {12, 2},  {14, 2},
+                                  {168, 8}, {344, 4}, {348, 4}, {500, 4}};
+  for (const auto& more : {FieldsFrom(16, 8, 8), FieldsFrom(104, 8, 8, Type::Real),
+                           FieldsFrom(176, 2, 8, Type::Real), FieldsFrom(352, 18, 8, Type::Real)})
+  {
+    fields.insert(fields.end(), more.begin(), more.end());
+  }
+  const Mutator change = FieldMutator(fields);
+  return OneOf({change, change, FieldMutator(fields, ByteOrder::Big), MutateBytes});
+}
+
+// Headers of pairs, whose voxels are in another file.
+std::vector<std::string> PairSeeds()
+{
+  return {NiftiPairHeader({}), AnalyzeHeader({}), ReversedNifti1(AnalyzeHeader({}), 1)};
+}
+
+InputReader PairReader()
+{
+  return FileReader("a.hdr", ReadImage,
+                    [](const std::filesystem::path& folder)
+                    { WriteAll(folder / "a.img", Labels()); });
+}
+
+std::vector<std::string> MghSeeds()
+{
+  MghSpec reals;
+  reals.Type = 3;
+  return {MghBytes({}, Labels()), MghBytes(reals, BigEndian(std::vector<float>(120, 1.0F)))};
+}
+
+std::vector<std::string> CompressedMghSeeds()
+{
+  return {Gzipped(MghSeeds().front()), Gzipped(MghSeeds().back())};
+}
+
+Mutator MghMutator()
+{
+  std::vector<BinaryField> fields = FieldsFrom(0, 7, 4);
+  fields.push_back({28, 2});
+  const std::vector<BinaryField> geometry = FieldsFrom(30, 15, 4, BinaryField::Type::Real);
+  fields.insert(fields.end(), geometry.begin(), geometry.end());
+  const Mutator change = FieldMutator(fields, ByteOrder::Big);
+  return OneOf({change, change, change, MutateBytes});
+}
+
+std::vector<std::string> GiplSeeds()
+{
+  GiplSpec reals;
+  reals.Type = 65;
+  return {GiplBytes({}, Labels()), GiplBytes(reals, BigEndian(std::vector<double>(120, 1.0)))};
+}
+
+Mutator GiplMutator()
+{
+  using Type = BinaryField::Type;
+  std::vector<BinaryField> fields = FieldsFrom(0, 5, 2);
+  fields.push_back({252, 4});
+  for (const auto& more : {FieldsFrom(10, 4, 4, Type::Real), FieldsFrom(204, 4, 8, Type::Real)})
+  {
+    fields.insert(fields.end(), more.begin(), more.end());
+  }
+  const Mutator change = FieldMutator(fields, ByteOrder::Big);
   return OneOf({change, change, change, MutateBytes});
 }
 
@@ -259,6 +337,11 @@ std::vector<FuzzTarget> ImageTargets()
   const Mutator nrrd = NrrdMutator();
   return {ImageTarget("nifti", "a.nii", NiftiSeeds, NiftiMutator()),
           ImageTarget("nifti-gzip", "a.nii.gz", CompressedNiftiSeeds, GzipMutator(NiftiMutator())),
+          ImageTarget("nifti-2", "a.nii", Nifti2Seeds, Nifti2Mutator()),
+          {"nifti-pair", "a.hdr", PairSeeds, OneOf({NiftiMutator(), MutateBytes}), PairReader},
+          ImageTarget("freesurfer", "a.mgh", MghSeeds, MghMutator()),
+          ImageTarget("freesurfer-gzip", "a.mgz", CompressedMghSeeds, GzipMutator(MghMutator())),
+          ImageTarget("gipl", "a.gipl", GiplSeeds, GiplMutator()),
           ImageTarget("nrrd", "a.nrrd", NrrdSeeds, nrrd),
           ImageTarget("nrrd-gzip", "a.nrrd", CompressedNrrdSeeds,
                       OneOf({nrrd, Behind(NrrdHeadEnd, GzipMutator(MutateBytes))})),

@@ -4,6 +4,7 @@
 
 namespace palpate::test
 {
-/// NIfTI, NRRD, 3D Slicer's segmentations, MetaImage, and MRIcron's names and colours.
+/// NIfTI, Analyze, FreeSurfer, GIPL, NRRD, 3D Slicer's segmentations, MetaImage, and MRIcron's
+/// names and colours.
 std::vector<FuzzTarget> ImageTargets();
 } // namespace palpate::test

@@ -3,11 +3,13 @@
 #include "BinaryFields.h"
 #include "JsonMutator.h"
 #include "MeshFormats.h"
+#include "MeshGltf.h"
 #include "ModelFile.h"
 #include "ModelJson.h"
 #include "RandomModels.h"
 #include "SpharmPdmCoefficients.h"
 #include "SurfaceFile.h"
+#include "SyntheticSurfaces.h"
 #include "TextMutator.h"
 
 #include "vtkNew.h"
@@ -165,6 +167,66 @@ Mutator ObjMutator()
   return OneOf({text, text, text, MutateBytes});
 }
 
+std::vector<std::string> GiftiSeeds()
+{
+  std::vector<std::string> seeds;
+  for (const char* encoding : {"ASCII", "Base64Binary", "GZipBase64Binary"})
+  {
+    GiftiSpec spec;
+    spec.Encoding = encoding;
+    spec.Space = seeds.empty() ? "NIFTI_XFORM_SCANNER_ANAT" : spec.Space;
+    seeds.push_back(GiftiBytes(spec));
+  }
+  return seeds;
+}
+
+Mutator GiftiMutator()
+{
+  const Mutator text = TextMutator({{"NIFTI_INTENT_POINTSET",
+                                     "NIFTI_INTENT_TRIANGLE",
+                                     "NIFTI_TYPE_FLOAT32",
+                                     "NIFTI_TYPE_FLOAT64",
+                                     "NIFTI_TYPE_INT32",
+                                     "NIFTI_XFORM_SCANNER_ANAT",
+                                     "ASCII",
+                                     "Base64Binary",
+                                     "GZipBase64Binary",
+                                     "ExternalFileBinary",
+                                     "ColumnMajorOrder",
+                                     "BigEndian",
+                                     "Dim0",
+                                     "Dim1",
+                                     "DataArray",
+                                     "Data",
+                                     "MatrixData",
+                                     "<!ENTITY a \"b\">",
+                                     "&a;",
+                                     "<![CDATA["},
+                                    {{"<DataArray>", "</DataArray>"}, {"<Data>", "</Data>"}},
+                                    ""});
+  return OneOf({text, text, text, MutateBytes});
+}
+
+Mutator GltfMutator()
+{
+  const Mutator json = JsonMutator(
+      {"asset",      "version",    "scene",      "scenes",        "nodes",
+       "children",   "mesh",       "matrix",     "translation",   "rotation",
+       "scale",      "skin",       "primitives", "attributes",    "POSITION",
+       "indices",    "mode",       "accessors",  "componentType", "count",
+       "type",       "VEC3",       "SCALAR",     "sparse",        "bufferViews",
+       "byteOffset", "byteLength", "byteStride", "buffers",       "uri",
+       "buffer",     "bufferView", "data:,",     "2.0",           "extensionsRequired"});
+  return OneOf({json, json, json, MutateBytes});
+}
+
+// The heads of the file and of its first chunk, and everything.
+Mutator GlbMutator()
+{
+  const Mutator head = FieldMutator(FieldsFrom(0, 5, 4));
+  return OneOf({head, MutateBytes, Behind("BIN", FieldMutator(FieldsFrom(1, 60, 4)))});
+}
+
 // Surfaces that are read are also written, which uses every index.
 InputReader SurfaceReader(const std::string& fileName)
 {
@@ -211,6 +273,11 @@ std::vector<FuzzTarget> SurfaceTargets()
           {"stl", "a.stl", StlSeeds, StlMutator(), [] { return SurfaceReader("a.stl"); }},
           {"ply", "a.ply", PlySeeds, PlyMutator(), [] { return SurfaceReader("a.ply"); }},
           {"obj", "a.obj", ObjSeeds, ObjMutator(), [] { return SurfaceReader("a.obj"); }},
+          {"gltf", "a.gltf", [] { return std::vector<std::string>{MeshToGltf(Tetrahedron())}; },
+           GltfMutator(), [] { return SurfaceReader("a.gltf"); }},
+          {"glb", "a.glb", [] { return std::vector<std::string>{MeshToGlb(Tetrahedron())}; },
+           GlbMutator(), [] { return SurfaceReader("a.glb"); }},
+          {"gifti", "a.gii", GiftiSeeds, GiftiMutator(), [] { return SurfaceReader("a.gii"); }},
           {"model-json", "a.json",
            [] {
              return ModelSeeds([](const ModelDocument& model)

@@ -4,6 +4,6 @@
 
 namespace palpate::test
 {
-/// Surfaces (VTP, STL, PLY, OBJ) and models (JSON, CSV, SPHARM-PDM).
+/// Surfaces (VTP, STL, PLY, OBJ, glTF, GIfTI) and models (JSON, CSV, SPHARM-PDM).
 std::vector<FuzzTarget> SurfaceTargets();
 } // namespace palpate::test

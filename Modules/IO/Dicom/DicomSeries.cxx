@@ -129,7 +129,7 @@ std::vector<DicomSeries> FindDicomSeries(const std::filesystem::path& folder)
 const DicomSeries& ChooseSeries(const std::filesystem::path& folder,
                                 const std::vector<DicomSeries>& all, const VolumeChoice& choice)
 {
-  const std::string& wanted = choice.DicomSeries;
+  const std::string& wanted = choice.Series;
   std::vector<const DicomSeries*> matches;
   for (std::size_t i = 0; i < all.size(); ++i)
   {

@@ -2,6 +2,7 @@
 
 #include "DicomDataset.h"
 #include "DicomSegmentation.h"
+#include "DicomStructureSet.h"
 #include "FileKind.h"
 #include "InputError.h"
 #include "Refusal.h"
@@ -23,7 +24,7 @@ std::optional<ForeignDicom> RecognizeForeignDicom(const std::filesystem::path& f
     return ForeignDicom{"is the index of a DICOM medium (DICOMDIR)",
                         "specify the folder with the slices of a series"};
   }
-  if (IsDicomSegmentation(file))
+  if (IsDicomSegmentation(file) || IsDicomStructureSet(file))
   {
     return std::nullopt;
   }
@@ -32,8 +33,8 @@ std::optional<ForeignDicom> RecognizeForeignDicom(const std::filesystem::path& f
   if (!root.tagExists(DCM_Columns))
   {
     return ForeignDicom{"is a DICOM object without pixels (" + kind + ")",
-                        "use an image series or a segmentation; 3D Slicer converts contours and "
-                        "surfaces to one (import them, then export a .seg.nrrd)"};
+                        "use an image series or a segmentation; 3D Slicer converts surfaces to one "
+                        "(import them, then export a .seg.nrrd)"};
   }
   if (DicomNumber(root, DCM_NumberOfFrames, 1.0) > 1.0)
   {

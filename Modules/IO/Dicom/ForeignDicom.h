@@ -14,8 +14,9 @@ struct ForeignDicom
   std::string Remedy; ///< "convert it to one slice per file or to NIfTI-1 (.nii.gz)"
 };
 
-/// Recognizes a DICOM file that is no segmentation and has several frames or no pixels: contours, a
-/// dose, a report, an index, ... Throws InputError for a file that is not DICOM or is damaged.
+/// Recognizes a DICOM file that is no segmentation or structure set and has several frames or no
+/// pixels: surfaces, a dose, a report, an index, ... Throws InputError for a file that is not DICOM
+/// or is damaged.
 PALPATEIO_EXPORT std::optional<ForeignDicom>
 RecognizeForeignDicom(const std::filesystem::path& file);
 

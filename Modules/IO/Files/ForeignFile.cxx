@@ -19,14 +19,10 @@ struct ForeignFormat
 
 constexpr const char* ToImage = "convert it to NIfTI-1 (.nii.gz), NRRD or MetaImage";
 constexpr const char* ToVolume = "use the volume that it was made from";
+constexpr const char* IsVoxels = "has voxels without a header";
 constexpr const char* Unpack = "unpack it and use the image in it";
-constexpr const char* IsPair = "is one of a pair of files (.hdr and .img), which is not supported";
-constexpr const char* FromPair =
-    "convert the pair to one file (.nii.gz); if it is Analyze, check left and right";
-constexpr const char* IsFreeSurfer = "is a FreeSurfer volume, which is not supported";
-constexpr const char* FromFreeSurfer = "convert it (mri_convert) to .nii.gz";
 
-constexpr std::array<ForeignFormat, 20> Formats{{
+constexpr std::array<ForeignFormat, 17> Formats{{
     {"<!DOCTYPE html", "is a web page", "download the file itself"},
     {"<!doctype html", "is a web page", "download the file itself"},
     {"<html", "is a web page", "download the file itself"},
@@ -36,18 +32,14 @@ constexpr std::array<ForeignFormat, 20> Formats{{
     {".tgz", "is an archive", Unpack},
     {"\x89PNG", "is a PNG image", ToVolume},
     {"\xFF\xD8\xFF", "is a JPEG image", ToVolume},
-    {".hdr", IsPair, FromPair},
-    {".img", IsPair, FromPair},
-    {".mgz", IsFreeSurfer, FromFreeSurfer},
-    {".mgh", IsFreeSurfer, FromFreeSurfer},
+    {".img", IsVoxels, "specify its header (.hdr)"},
+    {".img.gz", IsVoxels, "specify its header (.hdr)"},
     {".mnc", "is a MINC file, which is not supported", ToImage},
-    {".raw", "has voxels without a header", "specify its header (.mhd or .nhdr)"},
-    {".zraw", "has voxels without a header", "specify its header (.mhd)"},
+    {".raw", IsVoxels, "specify its header (.mhd or .nhdr)"},
+    {".zraw", IsVoxels, "specify its header (.mhd)"},
     {".vti", "is a VTK image, which is not supported", ToImage},
     {".vtk", "is a legacy VTK file, which is not supported",
      "save an image as NIfTI-1, NRRD or MetaImage, and a surface as .vtp"},
-    {".gii", "is a GIFTI surface, which is not supported",
-     "convert it to .vtp for commands that take surfaces"},
     {".json", "is a JSON file, not an image", "specify an image file"},
 }};
 } // namespace

@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -35,6 +36,12 @@ public:
   /// Notes on the interpretation of the header, as sentences.
   const std::vector<std::string>& Notes() const { return this->HeaderNotes; }
 
+  /// Volumes of a four-dimensional file; 1 for all others.
+  virtual std::int64_t VolumeCount() const { return 1; }
+  /// Chooses the volume that ReadInto reads by its number in the file, from 1. With one volume the
+  /// text is ignored. Throws InputError for a number that the file lacks, and for an empty text.
+  void ChooseVolume(const std::string& number);
+
   /// An uninitialized array of the file's type, components and voxel count. Throws InputError if it
   /// does not fit into memory or exceeds the file.
   vtkSmartPointer<vtkDataArray> NewArray() const;
@@ -53,5 +60,6 @@ protected:
   ItkImageHeader Header;
   ImageGrid FileGrid;
   std::vector<std::string> HeaderNotes;
+  std::int64_t ChosenVolume = 0; ///< from 0
 };
 } // namespace palpate

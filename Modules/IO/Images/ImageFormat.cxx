@@ -2,7 +2,9 @@
 
 #include "FileKind.h"
 #include "ForeignFile.h"
+#include "GiplFormat.h"
 #include "MetaImageFormat.h"
+#include "MghFormat.h"
 #include "NiftiFormat.h"
 #include "NrrdFormat.h"
 #include "Refusal.h"
@@ -12,7 +14,8 @@ namespace palpate
 {
 FormatList<ImageFormat>& ImageFormats()
 {
-  static FormatList<ImageFormat> formats({NiftiFormat(), NrrdFormat(), MetaImageFormat()});
+  static FormatList<ImageFormat> formats({NiftiFormat(), NiftiPairFormat(), NrrdFormat(),
+                                          MetaImageFormat(), MghFormat(), GiplFormat()});
   return formats;
 }
 

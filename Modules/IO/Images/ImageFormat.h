@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// A format of three-dimensional images, one file each.
+/// A format of images; a file holds one volume or several of the same grid.
 struct ImageFormat : FileFormat
 {
   /// Reads the header. Throws InputError if it is damaged.
@@ -24,7 +24,7 @@ struct ImageFormat : FileFormat
   bool WritesThroughStreams = false;
 };
 
-/// NIfTI, NRRD, MetaImage and added formats.
+/// NIfTI, Analyze, NRRD, MetaImage, FreeSurfer, GIPL and added formats.
 PALPATEIO_EXPORT FormatList<ImageFormat>& ImageFormats();
 
 /// The format of a file that is not DICOM, by its ending. Throws InputError if there is none.

@@ -1,32 +1,36 @@
 #include "NiftiFormat.h"
 
 #include "ItkImageWriter.h"
-#include "NiftiVoxels.h"
+#include "NiftiHeader.h"
+#include "StoredImageFile.h"
 
 namespace palpate
 {
 namespace
 {
-class NiftiFile : public ImageFile
+class NiftiFile : public StoredImageFile
 {
 public:
-  explicit NiftiFile(const std::filesystem::path& file)
-      : ImageFile(file), FileHeader(ReadNiftiHeader(file)), Voxels(file, this->FileHeader)
+  NiftiFile(const std::filesystem::path& file, const NiftiHeader& header)
+      : StoredImageFile(file, header.Voxels)
   {
-    this->Header.Components = 1;
-    this->Header.VtkType = this->Voxels.ScalarType();
-    this->FileGrid.Size = this->FileHeader.Size;
-    this->FileGrid.Spacing = this->FileHeader.Spacing;
-    PlaceGrid(file, this->FileHeader.Orientation, this->FileGrid);
-    this->HeaderNotes = OrientationNotes(this->FileHeader.Orientation, this->FileGrid);
+    this->FileGrid.Size = header.Size;
+    this->FileGrid.Spacing = header.Spacing;
+    PlaceGrid(file, header.Orientation, this->FileGrid);
+    this->HeaderNotes = OrientationNotes(header.Orientation, this->FileGrid);
+    if (header.IsAnalyze)
+    {
+      this->HeaderNotes = {"Analyze files state no reliable orientation; the index axes were taken "
+                           "as L, P, S, as ITK does: check left and right."};
+    }
   }
-
-  void ReadInto(void* buffer) override { this->Voxels.ReadInto(buffer); }
-
-private:
-  NiftiHeader FileHeader;
-  NiftiVoxels Voxels;
 };
+
+template <bool IsPair>
+std::unique_ptr<ImageFile> Open(const std::filesystem::path& file)
+{
+  return std::make_unique<NiftiFile>(file, ReadNiftiHeader(file, IsPair));
+}
 
 void Write(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
 {
@@ -36,8 +40,11 @@ void Write(const std::filesystem::path& file, vtkImageData* image, vtkDataArray*
 
 ImageFormat NiftiFormat()
 {
-  return {{"NIfTI", {".nii", ".nii.gz"}, {".nii", ".nii.gz"}},
-          [](const std::filesystem::path& file) { return std::make_unique<NiftiFile>(file); },
-          &Write};
+  return {{"NIfTI", {".nii", ".nii.gz"}, {".nii", ".nii.gz"}}, &Open<false>, &Write};
+}
+
+ImageFormat NiftiPairFormat()
+{
+  return {{"NIfTI or Analyze pair", {".hdr", ".hdr.gz"}, {}}, &Open<true>, nullptr};
 }
 } // namespace palpate

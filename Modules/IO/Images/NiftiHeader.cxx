@@ -1,28 +1,24 @@
 #include "NiftiHeader.h"
 
 #include "DecimalText.h"
-#include "ForeignFile.h"
+#include "FileFormat.h"
+#include "NiftiFields.h"
 #include "Refusal.h"
-#include "ZlibCheck.h"
-
-#include "vtkDataArray.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <memory>
+#include <limits>
+#include <string>
+#include <system_error>
 #include <utility>
-#include <zlib.h>
 
 namespace palpate
 {
 namespace
 {
-constexpr std::size_t HeaderBytes = 348;
-
 // Codes of the header, and VTK's types.
 constexpr std::array<std::pair<int, int>, 10> VoxelTypes{{{2, VTK_UNSIGNED_CHAR},
                                                           {4, VTK_SHORT},
@@ -35,83 +31,35 @@ constexpr std::array<std::pair<int, int>, 10> VoxelTypes{{{2, VTK_UNSIGNED_CHAR}
                                                           {1024, VTK_LONG},
                                                           {1280, VTK_UNSIGNED_LONG}}};
 
-// The header's bytes, and reading of numbers in the file's byte order.
-class HeaderReader
+void CheckKind(const std::filesystem::path& file, const NiftiFields& fields, bool isPair)
 {
-public:
-  explicit HeaderReader(const std::filesystem::path& file)
+  if (fields.IsPair != isPair)
   {
-    // gzread passes files that are not compressed through as they are.
-    const std::unique_ptr<gzFile_s, int (*)(gzFile)> stream(gzopen(file.c_str(), "rb"), gzclose);
-    const int got = stream ? gzread(stream.get(), this->Bytes.data(), HeaderBytes) : 0;
-    this->Compressed = stream && gzdirect(stream.get()) == 0;
-    if (got < static_cast<int>(HeaderBytes))
-    {
-      RefuseContent(file, "has a truncated or damaged header", "copy or export it again");
-    }
-    this->Swap = this->At<std::int32_t>(0) != static_cast<int>(HeaderBytes);
-  }
-
-  template <typename T>
-  T At(std::size_t offset) const
-  {
-    std::array<unsigned char, sizeof(T)> raw;
-    std::copy_n(this->Bytes.begin() + static_cast<std::ptrdiff_t>(offset), sizeof(T), raw.begin());
-    if (this->Swap)
-    {
-      std::reverse(raw.begin(), raw.end());
-    }
-    T value;
-    std::memcpy(&value, raw.data(), sizeof(T));
-    return value;
-  }
-
-  std::string Mark() const { return {this->Bytes.begin() + 344, this->Bytes.begin() + 347}; }
-  bool IsCompressed() const { return this->Compressed; }
-  bool IsSwapped() const { return this->Swap; }
-  int Dimension(std::size_t i) const { return this->At<std::int16_t>(40 + 2 * i); }
-  double PixelDimension(std::size_t i) const
-  {
-    return static_cast<double>(this->At<float>(76 + 4 * i));
-  }
-
-private:
-  std::array<unsigned char, HeaderBytes> Bytes{};
-  bool Compressed = false;
-  bool Swap = false;
-};
-
-void CheckMark(const std::filesystem::path& file, const HeaderReader& header)
-{
-  const auto size = header.At<std::int32_t>(0);
-  // The reader may have swapped the size of a NIfTI-2 header.
-  if (size == 540 || size == 0x1c020000)
-  {
-    Refuse(file, "is a NIfTI-2 file, which is not supported", "convert it to NIfTI-1");
-  }
-  if (size != static_cast<int>(HeaderBytes) || header.Mark() != "n+1")
-  {
-    RefuseContent(file, "is not a NIfTI-1 file, or its header is damaged",
-                  "copy or export it again");
+    Refuse(file,
+           isPair ? "is not the header of a pair of files, but a NIfTI file with its voxels"
+                  : "is the header of a pair of files, or is damaged",
+           isPair ? "give it the ending .nii" : "give it the ending .hdr, next to its .img");
   }
 }
 
-void CheckDimensions(const std::filesystem::path& file, const HeaderReader& header)
+void CheckDimensions(const std::filesystem::path& file, const NiftiFields& fields)
 {
-  const int count = header.Dimension(0);
+  const std::int64_t count = fields.Dimensions[0];
   if (count < 1 || count > 7)
   {
     Refuse(file, "has a damaged header", "copy or export it again");
   }
-  for (int axis = 1; axis <= count; ++axis)
+  for (std::size_t axis = 1; axis <= static_cast<std::size_t>(count); ++axis)
   {
-    const int size = header.Dimension(static_cast<std::size_t>(axis));
-    if (size < 1)
+    const std::int64_t size = fields.Dimensions[axis];
+    // Some programs that write Analyze leave the size of the unused fourth axis at 0.
+    const bool isUnused = axis > 3 && size == 0 && fields.Kind == NiftiFields::Version::Analyze;
+    if ((size < 1 && !isUnused) || size > std::numeric_limits<int>::max())
     {
       Refuse(file, "has " + std::to_string(size) + " voxels along axis " + std::to_string(axis),
              "copy or export it again");
     }
-    if (axis > 3 && size > 1)
+    if (axis > 4 && size > 1)
     {
       Refuse(file,
              "has " + std::to_string(count) + " dimensions (" + std::to_string(size) +
@@ -125,11 +73,11 @@ void CheckDimensions(const std::filesystem::path& file, const HeaderReader& head
   }
 }
 
-void CheckSpacings(const std::filesystem::path& file, const HeaderReader& header)
+void CheckSpacings(const std::filesystem::path& file, const NiftiFields& fields)
 {
   for (std::size_t axis = 1; axis <= 3; ++axis)
   {
-    const double spacing = header.PixelDimension(axis);
+    const double spacing = fields.PixelDimensions[axis];
     if (!(std::isfinite(spacing) && spacing > 0.0))
     {
       Refuse(file,
@@ -140,9 +88,8 @@ void CheckSpacings(const std::filesystem::path& file, const HeaderReader& header
   }
 }
 
-int VoxelType(const std::filesystem::path& file, const HeaderReader& header)
+int VoxelType(const std::filesystem::path& file, int code)
 {
-  const int code = header.At<std::int16_t>(70);
   if (code == 128 || code == 2304)
   {
     Refuse(file, "holds colours", "convert it to one grey value or label per voxel");
@@ -163,41 +110,20 @@ int VoxelType(const std::filesystem::path& file, const HeaderReader& header)
 }
 
 // The data of a single file cannot start within its header, whatever the header states.
-std::size_t VoxelOffset(const std::filesystem::path& file, const HeaderReader& header)
+std::uint64_t VoxelOffset(const std::filesystem::path& file, const NiftiFields& fields)
 {
-  const double offset = header.At<float>(108);
+  const double offset = fields.VoxelOffset;
   if (!std::isfinite(offset) || offset > 1e9)
   {
     Refuse(file, "has a damaged header (vox_offset)", "copy or export it again");
   }
-  return std::max(HeaderBytes, static_cast<std::size_t>(std::max(0.0, offset)));
+  return std::max<std::uint64_t>(fields.IsPair ? 0 : fields.HeaderBytes(),
+                                 static_cast<std::uint64_t>(std::max(0.0, offset)));
 }
 
-void CheckLength(const std::filesystem::path& file, bool isCompressed, const NiftiHeader& header)
+double MillimetersPerUnit(const NiftiFields& fields)
 {
-  const auto bytesPerVoxel =
-      static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(header.VoxelType));
-  const std::size_t needed = header.VoxelOffset + static_cast<std::size_t>(header.Size[0]) *
-                                                      static_cast<std::size_t>(header.Size[1]) *
-                                                      static_cast<std::size_t>(header.Size[2]) *
-                                                      bytesPerVoxel;
-  const std::uintmax_t length = std::filesystem::file_size(file);
-  if (isCompressed)
-  {
-    CheckInflatedSize(file, static_cast<double>(length), static_cast<double>(needed));
-  }
-  if (!isCompressed && length < needed)
-  {
-    Refuse(file,
-           "is truncated: its header declares " + std::to_string(needed) + " bytes but it has " +
-               std::to_string(length),
-           "copy or export it again");
-  }
-}
-
-double MillimetersPerUnit(const HeaderReader& header)
-{
-  switch (header.At<char>(123) & 7)
+  switch (fields.Units & 7)
   {
   case 1:
     return 1000.0;
@@ -209,9 +135,9 @@ double MillimetersPerUnit(const HeaderReader& header)
 }
 
 // A slope or an intercept that is NaN or infinite counts as absent.
-double FiniteOrZero(float value)
+double FiniteOrZero(double value)
 {
-  return std::isfinite(value) ? static_cast<double>(value) : 0.0;
+  return std::isfinite(value) ? value : 0.0;
 }
 
 // From RAS in the file's unit to LPS in mm.
@@ -220,56 +146,83 @@ Eigen::Matrix<double, 3, 4> ToWorld(const Eigen::Matrix<double, 3, 4>& form, dou
   return (unit * Vector3(-1.0, -1.0, 1.0)).asDiagonal() * form;
 }
 
-Eigen::Matrix<double, 3, 4> QForm(const HeaderReader& header)
+Eigen::Matrix<double, 3, 4> QForm(const NiftiFields& fields)
 {
-  const Vector3 imaginary(header.At<float>(256), header.At<float>(260), header.At<float>(264));
+  const Vector3 imaginary(fields.QForm[0], fields.QForm[1], fields.QForm[2]);
   const double real = std::sqrt(std::max(0.0, 1.0 - imaginary.squaredNorm()));
   const Eigen::Quaterniond turn(real, imaginary[0], imaginary[1], imaginary[2]);
-  const double lastSign = header.PixelDimension(0) < 0.0 ? -1.0 : 1.0;
-  const Vector3 steps(header.PixelDimension(1), header.PixelDimension(2),
-                      lastSign * header.PixelDimension(3));
+  const double lastSign = fields.PixelDimensions[0] < 0.0 ? -1.0 : 1.0;
+  const Vector3 steps(fields.PixelDimensions[1], fields.PixelDimensions[2],
+                      lastSign * fields.PixelDimensions[3]);
   Eigen::Matrix<double, 3, 4> form;
   form << turn.normalized().toRotationMatrix() * steps.asDiagonal(),
-      Vector3(header.At<float>(268), header.At<float>(272), header.At<float>(276));
+      Vector3(fields.QForm[3], fields.QForm[4], fields.QForm[5]);
   return form;
 }
 
-Eigen::Matrix<double, 3, 4> SForm(const HeaderReader& header)
+Eigen::Matrix<double, 3, 4> SForm(const NiftiFields& fields)
 {
-  Eigen::Matrix<double, 3, 4> form;
-  for (int entry = 0; entry < 12; ++entry)
+  return Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(fields.SForm.data());
+}
+
+// The file next to a header that holds its voxels: NAME.img or NAME.img.gz.
+std::filesystem::path VoxelFile(const std::filesystem::path& header)
+{
+  const bool isPacked = !EndingOf(header, {".gz"}).empty();
+  const std::filesystem::path stem =
+      isPacked ? header.parent_path() / header.stem().stem() : header.parent_path() / header.stem();
+  const bool isUpperCase = header.extension() == ".HDR";
+  const std::string plain = isUpperCase ? ".IMG" : ".img";
+  for (const std::string& ending : {isPacked ? ".img.gz" : plain, isPacked ? plain : ".img.gz"})
   {
-    form(entry / 4, entry % 4) =
-        static_cast<double>(header.At<float>(280 + 4 * static_cast<std::size_t>(entry)));
+    std::filesystem::path file = stem;
+    file += ending;
+    std::error_code failure;
+    if (std::filesystem::is_regular_file(file, failure))
+    {
+      return file;
+    }
   }
-  return form;
+  Refuse(header, "lacks its data file, " + stem.filename().string() + ".img or .img.gz",
+         "copy both files of the pair");
+}
+
+VoxelLayout LayoutOf(const std::filesystem::path& file, const NiftiFields& fields,
+                     const std::array<int, 3>& size)
+{
+  VoxelLayout layout;
+  layout.File = fields.IsPair ? VoxelFile(file) : file;
+  layout.Type = VoxelType(file, fields.Type);
+  layout.Offset = VoxelOffset(file, fields);
+  layout.Voxels = CountVoxels(file, size);
+  layout.Volumes = fields.Dimensions[0] > 3 ? std::max<std::int64_t>(1, fields.Dimensions[4]) : 1;
+  layout.IsSwapped = fields.IsSwapped;
+  layout.Slope = FiniteOrZero(fields.Slope);
+  layout.Slope = layout.Slope == 0.0 ? 1.0 : layout.Slope;
+  layout.Intercept = FiniteOrZero(fields.Intercept);
+  return layout;
 }
 } // namespace
 
-NiftiHeader ReadNiftiHeader(const std::filesystem::path& file)
+NiftiHeader ReadNiftiHeader(const std::filesystem::path& file, bool isPair)
 {
-  const HeaderReader reader(file);
-  CheckMark(file, reader);
-  CheckDimensions(file, reader);
-  CheckSpacings(file, reader);
+  const NiftiFields fields = ReadNiftiFields(file);
+  CheckKind(file, fields, isPair);
+  CheckDimensions(file, fields);
+  CheckSpacings(file, fields);
   NiftiHeader header;
-  const double unit = MillimetersPerUnit(reader);
+  const double unit = MillimetersPerUnit(fields);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    header.Size[axis] = reader.Dimension(axis + 1);
-    header.Spacing[static_cast<Eigen::Index>(axis)] = unit * reader.PixelDimension(axis + 1);
+    header.Size[axis] = static_cast<int>(fields.Dimensions[axis + 1]);
+    header.Spacing[static_cast<Eigen::Index>(axis)] = unit * fields.PixelDimensions[axis + 1];
   }
-  header.VoxelType = VoxelType(file, reader);
-  header.VoxelOffset = VoxelOffset(file, reader);
-  header.Slope = FiniteOrZero(reader.At<float>(112));
-  header.Slope = header.Slope == 0.0 ? 1.0 : header.Slope;
-  header.Intercept = FiniteOrZero(reader.At<float>(116));
-  header.IsSwapped = reader.IsSwapped();
-  header.Orientation.QFormCode = reader.At<std::int16_t>(252);
-  header.Orientation.SFormCode = reader.At<std::int16_t>(254);
-  header.Orientation.QFormWorld = ToWorld(QForm(reader), unit);
-  header.Orientation.SFormWorld = ToWorld(SForm(reader), unit);
-  CheckLength(file, reader.IsCompressed(), header);
+  header.Voxels = LayoutOf(file, fields, header.Size);
+  header.IsAnalyze = fields.Kind == NiftiFields::Version::Analyze;
+  header.Orientation.QFormCode = fields.QFormCode;
+  header.Orientation.SFormCode = fields.SFormCode;
+  header.Orientation.QFormWorld = ToWorld(QForm(fields), unit);
+  header.Orientation.SFormWorld = ToWorld(SForm(fields), unit);
   return header;
 }
 } // namespace palpate

@@ -2,32 +2,28 @@
 
 #include "NiftiOrientation.h"
 #include "PalpateIOModule.h"
+#include "StoredVoxels.h"
 #include "Vector3.h"
-#include "vtkType.h"
 
 #include <array>
-#include <cstddef>
 #include <filesystem>
 
 namespace palpate
 {
-/// The fields of a NIfTI-1 header that locate its voxels in the file and in the patient.
+/// What a NIfTI or Analyze header says about its voxels in the file and in the patient.
 struct NiftiHeader
 {
   std::array<int, 3> Size{};         ///< voxels along each axis
   Vector3 Spacing = Vector3::Ones(); ///< mm
   NiftiOrientation Orientation;
-  int VoxelType = VTK_UNSIGNED_CHAR;
-  std::size_t VoxelOffset = 0; ///< bytes from the start of the (decompressed) file
-  double Slope = 1.0;          ///< value = slope * stored + intercept
-  double Intercept = 0.0;
-  bool IsSwapped = false; ///< the file's byte order is not this machine's
+  VoxelLayout Voxels;
+  bool IsAnalyze = false; ///< whose orientation is absent
 };
 
-/// Reads and checks the header of a NIfTI-1 file, plain or compressed. Throws InputError for a
-/// header that is cut off or damaged, NIfTI-2, colour, complex or unknown voxels, 2-D and 4-D
-/// images, spacings that are not positive, and an uncompressed file that is shorter than its header
-/// says.
-/// Source: nifti1.h, https://nifti.nimh.nih.gov/nifti-1.
-PALPATEIO_EXPORT NiftiHeader ReadNiftiHeader(const std::filesystem::path& file);
+/// Reads and checks the header of a NIfTI-1 or NIfTI-2 file, plain or compressed, or of a pair of
+/// files (`isPair`: NAME.hdr, with NAME.img or NAME.img.gz next to it), which may also be Analyze
+/// 7.5. Throws InputError for a header that is cut off, damaged or of the other kind, for colour,
+/// complex or unknown voxels, two or five dimensions, spacings that are not positive, and a missing
+/// data file.
+PALPATEIO_EXPORT NiftiHeader ReadNiftiHeader(const std::filesystem::path& file, bool isPair);
 } // namespace palpate

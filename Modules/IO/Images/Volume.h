@@ -22,9 +22,9 @@ struct Volume
 
 struct VolumeChoice
 {
-  /// Series instance UID, or its number in the error message's list (from 1); empty if there is
-  /// only one.
-  std::string DicomSeries;
+  /// DICOM: series instance UID, or its number in the error message's list (from 1). A file of
+  /// several volumes: the number of one, from 1. Empty if there is only one.
+  std::string Series;
   LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse;
 };
 } // namespace palpate

@@ -4,6 +4,8 @@
 #include "BoundedPolyDataReader.h"
 #include "CNumericLocale.h"
 #include "ForeignFile.h"
+#include "GiftiReader.h"
+#include "GltfReader.h"
 #include "InputError.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
@@ -166,6 +168,17 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::filesystem::path& path)
   return TurnedToLps(SpaceOfComments(path, ObjComments(text)), SurfaceFromObj(text, path.string()));
 }
 
+vtkSmartPointer<vtkPolyData> ReadGifti(const std::filesystem::path& path)
+{
+  const std::string text = ReadWholeFile(path, MaximumBytes);
+  return TurnedToLps(SurfaceSpace::Ras, PolyDataOf(MeshFromGifti(text, path.string())));
+}
+
+vtkSmartPointer<vtkPolyData> ReadGltf(const std::filesystem::path& path)
+{
+  return PolyDataOf(MeshFromGltf(ReadWholeFile(path, MaximumBytes), path.string()));
+}
+
 using MeshWriter = std::string (*)(const TriangleMesh&);
 
 template <MeshWriter Write>
@@ -182,8 +195,9 @@ FormatList<SurfaceFormat>& SurfaceFormats()
        {{"STL", {".stl"}, {".stl"}}, &ReadStl, &WriteMesh<&MeshToStl>},
        {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
        {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
-       {{"glTF", {}, {".gltf"}}, nullptr, &WriteMesh<&MeshToGltf>},
-       {{"binary glTF", {}, {".glb"}}, nullptr, &WriteMesh<&MeshToGlb>},
+       {{"GIfTI", {".gii", ".surf.gii"}, {}}, &ReadGifti, nullptr},
+       {{"glTF", {".gltf"}, {".gltf"}}, &ReadGltf, &WriteMesh<&MeshToGltf>},
+       {{"binary glTF", {".glb"}, {".glb"}}, &ReadGltf, &WriteMesh<&MeshToGlb>},
        {{"X3D", {}, {".x3d"}}, nullptr, &WriteMesh<&MeshToX3d>}});
   return formats;
 }

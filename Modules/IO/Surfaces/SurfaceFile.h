@@ -32,9 +32,10 @@ PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 /// no display. Throws InputError, also for a surface without triangles.
 PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
 
-/// Reads .vtp, .stl, .ply or .obj into patient LPS in mm. A file that states SPACE=RAS as in 3D
+/// Reads a file of SurfaceFormats into patient LPS in mm. A file that states SPACE=RAS as in 3D
 /// Slicer is converted; without a statement it is LPS (see SurfaceSpace). STL has no shared points,
 /// so equal ones are merged, which closes a closed surface again. PLY keeps normals, colours and
-/// point arrays (see MeshFromPly), OBJ its normals in single precision. Throws InputError.
+/// point arrays (see MeshFromPly), OBJ its normals in single precision; GIfTI is RAS
+/// (see MeshFromGifti), glTF metres (see MeshFromGltf). Throws InputError.
 PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path);
 } // namespace palpate

@@ -146,6 +146,7 @@ std::vector<BadFile> BadNiftiFiles()
   const NiftiSpec flat = With([](auto& s) { s.Dimensions = {2, 4, 5, 1, 1, 1, 1, 1}; });
   const NiftiSpec oneSlice = With([](auto& s) { s.Dimensions = {3, 4, 5, 1, 1, 1, 1, 1}; });
   const NiftiSpec series = With([](auto& s) { s.Dimensions = {4, 4, 5, 6, 7, 1, 1, 1}; });
+  const NiftiSpec vectors = With([](auto& s) { s.Dimensions = {5, 4, 5, 6, 1, 3, 1, 1}; });
   const NiftiSpec color = With(
       [](auto& s)
       {
@@ -166,12 +167,13 @@ std::vector<BadFile> BadNiftiFiles()
       {"short.nii", good.substr(0, 200), "has a truncated or damaged header"},
       {"cut.nii", good.substr(0, 400), "header declares 472 bytes but it has 400"},
       {"cut.nii.gz", Gzipped(good).substr(0, 60), "damaged"},
-      {"garbage.nii", std::string(5000, 'x'), "is not a NIfTI-1 file"},
-      {"garbage.nii.gz", std::string(5000, 'x'), "is not a NIfTI-1 file"},
-      {"v2.nii", version2, "NIfTI-2"},
+      {"garbage.nii", std::string(5000, 'x'), "is not a NIfTI file"},
+      {"garbage.nii.gz", std::string(5000, 'x'), "is not a NIfTI file"},
+      {"v2.nii", version2, "is not a NIfTI file"},
       {"flat.nii", NiftiBytes(flat), "is two-dimensional"},
       {"slice.nii", NiftiBytes(oneSlice), "is two-dimensional (4 x 5 x 1 voxels)"},
-      {"series.nii", NiftiBytes(series), "has 4 dimensions (7 along axis 4)"},
+      {"series.nii", NiftiBytes(series), "holds 7 volumes; choose one"},
+      {"vectors.nii", NiftiBytes(vectors), "has 5 dimensions (3 along axis 5)"},
       {"color.nii", NiftiBytes(color), "holds colours"},
       {"zero.nii", NiftiBytes(zero), "a voxel spacing of 0"},
       {"negative.nii", NiftiBytes(negative), "a voxel spacing of -2"},

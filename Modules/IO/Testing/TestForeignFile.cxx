@@ -26,13 +26,12 @@ struct Foreign
 std::vector<Foreign> ForeignFiles()
 {
   return {
-      {"a.hdr", "abc", "is one of a pair of files (.hdr and .img)", "left and right"},
-      {"a.IMG", std::string(400, '\1'), "is one of a pair of files (.hdr and .img)", ".nii.gz"},
+      {"a.IMG", std::string(400, '\1'), "has voxels without a header", ".hdr"},
+      {"a.img.gz", Gzipped("abc"), "has voxels without a header", ".hdr"},
       {"a.vtk", "# vtk DataFile Version 3.0\n", "is a legacy VTK file", ".vtp"},
       {"image.vti", "<VTKFile type=\"ImageData\">", "is a VTK image", "convert"},
       {"surface.vtp", "<VTKFile type=\"PolyData\">", "is a surface, not an image", "voxels"},
       {"a.stl", "solid a", "is a surface, not an image", "commands that take them"},
-      {"a.mgz", Gzipped(std::string(300, '\0')), "is a FreeSurfer volume", "mri_convert"},
       {"model.json", "{}", "is a JSON file", "image"},
       {"image.raw", "abc", "has voxels without a header", ".mhd"},
       {"page.nii.gz", "<!DOCTYPE html><p>404", "is a web page", "download"},

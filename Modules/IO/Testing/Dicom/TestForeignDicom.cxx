@@ -25,8 +25,8 @@ struct Foreign
 };
 
 const std::vector<Foreign> Objects{
-    {"1.2.840.10008.5.1.4.1.1.481.3", "is a DICOM object without pixels (RTStructureSetStorage)"},
-    {"1.2.840.10008.5.1.4.1.1.66.5", "(SurfaceSegmentationStorage)"},
+    {"1.2.840.10008.5.1.4.1.1.66.5",
+     "is a DICOM object without pixels (SurfaceSegmentationStorage)"},
     {"1.2.840.10008.5.1.4.1.1.88.33", "(ComprehensiveSRStorage)"},
     {"1.2.840.10008.5.1.4.1.1.104.1", "(EncapsulatedPDFStorage)"},
     {"1.2.3.4", "(an unknown class)"}};
@@ -79,18 +79,18 @@ TEST(ForeignDicom, RejectsNamingFormat)
 TEST(ForeignDicom, IsNamedIfFolderHoldsNothingElse)
 {
   const TemporaryFolder folder;
-  const auto file = folder / "rs.dcm";
+  const auto file = folder / "a.dcm";
   WriteObject(file, Objects.front().Class);
   ExpectTold(MessageOf([&] { ReadVolume(folder.Path()); }), file, Objects.front().Is);
   ExpectTold(MessageOf([&] { ReadSegmentation(folder.Path()); }), file, Objects.front().Is);
 }
 
-TEST(ForeignDicom, RejectsStructureSetWithoutReading)
+TEST(ForeignDicom, RejectsSurfacesWithoutReading)
 {
   const TemporaryFolder folder;
-  WriteObject(folder / "rs.dcm", Objects.front().Class);
-  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "rs.dcm"); }),
-                       "3D Slicer converts contours and surfaces"));
+  WriteObject(folder / "a.dcm", Objects.front().Class);
+  EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(folder / "a.dcm"); }),
+                       "3D Slicer converts surfaces"));
 }
 
 TEST(ForeignDicom, IndexSuggestsSeriesFolder)

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "ImageFormat.h"
+
+namespace palpate
+{
+/// FreeSurfer's volumes; read only.
+ImageFormat MghFormat();
+} // namespace palpate
