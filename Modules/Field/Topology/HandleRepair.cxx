@@ -1,18 +1,37 @@
 #include "HandleRepair.h"
 
+#include "DistanceTransform.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 namespace palpate
 {
 namespace
 {
+// The field plus the signed distance from the object's boundary in the grid: the field alone may be
+// clamped, and would not tell where a thick handle is thinnest.
+ShapeField DepthOf(const ShapeField& field, const std::vector<unsigned char>& inside)
+{
+  VoxelMask nodes;
+  nodes.Size = field.Grid.Size;
+  nodes.Spacing.fill(field.Grid.Spacing);
+  nodes.Inside = inside;
+  ShapeField depth{field.Grid, SignedDistance(nodes, DistanceDomain::Space, 0.0)};
+  std::transform(depth.Values.begin(), depth.Values.end(), field.Values.begin(),
+                 depth.Values.begin(), std::plus<float>());
+  return depth;
+}
+
 class HandleRepairer
 {
 public:
   HandleRepairer(const ShapeField& field, const std::vector<unsigned char>& inside, double gap)
       : Field(&field), Inside(&inside), Gap(gap),
-        CutWeight(std::max(1.0, gap / field.Grid.Spacing)), Ball(field, 1.0f)
+        CutWeight(std::max(1.0, gap / field.Grid.Spacing)), Depth(DepthOf(field, inside)),
+        Ball(this->Depth, 1.0f)
   {
   }
 
@@ -43,7 +62,7 @@ private:
       if ((*this->Inside)[node] != 0)
       {
         this->Ball.Allow(node);
-        deepest = this->Field->Values[node] > this->Field->Values[deepest] ? node : deepest;
+        deepest = this->Depth.Values[node] > this->Depth.Values[deepest] ? node : deepest;
       }
     }
     this->Ball.Put(deepest);
@@ -71,7 +90,7 @@ private:
   // What the outside cannot take when it grows from the grid's border: membranes across holes.
   std::vector<NodeList> Membranes() const
   {
-    HomotopicGrowth outside(*this->Field, -1.0f);
+    HomotopicGrowth outside(this->Depth, -1.0f);
     const std::array<int, 3>& size = this->Field->Grid.Size;
     NodeList first;
     std::size_t node = 0;
@@ -206,6 +225,7 @@ private:
   const std::vector<unsigned char>* Inside;
   double Gap;
   double CutWeight;
+  ShapeField Depth;
   HomotopicGrowth Ball;
 };
 } // namespace
