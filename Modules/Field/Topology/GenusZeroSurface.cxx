@@ -38,11 +38,15 @@ public:
     this->MatchVolume();
     ShapeField matched = this->Surface->Field;
     status = this->RepairAndMarch(0.4, 0.6);
-    if (!status.IsOk() || this->Surface->Lost.empty() || !this->Settings.RestoreThinParts)
+    if (!status.IsOk())
     {
       return status;
     }
-    return this->Restore(std::move(matched));
+    if (this->Settings.RestoreThinParts && !this->Surface->Lost.empty())
+    {
+      status = this->Restore(std::move(matched));
+    }
+    return !status.IsOk() || this->Report(1.0) ? status : Status::Failure("Cancelled.");
   }
 
 private:
@@ -114,11 +118,11 @@ private:
     const std::size_t nodes = RestoreVoxels(*this->Mask, surface.Lost, surface.Field, matched);
     if (nodes == 0)
     {
-      return this->Report(1.0) ? Status::Success() : Status::Failure("Cancelled.");
+      return Status::Success();
     }
     surface.RestoredVolume = static_cast<double>(nodes) * matched.Grid.CellVolume();
     surface.Field = std::move(matched);
-    return this->RepairAndMarch(0.8, 1.0);
+    return this->RepairAndMarch(0.8, 0.9);
   }
 
   const VoxelMask* Mask;

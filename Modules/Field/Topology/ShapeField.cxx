@@ -16,6 +16,7 @@ constexpr double ThickSlices = 1.5;
 constexpr int Rim = 2;         // empty voxels around the mask's bounds; beyond, nothing can cross
 constexpr double Margin = 3.0; // nodes between the mask's bounds and the grid's border
 constexpr double PartOfThickness = 1.0 / 3.0;
+constexpr double MostCells = 6.0; // of the wanted ones, to resolve thin shapes
 constexpr double Coarsening = 1.05;
 
 bool IsValid(const VoxelMask& mask)
@@ -71,7 +72,8 @@ double WantedSpacing(const VoxelMask& mask, const ShapeFieldSettings& settings)
   }
   const double area = SurfaceArea(mask);
   const double volume = static_cast<double>(mask.Count()) * mask.VoxelVolume();
-  return std::min(std::sqrt(area / settings.CellsOnSurface), PartOfThickness * 2.0 * volume / area);
+  const double wanted = std::sqrt(area / settings.CellsOnSurface);
+  return std::clamp(PartOfThickness * 2.0 * volume / area, wanted / std::sqrt(MostCells), wanted);
 }
 
 // Voxels of the mask's bounds with a rim of empty ones around them.

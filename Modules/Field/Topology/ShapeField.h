@@ -72,10 +72,11 @@ struct ShapeFieldSettings
 /// smoothed by a Gaussian. The volume is not matched yet: MatchVolume does that.
 ///
 /// The grid's spacing is sqrt(area / CellsOnSurface), with area = 2/3 of that of the voxels' faces
-/// (exact for a sphere), at most the shape's mean thickness 2 V / area divided by three, and
-/// increased until there are at most `MaximumNodes` nodes: a mask that is larger loses detail, it
-/// is not refused. Grid and box have the same centre, so that the field of a mirrored mask is the
-/// mirrored field.
+/// (exact for a sphere). For thin shapes it is less, a third of the mean thickness 2 V / area, but
+/// with at most six times as many cells on the surface; then it is increased until there are at
+/// most `MaximumNodes` nodes. So a mask that is too large or too thin loses detail, it is not
+/// refused. Grid and bounds of the mask have the same centre, so that the field of a mirrored mask
+/// is the mirrored field.
 ///
 /// Fails for a mask with no voxel inside, with a spacing that is not positive, or whose size does
 /// not match its voxels, and for settings out of range.
