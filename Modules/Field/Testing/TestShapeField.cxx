@@ -14,6 +14,8 @@ palpate::ShapeFieldSettings Unsmoothed()
 {
   palpate::ShapeFieldSettings settings;
   settings.Smoothing = 0.0;
+  // Not above the depth of the boxes' slices, so that both sides of a slice's end count the same.
+  settings.SliceClamp = 0.25;
   return settings;
 }
 
@@ -66,7 +68,11 @@ TEST(ShapeField, KeepsPlaceWhenEmptyVoxelsAreAdded)
       MaskOf({4, 4, 4}, spacing, [](int i, int j, int k) { return true; });
   palpate::ShapeField other;
   ASSERT_TRUE(palpate::MakeShapeField(tight, {}, other).IsOk());
-  EXPECT_EQ(field.Values, other.Values);
+  ASSERT_EQ(field.Grid.Size, other.Grid.Size);
+  for (std::size_t node = 0; node < field.Values.size(); ++node)
+  {
+    ASSERT_NEAR(field.Values[node], other.Values[node], 1e-6); // rounding of the shift
+  }
   const Vector3 shift(2.0 * spacing[0], 2.0 * spacing[1], 2.0 * spacing[2]);
   EXPECT_LT((field.Grid.Origin - other.Grid.Origin - shift).norm(), 1e-12);
 }

@@ -25,32 +25,64 @@ ShapeField DepthOf(const ShapeField& field, const std::vector<unsigned char>& in
   return depth;
 }
 
+// What the outside cannot take when it grows from the grid's border: membranes across holes.
+std::vector<NodeList> MembranesOf(const ShapeField& depth, const std::vector<unsigned char>& inside)
+{
+  HomotopicGrowth outside(depth, -1.0f);
+  const std::array<int, 3>& size = depth.Grid.Size;
+  NodeList first;
+  std::size_t node = 0;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i, ++node)
+      {
+        const int layer = std::min({i, j, k, size[0] - 1 - i, size[1] - 1 - j, size[2] - 1 - k});
+        if (layer == 0)
+        {
+          outside.Put(node);
+        }
+        else if (inside[node] == 0)
+        {
+          outside.Allow(node);
+          if (layer == 1)
+          {
+            first.push_back(node);
+          }
+        }
+      }
+    }
+  }
+  outside.Grow(first);
+  std::vector<unsigned char> marks(inside.size(), 0);
+  return ConnectedParts(outside.Left(), OffsetsOf(depth.Grid), marks);
+}
+
+// Cuts and fills in one order of growth.
 class HandleRepairer
 {
 public:
-  HandleRepairer(const ShapeField& field, const std::vector<unsigned char>& inside, double gap)
-      : Field(&field), Inside(&inside), Gap(gap),
-        CutWeight(std::max(1.0, gap / field.Grid.Spacing)), Depth(DepthOf(field, inside)),
-        Ball(this->Depth, 1.0f)
+  HandleRepairer(const ShapeField& field, const std::vector<unsigned char>& inside,
+                 const ShapeField& order, double gap)
+      : Field(&field), Inside(&inside), Order(&order), Gap(gap),
+        CutWeight(std::max(1.0, gap / field.Grid.Spacing)), Ball(order, 1.0f)
   {
   }
 
-  HandleRepair Run()
+  void Run(const std::vector<NodeList>& membranes)
   {
     this->GrowBall();
-    this->AddMembranes();
-    NodeList walls = this->Left(this->Ball);
-    this->OpenWalls(walls);
-    HandleRepair repair;
-    repair.Cut = this->Left(this->Ball);
-    for (std::size_t node = 0; node < this->Inside->size(); ++node)
-    {
-      if ((*this->Inside)[node] == 0 && this->Ball.Contains(node))
-      {
-        repair.Filled.push_back(node);
-      }
-    }
-    return repair;
+    this->AddMembranes(membranes);
+  }
+
+  // Of all changed nodes.
+  double Cost() const { return this->Cost(this->Ball.Left()) + this->Cost(this->Filled()); }
+
+  HandleRepair Finish()
+  {
+    this->OpenWalls(this->Ball.Left());
+    return {this->Ball.Left(), this->Filled()};
   }
 
 private:
@@ -62,7 +94,7 @@ private:
       if ((*this->Inside)[node] != 0)
       {
         this->Ball.Allow(node);
-        deepest = this->Depth.Values[node] > this->Depth.Values[deepest] ? node : deepest;
+        deepest = this->Order->Values[node] > this->Order->Values[deepest] ? node : deepest;
       }
     }
     this->Ball.Put(deepest);
@@ -74,51 +106,17 @@ private:
     this->Ball.Grow(around);
   }
 
-  NodeList Left(const HomotopicGrowth& growth) const
+  NodeList Filled() const
   {
-    NodeList left;
+    NodeList filled;
     for (std::size_t node = 0; node < this->Inside->size(); ++node)
     {
-      if (growth.IsLeft(node))
+      if ((*this->Inside)[node] == 0 && this->Ball.Contains(node))
       {
-        left.push_back(node);
+        filled.push_back(node);
       }
     }
-    return left;
-  }
-
-  // What the outside cannot take when it grows from the grid's border: membranes across holes.
-  std::vector<NodeList> Membranes() const
-  {
-    HomotopicGrowth outside(this->Depth, -1.0f);
-    const std::array<int, 3>& size = this->Field->Grid.Size;
-    NodeList first;
-    std::size_t node = 0;
-    for (int k = 0; k < size[2]; ++k)
-    {
-      for (int j = 0; j < size[1]; ++j)
-      {
-        for (int i = 0; i < size[0]; ++i, ++node)
-        {
-          const int layer = std::min({i, j, k, size[0] - 1 - i, size[1] - 1 - j, size[2] - 1 - k});
-          if (layer == 0)
-          {
-            outside.Put(node);
-          }
-          else if ((*this->Inside)[node] == 0)
-          {
-            outside.Allow(node);
-            if (layer == 1)
-            {
-              first.push_back(node);
-            }
-          }
-        }
-      }
-    }
-    outside.Grow(first);
-    std::vector<unsigned char> marks(this->Inside->size(), 0);
-    return ConnectedParts(this->Left(outside), OffsetsOf(this->Field->Grid), marks);
+    return filled;
   }
 
   double Cost(std::size_t node) const
@@ -138,9 +136,8 @@ private:
     return sum;
   }
 
-  void AddMembranes()
+  void AddMembranes(const std::vector<NodeList>& membranes)
   {
-    const std::vector<NodeList> membranes = this->Membranes();
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t n = 0; n < membranes.size(); ++n)
     {
@@ -223,9 +220,9 @@ private:
 
   const ShapeField* Field;
   const std::vector<unsigned char>* Inside;
+  const ShapeField* Order;
   double Gap;
   double CutWeight;
-  ShapeField Depth;
   HomotopicGrowth Ball;
 };
 } // namespace
@@ -265,6 +262,12 @@ std::vector<NodeList> ConnectedParts(const NodeList& nodes, const KuhnOffsets& s
 HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside,
                            double gap)
 {
-  return HandleRepairer(field, inside, gap).Run();
+  const ShapeField depth = DepthOf(field, inside);
+  const std::vector<NodeList> membranes = MembranesOf(depth, inside);
+  HandleRepairer byDepth(field, inside, depth, gap);
+  byDepth.Run(membranes);
+  HandleRepairer byField(field, inside, field, gap);
+  byField.Run(membranes);
+  return (byField.Cost() < byDepth.Cost() ? byField : byDepth).Finish();
 }
 } // namespace palpate

@@ -22,15 +22,16 @@ struct HandleRepair
 
 /// Cuts or fills the handles of an object, whichever changes less.
 ///
-/// The object is one part without cavities (1 in `inside`); the field's order decides where it is
-/// cut. First all handles are cut: a ball grows from the deepest node through simple nodes in the
-/// order of falling depth (field + distance from the object's boundary), which leaves walls of one
-/// node where it is thinnest. Then the outside grows the same way towards the object, which leaves
-/// membranes of one node across the handles' holes. Each membrane in turn, the cheapest first, is
-/// added to the ball, which then may grow through the walls; that is kept if it costs less. The
-/// cost of a changed node is |field| + spacing / 4, for nodes that are cut times gap / spacing if
-/// that is more than 1. Every step adds simple nodes only, so the result is a ball whatever the
-/// input is. After Kriegeskorte and Goebel, NeuroImage 14 (2001).
+/// The object is one part without cavities (1 in `inside`). First all handles are cut: a ball grows
+/// from the deepest node through simple nodes in the order of falling depth, which leaves walls of
+/// one node about where it is thinnest. The outside grows the same way towards the object, which
+/// leaves membranes of one node across the handles' holes. Each membrane in turn, the cheapest
+/// first, is added to the ball, which then may grow through the walls; that is kept if it costs
+/// less. The cost of a changed node is |field| + spacing / 4, for nodes that are cut times gap /
+/// spacing if that exceeds 1. Depth is the field, which may be clamped, or the field plus the
+/// distance from the object's boundary in the grid; both are tried and the cheaper result is taken.
+/// Every step adds simple nodes only, so the result is a ball whatever the input is. After
+/// Kriegeskorte and Goebel, NeuroImage 14 (2001).
 ///
 /// If `gap` (mm) is more than the grid's spacing, the walls are opened to it as far as simple nodes
 /// allow, so that a smooth surface can follow both sides without crossing itself.

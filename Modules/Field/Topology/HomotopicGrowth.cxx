@@ -131,6 +131,19 @@ bool HomotopicGrowth::Take(std::size_t node, Queue& queue)
   return true;
 }
 
+NodeList HomotopicGrowth::Left() const
+{
+  NodeList left;
+  for (std::size_t node = 0; node < this->State.size(); ++node)
+  {
+    if (this->IsLeft(node))
+    {
+      left.push_back(node);
+    }
+  }
+  return left;
+}
+
 void HomotopicGrowth::Grow(const NodeList& first)
 {
   LevelQueue queue(*this->Field, this->Sign);

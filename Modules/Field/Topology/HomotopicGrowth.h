@@ -29,6 +29,9 @@ public:
   /// Whether a node was allowed and not taken.
   bool IsLeft(std::size_t node) const { return (this->State[node] & (Allowed | InSet)) == Allowed; }
 
+  /// All nodes that are left.
+  NodeList Left() const;
+
   /// Takes allowed nodes, beginning at `first`, until no allowed neighbour of the set is simple.
   /// In order of priority, rounded to 1,024 levels; equal ones first come, first served, so that
   /// fronts advance evenly.

@@ -94,28 +94,68 @@ VoxelMask CutOut(const VoxelMask& mask, LabelBounds& bounds)
   return CopyLabel(mask.Inside.data(), mask.Size, mask.Spacing, box, inside);
 }
 
+// The axis across thick slices, or 3 if there is none.
+std::size_t SliceAxis(const std::array<double, 3>& spacing)
+{
+  const auto coarsest =
+      static_cast<std::size_t>(std::max_element(spacing.begin(), spacing.end()) - spacing.begin());
+  const double others = std::max(spacing[(coarsest + 1) % 3], spacing[(coarsest + 2) % 3]);
+  return spacing[coarsest] >= ThickSlices * others ? coarsest : 3;
+}
+
+// Steps along an axis over which nodes at voxel centres repeat; 0 if they do not.
+int StepsBetweenSlices(std::size_t axis, const std::array<double, 3>& voxel, double spacing)
+{
+  const double steps = axis == SliceAxis(voxel) ? voxel[axis] / spacing : 0.0;
+  return steps < 1e6 ? static_cast<int>(std::lround(steps)) : 0;
+}
+
+// Nodes of one axis, with the grid's centre at that of the bounds. Nodes of thick slices are at
+// the slices: between them, the field's kinks at the slices would be cut off, and thin parts lost.
+double PlaceNodes(std::size_t axis, const LabelBounds& bounds, const std::array<double, 3>& voxel,
+                  ShapeGrid& grid)
+{
+  const int slices = bounds.Last[axis] - bounds.First[axis];
+  const double extent = slices * voxel[axis];
+  double rim = (0.5 * voxel[axis]) / grid.Spacing + Margin;
+  double count = std::ceil(extent / grid.Spacing + 2.0 * rim) + 1.0;
+  const int steps = StepsBetweenSlices(axis, voxel, grid.Spacing);
+  if (steps > 0)
+  {
+    rim = std::ceil(rim);
+    count = static_cast<double>(slices) * steps + 2.0 * rim + 1.0;
+  }
+  const double centre = 0.5 * (bounds.First[axis] + bounds.Last[axis]) * voxel[axis];
+  grid.Origin[static_cast<int>(axis)] = centre - 0.5 * (count - 1.0) * grid.Spacing;
+  grid.Size[axis] = static_cast<int>(std::min(count, 1e9));
+  return count;
+}
+
+// The spacing nearest to a wanted one of which the distance between thick slices is a multiple.
+double AlignedSpacing(const std::array<double, 3>& voxel, double wanted)
+{
+  const std::size_t axis = SliceAxis(voxel);
+  const int steps = axis < 3 ? StepsBetweenSlices(axis, voxel, wanted) : 0;
+  return steps > 0 ? voxel[axis] / steps : wanted;
+}
+
 ShapeGrid GridAround(const LabelBounds& bounds, const std::array<double, 3>& voxel, double spacing,
                      double maximumNodes)
 {
   ShapeGrid grid;
-  grid.Spacing = spacing;
   while (true)
   {
+    grid.Spacing = AlignedSpacing(voxel, spacing);
     double nodes = 1.0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double extent = (bounds.Last[axis] - bounds.First[axis] + 1) * voxel[axis];
-      const double count = std::ceil(extent / grid.Spacing + 2.0 * Margin) + 1.0;
-      nodes *= count;
-      grid.Size[axis] = static_cast<int>(std::min(count, 1e9));
-      const double centre = 0.5 * (bounds.First[axis] + bounds.Last[axis]) * voxel[axis];
-      grid.Origin[static_cast<int>(axis)] = centre - 0.5 * (count - 1.0) * grid.Spacing;
+      nodes *= PlaceNodes(axis, bounds, voxel, grid);
     }
     if (nodes <= maximumNodes)
     {
       return grid;
     }
-    grid.Spacing *= Coarsening;
+    spacing *= Coarsening;
   }
 }
 
@@ -123,16 +163,14 @@ ShapeGrid GridAround(const LabelBounds& bounds, const std::array<double, 3>& vox
 std::vector<float> Distances(const VoxelMask& mask, double sliceClamp)
 {
   const std::array<double, 3>& spacing = mask.Spacing;
-  const auto coarsest =
-      static_cast<std::size_t>(std::max_element(spacing.begin(), spacing.end()) - spacing.begin());
-  const double others = std::max(spacing[(coarsest + 1) % 3], spacing[(coarsest + 2) % 3]);
   const double halfStep = 0.5 * *std::min_element(spacing.begin(), spacing.end());
-  if (spacing[coarsest] < ThickSlices * others)
+  const std::size_t across = SliceAxis(spacing);
+  if (across == 3)
   {
     return SignedDistance(mask, DistanceDomain::Space, halfStep);
   }
-  std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(coarsest), halfStep);
-  const auto bound = static_cast<float>(sliceClamp * spacing[coarsest]);
+  std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
+  const auto bound = static_cast<float>(sliceClamp * spacing[across]);
   for (float& value : field)
   {
     value = std::clamp(value, -bound, bound);
