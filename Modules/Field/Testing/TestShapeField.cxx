@@ -1,0 +1,185 @@
+#include "FieldVolume.h"
+#include "ShapeField.h"
+#include "TopologyPhantoms.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace
+{
+using namespace palpate::phantoms;
+using palpate::Vector3;
+
+palpate::ShapeFieldSettings Unsmoothed()
+{
+  palpate::ShapeFieldSettings settings;
+  settings.Smoothing = 0.0;
+  // Not above the depth of the boxes' slices, so that both sides of a slice's end count the same.
+  settings.SliceClamp = 0.25;
+  return settings;
+}
+
+// Voxels 2 to 5 along each axis of a box with an empty rim.
+palpate::VoxelMask BoxMask(const std::array<double, 3>& spacing)
+{
+  return MaskOf({8, 8, 8}, spacing,
+                [](int i, int j, int k) {
+                  return std::min({i, j, k}) >= 2 && std::max({i, j, k}) <= 5;
+                });
+}
+
+palpate::VoxelMask EllipsoidMask(const std::array<double, 3>& spacing)
+{
+  return MaskOf({24, 20, 9}, spacing,
+                [](int i, int j, int k)
+                { return std::hypot((i - 11.2) / 10.0, (j - 9.7) / 8.0, (k - 3.8) / 3.5) < 1.0; });
+}
+
+TEST(ShapeField, RunsHalfWayBetweenVoxelCentres)
+{
+  for (const std::array<double, 3>& spacing :
+       {std::array<double, 3>{1.0, 1.0, 1.0}, std::array<double, 3>{0.5, 0.5, 3.0},
+        std::array<double, 3>{3.0, 0.5, 0.5}, std::array<double, 3>{0.5, 3.0, 0.5}})
+  {
+    palpate::ShapeField field;
+    ASSERT_TRUE(palpate::MakeShapeField(BoxMask(spacing), Unsmoothed(), field).IsOk());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double step = spacing[static_cast<std::size_t>(axis)];
+      for (const double side : {1.5, 5.5})
+      {
+        Vector3 point(3.5 * spacing[0], 3.5 * spacing[1], 3.5 * spacing[2]);
+        point[axis] = side * step;
+        // Float values; the field is linear around a face's centre.
+        EXPECT_NEAR(field.Sample(point), 0.0, 1e-5 * step) << axis << ' ' << side;
+        point[axis] += side < 3.0 ? 0.2 * step : -0.2 * step;
+        EXPECT_GT(field.Sample(point), 0.0);
+      }
+    }
+  }
+}
+
+TEST(ShapeField, KeepsPlaceWhenEmptyVoxelsAreAdded)
+{
+  const std::array<double, 3> spacing{0.5, 0.5, 3.0};
+  palpate::ShapeField field;
+  ASSERT_TRUE(palpate::MakeShapeField(BoxMask(spacing), {}, field).IsOk());
+  const palpate::VoxelMask tight =
+      MaskOf({4, 4, 4}, spacing, [](int i, int j, int k) { return true; });
+  palpate::ShapeField other;
+  ASSERT_TRUE(palpate::MakeShapeField(tight, {}, other).IsOk());
+  ASSERT_EQ(field.Grid.Size, other.Grid.Size);
+  for (std::size_t node = 0; node < field.Values.size(); ++node)
+  {
+    ASSERT_NEAR(field.Values[node], other.Values[node], 1e-6); // rounding of the shift
+  }
+  const Vector3 shift(2.0 * spacing[0], 2.0 * spacing[1], 2.0 * spacing[2]);
+  EXPECT_LT((field.Grid.Origin - other.Grid.Origin - shift).norm(), 1e-12);
+}
+
+TEST(ShapeField, MirrorsWithMask)
+{
+  for (const std::array<double, 3>& spacing :
+       {std::array<double, 3>{0.5, 0.5, 3.0}, std::array<double, 3>{1.0, 1.0, 1.0}})
+  {
+    const palpate::VoxelMask mask = EllipsoidMask(spacing);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const palpate::VoxelMask mirrored =
+          MaskOf(mask.Size, spacing,
+                 [&](int i, int j, int k)
+                 {
+                   std::array<int, 3> at{i, j, k};
+                   at[axis] = mask.Size[axis] - 1 - at[axis];
+                   return mask.Inside[mask.Offset(at[0], at[1], at[2])] != 0;
+                 });
+      palpate::ShapeField field;
+      palpate::ShapeField other;
+      ASSERT_TRUE(palpate::MakeShapeField(mask, {}, field).IsOk());
+      ASSERT_TRUE(palpate::MakeShapeField(mirrored, {}, other).IsOk());
+      ASSERT_EQ(field.Grid.Size, other.Grid.Size);
+      for (std::size_t node = 0; node < field.Values.size(); ++node)
+      {
+        std::array<int, 3> at = field.Grid.Index(node);
+        at[axis] = field.Grid.Size[axis] - 1 - at[axis];
+        // Rounding of float sums in another order.
+        ASSERT_NEAR(other.Values[other.Grid.Offset(at[0], at[1], at[2])], field.Values[node], 1e-5);
+      }
+    }
+  }
+}
+
+TEST(ShapeField, ScalesWithUnit)
+{
+  palpate::ShapeField field;
+  palpate::ShapeField large;
+  ASSERT_TRUE(palpate::MakeShapeField(EllipsoidMask({0.5, 0.5, 3.0}), {}, field).IsOk());
+  ASSERT_TRUE(palpate::MakeShapeField(EllipsoidMask({512.0, 512.0, 3072.0}), {}, large).IsOk());
+  ASSERT_EQ(field.Grid.Size, large.Grid.Size);
+  EXPECT_NEAR(large.Grid.Spacing, 1024.0 * field.Grid.Spacing, 1e-9 * large.Grid.Spacing);
+  for (std::size_t node = 0; node < field.Values.size(); ++node)
+  {
+    ASSERT_NEAR(large.Values[node], 1024.0f * field.Values[node], 1e-2);
+  }
+}
+
+TEST(ShapeField, FollowsAreaAndStaysWithinNodes)
+{
+  palpate::ShapeField field;
+  palpate::ShapeFieldSettings settings;
+  ASSERT_TRUE(palpate::MakeShapeField(BoxMask({1.0, 1.0, 1.0}), settings, field).IsOk());
+  EXPECT_NEAR(field.Grid.Spacing, std::sqrt(96.0 * 2.0 / 3.0 / 12000.0), 1e-12);
+  settings.MaximumNodes = 1e4;
+  ASSERT_TRUE(palpate::MakeShapeField(BoxMask({1.0, 1.0, 1.0}), settings, field).IsOk());
+  EXPECT_LE(field.Values.size(), 10000u);
+  EXPECT_GT(field.Values.size(), 5000u);
+  settings.Spacing = 0.5;
+  ASSERT_TRUE(palpate::MakeShapeField(BoxMask({1.0, 1.0, 1.0}), settings, field).IsOk());
+  EXPECT_EQ(field.Grid.Spacing, 0.5);
+}
+
+TEST(ShapeField, JoinsOutlinesOfNeighbouringSlicesByObliqueWall)
+{
+  // Discs whose radius falls by half a pixel from slice to slice: the interpolated cone's radius
+  // between slices is the mean of both.
+  const palpate::VoxelMask mask =
+      MaskOf({41, 41, 5}, {1.0, 1.0, 4.0},
+             [](int i, int j, int k) { return std::hypot(i - 20.0, j - 20.0) < 15.0 - 0.5 * k; });
+  palpate::ShapeField field;
+  ASSERT_TRUE(palpate::MakeShapeField(mask, Unsmoothed(), field).IsOk());
+  for (int k = 0; k < 4; ++k)
+  {
+    const double radius = 15.0 - 0.5 * k - 0.25;
+    const double z = 4.0 * (k + 0.5);
+    // An outline of voxels is within a pixel of its circle.
+    EXPECT_GT(field.Sample({20.0 + radius - 1.0, 20.0, z}), 0.0);
+    EXPECT_LT(field.Sample({20.0 + radius + 1.0, 20.0, z}), 0.0);
+  }
+}
+
+TEST(ShapeField, RejectsBadMasksAndSettings)
+{
+  palpate::ShapeField field;
+  const palpate::VoxelMask good = BoxMask({1.0, 1.0, 1.0});
+  for (const double spacing : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+  {
+    palpate::VoxelMask mask = good;
+    mask.Spacing[1] = spacing;
+    EXPECT_FALSE(palpate::MakeShapeField(mask, {}, field).IsOk()) << spacing;
+  }
+  palpate::VoxelMask mask = good;
+  mask.Size = {1 << 30, 1 << 30, 1 << 30};
+  EXPECT_FALSE(palpate::MakeShapeField(mask, {}, field).IsOk());
+  mask.Size = {-8, -8, 8};
+  EXPECT_FALSE(palpate::MakeShapeField(mask, {}, field).IsOk());
+  mask = good;
+  std::fill(mask.Inside.begin(), mask.Inside.end(), static_cast<unsigned char>(0));
+  EXPECT_EQ(palpate::MakeShapeField(mask, {}, field).Message(), "The mask is empty.");
+  palpate::ShapeFieldSettings settings;
+  settings.Spacing = std::nan("");
+  EXPECT_FALSE(palpate::MakeShapeField(good, settings, field).IsOk());
+  settings = {};
+  settings.Smoothing = 1e9;
+  EXPECT_FALSE(palpate::MakeShapeField(good, settings, field).IsOk());
+}
+} // namespace

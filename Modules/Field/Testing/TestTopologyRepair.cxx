@@ -1,0 +1,205 @@
+#include "TopologyPhantoms.h"
+#include "TopologyRepair.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace
+{
+using namespace palpate::phantoms;
+using palpate::Vector3;
+
+constexpr double Spacing = 0.6;
+
+// A ring that is thinnest at the positive x axis.
+double DentedRing(const Vector3& p)
+{
+  return Ring(p, 9.0, 3.0, 1.2);
+}
+
+TEST(TopologyRepair, LeavesBallAsItIs)
+{
+  palpate::ShapeField field =
+      Sampled(7.0, Spacing, [](const Vector3& p) { return Sphere(p, 6.0); });
+  const std::vector<float> before = field.Values;
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_EQ(field.Values, before);
+  EXPECT_EQ(report.ChangedVolume(), 0.0);
+}
+
+TEST(TopologyRepair, CutsRingWhereItIsThinnest)
+{
+  palpate::ShapeField field = Sampled(13.0, Spacing, DentedRing);
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.CutHandles.Count, 1);
+  EXPECT_EQ(report.FilledHandles.Count, 0);
+  EXPECT_LT((report.CutHandles.LargestCentre - Vector3(9.0, 0.0, 0.0)).norm(), 2.0 * Spacing);
+  // A wall of one node across a tube of 1.8 mm radius; oblique ones are up to sqrt(3) as large.
+  const double wall = std::acos(-1.0) * 1.8 * 1.8 * Spacing;
+  EXPECT_GT(report.CutHandles.Volume, 0.5 * wall);
+  EXPECT_LT(report.CutHandles.Volume, 1.8 * wall);
+}
+
+TEST(TopologyRepair, FillsNarrowHole)
+{
+  palpate::ShapeField field =
+      Sampled(9.0, Spacing, [](const Vector3& p) { return Ring(p, 4.0, 3.2); });
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.CutHandles.Count, 0);
+  EXPECT_EQ(report.FilledHandles.Count, 1);
+  EXPECT_LT(report.FilledHandles.LargestCentre.head<2>().norm(), 2.0 * Spacing);
+}
+
+TEST(TopologyRepair, CutsBothRingsOfDoubleTorus)
+{
+  const Vector3 beside(8.0, 0.0, 0.0);
+  palpate::ShapeField field =
+      Sampled(18.0, Spacing,
+              [&](const Vector3& p)
+              { return std::max(Ring(p - beside, 7.0, 2.0), Ring(p + beside, 7.0, 2.0)); });
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.CutHandles.Count, 2);
+}
+
+TEST(TopologyRepair, OpensCutsToGap)
+{
+  palpate::TopologySettings settings;
+  settings.CutGap = 3.0;
+  palpate::ShapeField field = Sampled(13.0, Spacing, DentedRing);
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, settings, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  const double tube = std::acos(-1.0) * 1.8 * 1.8;
+  EXPECT_GT(report.CutHandles.Volume, 0.7 * tube * settings.CutGap);
+  // Through the tube's centre line no node is inside over the gap, less a step on each side.
+  const double half = 0.5 * settings.CutGap - Spacing;
+  for (double y = -half; y <= half; y += 0.1)
+  {
+    EXPECT_LT(field.Sample({9.0, y, 0.0}), 0.0) << y;
+  }
+}
+
+TEST(TopologyRepair, DropsSmallPartsAndSaysWhere)
+{
+  const Vector3 place(8.0, 0.0, 0.0);
+  palpate::ShapeField field =
+      Sampled(11.0, Spacing,
+              [&](const Vector3& p) { return std::max(Sphere(p, 6.0), Sphere(p - place, 1.2)); });
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.DroppedParts.Count, 1);
+  EXPECT_LT((report.DroppedParts.LargestCentre - place).norm(), Spacing);
+  // Node counts of small spheres scatter.
+  EXPECT_NEAR(report.DroppedParts.Volume, 7.2, 2.0);
+  EXPECT_NEAR(report.AddedVolume(), -report.DroppedParts.Volume, 1e-9);
+}
+
+TEST(TopologyRepair, RefusesOrBridgesTwoSpheres)
+{
+  const Vector3 beside(5.5, 0.0, 0.0);
+  const auto twoSpheres = [&](const Vector3& p)
+  { return std::max(Sphere(p - beside, 4.0), Sphere(p + beside, 4.0)); };
+  palpate::ShapeField field = Sampled(11.0, Spacing, twoSpheres);
+  palpate::TopologyReport report;
+  const palpate::Status refused = palpate::RepairTopology(field, {}, report);
+  EXPECT_NE(refused.Message().find("2 separate parts"), std::string::npos) << refused.Message();
+  palpate::TopologySettings settings;
+  settings.BridgeParts = true;
+  ASSERT_TRUE(palpate::RepairTopology(field, settings, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.Bridges.Count, 1);
+  // The spheres are 3 mm apart; the bridge joins nodes inside of them.
+  EXPECT_NEAR(report.Bridges.LargestExtent, 3.0, 2.0 * Spacing);
+  EXPECT_LT(report.Bridges.LargestCentre.norm(), 2.0 * Spacing);
+  EXPECT_TRUE(palpate::CheckTopology(report, {}).IsOk());
+  palpate::TopologyLimits limits;
+  limits.BridgedGap = 1.0;
+  EXPECT_FALSE(palpate::CheckTopology(report, limits).IsOk());
+}
+
+TEST(TopologyRepair, FillsCavityAndLimitsNameIt)
+{
+  const Vector3 place(1.0, 0.0, 2.0);
+  palpate::ShapeField field =
+      Sampled(9.0, Spacing,
+              [&](const Vector3& p) { return std::min(Sphere(p, 8.0), -Sphere(p - place, 3.5)); });
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.FilledCavities.Count, 1);
+  const double volume = 4.0 / 3.0 * std::acos(-1.0) * 3.5 * 3.5 * 3.5;
+  EXPECT_NEAR(report.FilledCavities.Volume, volume, 0.05 * volume);
+  EXPECT_LT((report.FilledCavities.LargestCentre - place).norm(), 0.1 * Spacing);
+  EXPECT_NEAR(report.FilledCavities.LargestExtent, 7.0 * std::sqrt(3.0), 2.0 * Spacing);
+  const palpate::Status status = palpate::CheckTopology(report, {});
+  EXPECT_NE(status.Message().find("cavity"), std::string::npos) << status.Message();
+}
+
+TEST(TopologyRepair, MakesBallOfEverySponge)
+{
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  for (const double voids : {0.03, 0.25, 0.6})
+  {
+    palpate::ShapeField field = Sampled(
+        8.0, 0.5, [&](const Vector3& p) { return part(random) < voids ? -0.25 : Sphere(p, 7.0); });
+    palpate::TopologyReport report;
+    palpate::TopologySettings settings;
+    settings.BridgeParts = true;
+    ASSERT_TRUE(palpate::RepairTopology(field, settings, report).IsOk());
+    EXPECT_TRUE(IsBall(field)) << voids;
+    EXPECT_FALSE(palpate::CheckTopology(report, {}).IsOk()) << voids;
+  }
+}
+
+// The triangulation's diagonals keep their direction when all axes are reversed or two of them
+// swapped, but not when one is mirrored: which nodes of a wall change may differ, not what is
+// found.
+TEST(TopologyRepair, ReportsSameChangesOnTurnedAxes)
+{
+  palpate::ShapeField field = Sampled(13.0, Spacing, DentedRing);
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  const auto check = [&](const char* name, const auto& turn)
+  {
+    palpate::ShapeField turned =
+        Sampled(13.0, Spacing, [&](const Vector3& p) { return DentedRing(turn(p)); });
+    palpate::TopologyReport other;
+    ASSERT_TRUE(palpate::RepairTopology(turned, {}, other).IsOk());
+    EXPECT_TRUE(IsBall(turned)) << name;
+    EXPECT_EQ(other.CutHandles.Count, report.CutHandles.Count) << name;
+    EXPECT_EQ(other.FilledHandles.Count, report.FilledHandles.Count) << name;
+    EXPECT_NEAR(other.CutHandles.Volume, report.CutHandles.Volume, 0.4 * report.CutHandles.Volume)
+        << name;
+    EXPECT_LT((turn(other.CutHandles.LargestCentre) - report.CutHandles.LargestCentre).norm(),
+              2.0 * Spacing)
+        << name;
+  };
+  check("mirrored", [](const Vector3& p) { return Vector3(-p[0], p[1], p[2]); });
+  check("reversed", [](const Vector3& p) { return Vector3(-p); });
+  check("swapped", [](const Vector3& p) { return Vector3(p[1], p[0], p[2]); });
+  check("cycled", [](const Vector3& p) { return Vector3(p[2], p[0], p[1]); });
+}
+
+TEST(TopologyRepair, RejectsBadSettingsAndEmptyObjects)
+{
+  palpate::TopologyReport report;
+  palpate::ShapeField field = Sampled(3.0, 1.0, [](const Vector3& p) { return -1.0; });
+  EXPECT_FALSE(palpate::RepairTopology(field, {}, report).IsOk());
+  field = Sampled(3.0, 1.0, [](const Vector3& p) { return Sphere(p, 2.0); });
+  palpate::TopologySettings settings;
+  settings.CutGap = std::nan("");
+  EXPECT_FALSE(palpate::RepairTopology(field, settings, report).IsOk());
+  settings = {};
+  settings.SmallPart = 1.0;
+  EXPECT_FALSE(palpate::RepairTopology(field, settings, report).IsOk());
+}
+} // namespace

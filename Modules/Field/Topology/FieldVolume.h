@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ShapeField.h"
+
+namespace palpate
+{
+/// Volume (mm^3) of the points where the field exceeds `level`: exactly that of the closed surface
+/// by marching tetrahedra at this level, as long as the level is above all border nodes.
+double VolumeAbove(const ShapeField& field, float level);
+
+/// The level (mm) whose volume is `volume` (mm^3), to 0.01 % within a few steps; the nearest one
+/// that was found if the field has none, for example on a plateau. `area` (mm^2) is a guess of the
+/// surface's area.
+///
+/// Matching the volume of the surface, not the number of voxel centres inside it: many centres of
+/// rods and boxes have the same distance, so that counts jump.
+float LevelOfVolume(const ShapeField& field, double volume, double area);
+} // namespace palpate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "HomotopicGrowth.h"
+#include "ShapeField.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Parts of a list of nodes that are connected by the 14 neighbours, each in the order of a search
+/// from its first node in the list. `marks` has a byte for each node of the grid, all 0 before and
+/// after; nodes of the grid's outermost layer must not be in the list.
+std::vector<NodeList> ConnectedParts(const NodeList& nodes, const KuhnOffsets& steps,
+                                     std::vector<unsigned char>& marks);
+
+/// Nodes whose side changes so that an object has no handles.
+struct HandleRepair
+{
+  NodeList Cut;    ///< inside before
+  NodeList Filled; ///< outside before
+};
+
+/// Cuts or fills the handles of an object, whichever changes less.
+///
+/// The object is one part without cavities (1 in `inside`). First all handles are cut: a ball grows
+/// from the deepest node through simple nodes in the order of falling depth, which leaves walls of
+/// one node about where it is thinnest. The outside grows the same way towards the object, which
+/// leaves membranes of one node across the handles' holes. Each membrane in turn, the cheapest
+/// first, is added to the ball, which then may grow through the walls; that is kept if it costs
+/// less. The cost of a changed node is |field| + spacing / 4, for nodes that are cut times gap /
+/// spacing if that exceeds 1. Depth is the field, which may be clamped, or the field plus the
+/// distance from the object's boundary in the grid; both are tried and the cheaper result is taken.
+/// Every step adds simple nodes only, so the result is a ball whatever the input is. After
+/// Kriegeskorte and Goebel, NeuroImage 14 (2001).
+///
+/// If `gap` (mm) is more than the grid's spacing, the walls are opened to it as far as simple nodes
+/// allow, so that a smooth surface can follow both sides without crossing itself.
+HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside,
+                           double gap);
+} // namespace palpate

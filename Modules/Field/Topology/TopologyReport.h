@@ -1,0 +1,43 @@
+#pragma once
+
+#include "Status.h"
+#include "Vector3.h"
+
+namespace palpate
+{
+/// Changes of one kind. Places are in the frame of the field's grid (ShapeGrid), lengths in mm.
+struct TopologyChange
+{
+  int Count = 0;                          ///< places
+  double Volume = 0.0;                    ///< mm^3, of all places
+  double LargestVolume = 0.0;             ///< mm^3, of the largest place
+  Vector3 LargestCentre{Vector3::Zero()}; ///< of the largest place
+  double LargestExtent = 0.0; ///< diagonal of the largest place's box; of a bridge the gap's width
+};
+
+/// What the repair of an object's topology has changed.
+struct TopologyReport
+{
+  double ObjectVolume = 0.0;   ///< mm^3, before the repair
+  TopologyChange DroppedParts; ///< parts that were too small to keep
+  TopologyChange Bridges;      ///< joints between parts
+  TopologyChange FilledCavities;
+  TopologyChange CutHandles;
+  TopologyChange FilledHandles;
+
+  double ChangedVolume() const;  ///< mm^3, added or removed
+  double AddedVolume() const;    ///< mm^3, added minus removed
+  double ChangedPercent() const; ///< of the object's volume
+};
+
+/// When a repair is to be refused, or confirmed by the user.
+struct TopologyLimits
+{
+  double ChangedPercent = 2.0; ///< of the object's volume
+  double CavityExtent = 5.0;   ///< mm
+  double BridgedGap = 5.0;     ///< mm
+};
+
+/// Fails with a message that names the first limit that is exceeded.
+Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits);
+} // namespace palpate
