@@ -12,48 +12,30 @@ namespace palpate
 {
 namespace
 {
-using Sample = SphericalHarmonicEvaluator::Sample;
-
-// Position and tangents of the surface at the parameters of all samples.
-struct SurfaceState
-{
-  std::array<std::vector<Sample>, 3> Coordinates;
-
-  Vector3 Point(std::size_t i) const
-  {
-    return {this->Coordinates[0][i].Radius, this->Coordinates[1][i].Radius,
-            this->Coordinates[2][i].Radius};
-  }
-  // Rows: gradients of x, y and z.
-  Matrix3 Jacobian(std::size_t i) const
-  {
-    Matrix3 rows;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      rows.row(axis) = this->Coordinates[static_cast<std::size_t>(axis)][i].SurfaceGradient;
-    }
-    return rows;
-  }
-};
-
-void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vector3>& parameters,
-              SurfaceState& state)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::vector<Sample>& samples = state.Coordinates[static_cast<std::size_t>(axis)];
-    samples.resize(parameters.size());
-    SphericalHarmonicEvaluator(surface.Degree(), surface.Coefficients(axis))
-        .EvaluateBatch(parameters.data(), parameters.size(), samples.data());
-  }
-}
+using Sample = ParametricSphericalSurface::Sample;
 
 // Area element of the surface over that of the parameter sphere, along the normal of the mesh.
-double AreaElement(const Matrix3& jacobian, const Vector3& parameter, const Vector3& normal)
+double AreaElement(const Sample& sample, const Vector3& normal)
 {
-  const Vector3 a = parameter.unitOrthogonal();
-  const Vector3 b = parameter.cross(a);
-  return (jacobian * a).cross(jacobian * b).dot(normal);
+  return sample.First[0].cross(sample.First[1]).dot(normal);
+}
+
+// The tangent step (rad) of the parameter that brings the surface nearest to a point, by a damped
+// Gauss-Newton step.
+Vector3 StepTowards(const Vector3& point, const Sample& sample)
+{
+  constexpr double Damping = 1e-3; // of the squared stretch
+  const Vector3 left = point - sample.Point;
+  const Vector3& a = sample.First[0];
+  const Vector3& b = sample.First[1];
+  const double damping = Damping * (a.squaredNorm() + b.squaredNorm()) + 1e-300;
+  const double aa = a.squaredNorm() + damping;
+  const double bb = b.squaredNorm() + damping;
+  const double ab = a.dot(b);
+  const double determinant = aa * bb - ab * ab;
+  const double alongA = (bb * a.dot(left) - ab * b.dot(left)) / determinant;
+  const double alongB = (aa * b.dot(left) - ab * a.dot(left)) / determinant;
+  return alongA * sample.Tangents[0] + alongB * sample.Tangents[1];
 }
 
 double Determinant(const std::vector<Vector3>& q, const std::array<int, 3>& t)
@@ -124,13 +106,13 @@ public:
   void Finish(ParametricFitResult& result)
   {
     result.Surface = this->Solver.Surface();
-    Evaluate(result.Surface, this->Samples.Parameters, this->State);
+    this->Evaluate(this->Samples.Parameters);
     double squares = 0.0;
     result.Folded = 0;
     for (std::size_t i = 0; i < this->Samples.Points.size(); ++i)
     {
       const double off =
-          this->Samples.Normals[i].dot(this->State.Point(i) - this->Samples.Points[i]);
+          this->Samples.Normals[i].dot(this->State[i].Point - this->Samples.Points[i]);
       squares += this->Samples.Weights[i] * off * off;
       result.Folded += i >= this->Parameters.size() || this->AreaElementAt(i) > 0.0 ? 0 : 1;
     }
@@ -139,10 +121,15 @@ public:
   }
 
 private:
+  void Evaluate(const std::vector<Vector3>& parameters)
+  {
+    this->State.resize(parameters.size());
+    this->Solver.Surface().EvaluateBatch(parameters.data(), parameters.size(), this->State.data());
+  }
+
   double AreaElementAt(std::size_t i) const
   {
-    return AreaElement(this->State.Jacobian(i), this->Samples.Parameters[i],
-                       this->Samples.Normals[i]);
+    return AreaElement(this->State[i], this->Samples.Normals[i]);
   }
 
   // Weights of samples inside of a triangle are the largest of its corners.
@@ -175,20 +162,15 @@ private:
     this->Solver.FitNormals(this->Samples, this->Options.Iterations);
   }
 
-  // Moves each vertex towards the parameter of its nearest point: a damped Gauss-Newton step.
+  // Moves each vertex towards the parameter of its nearest point.
   void Slide()
   {
     constexpr double LongestStep = 0.15; // rad
-    constexpr double Damping = 1e-3;     // of the squared stretch
-    Evaluate(this->Solver.Surface(), this->Parameters, this->State);
+    this->Evaluate(this->Parameters);
     std::vector<Vector3> steps(this->Parameters.size());
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
-      const Matrix3 jacobian = this->State.Jacobian(i);
-      Matrix3 normal = jacobian.transpose() * jacobian;
-      normal.diagonal().array() += Damping * normal.trace() + 1e-300;
-      const Vector3 left = this->Mesh.Points[i] - this->State.Point(i);
-      steps[i] = normal.inverse() * (jacobian.transpose() * left);
+      steps[i] = StepTowards(this->Mesh.Points[i], this->State[i]);
       const double length = steps[i].norm();
       steps[i] *= length > LongestStep ? LongestStep / length : 1.0;
     }
@@ -235,7 +217,7 @@ private:
     {
       return false;
     }
-    Evaluate(this->Solver.Surface(), this->Samples.Parameters, this->State);
+    this->Evaluate(this->Parameters);
     std::vector<double> elements(this->Parameters.size());
     double mean = 0.0;
     for (std::size_t i = 0; i < elements.size(); ++i)
@@ -278,8 +260,8 @@ private:
   std::vector<Vector3> Parameters; // of the vertices
   SurfaceSamples Samples;
   ParametricSolver Solver;
-  double MeshVolume; // mm^3
-  SurfaceState State;
+  double MeshVolume;                 // mm^3
+  std::vector<Sample> State;         // of the surface at some of the parameters
   std::vector<double> VertexWeights; // of tangential residuals
 };
 } // namespace
