@@ -31,11 +31,18 @@ struct Candidate
   double Cost;
   int Vertex;
   int Target;
-  int Version;
+  int Version; ///< how often the vertex's ring has changed
 
+  // On a regular mesh, ties by index alone would remove vertex after vertex next to each other, and
+  // return them one beside another without end.
   bool operator<(const Candidate& other) const noexcept
   {
-    return this->Cost != other.Cost ? this->Cost > other.Cost : this->Vertex > other.Vertex;
+    if (this->Cost != other.Cost)
+    {
+      return this->Cost > other.Cost;
+    }
+    return this->Version != other.Version ? this->Version > other.Version
+                                          : this->Vertex > other.Vertex;
   }
 };
 

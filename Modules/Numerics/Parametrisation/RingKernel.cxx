@@ -70,10 +70,13 @@ Vector3 KernelDirection(const Vector3* polygon, int count)
   {
     kernel = Clip(kernel, polygon[i].cross(polygon[i + 1]));
   }
+  // Not the mean of the corners: rounding may double one.
   Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < kernel.Count; ++i)
   {
-    sum += kernel.Corners[i];
+    const Vector3& a = kernel.Corners[i];
+    const Vector3& b = kernel.Corners[(i + 1) % kernel.Count];
+    sum += (b - a).norm() * (a + b);
   }
   const double length = sum.norm();
   return length > 0.0 ? Vector3(sum / length) : Vector3::Zero();

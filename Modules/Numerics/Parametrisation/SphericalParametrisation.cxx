@@ -154,8 +154,12 @@ Status ParametriseOnSphere(const IndexedMesh& surface, const KernelProgress& pro
   {
     return Status::Failure(Degenerate);
   }
+  if (!Report(progress, 1.0))
+  {
+    return Status::Failure(Cancelled);
+  }
   result.Quality = MeasureSphereMap(surface, directions);
   result.Directions = std::move(directions);
-  return Report(progress, 1.0) ? Status::Success() : Status::Failure(Cancelled);
+  return Status::Success();
 }
 } // namespace palpate
