@@ -18,6 +18,8 @@ constexpr double LevelTolerance = 0.01;
 constexpr double LastTolerance = 0.005;
 // Newton steps of a vertex that returns.
 constexpr int FirstSteps = 2;
+// Larger rings move in sweeps only, so that time stays linear.
+constexpr int LargestMovedRing = 32;
 } // namespace
 
 MapRefinement::MapRefinement(VertexRings& rings, std::vector<MappedVertex>& vertices)
@@ -75,9 +77,24 @@ bool MapRefinement::Return(const MeshSimplification& simplification,
   {
     this->Relaxation.Step(this->Vertices, vertex, ring);
   }
+  this->MakeRoom(ring);
   this->Present.push_back(vertex);
   this->Wake(vertex);
   return true;
+}
+
+// Many vertices may return next to each other before the next sweep: without room, each would halve
+// a triangle again.
+void MapRefinement::MakeRoom(Ring ring)
+{
+  for (const int neighbour : ring)
+  {
+    const Ring around = this->Rings.Of(neighbour);
+    if (around.Count <= LargestMovedRing)
+    {
+      this->Relaxation.Step(this->Vertices, neighbour, around);
+    }
+  }
 }
 
 void MapRefinement::Wake(int vertex)

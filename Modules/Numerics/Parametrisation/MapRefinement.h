@@ -31,6 +31,7 @@ public:
 
 private:
   bool Sweep(double tolerance);
+  void MakeRoom(Ring ring);
   void Wake(int vertex);
   void PlaceTetrahedron();
 
