@@ -19,6 +19,9 @@ double RoundCost(double cost)
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, 16)), exponent - 16);
 }
 
+// For each change of a vertex's ring: spreads the collapses.
+constexpr double ChangePenalty = 0.1;
+
 // Six neighbours are ideal.
 double ValencePenalty(int valence)
 {
@@ -94,7 +97,8 @@ public:
     }
     for (const int target : ring)
     {
-      const double cost = RoundCost(this->Cost(vertex, target, ring.Count));
+      const double cost =
+          RoundCost(this->Cost(vertex, target, ring.Count) * (1.0 + ChangePenalty * best.Version));
       if ((cost < best.Cost || (cost == best.Cost && target < best.Target)) &&
           this->Rings.CanCollapse(vertex, target))
       {

@@ -27,8 +27,8 @@ struct SphericalParametrisation
 /// SphericalPlacement.
 ///
 /// Fails, with a message, if `surface` is not one closed, oriented manifold without handles, if it
-/// has a point that is not finite or a triangle without area, if the map degenerates (needles of
-/// thousands of diameters) or if `progress`, which may be empty, cancels. Deterministic. Time
+/// has a point that is not finite or a triangle without area, if the map degenerates beyond
+/// double precision or if `progress`, which may be empty, cancels. Deterministic. Time
 /// O(n log n), some 6 us a triangle; memory some 300 bytes a triangle.
 Status ParametriseOnSphere(const IndexedMesh& surface, const KernelProgress& progress,
                            SphericalParametrisation& result);
