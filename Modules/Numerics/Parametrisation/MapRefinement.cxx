@@ -87,8 +87,13 @@ bool MapRefinement::Return(const MeshSimplification& simplification,
 // a triangle again.
 void MapRefinement::MakeRoom(Ring ring)
 {
-  for (const int neighbour : ring)
+  // By index: a mirrored mesh has its rings in reverse.
+  std::array<int, MeshSimplification::LargestRing> neighbours;
+  const auto end = std::copy(ring.begin(), ring.end(), neighbours.begin());
+  std::sort(neighbours.begin(), end);
+  for (auto at = neighbours.begin(); at != end; ++at)
   {
+    const int neighbour = *at;
     const Ring around = this->Rings.Of(neighbour);
     if (around.Count <= LargestMovedRing)
     {

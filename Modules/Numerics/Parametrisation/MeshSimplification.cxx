@@ -36,8 +36,6 @@ struct Candidate
   int Target;
   int Version; ///< how often the vertex's ring has changed
 
-  // On a regular mesh, ties by index alone would remove vertex after vertex next to each other, and
-  // return them one beside another without end.
   bool operator<(const Candidate& other) const noexcept
   {
     if (this->Cost != other.Cost)

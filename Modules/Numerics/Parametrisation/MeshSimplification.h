@@ -33,10 +33,10 @@ struct MeshSimplification
 };
 
 /// Collapses `rings` to a tetrahedron, cheapest first; the points' scale is arbitrary. The cost of
-/// a collapse is the squared length of its edge, times a penalty of the valence that it makes. Ties
-/// go to the vertex whose ring changed least often, then to the lower index; costs are compared
-/// after rounding to 16 bits, so that rotated or moved copies of a mesh are simplified in the same
-/// order. O(n log n). False if `progress` cancels.
+/// a collapse is the squared length of its edge, times penalties of the valence that it makes and
+/// of earlier changes of the vertex's ring, so that no region is thinned out before others. Ties go
+/// to the lower index; costs are compared after rounding to 16 bits, so that rotated or moved
+/// copies of a mesh are simplified in the same order. O(n log n). False if `progress` cancels.
 bool Simplify(const std::vector<MappedVertex>& vertices, const KernelProgress& progress,
               VertexRings& rings, MeshSimplification& result);
 } // namespace palpate

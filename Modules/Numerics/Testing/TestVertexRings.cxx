@@ -99,7 +99,7 @@ TEST(VertexRings, SplitsRestoreWhatCollapsesRemoved)
   }
 }
 
-// Where ties went to the lower index, one equator vertex would absorb the others in turn.
+// Without the penalty of changes, one equator vertex would absorb the others in turn.
 TEST(MeshSimplification, ThinsARegularMeshEvenly)
 {
   const IndexedMesh mesh = test::Bipyramid(64);
