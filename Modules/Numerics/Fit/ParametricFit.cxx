@@ -1,6 +1,8 @@
 #include "ParametricFit.h"
 
+#include "DirectionSlide.h"
 #include "ParametricSolver.h"
+#include "SphericalHarmonicBasis.h"
 #include "SurfaceSamples.h"
 
 #include <algorithm>
@@ -38,10 +40,22 @@ Vector3 StepTowards(const Vector3& point, const Sample& sample)
   return alongA * sample.Tangents[0] + alongB * sample.Tangents[1];
 }
 
-double Determinant(const std::vector<Vector3>& q, const std::array<int, 3>& t)
+// C of X(u) ~ c0 + C u, see SphericalPlacement.
+Matrix3 DegreeOneOf(const ParametricSphericalSurface& surface)
 {
-  return q[static_cast<std::size_t>(t[0])].dot(
-      q[static_cast<std::size_t>(t[1])].cross(q[static_cast<std::size_t>(t[2])]));
+  const double factor = std::sqrt(3.0 / (4.0 * M_PI));
+  const std::array<int, 3> orders{1, -1, 0}; // x, y and z
+  Matrix3 matrix;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      const int order = orders[static_cast<std::size_t>(column)];
+      matrix(row, column) =
+          factor * surface.Coefficients(row)[SphericalHarmonicBasis::Index(1, order)];
+    }
+  }
+  return matrix;
 }
 
 // A third of the shortest wavelength of a degree, on the parameter sphere.
@@ -89,7 +103,7 @@ public:
     }
     this->VertexWeights.assign(this->Mesh.Points.size(), this->Options.TangentWeight);
     this->FitNormals();
-    return true;
+    return status;
   }
 
   // After the last refit.
@@ -163,50 +177,19 @@ private:
   }
 
   // Moves each vertex towards the parameter of its nearest point.
-  void Slide()
+  Status Slide()
   {
     constexpr double LongestStep = 0.15; // rad
+    constexpr double LeastShare = 0.1;   // of a triangle's area on the sphere
     this->Evaluate(this->Parameters);
     std::vector<Vector3> steps(this->Parameters.size());
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
       steps[i] = StepTowards(this->Mesh.Points[i], this->State[i]);
-      const double length = steps[i].norm();
-      steps[i] *= length > LongestStep ? LongestStep / length : 1.0;
     }
-    this->ApplySteps(steps);
-  }
-
-  // Halves steps, and finally omits them, where a triangle would lose nine tenths of its area.
-  void ApplySteps(std::vector<Vector3>& steps)
-  {
-    constexpr int MostRounds = 8;
-    const std::vector<Vector3> before = this->Parameters;
-    for (int round = 0; round <= MostRounds; ++round)
-    {
-      std::vector<Vector3>& q = this->Parameters;
-      for (std::size_t i = 0; i < q.size(); ++i)
-      {
-        q[i] = (before[i] + steps[i]).normalized();
-      }
-      bool isFree = true;
-      for (const std::array<int, 3>& t : this->Mesh.Triangles)
-      {
-        if (!(Determinant(q, t) >= 0.1 * Determinant(before, t)))
-        {
-          isFree = false;
-          for (const int corner : t)
-          {
-            steps[static_cast<std::size_t>(corner)] *= round + 1 < MostRounds ? 0.5 : 0.0;
-          }
-        }
-      }
-      if (isFree)
-      {
-        return;
-      }
-    }
-    this->Parameters = before;
+    DirectionSlide slide;
+    return SlideDirections(this->Mesh.Triangles, steps, LongestStep, LeastShare, this->Parameters,
+                           slide);
   }
 
   // Stiffens the tangents around folds; returns false if there is none.
@@ -270,28 +253,29 @@ Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>&
                             const ParametricFitOptions& options, ParametricFitResult& result,
                             const KernelProgress& progress)
 {
-  const auto isCancelled = [&](int done)
-  { return progress && !progress(static_cast<double>(done) / (options.Refits + 1)); };
   Run run(mesh, parameters, options);
-  bool isDetermined = run.Start();
-  for (int round = 0; isDetermined && round < options.Refits; ++round)
+  Status status = run.Start();
+  if (status.IsOk() && options.IsPlaced && options.Degree > 0)
   {
-    if (isCancelled(round + 1))
+    status = run.Place(result);
+  }
+  for (int round = 0; status.IsOk() && round < options.Refits; ++round)
+  {
+    if (progress && !progress((round + 1.0) / (options.Refits + 1.0)))
     {
       return Status::Failure("cancelled");
     }
-    isDetermined = run.Refit();
+    status = run.Refit();
   }
-  if (!isDetermined)
+  if (!status.IsOk())
   {
-    return Status::Failure("the parameters of the mesh do not determine a surface of degree " +
-                           std::to_string(options.Degree));
+    return status;
   }
   if (options.Refits > 0)
   {
     run.Complete();
   }
   run.Finish(result);
-  return Status::Success();
+  return status;
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "IndexedMesh.h"
 #include "KernelProgress.h"
 #include "ParametricSphericalSurface.h"
+#include "SphericalPlacement.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -13,6 +14,9 @@ namespace palpate
 struct ParametricFitOptions
 {
   int Degree = 20;
+  /// Turns the parameter sphere so that its directions are those of the frame of the mesh
+  /// (PlaceByPolarFactor): surfaces of different patients then correspond.
+  bool IsPlaced = true;
   /// Rounds in which the vertices slide to their nearest parameters and the surface is fitted
   /// again along the mesh's normals. 0: one fit by distances of points.
   int Refits = 3;
@@ -28,13 +32,14 @@ struct ParametricFitResult
 {
   ParametricSphericalSurface Surface{0, {{{0.0}, {0.0}, {0.0}}}};
   std::vector<Vector3> Parameters; ///< of the mesh's vertices, after sliding
+  SphericalPlacement Placement;    ///< with IsPlaced
   double NormalRms = 0.0;          ///< mm, area-weighted distance of the vertices along normals
   int Folded = 0;                  ///< vertices at which the area element turns over
 };
 
 /// Fits a parametric surface to a closed genus-0 mesh (mm) with a bijective spherical
-/// parametrisation, one unit vector per vertex. Fails if the parameters do not determine the
-/// surface, or on cancellation.
+/// parametrisation, one unit vector per vertex. Fails if the parameters are not bijective or do not
+/// determine the surface, if its placement is undetermined, or on cancellation.
 ///
 /// With refits, the surface has the volume of the mesh (to second order of the change).
 ///

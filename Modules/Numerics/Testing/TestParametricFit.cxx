@@ -134,6 +134,25 @@ TEST(ParametricFit, ScaleAndTranslationCarryOver)
   }
 }
 
+// The same shape with its parameter sphere turned.
+TEST(ParametricFit, PlacementDoesNotDependOnTheParametrisation)
+{
+  MappedMesh mapped = TwistedTube(2.0, 0.5);
+  const ParametricFitResult before = Fitted(mapped, OfDegree(8, 2));
+  const Matrix3 turn =
+      Eigen::AngleAxisd(1.1, Vector3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  for (Vector3& parameter : mapped.Parameters)
+  {
+    parameter = turn * parameter;
+  }
+  const ParametricFitResult after = Fitted(mapped, OfDegree(8, 2));
+  const IcosahedronDirections sphere(4);
+  for (const Vector3& u : sphere.Directions())
+  {
+    EXPECT_LT((after.Surface.Point(u) - before.Surface.Point(u)).norm(), 1e-6); // mm, of 80
+  }
+}
+
 TEST(ParametricFit, RejectsParametersThatAreNotFinite)
 {
   ParametricFitResult result;
