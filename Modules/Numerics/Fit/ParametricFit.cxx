@@ -88,18 +88,43 @@ public:
   {
   }
 
-  bool Start()
+  Status Start()
   {
     this->Samples = SampleMesh(this->Mesh, this->Parameters, LongestEdgeFor(this->Options.Degree));
-    return this->Solver.FitPoints(this->Samples);
+    return this->Solver.FitPoints(this->Samples)
+               ? Status::Success()
+               : Status::Failure(
+                     "the parameters of the mesh do not determine a surface of degree " +
+                     std::to_string(this->Options.Degree));
   }
 
-  bool Refit()
+  // Turns the parameter sphere so that the surface's degree-1 part is symmetric.
+  Status Place(ParametricFitResult& result)
   {
-    this->Slide();
-    if (!this->Start())
+    SphericalPlacement placement;
+    Status status = PlaceByPolarFactor(DegreeOneOf(this->Solver.Surface()), placement);
+    if (!status.IsOk())
     {
-      return false;
+      return status;
+    }
+    result.Placement = placement;
+    for (Vector3& parameter : this->Parameters)
+    {
+      parameter = (placement.Rotation * parameter).normalized();
+    }
+    return this->Start();
+  }
+
+  Status Refit()
+  {
+    Status status = this->Slide();
+    if (status.IsOk())
+    {
+      status = this->Start();
+    }
+    if (!status.IsOk())
+    {
+      return status;
     }
     this->VertexWeights.assign(this->Mesh.Points.size(), this->Options.TangentWeight);
     this->FitNormals();
