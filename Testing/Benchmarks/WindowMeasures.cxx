@@ -112,8 +112,8 @@ void WindowMeasures::MakePath()
       const double angle = 2.0 * M_PI * p / PathPoints;
       const Vector3 direction =
           Vector3(std::cos(angle), std::sin(angle), 0.6 * std::sin(2.0 * angle)).normalized();
-      this->Path.push_back(fit->Model.CenterWorld() +
-                           (fit->Model.Radius(direction) - PressDepth) * direction);
+      this->Path.push_back(fit->Radial()->CenterWorld() +
+                           (fit->Radial()->Radius(direction) - PressDepth) * direction);
     }
   }
   if (this->Path.empty())

@@ -68,7 +68,7 @@ protected:
   void PressByWheel()
   {
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
-    const QPointF place = this->PlaceOf(this->Fit().Model.CenterWorld());
+    const QPointF place = this->PlaceOf(CenterOf(this->Fit().Model));
     Move(canvas, place);
     std::uint64_t last = 0;
     this->FeelUntil(
@@ -88,7 +88,7 @@ protected:
   // the gland.
   void HoldStill()
   {
-    const SphericalHarmonicModel& gland = this->Fit().Model;
+    const SphericalHarmonicModel& gland = *this->Fit().Radial();
     const Vector3 toEye = this->Window->Views()->Space()->Axes().col(2);
     const Vector3 place = gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye;
     std::uint64_t since = 0;
