@@ -246,7 +246,7 @@ std::string vtkInteractorStyleHaptic::GetStatusText()
   const Live& inner = *this->Inner;
   if (!this->IsTouching())
   {
-    return "Nothing is touched.";
+    return "Touch is off.";
   }
   const std::string problem = inner.Session.Device().Problem();
   const std::string guidance = inner.Session.Device().Guidance();

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace palpate
 {
@@ -320,8 +321,10 @@ void DrillPanel::ShowAlarm(const StudyDrillReading& reading,
   {
     if (one.IsAlarmed)
     {
-      text = QString("The drill is %1 mm from %2.")
-                 .arg(QString::number(one.Distance, 'f', 1), ScreenString(one.Name)) +
+      const char* form = one.Distance < 0.0 ? "The drill touches %2 (%1 mm inside)."
+                                            : "The drill is %1 mm from %2.";
+      text = QString(form).arg(QString::number(std::abs(one.Distance), 'f', 1),
+                               ScreenString(one.Name)) +
              (hold.isEmpty() ? hold : " " + hold);
     }
   }

@@ -205,7 +205,7 @@ void TouchPanel::ShowTouch()
   this->ShowRecording();
   if (!isTouching && !isReplaying)
   {
-    this->Safety->setText("Nothing is touched: there is no force.");
+    this->Safety->setText("Touch is off.");
     this->Felt->clear();
     this->Advice->clear();
   }
