@@ -1,7 +1,7 @@
 #include "RadiusDerivativeBounds.h"
 
+#include "DirectionGap.h"
 #include "IcosahedronDirections.h"
-#include "SphericalTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +10,6 @@ namespace palpate
 {
 namespace
 {
-// The largest angle (rad) from any direction to the closest of these: at most the distance of a
-// triangle's corners from its centre.
-double Gap(const IcosahedronDirections& sphere)
-{
-  double gap = 0.0;
-  for (const auto& [a, b, c] : sphere.Triangles())
-  {
-    const auto at = [&](int corner)
-    { return sphere.Directions()[static_cast<std::size_t>(corner)]; };
-    gap = std::max(gap, SphericalTriangle{{at(a), at(b), at(c)}}.Cap().Radius);
-  }
-  return gap;
-}
-
 // Largest magnitude of an eigenvalue of a tangent Hessian.
 double Norm(const Matrix3& hessian)
 {
@@ -44,7 +30,7 @@ RadiusDerivativeBounds::RadiusDerivativeBounds(const SphericalHarmonicModel& mod
     this->Radius[1] = std::max(this->Radius[1], sample.SurfaceGradient.norm());
     this->Radius[2] = std::max(this->Radius[2], Norm(sample.SurfaceHessian));
   }
-  const double fall = std::cos(degree * Gap(sphere));
+  const double fall = std::cos(degree * LargestGap(sphere));
   for (double& bound : this->Radius)
   {
     bound /= fall;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ParametricShape.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
@@ -8,7 +9,7 @@
 
 namespace palpate
 {
-/// A cylinder guaranteed to contain the part of a model's surface over a cap of directions. It lies
+/// A cylinder guaranteed to contain the part of a surface over a cap of directions. It lies
 /// along the normal, and its height shrinks with the square of the cap, so it gives a tight lower
 /// bound of the distance. Points are relative to the model's centre, mm.
 ///
@@ -18,8 +19,10 @@ struct SurfacePatch
 {
   SurfacePatch() = default;
   /// For the cap of the angle `reach` (rad) around the unit vector `direction`; `pointThird` bounds
-  /// |x'''| (RadiusDerivativeBounds).
+  /// |x'''| (RadiusDerivativeBounds, PointDerivativeBounds).
   SurfacePatch(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
+               double reach, double pointThird) noexcept;
+  SurfacePatch(const Vector3& direction, const ParametricShape::SecondOrderSample& sample,
                double reach, double pointThird) noexcept;
 
   /// Lower bound (mm) of the distance from the query to the patch, up to rounding.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "RadiusDerivativeBounds.h"
-#include "SphericalHarmonicModel.h"
 #include "SphericalTriangle.h"
+#include "SurfaceKind.h"
 #include "SurfacePatch.h"
 
 #include <cstddef>
@@ -10,17 +9,19 @@
 
 namespace palpate
 {
-/// A hierarchy of volumes around the parts of a model's surface: the triangles of an icosahedron,
+/// A hierarchy of volumes around the parts of a surface: the triangles of an icosahedron,
 /// each split into four a number of times. The finest have a SurfacePatch each, the others a sphere
-/// around their four parts. Nodes are numbered level by level; points are relative to the model's
+/// around their four parts. Nodes are numbered level by level; points are relative to the surface's
 /// centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
-class SurfacePatchTree
+template <typename Surface>
+class SurfacePatchTreeOf
 {
 public:
-  /// `levels` >= 0 is the number of times the 20 triangles are split. Evaluates the model in
+  using Bounds = typename SurfaceKind<Surface>::Bounds;
+
+  /// `levels` >= 0 is the number of times the 20 triangles are split. Evaluates the surface in
   /// 20 * 4^levels directions.
-  SurfacePatchTree(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
-                   int levels);
+  SurfacePatchTreeOf(const Surface& surface, const Bounds& bounds, int levels);
 
   static constexpr int RootCount = 20;
   /// Number of nodes except the finest, and of all nodes.
@@ -54,7 +55,8 @@ public:
            this->Patches.size() * sizeof(SurfacePatch);
   }
 
-  /// Bounds of |R| over all directions, mm.
+  /// Bounds of the distance of the surface from its centre, mm; the lower one is 0 for parametric
+  /// surfaces.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
 
@@ -65,16 +67,16 @@ private:
     double Radius;
   };
 
-  Sphere Build(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds, int node,
+  Sphere Build(const Surface& surface, const Bounds& bounds, int node,
                const SphericalTriangle& triangle);
-  Sphere BuildPatch(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
-                    int node);
+  Sphere BuildPatch(const Surface& surface, const Bounds& bounds, int node);
 
   std::vector<SphericalTriangle> Roots;
   std::vector<SphericalCap> Caps;
   std::vector<Sphere> Spheres;
   std::vector<SurfacePatch> Patches;
-  double Lowest; // bounds of R
+  double Lowest; // bounds of R, or of the distance from the centre
   double Highest;
 };
+using SurfacePatchTree = SurfacePatchTreeOf<SphericalHarmonicModel>;
 } // namespace palpate

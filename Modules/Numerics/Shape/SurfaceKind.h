@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ParametricShape.h"
+#include "PointDerivativeBounds.h"
+#include "RadiusDerivativeBounds.h"
+#include "SphericalHarmonicModel.h"
+
+namespace palpate
+{
+/// What closest-point searches need to know about a kind of surface at compile time. Everything
+/// else about it is in functions that are overloaded for its samples.
+template <typename Surface>
+struct SurfaceKind;
+
+template <>
+struct SurfaceKind<SphericalHarmonicModel>
+{
+  using Bounds = RadiusDerivativeBounds;
+  /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
+  /// square of it, far below rounding.
+  static constexpr double TrackingTolerance = 1e-7;
+};
+
+template <>
+struct SurfaceKind<ParametricShape>
+{
+  using Bounds = PointDerivativeBounds;
+  /// The point itself is then exact to some 1e-9 mm.
+  static constexpr double TrackingTolerance = 1e-10;
+};
+
+template <typename Surface>
+using SampleOf = typename Surface::SecondOrderSample;
+} // namespace palpate
