@@ -40,26 +40,38 @@ Vector3 Turned(const Vector3& from, const Vector3& to, double angle) noexcept
   return (std::cos(angle) * from + std::sin(angle) * side).normalized();
 }
 
-HarmonicSurface::Place PlaceOf(const ClosestPoint& point) noexcept
+template <typename Surface>
+typename Surface::Place PlaceOf(const typename Surface::ClosestPoint& point) noexcept
 {
   return {point.Direction, point.PointWorld, point.Normal};
 }
+
+// The distance of a tool that is known to be outside.
+template <typename Surface>
+double DistanceFromOutside(const typename Surface::ClosestPoint& point) noexcept
+{
+  return Surface::MayCrossItself ? std::abs(point.SignedDistance) : point.SignedDistance;
+}
 } // namespace
 
-HarmonicNearestTracker::HarmonicNearestTracker(std::shared_ptr<const HarmonicSurface> surface,
-                                               double toolRadius, const SurfaceFriction& friction)
-    : Surface(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
-      TouchingGap(
-          std::max(RelativeGap * this->Surface->SmallestRadius(), 2.0 * this->Surface->Rounding())),
-      Stride(RelativeStride * this->Surface->SmallestRadius())
+template <typename Surface>
+HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<const Surface> surface,
+                                                            double toolRadius,
+                                                            const SurfaceFriction& friction)
+    : Touched(std::move(surface)), ToolRadius(toolRadius + this->Touched->Margin()),
+      Friction(friction), TouchingGap(std::max(RelativeGap * this->Touched->SmallestRadius(),
+                                               2.0 * this->Touched->Rounding())),
+      Stride(RelativeStride * this->Touched->SmallestRadius())
 {
-  if (HarmonicWedge::IsNeeded(*this->Surface, toolRadius))
+  if (this->Touched->CrossesItself() ||
+      HarmonicWedgeOf<Surface>::IsNeeded(*this->Touched, toolRadius))
   {
-    this->Wedge = std::make_unique<HarmonicWedge>(this->Surface, toolRadius);
+    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
   }
 }
 
-const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
+template <typename Surface>
+const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) noexcept
 {
   if (!pose.IsUsable())
   {
@@ -80,20 +92,24 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
-int HarmonicNearestTracker::EvaluationsOfNextSearch() const noexcept
+template <typename Surface>
+int HarmonicNearestTrackerOf<Surface>::EvaluationsOfNextSearch() const noexcept
 {
   return std::clamp(this->EvaluationsLeft, FewEvaluations, EvaluationsOfSearch);
 }
 
-ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::NearestTo(const Vector3& probe) noexcept
 {
-  ClosestPoint nearest = this->Surface->Search().Nearest(probe, this->EvaluationsOfNextSearch());
+  ClosestPoint nearest = this->Touched->Search().Nearest(probe, this->EvaluationsOfNextSearch());
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
 
 // Follows the probe's path from its last place. Work beyond a tick's limits is left to the next.
-void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
 {
   if (this->Known == State::Nothing)
   {
@@ -106,6 +122,10 @@ void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
     {
       return;
     }
+    if (Surface::MayCrossItself && this->Wedge)
+    {
+      return; // the wedge follows alone
+    }
     this->Slide(probe);
     if (this->Known == State::Touching)
     {
@@ -116,7 +136,8 @@ void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
 
 // From sphere to sphere along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996).
 // Returns false on contact.
-bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
 {
   for (int step = 0; step < MostFreeSteps; ++step)
   {
@@ -134,30 +155,33 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
     const double length = path.norm();
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
   }
-  this->Touch(this->NearestTo(this->ProbeWorld));
+  this->Touch(this->Touched->SeenFromOutside(this->NearestTo(this->ProbeWorld)));
   return false;
 }
 
 // Computes the free sphere around a place of the probe. Far away the sphere around the surface
 // suffices.
-void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe) noexcept
 {
-  const double largest = this->Surface->LargestRadius();
-  const double centerDistance = (probe - this->Surface->Model().CenterWorld()).norm();
+  const double largest = this->Touched->LargestRadius();
+  const double centerDistance = (probe - this->Touched->Model().CenterWorld()).norm();
   this->ClearCenterWorld = probe;
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
     const ClosestPoint closest =
-        this->Surface->Search().Clearance(probe, this->ToolRadius, this->EvaluationsOfNextSearch());
+        this->Touched->Search().Clearance(probe, this->ToolRadius, this->EvaluationsOfNextSearch());
     this->EvaluationsLeft -= closest.Evaluations;
-    this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
+    this->ClearRadius =
+        DistanceFromOutside<Surface>(closest) - closest.DistanceError - this->ToolRadius;
   }
 }
 
-void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Settle(const Vector3& probe) noexcept
 {
-  const ClosestPoint nearest = this->NearestTo(probe);
+  const ClosestPoint nearest = this->Touched->SeenFrom(probe, this->NearestTo(probe));
   this->ProbeWorld = probe;
   if (nearest.SignedDistance < this->ToolRadius)
   {
@@ -169,26 +193,30 @@ void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
   }
 }
 
-void HarmonicNearestTracker::Touch(const ClosestPoint& nearest) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Touching;
   this->Closest = nearest;
-  this->Held = PlaceOf(nearest);
+  this->Held = PlaceOf<Surface>(nearest);
   if (this->Wedge)
   {
     this->Wedge->Begin(nearest);
   }
 }
 
-void HarmonicNearestTracker::LetGo(const ClosestPoint& nearest) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::LetGo(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Free;
   this->ClearCenterWorld = this->ProbeWorld;
-  this->ClearRadius = nearest.SignedDistance - nearest.DistanceError - this->ToolRadius;
+  this->ClearRadius =
+      DistanceFromOutside<Surface>(nearest) - nearest.DistanceError - this->ToolRadius;
 }
 
 // Along the path in short steps, until contact ends or the end is reached.
-void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
 {
   const Vector3 start = this->ProbeWorld;
   const Vector3 path = probe - start;
@@ -205,32 +233,63 @@ void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
 }
 
 // One short step in contact; returns false if contact ends.
-bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motion) noexcept
 {
   this->ProbeWorld = probe;
   const ClosestPoint next = this->Continued(probe);
   if (next.SignedDistance >= this->ToolRadius)
   {
-    this->LetGo(next);
+    this->Leave(probe, next);
     return false;
   }
-  const double largestTurn = LargestTurn(motion / this->Surface->SmallestRadius());
+  const double largestTurn = LargestTurn(motion / this->Touched->SmallestRadius());
   const Vector3& last = this->Closest.Direction;
   const bool isNear = (next.Direction - last).squaredNorm() <= largestTurn * largestTurn;
-  this->Closest =
-      isNear ? next : this->Surface->PointAt(Turned(last, next.Direction, largestTurn), probe);
+  this->Closest = isNear ? next
+                         : this->Touched->PointAt(Turned(last, next.Direction, largestTurn), probe,
+                                                  this->Closest);
   this->Drag(probe);
   return true;
 }
 
+// At a parametric surface the way from the new proxy to the probe has to be free; else it is
+// followed through free spheres, starting a little above the surface.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
+                                              const ClosestPoint& next) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr double Almost = 1.0 - 1e-6;
+    const ClosestPoint nearest = this->NearestTo(probe);
+    if (std::abs(nearest.SignedDistance) < Almost * next.SignedDistance)
+    {
+      this->Known = State::Free;
+      this->ProbeWorld =
+          next.PointWorld + (this->ToolRadius + 4.0 * this->TouchingGap) * next.Normal;
+      this->ClearCenterWorld = this->ProbeWorld;
+      this->ClearRadius = 0.0;
+      return;
+    }
+    this->LetGo(nearest);
+  }
+  else
+  {
+    this->LetGo(next);
+  }
+}
+
 // The continued minimum; or another one, if contact with it has ended but not with the whole
 // surface, or if it has become a saddle or a maximum that descent would never leave.
-ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::Continued(const Vector3& probe) noexcept
 {
-  ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
+  ClosestPoint next = this->Touched->Search().Track(probe, this->Closest);
   const bool isStationary =
       next.State == ClosestPoint::Outcome::Stationary && !next.Expansion.IsConvex();
-  if (next.SignedDistance < this->ToolRadius && !isStationary)
+  if ((Surface::MayCrossItself || next.SignedDistance < this->ToolRadius) && !isStationary)
   {
     return next;
   }
@@ -238,31 +297,33 @@ ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
   // At the centre of a sphere all directions are equal: then it is kept.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
-  return isStationary && !isNearer ? next : nearest;
+  return isStationary && !isNearer ? next : this->Touched->SeenLike(next, nearest);
 }
 
-FrictionCone::Pull
-HarmonicNearestTracker::PullOf(const Vector3& probe,
-                               const HarmonicSurface::Place& place) const noexcept
+template <typename Surface>
+FrictionCone::Pull HarmonicNearestTrackerOf<Surface>::PullOf(const Vector3& probe,
+                                                             const Place& place) const noexcept
 {
   return {probe - (place.PointWorld + this->ToolRadius * place.Normal), place.Normal};
 }
 
 // Applies friction to the held place.
-void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Drag(const Vector3& probe) noexcept
 {
   if (this->Friction.IsFrictionless())
   {
-    this->Held = PlaceOf(this->Closest);
+    this->Held = PlaceOf<Surface>(this->Closest);
   }
   else if (!this->Friction.Sticks(this->PullOf(probe, this->Held)))
   {
-    this->Held = this->Slip(probe, PlaceOf(this->Closest));
+    this->Held = this->Slip(probe, PlaceOf<Surface>(this->Closest));
   }
 }
 
 // Once per tick: it takes short steps itself.
-void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
   const Vector3& normal = this->Wedge->Normal();
@@ -274,7 +335,8 @@ void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
 }
 
 // A sphere that no wall holds is free, and moves from its place to the probe.
-void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcept
 {
   this->Known = State::Free;
   this->ProbeWorld = this->Wedge->CenterWorld();
@@ -285,8 +347,9 @@ void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
 
 // Between the held place and the end of the path, the place where the tool sticks again: a root by
 // the Illinois form of the false position.
-HarmonicSurface::Place
-HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place& end) const noexcept
+template <typename Surface>
+typename Surface::Place HarmonicNearestTrackerOf<Surface>::Slip(const Vector3& probe,
+                                                                const Place& end) const noexcept
 {
   constexpr int MostSteps = 12;
   constexpr double Enough = 1e-6; // relative to the pull
@@ -295,13 +358,13 @@ HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place&
   double excessBefore = this->Friction.Excess(this->PullOf(probe, this->Held));
   double excessAfter = this->Friction.Excess(this->PullOf(probe, end));
   int lastSide = 0;
-  HarmonicSurface::Place place = end;
+  Place place = end;
   for (int step = 0; step < MostSteps && excessBefore > 0.0 && excessAfter < 0.0; ++step)
   {
     const double part =
         (before * excessAfter - after * excessBefore) / (excessAfter - excessBefore);
     const Vector3 between = (1.0 - part) * this->Held.Direction + part * end.Direction;
-    place = this->Surface->PlaceAt(between.normalized());
+    place = this->Touched->PlaceAt(between.normalized(), this->Held.Normal);
     const FrictionCone::Pull pull = this->PullOf(probe, place);
     const double excess = this->Friction.Excess(pull);
     if (std::abs(excess) <= Enough * pull.Along)
@@ -320,7 +383,8 @@ HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place&
   return place;
 }
 
-void HarmonicNearestTracker::Report(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Report(const Vector3& probe) noexcept
 {
   this->Felt.IsValid = true;
   this->Felt.IsTouching = this->Known == State::Touching;
@@ -333,6 +397,27 @@ void HarmonicNearestTracker::Report(const Vector3& probe) noexcept
         this->Wedge ? this->Wedge->CenterWorld()
                     : Vector3(this->Held.PointWorld + this->ToolRadius * this->Held.Normal);
     this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
+    this->WithoutMargin(probe);
   }
 }
+
+// The proxy of the tool itself; without contact while only the margin is touched.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    if (this->Touched->Margin() > 0.0)
+    {
+      this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
+      const Vector3 push = this->Felt.ProxyWorld - probe;
+      this->Felt.IsTouching = push.dot(this->Felt.NormalWorld) > 0.0;
+      this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
+      this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
+    }
+  }
+}
+
+template class HarmonicNearestTrackerOf<HarmonicSurface>;
+template class HarmonicNearestTrackerOf<ParametricTouchSurface>;
 } // namespace palpate

@@ -15,10 +15,12 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 // Local bounds on f and on the surface at a sample.
+template <typename Surface>
 struct LocalBounds
 {
   double First;      // |x'|, mm/rad
   double Second;     // |x''|, mm/rad^2
+  double Product;    // 3 |x'.x''|, mm^2/rad^3
   double Third;      // |x'''| everywhere, mm/rad^3
   double Distance;   // |x - q|, mm
   double Gradient;   // of f, mm^2/rad
@@ -30,14 +32,20 @@ struct LocalBounds
   {
     const double second = this->Second + angle * this->Third;
     const double first = this->First + angle * second;
-    return 3.0 * first * second + (this->Distance + angle * first) * this->Third;
+    double product = 3.0 * first * second;
+    if constexpr (std::is_same_v<Surface, ParametricShape>)
+    {
+      const double change = second * second + first * this->Third;
+      product = std::min(product, this->Product + 3.0 * angle * change);
+    }
+    return product + (this->Distance + angle * first) * this->Third;
   }
   // f is above its quadratic expansion minus angle^3 / 6 times this. With e the quadratic expansion
   // of x - q, f = |e|^2 / 2 + e.r + |r|^2 / 2 with |r| <= angle^3 |x'''| / 6, and the first term
   // has only x'.x'' at third order and a square at fourth.
   double Fall(double angle) const noexcept
   {
-    return 3.0 * this->First * this->Second +
+    return this->Product +
            (this->Distance + angle * (this->First + 0.5 * angle * this->Second)) * this->Third;
   }
 };
@@ -48,13 +56,18 @@ struct Remainder
   double Drop;  // |x - q|^2 is at most this much above its minimum there, mm^2
 };
 
-template <typename Sample>
-LocalBounds BoundsAt(const Sample& sample, const SquaredDistance& distance, double third,
-                     double rounding) noexcept
+template <typename Surface>
+LocalBounds<Surface> BoundsAt(const SampleOf<Surface>& sample, const SquaredDistance& distance,
+                              double third, double rounding) noexcept
 {
   const SampleSizes sizes = SizesOf(sample, distance);
-  return {sizes.First,           sizes.Second,   third,
-          sizes.Distance,        sizes.Gradient, distance.SmallestEigenvalue(sizes.Spread),
+  return {sizes.First,
+          sizes.Second,
+          sizes.Product,
+          third,
+          sizes.Distance,
+          sizes.Gradient,
+          distance.SmallestEigenvalue(sizes.Spread),
           sizes.First * rounding};
 }
 
@@ -73,7 +86,8 @@ void KeepSide(const ClosestPointOf<Surface>& previous, ClosestPointOf<Surface>& 
 }
 
 // Bounds after a last Newton step over the angle `step`.
-Remainder After(double step, const LocalBounds& bounds) noexcept
+template <typename Surface>
+Remainder After(double step, const LocalBounds<Surface>& bounds) noexcept
 {
   // The third covariant derivative is symmetric up to the curvature of the sphere times the
   // gradient; a symmetric form is largest with three equal arguments.
@@ -91,7 +105,7 @@ Remainder After(double step, const LocalBounds& bounds) noexcept
 // Computes the point at the end of a last, short step.
 template <typename Surface>
 void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& step, double rounding,
-            const LocalBounds& bounds, const Remainder& remainder,
+            const LocalBounds<Surface>& bounds, const Remainder& remainder,
             ClosestPointOf<Surface>& point) noexcept
 {
   const auto [direction, surface, normal] = Expanded(point.SampleDirection, point.Sample, step);
@@ -193,7 +207,8 @@ template <typename Surface>
 bool EndWithin(double angle, const Vector3& query, const Vector3& centerWorld, const Vector3& step,
                double third, double rounding, ClosestPointOf<Surface>& point) noexcept
 {
-  const LocalBounds bounds = BoundsAt(point.Sample, point.Expansion, third, rounding);
+  const LocalBounds<Surface> bounds =
+      BoundsAt<Surface>(point.Sample, point.Expansion, third, rounding);
   const Remainder remainder = After(step.norm(), bounds);
   if (!(remainder.Angle <= angle))
   {
@@ -209,7 +224,8 @@ template <typename Surface>
 void Stop(const Vector3& query, const Vector3& centerWorld, double third, double rounding,
           bool isStationary, ClosestPointOf<Surface>& point) noexcept
 {
-  const LocalBounds bounds = BoundsAt(point.Sample, point.Expansion, third, rounding);
+  const LocalBounds<Surface> bounds =
+      BoundsAt<Surface>(point.Sample, point.Expansion, third, rounding);
   const Remainder remainder = After(0.0, bounds);
   Finish(query, centerWorld, Vector3::Zero(), rounding, bounds, remainder, point);
   using Outcome = typename ClosestPointOf<Surface>::Outcome;
@@ -366,8 +382,8 @@ ClosestPointDescentOf<Surface>::BasinAround(const Vector3& query,
   {
     return {};
   }
-  const LocalBounds bounds =
-      BoundsAt(point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+  const LocalBounds<Surface> bounds = BoundsAt<Surface>(
+      point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double smallest = bounds.Eigenvalue;
   const Vector3 step = distance.NewtonStep();
   const double away = step.norm();
@@ -402,8 +418,8 @@ double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const
                                                      double reach) const noexcept
 {
   const SquaredDistance distance(direction, sample, query);
-  const LocalBounds bounds =
-      BoundsAt(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+  const LocalBounds<Surface> bounds =
+      BoundsAt<Surface>(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double change = distance.LeastChange(reach, bounds.Eigenvalue, bounds.Gradient);
   const double least = 0.5 * distance.Offset.squaredNorm() + change -
                        reach * reach * reach * bounds.Fall(reach) / 6.0;

@@ -40,4 +40,19 @@ inline double LargestSecond(const ParametricShape::SecondOrderSample& sample) no
   const Vector3& q = sample.Second[1];
   return mean.norm() + LargestRoot(p.squaredNorm(), p.dot(q), q.squaredNorm());
 }
+
+/// At least the largest 3 |x'.x''| (mm^2/rad^3). With t as above, x'.x'' is a cubic form of cos t
+/// and sin t, the sum of a term in t and one in 3t.
+inline double LargestProduct(const ParametricShape::SecondOrderSample& sample) noexcept
+{
+  const auto& [a, b] = sample.First;
+  const auto& [aa, ab, bb] = sample.Second;
+  const double aaa = a.dot(aa);
+  const double aab = b.dot(aa) + 2.0 * a.dot(ab);
+  const double abb = a.dot(bb) + 2.0 * b.dot(ab);
+  const double bbb = b.dot(bb);
+  const Eigen::Array2d once(3.0 * aaa + abb, aab + 3.0 * bbb);
+  const Eigen::Array2d thrice(aaa - abb, aab - bbb);
+  return 0.75 * (once.matrix().norm() + thrice.matrix().norm());
+}
 } // namespace palpate

@@ -51,6 +51,7 @@ struct SampleSizes
 {
   double First;    ///< at least |x'| in every direction, mm/rad
   double Second;   ///< at least |x''| in every direction, mm/rad^2
+  double Product;  ///< at least 3 |x'.x''| in every direction, mm^2/rad^3
   double Spread;   ///< root of SquaredSpread
   double Distance; ///< |x - q|, mm
   double Gradient; ///< of the squared distance's half, mm^2/rad
@@ -66,15 +67,19 @@ inline SampleSizes SizesOf(const SphericalHarmonicModel::SecondOrderSample& samp
   const double bend = sizes[0] + std::abs(sample.Radius);
   const Pair roots = Pair(bend * bend + 4.0 * slope, distance.SquaredSpread()).sqrt();
   const Pair lengths = Pair(distance.Offset.squaredNorm(), distance.Gradient.squaredNorm()).sqrt();
-  return {sizes[1], roots[0], roots[1], lengths[0], lengths[1]};
+  return {sizes[1], roots[0], 3.0 * sizes[1] * roots[0], roots[1], lengths[0], lengths[1]};
 }
 inline SampleSizes SizesOf(const ParametricShape::SecondOrderSample& sample,
                            const SquaredDistance& distance) noexcept
 {
   using Pair = Eigen::Array2d;
   const Pair lengths = Pair(distance.Offset.squaredNorm(), distance.Gradient.squaredNorm()).sqrt();
-  return {LargestFirst(sample), LargestSecond(sample), std::sqrt(distance.SquaredSpread()),
-          lengths[0], lengths[1]};
+  return {LargestFirst(sample),
+          LargestSecond(sample),
+          LargestProduct(sample),
+          std::sqrt(distance.SquaredSpread()),
+          lengths[0],
+          lengths[1]};
 }
 
 /// A direction, the point there relative to the centre (mm), and a normal of any length.
