@@ -46,12 +46,6 @@ typename Surface::Place PlaceOf(const typename Surface::ClosestPoint& point) noe
   return {point.Direction, point.PointWorld, point.Normal};
 }
 
-// The distance of a tool that is known to be outside.
-template <typename Surface>
-double DistanceFromOutside(const typename Surface::ClosestPoint& point) noexcept
-{
-  return Surface::MayCrossItself ? std::abs(point.SignedDistance) : point.SignedDistance;
-}
 } // namespace
 
 template <typename Surface>
@@ -102,7 +96,10 @@ template <typename Surface>
 typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
 HarmonicNearestTrackerOf<Surface>::NearestTo(const Vector3& probe) noexcept
 {
-  ClosestPoint nearest = this->Touched->Search().Nearest(probe, this->EvaluationsOfNextSearch());
+  const auto& search = this->Touched->Search();
+  const int most = this->EvaluationsOfNextSearch();
+  ClosestPoint nearest = this->IsNearKnown() ? search.Nearest(probe, most, this->Closest)
+                                             : search.Nearest(probe, most);
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
@@ -134,6 +131,22 @@ void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
   }
 }
 
+// Of the free sphere around a tool that is known to be outside. At a parametric surface the tool
+// keeps off so far that the sign of its distance tells the side without doubt.
+template <typename Surface>
+double HarmonicNearestTrackerOf<Surface>::FreeRadius(const ClosestPoint& closest) const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    return std::abs(closest.SignedDistance) - closest.DistanceError - this->ToolRadius -
+           0.5 * this->TouchingGap;
+  }
+  else
+  {
+    return closest.SignedDistance - closest.DistanceError - this->ToolRadius;
+  }
+}
+
 // From sphere to sphere along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996).
 // Returns false on contact.
 template <typename Surface>
@@ -146,7 +159,7 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
       this->ProbeWorld = probe;
       return true;
     }
-    this->Measure(this->ProbeWorld);
+    this->Measure(this->ProbeWorld, step == 0);
     if (this->ClearRadius <= this->TouchingGap)
     {
       break;
@@ -155,14 +168,36 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
     const double length = path.norm();
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
   }
-  this->Touch(this->Touched->SeenFromOutside(this->NearestTo(this->ProbeWorld)));
+  return this->MeetSurface();
+}
+
+// Begins contact where the path cannot be followed any more. At a parametric surface the last
+// measure found the nearest point; where a tick's limits ended the path, the next tick continues
+// it.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::MeetSurface() noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    const double distance = std::abs(this->Closest.SignedDistance);
+    if (distance > this->ToolRadius + 2.0 * this->TouchingGap &&
+        (this->ClearRadius > this->TouchingGap || this->EvaluationsLeft <= 0))
+    {
+      return true;
+    }
+    this->Touch(this->Touched->SeenFromOutside(this->Closest));
+  }
+  else
+  {
+    this->Touch(this->NearestTo(this->ProbeWorld));
+  }
   return false;
 }
 
 // Computes the free sphere around a place of the probe. Far away the sphere around the surface
 // suffices.
 template <typename Surface>
-void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe) noexcept
+void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe, bool isFirst) noexcept
 {
   const double largest = this->Touched->LargestRadius();
   const double centerDistance = (probe - this->Touched->Model().CenterWorld()).norm();
@@ -170,11 +205,36 @@ void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe) noexcept
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest =
-        this->Touched->Search().Clearance(probe, this->ToolRadius, this->EvaluationsOfNextSearch());
+    const ClosestPoint closest = this->ClearanceAt(probe, isFirst);
     this->EvaluationsLeft -= closest.Evaluations;
-    this->ClearRadius =
-        DistanceFromOutside<Surface>(closest) - closest.DistanceError - this->ToolRadius;
+    this->ClearRadius = this->FreeRadius(closest);
+  }
+}
+
+// At a parametric surface a search begins from the last one; a path that is not at its end after a
+// first sphere probably ends at the surface, and the whole distance is proven.
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirst) noexcept
+{
+  const auto& search = this->Touched->Search();
+  const int most = this->EvaluationsOfNextSearch();
+  if constexpr (Surface::MayCrossItself)
+  {
+    if (this->IsNearKnown())
+    {
+      this->Closest = isFirst ? search.Clearance(probe, this->ToolRadius, most, this->Closest)
+                              : search.Nearest(probe, most, this->Closest);
+    }
+    else
+    {
+      this->Closest = search.Clearance(probe, this->ToolRadius, most);
+    }
+    return this->Closest;
+  }
+  else
+  {
+    return search.Clearance(probe, this->ToolRadius, most);
   }
 }
 
@@ -183,7 +243,7 @@ void HarmonicNearestTrackerOf<Surface>::Settle(const Vector3& probe) noexcept
 {
   const ClosestPoint nearest = this->Touched->SeenFrom(probe, this->NearestTo(probe));
   this->ProbeWorld = probe;
-  if (nearest.SignedDistance < this->ToolRadius)
+  if (nearest.SignedDistance < this->EndOfContact())
   {
     this->Touch(nearest);
   }
@@ -210,8 +270,11 @@ void HarmonicNearestTrackerOf<Surface>::LetGo(const ClosestPoint& nearest) noexc
 {
   this->Known = State::Free;
   this->ClearCenterWorld = this->ProbeWorld;
-  this->ClearRadius =
-      DistanceFromOutside<Surface>(nearest) - nearest.DistanceError - this->ToolRadius;
+  this->ClearRadius = this->FreeRadius(nearest);
+  if constexpr (Surface::MayCrossItself)
+  {
+    this->Closest = nearest;
+  }
 }
 
 // Along the path in short steps, until contact ends or the end is reached.
@@ -238,7 +301,7 @@ bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motio
 {
   this->ProbeWorld = probe;
   const ClosestPoint next = this->Continued(probe);
-  if (next.SignedDistance >= this->ToolRadius)
+  if (next.SignedDistance >= this->EndOfContact())
   {
     this->Leave(probe, next);
     return false;
@@ -401,20 +464,18 @@ void HarmonicNearestTrackerOf<Surface>::Report(const Vector3& probe) noexcept
   }
 }
 
-// The proxy of the tool itself; without contact while only the margin is touched.
+// The proxy of the tool itself; without contact while only the margin or the gap is touched.
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
-    if (this->Touched->Margin() > 0.0)
-    {
-      this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
-      const Vector3 push = this->Felt.ProxyWorld - probe;
-      this->Felt.IsTouching = push.dot(this->Felt.NormalWorld) > 0.0;
-      this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
-      this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
-    }
+    this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
+    const Vector3 push = this->Felt.ProxyWorld - probe;
+    this->Felt.IsTouching = this->Wedge ? push.dot(this->Felt.NormalWorld) > 0.0
+                                        : this->Closest.SignedDistance < this->ToolRadius;
+    this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
+    this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
   }
 }
 

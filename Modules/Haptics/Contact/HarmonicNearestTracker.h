@@ -57,16 +57,28 @@ private:
 
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
+  bool MeetSurface() noexcept;
   void Slide(const Vector3& probe) noexcept;
   bool Press(const Vector3& probe, double motion) noexcept;
   void Settle(const Vector3& probe) noexcept;
   void Touch(const ClosestPoint& nearest) noexcept;
   void LetGo(const ClosestPoint& nearest) noexcept;
+  double FreeRadius(const ClosestPoint& closest) const noexcept;
+  // Whether Closest is a place from which a search may begin.
+  bool IsNearKnown() const noexcept
+  {
+    return Surface::MayCrossItself && this->Closest.State != ClosestPoint::Outcome::BadInput;
+  }
+  double EndOfContact() const noexcept
+  {
+    return Surface::MayCrossItself ? this->ToolRadius + this->TouchingGap : this->ToolRadius;
+  }
   void Leave(const Vector3& probe, const ClosestPoint& next) noexcept;
   ClosestPoint Continued(const Vector3& probe) noexcept;
   int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;
-  void Measure(const Vector3& probe) noexcept;
+  void Measure(const Vector3& probe, bool isFirst) noexcept;
+  ClosestPoint ClearanceAt(const Vector3& probe, bool isFirst) noexcept;
   void Drag(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;

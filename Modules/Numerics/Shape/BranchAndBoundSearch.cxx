@@ -27,25 +27,25 @@ Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<SphericalHarmoni
   return distance > 0.0 ? Vector3(query / distance) : Vector3(Vector3::UnitZ());
 }
 
-// Down the tree, by the lowest bounds.
+// Down the tree, to the nearest centres.
 Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<ParametricShape>& tree)
 {
-  const auto lowestOf = [&](int first, int count)
+  const auto nearestOf = [&](int first, int count)
   {
-    int lowest = first;
-    double least = tree.LowerDistance(first, query);
+    int nearest = first;
+    double least = tree.SquaredCenterDistance(first, query);
     for (int node = first + 1; node < first + count; ++node)
     {
-      const double bound = tree.LowerDistance(node, query);
-      lowest = bound < least ? node : lowest;
-      least = std::min(bound, least);
+      const double square = tree.SquaredCenterDistance(node, query);
+      nearest = square < least ? node : nearest;
+      least = std::min(square, least);
     }
-    return lowest;
+    return nearest;
   };
-  int node = lowestOf(0, tree.RootCount);
+  int node = nearestOf(0, tree.RootCount);
   while (tree.IsInner(node))
   {
-    node = lowestOf(tree.FirstPart(node), 4);
+    node = nearestOf(tree.FirstPart(node), 4);
   }
   return tree.CapOf(node).Center;
 }
@@ -244,9 +244,16 @@ void BranchAndBoundSearch<Surface>::Visit(const Part& part) noexcept
 }
 
 template <typename Surface>
-ClosestPointOf<Surface> BranchAndBoundSearch<Surface>::Run() noexcept
+ClosestPointOf<Surface> BranchAndBoundSearch<Surface>::Run(const ClosestPoint* near) noexcept
 {
-  this->DescendFromQuery();
+  if (near != nullptr)
+  {
+    this->Descend(near->SampleDirection, near->Sample);
+  }
+  else
+  {
+    this->DescendFromQuery();
+  }
   for (int root = 0; root < SurfacePatchTreeOf<Surface>::RootCount; ++root)
   {
     this->Push(this->Tree.LowerDistance(root, this->Query), root);

@@ -25,7 +25,8 @@ public:
                        const SurfacePatchTreeOf<Surface>& tree, const Vector3& query,
                        int evaluationLimit, double toolRadius = 0.0, double part = 0.0) noexcept;
 
-  ClosestPoint Run() noexcept;
+  /// Descends first from the sample of `near`, if that is given.
+  ClosestPoint Run(const ClosestPoint* near = nullptr) noexcept;
 
 private:
   // A part of the surface with the lower bound of its distance: a node of the tree or, with indices

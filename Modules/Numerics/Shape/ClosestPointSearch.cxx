@@ -76,6 +76,14 @@ ClosestPointOf<Surface> ClosestPointSearchOf<Surface>::Nearest(const Vector3& qu
 }
 
 template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointSearchOf<Surface>::Nearest(const Vector3& queryWorld, int evaluationLimit,
+                                       const ClosestPoint& near) const noexcept
+{
+  return this->Search(queryWorld, evaluationLimit, 0.0, 0.0, &near);
+}
+
+template <typename Surface>
 ClosestPointOf<Surface> ClosestPointSearchOf<Surface>::Clearance(const Vector3& queryWorld,
                                                                  double toolRadius,
                                                                  int evaluationLimit) const noexcept
@@ -85,8 +93,18 @@ ClosestPointOf<Surface> ClosestPointSearchOf<Surface>::Clearance(const Vector3& 
 
 template <typename Surface>
 ClosestPointOf<Surface>
+ClosestPointSearchOf<Surface>::Clearance(const Vector3& queryWorld, double toolRadius,
+                                         int evaluationLimit,
+                                         const ClosestPoint& near) const noexcept
+{
+  return this->Search(queryWorld, evaluationLimit, toolRadius, ClearanceLeftOpen, &near);
+}
+
+template <typename Surface>
+ClosestPointOf<Surface>
 ClosestPointSearchOf<Surface>::Search(const Vector3& queryWorld, int evaluationLimit,
-                                      double toolRadius, double part) const noexcept
+                                      double toolRadius, double part,
+                                      const ClosestPoint* near) const noexcept
 {
   const Vector3 query = queryWorld - this->Shape->CenterWorld();
   if (!IsUsable(query))
@@ -95,7 +113,7 @@ ClosestPointSearchOf<Surface>::Search(const Vector3& queryWorld, int evaluationL
   }
   BranchAndBoundSearch<Surface> search(*this->Shape, this->LocalSearch, this->Parts, query,
                                        evaluationLimit, toolRadius, part);
-  const ClosestPoint closest = search.Run();
+  const ClosestPoint closest = search.Run(near);
   return closest.State == ClosestPoint::Outcome::BadInput ? Unusable(*this->Shape) : closest;
 }
 

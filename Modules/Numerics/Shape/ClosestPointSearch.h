@@ -54,11 +54,16 @@ public:
   /// bound that the search reached. Queries up to 1e100 mm; 0.2 MB of stack.
   ClosestPoint Nearest(const Vector3& queryWorld,
                        int evaluationLimit = DefaultEvaluationLimit) const noexcept;
+  /// The same with a result for a query nearby, from which the search is shorter.
+  ClosestPoint Nearest(const Vector3& queryWorld, int evaluationLimit,
+                       const ClosestPoint& near) const noexcept;
 
   /// The same for the clearance of a tool of this radius (mm): a third of its distance from the
   /// closest point may stay unproven, which saves most of the proof far from the surface.
   ClosestPoint Clearance(const Vector3& queryWorld, double toolRadius,
                          int evaluationLimit = DefaultEvaluationLimit) const noexcept;
+  ClosestPoint Clearance(const Vector3& queryWorld, double toolRadius, int evaluationLimit,
+                         const ClosestPoint& near) const noexcept;
   static constexpr double ClearanceLeftOpen = 1.0 / 3.0;
 
   /// The minimum of the distance that continues `previous`, the result of the last tick. One
@@ -74,7 +79,7 @@ public:
 
 private:
   ClosestPoint Search(const Vector3& queryWorld, int evaluationLimit, double toolRadius,
-                      double part) const noexcept;
+                      double part, const ClosestPoint* near = nullptr) const noexcept;
 
   std::shared_ptr<const Surface> Shape;
   ClosestPointDescentOf<Surface> LocalSearch;

@@ -42,6 +42,14 @@ public:
     const Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
   }
+  /// Square of the distance (mm^2) from the query to the middle of the node.
+  double SquaredCenterDistance(int node, const Vector3& query) const noexcept
+  {
+    const auto index = static_cast<std::size_t>(node);
+    const Vector3& center = this->IsInner(node) ? this->Spheres[index].Center
+                                                : this->Patches[index - this->Spheres.size()].Point;
+    return (query - center).squaredNorm();
+  }
   SphericalTriangle Triangle(int node) const noexcept;
   const SphericalCap& CapOf(int node) const noexcept
   {
