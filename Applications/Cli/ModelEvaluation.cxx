@@ -50,17 +50,7 @@ void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vecto
   result.InsideOut = volume < 0.0;
   result.Volume = std::abs(volume);
   result.Area = surface.Area();
-  result.Power.assign(static_cast<std::size_t>(surface.Degree()) + 1, 0.0);
-  for (int k = 0; k < 3; ++k)
-  {
-    const SphericalHarmonicModel coordinate(surface.Degree(), surface.Coefficients(k),
-                                            Vector3::Zero());
-    const std::vector<double> power = coordinate.PowerSpectrum();
-    for (std::size_t l = 0; l < power.size(); ++l)
-    {
-      result.Power[l] += power[l];
-    }
-  }
+  result.Power = surface.PowerSpectrum();
   const double side = result.InsideOut ? -1.0 : 1.0;
   for (const Vector3& u : directions)
   {

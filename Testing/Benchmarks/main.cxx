@@ -16,6 +16,7 @@
 #include "PipelineBenchmarks.h"
 #include "PublishedRates.h"
 #include "RenderBenchmarks.h"
+#include "SurfaceBenchmarks.h"
 #include "TouchBenchmarks.h"
 #include "TouchQuality.h"
 #include "TradeOff.h"
@@ -53,12 +54,12 @@ std::vector<PairedBenchmark> DrawingBenchmarks()
 std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
-  for (auto& group :
-       {palpate::bench::EvaluationBenchmarks(), palpate::bench::FitBenchmarks(),
-        palpate::bench::BoundsBenchmarks(), palpate::bench::NearestBenchmarks(),
-        palpate::bench::FieldBenchmarks(), DrawingBenchmarks(), palpate::bench::TouchBenchmarks(),
-        palpate::bench::BumpyTouchBenchmarks(), palpate::bench::DrillBenchmarks(),
-        palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
+                      palpate::bench::FitBenchmarks(), palpate::bench::BoundsBenchmarks(),
+                      palpate::bench::NearestBenchmarks(), palpate::bench::FieldBenchmarks(),
+                      DrawingBenchmarks(), palpate::bench::TouchBenchmarks(),
+                      palpate::bench::BumpyTouchBenchmarks(), palpate::bench::DrillBenchmarks(),
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -3,7 +3,6 @@
 #include "ModelFile.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicModel.h"
 #include "TestData.h"
 
 #include <cmath>
@@ -45,25 +44,13 @@ ParametricSphericalSurface Rescaled(const ParametricSphericalSurface& surface, d
 // mean.
 double AreaDistortion(const ParametricSphericalSurface& surface)
 {
-  std::array<SphericalHarmonicModel, 3> coordinates;
-  for (int k = 0; k < 3; ++k)
-  {
-    coordinates[static_cast<std::size_t>(k)] =
-        SphericalHarmonicModel(surface.Degree(), surface.Coefficients(k), Vector3::Zero());
-  }
   const SphereQuadrature sphere(60);
   double sum = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
   {
-    const Vector3& u = sphere.Directions[i];
-    const Vector3 first = u.unitOrthogonal();
-    Eigen::Matrix3d gradients;
-    for (int k = 0; k < 3; ++k)
-    {
-      gradients.row(k) = coordinates[static_cast<std::size_t>(k)].Evaluate(u).SurfaceGradient;
-    }
-    const double area = (gradients * first).cross(gradients * u.cross(first)).norm();
+    const auto sample = surface.Evaluate(sphere.Directions[i]);
+    const double area = ParametricSphericalSurface::AreaVector(sample).norm();
     sum += sphere.Weights[i] * area / (4 * M_PI);
     squares += sphere.Weights[i] * area * area / (4 * M_PI);
   }

@@ -25,8 +25,27 @@ struct EvaluationKernel
   Batch Hessians;
 };
 
+/// The same for surfaces x(u), y(u), z(u), by the tables SurfacePolynomialTable and
+/// RecurrenceTable. Output, with orthonormal tangents a and b of the sphere at u, three numbers
+/// each:
+///   Point        X,
+///   FirstOrder   X, X_a, X_b, a, b,
+///   SecondOrder  X, X_a, X_b, X_aa, X_ab, X_bb, a, b.
+struct SurfaceKernel
+{
+  using Single = void (*)(const double* table, int degree, const double* direction,
+                          double* sample) noexcept;
+
+  Single Point;
+  Single FirstOrder;
+  Single SecondOrder;
+};
+
 /// Highest degree that may be evaluated by polynomials: at 17 their error reaches 1e-14.
 constexpr int HighestPolynomialDegree = 16;
+/// The same for surfaces, where the recurrence takes three times as long as the polynomials: an
+/// even degree at which the error is below 1e-12.
+constexpr int HighestSurfacePolynomialDegree = 24;
 
 /// Everything that one instruction set offers.
 struct EvaluationKernels
@@ -35,5 +54,9 @@ struct EvaluationKernels
   EvaluationKernel Polynomial[HighestPolynomialDegree / 2 + 1];
   /// For tables of any degree.
   EvaluationKernel Recurrence;
+  /// For tables of even degrees up to HighestSurfacePolynomialDegree.
+  SurfaceKernel SurfacePolynomial;
+  /// For tables of any degree.
+  SurfaceKernel SurfaceRecurrence;
 };
 } // namespace palpate

@@ -4,6 +4,8 @@
 #include "PolynomialBatch.h"
 #include "PolynomialPoint.h"
 #include "RecurrencePoint.h"
+#include "SurfacePolynomialPoint.h"
+#include "SurfaceRecurrencePoint.h"
 
 // The rule of Quartet.h applies here too.
 
@@ -31,6 +33,10 @@ constexpr EvaluationKernels KernelsOf()
            PolynomialKernel<Set, 6>(), PolynomialKernel<Set, 8>(), PolynomialKernel<Set, 10>(),
            PolynomialKernel<Set, 12>(), PolynomialKernel<Set, 14>(), PolynomialKernel<Set, 16>()},
           {Point::Value, Point::Gradient, Point::Hessian, Point::Values, Point::Gradients,
-           Point::Hessians}};
+           Point::Hessians},
+          {SurfacePolynomialPoint<Set, 0>::Evaluate, SurfacePolynomialPoint<Set, 1>::Evaluate,
+           SurfacePolynomialPoint<Set, 2>::Evaluate},
+          {SurfaceRecurrencePoint<Set, 0>::Evaluate, SurfaceRecurrencePoint<Set, 1>::Evaluate,
+           SurfaceRecurrencePoint<Set, 2>::Evaluate}};
 }
 } // namespace palpate::evaluation

@@ -1,36 +1,79 @@
 #pragma once
 
+#include "ParametricSurfaceEvaluator.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace palpate
 {
-/// A closed surface x(u), y(u), z(u) (mm) over the parameter sphere, each coordinate a sum of
+/// A closed surface X(u) = (x, y, z)(u) (mm) over the parameter sphere, each coordinate a sum of
 /// spherical harmonics: the surface of Brechbuhler, Gerig and Kubler (1995) that SPHARM-PDM
 /// writes. Unlike a SphericalHarmonicModel it needs no centre and need not be star-shaped.
+/// Immutable; every query is const, thread-safe and allocation-free unless stated otherwise. What a
+/// parameter must be and how exact the results are: see ParametricSurfaceEvaluator. Volume,
+/// centroid and moments are in ParametricSurfaceMeasures, curvature in SurfaceCurvature.
 class ParametricSphericalSurface
 {
 public:
+  /// mm, mm/rad.
+  using Sample = ParametricSurfaceEvaluator::Sample;
+  /// mm, mm/rad, mm/rad^2.
+  using SecondOrderSample = ParametricSurfaceEvaluator::SecondOrderSample;
+
   /// Coefficients of the three coordinates, (degree + 1)^2 each, in Palpate's convention (see
-  /// SphericalHarmonicBasis).
+  /// SphericalHarmonicBasis); missing ones count as 0.
   ParametricSphericalSurface(int degree, const std::array<std::vector<double>, 3>& coefficients);
 
   /// The star-shaped surface centre + R(u) u in parametric form: exact, since each coordinate of
   /// R(u) u is a sum of harmonics one degree higher.
   static ParametricSphericalSurface FromModel(const SphericalHarmonicModel& model);
 
-  int Degree() const noexcept { return this->Coordinates[0].Degree(); }
+  int Degree() const noexcept { return this->MaximumDegree; }
   /// Coefficients of coordinate 0, 1 or 2 (mm).
   const std::vector<double>& Coefficients(int coordinate) const noexcept
   {
-    return this->Coordinates[static_cast<std::size_t>(coordinate)].Coefficients();
+    return this->Values[static_cast<std::size_t>(coordinate)];
+  }
+  /// The tables that queries read.
+  std::size_t TableBytes() const noexcept { return this->Evaluator.TableBytes(); }
+
+  /// The surface point (mm) of a unit parameter vector; with first and second derivatives.
+  Vector3 Point(const Vector3& parameter) const noexcept
+  {
+    return this->Evaluator.Point(parameter);
+  }
+  Sample Evaluate(const Vector3& parameter) const noexcept
+  {
+    return this->Evaluator.Evaluate(parameter);
+  }
+  SecondOrderSample EvaluateSecondOrder(const Vector3& parameter) const noexcept
+  {
+    return this->Evaluator.EvaluateSecondOrder(parameter);
+  }
+  /// The same for `count` unit vectors, with the same bits.
+  void PointBatch(const Vector3* parameters, std::size_t count, Vector3* points) const noexcept
+  {
+    this->Evaluator.PointBatch(parameters, count, points);
+  }
+  void EvaluateBatch(const Vector3* parameters, std::size_t count, Sample* samples) const noexcept
+  {
+    this->Evaluator.EvaluateBatch(parameters, count, samples);
+  }
+  void EvaluateSecondOrderBatch(const Vector3* parameters, std::size_t count,
+                                SecondOrderSample* samples) const noexcept
+  {
+    this->Evaluator.EvaluateSecondOrderBatch(parameters, count, samples);
   }
 
-  /// The surface point (mm) of a unit parameter vector.
-  Vector3 Point(const Vector3& parameter) const noexcept;
+  /// X_a x X_b (mm^2 per sr), oriented like the parameter sphere.
+  static Vector3 AreaVector(const Sample& sample) noexcept
+  {
+    return sample.First[0].cross(sample.First[1]);
+  }
   /// Unit normal: the cross product of two tangents, oriented like the parameter sphere. Zero where
   /// the surface has no tangent plane.
   Vector3 Normal(const Vector3& parameter) const noexcept;
@@ -38,15 +81,26 @@ public:
   /// Enclosed volume (mm^3), negative if the surface is parametrised inside out: a third of the
   /// integral of X . (dX x dX), a polynomial that the quadrature integrates exactly. Allocates.
   double Volume() const;
-  /// Surface area (mm^2), by quadrature of degree 4L + 16, since the integrand is not a polynomial.
-  /// Allocates.
+  /// Surface area (mm^2), by quadrature of degree 4L + 16, since the integrand is not a polynomial;
+  /// to a given accuracy: AreaOf. Allocates.
   double Area() const;
 
-private:
-  // Cross product of the tangents along two orthonormal directions of the parameter sphere.
-  Vector3 AreaVector(const Vector3& parameter) const noexcept;
+  /// Sum of the squared coefficients (mm^2) of each degree 0..L, of the three coordinates together:
+  /// unchanged by rotations of space and of the parameter sphere. Allocates.
+  std::vector<double> PowerSpectrum() const;
+  /// The same surface truncated to `degree` (or padded with zeros up to it). Allocates.
+  ParametricSphericalSurface WithDegree(int degree) const;
+  /// The surface `linear` X + `translation` (mm), exact up to rounding: a rotation, a scale, a
+  /// mirror or any other matrix. One of negative determinant turns the surface inside out;
+  /// Reparametrized by a reflection turns it back. Allocates.
+  ParametricSphericalSurface Transformed(const Matrix3& linear, const Vector3& translation) const;
+  /// The same points with other parameters: u -> X(orthogonal u), for a rotation or a reflection.
+  /// Exact up to rounding, by projection; NaN if the matrix is not orthogonal. Allocates.
+  ParametricSphericalSurface Reparametrized(const Matrix3& orthogonal) const;
 
-  // Each coordinate is a function on the sphere, which the model class evaluates.
-  std::array<SphericalHarmonicModel, 3> Coordinates;
+private:
+  ParametricSurfaceEvaluator Evaluator; // first: what a tick reads
+  int MaximumDegree;
+  std::array<std::vector<double>, 3> Values;
 };
 } // namespace palpate

@@ -14,6 +14,7 @@ template <typename Set>
 struct ComplexLanes
 {
   using Vector = typename Set::PointVector;
+  static constexpr int Size = 8; // numbers of a table
 
   static PALPATE_INLINE ComplexLanes Zero() { return {Vector{}, Vector{}}; }
   /// A coefficient of one order in a block, the same for all directions.

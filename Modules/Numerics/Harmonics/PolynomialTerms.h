@@ -3,7 +3,8 @@
 #include "OrderSums.h"
 
 // Evaluation of one order, or one block of orders, by polynomials (the rule of Quartet.h applies
-// here too). `Numbers` are the lanes, `Complex` two of them with Load for coefficients.
+// here too). `Numbers` are the lanes, `Complex` several of them, with Load for coefficients that
+// take `Size` numbers of a table.
 
 namespace palpate::evaluation
 {
@@ -33,7 +34,7 @@ struct HornerPolynomial
         Raise<(Power > 1)>(this->Slope, t, this->Value);
       }
       Raise<(Power > 0)>(this->Value, t, next);
-      this->template Step<Power + 1>(table + 8, t);
+      this->template Step<Power + 1>(table + Complex::Size, t);
     }
   }
   // The first step only initialises a polynomial.

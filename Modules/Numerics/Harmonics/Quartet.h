@@ -143,6 +143,30 @@ PALPATE_INLINE Quartet<Set> operator*(const Quartet<Set>& a, const Quartet<Set>&
   return result;
 }
 
+/// 1 or -1 where the number is negative.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> SignOf(const Quartet<Set>& a)
+{
+  Quartet<Set> result;
+  for (int i = 0; i < Quartet<Set>::Parts; ++i)
+  {
+    const typename Set::Vector one = typename Set::Vector{} + typename Set::Real(1);
+    result.Part[i] = a.Part[i] < typename Set::Vector{} ? -one : one;
+  }
+  return result;
+}
+
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Inverse(const Quartet<Set>& a)
+{
+  Quartet<Set> result;
+  for (int i = 0; i < Quartet<Set>::Parts; ++i)
+  {
+    result.Part[i] = typename Set::Real(1) / a.Part[i];
+  }
+  return result;
+}
+
 /// b0 a0 a1 a2 of `a` with `first` prepended: one order further.
 template <typename Set>
 PALPATE_INLINE Quartet<Set> Shifted(const Quartet<Set>& first, const Quartet<Set>& a)
@@ -185,6 +209,39 @@ PALPATE_INLINE Quartet<Set> WithFirstLane(const Quartet<Set>& a, const Quartet<S
   {
     return {{__builtin_shufflevector(a.Part[0], b.Part[0], 0, 3), b.Part[1]}};
   }
+}
+
+/// a2 a3 b0 b1.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Joined(const Quartet<Set>& a, const Quartet<Set>& b)
+{
+  if constexpr (Quartet<Set>::Parts == 1)
+  {
+    return {{__builtin_shufflevector(a.Part[0], b.Part[0], 2, 3, 4, 5)}};
+  }
+  else
+  {
+    return {{a.Part[1], b.Part[0]}};
+  }
+}
+
+/// a1 a0 a3 a2: real and imaginary parts of interleaved complex numbers exchanged.
+template <typename Set>
+PALPATE_INLINE Quartet<Set> Exchanged(const Quartet<Set>& a)
+{
+  Quartet<Set> result;
+  for (int i = 0; i < Quartet<Set>::Parts; ++i)
+  {
+    if constexpr (Quartet<Set>::Parts == 1)
+    {
+      result.Part[i] = __builtin_shufflevector(a.Part[i], a.Part[i], 1, 0, 3, 2);
+    }
+    else
+    {
+      result.Part[i] = __builtin_shufflevector(a.Part[i], a.Part[i], 1, 0);
+    }
+  }
+  return result;
 }
 
 /// The last lane of `a` in every lane.
@@ -261,6 +318,8 @@ PALPATE_INLINE Quartet<Set> Sums(const Quartet<Set>& a, const Quartet<Set>& b,
 template <typename Set>
 struct ComplexQuartet
 {
+  static constexpr int Size = 8; // numbers of a table
+
   ComplexQuartet() = default;
   PALPATE_INLINE ComplexQuartet(const Quartet<Set>& real, const Quartet<Set>& imaginary)
       : Real(real), Imaginary(imaginary)

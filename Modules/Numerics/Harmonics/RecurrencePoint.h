@@ -37,8 +37,8 @@ struct RecurrenceDirection
 };
 
 /// State of the recurrence over the degrees of four orders: Q, or a derivative of it in z (the k-th
-/// divided by k!), and the sums of c Q and s Q so far.
-template <typename Set>
+/// divided by k!), and the sums of c Q and s Q of each function so far.
+template <typename Set, int Functions>
 struct ColumnLevel
 {
   using Numbers = Quartet<Set>;
@@ -79,17 +79,24 @@ struct ColumnLevel
       this->Value = this->Difference + by.Ratio * this->Value;
     }
   }
-  PALPATE_INLINE void Collect(const Numbers& cosine, const Numbers& sine)
+  /// `coefficients` of the degree: cosine and sine of each function.
+  PALPATE_INLINE void Collect(const typename Set::Real* coefficients)
   {
-    this->Cosines = this->Cosines + cosine * this->Value;
-    this->Sines = this->Sines + sine * this->Value;
+    for (int i = 0; i < Functions; ++i)
+    {
+      this->Cosines[i] = this->Cosines[i] + Numbers::Load(coefficients + 8 * i) * this->Value;
+      this->Sines[i] = this->Sines[i] + Numbers::Load(coefficients + 8 * i + 4) * this->Value;
+    }
   }
   PALPATE_INLINE void Scale(const Numbers& factor)
   {
     this->Value = this->Value * factor;
     this->Difference = this->Difference * factor;
-    this->Cosines = this->Cosines * factor;
-    this->Sines = this->Sines * factor;
+    for (int i = 0; i < Functions; ++i)
+    {
+      this->Cosines[i] = this->Cosines[i] * factor;
+      this->Sines[i] = this->Sines[i] * factor;
+    }
   }
   PALPATE_INLINE bool Exceeds(typename Set::Real limit) const
   {
@@ -101,52 +108,62 @@ struct ColumnLevel
     }
     return exceeds;
   }
-  PALPATE_INLINE ComplexQuartet<Set> Sum() const { return {this->Cosines, this->Sines}; }
+  PALPATE_INLINE ComplexQuartet<Set> Sum(int function) const
+  {
+    return {this->Cosines[function], this->Sines[function]};
+  }
 
   Numbers Value{};
   Numbers Difference{};
-  Numbers Cosines{};
-  Numbers Sines{};
+  Numbers Cosines[Functions]{};
+  Numbers Sines[Functions]{};
 };
 
 /// Four orders through all their degrees. Q at degree l is r Q + D with the difference D from the
 /// value at the pole, D = g D - a d Q in terms of degree l - 1; in the south the sign of every
 /// other degree changes. Near a pole D is small, and so is its rounding.
-template <typename Set, int Derivatives, bool South>
+template <typename Set, int Functions, int Derivatives, bool South>
 struct Column
 {
   using Real = typename Set::Real;
   using Numbers = Quartet<Set>;
+  using Level = ColumnLevel<Set, Functions>;
+  static constexpr int FirstRowSize = 4 + 8 * Functions;
+  static constexpr int RowSize = 12 + 8 * Functions;
 
   /// Starts at the rows of RecurrenceTable for one block.
-  PALPATE_INLINE Column(const Real* table, const Numbers& depth) : Row(table + 12), Depth(depth)
+  PALPATE_INLINE Column(const Real* table, const Numbers& depth)
+      : Row(table + FirstRowSize), Depth(depth)
   {
     this->Level0.Value = Numbers::Load(table);
-    this->Level0.Cosines = this->Level0.Value * Numbers::Load(table + 4);
-    this->Level0.Sines = this->Level0.Value * Numbers::Load(table + 8);
+    this->Level0.Collect(table + 4);
+  }
+  /// Where the next block starts, `degrees` rows after the first of this one.
+  static PALPATE_INLINE const Real* NextBlock(const Real* table, int degrees)
+  {
+    return table + FirstRowSize + RowSize * degrees;
   }
 
   PALPATE_INLINE void Advance()
   {
     const Real* row = this->Row;
-    this->Row += 20;
+    this->Row += RowSize;
     const Numbers slope = Numbers::Load(row + 8);
-    const typename ColumnLevel<Set>::Constants by{Numbers::Load(row), Numbers::Load(row + 4),
-                                                  slope * this->Depth};
-    const Numbers cosine = Numbers::Load(row + 12);
-    const Numbers sine = Numbers::Load(row + 16);
+    const typename Level::Constants by{Numbers::Load(row), Numbers::Load(row + 4),
+                                       slope * this->Depth};
+    const Real* coefficients = row + 12;
     if constexpr (Derivatives > 1)
     {
       this->Level2.template Advance<South>(by, slope * this->Level1.Value);
-      this->Level2.Collect(cosine, sine);
+      this->Level2.Collect(coefficients);
     }
     if constexpr (Derivatives > 0)
     {
       this->Level1.template Advance<South>(by, slope * this->Level0.Value);
-      this->Level1.Collect(cosine, sine);
+      this->Level1.Collect(coefficients);
     }
     this->Level0.template Advance<South>(by);
-    this->Level0.Collect(cosine, sine);
+    this->Level0.Collect(coefficients);
   }
   PALPATE_INLINE void Run(int degrees)
   {
@@ -187,18 +204,18 @@ struct Column
     this->Run(degrees);
   }
 
-  PALPATE_INLINE OrderTerms<ComplexQuartet<Set>> Terms() const
+  PALPATE_INLINE OrderTerms<ComplexQuartet<Set>> Terms(int function) const
   {
     OrderTerms<ComplexQuartet<Set>> terms;
-    terms.Value = this->Level0.Sum();
-    terms.Slope = this->Level1.Sum();
-    terms.Curvature = this->Level2.Sum();
+    terms.Value = this->Level0.Sum(function);
+    terms.Slope = this->Level1.Sum(function);
+    terms.Curvature = this->Level2.Sum(function);
     return terms;
   }
 
-  ColumnLevel<Set> Level0;
-  ColumnLevel<Set> Level1;
-  ColumnLevel<Set> Level2;
+  Level Level0;
+  Level Level1;
+  Level Level2;
   const Real* Row;
   Numbers Depth;
 };
@@ -233,14 +250,20 @@ struct ScaledPower
   int Scale = 0;
 };
 
-/// R, and derivatives, of a model of any degree at one direction.
-template <typename Set>
-struct RecurrencePoint
+/// The sums over the orders of several functions of any degree at one direction.
+template <typename Set, int Functions>
+struct RecurrenceSums
 {
   using Real = typename Set::Real;
   using Numbers = Quartet<Set>;
   using Complexes = ComplexQuartet<Set>;
   using Direction = RecurrenceDirection<Set>;
+
+  template <int Derivatives>
+  struct OfAll
+  {
+    OrderSums<Set, Derivatives> Function[Functions]{};
+  };
 
   static PALPATE_INLINE LanePowers<Set> Powers(const Complexes& firstFour)
   {
@@ -260,16 +283,21 @@ struct RecurrencePoint
   }
 
   // Adds a block; its terms are scaled by 2^(scale ScaleBits).
-  template <int Derivatives>
-  static PALPATE_INLINE void Add(const OrderTerms<Complexes>& terms, int first, int scale,
-                                 const ScaledPower<Set>& power, OrderSums<Set, Derivatives>& sums)
+  template <int Derivatives, bool South>
+  static PALPATE_INLINE void Add(const Column<Set, Functions, Derivatives, South>& column,
+                                 int first, int scale, const ScaledPower<Set>& power,
+                                 OfAll<Derivatives>& sums)
   {
     const Numbers factor =
         Numbers::All(scale == 0 ? Real(1) : (scale == 1 ? 1 / Set::ScaleUp : Real(0)));
     const Complexes value = factor * power.Power;
     const Complexes before = factor * power.Before;
     const Numbers orders = Numbers::Of(0, 1, 2, 3) + Numbers::All(static_cast<Real>(first));
-    sums.Add({terms, orders, value, WithFirstLane(before, value), Halves(before, value)});
+    for (int i = 0; i < Functions; ++i)
+    {
+      sums.Function[i].Add(
+          {column.Terms(i), orders, value, WithFirstLane(before, value), Halves(before, value)});
+    }
   }
 
   // Adds up to two blocks starting at order `first`. Returns the start of the next ones.
@@ -277,11 +305,12 @@ struct RecurrencePoint
   static PALPATE_INLINE const Real* AddPair(const Real* table, int degree, int first,
                                             const Direction& d, const ScaledPower<Set>& power,
                                             const ScaledPower<Set>& nextPower,
-                                            OrderSums<Set, Derivatives>& sums)
+                                            OfAll<Derivatives>& sums)
   {
-    using BlockColumn = Column<Set, Derivatives, South>;
+    using BlockColumn = Column<Set, Functions, Derivatives, South>;
     const int degrees = degree - first;
-    const Real* next = table + 12 + 20 * degrees;
+    const Real* next = BlockColumn::NextBlock(table, degrees);
+    const Real* afterNext = BlockColumn::NextBlock(next, degrees - 4);
     const bool both = degrees >= 4 && !IsLost(nextPower, degree);
     BlockColumn column(table, d.Depth);
     if (both && nextPower.Scale == 0)
@@ -289,28 +318,28 @@ struct RecurrencePoint
       BlockColumn nextColumn(next, d.Depth);
       column.RunWith(nextColumn, degrees - 4);
       column.Run(4);
-      Add(column.Terms(), first, 0, power, sums);
-      Add(nextColumn.Terms(), first + 4, 0, nextPower, sums);
-      return next + 12 + 20 * (degrees - 4);
+      Add(column, first, 0, power, sums);
+      Add(nextColumn, first + 4, 0, nextPower, sums);
+      return afterNext;
     }
     int scale = power.Scale;
     column.RunScaled(degrees, scale);
-    Add(column.Terms(), first, scale, power, sums);
+    Add(column, first, scale, power, sums);
     if (both)
     {
       BlockColumn nextColumn(next, d.Depth);
       scale = nextPower.Scale;
       nextColumn.RunScaled(degrees - 4, scale);
-      Add(nextColumn.Terms(), first + 4, scale, nextPower, sums);
+      Add(nextColumn, first + 4, scale, nextPower, sums);
     }
-    return next + 12 + 20 * (degrees - 4);
+    return afterNext;
   }
 
   template <int Derivatives, bool South>
-  static PALPATE_INLINE OrderSums<Set, Derivatives>
+  static PALPATE_INLINE OfAll<Derivatives>
   AllBlocks(const Real* table, int degree, const Direction& d, const Complexes& fourthPower)
   {
-    OrderSums<Set, Derivatives> sums{};
+    OfAll<Derivatives> sums;
     ScaledPower<Set> power;
     for (int first = 0; first <= degree && !IsLost(power, degree); first += 8)
     {
@@ -324,12 +353,29 @@ struct RecurrencePoint
   }
 
   template <int Derivatives>
-  static PALPATE_INLINE OrderSums<Set, Derivatives>
-  SumBlocks(const Real* table, int degree, const Direction& d, const Complexes& firstFour)
+  static PALPATE_INLINE OfAll<Derivatives> SumBlocks(const Real* table, int degree,
+                                                     const Direction& d, const Complexes& firstFour)
   {
     const Complexes fourthPower{LastLane(firstFour.Real), LastLane(firstFour.Imaginary)};
     return d.South ? AllBlocks<Derivatives, true>(table, degree, d, fourthPower)
                    : AllBlocks<Derivatives, false>(table, degree, d, fourthPower);
+  }
+};
+
+/// R, and derivatives, of a model of any degree at one direction.
+template <typename Set>
+struct RecurrencePoint : RecurrenceSums<Set, 1>
+{
+  using Real = typename Set::Real;
+  using Complexes = ComplexQuartet<Set>;
+  using Direction = RecurrenceDirection<Set>;
+  using Base = RecurrenceSums<Set, 1>;
+
+  template <int Derivatives>
+  static PALPATE_INLINE OrderSums<Set, Derivatives>
+  SumBlocks(const Real* table, int degree, const Direction& d, const Complexes& firstFour)
+  {
+    return Base::template SumBlocks<Derivatives>(table, degree, d, firstFour).Function[0];
   }
 
   static PALPATE_INLINE void Refuse(Real* sample, int numbers)
@@ -348,7 +394,7 @@ struct RecurrencePoint
       return Real(__builtin_nan(""));
     }
     const Complexes firstFour = FirstPowers(d.Unit.X, d.Unit.Y);
-    return FinishValue(SumBlocks<0>(table, degree, d, firstFour), Powers(firstFour),
+    return FinishValue(SumBlocks<0>(table, degree, d, firstFour), Base::Powers(firstFour),
                        ZonalTerms<Set>());
   }
   static void Gradient(const Real* table, int degree, const Real* direction, Real* sample) noexcept
@@ -360,8 +406,8 @@ struct RecurrencePoint
       return;
     }
     const Complexes firstFour = FirstPowers(d.Unit.X, d.Unit.Y);
-    FinishGradient(SumBlocks<1>(table, degree, d, firstFour), Powers(firstFour), ZonalTerms<Set>(),
-                   d.Unit, sample);
+    FinishGradient(SumBlocks<1>(table, degree, d, firstFour), Base::Powers(firstFour),
+                   ZonalTerms<Set>(), d.Unit, sample);
   }
   static void Hessian(const Real* table, int degree, const Real* direction, Real* sample) noexcept
   {
@@ -372,8 +418,8 @@ struct RecurrencePoint
       return;
     }
     const Complexes firstFour = FirstPowers(d.Unit.X, d.Unit.Y);
-    FinishHessian(SumBlocks<2>(table, degree, d, firstFour), Powers(firstFour), ZonalTerms<Set>(),
-                  d.Unit, Real(2), sample);
+    FinishHessian(SumBlocks<2>(table, degree, d, firstFour), Base::Powers(firstFour),
+                  ZonalTerms<Set>(), d.Unit, Real(2), sample);
   }
 
   static void Values(const Real* table, int degree, const Real* directions, long count,

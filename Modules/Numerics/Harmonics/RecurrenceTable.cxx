@@ -3,82 +3,80 @@
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicRecurrence.h"
 
-#include <array>
-
 namespace palpate
 {
 namespace
 {
-// The entries of one order in one row.
-struct Entry
+using Functions = std::vector<std::vector<double>>;
+
+// Makes the rows of one block, orders first to first + 3.
+class BlockRows
 {
-  SphericalHarmonicRecurrence::Term Term{0.0, 0.0, 0.0};
-  double Cosine = 0.0;
-  double Sine = 0.0;
+public:
+  BlockRows(const SphericalHarmonicRecurrence& recurrence, const Functions& functions, int first)
+      : Recurrence(recurrence), Coefficients(functions), First(first)
+  {
+  }
+
+  void AddFirst(CacheLineVector<double>& table) const
+  {
+    AddLanes(
+        0, [this](int, int m) { return this->Recurrence.Diagonal(m); }, table);
+    this->AddCoefficients(0, table);
+  }
+  // Of the degrees m + k, k > 0.
+  void Add(int k, CacheLineVector<double>& table) const
+  {
+    using Term = SphericalHarmonicRecurrence::Term;
+    for (const auto constant : {&Term::Ratio, &Term::Carry, &Term::Slope})
+    {
+      AddLanes(
+          k, [&](int l, int m) { return this->Recurrence.Column(m)[l - m - 1].*constant; }, table);
+    }
+    this->AddCoefficients(k, table);
+  }
+
+private:
+  void AddCoefficients(int k, CacheLineVector<double>& table) const
+  {
+    for (const std::vector<double>& c : this->Coefficients)
+    {
+      AddLanes(
+          k, [&c](int l, int m) { return c[SphericalHarmonicBasis::Index(l, m)]; }, table);
+      AddLanes(
+          k, [&c](int l, int m) { return m == 0 ? 0.0 : c[SphericalHarmonicBasis::Index(l, -m)]; },
+          table);
+    }
+  }
+  // number(l, m) for each order, at degree l = m + k.
+  template <typename Number>
+  void AddLanes(int k, const Number& number, CacheLineVector<double>& table) const
+  {
+    for (int m = this->First; m < this->First + 4; ++m)
+    {
+      table.push_back(m + k <= this->Recurrence.Degree() ? number(m + k, m) : 0.0);
+    }
+  }
+
+  const SphericalHarmonicRecurrence& Recurrence;
+  const Functions& Coefficients;
+  int First;
 };
-
-Entry EntryOf(const SphericalHarmonicRecurrence& recurrence,
-              const std::vector<double>& coefficients, int l, int m)
-{
-  Entry entry;
-  if (l > recurrence.Degree())
-  {
-    return entry;
-  }
-  if (l > m)
-  {
-    entry.Term = recurrence.Column(m)[l - m - 1];
-  }
-  entry.Cosine = coefficients[SphericalHarmonicBasis::Index(l, m)];
-  entry.Sine = m == 0 ? 0.0 : coefficients[SphericalHarmonicBasis::Index(l, -m)];
-  return entry;
-}
-
-template <typename Number>
-void AddLanes(const std::array<Entry, 4>& entries, const Number& number,
-              CacheLineVector<double>& table)
-{
-  for (const Entry& entry : entries)
-  {
-    table.push_back(number(entry));
-  }
-}
 } // namespace
 
-CacheLineVector<double> MakeRecurrenceTable(int degree, const std::vector<double>& coefficients)
+CacheLineVector<double> MakeRecurrenceTable(int degree, const Functions& functions)
 {
   const SphericalHarmonicRecurrence recurrence(degree);
   CacheLineVector<double> table;
   for (int first = 0; first <= degree; first += 4)
   {
-    for (int lane = 0; lane < 4; ++lane)
+    const BlockRows block(recurrence, functions, first);
+    block.AddFirst(table);
+    for (int k = 1; k <= degree - first; ++k)
     {
-      table.push_back(first + lane <= degree ? recurrence.Diagonal(first + lane) : 0.0);
-    }
-    for (int k = 0; k <= degree - first; ++k)
-    {
-      std::array<Entry, 4> entries;
-      for (int lane = 0; lane < 4; ++lane)
-      {
-        const int m = first + lane;
-        entries[static_cast<std::size_t>(lane)] = EntryOf(recurrence, coefficients, m + k, m);
-      }
-      if (k > 0)
-      {
-        AddLanes(
-            entries, [](const Entry& e) { return e.Term.Ratio; }, table);
-        AddLanes(
-            entries, [](const Entry& e) { return e.Term.Carry; }, table);
-        AddLanes(
-            entries, [](const Entry& e) { return e.Term.Slope; }, table);
-      }
-      AddLanes(
-          entries, [](const Entry& e) { return e.Cosine; }, table);
-      AddLanes(
-          entries, [](const Entry& e) { return e.Sine; }, table);
+      block.Add(k, table);
     }
   }
   return table;
 }
-
 } // namespace palpate

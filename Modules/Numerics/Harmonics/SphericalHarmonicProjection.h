@@ -2,6 +2,7 @@
 
 #include "Vector3.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -12,4 +13,8 @@ namespace palpate
 /// is at least `degree` + M. Time grows as the product of both degrees squared. Allocates.
 std::vector<double> ProjectOnHarmonics(int degree, int quadratureDegree,
                                        const std::function<double(const Vector3&)>& function);
+/// The same for the three coordinates of a function.
+std::array<std::vector<double>, 3>
+ProjectPointsOnHarmonics(int degree, int quadratureDegree,
+                         const std::function<Vector3(const Vector3&)>& function);
 } // namespace palpate

@@ -83,26 +83,44 @@ PALPATE_INLINE void WriteSecondOrder(typename Set::Real value,
   sample[12] = d.ZZ;
 }
 
-/// Writes R, its gradient and its Hessian on the unit sphere. The second derivative in z is
-/// `curvatureScale` times the value in the blocks and the zonal terms.
+/// R and its spatial derivatives from the sums over the orders.
+template <typename Set>
+struct SpaceSample
+{
+  using Real = typename Set::Real;
+
+  /// The second derivative in z is `curvatureScale` times the value in the blocks and the zonal
+  /// terms.
+  PALPATE_INLINE SpaceSample(const OrderSums<Set, 2>& sums, const LanePowers<Set>& powers,
+                             const ZonalTerms<Set>& zonal, Real curvatureScale)
+  {
+    const ComplexQuartet<Set> plane = Turned(sums.First, powers.First);
+    const ComplexQuartet<Set> planeSlope = Turned(sums.FirstSlope, powers.First);
+    const ComplexQuartet<Set> second = Turned(sums.Second, powers.Second);
+    const Quartet<Set> first =
+        Sums(AddTerms(zonal.Value, sums.Value, powers.Value), plane.Real, plane.Imaginary,
+             AddTerms(zonal.Slope, sums.Slope, powers.Value));
+    const Quartet<Set> mixed =
+        Sums(second.Real, second.Imaginary, planeSlope.Real, planeSlope.Imaginary);
+    const auto curvature = AddTerms(zonal.Curvature, sums.Curvature, powers.Value).Sum();
+    this->Value = first.Lane(0);
+    this->Space = {first.Lane(1), first.Lane(2), first.Lane(3), mixed.Lane(0),
+                   mixed.Lane(1), mixed.Lane(2), mixed.Lane(3), curvatureScale * curvature};
+  }
+
+  Real Value;
+  SpaceDerivatives<Set, Real> Space;
+};
+
+/// Writes R, its gradient and its Hessian on the unit sphere.
 template <typename Set>
 PALPATE_INLINE void FinishHessian(const OrderSums<Set, 2>& sums, const LanePowers<Set>& powers,
                                   const ZonalTerms<Set>& zonal, const UnitVector<Set>& u,
                                   typename Set::Real curvatureScale, typename Set::Real* sample)
 {
-  const ComplexQuartet<Set> plane = Turned(sums.First, powers.First);
-  const ComplexQuartet<Set> planeSlope = Turned(sums.FirstSlope, powers.First);
-  const ComplexQuartet<Set> second = Turned(sums.Second, powers.Second);
-  const Quartet<Set> first = Sums(AddTerms(zonal.Value, sums.Value, powers.Value), plane.Real,
-                                  plane.Imaginary, AddTerms(zonal.Slope, sums.Slope, powers.Value));
-  const Quartet<Set> mixed =
-      Sums(second.Real, second.Imaginary, planeSlope.Real, planeSlope.Imaginary);
-  const auto curvature = AddTerms(zonal.Curvature, sums.Curvature, powers.Value).Sum();
   using Real = typename Set::Real;
-  const SpaceDerivatives<Set, Real> d{
-      first.Lane(1), first.Lane(2), first.Lane(3), mixed.Lane(0),
-      mixed.Lane(1), mixed.Lane(2), mixed.Lane(3), curvatureScale * curvature};
-  WriteSecondOrder<Set>(first.Lane(0),
-                        ToSurface<Set, Real>(d, u.X.Lane(0), u.Y.Lane(0), u.Z.Lane(0)), sample);
+  const SpaceSample<Set> s(sums, powers, zonal, curvatureScale);
+  WriteSecondOrder<Set>(
+      s.Value, ToSurface<Set, Real>(s.Space, u.X.Lane(0), u.Y.Lane(0), u.Z.Lane(0)), sample);
 }
 } // namespace palpate::evaluation

@@ -1,6 +1,5 @@
 #include "PointDerivativeBounds.h"
 
-#include "DirectionGap.h"
 #include "IcosahedronDirections.h"
 #include "ParametricSample.h"
 #include "SphericalHarmonicProjection.h"
@@ -88,7 +87,7 @@ PointDerivativeBounds::PointDerivativeBounds(const ParametricShape& shape) : Poi
     this->Point[2] = std::max(this->Point[2], LargestSecond(sample));
     this->Point[3] = std::max(this->Point[3], thirds.LargestAt(sample, parameter));
   }
-  const double fall = std::cos(shape.Degree() * LargestGap(sphere));
+  const double fall = std::cos(shape.Degree() * sphere.LargestGap());
   for (double& bound : this->Point)
   {
     bound /= fall;

@@ -1,6 +1,5 @@
 #include "RadiusDerivativeBounds.h"
 
-#include "DirectionGap.h"
 #include "IcosahedronDirections.h"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ RadiusDerivativeBounds::RadiusDerivativeBounds(const SphericalHarmonicModel& mod
     this->Radius[1] = std::max(this->Radius[1], sample.SurfaceGradient.norm());
     this->Radius[2] = std::max(this->Radius[2], Norm(sample.SurfaceHessian));
   }
-  const double fall = std::cos(degree * LargestGap(sphere));
+  const double fall = std::cos(degree * sphere.LargestGap());
   for (double& bound : this->Radius)
   {
     bound /= fall;

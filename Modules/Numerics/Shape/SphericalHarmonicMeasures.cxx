@@ -68,25 +68,6 @@ struct CentralMoments
   }
 };
 
-// Right-handed, largest moment first.
-void SetPrincipalAxes(BodyMoments& moments)
-{
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.SecondMoments);
-  for (int k = 0; k < 2; ++k)
-  {
-    Vector3 axis = solver.eigenvectors().col(2 - k);
-    Eigen::Index largest = 0;
-    axis.cwiseAbs().maxCoeff(&largest);
-    moments.PrincipalAxes.col(k) = axis[largest] < 0.0 ? Vector3(-axis) : axis;
-  }
-  moments.PrincipalAxes.col(2) = moments.PrincipalAxes.col(0).cross(moments.PrincipalAxes.col(1));
-  for (int k = 0; k < 3; ++k)
-  {
-    // A flat body's smallest moment may be slightly negative by rounding.
-    const double moment = std::max(solver.eigenvalues()[2 - k], 0.0);
-    moments.SemiAxes[k] = std::sqrt(5.0 * moment / moments.Volume);
-  }
-}
 } // namespace
 
 double VolumeOf(const SphericalHarmonicModel& model)
@@ -112,6 +93,25 @@ double AreaOf(const SphericalHarmonicModel& model, double relativeTolerance)
     area = finer;
   } while (change > relativeTolerance * area && degree < largest);
   return area;
+}
+
+void SetPrincipalAxes(BodyMoments& moments)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.SecondMoments);
+  for (int k = 0; k < 2; ++k)
+  {
+    Vector3 axis = solver.eigenvectors().col(2 - k);
+    Eigen::Index largest = 0;
+    axis.cwiseAbs().maxCoeff(&largest);
+    moments.PrincipalAxes.col(k) = axis[largest] < 0.0 ? Vector3(-axis) : axis;
+  }
+  moments.PrincipalAxes.col(2) = moments.PrincipalAxes.col(0).cross(moments.PrincipalAxes.col(1));
+  for (int k = 0; k < 3; ++k)
+  {
+    // A flat body's smallest moment may be slightly negative by rounding.
+    const double moment = std::max(solver.eigenvalues()[2 - k], 0.0);
+    moments.SemiAxes[k] = std::sqrt(5.0 * moment / moments.Volume);
+  }
 }
 
 Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments)

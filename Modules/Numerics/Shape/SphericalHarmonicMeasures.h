@@ -35,6 +35,9 @@ struct BodyMoments
   Vector3 SemiAxes;
 };
 
+/// Fills PrincipalAxes and SemiAxes from Volume and SecondMoments.
+void SetPrincipalAxes(BodyMoments& moments);
+
 /// Volume, centroid and second moments by a quadrature of degree 5L + 2, exact for the integrands
 /// R^3, R^4 u and R^5 u u^T; rounding about 1e-14 relative. Fails for non-finite coefficients and
 /// if the volume is not positive, since no centroid exists then. Allocates.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ParametricSphericalSurface.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
@@ -7,9 +8,8 @@
 
 namespace palpate
 {
-/// Curvature of a star-shaped surface x(u) = centre + R(u) u at one point. It is positive where the
-/// surface bends away from the outward normal (R u - grad R): a sphere of radius a has mean
-/// curvature 1/a.
+/// Curvature of a surface at one point. It is positive where the surface bends away from the
+/// outward normal: a sphere of radius a has mean curvature 1/a.
 struct SurfaceCurvature
 {
   double Mean;                     ///< half the sum of the principal curvatures, 1/mm
@@ -20,6 +20,7 @@ struct SurfaceCurvature
   std::array<Vector3, 2> Directions;
 };
 
+/// Of a star-shaped surface x(u) = centre + R(u) u with the normal R u - grad R.
 /// Curvature where the unit vector `direction` meets the surface, from the radius and its first two
 /// derivatives there (SphericalHarmonicModel::EvaluateSecondOrder). If R < 0 it is that of the
 /// surface through centre + R u, still with the normal pointing away from the centre. If R = 0 the
@@ -28,4 +29,9 @@ struct SurfaceCurvature
 /// x(u) = R u.
 SurfaceCurvature CurvatureAt(const Vector3& direction,
                              const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
+
+/// Of a parametric surface with the normal X_a x X_b: if the surface is parametrised inside out, a
+/// sphere's curvature is negative. Where the surface has no tangent plane, all results are NaN or
+/// dominated by rounding.
+SurfaceCurvature CurvatureAt(const ParametricSphericalSurface::SecondOrderSample& sample) noexcept;
 } // namespace palpate

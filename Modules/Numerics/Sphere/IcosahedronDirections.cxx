@@ -1,5 +1,7 @@
 #include "IcosahedronDirections.h"
 
+#include "SphericalTriangle.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -172,5 +174,16 @@ std::vector<double> IcosahedronDirections::SolidAngles() const
     }
   }
   return angles;
+}
+
+double IcosahedronDirections::LargestGap() const
+{
+  double gap = 0.0;
+  for (const auto& [a, b, c] : this->Faces)
+  {
+    const auto at = [this](int corner) { return this->Points[static_cast<std::size_t>(corner)]; };
+    gap = std::max(gap, SphericalTriangle{{at(a), at(b), at(c)}}.Cap().Radius);
+  }
+  return gap;
 }
 } // namespace palpate

@@ -26,6 +26,9 @@ public:
   /// Solid angle (sr) of each direction: a third of the areas of its spherical triangles; the sum
   /// is 4 pi.
   std::vector<double> SolidAngles() const;
+  /// Bounds the angle (rad) from any direction to the closest of these: the largest distance of a
+  /// triangle's corners from its centre.
+  double LargestGap() const;
 
 private:
   int Parts;

@@ -1,5 +1,6 @@
 #include "IcosahedronDirections.h"
 
+#include "RandomShapes.h"
 #include "WorstCase.h"
 
 #include <Eigen/Geometry>
@@ -161,6 +162,30 @@ TEST(IcosahedronDirections, DoubledFrequencyKeepsDirections)
   for (const Vector3& u : coarse.Directions())
   {
     EXPECT_EQ(finePoints.count(Rounded(u)), 1U);
+  }
+}
+
+TEST(IcosahedronDirections, LargestGapReachesEveryDirection)
+{
+  // From a corner of the icosahedron to the centre of a face.
+  EXPECT_NEAR(IcosahedronDirections(1).LargestGap(), 0.6523581397843682, 1e-11);
+  test::Random random(71);
+  for (const int frequency : {1, 2, 5})
+  {
+    const IcosahedronDirections sphere(frequency);
+    const double gap = sphere.LargestGap();
+    double farthest = 0.0;
+    for (const Vector3& u : test::RandomDirections(random, 3000))
+    {
+      double nearest = -1.0;
+      for (const Vector3& direction : sphere.Directions())
+      {
+        nearest = std::max(nearest, direction.dot(u));
+      }
+      farthest = std::max(farthest, std::acos(nearest));
+    }
+    EXPECT_LE(farthest, gap);
+    EXPECT_GE(farthest, 0.9 * gap);
   }
 }
 } // namespace

@@ -4,6 +4,7 @@
 #include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicBounds.h"
+#include "SurfaceCases.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,33 @@ TEST(QueriesDoNotAllocate, Evaluator)
       evaluator.RadiusBatch(c.Directions.data(), count, radii.data());
       evaluator.EvaluateBatch(c.Directions.data(), count, samples.data());
       evaluator.EvaluateSecondOrderBatch(c.Directions.data(), count, secondOrders.data());
+      EXPECT_EQ(AllocationCount(), before) << kind.Name() << " degree " << degree;
+    }
+  }
+}
+
+TEST(QueriesDoNotAllocate, SurfaceEvaluator)
+{
+  for (const int degree : {0, 12, 20, 40})
+  {
+    const test::SurfaceCase c(degree);
+    for (const EvaluatorKind& kind : AllEvaluatorKinds())
+    {
+      using Evaluator = ParametricSurfaceEvaluator;
+      const Evaluator evaluator(degree, c.Coefficients, kind.Formulation, kind.Set);
+      const ParametricSphericalSurface surface(degree, c.Coefficients);
+      const std::size_t count = c.Directions().size();
+      std::vector<Vector3> points(count);
+      std::vector<Evaluator::Sample> samples(count);
+      std::vector<Evaluator::SecondOrderSample> secondOrders(count);
+      const std::size_t before = AllocationCount();
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        points[i] = surface.Normal(c.Directions()[i]);
+      }
+      evaluator.PointBatch(c.Directions().data(), count, points.data());
+      evaluator.EvaluateBatch(c.Directions().data(), count, samples.data());
+      evaluator.EvaluateSecondOrderBatch(c.Directions().data(), count, secondOrders.data());
       EXPECT_EQ(AllocationCount(), before) << kind.Name() << " degree " << degree;
     }
   }

@@ -3,6 +3,7 @@
 #include "ProjectedShapes.h"
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
+#include "SurfaceCases.h"
 #include "WorstCase.h"
 
 #include <gtest/gtest.h>
@@ -256,6 +257,67 @@ TEST(SurfaceCurvature, IsNanWhereSurfaceMeetsCentre)
   // R = x on the sphere: zero with a slope.
   const SphericalHarmonicModel touching(1, {0.0, 0.0, 0.0, 1.0}, Vector3::Zero());
   EXPECT_TRUE(std::isnan(CurvatureOf(touching, Vector3::UnitZ()).Mean));
+}
+
+TEST(SurfaceCurvature, ParametricSurfaceHasThatOfItsModel)
+{
+  Random random(931);
+  const SphericalHarmonicModel model = test::RandomOrgan(random, 8);
+  const ParametricSphericalSurface surface = ParametricSphericalSurface::FromModel(model);
+  for (const Vector3& u : DirectionsAndPoles(random, 50))
+  {
+    const SurfaceCurvature exact = CurvatureOf(model, u);
+    const SurfaceCurvature found = CurvatureAt(surface.EvaluateSecondOrder(u));
+    // Second derivatives err by 1e-12 mm of some 20.
+    EXPECT_NEAR(found.Mean, exact.Mean, 1e-11);
+    EXPECT_NEAR(found.Gaussian, exact.Gaussian, 1e-12);
+    EXPECT_NEAR(found.Principal[0], exact.Principal[0], 1e-9); // roots near umbilic points
+    EXPECT_NEAR(found.Principal[1], exact.Principal[1], 1e-9);
+    const auto& [a, b] = found.Directions;
+    EXPECT_NEAR(a.norm(), 1.0, 1e-14);
+    EXPECT_NEAR(b.norm(), 1.0, 1e-14);
+    EXPECT_NEAR(a.dot(b), 0.0, 1e-14);
+    EXPECT_LE((a.cross(b) - model.Normal(u)).norm(), 1e-12); // as the normals of both
+  }
+}
+
+TEST(SurfaceCurvature, ParametricEllipsoidHasKnownCurvature)
+{
+  Random random(932);
+  const Vector3 axes(3.0, 5.0, 8.0);
+  const ParametricSphericalSurface surface = test::ParametricEllipsoid(axes);
+  for (const Vector3& u : DirectionsAndPoles(random, 50))
+  {
+    const SurfaceCurvature found = CurvatureAt(surface.EvaluateSecondOrder(u));
+    // With h = |u / axes|^-1: K = h^4 / (abc)^2, 2 H = (sum of axes^2 - |x|^2) h^3 / (abc)^2.
+    const double h = 1.0 / u.cwiseQuotient(axes).norm();
+    const double product = axes.prod();
+    const double square = axes.cwiseProduct(u).squaredNorm();
+    EXPECT_NEAR(found.Gaussian, std::pow(h, 4) / (product * product), 1e-13);
+    EXPECT_NEAR(found.Mean,
+                0.5 * (axes.squaredNorm() - square) * std::pow(h, 3) / (product * product), 1e-13);
+  }
+}
+
+TEST(SurfaceCurvature, ParametricCurvatureDoesNotDependOnParameters)
+{
+  Random random(933);
+  const ParametricSphericalSurface surface = test::RandomSurface(random, 8);
+  const Matrix3 turn = RandomRotation(random);
+  const ParametricSphericalSurface turned = surface.Reparametrized(turn);
+  for (const Vector3& u : DirectionsAndPoles(random, 30))
+  {
+    const SurfaceCurvature a = CurvatureAt(turned.EvaluateSecondOrder(u));
+    const SurfaceCurvature b = CurvatureAt(surface.EvaluateSecondOrder(turn * u));
+    // Rough bodies have places of small tangents, where curvatures are large.
+    EXPECT_NEAR(a.Mean, b.Mean, 1e-9 * (1.0 + std::abs(b.Principal[0] - b.Principal[1])));
+  }
+}
+
+TEST(SurfaceCurvature, ParametricPointHasNone)
+{
+  const ParametricSphericalSurface point(0, {std::vector<double>{1.0}, {2.0}, {3.0}});
+  EXPECT_TRUE(std::isnan(CurvatureAt(point.EvaluateSecondOrder(Vector3::UnitZ())).Mean));
 }
 } // namespace
 } // namespace palpate

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "PairedBenchmark.h"
+
+#include <vector>
+
+namespace palpate::bench
+{
+/// A parametric surface's point and derivatives against three separate series with the same
+/// instruction set, and against GSL.
+std::vector<PairedBenchmark> SurfaceBenchmarks();
+} // namespace palpate::bench
