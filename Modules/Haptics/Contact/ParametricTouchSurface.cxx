@@ -132,15 +132,15 @@ Status ParametricTouchSurface::Make(const ParametricSphericalSurface& surface,
 ParametricTouchSurface::ParametricTouchSurface(const ParametricSphericalSurface& surface,
                                                double smallest)
     : Closest(std::make_shared<const ParametricShape>(surface)), Smallest(smallest),
-      Parameters(MeshDirections(Closest.Model()).Directions()), Mesh(MeshOf(Closest.Model())),
-      MeshDeviation(DeviationOf(Closest.Model())), IsCrossing(Mesh.CrossesItself())
+      Mesh(MeshOf(Closest.Model())), MeshDeviation(DeviationOf(Closest.Model())),
+      IsCrossing(Mesh.CrossesItself()), Exits(FindExits())
 {
 }
 
 std::size_t ParametricTouchSurface::Bytes() const noexcept
 {
   return sizeof(*this) + this->Closest.Bytes() + this->Mesh.Bytes() +
-         this->Parameters.size() * sizeof(Vector3);
+         this->Exits.size() * sizeof(Exit);
 }
 
 SurfacePoint ParametricTouchSurface::SeenFromOutside(const ClosestPoint& nearest) const noexcept
@@ -178,42 +178,45 @@ int ParametricTouchSurface::WindingNumberNear(const Vector3& queryWorld,
   return this->Mesh.WindingNumber(nearest.PointWorld + side * nearest.Normal);
 }
 
-// The nearest point where a small step along the normal leads out: the nearest of all, unless a
-// sheet inside is nearer.
+// The nearest point; where a sheet inside is nearer, the nearest of the mesh's points that border
+// the outside.
 SurfacePoint ParametricTouchSurface::WayOut(const Vector3& queryWorld,
                                             const ClosestPoint& nearest) const noexcept
 {
-  constexpr int MostTrials = 64;
-  const double step = 2.0 * this->MeshDeviation;
   const ClosestPoint inside = nearest.SignedDistance > 0.0 ? OtherSide(nearest) : nearest;
-  if (!this->IsCrossing || this->Mesh.WindingNumber(inside.PointWorld + step * inside.Normal) == 0)
+  const double step = 2.0 * this->MeshDeviation;
+  if (this->Exits.empty() ||
+      this->Mesh.WindingNumber(inside.PointWorld + step * inside.Normal) == 0)
   {
     return inside;
   }
-  const auto& points = this->Mesh.PointsWorld();
-  double beyond = -1.0;
-  for (int trial = 0; trial < MostTrials; ++trial)
+  const Exit& exit = *std::min_element(this->Exits.begin(), this->Exits.end(),
+                                       [&](const Exit& a, const Exit& b) {
+                                         return (a.PointWorld - queryWorld).squaredNorm() <
+                                                (b.PointWorld - queryWorld).squaredNorm();
+                                       });
+  const ClosestPoint point = this->RawPointAt(exit.Parameter, queryWorld);
+  const bool isOutward = this->Mesh.WindingNumber(point.PointWorld + step * point.Normal) == 0;
+  return isOutward ? point : OtherSide(point);
+}
+
+std::vector<ParametricTouchSurface::Exit> ParametricTouchSurface::FindExits() const
+{
+  std::vector<Exit> exits;
+  const double step = 2.0 * this->MeshDeviation;
+  const IcosahedronDirections sphere =
+      this->IsCrossing ? MeshDirections(this->Model()) : IcosahedronDirections(1);
+  for (const Vector3& parameter : sphere.Directions())
   {
-    std::size_t next = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < points.size(); ++i)
+    const Place place = this->PlaceAt(parameter);
+    if (this->IsCrossing &&
+        (this->Mesh.WindingNumber(place.PointWorld + step * place.Normal) == 0 ||
+         this->Mesh.WindingNumber(place.PointWorld - step * place.Normal) == 0))
     {
-      const double square = (points[i] - queryWorld).squaredNorm();
-      if (square > beyond && square < least)
-      {
-        least = square;
-        next = i;
-      }
-    }
-    beyond = least;
-    const ClosestPoint point = this->RawPointAt(this->Parameters[next], queryWorld);
-    const ClosestPoint seen = point.SignedDistance > 0.0 ? OtherSide(point) : point;
-    if (this->Mesh.WindingNumber(seen.PointWorld + step * seen.Normal) == 0)
-    {
-      return seen;
+      exits.push_back({parameter, place.PointWorld});
     }
   }
-  return inside;
+  return exits;
 }
 
 ParametricTouchSurface::Place

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace palpate
 {
@@ -81,10 +82,18 @@ private:
 
   ClosestPointSearchOf<Shape> Closest;
   double Smallest;
-  std::vector<Vector3> Parameters; // of the mesh's points
+  // A point of the surface that borders the outside, and its parameter.
+  struct Exit
+  {
+    Vector3 Parameter;
+    Vector3 PointWorld;
+  };
+  std::vector<Exit> FindExits() const;
+
   WindingMesh Mesh;
   double MeshDeviation; // of the mesh from the surface, mm
   bool IsCrossing;
+  std::vector<Exit> Exits; // of a surface that crosses itself
 };
 
 /// The same point, seen from the other side of the surface.
