@@ -76,8 +76,8 @@ inline ParametricSphericalSurface Bowl(int degree = 16)
 /// A tube bent by 120 degrees with random bumps of every degree.
 inline ParametricSphericalSurface BumpyTube(Random& random, int degree = 16)
 {
-  const ParametricSphericalSurface tube = ProjectMap(
-      degree, [](const Vector3& u) { return BentTube(u, 2.0 / 3.0 * M_PI, 8.0); });
+  const ParametricSphericalSurface tube =
+      ProjectMap(degree, [](const Vector3& u) { return BentTube(u, 2.0 / 3.0 * M_PI, 8.0); });
   std::array<std::vector<double>, 3> coefficients;
   for (int axis = 0; axis < 3; ++axis)
   {
