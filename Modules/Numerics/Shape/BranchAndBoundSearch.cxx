@@ -1,7 +1,6 @@
 #include "BranchAndBoundSearch.h"
 
 #include "SquaredDistance.h"
-#include "SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -178,8 +177,8 @@ void BranchAndBoundSearch<Surface>::Cut(double bound, const Piece& piece) noexce
       continue;
     }
     const Piece child = this->Evaluate(triangle);
-    const SurfacePatch patch(child.Center, child.Sample, child.Reach,
-                             this->Descent.Bounds().PointThird);
+    const typename SurfaceKind<Surface>::Patch patch(child.Center, child.Sample, child.Reach,
+                                                     this->Descent.Bounds().PointThird);
     const double expansion =
         this->Descent.LowerDistance(this->Query, child.Center, child.Sample, child.Reach);
     this->PushPiece(std::max({bound, patch.LowerDistance(this->Query), expansion}), child);

@@ -4,6 +4,8 @@
 #include "PointDerivativeBounds.h"
 #include "RadiusDerivativeBounds.h"
 #include "SphericalHarmonicModel.h"
+#include "SurfaceBox.h"
+#include "SurfacePatch.h"
 
 namespace palpate
 {
@@ -16,6 +18,7 @@ template <>
 struct SurfaceKind<SphericalHarmonicModel>
 {
   using Bounds = RadiusDerivativeBounds;
+  using Patch = SurfacePatch;
   /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
   /// square of it, far below rounding.
   static constexpr double TrackingTolerance = 1e-7;
@@ -25,6 +28,7 @@ template <>
 struct SurfaceKind<ParametricShape>
 {
   using Bounds = PointDerivativeBounds;
+  using Patch = SurfaceBox;
   /// The point itself is then exact to some 1e-9 mm.
   static constexpr double TrackingTolerance = 1e-10;
 };

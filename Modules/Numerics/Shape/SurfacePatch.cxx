@@ -1,7 +1,5 @@
 #include "SurfacePatch.h"
 
-#include "ParametricSample.h"
-
 namespace palpate
 {
 SurfacePatch::SurfacePatch(const Vector3& direction,
@@ -33,22 +31,5 @@ SurfacePatch::SurfacePatch(const Vector3& direction,
   this->Low = half * std::min(0.0, mean - spread) - rest;
   const double bend = sample.SurfaceHessian.norm() + std::abs(radius);
   this->Radius = reach * stretch + half * std::sqrt(bend * bend + 4.0 * g.squaredNorm()) + rest;
-}
-
-SurfacePatch::SurfacePatch(const Vector3&, const ParametricShape::SecondOrderSample& sample,
-                           double reach, double pointThird) noexcept
-    : Point(sample.Point), Normal(NormalOf(sample))
-{
-  const Vector3& n = this->Normal;
-  const double mean = 0.5 * (sample.Second[0] + sample.Second[2]).dot(n);
-  const double spread =
-      std::hypot(0.5 * (sample.Second[0] - sample.Second[2]).dot(n), sample.Second[1].dot(n));
-  const double half = 0.5 * reach * reach;
-  // The normal is not exactly one where the tangents are almost parallel.
-  const double slope = std::hypot(sample.First[0].dot(n), sample.First[1].dot(n));
-  const double rest = half * reach * pointThird / 3.0;
-  this->High = half * std::max(0.0, mean + spread) + rest + reach * slope;
-  this->Low = half * std::min(0.0, mean - spread) - rest - reach * slope;
-  this->Radius = reach * LargestFirst(sample) + half * LargestSecond(sample) + rest;
 }
 } // namespace palpate

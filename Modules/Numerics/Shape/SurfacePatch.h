@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ParametricShape.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
@@ -9,7 +8,7 @@
 
 namespace palpate
 {
-/// A cylinder guaranteed to contain the part of a surface over a cap of directions. It lies
+/// A cylinder guaranteed to contain the part of a model's surface over a cap of directions. It lies
 /// along the normal, and its height shrinks with the square of the cap, so it gives a tight lower
 /// bound of the distance. Points are relative to the model's centre, mm.
 ///
@@ -19,10 +18,8 @@ struct SurfacePatch
 {
   SurfacePatch() = default;
   /// For the cap of the angle `reach` (rad) around the unit vector `direction`; `pointThird` bounds
-  /// |x'''| (RadiusDerivativeBounds, PointDerivativeBounds).
+  /// |x'''| (RadiusDerivativeBounds).
   SurfacePatch(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
-               double reach, double pointThird) noexcept;
-  SurfacePatch(const Vector3& direction, const ParametricShape::SecondOrderSample& sample,
                double reach, double pointThird) noexcept;
 
   /// Lower bound (mm) of the distance from the query to the patch, up to rounding.
@@ -34,6 +31,16 @@ struct SurfacePatch
     const double above = std::max({0.0, height - this->High, this->Low - height});
     const double lateral = std::max(0.0, std::sqrt(square) - this->Radius);
     return std::sqrt(above * above + lateral * lateral);
+  }
+
+  Vector3 Center() const noexcept
+  {
+    return this->Point + 0.5 * (this->High + this->Low) * this->Normal;
+  }
+  /// Of a sphere around the centre.
+  double Extent() const noexcept
+  {
+    return std::hypot(this->Radius, 0.5 * (this->High - this->Low));
   }
 
   Vector3 Point;

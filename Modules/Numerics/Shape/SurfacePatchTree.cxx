@@ -95,10 +95,9 @@ SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bo
   this->Lowest = std::min(this->Lowest, range.Lowest);
   this->Highest = std::max(this->Highest, range.Highest);
 
-  const SurfacePatch patch(direction, sample, reach, bounds.PointThird);
+  const Patch patch(direction, sample, reach, bounds.PointThird);
   this->Patches[static_cast<std::size_t>(node - this->InnerCount())] = patch;
-  return {patch.Point + 0.5 * (patch.High + patch.Low) * patch.Normal,
-          std::hypot(patch.Radius, 0.5 * (patch.High - patch.Low))};
+  return {patch.Center(), patch.Extent()};
 }
 
 template <typename Surface>

@@ -2,7 +2,6 @@
 
 #include "SphericalTriangle.h"
 #include "SurfaceKind.h"
-#include "SurfacePatch.h"
 
 #include <cstddef>
 #include <vector>
@@ -10,14 +9,15 @@
 namespace palpate
 {
 /// A hierarchy of volumes around the parts of a surface: the triangles of an icosahedron,
-/// each split into four a number of times. The finest have a SurfacePatch each, the others a sphere
-/// around their four parts. Nodes are numbered level by level; points are relative to the surface's
-/// centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
+/// each split into four a number of times. The finest have a SurfacePatch or SurfaceBox each, the
+/// others a sphere around their four parts. Nodes are numbered level by level; points are relative
+/// to the surface's centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
 template <typename Surface>
 class SurfacePatchTreeOf
 {
 public:
   using Bounds = typename SurfaceKind<Surface>::Bounds;
+  using Patch = typename SurfaceKind<Surface>::Patch;
 
   /// `levels` >= 0 is the number of times the 20 triangles are split. Evaluates the surface in
   /// 20 * 4^levels directions.
@@ -60,7 +60,7 @@ public:
   {
     return this->Roots.size() * sizeof(SphericalTriangle) +
            this->Caps.size() * sizeof(SphericalCap) + this->Spheres.size() * sizeof(Sphere) +
-           this->Patches.size() * sizeof(SurfacePatch);
+           this->Patches.size() * sizeof(Patch);
   }
 
   /// Bounds of the distance of the surface from its centre, mm; the lower one is 0 for parametric
@@ -82,7 +82,7 @@ private:
   std::vector<SphericalTriangle> Roots;
   std::vector<SphericalCap> Caps;
   std::vector<Sphere> Spheres;
-  std::vector<SurfacePatch> Patches;
+  std::vector<Patch> Patches;
   double Lowest; // bounds of R, or of the distance from the centre
   double Highest;
 };
