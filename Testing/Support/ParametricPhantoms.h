@@ -27,7 +27,7 @@ inline ParametricSphericalSurface ProjectMap(int degree, const SphereMap& map)
 }
 
 /// Exact at degree 1.
-inline ParametricSphericalSurface ParametricEllipsoid(const Vector3& axes, int degree = 1)
+inline ParametricSphericalSurface EllipsoidPhantom(const Vector3& axes, int degree = 1)
 {
   return ProjectMap(degree, [axes](const Vector3& u)
                     { return Vector3(Vector3(12.0, -7.0, 40.0) + axes.cwiseProduct(u)); });

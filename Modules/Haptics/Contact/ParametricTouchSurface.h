@@ -55,8 +55,8 @@ public:
   /// Whether a tessellation of twice the degree crosses itself.
   bool CrossesItself() const noexcept { return this->IsCrossing; }
   /// By how much (mm) tools are enlarged for their motion, so that points too are kept apart from
-  /// two sheets that cross: a hundredth of SmallestRadius at a surface that crosses itself, else 0.
-  double Margin() const noexcept { return this->IsCrossing ? 0.01 * this->Smallest : 0.0; }
+  /// two sheets that cross: a fiftieth of SmallestRadius at a surface that crosses itself, else 0.
+  double Margin() const noexcept { return this->IsCrossing ? 0.02 * this->Smallest : 0.0; }
 
   /// Of a tool that is known to be outside.
   ClosestPoint SeenFromOutside(const ClosestPoint& nearest) const noexcept;

@@ -67,7 +67,7 @@ Vector3 NearestOnEllipsoid(const Vector3& axes, const Vector3& point)
 TEST(ParametricContactModel, ForcesOfAnEllipsoidAreExact)
 {
   const Vector3 axes(25.0, 20.0, 16.0);
-  const ParametricSphericalSurface surface = test::ParametricEllipsoid(axes, 8);
+  const ParametricSphericalSurface surface = test::EllipsoidPhantom(axes, 8);
   const Vector3 center = surface.Point(Vector3::UnitX()) - Vector3(axes[0], 0.0, 0.0);
   const auto model = ParametricContact(surface);
   for (const double toolRadius : {0.0, 1.0, 4.0})
@@ -306,7 +306,7 @@ TEST(ParametricContactModel, RejectsSurfacesThatCannotBeTouched)
   };
   const std::vector<double> none(4, 0.0);
   EXPECT_TRUE(refused({1, {none, none, none}}));
-  EXPECT_TRUE(refused(test::ParametricEllipsoid({20.0, 15.0, 0.0})));
+  EXPECT_TRUE(refused(test::EllipsoidPhantom({20.0, 15.0, 0.0})));
   for (const double wrong :
        {std::numeric_limits<double>::quiet_NaN(), 1e300, -std::numeric_limits<double>::infinity()})
   {
@@ -318,7 +318,7 @@ TEST(ParametricContactModel, RejectsSurfacesThatCannotBeTouched)
 
 TEST(ParametricContactModel, RejectsOtherToolsThanSpheres)
 {
-  const auto model = ParametricContact(test::ParametricEllipsoid({20.0, 15.0, 10.0}));
+  const auto model = ParametricContact(test::EllipsoidPhantom({20.0, 15.0, 10.0}));
   std::unique_ptr<ContactTracker> tracker;
   EXPECT_FALSE(model->MakeTracker(ToolShape::Capsule(1.0, 3.0, 50), {}, tracker).IsOk());
   EXPECT_FALSE(model->MakeTracker(ToolShape::Sphere(1.0), {0.1, 0.2}, tracker).IsOk());
