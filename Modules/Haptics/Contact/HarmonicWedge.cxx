@@ -15,6 +15,8 @@ namespace
 constexpr double RelativeStep = 1.0 / 16.0;
 constexpr double RelativeEnd = 6e-6;
 constexpr double RelativeTolerance = 1e-5;
+// Of the margin that a surface adds to tools: the tool itself is still kept off.
+constexpr double PartOfMargin = 0.1;
 // Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
 // time for the whole proof.
 constexpr double LeastProven = 0.5;
@@ -74,9 +76,10 @@ template <typename Surface>
 HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius)
     : Touched(std::move(surface)), Radius(radius), LongestStep(StepOf(*this->Touched, radius)),
       End(std::max(RelativeEnd * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
-      Clearance(this->Touched->Search(), radius,
-                std::min(0.5 * radius,
-                         std::max(RelativeTolerance * this->Touched->SmallestRadius(), 2.0 * End)))
+      Clearance(
+          this->Touched->Search(), radius,
+          std::min(0.5 * radius, std::max({RelativeTolerance * this->Touched->SmallestRadius(),
+                                           2.0 * End, PartOfMargin * this->Touched->Margin()})))
 {
 }
 
