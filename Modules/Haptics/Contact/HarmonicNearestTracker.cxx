@@ -160,7 +160,7 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
       return true;
     }
     this->Measure(this->ProbeWorld, step == 0);
-    if (this->ClearRadius <= this->TouchingGap)
+    if (this->ClearRadius <= this->LeastProgress())
     {
       break;
     }
@@ -171,17 +171,32 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
   return this->MeetSurface();
 }
 
+// Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
+template <typename Surface>
+double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr double LeastPart = 0.05;
+    const double gap = std::abs(this->Closest.SignedDistance) - this->ToolRadius;
+    return std::max(this->TouchingGap, LeastPart * gap);
+  }
+  else
+  {
+    return this->TouchingGap;
+  }
+}
+
 // Begins contact where the path cannot be followed any more. At a parametric surface the last
-// measure found the nearest point; where a tick's limits ended the path, the next tick continues
-// it.
+// measure found the nearest point; what a tick's limits left is done by the wedge or the next tick.
 template <typename Surface>
 bool HarmonicNearestTrackerOf<Surface>::MeetSurface() noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
     const double distance = std::abs(this->Closest.SignedDistance);
-    if (distance > this->ToolRadius + 2.0 * this->TouchingGap &&
-        (this->ClearRadius > this->TouchingGap || this->EvaluationsLeft <= 0))
+    const bool isWorkLeft = this->ClearRadius > this->LeastProgress() || this->EvaluationsLeft <= 0;
+    if (!this->Wedge && isWorkLeft && distance > this->ToolRadius + 2.0 * this->TouchingGap)
     {
       return true;
     }
@@ -427,7 +442,7 @@ typename Surface::Place HarmonicNearestTrackerOf<Surface>::Slip(const Vector3& p
     const double part =
         (before * excessAfter - after * excessBefore) / (excessAfter - excessBefore);
     const Vector3 between = (1.0 - part) * this->Held.Direction + part * end.Direction;
-    place = this->Touched->PlaceAt(between.normalized(), this->Held.Normal);
+    place = this->Touched->PlaceAt(between.normalized(), this->Closest);
     const FrictionCone::Pull pull = this->PullOf(probe, place);
     const double excess = this->Friction.Excess(pull);
     if (std::abs(excess) <= Enough * pull.Along)
@@ -472,8 +487,9 @@ void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noex
   {
     this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
     const Vector3 push = this->Felt.ProxyWorld - probe;
-    this->Felt.IsTouching = this->Wedge ? push.dot(this->Felt.NormalWorld) > 0.0
-                                        : this->Closest.SignedDistance < this->ToolRadius;
+    const double margin = 2.0 * this->Touched->Margin();
+    const bool isHeld = push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin;
+    this->Felt.IsTouching = this->Wedge ? isHeld : this->Closest.SignedDistance < this->ToolRadius;
     this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
     this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
   }

@@ -58,6 +58,7 @@ private:
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
   bool MeetSurface() noexcept;
+  double LeastProgress() const noexcept;
   void Slide(const Vector3& probe) noexcept;
   bool Press(const Vector3& probe, double motion) noexcept;
   void Settle(const Vector3& probe) noexcept;

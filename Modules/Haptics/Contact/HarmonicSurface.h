@@ -58,7 +58,7 @@ public:
   {
     return point;
   }
-  Place PlaceAt(const Vector3& direction, const Vector3&) const noexcept
+  Place PlaceAt(const Vector3& direction, const ClosestPoint&) const noexcept
   {
     return this->PlaceAt(direction);
   }

@@ -147,7 +147,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
         this->Clearance.Ask(this->Center, this->Walls.data(), this->WallCount, EvaluationsOfMove);
     if (answer.State == Proof::Finding::Nearer)
     {
-      this->MeetFrom(leash.ClearWorld, answer.Minimum);
+      this->Meet(this->Sided(answer.Minimum));
       continue;
     }
     if (answer.LowerDistance < LeastProven * this->Radius)
@@ -325,9 +325,13 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isTouched = i == 0 && touched != nullptr;
-    const ClosestPoint wall =
-        isTouched ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
-                  : this->Touched->Search().Track(placeWorld, walls[i]);
+    ClosestPoint wall = isTouched
+                            ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
+                            : this->Touched->Search().Track(placeWorld, walls[i]);
+    if constexpr (Surface::MayCrossItself)
+    {
+      wall = isTouched ? wall : this->Sided(wall);
+    }
     // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
     if (isTouched || wall.SignedDistance < this->Radius + this->LongestStep)
     {
@@ -360,19 +364,20 @@ void HarmonicWedgeOf<Surface>::Meet(const ClosestPoint& wall) noexcept
                     { return a.SignedDistance < b.SignedDistance; }) = wall;
 }
 
+// Within a step of a clear place there is no part of the surface: the sphere is on the outer side
+// of every wall there, also where the tracked point has moved over a fold.
 template <typename Surface>
-void HarmonicWedgeOf<Surface>::MeetFrom(const Vector3& clearWorld,
-                                        const ClosestPoint& wall) noexcept
+typename HarmonicWedgeOf<Surface>::ClosestPoint
+HarmonicWedgeOf<Surface>::Sided(const ClosestPoint& wall) const noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
-    if (this->IsClear && (clearWorld - wall.PointWorld).dot(wall.Normal) < 0.0)
-    {
-      this->Meet(OtherSide(wall));
-      return;
-    }
+    return this->IsClear ? this->Touched->SeenFromOutside(wall) : wall;
   }
-  this->Meet(wall);
+  else
+  {
+    return wall;
+  }
 }
 
 template class HarmonicWedgeOf<HarmonicSurface>;

@@ -66,7 +66,7 @@ private:
   void ReturnToWall(const Vector3& goalWorld) noexcept;
   void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;
   void Meet(const ClosestPoint& wall) noexcept;
-  void MeetFrom(const Vector3& clearWorld, const ClosestPoint& wall) noexcept;
+  ClosestPoint Sided(const ClosestPoint& wall) const noexcept;
   bool IsClearOfWalls() const noexcept;
 
   std::shared_ptr<const Surface> Touched;

@@ -81,6 +81,12 @@ WindingMesh MeshOf(const ParametricShape& shape)
   return {std::move(points), sphere.Triangles()};
 }
 
+// Whether a point is seen from the side that the parameters' orientation calls inside.
+bool IsTurned(const SurfacePoint& point) noexcept
+{
+  return point.Normal.dot(AreaVector(point.Sample)) < 0.0;
+}
+
 // From the triangles' centres to the points of the surface there.
 double DeviationOf(const ParametricShape& shape)
 {
@@ -226,14 +232,11 @@ ParametricTouchSurface::PlaceAt(const Vector3& parameter) const noexcept
   return {parameter, this->Model().CenterWorld() + sample.Point, NormalOf(sample)};
 }
 
-ParametricTouchSurface::Place ParametricTouchSurface::PlaceAt(const Vector3& parameter,
-                                                              const Vector3& normal) const noexcept
+ParametricTouchSurface::Place
+ParametricTouchSurface::PlaceAt(const Vector3& parameter, const ClosestPoint& like) const noexcept
 {
   Place place = this->PlaceAt(parameter);
-  if (place.Normal.dot(normal) < 0.0)
-  {
-    place.Normal = -place.Normal;
-  }
+  place.Normal = IsTurned(like) ? Vector3(-place.Normal) : place.Normal;
   return place;
 }
 
@@ -261,7 +264,6 @@ SurfacePoint ParametricTouchSurface::PointAt(const Vector3& parameter, const Vec
                                              const ClosestPoint& like) const noexcept
 {
   const ClosestPoint point = this->RawPointAt(parameter, queryWorld);
-  const bool isTurned = like.Normal.dot(AreaVector(like.Sample)) < 0.0;
-  return isTurned ? OtherSide(point) : point;
+  return IsTurned(like) ? OtherSide(point) : point;
 }
 } // namespace palpate

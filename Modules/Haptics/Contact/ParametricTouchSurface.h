@@ -67,8 +67,8 @@ public:
   ClosestPoint SeenLike(const ClosestPoint& other, const ClosestPoint& nearest) const noexcept;
 
   Place PlaceAt(const Vector3& parameter) const noexcept;
-  /// With the normal on the side of another one nearby.
-  Place PlaceAt(const Vector3& parameter, const Vector3& normal) const noexcept;
+  /// With the normal on the side of `like`.
+  Place PlaceAt(const Vector3& parameter, const ClosestPoint& like) const noexcept;
   /// The same as a closest point to `queryWorld`, without a search, from which tracking can start;
   /// on the side of `like`.
   ClosestPoint PointAt(const Vector3& parameter, const Vector3& queryWorld,
