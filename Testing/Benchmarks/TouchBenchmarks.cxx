@@ -5,6 +5,8 @@
 #include "FieldContactModel.h"
 #include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
+#include "ParametricContactModel.h"
+#include "ParametricPhantoms.h"
 #include "ProceduralFields.h"
 #include "PublishedShell.h"
 #include "RandomShapes.h"
@@ -224,6 +226,90 @@ private:
   vtkNew<vtkImplicitPolyDataDistance> Distance;
 };
 
+// A parametric surface and its mesh of 8,000 triangles, touched 1.5 mm deep by a point.
+class ParametricCase
+{
+public:
+  explicit ParametricCase(const ParametricSphericalSurface& surface)
+  {
+    this->MakePath(surface);
+    std::shared_ptr<const ContactModel> model;
+    if (ParametricContactModel::Make(surface, model).IsOk())
+    {
+      this->Parametric = TrackerOf(model, ToolShape::Sphere(0.0));
+    }
+    const IcosahedronDirections sphere(20);
+    std::vector<Vector3> corners;
+    for (const Vector3& parameter : sphere.Directions())
+    {
+      corners.push_back(surface.Point(parameter));
+    }
+    if (FacetContactModel::Make(corners, sphere.Triangles(), model).IsOk())
+    {
+      this->Facets = TrackerOf(model, ToolShape::Sphere(0.0));
+    }
+  }
+  void AddStar(const std::shared_ptr<const SphericalHarmonicModel>& organ)
+  {
+    std::shared_ptr<const ContactModel> model;
+    if (HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model).IsOk())
+    {
+      this->Star = TrackerOf(model, ToolShape::Sphere(0.0));
+    }
+  }
+
+  void FollowParametric() { FollowAll(*this->Parametric, this->Path, this->Pairs.Ours); }
+  void FollowFacets() { FollowAll(*this->Facets, this->Path, this->Pairs.Theirs); }
+  void FollowStar() { FollowAll(*this->Star, this->Path, this->Pairs.Theirs); }
+  // As for FacetsDisagreement; a star-shaped model has the same surface, tracked to 1e-5 mm.
+  std::string Disagreement() const { return this->Pairs.Disagreement(0.6); }
+  std::string StarDisagreement() const { return this->Pairs.Disagreement(2e-5); }
+
+private:
+  void MakePath(const ParametricSphericalSurface& surface)
+  {
+    // Parameters are stretched differently everywhere: turns of any angle that moves by a step.
+    test::Random random(61);
+    Vector3 u = Vector3::UnitX();
+    Vector3 axis = test::RandomDirection(random);
+    while (this->Path.size() < Ticks)
+    {
+      axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
+      const auto turned = [&](double angle)
+      { return Vector3((Eigen::AngleAxisd(angle, axis) * u).normalized()); };
+      constexpr double Small = 1e-4; // rad
+      const double speed = (surface.Point(turned(Small)) - surface.Point(u)).norm() / Small;
+      u = turned(std::min(0.01, Step / speed));
+      this->Path.push_back(surface.Point(u) - 1.5 * surface.Normal(u));
+    }
+  }
+
+  std::vector<Vector3> Path;
+  std::unique_ptr<ContactTracker> Parametric;
+  std::unique_ptr<ContactTracker> Facets;
+  std::unique_ptr<ContactTracker> Star;
+  Proxies Pairs;
+};
+
+std::vector<PairedBenchmark> ParametricBenchmarks()
+{
+  test::Random random(12);
+  // In parametric form the degree is one higher.
+  const auto organ = std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 15));
+  const auto body = std::make_shared<ParametricCase>(ParametricSphericalSurface::FromModel(*organ));
+  body->AddStar(organ);
+  const auto ring = std::make_shared<ParametricCase>(test::OpenRing());
+  return {{"touch/parametric/degree16", "god-object on 8,000 triangles (ours)",
+           [body] { body->FollowParametric(); }, [body] { body->FollowFacets(); },
+           [body] { return body->Disagreement(); }, Ticks},
+          {"touch/parametric/degree16/star", "the same as a star-shaped model (ours)",
+           [body] { body->FollowParametric(); }, [body] { body->FollowStar(); },
+           [body] { return body->StarDisagreement(); }, Ticks},
+          {"touch/parametric/degree16/ring", "god-object on 8,000 triangles (ours)",
+           [ring] { ring->FollowParametric(); }, [ring] { ring->FollowFacets(); },
+           [ring] { return ring->Disagreement(); }, Ticks}};
+}
+
 // A sphere of 30 mm in voxels of 0.5 mm, touched by one of 2 mm with 26 points, half a voxel deep.
 class FieldCase
 {
@@ -317,28 +403,31 @@ std::vector<PairedBenchmark> TouchBenchmarks()
                            [organ] { return organ->FacetsDisagreement(); },
                            Ticks};
   };
-  return {{"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
-           [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, Ticks},
-          {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
-           [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree,
-           Ticks},
-          {"touch/sh/degree12/sphere", "god-object on 8,000 triangles (ours), sphere of 2 mm",
-           [organ] { organ->FollowHarmonicSphere(); }, [organ] { organ->FollowFacetsSphere(); },
-           agree, Ticks},
-          {"touch/sh/degree12/radius", "a point instead of a sphere of 2 mm (ours)",
-           [organ] { organ->TouchHarmonicSphere(); }, [organ] { organ->TouchHarmonicPoint(); },
-           agree, Ticks},
-          facets(0, "8000"),
-          facets(1, "32000"),
-          facets(2, "128000"),
-          {"touch/subvoxel/26/radius", "a sphere of 0.5 mm instead of one of 4 mm (ours)",
-           [field] { field->TouchLarge(); }, [field] { field->TouchSmall(); },
-           [field] { return field->RadiiDisagreement(); }, Ticks},
-          StructureBenchmark(10),
-          StructureBenchmark(116),
-          StructureBenchmark(10000),
-          {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
-           [field] { field->FollowPublished(); }, [field] { return field->LawsDisagreement(); },
-           Ticks}};
+  std::vector<PairedBenchmark> all{
+      {"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
+       [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, Ticks},
+      {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
+       [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree, Ticks},
+      {"touch/sh/degree12/sphere", "god-object on 8,000 triangles (ours), sphere of 2 mm",
+       [organ] { organ->FollowHarmonicSphere(); }, [organ] { organ->FollowFacetsSphere(); }, agree,
+       Ticks},
+      {"touch/sh/degree12/radius", "a point instead of a sphere of 2 mm (ours)",
+       [organ] { organ->TouchHarmonicSphere(); }, [organ] { organ->TouchHarmonicPoint(); }, agree,
+       Ticks},
+      facets(0, "8000"),
+      facets(1, "32000"),
+      facets(2, "128000"),
+      {"touch/subvoxel/26/radius", "a sphere of 0.5 mm instead of one of 4 mm (ours)",
+       [field] { field->TouchLarge(); }, [field] { field->TouchSmall(); },
+       [field] { return field->RadiiDisagreement(); }, Ticks},
+      StructureBenchmark(10),
+      StructureBenchmark(116),
+      StructureBenchmark(10000),
+      {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
+       [field] { field->FollowPublished(); }, [field] { return field->LawsDisagreement(); },
+       Ticks}};
+  const std::vector<PairedBenchmark> parametric = ParametricBenchmarks();
+  all.insert(all.end(), parametric.begin(), parametric.end());
+  return all;
 }
 } // namespace palpate::bench

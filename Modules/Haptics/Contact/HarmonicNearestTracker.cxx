@@ -40,26 +40,32 @@ Vector3 Turned(const Vector3& from, const Vector3& to, double angle) noexcept
   return (std::cos(angle) * from + std::sin(angle) * side).normalized();
 }
 
-HarmonicSurface::Place PlaceOf(const ClosestPoint& point) noexcept
+template <typename Surface>
+typename Surface::Place PlaceOf(const typename Surface::ClosestPoint& point) noexcept
 {
   return {point.Direction, point.PointWorld, point.Normal};
 }
+
 } // namespace
 
-HarmonicNearestTracker::HarmonicNearestTracker(std::shared_ptr<const HarmonicSurface> surface,
-                                               double toolRadius, const SurfaceFriction& friction)
-    : Surface(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
-      TouchingGap(
-          std::max(RelativeGap * this->Surface->SmallestRadius(), 2.0 * this->Surface->Rounding())),
-      Stride(RelativeStride * this->Surface->SmallestRadius())
+template <typename Surface>
+HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<const Surface> surface,
+                                                            double toolRadius,
+                                                            const SurfaceFriction& friction)
+    : Touched(std::move(surface)), ToolRadius(toolRadius + this->Touched->Margin()),
+      Friction(friction), TouchingGap(std::max(RelativeGap * this->Touched->SmallestRadius(),
+                                               2.0 * this->Touched->Rounding())),
+      Stride(RelativeStride * this->Touched->SmallestRadius())
 {
-  if (HarmonicWedge::IsNeeded(*this->Surface, toolRadius))
+  if (this->Touched->CrossesItself() ||
+      HarmonicWedgeOf<Surface>::IsNeeded(*this->Touched, toolRadius))
   {
-    this->Wedge = std::make_unique<HarmonicWedge>(this->Surface, toolRadius);
+    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
   }
 }
 
-const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
+template <typename Surface>
+const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) noexcept
 {
   if (!pose.IsUsable())
   {
@@ -80,20 +86,27 @@ const Contact& HarmonicNearestTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
-int HarmonicNearestTracker::EvaluationsOfNextSearch() const noexcept
+template <typename Surface>
+int HarmonicNearestTrackerOf<Surface>::EvaluationsOfNextSearch() const noexcept
 {
   return std::clamp(this->EvaluationsLeft, FewEvaluations, EvaluationsOfSearch);
 }
 
-ClosestPoint HarmonicNearestTracker::NearestTo(const Vector3& probe) noexcept
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::NearestTo(const Vector3& probe) noexcept
 {
-  ClosestPoint nearest = this->Surface->Search().Nearest(probe, this->EvaluationsOfNextSearch());
+  const auto& search = this->Touched->Search();
+  const int most = this->EvaluationsOfNextSearch();
+  ClosestPoint nearest = this->IsNearKnown() ? search.Nearest(probe, most, this->Closest)
+                                             : search.Nearest(probe, most);
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
 
 // Follows the probe's path from its last place. Work beyond a tick's limits is left to the next.
-void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
 {
   if (this->Known == State::Nothing)
   {
@@ -106,6 +119,10 @@ void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
     {
       return;
     }
+    if (Surface::MayCrossItself && this->Wedge)
+    {
+      return; // the wedge follows alone
+    }
     this->Slide(probe);
     if (this->Known == State::Touching)
     {
@@ -114,9 +131,26 @@ void HarmonicNearestTracker::Advance(const Vector3& probe) noexcept
   }
 }
 
+// Of the free sphere around a tool that is known to be outside. At a parametric surface the tool
+// keeps off so far that the sign of its distance tells the side without doubt.
+template <typename Surface>
+double HarmonicNearestTrackerOf<Surface>::FreeRadius(const ClosestPoint& closest) const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    return std::abs(closest.SignedDistance) - closest.DistanceError - this->ToolRadius -
+           0.5 * this->TouchingGap;
+  }
+  else
+  {
+    return closest.SignedDistance - closest.DistanceError - this->ToolRadius;
+  }
+}
+
 // From sphere to sphere along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996).
 // Returns false on contact.
-bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
 {
   for (int step = 0; step < MostFreeSteps; ++step)
   {
@@ -125,8 +159,8 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
       this->ProbeWorld = probe;
       return true;
     }
-    this->Measure(this->ProbeWorld);
-    if (this->ClearRadius <= this->TouchingGap)
+    this->Measure(this->ProbeWorld, step == 0);
+    if (this->ClearRadius <= this->LeastProgress())
     {
       break;
     }
@@ -134,32 +168,97 @@ bool HarmonicNearestTracker::MoveFree(const Vector3& probe) noexcept
     const double length = path.norm();
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
   }
-  this->Touch(this->NearestTo(this->ProbeWorld));
+  return this->MeetSurface();
+}
+
+// Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
+template <typename Surface>
+double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr double LeastPart = 0.05;
+    const double gap = std::abs(this->Closest.SignedDistance) - this->ToolRadius;
+    return std::max(this->TouchingGap, LeastPart * gap);
+  }
+  else
+  {
+    return this->TouchingGap;
+  }
+}
+
+// Begins contact where the path cannot be followed any more. At a parametric surface the last
+// measure found the nearest point; what a tick's limits left is done by the wedge or the next tick.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::MeetSurface() noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    const double distance = std::abs(this->Closest.SignedDistance);
+    const bool isWorkLeft = this->ClearRadius > this->LeastProgress() || this->EvaluationsLeft <= 0;
+    if (!this->Wedge && isWorkLeft && distance > this->ToolRadius + 2.0 * this->TouchingGap)
+    {
+      return true;
+    }
+    this->Touch(this->Touched->SeenFromOutside(this->Closest));
+  }
+  else
+  {
+    this->Touch(this->NearestTo(this->ProbeWorld));
+  }
   return false;
 }
 
 // Computes the free sphere around a place of the probe. Far away the sphere around the surface
 // suffices.
-void HarmonicNearestTracker::Measure(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe, bool isFirst) noexcept
 {
-  const double largest = this->Surface->LargestRadius();
-  const double centerDistance = (probe - this->Surface->Model().CenterWorld()).norm();
+  const double largest = this->Touched->LargestRadius();
+  const double centerDistance = (probe - this->Touched->Model().CenterWorld()).norm();
   this->ClearCenterWorld = probe;
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest =
-        this->Surface->Search().Clearance(probe, this->ToolRadius, this->EvaluationsOfNextSearch());
+    const ClosestPoint closest = this->ClearanceAt(probe, isFirst);
     this->EvaluationsLeft -= closest.Evaluations;
-    this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
+    this->ClearRadius = this->FreeRadius(closest);
   }
 }
 
-void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
+// At a parametric surface a search begins from the last one; a path that is not at its end after a
+// first sphere probably ends at the surface, and the whole distance is proven.
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirst) noexcept
 {
-  const ClosestPoint nearest = this->NearestTo(probe);
+  const auto& search = this->Touched->Search();
+  const int most = this->EvaluationsOfNextSearch();
+  if constexpr (Surface::MayCrossItself)
+  {
+    if (this->IsNearKnown())
+    {
+      this->Closest = isFirst ? search.Clearance(probe, this->ToolRadius, most, this->Closest)
+                              : search.Nearest(probe, most, this->Closest);
+    }
+    else
+    {
+      this->Closest = search.Clearance(probe, this->ToolRadius, most);
+    }
+    return this->Closest;
+  }
+  else
+  {
+    return search.Clearance(probe, this->ToolRadius, most);
+  }
+}
+
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Settle(const Vector3& probe) noexcept
+{
+  const ClosestPoint nearest = this->Touched->SeenFrom(probe, this->NearestTo(probe));
   this->ProbeWorld = probe;
-  if (nearest.SignedDistance < this->ToolRadius)
+  if (nearest.SignedDistance < this->EndOfContact())
   {
     this->Touch(nearest);
   }
@@ -169,26 +268,33 @@ void HarmonicNearestTracker::Settle(const Vector3& probe) noexcept
   }
 }
 
-void HarmonicNearestTracker::Touch(const ClosestPoint& nearest) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Touching;
   this->Closest = nearest;
-  this->Held = PlaceOf(nearest);
+  this->Held = PlaceOf<Surface>(nearest);
   if (this->Wedge)
   {
     this->Wedge->Begin(nearest);
   }
 }
 
-void HarmonicNearestTracker::LetGo(const ClosestPoint& nearest) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::LetGo(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Free;
   this->ClearCenterWorld = this->ProbeWorld;
-  this->ClearRadius = nearest.SignedDistance - nearest.DistanceError - this->ToolRadius;
+  this->ClearRadius = this->FreeRadius(nearest);
+  if constexpr (Surface::MayCrossItself)
+  {
+    this->Closest = nearest;
+  }
 }
 
 // Along the path in short steps, until contact ends or the end is reached.
-void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
 {
   const Vector3 start = this->ProbeWorld;
   const Vector3 path = probe - start;
@@ -205,32 +311,63 @@ void HarmonicNearestTracker::Slide(const Vector3& probe) noexcept
 }
 
 // One short step in contact; returns false if contact ends.
-bool HarmonicNearestTracker::Press(const Vector3& probe, double motion) noexcept
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motion) noexcept
 {
   this->ProbeWorld = probe;
   const ClosestPoint next = this->Continued(probe);
-  if (next.SignedDistance >= this->ToolRadius)
+  if (next.SignedDistance >= this->EndOfContact())
   {
-    this->LetGo(next);
+    this->Leave(probe, next);
     return false;
   }
-  const double largestTurn = LargestTurn(motion / this->Surface->SmallestRadius());
+  const double largestTurn = LargestTurn(motion / this->Touched->SmallestRadius());
   const Vector3& last = this->Closest.Direction;
   const bool isNear = (next.Direction - last).squaredNorm() <= largestTurn * largestTurn;
-  this->Closest =
-      isNear ? next : this->Surface->PointAt(Turned(last, next.Direction, largestTurn), probe);
+  this->Closest = isNear ? next
+                         : this->Touched->PointAt(Turned(last, next.Direction, largestTurn), probe,
+                                                  this->Closest);
   this->Drag(probe);
   return true;
 }
 
+// At a parametric surface the way from the new proxy to the probe has to be free; else it is
+// followed through free spheres, starting a little above the surface.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
+                                              const ClosestPoint& next) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr double Almost = 1.0 - 1e-6;
+    const ClosestPoint nearest = this->NearestTo(probe);
+    if (std::abs(nearest.SignedDistance) < Almost * next.SignedDistance)
+    {
+      this->Known = State::Free;
+      this->ProbeWorld =
+          next.PointWorld + (this->ToolRadius + 4.0 * this->TouchingGap) * next.Normal;
+      this->ClearCenterWorld = this->ProbeWorld;
+      this->ClearRadius = 0.0;
+      return;
+    }
+    this->LetGo(nearest);
+  }
+  else
+  {
+    this->LetGo(next);
+  }
+}
+
 // The continued minimum; or another one, if contact with it has ended but not with the whole
 // surface, or if it has become a saddle or a maximum that descent would never leave.
-ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::Continued(const Vector3& probe) noexcept
 {
-  ClosestPoint next = this->Surface->Search().Track(probe, this->Closest);
+  ClosestPoint next = this->Touched->Search().Track(probe, this->Closest);
   const bool isStationary =
       next.State == ClosestPoint::Outcome::Stationary && !next.Expansion.IsConvex();
-  if (next.SignedDistance < this->ToolRadius && !isStationary)
+  if ((Surface::MayCrossItself || next.SignedDistance < this->ToolRadius) && !isStationary)
   {
     return next;
   }
@@ -238,31 +375,33 @@ ClosestPoint HarmonicNearestTracker::Continued(const Vector3& probe) noexcept
   // At the centre of a sphere all directions are equal: then it is kept.
   constexpr double Nearer = 1.0 - 1e-6;
   const bool isNearer = std::abs(nearest.SignedDistance) < Nearer * std::abs(next.SignedDistance);
-  return isStationary && !isNearer ? next : nearest;
+  return isStationary && !isNearer ? next : this->Touched->SeenLike(next, nearest);
 }
 
-FrictionCone::Pull
-HarmonicNearestTracker::PullOf(const Vector3& probe,
-                               const HarmonicSurface::Place& place) const noexcept
+template <typename Surface>
+FrictionCone::Pull HarmonicNearestTrackerOf<Surface>::PullOf(const Vector3& probe,
+                                                             const Place& place) const noexcept
 {
   return {probe - (place.PointWorld + this->ToolRadius * place.Normal), place.Normal};
 }
 
 // Applies friction to the held place.
-void HarmonicNearestTracker::Drag(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Drag(const Vector3& probe) noexcept
 {
   if (this->Friction.IsFrictionless())
   {
-    this->Held = PlaceOf(this->Closest);
+    this->Held = PlaceOf<Surface>(this->Closest);
   }
   else if (!this->Friction.Sticks(this->PullOf(probe, this->Held)))
   {
-    this->Held = this->Slip(probe, PlaceOf(this->Closest));
+    this->Held = this->Slip(probe, PlaceOf<Surface>(this->Closest));
   }
 }
 
 // Once per tick: it takes short steps itself.
-void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
   const Vector3& normal = this->Wedge->Normal();
@@ -274,7 +413,8 @@ void HarmonicNearestTracker::DragWedge(const Vector3& probe) noexcept
 }
 
 // A sphere that no wall holds is free, and moves from its place to the probe.
-void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcept
 {
   this->Known = State::Free;
   this->ProbeWorld = this->Wedge->CenterWorld();
@@ -285,8 +425,9 @@ void HarmonicNearestTracker::LeaveWedge(const Vector3& probe) noexcept
 
 // Between the held place and the end of the path, the place where the tool sticks again: a root by
 // the Illinois form of the false position.
-HarmonicSurface::Place
-HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place& end) const noexcept
+template <typename Surface>
+typename Surface::Place HarmonicNearestTrackerOf<Surface>::Slip(const Vector3& probe,
+                                                                const Place& end) const noexcept
 {
   constexpr int MostSteps = 12;
   constexpr double Enough = 1e-6; // relative to the pull
@@ -295,13 +436,13 @@ HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place&
   double excessBefore = this->Friction.Excess(this->PullOf(probe, this->Held));
   double excessAfter = this->Friction.Excess(this->PullOf(probe, end));
   int lastSide = 0;
-  HarmonicSurface::Place place = end;
+  Place place = end;
   for (int step = 0; step < MostSteps && excessBefore > 0.0 && excessAfter < 0.0; ++step)
   {
     const double part =
         (before * excessAfter - after * excessBefore) / (excessAfter - excessBefore);
     const Vector3 between = (1.0 - part) * this->Held.Direction + part * end.Direction;
-    place = this->Surface->PlaceAt(between.normalized());
+    place = this->Touched->PlaceAt(between.normalized(), this->Closest);
     const FrictionCone::Pull pull = this->PullOf(probe, place);
     const double excess = this->Friction.Excess(pull);
     if (std::abs(excess) <= Enough * pull.Along)
@@ -320,7 +461,8 @@ HarmonicNearestTracker::Slip(const Vector3& probe, const HarmonicSurface::Place&
   return place;
 }
 
-void HarmonicNearestTracker::Report(const Vector3& probe) noexcept
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::Report(const Vector3& probe) noexcept
 {
   this->Felt.IsValid = true;
   this->Felt.IsTouching = this->Known == State::Touching;
@@ -333,6 +475,26 @@ void HarmonicNearestTracker::Report(const Vector3& probe) noexcept
         this->Wedge ? this->Wedge->CenterWorld()
                     : Vector3(this->Held.PointWorld + this->ToolRadius * this->Held.Normal);
     this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
+    this->WithoutMargin(probe);
   }
 }
+
+// The proxy of the tool itself; without contact while only the margin or the gap is touched.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
+    const Vector3 push = this->Felt.ProxyWorld - probe;
+    const double margin = 2.0 * this->Touched->Margin();
+    const bool isHeld = push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin;
+    this->Felt.IsTouching = this->Wedge ? isHeld : this->Closest.SignedDistance < this->ToolRadius;
+    this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
+    this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
+  }
+}
+
+template class HarmonicNearestTrackerOf<HarmonicSurface>;
+template class HarmonicNearestTrackerOf<ParametricTouchSurface>;
 } // namespace palpate

@@ -4,12 +4,13 @@
 #include "FrictionCone.h"
 #include "HarmonicSurface.h"
 #include "HarmonicWedge.h"
+#include "ParametricTouchSurface.h"
 
 #include <memory>
 
 namespace palpate
 {
-/// Tracks a spherical tool by the nearest point of a star-shaped surface.
+/// Tracks a spherical tool by the nearest point of a star-shaped or parametric surface.
 ///
 /// Without contact, the probe's path is followed through spheres that are proven free: their radius
 /// is the proven distance to the nearest point, so no wall is passed undetected, and most ticks
@@ -23,11 +24,21 @@ namespace palpate
 /// that is too large for a hollow of the surface out of all walls. Friction holds the tool in place
 /// until the pull leaves the friction cone; then it slips towards the nearest point until it sticks
 /// again.
-class HarmonicNearestTracker final : public ContactTracker
+///
+/// A parametric surface may wrap round anything and may cross itself, where the nearest point does
+/// not tell inside from outside. The tool's own path does: it starts outside (or is moved out), and
+/// each contact keeps to the side of the surface from which it began. It ends where a straight path
+/// leads from the proxy to the probe through spheres that are proven free. At a surface that was
+/// found to cross itself, HarmonicWedge moves every tool, a point too as a small sphere.
+template <typename Surface>
+class HarmonicNearestTrackerOf final : public ContactTracker
 {
 public:
-  HarmonicNearestTracker(std::shared_ptr<const HarmonicSurface> surface, double toolRadius,
-                         const SurfaceFriction& friction);
+  using ClosestPoint = typename Surface::ClosestPoint;
+  using Place = typename Surface::Place;
+
+  HarmonicNearestTrackerOf(std::shared_ptr<const Surface> surface, double toolRadius,
+                           const SurfaceFriction& friction);
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }
@@ -46,26 +57,39 @@ private:
 
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
+  bool MeetSurface() noexcept;
+  double LeastProgress() const noexcept;
   void Slide(const Vector3& probe) noexcept;
   bool Press(const Vector3& probe, double motion) noexcept;
   void Settle(const Vector3& probe) noexcept;
   void Touch(const ClosestPoint& nearest) noexcept;
   void LetGo(const ClosestPoint& nearest) noexcept;
+  double FreeRadius(const ClosestPoint& closest) const noexcept;
+  // Whether Closest is a place from which a search may begin.
+  bool IsNearKnown() const noexcept
+  {
+    return Surface::MayCrossItself && this->Closest.State != ClosestPoint::Outcome::BadInput;
+  }
+  double EndOfContact() const noexcept
+  {
+    return Surface::MayCrossItself ? this->ToolRadius + this->TouchingGap : this->ToolRadius;
+  }
+  void Leave(const Vector3& probe, const ClosestPoint& next) noexcept;
   ClosestPoint Continued(const Vector3& probe) noexcept;
   int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;
-  void Measure(const Vector3& probe) noexcept;
+  void Measure(const Vector3& probe, bool isFirst) noexcept;
+  ClosestPoint ClearanceAt(const Vector3& probe, bool isFirst) noexcept;
   void Drag(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;
-  HarmonicSurface::Place Slip(const Vector3& probe,
-                              const HarmonicSurface::Place& end) const noexcept;
-  FrictionCone::Pull PullOf(const Vector3& probe,
-                            const HarmonicSurface::Place& place) const noexcept;
+  Place Slip(const Vector3& probe, const Place& end) const noexcept;
+  FrictionCone::Pull PullOf(const Vector3& probe, const Place& place) const noexcept;
   void Report(const Vector3& probe) noexcept;
+  void WithoutMargin(const Vector3& probe) noexcept;
 
-  std::shared_ptr<const HarmonicSurface> Surface;
-  double ToolRadius; // mm
+  std::shared_ptr<const Surface> Touched;
+  double ToolRadius; // mm, with the surface's own margin
   FrictionCone Friction;
   double TouchingGap; // mm; smaller distances count as contact
   double Stride;      // mm; the longest step of the probe that stays with its minimum
@@ -78,8 +102,11 @@ private:
   double ClearRadius = 0.0;
   // In contact: the minimum that is tracked, and where friction holds the tool.
   ClosestPoint Closest{};
-  HarmonicSurface::Place Held{};
-  std::unique_ptr<HarmonicWedge> Wedge; // used instead if the tool does not fit everywhere
+  Place Held{};
+  std::unique_ptr<HarmonicWedgeOf<Surface>>
+      Wedge; // used instead if the tool does not fit everywhere
   Contact Felt;
 };
+using HarmonicNearestTracker = HarmonicNearestTrackerOf<HarmonicSurface>;
+using ParametricNearestTracker = HarmonicNearestTrackerOf<ParametricTouchSurface>;
 } // namespace palpate

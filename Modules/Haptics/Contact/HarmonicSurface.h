@@ -13,6 +13,10 @@ namespace palpate
 class HarmonicSurface
 {
 public:
+  using Shape = SphericalHarmonicModel;
+  using ClosestPoint = ClosestPointOf<Shape>;
+  static constexpr bool MayCrossItself = false;
+
   /// A point of the surface, by its direction from the centre.
   struct Place
   {
@@ -41,6 +45,28 @@ public:
   Place PlaceAt(const Vector3& direction) const noexcept;
   /// The same as a closest point to `queryWorld`, without a search, from which tracking can start.
   ClosestPoint PointAt(const Vector3& direction, const Vector3& queryWorld) const noexcept;
+
+  /// What only surfaces need that may cross themselves; see ParametricTouchSurface.
+  static constexpr bool CrossesItself() noexcept { return false; }
+  static constexpr double Margin() noexcept { return 0.0; }
+  static const ClosestPoint& SeenFromOutside(const ClosestPoint& point) noexcept { return point; }
+  static const ClosestPoint& SeenFrom(const Vector3&, const ClosestPoint& point) noexcept
+  {
+    return point;
+  }
+  static const ClosestPoint& SeenLike(const ClosestPoint&, const ClosestPoint& point) noexcept
+  {
+    return point;
+  }
+  Place PlaceAt(const Vector3& direction, const ClosestPoint&) const noexcept
+  {
+    return this->PlaceAt(direction);
+  }
+  ClosestPoint PointAt(const Vector3& direction, const Vector3& queryWorld,
+                       const ClosestPoint&) const noexcept
+  {
+    return this->PointAt(direction, queryWorld);
+  }
 
 private:
   HarmonicSurface(std::shared_ptr<const SphericalHarmonicModel> model, double smallest,

@@ -15,6 +15,8 @@ namespace
 constexpr double RelativeStep = 1.0 / 16.0;
 constexpr double RelativeEnd = 6e-6;
 constexpr double RelativeTolerance = 1e-5;
+// Of the margin that a surface adds to tools: the tool itself is still kept off.
+constexpr double PartOfMargin = 0.1;
 // Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
 // time for the whole proof.
 constexpr double LeastProven = 0.5;
@@ -23,6 +25,7 @@ constexpr int MostProofs = 12;
 constexpr int EvaluationsOfMove = 512;
 
 // A wall's minimum for another query on its normal: it is the same point.
+template <typename ClosestPoint>
 ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld,
                       const ClosestPoint& wall) noexcept
 {
@@ -56,19 +59,32 @@ private:
   Vector3 Last = Vector3::Zero();
   double Factor = 1.0;
 };
+
+// Between two places that are proven free by half a radius there is no part of the surface, if they
+// are less than that apart; a slide may end twice this step away.
+double StepOf(const HarmonicSurface& surface, double) noexcept
+{
+  return RelativeStep * surface.SmallestRadius();
+}
+double StepOf(const ParametricTouchSurface& surface, double radius) noexcept
+{
+  return std::min(RelativeStep * surface.SmallestRadius(), 0.45 * radius);
+}
 } // namespace
 
-HarmonicWedge::HarmonicWedge(std::shared_ptr<const HarmonicSurface> surface, double radius)
-    : Surface(std::move(surface)), Radius(radius),
-      LongestStep(RelativeStep * this->Surface->SmallestRadius()),
-      End(std::max(RelativeEnd * this->Surface->SmallestRadius(), 2.0 * this->Surface->Rounding())),
-      Proof(this->Surface->Search(), radius,
-            std::min(0.5 * radius,
-                     std::max(RelativeTolerance * this->Surface->SmallestRadius(), 2.0 * End)))
+template <typename Surface>
+HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius)
+    : Touched(std::move(surface)), Radius(radius), LongestStep(StepOf(*this->Touched, radius)),
+      End(std::max(RelativeEnd * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
+      Clearance(
+          this->Touched->Search(), radius,
+          std::min(0.5 * radius, std::max({RelativeTolerance * this->Touched->SmallestRadius(),
+                                           2.0 * End, PartOfMargin * this->Touched->Margin()})))
 {
 }
 
-bool HarmonicWedge::IsNeeded(const HarmonicSurface& surface, double radius)
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::IsNeeded(const Surface& surface, double radius)
 {
   if (!(radius > 0.0))
   {
@@ -85,32 +101,35 @@ bool HarmonicWedge::IsNeeded(const HarmonicSurface& surface, double radius)
   return std::any_of(directions.begin(), directions.end(),
                      [&](const Vector3& u)
                      {
-                       const HarmonicSurface::Place place = surface.PlaceAt(u);
+                       const typename Surface::Place place = surface.PlaceAt(u);
                        const Vector3 center = place.PointWorld + size * place.Normal;
                        return surface.Search().Nearest(center).SignedDistance < least;
                      });
 }
 
-void HarmonicWedge::Begin(const ClosestPoint& nearest) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest) noexcept
 {
   this->Center =
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
   this->IsClear = false;
   this->JointNormal = nearest.Normal;
-  this->Walls[0] = SeenFrom(this->Center, this->Surface->Model().CenterWorld(), nearest);
+  this->Walls[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
   this->WallCount = 1;
 }
 
-void HarmonicWedge::MoveTo(const Vector3& goalWorld) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::MoveTo(const Vector3& goalWorld) noexcept
 {
   // Planes at a goal that is far away would be lost in rounding.
-  const double far = 4.0 * (this->Surface->LargestRadius() + this->Radius);
+  const double far = 4.0 * (this->Touched->LargestRadius() + this->Radius);
   const Vector3 path = goalWorld - this->Center;
   const double length = path.stableNorm();
   this->Approach(length > far ? Vector3(this->Center + (far / length) * path) : goalWorld);
 }
 
-void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
   Leash leash{this->Center, this->LongestStep};
   for (int proof = 0; proof < MostProofs; ++proof)
@@ -124,11 +143,11 @@ void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
       this->Shorten(leash);
       continue;
     }
-    const ClearanceProof::Answer answer =
-        this->Proof.Ask(this->Center, this->Walls.data(), this->WallCount, EvaluationsOfMove);
-    if (answer.State == ClearanceProof::Finding::Nearer)
+    const typename Proof::Answer answer =
+        this->Clearance.Ask(this->Center, this->Walls.data(), this->WallCount, EvaluationsOfMove);
+    if (answer.State == Proof::Finding::Nearer)
     {
-      this->Meet(answer.Minimum);
+      this->Meet(this->Sided(answer.Minimum));
       continue;
     }
     if (answer.LowerDistance < LeastProven * this->Radius)
@@ -149,7 +168,9 @@ void HarmonicWedge::Approach(const Vector3& goalWorld) noexcept
 
 // The goal, or a point on the path to it whose held place is in reach: a place clipped from a
 // longer path lies in or off walls that curve.
-Vector3 HarmonicWedge::NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept
+template <typename Surface>
+Vector3 HarmonicWedgeOf<Surface>::NextGoal(const Vector3& goalWorld,
+                                           const Leash& leash) const noexcept
 {
   const Vector3 held = NearestInHalfSpaces(goalWorld, this->Planes().data(), this->WallCount).Point;
   const Vector3 along = held - leash.ClearWorld;
@@ -163,7 +184,9 @@ Vector3 HarmonicWedge::NextGoal(const Vector3& goalWorld, const Leash& leash) co
          std::min(1.0, half / inward.norm()) * inward;
 }
 
-std::array<HalfSpace, HarmonicWedge::MostWalls> HarmonicWedge::Planes() const noexcept
+template <typename Surface>
+std::array<HalfSpace, HarmonicWedgeOf<Surface>::MostWalls>
+HarmonicWedgeOf<Surface>::Planes() const noexcept
 {
   std::array<HalfSpace, MostWalls> planes;
   for (std::size_t i = 0; i < this->WallCount; ++i)
@@ -175,7 +198,8 @@ std::array<HalfSpace, HarmonicWedge::MostWalls> HarmonicWedge::Planes() const no
 }
 
 // Planes that are inaccurate for a long step are accurate for a short one.
-void HarmonicWedge::Shorten(Leash& leash) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Shorten(Leash& leash) noexcept
 {
   constexpr double Shorter = 0.5;
   if (this->IsClear)
@@ -185,7 +209,8 @@ void HarmonicWedge::Shorten(Leash& leash) noexcept
   }
 }
 
-bool HarmonicWedge::IsClearOfWalls() const noexcept
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::IsClearOfWalls() const noexcept
 {
   const double least = this->Radius - this->End;
   return std::all_of(this->Walls.begin(),
@@ -195,7 +220,8 @@ bool HarmonicWedge::IsClearOfWalls() const noexcept
 
 // Steps towards the place nearest to the goal that the known walls allow, at most a long step from
 // a clear place; returns whether it was reached.
-bool HarmonicWedge::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
   Relaxation relaxation;
   for (int step = 0; step < MostSteps; ++step)
@@ -233,7 +259,8 @@ bool HarmonicWedge::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 
 // Along a wall's plane a fast sphere leaves a surface that curves away: moves back by the gap, the
 // smallest of all known walls.
-void HarmonicWedge::ReturnToWall(const Vector3& goalWorld) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::ReturnToWall(const Vector3& goalWorld) noexcept
 {
   const ClosestPoint* nearest = nullptr;
   for (std::size_t i = 0; i < this->WallCount; ++i)
@@ -250,10 +277,11 @@ void HarmonicWedge::ReturnToWall(const Vector3& goalWorld) noexcept
 
 // If a single plane holds the sphere, a single wall does, and the result is the nearest point to
 // the goal, if the other walls allow it.
-bool HarmonicWedge::Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
-                         const Vector3& heldWorld) noexcept
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash,
+                                    const HalfSpace* planes, const Vector3& heldWorld) noexcept
 {
-  const double rounding = 1e-12 * (this->Surface->LargestRadius() + this->Radius);
+  const double rounding = 1e-12 * (this->Touched->LargestRadius() + this->Radius);
   const auto room = [&](std::size_t i, const Vector3& place)
   { return planes[i].Normal.dot(place) - planes[i].Offset; };
   std::size_t touched = 0;
@@ -270,7 +298,7 @@ bool HarmonicWedge::Roll(const Vector3& goalWorld, const Leash& leash, const Hal
   {
     return false;
   }
-  const ClosestPoint wall = this->Surface->Search().Track(goalWorld, this->Walls[touched]);
+  const ClosestPoint wall = this->Touched->Search().Track(goalWorld, this->Walls[touched]);
   const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
   bool isAllowed = wall.Converged() && wall.SignedDistance <= this->Radius &&
                    (place - leash.ClearWorld).norm() <= leash.Length;
@@ -288,7 +316,8 @@ bool HarmonicWedge::Roll(const Vector3& goalWorld, const Leash& leash, const Hal
 }
 
 // Walls are kept while they are near. The touched one, if known, is the first.
-void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept
 {
   this->Center = placeWorld;
   const auto walls = this->Walls;
@@ -296,9 +325,13 @@ void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched)
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isTouched = i == 0 && touched != nullptr;
-    const ClosestPoint wall =
-        isTouched ? SeenFrom(placeWorld, this->Surface->Model().CenterWorld(), *touched)
-                  : this->Surface->Search().Track(placeWorld, walls[i]);
+    ClosestPoint wall = isTouched
+                            ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
+                            : this->Touched->Search().Track(placeWorld, walls[i]);
+    if constexpr (Surface::MayCrossItself)
+    {
+      wall = isTouched ? wall : this->Sided(wall);
+    }
     // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
     if (isTouched || wall.SignedDistance < this->Radius + this->LongestStep)
     {
@@ -308,10 +341,11 @@ void HarmonicWedge::GoTo(const Vector3& placeWorld, const ClosestPoint* touched)
 }
 
 // With too many walls the farthest is dropped; if it matters it will be found again.
-void HarmonicWedge::Meet(const ClosestPoint& wall) noexcept
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Meet(const ClosestPoint& wall) noexcept
 {
   const auto end = this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount);
-  constexpr double Apart = ClearanceProof::Apart;
+  constexpr double Apart = Proof::Apart;
   const bool isKnown =
       std::any_of(this->Walls.begin(), end,
                   [&](const ClosestPoint& known)
@@ -329,4 +363,23 @@ void HarmonicWedge::Meet(const ClosestPoint& wall) noexcept
                     [](const ClosestPoint& a, const ClosestPoint& b)
                     { return a.SignedDistance < b.SignedDistance; }) = wall;
 }
+
+// Within a step of a clear place there is no part of the surface: the sphere is on the outer side
+// of every wall there, also where the tracked point has moved over a fold.
+template <typename Surface>
+typename HarmonicWedgeOf<Surface>::ClosestPoint
+HarmonicWedgeOf<Surface>::Sided(const ClosestPoint& wall) const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    return this->IsClear ? this->Touched->SeenFromOutside(wall) : wall;
+  }
+  else
+  {
+    return wall;
+  }
+}
+
+template class HarmonicWedgeOf<HarmonicSurface>;
+template class HarmonicWedgeOf<ParametricTouchSurface>;
 } // namespace palpate

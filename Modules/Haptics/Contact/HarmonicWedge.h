@@ -4,6 +4,7 @@
 #include "ClosestPoint.h"
 #include "HalfSpaces.h"
 #include "HarmonicSurface.h"
+#include "ParametricTouchSurface.h"
 
 #include <array>
 #include <cstddef>
@@ -11,19 +12,27 @@
 
 namespace palpate
 {
-/// Keeps a sphere out of a star-shaped surface with hollows that are too narrow for it: moves it to
+/// Keeps a sphere out of a surface with hollows that are too narrow for it: moves it to
 /// the place nearest to a goal where no part of the surface is nearer than its radius. Several
 /// walls, that is separate minima of the distance, are tracked; their tangent planes allow a next
 /// place, where the walls are evaluated again, and so on. At the end, ClearanceProof checks for
 /// walls that were not known. The sphere is never moved to an unproven place.
-class HarmonicWedge
+///
+/// At a parametric surface a wall keeps out of the side where the sphere was free, and the steps
+/// between free places are shorter than the sphere, so that no sheet of the surface is stepped over
+/// wherever the surface crosses itself.
+template <typename Surface>
+class HarmonicWedgeOf
 {
 public:
-  HarmonicWedge(std::shared_ptr<const HarmonicSurface> surface, double radius);
+  using ClosestPoint = typename Surface::ClosestPoint;
+  using Proof = ClearanceProofOf<typename Surface::Shape>;
+
+  HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius);
 
   /// False if a sphere (mm) touches in at most one place wherever it rolls, tested at some thousand
   /// places with a sphere a tenth larger. Takes milliseconds.
-  static bool IsNeeded(const HarmonicSurface& surface, double radius);
+  static bool IsNeeded(const Surface& surface, double radius);
 
   /// Starts at the surface's nearest point to the sphere: in place if the sphere is free there,
   /// else pushed out by that wall.
@@ -38,7 +47,7 @@ public:
 
 private:
   static constexpr std::size_t MostWalls = 6;
-  static_assert(MostWalls <= ClearanceProof::MostKnown, "a proof takes all walls");
+  static_assert(MostWalls <= Proof::MostKnown, "a proof takes all walls");
 
   // Largest distance (mm) of the next step from a proven place.
   struct Leash
@@ -57,13 +66,14 @@ private:
   void ReturnToWall(const Vector3& goalWorld) noexcept;
   void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;
   void Meet(const ClosestPoint& wall) noexcept;
+  ClosestPoint Sided(const ClosestPoint& wall) const noexcept;
   bool IsClearOfWalls() const noexcept;
 
-  std::shared_ptr<const HarmonicSurface> Surface;
+  std::shared_ptr<const Surface> Touched;
   double Radius;
   double LongestStep; // mm, between two proofs
   double End;         // mm, at which a slide ends
-  ClearanceProof Proof;
+  Proof Clearance;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre
   bool IsKeptBack = false;
@@ -71,4 +81,5 @@ private:
   std::array<ClosestPoint, MostWalls> Walls{}; // at the centre
   std::size_t WallCount = 0;
 };
+using HarmonicWedge = HarmonicWedgeOf<HarmonicSurface>;
 } // namespace palpate

@@ -2,6 +2,8 @@
 #include "FieldContactCases.h"
 #include "MeshCases.h"
 #include "NearestByBruteForce.h"
+#include "ParametricContactModel.h"
+#include "ParametricPhantoms.h"
 
 #include <utility>
 #include <vector>
@@ -75,6 +77,19 @@ TEST(TrackersDoNotAllocate, OfASphereTooLargeForSomeHollows)
   const ToolShape sphere = ToolShape::Sphere(4.0);
   EXPECT_GT(test::TrackerOf(*model, sphere)->Bytes(), 100000U); // with its proof
   EXPECT_GT(TouchesWithoutAllocation(*model, sphere, {0.3, 0.2}), 300);
+}
+
+TEST(TrackersDoNotAllocate, OnParametricSurfaces)
+{
+  for (const ParametricSphericalSurface& surface : {test::OpenRing(8), test::CrossingRing(8)})
+  {
+    std::shared_ptr<const ContactModel> model;
+    ASSERT_TRUE(ParametricContactModel::Make(surface, model).IsOk());
+    for (const double radius : {0.0, 2.0})
+    {
+      EXPECT_GT(TouchesWithoutAllocation(*model, ToolShape::Sphere(radius), {0.3, 0.2}), 100);
+    }
+  }
 }
 
 TEST(TrackersDoNotAllocate, OnFacets)

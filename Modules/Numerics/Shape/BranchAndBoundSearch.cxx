@@ -1,7 +1,6 @@
 #include "BranchAndBoundSearch.h"
 
 #include "SquaredDistance.h"
-#include "SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +18,44 @@ double AngleBetween(const Vector3& a, const Vector3& b)
   return chord < 1.0 ? chord * (1.0 + 0.05 * chord * chord) + 1e-15
                      : 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + 1e-15;
 }
+
+// Often the point in the query's direction.
+Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<SphericalHarmonicModel>&)
+{
+  const double distance = query.norm();
+  return distance > 0.0 ? Vector3(query / distance) : Vector3(Vector3::UnitZ());
+}
+
+// Down the tree, to the nearest centres.
+Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<ParametricShape>& tree)
+{
+  const auto nearestOf = [&](int first, int count)
+  {
+    int nearest = first;
+    double least = tree.SquaredCenterDistance(first, query);
+    for (int node = first + 1; node < first + count; ++node)
+    {
+      const double square = tree.SquaredCenterDistance(node, query);
+      nearest = square < least ? node : nearest;
+      least = std::min(square, least);
+    }
+    return nearest;
+  };
+  int node = nearestOf(0, tree.RootCount);
+  while (tree.IsInner(node))
+  {
+    node = nearestOf(tree.FirstPart(node), 4);
+  }
+  return tree.CapOf(node).Center;
+}
 } // namespace
 
-BranchAndBoundSearch::BranchAndBoundSearch(const SphericalHarmonicModel& model,
-                                           const ClosestPointDescent& descent,
-                                           const SurfacePatchTree& tree, const Vector3& query,
-                                           int evaluationLimit, double toolRadius,
-                                           double part) noexcept
+template <typename Surface>
+BranchAndBoundSearch<Surface>::BranchAndBoundSearch(const Surface& model,
+                                                    const ClosestPointDescentOf<Surface>& descent,
+                                                    const SurfacePatchTreeOf<Surface>& tree,
+                                                    const Vector3& query, int evaluationLimit,
+                                                    double toolRadius, double part) noexcept
     : Model(model), Descent(descent), Tree(tree), Query(query), EvaluationLimit(evaluationLimit),
       ToolRadius(toolRadius), OpenPart(part), Rounding(descent.Rounding(query)),
       BestDistance(std::numeric_limits<double>::infinity()), Proven(BestDistance)
@@ -33,7 +63,8 @@ BranchAndBoundSearch::BranchAndBoundSearch(const SphericalHarmonicModel& model,
   std::iota(this->FreePieces.begin(), this->FreePieces.end(), 0);
 }
 
-void BranchAndBoundSearch::Push(double bound, int index) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::Push(double bound, int index) noexcept
 {
   if (!(bound < this->Enough()))
   {
@@ -50,7 +81,8 @@ void BranchAndBoundSearch::Push(double bound, int index) noexcept
                  [](const Part& a, const Part& b) { return a.Bound > b.Bound; });
 }
 
-BranchAndBoundSearch::Part BranchAndBoundSearch::Pop() noexcept
+template <typename Surface>
+typename BranchAndBoundSearch<Surface>::Part BranchAndBoundSearch<Surface>::Pop() noexcept
 {
   std::pop_heap(this->Queue.begin(),
                 this->Queue.begin() + static_cast<std::ptrdiff_t>(this->PartCount),
@@ -58,15 +90,17 @@ BranchAndBoundSearch::Part BranchAndBoundSearch::Pop() noexcept
   return this->Queue[--this->PartCount];
 }
 
-BranchAndBoundSearch::Piece
-BranchAndBoundSearch::Evaluate(const SphericalTriangle& triangle) noexcept
+template <typename Surface>
+typename BranchAndBoundSearch<Surface>::Piece
+BranchAndBoundSearch<Surface>::Evaluate(const SphericalTriangle& triangle) noexcept
 {
   ++this->Evaluations;
   const SphericalCap cap = triangle.Cap();
   return {triangle, cap.Center, cap.Radius, this->Model.EvaluateSecondOrder(cap.Center)};
 }
 
-bool BranchAndBoundSearch::IsCovered(const Vector3& center, double reach) noexcept
+template <typename Surface>
+bool BranchAndBoundSearch<Surface>::IsCovered(const Vector3& center, double reach) noexcept
 {
   for (std::size_t i = 0; i < this->BasinCount; ++i)
   {
@@ -80,11 +114,12 @@ bool BranchAndBoundSearch::IsCovered(const Vector3& center, double reach) noexce
   return false;
 }
 
-void BranchAndBoundSearch::Descend(const Vector3& direction,
-                                   const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::Descend(const Vector3& direction,
+                                            const SampleOf<Surface>& sample) noexcept
 {
   constexpr double Tolerance = 1e-12; // rad
-  const ClosestPoint found =
+  const ClosestPointOf<Surface> found =
       this->Descent.Run(this->Query, direction, sample, Tolerance,
                         std::max(0, this->EvaluationLimit - this->Evaluations));
   this->Evaluations += found.Evaluations;
@@ -101,17 +136,17 @@ void BranchAndBoundSearch::Descend(const Vector3& direction,
   }
 }
 
-// The point in the query's direction is often a good start, so that the rest only has to prove it.
-void BranchAndBoundSearch::DescendFromQuery() noexcept
+// A good start leaves to the rest only to prove it.
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::DescendFromQuery() noexcept
 {
-  const double distance = this->Query.norm();
-  const Vector3 direction =
-      distance > 0.0 ? Vector3(this->Query / distance) : Vector3(Vector3::UnitZ());
+  const Vector3 direction = StartFor(this->Query, this->Tree);
   ++this->Evaluations;
   this->Descend(direction, this->Model.EvaluateSecondOrder(direction));
 }
 
-void BranchAndBoundSearch::Examine(double bound, const Piece& piece) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::Examine(double bound, const Piece& piece) noexcept
 {
   const SquaredDistance distance(piece.Center, piece.Sample, this->Query);
   bool worthwhile = distance.Offset.norm() < this->BestDistance;
@@ -131,7 +166,8 @@ void BranchAndBoundSearch::Examine(double bound, const Piece& piece) noexcept
   }
 }
 
-void BranchAndBoundSearch::Cut(double bound, const Piece& piece) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::Cut(double bound, const Piece& piece) noexcept
 {
   for (const SphericalTriangle& triangle : piece.Triangle.Split())
   {
@@ -141,15 +177,16 @@ void BranchAndBoundSearch::Cut(double bound, const Piece& piece) noexcept
       continue;
     }
     const Piece child = this->Evaluate(triangle);
-    const SurfacePatch patch(child.Center, child.Sample, child.Reach,
-                             this->Descent.Bounds().PointThird);
+    const typename SurfaceKind<Surface>::Patch patch(child.Center, child.Sample, child.Reach,
+                                                     this->Descent.Bounds().PointThird);
     const double expansion =
         this->Descent.LowerDistance(this->Query, child.Center, child.Sample, child.Reach);
     this->PushPiece(std::max({bound, patch.LowerDistance(this->Query), expansion}), child);
   }
 }
 
-void BranchAndBoundSearch::PushPiece(double bound, const Piece& piece) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::PushPiece(double bound, const Piece& piece) noexcept
 {
   if (!(bound < this->Enough()))
   {
@@ -165,16 +202,18 @@ void BranchAndBoundSearch::PushPiece(double bound, const Piece& piece) noexcept
   this->Push(bound, this->Tree.NodeCount() + slot);
 }
 
-void BranchAndBoundSearch::PushParts(int node) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::PushParts(int node) noexcept
 {
-  const int first = SurfacePatchTree::FirstPart(node);
+  const int first = SurfacePatchTreeOf<Surface>::FirstPart(node);
   for (int part = first; part < first + 4; ++part)
   {
     this->Push(this->Tree.LowerDistance(part, this->Query), part);
   }
 }
 
-void BranchAndBoundSearch::Visit(const Part& part) noexcept
+template <typename Surface>
+void BranchAndBoundSearch<Surface>::Visit(const Part& part) noexcept
 {
   if (part.Index >= this->Tree.NodeCount())
   {
@@ -203,10 +242,18 @@ void BranchAndBoundSearch::Visit(const Part& part) noexcept
   }
 }
 
-ClosestPoint BranchAndBoundSearch::Run() noexcept
+template <typename Surface>
+ClosestPointOf<Surface> BranchAndBoundSearch<Surface>::Run(const ClosestPoint* near) noexcept
 {
-  this->DescendFromQuery();
-  for (int root = 0; root < SurfacePatchTree::RootCount; ++root)
+  if (near != nullptr)
+  {
+    this->Descend(near->SampleDirection, near->Sample);
+  }
+  else
+  {
+    this->DescendFromQuery();
+  }
+  for (int root = 0; root < SurfacePatchTreeOf<Surface>::RootCount; ++root)
   {
     this->Push(this->Tree.LowerDistance(root, this->Query), root);
   }
@@ -230,4 +277,7 @@ ClosestPoint BranchAndBoundSearch::Run() noexcept
   this->Best.Evaluations = this->Evaluations;
   return this->Best;
 }
+
+template class BranchAndBoundSearch<SphericalHarmonicModel>;
+template class BranchAndBoundSearch<ParametricShape>;
 } // namespace palpate

@@ -13,16 +13,20 @@ namespace palpate
 {
 /// One search of ClosestPointSearch for the closest point of the whole surface; see there. Lives on
 /// the stack for one query, does not allocate and ends after a fixed number of evaluations.
+template <typename Surface>
 class BranchAndBoundSearch
 {
 public:
-  /// `query` is relative to the model's centre, mm. Of the part of the distance beyond `toolRadius`
-  /// (mm), the search may leave the fraction `part` in [0, 1) unproven.
-  BranchAndBoundSearch(const SphericalHarmonicModel& model, const ClosestPointDescent& descent,
-                       const SurfacePatchTree& tree, const Vector3& query, int evaluationLimit,
-                       double toolRadius = 0.0, double part = 0.0) noexcept;
+  using ClosestPoint = ClosestPointOf<Surface>;
 
-  ClosestPoint Run() noexcept;
+  /// `query` is relative to the surface's centre, mm. Of the part of the distance beyond
+  /// `toolRadius` (mm), the search may leave the fraction `part` in [0, 1) unproven.
+  BranchAndBoundSearch(const Surface& model, const ClosestPointDescentOf<Surface>& descent,
+                       const SurfacePatchTreeOf<Surface>& tree, const Vector3& query,
+                       int evaluationLimit, double toolRadius = 0.0, double part = 0.0) noexcept;
+
+  /// Descends first from the sample of `near`, if that is given.
+  ClosestPoint Run(const ClosestPoint* near = nullptr) noexcept;
 
 private:
   // A part of the surface with the lower bound of its distance: a node of the tree or, with indices
@@ -37,12 +41,12 @@ private:
     SphericalTriangle Triangle;
     Vector3 Center;
     double Reach; // rad
-    SphericalHarmonicModel::SecondOrderSample Sample;
+    SampleOf<Surface> Sample;
   };
   struct Basin
   {
     Vector3 Direction;
-    ClosestPointDescent::Basin Around;
+    typename ClosestPointDescentOf<Surface>::Basin Around;
   };
   static constexpr std::size_t PartCapacity = 8192;
   static constexpr std::size_t PieceCapacity = 256;
@@ -57,8 +61,7 @@ private:
   void Examine(double bound, const Piece& piece) noexcept;
   void Cut(double bound, const Piece& piece) noexcept;
   void Visit(const Part& part) noexcept;
-  void Descend(const Vector3& direction,
-               const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
+  void Descend(const Vector3& direction, const SampleOf<Surface>& sample) noexcept;
   void DescendFromQuery() noexcept;
   // Whether a basin covers the cap, which proves its lower bound.
   bool IsCovered(const Vector3& center, double reach) noexcept;
@@ -69,9 +72,9 @@ private:
            std::max(this->Rounding, this->OpenPart * (this->BestDistance - this->ToolRadius));
   }
 
-  const SphericalHarmonicModel& Model;
-  const ClosestPointDescent& Descent;
-  const SurfacePatchTree& Tree;
+  const Surface& Model;
+  const ClosestPointDescentOf<Surface>& Descent;
+  const SurfacePatchTreeOf<Surface>& Tree;
   const Vector3 Query;
   const int EvaluationLimit;
   const double ToolRadius; // mm

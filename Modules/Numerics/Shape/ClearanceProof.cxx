@@ -13,14 +13,17 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double MinimumTolerance = 1e-9; // rad
 
-bool IsSame(const ClosestPoint& a, const ClosestPoint& b) noexcept
+template <typename Surface>
+bool IsSame(const ClosestPointOf<Surface>& a, const ClosestPointOf<Surface>& b) noexcept
 {
-  return (a.Direction - b.Direction).squaredNorm() < ClearanceProof::Apart * ClearanceProof::Apart;
+  constexpr double Apart = ClearanceProofOf<Surface>::Apart;
+  return (a.Direction - b.Direction).squaredNorm() < Apart * Apart;
 }
 } // namespace
 
 // One query.
-struct ClearanceProof::Task
+template <typename Surface>
+struct ClearanceProofOf<Surface>::Task
 {
   struct Basin
   {
@@ -29,7 +32,7 @@ struct ClearanceProof::Task
     double LowerDistance; // infinite around known minima
   };
 
-  void Add(const ClosestPointDescent::Basin& around, const Vector3& direction,
+  void Add(const typename ClosestPointDescentOf<Surface>::Basin& around, const Vector3& direction,
            double lowerDistance) noexcept
   {
     if (this->BasinCount < this->Basins.size())
@@ -79,17 +82,19 @@ struct ClearanceProof::Task
   std::size_t BasinCount = 0;
 };
 
-ClearanceProof::ClearanceProof(const ClosestPointSearch& search, double distance,
-                               double tolerance) noexcept
+template <typename Surface>
+ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
+                                            double distance, double tolerance) noexcept
     : Search(&search), Needed(distance - tolerance)
 {
   this->BeginAfresh();
 }
 
-void ClearanceProof::BeginAfresh() noexcept
+template <typename Surface>
+void ClearanceProofOf<Surface>::BeginAfresh() noexcept
 {
   this->PathLength = 0.0;
-  this->CellCount = SurfacePatchTree::RootCount;
+  this->CellCount = SurfacePatchTreeOf<Surface>::RootCount;
   for (std::size_t root = 0; root < this->CellCount; ++root)
   {
     this->ClearUntil[root] = -Infinite;
@@ -97,7 +102,8 @@ void ClearanceProof::BeginAfresh() noexcept
   }
 }
 
-void ClearanceProof::GoTo(const Vector3& query) noexcept
+template <typename Surface>
+void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
   this->PathLength += (query - this->Query).norm();
   this->Query = query;
@@ -110,11 +116,13 @@ void ClearanceProof::GoTo(const Vector3& query) noexcept
   }
 }
 
-ClearanceProof::Answer ClearanceProof::Ask(const Vector3& queryWorld, const ClosestPoint* known,
-                                           std::size_t knownCount, int evaluationLimit) noexcept
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Answer
+ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
+                               std::size_t knownCount, int evaluationLimit) noexcept
 {
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
-  const ClosestPointDescent& descent = this->Search->Descent();
+  const ClosestPointDescentOf<Surface>& descent = this->Search->Descent();
   Task task;
   task.Known = known;
   task.KnownCount = std::min(knownCount, MostKnown);
@@ -124,7 +132,7 @@ ClearanceProof::Answer ClearanceProof::Ask(const Vector3& queryWorld, const Clos
   task.Result.LowerDistance = this->Needed;
   for (std::size_t i = 0; i < task.KnownCount; ++i)
   {
-    ClosestPointDescent::Basin basin = descent.BasinAround(this->Query, known[i]);
+    auto basin = descent.BasinAround(this->Query, known[i]);
     basin.Angle = std::max(basin.Angle, Apart);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
@@ -135,7 +143,8 @@ ClearanceProof::Answer ClearanceProof::Ask(const Vector3& queryWorld, const Clos
   return task.Result;
 }
 
-void ClearanceProof::Settle(Task& task, std::size_t index) noexcept
+template <typename Surface>
+void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
 {
   Step step = Step::Again;
   while (step == Step::Again)
@@ -154,16 +163,19 @@ void ClearanceProof::Settle(Task& task, std::size_t index) noexcept
 }
 
 // Stores the bound of the cell's distance; returns whether it suffices here.
-bool ClearanceProof::Clears(double lower, std::size_t index) noexcept
+template <typename Surface>
+bool ClearanceProofOf<Surface>::Clears(double lower, std::size_t index) noexcept
 {
   double& until = this->ClearUntil[index];
   until = std::max(until, this->PathLength + (lower - this->Needed));
   return until >= this->PathLength;
 }
 
-ClearanceProof::Step ClearanceProof::SettleNode(Task& task, std::size_t index) noexcept
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 {
-  const SurfacePatchTree& tree = this->Search->Tree();
+  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
   const int node = this->Cells[index].Node;
   const double inBasin = task.LowerDistance(tree.CapOf(node));
   if (inBasin == Infinite || this->Clears(inBasin, index) ||
@@ -174,7 +186,9 @@ ClearanceProof::Step ClearanceProof::SettleNode(Task& task, std::size_t index) n
   return this->CutNode(index);
 }
 
-ClearanceProof::Step ClearanceProof::SettleTriangle(Task& task, std::size_t index) noexcept
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
   Cell& cell = this->Cells[index];
   const double inBasin = task.LowerDistance(cell.Cap);
@@ -208,7 +222,9 @@ ClearanceProof::Step ClearanceProof::SettleTriangle(Task& task, std::size_t inde
 
 // Looks for a minimum in the cell that is closer than allowed. If it finds one that is farther,
 // that one's basin may supply the missing bound of the cell.
-ClearanceProof::Step ClearanceProof::Descend(Task& task, const Cell& cell) noexcept
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
 {
   const SquaredDistance distance(cell.Cap.Center, cell.Sample, this->Query);
   bool isWorthwhile = distance.Offset.norm() < this->Needed;
@@ -226,9 +242,9 @@ ClearanceProof::Step ClearanceProof::Descend(Task& task, const Cell& cell) noexc
   {
     return Step::Open;
   }
-  const ClosestPointDescent& descent = this->Search->Descent();
-  const ClosestPoint found = descent.Run(this->Query, cell.Cap.Center, cell.Sample,
-                                         MinimumTolerance, task.EvaluationsLeft);
+  const ClosestPointDescentOf<Surface>& descent = this->Search->Descent();
+  const ClosestPointOf<Surface> found = descent.Run(this->Query, cell.Cap.Center, cell.Sample,
+                                                    MinimumTolerance, task.EvaluationsLeft);
   task.EvaluationsLeft -= found.Evaluations;
   if (std::abs(found.SignedDistance) < this->Needed && !task.IsKnown(found))
   {
@@ -236,14 +252,16 @@ ClearanceProof::Step ClearanceProof::Descend(Task& task, const Cell& cell) noexc
     task.Result.Minimum = found;
     return Step::Found;
   }
-  const ClosestPointDescent::Basin basin = descent.BasinAround(this->Query, found);
+  const auto basin = descent.BasinAround(this->Query, found);
   task.Add(basin, found.SampleDirection, basin.LowerDistance);
   return Step::Again;
 }
 
-ClearanceProof::Step ClearanceProof::CutNode(std::size_t index) noexcept
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::CutNode(std::size_t index) noexcept
 {
-  const SurfacePatchTree& tree = this->Search->Tree();
+  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
   Cell& cell = this->Cells[index];
   const int node = cell.Node;
   if (!tree.IsInner(node))
@@ -262,14 +280,17 @@ ClearanceProof::Step ClearanceProof::CutNode(std::size_t index) noexcept
                                           this->CellCount + 2};
   for (std::size_t part = 0; part < 4; ++part)
   {
-    this->Cells[places[part]].Node = SurfacePatchTree::FirstPart(node) + static_cast<int>(part);
+    this->Cells[places[part]].Node =
+        SurfacePatchTreeOf<Surface>::FirstPart(node) + static_cast<int>(part);
     this->ClearUntil[places[part]] = this->ClearUntil[index];
   }
   this->CellCount += 3;
   return Step::Again;
 }
 
-ClearanceProof::Step ClearanceProof::CutTriangle(std::size_t index) noexcept
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::CutTriangle(std::size_t index) noexcept
 {
   if (this->CellCount + 3 > CellCapacity)
   {
@@ -290,4 +311,7 @@ ClearanceProof::Step ClearanceProof::CutTriangle(std::size_t index) noexcept
   this->CellCount += 3;
   return Step::Again;
 }
+
+template class ClearanceProofOf<SphericalHarmonicModel>;
+template class ClearanceProofOf<ParametricShape>;
 } // namespace palpate

@@ -13,9 +13,12 @@ namespace palpate
 /// point than a given distance, or finds the part that is. It keeps the bounds of cells of
 /// directions while the point moves (README.md). Memory is fixed; queries do not allocate. They
 /// cache their results, so a proof is for one thread.
-class ClearanceProof
+template <typename Surface>
+class ClearanceProofOf
 {
 public:
+  using ClosestPoint = ClosestPointOf<Surface>;
+
   enum class Finding
   {
     Clear,  ///< nothing but the known minima is closer, up to the tolerance
@@ -33,7 +36,8 @@ public:
   static constexpr double Apart = 0.003;
 
   /// `distance` > `tolerance` > 0, mm. Keeps the address of the search, which must outlive it.
-  ClearanceProof(const ClosestPointSearch& search, double distance, double tolerance) noexcept;
+  ClearanceProofOf(const ClosestPointSearchOf<Surface>& search, double distance,
+                   double tolerance) noexcept;
 
   /// `known` are minima of the distance to `queryWorld` (mm; at most 1e100), tracked there, at most
   /// MostKnown. Evaluates the model about `evaluationLimit` times at most.
@@ -49,7 +53,7 @@ private:
     bool IsEvaluated;
     SphericalTriangle Triangle;
     SphericalCap Cap;
-    SphericalHarmonicModel::SecondOrderSample Sample; // at the cap's centre
+    SampleOf<Surface> Sample; // at the cap's centre
   };
   struct Task;
   enum class Step
@@ -72,7 +76,7 @@ private:
   Step CutTriangle(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
 
-  const ClosestPointSearch* Search;
+  const ClosestPointSearchOf<Surface>* Search;
   double Needed; // mm
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
@@ -81,4 +85,5 @@ private:
   std::array<Cell, CellCapacity> Cells;
   std::size_t CellCount = 0;
 };
+using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate

@@ -1,10 +1,12 @@
 #include "ClosestPointDescent.h"
 
+#include "SampleGeometry.h"
 #include "SquaredDistance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace palpate
 {
@@ -12,23 +14,13 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-// Moves a unit vector along a tangent. Short steps, such as every step of a servo tick, need
-// neither square root nor division.
-Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
-{
-  const Vector3 end = direction + step;
-  const double excess = end.squaredNorm() - 1.0;
-  // The next term of the series is below rounding.
-  const double scale = std::abs(excess) < 1e-5 ? 1.0 - excess * (0.5 - 0.375 * excess)
-                                               : 1.0 / std::sqrt(1.0 + excess);
-  return scale * end;
-}
-
 // Local bounds on f and on the surface at a sample.
+template <typename Surface>
 struct LocalBounds
 {
   double First;      // |x'|, mm/rad
   double Second;     // |x''|, mm/rad^2
+  double Product;    // 3 |x'.x''|, mm^2/rad^3
   double Third;      // |x'''| everywhere, mm/rad^3
   double Distance;   // |x - q|, mm
   double Gradient;   // of f, mm^2/rad
@@ -40,14 +32,20 @@ struct LocalBounds
   {
     const double second = this->Second + angle * this->Third;
     const double first = this->First + angle * second;
-    return 3.0 * first * second + (this->Distance + angle * first) * this->Third;
+    double product = 3.0 * first * second;
+    if constexpr (std::is_same_v<Surface, ParametricShape>)
+    {
+      const double change = second * second + first * this->Third;
+      product = std::min(product, this->Product + 3.0 * angle * change);
+    }
+    return product + (this->Distance + angle * first) * this->Third;
   }
   // f is above its quadratic expansion minus angle^3 / 6 times this. With e the quadratic expansion
   // of x - q, f = |e|^2 / 2 + e.r + |r|^2 / 2 with |r| <= angle^3 |x'''| / 6, and the first term
   // has only x'.x'' at third order and a square at fourth.
   double Fall(double angle) const noexcept
   {
-    return 3.0 * this->First * this->Second +
+    return this->Product +
            (this->Distance + angle * (this->First + 0.5 * angle * this->Second)) * this->Third;
   }
 };
@@ -58,24 +56,38 @@ struct Remainder
   double Drop;  // |x - q|^2 is at most this much above its minimum there, mm^2
 };
 
-LocalBounds BoundsAt(const SphericalHarmonicModel::SecondOrderSample& sample,
-                     const SquaredDistance& distance, double third, double rounding) noexcept
+template <typename Surface>
+LocalBounds<Surface> BoundsAt(const SampleOf<Surface>& sample, const SquaredDistance& distance,
+                              double third, double rounding) noexcept
 {
-  // Square roots are slow, and two take no longer than one.
-  using Pair = Eigen::Array2d;
-  const double slope = sample.SurfaceGradient.squaredNorm();
-  const Pair sizes =
-      Pair(sample.SurfaceHessian.squaredNorm(), sample.Radius * sample.Radius + slope).sqrt();
-  const double bend = sizes[0] + std::abs(sample.Radius);
-  const Pair roots = Pair(bend * bend + 4.0 * slope, distance.SquaredSpread()).sqrt();
-  const Pair lengths = Pair(distance.Offset.squaredNorm(), distance.Gradient.squaredNorm()).sqrt();
-  return {sizes[1],           roots[0],   third,
-          lengths[0],         lengths[1], distance.SmallestEigenvalue(roots[1]),
-          sizes[1] * rounding};
+  const SampleSizes sizes = SizesOf(sample, distance);
+  return {sizes.First,
+          sizes.Second,
+          sizes.Product,
+          third,
+          sizes.Distance,
+          sizes.Gradient,
+          distance.SmallestEigenvalue(sizes.Spread),
+          sizes.First * rounding};
+}
+
+// A tracked point of a parametric surface stays on its side of the surface.
+template <typename Surface>
+void KeepSide(const ClosestPointOf<Surface>& previous, ClosestPointOf<Surface>& point) noexcept
+{
+  if constexpr (std::is_same_v<Surface, ParametricShape>)
+  {
+    if (previous.Normal.dot(AreaVector(previous.Sample)) < 0.0)
+    {
+      point.Normal = -point.Normal;
+      point.SignedDistance = -point.SignedDistance;
+    }
+  }
 }
 
 // Bounds after a last Newton step over the angle `step`.
-Remainder After(double step, const LocalBounds& bounds) noexcept
+template <typename Surface>
+Remainder After(double step, const LocalBounds<Surface>& bounds) noexcept
 {
   // The third covariant derivative is symmetric up to the curvature of the sphere times the
   // gradient; a symmetric form is largest with three equal arguments.
@@ -91,18 +103,13 @@ Remainder After(double step, const LocalBounds& bounds) noexcept
 }
 
 // Computes the point at the end of a last, short step.
+template <typename Surface>
 void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& step, double rounding,
-            const LocalBounds& bounds, const Remainder& remainder, ClosestPoint& point) noexcept
+            const LocalBounds<Surface>& bounds, const Remainder& remainder,
+            ClosestPointOf<Surface>& point) noexcept
 {
-  const auto& sample = point.Sample;
-  const Vector3& u = point.SampleDirection;
-  const Vector3& g = sample.SurfaceGradient;
-  const Vector3 bent = sample.SurfaceHessian * step;
-  const double slope = g.dot(step);
-  const double radius = sample.Radius + slope + 0.5 * step.dot(bent);
-  point.Direction = Moved(u, step);
-  const Vector3 surface = radius * point.Direction;
-  const Vector3 normal = surface - (g + bent - slope * u);
+  const auto [direction, surface, normal] = Expanded(point.SampleDirection, point.Sample, step);
+  point.Direction = direction;
   const double size = normal.norm();
   point.Normal = size > 0.0 ? Vector3((1.0 / size) * normal) : point.Direction;
   point.PointWorld = centerWorld + surface;
@@ -147,9 +154,10 @@ bool IsWellConditioned(const SquaredDistance& distance, double least) noexcept
 
 // Moves to the end of a step if the distance decreases enough; `point` is then there. Otherwise its
 // contents are undefined.
-bool TryStep(const SphericalHarmonicModel& model, const Vector3& query, const Vector3& from,
+template <typename Surface>
+bool TryStep(const Surface& model, const Vector3& query, const Vector3& from,
              const SquaredDistance& here, const Vector3& step, double rounding,
-             ClosestPoint& point) noexcept
+             ClosestPointOf<Surface>& point) noexcept
 {
   point.SampleDirection = Moved(from, step);
   point.Sample = model.EvaluateSecondOrder(point.SampleDirection);
@@ -163,11 +171,11 @@ bool TryStep(const SphericalHarmonicModel& model, const Vector3& query, const Ve
 }
 
 // One descent step of at most `longest` rad, Newton's if possible; false if none was found.
-bool Advance(const SphericalHarmonicModel& model, double longest, const Vector3& query,
-             const Vector3& newton, double rounding, int evaluationLimit,
-             ClosestPoint& point) noexcept
+template <typename Surface>
+bool Advance(const Surface& model, double longest, const Vector3& query, const Vector3& newton,
+             double rounding, int evaluationLimit, ClosestPointOf<Surface>& point) noexcept
 {
-  const double least = LeastEigenvalue(point.Expansion, point.Sample.Radius, rounding);
+  const double least = LeastEigenvalue(point.Expansion, ScaleOf(point.Sample), rounding);
   Vector3 step = newton;
   if (!IsWellConditioned(point.Expansion, least))
   {
@@ -179,7 +187,7 @@ bool Advance(const SphericalHarmonicModel& model, double longest, const Vector3&
   {
     step *= longest / std::sqrt(square);
   }
-  const ClosestPoint start = point;
+  const ClosestPointOf<Surface> start = point;
   while (point.Evaluations < evaluationLimit)
   {
     if (TryStep(model, query, start.SampleDirection, start.Expansion, step, rounding, point))
@@ -195,48 +203,56 @@ bool Advance(const SphericalHarmonicModel& model, double longest, const Vector3&
 }
 
 // Takes a last step if the minimum is then known to be within `angle`.
+template <typename Surface>
 bool EndWithin(double angle, const Vector3& query, const Vector3& centerWorld, const Vector3& step,
-               double third, double rounding, ClosestPoint& point) noexcept
+               double third, double rounding, ClosestPointOf<Surface>& point) noexcept
 {
-  const LocalBounds bounds = BoundsAt(point.Sample, point.Expansion, third, rounding);
+  const LocalBounds<Surface> bounds =
+      BoundsAt<Surface>(point.Sample, point.Expansion, third, rounding);
   const Remainder remainder = After(step.norm(), bounds);
   if (!(remainder.Angle <= angle))
   {
     return false;
   }
   Finish(query, centerWorld, step, rounding, bounds, remainder, point);
-  point.State = ClosestPoint::Outcome::Minimum;
+  point.State = ClosestPointOf<Surface>::Outcome::Minimum;
   return true;
 }
 
 // Stops at the current point, or where the gradient cannot be distinguished from rounding.
+template <typename Surface>
 void Stop(const Vector3& query, const Vector3& centerWorld, double third, double rounding,
-          bool isStationary, ClosestPoint& point) noexcept
+          bool isStationary, ClosestPointOf<Surface>& point) noexcept
 {
-  const LocalBounds bounds = BoundsAt(point.Sample, point.Expansion, third, rounding);
+  const LocalBounds<Surface> bounds =
+      BoundsAt<Surface>(point.Sample, point.Expansion, third, rounding);
   const Remainder remainder = After(0.0, bounds);
   Finish(query, centerWorld, Vector3::Zero(), rounding, bounds, remainder, point);
-  point.State = isStationary ? ClosestPoint::Outcome::Stationary : ClosestPoint::Outcome::Limit;
+  using Outcome = typename ClosestPointOf<Surface>::Outcome;
+  point.State = isStationary ? Outcome::Stationary : Outcome::Limit;
 }
 
-bool IsStationary(const ClosestPoint& point, double rounding) noexcept
+template <typename Surface>
+bool IsStationary(const ClosestPointOf<Surface>& point, double rounding) noexcept
 {
-  const double radius = point.Sample.Radius;
-  const double metric = radius * radius + point.Sample.SurfaceGradient.squaredNorm();
+  const double metric = SquaredStretch(point.Sample);
   return point.Expansion.Gradient.squaredNorm() <= metric * rounding * rounding;
 }
 } // namespace
 
-ClosestPointDescent::ClosestPointDescent(const SphericalHarmonicModel& model, InstructionSet set)
-    : Model(&model), Derivatives(model), Size(Derivatives.Radius[0] + model.CenterWorld().norm()),
+template <typename Surface>
+ClosestPointDescentOf<Surface>::ClosestPointDescentOf(const Surface& model, InstructionSet set)
+    : Model(&model), Derivatives(model), Size(Derivatives.Largest() + model.CenterWorld().norm()),
       UnitRounding(4.0 * (model.Degree() + 4.0) * std::numeric_limits<double>::epsilon()),
       LongestStep(2.0 / (model.Degree() + 1.0)), Set(set)
 {
 }
 
-ClosestPoint ClosestPointDescent::Run(const Vector3& query, const Vector3& direction,
-                                      const SphericalHarmonicModel::SecondOrderSample& sample,
-                                      double tolerance, int evaluationLimit) const noexcept
+template <typename Surface>
+ClosestPointOf<Surface> ClosestPointDescentOf<Surface>::Run(const Vector3& query,
+                                                            const Vector3& direction,
+                                                            const Sample& sample, double tolerance,
+                                                            int evaluationLimit) const noexcept
 {
   ClosestPoint point;
   point.SampleDirection = direction;
@@ -246,8 +262,10 @@ ClosestPoint ClosestPointDescent::Run(const Vector3& query, const Vector3& direc
   return point;
 }
 
-ClosestPoint ClosestPointDescent::Continue(const Vector3& query, const ClosestPoint& previous,
-                                           double tolerance, int evaluationLimit) const noexcept
+template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointDescentOf<Surface>::Continue(const Vector3& query, const ClosestPoint& previous,
+                                         double tolerance, int evaluationLimit) const noexcept
 {
   return this->Set == InstructionSet::Avx2
              ? this->ContinueByAvx2(query, previous, tolerance, evaluationLimit)
@@ -257,25 +275,30 @@ ClosestPoint ClosestPointDescent::Continue(const Vector3& query, const ClosestPo
 // A servo tick in one function, so that intermediate results stay in registers: compiled portably
 // and for AVX2. No function that another file might share is compiled for AVX2, since everything is
 // inlined here.
-[[gnu::flatten]] ClosestPoint
-ClosestPointDescent::ContinuePortably(const Vector3& query, const ClosestPoint& previous,
-                                      double tolerance, int evaluationLimit) const noexcept
+template <typename Surface>
+[[gnu::flatten]] ClosestPointOf<Surface>
+ClosestPointDescentOf<Surface>::ContinuePortably(const Vector3& query, const ClosestPoint& previous,
+                                                 double tolerance,
+                                                 int evaluationLimit) const noexcept
 {
   return this->Follow(query, previous, tolerance, evaluationLimit);
 }
 
+template <typename Surface>
 #if defined(__x86_64__)
 [[gnu::target("avx2,fma")]]
 #endif
-[[gnu::flatten]] ClosestPoint
-ClosestPointDescent::ContinueByAvx2(const Vector3& query, const ClosestPoint& previous,
-                                    double tolerance, int evaluationLimit) const noexcept
+[[gnu::flatten]] ClosestPointOf<Surface>
+ClosestPointDescentOf<Surface>::ContinueByAvx2(const Vector3& query, const ClosestPoint& previous,
+                                               double tolerance, int evaluationLimit) const noexcept
 {
   return this->Follow(query, previous, tolerance, evaluationLimit);
 }
 
-ClosestPoint ClosestPointDescent::Follow(const Vector3& query, const ClosestPoint& previous,
-                                         double tolerance, int evaluationLimit) const noexcept
+template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointDescentOf<Surface>::Follow(const Vector3& query, const ClosestPoint& previous,
+                                       double tolerance, int evaluationLimit) const noexcept
 {
   const double rounding = this->Rounding(query);
   ClosestPoint point;
@@ -286,18 +309,20 @@ ClosestPoint ClosestPointDescent::Follow(const Vector3& query, const ClosestPoin
     point.Expansion = SquaredDistance(point.SampleDirection, point.Sample, query);
   }
   this->Descend(query, tolerance, evaluationLimit, rounding, point);
+  KeepSide(previous, point);
   return point;
 }
 
 // The curvature of the last tick predicts this tick's step nearly as well as its own, at a fraction
 // of the cost; the last step corrects the error. Returns false if the step was not taken.
-bool ClosestPointDescent::Foresee(const Vector3& query, const ClosestPoint& previous,
-                                  double tolerance, double rounding,
-                                  ClosestPoint& point) const noexcept
+template <typename Surface>
+bool ClosestPointDescentOf<Surface>::Foresee(const Vector3& query, const ClosestPoint& previous,
+                                             double tolerance, double rounding,
+                                             ClosestPoint& point) const noexcept
 {
   SquaredDistance distance = previous.Expansion;
   distance.MoveQuery(previous.SampleDirection, previous.Sample, query);
-  const double radius = previous.Sample.Radius;
+  const double radius = ScaleOf(previous.Sample);
   if (!IsWellConditioned(distance, LeastEigenvalue(distance, radius, rounding)))
   {
     return false;
@@ -310,8 +335,10 @@ bool ClosestPointDescent::Foresee(const Vector3& query, const ClosestPoint& prev
          TryStep(*this->Model, query, previous.SampleDirection, distance, step, rounding, point);
 }
 
-void ClosestPointDescent::Descend(const Vector3& query, double tolerance, int evaluationLimit,
-                                  double rounding, ClosestPoint& point) const noexcept
+template <typename Surface>
+void ClosestPointDescentOf<Surface>::Descend(const Vector3& query, double tolerance,
+                                             int evaluationLimit, double rounding,
+                                             ClosestPoint& point) const noexcept
 {
   const double third = this->Derivatives.PointThird;
   const Vector3& center = this->Model->CenterWorld();
@@ -320,7 +347,7 @@ void ClosestPointDescent::Descend(const Vector3& query, double tolerance, int ev
     const Vector3 newton = point.Expansion.NewtonStep();
     const bool isConvex = point.Expansion.IsConvex();
     if (isConvex &&
-        IsShort(newton.squaredNorm(), tolerance, point.Expansion, point.Sample.Radius) &&
+        IsShort(newton.squaredNorm(), tolerance, point.Expansion, ScaleOf(point.Sample)) &&
         EndWithin(tolerance, query, center, newton, third, rounding, point))
     {
       break;
@@ -345,16 +372,18 @@ void ClosestPointDescent::Descend(const Vector3& query, double tolerance, int ev
   }
 }
 
-ClosestPointDescent::Basin
-ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point) const noexcept
+template <typename Surface>
+typename ClosestPointDescentOf<Surface>::Basin
+ClosestPointDescentOf<Surface>::BasinAround(const Vector3& query,
+                                            const ClosestPoint& point) const noexcept
 {
   const SquaredDistance& distance = point.Expansion;
   if (!distance.IsConvex())
   {
     return {};
   }
-  const LocalBounds bounds =
-      BoundsAt(point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+  const LocalBounds<Surface> bounds = BoundsAt<Surface>(
+      point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double smallest = bounds.Eigenvalue;
   const Vector3 step = distance.NewtonStep();
   const double away = step.norm();
@@ -383,16 +412,20 @@ ClosestPointDescent::BasinAround(const Vector3& query, const ClosestPoint& point
   return {angle, std::sqrt(std::max(0.0, 2.0 * least)) - this->Rounding(query)};
 }
 
-double ClosestPointDescent::LowerDistance(const Vector3& query, const Vector3& direction,
-                                          const SphericalHarmonicModel::SecondOrderSample& sample,
-                                          double reach) const noexcept
+template <typename Surface>
+double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const Vector3& direction,
+                                                     const Sample& sample,
+                                                     double reach) const noexcept
 {
   const SquaredDistance distance(direction, sample, query);
-  const LocalBounds bounds =
-      BoundsAt(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+  const LocalBounds<Surface> bounds =
+      BoundsAt<Surface>(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double change = distance.LeastChange(reach, bounds.Eigenvalue, bounds.Gradient);
   const double least = 0.5 * distance.Offset.squaredNorm() + change -
                        reach * reach * reach * bounds.Fall(reach) / 6.0;
   return std::sqrt(std::max(0.0, 2.0 * least));
 }
+
+template class ClosestPointDescentOf<SphericalHarmonicModel>;
+template class ClosestPointDescentOf<ParametricShape>;
 } // namespace palpate

@@ -2,7 +2,7 @@
 
 #include "ClosestPoint.h"
 #include "InstructionSet.h"
-#include "RadiusDerivativeBounds.h"
+#include "SurfaceKind.h"
 
 namespace palpate
 {
@@ -12,7 +12,7 @@ namespace palpate
 /// Newton's method on the unit sphere for |x(u) - q|^2 / 2, safeguarded: an indefinite Hessian is
 /// shifted until it is positive definite, steps are limited, and a step is taken only if the
 /// distance decreases (Absil, Mahony and Sepulchre, Optimization Algorithms on Matrix Manifolds,
-/// 2008, ch. 6). The last step needs no evaluation: once it is short, radius and gradient at its
+/// 2008, ch. 6). The last step needs no evaluation: once it is short, point and normal at its
 /// end follow from their expansion at its start.
 ///
 /// The error bounds follow from the values at the end and from a bound of the third derivative
@@ -20,9 +20,14 @@ namespace palpate
 /// eigenvalue of the Hessian and G a bound of the remaining gradient, f rises along every great
 /// circle by at least -G s + lambda s^2 / 4 up to the angle 1.5 lambda / M. So the minimum is
 /// within the angle 4 G / lambda, and f is at most G^2 / lambda above it.
-class ClosestPointDescent
+template <typename Surface>
+class ClosestPointDescentOf
 {
 public:
+  using ClosestPoint = ClosestPointOf<Surface>;
+  using Sample = SampleOf<Surface>;
+  using DerivativeBounds = typename SurfaceKind<Surface>::Bounds;
+
   /// `Angle` (rad) around a closest point's SampleDirection within which no point of the surface is
   /// closer than `LowerDistance` (mm); 0 if unknown.
   struct Basin
@@ -31,18 +36,19 @@ public:
     double LowerDistance = 0.0;
   };
 
-  /// Keeps the address of the model, which must outlive it. The processor must support `set`, with
-  /// which results of Continue differ by rounding.
-  explicit ClosestPointDescent(const SphericalHarmonicModel& model,
-                               InstructionSet set = FastestInstructionSet());
+  /// Keeps the address of the surface, which must outlive it. The processor must support `set`,
+  /// with which results of Continue differ by rounding.
+  explicit ClosestPointDescentOf(const Surface& model,
+                                 InstructionSet set = FastestInstructionSet());
 
-  /// Descends from the sample at `direction` to the minimum. `query` is relative to the model's
+  /// Descends from the sample at `direction` to the minimum. `query` is relative to the surface's
   /// centre (mm), `tolerance` the allowed error of the angle (rad), `evaluationLimit` >= 0.
-  ClosestPoint Run(const Vector3& query, const Vector3& direction,
-                   const SphericalHarmonicModel::SecondOrderSample& sample, double tolerance,
-                   int evaluationLimit) const noexcept;
+  ClosestPoint Run(const Vector3& query, const Vector3& direction, const Sample& sample,
+                   double tolerance, int evaluationLimit) const noexcept;
 
-  /// The same from the result of the last tick, for a nearby query; `evaluationLimit` >= 1.
+  /// The same from the result of the last tick, for a nearby query; `evaluationLimit` >= 1. On a
+  /// parametric surface the normal stays on the side of the previous one, also where that was
+  /// turned round.
   ClosestPoint Continue(const Vector3& query, const ClosestPoint& previous, double tolerance,
                         int evaluationLimit) const noexcept;
 
@@ -51,11 +57,10 @@ public:
 
   /// Lower bound of the distance (mm) from the query to the surface over the cap of the angle
   /// `reach` (rad) around `direction`, by the expansion at its centre.
-  double LowerDistance(const Vector3& query, const Vector3& direction,
-                       const SphericalHarmonicModel::SecondOrderSample& sample,
+  double LowerDistance(const Vector3& query, const Vector3& direction, const Sample& sample,
                        double reach) const noexcept;
 
-  const RadiusDerivativeBounds& Bounds() const noexcept { return this->Derivatives; }
+  const DerivativeBounds& Bounds() const noexcept { return this->Derivatives; }
   /// Bound of the rounding error of a distance (mm): some units in the last place of the numbers
   /// involved.
   double Rounding(const Vector3& query) const noexcept
@@ -75,11 +80,12 @@ private:
   void Descend(const Vector3& query, double tolerance, int evaluationLimit, double rounding,
                ClosestPoint& point) const noexcept;
 
-  const SphericalHarmonicModel* Model;
-  RadiusDerivativeBounds Derivatives;
+  const Surface* Model;
+  DerivativeBounds Derivatives;
   double Size;         // of the coordinates of surface points, mm
   double UnitRounding; // relative
   double LongestStep;  // rad
   InstructionSet Set;
 };
+using ClosestPointDescent = ClosestPointDescentOf<SphericalHarmonicModel>;
 } // namespace palpate

@@ -28,9 +28,10 @@ bool IsUsable(const Vector3& query)
   return query.lpNorm<Eigen::Infinity>() <= 1e100;
 }
 
-ClosestPoint Unusable(const SphericalHarmonicModel& model)
+template <typename Surface>
+ClosestPointOf<Surface> Unusable(const Surface& model)
 {
-  ClosestPoint point;
+  ClosestPointOf<Surface> point;
   const Vector3 up = Vector3::UnitZ();
   point.Direction = up;
   point.PointWorld = model.PointWorld(up);
@@ -42,53 +43,96 @@ ClosestPoint Unusable(const SphericalHarmonicModel& model)
   point.Sample = model.EvaluateSecondOrder(up);
   return point;
 }
+
+std::size_t BytesOf(const SphericalHarmonicModel& model)
+{
+  return model.Coefficients().size() * sizeof(double);
+}
+
+std::size_t BytesOf(const ParametricShape& shape)
+{
+  return shape.Bytes();
+}
 } // namespace
 
-ClosestPointSearch::ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model)
-    : Surface(std::move(model)), LocalSearch(*Surface),
-      Parts(*Surface, LocalSearch.Bounds(), LevelsFor(Surface->Degree()))
+template <typename Surface>
+ClosestPointSearchOf<Surface>::ClosestPointSearchOf(std::shared_ptr<const Surface> model)
+    : Shape(std::move(model)), LocalSearch(*Shape),
+      Parts(*Shape, LocalSearch.Bounds(), LevelsFor(Shape->Degree()))
 {
 }
 
-ClosestPoint ClosestPointSearch::Nearest(const Vector3& queryWorld,
-                                         int evaluationLimit) const noexcept
+template <typename Surface>
+std::size_t ClosestPointSearchOf<Surface>::Bytes() const noexcept
+{
+  return BytesOf(*this->Shape) + this->Parts.Bytes();
+}
+
+template <typename Surface>
+ClosestPointOf<Surface> ClosestPointSearchOf<Surface>::Nearest(const Vector3& queryWorld,
+                                                               int evaluationLimit) const noexcept
 {
   return this->Search(queryWorld, evaluationLimit, 0.0, 0.0);
 }
 
-ClosestPoint ClosestPointSearch::Clearance(const Vector3& queryWorld, double toolRadius,
-                                           int evaluationLimit) const noexcept
+template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointSearchOf<Surface>::Nearest(const Vector3& queryWorld, int evaluationLimit,
+                                       const ClosestPoint& near) const noexcept
+{
+  return this->Search(queryWorld, evaluationLimit, 0.0, 0.0, &near);
+}
+
+template <typename Surface>
+ClosestPointOf<Surface> ClosestPointSearchOf<Surface>::Clearance(const Vector3& queryWorld,
+                                                                 double toolRadius,
+                                                                 int evaluationLimit) const noexcept
 {
   return this->Search(queryWorld, evaluationLimit, toolRadius, ClearanceLeftOpen);
 }
 
-ClosestPoint ClosestPointSearch::Search(const Vector3& queryWorld, int evaluationLimit,
-                                        double toolRadius, double part) const noexcept
+template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointSearchOf<Surface>::Clearance(const Vector3& queryWorld, double toolRadius,
+                                         int evaluationLimit,
+                                         const ClosestPoint& near) const noexcept
 {
-  const Vector3 query = queryWorld - this->Surface->CenterWorld();
-  if (!IsUsable(query))
-  {
-    return Unusable(*this->Surface);
-  }
-  BranchAndBoundSearch search(*this->Surface, this->LocalSearch, this->Parts, query,
-                              evaluationLimit, toolRadius, part);
-  const ClosestPoint closest = search.Run();
-  return closest.State == ClosestPoint::Outcome::BadInput ? Unusable(*this->Surface) : closest;
+  return this->Search(queryWorld, evaluationLimit, toolRadius, ClearanceLeftOpen, &near);
 }
 
-ClosestPoint ClosestPointSearch::Track(const Vector3& queryWorld,
-                                       const ClosestPoint& previous) const noexcept
+template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointSearchOf<Surface>::Search(const Vector3& queryWorld, int evaluationLimit,
+                                      double toolRadius, double part,
+                                      const ClosestPoint* near) const noexcept
 {
-  const Vector3 query = queryWorld - this->Surface->CenterWorld();
+  const Vector3 query = queryWorld - this->Shape->CenterWorld();
   if (!IsUsable(query))
   {
-    return Unusable(*this->Surface);
+    return Unusable(*this->Shape);
+  }
+  BranchAndBoundSearch<Surface> search(*this->Shape, this->LocalSearch, this->Parts, query,
+                                       evaluationLimit, toolRadius, part);
+  const ClosestPoint closest = search.Run(near);
+  return closest.State == ClosestPoint::Outcome::BadInput ? Unusable(*this->Shape) : closest;
+}
+
+template <typename Surface>
+ClosestPointOf<Surface>
+ClosestPointSearchOf<Surface>::Track(const Vector3& queryWorld,
+                                     const ClosestPoint& previous) const noexcept
+{
+  const Vector3 query = queryWorld - this->Shape->CenterWorld();
+  if (!IsUsable(query))
+  {
+    return Unusable(*this->Shape);
   }
   return this->LocalSearch.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
 }
 
-ToolContact ClosestPointSearch::TouchAnywhere(const Vector3& toolCenterWorld,
-                                              double toolRadius) const noexcept
+template <typename Surface>
+ToolContact ClosestPointSearchOf<Surface>::TouchAnywhere(const Vector3& toolCenterWorld,
+                                                         double toolRadius) const noexcept
 {
   // In a hollow narrower than the tool the opposite walls push it out alternately.
   constexpr int MostPushes = 64;
@@ -107,4 +151,7 @@ ToolContact ClosestPointSearch::TouchAnywhere(const Vector3& toolCenterWorld,
   }
   return contact;
 }
+
+template class ClosestPointSearchOf<SphericalHarmonicModel>;
+template class ClosestPointSearchOf<ParametricShape>;
 } // namespace palpate

@@ -20,47 +20,50 @@ struct ToolContact
   double Overlap;
 };
 
-/// The point of a model's surface closest to any query point, over the whole surface or tracked
+/// The point of a surface closest to any query point, over the whole surface or tracked
 /// from the last one. Immutable; queries are const, thread-safe and allocation-free. Construction
-/// evaluates the model some thousand times, so it belongs to the thread that publishes models.
+/// evaluates it some thousand times, so it belongs to the thread that publishes models.
 ///
 /// The global search is branch and bound over the directions (README.md). It ends with a proof (up
 /// to rounding), or at the evaluation limit; DistanceError holds the bound in both cases. The
-/// surface need not have R > 0; the sign of the distance then only gives the side of the surface at
-/// its closest point.
-class ClosestPointSearch
+/// surface need not have R > 0, and may cross itself; the sign of the distance then only gives the
+/// side of the surface at its closest point.
+template <typename Surface>
+class ClosestPointSearchOf
 {
 public:
+  using ClosestPoint = ClosestPointOf<Surface>;
+
   static constexpr int DefaultEvaluationLimit = 1000;
   /// Evaluation limit of one servo tick: more than tracking ever needs on a smooth path.
   static constexpr int TrackingEvaluationLimit = 8;
-  /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
-  /// square of it, far below rounding.
-  static constexpr double TrackingTolerance = 1e-7;
+  static constexpr double TrackingTolerance = SurfaceKind<Surface>::TrackingTolerance;
 
-  explicit ClosestPointSearch(std::shared_ptr<const SphericalHarmonicModel> model);
+  explicit ClosestPointSearchOf(std::shared_ptr<const Surface> model);
 
-  const SphericalHarmonicModel& Model() const noexcept { return *this->Surface; }
+  const Surface& Model() const noexcept { return *this->Shape; }
   /// For other searches of the same surface.
-  const ClosestPointDescent& Descent() const noexcept { return this->LocalSearch; }
-  const SurfacePatchTree& Tree() const noexcept { return this->Parts; }
+  const ClosestPointDescentOf<Surface>& Descent() const noexcept { return this->LocalSearch; }
+  const SurfacePatchTreeOf<Surface>& Tree() const noexcept { return this->Parts; }
 
   /// Memory of model and tree.
-  std::size_t Bytes() const noexcept
-  {
-    return this->Surface->Coefficients().size() * sizeof(double) + this->Parts.Bytes();
-  }
+  std::size_t Bytes() const noexcept;
 
   /// The closest point of the whole surface; one of them if several are equally close. With a lower
   /// `evaluationLimit` the result is still a point of the surface, and DistanceError holds the
   /// bound that the search reached. Queries up to 1e100 mm; 0.2 MB of stack.
   ClosestPoint Nearest(const Vector3& queryWorld,
                        int evaluationLimit = DefaultEvaluationLimit) const noexcept;
+  /// The same with a result for a query nearby, from which the search is shorter.
+  ClosestPoint Nearest(const Vector3& queryWorld, int evaluationLimit,
+                       const ClosestPoint& near) const noexcept;
 
   /// The same for the clearance of a tool of this radius (mm): a third of its distance from the
   /// closest point may stay unproven, which saves most of the proof far from the surface.
   ClosestPoint Clearance(const Vector3& queryWorld, double toolRadius,
                          int evaluationLimit = DefaultEvaluationLimit) const noexcept;
+  ClosestPoint Clearance(const Vector3& queryWorld, double toolRadius, int evaluationLimit,
+                         const ClosestPoint& near) const noexcept;
   static constexpr double ClearanceLeftOpen = 1.0 / 3.0;
 
   /// The minimum of the distance that continues `previous`, the result of the last tick. One
@@ -76,10 +79,11 @@ public:
 
 private:
   ClosestPoint Search(const Vector3& queryWorld, int evaluationLimit, double toolRadius,
-                      double part) const noexcept;
+                      double part, const ClosestPoint* near = nullptr) const noexcept;
 
-  std::shared_ptr<const SphericalHarmonicModel> Surface;
-  ClosestPointDescent LocalSearch;
-  SurfacePatchTree Parts;
+  std::shared_ptr<const Surface> Shape;
+  ClosestPointDescentOf<Surface> LocalSearch;
+  SurfacePatchTreeOf<Surface> Parts;
 };
+using ClosestPointSearch = ClosestPointSearchOf<SphericalHarmonicModel>;
 } // namespace palpate

@@ -18,6 +18,8 @@ struct RadiusDerivativeBounds
 {
   explicit RadiusDerivativeBounds(const SphericalHarmonicModel& model);
 
+  double Largest() const noexcept { return this->Radius[0]; } ///< bound of |x| from the centre, mm
+
   std::array<double, 4> Radius; ///< |R| (mm), |R'| (mm/rad), |R''|, |R'''|
   double PointThird;            ///< |x'''| (mm/rad^3), and the same for three different directions
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ParametricShape.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
@@ -11,11 +12,13 @@ namespace palpate
 {
 /// f(u) = |x(u) - q|^2 / 2 (mm^2) as a function of the direction u, to second order at one
 /// direction: the objective of the closest-point search on the unit sphere. Points are relative to
-/// the model's centre. With a = u.(q - x) and d the rest of q - x, which is tangent to the
-/// sphere,
+/// the surface's centre. For a star-shaped surface, with a = u.(q - x) and d the rest of q - x,
+/// which is tangent to the sphere,
 ///   grad f = -a g - R d,
 ///   Hess f = R^2 I + g g' - a H - g d' - d g' + R a I,
-/// the first two terms being the surface's metric. In the plane a matrix A has the adjugate
+/// the first two terms being the surface's metric; for a parametric one
+///   f_a = -(q - x).x_a,   f_ab = x_a.x_b - (q - x).x_ab.
+/// In the plane a matrix A has the adjugate
 /// tr(A) I - A, so no basis of the tangent plane is needed.
 struct SquaredDistance
 {
@@ -54,6 +57,26 @@ struct SquaredDistance
     this->Determinant = (this->Xx * this->Yy - this->Xy * this->Xy) +
                         (sumOfTwo * this->Zz - (this->Xz * this->Xz + this->Yz * this->Yz));
   }
+  SquaredDistance(const Vector3&, const ParametricShape::SecondOrderSample& sample,
+                  const Vector3& query) noexcept
+  {
+    this->Aim(sample, query);
+    const auto& [first, second] = sample.First;
+    const double aa = first.squaredNorm() - this->Offset.dot(sample.Second[0]);
+    const double ab = first.dot(second) - this->Offset.dot(sample.Second[1]);
+    const double bb = second.squaredNorm() - this->Offset.dot(sample.Second[2]);
+    this->Trace = aa + bb;
+    this->Determinant = aa * bb - ab * ab;
+    const auto& [a, b] = sample.Tangents;
+    const Vector3 row = aa * a + ab * b;
+    const Vector3 column = ab * a + bb * b;
+    this->Xx = row[0] * a[0] + column[0] * b[0];
+    this->Xy = row[0] * a[1] + column[0] * b[1];
+    this->Xz = row[0] * a[2] + column[0] * b[2];
+    this->Yy = row[1] * a[1] + column[1] * b[1];
+    this->Yz = row[1] * a[2] + column[1] * b[2];
+    this->Zz = row[2] * a[2] + column[2] * b[2];
+  }
 
   /// Changes the query at the same direction. The Hessian is not updated; its error is proportional
   /// to the change.
@@ -61,6 +84,11 @@ struct SquaredDistance
                  const Vector3& query) noexcept
   {
     this->Aim(direction, sample, query);
+  }
+  void MoveQuery(const Vector3&, const ParametricShape::SecondOrderSample& sample,
+                 const Vector3& query) noexcept
+  {
+    this->Aim(sample, query);
   }
 
   /// Whether the Hessian is positive definite in the tangent plane.
@@ -156,6 +184,12 @@ private:
     const Vector3 across = this->Offset - along * u;
     this->Gradient = -along * sample.SurfaceGradient - radius * across;
     return {along, across};
+  }
+  void Aim(const ParametricShape::SecondOrderSample& sample, const Vector3& query) noexcept
+  {
+    this->Offset = query - sample.Point;
+    this->Gradient = -this->Offset.dot(sample.First[0]) * sample.Tangents[0] -
+                     this->Offset.dot(sample.First[1]) * sample.Tangents[1];
   }
 
   double Xx, Yy, Zz, Xy, Xz, Yz; // the Hessian; zero along the direction

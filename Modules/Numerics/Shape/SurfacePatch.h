@@ -33,6 +33,16 @@ struct SurfacePatch
     return std::sqrt(above * above + lateral * lateral);
   }
 
+  Vector3 Center() const noexcept
+  {
+    return this->Point + 0.5 * (this->High + this->Low) * this->Normal;
+  }
+  /// Of a sphere around the centre.
+  double Extent() const noexcept
+  {
+    return std::hypot(this->Radius, 0.5 * (this->High - this->Low));
+  }
+
   Vector3 Point;
   Vector3 Normal;
   double Low; ///< smallest and largest height over Point along Normal, mm

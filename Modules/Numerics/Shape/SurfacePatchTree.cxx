@@ -1,11 +1,44 @@
 #include "SurfacePatchTree.h"
 
+#include "ParametricSample.h"
+
 #include <limits>
 
 namespace palpate
 {
-SurfacePatchTree::SurfacePatchTree(const SphericalHarmonicModel& model,
-                                   const RadiusDerivativeBounds& bounds, int levels)
+namespace
+{
+struct Range
+{
+  double Lowest;
+  double Highest;
+};
+
+// Of R over a cap.
+Range RangeOver(const SphericalCap& cap, const SampleOf<SphericalHarmonicModel>& sample,
+                const RadiusDerivativeBounds& bounds)
+{
+  const double reach = cap.Radius;
+  const double change =
+      reach * (sample.SurfaceGradient.norm() +
+               reach * (0.5 * sample.SurfaceHessian.norm() + reach * bounds.Radius[3] / 6.0));
+  return {sample.Radius - change, sample.Radius + change};
+}
+
+// Of the distance from the centre, which may be inside or outside.
+Range RangeOver(const SphericalCap& cap, const SampleOf<ParametricShape>& sample,
+                const PointDerivativeBounds& bounds)
+{
+  const double reach = cap.Radius;
+  const double change = reach * (LargestFirst(sample) + reach * (0.5 * LargestSecond(sample) +
+                                                                 reach * bounds.PointThird / 6.0));
+  return {0.0, sample.Point.norm() + change};
+}
+} // namespace
+
+template <typename Surface>
+SurfacePatchTreeOf<Surface>::SurfacePatchTreeOf(const Surface& surface, const Bounds& bounds,
+                                                int levels)
     : Roots(SphericalTriangle::Icosahedron()), Lowest(std::numeric_limits<double>::infinity()),
       Highest(-Lowest)
 {
@@ -21,25 +54,26 @@ SurfacePatchTree::SurfacePatchTree(const SphericalHarmonicModel& model,
   this->Patches.resize(finest);
   for (int root = 0; root < RootCount; ++root)
   {
-    this->Build(model, bounds, root, this->Roots[static_cast<std::size_t>(root)]);
+    this->Build(surface, bounds, root, this->Roots[static_cast<std::size_t>(root)]);
   }
 }
 
-SurfacePatchTree::Sphere SurfacePatchTree::Build(const SphericalHarmonicModel& model,
-                                                 const RadiusDerivativeBounds& bounds, int node,
-                                                 const SphericalTriangle& triangle)
+template <typename Surface>
+typename SurfacePatchTreeOf<Surface>::Sphere
+SurfacePatchTreeOf<Surface>::Build(const Surface& surface, const Bounds& bounds, int node,
+                                   const SphericalTriangle& triangle)
 {
   this->Caps[static_cast<std::size_t>(node)] = triangle.Cap();
   if (!this->IsInner(node))
   {
-    return this->BuildPatch(model, bounds, node);
+    return this->BuildPatch(surface, bounds, node);
   }
   std::array<Sphere, 4> parts;
   Vector3 center = Vector3::Zero();
   const std::array<SphericalTriangle, 4> triangles = triangle.Split();
   for (std::size_t i = 0; i < 4; ++i)
   {
-    parts[i] = this->Build(model, bounds, FirstPart(node) + static_cast<int>(i), triangles[i]);
+    parts[i] = this->Build(surface, bounds, FirstPart(node) + static_cast<int>(i), triangles[i]);
     center += 0.25 * parts[i].Center;
   }
   Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
@@ -51,25 +85,23 @@ SurfacePatchTree::Sphere SurfacePatchTree::Build(const SphericalHarmonicModel& m
   return sphere;
 }
 
-SurfacePatchTree::Sphere SurfacePatchTree::BuildPatch(const SphericalHarmonicModel& model,
-                                                      const RadiusDerivativeBounds& bounds,
-                                                      int node)
+template <typename Surface>
+typename SurfacePatchTreeOf<Surface>::Sphere
+SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bounds, int node)
 {
   const auto& [direction, reach] = this->CapOf(node);
-  const auto sample = model.EvaluateSecondOrder(direction);
-  const double change =
-      reach * (sample.SurfaceGradient.norm() +
-               reach * (0.5 * sample.SurfaceHessian.norm() + reach * bounds.Radius[3] / 6.0));
-  this->Lowest = std::min(this->Lowest, sample.Radius - change);
-  this->Highest = std::max(this->Highest, sample.Radius + change);
+  const auto sample = surface.EvaluateSecondOrder(direction);
+  const Range range = RangeOver(this->CapOf(node), sample, bounds);
+  this->Lowest = std::min(this->Lowest, range.Lowest);
+  this->Highest = std::max(this->Highest, range.Highest);
 
-  const SurfacePatch patch(direction, sample, reach, bounds.PointThird);
+  const Patch patch(direction, sample, reach, bounds.PointThird);
   this->Patches[static_cast<std::size_t>(node - this->InnerCount())] = patch;
-  return {patch.Point + 0.5 * (patch.High + patch.Low) * patch.Normal,
-          std::hypot(patch.Radius, 0.5 * (patch.High - patch.Low))};
+  return {patch.Center(), patch.Extent()};
 }
 
-SphericalTriangle SurfacePatchTree::Triangle(int node) const noexcept
+template <typename Surface>
+SphericalTriangle SurfacePatchTreeOf<Surface>::Triangle(int node) const noexcept
 {
   // The path up, then down again.
   std::array<int, 16> path{};
@@ -88,4 +120,7 @@ SphericalTriangle SurfacePatchTree::Triangle(int node) const noexcept
   }
   return triangle;
 }
+
+template class SurfacePatchTreeOf<SphericalHarmonicModel>;
+template class SurfacePatchTreeOf<ParametricShape>;
 } // namespace palpate

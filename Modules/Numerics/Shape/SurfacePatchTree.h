@@ -1,26 +1,27 @@
 #pragma once
 
-#include "RadiusDerivativeBounds.h"
-#include "SphericalHarmonicModel.h"
 #include "SphericalTriangle.h"
-#include "SurfacePatch.h"
+#include "SurfaceKind.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace palpate
 {
-/// A hierarchy of volumes around the parts of a model's surface: the triangles of an icosahedron,
-/// each split into four a number of times. The finest have a SurfacePatch each, the others a sphere
-/// around their four parts. Nodes are numbered level by level; points are relative to the model's
-/// centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
-class SurfacePatchTree
+/// A hierarchy of volumes around the parts of a surface: the triangles of an icosahedron,
+/// each split into four a number of times. The finest have a SurfacePatch or SurfaceBox each, the
+/// others a sphere around their four parts. Nodes are numbered level by level; points are relative
+/// to the surface's centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
+template <typename Surface>
+class SurfacePatchTreeOf
 {
 public:
-  /// `levels` >= 0 is the number of times the 20 triangles are split. Evaluates the model in
+  using Bounds = typename SurfaceKind<Surface>::Bounds;
+  using Patch = typename SurfaceKind<Surface>::Patch;
+
+  /// `levels` >= 0 is the number of times the 20 triangles are split. Evaluates the surface in
   /// 20 * 4^levels directions.
-  SurfacePatchTree(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
-                   int levels);
+  SurfacePatchTreeOf(const Surface& surface, const Bounds& bounds, int levels);
 
   static constexpr int RootCount = 20;
   /// Number of nodes except the finest, and of all nodes.
@@ -41,6 +42,14 @@ public:
     const Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
   }
+  /// Square of the distance (mm^2) from the query to the middle of the node.
+  double SquaredCenterDistance(int node, const Vector3& query) const noexcept
+  {
+    const auto index = static_cast<std::size_t>(node);
+    const Vector3& center = this->IsInner(node) ? this->Spheres[index].Center
+                                                : this->Patches[index - this->Spheres.size()].Point;
+    return (query - center).squaredNorm();
+  }
   SphericalTriangle Triangle(int node) const noexcept;
   const SphericalCap& CapOf(int node) const noexcept
   {
@@ -51,10 +60,11 @@ public:
   {
     return this->Roots.size() * sizeof(SphericalTriangle) +
            this->Caps.size() * sizeof(SphericalCap) + this->Spheres.size() * sizeof(Sphere) +
-           this->Patches.size() * sizeof(SurfacePatch);
+           this->Patches.size() * sizeof(Patch);
   }
 
-  /// Bounds of |R| over all directions, mm.
+  /// Bounds of the distance of the surface from its centre, mm; the lower one is 0 for parametric
+  /// surfaces.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
 
@@ -65,16 +75,16 @@ private:
     double Radius;
   };
 
-  Sphere Build(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds, int node,
+  Sphere Build(const Surface& surface, const Bounds& bounds, int node,
                const SphericalTriangle& triangle);
-  Sphere BuildPatch(const SphericalHarmonicModel& model, const RadiusDerivativeBounds& bounds,
-                    int node);
+  Sphere BuildPatch(const Surface& surface, const Bounds& bounds, int node);
 
   std::vector<SphericalTriangle> Roots;
   std::vector<SphericalCap> Caps;
   std::vector<Sphere> Spheres;
-  std::vector<SurfacePatch> Patches;
-  double Lowest; // bounds of R
+  std::vector<Patch> Patches;
+  double Lowest; // bounds of R, or of the distance from the centre
   double Highest;
 };
+using SurfacePatchTree = SurfacePatchTreeOf<SphericalHarmonicModel>;
 } // namespace palpate

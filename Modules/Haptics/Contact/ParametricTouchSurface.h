@@ -1,0 +1,101 @@
+#pragma once
+
+#include "ClosestPointSearch.h"
+#include "Status.h"
+#include "WindingMesh.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// A parametric surface prepared for touch, shared by its trackers: the same as HarmonicSurface,
+/// for surfaces that may wrap round anything and may cross themselves. Inside is where the winding
+/// number is not 0. Immutable; queries are noexcept and do not allocate.
+///
+/// The sign of the distance from one sheet of a surface tells inside from outside only near it, and
+/// only where no other sheet crosses. So closest points are seen from a side: SignedDistance is
+/// positive and Normal points outward on the side that the tool is known to have come from.
+class ParametricTouchSurface
+{
+public:
+  using Shape = ParametricShape;
+  using ClosestPoint = ClosestPointOf<Shape>;
+  static constexpr bool MayCrossItself = true;
+
+  /// A point of the surface, by its parameter.
+  struct Place
+  {
+    Vector3 Direction;  ///< the parameter, a unit vector
+    Vector3 PointWorld; ///< mm
+    Vector3 Normal;     ///< unit normal
+  };
+
+  /// Fails for a surface with numbers that are not finite or too large to be squared, and for one
+  /// without a volume. One that is inside out (negative volume) is turned. Takes some 50
+  /// milliseconds, allocates.
+  static Status Make(const ParametricSphericalSurface& surface,
+                     std::shared_ptr<const ParametricTouchSurface>& touch);
+
+  const ClosestPointSearchOf<Shape>& Search() const noexcept { return this->Closest; }
+  const Shape& Model() const noexcept { return this->Closest.Model(); }
+  std::size_t Bytes() const noexcept;
+  /// Three times the volume by the area, mm: the radius of a sphere, about that of a tube, and half
+  /// the thickness of a sheet, up to a factor of 1.5.
+  double SmallestRadius() const noexcept { return this->Smallest; }
+  /// Bound of the distance from the centre, mm.
+  double LargestRadius() const noexcept { return this->Closest.Tree().LargestRadius(); }
+  /// Rounding error of a distance near the surface, mm.
+  double Rounding() const noexcept
+  {
+    return this->Closest.Descent().Rounding(Vector3::Constant(this->LargestRadius()));
+  }
+
+  /// Whether a tessellation of twice the degree crosses itself.
+  bool CrossesItself() const noexcept { return this->IsCrossing; }
+  /// By how much (mm) tools are enlarged for their motion, so that points too are kept apart from
+  /// two sheets that cross: a fiftieth of SmallestRadius at a surface that crosses itself, else 0.
+  double Margin() const noexcept { return this->IsCrossing ? 0.02 * this->Smallest : 0.0; }
+
+  /// Of a tool that is known to be outside.
+  ClosestPoint SeenFromOutside(const ClosestPoint& nearest) const noexcept;
+  /// By the winding number: of a tool that is outside, or a place to which a tool that is inside
+  /// can be moved out.
+  ClosestPoint SeenFrom(const Vector3& queryWorld, const ClosestPoint& nearest) const noexcept;
+  /// On the side of another point nearby.
+  ClosestPoint SeenLike(const ClosestPoint& other, const ClosestPoint& nearest) const noexcept;
+
+  Place PlaceAt(const Vector3& parameter) const noexcept;
+  /// With the normal on the side of `like`.
+  Place PlaceAt(const Vector3& parameter, const ClosestPoint& like) const noexcept;
+  /// The same as a closest point to `queryWorld`, without a search, from which tracking can start;
+  /// on the side of `like`.
+  ClosestPoint PointAt(const Vector3& parameter, const Vector3& queryWorld,
+                       const ClosestPoint& like) const noexcept;
+
+private:
+  ParametricTouchSurface(const ParametricSphericalSurface& surface, double smallest);
+  int WindingNumberNear(const Vector3& queryWorld, const ClosestPoint& nearest) const noexcept;
+  ClosestPoint WayOut(const Vector3& queryWorld, const ClosestPoint& nearest) const noexcept;
+  ClosestPoint RawPointAt(const Vector3& parameter, const Vector3& queryWorld) const noexcept;
+
+  ClosestPointSearchOf<Shape> Closest;
+  double Smallest;
+  // A point of the surface that borders the outside, and its parameter.
+  struct Exit
+  {
+    Vector3 Parameter;
+    Vector3 PointWorld;
+  };
+  std::vector<Exit> FindExits() const;
+
+  WindingMesh Mesh;
+  double MeshDeviation; // of the mesh from the surface, mm
+  bool IsCrossing;
+  std::vector<Exit> Exits; // of a surface that crosses itself
+};
+
+/// The same point, seen from the other side of the surface.
+ParametricTouchSurface::ClosestPoint OtherSide(ParametricTouchSurface::ClosestPoint point) noexcept;
+} // namespace palpate

@@ -1,0 +1,344 @@
+#include "ClosestPointSearch.h"
+#include "ContactCases.h"
+#include "IcosahedronDirections.h"
+#include "ParametricContactModel.h"
+#include "ParametricPhantoms.h"
+#include "WindingMesh.h"
+#include "WorstCase.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+using test::At;
+using test::Random;
+using test::TrackerOf;
+using test::WorstCase;
+
+constexpr double Stiffness = 0.5; // N/mm
+
+std::shared_ptr<const ContactModel> ParametricContact(const ParametricSphericalSurface& surface)
+{
+  std::shared_ptr<const ContactModel> contact;
+  const Status status = ParametricContactModel::Make(surface, contact);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return contact;
+}
+
+// A probe that comes down on a random place of the surface and slides over it: 28 ticks, from 0.23
+// mm above to 1.5 mm below where the tool touches.
+template <typename Visit>
+void FollowPath(const ParametricSphericalSurface& surface, double toolRadius, Random& random,
+                const Visit& visit)
+{
+  Vector3 parameter = test::RandomDirection(random);
+  const Vector3 axis = parameter.cross(test::RandomDirection(random)).normalized();
+  for (int tick = 0; tick < 28; ++tick)
+  {
+    const double depth = std::min(1.5, 0.1 * tick - 0.23);
+    visit(Vector3(surface.Point(parameter) + (toolRadius - depth) * surface.Normal(parameter)));
+    if (depth >= 1.5)
+    {
+      parameter = (Eigen::AngleAxisd(0.002, axis) * parameter).normalized();
+    }
+  }
+}
+
+// The point of an ellipsoid around the origin nearest to a point, which must be nearer to the
+// surface than to the medial axis: on the normal through it, found by bisection.
+Vector3 NearestOnEllipsoid(const Vector3& axes, const Vector3& point)
+{
+  const Vector3 squares = axes.cwiseProduct(axes);
+  const auto at = [&](double t)
+  { return Vector3(squares.cwiseProduct(point).cwiseQuotient(squares + Vector3::Constant(t))); };
+  double low = -squares.minCoeff();
+  double high = 100.0 * squares.maxCoeff();
+  for (int i = 0; i < 200; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (at(middle).cwiseQuotient(axes).squaredNorm() > 1.0 ? low : high) = middle;
+  }
+  return at(0.5 * (low + high));
+}
+
+TEST(ParametricContactModel, ForcesOfAnEllipsoidAreExact)
+{
+  const Vector3 axes(25.0, 20.0, 16.0);
+  const ParametricSphericalSurface surface = test::EllipsoidPhantom(axes, 8);
+  const Vector3 center = surface.Point(Vector3::UnitX()) - Vector3(axes[0], 0.0, 0.0);
+  const auto model = ParametricContact(surface);
+  for (const double toolRadius : {0.0, 1.0, 4.0})
+  {
+    Random random(9101);
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius));
+    WorstCase error;
+    int touches = 0;
+    for (int path = 0; path < 300; ++path)
+    {
+      tracker->Release();
+      FollowPath(surface, toolRadius, random,
+                 [&](const Vector3& probe)
+                 {
+                   const Contact& contact = tracker->Follow(At(probe));
+                   const Vector3 foot = NearestOnEllipsoid(axes, probe - center);
+                   const Vector3 normal = foot.cwiseQuotient(axes).cwiseQuotient(axes).normalized();
+                   const bool isTouched = (probe - center - foot).dot(normal) < toolRadius;
+                   const Vector3 ideal =
+                       isTouched ? Vector3(center + foot + toolRadius * normal) : probe;
+                   error.Add(Stiffness * (contact.ProxyWorld - ideal).norm());
+                   touches += contact.IsTouching ? 1 : 0;
+                 });
+    }
+    EXPECT_GT(touches, 300 * 24);
+    EXPECT_LE(error.Value(), 1e-9) << toolRadius; // N, the required accuracy
+  }
+}
+
+TEST(ParametricContactModel, ForcesEqualThoseOfTheStarShapedModel)
+{
+  Random random(9102);
+  const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
+  const ParametricSphericalSurface surface = ParametricSphericalSurface::FromModel(organ);
+  const auto star = test::HarmonicContact(organ);
+  const auto parametric = ParametricContact(surface);
+  for (const double toolRadius : {0.0, 1.0})
+  {
+    const auto one = TrackerOf(*star, ToolShape::Sphere(toolRadius));
+    const auto other = TrackerOf(*parametric, ToolShape::Sphere(toolRadius));
+    WorstCase difference;
+    for (int path = 0; path < 300; ++path)
+    {
+      one->Release();
+      other->Release();
+      FollowPath(
+          surface, toolRadius, random,
+          [&](const Vector3& probe)
+          {
+            difference.Add(
+                Stiffness *
+                (one->Follow(At(probe)).ProxyWorld - other->Follow(At(probe)).ProxyWorld).norm());
+          });
+    }
+    RecordProperty("newtons", std::to_string(difference.Value()));
+    EXPECT_LE(difference.Value(), 1e-9) << toolRadius;
+  }
+}
+
+struct PhantomCase
+{
+  const char* Name;
+  ParametricSphericalSurface Surface;
+};
+
+std::vector<PhantomCase> SimplePhantoms()
+{
+  Random random(5);
+  return {{"OpenRing", test::OpenRing()},
+          {"Bowl", test::Bowl()},
+          {"BumpyTube", test::BumpyTube(random)}};
+}
+
+// A proxy at a farther point is one that keeps to the minimum that it met.
+TEST(ParametricContactModel, ProxiesAreAtTheNearestPoint)
+{
+  for (const auto& [name, surface] : SimplePhantoms())
+  {
+    SCOPED_TRACE(name);
+    const auto model = ParametricContact(surface);
+    const ClosestPointSearchOf<ParametricShape> search(
+        std::make_shared<const ParametricShape>(surface));
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
+    Random random(9103);
+    WorstCase farther;
+    int others = 0;
+    for (int path = 0; path < 150; ++path)
+    {
+      tracker->Release();
+      FollowPath(surface, 0.0, random,
+                 [&](const Vector3& probe)
+                 {
+                   const Contact& contact = tracker->Follow(At(probe));
+                   const auto nearest = search.Nearest(probe);
+                   ASSERT_EQ(contact.IsTouching, nearest.SignedDistance < 0.0);
+                   const Vector3 ideal = contact.IsTouching ? nearest.PointWorld : probe;
+                   const double error = (contact.ProxyWorld - ideal).norm();
+                   const bool isOther = contact.Depth > std::abs(nearest.SignedDistance) + 1e-6;
+                   others += isOther ? 1 : 0;
+                   farther.Add(isOther ? 0.0 : Stiffness * error);
+                 });
+    }
+    EXPECT_LE(farther.Value(), 1e-9);
+    EXPECT_LE(others, 150 * 28 / 5); // the bowl's wall is thinner than the depth near its rim
+  }
+}
+
+// The mesh has the resolution of the one that decides where the surface crosses itself.
+WindingMesh MeshOf(const ParametricSphericalSurface& surface)
+{
+  const IcosahedronDirections sphere(2 * surface.Degree());
+  std::vector<Vector3> points;
+  for (const Vector3& u : sphere.Directions())
+  {
+    points.push_back(surface.Point(u));
+  }
+  return {points, sphere.Triangles()};
+}
+
+TEST(ParametricContactModel, ProxyStaysOutOfASurfaceThatCrossesItself)
+{
+  const ParametricSphericalSurface surface = test::CrossingRing();
+  const WindingMesh mesh = MeshOf(surface);
+  ASSERT_TRUE(mesh.CrossesItself());
+  const auto model = ParametricContact(surface);
+  // The two ends meet opposite the middle of the tube.
+  const Vector3 seam(5.0 - 20.0, 60.0, -30.0);
+  constexpr double Off = 0.1; // mm, more than the mesh's deviation
+  for (const double toolRadius : {0.0, 1.0})
+  {
+    Random random(9104);
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius), {0.3, 0.2});
+    test::WanderingDirection wandering(random);
+    int inside = 0;
+    int touches = 0;
+    WorstCase jump;
+    Vector3 last = tracker->Follow(At(seam + 30.0 * wandering.Direction())).ProxyWorld;
+    for (int tick = 0; tick < 4000; ++tick)
+    {
+      const double away = 7.0 + 7.0 * std::cos(0.01 * tick);
+      const Contact& contact = tracker->Follow(At(seam + away * wandering.Turn(0.005)));
+      ASSERT_TRUE(contact.ProxyWorld.allFinite());
+      const Vector3 place = contact.ProxyWorld + Off * contact.NormalWorld;
+      inside += contact.IsTouching && mesh.WindingNumber(place) != 0 ? 1 : 0;
+      touches += contact.IsTouching ? 1 : 0;
+      jump.Add((contact.ProxyWorld - last).norm());
+      last = contact.ProxyWorld;
+    }
+    EXPECT_EQ(inside, 0) << toolRadius;
+    EXPECT_GT(touches, 500);
+  }
+}
+
+TEST(ParametricContactModel, StaysFiniteWhateverTheProbeDoes)
+{
+  Random random(9105);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<PhantomCase> phantoms = SimplePhantoms();
+  phantoms.push_back({"CrossingRing", test::CrossingRing()});
+  for (const auto& [name, surface] : phantoms)
+  {
+    const auto model = ParametricContact(surface);
+    const auto bounds = model->BoundsWorld();
+    const double largest = bounds.diagonal().norm();
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.5), {0.4, 0.3});
+    Vector3 probe = bounds.center();
+    for (int tick = 0; tick < 1500; ++tick)
+    {
+      const bool isJump = uniform(random) < 0.02;
+      probe =
+          isJump
+              ? Vector3(bounds.center() + uniform(random) * largest * test::RandomDirection(random))
+              : Vector3(probe + 0.3 * test::RandomDirection(random));
+      const Contact& contact = tracker->Follow(At(probe));
+      ASSERT_TRUE(contact.IsValid);
+      ASSERT_TRUE(contact.ProxyWorld.allFinite() && contact.NormalWorld.allFinite()) << name;
+      ASSERT_LE((contact.ProxyWorld - bounds.center()).norm(), 2.0 * largest) << name;
+    }
+    const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_FALSE(tracker->Follow(At(nowhere)).IsValid);
+    EXPECT_TRUE(tracker->Follow(At(probe)).IsValid);
+  }
+}
+
+TEST(ParametricContactModel, FrictionHoldsTheProxy)
+{
+  const ParametricSphericalSurface surface = test::OpenRing();
+  const auto model = ParametricContact(surface);
+  const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0), {0.5, 0.4});
+  const Vector3 parameter = Vector3(0.8, 0.5, 0.3).normalized();
+  const Vector3 place = surface.Point(parameter);
+  const Vector3 normal = surface.Normal(parameter);
+  const Vector3 along = normal.unitOrthogonal();
+  test::MoveStraight(*tracker, place + normal, place - normal, 0.05,
+                     [](const Vector3&, const Contact&) {});
+  // Within the cone of 0.5 mm around the pull of 1 mm.
+  const Contact& stuck = tracker->Follow(At(place - normal + 0.4 * along));
+  EXPECT_LE((stuck.ProxyWorld - place).norm(), 0.02); // where contact began
+  const Contact& slipped = tracker->Follow(At(place - normal + 0.8 * along));
+  EXPECT_GT((slipped.ProxyWorld - place).norm(), 0.2);
+}
+
+TEST(ParametricContactModel, TurnsASurfaceThatIsInsideOut)
+{
+  const ParametricSphericalSurface bowl = test::Bowl();
+  // A mirrored parameter sphere.
+  const ParametricSphericalSurface turned =
+      bowl.Reparametrized(Vector3(-1.0, 1.0, 1.0).asDiagonal());
+  ASSERT_LT(turned.Volume(), 0.0);
+  const auto one = TrackerOf(*ParametricContact(bowl), ToolShape::Sphere(0.5));
+  const auto other = TrackerOf(*ParametricContact(turned), ToolShape::Sphere(0.5));
+  Random random(9106);
+  for (int path = 0; path < 20; ++path)
+  {
+    one->Release();
+    other->Release();
+    FollowPath(bowl, 0.5, random,
+               [&](const Vector3& probe)
+               {
+                 const Contact& here = one->Follow(At(probe));
+                 const Contact& there = other->Follow(At(probe));
+                 EXPECT_EQ(here.IsTouching, there.IsTouching);
+                 EXPECT_LE((here.ProxyWorld - there.ProxyWorld).norm(), 1e-8);
+               });
+  }
+}
+
+TEST(ParametricContactModel, RejectsSurfacesThatCannotBeTouched)
+{
+  const auto refused = [](const ParametricSphericalSurface& surface)
+  {
+    std::shared_ptr<const ContactModel> contact;
+    const Status status = ParametricContactModel::Make(surface, contact);
+    EXPECT_EQ(contact, nullptr);
+    return !status.IsOk() && !status.Message().empty();
+  };
+  const std::vector<double> none(4, 0.0);
+  EXPECT_TRUE(refused({1, {none, none, none}}));
+  EXPECT_TRUE(refused(test::EllipsoidPhantom({20.0, 15.0, 0.0})));
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), 1e300, -std::numeric_limits<double>::infinity()})
+  {
+    std::vector<double> bad = none;
+    bad[2] = wrong;
+    EXPECT_TRUE(refused({1, {bad, none, none}}));
+  }
+}
+
+TEST(ParametricContactModel, RejectsOtherToolsThanSpheres)
+{
+  const auto model = ParametricContact(test::EllipsoidPhantom({20.0, 15.0, 10.0}));
+  std::unique_ptr<ContactTracker> tracker;
+  EXPECT_FALSE(model->MakeTracker(ToolShape::Capsule(1.0, 3.0, 50), {}, tracker).IsOk());
+  EXPECT_FALSE(model->MakeTracker(ToolShape::Sphere(1.0), {0.1, 0.2}, tracker).IsOk());
+  EXPECT_EQ(tracker, nullptr);
+  EXPECT_GT(model->Bytes(), 100000U);
+}
+
+TEST(WindingMesh, CountsHowOftenASurfaceWindsRoundAPoint)
+{
+  const WindingMesh ring = MeshOf(test::CrossingRing());
+  const Vector3 center(5.0, 60.0, -30.0);
+  EXPECT_EQ(ring.WindingNumber(center), 0);
+  EXPECT_EQ(ring.WindingNumber(center + Vector3(20.0, 0.0, 0.0)), 1);
+  EXPECT_EQ(ring.WindingNumber(center - Vector3(20.0, 0.0, 0.0)), 2);
+  EXPECT_EQ(ring.WindingNumber(center + Vector3(0.0, 0.0, 1e6)), 0);
+  EXPECT_TRUE(ring.CrossesItself());
+  for (const auto& [name, surface] : SimplePhantoms())
+  {
+    EXPECT_FALSE(MeshOf(surface).CrossesItself()) << name;
+  }
+}
+} // namespace
+} // namespace palpate

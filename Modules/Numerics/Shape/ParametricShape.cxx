@@ -1,0 +1,30 @@
+#include "ParametricShape.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+ParametricSurfaceEvaluator WithoutMeans(const ParametricSphericalSurface& surface)
+{
+  ParametricSurfaceEvaluator::Coefficients coefficients{
+      surface.Coefficients(0), surface.Coefficients(1), surface.Coefficients(2)};
+  for (auto& each : coefficients)
+  {
+    each[0] = 0.0;
+  }
+  return {surface.Degree(), coefficients};
+}
+} // namespace
+
+// The harmonic of degree 0 is 1 / sqrt(4 pi).
+ParametricShape::ParametricShape(const ParametricSphericalSurface& surface)
+    : Evaluator(WithoutMeans(surface)),
+      Center(Vector3(surface.Coefficients(0)[0], surface.Coefficients(1)[0],
+                     surface.Coefficients(2)[0]) /
+             std::sqrt(4.0 * M_PI)),
+      MaximumDegree(surface.Degree())
+{
+}
+} // namespace palpate

@@ -1,0 +1,99 @@
+#include "PointDerivativeBounds.h"
+
+#include "IcosahedronDirections.h"
+#include "ParametricSample.h"
+#include "SphericalHarmonicProjection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+// The third derivatives along great circles. On the sphere the three components of a coordinate's
+// surface gradient g are harmonic sums of one degree more. With t the tangent of a great circle and
+// t' = -u, the derivatives of the coordinate are g.t, g'.t and g''.t + g.t.
+class ThirdDerivatives
+{
+public:
+  explicit ThirdDerivatives(const ParametricShape& shape)
+  {
+    const int degree = shape.Degree() + 1;
+    for (Eigen::Index component = 0; component < 9; ++component)
+    {
+      const std::vector<double> coefficients = ProjectOnHarmonics(
+          degree, 2 * degree,
+          [&](const Vector3& u) { return Gradients(shape.EvaluateSecondOrder(u))(component); });
+      this->Components.emplace_back(degree, coefficients);
+    }
+  }
+
+  /// The largest |x'''| over the great circles through a parameter. As a function of their angle it
+  /// is the length of a trigonometric polynomial of degree 3, to which the same inequality applies.
+  double LargestAt(const ParametricShape::SecondOrderSample& sample, const Vector3& u) const
+  {
+    constexpr int Angles = 12; // in half a turn, after which the derivatives repeat negatively
+    std::array<SphericalHarmonicEvaluator::SecondOrderSample, 9> samples;
+    std::transform(this->Components.begin(), this->Components.end(), samples.begin(),
+                   [&](const auto& component) { return component.EvaluateSecondOrder(u); });
+    double largest = 0.0;
+    for (int i = 0; i < Angles; ++i)
+    {
+      const double angle = M_PI * i / Angles;
+      const Vector3 t = std::cos(angle) * sample.Tangents[0] + std::sin(angle) * sample.Tangents[1];
+      largest = std::max(largest, Along(t, samples).norm());
+    }
+    return largest / std::cos(3.0 * 0.5 * M_PI / Angles);
+  }
+
+private:
+  // Row k: the surface gradient of coordinate k.
+  static Matrix3 Gradients(const ParametricShape::SecondOrderSample& sample)
+  {
+    return sample.First[0] * sample.Tangents[0].transpose() +
+           sample.First[1] * sample.Tangents[1].transpose();
+  }
+
+  static Vector3 Along(const Vector3& t,
+                       const std::array<SphericalHarmonicEvaluator::SecondOrderSample, 9>& samples)
+  {
+    Vector3 third = Vector3::Zero();
+    for (std::size_t component = 0; component < samples.size(); ++component)
+    {
+      const auto& [value, slope, hessian] = samples[component];
+      const auto coordinate = static_cast<Eigen::Index>(component % 3);
+      const auto axis = static_cast<Eigen::Index>(component / 3);
+      third[coordinate] += t[axis] * (t.dot(hessian * t) + value);
+    }
+    return third;
+  }
+
+  std::vector<SphericalHarmonicEvaluator> Components; // of matrices, column by column
+};
+} // namespace
+
+PointDerivativeBounds::PointDerivativeBounds(const ParametricShape& shape) : Point{}
+{
+  const ThirdDerivatives thirds(shape);
+  const IcosahedronDirections sphere(std::max(1, shape.Degree()));
+  for (const Vector3& parameter : sphere.Directions())
+  {
+    const auto sample = shape.EvaluateSecondOrder(parameter);
+    this->Point[0] = std::max(this->Point[0], sample.Point.norm());
+    this->Point[1] = std::max(this->Point[1], LargestFirst(sample));
+    this->Point[2] = std::max(this->Point[2], LargestSecond(sample));
+    this->Point[3] = std::max(this->Point[3], thirds.LargestAt(sample, parameter));
+  }
+  const double fall = std::cos(shape.Degree() * sphere.LargestGap());
+  for (double& bound : this->Point)
+  {
+    bound /= fall;
+  }
+  // A symmetric form is largest with three equal arguments; the asymmetric part of the covariant
+  // derivative is the curvature of the sphere, 1, times x'.
+  this->PointThird = this->Point[3] + this->Point[1];
+}
+} // namespace palpate
