@@ -58,6 +58,11 @@ void FitPanel::AddImportant(QFormLayout* form)
         }
       });
   this->AddChoice(
+      form, "Model", "Change the kind of model", {"radial", "surface", "automatic"},
+      [](const StudyState& state) { return static_cast<int>(state.Fit.Model); },
+      [](StudyState& state, int choice)
+      { state.Fit.Model = static_cast<FitSettings::ModelKind>(choice); });
+  this->AddChoice(
       form, "Surface", "Change the surface method", {"shape-interpolated", "plain"},
       [](const StudyState& state) { return static_cast<int>(state.Fit.Method); },
       [](StudyState& state, int choice)
