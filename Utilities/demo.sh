@@ -44,7 +44,7 @@ ls "$output"
 cat <<END
 
 How to go on:
-  open $output/report.html in a browser (it needs no network), and the pictures
+  open $output/report.html in a browser (it needs no network), and the images
   build/release/bin/palpate-viewer --demo   the same head in a window, to see and to touch
   build/release/bin/palpate fit $templates/aal.nii.gz --json
                                             all 116 structures; most are refused, with the reason

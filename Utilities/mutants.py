@@ -87,11 +87,14 @@ class Copy:
         os.environ.setdefault("CCACHE_BASEDIR", str(self.sources))
 
     def refresh(self):
-        """Copies the working tree; unchanged files keep their times and are not rebuilt."""
+        """Mirrors the working tree; unchanged files keep their times and are not rebuilt."""
         names = subprocess.run(
             ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
             cwd=ROOT, check=True, capture_output=True, text=True,
         ).stdout.split("\0")
+        for copied in self.sources.rglob("*"):
+            if copied.is_file() and not (ROOT / copied.relative_to(self.sources)).is_file():
+                copied.unlink()
         for name in filter(None, names):
             source, target = ROOT / name, self.sources / name
             if source.is_file():

@@ -3,16 +3,19 @@
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SceneContacts.h"
+#include "SceneFile.h"
 #include "SceneRepresentation.h"
 #include "Servo.h"
 #include "SimulatedDevice.h"
 #include "StructureTrade.h"
+#include "Study.h"
 #include "StudyCases.h"
 #include "StudyDrill.h"
 #include "StudyPhantoms.h"
 #include "SurfaceFile.h"
 #include "TouchDoubles.h"
 #include "TouchRun.h"
+#include "WholeFile.h"
 #include "WorkspaceFrame.h"
 #include "vtkInteractorStyleHaptic.h"
 
@@ -351,6 +354,47 @@ TEST(SameScene, WindowAndCommandLineGiveEqualBits)
   EXPECT_GT(scenes, Cases / 2);
   EXPECT_GT(effects, static_cast<std::size_t>(scenes));
   EXPECT_GT(touching, 100U * static_cast<std::uint64_t>(scenes));
+}
+
+// A file that the command line reads and the window opens.
+TEST(SameScene, WindowAndCommandLineFeelTheSameSceneFile)
+{
+  Random random(2029);
+  const Sources sources(random);
+  std::uint64_t touching = 0;
+  for (int n = 0; n < Cases / 4; ++n)
+  {
+    SceneCase both(sources, random);
+    for (SceneStructure& structure : both.CommandLine.Structures)
+    {
+      if (structure.IsDrilled()) // a scene file must not contradict itself
+      {
+        structure.Representation = TouchRepresentation::SubVoxel;
+        structure.Interpolation = FieldInterpolation::Trilinear;
+      }
+    }
+    const std::filesystem::path file = sources.Phantom.Folder / "case.scene.json";
+    WriteWholeFile(file, SceneText(both.CommandLine, sources.Phantom.Folder.Path()));
+    const Outcome line = CommandLineScene(ReadScene(file));
+    ManualClock clock;
+    Study study(clock);
+    study.OpenScene(file);
+    const Outcome window = WindowScene(study.State());
+    SCOPED_TRACE("case " + std::to_string(n));
+    ASSERT_EQ(line.Scene != nullptr, window.Scene != nullptr)
+        << line.Refusal << " | " << window.Refusal;
+    if (line.Scene == nullptr)
+    {
+      continue;
+    }
+    ASSERT_EQ(line.Scene->Structures.size(), window.Scene->Structures.size());
+    for (std::size_t s = 0; s < line.Scene->Structures.size(); ++s)
+    {
+      ExpectSameStructure(line.Scene->Structures[s], window.Scene->Structures[s]);
+    }
+    touching += ExpectSameTicks(*line.Scene, *window.Scene);
+  }
+  EXPECT_GT(touching, 1000U);
 }
 
 // The scene with the contact models that a trade measures for the scene's own settings.
