@@ -31,9 +31,9 @@ struct SurfaceDistances
 struct SurfaceModelDetails
 {
   std::shared_ptr<const MappedSurface> Mapped; ///< what was fitted, and how it was made
-  double Determination = 0.0; ///< of the placement, see SphericalPlacement
-  int Folded = 0;             ///< vertices at which the surface turns over
-  std::int64_t Crossings = 0; ///< pairs of triangles of the drawn model that cross
+  double Determination = 0.0;                  ///< of the placement, see SphericalPlacement
+  int Folded = 0;                              ///< vertices at which the surface turns over
+  std::int64_t Crossings = 0;                  ///< pairs of triangles of the drawn model that cross
   double IrregularPercent = 0.0; ///< voxels with a winding number other than 0 and 1, of the mask's
 };
 

@@ -69,9 +69,9 @@ inline bool operator==(const FitSettings& a, const FitSettings& b)
 {
   const auto fields = [](const FitSettings& s)
   {
-    return std::tie(s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.Frequency, s.Center, s.GivenCenterWorld,
-                    s.Degree, s.Tolerance, s.MaximumDegree, s.Weight, s.PenaltyKind, s.Roughness,
-                    s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
+    return std::tie(s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.Frequency, s.Center,
+                    s.GivenCenterWorld, s.Degree, s.Tolerance, s.MaximumDegree, s.Weight,
+                    s.PenaltyKind, s.Roughness, s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
   };
   return fields(a) == fields(b);
 }

@@ -106,6 +106,10 @@ void FitPanel::AddOthers(QFormLayout* form)
       [](const StudyState& state) { return state.Fit.IsRobust ? 1 : 0; },
       [](StudyState& state, int choice) { state.Fit.IsRobust = choice == 1; });
   this->AddChoice(
+      form, "Repair", "Change the repair of surfaces", {"within limits", "always"},
+      [](const StudyState& state) { return state.Fit.Repairs ? 1 : 0; },
+      [](StudyState& state, int choice) { state.Fit.Repairs = choice == 1; });
+  this->AddChoice(
       form, "Component", "Change the component", {"all", "largest", "second", "third"},
       [](const StudyState& state) { return std::min(state.Fit.Component, 3); },
       [](StudyState& state, int choice) { state.Fit.Component = choice; });
