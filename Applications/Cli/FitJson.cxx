@@ -49,11 +49,70 @@ Json CoverageJson(const DirectionCoverage& coverage)
           {"noise_gain_max", coverage.NoiseGainMaximum}};
 }
 
+Json ChangeJson(const TopologyChange& change)
+{
+  return {{"count", change.Count},
+          {"mm3", change.Volume},
+          {"largest_mm3", change.LargestVolume},
+          {"largest_extent_mm", change.LargestExtent},
+          {"largest_center_mm",
+           {change.LargestCentre.x(), change.LargestCentre.y(), change.LargestCentre.z()}}};
+}
+
+// What the repair of the topology changed; null of a radial model.
+Json RepairJson(const FitResult& result)
+{
+  const auto& mapped = result.Details.Mapped;
+  if (mapped == nullptr)
+  {
+    return nullptr;
+  }
+  const TopologyReport& report = mapped->Topology;
+  return {{"changed_percent", report.ChangedPercent()},
+          {"dropped_parts", ChangeJson(report.DroppedParts)},
+          {"bridges", ChangeJson(report.Bridges)},
+          {"filled_cavities", ChangeJson(report.FilledCavities)},
+          {"cut_handles", ChangeJson(report.CutHandles)},
+          {"filled_handles", ChangeJson(report.FilledHandles)},
+          {"lost_places", mapped->Lost.size()},
+          {"lost_mm", mapped->Lost.empty() ? 0.0 : mapped->Lost.front().Distance}};
+}
+
+Json ParametrisationJson(const FitResult& result)
+{
+  const auto& mapped = result.Details.Mapped;
+  if (mapped == nullptr)
+  {
+    return nullptr;
+  }
+  return {{"area_distortion", mapped->Map.AreaDistortion},
+          {"least_area_ratio", mapped->Map.LeastRatio},
+          {"determination", result.Details.Determination}};
+}
+
+Json CrossingsJson(const FitResult& result, bool fitted)
+{
+  if (!fitted || result.Details.Mapped == nullptr)
+  {
+    return nullptr;
+  }
+  return {{"pairs", result.Details.Crossings},
+          {"folded_vertices", result.Details.Folded},
+          {"irregular_percent", result.Details.IrregularPercent}};
+}
+
 Json FitJsonOf(const FitResult& result, bool fitted)
 {
   if (!fitted)
   {
     return {{"condition", nullptr}, {"rms_mm", nullptr}};
+  }
+  if (result.Radial() == nullptr)
+  {
+    const Vector3 center = CenterOf(result.Model);
+    return {{"rms_mm", result.Rms},
+            {"center_mm", {center.x(), center.y(), center.z()}},
+            {"power_mm2", PowerSpectrumOf(result.Model)}};
   }
   const Vector3& center = CenterOf(result.Model);
   return {{"condition", result.Condition},
@@ -109,6 +168,10 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["notes"] = result.Notes;
   json["star"] = StarJson(result, WasSampled(result));
   json["fit"] = FitJsonOf(result, fitted);
+  json["model"] = result.Details.Mapped != nullptr ? "surface" : "radial";
+  json["repair"] = RepairJson(result);
+  json["parametrisation"] = ParametrisationJson(result);
+  json["crossings"] = CrossingsJson(result, fitted);
   json["quality"] = QualityJson(result, fitted);
   const auto orNull = [](bool known, double value) { return known ? Json(value) : Json(); };
   json["volume_ml"] = {{"mask", orNull(measured, result.MaskMilliliters)},

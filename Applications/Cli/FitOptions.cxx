@@ -75,6 +75,14 @@ void FitOptions::DeclareSurface(CLI::App& app)
 
 void FitOptions::DeclareModel(CLI::App& app)
 {
+  app.add_option("--model", this->ModelWord,
+                 "radial: a radius in each direction, for star-shaped structures; surface: three "
+                 "coordinates, for any shape; automatic: radial where star-shaped, else surface")
+      ->check(CLI::IsMember({"radial", "surface", "automatic"}))
+      ->capture_default_str();
+  app.add_flag("--repair", this->Values.Repairs,
+               "Accept surface models of structures whose handles, cavities or parts need large "
+               "changes");
   app.add_option("--degree", this->DegreeWord,
                  "Degree of the model, or auto: the smallest that meets --tolerance, up to the "
                  "resolution of the mask (wavelength of two voxels)")
@@ -119,6 +127,9 @@ void FitOptions::DeclareModel(CLI::App& app)
 FitSettings FitOptions::Settings() const
 {
   FitSettings settings = this->Values;
+  settings.Model = this->ModelWord == "radial"    ? FitSettings::ModelKind::Radial
+                   : this->ModelWord == "surface" ? FitSettings::ModelKind::Surface
+                                                  : FitSettings::ModelKind::Automatic;
   settings.Method = this->MethodWord == "plain" ? FitSettings::SurfaceMethod::Plain
                                                 : FitSettings::SurfaceMethod::ShapeInterpolation;
   settings.Component = 0;

@@ -21,7 +21,7 @@ public:
   void DeclareLabels(CLI::App& app);
   /// --method, --smoothing, --component.
   void DeclareSurface(CLI::App& app);
-  /// --degree, --tolerance, --max-degree, --frequency, --center, --weights, --penalty,
+  /// --model, --repair, --degree, --tolerance, --max-degree, --frequency, --center, --weights, --penalty,
   /// --robust, --min-dice, --max-hidden.
   void DeclareModel(CLI::App& app);
 
@@ -33,6 +33,7 @@ public:
 private:
   std::vector<std::string> LabelWords;
   FitSettings Values;
+  std::string ModelWord = "radial";
   std::string MethodWord = "shape";
   std::string ComponentWord = "1";
   std::string DegreeWord = "12";

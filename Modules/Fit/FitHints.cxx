@@ -37,8 +37,14 @@ std::vector<std::string> Choices(const FitSettings& settings, const HintWords& w
 std::string HintForHidden(const FitSettings& settings, const HintWords& words)
 {
   const std::string raise = std::string("raise ") + words.MaximumHidden + " to see what is lost";
-  return UsesMostVisible(settings) ? raise
-                                   : std::string("try ") + words.VisibleCenter + ", or " + raise;
+  const std::string other = std::string("try ") + words.SurfaceModel + ", ";
+  return UsesMostVisible(settings) ? other + "or " + raise
+                                   : other + words.VisibleCenter + ", or " + raise;
+}
+
+std::string HintForRepair(const FitSettings& settings, const HintWords& words)
+{
+  return settings.Repairs ? std::string() : std::string("accept that by ") + words.Repair;
 }
 
 std::string HintForMisfit(const FitSettings& settings, const HintWords& words)

@@ -16,20 +16,20 @@ struct HintWords
   const char* VisibleCenter;
   const char* MaximumHidden;
   const char* MinimumDice;
+  const char* SurfaceModel;
+  const char* Repair;
   const char* Penalty; ///< empty if none is suggested
 };
 /// As options of `palpate fit`.
 inline constexpr HintWords OptionWords{
     "another --degree", "another --max-degree", "a higher --frequency", "--center visible",
-    "--max-hidden",     "--min-dice",           "--penalty auto"};
+    "--max-hidden",     "--min-dice",           "--model surface",      "--repair",
+    "--penalty auto"};
 /// As controls of the window, also used for session files.
-inline constexpr HintWords WindowWords{"another degree",
-                                       "another degree",
-                                       "a higher Frequency",
-                                       "the most visible Centre",
-                                       "Maximum hidden",
-                                       "Minimum Dice",
-                                       ""};
+inline constexpr HintWords WindowWords{
+    "another degree",          "another degree", "a higher Frequency",
+    "the most visible Centre", "Maximum hidden", "Minimum Dice",
+    "the Model surface",       "Repair",         ""};
 
 /// Suggestions for a structure that is refused; settings that are already in use are not suggested.
 using Hint = std::string(const FitSettings& settings, const HintWords& words);
@@ -37,6 +37,8 @@ using Hint = std::string(const FitSettings& settings, const HintWords& words);
 PALPATEFIT_EXPORT Hint HintForHidden;
 /// If a model overlaps the mask too little.
 PALPATEFIT_EXPORT Hint HintForMisfit;
+/// If a repair of the topology would change too much.
+PALPATEFIT_EXPORT Hint HintForRepair;
 /// If a model cannot be the structure's.
 PALPATEFIT_EXPORT Hint HintForImplausible;
 

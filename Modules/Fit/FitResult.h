@@ -3,12 +3,15 @@
 #include "FitSettings.h"
 
 #include "DirectionCoverage.h"
+#include "MappedSurface.h"
 #include "Segmentation.h"
 #include "SurfaceModel.h"
 #include "Volume.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +25,16 @@ struct SurfaceDistances
   double Rms = 0.0;
   double Percentile95 = 0.0;
   double Maximum = 0.0;
+};
+
+/// What only a surface model has.
+struct SurfaceModelDetails
+{
+  std::shared_ptr<const MappedSurface> Mapped; ///< what was fitted, and how it was made
+  double Determination = 0.0;                  ///< of the placement, see SphericalPlacement
+  int Folded = 0;                              ///< vertices at which the surface turns over
+  std::int64_t Crossings = 0;                  ///< pairs of triangles of the drawn model that cross
+  double IrregularPercent = 0.0; ///< voxels with a winding number other than 0 and 1, of the mask's
 };
 
 /// Result of one structure. Lengths are mm, volumes ml, points and surfaces patient LPS.
@@ -89,6 +102,8 @@ struct FitResult
   double ModelMilliliters = 0.0;
   double SurfaceAreaSquareMillimeters = 0.0;
   double ModelAreaSquareMillimeters = 0.0;
+
+  SurfaceModelDetails Details; ///< of a surface model
 
   /// The model if it is star-shaped, otherwise null.
   const SphericalHarmonicModel* Radial() const

@@ -12,6 +12,12 @@ namespace palpate
 /// application.
 struct FitSettings
 {
+  enum class ModelKind
+  {
+    Radial,   ///< a radius in each direction from a centre; star-shaped structures only
+    Surface,  ///< three coordinates over the parameter sphere; any closed structure
+    Automatic ///< radial where star-shaped (see MaximumHiddenPercent), else surface
+  };
   enum class SurfaceMethod
   {
     ShapeInterpolation, ///< signed distance, interpolated between slices
@@ -35,6 +41,7 @@ struct FitSettings
     Automatic ///< generalised cross-validation
   };
 
+  ModelKind Model = ModelKind::Radial;
   SurfaceMethod Method = SurfaceMethod::ShapeInterpolation;
   double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
   int Component = 1;      ///< connected component, by descending size, from 1; 0 for all
@@ -51,7 +58,10 @@ struct FitSettings
   double Roughness = 0.0; ///< with Penalty::Given
   bool IsRobust = false;  ///< samples with large residuals count less (HuberWeights)
 
-  double MaximumHiddenPercent = 10.0; ///< more hidden surface than this is refused
+  bool Repairs = false; ///< surface models also where the structure's topology has to be changed
+                        ///< beyond the limits of CheckTopology
+
+  double MaximumHiddenPercent = 10.0; ///< radial models of more hidden surface are refused
   double MinimumDice = 0.75;          ///< a model that overlaps the mask less than this is refused
 };
 
@@ -59,9 +69,9 @@ inline bool operator==(const FitSettings& a, const FitSettings& b)
 {
   const auto fields = [](const FitSettings& s)
   {
-    return std::tie(s.Method, s.Smoothing, s.Component, s.Frequency, s.Center, s.GivenCenterWorld,
-                    s.Degree, s.Tolerance, s.MaximumDegree, s.Weight, s.PenaltyKind, s.Roughness,
-                    s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
+    return std::tie(s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.Frequency, s.Center,
+                    s.GivenCenterWorld, s.Degree, s.Tolerance, s.MaximumDegree, s.Weight,
+                    s.PenaltyKind, s.Roughness, s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
   };
   return fields(a) == fields(b);
 }

@@ -7,6 +7,7 @@ namespace
 constexpr double LargestPlace = 1e6; // mm
 constexpr int HighestDegree = 100;
 
+const std::initializer_list<const char*> ModelWords{"radial", "surface", "automatic"};
 const std::initializer_list<const char*> MethodWords{"shape", "plain"};
 const std::initializer_list<const char*> CenterWords{"centroid", "visible"};
 const std::initializer_list<const char*> WeightWords{"area", "solid-angle", "uniform"};
@@ -15,6 +16,7 @@ const std::initializer_list<const char*> PenaltyWords{"none", "given", "auto"};
 
 void ExchangeFitSettings(JsonFields& fields, FitSettings& fit)
 {
+  fields.Exchange("model", fit.Model, ModelWords);
   fields.Exchange("method", fit.Method, MethodWords);
   fields.Exchange("smoothing_voxels", fit.Smoothing, 0.0, 10.0);
   fields.Exchange("component", fit.Component, 0, 1'000'000'000);
@@ -28,6 +30,7 @@ void ExchangeFitSettings(JsonFields& fields, FitSettings& fit)
   fields.Exchange("penalty", fit.PenaltyKind, PenaltyWords);
   fields.Exchange("roughness", fit.Roughness, 0.0, 1e300);
   fields.Exchange("robust", fit.IsRobust);
+  fields.Exchange("repair", fit.Repairs);
   fields.Exchange("max_hidden_percent", fit.MaximumHiddenPercent, 0.0, 100.0);
   fields.Exchange("min_dice", fit.MinimumDice, 0.0, 1.0);
 }

@@ -15,6 +15,19 @@ std::string Text(double value)
   return text.str();
 }
 
+const char* ModelWord(FitSettings::ModelKind kind)
+{
+  switch (kind)
+  {
+  case FitSettings::ModelKind::Radial:
+    return "radial";
+  case FitSettings::ModelKind::Surface:
+    return "surface";
+  default:
+    return "automatic";
+  }
+}
+
 std::string CenterText(const FitSettings& settings)
 {
   if (settings.GivenCenterWorld)
@@ -55,6 +68,7 @@ std::string PenaltyText(const FitSettings& settings)
 std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSettings& settings)
 {
   std::vector<std::pair<std::string, std::string>> result{
+      {"model", ModelWord(settings.Model)},
       {"method",
        settings.Method == FitSettings::SurfaceMethod::ShapeInterpolation ? "shape" : "plain"},
       {"smoothing", Text(settings.Smoothing)},
@@ -70,6 +84,7 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSetti
   result.emplace_back("weights", WeightText(settings.Weight));
   result.emplace_back("penalty", PenaltyText(settings));
   result.emplace_back("robust", settings.IsRobust ? "yes" : "no");
+  result.emplace_back("repair", settings.Repairs ? "yes" : "no");
   result.emplace_back("max-hidden", Text(settings.MaximumHiddenPercent));
   result.emplace_back("min-dice", Text(settings.MinimumDice));
   return result;

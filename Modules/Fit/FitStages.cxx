@@ -8,6 +8,7 @@
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
 #include "StageClock.h"
+#include "SurfaceFit.h"
 #include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
 #include "vtkRadialSampler.h"
@@ -16,7 +17,10 @@
 #include "vtkSphericalHarmonicSurface.h"
 #include "vtkSurfaceQuality.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTable.h"
 
 #include <new>
@@ -229,6 +233,22 @@ void MeasureQuality(vtkPolyData* surface, vtkPolyData* boundary, FitResult& resu
   result.SurfaceToMask = DistancesOf(quality);
 }
 
+// Accepts a model that overlaps the mask enough.
+void JudgeOverlap(FitResult& result)
+{
+  const double limit = result.Settings.MinimumDice;
+  if (!(result.Dice >= limit))
+  {
+    Refuse("is not matched by a model of degree " + std::to_string(DegreeOf(result.Model)) +
+               ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
+               TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
+               " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
+           HintForMisfit, result);
+    return;
+  }
+  result.State = FitResult::Outcome::Fitted;
+}
+
 void RunSurface(FitSurface& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
@@ -261,9 +281,26 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
   clock.EndStage("boundary");
 }
 
+// The structure's place on the parameter sphere.
+void RunMap(FitResult& result, const ProgressFunction& progress)
+{
+  StageClock clock(result.Seconds);
+  const std::string reason = MapToParameterSphere(result, progress);
+  clock.EndStage("map");
+  if (!reason.empty())
+  {
+    Refuse(reason, HintForRepair, result);
+  }
+}
+
 void RunSamples(FitSamples& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
+  if (result.Settings.Model == FitSettings::ModelKind::Surface)
+  {
+    RunMap(result, progress);
+    return;
+  }
   StageClock clock(result.Seconds);
   vtkNew<vtkIcosahedronDirections> directions;
   directions->SetFrequency(result.Settings.Frequency);
@@ -275,7 +312,15 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   made.Samples = sampler->GetOutput();
   TakeVerdict(sampler, result);
   clock.EndStage("samples");
-  if (result.HiddenPercent > result.Settings.MaximumHiddenPercent)
+  if (result.HiddenPercent <= result.Settings.MaximumHiddenPercent)
+  {
+    return;
+  }
+  if (result.Settings.Model == FitSettings::ModelKind::Automatic)
+  {
+    RunMap(result, progress);
+  }
+  else
   {
     const double limit = result.Settings.MaximumHiddenPercent;
     Refuse("is not star-shaped: the centre does not see " +
@@ -328,17 +373,41 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   }
   MeasureQuality(surface, OwnCopy(boundary), result, progress);
   clock.EndStage("quality");
-  const double limit = result.Settings.MinimumDice;
-  if (!(result.Dice >= limit))
+  JudgeOverlap(result);
+}
+
+// Signed distances of the drawn model's points from the surface that was fitted.
+void AddDistances(vtkPolyData* surface, vtkPolyData* drawn)
+{
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(surface);
+  vtkNew<vtkDoubleArray> distances;
+  distances->SetName("DistanceToSurface");
+  distances->SetNumberOfTuples(drawn->GetNumberOfPoints());
+  for (vtkIdType id = 0; id < drawn->GetNumberOfPoints(); ++id)
   {
-    Refuse("is not matched by a model of degree " + std::to_string(DegreeOf(result.Model)) +
-               ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
-               TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
-               " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
-           HintForMisfit, result);
+    double point[3];
+    drawn->GetPoint(id, point);
+    distances->SetValue(id, distance->EvaluateFunction(point));
+  }
+  drawn->GetPointData()->AddArray(distances);
+}
+
+void RunSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
+{
+  StageClock clock(result.Seconds);
+  const std::string reason = FitSurfaceModel(result, progress);
+  clock.EndStage("fit");
+  if (!reason.empty())
+  {
+    Refuse(reason, HintForMisfit, result);
     return;
   }
-  result.State = FitResult::Outcome::Fitted;
+  const auto surface = OwnCopy(result.Surface.Get());
+  AddDistances(surface, result.ModelSurface);
+  MeasureQuality(surface, OwnCopy(boundary), result, progress);
+  clock.EndStage("quality");
+  JudgeOverlap(result);
 }
 } // namespace
 
@@ -378,7 +447,19 @@ FitResult MakeFitModel(const FitSamples& samples, const FitSettings& settings,
   result.Settings = settings;
   if (!samples.IsOver)
   {
-    RunStage([&] { RunModel(samples.Samples, samples.Boundary, result, progress); }, result);
+    RunStage(
+        [&]
+        {
+          if (result.Details.Mapped != nullptr)
+          {
+            RunSurfaceModel(samples.Boundary, result, progress);
+          }
+          else
+          {
+            RunModel(samples.Samples, samples.Boundary, result, progress);
+          }
+        },
+        result);
   }
   return result;
 }

@@ -20,12 +20,12 @@ struct FitSurface
   bool IsOver = false;                   ///< the structure cannot be processed further
 };
 
-/// Distances of the surface from a centre.
+/// Distances of the surface from a centre, or its place on the parameter sphere (Found.Details).
 struct FitSamples
 {
   FitResult Found;
   vtkSmartPointer<vtkPolyData> Boundary;
-  vtkSmartPointer<vtkPolyData> Samples; ///< see vtkRadialSampler
+  vtkSmartPointer<vtkPolyData> Samples; ///< see vtkRadialSampler; of a radial model
   bool IsOver = false;
 };
 

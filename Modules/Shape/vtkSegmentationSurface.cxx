@@ -1,6 +1,7 @@
 #include "vtkSegmentationSurface.h"
 
 #include "IsoSurface.h"
+#include "LabelMask.h"
 #include "MaskComponents.h"
 #include "SignedDistanceField.h"
 #include "VoxelMask.h"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 vtkStandardNewMacro(vtkSegmentationSurface);
 
@@ -26,40 +26,6 @@ int RimFor(double smoothing)
 {
   return 2 + static_cast<int>(std::ceil(1.5 * smoothing));
 }
-
-palpate::VoxelMask ExtractMask(vtkImageData* image, int label, int rim, bool& touchesBorder)
-{
-  std::array<int, 3> size{};
-  std::array<double, 3> spacing{};
-  image->GetDimensions(size.data());
-  image->GetSpacing(spacing.data());
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  palpate::VoxelMask mask;
-  const auto extract = [&](const auto* voxels)
-  {
-    using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
-    const auto wanted = static_cast<Voxel>(label);
-    palpate::LabelBounds bounds = palpate::FindLabelBounds(voxels, size, wanted);
-    touchesBorder = bounds.Touches(size);
-    if (!bounds.IsEmpty())
-    {
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        bounds.First[axis] -= rim;
-        bounds.Last[axis] += rim;
-      }
-      mask = palpate::CopyLabel(voxels, size, spacing, bounds, wanted);
-    }
-  };
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(extract(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
-  default:
-    break;
-  }
-  return mask;
-}
-
 } // namespace
 
 void vtkSegmentationSurface::SetSmoothing(double smoothing)
@@ -91,8 +57,10 @@ int vtkSegmentationSurface::RequestData(vtkInformation*, vtkInformationVector** 
     return 0;
   }
   const bool plain = this->Method == PLAIN;
-  palpate::VoxelMask mask =
-      ExtractMask(image, this->Label, plain ? 1 : RimFor(this->Smoothing), this->TouchesBorder);
+  palpate::LabelMask copied =
+      palpate::CopyLabelMask(image, this->Label, plain ? 1 : RimFor(this->Smoothing));
+  this->TouchesBorder = copied.TouchesBorder;
+  palpate::VoxelMask& mask = copied.Mask;
   if (mask.Inside.empty())
   {
     vtkErrorMacro("no voxel has label " << this->Label);

@@ -58,6 +58,11 @@ void FitPanel::AddImportant(QFormLayout* form)
         }
       });
   this->AddChoice(
+      form, "Model", "Change the kind of model", {"radial", "surface", "automatic"},
+      [](const StudyState& state) { return static_cast<int>(state.Fit.Model); },
+      [](StudyState& state, int choice)
+      { state.Fit.Model = static_cast<FitSettings::ModelKind>(choice); });
+  this->AddChoice(
       form, "Surface", "Change the surface method", {"shape-interpolated", "plain"},
       [](const StudyState& state) { return static_cast<int>(state.Fit.Method); },
       [](StudyState& state, int choice)
@@ -100,6 +105,10 @@ void FitPanel::AddOthers(QFormLayout* form)
       form, "Robust", "Change the robust weights", {"off", "on"},
       [](const StudyState& state) { return state.Fit.IsRobust ? 1 : 0; },
       [](StudyState& state, int choice) { state.Fit.IsRobust = choice == 1; });
+  this->AddChoice(
+      form, "Repair", "Change the repair of surfaces", {"within limits", "always"},
+      [](const StudyState& state) { return state.Fit.Repairs ? 1 : 0; },
+      [](StudyState& state, int choice) { state.Fit.Repairs = choice == 1; });
   this->AddChoice(
       form, "Component", "Change the component", {"all", "largest", "second", "third"},
       [](const StudyState& state) { return std::min(state.Fit.Component, 3); },

@@ -95,6 +95,8 @@ inline void RandomizeFit(Random& random, FitSettings& fit)
   fit.Weight = static_cast<FitSettings::SampleWeight>(RandomWhole(random, 0, 2));
   fit.PenaltyKind = static_cast<FitSettings::Penalty>(RandomWhole(random, 0, 2));
   fit.Roughness = RandomNumber(random, 0.0, 1e-3);
+  fit.Model = static_cast<FitSettings::ModelKind>(RandomWhole(random, 0, 2));
+  fit.Repairs = RandomWhole(random, 0, 1) == 1;
   fit.IsRobust = RandomWhole(random, 0, 1) == 1;
   fit.MaximumHiddenPercent = RandomNumber(random, 0.0, 100.0);
   fit.MinimumDice = RandomNumber(random, 0.0, 1.0);

@@ -178,6 +178,8 @@ TEST(StudyPlan, EveryInputOfAProductIsInItsKey)
        {"method", fit(&FitSettings::Method, FitSettings::SurfaceMethod::Plain), SurfacePlaces},
        {"smoothing", fit(&FitSettings::Smoothing, 0.25), SurfacePlaces},
        {"component", fit(&FitSettings::Component, 2), SurfacePlaces},
+       {"kind of model", fit(&FitSettings::Model, FitSettings::ModelKind::Surface), SamplePlaces},
+       {"repair", fit(&FitSettings::Repairs, true), SamplePlaces},
        {"frequency", fit(&FitSettings::Frequency, 11), SamplePlaces},
        {"centre", fit(&FitSettings::Center, FitSettings::CenterChoice::MostVisible), SamplePlaces},
        {"given centre", fit(&FitSettings::GivenCenterWorld, std::array<double, 3>{{1.0, 2.0, 3.0}}),

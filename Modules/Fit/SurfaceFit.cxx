@@ -1,0 +1,224 @@
+#include "SurfaceFit.h"
+
+#include "DecimalText.h"
+#include "FilterRun.h"
+#include "LabelMask.h"
+#include "MaskComponents.h"
+#include "MeshCrossings.h"
+#include "ModelSurface.h"
+#include "ParametricFit.h"
+#include "ParametricSurfaceMeasures.h"
+#include "TriangleMesh.h"
+#include "VoxelMinimum.h"
+#include "WindingNumbers.h"
+
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double CubicMillimetersPerMilliliter = 1000.0;
+
+// Lets a kernel's cancellation through as Cancelled.
+class Watched
+{
+public:
+  Watched(const ProgressFunction& progress, std::string stage)
+      : Progress(progress), Stage(std::move(stage))
+  {
+  }
+
+  KernelProgress Of(double from, double to)
+  {
+    return [this, from, to](double part)
+    {
+      this->IsCancelled = this->Progress && !this->Progress(from + (to - from) * part, this->Stage);
+      return !this->IsCancelled;
+    };
+  }
+  void Require() const
+  {
+    if (this->IsCancelled)
+    {
+      throw Cancelled();
+    }
+  }
+
+private:
+  const ProgressFunction& Progress;
+  std::string Stage;
+  bool IsCancelled = false;
+};
+
+IndexToWorld WorldOf(vtkImageData* image)
+{
+  const auto at = [image](double i, double j, double k)
+  {
+    const int* extent = image->GetExtent();
+    Vector3 index(i + extent[0], j + extent[2], k + extent[4]);
+    Vector3 world;
+    image->TransformContinuousIndexToPhysicalPoint(index.data(), world.data());
+    return world;
+  };
+  IndexToWorld toWorld;
+  toWorld.Origin = at(0.0, 0.0, 0.0);
+  toWorld.Axes.col(0) = at(1.0, 0.0, 0.0) - toWorld.Origin;
+  toWorld.Axes.col(1) = at(0.0, 1.0, 0.0) - toWorld.Origin;
+  toWorld.Axes.col(2) = at(0.0, 0.0, 1.0) - toWorld.Origin;
+  return toWorld;
+}
+
+VoxelMask MaskOf(const FitResult& result, int rim)
+{
+  VoxelMask mask = CopyLabelMask(result.Mask, result.Structure.Value, rim).Mask;
+  if (result.Settings.Component > 0)
+  {
+    MaskComponents(mask).Keep(result.Settings.Component - 1, mask);
+  }
+  return mask;
+}
+
+vtkSmartPointer<vtkPolyData> PolyDataOf(const IndexedMesh& mesh)
+{
+  TriangleMesh drawn;
+  drawn.PointsWorld = mesh.Points;
+  drawn.Triangles = mesh.Triangles;
+  return PolyDataOf(drawn);
+}
+
+std::string PlaceText(const Vector3& placeWorld)
+{
+  return "(" + FixedText(placeWorld.x(), 1) + ", " + FixedText(placeWorld.y(), 1) + ", " +
+         FixedText(placeWorld.z(), 1) + ")";
+}
+
+void RemarkOnChange(const TopologyChange& change, const char* one, const char* several,
+                    FitResult& result)
+{
+  if (change.Count > 0)
+  {
+    result.Notes.push_back(
+        std::to_string(change.Count) + " " + (change.Count == 1 ? one : several) + ", " +
+        SignificantText(change.Volume, 3) + " mm\xC2\xB3; the largest of " +
+        FixedText(change.LargestExtent, 1) + " mm at " + PlaceText(change.LargestCentre));
+  }
+}
+
+void RemarkOnRepair(const MappedSurface& mapped, FitResult& result)
+{
+  const TopologyReport& report = mapped.Topology;
+  RemarkOnChange(report.DroppedParts, "small part dropped", "small parts dropped", result);
+  RemarkOnChange(report.Bridges, "part joined by a bridge", "parts joined by bridges", result);
+  RemarkOnChange(report.FilledCavities, "cavity filled", "cavities filled", result);
+  RemarkOnChange(report.CutHandles, "handle cut", "handles cut", result);
+  RemarkOnChange(report.FilledHandles, "handle filled", "handles filled", result);
+  if (!mapped.Lost.empty())
+  {
+    const LostPlace& farthest = mapped.Lost.front();
+    result.Notes.push_back("the surface leaves out thin parts at " +
+                           std::to_string(mapped.Lost.size()) + " places, up to " +
+                           FixedText(farthest.Distance, 1) + " mm at " +
+                           PlaceText(farthest.Farthest));
+  }
+}
+
+// Overlap with the mask on its own grid, and crossings of the drawn surface.
+void MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
+{
+  const LabelMask copied = CopyLabelMask(result.Mask, result.Structure.Value, 1);
+  const IndexToWorld toWorld = WorldOf(result.Mask);
+  VoxelCenters centers;
+  centers.Axes = toWorld.Axes;
+  const std::array<int, 3>& start = copied.Mask.StartIndex;
+  centers.Origin = toWorld(Vector3(start[0], start[1], start[2]));
+  centers.Size = copied.Mask.Size;
+  std::vector<std::int16_t> numbers;
+  if (FindWindingNumbers(drawn, centers, numbers).IsOk())
+  {
+    result.Details.IrregularPercent =
+        CompareWithMask(numbers, copied.Mask.Inside.data()).IrregularPercent();
+  }
+  MeshCrossings crossings;
+  if (FindMeshCrossings(drawn, {}, crossings).IsOk())
+  {
+    result.Details.Crossings = crossings.Count;
+  }
+}
+
+// The degree asked for, or the smallest that meets the tolerance.
+Status FitDegree(const MappedSurface& mapped, const FitSettings& settings, int supported,
+                 ParametricFitResult& fit, Watched& watched)
+{
+  ParametricFitOptions options;
+  if (!settings.Tolerance)
+  {
+    options.Degree = settings.Degree;
+    return FitParametricSurface(mapped.Mesh, mapped.Directions, options, fit, watched.Of(0.0, 1.0));
+  }
+  const int highest = std::clamp(supported, 1, settings.MaximumDegree);
+  Status status = Status::Success();
+  for (int degree = 1; status.IsOk(); degree = std::min(degree + std::max(1, degree / 4), highest))
+  {
+    options.Degree = degree;
+    const double done = static_cast<double>(degree) / (highest + 1.0);
+    status =
+        FitParametricSurface(mapped.Mesh, mapped.Directions, options, fit, watched.Of(done, done));
+    if (fit.NormalRms <= *settings.Tolerance || degree == highest)
+    {
+      break;
+    }
+  }
+  return status;
+}
+} // namespace
+
+std::string MapToParameterSphere(FitResult& result, const ProgressFunction& progress)
+{
+  Watched watched(progress, "surface");
+  MappedSurfaceSettings settings;
+  settings.IgnoresLimits = result.Settings.Repairs;
+  settings.Surface.Topology.BridgeParts = result.Settings.Repairs;
+  auto mapped = std::make_shared<MappedSurface>();
+  const Status status = MakeMappedSurface(MaskOf(result, 1), WorldOf(result.Mask), settings,
+                                          watched.Of(0.0, 1.0), *mapped);
+  watched.Require();
+  if (!status.IsOk())
+  {
+    return status.Message();
+  }
+  RemarkOnRepair(*mapped, result);
+  result.Surface = PolyDataOf(mapped->Mesh);
+  result.Details.Mapped = std::move(mapped);
+  return {};
+}
+
+std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
+{
+  Watched watched(progress, "fit");
+  const MappedSurface& mapped = *result.Details.Mapped;
+  const int supported =
+      SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask);
+  ParametricFitResult fit;
+  const Status status = FitDegree(mapped, result.Settings, supported, fit, watched);
+  watched.Require();
+  if (!status.IsOk())
+  {
+    return status.Message();
+  }
+  result.Rms = fit.NormalRms;
+  result.Details.Determination = fit.Placement.Determination;
+  result.Details.Folded = fit.Folded;
+  result.ModelMilliliters = fit.Surface.Volume() / CubicMillimetersPerMilliliter;
+  result.ModelAreaSquareMillimeters = fit.Surface.Area();
+  result.Model = fit.Surface;
+  result.ModelSurface = DrawModel(result.Model, result.Settings.Frequency);
+  const TriangleMesh drawn = TrianglesOf(result.ModelSurface, "model");
+  MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
+  return {};
+}
+} // namespace palpate

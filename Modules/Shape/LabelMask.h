@@ -1,0 +1,19 @@
+#pragma once
+
+#include "PalpateShapeModule.h"
+#include "VoxelMask.h"
+
+class vtkImageData;
+
+namespace palpate
+{
+/// The voxels of an image that have a label.
+struct LabelMask
+{
+  VoxelMask Mask; ///< empty if there are none, or if the scalars are not of an integer type
+  bool TouchesBorder = false;
+};
+
+/// Copies the voxels with `label` and a margin of `rim` voxels around them.
+PALPATESHAPE_EXPORT LabelMask CopyLabelMask(vtkImageData* image, int label, int rim);
+} // namespace palpate

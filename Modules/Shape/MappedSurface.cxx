@@ -1,0 +1,122 @@
+#include "MappedSurface.h"
+
+#include "MeshDecimation.h"
+#include "SphericalParametrisation.h"
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// The part [from, to] of a progress.
+KernelProgress PartOf(const KernelProgress& progress, double from, double to)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [&progress, from, to](double part) { return progress(from + (to - from) * part); };
+}
+
+// Outwards from the field, which falls there: central differences over one spacing.
+ReferenceNormal OutwardFrom(const ShapeField& field)
+{
+  return [&field](const Vector3& point)
+  {
+    Vector3 normal;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector3 step = 0.5 * field.Grid.Spacing * Vector3::Unit(axis);
+      normal[axis] = field.Sample(point - step) - field.Sample(point + step);
+    }
+    return normal;
+  };
+}
+
+// From mm along a mask's axes to the world.
+struct MaskToWorld
+{
+  const VoxelMask& Mask;
+  const IndexToWorld& ToWorld;
+
+  Vector3 operator()(const Vector3& point) const
+  {
+    Vector3 index;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto at = static_cast<std::size_t>(axis);
+      index[axis] = point[axis] / this->Mask.Spacing[at] + this->Mask.StartIndex[at];
+    }
+    return this->ToWorld(index);
+  }
+};
+
+void MoveMesh(const MaskToWorld& toWorld, IndexedMesh& mesh)
+{
+  for (Vector3& point : mesh.Points)
+  {
+    point = toWorld(point);
+  }
+  if (toWorld.ToWorld.Axes.determinant() < 0.0)
+  {
+    for (std::array<int, 3>& triangle : mesh.Triangles)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+}
+
+void MoveReports(const MaskToWorld& toWorld, MappedSurface& surface)
+{
+  TopologyReport& report = surface.Topology;
+  for (TopologyChange* change : {&report.DroppedParts, &report.Bridges, &report.FilledCavities,
+                                 &report.CutHandles, &report.FilledHandles})
+  {
+    change->LargestCentre = toWorld(change->LargestCentre);
+  }
+  for (LostPlace& place : surface.Lost)
+  {
+    place.Farthest = toWorld(place.Farthest);
+  }
+}
+} // namespace
+
+Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
+                         const MappedSurfaceSettings& settings, const KernelProgress& progress,
+                         MappedSurface& surface)
+{
+  GenusZeroSurface made;
+  Status status = MakeGenusZeroSurface(mask, settings.Surface, PartOf(progress, 0.0, 0.3), made);
+  if (status.IsOk() && !settings.IgnoresLimits)
+  {
+    status = CheckTopology(made.Topology, settings.Limits);
+  }
+  MappedSurface mapped;
+  if (status.IsOk())
+  {
+    status = DecimateMesh(made.Mesh, {settings.Triangles}, OutwardFrom(made.Field),
+                          PartOf(progress, 0.3, 0.7), mapped.Mesh);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  mapped.Topology = made.Topology;
+  mapped.Lost = std::move(made.Lost);
+  mapped.RestoredVolume = made.RestoredVolume;
+  mapped.MaskVolume = made.MaskVolume;
+  const MaskToWorld place{mask, toWorld};
+  MoveMesh(place, mapped.Mesh);
+  MoveReports(place, mapped);
+  SphericalParametrisation map;
+  status = ParametriseOnSphere(mapped.Mesh, PartOf(progress, 0.7, 1.0), map);
+  if (status.IsOk())
+  {
+    mapped.Directions = std::move(map.Directions);
+    mapped.Map = map.Quality;
+    surface = std::move(mapped);
+  }
+  return status;
+}
+} // namespace palpate

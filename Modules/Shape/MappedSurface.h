@@ -1,0 +1,53 @@
+#pragma once
+
+#include "GenusZeroSurface.h"
+#include "IndexedMesh.h"
+#include "KernelProgress.h"
+#include "PalpateShapeModule.h"
+#include "SphereMapQuality.h"
+#include "Status.h"
+#include "Vector3.h"
+#include "VoxelMask.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// Places image indices in the world (patient LPS, mm).
+struct IndexToWorld
+{
+  Vector3 Origin = Vector3::Zero();   ///< of index (0, 0, 0)
+  Matrix3 Axes = Matrix3::Identity(); ///< columns: one step along i, j and k
+
+  Vector3 operator()(const Vector3& index) const { return this->Origin + this->Axes * index; }
+};
+
+/// A closed genus-0 surface of a structure with its place on the parameter sphere: the input of
+/// FitParametricSurface.
+struct MappedSurface
+{
+  IndexedMesh Mesh;                ///< world mm, outward
+  std::vector<Vector3> Directions; ///< unit vectors, one per point
+  SphereMapQuality Map;
+  TopologyReport Topology;     ///< its places are in world mm
+  std::vector<LostPlace> Lost; ///< voxels that the surface leaves out; places in world mm
+  double RestoredVolume = 0.0; ///< mm^3, see GenusZeroSurface
+  double MaskVolume = 0.0;     ///< mm^3
+};
+
+struct MappedSurfaceSettings
+{
+  GenusZeroSettings Surface;
+  TopologyLimits Limits;
+  bool IgnoresLimits = false; ///< keeps structures whose repair exceeds the limits
+  int Triangles = 10'000;
+};
+
+/// Makes the surface of a mask (MakeGenusZeroSurface), coarsens it (DecimateMesh) and maps it to
+/// the sphere (ParametriseOnSphere). Fails as those do, and beyond the limits of CheckTopology
+/// unless told to ignore them; messages are predicates of the structure or sentences of their own.
+PALPATESHAPE_EXPORT Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
+                                             const MappedSurfaceSettings& settings,
+                                             const KernelProgress& progress,
+                                             MappedSurface& surface);
+} // namespace palpate
