@@ -32,6 +32,20 @@ namespace palpate::cli
 {
 namespace
 {
+void AppendShape(const FitResult& result, std::ostream& text)
+{
+  const SurfaceModelDetails& details = result.Details;
+  if (details.Mapped == nullptr)
+  {
+    text << (result.StarShaped ? "star-shaped" : "not quite star-shaped") << " ("
+         << result.HiddenPercent << " % hidden)\n";
+    return;
+  }
+  text << "surface model, " << details.Mapped->Topology.ChangedPercent() << " % repaired, "
+       << (details.Crossings == 0 ? std::string("no") : std::to_string(details.Crossings))
+       << " crossings\n";
+}
+
 std::string Line(const FitResult& result)
 {
   std::ostringstream text;
@@ -40,9 +54,8 @@ std::string Line(const FitResult& result)
        << result.Dice << ", distance to the mask's boundary mean " << std::setprecision(3)
        << result.ModelToMask.Mean << " / 95 % " << result.ModelToMask.Percentile95 << " / max "
        << result.ModelToMask.Maximum << " mm, volume " << std::setprecision(2)
-       << result.ModelMilliliters << " ml (mask " << result.MaskMilliliters << " ml), "
-       << (result.StarShaped ? "star-shaped" : "not quite star-shaped") << " ("
-       << result.HiddenPercent << " % hidden)\n";
+       << result.ModelMilliliters << " ml (mask " << result.MaskMilliliters << " ml), ";
+  AppendShape(result, text);
   return text.str();
 }
 

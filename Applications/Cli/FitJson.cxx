@@ -3,7 +3,6 @@
 #include "CaseText.h"
 #include "JsonSchema.h"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
@@ -22,9 +21,9 @@ Json DistancesJson(const SurfaceDistances& distances)
           {"max_mm", distances.Maximum}};
 }
 
-Json StarJson(const FitResult& result, bool sampled)
+Json StarJson(const FitResult& result)
 {
-  if (!sampled)
+  if (!result.IsSampled)
   {
     return {{"star_shaped", nullptr},
             {"hidden_percent", nullptr},
@@ -107,14 +106,7 @@ Json FitJsonOf(const FitResult& result, bool fitted)
   {
     return {{"condition", nullptr}, {"rms_mm", nullptr}};
   }
-  if (result.Radial() == nullptr)
-  {
-    const Vector3 center = CenterOf(result.Model);
-    return {{"rms_mm", result.Rms},
-            {"center_mm", {center.x(), center.y(), center.z()}},
-            {"power_mm2", PowerSpectrumOf(result.Model)}};
-  }
-  const Vector3& center = CenterOf(result.Model);
+  const Vector3 center = CenterOf(result.Model);
   return {{"condition", result.Condition},
           {"rms_mm", result.Rms},
           {"noise_mm", result.NoiseDeviation},
@@ -144,11 +136,6 @@ Json QualityJson(const FitResult& result, bool fitted)
           {"surface_to_mask", DistancesJson(result.SurfaceToMask)}};
 }
 
-bool WasSampled(const FitResult& result)
-{
-  return std::any_of(result.Seconds.begin(), result.Seconds.end(),
-                     [](const auto& stage) { return stage.first == "samples"; });
-}
 } // namespace
 
 std::string FitResultJson(const FitResult& result, const std::string& folder)
@@ -166,7 +153,7 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["status"] = TextOf(result.State).Word;
   json["message"] = result.Message;
   json["notes"] = result.Notes;
-  json["star"] = StarJson(result, WasSampled(result));
+  json["star"] = StarJson(result);
   json["fit"] = FitJsonOf(result, fitted);
   json["model"] = result.Details.Mapped != nullptr ? "surface" : "radial";
   json["repair"] = RepairJson(result);

@@ -69,7 +69,8 @@ std::string ArrayTitle(const std::string& array)
   static const std::map<std::string, std::string> Titles{
       {"DistanceToSurface", "Distance to the surface, mm"},
       {"Residual", "Residual of the fit, mm"},
-      {"RadiusDeviation", "Uncertainty of the radius, mm"}};
+      {"RadiusDeviation", "Uncertainty of the radius, mm"},
+      {"NormalDeviation", "Uncertainty along the normal, mm"}};
   const auto title = Titles.find(array);
   return title == Titles.end() ? array : title->second;
 }

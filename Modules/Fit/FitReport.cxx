@@ -47,7 +47,8 @@ std::string QualityCards(const FitResult& result)
               (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the mask") +
          Card("Coverage", CoverageWord(result.Coverage), "", "how far to trust the fit") +
          Card("Degree", std::to_string(DegreeOf(result.Model)), "",
-              std::to_string(CoefficientCountOf(result.Model)) + " coefficients");
+              std::to_string(CoefficientCountOf(result.Model)) + " coefficients of a " +
+                  (result.Radial() != nullptr ? "radial" : "surface") + " model");
 }
 
 std::string Cards(const FitResult& result)
@@ -62,7 +63,7 @@ std::string Cards(const FitResult& result)
     cards += Card("Mask volume", FixedText(result.MaskMilliliters, 2), "ml",
                   result.TouchesBorder ? "touches the image\xE2\x80\x99s border" : "");
   }
-  if (result.Surface)
+  if (result.IsSampled)
   {
     cards += Card("Star-shaped", result.StarShaped ? "yes" : "no", "",
                   FixedText(result.HiddenPercent, 2) + " % of the surface hidden");
@@ -94,6 +95,7 @@ void WriteFitReport(const FitResult& result, const Volume* volumeOrNull,
   const std::string body =
       Header(result) + Cards(result) + ReportSection("Notes", Notes(result, volumeOrNull)) +
       ReportSection("Slices", ReportSlices(result, volumeOrNull)) +
+      ReportSection("What the repair changed", ReportRepair(result, volumeOrNull)) +
       ReportSection("From six sides", ReportViews(result)) +
       ReportSection("By degree and by distance", ReportCharts(result)) +
       ReportSection("All numbers", ReportNumbers(result)) +

@@ -75,6 +75,7 @@ struct FitResult
   SurfaceDistances SurfaceToMask;
 
   // Visibility from the centre.
+  bool IsSampled = false; ///< whether it was measured
   bool StarShaped = false;
   double HiddenPercent = 0.0;   ///< of the surface's area
   double MultiplePercent = 0.0; ///< of the directions (solid angle): more than one crossing
@@ -92,7 +93,8 @@ struct FitResult
   std::vector<double> RmsByDegree; ///< entry l: RMS residual of degree l; empty with a penalty and
                                    ///< of a robust fit
   /// The model's surface with point arrays "DistanceToSurface" (signed, mm, positive outside the
-  /// original), "Residual" (mm) and "RadiusDeviation" (mm), and analytic normals.
+  /// original) and analytic normals; of a radial model also "Residual" and "RadiusDeviation" (mm),
+  /// of a surface model "NormalDeviation" (mm).
   vtkSmartPointer<vtkPolyData> ModelSurface;
 
   // Its quality.

@@ -41,7 +41,7 @@ struct FitSettings
     Automatic ///< generalised cross-validation
   };
 
-  ModelKind Model = ModelKind::Radial;
+  ModelKind Model = ModelKind::Automatic;
   SurfaceMethod Method = SurfaceMethod::ShapeInterpolation;
   double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
   int Component = 1;      ///< connected component, by descending size, from 1; 0 for all

@@ -161,6 +161,7 @@ void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
 
 void TakeVerdict(vtkRadialSampler* sampler, FitResult& result)
 {
+  result.IsSampled = true;
   result.StarShaped = sampler->GetStarShaped();
   result.HiddenPercent = sampler->GetHiddenPercent();
   result.MultiplePercent = sampler->GetMultiplePercent();

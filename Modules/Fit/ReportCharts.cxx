@@ -25,15 +25,21 @@ std::string SpectrumChart(const FitResult& result)
   {
     points.emplace_back(static_cast<double>(l), std::sqrt(power[l] / (4.0 * M_PI)));
   }
-  SvgChart chart("degree", "RMS share of the radius, mm");
+  const std::string what = result.Radial() != nullptr ? "radius" : "position";
+  SvgChart chart("degree", "RMS share of the " + what + ", mm");
   chart.SetLogarithmic(false, true);
   chart.SetBars(std::move(points), 1.0);
-  return ReportFigure(chart.Svg(), "Power spectrum: contribution of each degree to the radius, as "
-                                   "root mean square over all directions.");
+  return ReportFigure(chart.Svg(), "Power spectrum: contribution of each degree to the " + what +
+                                       ", as root mean square over all directions.");
 }
 
+// Only of a fit that gives the residuals of all smaller ones.
 std::string DegreeChart(const FitResult& result)
 {
+  if (result.RmsByDegree.empty())
+  {
+    return {};
+  }
   std::vector<std::pair<double, double>> points;
   for (std::size_t l = 0; l < result.RmsByDegree.size(); ++l)
   {

@@ -77,9 +77,23 @@ std::string ScaleBar(const SlicePlane& plane)
          Letter(8.0, y - 6.0, "start", SignificantText(length, 3) + " mm");
 }
 
+// A place to be seen in a slice.
+struct Place
+{
+  std::string Name;
+  Vector3 World;
+};
+
+std::string Ring(const SlicePlane& plane, const Place& place)
+{
+  const Eigen::Vector2d at = plane.ToImage(place.World);
+  return "<circle class=\"place\" cx=\"" + FixedText(at.x(), 1) + "\" cy=\"" +
+         FixedText(at.y(), 1) + "\" r=\"14\"/>";
+}
+
 // `share` is the image's width relative to the widest one, so that all have the same scale.
 std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage& raster,
-                        const FitResult& result)
+                        const FitResult& result, const Place* place)
 {
   const std::string width = std::to_string(plane.Width);
   const std::string height = std::to_string(plane.Height);
@@ -96,9 +110,15 @@ std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage
   {
     svg += PathElement("model", SurfaceContourPath(result.ModelSurface, plane));
   }
-  svg += Letters(plane) + ScaleBar(plane) + "</svg>";
-  return ReportFigure(svg, plane.Name + ", slice " + std::to_string(plane.SliceNumber) + " of " +
-                               std::to_string(plane.SliceCount));
+  svg += Letters(plane) + ScaleBar(plane);
+  std::string caption = plane.Name + ", slice " + std::to_string(plane.SliceNumber) + " of " +
+                        std::to_string(plane.SliceCount);
+  if (place != nullptr)
+  {
+    svg += Ring(plane, *place);
+    caption = place->Name + ". " + caption;
+  }
+  return ReportFigure(svg + "</svg>", caption);
 }
 
 std::string Legend(const FitResult& result, const Volume* volume)
@@ -117,16 +137,11 @@ std::string Legend(const FitResult& result, const Volume* volume)
       volume ? volume->Source.filename().string() : std::string("the mask itself, no volume given");
   return html + "<li class=\"soft\">image: " + EscapeHtml(raster) + "</li></ul>\n";
 }
-} // namespace
 
-std::string ReportSlices(const FitResult& result, const Volume* volume)
+// `places`: none, or one for each plane.
+std::string SliceFigures(const std::vector<SlicePlane>& planes, const std::vector<Place>& places,
+                         const FitResult& result, const Volume* volume)
 {
-  if (!result.Mask)
-  {
-    return {};
-  }
-  const std::vector<SlicePlane> planes =
-      ChooseSlicePlanes(result.Mask, result.Structure.Value, AxialCount, LongestSide);
   if (planes.empty())
   {
     return {};
@@ -149,17 +164,71 @@ std::string ReportSlices(const FitResult& result, const Volume* volume)
                        [](const SlicePlane& a, const SlicePlane& b) { return a.Width < b.Width; })
           ->Width;
   std::vector<std::string> figures(planes.size());
-  vtkSMPTools::Transform(planes.begin(), planes.end(), values.begin(), figures.begin(),
-                         [&](const SlicePlane& plane, const std::vector<float>& slice)
-                         {
-                           const double share = static_cast<double>(plane.Width) / widest;
-                           return SliceFigure(plane, share, DrawGrey(slice, plane, window), result);
-                         });
+  vtkSMPTools::For(
+      0, static_cast<vtkIdType>(planes.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+        {
+          const double share = static_cast<double>(planes[i].Width) / widest;
+          figures[i] = SliceFigure(planes[i], share, DrawGrey(values[i], planes[i], window), result,
+                                   places.empty() ? nullptr : &places[i]);
+        }
+      });
   std::string html = Legend(result, volume) + "<div class=\"slices\">\n";
   for (const std::string& figure : figures)
   {
     html += figure;
   }
   return html + "</div>\n";
+}
+
+std::vector<Place> PlacesOf(const MappedSurface& mapped)
+{
+  constexpr std::size_t MostLost = 3;
+  std::vector<Place> places;
+  const auto add = [&places](const char* name, const TopologyChange& change)
+  {
+    if (change.Count > 0)
+    {
+      places.push_back({name, change.LargestCentre});
+    }
+  };
+  add("Largest part dropped", mapped.Topology.DroppedParts);
+  add("Largest bridge", mapped.Topology.Bridges);
+  add("Largest cavity filled", mapped.Topology.FilledCavities);
+  add("Largest handle cut", mapped.Topology.CutHandles);
+  add("Largest handle filled", mapped.Topology.FilledHandles);
+  for (std::size_t i = 0; i < std::min(mapped.Lost.size(), MostLost); ++i)
+  {
+    places.push_back(
+        {"Left out, " + FixedText(mapped.Lost[i].Distance, 1) + " mm", mapped.Lost[i].Farthest});
+  }
+  return places;
+}
+} // namespace
+
+std::string ReportSlices(const FitResult& result, const Volume* volume)
+{
+  return result.Mask ? SliceFigures(ChooseSlicePlanes(result.Mask, result.Structure.Value,
+                                                      AxialCount, LongestSide),
+                                    {}, result, volume)
+                     : std::string();
+}
+
+std::string ReportRepair(const FitResult& result, const Volume* volume)
+{
+  if (!result.Mask || !result.Details.Mapped)
+  {
+    return {};
+  }
+  const std::vector<Place> places = PlacesOf(*result.Details.Mapped);
+  std::vector<Vector3> points;
+  for (const Place& place : places)
+  {
+    points.push_back(place.World);
+  }
+  return SliceFigures(SlicePlanesAt(points, result.Mask, result.Structure.Value, LongestSide),
+                      places, result, volume);
 }
 } // namespace palpate

@@ -11,4 +11,7 @@ namespace palpate
 /// structure, to scale, of the volume if there is one and otherwise of the mask, with the outline
 /// of the mask's voxels and the curves of surface and model. Empty without a mask.
 PALPATEFIT_EXPORT std::string ReportSlices(const FitResult& result, const Volume* volume);
+/// The same, axial, through the places that the repair of a surface model's structure changed most
+/// and that its surface leaves out, with a ring round each. Empty if there are none.
+PALPATEFIT_EXPORT std::string ReportRepair(const FitResult& result, const Volume* volume);
 } // namespace palpate

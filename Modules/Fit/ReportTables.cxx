@@ -100,13 +100,56 @@ HtmlRows ViewRows(const FitResult& result)
           {"Directions without a crossing", Percent(result.MissedPercent)}};
 }
 
+// How a surface model's structure was made ready for it; none of a radial model.
+HtmlRows MapRows(const FitResult& result)
+{
+  const MappedSurface& mapped = *result.Details.Mapped;
+  const TopologyReport& repair = mapped.Topology;
+  HtmlRows rows{
+      {"Changed by the repair", SignificantText(repair.ChangedPercent(), 3) + " % of the volume"}};
+  const auto add = [&rows](const char* name, const TopologyChange& change)
+  {
+    if (change.Count > 0)
+    {
+      rows.emplace_back(name, std::to_string(change.Count) + ", " +
+                                  SignificantText(change.Volume, 3) + " mm\xC2\xB3");
+    }
+  };
+  add("Small parts dropped", repair.DroppedParts);
+  add("Parts joined by bridges", repair.Bridges);
+  add("Cavities filled", repair.FilledCavities);
+  add("Handles cut", repair.CutHandles);
+  add("Handles filled", repair.FilledHandles);
+  rows.emplace_back("Thin parts left out",
+                    mapped.Lost.empty() ? "none"
+                                        : std::to_string(mapped.Lost.size()) + ", up to " +
+                                              FixedText(mapped.Lost.front().Distance, 1) + " mm");
+  rows.emplace_back("Area distortion on the sphere", FixedText(mapped.Map.AreaDistortion, 3));
+  rows.emplace_back("Least share of area", SignificantText(mapped.Map.LeastRatio, 2));
+  return rows;
+}
+
+HtmlRows CrossingRows(const FitResult& result)
+{
+  const SurfaceModelDetails& details = result.Details;
+  return {{"Pairs of triangles that cross", std::to_string(details.Crossings)},
+          {"Vertices that turn over", std::to_string(details.Folded)},
+          {"Voxels outside in it or inside twice",
+           SignificantText(details.IrregularPercent, 2) + " % of the mask\xE2\x80\x99s"},
+          {"Determination of its placement", FixedText(details.Determination, 2)}};
+}
+
 HtmlRows ModelRows(const FitResult& result)
 {
-  return {{"Degree", std::to_string(DegreeOf(result.Model))},
+  const bool isRadial = result.Radial() != nullptr;
+  return {{"Kind", isRadial ? "radial: a radius in each direction"
+                            : "surface: three coordinates over the parameter sphere"},
+          {"Degree", std::to_string(DegreeOf(result.Model))},
           {"Coefficients", std::to_string(CoefficientCountOf(result.Model))},
           {"Centre (LPS, mm)", Point(CenterOf(result.Model))},
           {"Condition number", SignificantText(result.Condition, 4)},
-          {"RMS residual of the radii", Millimeters(result.Rms)},
+          {isRadial ? "RMS residual of the radii" : "RMS residual along the normals",
+           Millimeters(result.Rms)},
           {"Noise of a sample", Millimeters(result.NoiseDeviation)},
           {"Roughness penalty used", SignificantText(result.Roughness, 4)},
           {"Degrees of freedom", FixedText(result.DegreesOfFreedom, 1)},
@@ -168,13 +211,22 @@ std::string ReportNumbers(const FitResult& result)
   if (result.Surface)
   {
     html += HtmlTable("Surface, and its distance to the mask", SurfaceRows(result));
-    html += HtmlTable("Seen from the centre", ViewRows(result));
+    if (result.IsSampled)
+    {
+      html += HtmlTable("Seen from the centre", ViewRows(result));
+    }
+    if (result.Details.Mapped)
+    {
+      html += HtmlTable("Repair, and map to the parameter sphere", MapRows(result));
+    }
   }
   if (result.State == FitResult::Outcome::Fitted)
   {
     html += HtmlTable("Model", ModelRows(result)) +
             HtmlTable("Model and mask", ModelToMaskRows(result)) +
             HtmlTable("Model and surface", ModelToSurfaceRows(result)) +
+            (result.Details.Mapped ? HtmlTable("Crossings and placement", CrossingRows(result))
+                                   : std::string()) +
             HtmlTable("Degree: power; RMS residual up to there", DegreeRows(result));
   }
   if (!result.Seconds.empty())

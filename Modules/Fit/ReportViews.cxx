@@ -3,6 +3,7 @@
 #include "AnatomicalView.h"
 #include "ArrayColors.h"
 #include "DecimalText.h"
+#include "IcosahedronDirections.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
@@ -118,25 +119,26 @@ std::string AllViews(const SoftwareRenderer& renderer)
   return html + "</div>\n";
 }
 
-// Points of the model in a cap that no direction covers; none if all gaps are narrow enough.
+// Points of the drawn model in a cap that no direction, or no parameter of a surface model, covers;
+// none if all gaps are narrow enough.
 class UncoveredCap
 {
 public:
   explicit UncoveredCap(const FitResult& result)
-      : CenterWorld(CenterOf(result.Model)), Gap(result.Coverage.LargestGap),
+      : Sphere(result.Settings.Frequency), Gap(result.Coverage.LargestGap),
         IsWide(Gap.Radius > DirectionCoverage::WidestGap(DegreeOf(result.Model)))
   {
   }
 
   bool IsAny() const { return this->IsWide; }
-  bool Holds(const Vector3& pointWorld) const
+  bool Holds(vtkIdType point) const
   {
-    const Vector3 direction = (pointWorld - this->CenterWorld).normalized();
+    const Vector3& direction = this->Sphere.Directions()[static_cast<std::size_t>(point)];
     return this->IsWide && direction.dot(this->Gap.Center) > std::cos(this->Gap.Radius);
   }
 
 private:
-  Vector3 CenterWorld;
+  IcosahedronDirections Sphere; // that the model is drawn at
   SphericalCap Gap;
   bool IsWide;
 };
@@ -144,7 +146,6 @@ private:
 std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
 {
   constexpr SoftwareRenderer::Color Uncovered{{110, 110, 110}};
-  vtkPolyData* model = result.ModelSurface;
   const UncoveredCap uncovered(result);
   const double coloured = ColoredDistance(distances);
   const vtkSmartPointer<vtkLookupTable> colors = MakeArrayColors(-coloured, coloured);
@@ -153,11 +154,10 @@ std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
   distances->GetRange(range);
   for (vtkIdType p = 0; p < distances->GetNumberOfTuples(); ++p)
   {
-    pointColors.push_back(uncovered.Holds(Vector3(model->GetPoint(p)))
-                              ? Uncovered
-                              : ColorOf(colors, distances->GetComponent(p, 0)));
+    pointColors.push_back(uncovered.Holds(p) ? Uncovered
+                                             : ColorOf(colors, distances->GetComponent(p, 0)));
   }
-  SoftwareRenderer renderer(model);
+  SoftwareRenderer renderer(result.ModelSurface);
   renderer.SetPointColors(std::move(pointColors));
   return "<p class=\"soft\">Signed distance from the model to the surface of the mask, from " +
          FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") + FixedText(range[1], 2) +

@@ -2,18 +2,20 @@
 
 #include "DecimalText.h"
 #include "FilterRun.h"
+#include "FitDeviation.h"
+#include "IcosahedronDirections.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"
 #include "MeshCrossings.h"
 #include "ModelSurface.h"
-#include "ParametricFit.h"
 #include "ParametricSurfaceMeasures.h"
+#include "ParametricUncertainty.h"
 #include "TriangleMesh.h"
 #include "VoxelMinimum.h"
 #include "WindingNumbers.h"
 
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <utility>
@@ -150,30 +152,84 @@ void MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
   }
 }
 
-// The degree asked for, or the smallest that meets the tolerance.
+// The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
+// by bisection.
 Status FitDegree(const MappedSurface& mapped, const FitSettings& settings, int supported,
                  ParametricFitResult& fit, Watched& watched)
 {
   ParametricFitOptions options;
-  if (!settings.Tolerance)
-  {
-    options.Degree = settings.Degree;
-    return FitParametricSurface(mapped.Mesh, mapped.Directions, options, fit, watched.Of(0.0, 1.0));
-  }
-  const int highest = std::clamp(supported, 1, settings.MaximumDegree);
-  Status status = Status::Success();
-  for (int degree = 1; status.IsOk(); degree = std::min(degree + std::max(1, degree / 4), highest))
+  const auto fitTo = [&](int degree, double from, double to, ParametricFitResult& result)
   {
     options.Degree = degree;
-    const double done = static_cast<double>(degree) / (highest + 1.0);
-    status =
-        FitParametricSurface(mapped.Mesh, mapped.Directions, options, fit, watched.Of(done, done));
-    if (fit.NormalRms <= *settings.Tolerance || degree == highest)
+    return FitParametricSurface(mapped.Mesh, mapped.Directions, options, result,
+                                watched.Of(from, to));
+  };
+  if (!settings.Tolerance)
+  {
+    return fitTo(settings.Degree, 0.0, 1.0, fit);
+  }
+  const int highest = std::clamp(supported, 1, settings.MaximumDegree);
+  const auto partOf = [highest](int degree) { return static_cast<double>(degree) / highest; };
+  int below = 0;
+  int degree = 1;
+  Status status = fitTo(degree, 0.0, partOf(degree), fit);
+  while (status.IsOk() && fit.NormalRms > *settings.Tolerance && degree < highest)
+  {
+    below = degree;
+    degree = std::min(degree + std::max(1, degree / 4), highest);
+    status = fitTo(degree, partOf(below), partOf(degree), fit);
+  }
+  while (status.IsOk() && fit.NormalRms <= *settings.Tolerance && degree - below > 1)
+  {
+    const int between = (below + degree) / 2;
+    ParametricFitResult smaller;
+    status = fitTo(between, partOf(degree), partOf(degree), smaller);
+    const bool meets = smaller.NormalRms <= *settings.Tolerance;
+    (meets ? degree : below) = between;
+    if (meets)
     {
-      break;
+      fit = std::move(smaller);
     }
   }
   return status;
+}
+
+// Trust in the fit, and the drawn model.
+Status JudgeFit(const IndexedMesh& mesh, const ParametricFitResult& fit, FitResult& result)
+{
+  ParametricUncertainty uncertainty;
+  const Status status = AssessParametricFit(mesh, fit, uncertainty);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  result.Condition = uncertainty.Condition;
+  result.NoiseDeviation = uncertainty.NoiseDeviation;
+  result.DegreesOfFreedom = uncertainty.DegreesOfFreedom;
+  result.Coverage = uncertainty.Coverage;
+  result.ModelSurface = DrawModel(result.Model, result.Settings.Frequency);
+  const CovarianceFactor::PlainObject factor = uncertainty.Covariance.Factor();
+  result.ModelSurface->GetPointData()->AddArray(FitDeviation(
+      CovarianceFactor(factor.data(), factor.rows(), factor.cols()),
+      IcosahedronDirections(result.Settings.Frequency).Directions(), "NormalDeviation"));
+  return status;
+}
+
+void RemarkOnFit(FitResult& result)
+{
+  const SurfaceModelDetails& details = result.Details;
+  if (details.Crossings > 0)
+  {
+    result.Notes.push_back("the model crosses itself at " + std::to_string(details.Crossings) +
+                           (details.Crossings == 1 ? " pair" : " pairs") +
+                           " of the drawn triangles (" +
+                           SignificantText(details.IrregularPercent, 2) +
+                           " % of the mask's voxels lie outside in it or inside twice)");
+  }
+  if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
+  {
+    result.Notes.push_back(result.Coverage.Message);
+  }
 }
 } // namespace
 
@@ -216,9 +272,13 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   result.ModelMilliliters = fit.Surface.Volume() / CubicMillimetersPerMilliliter;
   result.ModelAreaSquareMillimeters = fit.Surface.Area();
   result.Model = fit.Surface;
-  result.ModelSurface = DrawModel(result.Model, result.Settings.Frequency);
+  if (const Status judged = JudgeFit(mapped.Mesh, fit, result); !judged.IsOk())
+  {
+    return judged.Message();
+  }
   const TriangleMesh drawn = TrianglesOf(result.ModelSurface, "model");
   MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
+  RemarkOnFit(result);
   return {};
 }
 } // namespace palpate

@@ -71,6 +71,7 @@ svg text { fill: var(--ink); font-size: 12px; }
 .slice .scale { stroke: #f2f2f2; stroke-width: 2; }
 .slice path.mask { stroke: #f5e663; opacity: .75; stroke-width: 1; }
 .slice path.surface { stroke: #5ec3ff; stroke-width: 2.6; } .slice path.model { stroke: #ff7f2a; }
+.slice .place { fill: none; stroke: #ffffff; stroke-width: 2; }
 .legend { display: flex; flex-wrap: wrap; gap: 6px 22px; font-size: 13.5px; margin: 0 0 12px;
   padding: 0; list-style: none; }
 .legend i { display: inline-block; width: 26px; height: 0; border-top: 3px solid; margin-right: 7px;

@@ -84,6 +84,17 @@ public:
     return plane;
   }
 
+  SlicePlane At(const Vector3& pointWorld) const
+  {
+    const int axis = this->Body.Axis[2];
+    const Vector3 fromOrigin = pointWorld - this->Image.ToWorld(Vector3::Zero());
+    const double index = fromOrigin.dot(this->Image.UnitWorld[axis]) / this->Image.Spacing[axis];
+    const double first = this->Image.Extent[2 * axis];
+    const double last = first + this->Image.Size(axis) - 1;
+    return this->Make("Axial", 2, 0, 1, 1.0,
+                      static_cast<int>(std::lround(std::clamp(index, first, last))));
+  }
+
   std::vector<SlicePlane> All(int axialCount) const
   {
     std::vector<SlicePlane> planes;
@@ -138,5 +149,22 @@ std::vector<SlicePlane> ChooseSlicePlanes(vtkImageData* mask, int value, int axi
   const LabelBounds box = BoxOf(mask, value, image);
   return box.IsEmpty() ? std::vector<SlicePlane>()
                        : Layout(image, box, longestSide).All(axialCount);
+}
+
+std::vector<SlicePlane> SlicePlanesAt(const std::vector<Vector3>& pointsWorld, vtkImageData* mask,
+                                      int value, int longestSide)
+{
+  std::vector<SlicePlane> planes;
+  const ImageAxes image(mask);
+  const LabelBounds box = BoxOf(mask, value, image);
+  if (!box.IsEmpty())
+  {
+    const Layout layout(image, box, longestSide);
+    for (const Vector3& point : pointsWorld)
+    {
+      planes.push_back(layout.At(point));
+    }
+  }
+  return planes;
 }
 } // namespace palpate

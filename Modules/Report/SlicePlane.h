@@ -58,4 +58,10 @@ struct PALPATEREPORT_EXPORT SlicePlane
 /// if no voxel has the value.
 PALPATEREPORT_EXPORT std::vector<SlicePlane> ChooseSlicePlanes(vtkImageData* mask, int value,
                                                                int axialCount, int longestSide);
+
+/// The axial plane of voxels that is nearest to each point, to the same scale as those. Empty if no
+/// voxel has the value.
+PALPATEREPORT_EXPORT std::vector<SlicePlane> SlicePlanesAt(const std::vector<Vector3>& pointsWorld,
+                                                           vtkImageData* mask, int value,
+                                                           int longestSide);
 } // namespace palpate

@@ -12,7 +12,7 @@ namespace
 {
 SceneProduct HarmonicContactOf(const FitResult& fit, HarmonicContactMode mode)
 {
-  return std::make_shared<const TouchContact>(MakeHarmonicContact(*fit.Radial(), mode, fit.Input));
+  return std::make_shared<const TouchContact>(MakeHarmonicContact(fit.Model, mode, fit.Input));
 }
 
 // Only a sphere can touch it. The degree of a model is its own.

@@ -68,21 +68,13 @@ SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps
   return ReadingNode(SceneStep::Model, file, SceneKey("model", file, StampIn(stamps, file)),
                      [file]
                      {
-                       const ModelDocument document = ReadModel(file);
-                       const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
-                       if (model == nullptr)
-                       {
-                         Refuse(file,
-                                "is a parametric surface, which has no radius function to touch",
-                                "write it as a surface (palpate convert) and touch that");
-                       }
                        FitResult result;
                        result.Input = file;
                        result.CaseName = CaseNameOf(file);
                        result.State = FitResult::Outcome::Fitted;
-                       result.Model = *model;
+                       result.Model = ReadModel(file).Surface;
                        constexpr int Frequency = 20;
-                       result.ModelSurface = DrawModel(*model, Frequency);
+                       result.ModelSurface = DrawModel(result.Model, Frequency);
                        return std::make_shared<const FitResult>(std::move(result));
                      });
 }

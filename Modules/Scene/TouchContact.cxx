@@ -2,19 +2,40 @@
 
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
+#include "ParametricContactModel.h"
 #include "Refusal.h"
 #include "TriangleMesh.h"
 
 namespace palpate
 {
-TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model, HarmonicContactMode mode,
+namespace
+{
+Status MakeModel(const SphericalHarmonicModel& model, HarmonicContactMode mode,
+                 std::shared_ptr<const ContactModel>& contact)
+{
+  return HarmonicContactModel::Make(std::make_shared<const SphericalHarmonicModel>(model), mode,
+                                    contact);
+}
+
+Status MakeModel(const ParametricSphericalSurface& surface, HarmonicContactMode mode,
+                 std::shared_ptr<const ContactModel>& contact)
+{
+  return mode == HarmonicContactMode::Nearest
+             ? ParametricContactModel::Make(surface, contact)
+             : Status::Failure("A surface model has no radius in each direction, so it cannot be "
+                               "touched radially; choose the nearest point.");
+}
+} // namespace
+
+TouchContact MakeHarmonicContact(const SurfaceModel& model, HarmonicContactMode mode,
                                  const std::filesystem::path& file)
 {
   TouchContact made;
-  RequireInput(HarmonicContactModel::Make(std::make_shared<const SphericalHarmonicModel>(model),
-                                          mode, made.Model),
+  RequireInput(std::visit([&](const auto& one) { return MakeModel(one, mode, made.Model); }, model),
                file.string());
-  made.Represented = "harmonics of degree " + std::to_string(model.Degree()) +
+  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(model);
+  made.Represented = (isRadial ? "harmonics of degree " : "surface harmonics of degree ") +
+                     std::to_string(DegreeOf(model)) +
                      (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
   return made;
 }

@@ -4,7 +4,7 @@
 #include "HarmonicContactModel.h"
 #include "PalpateSceneModule.h"
 #include "ScalarField.h"
-#include "SphericalHarmonicModel.h"
+#include "SurfaceModel.h"
 #include "TouchScene.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -36,8 +36,9 @@ struct TouchContact
   DrillSource Drilled;                      ///< for a field that keeps its inside
 };
 
-/// The three kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched.
-PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SphericalHarmonicModel& model,
+/// The three kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched;
+/// a parametric model has no radius for HarmonicContactMode::Radial.
+PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SurfaceModel& model,
                                                      HarmonicContactMode mode,
                                                      const std::filesystem::path& file);
 PALPATESCENE_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,

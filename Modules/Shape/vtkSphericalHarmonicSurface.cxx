@@ -2,10 +2,10 @@
 
 #include "ClosestPointDistances.h"
 #include "DirectionCaster.h"
+#include "FitDeviation.h"
 #include "IcosahedronDirections.h"
 #include "MeshConversion.h"
 #include "ModelTable.h"
-#include "SphericalHarmonicBasis.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -17,10 +17,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkTable.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 
 vtkStandardNewMacro(vtkSphericalHarmonicSurface);
@@ -66,35 +64,17 @@ void AddGeometry(const palpate::SphericalHarmonicModel& model,
   output->GetPointData()->SetNormals(normals);
 }
 
-// sqrt(y^T F F^T y) at each direction, in blocks, so that it is one matrix product per block.
 void AddDeviation(vtkDataArray* factorArray, int degree, const std::vector<Vector3>& directions,
                   vtkPolyData* output)
 {
-  const palpate::SphericalHarmonicBasis basis(degree);
-  const auto size = static_cast<Eigen::Index>(basis.Size());
+  const vtkIdType size = (degree + 1) * (degree + 1);
   auto* values = vtkDoubleArray::SafeDownCast(factorArray);
-  if (values == nullptr || values->GetNumberOfTuples() != size ||
-      values->GetNumberOfComponents() != size)
+  if (values != nullptr && values->GetNumberOfTuples() == size &&
+      values->GetNumberOfComponents() == size)
   {
-    return;
+    const palpate::CovarianceFactor factor(values->GetPointer(0), size, size);
+    output->GetPointData()->AddArray(palpate::FitDeviation(factor, directions, "RadiusDeviation"));
   }
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::Map<const RowMajor> factor(values->GetPointer(0), size, size);
-  auto deviations = MakeArray("RadiusDeviation", directions.size());
-  constexpr vtkIdType Block = 256;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(directions.size()), Block,
-                   [&](vtkIdType first, vtkIdType last)
-                   {
-                     RowMajor harmonics(last - first, size);
-                     for (vtkIdType id = first; id < last; ++id)
-                     {
-                       basis.Evaluate(directions[static_cast<std::size_t>(id)],
-                                      harmonics.row(id - first).data());
-                     }
-                     const Eigen::VectorXd lengths = (harmonics * factor).rowwise().norm();
-                     std::copy(lengths.begin(), lengths.end(), deviations->GetPointer(first));
-                   });
-  output->GetPointData()->AddArray(deviations);
 }
 
 void AddComparison(const palpate::SphericalHarmonicModel& model,

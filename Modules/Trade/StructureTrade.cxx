@@ -91,8 +91,7 @@ std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunc
   {
     make(TouchRepresentation::Harmonics);
     const auto fit = ProductAs<FitResult>(this->Made.ProductAt(SceneStep::Model, structure.Id));
-    return ModelReference(std::make_shared<const SphericalHarmonicModel>(*fit->Radial()),
-                          this->Scene.Tool);
+    return ModelReference(fit->Model, this->Scene.Tool);
   }
   case SceneSource::Surface:
     return FacetReference(*make(TouchRepresentation::Facets), this->Scene.Tool);

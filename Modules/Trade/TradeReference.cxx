@@ -2,10 +2,13 @@
 
 #include "ClosestPointSearch.h"
 #include "InputError.h"
+#include "ParametricTouchSurface.h"
 #include "Refusal.h"
 #include "SceneTool.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace palpate
@@ -44,9 +47,12 @@ private:
 class CertifiedReference final : public TradeReference
 {
 public:
-  CertifiedReference(std::string words, const std::shared_ptr<const SphericalHarmonicModel>& model,
-                     double toolRadius, const Eigen::AlignedBox3d& boundsWorld)
-      : TradeReference(std::move(words)), Search(model), ToolRadius(toolRadius), Box(boundsWorld)
+  /// The contact of the tool at a position, by a certified search; none where inside and outside
+  /// are ambiguous.
+  using Touch = std::function<std::optional<ToolContact>(const Vector3&)>;
+
+  CertifiedReference(std::string words, Touch touch, const Eigen::AlignedBox3d& boundsWorld)
+      : TradeReference(std::move(words)), TouchAt(std::move(touch)), Box(boundsWorld)
   {
   }
 
@@ -54,18 +60,46 @@ public:
   TradePosition At(const Vector3& probeWorld) override
   {
     constexpr double LargestOverlap = 1e-6; // mm
-    const ToolContact contact = this->Search.TouchAnywhere(probeWorld, this->ToolRadius);
-    const bool isTouching = contact.SignedDistance < 0.0;
-    const bool isKnown = contact.Overlap <= LargestOverlap && contact.ToolCenterWorld.allFinite();
-    return {isTouching, isTouching ? contact.ToolCenterWorld : probeWorld, contact.Normal, isKnown};
+    const std::optional<ToolContact> contact = this->TouchAt(probeWorld);
+    if (!contact)
+    {
+      return {false, probeWorld, Vector3::UnitZ(), false};
+    }
+    const bool isTouching = contact->SignedDistance < 0.0;
+    const bool isKnown = contact->Overlap <= LargestOverlap && contact->ToolCenterWorld.allFinite();
+    return {isTouching, isTouching ? contact->ToolCenterWorld : probeWorld, contact->Normal,
+            isKnown};
   }
   Eigen::AlignedBox3d BoundsWorld() const override { return this->Box; }
 
 private:
-  ClosestPointSearch Search;
-  double ToolRadius;
+  Touch TouchAt;
   Eigen::AlignedBox3d Box;
 };
+
+CertifiedReference::Touch SearchOf(const SphericalHarmonicModel& model, double toolRadius)
+{
+  const auto search = std::make_shared<const ClosestPointSearch>(
+      std::make_shared<const SphericalHarmonicModel>(model));
+  return [search, toolRadius](const Vector3& probeWorld)
+  { return search->TouchAnywhere(probeWorld, toolRadius); };
+}
+
+CertifiedReference::Touch SearchOf(const ParametricSphericalSurface& surface, double toolRadius)
+{
+  std::shared_ptr<const ParametricTouchSurface> touch;
+  RequireInput(ParametricTouchSurface::Make(surface, touch));
+  return [touch, toolRadius](const Vector3& probeWorld) -> std::optional<ToolContact>
+  {
+    const auto nearest = touch->Search().Nearest(probeWorld);
+    const double seen = touch->SeenFrom(probeWorld, nearest).SignedDistance;
+    if ((seen < 0.0) != (nearest.SignedDistance < 0.0))
+    {
+      return std::nullopt; // among sheets that cross
+    }
+    return touch->Search().TouchAnywhere(probeWorld, toolRadius);
+  };
+}
 } // namespace
 
 std::unique_ptr<TradeReference> FieldReference(const TouchContact& field, const std::string& what,
@@ -80,19 +114,19 @@ std::unique_ptr<TradeReference> FieldReference(const TouchContact& field, const 
                                             field, MakeTool(tool));
 }
 
-std::unique_ptr<TradeReference>
-ModelReference(const std::shared_ptr<const SphericalHarmonicModel>& model,
-               const TouchToolSettings& tool)
+std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
+                                               const TouchToolSettings& tool)
 {
   if (tool.Kind != TouchToolSettings::Shape::Sphere)
   {
     throw InputError("only a sphere can touch a model; choose a spherical tool");
   }
-  const TouchContact contact = MakeHarmonicContact(*model, HarmonicContactMode::Nearest, {});
+  const TouchContact contact = MakeHarmonicContact(model, HarmonicContactMode::Nearest, {});
   return std::make_unique<CertifiedReference>(
-      "the model itself, of degree " + std::to_string(model->Degree()) +
+      "the model itself, of degree " + std::to_string(DegreeOf(model)) +
           ", by the certified search over its whole surface",
-      model, tool.Radius, contact.Model->BoundsWorld());
+      std::visit([&](const auto& one) { return SearchOf(one, tool.Radius); }, model),
+      contact.Model->BoundsWorld());
 }
 
 std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,

@@ -2,7 +2,7 @@
 
 #include "PalpateTradeModule.h"
 #include "Progress.h"
-#include "SphericalHarmonicModel.h"
+#include "SurfaceModel.h"
 #include "TouchContact.h"
 #include "TouchToolSettings.h"
 
@@ -50,9 +50,8 @@ private:
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
 FieldReference(const TouchContact& field, const std::string& what, TouchToolSettings tool);
 /// The model itself, by the certified search over its whole surface.
-PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
-ModelReference(const std::shared_ptr<const SphericalHarmonicModel>& model,
-               const TouchToolSettings& tool);
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
+                                                                   const TouchToolSettings& tool);
 /// The triangles of a surface.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,
                                                                    const TouchToolSettings& tool);

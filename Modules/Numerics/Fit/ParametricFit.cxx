@@ -58,12 +58,6 @@ Matrix3 DegreeOneOf(const ParametricSphericalSurface& surface)
   return matrix;
 }
 
-// A third of the shortest wavelength of a degree, on the parameter sphere.
-double LongestEdgeFor(int degree)
-{
-  return 2.0 * M_PI / (3.0 * std::max(degree, 1));
-}
-
 double VolumeOf(const IndexedMesh& mesh)
 {
   const Vector3& origin = mesh.Points.front();
@@ -90,7 +84,8 @@ public:
 
   Status Start()
   {
-    this->Samples = SampleMesh(this->Mesh, this->Parameters, LongestEdgeFor(this->Options.Degree));
+    this->Samples =
+        SampleMesh(this->Mesh, this->Parameters, SampleSpacingFor(this->Options.Degree));
     return this->Solver.FitPoints(this->Samples)
                ? Status::Success()
                : Status::Failure(

@@ -61,6 +61,11 @@ void ForEachCenter(int parts, const Add& add)
 }
 } // namespace
 
+double SampleSpacingFor(int degree) noexcept
+{
+  return 2.0 * M_PI / (3.0 * std::max(degree, 1));
+}
+
 SurfaceSamples SampleMesh(const IndexedMesh& mesh, const std::vector<Vector3>& parameters,
                           double longestEdge)
 {

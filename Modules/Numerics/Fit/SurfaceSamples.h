@@ -17,6 +17,10 @@ struct SurfaceSamples
   std::vector<int> Triangles;      ///< of the samples that are not vertices
 };
 
+/// A third of the shortest wavelength of a degree on the parameter sphere (rad): samples that are
+/// farther apart leave a surface of that degree undetermined between them.
+double SampleSpacingFor(int degree) noexcept;
+
 /// Samples a closed mesh whose vertices have parameters (one unit vector each): first its vertices,
 /// then points inside of triangles that an edge longer than `longestEdge` (rad) bounds on the
 /// parameter sphere, so that no part of the sphere is without samples. Such a triangle is divided

@@ -63,7 +63,7 @@ struct ModelTrade
   {
     this->Touch.Tool.Radius = toolRadius;
     this->Touch.Runs = 1;
-    this->Reference = ModelReference(this->Model, this->Touch.Tool);
+    this->Reference = ModelReference(*this->Model, this->Touch.Tool);
     this->Path = MakeTradePath(*this->Reference, this->Touch.Tool, ShortPath().Path, GoOn);
   }
   TradeRow Measure(const TouchContact& contact, const Clock& clock = StillClock()) const

@@ -1,0 +1,255 @@
+#include "FitStructure.h"
+
+#include "ClosestPointDistances.h"
+#include "FilterRun.h"
+#include "IndexedMesh.h"
+#include "LabelImages.h"
+#include "MeshDistances.h"
+#include "ParametricMask.h"
+#include "ParametricPhantoms.h"
+#include "TriangleMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace
+{
+using palpate::FitResult;
+using palpate::FitSettings;
+using palpate::IndexedMesh;
+using palpate::ParametricSphericalSurface;
+using palpate::Segment;
+using palpate::Segmentation;
+using palpate::Vector3;
+using Outcome = palpate::FitResult::Outcome;
+
+FitResult Fit(vtkImageData* mask, const FitSettings& settings = {})
+{
+  Segmentation segmentation;
+  segmentation.Layers.emplace_back(mask);
+  Segment segment;
+  segment.Label = segment.Value = 1;
+  segmentation.Segments.push_back(segment);
+  segmentation.Source = "folder/case.nrrd";
+  return palpate::FitStructure(segmentation, segment, settings);
+}
+
+FitSettings SurfaceOfDegree(int degree)
+{
+  FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Surface;
+  settings.Degree = degree;
+  return settings;
+}
+
+palpate::test::LabelGrid Cubes(double step)
+{
+  palpate::test::LabelGrid grid;
+  grid.Spacing = {step, step, step};
+  return grid;
+}
+
+const ParametricSphericalSurface& SurfaceOf(const FitResult& result)
+{
+  return std::get<ParametricSphericalSurface>(result.Model);
+}
+
+// Root mean square distance (mm) of the drawn model's points from the true surface.
+double ErrorOf(const FitResult& result, const ParametricSphericalSurface& truth)
+{
+  constexpr int Fine = 60;
+  palpate::TriangleMesh mesh;
+  const IndexedMesh fine = palpate::test::MeshOf(truth, Fine);
+  mesh.PointsWorld = fine.Points;
+  mesh.Triangles = fine.Triangles;
+  double squares = 0.0;
+  const std::vector<double> distances =
+      palpate::ClosestPointDistances(result.ModelSurface->GetPoints(), palpate::PolyDataOf(mesh));
+  for (const double distance : distances)
+  {
+    squares += distance * distance;
+  }
+  return std::sqrt(squares / static_cast<double>(distances.size()));
+}
+
+vtkSmartPointer<vtkImageData> Ring(double step)
+{
+  return palpate::test::ParametricMask(palpate::test::OpenRing(), Cubes(step));
+}
+
+TEST(SurfaceModels, RecoverATubeToTheVoxelsLimit)
+{
+  const ParametricSphericalSurface truth = palpate::test::OpenRing();
+  for (const double step : {2.0, 1.0})
+  {
+    const FitResult result = Fit(Ring(step), SurfaceOfDegree(16));
+    ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+    // A surface through the stairs of voxels of size h is off by about h / sqrt(12) / 2 rms.
+    EXPECT_LT(ErrorOf(result, truth), 0.15 * step) << step;
+    EXPECT_NEAR(1000.0 * result.ModelMilliliters, truth.Volume(), 0.01 * truth.Volume()) << step;
+    EXPECT_EQ(result.Details.Crossings, 0);
+    EXPECT_EQ(result.Details.IrregularPercent, 0.0);
+  }
+}
+
+TEST(SurfaceModels, RecoverABowl)
+{
+  const ParametricSphericalSurface truth = palpate::test::Bowl();
+  const FitResult result =
+      Fit(palpate::test::ParametricMask(truth, Cubes(1.0)), SurfaceOfDegree(16));
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_LT(ErrorOf(result, truth), 0.15);
+  EXPECT_GT(result.Dice, 0.97);
+}
+
+TEST(SurfaceModels, AreChosenOnlyWhereARadiusDoesNot)
+{
+  FitSettings automatic;
+  automatic.Degree = 8;
+  const FitResult ring = Fit(Ring(2.0), automatic);
+  ASSERT_EQ(ring.State, Outcome::Fitted) << ring.Message;
+  EXPECT_EQ(ring.Radial(), nullptr);
+  EXPECT_GT(ring.HiddenPercent, automatic.MaximumHiddenPercent);
+
+  const ParametricSphericalSurface ellipsoid =
+      palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0));
+  const FitResult round = Fit(palpate::test::ParametricMask(ellipsoid, Cubes(2.0)), automatic);
+  ASSERT_EQ(round.State, Outcome::Fitted) << round.Message;
+  EXPECT_NE(round.Radial(), nullptr);
+}
+
+TEST(SurfaceModels, AreRefusedAsRadialOnes)
+{
+  FitSettings radial;
+  radial.Model = FitSettings::ModelKind::Radial;
+  const FitResult result = Fit(Ring(2.0), radial);
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.OptionHint.find("--model surface"), std::string::npos) << result.OptionHint;
+}
+
+// The same structure on a grid whose axes are turned and mirrored.
+TEST(SurfaceModels, DoNotDependOnTheFilesAxes)
+{
+  const ParametricSphericalSurface truth = palpate::test::OpenRing();
+  palpate::test::LabelGrid turned = Cubes(1.0);
+  turned.Direction = {0, 0, -1, 1, 0, 0, 0, 1, 0}; // left-handed
+  const FitResult straight = Fit(Ring(1.0), SurfaceOfDegree(8));
+  const FitResult other = Fit(palpate::test::ParametricMask(truth, turned), SurfaceOfDegree(8));
+  ASSERT_EQ(straight.State, Outcome::Fitted) << straight.Message;
+  ASSERT_EQ(other.State, Outcome::Fitted) << other.Message;
+  double squares = 0.0;
+  const palpate::IcosahedronDirections sphere(6);
+  for (const Vector3& parameter : sphere.Directions())
+  {
+    squares +=
+        (SurfaceOf(straight).Point(parameter) - SurfaceOf(other).Point(parameter)).squaredNorm();
+  }
+  // The same parameter is the same place: to half a voxel.
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(sphere.Directions().size())), 0.5);
+}
+
+TEST(SurfaceModels, AreTheSameEachTime)
+{
+  const FitResult first = Fit(Ring(2.0), SurfaceOfDegree(8));
+  const FitResult second = Fit(Ring(2.0), SurfaceOfDegree(8));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(SurfaceOf(first).Coefficients(axis), SurfaceOf(second).Coefficients(axis));
+  }
+}
+
+TEST(SurfaceModels, HaveTheSmallestDegreeWithinTheTolerance)
+{
+  FitSettings settings = SurfaceOfDegree(0);
+  settings.Tolerance = 0.35;
+  const FitResult result = Fit(Ring(1.0), settings);
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_LE(result.Rms, 0.35);
+  const int degree = palpate::DegreeOf(result.Model);
+  EXPECT_GT(Fit(Ring(1.0), SurfaceOfDegree(degree - 1)).Rms, 0.35);
+}
+
+TEST(SurfaceModels, SayHowFarToTrustThem)
+{
+  const FitResult result = Fit(Ring(1.0), SurfaceOfDegree(12));
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_EQ(result.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Good)
+      << result.Coverage.Message;
+  EXPECT_GT(result.NoiseDeviation, 0.0);
+  vtkDataArray* deviation = result.ModelSurface->GetPointData()->GetArray("NormalDeviation");
+  ASSERT_NE(deviation, nullptr);
+  // Their mean square is the noise times the share of numbers that were fitted to it.
+  double squares = 0.0;
+  for (vtkIdType id = 0; id < deviation->GetNumberOfTuples(); ++id)
+  {
+    squares += std::pow(deviation->GetComponent(id, 0), 2);
+  }
+  const double rms = std::sqrt(squares / static_cast<double>(deviation->GetNumberOfTuples()));
+  EXPECT_NEAR(rms, result.NoiseDeviation * result.Coverage.NoiseGainRms, 0.05 * rms);
+}
+
+// Two balls of 8 mm, 12 mm apart.
+vtkSmartPointer<vtkImageData> TwoBalls()
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {60, 32, 32};
+  grid.CenterOnOrigin();
+  return palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                       { return std::hypot(std::abs(x) - 14.0, y, z) < 8.0; });
+}
+
+TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
+{
+  FitSettings settings = SurfaceOfDegree(12);
+  settings.Component = 0;
+  const FitResult refused = Fit(TwoBalls(), settings);
+  EXPECT_EQ(refused.State, Outcome::Refused);
+  EXPECT_NE(refused.OptionHint.find("--repair"), std::string::npos) << refused.OptionHint;
+  EXPECT_EQ(refused.ModelSurface, nullptr);
+
+  settings.Repairs = true;
+  settings.MinimumDice = 0.0;
+  const FitResult bridged = Fit(TwoBalls(), settings);
+  EXPECT_EQ(bridged.State, Outcome::Fitted) << bridged.Message;
+  EXPECT_EQ(bridged.Details.Mapped->Topology.Bridges.Count, 1);
+}
+
+TEST(SurfaceModels, OfATorusTellThatItsHandleWasCut)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {60, 60, 24};
+  grid.CenterOnOrigin();
+  const auto torus =
+      palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
+                                    { return std::hypot(std::hypot(x, y) - 18.0, z) < 7.0; });
+  const FitResult result = Fit(torus, SurfaceOfDegree(12));
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_EQ(result.Details.Mapped->Topology.CutHandles.Count, 1);
+  bool isTold = false;
+  for (const std::string& note : result.Notes)
+  {
+    isTold = isTold || note.find("handle cut") != std::string::npos;
+  }
+  EXPECT_TRUE(isTold);
+}
+
+TEST(SurfaceModels, CanBeCancelled)
+{
+  for (const double end : {0.32, 0.45, 0.6})
+  {
+    Segmentation segmentation;
+    segmentation.Layers.emplace_back(Ring(2.0));
+    Segment segment;
+    segment.Label = segment.Value = 1;
+    segmentation.Segments.push_back(segment);
+    EXPECT_THROW(palpate::FitStructure(segmentation, segment, SurfaceOfDegree(12),
+                                       [end](double part, const std::string&)
+                                       { return part < end; }),
+                 palpate::Cancelled)
+        << end;
+  }
+}
+} // namespace
