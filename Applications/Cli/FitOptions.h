@@ -33,7 +33,7 @@ public:
 private:
   std::vector<std::string> LabelWords;
   FitSettings Values;
-  std::string ModelWord = "radial";
+  std::string ModelWord = "automatic";
   std::string MethodWord = "shape";
   std::string ComponentWord = "1";
   std::string DegreeWord = "12";

@@ -193,15 +193,19 @@ TEST(CliMessages, RefusedFitSuggestsCommandOptions)
 {
   const TemporaryFolder folder;
   WriteBowlAndSphere(folder / "a.nii.gz");
-  const std::string fit = RunPalpate({"fit", "a.nii.gz", "--label", "1"}, folder.Path()).Errors;
-  EXPECT_TRUE(Has(fit, "try --center visible, or raise --max-hidden")) << fit;
+  const std::string fit =
+      RunPalpate({"fit", "a.nii.gz", "--label", "1", "--model", "radial"}, folder.Path()).Errors;
+  EXPECT_TRUE(Has(fit, "try --model surface, --center visible, or raise --max-hidden")) << fit;
   WriteAll(folder / "a.palpate.json",
            "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
-           "[{\"label\": 1}]}");
+           "[{\"label\": 1}], \"fit\": {\"model\": \"radial\"}}");
+  WriteAll(folder / "a.scene.json",
+           "{\"format\": \"palpate-scene\", \"structures\": [{\"file\": \"a.nii.gz\", \"label\": "
+           "1, \"representation\": \"harmonics\"}], \"fit\": {\"model\": \"radial\"}}");
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"touch", "a.nii.gz", "--representation", "harmonics"},
+           {"touch", "a.scene.json"},
            {"study", "a.palpate.json"},
-           {"tradeoff", "a.nii.gz", "--label", "1", "--seconds", "0.5", "--runs", "1"}})
+           {"tradeoff", "a.scene.json", "--seconds", "0.5", "--runs", "1"}})
   {
     const CommandRun run = RunPalpate(words, folder.Path());
     EXPECT_TRUE(Has(run.Errors + run.Output, "is not star-shaped")) << run.Errors << run.Output;

@@ -5,6 +5,8 @@
 #include "ParametricSphericalSurface.h"
 #include "WindingNumbers.h"
 
+#include <stdexcept>
+
 namespace palpate::test
 {
 /// The surface's mesh over the directions of an icosahedron.
@@ -47,7 +49,11 @@ inline vtkSmartPointer<vtkImageData> ParametricMask(const ParametricSphericalSur
   centers.Origin = origin;
   centers.Size = grid.Size;
   std::vector<std::int16_t> numbers;
-  FindWindingNumbers(mesh, centers, numbers);
+  const Status status = FindWindingNumbers(mesh, centers, numbers);
+  if (!status.IsOk())
+  {
+    throw std::runtime_error(status.Message());
+  }
   auto image = MakeLabelImage(grid, [](double, double, double) { return false; });
   auto* voxels = static_cast<unsigned char*>(image->GetScalarPointer());
   for (const std::int16_t number : numbers)

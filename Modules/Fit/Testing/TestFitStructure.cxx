@@ -196,7 +196,9 @@ TEST(FitStructure, RejectsRingAndReportsHiddenShare)
   const auto ring = palpate::test::MakeLabelImage(
       grid, [](double x, double y, double z)
       { return std::pow(std::hypot(x, y) - 20.0, 2) + z * z < 25.0; });
-  const FitResult result = Fit(SegmentationOf(ring));
+  FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
+  const FitResult result = Fit(SegmentationOf(ring), settings);
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_GT(result.HiddenPercent, 50.0);
   EXPECT_NE(result.Message.find("not star-shaped"), std::string::npos);
@@ -281,6 +283,7 @@ TEST(FitStructure, RemarksOnNegativeRadius)
 TEST(FitStructure, DoesNotSuggestCentreInUse)
 {
   FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
   settings.Center = FitSettings::CenterChoice::MostVisible;
   settings.MaximumHiddenPercent = 1.0;
   const FitResult result = Fit(SegmentationOf(Bowl()), settings);
@@ -293,6 +296,7 @@ TEST(FitStructure, DoesNotSuggestCentreInUse)
 TEST(FitStructure, ReasonNamesNoOption)
 {
   FitSettings hidden;
+  hidden.Model = FitSettings::ModelKind::Radial;
   hidden.MaximumHiddenPercent = 1.0;
   FitSettings strict;
   strict.MinimumDice = 1.0;

@@ -39,6 +39,7 @@ public:
     state.Structures.push_back(
         Structure(1, TouchRepresentation::Automatic, state.SegmentationFile));
     state.Fit.Frequency = 8;
+    state.Fit.Model = FitSettings::ModelKind::Radial; // so that label 2 has none
     return state;
   }
 

@@ -120,9 +120,10 @@ TEST(StructureTrade, EqualSeedsGiveEqualBits)
 
 TEST(StructureTrade, ImpossibleRepresentationIsARowWithTheReason)
 {
-  const test::MaskTrade horseshoe(
+  test::MaskTrade horseshoe(
       [](double x, double y, double z)
       { return std::hypot(std::hypot(x, y) - 11.0, z) < 4.0 && (x < 8.0 || y < 0.0); });
+  horseshoe.Scene.Fit.Model = FitSettings::ModelKind::Radial;
   StructureTrade trade = horseshoe.Trade();
   ContactSetting harmonics = SettingOf(horseshoe.Scene, TouchRepresentation::Harmonics);
   harmonics.Structure.Degree = 8;
