@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
+#include <utility>
 
 namespace palpate::cli
 {
@@ -48,14 +49,28 @@ Json CoverageJson(const DirectionCoverage& coverage)
           {"noise_gain_max", coverage.NoiseGainMaximum}};
 }
 
-Json ChangeJson(const TopologyChange& change)
+// One entry for each kind of change that was made.
+Json ChangesJson(const TopologyReport& report)
 {
-  return {{"count", change.Count},
-          {"mm3", change.Volume},
-          {"largest_mm3", change.LargestVolume},
-          {"largest_extent_mm", change.LargestExtent},
-          {"largest_center_mm",
-           {change.LargestCentre.x(), change.LargestCentre.y(), change.LargestCentre.z()}}};
+  Json changes = Json::array();
+  for (const auto& [kind, change] :
+       {std::pair("dropped_parts", &report.DroppedParts), std::pair("bridges", &report.Bridges),
+        std::pair("filled_cavities", &report.FilledCavities),
+        std::pair("cut_handles", &report.CutHandles),
+        std::pair("filled_handles", &report.FilledHandles)})
+  {
+    if (change->Count > 0)
+    {
+      const Vector3& center = change->LargestCentre;
+      changes.push_back({{"kind", kind},
+                         {"count", change->Count},
+                         {"mm3", change->Volume},
+                         {"largest_mm3", change->LargestVolume},
+                         {"largest_extent_mm", change->LargestExtent},
+                         {"largest_center_mm", {center.x(), center.y(), center.z()}}});
+    }
+  }
+  return changes;
 }
 
 // What the repair of the topology changed; null of a radial model.
@@ -66,13 +81,8 @@ Json RepairJson(const FitResult& result)
   {
     return nullptr;
   }
-  const TopologyReport& report = mapped->Topology;
-  return {{"changed_percent", report.ChangedPercent()},
-          {"dropped_parts", ChangeJson(report.DroppedParts)},
-          {"bridges", ChangeJson(report.Bridges)},
-          {"filled_cavities", ChangeJson(report.FilledCavities)},
-          {"cut_handles", ChangeJson(report.CutHandles)},
-          {"filled_handles", ChangeJson(report.FilledHandles)},
+  return {{"changed_percent", mapped->Topology.ChangedPercent()},
+          {"changes", ChangesJson(mapped->Topology)},
           {"lost_places", mapped->Lost.size()},
           {"lost_mm", mapped->Lost.empty() ? 0.0 : mapped->Lost.front().Distance}};
 }

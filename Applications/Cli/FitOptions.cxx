@@ -47,6 +47,25 @@ void CheckDirections(const FitSettings& settings)
                      " coefficients; take more directions or a lower degree");
   }
 }
+
+// A surface model has neither a centre nor a penalty, and its samples weigh as their area.
+void CheckSurfaceOptions(const FitSettings& settings, const FitSettings& standard)
+{
+  const auto only = [](bool isChanged, const std::string& option)
+  {
+    if (isChanged)
+    {
+      throw InputError(option + " is for radial models; leave it out with --model surface");
+    }
+  };
+  only(settings.GivenCenterWorld || settings.Center != standard.Center, "--center");
+  only(settings.Weight != standard.Weight, "--weights");
+  only(settings.PenaltyKind != standard.PenaltyKind, "--penalty");
+  only(settings.IsRobust, "--robust");
+  only(settings.Method != standard.Method, "--method");
+  only(settings.Smoothing != standard.Smoothing, "--smoothing");
+  only(settings.MaximumHiddenPercent != standard.MaximumHiddenPercent, "--max-hidden");
+}
 } // namespace
 
 void FitOptions::DeclareLabels(CLI::App& app)
@@ -177,6 +196,10 @@ FitSettings FitOptions::Settings() const
       throw InputError("--penalty " + this->PenaltyWord +
                        " is not a valid penalty; give none, auto, or a positive number");
     }
+  }
+  if (settings.Model == FitSettings::ModelKind::Surface)
+  {
+    CheckSurfaceOptions(settings, FitSettings());
   }
   return settings;
 }

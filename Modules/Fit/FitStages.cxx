@@ -404,6 +404,7 @@ void RunSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFun
     Refuse(reason, HintForMisfit, result);
     return;
   }
+  RemarkOnDegree(DegreeOf(result.Model), result);
   const auto surface = OwnCopy(result.Surface.Get());
   AddDistances(surface, result.ModelSurface);
   MeasureQuality(surface, OwnCopy(boundary), result, progress);

@@ -21,7 +21,8 @@ std::string SpectrumChart(const FitResult& result)
 {
   std::vector<std::pair<double, double>> points;
   const std::vector<double> power = PowerSpectrumOf(result.Model);
-  for (std::size_t l = 0; l < power.size(); ++l)
+  // Degree 0 of a surface model is its place.
+  for (std::size_t l = result.Radial() != nullptr ? 0 : 1; l < power.size(); ++l)
   {
     points.emplace_back(static_cast<double>(l), std::sqrt(power[l] / (4.0 * M_PI)));
   }

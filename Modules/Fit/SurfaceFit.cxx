@@ -266,6 +266,14 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   {
     return status.Message();
   }
+  const double tolerance = result.Settings.Tolerance.value_or(fit.NormalRms);
+  if (fit.NormalRms > tolerance && fit.Surface.Degree() < supported)
+  {
+    const std::string highest = std::to_string(fit.Surface.Degree());
+    return "needs more than degree " + highest + " to meet the tolerance of " +
+           TextAgainstLimit(tolerance, tolerance, 3) + " mm; degree " + highest + " leaves " +
+           TextAgainstLimit(fit.NormalRms, tolerance, 3) + " mm";
+  }
   result.Rms = fit.NormalRms;
   result.Details.Determination = fit.Placement.Determination;
   result.Details.Folded = fit.Folded;

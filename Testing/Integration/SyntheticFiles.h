@@ -32,6 +32,24 @@ inline void WriteTwoSpheres(const std::filesystem::path& path)
   WriteImage(path, image);
 }
 
+/// A ring of 18 mm, 12 mm thick: label 1.
+inline void WriteTorus(const std::filesystem::path& path)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(33, 33, 11);
+  image->SetSpacing(1.6, 1.6, 1.6);
+  image->SetOrigin(-25.6, -25.6, -8.0);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    image->GetPoint(i, point);
+    voxel[i] = std::hypot(std::hypot(point[0], point[1]) - 18.0, point[2]) < 6.0 ? 1 : 0;
+  }
+  WriteImage(path, image);
+}
+
 /// The sphere of 10 mm around (1, 2, 3) mm, as a model of degree 1 with a small tilt.
 inline SphericalHarmonicModel NearlyASphere()
 {

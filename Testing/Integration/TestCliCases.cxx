@@ -200,6 +200,9 @@ TEST(CliCases, RejectsInvalidNumbersNamingOption)
   const std::vector<std::vector<std::string>> commands{
       {"fit", "a.nii.gz", "--smoothing", "nan"},
       {"fit", "a.nii.gz", "--max-hidden", "nan"},
+      {"fit", "a.nii.gz", "--model", "surface", "--penalty", "auto"},
+      {"fit", "a.nii.gz", "--model", "surface", "--center", "visible"},
+      {"fit", "a.nii.gz", "--model", "spherical"},
       {"fit", "a.nii.gz", "--min-dice", "nan"},
       {"fit", "a.nii.gz", "--degree", "auto", "--tolerance", "inf"},
       {"fit", "a.nii.gz", "--degree", "auto", "--tolerance", "0"},

@@ -133,6 +133,8 @@ TEST_F(JsonOutput, FitIsDocumented)
   this->Run({"fit", "a.nii.gz", "--degree", "0", "--min-dice", "1", "--json"});
   this->Run({"fit", "bad.nii.gz", "--json"});
   this->Run({"fit", "a.nii.gz", "--degree", "4", "--output", "out", "--json"});
+  WriteTorus(this->Folder / "torus.nii.gz"); // a surface model with a repair
+  this->Run({"fit", "torus.nii.gz", "--degree", "4", "--min-dice", "0", "--json"});
   this->ExpectDocumented("fit");
 }
 
