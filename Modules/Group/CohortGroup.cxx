@@ -7,12 +7,14 @@
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "OutputFolder.h"
+#include "ParametricSurfaceMeasures.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace palpate
 {
@@ -73,17 +75,6 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
   return chosen;
 }
 
-SphericalHarmonicModel ReadStarShaped(const std::filesystem::path& file)
-{
-  const ModelDocument document = ReadModel(file);
-  const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
-  if (model == nullptr)
-  {
-    throw InputError(file.string() + " is a parametric surface; a cohort needs star-shaped models");
-  }
-  return *model;
-}
-
 void Check(const Status& status, const std::string& name)
 {
   if (!status.IsOk())
@@ -92,10 +83,45 @@ void Check(const Status& status, const std::string& name)
   }
 }
 
-void NoteOn(CohortGroup& group, const std::string& name, const SphericalHarmonicModel& model,
+// Leaves out the cases whose kind of model is the rarer one; radial if they are as many.
+void KeepOneKind(std::vector<SurfaceModel>& models, CohortGroup& group)
+{
+  const auto isRadial = [](const SurfaceModel& model)
+  { return std::holds_alternative<SphericalHarmonicModel>(model); };
+  const auto radial = std::count_if(models.begin(), models.end(), isRadial);
+  const bool keepsRadial = 2 * static_cast<std::size_t>(radial) >= models.size();
+  std::vector<SurfaceModel> kept;
+  std::vector<CohortRow> rows;
+  for (std::size_t i = 0; i < models.size(); ++i)
+  {
+    if (isRadial(models[i]) == keepsRadial)
+    {
+      kept.push_back(std::move(models[i]));
+      rows.push_back(std::move(group.Rows[i]));
+    }
+    else
+    {
+      group.Notes.push_back(group.Rows[i].Case + " has a " +
+                            (keepsRadial ? "surface model, the others radial ones"
+                                         : "radial model, the others surface models") +
+                            ", and is omitted; fit all with --model surface");
+    }
+  }
+  if (kept.size() < 2)
+  {
+    throw InputError("a group needs at least two models of one kind, but these are radial and "
+                     "surface models; fit all with --model surface");
+  }
+  models = std::move(kept);
+  group.Rows = std::move(rows);
+}
+
+void NoteOn(CohortGroup& group, const std::string& name, const SurfaceModel& model,
             const BodyMoments& body)
 {
-  const double offset = (body.CentroidWorld - model.CenterWorld()).norm();
+  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  const double offset =
+      radial != nullptr ? (body.CentroidWorld - radial->CenterWorld()).norm() : 0.0;
   if (offset > LargestOffset * std::cbrt(body.SemiAxes.prod()))
   {
     group.Notes.push_back(name + ": its centre lies " + std::to_string(offset) +
@@ -111,14 +137,33 @@ void NoteOn(CohortGroup& group, const std::string& name, const SphericalHarmonic
   }
 }
 
-Eigen::MatrixXd CoefficientsOf(const std::vector<SphericalHarmonicModel>& models)
+Eigen::VectorXd CoefficientsOf(const SphericalHarmonicModel& model)
 {
-  const auto count = static_cast<Eigen::Index>(models.front().Coefficients().size());
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(models.size()), count);
-  for (std::size_t row = 0; row < models.size(); ++row)
+  return Eigen::Map<const Eigen::VectorXd>(model.Coefficients().data(),
+                                           static_cast<Eigen::Index>(model.Coefficients().size()));
+}
+
+// x, then y, then z.
+Eigen::VectorXd CoefficientsOf(const ParametricSphericalSurface& surface)
+{
+  const auto count = static_cast<Eigen::Index>(surface.Coefficients(0).size());
+  Eigen::VectorXd all(3 * count);
+  for (int axis = 0; axis < 3; ++axis)
   {
-    matrix.row(static_cast<Eigen::Index>(row)) =
-        Eigen::Map<const Eigen::RowVectorXd>(models[row].Coefficients().data(), count);
+    all.segment(axis * count, count) =
+        Eigen::Map<const Eigen::VectorXd>(surface.Coefficients(axis).data(), count);
+  }
+  return all;
+}
+
+Eigen::MatrixXd CoefficientsOf(const std::vector<SurfaceModel>& models)
+{
+  const auto row = [](const SurfaceModel& model)
+  { return std::visit([](const auto& one) { return CoefficientsOf(one); }, model); };
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(models.size()), row(models.front()).size());
+  for (std::size_t i = 0; i < models.size(); ++i)
+  {
+    matrix.row(static_cast<Eigen::Index>(i)) = row(models[i]);
   }
   return matrix;
 }
@@ -143,14 +188,19 @@ std::string CaseTable(const CohortGroup& group, const std::vector<std::string>& 
   return text;
 }
 
-std::vector<std::string> CoefficientColumns(int degree)
+std::vector<std::string> CoefficientColumns(const SurfaceModel& model)
 {
+  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(model);
   std::vector<std::string> columns;
-  for (int l = 0; l <= degree; ++l)
+  for (const std::string& series :
+       isRadial ? std::vector<std::string>{"c"} : std::vector<std::string>{"x", "y", "z"})
   {
-    for (int m = -l; m <= l; ++m)
+    for (int l = 0; l <= DegreeOf(model); ++l)
     {
-      columns.push_back("c_" + std::to_string(l) + "_" + std::to_string(m));
+      for (int m = -l; m <= l; ++m)
+      {
+        columns.push_back(series + "_" + std::to_string(l) + "_" + std::to_string(m));
+      }
     }
   }
   return columns;
@@ -178,6 +228,14 @@ std::string VarianceTable(const ShapeModes& modes)
   return text;
 }
 
+// Over the directions; of a surface model the radius of the ball of its volume.
+double MeanRadius(const SurfaceModel& model, const BodyMoments& body)
+{
+  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  return radial != nullptr ? radial->Coefficients().front() / std::sqrt(4.0 * M_PI)
+                           : std::cbrt(0.75 * body.Volume / M_PI);
+}
+
 std::string MeasureTable(const CohortGroup& group)
 {
   const std::vector<std::string> columns{"volume_ml",      "area_mm2",
@@ -194,8 +252,7 @@ std::string MeasureTable(const CohortGroup& group)
     const FitResult& fit = group.Rows[row].Result;
     const BodyMoments& body = group.Bodies[row];
     numbers.row(static_cast<Eigen::Index>(row)) << body.Volume / 1000.0,
-        fit.ModelAreaSquareMillimeters,
-        group.Models[row].Coefficients().front() / std::sqrt(4.0 * M_PI), body.SemiAxes[0],
+        fit.ModelAreaSquareMillimeters, MeanRadius(group.Models[row], body), body.SemiAxes[0],
         body.SemiAxes[1], body.SemiAxes[2], body.CentroidWorld[0], body.CentroidWorld[1],
         body.CentroidWorld[2], fit.MaskMilliliters, fit.ModelToMask.Mean,
         fit.ModelToMask.Percentile95, fit.ModelToMask.Maximum, fit.Dice;
@@ -218,9 +275,9 @@ void WriteShape(const CohortGroup& group, int mode, double deviations,
 void WriteGroupFiles(const CohortGroup& group, const std::filesystem::path& folder,
                      const std::string& program)
 {
-  WriteWholeFile(folder / "coefficients.csv",
-                 CaseTable(group, CoefficientColumns(group.Models.front().Degree()),
-                           CoefficientsOf(group.Models)));
+  WriteWholeFile(
+      folder / "coefficients.csv",
+      CaseTable(group, CoefficientColumns(group.Models.front()), CoefficientsOf(group.Models)));
   WriteWholeFile(folder / "modes.csv", CaseTable(group, ModeColumns(group), group.Modes.Scores));
   WriteWholeFile(folder / "variance.csv", VarianceTable(group.Modes));
   WriteWholeFile(folder / "measures.csv", MeasureTable(group));
@@ -234,6 +291,17 @@ void WriteGroupFiles(const CohortGroup& group, const std::filesystem::path& fold
   }
   WriteWholeFile(folder / "cohort.html", CohortPage(group, DrawnDeviations));
 }
+
+template <typename Model>
+void AddAligned(const Model& model, const std::string& name, CohortGroup& group)
+{
+  BodyMoments body;
+  Model aligned = model;
+  Check(MeasureBody(model, body), name);
+  Check(AlignShape(model, group.Axes, aligned), name);
+  group.Bodies.push_back(body);
+  group.Models.emplace_back(std::move(aligned));
+}
 } // namespace
 
 CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::path& folder,
@@ -242,36 +310,49 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
   CohortGroup group;
   group.Axes = axes;
   group.Rows = Choose(table, structure, group.Notes);
-  int degree = 0;
+  std::vector<SurfaceModel> models;
   for (const CohortRow& row : group.Rows)
   {
-    const SphericalHarmonicModel model = ReadStarShaped((folder / row.Model).lexically_normal());
-    BodyMoments body;
-    SphericalHarmonicModel aligned;
-    Check(MeasureBody(model, body), row.Case);
-    Check(AlignShape(model, axes, aligned), row.Case);
-    NoteOn(group, row.Case, model, body);
-    group.Bodies.push_back(body);
-    group.Models.push_back(aligned);
-    degree = std::max(degree, model.Degree());
+    models.push_back(ReadModel((folder / row.Model).lexically_normal()).Surface);
   }
-  for (SphericalHarmonicModel& model : group.Models)
+  KeepOneKind(models, group);
+  int degree = 0;
+  for (std::size_t i = 0; i < models.size(); ++i)
   {
-    model = model.WithDegree(degree);
+    const std::string& name = group.Rows[i].Case;
+    std::visit([&](const auto& model) { AddAligned(model, name, group); }, models[i]);
+    NoteOn(group, name, models[i], group.Bodies.back());
+    degree = std::max(degree, DegreeOf(models[i]));
+  }
+  for (SurfaceModel& model : group.Models)
+  {
+    model = std::visit([degree](const auto& one) -> SurfaceModel { return one.WithDegree(degree); },
+                       model);
   }
   Check(FindShapeModes(CoefficientsOf(group.Models), group.Modes), folder.string());
   return group;
 }
 
-SphericalHarmonicModel ShapeOf(const CohortGroup& group, int mode, double deviations)
+SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
 {
   Eigen::VectorXd values = group.Modes.Mean;
   if (mode >= 0)
   {
     values += deviations * group.Modes.Deviations[mode] * group.Modes.Modes.col(mode);
   }
-  return {group.Models.front().Degree(),
-          std::vector<double>(values.data(), values.data() + values.size()), Vector3::Zero()};
+  const int degree = DegreeOf(group.Models.front());
+  if (std::holds_alternative<SphericalHarmonicModel>(group.Models.front()))
+  {
+    return SphericalHarmonicModel(
+        degree, std::vector<double>(values.data(), values.data() + values.size()), Vector3::Zero());
+  }
+  const Eigen::Index count = values.size() / 3;
+  const auto series = [&](Eigen::Index axis)
+  {
+    const double* first = values.data() + axis * count;
+    return std::vector<double>(first, first + count);
+  };
+  return ParametricSphericalSurface(degree, {series(0), series(1), series(2)});
 }
 
 void WriteCohortGroup(const CohortGroup& group, const std::filesystem::path& folder,

@@ -5,6 +5,7 @@
 #include "ShapeAlignment.h"
 #include "ShapeModes.h"
 #include "SphericalHarmonicMeasures.h"
+#include "SurfaceModel.h"
 
 #include <filesystem>
 #include <string>
@@ -16,30 +17,29 @@ namespace palpate
 struct CohortGroup
 {
   AlignmentAxes Axes = AlignmentAxes::Patient;
-  std::vector<CohortRow> Rows;                ///< those with a model
-  std::vector<SphericalHarmonicModel> Models; ///< aligned, of one degree: the highest of all
-  std::vector<BodyMoments> Bodies;            ///< of the models in their patients' frames
+  std::vector<CohortRow> Rows;      ///< those with a model of that kind
+  std::vector<SurfaceModel> Models; ///< aligned, of one kind and degree: the highest of all
+  std::vector<BodyMoments> Bodies;  ///< of the models in their patients' frames
   ShapeModes Modes;
   std::vector<std::string> Notes; ///< omitted cases and warnings
 };
 
 /// Reads the models listed in a table, relative to `folder`, and aligns them. `structure` is a
-/// label or a name; it may be empty if the cohort has only one. Throws InputError if fewer than two
-/// cases have a model, the structure is ambiguous, or a model cannot be read.
+/// label or a name; it may be empty if the cohort has only one. Of radial and surface models, whose
+/// coefficients cannot be compared, those of the more frequent kind are taken. Throws InputError if
+/// fewer than two cases have a model, the structure is ambiguous, or a model cannot be read.
 PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
                                                 const std::filesystem::path& folder,
                                                 const std::string& structure, AlignmentAxes axes);
 
 /// The mean shape plus a mode times its standard deviation times `deviations`; the mean for mode
 /// -1.
-PALPATEGROUP_EXPORT SphericalHarmonicModel ShapeOf(const CohortGroup& group, int mode,
-                                                   double deviations);
+PALPATEGROUP_EXPORT SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations);
 
-/// Writes coefficients.csv (one row per case, columns c_l_m, mm), modes.csv (scores, mm),
-/// variance.csv (one row per mode), measures.csv, mean.json, mean.vtp, mode_K_minus.json and
-/// mode_K_plus.json (the mean and two standard deviations, for the first five modes) and
-/// cohort.html into the folder,
-/// all of them or none. Throws InputError.
+/// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
+/// mm), modes.csv (scores, mm), variance.csv (one row per mode), measures.csv, mean.json, mean.vtp,
+/// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
+/// modes) and cohort.html into the folder, all of them or none. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group,
                                           const std::filesystem::path& folder,
                                           const std::string& program);

@@ -10,6 +10,9 @@
 #include "SoftwareRenderer.h"
 #include "SvgChart.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,15 +34,26 @@ struct Drawn
   std::vector<double> Offsets;
 };
 
-Drawn Draw(const SphericalHarmonicModel& shape, const SphericalHarmonicModel& mean)
+Drawn Draw(const SurfaceModel& shape, const SurfaceModel& mean)
 {
   Drawn drawn{DrawModel(shape, Frequency), {}};
+  const auto* radial = std::get_if<SphericalHarmonicModel>(&mean);
+  const vtkSmartPointer<vtkPolyData> base =
+      radial != nullptr ? nullptr : DrawModel(mean, Frequency);
   for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
   {
     Vector3 point;
     drawn.Mesh->GetPoint(p, point.data());
-    // The centre is the origin, so a point's own direction is the mean's too.
-    drawn.Offsets.push_back(point.norm() - mean.Radius(point.normalized()));
+    if (radial != nullptr)
+    {
+      // The centre is the origin, so a point's own direction is the mean's too.
+      drawn.Offsets.push_back(point.norm() - radial->Radius(point.normalized()));
+      continue;
+    }
+    // Along the mean's normal, from the same parameter.
+    const Vector3 from(base->GetPoint(p));
+    const Vector3 normal(base->GetPointData()->GetNormals()->GetTuple3(p));
+    drawn.Offsets.push_back(normal.dot(point - from));
   }
   return drawn;
 }
@@ -137,17 +151,20 @@ std::string CaseRows(const CohortGroup& group)
          rows + "</tbody></table></div>\n";
 }
 
-std::string ModeTitle(const ShapeModes& modes, int mode)
+std::string ModeTitle(const CohortGroup& group, int mode)
 {
+  const ShapeModes& modes = group.Modes;
+  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(group.Models.front());
   return "Mode " + std::to_string(mode + 1) + ": " + FixedText(100.0 * modes.Explained[mode], 1) +
          " % of the variance, standard deviation " +
-         FixedText(modes.Deviations[mode] / std::sqrt(4.0 * M_PI), 2) + " mm (RMS of the radius)";
+         FixedText(modes.Deviations[mode] / std::sqrt(4.0 * M_PI), 2) + " mm (RMS of the " +
+         (isRadial ? "radius" : "position") + ")";
 }
 
 // The mean first, then the two shapes of each shown mode.
 std::vector<Drawn> DrawAll(const CohortGroup& group, double deviations)
 {
-  const SphericalHarmonicModel mean = ShapeOf(group, -1, 0.0);
+  const SurfaceModel mean = ShapeOf(group, -1, 0.0);
   std::vector<Drawn> drawn{Draw(mean, mean)};
   for (int mode = 0; mode < ShownModes(group); ++mode)
   {
@@ -187,7 +204,7 @@ std::string CohortPage(const CohortGroup& group, double deviations)
   for (int mode = 0; mode < ShownModes(group); ++mode)
   {
     const auto first = static_cast<std::size_t>(2 * mode + 1);
-    modes += "<h3>" + ModeTitle(group.Modes, mode) + "</h3>\n<div class=\"views\">\n" +
+    modes += "<h3>" + ModeTitle(group, mode) + "</h3>\n<div class=\"views\">\n" +
              figures.Figure(drawn[first], ViewSide::Anterior, "mean \xE2\x88\x92 " + several) +
              figures.Figure(drawn.front(), ViewSide::Anterior, "mean") +
              figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
@@ -197,7 +214,7 @@ std::string CohortPage(const CohortGroup& group, double deviations)
       "Palpate cohort",
       "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
           std::to_string(group.Rows.size()) + " shapes, degree " +
-          std::to_string(group.Models.front().Degree()) +
+          std::to_string(DegreeOf(group.Models.front())) +
           "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
           (isPatient ? "the patients\xE2\x80\x99 own (LPS)"
                      : "each body\xE2\x80\x99s principal ones, the longest as left, the shortest "

@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "MarkupCheck.h"
 #include "ModelFile.h"
+#include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicMeasures.h"
@@ -26,7 +27,7 @@ namespace
 class Cohort
 {
 public:
-  void Add(const std::string& name, const SphericalHarmonicModel& model, int label = 1)
+  void Add(const std::string& name, const SurfaceModel& model, int label = 1)
   {
     const std::string file = PlainFile(name) + "_" + std::to_string(label) + ".json";
     WriteModel(this->Folder / file, {model, {}});
@@ -75,6 +76,22 @@ void AddKnownCases(Cohort& cohort)
   }
 }
 
+// The same of a bent tube: a mode of its x coordinates.
+void AddTubes(Cohort& cohort)
+{
+  Random random(22);
+  const ParametricSphericalSurface mean = palpate::test::BumpyTube(random, 5);
+  const double scores[3] = {1.0, 0.0, -1.0};
+  for (int i = 0; i < 3; ++i)
+  {
+    std::vector<double> x = mean.Coefficients(0);
+    x[20] += scores[i];
+    const ParametricSphericalSurface tube(5, {x, mean.Coefficients(1), mean.Coefficients(2)});
+    cohort.Add(std::string(1, static_cast<char>('t' + i)),
+               tube.Transformed(Matrix3::Identity(), Vector3(10.0 * i, 3.0, -4.0)));
+  }
+}
+
 double Field(const CsvRecord& record, const std::string& column)
 {
   return ParseNumber(*record.Find(column)).value();
@@ -109,6 +126,38 @@ TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
   const auto plus =
       std::get<SphericalHarmonicModel>(ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
   EXPECT_NEAR(plus.Coefficients()[6] - mean.Coefficients()[6], 2.0 * std::sqrt(16.0 / 3.0), 1e-12);
+}
+
+TEST(CohortGroup, SurfaceModelsVaryInTheirThreeCoordinates)
+{
+  Cohort cohort;
+  AddTubes(cohort);
+  const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
+  WriteCohortGroup(group, cohort.Folder / "out", "test");
+  ASSERT_GE(group.Modes.Explained.size(), 1);
+  EXPECT_GT(group.Modes.Explained[0], 0.99); // the rest is what the centroid moves
+  // Standard deviation of -1, 0 and 1; the centroid hardly moves by a harmonic of degree 4.
+  EXPECT_NEAR(group.Modes.Deviations[0], 1.0, 0.05);
+  const auto coefficients =
+      CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv"));
+  EXPECT_NEAR(Field(coefficients[0], "x_4_0") - Field(coefficients[2], "x_4_0"), 2.0, 1e-9);
+  EXPECT_NEAR(Field(coefficients[0], "z_4_0"), Field(coefficients[2], "z_4_0"), 1e-9);
+  const auto plus = std::get<ParametricSphericalSurface>(
+      ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
+  EXPECT_EQ(plus.Degree(), 5);
+  EXPECT_EQ(palpate::test::MarkupError(palpate::test::ReadAll(cohort.Folder / "out/cohort.html")),
+            "");
+}
+
+TEST(CohortGroup, OmitsModelsOfTheRarerKind)
+{
+  Cohort cohort;
+  AddKnownCases(cohort);
+  AddTubes(cohort);
+  const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
+  EXPECT_EQ(group.Rows.size(), 4U);
+  EXPECT_EQ(group.Notes.size(), 3U);
+  EXPECT_NE(group.Notes.front().find("surface model"), std::string::npos) << group.Notes.front();
 }
 
 TEST(CohortGroup, TablesHaveOneRowPerCase)

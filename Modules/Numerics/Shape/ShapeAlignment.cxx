@@ -1,5 +1,6 @@
 #include "ShapeAlignment.h"
 
+#include "ParametricSurfaceMeasures.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicMeasures.h"
 #include "SphericalHarmonicProjection.h"
@@ -12,8 +13,18 @@ namespace palpate
 {
 namespace
 {
-// Third moments along the principal axes over the second ones to the power 3/2. Along an axis a
-// point is r p - q, so the integral over a ray is a polynomial of degree 6 in its radius.
+// Third moments along the principal axes over the second ones to the power 3/2; `thirds` are the
+// integrals of the cubes over the body.
+Vector3 SkewnessOf(const Vector3& thirds, const BodyMoments& body)
+{
+  const Vector3 variance =
+      (body.PrincipalAxes.transpose() * body.SecondMoments * body.PrincipalAxes).diagonal() /
+      body.Volume;
+  return (thirds / body.Volume).cwiseQuotient(variance.cwiseMax(1e-300).array().pow(1.5).matrix());
+}
+
+// Along an axis a point is r p - q, so the integral over a ray is a polynomial of degree 6 in its
+// radius.
 Vector3 Skewness(const SphericalHarmonicModel& model, const BodyMoments& body)
 {
   const SphereQuadrature sphere(6 * model.Degree() + 3);
@@ -29,13 +40,28 @@ Vector3 Skewness(const SphericalHarmonicModel& model, const BodyMoments& body)
       sum[k] += sphere.Weights[i] * r * r * r * (inner * p[k] - q[k] * q[k] * q[k] / 3.0);
     }
   }
-  const Vector3 variance =
-      (body.PrincipalAxes.transpose() * body.SecondMoments * body.PrincipalAxes).diagonal() /
-      body.Volume;
-  return (sum / body.Volume).cwiseQuotient(variance.cwiseMax(1e-300).array().pow(1.5).matrix());
+  return SkewnessOf(sum, body);
 }
 
-Matrix3 SignedAxes(const SphericalHarmonicModel& model, const BodyMoments& body)
+// By the divergence theorem: div (x x_k^3) = 6 x_k^3.
+Vector3 Skewness(const ParametricSphericalSurface& surface, const BodyMoments& body)
+{
+  const SphereQuadrature sphere(6 * surface.Degree());
+  std::vector<ParametricSphericalSurface::Sample> samples(sphere.Directions.size());
+  surface.EvaluateBatch(sphere.Directions.data(), samples.size(), samples.data());
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const Vector3 point = body.PrincipalAxes.transpose() * (samples[i].Point - body.CentroidWorld);
+    const Vector3 area =
+        body.PrincipalAxes.transpose() * ParametricSphericalSurface::AreaVector(samples[i]);
+    sum += sphere.Weights[i] / 6.0 * point.dot(area) * point.array().cube().matrix();
+  }
+  return SkewnessOf(surface.Volume() < 0.0 ? Vector3(-sum) : sum, body);
+}
+
+template <typename Model>
+Matrix3 SignedAxes(const Model& model, const BodyMoments& body)
 {
   const Vector3 skewness = Skewness(model, body);
   Eigen::Index least = 0;
@@ -74,5 +100,22 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
   const auto radius = [&](const Vector3& u) { return model.Radius(turned * u); };
   aligned = {degree, ProjectOnHarmonics(degree, 2 * degree, radius), Vector3::Zero()};
   return Status::Success();
+}
+
+Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
+                  ParametricSphericalSurface& aligned)
+{
+  BodyMoments body;
+  Status status = MeasureBody(surface, body);
+  if (status.IsOk())
+  {
+    aligned = surface.Transformed(Matrix3::Identity(), -body.CentroidWorld);
+    if (axes == AlignmentAxes::Ellipsoid)
+    {
+      const Matrix3 turned = SignedAxes(surface, body);
+      aligned = aligned.Transformed(turned.transpose(), Vector3::Zero()).Reparametrized(turned);
+    }
+  }
+  return status;
 }
 } // namespace palpate

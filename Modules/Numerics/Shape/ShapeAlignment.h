@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ParametricSphericalSurface.h"
 #include "SphericalHarmonicModel.h"
 #include "Status.h"
 
@@ -26,4 +27,8 @@ enum class AlignmentAxes
 /// result is arbitrary. Fails where MeasureBody does. Allocates.
 Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
                   SphericalHarmonicModel& aligned);
+/// The same for a parametric surface, whose centroid moves to the origin; its parameters turn with
+/// it.
+Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
+                  ParametricSphericalSurface& aligned);
 } // namespace palpate

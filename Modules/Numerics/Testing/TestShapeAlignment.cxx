@@ -1,5 +1,7 @@
 #include "ShapeAlignment.h"
 
+#include "ParametricPhantoms.h"
+#include "ParametricSurfaceMeasures.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicMeasures.h"
@@ -106,6 +108,65 @@ TEST(ShapeAlignment, MostSkewedAxesPointToLongerTail)
     }
     EXPECT_GE(positive, 2);
   }
+}
+
+ParametricSphericalSurface Align(const ParametricSphericalSurface& surface, AlignmentAxes axes)
+{
+  ParametricSphericalSurface aligned = surface;
+  const Status status = AlignShape(surface, axes, aligned);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return aligned;
+}
+
+double LargestDifference(const ParametricSphericalSurface& a, const ParametricSphericalSurface& b)
+{
+  WorstCase worst;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (std::size_t k = 0; k < a.Coefficients(axis).size(); ++k)
+    {
+      worst.Add(a.Coefficients(axis)[k] - b.Coefficients(axis)[k]);
+    }
+  }
+  return worst.Value();
+}
+
+TEST(ShapeAlignment, ParametricSurfacesAlignLikeTheStarShapedOnesTheyAre)
+{
+  Random random(5);
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    const SphericalHarmonicModel model = test::RandomOrgan(random, 4);
+    const ParametricSphericalSurface aligned =
+        Align(ParametricSphericalSurface::FromModel(model), AlignmentAxes::Ellipsoid);
+    BodyMoments body;
+    BodyMoments parametric;
+    ASSERT_TRUE(MeasureBody(Align(model, AlignmentAxes::Ellipsoid), body).IsOk());
+    ASSERT_TRUE(MeasureBody(aligned, parametric).IsOk());
+    EXPECT_LT((body.SecondMoments - parametric.SecondMoments).norm(),
+              1e-9 * body.SecondMoments.norm());
+    EXPECT_LT(parametric.CentroidWorld.norm(), 1e-9);
+    // The same signs: the point of a direction of the star-shaped one lies on the other.
+    const SphericalHarmonicModel star = Align(model, AlignmentAxes::Ellipsoid);
+    const Vector3 along = star.PointWorld(Vector3::UnitX()) - body.CentroidWorld;
+    EXPECT_LT((aligned.Point(Vector3::UnitX()) - along).norm(), 1e-9);
+  }
+}
+
+TEST(ShapeAlignment, RotatedCopiesOfParametricSurfacesAlign)
+{
+  Random random(6);
+  double worst = 0.0;
+  for (int trial = 0; trial < 5; ++trial)
+  {
+    const ParametricSphericalSurface tube = test::BumpyTube(random, 8);
+    const Matrix3 turn = test::RandomOrientation(random).toRotationMatrix();
+    const ParametricSphericalSurface copy =
+        tube.Transformed(turn, Vector3(7.0, -31.0, 12.0)).Reparametrized(turn.transpose());
+    worst = std::max(worst, LargestDifference(Align(tube, AlignmentAxes::Ellipsoid),
+                                              Align(copy, AlignmentAxes::Ellipsoid)));
+  }
+  EXPECT_LE(worst, 1e-8); // mm; as for star-shaped ones, coefficients are larger
 }
 
 TEST(ShapeAlignment, RejectsModelWithoutVolume)
