@@ -72,7 +72,7 @@ void AddKnownCases(Cohort& cohort)
     std::vector<double> coefficients = mean.Coefficients();
     coefficients[6] += scores[i][0];
     coefficients[10] += scores[i][1];
-    cohort.Add(names[i], {5, coefficients, Vector3(10.0 * i, 3.0, -4.0)});
+    cohort.Add(names[i], SphericalHarmonicModel(5, coefficients, Vector3(10.0 * i, 3.0, -4.0)));
   }
 }
 
@@ -90,6 +90,11 @@ void AddTubes(Cohort& cohort)
     cohort.Add(std::string(1, static_cast<char>('t' + i)),
                tube.Transformed(Matrix3::Identity(), Vector3(10.0 * i, 3.0, -4.0)));
   }
+}
+
+const std::vector<double>& CoefficientsOf(const SurfaceModel& model)
+{
+  return std::get<SphericalHarmonicModel>(model).Coefficients();
 }
 
 double Field(const CsvRecord& record, const std::string& column)
@@ -193,11 +198,11 @@ TEST(CohortGroup, RotatedAndMovedCopiesAlignToOneShape)
   }
   const CohortGroup group = cohort.Group(AlignmentAxes::Ellipsoid);
   palpate::test::WorstCase worst;
-  for (const SphericalHarmonicModel& aligned : group.Models)
+  for (const SurfaceModel& aligned : group.Models)
   {
-    for (std::size_t k = 0; k < aligned.Coefficients().size(); ++k)
+    for (std::size_t k = 0; k < CoefficientsOf(aligned).size(); ++k)
     {
-      worst.Add(aligned.Coefficients()[k] - group.Models.front().Coefficients()[k]);
+      worst.Add(CoefficientsOf(aligned)[k] - CoefficientsOf(group.Models.front())[k]);
     }
   }
   EXPECT_LE(worst.Value(), 1e-9); // mm; rounding over the distance of the second moments
@@ -210,8 +215,8 @@ TEST(CohortGroup, LowerDegreesArePaddedWithZeros)
   cohort.Add("a", palpate::test::RandomOrgan(random, 3));
   cohort.Add("b", palpate::test::RandomOrgan(random, 6));
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
-  EXPECT_EQ(group.Models[0].Coefficients().size(), 49U);
-  EXPECT_EQ(group.Models[0].Coefficients()[48], 0.0);
+  EXPECT_EQ(CoefficientsOf(group.Models[0]).size(), 49U);
+  EXPECT_EQ(CoefficientsOf(group.Models[0])[48], 0.0);
   EXPECT_EQ(group.Modes.Modes.cols(), 1);
 }
 
