@@ -89,7 +89,7 @@ int CohortCommand::Run(Console& console)
   {
     console.Note(note);
   }
-  console.Output() << group.Rows.size() << " cases, degree " << group.Models.front().Degree()
+  console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
                    << ", " << group.Modes.Modes.cols() << " modes";
   if (group.Modes.Modes.cols() > 0)
   {

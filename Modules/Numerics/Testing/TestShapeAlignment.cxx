@@ -160,7 +160,7 @@ TEST(ShapeAlignment, RotatedCopiesOfParametricSurfacesAlign)
   for (int trial = 0; trial < 5; ++trial)
   {
     const ParametricSphericalSurface tube = test::BumpyTube(random, 8);
-    const Matrix3 turn = test::RandomOrientation(random).toRotationMatrix();
+    const Matrix3 turn = test::RandomOrientation(random);
     const ParametricSphericalSurface copy =
         tube.Transformed(turn, Vector3(7.0, -31.0, 12.0)).Reparametrized(turn.transpose());
     worst = std::max(worst, LargestDifference(Align(tube, AlignmentAxes::Ellipsoid),
