@@ -4,6 +4,7 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
+#include "ParametricPhantoms.h"
 #include "SurfaceTexture.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
@@ -87,6 +88,19 @@ TEST_F(SceneBuilderTest, RefusesALabelWithoutAnyShape)
   entry.Representation = TouchRepresentation::ModelOrField;
   // The field is tried after the surface was refused.
   EXPECT_THROW(this->Make({entry}), InputError);
+}
+
+TEST_F(SceneBuilderTest, TouchesAModelOfThreeCoordinates)
+{
+  WriteModel(this->Folder / "ring.json", {test::OpenRing(8), {}});
+  const BuiltScene made = this->Make({this->Entry(this->Folder / "ring.json", true)});
+  ASSERT_EQ(made.Touched.size(), 1u);
+  EXPECT_EQ(made.Touched[0].Touch.Represented, "surface harmonics of degree 8, nearest point");
+  const Eigen::AlignedBox3d bounds = made.Touched[0].Touch.Model->BoundsWorld();
+  EXPECT_TRUE(bounds.contains(test::OpenRing(8).Point(Vector3::UnitX())));
+  SceneStructure radial = this->Entry(this->Folder / "ring.json", true);
+  radial.Mode = HarmonicContactMode::Radial;
+  EXPECT_THROW(this->Make({radial}), InputError);
 }
 
 TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUntouchedStructures)

@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "ParametricPhantoms.h"
 #include "TradeCases.h"
 #include "TradeErrors.h"
 
@@ -133,6 +134,44 @@ TEST(StructureTrade, ImpossibleRepresentationIsARowWithTheReason)
   EXPECT_TRUE(std::isnan(row.PositionMean));
   EXPECT_EQ(trade.Measure(SettingOf(horseshoe.Scene, TouchRepresentation::Facets), GoOn).State,
             TradeRow::Outcome::Measured);
+}
+
+// A bent tube as a model: its contact follows the certified search.
+TEST(StructureTrade, SurfaceModelsAreMeasuredAgainstThemselves)
+{
+  const test::TemporaryFolder folder;
+  WriteModel(folder / "tube.json", {test::OpenRing(8), {}});
+  SceneSettings scene;
+  scene.Structures.resize(1);
+  scene.Structures[0].Id = 1;
+  scene.Structures[0].File = folder / "tube.json";
+  const test::StillClock clock;
+  StructureTrade trade(scene, scene.Structures[0], SceneRun(), test::ShortPath(), clock);
+  const TradeRow row = trade.Measure(SettingOf(scene, TouchRepresentation::Harmonics), GoOn);
+  ASSERT_EQ(row.State, TradeRow::Outcome::Measured) << row.Message;
+  EXPECT_LT(row.PositionMost, 1e-5); // the tracker's tolerance
+  EXPECT_EQ(row.Seizures, 0.0);
+  EXPECT_NE(row.Represented.find("surface harmonics of degree 8"), std::string::npos);
+
+  ContactSetting radial = SettingOf(scene, TouchRepresentation::Harmonics);
+  radial.Structure.Mode = HarmonicContactMode::Radial;
+  const TradeRow refused = trade.Measure(radial, GoOn);
+  EXPECT_EQ(refused.State, TradeRow::Outcome::Refused);
+  EXPECT_NE(refused.Message.find("nearest point"), std::string::npos) << refused.Message;
+}
+
+TEST(StructureTrade, HarmonicsOfAHorseshoeAreASurfaceModel)
+{
+  const test::MaskTrade horseshoe(
+      [](double x, double y, double z)
+      { return std::hypot(std::hypot(x, y) - 11.0, z) < 4.0 && (x < 8.0 || y < 0.0); });
+  StructureTrade trade = horseshoe.Trade();
+  ContactSetting harmonics = SettingOf(horseshoe.Scene, TouchRepresentation::Harmonics);
+  harmonics.Structure.Degree = 8;
+  const TradeRow row = trade.Measure(harmonics, GoOn);
+  ASSERT_EQ(row.State, TradeRow::Outcome::Measured) << row.Message;
+  // Against the mask's field: the shape that degree 8 leaves out, below half a voxel.
+  EXPECT_LT(row.SurfaceMean, 0.4);
 }
 
 TEST(StructureTrade, EveryCandidateOfAMaskCanBeMeasured)
