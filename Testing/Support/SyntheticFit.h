@@ -78,6 +78,7 @@ private:
     fit.ComponentMilliliters = {43.217, 0.031};
     fit.SurfaceMilliliters = 43.301;
     fit.SurfaceToMask = {0.111, 0.144, 0.317, 0.871};
+    fit.IsSampled = true;
     fit.StarShaped = true;
     fit.HiddenPercent = 0.37;
     fit.Condition = 1.733;

@@ -95,7 +95,7 @@ TEST_F(SceneBuilderTest, TouchesAModelOfThreeCoordinates)
   WriteModel(this->Folder / "ring.json", {test::OpenRing(8), {}});
   const BuiltScene made = this->Make({this->Entry(this->Folder / "ring.json", true)});
   ASSERT_EQ(made.Touched.size(), 1u);
-  EXPECT_EQ(made.Touched[0].Touch.Represented, "surface harmonics of degree 8, nearest point");
+  EXPECT_EQ(made.Touched[0].Represented, "surface harmonics of degree 8, nearest point");
   const Eigen::AlignedBox3d bounds = made.Touched[0].Touch.Model->BoundsWorld();
   EXPECT_TRUE(bounds.contains(test::OpenRing(8).Point(Vector3::UnitX())));
   SceneStructure radial = this->Entry(this->Folder / "ring.json", true);
