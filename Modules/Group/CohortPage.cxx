@@ -4,14 +4,12 @@
 #include "ArrayColors.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
+#include "IcosahedronDirections.h"
 #include "ModelSurface.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
 #include "SvgChart.h"
-
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <array>
@@ -37,23 +35,22 @@ struct Drawn
 Drawn Draw(const SurfaceModel& shape, const SurfaceModel& mean)
 {
   Drawn drawn{DrawModel(shape, Frequency), {}};
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&mean);
-  const vtkSmartPointer<vtkPolyData> base =
-      radial != nullptr ? nullptr : DrawModel(mean, Frequency);
+  const IcosahedronDirections sphere(Frequency);
   for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
   {
     Vector3 point;
     drawn.Mesh->GetPoint(p, point.data());
-    if (radial != nullptr)
+    if (const auto* radial = std::get_if<SphericalHarmonicModel>(&mean))
     {
       // The centre is the origin, so a point's own direction is the mean's too.
       drawn.Offsets.push_back(point.norm() - radial->Radius(point.normalized()));
-      continue;
     }
-    // Along the mean's normal, from the same parameter.
-    const Vector3 from(base->GetPoint(p));
-    const Vector3 normal(base->GetPointData()->GetNormals()->GetTuple3(p));
-    drawn.Offsets.push_back(normal.dot(point - from));
+    else
+    {
+      const auto& surface = std::get<ParametricSphericalSurface>(mean);
+      const Vector3& parameter = sphere.Directions()[static_cast<std::size_t>(p)];
+      drawn.Offsets.push_back(surface.Normal(parameter).dot(point - surface.Point(parameter)));
+    }
   }
   return drawn;
 }
