@@ -340,7 +340,7 @@ TEST(CliCases, RemovesFilesOfEarlierFit)
   ASSERT_EQ(RunPalpate(FitWords(one), folder.Path()).Code, 0);
   WriteAll(folder / "o/mine.txt", "kept");
   std::vector<std::string> refused = one;
-  refused.insert(refused.end(), {"--center", "80,80,80"});
+  refused.insert(refused.end(), {"--center", "80,80,80", "--model", "radial"});
   EXPECT_EQ(RunPalpate(FitWords(refused), folder.Path()).Code, 1);
   for (const char* file : {"model.json", "model.csv", "model.vtp"})
   {

@@ -223,8 +223,9 @@ TEST_F(DrillPanelTest, ForbiddenStructureRaisesAlarm)
   EXPECT_NEAR(distance, ring - 3.0, 1.0);
   const std::string words = this->Panel()->AlarmWords().toStdString();
   EXPECT_NE(words.find(TitleOf(next.Structures[1])), std::string::npos) << words;
-  const std::string number = QString::number(distance, 'f', 1).toStdString();
-  EXPECT_NE(words.find(number + " mm"), std::string::npos) << words;
+  const std::string number = QString::number(std::abs(distance), 'f', 1).toStdString();
+  EXPECT_NE(words.find(number + (distance < 0.0 ? " mm inside" : " mm from")), std::string::npos)
+      << words;
   next.Structures[1].AlarmDistance = 0.5 * distance;
   this->Study->Change("Forbid less", next);
   WaitUntil([this] { return this->Panel()->AlarmWords().isEmpty(); });

@@ -135,6 +135,9 @@ TEST_F(StructureTableTest, ErrorMapsSwitchInOneUndoStep)
 TEST_F(StructureTableTest, ReportsReplacementOnceAndNotAsFailure)
 {
   this->OpenPhantom();
+  StudyState radial = this->Study->State();
+  radial.Fit.Model = FitSettings::ModelKind::Radial;
+  this->Study->Change("Fit radial models", radial);
   const std::string start =
       "label 2: touched by its sub-voxel field, because it is not star-shaped";
   WaitUntil([&] { return this->Messages().find(start) != std::string::npos; });
@@ -160,8 +163,8 @@ TEST_F(StructureTableTest, QualityEqualsModelAndIsReadOnly)
   EXPECT_NEAR(quality.data().toDouble(), model->ModelToMask.Mean, 0.00051);
   EXPECT_FALSE(this->Write(0, StructureTableModel::QualityColumn, 0.0));
   EXPECT_FALSE(this->Table()->flags(quality) & Qt::ItemIsEditable);
-  // A refused model has none.
-  EXPECT_EQ(this->Table()->index(1, StructureTableModel::QualityColumn).data().toString(),
+  // Label 3 is three voxels and has none.
+  EXPECT_EQ(this->Table()->index(2, StructureTableModel::QualityColumn).data().toString(),
             QString(QChar(0x2013)));
 }
 } // namespace
