@@ -226,7 +226,8 @@ TEST_F(DrillPanelTest, ForbiddenStructureRaisesAlarm)
   const std::string number = QString::number(std::abs(distance), 'f', 1).toStdString();
   EXPECT_NE(words.find(number + (distance < 0.0 ? " mm inside" : " mm from")), std::string::npos)
       << words;
-  next.Structures[1].AlarmDistance = 0.5 * distance;
+  next.Structures[1].AlarmDistance = std::max(0.0, 0.5 * distance);
+  next.Structures[1].IsForbidden = distance > 0.0; // a drill that touches it is always too near
   this->Study->Change("Forbid less", next);
   WaitUntil([this] { return this->Panel()->AlarmWords().isEmpty(); });
 }
