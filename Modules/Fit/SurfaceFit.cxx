@@ -129,8 +129,9 @@ void RemarkOnRepair(const MappedSurface& mapped, FitResult& result)
   }
 }
 
-// Overlap with the mask on its own grid, and crossings of the drawn surface.
-void MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
+// Overlap with the mask on its own grid, and crossings of the drawn surface. Fails if it overlaps
+// itself too much (CheckRegularity).
+Status MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
 {
   const LabelMask copied = CopyLabelMask(result.Mask, result.Structure.Value, 1);
   const IndexToWorld toWorld = WorldOf(result.Mask);
@@ -140,16 +141,19 @@ void MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
   centers.Origin = toWorld(Vector3(start[0], start[1], start[2]));
   centers.Size = copied.Mask.Size;
   std::vector<std::int16_t> numbers;
-  if (FindWindingNumbers(drawn, centers, numbers).IsOk())
+  Status status = FindWindingNumbers(drawn, centers, numbers);
+  if (status.IsOk())
   {
-    result.Details.IrregularPercent =
-        CompareWithMask(numbers, copied.Mask.Inside.data()).IrregularPercent();
+    const WindingOverlap overlap = CompareWithMask(numbers, copied.Mask.Inside.data());
+    result.Details.IrregularPercent = overlap.IrregularPercent();
+    status = CheckRegularity(overlap);
   }
   MeshCrossings crossings;
   if (FindMeshCrossings(drawn, {}, crossings).IsOk())
   {
     result.Details.Crossings = crossings.Count;
   }
+  return status;
 }
 
 // The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
@@ -238,7 +242,6 @@ std::string MapToParameterSphere(FitResult& result, const ProgressFunction& prog
   Watched watched(progress, "surface");
   MappedSurfaceSettings settings;
   settings.IgnoresLimits = result.Settings.Repairs;
-  settings.Surface.Topology.BridgeParts = result.Settings.Repairs;
   auto mapped = std::make_shared<MappedSurface>();
   const Status status = MakeMappedSurface(MaskOf(result, 1), WorldOf(result.Mask), settings,
                                           watched.Of(0.0, 1.0), *mapped);
@@ -285,8 +288,8 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
     return judged.Message();
   }
   const TriangleMesh drawn = TrianglesOf(result.ModelSurface, "model");
-  MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
+  const Status overlap = MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
   RemarkOnFit(result);
-  return {};
+  return overlap.Message();
 }
 } // namespace palpate

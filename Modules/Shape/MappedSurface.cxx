@@ -113,6 +113,10 @@ Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
   status = ParametriseOnSphere(mapped.Mesh, PartOf(progress, 0.7, 1.0), map);
   if (status.IsOk())
   {
+    status = CheckSphereMap(map.Quality);
+  }
+  if (status.IsOk())
+  {
     mapped.Directions = std::move(map.Directions);
     mapped.Map = map.Quality;
     surface = std::move(mapped);

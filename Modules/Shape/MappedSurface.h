@@ -44,8 +44,9 @@ struct MappedSurfaceSettings
 };
 
 /// Makes the surface of a mask (MakeGenusZeroSurface), coarsens it (DecimateMesh) and maps it to
-/// the sphere (ParametriseOnSphere). Fails as those do, and beyond the limits of CheckTopology
-/// unless told to ignore them; messages are predicates of the structure or sentences of their own.
+/// the sphere (ParametriseOnSphere). Fails as those do, beyond the limits of CheckTopology unless
+/// told to ignore them, and beyond those of CheckSphereMap; messages are predicates of the
+/// structure or sentences of their own.
 PALPATESHAPE_EXPORT Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
                                              const MappedSurfaceSettings& settings,
                                              const KernelProgress& progress,

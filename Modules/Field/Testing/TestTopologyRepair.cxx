@@ -93,7 +93,9 @@ TEST(TopologyRepair, DropsSmallPartsAndSaysWhere)
       Sampled(11.0, Spacing,
               [&](const Vector3& p) { return std::max(Sphere(p, 6.0), Sphere(p - place, 1.2)); });
   palpate::TopologyReport report;
-  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  palpate::TopologySettings settings;
+  settings.SmallPart = 0.02;
+  ASSERT_TRUE(palpate::RepairTopology(field, settings, report).IsOk());
   EXPECT_TRUE(IsBall(field));
   EXPECT_EQ(report.DroppedParts.Count, 1);
   EXPECT_LT((report.DroppedParts.LargestCentre - place).norm(), Spacing);
@@ -109,20 +111,44 @@ TEST(TopologyRepair, RefusesOrBridgesTwoSpheres)
   { return std::max(Sphere(p - beside, 4.0), Sphere(p + beside, 4.0)); };
   palpate::ShapeField field = Sampled(11.0, Spacing, twoSpheres);
   palpate::TopologyReport report;
-  const palpate::Status refused = palpate::RepairTopology(field, {}, report);
-  EXPECT_NE(refused.Message().find("2 separate parts"), std::string::npos) << refused.Message();
   palpate::TopologySettings settings;
-  settings.BridgeParts = true;
-  ASSERT_TRUE(palpate::RepairTopology(field, settings, report).IsOk());
+  settings.BridgeParts = false;
+  const palpate::Status refused = palpate::RepairTopology(field, settings, report);
+  EXPECT_NE(refused.Message().find("2 separate parts"), std::string::npos) << refused.Message();
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
   EXPECT_TRUE(IsBall(field));
   EXPECT_EQ(report.Bridges.Count, 1);
   // The spheres are 3 mm apart; the bridge joins nodes inside of them.
   EXPECT_NEAR(report.Bridges.LargestExtent, 3.0, 2.0 * Spacing);
   EXPECT_LT(report.Bridges.LargestCentre.norm(), 2.0 * Spacing);
-  EXPECT_TRUE(palpate::CheckTopology(report, {}).IsOk());
+  // A gap of 3 mm is more than a quarter of the diameter of 10.1 mm that their volume has.
   palpate::TopologyLimits limits;
+  EXPECT_FALSE(palpate::CheckTopology(report, limits).IsOk());
+  limits.GapShare = 0.5;
+  EXPECT_TRUE(palpate::CheckTopology(report, limits).IsOk());
   limits.BridgedGap = 1.0;
   EXPECT_FALSE(palpate::CheckTopology(report, limits).IsOk());
+}
+
+// Bridges are found by one search that goes on: each is as cheap as a search of its own finds it.
+TEST(TopologyRepair, BridgesRowsOfSpheresByTheirShortestGaps)
+{
+  const auto spheres = [](const Vector3& p)
+  {
+    double most = -100.0;
+    for (int i = -2; i <= 2; ++i)
+    {
+      most = std::max(most, Sphere(p - Vector3(6.0 * i, 0.3 * i * i, 0.0), 2.2));
+    }
+    return most;
+  };
+  palpate::ShapeField field = Sampled(16.0, Spacing, spheres);
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.Bridges.Count, 4);
+  // The widest gap is that of the outer ones.
+  EXPECT_NEAR(report.Bridges.LargestExtent, std::hypot(6.0, 0.9) - 4.4, 2.0 * Spacing);
 }
 
 TEST(TopologyRepair, FillsCavityAndLimitsNameIt)
@@ -143,6 +169,17 @@ TEST(TopologyRepair, FillsCavityAndLimitsNameIt)
   EXPECT_NE(status.Message().find("cavity"), std::string::npos) << status.Message();
 }
 
+TEST(TopologyReport, CavityLimitIsOneOfVolume)
+{
+  palpate::TopologyReport report;
+  report.ObjectVolume = 16000.0;
+  // A crack between slices, as in a patient's mask: long, but of 30 mm^3.
+  report.FilledCavities = {1, 30.0, 30.0, Vector3::Zero(), 7.3};
+  EXPECT_TRUE(palpate::CheckTopology(report, {}).IsOk());
+  report.FilledCavities = {1, 66.0, 66.0, Vector3::Zero(), 7.3}; // a sphere of 5 mm has 65.4
+  EXPECT_FALSE(palpate::CheckTopology(report, {}).IsOk());
+}
+
 TEST(TopologyRepair, MakesBallOfEverySponge)
 {
   std::mt19937_64 random(4);
@@ -152,9 +189,7 @@ TEST(TopologyRepair, MakesBallOfEverySponge)
     palpate::ShapeField field = Sampled(
         8.0, 0.5, [&](const Vector3& p) { return part(random) < voids ? -0.25 : Sphere(p, 7.0); });
     palpate::TopologyReport report;
-    palpate::TopologySettings settings;
-    settings.BridgeParts = true;
-    ASSERT_TRUE(palpate::RepairTopology(field, settings, report).IsOk());
+    ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
     EXPECT_TRUE(IsBall(field)) << voids;
     EXPECT_FALSE(palpate::CheckTopology(report, {}).IsOk()) << voids;
   }

@@ -1,13 +1,8 @@
 #include "PartBridge.h"
 
-#include "KuhnNeighborhood.h"
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 
 namespace palpate
 {
@@ -17,137 +12,131 @@ constexpr unsigned char Other = 1;
 constexpr unsigned char Start = 2;
 constexpr double Radius = 1.8; // in spacings
 
-bool IsBorder(const ShapeGrid& grid, const std::array<int, 3>& at)
+// 1 for nodes of a grid's outermost layer.
+std::vector<unsigned char> BorderOf(const ShapeGrid& grid)
 {
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  std::vector<unsigned char> border(grid.NodeCount(), 0);
+  std::size_t node = 0;
+  for (int k = 0; k < grid.Size[2]; ++k)
   {
-    if (at[axis] == 0 || at[axis] == grid.Size[axis] - 1)
+    for (int j = 0; j < grid.Size[1]; ++j)
     {
-      return true;
+      const bool isFace = k == 0 || j == 0 || k + 1 == grid.Size[2] || j + 1 == grid.Size[1];
+      for (int i = 0; i < grid.Size[0]; ++i, ++node)
+      {
+        border[node] = isFace || i == 0 || i + 1 == grid.Size[0] ? 1 : 0;
+      }
     }
   }
-  return false;
+  return border;
+}
+} // namespace
+
+BridgeSearch::BridgeSearch(const ShapeField& field, const std::vector<unsigned char>& marks)
+    : Field(&field), Marks(&marks), Steps(OffsetsOf(field.Grid)), IsBlocked(BorderOf(field.Grid)),
+      Costs(marks.size(), std::numeric_limits<float>::infinity()), Parents(marks.size(), 0)
+{
+  for (int n = 0; n < KuhnNeighbors; ++n)
+  {
+    const std::array<int, 3> step = KuhnStep(n);
+    this->Lengths[static_cast<std::size_t>(n)] =
+        static_cast<float>(std::sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]));
+  }
 }
 
-class BridgeSearch
+PartBridge BridgeSearch::Next()
 {
-public:
-  BridgeSearch(const ShapeField& field, const std::vector<unsigned char>& marks)
-      : Field(&field), Marks(&marks), Steps(OffsetsOf(field.Grid)),
-        Costs(marks.size(), std::numeric_limits<float>::infinity()), Parents(marks.size(), 0)
+  this->AddStarts();
+  const std::size_t last = this->FindOther();
+  return last < this->Marks->size() ? this->PathTo(last) : PartBridge{};
+}
+
+// Starts from nodes that were marked since the last search.
+void BridgeSearch::AddStarts()
+{
+  for (std::size_t node = 0; node < this->Marks->size(); ++node)
   {
-    for (int n = 0; n < KuhnNeighbors; ++n)
+    if ((*this->Marks)[node] == Start && this->Costs[node] != 0.0f)
     {
-      const std::array<int, 3> step = KuhnStep(n);
-      this->Lengths[static_cast<std::size_t>(n)] =
-          static_cast<float>(std::sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]));
+      this->Costs[node] = 0.0f;
+      this->Spread(node);
     }
   }
+}
 
-  // The last node of the cheapest path, or the number of nodes if there is none.
-  std::size_t Run()
+void BridgeSearch::Spread(std::size_t node)
+{
+  for (std::size_t n = 0; n < this->Steps.size(); ++n)
   {
-    for (std::size_t node = 0; node < this->Marks->size(); ++node)
+    const std::size_t next = node + static_cast<std::size_t>(this->Steps[n]);
+    if ((*this->Marks)[next] == Start || this->IsBlocked[next] != 0)
     {
-      if ((*this->Marks)[node] == Start)
-      {
-        this->Costs[node] = 0.0f;
-        this->Spread(node);
-      }
+      continue;
     }
-    while (!this->Queue.empty())
+    const float outside = std::max(0.0f, -this->Field->Values[next]);
+    const float share = 1.0f + outside / static_cast<float>(this->Field->Grid.Spacing);
+    const float cost = this->Costs[node] + this->Lengths[n] * share;
+    if (cost < this->Costs[next])
     {
-      const auto [cost, node] = this->Queue.top();
-      this->Queue.pop();
-      if ((*this->Marks)[node] == Other)
-      {
-        return node;
-      }
-      if (cost == this->Costs[node])
-      {
-        this->Spread(node);
-      }
-    }
-    return this->Marks->size();
-  }
-
-  PartBridge PathTo(std::size_t last) const
-  {
-    PartBridge bridge;
-    bridge.To = last;
-    std::size_t node = this->Parents[last];
-    for (; (*this->Marks)[node] != Start; node = this->Parents[node])
-    {
-      this->AddSphere(node, bridge.Nodes);
-    }
-    bridge.From = node;
-    std::sort(bridge.Nodes.begin(), bridge.Nodes.end());
-    bridge.Nodes.erase(std::unique(bridge.Nodes.begin(), bridge.Nodes.end()), bridge.Nodes.end());
-    return bridge;
-  }
-
-private:
-  void Spread(std::size_t node)
-  {
-    for (std::size_t n = 0; n < this->Steps.size(); ++n)
-    {
-      const std::size_t next = node + static_cast<std::size_t>(this->Steps[n]);
-      if ((*this->Marks)[next] == Start ||
-          IsBorder(this->Field->Grid, this->Field->Grid.Index(next)))
-      {
-        continue;
-      }
-      const double outside = std::max(0.0, -static_cast<double>(this->Field->Values[next]));
-      const float cost =
-          this->Costs[node] +
-          this->Lengths[n] * static_cast<float>(1.0 + outside / this->Field->Grid.Spacing);
-      if (cost < this->Costs[next])
-      {
-        this->Costs[next] = cost;
-        this->Parents[next] = node;
-        this->Queue.emplace(cost, next);
-      }
+      this->Costs[next] = cost;
+      this->Parents[next] = node;
+      this->Queue.emplace(cost, next);
     }
   }
+}
 
-  void AddSphere(std::size_t node, NodeList& nodes) const
+// The last node of the cheapest path, or the number of nodes if there is none.
+std::size_t BridgeSearch::FindOther()
+{
+  while (!this->Queue.empty())
   {
-    const ShapeGrid& grid = this->Field->Grid;
-    const std::array<int, 3> centre = grid.Index(node);
-    for (int k = -1; k <= 1; ++k)
+    const auto [cost, node] = this->Queue.top();
+    this->Queue.pop();
+    if (cost == this->Costs[node] && (*this->Marks)[node] == Other)
     {
-      for (int j = -1; j <= 1; ++j)
+      return node;
+    }
+    if (cost == this->Costs[node])
+    {
+      this->Spread(node);
+    }
+  }
+  return this->Marks->size();
+}
+
+PartBridge BridgeSearch::PathTo(std::size_t last) const
+{
+  PartBridge bridge;
+  bridge.To = last;
+  std::size_t node = this->Parents[last];
+  for (; (*this->Marks)[node] != Start; node = this->Parents[node])
+  {
+    this->AddSphere(node, bridge.Nodes);
+  }
+  bridge.From = node;
+  std::sort(bridge.Nodes.begin(), bridge.Nodes.end());
+  bridge.Nodes.erase(std::unique(bridge.Nodes.begin(), bridge.Nodes.end()), bridge.Nodes.end());
+  return bridge;
+}
+
+void BridgeSearch::AddSphere(std::size_t node, NodeList& nodes) const
+{
+  const ShapeGrid& grid = this->Field->Grid;
+  const std::array<int, 3> centre = grid.Index(node);
+  for (int k = -1; k <= 1; ++k)
+  {
+    for (int j = -1; j <= 1; ++j)
+    {
+      for (int i = -1; i <= 1; ++i)
       {
-        for (int i = -1; i <= 1; ++i)
+        const std::size_t offset = grid.Offset(centre[0] + i, centre[1] + j, centre[2] + k);
+        if (i * i + j * j + k * k <= Radius * Radius && this->IsBlocked[offset] == 0 &&
+            (*this->Marks)[offset] == 0)
         {
-          const std::array<int, 3> at{centre[0] + i, centre[1] + j, centre[2] + k};
-          const std::size_t offset = grid.Offset(at[0], at[1], at[2]);
-          if (i * i + j * j + k * k <= Radius * Radius && !IsBorder(grid, at) &&
-              (*this->Marks)[offset] == 0)
-          {
-            nodes.push_back(offset);
-          }
+          nodes.push_back(offset);
         }
       }
     }
   }
-
-  using Entry = std::pair<float, std::size_t>;
-
-  const ShapeField* Field;
-  const std::vector<unsigned char>* Marks;
-  KuhnOffsets Steps;
-  std::array<float, KuhnNeighbors> Lengths{};
-  std::vector<float> Costs;
-  std::vector<std::size_t> Parents;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
-};
-} // namespace
-
-PartBridge FindBridge(const ShapeField& field, const std::vector<unsigned char>& marks)
-{
-  BridgeSearch search(field, marks);
-  const std::size_t last = search.Run();
-  return last < marks.size() ? search.PathTo(last) : PartBridge{};
 }
 } // namespace palpate

@@ -168,13 +168,9 @@ private:
     std::vector<unsigned char> marks = this->Inside;
     this->Mark(components, largest, marks);
     const ShapeGrid& grid = this->Field->Grid;
-    while (true)
+    BridgeSearch search(*this->Field, marks);
+    for (PartBridge bridge = search.Next(); !bridge.Nodes.empty(); bridge = search.Next())
     {
-      const PartBridge bridge = FindBridge(*this->Field, marks);
-      if (bridge.Nodes.empty())
-      {
-        break;
-      }
       TopologyChange& change = this->Report->Bridges;
       const Vector3 from = grid.Point(grid.Index(bridge.From));
       const Vector3 to = grid.Point(grid.Index(bridge.To));

@@ -8,8 +8,8 @@ namespace palpate
 {
 struct TopologySettings
 {
-  double SmallPart = 0.02;  ///< parts with less than this fraction of the volume are dropped
-  bool BridgeParts = false; ///< join other parts to the largest one; otherwise they are refused
+  double SmallPart = 0.005; ///< parts with less than this fraction of the volume are dropped
+  bool BridgeParts = true;  ///< join other parts to the largest one; otherwise they are refused
   double CutGap = 0.0;      ///< mm between the sides of a cut; at least the grid's spacing
 };
 

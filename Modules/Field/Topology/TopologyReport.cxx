@@ -1,5 +1,7 @@
 #include "TopologyReport.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace palpate
@@ -11,6 +13,12 @@ std::string Rounded(double value)
   char text[32];
   std::snprintf(text, sizeof(text), "%.3g", value);
   return text;
+}
+
+// Of the sphere of a volume.
+double DiameterOf(double volume)
+{
+  return std::cbrt(6.0 * volume / M_PI);
 }
 } // namespace
 
@@ -33,12 +41,14 @@ double TopologyReport::ChangedPercent() const
 
 Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits)
 {
-  if (report.FilledCavities.LargestExtent > limits.CavityExtent)
+  if (DiameterOf(report.FilledCavities.LargestVolume) > limits.CavityDiameter)
   {
-    return Status::Failure("A cavity of " + Rounded(report.FilledCavities.LargestExtent) +
-                           " mm would be filled.");
+    return Status::Failure("A cavity of " + Rounded(report.FilledCavities.LargestVolume) +
+                           " mm\xC2\xB3 would be filled.");
   }
-  if (report.Bridges.LargestExtent > limits.BridgedGap)
+  const double longest =
+      std::min(limits.BridgedGap, limits.GapShare * DiameterOf(report.ObjectVolume));
+  if (report.Bridges.LargestExtent > longest)
   {
     return Status::Failure("Parts that are " + Rounded(report.Bridges.LargestExtent) +
                            " mm apart would be joined.");

@@ -11,7 +11,7 @@ struct TopologyChange
   int Count = 0;                          ///< places
   double Volume = 0.0;                    ///< mm^3, of all places
   double LargestVolume = 0.0;             ///< mm^3, of the largest place
-  Vector3 LargestCentre{Vector3::Zero()}; ///< of the largest place
+  Vector3 LargestCentre{Vector3::Zero()}; ///< of the largest place; of bridges, the widest gap's
   double LargestExtent = 0.0; ///< diagonal of the largest place's box; of a bridge the gap's width
 };
 
@@ -30,14 +30,16 @@ struct TopologyReport
   double ChangedPercent() const; ///< of the object's volume
 };
 
-/// When a repair is to be refused, or confirmed by the user.
+/// When a repair is to be refused, or confirmed by the user. A body with holes of a few voxels or
+/// slices that do not overlap passes; two bodies or a hollow one are refused.
 struct TopologyLimits
 {
-  double ChangedPercent = 2.0; ///< of the object's volume
-  double CavityExtent = 5.0;   ///< mm
-  double BridgedGap = 5.0;     ///< mm
+  double ChangedPercent = 2.0; ///< of the object's volume, all changes together
+  double CavityDiameter = 5.0; ///< mm, of the sphere that has the largest cavity's volume
+  double BridgedGap = 5.0;     ///< mm between parts, and
+  double GapShare = 0.25;      ///< of the diameter of the sphere that has the object's volume
 };
 
-/// Fails with a message that names the first limit that is exceeded.
+/// Fails with a message that names the first limit that is exceeded: a sentence of its own.
 Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits);
 } // namespace palpate

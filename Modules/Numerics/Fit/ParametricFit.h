@@ -25,7 +25,7 @@ struct ParametricFitOptions
   int Iterations = 15;         ///< of conjugate gradients in a refit
   /// The last refit is repeated with stiffer tangents around vertices where the surface's area
   /// element falls below this part of its mean or turns over; 0 for no such guard.
-  double LeastAreaRatio = 0.1;
+  double LeastAreaRatio = 0.25;
 };
 
 struct ParametricFitResult

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace palpate
 {
@@ -204,5 +205,18 @@ WindingOverlap CompareWithMask(const std::vector<std::int16_t>& numbers, const s
     overlap.Irregular += number != 0 && number != 1 ? 1 : 0;
   }
   return overlap;
+}
+
+Status CheckRegularity(const WindingOverlap& overlap)
+{
+  if (overlap.IrregularPercent() <= LargestIrregularPercent)
+  {
+    return Status::Success();
+  }
+  char text[120];
+  std::snprintf(text, sizeof(text),
+                "overlaps itself in %.3g %% of the voxels (at most %g %%); another degree may not",
+                overlap.IrregularPercent(), LargestIrregularPercent);
+  return Status::Failure(text);
 }
 } // namespace palpate

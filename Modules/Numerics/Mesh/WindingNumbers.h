@@ -59,4 +59,11 @@ struct WindingOverlap
 
 /// `mask` has a value per winding number; 0 is outside.
 WindingOverlap CompareWithMask(const std::vector<std::int16_t>& numbers, const std::uint8_t* mask);
+
+/// Of the mask's voxels. Surfaces of organs have up to 0.1 %.
+constexpr double LargestIrregularPercent = 1.0;
+
+/// Fails if a surface overlaps itself in more than LargestIrregularPercent of a mask, with a
+/// message that is a predicate of the surface.
+Status CheckRegularity(const WindingOverlap& overlap);
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <limits>
 
 namespace palpate
@@ -72,5 +73,19 @@ SphereMapQuality MeasureSphereMap(const IndexedMesh& mesh,
     quality.LargestRatio = std::max(quality.LargestRatio, ratio);
   }
   return quality;
+}
+
+Status CheckSphereMap(const SphereMapQuality& quality)
+{
+  if (quality.AreaDistortion <= LargestAreaDistortion)
+  {
+    return Status::Success();
+  }
+  char text[160];
+  std::snprintf(text, sizeof(text),
+                "is too long and thin for a surface model: its map to the sphere distorts areas by "
+                "%.2f (at most %.2f)",
+                quality.AreaDistortion, LargestAreaDistortion);
+  return Status::Failure(text);
 }
 } // namespace palpate

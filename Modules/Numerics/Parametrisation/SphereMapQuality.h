@@ -1,6 +1,7 @@
 #pragma once
 
 #include "IndexedMesh.h"
+#include "Status.h"
 
 #include <vector>
 
@@ -29,4 +30,11 @@ struct SphereMapQuality
 /// indices inside. Does not allocate.
 SphereMapQuality MeasureSphereMap(const IndexedMesh& mesh,
                                   const std::vector<Vector3>& directions) noexcept;
+
+/// Rods of 1:30 have 0.38, helices of 2, 2.5 and 3.5 turns 0.416, 0.437 and 0.5, needles of 1:60
+/// 0.47; organs 0.03 to 0.25. Beyond, surfaces of degree 20 lose ends or cross themselves.
+constexpr double LargestAreaDistortion = 0.42;
+
+/// Fails beyond LargestAreaDistortion, with a message that is a predicate of the surface.
+Status CheckSphereMap(const SphereMapQuality& quality);
 } // namespace palpate

@@ -213,6 +213,16 @@ TEST(WindingNumbers, GiveDiceAndIrregularVoxels)
   EXPECT_EQ(CompareWithMask({}, nullptr).Dice(), 1.0);
 }
 
+TEST(WindingNumbers, SurfacesThatOverlapThemselvesAreRefused)
+{
+  WindingOverlap overlap;
+  overlap.Mask = 1000;
+  overlap.Irregular = 10;
+  EXPECT_TRUE(CheckRegularity(overlap).IsOk());
+  overlap.Irregular = 11;
+  EXPECT_NE(CheckRegularity(overlap).Message().find("1.1 %"), std::string::npos);
+}
+
 TEST(WindingNumbers, RejectBadInput)
 {
   std::vector<std::int16_t> numbers;

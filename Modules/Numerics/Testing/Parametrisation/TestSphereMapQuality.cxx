@@ -49,6 +49,17 @@ TEST(SphereMapQuality, MovedAndScaledSurfacesHaveTheSameQuality)
               MeasureSphereMap(copy, directions).AreaDistortion, 1e-13); // rounding
 }
 
+TEST(SphereMapQuality, RefusesDistortedMaps)
+{
+  SphereMapQuality quality;
+  quality.AreaDistortion = LargestAreaDistortion;
+  EXPECT_TRUE(CheckSphereMap(quality).IsOk());
+  quality.AreaDistortion = 0.47;
+  EXPECT_NE(CheckSphereMap(quality).Message().find("too long and thin"), std::string::npos);
+  quality.AreaDistortion = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(CheckSphereMap(quality).IsOk());
+}
+
 TEST(SphereMapQuality, RejectsFoldedAndMirroredMaps)
 {
   const IndexedMesh mesh = test::SphereMesh(3);
