@@ -133,6 +133,9 @@ TEST_F(JsonOutput, FitIsDocumented)
   this->Run({"fit", "a.nii.gz", "--degree", "0", "--min-dice", "1", "--json"});
   this->Run({"fit", "bad.nii.gz", "--json"});
   this->Run({"fit", "a.nii.gz", "--degree", "4", "--output", "out", "--json"});
+  // As surfaces, and from a surface file.
+  this->Run({"fit", "a.nii.gz", "--degree", "4", "--model", "surface", "--json"});
+  this->Run({"fit", "out/a_1/surface.vtp", "--degree", "4", "--json"});
   this->ExpectDocumented("fit");
 }
 
