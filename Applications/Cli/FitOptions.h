@@ -21,8 +21,8 @@ public:
   void DeclareLabels(CLI::App& app);
   /// --method, --smoothing, --component.
   void DeclareSurface(CLI::App& app);
-  /// --model, --repair, --degree, --tolerance, --max-degree, --frequency, --center, --weights, --penalty,
-  /// --robust, --min-dice, --max-hidden.
+  /// --model, --repair, --degree, --tolerance, --max-degree, --frequency, --center, --weights,
+  /// --penalty, --robust, --min-dice, --max-hidden.
   void DeclareModel(CLI::App& app);
 
   /// Labels by number or name; empty for all.

@@ -177,9 +177,9 @@ std::string StructurePlan::AddSurface()
 std::string StructurePlan::AddSamples()
 {
   const std::string surface = this->AddSurface();
-  const std::string key = SceneKey(surface, "samples", static_cast<int>(this->Fit.Model),
-                                   this->Fit.Repairs, this->Fit.Frequency, CenterKey(this->Fit),
-                                   this->Fit.MaximumHiddenPercent);
+  const std::string key =
+      SceneKey(surface, "samples", static_cast<int>(this->Fit.Model), this->Fit.Repairs,
+               this->Fit.Frequency, CenterKey(this->Fit), this->Fit.MaximumHiddenPercent);
   return this->AddNode(SceneStep::Samples, key, {surface},
                        [fit = this->Fit](const Inputs& inputs, const ProgressFunction& progress)
                        {
