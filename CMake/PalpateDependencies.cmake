@@ -11,7 +11,7 @@ set(PALPATE_VTK_COMPONENTS
   IOCore IOExport IOGeometry IOImage IOPLY IOXML
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingVolume)
-set(palpate_vtk_build_components TestingCore TestingRendering RenderingImage
+set(palpate_vtk_build_components IOLegacy TestingCore TestingRendering RenderingImage
   RenderingVolumeOpenGL2)
 if(PALPATE_WRAP_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)

@@ -11,9 +11,12 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "ProgramVersion.h"
+#include "Refusal.h"
 #include "SegmentationFile.h"
 #include "StageClock.h"
 #include "StructureChoice.h"
+#include "SurfaceFile.h"
+#include "SurfaceFileFit.h"
 #include "VolumeFile.h"
 #include "VoxelValue.h"
 
@@ -50,11 +53,13 @@ std::string Line(const FitResult& result)
 {
   std::ostringstream text;
   text << CaseTitle(result.Input, result.Structure) << ": ";
+  const SurfaceDistances& distances = result.ModelToInput();
   text << std::fixed << "degree " << DegreeOf(result.Model) << ", Dice " << std::setprecision(4)
-       << result.Dice << ", distance to the mask's boundary mean " << std::setprecision(3)
-       << result.ModelToMask.Mean << " / 95 % " << result.ModelToMask.Percentile95 << " / max "
-       << result.ModelToMask.Maximum << " mm, volume " << std::setprecision(2)
-       << result.ModelMilliliters << " ml (mask " << result.MaskMilliliters << " ml), ";
+       << result.Dice << ", distance to the "
+       << (result.IsOfSurface ? "surface" : "mask's boundary") << " mean " << std::setprecision(3)
+       << distances.Mean << " / 95 % " << distances.Percentile95 << " / max " << distances.Maximum
+       << " mm, volume " << std::setprecision(2) << result.ModelMilliliters << " ml ("
+       << (result.IsOfSurface ? "surface " : "mask ") << result.InputMilliliters() << " ml), ";
   AppendShape(result, text);
   return text.str();
 }
@@ -155,8 +160,46 @@ private:
     return result;
   }
 
+  // What only masks have is refused, not ignored.
+  void CheckSurfaceOptions() const
+  {
+    const FitSettings& settings = this->Mask.Settings;
+    const FitSettings defaults;
+    if (!this->Mask.Labels.empty() || settings.Component != defaults.Component ||
+        settings.Method != defaults.Method || settings.Smoothing != defaults.Smoothing)
+    {
+      Refuse(this->Mask.Mask, "is a surface",
+             "leave out --label, --component, --method and --smoothing, which are for masks");
+    }
+    if (this->Mask.Slices != nullptr)
+    {
+      Refuse(this->Mask.Mask, "is a surface", "leave out --volume, which is for masks");
+    }
+  }
+
+  void FitSurfaceOfFile()
+  {
+    this->CheckSurfaceOptions();
+    std::vector<std::pair<std::string, double>> readTime;
+    StageClock clock(readTime);
+    const vtkSmartPointer<vtkPolyData> surface = ReadSurface(this->Mask.Mask);
+    clock.EndStage("read");
+    this->IsOnly = this->Mask.IsAlone;
+    Segment structure;
+    structure.Name = CaseNameOf(this->Mask.Mask);
+    this->FitOne(structure, 0, 1, readTime.front().second,
+                 [&](const ProgressFunction& progress) {
+                   return FitSurfaceFile(this->Mask.Mask, surface, this->Mask.Settings, progress);
+                 });
+  }
+
   void FitStructures()
   {
+    if (this->Mask.MayBeSurface && SurfaceFormats().Reader(this->Mask.Mask) != nullptr)
+    {
+      this->FitSurfaceOfFile();
+      return;
+    }
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
     const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->Images.LeftHanded());
@@ -180,24 +223,26 @@ private:
     this->FileNotes = segmentation.Notes.size();
     for (std::size_t n = 0; n < choice.Found.size(); ++n)
     {
-      this->FitOne(segmentation, choice.Found, n, readTime.front().second);
+      this->FitOne(
+          choice.Found[n], n, choice.Found.size(), readTime.front().second,
+          [&](const ProgressFunction& progress)
+          { return FitStructure(segmentation, choice.Found[n], this->Mask.Settings, progress); });
     }
   }
 
-  void FitOne(const Segmentation& segmentation, const std::vector<Segment>& all, std::size_t number,
-              double readSeconds)
+  template <typename Fit>
+  void FitOne(const Segment& structure, std::size_t number, std::size_t count, double readSeconds,
+              const Fit& fit)
   {
-    const Segment& structure = all[number];
-    const double part = (this->Mask.To - this->Mask.From) / static_cast<double>(all.size());
+    const double part = (this->Mask.To - this->Mask.From) / static_cast<double>(count);
     const double from = this->Mask.From + static_cast<double>(number) * part;
-    const std::string title = this->Mask.TitleOf(number + 1, all.size(), structure);
-    FitResult result =
-        FitStructure(segmentation, structure, this->Mask.Settings,
-                     [&](double fraction, const std::string& stage)
-                     {
-                       this->Output.Progress(from + part * fraction, title + ": " + stage);
-                       return !Interruption::WasAsked();
-                     });
+    const std::string title = this->Mask.TitleOf(number + 1, count, structure);
+    FitResult result = fit(
+        [&](double fraction, const std::string& stage)
+        {
+          this->Output.Progress(from + part * fraction, title + ": " + stage);
+          return !Interruption::WasAsked();
+        });
     result.Message = WithHint(result.Message, result.OptionHint);
     result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
     BlameInput(result);

@@ -9,6 +9,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "SurfaceFile.h"
 #include "VolumeFile.h"
 
 #include <CLI/CLI.hpp>
@@ -26,6 +27,7 @@ std::string FitCommand::Examples() const
   return "  palpate fit mask.nii.gz --output out               every label, with files and report\n"
          "  palpate fit mask.seg.nrrd --label Prostate --volume t2.nrrd --output out\n"
          "  palpate fit mask.nii.gz --degree auto --tolerance 0.3\n"
+         "  palpate fit kidney.stl --model surface --output out    a closed surface, no mask\n"
          "  palpate fit *.nii.gz --label 1 --json > results.jsonl   numbers for a script\n"
          "  palpate fit masks --label 1 --output out       every mask of a folder; resumes after "
          "a\n"
@@ -35,7 +37,9 @@ std::string FitCommand::Examples() const
 void FitCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs,
-                 "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or folders of them");
+                 "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or folders of them. Or closed "
+                 "surfaces (" +
+                     ListOfEndings(SurfaceFormats().ReadEndings()) + ")");
   app.add_option("--manifest", this->Manifest,
                  "Table of cases: case,mask,label,volume; paths are relative to its folder, or to "
                  "MASK if that is a folder")
@@ -135,6 +139,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   mask.PlaceOf = [&](const Segment& structure) { return this->Names.Take(file, structure); };
   mask.IsAlone = count == 1;
   mask.Json = this->Json;
+  mask.MayBeSurface = true;
   mask.From = static_cast<double>(file) / static_cast<double>(count);
   mask.To = static_cast<double>(file + 1) / static_cast<double>(count);
   mask.TitleOf = [&](std::size_t number, std::size_t all, const Segment& structure)

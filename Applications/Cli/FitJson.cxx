@@ -131,17 +131,29 @@ Json FitJsonOf(const FitResult& result, bool fitted)
 
 Json QualityJson(const FitResult& result, bool fitted)
 {
+  const Json nothing = {
+      {"mean_mm", nullptr}, {"rms_mm", nullptr}, {"p95_mm", nullptr}, {"max_mm", nullptr}};
+  Json noMask = {{"dice", nullptr}};
+  noMask.update(nothing);
+  const Json noOverlap = {{"dice", nullptr}, {"spacing_mm", nullptr}};
   if (!fitted)
   {
-    const Json nothing = {
-        {"mean_mm", nullptr}, {"rms_mm", nullptr}, {"p95_mm", nullptr}, {"max_mm", nullptr}};
-    Json mask = {{"dice", nullptr}};
-    mask.update(nothing);
-    return {{"mask", mask}, {"surface", nothing}, {"surface_to_mask", nothing}};
+    return {{"mask", noMask},
+            {"overlap", noOverlap},
+            {"surface", nothing},
+            {"surface_to_mask", nothing}};
+  }
+  if (result.IsOfSurface)
+  {
+    return {{"mask", noMask},
+            {"overlap", {{"dice", result.Dice}, {"spacing_mm", result.DiceSpacing}}},
+            {"surface", DistancesJson(result.ModelToSurface)},
+            {"surface_to_mask", nothing}};
   }
   Json mask = {{"dice", result.Dice}};
   mask.update(DistancesJson(result.ModelToMask));
   return {{"mask", mask},
+          {"overlap", noOverlap},
           {"surface", DistancesJson(result.ModelToSurface)},
           {"surface_to_mask", DistancesJson(result.SurfaceToMask)}};
 }
@@ -171,8 +183,9 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["crossings"] = CrossingsJson(result, fitted);
   json["quality"] = QualityJson(result, fitted);
   const auto orNull = [](bool known, double value) { return known ? Json(value) : Json(); };
+  const bool isSurface = result.IsOfSurface && result.Surface != nullptr;
   json["volume_ml"] = {{"mask", orNull(measured, result.MaskMilliliters)},
-                       {"surface", orNull(measured, result.SurfaceMilliliters)},
+                       {"surface", orNull(measured || isSurface, result.SurfaceMilliliters)},
                        {"model", orNull(fitted, result.ModelMilliliters)}};
   json["area_mm2"] = {{"surface", orNull(fitted, result.SurfaceAreaSquareMillimeters)},
                       {"model", orNull(fitted, result.ModelAreaSquareMillimeters)}};

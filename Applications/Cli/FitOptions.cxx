@@ -101,7 +101,7 @@ void FitOptions::DeclareModel(CLI::App& app)
       ->capture_default_str();
   app.add_flag("--repair", this->Values.Repairs,
                "Accept surface models of structures whose handles, cavities or parts need large "
-               "changes");
+               "changes; of a surface file, fit what its voxels enclose if it is not closed");
   app.add_option("--degree", this->DegreeWord,
                  "Degree of the model, or auto: the smallest that meets --tolerance, up to the "
                  "resolution of the mask (wavelength of two voxels)")

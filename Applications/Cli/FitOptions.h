@@ -22,8 +22,7 @@ public:
   /// --method, --smoothing, --component.
   void DeclareSurface(CLI::App& app);
   /// --model, --repair, --degree, --tolerance, --max-degree, --frequency, --center, --weights,
-  /// --penalty,
-  /// --robust, --min-dice, --max-hidden.
+  /// --penalty, --robust, --min-dice, --max-hidden.
   void DeclareModel(CLI::App& app);
 
   /// Labels by number or name; empty for all.

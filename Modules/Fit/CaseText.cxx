@@ -42,6 +42,10 @@ std::string CoverageWord(const DirectionCoverage& coverage)
 
 std::string CaseTitle(const std::filesystem::path& input, const Segment& structure)
 {
+  if (structure.Label == 0) // a surface, or a file without a structure
+  {
+    return Printable(input.string());
+  }
   const std::string title = input.string() + ", label " + std::to_string(structure.Label);
   return Printable(structure.Name.empty() ? title : title + " (" + structure.Name + ")");
 }

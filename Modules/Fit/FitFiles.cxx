@@ -20,7 +20,8 @@ ModelDocument Document(const FitResult& result, const std::string& program)
   document.Surface = result.Model;
   document.Provenance.Program = program;
   document.Provenance.Input = result.Input.filename().string();
-  document.Provenance.Label = std::to_string(result.Structure.Label);
+  document.Provenance.Label =
+      result.IsOfSurface ? std::string() : std::to_string(result.Structure.Label);
   document.Provenance.Settings = DescribeSettings(result.Settings);
   return document;
 }

@@ -47,6 +47,12 @@ std::string HintForRepair(const FitSettings& settings, const HintWords& words)
   return settings.Repairs ? std::string() : std::string("accept that by ") + words.Repair;
 }
 
+std::string HintForOpenSurface(const FitSettings& settings, const HintWords& words)
+{
+  const std::string need = "a model needs one closed surface without handles and crossings";
+  return settings.Repairs ? need : need + ", which " + words.Repair + " makes by way of voxels";
+}
+
 std::string HintForMisfit(const FitSettings& settings, const HintWords& words)
 {
   return "try " + AnyOf(Choices(settings, words)) + ", or lower " + words.MinimumDice +

@@ -39,6 +39,8 @@ PALPATEFIT_EXPORT Hint HintForHidden;
 PALPATEFIT_EXPORT Hint HintForMisfit;
 /// If a repair of the topology would change too much.
 PALPATEFIT_EXPORT Hint HintForRepair;
+/// If a surface from a file cannot be mended.
+PALPATEFIT_EXPORT Hint HintForOpenSurface;
 /// If a model cannot be the structure's.
 PALPATEFIT_EXPORT Hint HintForImplausible;
 

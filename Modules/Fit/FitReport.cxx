@@ -20,8 +20,9 @@ std::string Header(const FitResult& result)
 {
   const OutcomeText outcome = TextOf(result.State);
   return "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 spherical-harmonic fit</div>\n<h1>" +
-         EscapeHtml(StructureText(result)) + "</h1>\n<div class=\"soft\">label " +
-         std::to_string(result.Structure.Label) + " of " +
+         EscapeHtml(StructureText(result)) + "</h1>\n<div class=\"soft\">" +
+         (result.IsOfSurface ? "surface "
+                             : "label " + std::to_string(result.Structure.Label) + " of ") +
          EscapeHtml(result.Input.filename().string()) + "</div>\n<div class=\"verdict " +
          outcome.Style + "\"><strong>" + outcome.Title + "</strong><p>" +
          EscapeHtml(VerdictText(result)) + "</p></div>\n</header>\n";
@@ -37,14 +38,19 @@ std::string Card(const std::string& name, const std::string& value, const std::s
 
 std::string QualityCards(const FitResult& result)
 {
-  const double difference = 100.0 * (result.ModelMilliliters / result.MaskMilliliters - 1.0);
-  return Card("Dice", FixedText(result.Dice, 4), "", "on the mask\xE2\x80\x99s grid") +
-         Card("Mean distance", FixedText(result.ModelToMask.Mean, 2), "mm", "model to mask") +
-         Card("95th percentile", FixedText(result.ModelToMask.Percentile95, 2), "mm",
-              "model to mask") +
-         Card("Maximum", FixedText(result.ModelToMask.Maximum, 2), "mm", "model to mask") +
+  const double difference = 100.0 * (result.ModelMilliliters / result.InputMilliliters() - 1.0);
+  const SurfaceDistances& distances = result.ModelToInput();
+  const std::string to = result.IsOfSurface ? "model to surface" : "model to mask";
+  const std::string grid = result.IsOfSurface
+                               ? "on cubes of " + SignificantText(result.DiceSpacing, 3) + " mm"
+                               : "on the mask\xE2\x80\x99s grid";
+  return Card("Dice", FixedText(result.Dice, 4), "", grid) +
+         Card("Mean distance", FixedText(distances.Mean, 2), "mm", to) +
+         Card("95th percentile", FixedText(distances.Percentile95, 2), "mm", to) +
+         Card("Maximum", FixedText(distances.Maximum, 2), "mm", to) +
          Card("Model volume", FixedText(result.ModelMilliliters, 2), "ml",
-              (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the mask") +
+              (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the " +
+                  (result.IsOfSurface ? "surface" : "mask")) +
          Card("Coverage", CoverageWord(result.Coverage), "", "how far to trust the fit") +
          Card("Degree", std::to_string(DegreeOf(result.Model)), "",
               std::to_string(CoefficientCountOf(result.Model)) + " coefficients of a " +

@@ -35,6 +35,7 @@ struct SurfaceModelDetails
   int Folded = 0;                              ///< vertices at which the surface turns over
   std::int64_t Crossings = 0;                  ///< pairs of triangles of the drawn model that cross
   double IrregularPercent = 0.0; ///< voxels with a winding number other than 0 and 1, of the mask's
+  TopologyReport SurfaceRepair;  ///< of the repair of a surface file (MakeClosedMesh)
 };
 
 /// Result of one structure. Lengths are mm, volumes ml, points and surfaces patient LPS.
@@ -53,6 +54,9 @@ struct FitResult
   std::string CaseName; ///< file name without its endings, for output files
   Segment Structure;
   FitSettings Settings;
+  /// Input is the file of a closed surface, and Surface what was made of it. There is no mask: what
+  /// is measured against one below is left at its default, unless it says otherwise.
+  bool IsOfSurface = false;
 
   Outcome State = Outcome::Failed;
   std::string Message; ///< one sentence; empty if fitted without remarks
@@ -100,7 +104,8 @@ struct FitResult
   // Its quality.
   SurfaceDistances ModelToSurface;
   SurfaceDistances ModelToMask; ///< against the mask's half-level boundary
-  double Dice = 0.0;            ///< on the mask's own grid
+  double Dice = 0.0;            ///< on the mask's own grid; of a surface file on the following one
+  double DiceSpacing = 0.0;     ///< mm, of cubes around the surface of a surface file
   double ModelMilliliters = 0.0;
   double SurfaceAreaSquareMillimeters = 0.0;
   double ModelAreaSquareMillimeters = 0.0;
@@ -111,6 +116,17 @@ struct FitResult
   const SphericalHarmonicModel* Radial() const
   {
     return std::get_if<SphericalHarmonicModel>(&this->Model);
+  }
+
+  /// Of the model from what was given: the mask's boundary or the surface of a surface file.
+  const SurfaceDistances& ModelToInput() const
+  {
+    return this->IsOfSurface ? this->ModelToSurface : this->ModelToMask;
+  }
+  /// Volume of what was given: the mask's component or the surface of a surface file.
+  double InputMilliliters() const
+  {
+    return this->IsOfSurface ? this->SurfaceMilliliters : this->MaskMilliliters;
   }
 
   /// Seconds of each stage, in the order in which they ran; "total" last.

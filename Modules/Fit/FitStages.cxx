@@ -8,6 +8,7 @@
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
 #include "StageClock.h"
+#include "SurfaceFileFit.h"
 #include "SurfaceFit.h"
 #include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
@@ -221,6 +222,11 @@ void MeasureQuality(vtkPolyData* surface, vtkPolyData* boundary, FitResult& resu
   result.ModelToSurface = DistancesOf(quality);
   result.SurfaceAreaSquareMillimeters = quality->GetArea() - quality->GetAreaDifference();
 
+  if (result.IsOfSurface)
+  {
+    MeasureOverlap(result);
+    return;
+  }
   quality->SetReferenceData(boundary);
   quality->SetMaskData(OwnCopy(result.Mask.Get()));
   quality->SetLabel(result.Structure.Value);
@@ -243,7 +249,8 @@ void JudgeOverlap(FitResult& result)
     Refuse("is not matched by a model of degree " + std::to_string(DegreeOf(result.Model)) +
                ": Dice " + TextAgainstLimit(result.Dice, limit, 2) + " (limit " +
                TextAgainstLimit(limit, limit, 2) + "), " + FixedText(result.ModelMilliliters, 2) +
-               " ml for a mask of " + FixedText(result.MaskMilliliters, 2) + " ml",
+               " ml for a " + (result.IsOfSurface ? "surface" : "mask") + " of " +
+               FixedText(result.InputMilliliters(), 2) + " ml",
            HintForMisfit, result);
     return;
   }

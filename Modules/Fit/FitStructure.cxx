@@ -2,6 +2,9 @@
 
 #include "FitStages.h"
 #include "ImageFormat.h"
+#include "SurfaceFile.h"
+
+#include <algorithm>
 
 namespace palpate
 {
@@ -31,7 +34,9 @@ FitResult FitStructure(const Segmentation& segmentation, const Segment& structur
 std::string CaseNameOf(const std::filesystem::path& file)
 {
   std::string name = file.filename().string();
-  name.erase(name.size() - EndingOf(file, ReadableImageEndings()).size());
+  const std::string image = EndingOf(file, ReadableImageEndings());
+  const std::string surface = EndingOf(file, SurfaceFormats().ReadEndings());
+  name.erase(name.size() - std::max(image.size(), surface.size()));
   return name;
 }
 } // namespace palpate

@@ -58,7 +58,7 @@ std::string WhyImplausible(const FitResult& result)
          SignificantText(radius[1], 3) + " mm, while the structure's surface lies within " +
          SignificantText(farthest, 3) + " mm of the centre, and it encloses " +
          SignificantText(result.ModelMilliliters, 6) + " ml instead of " +
-         SignificantText(result.MaskMilliliters, 3) + " ml";
+         SignificantText(result.InputMilliliters(), 3) + " ml";
 }
 
 std::string RemarkOnNegativeRadius(const FitResult& result)

@@ -76,6 +76,10 @@ std::string FoldedName(std::string name)
 
 std::string CaseFolderName(const std::string& caseName, const Segment& structure)
 {
+  if (structure.Label == 0) // a surface
+  {
+    return Sanitised(PlainName(caseName), LongestFolderName);
+  }
   const std::string name = PlainName(caseName) + "_" + std::to_string(structure.Label);
   return Sanitised(structure.Name.empty() ? name : name + "_" + structure.Name, LongestFolderName);
 }

@@ -20,7 +20,8 @@ PALPATEFIT_EXPORT std::string PlainName(const std::string& text);
 PALPATEFIT_EXPORT std::string FoldedName(std::string name);
 
 /// A folder name for one case of several: case, label and, if there is one, the structure's name,
-/// in at most 80 characters, otherwise as a PlainName. Different for each structure of a case.
+/// in at most 80 characters, otherwise as a PlainName; for a surface, which has no label, the case
+/// alone. Different for each structure of a case.
 PALPATEFIT_EXPORT std::string CaseFolderName(const std::string& caseName, const Segment& structure);
 
 /// "1" or "1_Prostate": a structure's folder within its case's.

@@ -107,9 +107,9 @@ void ReportIndex::Add(const FitResult& result, int degree, const std::filesystem
       Cell("text",
            report.empty() ? name : "<a href=\"" + LinkText(report) + "\">" + name + "</a>") +
       Cell("text", EscapeHtml(result.Input.filename().string())) + Cell("text", verdict) +
-      NumberCell(isFitted, result.Dice, 4) + NumberCell(isFitted, result.ModelToMask.Mean, 3) +
-      NumberCell(isFitted, result.ModelToMask.Percentile95, 3) +
-      NumberCell(isFitted, result.ModelToMask.Maximum, 3) +
+      NumberCell(isFitted, result.Dice, 4) + NumberCell(isFitted, result.ModelToInput().Mean, 3) +
+      NumberCell(isFitted, result.ModelToInput().Percentile95, 3) +
+      NumberCell(isFitted, result.ModelToInput().Maximum, 3) +
       NumberCell(result.MaskMilliliters > 0.0, result.MaskMilliliters, 2) +
       NumberCell(isFitted, result.ModelMilliliters, 2) + NumberCell(isFitted, degree, 0) +
       NumberCell(isFitted || result.Surface != nullptr, result.HiddenPercent, 2) + "</tr>\n";

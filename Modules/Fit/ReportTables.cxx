@@ -87,7 +87,10 @@ HtmlRows SurfaceRows(const FitResult& result)
   if (result.SurfaceAreaSquareMillimeters > 0.0)
   {
     rows.emplace_back("Area", FixedText(result.SurfaceAreaSquareMillimeters, 1) + " mm\xC2\xB2");
-    AddDistances(rows, result.SurfaceToMask);
+    if (!result.IsOfSurface)
+    {
+      AddDistances(rows, result.SurfaceToMask);
+    }
   }
   return rows;
 }
@@ -175,6 +178,13 @@ HtmlRows ModelToMaskRows(const FitResult& result)
   return rows;
 }
 
+std::string OverlapTable(const FitResult& result)
+{
+  return HtmlTable("Overlap of model and surface",
+                   {{"Dice", FixedText(result.Dice, 4)},
+                    {"Cubes", SignificantText(result.DiceSpacing, 3) + " mm"}});
+}
+
 HtmlRows ModelToSurfaceRows(const FitResult& result)
 {
   HtmlRows rows;
@@ -207,10 +217,11 @@ HtmlRows DegreeRows(const FitResult& result)
 
 std::string ReportNumbers(const FitResult& result)
 {
-  std::string html = HtmlTable("Mask", MaskRows(result));
+  std::string html = result.IsOfSurface ? "" : HtmlTable("Mask", MaskRows(result));
   if (result.Surface)
   {
-    html += HtmlTable("Surface, and its distance to the mask", SurfaceRows(result));
+    html += HtmlTable(result.IsOfSurface ? "Surface" : "Surface, and its distance to the mask",
+                      SurfaceRows(result));
     if (result.IsSampled)
     {
       html += HtmlTable("Seen from the centre", ViewRows(result));
@@ -223,7 +234,8 @@ std::string ReportNumbers(const FitResult& result)
   if (result.State == FitResult::Outcome::Fitted)
   {
     html += HtmlTable("Model", ModelRows(result)) +
-            HtmlTable("Model and mask", ModelToMaskRows(result)) +
+            (result.IsOfSurface ? OverlapTable(result)
+                                : HtmlTable("Model and mask", ModelToMaskRows(result))) +
             HtmlTable("Model and surface", ModelToSurfaceRows(result)) +
             (result.Details.Mapped ? HtmlTable("Crossings and placement", CrossingRows(result))
                                    : std::string()) +

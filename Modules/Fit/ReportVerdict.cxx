@@ -44,10 +44,11 @@ std::string VerdictText(const FitResult& result)
   if (result.State == FitResult::Outcome::Fitted)
   {
     text = "A model of degree " + std::to_string(DegreeOf(result.Model)) + " (" +
-           std::to_string(CoefficientCountOf(result.Model)) +
-           " coefficients) follows the mask\xE2\x80\x99s boundary with a mean distance of " +
-           FixedText(result.ModelToMask.Mean, 2) + " mm; 95 % of the boundary lies within " +
-           FixedText(result.ModelToMask.Percentile95, 2) + " mm. ";
+           std::to_string(CoefficientCountOf(result.Model)) + " coefficients) follows the " +
+           (result.IsOfSurface ? "surface" : "mask\xE2\x80\x99s boundary") +
+           " with a mean distance of " + FixedText(result.ModelToInput().Mean, 2) +
+           " mm; 95 % of the " + (result.IsOfSurface ? "surface" : "boundary") + " lies within " +
+           FixedText(result.ModelToInput().Percentile95, 2) + " mm. ";
   }
   const std::string message = SharedText(result.Input, result.Message);
   return text + (IsPredicate(message, result) ? StructureText(result) + " " : "") + message;

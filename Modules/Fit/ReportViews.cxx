@@ -159,7 +159,8 @@ std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
   }
   SoftwareRenderer renderer(result.ModelSurface);
   renderer.SetPointColors(std::move(pointColors));
-  return "<p class=\"soft\">Signed distance from the model to the surface of the mask, from " +
+  return "<p class=\"soft\">Signed distance from the model to the surface" +
+         std::string(result.IsOfSurface ? "" : " of the mask") + ", from " +
          FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") + FixedText(range[1], 2) +
          " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours." +
          (uncovered.IsAny()

@@ -1,15 +1,18 @@
 #include "SurfaceFit.h"
 
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "FitDeviation.h"
 #include "IcosahedronDirections.h"
+#include "KernelWatch.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"
 #include "MeshCrossings.h"
 #include "ModelSurface.h"
 #include "ParametricSurfaceMeasures.h"
 #include "ParametricUncertainty.h"
+#include "ReferenceVoxels.h"
+#include "RepairRemarks.h"
+#include "SurfaceFileFit.h"
 #include "TriangleMesh.h"
 #include "VoxelMinimum.h"
 #include "WindingNumbers.h"
@@ -25,55 +28,6 @@ namespace palpate
 namespace
 {
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
-
-// Lets a kernel's cancellation through as Cancelled.
-class Watched
-{
-public:
-  Watched(const ProgressFunction& progress, std::string stage)
-      : Progress(progress), Stage(std::move(stage))
-  {
-  }
-
-  KernelProgress Of(double from, double to)
-  {
-    return [this, from, to](double part)
-    {
-      this->IsCancelled = this->Progress && !this->Progress(from + (to - from) * part, this->Stage);
-      return !this->IsCancelled;
-    };
-  }
-  void Require() const
-  {
-    if (this->IsCancelled)
-    {
-      throw Cancelled();
-    }
-  }
-
-private:
-  const ProgressFunction& Progress;
-  std::string Stage;
-  bool IsCancelled = false;
-};
-
-IndexToWorld WorldOf(vtkImageData* image)
-{
-  const auto at = [image](double i, double j, double k)
-  {
-    const int* extent = image->GetExtent();
-    Vector3 index(i + extent[0], j + extent[2], k + extent[4]);
-    Vector3 world;
-    image->TransformContinuousIndexToPhysicalPoint(index.data(), world.data());
-    return world;
-  };
-  IndexToWorld toWorld;
-  toWorld.Origin = at(0.0, 0.0, 0.0);
-  toWorld.Axes.col(0) = at(1.0, 0.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(1) = at(0.0, 1.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(2) = at(0.0, 0.0, 1.0) - toWorld.Origin;
-  return toWorld;
-}
 
 VoxelMask MaskOf(const FitResult& result, int rim)
 {
@@ -93,32 +47,9 @@ vtkSmartPointer<vtkPolyData> PolyDataOf(const IndexedMesh& mesh)
   return PolyDataOf(drawn);
 }
 
-std::string PlaceText(const Vector3& placeWorld)
-{
-  return "(" + FixedText(placeWorld.x(), 1) + ", " + FixedText(placeWorld.y(), 1) + ", " +
-         FixedText(placeWorld.z(), 1) + ")";
-}
-
-void RemarkOnChange(const TopologyChange& change, const char* one, const char* several,
-                    FitResult& result)
-{
-  if (change.Count > 0)
-  {
-    result.Notes.push_back(
-        std::to_string(change.Count) + " " + (change.Count == 1 ? one : several) + ", " +
-        SignificantText(change.Volume, 3) + " mm\xC2\xB3; the largest of " +
-        FixedText(change.LargestExtent, 1) + " mm at " + PlaceText(change.LargestCentre));
-  }
-}
-
 void RemarkOnRepair(const MappedSurface& mapped, FitResult& result)
 {
-  const TopologyReport& report = mapped.Topology;
-  RemarkOnChange(report.DroppedParts, "small part dropped", "small parts dropped", result);
-  RemarkOnChange(report.Bridges, "part joined by a bridge", "parts joined by bridges", result);
-  RemarkOnChange(report.FilledCavities, "cavity filled", "cavities filled", result);
-  RemarkOnChange(report.CutHandles, "handle cut", "handles cut", result);
-  RemarkOnChange(report.FilledHandles, "handle filled", "handles filled", result);
+  RemarkOnChanges(mapped.Topology, result);
   if (!mapped.Lost.empty())
   {
     const LostPlace& farthest = mapped.Lost.front();
@@ -129,22 +60,16 @@ void RemarkOnRepair(const MappedSurface& mapped, FitResult& result)
   }
 }
 
-// Overlap with the mask on its own grid, and crossings of the drawn surface. Fails if it overlaps
-// itself too much (CheckRegularity).
+// Overlap with what was fitted, and crossings of the drawn surface. Fails if it overlaps itself too
+// much (CheckRegularity).
 Status MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
 {
-  const LabelMask copied = CopyLabelMask(result.Mask, result.Structure.Value, 1);
-  const IndexToWorld toWorld = WorldOf(result.Mask);
-  VoxelCenters centers;
-  centers.Axes = toWorld.Axes;
-  const std::array<int, 3>& start = copied.Mask.StartIndex;
-  centers.Origin = toWorld(Vector3(start[0], start[1], start[2]));
-  centers.Size = copied.Mask.Size;
+  const ReferenceVoxels reference = ReferenceVoxelsOf(result);
   std::vector<std::int16_t> numbers;
-  Status status = FindWindingNumbers(drawn, centers, numbers);
+  Status status = FindWindingNumbers(drawn, reference.Centers, numbers);
   if (status.IsOk())
   {
-    const WindingOverlap overlap = CompareWithMask(numbers, copied.Mask.Inside.data());
+    const WindingOverlap overlap = CompareWithMask(numbers, reference.Inside.data());
     result.Details.IrregularPercent = overlap.IrregularPercent();
     status = CheckRegularity(overlap);
   }
@@ -159,7 +84,7 @@ Status MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
 // The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
 // by bisection.
 Status FitDegree(const MappedSurface& mapped, const FitSettings& settings, int supported,
-                 ParametricFitResult& fit, Watched& watched)
+                 ParametricFitResult& fit, KernelWatch& watched)
 {
   ParametricFitOptions options;
   const auto fitTo = [&](int degree, double from, double to, ParametricFitResult& result)
@@ -239,7 +164,11 @@ void RemarkOnFit(FitResult& result)
 
 std::string MapToParameterSphere(FitResult& result, const ProgressFunction& progress)
 {
-  Watched watched(progress, "surface");
+  if (result.IsOfSurface)
+  {
+    return MapSurfaceFile(result, progress);
+  }
+  KernelWatch watched(progress, "surface");
   MappedSurfaceSettings settings;
   settings.IgnoresLimits = result.Settings.Repairs;
   auto mapped = std::make_shared<MappedSurface>();
@@ -258,7 +187,7 @@ std::string MapToParameterSphere(FitResult& result, const ProgressFunction& prog
 
 std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
 {
-  Watched watched(progress, "fit");
+  KernelWatch watched(progress, "fit");
   const MappedSurface& mapped = *result.Details.Mapped;
   const int supported =
       SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask);

@@ -63,6 +63,10 @@ std::string TooFewVoxels(const Segmentation& segmentation, const Segment& struct
 int SupportedDegree(double cubicMillimeters, vtkImageData* mask)
 {
   constexpr double Highest = 1000.0;
+  if (mask == nullptr)
+  {
+    return static_cast<int>(Highest);
+  }
   const double* spacing = mask->GetSpacing();
   const double coarsest = std::max({spacing[0], spacing[1], spacing[2]});
   const double radius = std::cbrt(3.0 * cubicMillimeters / (4.0 * M_PI));

@@ -12,7 +12,10 @@
 #include "SyntheticSurfaces.h"
 #include "TextMutator.h"
 
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
 namespace palpate::test
@@ -149,6 +152,56 @@ Mutator PlyMutator()
   return OneOf({head, TextMutator({words, {}, ""}), body});
 }
 
+std::vector<std::string> LegacyVtkSeeds()
+{
+  const auto surface = PolyDataOf(Tetrahedron());
+  vtkNew<vtkStringArray> names;
+  names->SetName("names");
+  names->InsertNextValue("two words");
+  surface->GetFieldData()->AddArray(names);
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({0, 1, 2, 3});
+  surface->SetStrips(strips);
+  std::vector<std::string> seeds;
+  for (const int version : {42, 51})
+  {
+    seeds.push_back(LegacyVtkBytes(surface, version, false));
+    seeds.push_back(LegacyVtkBytes(surface, version, true));
+  }
+  return seeds;
+}
+
+Mutator LegacyVtkMutator()
+{
+  const Mutator text = TextMutator({{"ASCII",
+                                     "BINARY",
+                                     "POLYDATA",
+                                     "POINTS",
+                                     "POLYGONS",
+                                     "TRIANGLE_STRIPS",
+                                     "VERTICES",
+                                     "LINES",
+                                     "OFFSETS",
+                                     "CONNECTIVITY",
+                                     "FIELD f 1",
+                                     "METADATA",
+                                     "POINT_DATA",
+                                     "NULL_ARRAY",
+                                     "# vtk DataFile Version 3.0",
+                                     "# vtk DataFile Version 5.1",
+                                     "bit",
+                                     "char",
+                                     "unsigned_short",
+                                     "vtkIdType",
+                                     "vtktypeint64",
+                                     "float",
+                                     "double",
+                                     "string"},
+                                    {},
+                                    ""});
+  return OneOf({text, text, MutateBytes});
+}
+
 std::vector<std::string> ObjSeeds()
 {
   return {MeshToObj(Tetrahedron()),
@@ -272,6 +325,8 @@ std::vector<FuzzTarget> SurfaceTargets()
   return {{"vtp", "a.vtp", VtpSeeds, VtpMutator(), [] { return SurfaceReader("a.vtp"); }},
           {"stl", "a.stl", StlSeeds, StlMutator(), [] { return SurfaceReader("a.stl"); }},
           {"ply", "a.ply", PlySeeds, PlyMutator(), [] { return SurfaceReader("a.ply"); }},
+          {"legacy-vtk", "a.vtk", LegacyVtkSeeds, LegacyVtkMutator(),
+           [] { return SurfaceReader("a.vtk"); }},
           {"obj", "a.obj", ObjSeeds, ObjMutator(), [] { return SurfaceReader("a.obj"); }},
           {"gltf", "a.gltf", [] { return std::vector<std::string>{MeshToGltf(Tetrahedron())}; },
            GltfMutator(), [] { return SurfaceReader("a.gltf"); }},

@@ -38,8 +38,7 @@ constexpr std::array<ForeignFormat, 17> Formats{{
     {".raw", IsVoxels, "specify its header (.mhd or .nhdr)"},
     {".zraw", IsVoxels, "specify its header (.mhd)"},
     {".vti", "is a VTK image, which is not supported", ToImage},
-    {".vtk", "is a legacy VTK file, which is not supported",
-     "save an image as NIfTI-1, NRRD or MetaImage, and a surface as .vtp"},
+    {".vtk", "is a legacy VTK file, of which only surfaces are supported", ToImage},
     {".json", "is a JSON file, not an image", "specify an image file"},
 }};
 } // namespace

@@ -25,7 +25,8 @@ const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
   {
     return *format;
   }
-  if (SurfaceFormats().Reader(file) != nullptr)
+  // Legacy VTK files have images too, which are refused as such.
+  if (SurfaceFormats().Reader(file) != nullptr && EndingOf(file, {".vtk"}).empty())
   {
     Refuse(file, "is a surface, not an image",
            "use voxels here, and surfaces with commands that take them");

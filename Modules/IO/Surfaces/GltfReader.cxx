@@ -174,7 +174,8 @@ private:
     this->Count(points.size());
     for (const Vector3& point : points)
     {
-      // In the precision of the file, without a negative zero.
+      // In the precision of the file, so that metres become the writer's mm again. The addition
+      // removes the sign of zeros; without it, GCC 12 leaves out the conversions at -O3.
       const Vector3 world = toWorld.topRows<3>() * point.homogeneous();
       this->Result.PointsWorld.emplace_back(
           (world.cast<float>().array() + 0.0F).matrix().cast<double>());

@@ -7,6 +7,7 @@
 #include "GiftiReader.h"
 #include "GltfReader.h"
 #include "InputError.h"
+#include "LegacyVtkReader.h"
 #include "MeshFormats.h"
 #include "MeshGltf.h"
 #include "ObjReader.h"
@@ -168,6 +169,13 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::filesystem::path& path)
   return TurnedToLps(SpaceOfComments(path, ObjComments(text)), SurfaceFromObj(text, path.string()));
 }
 
+vtkSmartPointer<vtkPolyData> ReadLegacyVtk(const std::filesystem::path& path)
+{
+  const std::string bytes = ReadWholeFile(path, MaximumBytes);
+  return TurnedToLps(SpaceOfComments(path, TitleOfLegacyVtk(bytes)),
+                     SurfaceFromLegacyVtk(bytes, path.string()));
+}
+
 vtkSmartPointer<vtkPolyData> ReadGifti(const std::filesystem::path& path)
 {
   const std::string text = ReadWholeFile(path, MaximumBytes);
@@ -195,6 +203,7 @@ FormatList<SurfaceFormat>& SurfaceFormats()
        {{"STL", {".stl"}, {".stl"}}, &ReadStl, &WriteMesh<&MeshToStl>},
        {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
        {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
+       {{"legacy VTK", {".vtk"}, {}}, &ReadLegacyVtk, nullptr},
        {{"GIfTI", {".gii", ".surf.gii"}, {}}, &ReadGifti, nullptr},
        {{"glTF", {".gltf"}, {".gltf"}}, &ReadGltf, &WriteMesh<&MeshToGltf>},
        {{"binary glTF", {".glb"}, {".glb"}}, &ReadGltf, &WriteMesh<&MeshToGlb>},

@@ -35,7 +35,8 @@ PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyDat
 /// Reads a file of SurfaceFormats into patient LPS in mm. A file that states SPACE=RAS as in 3D
 /// Slicer is converted; without a statement it is LPS (see SurfaceSpace). STL has no shared points,
 /// so equal ones are merged, which closes a closed surface again. PLY keeps normals, colours and
-/// point arrays (see MeshFromPly), OBJ its normals in single precision; GIfTI is RAS
-/// (see MeshFromGifti), glTF metres (see MeshFromGltf). Throws InputError.
+/// point arrays (see MeshFromPly), OBJ its normals in single precision, legacy VTK neither (see
+/// SurfaceFromLegacyVtk); GIfTI is RAS (see MeshFromGifti), glTF metres (see MeshFromGltf). Throws
+/// InputError.
 PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path);
 } // namespace palpate

@@ -9,8 +9,8 @@
 namespace palpate
 {
 /// The frame stated by a surface file for its coordinates. 3D Slicer writes it as SPACE=LPS or
-/// SPACE=RAS into the comments of STL, PLY and OBJ, and as a field array SPACE into VTP, and
-/// assumes LPS if a file states none (vtkMRMLModelStorageNode).
+/// SPACE=RAS into the comments of STL, PLY and OBJ, the title of legacy VTK, and as a field array
+/// SPACE into VTP, and assumes LPS if a file states none (vtkMRMLModelStorageNode).
 enum class SurfaceSpace
 {
   Lps,

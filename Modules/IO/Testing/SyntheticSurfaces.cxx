@@ -3,6 +3,10 @@
 #include "DataUri.h"
 #include "StoredImages.h"
 
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
+
 #include <sstream>
 
 namespace palpate::test
@@ -66,5 +70,16 @@ std::string GiftiBytes(const GiftiSpec& spec)
          "NumberOfDataArrays=\"2\">\n<MetaData/>\n<LabelTable/>\n" +
          Array(spec, "POINTSET", "FLOAT32", spec.Points, transform) +
          Array(spec, "TRIANGLE", "INT32", spec.Triangles, "") + "</GIFTI>\n";
+}
+
+std::string LegacyVtkBytes(vtkPolyData* surface, int version, bool isBinary)
+{
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetFileVersion(version);
+  writer->SetFileType(isBinary ? VTK_BINARY : VTK_ASCII);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  return writer->GetOutputStdString();
 }
 } // namespace palpate::test

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
 /// Surface files for tests that the project does not write itself.
 namespace palpate::test
 {
@@ -19,4 +21,7 @@ struct GiftiSpec
   std::string Matrix = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 1";
 };
 std::string GiftiBytes(const GiftiSpec& spec);
+
+/// A legacy VTK file as VTK writes it: version 42 or 51.
+std::string LegacyVtkBytes(vtkPolyData* surface, int version, bool isBinary);
 } // namespace palpate::test

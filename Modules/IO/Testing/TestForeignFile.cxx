@@ -28,7 +28,7 @@ std::vector<Foreign> ForeignFiles()
   return {
       {"a.IMG", std::string(400, '\1'), "has voxels without a header", ".hdr"},
       {"a.img.gz", Gzipped("abc"), "has voxels without a header", ".hdr"},
-      {"a.vtk", "# vtk DataFile Version 3.0\n", "is a legacy VTK file", ".vtp"},
+      {"a.vtk", "# vtk DataFile Version 3.0\n", "is a legacy VTK file", "NIfTI-1"},
       {"image.vti", "<VTKFile type=\"ImageData\">", "is a VTK image", "convert"},
       {"surface.vtp", "<VTKFile type=\"PolyData\">", "is a surface, not an image", "voxels"},
       {"a.stl", "solid a", "is a surface, not an image", "commands that take them"},
@@ -81,14 +81,6 @@ TEST(ForeignFile, LeavesDamagedKnownFormatsToTheirReaders)
         Contains(MessageOf([&] { ReadVolume(folder / name); }), "; copy or export it again."))
         << name;
   }
-}
-
-TEST(ForeignFile, RejectsLegacyVtkSurface)
-{
-  const TemporaryFolder folder;
-  WriteAll(folder / "a.vtk", "# vtk DataFile Version 3.0\n");
-  EXPECT_TRUE(Contains(MessageOf([&] { ReadSurface(folder / "a.vtk"); }),
-                       "is a legacy VTK file, which is not supported"));
 }
 
 TEST(ForeignFile, HeaderReportsMissingData)

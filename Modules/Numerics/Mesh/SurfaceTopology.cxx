@@ -244,17 +244,19 @@ SurfaceTopology DescribeTopology(const IndexedMesh& mesh)
   return topology;
 }
 
-Status CheckClosedGenusZero(const SurfaceTopology& topology)
+std::string FaultOfGenusZero(const SurfaceTopology& topology)
 {
   if (std::max(topology.Triangles, topology.Points) > static_cast<int>(MostTriangles))
   {
-    return Status::Failure("The surface has more than 700 million triangles or points.");
+    return "has more than 700 million triangles or points";
   }
-  std::string fault = ManifoldFault(topology);
-  if (fault.empty())
-  {
-    fault = GenusZeroFault(topology);
-  }
+  const std::string fault = ManifoldFault(topology);
+  return fault.empty() ? GenusZeroFault(topology) : fault;
+}
+
+Status CheckClosedGenusZero(const SurfaceTopology& topology)
+{
+  const std::string fault = FaultOfGenusZero(topology);
   return fault.empty() ? Status::Success() : Status::Failure("The surface " + fault + ".");
 }
 } // namespace palpate

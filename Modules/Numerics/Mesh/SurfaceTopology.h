@@ -3,6 +3,8 @@
 #include "IndexedMesh.h"
 #include "Status.h"
 
+#include <string>
+
 namespace palpate
 {
 /// What a triangle mesh is. Edges, holes, parts and so on are those of the triangles with three
@@ -37,6 +39,10 @@ struct SurfaceTopology
 /// Linear time; 5 million triangles take some 2 s and 130 MB in addition to the mesh. Any input is
 /// allowed, up to 700 million triangles; beyond, only Points and Triangles are set.
 SurfaceTopology DescribeTopology(const IndexedMesh& mesh);
+
+/// Why the mesh is not one closed surface without handles, oriented outwards, all of whose points
+/// are used, as a predicate ("has 1 hole"): the first such fact. Empty if it is one.
+std::string FaultOfGenusZero(const SurfaceTopology& topology);
 
 /// Whether the mesh is one closed surface without handles, oriented outwards, all of whose points
 /// are used. The failure names the first fact that prevents it.

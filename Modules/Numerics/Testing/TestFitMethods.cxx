@@ -5,6 +5,7 @@
 #include "SphericalHarmonicFit.h"
 
 #include "FitSamples.h"
+#include "SinglePrecision.h"
 #include "SphericalHarmonicBasis.h"
 
 #include <gtest/gtest.h>
@@ -222,7 +223,7 @@ TEST(FitMethods, AcceptsSinglePrecisionDirections)
   RadialSamples samples = NoisyCap(1170, 12, 30.0);
   for (Vector3& direction : samples.Directions)
   {
-    direction = direction.cast<float>().cast<double>();
+    direction = test::InSinglePrecision(direction);
   }
   const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, OfDegree(12));
   const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(12));

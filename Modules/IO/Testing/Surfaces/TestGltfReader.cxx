@@ -4,6 +4,7 @@
 #include "IcosahedronDirections.h"
 #include "MeshGltf.h"
 #include "MessageOf.h"
+#include "SinglePrecision.h"
 #include "StoredImages.h"
 #include "SurfaceFile.h"
 #include "TemporaryFolder.h"
@@ -65,7 +66,7 @@ TriangleMesh Sphere()
   mesh.Normals = sphere.Directions();
   for (const Vector3& u : sphere.Directions())
   {
-    mesh.PointsWorld.push_back((Vector3(10.1, -20.2, 30.3) + 7.0 * u).cast<float>().cast<double>());
+    mesh.PointsWorld.push_back(InSinglePrecision(Vector3(10.1, -20.2, 30.3) + 7.0 * u));
     mesh.Colors.push_back({255, 128, 0});
   }
   mesh.Triangles = sphere.Triangles();

@@ -1,0 +1,36 @@
+#include "RepairRemarks.h"
+
+#include "DecimalText.h"
+
+namespace palpate
+{
+namespace
+{
+void RemarkOnChange(const TopologyChange& change, const char* one, const char* several,
+                    FitResult& result)
+{
+  if (change.Count > 0)
+  {
+    result.Notes.push_back(
+        std::to_string(change.Count) + " " + (change.Count == 1 ? one : several) + ", " +
+        SignificantText(change.Volume, 3) + " mm\xC2\xB3; the largest of " +
+        FixedText(change.LargestExtent, 1) + " mm at " + PlaceText(change.LargestCentre));
+  }
+}
+} // namespace
+
+std::string PlaceText(const Vector3& placeWorld)
+{
+  return "(" + FixedText(placeWorld.x(), 1) + ", " + FixedText(placeWorld.y(), 1) + ", " +
+         FixedText(placeWorld.z(), 1) + ")";
+}
+
+void RemarkOnChanges(const TopologyReport& report, FitResult& result)
+{
+  RemarkOnChange(report.DroppedParts, "small part dropped", "small parts dropped", result);
+  RemarkOnChange(report.Bridges, "part joined by a bridge", "parts joined by bridges", result);
+  RemarkOnChange(report.FilledCavities, "cavity filled", "cavities filled", result);
+  RemarkOnChange(report.CutHandles, "handle cut", "handles cut", result);
+  RemarkOnChange(report.FilledHandles, "handle filled", "handles filled", result);
+}
+} // namespace palpate

@@ -1,0 +1,198 @@
+#include "SurfaceFileFit.h"
+
+#include "ClosedMesh.h"
+#include "DecimalText.h"
+#include "FitHints.h"
+#include "FitStructure.h"
+#include "KernelWatch.h"
+#include "MeshConversion.h"
+#include "MeshDecimation.h"
+#include "ReferenceVoxels.h"
+#include "RepairRemarks.h"
+#include "SphericalParametrisation.h"
+#include "StageClock.h"
+#include "SurfaceTopology.h"
+#include "TriangleMesh.h"
+
+#include "vtkBoundingBox.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr double CubicMillimetersPerMilliliter = 1000.0;
+
+std::string Counted(int count, const char* one, const char* several)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
+{
+  const MeshMends& mends = closed.Mends;
+  std::string done;
+  const auto add = [&done](int count, const char* one, const char* several)
+  {
+    if (count > 0)
+    {
+      done += (done.empty() ? "" : ", ") + Counted(count, one, several);
+    }
+  };
+  add(mends.DroppedTriangles, "triangle without three points dropped",
+      "triangles without three points dropped");
+  add(mends.ReversedTriangles, "triangle turned to face outwards",
+      "triangles turned to face outwards");
+  if (!done.empty())
+  {
+    result.Notes.push_back("the surface was mended: " + done);
+  }
+  if (!closed.Fault.empty())
+  {
+    result.Notes.push_back("the surface " + closed.Fault + ": it was made again from voxels of " +
+                           SignificantText(closed.VoxelSize, 3) + " mm inside it");
+    RemarkOnChanges(closed.Topology, result);
+  }
+  else if (closed.Mesh.Triangles.size() < static_cast<std::size_t>(closed.GivenTriangles / 2))
+  {
+    result.Notes.push_back("the surface was coarsened from " +
+                           std::to_string(closed.GivenTriangles) + " to " +
+                           std::to_string(closed.Mesh.Triangles.size()) + " triangles");
+  }
+}
+
+vtkSmartPointer<vtkPolyData> PolyDataOf(const IndexedMesh& mesh)
+{
+  TriangleMesh drawn;
+  drawn.PointsWorld = mesh.Points;
+  drawn.Triangles = mesh.Triangles;
+  return PolyDataOf(drawn);
+}
+
+void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunction& progress)
+{
+  FitResult& result = made.Found;
+  StageClock clock(result.Seconds);
+  KernelWatch watch(progress, "surface");
+  TriangleMesh triangles = TrianglesOf(surface, result.Input);
+  ClosedMeshSettings settings;
+  settings.Repairs = result.Settings.Repairs;
+  ClosedMesh closed;
+  const Status status =
+      MakeClosedMesh({std::move(triangles.PointsWorld), std::move(triangles.Triangles)}, settings,
+                     watch.Of(0.0, 1.0), closed);
+  watch.Require();
+  if (!status.IsOk())
+  {
+    result.State = FitResult::Outcome::BadInput;
+    result.Message = status.Message();
+    result.OptionHint = HintForOpenSurface(result.Settings, OptionWords);
+    result.WindowHint = HintForOpenSurface(result.Settings, WindowWords);
+    return;
+  }
+  RemarkOnMends(closed, result);
+  result.Details.SurfaceRepair = closed.Topology;
+  result.SurfaceMilliliters = DescribeTopology(closed.Mesh).Volume / CubicMillimetersPerMilliliter;
+  result.Surface = PolyDataOf(closed.Mesh);
+  made.Boundary = result.Surface;
+  clock.EndStage("surface");
+}
+
+// The part [from, to] of a progress.
+ProgressFunction PartOf(const ProgressFunction& progress, double from, double to)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [&progress, from, to](double fraction, const std::string& stage)
+  { return progress(from + (to - from) * fraction, stage); };
+}
+
+bool IsWithin(const double* bounds, const VoxelCenters& grid)
+{
+  const Vector3 last(grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1);
+  const Vector3 end = grid.Origin + grid.Axes * last;
+  const vtkBoundingBox box(grid.Origin.x(), end.x(), grid.Origin.y(), end.y(), grid.Origin.z(),
+                           end.z());
+  return box.Contains(vtkBoundingBox(bounds)) != 0;
+}
+} // namespace
+
+FitSurface MakeFitSurface(const std::filesystem::path& file, vtkPolyData* surface,
+                          const FitSettings& settings, const ProgressFunction& progress)
+{
+  FitSurface made;
+  FitResult& result = made.Found;
+  result.Input = file;
+  result.CaseName = CaseNameOf(file);
+  result.Structure.Name = result.CaseName;
+  result.Settings = settings;
+  result.IsOfSurface = true;
+  RunClosedMesh(surface, made, progress);
+  made.IsOver = !result.Message.empty();
+  return made;
+}
+
+FitResult FitSurfaceFile(const std::filesystem::path& file, vtkPolyData* surface,
+                         const FitSettings& settings, const ProgressFunction& progress)
+{
+  const FitSurface made = MakeFitSurface(file, surface, settings, PartOf(progress, 0.0, 0.3));
+  const FitSamples samples = MakeFitSamples(made, settings, PartOf(progress, 0.3, 0.4));
+  return MakeFitModel(samples, settings, PartOf(progress, 0.4, 1.0));
+}
+
+std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress)
+{
+  KernelWatch watch(progress, "surface");
+  auto mapped = std::make_shared<MappedSurface>();
+  mapped->Mesh = ToIndexedMesh(result.Surface);
+  mapped->Topology = result.Details.SurfaceRepair;
+  const DecimationSettings coarse{MappedSurfaceSettings().Triangles};
+  Status status = Status::Success();
+  if (mapped->Mesh.Triangles.size() > static_cast<std::size_t>(coarse.Triangles))
+  {
+    status = DecimateMesh(mapped->Mesh, coarse, {}, watch.Of(0.0, 0.6), mapped->Mesh);
+  }
+  SphericalParametrisation map;
+  if (status.IsOk())
+  {
+    status = ParametriseOnSphere(mapped->Mesh, watch.Of(0.6, 1.0), map);
+  }
+  watch.Require();
+  if (!status.IsOk())
+  {
+    return status.Message();
+  }
+  mapped->Directions = std::move(map.Directions);
+  mapped->Map = map.Quality;
+  result.Details.Mapped = std::move(mapped);
+  return {};
+}
+
+void MeasureOverlap(FitResult& result)
+{
+  const ReferenceVoxels reference = ReferenceVoxelsOf(result);
+  const VoxelCenters& grid = reference.Centers;
+  const double side = grid.Axes(0, 0);
+  result.DiceSpacing = side;
+  result.Dice = 0.0;
+  std::vector<std::int16_t> numbers;
+  if (!FindWindingNumbers(ToIndexedMesh(result.ModelSurface), grid, numbers).IsOk())
+  {
+    return; // a model without finite points overlaps nothing
+  }
+  WindingOverlap overlap = CompareWithMask(numbers, reference.Inside.data());
+  if (!IsWithin(result.ModelSurface->GetBounds(), grid))
+  {
+    const double volume = CubicMillimetersPerMilliliter * std::abs(result.ModelMilliliters);
+    overlap.Inside = std::max<std::int64_t>(
+        overlap.Inside, std::llround(std::min(volume / (side * side * side), 1e18)));
+  }
+  result.Dice = overlap.Dice();
+}
+} // namespace palpate

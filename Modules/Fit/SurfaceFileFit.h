@@ -1,0 +1,30 @@
+#pragma once
+
+#include "FitStages.h"
+#include "PalpateFitModule.h"
+
+#include <filesystem>
+#include <string>
+
+namespace palpate
+{
+/// The first stage of a fit to a closed surface instead of a mask: the surface as MakeClosedMesh
+/// makes it from a file's content, with remarks on what was changed. A surface that cannot be
+/// mended is bad input, unless the settings say to repair it. Depends on Repairs. Throws InputError
+/// for a surface without triangles, and Cancelled.
+PALPATEFIT_EXPORT FitSurface MakeFitSurface(const std::filesystem::path& file, vtkPolyData* surface,
+                                            const FitSettings& settings,
+                                            const ProgressFunction& progress);
+
+/// All stages, as FitStructure for a mask.
+PALPATEFIT_EXPORT FitResult FitSurfaceFile(const std::filesystem::path& file, vtkPolyData* surface,
+                                           const FitSettings& settings,
+                                           const ProgressFunction& progress = {});
+
+/// MapToParameterSphere for a result of a surface file.
+PALPATEFIT_EXPORT std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress);
+
+/// Overlap of the model with the surface of a surface file, on cubes around it: Dice and
+/// DiceSpacing.
+PALPATEFIT_EXPORT void MeasureOverlap(FitResult& result);
+} // namespace palpate
