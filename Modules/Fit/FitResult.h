@@ -66,6 +66,7 @@ struct FitResult
   std::vector<std::string> Notes;
 
   // The mask.
+  bool IsOriented = true;             ///< false: the file does not state its axes in the patient
   vtkSmartPointer<vtkImageData> Mask; ///< the label layer, on its own grid
   double MaskMilliliters = 0.0;       ///< of the fitted component
   bool TouchesBorder = false;

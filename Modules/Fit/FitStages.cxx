@@ -297,7 +297,14 @@ void RunMap(FitResult& result, const ProgressFunction& progress)
   clock.EndStage("map");
   if (!reason.empty())
   {
-    Refuse(reason, HintForRepair, result);
+    result.State = FitResult::Outcome::Refused; // by its shape, which no setting changes
+    result.Message = reason;
+    return;
+  }
+  const Status changed = CheckTopology(result.Details.Mapped->Topology, {});
+  if (!changed.IsOk() && !result.Settings.Repairs)
+  {
+    Refuse(changed.Message(), HintForRepair, result);
   }
 }
 
@@ -431,6 +438,7 @@ FitSurface MakeFitSurface(const Segmentation& segmentation, const Segment& struc
   result.Settings = settings;
   result.Notes = segmentation.Notes;
   result.Mask = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
+  result.IsOriented = segmentation.IsOriented;
   RunStage([&] { RunSurface(made, progress); }, result);
   made.IsOver = !result.Message.empty();
   return made;

@@ -163,6 +163,10 @@ std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress)
   {
     status = ParametriseOnSphere(mapped->Mesh, watch.Of(0.6, 1.0), map);
   }
+  if (status.IsOk())
+  {
+    status = CheckSphereMap(map.Quality);
+  }
   watch.Require();
   if (!status.IsOk())
   {

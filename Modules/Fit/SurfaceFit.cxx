@@ -83,10 +83,14 @@ Status MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
 
 // The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
 // by bisection.
-Status FitDegree(const MappedSurface& mapped, const FitSettings& settings, int supported,
-                 ParametricFitResult& fit, KernelWatch& watched)
+Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit,
+                 KernelWatch& watched)
 {
+  const MappedSurface& mapped = *found.Details.Mapped;
+  const FitSettings& settings = found.Settings;
   ParametricFitOptions options;
+  options.Placing = found.IsOriented ? ParametricFitOptions::PlacementKind::Frame
+                                     : ParametricFitOptions::PlacementKind::Ellipsoid;
   const auto fitTo = [&](int degree, double from, double to, ParametricFitResult& result)
   {
     options.Degree = degree;
@@ -144,6 +148,19 @@ Status JudgeFit(const IndexedMesh& mesh, const ParametricFitResult& fit, FitResu
   return status;
 }
 
+void RemarkOnPlacement(bool isAmbiguous, FitResult& result)
+{
+  if (!result.IsOriented)
+  {
+    result.Notes.push_back(
+        std::string("the file states no axes in the patient, so the parameters follow the axes of "
+                    "the ellipsoid of degree 1") +
+        (isAmbiguous ? ", two of which are within 10 % and may turn: parameters do not correspond "
+                       "to those of other cases"
+                     : ", whose signs may change from case to case"));
+  }
+}
+
 void RemarkOnFit(FitResult& result)
 {
   const SurfaceModelDetails& details = result.Details;
@@ -169,10 +186,8 @@ std::string MapToParameterSphere(FitResult& result, const ProgressFunction& prog
     return MapSurfaceFile(result, progress);
   }
   KernelWatch watched(progress, "surface");
-  MappedSurfaceSettings settings;
-  settings.IgnoresLimits = result.Settings.Repairs;
   auto mapped = std::make_shared<MappedSurface>();
-  const Status status = MakeMappedSurface(MaskOf(result, 1), WorldOf(result.Mask), settings,
+  const Status status = MakeMappedSurface(MaskOf(result, 1), WorldOf(result.Mask), {},
                                           watched.Of(0.0, 1.0), *mapped);
   watched.Require();
   if (!status.IsOk())
@@ -192,7 +207,7 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   const int supported =
       SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask);
   ParametricFitResult fit;
-  const Status status = FitDegree(mapped, result.Settings, supported, fit, watched);
+  const Status status = FitDegree(result, supported, fit, watched);
   watched.Require();
   if (!status.IsOk())
   {
@@ -218,6 +233,7 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   }
   const TriangleMesh drawn = TrianglesOf(result.ModelSurface, "model");
   const Status overlap = MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
+  RemarkOnPlacement(fit.IsAmbiguous, result);
   RemarkOnFit(result);
   return overlap.Message();
 }

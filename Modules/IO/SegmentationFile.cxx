@@ -54,6 +54,7 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
   file.ReadInto(voxels->GetVoidPointer(0));
   ImageGrid grid = file.Grid();
   MakeRightHanded(path, leftHanded, grid, voxels, segmentation.Notes);
+  segmentation.IsOriented = grid.IsOriented;
   for (int layer = 0; layer < file.Components(); ++layer)
   {
     segmentation.Layers.push_back(

@@ -36,6 +36,7 @@ Volume ReadImageFile(const std::filesystem::path& path, const VolumeChoice& choi
   volume.Notes = file->Notes();
   MakeRightHanded(path, choice.LeftHanded, grid, voxels, volume.Notes);
   volume.Image = MakeImage(grid, voxels);
+  volume.IsOriented = grid.IsOriented;
   return volume;
 }
 

@@ -88,10 +88,6 @@ Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
 {
   GenusZeroSurface made;
   Status status = MakeGenusZeroSurface(mask, settings.Surface, PartOf(progress, 0.0, 0.3), made);
-  if (status.IsOk() && !settings.IgnoresLimits)
-  {
-    status = CheckTopology(made.Topology, settings.Limits);
-  }
   MappedSurface mapped;
   if (status.IsOk())
   {

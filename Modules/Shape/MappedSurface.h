@@ -38,15 +38,13 @@ struct MappedSurface
 struct MappedSurfaceSettings
 {
   GenusZeroSettings Surface;
-  TopologyLimits Limits;
-  bool IgnoresLimits = false; ///< keeps structures whose repair exceeds the limits
   int Triangles = 10'000;
 };
 
 /// Makes the surface of a mask (MakeGenusZeroSurface), coarsens it (DecimateMesh) and maps it to
-/// the sphere (ParametriseOnSphere). Fails as those do, beyond the limits of CheckTopology unless
-/// told to ignore them, and beyond those of CheckSphereMap; messages are predicates of the
-/// structure or sentences of their own.
+/// the sphere (ParametriseOnSphere). Fails as those do, and beyond the limits of CheckSphereMap;
+/// messages are predicates of the structure or sentences of their own. However much had to be
+/// changed: CheckTopology judges that.
 PALPATESHAPE_EXPORT Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
                                              const MappedSurfaceSettings& settings,
                                              const KernelProgress& progress,

@@ -106,7 +106,7 @@ private:
     this->Report->ObjectVolume = static_cast<double>(nodes) * this->Field->Grid.CellVolume();
     if (largest < 0)
     {
-      return Status::Failure("No part of the object is wide enough for the grid.");
+      return Status::Failure("is nowhere wide enough for a surface");
     }
     const double least = this->Settings.SmallPart * static_cast<double>(nodes);
     std::vector<unsigned char> isDropped(static_cast<std::size_t>(components.Count()), 0);
@@ -135,8 +135,7 @@ private:
                            this->Field->Grid.CellVolume() / this->Report->ObjectVolume;
     char text[120];
     std::snprintf(text, sizeof(text),
-                  "The object has %d separate parts; the largest has %.3g %% of its volume.", count,
-                  percent);
+                  "has %d separate parts; the largest has %.3g %% of its volume", count, percent);
     return Status::Failure(text);
   }
 

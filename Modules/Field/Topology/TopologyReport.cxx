@@ -43,20 +43,20 @@ Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits)
 {
   if (DiameterOf(report.FilledCavities.LargestVolume) > limits.CavityDiameter)
   {
-    return Status::Failure("A cavity of " + Rounded(report.FilledCavities.LargestVolume) +
-                           " mm\xC2\xB3 would be filled.");
+    return Status::Failure("has a cavity of " + Rounded(report.FilledCavities.LargestVolume) +
+                           " mm\xC2\xB3, which a model would fill");
   }
   const double longest =
       std::min(limits.BridgedGap, limits.GapShare * DiameterOf(report.ObjectVolume));
   if (report.Bridges.LargestExtent > longest)
   {
-    return Status::Failure("Parts that are " + Rounded(report.Bridges.LargestExtent) +
-                           " mm apart would be joined.");
+    return Status::Failure("has parts that are " + Rounded(report.Bridges.LargestExtent) +
+                           " mm apart, which a model would join");
   }
   if (!(report.ChangedPercent() <= limits.ChangedPercent))
   {
-    return Status::Failure("To remove handles, cavities and small parts, " +
-                           Rounded(report.ChangedPercent()) + " % of the volume would be changed.");
+    return Status::Failure("has handles, cavities and small parts whose removal would change " +
+                           Rounded(report.ChangedPercent()) + " % of its volume");
   }
   return Status::Success();
 }

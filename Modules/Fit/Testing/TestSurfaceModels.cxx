@@ -238,6 +238,28 @@ TEST(SurfaceModels, OfATorusTellThatItsHandleWasCut)
   EXPECT_TRUE(isTold);
 }
 
+// The tube's ellipsoid is longest along the parameter x, wherever the file's axes look.
+TEST(SurfaceModels, WithoutOrientationFollowTheirEllipsoid)
+{
+  Segmentation segmentation;
+  segmentation.Layers.emplace_back(Ring(2.0));
+  segmentation.IsOriented = false;
+  Segment segment;
+  segment.Label = segment.Value = 1;
+  segmentation.Segments.push_back(segment);
+  const FitResult result = palpate::FitStructure(segmentation, segment, SurfaceOfDegree(8));
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  const auto extent = [&result](const Vector3& axis)
+  { return (SurfaceOf(result).Point(axis) - SurfaceOf(result).Point(-axis)).norm(); };
+  EXPECT_GT(extent(Vector3::UnitX()), extent(Vector3::UnitZ()));
+  bool isTold = false;
+  for (const std::string& note : result.Notes)
+  {
+    isTold = isTold || note.find("axes of the ellipsoid") != std::string::npos;
+  }
+  EXPECT_TRUE(isTold);
+}
+
 TEST(SurfaceModels, CanBeCancelled)
 {
   for (const double end : {0.32, 0.45, 0.6})

@@ -84,6 +84,7 @@ public:
       : StoredImageFile(file, LayoutOf(file, bytes))
   {
     this->FileGrid = GridOf(bytes);
+    this->FileGrid.IsOriented = false;
     this->HeaderNotes = {"GIPL files give no orientation; the index axes were taken as L, P, S, as "
                          "ITK does: check left and right."};
   }

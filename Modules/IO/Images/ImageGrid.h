@@ -21,6 +21,7 @@ struct ImageGrid
   Vector3 OriginWorld = Vector3::Zero(); ///< centre of voxel 0, 0, 0
   Eigen::Matrix3d Direction =
       Eigen::Matrix3d::Identity(); ///< column i: unit vector of index axis i
+  bool IsOriented = true;          ///< false: the file does not state the axes in the patient
 
   std::int64_t VoxelCount() const noexcept
   {

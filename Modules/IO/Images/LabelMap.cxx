@@ -62,6 +62,7 @@ Segmentation LabelMapOf(const Volume& volume)
   Segmentation segmentation;
   segmentation.Source = volume.Source;
   segmentation.Notes = volume.Notes;
+  segmentation.IsOriented = volume.IsOriented;
   segmentation.Layers.push_back(labels == voxels ? volume.Image
                                                  : MakeImage(GridOf(volume.Image), labels));
   CompleteSegments(segmentation);

@@ -28,6 +28,7 @@ public:
       Refuse(file, "has an ambiguous header", "copy or export it again");
     }
     this->HeaderNotes = facts.Notes;
+    this->FileGrid.IsOriented = facts.Notes.empty();
   }
 };
 

@@ -12,7 +12,7 @@ struct MetaImageFacts
 {
   std::vector<double> Size; ///< of the three axes
   double VoxelBytes = 0.0;
-  std::vector<std::string> Notes; ///< assumptions, as sentences
+  std::vector<std::string> Notes; ///< assumptions on its orientation, as sentences
 };
 
 /// Checks the text header of a MetaImage file before the MetaIO library reads it, since the library

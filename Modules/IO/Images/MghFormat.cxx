@@ -70,6 +70,7 @@ void PlaceGrid(const HeaderBytes& bytes, MghHeader& header)
   }
   else
   {
+    header.Grid.IsOriented = false;
     header.Notes.emplace_back("The file gives no orientation; FreeSurfer's default was taken "
                               "(coronal slices, voxels of 1 mm).");
   }

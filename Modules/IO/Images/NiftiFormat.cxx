@@ -20,6 +20,7 @@ public:
     this->HeaderNotes = OrientationNotes(header.Orientation, this->FileGrid);
     if (header.IsAnalyze)
     {
+      this->FileGrid.IsOriented = false;
       this->HeaderNotes = {"Analyze files state no reliable orientation; the index axes were taken "
                            "as L, P, S, as ITK does: check left and right."};
     }

@@ -83,6 +83,7 @@ void PlaceGrid(const std::filesystem::path& file, const NiftiOrientation& orient
   {
     grid.OriginWorld.setZero();
     grid.Direction.setIdentity();
+    grid.IsOriented = false;
     return;
   }
   const bool usesSForm = UsesSForm(orientation, grid.Spacing);

@@ -181,6 +181,7 @@ Vector3 NrrdSpace::ToLps(const Vector3& vector) const
 
 void NrrdSpace::PlaceGrid(ImageGrid& grid) const
 {
+  grid.IsOriented = this->IsAnatomical && !this->Steps.empty();
   for (int axis = 0; axis < static_cast<int>(this->Steps.size()); ++axis)
   {
     const Vector3 step = this->ToLps(this->Steps[static_cast<std::size_t>(axis)]);

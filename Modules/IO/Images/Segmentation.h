@@ -30,6 +30,7 @@ struct Segmentation
   std::vector<Segment> Segments; ///< those with at least one voxel, by ascending Label
   std::filesystem::path Source;
   std::vector<std::string> Notes; ///< changes made to the file's data
+  bool IsOriented = true;         ///< false: the file does not state its axes in the patient
 
   /// Finds a segment by label number or name. Throws InputError with the list of segments.
   PALPATEIO_EXPORT const Segment& Find(const std::string& labelOrName) const;

@@ -18,6 +18,7 @@ struct Volume
   std::filesystem::path Source;
   /// Changes made to the file's data (an axis reversed, ...), as sentences.
   std::vector<std::string> Notes;
+  bool IsOriented = true; ///< false: the file does not state its axes in the patient
 };
 
 struct VolumeChoice

@@ -301,6 +301,19 @@ TEST(Orientations, NotesNrrdWithoutDirections)
                                                          "index axes were taken as L, P, S."});
 }
 
+TEST(Orientations, AreKnownOnlyIfTheFileStatesThem)
+{
+  const TemporaryFolder folder;
+  const auto isOriented = [&folder](const std::vector<std::string>& lines)
+  {
+    WriteAll(folder / "a.nrrd", NrrdBytes(lines, CountingVoxels()));
+    return ReadVolume(folder / "a.nrrd").IsOriented &&
+           ReadSegmentation(folder / "a.nrrd").IsOriented;
+  };
+  EXPECT_TRUE(isOriented(PlainNrrdLines("unsigned char")));
+  EXPECT_FALSE(isOriented(LinesWith(2, "space: scanner-xyz")));
+}
+
 TEST(Orientations, NrrdInPatientSpaceGetsNoNote)
 {
   EXPECT_TRUE(NotesOfNrrd(PlainNrrdLines("unsigned char")).empty());

@@ -94,19 +94,17 @@ public:
                      std::to_string(this->Options.Degree));
   }
 
-  // Turns the parameter sphere so that the surface's degree-1 part is symmetric.
+  // Turns the parameter sphere.
   Status Place(ParametricFitResult& result)
   {
-    SphericalPlacement placement;
-    Status status = PlaceByPolarFactor(DegreeOneOf(this->Solver.Surface()), placement);
+    Status status = this->FindPlacement(result);
     if (!status.IsOk())
     {
       return status;
     }
-    result.Placement = placement;
     for (Vector3& parameter : this->Parameters)
     {
-      parameter = (placement.Rotation * parameter).normalized();
+      parameter = (result.Placement.Rotation * parameter).normalized();
     }
     return this->Start();
   }
@@ -156,6 +154,20 @@ public:
   }
 
 private:
+  Status FindPlacement(ParametricFitResult& result) const
+  {
+    const Matrix3 degreeOne = DegreeOneOf(this->Solver.Surface());
+    if (this->Options.Placing == ParametricFitOptions::PlacementKind::Frame)
+    {
+      return PlaceByPolarFactor(degreeOne, result.Placement);
+    }
+    EllipsoidPlacement ellipsoid;
+    Status status = PlaceByEllipsoid(degreeOne, ellipsoid);
+    result.Placement = ellipsoid.Placement;
+    result.IsAmbiguous = ellipsoid.IsLongestPairAmbiguous || ellipsoid.IsShortestPairAmbiguous;
+    return status;
+  }
+
   void Evaluate(const std::vector<Vector3>& parameters)
   {
     this->State.resize(parameters.size());
@@ -276,7 +288,7 @@ Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>&
 {
   Run run(mesh, parameters, options);
   Status status = run.Start();
-  if (status.IsOk() && options.IsPlaced && options.Degree > 0)
+  if (status.IsOk() && options.Degree > 0)
   {
     status = run.Place(result);
   }

@@ -14,9 +14,15 @@ namespace palpate
 struct ParametricFitOptions
 {
   int Degree = 20;
-  /// Turns the parameter sphere so that its directions are those of the frame of the mesh
-  /// (PlaceByPolarFactor): surfaces of different patients then correspond.
-  bool IsPlaced = true;
+  /// How the parameter sphere is turned: so that its directions are those of the frame of the mesh
+  /// (PlaceByPolarFactor), so that surfaces of different patients correspond; or, where the axes of
+  /// that frame mean nothing, those of the surface's ellipsoid (PlaceByEllipsoid).
+  enum class PlacementKind
+  {
+    Frame,
+    Ellipsoid
+  };
+  PlacementKind Placing = PlacementKind::Frame;
   /// Rounds in which the vertices slide to their nearest parameters and the surface is fitted
   /// again along the mesh's normals. 0: one fit by distances of points.
   int Refits = 3;
@@ -32,7 +38,8 @@ struct ParametricFitResult
 {
   ParametricSphericalSurface Surface{0, {{{0.0}, {0.0}, {0.0}}}};
   std::vector<Vector3> Parameters; ///< of the mesh's vertices, after sliding
-  SphericalPlacement Placement;    ///< with IsPlaced
+  SphericalPlacement Placement;    ///< not for degree 0
+  bool IsAmbiguous = false;        ///< placed by an ellipsoid of which two axes are within 10 %
   double NormalRms = 0.0;          ///< mm, area-weighted distance of the vertices along normals
   int Folded = 0;                  ///< vertices at which the area element turns over
 };
