@@ -25,7 +25,7 @@ struct ParametricFitOptions
   PlacementKind Placing = PlacementKind::Frame;
   /// Rounds in which the vertices slide to their nearest parameters and the surface is fitted
   /// again along the mesh's normals. 0: one fit by distances of points.
-  int Refits = 3;
+  int Refits = 4;
   double Ridge = 1e-4;         ///< see ParametricSolver
   double TangentWeight = 0.05; ///< of tangential residuals in a refit
   int Iterations = 15;         ///< of conjugate gradients in a refit
