@@ -3,16 +3,17 @@
 #include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitDeviation.h"
+#include "FitQuality.h"
 #include "IcosahedronDirections.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"
+#include "MeshConversion.h"
 #include "MeshCrossings.h"
 #include "ModelSurface.h"
 #include "ParametricSurfaceMeasures.h"
 #include "ParametricUncertainty.h"
 #include "TriangleMesh.h"
 #include "VoxelMinimum.h"
-#include "WindingNumbers.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -56,24 +57,6 @@ private:
   std::string Stage;
   bool IsCancelled = false;
 };
-
-IndexToWorld WorldOf(vtkImageData* image)
-{
-  const auto at = [image](double i, double j, double k)
-  {
-    const int* extent = image->GetExtent();
-    Vector3 index(i + extent[0], j + extent[2], k + extent[4]);
-    Vector3 world;
-    image->TransformContinuousIndexToPhysicalPoint(index.data(), world.data());
-    return world;
-  };
-  IndexToWorld toWorld;
-  toWorld.Origin = at(0.0, 0.0, 0.0);
-  toWorld.Axes.col(0) = at(1.0, 0.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(1) = at(0.0, 1.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(2) = at(0.0, 0.0, 1.0) - toWorld.Origin;
-  return toWorld;
-}
 
 VoxelMask MaskOf(const FitResult& result, int rim)
 {
@@ -126,29 +109,6 @@ void RemarkOnRepair(const MappedSurface& mapped, FitResult& result)
                            std::to_string(mapped.Lost.size()) + " places, up to " +
                            FixedText(farthest.Distance, 1) + " mm at " +
                            PlaceText(farthest.Farthest));
-  }
-}
-
-// Overlap with the mask on its own grid, and crossings of the drawn surface.
-void MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
-{
-  const LabelMask copied = CopyLabelMask(result.Mask, result.Structure.Value, 1);
-  const IndexToWorld toWorld = WorldOf(result.Mask);
-  VoxelCenters centers;
-  centers.Axes = toWorld.Axes;
-  const std::array<int, 3>& start = copied.Mask.StartIndex;
-  centers.Origin = toWorld(Vector3(start[0], start[1], start[2]));
-  centers.Size = copied.Mask.Size;
-  std::vector<std::int16_t> numbers;
-  if (FindWindingNumbers(drawn, centers, numbers).IsOk())
-  {
-    result.Details.IrregularPercent =
-        CompareWithMask(numbers, copied.Mask.Inside.data()).IrregularPercent();
-  }
-  MeshCrossings crossings;
-  if (FindMeshCrossings(drawn, {}, crossings).IsOk())
-  {
-    result.Details.Crossings = crossings.Count;
   }
 }
 
@@ -240,7 +200,7 @@ std::string MapToParameterSphere(FitResult& result, const ProgressFunction& prog
   settings.IgnoresLimits = result.Settings.Repairs;
   settings.Surface.Topology.BridgeParts = result.Settings.Repairs;
   auto mapped = std::make_shared<MappedSurface>();
-  const Status status = MakeMappedSurface(MaskOf(result, 1), WorldOf(result.Mask), settings,
+  const Status status = MakeMappedSurface(MaskOf(result, 1), IndexToWorldOf(result.Mask), settings,
                                           watched.Of(0.0, 1.0), *mapped);
   watched.Require();
   if (!status.IsOk())
@@ -276,8 +236,12 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   {
     return judged.Message();
   }
-  const TriangleMesh drawn = TrianglesOf(result.ModelSurface, "model");
-  MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
+  MeasureOverlap(result);
+  MeshCrossings crossings;
+  if (FindMeshCrossings(ToIndexedMesh(result.ModelSurface), {}, crossings).IsOk())
+  {
+    result.Details.Crossings = crossings.Count;
+  }
   RemarkOnFit(result);
   return {};
 }
