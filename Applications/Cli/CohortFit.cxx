@@ -2,11 +2,14 @@
 
 #include "CaseFit.h"
 #include "CaseNames.h"
+#include "CaseProcesses.h"
 #include "CaseTally.h"
 #include "CaseText.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FilterRun.h"
+#include "FitJson.h"
+#include "FitStructure.h"
 #include "FolderLock.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -17,6 +20,7 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace palpate::cli
@@ -193,26 +197,31 @@ bool CohortFit::IsDone(const CohortCase& one) const
 
 void CohortFit::RunCases(Console& console)
 {
-  std::size_t kept = 0;
+  std::vector<std::size_t> pending;
   for (std::size_t i = 0; i < this->Cases.size(); ++i)
   {
-    if (Interruption::WasAsked())
-    {
-      throw Cancelled();
-    }
     if (this->IsDone(this->Cases[i]))
     {
-      ++kept;
       this->Mine.insert(this->Cases[i].Name);
       continue;
     }
-    // Before the mask is read: a mask that changes meanwhile is fitted again.
-    const std::string key = this->KeyOf(this->Cases[i]);
-    std::vector<CohortRow> rows = this->FitOne(i, console);
-    std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });
-    this->Rows[this->Cases[i].Name] = std::move(rows);
-    this->Mine.insert(this->Cases[i].Name);
-    this->WriteTable();
+    pending.push_back(i);
+  }
+  const std::size_t kept = this->Cases.size() - pending.size();
+  if (this->Jobs > 1 && pending.size() > 1)
+  {
+    this->RunInChildren(pending, console);
+  }
+  else
+  {
+    for (const std::size_t number : pending)
+    {
+      if (Interruption::WasAsked())
+      {
+        throw Cancelled();
+      }
+      this->RunCase(number, console);
+    }
   }
   console.EndProgress();
   if (kept > 0)
@@ -220,6 +229,65 @@ void CohortFit::RunCases(Console& console)
     console.Note(std::to_string(kept) + " of " + std::to_string(this->Cases.size()) +
                  " cases were done before and are kept");
   }
+}
+
+void CohortFit::RunCase(std::size_t number, Console& console)
+{
+  // Before the mask is read: a mask that changes meanwhile is fitted again.
+  const std::string key = this->KeyOf(this->Cases[number]);
+  std::vector<CohortRow> rows = this->FitOne(number, console);
+  std::for_each(rows.begin(), rows.end(), [&](CohortRow& row) { row.Key = key; });
+  this->Rows[this->Cases[number].Name] = std::move(rows);
+  this->Mine.insert(this->Cases[number].Name);
+  this->WriteTable();
+}
+
+void CohortFit::RunInChildren(const std::vector<std::size_t>& pending, Console& console)
+{
+  const std::string all = std::to_string(pending.size());
+  RunInProcesses(
+      pending.size(), this->Jobs,
+      [&](std::size_t number)
+      {
+        std::ostringstream results;
+        std::ostringstream messages;
+        Console own(results, messages, false);
+        own.SetQuiet(console.IsQuiet());
+        this->RunCase(pending[number], own);
+        return CaseOutput{results.str(), messages.str()};
+      },
+      [&](std::size_t number, const CaseOutput& output, const std::string& reason)
+      {
+        console.Relay(output.Results, output.Messages);
+        if (!reason.empty())
+        {
+          this->RecordLost(this->Cases[pending[number]], reason, console);
+        }
+      },
+      [&](std::size_t ended)
+      {
+        console.Progress(static_cast<double>(ended) / static_cast<double>(pending.size()),
+                         std::to_string(ended) + " of " + all + " cases");
+      });
+  // The rows of the children.
+  this->TakeRowsOfOthers();
+}
+
+void CohortFit::RecordLost(const CohortCase& one, const std::string& reason, Console& console)
+{
+  FitResult result;
+  result.Input = one.Mask;
+  result.CaseName = CaseNameOf(one.Mask);
+  result.Settings = this->Settings;
+  result.State = FitResult::Outcome::Failed;
+  result.Message = one.Mask.string() + ": " + reason;
+  if (this->Json)
+  {
+    console.Relay(FitResultJson(result, {}) + '\n', {});
+  }
+  this->Rows[one.Name] = {RowOf(one, std::move(result))};
+  this->Mine.insert(one.Name);
+  this->WriteTable();
 }
 
 std::vector<CohortRow> CohortFit::FitOne(std::size_t number, Console& console) const

@@ -17,7 +17,8 @@ class Console;
 /// Fits the cases of a folder or a manifest, each into a folder `CASE/LABEL_NAME`, and keeps
 /// `cohort.csv`, which is replaced whole after every case: a killed run loses only its current
 /// case, and the next one fits only missing and failed cases and those with another mask or other
-/// settings. Concurrent runs into one folder keep each other's rows.
+/// settings. Concurrent runs into one folder keep each other's rows, as do the processes of one
+/// run.
 class CohortFit
 {
 public:
@@ -25,6 +26,8 @@ public:
   CohortFit(const FitSettings& settings, const std::vector<std::string>& labels,
             const ImageOptions& images);
   void SetJson(bool json) { this->Json = json; }
+  /// Cases at a time, each in a process of its own; 1: in this one.
+  void SetJobs(unsigned jobs) { this->Jobs = jobs; }
 
   /// Adds every mask of the folders, and the files, as cases named after them. Throws InputError.
   void TakeMasks(const std::vector<std::string>& inputs);
@@ -46,6 +49,11 @@ private:
   std::string KeyOf(const CohortCase& one) const;
   bool IsDone(const CohortCase& one) const;
   void RunCases(Console& console);
+  /// Fits a case and writes its rows into the table.
+  void RunCase(std::size_t number, Console& console);
+  void RunInChildren(const std::vector<std::size_t>& pending, Console& console);
+  /// Writes a row for a case whose process died.
+  void RecordLost(const CohortCase& one, const std::string& reason, Console& console);
   /// Does not throw for errors of a case; throws Cancelled.
   std::vector<CohortRow> FitOne(std::size_t number, Console& console) const;
   CohortTable Table() const;
@@ -56,6 +64,7 @@ private:
   std::vector<std::string> Labels;
   const ImageOptions& Images;
   bool Json = false;
+  unsigned Jobs = 1;
   std::filesystem::path Output;
   std::vector<CohortCase> Cases;
   bool IsPart = false;             ///< only some of the listed cases

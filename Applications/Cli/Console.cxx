@@ -54,6 +54,13 @@ void Console::Error(const std::string& message)
   this->Errors << "palpate: " << Printable(message) << '\n' << std::flush;
 }
 
+void Console::Relay(const std::string& results, const std::string& messages)
+{
+  this->Wipe();
+  this->Out << results << std::flush;
+  this->Errors << messages << std::flush;
+}
+
 bool Console::IsTimeToDraw()
 {
   const auto now = std::chrono::steady_clock::now();

@@ -15,6 +15,7 @@ public:
 
   /// Quiet: no notes and no progress; results and errors stay.
   void SetQuiet(bool quiet) { this->Quiet = quiet; }
+  bool IsQuiet() const { return this->Quiet; }
 
   /// Results, for scripts to read.
   std::ostream& Output() { return this->Out; }
@@ -22,6 +23,8 @@ public:
   void Note(const std::string& message);
   /// An error: one line "palpate: message" on the error stream, likewise.
   void Error(const std::string& message);
+  /// What another console wrote: results and complete lines of messages.
+  void Relay(const std::string& results, const std::string& messages);
   /// Draws `stage` with a bar and the time left; fraction in 0..1. Cheap enough to call often.
   void Progress(double fraction, const std::string& stage);
   /// Draws a line that the next one replaces, like progress.

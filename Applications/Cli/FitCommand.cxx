@@ -1,6 +1,7 @@
 #include "FitCommand.h"
 
 #include "CaseFit.h"
+#include "CaseProcesses.h"
 #include "CaseText.h"
 #include "CohortFit.h"
 #include "CommandProgress.h"
@@ -56,6 +57,10 @@ void FitCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
       ->type_name("DIR");
+  app.add_option("--jobs", this->Jobs,
+                 "Cases of a folder or manifest fitted at a time (default: one per processor)")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
   app.add_flag("--json", this->Json, "Print one JSON object per case");
 }
 
@@ -81,6 +86,7 @@ int FitCommand::RunCohort(Console& console) const
   }
   CohortFit fit(this->Settings, this->Options.Labels(), this->Images);
   fit.SetJson(this->Json);
+  fit.SetJobs(this->Jobs > 0 ? this->Jobs : ProcessorCount());
   if (this->Manifest.empty())
   {
     fit.TakeMasks(this->Inputs);

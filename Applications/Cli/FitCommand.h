@@ -45,6 +45,7 @@ private:
   ImageOptions Images;
   std::string OutputFolder;
   bool Json = false;
+  unsigned Jobs = 0; ///< 0: one a processor
 
   FitSettings Settings;
   CaseNames Names;

@@ -1,9 +1,12 @@
 #include "FitStages.h"
 
+#include "ClosestPointDistances.h"
 #include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitHints.h"
+#include "FitQuality.h"
 #include "FitStructure.h"
+#include "MeshConversion.h"
 #include "ModelPlausibility.h"
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
@@ -16,14 +19,13 @@
 #include "vtkSegmentationSurface.h"
 #include "vtkSphericalHarmonicFit.h"
 #include "vtkSphericalHarmonicSurface.h"
-#include "vtkSurfaceQuality.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -32,6 +34,10 @@ namespace palpate
 namespace
 {
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
+
+// Cells on the surface that is fitted: far finer than the details of a model, and enough for Dice
+// above 0.999 with the mask. More would only take time.
+constexpr int CellsOnSurface = 12000;
 
 // A pipeline modifies its input's information, which other threads may be reading.
 template <typename Data>
@@ -80,6 +86,7 @@ void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
   surface->SetLabel(value);
   surface->SetComponent(settings.Component);
   surface->SetSmoothing(settings.Smoothing);
+  surface->SetCellsOnSurface(CellsOnSurface);
 }
 
 void Configure(vtkRadialSampler* sampler, const FitSettings& settings)
@@ -105,12 +112,6 @@ void Configure(vtkSphericalHarmonicFit* fit, const FitSettings& settings)
   fit->SetPenalty(static_cast<int>(settings.PenaltyKind));
   fit->SetRoughness(settings.Roughness);
   fit->SetRobust(settings.IsRobust);
-}
-
-SurfaceDistances DistancesOf(vtkSurfaceQuality* quality)
-{
-  return {quality->GetMeanDistance(), quality->GetRmsDistance(), quality->GetPercentile95Distance(),
-          quality->GetMaximumDistance()};
 }
 
 void TakeSurface(vtkSegmentationSurface* surface, FitResult& result)
@@ -210,34 +211,6 @@ void RemarkOnCoverage(FitResult& result)
   {
     result.Notes.push_back(result.Coverage.Message);
   }
-}
-
-void MeasureQuality(vtkPolyData* surface, vtkPolyData* boundary, FitResult& result,
-                    const ProgressFunction& progress)
-{
-  vtkNew<vtkSurfaceQuality> quality;
-  quality->SetInputData(0, result.ModelSurface);
-  quality->SetReferenceData(surface);
-  RunFilter(quality, "quality", 0.3, 0.6, progress);
-  result.ModelToSurface = DistancesOf(quality);
-  result.SurfaceAreaSquareMillimeters = quality->GetArea() - quality->GetAreaDifference();
-
-  if (result.IsOfSurface)
-  {
-    MeasureOverlap(result);
-    return;
-  }
-  quality->SetReferenceData(boundary);
-  quality->SetMaskData(OwnCopy(result.Mask.Get()));
-  quality->SetLabel(result.Structure.Value);
-  RunFilter(quality, "quality", 0.6, 0.8, progress);
-  result.ModelToMask = DistancesOf(quality);
-  result.Dice = quality->GetDice();
-
-  quality->SetInputData(0, surface);
-  quality->SetMaskData(nullptr);
-  RunFilter(quality, "quality", 0.8, 1.0, progress);
-  result.SurfaceToMask = DistancesOf(quality);
 }
 
 // Accepts a model that overlaps the mask enough.
@@ -386,7 +359,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   {
     result.Notes.push_back(remark);
   }
-  MeasureQuality(surface, OwnCopy(boundary), result, progress);
+  MeasureQuality(boundary, result, progress);
   clock.EndStage("quality");
   JudgeOverlap(result);
 }
@@ -394,17 +367,12 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
 // Signed distances of the drawn model's points from the surface that was fitted.
 void AddDistances(vtkPolyData* surface, vtkPolyData* drawn)
 {
-  vtkNew<vtkImplicitPolyDataDistance> distance;
-  distance->SetInput(surface);
+  const std::vector<double> found =
+      SignedDistances(ToIndexedMesh(drawn).Points, ToIndexedMesh(surface));
   vtkNew<vtkDoubleArray> distances;
   distances->SetName("DistanceToSurface");
-  distances->SetNumberOfTuples(drawn->GetNumberOfPoints());
-  for (vtkIdType id = 0; id < drawn->GetNumberOfPoints(); ++id)
-  {
-    double point[3];
-    drawn->GetPoint(id, point);
-    distances->SetValue(id, distance->EvaluateFunction(point));
-  }
+  distances->SetNumberOfValues(drawn->GetNumberOfPoints());
+  std::copy(found.begin(), found.end(), distances->GetPointer(0));
   drawn->GetPointData()->AddArray(distances);
 }
 
@@ -419,9 +387,8 @@ void RunSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFun
     return;
   }
   RemarkOnDegree(DegreeOf(result.Model), result);
-  const auto surface = OwnCopy(result.Surface.Get());
-  AddDistances(surface, result.ModelSurface);
-  MeasureQuality(surface, OwnCopy(boundary), result, progress);
+  AddDistances(result.Surface, result.ModelSurface);
+  MeasureQuality(boundary, result, progress);
   clock.EndStage("quality");
   JudgeOverlap(result);
 }

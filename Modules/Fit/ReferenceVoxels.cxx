@@ -4,8 +4,6 @@
 #include "MeshConversion.h"
 #include "MeshVoxels.h"
 
-#include "vtkImageData.h"
-
 #include <array>
 #include <utility>
 
@@ -18,7 +16,7 @@ constexpr double CubesOfSurface = 1.0e6;
 ReferenceVoxels VoxelsOfMask(vtkImageData* image, int value)
 {
   LabelMask copied = CopyLabelMask(image, value, 1);
-  const IndexToWorld toWorld = WorldOf(image);
+  const IndexToWorld toWorld = IndexToWorldOf(image);
   ReferenceVoxels voxels;
   voxels.Centers.Axes = toWorld.Axes;
   const std::array<int, 3>& start = copied.Mask.StartIndex;
@@ -47,23 +45,5 @@ ReferenceVoxels ReferenceVoxelsOf(const FitResult& result)
                          0);
   }
   return voxels;
-}
-
-IndexToWorld WorldOf(vtkImageData* image)
-{
-  const auto at = [image](double i, double j, double k)
-  {
-    const int* extent = image->GetExtent();
-    Vector3 index(i + extent[0], j + extent[2], k + extent[4]);
-    Vector3 world;
-    image->TransformContinuousIndexToPhysicalPoint(index.data(), world.data());
-    return world;
-  };
-  IndexToWorld toWorld;
-  toWorld.Origin = at(0.0, 0.0, 0.0);
-  toWorld.Axes.col(0) = at(1.0, 0.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(1) = at(0.0, 1.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(2) = at(0.0, 0.0, 1.0) - toWorld.Origin;
-  return toWorld;
 }
 } // namespace palpate

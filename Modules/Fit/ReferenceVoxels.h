@@ -20,7 +20,4 @@ struct ReferenceVoxels
 /// The mask's voxels in a box around the structure; of a surface file about a million cubes around
 /// the surface.
 PALPATEFIT_EXPORT ReferenceVoxels ReferenceVoxelsOf(const FitResult& result);
-
-/// Where an image's voxels are, counted from the first of its extent.
-PALPATEFIT_EXPORT IndexToWorld WorldOf(vtkImageData* image);
 } // namespace palpate

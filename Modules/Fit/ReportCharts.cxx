@@ -1,7 +1,8 @@
 #include "ReportCharts.h"
 
-#include "ClosestPointDistances.h"
 #include "HtmlText.h"
+#include "MeshConversion.h"
+#include "MeshDistances.h"
 #include "ReportPage.h"
 #include "SvgChart.h"
 
@@ -69,7 +70,7 @@ std::string DistanceChart(vtkPolyData* model)
   {
     return {};
   }
-  const std::vector<double> areas = PointAreas(model);
+  const std::vector<double> areas = PointAreas(ToIndexedMesh(model));
   std::vector<std::pair<double, double>> bins;
   bins.reserve(BinCount);
   for (int b = 0; b < BinCount; ++b)

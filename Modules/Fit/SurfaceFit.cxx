@@ -15,7 +15,6 @@
 #include "SurfaceFileFit.h"
 #include "TriangleMesh.h"
 #include "VoxelMinimum.h"
-#include "WindingNumbers.h"
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -187,7 +186,7 @@ std::string MapToParameterSphere(FitResult& result, const ProgressFunction& prog
   }
   KernelWatch watched(progress, "surface");
   auto mapped = std::make_shared<MappedSurface>();
-  const Status status = MakeMappedSurface(MaskOf(result, 1), WorldOf(result.Mask), {},
+  const Status status = MakeMappedSurface(MaskOf(result, 1), IndexToWorldOf(result.Mask), {},
                                           watched.Of(0.0, 1.0), *mapped);
   watched.Require();
   if (!status.IsOk())

@@ -1,66 +1,84 @@
 #include "ClosestPointDistances.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
-#include "vtkGenericCell.h"
-#include "vtkNew.h"
+#include "MeshConversion.h"
+#include "NearestOnMesh.h"
+
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
-#include "vtkSMPTools.h"
-#include "vtkStaticCellLocator.h"
-#include "vtkTriangle.h"
 
-#include <cmath>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
 
 namespace palpate
 {
-std::vector<double> ClosestPointDistances(vtkPoints* points, vtkPolyData* surface)
+namespace
 {
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(surface);
-  locator->BuildLocator();
-  std::vector<double> distances(static_cast<std::size_t>(points->GetNumberOfPoints()));
-  vtkSMPThreadLocalObject<vtkGenericCell> cells;
-  vtkSMPTools::For(0, points->GetNumberOfPoints(),
-                   [&](vtkIdType first, vtkIdType last)
-                   {
-                     vtkGenericCell* cell = cells.Local();
-                     for (vtkIdType id = first; id < last; ++id)
-                     {
-                       double point[3];
-                       double closest[3];
-                       vtkIdType cellId = -1;
-                       int subId = 0;
-                       double squared = 0.0;
-                       points->GetPoint(id, point);
-                       locator->FindClosestPoint(point, closest, cell, cellId, subId, squared);
-                       distances[static_cast<std::size_t>(id)] = std::sqrt(squared);
-                     }
-                   });
+Vector3 BoxCenter(const std::vector<Vector3>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : points)
+  {
+    box.extend(point);
+  }
+  return box.center();
+}
+} // namespace
+
+std::vector<double> ClosestPointDistances(const std::vector<Vector3>& points,
+                                          const IndexedMesh& surface)
+{
+  std::vector<double> distances(points.size(), std::numeric_limits<double>::quiet_NaN());
+  NearestOnMesh nearest;
+  if (NearestOnMesh::Make(surface, nearest).IsOk())
+  {
+    std::transform(points.begin(), points.end(), distances.begin(),
+                   [&nearest](const Vector3& point) { return nearest.Find(point).Distance; });
+  }
   return distances;
 }
 
-std::vector<double> PointAreas(vtkPolyData* surface)
+std::vector<double> ClosestPointDistances(vtkPoints* points, vtkPolyData* surface)
 {
-  std::vector<double> areas(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0.0);
-  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  std::vector<Vector3> list(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < list.size(); ++i)
   {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    double corners[3][3];
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      surface->GetPoint(ids[corner], corners[corner]);
-    }
-    const double third = vtkTriangle::TriangleArea(corners[0], corners[1], corners[2]) / 3.0;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      areas[static_cast<std::size_t>(ids[corner])] += third;
-    }
+    points->GetPoint(static_cast<vtkIdType>(i), list[i].data());
   }
-  return areas;
+  return ClosestPointDistances(list, ToIndexedMesh(surface));
+}
+
+std::vector<double> SignedDistances(const std::vector<Vector3>& points, const IndexedMesh& surface)
+{
+  std::vector<double> distances = ClosestPointDistances(points, surface);
+  if (points.empty())
+  {
+    return distances;
+  }
+  // Any start of the rays will do.
+  const Vector3 start = BoxCenter(points);
+  std::vector<Vector3> directions;
+  directions.reserve(points.size());
+  for (const Vector3& point : points)
+  {
+    const Vector3 arm = point - start;
+    directions.push_back(arm.squaredNorm() > 0.0 ? Vector3(arm.normalized()) : Vector3::UnitX());
+  }
+  const auto crossings = DirectionCaster(directions).Cast(surface, start);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    distances[i] =
+        IsInside(crossings[i], (points[i] - start).norm()) ? -distances[i] : distances[i];
+  }
+  return distances;
+}
+
+bool IsInside(const std::vector<RayCrossing>& crossings, double distance)
+{
+  return std::count_if(crossings.begin(), crossings.end(),
+                       [distance](const RayCrossing& crossing)
+                       { return crossing.Distance > distance; }) %
+             2 ==
+         1;
 }
 } // namespace palpate

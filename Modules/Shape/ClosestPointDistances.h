@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DirectionCaster.h"
 #include "PalpateShapeModule.h"
 
 #include <vector>
@@ -9,12 +10,18 @@ class vtkPolyData;
 
 namespace palpate
 {
-/// Unsigned distance (mm) of every point to the nearest point of a triangle surface, by
-/// vtkStaticCellLocator; multithreaded.
+/// Unsigned distance (mm) of every point to the nearest point of a triangle surface; NaN if it has
+/// no triangles or points that are not finite (NearestOnMesh).
+PALPATESHAPE_EXPORT std::vector<double> ClosestPointDistances(const std::vector<Vector3>& points,
+                                                              const IndexedMesh& surface);
 PALPATESHAPE_EXPORT std::vector<double> ClosestPointDistances(vtkPoints* points,
                                                               vtkPolyData* surface);
 
-/// A third of the area of the triangles around each point (mm^2): the point's weight in a mean over
-/// the surface.
-PALPATESHAPE_EXPORT std::vector<double> PointAreas(vtkPolyData* surface);
+/// The same for a closed surface, negative inside it.
+PALPATESHAPE_EXPORT std::vector<double> SignedDistances(const std::vector<Vector3>& points,
+                                                        const IndexedMesh& surface);
+
+/// Whether the point at a distance (mm) along a ray lies inside a closed surface, of which these
+/// are the ray's crossings: the rest of the ray leaves it once more than it enters.
+PALPATESHAPE_EXPORT bool IsInside(const std::vector<RayCrossing>& crossings, double distance);
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "GenusZeroSurface.h"
+#include "IndexToWorld.h"
 #include "IndexedMesh.h"
 #include "KernelProgress.h"
 #include "PalpateShapeModule.h"
@@ -13,15 +14,6 @@
 
 namespace palpate
 {
-/// Places image indices in the world (patient LPS, mm).
-struct IndexToWorld
-{
-  Vector3 Origin = Vector3::Zero();   ///< of index (0, 0, 0)
-  Matrix3 Axes = Matrix3::Identity(); ///< columns: one step along i, j and k
-
-  Vector3 operator()(const Vector3& index) const { return this->Origin + this->Axes * index; }
-};
-
 /// A closed genus-0 surface of a structure with its place on the parameter sphere: the input of
 /// FitParametricSurface.
 struct MappedSurface

@@ -1,159 +1,135 @@
 #include "MaskOverlap.h"
 
-#include "IsoSurface.h"
+#include "IndexToWorld.h"
+#include "LabelMask.h"
 
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkImageStencilData.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataToImageStencil.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-// The surface in continuous image indices: the stencil filter ignores the direction matrix.
-void CopyToIndexSpace(vtkPolyData* surface, vtkImageData* image, vtkPolyData* result)
+// Indices of the voxels of a box.
+struct Box
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(surface->GetNumberOfPoints());
-  for (vtkIdType id = 0; id < surface->GetNumberOfPoints(); ++id)
-  {
-    double world[3];
-    double index[3];
-    surface->GetPoint(id, world);
-    image->TransformPhysicalPointToContinuousIndex(world, index);
-    points->SetPoint(id, index);
-  }
-  result->SetPoints(points);
-  result->SetPolys(surface->GetPolys());
-}
-
-struct VoxelCounts
-{
-  long long Mask = 0;
-  long long Surface = 0;
-  long long Both = 0;
+  std::array<int, 3> First{};
+  std::array<int, 3> Size{};
 };
 
-// The image's extent, extended to the surface, but on no side by more than the image's own size:
-// the stencil stores the surface's voxels as a list of rows, and its bounds may be arbitrary
-// numbers.
-std::array<int, 6> ExtentOf(vtkImageData* image, vtkPolyData* indexSurface)
+using Bounds = Eigen::AlignedBox3d;
+
+// In steps along the image's axes.
+Bounds BoundsInIndices(const IndexedMesh& surface, const IndexToWorld& toWorld)
 {
-  std::array<int, 6> extent{};
-  image->GetExtent(extent.data());
-  double bounds[6];
-  indexSurface->GetBounds(bounds);
+  const Matrix3 inverse = toWorld.Axes.inverse();
+  Bounds bounds;
+  for (const Vector3& point : surface.Points)
+  {
+    bounds.extend(Vector3(inverse * (point - toWorld.Origin)));
+  }
+  return bounds;
+}
+
+// The label's box, extended to the surface unless that would take more than a few times the image's
+// memory.
+Box BoxAround(Bounds bounds, const VoxelMask& label, vtkImageData* image)
+{
+  const Box own{label.StartIndex, label.Size};
+  for (int axis = 0; axis < 3 && !label.Inside.empty(); ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    bounds.min()[axis] = std::min<double>(bounds.min()[axis], own.First[a]);
+    bounds.max()[axis] = std::max<double>(bounds.max()[axis], own.First[a] + own.Size[a] - 1.0);
+  }
+  const Vector3 first = bounds.min().array().floor();
+  const Vector3 size = bounds.max().array().ceil() - first.array() + 1.0;
+  const double most = 4.0 * static_cast<double>(image->GetNumberOfPoints()) + 1e6;
+  if (!(size.prod() <= most) || first.cwiseAbs().maxCoeff() > 1e9)
+  {
+    return own;
+  }
+  Box box;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double first = extent[2 * axis];
-    const double last = extent[2 * axis + 1];
-    const double most = last - first + 1.0;
-    extent[2 * axis] =
-        static_cast<int>(std::clamp(std::floor(bounds[2 * axis]), first - most, first));
-    extent[2 * axis + 1] =
-        static_cast<int>(std::clamp(std::ceil(bounds[2 * axis + 1]), last, last + most));
+    box.First[axis] = static_cast<int>(first[static_cast<Eigen::Index>(axis)]);
+    box.Size[axis] = static_cast<int>(size[static_cast<Eigen::Index>(axis)]);
   }
-  return extent;
+  return box;
 }
 
-bool IsWithin(vtkPolyData* indexSurface, const std::array<int, 6>& extent)
+bool Holds(const Box& box, const Bounds& bounds)
 {
-  double bounds[6];
-  indexSurface->GetBounds(bounds);
-  return bounds[0] >= extent[0] && bounds[1] <= extent[1] && bounds[2] >= extent[2] &&
-         bounds[3] <= extent[3] && bounds[4] >= extent[4] && bounds[5] <= extent[5];
+  const Vector3 first(box.First[0], box.First[1], box.First[2]);
+  const Vector3 last = first + Vector3(box.Size[0] - 1, box.Size[1] - 1, box.Size[2] - 1);
+  return Bounds(first, last).contains(bounds);
 }
 
-// Number of voxels that a closed surface encloses, from its volume in index space.
-long long EnclosedVoxels(vtkPolyData* indexSurface)
+// From the volume.
+std::int64_t EnclosedVoxels(const IndexedMesh& surface, double voxel)
 {
-  const double volume = std::abs(MeasureEnclosed(indexSurface).Volume);
-  constexpr double Most = 1e18;
-  return std::llround(volume < Most ? volume : Most); // also if it is not a number
-}
-
-bool IsFinite(vtkPolyData* indexSurface)
-{
-  const auto* points =
-      vtkDoubleArray::SafeDownCast(indexSurface->GetPoints()->GetData())->GetPointer(0);
-  return std::all_of(points, points + 3 * indexSurface->GetNumberOfPoints(),
-                     [](double coordinate) { return std::isfinite(coordinate); });
-}
-
-template <typename T>
-VoxelCounts CountVoxels(const T* voxels, const int image[6], const std::array<int, 6>& extent,
-                        vtkImageStencilData* stencil, int label)
-{
-  const T wanted = static_cast<T>(label);
-  const std::ptrdiff_t width = image[1] - image[0] + 1;
-  const std::ptrdiff_t height = image[3] - image[2] + 1;
-  VoxelCounts counts;
-  counts.Mask = std::count(voxels, voxels + width * height * (image[5] - image[4] + 1), wanted);
-  for (int k = extent[4]; k <= extent[5]; ++k)
+  double volume = 0.0;
+  const Vector3& origin = surface.Points.front();
+  for (const std::array<int, 3>& t : surface.Triangles)
   {
-    for (int j = extent[2]; j <= extent[3]; ++j)
+    const Vector3 a = surface.Points[t[0]] - origin;
+    volume += a.dot((surface.Points[t[1]] - origin).cross(surface.Points[t[2]] - origin)) / 6.0;
+  }
+  constexpr double Most = 1e18;
+  return std::llround(std::min(std::abs(volume / voxel), Most));
+}
+
+// The label's voxels in another box.
+std::vector<std::uint8_t> Spread(const VoxelMask& label, const Box& box)
+{
+  const std::array<int, 3>& size = box.Size;
+  std::vector<std::uint8_t> spread(static_cast<std::size_t>(size[0]) * size[1] * size[2], 0);
+  for (int k = 0; k < label.Size[2]; ++k)
+  {
+    for (int j = 0; j < label.Size[1]; ++j)
     {
-      const bool isInside = j >= image[2] && j <= image[3] && k >= image[4] && k <= image[5];
-      const T* row =
-          isInside ? voxels + ((k - image[4]) * height + (j - image[2])) * width : voxels;
-      int first = 0;
-      int last = 0;
-      int iterator = 0;
-      while (stencil->GetNextExtent(first, last, extent[0], extent[1], j, k, iterator) != 0)
-      {
-        counts.Surface += last - first + 1;
-        for (int i = std::max(first, image[0]); isInside && i <= std::min(last, image[1]); ++i)
-        {
-          counts.Both += row[i - image[0]] == wanted ? 1 : 0;
-        }
-      }
+      const int row = (label.StartIndex[2] + k - box.First[2]) * size[1] + label.StartIndex[1] + j -
+                      box.First[1];
+      std::copy_n(label.Inside.data() + label.Offset(0, j, k), label.Size[0],
+                  spread.data() + static_cast<std::size_t>(row) * size[0] + label.StartIndex[0] -
+                      box.First[0]);
     }
   }
-  return counts;
+  return spread;
 }
 } // namespace
 
-double DiceOfSurfaceAndMask(vtkPolyData* surface, vtkImageData* mask, int label)
+WindingOverlap OverlapOfSurfaceAndMask(const IndexedMesh& surface, vtkImageData* mask, int label)
 {
-  vtkNew<vtkPolyData> indexSurface;
-  CopyToIndexSpace(surface, mask, indexSurface);
-  if (!IsFinite(indexSurface))
+  const VoxelMask voxels = CopyLabelMask(mask, label, 0).Mask;
+  WindingOverlap nothing;
+  nothing.Mask = voxels.Count();
+  const IndexToWorld toWorld = IndexToWorldOf(mask);
+  const bool isFinite = std::all_of(surface.Points.begin(), surface.Points.end(),
+                                    [](const Vector3& point) { return point.allFinite(); });
+  if (surface.Points.empty() || !isFinite)
   {
-    return 0.0;
+    return nothing;
   }
-  int imageExtent[6];
-  mask->GetExtent(imageExtent);
-  std::array<int, 6> extent = ExtentOf(mask, indexSurface);
-  vtkNew<vtkPolyDataToImageStencil> voxelize;
-  voxelize->SetInputData(indexSurface);
-  voxelize->SetOutputWholeExtent(extent.data());
-  voxelize->SetOutputSpacing(1.0, 1.0, 1.0);
-  voxelize->SetOutputOrigin(0.0, 0.0, 0.0);
-  voxelize->Update();
-  vtkDataArray* scalars = mask->GetPointData()->GetScalars();
-  VoxelCounts counts;
-  switch (scalars->GetDataType())
+  const Bounds bounds = BoundsInIndices(surface, toWorld);
+  const Box box = BoxAround(bounds, voxels, mask);
+  const VoxelCenters centers{toWorld(Vector3(box.First[0], box.First[1], box.First[2])),
+                             toWorld.Axes, box.Size};
+  std::vector<std::int16_t> numbers;
+  if (!FindWindingNumbers(surface, centers, numbers).IsOk())
   {
-    vtkTemplateMacro(counts = CountVoxels(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
-                                          imageExtent, extent, voxelize->GetOutput(), label));
-  default:
-    break;
+    return nothing;
   }
-  if (!IsWithin(indexSurface, extent))
+  WindingOverlap overlap = CompareWithMask(numbers, Spread(voxels, box).data());
+  if (!Holds(box, bounds))
   {
-    counts.Surface = std::max(counts.Surface, EnclosedVoxels(indexSurface));
+    const double voxel = std::abs(toWorld.Axes.determinant());
+    overlap.Inside = std::max(overlap.Inside, EnclosedVoxels(surface, voxel));
   }
-  const long long sum = counts.Mask + counts.Surface;
-  return sum > 0 ? 2.0 * static_cast<double>(counts.Both) / static_cast<double>(sum) : 0.0;
+  return overlap;
 }
 } // namespace palpate

@@ -1,18 +1,17 @@
 #pragma once
 
+#include "IndexedMesh.h"
 #include "PalpateShapeModule.h"
+#include "WindingNumbers.h"
 
 class vtkImageData;
-class vtkPolyData;
 
 namespace palpate
 {
-/// Dice coefficient (0..1) of a closed surface (world mm) and the voxels of a label map that have
-/// `label`: twice the voxels in both over the sum of the voxels in each. A voxel belongs to the
-/// surface if its centre lies inside. The label map's direction is honoured; its grid is continued
-/// beyond its border with empty voxels. For a surface that extends further beyond the border than
-/// the label map is wide, voxels are counted by its volume, so that memory is bounded by the label
-/// map's size. 0 for a surface with a non-finite point.
-PALPATESHAPE_EXPORT double DiceOfSurfaceAndMask(vtkPolyData* surface, vtkImageData* mask,
-                                                int label);
+/// Compares a closed surface (world mm) with a label on the label map's own grid: a voxel belongs
+/// to the surface if its centre lies inside (winding number > 0). Voxels beyond the image's border
+/// count as well; those of a surface that reaches farther than a few sizes of the image are
+/// estimated from its volume. A surface with coordinates that are not finite encloses nothing.
+PALPATESHAPE_EXPORT WindingOverlap OverlapOfSurfaceAndMask(const IndexedMesh& surface,
+                                                           vtkImageData* mask, int label);
 } // namespace palpate

@@ -1,9 +1,10 @@
 #include "vtkSegmentationSurface.h"
 
+#include "FieldVolume.h"
 #include "IsoSurface.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"
-#include "SignedDistanceField.h"
+#include "ShapeField.h"
 #include "VoxelMask.h"
 
 #include "vtkDataArray.h"
@@ -16,15 +17,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkSegmentationSurface);
 
 namespace
 {
-// Wide enough for the blur not to reach the border; the outermost samples stay outside.
-int RimFor(double smoothing)
+// The level that keeps the volume is close to zero, unless the interpolation tore a thin, oblique
+// shape apart. In voxels of the slices.
+constexpr double TornLevel = 0.25;
+
+// Predicts the true shape between slices better than the field's default, which follows the slices;
+// fits agree with the mask as well as with that one.
+constexpr double SliceClamp = 0.5;
+
+palpate::ScalarGrid HalfLevel(const palpate::VoxelMask& mask)
 {
-  return 2 + static_cast<int>(std::ceil(1.5 * smoothing));
+  palpate::ScalarGrid grid;
+  std::copy(mask.StartIndex.begin(), mask.StartIndex.end(), grid.StartIndex.begin());
+  grid.StepIndex = {1.0, 1.0, 1.0};
+  grid.Spacing = mask.Spacing;
+  grid.Size = mask.Size;
+  grid.Values.resize(mask.Inside.size());
+  std::transform(mask.Inside.begin(), mask.Inside.end(), grid.Values.begin(),
+                 [](unsigned char inside) { return inside != 0 ? 0.5f : -0.5f; });
+  return grid;
+}
+
+palpate::ScalarGrid ToScalarGrid(palpate::ShapeField&& field, const palpate::VoxelMask& mask)
+{
+  palpate::ScalarGrid grid;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double origin = field.Grid.Origin[static_cast<Eigen::Index>(axis)];
+    grid.Spacing[axis] = field.Grid.Spacing;
+    grid.StepIndex[axis] = field.Grid.Spacing / mask.Spacing[axis];
+    grid.StartIndex[axis] = mask.StartIndex[axis] + origin / mask.Spacing[axis];
+  }
+  grid.Size = field.Grid.Size;
+  grid.Values = std::move(field.Values);
+  return grid;
 }
 } // namespace
 
@@ -56,9 +88,7 @@ int vtkSegmentationSurface::RequestData(vtkInformation*, vtkInformationVector** 
     vtkErrorMacro("the label map needs scalars of one component");
     return 0;
   }
-  const bool plain = this->Method == PLAIN;
-  palpate::LabelMask copied =
-      palpate::CopyLabelMask(image, this->Label, plain ? 1 : RimFor(this->Smoothing));
+  palpate::LabelMask copied = palpate::CopyLabelMask(image, this->Label, 1);
   this->TouchesBorder = copied.TouchesBorder;
   palpate::VoxelMask& mask = copied.Mask;
   if (mask.Inside.empty())
@@ -108,26 +138,17 @@ bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkIma
 {
   const auto pieces =
       this->Component > 0 ? palpate::SurfacePieces::Largest : palpate::SurfacePieces::All;
-  const double volume = this->MaskVolume + this->CavityVolume;
-  palpate::IsoSurface surface;
   palpate::ScalarGrid grid;
-  const auto extract = [&](palpate::FieldMethod method)
+  palpate::IsoSurface surface;
+  this->UsedDistanceInstead = false;
+  if (this->Method == PLAIN)
   {
-    grid = palpate::BuildField(mask, method, this->Smoothing);
-    this->UpdateProgress(0.6);
-    surface = method == palpate::FieldMethod::Plain
-                  ? palpate::ExtractIsoSurface(grid, 0.0f, pieces)
-                  : palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
-  };
-  const palpate::FieldMethod method =
-      this->Method == PLAIN ? palpate::FieldMethod::Plain : palpate::SuitableMethod(mask);
-  extract(method);
-  // A level far from zero means that the interpolation tore a thin, oblique shape apart.
-  this->UsedDistanceInstead =
-      method == palpate::FieldMethod::ShapeInterpolation && std::abs(surface.Level) > 0.25;
-  if (this->UsedDistanceInstead)
+    grid = HalfLevel(mask);
+    surface = palpate::ExtractIsoSurface(grid, 0.0f, pieces);
+  }
+  else if (!this->BuildShape(mask, pieces, grid, surface))
   {
-    extract(palpate::FieldMethod::Distance);
+    return false;
   }
   if (surface.Surface->GetNumberOfPolys() == 0)
   {
@@ -141,12 +162,55 @@ bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkIma
   return true;
 }
 
+bool vtkSegmentationSurface::BuildShape(const palpate::VoxelMask& mask,
+                                        palpate::SurfacePieces pieces, palpate::ScalarGrid& grid,
+                                        palpate::IsoSurface& surface)
+{
+  std::array<double, 3> spacing = mask.Spacing;
+  std::sort(spacing.begin(), spacing.end());
+  palpate::ShapeFieldSettings settings;
+  settings.MaximumNodes = 6e7; // 240 MB
+  settings.SliceClamp = SliceClamp;
+  double wanted = 0.0;
+  if (this->CellsOnSurface > 0)
+  {
+    settings.CellsOnSurface = std::max(this->CellsOnSurface, 10);
+    wanted = palpate::ShapeFieldSpacing(mask, settings);
+  }
+  settings.Spacing = std::max(spacing[1], wanted);
+  settings.Smoothing = std::min(0.5 * this->Smoothing * spacing[1] / settings.Spacing, 8.0);
+  for (this->UsedDistanceInstead = false;; this->UsedDistanceInstead = true)
+  {
+    settings.IsInSpace = this->UsedDistanceInstead;
+    palpate::ShapeField field;
+    if (const palpate::Status status = palpate::MakeShapeField(mask, settings, field);
+        !status.IsOk())
+    {
+      vtkErrorMacro(<< status.Message());
+      return false;
+    }
+    this->UpdateProgress(0.6);
+    const double volume = this->MaskVolume + this->CavityVolume;
+    const double area = std::cbrt(36.0 * M_PI * volume * volume); // of a sphere
+    const float level = palpate::LevelOfVolume(field, volume, area);
+    std::for_each(field.Values.begin(), field.Values.end(), [level](float& v) { v -= level; });
+    grid = ToScalarGrid(std::move(field), mask);
+    surface = palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
+    const bool isTorn = std::abs(level + surface.Level) > TornLevel * spacing[1];
+    if (!isTorn || this->UsedDistanceInstead || !palpate::HasThickSlices(mask.Spacing))
+    {
+      return true;
+    }
+  }
+}
+
 void vtkSegmentationSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Label: " << this->Label << "\n";
   os << indent << "Method: " << (this->Method == PLAIN ? "plain" : "shape interpolation") << "\n";
   os << indent << "Smoothing: " << this->Smoothing << " voxels\n";
+  os << indent << "CellsOnSurface: " << this->CellsOnSurface << "\n";
   os << indent << "Component: " << this->Component << "\n";
   os << indent << "TouchesBorder: " << this->TouchesBorder << "\n";
   os << indent << "MaskVolume: " << this->MaskVolume << " mm^3\n";

@@ -10,8 +10,11 @@ class vtkImageData;
 
 namespace palpate
 {
+struct IsoSurface;
+struct ScalarGrid;
+enum class SurfacePieces;
 struct VoxelMask;
-}
+} // namespace palpate
 
 /// Extracts one label of a label map as a closed, oriented, two-manifold triangle surface.
 ///
@@ -22,8 +25,8 @@ struct VoxelMask;
 /// output if no voxel has the label, or the component does not exist.
 ///
 /// SHAPE_INTERPOLATION treats the mask's steps between thick slices as a sampling artefact (see
-/// palpate::BuildField), and encloses the mask's volume to a part in a thousand. PLAIN is the half
-/// level of the mask itself, for comparison.
+/// palpate::MakeShapeField), and encloses the mask's volume to a part in a thousand. PLAIN is the
+/// half level of the mask itself, for comparison.
 class PALPATESHAPE_EXPORT vtkSegmentationSurface : public vtkPolyDataAlgorithm
 {
 public:
@@ -49,11 +52,19 @@ public:
   void SetMethodToPlain() { this->SetMethod(PLAIN); }
   ///@}
 
-  ///@{ Smoothing of the shape, in voxels: the field is blurred by a Gaussian of half this standard
-  /// deviation along each axis. 0 for none; default 1. PLAIN is never smoothed.
+  ///@{ Smoothing of the shape, in voxels (of thick slices: in their pixels): the field is blurred
+  /// by
+  /// a Gaussian of half this standard deviation. 0 for none; default 1. PLAIN is never smoothed.
   /// NaN counts as 0.
   void SetSmoothing(double smoothing);
   vtkGetMacro(Smoothing, double);
+  ///@}
+
+  ///@{ Coarsens the surface to about this many cells of the field's grid, each with two triangles;
+  /// 0 (default) for the resolution of the voxels, which is never exceeded. Thin shapes keep up to
+  /// six times as many. PLAIN is never coarsened.
+  vtkSetClampMacro(CellsOnSurface, int, 0, 100000000);
+  vtkGetMacro(CellsOnSurface, int);
   ///@}
 
   ///@{ Rank of the connected component (voxels that share faces) by size, from 1 for the largest. 0
@@ -95,10 +106,13 @@ private:
 
   bool SelectComponent(palpate::VoxelMask& mask);
   bool BuildSurface(const palpate::VoxelMask& mask, vtkImageData* image, vtkPolyData* output);
+  bool BuildShape(const palpate::VoxelMask& mask, palpate::SurfacePieces pieces,
+                  palpate::ScalarGrid& grid, palpate::IsoSurface& surface);
 
   int Label = 1;
   int Method = SHAPE_INTERPOLATION;
   double Smoothing = 1.0;
+  int CellsOnSurface = 0;
   int Component = 1;
 
   bool TouchesBorder = false;

@@ -81,23 +81,25 @@ void AddComparison(const palpate::SphericalHarmonicModel& model,
                    const std::vector<Vector3>& directions, vtkPolyData* original,
                    vtkPolyData* output)
 {
-  const auto crossings = palpate::DirectionCaster(directions)
-                             .Cast(palpate::ToIndexedMesh(original), model.CenterWorld());
-  const std::vector<double> distances =
-      palpate::ClosestPointDistances(output->GetPoints(), original);
+  const palpate::IndexedMesh mesh = palpate::ToIndexedMesh(original);
+  const auto crossings = palpate::DirectionCaster(directions).Cast(mesh, model.CenterWorld());
+  std::vector<double> radii(directions.size());
+  std::vector<Vector3> points(directions.size());
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    radii[i] = model.Radius(directions[i]);
+    points[i] = model.CenterWorld() + radii[i] * directions[i];
+  }
+  const std::vector<double> distances = palpate::ClosestPointDistances(points, mesh);
   auto signedDistances = MakeArray("DistanceToSurface", directions.size());
   auto residuals = MakeArray("Residual", directions.size());
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
-    const double radius = model.Radius(directions[i]);
-    // Inside a closed surface if the rest of the ray leaves it once more than it enters.
-    const auto beyond = std::count_if(crossings[i].begin(), crossings[i].end(),
-                                      [radius](const palpate::RayCrossing& crossing)
-                                      { return crossing.Distance > radius; });
-    signedDistances->SetValue(id, beyond % 2 == 1 ? -distances[i] : distances[i]);
+    const bool isInside = palpate::IsInside(crossings[i], radii[i]);
+    signedDistances->SetValue(id, isInside ? -distances[i] : distances[i]);
     residuals->SetValue(id, crossings[i].empty() ? vtkMath::Nan()
-                                                 : crossings[i].back().Distance - radius);
+                                                 : crossings[i].back().Distance - radii[i]);
   }
   output->GetPointData()->AddArray(signedDistances);
   output->GetPointData()->AddArray(residuals);

@@ -1,8 +1,9 @@
 #include "vtkSurfaceQuality.h"
 
-#include "ClosestPointDistances.h"
 #include "IsoSurface.h"
 #include "MaskOverlap.h"
+#include "MeshConversion.h"
+#include "MeshDistances.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -14,47 +15,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSurfaceQuality);
-
-namespace
-{
-struct WeightedDistance
-{
-  double Distance;
-  double Weight;
-};
-
-// Appends the distances of one direction with weights that sum to one half.
-void Append(const std::vector<double>& distances, const std::vector<double>& areas,
-            std::vector<WeightedDistance>& all)
-{
-  const double total = std::accumulate(areas.begin(), areas.end(), 0.0);
-  for (std::size_t i = 0; i < distances.size(); ++i)
-  {
-    all.push_back({distances[i], 0.5 * areas[i] / total});
-  }
-}
-
-// Weighted percentile of sorted distances, `part` in [0, 1]; the weights sum to 1.
-double Percentile(const std::vector<WeightedDistance>& sorted, double part)
-{
-  double weight = 0.0;
-  for (const WeightedDistance& entry : sorted)
-  {
-    weight += entry.Weight;
-    if (weight >= part)
-    {
-      return entry.Distance;
-    }
-  }
-  return sorted.back().Distance;
-}
-} // namespace
 
 void vtkSurfaceQuality::SetReferenceData(vtkPolyData* surface)
 {
@@ -84,31 +47,33 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro("both surfaces need triangles to be compared");
     return 0;
   }
-  const std::vector<double> there = palpate::ClosestPointDistances(tested->GetPoints(), reference);
+  const palpate::IndexedMesh testedMesh = palpate::ToIndexedMesh(tested);
+  palpate::ComparedSurface one;
+  palpate::ComparedSurface other;
+  palpate::Status status = palpate::ComparedSurface::Make(testedMesh, one);
+  if (status.IsOk())
+  {
+    status = palpate::ComparedSurface::Make(palpate::ToIndexedMesh(reference), other);
+  }
+  if (!status.IsOk())
+  {
+    vtkErrorMacro(<< status.Message());
+    return 0;
+  }
+  const std::vector<double> there = one.DistancesFrom(other);
   this->UpdateProgress(0.3);
-  const std::vector<double> back = palpate::ClosestPointDistances(reference->GetPoints(), tested);
+  const std::vector<double> back = other.DistancesFrom(one);
   this->UpdateProgress(0.8);
   if (this->AbortExecute)
   {
     return 1;
   }
-  std::vector<WeightedDistance> all;
-  Append(there, palpate::PointAreas(tested), all);
-  Append(back, palpate::PointAreas(reference), all);
-  std::sort(all.begin(), all.end(),
-            [](const WeightedDistance& a, const WeightedDistance& b)
-            { return a.Distance < b.Distance; });
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const WeightedDistance& entry : all)
-  {
-    sum += entry.Weight * entry.Distance;
-    squares += entry.Weight * entry.Distance * entry.Distance;
-  }
-  this->MeanDistance = sum;
-  this->RmsDistance = std::sqrt(squares);
-  this->Percentile95Distance = Percentile(all, 0.95);
-  this->MaximumDistance = all.back().Distance;
+  const palpate::DistanceSummary distance =
+      palpate::TwoSidedDistances(there, one.Weights(), back, other.Weights());
+  this->MeanDistance = distance.Mean;
+  this->RmsDistance = distance.Rms;
+  this->Percentile95Distance = distance.Percentile95;
+  this->MaximumDistance = distance.Largest;
 
   const palpate::EnclosedMeasure measured = palpate::MeasureEnclosed(tested);
   const palpate::EnclosedMeasure expected = palpate::MeasureEnclosed(reference);
@@ -116,7 +81,9 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
   this->Area = measured.Area;
   this->VolumeDifference = measured.Volume - expected.Volume;
   this->AreaDifference = measured.Area - expected.Area;
-  this->Dice = mask != nullptr ? palpate::DiceOfSurfaceAndMask(tested, mask, this->Label) : -1.0;
+  this->Dice = mask != nullptr
+                   ? palpate::OverlapOfSurfaceAndMask(testedMesh, mask, this->Label).Dice()
+                   : -1.0;
 
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->ShallowCopy(tested);

@@ -174,6 +174,43 @@ TEST_F(CliCohort, ChosenCaseKeepsOtherRows)
   EXPECT_EQ(RowsIn(this->Folder / "out").size(), 3U);
 }
 
+TEST_F(CliCohort, NumberOfJobsDoesNotChangeResults)
+{
+  const auto fit = [this](const std::string& jobs)
+  {
+    return this->FitWith({"masks", "--label", "1", "--degree", "4", "--output", "out" + jobs,
+                          "--jobs", jobs, "--json"});
+  };
+  const CommandRun one = fit("1");
+  const CommandRun three = fit("3");
+  EXPECT_EQ(three.Code, one.Code);
+  // Results in the order of the cases, whichever ends first; times and folders differ.
+  std::vector<std::string> inputs;
+  for (std::size_t at = 0; (at = three.Output.find("\"input\":\"", at)) != std::string::npos;)
+  {
+    at += 9;
+    inputs.push_back(three.Output.substr(at, three.Output.find('"', at) - at));
+  }
+  EXPECT_EQ(inputs,
+            (std::vector<std::string>{"masks/a.nii.gz", "masks/b.nii.gz", "masks/c.nii.gz"}));
+  const auto expected = RowsIn(this->Folder / "out1");
+  const auto rows = RowsIn(this->Folder / "out3");
+  ASSERT_EQ(rows.size(), expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    EXPECT_EQ(rows[i].Case, expected[i].Case);
+    EXPECT_EQ(rows[i].Key, expected[i].Key);
+    EXPECT_EQ(rows[i].Result.State, expected[i].Result.State);
+    EXPECT_EQ(rows[i].Result.Message, expected[i].Result.Message);
+    EXPECT_EQ(rows[i].Result.Dice, expected[i].Result.Dice);
+    EXPECT_EQ(rows[i].Result.ModelToMask.Mean, expected[i].Result.ModelToMask.Mean);
+  }
+  for (const std::string file : {"a/1/model.json", "a/1/model.vtp", "c/1/surface.vtp"})
+  {
+    EXPECT_EQ(ReadAll(this->Folder / "out3" / file), ReadAll(this->Folder / "out1" / file)) << file;
+  }
+}
+
 // One case per cluster job.
 TEST_F(CliCohort, SingleCaseRunsKeepEachOthersRows)
 {

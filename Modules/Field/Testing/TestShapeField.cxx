@@ -2,6 +2,8 @@
 #include "ShapeField.h"
 #include "TopologyPhantoms.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -75,6 +77,49 @@ TEST(ShapeField, KeepsPlaceWhenEmptyVoxelsAreAdded)
   }
   const Vector3 shift(2.0 * spacing[0], 2.0 * spacing[1], 2.0 * spacing[2]);
   EXPECT_LT((field.Grid.Origin - other.Grid.Origin - shift).norm(), 1e-12);
+}
+
+TEST(ShapeField, InterpolatesThickSlicesOnly)
+{
+  EXPECT_TRUE(palpate::HasThickSlices({0.5, 0.5, 3.0}));
+  EXPECT_TRUE(palpate::HasThickSlices({3.0, 0.5, 0.5}));
+  EXPECT_FALSE(palpate::HasThickSlices({1.0, 1.0, 1.4}));
+  EXPECT_FALSE(palpate::HasThickSlices({3.0, 3.0, 0.5})); // no single coarsest axis
+}
+
+TEST(ShapeField, MeasuresInSpaceOnRequest)
+{
+  // The box's centre is 1 mm from its nearest faces, the clamp is 0.25 * 3 mm.
+  const palpate::VoxelMask mask = BoxMask({0.5, 0.5, 3.0});
+  const Vector3 centre(3.5 * 0.5, 3.5 * 0.5, 3.5 * 3.0);
+  palpate::ShapeFieldSettings settings = Unsmoothed();
+  settings.Spacing = 0.5;
+  palpate::ShapeField field;
+  ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
+  EXPECT_NEAR(field.Sample(centre), 0.75, 0.25); // voxel centres next to it are less deep
+  EXPECT_LE(*std::max_element(field.Values.begin(), field.Values.end()), 0.75F);
+  settings.IsInSpace = true;
+  ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
+  // Outside there is no clamp in space: the border is 3 nodes and half a voxel away.
+  EXPECT_LT(*std::min_element(field.Values.begin(), field.Values.end()), -1.5F);
+}
+
+TEST(ShapeField, SpacingFollowsFromSurface)
+{
+  // 8 x 8 x 4 voxels of 1 mm: 256 mm^2 of faces.
+  const palpate::VoxelMask mask =
+      MaskOf({10, 10, 6}, {1.0, 1.0, 1.0},
+             [](int i, int j, int k) {
+               return std::min({i, j, k}) >= 1 && i <= 8 && j <= 8 && k <= 4;
+             });
+  palpate::ShapeFieldSettings settings;
+  settings.CellsOnSurface = 500.0;
+  EXPECT_NEAR(palpate::ShapeFieldSpacing(mask, settings), std::sqrt(256.0 * 2.0 / 3.0 / 500.0),
+              1e-12);
+  palpate::ShapeField field;
+  ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
+  EXPECT_EQ(field.Grid.Spacing, palpate::ShapeFieldSpacing(mask, settings));
+  EXPECT_EQ(palpate::ShapeFieldSpacing({}, settings), 0.0);
 }
 
 TEST(ShapeField, MirrorsWithMask)

@@ -159,17 +159,17 @@ ShapeGrid GridAround(const LabelBounds& bounds, const std::array<double, 3>& vox
 }
 
 // Signed distances at the voxels' centres, by slice if the slices are thick.
-std::vector<float> Distances(const VoxelMask& mask, double sliceClamp)
+std::vector<float> Distances(const VoxelMask& mask, const ShapeFieldSettings& settings)
 {
   const std::array<double, 3>& spacing = mask.Spacing;
   const double halfStep = 0.5 * *std::min_element(spacing.begin(), spacing.end());
-  const std::size_t across = SliceAxis(spacing);
+  const std::size_t across = settings.IsInSpace ? 3 : SliceAxis(spacing);
   if (across == 3)
   {
     return SignedDistance(mask, DistanceDomain::Space, halfStep);
   }
   std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
-  const auto bound = static_cast<float>(sliceClamp * spacing[across]);
+  const auto bound = static_cast<float>(settings.SliceClamp * spacing[across]);
   for (float& value : field)
   {
     value = std::clamp(value, -bound, bound);
@@ -203,6 +203,18 @@ std::vector<float> Resample(const VoxelMask& mask, std::vector<float> values, co
   return values;
 }
 } // namespace
+
+bool HasThickSlices(const std::array<double, 3>& spacing)
+{
+  return SliceAxis(spacing) < 3;
+}
+
+double ShapeFieldSpacing(const VoxelMask& mask, const ShapeFieldSettings& settings)
+{
+  LabelBounds bounds;
+  const VoxelMask object = CutOut(mask, bounds);
+  return bounds.IsEmpty() ? 0.0 : WantedSpacing(object, settings);
+}
 
 double ShapeField::Sample(const Vector3& point) const
 {
@@ -251,8 +263,7 @@ Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings,
   }
   field.Grid =
       GridAround(bounds, mask.Spacing, WantedSpacing(object, settings), settings.MaximumNodes);
-  field.Values =
-      Resample(object, Distances(object, settings.SliceClamp), field.Grid, settings.Smoothing);
+  field.Values = Resample(object, Distances(object, settings), field.Grid, settings.Smoothing);
   return Status::Success();
 }
 } // namespace palpate

@@ -55,33 +55,40 @@ struct ShapeField
 
 struct ShapeFieldSettings
 {
-  double Spacing = 0.0; ///< of the grid, mm; 0: from the mask's surface, see MakeShapeField
+  double Spacing = 0.0; ///< of the grid, mm; 0: ShapeFieldSpacing
   /// Surface area (mm^2) per square of the grid's spacing when that follows from the mask.
   double CellsOnSurface = 12000.0;
   /// Bound of distances within slices, in slice spacings. A larger one interpolates the shape
   /// between slices better (0.5 to 0.75 predicts left-out slices best), a smaller one follows each
   /// slice's own outline more closely (0.25).
   double SliceClamp = 0.35;
+  bool IsInSpace = false;      ///< distances in three dimensions also for thick slices
   double Smoothing = 0.35;     ///< standard deviation of the Gaussian, in grid spacings
   double MaximumNodes = 8.0e6; ///< the grid is coarsened until it has no more
 };
 
 /// Makes a field whose zero level is the boundary of the mask's voxels, half way between centres.
 ///
-/// If one axis of the mask is at least 1.5 times as coarse as each of the others: signed distance
-/// in each slice across it, clamped to `SliceClamp` slice spacings, and linear between slices (Raya
-/// and Udupa, "Shape-based interpolation of multidimensional objects", IEEE TMI 9, 1990). Otherwise
-/// signed distance in three dimensions. Both are resampled to an isotropic grid (trilinear) and
-/// smoothed by a Gaussian. The volume is not matched yet: MatchVolume does that.
+/// If the slices are thick (HasThickSlices): signed distance in each slice, clamped to `SliceClamp`
+/// slice spacings, and linear between slices (Raya and Udupa, "Shape-based interpolation of
+/// multidimensional objects", IEEE TMI 9, 1990). Otherwise, or with `IsInSpace`, signed distance in
+/// three dimensions. Both are resampled to an isotropic grid (trilinear) and smoothed by a
+/// Gaussian. The volume is not matched yet: LevelOfVolume does that.
 ///
-/// The grid's spacing is sqrt(area / CellsOnSurface), with area = 2/3 of that of the voxels' faces
-/// (exact for a sphere). For thin shapes it is less, a third of the mean thickness 2 V / area, but
-/// with at most six times as many cells on the surface; then it is increased until there are at
-/// most `MaximumNodes` nodes. So a mask that is too large or too thin loses detail, it is not
-/// refused. It is rounded so that nodes lie on thick slices. Grid and bounds of the mask have the
-/// same centre, so that the field of a mirrored mask is the mirrored field.
+/// The grid's spacing is rounded so that nodes lie on thick slices. Grid and bounds of the mask
+/// have the same centre, so that the field of a mirrored mask is the mirrored field.
 ///
 /// Fails for a mask with no voxel inside, with a spacing that is not positive, or whose size does
 /// not match its voxels, and for settings out of range.
 Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings, ShapeField& field);
+
+/// Whether one axis of a mask is at least 1.5 times as coarse as each of the others.
+bool HasThickSlices(const std::array<double, 3>& spacing);
+
+/// The spacing (mm) of the grid that follows from a mask: sqrt(area / CellsOnSurface), with area =
+/// 2/3 of that of the voxels' faces (exact for a sphere). For thin shapes it is less, a third of
+/// the mean thickness 2 V / area, but with at most six times as many cells on the surface; then it
+/// is increased until there are at most `MaximumNodes` nodes. So a mask that is too large or too
+/// thin loses detail, it is not refused. 0 for an empty mask.
+double ShapeFieldSpacing(const VoxelMask& mask, const ShapeFieldSettings& settings);
 } // namespace palpate

@@ -53,6 +53,7 @@ std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
   vtkNew<vtkXMLPolyDataWriter> writer;
   const AlgorithmErrors errors(writer);
   writer->SetInputData(copy);
+  writer->SetCompressionLevel(1); // half of the default's time for 3 % more bytes
   writer->WriteToOutputStringOn();
   if (writer->Write() == 0 || errors.Raised())
   {

@@ -1,9 +1,8 @@
 #include "MeshDistances.h"
 
-#include "NearestOnMesh.h"
-
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numeric>
 
 namespace palpate
@@ -13,53 +12,67 @@ namespace
 struct Weighted
 {
   double Distance;
-  double Weight; ///< their sum is 1
+  double Weight;
 };
 
-std::vector<Weighted> DistancesFrom(const IndexedMesh& mesh, const NearestOnMesh& other)
+// The least distance such that no more than `above` of the weight exceeds it. By halves: what is
+// sorted out is not sorted.
+double Quantile(std::vector<Weighted> entries, double above)
 {
-  const std::vector<double> areas = PointAreas(mesh);
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  std::vector<Weighted> distances;
-  distances.reserve(mesh.Points.size());
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  auto begin = entries.begin();
+  auto end = entries.end();
+  while (end - begin > 1)
   {
-    const double weight =
-        area > 0.0 ? areas[i] / area : 1.0 / static_cast<double>(mesh.Points.size());
-    distances.push_back({other.Find(mesh.Points[i]).Distance, weight});
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end,
+                     [](const Weighted& a, const Weighted& b) { return a.Distance < b.Distance; });
+    const double upper = std::accumulate(
+        middle, end, 0.0, [](double sum, const Weighted& entry) { return sum + entry.Weight; });
+    if (upper > above)
+    {
+      begin = middle;
+    }
+    else
+    {
+      above -= upper;
+      end = middle;
+    }
   }
-  return distances;
+  return begin != end ? begin->Distance : 0.0;
 }
 
-// The sums are in the order of the points, whatever the sort does with equal distances.
-DistanceSummary Summarise(std::vector<Weighted> distances)
+void Append(const std::vector<double>& distances, const std::vector<double>& weights, double share,
+            std::vector<Weighted>& entries)
+{
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    entries.push_back({distances[i], share * weights[i]});
+  }
+}
+
+constexpr double BeyondPercentile95 = 0.05;
+
+// Of both directions: the order of the two does not matter.
+DistanceSummary Pool(const DistanceSummary& one, const DistanceSummary& other,
+                     std::vector<Weighted> entries)
+{
+  return {0.5 * (one.Mean + other.Mean),
+          std::sqrt(0.5 * (one.Rms * one.Rms + other.Rms * other.Rms)),
+          Quantile(std::move(entries), BeyondPercentile95), std::max(one.Largest, other.Largest)};
+}
+
+// Without the percentile.
+DistanceSummary Moments(const std::vector<double>& distances, const std::vector<double>& weights)
 {
   DistanceSummary summary;
-  for (const Weighted& d : distances)
+  for (std::size_t i = 0; i < distances.size(); ++i)
   {
-    summary.Mean += d.Weight * d.Distance;
-    summary.Rms += d.Weight * d.Distance * d.Distance;
-    summary.Largest = std::max(summary.Largest, d.Distance);
+    summary.Mean += weights[i] * distances[i];
+    summary.Rms += weights[i] * distances[i] * distances[i];
+    summary.Largest = std::max(summary.Largest, distances[i]);
   }
   summary.Rms = std::sqrt(summary.Rms);
-  std::sort(distances.begin(), distances.end(),
-            [](const Weighted& a, const Weighted& b) { return a.Distance < b.Distance; });
-  double above = 1.0;
-  const auto at = std::find_if(distances.begin(), distances.end(),
-                               [&above](const Weighted& d) { return (above -= d.Weight) <= 0.05; });
-  summary.Percentile95 = at != distances.end() ? at->Distance : summary.Largest;
   return summary;
-}
-
-std::vector<Weighted> Pool(const std::vector<Weighted>& one, const std::vector<Weighted>& other)
-{
-  std::vector<Weighted> both(one);
-  both.insert(both.end(), other.begin(), other.end());
-  for (Weighted& d : both)
-  {
-    d.Weight *= 0.5;
-  }
-  return both;
 }
 } // namespace
 
@@ -78,24 +91,75 @@ std::vector<double> PointAreas(const IndexedMesh& mesh)
   return areas;
 }
 
+Status ComparedSurface::Make(const IndexedMesh& mesh, ComparedSurface& made)
+{
+  if (Status status = NearestOnMesh::Make(mesh, made.Nearest); !status.IsOk())
+  {
+    return status;
+  }
+  made.Points = mesh.Points;
+  made.Parts = PointAreas(mesh);
+  const double area = std::accumulate(made.Parts.begin(), made.Parts.end(), 0.0);
+  for (double& part : made.Parts)
+  {
+    part = area > 0.0 ? part / area : 1.0 / static_cast<double>(made.Points.size());
+  }
+  return Status::Success();
+}
+
+std::vector<double> ComparedSurface::DistancesFrom(const ComparedSurface& other) const
+{
+  std::vector<double> distances;
+  distances.reserve(this->Points.size());
+  NearestOnMesh::Result found;
+  for (const Vector3& point : this->Points)
+  {
+    found = other.Nearest.FindFrom(point, found.Triangle); // neighbours often follow each other
+    distances.push_back(found.Distance);
+  }
+  return distances;
+}
+
+DistanceSummary Summarise(const std::vector<double>& distances, const std::vector<double>& weights)
+{
+  DistanceSummary summary = Moments(distances, weights);
+  std::vector<Weighted> entries;
+  entries.reserve(distances.size());
+  Append(distances, weights, 1.0, entries);
+  summary.Percentile95 = Quantile(std::move(entries), BeyondPercentile95);
+  return summary;
+}
+
+DistanceSummary TwoSidedDistances(const std::vector<double>& there,
+                                  const std::vector<double>& weightsThere,
+                                  const std::vector<double>& back,
+                                  const std::vector<double>& weightsBack)
+{
+  std::vector<Weighted> entries;
+  entries.reserve(there.size() + back.size());
+  Append(there, weightsThere, 0.5, entries);
+  Append(back, weightsBack, 0.5, entries);
+  return Pool(Moments(there, weightsThere), Moments(back, weightsBack), std::move(entries));
+}
+
 Status MeasureMeshDistances(const IndexedMesh& one, const IndexedMesh& other,
                             MeshDistances& distances)
 {
-  NearestOnMesh toOne;
-  if (Status status = NearestOnMesh::Make(one, toOne); !status.IsOk())
+  ComparedSurface first;
+  if (Status status = ComparedSurface::Make(one, first); !status.IsOk())
   {
     return status;
   }
-  NearestOnMesh toOther;
-  if (Status status = NearestOnMesh::Make(other, toOther); !status.IsOk())
+  ComparedSurface second;
+  if (Status status = ComparedSurface::Make(other, second); !status.IsOk())
   {
     return status;
   }
-  const std::vector<Weighted> fromOne = DistancesFrom(one, toOther);
-  const std::vector<Weighted> fromOther = DistancesFrom(other, toOne);
-  distances.OneToOther = Summarise(fromOne);
-  distances.OtherToOne = Summarise(fromOther);
-  distances.Both = Summarise(Pool(fromOne, fromOther));
+  const std::vector<double> there = first.DistancesFrom(second);
+  const std::vector<double> back = second.DistancesFrom(first);
+  distances.OneToOther = Summarise(there, first.Weights());
+  distances.OtherToOne = Summarise(back, second.Weights());
+  distances.Both = TwoSidedDistances(there, first.Weights(), back, second.Weights());
   return Status::Success();
 }
 } // namespace palpate

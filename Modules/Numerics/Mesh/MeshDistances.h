@@ -1,6 +1,7 @@
 #pragma once
 
 #include "IndexedMesh.h"
+#include "NearestOnMesh.h"
 #include "Status.h"
 
 #include <vector>
@@ -26,9 +27,36 @@ struct MeshDistances
 /// A third of the area of the triangles around each point, mm^2. The indices must be valid.
 std::vector<double> PointAreas(const IndexedMesh& mesh);
 
-/// Unsigned distances from the points of each surface to the nearest point of the other; finite
-/// triangles matter, so both need points as dense as their shape requires. Points without area have
-/// no weight, but count for the largest distance. Fails as TriangleTree::Make does.
+/// A surface prepared for comparisons with several others. Immutable.
+class ComparedSurface
+{
+public:
+  /// Fails as TriangleTree::Make does.
+  static Status Make(const IndexedMesh& mesh, ComparedSurface& made);
+
+  /// Unsigned distances (mm) of its points from the nearest point of another one; finite triangles
+  /// matter, so both need points as dense as their shape requires.
+  std::vector<double> DistancesFrom(const ComparedSurface& other) const;
+  /// The points' parts of the area, which sum to 1; equal for a surface without area.
+  const std::vector<double>& Weights() const noexcept { return this->Parts; }
+
+private:
+  std::vector<Vector3> Points;
+  std::vector<double> Parts;
+  NearestOnMesh Nearest;
+};
+
+/// `weights` must have a value per distance and sum to 1. Points without area have no weight, but
+/// count for the largest distance.
+DistanceSummary Summarise(const std::vector<double>& distances, const std::vector<double>& weights);
+
+/// Distances in both directions together, each with half of the weight; symmetric.
+DistanceSummary TwoSidedDistances(const std::vector<double>& there,
+                                  const std::vector<double>& weightsThere,
+                                  const std::vector<double>& back,
+                                  const std::vector<double>& weightsBack);
+
+/// All summaries of two surfaces. Fails as TriangleTree::Make does.
 Status MeasureMeshDistances(const IndexedMesh& one, const IndexedMesh& other,
                             MeshDistances& distances);
 } // namespace palpate

@@ -83,6 +83,11 @@ Status NearestOnMesh::Make(const IndexedMesh& mesh, NearestOnMesh& made)
     const bool isFlat = !(ab.cross(ac).norm() > 1e-12 * ab.norm() * ac.norm());
     made.Triangles.push_back(isFlat ? Segment(corners) : corners);
   }
+  made.Places.resize(mesh.Triangles.size());
+  for (std::size_t place = 0; place < made.Places.size(); ++place)
+  {
+    made.Places[made.Tree.Order()[place]] = static_cast<int>(place);
+  }
   return Status::Success();
 }
 
@@ -99,7 +104,7 @@ NearestOnMesh::Corners NearestOnMesh::Segment(const Corners& flat)
   return bc >= ca ? Corners{flat.B, flat.C, flat.C} : Corners{flat.C, flat.A, flat.A};
 }
 
-NearestOnMesh::Result NearestOnMesh::Find(const Vector3& point) const noexcept
+NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) const noexcept
 {
   struct Pending
   {
@@ -120,6 +125,7 @@ NearestOnMesh::Result NearestOnMesh::Find(const Vector3& point) const noexcept
       result.Triangle = place;
     }
   };
+  consider(this->Places[start]);
   std::array<Pending, TriangleTree::MostPending> pending;
   int count = 0;
   const std::vector<TriangleTree::Node>& nodes = this->Tree.Nodes();

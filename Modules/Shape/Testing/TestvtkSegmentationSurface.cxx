@@ -330,6 +330,35 @@ TEST(SegmentationSurface, FillsAndReportsCavities)
               1e-3 * filter->GetMaskVolume());
 }
 
+TEST(SegmentationSurface, CoarsensToNumberOfCells)
+{
+  // Semi-axes 24, 20 and 18 mm: 5,400 mm^2, so 21,500 cells of 0.5 mm.
+  LabelGrid grid;
+  grid.Size = {116, 100, 16};
+  grid.Spacing = {0.5, 0.5, 3.0};
+  grid.CenterOnOrigin();
+  const auto image = MakeLabelImage(grid, [](double x, double y, double z)
+                                    { return InEllipsoid(0.5 * x, 0.5 * y, 0.5 * z); });
+  auto filter = Filter(image);
+  filter->Update();
+  const vtkIdType finest = filter->GetOutput()->GetNumberOfPolys();
+  for (const int cells : {1000, 4000})
+  {
+    filter->SetCellsOnSurface(cells);
+    filter->Update();
+    EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "");
+    // Two to three triangles a cell, which vary with the direction of the surface; the spacing is
+    // rounded to a part of the slices'.
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), cells);
+    EXPECT_LT(filter->GetOutput()->GetNumberOfPolys(), 6 * cells);
+    EXPECT_NEAR(filter->GetSurfaceVolume(), filter->GetMaskVolume(),
+                1e-3 * filter->GetMaskVolume());
+  }
+  filter->SetCellsOnSurface(1000000); // no finer than the voxels
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), finest);
+}
+
 TEST(SegmentationSurface, KeepsThinRodObliqueToThickSlices)
 {
   LabelGrid grid;

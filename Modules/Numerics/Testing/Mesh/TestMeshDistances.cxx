@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -131,6 +132,65 @@ TEST(MeshDistances, OfConcentricBoxesAreKnown)
   EXPECT_NEAR(distances.Both.Rms, std::sqrt(2.0), 1e-14);
   EXPECT_NEAR(distances.Both.Percentile95, root, 1e-14);
   EXPECT_NEAR(distances.Both.Largest, root, 1e-14);
+}
+
+TEST(NearestOnMesh, IsIndependentOfStart)
+{
+  test::Random random(73);
+  std::normal_distribution<double> normal;
+  const IndexedMesh mesh = test::Lobed(8);
+  NearestOnMesh tree;
+  ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
+  const auto count = static_cast<int>(mesh.Triangles.size());
+  for (int i = 0; i < 200; ++i)
+  {
+    const Vector3 query = 15.0 * Vector3(normal(random), normal(random), normal(random));
+    EXPECT_EQ(tree.FindFrom(query, 37 * i % count).Distance, tree.Find(query).Distance);
+  }
+}
+
+// Against sorting all distances; few different values, so that many are equal.
+TEST(MeshDistances, PercentileIsThatOfSortedDistances)
+{
+  test::Random random(74);
+  std::uniform_int_distribution<int> value(0, 60);
+  std::uniform_real_distribution<double> weight(0.0, 1.0);
+  for (int round = 0; round < 50; ++round)
+  {
+    std::vector<double> distances(1 + static_cast<std::size_t>(round) * 7);
+    std::vector<double> weights(distances.size());
+    std::generate(distances.begin(), distances.end(), [&] { return 0.1 * value(random); });
+    std::generate(weights.begin(), weights.end(), [&] { return weight(random); });
+    const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+    std::for_each(weights.begin(), weights.end(), [sum](double& w) { w /= sum; });
+    const double found = Summarise(distances, weights).Percentile95;
+    double beyond = 0.0;
+    double before = 0.0; // of the next smaller distance
+    double next = -1.0;
+    for (std::size_t i = 0; i < distances.size(); ++i)
+    {
+      beyond += distances[i] > found ? weights[i] : 0.0;
+      next = distances[i] < found ? std::max(next, distances[i]) : next;
+    }
+    for (std::size_t i = 0; i < distances.size(); ++i)
+    {
+      before += distances[i] > next ? weights[i] : 0.0;
+    }
+    EXPECT_LE(beyond, 0.05);
+    EXPECT_GT(before, 0.05);
+  }
+}
+
+TEST(MeshDistances, AreSymmetric)
+{
+  MeshDistances there;
+  MeshDistances back;
+  ASSERT_TRUE(MeasureMeshDistances(test::Sphere(4), test::Lobed(8), there).IsOk());
+  ASSERT_TRUE(MeasureMeshDistances(test::Lobed(8), test::Sphere(4), back).IsOk());
+  EXPECT_EQ(there.Both.Mean, back.Both.Mean);
+  EXPECT_EQ(there.Both.Rms, back.Both.Rms);
+  EXPECT_EQ(there.Both.Percentile95, back.Both.Percentile95);
+  EXPECT_EQ(there.Both.Largest, back.Both.Largest);
 }
 
 TEST(MeshDistances, WeightPointsByArea)

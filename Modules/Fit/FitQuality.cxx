@@ -1,0 +1,63 @@
+#include "FitQuality.h"
+
+#include "FilterRun.h"
+#include "IsoSurface.h"
+#include "MaskOverlap.h"
+#include "MeshConversion.h"
+#include "MeshDistances.h"
+#include "SurfaceFileFit.h"
+
+namespace palpate
+{
+namespace
+{
+void Report(double fraction, const ProgressFunction& progress)
+{
+  if (progress && !progress(fraction, "quality"))
+  {
+    throw Cancelled();
+  }
+}
+
+ComparedSurface Prepared(vtkPolyData* surface)
+{
+  ComparedSurface prepared;
+  if (const Status status = ComparedSurface::Make(ToIndexedMesh(surface), prepared); !status.IsOk())
+  {
+    throw FilterError(status.Message());
+  }
+  return prepared;
+}
+
+SurfaceDistances DistancesBetween(const ComparedSurface& one, const ComparedSurface& other)
+{
+  const DistanceSummary both = TwoSidedDistances(one.DistancesFrom(other), one.Weights(),
+                                                 other.DistancesFrom(one), other.Weights());
+  return {both.Mean, both.Rms, both.Percentile95, both.Largest};
+}
+} // namespace
+
+void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
+{
+  Report(0.3, progress);
+  const ComparedSurface model = Prepared(result.ModelSurface);
+  const ComparedSurface surface = Prepared(result.Surface);
+  result.SurfaceAreaSquareMillimeters = MeasureEnclosed(result.Surface).Area;
+  Report(0.4, progress);
+  result.ModelToSurface = DistancesBetween(model, surface);
+  if (result.IsOfSurface)
+  {
+    MeasureOverlap(result);
+    return;
+  }
+  result.Dice = OverlapOfSurfaceAndMask(ToIndexedMesh(result.ModelSurface), result.Mask,
+                                        result.Structure.Value)
+                    .Dice();
+  Report(0.5, progress);
+  const ComparedSurface mask = Prepared(boundary);
+  result.ModelToMask = DistancesBetween(model, mask);
+  Report(0.8, progress);
+  result.SurfaceToMask = DistancesBetween(surface, mask);
+  Report(1.0, progress);
+}
+} // namespace palpate

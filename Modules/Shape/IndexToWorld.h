@@ -1,0 +1,21 @@
+#pragma once
+
+#include "PalpateShapeModule.h"
+#include "Vector3.h"
+
+class vtkImageData;
+
+namespace palpate
+{
+/// Places image indices in the world (patient LPS, mm).
+struct IndexToWorld
+{
+  Vector3 Origin = Vector3::Zero();   ///< of index (0, 0, 0)
+  Matrix3 Axes = Matrix3::Identity(); ///< columns: one step along i, j and k
+
+  Vector3 operator()(const Vector3& index) const { return this->Origin + this->Axes * index; }
+};
+
+/// Index (0, 0, 0) is the image's first voxel, whatever its extent.
+PALPATESHAPE_EXPORT IndexToWorld IndexToWorldOf(vtkImageData* image);
+} // namespace palpate
