@@ -40,6 +40,6 @@ struct TopologyLimits
   double GapShare = 0.25;      ///< of the diameter of the sphere that has the object's volume
 };
 
-/// Fails with a message that names the first limit that is exceeded: a sentence of its own.
+/// Fails with a message that names the first limit that is exceeded, a predicate of the structure.
 Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits);
 } // namespace palpate
