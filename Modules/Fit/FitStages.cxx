@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <utility>
 
 namespace palpate
@@ -134,6 +135,18 @@ std::string Counted(long count, const char* one, const char* several)
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
+// That other components were left out.
+void RemarkOnComponents(FitResult& result)
+{
+  if (result.ComponentMilliliters.size() > 1 && result.Settings.Component > 0)
+  {
+    result.Notes.push_back("the label has " + std::to_string(result.ComponentMilliliters.size()) +
+                           " connected components; number " +
+                           std::to_string(result.Settings.Component) + " (" +
+                           FixedText(result.MaskMilliliters, 2) + " ml) was used");
+  }
+}
+
 // Adds remarks on the structure for the reader of the result.
 void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
 {
@@ -141,13 +154,6 @@ void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
   {
     result.Notes.push_back("the structure touches the border of its volume and is closed there; "
                            "the true surface may continue");
-  }
-  if (result.ComponentMilliliters.size() > 1 && result.Settings.Component > 0)
-  {
-    result.Notes.push_back("the label has " + std::to_string(result.ComponentMilliliters.size()) +
-                           " connected components; number " +
-                           std::to_string(result.Settings.Component) + " (" +
-                           FixedText(result.MaskMilliliters, 2) + " ml) was used");
   }
   if (result.CavityCount > 0)
   {
@@ -230,6 +236,19 @@ void JudgeOverlap(FitResult& result)
   result.State = FitResult::Outcome::Fitted;
 }
 
+// The half-level surface of a component of the mask.
+vtkSmartPointer<vtkPolyData> BoundaryOf(const FitResult& result, int component,
+                                        const ProgressFunction& progress)
+{
+  FitSettings settings = result.Settings;
+  settings.Component = component;
+  vtkNew<vtkSegmentationSurface> boundary;
+  Configure(boundary, OwnCopy(result.Mask.Get()), result.Structure.Value, settings);
+  boundary->SetMethodToPlain();
+  RunFilter(boundary, "surface", 0.8, 1.0, progress);
+  return boundary->GetOutput();
+}
+
 void RunSurface(FitSurface& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
@@ -254,31 +273,68 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
   }
   // Only for a structure that is modelled: for one that is too small, the message is enough.
   RemarkOnStructure(surface->GetUsedDistanceInstead(), result);
-  vtkNew<vtkSegmentationSurface> boundary;
-  Configure(boundary, layer, result.Structure.Value, result.Settings);
-  boundary->SetMethodToPlain();
-  RunFilter(boundary, "surface", 0.8, 1.0, progress);
-  made.Boundary = boundary->GetOutput();
+  made.Boundary = BoundaryOf(result, result.Settings.Component, progress);
   clock.EndStage("boundary");
 }
 
-// The structure's place on the parameter sphere.
-void RunMap(FitResult& result, const ProgressFunction& progress)
+// Whether a structure was mapped, within the limits of what may be changed.
+bool IsMapped(FitResult& result, int component, const ProgressFunction& progress)
 {
-  StageClock clock(result.Seconds);
-  const std::string reason = MapToParameterSphere(result, progress);
-  clock.EndStage("map");
+  const std::string reason = MapToParameterSphere(result, component, progress);
   if (!reason.empty())
   {
     result.State = FitResult::Outcome::Refused; // by its shape, which no setting changes
     result.Message = reason;
-    return;
+    return false;
   }
   const Status changed = CheckTopology(result.Details.Mapped->Topology, {});
   if (!changed.IsOk() && !result.Settings.Repairs)
   {
     Refuse(changed.Message(), HintForRepair, result);
+    return false;
   }
+  return true;
+}
+
+// A surface model of the largest component also takes in parts that are near it, as masks of thin
+// structures often have: voxels that touch by an edge, or slices that do not overlap.
+bool IsMappedWithItsParts(FitSamples& made, const ProgressFunction& progress)
+{
+  FitResult& result = made.Found;
+  if (result.Settings.Component != 1 || result.ComponentMilliliters.size() < 2)
+  {
+    return false;
+  }
+  FitResult whole = result;
+  if (!IsMapped(whole, 0, progress))
+  {
+    return false;
+  }
+  result = std::move(whole);
+  result.MaskMilliliters =
+      std::accumulate(result.ComponentMilliliters.begin(), result.ComponentMilliliters.end(), 0.0);
+  made.Boundary = BoundaryOf(result, 0, progress);
+  return true;
+}
+
+// The structure's place on the parameter sphere.
+void RunMap(FitSamples& made, const ProgressFunction& progress)
+{
+  FitResult& result = made.Found;
+  StageClock clock(result.Seconds);
+  const bool hasParts = IsMappedWithItsParts(made, progress);
+  if (!hasParts)
+  {
+    RemarkOnComponents(result);
+  }
+  if (hasParts || IsMapped(result, result.Settings.Component, progress))
+  {
+    if (!result.IsOfSurface)
+    {
+      RemarkOnRepair(result);
+    }
+  }
+  clock.EndStage("map");
 }
 
 void RunSamples(FitSamples& made, const ProgressFunction& progress)
@@ -286,7 +342,7 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   FitResult& result = made.Found;
   if (result.Settings.Model == FitSettings::ModelKind::Surface)
   {
-    RunMap(result, progress);
+    RunMap(made, progress);
     return;
   }
   StageClock clock(result.Seconds);
@@ -300,15 +356,14 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   made.Samples = sampler->GetOutput();
   TakeVerdict(sampler, result);
   clock.EndStage("samples");
-  if (result.HiddenPercent <= result.Settings.MaximumHiddenPercent)
+  const bool isHidden = result.HiddenPercent > result.Settings.MaximumHiddenPercent;
+  if (isHidden && result.Settings.Model == FitSettings::ModelKind::Automatic)
   {
+    RunMap(made, progress);
     return;
   }
-  if (result.Settings.Model == FitSettings::ModelKind::Automatic)
-  {
-    RunMap(result, progress);
-  }
-  else
+  RemarkOnComponents(result);
+  if (isHidden)
   {
     const double limit = result.Settings.MaximumHiddenPercent;
     Refuse("is not star-shaped: the centre does not see " +

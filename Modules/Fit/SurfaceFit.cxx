@@ -28,12 +28,12 @@ namespace
 {
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
 
-VoxelMask MaskOf(const FitResult& result, int rim)
+VoxelMask MaskOf(const FitResult& result, int component)
 {
-  VoxelMask mask = CopyLabelMask(result.Mask, result.Structure.Value, rim).Mask;
-  if (result.Settings.Component > 0)
+  VoxelMask mask = CopyLabelMask(result.Mask, result.Structure.Value, 1).Mask;
+  if (component > 0)
   {
-    MaskComponents(mask).Keep(result.Settings.Component - 1, mask);
+    MaskComponents(mask).Keep(component - 1, mask);
   }
   return mask;
 }
@@ -44,19 +44,6 @@ vtkSmartPointer<vtkPolyData> PolyDataOf(const IndexedMesh& mesh)
   drawn.PointsWorld = mesh.Points;
   drawn.Triangles = mesh.Triangles;
   return PolyDataOf(drawn);
-}
-
-void RemarkOnRepair(const MappedSurface& mapped, FitResult& result)
-{
-  RemarkOnChanges(mapped.Topology, result);
-  if (!mapped.Lost.empty())
-  {
-    const LostPlace& farthest = mapped.Lost.front();
-    result.Notes.push_back("the surface leaves out thin parts at " +
-                           std::to_string(mapped.Lost.size()) + " places, up to " +
-                           FixedText(farthest.Distance, 1) + " mm at " +
-                           PlaceText(farthest.Farthest));
-  }
 }
 
 // Overlap with what was fitted, and crossings of the drawn surface. Fails if it overlaps itself too
@@ -178,7 +165,7 @@ void RemarkOnFit(FitResult& result)
 }
 } // namespace
 
-std::string MapToParameterSphere(FitResult& result, const ProgressFunction& progress)
+std::string MapToParameterSphere(FitResult& result, int component, const ProgressFunction& progress)
 {
   if (result.IsOfSurface)
   {
@@ -186,17 +173,30 @@ std::string MapToParameterSphere(FitResult& result, const ProgressFunction& prog
   }
   KernelWatch watched(progress, "surface");
   auto mapped = std::make_shared<MappedSurface>();
-  const Status status = MakeMappedSurface(MaskOf(result, 1), IndexToWorldOf(result.Mask), {},
-                                          watched.Of(0.0, 1.0), *mapped);
+  const Status status = MakeMappedSurface(MaskOf(result, component), IndexToWorldOf(result.Mask),
+                                          {}, watched.Of(0.0, 1.0), *mapped);
   watched.Require();
   if (!status.IsOk())
   {
     return status.Message();
   }
-  RemarkOnRepair(*mapped, result);
   result.Surface = PolyDataOf(mapped->Mesh);
   result.Details.Mapped = std::move(mapped);
   return {};
+}
+
+void RemarkOnRepair(FitResult& result)
+{
+  const MappedSurface& mapped = *result.Details.Mapped;
+  RemarkOnChanges(mapped.Topology, result);
+  if (!mapped.Lost.empty())
+  {
+    const LostPlace& farthest = mapped.Lost.front();
+    result.Notes.push_back("the surface leaves out thin parts at " +
+                           std::to_string(mapped.Lost.size()) + " places, up to " +
+                           FixedText(farthest.Distance, 1) + " mm at " +
+                           PlaceText(farthest.Farthest));
+  }
 }
 
 std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)

@@ -219,6 +219,30 @@ TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
   EXPECT_EQ(bridged.Details.Mapped->Topology.Bridges.Count, 1);
 }
 
+// A rod of two pieces that touch by an edge: two components, one organ.
+TEST(SurfaceModels, TakeInPartsThatAreNear)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {60, 30, 30};
+  grid.CenterOnOrigin();
+  const auto rod =
+      palpate::test::MakeLabelImage(grid,
+                                    [](double x, double y, double z)
+                                    {
+                                      const bool isLeft = x < 0.0;
+                                      return std::abs(x) < 24.0 && std::abs(z) < 5.0 &&
+                                             (isLeft ? y > 0.0 && y < 10.0 : y < 0.0 && y > -10.0);
+                                    });
+  const FitResult result = Fit(rod, SurfaceOfDegree(16));
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
+  EXPECT_NEAR(result.MaskMilliliters,
+              result.ComponentMilliliters[0] + result.ComponentMilliliters[1], 1e-9);
+  EXPECT_GT(result.Dice, 0.9);
+  // Measured against the whole mask: a corner at most.
+  EXPECT_LT(result.ModelToMask.Maximum, 4.0);
+}
+
 TEST(SurfaceModels, OfATorusTellThatItsHandleWasCut)
 {
   palpate::test::LabelGrid grid;
