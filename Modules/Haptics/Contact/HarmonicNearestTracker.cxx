@@ -1,6 +1,7 @@
 #include "HarmonicNearestTracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace
 // an encoder resolves; the stride keeps Newton's method in the basin of its minimum.
 constexpr double RelativeGap = 1e-6;
 constexpr double RelativeStride = 1.0 / 16.0;
+// How near the surface a tool without contact is followed by its nearest minima.
+constexpr double RelativeGuard = 1.0 / 16.0;
 // Limits of a tick: steps through free space, and short steps of a probe in contact.
 constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
@@ -21,6 +24,7 @@ constexpr int MostStrides = 32;
 constexpr int EvaluationsOfSearch = 256;
 constexpr int EvaluationsOfTick = 500;
 constexpr int FewEvaluations = 20;
+constexpr int EvaluationsOfGuard = 64;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it needs to follow a minimum, except close to the medial axis, where
@@ -61,6 +65,13 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
       HarmonicWedgeOf<Surface>::IsNeeded(*this->Touched, toolRadius))
   {
     this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
+  }
+  if constexpr (Surface::MayCrossItself)
+  {
+    const double tolerance = 0.5 * this->TouchingGap;
+    this->GuardRadius = this->ToolRadius + RelativeGuard * this->Touched->SmallestRadius();
+    this->Guard = std::make_unique<ClearanceProofOf<typename Surface::Shape>>(
+        this->Touched->Search(), this->GuardRadius + tolerance, tolerance, 0.0);
   }
 }
 
@@ -160,6 +171,10 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
       return true;
     }
     this->Measure(this->ProbeWorld, step == 0);
+    if (step == 0 && this->IsReached(probe))
+    {
+      return true;
+    }
     if (this->ClearRadius <= this->LeastProgress())
     {
       break;
@@ -169,6 +184,74 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
     this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
   }
   return this->MeetSurface();
+}
+
+// Whether the free spheres around the last place and the probe touch each other; the probe is then
+// at its new place.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    ClosestPoint there;
+    if (!(this->ClearRadius > 0.0) || !this->FindGuarded(probe, this->Closest, there))
+    {
+      return false;
+    }
+    const double radius = this->FreeRadius(there);
+    if (radius > 0.0 && (probe - this->ProbeWorld).norm() < this->ClearRadius + radius)
+    {
+      this->Closest = there;
+      this->ProbeWorld = probe;
+      this->ClearCenterWorld = probe;
+      this->ClearRadius = radius;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Near the surface the nearest point is usually the minimum that was nearest before, which is
+// followed; the proof that no other one is nearer lasts for many ticks. Returns false if another
+// search is needed.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::FindGuarded(const Vector3& probe, const ClosestPoint& from,
+                                                    ClosestPoint& nearest) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr std::size_t Most = 4;
+    std::array<ClosestPoint, Most> known;
+    known[0] = this->Touched->Search().Track(probe, from);
+    const bool isExact = known[0].Converged() && known[0].DistanceError <= this->TouchingGap;
+    if (!isExact || !(std::abs(known[0].SignedDistance) < this->GuardRadius))
+    {
+      return false;
+    }
+    for (std::size_t count = 1;; ++count)
+    {
+      const auto answer = this->Guard->AskWithin(
+          std::abs(known[0].SignedDistance) + this->TouchingGap, probe, known.data(), count,
+          std::min(this->EvaluationsLeft, EvaluationsOfGuard));
+      this->EvaluationsLeft -= answer.Evaluations;
+      if (answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Clear)
+      {
+        const auto nearer = [](const ClosestPoint& a, const ClosestPoint& b)
+        { return std::abs(a.SignedDistance) < std::abs(b.SignedDistance); };
+        nearest = *std::min_element(known.begin(),
+                                    known.begin() + static_cast<std::ptrdiff_t>(count), nearer);
+        return true;
+      }
+      const bool isOpen = answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Open;
+      if (isOpen || count == Most || !answer.Minimum.Converged() ||
+          !(answer.Minimum.DistanceError <= this->TouchingGap))
+      {
+        return false;
+      }
+      known[count] = answer.Minimum;
+    }
+  }
+  return false;
 }
 
 // Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
@@ -236,7 +319,12 @@ HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirs
   const int most = this->EvaluationsOfNextSearch();
   if constexpr (Surface::MayCrossItself)
   {
-    if (this->IsNearKnown())
+    ClosestPoint near;
+    if (this->IsNearKnown() && this->FindGuarded(probe, this->Closest, near))
+    {
+      this->Closest = near;
+    }
+    else if (this->IsNearKnown())
     {
       this->Closest = isFirst ? search.Clearance(probe, this->ToolRadius, most, this->Closest)
                               : search.Nearest(probe, most, this->Closest);
@@ -340,7 +428,11 @@ void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
   if constexpr (Surface::MayCrossItself)
   {
     constexpr double Almost = 1.0 - 1e-6;
-    const ClosestPoint nearest = this->NearestTo(probe);
+    ClosestPoint nearest;
+    if (!this->FindGuarded(probe, next, nearest))
+    {
+      nearest = this->NearestTo(probe);
+    }
     if (std::abs(nearest.SignedDistance) < Almost * next.SignedDistance)
     {
       this->Known = State::Free;
