@@ -84,11 +84,13 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     return this->Felt;
   }
   this->EvaluationsLeft = EvaluationsOfTick;
+  this->IsGuardUsedUp = false;
   this->Advance(pose.PositionWorld);
   if (this->Wedge && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
-    if (!this->Wedge->IsHeld())
+    this->IsHovering = !this->Wedge->IsHeld();
+    if (this->IsHovering && !this->IsBesideWall(pose.PositionWorld))
     {
       this->LeaveWedge(pose.PositionWorld);
     }
@@ -222,6 +224,10 @@ bool HarmonicNearestTrackerOf<Surface>::FindGuarded(const Vector3& probe, const 
   {
     constexpr std::size_t Most = 4;
     std::array<ClosestPoint, Most> known;
+    if (this->IsGuardUsedUp)
+    {
+      return false;
+    }
     known[0] = this->Touched->Search().Track(probe, from);
     const bool isExact = known[0].Converged() && known[0].DistanceError <= this->TouchingGap;
     if (!isExact || !(std::abs(known[0].SignedDistance) < this->GuardRadius))
@@ -243,6 +249,7 @@ bool HarmonicNearestTrackerOf<Surface>::FindGuarded(const Vector3& probe, const 
         return true;
       }
       const bool isOpen = answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Open;
+      this->IsGuardUsedUp = isOpen;
       if (isOpen || count == Most || !answer.Minimum.Converged() ||
           !(answer.Minimum.DistanceError <= this->TouchingGap))
       {
@@ -261,8 +268,10 @@ double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
   if constexpr (Surface::MayCrossItself)
   {
     constexpr double LeastPart = 0.05;
+    constexpr double PartOfStep = 0.25;
     const double gap = std::abs(this->Closest.SignedDistance) - this->ToolRadius;
-    return std::max(this->TouchingGap, LeastPart * gap);
+    const double besideWall = this->Wedge ? PartOfStep * this->Wedge->Step() : 0.0;
+    return std::max({this->TouchingGap, besideWall, LeastPart * gap});
   }
   else
   {
@@ -360,6 +369,7 @@ template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Touching;
+  this->IsHovering = false;
   this->Closest = nearest;
   this->Held = PlaceOf<Surface>(nearest);
   if (this->Wedge)
@@ -497,10 +507,33 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
   const Vector3& normal = this->Wedge->Normal();
-  if (this->Friction.IsFrictionless() ||
+  if (this->IsHovering)
+  {
+    this->Wedge->MoveTo(probe);
+  }
+  else if (this->Friction.IsFrictionless() ||
       !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
   {
     this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
+  }
+}
+
+// Beside a wall of a parametric surface the wedge follows a tool that is free, too: with the next
+// walls known, that is shorter than searches.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::IsBesideWall(const Vector3& probe) const noexcept
+{
+  constexpr double Near = 0.5;
+  if constexpr (Surface::MayCrossItself)
+  {
+    const ClosestPoint* wall = this->Wedge->NearestWall();
+    return wall != nullptr &&
+           wall->SignedDistance < this->ToolRadius + Near * this->Wedge->Step() &&
+           (this->Wedge->CenterWorld() - probe).norm() <= this->TouchingGap;
+  }
+  else
+  {
+    return false;
   }
 }
 
@@ -508,6 +541,12 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcept
 {
+  if constexpr (Surface::MayCrossItself)
+  {
+    const ClosestPoint* wall = this->Wedge->NearestWall();
+    this->Closest = wall != nullptr ? *wall : this->Closest;
+  }
+  this->IsHovering = false;
   this->Known = State::Free;
   this->ProbeWorld = this->Wedge->CenterWorld();
   this->ClearCenterWorld = this->ProbeWorld;
@@ -580,7 +619,8 @@ void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noex
     this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
     const Vector3 push = this->Felt.ProxyWorld - probe;
     const double margin = 2.0 * this->Touched->Margin();
-    const bool isHeld = push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin;
+    const bool isHeld =
+        !this->IsHovering && (push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin);
     this->Felt.IsTouching = this->Wedge ? isHeld : this->Closest.SignedDistance < this->ToolRadius;
     this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
     this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;

@@ -86,6 +86,7 @@ private:
   void Drag(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;
+  bool IsBesideWall(const Vector3& probe) const noexcept;
   Place Slip(const Vector3& probe, const Place& end) const noexcept;
   FrictionCone::Pull PullOf(const Vector3& probe, const Place& place) const noexcept;
   void Report(const Vector3& probe) noexcept;
@@ -111,6 +112,9 @@ private:
   // Near a parametric surface without contact: proves that the followed minimum is the nearest.
   std::unique_ptr<ClearanceProofOf<typename Surface::Shape>> Guard;
   double GuardRadius = 0.0; // mm, of the minima that it knows
+  bool IsGuardUsedUp = false; // in this tick
+  // Whether the wedge moves a tool that no wall holds, since one is near.
+  bool IsHovering = false;
   Contact Felt;
 };
 using HarmonicNearestTracker = HarmonicNearestTrackerOf<HarmonicSurface>;

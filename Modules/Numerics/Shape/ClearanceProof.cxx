@@ -166,7 +166,7 @@ void ClearanceProofOf<Surface>::AddNear(std::size_t count) noexcept
 template <typename Surface>
 void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
-  constexpr double Ahead = 16.0;
+  constexpr double Ahead = 6.0;
   constexpr double Farthest = 0.25;
   const double step = (query - this->Query).norm();
   this->PathLength += step;
