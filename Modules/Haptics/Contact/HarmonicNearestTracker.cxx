@@ -1,6 +1,7 @@
 #include "HarmonicNearestTracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace
 // an encoder resolves; the stride keeps Newton's method in the basin of its minimum.
 constexpr double RelativeGap = 1e-6;
 constexpr double RelativeStride = 1.0 / 16.0;
+// How near the surface a tool without contact is followed by its nearest minima.
+constexpr double RelativeGuard = 1.0 / 16.0;
 // Limits of a tick: steps through free space, and short steps of a probe in contact.
 constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
@@ -21,6 +24,7 @@ constexpr int MostStrides = 32;
 constexpr int EvaluationsOfSearch = 256;
 constexpr int EvaluationsOfTick = 500;
 constexpr int FewEvaluations = 20;
+constexpr int EvaluationsOfGuard = 64;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it needs to follow a minimum, except close to the medial axis, where
@@ -62,6 +66,13 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   {
     this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
   }
+  if constexpr (Surface::MayCrossItself)
+  {
+    const double tolerance = 0.5 * this->TouchingGap;
+    this->GuardRadius = this->ToolRadius + RelativeGuard * this->Touched->SmallestRadius();
+    this->Guard = std::make_unique<ClearanceProofOf<typename Surface::Shape>>(
+        this->Touched->Search(), this->GuardRadius + tolerance, tolerance, 0.0);
+  }
 }
 
 template <typename Surface>
@@ -73,11 +84,13 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     return this->Felt;
   }
   this->EvaluationsLeft = EvaluationsOfTick;
+  this->IsGuardUsedUp = false;
   this->Advance(pose.PositionWorld);
   if (this->Wedge && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
-    if (!this->Wedge->IsHeld())
+    this->IsHovering = !this->Wedge->IsHeld();
+    if (this->IsHovering && !this->IsBesideWall(pose.PositionWorld))
     {
       this->LeaveWedge(pose.PositionWorld);
     }
@@ -160,6 +173,10 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
       return true;
     }
     this->Measure(this->ProbeWorld, step == 0);
+    if (step == 0 && this->IsReached(probe))
+    {
+      return true;
+    }
     if (this->ClearRadius <= this->LeastProgress())
     {
       break;
@@ -171,6 +188,79 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
   return this->MeetSurface();
 }
 
+// Whether the free spheres around the last place and the probe touch each other; the probe is then
+// at its new place.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    ClosestPoint there;
+    if (!(this->ClearRadius > 0.0) || !this->FindGuarded(probe, this->Closest, there))
+    {
+      return false;
+    }
+    const double radius = this->FreeRadius(there);
+    if (radius > 0.0 && (probe - this->ProbeWorld).norm() < this->ClearRadius + radius)
+    {
+      this->Closest = there;
+      this->ProbeWorld = probe;
+      this->ClearCenterWorld = probe;
+      this->ClearRadius = radius;
+      return true;
+    }
+  }
+  return false;
+}
+
+// Near the surface the nearest point is usually the minimum that was nearest before, which is
+// followed; the proof that no other one is nearer lasts for many ticks. Returns false if another
+// search is needed.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::FindGuarded(const Vector3& probe, const ClosestPoint& from,
+                                                    ClosestPoint& nearest) noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr std::size_t Most = 4;
+    std::array<ClosestPoint, Most> known;
+    if (this->IsGuardUsedUp)
+    {
+      return false;
+    }
+    known[0] = this->Touched->Search().Track(probe, from);
+    const bool isExact = known[0].Converged() && known[0].DistanceError <= this->TouchingGap;
+    if (!isExact || !(std::abs(known[0].SignedDistance) < this->GuardRadius))
+    {
+      return false;
+    }
+    for (std::size_t count = 1;; ++count)
+    {
+      const auto answer = this->Guard->AskWithin(
+          std::abs(known[0].SignedDistance) + this->TouchingGap, probe, known.data(), count,
+          std::min(this->EvaluationsLeft, EvaluationsOfGuard));
+      this->EvaluationsLeft -= answer.Evaluations;
+      if (answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Clear)
+      {
+        const auto nearer = [](const ClosestPoint& a, const ClosestPoint& b)
+        { return std::abs(a.SignedDistance) < std::abs(b.SignedDistance); };
+        nearest = *std::min_element(known.begin(),
+                                    known.begin() + static_cast<std::ptrdiff_t>(count), nearer);
+        return true;
+      }
+      const bool isOpen = answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Open;
+      this->IsGuardUsedUp = isOpen;
+      if (isOpen || count == Most || !answer.Minimum.Converged() ||
+          !(answer.Minimum.DistanceError <= this->TouchingGap))
+      {
+        return false;
+      }
+      known[count] = answer.Minimum;
+    }
+  }
+  return false;
+}
+
 // Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
 template <typename Surface>
 double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
@@ -178,8 +268,10 @@ double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
   if constexpr (Surface::MayCrossItself)
   {
     constexpr double LeastPart = 0.05;
+    constexpr double PartOfStep = 0.25;
     const double gap = std::abs(this->Closest.SignedDistance) - this->ToolRadius;
-    return std::max(this->TouchingGap, LeastPart * gap);
+    const double besideWall = this->Wedge ? PartOfStep * this->Wedge->Step() : 0.0;
+    return std::max({this->TouchingGap, besideWall, LeastPart * gap});
   }
   else
   {
@@ -236,7 +328,12 @@ HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirs
   const int most = this->EvaluationsOfNextSearch();
   if constexpr (Surface::MayCrossItself)
   {
-    if (this->IsNearKnown())
+    ClosestPoint near;
+    if (this->IsNearKnown() && this->FindGuarded(probe, this->Closest, near))
+    {
+      this->Closest = near;
+    }
+    else if (this->IsNearKnown())
     {
       this->Closest = isFirst ? search.Clearance(probe, this->ToolRadius, most, this->Closest)
                               : search.Nearest(probe, most, this->Closest);
@@ -272,6 +369,7 @@ template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Touching;
+  this->IsHovering = false;
   this->Closest = nearest;
   this->Held = PlaceOf<Surface>(nearest);
   if (this->Wedge)
@@ -340,7 +438,11 @@ void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
   if constexpr (Surface::MayCrossItself)
   {
     constexpr double Almost = 1.0 - 1e-6;
-    const ClosestPoint nearest = this->NearestTo(probe);
+    ClosestPoint nearest;
+    if (!this->FindGuarded(probe, next, nearest))
+    {
+      nearest = this->NearestTo(probe);
+    }
     if (std::abs(nearest.SignedDistance) < Almost * next.SignedDistance)
     {
       this->Known = State::Free;
@@ -405,10 +507,33 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
   const Vector3& normal = this->Wedge->Normal();
-  if (this->Friction.IsFrictionless() ||
+  if (this->IsHovering)
+  {
+    this->Wedge->MoveTo(probe);
+  }
+  else if (this->Friction.IsFrictionless() ||
       !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
   {
     this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
+  }
+}
+
+// Beside a wall of a parametric surface the wedge follows a tool that is free, too: with the next
+// walls known, that is shorter than searches.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::IsBesideWall(const Vector3& probe) const noexcept
+{
+  constexpr double Near = 0.5;
+  if constexpr (Surface::MayCrossItself)
+  {
+    const ClosestPoint* wall = this->Wedge->NearestWall();
+    return wall != nullptr &&
+           wall->SignedDistance < this->ToolRadius + Near * this->Wedge->Step() &&
+           (this->Wedge->CenterWorld() - probe).norm() <= this->TouchingGap;
+  }
+  else
+  {
+    return false;
   }
 }
 
@@ -416,6 +541,12 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcept
 {
+  if constexpr (Surface::MayCrossItself)
+  {
+    const ClosestPoint* wall = this->Wedge->NearestWall();
+    this->Closest = wall != nullptr ? *wall : this->Closest;
+  }
+  this->IsHovering = false;
   this->Known = State::Free;
   this->ProbeWorld = this->Wedge->CenterWorld();
   this->ClearCenterWorld = this->ProbeWorld;
@@ -488,7 +619,8 @@ void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noex
     this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
     const Vector3 push = this->Felt.ProxyWorld - probe;
     const double margin = 2.0 * this->Touched->Margin();
-    const bool isHeld = push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin;
+    const bool isHeld =
+        !this->IsHovering && (push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin);
     this->Felt.IsTouching = this->Wedge ? isHeld : this->Closest.SignedDistance < this->ToolRadius;
     this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
     this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;

@@ -44,7 +44,8 @@ public:
   void Release() noexcept override { this->Known = State::Nothing; }
   std::size_t Bytes() const noexcept override
   {
-    return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0);
+    return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0) +
+           (this->Guard ? sizeof(*this->Guard) : 0);
   }
 
 private:
@@ -57,6 +58,8 @@ private:
 
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
+  bool IsReached(const Vector3& probe) noexcept;
+  bool FindGuarded(const Vector3& probe, const ClosestPoint& from, ClosestPoint& nearest) noexcept;
   bool MeetSurface() noexcept;
   double LeastProgress() const noexcept;
   void Slide(const Vector3& probe) noexcept;
@@ -83,6 +86,7 @@ private:
   void Drag(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;
+  bool IsBesideWall(const Vector3& probe) const noexcept;
   Place Slip(const Vector3& probe, const Place& end) const noexcept;
   FrictionCone::Pull PullOf(const Vector3& probe, const Place& place) const noexcept;
   void Report(const Vector3& probe) noexcept;
@@ -105,6 +109,12 @@ private:
   Place Held{};
   std::unique_ptr<HarmonicWedgeOf<Surface>>
       Wedge; // used instead if the tool does not fit everywhere
+  // Near a parametric surface without contact: proves that the followed minimum is the nearest.
+  std::unique_ptr<ClearanceProofOf<typename Surface::Shape>> Guard;
+  double GuardRadius = 0.0; // mm, of the minima that it knows
+  bool IsGuardUsedUp = false; // in this tick
+  // Whether the wedge moves a tool that no wall holds, since one is near.
+  bool IsHovering = false;
   Contact Felt;
 };
 using HarmonicNearestTracker = HarmonicNearestTrackerOf<HarmonicSurface>;

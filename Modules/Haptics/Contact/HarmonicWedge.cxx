@@ -257,10 +257,9 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
   return false;
 }
 
-// Along a wall's plane a fast sphere leaves a surface that curves away: moves back by the gap, the
-// smallest of all known walls.
 template <typename Surface>
-void HarmonicWedgeOf<Surface>::ReturnToWall(const Vector3& goalWorld) noexcept
+const typename HarmonicWedgeOf<Surface>::ClosestPoint*
+HarmonicWedgeOf<Surface>::NearestWall() const noexcept
 {
   const ClosestPoint* nearest = nullptr;
   for (std::size_t i = 0; i < this->WallCount; ++i)
@@ -268,6 +267,15 @@ void HarmonicWedgeOf<Surface>::ReturnToWall(const Vector3& goalWorld) noexcept
     const ClosestPoint& wall = this->Walls[i];
     nearest = nearest == nullptr || wall.SignedDistance < nearest->SignedDistance ? &wall : nearest;
   }
+  return nearest;
+}
+
+// Along a wall's plane a fast sphere leaves a surface that curves away: moves back by the gap, the
+// smallest of all known walls.
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::ReturnToWall(const Vector3& goalWorld) noexcept
+{
+  const ClosestPoint* nearest = this->NearestWall();
   if (nearest != nullptr && nearest->SignedDistance > this->Radius &&
       (goalWorld - this->Center).dot(nearest->Normal) < 0.0)
   {

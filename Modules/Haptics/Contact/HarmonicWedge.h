@@ -44,6 +44,10 @@ public:
   const Vector3& Normal() const noexcept { return this->JointNormal; }
   /// Whether a wall keeps the sphere from the goal; otherwise it has left the surface.
   bool IsHeld() const noexcept { return this->IsKeptBack; }
+  /// The nearest of the known walls, none of which may be near; null without any.
+  const ClosestPoint* NearestWall() const noexcept;
+  /// The longest step (mm) between two proofs. Farther walls may be unknown.
+  double Step() const noexcept { return this->LongestStep; }
 
 private:
   static constexpr std::size_t MostWalls = 6;

@@ -19,6 +19,16 @@ double AngleBetween(const Vector3& a, const Vector3& b)
                      : 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + 1e-15;
 }
 
+bool Contains(const RoundBasin& basin, const Vector3& around, const Vector3& center, double reach)
+{
+  return AngleBetween(center, around) + reach <= basin.Angle;
+}
+bool Contains(const StretchedBasin& basin, const Vector3& around, const Vector3& center,
+              double reach)
+{
+  return basin.Contains(around, center, reach);
+}
+
 // Often the point in the query's direction.
 Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<SphericalHarmonicModel>&)
 {
@@ -105,7 +115,7 @@ bool BranchAndBoundSearch<Surface>::IsCovered(const Vector3& center, double reac
   for (std::size_t i = 0; i < this->BasinCount; ++i)
   {
     const Basin& basin = this->Basins[i];
-    if (AngleBetween(center, basin.Direction) + reach <= basin.Around.Angle)
+    if (Contains(basin.Around, basin.Direction, center, reach))
     {
       this->Proven = std::min(this->Proven, basin.Around.LowerDistance);
       return true;
@@ -177,8 +187,9 @@ void BranchAndBoundSearch<Surface>::Cut(double bound, const Piece& piece) noexce
       continue;
     }
     const Piece child = this->Evaluate(triangle);
-    const typename SurfaceKind<Surface>::Patch patch(child.Center, child.Sample, child.Reach,
-                                                     this->Descent.Bounds().PointThird);
+    const typename SurfaceKind<Surface>::Patch patch(
+        child.Center, child.Sample, child.Reach,
+        this->Descent.Bounds().ThirdWithin(child.Center, child.Reach));
     const double expansion =
         this->Descent.LowerDistance(this->Query, child.Center, child.Sample, child.Reach);
     this->PushPiece(std::max({bound, patch.LowerDistance(this->Query), expansion}), child);

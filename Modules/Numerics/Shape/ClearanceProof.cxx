@@ -19,6 +19,46 @@ bool IsSame(const ClosestPointOf<Surface>& a, const ClosestPointOf<Surface>& b) 
   constexpr double Apart = ClearanceProofOf<Surface>::Apart;
   return (a.Direction - b.Direction).squaredNorm() < Apart * Apart;
 }
+// Ways to ask the two kinds of basin: for a cap inside, and for a point near.
+bool Contains(const RoundBasin& basin, const Vector3& around, const SphericalCap& cap) noexcept
+{
+  const double margin = basin.Angle - cap.Radius;
+  const double chord = (cap.Center - around).norm();
+  // An angle is less than this up to 2.6 rad.
+  return chord * (1.0 + 0.1 * chord * chord) < margin;
+}
+bool Contains(const StretchedBasin& basin, const Vector3& around, const SphericalCap& cap) noexcept
+{
+  return basin.Contains(around, cap.Center, cap.Radius);
+}
+bool IsNear(const RoundBasin& basin, const Vector3& around, const Vector3& direction,
+            double reach) noexcept
+{
+  return (around - direction).norm() < basin.Angle + reach;
+}
+bool IsNear(const StretchedBasin& basin, const Vector3& around, const Vector3& direction,
+            double reach) noexcept
+{
+  return basin.IsNear(around, direction, reach);
+}
+void Widen(RoundBasin& basin, double angle) noexcept
+{
+  basin.Angle = std::max(basin.Angle, angle);
+}
+void Widen(StretchedBasin& basin, double angle) noexcept
+{
+  basin.LeastAngle = angle;
+}
+RoundBasin Limited(RoundBasin basin) noexcept
+{
+  constexpr double Widest = 2.0; // rad
+  basin.Angle = std::min(basin.Angle, Widest);
+  return basin;
+}
+const StretchedBasin& Limited(const StretchedBasin& basin) noexcept
+{
+  return basin;
+}
 } // namespace
 
 // One query.
@@ -28,7 +68,7 @@ struct ClearanceProofOf<Surface>::Task
   struct Basin
   {
     Vector3 Direction;
-    double Angle;
+    typename ClosestPointDescentOf<Surface>::Basin Around;
     double LowerDistance; // infinite around known minima
   };
 
@@ -37,8 +77,7 @@ struct ClearanceProofOf<Surface>::Task
   {
     if (this->BasinCount < this->Basins.size())
     {
-      constexpr double Widest = 2.0; // rad
-      this->Basins[this->BasinCount++] = {direction, std::min(around.Angle, Widest), lowerDistance};
+      this->Basins[this->BasinCount++] = {direction, Limited(around), lowerDistance};
     }
   }
   // Lower bound of the cap's distance by the basins that cover it, mm.
@@ -48,10 +87,7 @@ struct ClearanceProofOf<Surface>::Task
     for (std::size_t i = 0; i < this->BasinCount; ++i)
     {
       const Basin& basin = this->Basins[i];
-      const double margin = basin.Angle - cap.Radius;
-      const double chord = (cap.Center - basin.Direction).norm();
-      // An angle is less than this up to 2.6 rad.
-      if (chord * (1.0 + 0.1 * chord * chord) < margin)
+      if (Contains(basin.Around, basin.Direction, cap))
       {
         lower = std::max(lower, basin.LowerDistance);
       }
@@ -64,7 +100,7 @@ struct ClearanceProofOf<Surface>::Task
     return std::any_of(this->Basins.begin(),
                        this->Basins.begin() + static_cast<std::ptrdiff_t>(this->BasinCount),
                        [&](const Basin& basin)
-                       { return (basin.Direction - direction).norm() < basin.Angle + reach; });
+                       { return IsNear(basin.Around, basin.Direction, direction, reach); });
   }
   bool IsKnown(const ClosestPoint& minimum) const noexcept
   {
@@ -84,8 +120,10 @@ struct ClearanceProofOf<Surface>::Task
 
 template <typename Surface>
 ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
-                                            double distance, double tolerance) noexcept
-    : Search(&search), Needed(distance - tolerance)
+                                            double distance, double tolerance,
+                                            double apart) noexcept
+    : Search(&search), Tolerance(tolerance), Needed(distance - tolerance), Asked(Needed),
+      Together(apart)
 {
   this->BeginAfresh();
 }
@@ -94,6 +132,7 @@ template <typename Surface>
 void ClearanceProofOf<Surface>::BeginAfresh() noexcept
 {
   this->PathLength = 0.0;
+  this->NearUntil = -Infinite;
   this->CellCount = SurfacePatchTreeOf<Surface>::RootCount;
   for (std::size_t root = 0; root < this->CellCount; ++root)
   {
@@ -102,10 +141,35 @@ void ClearanceProofOf<Surface>::BeginAfresh() noexcept
   }
 }
 
+// Most cells stay clear for many steps, so that only the others are looked at.
+template <typename Surface>
+void ClearanceProofOf<Surface>::GatherNear() noexcept
+{
+  this->NearCount = 0;
+  for (std::size_t i = 0; i < this->CellCount; ++i)
+  {
+    this->Near[this->NearCount] = static_cast<std::uint16_t>(i);
+    this->NearCount += this->ClearUntil[i] < this->NearUntil ? 1 : 0;
+  }
+}
+
+// Parts of a cell that is not clear.
+template <typename Surface>
+void ClearanceProofOf<Surface>::AddNear(std::size_t count) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    this->Near[this->NearCount++] = static_cast<std::uint16_t>(this->CellCount++);
+  }
+}
+
 template <typename Surface>
 void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
-  this->PathLength += (query - this->Query).norm();
+  constexpr double Ahead = 6.0;
+  constexpr double Farthest = 0.25;
+  const double step = (query - this->Query).norm();
+  this->PathLength += step;
   this->Query = query;
   // Keeps the rounding of the path length far below any tolerance, and drops the many cells that
   // were split for places left behind.
@@ -114,6 +178,11 @@ void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
   {
     this->BeginAfresh();
   }
+  if (this->Used() > this->NearUntil)
+  {
+    this->NearUntil = this->Used() + std::min(Ahead * step, Farthest * this->Needed);
+    this->GatherNear();
+  }
 }
 
 template <typename Surface>
@@ -121,6 +190,17 @@ typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
                                std::size_t knownCount, int evaluationLimit) noexcept
 {
+  return this->AskWithin(this->Needed + this->Tolerance, queryWorld, known, knownCount,
+                         evaluationLimit);
+}
+
+template <typename Surface>
+typename ClearanceProofOf<Surface>::Answer
+ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
+                                     const ClosestPoint* known, std::size_t knownCount,
+                                     int evaluationLimit) noexcept
+{
+  this->Asked = distance - this->Tolerance;
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
   const ClosestPointDescentOf<Surface>& descent = this->Search->Descent();
   Task task;
@@ -129,17 +209,18 @@ ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* kn
   task.EvaluationsLeft = evaluationLimit;
   task.Rounding = descent.Rounding(this->Query);
   task.Result.State = Finding::Clear;
-  task.Result.LowerDistance = this->Needed;
+  task.Result.LowerDistance = this->Asked;
   for (std::size_t i = 0; i < task.KnownCount; ++i)
   {
     auto basin = descent.BasinAround(this->Query, known[i]);
-    basin.Angle = std::max(basin.Angle, Apart);
+    Widen(basin, this->Together);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
-  for (std::size_t i = 0; i < this->CellCount && task.Result.State != Finding::Nearer; ++i)
+  for (std::size_t i = 0; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
   {
-    this->Settle(task, i);
+    this->Settle(task, this->Near[i]);
   }
+  task.Result.Evaluations = evaluationLimit - task.EvaluationsLeft;
   return task.Result;
 }
 
@@ -149,7 +230,7 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    const bool isClear = this->ClearUntil[index] >= this->PathLength;
+    const bool isClear = this->ClearUntil[index] >= this->Used();
     step = isClear                           ? Step::Settled
            : this->Cells[index].Node != None ? this->SettleNode(task, index)
                                              : this->SettleTriangle(task, index);
@@ -168,7 +249,7 @@ bool ClearanceProofOf<Surface>::Clears(double lower, std::size_t index) noexcept
 {
   double& until = this->ClearUntil[index];
   until = std::max(until, this->PathLength + (lower - this->Needed));
-  return until >= this->PathLength;
+  return until >= this->Used();
 }
 
 template <typename Surface>
@@ -227,7 +308,7 @@ typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
 {
   const SquaredDistance distance(cell.Cap.Center, cell.Sample, this->Query);
-  bool isWorthwhile = distance.Offset.norm() < this->Needed;
+  bool isWorthwhile = distance.Offset.norm() < this->Asked;
   if (!isWorthwhile && distance.IsConvex())
   {
     const Vector3 step = distance.NewtonStep();
@@ -246,7 +327,7 @@ ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
   const ClosestPointOf<Surface> found = descent.Run(this->Query, cell.Cap.Center, cell.Sample,
                                                     MinimumTolerance, task.EvaluationsLeft);
   task.EvaluationsLeft -= found.Evaluations;
-  if (std::abs(found.SignedDistance) < this->Needed && !task.IsKnown(found))
+  if (std::abs(found.SignedDistance) < this->Asked && !task.IsKnown(found))
   {
     task.Result.State = Finding::Nearer;
     task.Result.Minimum = found;
@@ -284,7 +365,7 @@ ClearanceProofOf<Surface>::CutNode(std::size_t index) noexcept
         SurfacePatchTreeOf<Surface>::FirstPart(node) + static_cast<int>(part);
     this->ClearUntil[places[part]] = this->ClearUntil[index];
   }
-  this->CellCount += 3;
+  this->AddNear(3);
   return Step::Again;
 }
 
@@ -308,7 +389,7 @@ ClearanceProofOf<Surface>::CutTriangle(std::size_t index) noexcept
     cell.Cap = parts[part].Cap();
     this->ClearUntil[places[part]] = this->ClearUntil[index];
   }
-  this->CellCount += 3;
+  this->AddNear(3);
   return Step::Again;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace palpate
 {
@@ -29,20 +30,25 @@ public:
   {
     Finding State;
     double LowerDistance; ///< no point except known minima is closer, mm; for Clear and Open
+    int Evaluations;      ///< of the surface with its first two derivatives
     ClosestPoint Minimum; ///< of Nearer
   };
 
   /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
-  /// `distance` > `tolerance` > 0, mm. Keeps the address of the search, which must outlive it.
-  ClearanceProofOf(const ClosestPointSearchOf<Surface>& search, double distance,
-                   double tolerance) noexcept;
+  /// `distance` > `tolerance` > 0, mm. Known minima count for everything within the angle `apart`
+  /// (rad). Keeps the address of the search, which must outlive it.
+  ClearanceProofOf(const ClosestPointSearchOf<Surface>& search, double distance, double tolerance,
+                   double apart = Apart) noexcept;
 
   /// `known` are minima of the distance to `queryWorld` (mm; at most 1e100), tracked there, at most
   /// MostKnown. Evaluates the model about `evaluationLimit` times at most.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
              int evaluationLimit) noexcept;
+  /// The same for another distance, up to the tolerance, preferably less.
+  Answer AskWithin(double distance, const Vector3& queryWorld, const ClosestPoint* known,
+                   std::size_t knownCount, int evaluationLimit) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
@@ -64,9 +70,11 @@ private:
     Open
   };
   static constexpr int None = -1;
-  static constexpr std::size_t CellCapacity = 1024;
+  static constexpr std::size_t CellCapacity = SurfaceKind<Surface>::ProofCells;
 
   void BeginAfresh() noexcept;
+  void GatherNear() noexcept;
+  void AddNear(std::size_t count) noexcept;
   void GoTo(const Vector3& query) noexcept;
   void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
@@ -75,15 +83,24 @@ private:
   Step CutNode(std::size_t index) noexcept;
   Step CutTriangle(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
+  // Cells with more clearance than this need no work.
+  double Used() const noexcept { return this->PathLength + (this->Asked - this->Needed); }
 
   const ClosestPointSearchOf<Surface>* Search;
-  double Needed; // mm
+  double Tolerance; // mm
+  double Needed;    // mm, usually
+  double Asked;     // mm, now
+  double Together;  // rad
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
   // No point of a cell is closer than this plus Needed, minus the path length.
   std::array<double, CellCapacity> ClearUntil;
   std::array<Cell, CellCapacity> Cells;
   std::size_t CellCount = 0;
+  // The cells whose clearance may be used up before a path length, by increasing index.
+  std::array<std::uint16_t, CellCapacity> Near;
+  std::size_t NearCount = 0;
+  double NearUntil = 0.0; // mm
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate

@@ -372,9 +372,8 @@ void ClosestPointDescentOf<Surface>::Descend(const Vector3& query, double tolera
   }
 }
 
-template <typename Surface>
-typename ClosestPointDescentOf<Surface>::Basin
-ClosestPointDescentOf<Surface>::BasinAround(const Vector3& query,
+template <>
+RoundBasin ClosestPointDescent::BasinAround(const Vector3& query,
                                             const ClosestPoint& point) const noexcept
 {
   const SquaredDistance& distance = point.Expansion;
@@ -382,7 +381,7 @@ ClosestPointDescentOf<Surface>::BasinAround(const Vector3& query,
   {
     return {};
   }
-  const LocalBounds<Surface> bounds = BoundsAt<Surface>(
+  const LocalBounds<SphericalHarmonicModel> bounds = BoundsAt<SphericalHarmonicModel>(
       point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double smallest = bounds.Eigenvalue;
   const Vector3 step = distance.NewtonStep();
@@ -412,6 +411,15 @@ ClosestPointDescentOf<Surface>::BasinAround(const Vector3& query,
   return {angle, std::sqrt(std::max(0.0, 2.0 * least)) - this->Rounding(query)};
 }
 
+template <>
+StretchedBasin
+ClosestPointDescentOf<ParametricShape>::BasinAround(const Vector3& query,
+                                                    const ClosestPoint& point) const noexcept
+{
+  return StretchedBasinAround(point.SampleDirection, point.Sample, point.Expansion.Offset,
+                              this->Derivatives, this->Rounding(query));
+}
+
 template <typename Surface>
 double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const Vector3& direction,
                                                      const Sample& sample,
@@ -419,7 +427,8 @@ double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const
 {
   const SquaredDistance distance(direction, sample, query);
   const LocalBounds<Surface> bounds =
-      BoundsAt<Surface>(sample, distance, this->Derivatives.PointThird, this->Rounding(query));
+      BoundsAt<Surface>(sample, distance, this->Derivatives.ThirdWithin(direction, reach),
+                        this->Rounding(query));
   const double change = distance.LeastChange(reach, bounds.Eigenvalue, bounds.Gradient);
   const double least = 0.5 * distance.Offset.squaredNorm() + change -
                        reach * reach * reach * bounds.Fall(reach) / 6.0;

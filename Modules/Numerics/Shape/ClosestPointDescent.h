@@ -28,13 +28,8 @@ public:
   using Sample = SampleOf<Surface>;
   using DerivativeBounds = typename SurfaceKind<Surface>::Bounds;
 
-  /// `Angle` (rad) around a closest point's SampleDirection within which no point of the surface is
-  /// closer than `LowerDistance` (mm); 0 if unknown.
-  struct Basin
-  {
-    double Angle = 0.0;
-    double LowerDistance = 0.0;
-  };
+  /// Around a closest point's SampleDirection.
+  using Basin = typename SurfaceKind<Surface>::Basin;
 
   /// Keeps the address of the surface, which must outlive it. The processor must support `set`,
   /// with which results of Continue differ by rounding.

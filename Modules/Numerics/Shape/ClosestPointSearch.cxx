@@ -10,12 +10,12 @@ namespace palpate
 {
 namespace
 {
-// Parts about as wide as the finest detail that the degree can represent.
-int LevelsFor(int degree)
+// Parts as wide as a fraction of the finest detail that the degree can represent.
+int LevelsFor(int degree, int fraction)
 {
   constexpr int Most = 5;
   int levels = 2;
-  while (levels < Most && (1 << levels) < degree)
+  while (levels < Most && (1 << levels) < fraction * degree)
   {
     ++levels;
   }
@@ -58,7 +58,7 @@ std::size_t BytesOf(const ParametricShape& shape)
 template <typename Surface>
 ClosestPointSearchOf<Surface>::ClosestPointSearchOf(std::shared_ptr<const Surface> model)
     : Shape(std::move(model)), LocalSearch(*Shape),
-      Parts(*Shape, LocalSearch.Bounds(), LevelsFor(Shape->Degree()))
+      Parts(*Shape, LocalSearch.Bounds(), LevelsFor(Shape->Degree(), SurfaceKind<Surface>::PartFraction))
 {
 }
 

@@ -73,19 +73,40 @@ private:
 
   std::vector<SphericalHarmonicEvaluator> Components; // of matrices, column by column
 };
+
+// rad.
+double LongestEdge(const IcosahedronDirections& sphere)
+{
+  double longest = 0.0;
+  const auto& directions = sphere.Directions();
+  for (const auto& [a, b, c] : sphere.Triangles())
+  {
+    const Vector3& first = directions[static_cast<std::size_t>(a)];
+    const Vector3& second = directions[static_cast<std::size_t>(b)];
+    const Vector3& third = directions[static_cast<std::size_t>(c)];
+    longest = std::max({longest, (first - second).squaredNorm(), (second - third).squaredNorm(),
+                        (third - first).squaredNorm()});
+  }
+  return 2.0 * std::asin(0.5 * std::sqrt(longest));
+}
 } // namespace
 
 PointDerivativeBounds::PointDerivativeBounds(const ParametricShape& shape) : Point{}
 {
+  constexpr int MostParts = 60;
   const ThirdDerivatives thirds(shape);
-  const IcosahedronDirections sphere(std::max(1, shape.Degree()));
+  const int degree = std::max(1, shape.Degree());
+  const IcosahedronDirections sphere(std::max(degree, std::min(2 * degree, MostParts)));
+  std::vector<double> largest;
+  largest.reserve(sphere.Directions().size());
   for (const Vector3& parameter : sphere.Directions())
   {
     const auto sample = shape.EvaluateSecondOrder(parameter);
     this->Point[0] = std::max(this->Point[0], sample.Point.norm());
     this->Point[1] = std::max(this->Point[1], LargestFirst(sample));
     this->Point[2] = std::max(this->Point[2], LargestSecond(sample));
-    this->Point[3] = std::max(this->Point[3], thirds.LargestAt(sample, parameter));
+    largest.push_back(thirds.LargestAt(sample, parameter));
+    this->Point[3] = std::max(this->Point[3], largest.back());
   }
   const double fall = std::cos(shape.Degree() * sphere.LargestGap());
   for (double& bound : this->Point)
@@ -95,5 +116,13 @@ PointDerivativeBounds::PointDerivativeBounds(const ParametricShape& shape) : Poi
   // A symmetric form is largest with three equal arguments; the asymmetric part of the covariant
   // derivative is the curvature of the sphere, 1, times x'.
   this->PointThird = this->Point[3] + this->Point[1];
+
+  const double edge = LongestEdge(sphere);
+  this->Between = 0.25 * edge * edge * degree * degree * this->Point[3];
+  // Fractions of the shortest wavelength.
+  const CapMaxima::Angles angles{0.4 / degree, 1.0 / degree, 2.5 / degree};
+  constexpr int MostCells = 48;
+  this->Thirds =
+      CapMaxima(sphere.Directions(), largest, angles, edge, std::min(3 * degree, MostCells));
 }
 } // namespace palpate

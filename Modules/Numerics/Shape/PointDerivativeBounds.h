@@ -1,8 +1,11 @@
 #pragma once
 
+#include "CapMaxima.h"
 #include "ParametricShape.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace palpate
 {
@@ -21,8 +24,21 @@ struct PointDerivativeBounds
   explicit PointDerivativeBounds(const ParametricShape& shape);
 
   double Largest() const noexcept { return this->Point[0]; } ///< bound of |x|, mm
+  /// The same as PointThird in the cap of the angle (rad) around a unit vector of parameters.
+  double ThirdWithin(const Vector3& parameter, double angle) const noexcept
+  {
+    return std::min(this->PointThird,
+                    this->Thirds.Within(parameter, angle) + (this->Between + this->Point[1]));
+  }
+  /// Wider caps have another bound.
+  const CapMaxima::Angles& CapAngles() const noexcept { return this->Thirds.AngleList(); }
+  std::size_t Bytes() const noexcept { return this->Thirds.Bytes(); }
 
   std::array<double, 4> Point; ///< |x| from the centre (mm), |x'| (mm/rad), |x''|, |x'''|
   double PointThird;           ///< |x'''|, and the same for three different directions
+
+private:
+  CapMaxima Thirds;
+  double Between; // by how much |x'''| may be above the largest at the corners of a triangle
 };
 } // namespace palpate

@@ -19,6 +19,8 @@ struct RadiusDerivativeBounds
   explicit RadiusDerivativeBounds(const SphericalHarmonicModel& model);
 
   double Largest() const noexcept { return this->Radius[0]; } ///< bound of |x| from the centre, mm
+  /// Bound of PointThird in a cap of directions.
+  double ThirdWithin(const Vector3&, double) const noexcept { return this->PointThird; }
 
   std::array<double, 4> Radius; ///< |R| (mm), |R'| (mm/rad), |R''|, |R'''|
   double PointThird;            ///< |x'''| (mm/rad^3), and the same for three different directions

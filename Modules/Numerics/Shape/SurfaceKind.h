@@ -5,7 +5,11 @@
 #include "RadiusDerivativeBounds.h"
 #include "SphericalHarmonicModel.h"
 #include "SurfaceBox.h"
+#include "RoundBasin.h"
+#include "StretchedBasin.h"
 #include "SurfacePatch.h"
+
+#include <cstddef>
 
 namespace palpate
 {
@@ -19,9 +23,14 @@ struct SurfaceKind<SphericalHarmonicModel>
 {
   using Bounds = RadiusDerivativeBounds;
   using Patch = SurfacePatch;
+  using Basin = RoundBasin;
   /// Angle (rad) that a tracked point may be off its minimum; the distance is then off by the
   /// square of it, far below rounding.
   static constexpr double TrackingTolerance = 1e-7;
+  /// Parts of a SurfacePatchTree in the finest detail that the degree can represent.
+  static constexpr int PartFraction = 1;
+  /// Memory of a ClearanceProof.
+  static constexpr std::size_t ProofCells = 1024;
 };
 
 template <>
@@ -29,8 +38,11 @@ struct SurfaceKind<ParametricShape>
 {
   using Bounds = PointDerivativeBounds;
   using Patch = SurfaceBox;
+  using Basin = StretchedBasin;
   /// The point itself is then exact to some 1e-9 mm.
   static constexpr double TrackingTolerance = 1e-10;
+  static constexpr int PartFraction = 2;
+  static constexpr std::size_t ProofCells = 2048;
 };
 
 template <typename Surface>

@@ -31,7 +31,7 @@ Range RangeOver(const SphericalCap& cap, const SampleOf<ParametricShape>& sample
 {
   const double reach = cap.Radius;
   const double change = reach * (LargestFirst(sample) + reach * (0.5 * LargestSecond(sample) +
-                                                                 reach * bounds.PointThird / 6.0));
+                                                                 reach * bounds.ThirdWithin(cap.Center, reach) / 6.0));
   return {0.0, sample.Point.norm() + change};
 }
 } // namespace
@@ -95,7 +95,7 @@ SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bo
   this->Lowest = std::min(this->Lowest, range.Lowest);
   this->Highest = std::max(this->Highest, range.Highest);
 
-  const Patch patch(direction, sample, reach, bounds.PointThird);
+  const Patch patch(direction, sample, reach, bounds.ThirdWithin(direction, reach));
   this->Patches[static_cast<std::size_t>(node - this->InnerCount())] = patch;
   return {patch.Center(), patch.Extent()};
 }
