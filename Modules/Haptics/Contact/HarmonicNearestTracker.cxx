@@ -1,7 +1,6 @@
 #include "HarmonicNearestTracker.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,7 +13,7 @@ namespace
 constexpr double RelativeGap = 1e-6;
 constexpr double RelativeStride = 1.0 / 16.0;
 // How near the surface a tool without contact is followed by its nearest minima.
-constexpr double RelativeGuard = 1.0 / 16.0;
+constexpr double RelativeReach = 1.0 / 16.0;
 // Limits of a tick: steps through free space, and short steps of a probe in contact.
 constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
@@ -24,7 +23,6 @@ constexpr int MostStrides = 32;
 constexpr int EvaluationsOfSearch = 256;
 constexpr int EvaluationsOfTick = 500;
 constexpr int FewEvaluations = 20;
-constexpr int EvaluationsOfGuard = 64;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
 // smallest radius: more than it needs to follow a minimum, except close to the medial axis, where
@@ -68,10 +66,8 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   }
   if constexpr (Surface::MayCrossItself)
   {
-    const double tolerance = 0.5 * this->TouchingGap;
-    this->GuardRadius = this->ToolRadius + RelativeGuard * this->Touched->SmallestRadius();
-    this->Guard = std::make_unique<ClearanceProofOf<typename Surface::Shape>>(
-        this->Touched->Search(), this->GuardRadius + tolerance, tolerance, 0.0);
+    const double reach = this->ToolRadius + RelativeReach * this->Touched->SmallestRadius();
+    this->Minima = std::make_unique<NearMinima>(*this->Touched, reach, this->TouchingGap);
   }
 }
 
@@ -84,7 +80,10 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     return this->Felt;
   }
   this->EvaluationsLeft = EvaluationsOfTick;
-  this->IsGuardUsedUp = false;
+  if constexpr (Surface::MayCrossItself)
+  {
+    this->Minima->BeginTick();
+  }
   this->Advance(pose.PositionWorld);
   if (this->Wedge && this->Known == State::Touching)
   {
@@ -196,7 +195,7 @@ bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
   if constexpr (Surface::MayCrossItself)
   {
     ClosestPoint there;
-    if (!(this->ClearRadius > 0.0) || !this->FindGuarded(probe, this->Closest, there))
+    if (!(this->ClearRadius > 0.0) || !this->FindNear(probe, this->Closest, there))
     {
       return false;
     }
@@ -213,52 +212,18 @@ bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
   return false;
 }
 
-// Near the surface the nearest point is usually the minimum that was nearest before, which is
-// followed; the proof that no other one is nearer lasts for many ticks. Returns false if another
-// search is needed.
 template <typename Surface>
-bool HarmonicNearestTrackerOf<Surface>::FindGuarded(const Vector3& probe, const ClosestPoint& from,
-                                                    ClosestPoint& nearest) noexcept
+bool HarmonicNearestTrackerOf<Surface>::FindNear(const Vector3& probe, const ClosestPoint& from,
+                                                 ClosestPoint& nearest) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
-    constexpr std::size_t Most = 4;
-    std::array<ClosestPoint, Most> known;
-    if (this->IsGuardUsedUp)
-    {
-      return false;
-    }
-    known[0] = this->Touched->Search().Track(probe, from);
-    const bool isExact = known[0].Converged() && known[0].DistanceError <= this->TouchingGap;
-    if (!isExact || !(std::abs(known[0].SignedDistance) < this->GuardRadius))
-    {
-      return false;
-    }
-    for (std::size_t count = 1;; ++count)
-    {
-      const auto answer = this->Guard->AskWithin(
-          std::abs(known[0].SignedDistance) + this->TouchingGap, probe, known.data(), count,
-          std::min(this->EvaluationsLeft, EvaluationsOfGuard));
-      this->EvaluationsLeft -= answer.Evaluations;
-      if (answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Clear)
-      {
-        const auto nearer = [](const ClosestPoint& a, const ClosestPoint& b)
-        { return std::abs(a.SignedDistance) < std::abs(b.SignedDistance); };
-        nearest = *std::min_element(known.begin(),
-                                    known.begin() + static_cast<std::ptrdiff_t>(count), nearer);
-        return true;
-      }
-      const bool isOpen = answer.State == ClearanceProofOf<typename Surface::Shape>::Finding::Open;
-      this->IsGuardUsedUp = isOpen;
-      if (isOpen || count == Most || !answer.Minimum.Converged() ||
-          !(answer.Minimum.DistanceError <= this->TouchingGap))
-      {
-        return false;
-      }
-      known[count] = answer.Minimum;
-    }
+    return this->Minima->Find(probe, from, this->EvaluationsLeft, nearest);
   }
-  return false;
+  else
+  {
+    return false;
+  }
 }
 
 // Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
@@ -329,7 +294,7 @@ HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirs
   if constexpr (Surface::MayCrossItself)
   {
     ClosestPoint near;
-    if (this->IsNearKnown() && this->FindGuarded(probe, this->Closest, near))
+    if (this->IsNearKnown() && this->FindNear(probe, this->Closest, near))
     {
       this->Closest = near;
     }
@@ -439,7 +404,7 @@ void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
   {
     constexpr double Almost = 1.0 - 1e-6;
     ClosestPoint nearest;
-    if (!this->FindGuarded(probe, next, nearest))
+    if (!this->FindNear(probe, next, nearest))
     {
       nearest = this->NearestTo(probe);
     }
@@ -512,7 +477,7 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
     this->Wedge->MoveTo(probe);
   }
   else if (this->Friction.IsFrictionless() ||
-      !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
+           !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
   {
     this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
   }

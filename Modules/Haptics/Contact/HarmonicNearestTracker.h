@@ -4,6 +4,7 @@
 #include "FrictionCone.h"
 #include "HarmonicSurface.h"
 #include "HarmonicWedge.h"
+#include "NearMinima.h"
 #include "ParametricTouchSurface.h"
 
 #include <memory>
@@ -45,7 +46,7 @@ public:
   std::size_t Bytes() const noexcept override
   {
     return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0) +
-           (this->Guard ? sizeof(*this->Guard) : 0);
+           (this->Minima ? sizeof(*this->Minima) : 0);
   }
 
 private:
@@ -59,7 +60,7 @@ private:
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
   bool IsReached(const Vector3& probe) noexcept;
-  bool FindGuarded(const Vector3& probe, const ClosestPoint& from, ClosestPoint& nearest) noexcept;
+  bool FindNear(const Vector3& probe, const ClosestPoint& from, ClosestPoint& nearest) noexcept;
   bool MeetSurface() noexcept;
   double LeastProgress() const noexcept;
   void Slide(const Vector3& probe) noexcept;
@@ -109,10 +110,8 @@ private:
   Place Held{};
   std::unique_ptr<HarmonicWedgeOf<Surface>>
       Wedge; // used instead if the tool does not fit everywhere
-  // Near a parametric surface without contact: proves that the followed minimum is the nearest.
-  std::unique_ptr<ClearanceProofOf<typename Surface::Shape>> Guard;
-  double GuardRadius = 0.0; // mm, of the minima that it knows
-  bool IsGuardUsedUp = false; // in this tick
+  // For a parametric surface, near which it is used instead of searches.
+  std::unique_ptr<NearMinima> Minima;
   // Whether the wedge moves a tool that no wall holds, since one is near.
   bool IsHovering = false;
   Contact Felt;

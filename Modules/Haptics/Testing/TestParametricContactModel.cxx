@@ -175,6 +175,57 @@ TEST(ParametricContactModel, ProxiesAreAtTheNearestPoint)
   }
 }
 
+// A tool that begins outside of a surface that does not cross itself is never inside without
+// contact, however it moves: slowly over the surface, in and out, or 5 mm in a tick.
+TEST(ParametricContactModel, NoToolIsInsideWithoutContact)
+{
+  for (const auto& [name, surface] : SimplePhantoms())
+  {
+    SCOPED_TRACE(name);
+    const auto model = ParametricContact(surface);
+    const ClosestPointSearchOf<ParametricShape> search(
+        std::make_shared<const ParametricShape>(surface));
+    for (const double toolRadius : {0.0, 1.0})
+    {
+      Random random(9107);
+      std::uniform_real_distribution<double> uniform(0.0, 1.0);
+      const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius));
+      Vector3 parameter = test::RandomDirection(random);
+      Vector3 jump = Vector3::Zero();
+      int inside = 0;
+      int outsideButTouching = 0;
+      int touches = 0;
+      int leaves = 0;
+      bool wasTouching = false;
+      tracker->Follow(At(model->BoundsWorld().max() + Vector3::Ones()));
+      for (int tick = 0; tick < 3000; ++tick)
+      {
+        parameter = (parameter + 0.004 * test::RandomDirection(random)).normalized();
+        jump = uniform(random) < 0.01 ? Vector3(5.0 * test::RandomDirection(random))
+                                      : Vector3(0.9 * jump);
+        const double height = 0.3 * std::sin(0.13 * tick) + 0.1 * std::sin(1.7 * tick);
+        const Vector3 probe =
+            surface.Point(parameter) + (toolRadius + height) * surface.Normal(parameter) + jump;
+        const Contact& contact = tracker->Follow(At(probe));
+        const auto nearest = search.Nearest(probe, 5000);
+        constexpr double Slack = 3e-5; // mm, more than the gap that counts as contact
+        inside += !contact.IsTouching && nearest.SignedDistance < toolRadius - Slack ? 1 : 0;
+        const auto proxy = search.Nearest(contact.ProxyWorld, 5000);
+        outsideButTouching += proxy.SignedDistance < toolRadius - Slack ? 1 : 0;
+        touches += contact.IsTouching ? 1 : 0;
+        leaves += wasTouching && !contact.IsTouching ? 1 : 0;
+        wasTouching = contact.IsTouching;
+      }
+      // A tick has no time to prove the whole path of some jumps, and leaves them to the next
+      // ticks.
+      EXPECT_LE(inside, 20) << toolRadius;
+      EXPECT_LE(outsideButTouching, 30) << toolRadius;
+      EXPECT_GT(touches, 300);
+      EXPECT_GT(leaves, 50);
+    }
+  }
+}
+
 // The mesh has the resolution of the one that decides where the surface crosses itself.
 WindingMesh MeshOf(const ParametricSphericalSurface& surface)
 {

@@ -65,8 +65,7 @@ double CosineOf(double angle)
 
 CapMaxima::CapMaxima(const std::vector<Vector3>& directions, const std::vector<double>& values,
                      const Angles& angles, double margin, int cells)
-    : Reaches(angles), Cells(cells),
-      Largest(static_cast<std::size_t>(6 * cells * cells), Maxima{})
+    : Reaches(angles), Cells(cells), Largest(static_cast<std::size_t>(6 * cells * cells), Maxima{})
 {
   constexpr double Slack = 1e-6; // rad, for the rounding of places and cosines
   // Directions are sorted into coarse cells, so that far ones are passed over together.
@@ -109,8 +108,8 @@ CapMaxima::CapMaxima(const std::vector<Vector3>& directions, const std::vector<d
     }
     for (std::size_t k = 0; k < AngleCount; ++k)
     {
-      this->Largest[i][k] = std::nextafter(static_cast<float>(largest[k]),
-                                           std::numeric_limits<float>::infinity());
+      this->Largest[i][k] =
+          std::nextafter(static_cast<float>(largest[k]), std::numeric_limits<float>::infinity());
     }
   }
 }

@@ -426,9 +426,8 @@ double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const
                                                      double reach) const noexcept
 {
   const SquaredDistance distance(direction, sample, query);
-  const LocalBounds<Surface> bounds =
-      BoundsAt<Surface>(sample, distance, this->Derivatives.ThirdWithin(direction, reach),
-                        this->Rounding(query));
+  const LocalBounds<Surface> bounds = BoundsAt<Surface>(
+      sample, distance, this->Derivatives.ThirdWithin(direction, reach), this->Rounding(query));
   const double change = distance.LeastChange(reach, bounds.Eigenvalue, bounds.Gradient);
   const double least = 0.5 * distance.Offset.squaredNorm() + change -
                        reach * reach * reach * bounds.Fall(reach) / 6.0;

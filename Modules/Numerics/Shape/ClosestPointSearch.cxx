@@ -58,7 +58,8 @@ std::size_t BytesOf(const ParametricShape& shape)
 template <typename Surface>
 ClosestPointSearchOf<Surface>::ClosestPointSearchOf(std::shared_ptr<const Surface> model)
     : Shape(std::move(model)), LocalSearch(*Shape),
-      Parts(*Shape, LocalSearch.Bounds(), LevelsFor(Shape->Degree(), SurfaceKind<Surface>::PartFraction))
+      Parts(*Shape, LocalSearch.Bounds(),
+            LevelsFor(Shape->Degree(), SurfaceKind<Surface>::PartFraction))
 {
 }
 

@@ -113,7 +113,8 @@ StretchedBasin StretchedBasinAround(const Vector3& parameter,
     {
       continue;
     }
-    const double square = 2.0 * (expansion.Least - known * known * known * expansion.Fall(known) / 6.0);
+    const double square =
+        2.0 * (expansion.Least - known * known * known * expansion.Fall(known) / 6.0);
     basin.Reach = length;
     basin.LowerDistance = std::sqrt(std::max(0.0, square)) - rounding;
   }

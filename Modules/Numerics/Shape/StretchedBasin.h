@@ -36,8 +36,8 @@ struct StretchedBasin
   {
     const double angle = AngleTo(around, center);
     return angle < this->LeastAngle + reach ||
-           (angle <= WidestAngle && this->FarthestStep(around, center, 0.0, angle) <
-                                      this->Reach + this->Stretch * reach);
+           (angle <= WidestAngle &&
+            this->FarthestStep(around, center, 0.0, angle) < this->Reach + this->Stretch * reach);
   }
 
 private:

@@ -3,10 +3,10 @@
 #include "ParametricShape.h"
 #include "PointDerivativeBounds.h"
 #include "RadiusDerivativeBounds.h"
-#include "SphericalHarmonicModel.h"
-#include "SurfaceBox.h"
 #include "RoundBasin.h"
+#include "SphericalHarmonicModel.h"
 #include "StretchedBasin.h"
+#include "SurfaceBox.h"
 #include "SurfacePatch.h"
 
 #include <cstddef>

@@ -30,8 +30,10 @@ Range RangeOver(const SphericalCap& cap, const SampleOf<ParametricShape>& sample
                 const PointDerivativeBounds& bounds)
 {
   const double reach = cap.Radius;
-  const double change = reach * (LargestFirst(sample) + reach * (0.5 * LargestSecond(sample) +
-                                                                 reach * bounds.ThirdWithin(cap.Center, reach) / 6.0));
+  const double change =
+      reach *
+      (LargestFirst(sample) +
+       reach * (0.5 * LargestSecond(sample) + reach * bounds.ThirdWithin(cap.Center, reach) / 6.0));
   return {0.0, sample.Point.norm() + change};
 }
 } // namespace

@@ -1,3 +1,5 @@
+#include "CapMaxima.h"
+#include "ClearanceProof.h"
 #include "ClosestPointSearch.h"
 #include "IcosahedronDirections.h"
 #include "ParametricPhantoms.h"
@@ -84,6 +86,166 @@ TEST(PointDerivativeBounds, HoldEverywhereAndAreTight)
       EXPECT_GE(2.0 * largest[k], bounds.Point[k]) << k; // gaps, and 2000 samples
     }
     EXPECT_GE(bounds.PointThird, bounds.Point[3]);
+  }
+}
+
+TEST(PointDerivativeBounds, HoldInCaps)
+{
+  Random random(9207);
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const ParametricShape shape(surface);
+    const PointDerivativeBounds bounds(shape);
+    int narrower = 0;
+    for (int i = 0; i < 300; ++i)
+    {
+      const Vector3 center = test::RandomDirection(random);
+      const double reach = 3.0 / shape.Degree() * std::uniform_real_distribution<double>()(random);
+      const double bound = bounds.ThirdWithin(center, reach);
+      narrower += bound < bounds.PointThird ? 1 : 0;
+      for (int k = 0; k < 10; ++k)
+      {
+        const Vector3 side = center.cross(test::RandomDirection(random)).normalized();
+        const double away =
+            k == 0 ? reach : reach * std::uniform_real_distribution<double>()(random);
+        const Vector3 u = std::cos(away) * center + std::sin(away) * side;
+        const Vector3 t = u.cross(test::RandomDirection(random)).normalized();
+        const auto second = [&](double angle)
+        {
+          const Vector3 tangent = std::cos(angle) * t - std::sin(angle) * u;
+          const auto s = shape.EvaluateSecondOrder(std::cos(angle) * u + std::sin(angle) * t);
+          const double a = tangent.dot(s.Tangents[0]);
+          const double b = tangent.dot(s.Tangents[1]);
+          return Vector3(a * a * s.Second[0] + 2.0 * a * b * s.Second[1] + b * b * s.Second[2]);
+        };
+        constexpr double H = 1e-4;
+        // The difference has an error of H^2 / 6 times fifth derivatives.
+        EXPECT_LE((second(H) - second(-H)).norm() / (2.0 * H),
+                  bound * (1.0 + 1e-5) + 1e-5 * bounds.PointThird);
+      }
+    }
+    EXPECT_GT(narrower, 0);
+  }
+}
+
+TEST(CapMaxima, AreAtLeastTheLargestValueInACap)
+{
+  Random random(9208);
+  const std::vector<Vector3> directions = test::RandomDirections(random, 400);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    values.push_back(std::uniform_real_distribution<double>()(random));
+  }
+  constexpr double Margin = 0.05;
+  const CapMaxima maxima(directions, values, {0.1, 0.3, 4.0}, Margin, 20);
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector3 center = i < 6 ? Vector3((i % 2 == 0 ? 1.0 : -1.0) * Vector3::Unit(i / 2))
+                                 : test::RandomDirection(random);
+    for (const double angle : {0.0, 0.1, 0.2, 0.3, 1.0})
+    {
+      double largest = 0.0;
+      double largestNear = 0.0; // of the next angle of the list, and a cell farther
+      const double most = angle <= 0.1 ? 0.1 : angle <= 0.3 ? 0.3 : 4.0;
+      for (std::size_t k = 0; k < values.size(); ++k)
+      {
+        const double away = std::acos(std::clamp(directions[k].dot(center), -1.0, 1.0));
+        largest = away <= angle + Margin ? std::max(largest, values[k]) : largest;
+        largestNear = away <= most + Margin + 0.2 ? std::max(largestNear, values[k]) : largestNear;
+      }
+      EXPECT_GE(maxima.Within(center, angle), largest);
+      EXPECT_LE(maxima.Within(center, angle), largestNear * (1.0 + 1e-6) + 1e-6);
+    }
+  }
+  EXPECT_EQ(maxima.Within(Vector3::UnitX(), 5.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(CapMaxima().Within(Vector3::UnitX(), 0.0), std::numeric_limits<double>::infinity());
+}
+
+TEST(StretchedBasin, HasNoPointThatIsCloser)
+{
+  Random random(9209);
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const Search search(Shaped(surface));
+    const ParametricShape& shape = search.Model();
+    int inside = 0;
+    for (int i = 0; i < 200; ++i)
+    {
+      const Vector3 u = test::RandomDirection(random);
+      const double height = std::uniform_real_distribution<double>(-3.0, 3.0)(random);
+      const Vector3 query = surface.Point(u) + height * surface.Normal(u);
+      const auto nearest = search.Nearest(query, 5000);
+      const Vector3 relative = query - shape.CenterWorld();
+      const auto basin = search.Descent().BasinAround(relative, nearest);
+      EXPECT_LE(basin.LowerDistance, std::abs(nearest.SignedDistance) + 1e-12);
+      if (nearest.Converged() && basin.Reach > 0.0)
+      {
+        EXPECT_GE(basin.LowerDistance, std::abs(nearest.SignedDistance) - 1e-9);
+      }
+      const double widest = 2.0 * basin.Reach / std::max(1e-3, basin.Stretch) + 1e-3;
+      for (int k = 0; k < 50; ++k)
+      {
+        const Vector3 side =
+            nearest.SampleDirection.cross(test::RandomDirection(random)).normalized();
+        const double angle =
+            std::min(3.0, 4.0 * widest) * std::uniform_real_distribution<double>()(random);
+        const Vector3 v = std::cos(angle) * nearest.SampleDirection + std::sin(angle) * side;
+        if (basin.Contains(nearest.SampleDirection, v, 0.0))
+        {
+          ++inside;
+          EXPECT_GE((shape.EvaluateSecondOrder(v).Point - relative).norm(),
+                    basin.LowerDistance - 1e-12);
+        }
+      }
+    }
+    EXPECT_GT(inside, 200);
+  }
+}
+
+// The proof of a moving point, with jumps; nothing but the known minimum may be closer than it
+// says.
+TEST(ParametricClearanceProof, HoldsForAnyDistanceAlongAPath)
+{
+  Random random(9210);
+  const IcosahedronDirections dense(40);
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const Search search(Shaped(surface));
+    std::vector<Vector3> points;
+    for (const Vector3& u : dense.Directions())
+    {
+      points.push_back(surface.Point(u));
+    }
+    const auto proof = std::make_unique<ClearanceProofOf<ParametricShape>>(search, 0.5, 1e-6, 0.0);
+    Vector3 u = test::RandomDirection(random);
+    int clear = 0;
+    for (int step = 0; step < 300; ++step)
+    {
+      u = step % 40 == 39 ? test::RandomDirection(random)
+                          : (u + 0.003 * test::RandomDirection(random)).normalized();
+      const double height = 0.6 * std::sin(0.1 * step);
+      const Vector3 query = surface.Point(u) + height * surface.Normal(u);
+      const auto known = search.Nearest(query, 5000);
+      const double distance = std::abs(known.SignedDistance) + (step % 3 == 0 ? 0.05 : 1e-5);
+      const auto answer = proof->AskWithin(distance, query, &known, 1, 400);
+      EXPECT_LE(answer.Evaluations, 500);
+      if (answer.State != ClearanceProofOf<ParametricShape>::Finding::Clear)
+      {
+        continue;
+      }
+      ++clear;
+      EXPECT_NEAR(answer.LowerDistance, distance, 2e-6);
+      const auto basin = search.Descent().BasinAround(query - search.Model().CenterWorld(), known);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        if (!basin.Contains(known.SampleDirection, dense.Directions()[i], 0.0))
+        {
+          ASSERT_GE((points[i] - query).norm(), answer.LowerDistance - 1e-9);
+        }
+      }
+    }
+    EXPECT_GT(clear, 150);
   }
 }
 
