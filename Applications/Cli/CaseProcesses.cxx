@@ -13,6 +13,7 @@
 #include <map>
 #include <poll.h>
 #include <stdexcept>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -94,10 +95,17 @@ public:
     {
       throw std::runtime_error("no further process can be started; try fewer --jobs");
     }
+    const pid_t parent = getpid();
     const pid_t process = fork();
     if (process == 0)
     {
+      // A case ends with the process that asked for it, however that ends.
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
       close(ends[0]);
+      if (getppid() != parent)
+      {
+        _exit(Failure);
+      }
       this->RunChild(number, ends[1]);
     }
     close(ends[1]);

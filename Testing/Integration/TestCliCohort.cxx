@@ -60,7 +60,9 @@ protected:
   /// Sends the signal as soon as a table exists.
   CommandRun FitUntilFirstRow(int signal) const
   {
-    StartedCommand command(PALPATE_PROGRAM, FitMasks, this->Folder.Path());
+    std::vector<std::string> inOrder = FitMasks;
+    inOrder.insert(inOrder.end(), {"--jobs", "1"}); // the first row is that of the first mask
+    StartedCommand command(PALPATE_PROGRAM, inOrder, this->Folder.Path());
     EXPECT_TRUE(IsSoon([&] { return std::filesystem::exists(this->Folder / "out/cohort.csv"); }));
     command.Send(signal);
     return command.Finish();
