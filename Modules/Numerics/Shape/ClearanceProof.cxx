@@ -1,10 +1,12 @@
 #include "ClearanceProof.h"
 
+#include "ParametricSample.h"
 #include "SquaredDistance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace palpate
 {
@@ -268,6 +270,53 @@ ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 }
 
 template <typename Surface>
+void ClearanceProofOf<Surface>::Evaluate(Cell& cell) noexcept
+{
+  cell.Sample = this->Search->Model().EvaluateSecondOrder(cell.Cap.Center);
+  cell.IsEvaluated = true;
+  if constexpr (std::is_same_v<Surface, ParametricShape>)
+  {
+    const double reach = cell.Cap.Radius;
+    const double third = this->Search->Descent().Bounds().ThirdWithin(cell.Cap.Center, reach);
+    cell.Extent = reach * (LargestFirst(cell.Sample) +
+                           reach * (0.5 * LargestSecond(cell.Sample) + reach * third / 6.0));
+    cell.LowerDistance = 0.0;
+  }
+}
+
+template <typename Surface>
+double ClearanceProofOf<Surface>::LowerDistanceOf(Cell& cell) noexcept
+{
+  const double lower = this->Search->Descent().LowerDistance(this->Query, cell.Cap.Center,
+                                                             cell.Sample, cell.Cap.Radius);
+  if constexpr (std::is_same_v<Surface, ParametricShape>)
+  {
+    cell.Place = this->Query;
+    cell.LowerDistance = lower;
+  }
+  return lower;
+}
+
+// The last bound, moved to the query: |x - q - d|^2 = |x - q|^2 - 2 d.(x - q) + |d|^2. A step along
+// the surface hardly changes it, unlike the clearance that the path length uses up.
+template <typename Surface>
+double ClearanceProofOf<Surface>::LastBoundOf(const Cell& cell) const noexcept
+{
+  if constexpr (std::is_same_v<Surface, ParametricShape>)
+  {
+    const Vector3 step = this->Query - cell.Place;
+    const double along = step.dot(cell.Sample.Point - cell.Place) + step.norm() * cell.Extent;
+    const double square =
+        cell.LowerDistance * cell.LowerDistance - 2.0 * along + step.squaredNorm();
+    return cell.LowerDistance > 0.0 && square > 0.0 ? std::sqrt(square) : 0.0;
+  }
+  else
+  {
+    return -Infinite;
+  }
+}
+
+template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
@@ -284,12 +333,10 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
       return Step::Open;
     }
     --task.EvaluationsLeft;
-    cell.Sample = this->Search->Model().EvaluateSecondOrder(cell.Cap.Center);
-    cell.IsEvaluated = true;
+    this->Evaluate(cell);
   }
-  const double lower = this->Search->Descent().LowerDistance(this->Query, cell.Cap.Center,
-                                                             cell.Sample, cell.Cap.Radius);
-  if (this->Clears(lower - task.Rounding, index))
+  if (this->Clears(this->LastBoundOf(cell) - task.Rounding, index) ||
+      this->Clears(this->LowerDistanceOf(cell) - task.Rounding, index))
   {
     return Step::Settled;
   }

@@ -60,6 +60,11 @@ private:
     SphericalTriangle Triangle;
     SphericalCap Cap;
     SampleOf<Surface> Sample; // at the cap's centre
+    // Of parametric surfaces: how far the cell extends from the sample's point, and the last bound
+    // of its distance from a place, all mm; no bound if not positive.
+    double Extent;
+    Vector3 Place;
+    double LowerDistance;
   };
   struct Task;
   enum class Step
@@ -83,6 +88,9 @@ private:
   Step CutNode(std::size_t index) noexcept;
   Step CutTriangle(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
+  void Evaluate(Cell& cell) noexcept;
+  double LowerDistanceOf(Cell& cell) noexcept;
+  double LastBoundOf(const Cell& cell) const noexcept;
   // Cells with more clearance than this need no work.
   double Used() const noexcept { return this->PathLength + (this->Asked - this->Needed); }
 

@@ -66,7 +66,7 @@ ClosestPointSearchOf<Surface>::ClosestPointSearchOf(std::shared_ptr<const Surfac
 template <typename Surface>
 std::size_t ClosestPointSearchOf<Surface>::Bytes() const noexcept
 {
-  return BytesOf(*this->Shape) + this->Parts.Bytes();
+  return BytesOf(*this->Shape) + this->Parts.Bytes() + this->LocalSearch.Bounds().Bytes();
 }
 
 template <typename Surface>

@@ -3,6 +3,7 @@
 #include "SphericalHarmonicModel.h"
 
 #include <array>
+#include <cstddef>
 
 namespace palpate
 {
@@ -19,6 +20,7 @@ struct RadiusDerivativeBounds
   explicit RadiusDerivativeBounds(const SphericalHarmonicModel& model);
 
   double Largest() const noexcept { return this->Radius[0]; } ///< bound of |x| from the centre, mm
+  static constexpr std::size_t Bytes() noexcept { return 0; }
   /// Bound of PointThird in a cap of directions.
   double ThirdWithin(const Vector3&, double) const noexcept { return this->PointThird; }
 

@@ -249,6 +249,33 @@ TEST(ParametricClearanceProof, HoldsForAnyDistanceAlongAPath)
   }
 }
 
+// Bounds that are kept while the query moves stay valid: a distance beyond the nearest point is
+// never clear.
+TEST(ParametricClearanceProof, IsNeverClearBeyondTheNearestPoint)
+{
+  Random random(9211);
+  using Finding = ClearanceProofOf<ParametricShape>::Finding;
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const Search search(Shaped(surface));
+    const auto proof = std::make_unique<ClearanceProofOf<ParametricShape>>(search, 2.0, 1e-6, 0.0);
+    Vector3 query = Vector3::Zero();
+    int clear = 0;
+    for (int step = 0; step < 600; ++step)
+    {
+      const Vector3 u = test::RandomDirection(random);
+      query = step % 60 == 0 ? Vector3(surface.Point(u) + 3.0 * surface.Normal(u))
+                             : Vector3(query + 0.1 * test::RandomDirection(random));
+      const double distance = std::abs(search.Nearest(query, 5000).SignedDistance);
+      EXPECT_NE(proof->AskWithin(1.001 * distance + 1e-5, query, nullptr, 0, 300).State,
+                Finding::Clear);
+      clear +=
+          proof->AskWithin(0.98 * distance, query, nullptr, 0, 300).State == Finding::Clear ? 1 : 0;
+    }
+    EXPECT_GT(clear, 400);
+  }
+}
+
 TEST(SurfaceBox, ContainsItsPartOfSurface)
 {
   Random random(9203);
