@@ -93,7 +93,7 @@ double LongestEdge(const IcosahedronDirections& sphere)
 
 PointDerivativeBounds::PointDerivativeBounds(const ParametricShape& shape) : Point{}
 {
-  constexpr int MostParts = 60;
+  constexpr int MostParts = 36;
   const ThirdDerivatives thirds(shape);
   const int degree = std::max(1, shape.Degree());
   const IcosahedronDirections sphere(std::max(degree, std::min(2 * degree, MostParts)));
