@@ -9,9 +9,10 @@ output=demo-output
 Utilities/install-dependencies.sh
 Utilities/build.sh
 
-echo "== Demonstration: eight structures of $templates/aal.nii.gz, as spherical-harmonic models"
+echo "== Demonstration: twelve structures of $templates/aal.nii.gz, as spherical-harmonic models"
 set -- fit "$templates/aal.nii.gz" --volume "$templates/ch2.nii.gz" --output "$output" --label \
-  Thalamus_L,Thalamus_R,Pallidum_L,Pallidum_R,Amygdala_L,Amygdala_R,Cerebelum_9_L,Cerebelum_9_R
+  Hippocampus_L,Hippocampus_R,Caudate_L,Caudate_R,\
+Thalamus_L,Thalamus_R,Pallidum_L,Pallidum_R,Amygdala_L,Amygdala_R,Cerebelum_9_L,Cerebelum_9_R
 echo "build/release/bin/palpate $*"
 build/release/bin/palpate "$@"
 # These draw with OpenGL, which needs an X server.
@@ -47,7 +48,7 @@ How to go on:
   open $output/report.html in a browser (it needs no network), and the images
   build/release/bin/palpate-viewer --demo   the same head in a window, to see and to touch
   build/release/bin/palpate fit $templates/aal.nii.gz --json
-                                            all 116 structures; most are refused, with the reason
+                                            all 116 structures
   build/release/bin/palpate --help          every command, with examples
   build/release/bin/palpate fit --help      every setting of the fit
   build/release/bin/palpate info FILE...    what is in your own files
