@@ -7,7 +7,9 @@ PROGRAM is build/release/bin/palpate by default. FOLDER holds real test data (se
 missing data are omitted, with a remark. FILE is Documentation/Validation.md by default.
 """
 import argparse
+import concurrent.futures
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -34,9 +36,13 @@ stated limits and says what it changed.
 
 def fit(program, masks, *options):
     """One result per structure; failures are results too, so the exit code is ignored."""
-    command = [str(program), "fit", *map(str, masks), "--json", "--quiet", *options]
-    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    return [json.loads(line) for line in run.stdout.splitlines()]
+    def run(mask):
+        command = [str(program), "fit", str(mask), "--json", "--quiet", *options]
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        return [json.loads(line) for line in done.stdout.splitlines()]
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return [result for results in pool.map(run, masks) for result in results]
 
 
 def row(*cells):
@@ -93,10 +99,6 @@ def exceptions(results, count=5):
     return "\n".join(lines)
 
 
-def only(label, results):
-    return [r for r in results if r["label"] == label]
-
-
 def series(program, folder):
     """(title, remark, body) of each kind of organ."""
     cohort = folder / "prostate/cohort"
@@ -110,8 +112,7 @@ def series(program, folder):
     def add(name, masks, model, options, label=None, keep=True):
         if not masks:
             return
-        results = fit(program, masks, *options)
-        results = only(label, results) if label else results
+        results = fit(program, masks, *options, *(["--label", str(label)] if label else []))
         rows.append(summary(name, model, results))
         if keep:
             sections.append(f"**{name}, {model}.** " + exceptions(results))

@@ -178,7 +178,9 @@ std::string MapToParameterSphere(FitResult& result, int component, const Progres
   watched.Require();
   if (!status.IsOk())
   {
-    return status.Message();
+    // Of a sponge, its holes are the reason.
+    const Status changed = CheckTopology(mapped->Topology, {});
+    return changed.IsOk() ? status.Message() : changed.Message();
   }
   result.Surface = PolyDataOf(mapped->Mesh);
   result.Details.Mapped = std::move(mapped);

@@ -110,13 +110,10 @@ Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
   if (status.IsOk())
   {
     status = CheckSphereMap(map.Quality);
-  }
-  if (status.IsOk())
-  {
     mapped.Directions = std::move(map.Directions);
     mapped.Map = map.Quality;
-    surface = std::move(mapped);
   }
+  surface = std::move(mapped);
   return status;
 }
 } // namespace palpate

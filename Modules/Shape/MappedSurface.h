@@ -36,7 +36,7 @@ struct MappedSurfaceSettings
 /// Makes the surface of a mask (MakeGenusZeroSurface), coarsens it (DecimateMesh) and maps it to
 /// the sphere (ParametriseOnSphere). Fails as those do, and beyond the limits of CheckSphereMap;
 /// messages are predicates of the structure or sentences of their own. However much had to be
-/// changed: CheckTopology judges that.
+/// changed: CheckTopology judges that, also of a surface that has no map.
 PALPATESHAPE_EXPORT Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
                                              const MappedSurfaceSettings& settings,
                                              const KernelProgress& progress,

@@ -284,6 +284,21 @@ TEST(SurfaceModels, WithoutOrientationFollowTheirEllipsoid)
   EXPECT_TRUE(isTold);
 }
 
+TEST(SurfaceModels, OfASpongeAreRefusedForItsHoles)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {40, 40, 40};
+  grid.CenterOnOrigin();
+  std::mt19937_64 random(1);
+  const auto sponge =
+      palpate::test::MakeLabelImage(grid, [&random](double x, double y, double z)
+                                    { return std::hypot(x, y, z) < 16.0 && random() % 4 != 0; });
+  const FitResult result = Fit(sponge, SurfaceOfDegree(12));
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.Message.find("% of its volume"), std::string::npos) << result.Message;
+  EXPECT_EQ(result.ModelSurface, nullptr);
+}
+
 TEST(SurfaceModels, CanBeCancelled)
 {
   for (const double end : {0.32, 0.45, 0.6})
