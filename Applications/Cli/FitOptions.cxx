@@ -115,8 +115,10 @@ void FitOptions::DeclareModel(CLI::App& app)
                  "Highest degree that --degree auto tries")
       ->check(CLI::Range(0, HighestDegree))
       ->capture_default_str();
-  app.add_option("--frequency", this->Values.Frequency,
-                 "Subdivision F of the icosahedron: 10 F^2 + 2 directions")
+  app.add_option(
+         "--frequency", this->Values.Frequency,
+         "Subdivision F of the icosahedron: 10 F^2 + 2 directions; surface models are drawn "
+         "with at least 1.6 times their degree")
       ->check(CLI::Range(1, 200))
       ->capture_default_str();
   app.add_option("--center", this->CenterWord,

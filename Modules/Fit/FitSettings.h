@@ -46,7 +46,7 @@ struct FitSettings
   double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
   int Component = 1;      ///< connected component, by descending size, from 1; 0 for all
 
-  int Frequency = 20; ///< of the icosahedron: 10 f^2 + 2 directions
+  int Frequency = 20; ///< of the icosahedron: 10 f^2 + 2 directions; see also DrawnFrequency
   CenterChoice Center = CenterChoice::Centroid;
   std::optional<std::array<double, 3>> GivenCenterWorld; ///< mm, patient LPS; overrides Center
 

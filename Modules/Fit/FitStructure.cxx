@@ -3,6 +3,7 @@
 #include "FitStages.h"
 #include "ImageFormat.h"
 #include "SurfaceFile.h"
+#include "SurfaceFileFit.h"
 
 #include <algorithm>
 
@@ -20,15 +21,28 @@ ProgressFunction PartOf(const ProgressFunction& progress, double from, double to
   return [&progress, from, to](double fraction, const std::string& stage)
   { return progress(from + (to - from) * fraction, stage); };
 }
+
+// The stages after the first, which made the surface.
+FitResult FitTo(const FitSurface& surface, const FitSettings& settings,
+                const ProgressFunction& progress)
+{
+  const FitSamples samples = MakeFitSamples(surface, settings, PartOf(progress, 0.3, 0.4));
+  return MakeFitModel(samples, settings, PartOf(progress, 0.4, 1.0));
+}
 } // namespace
 
 FitResult FitStructure(const Segmentation& segmentation, const Segment& structure,
                        const FitSettings& settings, const ProgressFunction& progress)
 {
-  const FitSurface surface =
-      MakeFitSurface(segmentation, structure, settings, PartOf(progress, 0.0, 0.3));
-  const FitSamples samples = MakeFitSamples(surface, settings, PartOf(progress, 0.3, 0.4));
-  return MakeFitModel(samples, settings, PartOf(progress, 0.4, 1.0));
+  return FitTo(MakeFitSurface(segmentation, structure, settings, PartOf(progress, 0.0, 0.3)),
+               settings, progress);
+}
+
+FitResult FitSurfaceFile(const std::filesystem::path& file, vtkPolyData* surface,
+                         const FitSettings& settings, const ProgressFunction& progress)
+{
+  return FitTo(MakeFitSurface(file, surface, settings, PartOf(progress, 0.0, 0.3)), settings,
+               progress);
 }
 
 std::string CaseNameOf(const std::filesystem::path& file)

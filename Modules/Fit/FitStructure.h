@@ -14,6 +14,11 @@ PALPATEFIT_EXPORT FitResult FitStructure(const Segmentation& segmentation, const
                                          const FitSettings& settings,
                                          const ProgressFunction& progress = {});
 
+/// The same for a closed surface instead of a mask, the content of `file` (MakeFitSurface).
+PALPATEFIT_EXPORT FitResult FitSurfaceFile(const std::filesystem::path& file, vtkPolyData* surface,
+                                           const FitSettings& settings,
+                                           const ProgressFunction& progress = {});
+
 /// A file's name without folder and without the endings of the formats that Palpate reads
 /// ("case.1.seg.nrrd" -> "case.1").
 PALPATEFIT_EXPORT std::string CaseNameOf(const std::filesystem::path& file);

@@ -8,6 +8,8 @@
 #include "vtkSphericalHarmonicSurface.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpate
@@ -50,5 +52,20 @@ vtkSmartPointer<vtkPolyData> Draw(const ParametricSphericalSurface& surface, int
 vtkSmartPointer<vtkPolyData> DrawModel(const SurfaceModel& surface, int frequency)
 {
   return std::visit([frequency](const auto& s) { return Draw(s, frequency); }, surface);
+}
+
+int DrawnFrequency(const SurfaceModel& surface, int frequency)
+{
+  const auto* parametric = std::get_if<ParametricSphericalSurface>(&surface);
+  return parametric ? std::max(frequency, static_cast<int>(std::ceil(1.6 * parametric->Degree())))
+                    : frequency;
+}
+
+vtkSmartPointer<vtkPolyData> DrawMesh(const IndexedMesh& mesh)
+{
+  TriangleMesh drawn;
+  drawn.PointsWorld = mesh.Points;
+  drawn.Triangles = mesh.Triangles;
+  return PolyDataOf(drawn);
 }
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include "ArrayColors.h"
 #include "DecimalText.h"
 #include "IcosahedronDirections.h"
+#include "ModelSurface.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
@@ -125,7 +126,8 @@ class UncoveredCap
 {
 public:
   explicit UncoveredCap(const FitResult& result)
-      : Sphere(result.Settings.Frequency), Gap(result.Coverage.LargestGap),
+      : Sphere(DrawnFrequency(result.Model, result.Settings.Frequency)),
+        Gap(result.Coverage.LargestGap),
         IsWide(Gap.Radius > DirectionCoverage::WidestGap(DegreeOf(result.Model)))
   {
   }

@@ -7,6 +7,7 @@
 #include "KernelWatch.h"
 #include "MeshConversion.h"
 #include "MeshDecimation.h"
+#include "ModelSurface.h"
 #include "ReferenceVoxels.h"
 #include "RepairRemarks.h"
 #include "SphericalParametrisation.h"
@@ -65,14 +66,6 @@ void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
   }
 }
 
-vtkSmartPointer<vtkPolyData> PolyDataOf(const IndexedMesh& mesh)
-{
-  TriangleMesh drawn;
-  drawn.PointsWorld = mesh.Points;
-  drawn.Triangles = mesh.Triangles;
-  return PolyDataOf(drawn);
-}
-
 void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
@@ -97,20 +90,9 @@ void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunctio
   RemarkOnMends(closed, result);
   result.Details.SurfaceRepair = closed.Topology;
   result.SurfaceMilliliters = DescribeTopology(closed.Mesh).Volume / CubicMillimetersPerMilliliter;
-  result.Surface = PolyDataOf(closed.Mesh);
+  result.Surface = DrawMesh(closed.Mesh);
   made.Boundary = result.Surface;
   clock.EndStage("surface");
-}
-
-// The part [from, to] of a progress.
-ProgressFunction PartOf(const ProgressFunction& progress, double from, double to)
-{
-  if (!progress)
-  {
-    return {};
-  }
-  return [&progress, from, to](double fraction, const std::string& stage)
-  { return progress(from + (to - from) * fraction, stage); };
 }
 
 bool IsWithin(const double* bounds, const VoxelCenters& grid)
@@ -136,14 +118,6 @@ FitSurface MakeFitSurface(const std::filesystem::path& file, vtkPolyData* surfac
   RunClosedMesh(surface, made, progress);
   made.IsOver = !result.Message.empty();
   return made;
-}
-
-FitResult FitSurfaceFile(const std::filesystem::path& file, vtkPolyData* surface,
-                         const FitSettings& settings, const ProgressFunction& progress)
-{
-  const FitSurface made = MakeFitSurface(file, surface, settings, PartOf(progress, 0.0, 0.3));
-  const FitSamples samples = MakeFitSamples(made, settings, PartOf(progress, 0.3, 0.4));
-  return MakeFitModel(samples, settings, PartOf(progress, 0.4, 1.0));
 }
 
 std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress)

@@ -16,11 +16,6 @@ PALPATEFIT_EXPORT FitSurface MakeFitSurface(const std::filesystem::path& file, v
                                             const FitSettings& settings,
                                             const ProgressFunction& progress);
 
-/// All stages, as FitStructure for a mask.
-PALPATEFIT_EXPORT FitResult FitSurfaceFile(const std::filesystem::path& file, vtkPolyData* surface,
-                                           const FitSettings& settings,
-                                           const ProgressFunction& progress = {});
-
 /// MapToParameterSphere for a result of a surface file.
 PALPATEFIT_EXPORT std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress);
 

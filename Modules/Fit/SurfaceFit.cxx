@@ -38,14 +38,6 @@ VoxelMask MaskOf(const FitResult& result, int component)
   return mask;
 }
 
-vtkSmartPointer<vtkPolyData> PolyDataOf(const IndexedMesh& mesh)
-{
-  TriangleMesh drawn;
-  drawn.PointsWorld = mesh.Points;
-  drawn.Triangles = mesh.Triangles;
-  return PolyDataOf(drawn);
-}
-
 // Overlap with what was fitted, and crossings of the drawn surface. Fails if it overlaps itself too
 // much (CheckRegularity).
 Status MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
@@ -126,11 +118,12 @@ Status JudgeFit(const IndexedMesh& mesh, const ParametricFitResult& fit, FitResu
   result.NoiseDeviation = uncertainty.NoiseDeviation;
   result.DegreesOfFreedom = uncertainty.DegreesOfFreedom;
   result.Coverage = uncertainty.Coverage;
-  result.ModelSurface = DrawModel(result.Model, result.Settings.Frequency);
+  const int frequency = DrawnFrequency(result.Model, result.Settings.Frequency);
+  result.ModelSurface = DrawModel(result.Model, frequency);
   const CovarianceFactor::PlainObject factor = uncertainty.Covariance.Factor();
-  result.ModelSurface->GetPointData()->AddArray(FitDeviation(
-      CovarianceFactor(factor.data(), factor.rows(), factor.cols()),
-      IcosahedronDirections(result.Settings.Frequency).Directions(), "NormalDeviation"));
+  result.ModelSurface->GetPointData()->AddArray(
+      FitDeviation(CovarianceFactor(factor.data(), factor.rows(), factor.cols()),
+                   IcosahedronDirections(frequency).Directions(), "NormalDeviation"));
   return status;
 }
 
@@ -182,7 +175,7 @@ std::string MapToParameterSphere(FitResult& result, int component, const Progres
     const Status changed = CheckTopology(mapped->Topology, {});
     return changed.IsOk() ? status.Message() : changed.Message();
   }
-  result.Surface = PolyDataOf(mapped->Mesh);
+  result.Surface = DrawMesh(mapped->Mesh);
   result.Details.Mapped = std::move(mapped);
   return {};
 }

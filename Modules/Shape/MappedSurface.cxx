@@ -19,21 +19,6 @@ KernelProgress PartOf(const KernelProgress& progress, double from, double to)
   return [&progress, from, to](double part) { return progress(from + (to - from) * part); };
 }
 
-// Outwards from the field, which falls there: central differences over one spacing.
-ReferenceNormal OutwardFrom(const ShapeField& field)
-{
-  return [&field](const Vector3& point)
-  {
-    Vector3 normal;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Vector3 step = 0.5 * field.Grid.Spacing * Vector3::Unit(axis);
-      normal[axis] = field.Sample(point - step) - field.Sample(point + step);
-    }
-    return normal;
-  };
-}
-
 // From mm along a mask's axes to the world.
 struct MaskToWorld
 {
@@ -91,8 +76,9 @@ Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
   MappedSurface mapped;
   if (status.IsOk())
   {
-    status = DecimateMesh(made.Mesh, {settings.Triangles}, OutwardFrom(made.Field),
-                          PartOf(progress, 0.3, 0.7), mapped.Mesh);
+    const auto outward = [&made](const Vector3& point) { return made.Field.Outward(point); };
+    status = DecimateMesh(made.Mesh, {settings.Triangles}, outward, PartOf(progress, 0.3, 0.7),
+                          mapped.Mesh);
   }
   if (!status.IsOk())
   {

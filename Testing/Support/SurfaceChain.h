@@ -23,20 +23,6 @@ struct SurfaceChain
   ParametricFitResult Fit;
 };
 
-inline ReferenceNormal OutwardFrom(const ShapeField& field)
-{
-  return [&field](const Vector3& point)
-  {
-    Vector3 normal;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Vector3 step = 0.5 * field.Grid.Spacing * Vector3::Unit(axis);
-      normal[axis] = field.Sample(point - step) - field.Sample(point + step);
-    }
-    return normal;
-  };
-}
-
 inline Status RunSurfaceChain(const VoxelMask& mask, int degree, SurfaceChain& chain,
                               int triangles = 5000, double spacing = 0.0)
 {
@@ -52,7 +38,8 @@ inline Status RunSurfaceChain(const VoxelMask& mask, int degree, SurfaceChain& c
   if (status.IsOk())
   {
     const ShapeField& field = chain.Surface.Field;
-    status = DecimateMesh(chain.Surface.Mesh, coarse, OutwardFrom(field), {}, chain.Mesh);
+    const auto outward = [&field](const Vector3& point) { return field.Outward(point); };
+    status = DecimateMesh(chain.Surface.Mesh, coarse, outward, {}, chain.Mesh);
   }
   if (status.IsOk())
   {

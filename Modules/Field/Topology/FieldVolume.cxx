@@ -58,11 +58,49 @@ float PartAbove(std::array<float, 4> v)
   return Tip(v[0], v[1], v[2], v[3]);
 }
 
+// The part above a level of a cube.
+class CubeVolume
+{
+public:
+  CubeVolume(const ShapeField& field, float level)
+      : Field(&field), Level(level), Row(field.Grid.Offset(0, 1, 0)),
+        Slice(field.Grid.Offset(0, 0, 1))
+  {
+  }
+
+  // Of the cube whose lowest corner is node `at`.
+  float operator()(std::size_t at) const
+  {
+    std::array<float, 8> corner{};
+    for (std::size_t c = 0; c < corner.size(); ++c)
+    {
+      corner[c] = this->Field->Values[at + this->CornerOffset(c)] - this->Level;
+    }
+    float sum = 0.0f;
+    for (const std::array<std::size_t, 2>& path : Paths)
+    {
+      sum += PartAbove({corner[0], corner[path[0]], corner[path[1]], corner[7]});
+    }
+    return sum / 6.0f;
+  }
+
+  std::size_t CornerOffset(std::size_t corner) const
+  {
+    return (corner & 1) + (corner >> 1 & 1) * this->Row + (corner >> 2) * this->Slice;
+  }
+
+private:
+  const ShapeField* Field;
+  float Level;
+  std::size_t Row;
+  std::size_t Slice;
+};
+
 class CubeVolumes
 {
 public:
   CubeVolumes(const ShapeField& field, float level)
-      : Field(&field), Level(level), Row(field.Grid.Offset(0, 1, 0)),
+      : Field(&field), Cube(field, level), Row(field.Grid.Offset(0, 1, 0)),
         Slice(field.Grid.Offset(0, 0, 1)), Above(field.Values.size())
   {
     std::transform(field.Values.begin(), field.Values.end(), this->Above.begin(),
@@ -94,7 +132,7 @@ private:
       const unsigned next = this->Column(at + 1);
       const unsigned corners = column + next;
       column = next;
-      sum += corners == 0 ? 0.0 : corners == 8 ? 1.0 : this->Mixed(at);
+      sum += corners == 0 ? 0.0 : corners == 8 ? 1.0 : this->Cube(at);
     }
     return sum;
   }
@@ -106,25 +144,8 @@ private:
            this->Above[at + this->Slice] + this->Above[at + this->Slice + this->Row];
   }
 
-  float Mixed(std::size_t at) const
-  {
-    std::array<float, 8> corner{};
-    for (std::size_t c = 0; c < corner.size(); ++c)
-    {
-      corner[c] =
-          this->Field->Values[at + (c & 1) + (c >> 1 & 1) * this->Row + (c >> 2) * this->Slice] -
-          this->Level;
-    }
-    float sum = 0.0f;
-    for (const std::array<std::size_t, 2>& path : Paths)
-    {
-      sum += PartAbove({corner[0], corner[path[0]], corner[path[1]], corner[7]});
-    }
-    return sum / 6.0f;
-  }
-
   const ShapeField* Field;
-  float Level;
+  CubeVolume Cube;
   std::size_t Row;
   std::size_t Slice;
   std::vector<unsigned char> Above;
@@ -141,6 +162,32 @@ struct LevelVolume
 double VolumeAbove(const ShapeField& field, float level)
 {
   return CubeVolumes(field, level).Sum() * field.Grid.CellVolume();
+}
+
+double VolumeAround(const ShapeField& field, const std::vector<std::size_t>& nodes,
+                    std::vector<unsigned char>& marks)
+{
+  const CubeVolume cube(field, 0.0f);
+  std::vector<std::size_t> cubes; // by their lowest corners
+  double sum = 0.0;
+  for (const std::size_t node : nodes)
+  {
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      const std::size_t at = node - cube.CornerOffset(corner);
+      if (marks[at] == 0)
+      {
+        marks[at] = 1;
+        cubes.push_back(at);
+        sum += cube(at);
+      }
+    }
+  }
+  for (const std::size_t at : cubes)
+  {
+    marks[at] = 0;
+  }
+  return sum * field.Grid.CellVolume();
 }
 
 float LevelOfVolume(const ShapeField& field, double volume, double area)

@@ -64,9 +64,8 @@ class HandleRepairer
 {
 public:
   HandleRepairer(const ShapeField& field, const std::vector<unsigned char>& inside,
-                 const ShapeField& order, double gap)
-      : Field(&field), Inside(&inside), Order(&order), Gap(gap),
-        CutWeight(std::max(1.0, gap / field.Grid.Spacing)), Ball(order, 1.0f)
+                 const ShapeField& order)
+      : Field(&field), Inside(&inside), Order(&order), Ball(order, 1.0f)
   {
   }
 
@@ -79,11 +78,7 @@ public:
   // Of all changed nodes.
   double Cost() const { return this->Cost(this->Ball.Left()) + this->Cost(this->Filled()); }
 
-  HandleRepair Finish()
-  {
-    this->OpenWalls(this->Ball.Left());
-    return {this->Ball.Left(), this->Filled()};
-  }
+  HandleRepair Result() const { return {this->Ball.Left(), this->Filled()}; }
 
 private:
   void GrowBall()
@@ -122,8 +117,7 @@ private:
   double Cost(std::size_t node) const
   {
     const double depth = std::abs(static_cast<double>(this->Field->Values[node]));
-    const double weight = (*this->Inside)[node] != 0 ? this->CutWeight : 1.0;
-    return weight * (depth + 0.25 * this->Field->Grid.Spacing);
+    return depth + 0.25 * this->Field->Grid.Spacing;
   }
 
   double Cost(const NodeList& nodes) const
@@ -169,60 +163,9 @@ private:
     this->Ball.Undo(membrane, taken);
   }
 
-  // Takes nodes within half a gap of the walls out of the ball, the nearest first.
-  void OpenWalls(const NodeList& walls)
-  {
-    const double spacing = this->Field->Grid.Spacing;
-    const double radius = 0.5 * (this->Gap - spacing) / spacing + 1.0; // a wall's side is at one
-    if (!(this->Gap > spacing))
-    {
-      return;
-    }
-    for (const auto& [distance, node] : this->NodesAround(walls, radius))
-    {
-      if (this->Ball.Contains(node) && (*this->Inside)[node] != 0 && this->Ball.RemoveSimple(node))
-      {
-        this->Ball.Allow(node);
-      }
-    }
-  }
-
-  // Nodes within `radius` (in steps) of others, by squared distance.
-  std::vector<std::pair<int, std::size_t>> NodesAround(const NodeList& walls, double radius) const
-  {
-    const ShapeGrid& grid = this->Field->Grid;
-    const int reach = static_cast<int>(std::min(radius, 64.0));
-    std::vector<std::pair<int, std::size_t>> around;
-    for (const std::size_t wall : walls)
-    {
-      const std::array<int, 3> at = grid.Index(wall);
-      for (int k = std::max(at[2] - reach, 1); k <= std::min(at[2] + reach, grid.Size[2] - 2); ++k)
-      {
-        for (int j = std::max(at[1] - reach, 1); j <= std::min(at[1] + reach, grid.Size[1] - 2);
-             ++j)
-        {
-          for (int i = std::max(at[0] - reach, 1); i <= std::min(at[0] + reach, grid.Size[0] - 2);
-               ++i)
-          {
-            const int square =
-                (i - at[0]) * (i - at[0]) + (j - at[1]) * (j - at[1]) + (k - at[2]) * (k - at[2]);
-            if (square > 0 && square <= radius * radius)
-            {
-              around.emplace_back(square, grid.Offset(i, j, k));
-            }
-          }
-        }
-      }
-    }
-    std::sort(around.begin(), around.end());
-    return around;
-  }
-
   const ShapeField* Field;
   const std::vector<unsigned char>* Inside;
   const ShapeField* Order;
-  double Gap;
-  double CutWeight;
   HomotopicGrowth Ball;
 };
 } // namespace
@@ -259,15 +202,14 @@ std::vector<NodeList> ConnectedParts(const NodeList& nodes, const KuhnOffsets& s
   return parts;
 }
 
-HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside,
-                           double gap)
+HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside)
 {
   const ShapeField depth = DepthOf(field, inside);
   const std::vector<NodeList> membranes = MembranesOf(depth, inside);
-  HandleRepairer byDepth(field, inside, depth, gap);
+  HandleRepairer byDepth(field, inside, depth);
   byDepth.Run(membranes);
-  HandleRepairer byField(field, inside, field, gap);
+  HandleRepairer byField(field, inside, field);
   byField.Run(membranes);
-  return (byField.Cost() < byDepth.Cost() ? byField : byDepth).Finish();
+  return (byField.Cost() < byDepth.Cost() ? byField : byDepth).Result();
 }
 } // namespace palpate

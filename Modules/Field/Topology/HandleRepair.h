@@ -27,14 +27,10 @@ struct HandleRepair
 /// one node about where it is thinnest. The outside grows the same way towards the object, which
 /// leaves membranes of one node across the handles' holes. Each membrane in turn, the cheapest
 /// first, is added to the ball, which then may grow through the walls; that is kept if it costs
-/// less. The cost of a changed node is |field| + spacing / 4, for nodes that are cut times gap /
-/// spacing if that exceeds 1. Depth is the field, which may be clamped, or the field plus the
-/// distance from the object's boundary in the grid; both are tried and the cheaper result is taken.
+/// less. The cost of a changed node is |field| + spacing / 4. Depth is the field, which may be
+/// clamped, or the field plus the distance from the object's boundary in the grid; both are tried
+/// and the cheaper result is taken.
 /// Every step adds simple nodes only, so the result is a ball whatever the input is. After
 /// Kriegeskorte and Goebel, NeuroImage 14 (2001).
-///
-/// If `gap` (mm) is more than the grid's spacing, the walls are opened to it as far as simple nodes
-/// allow, so that a smooth surface can follow both sides without crossing itself.
-HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside,
-                           double gap);
+HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside);
 } // namespace palpate

@@ -192,14 +192,4 @@ void HomotopicGrowth::Forbid(const NodeList& nodes)
     this->State[node] &= static_cast<unsigned char>(~Allowed);
   }
 }
-
-bool HomotopicGrowth::RemoveSimple(std::size_t node)
-{
-  const bool isSimple = this->Contains(node) && this->Simple->Contains(this->NeighborsInSet(node));
-  if (isSimple)
-  {
-    this->State[node] = 0;
-  }
-  return isSimple;
-}
 } // namespace palpate

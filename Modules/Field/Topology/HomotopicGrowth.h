@@ -44,8 +44,6 @@ public:
   void Undo(const NodeList& extra, const NodeList& taken);
   /// Withdraws the permission of nodes that were not taken.
   void Forbid(const NodeList& nodes);
-  /// Takes a node out again if it is simple; returns whether it was.
-  bool RemoveSimple(std::size_t node);
 
 private:
   static constexpr unsigned char InSet = 1;

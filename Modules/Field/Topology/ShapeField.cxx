@@ -244,6 +244,17 @@ double ShapeField::Sample(const Vector3& point) const
   return value;
 }
 
+Vector3 ShapeField::Outward(const Vector3& point) const
+{
+  Vector3 normal;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 step = 0.5 * this->Grid.Spacing * Vector3::Unit(axis);
+    normal[axis] = this->Sample(point - step) - this->Sample(point + step);
+  }
+  return normal;
+}
+
 Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings, ShapeField& field)
 {
   if (!IsValid(mask))

@@ -51,6 +51,8 @@ struct ShapeField
 
   /// The value at a point (mm, the grid's frame); beyond the grid that of the nearest border point.
   double Sample(const Vector3& point) const;
+  /// Points outwards, where the field falls: central differences of it over one spacing.
+  Vector3 Outward(const Vector3& point) const;
 };
 
 struct ShapeFieldSettings
@@ -60,8 +62,8 @@ struct ShapeFieldSettings
   double CellsOnSurface = 12000.0;
   /// Bound of distances within slices, in slice spacings. A larger one interpolates the shape
   /// between slices better (0.5 to 0.75 predicts left-out slices best), a smaller one follows each
-  /// slice's own outline more closely (0.25).
-  double SliceClamp = 0.35;
+  /// slice's own outline more closely: of a zone as thin as a slice, 0.35 loses 0.6 % of Dice more.
+  double SliceClamp = 0.25;
   bool IsInSpace = false;      ///< distances in three dimensions also for thick slices
   double Smoothing = 0.35;     ///< standard deviation of the Gaussian, in grid spacings
   double MaximumNodes = 8.0e6; ///< the grid is coarsened until it has no more

@@ -1,5 +1,6 @@
 #include "TopologyRepair.h"
 
+#include "FieldVolume.h"
 #include "HandleRepair.h"
 #include "KuhnComponents.h"
 #include "KuhnNeighborhood.h"
@@ -8,65 +9,49 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace palpate
 {
 namespace
 {
-// Where the nodes of a place are.
-class Place
+// Nodes of one place that change sides together.
+struct ChangedPlace
 {
-public:
-  explicit Place(const ShapeGrid& grid) : Grid(&grid) {}
+  TopologyChange* Change;
+  unsigned char Side; // 1: inside now
+  NodeList Nodes;
+};
 
-  void AddRun(std::size_t first, int count)
+// Centre and size of the box of a place's nodes.
+void DescribePlace(const ShapeGrid& grid, const NodeList& nodes, TopologyChange& change)
+{
+  std::array<int, 3> first = grid.Index(nodes.front());
+  std::array<int, 3> last = first;
+  Vector3 sum = Vector3::Zero();
+  for (const std::size_t node : nodes)
   {
-    std::array<int, 3> low = this->Grid->Index(first);
-    std::array<int, 3> high = low;
-    high[0] += count - 1;
+    const std::array<int, 3> at = grid.Index(node);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->First[axis] = std::min(this->First[axis], low[axis]);
-      this->Last[axis] = std::max(this->Last[axis], high[axis]);
-      this->Sum[static_cast<int>(axis)] += 0.5 * count * (low[axis] + high[axis]);
-    }
-    this->Nodes += count;
-  }
-
-  void AddTo(TopologyChange& change) const
-  {
-    const double volume = this->Nodes * this->Grid->CellVolume();
-    change.Count += 1;
-    change.Volume += volume;
-    if (volume > change.LargestVolume)
-    {
-      change.LargestVolume = volume;
-      change.LargestCentre = this->Grid->Origin + this->Grid->Spacing * this->Sum / this->Nodes;
-      Vector3 extent;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const auto a = static_cast<std::size_t>(axis);
-        extent[axis] = this->Last[a] - this->First[a] + 1;
-      }
-      change.LargestExtent = extent.norm() * this->Grid->Spacing;
+      first[axis] = std::min(first[axis], at[axis]);
+      last[axis] = std::max(last[axis], at[axis]);
+      sum[static_cast<int>(axis)] += at[axis];
     }
   }
-
-private:
-  const ShapeGrid* Grid;
-  double Nodes = 0.0;
-  Vector3 Sum{Vector3::Zero()};
-  std::array<int, 3> First{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
-                           std::numeric_limits<int>::max()};
-  std::array<int, 3> Last{-1, -1, -1};
-};
+  change.LargestCentre = grid.Origin + grid.Spacing * sum / static_cast<double>(nodes.size());
+  const Vector3 extent(last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1);
+  change.LargestExtent = extent.norm() * grid.Spacing;
+}
 
 class TopologyRepairer
 {
 public:
   TopologyRepairer(ShapeField& field, const TopologySettings& settings, TopologyReport& report)
-      : Field(&field), Settings(settings), Report(&report), Inside(field.Values.size())
+      : Field(&field), Settings(settings), Report(&report), Inside(field.Values.size()),
+        Marks(field.Values.size(), 0)
   {
     std::transform(field.Values.begin(), field.Values.end(), this->Inside.begin(),
                    [](float value) -> unsigned char { return value > 0.0f ? 1 : 0; });
@@ -103,7 +88,7 @@ private:
             largest < 0 || components.Nodes(part) > components.Nodes(largest) ? part : largest;
       }
     }
-    this->Report->ObjectVolume = static_cast<double>(nodes) * this->Field->Grid.CellVolume();
+    this->Report->ObjectVolume = VolumeAbove(*this->Field, 0.0f);
     if (largest < 0)
     {
       return Status::Failure("is nowhere wide enough for a surface");
@@ -125,14 +110,14 @@ private:
     {
       return Status::Success();
     }
-    return this->Settings.BridgeParts ? this->JoinParts(largest, components)
-                                      : this->SeveralParts(kept, components, largest);
+    return this->Settings.BridgeParts
+               ? this->JoinParts(largest, components)
+               : SeveralParts(kept, 100.0 * static_cast<double>(components.Nodes(largest)) /
+                                        static_cast<double>(nodes));
   }
 
-  Status SeveralParts(int count, const KuhnComponents& components, int largest) const
+  static Status SeveralParts(int count, double percent)
   {
-    const double percent = 100.0 * static_cast<double>(components.Nodes(largest)) *
-                           this->Field->Grid.CellVolume() / this->Report->ObjectVolume;
     char text[120];
     std::snprintf(text, sizeof(text),
                   "has %d separate parts; the largest has %.3g %% of its volume", count, percent);
@@ -143,22 +128,20 @@ private:
   void SetParts(const KuhnComponents& components, const std::vector<unsigned char>& isChosen,
                 unsigned char side, TopologyChange& change)
   {
-    std::vector<Place> places(isChosen.size(), Place(this->Field->Grid));
+    std::vector<NodeList> places(isChosen.size());
     components.VisitRuns(
         [&](std::size_t first, int count, int part)
         {
           if (isChosen[static_cast<std::size_t>(part)] != 0)
           {
-            places[static_cast<std::size_t>(part)].AddRun(first, count);
-            std::fill_n(this->Inside.begin() + static_cast<std::ptrdiff_t>(first), count, side);
+            NodeList& nodes = places[static_cast<std::size_t>(part)];
+            nodes.resize(nodes.size() + static_cast<std::size_t>(count));
+            std::iota(nodes.end() - count, nodes.end(), first);
           }
         });
-    for (std::size_t part = 0; part < places.size(); ++part)
+    for (NodeList& nodes : places)
     {
-      if (isChosen[part] != 0)
-      {
-        places[part].AddTo(change);
-      }
+      this->SetNodes(std::move(nodes), side, change);
     }
   }
 
@@ -173,10 +156,6 @@ private:
       TopologyChange& change = this->Report->Bridges;
       const Vector3 from = grid.Point(grid.Index(bridge.From));
       const Vector3 to = grid.Point(grid.Index(bridge.To));
-      change.Count += 1;
-      const double volume = static_cast<double>(bridge.Nodes.size()) * grid.CellVolume();
-      change.Volume += volume;
-      change.LargestVolume = std::max(change.LargestVolume, volume);
       if ((to - from).norm() > change.LargestExtent)
       {
         change.LargestExtent = (to - from).norm();
@@ -185,9 +164,9 @@ private:
       for (const std::size_t node : bridge.Nodes)
       {
         marks[node] = 2;
-        this->Inside[node] = 1;
       }
       this->Mark(components, components.At(bridge.To), marks);
+      this->SetNodes(std::move(bridge.Nodes), 1, change);
     }
     return Status::Success();
   }
@@ -219,38 +198,64 @@ private:
 
   void RemoveHandles()
   {
-    const HandleRepair repair = RepairHandles(*this->Field, this->Inside, this->Settings.CutGap);
-    this->SetNodes(repair.Cut, 0, this->Report->CutHandles);
-    this->SetNodes(repair.Filled, 1, this->Report->FilledHandles);
+    const HandleRepair repair = RepairHandles(*this->Field, this->Inside);
+    for (NodeList& part : this->PartsOf(repair.Cut))
+    {
+      this->SetNodes(std::move(part), 0, this->Report->CutHandles);
+    }
+    for (NodeList& part : this->PartsOf(repair.Filled))
+    {
+      this->SetNodes(std::move(part), 1, this->Report->FilledHandles);
+    }
   }
 
-  void SetNodes(const NodeList& nodes, unsigned char side, TopologyChange& change)
+  std::vector<NodeList> PartsOf(const NodeList& nodes)
   {
-    std::vector<unsigned char> marks(this->Inside.size(), 0);
-    for (const NodeList& part : ConnectedParts(nodes, OffsetsOf(this->Field->Grid), marks))
+    return ConnectedParts(nodes, OffsetsOf(this->Field->Grid), this->Marks);
+  }
+
+  void SetNodes(NodeList nodes, unsigned char side, TopologyChange& change)
+  {
+    for (const std::size_t node : nodes)
     {
-      Place place(this->Field->Grid);
-      for (const std::size_t node : part)
-      {
-        place.AddRun(node, 1);
-        this->Inside[node] = side;
-      }
-      place.AddTo(change);
+      this->Inside[node] = side;
+    }
+    if (!nodes.empty())
+    {
+      this->Places.push_back({&change, side, std::move(nodes)});
     }
   }
 
   void ApplyChanges()
   {
+    for (const ChangedPlace& place : this->Places)
+    {
+      const double before = VolumeAround(*this->Field, place.Nodes, this->Marks);
+      this->MoveValues(place);
+      const double after = VolumeAround(*this->Field, place.Nodes, this->Marks);
+      const double volume = std::abs(after - before);
+      TopologyChange& change = *place.Change;
+      change.Count += 1;
+      change.Volume += volume;
+      if (volume > change.LargestVolume)
+      {
+        change.LargestVolume = volume;
+        if (place.Change != &this->Report->Bridges)
+        {
+          DescribePlace(this->Field->Grid, place.Nodes, change);
+        }
+      }
+    }
+  }
+
+  void MoveValues(const ChangedPlace& place)
+  {
     const auto spacing = static_cast<float>(this->Field->Grid.Spacing);
-    for (std::size_t node = 0; node < this->Inside.size(); ++node)
+    for (const std::size_t node : place.Nodes)
     {
       float& value = this->Field->Values[node];
-      const bool isInside = this->Inside[node] != 0;
-      if (isInside != (value > 0.0f))
-      {
-        const float depth = std::clamp(std::abs(value), 0.1f * spacing, 0.2f * spacing);
-        value = isInside ? depth : -depth;
-      }
+      const float depth = std::clamp(std::abs(value), 0.1f * spacing, 0.2f * spacing);
+      value = place.Side != 0 ? depth : -depth;
     }
   }
 
@@ -258,12 +263,13 @@ private:
   TopologySettings Settings;
   TopologyReport* Report;
   std::vector<unsigned char> Inside;
+  std::vector<unsigned char> Marks; // all 0
+  std::vector<ChangedPlace> Places; // in the order of their changes
 };
 
 bool IsValid(const TopologySettings& settings)
 {
-  return settings.SmallPart >= 0.0 && settings.SmallPart < 1.0 && settings.CutGap >= 0.0 &&
-         std::isfinite(settings.CutGap);
+  return settings.SmallPart >= 0.0 && settings.SmallPart < 1.0;
 }
 } // namespace
 
