@@ -63,6 +63,40 @@ public:
     return into + (pull.Along > 0.0 ? left / pull.Along : 0.0) * (probe - into);
   }
 
+  /// Finds where on a way a slipping proxy comes to rest again: calls `pullAt(part)`, which returns
+  /// the pull there, for parts of the way that approach that place, the nearest one last. `before`
+  /// and `after` are the pulls at its ends; without a place between them it is not called. A root
+  /// by the Illinois form of the false position.
+  template <typename PullAt>
+  void FindRest(const Pull& before, const Pull& after, const PullAt& pullAt) const
+  {
+    constexpr int MostSteps = 12;
+    constexpr double Enough = 1e-6; // relative to the pull
+    double first = 0.0;
+    double last = 1.0;
+    double excessFirst = this->Excess(before);
+    double excessLast = this->Excess(after);
+    int lastSide = 0;
+    for (int step = 0; step < MostSteps && excessFirst > 0.0 && excessLast < 0.0; ++step)
+    {
+      const double part = (first * excessLast - last * excessFirst) / (excessLast - excessFirst);
+      const Pull pull = pullAt(part);
+      const double excess = this->Excess(pull);
+      if (std::abs(excess) <= Enough * pull.Along)
+      {
+        return;
+      }
+      const int side = excess > 0.0 ? 1 : -1;
+      (side > 0 ? first : last) = part;
+      (side > 0 ? excessFirst : excessLast) = excess;
+      if (side == lastSide) // the other end has not moved: halved, it moves the next time
+      {
+        (side > 0 ? excessLast : excessFirst) *= 0.5;
+      }
+      lastSide = side;
+    }
+  }
+
 private:
   SurfaceFriction Friction;
 };

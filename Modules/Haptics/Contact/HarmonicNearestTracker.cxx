@@ -47,7 +47,6 @@ typename Surface::Place PlaceOf(const typename Surface::ClosestPoint& point) noe
 {
   return {point.Direction, point.PointWorld, point.Normal};
 }
-
 } // namespace
 
 template <typename Surface>
@@ -59,15 +58,21 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
                                                2.0 * this->Touched->Rounding())),
       Stride(RelativeStride * this->Touched->SmallestRadius())
 {
-  if (this->Touched->CrossesItself() ||
-      HarmonicWedgeOf<Surface>::IsNeeded(*this->Touched, toolRadius))
-  {
-    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
-  }
+  bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
   {
+    this->Places = std::make_unique<WedgePlaces>(*this->Touched, this->ToolRadius);
+    isWedgeNeeded = !this->Places->IsEmpty();
     const double reach = this->ToolRadius + RelativeReach * this->Touched->SmallestRadius();
     this->Minima = std::make_unique<NearMinima>(*this->Touched, reach, this->TouchingGap);
+  }
+  else
+  {
+    isWedgeNeeded = HarmonicWedgeOf<Surface>::IsNeeded(*this->Touched, toolRadius);
+  }
+  if (isWedgeNeeded)
+  {
+    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
   }
 }
 
@@ -85,14 +90,11 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     this->Minima->BeginTick();
   }
   this->Advance(pose.PositionWorld);
-  if (this->Wedge && this->Known == State::Touching)
+  if (this->IsWedging && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
     this->IsHovering = !this->Wedge->IsHeld();
-    if (this->IsHovering && !this->IsBesideWall(pose.PositionWorld))
-    {
-      this->LeaveWedge(pose.PositionWorld);
-    }
+    this->EndWedge(pose.PositionWorld);
   }
   this->Report(pose.PositionWorld);
   return this->Felt;
@@ -131,7 +133,7 @@ void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
     {
       return;
     }
-    if (Surface::MayCrossItself && this->Wedge)
+    if (Surface::MayCrossItself && this->IsWedging)
     {
       return; // the wedge follows alone
     }
@@ -195,7 +197,8 @@ bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
   if constexpr (Surface::MayCrossItself)
   {
     ClosestPoint there;
-    if (!(this->ClearRadius > 0.0) || !this->FindNear(probe, this->Closest, there))
+    if (!(this->ClearRadius > 0.0) ||
+        !this->Minima->Find(probe, this->Closest, this->EvaluationsLeft, there))
     {
       return false;
     }
@@ -212,20 +215,6 @@ bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
   return false;
 }
 
-template <typename Surface>
-bool HarmonicNearestTrackerOf<Surface>::FindNear(const Vector3& probe, const ClosestPoint& from,
-                                                 ClosestPoint& nearest) noexcept
-{
-  if constexpr (Surface::MayCrossItself)
-  {
-    return this->Minima->Find(probe, from, this->EvaluationsLeft, nearest);
-  }
-  else
-  {
-    return false;
-  }
-}
-
 // Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
 template <typename Surface>
 double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
@@ -235,7 +224,8 @@ double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
     constexpr double LeastPart = 0.05;
     constexpr double PartOfStep = 0.25;
     const double gap = std::abs(this->Closest.SignedDistance) - this->ToolRadius;
-    const double besideWall = this->Wedge ? PartOfStep * this->Wedge->Step() : 0.0;
+    const double besideWall =
+        this->NeedsWedge(this->Closest.Direction) ? PartOfStep * this->Wedge->Step() : 0.0;
     return std::max({this->TouchingGap, besideWall, LeastPart * gap});
   }
   else
@@ -253,7 +243,8 @@ bool HarmonicNearestTrackerOf<Surface>::MeetSurface() noexcept
   {
     const double distance = std::abs(this->Closest.SignedDistance);
     const bool isWorkLeft = this->ClearRadius > this->LeastProgress() || this->EvaluationsLeft <= 0;
-    if (!this->Wedge && isWorkLeft && distance > this->ToolRadius + 2.0 * this->TouchingGap)
+    if (!this->NeedsWedge(this->Closest.Direction) && isWorkLeft &&
+        distance > this->ToolRadius + 2.0 * this->TouchingGap)
     {
       return true;
     }
@@ -294,7 +285,8 @@ HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirs
   if constexpr (Surface::MayCrossItself)
   {
     ClosestPoint near;
-    if (this->IsNearKnown() && this->FindNear(probe, this->Closest, near))
+    if (this->IsNearKnown() &&
+        this->Minima->Find(probe, this->Closest, this->EvaluationsLeft, near))
     {
       this->Closest = near;
     }
@@ -337,7 +329,8 @@ void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexc
   this->IsHovering = false;
   this->Closest = nearest;
   this->Held = PlaceOf<Surface>(nearest);
-  if (this->Wedge)
+  this->IsWedging = this->NeedsWedge(nearest.Direction);
+  if (this->IsWedging)
   {
     this->Wedge->Begin(nearest);
   }
@@ -368,6 +361,13 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
     const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
     if (!this->Press(next, length / strides))
     {
+      return;
+    }
+    if (Surface::MayCrossItself && this->NeedsWedge(this->Held.Direction))
+    {
+      this->Wedge->Begin(
+          this->Touched->PointAt(this->Held.Direction, this->ProbeWorld, this->Closest));
+      this->IsWedging = true;
       return;
     }
   }
@@ -404,7 +404,7 @@ void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
   {
     constexpr double Almost = 1.0 - 1e-6;
     ClosestPoint nearest;
-    if (!this->FindNear(probe, next, nearest))
+    if (!this->Minima->Find(probe, next, this->EvaluationsLeft, nearest))
     {
       nearest = this->NearestTo(probe);
     }
@@ -445,13 +445,6 @@ HarmonicNearestTrackerOf<Surface>::Continued(const Vector3& probe) noexcept
   return isStationary && !isNearer ? next : this->Touched->SeenLike(next, nearest);
 }
 
-template <typename Surface>
-FrictionCone::Pull HarmonicNearestTrackerOf<Surface>::PullOf(const Vector3& probe,
-                                                             const Place& place) const noexcept
-{
-  return {probe - (place.PointWorld + this->ToolRadius * place.Normal), place.Normal};
-}
-
 // Applies friction to the held place.
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::Drag(const Vector3& probe) noexcept
@@ -480,6 +473,35 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
            !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
   {
     this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
+  }
+}
+
+// A tool that no wall holds is free; where it fits, one that a single wall holds is followed by its
+// nearest point again.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::EndWedge(const Vector3& probe) noexcept
+{
+  if (this->IsHovering && !this->IsBesideWall(probe))
+  {
+    this->LeaveWedge(probe);
+  }
+  else if constexpr (Surface::MayCrossItself)
+  {
+    const ClosestPoint* wall = this->Wedge->OnlyWall();
+    if (this->IsHovering || wall == nullptr || this->Places->IsBeside(wall->Direction))
+    {
+      return;
+    }
+    const ClosestPoint next = this->Touched->Search().Track(probe, *wall);
+    const double depth = (probe - this->Wedge->CenterWorld()).norm();
+    if (next.Converged() && next.SignedDistance < this->ToolRadius &&
+        (next.PointWorld - wall->PointWorld).norm() < depth + this->Wedge->Step())
+    {
+      this->Held = PlaceOf<Surface>(*wall);
+      this->Closest = next;
+      this->ProbeWorld = probe;
+      this->IsWedging = false;
+    }
   }
 }
 
@@ -512,6 +534,7 @@ void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcep
     this->Closest = wall != nullptr ? *wall : this->Closest;
   }
   this->IsHovering = false;
+  this->IsWedging = false;
   this->Known = State::Free;
   this->ProbeWorld = this->Wedge->CenterWorld();
   this->ClearCenterWorld = this->ProbeWorld;
@@ -519,41 +542,19 @@ void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcep
   this->Advance(probe);
 }
 
-// Between the held place and the end of the path, the place where the tool sticks again: a root by
-// the Illinois form of the false position.
+// To where on the path to `end` the tool sticks again.
 template <typename Surface>
 typename Surface::Place HarmonicNearestTrackerOf<Surface>::Slip(const Vector3& probe,
                                                                 const Place& end) const noexcept
 {
-  constexpr int MostSteps = 12;
-  constexpr double Enough = 1e-6; // relative to the pull
-  double before = 0.0;
-  double after = 1.0;
-  double excessBefore = this->Friction.Excess(this->PullOf(probe, this->Held));
-  double excessAfter = this->Friction.Excess(this->PullOf(probe, end));
-  int lastSide = 0;
   Place place = end;
-  for (int step = 0; step < MostSteps && excessBefore > 0.0 && excessAfter < 0.0; ++step)
+  const auto pullAt = [&](double part)
   {
-    const double part =
-        (before * excessAfter - after * excessBefore) / (excessAfter - excessBefore);
     const Vector3 between = (1.0 - part) * this->Held.Direction + part * end.Direction;
     place = this->Touched->PlaceAt(between.normalized(), this->Closest);
-    const FrictionCone::Pull pull = this->PullOf(probe, place);
-    const double excess = this->Friction.Excess(pull);
-    if (std::abs(excess) <= Enough * pull.Along)
-    {
-      break;
-    }
-    const int side = excess > 0.0 ? 1 : -1;
-    (side > 0 ? before : after) = part;
-    (side > 0 ? excessBefore : excessAfter) = excess;
-    if (side == lastSide) // the other end has not moved: halved, it moves the next time
-    {
-      (side > 0 ? excessAfter : excessBefore) *= 0.5;
-    }
-    lastSide = side;
-  }
+    return this->PullOf(probe, place);
+  };
+  this->Friction.FindRest(this->PullOf(probe, this->Held), this->PullOf(probe, end), pullAt);
   return place;
 }
 
@@ -566,10 +567,10 @@ void HarmonicNearestTrackerOf<Surface>::Report(const Vector3& probe) noexcept
   this->Felt.Depth = 0.0;
   if (this->Felt.IsTouching)
   {
-    this->Felt.NormalWorld = this->Wedge ? this->Wedge->Normal() : this->Held.Normal;
+    this->Felt.NormalWorld = this->IsWedging ? this->Wedge->Normal() : this->Held.Normal;
     this->Felt.ProxyWorld =
-        this->Wedge ? this->Wedge->CenterWorld()
-                    : Vector3(this->Held.PointWorld + this->ToolRadius * this->Held.Normal);
+        this->IsWedging ? this->Wedge->CenterWorld()
+                        : Vector3(this->Held.PointWorld + this->ToolRadius * this->Held.Normal);
     this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
     this->WithoutMargin(probe);
   }
@@ -586,7 +587,8 @@ void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noex
     const double margin = 2.0 * this->Touched->Margin();
     const bool isHeld =
         !this->IsHovering && (push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin);
-    this->Felt.IsTouching = this->Wedge ? isHeld : this->Closest.SignedDistance < this->ToolRadius;
+    const double radius = this->ToolRadius - this->Touched->Margin();
+    this->Felt.IsTouching = this->IsWedging ? isHeld : this->Closest.SignedDistance < radius;
     this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
     this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
   }

@@ -6,6 +6,7 @@
 #include "HarmonicWedge.h"
 #include "NearMinima.h"
 #include "ParametricTouchSurface.h"
+#include "WedgePlaces.h"
 
 #include <memory>
 
@@ -29,8 +30,9 @@ namespace palpate
 /// A parametric surface may wrap round anything and may cross itself, where the nearest point does
 /// not tell inside from outside. The tool's own path does: it starts outside (or is moved out), and
 /// each contact keeps to the side of the surface from which it began. It ends where a straight path
-/// leads from the proxy to the probe through spheres that are proven free. At a surface that was
-/// found to cross itself, HarmonicWedge moves every tool, a point too as a small sphere.
+/// leads from the proxy to the probe through spheres that are proven free. Where the surface was
+/// found to cross itself, HarmonicWedge moves every tool, a point too as a small sphere; there and
+/// in hollows only (WedgePlaces).
 template <typename Surface>
 class HarmonicNearestTrackerOf final : public ContactTracker
 {
@@ -46,7 +48,8 @@ public:
   std::size_t Bytes() const noexcept override
   {
     return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0) +
-           (this->Minima ? sizeof(*this->Minima) : 0);
+           (this->Minima ? sizeof(*this->Minima) : 0) +
+           (this->Places ? sizeof(*this->Places) + this->Places->Bytes() : 0);
   }
 
 private:
@@ -60,7 +63,6 @@ private:
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
   bool IsReached(const Vector3& probe) noexcept;
-  bool FindNear(const Vector3& probe, const ClosestPoint& from, ClosestPoint& nearest) noexcept;
   bool MeetSurface() noexcept;
   double LeastProgress() const noexcept;
   void Slide(const Vector3& probe) noexcept;
@@ -85,11 +87,20 @@ private:
   void Measure(const Vector3& probe, bool isFirst) noexcept;
   ClosestPoint ClearanceAt(const Vector3& probe, bool isFirst) noexcept;
   void Drag(const Vector3& probe) noexcept;
+  // Whether the wedge is to move a tool that touches there.
+  bool NeedsWedge(const Vector3& direction) const noexcept
+  {
+    return this->Wedge && (!this->Places || this->Places->Contains(direction));
+  }
+  void EndWedge(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;
   bool IsBesideWall(const Vector3& probe) const noexcept;
   Place Slip(const Vector3& probe, const Place& end) const noexcept;
-  FrictionCone::Pull PullOf(const Vector3& probe, const Place& place) const noexcept;
+  FrictionCone::Pull PullOf(const Vector3& probe, const Place& place) const noexcept
+  {
+    return {probe - (place.PointWorld + this->ToolRadius * place.Normal), place.Normal};
+  }
   void Report(const Vector3& probe) noexcept;
   void WithoutMargin(const Vector3& probe) noexcept;
 
@@ -108,8 +119,11 @@ private:
   // In contact: the minimum that is tracked, and where friction holds the tool.
   ClosestPoint Closest{};
   Place Held{};
-  std::unique_ptr<HarmonicWedgeOf<Surface>>
-      Wedge; // used instead if the tool does not fit everywhere
+  // Used instead where the tool does not fit: at these places of a parametric surface, else
+  // anywhere.
+  std::unique_ptr<HarmonicWedgeOf<Surface>> Wedge;
+  std::unique_ptr<WedgePlaces> Places;
+  bool IsWedging = false;
   // For a parametric surface, near which it is used instead of searches.
   std::unique_ptr<NearMinima> Minima;
   // Whether the wedge moves a tool that no wall holds, since one is near.

@@ -86,6 +86,18 @@ HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface
 template <typename Surface>
 bool HarmonicWedgeOf<Surface>::IsNeeded(const Surface& surface, double radius)
 {
+  // About three directions per shortest wavelength of the surface.
+  const IcosahedronDirections sphere(std::max(6, surface.Model().Degree()));
+  const auto& directions = sphere.Directions();
+  return std::any_of(directions.begin(), directions.end(),
+                     [&](const Vector3& direction)
+                     { return IsNeededAt(surface, direction, radius); });
+}
+
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::IsNeededAt(const Surface& surface, const Vector3& direction,
+                                          double radius)
+{
   if (!(radius > 0.0))
   {
     return false;
@@ -95,16 +107,9 @@ bool HarmonicWedgeOf<Surface>::IsNeeded(const Surface& surface, double radius)
   const double size = Larger * radius;
   const double least =
       (1.0 - Rounding) * size - Rounding * surface.LargestRadius() - 2.0 * surface.Rounding();
-  // About three directions per shortest wavelength of the surface.
-  const IcosahedronDirections sphere(std::max(6, surface.Model().Degree()));
-  const auto& directions = sphere.Directions();
-  return std::any_of(directions.begin(), directions.end(),
-                     [&](const Vector3& u)
-                     {
-                       const typename Surface::Place place = surface.PlaceAt(u);
-                       const Vector3 center = place.PointWorld + size * place.Normal;
-                       return surface.Search().Nearest(center).SignedDistance < least;
-                     });
+  const typename Surface::Place place = surface.PlaceAt(direction);
+  const Vector3 center = place.PointWorld + size * place.Normal;
+  return surface.Search().Nearest(center).SignedDistance < least;
 }
 
 template <typename Surface>

@@ -33,6 +33,8 @@ public:
   /// False if a sphere (mm) touches in at most one place wherever it rolls, tested at some thousand
   /// places with a sphere a tenth larger. Takes milliseconds.
   static bool IsNeeded(const Surface& surface, double radius);
+  /// The same at one place, by its direction or parameter.
+  static bool IsNeededAt(const Surface& surface, const Vector3& direction, double radius);
 
   /// Starts at the surface's nearest point to the sphere: in place if the sphere is free there,
   /// else pushed out by that wall.
@@ -46,6 +48,11 @@ public:
   bool IsHeld() const noexcept { return this->IsKeptBack; }
   /// The nearest of the known walls, none of which may be near; null without any.
   const ClosestPoint* NearestWall() const noexcept;
+  /// The wall that holds the sphere if no other one is known near it; else null.
+  const ClosestPoint* OnlyWall() const noexcept
+  {
+    return this->WallCount == 1 && this->IsKeptBack && this->IsClear ? &this->Walls[0] : nullptr;
+  }
   /// The longest step (mm) between two proofs. Farther walls may be unknown.
   double Step() const noexcept { return this->LongestStep; }
 

@@ -1,6 +1,7 @@
 #include "ParametricTouchSurface.h"
 
 #include "IcosahedronDirections.h"
+#include "MeshCrossings.h"
 #include "ParametricSample.h"
 
 #include <algorithm>
@@ -81,6 +82,21 @@ WindingMesh MeshOf(const ParametricShape& shape)
   return {std::move(points), sphere.Triangles()};
 }
 
+std::vector<Vector3> CrossingsOf(const ParametricShape& shape, const WindingMesh& mesh)
+{
+  // More than any model has that passed CheckRegularity.
+  constexpr std::size_t Most = 20000;
+  MeshCrossings found;
+  const Status status = FindMeshCrossings({mesh.PointsWorld(), MeshDirections(shape).Triangles()},
+                                          {Most, Most}, found);
+  std::vector<Vector3> places;
+  for (const MeshCrossing& pair : found.Pairs)
+  {
+    places.push_back(pair.Place);
+  }
+  return status.IsOk() ? places : std::vector<Vector3>{};
+}
+
 // Whether a point is seen from the side that the parameters' orientation calls inside.
 bool IsTurned(const SurfacePoint& point) noexcept
 {
@@ -139,14 +155,14 @@ ParametricTouchSurface::ParametricTouchSurface(const ParametricSphericalSurface&
                                                double smallest)
     : Closest(std::make_shared<const ParametricShape>(surface)), Smallest(smallest),
       Mesh(MeshOf(Closest.Model())), MeshDeviation(DeviationOf(Closest.Model())),
-      IsCrossing(Mesh.CrossesItself()), Exits(FindExits())
+      Crossings(CrossingsOf(Closest.Model(), Mesh)), Exits(FindExits())
 {
 }
 
 std::size_t ParametricTouchSurface::Bytes() const noexcept
 {
   return sizeof(*this) + this->Closest.Bytes() + this->Mesh.Bytes() +
-         this->Exits.size() * sizeof(Exit);
+         this->Crossings.size() * sizeof(Vector3) + this->Exits.size() * sizeof(Exit);
 }
 
 SurfacePoint ParametricTouchSurface::SeenFromOutside(const ClosestPoint& nearest) const noexcept
@@ -211,11 +227,11 @@ std::vector<ParametricTouchSurface::Exit> ParametricTouchSurface::FindExits() co
   std::vector<Exit> exits;
   const double step = 2.0 * this->MeshDeviation;
   const IcosahedronDirections sphere =
-      this->IsCrossing ? MeshDirections(this->Model()) : IcosahedronDirections(1);
+      this->CrossesItself() ? MeshDirections(this->Model()) : IcosahedronDirections(1);
   for (const Vector3& parameter : sphere.Directions())
   {
     const Place place = this->PlaceAt(parameter);
-    if (this->IsCrossing &&
+    if (this->CrossesItself() &&
         (this->Mesh.WindingNumber(place.PointWorld + step * place.Normal) == 0 ||
          this->Mesh.WindingNumber(place.PointWorld - step * place.Normal) == 0))
     {

@@ -52,11 +52,12 @@ public:
     return this->Closest.Descent().Rounding(Vector3::Constant(this->LargestRadius()));
   }
 
-  /// Whether a tessellation of twice the degree crosses itself.
-  bool CrossesItself() const noexcept { return this->IsCrossing; }
+  /// Whether a tessellation of twice the degree crosses itself, and places where it does.
+  bool CrossesItself() const noexcept { return !this->Crossings.empty(); }
+  const std::vector<Vector3>& CrossingsWorld() const noexcept { return this->Crossings; }
   /// By how much (mm) tools are enlarged for their motion, so that points too are kept apart from
   /// two sheets that cross: a fiftieth of SmallestRadius at a surface that crosses itself, else 0.
-  double Margin() const noexcept { return this->IsCrossing ? 0.02 * this->Smallest : 0.0; }
+  double Margin() const noexcept { return this->CrossesItself() ? 0.02 * this->Smallest : 0.0; }
 
   /// Of a tool that is known to be outside.
   ClosestPoint SeenFromOutside(const ClosestPoint& nearest) const noexcept;
@@ -92,7 +93,7 @@ private:
 
   WindingMesh Mesh;
   double MeshDeviation; // of the mesh from the surface, mm
-  bool IsCrossing;
+  std::vector<Vector3> Crossings;
   std::vector<Exit> Exits; // of a surface that crosses itself
 };
 

@@ -65,42 +65,22 @@ int WindingMesh::WindingNumber(const Vector3& pointWorld) const noexcept
   for (std::size_t i = 0; i < windings.size(); ++i)
   {
     const Vector3 end = pointWorld + beyond * directions[i];
-    windings[i] = -this->CrossingsOf(pointWorld, end, -1, -1).Signed;
+    windings[i] = -this->CrossingsOf(pointWorld, end);
   }
   std::sort(windings.begin(), windings.end());
   return windings[1];
 }
 
-bool WindingMesh::CrossesItself() const noexcept
-{
-  for (const Triangle& triangle : this->Triangles)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const int a = triangle[i];
-      const int b = triangle[(i + 1) % 3];
-      // Each edge once: the neighbour has it in the other direction.
-      if (a<b&& this
-                ->CrossingsOf(this->Points[static_cast<std::size_t>(a)],
-                              this->Points[static_cast<std::size_t>(b)], a, b)
-                .Any> 0)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-WindingMesh::Crossings WindingMesh::CrossingsOf(const Vector3& from, const Vector3& to, int corner,
-                                                int otherCorner) const noexcept
+// The crossings of a segment from outside of the mesh's front to its back (+1) or the other way
+// (-1), together.
+int WindingMesh::CrossingsOf(const Vector3& from, const Vector3& to) const noexcept
 {
   const Vector3 path = to - from;
   const auto& nodes = this->Boxes.Nodes();
   std::array<std::size_t, BoxHierarchy::MostPending> pending;
   std::size_t count = 0;
   pending[count++] = 0;
-  Crossings crossings;
+  int crossings = 0;
   while (count > 0)
   {
     const std::size_t index = pending[--count];
@@ -117,13 +97,7 @@ WindingMesh::Crossings WindingMesh::CrossingsOf(const Vector3& from, const Vecto
     }
     for (std::int32_t i = node.First; i < node.First + node.Count; ++i)
     {
-      const Triangle& triangle = this->Triangles[static_cast<std::size_t>(i)];
-      const bool isApart =
-          std::none_of(triangle.begin(), triangle.end(),
-                       [&](int each) { return each == corner || each == otherCorner; });
-      const int crossing = isApart ? this->CrossingOf(from, to, triangle) : 0;
-      crossings.Signed += crossing;
-      crossings.Any += crossing != 0 ? 1 : 0;
+      crossings += this->CrossingOf(from, to, this->Triangles[static_cast<std::size_t>(i)]);
     }
   }
   return crossings;

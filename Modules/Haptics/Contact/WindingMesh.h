@@ -31,19 +31,8 @@ public:
   /// wrong.
   int WindingNumber(const Vector3& pointWorld) const noexcept;
 
-  /// Whether an edge passes through a triangle that shares no corner with it.
-  bool CrossesItself() const noexcept;
-
 private:
-  // The signed crossings of a segment from outside of the mesh's front to its back (+1) or the
-  // other direction (-1), without triangles that have one of two corners.
-  struct Crossings
-  {
-    int Signed = 0;
-    int Any = 0;
-  };
-  Crossings CrossingsOf(const Vector3& from, const Vector3& to, int corner,
-                        int otherCorner) const noexcept;
+  int CrossingsOf(const Vector3& from, const Vector3& to) const noexcept;
   int CrossingOf(const Vector3& from, const Vector3& to, const Triangle& triangle) const noexcept;
 
   std::vector<Vector3> Points;

@@ -3,6 +3,8 @@
 #include "IcosahedronDirections.h"
 #include "ParametricContactModel.h"
 #include "ParametricPhantoms.h"
+#include "ParametricTouchSurface.h"
+#include "WedgePlaces.h"
 #include "WindingMesh.h"
 #include "WorstCase.h"
 
@@ -242,7 +244,6 @@ TEST(ParametricContactModel, ProxyStaysOutOfASurfaceThatCrossesItself)
 {
   const ParametricSphericalSurface surface = test::CrossingRing();
   const WindingMesh mesh = MeshOf(surface);
-  ASSERT_TRUE(mesh.CrossesItself());
   const auto model = ParametricContact(surface);
   // The two ends meet opposite the middle of the tube.
   const Vector3 seam(5.0 - 20.0, 60.0, -30.0);
@@ -385,10 +386,61 @@ TEST(WindingMesh, CountsHowOftenASurfaceWindsRoundAPoint)
   EXPECT_EQ(ring.WindingNumber(center + Vector3(20.0, 0.0, 0.0)), 1);
   EXPECT_EQ(ring.WindingNumber(center - Vector3(20.0, 0.0, 0.0)), 2);
   EXPECT_EQ(ring.WindingNumber(center + Vector3(0.0, 0.0, 1e6)), 0);
-  EXPECT_TRUE(ring.CrossesItself());
+}
+
+std::shared_ptr<const ParametricTouchSurface>
+TouchSurfaceOf(const ParametricSphericalSurface& surface)
+{
+  std::shared_ptr<const ParametricTouchSurface> touch;
+  const Status status = ParametricTouchSurface::Make(surface, touch);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return touch;
+}
+
+TEST(ParametricTouchSurface, KnowsWhereItCrossesItself)
+{
+  const auto ring = TouchSurfaceOf(test::CrossingRing());
+  EXPECT_TRUE(ring->CrossesItself());
+  const Vector3 seam(5.0 - 20.0, 60.0, -30.0);
+  for (const Vector3& place : ring->CrossingsWorld())
+  {
+    EXPECT_LT((place - seam).norm(), 20.0);
+  }
   for (const auto& [name, surface] : SimplePhantoms())
   {
-    EXPECT_FALSE(MeshOf(surface).CrossesItself()) << name;
+    EXPECT_FALSE(TouchSurfaceOf(surface)->CrossesItself()) << name;
+  }
+}
+
+// A point needs the wedge at the seam only, a large sphere in the whole hole of the ring.
+TEST(WedgePlaces, AreWhereAToolDoesNotFit)
+{
+  const auto ring = TouchSurfaceOf(test::CrossingRing());
+  const Vector3 seam(5.0 - 20.0, 60.0, -30.0);
+  const WedgePlaces point(*ring, ring->Margin());
+  const WedgePlaces sphere(*ring, 30.0);
+  const IcosahedronDirections parameters(30);
+  int needed = 0;
+  int neededBySphere = 0;
+  for (const Vector3& u : parameters.Directions())
+  {
+    const Vector3 place = ring->PlaceAt(u).PointWorld;
+    needed += point.Contains(u) ? 1 : 0;
+    neededBySphere += sphere.Contains(u) ? 1 : 0;
+    EXPECT_TRUE(!point.Contains(u) || point.IsBeside(u));
+    EXPECT_TRUE(!point.Contains(u) || (place - seam).norm() < 25.0);
+    const bool isCrossing =
+        std::any_of(ring->CrossingsWorld().begin(), ring->CrossingsWorld().end(),
+                    [&](const Vector3& crossing) { return (crossing - place).norm() < 0.2; });
+    EXPECT_TRUE(!isCrossing || point.Contains(u)) << u.transpose();
+  }
+  const int all = static_cast<int>(parameters.Directions().size());
+  EXPECT_GT(needed, 0);
+  EXPECT_LT(needed, all / 2);
+  EXPECT_GT(neededBySphere, all / 3);
+  for (const auto& [name, surface] : SimplePhantoms())
+  {
+    EXPECT_TRUE(WedgePlaces(*TouchSurfaceOf(surface), 0.0).IsEmpty()) << name;
   }
 }
 } // namespace
