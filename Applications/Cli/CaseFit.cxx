@@ -16,7 +16,6 @@
 #include "StageClock.h"
 #include "StructureChoice.h"
 #include "SurfaceFile.h"
-#include "SurfaceFileFit.h"
 #include "VolumeFile.h"
 #include "VoxelValue.h"
 

@@ -25,7 +25,7 @@ std::vector<ContactSetting> VaryHarmonics(ContactSetting standard, const TouchTo
   }
   SceneStructure& structure = standard.Structure;
   std::vector<ContactSetting> settings;
-  if (structure.Source() == SceneSource::Label)
+  if (structure.Source() != SceneSource::Model)
   {
     structure.Degree = std::min(structure.Degree, highestDegree);
     settings.push_back(standard);
@@ -208,7 +208,7 @@ SceneRepresentation HarmonicRepresentation()
 {
   SceneRepresentation harmonics;
   harmonics.Name = harmonics.Label = TouchRepresentation::Harmonics;
-  harmonics.Sources = {SceneSource::Label, SceneSource::Model};
+  harmonics.Sources = {SceneSource::Label, SceneSource::Model, SceneSource::Surface};
   harmonics.Appearance = SceneAppearance::Model;
   harmonics.PlanContact = PlanHarmonicContact;
   harmonics.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };

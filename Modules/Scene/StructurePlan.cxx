@@ -12,6 +12,7 @@
 #include "SceneReading.h"
 #include "SceneTool.h"
 #include "SteadyClock.h"
+#include "SurfaceFileFit.h"
 
 #include <algorithm>
 
@@ -181,10 +182,18 @@ std::string StructurePlan::AddSamples()
       SceneKey(surface, "samples", static_cast<int>(this->Fit.Model), this->Fit.Repairs,
                this->Fit.Frequency, CenterKey(this->Fit), this->Fit.MaximumHiddenPercent);
   return this->AddNode(SceneStep::Samples, key, {surface},
-                       [fit = this->Fit](const Inputs& inputs, const ProgressFunction& progress)
+                       [fit = this->Fit, isTriangles = this->Source != SceneSource::Label](
+                           const Inputs& inputs, const ProgressFunction& progress)
                        {
+                         auto surface = ProductAs<FitSurface>(inputs.data());
+                         if (isTriangles)
+                         {
+                           const FitResult& read = surface->Found;
+                           surface = std::make_shared<const FitSurface>(
+                               MakeFitSurface(read.Input, read.Surface, fit, progress));
+                         }
                          return std::make_shared<const FitSamples>(
-                             MakeFitSamples(*ProductAs<FitSurface>(inputs.data()), fit, progress));
+                             MakeFitSamples(*surface, fit, progress));
                        });
 }
 
@@ -294,7 +303,7 @@ void StructurePlan::AddAppearance()
     break;
   case SceneAppearance::Model:
   case SceneAppearance::ErrorMap:
-    this->Source == SceneSource::Surface ? this->AddSurface() : this->AddModel();
+    this->AddModel();
     break;
   case SceneAppearance::Surface:
     this->Source == SceneSource::Model ? this->AddModel() : this->AddSurface();

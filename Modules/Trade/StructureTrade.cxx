@@ -48,6 +48,10 @@ std::shared_ptr<const TouchContact> StructureTrade::ContactFor(const ContactSett
 int StructureTrade::HighestDegree(const ProgressFunction& progress)
 {
   const SceneStructure& structure = this->Scene.Structures.front();
+  if (structure.Source() == SceneSource::Surface)
+  {
+    return this->Scene.Fit.MaximumDegree; // no voxels limit it
+  }
   if (structure.Source() != SceneSource::Label)
   {
     return 0;

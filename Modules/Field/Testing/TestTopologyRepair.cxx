@@ -196,7 +196,8 @@ TEST(TopologyRepair, MakesBallOfEverySponge)
     palpate::TopologyReport report;
     ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
     EXPECT_TRUE(IsBall(field)) << voids;
-    EXPECT_FALSE(palpate::CheckTopology(report, {}).IsOk()) << voids;
+    // Nodes slightly outside amid deep ones are far less than their share of the volume.
+    EXPECT_EQ(palpate::CheckTopology(report, {}).IsOk(), voids < 0.1) << report.ChangedPercent();
   }
 }
 

@@ -1,6 +1,7 @@
 #include "SurfaceFileFit.h"
 
 #include "FitFiles.h"
+#include "FitStructure.h"
 #include "MeshGltf.h"
 #include "ModelSurface.h"
 #include "ParametricPhantoms.h"

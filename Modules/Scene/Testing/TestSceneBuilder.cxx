@@ -4,7 +4,9 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
+#include "ModelSurface.h"
 #include "ParametricPhantoms.h"
+#include "SurfaceFile.h"
 #include "SurfaceTexture.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
@@ -101,6 +103,28 @@ TEST_F(SceneBuilderTest, TouchesAModelOfThreeCoordinates)
   SceneStructure radial = this->Entry(this->Folder / "ring.json", true);
   radial.Mode = HarmonicContactMode::Radial;
   EXPECT_THROW(this->Make({radial}), InputError);
+}
+
+TEST_F(SceneBuilderTest, FitsHarmonicsToASurfaceFile)
+{
+  const auto ring = DrawModel(test::OpenRing(8), 20);
+  WriteSurface(this->Folder / "ring.stl", ring);
+  SceneStructure entry = this->Entry(this->Folder / "ring.stl", true);
+  EXPECT_EQ(this->Make({entry}).Touched.at(0).Represented.rfind("facets", 0), 0u);
+  entry.Representation = TouchRepresentation::Harmonics;
+  entry.Degree = 8;
+  const BuiltScene made = this->Make({entry});
+  ASSERT_EQ(made.Touched.size(), 1u);
+  EXPECT_EQ(made.Touched[0].Represented, "surface harmonics of degree 8, nearest point");
+  const Eigen::AlignedBox3d bounds = made.Touched[0].Touch.Model->BoundsWorld();
+  EXPECT_TRUE(bounds.contains(test::OpenRing(8).Point(Vector3::UnitX())));
+  // One triangle less: it is open.
+  ring->BuildCells();
+  ring->DeleteCell(0);
+  ring->RemoveDeletedCells();
+  WriteSurface(this->Folder / "open.stl", ring);
+  entry.File = this->Folder / "open.stl";
+  EXPECT_THROW(this->Make({entry}), InputError);
 }
 
 TEST_F(SceneBuilderTest, DoesNotOpenFilesOfUntouchedStructures)
