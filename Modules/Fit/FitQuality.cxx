@@ -2,10 +2,8 @@
 
 #include "FilterRun.h"
 #include "IsoSurface.h"
-#include "MaskOverlap.h"
 #include "MeshConversion.h"
 #include "MeshDistances.h"
-#include "SurfaceFileFit.h"
 
 namespace palpate
 {
@@ -47,12 +45,8 @@ void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunc
   result.ModelToSurface = DistancesBetween(model, surface);
   if (result.IsOfSurface)
   {
-    MeasureOverlap(result);
     return;
   }
-  result.Dice = OverlapOfSurfaceAndMask(ToIndexedMesh(result.ModelSurface), result.Mask,
-                                        result.Structure.Value)
-                    .Dice();
   Report(0.5, progress);
   const ComparedSurface mask = Prepared(boundary);
   result.ModelToMask = DistancesBetween(model, mask);

@@ -7,6 +7,7 @@
 #include "FitQuality.h"
 #include "FitStructure.h"
 #include "MeshConversion.h"
+#include "ModelOverlap.h"
 #include "ModelPlausibility.h"
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
@@ -414,6 +415,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
   {
     result.Notes.push_back(remark);
   }
+  MeasureOverlap(result);
   MeasureQuality(boundary, result, progress);
   clock.EndStage("quality");
   JudgeOverlap(result);

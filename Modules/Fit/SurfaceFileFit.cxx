@@ -8,17 +8,12 @@
 #include "MeshConversion.h"
 #include "MeshDecimation.h"
 #include "ModelSurface.h"
-#include "ReferenceVoxels.h"
 #include "RepairRemarks.h"
 #include "SphericalParametrisation.h"
 #include "StageClock.h"
 #include "SurfaceTopology.h"
 #include "TriangleMesh.h"
 
-#include "vtkBoundingBox.h"
-
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -94,15 +89,6 @@ void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunctio
   made.Boundary = result.Surface;
   clock.EndStage("surface");
 }
-
-bool IsWithin(const double* bounds, const VoxelCenters& grid)
-{
-  const Vector3 last(grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1);
-  const Vector3 end = grid.Origin + grid.Axes * last;
-  const vtkBoundingBox box(grid.Origin.x(), end.x(), grid.Origin.y(), end.y(), grid.Origin.z(),
-                           end.z());
-  return box.Contains(vtkBoundingBox(bounds)) != 0;
-}
 } // namespace
 
 FitSurface MakeFitSurface(const std::filesystem::path& file, vtkPolyData* surface,
@@ -150,27 +136,5 @@ std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress)
   mapped->Map = map.Quality;
   result.Details.Mapped = std::move(mapped);
   return {};
-}
-
-void MeasureOverlap(FitResult& result)
-{
-  const ReferenceVoxels reference = ReferenceVoxelsOf(result);
-  const VoxelCenters& grid = reference.Centers;
-  const double side = grid.Axes(0, 0);
-  result.DiceSpacing = side;
-  result.Dice = 0.0;
-  std::vector<std::int16_t> numbers;
-  if (!FindWindingNumbers(ToIndexedMesh(result.ModelSurface), grid, numbers).IsOk())
-  {
-    return; // a model without finite points overlaps nothing
-  }
-  WindingOverlap overlap = CompareWithMask(numbers, reference.Inside.data());
-  if (!IsWithin(result.ModelSurface->GetBounds(), grid))
-  {
-    const double volume = CubicMillimetersPerMilliliter * std::abs(result.ModelMilliliters);
-    overlap.Inside = std::max<std::int64_t>(
-        overlap.Inside, std::llround(std::min(volume / (side * side * side), 1e18)));
-  }
-  result.Dice = overlap.Dice();
 }
 } // namespace palpate

@@ -18,8 +18,4 @@ PALPATEFIT_EXPORT FitSurface MakeFitSurface(const std::filesystem::path& file, v
 
 /// MapToParameterSphere for a result of a surface file.
 PALPATEFIT_EXPORT std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress);
-
-/// Overlap of the model with the surface of a surface file, on cubes around it: Dice and
-/// DiceSpacing.
-PALPATEFIT_EXPORT void MeasureOverlap(FitResult& result);
 } // namespace palpate

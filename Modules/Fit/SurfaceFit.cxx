@@ -6,14 +6,14 @@
 #include "KernelWatch.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"
+#include "MeshConversion.h"
 #include "MeshCrossings.h"
+#include "ModelOverlap.h"
 #include "ModelSurface.h"
 #include "ParametricSurfaceMeasures.h"
 #include "ParametricUncertainty.h"
-#include "ReferenceVoxels.h"
 #include "RepairRemarks.h"
 #include "SurfaceFileFit.h"
-#include "TriangleMesh.h"
 #include "VoxelMinimum.h"
 
 #include "vtkImageData.h"
@@ -38,25 +38,17 @@ VoxelMask MaskOf(const FitResult& result, int component)
   return mask;
 }
 
-// Overlap with what was fitted, and crossings of the drawn surface. Fails if it overlaps itself too
-// much (CheckRegularity).
-Status MeasureDrawn(const IndexedMesh& drawn, FitResult& result)
+// Crossings of the drawn surface, and whether it overlaps itself too much (CheckRegularity).
+Status JudgeDrawn(FitResult& result)
 {
-  const ReferenceVoxels reference = ReferenceVoxelsOf(result);
-  std::vector<std::int16_t> numbers;
-  Status status = FindWindingNumbers(drawn, reference.Centers, numbers);
-  if (status.IsOk())
-  {
-    const WindingOverlap overlap = CompareWithMask(numbers, reference.Inside.data());
-    result.Details.IrregularPercent = overlap.IrregularPercent();
-    status = CheckRegularity(overlap);
-  }
+  const WindingOverlap overlap = MeasureOverlap(result);
+  result.Details.IrregularPercent = overlap.IrregularPercent();
   MeshCrossings crossings;
-  if (FindMeshCrossings(drawn, {}, crossings).IsOk())
+  if (FindMeshCrossings(ToIndexedMesh(result.ModelSurface), {}, crossings).IsOk())
   {
     result.Details.Crossings = crossings.Count;
   }
-  return status;
+  return CheckRegularity(overlap);
 }
 
 // The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
@@ -225,10 +217,9 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   {
     return judged.Message();
   }
-  const TriangleMesh drawn = TrianglesOf(result.ModelSurface, "model");
-  const Status overlap = MeasureDrawn({drawn.PointsWorld, drawn.Triangles}, result);
+  const Status regular = JudgeDrawn(result);
   RemarkOnPlacement(fit.IsAmbiguous, result);
   RemarkOnFit(result);
-  return overlap.Message();
+  return regular.Message();
 }
 } // namespace palpate
