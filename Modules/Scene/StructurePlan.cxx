@@ -185,15 +185,15 @@ std::string StructurePlan::AddSamples()
                        [fit = this->Fit, isTriangles = this->Source != SceneSource::Label](
                            const Inputs& inputs, const ProgressFunction& progress)
                        {
-                         auto surface = ProductAs<FitSurface>(inputs.data());
+                         auto given = ProductAs<FitSurface>(inputs.data());
                          if (isTriangles)
                          {
-                           const FitResult& read = surface->Found;
-                           surface = std::make_shared<const FitSurface>(
+                           const FitResult& read = given->Found;
+                           given = std::make_shared<const FitSurface>(
                                MakeFitSurface(read.Input, read.Surface, fit, progress));
                          }
                          return std::make_shared<const FitSamples>(
-                             MakeFitSamples(*surface, fit, progress));
+                             MakeFitSamples(*given, fit, progress));
                        });
 }
 

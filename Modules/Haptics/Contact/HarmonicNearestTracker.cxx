@@ -53,17 +53,18 @@ template <typename Surface>
 HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<const Surface> surface,
                                                             double toolRadius,
                                                             const SurfaceFriction& friction)
-    : Touched(std::move(surface)), ToolRadius(toolRadius + this->Touched->Margin()),
-      Friction(friction), TouchingGap(std::max(RelativeGap * this->Touched->SmallestRadius(),
-                                               2.0 * this->Touched->Rounding())),
+    : Touched(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
+      TouchingGap(
+          std::max(RelativeGap * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
       Stride(RelativeStride * this->Touched->SmallestRadius())
 {
   bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
   {
-    this->Places = std::make_unique<WedgePlaces>(*this->Touched, this->ToolRadius);
+    this->Places = std::make_unique<WedgePlaces>(*this->Touched, toolRadius);
     isWedgeNeeded = !this->Places->IsEmpty();
-    const double reach = this->ToolRadius + RelativeReach * this->Touched->SmallestRadius();
+    const double reach =
+        toolRadius + this->Touched->Margin() + RelativeReach * this->Touched->SmallestRadius();
     this->Minima = std::make_unique<NearMinima>(*this->Touched, reach, this->TouchingGap);
   }
   else
@@ -72,7 +73,8 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   }
   if (isWedgeNeeded)
   {
-    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched, this->ToolRadius);
+    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched,
+                                                             toolRadius + this->Touched->Margin());
   }
 }
 
@@ -150,15 +152,10 @@ void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
 template <typename Surface>
 double HarmonicNearestTrackerOf<Surface>::FreeRadius(const ClosestPoint& closest) const noexcept
 {
-  if constexpr (Surface::MayCrossItself)
-  {
-    return std::abs(closest.SignedDistance) - closest.DistanceError - this->ToolRadius -
-           0.5 * this->TouchingGap;
-  }
-  else
-  {
-    return closest.SignedDistance - closest.DistanceError - this->ToolRadius;
-  }
+  const double distance = Surface::MayCrossItself
+                              ? std::abs(closest.SignedDistance) - 0.5 * this->TouchingGap
+                              : closest.SignedDistance;
+  return distance - closest.DistanceError - this->RadiusAt(closest.Direction);
 }
 
 // From sphere to sphere along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996).
@@ -223,7 +220,8 @@ double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
   {
     constexpr double LeastPart = 0.05;
     constexpr double PartOfStep = 0.25;
-    const double gap = std::abs(this->Closest.SignedDistance) - this->ToolRadius;
+    const double gap =
+        std::abs(this->Closest.SignedDistance) - this->RadiusAt(this->Closest.Direction);
     const double besideWall =
         this->NeedsWedge(this->Closest.Direction) ? PartOfStep * this->Wedge->Step() : 0.0;
     return std::max({this->TouchingGap, besideWall, LeastPart * gap});
@@ -244,7 +242,7 @@ bool HarmonicNearestTrackerOf<Surface>::MeetSurface() noexcept
     const double distance = std::abs(this->Closest.SignedDistance);
     const bool isWorkLeft = this->ClearRadius > this->LeastProgress() || this->EvaluationsLeft <= 0;
     if (!this->NeedsWedge(this->Closest.Direction) && isWorkLeft &&
-        distance > this->ToolRadius + 2.0 * this->TouchingGap)
+        distance > this->RadiusAt(this->Closest.Direction) + 2.0 * this->TouchingGap)
     {
       return true;
     }
@@ -515,7 +513,7 @@ bool HarmonicNearestTrackerOf<Surface>::IsBesideWall(const Vector3& probe) const
   {
     const ClosestPoint* wall = this->Wedge->NearestWall();
     return wall != nullptr &&
-           wall->SignedDistance < this->ToolRadius + Near * this->Wedge->Step() &&
+           wall->SignedDistance < this->RadiusAt(wall->Direction) + Near * this->Wedge->Step() &&
            (this->Wedge->CenterWorld() - probe).norm() <= this->TouchingGap;
   }
   else
@@ -582,13 +580,13 @@ void HarmonicNearestTrackerOf<Surface>::WithoutMargin(const Vector3& probe) noex
 {
   if constexpr (Surface::MayCrossItself)
   {
-    this->Felt.ProxyWorld -= this->Touched->Margin() * this->Felt.NormalWorld;
+    const double margin = this->IsWedging ? this->Touched->Margin() : 0.0;
+    this->Felt.ProxyWorld -= margin * this->Felt.NormalWorld;
     const Vector3 push = this->Felt.ProxyWorld - probe;
-    const double margin = 2.0 * this->Touched->Margin();
     const bool isHeld =
-        !this->IsHovering && (push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > margin);
-    const double radius = this->ToolRadius - this->Touched->Margin();
-    this->Felt.IsTouching = this->IsWedging ? isHeld : this->Closest.SignedDistance < radius;
+        !this->IsHovering && (push.dot(this->Felt.NormalWorld) > 0.0 || push.norm() > 2.0 * margin);
+    this->Felt.IsTouching =
+        this->IsWedging ? isHeld : this->Closest.SignedDistance < this->ToolRadius;
     this->Felt.ProxyWorld = this->Felt.IsTouching ? this->Felt.ProxyWorld : probe;
     this->Felt.Depth = this->Felt.IsTouching ? push.norm() : 0.0;
   }

@@ -70,6 +70,11 @@ private:
   void Settle(const Vector3& probe) noexcept;
   void Touch(const ClosestPoint& nearest) noexcept;
   void LetGo(const ClosestPoint& nearest) noexcept;
+  // Of the tool at this place of the surface: where the wedge moves it, with the surface's margin.
+  double RadiusAt(const Vector3& direction) const noexcept
+  {
+    return this->ToolRadius + (this->NeedsWedge(direction) ? this->Touched->Margin() : 0.0);
+  }
   double FreeRadius(const ClosestPoint& closest) const noexcept;
   // Whether Closest is a place from which a search may begin.
   bool IsNearKnown() const noexcept
@@ -105,7 +110,7 @@ private:
   void WithoutMargin(const Vector3& probe) noexcept;
 
   std::shared_ptr<const Surface> Touched;
-  double ToolRadius; // mm, with the surface's own margin
+  double ToolRadius; // mm
   FrictionCone Friction;
   double TouchingGap; // mm; smaller distances count as contact
   double Stride;      // mm; the longest step of the probe that stays with its minimum

@@ -23,7 +23,7 @@ WedgePlaces::WedgePlaces(const ParametricTouchSurface& surface, double radius)
       Cells(6 * static_cast<std::size_t>(CellsOnEdge * CellsOnEdge), Fits)
 {
   this->AddHollows(surface, radius);
-  this->AddCrossings(surface, radius);
+  this->AddCrossings(surface, radius + surface.Margin());
 }
 
 bool WedgePlaces::IsEmpty() const noexcept

@@ -14,7 +14,8 @@ namespace palpate
 class WedgePlaces
 {
 public:
-  /// Tests some thousand places for a tool of `radius` (mm); takes up to some 100 milliseconds.
+  /// Tests some thousand places for a tool of `radius` (mm, without the surface's margin); takes up
+  /// to some 100 milliseconds.
   WedgePlaces(const ParametricTouchSurface& surface, double radius);
 
   bool IsEmpty() const noexcept;

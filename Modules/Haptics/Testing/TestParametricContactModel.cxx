@@ -417,7 +417,7 @@ TEST(WedgePlaces, AreWhereAToolDoesNotFit)
 {
   const auto ring = TouchSurfaceOf(test::CrossingRing());
   const Vector3 seam(5.0 - 20.0, 60.0, -30.0);
-  const WedgePlaces point(*ring, ring->Margin());
+  const WedgePlaces point(*ring, 0.0);
   const WedgePlaces sphere(*ring, 30.0);
   const IcosahedronDirections parameters(30);
   int needed = 0;
