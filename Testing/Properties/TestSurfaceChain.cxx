@@ -170,8 +170,8 @@ double MeanDistance(const IndexedMesh& a, const IndexedMesh& b)
   return distances.Both.Mean;
 }
 
-// Diagonals of the grid keep their direction, so that triangles differ but not the shape: by a
-// twentieth of a pixel.
+// Diagonals of the grid keep their direction, so that triangles differ but not the shape: by less
+// than a tenth of a pixel.
 TEST(SurfaceChain, OrderOfTheFilesAxesDoesNotChangeTheShape)
 {
   const PlacedMask placed = Voxelised(Tessellated(OpenRing(12)), {0.8, 0.8, 2.4});
@@ -187,7 +187,7 @@ TEST(SurfaceChain, OrderOfTheFilesAxesDoesNotChangeTheShape)
     {
       point = axes.ToFile(point, placed.Mask);
     }
-    EXPECT_LT(MeanDistance(Tessellated(other.Fit.Surface), expected), 0.04); // mm
+    EXPECT_LT(MeanDistance(Tessellated(other.Fit.Surface), expected), 0.06); // mm
     EXPECT_NEAR(other.Fit.Surface.Volume() / chain.Fit.Surface.Volume(), 1.0, 0.001);
   }
 }

@@ -110,7 +110,7 @@ TEST_F(SceneBuilderTest, FitsHarmonicsToASurfaceFile)
   const auto ring = DrawModel(test::OpenRing(8), 20);
   WriteSurface(this->Folder / "ring.stl", ring);
   SceneStructure entry = this->Entry(this->Folder / "ring.stl", true);
-  EXPECT_EQ(this->Make({entry}).Touched.at(0).Represented.rfind("facets", 0), 0u);
+  EXPECT_EQ(this->Make({entry}).Touched.at(0).Represented.find("harmonics"), std::string::npos);
   entry.Representation = TouchRepresentation::Harmonics;
   entry.Degree = 8;
   const BuiltScene made = this->Make({entry});
