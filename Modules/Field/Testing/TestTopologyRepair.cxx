@@ -46,6 +46,30 @@ TEST(TopologyRepair, CutsRingWhereItIsThinnest)
   EXPECT_LT(report.CutHandles.Volume, 1.0 * wall);
 }
 
+// At positive x the ring is a band, thin and wide; at negative x a neck, thicker and much narrower.
+TEST(TopologyRepair, CutsWhereCrossSectionIsLeast)
+{
+  constexpr double Radius = 10.0;
+  const auto part = [](double part) { return std::pow(std::max(0.0, part), 12.0); };
+  palpate::ShapeField field =
+      Sampled(17.0, 0.4,
+              [&](const Vector3& p)
+              {
+                const double around = std::max(1e-9, std::hypot(p[0], p[1]));
+                const double band = part(p[0] / around);
+                const double neck = part(-p[0] / around);
+                const double thick = 2.6 - 1.7 * band - 1.2 * neck; // radially
+                const double wide = 2.6 + 2.4 * band - 1.2 * neck;  // along z
+                const double out = std::hypot((around - Radius) / thick, p[2] / wide);
+                return std::min(thick, wide) * (1.0 - out);
+              });
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.CutHandles.Count, 1);
+  EXPECT_LT((report.CutHandles.LargestCentre - Vector3(-Radius, 0.0, 0.0)).norm(), 2.0);
+}
+
 TEST(TopologyRepair, FillsNarrowHole)
 {
   palpate::ShapeField field =

@@ -5,6 +5,7 @@
 #include "IndexedMesh.h"
 #include "LabelImages.h"
 #include "MeshDistances.h"
+#include "ModelSurface.h"
 #include "ParametricMask.h"
 #include "ParametricPhantoms.h"
 #include "TriangleMesh.h"
@@ -151,6 +152,22 @@ TEST(SurfaceModels, DoNotDependOnTheFilesAxes)
   // tube's length of 94 mm.
   EXPECT_LT(std::sqrt(squares / static_cast<double>(sphere.Directions().size())), 2.0);
   EXPECT_NEAR(ErrorOf(straight, truth), ErrorOf(other, truth), 0.05);
+}
+
+// A drawing as coarse as for radial models cuts off what a high degree adds.
+TEST(SurfaceModels, AreDrawnAsFineAsTheirDegree)
+{
+  const auto degrees = [](int degree)
+  {
+    const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
+    const std::vector<double> zeros(count, 0.0);
+    return SurfaceModel(ParametricSphericalSurface(degree, {{zeros, zeros, zeros}}));
+  };
+  EXPECT_EQ(DrawnFrequency(degrees(12), 20), 20);
+  EXPECT_EQ(DrawnFrequency(degrees(25), 20), 40);
+  EXPECT_EQ(DrawnFrequency(degrees(25), 64), 64);
+  const SurfaceModel radial = SphericalHarmonicModel(0, {1.0}, Vector3::Zero());
+  EXPECT_EQ(DrawnFrequency(radial, 5), 5);
 }
 
 TEST(SurfaceModels, AreTheSameEachTime)

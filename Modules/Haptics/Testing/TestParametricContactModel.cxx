@@ -412,6 +412,38 @@ TEST(ParametricTouchSurface, KnowsWhereItCrossesItself)
   }
 }
 
+// Outside of the places at a crossing the nearest point alone holds a tool, so forces are exact: as
+// long as the probe is on the normal through the place that it came down on, that is the foot.
+TEST(ParametricContactModel, ForcesAwayFromACrossingAreExact)
+{
+  const ParametricSphericalSurface surface = test::CrossingRing();
+  const auto touch = TouchSurfaceOf(surface);
+  const auto model = ParametricContact(surface);
+  const WedgePlaces places(*touch, 0.0);
+  const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
+  Random random(9108);
+  WorstCase error;
+  int touches = 0;
+  for (int path = 0; path < 200; ++path)
+  {
+    const Vector3 parameter = test::RandomDirection(random);
+    if (places.IsBeside(parameter))
+    {
+      continue;
+    }
+    const auto place = touch->PlaceAt(parameter);
+    tracker->Release();
+    for (double depth = -0.23; depth < 1.0; depth += 0.1)
+    {
+      const Contact& contact = tracker->Follow(At(place.PointWorld - depth * place.Normal));
+      error.Add(depth > 0.0 ? Stiffness * (contact.ProxyWorld - place.PointWorld).norm() : 0.0);
+      touches += contact.IsTouching ? 1 : 0;
+    }
+  }
+  EXPECT_GT(touches, 500);
+  EXPECT_LE(error.Value(), 1e-9); // N
+}
+
 // A point needs the wedge at the seam only, a large sphere in the whole hole of the ring.
 TEST(WedgePlaces, AreWhereAToolDoesNotFit)
 {
