@@ -298,22 +298,30 @@ bool IsMapped(FitResult& result, int component, const ProgressFunction& progress
 }
 
 // A surface model of the largest component also takes in parts that are near it, as masks of thin
-// structures often have: voxels that touch by an edge, or slices that do not overlap.
+// structures often have: voxels that touch by an edge, or slices that do not overlap. Parts that
+// are too far are the reason of a refusal if the largest alone cannot match the mask.
 bool IsMappedWithItsParts(FitSamples& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
-  if (result.Settings.Component != 1 || result.ComponentMilliliters.size() < 2)
+  const std::vector<double>& parts = result.ComponentMilliliters;
+  if (result.Settings.Component != 1 || parts.size() < 2)
   {
     return false;
   }
   FitResult whole = result;
-  if (!IsMapped(whole, 0, progress))
+  const bool isMapped = IsMapped(whole, 0, progress);
+  const double all = std::accumulate(parts.begin(), parts.end(), 0.0);
+  const double bestDice = 2.0 * parts.front() / (parts.front() + all);
+  if (!isMapped && bestDice >= result.Settings.MinimumDice)
   {
     return false;
   }
   result = std::move(whole);
-  result.MaskMilliliters =
-      std::accumulate(result.ComponentMilliliters.begin(), result.ComponentMilliliters.end(), 0.0);
+  result.MaskMilliliters = all;
+  if (!isMapped)
+  {
+    return false;
+  }
   made.Boundary = BoundaryOf(result, 0, progress);
   return true;
 }
@@ -324,11 +332,12 @@ void RunMap(FitSamples& made, const ProgressFunction& progress)
   FitResult& result = made.Found;
   StageClock clock(result.Seconds);
   const bool hasParts = IsMappedWithItsParts(made, progress);
-  if (!hasParts)
+  const bool isRefused = !result.Message.empty();
+  if (!hasParts && !isRefused)
   {
     RemarkOnComponents(result);
   }
-  if (hasParts || IsMapped(result, result.Settings.Component, progress))
+  if (hasParts || (!isRefused && IsMapped(result, result.Settings.Component, progress)))
   {
     if (!result.IsOfSurface)
     {

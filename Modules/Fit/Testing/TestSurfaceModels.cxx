@@ -223,12 +223,20 @@ vtkSmartPointer<vtkImageData> TwoBalls()
 TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
 {
   FitSettings settings = SurfaceOfDegree(12);
-  settings.Component = 0;
-  const FitResult refused = Fit(TwoBalls(), settings);
-  EXPECT_EQ(refused.State, Outcome::Refused);
-  EXPECT_NE(refused.OptionHint.find("--repair"), std::string::npos) << refused.OptionHint;
-  EXPECT_EQ(refused.ModelSurface, nullptr);
+  // One of them alone has a Dice of 2/3 with both.
+  for (const int component : {0, 1})
+  {
+    settings.Component = component;
+    const FitResult refused = Fit(TwoBalls(), settings);
+    EXPECT_EQ(refused.State, Outcome::Refused);
+    EXPECT_NE(refused.Message.find("mm apart"), std::string::npos) << refused.Message;
+    EXPECT_NE(refused.OptionHint.find("--repair"), std::string::npos) << refused.OptionHint;
+    EXPECT_EQ(refused.ModelSurface, nullptr);
+  }
+  settings.MinimumDice = 0.5;
+  EXPECT_EQ(Fit(TwoBalls(), settings).State, Outcome::Fitted);
 
+  settings.Component = 0;
   settings.Repairs = true;
   settings.MinimumDice = 0.0;
   const FitResult bridged = Fit(TwoBalls(), settings);
