@@ -50,7 +50,7 @@ TEST(TopologyRepair, CutsRingWhereItIsThinnest)
 TEST(TopologyRepair, CutsWhereCrossSectionIsLeast)
 {
   constexpr double Radius = 10.0;
-  const auto part = [](double part) { return std::pow(std::max(0.0, part), 12.0); };
+  const auto part = [](double cosine) { return std::pow(std::max(0.0, cosine), 12.0); };
   palpate::ShapeField field =
       Sampled(17.0, 0.4,
               [&](const Vector3& p)

@@ -161,13 +161,13 @@ TEST(SurfaceModels, AreDrawnAsFineAsTheirDegree)
   {
     const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
     const std::vector<double> zeros(count, 0.0);
-    return SurfaceModel(ParametricSphericalSurface(degree, {{zeros, zeros, zeros}}));
+    return palpate::SurfaceModel(ParametricSphericalSurface(degree, {{zeros, zeros, zeros}}));
   };
-  EXPECT_EQ(DrawnFrequency(degrees(12), 20), 20);
-  EXPECT_EQ(DrawnFrequency(degrees(25), 20), 40);
-  EXPECT_EQ(DrawnFrequency(degrees(25), 64), 64);
-  const SurfaceModel radial = SphericalHarmonicModel(0, {1.0}, Vector3::Zero());
-  EXPECT_EQ(DrawnFrequency(radial, 5), 5);
+  EXPECT_EQ(palpate::DrawnFrequency(degrees(12), 20), 20);
+  EXPECT_EQ(palpate::DrawnFrequency(degrees(25), 20), 40);
+  EXPECT_EQ(palpate::DrawnFrequency(degrees(25), 64), 64);
+  const palpate::SurfaceModel radial = palpate::SphericalHarmonicModel(0, {1.0}, Vector3::Zero());
+  EXPECT_EQ(palpate::DrawnFrequency(radial, 5), 5);
 }
 
 TEST(SurfaceModels, AreTheSameEachTime)
