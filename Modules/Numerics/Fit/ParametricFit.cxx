@@ -129,7 +129,15 @@ public:
   void Complete()
   {
     constexpr int MostRepeats = 3;
-    for (int repeat = 0; repeat < MostRepeats && this->StiffenFolds(); ++repeat)
+    constexpr int MostRepeatsOfFolds = 2;
+    const Narrow narrow{this->Options.LeastAreaRatio, 1.0, this->Parameters.size()};
+    const Narrow folds{0.0, 4.0, 4};
+    const bool isGuarded = this->Options.LeastAreaRatio > 0.0;
+    for (int repeat = 0; isGuarded && repeat < MostRepeats && this->Stiffen(narrow); ++repeat)
+    {
+      this->FitNormals();
+    }
+    for (int repeat = 0; isGuarded && repeat < MostRepeatsOfFolds && this->Stiffen(folds); ++repeat)
     {
       this->FitNormals();
     }
@@ -225,14 +233,19 @@ private:
                            slide);
   }
 
-  // Stiffens the tangents around folds; returns false if there is none.
-  bool StiffenFolds()
+  // Vertices whose tangents are to be stiffened. A few folds can be ironed out by more weight than
+  // the normals have; many are the two sides of a cut, which no weight keeps apart.
+  struct Narrow
+  {
+    double AreaRatio; // to the mean area element; at most
+    double LargestWeight;
+    std::size_t MostVertices;
+  };
+
+  // Stiffens the tangents around them; returns false if there is none, or too many.
+  bool Stiffen(const Narrow& narrow)
   {
     constexpr double Stiffer = 5.0;
-    if (this->Options.LeastAreaRatio <= 0.0)
-    {
-      return false;
-    }
     this->Evaluate(this->Parameters);
     std::vector<double> elements(this->Parameters.size());
     double mean = 0.0;
@@ -242,13 +255,16 @@ private:
       mean += this->Samples.Weights[i] * elements[i];
     }
     std::vector<char> near(elements.size());
-    bool isFolded = false;
     for (std::size_t i = 0; i < elements.size(); ++i)
     {
-      near[i] = elements[i] < this->Options.LeastAreaRatio * mean ? 1 : 0;
-      isFolded = isFolded || near[i] != 0;
+      near[i] = elements[i] <= narrow.AreaRatio * mean ? 1 : 0;
     }
-    for (int ring = 0; isFolded && ring < 2; ++ring)
+    const auto count = static_cast<std::size_t>(std::count(near.begin(), near.end(), 1));
+    if (count == 0 || count > narrow.MostVertices)
+    {
+      return false;
+    }
+    for (int ring = 0; ring < 2; ++ring)
     {
       std::vector<char> wider = near;
       for (const std::array<int, 3>& t : this->Mesh.Triangles)
@@ -266,9 +282,9 @@ private:
     for (std::size_t i = 0; i < near.size(); ++i)
     {
       double& weight = this->VertexWeights[i];
-      weight = near[i] != 0 ? std::min(1.0, Stiffer * weight) : weight;
+      weight = near[i] != 0 ? std::min(narrow.LargestWeight, Stiffer * weight) : weight;
     }
-    return isFolded;
+    return true;
   }
 
   const IndexedMesh& Mesh;
