@@ -173,7 +173,7 @@ TEST(ShapeField, FollowsAreaAndStaysWithinNodes)
   palpate::ShapeField field;
   palpate::ShapeFieldSettings settings;
   ASSERT_TRUE(palpate::MakeShapeField(BoxMask({1.0, 1.0, 1.0}), settings, field).IsOk());
-  EXPECT_NEAR(field.Grid.Spacing, std::sqrt(96.0 * 2.0 / 3.0 / 12000.0), 1e-12);
+  EXPECT_NEAR(field.Grid.Spacing, std::sqrt(96.0 * 2.0 / 3.0 / settings.CellsOnSurface), 1e-12);
   settings.MaximumNodes = 1e4;
   ASSERT_TRUE(palpate::MakeShapeField(BoxMask({1.0, 1.0, 1.0}), settings, field).IsOk());
   EXPECT_LE(field.Values.size(), 10000u);

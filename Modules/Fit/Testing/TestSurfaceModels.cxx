@@ -150,7 +150,7 @@ TEST(SurfaceModels, DoNotDependOnTheFilesAxes)
   }
   // The same parameter is the same place: meshes of two grids slide by some hundredths of the
   // tube's length of 94 mm.
-  EXPECT_LT(std::sqrt(squares / static_cast<double>(sphere.Directions().size())), 2.0);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(sphere.Directions().size())), 4.0);
   EXPECT_NEAR(ErrorOf(straight, truth), ErrorOf(other, truth), 0.05);
 }
 
