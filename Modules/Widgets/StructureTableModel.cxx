@@ -156,7 +156,7 @@ QVariant StructureTableModel::QualityOf(const SceneStructure& structure) const
   const auto model =
       this->Study.Current().Pipeline().Newest<FitResult>(SceneStep::Model, structure.Id);
   return model != nullptr && model->State == FitResult::Outcome::Fitted
-             ? QString::number(model->ModelToMask.Mean, 'f', 3)
+             ? QString::number(model->ModelToInput().Mean, 'f', 3)
              : QString("\u2013");
 }
 

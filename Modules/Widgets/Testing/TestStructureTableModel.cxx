@@ -1,4 +1,5 @@
 #include "StructureTableModel.h"
+#include "SurfaceFile.h"
 #include "WindowTest.h"
 
 #include <QTableView>
@@ -166,6 +167,27 @@ TEST_F(StructureTableTest, QualityEqualsModelAndIsReadOnly)
   // Label 3 is three voxels and has none.
   EXPECT_EQ(this->Table()->index(2, StructureTableModel::QualityColumn).data().toString(),
             QString(QChar(0x2013)));
+}
+
+TEST_F(StructureTableTest, QualityOfASurfaceFileIsTheDistanceFromIt)
+{
+  this->OpenPhantom();
+  const auto model = this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, 1);
+  ASSERT_NE(model, nullptr);
+  const std::filesystem::path file = this->Phantom.Folder / "ball.stl";
+  WriteSurface(file, model->ModelSurface);
+  this->Study->Current().AddStructure(file);
+  StudyState state = this->Study->State();
+  state.Structures.back().Representation = TouchRepresentation::Harmonics;
+  const int id = state.Structures.back().Id;
+  this->Study->Current().Change("Touch by harmonics", state);
+  const auto fitted = [&]
+  { return this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, id); };
+  WaitUntil([&] { return fitted() != nullptr; });
+  const int row = static_cast<int>(state.Structures.size()) - 1;
+  const QModelIndex quality = this->Table()->index(row, StructureTableModel::QualityColumn);
+  EXPECT_GT(quality.data().toDouble(), 0.0) << fitted()->Message;
+  EXPECT_NEAR(quality.data().toDouble(), fitted()->ModelToSurface.Mean, 0.00051);
 }
 } // namespace
 } // namespace palpate
