@@ -175,7 +175,7 @@ TEST_F(StructureTableTest, QualityOfASurfaceFileIsTheDistanceFromIt)
   const auto model = this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, 1);
   ASSERT_NE(model, nullptr);
   const std::filesystem::path file = this->Phantom.Folder / "ball.stl";
-  WriteSurface(file, model->ModelSurface);
+  WriteSurface(file, model->Surface); // with the steps of its voxels
   this->Study->Current().AddStructure(file);
   StudyState state = this->Study->State();
   state.Structures.back().Representation = TouchRepresentation::Harmonics;
