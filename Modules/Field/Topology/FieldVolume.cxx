@@ -100,8 +100,7 @@ class CubeVolumes
 {
 public:
   CubeVolumes(const ShapeField& field, float level)
-      : Field(&field), Cube(field, level), Row(field.Grid.Offset(0, 1, 0)),
-        Slice(field.Grid.Offset(0, 0, 1)), Above(field.Values.size())
+      : Field(&field), Cube(field, level), Above(field.Values.size())
   {
     std::transform(field.Values.begin(), field.Values.end(), this->Above.begin(),
                    [level](float value) -> unsigned char { return value > level ? 1 : 0; });
@@ -140,14 +139,14 @@ private:
   // Corners above the level on one side of a cube.
   unsigned Column(std::size_t at) const
   {
-    return static_cast<unsigned>(this->Above[at]) + this->Above[at + this->Row] +
-           this->Above[at + this->Slice] + this->Above[at + this->Slice + this->Row];
+    const std::size_t row = this->Cube.CornerOffset(2);
+    const std::size_t slice = this->Cube.CornerOffset(4);
+    return static_cast<unsigned>(this->Above[at]) + this->Above[at + row] +
+           this->Above[at + slice] + this->Above[at + slice + row];
   }
 
   const ShapeField* Field;
   CubeVolume Cube;
-  std::size_t Row;
-  std::size_t Slice;
   std::vector<unsigned char> Above;
 };
 

@@ -19,8 +19,8 @@ int FrequencyOf(const ParametricTouchSurface& surface)
 } // namespace
 
 WedgePlaces::WedgePlaces(const ParametricTouchSurface& surface, double radius)
-    : Degree(FrequencyOf(surface)), CellsOnEdge(Degree),
-      Cells(6 * static_cast<std::size_t>(CellsOnEdge * CellsOnEdge), Fits)
+    : Frequency(FrequencyOf(surface)),
+      Cells(6 * static_cast<std::size_t>(Frequency * Frequency), Fits)
 {
   this->AddHollows(surface, radius);
   this->AddCrossings(surface, radius + surface.Margin());
@@ -39,11 +39,11 @@ std::size_t WedgePlaces::CellOf(const Vector3& parameter) const noexcept
   const int side = 2 * axis + (parameter[axis] < 0.0 ? 1 : 0);
   const auto along = [&](int other)
   {
-    const double at = 0.5 * (parameter[other] / longest + 1.0) * this->CellsOnEdge;
-    return std::clamp(static_cast<int>(at), 0, this->CellsOnEdge - 1);
+    const double at = 0.5 * (parameter[other] / longest + 1.0) * this->Frequency;
+    return std::clamp(static_cast<int>(at), 0, this->Frequency - 1);
   };
-  const int cell = (side * this->CellsOnEdge + along((axis + 1) % 3)) * this->CellsOnEdge +
-                   along((axis + 2) % 3);
+  const int cell =
+      (side * this->Frequency + along((axis + 1) % 3)) * this->Frequency + along((axis + 2) % 3);
   return static_cast<std::size_t>(cell);
 }
 
@@ -62,7 +62,8 @@ void WedgePlaces::AddAround(const Vector3& parameter)
     {
       const double turn = 2.0 * M_PI * n / Directions;
       const Vector3 aside = std::cos(turn) * across + std::sin(turn) * other;
-      Cell& cell = this->Cells[this->CellOf(parameter + std::tan(distance / this->Degree) * aside)];
+      Cell& cell =
+          this->Cells[this->CellOf(parameter + std::tan(distance / this->Frequency) * aside)];
       cell = std::max(cell, mark);
     }
   }
@@ -70,7 +71,7 @@ void WedgePlaces::AddAround(const Vector3& parameter)
 
 void WedgePlaces::AddHollows(const ParametricTouchSurface& surface, double radius)
 {
-  const IcosahedronDirections sphere(this->Degree);
+  const IcosahedronDirections sphere(this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
     if (HarmonicWedgeOf<ParametricTouchSurface>::IsNeededAt(surface, parameter, radius))
@@ -90,7 +91,7 @@ void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double rad
     return;
   }
   const double reach = 4.0 * radius + 0.25 * surface.SmallestRadius();
-  const IcosahedronDirections sphere(2 * this->Degree);
+  const IcosahedronDirections sphere(2 * this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
     const Vector3 place = surface.PlaceAt(parameter).PointWorld;

@@ -45,8 +45,7 @@ private:
   void AddHollows(const ParametricTouchSurface& surface, double radius);
   void AddCrossings(const ParametricTouchSurface& surface, double radius);
 
-  int Degree;
-  int CellsOnEdge; // of the cube
+  int Frequency; // of the directions that are tested; as many cells are on an edge of the cube
   std::vector<Cell> Cells;
 };
 } // namespace palpate
