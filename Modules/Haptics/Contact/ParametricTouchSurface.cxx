@@ -84,8 +84,7 @@ WindingMesh MeshOf(const ParametricShape& shape)
 
 std::vector<Vector3> CrossingsOf(const ParametricShape& shape, const WindingMesh& mesh)
 {
-  // More than any model has that passed CheckRegularity.
-  constexpr std::size_t Most = 20000;
+  constexpr std::size_t Most = ParametricTouchSurface::MostCrossings;
   MeshCrossings found;
   const Status status = FindMeshCrossings({mesh.PointsWorld(), MeshDirections(shape).Triangles()},
                                           {Most, Most}, found);

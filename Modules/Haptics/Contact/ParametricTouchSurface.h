@@ -52,7 +52,9 @@ public:
     return this->Closest.Descent().Rounding(Vector3::Constant(this->LargestRadius()));
   }
 
-  /// Whether a tessellation of twice the degree crosses itself, and places where it does.
+  /// Whether a tessellation of twice the degree crosses itself, and places where it does: all, if
+  /// there are fewer than MostCrossings.
+  static constexpr std::size_t MostCrossings = 20000;
   bool CrossesItself() const noexcept { return !this->Crossings.empty(); }
   const std::vector<Vector3>& CrossingsWorld() const noexcept { return this->Crossings; }
   /// By how much (mm) tools are enlarged for their motion, so that points too are kept apart from

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palpate
@@ -90,7 +91,10 @@ void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double rad
   {
     return;
   }
-  const double reach = 4.0 * radius + 0.25 * surface.SmallestRadius();
+  // Of a surface that crosses itself nearly everywhere not all places are known.
+  const double reach = crossings.size() < ParametricTouchSurface::MostCrossings
+                           ? 4.0 * radius + 0.25 * surface.SmallestRadius()
+                           : std::numeric_limits<double>::infinity();
   const IcosahedronDirections sphere(2 * this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {

@@ -475,5 +475,26 @@ TEST(WedgePlaces, AreWhereAToolDoesNotFit)
     EXPECT_TRUE(WedgePlaces(*TouchSurfaceOf(surface), 0.0).IsEmpty()) << name;
   }
 }
+
+TEST(WedgePlaces, AreEverywhereOnASurfaceOfMoreCrossingsThanAreListed)
+{
+  constexpr int Degree = 24;
+  Random random(9109);
+  std::normal_distribution<double> normal;
+  std::array<std::vector<double>, 3> coefficients;
+  for (std::vector<double>& values : coefficients)
+  {
+    values.resize((Degree + 1) * (Degree + 1));
+    std::generate(values.begin(), values.end(), [&] { return normal(random); });
+  }
+  const auto tangle = TouchSurfaceOf(ParametricSphericalSurface(Degree, coefficients));
+  ASSERT_EQ(tangle->CrossingsWorld().size(), ParametricTouchSurface::MostCrossings);
+  const WedgePlaces places(*tangle, 0.0);
+  const IcosahedronDirections parameters(30);
+  for (const Vector3& u : parameters.Directions())
+  {
+    EXPECT_TRUE(places.Contains(u));
+  }
+}
 } // namespace
 } // namespace palpate
