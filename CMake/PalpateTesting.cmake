@@ -41,7 +41,7 @@ function(palpate_add_module_tests)
   add_subdirectory(Testing/Support)
   add_subdirectory(Testing/References)
   add_subdirectory(Testing/VirtualFalcon)
-  foreach(module Numerics Field Realtime Haptics HapticDevices IO Shape VolumeRendering Display Interaction
+  foreach(module Numerics Field Realtime Elasticity Haptics HapticDevices IO Shape VolumeRendering Display Interaction
       Report Fit Group Scene Trade Study)
     add_subdirectory(Modules/${module}/Testing)
   endforeach()

@@ -1,0 +1,109 @@
+#include "LocalCompliance.h"
+
+#include "GaussLegendre.h"
+#include "ReducedCompliance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+// Part of a wave's strain energy above the depth t/k.
+double EnergyAbove(double t) noexcept
+{
+  return 1.0 - std::exp(-2.0 * t) * (1.0 + 2.0 * t + 2.0 * t * t);
+}
+} // namespace
+
+LocalCompliance::LocalCompliance(const ElasticSolid& solid, const Vector3& centerWorld, int degree)
+    : Solid(&solid), CenterWorld(centerWorld), Degree(degree)
+{
+  constexpr double First = 0.02; // mm
+  constexpr double Growth = 1.15;
+  double depth = First;
+  for (std::size_t i = 0; i < Depths; ++i)
+  {
+    this->Nodes[i] = depth;
+    this->Limits[i] = depth * std::sqrt(Growth);
+    depth *= Growth;
+  }
+}
+
+std::array<double, LocalCompliance::Depths>
+LocalCompliance::SoftnessBelow(const HertzPatch& patch) const
+{
+  // Weights and radius of the mean were found by comparison with finite elements.
+  constexpr double AtCenter = 0.15;
+  constexpr double Ring = 0.45; // of the patch's radius
+  constexpr int Places = 6;
+  const double nu = this->Solid->PoissonRatio;
+  const Vector3 first = patch.Normal.unitOrthogonal();
+  const Vector3 second = patch.Normal.cross(first);
+  std::array<double, Depths> softness{};
+  for (std::size_t i = 0; i < Depths; ++i)
+  {
+    const Vector3 below = this->CenterWorld + patch.Point - this->Nodes[i] * patch.Normal;
+    double modulus = AtCenter * this->Solid->Tissue.Modulus(below);
+    for (int place = 0; place < Places; ++place)
+    {
+      const double angle = 2.0 * Pi * place / Places;
+      const Vector3 aside = std::cos(angle) * first + std::sin(angle) * second;
+      modulus += (1.0 - AtCenter) / Places *
+                 this->Solid->Tissue.Modulus(below + Ring * patch.Radius * aside);
+    }
+    softness[i] = (1.0 - nu * nu) / modulus;
+  }
+  return softness;
+}
+
+double LocalCompliance::Softness(const std::array<double, Depths>& below, double waveNumber) const
+{
+  double sum = 0.0;
+  double above = 0.0;
+  for (std::size_t i = 0; i < Depths; ++i)
+  {
+    const double next = i + 1 < Depths ? EnergyAbove(waveNumber * this->Limits[i]) : 1.0;
+    sum += (next - above) * below[i];
+    above = next;
+  }
+  return sum;
+}
+
+double LocalCompliance::At(const HertzPatch& patch) const
+{
+  constexpr double Last = 20.0; // k a; what is beyond has a closed form
+  static const GaussLegendre gauss(16);
+  const double distance = patch.Point.norm();
+  const Vector3 direction = patch.Point / distance;
+  const double radius = distance / (0.5 * (1.0 + patch.Normal.dot(direction)));
+  const double bed = this->Solid->Bed.At(direction);
+  const std::array<double, Depths> below = this->SoftnessBelow(patch);
+  const auto stiffness = [&](double k) { return 0.5 * k / this->Softness(below, k) + bed; };
+  const auto integral = [&](double from, double to)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < gauss.Nodes.size(); ++i)
+    {
+      const double k = 0.5 * (from + to + (to - from) * gauss.Nodes[i]);
+      const double spectrum = HertzPatch::Spectrum(k * patch.Radius);
+      const double window = ReducedCompliance::Window(k * radius - 0.5, this->Degree);
+      sum += 0.5 * (to - from) * gauss.Weights[i] * k * spectrum * spectrum *
+             (1.0 - window * window) / stiffness(k);
+    }
+    return sum;
+  };
+  const double first = (0.5 * this->Degree + 0.5) / radius;
+  const double end = (this->Degree + 1.0) / radius;
+  const double middle = std::max(end, 4.0 / patch.Radius);
+  const double last = std::max(middle, Last / patch.Radius);
+  // Beyond, P^2 is 9/(k a)^4 times a squared cosine, whose mean is a half.
+  const double tail =
+      1.5 / (std::pow(patch.Radius, 4) * std::pow(last, 3)) * last / stiffness(last);
+  return (integral(first, end) + integral(end, middle) + integral(middle, last) + tail) /
+         (2.0 * Pi);
+}
+} // namespace palpate

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "HexElasticity.h"
+#include "KernelProgress.h"
+#include "StarMesh.h"
+#include "Status.h"
+
+#include <Eigen/Core>
+
+namespace palpate
+{
+/// What is kept of an elastic organ: displacements of its surface under tractions, both in real
+/// spherical harmonics of the organ's directions up to a degree. For tractions t(d) = sum t_lm
+/// Y_lm(d) per solid angle (N/sr), u_lm = C t_lm is the projection of the displacement (mm), with
+///
+///     C = B' K^-1 B,   B_i,lm = integral of N_i Y_lm over the unit sphere
+///
+/// for the stiffness K and the shape functions N_i of the surface: symmetric and positive definite
+/// by construction (Galerkin). Entry c (L+1)^2 + l(l+1) + m belongs to component c.
+class ReducedCompliance
+{
+public:
+  static constexpr int MostDegree = 24;
+
+  /// `degree` from 0 to MostDegree. Fails where the equations have no solution, as of an organ that
+  /// nothing holds, and if `progress` cancels. Allocates.
+  static Status Make(const StarMesh& mesh, const StiffnessMatrix& stiffness, int degree,
+                     const KernelProgress& progress, ReducedCompliance& compliance);
+
+  int Degree() const noexcept { return this->MaximumDegree; }
+  /// mm/N times sr; 3 (L+1)^2 rows.
+  const Eigen::MatrixXd& Matrix() const noexcept { return this->Values; }
+
+  /// How much of a wave belongs to the harmonics: 1 up to half the degree limit, 0 beyond the
+  /// limit; `degree` need not be whole.
+  static double Window(double degree, int degreeLimit) noexcept;
+
+private:
+  int MaximumDegree = 0;
+  Eigen::MatrixXd Values;
+};
+} // namespace palpate

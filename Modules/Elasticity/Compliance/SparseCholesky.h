@@ -1,0 +1,31 @@
+#pragma once
+
+#include "HexElasticity.h"
+#include "Status.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace palpate
+{
+/// Factors a symmetric positive definite matrix and solves with it, by MUMPS (Amestoy, Duff,
+/// Koster, L'Excellent, SIAM J. Matrix Anal. Appl. 23, 2001) on the calling thread.
+class SparseCholesky
+{
+public:
+  SparseCholesky();
+  ~SparseCholesky();
+  SparseCholesky(const SparseCholesky&) = delete;
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
+
+  /// Fails if memory is short, or if the matrix is not positive definite in double precision.
+  Status Factor(const StiffnessMatrix& lowerTriangle);
+  /// Replaces the columns, which are right sides, by the solutions. After Factor.
+  Status Solve(Eigen::MatrixXd& columns);
+
+private:
+  struct Instance;
+  std::unique_ptr<Instance> Solver;
+};
+} // namespace palpate

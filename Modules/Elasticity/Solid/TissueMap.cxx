@@ -1,0 +1,110 @@
+#include "TissueMap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+bool IsModulus(double modulus) noexcept
+{
+  return modulus >= TissueMap::LeastModulus && modulus <= TissueMap::MostModulus;
+}
+
+// Trilinear; returns false outside of the grid.
+bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, double& value) noexcept
+{
+  const Vector3 index = image.Grid.PointIndex(pointWorld);
+  const std::array<int, 3>& size = image.Grid.Size();
+  std::array<std::size_t, 3> cell{};
+  std::array<double, 3> part{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double last = size[axis] - 1.0;
+    const double at = index[static_cast<Eigen::Index>(axis)];
+    if (!(at >= 0.0 && at <= last))
+    {
+      return false;
+    }
+    cell[axis] = static_cast<std::size_t>(std::min(std::floor(at), last - 1.0));
+    part[axis] = at - static_cast<double>(cell[axis]);
+  }
+  const auto across = static_cast<std::size_t>(size[0]);
+  const auto slice = across * static_cast<std::size_t>(size[1]);
+  value = 0.0;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    const std::size_t i = corner & 1U;
+    const std::size_t j = (corner >> 1U) & 1U;
+    const std::size_t k = corner >> 2U;
+    const double weight = (i != 0 ? part[0] : 1.0 - part[0]) * (j != 0 ? part[1] : 1.0 - part[1]) *
+                          (k != 0 ? part[2] : 1.0 - part[2]);
+    value +=
+        weight * static_cast<double>(
+                     image.Values[cell[0] + i + across * (cell[1] + j) + slice * (cell[2] + k)]);
+  }
+  return true;
+}
+} // namespace
+
+void TissueMap::AddInclusion(std::shared_ptr<const Samples> fraction, double modulus)
+{
+  this->Layers.push_back({std::move(fraction), true, modulus});
+}
+
+void TissueMap::AddImage(std::shared_ptr<const Samples> moduli)
+{
+  this->Layers.push_back({std::move(moduli), false, this->Tissue});
+}
+
+Status TissueMap::Check() const
+{
+  const bool areModuli = IsModulus(this->Tissue) &&
+                         std::all_of(this->Layers.begin(), this->Layers.end(),
+                                     [](const Layer& layer) { return IsModulus(layer.Modulus); });
+  if (!areModuli)
+  {
+    return Status::Failure("A modulus is not a number from 0.001 kPa to 1 GPa.");
+  }
+  for (const Layer& layer : this->Layers)
+  {
+    const Status grid = layer.Image->Grid.Check();
+    if (!grid.IsOk())
+    {
+      return grid;
+    }
+    if (layer.Image->Values.size() != layer.Image->Grid.NodeCount())
+    {
+      return Status::Failure("An image of the tissue has another size than its grid.");
+    }
+  }
+  return Status::Success();
+}
+
+double TissueMap::Modulus(const Vector3& pointWorld) const noexcept
+{
+  double modulus = this->Tissue;
+  for (const Layer& layer : this->Layers)
+  {
+    double value = 0.0;
+    if (!Interpolate(*layer.Image, pointWorld, value))
+    {
+      continue;
+    }
+    if (!layer.IsFraction)
+    {
+      modulus = IsModulus(value) ? value : modulus;
+    }
+    else
+    {
+      const double fraction = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
+      modulus += fraction * (layer.Modulus - modulus);
+    }
+  }
+  return modulus;
+}
+} // namespace palpate

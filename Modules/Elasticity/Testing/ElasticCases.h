@@ -1,0 +1,126 @@
+#pragma once
+
+#include "ComplianceAtlas.h"
+#include "ComplianceSampler.h"
+#include "HexElasticity.h"
+#include "LayeredSphere.h"
+#include "ReducedCompliance.h"
+#include "StarMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace palpate::test
+{
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Radius = 25.0;  // mm
+constexpr double Tissue = 0.02;  // N/mm^2
+constexpr double Stiffer = 0.08; // N/mm^2
+constexpr double Poisson = 0.49;
+constexpr double Bed = 1e-3; // N/mm^3
+
+inline SphericalHarmonicModel SphereModel(double radius = Radius)
+{
+  return {0, {radius * std::sqrt(4.0 * Pi)}, Vector3(3.0, -2.0, 5.0)};
+}
+
+/// A bumpy star shape.
+inline SphericalHarmonicModel RandomModel(std::mt19937_64& random, int degree = 4,
+                                          double roughness = 0.06)
+{
+  std::normal_distribution<double> normal;
+  std::vector<double> coefficients(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
+  coefficients[0] = Radius * std::sqrt(4.0 * Pi);
+  for (std::size_t i = 4; i < coefficients.size(); ++i)
+  {
+    coefficients[i] = roughness * Radius * normal(random);
+  }
+  return {degree, coefficients, Vector3(3.0, -2.0, 5.0)};
+}
+
+inline Vector3 RandomDirection(std::mt19937_64& random)
+{
+  std::normal_distribution<double> normal;
+  return Vector3(normal(random), normal(random), normal(random)).normalized();
+}
+
+/// A ball as a partial volume on a grid of `spacing` mm.
+inline std::shared_ptr<const TissueMap::Samples> BallFraction(const Vector3& centerWorld,
+                                                              double radius, double spacing = 0.5)
+{
+  const int nodes = 2 * static_cast<int>(std::ceil(radius / spacing + 2.0)) + 1;
+  const Vector3 first = centerWorld - Vector3::Constant(0.5 * spacing * (nodes - 1));
+  auto samples = std::make_shared<TissueMap::Samples>();
+  samples->Grid =
+      FieldGrid({nodes, nodes, nodes}, first, Vector3::Constant(spacing), Matrix3::Identity());
+  for (int k = 0; k < nodes; ++k)
+  {
+    for (int j = 0; j < nodes; ++j)
+    {
+      for (int i = 0; i < nodes; ++i)
+      {
+        const double distance = (first + spacing * Vector3(i, j, k) - centerWorld).norm();
+        samples->Values.push_back(
+            static_cast<float>(std::clamp(0.5 + (radius - distance) / spacing, 0.0, 1.0)));
+      }
+    }
+  }
+  return samples;
+}
+
+inline ElasticSolid PlainSolid()
+{
+  return {TissueMap(Tissue), Poisson, ElasticBed(Bed)};
+}
+
+/// A model with its solid and what is made of them.
+struct ElasticCase
+{
+  SphericalHarmonicModel Model;
+  ElasticSolid Solid = PlainSolid();
+  StarMesh Mesh;
+  StiffnessMatrix Stiffness;
+  ReducedCompliance Reduced;
+
+  void Build(int elementsAcross, int degree)
+  {
+    Status status = StarMesh::Make(this->Model, elementsAcross, this->Mesh);
+    ASSERT_TRUE(status.IsOk()) << status.Message();
+    status = AssembleStiffness(this->Mesh, this->Model.CenterWorld(), this->Solid, this->Stiffness);
+    ASSERT_TRUE(status.IsOk()) << status.Message();
+    status = ReducedCompliance::Make(this->Mesh, this->Stiffness, degree, {}, this->Reduced);
+    ASSERT_TRUE(status.IsOk()) << status.Message();
+  }
+};
+
+/// The sphere with a core that begins at a depth (mm), or without one (0), in elements of 2.4 mm.
+inline const ElasticCase& SphereCase(double depth)
+{
+  static const auto make = [](double coreDepth)
+  {
+    auto result = std::make_unique<ElasticCase>();
+    result->Model = SphereModel();
+    if (coreDepth > 0.0)
+    {
+      result->Solid.Tissue.AddInclusion(
+          BallFraction(result->Model.CenterWorld(), Radius - coreDepth), Stiffer);
+    }
+    result->Build(16, 12);
+    return result;
+  };
+  static const std::unique_ptr<ElasticCase> plain = make(0.0);
+  static const std::unique_ptr<ElasticCase> cored = make(5.0);
+  return depth > 0.0 ? *cored : *plain;
+}
+
+inline LayeredSphere SphereTruth(double depth)
+{
+  return depth > 0.0 ? LayeredSphere({{Radius - depth, Stiffer}, {Radius, Tissue}}, Poisson, Bed)
+                     : LayeredSphere({{Radius, Tissue}}, Poisson, Bed);
+}
+} // namespace palpate::test

@@ -1,0 +1,99 @@
+#include "ElasticCases.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+std::shared_ptr<TissueMap::Samples> Uniform(float value)
+{
+  auto samples = std::make_shared<TissueMap::Samples>();
+  samples->Grid =
+      FieldGrid({3, 4, 5}, Vector3::Zero(), Vector3(1.0, 2.0, 1.0), Matrix3::Identity());
+  samples->Values.assign(60, value);
+  return samples;
+}
+
+TEST(TissueMap, LaterInclusionsLieOverEarlierOnes)
+{
+  TissueMap tissue(0.02);
+  tissue.AddInclusion(test::BallFraction(Vector3::Zero(), 10.0), 0.04);
+  tissue.AddInclusion(test::BallFraction(Vector3::Zero(), 3.0), 0.1);
+  ASSERT_TRUE(tissue.Check().IsOk());
+  EXPECT_FLOAT_EQ(static_cast<float>(tissue.Modulus(Vector3(1, 0, 0))), 0.1F);
+  EXPECT_FLOAT_EQ(static_cast<float>(tissue.Modulus(Vector3(0, 6, 0))), 0.04F);
+  EXPECT_DOUBLE_EQ(tissue.Modulus(Vector3(0, 0, 30)), 0.02);
+}
+
+TEST(TissueMap, PartialVolumesCountInPart)
+{
+  TissueMap tissue(0.02);
+  tissue.AddInclusion(Uniform(0.25F), 0.06);
+  EXPECT_NEAR(tissue.Modulus(Vector3(1.0, 1.0, 1.0)), 0.03, 1e-12);
+}
+
+TEST(TissueMap, ImageCountsWhereItHasModuli)
+{
+  const std::shared_ptr<TissueMap::Samples> image = Uniform(0.05F);
+  image->Values[0] = -1.0F;
+  image->Values[59] = std::numeric_limits<float>::quiet_NaN();
+  TissueMap tissue(0.02);
+  tissue.AddImage(image);
+  EXPECT_FLOAT_EQ(static_cast<float>(tissue.Modulus(Vector3(1.0, 2.0, 2.0))), 0.05F);
+  EXPECT_DOUBLE_EQ(tissue.Modulus(Vector3(0.0, 0.0, 0.0)), 0.02);
+  EXPECT_DOUBLE_EQ(tissue.Modulus(Vector3(2.0, 6.0, 4.0)), 0.02);
+  EXPECT_DOUBLE_EQ(tissue.Modulus(Vector3(-50.0, 0.0, 0.0)), 0.02);
+}
+
+TEST(TissueMap, InterpolatesLinearlyToTheLastNode)
+{
+  auto image = Uniform(0.0F);
+  for (std::size_t i = 0; i < image->Values.size(); ++i)
+  {
+    image->Values[i] = 0.01F * static_cast<float>(1 + i % 3);
+  }
+  TissueMap tissue(0.5);
+  tissue.AddImage(image);
+  for (const double x : {0.0, 0.4, 1.0, 1.9, 2.0})
+  {
+    EXPECT_NEAR(tissue.Modulus(Vector3(x, 6.0, 4.0)), 0.01 * (1.0 + x), 1e-8) << x;
+  }
+}
+
+TEST(TissueMap, RefusesSamplesThatDoNotFitTheirGrid)
+{
+  const std::shared_ptr<TissueMap::Samples> image = Uniform(0.05F);
+  image->Values.pop_back();
+  TissueMap tissue(0.02);
+  tissue.AddImage(image);
+  EXPECT_FALSE(tissue.Check().IsOk());
+}
+
+TEST(ElasticBed, IsZeroWhereFreeAndWholeElsewhere)
+{
+  ElasticBed bed(2e-3);
+  bed.Free(Vector3(0.0, 3.0, 0.0), 0.7);
+  EXPECT_TRUE(bed.Check().IsOk());
+  EXPECT_DOUBLE_EQ(bed.At(Vector3::UnitY()), 0.0);
+  EXPECT_DOUBLE_EQ(bed.At(Vector3(std::sin(0.69), std::cos(0.69), 0.0)), 0.0);
+  EXPECT_DOUBLE_EQ(bed.At(Vector3(std::sin(0.9), std::cos(0.9), 0.0)), 2e-3);
+  EXPECT_DOUBLE_EQ(bed.At(-Vector3::UnitY()), 2e-3);
+}
+
+TEST(ElasticBed, RefusesConesThatAreNone)
+{
+  for (const double angle : {0.0, -1.0, 4.0, std::numeric_limits<double>::quiet_NaN()})
+  {
+    ElasticBed bed;
+    bed.Free(Vector3::UnitX(), angle);
+    EXPECT_FALSE(bed.Check().IsOk()) << angle;
+  }
+  ElasticBed bed;
+  bed.Free(Vector3(std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0), 1.0);
+  EXPECT_FALSE(bed.Check().IsOk());
+}
+} // namespace
+} // namespace palpate
