@@ -91,6 +91,7 @@ Status ComplianceAtlas::Make(const SphericalHarmonicModel& model, const ElasticS
   const Eigen::MatrixXd coefficients = fit.Solve(values);
   atlas.MaximumDegree = settings.Degree;
   atlas.PatchLimit = largest;
+  atlas.Poisson = solid.PoissonRatio;
   atlas.Evaluators.clear();
   for (Eigen::Index map = 0; map < coefficients.cols(); ++map)
   {

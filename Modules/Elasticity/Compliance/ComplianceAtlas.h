@@ -57,6 +57,7 @@ public:
 
   int Degree() const noexcept { return this->MaximumDegree; }
   double LargestPatch() const noexcept { return this->PatchLimit; }
+  double PoissonRatio() const noexcept { return this->Poisson; }
   const Error& FitError() const noexcept { return this->Left; }
   std::size_t Bytes() const noexcept;
 
@@ -68,6 +69,7 @@ private:
 
   int MaximumDegree = 0;
   double PatchLimit = 0.0; // mm
+  double Poisson = 0.0;
   std::vector<SphericalHarmonicEvaluator> Evaluators;
   Error Left;
 };

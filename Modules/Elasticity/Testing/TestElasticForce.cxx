@@ -33,8 +33,7 @@ struct TouchedOrgan
   ElasticForce ForceAt(const Vector3& centerWorld, double ball) const
   {
     const ClosestPoint foot = this->Search->Nearest(centerWorld);
-    return ElasticForce::Of(this->Atlas, foot.Direction,
-                            this->Organ.Model.EvaluateSecondOrder(foot.Direction),
+    return ElasticForce::Of(this->Atlas, this->Organ.Model, foot.Direction,
                             ball - foot.SignedDistance, ball);
   }
   Vector3 CenterAbove(const Vector3& direction, double ball, double depth) const
@@ -129,8 +128,7 @@ TEST(ElasticForce, PushesAlongTheNormalOfASphere)
   for (int i = 0; i < 20; ++i)
   {
     const Vector3 d = test::RandomDirection(random);
-    const ElasticForce force =
-        ElasticForce::Of(atlas, d, sphere.Model.EvaluateSecondOrder(d), 2.0, 8.0);
+    const ElasticForce force = ElasticForce::Of(atlas, sphere.Model, d, 2.0, 8.0);
     // What is left of the grid of elements in the compliance.
     EXPECT_LE((force.ForceWorld - d.dot(force.ForceWorld) * d).norm(),
               1e-3 * force.ForceWorld.norm());

@@ -1,6 +1,8 @@
 #include "ElasticForce.h"
 
 #include "BallContact.h"
+#include "ComplianceAtlas.h"
+#include "SphericalHarmonicModel.h"
 #include "SurfaceCurvature.h"
 
 #include <algorithm>
@@ -27,9 +29,9 @@ Vector3 EnergySlope(const ComplianceAtlas::Place& place, const BallContact& cont
 }
 } // namespace
 
-ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const Vector3& direction,
-                              const SphericalHarmonicModel::SecondOrderSample& sample, double depth,
-                              double ballRadius, double start) noexcept
+ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+                              const Vector3& direction, double depth, double ballRadius,
+                              double start) noexcept
 {
   constexpr double MostOfBall = 0.5;
   constexpr double MostOfOrgan = 0.2;
@@ -38,6 +40,7 @@ ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const Vector3& direc
   {
     return force;
   }
+  const SphericalHarmonicModel::SecondOrderSample sample = model.EvaluateSecondOrder(direction);
   const ComplianceAtlas::Place place = atlas.At(direction);
   // Where the ball does not fit, the surface is taken as flat as it has to be.
   const double curvature = std::max(place.MeanCurvature, -0.9 / ballRadius);

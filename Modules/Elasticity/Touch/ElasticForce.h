@@ -1,11 +1,12 @@
 #pragma once
 
-#include "ComplianceAtlas.h"
-#include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
 namespace palpate
 {
+class ComplianceAtlas;
+class SphericalHarmonicModel;
+
 /// What a rigid ball feels that is pressed into an elastic organ: minus the gradient of the energy
 /// of BallContact by the ball's place. Its part along the normal is the force of the contact; the
 /// lateral part, from the slopes of the compliance and of the curvature, keeps sliding contact from
@@ -20,11 +21,11 @@ struct ElasticForce
   /// the ball's radius and a fifth of the organ's, the patch could grow, and the ball fits.
   bool IsValid = true;
 
-  /// For the nearest point of the surface to the ball's centre, in the unit vector `direction` from
-  /// the organ's centre with the model's `sample` there, and the depth (mm) of the ball. `start`
-  /// is the last patch's radius or 0. Does not allocate.
-  static ElasticForce Of(const ComplianceAtlas& atlas, const Vector3& direction,
-                         const SphericalHarmonicModel::SecondOrderSample& sample, double depth,
-                         double ballRadius, double start = 0.0) noexcept;
+  /// For the nearest point of the model's surface to the ball's centre, in the unit vector
+  /// `direction` from the model's, and the depth (mm) of the ball. `start` is the last patch's
+  /// radius or 0. Does not allocate.
+  static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+                         const Vector3& direction, double depth, double ballRadius,
+                         double start = 0.0) noexcept;
 };
 } // namespace palpate

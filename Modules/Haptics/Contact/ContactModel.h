@@ -29,6 +29,10 @@ public:
   virtual Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                              std::unique_ptr<ContactTracker>& tracker) const = 0;
 
+  /// Of a structure that yields, about the largest stiffness (N/mm) that a tool meets; 0 where the
+  /// force law of the scene decides. Takes some milliseconds.
+  virtual double OwnStiffness(const ToolShape&) const { return 0.0; }
+
   /// Memory with shared data, without trackers; 0 if unknown.
   virtual std::size_t Bytes() const noexcept { return 0; }
 

@@ -10,7 +10,7 @@ Vector3 ContactForce(const ContactLaw& law, const ContactOffset& contact) noexce
   {
     return Vector3::Zero();
   }
-  const Vector3 spring = law.Stiffness * contact.Offset;
+  const Vector3 spring = contact.IsElastic ? contact.Push : Vector3(law.Stiffness * contact.Offset);
   const double damping = law.Damping * contact.Velocity.dot(contact.Normal);
   return spring + std::max(damping, -spring.dot(contact.Normal)) * contact.Normal;
 }

@@ -18,9 +18,12 @@ struct ContactOffset
   Vector3 Offset = Vector3::Zero();   ///< proxy minus probe, mm
   Vector3 Normal = Vector3::UnitZ();  ///< unit, out of the structure
   Vector3 Velocity = Vector3::Zero(); ///< of the offset, mm/s
+  bool IsElastic = false;
+  Vector3 Push = Vector3::Zero(); ///< of an elastic structure, instead of the spring's force, N
 };
 
-/// F = k (x_proxy - x_probe) + d (v_proxy - v_probe), in N, in the frame of the offset.
+/// F = k (x_proxy - x_probe) + d (v_proxy - v_probe), in N, in the frame of the offset; of an
+/// elastic structure its own push instead of the first term.
 ///
 /// Damping acts along the normal only, since along the surface the proxy moves with the probe, and
 /// friction resists there. The sum never pulls inwards: damping a hand that retreats faster than

@@ -58,12 +58,15 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
       damping += effect->Damping();
     }
     const StableStiffness stable = StiffestStable(device, rate, damping);
-    if (structure.Law.Stiffness > stable.Largest)
+    const double own = structure.Model != nullptr ? structure.Model->OwnStiffness(scene.Tool) : 0.0;
+    const double stiffness = own > 0.0 ? own / scene.Frame.LengthDevice(Vector3::UnitX()).norm()
+                                       : structure.Law.Stiffness;
+    if (stiffness > stable.Largest)
     {
-      warnings.push_back("The structure " + structure.Name + " requests " +
-                         Rounded(structure.Law.Stiffness) + " N/mm; the device " + device.Name +
-                         " at " + Rounded(rate) + " Hz is stable up to " + Rounded(stable.Largest) +
-                         " N/mm, since " + stable.Reason +
+      warnings.push_back("The structure " + structure.Name + " requests " + Rounded(stiffness) +
+                         " N/mm; the device " + device.Name + " at " + Rounded(rate) +
+                         " Hz is stable up to " + Rounded(stable.Largest) + " N/mm, since " +
+                         stable.Reason +
                          ": lower its stiffness or its damping, or it may vibrate.");
     }
     else if (device.Damping > 0.0 && damping > device.Damping)

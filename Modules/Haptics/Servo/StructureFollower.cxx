@@ -18,8 +18,9 @@ bool IsSound(const Contact& contact, const Vector3& probeWorld) noexcept
     return false;
   }
   const double normal = contact.NormalWorld.squaredNorm();
-  return !contact.IsTouching || ((contact.ProxyWorld - probeWorld).norm() <= LargestDepth &&
-                                 normal >= 0.99 && normal <= 1.01);
+  return !contact.IsTouching ||
+         ((contact.ProxyWorld - probeWorld).norm() <= LargestDepth && normal >= 0.99 &&
+          normal <= 1.01 && contact.Elastic.ForceWorld.allFinite());
 }
 
 double LeastRadius(const ToolShape& tool)
@@ -173,7 +174,24 @@ bool StructureFollower::NextCut(CutOrder& order) noexcept
 
 FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
 {
-  return {this->Force, this->NormalDevice, this->Factor * this->Structure->Law.Stiffness, hand};
+  return {this->Force, this->NormalDevice, this->Factor * this->StiffnessDevice(), hand};
+}
+
+// Of the last contact, at the hand.
+double StructureFollower::StiffnessDevice() const noexcept
+{
+  return this->Last.IsElastic
+             ? this->Last.Elastic.Slope / this->Frame->LengthDevice(Vector3::UnitX()).norm()
+             : this->Structure->Law.Stiffness;
+}
+
+// Between results of the model, the force changes with the depth by its slope.
+Vector3 StructureFollower::ElasticPush(const Vector3& offsetWorld) const noexcept
+{
+  const Vector3& normal = this->Last.NormalWorld;
+  const Vector3& force = this->Last.Elastic.ForceWorld;
+  const double deeper = (offsetWorld - (this->Last.ProxyWorld - this->LastProbe)).dot(normal);
+  return force + std::max(this->Last.Elastic.Slope * deeper, -force.dot(normal)) * normal;
 }
 
 // A tracker that was released out of reach restarts at the place before this tick, which was out of
@@ -200,6 +218,7 @@ void StructureFollower::Enter(const FollowStep& step) noexcept
 void StructureFollower::AskModel(const FollowStep& step) noexcept
 {
   this->Last = this->Tracker->Follow(step.Now);
+  this->LastProbe = step.Now.PositionWorld;
   this->Last.IsValid = IsSound(this->Last, step.Now.PositionWorld);
   this->Last.IsTouching = this->Last.IsTouching && this->Last.IsValid;
 }
@@ -224,6 +243,11 @@ ContactOffset StructureFollower::Felt(const FollowStep& step) noexcept
   {
     this->Interpolation.Renew(this->Last, probe, probe, step.ModelPeriod);
     felt = this->Interpolation.Advance(probe, 0.0);
+  }
+  felt.IsElastic = this->Last.IsElastic;
+  if (felt.IsElastic && felt.IsTouching)
+  {
+    felt.Push = this->ElasticPush(felt.Offset);
   }
   return felt;
 }
@@ -252,6 +276,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   const Vector3 proxyWorld = step.Now.PositionWorld + felt.Offset;
   felt.Offset = this->Frame->LengthDevice(felt.Offset);
   felt.Normal = this->Frame->TurnedToDevice(felt.Normal);
+  felt.Push = this->Frame->TurnedToDevice(felt.Push);
   felt.Velocity = this->OffsetVelocity.Update(felt.Offset, step.Passed);
   const Vector3 force = ContactForce(this->Structure->Law, felt);
   this->Factor = this->Weight.Advance(step.Passed);

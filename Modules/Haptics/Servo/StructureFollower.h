@@ -108,6 +108,8 @@ private:
   }
   Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
+  Vector3 ElasticPush(const Vector3& offsetWorld) const noexcept;
+  double StiffnessDevice() const noexcept;
   Vector3 WithEffects(const Vector3& contactForce, const ContactOffset& felt,
                       const Vector3& proxyWorld, const FollowStep& step) const noexcept;
 
@@ -122,6 +124,7 @@ private:
   VelocityEstimate OffsetVelocity;
   ForceInterpolation Interpolation;
   Contact Last;
+  Vector3 LastProbe = Vector3::Zero(); // at which it was computed, mm
   bool Follows = false;
   bool IsBuried = false;         // inside material that grew back around the tool
   std::optional<Contact> Before; // contact from which it carries on

@@ -1,4 +1,6 @@
 #include "AllocationCounter.h"
+#include "ElasticCases.h"
+#include "ElasticContactModel.h"
 #include "FieldContactCases.h"
 #include "MeshCases.h"
 #include "NearestByBruteForce.h"
@@ -55,6 +57,21 @@ int TouchesWithoutAllocation(const ContactModel& model, const ToolShape& tool,
   }
   EXPECT_EQ(AllocationCount(), before);
   return touches;
+}
+
+TEST(TrackersDoNotAllocate, OnStructuresThatYield)
+{
+  test::ElasticCase organ;
+  organ.Model = test::SphereModel(15.0);
+  ASSERT_NO_FATAL_FAILURE(organ.Build(4, 4));
+  ComplianceAtlas atlas;
+  ASSERT_TRUE(
+      ComplianceAtlas::Make(organ.Model, organ.Solid, organ.Reduced, {4, 0.0}, {}, atlas).IsOk());
+  std::shared_ptr<const ContactModel> model;
+  ASSERT_TRUE(ElasticContactModel::Make(test::Shared(organ.Model),
+                                        std::make_shared<const ComplianceAtlas>(atlas), model)
+                  .IsOk());
+  EXPECT_GT(TouchesWithoutAllocation(*model, ToolShape::Sphere(3.0), {0.4, 0.3}), 100);
 }
 
 TEST(TrackersDoNotAllocate, OnSphericalHarmonics)

@@ -4,6 +4,7 @@
 #include "ComplianceSampler.h"
 #include "HexElasticity.h"
 #include "LayeredSphere.h"
+#include "RandomShapes.h"
 #include "ReducedCompliance.h"
 #include "StarMesh.h"
 
@@ -41,12 +42,6 @@ inline SphericalHarmonicModel RandomModel(std::mt19937_64& random, int degree = 
     coefficients[i] = roughness * Radius * normal(random);
   }
   return {degree, coefficients, Vector3(3.0, -2.0, 5.0)};
-}
-
-inline Vector3 RandomDirection(std::mt19937_64& random)
-{
-  std::normal_distribution<double> normal;
-  return Vector3(normal(random), normal(random), normal(random)).normalized();
 }
 
 /// A ball as a partial volume on a grid of `spacing` mm.

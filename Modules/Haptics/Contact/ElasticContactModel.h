@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ComplianceAtlas.h"
+#include "ContactModel.h"
+#include "HarmonicSurface.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// A structure that yields: a star-shaped surface with the compliance of its places. Supports
+/// spherical tools. Its force is its own, in N in the world; of the scene's force law only the
+/// damping counts.
+class ElasticContactModel final : public ContactModel
+{
+public:
+  /// `atlas` was made for `model`. Fails as HarmonicSurface::Make.
+  static Status Make(std::shared_ptr<const SphericalHarmonicModel> model,
+                     std::shared_ptr<const ComplianceAtlas> atlas,
+                     std::shared_ptr<const ContactModel>& contact);
+
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override;
+  Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
+                     std::unique_ptr<ContactTracker>& tracker) const override;
+  double OwnStiffness(const ToolShape& tool) const override;
+  std::size_t Bytes() const noexcept override;
+
+private:
+  ElasticContactModel(std::shared_ptr<const HarmonicSurface> surface,
+                      std::shared_ptr<const ComplianceAtlas> atlas);
+
+  std::shared_ptr<const HarmonicSurface> Surface;
+  std::shared_ptr<const ComplianceAtlas> Atlas;
+};
+} // namespace palpate

@@ -1,0 +1,94 @@
+#include "ElasticTracker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate
+{
+ElasticTracker::ElasticTracker(std::shared_ptr<const HarmonicSurface> surface,
+                               std::shared_ptr<const ComplianceAtlas> atlas, double toolRadius,
+                               const SurfaceFriction& friction)
+    : Rigid(surface, toolRadius, SurfaceFriction()), Surface(std::move(surface)),
+      Atlas(std::move(atlas)), ToolRadius(toolRadius), Friction(friction)
+{
+}
+
+void ElasticTracker::Release() noexcept
+{
+  this->Rigid.Release();
+  this->LetGo();
+}
+
+void ElasticTracker::LetGo() noexcept
+{
+  this->PatchRadius = 0.0;
+  this->Shear.setZero();
+  this->ShearStiffness = 0.0;
+  this->IsSlipping = false;
+}
+
+const Contact& ElasticTracker::Follow(const ToolPose& pose) noexcept
+{
+  this->Felt = this->Rigid.Follow(pose);
+  this->Felt.IsElastic = true;
+  if (!this->Felt.IsValid)
+  {
+    return this->Felt;
+  }
+  if (this->Felt.IsTouching)
+  {
+    this->Press(pose.PositionWorld);
+    this->Rub(pose.PositionWorld);
+  }
+  else
+  {
+    this->LetGo();
+  }
+  this->LastProbe = pose.PositionWorld;
+  return this->Felt;
+}
+
+void ElasticTracker::Press(const Vector3& probe) noexcept
+{
+  constexpr double OnSurface = 1e-6; // of the radius
+  const SphericalHarmonicModel& model = this->Surface->Model();
+  const Vector3 foot = this->Felt.ProxyWorld - this->ToolRadius * this->Felt.NormalWorld;
+  const Vector3 fromCenter = foot - model.CenterWorld();
+  const double distance = fromCenter.norm();
+  const Vector3 direction = fromCenter / distance;
+  ElasticForce& force = this->Felt.Elastic;
+  force = ElasticForce::Of(*this->Atlas, model, direction, this->Felt.Depth, this->ToolRadius,
+                           this->PatchRadius);
+  this->PatchRadius = force.PatchRadius;
+  if (!(std::abs(distance - model.Radius(direction)) <= OnSurface * distance))
+  {
+    const Vector3 push = this->Felt.ProxyWorld - probe;
+    force.ForceWorld = force.ForceWorld.norm() / this->Felt.Depth * push;
+    force.IsValid = false;
+  }
+}
+
+void ElasticTracker::Rub(const Vector3& probe) noexcept
+{
+  ElasticForce& force = this->Felt.Elastic;
+  const double nu = this->Atlas->PoissonRatio();
+  const double stiffness = force.Slope * (1.0 - nu) / (1.0 - 0.5 * nu);
+  const Vector3& normal = this->Felt.NormalWorld;
+  if (this->Friction.Static > 0.0 && this->ShearStiffness > 0.0)
+  {
+    const auto along = [&](const Vector3& v) { return Vector3(v - v.dot(normal) * normal); };
+    const double kept = std::min(1.0, stiffness / this->ShearStiffness);
+    this->Shear = along(kept * this->Shear - stiffness * (probe - this->LastProbe));
+    const double push = std::max(0.0, force.ForceWorld.dot(normal));
+    const double size = this->Shear.norm();
+    const double most = (this->IsSlipping ? this->Friction.Dynamic : this->Friction.Static) * push;
+    this->IsSlipping = size > most;
+    if (this->IsSlipping)
+    {
+      this->Shear *= this->Friction.Dynamic * push / size;
+    }
+    force.ForceWorld += this->Shear;
+  }
+  this->ShearStiffness = stiffness;
+}
+} // namespace palpate

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "ComplianceAtlas.h"
+#include "ContactTracker.h"
+#include "HarmonicNearestTracker.h"
+
+#include <memory>
+
+namespace palpate
+{
+/// Tracks a ball at a structure that yields. The nearest point is that of the rigid surface, and
+/// depth and patch follow from it. Where the ball does not fit into a hollow of the surface, the
+/// force is that of one patch in the direction of the rigid proxy, and said to be invalid.
+///
+/// Friction is a spring along the surface, as stiff as the patch (Mindlin, J. Appl. Mech. 16,
+/// 1949), whose force Coulomb's law limits. It follows the ball from tick to tick, and shrinks with
+/// the patch, so that unloading gives no energy out.
+class ElasticTracker final : public ContactTracker
+{
+public:
+  ElasticTracker(std::shared_ptr<const HarmonicSurface> surface,
+                 std::shared_ptr<const ComplianceAtlas> atlas, double toolRadius,
+                 const SurfaceFriction& friction);
+
+  const Contact& Follow(const ToolPose& pose) noexcept override;
+  void Release() noexcept override;
+  std::size_t Bytes() const noexcept override { return sizeof(*this) + this->Rigid.Bytes(); }
+
+private:
+  void Press(const Vector3& probe) noexcept;
+  void Rub(const Vector3& probe) noexcept;
+  void LetGo() noexcept;
+
+  HarmonicNearestTracker Rigid;
+  std::shared_ptr<const HarmonicSurface> Surface;
+  std::shared_ptr<const ComplianceAtlas> Atlas;
+  double ToolRadius; // mm
+  SurfaceFriction Friction;
+
+  Contact Felt;
+  double PatchRadius = 0.0;        // mm, of the last tick
+  Vector3 Shear = Vector3::Zero(); // friction, N
+  double ShearStiffness = 0.0;     // N/mm; 0 without contact
+  bool IsSlipping = false;
+  Vector3 LastProbe = Vector3::Zero();
+};
+} // namespace palpate

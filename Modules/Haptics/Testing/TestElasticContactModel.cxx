@@ -1,0 +1,219 @@
+#include "ContactCases.h"
+#include "ElasticCases.h"
+#include "ElasticContactModel.h"
+#include "StiffnessAdvice.h"
+#include "StructureFollower.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+// A bumpy organ with a lesion of five times the modulus beside its surface.
+struct Organ
+{
+  Organ()
+  {
+    std::mt19937_64 random(51);
+    this->Case.Model = test::RandomModel(random, 4, 0.015);
+    this->Lesion = test::RandomDirection(random);
+    this->Case.Solid.Tissue.AddInclusion(
+        test::BallFraction(this->Case.Model.PointWorld(this->Lesion) - 9.0 * this->Lesion, 6.0),
+        0.1);
+    this->Case.Build(8, 8);
+    auto atlas = std::make_shared<ComplianceAtlas>();
+    const Status status = ComplianceAtlas::Make(this->Case.Model, this->Case.Solid,
+                                                this->Case.Reduced, {16, 0.0}, {}, *atlas);
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+    this->Atlas = atlas;
+    EXPECT_TRUE(
+        ElasticContactModel::Make(test::Shared(this->Case.Model), this->Atlas, this->Model).IsOk());
+  }
+  Vector3 Above(const Vector3& direction, double height) const
+  {
+    return this->Case.Model.PointWorld(direction) + height * this->Case.Model.Normal(direction);
+  }
+
+  test::ElasticCase Case;
+  Vector3 Lesion;
+  std::shared_ptr<const ComplianceAtlas> Atlas;
+  std::shared_ptr<const ContactModel> Model;
+};
+
+const Organ& TheOrgan()
+{
+  static const Organ organ;
+  return organ;
+}
+
+constexpr double Ball = 5.0; // mm
+
+std::unique_ptr<ContactTracker> Tracker(const SurfaceFriction& friction = {})
+{
+  return test::TrackerOf(*TheOrgan().Model, ToolShape::Sphere(Ball), friction);
+}
+
+TEST(ElasticContactModel, ForceIsThatAtTheNearestPoint)
+{
+  std::mt19937_64 random(53);
+  const auto tracker = Tracker();
+  const ClosestPointSearch search(test::Shared(TheOrgan().Case.Model));
+  for (int i = 0; i < 50; ++i)
+  {
+    const Vector3 direction = test::RandomDirection(random);
+    tracker->Release();
+    tracker->Follow(test::At(TheOrgan().Above(direction, Ball + 1.0)));
+    const Vector3 probe = TheOrgan().Above(direction, Ball - 0.05 * i);
+    const Contact& contact = tracker->Follow(test::At(probe));
+    const ClosestPoint foot = search.Nearest(probe);
+    const ElasticForce wanted = ElasticForce::Of(*TheOrgan().Atlas, TheOrgan().Case.Model,
+                                                 foot.Direction, Ball - foot.SignedDistance, Ball);
+    EXPECT_TRUE(contact.IsElastic);
+    EXPECT_LE((contact.Elastic.ForceWorld - wanted.ForceWorld).norm(),
+              1e-6 * (wanted.ForceWorld.norm() + 1e-6))
+        << i;
+    EXPECT_EQ(contact.Elastic.IsValid, wanted.IsValid);
+  }
+}
+
+// Semi-implicit Euler at 1 kHz, without friction and damping. The bound is the aim of the module;
+// without the lateral force the same throws give and take some percent.
+TEST(ElasticContactModel, BallBouncesWithoutLossOrGain)
+{
+  constexpr double Period = 1e-3; // s
+  constexpr double Mass = 1e-4;   // N s^2/mm: 0.1 kg
+  std::mt19937_64 random(57);
+  std::uniform_real_distribution<double> part(-1.0, 1.0);
+  const auto tracker = Tracker();
+  for (int i = 0; i < 40; ++i)
+  {
+    const Vector3 direction =
+        (TheOrgan().Lesion + 0.35 * test::RandomDirection(random)).normalized();
+    const Vector3 normal = TheOrgan().Case.Model.Normal(direction);
+    const Vector3 aside = normal.unitOrthogonal();
+    Vector3 probe = TheOrgan().Above(direction, Ball + 0.5);
+    // Tens of mm/s, at a slant.
+    Vector3 velocity = -(60.0 + 20.0 * part(random)) * normal +
+                       40.0 * (part(random) * aside + part(random) * normal.cross(aside));
+    const double before = velocity.squaredNorm();
+    tracker->Release();
+    bool hasTouched = false;
+    bool isTouching = false;
+    for (int tick = 0; tick < 2000 && (isTouching || !hasTouched); ++tick)
+    {
+      const Contact& contact = tracker->Follow(test::At(probe));
+      isTouching = contact.IsTouching;
+      hasTouched = hasTouched || isTouching;
+      velocity += Period / Mass * contact.Elastic.ForceWorld;
+      probe += Period * velocity;
+    }
+    EXPECT_TRUE(hasTouched);
+    EXPECT_NEAR(velocity.squaredNorm() / before, 1.0, 1e-3) << i;
+  }
+}
+
+TEST(ElasticContactModel, FrictionHoldsThenSlips)
+{
+  const SurfaceFriction friction{0.5, 0.3};
+  const auto tracker = Tracker(friction);
+  const Vector3 direction = -TheOrgan().Lesion;
+  const Vector3 start = TheOrgan().Above(direction, Ball - 1.5);
+  tracker->Follow(test::At(TheOrgan().Above(direction, Ball + 1.0)));
+  const Contact pressed = tracker->Follow(test::At(start));
+  const Vector3 aside = pressed.NormalWorld.unitOrthogonal();
+  double most = 0.0;
+  double last = 0.0;
+  for (int tick = 1; tick <= 300; ++tick)
+  {
+    const Contact& contact = tracker->Follow(test::At(start + 0.01 * tick * aside));
+    const double push = contact.Elastic.ForceWorld.dot(contact.NormalWorld);
+    last = -contact.Elastic.ForceWorld.dot(aside) / push;
+    most = std::max(most, last);
+  }
+  // The surface's own slope adds a part.
+  EXPECT_GT(most, 0.35);
+  EXPECT_LT(most, 0.7);
+  EXPECT_LT(last, most - 0.05);
+}
+
+TEST(ElasticContactModel, RubbingTakesEnergyOnly)
+{
+  const auto tracker = Tracker({0.4, 0.3});
+  const Vector3 direction = TheOrgan().Lesion;
+  const Vector3 first = TheOrgan().Case.Model.Normal(direction).unitOrthogonal();
+  tracker->Follow(test::At(TheOrgan().Above(direction, Ball + 1.0)));
+  double work = 0.0; // of the force on the hand
+  Vector3 lastPlace = Vector3::Zero();
+  Vector3 lastForce = Vector3::Zero();
+  for (int tick = 0; tick <= 4000; ++tick)
+  {
+    const double angle = 2.0 * test::Pi * (tick % 1000) / 1000.0;
+    const Vector3 place =
+        TheOrgan().Above((direction + 0.05 * std::sin(angle) * first).normalized(),
+                         Ball - 1.5 - 0.8 * std::sin(2.0 * angle + 1.0));
+    const Vector3 force = tracker->Follow(test::At(place)).Elastic.ForceWorld;
+    if (tick > 0)
+    {
+      work += 0.5 * (force + lastForce).dot(place - lastPlace);
+    }
+    if (tick > 0 && tick % 1000 == 0)
+    {
+      EXPECT_LT(work, 0.0) << tick;
+    }
+    lastPlace = place;
+    lastForce = force;
+  }
+}
+
+TEST(ElasticContactModel, NeedsABall)
+{
+  std::unique_ptr<ContactTracker> tracker;
+  EXPECT_FALSE(TheOrgan().Model->MakeTracker(ToolShape::Sphere(0.0), {}, tracker).IsOk());
+  EXPECT_EQ(tracker, nullptr);
+}
+
+TEST(ElasticContactModel, InvalidPosesTouchNothing)
+{
+  const auto tracker = Tracker();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(tracker->Follow(test::At(Vector3(nan, 0.0, 0.0))).IsValid);
+}
+
+TEST(ElasticContactModel, StatesItsStiffness)
+{
+  const double stiffness = TheOrgan().Model->OwnStiffness(ToolShape::Sphere(Ball));
+  const auto tracker = Tracker();
+  tracker->Follow(test::At(TheOrgan().Above(TheOrgan().Lesion, Ball + 1.0)));
+  const Contact& contact =
+      tracker->Follow(test::At(TheOrgan().Above(TheOrgan().Lesion, 0.5 * Ball)));
+  EXPECT_LE(contact.Elastic.Slope, 1.05 * stiffness); // between the directions that were asked
+  EXPECT_GE(contact.Elastic.Slope, 0.3 * stiffness);
+}
+
+// What the hand feels: N in the world, turned to the device; the scene's stiffness does not count.
+TEST(ElasticContactModel, FollowerGivesTheForceToTheHand)
+{
+  TouchScene scene;
+  scene.Tool = ToolShape::Sphere(Ball);
+  scene.Structures.push_back({"organ", TheOrgan().Model, {123.0, 0.0}, {}});
+  std::vector<StructureFollower> followers;
+  ASSERT_TRUE(StructureFollower::Make(scene.Structures[0], scene, 0.0, followers).IsOk());
+  const auto tracker = Tracker();
+  FollowStep step;
+  step.Last = test::At(TheOrgan().Above(TheOrgan().Lesion, Ball + 1.0));
+  for (const double height : {Ball + 1.0, Ball + 0.2, Ball - 0.5, Ball - 2.0})
+  {
+    step.Now = test::At(TheOrgan().Above(TheOrgan().Lesion, height));
+    step.Passed = 1e-3;
+    const Vector3 force = followers[0].Follow(step);
+    const Vector3 wanted = tracker->Follow(step.Now).Elastic.ForceWorld;
+    EXPECT_LE((scene.Frame.TurnedToWorld(force) - wanted).norm(), 1e-9) << height;
+    EXPECT_EQ(force.norm() > 0.0, height < Ball);
+    step.Last = step.Now;
+  }
+}
+} // namespace
+} // namespace palpate
