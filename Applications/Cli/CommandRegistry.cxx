@@ -11,6 +11,7 @@
 #include "PhantomCommand.h"
 #include "RenderCommand.h"
 #include "SceneCommand.h"
+#include "SoftenCommand.h"
 #include "StudyCommand.h"
 #include "TouchCommand.h"
 #include "TradeoffCommand.h"
@@ -28,6 +29,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<ConvertCommand>());
   commands.push_back(std::make_unique<PhantomCommand>());
   commands.push_back(std::make_unique<RenderCommand>());
+  commands.push_back(std::make_unique<SoftenCommand>());
   commands.push_back(std::make_unique<TouchCommand>());
   commands.push_back(std::make_unique<SceneCommand>());
   commands.push_back(std::make_unique<TradeoffCommand>());

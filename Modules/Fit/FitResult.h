@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ComplianceMaps.h"
 #include "FitSettings.h"
 
 #include "DirectionCoverage.h"
@@ -111,7 +112,8 @@ struct FitResult
   double SurfaceAreaSquareMillimeters = 0.0;
   double ModelAreaSquareMillimeters = 0.0;
 
-  SurfaceModelDetails Details; ///< of a surface model
+  SurfaceModelDetails Details;                      ///< of a surface model
+  std::shared_ptr<const ComplianceMaps> Elasticity; ///< of a model that yields; else null
 
   /// The model if it is star-shaped, otherwise null.
   const SphericalHarmonicModel* Radial() const

@@ -1,5 +1,6 @@
 #include "BuiltInRepresentations.h"
 
+#include "Refusal.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
 #include "StructurePlan.h"
@@ -62,6 +63,36 @@ void PlanHarmonicContact(StructurePlan& plan)
   plan.AddContact(SceneKey("harmonics", static_cast<int>(mode)), plan.AddModel(),
                   [mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
                   { return HarmonicContactOf(*ProductAs<FitResult>(inputs.data()), mode); });
+}
+
+SceneProduct ElasticContactOf(const FitResult& fit)
+{
+  if (fit.Elasticity == nullptr)
+  {
+    Refuse(fit.Input, "is a rigid model", "make it yield with palpate soften");
+  }
+  return std::make_shared<const TouchContact>(
+      MakeElasticContact(fit.Model, *fit.Elasticity, fit.Input));
+}
+
+void PlanElasticContact(StructurePlan& plan)
+{
+  plan.AddContact("elastic", plan.AddModel(),
+                  [](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+                  { return ElasticContactOf(*ProductAs<FitResult>(inputs.data())); });
+}
+
+// A model from a file yields if it says so.
+void PlanModelContact(StructurePlan& plan)
+{
+  const HarmonicContactMode mode = plan.Settings().Mode;
+  plan.AddContact(SceneKey("model", static_cast<int>(mode)), plan.AddModel(),
+                  [mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
+                  {
+                    const auto fit = ProductAs<FitResult>(inputs.data());
+                    return fit->Elasticity != nullptr ? ElasticContactOf(*fit)
+                                                      : HarmonicContactOf(*fit, mode);
+                  });
 }
 
 SceneProduct FacetContactOf(const FitResult& found)
@@ -142,7 +173,7 @@ void PlanBySource(StructurePlan& plan)
   switch (plan.Settings().Source())
   {
   case SceneSource::Model:
-    return PlanHarmonicContact(plan);
+    return PlanModelContact(plan);
   case SceneSource::Surface:
     return PlanFacetContact(plan);
   default:
@@ -222,6 +253,19 @@ SceneRepresentation HarmonicRepresentation()
   };
   harmonics.Vary = VaryHarmonics;
   return harmonics;
+}
+
+SceneRepresentation ElasticRepresentation()
+{
+  SceneRepresentation elastic;
+  elastic.Name = elastic.Label = TouchRepresentation::Elastic;
+  elastic.Sources = {SceneSource::Model};
+  elastic.Appearance = SceneAppearance::Model;
+  elastic.PlanContact = PlanElasticContact;
+  elastic.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
+  elastic.Describe = [](const ContactSetting&) { return std::string("elastic"); };
+  elastic.KeyOf = [](const ContactSetting&) { return std::string("elastic"); };
+  return elastic;
 }
 
 SceneRepresentation FacetRepresentation()

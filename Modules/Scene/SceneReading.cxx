@@ -72,7 +72,9 @@ SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps
                        result.Input = file;
                        result.CaseName = CaseNameOf(file);
                        result.State = FitResult::Outcome::Fitted;
-                       result.Model = ReadModel(file).Surface;
+                       ModelDocument document = ReadModel(file);
+                       result.Model = std::move(document.Surface);
+                       result.Elasticity = std::move(document.Elasticity);
                        constexpr int Frequency = 20;
                        result.ModelSurface = DrawModel(result.Model, Frequency);
                        return std::make_shared<const FitResult>(std::move(result));

@@ -13,9 +13,9 @@ namespace
 {
 std::deque<SceneRepresentation>& All()
 {
-  static std::deque<SceneRepresentation> all{AutomaticRepresentation(), HarmonicRepresentation(),
-                                             FacetRepresentation(), FieldRepresentation(),
-                                             ModelOrFieldRepresentation()};
+  static std::deque<SceneRepresentation> all{AutomaticRepresentation(),    HarmonicRepresentation(),
+                                             FacetRepresentation(),        FieldRepresentation(),
+                                             ModelOrFieldRepresentation(), ElasticRepresentation()};
   return all;
 }
 } // namespace

@@ -47,7 +47,7 @@ struct SceneRepresentation
   PALPATESCENE_EXPORT bool Takes(SceneSource source) const;
 };
 
-/// Automatic, harmonics, facets, sub-voxel, model-or-field, then those added by
+/// Automatic, harmonics, facets, sub-voxel, model-or-field, elastic, then those added by
 /// AddSceneRepresentation.
 PALPATESCENE_EXPORT const std::deque<SceneRepresentation>& SceneRepresentations();
 

@@ -21,11 +21,13 @@ namespace palpate
 /// Names of the representations by which structures can be touched (see SceneRepresentation).
 struct TouchRepresentation
 {
-  /// A model by harmonics, a surface by facets, voxels by the sub-voxel field.
+  /// A model by harmonics (one that yields, elastically), a surface by facets, voxels by the
+  /// sub-voxel field.
   static constexpr const char* Automatic = "automatic";
   static constexpr const char* Harmonics = "harmonics";
   static constexpr const char* Facets = "facets";
   static constexpr const char* SubVoxel = "sub-voxel";
+  static constexpr const char* Elastic = "elastic"; ///< of a model that yields
   /// Harmonics where they fit, otherwise the sub-voxel field.
   static constexpr const char* ModelOrField = "model-or-field";
 };

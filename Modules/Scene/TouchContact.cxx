@@ -1,5 +1,6 @@
 #include "TouchContact.h"
 
+#include "ElasticContactModel.h"
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
 #include "ParametricContactModel.h"
@@ -37,6 +38,23 @@ TouchContact MakeHarmonicContact(const SurfaceModel& model, HarmonicContactMode 
   made.Represented = (isRadial ? "harmonics of degree " : "surface harmonics of degree ") +
                      std::to_string(DegreeOf(model)) +
                      (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
+  return made;
+}
+
+TouchContact MakeElasticContact(const SurfaceModel& model, const ComplianceMaps& maps,
+                                const std::filesystem::path& file)
+{
+  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  if (radial == nullptr)
+  {
+    Refuse(file, "is a surface model, and only a star-shaped one can yield",
+           "fit it with --model radial");
+  }
+  TouchContact made;
+  RequireInput(ElasticContactModel::Make(std::make_shared<const SphericalHarmonicModel>(*radial),
+                                         maps, made.Model),
+               file.string());
+  made.Represented = "elastic, harmonics of degree " + std::to_string(radial->Degree());
   return made;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ComplianceMaps.h"
 #include "ContactModel.h"
 #include "HarmonicContactModel.h"
 #include "PalpateSceneModule.h"
@@ -36,11 +37,15 @@ struct TouchContact
   DrillSource Drilled;                      ///< for a field that keeps its inside
 };
 
-/// The three kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched;
+/// The kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched;
 /// a parametric model has no radius for HarmonicContactMode::Radial.
 PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SurfaceModel& model,
                                                      HarmonicContactMode mode,
                                                      const std::filesystem::path& file);
+/// Throws InputError also for a surface model.
+PALPATESCENE_EXPORT TouchContact MakeElasticContact(const SurfaceModel& model,
+                                                    const ComplianceMaps& maps,
+                                                    const std::filesystem::path& file);
 PALPATESCENE_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
                                                   const std::filesystem::path& file);
 PALPATESCENE_EXPORT TouchContact MakeFieldContact(const std::shared_ptr<const ScalarField>& field,

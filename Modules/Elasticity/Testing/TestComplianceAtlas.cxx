@@ -1,19 +1,29 @@
 #include "ElasticCases.h"
+#include "OrganSoftening.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 namespace palpate
 {
 namespace
 {
-TEST(ComplianceAtlas, IsConstantOnASphere)
+ComplianceMaps MapsOf(const test::ElasticCase& organ, const ComplianceMaps::Settings& settings)
+{
+  ComplianceMaps maps;
+  const Status status =
+      ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, settings, {}, maps);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return maps;
+}
+
+TEST(ComplianceMaps, AreConstantOnASphere)
 {
   const test::ElasticCase& sphere = test::SphereCase(0.0);
-  ComplianceAtlas atlas;
-  const Status status =
-      ComplianceAtlas::Make(sphere.Model, sphere.Solid, sphere.Reduced, {4, 9.0}, {}, atlas);
-  ASSERT_TRUE(status.IsOk()) << status.Message();
-  EXPECT_LE(atlas.FitError().Largest, 2e-3); // the grid of elements
+  const ComplianceMaps maps = MapsOf(sphere, {4, 9.0});
+  EXPECT_LE(maps.FitError.Largest, 2e-3); // the grid of elements
+  const ComplianceAtlas atlas(maps);
   const LayeredSphere truth = test::SphereTruth(0.0);
   for (const Vector3& d : {Vector3(1, 0, 0), Vector3(0, 0, -1)})
   {
@@ -23,7 +33,7 @@ TEST(ComplianceAtlas, IsConstantOnASphere)
   }
 }
 
-TEST(ComplianceAtlas, StatesItsError)
+TEST(ComplianceMaps, StateTheirError)
 {
   std::mt19937_64 random(41);
   test::ElasticCase organ;
@@ -31,14 +41,11 @@ TEST(ComplianceAtlas, StatesItsError)
   organ.Solid.Tissue.AddInclusion(
       test::BallFraction(organ.Model.CenterWorld() + Vector3(15.0, 0.0, 0.0), 7.0), 0.1);
   ASSERT_NO_FATAL_FAILURE(organ.Build(8, 8));
-  ComplianceAtlas coarse;
-  ComplianceAtlas fine;
-  ASSERT_TRUE(
-      ComplianceAtlas::Make(organ.Model, organ.Solid, organ.Reduced, {6, 0.0}, {}, coarse).IsOk());
-  ASSERT_TRUE(
-      ComplianceAtlas::Make(organ.Model, organ.Solid, organ.Reduced, {20, 0.0}, {}, fine).IsOk());
-  EXPECT_LT(fine.FitError().Rms, 0.5 * coarse.FitError().Rms);
-  EXPECT_LE(fine.Bytes(), 100U * 1024U);
+  const ComplianceMaps coarse = MapsOf(organ, {6, 0.0});
+  const ComplianceMaps fine = MapsOf(organ, {20, 0.0});
+  EXPECT_LT(fine.FitError.Rms, 0.5 * coarse.FitError.Rms);
+  const ComplianceAtlas atlas(fine);
+  EXPECT_LE(atlas.Bytes(), 100U * 1024U);
   // At other directions than those that were compared.
   const ComplianceSampler sampler(organ.Model, organ.Solid, organ.Reduced);
   double sum = 0.0;
@@ -46,35 +53,107 @@ TEST(ComplianceAtlas, StatesItsError)
   for (int i = 0; i < Count; ++i)
   {
     const Vector3 d = test::RandomDirection(random);
-    const double patch = fine.FitError().PatchRadius;
-    const double off =
-        fine.At(d).Compliance.At(patch).Compliance / sampler.Compliance(sampler.PatchAt(d, patch)) -
-        1.0;
+    const double patch = fine.FitError.PatchRadius;
+    const double off = atlas.At(d).Compliance.At(patch).Compliance /
+                           sampler.Compliance(sampler.PatchAt(d, patch)) -
+                       1.0;
     sum += off * off;
   }
   const double rms = std::sqrt(sum / Count);
-  EXPECT_LT(rms, 2.0 * fine.FitError().Rms);
-  EXPECT_GT(rms, 0.5 * fine.FitError().Rms);
+  EXPECT_LT(rms, 2.0 * fine.FitError.Rms);
+  EXPECT_GT(rms, 0.5 * fine.FitError.Rms);
 }
 
-TEST(ComplianceAtlas, RefusesSettingsOutsideLimitsAndStopsWhenCancelled)
+class SmallOrgan : public ::testing::Test
 {
-  std::mt19937_64 random(43);
-  test::ElasticCase organ;
-  organ.Model = test::RandomModel(random);
-  ASSERT_NO_FATAL_FAILURE(organ.Build(4, 4));
-  ComplianceAtlas atlas;
-  const auto make = [&](const ComplianceAtlas::Settings& settings, const KernelProgress& progress)
+protected:
+  void SetUp() override
   {
-    return ComplianceAtlas::Make(organ.Model, organ.Solid, organ.Reduced, settings, progress, atlas)
-        .IsOk();
-  };
-  EXPECT_FALSE(make({-1, 0.0}, {}));
-  EXPECT_FALSE(make({ComplianceAtlas::MostDegree + 1, 0.0}, {}));
-  EXPECT_FALSE(make({4, 1000.0}, {}));
+    std::mt19937_64 random(43);
+    this->Organ.Model = test::RandomModel(random, 4, 0.02);
+    this->Organ.Build(4, 4);
+  }
+  test::ElasticCase Organ;
+};
+
+TEST_F(SmallOrgan, MapsRefuseSettingsOutsideLimits)
+{
+  ComplianceMaps maps;
+  for (const ComplianceMaps::Settings& settings :
+       {ComplianceMaps::Settings{-1, 0.0}, {ComplianceMaps::MostDegree + 1, 0.0}, {4, 1000.0}})
+  {
+    EXPECT_FALSE(ComplianceMaps::Fit(this->Organ.Model, this->Organ.Solid, this->Organ.Reduced,
+                                     settings, {}, maps)
+                     .IsOk());
+  }
+}
+
+TEST_F(SmallOrgan, MapsStopWhenCancelled)
+{
+  ComplianceMaps maps;
   int calls = 0;
-  EXPECT_FALSE(make({4, 0.0}, [&](double) { return ++calls < 5; }));
+  EXPECT_FALSE(ComplianceMaps::Fit(
+                   this->Organ.Model, this->Organ.Solid, this->Organ.Reduced, {4, 0.0},
+                   [&](double) { return ++calls < 5; }, maps)
+                   .IsOk());
   EXPECT_EQ(calls, 5);
+}
+
+TEST_F(SmallOrgan, CheckFindsMapsThatAreNoBody)
+{
+  const ComplianceMaps maps = MapsOf(this->Organ, {4, 0.0});
+  EXPECT_TRUE(maps.Check().IsOk()) << maps.Check().Message();
+  const auto isRefused = [&](const auto& change)
+  {
+    ComplianceMaps changed = maps;
+    change(changed);
+    return !changed.Check().IsOk();
+  };
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Coefficients[0][0] *= -1.0; }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Coefficients[1][0] = 1e3; }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Coefficients[3].pop_back(); }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m)
+                        { m.Coefficients[7][2] = std::numeric_limits<double>::quiet_NaN(); }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.LargestPatch = 0.0; }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.PoissonRatio = 0.5; }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Degree = 5; }));
+}
+
+TEST(OrganSoftening, MakesTheSameMapsAsItsParts)
+{
+  std::mt19937_64 random(47);
+  test::ElasticCase organ;
+  organ.Model = test::RandomModel(random, 4, 0.02);
+  ASSERT_NO_FATAL_FAILURE(organ.Build(6, 6));
+  OrganSoftening softening;
+  softening.ElementsAcross = 6;
+  softening.Degree = 6;
+  softening.Maps.Degree = 8;
+  ComplianceMaps maps;
+  OrganSoftening::Account account;
+  double last = -1.0;
+  const auto progress = [&](double fraction)
+  {
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1.0);
+    last = fraction;
+    return true;
+  };
+  const Status status = softening.Make(organ.Model, organ.Solid, progress, maps, account);
+  ASSERT_TRUE(status.IsOk()) << status.Message();
+  EXPECT_EQ(last, 1.0);
+  EXPECT_EQ(account.Unknowns, 3 * organ.Mesh.Nodes().size());
+  EXPECT_EQ(account.ElementEdge, organ.Mesh.SurfaceEdge());
+  const ComplianceMaps parts = MapsOf(organ, {8, 0.0});
+  for (std::size_t map = 0; map < ComplianceMaps::Count; ++map)
+  {
+    for (std::size_t i = 0; i < parts.Coefficients[map].size(); ++i)
+    {
+      // The factorisation may share work among threads.
+      EXPECT_NEAR(maps.Coefficients[map][i], parts.Coefficients[map][i],
+                  1e-9 * parts.Coefficients[0][0]);
+    }
+  }
 }
 } // namespace
 } // namespace palpate

@@ -22,9 +22,11 @@ struct TouchedOrgan
     this->Organ.Solid.Tissue.AddInclusion(
         test::BallFraction(this->Organ.Model.PointWorld(direction) - 9.0 * direction, 6.0), 0.1);
     this->Organ.Build(8, 8);
-    const Status status = ComplianceAtlas::Make(this->Organ.Model, this->Organ.Solid,
-                                                this->Organ.Reduced, {16, 0.0}, {}, this->Atlas);
+    ComplianceMaps maps;
+    const Status status = ComplianceMaps::Fit(this->Organ.Model, this->Organ.Solid,
+                                              this->Organ.Reduced, {16, 0.0}, {}, maps);
     EXPECT_TRUE(status.IsOk()) << status.Message();
+    this->Atlas = std::make_unique<ComplianceAtlas>(maps);
     this->Search = std::make_unique<ClosestPointSearch>(
         std::make_shared<const SphericalHarmonicModel>(this->Organ.Model));
   }
@@ -33,7 +35,7 @@ struct TouchedOrgan
   ElasticForce ForceAt(const Vector3& centerWorld, double ball) const
   {
     const ClosestPoint foot = this->Search->Nearest(centerWorld);
-    return ElasticForce::Of(this->Atlas, this->Organ.Model, foot.Direction,
+    return ElasticForce::Of(*this->Atlas, this->Organ.Model, foot.Direction,
                             ball - foot.SignedDistance, ball);
   }
   Vector3 CenterAbove(const Vector3& direction, double ball, double depth) const
@@ -44,7 +46,7 @@ struct TouchedOrgan
 
   test::ElasticCase Organ;
   Vector3 Lesion;
-  ComplianceAtlas Atlas;
+  std::unique_ptr<ComplianceAtlas> Atlas;
   std::unique_ptr<ClosestPointSearch> Search;
 };
 
@@ -121,9 +123,10 @@ TEST(ElasticForce, ClosedPathsTakeNoWork)
 TEST(ElasticForce, PushesAlongTheNormalOfASphere)
 {
   const test::ElasticCase& sphere = test::SphereCase(0.0);
-  ComplianceAtlas atlas;
-  ASSERT_TRUE(ComplianceAtlas::Make(sphere.Model, sphere.Solid, sphere.Reduced, {4, 0.0}, {}, atlas)
-                  .IsOk());
+  ComplianceMaps maps;
+  ASSERT_TRUE(
+      ComplianceMaps::Fit(sphere.Model, sphere.Solid, sphere.Reduced, {4, 0.0}, {}, maps).IsOk());
+  const ComplianceAtlas atlas(maps);
   std::mt19937_64 random(37);
   for (int i = 0; i < 20; ++i)
   {

@@ -10,14 +10,16 @@
 namespace palpate
 {
 Status ElasticContactModel::Make(std::shared_ptr<const SphericalHarmonicModel> model,
-                                 std::shared_ptr<const ComplianceAtlas> atlas,
+                                 const ComplianceMaps& maps,
                                  std::shared_ptr<const ContactModel>& contact)
 {
   std::shared_ptr<const HarmonicSurface> surface;
-  Status status = HarmonicSurface::Make(std::move(model), surface);
+  const Status isBody = maps.Check();
+  Status status = isBody.IsOk() ? HarmonicSurface::Make(std::move(model), surface) : isBody;
   if (status.IsOk())
   {
-    contact.reset(new ElasticContactModel(std::move(surface), std::move(atlas)));
+    contact.reset(
+        new ElasticContactModel(std::move(surface), std::make_shared<const ComplianceAtlas>(maps)));
   }
   return status;
 }

@@ -14,10 +14,9 @@ namespace palpate
 class ElasticContactModel final : public ContactModel
 {
 public:
-  /// `atlas` was made for `model`. Fails as HarmonicSurface::Make.
+  /// `maps` were made for `model`. Fails as HarmonicSurface::Make and ComplianceMaps::Check.
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model,
-                     std::shared_ptr<const ComplianceAtlas> atlas,
-                     std::shared_ptr<const ContactModel>& contact);
+                     const ComplianceMaps& maps, std::shared_ptr<const ContactModel>& contact);
 
   Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,

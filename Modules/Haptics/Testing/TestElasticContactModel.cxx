@@ -24,11 +24,11 @@ struct Organ
         test::BallFraction(this->Case.Model.PointWorld(this->Lesion) - 9.0 * this->Lesion, 6.0),
         0.1);
     this->Case.Build(8, 8);
-    auto atlas = std::make_shared<ComplianceAtlas>();
-    const Status status = ComplianceAtlas::Make(this->Case.Model, this->Case.Solid,
-                                                this->Case.Reduced, {16, 0.0}, {}, *atlas);
+    ComplianceMaps maps;
+    Status status = ComplianceMaps::Fit(this->Case.Model, this->Case.Solid, this->Case.Reduced,
+                                        {16, 0.0}, {}, maps);
     EXPECT_TRUE(status.IsOk()) << status.Message();
-    this->Atlas = atlas;
+    this->Atlas = std::make_shared<const ComplianceAtlas>(maps);
     EXPECT_TRUE(
         ElasticContactModel::Make(test::Shared(this->Case.Model), this->Atlas, this->Model).IsOk());
   }

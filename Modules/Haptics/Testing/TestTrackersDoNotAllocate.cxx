@@ -64,13 +64,11 @@ TEST(TrackersDoNotAllocate, OnStructuresThatYield)
   test::ElasticCase organ;
   organ.Model = test::SphereModel(15.0);
   ASSERT_NO_FATAL_FAILURE(organ.Build(4, 4));
-  ComplianceAtlas atlas;
+  ComplianceMaps maps;
   ASSERT_TRUE(
-      ComplianceAtlas::Make(organ.Model, organ.Solid, organ.Reduced, {4, 0.0}, {}, atlas).IsOk());
+      ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, {4, 0.0}, {}, maps).IsOk());
   std::shared_ptr<const ContactModel> model;
-  ASSERT_TRUE(ElasticContactModel::Make(test::Shared(organ.Model),
-                                        std::make_shared<const ComplianceAtlas>(atlas), model)
-                  .IsOk());
+  ASSERT_TRUE(ElasticContactModel::Make(test::Shared(organ.Model), maps, model).IsOk());
   EXPECT_GT(TouchesWithoutAllocation(*model, ToolShape::Sphere(3.0), {0.4, 0.3}), 100);
 }
 

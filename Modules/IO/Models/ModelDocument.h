@@ -1,7 +1,9 @@
 #pragma once
 
+#include "ComplianceMaps.h"
 #include "SurfaceModel.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,5 +24,6 @@ struct ModelDocument
 {
   SurfaceModel Surface;
   ModelProvenance Provenance;
+  std::shared_ptr<const ComplianceMaps> Elasticity = nullptr; ///< null: rigid
 };
 } // namespace palpate

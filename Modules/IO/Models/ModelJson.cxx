@@ -1,5 +1,6 @@
 #include "ModelJson.h"
 
+#include "ComplianceJson.h"
 #include "JsonText.h"
 #include "ModelConvention.h"
 #include "Refusal.h"
@@ -101,7 +102,7 @@ public:
                                  this->Numbers(this->File, "coefficients_mm",
                                                SphericalHarmonicBasis::CoefficientCount(degree)),
                                  Vector3(center[0], center[1], center[2])),
-          std::move(provenance)};
+          std::move(provenance), this->Elasticity()};
     }
     if (kind == ModelConvention::Parametric)
     {
@@ -220,6 +221,14 @@ private:
     return coordinates;
   }
 
+  std::shared_ptr<const ComplianceMaps> Elasticity() const
+  {
+    const auto found = this->File.find("elasticity");
+    return found != this->File.end()
+               ? std::make_shared<const ComplianceMaps>(ComplianceFromJson(*found, this->FileName))
+               : nullptr;
+  }
+
   // Provenance is informative: it may be absent, and unknown entries are ignored.
   ModelProvenance Provenance() const
   {
@@ -267,6 +276,10 @@ std::string ModelToJson(const ModelDocument& document, const std::string& fileNa
   file["unit"] = ModelConvention::Unit;
   file["degree"] = std::visit([](const auto& s) { return s.Degree(); }, document.Surface);
   std::visit([&](const auto& surface) { AddSurface(surface, fileName, file); }, document.Surface);
+  if (document.Elasticity)
+  {
+    file["elasticity"] = ComplianceAsJson(*document.Elasticity, fileName);
+  }
   file["provenance"] = AsJson(document.Provenance);
   // Names that are not UTF-8 lose the bytes that JSON cannot represent.
   return file.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

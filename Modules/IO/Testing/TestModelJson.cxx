@@ -217,3 +217,75 @@ TEST(ModelJson, RejectsDeeplyNestedText)
 {
   EXPECT_NE(RefusalOf(std::string(2000000, '[')), "accepted");
 }
+
+namespace
+{
+// c = 25 mm^2/N / a, a little less to one side.
+ComplianceMaps SomeMaps()
+{
+  ComplianceMaps maps;
+  maps.Degree = 2;
+  maps.LargestPatch = 7.3;
+  maps.PoissonRatio = 0.49;
+  for (std::vector<double>& map : maps.Coefficients)
+  {
+    map.assign(9, 0.0);
+    map[3] = 0.1 / 3.0;
+  }
+  maps.Coefficients[0][0] = 100.0 / 3.0;
+  maps.FitError = {0.01, 0.05, Vector3(0.6, 0.0, -0.8), 2.5};
+  return maps;
+}
+
+Json ElasticFile()
+{
+  std::mt19937_64 random(1);
+  ModelDocument document{RandomModel(random, 2), {}};
+  document.Elasticity = std::make_shared<const ComplianceMaps>(SomeMaps());
+  return Json::parse(ModelToJson(document, "f"));
+}
+} // namespace
+
+TEST(ModelJson, RoundTripsElasticityBitForBit)
+{
+  const ModelDocument back = ModelFromJson(ElasticFile().dump(), "f");
+  ASSERT_NE(back.Elasticity, nullptr);
+  const ComplianceMaps maps = SomeMaps();
+  EXPECT_EQ(back.Elasticity->Degree, maps.Degree);
+  EXPECT_EQ(back.Elasticity->LargestPatch, maps.LargestPatch);
+  EXPECT_EQ(back.Elasticity->PoissonRatio, maps.PoissonRatio);
+  for (std::size_t map = 0; map < ComplianceMaps::Count; ++map)
+  {
+    EXPECT_TRUE(SameBits(back.Elasticity->Coefficients[map], maps.Coefficients[map])) << map;
+  }
+  EXPECT_EQ(back.Elasticity->FitError.Rms, maps.FitError.Rms);
+  EXPECT_EQ(back.Elasticity->FitError.Largest, maps.FitError.Largest);
+  EXPECT_EQ(back.Elasticity->FitError.Worst, maps.FitError.Worst);
+}
+
+TEST(ModelJson, RefusesElasticityThatIsIncomplete)
+{
+  for (const char* key : {"degree", "largest_patch_mm", "poisson_ratio", "compliance_mm2_per_n",
+                          "mean_curvature_per_mm", "fit_error"})
+  {
+    Json file = ElasticFile();
+    file["elasticity"].erase(key);
+    ExpectRefusal(file, key);
+    for (const Json& wrong : {Json("many"), Json(-1), Json(1e6), Json::array({1, "x"})})
+    {
+      file["elasticity"][key] = wrong;
+      EXPECT_NE(RefusalOf(file.dump()), "accepted") << key << " " << wrong;
+    }
+  }
+  Json file = ElasticFile();
+  file["elasticity"]["compliance_mm2_per_n"][2].erase(0);
+  ExpectRefusal(file, "compliance_mm2_per_n");
+}
+
+TEST(ModelJson, RefusesElasticityThatIsNoBody)
+{
+  Json file = ElasticFile();
+  file["elasticity"]["compliance_mm2_per_n"][0][0] = -30.0;
+  const std::string message = RefusalOf(file.dump());
+  EXPECT_NE(message.find("elastic body"), std::string::npos) << message;
+}

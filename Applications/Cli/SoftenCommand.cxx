@@ -1,0 +1,193 @@
+#include "SoftenCommand.h"
+
+#include "CommandProgress.h"
+#include "Console.h"
+#include "DecimalText.h"
+#include "FileFormat.h"
+#include "FiniteNumber.h"
+#include "InputError.h"
+#include "Interruption.h"
+#include "ModelFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <optional>
+#include <ostream>
+
+namespace palpate::cli
+{
+namespace
+{
+struct Side
+{
+  const char* Name;
+  Vector3 World; // patient LPS
+};
+
+const std::array<Side, 6>& Sides()
+{
+  static const std::array<Side, 6> sides{{{"left", Vector3::UnitX()},
+                                          {"right", -Vector3::UnitX()},
+                                          {"posterior", Vector3::UnitY()},
+                                          {"anterior", -Vector3::UnitY()},
+                                          {"superior", Vector3::UnitZ()},
+                                          {"inferior", -Vector3::UnitZ()}}};
+  return sides;
+}
+
+// "60kPa", "60 kPa" or "60".
+double Kilopascal(const std::string& option, const std::string& word)
+{
+  std::string number = word;
+  const std::string unit = "kPa";
+  if (number.size() > unit.size() &&
+      number.compare(number.size() - unit.size(), unit.size(), unit) == 0)
+  {
+    number.erase(number.size() - unit.size());
+  }
+  while (!number.empty() && number.back() == ' ')
+  {
+    number.pop_back();
+  }
+  const std::optional<double> value = ParseNumber(number);
+  if (!value || !(*value > 0.0))
+  {
+    throw InputError(option + " " + word + " is not a modulus; give a positive number of kPa.");
+  }
+  return *value;
+}
+} // namespace
+
+std::string SoftenCommand::Examples() const
+{
+  return "  palpate soften gland.json --output soft.json          20 kPa, held all round\n"
+         "  palpate soften gland.json --tissue 20kPa --lesion lesion.nii.gz \\\n"
+         "    --lesion-modulus 60kPa --free posterior --output soft.json\n"
+         "  palpate soften gland.json --elastography mre.nii.gz --output soft.json\n"
+         "  palpate touch soft.json --tool-radius 8               feel it";
+}
+
+void SoftenCommand::DeclareOptions(CLI::App& app)
+{
+  app.add_option("MODEL", this->Model,
+                 "Star-shaped model: " + ListOfEndings(ReadableModelEndings()))
+      ->required();
+  app.add_option("--output", this->Output, "The model that yields, .json")->required();
+  app.add_option("--tissue", this->Tissue, "Young's modulus of the organ's tissue")
+      ->type_name("KPA")
+      ->capture_default_str();
+  app.add_option("--lesion", this->Lesions,
+                 "Segmentation of a part with another modulus; may be repeated, later ones count")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_option("--lesion-modulus", this->LesionModuli,
+                 "Its Young's modulus: one for all, or one for each")
+      ->type_name("KPA")
+      ->allow_extra_args(false);
+  app.add_option("--lesion-label", this->LesionLabels,
+                 "Its structure (default: all of the file): one for all, or one for each")
+      ->type_name("N|NAME")
+      ->allow_extra_args(false);
+  app.add_option("--elastography", this->Settings.Elastography,
+                 "Image of Young's modulus in kPa, instead of --tissue where it has values")
+      ->type_name("FILE");
+  app.add_option("--poisson", this->Settings.PoissonRatio, "Poisson's ratio")
+      ->check(FiniteNumber::Between(0.0, ElasticSolid::MostPoissonRatio))
+      ->capture_default_str();
+  std::vector<std::string> names;
+  for (const Side& side : Sides())
+  {
+    names.emplace_back(side.Name);
+  }
+  app.add_option("--free", this->FreeSides,
+                 "Side of the organ that lies on nothing; may be repeated (default: none)")
+      ->check(CLI::IsMember(names))
+      ->allow_extra_args(false);
+  app.add_option("--free-angle", this->Settings.FreeDegrees,
+                 "Half the angle of the cone that is free on each such side, degrees")
+      ->check(FiniteNumber::Between(1.0, 170.0))
+      ->capture_default_str();
+  app.add_option("--support", this->Settings.BedPerMillimeter,
+                 "Stiffness of what the organ lies on, kPa per mm")
+      ->check(FiniteNumber::Between(1e-3, 1e5))
+      ->capture_default_str();
+  app.add_option("--elements", this->Settings.Numbers.ElementsAcross,
+                 "Finite elements along a quarter of a great circle: even; time grows with its "
+                 "fifth power, memory with its fourth")
+      ->check(CLI::Range(4, 24))
+      ->capture_default_str();
+  app.add_option("--degree", this->Settings.Numbers.Degree,
+                 "Degree of the harmonics of the finite elements' compliance")
+      ->check(CLI::Range(4, ReducedCompliance::MostDegree))
+      ->capture_default_str();
+  app.add_option("--map-degree", this->Settings.Numbers.Maps.Degree,
+                 "Degree of the maps that are kept; a tick's time grows with its square")
+      ->check(CLI::Range(4, ComplianceMaps::MostDegree))
+      ->capture_default_str();
+  this->Images.Declare(app, "file");
+}
+
+SofteningSettings SoftenCommand::Read() const
+{
+  SofteningSettings settings = this->Settings;
+  settings.TissueKilopascal = Kilopascal("--tissue", this->Tissue);
+  settings.Choice = this->Images.Choice();
+  const auto fits = [this](std::size_t count, std::size_t least)
+  { return count == this->Lesions.size() || (count <= 1 && count >= least); };
+  if (!fits(this->LesionModuli.size(), this->Lesions.empty() ? 0 : 1) ||
+      (this->Lesions.empty() && !this->LesionModuli.empty()))
+  {
+    throw InputError("give --lesion-modulus once for all, or once for each --lesion.");
+  }
+  if (!fits(this->LesionLabels.size(), 0))
+  {
+    throw InputError("give --lesion-label once for all, or once for each --lesion.");
+  }
+  for (std::size_t i = 0; i < this->Lesions.size(); ++i)
+  {
+    const auto of = [i](const std::vector<std::string>& words)
+    { return words.empty() ? std::string() : words[words.size() > 1 ? i : 0]; };
+    settings.Inclusions.push_back({this->Lesions[i], of(this->LesionLabels),
+                                   Kilopascal("--lesion-modulus", of(this->LesionModuli))});
+  }
+  for (const std::string& name : this->FreeSides)
+  {
+    for (const Side& side : Sides())
+    {
+      if (name == side.Name)
+      {
+        settings.FreeSides.push_back(side.World);
+      }
+    }
+  }
+  return settings;
+}
+
+int SoftenCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  if (this->Output.extension() != ".json")
+  {
+    throw InputError(this->Output.string() + " cannot hold a model that yields; use .json.");
+  }
+  const SofteningSettings settings = this->Read();
+  const ModelDocument model = ReadModel(this->Model);
+  const SoftenedModel softened =
+      SoftenModel(model, this->Model.string(), settings, ProgressOn(console));
+  console.EndProgress();
+  for (const std::string& note : softened.Notes)
+  {
+    console.Note(note);
+  }
+  WriteModel(this->Output, softened.Document);
+  const ComplianceMaps& maps = *softened.Document.Elasticity;
+  console.Output() << softened.Account.Unknowns << " unknowns, elements of "
+                   << FixedText(softened.Account.ElementEdge, 1)
+                   << " mm at the surface; the maps leave out "
+                   << FixedText(100.0 * maps.FitError.Rms, 1) << " % of the compliance, at most "
+                   << FixedText(100.0 * maps.FitError.Largest, 1) << " %; patches up to "
+                   << FixedText(maps.LargestPatch, 1) << " mm\n";
+  return 0;
+}
+} // namespace palpate::cli

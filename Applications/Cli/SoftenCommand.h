@@ -1,0 +1,36 @@
+#pragma once
+
+#include "Command.h"
+#include "ImageOptions.h"
+#include "ModelSoftening.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate::cli
+{
+/// `palpate soften MODEL --output FILE`: a model that yields, from the stiffness of its tissue.
+class SoftenCommand : public Command
+{
+public:
+  std::string Name() const override { return "soften"; }
+  std::string Summary() const override { return "Make a model yield: tissue, lesions, support"; }
+  std::string Examples() const override;
+  void DeclareOptions(CLI::App& app) override;
+  int Run(Console& console) override;
+
+private:
+  SofteningSettings Read() const;
+
+  std::filesystem::path Model;
+  std::filesystem::path Output;
+  std::string Tissue = "20kPa";
+  std::vector<std::filesystem::path> Lesions;
+  std::vector<std::string> LesionLabels;
+  std::vector<std::string> LesionModuli;
+  std::vector<std::string> FreeSides;
+  ImageOptions Images;
+  SofteningSettings Settings;
+};
+} // namespace palpate::cli

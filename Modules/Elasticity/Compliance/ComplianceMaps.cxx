@@ -1,0 +1,182 @@
+#include "ComplianceMaps.h"
+
+#include "ComplianceAtlas.h"
+#include "ComplianceSampler.h"
+#include "IcosahedronDirections.h"
+#include "SphereQuadrature.h"
+#include "SphericalHarmonicBasis.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+// Least squares over directions all round, three for each harmonic.
+struct MapFit
+{
+  explicit MapFit(int degree)
+      : Basis(degree), Directions(static_cast<int>(
+                           std::ceil(std::sqrt(0.3 * static_cast<double>(Basis.Size()))) + 1.0))
+  {
+  }
+
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& values) const
+  {
+    const std::vector<Vector3>& directions = this->Directions.Directions();
+    const std::vector<double> weights = this->Directions.SolidAngles();
+    const auto size = static_cast<Eigen::Index>(this->Basis.Size());
+    Eigen::MatrixXd rows(size, values.rows()); // transposed
+    Eigen::MatrixXd weighted = values;
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+    {
+      const double root = std::sqrt(weights[static_cast<std::size_t>(i)]);
+      this->Basis.Evaluate(directions[static_cast<std::size_t>(i)], rows.col(i).data());
+      rows.col(i) *= root;
+      weighted.row(i) *= root;
+    }
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(rows);
+    return normal.selfadjointView<Eigen::Lower>().ldlt().solve(rows * weighted);
+  }
+
+  SphericalHarmonicBasis Basis;
+  IcosahedronDirections Directions;
+};
+// The centres of some triangles.
+std::vector<Vector3> PlacesBetween(const IcosahedronDirections& directions)
+{
+  constexpr std::size_t About = 150;
+  const auto& triangles = directions.Triangles();
+  const std::size_t step = std::max<std::size_t>(1, triangles.size() / About);
+  std::vector<Vector3> places;
+  for (std::size_t i = 0; i < triangles.size(); i += step)
+  {
+    Vector3 sum = Vector3::Zero();
+    for (const int corner : triangles[i])
+    {
+      sum += directions.Directions()[static_cast<std::size_t>(corner)];
+    }
+    places.push_back(sum.normalized());
+  }
+  return places;
+}
+
+// Adds the square of the error at a place.
+void Compare(const ComplianceSampler& sampler, const ComplianceAtlas& atlas,
+             const Vector3& direction, ComplianceMaps::Error& error)
+{
+  const double truth = sampler.Compliance(sampler.PatchAt(direction, error.PatchRadius));
+  const double off = atlas.At(direction).Compliance.At(error.PatchRadius).Compliance / truth - 1.0;
+  error.Rms += off * off;
+  if (std::abs(off) > error.Largest)
+  {
+    error.Largest = std::abs(off);
+    error.Worst = direction;
+  }
+}
+} // namespace
+
+Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+                           const ReducedCompliance& reduced, const Settings& settings,
+                           const KernelProgress& progress, ComplianceMaps& maps)
+{
+  const double meanRadius = model.Coefficients()[0] / std::sqrt(4.0 * 3.14159265358979323846);
+  const double largest =
+      settings.LargestPatch > 0.0 ? settings.LargestPatch : DefaultPatch * meanRadius;
+  if (settings.Degree < 0 || settings.Degree > MostDegree)
+  {
+    return Status::Failure("The degree of the maps is not a number from 0 to " +
+                           std::to_string(MostDegree) + ".");
+  }
+  if (!(largest < meanRadius))
+  {
+    return Status::Failure("The largest patch is not smaller than the organ.");
+  }
+  const ComplianceSampler sampler(model, solid, reduced);
+  const MapFit fit(settings.Degree);
+  const std::vector<Vector3>& directions = fit.Directions.Directions();
+  const std::vector<Vector3> between = PlacesBetween(fit.Directions);
+  const std::size_t all = directions.size() + between.size();
+  const auto goesOn = [&](std::size_t done)
+  { return !progress || progress(static_cast<double>(done) / static_cast<double>(all)); };
+
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(directions.size()), Eigen::Index{Count});
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    if (!goesOn(i))
+    {
+      return Status::Failure("Cancelled.");
+    }
+    const PatchCompliance place = sampler.At(directions[i], largest);
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
+    {
+      values(row, static_cast<Eigen::Index>(term)) = place.Coefficients[term];
+    }
+    values(row, Eigen::Index{Count} - 1) = sampler.PatchAt(directions[i], largest).Curvature;
+  }
+  const Eigen::MatrixXd coefficients = fit.Solve(values);
+  maps.Degree = settings.Degree;
+  maps.LargestPatch = largest;
+  maps.PoissonRatio = solid.PoissonRatio;
+  for (std::size_t map = 0; map < Count; ++map)
+  {
+    const auto column = coefficients.col(static_cast<Eigen::Index>(map));
+    maps.Coefficients[map].assign(column.data(), column.data() + column.size());
+  }
+
+  maps.FitError = Error();
+  maps.FitError.PatchRadius = 0.4 * largest;
+  const ComplianceAtlas atlas(maps);
+  for (std::size_t i = 0; i < between.size(); ++i)
+  {
+    if (!goesOn(directions.size() + i))
+    {
+      return Status::Failure("Cancelled.");
+    }
+    Compare(sampler, atlas, between[i], maps.FitError);
+  }
+  maps.FitError.Rms = std::sqrt(maps.FitError.Rms / static_cast<double>(between.size()));
+  return goesOn(all) ? Status::Success() : Status::Failure("Cancelled.");
+}
+
+Status ComplianceMaps::Check() const
+{
+  const bool isKnown = this->Degree >= 0 && this->Degree <= MostDegree &&
+                       this->LargestPatch > 0.0 && std::isfinite(this->LargestPatch) &&
+                       this->PoissonRatio >= 0.0 && this->PoissonRatio < 0.5;
+  const bool isComplete =
+      isKnown &&
+      std::all_of(this->Coefficients.begin(), this->Coefficients.end(),
+                  [this](const std::vector<double>& map)
+                  {
+                    return map.size() == SphericalHarmonicBasis::CoefficientCount(this->Degree) &&
+                           std::all_of(map.begin(), map.end(),
+                                       [](double c) { return std::isfinite(c); });
+                  });
+  if (!isComplete)
+  {
+    return Status::Failure("The maps of compliance are incomplete.");
+  }
+  constexpr int Parts = 12; // of the largest patch
+  const ComplianceAtlas atlas(*this);
+  for (const Vector3& direction : SphereQuadrature(2 * this->Degree + 2).Directions)
+  {
+    const PatchCompliance place = atlas.At(direction).Compliance;
+    for (int part = 1; part <= Parts; ++part)
+    {
+      const auto value = place.At(this->LargestPatch * part / Parts);
+      if (!(value.Compliance > 0.0 && value.First < 0.0))
+      {
+        return Status::Failure("The maps of compliance are not those of an elastic body.");
+      }
+    }
+  }
+  return Status::Success();
+}
+} // namespace palpate

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "HexElasticity.h"
+#include "KernelProgress.h"
+#include "PatchCompliance.h"
+#include "ReducedCompliance.h"
+#include "SphericalHarmonicModel.h"
+#include "Status.h"
+#include "Vector3.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace palpate
+{
+/// The compliance of every place of an organ's surface to Hertz bumps, as spherical harmonics: one
+/// map for each term of PatchCompliance (mm^2/N), and one of the mean curvature (1/mm). All that is
+/// kept of an elastic organ, some ten kilobytes; ComplianceAtlas evaluates it.
+struct ComplianceMaps
+{
+  static constexpr std::size_t Count = PatchCompliance::Terms + 1;
+  static constexpr int MostDegree = 40;
+  /// Of the mean radius, the default of the largest patch.
+  static constexpr double DefaultPatch = 0.36;
+
+  struct Settings
+  {
+    int Degree = 20;           ///< of the maps, 0 to MostDegree
+    double LargestPatch = 0.0; ///< mm; if not positive, DefaultPatch of the mean radius
+  };
+
+  /// What the maps leave out, at directions between those that they were fitted to.
+  struct Error
+  {
+    double Rms = 0.0;     ///< of the compliance, relative
+    double Largest = 0.0; ///< relative
+    Vector3 Worst = Vector3::UnitZ();
+    double PatchRadius = 0.0; ///< mm, of the bumps that were compared
+  };
+
+  int Degree = 0;
+  double LargestPatch = 0.0; ///< mm
+  double PoissonRatio = 0.0;
+  std::array<std::vector<double>, Count> Coefficients; ///< (Degree + 1)^2 each
+  Error FitError;
+
+  /// Of the model, the solid and the compliance that was reduced from them. Fails for settings
+  /// outside their limits and if `progress` cancels. Allocates.
+  static Status Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+                    const ReducedCompliance& reduced, const Settings& settings,
+                    const KernelProgress& progress, ComplianceMaps& maps);
+
+  /// Fails for maps that are incomplete or not those of a body: everywhere a larger patch has to
+  /// yield less. For maps from a file. Allocates.
+  Status Check() const;
+};
+} // namespace palpate

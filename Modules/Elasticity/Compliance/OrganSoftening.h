@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ComplianceMaps.h"
+
+namespace palpate
+{
+/// From a model and its tissue to what is kept of an elastic organ.
+struct OrganSoftening
+{
+  int ElementsAcross = 16; ///< of a quarter of a great circle; see StarMesh
+  int Degree = 12;         ///< of the reduced compliance
+  ComplianceMaps::Settings Maps;
+
+  /// What was built.
+  struct Account
+  {
+    double ElementEdge = 0.0; ///< mm, at the surface
+    std::size_t Unknowns = 0;
+  };
+
+  /// Fails with the reasons of its parts; see StarMesh, AssembleStiffness, ReducedCompliance and
+  /// ComplianceMaps. Takes seconds and, with 16 elements across, 0.7 GB.
+  Status Make(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+              const KernelProgress& progress, ComplianceMaps& maps, Account& account) const;
+};
+} // namespace palpate

@@ -1,0 +1,121 @@
+#include "ComplianceJson.h"
+
+#include "Refusal.h"
+#include "SphericalHarmonicBasis.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace palpate
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+[[noreturn]] void RefuseEntry(const std::string& fileName, const std::string& key)
+{
+  Refuse(fileName,
+         "is not a model that Palpate can read: the entry \"" + key +
+             "\" of its elasticity is missing or is not what it has to be",
+         "write it again with palpate soften");
+}
+
+const Json& Entry(const Json& parent, const std::string& key, const std::string& fileName)
+{
+  if (!parent.is_object() || !parent.contains(key))
+  {
+    RefuseEntry(fileName, key);
+  }
+  return parent[key];
+}
+
+double Number(const Json& parent, const std::string& key, const std::string& fileName)
+{
+  const Json& entry = Entry(parent, key, fileName);
+  if (!entry.is_number() || !std::isfinite(entry.get<double>()))
+  {
+    RefuseEntry(fileName, key);
+  }
+  return entry.get<double>();
+}
+
+std::vector<double> Numbers(const Json& entry, std::size_t count, const std::string& key,
+                            const std::string& fileName)
+{
+  if (!entry.is_array() || entry.size() != count)
+  {
+    RefuseEntry(fileName, key);
+  }
+  std::vector<double> values;
+  values.reserve(count);
+  for (const Json& value : entry)
+  {
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+    {
+      RefuseEntry(fileName, key);
+    }
+    values.push_back(value.get<double>());
+  }
+  return values;
+}
+
+constexpr const char* ComplianceKey = "compliance_mm2_per_n";
+constexpr const char* CurvatureKey = "mean_curvature_per_mm";
+} // namespace
+
+Json ComplianceAsJson(const ComplianceMaps& maps, const std::string& fileName)
+{
+  RequireInput(maps.Check(), fileName);
+  Json entry;
+  entry["degree"] = maps.Degree;
+  entry["largest_patch_mm"] = maps.LargestPatch;
+  entry["poisson_ratio"] = maps.PoissonRatio;
+  entry[ComplianceKey] = Json::array();
+  for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
+  {
+    entry[ComplianceKey].push_back(maps.Coefficients[term]);
+  }
+  entry[CurvatureKey] = maps.Coefficients[PatchCompliance::Terms];
+  Json& error = entry["fit_error"];
+  error["rms"] = maps.FitError.Rms;
+  error["largest"] = maps.FitError.Largest;
+  error["patch_mm"] = maps.FitError.PatchRadius;
+  error["direction"] = {maps.FitError.Worst.x(), maps.FitError.Worst.y(), maps.FitError.Worst.z()};
+  return entry;
+}
+
+ComplianceMaps ComplianceFromJson(const Json& entry, const std::string& fileName)
+{
+  ComplianceMaps maps;
+  const Json& degree = Entry(entry, "degree", fileName);
+  if (!degree.is_number_unsigned() ||
+      degree.get<std::uint64_t>() > std::uint64_t{ComplianceMaps::MostDegree})
+  {
+    RefuseEntry(fileName, "degree");
+  }
+  maps.Degree = degree.get<int>();
+  maps.LargestPatch = Number(entry, "largest_patch_mm", fileName);
+  maps.PoissonRatio = Number(entry, "poisson_ratio", fileName);
+  const std::size_t count = SphericalHarmonicBasis::CoefficientCount(maps.Degree);
+  const Json& terms = Entry(entry, ComplianceKey, fileName);
+  if (!terms.is_array() || terms.size() != PatchCompliance::Terms)
+  {
+    RefuseEntry(fileName, ComplianceKey);
+  }
+  for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
+  {
+    maps.Coefficients[term] = Numbers(terms[term], count, ComplianceKey, fileName);
+  }
+  maps.Coefficients[PatchCompliance::Terms] =
+      Numbers(Entry(entry, CurvatureKey, fileName), count, CurvatureKey, fileName);
+  const Json& error = Entry(entry, "fit_error", fileName);
+  maps.FitError.Rms = Number(error, "rms", fileName);
+  maps.FitError.Largest = Number(error, "largest", fileName);
+  maps.FitError.PatchRadius = Number(error, "patch_mm", fileName);
+  const std::vector<double> direction =
+      Numbers(Entry(error, "direction", fileName), 3, "direction", fileName);
+  maps.FitError.Worst = Vector3(direction[0], direction[1], direction[2]);
+  RequireInput(maps.Check(), fileName);
+  return maps;
+}
+} // namespace palpate
