@@ -14,6 +14,8 @@ void HertzPatch::Project(const SphericalHarmonicBasis& basis, double* coefficien
   // With s = sqrt(1 - (rho/a)^2) the force is 3 s^2 ds times the part of the turn.
   constexpr int Rings = 6;
   constexpr int Spokes = 16;
+  // A disc does not follow a hollow that is narrower than itself.
+  constexpr double SteepestBend = 0.7;
   constexpr double Turn = 6.28318530717958647692;
   static const GaussLegendre gauss(Rings);
   const auto size = static_cast<Eigen::Index>(basis.Size());
@@ -26,9 +28,9 @@ void HertzPatch::Project(const SphericalHarmonicBasis& basis, double* coefficien
   {
     const double s = 0.5 * (1.0 + gauss.Nodes[ring]);
     const double rho = this->Radius * std::sqrt(1.0 - s * s);
-    const double bend = std::min(1.0, rho * rho * this->Curvature * this->Curvature);
+    const double bend = std::clamp(rho * this->Curvature, -SteepestBend, SteepestBend);
     const Vector3 middle =
-        this->Point - rho * rho * this->Curvature / (1.0 + std::sqrt(1.0 - bend)) * this->Normal;
+        this->Point - rho * bend / (1.0 + std::sqrt(1.0 - bend * bend)) * this->Normal;
     const double force = 1.5 * gauss.Weights[ring] * s * s / Spokes;
     for (int spoke = 0; spoke < Spokes; ++spoke)
     {
