@@ -29,8 +29,8 @@ struct Organ
                                         {16, 0.0}, {}, maps);
     EXPECT_TRUE(status.IsOk()) << status.Message();
     this->Atlas = std::make_shared<const ComplianceAtlas>(maps);
-    EXPECT_TRUE(
-        ElasticContactModel::Make(test::Shared(this->Case.Model), this->Atlas, this->Model).IsOk());
+    status = ElasticContactModel::Make(test::Shared(this->Case.Model), maps, this->Model);
+    EXPECT_TRUE(status.IsOk()) << status.Message();
   }
   Vector3 Above(const Vector3& direction, double height) const
   {
