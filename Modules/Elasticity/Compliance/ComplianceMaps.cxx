@@ -47,6 +47,18 @@ struct MapFit
   SphericalHarmonicBasis Basis;
   IcosahedronDirections Directions;
 };
+// To nine digits of the largest, so that files are short.
+void RoundTogether(std::vector<double>& values)
+{
+  const double largest = std::abs(*std::max_element(
+      values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double unit = largest > 0.0 ? std::pow(10.0, 8.0 - std::floor(std::log10(largest))) : 1.0;
+  for (double& value : values)
+  {
+    value = std::round(value * unit) / unit;
+  }
+}
+
 // The centres of some triangles.
 std::vector<Vector3> PlacesBetween(const IcosahedronDirections& directions)
 {
@@ -128,6 +140,7 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
   {
     const auto column = coefficients.col(static_cast<Eigen::Index>(map));
     maps.Coefficients[map].assign(column.data(), column.data() + column.size());
+    RoundTogether(maps.Coefficients[map]);
   }
 
   maps.FitError = Error();

@@ -1,6 +1,7 @@
 #include "ClosestPointSearch.h"
 #include "ElasticCases.h"
 #include "ElasticForce.h"
+#include "SphericalHarmonicProjection.h"
 
 #include <gtest/gtest.h>
 
@@ -154,6 +155,35 @@ TEST(ElasticForce, SaysWhereLinearElasticityEnds)
   EXPECT_FALSE(isValid(8.0, 4.1));
   EXPECT_TRUE(isValid(4.0, 1.9));
   EXPECT_FALSE(isValid(4.0, 2.1));
+}
+
+// There the nearest point jumps; the force keeps its size and is said to be invalid.
+TEST(ElasticForce, StaysBoundedWhereTheBallDoesNotFit)
+{
+  const Vector3 hollow = Vector3(1.0, -2.0, 1.0).normalized();
+  const auto radius = [&](const Vector3& d)
+  { return 24.0 - 9.0 * std::exp(12.0 * (d.dot(hollow) - 1.0)); };
+  test::ElasticCase organ;
+  organ.Model =
+      SphericalHarmonicModel(12, ProjectOnHarmonics(12, 30, radius), Vector3(1.0, 2.0, 3.0));
+  ASSERT_NO_FATAL_FAILURE(organ.Build(6, 6));
+  ComplianceMaps maps;
+  ASSERT_TRUE(
+      ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, {12, 0.0}, {}, maps).IsOk());
+  const ComplianceAtlas atlas(maps);
+  std::mt19937_64 random(59);
+  int invalid = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vector3 d = (hollow + 0.4 * test::RandomDirection(random)).normalized();
+    const ElasticForce force = ElasticForce::Of(atlas, organ.Model, d, 2.0, 8.0);
+    const double push = force.ForceWorld.dot(organ.Model.Normal(d));
+    EXPECT_GT(push, 0.0);
+    EXPECT_LE(force.ForceWorld.norm(), 1.12 * push);
+    EXPECT_LT(push, 2.0);
+    invalid += force.IsValid ? 0 : 1;
+  }
+  EXPECT_GT(invalid, 10);
 }
 
 TEST(ElasticForce, IsZeroWithoutContact)

@@ -55,19 +55,25 @@ ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const SphericalHarmo
                   !contact.IsPatchFull && curvature == place.MeanCurvature;
 
   // The nearest point moves with the ball by (1 + s k)^-1 along each principal direction, for the
-  // centre's distance s from the surface.
+  // centre's distance s from the surface. Where it moves without bounds it is not unique.
+  constexpr double LeastStretch = 0.05;
+  constexpr double MostLateral = 0.5; // of the push; some tenths are met beside lesions
   const SurfaceCurvature shape = CurvatureAt(direction, sample);
   const double distance = ballRadius - depth;
   const Vector3 slope = EnergySlope(place, contact);
   const Vector3 onSphere = (slope - direction.dot(slope) * direction) / sample.Radius;
+  Vector3 lateral = Vector3::Zero();
   for (std::size_t i = 0; i < 2; ++i)
   {
     const double stretch = 1.0 + distance * shape.Principal[i];
-    constexpr double Least = 0.05; // else the nearest point is not unique
-    force.IsValid = force.IsValid && stretch > Least;
-    force.ForceWorld -=
-        shape.Directions[i].dot(onSphere) / std::max(stretch, Least) * shape.Directions[i];
+    force.IsValid = force.IsValid && stretch > LeastStretch;
+    lateral -=
+        shape.Directions[i].dot(onSphere) / std::max(stretch, LeastStretch) * shape.Directions[i];
   }
+  const double size = lateral.norm();
+  const double most = MostLateral * contact.Force;
+  force.IsValid = force.IsValid && size <= most;
+  force.ForceWorld += size > most ? Vector3(most / size * lateral) : lateral;
   return force;
 }
 } // namespace palpate

@@ -63,7 +63,7 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
   if (!(std::abs(distance - model.Radius(direction)) <= OnSurface * distance))
   {
     const Vector3 push = this->Felt.ProxyWorld - probe;
-    force.ForceWorld = force.ForceWorld.norm() / this->Felt.Depth * push;
+    force.ForceWorld = force.ForceWorld.dot(model.Normal(direction)) / this->Felt.Depth * push;
     force.IsValid = false;
   }
 }
