@@ -1,10 +1,11 @@
 #pragma once
 
-#include "ElasticForce.h"
 #include "Vector3.h"
 
 namespace palpate
 {
+struct ElasticForce;
+
 /// Contact of a tool with one structure in one tick. Without contact the proxy is the probe.
 struct Contact
 {
@@ -14,9 +15,9 @@ struct Contact
   Vector3 NormalWorld = Vector3::UnitZ(); ///< unit, out of the structure, at the proxy
   double Depth = 0.0;                     ///< mm from probe to proxy
   int Material = 0;                       ///< of a field, the touched material; else 0
-  /// Whether the structure yields: then the force is this one, not that of a spring to the proxy.
-  bool IsElastic = false;
-  ElasticForce Elastic;
+  /// Of a structure that yields, its force, instead of that of a spring to the proxy; null if it is
+  /// rigid. The tracker's own, so valid until its next call.
+  const ElasticForce* Elastic = nullptr;
   /// False for a pose that is not finite: then there is no contact, and the other members are
   /// undefined.
   bool IsValid = false;

@@ -30,7 +30,8 @@ void ElasticTracker::LetGo() noexcept
 const Contact& ElasticTracker::Follow(const ToolPose& pose) noexcept
 {
   this->Felt = this->Rigid.Follow(pose);
-  this->Felt.IsElastic = true;
+  this->Push = ElasticForce();
+  this->Felt.Elastic = &this->Push;
   if (!this->Felt.IsValid)
   {
     return this->Felt;
@@ -56,7 +57,7 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
   const Vector3 fromCenter = foot - model.CenterWorld();
   const double distance = fromCenter.norm();
   const Vector3 direction = fromCenter / distance;
-  ElasticForce& force = this->Felt.Elastic;
+  ElasticForce& force = this->Push;
   force = ElasticForce::Of(*this->Atlas, model, direction, this->Felt.Depth, this->ToolRadius,
                            this->PatchRadius);
   this->PatchRadius = force.PatchRadius;
@@ -70,7 +71,7 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
 
 void ElasticTracker::Rub(const Vector3& probe) noexcept
 {
-  ElasticForce& force = this->Felt.Elastic;
+  ElasticForce& force = this->Push;
   const double nu = this->Atlas->PoissonRatio();
   const double stiffness = force.Slope * (1.0 - nu) / (1.0 - 0.5 * nu);
   const Vector3& normal = this->Felt.NormalWorld;

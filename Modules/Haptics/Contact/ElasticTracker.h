@@ -2,6 +2,7 @@
 
 #include "ComplianceAtlas.h"
 #include "ContactTracker.h"
+#include "ElasticForce.h"
 #include "HarmonicNearestTracker.h"
 
 #include <memory>
@@ -38,6 +39,7 @@ private:
   SurfaceFriction Friction;
 
   Contact Felt;
+  ElasticForce Push;
   double PatchRadius = 0.0;        // mm, of the last tick
   Vector3 Shear = Vector3::Zero(); // friction, N
   double ShearStiffness = 0.0;     // N/mm; 0 without contact

@@ -1,5 +1,7 @@
 #include "StructureFollower.h"
 
+#include "ElasticForce.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -17,10 +19,13 @@ bool IsSound(const Contact& contact, const Vector3& probeWorld) noexcept
   {
     return false;
   }
+  if (contact.Elastic != nullptr && !contact.Elastic->ForceWorld.allFinite())
+  {
+    return false;
+  }
   const double normal = contact.NormalWorld.squaredNorm();
-  return !contact.IsTouching ||
-         ((contact.ProxyWorld - probeWorld).norm() <= LargestDepth && normal >= 0.99 &&
-          normal <= 1.01 && contact.Elastic.ForceWorld.allFinite());
+  return !contact.IsTouching || ((contact.ProxyWorld - probeWorld).norm() <= LargestDepth &&
+                                 normal >= 0.99 && normal <= 1.01);
 }
 
 double LeastRadius(const ToolShape& tool)
@@ -117,6 +122,7 @@ void StructureFollower::Leave() noexcept
 void StructureFollower::CarryOn(const StructureFollower& before) noexcept
 {
   this->Before = before.Last;
+  this->Before->Elastic = nullptr; // of a tracker that goes
   if (this->Feed != nullptr && before.Feed != nullptr)
   {
     *this->Feed = *before.Feed;
@@ -180,8 +186,8 @@ FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
 // Of the last contact, at the hand.
 double StructureFollower::StiffnessDevice() const noexcept
 {
-  return this->Last.IsElastic
-             ? this->Last.Elastic.Slope / this->Frame->LengthDevice(Vector3::UnitX()).norm()
+  return this->Last.Elastic != nullptr
+             ? this->Last.Elastic->Slope / this->Frame->LengthDevice(Vector3::UnitX()).norm()
              : this->Structure->Law.Stiffness;
 }
 
@@ -189,9 +195,9 @@ double StructureFollower::StiffnessDevice() const noexcept
 Vector3 StructureFollower::ElasticPush(const Vector3& offsetWorld) const noexcept
 {
   const Vector3& normal = this->Last.NormalWorld;
-  const Vector3& force = this->Last.Elastic.ForceWorld;
+  const Vector3& force = this->Last.Elastic->ForceWorld;
   const double deeper = (offsetWorld - (this->Last.ProxyWorld - this->LastProbe)).dot(normal);
-  return force + std::max(this->Last.Elastic.Slope * deeper, -force.dot(normal)) * normal;
+  return force + std::max(this->Last.Elastic->Slope * deeper, -force.dot(normal)) * normal;
 }
 
 // A tracker that was released out of reach restarts at the place before this tick, which was out of
@@ -244,7 +250,7 @@ ContactOffset StructureFollower::Felt(const FollowStep& step) noexcept
     this->Interpolation.Renew(this->Last, probe, probe, step.ModelPeriod);
     felt = this->Interpolation.Advance(probe, 0.0);
   }
-  felt.IsElastic = this->Last.IsElastic;
+  felt.IsElastic = this->Last.Elastic != nullptr;
   if (felt.IsElastic && felt.IsTouching)
   {
     felt.Push = this->ElasticPush(felt.Offset);
