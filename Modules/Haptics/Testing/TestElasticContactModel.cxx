@@ -1,6 +1,7 @@
 #include "ContactCases.h"
 #include "ElasticCases.h"
 #include "ElasticContactModel.h"
+#include "ElasticForce.h"
 #include "StiffnessAdvice.h"
 #include "StructureFollower.h"
 
