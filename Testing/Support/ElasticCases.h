@@ -3,9 +3,11 @@
 #include "ComplianceAtlas.h"
 #include "ComplianceSampler.h"
 #include "HexElasticity.h"
+#include "HexahedronShape.h"
 #include "LayeredSphere.h"
 #include "RandomShapes.h"
 #include "ReducedCompliance.h"
+#include "SphericalHarmonicProjection.h"
 #include "StarMesh.h"
 
 #include <gtest/gtest.h>
@@ -42,6 +44,35 @@ inline SphericalHarmonicModel RandomModel(std::mt19937_64& random, int degree = 
     coefficients[i] = roughness * Radius * normal(random);
   }
   return {degree, coefficients, Vector3(3.0, -2.0, 5.0)};
+}
+
+/// The direction of HollowModel's hollow.
+inline Vector3 HollowDirection()
+{
+  return Vector3(1.0, -2.0, 1.0).normalized();
+}
+
+/// With a deep hollow, into which no ball fits that is used as a tool.
+inline SphericalHarmonicModel HollowModel()
+{
+  const auto radius = [](const Vector3& d)
+  { return 24.0 - 9.0 * std::exp(12.0 * (d.dot(HollowDirection()) - 1.0)); };
+  return {12, ProjectOnHarmonics(12, 30, radius), Vector3(1.0, 2.0, 3.0)};
+}
+
+/// Of the elements, mm^3.
+inline double FilledVolume(const StarMesh& mesh)
+{
+  double volume = 0.0;
+  for (const StarMesh::Element& element : mesh.Elements())
+  {
+    const HexahedronShape shape(mesh.Nodes(), element);
+    for (const HexahedronShape::Point& point : shape.Points())
+    {
+      volume += point.Volume;
+    }
+  }
+  return volume;
 }
 
 /// A ball as a partial volume on a grid of `spacing` mm.

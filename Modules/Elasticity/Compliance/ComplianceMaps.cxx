@@ -47,6 +47,7 @@ struct MapFit
   SphericalHarmonicBasis Basis;
   IcosahedronDirections Directions;
 };
+
 // To nine digits of the largest, so that files are short.
 void RoundTogether(std::vector<double>& values)
 {

@@ -1,5 +1,4 @@
 #include "ElasticCases.h"
-#include "HexahedronShape.h"
 
 #include <gtest/gtest.h>
 
@@ -18,20 +17,6 @@ double EnergyOf(const StiffnessMatrix& stiffness, const StarMesh& mesh, const Ma
     moved.segment<3>(static_cast<Eigen::Index>(3 * i)) = slope * mesh.Nodes()[i] + shift;
   }
   return 0.5 * moved.dot(stiffness.selfadjointView<Eigen::Lower>() * moved);
-}
-
-double VolumeOf(const StarMesh& mesh)
-{
-  double volume = 0.0;
-  for (const StarMesh::Element& element : mesh.Elements())
-  {
-    const HexahedronShape shape(mesh.Nodes(), element);
-    for (const HexahedronShape::Point& point : shape.Points())
-    {
-      volume += point.Volume;
-    }
-  }
-  return volume;
 }
 
 class HexElasticity : public ::testing::Test
@@ -66,8 +51,9 @@ TEST_F(HexElasticity, UniformStrainHasHookesEnergy)
     const StiffnessMatrix stiffness = this->Assembled({TissueMap(0.02), nu, ElasticBed(0.0)});
     const double shear = 0.01 / (1.0 + nu);
     const double lame = 0.02 * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
-    const double wanted = VolumeOf(this->Mesh) * (shear * strain.squaredNorm() +
-                                                  0.5 * lame * strain.trace() * strain.trace());
+    const double wanted =
+        test::FilledVolume(this->Mesh) *
+        (shear * strain.squaredNorm() + 0.5 * lame * strain.trace() * strain.trace());
     EXPECT_NEAR(EnergyOf(stiffness, this->Mesh, slope, Vector3::Zero()), wanted, 1e-10 * wanted)
         << nu;
   }

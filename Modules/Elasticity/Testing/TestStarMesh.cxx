@@ -1,6 +1,5 @@
 #include "ElasticCases.h"
 #include "GaussLegendre.h"
-#include "HexahedronShape.h"
 #include "SphericalHarmonicMeasures.h"
 
 #include <gtest/gtest.h>
@@ -11,20 +10,6 @@ namespace palpate
 {
 namespace
 {
-double FilledVolume(const StarMesh& mesh)
-{
-  double volume = 0.0;
-  for (const StarMesh::Element& element : mesh.Elements())
-  {
-    const HexahedronShape shape(mesh.Nodes(), element);
-    for (const HexahedronShape::Point& point : shape.Points())
-    {
-      volume += point.Volume;
-    }
-  }
-  return volume;
-}
-
 TEST(StarMesh, FillsTheModel)
 {
   std::mt19937_64 random(3);
@@ -35,8 +20,8 @@ TEST(StarMesh, FillsTheModel)
     ASSERT_TRUE(StarMesh::Make(model, 16, mesh).IsOk());
     // Flat faces of 16 a quarter cut off about (pi/32)^2 of the volume.
     const double volume = VolumeOf(model);
-    EXPECT_NEAR(FilledVolume(mesh), volume, 0.015 * volume);
-    EXPECT_LT(FilledVolume(mesh), volume);
+    EXPECT_NEAR(test::FilledVolume(mesh), volume, 0.015 * volume);
+    EXPECT_LT(test::FilledVolume(mesh), volume);
   }
 }
 
