@@ -12,8 +12,8 @@ namespace
 // an encoder resolves; the stride keeps Newton's method in the basin of its minimum.
 constexpr double RelativeGap = 1e-6;
 constexpr double RelativeStride = 1.0 / 16.0;
-// How near the surface a tool without contact is followed by its nearest minima.
-constexpr double RelativeReach = 1.0 / 16.0;
+// How high above the surface it is known which place is the nearest.
+constexpr double RelativeReach = 0.25;
 // Limits of a tick: steps through free space, and short steps of a probe in contact.
 constexpr int MostParts = 4;
 constexpr int MostFreeSteps = 16;
@@ -61,11 +61,11 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
   {
-    this->Places = std::make_unique<WedgePlaces>(*this->Touched, toolRadius);
+    this->Places = std::make_unique<WedgePlaces>(*this->Touched, toolRadius,
+                                                 RelativeReach * this->Touched->SmallestRadius());
     isWedgeNeeded = !this->Places->IsEmpty();
-    const double reach =
-        toolRadius + this->Touched->Margin() + RelativeReach * this->Touched->SmallestRadius();
-    this->Minima = std::make_unique<NearMinima>(*this->Touched, reach, this->TouchingGap);
+    this->Motion = std::make_unique<ClearMotion>(*this->Touched, *this->Places, toolRadius,
+                                                 this->Stride, this->TouchingGap);
   }
   else
   {
@@ -87,10 +87,6 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     return this->Felt;
   }
   this->EvaluationsLeft = EvaluationsOfTick;
-  if constexpr (Surface::MayCrossItself)
-  {
-    this->Minima->BeginTick();
-  }
   this->Advance(pose.PositionWorld);
   if (this->IsWedging && this->Known == State::Touching)
   {
@@ -114,8 +110,8 @@ HarmonicNearestTrackerOf<Surface>::NearestTo(const Vector3& probe) noexcept
 {
   const auto& search = this->Touched->Search();
   const int most = this->EvaluationsOfNextSearch();
-  ClosestPoint nearest = this->IsNearKnown() ? search.Nearest(probe, most, this->Closest)
-                                             : search.Nearest(probe, most);
+  const ClosestPoint nearest = this->IsNearKnown() ? search.Nearest(probe, most, this->Closest)
+                                                   : search.Nearest(probe, most);
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
@@ -147,118 +143,48 @@ void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
   }
 }
 
-// Of the free sphere around a tool that is known to be outside. At a parametric surface the tool
-// keeps off so far that the sign of its distance tells the side without doubt.
-template <typename Surface>
-double HarmonicNearestTrackerOf<Surface>::FreeRadius(const ClosestPoint& closest) const noexcept
-{
-  const double distance = Surface::MayCrossItself
-                              ? std::abs(closest.SignedDistance) - 0.5 * this->TouchingGap
-                              : closest.SignedDistance;
-  return distance - closest.DistanceError - this->RadiusAt(closest.Direction);
-}
-
 // From sphere to sphere along the path (Hart, "Sphere tracing", The Visual Computer 12, 1996).
 // Returns false on contact.
 template <typename Surface>
 bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
 {
-  for (int step = 0; step < MostFreeSteps; ++step)
-  {
-    if ((probe - this->ClearCenterWorld).norm() <= this->ClearRadius)
-    {
-      this->ProbeWorld = probe;
-      return true;
-    }
-    this->Measure(this->ProbeWorld, step == 0);
-    if (step == 0 && this->IsReached(probe))
-    {
-      return true;
-    }
-    if (this->ClearRadius <= this->LeastProgress())
-    {
-      break;
-    }
-    const Vector3 path = probe - this->ProbeWorld;
-    const double length = path.norm();
-    this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
-  }
-  return this->MeetSurface();
-}
-
-// Whether the free spheres around the last place and the probe touch each other; the probe is then
-// at its new place.
-template <typename Surface>
-bool HarmonicNearestTrackerOf<Surface>::IsReached(const Vector3& probe) noexcept
-{
   if constexpr (Surface::MayCrossItself)
   {
-    ClosestPoint there;
-    if (!(this->ClearRadius > 0.0) ||
-        !this->Minima->Find(probe, this->Closest, this->EvaluationsLeft, there))
+    const bool isFree = this->Motion->MoveTo(probe);
+    this->ProbeWorld = this->Motion->PlaceWorld();
+    if (!isFree)
     {
-      return false;
+      this->Touch(this->Motion->Met());
     }
-    const double radius = this->FreeRadius(there);
-    if (radius > 0.0 && (probe - this->ProbeWorld).norm() < this->ClearRadius + radius)
-    {
-      this->Closest = there;
-      this->ProbeWorld = probe;
-      this->ClearCenterWorld = probe;
-      this->ClearRadius = radius;
-      return true;
-    }
-  }
-  return false;
-}
-
-// Spheres that are much smaller than the distance, since more is not proven, lead nowhere.
-template <typename Surface>
-double HarmonicNearestTrackerOf<Surface>::LeastProgress() const noexcept
-{
-  if constexpr (Surface::MayCrossItself)
-  {
-    constexpr double LeastPart = 0.05;
-    constexpr double PartOfStep = 0.25;
-    const double gap =
-        std::abs(this->Closest.SignedDistance) - this->RadiusAt(this->Closest.Direction);
-    const double besideWall =
-        this->NeedsWedge(this->Closest.Direction) ? PartOfStep * this->Wedge->Step() : 0.0;
-    return std::max({this->TouchingGap, besideWall, LeastPart * gap});
+    return isFree;
   }
   else
   {
-    return this->TouchingGap;
-  }
-}
-
-// Begins contact where the path cannot be followed any more. At a parametric surface the last
-// measure found the nearest point; what a tick's limits left is done by the wedge or the next tick.
-template <typename Surface>
-bool HarmonicNearestTrackerOf<Surface>::MeetSurface() noexcept
-{
-  if constexpr (Surface::MayCrossItself)
-  {
-    const double distance = std::abs(this->Closest.SignedDistance);
-    const bool isWorkLeft = this->ClearRadius > this->LeastProgress() || this->EvaluationsLeft <= 0;
-    if (!this->NeedsWedge(this->Closest.Direction) && isWorkLeft &&
-        distance > this->RadiusAt(this->Closest.Direction) + 2.0 * this->TouchingGap)
+    for (int step = 0; step < MostFreeSteps; ++step)
     {
-      return true;
+      if ((probe - this->ClearCenterWorld).norm() <= this->ClearRadius)
+      {
+        this->ProbeWorld = probe;
+        return true;
+      }
+      this->Measure(this->ProbeWorld);
+      if (this->ClearRadius <= this->TouchingGap)
+      {
+        break;
+      }
+      const Vector3 path = probe - this->ProbeWorld;
+      const double length = path.norm();
+      this->ProbeWorld += std::min(1.0, this->ClearRadius / length) * path;
     }
-    this->Touch(this->Touched->SeenFromOutside(this->Closest));
-  }
-  else
-  {
     this->Touch(this->NearestTo(this->ProbeWorld));
+    return false;
   }
-  return false;
 }
 
 // Computes the free sphere around a place of the probe. Far away the sphere around the surface
 // suffices.
 template <typename Surface>
-void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe, bool isFirst) noexcept
+void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe) noexcept
 {
   const double largest = this->Touched->LargestRadius();
   const double centerDistance = (probe - this->Touched->Model().CenterWorld()).norm();
@@ -266,42 +192,10 @@ void HarmonicNearestTrackerOf<Surface>::Measure(const Vector3& probe, bool isFir
   this->ClearRadius = centerDistance - largest - this->ToolRadius;
   if (this->ClearRadius <= 0.25 * largest)
   {
-    const ClosestPoint closest = this->ClearanceAt(probe, isFirst);
+    const ClosestPoint closest =
+        this->Touched->Search().Clearance(probe, this->ToolRadius, this->EvaluationsOfNextSearch());
     this->EvaluationsLeft -= closest.Evaluations;
-    this->ClearRadius = this->FreeRadius(closest);
-  }
-}
-
-// At a parametric surface a search begins from the last one; a path that is not at its end after a
-// first sphere probably ends at the surface, and the whole distance is proven.
-template <typename Surface>
-typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
-HarmonicNearestTrackerOf<Surface>::ClearanceAt(const Vector3& probe, bool isFirst) noexcept
-{
-  const auto& search = this->Touched->Search();
-  const int most = this->EvaluationsOfNextSearch();
-  if constexpr (Surface::MayCrossItself)
-  {
-    ClosestPoint near;
-    if (this->IsNearKnown() &&
-        this->Minima->Find(probe, this->Closest, this->EvaluationsLeft, near))
-    {
-      this->Closest = near;
-    }
-    else if (this->IsNearKnown())
-    {
-      this->Closest = isFirst ? search.Clearance(probe, this->ToolRadius, most, this->Closest)
-                              : search.Nearest(probe, most, this->Closest);
-    }
-    else
-    {
-      this->Closest = search.Clearance(probe, this->ToolRadius, most);
-    }
-    return this->Closest;
-  }
-  else
-  {
-    return search.Clearance(probe, this->ToolRadius, most);
+    this->ClearRadius = closest.SignedDistance - closest.DistanceError - this->ToolRadius;
   }
 }
 
@@ -338,11 +232,14 @@ template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::LetGo(const ClosestPoint& nearest) noexcept
 {
   this->Known = State::Free;
-  this->ClearCenterWorld = this->ProbeWorld;
-  this->ClearRadius = this->FreeRadius(nearest);
   if constexpr (Surface::MayCrossItself)
   {
-    this->Closest = nearest;
+    this->Motion->Begin(this->ProbeWorld, nearest);
+  }
+  else
+  {
+    this->ClearCenterWorld = this->ProbeWorld;
+    this->ClearRadius = nearest.SignedDistance - nearest.DistanceError - this->ToolRadius;
   }
 }
 
@@ -392,30 +289,16 @@ bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motio
   return true;
 }
 
-// At a parametric surface the way from the new proxy to the probe has to be free; else it is
-// followed through free spheres, starting a little above the surface.
+// At a parametric surface the way from the proxy to the probe has to be free, from a little above
+// the surface.
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
                                               const ClosestPoint& next) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
-    constexpr double Almost = 1.0 - 1e-6;
-    ClosestPoint nearest;
-    if (!this->Minima->Find(probe, next, this->EvaluationsLeft, nearest))
-    {
-      nearest = this->NearestTo(probe);
-    }
-    if (std::abs(nearest.SignedDistance) < Almost * next.SignedDistance)
-    {
-      this->Known = State::Free;
-      this->ProbeWorld =
-          next.PointWorld + (this->ToolRadius + 4.0 * this->TouchingGap) * next.Normal;
-      this->ClearCenterWorld = this->ProbeWorld;
-      this->ClearRadius = 0.0;
-      return;
-    }
-    this->LetGo(nearest);
+    this->ProbeWorld = next.PointWorld + (this->ToolRadius + 4.0 * this->TouchingGap) * next.Normal;
+    this->LetGo(this->Touched->Search().Track(this->ProbeWorld, next));
   }
   else
   {
@@ -526,17 +409,20 @@ bool HarmonicNearestTrackerOf<Surface>::IsBesideWall(const Vector3& probe) const
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcept
 {
+  this->IsHovering = false;
+  this->IsWedging = false;
+  this->ProbeWorld = this->Wedge->CenterWorld();
   if constexpr (Surface::MayCrossItself)
   {
     const ClosestPoint* wall = this->Wedge->NearestWall();
-    this->Closest = wall != nullptr ? *wall : this->Closest;
+    this->LetGo(wall != nullptr ? *wall : this->Closest);
   }
-  this->IsHovering = false;
-  this->IsWedging = false;
-  this->Known = State::Free;
-  this->ProbeWorld = this->Wedge->CenterWorld();
-  this->ClearCenterWorld = this->ProbeWorld;
-  this->ClearRadius = 0.0;
+  else
+  {
+    this->Known = State::Free;
+    this->ClearCenterWorld = this->ProbeWorld;
+    this->ClearRadius = 0.0;
+  }
   this->Advance(probe);
 }
 

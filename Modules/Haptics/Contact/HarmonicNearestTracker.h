@@ -1,10 +1,10 @@
 #pragma once
 
+#include "ClearMotion.h"
 #include "ContactTracker.h"
 #include "FrictionCone.h"
 #include "HarmonicSurface.h"
 #include "HarmonicWedge.h"
-#include "NearMinima.h"
 #include "ParametricTouchSurface.h"
 #include "WedgePlaces.h"
 
@@ -48,7 +48,7 @@ public:
   std::size_t Bytes() const noexcept override
   {
     return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0) +
-           (this->Minima ? sizeof(*this->Minima) : 0) +
+           (this->Motion ? sizeof(*this->Motion) : 0) +
            (this->Places ? sizeof(*this->Places) + this->Places->Bytes() : 0);
   }
 
@@ -62,9 +62,6 @@ private:
 
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
-  bool IsReached(const Vector3& probe) noexcept;
-  bool MeetSurface() noexcept;
-  double LeastProgress() const noexcept;
   void Slide(const Vector3& probe) noexcept;
   bool Press(const Vector3& probe, double motion) noexcept;
   void Settle(const Vector3& probe) noexcept;
@@ -75,7 +72,6 @@ private:
   {
     return this->ToolRadius + (this->NeedsWedge(direction) ? this->Touched->Margin() : 0.0);
   }
-  double FreeRadius(const ClosestPoint& closest) const noexcept;
   // Whether Closest is a place from which a search may begin.
   bool IsNearKnown() const noexcept
   {
@@ -89,8 +85,7 @@ private:
   ClosestPoint Continued(const Vector3& probe) noexcept;
   int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;
-  void Measure(const Vector3& probe, bool isFirst) noexcept;
-  ClosestPoint ClearanceAt(const Vector3& probe, bool isFirst) noexcept;
+  void Measure(const Vector3& probe) noexcept;
   void Drag(const Vector3& probe) noexcept;
   // Whether the wedge is to move a tool that touches there.
   bool NeedsWedge(const Vector3& direction) const noexcept
@@ -118,7 +113,7 @@ private:
   int EvaluationsLeft = 0; // in this tick, for searches of the whole surface
   State Known = State::Nothing;
   Vector3 ProbeWorld = Vector3::Zero(); // end of the probe's path that has been followed
-  // Without contact: the tool is free while its centre is in this sphere.
+  // Without contact at a star-shaped surface: the tool is free while its centre is in this sphere.
   Vector3 ClearCenterWorld = Vector3::Zero();
   double ClearRadius = 0.0;
   // In contact: the minimum that is tracked, and where friction holds the tool.
@@ -129,8 +124,8 @@ private:
   std::unique_ptr<HarmonicWedgeOf<Surface>> Wedge;
   std::unique_ptr<WedgePlaces> Places;
   bool IsWedging = false;
-  // For a parametric surface, near which it is used instead of searches.
-  std::unique_ptr<NearMinima> Minima;
+  // At a parametric surface, without contact.
+  std::unique_ptr<ClearMotion> Motion;
   // Whether the wedge moves a tool that no wall holds, since one is near.
   bool IsHovering = false;
   Contact Felt;

@@ -14,6 +14,9 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double MinimumTolerance = 1e-9; // rad
+// An evaluation with the bounds that it leads to takes as long as this many bounds of nodes.
+constexpr int WorkOfEvaluation = 16;
+constexpr int WorkOfDescent = 8 * WorkOfEvaluation; // nearly always enough
 
 template <typename Surface>
 bool IsSame(const ClosestPointOf<Surface>& a, const ClosestPointOf<Surface>& b) noexcept
@@ -113,7 +116,7 @@ struct ClearanceProofOf<Surface>::Task
   Vector3 Query;
   const ClosestPoint* Known;
   std::size_t KnownCount;
-  int EvaluationsLeft;
+  int WorkLeft;    // in bounds of nodes
   double Rounding; // of distances, mm
   Answer Result;
   std::array<Basin, 2 * MostKnown> Basins;
@@ -165,6 +168,15 @@ void ClearanceProofOf<Surface>::AddNear(std::size_t count) noexcept
   }
 }
 
+// Where the last query ran out of work, so that none is left out for ever.
+template <typename Surface>
+std::size_t ClearanceProofOf<Surface>::FirstToSettle() const noexcept
+{
+  const auto end = this->Near.begin() + static_cast<std::ptrdiff_t>(this->NearCount);
+  return static_cast<std::size_t>(std::lower_bound(this->Near.begin(), end, this->FirstOpen) -
+                                  this->Near.begin());
+}
+
 template <typename Surface>
 void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
@@ -208,7 +220,7 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   Task task;
   task.Known = known;
   task.KnownCount = std::min(knownCount, MostKnown);
-  task.EvaluationsLeft = evaluationLimit;
+  task.WorkLeft = WorkOfEvaluation * evaluationLimit;
   task.Rounding = descent.Rounding(this->Query);
   task.Result.State = Finding::Clear;
   task.Result.LowerDistance = this->Asked;
@@ -218,11 +230,16 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     Widen(basin, this->Together);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
-  for (std::size_t i = 0; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
+  const std::size_t first = this->FirstToSettle();
+  for (std::size_t i = first; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
   {
     this->Settle(task, this->Near[i]);
   }
-  task.Result.Evaluations = evaluationLimit - task.EvaluationsLeft;
+  for (std::size_t i = 0; i < first && task.Result.State != Finding::Nearer; ++i)
+  {
+    this->Settle(task, this->Near[i]);
+  }
+  task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
   return task.Result;
 }
 
@@ -239,6 +256,7 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
   }
   if (step == Step::Open)
   {
+    this->FirstOpen = task.Result.State == Finding::Open ? this->FirstOpen : index;
     task.Result.State = Finding::Open;
     const double lower = this->Needed + this->ClearUntil[index] - this->PathLength;
     task.Result.LowerDistance = std::clamp(lower, 0.0, task.Result.LowerDistance);
@@ -258,6 +276,11 @@ template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 {
+  if (task.WorkLeft <= 0)
+  {
+    return Step::Open;
+  }
+  --task.WorkLeft;
   const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
   const int node = this->Cells[index].Node;
   const double inBasin = task.LowerDistance(tree.CapOf(node));
@@ -328,11 +351,11 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
   }
   if (!cell.IsEvaluated)
   {
-    if (task.EvaluationsLeft <= 0)
+    if (task.WorkLeft < WorkOfEvaluation)
     {
       return Step::Open;
     }
-    --task.EvaluationsLeft;
+    task.WorkLeft -= WorkOfEvaluation;
     this->Evaluate(cell);
   }
   if (this->Clears(this->LastBoundOf(cell) - task.Rounding, index) ||
@@ -366,14 +389,15 @@ ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
   {
     return Step::Again;
   }
-  if (task.EvaluationsLeft <= 0)
+  if (task.WorkLeft < WorkOfDescent)
   {
     return Step::Open;
   }
   const ClosestPointDescentOf<Surface>& descent = this->Search->Descent();
-  const ClosestPointOf<Surface> found = descent.Run(this->Query, cell.Cap.Center, cell.Sample,
-                                                    MinimumTolerance, task.EvaluationsLeft);
-  task.EvaluationsLeft -= found.Evaluations;
+  const ClosestPointOf<Surface> found =
+      descent.Run(this->Query, cell.Cap.Center, cell.Sample, MinimumTolerance,
+                  task.WorkLeft / WorkOfEvaluation);
+  task.WorkLeft -= WorkOfEvaluation * found.Evaluations;
   if (std::abs(found.SignedDistance) < this->Asked && !task.IsKnown(found))
   {
     task.Result.State = Finding::Nearer;

@@ -24,13 +24,13 @@ public:
   {
     Clear,  ///< nothing but the known minima is closer, up to the tolerance
     Nearer, ///< an unknown minimum is closer
-    Open    ///< the evaluation limit was reached
+    Open    ///< the limit of work was reached
   };
   struct Answer
   {
     Finding State;
     double LowerDistance; ///< no point except known minima is closer, mm; for Clear and Open
-    int Evaluations;      ///< of the surface with its first two derivatives
+    int Evaluations;      ///< work done, as below
     ClosestPoint Minimum; ///< of Nearer
   };
 
@@ -43,7 +43,8 @@ public:
                    double apart = Apart) noexcept;
 
   /// `known` are minima of the distance to `queryWorld` (mm; at most 1e100), tracked there, at most
-  /// MostKnown. Evaluates the model about `evaluationLimit` times at most.
+  /// MostKnown. Works as long as about `evaluationLimit` evaluations of the surface with its first
+  /// two derivatives take; what remains open is continued by the next query.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
              int evaluationLimit) noexcept;
   /// The same for another distance, up to the tolerance, preferably less.
@@ -81,6 +82,7 @@ private:
   void GatherNear() noexcept;
   void AddNear(std::size_t count) noexcept;
   void GoTo(const Vector3& query) noexcept;
+  std::size_t FirstToSettle() const noexcept;
   void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
@@ -108,7 +110,8 @@ private:
   // The cells whose clearance may be used up before a path length, by increasing index.
   std::array<std::uint16_t, CellCapacity> Near;
   std::size_t NearCount = 0;
-  double NearUntil = 0.0; // mm
+  double NearUntil = 0.0;    // mm
+  std::size_t FirstOpen = 0; // cell
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate

@@ -127,7 +127,7 @@ TEST_P(ClearanceProofOfDegree, KnownMinimaHideNoOthers)
   EXPECT_LE(open, 50); // of 200: where minima are about to appear
 }
 
-TEST_P(ClearanceProofOfDegree, BoundsHoldWithoutEvaluations)
+TEST_P(ClearanceProofOfDegree, BoundsHoldWithLittleWork)
 {
   constexpr double Distance = 3.0;
   ClearanceProof proof(this->Search, Distance, 1e-4);
@@ -136,9 +136,32 @@ TEST_P(ClearanceProofOfDegree, BoundsHoldWithoutEvaluations)
   {
     const Vector3 query = glide.Next(Distance + 0.02 * step);
     const double nearest = std::abs(this->Search.Nearest(query, ProvingEvaluations).SignedDistance);
-    const ClearanceProof::Answer answer = proof.Ask(query, nullptr, 0, 0);
-    ASSERT_NE(answer.State, Finding::Nearer);
+    const ClearanceProof::Answer answer = proof.Ask(query, nullptr, 0, 4);
+    ASSERT_NE(answer.State, Finding::Nearer);                // a descent takes more
     ASSERT_LE(answer.LowerDistance, nearest + 1e-9) << step; // rounding
+  }
+}
+
+TEST_P(ClearanceProofOfDegree, GoesOnWhereWorkEnded)
+{
+  constexpr double Distance = 3.0;
+  constexpr int Little = 12;
+  constexpr int MostQueries = 200;
+  Glide glide(this->Rough, this->Source);
+  for (int place = 0; place < 40; ++place)
+  {
+    const Vector3 query = glide.Next(place % 2 == 0 ? 2.0 * Distance : 0.5 * Distance);
+    ClearanceProof proof(this->Search, Distance, 1e-4);
+    ClearanceProof whole(this->Search, Distance, 1e-4);
+    int queries = 1;
+    ClearanceProof::Answer answer = proof.Ask(query, nullptr, 0, Little);
+    for (; answer.State == Finding::Open && queries < MostQueries; ++queries)
+    {
+      ASSERT_LE(answer.Evaluations, Little + 1);
+      answer = proof.Ask(query, nullptr, 0, Little);
+    }
+    ASSERT_LT(queries, MostQueries) << place;
+    ASSERT_EQ(answer.State, whole.Ask(query, nullptr, 0, ProvingEvaluations).State) << place;
   }
 }
 

@@ -1,0 +1,356 @@
+#include "ClearMotion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+// Work of a tick, in evaluations of the surface: to follow the probe, and to look ahead when that
+// is done. Of a search where the proof does not end: rare, since it takes some ticks' time.
+constexpr int EvaluationsOfTick = 12;
+constexpr int EvaluationsAhead = 6;
+constexpr int EvaluationsOfSearch = 256;
+constexpr int MostSteps = 32;
+constexpr int MostProofs = 5;
+// Of the room in which nothing is, that a proof is for.
+constexpr double WantedPart = 2.0 / 3.0;
+} // namespace
+
+double ClearMotion::Minima::Nearest() const noexcept
+{
+  double nearest = Infinite;
+  for (std::size_t i = 0; i < this->Count; ++i)
+  {
+    nearest = std::min(nearest, std::abs(this->Each[i].SignedDistance));
+  }
+  return nearest;
+}
+
+// Minima are not merged however near they are.
+ClearMotion::ClearMotion(const ParametricTouchSurface& surface, const WedgePlaces& places,
+                         double radius, double stride, double exactness) noexcept
+    : Surface(&surface), Places(&places), Radius(radius), Free(radius + surface.Margin()),
+      Stride(stride), Exactness(exactness),
+      Clearance(surface.Search(), Free + stride, 0.5 * exactness, 0.0)
+{
+}
+
+void ClearMotion::Begin(const Vector3& placeWorld, const ClosestPoint& minimum) noexcept
+{
+  this->Place = placeWorld;
+  this->Known.PlaceWorld = placeWorld;
+  this->Known.Each[0] = minimum;
+  this->Known.Count = this->IsExact(minimum) ? 1 : 0;
+  this->BallCenter = placeWorld;
+  this->BallRadius = 0.0;
+}
+
+bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
+{
+  this->EvaluationsLeft = EvaluationsOfTick;
+  double longest = this->Stride;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    const Vector3 start = this->EndOfBall(probeWorld);
+    const Vector3 path = probeWorld - start;
+    const double length = path.norm();
+    this->Place = start;
+    if (!(length > 0.0))
+    {
+      break;
+    }
+    const Vector3 goal = length > longest ? Vector3(start + (longest / length) * path) : probeWorld;
+    const Step result = this->StepTo(start, goal);
+    if (result == Step::Met)
+    {
+      return false;
+    }
+    if (result == Step::Open || this->EvaluationsLeft <= 0)
+    {
+      this->Wait(result);
+      return true;
+    }
+    longest = result == Step::Taken ? std::min(2.0 * longest, this->Stride)
+                                    : 0.25 * std::min(longest, length);
+  }
+  this->Waits = 0;
+  this->LookAhead();
+  return true;
+}
+
+// For the next tick. A proof that does not end is replaced by a search of the whole surface.
+void ClearMotion::Wait(Step last) noexcept
+{
+  constexpr int MostWaits = 8;
+  this->Waits = last == Step::Taken ? 0 : this->Waits + 1;
+  if (this->Waits >= MostWaits)
+  {
+    this->Waits = 0;
+    Minima minima;
+    const double others = this->Search(this->Place, minima);
+    this->Take(this->Place, minima, others);
+  }
+}
+
+// The last point in the ball on the path to the probe.
+Vector3 ClearMotion::EndOfBall(const Vector3& probe) const noexcept
+{
+  if ((probe - this->BallCenter).norm() <= this->BallRadius)
+  {
+    return probe;
+  }
+  const Vector3 path = probe - this->Place;
+  const Vector3 from = this->Place - this->BallCenter;
+  const double square = path.squaredNorm();
+  const double along = path.dot(from);
+  const double room = this->BallRadius * this->BallRadius - from.squaredNorm();
+  if (!(this->BallRadius > 0.0) || !(room > 0.0) || !(square > 0.0))
+  {
+    return this->Place;
+  }
+  const double part = (std::sqrt(along * along + square * room) - along) / square;
+  return this->Place + std::clamp(part, 0.0, 1.0) * path;
+}
+
+double ClearMotion::RadiusAt(const ClosestPoint& minimum) const noexcept
+{
+  return this->Places->Contains(minimum.Direction) ? this->Free : this->Radius;
+}
+
+ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal) noexcept
+{
+  if (this->IsFar(goal))
+  {
+    return Step::Taken;
+  }
+  const std::size_t knownBefore = this->Known.Count;
+  Minima minima = this->Continued(goal);
+  if (const ClosestPoint* touched = this->Touched(minima))
+  {
+    this->Meet(start, goal, *touched);
+    return Step::Met;
+  }
+  if (knownBefore > 0 && minima.Count > 0 && this->IsAlone(this->Known.Each[0], minima.Each[0]))
+  {
+    minima.Count = 1;
+    this->Take(goal, minima, 0.0);
+    return Step::Taken;
+  }
+  const double needed = this->Free + (goal - start).norm();
+  constexpr double LongestPart = 0.5;
+  constexpr double ShortestStep = 0.05;
+  const double longest = std::max({LongestPart * (minima.Nearest() - this->Free),
+                                   ShortestStep * this->Stride, this->Exactness});
+  return needed > this->Free + longest ? Step::TooLong : this->Prove(goal, needed, minima);
+}
+
+// Far away the ball outside of the sphere around the surface suffices.
+bool ClearMotion::IsFar(const Vector3& place) noexcept
+{
+  const double largest = this->Surface->LargestRadius();
+  const double room = (place - this->Surface->Model().CenterWorld()).norm() - largest - this->Free;
+  if (!(room > 0.25 * largest))
+  {
+    return false;
+  }
+  this->Known.Count = 0;
+  this->Take(place, this->Known, room + this->Free);
+  return true;
+}
+
+// Whether this is the nearest point. The direction of the normal shows that no sheet was stepped
+// over.
+bool ClearMotion::IsAlone(const ClosestPoint& last, const ClosestPoint& next) const noexcept
+{
+  constexpr double LeastCosine = 0.5;
+  return next.SignedDistance < this->Places->RoomAt(next.Direction) &&
+         next.Normal.dot(last.Normal) > LeastCosine;
+}
+
+// Proves the next ball while there is room in the last one, or while none is needed.
+void ClearMotion::LookAhead() noexcept
+{
+  constexpr double Early = 0.5;
+  if (this->Known.Count == 0 || this->EvaluationsLeft < EvaluationsAhead)
+  {
+    return;
+  }
+  const ClosestPoint& nearest = this->Known.Each[0];
+  const double room = this->Places->RoomAt(nearest.Direction) - this->Radius;
+  const bool isEarly = this->BallRadius > 0.0
+                           ? (this->Place - this->BallCenter).norm() < Early * this->BallRadius
+                           : nearest.SignedDistance - this->Radius < Early * room;
+  if (isEarly)
+  {
+    return;
+  }
+  this->EvaluationsLeft = EvaluationsAhead;
+  Minima minima = this->Continued(this->Place);
+  if (minima.Count > 0 && this->Touched(minima) == nullptr)
+  {
+    constexpr double LeastPart = 0.25;
+    this->Prove(Vector3(this->Place), this->PartOfGap(LeastPart, minima.Nearest()), minima);
+  }
+}
+
+// Without those that cannot be followed, or that may have become others.
+ClearMotion::Minima ClearMotion::Continued(const Vector3& goal) noexcept
+{
+  constexpr double Faster = 4.0;
+  const double farthest = Faster * (goal - this->Known.PlaceWorld).norm() + this->Exactness;
+  Minima minima;
+  minima.PlaceWorld = goal;
+  for (std::size_t i = 0; i < this->Known.Count; ++i)
+  {
+    const ClosestPoint& last = this->Known.Each[i];
+    ClosestPoint& next = minima.Each[minima.Count];
+    next = this->Surface->Search().Track(goal, last);
+    this->EvaluationsLeft -= std::max(1, next.Evaluations);
+    const bool isSame = this->IsExact(next) && next.Normal.dot(last.Normal) > 0.0 &&
+                        (next.PointWorld - last.PointWorld).norm() <= farthest;
+    minima.Count += isSame ? 1 : 0;
+  }
+  return minima;
+}
+
+const ClearMotion::ClosestPoint* ClearMotion::Touched(const Minima& minima) const noexcept
+{
+  for (std::size_t i = 0; i < minima.Count; ++i)
+  {
+    if (minima.Each[i].SignedDistance < this->RadiusAt(minima.Each[i]))
+    {
+      return &minima.Each[i];
+    }
+  }
+  return nullptr;
+}
+
+// Where on the step the tool touches: the distance changes almost linearly.
+void ClearMotion::Meet(const Vector3& start, const Vector3& goal,
+                       const ClosestPoint& minimum) noexcept
+{
+  const auto& search = this->Surface->Search();
+  const double radius = this->RadiusAt(minimum);
+  const ClosestPoint first = search.Track(start, minimum);
+  const double fall = first.SignedDistance - minimum.SignedDistance;
+  const double part =
+      fall > 0.0 ? std::clamp((first.SignedDistance - radius) / fall, 0.0, 1.0) : 0.0;
+  this->Place = start + part * (goal - start);
+  this->Wall = search.Track(this->Place, minimum);
+}
+
+// How far it is worth while to look for others: not as far as the nearest point, since the last bit
+// takes most of the work.
+double ClearMotion::Wanted(double needed, const Minima& minima) const noexcept
+{
+  return std::max(needed, minima.Count == 0 ? this->Free + 2.0 * this->BallRadius
+                                            : this->PartOfGap(WantedPart, minima.Nearest()));
+}
+
+// Looks for others that the goal is too near to, and goes there if there are none.
+ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima& minima) noexcept
+{
+  double wanted = this->Wanted(needed, minima);
+  for (int proof = 0; proof<MostProofs&& this->EvaluationsLeft> 0; ++proof)
+  {
+    const auto answer = this->Clearance.AskWithin(
+        wanted + this->Exactness, goal, minima.Each.data(), minima.Count, this->EvaluationsLeft);
+    this->EvaluationsLeft -= answer.Evaluations;
+    if (answer.State != Proof::Finding::Nearer)
+    {
+      return this->TakeIf(answer.LowerDistance >= needed, goal, minima, answer.LowerDistance);
+    }
+    const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
+    if (!this->IsExact(found))
+    {
+      if (this->EvaluationsLeft <= 0)
+      {
+        break;
+      }
+      const double others = this->Search(goal, minima);
+      return this->TakeIf(others >= needed, goal, minima, others);
+    }
+    if (found.SignedDistance < needed && needed > this->Free + this->Exactness)
+    {
+      this->Remember(found);
+      return Step::TooLong;
+    }
+    wanted = this->With(found, needed, minima);
+  }
+  return Step::Open;
+}
+
+// How far to look then.
+double ClearMotion::With(const ClosestPoint& found, double needed, Minima& minima) noexcept
+{
+  if (found.SignedDistance <= needed + 2.0 * this->Exactness)
+  {
+    minima.Count = std::min(minima.Count, MostMinima - 1);
+    minima.Each[minima.Count++] = found;
+    return needed;
+  }
+  if (found.SignedDistance < minima.Nearest())
+  {
+    minima.Each[0] = found;
+    minima.Count = 1;
+    this->Known = minima;
+  }
+  return std::max(needed, this->PartOfGap(WantedPart, found.SignedDistance));
+}
+
+// A minimum that the tool could have passed on the way to where it was found: continued to where
+// the tool is.
+void ClearMotion::Remember(const ClosestPoint& found) noexcept
+{
+  const ClosestPoint here = this->Surface->Search().Track(this->Place, found);
+  this->EvaluationsLeft -= std::max(1, here.Evaluations);
+  if (this->IsExact(here))
+  {
+    this->Known.Count = this->Known.PlaceWorld == this->Place ? this->Known.Count : 0;
+    this->Known.PlaceWorld = this->Place;
+    this->Known.Count = std::min(this->Known.Count, MostMinima - 1);
+    this->Known.Each[this->Known.Count++] = this->Surface->SeenFromOutside(here);
+  }
+}
+
+// Where minima are not strict. Returns the distance of all.
+double ClearMotion::Search(const Vector3& goal, Minima& minima) noexcept
+{
+  const ClosestPoint nearest = this->Surface->Search().Nearest(goal, EvaluationsOfSearch);
+  this->EvaluationsLeft -= nearest.Evaluations;
+  minima.Each[0] = this->Surface->SeenFromOutside(nearest);
+  minima.Count = this->IsExact(nearest) ? 1 : 0;
+  return std::abs(nearest.SignedDistance) - nearest.DistanceError;
+}
+
+ClearMotion::Step ClearMotion::TakeIf(bool isProven, const Vector3& goal, const Minima& minima,
+                                      double others) noexcept
+{
+  if (!isProven)
+  {
+    return Step::Open;
+  }
+  this->Take(goal, minima, others);
+  return Step::Taken;
+}
+
+// Where no part of the surface but these minima is nearer than `others`, mm.
+void ClearMotion::Take(const Vector3& goal, const Minima& minima, double others) noexcept
+{
+  this->Place = goal;
+  this->Known = minima;
+  this->Known.PlaceWorld = goal;
+  this->BallCenter = goal;
+  this->BallRadius = others - this->Free;
+  for (std::size_t i = 0; i < minima.Count; ++i)
+  {
+    const ClosestPoint& each = minima.Each[i];
+    this->BallRadius = std::min(this->BallRadius, each.SignedDistance - this->RadiusAt(each));
+  }
+  this->BallRadius = std::max(0.0, this->BallRadius);
+}
+} // namespace palpate

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "ClearanceProof.h"
+#include "ParametricTouchSurface.h"
+#include "WedgePlaces.h"
+
+#include <array>
+#include <cstddef>
+
+namespace palpate
+{
+/// Moves a spherical tool without contact along its path, at a parametric surface.
+///
+/// As far above the surface as WedgePlaces found room, the nearest point is the minimum of the
+/// distance that Newton's method continues: one evaluation a tick. Elsewhere a ClearanceProof shows
+/// how far all of the surface is, apart from known minima. In the ball around that place a tick
+/// takes no evaluation.
+///
+/// The work of a tick is limited. A step that is not proven by then is not taken; the next tick
+/// goes on with the proof, towards the probe's place there. For one thread; does not allocate.
+class ClearMotion
+{
+public:
+  using ClosestPoint = ParametricTouchSurface::ClosestPoint;
+
+  /// `radius` is the tool's (mm), which the surface's margin enlarges at `places`; `stride` the
+  /// longest step that stays with a minimum, `exactness` that of a minimum's distance (mm).
+  /// Keeps the addresses of surface and places, which must outlive it.
+  ClearMotion(const ParametricTouchSurface& surface, const WedgePlaces& places, double radius,
+              double stride, double exactness) noexcept;
+
+  /// Begins at a place (mm) where the tool is free, at the outer side of this minimum of the
+  /// distance to it.
+  void Begin(const Vector3& placeWorld, const ClosestPoint& minimum) noexcept;
+  /// Moves towards the probe (mm), as far as the work of a tick allows. Returns false on contact
+  /// with Met() at PlaceWorld().
+  bool MoveTo(const Vector3& probeWorld) noexcept;
+
+  const Vector3& PlaceWorld() const noexcept { return this->Place; }
+  const ClosestPoint& Met() const noexcept { return this->Wall; }
+
+private:
+  using Proof = ClearanceProofOf<ParametricTouchSurface::Shape>;
+  static constexpr std::size_t MostMinima = 4;
+
+  struct Minima
+  {
+    Vector3 PlaceWorld; // of the tool
+    std::array<ClosestPoint, MostMinima> Each;
+    std::size_t Count = 0;
+
+    double Nearest() const noexcept;
+  };
+  enum class Step
+  {
+    Taken,
+    TooLong,
+    Met,
+    Open
+  };
+
+  double RadiusAt(const ClosestPoint& minimum) const noexcept;
+  Vector3 EndOfBall(const Vector3& probe) const noexcept;
+  void Wait(Step last) noexcept;
+  Step StepTo(const Vector3& start, const Vector3& goal) noexcept;
+  bool IsFar(const Vector3& place) noexcept;
+  bool IsAlone(const ClosestPoint& last, const ClosestPoint& next) const noexcept;
+  void LookAhead() noexcept;
+  Minima Continued(const Vector3& goal) noexcept;
+  const ClosestPoint* Touched(const Minima& minima) const noexcept;
+  void Meet(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;
+  Step Prove(const Vector3& goal, double needed, Minima& minima) noexcept;
+  void Remember(const ClosestPoint& found) noexcept;
+  double Search(const Vector3& goal, Minima& minima) noexcept;
+  double Wanted(double needed, const Minima& minima) const noexcept;
+  double With(const ClosestPoint& found, double needed, Minima& minima) noexcept;
+  double PartOfGap(double part, double distance) const noexcept
+  {
+    return this->Free + part * (distance - this->Free);
+  }
+  Step TakeIf(bool isProven, const Vector3& goal, const Minima& minima, double others) noexcept;
+  void Take(const Vector3& goal, const Minima& minima, double others) noexcept;
+  bool IsExact(const ClosestPoint& minimum) const noexcept
+  {
+    return minimum.Converged() && minimum.DistanceError <= this->Exactness;
+  }
+
+  const ParametricTouchSurface* Surface;
+  const WedgePlaces* Places;
+  double Radius;
+  double Free; // mm from the centre of the tool, where nothing unknown may be
+  double Stride;
+  double Exactness;
+  Proof Clearance; // of everything but known minima
+  int EvaluationsLeft = 0;
+  int Waits = 0; // ticks since the last step
+  Vector3 Place = Vector3::Zero();
+  // At the last measured place. While the tool is in the ball around it, it touches nothing.
+  Vector3 BallCenter = Vector3::Zero();
+  double BallRadius = 0.0; // mm
+  Minima Known;
+  ClosestPoint Wall{};
+};
+} // namespace palpate
