@@ -304,6 +304,30 @@ TEST(ParametricContactModel, StaysFiniteWhateverTheProbeDoes)
   }
 }
 
+// Work that a tick has no time for must not delay the next contact: down to the surface and up
+// again at 0.1 m/s, with a turn along it in between.
+TEST(ParametricContactModel, MeetsTheSurfaceInTime)
+{
+  for (const auto& [name, surface] : SimplePhantoms())
+  {
+    Random random(9111);
+    const auto model = ParametricContact(surface);
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
+    Vector3 parameter = test::RandomDirection(random);
+    int late = 0;
+    for (int tick = 0; tick < 20000; ++tick)
+    {
+      const Vector3 axis = parameter.cross(test::RandomDirection(random)).normalized();
+      parameter = (Eigen::AngleAxisd(0.002, axis) * parameter).normalized();
+      const double height = 2.0 * std::sin(0.05 * tick);
+      const Contact& contact =
+          tracker->Follow(At(surface.Point(parameter) + height * surface.Normal(parameter)));
+      late = height < 0.0 && !contact.IsTouching ? late + 1 : 0;
+      ASSERT_LE(late, 4) << name << " " << tick;
+    }
+  }
+}
+
 TEST(ParametricContactModel, FrictionHoldsTheProxy)
 {
   const ParametricSphericalSurface surface = test::OpenRing();
@@ -449,8 +473,8 @@ TEST(WedgePlaces, AreWhereAToolDoesNotFit)
 {
   const auto ring = TouchSurfaceOf(test::CrossingRing());
   const Vector3 seam(5.0 - 20.0, 60.0, -30.0);
-  const WedgePlaces point(*ring, 0.0);
-  const WedgePlaces sphere(*ring, 30.0);
+  const WedgePlaces point(*ring, 0.0, 1.0);
+  const WedgePlaces sphere(*ring, 30.0, 1.0);
   const IcosahedronDirections parameters(30);
   int needed = 0;
   int neededBySphere = 0;
@@ -472,7 +496,30 @@ TEST(WedgePlaces, AreWhereAToolDoesNotFit)
   EXPECT_GT(neededBySphere, all / 3);
   for (const auto& [name, surface] : SimplePhantoms())
   {
-    EXPECT_TRUE(WedgePlaces(*TouchSurfaceOf(surface), 0.0).IsEmpty()) << name;
+    EXPECT_TRUE(WedgePlaces(*TouchSurfaceOf(surface), 0.0, 1.0).IsEmpty()) << name;
+  }
+}
+
+// Where another part of the surface is nearer, a place has less room than that.
+TEST(WedgePlaces, RoomIsWithoutOtherParts)
+{
+  Random random(9110);
+  for (const auto& [name, surface] : SimplePhantoms())
+  {
+    const auto touched = TouchSurfaceOf(surface);
+    const double reach = 0.5 * touched->SmallestRadius();
+    const WedgePlaces places(*touched, 0.0, reach);
+    double least = reach;
+    for (int i = 0; i < 400; ++i)
+    {
+      const ParametricTouchSurface::Place place = touched->PlaceAt(test::RandomDirection(random));
+      const double room = places.RoomAt(place.Direction);
+      const auto nearest =
+          touched->Search().Nearest(place.PointWorld + 0.999 * room * place.Normal);
+      EXPECT_LE((nearest.PointWorld - place.PointWorld).norm(), 1e-6) << name << " " << room;
+      least = std::min(least, room);
+    }
+    EXPECT_GT(least, 0.0) << name;
   }
 }
 
@@ -489,7 +536,7 @@ TEST(WedgePlaces, AreEverywhereOnASurfaceOfMoreCrossingsThanAreListed)
   }
   const auto tangle = TouchSurfaceOf(ParametricSphericalSurface(Degree, coefficients));
   ASSERT_EQ(tangle->CrossingsWorld().size(), ParametricTouchSurface::MostCrossings);
-  const WedgePlaces places(*tangle, 0.0);
+  const WedgePlaces places(*tangle, 0.0, 1.0);
   const IcosahedronDirections parameters(30);
   for (const Vector3& u : parameters.Directions())
   {
