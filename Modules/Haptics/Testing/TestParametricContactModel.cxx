@@ -443,7 +443,7 @@ TEST(ParametricContactModel, ForcesAwayFromACrossingAreExact)
   const ParametricSphericalSurface surface = test::CrossingRing();
   const auto touch = TouchSurfaceOf(surface);
   const auto model = ParametricContact(surface);
-  const WedgePlaces places(*touch, 0.0);
+  const WedgePlaces places(*touch, 0.0, 1.0);
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
   Random random(9108);
   WorstCase error;
