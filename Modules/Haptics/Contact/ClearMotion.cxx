@@ -167,8 +167,7 @@ bool ClearMotion::IsFar(const Vector3& place) noexcept
 bool ClearMotion::IsAlone(const ClosestPoint& last, const ClosestPoint& next) const noexcept
 {
   constexpr double LeastCosine = 0.5;
-  return next.SignedDistance < this->Places->RoomAt(next.Direction) &&
-         next.Normal.dot(last.Normal) > LeastCosine;
+  return this->Places->IsNearest(next) && next.Normal.dot(last.Normal) > LeastCosine;
 }
 
 // Proves the next ball while there is room in the last one, or while none is needed.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ParametricSample.h"
 #include "ParametricTouchSurface.h"
 
 #include <cstddef>
@@ -30,10 +31,18 @@ public:
   {
     return this->Cells[this->CellOf(parameter)].Need != Fits;
   }
-  /// Up to this distance (mm) on the outer normal of this place it is the nearest one.
+  /// How large a sphere (mm) touches the surface there and not in another part.
   double RoomAt(const Vector3& parameter) const noexcept
   {
     return this->Cells[this->CellOf(parameter)].Room;
+  }
+  /// Whether this minimum of the distance to a place outside is the nearest point of the surface,
+  /// since there is room. False if that is not known.
+  bool IsNearest(const ParametricTouchSurface::ClosestPoint& minimum) const noexcept
+  {
+    constexpr double PartOfFocus = 0.6; // nearer to it, minima of the same hollow are about equal
+    return minimum.SignedDistance < this->RoomAt(minimum.Direction) &&
+           IsBeforeFocus(minimum.Sample, minimum.Normal, minimum.SignedDistance / PartOfFocus);
   }
   std::size_t Bytes() const noexcept { return this->Cells.size() * sizeof(Cell); }
 

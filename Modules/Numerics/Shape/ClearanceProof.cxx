@@ -168,7 +168,6 @@ void ClearanceProofOf<Surface>::AddNear(std::size_t count) noexcept
   }
 }
 
-// Where the last query ran out of work, so that none is left out for ever.
 template <typename Surface>
 std::size_t ClearanceProofOf<Surface>::FirstToSettle() const noexcept
 {
@@ -230,14 +229,13 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     Widen(basin, this->Together);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
+  // From where the last query ran out of work; cells that are cut add others at the end.
   const std::size_t first = this->FirstToSettle();
-  for (std::size_t i = first; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
+  const std::size_t count = this->NearCount;
+  for (std::size_t i = 0; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
   {
-    this->Settle(task, this->Near[i]);
-  }
-  for (std::size_t i = 0; i < first && task.Result.State != Finding::Nearer; ++i)
-  {
-    this->Settle(task, this->Near[i]);
+    const std::size_t turned = first + i < count ? first + i : first + i - count;
+    this->Settle(task, this->Near[i < count ? turned : i]);
   }
   task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
   return task.Result;

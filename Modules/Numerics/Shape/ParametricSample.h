@@ -17,6 +17,18 @@ inline Vector3 AreaVector(const ParametricShape::SecondOrderSample& sample) noex
 /// The surface's unit normal; where the tangents are parallel, any unit vector across both.
 Vector3 NormalOf(const ParametricShape::SecondOrderSample& sample) noexcept;
 
+/// Whether both centres of curvature are farther than this (mm) along a unit normal, or on its
+/// other side.
+inline bool IsBeforeFocus(const ParametricShape::SecondOrderSample& sample, const Vector3& normal,
+                          double distance) noexcept
+{
+  const auto& [a, b] = sample.First;
+  const double aa = a.squaredNorm() - distance * normal.dot(sample.Second[0]);
+  const double ab = a.dot(b) - distance * normal.dot(sample.Second[1]);
+  const double bb = b.squaredNorm() - distance * normal.dot(sample.Second[2]);
+  return aa + bb > 0.0 && aa * bb > ab * ab;
+}
+
 /// The root of the larger eigenvalue of [aa ab; ab bb].
 inline double LargestRoot(double aa, double ab, double bb) noexcept
 {
