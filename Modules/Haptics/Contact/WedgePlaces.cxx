@@ -49,8 +49,8 @@ WedgePlaces::WedgePlaces(const ParametricTouchSurface& surface, double radius, d
       Cells(6 * static_cast<std::size_t>(Frequency * Frequency),
             Cell{Fits, static_cast<float>(Largest)})
 {
-  this->AddHollows(surface);
   this->AddCrossings(surface, radius + surface.Margin());
+  this->AddHollows(surface);
 }
 
 bool WedgePlaces::IsEmpty() const noexcept
@@ -107,6 +107,10 @@ void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
   const IcosahedronDirections sphere(this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
+    if (!(this->RoomAt(parameter) > 0.0))
+    {
+      continue;
+    }
     const double room = RoomAbove(surface, parameter, Larger * this->Largest) / Larger;
     if (room < (1.0 - 1e-9) * this->Largest)
     {
