@@ -22,7 +22,7 @@ constexpr double PartOfMargin = 0.1;
 constexpr double LeastProven = 0.5;
 constexpr int MostSteps = 6;
 constexpr int MostProofs = 12;
-constexpr int EvaluationsOfMove = 512;
+constexpr int EvaluationsOfMove = 640;
 
 // A wall's minimum for another query on its normal: it is the same point.
 template <typename ClosestPoint>

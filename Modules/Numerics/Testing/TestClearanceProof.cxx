@@ -14,7 +14,7 @@ namespace
 using test::Random;
 using Finding = ClearanceProof::Finding;
 
-constexpr int Evaluations = 512;
+constexpr int Evaluations = 640;
 constexpr int ProvingEvaluations = 20000;
 
 // Moves over a rough body, at a height that varies from within `distance` to beyond.
