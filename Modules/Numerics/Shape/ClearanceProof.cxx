@@ -169,14 +169,6 @@ void ClearanceProofOf<Surface>::AddNear(std::size_t count) noexcept
 }
 
 template <typename Surface>
-std::size_t ClearanceProofOf<Surface>::FirstToSettle() const noexcept
-{
-  const auto end = this->Near.begin() + static_cast<std::ptrdiff_t>(this->NearCount);
-  return static_cast<std::size_t>(std::lower_bound(this->Near.begin(), end, this->FirstOpen) -
-                                  this->Near.begin());
-}
-
-template <typename Surface>
 void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
   constexpr double Ahead = 6.0;
@@ -229,13 +221,9 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     Widen(basin, this->Together);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
-  // From where the last query ran out of work; cells that are cut add others at the end.
-  const std::size_t first = this->FirstToSettle();
-  const std::size_t count = this->NearCount;
   for (std::size_t i = 0; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
   {
-    const std::size_t turned = first + i < count ? first + i : first + i - count;
-    this->Settle(task, this->Near[i < count ? turned : i]);
+    this->Settle(task, this->Near[i]);
   }
   task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
   return task.Result;
@@ -254,7 +242,6 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
   }
   if (step == Step::Open)
   {
-    this->FirstOpen = task.Result.State == Finding::Open ? this->FirstOpen : index;
     task.Result.State = Finding::Open;
     const double lower = this->Needed + this->ClearUntil[index] - this->PathLength;
     task.Result.LowerDistance = std::clamp(lower, 0.0, task.Result.LowerDistance);

@@ -82,7 +82,6 @@ private:
   void GatherNear() noexcept;
   void AddNear(std::size_t count) noexcept;
   void GoTo(const Vector3& query) noexcept;
-  std::size_t FirstToSettle() const noexcept;
   void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
@@ -110,8 +109,7 @@ private:
   // The cells whose clearance may be used up before a path length, by increasing index.
   std::array<std::uint16_t, CellCapacity> Near;
   std::size_t NearCount = 0;
-  double NearUntil = 0.0;    // mm
-  std::size_t FirstOpen = 0; // cell
+  double NearUntil = 0.0; // mm
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate
