@@ -532,7 +532,7 @@ TEST(WedgePlaces, AMinimumWithRoomIsTheNearestPoint)
     const auto touched = TouchSurfaceOf(surface);
     const double size = touched->SmallestRadius();
     EXPECT_GT(CountKnownNearest(*touched, 0.25 * size, random), 1000) << name; // as in use
-    EXPECT_GT(CountKnownNearest(*touched, 3.0 * size, random), 100) << name;
+    EXPECT_GT(CountKnownNearest(*touched, 1.0 * size, random), 300) << name;
   }
 }
 
