@@ -40,7 +40,7 @@ public:
   /// since there is room. False if that is not known.
   bool IsNearest(const ParametricTouchSurface::ClosestPoint& minimum) const noexcept
   {
-    constexpr double PartOfFocus = 0.6; // nearer to it, minima of the same hollow are about equal
+    constexpr double PartOfFocus = 0.5; // nearer to it, minima of the same hollow are about equal
     return minimum.SignedDistance < this->RoomAt(minimum.Direction) &&
            IsBeforeFocus(minimum.Sample, minimum.Normal, minimum.SignedDistance / PartOfFocus);
   }
