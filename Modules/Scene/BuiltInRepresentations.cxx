@@ -265,6 +265,8 @@ SceneRepresentation ElasticRepresentation()
   elastic.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
   elastic.Describe = [](const ContactSetting&) { return std::string("elastic"); };
   elastic.KeyOf = [](const ContactSetting&) { return std::string("elastic"); };
+  constexpr double LongestRelaxation = 100.0;
+  elastic.Numbers = {{"relaxation_ms", "Relaxation, ms", LongestRelaxation, 1}};
   return elastic;
 }
 

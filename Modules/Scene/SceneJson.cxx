@@ -21,8 +21,8 @@ constexpr int LargestId = 2'000'000'000;
 const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
 const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
 const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
-const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
-                                                         "error-map", "sub-voxel"};
+const std::initializer_list<const char*> AppearanceWords{"automatic", "model",     "surface",
+                                                         "error-map", "sub-voxel", "stiffness-map"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
 const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
                                                     "surface"};

@@ -33,20 +33,22 @@ struct TouchRepresentation
 };
 
 /// How a structure is displayed. An error map is its model, coloured by the distance from the
-/// surface of its mask.
+/// surface of its mask; a stiffness map is a model that yields, coloured by the force on a ball
+/// that is pressed into it.
 enum class SceneAppearance
 {
   Automatic, ///< the representation that is touched
   Model,
   Surface,
   ErrorMap,
-  SubVoxel ///< volume: the field's own surface, by ray casting
+  SubVoxel, ///< volume: the field's own surface, by ray casting
+  StiffnessMap
 };
-constexpr std::array<SceneAppearance, 5> AllSceneAppearances{
+constexpr std::array<SceneAppearance, 6> AllSceneAppearances{
     {SceneAppearance::Automatic, SceneAppearance::Model, SceneAppearance::Surface,
-     SceneAppearance::ErrorMap, SceneAppearance::SubVoxel}};
+     SceneAppearance::ErrorMap, SceneAppearance::SubVoxel, SceneAppearance::StiffnessMap}};
 
-/// "automatic", "model", "surface", "error map", "sub-voxel volume".
+/// "automatic", "model", "surface", "error map", "sub-voxel volume", "stiffness map".
 PALPATESCENE_EXPORT const char* NameOf(SceneAppearance appearance);
 
 /// Source of a structure.

@@ -303,6 +303,7 @@ void StructurePlan::AddAppearance()
     break;
   case SceneAppearance::Model:
   case SceneAppearance::ErrorMap:
+  case SceneAppearance::StiffnessMap:
     this->AddModel();
     break;
   case SceneAppearance::Surface:

@@ -40,6 +40,7 @@ bool WantsModel(const SceneStructure& structure)
   {
   case SceneAppearance::Model:
   case SceneAppearance::ErrorMap:
+  case SceneAppearance::StiffnessMap:
     return true;
   case SceneAppearance::Surface:
   case SceneAppearance::SubVoxel:

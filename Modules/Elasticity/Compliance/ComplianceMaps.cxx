@@ -137,6 +137,7 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
   maps.Degree = settings.Degree;
   maps.LargestPatch = largest;
   maps.PoissonRatio = solid.PoissonRatio;
+  maps.LongWaves = PackedCompliance::Of(reduced, DrawnDegree);
   for (std::size_t map = 0; map < Count; ++map)
   {
     const auto column = coefficients.col(static_cast<Eigen::Index>(map));
@@ -176,6 +177,11 @@ Status ComplianceMaps::Check() const
   if (!isComplete)
   {
     return Status::Failure("The maps of compliance are incomplete.");
+  }
+  const Status drawn = this->LongWaves.IsEmpty() ? Status::Success() : this->LongWaves.Check();
+  if (!drawn.IsOk())
+  {
+    return drawn;
   }
   constexpr int Parts = 12; // of the largest patch
   const ComplianceAtlas atlas(*this);
