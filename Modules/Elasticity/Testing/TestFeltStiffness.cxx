@@ -1,4 +1,5 @@
 #include "ElasticCases.h"
+#include "ElasticForce.h"
 #include "FeltStiffness.h"
 #include "ForcePerception.h"
 

@@ -27,8 +27,9 @@ FeltStiffness FeltStiffness::Of(const SphericalHarmonicModel& model, const Compl
     const ElasticForce force = ElasticForce::Of(atlas, model, direction, felt.Depth, ballRadius);
     return force.IsValid ? force.ForceWorld.norm() : None;
   };
+  const IcosahedronDirections even(Frequency);
   std::vector<double> all;
-  for (const Vector3& direction : IcosahedronDirections(Frequency).Directions())
+  for (const Vector3& direction : even.Directions())
   {
     const double force = forceAt(direction);
     if (!std::isnan(force))
