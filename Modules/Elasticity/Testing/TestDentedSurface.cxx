@@ -84,7 +84,7 @@ struct DrawnSphere
     this->Center = sphere.Model.CenterWorld();
   }
 
-  IcosahedronDirections Mesh{20};
+  IcosahedronDirections Mesh{30};
   ComplianceMaps Maps;
   std::unique_ptr<DentedSurface> Surface;
   Vector3 Center;
@@ -115,7 +115,7 @@ TEST(DentedSurface, IsThatOfTheExactSphere)
   }
 }
 
-// Up to half of the ball's radius; with triangles of 1.5 mm, whose sides cut 0.04 to 0.07 mm off.
+// Up to half of the ball's radius; with triangles of 1 mm, whose middles cut 0.05 mm off.
 TEST(DentedSurface, KeepsOutOfTheBall)
 {
   const DrawnSphere drawn(5.0);
