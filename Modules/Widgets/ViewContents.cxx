@@ -433,6 +433,11 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
+  // Okabe and Ito's vermilion; yellow where the force is an estimate.
+  constexpr std::array<double, 3> Known{{0.84, 0.37, 0.0}};
+  constexpr std::array<double, 3> Estimated{{0.94, 0.89, 0.26}};
+  const auto& color = state.IsBeyondLinear ? Estimated : Known;
+  this->ProbeShown->SetContactColor(color[0], color[1], color[2]);
 }
 
 // Only a sphere touches what yields; 0 for another tool.

@@ -88,6 +88,12 @@ constexpr double Micro = 1e-3; // us in a ns
 
 using TouchQuantity = LeastAndMost TouchStretch::*;
 
+double PercentOf(const TouchResult& result, double seconds)
+{
+  const double whole = result.Trace.Duration();
+  return whole > 0.0 ? 100.0 * seconds / whole : 0.0;
+}
+
 double TouchingPercent(const TouchResult& result)
 {
   double touched = 0.0;
@@ -95,8 +101,7 @@ double TouchingPercent(const TouchResult& result)
   {
     touched += seconds;
   }
-  const double whole = result.Trace.Duration();
-  return whole > 0.0 ? 100.0 * touched / whole : 0.0;
+  return PercentOf(result, touched);
 }
 
 nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
@@ -131,6 +136,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
   summary["touching_percent"] = TouchingPercent(result);
+  summary["beyond_linear_percent"] = PercentOf(result, result.BeyondLinearSeconds);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
   summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;
   summary["energy_least_n_mm"] = result.LeastEnergy;
@@ -224,6 +230,12 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
       {"late ticks", std::to_string(result.Durations.Misses())},
       {"skipped ticks", std::to_string(result.Periods.Misses())},
       {"forces", result.Fault == SafetyFault::None ? "on until the end" : Describe(result.Fault)}};
+  if (result.BeyondLinearSeconds > 0.0)
+  {
+    rows.emplace_back("beyond linear elasticity",
+                      FixedText(PercentOf(result, result.BeyondLinearSeconds), 1) +
+                          " % of the time: the force is an estimate there");
+  }
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);

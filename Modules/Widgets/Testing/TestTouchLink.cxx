@@ -16,8 +16,6 @@
 #include <QTextEdit>
 #include <QWindow>
 
-#include <cmath>
-
 namespace palpate
 {
 namespace
