@@ -8,6 +8,8 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "ModelFile.h"
+#include "SofteningReport.h"
+#include "WholeFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -125,6 +127,13 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
                  "Degree of the maps that are kept; a tick's time grows with its square")
       ->check(CLI::Range(4, ComplianceMaps::MostDegree))
       ->capture_default_str();
+  app.add_option("--report", this->Report,
+                 "Page with a map of how hard the organ's places feel, .html")
+      ->type_name("FILE");
+  app.add_option("--tool-radius", this->ToolRadius,
+                 "Of the ball that the map and the last line are for, mm")
+      ->check(FiniteNumber::Between(0.1, 100.0))
+      ->capture_default_str();
   this->Images.Declare(app, "file");
 }
 
@@ -171,6 +180,10 @@ int SoftenCommand::Run(Console& console)
   {
     throw InputError(this->Output.string() + " cannot hold a model that yields; use .json.");
   }
+  if (!this->Report.empty() && this->Report.extension() != ".html")
+  {
+    throw InputError(this->Report.string() + " cannot hold a report; use .html.");
+  }
   const SofteningSettings settings = this->Read();
   const ModelDocument model = ReadModel(this->Model);
   const SoftenedModel softened =
@@ -188,6 +201,12 @@ int SoftenCommand::Run(Console& console)
                    << FixedText(100.0 * maps.FitError.Rms, 1) << " % of the compliance, at most "
                    << FixedText(100.0 * maps.FitError.Largest, 1) << " %; patches up to "
                    << FixedText(maps.LargestPatch, 1) << " mm\n";
+  const SofteningReport report(softened, this->Output.filename().string(), this->ToolRadius);
+  console.Output() << report.Sentence() << '\n';
+  if (!this->Report.empty())
+  {
+    WriteWholeFile(this->Report, report.Page());
+  }
   return 0;
 }
 } // namespace palpate::cli

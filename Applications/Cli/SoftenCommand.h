@@ -25,6 +25,8 @@ private:
 
   std::filesystem::path Model;
   std::filesystem::path Output;
+  std::filesystem::path Report;
+  double ToolRadius = 8.0; // mm
   std::string Tissue = "20kPa";
   std::vector<std::filesystem::path> Lesions;
   std::vector<std::string> LesionLabels;
