@@ -25,7 +25,7 @@ Vector3 DirectionOf(const FreePlace& place)
 
 SphericalHarmonicModel Ellipsoid()
 {
-  // The harmonics above are smaller than 0.01 mm.
+  // The harmonics above add up to less than 0.0001 mm.
   constexpr int Degree = 8;
   const auto radius = [](const Vector3& u)
   { return 1.0 / u.cwiseQuotient(ElasticPhantom::SemiAxes).norm(); };
