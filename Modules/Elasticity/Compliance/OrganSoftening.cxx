@@ -4,8 +4,36 @@
 #include "ReducedCompliance.h"
 #include "StarMesh.h"
 
+#include <algorithm>
+#include <string>
+
 namespace palpate
 {
+namespace
+{
+bool IsHeld(const StarMesh& mesh, const ElasticBed& bed)
+{
+  return std::any_of(mesh.Faces().begin(), mesh.Faces().end(),
+                     [&bed](const StarMesh::Face& face)
+                     { return bed.At(StarMesh::At(face, 0.0, 0.0).Direction) > 0.0; });
+}
+
+// What is known before the long part.
+Status CheckTask(const OrganSoftening& task, const StarMesh& mesh, const ElasticSolid& solid)
+{
+  const int most = OrganSoftening::MostDegreePerElement * task.ElementsAcross;
+  if (task.Degree > most)
+  {
+    return Status::Failure(std::to_string(task.ElementsAcross) +
+                           " elements across carry harmonics up to degree " + std::to_string(most) +
+                           ": use more elements or a lower degree.");
+  }
+  return IsHeld(mesh, solid.Bed)
+             ? Status::Success()
+             : Status::Failure("Nothing holds the organ: its support is zero on all sides.");
+}
+} // namespace
+
 Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSolid& solid,
                             const KernelProgress& progress, ComplianceMaps& maps,
                             Account& account) const
@@ -25,6 +53,10 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
   {
     status = AssembleStiffness(mesh, model.CenterWorld(), solid, stiffness);
   }
+  if (status.IsOk())
+  {
+    status = CheckTask(*this, mesh, solid);
+  }
   ReducedCompliance reduced;
   if (status.IsOk())
   {
@@ -33,8 +65,14 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
     status = ReducedCompliance::Make(mesh, stiffness, this->Degree, between(Assembled, Reduced),
                                      reduced);
   }
-  return status.IsOk()
-             ? ComplianceMaps::Fit(model, solid, reduced, this->Maps, between(Reduced, 1.0), maps)
+  if (status.IsOk())
+  {
+    status = ComplianceMaps::Fit(model, solid, reduced, this->Maps, between(Reduced, 1.0), maps);
+  }
+  return status.IsOk() && !maps.Check().IsOk()
+             ? Status::Failure("The moduli differ too much from place to place, or the support is "
+                               "too soft or too stiff for them: somewhere a larger patch would "
+                               "yield more. A higher degree of the maps may help.")
              : status;
 }
 } // namespace palpate

@@ -15,8 +15,10 @@ bool IsModulus(double modulus) noexcept
   return modulus >= TissueMap::LeastModulus && modulus <= TissueMap::MostModulus;
 }
 
-// Trilinear; returns false outside of the grid.
-bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, double& value) noexcept
+// Trilinear, of what each value stands for; returns false outside of the grid.
+template <typename Meaning>
+bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, const Meaning& meaning,
+                 double& value) noexcept
 {
   const Vector3 index = image.Grid.PointIndex(pointWorld);
   const std::array<int, 3>& size = image.Grid.Size();
@@ -44,8 +46,8 @@ bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, dou
     const double weight = (i != 0 ? part[0] : 1.0 - part[0]) * (j != 0 ? part[1] : 1.0 - part[1]) *
                           (k != 0 ? part[2] : 1.0 - part[2]);
     value +=
-        weight * static_cast<double>(
-                     image.Values[cell[0] + i + across * (cell[1] + j) + slice * (cell[2] + k)]);
+        weight * meaning(static_cast<double>(
+                     image.Values[cell[0] + i + across * (cell[1] + j) + slice * (cell[2] + k)]));
   }
   return true;
 }
@@ -90,20 +92,18 @@ double TissueMap::Modulus(const Vector3& pointWorld) const noexcept
   double modulus = this->Tissue;
   for (const Layer& layer : this->Layers)
   {
-    double value = 0.0;
-    if (!Interpolate(*layer.Image, pointWorld, value))
+    // A voxel without a value is one without this layer.
+    const auto over = [&layer, below = modulus](double value)
     {
-      continue;
-    }
-    if (!layer.IsFraction)
-    {
-      modulus = IsModulus(value) ? value : modulus;
-    }
-    else
-    {
+      if (!layer.IsFraction)
+      {
+        return IsModulus(value) ? value : below;
+      }
       const double fraction = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
-      modulus += fraction * (layer.Modulus - modulus);
-    }
+      return below + fraction * (layer.Modulus - below);
+    };
+    double value = 0.0;
+    modulus = Interpolate(*layer.Image, pointWorld, over, value) ? value : modulus;
   }
   return modulus;
 }

@@ -32,7 +32,8 @@ public:
   /// and 1 in part (Voigt's mean), outside of the grid not at all.
   void AddInclusion(std::shared_ptr<const Samples> fraction, double modulus);
   /// The image's values (N/mm^2) count instead of what was added before, inside of its grid where
-  /// they are within the limits.
+  /// they are within the limits: a voxel of another value, such as 0 around an organ, stands for
+  /// what was added before.
   void AddImage(std::shared_ptr<const Samples> moduli);
 
   /// Fails for a modulus outside the limits and for samples that do not fit their grid.

@@ -48,6 +48,25 @@ TEST(TissueMap, ImageCountsWhereItHasModuli)
   EXPECT_DOUBLE_EQ(tissue.Modulus(Vector3(-50.0, 0.0, 0.0)), 0.02);
 }
 
+// Images are often 0 outside of an organ.
+TEST(TissueMap, RimOfAnImageLeadsToTheTissueAroundIt)
+{
+  for (const float outside : {0.0F, -1.0F, std::numeric_limits<float>::quiet_NaN()})
+  {
+    const std::shared_ptr<TissueMap::Samples> image = Uniform(0.05F);
+    for (std::size_t i = 0; i < image->Values.size(); i += 3)
+    {
+      image->Values[i] = outside;
+    }
+    TissueMap tissue(0.02);
+    tissue.AddImage(image);
+    for (const double x : {0.0, 0.25, 0.5, 0.999, 1.0})
+    {
+      EXPECT_NEAR(tissue.Modulus(Vector3(x, 3.0, 2.0)), 0.02 + 0.03 * x, 1e-8) << x << outside;
+    }
+  }
+}
+
 TEST(TissueMap, InterpolatesLinearlyToTheLastNode)
 {
   auto image = Uniform(0.0F);
