@@ -207,7 +207,7 @@ ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
   if (radial == nullptr)
   {
     Refuse(name, "is a surface model, and only a star-shaped one can yield",
-           "fit it with --model radial");
+           "fit it as a radial model, or let it be rigid");
   }
   RequireInput(settings.Check(), name);
   ModelSoftness made;
