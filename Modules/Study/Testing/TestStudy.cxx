@@ -6,6 +6,7 @@
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyPhantoms.h"
+#include "StudyStructures.h"
 #include "TouchRecorder.h"
 #include "WholeFile.h"
 
