@@ -171,7 +171,7 @@ TEST_F(AddedStructures, MenuAddsStructuresOfASegmentation)
   const StudyState before = this->Study->State();
   const std::filesystem::path lesion = this->Phantom.Folder / "lesion.nii.gz";
   std::filesystem::copy(this->MaskFile(), lesion);
-  this->Opened = {QString::fromStdString(lesion.string())};
+  this->Opened = QStringList(QString::fromStdString(lesion.string()));
   this->Action("Add structures of a segmentation")->trigger();
   WaitUntil([this] { return this->Study->State().Structures.size() == 6; });
   EXPECT_EQ(this->Last().File, lesion);
