@@ -455,7 +455,7 @@ void Study::MeasureQuality()
 {
   for (const SceneStructure& structure : this->State().Structures)
   {
-    if (!structure.IsTouchable || structure.Source() != SceneSource::Label ||
+    if (!structure.IsTouchable || !HasPresets(structure) ||
         this->Measuring.count(structure.Id) > 0 || this->QualityOf(structure) != nullptr)
     {
       continue;
@@ -490,7 +490,7 @@ std::vector<QualityLine> Study::QualityLines() const
   std::vector<QualityLine> lines;
   for (const SceneStructure& structure : this->State().Structures)
   {
-    if (!structure.IsTouchable || structure.Source() != SceneSource::Label)
+    if (!structure.IsTouchable || !HasPresets(structure))
     {
       continue;
     }
@@ -514,7 +514,7 @@ void Study::UseRecommendedQuality()
   for (SceneStructure& structure : next.Structures)
   {
     const QualityMeasurement* measured =
-        structure.Source() == SceneSource::Label ? this->QualityOf(structure) : nullptr;
+        HasPresets(structure) ? this->QualityOf(structure) : nullptr;
     const int preset = measured != nullptr ? RecommendedPreset(*measured, next.Rate) : -1;
     structure = preset >= 0 ? WithPreset(structure, preset) : structure;
   }
