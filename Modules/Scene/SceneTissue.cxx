@@ -52,8 +52,8 @@ std::vector<const SceneStructure*> InclusionsOf(const SceneSettings& scene,
   std::vector<const SceneStructure*> inclusions;
   for (const SceneStructure& one : scene.Structures)
   {
-    if (one.Id != structure.Id && one.Source() == SceneSource::Label &&
-        one.Number(TissueKey::Inclusion) > 0.0)
+    if (one.Id != structure.Id && one.Number(TissueKey::Inclusion) > 0.0 &&
+        one.Source() == SceneSource::Label)
     {
       inclusions.push_back(&one);
     }
