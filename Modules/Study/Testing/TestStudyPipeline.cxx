@@ -407,17 +407,14 @@ TEST_F(StudyPipelineTest, ChangedInclusionMakesOnlyTheElasticityAgain)
   inclusion.IsVisible = false;
   inclusion.IsTouchable = false;
   inclusion.SetNumber("inclusion_kpa", 60.0);
-  this->Pipeline.Update(state);
-  test::Settle(this->Jobs);
+  this->Make(state);
   this->ExpectUpToDate({SceneStep::Model, SceneStep::Elasticity, SceneStep::Touch});
   const std::uint64_t before = this->Pipeline.StartedCount();
   inclusion.SetNumber("inclusion_kpa", 80.0);
-  this->Pipeline.Update(state);
-  test::Settle(this->Jobs);
+  this->Make(state);
   EXPECT_EQ(this->Pipeline.StartedCount(), before + 3) << "elasticity, touch and cost";
   inclusion.SetNumber("inclusion_kpa", 60.0);
-  this->Pipeline.Update(state);
-  test::Settle(this->Jobs);
+  this->Make(state);
   EXPECT_EQ(this->Pipeline.StartedCount(), before + 3) << "the earlier ones are kept";
 }
 
