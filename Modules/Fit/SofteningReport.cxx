@@ -29,12 +29,12 @@ double NoticedPercent(const FeltStiffness& felt, double sign)
 }
 } // namespace
 
-SofteningReport::SofteningReport(const SoftenedModel& softened, std::string name, double ballRadius)
-    : Softened(softened), Name(std::move(name)), Radius(ballRadius),
-      Drawn(DrawModel(softened.Document.Surface, Frequency)),
-      Felt(FeltStiffness::Of(std::get<SphericalHarmonicModel>(softened.Document.Surface),
-                             *softened.Document.Elasticity, ballRadius,
-                             IcosahedronDirections(Frequency).Directions()))
+SofteningReport::SofteningReport(const ModelDocument& model, const ModelSoftness& softness,
+                                 std::string name, double ballRadius)
+    : Model(model), Softness(softness), Name(std::move(name)), Radius(ballRadius),
+      Drawn(DrawModel(model.Surface, Frequency)),
+      Felt(FeltStiffness::Of(std::get<SphericalHarmonicModel>(model.Surface), *softness.Elasticity,
+                             ballRadius, IcosahedronDirections(Frequency).Directions()))
 {
 }
 
@@ -75,15 +75,15 @@ std::string SofteningReport::Views() const
 
 std::string SofteningReport::Page() const
 {
-  const ComplianceMaps& maps = *this->Softened.Document.Elasticity;
+  const ComplianceMaps& maps = *this->Softness.Elasticity;
   HtmlRows rows;
-  for (const auto& [key, value] : this->Softened.Document.Provenance.Settings)
+  for (const auto& [key, value] : this->Model.Provenance.Settings)
   {
     rows.emplace_back(key, value);
   }
-  rows.emplace_back("unknowns", std::to_string(this->Softened.Account.Unknowns));
+  rows.emplace_back("unknowns", std::to_string(this->Softness.Account.Unknowns));
   rows.emplace_back("elements at the surface",
-                    FixedText(this->Softened.Account.ElementEdge, 1) + " mm");
+                    FixedText(this->Softness.Account.ElementEdge, 1) + " mm");
   rows.emplace_back("left out by the maps", FixedText(100.0 * maps.FitError.Rms, 1) +
                                                 " % of the compliance, at most " +
                                                 FixedText(100.0 * maps.FitError.Largest, 1) + " %");
@@ -100,7 +100,7 @@ std::string SofteningReport::Page() const
               "fingers.</p>\n" +
               this->Views()) +
       ReportSection("What was built", HtmlTable("Settings and result", rows)) +
-      ReportNotes(this->Softened.Notes) + ReportFooter();
+      ReportNotes(this->Softness.Notes) + ReportFooter();
   return ReportPage(this->Name, body);
 }
 } // namespace palpate

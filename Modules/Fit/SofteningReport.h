@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FeltStiffness.h"
+#include "ModelDocument.h"
 #include "ModelSoftening.h"
 #include "PalpateFitModule.h"
 
@@ -15,8 +16,10 @@ namespace palpate
 class PALPATEFIT_EXPORT SofteningReport
 {
 public:
-  /// `name` is that of the model's file, for titles. The model is star-shaped and yields.
-  SofteningReport(const SoftenedModel& softened, std::string name, double ballRadius);
+  /// `model` is star-shaped and yields as `softness` says; keeps the addresses of both. `name` is
+  /// that of its file, for titles.
+  SofteningReport(const ModelDocument& model, const ModelSoftness& softness, std::string name,
+                  double ballRadius);
 
   /// One sentence on the forces: "A ball of 8 mm, 2.0 mm deep, feels 0.31 to 0.82 N, ...".
   std::string Sentence() const;
@@ -27,7 +30,8 @@ public:
 private:
   std::string Views() const;
 
-  const SoftenedModel& Softened;
+  const ModelDocument& Model;
+  const ModelSoftness& Softness;
   std::string Name;
   double Radius; // mm
   vtkSmartPointer<vtkPolyData> Drawn;

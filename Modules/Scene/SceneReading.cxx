@@ -1,5 +1,6 @@
 #include "SceneReading.h"
 
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitStructure.h"
 #include "ModelFile.h"
@@ -10,6 +11,7 @@
 #include "VolumeFile.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace palpate
 {
@@ -40,6 +42,20 @@ SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::st
     return read();
   };
   return node;
+}
+
+// "20 kPa" of a model that palpate soften made; empty if it is not known.
+std::string TissueOf(const ModelProvenance& provenance)
+{
+  for (const auto& [name, text] : provenance.Settings)
+  {
+    const std::optional<double> modulus = name == "tissue_kpa" ? ParseNumber(text) : std::nullopt;
+    if (modulus)
+    {
+      return SignificantText(*modulus) + " kPa";
+    }
+  }
+  return {};
 }
 } // namespace
 
@@ -75,6 +91,7 @@ SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps
                        ModelDocument document = ReadModel(file);
                        result.Model = std::move(document.Surface);
                        result.Elasticity = std::move(document.Elasticity);
+                       result.Tissue = TissueOf(document.Provenance);
                        constexpr int Frequency = 20;
                        result.ModelSurface = DrawModel(result.Model, Frequency);
                        return std::make_shared<const FitResult>(std::move(result));

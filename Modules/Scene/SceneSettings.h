@@ -27,7 +27,7 @@ struct TouchRepresentation
   static constexpr const char* Harmonics = "harmonics";
   static constexpr const char* Facets = "facets";
   static constexpr const char* SubVoxel = "sub-voxel";
-  static constexpr const char* Elastic = "elastic"; ///< of a model that yields
+  static constexpr const char* Elastic = "elastic"; ///< a model, or one of a label, that yields
   /// Harmonics where they fit, otherwise the sub-voxel field.
   static constexpr const char* ModelOrField = "model-or-field";
 };

@@ -90,7 +90,8 @@ std::shared_ptr<const FitResult> YieldingModelOf(const StudyPipeline& pipeline,
 {
   const bool isRigid = structure.Representation != TouchRepresentation::Automatic &&
                        structure.Representation != TouchRepresentation::Elastic;
-  auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
+  auto model = pipeline.Newest<FitResult>(SceneStep::Elasticity, structure.Id);
+  model = model != nullptr ? model : pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   const bool yields = !isRigid && WantsModel(structure) && model != nullptr &&
                       model->Elasticity != nullptr &&
                       std::holds_alternative<SphericalHarmonicModel>(model->Model);

@@ -8,8 +8,18 @@ namespace palpate
 {
 namespace
 {
+struct Softened
+{
+  SofteningReport Report(const std::string& name, double ball) const
+  {
+    return SofteningReport(this->Model, this->Softness, name, ball);
+  }
+  ModelDocument Model{SphericalHarmonicModel(0, {1.0}, Vector3::Zero()), {}};
+  ModelSoftness Softness;
+};
+
 // A ball of 25 mm with a hard lesion beneath its posterior side.
-SoftenedModel Soften(double largestPatch)
+Softened Soften(double largestPatch)
 {
   test::ElasticCase organ;
   organ.Model = test::SphereModel();
@@ -21,36 +31,37 @@ SoftenedModel Soften(double largestPatch)
   const Status status =
       ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, {16, largestPatch}, {}, maps);
   EXPECT_TRUE(status.IsOk()) << status.Message();
-  SoftenedModel made;
-  made.Document = {organ.Model, {}, std::make_shared<const ComplianceMaps>(maps)};
-  made.Document.Provenance.Settings = {{"tissue_kpa", "20"}};
-  made.Notes = {"a <note>"};
+  Softened made;
+  made.Softness.Elasticity = std::make_shared<const ComplianceMaps>(maps);
+  made.Softness.Notes = {"a <note>"};
+  made.Model = {organ.Model, {}, made.Softness.Elasticity};
+  made.Model.Provenance.Settings = {{"tissue_kpa", "20"}};
   return made;
 }
 
-const SoftenedModel& Softened()
+const Softened& TheOrgan()
 {
-  static const SoftenedModel softened = Soften(0.0);
+  static const Softened softened = Soften(0.0);
   return softened;
 }
 
 TEST(SofteningReport, SentenceSaysWhatTheBallFeels)
 {
-  const std::string sentence = SofteningReport(Softened(), "soft.json", 8.0).Sentence();
+  const std::string sentence = TheOrgan().Report("soft.json", 8.0).Sentence();
   EXPECT_EQ(sentence.rfind("A ball of 8 mm, 2.0 mm deep, feels 0.", 0), 0U) << sentence;
   EXPECT_EQ(sentence.find("harder than that is 0 %"), std::string::npos) << sentence;
 }
 
 TEST(SofteningReport, SaysThatABallIsTooLarge)
 {
-  const SoftenedModel narrow = Soften(1.0); // mm, no patch may grow larger
-  const std::string sentence = SofteningReport(narrow, "soft.json", 8.0).Sentence();
+  const Softened narrow = Soften(1.0); // mm, no patch may grow larger
+  const std::string sentence = narrow.Report("soft.json", 8.0).Sentence();
   EXPECT_NE(sentence.find("too large for this organ"), std::string::npos) << sentence;
 }
 
 TEST(SofteningReport, PageIsWholeAndEscaped)
 {
-  const std::string page = SofteningReport(Softened(), "<soft>.json", 8.0).Page();
+  const std::string page = TheOrgan().Report("<soft>.json", 8.0).Page();
   EXPECT_EQ(test::MarkupError(page.substr(page.find("<html"))), "");
   EXPECT_EQ(page.find("<soft>"), std::string::npos);
   EXPECT_EQ(page.find("<note>"), std::string::npos);

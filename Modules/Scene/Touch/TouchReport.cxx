@@ -116,6 +116,18 @@ nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
           {"missed", statistics.Misses()}};
 }
 
+// Of a structure that yields there is none: its force is that of its tissue.
+nlohmann::ordered_json StiffnessOf(const BuiltStructure& structure)
+{
+  return structure.Yields ? nlohmann::ordered_json(nullptr)
+                          : nlohmann::ordered_json(structure.Touch.Law.Stiffness);
+}
+
+std::string StiffnessText(const BuiltStructure& structure)
+{
+  return structure.Yields ? "yields" : SignificantText(structure.Touch.Law.Stiffness, 3) + " N/mm";
+}
+
 nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& result)
 {
   nlohmann::ordered_json summary;
@@ -125,7 +137,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
     const BuiltStructure& structure = touch.Structures[s];
     summary["structures"].push_back({{"name", structure.Touch.Name},
                                      {"representation", structure.Represented},
-                                     {"stiffness_n_per_mm", structure.Touch.Law.Stiffness},
+                                     {"stiffness_n_per_mm", StiffnessOf(structure)},
                                      {"build_s", structure.Seconds},
                                      {"touched_s", result.TouchedSeconds[s]}});
   }
@@ -203,10 +215,9 @@ std::string StructuresTable(const PreparedTouch& touch, const TouchResult& resul
   {
     const BuiltStructure& structure = touch.Structures[s];
     rows.emplace_back(structure.Touch.Name,
-                      structure.Represented + "; " +
-                          SignificantText(structure.Touch.Law.Stiffness, 3) +
-                          " N/mm; touched for " + FixedText(result.TouchedSeconds[s], 2) +
-                          " s; made in " + FixedText(structure.Seconds, 2) + " s");
+                      structure.Represented + "; " + StiffnessText(structure) + "; touched for " +
+                          FixedText(result.TouchedSeconds[s], 2) + " s; made in " +
+                          FixedText(structure.Seconds, 2) + " s");
   }
   return HtmlTable("Touched structures", rows);
 }
