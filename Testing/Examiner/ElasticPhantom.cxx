@@ -55,7 +55,7 @@ Status ElasticPhantom::Make(const std::optional<HiddenNodule>& nodule, int eleme
   softening.Degree = degree;
   ComplianceMaps maps;
   OrganSoftening::Account account;
-  const Status status = softening.Make(phantom.Model, solid, {}, maps, account);
+  Status status = softening.Make(phantom.Model, solid, {}, maps, account);
   if (status.IsOk())
   {
     phantom.Atlas = std::make_shared<const ComplianceAtlas>(maps);

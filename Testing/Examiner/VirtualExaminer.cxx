@@ -71,6 +71,7 @@ std::optional<VirtualExaminer::Finding> VirtualExaminer::Search(const Press& pre
 {
   const std::vector<FreePlace> places = this->Raster(seed);
   std::vector<double> felt;
+  felt.reserve(places.size());
   for (const FreePlace& place : places)
   {
     felt.push_back(MeanOf(press, place, this->Way.Sweeps));
