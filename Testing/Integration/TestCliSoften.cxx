@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <fstream>
+#include <limits>
+#include <utility>
 
 using namespace palpate::test;
 
@@ -26,6 +27,19 @@ void WriteLesion(const std::filesystem::path& path, double x)
     image->GetPoint(i, point);
     voxel[i] = std::hypot(point[0] - x, point[1] - 2.0, point[2] - 3.0) < 5.0 ? 3 : 0;
   }
+  palpate::WriteImage(path, image);
+}
+
+// One modulus (kPa) in every voxel of 2 mm, from a corner on.
+void WriteElastography(const std::filesystem::path& path, float kilopascal, double corner = -20.0)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(21, 21, 21);
+  image->SetSpacing(2.0, 2.0, 2.0);
+  image->SetOrigin(corner, corner, corner);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  std::fill_n(static_cast<float*>(image->GetScalarPointer()), image->GetNumberOfPoints(),
+              kilopascal);
   palpate::WriteImage(path, image);
 }
 
@@ -50,6 +64,12 @@ protected:
     const CommandRun run = RunPalpate(arguments, this->Folder.Path());
     EXPECT_EQ(run.Code, 0) << run.Errors;
     return run.Code == 0 ? nlohmann::json::parse(run.Output)["force_max_n"].get<double>() : 0.0;
+  }
+
+  // What touch reads of soft.json.
+  nlohmann::json Elasticity() const
+  {
+    return nlohmann::json::parse(ReadAll(this->Folder / "soft.json"))["elasticity"];
   }
 
   TemporaryFolder Folder;
@@ -79,23 +99,32 @@ TEST_F(CliSoften, LesionPushesHarder)
   EXPECT_GT(lesion, 1.03 * this->ForceOf("soft.json"));
 }
 
-TEST_F(CliSoften, SaysThatALesionLiesOutside)
+TEST_F(CliSoften, SaysThatALesionOrImageLiesOutsideAndIgnoresIt)
 {
-  WriteLesion(this->Folder / "lesion.nii.gz", 40.0);
-  const CommandRun run = this->Soften({"--lesion", "lesion.nii.gz", "--lesion-modulus", "60kPa"});
-  ASSERT_EQ(run.Code, 0) << run.Errors;
-  EXPECT_NE(run.Errors.find("lesion.nii.gz lies outside"), std::string::npos) << run.Errors;
+  const double nowhere = 40.0; // mm
+  WriteLesion(this->Folder / "lesion.nii.gz", nowhere);
+  WriteElastography(this->Folder / "off.nii.gz", 60.0F, nowhere);
+  WriteElastography(this->Folder / "zero.nii.gz", 0.0F);
+  WriteElastography(this->Folder / "negative.nii.gz", -60.0F);
+  ASSERT_EQ(this->Soften({}).Code, 0);
+  const nlohmann::json plain = this->Elasticity();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--lesion", "lesion.nii.gz", "--lesion-modulus", "60kPa"}, "lesion.nii.gz lies outside"},
+      {{"--elastography", "off.nii.gz"}, "off.nii.gz has no moduli within the model"},
+      {{"--elastography", "zero.nii.gz"}, "zero.nii.gz has no moduli within the model"},
+      {{"--elastography", "negative.nii.gz"}, "negative.nii.gz has no moduli within the model"}};
+  for (const auto& [more, note] : cases)
+  {
+    const CommandRun run = this->Soften(more);
+    ASSERT_EQ(run.Code, 0) << run.Errors;
+    EXPECT_NE(run.Errors.find(note), std::string::npos) << run.Errors;
+    EXPECT_EQ(this->Elasticity(), plain) << note;
+  }
 }
 
 TEST_F(CliSoften, ElastographyReplacesTheTissue)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(21, 21, 21);
-  image->SetSpacing(2.0, 2.0, 2.0);
-  image->SetOrigin(-20.0, -20.0, -20.0);
-  image->AllocateScalars(VTK_FLOAT, 1);
-  std::fill_n(static_cast<float*>(image->GetScalarPointer()), image->GetNumberOfPoints(), 30.0F);
-  palpate::WriteImage(this->Folder / "mre.nii.gz", image);
+  WriteElastography(this->Folder / "mre.nii.gz", 30.0F);
   ASSERT_EQ(this->Soften({"--elastography", "mre.nii.gz"}).Code, 0);
   const double image30 = this->ForceOf("soft.json");
   ASSERT_EQ(this->Soften({"--tissue", "30kPa"}).Code, 0);
@@ -135,16 +164,62 @@ TEST_F(CliSoften, RefusesWhatCannotYield)
   EXPECT_EQ(touch({"soft.json", "--wear", "0.1"}).Code, 2);
 }
 
+TEST_F(CliSoften, RefusesWithTheReason)
+{
+  palpate::WriteModel(this->Folder / "surface.json",
+                      {palpate::ParametricSphericalSurface::FromModel(NearlyASphere()), {}});
+  std::vector<std::string> afloat{"gland.json", "--free-angle", "170"};
+  for (const char* side : {"left", "right"})
+  {
+    afloat.insert(afloat.end(), {"--free", side});
+  }
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"surface.json"}, "surface.json is a surface model"},
+      {afloat, "Nothing holds the organ"},
+      {{"gland.json", "--elements", "4", "--degree", "9"}, "up to degree 8"},
+      {{"gland.json", "--elements", "4", "--degree", "4", "--support", "100000"}, "too stiff"}};
+  for (const auto& [more, reason] : cases)
+  {
+    std::vector<std::string> arguments{"soften", "--output", "soft.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(arguments, this->Folder.Path());
+    EXPECT_EQ(run.Code, 2) << reason;
+    EXPECT_NE(run.Errors.find(reason), std::string::npos) << run.Errors;
+    EXPECT_EQ(this->Folder.EntryCount(), 2U) << reason;
+  }
+}
+
+TEST_F(CliSoften, ModelThatYieldsCannotBeDrilled)
+{
+  ASSERT_EQ(this->Soften({}).Code, 0);
+  for (const std::string representation : {"automatic", "elastic"})
+  {
+    WriteAll(this->Folder / "soft.scene.json",
+             R"({"format": "palpate-scene", "tool": {"radius_mm": 4}, "structures": [{"file":
+                 "soft.json", "drill": {"wear_mm_per_nm": 0.1}, "representation": ")" +
+                 representation + "\"}]}");
+    const CommandRun run = RunPalpate({"touch", "soft.scene.json"}, this->Folder.Path());
+    EXPECT_EQ(run.Code, 2) << representation;
+    EXPECT_NE(run.Errors.find("drilled"), std::string::npos) << run.Errors;
+  }
+}
+
 TEST_F(CliSoften, BadInputIsRefusedAndLeavesNothing)
 {
   WriteLesion(this->Folder / "lesion.nii.gz", 4.0);
+  WriteElastography(this->Folder / "empty.nii.gz", 0.0F);
+  WriteElastography(this->Folder / "nan.nii.gz", std::numeric_limits<float>::quiet_NaN());
   for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
            {"--tissue", "0"},
            {"--tissue", "-20kPa"},
            {"--tissue", "nan"},
+           {"--tissue", "inf"},
+           {"--tissue", "1e9kPa"},
            {"--tissue", "1e300"},
            {"--tissue", "soft"},
+           {"--tissue", "kPa"},
            {"--poisson", "0.5"},
+           {"--poisson", "nan"},
            {"--poisson", "-0.1"},
            {"--elements", "5"},
            {"--free", "backwards"},
@@ -153,13 +228,16 @@ TEST_F(CliSoften, BadInputIsRefusedAndLeavesNothing)
            {"--lesion-modulus", "60kPa"},
            {"--lesion", "missing.nii.gz", "--lesion-modulus", "60"},
            {"--lesion", "lesion.nii.gz", "--lesion-modulus", "0"},
+           {"--lesion", "lesion.nii.gz", "--lesion-modulus", "1e9"},
            {"--lesion", "lesion.nii.gz", "--lesion-modulus", "60", "--lesion-label", "9"},
+           {"--lesion", "empty.nii.gz", "--lesion-modulus", "60"},
            {"--elastography", "missing.nii.gz"},
+           {"--elastography", "nan.nii.gz"},
            {"--output", "soft.coef"}})
   {
     const CommandRun run = this->Soften(more);
     EXPECT_EQ(run.Code, 2) << more.front() << " " << more.back() << ": " << run.Errors;
-    EXPECT_EQ(this->Folder.EntryCount(), 2U) << more.back();
+    EXPECT_EQ(this->Folder.EntryCount(), 4U) << more.back();
   }
 }
 } // namespace

@@ -235,6 +235,8 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
       {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "forbidden": true}]})", "forbidden"},
       {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "touched": false}]})", "touched"},
       {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "representation": "facets"}]})", "sub-voxel"},
+      {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "representation": "elastic"}]})",
+       "sub-voxel"},
       {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "interpolation": "cubic"}]})",
        "interpolation"},
       {begin + R"(, "forbidden": true, "alarm_mm": -1}]})", "alarm_mm"},
