@@ -110,6 +110,10 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->check(
           FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
       ->capture_default_str();
+  app.add_option("--exaggerate", this->Settings.Exaggeration,
+                 "Power to which contrasts with the tissue are raised, and said to be")
+      ->check(FiniteNumber::Between(1.0, TissueMap::MostExaggeration))
+      ->capture_default_str();
   app.add_option("--elements", this->Settings.Numbers.ElementsAcross,
                  "Finite elements along a quarter of a great circle: even; time grows with its "
                  "fifth power, memory with its fourth")

@@ -149,6 +149,11 @@ public:
       }
     }
     this->Made.Tissue += inclusions.empty() ? inclusions : inclusions + " kPa";
+    if (this->Settings.Exaggeration != 1.0)
+    {
+      solid.Tissue.Exaggerate(this->Settings.Exaggeration);
+      this->Made.Tissue += ExaggerationText(this->Settings.Exaggeration);
+    }
     return solid;
   }
 

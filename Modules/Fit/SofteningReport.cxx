@@ -51,7 +51,8 @@ std::string SofteningReport::Sentence() const
          " N, in the median " + FixedText(this->Felt.Median, 2) +
          " N; noticeably harder than that " + "is " +
          FixedText(NoticedPercent(this->Felt, 1.0), 0) + " % of the surface, noticeably " +
-         "softer " + FixedText(NoticedPercent(this->Felt, -1.0), 0) + " %.";
+         "softer " + FixedText(NoticedPercent(this->Felt, -1.0), 0) +
+         " %. Tissue: " + this->Softness.Tissue + ".";
 }
 
 std::string SofteningReport::Views() const

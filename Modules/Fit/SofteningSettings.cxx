@@ -34,6 +34,10 @@ Status SofteningSettings::Check() const
   {
     return Status::Failure("Poisson's ratio" + range(0.0, ElasticSolid::MostPoissonRatio) + ".");
   }
+  if (!isWithin(this->Exaggeration, 1.0, TissueMap::MostExaggeration))
+  {
+    return Status::Failure("The exaggeration" + range(1.0, TissueMap::MostExaggeration) + ".");
+  }
   if (!isWithin(this->BedPerMillimeter, LeastSupport, MostSupport))
   {
     return Status::Failure("The stiffness of the support" + range(LeastSupport, MostSupport) +
@@ -54,6 +58,11 @@ Status SofteningSettings::Check() const
   return Status::Success();
 }
 
+std::string ExaggerationText(double exaggeration)
+{
+  return ", contrasts exaggerated to the power " + SignificantText(exaggeration);
+}
+
 std::vector<std::pair<std::string, std::string>> DescribeSettings(const SofteningSettings& settings)
 {
   std::vector<std::pair<std::string, std::string>> lines{
@@ -62,6 +71,10 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const Softenin
       {"bed_kpa_per_mm", SignificantText(settings.BedPerMillimeter)},
       {"elements_across", std::to_string(settings.Numbers.ElementsAcross)},
       {"compliance_degree", std::to_string(settings.Numbers.Degree)}};
+  if (settings.Exaggeration != 1.0)
+  {
+    lines.emplace_back("exaggeration", SignificantText(settings.Exaggeration));
+  }
   std::string inclusions;
   for (const SofteningSettings::Inclusion& inclusion : settings.Inclusions)
   {

@@ -35,6 +35,9 @@ struct SofteningSettings
   std::vector<Inclusion> Inclusions;          ///< later ones count where they overlap
   std::shared_ptr<const Volume> Elastography; ///< moduli in kPa; null: none
 
+  /// Power to which contrasts with the tissue are raised, see TissueMap; 1: none.
+  double Exaggeration = 1.0;
+
   double BedPerMillimeter = 1.0;  ///< of what the organ lies on, kPa/mm
   std::vector<Vector3> FreeSides; ///< directions, patient LPS, in which it lies on nothing
   double FreeDegrees = 60.0;      ///< around each, half the cone's angle
@@ -44,6 +47,9 @@ struct SofteningSettings
   /// Fails for numbers outside the limits.
   PALPATEFIT_EXPORT Status Check() const;
 };
+
+/// ", contrasts exaggerated to the power 2": to be said wherever the tissue is.
+PALPATEFIT_EXPORT std::string ExaggerationText(double exaggeration);
 
 /// The settings as entries of a model's provenance.
 PALPATEFIT_EXPORT std::vector<std::pair<std::string, std::string>>

@@ -7,6 +7,7 @@
 #include "ModelSurface.h"
 #include "Refusal.h"
 #include "SegmentationFile.h"
+#include "SofteningSettings.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
 
@@ -44,18 +45,24 @@ SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::st
   return node;
 }
 
-// "20 kPa" of a model that palpate soften made; empty if it is not known.
+// "20 kPa" of a model that palpate soften made, and whether contrasts are exaggerated; empty if
+// nothing is known.
 std::string TissueOf(const ModelProvenance& provenance)
 {
+  std::string tissue;
   for (const auto& [name, text] : provenance.Settings)
   {
-    const std::optional<double> modulus = name == "tissue_kpa" ? ParseNumber(text) : std::nullopt;
-    if (modulus)
+    const std::optional<double> number = ParseNumber(text);
+    if (number && name == "tissue_kpa")
     {
-      return SignificantText(*modulus) + " kPa";
+      tissue += SignificantText(*number) + " kPa";
+    }
+    if (number && name == "exaggeration")
+    {
+      tissue += ExaggerationText(*number);
     }
   }
-  return {};
+  return tissue;
 }
 } // namespace
 

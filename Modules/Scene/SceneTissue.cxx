@@ -37,6 +37,8 @@ std::vector<SceneNumber> TissueNumbers()
           {TissueKey::FreeSide, "Side without support", 0.0, 0, SideWords()},
           {TissueKey::FreeDegrees, "Half the angle of that side, degrees (0: 60)",
            SofteningSettings::MostFreeDegrees, 1},
+          {TissueKey::Exaggeration, "Power of contrasts, exaggerated above 1 (0: 1)",
+           TissueMap::MostExaggeration, 2},
           {TissueKey::Elements, "Finite elements across (0: 16)",
            1.0 * SofteningSettings::MostElements, 0}};
 }
@@ -68,6 +70,7 @@ SofteningSettings SofteningSettingsOf(const SceneStructure& structure)
   Take(structure, TissueKey::PoissonRatio, settings.PoissonRatio);
   Take(structure, TissueKey::Support, settings.BedPerMillimeter);
   Take(structure, TissueKey::FreeDegrees, settings.FreeDegrees);
+  Take(structure, TissueKey::Exaggeration, settings.Exaggeration);
   const auto side = static_cast<std::size_t>(structure.Number(TissueKey::FreeSide));
   if (side > 0 && side <= PatientSides().size())
   {

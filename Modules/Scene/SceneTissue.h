@@ -18,6 +18,7 @@ struct TissueKey
   static constexpr const char* Support = "support_kpa_per_mm";
   static constexpr const char* FreeSide = "free_side";
   static constexpr const char* FreeDegrees = "free_degrees";
+  static constexpr const char* Exaggeration = "exaggeration";
   static constexpr const char* Elements = "elements_across";
   static constexpr const char* Elastography = "elastography_image";
   static constexpr const char* Inclusion = "inclusion_kpa"; ///< of another structure, a label

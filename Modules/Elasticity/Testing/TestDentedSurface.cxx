@@ -20,7 +20,7 @@ class ExactDent
 public:
   ExactDent(const LayeredSphere& sphere, double force, double patchRadius)
   {
-    constexpr int Degrees = 250;
+    constexpr int Degrees = 120;
     const GaussLegendre gauss(24);
     const double radius = sphere.Radius();
     for (int l = 0; l <= Degrees; ++l)
@@ -73,28 +73,40 @@ private:
 
 struct DrawnSphere
 {
-  explicit DrawnSphere(double depth)
+  DrawnSphere(const test::ElasticCase& sphere, int frequency)
+      : Mesh(frequency), Center(sphere.Model.CenterWorld())
   {
-    const test::ElasticCase& sphere = test::SphereCase(depth);
     const Status status =
         ComplianceMaps::Fit(sphere.Model, sphere.Solid, sphere.Reduced, {8, 0.0}, {}, this->Maps);
     EXPECT_TRUE(status.IsOk()) << status.Message();
     this->Surface =
         std::make_unique<DentedSurface>(sphere.Model, this->Maps, this->Mesh.Directions());
-    this->Center = sphere.Model.CenterWorld();
   }
 
-  IcosahedronDirections Mesh{30};
+  IcosahedronDirections Mesh;
   ComplianceMaps Maps;
   std::unique_ptr<DentedSurface> Surface;
   Vector3 Center;
 };
 
+// Quick to make.
+const test::ElasticCase& CoarseSphere()
+{
+  static const auto made = []
+  {
+    auto sphere = std::make_unique<test::ElasticCase>();
+    sphere->Model = test::SphereModel();
+    sphere->Build(6, 6);
+    return sphere;
+  }();
+  return *made;
+}
+
 TEST(DentedSurface, IsThatOfTheExactSphere)
 {
   for (const double core : {0.0, 5.0})
   {
-    const DrawnSphere drawn(core);
+    const DrawnSphere drawn(test::SphereCase(core), 12);
     for (const double depth : {1.0, 2.0, 4.0})
     {
       constexpr double Ball = 8.0;
@@ -118,7 +130,7 @@ TEST(DentedSurface, IsThatOfTheExactSphere)
 // Up to half of the ball's radius; with triangles of 1 mm, whose middles cut 0.05 mm off.
 TEST(DentedSurface, KeepsOutOfTheBall)
 {
-  const DrawnSphere drawn(5.0);
+  const DrawnSphere drawn(CoarseSphere(), 30);
   for (const double ball : {4.0, 8.0})
   {
     const Vector3 direction = Vector3(1.0, -2.0, 2.0).normalized();
@@ -140,15 +152,15 @@ TEST(DentedSurface, KeepsOutOfTheBall)
 
 TEST(DentedSurface, RestsWithoutDepth)
 {
-  const DrawnSphere drawn(0.0);
+  const DrawnSphere drawn(CoarseSphere(), 6);
   EXPECT_EQ(drawn.Surface->PointsWorld({Vector3::UnitX(), 0.0, 8.0}), drawn.Surface->RestWorld());
   EXPECT_EQ(drawn.Surface->PointsWorld({Vector3::UnitX(), -1.0, 8.0}), drawn.Surface->RestWorld());
 }
 
 TEST(PackedCompliance, IsWithinHalfAThousandth)
 {
-  const ReducedCompliance kept = test::SphereCase(5.0).Reduced.Truncated(6);
-  const PackedCompliance packed = PackedCompliance::Of(test::SphereCase(5.0).Reduced, 6);
+  const ReducedCompliance kept = CoarseSphere().Reduced.Truncated(5);
+  const PackedCompliance packed = PackedCompliance::Of(CoarseSphere().Reduced, 5);
   ASSERT_TRUE(packed.Check().IsOk());
   const Eigen::MatrixXd back = packed.Unpacked().Matrix();
   const Eigen::VectorXd roots = kept.Matrix().diagonal().cwiseSqrt();
@@ -158,7 +170,7 @@ TEST(PackedCompliance, IsWithinHalfAThousandth)
 
 TEST(PackedCompliance, RefusesWhatIsIncomplete)
 {
-  const PackedCompliance whole = PackedCompliance::Of(test::SphereCase(0.0).Reduced, 3);
+  const PackedCompliance whole = PackedCompliance::Of(CoarseSphere().Reduced, 3);
   const auto refused = [&](const auto& change)
   {
     PackedCompliance packed = whole;

@@ -33,6 +33,7 @@ Softened Soften(double largestPatch)
   EXPECT_TRUE(status.IsOk()) << status.Message();
   Softened made;
   made.Softness.Elasticity = std::make_shared<const ComplianceMaps>(maps);
+  made.Softness.Tissue = "20 kPa";
   made.Softness.Notes = {"a <note>"};
   made.Model = {organ.Model, {}, made.Softness.Elasticity};
   made.Model.Provenance.Settings = {{"tissue_kpa", "20"}};
@@ -49,6 +50,7 @@ TEST(SofteningReport, SentenceSaysWhatTheBallFeels)
 {
   const std::string sentence = TheOrgan().Report("soft.json", 8.0).Sentence();
   EXPECT_EQ(sentence.rfind("A ball of 8 mm, 2.0 mm deep, feels 0.", 0), 0U) << sentence;
+  EXPECT_NE(sentence.find("Tissue: 20 kPa."), std::string::npos) << sentence;
   EXPECT_EQ(sentence.find("harder than that is 0 %"), std::string::npos) << sentence;
 }
 
