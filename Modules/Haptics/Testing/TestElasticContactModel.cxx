@@ -259,5 +259,111 @@ TEST(ElasticContactModel, AdviceCountsRelaxationAsDamping)
   scene.Structures[0].Law.Relaxation = 1.1 * device.Damping / stiffness;
   EXPECT_EQ(StiffnessWarnings(scene, device, 1000.0).size(), 1U);
 }
+
+// A hollow into which the ball does not fit.
+struct Hollow
+{
+  Hollow()
+  {
+    this->Case.Model = test::HollowModel();
+    this->Case.Build(8, 8);
+    ComplianceMaps maps;
+    Status status = ComplianceMaps::Fit(this->Case.Model, this->Case.Solid, this->Case.Reduced,
+                                        {14, 0.0}, {}, maps);
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+    status = ElasticContactModel::Make(test::Shared(this->Case.Model), maps, this->Model);
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+    this->Aside = test::HollowDirection().unitOrthogonal();
+  }
+  // Of a ball's centre, at this height over the organ's, moved aside.
+  Vector3 Place(double height, double aside) const
+  {
+    return this->Case.Model.CenterWorld() + height * test::HollowDirection() + aside * this->Aside;
+  }
+
+  test::ElasticCase Case;
+  std::shared_ptr<const ContactModel> Model;
+  Vector3 Aside;
+};
+
+const Hollow& TheHollow()
+{
+  static const Hollow hollow;
+  return hollow;
+}
+
+TEST(ElasticContactModel, TwoWallsPushABallOutOfAHollow)
+{
+  constexpr double Large = 8.0;
+  const auto tracker = test::TrackerOf(*TheHollow().Model, ToolShape::Sphere(Large), {});
+  tracker->Follow(test::At(TheHollow().Place(40.0, 0.0)));
+  double last = 0.0;
+  for (double height = 30.0; height > 22.0; height -= 0.05)
+  {
+    const Contact& contact = tracker->Follow(test::At(TheHollow().Place(height, 0.0)));
+    const double push = contact.Elastic->ForceWorld.dot(test::HollowDirection());
+    EXPECT_GE(push, last - 1e-9) << height;
+    last = push;
+  }
+  EXPECT_GT(last, 0.3);
+}
+
+// 0.01 mm a tick; a hand notices 0.035 N, and rigid walls of 0.5 N/mm would change by 0.005 N.
+TEST(ElasticContactModel, ForceIsContinuousAcrossAHollow)
+{
+  constexpr double Large = 8.0;
+  const auto tracker = test::TrackerOf(*TheHollow().Model, ToolShape::Sphere(Large), {});
+  tracker->Follow(test::At(TheHollow().Place(40.0, -9.0)));
+  for (double height = 40.0; height > 25.0; height -= 0.1)
+  {
+    tracker->Follow(test::At(TheHollow().Place(height, -9.0)));
+  }
+  Vector3 last = Vector3::Zero();
+  double most = 0.0;
+  double where = 0.0;
+  for (int tick = 0; tick <= 1800; ++tick)
+  {
+    const double aside = -9.0 + 0.01 * tick;
+    const Contact& contact = tracker->Follow(test::At(TheHollow().Place(25.0, aside)));
+    const double change = (contact.Elastic->ForceWorld - last).norm();
+    if (tick > 0 && change > most)
+    {
+      most = change;
+      where = aside;
+    }
+    last = contact.Elastic->ForceWorld;
+  }
+  EXPECT_LT(most, 0.01) << where;
+}
+
+TEST(ElasticContactModel, LoopsInAHollowTakeNoWork)
+{
+  constexpr double Large = 8.0;
+  const auto tracker = test::TrackerOf(*TheHollow().Model, ToolShape::Sphere(Large), {});
+  tracker->Follow(test::At(TheHollow().Place(40.0, 0.0)));
+  double work = 0.0;
+  double least = 1e9;
+  double most = 0.0;
+  Vector3 lastPlace = Vector3::Zero();
+  Vector3 lastForce = Vector3::Zero();
+  constexpr int Loop = 2000;
+  for (int tick = -500; tick <= Loop; ++tick)
+  {
+    const double angle = 2.0 * test::Pi * std::max(tick, 0) / Loop;
+    const double down = tick < 0 ? -0.02 * tick : 0.0;
+    const Vector3 place =
+        TheHollow().Place(25.0 + down + 0.8 * std::sin(angle), 0.8 * (1.0 - std::cos(angle)));
+    const ElasticForce& force = *tracker->Follow(test::At(place)).Elastic;
+    if (tick > 0)
+    {
+      work += 0.5 * (force.ForceWorld + lastForce).dot(place - lastPlace);
+      least = std::min(least, force.Energy);
+      most = std::max(most, force.Energy);
+    }
+    lastPlace = place;
+    lastForce = force.ForceWorld;
+  }
+  EXPECT_LE(std::abs(work), 5e-3 * (most - least));
+}
 } // namespace
 } // namespace palpate
