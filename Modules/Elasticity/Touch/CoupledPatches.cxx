@@ -46,7 +46,7 @@ public:
         double depth = this->Patches[i].Depth();
         for (std::size_t j = 0; j < this->Count; ++j)
         {
-          depth -= i != j ? this->Coupling(i, j).Compliance * this->ForceOf(j) : 0.0;
+          depth -= i != j ? this->Coupling(i, j) * this->ForceOf(j) : 0.0;
         }
         const double before = this->ForceOf(i);
         this->Patches[i].Press(std::max(0.0, depth), this->Patches[i].Contact().PatchRadius);
@@ -62,18 +62,11 @@ public:
     std::array<double, CoupledPatches::MostWalls> slopes{};
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      Vector3 energySlope = Vector3::Zero(); // by the place of patch i
-      for (std::size_t j = 0; j < this->Count; ++j)
+      for (std::size_t j = 0; j < i; ++j)
       {
-        if (i != j)
-        {
-          const Pair pair = this->Coupling(i, j);
-          const double product = this->ForceOf(i) * this->ForceOf(j);
-          energySlope -= product * pair.Slope;
-          sum.Energy += i < j ? product * pair.Compliance : 0.0;
-        }
+        sum.Energy += this->ForceOf(i) * this->ForceOf(j) * this->Coupling(i, j);
       }
-      const ElasticForce one = this->Patches[i].Force(energySlope);
+      const ElasticForce one = this->Patches[i].ForceOfHeldBall();
       sum.ForceWorld += one.ForceWorld;
       sum.Energy += one.Energy;
       sum.PatchRadius = std::max(sum.PatchRadius, one.PatchRadius);
@@ -90,41 +83,23 @@ public:
   }
 
 private:
-  struct Pair
-  {
-    double Compliance; // c_ij, mm/N
-    Vector3 Slope;     // of it by the place of patch i on its surface, 1/N
-  };
-
   double ForceOf(std::size_t i) const noexcept { return this->Patches[i].Contact().Force; }
 
-  Pair Coupling(std::size_t i, std::size_t j) const noexcept
+  // mm/N.
+  double Coupling(std::size_t i, std::size_t j) const noexcept
   {
     const ElasticPatch& one = this->Patches[i];
     const ElasticPatch& other = this->Patches[j];
-    const Vector3 between = one.Point() - other.Point();
-    const double distance = std::max(between.norm(), 1e-6 * this->Width);
     // c(D)/c(0) of a half-space is q erf(x/s)/x with x = D/a: 1 for x = 0, and far away that of
     // two points, 5/(3 pi x).
     constexpr double Far = 5.0 / (3.0 * Pi);
+    constexpr double Least = 1e-6;
     const double spread = 2.0 * Far / std::sqrt(Pi);
-    const double x = distance / this->Width;
-    const double share = Far * std::erf(x / spread) / x;
-    const double shareSlope =
-        (2.0 * Far / (std::sqrt(Pi) * spread) * std::exp(-x * x / (spread * spread)) - share) / x;
+    const double x = std::max(Least, (one.Point() - other.Point()).norm() / this->Width);
     const double facing = 0.5 * (1.0 + one.Normal().dot(other.Normal()));
     const double whole =
         0.5 * (one.Softness(this->Width) + other.Softness(this->Width)) / this->Width;
-    Pair pair{whole * share * facing,
-              whole * facing * shareSlope / this->Width / distance * between};
-    // The normal turns by the curvature times the way.
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      const Vector3& along = one.Shape().Directions[k];
-      pair.Slope +=
-          0.5 * whole * share * one.Shape().Principal[k] * other.Normal().dot(along) * along;
-    }
-    return pair;
+    return whole * facing * Far * std::erf(x / spread) / x;
   }
 
   std::size_t Count;

@@ -14,6 +14,6 @@ ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const SphericalHarmo
   }
   ElasticPatch patch(atlas, model, direction, depth, ballRadius);
   patch.Press(depth, start);
-  return patch.Force(Vector3::Zero());
+  return patch.Force();
 }
 } // namespace palpate

@@ -46,15 +46,11 @@ Vector3 ElasticPatch::EnergySlope() const noexcept
          this->Pressed.EnergyByCurvature(this->Place.MeanCurvature) * this->Place.CurvatureSlope;
 }
 
-ElasticForce ElasticPatch::Force(const Vector3& energySlope) const noexcept
+ElasticForce ElasticPatch::ForceOfHeldBall() const noexcept
 {
   constexpr double MostOfBall = 0.5;
   constexpr double MostOfOrgan = 0.2;
   ElasticForce force;
-  if (!(this->Pressed.PatchRadius > 0.0))
-  {
-    return force;
-  }
   force.PatchRadius = this->Pressed.PatchRadius;
   force.Energy = this->Pressed.Energy;
   force.Slope = this->Pressed.Slope;
@@ -62,22 +58,36 @@ ElasticForce ElasticPatch::Force(const Vector3& energySlope) const noexcept
   force.IsValid =
       this->Deep <= std::min(MostOfBall * this->Ball, MostOfOrgan * this->SurfaceRadius) &&
       !this->Pressed.IsPatchFull && this->Bend == this->Place.MeanCurvature;
+  return force;
+}
 
+ElasticForce ElasticPatch::Force() const noexcept
+{
+  ElasticForce force = this->ForceOfHeldBall();
+  if (!(this->Pressed.PatchRadius > 0.0))
+  {
+    return force;
+  }
   // The nearest point moves with the ball by (1 + s k)^-1 along each principal direction, for the
-  // centre's distance s from the surface. Where it moves without bounds it is not unique.
+  // centre's distance s from the surface. In a hollow as round as the ball it moves without bounds:
+  // there the ball is touched all round, and not pushed along the surface.
+  constexpr double Round = 0.02;
+  constexpr double Open = 0.15;
   constexpr double LeastStretch = 0.05;
   constexpr double MostLateral = 0.5; // of the push; some tenths are met beside lesions
   const double distance = this->Ball - this->Deep;
   const Vector3 slope = this->EnergySlope();
-  const Vector3 onSurface =
-      (slope - this->Direction.dot(slope) * this->Direction) / this->SurfaceRadius + energySlope;
+  const Vector3 onSphere =
+      (slope - this->Direction.dot(slope) * this->Direction) / this->SurfaceRadius;
+  const double room = 1.0 + this->Ball * this->Curvature.Principal[1];
+  const double share = std::clamp((room - Round) / (Open - Round), 0.0, 1.0);
+  force.IsValid = force.IsValid && share == 1.0;
   Vector3 lateral = Vector3::Zero();
   for (std::size_t i = 0; i < 2; ++i)
   {
-    const double stretch = 1.0 + distance * this->Curvature.Principal[i];
-    force.IsValid = force.IsValid && stretch > LeastStretch;
-    lateral -= this->Curvature.Directions[i].dot(onSurface) / std::max(stretch, LeastStretch) *
-               this->Curvature.Directions[i];
+    const double curvature = this->Curvature.Principal[i];
+    lateral -= share * this->Curvature.Directions[i].dot(onSphere) /
+               std::max(1.0 + distance * curvature, LeastStretch) * this->Curvature.Directions[i];
   }
   const double size = lateral.norm();
   const double most = MostLateral * this->Pressed.Force;

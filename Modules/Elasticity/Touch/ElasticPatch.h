@@ -25,14 +25,15 @@ public:
   void Press(double depth, double start) noexcept;
   const BallContact& Contact() const noexcept { return this->Pressed; }
 
-  /// The force on the ball: along the normal, and minus the slope of the energy along the surface,
-  /// to which `energySlope` (N, by the place on the surface) is added.
-  ElasticForce Force(const Vector3& energySlope) const noexcept;
+  /// The force on a ball that this place alone holds: along the normal, and minus the slope of the
+  /// energy along the surface, on which the place moves with the ball.
+  ElasticForce Force() const noexcept;
+  /// The force on a ball that does not move along the surface, since other places hold it too.
+  ElasticForce ForceOfHeldBall() const noexcept;
 
   double Depth() const noexcept { return this->Deep; }
   const Vector3& Point() const noexcept { return this->Foot; } ///< mm, from the model's centre
   const Vector3& Normal() const noexcept { return this->Outward; }
-  const SurfaceCurvature& Shape() const noexcept { return this->Curvature; }
   /// a c(a) (mm^2/N) for a patch of this radius (mm) or the largest.
   double Softness(double radius) const noexcept;
 

@@ -1,5 +1,7 @@
 #include "ElasticTracker.h"
 
+#include "SurfaceCurvature.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -50,60 +52,94 @@ const Contact& ElasticTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
-// The walls that the ball is pressed into at the probe: minima of the distance to it, continued
-// from those that are known at the proxy.
+// Between the ball at the proxy and a wall (mm): 0 if it touches, or if the wall is tracked at the
+// probe.
+double ElasticTracker::GapTo(const ClosestPoint& wall) const noexcept
+{
+  return std::max(0.0, wall.SignedDistance - this->ToolRadius);
+}
+
+// The walls at the proxy that the ball is pressed into.
 std::size_t ElasticTracker::WallsAt(const Vector3& probe,
                                     CoupledPatches::Wall* walls) const noexcept
 {
-  constexpr double Apart = 1e-3; // rad; closer ones are the same
+  const Vector3 push = this->Felt.ProxyWorld - probe;
   std::size_t count = 0;
   for (std::size_t i = 0; i < this->Rigid.WallCount() && count < CoupledPatches::MostWalls; ++i)
   {
-    const ClosestPoint foot = this->Surface->Search().Track(probe, this->Rigid.Walls()[i]);
-    const bool isNew =
-        std::none_of(walls, walls + count,
-                     [&foot](const CoupledPatches::Wall& wall)
-                     { return (wall.Direction - foot.Direction).squaredNorm() < Apart * Apart; });
-    const double depth = this->ToolRadius - foot.SignedDistance;
-    // Deeper than its radius, a ball's centre is inside, where minima are of the other side too.
-    if (foot.Converged() && isNew && depth > 0.0 && depth < this->ToolRadius)
+    const ClosestPoint& wall = this->Rigid.Walls()[i];
+    const double depth = push.dot(wall.Normal) - this->GapTo(wall);
+    if (depth > 0.0)
     {
-      walls[count++] = {foot.Direction, depth};
+      walls[count++] = {wall.Direction, depth};
     }
   }
   return count;
 }
 
+// How much the walls are places of their own: 1 in a notch; 0 in a round hollow, which the ball
+// touches all round, so that walls are found anywhere on a circle.
+double ElasticTracker::Distinctness() const noexcept
+{
+  constexpr double Round = 0.1;
+  constexpr double Distinct = 0.4;
+  double least = 1.0;
+  for (std::size_t i = 0; i < this->Rigid.WallCount(); ++i)
+  {
+    const ClosestPoint& wall = this->Rigid.Walls()[i];
+    const SurfaceCurvature shape = CurvatureAt(wall.SampleDirection, wall.Sample);
+    least = std::min(least, 1.0 + this->ToolRadius * shape.Principal[1]);
+  }
+  return std::clamp((least - Round) / (Distinct - Round), 0.0, 1.0);
+}
+
 void ElasticTracker::Press(const Vector3& probe) noexcept
 {
   std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> walls;
-  const std::size_t count = this->Rigid.WallCount() > 1 ? this->WallsAt(probe, walls.data()) : 0;
-  if (count == 0)
+  const std::size_t count = this->WallsAt(probe, walls.data());
+  const double part = count > 1 ? this->Distinctness() : 0.0;
+  if (part < 1.0)
   {
     this->PressOne(probe);
-    return;
   }
-  this->Push = CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
-                                  this->ToolRadius);
-  this->PatchRadius = 0.0; // starts anew if one wall is left
+  if (part > 0.0)
+  {
+    const ElasticForce one = this->Push;
+    ElasticForce& force = this->Push;
+    force = CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
+                               this->ToolRadius);
+    force.ForceWorld = part * force.ForceWorld + (1.0 - part) * one.ForceWorld;
+    force.Energy = part * force.Energy + (1.0 - part) * one.Energy;
+    force.Slope = part * force.Slope + (1.0 - part) * one.Slope;
+    force.IsValid = force.IsValid && part == 1.0;
+  }
 }
 
+// At the wall that the push presses most; if that does not hold the proxy alone, with the size of
+// its force along the push.
 void ElasticTracker::PressOne(const Vector3& probe) noexcept
 {
-  constexpr double OnSurface = 1e-6; // of the radius
-  const SphericalHarmonicModel& model = this->Surface->Model();
-  const Vector3 foot = this->Felt.ProxyWorld - this->ToolRadius * this->Felt.NormalWorld;
-  const Vector3 fromCenter = foot - model.CenterWorld();
-  const double distance = fromCenter.norm();
-  const Vector3 direction = fromCenter / distance;
+  constexpr double Alone = 1e-6; // of the depth
+  const Vector3 push = this->Felt.ProxyWorld - probe;
+  const auto pressedBy = [&](const ClosestPoint& wall)
+  { return push.dot(wall.Normal) - this->GapTo(wall); };
+  const ClosestPoint* const walls = this->Rigid.Walls();
+  const ClosestPoint& wall = *std::max_element(walls, walls + this->Rigid.WallCount(),
+                                               [&](const ClosestPoint& a, const ClosestPoint& b)
+                                               { return pressedBy(a) < pressedBy(b); });
+  const double along = push.dot(wall.Normal);
   ElasticForce& force = this->Push;
-  force = ElasticForce::Of(*this->Atlas, model, direction, this->Felt.Depth, this->ToolRadius,
-                           this->PatchRadius);
-  this->PatchRadius = force.PatchRadius;
-  if (!(std::abs(distance - model.Radius(direction)) <= OnSurface * distance))
+  if (!(pressedBy(wall) > 0.0))
   {
-    const Vector3 push = this->Felt.ProxyWorld - probe;
-    force.ForceWorld = force.ForceWorld.dot(model.Normal(direction)) / this->Felt.Depth * push;
+    return;
+  }
+  const double depth = this->Felt.Depth * pressedBy(wall) / along;
+  force = ElasticForce::Of(*this->Atlas, this->Surface->Model(), wall.Direction, depth,
+                           this->ToolRadius, this->PatchRadius);
+  this->PatchRadius = force.PatchRadius;
+  if (along < (1.0 - Alone) * this->Felt.Depth)
+  {
+    force.ForceWorld = force.ForceWorld.dot(wall.Normal) / this->Felt.Depth * push;
     force.IsValid = false;
   }
 }

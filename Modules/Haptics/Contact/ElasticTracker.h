@@ -13,9 +13,9 @@ namespace palpate
 {
 /// Tracks a ball at a structure that yields. The nearest point is that of the rigid surface, and
 /// depth and patch follow from it. Where the ball does not fit into a hollow of the surface, each
-/// wall that the rigid proxy touches or is near to has a patch (CoupledPatches); where there is no
-/// such wall, as deep inside, the force is that of one patch in the direction of the rigid proxy,
-/// and said to be invalid.
+/// wall that the rigid proxy touches or is near to has a patch (CoupledPatches), and the ball's
+/// motion from the proxy presses it in. In a hollow that is so round that the ball touches it all
+/// round, the force is that of one patch in the proxy's direction, and said to be invalid.
 ///
 /// Friction is a spring along the surface, as stiff as the patch (Mindlin, J. Appl. Mech. 16,
 /// 1949), whose force Coulomb's law limits. It follows the ball from tick to tick, and shrinks with
@@ -34,6 +34,8 @@ public:
 private:
   void Press(const Vector3& probe) noexcept;
   void PressOne(const Vector3& probe) noexcept;
+  double Distinctness() const noexcept;
+  double GapTo(const ClosestPoint& wall) const noexcept;
   std::size_t WallsAt(const Vector3& probe, CoupledPatches::Wall* walls) const noexcept;
   void Rub(const Vector3& probe) noexcept;
   void LetGo() noexcept;
