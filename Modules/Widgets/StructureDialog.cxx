@@ -4,6 +4,7 @@
 
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QPushButton>
 
@@ -13,7 +14,7 @@ namespace palpate
 {
 StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent)
     : QDialog(parent), Study(study), Structure(*FindStructure(study.State(), id)),
-      Form(new QFormLayout(this))
+      Form(new QFormLayout(this)), Rows(Form)
 {
   this->setWindowTitle(QString::fromStdString(TitleOf(this->Structure)));
   this->AddRepresentation();
@@ -54,16 +55,21 @@ void StructureDialog::AddRepresentation()
   for (const SceneRepresentation& one : SceneRepresentations())
   {
     const auto place = std::find(names.begin(), names.end(), one.Name);
-    if (place == names.end())
+    if (place == names.end() || (one.Numbers.empty() && one.ImageKey.empty()))
     {
       continue;
     }
-    const int first = this->Form->rowCount();
+    auto* group = new QGroupBox(QString::fromStdString(one.Label), this);
+    this->Form->addRow(group);
+    this->Rows = new QFormLayout(group);
     this->AddNumbers(one.Numbers);
     this->AddImage(one.ImageLabel, one.ImageKey);
-    const int last = this->Form->rowCount();
-    const auto show = [this, first, last, own = static_cast<int>(place - names.begin())](int index)
-    { this->ShowRows(first, last, index == own); };
+    this->Rows = this->Form;
+    const auto show = [this, group, own = static_cast<int>(place - names.begin())](int index)
+    {
+      group->setVisible(index == own);
+      this->adjustSize();
+    };
     connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, show);
     show(choice->currentIndex());
   }
@@ -91,17 +97,6 @@ void StructureDialog::AddMembers()
                   [](SceneStructure& structure) -> double& { return structure.Friction.Dynamic; });
 }
 
-void StructureDialog::ShowRows(int first, int last, bool areShown)
-{
-  for (int row = first; row < last; ++row)
-  {
-    for (const QFormLayout::ItemRole role : {QFormLayout::LabelRole, QFormLayout::FieldRole})
-    {
-      this->Form->itemAt(row, role)->widget()->setVisible(areShown);
-    }
-  }
-}
-
 void StructureDialog::AddNumber(const QString& label, const QString& name, double most,
                                 int decimals, const std::function<double&(SceneStructure&)>& member)
 {
@@ -118,7 +113,7 @@ void StructureDialog::AddBox(const QString& label, const QString& name, double m
   box->setRange(0.0, most);
   box->setSingleStep(decimals == 0 ? 1.0 : 0.1);
   box->setValue(value);
-  this->Form->addRow(label, box);
+  this->Rows->addRow(label, box);
   // A value that the box rounds is kept until it is edited.
   this->Writes.emplace_back(
       [box, set, shown = box->value()](SceneStructure& structure)
@@ -138,7 +133,7 @@ QComboBox* StructureDialog::AddChoice(const QString& label, const QString& name,
   box->setObjectName(name);
   box->addItems(choices);
   box->setCurrentIndex(value);
-  this->Form->addRow(label, box);
+  this->Rows->addRow(label, box);
   this->Writes.emplace_back([box, set](SceneStructure& structure)
                             { set(structure, box->currentIndex()); });
   return box;
@@ -183,7 +178,7 @@ void StructureDialog::AddImage(const std::string& label, const std::string& key)
   auto* browse = new QPushButton("Browse...", both);
   row->addWidget(file, 1);
   row->addWidget(browse);
-  this->Form->addRow(title, both);
+  this->Rows->addRow(title, both);
   connect(browse, &QPushButton::clicked, this,
           [this, file, title]
           {

@@ -30,7 +30,6 @@ public:
 private:
   void AddRepresentation();
   void AddMembers();
-  void ShowRows(int first, int last, bool areShown);
   void AddNumber(const QString& label, const QString& name, double most, int decimals,
                  const std::function<double&(SceneStructure&)>& member);
   QComboBox* AddChoice(const QString& label, const QString& name, const QStringList& choices,
@@ -43,6 +42,7 @@ private:
   StudyController& Study;
   SceneStructure Structure;
   QFormLayout* Form;
+  QFormLayout* Rows; ///< to which rows are added
   std::vector<std::function<void(SceneStructure&)>> Writes;
 };
 } // namespace palpate

@@ -173,19 +173,32 @@ QVariant StructureTableModel::CostOf(const SceneStructure& structure) const
 QString StructureTableModel::RepresentationOf(const SceneStructure& structure) const
 {
   const QString name = QString::fromStdString(palpate::RepresentationOf(structure).Label);
-  const auto contact =
-      this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
+  const auto contact = this->ContactOf(structure);
   const bool isReplaced = structure.Representation == TouchRepresentation::ModelOrField &&
                           contact != nullptr && contact->Field != nullptr;
   return isReplaced ? name + ": sub-voxel" : name;
 }
 
+std::shared_ptr<const TouchContact>
+StructureTableModel::ContactOf(const SceneStructure& structure) const
+{
+  return this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
+}
+
 // The stiffness of a structure that yields does not count.
 bool StructureTableModel::Yields(const SceneStructure& structure) const
 {
-  const auto contact =
-      this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
+  const auto contact = this->ContactOf(structure);
   return contact != nullptr && contact->Yields;
+}
+
+// What is touched, as the command line prints it: with it, whether a lesion lies in the organ.
+QVariant StructureTableModel::ToolTipOf(const SceneStructure& structure, int column) const
+{
+  const auto contact = this->ContactOf(structure);
+  return column == RepresentationColumn && contact != nullptr
+             ? PlainToolTip(ScreenString(contact->Represented))
+             : QVariant();
 }
 
 QVariant StructureTableModel::ValueOf(const SceneStructure& structure, int column) const
@@ -228,6 +241,8 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
                ? QVariant(RepresentationNames().indexOf(
                      QString::fromStdString(palpate::RepresentationOf(structure).Label)))
                : this->ValueOf(structure, column);
+  case Qt::ToolTipRole:
+    return this->ToolTipOf(structure, column);
   case Qt::DecorationRole:
   case Qt::UserRole:
     return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],

@@ -49,7 +49,9 @@ private:
   QVariant QualityOf(const SceneStructure& structure) const;
   QVariant CostOf(const SceneStructure& structure) const;
   QString RepresentationOf(const SceneStructure& structure) const;
+  std::shared_ptr<const TouchContact> ContactOf(const SceneStructure& structure) const;
   bool Yields(const SceneStructure& structure) const;
+  QVariant ToolTipOf(const SceneStructure& structure, int column) const;
 
   StudyController& Study;
   int Rows = 0;

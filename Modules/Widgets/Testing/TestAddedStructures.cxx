@@ -162,6 +162,11 @@ TEST_F(AddedStructures, SofteningIsAStepOfThePipeline)
   ASSERT_NE(contact, nullptr);
   EXPECT_EQ(contact->Represented, "elastic, 20 kPa, harmonics of degree 4");
   const auto* table = this->Window->findChild<QTableView*>("structures")->model();
+  EXPECT_NE(table->index(0, StructureTableModel::RepresentationColumn)
+                .data(Qt::ToolTipRole)
+                .toString()
+                .indexOf("elastic, 20 kPa"),
+            -1);
   EXPECT_EQ(table->index(0, StructureTableModel::StiffnessColumn).data().toString(), "yields");
 }
 
