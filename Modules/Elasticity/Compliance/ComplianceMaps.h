@@ -52,7 +52,8 @@ struct ComplianceMaps
                     const KernelProgress& progress, ComplianceMaps& maps);
 
   /// Fails for maps that are incomplete or not those of a body: everywhere a larger patch has to
-  /// yield less. For maps from a file. Allocates.
+  /// yield less, and compliance and curvature have to be within physical limits, so that contact
+  /// gives finite forces. For maps from a file. Allocates.
   Status Check() const;
 };
 } // namespace palpate
