@@ -51,9 +51,8 @@ struct ComplianceMaps
                     const ReducedCompliance& reduced, const Settings& settings,
                     const KernelProgress& progress, ComplianceMaps& maps);
 
-  /// Fails for maps that are incomplete or not those of a body: everywhere a larger patch has to
-  /// yield less, and compliance and curvature have to be within physical limits, so that contact
-  /// gives finite forces. For maps from a file. Allocates.
+  /// Fails for maps that are incomplete or beyond physical limits; everywhere a larger patch has to
+  /// yield less. For maps from a file. Allocates.
   Status Check() const;
 };
 } // namespace palpate
