@@ -1,0 +1,88 @@
+#include "ElasticTargets.h"
+
+#include "ElasticForce.h"
+#include "JsonMutator.h"
+#include "ModelFile.h"
+#include "ModelJson.h"
+#include "Refusal.h"
+#include "SomeMaps.h"
+#include "TouchContact.h"
+
+#include <memory>
+#include <stdexcept>
+
+namespace palpate::test
+{
+namespace
+{
+std::vector<std::string> Seeds()
+{
+  std::vector<std::string> seeds;
+  for (const int degree : {1, 3})
+  {
+    std::vector<double> coefficients = SomeElasticModel().Coefficients();
+    coefficients.resize(SphericalHarmonicBasis::CoefficientCount(degree), 0.5);
+    ModelDocument document{
+        SphericalHarmonicModel(degree, coefficients, SomeElasticModel().CenterWorld()), {}};
+    document.Elasticity = std::make_shared<const ComplianceMaps>(SomeMaps(degree));
+    seeds.push_back(ModelToJson(document, "a.json"));
+  }
+  return seeds;
+}
+
+// Through the bounds of a model, in ticks that may be large.
+void PushThrough(const ContactModel& model, ContactTracker& tracker, const Vector3& direction)
+{
+  constexpr int Ticks = 60;
+  const Eigen::AlignedBox3d bounds = model.BoundsWorld();
+  tracker.Release();
+  for (int tick = 0; tick <= Ticks; ++tick)
+  {
+    const double along = 1.5 - 2.0 * tick / Ticks;
+    const Vector3 place = bounds.center() + along * bounds.diagonal().norm() * direction;
+    const Contact& contact = tracker.Follow({place, Eigen::Quaterniond::Identity()});
+    if (contact.Elastic == nullptr || !contact.Elastic->ForceWorld.allFinite())
+    {
+      throw std::runtime_error("a force is no number");
+    }
+  }
+}
+
+void Touch(const ModelDocument& document)
+{
+  if (document.Elasticity == nullptr)
+  {
+    return;
+  }
+  const TouchContact contact = MakeElasticContact(document.Surface, *document.Elasticity, "a.json");
+  for (const double radius : {0.5, 8.0})
+  {
+    std::unique_ptr<ContactTracker> tracker;
+    RequireInput(contact.Model->MakeTracker(ToolShape::Sphere(radius), {0.3, 0.2}, tracker));
+    for (const Vector3& direction : {Vector3(1.0, 0.2, -0.1), Vector3(-0.3, -0.5, 0.8)})
+    {
+      PushThrough(*contact.Model, *tracker, direction.normalized());
+    }
+  }
+}
+} // namespace
+
+std::vector<FuzzTarget> ElasticTargets()
+{
+  const Mutator json = JsonMutator({"elasticity", "degree", "largest_patch_mm", "poisson_ratio",
+                                    "compliance_mm2_per_n", "mean_curvature_per_mm", "fit_error",
+                                    "rms", "largest", "patch_mm", "direction", "surface",
+                                    "center_mm", "coefficients_mm", "star-shaped", "parametric"});
+  return {{"model-elastic", "a.json", Seeds, OneOf({json, json, json, json, MutateBytes}),
+           []
+           {
+             return FileReader("a.json",
+                               [](const std::filesystem::path& file)
+                               {
+                                 const ModelDocument document = ReadModel(file);
+                                 ModelToJson(document, "out.json");
+                                 Touch(document);
+                               });
+           }}};
+}
+} // namespace palpate::test
