@@ -3,6 +3,7 @@
 #include "AvailableMemory.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "ImageWriter.h"
@@ -30,8 +31,9 @@ namespace
 {
 constexpr double MostVoxels = 100000.0;    // along an axis
 constexpr double MarginMillimeters = 10.0; // between the body and the grid's sides
-// An intensity and a label, and a second copy of both during writing.
-constexpr double BytesPerVoxel = 2.0 * (sizeof(float) + 1.0);
+// An intensity and two labels, and a second copy of both during writing.
+constexpr double BytesPerVoxel = 2.0 * (sizeof(float) + 2.0);
+const char* const TruthName = "truth.json";
 
 double MaskMilliliters(vtkImageData* mask)
 {
@@ -41,6 +43,15 @@ double MaskMilliliters(vtkImageData* mask)
   return voxels * spacing[0] * spacing[1] * spacing[2] / 1000.0;
 }
 
+// An empty mask would be of no use to what reads it.
+void CheckNodule(vtkImageData* mask)
+{
+  if (mask && MaskMilliliters(mask) <= 0.0)
+  {
+    throw InputError("--nodule: the nodule lies between the voxels' centres or outside the grid; "
+                     "give a larger diameter, a finer --spacing or a larger --size");
+  }
+}
 } // namespace
 
 std::string PhantomCommand::Examples() const
@@ -48,12 +59,14 @@ std::string PhantomCommand::Examples() const
   return "  palpate phantom --output p                        0.5 x 0.5 x 3 mm voxels, some noise\n"
          "  palpate phantom --output p --spacing 1,1,1 --noise 0 --bias 0   clean and isotropic\n"
          "  palpate phantom --output p --oblique 20 --seed 7  a rotated grid, another body\n"
-         "  palpate phantom --output p --model model.json     the body of a fitted model";
+         "  palpate phantom --output p --model model.json     the body of a fitted model\n"
+         "  palpate phantom --output p --nodule 8,2           with a nodule of 8 mm, 2 mm deep";
 }
 
 void PhantomCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("--output", this->OutputFolder, "Folder for volume, mask and truth.json")
+  app.add_option("--output", this->OutputFolder,
+                 "Folder for volume, mask, truth.json and the nodule's mask")
       ->type_name("DIR")
       ->required();
   app.add_option("--spacing", this->Spacing, "Voxel size x,y,z in mm (default: 0.5,0.5,3)")
@@ -80,6 +93,14 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
       ->delimiter(',')
       ->expected(3)
       ->check(CLI::Range(1, static_cast<int>(MostVoxels)));
+  app.add_option(
+         "--nodule", this->Nodule,
+         "A ball-shaped nodule of this diameter, with its top this deep under the posterior "
+         "surface: dark in the volume, and a mask of its own")
+      ->type_name("MM,DEPTH")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(FiniteNumber::Between(0.0, 1000.0));
   app.add_option("--noise", this->Noise,
                  "Standard deviation of the Rician noise; the body's intensity is 220")
       ->check(FiniteNumber::Between(0.0, 1e4))
@@ -150,13 +171,23 @@ PhantomGrid PhantomCommand::GridAround(const SphericalHarmonicModel& model) cons
   return grid;
 }
 
-PhantomAppearance PhantomCommand::Appearance() const
+PhantomAppearance PhantomCommand::Appearance(const SphericalHarmonicModel& model) const
 {
   PhantomAppearance look;
   look.NoiseDeviation = this->Noise;
   look.BiasAmplitude = this->Bias;
   look.Subdivision = this->PartialVolume;
   look.Seed = this->Seed;
+  if (!this->Nodule.empty())
+  {
+    look.Nodule.emplace();
+    const Status placed =
+        PhantomNodule::Place(model, this->Nodule[0], this->Nodule[1], *look.Nodule);
+    if (!placed.IsOk())
+    {
+      throw InputError("--nodule: " + placed.Message());
+    }
+  }
   return look;
 }
 
@@ -168,9 +199,34 @@ void PhantomCommand::WriteTruth(const SphericalHarmonicModel& model,
   provenance.Input = this->ModelPath;
   if (this->ModelPath.empty())
   {
-    provenance.Settings = {{"seed", std::to_string(this->Seed)}};
+    provenance.Settings.emplace_back("seed", std::to_string(this->Seed));
+  }
+  if (!this->Nodule.empty())
+  {
+    provenance.Settings.emplace_back("nodule diameter", ExactText(this->Nodule[0]) + " mm");
+    provenance.Settings.emplace_back("nodule depth", ExactText(this->Nodule[1]) + " mm");
   }
   WriteModel(file, {model, provenance});
+}
+
+void PhantomCommand::PrintFiles(Console& console, const SphericalHarmonicModel& model,
+                                const PhantomImages& phantom) const
+{
+  const std::filesystem::path folder = this->OutputFolder;
+  const auto name = [&folder](const std::string& file)
+  { return Printable((folder / file).string()); };
+  const int* size = phantom.Volume->GetDimensions();
+  console.Output() << name(this->ImageName("volume")) << ": " << size[0] << " x " << size[1]
+                   << " x " << size[2] << " voxels\n"
+                   << std::fixed << std::setprecision(3) << name(this->ImageName("mask")) << ": "
+                   << MaskMilliliters(phantom.Mask) << " ml\n"
+                   << name(TruthName) << ": degree " << model.Degree() << ", "
+                   << VolumeOf(model) / 1000.0 << " ml\n";
+  if (phantom.Nodule)
+  {
+    console.Output() << name(this->ImageName("nodule")) << ": " << MaskMilliliters(phantom.Nodule)
+                     << " ml\n";
+  }
 }
 
 int PhantomCommand::Run(Console& console)
@@ -178,7 +234,6 @@ int PhantomCommand::Run(Console& console)
   const Interruption interruption;
   const SphericalHarmonicModel model = this->TrueModel();
   const PhantomGrid grid = this->GridAround(model);
-  const std::filesystem::path folder = this->OutputFolder;
   const ProgressFunction progress = ProgressOn(console);
   const auto goOn = [&progress](double part)
   {
@@ -187,25 +242,23 @@ int PhantomCommand::Run(Console& console)
       throw Cancelled();
     }
   };
-  const PhantomImages phantom = MakePhantom(model, grid, this->Appearance(), goOn);
+  const PhantomImages phantom = MakePhantom(model, grid, this->Appearance(model), goOn);
   console.EndProgress();
+  CheckNodule(phantom.Nodule);
 
-  const std::string volume = "volume." + this->Format;
-  const std::string mask = "mask." + this->Format;
-  const std::string truth = "truth.json";
-  WriteOutputSet(folder,
+  WriteOutputSet(this->OutputFolder,
                  [&](const std::filesystem::path& stage)
                  {
-                   WriteImage(stage / volume, phantom.Volume);
-                   WriteImage(stage / mask, phantom.Mask);
-                   this->WriteTruth(model, stage / truth);
-                 });
-  console.Output() << Printable((folder / volume).string()) << ": " << grid.Size[0] << " x "
-                   << grid.Size[1] << " x " << grid.Size[2] << " voxels\n"
-                   << std::fixed << std::setprecision(3) << Printable((folder / mask).string())
-                   << ": " << MaskMilliliters(phantom.Mask) << " ml\n"
-                   << Printable((folder / truth).string()) << ": degree " << model.Degree() << ", "
-                   << VolumeOf(model) / 1000.0 << " ml\n";
+                   WriteImage(stage / this->ImageName("volume"), phantom.Volume);
+                   WriteImage(stage / this->ImageName("mask"), phantom.Mask);
+                   this->WriteTruth(model, stage / TruthName);
+                   if (phantom.Nodule)
+                   {
+                     WriteImage(stage / this->ImageName("nodule"), phantom.Nodule);
+                   }
+                 },
+                 {this->ImageName("nodule")}); // of an earlier phantom
+  this->PrintFiles(console, model, phantom);
   return 0;
 }
 } // namespace palpate::cli

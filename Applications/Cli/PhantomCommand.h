@@ -29,15 +29,20 @@ public:
 private:
   Matrix3 Direction() const;
   PhantomGrid GridAround(const SphericalHarmonicModel& model) const;
-  PhantomAppearance Appearance() const;
+  PhantomAppearance Appearance(const SphericalHarmonicModel& model) const;
   SphericalHarmonicModel TrueModel() const;
   void WriteTruth(const SphericalHarmonicModel& model, const std::filesystem::path& file) const;
+  /// Of the file of one of the images.
+  std::string ImageName(const std::string& image) const { return image + "." + this->Format; }
+  void PrintFiles(Console& console, const SphericalHarmonicModel& model,
+                  const PhantomImages& phantom) const;
 
   std::string OutputFolder;
   std::string ModelPath;
   std::string Format = "nii.gz";
   std::vector<double> Spacing; ///< mm; empty for the default
   std::vector<int> Size;       ///< voxels; empty for as many as the body needs
+  std::vector<double> Nodule;  ///< diameter and depth, mm; empty for none
   double ObliqueDegrees = 0.0;
   double Noise = 10.0;
   double Bias = 0.15;

@@ -8,10 +8,15 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "ModelFile.h"
+#include "ModelSoftening.h"
+#include "PatientSides.h"
+#include "SegmentationFile.h"
+#include "SofteningReport.h"
+#include "VolumeFile.h"
+#include "WholeFile.h"
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <optional>
 #include <ostream>
 
@@ -19,23 +24,6 @@ namespace palpate::cli
 {
 namespace
 {
-struct Side
-{
-  const char* Name;
-  Vector3 World; // patient LPS
-};
-
-const std::array<Side, 6>& Sides()
-{
-  static const std::array<Side, 6> sides{{{"left", Vector3::UnitX()},
-                                          {"right", -Vector3::UnitX()},
-                                          {"posterior", Vector3::UnitY()},
-                                          {"anterior", -Vector3::UnitY()},
-                                          {"superior", Vector3::UnitZ()},
-                                          {"inferior", -Vector3::UnitZ()}}};
-  return sides;
-}
-
 // "60kPa", "60 kPa" or "60".
 double Kilopascal(const std::string& option, const std::string& word)
 {
@@ -56,6 +44,14 @@ double Kilopascal(const std::string& option, const std::string& word)
     throw InputError(option + " " + word + " is not a modulus; give a positive number of kPa.");
   }
   return *value;
+}
+
+void Tell(const std::vector<std::string>& notes, Console& console)
+{
+  for (const std::string& note : notes)
+  {
+    console.Note(note);
+  }
 }
 } // namespace
 
@@ -89,14 +85,14 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
                  "Its structure (default: all of the file): one for all, or one for each")
       ->type_name("N|NAME")
       ->allow_extra_args(false);
-  app.add_option("--elastography", this->Settings.Elastography,
+  app.add_option("--elastography", this->Elastography,
                  "Image of Young's modulus in kPa, instead of --tissue where it has values")
       ->type_name("FILE");
   app.add_option("--poisson", this->Settings.PoissonRatio, "Poisson's ratio")
       ->check(FiniteNumber::Between(0.0, ElasticSolid::MostPoissonRatio))
       ->capture_default_str();
   std::vector<std::string> names;
-  for (const Side& side : Sides())
+  for (const PatientSide& side : PatientSides())
   {
     names.emplace_back(side.Name);
   }
@@ -106,16 +102,22 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->allow_extra_args(false);
   app.add_option("--free-angle", this->Settings.FreeDegrees,
                  "Half the angle of the cone that is free on each such side, degrees")
-      ->check(FiniteNumber::Between(1.0, 170.0))
+      ->check(FiniteNumber::Between(SofteningSettings::LeastFreeDegrees,
+                                    SofteningSettings::MostFreeDegrees))
       ->capture_default_str();
   app.add_option("--support", this->Settings.BedPerMillimeter,
                  "Stiffness of what the organ lies on, kPa per mm")
-      ->check(FiniteNumber::Between(1e-3, 1e5))
+      ->check(
+          FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
+      ->capture_default_str();
+  app.add_option("--exaggerate", this->Settings.Exaggeration,
+                 "Power to which contrasts with the tissue are raised, and said to be")
+      ->check(FiniteNumber::Between(1.0, TissueMap::MostExaggeration))
       ->capture_default_str();
   app.add_option("--elements", this->Settings.Numbers.ElementsAcross,
                  "Finite elements along a quarter of a great circle: even; time grows with its "
                  "fifth power, memory with its fourth")
-      ->check(CLI::Range(4, 24))
+      ->check(CLI::Range(SofteningSettings::FewestElements, SofteningSettings::MostElements))
       ->capture_default_str();
   app.add_option("--degree", this->Settings.Numbers.Degree,
                  "Degree of the harmonics of the finite elements' compliance")
@@ -125,14 +127,18 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
                  "Degree of the maps that are kept; a tick's time grows with its square")
       ->check(CLI::Range(4, ComplianceMaps::MostDegree))
       ->capture_default_str();
+  app.add_option("--report", this->Report,
+                 "Page with a map of how hard the organ's places feel, .html")
+      ->type_name("FILE");
+  app.add_option("--tool-radius", this->ToolRadius,
+                 "Of the ball that the map and the last line are for, mm")
+      ->check(FiniteNumber::Between(0.1, 100.0))
+      ->capture_default_str();
   this->Images.Declare(app, "file");
 }
 
-SofteningSettings SoftenCommand::Read() const
+void SoftenCommand::ReadLesions(SofteningSettings& settings, Console& console) const
 {
-  SofteningSettings settings = this->Settings;
-  settings.TissueKilopascal = Kilopascal("--tissue", this->Tissue);
-  settings.Choice = this->Images.Choice();
   const auto fits = [this](std::size_t count, std::size_t least)
   { return count == this->Lesions.size() || (count <= 1 && count >= least); };
   if (!fits(this->LesionModuli.size(), this->Lesions.empty() ? 0 : 1) ||
@@ -148,12 +154,25 @@ SofteningSettings SoftenCommand::Read() const
   {
     const auto of = [i](const std::vector<std::string>& words)
     { return words.empty() ? std::string() : words[words.size() > 1 ? i : 0]; };
-    settings.Inclusions.push_back({this->Lesions[i], of(this->LesionLabels),
-                                   Kilopascal("--lesion-modulus", of(this->LesionModuli))});
+    SofteningSettings::Inclusion inclusion;
+    inclusion.Kilopascal = Kilopascal("--lesion-modulus", of(this->LesionModuli));
+    inclusion.Read = std::make_shared<const Segmentation>(
+        ReadSegmentation(this->Lesions[i], this->Images.Choice()));
+    const std::string label = of(this->LesionLabels);
+    inclusion.Segments = label.empty() ? inclusion.Read->Segments
+                                       : std::vector<Segment>{inclusion.Read->Find(label)};
+    Tell(inclusion.Read->Notes, console);
+    settings.Inclusions.push_back(std::move(inclusion));
   }
+}
+
+SofteningSettings SoftenCommand::Read(Console& console) const
+{
+  SofteningSettings settings = this->Settings;
+  settings.TissueKilopascal = Kilopascal("--tissue", this->Tissue);
   for (const std::string& name : this->FreeSides)
   {
-    for (const Side& side : Sides())
+    for (const PatientSide& side : PatientSides())
     {
       if (name == side.Name)
       {
@@ -161,6 +180,13 @@ SofteningSettings SoftenCommand::Read() const
       }
     }
   }
+  if (!this->Elastography.empty())
+  {
+    settings.Elastography =
+        std::make_shared<const Volume>(ReadVolume(this->Elastography, this->Images.Choice()));
+    Tell(settings.Elastography->Notes, console);
+  }
+  this->ReadLesions(settings, console);
   return settings;
 }
 
@@ -171,23 +197,35 @@ int SoftenCommand::Run(Console& console)
   {
     throw InputError(this->Output.string() + " cannot hold a model that yields; use .json.");
   }
-  const SofteningSettings settings = this->Read();
-  const ModelDocument model = ReadModel(this->Model);
-  const SoftenedModel softened =
-      SoftenModel(model, this->Model.string(), settings, ProgressOn(console));
-  console.EndProgress();
-  for (const std::string& note : softened.Notes)
+  if (!this->Report.empty() && this->Report.extension() != ".html")
   {
-    console.Note(note);
+    throw InputError(this->Report.string() + " cannot hold a report; use .html.");
   }
-  WriteModel(this->Output, softened.Document);
-  const ComplianceMaps& maps = *softened.Document.Elasticity;
-  console.Output() << softened.Account.Unknowns << " unknowns, elements of "
-                   << FixedText(softened.Account.ElementEdge, 1)
+  const SofteningSettings settings = this->Read(console);
+  ModelDocument model = ReadModel(this->Model);
+  const ModelSoftness softness =
+      SoftenModel(model.Surface, this->Model.string(), settings, ProgressOn(console));
+  console.EndProgress();
+  Tell(softness.Notes, console);
+  model.Elasticity = softness.Elasticity;
+  for (const auto& entry : DescribeSettings(settings))
+  {
+    model.Provenance.Settings.push_back(entry);
+  }
+  WriteModel(this->Output, model);
+  const ComplianceMaps& maps = *softness.Elasticity;
+  console.Output() << softness.Account.Unknowns << " unknowns, elements of "
+                   << FixedText(softness.Account.ElementEdge, 1)
                    << " mm at the surface; the maps leave out "
                    << FixedText(100.0 * maps.FitError.Rms, 1) << " % of the compliance, at most "
                    << FixedText(100.0 * maps.FitError.Largest, 1) << " %; patches up to "
                    << FixedText(maps.LargestPatch, 1) << " mm\n";
+  const SofteningReport report(model, softness, this->Output.filename().string(), this->ToolRadius);
+  console.Output() << report.Sentence() << '\n';
+  if (!this->Report.empty())
+  {
+    WriteWholeFile(this->Report, report.Page());
+  }
   return 0;
 }
 } // namespace palpate::cli

@@ -2,7 +2,7 @@
 
 #include "Command.h"
 #include "ImageOptions.h"
-#include "ModelSoftening.h"
+#include "SofteningSettings.h"
 
 #include <filesystem>
 #include <string>
@@ -21,11 +21,15 @@ public:
   int Run(Console& console) override;
 
 private:
-  SofteningSettings Read() const;
+  SofteningSettings Read(Console& console) const;
+  void ReadLesions(SofteningSettings& settings, Console& console) const;
 
   std::filesystem::path Model;
   std::filesystem::path Output;
+  std::filesystem::path Report;
+  double ToolRadius = 8.0; // mm
   std::string Tissue = "20kPa";
+  std::filesystem::path Elastography;
   std::vector<std::filesystem::path> Lesions;
   std::vector<std::string> LesionLabels;
   std::vector<std::string> LesionModuli;

@@ -28,9 +28,9 @@ namespace
 using Kind = StudyStepState::Kind;
 using JsonObject = nlohmann::ordered_json;
 
-constexpr std::array<SceneStep, 6> StructureSteps{SceneStep::Surface, SceneStep::Samples,
-                                                  SceneStep::Model,   SceneStep::Field,
-                                                  SceneStep::Touch,   SceneStep::Protection};
+constexpr std::array<SceneStep, 7> StructureSteps{
+    SceneStep::Surface, SceneStep::Samples, SceneStep::Model,     SceneStep::Elasticity,
+    SceneStep::Field,   SceneStep::Touch,   SceneStep::Protection};
 
 bool ShowStep(const StudyStepState& state, const std::string& title, Console& console)
 {
@@ -54,8 +54,8 @@ void ShowProgress(Study& study, Console& console)
   }
   const std::vector<SceneStructure>& structures = study.State().Structures;
   for (const SceneStep step :
-       {SceneStep::Surface, SceneStep::Samples, SceneStep::Model, SceneStep::Field,
-        SceneStep::Protection, SceneStep::Touch, SceneStep::Cost})
+       {SceneStep::Surface, SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity,
+        SceneStep::Field, SceneStep::Protection, SceneStep::Touch, SceneStep::Cost})
   {
     for (std::size_t s = 0; s < structures.size(); ++s)
     {

@@ -285,6 +285,11 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
       << result.Trace.Whole().Depth.Most << " mm deep; a tick takes "
       << Micro * static_cast<double>(result.Durations.Median()) << " us, 99.9 % at most "
       << Micro * static_cast<double>(result.Durations.Quantile(Almost)) << " us\n";
+  if (result.BeyondLinearSeconds > 0.0)
+  {
+    out << "for " << result.BeyondLinearSeconds
+        << " s beyond linear elasticity, where the force is an estimate\n";
+  }
   for (const std::string& line : DrillLines(touch, result))
   {
     out << Printable(line) << '\n';

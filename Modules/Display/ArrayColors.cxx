@@ -43,6 +43,7 @@ vtkSmartPointer<vtkLookupTable> MakeArrayColors(double low, double high)
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetRange(low < 0.0 ? -limit : 0.0, high > 0.0 ? limit : 0.0);
   table->SetNumberOfTableValues(ColorCount);
+  table->SetNanColor(0.5, 0.5, 0.5, 1.0);
   const double* range = table->GetRange();
   for (int c = 0; c < ColorCount; ++c)
   {
@@ -70,7 +71,8 @@ std::string ArrayTitle(const std::string& array)
       {"DistanceToSurface", "Distance to the surface, mm"},
       {"Residual", "Residual of the fit, mm"},
       {"RadiusDeviation", "Uncertainty of the radius, mm"},
-      {"NormalDeviation", "Uncertainty along the normal, mm"}};
+      {"NormalDeviation", "Uncertainty along the normal, mm"},
+      {"NoticedStiffness", "Stiffness felt, noticeable steps"}};
   const auto title = Titles.find(array);
   return title == Titles.end() ? array : title->second;
 }

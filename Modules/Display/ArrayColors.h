@@ -22,7 +22,7 @@ PALPATEDISPLAY_EXPORT vtkSmartPointer<vtkLookupTable> MakeArrayColors(double low
 /// sRGB; beyond the range the colour of its end, grey for a number that is not finite.
 PALPATEDISPLAY_EXPORT std::array<std::uint8_t, 3> ColorOf(vtkLookupTable* colors, double number);
 
-/// Title of an array's colour bar. Palpate's own arrays are lengths, with a unit; for others the
-/// unit is unknown, and the title is the name.
+/// Title of an array's colour bar, with the unit of Palpate's own arrays; for others the unit is
+/// unknown, and the title is the name.
 PALPATEDISPLAY_EXPORT std::string ArrayTitle(const std::string& array);
 } // namespace palpate

@@ -114,6 +114,7 @@ struct FitResult
 
   SurfaceModelDetails Details;                      ///< of a surface model
   std::shared_ptr<const ComplianceMaps> Elasticity; ///< of a model that yields; else null
+  std::string Tissue; ///< of one, as text: "20 kPa, inclusions of 60 kPa"; empty if unknown
 
   /// The model if it is star-shaped, otherwise null.
   const SphericalHarmonicModel* Radial() const

@@ -1,17 +1,16 @@
 #include "ModelSoftening.h"
 
 #include "DecimalText.h"
+#include "FilterRun.h"
 #include "ImageGrid.h"
 #include "KernelWatch.h"
 #include "Refusal.h"
-#include "SegmentationFile.h"
 #include "SphereQuadrature.h"
-#include "VolumeFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -19,28 +18,7 @@ namespace palpate
 namespace
 {
 constexpr double PerKilopascal = 1e-3; // N/mm^2
-
-FieldGrid FieldGridOf(vtkImageData* image)
-{
-  const ImageGrid grid = GridOf(image);
-  return {grid.Size, grid.OriginWorld, grid.Spacing, grid.Direction};
-}
-
-// What a value of the image contributes.
-template <typename Contribution>
-std::shared_ptr<const TissueMap::Samples> SamplesOf(vtkImageData* image,
-                                                    const Contribution& contribution)
-{
-  auto samples = std::make_shared<TissueMap::Samples>();
-  samples->Grid = FieldGridOf(image);
-  vtkDataArray* values = image->GetPointData()->GetScalars();
-  samples->Values.reserve(static_cast<std::size_t>(values->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    samples->Values.push_back(contribution(values->GetComponent(i, 0)));
-  }
-  return samples;
-}
+constexpr const char* Stage = "elasticity";
 
 // Whether the organ's tissue differs from its own somewhere.
 bool Changes(const TissueMap& tissue, const SphericalHarmonicModel& model, double own)
@@ -62,103 +40,190 @@ bool Changes(const TissueMap& tissue, const SphericalHarmonicModel& model, doubl
   return false;
 }
 
-void AddInclusion(const SofteningSettings::Inclusion& inclusion, const SofteningSettings& settings,
-                  const SphericalHarmonicModel& model, TissueMap& tissue,
-                  std::vector<std::string>& notes)
+// The moduli of an elastography image, N/mm^2.
+std::shared_ptr<const TissueMap::Samples> ModuliOf(const Volume& image)
 {
-  const double modulus = PerKilopascal * inclusion.Kilopascal;
-  const Segmentation read = ReadSegmentation(inclusion.File, settings.Choice);
-  notes.insert(notes.end(), read.Notes.begin(), read.Notes.end());
-  std::vector<Segment> segments = read.Segments;
-  if (!inclusion.Label.empty())
+  const ImageGrid grid = GridOf(image.Image);
+  vtkDataArray* values = image.Image->GetPointData()->GetScalars();
+  auto samples = std::make_shared<TissueMap::Samples>();
+  samples->Grid = FieldGrid(grid.Size, grid.OriginWorld, grid.Spacing, grid.Direction);
+  samples->Values.reserve(static_cast<std::size_t>(values->GetNumberOfTuples()));
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    segments = {read.Find(inclusion.Label)};
+    samples->Values.push_back(static_cast<float>(PerKilopascal * values->GetComponent(i, 0)));
   }
-  TissueMap alone(PerKilopascal * settings.TissueKilopascal);
-  for (const Segment& segment : segments)
-  {
-    const auto fraction =
-        SamplesOf(read.Layers[static_cast<std::size_t>(segment.Layer)].Get(),
-                  [&segment](double value) { return value == segment.Value ? 1.0F : 0.0F; });
-    tissue.AddInclusion(fraction, modulus);
-    alone.AddInclusion(fraction, modulus);
-  }
-  RequireInput(alone.Check(), inclusion.File.string());
-  if (inclusion.Kilopascal != settings.TissueKilopascal &&
-      !Changes(alone, model, PerKilopascal * settings.TissueKilopascal))
-  {
-    notes.push_back(inclusion.File.string() + " lies outside of the model and does not change it");
-  }
+  return samples;
 }
 
-ElasticSolid SolidOf(const SofteningSettings& settings, const SphericalHarmonicModel& model,
-                     std::vector<std::string>& notes)
+// Visits the voxels of a box, the first index axis fastest.
+template <typename Visit>
+void ForEachVoxel(const std::array<int, 3>& first, const std::array<int, 3>& last,
+                  const Visit& visit)
 {
-  constexpr double Radian = 3.14159265358979323846 / 180.0;
-  ElasticSolid solid{TissueMap(PerKilopascal * settings.TissueKilopascal), settings.PoissonRatio,
-                     ElasticBed(PerKilopascal * settings.BedPerMillimeter)};
-  for (const Vector3& side : settings.FreeSides)
+  for (int k = first[2]; k <= last[2]; ++k)
   {
-    solid.Bed.Free(side, Radian * settings.FreeDegrees);
-  }
-  if (!settings.Elastography.empty())
-  {
-    const Volume image = ReadVolume(settings.Elastography, settings.Choice);
-    notes.insert(notes.end(), image.Notes.begin(), image.Notes.end());
-    solid.Tissue.AddImage(SamplesOf(image.Image.Get(), [](double kilopascal)
-                                    { return static_cast<float>(PerKilopascal * kilopascal); }));
-    if (!Changes(solid.Tissue, model, PerKilopascal * settings.TissueKilopascal))
+    for (int j = first[1]; j <= last[1]; ++j)
     {
-      notes.push_back(settings.Elastography.string() +
-                      " has no moduli within the model and does not change it");
+      for (int i = first[0]; i <= last[0]; ++i)
+      {
+        visit(std::array<int, 3>{i, j, k});
+      }
     }
   }
-  for (const SofteningSettings::Inclusion& inclusion : settings.Inclusions)
-  {
-    AddInclusion(inclusion, settings, model, solid.Tissue, notes);
-  }
-  return solid;
 }
 
-std::vector<std::pair<std::string, std::string>> TextOf(const SofteningSettings& settings)
+// 1 in a structure, 0 outside: the box around it with a voxel of margin, since label maps are
+// mostly background. Null without a voxel.
+std::shared_ptr<const TissueMap::Samples> FractionOf(vtkImageData* layer, int value)
 {
-  std::vector<std::pair<std::string, std::string>> lines{
-      {"tissue_kpa", SignificantText(settings.TissueKilopascal)},
-      {"poisson_ratio", SignificantText(settings.PoissonRatio)},
-      {"bed_kpa_per_mm", SignificantText(settings.BedPerMillimeter)},
-      {"elements_across", std::to_string(settings.Numbers.ElementsAcross)},
-      {"compliance_degree", std::to_string(settings.Numbers.Degree)}};
-  for (const SofteningSettings::Inclusion& inclusion : settings.Inclusions)
+  const ImageGrid grid = GridOf(layer);
+  vtkDataArray* voxels = layer->GetPointData()->GetScalars();
+  const auto isInside = [&](const std::array<int, 3>& at)
   {
-    lines.emplace_back("inclusion", inclusion.File.filename().string() + " " +
-                                        SignificantText(inclusion.Kilopascal) + " kPa");
+    const vtkIdType row = at[1] + static_cast<vtkIdType>(grid.Size[1]) * at[2];
+    return voxels->GetComponent(at[0] + grid.Size[0] * row, 0) == value;
+  };
+  std::array<int, 3> first = grid.Size;
+  std::array<int, 3> last{{-1, -1, -1}};
+  ForEachVoxel({{0, 0, 0}}, {{grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1}},
+               [&](const std::array<int, 3>& at)
+               {
+                 const std::size_t axes = isInside(at) ? 3 : 0;
+                 for (std::size_t axis = 0; axis < axes; ++axis)
+                 {
+                   first[axis] = std::min(first[axis], std::max(0, at[axis] - 1));
+                   last[axis] = std::max(last[axis], std::min(grid.Size[axis] - 1, at[axis] + 1));
+                 }
+               });
+  if (last[0] < 0)
+  {
+    return nullptr;
   }
-  return lines;
+  auto samples = std::make_shared<TissueMap::Samples>();
+  const FieldGrid whole(grid.Size, grid.OriginWorld, grid.Spacing, grid.Direction);
+  samples->Grid = FieldGrid(
+      {{last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1}},
+      whole.PointWorld(Vector3(first[0], first[1], first[2])), grid.Spacing, grid.Direction);
+  samples->Values.reserve(samples->Grid.NodeCount());
+  ForEachVoxel(first, last,
+               [&](const std::array<int, 3>& at)
+               { samples->Values.push_back(isInside(at) ? 1.0F : 0.0F); });
+  return samples;
 }
+
+// Makes the solid of a model, and says what of the settings is in it.
+class Composition
+{
+public:
+  Composition(const SofteningSettings& settings, const SphericalHarmonicModel& model,
+              ModelSoftness& made)
+      : Settings(settings), Model(model), Made(made), Own(PerKilopascal * settings.TissueKilopascal)
+  {
+    made.Tissue = SignificantText(settings.TissueKilopascal) + " kPa";
+  }
+
+  ElasticSolid Solid(const ProgressFunction& progress)
+  {
+    constexpr double Radian = 3.14159265358979323846 / 180.0;
+    ElasticSolid solid{TissueMap(this->Own), this->Settings.PoissonRatio,
+                       ElasticBed(PerKilopascal * this->Settings.BedPerMillimeter)};
+    for (const Vector3& side : this->Settings.FreeSides)
+    {
+      solid.Bed.Free(side, Radian * this->Settings.FreeDegrees);
+    }
+    if (this->Settings.Elastography != nullptr)
+    {
+      this->AddImage(*this->Settings.Elastography, solid.Tissue);
+    }
+    std::string inclusions;
+    for (const SofteningSettings::Inclusion& inclusion : this->Settings.Inclusions)
+    {
+      if (progress && !progress(0.0, Stage))
+      {
+        throw Cancelled();
+      }
+      if (this->AddInclusion(inclusion, solid.Tissue))
+      {
+        inclusions += (inclusions.empty() ? ", inclusions of " : ", ") +
+                      SignificantText(inclusion.Kilopascal);
+      }
+    }
+    this->Made.Tissue += inclusions.empty() ? inclusions : inclusions + " kPa";
+    if (this->Settings.Exaggeration != 1.0)
+    {
+      solid.Tissue.Exaggerate(this->Settings.Exaggeration);
+      this->Made.Tissue += ExaggerationText(this->Settings.Exaggeration);
+    }
+    return solid;
+  }
+
+private:
+  void AddImage(const Volume& image, TissueMap& tissue)
+  {
+    tissue.AddImage(ModuliOf(image));
+    RequireInput(tissue.Check(), image.Source.string());
+    if (Changes(tissue, this->Model, this->Own))
+    {
+      this->Made.Tissue += ", elastography";
+    }
+    else
+    {
+      this->Made.Notes.push_back(image.Source.string() +
+                                 " has no moduli within the model and does not change it");
+    }
+  }
+
+  // Whether it lies in the model.
+  bool AddInclusion(const SofteningSettings::Inclusion& inclusion, TissueMap& tissue)
+  {
+    const double modulus = PerKilopascal * inclusion.Kilopascal;
+    TissueMap alone(this->Own);
+    for (const Segment& segment : inclusion.Segments)
+    {
+      vtkImageData* layer = inclusion.Read->Layers[static_cast<std::size_t>(segment.Layer)];
+      if (const auto fraction = FractionOf(layer, segment.Value))
+      {
+        tissue.AddInclusion(fraction, modulus);
+        alone.AddInclusion(fraction, modulus);
+      }
+    }
+    const std::string file = inclusion.Read->Source.string();
+    RequireInput(alone.Check(), file);
+    const bool isEqual = inclusion.Kilopascal == this->Settings.TissueKilopascal;
+    const bool isInside = isEqual || Changes(alone, this->Model, this->Own);
+    if (!isInside)
+    {
+      this->Made.Notes.push_back(file + " lies outside of the model and does not change it");
+    }
+    return isInside && !isEqual;
+  }
+
+  const SofteningSettings& Settings;
+  const SphericalHarmonicModel& Model;
+  ModelSoftness& Made;
+  double Own; // N/mm^2
+};
 } // namespace
 
-SoftenedModel SoftenModel(const ModelDocument& model, const std::string& name,
+ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
                           const SofteningSettings& settings, const ProgressFunction& progress)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&model.Surface);
+  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
   if (radial == nullptr)
   {
     Refuse(name, "is a surface model, and only a star-shaped one can yield",
-           "fit it with --model radial");
+           "fit it as a radial model, or let it be rigid");
   }
-  SoftenedModel softened;
-  softened.Document = model;
-  const ElasticSolid solid = SolidOf(settings, *radial, softened.Notes);
-  KernelWatch watch(progress, "elasticity");
+  RequireInput(settings.Check(), name);
+  ModelSoftness made;
+  const ElasticSolid solid = Composition(settings, *radial, made).Solid(progress);
+  KernelWatch watch(progress, Stage);
   ComplianceMaps maps;
   const Status status =
-      settings.Numbers.Make(*radial, solid, watch.Of(0.0, 1.0), maps, softened.Account);
+      settings.Numbers.Make(*radial, solid, watch.Of(0.0, 1.0), maps, made.Account);
   watch.Require();
   RequireInput(status, name);
-  softened.Document.Elasticity = std::make_shared<const ComplianceMaps>(std::move(maps));
-  auto& lines = softened.Document.Provenance.Settings;
-  const auto added = TextOf(settings);
-  lines.insert(lines.end(), added.begin(), added.end());
-  return softened;
+  made.Elasticity = std::make_shared<const ComplianceMaps>(std::move(maps));
+  return made;
 }
 } // namespace palpate

@@ -69,6 +69,8 @@ void SurfaceInSpace::Update()
   property->SetSpecular(isWireframe ? 0.0 : SurfaceMaterial::Specular);
   property->SetColor(this->Shown->GetColor());
   property->SetOpacity(this->Shown->GetOpacity());
+  // Through a translucent surface one sees what lies in it, not its far side.
+  property->SetBackfaceCulling(this->Shown->GetOpacity() < 1.0);
   this->ColorByArray();
 }
 

@@ -1,6 +1,6 @@
 #include "BuiltInRepresentations.h"
 
-#include "Refusal.h"
+#include "ElasticRepresentation.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
 #include "StructurePlan.h"
@@ -65,23 +65,6 @@ void PlanHarmonicContact(StructurePlan& plan)
                   { return HarmonicContactOf(*ProductAs<FitResult>(inputs.data()), mode); });
 }
 
-SceneProduct ElasticContactOf(const FitResult& fit)
-{
-  if (fit.Elasticity == nullptr)
-  {
-    Refuse(fit.Input, "is a rigid model", "make it yield with palpate soften");
-  }
-  return std::make_shared<const TouchContact>(
-      MakeElasticContact(fit.Model, *fit.Elasticity, fit.Input));
-}
-
-void PlanElasticContact(StructurePlan& plan)
-{
-  plan.AddContact("elastic", plan.AddModel(),
-                  [](const StructurePlan::Inputs& inputs, const ProgressFunction&)
-                  { return ElasticContactOf(*ProductAs<FitResult>(inputs.data())); });
-}
-
 // A model from a file yields if it says so.
 void PlanModelContact(StructurePlan& plan)
 {
@@ -90,8 +73,9 @@ void PlanModelContact(StructurePlan& plan)
                   [mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
                   {
                     const auto fit = ProductAs<FitResult>(inputs.data());
-                    return fit->Elasticity != nullptr ? ElasticContactOf(*fit)
-                                                      : HarmonicContactOf(*fit, mode);
+                    return fit->Elasticity != nullptr
+                               ? std::make_shared<const TouchContact>(ElasticContactOf(*fit))
+                               : HarmonicContactOf(*fit, mode);
                   });
 }
 
@@ -253,19 +237,6 @@ SceneRepresentation HarmonicRepresentation()
   };
   harmonics.Vary = VaryHarmonics;
   return harmonics;
-}
-
-SceneRepresentation ElasticRepresentation()
-{
-  SceneRepresentation elastic;
-  elastic.Name = elastic.Label = TouchRepresentation::Elastic;
-  elastic.Sources = {SceneSource::Model};
-  elastic.Appearance = SceneAppearance::Model;
-  elastic.PlanContact = PlanElasticContact;
-  elastic.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
-  elastic.Describe = [](const ContactSetting&) { return std::string("elastic"); };
-  elastic.KeyOf = [](const ContactSetting&) { return std::string("elastic"); };
-  return elastic;
 }
 
 SceneRepresentation FacetRepresentation()

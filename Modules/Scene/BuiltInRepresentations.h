@@ -7,9 +7,6 @@ namespace palpate
 /// Spherical harmonics: fitted to a label, or read from a model file.
 SceneRepresentation HarmonicRepresentation();
 
-/// A model from a file that yields.
-SceneRepresentation ElasticRepresentation();
-
 /// The triangles of a label's surface, or of a surface from a file.
 SceneRepresentation FacetRepresentation();
 

@@ -70,6 +70,7 @@ private:
       BuiltStructure built;
       built.Touch = *touch;
       built.Represented = contact->Contact->Represented;
+      built.Yields = contact->Contact->Yields;
       built.Seconds = this->Run.SecondsOf(structure.Id);
       const std::size_t effects = contact->Effects != nullptr ? contact->Effects->Bytes() : 0;
       account.Contact = {built.Represented, touch->Model->Bytes() + effects, built.Seconds, {}};

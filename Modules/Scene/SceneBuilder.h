@@ -19,6 +19,7 @@ struct BuiltStructure
 {
   TouchStructure Touch;
   std::string Represented; ///< "harmonics of degree 12, nearest point"
+  bool Yields = false;     ///< see TouchContact
   double Seconds = 0.0;    ///< build time
 };
 

@@ -75,7 +75,9 @@ TouchScene MakeTouchScene(const SceneSettings& scene, const std::vector<SceneCon
     touch.Name = TitleOf(structure);
     touch.Id = contact.Id;
     touch.Model = contact.Contact->Model;
-    touch.Law = {structure.Stiffness, structure.Damping};
+    constexpr double PerMillisecond = 1e-3;
+    touch.Law = {structure.Stiffness, structure.Damping,
+                 PerMillisecond * structure.Number("relaxation_ms")};
     touch.Friction = structure.Friction;
     touch.Effects = MakeEffects(structure, contact, made.Tool.BoundingRadius());
     touch.Drill = structure.Drill;

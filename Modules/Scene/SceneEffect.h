@@ -25,7 +25,9 @@ struct SceneNumber
   std::string Key; ///< in files; ends with the unit
   std::string Label;
   double Largest = 1.0; ///< the least is 0, which is also the default
-  int Decimals = 3;
+  int Decimals = 3;     ///< 0 for a whole number
+  /// Of a choice: words in files, of which the number is the index.
+  std::vector<std::string> Words = {};
 };
 
 /// What a force effect is made from.

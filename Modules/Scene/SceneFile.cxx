@@ -5,6 +5,7 @@
 #include "SceneEffect.h"
 #include "SceneJson.h"
 #include "SceneRepresentation.h"
+#include "SceneTissue.h"
 
 namespace palpate
 {
@@ -46,6 +47,11 @@ void Check(const SceneStructure& structure, const std::filesystem::path& path, s
              "give both \"" + kind.Numbers.front().Key + "\" and \"" + kind.ImageKey +
                  "\" (a file)");
     }
+  }
+  if (structure.Number(TissueKey::Inclusion) > 0.0 && structure.Source() != SceneSource::Label)
+  {
+    Refuse(path, "declares " + place + " an inclusion, which is not a label of a segmentation",
+           std::string("remove \"") + TissueKey::Inclusion + "\" there, or name a segmentation");
   }
   if (structure.Drill.Wear > 0.0)
   {

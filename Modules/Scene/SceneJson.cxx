@@ -5,6 +5,9 @@
 #include "RetiredKeys.h"
 #include "SceneEffect.h"
 #include "SceneRepresentation.h"
+#include "SceneTissue.h"
+
+#include <algorithm>
 
 namespace palpate
 {
@@ -21,11 +24,22 @@ constexpr int LargestId = 2'000'000'000;
 const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
 const std::initializer_list<const char*> ModeWords{"nearest", "radial"};
 const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
-const std::initializer_list<const char*> AppearanceWords{"automatic", "model", "surface",
-                                                         "error-map", "sub-voxel"};
+const std::initializer_list<const char*> AppearanceWords{"automatic", "model",     "surface",
+                                                         "error-map", "sub-voxel", "stiffness-map"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
 const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
                                                     "surface"};
+
+void ExchangeWord(JsonFields& fields, const SceneNumber& number, double& value)
+{
+  std::string word = number.Words.at(static_cast<std::size_t>(value));
+  if (fields.IsReading() || value != 0.0)
+  {
+    fields.Exchange(number.Key.c_str(), word, number.Words);
+  }
+  const auto found = std::find(number.Words.begin(), number.Words.end(), word);
+  value = static_cast<double>(found - number.Words.begin());
+}
 
 void ExchangeNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers,
                      SceneStructure& structure)
@@ -33,8 +47,31 @@ void ExchangeNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers
   for (const SceneNumber& number : numbers)
   {
     double value = structure.Number(number.Key);
-    fields.ExchangeIfSet(number.Key.c_str(), value, 0.0, number.Largest);
+    if (!number.Words.empty())
+    {
+      ExchangeWord(fields, number, value);
+    }
+    else if (number.Decimals == 0)
+    {
+      int whole = static_cast<int>(value);
+      fields.ExchangeIfSet(number.Key.c_str(), whole, 0, static_cast<int>(number.Largest));
+      value = whole;
+    }
+    else
+    {
+      fields.ExchangeIfSet(number.Key.c_str(), value, 0.0, number.Largest);
+    }
     structure.SetNumber(number.Key, value);
+  }
+}
+
+void ExchangeImage(JsonFields& fields, const std::string& key, SceneStructure& structure)
+{
+  if (!key.empty())
+  {
+    std::filesystem::path image = structure.Image(key);
+    fields.ExchangeIfSet(key.c_str(), image);
+    structure.SetImage(key, image);
   }
 }
 
@@ -45,7 +82,9 @@ void ExchangeRepresentation(JsonFields& fields, SceneStructure& structure)
   {
     names.push_back(representation.Name);
     ExchangeNumbers(fields, representation.Numbers, structure);
+    ExchangeImage(fields, representation.ImageKey, structure);
   }
+  ExchangeNumbers(fields, {InclusionNumber()}, structure);
   fields.Exchange("representation", structure.Representation, names);
 }
 
@@ -54,12 +93,7 @@ void ExchangeEffects(JsonFields& fields, SceneStructure& structure)
   for (const SceneEffectKind& kind : SceneEffectKinds())
   {
     ExchangeNumbers(fields, kind.Numbers, structure);
-    if (!kind.ImageKey.empty())
-    {
-      std::filesystem::path image = structure.Image(kind.ImageKey);
-      fields.ExchangeIfSet(kind.ImageKey.c_str(), image);
-      structure.SetImage(kind.ImageKey, image);
-    }
+    ExchangeImage(fields, kind.ImageKey, structure);
   }
 }
 

@@ -14,15 +14,7 @@ constexpr int FirstFreeId = 1'000'000'001;
 void AddSegments(const SceneStructure& entry, const Segmentation& segmentation,
                  std::vector<SceneStructure>& structures)
 {
-  std::vector<Segment> segments = segmentation.Segments;
-  if (!entry.Labels.empty())
-  {
-    segments.clear();
-    for (const std::string& label : entry.Labels)
-    {
-      segments.push_back(segmentation.Find(label));
-    }
-  }
+  const std::vector<Segment> segments = SegmentsOf(entry, segmentation);
   const bool isOne = segments.size() == 1;
   for (const Segment& segment : segments)
   {
@@ -78,6 +70,20 @@ SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const Segme
   }
   GiveIds(resolved.Structures);
   return resolved;
+}
+
+std::vector<Segment> SegmentsOf(const SceneStructure& structure, const Segmentation& segmentation)
+{
+  if (structure.Labels.empty())
+  {
+    return segmentation.Segments;
+  }
+  std::vector<Segment> segments;
+  for (const std::string& label : structure.Labels)
+  {
+    segments.push_back(segmentation.Find(label));
+  }
+  return segments;
 }
 
 const Segment& SegmentOf(const SceneStructure& structure, const Segmentation& segmentation)

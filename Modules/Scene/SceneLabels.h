@@ -20,6 +20,10 @@ using SegmentationReader =
 PALPATESCENE_EXPORT SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen,
                                                 const SegmentationReader& read);
 
+/// The segments of a structure, resolved or not. Throws InputError if one is missing.
+PALPATESCENE_EXPORT std::vector<Segment> SegmentsOf(const SceneStructure& structure,
+                                                    const Segmentation& segmentation);
+
 /// The segment of a resolved structure. Throws InputError if there is none.
 PALPATESCENE_EXPORT const Segment& SegmentOf(const SceneStructure& structure,
                                              const Segmentation& segmentation);

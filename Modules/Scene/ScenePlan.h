@@ -27,6 +27,7 @@ enum class SceneStep
   Surface,
   Samples,
   Model,
+  Elasticity, ///< the model of a structure that yields, with its compliance
   Field,      ///< for sub-voxel structures
   Protection, ///< of a forbidden structure; no drilling before it is done
   Touch,      ///< the contact model
@@ -34,7 +35,7 @@ enum class SceneStep
   Cost,       ///< measured time per tick; no step waits for it
   Tool        ///< if it is a surface from a file
 };
-constexpr int SceneStepCount = 13;
+constexpr int SceneStepCount = 14;
 
 /// "volume", "segmentation", ...
 PALPATESCENE_EXPORT const char* NameOf(SceneStep step);

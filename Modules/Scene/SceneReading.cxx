@@ -1,15 +1,18 @@
 #include "SceneReading.h"
 
+#include "DecimalText.h"
 #include "FilterRun.h"
 #include "FitStructure.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "Refusal.h"
 #include "SegmentationFile.h"
+#include "SofteningSettings.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace palpate
 {
@@ -40,6 +43,26 @@ SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::st
     return read();
   };
   return node;
+}
+
+// "20 kPa" of a model that palpate soften made, and whether contrasts are exaggerated; empty if
+// nothing is known.
+std::string TissueOf(const ModelProvenance& provenance)
+{
+  std::string tissue;
+  for (const auto& [name, text] : provenance.Settings)
+  {
+    const std::optional<double> number = ParseNumber(text);
+    if (number && name == "tissue_kpa")
+    {
+      tissue += SignificantText(*number) + " kPa";
+    }
+    if (number && name == "exaggeration")
+    {
+      tissue += ExaggerationText(*number);
+    }
+  }
+  return tissue;
 }
 } // namespace
 
@@ -75,6 +98,7 @@ SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps
                        ModelDocument document = ReadModel(file);
                        result.Model = std::move(document.Surface);
                        result.Elasticity = std::move(document.Elasticity);
+                       result.Tissue = TissueOf(document.Provenance);
                        constexpr int Frequency = 20;
                        result.ModelSurface = DrawModel(result.Model, Frequency);
                        return std::make_shared<const FitResult>(std::move(result));

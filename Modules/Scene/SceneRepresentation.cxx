@@ -1,6 +1,7 @@
 #include "SceneRepresentation.h"
 
 #include "BuiltInRepresentations.h"
+#include "ElasticRepresentation.h"
 #include "InputError.h"
 #include "KindRegistration.h"
 

@@ -30,6 +30,8 @@ struct SceneRepresentation
   /// What SceneAppearance::Automatic displays of a label, unless drilled.
   SceneAppearance Appearance = SceneAppearance::Surface;
   std::vector<SceneNumber> Numbers; ///< of a structure, in addition to its members
+  std::string ImageKey;             ///< in files; empty if it takes no image
+  std::string ImageLabel;
   /// Adds the contact and its inputs to the plan.
   std::function<void(StructurePlan& plan)> PlanContact;
   /// Adds the display of a label that is not touched; if empty, its surface.

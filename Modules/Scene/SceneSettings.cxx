@@ -34,8 +34,8 @@ auto Fields(const SceneSettings& s)
 
 const char* NameOf(SceneAppearance appearance)
 {
-  constexpr std::array<const char*, 5> Names{"automatic", "model", "surface", "error map",
-                                             "sub-voxel volume"};
+  constexpr std::array<const char*, 6> Names{
+      "automatic", "model", "surface", "error map", "sub-voxel volume", "stiffness map"};
   return Names.at(static_cast<std::size_t>(appearance));
 }
 

@@ -27,26 +27,28 @@ struct TouchRepresentation
   static constexpr const char* Harmonics = "harmonics";
   static constexpr const char* Facets = "facets";
   static constexpr const char* SubVoxel = "sub-voxel";
-  static constexpr const char* Elastic = "elastic"; ///< of a model that yields
+  static constexpr const char* Elastic = "elastic"; ///< a model, or one of a label, that yields
   /// Harmonics where they fit, otherwise the sub-voxel field.
   static constexpr const char* ModelOrField = "model-or-field";
 };
 
 /// How a structure is displayed. An error map is its model, coloured by the distance from the
-/// surface of its mask.
+/// surface of its mask; a stiffness map is a model that yields, coloured by the force on a ball
+/// that is pressed into it.
 enum class SceneAppearance
 {
   Automatic, ///< the representation that is touched
   Model,
   Surface,
   ErrorMap,
-  SubVoxel ///< volume: the field's own surface, by ray casting
+  SubVoxel, ///< volume: the field's own surface, by ray casting
+  StiffnessMap
 };
-constexpr std::array<SceneAppearance, 5> AllSceneAppearances{
+constexpr std::array<SceneAppearance, 6> AllSceneAppearances{
     {SceneAppearance::Automatic, SceneAppearance::Model, SceneAppearance::Surface,
-     SceneAppearance::ErrorMap, SceneAppearance::SubVoxel}};
+     SceneAppearance::ErrorMap, SceneAppearance::SubVoxel, SceneAppearance::StiffnessMap}};
 
-/// "automatic", "model", "surface", "error map", "sub-voxel volume".
+/// "automatic", "model", "surface", "error map", "sub-voxel volume", "stiffness map".
 PALPATESCENE_EXPORT const char* NameOf(SceneAppearance appearance);
 
 /// Source of a structure.

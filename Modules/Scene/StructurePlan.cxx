@@ -2,6 +2,7 @@
 
 #include "BuiltInRepresentations.h"
 #include "CaseText.h"
+#include "ElasticRepresentation.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "ProtectedSurface.h"
@@ -109,15 +110,16 @@ std::string StructurePlan::AddFile(SceneNode node)
   return key;
 }
 
-// The node of a file, which another structure may have added before.
-std::string StructurePlan::Share(SceneNode node)
+// The node of a file, which another structure may have added before; otherwise it belongs to the
+// structure with this id.
+std::string StructurePlan::Share(SceneNode node, int id)
 {
   const auto there = std::find_if(this->Nodes.begin(), this->Nodes.end(),
                                   [&node](const SceneNode& one) { return one.Key == node.Key; });
   std::string key = node.Key;
   if (there == this->Nodes.end())
   {
-    node.Id = this->Structure.Id;
+    node.Id = id;
     this->Nodes.push_back(std::move(node));
   }
   return key;
@@ -125,14 +127,19 @@ std::string StructurePlan::Share(SceneNode node)
 
 std::string StructurePlan::AddSegmentation()
 {
-  return this->Share(SegmentationNode(this->Structure.File, this->Scene.LeftHanded, this->Stamps));
+  return this->AddSegmentationOf(this->Structure);
+}
+
+std::string StructurePlan::AddSegmentationOf(const SceneStructure& other)
+{
+  return this->Share(SegmentationNode(other.File, this->Scene.LeftHanded, this->Stamps), other.Id);
 }
 
 std::string StructurePlan::AddImage(const std::filesystem::path& file)
 {
   SceneNode node = VolumeNode(file, {}, this->Scene.LeftHanded, this->Stamps);
   node.Step = SceneStep::Image;
-  return this->Share(std::move(node));
+  return this->Share(std::move(node), this->Structure.Id);
 }
 
 std::string StructurePlan::AddIsoSurface()
@@ -304,6 +311,10 @@ void StructurePlan::AddAppearance()
   case SceneAppearance::Model:
   case SceneAppearance::ErrorMap:
     this->AddModel();
+    break;
+  case SceneAppearance::StiffnessMap:
+    this->Structure.Representation == TouchRepresentation::Elastic ? AddElasticity(*this)
+                                                                   : this->AddModel();
     break;
   case SceneAppearance::Surface:
     this->Source == SceneSource::Model ? this->AddModel() : this->AddSurface();

@@ -37,6 +37,7 @@ public:
   /// \name For representations. Each product is planned once; the functions return its key.
   ///@{
   const SceneStructure& Settings() const { return this->Structure; }
+  const SceneSettings& Whole() const { return this->Scene; }
   /// The segmentation of a label, the image of an iso-value.
   std::string AddVoxels();
   /// FitSurface: of a label's mask, of an iso-value, or from a file.
@@ -45,6 +46,10 @@ public:
   std::string AddModel();
   /// ScalarField of a label or an iso-value.
   std::string AddField();
+  /// Volume: an image of the structure.
+  std::string AddImage(const std::filesystem::path& file);
+  /// Segmentation: that of another label of the scene.
+  std::string AddSegmentationOf(const SceneStructure& other);
   /// Any other product.
   std::string AddNode(SceneStep step, const std::string& key, std::vector<std::string> inputs,
                       Making make);
@@ -65,9 +70,8 @@ public:
 
 private:
   std::string AddFile(SceneNode node);
-  std::string Share(SceneNode node);
+  std::string Share(SceneNode node, int id);
   std::string AddSegmentation();
-  std::string AddImage(const std::filesystem::path& file);
   std::string AddSamples();
   std::string AddIsoSurface();
   std::string AddProtectedSurface();

@@ -42,7 +42,7 @@ TouchContact MakeHarmonicContact(const SurfaceModel& model, HarmonicContactMode 
 }
 
 TouchContact MakeElasticContact(const SurfaceModel& model, const ComplianceMaps& maps,
-                                const std::filesystem::path& file)
+                                const std::string& tissue, const std::filesystem::path& file)
 {
   const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
   if (radial == nullptr)
@@ -54,7 +54,9 @@ TouchContact MakeElasticContact(const SurfaceModel& model, const ComplianceMaps&
   RequireInput(ElasticContactModel::Make(std::make_shared<const SphericalHarmonicModel>(*radial),
                                          maps, made.Model),
                file.string());
-  made.Represented = "elastic, harmonics of degree " + std::to_string(radial->Degree());
+  made.Represented = "elastic, " + (tissue.empty() ? tissue : tissue + ", ") +
+                     "harmonics of degree " + std::to_string(radial->Degree());
+  made.Yields = true;
   return made;
 }
 

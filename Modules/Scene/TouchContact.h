@@ -34,6 +34,7 @@ struct TouchContact
   std::shared_ptr<const ContactModel> Model;
   std::shared_ptr<const ScalarField> Field; ///< that it is made from; null: of another kind
   std::string Represented;                  ///< "harmonics of degree 12, nearest point"
+  bool Yields = false;                      ///< then the scene's stiffness does not count
   DrillSource Drilled;                      ///< for a field that keeps its inside
 };
 
@@ -42,9 +43,10 @@ struct TouchContact
 PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SurfaceModel& model,
                                                      HarmonicContactMode mode,
                                                      const std::filesystem::path& file);
-/// Throws InputError also for a surface model.
+/// Throws InputError also for a surface model. `tissue` describes what it is made of; may be empty.
 PALPATESCENE_EXPORT TouchContact MakeElasticContact(const SurfaceModel& model,
                                                     const ComplianceMaps& maps,
+                                                    const std::string& tissue,
                                                     const std::filesystem::path& file);
 PALPATESCENE_EXPORT TouchContact MakeFacetContact(vtkPolyData* surface,
                                                   const std::filesystem::path& file);

@@ -84,8 +84,12 @@ double PhantomSampler::BiasAt(const Vector3& index) const
   return bias;
 }
 
-double PhantomSampler::TissueAt(double distance, double radius) const
+double PhantomSampler::TissueAt(const Vector3& offset, double distance, double radius) const
 {
+  if (this->Appearance.Nodule && this->Appearance.Nodule->Contains(offset))
+  {
+    return this->Appearance.NoduleIntensity;
+  }
   if (distance > radius)
   {
     return this->Appearance.Background;
@@ -108,6 +112,12 @@ double PhantomSampler::VariationWithin(double distance) const
   return this->HalfDiagonal * std::hypot(1.0, this->SlopeBound / nearest);
 }
 
+bool PhantomSampler::IsCutByNodule(const Vector3& offset) const
+{
+  return this->Appearance.Nodule &&
+         std::abs(this->Appearance.Nodule->SignedDistance(offset)) <= this->HalfDiagonal;
+}
+
 double PhantomSampler::SubdividedMean(const Vector3& offset) const
 {
   const int parts = this->Appearance.Subdivision;
@@ -122,7 +132,7 @@ double PhantomSampler::SubdividedMean(const Vector3& offset) const
         const Vector3 point = offset + this->StepWorld * Vector3(part(a), part(b), part(c));
         const double distance = point.norm();
         const Vector3 direction = distance > 0.0 ? Vector3(point / distance) : Vector3::UnitZ();
-        sum += this->TissueAt(distance, this->Model.Radius(direction));
+        sum += this->TissueAt(point, distance, this->Model.Radius(direction));
       }
     }
   }
@@ -133,10 +143,12 @@ double PhantomSampler::VoxelMean(const Vector3& offset, double distance, double 
 {
   const double variation = this->VariationWithin(distance);
   // The boundary between inner zone and body lies at a fraction <= 1 of R, so the same bound holds.
-  const bool isPure = std::abs(distance - radius) > variation &&
-                      std::abs(distance - radius + this->Appearance.CapsuleThickness) > variation &&
-                      std::abs(distance - this->Appearance.InnerZoneFraction * radius) > variation;
-  return isPure ? this->TissueAt(distance, radius) : this->SubdividedMean(offset);
+  const bool isPure =
+      std::abs(distance - radius) > variation &&
+      std::abs(distance - radius + this->Appearance.CapsuleThickness) > variation &&
+      std::abs(distance - this->Appearance.InnerZoneFraction * radius) > variation &&
+      !this->IsCutByNodule(offset);
+  return isPure ? this->TissueAt(offset, distance, radius) : this->SubdividedMean(offset);
 }
 
 void PhantomSampler::SampleRow(int j, int k, float* intensities, unsigned char* mask) const
@@ -164,6 +176,15 @@ void PhantomSampler::SampleRow(int j, int k, float* intensities, unsigned char* 
   }
 }
 
+void PhantomSampler::SampleNoduleRow(int j, int k, unsigned char* mask) const
+{
+  for (int i = 0; i < this->Grid.Size[0]; ++i)
+  {
+    const Vector3 offset = this->Grid.PointWorld(Vector3(i, j, k)) - this->Model.CenterWorld();
+    mask[i] = this->Appearance.Nodule && this->Appearance.Nodule->Contains(offset) ? 1 : 0;
+  }
+}
+
 void PhantomSampler::AddNoise(int j, int k, float* intensities) const
 {
   const auto row = static_cast<std::uint64_t>(k) * static_cast<std::uint64_t>(this->Grid.Size[1]) +
@@ -185,9 +206,15 @@ PhantomImages MakePhantom(const SphericalHarmonicModel& model, const PhantomGrid
 {
   const PhantomSampler sampler(model, grid, appearance);
   PhantomImages images{EmptyImage(grid, VTK_FLOAT, "Intensity"),
-                       EmptyImage(grid, VTK_UNSIGNED_CHAR, "Label")};
+                       EmptyImage(grid, VTK_UNSIGNED_CHAR, "Label"), nullptr};
   auto* intensities = static_cast<float*>(images.Volume->GetScalarPointer());
   auto* labels = static_cast<unsigned char*>(images.Mask->GetScalarPointer());
+  unsigned char* nodule = nullptr;
+  if (appearance.Nodule)
+  {
+    images.Nodule = EmptyImage(grid, VTK_UNSIGNED_CHAR, "Label");
+    nodule = static_cast<unsigned char*>(images.Nodule->GetScalarPointer());
+  }
   const vtkIdType rowLength = grid.Size[0];
   const vtkIdType rowsPerSlice = grid.Size[1];
   // Slice by slice, so that the calling thread can report progress.
@@ -201,6 +228,10 @@ PhantomImages MakePhantom(const SphericalHarmonicModel& model, const PhantomGrid
                          const vtkIdType start = (k * rowsPerSlice + j) * rowLength;
                          sampler.SampleRow(static_cast<int>(j), k, intensities + start,
                                            labels + start);
+                         if (nodule)
+                         {
+                           sampler.SampleNoduleRow(static_cast<int>(j), k, nodule + start);
+                         }
                        }
                      });
     progress((k + 1.0) / grid.Size[2]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateShapeModule.h"
+#include "PhantomNodule.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 #include "vtkImageData.h"
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace palpate
 {
@@ -49,11 +51,13 @@ struct PhantomAppearance
   double Body = 220.0;
   double Capsule = 40.0;
   double InnerZone = 140.0;
-  double CapsuleThickness = 1.0;  ///< mm, measured inwards along the radius
-  double InnerZoneFraction = 0.6; ///< of the body's radius; 0 for none
-  int Subdivision = 4;            ///< sample points per voxel along each axis
-  double BiasAmplitude = 0.0;     ///< the bias field lies within 1 +- this; in [0, 1)
-  double NoiseDeviation = 0.0;    ///< standard deviation of the noise, before taking the magnitude
+  double CapsuleThickness = 1.0;       ///< mm, measured inwards along the radius
+  double InnerZoneFraction = 0.6;      ///< of the body's radius; 0 for none
+  std::optional<PhantomNodule> Nodule; ///< inside the body (PhantomNodule::Place)
+  double NoduleIntensity = 100.0;      ///< darker than both zones, as a lesion in T2
+  int Subdivision = 4;                 ///< sample points per voxel along each axis
+  double BiasAmplitude = 0.0;          ///< the bias field lies within 1 +- this; in [0, 1)
+  double NoiseDeviation = 0.0; ///< standard deviation of the noise, before taking the magnitude
   Noise NoiseKind = Noise::Rician;
   std::uint64_t Seed = 1; ///< of noise and bias field
 };
@@ -63,8 +67,8 @@ struct PhantomAppearance
 /// positive size, no negative noise.
 ///
 /// The mask holds the voxels whose centre lies inside the model. The intensity is the mean over
-/// Subdivision^3 points of background, capsule, inner zone or body, times the bias field, with
-/// noise. Voxels of a single tissue are not subdivided: a bound on the gradient of
+/// Subdivision^3 points of background, capsule, inner zone, body or nodule, times the bias field,
+/// with noise. Voxels of a single tissue are not subdivided: a bound on the gradient of
 /// |x| - R(x / |x|), from the addition theorem of the harmonics, identifies them.
 class PALPATESHAPE_EXPORT PhantomSampler
 {
@@ -74,6 +78,8 @@ public:
 
   /// Row (j, k) of the grid: Size[0] values each.
   void SampleRow(int j, int k, float* intensities, unsigned char* mask) const;
+  /// The same row of the nodule's mask: 1 where a voxel's centre lies in it.
+  void SampleNoduleRow(int j, int k, unsigned char* mask) const;
 
   double BiasAt(const Vector3& index) const;
 
@@ -81,10 +87,13 @@ public:
   static double RadiusBound(const SphericalHarmonicModel& model);
 
 private:
-  double TissueAt(double distance, double radius) const;
+  /// Of the point at `offset` from the model's centre, `distance` from it, where R is `radius`.
+  double TissueAt(const Vector3& offset, double distance, double radius) const;
   /// Intensity without bias and noise of the voxel whose centre is at `offset` from the model's.
   double VoxelMean(const Vector3& offset, double distance, double radius) const;
   double SubdividedMean(const Vector3& offset) const;
+  /// Whether the nodule's surface may pass through the voxel.
+  bool IsCutByNodule(const Vector3& offset) const;
   /// Largest change of |x| - s R from its value at `distance` anywhere in a voxel centred there.
   double VariationWithin(double distance) const;
   void AddNoise(int j, int k, float* intensities) const;
@@ -103,6 +112,7 @@ struct PhantomImages
 {
   vtkSmartPointer<vtkImageData> Volume; ///< float
   vtkSmartPointer<vtkImageData> Mask;   ///< unsigned char, 1 inside
+  vtkSmartPointer<vtkImageData> Nodule; ///< unsigned char, 1 in the nodule; null if there is none
 };
 
 /// An MR-like volume and the mask of a body whose coefficients are known, on any grid, including

@@ -9,12 +9,13 @@ namespace
 constexpr std::array<int, 4> Degrees{{4, 8, 12, 16}};
 constexpr int FirstField = 4;
 constexpr int Cubic = 5;
-
-bool IsTouchedLabel(const SceneStructure& structure)
-{
-  return structure.IsTouchable && structure.Source() == SceneSource::Label;
-}
 } // namespace
+
+bool HasPresets(const SceneStructure& structure)
+{
+  return structure.Source() == SceneSource::Label &&
+         structure.Representation != TouchRepresentation::Elastic;
+}
 
 const char* NameOfPreset(int preset)
 {
@@ -26,7 +27,7 @@ const char* NameOfPreset(int preset)
 
 SceneStructure WithPreset(SceneStructure structure, int preset)
 {
-  if (structure.Source() == SceneSource::Label)
+  if (HasPresets(structure))
   {
     const bool isField = preset >= FirstField;
     structure.Representation =
@@ -56,7 +57,7 @@ int PresetOf(const SceneSettings& scene)
   bool isFirst = true;
   for (const SceneStructure& structure : scene.Structures)
   {
-    if (IsTouchedLabel(structure))
+    if (structure.IsTouchable && HasPresets(structure))
     {
       const int one = PresetOf(structure);
       all = isFirst || one == all ? one : -1;

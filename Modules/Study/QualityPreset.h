@@ -12,12 +12,15 @@ constexpr int QualityPresetCount = 6;
 /// "Harmonics of degree 4", ..., "Sub-voxel, linear", "Sub-voxel, cubic".
 PALPATESTUDY_EXPORT const char* NameOfPreset(int preset);
 
+/// Whether presets apply to a structure: to labels that do not yield.
+PALPATESTUDY_EXPORT bool HasPresets(const SceneStructure& structure);
+
 /// The structure with the settings of a preset; harmonics fall back to the field if they do not
-/// fit. Structures that are not labels keep their settings.
+/// fit. Structures without presets keep their settings.
 PALPATESTUDY_EXPORT SceneStructure WithPreset(SceneStructure structure, int preset);
 
 /// The preset that a structure's settings match, or -1.
 PALPATESTUDY_EXPORT int PresetOf(const SceneStructure& structure);
-/// The preset that all touchable labels of a scene match, or -1.
+/// The preset that all touchable structures with presets match, or -1.
 PALPATESTUDY_EXPORT int PresetOf(const SceneSettings& scene);
 } // namespace palpate

@@ -11,35 +11,17 @@
 #include "SegmentationFile.h"
 #include "SteadyClock.h"
 #include "StudyFile.h"
+#include "StudyStructures.h"
 #include "TouchRecording.h"
 #include "TouchTicksFile.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-// Whether a state lacks the structures of its segmentation.
-bool LacksStructures(const StudyState& state)
-{
-  return std::none_of(state.Structures.begin(), state.Structures.end(),
-                      [&state](const SceneStructure& one)
-                      { return one.File == state.SegmentationFile; });
-}
-
-int NextFreeId(const StudyState& state)
-{
-  int next = 1'000'000'001; // above every label
-  for (const SceneStructure& structure : state.Structures)
-  {
-    next = std::max(next, structure.Id + 1);
-  }
-  return next;
-}
-
 // Identifies all settings of the measurement of a structure's presets.
 std::string QualityKey(const StudyState& state, const SceneStructure& structure)
 {
@@ -57,6 +39,11 @@ void Study::Begin(const StudyState& state, const std::filesystem::path& file)
 {
   this->StopTouch();
   this->CloseReplay();
+  for (const StudyJobs::Id id : this->Adding)
+  {
+    this->Work.Cancel(id);
+  }
+  this->Adding.clear();
   this->Steps.Reset(state);
   this->SessionFile = file;
   this->Unread.clear();
@@ -101,6 +88,32 @@ void Study::OpenSegmentation(const std::filesystem::path& file)
                         next.Structures.end());
   this->Unread.insert(next.SegmentationFile);
   this->Change("Open the segmentation " + file.filename().string(), next);
+}
+
+void Study::AddSegmentation(const std::filesystem::path& file,
+                            const std::function<void(const std::string& message)>& fail)
+{
+  const auto id = std::make_shared<StudyJobs::Id>();
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [this, file = StudyPath(file), id,
+              leftHanded = this->State().LeftHanded](const ProgressFunction&)
+  {
+    return StudyJob::Delivery(
+        [this, file, id, read = ReadSegmentation(file, leftHanded)]
+        {
+          this->Adding.erase(*id);
+          this->Change("Add the structures of " + file.filename().string(),
+                       WithAddedStructuresOf(this->State(), file, read));
+        });
+  };
+  job.Fail = [this, id, fail](const std::string& message)
+  {
+    this->Adding.erase(*id);
+    fail(message);
+  };
+  *id = this->Work.Start(std::move(job));
+  this->Adding.insert(*id);
 }
 
 void Study::AddStructure(const std::filesystem::path& file)
@@ -442,7 +455,7 @@ void Study::MeasureQuality()
 {
   for (const SceneStructure& structure : this->State().Structures)
   {
-    if (!structure.IsTouchable || structure.Source() != SceneSource::Label ||
+    if (!structure.IsTouchable || !HasPresets(structure) ||
         this->Measuring.count(structure.Id) > 0 || this->QualityOf(structure) != nullptr)
     {
       continue;
@@ -477,7 +490,7 @@ std::vector<QualityLine> Study::QualityLines() const
   std::vector<QualityLine> lines;
   for (const SceneStructure& structure : this->State().Structures)
   {
-    if (!structure.IsTouchable || structure.Source() != SceneSource::Label)
+    if (!structure.IsTouchable || !HasPresets(structure))
     {
       continue;
     }
@@ -501,36 +514,10 @@ void Study::UseRecommendedQuality()
   for (SceneStructure& structure : next.Structures)
   {
     const QualityMeasurement* measured =
-        structure.Source() == SceneSource::Label ? this->QualityOf(structure) : nullptr;
+        HasPresets(structure) ? this->QualityOf(structure) : nullptr;
     const int preset = measured != nullptr ? RecommendedPreset(*measured, next.Rate) : -1;
     structure = preset >= 0 ? WithPreset(structure, preset) : structure;
   }
   this->Change("Use the recommended quality", next);
-}
-
-StudyState WithStructuresOf(const StudyState& state, const Segmentation& segmentation)
-{
-  StudyState next = state;
-  next.Structures.clear();
-  for (const Segment& segment : segmentation.Segments)
-  {
-    SceneStructure structure;
-    structure.Id = segment.Label;
-    structure.Name = segment.Name;
-    structure.File = state.SegmentationFile;
-    structure.Labels = {std::to_string(segment.Label)};
-    structure.Color = segment.Color;
-    structure.Representation = TouchRepresentation::ModelOrField;
-    structure.Degree = state.Fit.Degree;
-    const bool isShown =
-        next.Structures.empty() || segmentation.Segments.size() <= Study::MostShownUnasked;
-    structure.IsVisible = isShown;
-    structure.IsTouchable = isShown;
-    next.Structures.push_back(std::move(structure));
-  }
-  std::copy_if(state.Structures.begin(), state.Structures.end(),
-               std::back_inserter(next.Structures),
-               [&state](const SceneStructure& one) { return one.File != state.SegmentationFile; });
-  return next;
 }
 } // namespace palpate

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -53,6 +54,11 @@ public:
   /// `series` as in VolumeChoice. Structures from other files are kept.
   void OpenVolume(const std::filesystem::path& file, const std::string& series = {});
   void OpenSegmentation(const std::filesystem::path& file);
+  /// Reads a further segmentation in the background, then adds its structures (see
+  /// WithAddedStructuresOf), as one undo step. `fail` gets the message if it cannot be read.
+  void AddSegmentation(const std::filesystem::path& file,
+                       const std::function<void(const std::string& message)>& fail);
+  bool IsAddingSegmentation() const { return !this->Adding.empty(); }
   /// Adds a model, a surface, or an iso-surface of the volume; an undo step. AddIsoValue throws
   /// InputError without a volume in a single file.
   void AddStructure(const std::filesystem::path& file);
@@ -137,6 +143,7 @@ private:
   StudyTouch Felt;
   std::filesystem::path SessionFile;
   std::set<std::filesystem::path> Unread; ///< segmentations whose structures are not yet taken over
+  std::set<StudyJobs::Id> Adding;         ///< segmentations that are being read
   std::optional<StudyJobs::Id> Opening;
   std::optional<StudyJobs::Id> Reading;
   std::unique_ptr<StudyReplay> Played;
@@ -154,7 +161,4 @@ private:
   std::map<int, StudyJobs::Id> Measuring;
 };
 
-/// The state with one structure per label of its segmentation, replacing those of that file.
-PALPATESTUDY_EXPORT StudyState WithStructuresOf(const StudyState& state,
-                                                const Segmentation& segmentation);
 } // namespace palpate

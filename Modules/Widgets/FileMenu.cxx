@@ -57,6 +57,10 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
       QKeySequence("Ctrl+Shift+O"));
   this->addAction("Open &DICOM folder...", this, &FileMenu::OpenFolder, QKeySequence("Ctrl+D"));
+  this->addAction(
+      "Add structures of a se&gmentation...", this,
+      [this] { this->Open("Add structures of a segmentation", &StudyController::AddSegmentation); },
+      QKeySequence("Ctrl+Alt+S"));
   this->addAction("Add &model, surface or scene...", this, &FileMenu::AddStructures,
                   QKeySequence("Ctrl+Alt+M"));
   this->addAction("Add &iso-value of the volume...", this, &FileMenu::AddIsoValue,

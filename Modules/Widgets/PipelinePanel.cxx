@@ -14,9 +14,10 @@ PipelinePanel::PipelinePanel(StudyController& study, QWidget* parent)
   table->setVerticalSpacing(2);
   column->addLayout(table);
   int row = 0;
-  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures,
-                               SceneStep::Surface, SceneStep::Samples, SceneStep::Model,
-                               SceneStep::Field, SceneStep::Protection, SceneStep::Touch})
+  for (const SceneStep step :
+       {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
+        SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity, SceneStep::Field,
+        SceneStep::Protection, SceneStep::Touch})
   {
     auto* line = new StepRow(step, table, row++, this);
     connect(line, &StepRow::CancelAsked, &study, &StudyController::CancelStep);

@@ -60,9 +60,9 @@ void StepRow::Show(const StudyStepState& state)
   this->Sign->setPalette(colors);
   this->State->setText(look.Word);
   this->State->setToolTip(PlainToolTip(ScreenString(state.Message)));
-  // Without a forbidden structure there is nothing to protect.
-  const bool isShown =
-      this->Step != SceneStep::Protection || state.Is != StudyStepState::Kind::NotWanted;
+  // Most scenes have no structure that is forbidden or yields.
+  const bool isRare = this->Step == SceneStep::Protection || this->Step == SceneStep::Elasticity;
+  const bool isShown = !isRare || state.Is != StudyStepState::Kind::NotWanted;
   this->Sign->setVisible(isShown);
   this->Name->setVisible(isShown);
   this->State->setVisible(isShown && !isRunning);

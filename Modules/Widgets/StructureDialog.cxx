@@ -1,9 +1,13 @@
 #include "StructureDialog.h"
 
+#include "SceneTissue.h"
+
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace palpate
 {
@@ -12,6 +16,61 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
       Form(new QFormLayout(this))
 {
   this->setWindowTitle(QString::fromStdString(TitleOf(this->Structure)));
+  this->AddRepresentation();
+  this->AddMembers();
+  if (this->Structure.Source() == SceneSource::Label)
+  {
+    this->AddNumbers({InclusionNumber()});
+  }
+  for (const SceneEffectKind& kind : SceneEffectKinds())
+  {
+    this->AddNumbers(kind.Numbers);
+    this->AddImage(kind.ImageLabel, kind.ImageKey);
+  }
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  this->Form->addRow(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &StructureDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+// The choice, and below it what the chosen representation needs.
+void StructureDialog::AddRepresentation()
+{
+  QStringList labels;
+  std::vector<std::string> names;
+  for (const SceneRepresentation& one : SceneRepresentations())
+  {
+    if (one.Takes(this->Structure.Source()) || one.Name == this->Structure.Representation)
+    {
+      labels += QString::fromStdString(one.Label);
+      names.push_back(one.Name);
+    }
+  }
+  const auto chosen = std::find(names.begin(), names.end(), this->Structure.Representation);
+  QComboBox* choice = this->AddChoice(
+      "Touch model", "representation", labels, static_cast<int>(chosen - names.begin()),
+      [names](SceneStructure& structure, int index)
+      { structure.Representation = names.at(static_cast<std::size_t>(index)); });
+  for (const SceneRepresentation& one : SceneRepresentations())
+  {
+    const auto place = std::find(names.begin(), names.end(), one.Name);
+    if (place == names.end())
+    {
+      continue;
+    }
+    const int first = this->Form->rowCount();
+    this->AddNumbers(one.Numbers);
+    this->AddImage(one.ImageLabel, one.ImageKey);
+    const int last = this->Form->rowCount();
+    const auto show = [this, first, last, own = static_cast<int>(place - names.begin())](int index)
+    { this->ShowRows(first, last, index == own); };
+    connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, show);
+    show(choice->currentIndex());
+  }
+}
+
+void StructureDialog::AddMembers()
+{
   this->AddChoice("Harmonics", "mode", {"nearest point", "radial"},
                   static_cast<int>(this->Structure.Mode),
                   [](SceneStructure& structure, int choice)
@@ -30,22 +89,17 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
                   [](SceneStructure& structure) -> double& { return structure.Friction.Static; });
   this->AddNumber("Dynamic friction", "dynamic-friction", 10.0, 3,
                   [](SceneStructure& structure) -> double& { return structure.Friction.Dynamic; });
-  for (const SceneRepresentation& representation : SceneRepresentations())
+}
+
+void StructureDialog::ShowRows(int first, int last, bool areShown)
+{
+  for (int row = first; row < last; ++row)
   {
-    this->AddNumbers(representation.Numbers);
-  }
-  for (const SceneEffectKind& kind : SceneEffectKinds())
-  {
-    this->AddNumbers(kind.Numbers);
-    if (!kind.ImageKey.empty())
+    for (const QFormLayout::ItemRole role : {QFormLayout::LabelRole, QFormLayout::FieldRole})
     {
-      this->AddImage(QString::fromStdString(kind.ImageLabel), kind.ImageKey);
+      this->Form->itemAt(row, role)->widget()->setVisible(areShown);
     }
   }
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  this->Form->addRow(buttons);
-  connect(buttons, &QDialogButtonBox::accepted, this, &StructureDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
 void StructureDialog::AddNumber(const QString& label, const QString& name, double most,
@@ -62,7 +116,7 @@ void StructureDialog::AddBox(const QString& label, const QString& name, double m
   box->setObjectName(name);
   box->setDecimals(decimals);
   box->setRange(0.0, most);
-  box->setSingleStep(0.1);
+  box->setSingleStep(decimals == 0 ? 1.0 : 0.1);
   box->setValue(value);
   this->Form->addRow(label, box);
   // A value that the box rounds is kept until it is edited.
@@ -76,9 +130,9 @@ void StructureDialog::AddBox(const QString& label, const QString& name, double m
       });
 }
 
-void StructureDialog::AddChoice(const QString& label, const QString& name,
-                                const QStringList& choices, int value,
-                                const std::function<void(SceneStructure&, int)>& set)
+QComboBox* StructureDialog::AddChoice(const QString& label, const QString& name,
+                                      const QStringList& choices, int value,
+                                      const std::function<void(SceneStructure&, int)>& set)
 {
   auto* box = new QComboBox(this);
   box->setObjectName(name);
@@ -87,33 +141,53 @@ void StructureDialog::AddChoice(const QString& label, const QString& name,
   this->Form->addRow(label, box);
   this->Writes.emplace_back([box, set](SceneStructure& structure)
                             { set(structure, box->currentIndex()); });
+  return box;
 }
 
 void StructureDialog::AddNumbers(const std::vector<SceneNumber>& numbers)
 {
   for (const SceneNumber& number : numbers)
   {
-    this->AddBox(QString::fromStdString(number.Label), QString::fromStdString(number.Key),
-                 number.Largest, number.Decimals, this->Structure.Number(number.Key),
-                 [key = number.Key](SceneStructure& structure, double value)
-                 { structure.SetNumber(key, value); });
+    const QString label = QString::fromStdString(number.Label);
+    const QString name = QString::fromStdString(number.Key);
+    const double value = this->Structure.Number(number.Key);
+    const auto set = [key = number.Key](SceneStructure& structure, double chosen)
+    { structure.SetNumber(key, chosen); };
+    if (number.Words.empty())
+    {
+      this->AddBox(label, name, number.Largest, number.Decimals, value, set);
+      continue;
+    }
+    QStringList words;
+    for (const std::string& word : number.Words)
+    {
+      words += QString::fromStdString(word);
+    }
+    this->AddChoice(label, name, words, static_cast<int>(value), set);
   }
 }
 
-void StructureDialog::AddImage(const QString& label, const std::string& key)
+void StructureDialog::AddImage(const std::string& label, const std::string& key)
 {
+  if (key.empty())
+  {
+    return;
+  }
+  const QString title = QString::fromStdString(label);
   const std::string shown = this->Structure.Image(key).string();
-  auto* file = new QLineEdit(QString::fromStdString(shown), this);
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* file = new QLineEdit(QString::fromStdString(shown), both);
   file->setObjectName(QString::fromStdString(key));
-  auto* browse = new QPushButton("Browse...", this);
-  auto* row = new QHBoxLayout;
+  auto* browse = new QPushButton("Browse...", both);
   row->addWidget(file, 1);
   row->addWidget(browse);
-  this->Form->addRow(label, row);
+  this->Form->addRow(title, both);
   connect(browse, &QPushButton::clicked, this,
-          [this, file, label]
+          [this, file, title]
           {
-            const QString chosen = QFileDialog::getOpenFileName(this, label);
+            const QString chosen = QFileDialog::getOpenFileName(this, title);
             file->setText(chosen.isEmpty() ? file->text() : chosen);
           });
   this->Writes.emplace_back([file, key](SceneStructure& structure)

@@ -28,14 +28,17 @@ public:
   void accept() override;
 
 private:
+  void AddRepresentation();
+  void AddMembers();
+  void ShowRows(int first, int last, bool areShown);
   void AddNumber(const QString& label, const QString& name, double most, int decimals,
                  const std::function<double&(SceneStructure&)>& member);
-  void AddChoice(const QString& label, const QString& name, const QStringList& choices, int value,
-                 const std::function<void(SceneStructure&, int)>& set);
+  QComboBox* AddChoice(const QString& label, const QString& name, const QStringList& choices,
+                       int value, const std::function<void(SceneStructure&, int)>& set);
   void AddBox(const QString& label, const QString& name, double most, int decimals, double value,
               const std::function<void(SceneStructure&, double)>& set);
   void AddNumbers(const std::vector<SceneNumber>& numbers);
-  void AddImage(const QString& label, const std::string& key);
+  void AddImage(const std::string& label, const std::string& key);
 
   StudyController& Study;
   SceneStructure Structure;

@@ -180,6 +180,14 @@ QString StructureTableModel::RepresentationOf(const SceneStructure& structure) c
   return isReplaced ? name + ": sub-voxel" : name;
 }
 
+// The stiffness of a structure that yields does not count.
+bool StructureTableModel::Yields(const SceneStructure& structure) const
+{
+  const auto contact =
+      this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
+  return contact != nullptr && contact->Yields;
+}
+
 QVariant StructureTableModel::ValueOf(const SceneStructure& structure, int column) const
 {
   switch (column)
@@ -211,7 +219,9 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
   case Qt::DisplayRole:
     return column == AppearanceColumn       ? QString(NameOf(structure.Appearance))
            : column == RepresentationColumn ? this->RepresentationOf(structure)
-                                            : this->ValueOf(structure, column);
+           : column == StiffnessColumn && this->Yields(structure)
+               ? QString("yields")
+               : this->ValueOf(structure, column);
   case Qt::EditRole:
     return column == AppearanceColumn ? QVariant(static_cast<int>(structure.Appearance))
            : column == RepresentationColumn

@@ -49,6 +49,7 @@ private:
   QVariant QualityOf(const SceneStructure& structure) const;
   QVariant CostOf(const SceneStructure& structure) const;
   QString RepresentationOf(const SceneStructure& structure) const;
+  bool Yields(const SceneStructure& structure) const;
 
   StudyController& Study;
   int Rows = 0;

@@ -13,10 +13,10 @@ namespace
 {
 constexpr int LookMilliseconds = 16; // a frame at 60 Hz
 constexpr int LooksAStep = 6;
-constexpr std::array<SceneStep, 10> AllSteps{
+constexpr std::array<SceneStep, 11> AllSteps{
     {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
-     SceneStep::Samples, SceneStep::Model, SceneStep::Field, SceneStep::Protection,
-     SceneStep::Touch, SceneStep::Tool}};
+     SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity, SceneStep::Field,
+     SceneStep::Protection, SceneStep::Touch, SceneStep::Tool}};
 } // namespace
 
 StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
@@ -211,6 +211,13 @@ void StudyController::OpenSegmentation(const std::filesystem::path& file)
   this->Reported.erase(this->Reported.upper_bound(SceneStep::Volume), this->Reported.end());
   this->Try([&] { this->Open.OpenSegmentation(file); });
   Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+}
+
+void StudyController::AddSegmentation(const std::filesystem::path& file)
+{
+  this->Open.AddSegmentation(file, [this](const std::string& message) { this->Report(message); });
+  this->LooksToSteps = 0;
+  this->Look();
 }
 
 void StudyController::OpenSession(const std::filesystem::path& file)
@@ -456,7 +463,7 @@ void StudyController::LookAtNotes()
 
 void StudyController::LookAtSteps()
 {
-  bool isMaking = this->Open.IsOpeningDevice();
+  bool isMaking = this->Open.IsOpeningDevice() || this->Open.IsAddingSegmentation();
   for (const SceneStep step : AllSteps)
   {
     const StudyStepState state = this->Open.Pipeline().StateOf(step);

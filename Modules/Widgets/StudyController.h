@@ -53,6 +53,8 @@ public:
   /// A file, or a folder of DICOM slices.
   void OpenVolume(const std::filesystem::path& file);
   void OpenSegmentation(const std::filesystem::path& file);
+  /// See Study::AddSegmentation.
+  void AddSegmentation(const std::filesystem::path& file);
   void OpenSession(const std::filesystem::path& file);
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
   /// Returns false, with a message, if the file cannot be written.

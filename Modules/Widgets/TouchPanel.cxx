@@ -264,10 +264,15 @@ void TouchPanel::ShowReading()
   this->ShowRecording();
   const SceneStructure* touched = FindStructure(this->Study.State(), reading.TouchedId);
   const QString name = touched != nullptr ? ScreenString(TitleOf(*touched)) : "nothing";
-  this->Felt->setText(QString("Touches %1: %2 N, %3 mm deep")
-                          .arg(name)
-                          .arg(Norm(reading.Newest.ForceWorld), 0, 'f', 2)
-                          .arg(reading.Newest.Depth, 0, 'f', 2));
+  QString felt = QString("Touches %1: %2 N, %3 mm deep")
+                     .arg(name)
+                     .arg(Norm(reading.Newest.ForceWorld), 0, 'f', 2)
+                     .arg(reading.Newest.Depth, 0, 'f', 2);
+  if (reading.Newest.IsBeyondLinear)
+  {
+    felt += "; beyond linear elasticity, the force is an estimate";
+  }
+  this->Felt->setText(felt);
   const QString warnings = this->Warnings();
   if (this->Advice->text() != warnings)
   {

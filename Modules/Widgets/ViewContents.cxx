@@ -1,13 +1,16 @@
 #include "ViewContents.h"
 
+#include "FitResult.h"
 #include "ImageAxes.h"
 #include "PlainVector3.h"
 #include "SceneRepresentation.h"
 #include "SceneTool.h"
+#include "SphericalHarmonicModel.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
 #include "VoxelValue.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkImageData.h"
 #include "vtkSubVoxelVolume.h"
 #include "vtkSubVoxelVolumeMapper.h"
@@ -17,12 +20,20 @@
 #include <array>
 #include <set>
 #include <sstream>
+#include <variant>
 
 namespace palpate
 {
 namespace
 {
 constexpr const char* ErrorArray = "DistanceToSurface";
+
+const char* ColorArrayOf(SceneAppearance appearance)
+{
+  return appearance == SceneAppearance::ErrorMap       ? ErrorArray
+         : appearance == SceneAppearance::StiffnessMap ? YieldingSurface::StiffnessArray
+                                                       : "";
+}
 
 // A VTK pipeline writes to its input, but products are shared with other threads.
 template <typename T>
@@ -40,6 +51,7 @@ bool WantsModel(const SceneStructure& structure)
   {
   case SceneAppearance::Model:
   case SceneAppearance::ErrorMap:
+  case SceneAppearance::StiffnessMap:
     return true;
   case SceneAppearance::Surface:
   case SceneAppearance::SubVoxel:
@@ -70,6 +82,20 @@ vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& stru
   }
   const auto surface = pipeline.Newest<FitSurface>(SceneStep::Surface, structure.Id);
   return surface != nullptr ? surface->Found.Surface.Get() : nullptr;
+}
+
+// The model of a structure that yields, or null.
+std::shared_ptr<const FitResult> YieldingModelOf(const StudyPipeline& pipeline,
+                                                 const SceneStructure& structure)
+{
+  const bool isRigid = structure.Representation != TouchRepresentation::Automatic &&
+                       structure.Representation != TouchRepresentation::Elastic;
+  auto model = pipeline.Newest<FitResult>(SceneStep::Elasticity, structure.Id);
+  model = model != nullptr ? model : pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
+  const bool yields = !isRigid && WantsModel(structure) && model != nullptr &&
+                      model->Elasticity != nullptr &&
+                      std::holds_alternative<SphericalHarmonicModel>(model->Model);
+  return yields ? model : nullptr;
 }
 
 // The structure that is a label of the segmentation in the slices, or null.
@@ -106,11 +132,11 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
 {
   this->ShowImages(pipeline);
   this->ShowLabels(state);
-  this->ShowSurfaces(state, pipeline);
-  this->ShowLandmarks(state);
   TouchToolSettings tool = state.Tool;
   tool.Surface = pipeline.Newest<SurfaceTool>(SceneStep::Tool);
   this->ShowTool(tool);
+  this->ShowSurfaces(state, pipeline);
+  this->ShowLandmarks(state);
   this->ShowView(state.View);
 }
 
@@ -175,7 +201,8 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
       continue;
     }
     // Until the wanted surface is ready, show the existing one.
-    vtkPolyData* surface = SurfaceOf(pipeline, structure);
+    vtkPolyData* yielding = this->ShowYielding(structure, pipeline);
+    vtkPolyData* surface = yielding != nullptr ? yielding : SurfaceOf(pipeline, structure);
     const auto field = pipeline.Newest<ScalarField>(SceneStep::Field, structure.Id);
     if (field != nullptr && (surface == nullptr || WantsField(structure)))
     {
@@ -193,6 +220,49 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
   KeepOnly(this->SurfaceSources, surfaces);
   KeepOnly(this->FieldsShown, fields);
   KeepOnly(this->FieldSources, fields);
+  KeepOnly(this->Yielding, surfaces);
+  this->ShowWhatLiesInside();
+}
+
+// The surface of a structure that yields, or null.
+vtkPolyData* ViewContents::ShowYielding(const SceneStructure& structure,
+                                        const StudyPipeline& pipeline)
+{
+  const auto model = YieldingModelOf(pipeline, structure);
+  if (model == nullptr)
+  {
+    this->Yielding.erase(structure.Id);
+    return nullptr;
+  }
+  auto& yielding = this->Yielding[structure.Id];
+  if (yielding == nullptr || yielding->Maps() != model->Elasticity.get())
+  {
+    yielding = std::make_unique<YieldingSurface>(std::get<SphericalHarmonicModel>(model->Model),
+                                                 model->Elasticity);
+  }
+  if (structure.Appearance == SceneAppearance::StiffnessMap)
+  {
+    yielding->MapStiffness(this->BallRadius());
+  }
+  return yielding->Surface();
+}
+
+// A structure that yields is translucent if another one lies in it.
+void ViewContents::ShowWhatLiesInside()
+{
+  constexpr double Translucent = 0.5;
+  for (const auto& [id, yielding] : this->Yielding)
+  {
+    const vtkBoundingBox box(yielding->Surface()->GetBounds());
+    bool holdsAnother = false;
+    for (const auto& [other, shown] : this->SurfacesShown)
+    {
+      holdsAnother =
+          holdsAnother ||
+          (other != id && box.Contains(vtkBoundingBox(shown->GetSurface()->GetBounds())));
+    }
+    this->SurfacesShown.at(id)->SetOpacity(holdsAnother ? Translucent : 1.0);
+  }
 }
 
 void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* surface)
@@ -206,10 +276,13 @@ void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* sur
   if (this->SurfaceSources[structure.Id] != surface)
   {
     this->SurfaceSources[structure.Id] = surface;
-    shown->SetSurface(OwnView(surface));
+    // The surface of a structure that yields is its own, and changes.
+    const bool isOwn = this->Yielding.count(structure.Id) > 0;
+    shown->SetSurface(isOwn ? vtkSmartPointer<vtkPolyData>(surface) : OwnView(surface));
+    shown->SetOpacity(1.0);
   }
   shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
-  shown->SetColorArray(structure.Appearance == SceneAppearance::ErrorMap ? ErrorArray : "");
+  shown->SetColorArray(ColorArrayOf(structure.Appearance));
 }
 
 void ViewContents::ShowField(const SceneStructure& structure,
@@ -346,18 +419,48 @@ StudyView ViewContents::WithViewOf(StudyView view) const
 void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
 {
   const TouchState& state = reading.Newest;
+  this->ShowDent(reading, isTouching && state.HasSample);
   this->ProbeShown->SetVisibility(isTouching && state.HasSample);
   if (!isTouching || !state.HasSample)
   {
     return;
   }
   const PlainVector3& probe = state.ProbeWorld;
-  const PlainVector3& proxy = state.ProxyWorld;
+  // The tool is in the dent of a structure that yields, not on its surface at rest.
+  const bool yields = this->Yielding.count(reading.TouchedId) > 0;
+  const PlainVector3& proxy = yields ? state.ProbeWorld : state.ProxyWorld;
   const PlainVector3& force = state.ForceWorld;
   this->ProbeShown->SetProbePosition(probe.X, probe.Y, probe.Z);
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
+  // Okabe and Ito's vermilion; yellow where the force is an estimate.
+  constexpr std::array<double, 3> Known{{0.84, 0.37, 0.0}};
+  constexpr std::array<double, 3> Estimated{{0.94, 0.89, 0.26}};
+  const auto& color = state.IsBeyondLinear ? Estimated : Known;
+  this->ProbeShown->SetContactColor(color[0], color[1], color[2]);
+}
+
+// Only a sphere touches what yields; 0 for another tool.
+double ViewContents::BallRadius() const
+{
+  const bool isBall = this->Tool && this->Tool->Kind == TouchToolSettings::Shape::Sphere;
+  return isBall ? this->Tool->Radius : 0.0;
+}
+
+void ViewContents::ShowDent(const StudyTouchReading& reading, bool isTouching)
+{
+  for (const auto& [id, yielding] : this->Yielding)
+  {
+    if (isTouching && id == reading.TouchedId)
+    {
+      yielding->Press(reading.Newest.ProxyWorld, reading.Newest.ProbeWorld, this->BallRadius());
+    }
+    else
+    {
+      yielding->Release();
+    }
+  }
 }
 
 void ViewContents::ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box,

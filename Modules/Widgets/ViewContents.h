@@ -3,6 +3,7 @@
 #include "StudyPipeline.h"
 #include "StudyState.h"
 #include "StudyTouch.h"
+#include "YieldingSurface.h"
 
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
@@ -66,6 +67,10 @@ private:
   void ShowLabels(const StudyState& state);
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
   void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
+  vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
+  void ShowWhatLiesInside();
+  double BallRadius() const;
+  void ShowDent(const StudyTouchReading& reading, bool isTouching);
   void ShowField(const SceneStructure& structure, const std::shared_ptr<const ScalarField>& field);
   void ShowNewest(int label);
   void ShowLandmarks(const StudyState& state);
@@ -79,6 +84,7 @@ private:
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
+  std::map<int, std::unique_ptr<YieldingSurface>> Yielding;
 
   // The displayed products; they are shared and never changed.
   std::shared_ptr<const Volume> Grey;

@@ -9,6 +9,7 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <variant>
 
@@ -73,6 +74,45 @@ TEST(CliPhantom, UsesBodyOfModelFile)
       {"phantom", "--output", "b", "--spacing", "3,3,3", "--model", "a/truth.json"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_EQ(MaskMilliliters(folder / "a/mask.nii.gz"), MaskMilliliters(folder / "b/mask.nii.gz"));
+}
+
+TEST(CliPhantom, WritesNoduleAndLeavesMask)
+{
+  const TemporaryFolder folder;
+  const std::vector<std::string> plain{"phantom", "--output", "p", "--spacing", "1,1,1"};
+  std::vector<std::string> withNodule = plain;
+  withNodule.insert(withNodule.end(), {"--nodule", "10,2"});
+  const CommandRun run = RunPalpate(withNodule, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Output.find("nodule.nii.gz: 0.5"), std::string::npos) << run.Output;
+  // Voxels of 1 mm: five deviations of counting, of 1 mm * sqrt(area / 12) = 5.1 mm^3.
+  EXPECT_NEAR(MaskMilliliters(folder / "p/nodule.nii.gz"), M_PI / 6.0, 0.026);
+  const double whole = MaskMilliliters(folder / "p/mask.nii.gz");
+  ASSERT_EQ(RunPalpate(plain, folder.Path()).Code, 0);
+  EXPECT_EQ(MaskMilliliters(folder / "p/mask.nii.gz"), whole);
+  EXPECT_FALSE(std::filesystem::exists(folder / "p/nodule.nii.gz")); // it would not be this body's
+}
+
+TEST(CliPhantom, SaysWhyNoduleIsRejected)
+{
+  const TemporaryFolder folder;
+  const auto errors = [&folder](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments{"phantom", "--output", "p", "--spacing", "2,2,2"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const CommandRun run = RunPalpate(arguments, folder.Path());
+    EXPECT_EQ(run.Code, 2) << more.back();
+    EXPECT_EQ(folder.EntryCount(), 0U) << more.back();
+    return run.Errors;
+  };
+  EXPECT_NE(errors({"--nodule", "60,2"}).find("is not inside the body"), std::string::npos);
+  EXPECT_NE(errors({"--nodule", "0.1,2.3"}).find("between the voxels"), std::string::npos);
+  EXPECT_NE(errors({"--nodule", "0,2"}).find("has to be positive"), std::string::npos);
+  for (const char* bad : {"8", "8,2,1", "-8,2", "8,-2", "nan,2", "8,inf"})
+  {
+    EXPECT_NE(errors({"--nodule", bad}).find("--nodule"), std::string::npos) << bad;
+  }
+  EXPECT_NE(errors({"--nodule", "8,2", "--nodule", "4,2"}).find("--nodule"), std::string::npos);
 }
 
 TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)

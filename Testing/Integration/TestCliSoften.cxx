@@ -158,9 +158,6 @@ TEST_F(CliSoften, RefusesWhatCannotYield)
     arguments.insert(arguments.end(), more.begin(), more.end());
     return RunPalpate(arguments, this->Folder.Path());
   };
-  const CommandRun rigid = touch({"gland.json", "--representation", "elastic"});
-  EXPECT_EQ(rigid.Code, 2);
-  EXPECT_NE(rigid.Errors.find("palpate soften"), std::string::npos) << rigid.Errors;
   const CommandRun point = touch({"soft.json", "--tool-radius", "0"});
   EXPECT_EQ(point.Code, 2);
   EXPECT_NE(point.Errors.find("sphere"), std::string::npos) << point.Errors;

@@ -1,108 +1,25 @@
-#include "BaselineImage.h"
-#include "CommandRun.h"
-#include "WidgetImage.h"
-#include "WindowTest.h"
+#include "TutorialWindow.h"
 
-#include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QDropEvent>
-#include <QMimeData>
 #include <QSlider>
-#include <QStyleFactory>
 #include <QTableWidget>
-#include <QUrl>
-
-#include <cmath>
 
 namespace palpate
 {
 namespace
 {
-// Documentation/Tutorial/FeelAProstate.md, step by step, as a new user does. The screenshots are
-// those of the page; the style is Qt's own, so that they look the same on every machine.
-class TutorialTest : public test::WindowTest
+// Documentation/Tutorial/FeelAProstate.md.
+class TutorialTest : public test::TutorialWindow
 {
 protected:
-  void SetUp() override
-  {
-    test::WindowTest::SetUp();
-    if (!IsSkipped())
-    {
-      QApplication::setStyle(QStyleFactory::create("Fusion"));
-      this->Window->resize(1180, 760);
-    }
-  }
-
-  std::filesystem::path File(const std::string& name) const { return this->Phantom.Folder / name; }
-  void DropFiles(const std::vector<std::string>& names)
-  {
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const std::string& name : names)
-    {
-      urls += QUrl::fromLocalFile(QString::fromStdString(this->File(name).string()));
-    }
-    data.setUrls(urls);
-    QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(this->Window.get(), &enter);
-    QDropEvent drop({300.0, 300.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(this->Window.get(), &drop);
-  }
-  void Raise(const char* panel) { this->Window->findChild<QDockWidget*>(panel)->raise(); }
-  void ExpectBaseline(const std::string& name)
-  {
-    DrawAll(*this->Window->Views());
-    test::ExpectLikeBaseline(test::ImageOf(*this->Window),
-                             std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / name);
-  }
-  const FitResult& Fit()
-  {
-    return *this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, 1);
-  }
-  double Force() const
-  {
-    const PlainVector3& force = this->Study->Reading().Newest.ForceWorld;
-    return std::hypot(force.X, force.Y, force.Z);
-  }
   // With the pointer over the gland, one wheel step after the other until it is touched.
-  void PressByWheel()
-  {
-    QWidget* canvas = this->Window->Views()->Space()->Canvas();
-    const QPointF place = this->PlaceOf(CenterOf(this->Fit().Model));
-    Move(canvas, place);
-    std::uint64_t last = 0;
-    this->FeelUntil(
-        [&]
-        {
-          const TouchState& newest = this->Study->Reading().Newest;
-          const bool isFelt = this->Force() > 0.6;
-          if (!isFelt && newest.Tick.Number >= last + 20)
-          {
-            last = newest.Tick.Number;
-            Wheel(canvas, place, 1);
-          }
-          return isFelt;
-        });
-  }
-  // The same position and force each time: 1.4 mm below the point where the line to the eye leaves
-  // the gland.
-  void HoldStill()
+  void PressByWheel() { this->Press(CenterOf(this->Fit().Model), 0.6); }
+  // 1.4 mm below the point where the line to the eye leaves the gland.
+  void HoldInGland()
   {
     const SphericalHarmonicModel& gland = *this->Fit().Radial();
     const Vector3 toEye = this->Window->Views()->Space()->Axes().col(2);
-    const Vector3 place = gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye;
-    std::uint64_t since = 0;
-    double former = 0.0;
-    this->FeelUntil(
-        [&]
-        {
-          this->Study->Current().Touch().MoveHand(place);
-          const bool isSteady = this->Force() > 0.1 && std::abs(this->Force() - former) < 1e-4;
-          const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
-          since = isSteady ? since : now;
-          former = this->Force();
-          return now > since + 800;
-        });
+    this->HoldStill(gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye);
   }
 
   void OpenAndLook();
@@ -150,7 +67,7 @@ void TutorialTest::Touch()
   ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
   this->Action("Slices follow the probe")->trigger();
   this->PressByWheel();
-  this->HoldStill();
+  this->HoldInGland();
   this->Button("add-touched")->click();
   ASSERT_EQ(this->Study->State().Landmarks.size(), 1U);
   this->Raise("Plots");
@@ -164,7 +81,7 @@ void TutorialTest::Replay()
   this->SavedTo = file;
   this->Button("record")->click();
   ASSERT_TRUE(this->Study->Current().Touch().IsRecording()) << this->Messages();
-  this->HoldStill();
+  this->HoldInGland();
   this->Button("record")->click();
   this->Button("start-touch")->click();
   EXPECT_FALSE(this->Study->IsTouching());

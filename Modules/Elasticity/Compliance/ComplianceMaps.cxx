@@ -157,6 +157,7 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
   maps.Degree = settings.Degree;
   maps.LargestPatch = largest;
   maps.PoissonRatio = solid.PoissonRatio;
+  maps.LongWaves = PackedCompliance::Of(reduced, DrawnDegree);
   for (std::size_t map = 0; map < Count; ++map)
   {
     const auto column = coefficients.col(static_cast<Eigen::Index>(map));
@@ -197,6 +198,11 @@ Status ComplianceMaps::Check() const
   if (!isComplete)
   {
     return Status::Failure("The maps of compliance are incomplete.");
+  }
+  const Status drawn = this->LongWaves.IsEmpty() ? Status::Success() : this->LongWaves.Check();
+  if (!drawn.IsOk())
+  {
+    return drawn;
   }
   const ComplianceAtlas atlas(*this);
   const std::vector<Vector3> directions = SphereQuadrature(3 * this->Degree + 20).Directions;

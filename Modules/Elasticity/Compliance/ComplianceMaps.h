@@ -2,6 +2,7 @@
 
 #include "HexElasticity.h"
 #include "KernelProgress.h"
+#include "PackedCompliance.h"
 #include "PatchCompliance.h"
 #include "ReducedCompliance.h"
 #include "SphericalHarmonicModel.h"
@@ -15,12 +16,15 @@
 namespace palpate
 {
 /// The compliance of every place of an organ's surface to Hertz bumps, as spherical harmonics: one
-/// map for each term of PatchCompliance (mm^2/N), and one of the mean curvature (1/mm). All that is
-/// kept of an elastic organ, some ten kilobytes; ComplianceAtlas evaluates it.
+/// map for each term of PatchCompliance (mm^2/N), and one of the mean curvature (1/mm). All that a
+/// servo needs of an elastic organ, some ten kilobytes; ComplianceAtlas evaluates it. Pictures need
+/// besides how the whole organ moves.
 struct ComplianceMaps
 {
   static constexpr std::size_t Count = PatchCompliance::Terms + 1;
   static constexpr int MostDegree = 40;
+  /// Of the harmonics that are kept for pictures; shorter waves are drawn locally.
+  static constexpr int DrawnDegree = 10;
   /// Of the mean radius, the default of the largest patch.
   static constexpr double DefaultPatch = 0.36;
 
@@ -44,6 +48,7 @@ struct ComplianceMaps
   double PoissonRatio = 0.0;
   std::array<std::vector<double>, Count> Coefficients; ///< (Degree + 1)^2 each
   Error FitError;
+  PackedCompliance LongWaves; ///< for pictures; may be empty
 
   /// Of the model, the solid and the compliance that was reduced from them. Fails for settings
   /// outside their limits and if `progress` cancels. Allocates.

@@ -5,7 +5,6 @@
 #include "LocalCompliance.h"
 #include "PatchCompliance.h"
 #include "ReducedCompliance.h"
-#include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicModel.h"
 
 namespace palpate
@@ -29,7 +28,6 @@ public:
 private:
   const SphericalHarmonicModel* Model;
   const ReducedCompliance* Reduced;
-  SphericalHarmonicBasis Basis;
   LocalCompliance Local;
 };
 } // namespace palpate

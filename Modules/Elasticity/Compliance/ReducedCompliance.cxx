@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 namespace palpate
 {
@@ -99,6 +100,67 @@ Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stif
   compliance.MaximumDegree = degree;
   compliance.Values = 0.5 * (values + values.transpose()); // of rounding
   return goesOn(1.0) ? Status::Success() : cancelled;
+}
+
+ReducedCompliance ReducedCompliance::Of(int degree, Eigen::MatrixXd matrix)
+{
+  ReducedCompliance compliance;
+  compliance.MaximumDegree = degree;
+  compliance.Values = std::move(matrix);
+  return compliance;
+}
+
+ReducedCompliance ReducedCompliance::Truncated(int degree) const
+{
+  const Eigen::Index from = this->Values.rows() / 3;
+  const auto to = static_cast<Eigen::Index>(SphericalHarmonicBasis::CoefficientCount(degree));
+  Eigen::MatrixXd part(3 * to, 3 * to);
+  for (Eigen::Index i = 0; i < 3; ++i)
+  {
+    for (Eigen::Index j = 0; j < 3; ++j)
+    {
+      part.block(i * to, j * to, to, to) = this->Values.block(i * from, j * from, to, to);
+    }
+  }
+  return Of(degree, std::move(part));
+}
+
+Eigen::VectorXd ReducedCompliance::Traction(const HertzPatch& patch) const
+{
+  const SphericalHarmonicBasis basis(this->MaximumDegree);
+  const auto harmonics = static_cast<Eigen::Index>(basis.Size());
+  Eigen::VectorXd bump(harmonics);
+  patch.Project(basis, bump.data());
+  for (Eigen::Index l = 0; l <= this->MaximumDegree; ++l)
+  {
+    bump.segment(l * l, 2 * l + 1) *= Window(static_cast<double>(l), this->MaximumDegree);
+  }
+  Eigen::VectorXd traction(3 * harmonics);
+  for (Eigen::Index component = 0; component < 3; ++component)
+  {
+    traction.segment(component * harmonics, harmonics) = -patch.Normal[component] * bump;
+  }
+  return traction;
+}
+
+Eigen::MatrixX3d ReducedCompliance::Displacement(const HertzPatch& patch) const
+{
+  const Eigen::VectorXd moved =
+      this->Values.selfadjointView<Eigen::Lower>() * this->Traction(patch);
+  const Eigen::Index harmonics = moved.size() / 3;
+  Eigen::MatrixX3d coefficients = Eigen::Map<const Eigen::MatrixX3d>(moved.data(), harmonics, 3);
+  for (Eigen::Index l = 0; l <= this->MaximumDegree; ++l)
+  {
+    coefficients.middleRows(l * l, 2 * l + 1) *=
+        Window(static_cast<double>(l), this->MaximumDegree);
+  }
+  return coefficients;
+}
+
+double ReducedCompliance::Compliance(const HertzPatch& patch) const
+{
+  const Eigen::VectorXd traction = this->Traction(patch);
+  return traction.dot(this->Values.selfadjointView<Eigen::Lower>() * traction);
 }
 
 double ReducedCompliance::Window(double degree, int degreeLimit) noexcept

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "HertzPatch.h"
 #include "HexElasticity.h"
 #include "KernelProgress.h"
 #include "StarMesh.h"
@@ -27,15 +28,31 @@ public:
   static Status Make(const StarMesh& mesh, const StiffnessMatrix& stiffness, int degree,
                      const KernelProgress& progress, ReducedCompliance& compliance);
 
+  /// Of a matrix of 3 (degree + 1)^2 rows, symmetric.
+  static ReducedCompliance Of(int degree, Eigen::MatrixXd matrix);
+
   int Degree() const noexcept { return this->MaximumDegree; }
   /// mm/N times sr; 3 (L+1)^2 rows.
   const Eigen::MatrixXd& Matrix() const noexcept { return this->Values; }
+
+  /// Up to a degree that is not higher.
+  ReducedCompliance Truncated(int degree) const;
+
+  /// Coefficients (mm) of the displacement's components, in columns, under a unit force on a patch
+  /// against its normal; waves near the degree limit in part (Window), in force and displacement.
+  /// Allocates.
+  Eigen::MatrixX3d Displacement(const HertzPatch& patch) const;
+  /// Mean of that displacement over the patch, against its normal, mm/N.
+  double Compliance(const HertzPatch& patch) const;
 
   /// How much of a wave belongs to the harmonics: 1 up to half the degree limit, 0 beyond the
   /// limit; `degree` need not be whole.
   static double Window(double degree, int degreeLimit) noexcept;
 
 private:
+  /// Per solid angle, with the window; 3 (L+1)^2 rows.
+  Eigen::VectorXd Traction(const HertzPatch& patch) const;
+
   int MaximumDegree = 0;
   Eigen::MatrixXd Values;
 };

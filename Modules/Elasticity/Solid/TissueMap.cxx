@@ -72,6 +72,10 @@ Status TissueMap::Check() const
   {
     return Status::Failure("A modulus is not a number from 0.001 kPa to 1 GPa.");
   }
+  if (!(this->Power >= 1.0 && this->Power <= MostExaggeration))
+  {
+    return Status::Failure("The exaggeration of contrasts is not a power from 1 to 5.");
+  }
   for (const Layer& layer : this->Layers)
   {
     const Status grid = layer.Image->Grid.Check();
@@ -104,6 +108,11 @@ double TissueMap::Modulus(const Vector3& pointWorld) const noexcept
     };
     double value = 0.0;
     modulus = Interpolate(*layer.Image, pointWorld, over, value) ? value : modulus;
+  }
+  if (this->Power != 1.0 && modulus != this->Tissue)
+  {
+    modulus = std::clamp(this->Tissue * std::pow(modulus / this->Tissue, this->Power), LeastModulus,
+                         MostModulus);
   }
   return modulus;
 }

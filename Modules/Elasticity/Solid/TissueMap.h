@@ -23,6 +23,7 @@ public:
 
   static constexpr double LeastModulus = 1e-6; ///< N/mm^2
   static constexpr double MostModulus = 1e3;   ///< N/mm^2
+  static constexpr double MostExaggeration = 5.0;
 
   /// `modulus` is that of the organ's tissue, N/mm^2. A map with a modulus outside the limits
   /// fails when it is checked.
@@ -34,6 +35,10 @@ public:
   /// The image's values (N/mm^2) count instead of what was added before, inside of its grid; voxels
   /// of values outside the limits, such as 0 around an organ, stand for what was added before.
   void AddImage(std::shared_ptr<const Samples> moduli);
+
+  /// Raises the contrast of every place with the tissue to a power, from 1 (none) to
+  /// MostExaggeration: at 2, three times as stiff becomes nine times. Within the limits of moduli.
+  void Exaggerate(double power) { this->Power = power; }
 
   /// Fails for a modulus outside the limits and for samples that do not fit their grid.
   Status Check() const;
@@ -50,6 +55,7 @@ private:
   };
 
   double Tissue; // N/mm^2
+  double Power = 1.0;
   std::vector<Layer> Layers;
 };
 } // namespace palpate

@@ -82,6 +82,23 @@ TEST(TissueMap, InterpolatesLinearlyToTheLastNode)
   }
 }
 
+TEST(TissueMap, ExaggeratesContrastsWithTheTissueOnly)
+{
+  TissueMap tissue(0.02);
+  tissue.AddImage(Uniform(0.06F));
+  tissue.Exaggerate(2.0);
+  ASSERT_TRUE(tissue.Check().IsOk());
+  EXPECT_NEAR(tissue.Modulus(Vector3(1.0, 6.0, 4.0)), 0.18, 1e-7) << "nine times";
+  EXPECT_EQ(tissue.Modulus(Vector3(1e3, 0.0, 0.0)), 0.02);
+  tissue.Exaggerate(5.0);
+  EXPECT_LE(tissue.Modulus(Vector3(1.0, 6.0, 4.0)), TissueMap::MostModulus);
+  for (const double power : {0.5, 6.0, std::numeric_limits<double>::quiet_NaN()})
+  {
+    tissue.Exaggerate(power);
+    EXPECT_FALSE(tissue.Check().IsOk()) << power;
+  }
+}
+
 TEST(TissueMap, RefusesSamplesThatDoNotFitTheirGrid)
 {
   const std::shared_ptr<TissueMap::Samples> image = Uniform(0.05F);

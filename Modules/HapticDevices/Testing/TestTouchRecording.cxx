@@ -44,7 +44,7 @@ TEST(TouchRecordingFormat, TicksRoundTripBitForBit)
     {
       word = random();
     }
-    words[5] &= 0x7ff;       // eleven flags
+    words[5] &= 0xfff;       // twelve flags
     words[6] %= 5;           // states
     words[7] %= 10;          // faults
     words[16] &= 0xffffffff; // buttons

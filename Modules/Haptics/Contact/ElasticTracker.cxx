@@ -1,6 +1,7 @@
 #include "ElasticTracker.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace palpate
@@ -49,7 +50,45 @@ const Contact& ElasticTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
+// The walls that the ball is pressed into at the probe: minima of the distance to it, continued
+// from those that are known at the proxy.
+std::size_t ElasticTracker::WallsAt(const Vector3& probe,
+                                    CoupledPatches::Wall* walls) const noexcept
+{
+  constexpr double Apart = 1e-3; // rad; closer ones are the same
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < this->Rigid.WallCount() && count < CoupledPatches::MostWalls; ++i)
+  {
+    const ClosestPoint foot = this->Surface->Search().Track(probe, this->Rigid.Walls()[i]);
+    const bool isNew =
+        std::none_of(walls, walls + count,
+                     [&foot](const CoupledPatches::Wall& wall)
+                     { return (wall.Direction - foot.Direction).squaredNorm() < Apart * Apart; });
+    const double depth = this->ToolRadius - foot.SignedDistance;
+    // Deeper than its radius, a ball's centre is inside, where minima are of the other side too.
+    if (foot.Converged() && isNew && depth > 0.0 && depth < this->ToolRadius)
+    {
+      walls[count++] = {foot.Direction, depth};
+    }
+  }
+  return count;
+}
+
 void ElasticTracker::Press(const Vector3& probe) noexcept
+{
+  std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> walls;
+  const std::size_t count = this->Rigid.WallCount() > 1 ? this->WallsAt(probe, walls.data()) : 0;
+  if (count == 0)
+  {
+    this->PressOne(probe);
+    return;
+  }
+  this->Push = CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
+                                  this->ToolRadius);
+  this->PatchRadius = 0.0; // starts anew if one wall is left
+}
+
+void ElasticTracker::PressOne(const Vector3& probe) noexcept
 {
   constexpr double OnSurface = 1e-6; // of the radius
   const SphericalHarmonicModel& model = this->Surface->Model();

@@ -2,16 +2,20 @@
 
 #include "ComplianceAtlas.h"
 #include "ContactTracker.h"
+#include "CoupledPatches.h"
 #include "ElasticForce.h"
 #include "HarmonicNearestTracker.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace palpate
 {
 /// Tracks a ball at a structure that yields. The nearest point is that of the rigid surface, and
-/// depth and patch follow from it. Where the ball does not fit into a hollow of the surface, the
-/// force is that of one patch in the direction of the rigid proxy, and said to be invalid.
+/// depth and patch follow from it. Where the ball does not fit into a hollow of the surface, each
+/// wall that the rigid proxy touches or is near to has a patch (CoupledPatches); where there is no
+/// such wall, as deep inside, the force is that of one patch in the direction of the rigid proxy,
+/// and said to be invalid.
 ///
 /// Friction is a spring along the surface, as stiff as the patch (Mindlin, J. Appl. Mech. 16,
 /// 1949), whose force Coulomb's law limits. It follows the ball from tick to tick, and shrinks with
@@ -29,6 +33,8 @@ public:
 
 private:
   void Press(const Vector3& probe) noexcept;
+  void PressOne(const Vector3& probe) noexcept;
+  std::size_t WallsAt(const Vector3& probe, CoupledPatches::Wall* walls) const noexcept;
   void Rub(const Vector3& probe) noexcept;
   void LetGo() noexcept;
 

@@ -45,6 +45,12 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }
+  /// In contact: the walls that hold the tool, or are near where several may, at its proxy.
+  const ClosestPoint* Walls() const noexcept
+  {
+    return this->IsWedging ? this->Wedge->Walls() : &this->Closest;
+  }
+  std::size_t WallCount() const noexcept { return this->IsWedging ? this->Wedge->WallCount() : 1; }
   std::size_t Bytes() const noexcept override
   {
     return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0) +

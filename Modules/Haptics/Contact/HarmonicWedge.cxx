@@ -119,8 +119,8 @@ void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest) noexcept
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
   this->IsClear = false;
   this->JointNormal = nearest.Normal;
-  this->Walls[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
-  this->WallCount = 1;
+  this->Known[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
+  this->KnownCount = 1;
 }
 
 template <typename Surface>
@@ -149,7 +149,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       continue;
     }
     const typename Proof::Answer answer =
-        this->Clearance.Ask(this->Center, this->Walls.data(), this->WallCount, EvaluationsOfMove);
+        this->Clearance.Ask(this->Center, this->Known.data(), this->KnownCount, EvaluationsOfMove);
     if (answer.State == Proof::Finding::Nearer)
     {
       this->Meet(this->Sided(answer.Minimum));
@@ -177,7 +177,8 @@ template <typename Surface>
 Vector3 HarmonicWedgeOf<Surface>::NextGoal(const Vector3& goalWorld,
                                            const Leash& leash) const noexcept
 {
-  const Vector3 held = NearestInHalfSpaces(goalWorld, this->Planes().data(), this->WallCount).Point;
+  const Vector3 held =
+      NearestInHalfSpaces(goalWorld, this->Planes().data(), this->KnownCount).Point;
   const Vector3 along = held - leash.ClearWorld;
   const Vector3 inward = goalWorld - held;
   const double half = 0.5 * leash.Length;
@@ -194,9 +195,9 @@ std::array<HalfSpace, HarmonicWedgeOf<Surface>::MostWalls>
 HarmonicWedgeOf<Surface>::Planes() const noexcept
 {
   std::array<HalfSpace, MostWalls> planes;
-  for (std::size_t i = 0; i < this->WallCount; ++i)
+  for (std::size_t i = 0; i < this->KnownCount; ++i)
   {
-    const ClosestPoint& wall = this->Walls[i];
+    const ClosestPoint& wall = this->Known[i];
     planes[i] = {wall.Normal, wall.Normal.dot(wall.PointWorld) + this->Radius};
   }
   return planes;
@@ -218,8 +219,8 @@ template <typename Surface>
 bool HarmonicWedgeOf<Surface>::IsClearOfWalls() const noexcept
 {
   const double least = this->Radius - this->End;
-  return std::all_of(this->Walls.begin(),
-                     this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount),
+  return std::all_of(this->Known.begin(),
+                     this->Known.begin() + static_cast<std::ptrdiff_t>(this->KnownCount),
                      [&](const ClosestPoint& wall) { return wall.SignedDistance >= least; });
 }
 
@@ -232,7 +233,7 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
   for (int step = 0; step < MostSteps; ++step)
   {
     const std::array<HalfSpace, MostWalls> planes = this->Planes();
-    const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->WallCount);
+    const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount);
     const Vector3 push = held.Point - goalWorld;
     this->IsKeptBack = push.squaredNorm() > 0.0;
     if (this->IsKeptBack)
@@ -267,9 +268,9 @@ const typename HarmonicWedgeOf<Surface>::ClosestPoint*
 HarmonicWedgeOf<Surface>::NearestWall() const noexcept
 {
   const ClosestPoint* nearest = nullptr;
-  for (std::size_t i = 0; i < this->WallCount; ++i)
+  for (std::size_t i = 0; i < this->KnownCount; ++i)
   {
-    const ClosestPoint& wall = this->Walls[i];
+    const ClosestPoint& wall = this->Known[i];
     nearest = nearest == nullptr || wall.SignedDistance < nearest->SignedDistance ? &wall : nearest;
   }
   return nearest;
@@ -299,7 +300,7 @@ bool HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash
   { return planes[i].Normal.dot(place) - planes[i].Offset; };
   std::size_t touched = 0;
   std::size_t touchedCount = 0;
-  for (std::size_t i = 0; i < this->WallCount; ++i)
+  for (std::size_t i = 0; i < this->KnownCount; ++i)
   {
     if (room(i, heldWorld) <= rounding)
     {
@@ -311,17 +312,17 @@ bool HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash
   {
     return false;
   }
-  const ClosestPoint wall = this->Touched->Search().Track(goalWorld, this->Walls[touched]);
+  const ClosestPoint wall = this->Touched->Search().Track(goalWorld, this->Known[touched]);
   const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
   bool isAllowed = wall.Converged() && wall.SignedDistance <= this->Radius &&
                    (place - leash.ClearWorld).norm() <= leash.Length;
-  for (std::size_t i = 0; i < this->WallCount && isAllowed; ++i)
+  for (std::size_t i = 0; i < this->KnownCount && isAllowed; ++i)
   {
     isAllowed = i == touched || room(i, place) >= 0.0;
   }
   if (isAllowed)
   {
-    std::swap(this->Walls[0], this->Walls[touched]);
+    std::swap(this->Known[0], this->Known[touched]);
     this->GoTo(place, &wall);
     this->JointNormal = wall.Normal;
   }
@@ -333,8 +334,8 @@ template <typename Surface>
 void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept
 {
   this->Center = placeWorld;
-  const auto walls = this->Walls;
-  const std::size_t count = std::exchange(this->WallCount, 0);
+  const auto walls = this->Known;
+  const std::size_t count = std::exchange(this->KnownCount, 0);
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isTouched = i == 0 && touched != nullptr;
@@ -357,22 +358,22 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
 template <typename Surface>
 void HarmonicWedgeOf<Surface>::Meet(const ClosestPoint& wall) noexcept
 {
-  const auto end = this->Walls.begin() + static_cast<std::ptrdiff_t>(this->WallCount);
+  const auto end = this->Known.begin() + static_cast<std::ptrdiff_t>(this->KnownCount);
   constexpr double Apart = Proof::Apart;
   const bool isKnown =
-      std::any_of(this->Walls.begin(), end,
+      std::any_of(this->Known.begin(), end,
                   [&](const ClosestPoint& known)
                   { return (known.Direction - wall.Direction).squaredNorm() < Apart * Apart; });
   if (isKnown)
   {
     return;
   }
-  if (this->WallCount < MostWalls)
+  if (this->KnownCount < MostWalls)
   {
-    this->Walls[this->WallCount++] = wall;
+    this->Known[this->KnownCount++] = wall;
     return;
   }
-  *std::max_element(this->Walls.begin(), end,
+  *std::max_element(this->Known.begin(), end,
                     [](const ClosestPoint& a, const ClosestPoint& b)
                     { return a.SignedDistance < b.SignedDistance; }) = wall;
 }

@@ -46,12 +46,15 @@ public:
   const Vector3& Normal() const noexcept { return this->JointNormal; }
   /// Whether a wall keeps the sphere from the goal; otherwise it has left the surface.
   bool IsHeld() const noexcept { return this->IsKeptBack; }
+  /// The known walls, at the sphere's place.
+  const ClosestPoint* Walls() const noexcept { return this->Known.data(); }
+  std::size_t WallCount() const noexcept { return this->KnownCount; }
   /// The nearest of the known walls, none of which may be near; null without any.
   const ClosestPoint* NearestWall() const noexcept;
   /// The wall that holds the sphere if no other one is known near it; else null.
   const ClosestPoint* OnlyWall() const noexcept
   {
-    return this->WallCount == 1 && this->IsKeptBack && this->IsClear ? &this->Walls[0] : nullptr;
+    return this->KnownCount == 1 && this->IsKeptBack && this->IsClear ? &this->Known[0] : nullptr;
   }
   /// The longest step (mm) between two proofs. Farther walls may be unknown.
   double Step() const noexcept { return this->LongestStep; }
@@ -89,8 +92,8 @@ private:
   bool IsClear = false; // proven for the centre
   bool IsKeptBack = false;
   Vector3 JointNormal = Vector3::UnitZ();
-  std::array<ClosestPoint, MostWalls> Walls{}; // at the centre
-  std::size_t WallCount = 0;
+  std::array<ClosestPoint, MostWalls> Known{}; // at the centre
+  std::size_t KnownCount = 0;
 };
 using HarmonicWedge = HarmonicWedgeOf<HarmonicSurface>;
 } // namespace palpate

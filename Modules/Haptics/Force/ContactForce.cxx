@@ -11,7 +11,9 @@ Vector3 ContactForce(const ContactLaw& law, const ContactOffset& contact) noexce
     return Vector3::Zero();
   }
   const Vector3 spring = contact.IsElastic ? contact.Push : Vector3(law.Stiffness * contact.Offset);
-  const double damping = law.Damping * contact.Velocity.dot(contact.Normal);
+  const double resistance =
+      law.Damping + (contact.IsElastic ? law.Relaxation * contact.Slope : 0.0);
+  const double damping = resistance * contact.Velocity.dot(contact.Normal);
   return spring + std::max(damping, -spring.dot(contact.Normal)) * contact.Normal;
 }
 } // namespace palpate

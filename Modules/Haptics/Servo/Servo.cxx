@@ -1,5 +1,6 @@
 #include "Servo.h"
 
+#include "ElasticForce.h"
 #include "FadingContact.h"
 
 #include <algorithm>
@@ -302,6 +303,13 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.ForceWorld = scene != nullptr ? scene->Scene().Frame.TurnedToWorld(force) : force;
   state.Structure = this->Current.Felt.Structure;
   state.Depth = this->Current.Felt.Deepest.Depth;
+  const ElasticForce* const elastic = this->Current.Felt.Deepest.Elastic;
+  if (state.Structure >= 0 && elastic != nullptr)
+  {
+    state.PatchRadius = elastic->PatchRadius;
+    state.ElasticEnergy = elastic->Energy;
+    state.IsBeyondLinear = !elastic->IsValid;
+  }
   state.Scene = this->SceneCount;
   state.IsDrilling = this->IsDrilling;
   state.DrillVersion = scene != nullptr ? scene->VersionNumber() : 0;

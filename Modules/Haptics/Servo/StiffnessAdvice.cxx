@@ -57,10 +57,11 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
     {
       damping += effect->Damping();
     }
-    const StableStiffness stable = StiffestStable(device, rate, damping);
     const double own = structure.Model != nullptr ? structure.Model->OwnStiffness(scene.Tool) : 0.0;
     const double stiffness = own > 0.0 ? own / scene.Frame.LengthDevice(Vector3::UnitX()).norm()
                                        : structure.Law.Stiffness;
+    damping += own > 0.0 ? structure.Law.Relaxation * stiffness : 0.0;
+    const StableStiffness stable = StiffestStable(device, rate, damping);
     if (stiffness > stable.Largest)
     {
       warnings.push_back("The structure " + structure.Name + " requests " + Rounded(stiffness) +

@@ -254,6 +254,7 @@ ContactOffset StructureFollower::Felt(const FollowStep& step) noexcept
   if (felt.IsElastic && felt.IsTouching)
   {
     felt.Push = this->ElasticPush(felt.Offset);
+    felt.Slope = this->StiffnessDevice();
   }
   return felt;
 }

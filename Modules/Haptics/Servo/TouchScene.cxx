@@ -42,10 +42,11 @@ Status TouchScene::Check() const
     {
       return Status::Failure("The structure " + structure.Name + " has no model to be touched.");
     }
-    if (!IsAmount(structure.Law.Stiffness) || !IsAmount(structure.Law.Damping))
+    const ContactLaw& law = structure.Law;
+    if (!IsAmount(law.Stiffness) || !IsAmount(law.Damping) || !IsAmount(law.Relaxation))
     {
-      return Status::Failure("Stiffness and damping of the structure " + structure.Name +
-                             " must be finite and not negative.");
+      return Status::Failure("Stiffness, damping and relaxation of the structure " +
+                             structure.Name + " must be finite and not negative.");
     }
     for (const auto& effect : structure.Effects)
     {

@@ -11,22 +11,25 @@ namespace
 {
 using namespace TouchRecordingFormat;
 
-// Reads words of a file, little endian; false at its end, or if it ends within them.
+// Reads the first `count` words of a record, little endian; false at the end of the file, or if it
+// ends within them.
 template <std::size_t Count>
-bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words)
+bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words,
+               std::size_t count = Count)
 {
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
-  file.read(reinterpret_cast<char*>(words.data()), sizeof(words));
-  return file.gcount() == static_cast<std::streamsize>(sizeof(words));
+  const auto bytes = static_cast<std::streamsize>(count * sizeof(std::uint64_t));
+  file.read(reinterpret_cast<char*>(words.data()), bytes);
+  return file.gcount() == bytes;
 }
 
-Status ReadTicks(const std::string& path, std::istream& file, std::uint64_t skippedFlags,
+Status ReadTicks(const std::string& path, std::istream& file, bool isOld,
                  std::vector<TouchState>& ticks)
 {
   TickRecord record{};
-  while (ReadWords(file, record))
+  while (ReadWords(file, record, isOld ? TickWords3 : TickWords))
   {
-    record[FlagsWord] &= ~skippedFlags;
+    record[FlagsWord] &= isOld ? ~SkippedFlags3 : ~std::uint64_t{0};
     TouchState state;
     if (!Decode(record, state))
     {
@@ -60,7 +63,7 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   {
     return Status::Failure(path + " is not a touch recording of version 3 or 4.");
   }
-  Status status = ReadTicks(path, file, isOld ? SkippedFlags3 : 0, read.Ticks);
+  Status status = ReadTicks(path, file, isOld, read.Ticks);
   if (status.IsOk())
   {
     read.WasCutOff = file.gcount() > 0;

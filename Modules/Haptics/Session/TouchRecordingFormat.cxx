@@ -67,6 +67,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.Safety.IsSlewing);
   visit(s.WasContinued);
   visit(s.IsDrilling);
+  visit(s.IsBeyondLinear);
 }
 
 std::uint64_t FlagsOf(const TouchState& state) noexcept
@@ -130,6 +131,8 @@ void VisitTick(Words& words, State& s, Flags& flags)
   words.Small(s.Command);
   words.Field(s.DrillVersion);
   words.Field(s.DrillOrders);
+  words.Field(s.PatchRadius);
+  words.Field(s.ElasticEnergy);
 }
 
 template <typename Words, typename Session>

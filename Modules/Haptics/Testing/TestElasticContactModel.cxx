@@ -216,5 +216,48 @@ TEST(ElasticContactModel, FollowerGivesTheForceToTheHand)
     step.Last = step.Now;
   }
 }
+
+TEST(ElasticContactModel, RelaxingTissueResistsTheMotionIntoIt)
+{
+  const auto forceWith = [](double relaxation)
+  {
+    TouchScene scene;
+    scene.Tool = ToolShape::Sphere(Ball);
+    scene.Structures.push_back({"organ", TheOrgan().Model, {0.0, 0.0, relaxation}, {}});
+    std::vector<StructureFollower> followers;
+    EXPECT_TRUE(StructureFollower::Make(scene.Structures[0], scene, 0.0, followers).IsOk());
+    Vector3 force = Vector3::Zero();
+    FollowStep step;
+    step.Last = test::At(TheOrgan().Above(TheOrgan().Lesion, Ball + 1.0));
+    step.Passed = 1e-3;
+    for (int tick = 0; tick < 100; ++tick) // 20 mm/s
+    {
+      step.Now = test::At(TheOrgan().Above(TheOrgan().Lesion, Ball - 0.02 * tick));
+      force = followers[0].Follow(step);
+      step.Last = step.Now;
+    }
+    return scene.Frame.TurnedToWorld(force).dot(TheOrgan().Case.Model.Normal(TheOrgan().Lesion));
+  };
+  const auto tracker = Tracker();
+  tracker->Follow(test::At(TheOrgan().Above(TheOrgan().Lesion, Ball + 1.0)));
+  const Contact& contact =
+      tracker->Follow(test::At(TheOrgan().Above(TheOrgan().Lesion, Ball - 0.02 * 99)));
+  const double resistance = 0.02 * contact.Elastic->Slope * 20.0;
+  EXPECT_NEAR(forceWith(0.02) - forceWith(0.0), resistance, 0.02 * resistance);
+}
+
+TEST(ElasticContactModel, AdviceCountsRelaxationAsDamping)
+{
+  TouchScene scene;
+  scene.Tool = ToolShape::Sphere(Ball);
+  scene.Structures.push_back({"organ", TheOrgan().Model, {0.0, 0.0, 0.0}, {}});
+  DeviceCapabilities device;
+  device.Name = "example";
+  device.Damping = 0.01;
+  EXPECT_TRUE(StiffnessWarnings(scene, device, 1000.0).empty());
+  const double stiffness = TheOrgan().Model->OwnStiffness(scene.Tool);
+  scene.Structures[0].Law.Relaxation = 1.1 * device.Damping / stiffness;
+  EXPECT_EQ(StiffnessWarnings(scene, device, 1000.0).size(), 1U);
+}
 } // namespace
 } // namespace palpate

@@ -3,8 +3,11 @@
 #include "Refusal.h"
 #include "SphericalHarmonicBasis.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <system_error>
+#include <utility>
 
 namespace palpate
 {
@@ -61,6 +64,89 @@ std::vector<double> Numbers(const Json& entry, std::size_t count, const std::str
 
 constexpr const char* ComplianceKey = "compliance_mm2_per_n";
 constexpr const char* CurvatureKey = "mean_curvature_per_mm";
+constexpr const char* WavesKey = "long_waves";
+constexpr const char* RootsKey = "roots";
+constexpr const char* RowsKey = "rows";
+
+// A text for each row below the diagonal: numbers in arrays would take a line each.
+Json WavesAsJson(const PackedCompliance& waves)
+{
+  Json entry;
+  entry["degree"] = waves.Degree;
+  entry[RootsKey] = waves.Roots;
+  Json& rows = entry[RowsKey] = Json::array();
+  std::size_t next = 0;
+  for (std::size_t row = 1; row < waves.Roots.size(); ++row)
+  {
+    std::string text;
+    for (std::size_t column = 0; column < row; ++column)
+    {
+      text += (column > 0 ? " " : "") + std::to_string(waves.Relative[next++]);
+    }
+    rows.push_back(std::move(text));
+  }
+  return entry;
+}
+
+// Appends whole numbers with one space between them; false for any other text.
+bool AppendRow(const std::string& text, std::vector<std::int16_t>& numbers)
+{
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  while (true)
+  {
+    std::int16_t number = 0;
+    const auto [after, error] = std::from_chars(at, end, number);
+    if (error != std::errc())
+    {
+      return false;
+    }
+    numbers.push_back(number);
+    if (after == end)
+    {
+      return true;
+    }
+    if (*after != ' ')
+    {
+      return false;
+    }
+    at = after + 1;
+  }
+}
+
+int Degree(const Json& parent, int most, const std::string& fileName)
+{
+  const Json& degree = Entry(parent, "degree", fileName);
+  if (!degree.is_number_unsigned() ||
+      degree.get<std::uint64_t>() > static_cast<std::uint64_t>(most))
+  {
+    RefuseEntry(fileName, "degree");
+  }
+  return degree.get<int>();
+}
+
+PackedCompliance WavesFromJson(const Json& entry, const std::string& fileName)
+{
+  PackedCompliance waves;
+  waves.Degree = Degree(entry, ReducedCompliance::MostDegree, fileName);
+  const std::size_t count = 3 * SphericalHarmonicBasis::CoefficientCount(waves.Degree);
+  waves.Roots = Numbers(Entry(entry, RootsKey, fileName), count, RootsKey, fileName);
+  const Json& rows = Entry(entry, RowsKey, fileName);
+  if (!rows.is_array() || rows.size() != count - 1)
+  {
+    RefuseEntry(fileName, RowsKey);
+  }
+  for (std::size_t row = 0; row < rows.size(); ++row)
+  {
+    if (!rows[row].is_string() ||
+        !AppendRow(rows[row].get_ref<const std::string&>(), waves.Relative) ||
+        waves.Relative.size() != (row + 1) * (row + 2) / 2)
+    {
+      RefuseEntry(fileName, RowsKey);
+    }
+  }
+  return waves;
+}
 } // namespace
 
 Json ComplianceAsJson(const ComplianceMaps& maps, const std::string& fileName)
@@ -76,6 +162,10 @@ Json ComplianceAsJson(const ComplianceMaps& maps, const std::string& fileName)
     entry[ComplianceKey].push_back(maps.Coefficients[term]);
   }
   entry[CurvatureKey] = maps.Coefficients[PatchCompliance::Terms];
+  if (!maps.LongWaves.IsEmpty())
+  {
+    entry[WavesKey] = WavesAsJson(maps.LongWaves);
+  }
   Json& error = entry["fit_error"];
   error["rms"] = maps.FitError.Rms;
   error["largest"] = maps.FitError.Largest;
@@ -87,13 +177,7 @@ Json ComplianceAsJson(const ComplianceMaps& maps, const std::string& fileName)
 ComplianceMaps ComplianceFromJson(const Json& entry, const std::string& fileName)
 {
   ComplianceMaps maps;
-  const Json& degree = Entry(entry, "degree", fileName);
-  if (!degree.is_number_unsigned() ||
-      degree.get<std::uint64_t>() > std::uint64_t{ComplianceMaps::MostDegree})
-  {
-    RefuseEntry(fileName, "degree");
-  }
-  maps.Degree = degree.get<int>();
+  maps.Degree = Degree(entry, ComplianceMaps::MostDegree, fileName);
   maps.LargestPatch = Number(entry, "largest_patch_mm", fileName);
   maps.PoissonRatio = Number(entry, "poisson_ratio", fileName);
   const std::size_t count = SphericalHarmonicBasis::CoefficientCount(maps.Degree);
@@ -108,6 +192,10 @@ ComplianceMaps ComplianceFromJson(const Json& entry, const std::string& fileName
   }
   maps.Coefficients[PatchCompliance::Terms] =
       Numbers(Entry(entry, CurvatureKey, fileName), count, CurvatureKey, fileName);
+  if (entry.contains(WavesKey))
+  {
+    maps.LongWaves = WavesFromJson(entry[WavesKey], fileName);
+  }
   const Json& error = Entry(entry, "fit_error", fileName);
   maps.FitError.Rms = Number(error, "rms", fileName);
   maps.FitError.Largest = Number(error, "largest", fileName);

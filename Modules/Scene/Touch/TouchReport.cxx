@@ -88,6 +88,12 @@ constexpr double Micro = 1e-3; // us in a ns
 
 using TouchQuantity = LeastAndMost TouchStretch::*;
 
+double PercentOf(const TouchResult& result, double seconds)
+{
+  const double whole = result.Trace.Duration();
+  return whole > 0.0 ? 100.0 * seconds / whole : 0.0;
+}
+
 double TouchingPercent(const TouchResult& result)
 {
   double touched = 0.0;
@@ -95,8 +101,7 @@ double TouchingPercent(const TouchResult& result)
   {
     touched += seconds;
   }
-  const double whole = result.Trace.Duration();
-  return whole > 0.0 ? 100.0 * touched / whole : 0.0;
+  return PercentOf(result, touched);
 }
 
 nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
@@ -111,6 +116,18 @@ nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
           {"missed", statistics.Misses()}};
 }
 
+// Of a structure that yields there is none: its force is that of its tissue.
+nlohmann::ordered_json StiffnessOf(const BuiltStructure& structure)
+{
+  return structure.Yields ? nlohmann::ordered_json(nullptr)
+                          : nlohmann::ordered_json(structure.Touch.Law.Stiffness);
+}
+
+std::string StiffnessText(const BuiltStructure& structure)
+{
+  return structure.Yields ? "yields" : SignificantText(structure.Touch.Law.Stiffness, 3) + " N/mm";
+}
+
 nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& result)
 {
   nlohmann::ordered_json summary;
@@ -120,7 +137,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
     const BuiltStructure& structure = touch.Structures[s];
     summary["structures"].push_back({{"name", structure.Touch.Name},
                                      {"representation", structure.Represented},
-                                     {"stiffness_n_per_mm", structure.Touch.Law.Stiffness},
+                                     {"stiffness_n_per_mm", StiffnessOf(structure)},
                                      {"build_s", structure.Seconds},
                                      {"touched_s", result.TouchedSeconds[s]}});
   }
@@ -131,6 +148,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
   summary["touching_percent"] = TouchingPercent(result);
+  summary["beyond_linear_percent"] = PercentOf(result, result.BeyondLinearSeconds);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
   summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;
   summary["energy_least_n_mm"] = result.LeastEnergy;
@@ -197,10 +215,9 @@ std::string StructuresTable(const PreparedTouch& touch, const TouchResult& resul
   {
     const BuiltStructure& structure = touch.Structures[s];
     rows.emplace_back(structure.Touch.Name,
-                      structure.Represented + "; " +
-                          SignificantText(structure.Touch.Law.Stiffness, 3) +
-                          " N/mm; touched for " + FixedText(result.TouchedSeconds[s], 2) +
-                          " s; made in " + FixedText(structure.Seconds, 2) + " s");
+                      structure.Represented + "; " + StiffnessText(structure) + "; touched for " +
+                          FixedText(result.TouchedSeconds[s], 2) + " s; made in " +
+                          FixedText(structure.Seconds, 2) + " s");
   }
   return HtmlTable("Touched structures", rows);
 }
@@ -224,6 +241,12 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
       {"late ticks", std::to_string(result.Durations.Misses())},
       {"skipped ticks", std::to_string(result.Periods.Misses())},
       {"forces", result.Fault == SafetyFault::None ? "on until the end" : Describe(result.Fault)}};
+  if (result.BeyondLinearSeconds > 0.0)
+  {
+    rows.emplace_back("beyond linear elasticity",
+                      FixedText(PercentOf(result, result.BeyondLinearSeconds), 1) +
+                          " % of the time: the force is an estimate there");
+  }
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);

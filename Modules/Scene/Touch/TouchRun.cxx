@@ -99,6 +99,7 @@ public:
     if (state.Structure >= 0)
     {
       this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
+      this->Result.BeyondLinearSeconds += state.IsBeyondLinear ? passed : 0.0;
     }
     this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
     if (this->Result.Fault == SafetyFault::None)

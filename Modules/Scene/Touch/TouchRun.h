@@ -65,6 +65,7 @@ struct TouchResult
   std::uint64_t Ticks = 0;
   std::uint64_t LostTicks = 0;        ///< executed but missing in the trace
   std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
+  double BeyondLinearSeconds = 0.0;   ///< of them, beyond linear elasticity
   double LeastEnergy = 0.0;           ///< N mm, smallest energy absorbed by contacts so far
   SafetyFault Fault = SafetyFault::None;
   std::vector<double> RemovedVolumes;    ///< mm^3, of each drill site

@@ -15,7 +15,8 @@ constexpr const char* Columns =
     "tick,due_s,began_s,state,fault,buttons,x_mm,y_mm,z_mm,qx,qy,qz,qw,"
     "probe_world_x_mm,probe_world_y_mm,probe_world_z_mm,"
     "proxy_world_x_mm,proxy_world_y_mm,proxy_world_z_mm,force_x_n,force_y_n,force_z_n,"
-    "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm\n";
+    "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm,"
+    "patch_mm,elastic_energy_n_mm,beyond_linear\n";
 
 void Append(std::string& text, double number)
 {
@@ -50,6 +51,9 @@ void Append(std::string& text, const TouchState& state, std::int64_t start)
   text += ',' + std::to_string(state.Structure);
   Append(text, state.Depth);
   Append(text, state.Safety.Energy);
+  Append(text, state.PatchRadius);
+  Append(text, state.ElasticEnergy);
+  text += state.IsBeyondLinear ? ",1" : ",0";
   text += '\n';
 }
 } // namespace

@@ -173,6 +173,8 @@ TEST(Phantom, SkippingPureVoxelsChangesNothing)
   palpate::SphericalHarmonicModel model = palpate::MakeProstateLikeModel(8, 11, TestCenter);
   palpate::PhantomAppearance look;
   look.Subdivision = 3;
+  look.Nodule.emplace();
+  ASSERT_TRUE(palpate::PhantomNodule::Place(model, 9.0, 2.5, *look.Nodule).IsOk());
   PhantomGrid grid = ObliqueGrid(2.0, 33.0);
   grid.Spacing = {2.0, 1.5, 4.0};
   grid.Size = {30, 40, 16};
@@ -192,7 +194,8 @@ TEST(Phantom, SkippingPureVoxelsChangesNothing)
       const Vector3 offset = center + step * shift - TestCenter;
       const double distance = offset.norm();
       const double radius = model.Radius(offset.normalized());
-      sum += distance > radius                             ? look.Background
+      sum += look.Nodule->Contains(offset)                 ? look.NoduleIntensity
+             : distance > radius                           ? look.Background
              : distance > radius - look.CapsuleThickness   ? look.Capsule
              : distance <= look.InnerZoneFraction * radius ? look.InnerZone
                                                            : look.Body;

@@ -51,7 +51,7 @@ inline SceneStructure RandomStructure(Random& random)
   structure.IsTouchable = RandomChoice(random);
   structure.Appearance = static_cast<SceneAppearance>(RandomWhole(random, 0, 4));
   structure.Representation =
-      SceneRepresentations().at(static_cast<std::size_t>(RandomWhole(random, 0, 4))).Name;
+      SceneRepresentations().at(static_cast<std::size_t>(RandomWhole(random, 0, 5))).Name;
   structure.Degree = RandomWhole(random, 0, 40);
   structure.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
   structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
@@ -62,6 +62,11 @@ inline SceneStructure RandomStructure(Random& random)
   structure.SetNumber("texture_n", RandomChoice(random) ? 0.0 : RandomNumber(random, 0.0, 1.0));
   structure.SetImage("texture_image",
                      RandomChoice(random) ? "" : StudyPath("volumes/t2 \xC3\xA4.nii.gz"));
+  structure.SetNumber("modulus_kpa", RandomNumber(random, 1.0, 100.0));
+  structure.SetNumber("free_side", RandomWhole(random, 0, 6));
+  structure.SetNumber("elements_across", 2 * RandomWhole(random, 0, 12));
+  structure.SetNumber("inclusion_kpa", RandomChoice(random) ? 0.0 : 60.5);
+  structure.SetImage("elastography_image", RandomChoice(random) ? "" : StudyPath("mre.nii.gz"));
   structure.Drill = {RandomNumber(random, 0.0, 1.0), 0.001, 0.5};
   structure.IsForbidden = RandomChoice(random);
   structure.AlarmDistance = RandomNumber(random, 0.0, 5.0);

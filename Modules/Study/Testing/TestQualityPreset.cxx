@@ -30,6 +30,16 @@ TEST(QualityPreset, AppliesToLabelsOnly)
   EXPECT_TRUE(WithPreset(model, 3) == model);
 }
 
+TEST(QualityPreset, StructuresThatYieldKeepYielding)
+{
+  SceneSettings scene;
+  const SceneStructure soft = test::StudyPhantom::Structure(1, TouchRepresentation::Elastic);
+  EXPECT_TRUE(WithPreset(soft, 3) == soft);
+  const SceneStructure one = test::StudyPhantom::Structure(2, TouchRepresentation::Facets);
+  scene.Structures = {soft, WithPreset(one, 2)};
+  EXPECT_EQ(PresetOf(scene), 2);
+}
+
 TEST(QualityPreset, SceneMatchesThePresetOfAllTouchableLabels)
 {
   SceneSettings scene;

@@ -6,6 +6,7 @@
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyPhantoms.h"
+#include "StudyStructures.h"
 #include "TouchRecorder.h"
 #include "WholeFile.h"
 
@@ -66,6 +67,65 @@ TEST_F(StudyTest, SegmentationAndItsStructuresAreOneStep)
   EXPECT_TRUE(this->Open.State().SegmentationFile.empty());
   this->Open.Redo();
   EXPECT_EQ(this->Open.State(), opened);
+}
+
+TEST_F(StudyTest, AddsStructuresOfAFurtherSegmentationInOneStep)
+{
+  this->OpenFiles();
+  this->Settle();
+  const StudyState before = this->Open.State();
+  const auto lesion = this->Phantom.Folder / "lesion.nii.gz";
+  std::filesystem::copy(this->Phantom.Folder / "mask.nii.gz", lesion);
+  const auto fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  this->Open.AddSegmentation(lesion, fail);
+  EXPECT_TRUE(this->Open.IsAddingSegmentation());
+  this->Settle();
+  EXPECT_FALSE(this->Open.IsAddingSegmentation());
+  const StudyState added = this->Open.State();
+  ASSERT_EQ(added.Structures.size(), 6U);
+  EXPECT_EQ(added.SegmentationFile, before.SegmentationFile);
+  EXPECT_EQ(added.Structures[3].File, lesion);
+  EXPECT_EQ(added.Structures[3].Labels, std::vector<std::string>{"1"});
+  EXPECT_GT(added.Structures[3].Id, 3) << "the label's number is taken";
+  EXPECT_TRUE(added.Structures[3].IsVisible && !added.Structures[3].IsTouchable);
+  this->Open.Undo();
+  EXPECT_EQ(this->Open.State(), before);
+  this->Open.Redo();
+  EXPECT_EQ(this->Open.State(), added);
+  this->Open.AddSegmentation(lesion, fail);
+  this->Settle();
+  EXPECT_EQ(this->Open.State(), added) << "each label once";
+}
+
+TEST_F(StudyTest, FirstAddedSegmentationIsThatOfTheSlices)
+{
+  const auto mask = this->Phantom.Folder / "mask.nii.gz";
+  this->Open.AddSegmentation(mask, [](const std::string&) {});
+  this->Settle();
+  EXPECT_EQ(this->Open.State().SegmentationFile, mask);
+  EXPECT_EQ(this->Open.State().Structures.size(), 3U);
+}
+
+TEST_F(StudyTest, SegmentationThatCannotBeAddedIsReported)
+{
+  this->OpenFiles();
+  this->Settle();
+  const StudyState before = this->Open.State();
+  std::string problem;
+  this->Open.AddSegmentation(this->Phantom.Folder / "missing.nii.gz",
+                             [&problem](const std::string& message) { problem = message; });
+  this->Settle();
+  EXPECT_NE(problem.find("missing.nii.gz"), std::string::npos) << problem;
+  EXPECT_EQ(this->Open.State(), before);
+  EXPECT_FALSE(this->Open.IsAddingSegmentation());
+}
+
+TEST_F(StudyTest, NewStudyForgetsASegmentationThatIsBeingAdded)
+{
+  this->Open.AddSegmentation(this->Phantom.Folder / "mask.nii.gz", [](const std::string&) {});
+  this->Open.New();
+  this->Settle();
+  EXPECT_EQ(this->Open.State(), StudyState());
 }
 
 TEST_F(StudyTest, StructuresArriveAfterUndoAndRedo)

@@ -396,6 +396,28 @@ TEST_F(StudyPipelineTest, CancelledStepWaitsForResume)
   this->ExpectUpToDate({SceneStep::Model, SceneStep::Touch});
 }
 
+TEST_F(StudyPipelineTest, ChangedInclusionMakesOnlyTheElasticityAgain)
+{
+  StudyState state = this->Phantom.State();
+  state.Structures[0].Representation = TouchRepresentation::Elastic;
+  state.Structures[0].SetNumber("elements_across", 4.0);
+  state.Structures.push_back(
+      test::StudyPhantom::Structure(2, TouchRepresentation::Automatic, state.SegmentationFile));
+  SceneStructure& inclusion = state.Structures.back();
+  inclusion.IsVisible = false;
+  inclusion.IsTouchable = false;
+  inclusion.SetNumber("inclusion_kpa", 60.0);
+  this->Make(state);
+  this->ExpectUpToDate({SceneStep::Model, SceneStep::Elasticity, SceneStep::Touch});
+  const std::uint64_t before = this->Pipeline.StartedCount();
+  inclusion.SetNumber("inclusion_kpa", 80.0);
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.StartedCount(), before + 3) << "elasticity, touch and cost";
+  inclusion.SetNumber("inclusion_kpa", 60.0);
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.StartedCount(), before + 3) << "the earlier ones are kept";
+}
+
 TEST_F(StudyPipelineTest, DestructionWhileRunningLeavesNothingBehind)
 {
   for (int deliveries = 0; deliveries < 6; ++deliveries)

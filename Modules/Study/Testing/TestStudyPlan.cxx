@@ -234,6 +234,63 @@ TEST(StudyPlan, KeysOmitIrrelevantSettings)
                          {"placement", [](Inputs& i) { i.State.Placement.Scale = 2.0; }, {}}});
 }
 
+// Structures 1 and 2 yield; 2 and 3 have moduli as inclusions.
+Inputs Yielding()
+{
+  Inputs inputs = Base();
+  inputs.State.Structures[0].Representation = TouchRepresentation::Elastic;
+  inputs.State.Structures[0].SetImage("elastography_image", "/mre.nii.gz");
+  inputs.State.Structures[1].Representation = TouchRepresentation::Elastic;
+  inputs.State.Structures[1].SetNumber("inclusion_kpa", 50.0);
+  inputs.State.Structures[2].SetNumber("inclusion_kpa", 60.0);
+  inputs.Stamps["/mre.nii.gz"] = "m";
+  inputs.Stamps["/lesion.nii.gz"] = "l";
+  return inputs;
+}
+
+TEST(StudyPlan, ElasticityIsMadeAgainOnlyForWhatItDependsOn)
+{
+  const Places first{
+      {Step::Elasticity, Harmonics}, {Step::Touch, Harmonics}, {Step::Cost, Harmonics}};
+  const Places second{{Step::Elasticity, Facets}, {Step::Touch, Facets}, {Step::Cost, Facets}};
+  const auto set = [](std::size_t structure, const char* key, double number)
+  { return [=](Inputs& inputs) { inputs.State.Structures[structure].SetNumber(key, number); }; };
+  ExpectChanges(Yielding(),
+                {{"modulus", set(0, "modulus_kpa", 30.0), first},
+                 {"Poisson's ratio", set(0, "poisson_ratio", 0.4), first},
+                 {"support", set(0, "support_kpa_per_mm", 2.0), first},
+                 {"free side", set(0, "free_side", 2.0), first},
+                 {"angle", set(0, "free_degrees", 30.0), first},
+                 {"elements", set(0, "elements_across", 8.0), first},
+                 {"elastography", [](Inputs& i) { i.Stamps["/mre.nii.gz"] = "n"; },
+                  And(first, {{Step::Image, Harmonics}})},
+                 {"modulus of the other", set(1, "modulus_kpa", 30.0), second},
+                 {"the other as an inclusion", set(1, "inclusion_kpa", 70.0), first},
+                 {"inclusion of both", set(2, "inclusion_kpa", 70.0), And(first, second)},
+                 {"no inclusion", set(2, "inclusion_kpa", 0.0), And(first, second)},
+                           {"colour of an inclusion",
+                  [](Inputs& i) {
+                    i.State.Structures[2].Color = {{0.0, 0.0, 1.0}};
+                  },
+                  {}}});
+}
+
+TEST(StudyPlan, ReadsInclusionsThatAreNeitherShownNorTouched)
+{
+  Inputs inputs = Yielding();
+  SceneStructure lesion = test::StudyPhantom::Structure(9, TouchRepresentation::Automatic);
+  lesion.File = "/lesion.nii.gz";
+  lesion.IsVisible = false;
+  lesion.IsTouchable = false;
+  inputs.State.Structures.push_back(lesion);
+  EXPECT_EQ(KeysOf(inputs).count({Step::Segmentation, 9}), 0U);
+  inputs.State.Structures.back().SetNumber("inclusion_kpa", 60.0);
+  EXPECT_EQ(KeysOf(inputs).count({Step::Segmentation, 9}), 1U);
+  inputs.State.Structures[0].Representation = TouchRepresentation::Harmonics;
+  inputs.State.Structures[1].IsTouchable = false;
+  EXPECT_EQ(KeysOf(inputs).count({Step::Segmentation, 9}), 0U) << "nothing yields";
+}
+
 TEST(StudyPlan, ProtectsForbiddenStructuresWhateverIsShown)
 {
   for (int bits = 0; bits < 4; ++bits)

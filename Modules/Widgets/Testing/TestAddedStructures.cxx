@@ -6,8 +6,11 @@
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SceneFile.h"
+#include "StructureTableModel.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
+
+#include <QTableView>
 
 namespace palpate
 {
@@ -108,6 +111,74 @@ TEST_F(AddedStructures, DialogIsOneUndoStep)
   EXPECT_EQ(first.Mode, HarmonicContactMode::Radial);
   this->Study->Undo();
   EXPECT_EQ(this->Study->State().Structures.front().Damping, 0.0);
+}
+
+TEST_F(AddedStructures, DialogLetsAStructureYield)
+{
+  this->OpenPhantom();
+  const int id = this->Study->State().Structures.front().Id;
+  StructureDialog dialog(*this->Study, id);
+  dialog.show();
+  auto* modulus = dialog.findChild<QDoubleSpinBox*>("modulus_kpa");
+  auto* representation = dialog.findChild<QComboBox*>("representation");
+  EXPECT_FALSE(modulus->isVisible());
+  representation->setCurrentText("elastic");
+  EXPECT_TRUE(modulus->isVisible());
+  modulus->setValue(30.0);
+  dialog.findChild<QComboBox*>("free_side")->setCurrentText("posterior");
+  dialog.findChild<QDoubleSpinBox*>("elements_across")->setValue(4.0);
+  dialog.findChild<QDoubleSpinBox*>("inclusion_kpa")->setValue(60.0);
+  dialog.accept();
+  const SceneStructure& first = this->Study->State().Structures.front();
+  EXPECT_EQ(first.Representation, TouchRepresentation::Elastic);
+  EXPECT_EQ(first.Number("modulus_kpa"), 30.0);
+  EXPECT_EQ(first.Number("free_side"), 3.0);
+  EXPECT_EQ(first.Number("inclusion_kpa"), 60.0);
+  EXPECT_EQ(first.Number("support_kpa_per_mm"), 0.0);
+}
+
+TEST_F(AddedStructures, OnlyLabelsAreInclusions)
+{
+  this->Study->OpenFiles({this->Model});
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
+  StructureDialog dialog(*this->Study, this->Last().Id);
+  EXPECT_EQ(dialog.findChild<QDoubleSpinBox*>("inclusion_kpa"), nullptr);
+  EXPECT_NE(dialog.findChild<QDoubleSpinBox*>("modulus_kpa"), nullptr);
+}
+
+TEST_F(AddedStructures, SofteningIsAStepOfThePipeline)
+{
+  this->OpenPhantom();
+  auto* step = this->Window->findChild<QLabel*>("state-elasticity");
+  EXPECT_TRUE(step->isHidden()) << "nothing yields";
+  StudyState next = this->Study->State();
+  next.Structures.front().Representation = TouchRepresentation::Elastic;
+  next.Structures.front().Degree = 4;
+  next.Structures.front().SetNumber("elements_across", 4.0);
+  this->Study->Change("Let it yield", next);
+  WaitUntil([step] { return !step->isHidden() && step->text() == "up to date"; });
+  this->Settle();
+  const auto contact = this->Study->Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, 1);
+  ASSERT_NE(contact, nullptr);
+  EXPECT_EQ(contact->Represented, "elastic, 20 kPa, harmonics of degree 4");
+  const auto* table = this->Window->findChild<QTableView*>("structures")->model();
+  EXPECT_EQ(table->index(0, StructureTableModel::StiffnessColumn).data().toString(), "yields");
+}
+
+TEST_F(AddedStructures, MenuAddsStructuresOfASegmentation)
+{
+  this->OpenPhantom();
+  const StudyState before = this->Study->State();
+  const std::filesystem::path lesion = this->Phantom.Folder / "lesion.nii.gz";
+  std::filesystem::copy(this->MaskFile(), lesion);
+  this->Opened = QStringList(QString::fromStdString(lesion.string()));
+  this->Action("Add structures of a segmentation")->trigger();
+  WaitUntil([this] { return this->Study->State().Structures.size() == 6; });
+  EXPECT_EQ(this->Last().File, lesion);
+  this->Study->Undo();
+  EXPECT_EQ(this->Study->State(), before);
+  this->Study->Redo();
+  EXPECT_EQ(this->Study->State().Structures.size(), 6U);
 }
 
 TEST_F(AddedStructures, DialogHasTheNumbersOfAddedEffects)

@@ -16,16 +16,11 @@
 #include <QTextEdit>
 #include <QWindow>
 
-#include <cmath>
-
 namespace palpate
 {
 namespace
 {
-double Norm(const PlainVector3& vector)
-{
-  return std::hypot(vector.X, vector.Y, vector.Z);
-}
+using test::Norm;
 
 class TouchLinkTest : public test::WindowTest
 {
@@ -37,36 +32,9 @@ protected:
     StudyState next = this->Study->State();
     next.Structures.resize(1);
     this->Study->Change("Keep the ball", next);
-    this->Settle();
-    DrawAll(*this->Window->Views());
-    this->Window->Messages()->Clear(); // on structures that cannot be modelled
-    this->Button("start-touch")->click();
-    WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
-    ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
+    this->BeginTouch();
   }
-  // Over the sphere's centre, then towards it until contact.
-  void PressByMouse()
-  {
-    QWidget* canvas = this->Window->Views()->Space()->Canvas();
-    const QPointF place = this->PlaceOf(SphereCenter);
-    Move(canvas, place);
-    // One notch per 20 ticks: the hand follows slowly, and a faster target would pass through the
-    // sphere.
-    std::uint64_t last = 0;
-    this->FeelUntil(
-        [&]
-        {
-          const TouchState& newest = this->Study->Reading().Newest;
-          const bool isFelt =
-              this->Study->Reading().TouchedId == 1 && Norm(newest.ForceWorld) > 0.5;
-          if (!isFelt && newest.Tick.Number >= last + 20)
-          {
-            last = newest.Tick.Number;
-            Wheel(canvas, place, 1);
-          }
-          return isFelt;
-        });
-  }
+  void PressByMouse() { this->Press(SphereCenter, 0.5); }
 
   // Like the window system: to the window, which passes it on to the widget with the focus.
   void SendKey(QEvent::Type type, Qt::Key key, const QString& text)

@@ -12,6 +12,11 @@
 
 namespace palpate::test
 {
+inline double Norm(const PlainVector3& vector)
+{
+  return Vector3(vector).norm();
+}
+
 /// A window with a phantom, whose questions the test answers.
 class WindowTest : public WidgetTest
 {
@@ -112,6 +117,38 @@ protected:
             throw std::runtime_error(Describe(fault));
           }
           return isTrue();
+        });
+  }
+  /// Touches what is open.
+  void BeginTouch()
+  {
+    this->Settle();
+    DrawAll(*this->Window->Views());
+    this->Window->Messages()->Clear(); // on structures that cannot be modelled
+    this->Button("start-touch")->click();
+    WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
+    ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
+  }
+  /// By mouse: over this point, then towards it until structure 1 pushes with a force (N).
+  void Press(const Vector3& towardsWorld, double force)
+  {
+    QWidget* canvas = this->Window->Views()->Space()->Canvas();
+    const QPointF place = this->PlaceOf(towardsWorld);
+    Move(canvas, place);
+    // One notch per 20 ticks: the hand follows slowly, and a faster target would pass through.
+    std::uint64_t last = 0;
+    this->FeelUntil(
+        [&]
+        {
+          const TouchState& newest = this->Study->Reading().Newest;
+          const bool isFelt =
+              this->Study->Reading().TouchedId == 1 && Norm(newest.ForceWorld) > force;
+          if (!isFelt && newest.Tick.Number >= last + 20)
+          {
+            last = newest.Tick.Number;
+            Wheel(canvas, place, 1);
+          }
+          return isFelt;
         });
   }
   QAction* Action(const QString& start) const

@@ -57,5 +57,31 @@ TEST(ContactForce, IsZeroWithoutContact)
   contact.Velocity = Vector3::Ones();
   EXPECT_EQ(ContactForce({1.0, 1.0}, contact), Vector3::Zero());
 }
+
+// Kelvin and Voigt: the push plus the relaxation time times its slope times the depth's rate.
+TEST(ContactForce, TissueResistsTheRateOfItsDepth)
+{
+  ContactOffset contact;
+  contact.IsTouching = true;
+  contact.IsElastic = true;
+  contact.Push = Vector3(0.1, 0.0, 0.5);
+  contact.Slope = 0.2;
+  contact.Velocity = Vector3(40.0, 0.0, 30.0); // mm/s, into the structure and along it
+  const double resistance = 0.001 + 0.01 * 0.2;
+  const Vector3 wanted(0.1, 0.0, 0.5 + resistance * 30.0);
+  EXPECT_NEAR((ContactForce({7.0, 0.001, 0.01}, contact) - wanted).norm(), 0.0, 1e-15);
+  contact.Velocity = Vector3(0.0, 0.0, -1e4);
+  EXPECT_EQ(ContactForce({7.0, 0.001, 0.01}, contact).z(), 0.0) << "it does not stick";
+}
+
+TEST(ContactForce, RelaxationIsOfTissueOnly)
+{
+  ContactOffset contact;
+  contact.IsTouching = true;
+  contact.Offset = Vector3(0.0, 0.0, 1.0);
+  contact.Slope = 0.2;
+  contact.Velocity = Vector3(0.0, 0.0, 30.0);
+  EXPECT_EQ(ContactForce({1.0, 0.0, 0.01}, contact), Vector3(0.0, 0.0, 1.0));
+}
 } // namespace
 } // namespace palpate

@@ -19,6 +19,7 @@ TEST(TouchScene, RejectsInvalidScenes)
       [](TouchScene& s) { s.Structures[0].Law.Stiffness = test::NotANumber; },
       [](TouchScene& s) { s.Structures[0].Law.Stiffness = -1.0; },
       [](TouchScene& s) { s.Structures[0].Law.Damping = test::Infinite; },
+      [](TouchScene& s) { s.Structures[0].Law.Relaxation = -0.001; },
       [](TouchScene& s)
       { s.Structures[0].Effects = {std::make_shared<const VolumeViscosity>(-1.0)}; },
       [](TouchScene& s)

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ElasticForce.h"
+#include "Vector3.h"
+
+#include <cstddef>
+
+namespace palpate
+{
+/// A ball that is pressed into several walls of an elastic organ at once, as into a notch: a patch
+/// at each, and each moves the others. The energy is the stationary value of
+///
+///     U = sum_i F_i (d_i - h_i(a_i)) - sum_i F_i^2 c_ii(a_i) / 2 - sum_i<j F_i F_j c_ij,
+///
+/// and the force minus its gradient. Of c_ij the part of a half-space under two equal bumps at the
+/// distance D is taken (a Gaussian's potential, within 3 % of a Hertz bump's), times
+/// (1 + n_i . n_j) / 2: two patches that meet are one, and walls that face each other do not move
+/// each other.
+class CoupledPatches
+{
+public:
+  static constexpr std::size_t MostWalls = 6;
+
+  struct Wall
+  {
+    Vector3 Direction; ///< unit, from the model's centre, of a nearest point to the ball's centre
+    double Depth;      ///< of the ball there, mm
+  };
+
+  /// As ElasticForce::Of, which it is for one wall. PatchRadius is the largest patch's; Slope is
+  /// that along the force. Of walls above MostWalls the last are left out. Does not allocate.
+  static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+                         const Wall* walls, std::size_t count, double ballRadius) noexcept;
+};
+} // namespace palpate

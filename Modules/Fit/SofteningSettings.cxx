@@ -1,0 +1,90 @@
+#include "SofteningSettings.h"
+
+#include "DecimalText.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+bool IsModulus(double kilopascal)
+{
+  constexpr double PerKilopascal = 1e-3; // N/mm^2
+  return kilopascal >= TissueMap::LeastModulus / PerKilopascal &&
+         kilopascal <= TissueMap::MostModulus / PerKilopascal;
+}
+} // namespace
+
+Status SofteningSettings::Check() const
+{
+  const auto isWithin = [](double value, double least, double most)
+  { return value >= least && value <= most; };
+  const auto range = [](double least, double most)
+  { return " is not a number from " + SignificantText(least) + " to " + SignificantText(most); };
+  const bool areModuli =
+      IsModulus(this->TissueKilopascal) &&
+      std::all_of(this->Inclusions.begin(), this->Inclusions.end(),
+                  [](const Inclusion& one) { return IsModulus(one.Kilopascal); });
+  if (!areModuli)
+  {
+    return Status::Failure("A modulus is not a number from 0.001 kPa to 1 GPa.");
+  }
+  if (!isWithin(this->PoissonRatio, 0.0, ElasticSolid::MostPoissonRatio))
+  {
+    return Status::Failure("Poisson's ratio" + range(0.0, ElasticSolid::MostPoissonRatio) + ".");
+  }
+  if (!isWithin(this->Exaggeration, 1.0, TissueMap::MostExaggeration))
+  {
+    return Status::Failure("The exaggeration" + range(1.0, TissueMap::MostExaggeration) + ".");
+  }
+  if (!isWithin(this->BedPerMillimeter, LeastSupport, MostSupport))
+  {
+    return Status::Failure("The stiffness of the support" + range(LeastSupport, MostSupport) +
+                           " kPa per mm.");
+  }
+  if (!isWithin(this->FreeDegrees, LeastFreeDegrees, MostFreeDegrees))
+  {
+    return Status::Failure("The angle of the free side" + range(LeastFreeDegrees, MostFreeDegrees) +
+                           " degrees.");
+  }
+  const int elements = this->Numbers.ElementsAcross;
+  if (elements < FewestElements || elements > MostElements || elements % 2 != 0)
+  {
+    return Status::Failure("The number of elements across is not an even number from " +
+                           std::to_string(FewestElements) + " to " + std::to_string(MostElements) +
+                           ".");
+  }
+  return Status::Success();
+}
+
+std::string ExaggerationText(double exaggeration)
+{
+  return ", contrasts exaggerated to the power " + SignificantText(exaggeration);
+}
+
+std::vector<std::pair<std::string, std::string>> DescribeSettings(const SofteningSettings& settings)
+{
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"tissue_kpa", SignificantText(settings.TissueKilopascal)},
+      {"poisson_ratio", SignificantText(settings.PoissonRatio)},
+      {"bed_kpa_per_mm", SignificantText(settings.BedPerMillimeter)},
+      {"elements_across", std::to_string(settings.Numbers.ElementsAcross)},
+      {"compliance_degree", std::to_string(settings.Numbers.Degree)}};
+  if (settings.Exaggeration != 1.0)
+  {
+    lines.emplace_back("exaggeration", SignificantText(settings.Exaggeration));
+  }
+  std::string inclusions;
+  for (const SofteningSettings::Inclusion& inclusion : settings.Inclusions)
+  {
+    inclusions += (inclusions.empty() ? "" : ", ") + inclusion.Read->Source.filename().string() +
+                  " " + SignificantText(inclusion.Kilopascal) + " kPa";
+  }
+  if (!inclusions.empty())
+  {
+    lines.emplace_back("inclusion", inclusions);
+  }
+  return lines;
+}
+} // namespace palpate

@@ -1,0 +1,129 @@
+#include "ModelSoftening.h"
+
+#include "FilterRun.h"
+#include "InputError.h"
+#include "LabelImages.h"
+#include "ParametricPhantoms.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace palpate
+{
+namespace
+{
+bool GoOn(double, const std::string&)
+{
+  return true;
+}
+
+SphericalHarmonicModel Ball()
+{
+  return {0, {14.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()};
+}
+
+// With few elements, since that is quick.
+SofteningSettings Quick()
+{
+  SofteningSettings settings;
+  settings.Numbers.ElementsAcross = 4;
+  settings.Numbers.Degree = 4;
+  settings.Numbers.Maps.Degree = 6;
+  return settings;
+}
+
+// A ball of 5 mm at x, with `margin` voxels of background around it.
+SofteningSettings::Inclusion BallAt(double x0, int margin)
+{
+  test::LabelGrid grid;
+  const int size = 11 + 2 * margin;
+  grid.Size = {{size, size, size}};
+  grid.CenterOnOrigin();
+  grid.Origin[0] += x0;
+  auto read = std::make_shared<Segmentation>();
+  read->Source = "lesion.nii.gz";
+  read->Layers.push_back(test::MakeLabelImage(
+      grid, [x0](double x, double y, double z) { return std::hypot(x - x0, y, z) < 5.0; }, 3));
+  Segment segment;
+  segment.Label = segment.Value = 3;
+  read->Segments.push_back(segment);
+  return {read, read->Segments, 60.0};
+}
+
+TEST(ModelSoftening, BackgroundAroundAnInclusionDoesNotCount)
+{
+  const auto mapsOf = [](int margin)
+  {
+    SofteningSettings settings = Quick();
+    settings.Inclusions.push_back(BallAt(5.0, margin));
+    return *SoftenModel(Ball(), "ball", settings, GoOn).Elasticity;
+  };
+  const ComplianceMaps narrow = mapsOf(1);
+  const ComplianceMaps wide = mapsOf(8);
+  for (std::size_t term = 0; term < ComplianceMaps::Count; ++term)
+  {
+    for (std::size_t i = 0; i < narrow.Coefficients[term].size(); ++i)
+    {
+      // Up to the rounding of the grids' origins.
+      EXPECT_NEAR(narrow.Coefficients[term][i], wide.Coefficients[term][i],
+                  1e-9 * (1.0 + std::abs(narrow.Coefficients[term][0])));
+    }
+  }
+}
+
+TEST(ModelSoftening, TellsWhatIsInTheModel)
+{
+  SofteningSettings settings = Quick();
+  EXPECT_EQ(SoftenModel(Ball(), "ball", settings, GoOn).Tissue, "20 kPa");
+  settings.Inclusions = {BallAt(5.0, 1), BallAt(60.0, 1)};
+  const ModelSoftness made = SoftenModel(Ball(), "ball", settings, GoOn);
+  EXPECT_EQ(made.Tissue, "20 kPa, inclusions of 60 kPa");
+  ASSERT_EQ(made.Notes.size(), 1U);
+  EXPECT_NE(made.Notes.front().find("lesion.nii.gz lies outside"), std::string::npos);
+}
+
+TEST(ModelSoftening, RefusesModelsOfThreeCoordinates)
+{
+  EXPECT_THROW(SoftenModel(test::OpenRing(4), "ring", Quick(), GoOn), InputError);
+}
+
+TEST(ModelSoftening, CancelThrows)
+{
+  const auto stop = [](double, const std::string&) { return false; };
+  EXPECT_THROW(SoftenModel(Ball(), "ball", Quick(), stop), Cancelled);
+}
+
+TEST(SofteningSettings, FailsOutsideOfItsLimits)
+{
+  EXPECT_TRUE(SofteningSettings().Check().IsOk());
+  const auto fails = [](auto change)
+  {
+    SofteningSettings settings;
+    change(settings);
+    return !settings.Check().IsOk();
+  };
+  const double nan = std::nan("");
+  for (const double modulus : {-1.0, 0.0, 1e-4, 1e7, nan})
+  {
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.TissueKilopascal = modulus; })) << modulus;
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.Inclusions = {{nullptr, {}, modulus}}; }));
+  }
+  for (const double ratio : {-0.1, 0.5, nan})
+  {
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.PoissonRatio = ratio; })) << ratio;
+  }
+  for (const double support : {0.0, 1e6, nan})
+  {
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.BedPerMillimeter = support; })) << support;
+  }
+  for (const double degrees : {0.0, 180.0, nan})
+  {
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.FreeDegrees = degrees; })) << degrees;
+  }
+  for (const int elements : {2, 5, 26})
+  {
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.Numbers.ElementsAcross = elements; }));
+  }
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,187 @@
+#include "ElasticCases.h"
+#include "ModelFile.h"
+#include "WindowTest.h"
+#include "YieldingSurface.h"
+
+#include "vtkPointData.h"
+#include "vtkProbeRepresentation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// A ball of 15 mm like the phantom's, of 20 kPa, with a harder one inside on its left.
+const ModelDocument& SoftBall()
+{
+  static const ModelDocument ball = []
+  {
+    test::ElasticCase organ;
+    organ.Model = {0, {15.0 * std::sqrt(4.0 * test::Pi)}, Vector3(-15.0, 0.0, 0.0)};
+    organ.Solid.Tissue.AddInclusion(test::BallFraction(Vector3(-6.0, 0.0, 0.0), 4.0), 0.2);
+    organ.Build(8, 10);
+    ComplianceMaps maps;
+    const Status status =
+        ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, {12, 0.0}, {}, maps);
+    EXPECT_TRUE(status.IsOk()) << status.Message();
+    return ModelDocument{organ.Model, {}, std::make_shared<const ComplianceMaps>(maps)};
+  }();
+  return ball;
+}
+
+std::unique_ptr<YieldingSurface> DrawnBall()
+{
+  return std::make_unique<YieldingSurface>(std::get<SphericalHarmonicModel>(SoftBall().Surface),
+                                           SoftBall().Elasticity);
+}
+
+std::vector<Vector3> PointsOf(vtkPolyData* surface)
+{
+  std::vector<Vector3> points;
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+  {
+    points.emplace_back(surface->GetPoint(p));
+  }
+  return points;
+}
+
+// Least distance (mm) of a surface's points from a place.
+double DistanceFrom(const Vector3& place, vtkPolyData* surface)
+{
+  double least = 1e9;
+  for (const Vector3& point : PointsOf(surface))
+  {
+    least = std::min(least, (point - place).norm());
+  }
+  return least;
+}
+
+TEST(YieldingSurface, FollowsTheBallAndComesBack)
+{
+  const auto drawn = DrawnBall();
+  const auto rest = PointsOf(drawn->Surface());
+  const Vector3 top(-15.0, 15.0, 0.0);
+  drawn->Press(top + Vector3(0.0, 4.0, 0.0), top + Vector3(0.0, 2.0, 0.0), 4.0);
+  EXPECT_NEAR(DistanceFrom(top + Vector3(0.0, 2.0, 0.0), drawn->Surface()), 4.0, 1e-3);
+  drawn->Release();
+  const auto back = PointsOf(drawn->Surface());
+  for (std::size_t p = 0; p < rest.size(); ++p)
+  {
+    EXPECT_LT((back[p] - rest[p]).norm(), 1e-4) << "coordinates are single";
+  }
+}
+
+TEST(YieldingSurface, NormalsAreUnitAndTiltAroundTheDent)
+{
+  const auto drawn = DrawnBall();
+  const Vector3 top(-15.0, 15.0, 0.0);
+  drawn->Press(top + Vector3(0.0, 4.0, 0.0), top + Vector3(0.0, 2.0, 0.0), 4.0);
+  vtkDataArray* normals = drawn->Surface()->GetPointData()->GetNormals();
+  double most = 0.0;
+  for (vtkIdType p = 0; p < normals->GetNumberOfTuples(); ++p)
+  {
+    const Vector3 normal(normals->GetTuple(p));
+    const Vector3 out = (Vector3(drawn->Surface()->GetPoint(p)) - top).normalized();
+    const Vector3 atRest =
+        (Vector3(drawn->Surface()->GetPoint(p)) - Vector3(-15.0, 0.0, 0.0)).normalized();
+    EXPECT_NEAR(normal.norm(), 1.0, 1e-5);
+    most = std::max(most, std::acos(std::clamp(normal.dot(atRest), -1.0, 1.0)));
+    if (out.y() < -0.9) // the other side
+    {
+      EXPECT_GT(normal.dot(atRest), 0.999);
+    }
+  }
+  EXPECT_GT(most, 0.25) << "rad, of a ball half its radius deep";
+}
+
+TEST(YieldingSurface, MapsTheHarderSide)
+{
+  const auto drawn = DrawnBall();
+  EXPECT_EQ(drawn->Surface()->GetPointData()->GetArray(YieldingSurface::StiffnessArray), nullptr);
+  drawn->MapStiffness(4.0);
+  vtkDataArray* noticed =
+      drawn->Surface()->GetPointData()->GetArray(YieldingSurface::StiffnessArray);
+  ASSERT_NE(noticed, nullptr);
+  vtkIdType hardest = 0;
+  for (vtkIdType p = 0; p < noticed->GetNumberOfTuples(); ++p)
+  {
+    hardest = noticed->GetTuple1(p) > noticed->GetTuple1(hardest) ? p : hardest;
+  }
+  EXPECT_GT(noticed->GetTuple1(hardest), 1.0);
+  EXPECT_GT(drawn->Surface()->GetPoint(hardest)[0], -3.0) << "the patient's left";
+}
+
+class YieldingStructureTest : public test::WindowTest
+{
+protected:
+  // The phantom with the soft ball instead of its structures.
+  void OpenSoftBall()
+  {
+    this->OpenPhantom();
+    const auto file = this->Phantom.Folder / "soft.json";
+    WriteModel(file, SoftBall());
+    StudyState next = this->Study->State();
+    next.Structures.resize(1);
+    next.Structures[0].File = file;
+    next.Structures[0].Labels.clear();
+    next.Tool.Kind = TouchToolSettings::Shape::Sphere;
+    next.Tool.Radius = 4.0;
+    this->Study->Change("Open a soft ball", next);
+    this->Settle();
+    DrawAll(*this->Window->Views());
+  }
+  vtkSurfaceDisplay* Shown() const { return this->Window->Contents().Surfaces().at(1); }
+};
+
+TEST_F(YieldingStructureTest, DentIsShownWhereTheToolIs)
+{
+  this->OpenSoftBall();
+  this->BeginTouch();
+  this->Press({-15.0, 0.0, 0.0}, 0.2);
+  DrawAll(*this->Window->Views());
+  const TouchState& newest = this->Study->Reading().Newest;
+  EXPECT_GT(newest.PatchRadius, 0.5);
+  EXPECT_GT(newest.ElasticEnergy, 0.0);
+  ASSERT_GT(newest.Depth, 0.5);
+  vtkMatrix4x4* tool = this->Window->Contents().Probe()->GetProxyMatrix();
+  const Vector3 shown(tool->GetElement(0, 3), tool->GetElement(1, 3), tool->GetElement(2, 3));
+  EXPECT_NEAR(DistanceFrom(shown, this->Shown()->GetSurface()), 4.0, 0.01);
+  this->Button("start-touch")->click(); // which stops it now
+  WaitUntil([this] { return !this->Study->IsTouching(); });
+  for (const Vector3& point : PointsOf(this->Shown()->GetSurface()))
+  {
+    EXPECT_NEAR((point - Vector3(-15.0, 0.0, 0.0)).norm(), 15.0, 1e-3);
+  }
+}
+
+TEST_F(YieldingStructureTest, RigidRepresentationHasNoDent)
+{
+  this->OpenSoftBall();
+  StudyState next = this->Study->State();
+  next.Structures[0].Representation = TouchRepresentation::Harmonics;
+  this->Study->Change("Make it rigid", next);
+  this->BeginTouch();
+  this->Press({-15.0, 0.0, 0.0}, 0.2);
+  DrawAll(*this->Window->Views());
+  EXPECT_EQ(this->Study->Reading().Newest.PatchRadius, 0.0);
+  for (const Vector3& point : PointsOf(this->Shown()->GetSurface()))
+  {
+    EXPECT_NEAR((point - Vector3(-15.0, 0.0, 0.0)).norm(), 15.0, 1e-3);
+  }
+}
+
+TEST_F(YieldingStructureTest, StiffnessMapColoursTheSurface)
+{
+  this->OpenSoftBall();
+  StudyState next = this->Study->State();
+  next.Structures[0].Appearance = SceneAppearance::StiffnessMap;
+  this->Study->Change("Show stiffness", next);
+  this->Settle();
+  EXPECT_STREQ(this->Shown()->GetColorArray(), YieldingSurface::StiffnessArray);
+  EXPECT_NE(this->Shown()->GetSurface()->GetPointData()->GetArray(YieldingSurface::StiffnessArray),
+            nullptr);
+}
+} // namespace
+} // namespace palpate

@@ -1,0 +1,128 @@
+#include "YieldingSurface.h"
+
+#include "FeltStiffness.h"
+#include "IcosahedronDirections.h"
+#include "ModelSurface.h"
+
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int Frequency = 30; // triangles of about 1 mm on a gland, so that none cuts into a ball
+}
+
+YieldingSurface::YieldingSurface(const SphericalHarmonicModel& model,
+                                 std::shared_ptr<const ComplianceMaps> maps)
+    : Model(model), Compliance(std::move(maps)), Drawn(vtkSmartPointer<vtkPolyData>::New())
+{
+  const IcosahedronDirections sphere(Frequency);
+  this->Directions = sphere.Directions();
+  this->Triangles = sphere.Triangles();
+  this->Drawn->DeepCopy(DrawModel(SurfaceModel(model), Frequency));
+  vtkDataArray* normals = this->Drawn->GetPointData()->GetNormals();
+  std::vector<Vector3> points;
+  for (vtkIdType p = 0; p < this->Drawn->GetNumberOfPoints(); ++p)
+  {
+    points.emplace_back(this->Drawn->GetPoint(p));
+    this->RestNormals.emplace_back(normals->GetTuple(p));
+  }
+  this->RestOfTriangles = this->NormalsOf(points);
+  if (!this->Compliance->LongWaves.IsEmpty())
+  {
+    this->Dented =
+        std::make_unique<DentedSurface>(this->Model, *this->Compliance, this->Directions);
+  }
+}
+
+void YieldingSurface::Press(const Vector3& proxyWorld, const Vector3& probeWorld, double ballRadius)
+{
+  const Vector3 out = proxyWorld - probeWorld;
+  const double depth = out.norm();
+  if (this->Dented == nullptr || !(depth > 0.0) || !(ballRadius > 0.0))
+  {
+    this->Release();
+    return;
+  }
+  const Vector3 foot = proxyWorld - ballRadius / depth * out;
+  const Vector3 direction = (foot - this->Model.CenterWorld()).normalized();
+  this->Move(this->Dented->PointsWorld({direction, depth, ballRadius}));
+  this->IsPressed = true;
+}
+
+void YieldingSurface::Release()
+{
+  if (this->IsPressed)
+  {
+    this->Move(this->Dented->RestWorld());
+    this->IsPressed = false;
+  }
+}
+
+// Normals turn as those of the triangles do: so the surface stays smooth, and does not change where
+// it does not move.
+void YieldingSurface::Move(const std::vector<Vector3>& points)
+{
+  const std::vector<Vector3> ofTriangles = this->NormalsOf(points);
+  vtkPoints* drawn = this->Drawn->GetPoints();
+  vtkDataArray* normals = this->Drawn->GetPointData()->GetNormals();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto p = static_cast<vtkIdType>(i);
+    const Vector3 normal =
+        (this->RestNormals[i] + ofTriangles[i] - this->RestOfTriangles[i]).normalized();
+    drawn->SetPoint(p, points[i].data());
+    normals->SetTuple(p, normal.data());
+  }
+  drawn->Modified();
+  normals->Modified();
+  this->Drawn->Modified();
+}
+
+std::vector<Vector3> YieldingSurface::NormalsOf(const std::vector<Vector3>& points) const
+{
+  std::vector<Vector3> normals(points.size(), Vector3::Zero());
+  for (const auto& [a, b, c] : this->Triangles)
+  {
+    const Vector3& first = points[static_cast<std::size_t>(a)];
+    const Vector3 area = (points[static_cast<std::size_t>(b)] - first)
+                             .cross(points[static_cast<std::size_t>(c)] - first);
+    for (const int corner : {a, b, c})
+    {
+      normals[static_cast<std::size_t>(corner)] += area;
+    }
+  }
+  for (Vector3& normal : normals)
+  {
+    normal.normalize();
+  }
+  return normals;
+}
+
+void YieldingSurface::MapStiffness(double ballRadius)
+{
+  if (!(ballRadius > 0.0) || ballRadius == this->MappedRadius)
+  {
+    return;
+  }
+  this->MappedRadius = ballRadius;
+  const FeltStiffness felt =
+      FeltStiffness::Of(this->Model, *this->Compliance, ballRadius, this->Directions);
+  vtkNew<vtkFloatArray> values;
+  values->SetName(StiffnessArray);
+  for (const double noticed : felt.Noticed)
+  {
+    values->InsertNextValue(static_cast<float>(noticed));
+  }
+  this->Drawn->GetPointData()->AddArray(values);
+  this->Drawn->Modified();
+}
+} // namespace palpate

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "BaselineImage.h"
+#include "CommandRun.h"
+#include "WidgetImage.h"
+#include "WindowTest.h"
+
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QMimeData>
+#include <QStyleFactory>
+#include <QUrl>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace palpate::test
+{
+/// A page of Documentation/Tutorial, step by step, as a new user does. The screenshots are those of
+/// the page; the style is Qt's own, so that they look the same on every machine.
+class TutorialWindow : public WindowTest
+{
+protected:
+  void SetUp() override
+  {
+    WindowTest::SetUp();
+    if (!IsSkipped())
+    {
+      QApplication::setStyle(QStyleFactory::create("Fusion"));
+      this->Window->resize(1180, 760);
+    }
+  }
+
+  std::filesystem::path File(const std::string& name) const { return this->Phantom.Folder / name; }
+  void DropFiles(const std::vector<std::string>& names)
+  {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const std::string& name : names)
+    {
+      urls += QUrl::fromLocalFile(QString::fromStdString(this->File(name).string()));
+    }
+    data.setUrls(urls);
+    QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(this->Window.get(), &enter);
+    QDropEvent drop({300.0, 300.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(this->Window.get(), &drop);
+  }
+  /// Brings a panel to the front.
+  void Raise(const char* panel) { this->Window->findChild<QDockWidget*>(panel)->raise(); }
+  void ExpectBaseline(const std::string& name)
+  {
+    DrawAll(*this->Window->Views());
+    ExpectLikeBaseline(ImageOf(*this->Window),
+                       std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / name);
+  }
+  const FitResult& Fit()
+  {
+    return *this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, 1);
+  }
+  double Force() const
+  {
+    const PlainVector3& force = this->Study->Reading().Newest.ForceWorld;
+    return std::hypot(force.X, force.Y, force.Z);
+  }
+  /// The same position and force each time: the hand stays at a place until the force does.
+  void HoldStill(const Vector3& placeWorld)
+  {
+    std::uint64_t since = 0;
+    double former = 0.0;
+    this->FeelUntil(
+        [&]
+        {
+          this->Study->Current().Touch().MoveHand(placeWorld);
+          const bool isSteady = this->Force() > 0.1 && std::abs(this->Force() - former) < 1e-4;
+          const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
+          since = isSteady ? since : now;
+          former = this->Force();
+          return now > since + 800;
+        });
+  }
+};
+} // namespace palpate::test
