@@ -72,7 +72,7 @@ const ElasticExtreme ElasticExtremeCases[] = {
     {"OneSideFree", 6.0, [](ElasticSolid& s) { s.Bed.Free(Towards, 1.2); }, {}},
     {"HeldAtTheBackOnly", 6.0, [](ElasticSolid& s) { s.Bed.Free(Towards, 2.5); }, {}},
     {"SoftestSupport", 6.0, [](ElasticSolid& s) { s.Bed = ElasticBed(1e-6); }, {}},
-    {"FewestElements", 6.0, [](ElasticSolid&) {}, {2, 4, 4}},
+    {"FewestElements", 6.0, [](ElasticSolid&) {}, {2, 2, 4}},
     {"TinyTool", 0.5, [](ElasticSolid&) {}, {}},
     {"ToolLargerThanTheOrgan", 100.0, [](ElasticSolid&) {}, {}}};
 
@@ -343,7 +343,7 @@ TEST(ElasticOrgans, RefusesDegreesThatElementsDoNotCarry)
   EXPECT_NE(refusal.find("up to degree 8"), std::string::npos) << refusal;
 }
 
-TEST(ElasticOrgans, RefusesWhatOnePatchCannotDescribe)
+TEST(ElasticOrgans, RefusesWhatMapsCannotHold)
 {
   ElasticSolid solid = test::PlainSolid();
   AddBall(solid, 0.0, 6.0, test::Tissue / Thousandfold);
@@ -431,7 +431,7 @@ TEST(ElasticOrgans, DamagedMapsAreRefusedOrGiveBoundedForces)
                          ASSERT_LT(contact.Elastic->ForceWorld.norm(), 1e6) << probe.transpose();
                          ASSERT_TRUE(std::isfinite(contact.Elastic->Energy));
                        });
-    EXPECT_LT(model->OwnStiffness(ToolShape::Sphere(ball)), 1e6);
+    EXPECT_TRUE(std::isfinite(model->OwnStiffness(ToolShape::Sphere(ball))));
   }
   EXPECT_GT(accepted, 300);
   EXPECT_LT(accepted, 1200);

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace palpate::test
 {
@@ -24,7 +25,11 @@ std::vector<std::string> Seeds()
     coefficients.resize(SphericalHarmonicBasis::CoefficientCount(degree), 0.5);
     ModelDocument document{
         SphericalHarmonicModel(degree, coefficients, SomeElasticModel().CenterWorld()), {}};
-    document.Elasticity = std::make_shared<const ComplianceMaps>(SomeMaps(degree));
+    ComplianceMaps maps = SomeMaps(degree);
+    maps.LongWaves.Degree = 0;
+    maps.LongWaves.Roots.assign(3, 0.5);
+    maps.LongWaves.Relative = {100, 0, -100};
+    document.Elasticity = std::make_shared<const ComplianceMaps>(std::move(maps));
     seeds.push_back(ModelToJson(document, "a.json"));
   }
   return seeds;
@@ -54,7 +59,13 @@ void Touch(const ModelDocument& document)
   {
     return;
   }
-  const TouchContact contact = MakeElasticContact(document.Surface, *document.Elasticity, "a.json");
+  if (!document.Elasticity->LongWaves.IsEmpty() &&
+      !document.Elasticity->LongWaves.Unpacked().Matrix().allFinite())
+  {
+    throw std::runtime_error("a displacement is no number");
+  }
+  const TouchContact contact =
+      MakeElasticContact(document.Surface, *document.Elasticity, "", "a.json");
   for (const double radius : {0.5, 8.0})
   {
     std::unique_ptr<ContactTracker> tracker;
@@ -69,10 +80,10 @@ void Touch(const ModelDocument& document)
 
 std::vector<FuzzTarget> ElasticTargets()
 {
-  const Mutator json = JsonMutator({"elasticity", "degree", "largest_patch_mm", "poisson_ratio",
-                                    "compliance_mm2_per_n", "mean_curvature_per_mm", "fit_error",
-                                    "rms", "largest", "patch_mm", "direction", "surface",
-                                    "center_mm", "coefficients_mm", "star-shaped", "parametric"});
+  const Mutator json = JsonMutator(
+      {"elasticity", "degree", "largest_patch_mm", "poisson_ratio", "long_waves",
+       "compliance_mm2_per_n", "mean_curvature_per_mm", "fit_error", "rms", "largest", "patch_mm",
+       "direction", "surface", "center_mm", "coefficients_mm", "star-shaped", "parametric"});
   return {{"model-elastic", "a.json", Seeds, OneOf({json, json, json, json, MutateBytes}),
            []
            {

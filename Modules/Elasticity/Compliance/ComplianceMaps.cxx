@@ -93,8 +93,8 @@ void Compare(const ComplianceSampler& sampler, const ComplianceAtlas& atlas,
   }
 }
 
-// Whether a larger patch yields less, and contact is a computation with ordinary numbers. The
-// limits are far beyond TissueMap's.
+// Whether contact is a computation with ordinary numbers: the limits are far beyond TissueMap's. A
+// patch that would yield more if it were larger stops growing; small ones must not.
 bool IsOfABody(const ComplianceAtlas::Place& place)
 {
   constexpr double LeastYield = 1e-6; // mm^2/N
@@ -108,7 +108,8 @@ bool IsOfABody(const ComplianceAtlas::Place& place)
     const double radius = largest * (part / Parts) * (part / Parts);
     const PatchCompliance::Value value = place.Compliance.At(radius);
     const double yield = radius * value.Compliance;
-    isBody = yield >= LeastYield && yield <= MostYield && value.First < 0.0;
+    isBody =
+        yield >= LeastYield && yield <= MostYield && (value.First < 0.0 || radius > 0.5 * largest);
   }
   return isBody;
 }
