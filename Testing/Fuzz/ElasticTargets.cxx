@@ -9,6 +9,7 @@
 #include "TouchContact.h"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -76,6 +77,31 @@ void Touch(const ModelDocument& document)
     }
   }
 }
+// Other numbers in a model's lists, often near those that they replace: what is left is mostly a
+// model.
+void ChangeNumbers(std::string& text, Random& random)
+{
+  using Json = nlohmann::ordered_json;
+  const Json::json_pointer elasticity("/elasticity");
+  const Json::json_pointer lists[] = {
+      Json::json_pointer("/coefficients_mm"), elasticity / "mean_curvature_per_mm",
+      elasticity / "compliance_mm2_per_n" / Below(random, PatchCompliance::Terms)};
+  const Json::json_pointer list = Choose(lists, random);
+  const Json::json_pointer places[] = {list / 0, list / Below(random, 16),
+                                       elasticity / "largest_patch_mm"};
+  const Json::json_pointer place = Choose(places, random);
+  // The library writes deep texts recursively; those of other mutations are long.
+  constexpr std::size_t Longest = 20000;
+  Json model = text.size() < Longest ? Json::parse(text, nullptr, false) : Json();
+  if (model.is_discarded() || !model.contains(place) || !model[place].is_number())
+  {
+    return;
+  }
+  const auto present = model[place].get<double>();
+  const double near = 0.01 * static_cast<double>(Below(random, 300));
+  model[place] = Below(random, 4) == 0 ? OddReal(present, random) : near * (present + 1.0) - 1.0;
+  text = model.dump();
+}
 } // namespace
 
 std::vector<FuzzTarget> ElasticTargets()
@@ -84,7 +110,8 @@ std::vector<FuzzTarget> ElasticTargets()
       {"elasticity", "degree", "largest_patch_mm", "poisson_ratio", "long_waves",
        "compliance_mm2_per_n", "mean_curvature_per_mm", "fit_error", "rms", "largest", "patch_mm",
        "direction", "surface", "center_mm", "coefficients_mm", "star-shaped", "parametric"});
-  return {{"model-elastic", "a.json", Seeds, OneOf({json, json, json, json, MutateBytes}),
+  return {{"model-elastic", "a.json", Seeds,
+           OneOf({json, ChangeNumbers, ChangeNumbers, MutateBytes}),
            []
            {
              return FileReader("a.json",
