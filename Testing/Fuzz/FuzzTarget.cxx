@@ -2,6 +2,7 @@
 
 #include "DeviceTargets.h"
 #include "DicomTargets.h"
+#include "ElasticTargets.h"
 #include "ImageTargets.h"
 #include "SessionTargets.h"
 #include "SurfaceTargets.h"
@@ -17,8 +18,8 @@ namespace
 std::vector<FuzzTarget> MakeFuzzTargets()
 {
   std::vector<FuzzTarget> all;
-  for (auto* make :
-       {&ImageTargets, &DicomTargets, &SurfaceTargets, &SessionTargets, &DeviceTargets})
+  for (auto* make : {&ImageTargets, &DicomTargets, &SurfaceTargets, &ElasticTargets,
+                     &SessionTargets, &DeviceTargets})
   {
     for (FuzzTarget& target : (*make)())
     {

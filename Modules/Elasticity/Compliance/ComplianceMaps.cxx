@@ -92,6 +92,27 @@ void Compare(const ComplianceSampler& sampler, const ComplianceAtlas& atlas,
     error.Worst = direction;
   }
 }
+
+// Whether contact is a computation with ordinary numbers: the limits are far beyond TissueMap's. A
+// patch that would yield more if it were larger stops growing; small ones must not.
+bool IsOfABody(const ComplianceAtlas::Place& place)
+{
+  constexpr double LeastYield = 1e-6; // mm^2/N
+  constexpr double MostYield = 1e9;   // mm^2/N
+  constexpr double MostBend = 1e3;    // rad, over the largest patch
+  constexpr double Parts = 20.0;      // squared: small patches have to be denser
+  const double largest = place.Compliance.LargestRadius;
+  bool isBody = std::abs(place.MeanCurvature) * largest <= MostBend;
+  for (double part = 1.0; part <= Parts && isBody; ++part)
+  {
+    const double radius = largest * (part / Parts) * (part / Parts);
+    const PatchCompliance::Value value = place.Compliance.At(radius);
+    const double yield = radius * value.Compliance;
+    isBody =
+        yield >= LeastYield && yield <= MostYield && (value.First < 0.0 || radius > 0.5 * largest);
+  }
+  return isBody;
+}
 } // namespace
 
 Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
@@ -162,8 +183,9 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
 
 Status ComplianceMaps::Check() const
 {
+  constexpr double MostPatch = 1e6; // mm
   const bool isKnown = this->Degree >= 0 && this->Degree <= MostDegree &&
-                       this->LargestPatch > 0.0 && std::isfinite(this->LargestPatch) &&
+                       this->LargestPatch >= 1.0 / MostPatch && this->LargestPatch <= MostPatch &&
                        this->PoissonRatio >= 0.0 && this->PoissonRatio < 0.5;
   const bool isComplete =
       isKnown &&
@@ -183,20 +205,11 @@ Status ComplianceMaps::Check() const
   {
     return drawn;
   }
-  constexpr int Parts = 12; // of the largest patch
   const ComplianceAtlas atlas(*this);
-  for (const Vector3& direction : SphereQuadrature(2 * this->Degree + 2).Directions)
-  {
-    const PatchCompliance place = atlas.At(direction).Compliance;
-    for (int part = 1; part <= Parts; ++part)
-    {
-      const auto value = place.At(this->LargestPatch * part / Parts);
-      if (!(value.Compliance > 0.0 && value.First < 0.0))
-      {
-        return Status::Failure("The maps of compliance are not those of an elastic body.");
-      }
-    }
-  }
-  return Status::Success();
+  const std::vector<Vector3> directions = SphereQuadrature(3 * this->Degree + 20).Directions;
+  const bool isBody = std::all_of(directions.begin(), directions.end(),
+                                  [&](const Vector3& d) { return IsOfABody(atlas.At(d)); });
+  return isBody ? Status::Success()
+                : Status::Failure("The maps of compliance are not those of an elastic body.");
 }
 } // namespace palpate

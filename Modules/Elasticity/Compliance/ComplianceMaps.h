@@ -56,8 +56,8 @@ struct ComplianceMaps
                     const ReducedCompliance& reduced, const Settings& settings,
                     const KernelProgress& progress, ComplianceMaps& maps);
 
-  /// Fails for maps that are incomplete or not those of a body: everywhere a larger patch has to
-  /// yield less. For maps from a file. Allocates.
+  /// Fails for maps that are incomplete or beyond physical limits; up to half of the largest patch
+  /// a larger one has to yield less. For maps from a file. Allocates.
   Status Check() const;
 };
 } // namespace palpate

@@ -15,10 +15,10 @@ bool IsModulus(double modulus) noexcept
   return modulus >= TissueMap::LeastModulus && modulus <= TissueMap::MostModulus;
 }
 
-// Trilinear, of what each value stands for; returns false outside of the grid.
+// Trilinear, of what each value stands for; 0 outside of the grid.
 template <typename Meaning>
-bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, const Meaning& meaning,
-                 double& value) noexcept
+double Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld,
+                   const Meaning& meaning) noexcept
 {
   const Vector3 index = image.Grid.PointIndex(pointWorld);
   const std::array<int, 3>& size = image.Grid.Size();
@@ -30,14 +30,14 @@ bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, con
     const double at = index[static_cast<Eigen::Index>(axis)];
     if (!(at >= 0.0 && at <= last))
     {
-      return false;
+      return 0.0;
     }
     cell[axis] = static_cast<std::size_t>(std::min(std::floor(at), last - 1.0));
     part[axis] = at - static_cast<double>(cell[axis]);
   }
   const auto across = static_cast<std::size_t>(size[0]);
   const auto slice = across * static_cast<std::size_t>(size[1]);
-  value = 0.0;
+  double value = 0.0;
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
     const std::size_t i = corner & 1U;
@@ -49,7 +49,7 @@ bool Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld, con
         weight * meaning(static_cast<double>(
                      image.Values[cell[0] + i + across * (cell[1] + j) + slice * (cell[2] + k)]));
   }
-  return true;
+  return value;
 }
 } // namespace
 
@@ -96,18 +96,17 @@ double TissueMap::Modulus(const Vector3& pointWorld) const noexcept
   double modulus = this->Tissue;
   for (const Layer& layer : this->Layers)
   {
-    // A voxel without a value is one without this layer.
-    const auto over = [&layer, below = modulus](double value)
+    // A voxel without a value changes nothing.
+    const auto change = [&layer, below = modulus](double value)
     {
       if (!layer.IsFraction)
       {
-        return IsModulus(value) ? value : below;
+        return IsModulus(value) ? value - below : 0.0;
       }
       const double fraction = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
-      return below + fraction * (layer.Modulus - below);
+      return fraction * (layer.Modulus - below);
     };
-    double value = 0.0;
-    modulus = Interpolate(*layer.Image, pointWorld, over, value) ? value : modulus;
+    modulus += Interpolate(*layer.Image, pointWorld, change);
   }
   if (this->Power != 1.0 && modulus != this->Tissue)
   {

@@ -32,9 +32,8 @@ public:
   /// Where `fraction` is 1, `modulus` (N/mm^2) counts instead of what was added before; between 0
   /// and 1 in part (Voigt's mean), outside of the grid not at all.
   void AddInclusion(std::shared_ptr<const Samples> fraction, double modulus);
-  /// The image's values (N/mm^2) count instead of what was added before, inside of its grid where
-  /// they are within the limits: a voxel of another value, such as 0 around an organ, stands for
-  /// what was added before.
+  /// The image's values (N/mm^2) count instead of what was added before, inside of its grid; voxels
+  /// of values outside the limits, such as 0 around an organ, stand for what was added before.
   void AddImage(std::shared_ptr<const Samples> moduli);
 
   /// Raises the contrast of every place with the tissue to a power, from 1 (none) to

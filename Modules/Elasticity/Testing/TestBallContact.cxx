@@ -158,6 +158,23 @@ TEST_F(RandomContact, DoesNotDependOnTheGuess)
   }
 }
 
+// c = 10/a + a, which grows beyond the square root of 10.
+TEST(BallContact, PatchStaysBelowOneThatYieldsMore)
+{
+  const PatchCompliance place{{10.0 + 30.375, 40.5, 10.125, 0.0, 0.0, 0.0, 0.0}, 9.0};
+  ASSERT_NEAR(place.At(4.0).Compliance, 6.5, 1e-9);
+  double last = 0.0;
+  for (double depth = 0.1; depth < 30.0; depth *= 1.3)
+  {
+    const BallContact contact = BallContact::Of(depth, 8.0, 0.04, place);
+    EXPECT_GT(contact.Force, last) << depth;
+    EXPECT_LT(contact.Force, depth / place.At(3.0).Compliance) << depth;
+    EXPECT_LT(contact.PatchRadius, std::sqrt(10.0)) << depth;
+    EXPECT_FALSE(contact.IsPatchFull) << depth;
+    last = contact.Force;
+  }
+}
+
 TEST(BallContact, DoesNotTouchOutsideOrWhereItDoesNotFit)
 {
   const PatchCompliance place = HalfSpace(0.026, 9.0);

@@ -114,7 +114,10 @@ TEST_F(SmallOrgan, CheckFindsMapsThatAreNoBody)
   EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Coefficients[3].pop_back(); }));
   EXPECT_TRUE(isRefused([](ComplianceMaps& m)
                         { m.Coefficients[7][2] = std::numeric_limits<double>::quiet_NaN(); }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Coefficients[7][0] = 1e6; }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Coefficients[0][0] = 1e12; }));
   EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.LargestPatch = 0.0; }));
+  EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.LargestPatch = 1e7; }));
   EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.PoissonRatio = 0.5; }));
   EXPECT_TRUE(isRefused([](ComplianceMaps& m) { m.Degree = 5; }));
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace palpate
 {
@@ -67,8 +68,13 @@ struct Balance
   double Force;  // N
 };
 
+// No depth makes a patch grow that far where a larger one would yield more.
 Balance BalanceAt(const Gap& gap, const PatchCompliance::Value& c) noexcept
 {
+  if (!(c.First < 0.0 && c.Compliance > 0.0))
+  {
+    return {std::numeric_limits<double>::infinity(), 1.0, 0.0};
+  }
   const double ratio = c.Compliance / c.First;
   return {gap.Value - 2.0 * gap.First * ratio,
           -gap.First - 2.0 * gap.Second * ratio + 2.0 * gap.First * ratio * c.Second / c.First,

@@ -13,6 +13,7 @@ namespace palpate
 /// with the mean gap h, over a Hertz bump, between a ball of radius r and a surface of mean
 /// curvature H. So F = -2 h'/c' and d = h - 2 h' c/c'; on a half-space that is Hertz' solution. A
 /// patch that can grow no more keeps its size: then the force goes on linearly, with the slope 1/c.
+/// It does not grow to where a larger one would yield more.
 struct BallContact
 {
   double Force;       ///< N
