@@ -4,10 +4,10 @@ import unittest
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
 
-from palpate import vtkSegmentationSurface
+from palpate import vtkElasticSurface, vtkSegmentationSurface
 
 SPACING = numpy.array([1.0, 1.5, 3.0])  # mm
 ORIGIN = numpy.array([-40.0, 25.0, 110.0])  # mm, patient LPS
@@ -77,6 +77,48 @@ class SegmentationSurface(unittest.TestCase):
         self.filter.Update()
         self.assertEqual(errors, ["ErrorEvent"])
         self.assertEqual(self.filter.GetOutput().GetNumberOfPoints(), 0)
+
+
+def sphere_model(radius, center):
+    """A ball as a table of coefficients."""
+    table = vtkTable()
+    for name, value in (("Degree", 0.0), ("Order", 0.0), ("Coefficient", radius * (4.0 * numpy.pi) ** 0.5)):
+        column = numpy_to_vtk(numpy.array([value]), deep=True)
+        column.SetName(name)
+        table.AddColumn(column)
+    place = numpy_to_vtk(numpy.array([center]), deep=True)
+    place.SetName("Center")
+    table.GetFieldData().AddArray(place)
+    return table
+
+
+class ElasticSurface(unittest.TestCase):
+    def setUp(self):
+        self.filter = vtkElasticSurface()
+        self.filter.SetInputData(sphere_model(25.0, (1.0, 2.0, 3.0)))
+        self.filter.SetElementsAcross(4)
+        self.filter.SetFrequency(8)
+
+    def ball_force(self):
+        self.filter.Update()
+        force = self.filter.GetOutput().GetFieldData().GetArray("BallForce")
+        return numpy.linalg.norm(vtk_to_numpy(force))
+
+    def test_deeper_balls_are_pushed_harder(self):
+        self.filter.SetBallDepth(1.0)
+        shallow = self.ball_force()
+        self.filter.SetBallDepth(2.0)
+        self.assertGreater(shallow, 0.0)
+        # Hertz: 2 to the power 1.5.
+        self.assertGreater(self.ball_force(), 2.0 * shallow)
+
+    def test_stiffer_tissue_has_larger_forces_everywhere(self):
+        def forces(kilopascal):
+            self.filter.SetTissueModulus(kilopascal)
+            self.filter.Update()
+            return vtk_to_numpy(self.filter.GetOutput().GetPointData().GetArray("Force")).copy()
+
+        self.assertTrue((forces(40.0) > 1.3 * forces(20.0)).all())
 
 
 if __name__ == "__main__":
