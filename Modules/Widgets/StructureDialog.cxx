@@ -65,13 +65,14 @@ void StructureDialog::AddRepresentation()
     this->AddNumbers(one.Numbers);
     this->AddImage(one.ImageLabel, one.ImageKey);
     this->Rows = this->Form;
-    const auto show = [this, group, own = static_cast<int>(place - names.begin())](int index)
-    {
-      group->setVisible(index == own);
-      this->adjustSize();
-    };
-    connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this, show);
-    show(choice->currentIndex());
+    const int own = static_cast<int>(place - names.begin());
+    group->setVisible(choice->currentIndex() == own);
+    connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this, group, own](int index)
+            {
+              group->setVisible(index == own);
+              this->adjustSize();
+            });
   }
 }
 

@@ -268,7 +268,7 @@ TEST(StudyPlan, ElasticityIsMadeAgainOnlyForWhatItDependsOn)
                  {"the other as an inclusion", set(1, "inclusion_kpa", 70.0), first},
                  {"inclusion of both", set(2, "inclusion_kpa", 70.0), And(first, second)},
                  {"no inclusion", set(2, "inclusion_kpa", 0.0), And(first, second)},
-                           {"colour of an inclusion",
+                 {"colour of an inclusion",
                   [](Inputs& i) {
                     i.State.Structures[2].Color = {{0.0, 0.0, 1.0}};
                   },
