@@ -68,6 +68,7 @@ AIMS = {
     "touch/parametric/degree16": 600,
     "touch/subvoxel/26": 4e3,
     "drill/tick/3mm": 50e3,
+    "elastic/tick/degree20": 3e3,
 }
 TRADE = """## Time of an evaluation against its accuracy
 
@@ -109,6 +110,20 @@ touched by a point 1.5 mm deep, and a sphere in voxels of 0.5 mm touched by a sp
 all that a servo does, from the device's sample to its force, running freely on one core; a device takes 1,000 a second. Their
 rates were measured on the machines of their time, while drawing: compare the methods with each other.
 The first system's radial force and the second's mean length are laws of their own, with errors of their own.
+"""
+
+ELASTIC_BUILDS = """## Organs that yield: elements and harmonics
+
+What `palpate soften --elements --degree` cost and bring, on one core: a sphere of 25 mm, 20 kPa, on a bed of 1 kPa/mm.
+Compliance is that to Hertz bumps of 0.5 to 8 mm, against the closed form; force that of a ball of 8 mm, 0.5 to
+4 mm deep, against exact unilateral contact of the closed form. Each is the largest error of five directions.
+"""
+
+ELASTIC_MAPS = """## Organs that yield: degree of the maps
+
+What `palpate soften --map-degree` costs and brings: a bumpy organ of 20 mm with a lesion of three times the modulus, 2 mm below
+its surface. What is left out is that of the compliance to a bump of 3 mm, at places between those of the fit. A tick is
+`ElasticForce::Of`, for places that wander.
 """
 
 # Entered by hand; see its text.
@@ -221,8 +236,9 @@ def main():
              aims(pairs), "## Against others\n", PEERS, comparisons(pairs),
              trade_page.section(scenes, link("trade.png")),
              TRADE.format(picture=link("speed-accuracy.png")), trade_table(measured["tradeoff"]),
-             PUBLISHED, measured["published"], TOUCH, measured["touch"], CHAI3D, FOOTPRINTS, measured["footprints"], CAPS,
-             measured["caps"]]
+             PUBLISHED, measured["published"], TOUCH, measured["touch"], CHAI3D, ELASTIC_BUILDS,
+             measured["elastic_builds"], ELASTIC_MAPS, measured["elastic_maps"], FOOTPRINTS,
+             measured["footprints"], CAPS, measured["caps"]]
     arguments.page.write_text("\n".join(parts))
 
 

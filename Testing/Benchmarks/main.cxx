@@ -4,6 +4,8 @@
 #include "ComparisonReport.h"
 #include "DisplayCheck.h"
 #include "DrillBenchmarks.h"
+#include "ElasticBenchmarks.h"
+#include "ElasticBuilds.h"
 #include "EvaluationBenchmarks.h"
 #include "FieldBenchmarks.h"
 #include "FieldFootprint.h"
@@ -54,12 +56,13 @@ std::vector<PairedBenchmark> DrawingBenchmarks()
 std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
-  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
-                      palpate::bench::FitBenchmarks(), palpate::bench::BoundsBenchmarks(),
-                      palpate::bench::NearestBenchmarks(), palpate::bench::FieldBenchmarks(),
-                      DrawingBenchmarks(), palpate::bench::TouchBenchmarks(),
-                      palpate::bench::BumpyTouchBenchmarks(), palpate::bench::DrillBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group :
+       {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
+        palpate::bench::FitBenchmarks(), palpate::bench::BoundsBenchmarks(),
+        palpate::bench::NearestBenchmarks(), palpate::bench::FieldBenchmarks(), DrawingBenchmarks(),
+        palpate::bench::TouchBenchmarks(), palpate::bench::BumpyTouchBenchmarks(),
+        palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
+        palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }
@@ -95,7 +98,9 @@ std::string PageJson(const std::vector<palpate::bench::Comparison>& comparisons)
       {"caps", palpate::bench::ToMarkdown(palpate::bench::MissingCaps(Bodies))},
       {"footprints", palpate::bench::ToMarkdown(palpate::bench::FieldFootprints())},
       {"published", palpate::bench::ToMarkdown(palpate::bench::ComparePublished())},
-      {"touch", palpate::bench::ToMarkdown(palpate::bench::TouchQuality())}};
+      {"touch", palpate::bench::ToMarkdown(palpate::bench::TouchQuality())},
+      {"elastic_builds", palpate::bench::ToMarkdown(palpate::bench::ElasticBuilds())},
+      {"elastic_maps", palpate::bench::ToMarkdown(palpate::bench::ElasticMapRows(comparisons))}};
   return page.dump(2);
 }
 } // namespace

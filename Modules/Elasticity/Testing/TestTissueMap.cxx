@@ -119,6 +119,16 @@ TEST(ElasticBed, IsZeroWhereFreeAndWholeElsewhere)
   EXPECT_DOUBLE_EQ(bed.At(-Vector3::UnitY()), 2e-3);
 }
 
+TEST(ElasticBed, EveryConeIsFree)
+{
+  ElasticBed bed(2e-3);
+  bed.Free(Vector3::UnitX(), 0.5);
+  bed.Free(Vector3::UnitY(), 0.5);
+  EXPECT_EQ(bed.At(Vector3::UnitX()), 0.0);
+  EXPECT_EQ(bed.At(Vector3::UnitY()), 0.0);
+  EXPECT_EQ(bed.At(Vector3::UnitZ()), 2e-3);
+}
+
 TEST(ElasticBed, RefusesConesThatAreNone)
 {
   for (const double angle : {0.0, -1.0, 4.0, std::numeric_limits<double>::quiet_NaN()})
