@@ -17,21 +17,6 @@ bool IsHeld(const StarMesh& mesh, const ElasticBed& bed)
                      [&bed](const StarMesh::Face& face)
                      { return bed.At(StarMesh::At(face, 0.0, 0.0).Direction) > 0.0; });
 }
-
-// What is known before the long part.
-Status CheckTask(const OrganSoftening& task, const StarMesh& mesh, const ElasticSolid& solid)
-{
-  const int most = OrganSoftening::MostDegreePerElement * task.ElementsAcross;
-  if (task.Degree > most)
-  {
-    return Status::Failure(std::to_string(task.ElementsAcross) +
-                           " elements across carry harmonics up to degree " + std::to_string(most) +
-                           ": use more elements or a lower degree.");
-  }
-  return IsHeld(mesh, solid.Bed)
-             ? Status::Success()
-             : Status::Failure("Nothing holds the organ: its support is zero on all sides.");
-}
 } // namespace
 
 Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSolid& solid,
@@ -53,17 +38,18 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
   {
     status = AssembleStiffness(mesh, model.CenterWorld(), solid, stiffness);
   }
-  if (status.IsOk())
+  if (status.IsOk() && !IsHeld(mesh, solid.Bed))
   {
-    status = CheckTask(*this, mesh, solid);
+    status = Status::Failure("Nothing holds the organ: its support is zero on all sides.");
   }
   ReducedCompliance reduced;
   if (status.IsOk())
   {
     account.ElementEdge = mesh.SurfaceEdge();
     account.Unknowns = static_cast<std::size_t>(stiffness.rows());
-    status = ReducedCompliance::Make(mesh, stiffness, this->Degree, between(Assembled, Reduced),
-                                     reduced);
+    const int carried = MostDegreePerElement * this->ElementsAcross;
+    status = ReducedCompliance::Make(mesh, stiffness, std::min(this->Degree, carried),
+                                     between(Assembled, Reduced), reduced);
   }
   if (status.IsOk())
   {

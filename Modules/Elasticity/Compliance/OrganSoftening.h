@@ -7,12 +7,12 @@ namespace palpate
 /// From a model and its tissue to what is kept of an elastic organ.
 struct OrganSoftening
 {
-  /// Harmonics of more than this degree times the elements across are shorter than two elements:
-  /// the organ would be too stiff by tens of percent.
+  /// Elements carry harmonics up to this degree times their number across: of shorter ones, less
+  /// than two elements long, the organ would be too stiff by tens of percent.
   static constexpr int MostDegreePerElement = 2;
 
   int ElementsAcross = 16; ///< of a quarter of a great circle; see StarMesh
-  int Degree = 12;         ///< of the reduced compliance, limited by the elements
+  int Degree = 12;         ///< of the reduced compliance, lowered to what the elements carry
   ComplianceMaps::Settings Maps;
 
   /// What was built.
@@ -23,9 +23,8 @@ struct OrganSoftening
   };
 
   /// Fails with the reasons of its parts (see StarMesh, AssembleStiffness, ReducedCompliance and
-  /// ComplianceMaps), for an organ that nothing holds, for a degree that the elements do not carry,
-  /// and for maps that their Check would refuse. Takes seconds and, with 16 elements across, 0.7
-  /// GB.
+  /// ComplianceMaps), for an organ that nothing holds, and for maps that their Check would refuse.
+  /// Takes seconds and, with 16 elements across, 0.7 GB.
   Status Make(const SphericalHarmonicModel& model, const ElasticSolid& solid,
               const KernelProgress& progress, ComplianceMaps& maps, Account& account) const;
 };

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <limits>
 
 namespace palpate
@@ -167,6 +168,32 @@ TEST(ElasticContactModel, RubbingTakesEnergyOnly)
     lastPlace = place;
     lastForce = force;
   }
+}
+
+// Pushed aside where the patch is stiff, and back where it is soft.
+TEST(ElasticContactModel, FrictionOfAPatchThatIsUnloadedGivesNoEnergyOut)
+{
+  const auto tracker = Tracker({2.0, 2.0});
+  const Vector3 normal = TheOrgan().Case.Model.Normal(TheOrgan().Lesion);
+  const Vector3 aside = 0.2 * normal.unitOrthogonal();
+  const auto at = [&](double depth) { return TheOrgan().Above(TheOrgan().Lesion, Ball - depth); };
+  const Vector3 corners[] = {at(2.0), at(2.0) + aside, at(0.8) + aside, at(0.8), at(2.0)};
+  tracker->Follow(test::At(at(-1.0)));
+  Vector3 lastForce = tracker->Follow(test::At(corners[0])).Elastic->ForceWorld;
+  double work = 0.0; // of the force on the hand
+  for (std::size_t side = 0; side + 1 < std::size(corners); ++side)
+  {
+    Vector3 last = corners[side];
+    test::MoveStraight(*tracker, corners[side], corners[side + 1], 0.01,
+                       [&](const Vector3& place, const Contact& contact)
+                       {
+                         const Vector3 force = contact.Elastic->ForceWorld;
+                         work += 0.5 * (force + lastForce).dot(place - last);
+                         last = place;
+                         lastForce = force;
+                       });
+  }
+  EXPECT_LT(work, 0.0);
 }
 
 TEST(ElasticContactModel, NeedsABall)
