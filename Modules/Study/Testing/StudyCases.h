@@ -49,7 +49,7 @@ inline SceneStructure RandomStructure(Random& random)
   structure.Color = {{RandomNumber(random, 0.0, 1.0), RandomNumber(random, 0.0, 1.0), 1.0}};
   structure.IsVisible = RandomChoice(random);
   structure.IsTouchable = RandomChoice(random);
-  structure.Appearance = static_cast<SceneAppearance>(RandomWhole(random, 0, 4));
+  structure.Appearance = static_cast<SceneAppearance>(RandomWhole(random, 0, 5));
   structure.Representation =
       SceneRepresentations().at(static_cast<std::size_t>(RandomWhole(random, 0, 5))).Name;
   structure.Degree = RandomWhole(random, 0, 40);

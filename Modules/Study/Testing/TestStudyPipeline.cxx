@@ -453,7 +453,7 @@ TEST_F(StudyPipelineTest, RandomChangesEndAsIfMadeDirectly)
     next.Structures[0].Degree = test::RandomWhole(random, 1, 3);
     next.Structures[0].IsVisible = test::RandomChoice(random);
     next.Structures[0].IsTouchable = test::RandomChoice(random);
-    next.Structures[0].Appearance = static_cast<SceneAppearance>(test::RandomWhole(random, 0, 4));
+    next.Structures[0].Appearance = static_cast<SceneAppearance>(test::RandomWhole(random, 0, 5));
     next.Structures[0].Representation =
         SceneRepresentations().at(static_cast<std::size_t>(test::RandomWhole(random, 0, 3))).Name;
     next.Fit.Smoothing = test::RandomChoice(random) ? 0.0 : 1.0;
