@@ -179,6 +179,13 @@ TEST(ElasticForce, StaysBoundedWhereTheBallDoesNotFit)
     invalid += force.IsValid ? 0 : 1;
   }
   EXPECT_GT(invalid, 10);
+  // Also where the nearest point is unique and the depth half the ball's radius.
+  const Vector3 bottom = test::HollowDirection();
+  const double fitting = -0.9 / atlas.At(bottom).MeanCurvature;
+  const auto isValid = [&](double ball)
+  { return ElasticForce::Of(atlas, organ.Model, bottom, 0.5 * ball, ball).IsValid; };
+  EXPECT_TRUE(isValid(0.95 * fitting));
+  EXPECT_FALSE(isValid(1.05 * fitting));
 }
 
 TEST(ElasticForce, IsZeroWithoutContact)
