@@ -247,13 +247,14 @@ vtkPolyData* ViewContents::ShowYielding(const SceneStructure& structure,
   return yielding->Surface();
 }
 
-// A structure that yields is translucent if another one lies in it.
+// A structure that yields is translucent if another one lies in it, unless it is coloured by a map.
 void ViewContents::ShowWhatLiesInside()
 {
   constexpr double Translucent = 0.5;
   for (const auto& [id, yielding] : this->Yielding)
   {
     const vtkBoundingBox box(yielding->Surface()->GetBounds());
+    const bool isMap = *this->SurfacesShown.at(id)->GetColorArray() != '\0';
     bool holdsAnother = false;
     for (const auto& [other, shown] : this->SurfacesShown)
     {
@@ -261,7 +262,7 @@ void ViewContents::ShowWhatLiesInside()
           holdsAnother ||
           (other != id && box.Contains(vtkBoundingBox(shown->GetSurface()->GetBounds())));
     }
-    this->SurfacesShown.at(id)->SetOpacity(holdsAnother ? Translucent : 1.0);
+    this->SurfacesShown.at(id)->SetOpacity(holdsAnother && !isMap ? Translucent : 1.0);
   }
 }
 

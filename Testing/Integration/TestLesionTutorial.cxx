@@ -73,7 +73,6 @@ void LesionTutorialTest::Feel()
   this->HoldStill(over); // 3 mm deep
   const double atNodule = this->Force();
   EXPECT_GT(this->Study->Reading().Newest.PatchRadius, 1.0);
-  this->Raise("Plots");
   this->ExpectBaseline("lesion-touch.png");
   const Vector3 aside = (Vector3::UnitY() + 0.8 * Vector3::UnitX()).normalized();
   this->HoldStill(gland.PointWorld(aside) + 5.0 * gland.Normal(aside));

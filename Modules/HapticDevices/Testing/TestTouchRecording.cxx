@@ -72,7 +72,7 @@ TEST(TouchRecordingFormat, RejectsInvalidTick)
   TouchState state;
   ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
   const std::pair<std::size_t, std::uint64_t> bad[] = {
-      {5, 0x800}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
+      {5, 0x1000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
       {34, 5}};
   for (const auto& [word, value] : bad)
   {
@@ -128,7 +128,7 @@ TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
             this->Path + "x cannot be read.");
 }
 
-// Version 3 has a number in the upper bits of each tick's flags.
+// Version 3 has a number in the upper bits of each tick's flags, and not its last words.
 TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
 {
   ASSERT_TRUE(this->ReadBytes().IsOk());
@@ -141,7 +141,13 @@ TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
     this->Bytes[at + 8 * TouchRecordingFormat::FlagsWord + 7] = 2;
   }
   EXPECT_FALSE(this->ReadBytes().IsOk()) << "version 4 has no such flags";
-  this->Bytes[24] = '3';
+  std::string old = this->Bytes.substr(0, first);
+  for (std::size_t at = first; at < this->Bytes.size(); at += tick)
+  {
+    old += this->Bytes.substr(at, 8 * TouchRecordingFormat::TickWords3);
+  }
+  old[24] = '3';
+  this->Bytes = old;
   ASSERT_TRUE(this->ReadBytes().IsOk());
   ASSERT_EQ(this->Recording.Ticks.size(), newest.Ticks.size());
   for (std::size_t n = 0; n < newest.Ticks.size(); ++n)

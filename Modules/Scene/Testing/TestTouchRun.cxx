@@ -112,11 +112,11 @@ TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
   run.Guide = [&reported](const std::string& message) { reported = message; };
   TouchResult result;
   {
-    const test::FileSizeLimit full(300'000); // within tick 1013
+    const test::FileSizeLimit full(300'000); // within tick 961
     result = RunTouch(touch, run, GoOn);
   }
   EXPECT_EQ(result.Ticks, 2000U);
-  EXPECT_NE(result.RecordingProblem.find("1.013 s"), std::string::npos) << result.RecordingProblem;
+  EXPECT_NE(result.RecordingProblem.find("0.961 s"), std::string::npos) << result.RecordingProblem;
   EXPECT_EQ(reported, result.RecordingProblem);
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask and recording";
