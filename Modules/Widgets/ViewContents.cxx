@@ -88,8 +88,9 @@ vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& stru
 std::shared_ptr<const FitResult> YieldingModelOf(const StudyPipeline& pipeline,
                                                  const SceneStructure& structure)
 {
-  const bool isRigid = structure.Representation != TouchRepresentation::Automatic &&
-                       structure.Representation != TouchRepresentation::Elastic;
+  const bool isRigid = structure.Representation == TouchRepresentation::Harmonics ||
+                       structure.Representation == TouchRepresentation::Facets ||
+                       structure.Representation == TouchRepresentation::SubVoxel;
   auto model = pipeline.Newest<FitResult>(SceneStep::Elasticity, structure.Id);
   model = model != nullptr ? model : pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   const bool yields = !isRigid && WantsModel(structure) && model != nullptr &&
