@@ -184,7 +184,7 @@ TEST(ElasticForce, StaysBoundedWhereTheBallDoesNotFit)
   const double fitting = -0.9 / atlas.At(bottom).MeanCurvature;
   const auto isValid = [&](double ball)
   { return ElasticForce::Of(atlas, organ.Model, bottom, 0.5 * ball, ball).IsValid; };
-  EXPECT_TRUE(isValid(0.7 * fitting));
+  EXPECT_TRUE(isValid(0.4 * fitting));
   EXPECT_FALSE(isValid(1.05 * fitting));
 }
 
