@@ -182,12 +182,15 @@ void PrintTo(const SphereExtreme& extreme, std::ostream* stream)
 }
 
 // Elements err by the square of their size. Voxels at the rim of a stiff core count in part, which
-// makes it larger; a soft one is felt too early, since waves are taken for those of one modulus.
+// makes it larger.
 const SphereExtreme SphereExtremes[] = {
     {"PoissonZero", 0.0, 0.0, 1.0, test::Bed, 0.02},
     {"PoissonNearlyHalf", 0.4999, 0.0, 1.0, test::Bed, 0.02},
     {"StiffCore", test::Poisson, 15.0, Thousandfold, test::Bed, 0.1},
-    {"SoftCore", test::Poisson, 15.0, 0.1, test::Bed, 0.1},
+    {"SoftCore", test::Poisson, 15.0, 0.1, test::Bed, 0.03},
+    {"SoftCoreBelowAThinLayer", test::Poisson, 20.0, 0.1, test::Bed, 0.03},
+    {"CoreOfAHundredth", test::Poisson, 20.0, 0.01, test::Bed, 0.03},
+    {"CoreOfAThousandth", test::Poisson, 15.0, 1e-3, test::Bed, 0.03},
     {"SoftestSupport", test::Poisson, 0.0, 1.0, 1e-6, 0.015},
     {"StiffSupport", test::Poisson, 0.0, 1.0, 1e-2, 0.04}};
 
@@ -224,22 +227,6 @@ TEST_P(ExtremeSpheres, YieldLikeTheClosedForm)
 
 INSTANTIATE_TEST_SUITE_P(Cases, ExtremeSpheres, ::testing::ValuesIn(SphereExtremes),
                          [](const auto& extreme) { return extreme.param.Name; });
-
-// Somewhere between its own compliance and that of the core's modulus everywhere.
-TEST(ElasticOrgans, CoreOfAThousandthIsFeltTooSoftButBounded)
-{
-  const double core = test::Tissue / Thousandfold;
-  ElasticSolid solid = test::PlainSolid();
-  solid.Tissue.AddInclusion(test::BallFraction(test::SphereModel().CenterWorld(), 15.0), core);
-  const ElasticOrgan organ(test::SphereModel(), solid, {8, 8, 8});
-  const LayeredSphere truth({{15.0, core}, {test::Radius, test::Tissue}}, test::Poisson, test::Bed);
-  for (const double patch : {0.5, 2.0, 4.0, 8.0})
-  {
-    const double excess = organ.Compliance(Towards, patch) / truth.Compliance(patch);
-    EXPECT_GT(excess, 1.0) << patch;
-    EXPECT_LT(excess, 2.2) << patch;
-  }
-}
 
 // C of the softer body less that of the stiffer one is positive: it does so in finite elements.
 TEST(ElasticOrgans, StifferOnesYieldLessToEveryTraction)

@@ -17,6 +17,18 @@ double EnergyAbove(double t) noexcept
 {
   return 1.0 - std::exp(-2.0 * t) * (1.0 + 2.0 * t + 2.0 * t * t);
 }
+
+// Of a layer that takes `part` of the energy, on a ground. A stiff ground stops the wave: the mean
+// of the softness. A soft one is bridged by the layer: the mean of the root of the modulus.
+double Layered(double layer, double ground, double part) noexcept
+{
+  if (ground <= layer)
+  {
+    return part * layer + (1.0 - part) * ground;
+  }
+  const double root = part / std::sqrt(layer) + (1.0 - part) / std::sqrt(ground);
+  return 1.0 / (root * root);
+}
 } // namespace
 
 LocalCompliance::LocalCompliance(const ElasticSolid& solid, const Vector3& centerWorld, int degree)
@@ -60,17 +72,25 @@ LocalCompliance::SoftnessBelow(const HertzPatch& patch) const
   return softness;
 }
 
+// From the deepest layer up: each on what is below it.
 double LocalCompliance::Softness(const std::array<double, Depths>& below, double waveNumber) const
 {
-  double sum = 0.0;
-  double above = 0.0;
-  for (std::size_t i = 0; i < Depths; ++i)
+  double softness = 0.0;
+  double energy = 0.0; // of the layers that it is of
+  double last = 1.0;
+  for (std::size_t i = Depths; i-- > 0;)
   {
-    const double next = i + 1 < Depths ? EnergyAbove(waveNumber * this->Limits[i]) : 1.0;
-    sum += (next - above) * below[i];
-    above = next;
+    const double above = i > 0 ? EnergyAbove(waveNumber * this->Limits[i - 1]) : 0.0;
+    const double own = last - above;
+    last = above;
+    if (!(own > 0.0))
+    {
+      continue;
+    }
+    energy += own;
+    softness = Layered(below[i], softness, own / energy);
   }
-  return sum;
+  return softness;
 }
 
 double LocalCompliance::At(const HertzPatch& patch) const
