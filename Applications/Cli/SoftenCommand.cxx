@@ -17,6 +17,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <ostream>
 
@@ -44,6 +45,26 @@ double Kilopascal(const std::string& option, const std::string& word)
     throw InputError(option + " " + word + " is not a modulus; give a positive number of kPa.");
   }
   return *value;
+}
+
+// Of words that are given once for all files, or once for each.
+template <typename Word>
+Word WordOf(const std::vector<Word>& words, std::size_t file, const Word& otherwise)
+{
+  return words.empty() ? otherwise : words[words.size() > 1 ? file : 0];
+}
+
+void RequireOneForAllOrEach(std::size_t words, std::size_t files, const std::string& options)
+{
+  if (words != files && words > std::min<std::size_t>(files, 1))
+  {
+    throw InputError("give " + options + ".");
+  }
+}
+
+std::vector<Segment> SegmentsNamed(const Segmentation& read, const std::string& label)
+{
+  return label.empty() ? read.Segments : std::vector<Segment>{read.Find(label)};
 }
 
 void Tell(const std::vector<std::string>& notes, Console& console)
@@ -110,6 +131,20 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->check(
           FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
       ->capture_default_str();
+  app.add_option("--neighbour", this->Neighbours,
+                 "Segmentation of what holds the organ where it is next to it; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  app.add_option("--neighbour-label", this->NeighbourLabels,
+                 "Its structure (default: all of the file): one for all, or one for each")
+      ->type_name("N|NAME")
+      ->allow_extra_args(false);
+  app.add_option("--neighbour-support", this->NeighbourSupports,
+                 "Its stiffness instead of --support and --free, kPa per mm: one for all, or one "
+                 "for each (default: 1)")
+      ->check(
+          FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
+      ->allow_extra_args(false);
   app.add_option("--exaggerate", this->Settings.Exaggeration,
                  "Power to which contrasts with the tissue are raised, and said to be")
       ->check(FiniteNumber::Between(1.0, TissueMap::MostExaggeration))
@@ -139,30 +174,42 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
 
 void SoftenCommand::ReadLesions(SofteningSettings& settings, Console& console) const
 {
-  const auto fits = [this](std::size_t count, std::size_t least)
-  { return count == this->Lesions.size() || (count <= 1 && count >= least); };
-  if (!fits(this->LesionModuli.size(), this->Lesions.empty() ? 0 : 1) ||
-      (this->Lesions.empty() && !this->LesionModuli.empty()))
+  const std::string moduli = "--lesion-modulus once for all, or once for each --lesion";
+  RequireOneForAllOrEach(this->LesionModuli.size(), this->Lesions.size(), moduli);
+  RequireOneForAllOrEach(this->LesionLabels.size(), this->Lesions.size(),
+                         "--lesion-label once for all, or once for each --lesion");
+  if (this->LesionModuli.empty() && !this->Lesions.empty())
   {
-    throw InputError("give --lesion-modulus once for all, or once for each --lesion.");
-  }
-  if (!fits(this->LesionLabels.size(), 0))
-  {
-    throw InputError("give --lesion-label once for all, or once for each --lesion.");
+    throw InputError("give " + moduli + ".");
   }
   for (std::size_t i = 0; i < this->Lesions.size(); ++i)
   {
-    const auto of = [i](const std::vector<std::string>& words)
-    { return words.empty() ? std::string() : words[words.size() > 1 ? i : 0]; };
     SofteningSettings::Inclusion inclusion;
-    inclusion.Kilopascal = Kilopascal("--lesion-modulus", of(this->LesionModuli));
+    inclusion.Kilopascal = Kilopascal("--lesion-modulus", WordOf(this->LesionModuli, i, {}));
     inclusion.Read = std::make_shared<const Segmentation>(
         ReadSegmentation(this->Lesions[i], this->Images.Choice()));
-    const std::string label = of(this->LesionLabels);
-    inclusion.Segments = label.empty() ? inclusion.Read->Segments
-                                       : std::vector<Segment>{inclusion.Read->Find(label)};
+    inclusion.Segments = SegmentsNamed(*inclusion.Read, WordOf(this->LesionLabels, i, {}));
     Tell(inclusion.Read->Notes, console);
     settings.Inclusions.push_back(std::move(inclusion));
+  }
+}
+
+void SoftenCommand::ReadNeighbours(SofteningSettings& settings, Console& console) const
+{
+  RequireOneForAllOrEach(this->NeighbourSupports.size(), this->Neighbours.size(),
+                         "--neighbour-support once for all, or once for each --neighbour");
+  RequireOneForAllOrEach(this->NeighbourLabels.size(), this->Neighbours.size(),
+                         "--neighbour-label once for all, or once for each --neighbour");
+  for (std::size_t i = 0; i < this->Neighbours.size(); ++i)
+  {
+    SofteningSettings::Neighbour neighbour;
+    neighbour.KilopascalPerMillimeter =
+        WordOf(this->NeighbourSupports, i, SofteningSettings::Neighbour::DefaultSupport);
+    neighbour.Read = std::make_shared<const Segmentation>(
+        ReadSegmentation(this->Neighbours[i], this->Images.Choice()));
+    neighbour.Segments = SegmentsNamed(*neighbour.Read, WordOf(this->NeighbourLabels, i, {}));
+    Tell(neighbour.Read->Notes, console);
+    settings.Neighbours.push_back(std::move(neighbour));
   }
 }
 
@@ -187,6 +234,7 @@ SofteningSettings SoftenCommand::Read(Console& console) const
     Tell(settings.Elastography->Notes, console);
   }
   this->ReadLesions(settings, console);
+  this->ReadNeighbours(settings, console);
   return settings;
 }
 

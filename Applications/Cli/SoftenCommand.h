@@ -23,6 +23,7 @@ public:
 private:
   SofteningSettings Read(Console& console) const;
   void ReadLesions(SofteningSettings& settings, Console& console) const;
+  void ReadNeighbours(SofteningSettings& settings, Console& console) const;
 
   std::filesystem::path Model;
   std::filesystem::path Output;
@@ -34,6 +35,9 @@ private:
   std::vector<std::string> LesionLabels;
   std::vector<std::string> LesionModuli;
   std::vector<std::string> FreeSides;
+  std::vector<std::filesystem::path> Neighbours;
+  std::vector<std::string> NeighbourLabels;
+  std::vector<double> NeighbourSupports; // kPa/mm
   ImageOptions Images;
   SofteningSettings Settings;
 };

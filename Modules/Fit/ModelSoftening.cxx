@@ -111,6 +111,28 @@ std::shared_ptr<const TissueMap::Samples> FractionOf(vtkImageData* layer, int va
   return samples;
 }
 
+// How much of a place of a model's surface is next to a structure: the largest share on the way
+// out.
+double PartNextTo(const std::vector<std::shared_ptr<const TissueMap::Samples>>& structure,
+                  const SphericalHarmonicModel& model, const Vector3& direction)
+{
+  constexpr double Step = 0.5; // mm
+  const auto sample = model.EvaluateSecondOrder(direction);
+  const Vector3 normal = (sample.Radius * direction - sample.SurfaceGradient).normalized();
+  const Vector3 foot = model.CenterWorld() + sample.Radius * direction;
+  double part = 0.0;
+  for (double away = 0.0; away <= SofteningSettings::Neighbour::Reach; away += Step)
+  {
+    double share = 0.0; // of the structure's segments together
+    for (const auto& image : structure)
+    {
+      share += image->At(foot + away * normal);
+    }
+    part = std::max(part, share);
+  }
+  return std::min(part, 1.0);
+}
+
 // Makes the solid of a model, and says what of the settings is in it.
 class Composition
 {
@@ -130,6 +152,10 @@ public:
     for (const Vector3& side : this->Settings.FreeSides)
     {
       solid.Bed.Free(side, Radian * this->Settings.FreeDegrees);
+    }
+    for (const SofteningSettings::Neighbour& neighbour : this->Settings.Neighbours)
+    {
+      this->AddNeighbour(neighbour, solid.Bed);
     }
     if (this->Settings.Elastography != nullptr)
     {
@@ -158,6 +184,30 @@ public:
   }
 
 private:
+  void AddNeighbour(const SofteningSettings::Neighbour& neighbour, ElasticBed& bed)
+  {
+    constexpr int Degree = 30;
+    std::vector<std::shared_ptr<const TissueMap::Samples>> images;
+    for (const Segment& segment : neighbour.Segments)
+    {
+      vtkImageData* layer = neighbour.Read->Layers[static_cast<std::size_t>(segment.Layer)];
+      if (auto image = FractionOf(layer, segment.Value))
+      {
+        images.push_back(std::move(image));
+      }
+    }
+    const auto part = [images, &model = this->Model](const Vector3& direction)
+    { return PartNextTo(images, model, direction); };
+    const std::vector<Vector3> around = SphereQuadrature(Degree).Directions;
+    if (std::none_of(around.begin(), around.end(),
+                     [&part](const Vector3& direction) { return part(direction) > 0.0; }))
+    {
+      this->Made.Notes.push_back(neighbour.Read->Source.string() +
+                                 " is not next to the model and does not hold it");
+    }
+    bed.Hold(part, PerKilopascal * neighbour.KilopascalPerMillimeter);
+  }
+
   void AddImage(const Volume& image, TissueMap& tissue)
   {
     tissue.AddImage(ModuliOf(image));

@@ -38,7 +38,12 @@ Status SofteningSettings::Check() const
   {
     return Status::Failure("The exaggeration" + range(1.0, TissueMap::MostExaggeration) + ".");
   }
-  if (!isWithin(this->BedPerMillimeter, LeastSupport, MostSupport))
+  const bool areSupports =
+      isWithin(this->BedPerMillimeter, LeastSupport, MostSupport) &&
+      std::all_of(this->Neighbours.begin(), this->Neighbours.end(),
+                  [&](const Neighbour& one)
+                  { return isWithin(one.KilopascalPerMillimeter, LeastSupport, MostSupport); });
+  if (!areSupports)
   {
     return Status::Failure("The stiffness of the support" + range(LeastSupport, MostSupport) +
                            " kPa per mm.");
@@ -81,9 +86,19 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const Softenin
     inclusions += (inclusions.empty() ? "" : ", ") + inclusion.Read->Source.filename().string() +
                   " " + SignificantText(inclusion.Kilopascal) + " kPa";
   }
-  if (!inclusions.empty())
+  std::string neighbours;
+  for (const SofteningSettings::Neighbour& one : settings.Neighbours)
   {
-    lines.emplace_back("inclusion", inclusions);
+    neighbours += (neighbours.empty() ? "" : ", ") + one.Read->Source.filename().string() + " " +
+                  SignificantText(one.KilopascalPerMillimeter) + " kPa/mm";
+  }
+  for (const auto& [key, files] :
+       {std::pair("inclusion", inclusions), std::pair("neighbour", neighbours)})
+  {
+    if (!files.empty())
+    {
+      lines.emplace_back(key, files);
+    }
   }
   return lines;
 }

@@ -30,6 +30,17 @@ struct SofteningSettings
     double Kilopascal = 0.0;
   };
 
+  /// Structures of a segmentation that hold the organ where they are next to it.
+  struct Neighbour
+  {
+    static constexpr double Reach = 3.0;          ///< mm, between the organ's surface and them
+    static constexpr double DefaultSupport = 1.0; ///< kPa/mm
+
+    std::shared_ptr<const Segmentation> Read;
+    std::vector<Segment> Segments;
+    double KilopascalPerMillimeter = DefaultSupport;
+  };
+
   double TissueKilopascal = 20.0;
   double PoissonRatio = 0.49;
   std::vector<Inclusion> Inclusions;          ///< later ones count where they overlap
@@ -38,9 +49,10 @@ struct SofteningSettings
   /// Power to which contrasts with the tissue are raised, see TissueMap; 1: none.
   double Exaggeration = 1.0;
 
-  double BedPerMillimeter = 1.0;  ///< of what the organ lies on, kPa/mm
-  std::vector<Vector3> FreeSides; ///< directions, patient LPS, in which it lies on nothing
-  double FreeDegrees = 60.0;      ///< around each, half the cone's angle
+  double BedPerMillimeter = 1.0;     ///< of what the organ lies on, kPa/mm
+  std::vector<Vector3> FreeSides;    ///< directions, patient LPS, in which it lies on nothing
+  double FreeDegrees = 60.0;         ///< around each, half the cone's angle
+  std::vector<Neighbour> Neighbours; ///< count instead of both where they are
 
   OrganSoftening Numbers;
 

@@ -17,10 +17,11 @@ struct Recipe
   SofteningSettings Settings;
   bool HasElastography = false;
   std::vector<SceneStructure> Inclusions;
+  std::vector<SceneStructure> Neighbours;
 };
 
-// The model with its elasticity. `inputs`: the model, the elastography image, and the segmentation
-// of each inclusion.
+// The model with its elasticity. `inputs`: the model, the elastography image, and the segmentations
+// of inclusions and of neighbours.
 SceneProduct Soften(Recipe recipe, const StructurePlan::Inputs& inputs,
                     const ProgressFunction& progress)
 {
@@ -41,6 +42,14 @@ SceneProduct Soften(Recipe recipe, const StructurePlan::Inputs& inputs,
     inclusion.Segments = SegmentsOf(structure, *inclusion.Read);
     inclusion.Kilopascal = structure.Number(TissueKey::Inclusion);
     recipe.Settings.Inclusions.push_back(std::move(inclusion));
+  }
+  for (const SceneStructure& structure : recipe.Neighbours)
+  {
+    SofteningSettings::Neighbour neighbour;
+    neighbour.Read = ProductAs<Segmentation>(&inputs[next++]);
+    neighbour.Segments = SegmentsOf(structure, *neighbour.Read);
+    neighbour.KilopascalPerMillimeter = structure.Number(TissueKey::Neighbour);
+    recipe.Settings.Neighbours.push_back(std::move(neighbour));
   }
   ModelSoftness softness =
       SoftenModel(fit->Model, CaseTitle(fit->Input, fit->Structure), recipe.Settings, progress);
@@ -80,16 +89,21 @@ std::string AddElasticity(StructurePlan& plan)
     inputs.push_back(plan.AddImage(elastography));
     key = SceneKey(key, "elastography", inputs.back());
   }
-  for (const SceneStructure* inclusion : InclusionsOf(plan.Whole(), structure))
+  const auto add = [&](const char* name, std::vector<SceneStructure>& surroundings)
   {
-    recipe.Inclusions.push_back(*inclusion);
-    inputs.push_back(plan.AddSegmentationOf(*inclusion));
-    key = SceneKey(key, "inclusion", inputs.back(), inclusion->Number(TissueKey::Inclusion));
-    for (const std::string& label : inclusion->Labels)
+    for (const SceneStructure* one : SurroundingsOf(plan.Whole(), structure, name))
     {
-      key = SceneKey(key, label);
+      surroundings.push_back(*one);
+      inputs.push_back(plan.AddSegmentationOf(*one));
+      key = SceneKey(key, name, inputs.back(), one->Number(name));
+      for (const std::string& label : one->Labels)
+      {
+        key = SceneKey(key, label);
+      }
     }
-  }
+  };
+  add(TissueKey::Inclusion, recipe.Inclusions);
+  add(TissueKey::Neighbour, recipe.Neighbours);
   return plan.AddNode(SceneStep::Elasticity, key, std::move(inputs),
                       [recipe = std::move(recipe)](const StructurePlan::Inputs& made,
                                                    const ProgressFunction& progress)

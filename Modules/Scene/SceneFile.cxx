@@ -48,10 +48,14 @@ void Check(const SceneStructure& structure, const std::filesystem::path& path, s
                  "\" (a file)");
     }
   }
-  if (structure.Number(TissueKey::Inclusion) > 0.0 && structure.Source() != SceneSource::Label)
+  for (const SceneNumber& entry : SurroundingNumbers())
   {
-    Refuse(path, "declares " + place + " an inclusion, which is not a label of a segmentation",
-           std::string("remove \"") + TissueKey::Inclusion + "\" there, or name a segmentation");
+    if (structure.Number(entry.Key) > 0.0 && structure.Source() != SceneSource::Label)
+    {
+      Refuse(path,
+             "gives " + place + ", which is not a label of a segmentation, \"" + entry.Key + "\"",
+             "remove it there, or name a segmentation");
+    }
   }
   if (structure.Drill.Wear > 0.0)
   {

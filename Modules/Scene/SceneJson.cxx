@@ -84,7 +84,7 @@ void ExchangeRepresentation(JsonFields& fields, SceneStructure& structure)
     ExchangeNumbers(fields, representation.Numbers, structure);
     ExchangeImage(fields, representation.ImageKey, structure);
   }
-  ExchangeNumbers(fields, {InclusionNumber()}, structure);
+  ExchangeNumbers(fields, SurroundingNumbers(), structure);
   fields.Exchange("representation", structure.Representation, names);
 }
 

@@ -43,24 +43,25 @@ std::vector<SceneNumber> TissueNumbers()
            1.0 * SofteningSettings::MostElements, 0}};
 }
 
-SceneNumber InclusionNumber()
+std::vector<SceneNumber> SurroundingNumbers()
 {
-  return {TissueKey::Inclusion, "As an inclusion of tissue, kPa (0: none)", MostKilopascal, 3};
+  return {{TissueKey::Inclusion, "As an inclusion of tissue, kPa (0: none)", MostKilopascal, 3},
+          {TissueKey::Neighbour, "Holds tissue next to it, kPa/mm (0: does not)",
+           SofteningSettings::MostSupport, 3}};
 }
 
-std::vector<const SceneStructure*> InclusionsOf(const SceneSettings& scene,
-                                                const SceneStructure& structure)
+std::vector<const SceneStructure*> SurroundingsOf(const SceneSettings& scene,
+                                                  const SceneStructure& structure, const char* key)
 {
-  std::vector<const SceneStructure*> inclusions;
+  std::vector<const SceneStructure*> surroundings;
   for (const SceneStructure& one : scene.Structures)
   {
-    if (one.Id != structure.Id && one.Number(TissueKey::Inclusion) > 0.0 &&
-        one.Source() == SceneSource::Label)
+    if (one.Id != structure.Id && one.Number(key) > 0.0 && one.Source() == SceneSource::Label)
     {
-      inclusions.push_back(&one);
+      surroundings.push_back(&one);
     }
   }
-  return inclusions;
+  return surroundings;
 }
 
 SofteningSettings SofteningSettingsOf(const SceneStructure& structure)

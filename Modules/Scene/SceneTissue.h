@@ -21,19 +21,21 @@ struct TissueKey
   static constexpr const char* Exaggeration = "exaggeration";
   static constexpr const char* Elements = "elements_across";
   static constexpr const char* Elastography = "elastography_image";
-  static constexpr const char* Inclusion = "inclusion_kpa"; ///< of another structure, a label
+  static constexpr const char* Inclusion = "inclusion_kpa";    ///< of another structure, a label
+  static constexpr const char* Neighbour = "holds_kpa_per_mm"; ///< the same
 };
 
 /// The numbers of a structure that yields; 0 for the default of SofteningSettings.
 PALPATESCENE_EXPORT std::vector<SceneNumber> TissueNumbers();
 
-/// The number of labels that are inclusions of structures that yield.
-PALPATESCENE_EXPORT SceneNumber InclusionNumber();
+/// The numbers of labels that are inclusions of structures that yield, or hold them.
+PALPATESCENE_EXPORT std::vector<SceneNumber> SurroundingNumbers();
 
 /// The inclusions of a structure that yields, in the order of the scene: other labels with a
-/// modulus, displayed and touched or not.
+/// modulus (TissueKey::Inclusion), displayed and touched or not. For TissueKey::Neighbour what
+/// holds it.
 PALPATESCENE_EXPORT std::vector<const SceneStructure*>
-InclusionsOf(const SceneSettings& scene, const SceneStructure& structure);
+SurroundingsOf(const SceneSettings& scene, const SceneStructure& structure, const char* key);
 
 /// By the structure's numbers, without images.
 PALPATESCENE_EXPORT SofteningSettings SofteningSettingsOf(const SceneStructure& structure);

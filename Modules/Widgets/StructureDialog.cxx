@@ -21,7 +21,7 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
   this->AddMembers();
   if (this->Structure.Source() == SceneSource::Label)
   {
-    this->AddNumbers({InclusionNumber()});
+    this->AddNumbers(SurroundingNumbers());
   }
   for (const SceneEffectKind& kind : SceneEffectKinds())
   {

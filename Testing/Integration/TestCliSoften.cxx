@@ -110,6 +110,7 @@ TEST_F(CliSoften, SaysThatALesionOrImageLiesOutsideAndIgnoresIt)
   const nlohmann::json plain = this->Elasticity();
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"--lesion", "lesion.nii.gz", "--lesion-modulus", "60kPa"}, "lesion.nii.gz lies outside"},
+      {{"--neighbour", "lesion.nii.gz"}, "lesion.nii.gz is not next to"},
       {{"--elastography", "off.nii.gz"}, "off.nii.gz has no moduli within the model"},
       {{"--elastography", "zero.nii.gz"}, "zero.nii.gz has no moduli within the model"},
       {{"--elastography", "negative.nii.gz"}, "negative.nii.gz has no moduli within the model"}};
@@ -120,6 +121,20 @@ TEST_F(CliSoften, SaysThatALesionOrImageLiesOutsideAndIgnoresIt)
     EXPECT_NE(run.Errors.find(note), std::string::npos) << run.Errors;
     EXPECT_EQ(this->Elasticity(), plain) << note;
   }
+}
+
+TEST_F(CliSoften, NeighbourHolds)
+{
+  WriteLesion(this->Folder / "wall.nii.gz", 18.0); // through the surface, at the left
+  ASSERT_EQ(this->Soften({}).Code, 0);
+  const nlohmann::json alone = this->Elasticity();
+  const std::vector<std::string> wall{"--neighbour", "wall.nii.gz"};
+  const CommandRun same = this->Soften(wall);
+  ASSERT_EQ(same.Code, 0) << same.Errors;
+  EXPECT_EQ(same.Errors, "");
+  EXPECT_EQ(this->Elasticity(), alone) << "as stiff as the rest of the support";
+  ASSERT_EQ(this->Soften({wall[0], wall[1], "--neighbour-support", "50"}).Code, 0);
+  EXPECT_NE(this->Elasticity(), alone);
 }
 
 TEST_F(CliSoften, ElastographyReplacesTheTissue)
@@ -230,6 +245,10 @@ TEST_F(CliSoften, BadInputIsRefusedAndLeavesNothing)
            {"--lesion", "lesion.nii.gz", "--lesion-modulus", "1e9"},
            {"--lesion", "lesion.nii.gz", "--lesion-modulus", "60", "--lesion-label", "9"},
            {"--lesion", "empty.nii.gz", "--lesion-modulus", "60"},
+           {"--neighbour-support", "2"},
+           {"--neighbour", "missing.nii.gz"},
+           {"--neighbour", "lesion.nii.gz", "--neighbour-support", "0"},
+           {"--neighbour", "lesion.nii.gz", "--neighbour-label", "9"},
            {"--elastography", "missing.nii.gz"},
            {"--elastography", "nan.nii.gz"},
            {"--output", "soft.coef"}})

@@ -2,19 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate
 {
+namespace
+{
+bool IsStiffness(double stiffness) noexcept
+{
+  constexpr double Most = 1e3; // N/mm^3
+  return stiffness >= 0.0 && stiffness <= Most;
+}
+} // namespace
+
 void ElasticBed::Free(const Vector3& axis, double halfAngle)
 {
   this->FreeCones.push_back({axis.normalized(), halfAngle});
 }
 
+void ElasticBed::Hold(std::function<double(const Vector3&)> part, double stiffness)
+{
+  this->Holders.push_back({std::move(part), stiffness});
+}
+
 Status ElasticBed::Check() const
 {
-  constexpr double MostStiffness = 1e3; // N/mm^3
   constexpr double Pi = 3.14159265358979323846;
-  if (!(this->Stiffness >= 0.0 && this->Stiffness <= MostStiffness))
+  const bool areStiffnesses =
+      IsStiffness(this->Stiffness) &&
+      std::all_of(this->Holders.begin(), this->Holders.end(),
+                  [](const Holder& holder) { return IsStiffness(holder.Stiffness); });
+  if (!areStiffnesses)
   {
     return Status::Failure("The bed's stiffness is not a number from 0 to 1000 N/mm^3.");
   }
@@ -28,7 +46,7 @@ Status ElasticBed::Check() const
                                     "is not between 0 and 180 degrees.");
 }
 
-double ElasticBed::At(const Vector3& direction) const noexcept
+double ElasticBed::At(const Vector3& direction) const
 {
   constexpr double Rim = 1.0 / 6.0; // rad
   double part = 1.0;
@@ -38,6 +56,11 @@ double ElasticBed::At(const Vector3& direction) const noexcept
     const double t = std::clamp((angle - cone.HalfAngle) / Rim, 0.0, 1.0);
     part *= t * t * (3.0 - 2.0 * t);
   }
-  return this->Stiffness * part;
+  double stiffness = this->Stiffness * part;
+  for (const Holder& holder : this->Holders)
+  {
+    stiffness += std::clamp(holder.Part(direction), 0.0, 1.0) * (holder.Stiffness - stiffness);
+  }
+  return stiffness;
 }
 } // namespace palpate

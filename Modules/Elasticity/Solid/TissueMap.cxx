@@ -53,6 +53,11 @@ double Interpolate(const TissueMap::Samples& image, const Vector3& pointWorld,
 }
 } // namespace
 
+double TissueMap::Samples::At(const Vector3& pointWorld) const noexcept
+{
+  return Interpolate(*this, pointWorld, [](double value) { return value; });
+}
+
 void TissueMap::AddInclusion(std::shared_ptr<const Samples> fraction, double modulus)
 {
   this->Layers.push_back({std::move(fraction), true, modulus});

@@ -19,6 +19,9 @@ public:
   {
     FieldGrid Grid;
     std::vector<float> Values;
+
+    /// Trilinear; 0 outside of the grid.
+    double At(const Vector3& pointWorld) const noexcept;
   };
 
   static constexpr double LeastModulus = 1e-6; ///< N/mm^2

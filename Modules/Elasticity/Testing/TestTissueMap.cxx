@@ -129,6 +129,28 @@ TEST(ElasticBed, EveryConeIsFree)
   EXPECT_EQ(bed.At(Vector3::UnitZ()), 2e-3);
 }
 
+TEST(ElasticBed, WhatHoldsCountsInsteadOfTheRest)
+{
+  ElasticBed bed(2e-3);
+  bed.Free(Vector3::UnitX(), 0.5);
+  bed.Hold([](const Vector3& direction) { return 2.0 * std::max(0.0, direction.x()) - 0.5; }, 6e-3);
+  EXPECT_TRUE(bed.Check().IsOk());
+  EXPECT_DOUBLE_EQ(bed.At(Vector3::UnitX()), 6e-3);
+  EXPECT_DOUBLE_EQ(bed.At(-Vector3::UnitX()), 2e-3);
+  EXPECT_DOUBLE_EQ(bed.At(Vector3(0.5, 0.0, -std::sqrt(0.75))), 4e-3);
+}
+
+TEST(ElasticBed, RefusesStiffnessesThatAreNone)
+{
+  for (const double stiffness : {-1e-3, 1e9, std::numeric_limits<double>::quiet_NaN()})
+  {
+    EXPECT_FALSE(ElasticBed(stiffness).Check().IsOk()) << stiffness;
+    ElasticBed bed;
+    bed.Hold([](const Vector3&) { return 1.0; }, stiffness);
+    EXPECT_FALSE(bed.Check().IsOk()) << stiffness;
+  }
+}
+
 TEST(ElasticBed, RefusesConesThatAreNone)
 {
   for (const double angle : {0.0, -1.0, 4.0, std::numeric_limits<double>::quiet_NaN()})

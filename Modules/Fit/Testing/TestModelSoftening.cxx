@@ -1,5 +1,6 @@
 #include "ModelSoftening.h"
 
+#include "ComplianceAtlas.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "LabelImages.h"
@@ -82,6 +83,50 @@ TEST(ModelSoftening, TellsWhatIsInTheModel)
   EXPECT_NE(made.Notes.front().find("lesion.nii.gz lies outside"), std::string::npos);
 }
 
+// Beyond x0 (mm); the ball's surface is at 14 mm.
+SofteningSettings::Neighbour WallAt(double x0, double kilopascalPerMillimeter)
+{
+  test::LabelGrid grid;
+  grid.Size = {{45, 45, 45}};
+  grid.CenterOnOrigin();
+  auto read = std::make_shared<Segmentation>();
+  read->Source = "wall.nii.gz";
+  read->Layers.push_back(test::MakeLabelImage(
+      grid, [x0](double x, double, double) { return x > x0; }, 2));
+  Segment segment;
+  segment.Label = segment.Value = 2;
+  read->Segments.push_back(segment);
+  return {read, read->Segments, kilopascalPerMillimeter};
+}
+
+TEST(ModelSoftening, NeighbourHoldsWhereItIs)
+{
+  const auto mapsOf = [](double kilopascalPerMillimeter)
+  {
+    SofteningSettings settings = Quick();
+    settings.Neighbours = {WallAt(12.0, kilopascalPerMillimeter)};
+    return ComplianceAtlas(*SoftenModel(Ball(), "ball", settings, GoOn).Elasticity);
+  };
+  const ComplianceAtlas same = mapsOf(1.0);
+  const ComplianceAtlas held = mapsOf(20.0);
+  const auto softness = [](const ComplianceAtlas& atlas, const Vector3& direction)
+  { return atlas.At(direction).Compliance.At(3.0).Compliance; };
+  const Vector3 towards = Vector3::UnitX();
+  EXPECT_LT(softness(held, towards), 0.8 * softness(same, towards));
+  EXPECT_GT(softness(held, -towards), 0.9 * softness(same, -towards));
+  // As stiff as the rest of the support.
+  EXPECT_NEAR(softness(same, towards), softness(same, -towards), 1e-3 * softness(same, towards));
+}
+
+TEST(ModelSoftening, NeighbourThatIsNoneIsTold)
+{
+  SofteningSettings settings = Quick();
+  settings.Neighbours = {WallAt(20.0, 5.0)};
+  const ModelSoftness made = SoftenModel(Ball(), "ball", settings, GoOn);
+  ASSERT_EQ(made.Notes.size(), 1U);
+  EXPECT_NE(made.Notes.front().find("wall.nii.gz is not next to"), std::string::npos);
+}
+
 TEST(ModelSoftening, RefusesModelsOfThreeCoordinates)
 {
   EXPECT_THROW(SoftenModel(test::OpenRing(4), "ring", Quick(), GoOn), InputError);
@@ -115,6 +160,10 @@ TEST(SofteningSettings, FailsOutsideOfItsLimits)
   for (const double support : {0.0, 1e6, nan})
   {
     EXPECT_TRUE(fails([=](SofteningSettings& s) { s.BedPerMillimeter = support; })) << support;
+  }
+  for (const double support : {0.0, 1e6, nan})
+  {
+    EXPECT_TRUE(fails([=](SofteningSettings& s) { s.Neighbours = {{nullptr, {}, support}}; }));
   }
   for (const double degrees : {0.0, 180.0, nan})
   {

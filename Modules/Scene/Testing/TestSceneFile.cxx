@@ -221,6 +221,7 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
       {begin + R"(, "elements_across": 4.5}]})", "elements_across"},
       {begin + R"(, "elastography_image": 1}]})", "elastography_image"},
       {begin + R"(, "inclusion_kpa": 60}]})", "inclusion_kpa"},
+      {begin + R"(, "holds_kpa_per_mm": 2}]})", "holds_kpa_per_mm"},
       {begin + R"(, "drill": {"wear_mm_per_nm": 0.1}, "representation": "elastic"}]})",
        "sub-voxel"},
       {begin + R"(}], "tool": {"semi_axes_mm": [1, 2]}})", "semi_axes_mm"},

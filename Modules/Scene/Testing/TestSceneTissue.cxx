@@ -137,6 +137,17 @@ TEST_F(SceneTissueTest, LaterInclusionsCountWhereTheyOverlap)
   EXPECT_LT(StiffnessOf({this->Lesion(100.0), this->Gland(), other}), hard);
 }
 
+TEST_F(SceneTissueTest, NeighboursHold)
+{
+  this->WriteBall(this->Folder / "wall.nii.gz", 15.0, 6.0); // through the gland's surface
+  SceneStructure wall = this->Lesion(0.0);
+  wall.File = this->Folder / "wall.nii.gz";
+  const double alone = StiffnessOf({this->Gland(), wall});
+  EXPECT_EQ(alone, StiffnessOf({this->Gland()}));
+  wall.SetNumber(TissueKey::Neighbour, 50.0);
+  EXPECT_GT(StiffnessOf({this->Gland(), wall}), 1.05 * alone);
+}
+
 TEST_F(SceneTissueTest, NumbersReachTheTissue)
 {
   const double usual = StiffnessOf({this->Gland()});
@@ -249,7 +260,10 @@ TEST_F(SceneTissueTest, RoundTripsInSceneFiles)
   gland.SetNumber(TissueKey::FreeSide, 3.0);
   gland.SetNumber(TissueKey::FreeDegrees, 45.5);
   gland.SetImage(TissueKey::Elastography, this->Folder / "mre.nii.gz");
-  const SceneSettings scene = SceneOf({gland, this->Lesion(60.0)});
+  SceneStructure wall = this->Lesion(0.0);
+  wall.Id = 3;
+  wall.SetNumber(TissueKey::Neighbour, 2.5);
+  const SceneSettings scene = SceneOf({gland, this->Lesion(60.0), wall});
   const std::filesystem::path path = this->Folder / "a.scene.json";
   const std::string text = SceneText(scene, this->Folder.Path());
   WriteWholeFile(path, text);
