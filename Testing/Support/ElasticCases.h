@@ -101,24 +101,30 @@ struct ElasticCase
   }
 };
 
-/// The sphere with a core that begins at a depth (mm), or without one (0), in elements of 2.4 mm.
+inline std::unique_ptr<ElasticCase> MakeSphereCase(double coreDepth)
+{
+  auto result = std::make_unique<ElasticCase>();
+  result->Model = SphereModel();
+  if (coreDepth > 0.0)
+  {
+    result->Solid.Tissue.AddInclusion(BallFraction(result->Model.CenterWorld(), Radius - coreDepth),
+                                      Stiffer);
+  }
+  result->Build(16, 12);
+  return result;
+}
+
+/// The sphere with a core that begins 5 mm down, or without one (0), in elements of 2.4 mm. Made
+/// once, which takes seconds.
 inline const ElasticCase& SphereCase(double depth)
 {
-  static const auto make = [](double coreDepth)
+  if (depth > 0.0)
   {
-    auto result = std::make_unique<ElasticCase>();
-    result->Model = SphereModel();
-    if (coreDepth > 0.0)
-    {
-      result->Solid.Tissue.AddInclusion(
-          BallFraction(result->Model.CenterWorld(), Radius - coreDepth), Stiffer);
-    }
-    result->Build(16, 12);
-    return result;
-  };
-  static const std::unique_ptr<ElasticCase> plain = make(0.0);
-  static const std::unique_ptr<ElasticCase> cored = make(5.0);
-  return depth > 0.0 ? *cored : *plain;
+    static const std::unique_ptr<ElasticCase> cored = MakeSphereCase(5.0);
+    return *cored;
+  }
+  static const std::unique_ptr<ElasticCase> plain = MakeSphereCase(0.0);
+  return *plain;
 }
 
 inline LayeredSphere SphereTruth(double depth)
