@@ -334,6 +334,16 @@ TEST(ElasticOrgans, DegreesThatElementsDoNotCarryAreLeftOut)
   }
 }
 
+// Measured: 13 %; maps of degree 20 as they are would yield more to smaller patches beside it.
+TEST(ElasticOrgans, TenfoldContrastAtTheSurfaceIsSmoothed)
+{
+  ElasticSolid solid = test::PlainSolid();
+  AddBall(solid, 0.0, 6.0, 10.0 * test::Tissue);
+  const ElasticOrgan organ(Body(), solid, {8, 8, 20});
+  EXPECT_LT(organ.Maps().FitError.Rms, 0.03);
+  EXPECT_LT(organ.Maps().FitError.Largest, 0.25);
+}
+
 TEST(ElasticOrgans, RefusesWhatMapsCannotHold)
 {
   ElasticSolid solid = test::PlainSolid();

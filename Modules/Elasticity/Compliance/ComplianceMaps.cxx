@@ -113,6 +113,29 @@ bool IsOfABody(const ComplianceAtlas::Place& place)
   }
   return isBody;
 }
+
+// Harmonics overshoot beside a part that is many times as stiff or soft as the tissue, so far that
+// no body yields like that. Short waves are then damped as a diffusion does, as little as will do.
+void SmoothUntilOfABody(ComplianceMaps& maps)
+{
+  const auto sharp = maps.Coefficients;
+  for (const double strength : {0.5, 1.0, 2.0, 4.0})
+  {
+    if (maps.Check().IsOk())
+    {
+      return;
+    }
+    for (std::size_t map = 0; map < ComplianceMaps::Count; ++map)
+    {
+      for (std::size_t i = 0; i < sharp[map].size(); ++i)
+      {
+        const double wave = std::floor(std::sqrt(static_cast<double>(i))) / (maps.Degree + 1.0);
+        maps.Coefficients[map][i] = sharp[map][i] * std::exp(-strength * wave * wave);
+      }
+      RoundTogether(maps.Coefficients[map]);
+    }
+  }
+}
 } // namespace
 
 Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
@@ -165,6 +188,8 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
     maps.Coefficients[map].assign(column.data(), column.data() + column.size());
     RoundTogether(maps.Coefficients[map]);
   }
+
+  SmoothUntilOfABody(maps);
 
   maps.FitError = Error();
   maps.FitError.PatchRadius = 0.4 * largest;

@@ -50,8 +50,10 @@ struct ComplianceMaps
   Error FitError;
   PackedCompliance LongWaves; ///< for pictures; may be empty
 
-  /// Of the model, the solid and the compliance that was reduced from them. Fails for settings
-  /// outside their limits and if `progress` cancels. Allocates.
+  /// Of the model, the solid and the compliance that was reduced from them. Maps that would
+  /// overshoot to what no body is are smoothed until they pass Check or are too smooth for it;
+  /// FitError has what that costs. Fails for settings outside their limits and if `progress`
+  /// cancels. Allocates.
   static Status Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
                     const ReducedCompliance& reduced, const Settings& settings,
                     const KernelProgress& progress, ComplianceMaps& maps);
