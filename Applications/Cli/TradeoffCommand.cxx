@@ -42,17 +42,19 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
 {
   TextTable table;
   table.AlignRight({1, 2, 3, 4, 5, 6, 7});
-  table.AddRow({"", "us per tick", "99.9 %", "mm off", "JND", "degrees", "MB", "build s"});
+  const bool yields = !structure.Rows.empty() && structure.Rows.front().Yields;
+  table.AddRow({"", "us per tick", "99.9 %", yields ? "N off" : "mm off", "JND", "degrees", "MB",
+                "build s"});
   for (const TradeRow& row : structure.Rows)
   {
-    const std::string name = Printable(Describe(row.Setting));
+    const std::string name = Printable(Describe(row));
     if (row.State == TradeRow::Outcome::Refused)
     {
       continue;
     }
     table.AddRow({name, Short(Micro * row.TickMean), Short(Micro * row.TickRare),
-                  Short(row.PositionRare), Short(row.NoticeableRare), Short(row.DirectionRare),
-                  Short(row.Bytes / Mega), Short(row.BuildSeconds)});
+                  Short(yields ? row.ForceRare : row.PositionRare), Short(row.NoticeableRare),
+                  Short(row.DirectionRare), Short(row.Bytes / Mega), Short(row.BuildSeconds)});
   }
   out << table.Text();
   for (const std::string& message : RefusalsOf(structure))
@@ -61,7 +63,9 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
   }
   if (!structure.Rows.empty())
   {
-    out << "Errors (99 %) are against " << Printable(structure.Rows.front().Truth) << ".\n";
+    out << "Errors (99 %) are against " << Printable(structure.Rows.front().Truth) << ".\n"
+        << (yields ? "The structure yields: errors are those of its force, not of positions.\n"
+                   : "");
   }
   out << Printable(structure.Name) << ": " << structure.Advice.Message << ".\n";
 }

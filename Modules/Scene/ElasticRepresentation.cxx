@@ -7,6 +7,10 @@
 #include "SceneTissue.h"
 #include "StructurePlan.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace palpate
 {
 namespace
@@ -61,12 +65,125 @@ SceneProduct Soften(Recipe recipe, const StructurePlan::Inputs& inputs,
 
 void PlanElasticContact(StructurePlan& plan)
 {
-  plan.AddContact("elastic", AddElasticity(plan),
-                  [](const StructurePlan::Inputs& inputs, const ProgressFunction&) -> SceneProduct
-                  {
-                    return std::make_shared<const TouchContact>(
-                        ElasticContactOf(*ProductAs<FitResult>(inputs.data())));
-                  });
+  const auto asked = static_cast<int>(plan.Settings().Number(TissueKey::MapDegree));
+  const int degree = asked > 0 ? asked : ComplianceMaps::MostDegree;
+  plan.AddContact(
+      "elastic", AddElasticity(plan),
+      [degree](const StructurePlan::Inputs& inputs, const ProgressFunction&) -> SceneProduct
+      {
+        return std::make_shared<const TouchContact>(
+            ElasticContactOf(*ProductAs<FitResult>(inputs.data()), degree));
+      });
+}
+
+int EvenUp(double number)
+{
+  return 2 * static_cast<int>(std::ceil(0.5 * number));
+}
+
+// Of the settings that are softened by: the degree of the compliance is what the elements carry.
+OrganSoftening NumbersOf(const SceneStructure& structure)
+{
+  OrganSoftening numbers = SofteningSettingsOf(structure).Numbers;
+  numbers.Degree =
+      std::min(numbers.Degree, OrganSoftening::MostDegreePerElement * numbers.ElementsAcross);
+  const auto maps = static_cast<int>(structure.Number(TissueKey::MapDegree));
+  numbers.Maps.Degree = maps > 0 ? maps : numbers.Maps.Degree;
+  return numbers;
+}
+
+// With these numbers instead of defaults, so that settings say what they are.
+ContactSetting Explicit(ContactSetting setting, const OrganSoftening& numbers)
+{
+  setting.Structure.SetNumber(TissueKey::Elements, numbers.ElementsAcross);
+  setting.Structure.SetNumber(TissueKey::ComplianceDegree, numbers.Degree);
+  setting.Structure.SetNumber(TissueKey::MapDegree, numbers.Maps.Degree);
+  return setting;
+}
+
+// Of a file's maps, fewer degrees.
+ContactSetting WithFileMaps(ContactSetting setting, int degree)
+{
+  setting.Structure.SetNumber(TissueKey::Elements, 0.0);
+  setting.Structure.SetNumber(TissueKey::ComplianceDegree, 0.0);
+  setting.Structure.SetNumber(TissueKey::MapDegree, degree);
+  return setting;
+}
+
+int MapDegreeOfFile(const ContactSetting& setting, int highestDegree)
+{
+  return setting.Structure.Source() == SceneSource::Model ? highestDegree : 0;
+}
+
+// A part of a degree, at least 1.
+int DegreeOf(double part, int whole)
+{
+  return std::max(1, static_cast<int>(std::lround(part * whole)));
+}
+
+constexpr std::array<double, 3> MapParts{{0.8, 0.6, 0.4}};
+
+// What can be varied of a file that says how its model yields.
+std::vector<ContactSetting> VaryFileMaps(const ContactSetting& standard, int inFile)
+{
+  const auto own = static_cast<int>(standard.Structure.Number(TissueKey::MapDegree));
+  std::vector<ContactSetting> settings{
+      WithFileMaps(standard, own > 0 ? std::min(own, inFile) : inFile),
+      WithFileMaps(standard, inFile)};
+  for (const double part : MapParts)
+  {
+    settings.push_back(WithFileMaps(standard, DegreeOf(part, inFile)));
+  }
+  return Unique(settings);
+}
+
+// Around the scene's own numbers, so that the measurement takes in proportion to the time that its
+// user accepts. Only a sphere can touch what yields.
+std::vector<ContactSetting> VaryElastic(const ContactSetting& standard,
+                                        const TouchToolSettings& tool, int highestDegree)
+{
+  if (tool.Kind != TouchToolSettings::Shape::Sphere)
+  {
+    return {};
+  }
+  if (const int inFile = MapDegreeOfFile(standard, highestDegree))
+  {
+    return VaryFileMaps(standard, inFile);
+  }
+  constexpr std::array<double, 2> ElementParts{{0.75, 0.5}};
+  constexpr std::array<double, 2> DegreeParts{{4.0 / 3.0, 2.0 / 3.0}};
+  const OrganSoftening numbers = NumbersOf(standard.Structure);
+  std::vector<ContactSetting> settings{Explicit(standard, numbers)};
+  for (const double part : ElementParts)
+  {
+    ContactSetting fewer = standard;
+    const int elements = EvenUp(part * numbers.ElementsAcross);
+    fewer.Structure.SetNumber(TissueKey::Elements,
+                              std::max(elements, SofteningSettings::FewestElements));
+    settings.push_back(Explicit(fewer, NumbersOf(fewer.Structure)));
+  }
+  for (const double part : DegreeParts)
+  {
+    OrganSoftening other = numbers;
+    other.Degree = std::min({DegreeOf(part, numbers.Degree), ReducedCompliance::MostDegree,
+                             OrganSoftening::MostDegreePerElement * numbers.ElementsAcross});
+    settings.push_back(Explicit(standard, other));
+  }
+  for (const double part : MapParts)
+  {
+    OrganSoftening other = numbers;
+    other.Maps.Degree = DegreeOf(part, numbers.Maps.Degree);
+    settings.push_back(Explicit(standard, other));
+  }
+  return Unique(settings);
+}
+
+// What a setting says of each number, if anything.
+std::string TextOf(const ContactSetting& setting, const char* key, const std::string& before,
+                   const std::string& after = {})
+{
+  const auto number = static_cast<int>(setting.Structure.Number(key));
+  return number > 0 ? before + std::to_string(number) + after : std::string();
 }
 } // namespace
 
@@ -80,7 +197,9 @@ std::string AddElasticity(StructurePlan& plan)
   std::string key = SceneKey(inputs.front(), "elasticity");
   for (const SceneNumber& number : TissueNumbers())
   {
-    key = SceneKey(key, structure.Number(number.Key));
+    const bool isOfMaps = number.Key == TissueKey::MapDegree;
+    key = SceneKey(key,
+                   isOfMaps ? recipe.Settings.Numbers.Maps.Degree : structure.Number(number.Key));
   }
   const std::filesystem::path elastography = structure.Image(TissueKey::Elastography);
   if (!elastography.empty())
@@ -110,9 +229,28 @@ std::string AddElasticity(StructurePlan& plan)
                       { return Soften(recipe, made, progress); });
 }
 
-TouchContact ElasticContactOf(const FitResult& fit)
+TouchContact ElasticContactOf(const FitResult& fit, int mapDegree)
 {
-  return MakeElasticContact(fit.Model, *fit.Elasticity, fit.Tissue, fit.Input);
+  return MakeElasticContact(fit.Model, fit.Elasticity->Truncated(mapDegree), fit.Tissue, fit.Input);
+}
+
+ContactSetting FinestElastic(const ContactSetting& standard, int highestDegree)
+{
+  if (const int inFile = MapDegreeOfFile(standard, highestDegree))
+  {
+    return WithFileMaps(standard, inFile);
+  }
+  constexpr double MoreElements = 1.25;
+  constexpr double HigherDegree = 4.0 / 3.0;
+  constexpr double HigherMaps = 1.2;
+  const auto raised = [](double part, int number, int most)
+  { return std::min(most, static_cast<int>(std::lround(part * number))); };
+  OrganSoftening numbers = NumbersOf(standard.Structure);
+  numbers.ElementsAcross =
+      std::min(SofteningSettings::MostElements, EvenUp(MoreElements * numbers.ElementsAcross));
+  numbers.Degree = raised(HigherDegree, numbers.Degree, ReducedCompliance::MostDegree);
+  numbers.Maps.Degree = raised(HigherMaps, numbers.Maps.Degree, ComplianceMaps::MostDegree);
+  return Explicit(standard, numbers);
 }
 
 SceneRepresentation ElasticRepresentation()
@@ -128,8 +266,19 @@ SceneRepresentation ElasticRepresentation()
   elastic.ImageLabel = "Elastography image, kPa";
   elastic.PlanContact = PlanElasticContact;
   elastic.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
-  elastic.Describe = [](const ContactSetting&) { return std::string("elastic"); };
-  elastic.KeyOf = [](const ContactSetting&) { return std::string("elastic"); };
+  elastic.Describe = [](const ContactSetting& setting)
+  {
+    return "elastic" + TextOf(setting, TissueKey::Elements, ", ", " elements across") +
+           TextOf(setting, TissueKey::ComplianceDegree, ", compliance of degree ") +
+           TextOf(setting, TissueKey::MapDegree, ", maps of degree ");
+  };
+  elastic.KeyOf = [](const ContactSetting& setting)
+  {
+    return "elastic" + TextOf(setting, TissueKey::Elements, "/elements-") +
+           TextOf(setting, TissueKey::ComplianceDegree, "/compliance-") +
+           TextOf(setting, TissueKey::MapDegree, "/maps-");
+  };
+  elastic.Vary = VaryElastic;
   return elastic;
 }
 } // namespace palpate

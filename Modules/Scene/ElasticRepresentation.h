@@ -17,6 +17,11 @@ SceneRepresentation ElasticRepresentation();
 /// the key of this FitResult.
 std::string AddElasticity(StructurePlan& plan);
 
-/// The contact of a model with elasticity.
-TouchContact ElasticContactOf(const FitResult& fit);
+/// The contact of a model with elasticity: its maps up to a degree, or all if theirs is lower.
+TouchContact ElasticContactOf(const FitResult& fit, int mapDegree = ComplianceMaps::MostDegree);
+
+/// The most accurate setting of a structure with that representation that is affordable: a quarter
+/// more elements, a compliance of a third and maps of a fifth more degrees than the scene's. Of a
+/// file that says how it yields, its maps of `highestDegree` as they are.
+PALPATESCENE_EXPORT ContactSetting FinestElastic(const ContactSetting& standard, int highestDegree);
 } // namespace palpate

@@ -41,7 +41,8 @@ struct SceneRepresentation
   /// Short identifier, stable across versions: "harmonics/12/nearest".
   std::function<std::string(const ContactSetting& setting)> KeyOf;
   /// The settings whose speed and accuracy are worth comparing, beginning with `standard`, which
-  /// has this representation. `highestDegree`: the highest that the voxels of a label support.
+  /// has this representation. `highestDegree`: the highest that the voxels of a label support; of a
+  /// model that yields by its file, the degree of its maps, otherwise 0.
   std::function<std::vector<ContactSetting>(const ContactSetting& standard,
                                             const TouchToolSettings& tool, int highestDegree)>
       Vary;

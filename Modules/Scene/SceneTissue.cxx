@@ -40,7 +40,11 @@ std::vector<SceneNumber> TissueNumbers()
           {TissueKey::Exaggeration, "Power of contrasts, exaggerated above 1 (0: 1)",
            TissueMap::MostExaggeration, 2},
           {TissueKey::Elements, "Finite elements across (0: 16)",
-           1.0 * SofteningSettings::MostElements, 0}};
+           1.0 * SofteningSettings::MostElements, 0},
+          {TissueKey::ComplianceDegree, "Degree of their compliance (0: 12, or their number)",
+           1.0 * ReducedCompliance::MostDegree, 0},
+          {TissueKey::MapDegree, "Degree of the maps that are felt (0: all, or 20)",
+           1.0 * ComplianceMaps::MostDegree, 0}};
 }
 
 std::vector<SceneNumber> SurroundingNumbers()
@@ -81,7 +85,12 @@ SofteningSettings SofteningSettingsOf(const SceneStructure& structure)
   Take(structure, TissueKey::Elements, elements);
   settings.Numbers.ElementsAcross = static_cast<int>(elements);
   // Elements cannot bend in waves of fewer than four along a great circle's quarter.
-  settings.Numbers.Degree = std::min(settings.Numbers.Degree, settings.Numbers.ElementsAcross);
+  double degree = std::min(settings.Numbers.Degree, settings.Numbers.ElementsAcross);
+  Take(structure, TissueKey::ComplianceDegree, degree);
+  settings.Numbers.Degree = static_cast<int>(degree);
+  // Lower degrees are parts of the usual maps, so that choosing one does not soften again.
+  settings.Numbers.Maps.Degree = std::max(settings.Numbers.Maps.Degree,
+                                          static_cast<int>(structure.Number(TissueKey::MapDegree)));
   return settings;
 }
 } // namespace palpate

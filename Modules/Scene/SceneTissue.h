@@ -20,6 +20,8 @@ struct TissueKey
   static constexpr const char* FreeDegrees = "free_degrees";
   static constexpr const char* Exaggeration = "exaggeration";
   static constexpr const char* Elements = "elements_across";
+  static constexpr const char* ComplianceDegree = "compliance_degree";
+  static constexpr const char* MapDegree = "map_degree"; ///< that is felt; pictures have all
   static constexpr const char* Elastography = "elastography_image";
   static constexpr const char* Inclusion = "inclusion_kpa";    ///< of another structure, a label
   static constexpr const char* Neighbour = "holds_kpa_per_mm"; ///< the same

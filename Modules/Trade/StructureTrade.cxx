@@ -1,7 +1,9 @@
 #include "StructureTrade.h"
 
+#include "ElasticRepresentation.h"
 #include "FilterRun.h"
 #include "InputError.h"
+#include "SceneTissue.h"
 #include "TradeMeasure.h"
 #include "VoxelMinimum.h"
 
@@ -23,13 +25,31 @@ SceneStructure OnlyTouched(SceneStructure structure)
   }
   return structure;
 }
+
+// With the scene's structures that change its elasticity, themselves neither seen nor touched.
+std::vector<SceneStructure> WithInclusions(const SceneSettings& scene,
+                                           const SceneStructure& structure)
+{
+  std::vector<SceneStructure> structures{structure};
+  if (structure.Representation != TouchRepresentation::Elastic)
+  {
+    return structures;
+  }
+  for (const SceneStructure* inclusion : InclusionsOf(scene, structure))
+  {
+    structures.push_back(*inclusion);
+    structures.back().IsVisible = structures.back().IsTouchable = structures.back().IsForbidden =
+        false;
+  }
+  return structures;
+}
 } // namespace
 
 StructureTrade::StructureTrade(const SceneSettings& scene, const SceneStructure& structure,
                                SceneRun made, const Settings& settings, const Clock& clock)
     : Scene(scene), Made(std::move(made)), Asked(settings), Time(clock)
 {
-  this->Scene.Structures = {structure};
+  this->Scene.Structures = WithInclusions(scene, structure);
   this->Scene.Fit.Tolerance.reset(); // each setting has its own degree
 }
 
@@ -45,9 +65,41 @@ std::shared_ptr<const TouchContact> StructureTrade::ContactFor(const ContactSett
       this->Made.ProductAt(SceneStep::Touch, scene.Structures.front().Id));
 }
 
+bool StructureTrade::Yields() const
+{
+  return this->Scene.Structures.front().Representation == TouchRepresentation::Elastic;
+}
+
+std::shared_ptr<const FitResult> StructureTrade::ModelFromFile(const ProgressFunction& progress)
+{
+  ContactSetting rigid = SettingOf(this->Scene, TouchRepresentation::Harmonics);
+  rigid.Structure.Mode = HarmonicContactMode::Nearest;
+  this->ContactFor(rigid, progress);
+  return ProductAs<FitResult>(
+      this->Made.ProductAt(SceneStep::Model, this->Scene.Structures.front().Id));
+}
+
+// A scene that leaves the representation of a model open takes it from the model's file.
+void StructureTrade::FindElasticity(const ProgressFunction& progress)
+{
+  SceneStructure& structure = this->Scene.Structures.front();
+  const bool isOpen = structure.Representation == TouchRepresentation::Automatic ||
+                      structure.Representation == TouchRepresentation::ModelOrField;
+  if (isOpen && structure.Source() == SceneSource::Model &&
+      this->ModelFromFile(progress)->Elasticity != nullptr)
+  {
+    structure.Representation = TouchRepresentation::Elastic;
+  }
+}
+
 int StructureTrade::HighestDegree(const ProgressFunction& progress)
 {
   const SceneStructure& structure = this->Scene.Structures.front();
+  if (structure.Source() == SceneSource::Model && this->Yields())
+  {
+    const auto elasticity = this->ModelFromFile(progress)->Elasticity;
+    return elasticity != nullptr ? elasticity->Degree : 0;
+  }
   if (structure.Source() == SceneSource::Surface)
   {
     return this->Scene.Fit.MaximumDegree; // no voxels limit it
@@ -77,7 +129,24 @@ int StructureTrade::HighestDegree(const ProgressFunction& progress)
 
 std::vector<ContactSetting> StructureTrade::Candidates(const ProgressFunction& progress)
 {
+  this->FindElasticity(progress);
   return CandidatesFor(this->Scene, this->HighestDegree(progress));
+}
+
+std::unique_ptr<TradeReference>
+StructureTrade::MakeElasticReference(const ProgressFunction& progress)
+{
+  const int inFile = this->Scene.Structures.front().Source() == SceneSource::Model
+                         ? this->HighestDegree(progress)
+                         : 0;
+  const ContactSetting finest =
+      FinestElastic(SettingOf(this->Scene, TouchRepresentation::Elastic), inFile);
+  const std::string what =
+      inFile > 0 ? "the file's own elasticity, maps of degree " + std::to_string(inFile) +
+                       "; its tissue is not known here, so that elements and compliance cannot be "
+                       "varied"
+                 : "a finer setting of the same tissue: " + Describe(finest);
+  return ElasticReference(*this->ContactFor(finest, progress), what, this->Scene.Tool);
 }
 
 std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunction& progress)
@@ -89,14 +158,14 @@ std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunc
     finest.Structure.Interpolation = FieldInterpolation::TricubicBSpline;
     return this->ContactFor(finest, progress);
   };
+  if (this->Yields())
+  {
+    return this->MakeElasticReference(progress);
+  }
   switch (structure.Source())
   {
   case SceneSource::Model:
-  {
-    make(TouchRepresentation::Harmonics);
-    const auto fit = ProductAs<FitResult>(this->Made.ProductAt(SceneStep::Model, structure.Id));
-    return ModelReference(fit->Model, this->Scene.Tool);
-  }
+    return ModelReference(this->ModelFromFile(progress)->Model, this->Scene.Tool);
   case SceneSource::Surface:
     return FacetReference(*make(TouchRepresentation::Facets), this->Scene.Tool);
   case SceneSource::Label:
@@ -128,12 +197,14 @@ TradeRow StructureTrade::Measure(const ContactSetting& setting, const ProgressFu
 {
   if (this->Path.Ticks.empty())
   {
+    this->FindElasticity(progress);
     this->Reference = this->MakeReference(progress);
     this->Path = MakeTradePath(*this->Reference, this->Scene.Tool, this->Asked.Path, progress);
   }
   TradeRow row;
   row.Structure = TitleOf(this->Scene.Structures.front());
   row.Setting = setting;
+  row.Yields = this->Yields();
   row.Truth = this->Reference->Details();
   const auto refuse = [&row](const std::exception& why)
   {

@@ -13,7 +13,8 @@
 namespace palpate
 {
 /// Measures one structure of a scene: for each setting the tick time and the errors on one seeded
-/// path against one reference, and the build time and memory. One thread only.
+/// path against one reference, and the build time and memory. A structure that yields in the scene
+/// is measured as one that yields, and also as if it were rigid. One thread only.
 class PALPATETRADE_EXPORT StructureTrade
 {
 public:
@@ -23,8 +24,8 @@ public:
     int Runs = 5; ///< a tick's time is the minimum over these
   };
 
-  /// Reduces the scene, whose labels must be resolved, to this structure's touch. `made` holds the
-  /// files read so far. Keeps the address of the clock.
+  /// Reduces the scene to this structure's touch; the structure's labels must be resolved. `made`
+  /// holds the files read so far. Keeps the address of the clock.
   StructureTrade(const SceneSettings& scene, const SceneStructure& structure, SceneRun made,
                  const Settings& settings, const Clock& clock);
   ~StructureTrade();
@@ -48,11 +49,15 @@ public:
                                    const ProgressFunction& progress);
 
   /// The highest degree that the voxels support; 0 if the structure has no voxels, or they have no
-  /// surface.
+  /// surface. Of a model that yields by its file, the degree of its maps.
   int HighestDegree(const ProgressFunction& progress);
 
 private:
+  std::shared_ptr<const FitResult> ModelFromFile(const ProgressFunction& progress);
+  void FindElasticity(const ProgressFunction& progress);
+  bool Yields() const;
   std::unique_ptr<TradeReference> MakeReference(const ProgressFunction& progress);
+  std::unique_ptr<TradeReference> MakeElasticReference(const ProgressFunction& progress);
   void Fill(const ContactSetting& setting, TradeRow& row, const ProgressFunction& progress);
 
   SceneSettings Scene;

@@ -53,8 +53,8 @@ Places Where(const Places& places, const Condition& condition)
 std::string Errors(const TradeRow& row)
 {
   return SignificantText(row.NoticeableRare, 2) + " just noticeable differences of force and " +
-         SignificantText(row.DirectionRare, 2) + "\xC2\xB0 (99 %), " +
-         SignificantText(row.PositionRare, 2) + " mm";
+         SignificantText(row.DirectionRare, 2) + "\xC2\xB0 (99 %)" +
+         (row.Yields ? std::string() : ", " + SignificantText(row.PositionRare, 2) + " mm");
 }
 } // namespace
 
@@ -64,7 +64,8 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
     // NaN: not measured.
-    if (rows[r].IsFelt() && std::isfinite(rows[r].TickMean) && std::isfinite(rows[r].PositionRare))
+    const double error = rows[r].Yields ? rows[r].NoticeableRare : rows[r].PositionRare;
+    if (rows[r].IsFelt() && std::isfinite(rows[r].TickMean) && std::isfinite(error))
     {
       felt.push_back(r);
     }
@@ -85,7 +86,7 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
   {
     const std::size_t best = CheapestOf(rows, good);
     return {best, true,
-            "choose " + Describe(rows[best].Setting) + ": " + Costs(rows[best]) + ", " +
+            "choose " + Describe(rows[best]) + ": " + Costs(rows[best]) + ", " +
                 CheapestText(good.size(), felt.size()) +
                 " whose errors are not noticeable: " + Errors(rows[best])};
   }
@@ -94,7 +95,7 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
     const std::size_t best = CheapestOf(rows, felt);
     return {best, false,
             "no setting keeps " + RateText(servoRate) + " on this machine; the fastest is " +
-                Describe(rows[best].Setting) + ": " + Costs(rows[best])};
+                Describe(rows[best]) + ": " + Costs(rows[best])};
   }
   constexpr double About = 1.1;
   const auto error = [&](std::size_t r)
@@ -108,7 +109,7 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
       rows, Where(fast, [&](std::size_t r) { return error(r) <= About * error(truest); }));
   return {
       best, false,
-      "choose " + Describe(rows[best].Setting) + ": " + Costs(rows[best]) +
+      "choose " + Describe(rows[best]) + ": " + Costs(rows[best]) +
           "; every setting's errors may be noticeable, and this one is among the most accurate: " +
           Errors(rows[best])};
 }

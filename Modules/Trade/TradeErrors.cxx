@@ -49,7 +49,8 @@ public:
   void Add(const TradePath::Tick& tick, const FeltTick& felt)
   {
     const TradePosition& truth = tick.Truth;
-    const Vector3 ideal = this->Stiffness * (truth.ProxyWorld - tick.ProbeWorld);
+    const Vector3 ideal =
+        truth.ForceWorld.value_or(this->Stiffness * (truth.ProxyWorld - tick.ProbeWorld));
     this->FeltJumps.Add(felt.IsTouching, felt.Force);
     this->IdealJumps.Add(truth.IsTouching, ideal);
     if (!truth.IsKnown || !(felt.IsTouching || truth.IsTouching))
@@ -57,7 +58,16 @@ public:
       return;
     }
     const Vector3 error = felt.Force - ideal;
-    this->AddPosition(error / this->Stiffness, truth);
+    if (truth.ForceWorld)
+    {
+      this->CountSeizure(felt.ProxyWorld - truth.ProxyWorld);
+    }
+    else
+    {
+      this->CountSeizure(error / this->Stiffness);
+      this->AddPosition(error / this->Stiffness, truth);
+    }
+    this->Forces.push_back(error.norm());
     this->Noticeable.push_back(error.norm() / TradeThresholds::JustNoticeable(ideal.norm()));
     if (truth.IsTouching && ideal.norm() >= TradeThresholds::LeastForce)
     {
@@ -72,6 +82,8 @@ public:
     row.PositionMost = QuantileOf(this->Positions, Most);
     row.SurfaceMean = MeanOf(this->Surfaces);
     row.SurfaceMost = QuantileOf(this->Surfaces, Most);
+    row.ForceMean = MeanOf(this->Forces);
+    row.ForceRare = QuantileOf(this->Forces, Rare);
     row.NoticeableMean = MeanOf(this->Noticeable);
     row.NoticeableRare = QuantileOf(this->Noticeable, Rare);
     row.DirectionMean = MeanOf(this->Directions);
@@ -91,6 +103,10 @@ private:
     {
       this->Surfaces.push_back(std::abs(error.dot(truth.NormalWorld)));
     }
+  }
+
+  void CountSeizure(const Vector3& error)
+  {
     const bool isSeized = !(error.norm() <= TradeThresholds::Seizure);
     this->Seizures += isSeized && !this->WasSeized ? 1.0 : 0.0;
     this->WasSeized = isSeized;
@@ -109,6 +125,7 @@ private:
   double Stiffness;
   std::vector<double> Positions; // mm
   std::vector<double> Surfaces;  // mm
+  std::vector<double> Forces;    // N
   std::vector<double> Noticeable;
   std::vector<double> Directions; // degrees
   Jumps FeltJumps;

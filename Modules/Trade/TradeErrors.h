@@ -12,11 +12,14 @@ namespace palpate
 struct FeltTick
 {
   bool IsTouching = false;
-  Vector3 Force = Vector3::Zero(); ///< N
+  Vector3 Force = Vector3::Zero();      ///< N
+  Vector3 ProxyWorld = Vector3::Zero(); ///< mm; only needed of a structure that yields
 };
 
 /// Fills in the errors of positions, forces and directions, the jumps and the seizures of `row`,
-/// from ticks along `path` with only a spring of `stiffness` (N/mm). NaN inputs give NaN.
+/// from ticks along `path` with only a spring of `stiffness` (N/mm). Where the path has the force
+/// of a structure that yields, no positions: they are of the shape at rest, which is not felt.
+/// NaN inputs give NaN.
 PALPATETRADE_EXPORT void CompareWithTruth(const TradePath& path, const std::vector<FeltTick>& felt,
                                           double stiffness, TradeRow& row);
 

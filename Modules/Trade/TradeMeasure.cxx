@@ -112,7 +112,7 @@ private:
       const Vector3 force = follower.Follow(step);
       const std::int64_t ended = this->Time.Now();
       this->Times[tick] = std::min(this->Times[tick], static_cast<double>(ended - began));
-      this->Felt[tick] = {!force.isZero(0.0), force};
+      this->Felt[tick] = {!force.isZero(0.0), force, follower.Touched().ProxyWorld};
       before = step.Now.PositionWorld;
     }
   }

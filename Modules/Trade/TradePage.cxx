@@ -66,6 +66,10 @@ std::vector<const TradeRow*> FeltRows(const TradeStructureResult& structure)
   return rows;
 }
 
+constexpr const char* YieldingNote = "<p class=\"soft\">The structure yields: errors are those of "
+                                     "its force. Positions of the tool are "
+                                     "not compared.</p>\n";
+
 struct Plot
 {
   const char* Label;
@@ -110,7 +114,7 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
     dots.push_back(
         {time, error,
          StyleOf(rows[r]->Setting.Structure.Representation) + (isOnFront ? "" : " faint"),
-         number + ": " + Describe(rows[r]->Setting) + ", " + NumberText(time) + " \xC2\xB5s, " +
+         number + ": " + Describe(*rows[r]) + ", " + NumberText(time) + " \xC2\xB5s, " +
              NumberText(error),
          isOnFront ? number : std::string()});
   }
@@ -127,10 +131,19 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
   return ReportFigure(chart.Svg(), plot.Caption);
 }
 
-std::string Legend()
+bool Yields(const std::vector<const TradeRow*>& rows)
 {
-  return "<ul class=\"legend\"><li><i class=\"first\"></i>spherical harmonics</li>"
-         "<li><i class=\"second\"></i>facets</li><li><i class=\"third\"></i>sub-voxel field</li>"
+  return std::any_of(rows.begin(), rows.end(), [](const TradeRow* row) { return row->Yields; });
+}
+
+std::string Legend(bool yields)
+{
+  return std::string("<ul class=\"legend\">") +
+         (yields ? "<li><i class=\"third\"></i>elastic</li>"
+                   "<li><i class=\"first\"></i>rigid</li>"
+                 : "<li><i class=\"first\"></i>spherical harmonics</li>"
+                   "<li><i class=\"second\"></i>facets</li>"
+                   "<li><i class=\"third\"></i>sub-voxel field</li>") +
          "<li>numbered: no other setting is both faster and more accurate; see the "
          "table</li></ul>\n";
 }
@@ -154,20 +167,23 @@ std::string Head(const std::vector<const char*>& columns)
 
 std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* chosen)
 {
+  const bool yields = Yields(rows);
   std::string html =
-      Head({"", "Setting", "Mean, \xC2\xB5s", "Median", "99.9 %", "Rate, kHz", "Position, mm: mean",
-            "99 %", "Force, JND: mean", "99 %", "Direction, \xC2\xB0: mean", "99 %",
-            "Jump, mN: mean", "Most", "Most, ideal", "Seizures", "Build time, s", "Memory, MB"});
+      Head({"", "Setting", "Mean, \xC2\xB5s", "Median", "99.9 %", "Rate, kHz",
+            yields ? "Force, mN: mean" : "Position, mm: mean", "99 %", "Force, JND: mean", "99 %",
+            "Direction, \xC2\xB0: mean", "99 %", "Jump, mN: mean", "Most", "Most, ideal",
+            "Seizures", "Build time, s", "Memory, MB"});
   constexpr double Kilo = 1e3;
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
     const TradeRow& row = *rows[r];
-    const std::string name = EscapeHtml(Describe(row.Setting));
+    const std::string name = EscapeHtml(Describe(row));
     html += std::string("<tr>") + Cell(std::to_string(r + 1)) + "<td class=\"text\">" +
             (&row == chosen ? "<strong class=\"good\">" + name + "</strong>" : name) + "</td>";
     for (const double number :
          {Micro * row.TickMean, Micro * row.TickMedian, Micro * row.TickRare, row.Rate / Kilo,
-          row.PositionMean, row.PositionRare, row.NoticeableMean, row.NoticeableRare,
+          yields ? Kilo * row.ForceMean : row.PositionMean,
+          yields ? Kilo * row.ForceRare : row.PositionRare, row.NoticeableMean, row.NoticeableRare,
           row.DirectionMean, row.DirectionRare, Kilo * row.JumpMean, Kilo * row.JumpMost,
           Kilo * row.IdealJumpMost, row.Seizures, row.BuildSeconds, row.Bytes / Mega})
     {
@@ -190,16 +206,19 @@ std::string StructureSection(const TradeStructureResult& structure)
   const TradeAdvice& advice = structure.Advice;
   const TradeRow* chosen = advice.Row ? &structure.Rows[*advice.Row] : nullptr;
   std::string plots;
+  const bool yields = Yields(rows);
   for (const Plot& plot : Plots)
   {
-    plots += PlotFigure(rows, plot);
+    const bool isOfPositions = plot.Error == &TradeRow::PositionRare;
+    plots += yields && isOfPositions ? std::string() : PlotFigure(rows, plot);
   }
   const std::string truth = structure.Rows.empty() ? std::string() : structure.Rows.front().Truth;
   return ReportSection(structure.Name,
                        "<div class=\"verdict " + std::string(advice.IsMet ? "good" : "poor") +
                            "\"><p>" + EscapeHtml(CapitalOf(advice.Message)) +
                            ".</p></div>\n<p class=\"soft\">Reference: " + EscapeHtml(truth) +
-                           ".</p>\n" + Legend() + "<div class=\"charts\">\n" + plots + "</div>\n" +
+                           ".</p>\n" + (yields ? YieldingNote : "") + Legend(yields) +
+                           "<div class=\"charts\">\n" + plots + "</div>\n" +
                            FeltTable(rows, chosen) + Refusals(structure));
 }
 

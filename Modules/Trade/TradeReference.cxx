@@ -1,6 +1,7 @@
 #include "TradeReference.h"
 
 #include "ClosestPointSearch.h"
+#include "ElasticForce.h"
 #include "InputError.h"
 #include "ParametricTouchSurface.h"
 #include "Refusal.h"
@@ -33,8 +34,13 @@ public:
   TradePosition At(const Vector3& probeWorld) override
   {
     const Contact& contact = this->Tracker->Follow({probeWorld, Eigen::Quaterniond::Identity()});
-    return {contact.IsTouching, contact.IsTouching ? contact.ProxyWorld : probeWorld,
-            contact.NormalWorld, contact.IsValid};
+    TradePosition position{contact.IsTouching, contact.IsTouching ? contact.ProxyWorld : probeWorld,
+                           contact.NormalWorld, contact.IsValid};
+    if (contact.Elastic != nullptr)
+    {
+      position.ForceWorld = contact.Elastic->ForceWorld;
+    }
+    return position;
   }
   Eigen::AlignedBox3d BoundsWorld() const override { return this->Touched.Model->BoundsWorld(); }
 
@@ -127,6 +133,13 @@ std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
           ", by the certified search over its whole surface",
       std::visit([&](const auto& one) { return SearchOf(one, tool.Radius); }, model),
       contact.Model->BoundsWorld());
+}
+
+std::unique_ptr<TradeReference> ElasticReference(const TouchContact& elastic,
+                                                 const std::string& what,
+                                                 const TouchToolSettings& tool)
+{
+  return std::make_unique<TrackedReference>(what, elastic, MakeTool(tool));
 }
 
 std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,

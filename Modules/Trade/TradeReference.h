@@ -7,6 +7,7 @@
 #include "TouchToolSettings.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace palpate
@@ -19,6 +20,9 @@ struct TradePosition
   Vector3 NormalWorld = Vector3::UnitZ(); ///< unit, outward
   /// False if it is ambiguous, such as for a sphere that touches two sides of a hollow at once.
   bool IsKnown = false;
+  /// Of a structure that yields, its force on the tool, N; then the proxy is that of its shape at
+  /// rest. None: a spring to the proxy makes the force.
+  std::optional<Vector3> ForceWorld = std::nullopt;
 };
 
 /// The most accurate affordable proxy positions of a tool that touches a structure; all settings
@@ -52,6 +56,10 @@ FieldReference(const TouchContact& field, const std::string& what, TouchToolSett
 /// The model itself, by the certified search over its whole surface.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
                                                                    const TouchToolSettings& tool);
+/// The elasticity of a structure that yields, whose force `what` describes.
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ElasticReference(const TouchContact& elastic,
+                                                                     const std::string& what,
+                                                                     const TouchToolSettings& tool);
 /// The triangles of a surface.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference> FacetReference(const TouchContact& facets,
                                                                    const TouchToolSettings& tool);

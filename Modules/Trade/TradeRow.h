@@ -37,6 +37,7 @@ struct TradeRow
 
   std::string Structure;
   ContactSetting Setting;
+  bool Yields = false; ///< the structure does: its forces are compared, not its positions
   Outcome State = Outcome::Measured;
   std::string Message;
   std::string Represented; ///< description of the contact as made
@@ -49,14 +50,16 @@ struct TradeRow
   double Rate = NAN;     ///< Hz: 1 / TickRare, with no other work
 
   // Position errors from the reference proxy, mm: as felt in the force, and along the reference
-  // normal alone.
+  // normal alone. Not of a structure that yields.
   double PositionMean = NAN;
   double PositionRare = NAN; ///< 99 %
   double PositionMost = NAN;
   double SurfaceMean = NAN;
   double SurfaceMost = NAN;
 
-  // Force errors in just noticeable differences of the ideal force.
+  // Force errors, N, and in just noticeable differences of the ideal force.
+  double ForceMean = NAN;
+  double ForceRare = NAN; ///< 99 %
   double NoticeableMean = NAN;
   double NoticeableRare = NAN; ///< 99 %
 
@@ -70,7 +73,9 @@ struct TradeRow
   double JumpMost = NAN;
   double IdealJumpMost = NAN;
 
-  double Seizures = NAN; ///< how often the position error came to exceed TradeThresholds::Seizure
+  /// How often the position error came to exceed TradeThresholds::Seizure; of a structure that
+  /// yields, the error of the proxy on its shape at rest.
+  double Seizures = NAN;
 
   double BuildSeconds = NAN;
   double Bytes = NAN; ///< of the model and its tracker

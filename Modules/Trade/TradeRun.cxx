@@ -13,19 +13,22 @@ namespace palpate
 {
 namespace
 {
-// The structures to measure: touchable, one label each.
-std::vector<SceneStructure> TouchedOf(const SceneSettings& scene, SceneRun& files,
-                                      const ProgressFunction& progress)
+// The scene with one label for each structure that is touched; the others may be parts of these.
+SceneSettings Resolve(SceneSettings scene, SceneRun& files, const ProgressFunction& progress)
 {
-  SceneSettings touched = scene;
-  for (SceneStructure& structure : touched.Structures)
+  for (SceneStructure& structure : scene.Structures)
   {
     structure.IsVisible = structure.IsForbidden = false;
   }
-  touched = ResolveLabels(touched, false,
-                          [&](const std::filesystem::path& file)
-                          { return files.SegmentationOf(file, scene.LeftHanded, progress); });
-  std::vector<SceneStructure>& all = touched.Structures;
+  return ResolveLabels(scene, false,
+                       [&](const std::filesystem::path& file)
+                       { return files.SegmentationOf(file, scene.LeftHanded, progress); });
+}
+
+// The structures to measure: touchable, one label each.
+std::vector<SceneStructure> TouchedOf(const SceneSettings& resolved)
+{
+  std::vector<SceneStructure> all = resolved.Structures;
   all.erase(std::remove_if(all.begin(), all.end(),
                            [](const SceneStructure& structure) { return !structure.IsTouchable; }),
             all.end());
@@ -34,7 +37,7 @@ std::vector<SceneStructure> TouchedOf(const SceneSettings& scene, SceneRun& file
     throw InputError("no structure of the scene is touchable, so there is nothing to measure; "
                      "set \"touched\": true for a structure");
   }
-  return std::move(all);
+  return all;
 }
 
 // Those selected by name.
@@ -72,14 +75,14 @@ TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
   constexpr double Preparing = 0.05; // fraction of a structure's time, roughly
   TradeResult result{{}, MachineName(), settings};
   SceneRun files;
-  const std::vector<SceneStructure> structures =
-      Choose(settings.Structures, TouchedOf(settings.Scene, files, progress));
+  const SceneSettings scene = Resolve(settings.Scene, files, progress);
+  const std::vector<SceneStructure> structures = Choose(settings.Structures, TouchedOf(scene));
   const auto count = static_cast<double>(structures.size());
   for (const SceneStructure& structure : structures)
   {
     const std::string name = TitleOf(structure);
     const auto done = static_cast<double>(result.Structures.size());
-    StructureTrade trade(settings.Scene, structure, files, settings.Measurement, clock);
+    StructureTrade trade(scene, structure, files, settings.Measurement, clock);
     const std::vector<ContactSetting> candidates =
         trade.Candidates([&](double part, const std::string& stage)
                          { return progress((done + Preparing * part) / count, stage); });
@@ -92,7 +95,7 @@ TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
                            return progress((done + ready) / count, name + ", " + setting);
                          }),
         {}};
-    measured.Advice = AdviseOn(measured.Rows, settings.Scene.Rate);
+    measured.Advice = AdviseOn(measured.Rows, scene.Rate);
     result.Structures.push_back(std::move(measured));
   }
   return result;

@@ -1,11 +1,26 @@
 #include "TradeSetting.h"
 
+#include "TradeRow.h"
+
 namespace palpate
 {
+namespace
+{
+bool IsElastic(const SceneStructure& structure)
+{
+  return structure.Representation == TouchRepresentation::Elastic;
+}
+} // namespace
+
 std::string Describe(const ContactSetting& setting)
 {
   const SceneRepresentation& representation = RepresentationOf(setting.Structure);
   return representation.Describe ? representation.Describe(setting) : representation.Label;
+}
+
+std::string Describe(const TradeRow& row)
+{
+  return (row.Yields && !IsElastic(row.Setting.Structure) ? "rigid, " : "") + Describe(row.Setting);
 }
 
 std::string KeyOf(const ContactSetting& setting)
@@ -31,15 +46,22 @@ SceneSettings WithSetting(SceneSettings scene, const ContactSetting& setting)
 std::vector<ContactSetting> CandidatesFor(const SceneSettings& scene, int highestDegree)
 {
   const SceneSource source = scene.Structures.front().Source();
+  const bool yields = IsElastic(scene.Structures.front());
   std::vector<ContactSetting> candidates;
   for (const SceneRepresentation& representation : SceneRepresentations())
   {
-    if (representation.Vary && representation.Takes(source))
+    const bool isMeant = (representation.Name == TouchRepresentation::Elastic) == yields;
+    if (isMeant && representation.Vary && representation.Takes(source))
     {
       const std::vector<ContactSetting> varied =
           representation.Vary(SettingOf(scene, representation.Name), scene.Tool, highestDegree);
       candidates.insert(candidates.end(), varied.begin(), varied.end());
     }
+  }
+  if (yields && !candidates.empty())
+  {
+    candidates.push_back(SettingOf(scene, TouchRepresentation::Harmonics));
+    candidates.back().Structure.Mode = HarmonicContactMode::Nearest;
   }
   return candidates;
 }

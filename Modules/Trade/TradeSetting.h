@@ -11,6 +11,10 @@ namespace palpate
 /// "harmonics of degree 12, nearest point".
 PALPATETRADE_EXPORT std::string Describe(const ContactSetting& setting);
 
+struct TradeRow;
+/// The same of a row's setting; "rigid, harmonics ..." where the structure yields, but not so.
+PALPATETRADE_EXPORT std::string Describe(const TradeRow& row);
+
 /// Short identifier, stable across versions: "harmonics/12/nearest".
 PALPATETRADE_EXPORT std::string KeyOf(const ContactSetting& setting);
 
@@ -22,8 +26,9 @@ PALPATETRADE_EXPORT ContactSetting SettingOf(const SceneSettings& scene,
 PALPATETRADE_EXPORT SceneSettings WithSetting(SceneSettings scene, const ContactSetting& setting);
 
 /// The settings to compare for the scene's first structure: for each representation that accepts
-/// its source the scene's settings, then variations of one setting at a time. `highestDegree`: the
-/// highest that its voxels support.
+/// its source the scene's settings, then variations of one setting at a time. If it yields
+/// (representation elastic), those of its elasticity, and rigid harmonics. `highestDegree`: see
+/// SceneRepresentation::Vary.
 PALPATETRADE_EXPORT std::vector<ContactSetting> CandidatesFor(const SceneSettings& scene,
                                                               int highestDegree);
 } // namespace palpate

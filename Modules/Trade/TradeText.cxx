@@ -22,7 +22,7 @@ struct TradeColumn
   double TradeRow::*Number;
 };
 
-constexpr std::array<TradeColumn, 20> TradeColumns{
+constexpr std::array<TradeColumn, 22> TradeColumns{
     {{"tick_mean_ns", &TradeRow::TickMean},
      {"tick_median_ns", &TradeRow::TickMedian},
      {"tick_p999_ns", &TradeRow::TickRare},
@@ -32,6 +32,8 @@ constexpr std::array<TradeColumn, 20> TradeColumns{
      {"position_most_mm", &TradeRow::PositionMost},
      {"surface_mean_mm", &TradeRow::SurfaceMean},
      {"surface_most_mm", &TradeRow::SurfaceMost},
+     {"force_mean_n", &TradeRow::ForceMean},
+     {"force_p99_n", &TradeRow::ForceRare},
      {"noticeable_mean_jnd", &TradeRow::NoticeableMean},
      {"noticeable_p99_jnd", &TradeRow::NoticeableRare},
      {"direction_mean_degrees", &TradeRow::DirectionMean},
@@ -52,7 +54,7 @@ JsonObject NumberOf(double number)
 JsonObject AsJson(const TradeRow& row)
 {
   const bool isMeasured = row.State == TradeRow::Outcome::Measured;
-  JsonObject json{{"setting", Describe(row.Setting)},
+  JsonObject json{{"setting", Describe(row)},
                   {"key", KeyOf(row.Setting)},
                   {"representation", row.Setting.Structure.Representation},
                   {"outcome", isMeasured ? "measured" : "refused"}};
@@ -101,7 +103,7 @@ std::vector<std::string> RefusalsOf(const TradeStructureResult& structure)
   for (const TradeRow* first : firsts)
   {
     const int others = counts[first->Message] - 1;
-    messages.push_back(Describe(first->Setting) +
+    messages.push_back(Describe(*first) +
                        (others > 0 ? " and " + std::to_string(others) + " more" : std::string()) +
                        ": " + first->Message);
   }
@@ -144,10 +146,9 @@ std::string TradeCsv(const TradeResult& result)
   {
     for (const TradeRow& row : structure.Rows)
     {
-      fields = {row.Structure,      Describe(row.Setting),
-                KeyOf(row.Setting), row.IsFelt() ? "measured" : "refused",
-                row.Represented,    row.Truth,
-                row.Message};
+      fields = {
+          row.Structure,   Describe(row), KeyOf(row.Setting), row.IsFelt() ? "measured" : "refused",
+          row.Represented, row.Truth,     row.Message};
       for (const TradeColumn& column : TradeColumns)
       {
         const double number = row.*column.Number;

@@ -74,6 +74,21 @@ TEST_F(CliTradeoff, MeasuresTheNamedStructureOfAScene)
   EXPECT_TRUE(Has(unknown.Errors, "name one of ball")) << unknown.Errors;
 }
 
+TEST_F(CliTradeoff, MeasuresAStructureThatYieldsByItsForce)
+{
+  WriteAll(this->Folder / "soft.scene.json",
+           R"({"format": "palpate-scene", "tool": {"radius_mm": 4}, "structures": [
+               {"file": "ball.json", "representation": "elastic", "elements_across": 4}]})");
+  const CommandRun run = this->Run({"soft.scene.json", "-o", "out"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "elastic, 4 elements across, compliance of degree 4, maps of degree"))
+      << run.Output;
+  EXPECT_TRUE(Has(run.Output, "rigid, harmonics")) << run.Output;
+  EXPECT_TRUE(Has(run.Output, "N off")) << run.Output;
+  EXPECT_TRUE(Has(run.Output, "The structure yields")) << run.Output;
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "out/tradeoff.html"), "Force, mN"));
+}
+
 TEST_F(CliTradeoff, RejectsBadInputWithOneMessage)
 {
   const std::vector<std::vector<std::string>> bad{{"missing.json"},

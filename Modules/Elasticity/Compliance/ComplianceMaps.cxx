@@ -206,6 +206,21 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
   return goesOn(all) ? Status::Success() : Status::Failure("Cancelled.");
 }
 
+ComplianceMaps ComplianceMaps::Truncated(int degree) const
+{
+  ComplianceMaps maps = *this;
+  if (degree < this->Degree)
+  {
+    maps.Degree = degree;
+    maps.FitError = Error();
+    for (std::vector<double>& map : maps.Coefficients)
+    {
+      map.resize(SphericalHarmonicBasis::CoefficientCount(degree));
+    }
+  }
+  return maps;
+}
+
 Status ComplianceMaps::Check() const
 {
   constexpr double MostPatch = 1e6; // mm

@@ -58,6 +58,10 @@ struct ComplianceMaps
                     const ReducedCompliance& reduced, const Settings& settings,
                     const KernelProgress& progress, ComplianceMaps& maps);
 
+  /// Up to a degree, or their own if that is lower: faster to evaluate. What they leave out is not
+  /// known then (FitError is empty); pictures keep their long waves. Allocates.
+  ComplianceMaps Truncated(int degree) const;
+
   /// Fails for maps that are incomplete or beyond physical limits; up to half of the largest patch
   /// a larger one has to yield less. For maps from a file. Allocates.
   Status Check() const;

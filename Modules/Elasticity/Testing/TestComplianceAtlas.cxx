@@ -99,6 +99,25 @@ TEST_F(SmallOrgan, MapsStopWhenCancelled)
   EXPECT_EQ(calls, 5);
 }
 
+TEST_F(SmallOrgan, TruncatedMapsKeepTheirLowDegrees)
+{
+  const ComplianceMaps maps = MapsOf(this->Organ, {6, 0.0});
+  const ComplianceMaps low = maps.Truncated(3);
+  EXPECT_TRUE(low.Check().IsOk()) << low.Check().Message();
+  EXPECT_EQ(low.Degree, 3);
+  EXPECT_EQ(low.LargestPatch, maps.LargestPatch);
+  EXPECT_EQ(low.FitError.Rms, 0.0);
+  for (std::size_t map = 0; map < ComplianceMaps::Count; ++map)
+  {
+    ASSERT_EQ(low.Coefficients[map].size(), 16U);
+    EXPECT_TRUE(std::equal(low.Coefficients[map].begin(), low.Coefficients[map].end(),
+                           maps.Coefficients[map].begin()));
+  }
+  const ComplianceMaps same = maps.Truncated(7);
+  EXPECT_EQ(same.Degree, 6);
+  EXPECT_EQ(same.Coefficients, maps.Coefficients);
+}
+
 TEST_F(SmallOrgan, CheckFindsMapsThatAreNoBody)
 {
   const ComplianceMaps maps = MapsOf(this->Organ, {4, 0.0});

@@ -70,6 +70,21 @@ TEST(TradeAdvice, IgnoresNan)
   EXPECT_EQ(AdviseOn(rows, 1000.0).Row, 2U);
 }
 
+TEST(TradeAdvice, ComparesYieldingStructuresByTheirForce)
+{
+  std::vector<TradeRow> rows = Rows;
+  for (TradeRow& row : rows)
+  {
+    row.Yields = true;
+    row.PositionRare = NAN;
+  }
+  const TradeAdvice advice = AdviseOn(rows, 1000.0);
+  EXPECT_EQ(advice.Row, 1U);
+  EXPECT_TRUE(advice.IsMet);
+  EXPECT_FALSE(Has(advice.Message, " mm")) << advice.Message;
+  EXPECT_TRUE(Has(advice.Message, "choose rigid, harmonics of degree 8")) << advice.Message;
+}
+
 TEST(TradeAdvice, RecommendsNothingWithoutRows)
 {
   EXPECT_FALSE(AdviseOn({}, 1000.0).Row);
