@@ -1,6 +1,7 @@
 #include "ElasticCases.h"
 #include "OrganSoftening.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <limits>
