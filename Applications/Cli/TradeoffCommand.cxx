@@ -75,6 +75,7 @@ std::string TradeoffCommand::Examples() const
 {
   return "  palpate tradeoff knee.scene.json --output trade    a table, a page, and advice\n"
          "  palpate tradeoff mask.seg.nrrd --label 1 --tool-radius 3\n"
+         "  palpate tradeoff soft.json --tool-radius 8        a model that yields\n"
          "  palpate tradeoff ct.nrrd --iso 300 --tool-radius 1 --seconds 60 --output trade";
 }
 

@@ -160,6 +160,9 @@ TEST_F(SceneTissueTest, NumbersReachTheTissue)
   EXPECT_GT(with(TissueKey::Modulus, 40.0), 1.5 * usual);
   EXPECT_LT(with(TissueKey::PoissonRatio, 0.1), usual);
   EXPECT_GT(with(TissueKey::Support, 10.0), usual);
+  EXPECT_NE(with(TissueKey::ComplianceDegree, 2.0), usual);
+  EXPECT_NE(with(TissueKey::MapDegree, 2.0), usual);
+  EXPECT_EQ(with(TissueKey::MapDegree, 20.0), usual) << "the default";
   // The free side yields more, but the stiffest place does not.
   EXPECT_NE(with(TissueKey::FreeSide, 3.0), usual);
 }

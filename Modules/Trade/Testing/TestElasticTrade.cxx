@@ -1,3 +1,4 @@
+#include "FilterRun.h"
 #include "ModelFile.h"
 #include "ModelSoftening.h"
 #include "SceneTissue.h"
@@ -7,6 +8,7 @@
 #include "TradePage.h"
 #include "TradeText.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -224,6 +226,14 @@ TEST_F(ElasticTrade, JsonAndPageHaveForcesInsteadOfPositions)
   EXPECT_FALSE(Has(page, "nan"));
 }
 
+TEST(ElasticTradeRun, CanBeCancelledWhileSoftening)
+{
+  const SoftSphere sphere;
+  StructureTrade trade = sphere.Trade();
+  const auto stop = [](double, const std::string& stage) { return !Has(stage, "elasticity"); };
+  EXPECT_THROW(trade.Measure(sphere.Standard(), stop), Cancelled);
+}
+
 TEST(ElasticTradeFile, OnlyItsMapsCanBeVaried)
 {
   SoftSphere sphere;
@@ -268,9 +278,12 @@ TEST(TradeErrors, ForcesOfAYieldingStructureAreComparedAsTheyAre)
   EXPECT_NEAR(row.NoticeableRare, 0.1 / 0.07, 1e-9);
   EXPECT_TRUE(std::isnan(row.PositionMean));
   EXPECT_EQ(row.Seizures, 0.0);
-  felt[path.Ticks.size() / 2].ProxyWorld += Vector3(3.0, 0.0, 0.0);
+  const auto touching =
+      std::find_if(felt.begin(), felt.end(), [](const FeltTick& tick) { return tick.IsTouching; });
+  ASSERT_NE(touching, felt.end());
+  touching->ProxyWorld += Vector3(3.0, 0.0, 0.0);
   CompareWithTruth(path, felt, 0.5, row);
-  EXPECT_EQ(row.Seizures, path.Ticks[path.Ticks.size() / 2].Truth.IsTouching ? 1.0 : 0.0);
+  EXPECT_EQ(row.Seizures, 1.0);
 }
 } // namespace
 } // namespace palpate
