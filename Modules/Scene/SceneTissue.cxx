@@ -41,9 +41,9 @@ std::vector<SceneNumber> TissueNumbers()
            TissueMap::MostExaggeration, 2},
           {TissueKey::Elements, "Finite elements across (0: 16)",
            1.0 * SofteningSettings::MostElements, 0},
-          {TissueKey::ComplianceDegree, "Degree of their compliance (0: 12, or their number)",
+          {TissueKey::ComplianceDegree, "Degree of the elements' compliance (0: 12)",
            1.0 * ReducedCompliance::MostDegree, 0},
-          {TissueKey::MapDegree, "Degree of the maps that are felt (0: all, or 20)",
+          {TissueKey::MapDegree, "Degree of the maps that are felt (0: 20)",
            1.0 * ComplianceMaps::MostDegree, 0}};
 }
 

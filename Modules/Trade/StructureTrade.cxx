@@ -193,7 +193,7 @@ void StructureTrade::Fill(const ContactSetting& setting, TradeRow& row,
   MeasureTouch(*contact->Model, touch, this->Path, this->Time, row, progress);
 }
 
-TradeRow StructureTrade::Measure(const ContactSetting& setting, const ProgressFunction& progress)
+void StructureTrade::Prepare(const ProgressFunction& progress)
 {
   if (this->Path.Ticks.empty())
   {
@@ -201,6 +201,11 @@ TradeRow StructureTrade::Measure(const ContactSetting& setting, const ProgressFu
     this->Reference = this->MakeReference(progress);
     this->Path = MakeTradePath(*this->Reference, this->Scene.Tool, this->Asked.Path, progress);
   }
+}
+
+TradeRow StructureTrade::Measure(const ContactSetting& setting, const ProgressFunction& progress)
+{
+  this->Prepare(progress);
   TradeRow row;
   row.Structure = TitleOf(this->Scene.Structures.front());
   row.Setting = setting;
@@ -230,10 +235,12 @@ std::vector<TradeRow> StructureTrade::MeasureAll(const std::vector<ContactSettin
                                                  const ProgressFunction& progress)
 {
   std::vector<TradeRow> rows;
-  const auto count = static_cast<double>(settings.size());
+  const auto count = static_cast<double>(1 + settings.size());
   for (const ContactSetting& setting : settings)
   {
-    const auto done = static_cast<double>(rows.size());
+    this->Prepare([&](double part, const std::string& /*stage*/)
+                  { return progress(part / count, "reference"); });
+    const auto done = static_cast<double>(1 + rows.size());
     rows.push_back(this->Measure(setting, [&](double part, const std::string& /*stage*/)
                                  { return progress((done + part) / count, Describe(setting)); }));
   }

@@ -54,6 +54,7 @@ public:
 
 private:
   std::shared_ptr<const FitResult> ModelFromFile(const ProgressFunction& progress);
+  void Prepare(const ProgressFunction& progress);
   void FindElasticity(const ProgressFunction& progress);
   bool Yields() const;
   std::unique_ptr<TradeReference> MakeReference(const ProgressFunction& progress);

@@ -1,4 +1,5 @@
 #include "FilterRun.h"
+#include "MarkupCheck.h"
 #include "ModelFile.h"
 #include "ModelSoftening.h"
 #include "SceneTissue.h"
@@ -224,6 +225,7 @@ TEST_F(ElasticTrade, JsonAndPageHaveForcesInsteadOfPositions)
   EXPECT_TRUE(Has(page, "Force, mN"));
   EXPECT_TRUE(Has(page, "rigid, harmonics"));
   EXPECT_FALSE(Has(page, "nan"));
+  EXPECT_EQ(test::MarkupError(page), "");
 }
 
 TEST(ElasticTradeRun, CanBeCancelledWhileSoftening)
