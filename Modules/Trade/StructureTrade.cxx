@@ -7,6 +7,7 @@
 #include "TradeMeasure.h"
 #include "VoxelMinimum.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -26,20 +27,31 @@ SceneStructure OnlyTouched(SceneStructure structure)
   return structure;
 }
 
-// With the scene's structures that change its elasticity, themselves neither seen nor touched.
-std::vector<SceneStructure> WithInclusions(const SceneSettings& scene,
-                                           const SceneStructure& structure)
+// Whether it may change the elasticity of others.
+bool IsSurrounding(const SceneStructure& structure)
+{
+  const std::vector<SceneNumber> numbers = SurroundingNumbers();
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [&structure](const SceneNumber& number)
+                     { return structure.Number(number.Key) > 0.0; });
+}
+
+// With what changes its elasticity, which is itself neither seen nor touched.
+std::vector<SceneStructure> WithSurroundings(const SceneSettings& scene,
+                                             const SceneStructure& structure)
 {
   std::vector<SceneStructure> structures{structure};
   if (structure.Representation != TouchRepresentation::Elastic)
   {
     return structures;
   }
-  for (const SceneStructure* inclusion : InclusionsOf(scene, structure))
+  for (SceneStructure one : scene.Structures)
   {
-    structures.push_back(*inclusion);
-    structures.back().IsVisible = structures.back().IsTouchable = structures.back().IsForbidden =
-        false;
+    if (one.Id != structure.Id && IsSurrounding(one))
+    {
+      one.IsVisible = one.IsTouchable = one.IsForbidden = false;
+      structures.push_back(std::move(one));
+    }
   }
   return structures;
 }
@@ -49,7 +61,7 @@ StructureTrade::StructureTrade(const SceneSettings& scene, const SceneStructure&
                                SceneRun made, const Settings& settings, const Clock& clock)
     : Scene(scene), Made(std::move(made)), Asked(settings), Time(clock)
 {
-  this->Scene.Structures = WithInclusions(scene, structure);
+  this->Scene.Structures = WithSurroundings(scene, structure);
   this->Scene.Fit.Tolerance.reset(); // each setting has its own degree
 }
 

@@ -33,12 +33,7 @@ public:
   SoftSphere()
   {
     WriteModel(this->Folder / "sphere.json", {test::BumpyModel(0.0), {}});
-    test::LabelGrid grid;
-    grid.CenterOnOrigin();
-    grid.Origin = {{3.0 - 2.0, -7.0 - 15.5, 11.0 - 15.5}};
-    WriteImage(this->Folder / "core.nii.gz",
-               test::MakeLabelImage(grid, [](double x, double y, double z)
-                                    { return std::hypot(x - 16.0, y + 7.0, z - 11.0) < 5.0; }));
+    this->WriteMask([](double x, double y, double z) { return std::hypot(x - 13.0, y, z) < 5.0; });
     SceneStructure sphere;
     sphere.Id = 1;
     sphere.File = this->Folder / "sphere.json";
@@ -51,6 +46,18 @@ public:
     core.SetNumber(TissueKey::Inclusion, 200.0);
     this->Scene.Structures = {sphere, core};
     this->Scene.Tool.Radius = 4.0;
+  }
+  // Of the second structure; relative to the centre of the sphere, whose left half it covers.
+  template <typename Inside>
+  void WriteMask(const Inside& inside) const
+  {
+    test::LabelGrid grid;
+    const Vector3 center = test::BumpyModel(0.0).CenterWorld();
+    grid.Origin = {{center.x() - 2.0, center.y() - 15.5, center.z() - 15.5}};
+    WriteImage(
+        this->Folder / "core.nii.gz",
+        test::MakeLabelImage(grid, [&](double x, double y, double z)
+                             { return inside(x - center.x(), y - center.y(), z - center.z()); }));
   }
   StructureTrade Trade() const
   {
@@ -234,6 +241,22 @@ TEST(ElasticTradeRun, CanBeCancelledWhileSoftening)
   StructureTrade trade = sphere.Trade();
   const auto stop = [](double, const std::string& stage) { return !Has(stage, "elasticity"); };
   EXPECT_THROW(trade.Measure(sphere.Standard(), stop), Cancelled);
+}
+
+TEST(ElasticTradeRun, KeepsWhatHoldsTheStructure)
+{
+  SoftSphere sphere;
+  sphere.WriteMask([](double x, double y, double z) { return std::hypot(x, y, z) >= 20.0; });
+  SceneStructure& core = sphere.Scene.Structures.back();
+  core.SetNumber(TissueKey::Inclusion, 0.0);
+  const auto stiffness = [&sphere]
+  {
+    const auto contact = sphere.Trade().ContactFor(sphere.Standard(), GoOn);
+    return contact->Model->OwnStiffness(ToolShape::Sphere(4.0));
+  };
+  const double alone = stiffness();
+  core.SetNumber(TissueKey::Neighbour, 50.0);
+  EXPECT_GT(stiffness(), 1.02 * alone);
 }
 
 TEST(ElasticTradeFile, OnlyItsMapsCanBeVaried)
