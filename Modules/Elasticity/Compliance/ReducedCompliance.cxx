@@ -59,7 +59,8 @@ Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stif
     return cancelled;
   }
   SparseCholesky solver;
-  const Status factored = solver.Factor(stiffness);
+  const Status factored =
+      solver.Factor(stiffness, [&](double fraction) { return goesOn(PartOfFactor * fraction); });
   if (!factored.IsOk())
   {
     return factored;
@@ -68,7 +69,7 @@ Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stif
   const Eigen::Index nodes = integrals.rows();
   const Eigen::Index harmonics = integrals.cols();
   Eigen::MatrixXd values(3 * harmonics, 3 * harmonics);
-  constexpr Eigen::Index Together = 128; // right sides, which bounds memory
+  constexpr Eigen::Index Together = 64; // right sides, which bounds memory and time to cancel
   const Eigen::Index all = 3 * harmonics;
   for (Eigen::Index first = 0; first < all; first += Together)
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "HexElasticity.h"
+#include "KernelProgress.h"
 #include "Status.h"
 
 #include <Eigen/Core>
@@ -19,8 +20,9 @@ public:
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// Fails if memory is short, or if the matrix is not positive definite in double precision.
-  Status Factor(const StiffnessMatrix& lowerTriangle);
+  /// Fails if memory is short, if the matrix is not positive definite in double precision, and if
+  /// `progress` cancels. The numerical factorisation is one step, which cannot be interrupted.
+  Status Factor(const StiffnessMatrix& lowerTriangle, const KernelProgress& progress);
   /// Replaces the columns, which are right sides, by the solutions. After Factor.
   Status Solve(Eigen::MatrixXd& columns);
 
