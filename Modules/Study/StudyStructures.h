@@ -20,7 +20,8 @@ PALPATESTUDY_EXPORT StudyState WithStructuresOf(const StudyState& state,
 
 /// The state with the structures of a further segmentation at `file`, after those that it has;
 /// labels that it has already are left out. They are not touched, since a lesion would be in the
-/// way of the tool. Without a segmentation of its own, the state takes this one.
+/// way of the tool. Colours and names that are in use are replaced, so that structures can be told
+/// apart. Without a segmentation of its own, the state takes this one.
 PALPATESTUDY_EXPORT StudyState WithAddedStructuresOf(const StudyState& state,
                                                      const std::filesystem::path& file,
                                                      const Segmentation& segmentation);

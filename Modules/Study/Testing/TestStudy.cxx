@@ -10,6 +10,7 @@
 #include "TouchRecorder.h"
 #include "WholeFile.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -88,6 +89,20 @@ TEST_F(StudyTest, AddsStructuresOfAFurtherSegmentationInOneStep)
   EXPECT_EQ(added.Structures[3].Labels, std::vector<std::string>{"1"});
   EXPECT_GT(added.Structures[3].Id, 3) << "the label's number is taken";
   EXPECT_TRUE(added.Structures[3].IsVisible && !added.Structures[3].IsTouchable);
+  EXPECT_EQ(TitleOf(added.Structures[3]), "lesion, label 1") << "label 1 is another";
+  for (std::size_t one = 0; one < added.Structures.size(); ++one)
+  {
+    for (std::size_t other = 0; other < one; ++other)
+    {
+      const auto& a = added.Structures[one].Color;
+      const auto& b = added.Structures[other].Color;
+      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0.1) << one << ", " << other;
+      EXPECT_NE(TitleOf(added.Structures[one]), TitleOf(added.Structures[other]));
+    }
+  }
+  EXPECT_EQ(added.Structures.front().Color, before.Structures.front().Color);
+  this->Open.Save(this->Phantom.Folder / "a.palpate.json");
+  EXPECT_EQ(ReadStudy(this->Phantom.Folder / "a.palpate.json"), added);
   this->Open.Undo();
   EXPECT_EQ(this->Open.State(), before);
   this->Open.Redo();
@@ -95,6 +110,60 @@ TEST_F(StudyTest, AddsStructuresOfAFurtherSegmentationInOneStep)
   this->Open.AddSegmentation(lesion, fail);
   this->Settle();
   EXPECT_EQ(this->Open.State(), added) << "each label once";
+}
+
+TEST(AddedStructuresOfSegmentations, NamesAreTakenOnce)
+{
+  Segmentation read;
+  for (const int label : {1, 2})
+  {
+    Segment segment;
+    segment.Label = segment.Value = label;
+    segment.Name = label == 1 ? "Lesion" : "";
+    read.Segments.push_back(segment);
+  }
+  StudyState state;
+  for (const char* file : {"/a.nii.gz", "/b.nii.gz", "/c.nii.gz"})
+  {
+    state = WithAddedStructuresOf(state, file, read);
+  }
+  std::vector<std::string> titles;
+  for (const SceneStructure& structure : state.Structures)
+  {
+    titles.push_back(TitleOf(structure));
+  }
+  EXPECT_EQ(titles, (std::vector<std::string>{"Lesion", "label 2", "Lesion (2)", "b, label 2",
+                                              "Lesion (3)", "c, label 2"}));
+  read.Segments.erase(read.Segments.begin());
+  state = WithAddedStructuresOf(state, "/d/b.nii.gz", read);
+  EXPECT_EQ(TitleOf(state.Structures.back()), "b") << "the file's only structure";
+  state = WithAddedStructuresOf(state, "/e/b.nii.gz", read);
+  EXPECT_EQ(TitleOf(state.Structures.back()), "b (2)");
+}
+
+TEST(AddedStructuresOfSegmentations, ColoursStayApart)
+{
+  Segmentation read;
+  Segment segment;
+  segment.Label = segment.Value = 1;
+  segment.Color = {{1.0, 0.0, 0.0}};
+  read.Segments.push_back(segment);
+  StudyState state;
+  for (int file = 0; file < 8; ++file)
+  {
+    state = WithAddedStructuresOf(state, "/" + std::to_string(file) + ".nii.gz", read);
+  }
+  ASSERT_EQ(state.Structures.size(), 8U);
+  EXPECT_EQ(state.Structures.front().Color, segment.Color) << "its own where it is free";
+  for (std::size_t one = 0; one < 8; ++one)
+  {
+    for (std::size_t other = 0; other < one; ++other)
+    {
+      const auto& a = state.Structures[one].Color;
+      const auto& b = state.Structures[other].Color;
+      EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0.2) << one << ", " << other;
+    }
+  }
 }
 
 TEST_F(StudyTest, FirstAddedSegmentationIsThatOfTheSlices)
