@@ -166,6 +166,10 @@ int SceneCommand::Run(Console& console)
     BuiltScene made = BuildScene(settings, ProgressOn(console));
     made.Account.Servo = AccountForServo(made);
     console.EndProgress();
+    for (const std::string& warning : made.Warnings)
+    {
+      console.Note(warning);
+    }
     console.Output()
         << (this->Json
                 ? AsJson(made.Account).dump(2, ' ', false, JsonObject::error_handler_t::replace) +

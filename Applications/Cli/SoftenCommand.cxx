@@ -254,7 +254,7 @@ int SoftenCommand::Run(Console& console)
   const ModelSoftness softness =
       SoftenModel(model.Surface, this->Model.string(), settings, ProgressOn(console));
   console.EndProgress();
-  Tell(softness.Notes, console);
+  Tell(softness.Warnings(), console);
   model.Elasticity = softness.Elasticity;
   for (const auto& entry : DescribeSettings(settings))
   {

@@ -9,6 +9,7 @@
 #include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
+#include "SofteningNotes.h"
 #include "SteadyClock.h"
 #include "StudyFiles.h"
 #include "TextTable.h"
@@ -164,9 +165,19 @@ std::vector<Line> LinesOf(Study& study)
       lines.push_back(LineOf(step, state));
     }
   }
+  const auto products = [&study](SceneStep step, int id)
+  { return study.Pipeline().NewestProduct(step, id); };
+  const std::vector<SofteningNote> notes = SofteningNotes(study.State(), products);
   for (const SceneStructure& structure : study.State().Structures)
   {
     lines.push_back(LineOf(structure, study));
+    for (const SofteningNote& note : notes)
+    {
+      if (note.Id == structure.Id)
+      {
+        lines.back().Messages.push_back(note.Text);
+      }
+    }
   }
   return lines;
 }

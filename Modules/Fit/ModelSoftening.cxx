@@ -55,66 +55,10 @@ std::shared_ptr<const TissueMap::Samples> ModuliOf(const Volume& image)
   return samples;
 }
 
-// Visits the voxels of a box, the first index axis fastest.
-template <typename Visit>
-void ForEachVoxel(const std::array<int, 3>& first, const std::array<int, 3>& last,
-                  const Visit& visit)
-{
-  for (int k = first[2]; k <= last[2]; ++k)
-  {
-    for (int j = first[1]; j <= last[1]; ++j)
-    {
-      for (int i = first[0]; i <= last[0]; ++i)
-      {
-        visit(std::array<int, 3>{i, j, k});
-      }
-    }
-  }
-}
-
-// 1 in a structure, 0 outside: the box around it with a voxel of margin, since label maps are
-// mostly background. Null without a voxel.
-std::shared_ptr<const TissueMap::Samples> FractionOf(vtkImageData* layer, int value)
-{
-  const ImageGrid grid = GridOf(layer);
-  vtkDataArray* voxels = layer->GetPointData()->GetScalars();
-  const auto isInside = [&](const std::array<int, 3>& at)
-  {
-    const vtkIdType row = at[1] + static_cast<vtkIdType>(grid.Size[1]) * at[2];
-    return voxels->GetComponent(at[0] + grid.Size[0] * row, 0) == value;
-  };
-  std::array<int, 3> first = grid.Size;
-  std::array<int, 3> last{{-1, -1, -1}};
-  ForEachVoxel({{0, 0, 0}}, {{grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1}},
-               [&](const std::array<int, 3>& at)
-               {
-                 const std::size_t axes = isInside(at) ? 3 : 0;
-                 for (std::size_t axis = 0; axis < axes; ++axis)
-                 {
-                   first[axis] = std::min(first[axis], std::max(0, at[axis] - 1));
-                   last[axis] = std::max(last[axis], std::min(grid.Size[axis] - 1, at[axis] + 1));
-                 }
-               });
-  if (last[0] < 0)
-  {
-    return nullptr;
-  }
-  auto samples = std::make_shared<TissueMap::Samples>();
-  const FieldGrid whole(grid.Size, grid.OriginWorld, grid.Spacing, grid.Direction);
-  samples->Grid = FieldGrid(
-      {{last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1}},
-      whole.PointWorld(Vector3(first[0], first[1], first[2])), grid.Spacing, grid.Direction);
-  samples->Values.reserve(samples->Grid.NodeCount());
-  ForEachVoxel(first, last,
-               [&](const std::array<int, 3>& at)
-               { samples->Values.push_back(isInside(at) ? 1.0F : 0.0F); });
-  return samples;
-}
-
 // How much of a place of a model's surface is next to a structure: the largest share on the way
 // out.
-double PartNextTo(const std::vector<std::shared_ptr<const TissueMap::Samples>>& structure,
-                  const SphericalHarmonicModel& model, const Vector3& direction)
+double PartNextTo(const InclusionFractions& structure, const SphericalHarmonicModel& model,
+                  const Vector3& direction)
 {
   constexpr double Step = 0.5; // mm
   const auto sample = model.EvaluateSecondOrder(direction);
@@ -139,7 +83,8 @@ class Composition
 public:
   Composition(const SofteningSettings& settings, const SphericalHarmonicModel& model,
               ModelSoftness& made)
-      : Settings(settings), Model(model), Made(made), Own(PerKilopascal * settings.TissueKilopascal)
+      : Settings(settings), Model(model), Made(made),
+        Own(PerKilopascal * settings.TissueKilopascal)
   {
     made.Tissue = SignificantText(settings.TissueKilopascal) + " kPa";
   }
@@ -187,15 +132,7 @@ private:
   void AddNeighbour(const SofteningSettings::Neighbour& neighbour, ElasticBed& bed)
   {
     constexpr int Degree = 30;
-    std::vector<std::shared_ptr<const TissueMap::Samples>> images;
-    for (const Segment& segment : neighbour.Segments)
-    {
-      vtkImageData* layer = neighbour.Read->Layers[static_cast<std::size_t>(segment.Layer)];
-      if (auto image = FractionOf(layer, segment.Value))
-      {
-        images.push_back(std::move(image));
-      }
-    }
+    const InclusionFractions images = FractionsOf(*neighbour.Read, neighbour.Segments);
     const auto part = [images, &model = this->Model](const Vector3& direction)
     { return PartNextTo(images, model, direction); };
     const std::vector<Vector3> around = SphereQuadrature(Degree).Directions;
@@ -210,7 +147,8 @@ private:
 
   void AddImage(const Volume& image, TissueMap& tissue)
   {
-    tissue.AddImage(ModuliOf(image));
+    const std::shared_ptr<const TissueMap::Samples> moduli = ModuliOf(image);
+    tissue.AddImage(moduli);
     RequireInput(tissue.Check(), image.Source.string());
     if (Changes(tissue, this->Model, this->Own))
     {
@@ -223,29 +161,25 @@ private:
     }
   }
 
-  // Whether it lies in the model.
+  // Whether it changes the tissue.
   bool AddInclusion(const SofteningSettings::Inclusion& inclusion, TissueMap& tissue)
   {
     const double modulus = PerKilopascal * inclusion.Kilopascal;
+    const InclusionFractions fractions = FractionsOf(*inclusion.Read, inclusion.Segments);
     TissueMap alone(this->Own);
-    for (const Segment& segment : inclusion.Segments)
+    for (const auto& fraction : fractions)
     {
-      vtkImageData* layer = inclusion.Read->Layers[static_cast<std::size_t>(segment.Layer)];
-      if (const auto fraction = FractionOf(layer, segment.Value))
-      {
-        tissue.AddInclusion(fraction, modulus);
-        alone.AddInclusion(fraction, modulus);
-      }
+      alone.AddInclusion(fraction, modulus);
     }
-    const std::string file = inclusion.Read->Source.string();
-    RequireInput(alone.Check(), file);
-    const bool isEqual = inclusion.Kilopascal == this->Settings.TissueKilopascal;
-    const bool isInside = isEqual || Changes(alone, this->Model, this->Own);
-    if (!isInside)
+    RequireInput(alone.Check(), inclusion.Read->Source.string());
+    this->Made.Inclusions.push_back(
+        ShareOf(this->Model, *inclusion.Read, inclusion.Segments, fractions));
+    const bool isInside = this->Made.Inclusions.back().IsInside();
+    for (std::size_t i = 0; isInside && i < fractions.size(); ++i)
     {
-      this->Made.Notes.push_back(file + " lies outside of the model and does not change it");
+      tissue.AddInclusion(fractions[i], modulus);
     }
-    return isInside && !isEqual;
+    return isInside && inclusion.Kilopascal != this->Settings.TissueKilopascal;
   }
 
   const SofteningSettings& Settings;
@@ -254,6 +188,20 @@ private:
   double Own; // N/mm^2
 };
 } // namespace
+
+std::vector<std::string> ModelSoftness::Warnings() const
+{
+  std::vector<std::string> warnings = this->Notes;
+  for (const InclusionShare& inclusion : this->Inclusions)
+  {
+    const std::string note = inclusion.Note("the model");
+    if (!note.empty())
+    {
+      warnings.push_back(note);
+    }
+  }
+  return warnings;
+}
 
 ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
                           const SofteningSettings& settings, const ProgressFunction& progress)
@@ -266,7 +214,8 @@ ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
   }
   RequireInput(settings.Check(), name);
   ModelSoftness made;
-  const ElasticSolid solid = Composition(settings, *radial, made).Solid(progress);
+  Composition composition(settings, *radial, made);
+  const ElasticSolid solid = composition.Solid(progress);
   KernelWatch watch(progress, Stage);
   ComplianceMaps maps;
   const Status status =

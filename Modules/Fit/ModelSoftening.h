@@ -1,5 +1,6 @@
 #pragma once
 
+#include "InclusionShare.h"
 #include "PalpateFitModule.h"
 #include "Progress.h"
 #include "SofteningSettings.h"
@@ -18,11 +19,16 @@ struct ModelSoftness
   /// "20 kPa, inclusions of 60 kPa": without those that lie outside of the model.
   std::string Tissue;
   OrganSoftening::Account Account;
-  std::vector<std::string> Notes;
+  std::vector<InclusionShare> Inclusions; ///< those of the settings, in their order
+  std::vector<std::string> Notes;         ///< on the elastography image
+
+  /// All that a user has to know before relying on it: the notes, and those of the inclusions.
+  PALPATEFIT_EXPORT std::vector<std::string> Warnings() const;
 };
 
 /// Makes a star-shaped model yield. `name` is that of its file or structure, for messages. Takes
-/// seconds. Throws InputError for other models and settings outside their limits, and Cancelled.
+/// seconds. Throws
+/// InputError for other models and settings outside their limits, and Cancelled.
 PALPATEFIT_EXPORT ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
                                             const SofteningSettings& settings,
                                             const ProgressFunction& progress);

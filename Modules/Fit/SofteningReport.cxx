@@ -101,7 +101,7 @@ std::string SofteningReport::Page() const
               "fingers.</p>\n" +
               this->Views()) +
       ReportSection("What was built", HtmlTable("Settings and result", rows)) +
-      ReportNotes(this->Softness.Notes) + ReportFooter();
+      ReportNotes(this->Softness.Warnings()) + ReportFooter();
   return ReportPage(this->Name, body);
 }
 } // namespace palpate

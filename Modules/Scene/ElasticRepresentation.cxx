@@ -1,6 +1,7 @@
 #include "ElasticRepresentation.h"
 
 #include "CaseText.h"
+#include "FilterRun.h"
 #include "ModelSoftening.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
@@ -60,15 +61,142 @@ SceneProduct Soften(Recipe recipe, const StructurePlan::Inputs& inputs,
   auto softened = std::make_shared<FitResult>(*fit);
   softened->Elasticity = std::move(softness.Elasticity);
   softened->Tissue = std::move(softness.Tissue);
+  softened->Notes = std::move(softness.Notes);
   return std::shared_ptr<const FitResult>(std::move(softened));
+}
+
+// How much of the inclusions lies in a structure. `inputs`: the model, and the segmentation of
+// each.
+SceneProduct Place(const std::vector<SceneStructure>& inclusions,
+                   const StructurePlan::Inputs& inputs, const ProgressFunction& progress)
+{
+  auto placed = std::make_shared<SceneInclusions>();
+  const auto fit = ProductAs<FitResult>(inputs.data());
+  const SphericalHarmonicModel* model = fit->Radial();
+  const bool isSoftened = model != nullptr && fit->Elasticity == nullptr;
+  for (std::size_t i = 0; isSoftened && i < inclusions.size(); ++i)
+  {
+    if (!progress(static_cast<double>(i) / static_cast<double>(inclusions.size()), "inclusions"))
+    {
+      throw Cancelled();
+    }
+    const auto read = ProductAs<Segmentation>(&inputs[i + 1]);
+    const std::vector<Segment> segments = SegmentsOf(inclusions[i], *read);
+    placed->Shares.emplace_back(inclusions[i].Id,
+                                ShareOf(*model, *read, segments, FractionsOf(*read, segments)));
+  }
+  return std::shared_ptr<const SceneInclusions>(std::move(placed));
+}
+
+std::string KeyOfLabels(std::string key, const SceneStructure& structure)
+{
+  for (const std::string& label : structure.Labels)
+  {
+    key = SceneKey(key, label);
+  }
+  return key;
+}
+
+// Adds the comparison of the structure with the scene's inclusions, which does not depend on their
+// moduli; returns its key.
+std::string AddInclusions(StructurePlan& plan, const std::string& model,
+                          const std::vector<const SceneStructure*>& inclusions)
+{
+  std::vector<std::string> inputs{model};
+  std::vector<SceneStructure> structures;
+  std::string key = SceneKey(model, "inclusions");
+  for (const SceneStructure* inclusion : inclusions)
+  {
+    inputs.push_back(plan.AddSegmentationOf(*inclusion));
+    structures.push_back(*inclusion);
+    key = KeyOfLabels(SceneKey(key, inclusion->Id, inputs.back()), *inclusion);
+  }
+  return plan.AddNode(SceneStep::Inclusions, key, std::move(inputs),
+                      [structures = std::move(structures)](const StructurePlan::Inputs& made,
+                                                           const ProgressFunction& progress)
+                      { return Place(structures, made, progress); });
+}
+
+// A planned softening.
+struct Planned
+{
+  std::string Key;      // empty if it is not decided yet
+  std::string WaitsFor; // key of what decides it
+};
+
+// The key has only what the softening depends on, so that other numbers, and inclusions elsewhere,
+// do not repeat it.
+Planned PlanElasticity(StructurePlan& plan)
+{
+  const SceneStructure& structure = plan.Settings();
+  const std::string model = plan.AddModel();
+  const std::vector<const SceneStructure*> inclusions =
+      SurroundingsOf(plan.Whole(), structure, TissueKey::Inclusion);
+  std::shared_ptr<const SceneInclusions> placed;
+  if (!inclusions.empty())
+  {
+    const std::string placing = AddInclusions(plan, model, inclusions);
+    placed = ProductAs<SceneInclusions>(plan.Find(placing));
+    if (placed == nullptr)
+    {
+      plan.AddNode(SceneStep::Elasticity, {}, {placing}, nullptr);
+      return {{}, placing};
+    }
+  }
+  Recipe recipe;
+  recipe.Settings = SofteningSettingsOf(structure);
+  std::vector<std::string> inputs{model};
+  std::string key = SceneKey(model, "elasticity");
+  for (const SceneNumber& number : TissueNumbers())
+  {
+    const bool isOfMaps = number.Key == TissueKey::MapDegree;
+    key = SceneKey(key,
+                   isOfMaps ? recipe.Settings.Numbers.Maps.Degree : structure.Number(number.Key));
+  }
+  const std::filesystem::path elastography = structure.Image(TissueKey::Elastography);
+  if (!elastography.empty())
+  {
+    recipe.HasElastography = true;
+    inputs.push_back(plan.AddImage(elastography));
+    key = SceneKey(key, "elastography", inputs.back());
+  }
+  const auto add =
+      [&](const char* name, const SceneStructure& one, std::vector<SceneStructure>& surroundings)
+  {
+    surroundings.push_back(one);
+    inputs.push_back(plan.AddSegmentationOf(one));
+    key = KeyOfLabels(SceneKey(key, name, inputs.back(), one.Number(name)), one);
+  };
+  for (const SceneStructure* inclusion : inclusions)
+  {
+    if (placed->Has(inclusion->Id))
+    {
+      add(TissueKey::Inclusion, *inclusion, recipe.Inclusions);
+    }
+  }
+  for (const SceneStructure* one : SurroundingsOf(plan.Whole(), structure, TissueKey::Neighbour))
+  {
+    add(TissueKey::Neighbour, *one, recipe.Neighbours);
+  }
+  return {plan.AddNode(SceneStep::Elasticity, key, std::move(inputs),
+                       [recipe = std::move(recipe)](const StructurePlan::Inputs& made,
+                                                    const ProgressFunction& progress)
+                       { return Soften(recipe, made, progress); }),
+          {}};
 }
 
 void PlanElasticContact(StructurePlan& plan)
 {
+  const Planned elasticity = PlanElasticity(plan);
+  if (elasticity.Key.empty())
+  {
+    plan.AddUndecidedContact(elasticity.WaitsFor);
+    return;
+  }
   const auto asked = static_cast<int>(plan.Settings().Number(TissueKey::MapDegree));
   const int degree = asked > 0 ? asked : ComplianceMaps::MostDegree;
   plan.AddContact(
-      "elastic", AddElasticity(plan),
+      "elastic", elasticity.Key,
       [degree](const StructurePlan::Inputs& inputs, const ProgressFunction&) -> SceneProduct
       {
         return std::make_shared<const TouchContact>(
@@ -187,46 +315,9 @@ std::string TextOf(const ContactSetting& setting, const char* key, const std::st
 }
 } // namespace
 
-// The key has only what the softening depends on, so that other numbers do not repeat it.
-std::string AddElasticity(StructurePlan& plan)
+void AddElasticity(StructurePlan& plan)
 {
-  const SceneStructure& structure = plan.Settings();
-  Recipe recipe;
-  recipe.Settings = SofteningSettingsOf(structure);
-  std::vector<std::string> inputs{plan.AddModel()};
-  std::string key = SceneKey(inputs.front(), "elasticity");
-  for (const SceneNumber& number : TissueNumbers())
-  {
-    const bool isOfMaps = number.Key == TissueKey::MapDegree;
-    key = SceneKey(key,
-                   isOfMaps ? recipe.Settings.Numbers.Maps.Degree : structure.Number(number.Key));
-  }
-  const std::filesystem::path elastography = structure.Image(TissueKey::Elastography);
-  if (!elastography.empty())
-  {
-    recipe.HasElastography = true;
-    inputs.push_back(plan.AddImage(elastography));
-    key = SceneKey(key, "elastography", inputs.back());
-  }
-  const auto add = [&](const char* name, std::vector<SceneStructure>& surroundings)
-  {
-    for (const SceneStructure* one : SurroundingsOf(plan.Whole(), structure, name))
-    {
-      surroundings.push_back(*one);
-      inputs.push_back(plan.AddSegmentationOf(*one));
-      key = SceneKey(key, name, inputs.back(), one->Number(name));
-      for (const std::string& label : one->Labels)
-      {
-        key = SceneKey(key, label);
-      }
-    }
-  };
-  add(TissueKey::Inclusion, recipe.Inclusions);
-  add(TissueKey::Neighbour, recipe.Neighbours);
-  return plan.AddNode(SceneStep::Elasticity, key, std::move(inputs),
-                      [recipe = std::move(recipe)](const StructurePlan::Inputs& made,
-                                                   const ProgressFunction& progress)
-                      { return Soften(recipe, made, progress); });
+  PlanElasticity(plan);
 }
 
 TouchContact ElasticContactOf(const FitResult& fit, int mapDegree)

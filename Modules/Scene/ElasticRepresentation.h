@@ -5,17 +5,15 @@
 #include "SceneRepresentation.h"
 #include "TouchContact.h"
 
-#include <string>
-
 namespace palpate
 {
 /// Structures that yield: star-shaped models fitted to labels or read from files, softened by the
 /// scene's numbers unless the file says how they yield.
 SceneRepresentation ElasticRepresentation();
 
-/// Adds the model with its elasticity to a plan of a structure with that representation; returns
-/// the key of this FitResult.
-std::string AddElasticity(StructurePlan& plan);
+/// Adds the model with its elasticity to a plan of a structure with that representation: a
+/// FitResult whose notes are those of the softening.
+void AddElasticity(StructurePlan& plan);
 
 /// The contact of a model with elasticity: its maps up to a degree, or all if theirs is lower.
 TouchContact ElasticContactOf(const FitResult& fit, int mapDegree = ComplianceMaps::MostDegree);

@@ -5,6 +5,7 @@
 #include "SceneLabels.h"
 #include "SceneRun.h"
 #include "Servo.h"
+#include "SofteningNotes.h"
 #include "StageClock.h"
 
 #include <algorithm>
@@ -34,8 +35,12 @@ public:
     this->Planned = this->Undisplayed();
     this->Run.Make(this->Planned, this->Progress);
     this->Made.Account.Files = this->Run.Files();
-    this->Made.Contacts = ContactsOf(this->Planned, [this](SceneStep step, int id)
-                                     { return this->Run.ProductAt(step, id); });
+    const auto products = [this](SceneStep step, int id) { return this->Run.ProductAt(step, id); };
+    this->Made.Contacts = ContactsOf(this->Planned, products);
+    for (SofteningNote& note : SofteningNotes(this->Planned, products))
+    {
+      this->Made.Warnings.push_back(std::move(note.Text));
+    }
     const TouchScene touch = MakeTouchScene(this->Made.Settings, this->Made.Contacts, {});
     std::size_t contact = 0;
     for (std::size_t s = 0; s < this->Made.Settings.Structures.size(); ++s)

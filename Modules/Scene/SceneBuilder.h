@@ -31,6 +31,7 @@ struct BuiltScene
   std::vector<BuiltStructure> Touched;      ///< one for each contact
   std::vector<DrillProtection> Protections; ///< of forbidden structures, touched or not
   SceneAccount Account;
+  std::vector<std::string> Warnings; ///< on what structures yield by, see SofteningNotes
 };
 
 /// Reads the files and makes the models on the caller's thread, only what the settings require;

@@ -10,8 +10,9 @@ namespace palpate
 const char* NameOf(SceneStep step)
 {
   constexpr std::array<const char*, SceneStepCount> Names{
-      "volume",     "segmentation", "image",      "structures", "surface", "samples", "model",
-      "elasticity", "field",        "protection", "touch",      "effects", "cost",    "tool"};
+      "volume",  "segmentation", "image",      "structures", "surface",
+      "samples", "model",        "elasticity", "field",      "protection",
+      "touch",   "effects",      "cost",       "tool",       "inclusions"};
   return Names.at(static_cast<std::size_t>(step));
 }
 

@@ -33,9 +33,10 @@ enum class SceneStep
   Touch,      ///< the contact model
   Effects,    ///< force effects made from images
   Cost,       ///< measured time per tick; no step waits for it
-  Tool        ///< if it is a surface from a file
+  Tool,       ///< if it is a surface from a file
+  Inclusions  ///< how much of each inclusion lies in a structure that yields
 };
-constexpr int SceneStepCount = 14;
+constexpr int SceneStepCount = 15;
 
 /// "volume", "segmentation", ...
 PALPATESCENE_EXPORT const char* NameOf(SceneStep step);

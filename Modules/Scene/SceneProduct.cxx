@@ -85,7 +85,16 @@ std::size_t BytesOf(const SceneProduct& product)
           [](const std::shared_ptr<const ImageEffects>& effects) { return effects->Bytes(); },
           [](const std::shared_ptr<const SceneProtection>& protection)
           { return protection->Bytes(); },
-          [](const std::shared_ptr<const SurfaceTool>& tool) { return tool->Bytes(); }},
+          [](const std::shared_ptr<const SurfaceTool>& tool) { return tool->Bytes(); },
+          [](const std::shared_ptr<const SceneInclusions>& inclusions)
+          {
+            std::size_t bytes = sizeof(*inclusions);
+            for (const auto& [id, share] : inclusions->Shares)
+            {
+              bytes += sizeof(share) + share.Name.size();
+            }
+            return bytes;
+          }},
       product);
 }
 } // namespace palpate

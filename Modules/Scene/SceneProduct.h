@@ -4,6 +4,7 @@
 #include "PalpateSceneModule.h"
 #include "ScalarField.h"
 #include "SceneEffect.h"
+#include "SceneInclusions.h"
 #include "SceneProtection.h"
 #include "Segmentation.h"
 #include "SurfaceTool.h"
@@ -36,7 +37,7 @@ using SceneProduct =
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
                  std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>,
                  std::shared_ptr<const ImageEffects>, std::shared_ptr<const SceneProtection>,
-                 std::shared_ptr<const SurfaceTool>>;
+                 std::shared_ptr<const SurfaceTool>, std::shared_ptr<const SceneInclusions>>;
 
 /// The product if it has this type, otherwise null.
 template <typename T>

@@ -313,8 +313,14 @@ void StructurePlan::AddAppearance()
     this->AddModel();
     break;
   case SceneAppearance::StiffnessMap:
-    this->Structure.Representation == TouchRepresentation::Elastic ? AddElasticity(*this)
-                                                                   : this->AddModel();
+    if (this->Structure.Representation == TouchRepresentation::Elastic)
+    {
+      AddElasticity(*this);
+    }
+    else
+    {
+      this->AddModel();
+    }
     break;
   case SceneAppearance::Surface:
     this->Source == SceneSource::Model ? this->AddModel() : this->AddSurface();

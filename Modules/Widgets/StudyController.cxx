@@ -3,6 +3,7 @@
 #include "DicomSeries.h"
 #include "SceneContacts.h"
 #include "ScreenString.h"
+#include "SofteningNotes.h"
 
 #include <algorithm>
 #include <array>
@@ -441,7 +442,8 @@ void StudyController::ReportOnce(SceneStep step, const std::string& message)
   }
 }
 
-// Reports once what was assumed of an image, or changed, when it was read.
+// Reports once what was assumed of an image, or changed, when it was read, and what structures do
+// not yield by.
 void StudyController::LookAtNotes()
 {
   const auto tell = [this](SceneStep step, const auto& image, auto& noted)
@@ -459,6 +461,12 @@ void StudyController::LookAtNotes()
   tell(SceneStep::Volume, pipeline.Newest<Volume>(SceneStep::Volume), this->NotedVolume);
   tell(SceneStep::Segmentation, pipeline.Newest<Segmentation>(SceneStep::Segmentation),
        this->NotedLabels);
+  const auto products = [&pipeline](SceneStep step, int id)
+  { return pipeline.NewestProduct(step, id); };
+  for (const SofteningNote& note : SofteningNotes(this->State(), products))
+  {
+    this->ReportOnce(SceneStep::Elasticity, note.Text);
+  }
 }
 
 void StudyController::LookAtSteps()

@@ -137,6 +137,16 @@ TEST_F(CliSoften, NeighbourHolds)
   EXPECT_NE(this->Elasticity(), alone);
 }
 
+TEST_F(CliSoften, SaysThatALesionLiesMostlyOutside)
+{
+  const double edge = 23.0; // mm
+  WriteLesion(this->Folder / "lesion.nii.gz", edge);
+  const CommandRun run = this->Soften({"--lesion", "lesion.nii.gz", "--lesion-modulus", "60kPa"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_NE(run.Errors.find(" % of lesion.nii.gz lies in the model"), std::string::npos)
+      << run.Errors;
+}
+
 TEST_F(CliSoften, ElastographyReplacesTheTissue)
 {
   WriteElastography(this->Folder / "mre.nii.gz", 30.0F);

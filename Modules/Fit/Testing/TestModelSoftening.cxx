@@ -79,8 +79,11 @@ TEST(ModelSoftening, TellsWhatIsInTheModel)
   settings.Inclusions = {BallAt(5.0, 1), BallAt(60.0, 1)};
   const ModelSoftness made = SoftenModel(Ball(), "ball", settings, GoOn);
   EXPECT_EQ(made.Tissue, "20 kPa, inclusions of 60 kPa");
-  ASSERT_EQ(made.Notes.size(), 1U);
-  EXPECT_NE(made.Notes.front().find("lesion.nii.gz lies outside"), std::string::npos);
+  ASSERT_EQ(made.Inclusions.size(), 2U);
+  EXPECT_TRUE(made.Inclusions.front().IsInside());
+  EXPECT_FALSE(made.Inclusions.back().IsInside());
+  ASSERT_EQ(made.Warnings().size(), 1U);
+  EXPECT_NE(made.Warnings().front().find("lesion.nii.gz lies outside"), std::string::npos);
 }
 
 // Beyond x0 (mm); the ball's surface is at 14 mm.

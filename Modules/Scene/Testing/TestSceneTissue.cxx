@@ -195,6 +195,54 @@ TEST_F(SceneTissueTest, RepresentationTellsTheModuli)
       << "it lies outside";
 }
 
+TEST_F(SceneTissueTest, WarnsOfInclusionsThatLieOutside)
+{
+  EXPECT_TRUE(Build({this->Gland(), this->Lesion(60.0)}).Warnings.empty());
+  EXPECT_TRUE(Build({this->Gland()}).Warnings.empty());
+  this->WriteBall(this->LesionPath, 15.6, 1.5);
+  const std::vector<std::string> outside = Build({this->Gland(), this->Lesion(60.0)}).Warnings;
+  ASSERT_EQ(outside.size(), 1U);
+  EXPECT_NE(outside.front().find("lesion.nii.gz lies outside of label 1"), std::string::npos)
+      << outside.front();
+  TouchScript script;
+  script.Duration = 0.1;
+  EXPECT_EQ(PrepareTouch(SceneOf({this->Gland(), this->Lesion(60.0)}), script, GoOn).Warnings,
+            outside);
+}
+
+TEST_F(SceneTissueTest, WarnsOfInclusionsThatLieMostlyOutside)
+{
+  this->WriteBall(this->LesionPath, 15.0, 3.0);
+  const std::vector<std::string> warnings = Build({this->Gland(), this->Lesion(60.0)}).Warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings.front().find(" % of "), std::string::npos) << warnings.front();
+  EXPECT_NE(warnings.front().find("lies in label 1"), std::string::npos) << warnings.front();
+}
+
+TEST_F(SceneTissueTest, InclusionInOneOfTwoOrgansIsNoWarning)
+{
+  const std::filesystem::path other = this->Folder / "other.nii.gz";
+  this->WriteBall(other, -11.0, 5.0);
+  SceneStructure small = this->Gland();
+  small.Id = 3;
+  small.File = other;
+  EXPECT_TRUE(Build({this->Gland(), small, this->Lesion(60.0)}).Warnings.empty());
+}
+
+TEST_F(SceneTissueTest, WarnsOfAnElastographyImageWithoutEffect)
+{
+  test::LabelGrid grid;
+  grid.Size = {{20, 20, 20}};
+  grid.CenterOnOrigin();
+  const auto nowhere = [](double, double, double) { return false; };
+  WriteImage(this->Folder / "mre.nii.gz", test::MakeLabelImage<float>(grid, nowhere, 40));
+  SceneStructure gland = this->Gland();
+  gland.SetImage(TissueKey::Elastography, this->Folder / "mre.nii.gz");
+  const std::vector<std::string> warnings = Build({gland}).Warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings.front().find("mre.nii.gz has no moduli"), std::string::npos);
+}
+
 TEST_F(SceneTissueTest, ModelThatYieldsKeepsItsOwnElasticity)
 {
   SceneStructure rigid;

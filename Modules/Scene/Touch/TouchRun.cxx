@@ -373,7 +373,9 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
   touch.Duration = script.Duration.value_or(duration);
   touch.IsRealTimeOnly = IsPluggedIn(settings.Device);
-  touch.Warnings = StiffnessWarnings(*scene, device, settings.Rate);
+  touch.Warnings = std::move(built.Warnings);
+  const std::vector<std::string> stiffness = StiffnessWarnings(*scene, device, settings.Rate);
+  touch.Warnings.insert(touch.Warnings.end(), stiffness.begin(), stiffness.end());
   touch.Scene = std::move(scene);
   return touch;
 }

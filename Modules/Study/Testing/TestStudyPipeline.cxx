@@ -31,6 +31,21 @@ protected:
     this->Pipeline.Update(state);
     test::Settle(this->Jobs);
   }
+  // Label 1 yields, and a label of the same file is an inclusion with id 9.
+  StudyState Yielding(int inclusionLabel) const
+  {
+    StudyState state = this->Phantom.State();
+    state.Structures[0].Representation = TouchRepresentation::Elastic;
+    state.Structures[0].SetNumber("elements_across", 4.0);
+    SceneStructure inclusion = test::StudyPhantom::Structure(
+        inclusionLabel, TouchRepresentation::Automatic, state.SegmentationFile);
+    inclusion.Id = 9;
+    inclusion.IsVisible = false;
+    inclusion.IsTouchable = false;
+    inclusion.SetNumber("inclusion_kpa", 60.0);
+    state.Structures.push_back(inclusion);
+    return state;
+  }
   // The steps that a structure needs.
   Steps WantedFor(int label) const
   {
@@ -398,15 +413,8 @@ TEST_F(StudyPipelineTest, CancelledStepWaitsForResume)
 
 TEST_F(StudyPipelineTest, ChangedInclusionMakesOnlyTheElasticityAgain)
 {
-  StudyState state = this->Phantom.State();
-  state.Structures[0].Representation = TouchRepresentation::Elastic;
-  state.Structures[0].SetNumber("elements_across", 4.0);
-  state.Structures.push_back(
-      test::StudyPhantom::Structure(2, TouchRepresentation::Automatic, state.SegmentationFile));
+  StudyState state = this->Yielding(1);
   SceneStructure& inclusion = state.Structures.back();
-  inclusion.IsVisible = false;
-  inclusion.IsTouchable = false;
-  inclusion.SetNumber("inclusion_kpa", 60.0);
   this->Make(state);
   this->ExpectUpToDate({SceneStep::Model, SceneStep::Elasticity, SceneStep::Touch});
   const std::uint64_t before = this->Pipeline.StartedCount();
@@ -416,6 +424,35 @@ TEST_F(StudyPipelineTest, ChangedInclusionMakesOnlyTheElasticityAgain)
   inclusion.SetNumber("inclusion_kpa", 60.0);
   this->Make(state);
   EXPECT_EQ(this->Pipeline.StartedCount(), before + 3) << "the earlier ones are kept";
+}
+
+TEST_F(StudyPipelineTest, ChangedInclusionElsewhereMakesNothingAgain)
+{
+  StudyState state = this->Yielding(2);
+  this->Make(state);
+  this->ExpectUpToDate({SceneStep::Elasticity, SceneStep::Touch});
+  const auto placed = this->Pipeline.Newest<SceneInclusions>(SceneStep::Inclusions, 1);
+  ASSERT_NE(placed, nullptr);
+  ASSERT_EQ(placed->Shares.size(), 1U);
+  EXPECT_GT(placed->Shares.front().second.Milliliters, 0.1);
+  EXPECT_FALSE(placed->Has(9));
+  const std::uint64_t before = this->Pipeline.StartedCount();
+  state.Structures.back().SetNumber("inclusion_kpa", 80.0);
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.StartedCount(), before);
+  this->ExpectUpToDate({SceneStep::Elasticity, SceneStep::Touch});
+}
+
+TEST_F(StudyPipelineTest, InclusionThatIsMissingFailsTheElasticity)
+{
+  const StudyState state = this->Yielding(7);
+  this->Make(state);
+  for (const SceneStep step : {SceneStep::Elasticity, SceneStep::Touch})
+  {
+    const StudyStepState found = this->Pipeline.StateOf(step, 1);
+    EXPECT_EQ(found.Is, Kind::Failed) << NameOf(step);
+    EXPECT_NE(found.Message.find("mask.nii.gz"), std::string::npos) << found.Message;
+  }
 }
 
 TEST_F(StudyPipelineTest, DestructionWhileRunningLeavesNothingBehind)

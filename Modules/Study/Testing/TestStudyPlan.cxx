@@ -30,6 +30,7 @@ struct Inputs
 {
   StudyState State;
   SceneStamps Stamps{{"/volume.nii.gz", "v"}, {"/mask.nii.gz", "s"}, {"/tool.stl", "t"}};
+  int Outside = 0; // id of an inclusion that lies in no structure
 };
 
 Inputs Base()
@@ -56,11 +57,21 @@ Inputs Base()
   return base;
 }
 
+// As if nothing had been made but the comparisons of inclusions, with every inclusion within every
+// structure that yields except `Outside`.
 std::map<Place, std::string> KeysOf(const Inputs& inputs)
 {
-  const SceneLookup nothing = [](const std::string&) { return nullptr; };
+  auto placed = std::make_shared<SceneInclusions>();
+  for (const SceneStructure& structure : inputs.State.Structures)
+  {
+    const double inside = structure.Id == inputs.Outside ? 0.0 : 1.0;
+    placed->Shares.emplace_back(structure.Id, InclusionShare{"inclusion", 1.0, inside});
+  }
+  const SceneProduct inclusions{std::shared_ptr<const SceneInclusions>(placed)};
+  const SceneLookup lookup = [&inclusions](const std::string& key)
+  { return key.find("|inclusions") != std::string::npos ? &inclusions : nullptr; };
   std::map<Place, std::string> keys;
-  for (const SceneNode& node : PlanStudy(inputs.State, inputs.Stamps, nothing))
+  for (const SceneNode& node : PlanStudy(inputs.State, inputs.Stamps, lookup))
   {
     keys[{node.Step, node.Id}] = node.Key;
   }
@@ -234,7 +245,7 @@ TEST(StudyPlan, KeysOmitIrrelevantSettings)
                          {"placement", [](Inputs& i) { i.State.Placement.Scale = 2.0; }, {}}});
 }
 
-// Structures 1 and 2 yield; 2 and 3 have moduli as inclusions.
+// Structures 1 and 2 yield; 2, 3 and 4 have moduli as inclusions.
 Inputs Yielding()
 {
   Inputs inputs = Base();
@@ -243,6 +254,7 @@ Inputs Yielding()
   inputs.State.Structures[1].Representation = TouchRepresentation::Elastic;
   inputs.State.Structures[1].SetNumber("inclusion_kpa", 50.0);
   inputs.State.Structures[2].SetNumber("inclusion_kpa", 60.0);
+  inputs.State.Structures[3].SetNumber("inclusion_kpa", 70.0);
   inputs.Stamps["/mre.nii.gz"] = "m";
   inputs.Stamps["/lesion.nii.gz"] = "l";
   return inputs;
@@ -255,29 +267,61 @@ TEST(StudyPlan, ElasticityIsMadeAgainOnlyForWhatItDependsOn)
   const Places second{{Step::Elasticity, Facets}, {Step::Touch, Facets}, {Step::Cost, Facets}};
   const auto set = [](std::size_t structure, const char* key, double number)
   { return [=](Inputs& inputs) { inputs.State.Structures[structure].SetNumber(key, number); }; };
-  ExpectChanges(Yielding(),
-                {{"modulus", set(0, "modulus_kpa", 30.0), first},
-                 {"Poisson's ratio", set(0, "poisson_ratio", 0.4), first},
-                 {"support", set(0, "support_kpa_per_mm", 2.0), first},
-                 {"free side", set(0, "free_side", 2.0), first},
-                 {"angle", set(0, "free_degrees", 30.0), first},
-                 {"elements", set(0, "elements_across", 8.0), first},
-                 {"degree of compliance", set(0, "compliance_degree", 8.0), first},
-                 {"degree of the usual maps",
-                  set(0, "map_degree", 12.0),
-                  {{Step::Touch, Harmonics}, {Step::Cost, Harmonics}}},
-                 {"degree of finer maps", set(0, "map_degree", 24.0), first},
-                 {"elastography", [](Inputs& i) { i.Stamps["/mre.nii.gz"] = "n"; },
-                  And(first, {{Step::Image, Harmonics}})},
-                 {"modulus of the other", set(1, "modulus_kpa", 30.0), second},
-                 {"the other as an inclusion", set(1, "inclusion_kpa", 70.0), first},
-                 {"inclusion of both", set(2, "inclusion_kpa", 70.0), And(first, second)},
-                 {"no inclusion", set(2, "inclusion_kpa", 0.0), And(first, second)},
-                 {"colour of an inclusion",
-                  [](Inputs& i) {
-                    i.State.Structures[2].Color = {{0.0, 0.0, 1.0}};
-                  },
-                  {}}});
+  ExpectChanges(
+      Yielding(),
+      {{"modulus", set(0, "modulus_kpa", 30.0), first},
+       {"Poisson's ratio", set(0, "poisson_ratio", 0.4), first},
+       {"support", set(0, "support_kpa_per_mm", 2.0), first},
+       {"free side", set(0, "free_side", 2.0), first},
+       {"angle", set(0, "free_degrees", 30.0), first},
+       {"elements", set(0, "elements_across", 8.0), first},
+       {"degree of compliance", set(0, "compliance_degree", 8.0), first},
+       {"degree of the usual maps",
+        set(0, "map_degree", 12.0),
+        {{Step::Touch, Harmonics}, {Step::Cost, Harmonics}}},
+       {"degree of finer maps", set(0, "map_degree", 24.0), first},
+       {"elastography", [](Inputs& i) { i.Stamps["/mre.nii.gz"] = "n"; },
+        And(first, {{Step::Image, Harmonics}})},
+       {"modulus of the other", set(1, "modulus_kpa", 30.0), second},
+       {"the other as an inclusion", set(1, "inclusion_kpa", 70.0), first},
+       {"inclusion of both", set(2, "inclusion_kpa", 70.0), And(first, second)},
+       {"no inclusion", set(2, "inclusion_kpa", 0.0),
+        And(And(first, second), {{Step::Inclusions, Harmonics}, {Step::Inclusions, Facets}})},
+       {"colour of an inclusion",
+        [](Inputs& i) {
+          i.State.Structures[2].Color = {{0.0, 0.0, 1.0}};
+        },
+        {}}});
+}
+
+TEST(StudyPlan, InclusionElsewhereDoesNotCount)
+{
+  Inputs inputs = Yielding();
+  inputs.Outside = Field;
+  const auto set = [](const char* key, double number)
+  { return [=](Inputs& i) { i.State.Structures[2].SetNumber(key, number); }; };
+  ExpectChanges(inputs, {{"modulus", set("inclusion_kpa", 70.0), {}},
+                         {"none",
+                          set("inclusion_kpa", 0.0),
+                          {{Step::Inclusions, Harmonics}, {Step::Inclusions, Facets}}}});
+}
+
+TEST(StudyPlan, SofteningWaitsForTheComparisonWithInclusions)
+{
+  const Inputs inputs = Yielding();
+  const SceneLookup nothing = [](const std::string&) { return nullptr; };
+  for (const SceneNode& node : PlanStudy(inputs.State, inputs.Stamps, nothing))
+  {
+    const bool isOfBoth = node.Id == Harmonics || node.Id == Facets;
+    const bool isLate = node.Step == Step::Elasticity || node.Step == Step::Touch;
+    EXPECT_EQ(node.Key.empty(), isOfBoth && (isLate || node.Step == Step::Cost))
+        << NameOf(node.Step) << " of " << node.Id;
+    if (isOfBoth && isLate)
+    {
+      ASSERT_EQ(node.Inputs.size(), 1U);
+      EXPECT_NE(node.Inputs.front().find("|inclusions"), std::string::npos);
+    }
+  }
 }
 
 TEST(StudyPlan, ReadsInclusionsThatAreNeitherShownNorTouched)

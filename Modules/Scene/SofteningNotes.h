@@ -1,0 +1,23 @@
+#pragma once
+
+#include "PalpateSceneModule.h"
+#include "SceneContacts.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// A warning on what structures yield by.
+struct SofteningNote
+{
+  int Id = 0; ///< of the structure that it is on: an inclusion, or one that yields
+  std::string Text;
+};
+
+/// Warnings on inclusions that lie outside, or mostly outside, of all structures that yield, and on
+/// elastography images without effect. Inclusions are judged once they have been compared with all
+/// those structures.
+PALPATESCENE_EXPORT std::vector<SofteningNote> SofteningNotes(const SceneSettings& scene,
+                                                              const SceneProducts& products);
+} // namespace palpate
