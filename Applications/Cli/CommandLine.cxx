@@ -6,6 +6,7 @@
 #include "Interruption.h"
 #include "NearestWord.h"
 #include "ProgramVersion.h"
+#include "SofteningCache.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -81,12 +82,15 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
   this->App->set_version_flag("--version", ProgramVersion());
   this->App->add_flag("--quiet", this->Quiet,
                       "Suppress notes and progress; results and errors are still printed");
+  this->App->add_flag("--no-cache", this->HasNoCache,
+                      "Neither read nor keep results in the user's cache folder (organs that "
+                      "yield)");
   this->App->footer(ProgramExamples());
   this->App->require_subcommand(1);
   for (const auto& command : this->Commands)
   {
     CLI::App* sub = this->App->add_subcommand(command->Name(), command->Summary());
-    // --quiet may also follow the command.
+    // --quiet and --no-cache may also follow the command.
     sub->fallthrough();
     sub->footer("Examples:\n" + command->Examples());
     command->DeclareOptions(*sub);
@@ -103,6 +107,10 @@ int CommandLine::Run(const std::vector<std::string>& arguments, Console& console
     return parsed;
   }
   console.SetQuiet(this->Quiet);
+  if (this->HasNoCache)
+  {
+    SofteningCache::UseInProcess({});
+  }
   const int code = this->RunParsed(console);
   console.EndProgress();
   console.Output().flush();

@@ -37,5 +37,6 @@ private:
   std::vector<std::unique_ptr<Command>> Commands;
   std::unique_ptr<CLI::App> App;
   bool Quiet = false;
+  bool HasNoCache = false;
 };
 } // namespace palpate::cli

@@ -252,7 +252,8 @@ int SoftenCommand::Run(Console& console)
   const SofteningSettings settings = this->Read(console);
   ModelDocument model = ReadModel(this->Model);
   const ModelSoftness softness =
-      SoftenModel(model.Surface, this->Model.string(), settings, ProgressOn(console));
+      SoftenModel(model.Surface, this->Model.string(), settings, ProgressOn(console),
+                  SofteningCache::OfProcess().get());
   console.EndProgress();
   Tell(softness.Warnings(), console);
   model.Elasticity = softness.Elasticity;

@@ -10,6 +10,7 @@
 #include "ProgramVersion.h"
 #include "SceneFile.h"
 #include "ScreenText.h"
+#include "SofteningCache.h"
 #include "SteadyClock.h"
 #include "TextTable.h"
 #include "TradePage.h"
@@ -179,6 +180,7 @@ void TradeoffCommand::Write(const TradeResult& result, Console& console) const
 
 int TradeoffCommand::Run(Console& console)
 {
+  SofteningCache::UseInProcess({}); // its build times are measured
   const Interruption interruption;
   const TradeRunSettings settings = this->Settings();
   if (!this->OutputFolder.empty())

@@ -30,8 +30,11 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
   const QCommandLineOption image(
       "screenshot", "Writes a screenshot of the window when everything is ready, and exits.",
       "file.png");
+  const QCommandLineOption noCache(
+      "no-cache",
+      "Neither reads nor keeps results in the user's cache folder (organs that yield).");
   const QCommandLineOption size("size", "Size of the window in pixels.", "WxH", "1280x800");
-  parser.addOptions({touch, demo, image, size});
+  parser.addOptions({touch, demo, noCache, image, size});
   parser.addPositionalArgument("files", "Files to open; their kinds are detected.", "[files...]");
   ViewerOptions options;
   if (!parser.parse(arguments))
@@ -44,6 +47,7 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
   options.Files = parser.positionalArguments();
   options.StartsTouch = parser.isSet(touch);
   options.ShowsDemo = parser.isSet(demo);
+  options.UsesCache = !parser.isSet(noCache);
   options.Screenshot = parser.value(image);
   options.Size = SizeOf(parser.value(size));
   if (options.Size.isEmpty())

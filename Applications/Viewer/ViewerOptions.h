@@ -12,7 +12,8 @@ struct ViewerOptions
   QStringList Files;
   bool StartsTouch = false;
   bool ShowsDemo = false;
-  QString Screenshot; ///< PNG file; empty for none
+  bool UsesCache = true; ///< see SofteningCache
+  QString Screenshot;    ///< PNG file; empty for none
   QSize Size{1280, 800};
 
   QString Problem; ///< error message on the command line; empty if it is valid

@@ -2,6 +2,7 @@
 #include "DisplayCheck.h"
 #include "Interruption.h"
 #include "ScreenText.h"
+#include "SofteningCache.h"
 #include "SteadyClock.h"
 #include "ViewerOptions.h"
 #include "ViewerRun.h"
@@ -65,6 +66,10 @@ int main(int argc, char* argv[])
     // A file that exceeds a size limit gives a message, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     const palpate::Interruption interruption;
+    if (options.UsesCache)
+    {
+      palpate::SofteningCache::UseInProcess(palpate::SofteningCache::UserFolder());
+    }
     return Run(argc, argv, options);
   }
   catch (const std::runtime_error& error)

@@ -5,6 +5,7 @@
 #include "ImageGrid.h"
 #include "KernelWatch.h"
 #include "Refusal.h"
+#include "SofteningKey.h"
 #include "SphereQuadrature.h"
 
 #include "vtkDataArray.h"
@@ -83,7 +84,7 @@ class Composition
 public:
   Composition(const SofteningSettings& settings, const SphericalHarmonicModel& model,
               ModelSoftness& made)
-      : Settings(settings), Model(model), Made(made),
+      : Settings(settings), Model(model), Made(made), Inputs(model, settings),
         Own(PerKilopascal * settings.TissueKilopascal)
   {
     made.Tissue = SignificantText(settings.TissueKilopascal) + " kPa";
@@ -128,11 +129,18 @@ public:
     return solid;
   }
 
+  /// After Solid: of all that it is made of.
+  std::string Key() const { return this->Inputs.Text(); }
+
 private:
   void AddNeighbour(const SofteningSettings::Neighbour& neighbour, ElasticBed& bed)
   {
     constexpr int Degree = 30;
     const InclusionFractions images = FractionsOf(*neighbour.Read, neighbour.Segments);
+    for (const auto& image : images)
+    {
+      this->Inputs.Add("neighbour", *image, neighbour.KilopascalPerMillimeter);
+    }
     const auto part = [images, &model = this->Model](const Vector3& direction)
     { return PartNextTo(images, model, direction); };
     const std::vector<Vector3> around = SphereQuadrature(Degree).Directions;
@@ -148,6 +156,7 @@ private:
   void AddImage(const Volume& image, TissueMap& tissue)
   {
     const std::shared_ptr<const TissueMap::Samples> moduli = ModuliOf(image);
+    this->Inputs.Add("moduli", *moduli, 0.0);
     tissue.AddImage(moduli);
     RequireInput(tissue.Check(), image.Source.string());
     if (Changes(tissue, this->Model, this->Own))
@@ -177,6 +186,7 @@ private:
     const bool isInside = this->Made.Inclusions.back().IsInside();
     for (std::size_t i = 0; isInside && i < fractions.size(); ++i)
     {
+      this->Inputs.Add("inclusion", *fractions[i], inclusion.Kilopascal);
       tissue.AddInclusion(fractions[i], modulus);
     }
     return isInside && inclusion.Kilopascal != this->Settings.TissueKilopascal;
@@ -185,6 +195,7 @@ private:
   const SofteningSettings& Settings;
   const SphericalHarmonicModel& Model;
   ModelSoftness& Made;
+  SofteningKey Inputs;
   double Own; // N/mm^2
 };
 } // namespace
@@ -204,7 +215,8 @@ std::vector<std::string> ModelSoftness::Warnings() const
 }
 
 ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
-                          const SofteningSettings& settings, const ProgressFunction& progress)
+                          const SofteningSettings& settings, const ProgressFunction& progress,
+                          const SofteningCache* cache)
 {
   const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
   if (radial == nullptr)
@@ -216,6 +228,14 @@ ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
   ModelSoftness made;
   Composition composition(settings, *radial, made);
   const ElasticSolid solid = composition.Solid(progress);
+  const std::string key = composition.Key();
+  if (auto kept = cache != nullptr ? cache->Find(key, *radial) : std::nullopt)
+  {
+    made.Elasticity = std::move(kept->Elasticity);
+    made.Account = kept->Account;
+    made.IsFromCache = true;
+    return made;
+  }
   KernelWatch watch(progress, Stage);
   ComplianceMaps maps;
   const Status status =
@@ -223,6 +243,10 @@ ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
   watch.Require();
   RequireInput(status, name);
   made.Elasticity = std::make_shared<const ComplianceMaps>(std::move(maps));
+  if (cache != nullptr)
+  {
+    cache->Store(key, *radial, {made.Elasticity, made.Account});
+  }
   return made;
 }
 } // namespace palpate

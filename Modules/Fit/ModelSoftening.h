@@ -3,6 +3,7 @@
 #include "InclusionShare.h"
 #include "PalpateFitModule.h"
 #include "Progress.h"
+#include "SofteningCache.h"
 #include "SofteningSettings.h"
 #include "SurfaceModel.h"
 
@@ -19,6 +20,7 @@ struct ModelSoftness
   /// "20 kPa, inclusions of 60 kPa": without those that lie outside of the model.
   std::string Tissue;
   OrganSoftening::Account Account;
+  bool IsFromCache = false;
   std::vector<InclusionShare> Inclusions; ///< those of the settings, in their order
   std::vector<std::string> Notes;         ///< on the elastography image
 
@@ -27,9 +29,10 @@ struct ModelSoftness
 };
 
 /// Makes a star-shaped model yield. `name` is that of its file or structure, for messages. Takes
-/// seconds. Throws
+/// seconds, unless `cache` has it; what is made is added to it. A null cache is none. Throws
 /// InputError for other models and settings outside their limits, and Cancelled.
 PALPATEFIT_EXPORT ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
                                             const SofteningSettings& settings,
-                                            const ProgressFunction& progress);
+                                            const ProgressFunction& progress,
+                                            const SofteningCache* cache = nullptr);
 } // namespace palpate

@@ -21,6 +21,8 @@ public:
   SofteningReport(const ModelDocument& model, const ModelSoftness& softness, std::string name,
                   double ballRadius);
 
+  /// The forces that it is on, at the points of the drawn organ.
+  const FeltStiffness& Forces() const { return this->Felt; }
   /// One sentence on the forces: "A ball of 8 mm, 2.0 mm deep, feels 0.31 to 0.82 N, ...".
   std::string Sentence() const;
   /// A whole page: the sentence, the organ from six sides coloured by what a hand notices, and what

@@ -56,8 +56,9 @@ SceneProduct Soften(Recipe recipe, const StructurePlan::Inputs& inputs,
     neighbour.KilopascalPerMillimeter = structure.Number(TissueKey::Neighbour);
     recipe.Settings.Neighbours.push_back(std::move(neighbour));
   }
-  ModelSoftness softness =
-      SoftenModel(fit->Model, CaseTitle(fit->Input, fit->Structure), recipe.Settings, progress);
+  const std::shared_ptr<const SofteningCache> cache = SofteningCache::OfProcess();
+  ModelSoftness softness = SoftenModel(fit->Model, CaseTitle(fit->Input, fit->Structure),
+                                       recipe.Settings, progress, cache.get());
   auto softened = std::make_shared<FitResult>(*fit);
   softened->Elasticity = std::move(softness.Elasticity);
   softened->Tissue = std::move(softness.Tissue);

@@ -36,6 +36,8 @@ void SendTo(const std::filesystem::path& file, int descriptor)
     close(ends[0]);
     dup2(ends[1], STDERR_FILENO);
   }
+  // Never the user's; a test may choose one.
+  setenv("PALPATE_CACHE_DIR", (streams / "cache").c_str(), 0);
   if (chdir(folder.c_str()) == 0)
   {
     execvp(words.front(), words.data());

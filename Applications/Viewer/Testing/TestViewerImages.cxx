@@ -105,6 +105,7 @@ protected:
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("QT_SCALE_FACTOR", QString::number(factor));
     environment.insert("XDG_CONFIG_HOME", QString::fromStdString(this->Phantom.Folder.Path()));
+    environment.insert("PALPATE_CACHE_DIR", ""); // not the user's
     QProcess viewer;
     viewer.setProcessEnvironment(environment);
     viewer.setProcessChannelMode(QProcess::ForwardedChannels);

@@ -35,6 +35,8 @@ TEST(ViewerOptions, HaveDefaults)
   const ViewerOptions options = Parse({});
   EXPECT_EQ(options.Size, QSize(1280, 800));
   EXPECT_TRUE(options.Screenshot.isEmpty());
+  EXPECT_TRUE(options.UsesCache);
+  EXPECT_FALSE(Parse({"--no-cache"}).UsesCache);
   EXPECT_TRUE(options.Answer.isEmpty());
   EXPECT_TRUE(Parse({"--help"}).Answer.contains("--screenshot"));
 }

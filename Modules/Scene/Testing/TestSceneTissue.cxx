@@ -243,6 +243,21 @@ TEST_F(SceneTissueTest, WarnsOfAnElastographyImageWithoutEffect)
   EXPECT_NE(warnings.front().find("mre.nii.gz has no moduli"), std::string::npos);
 }
 
+TEST_F(SceneTissueTest, SoftensOnceWithACache)
+{
+  const std::filesystem::path folder = this->Folder / "cache";
+  SofteningCache::UseInProcess(folder);
+  const double made = StiffnessOf({this->Gland(), this->Lesion(60.0)});
+  const auto count = [&folder]
+  { return std::distance(std::filesystem::directory_iterator(folder), {}); };
+  EXPECT_EQ(count(), 1);
+  EXPECT_EQ(StiffnessOf({this->Gland(), this->Lesion(60.0)}), made);
+  EXPECT_EQ(count(), 1);
+  EXPECT_NE(StiffnessOf({this->Gland(), this->Lesion(90.0)}), made);
+  EXPECT_EQ(count(), 2);
+  SofteningCache::UseInProcess({});
+}
+
 TEST_F(SceneTissueTest, ModelThatYieldsKeepsItsOwnElasticity)
 {
   SceneStructure rigid;
