@@ -11,7 +11,9 @@
 #include "ModelSoftening.h"
 #include "PatientSides.h"
 #include "SegmentationFile.h"
+#include "SoftenJson.h"
 #include "SofteningReport.h"
+#include "StageClock.h"
 #include "VolumeFile.h"
 #include "WholeFile.h"
 
@@ -73,6 +75,17 @@ void Tell(const std::vector<std::string>& notes, Console& console)
   {
     console.Note(note);
   }
+}
+
+// What was built.
+std::string TextOf(const ModelSoftness& softness)
+{
+  const ComplianceMaps& maps = *softness.Elasticity;
+  return std::to_string(softness.Account.Unknowns) + " unknowns, elements of " +
+         FixedText(softness.Account.ElementEdge, 1) + " mm at the surface; the maps leave out " +
+         FixedText(100.0 * maps.FitError.Rms, 1) + " % of the compliance, at most " +
+         FixedText(100.0 * maps.FitError.Largest, 1) + " %; patches up to " +
+         FixedText(maps.LargestPatch, 1) + " mm\n";
 }
 } // namespace
 
@@ -169,6 +182,8 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
                  "Of the ball that the map and the last line are for, mm")
       ->check(FiniteNumber::Between(0.1, 100.0))
       ->capture_default_str();
+  app.add_flag("--json", this->Json,
+               "Print one JSON object: what was built, how hard it feels, warnings");
   this->Images.Declare(app, "file");
 }
 
@@ -238,9 +253,8 @@ SofteningSettings SoftenCommand::Read(Console& console) const
   return settings;
 }
 
-int SoftenCommand::Run(Console& console)
+void SoftenCommand::CheckOutputs() const
 {
-  const Interruption interruption;
   if (this->Output.extension() != ".json")
   {
     throw InputError(this->Output.string() + " cannot hold a model that yields; use .json.");
@@ -249,11 +263,20 @@ int SoftenCommand::Run(Console& console)
   {
     throw InputError(this->Report.string() + " cannot hold a report; use .html.");
   }
+}
+
+int SoftenCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  this->CheckOutputs();
   const SofteningSettings settings = this->Read(console);
   ModelDocument model = ReadModel(this->Model);
+  std::vector<std::pair<std::string, double>> stages;
+  StageClock clock(stages);
   const ModelSoftness softness =
       SoftenModel(model.Surface, this->Model.string(), settings, ProgressOn(console),
                   SofteningCache::OfProcess().get());
+  clock.EndStage("softening");
   console.EndProgress();
   Tell(softness.Warnings(), console);
   model.Elasticity = softness.Elasticity;
@@ -262,15 +285,11 @@ int SoftenCommand::Run(Console& console)
     model.Provenance.Settings.push_back(entry);
   }
   WriteModel(this->Output, model);
-  const ComplianceMaps& maps = *softness.Elasticity;
-  console.Output() << softness.Account.Unknowns << " unknowns, elements of "
-                   << FixedText(softness.Account.ElementEdge, 1)
-                   << " mm at the surface; the maps leave out "
-                   << FixedText(100.0 * maps.FitError.Rms, 1) << " % of the compliance, at most "
-                   << FixedText(100.0 * maps.FitError.Largest, 1) << " %; patches up to "
-                   << FixedText(maps.LargestPatch, 1) << " mm\n";
   const SofteningReport report(model, softness, this->Output.filename().string(), this->ToolRadius);
-  console.Output() << report.Sentence() << '\n';
+  console.Output() << (this->Json ? SoftenedAsJson({this->Model, this->Output, settings, softness,
+                                                    report.Forces(), this->ToolRadius,
+                                                    stages.front().second})
+                                  : TextOf(softness) + report.Sentence() + "\n");
   if (!this->Report.empty())
   {
     WriteWholeFile(this->Report, report.Page());

@@ -22,6 +22,7 @@ public:
 
 private:
   SofteningSettings Read(Console& console) const;
+  void CheckOutputs() const;
   void ReadLesions(SofteningSettings& settings, Console& console) const;
   void ReadNeighbours(SofteningSettings& settings, Console& console) const;
 
@@ -29,6 +30,7 @@ private:
   std::filesystem::path Output;
   std::filesystem::path Report;
   double ToolRadius = 8.0; // mm
+  bool Json = false;
   std::string Tissue = "20kPa";
   std::filesystem::path Elastography;
   std::vector<std::filesystem::path> Lesions;

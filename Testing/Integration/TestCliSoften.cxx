@@ -2,6 +2,7 @@
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,19 @@ void WriteLesion(const std::filesystem::path& path, double x)
   }
   palpate::WriteImage(path, image);
 }
+
+// Sets the cache folder of the commands that are run, and restores it.
+class ChosenCache
+{
+public:
+  explicit ChosenCache(const std::filesystem::path& folder)
+  {
+    setenv("PALPATE_CACHE_DIR", folder.c_str(), 1);
+  }
+  ChosenCache(const ChosenCache&) = delete;
+  ChosenCache& operator=(const ChosenCache&) = delete;
+  ~ChosenCache() { unsetenv("PALPATE_CACHE_DIR"); }
+};
 
 // One modulus (kPa) in every voxel of 2 mm, from a corner on.
 void WriteElastography(const std::filesystem::path& path, float kilopascal, double corner = -20.0)
@@ -145,6 +159,60 @@ TEST_F(CliSoften, SaysThatALesionLiesMostlyOutside)
   ASSERT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(run.Errors.find(" % of lesion.nii.gz lies in the model"), std::string::npos)
       << run.Errors;
+}
+
+TEST_F(CliSoften, JsonTellsWhatWasBuilt)
+{
+  WriteLesion(this->Folder / "lesion.nii.gz", 4.0);
+  WriteElastography(this->Folder / "zero.nii.gz", 0.0F);
+  const CommandRun run =
+      this->Soften({"--lesion", "lesion.nii.gz", "--lesion-modulus", "60kPa", "--free", "posterior",
+                    "--elastography", "zero.nii.gz", "--json"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const nlohmann::json made = nlohmann::json::parse(run.Output);
+  EXPECT_EQ(made["output"], "soft.json");
+  EXPECT_EQ(made["tissue_kpa"], 20.0);
+  EXPECT_EQ(made["free_sides"], nlohmann::json::array({"posterior"}));
+  const nlohmann::json& lesion = made["inclusions"][0];
+  EXPECT_EQ(lesion["modulus_kpa"], 60.0);
+  EXPECT_NEAR(lesion["volume_ml"].get<double>(), 0.52, 0.05);
+  EXPECT_EQ(lesion["inside_ml"], lesion["volume_ml"]);
+  EXPECT_EQ(made["built"]["elements_across"], 4);
+  EXPECT_EQ(made["built"]["map_degree"], 6);
+  EXPECT_GT(made["built"]["unknowns"].get<int>(), 100);
+  EXPECT_GT(made["built"]["seconds"].get<double>(), 0.0);
+  const nlohmann::json& felt = made["felt"];
+  EXPECT_EQ(felt["tool_radius_mm"], 8.0);
+  EXPECT_GT(felt["force_min_n"].get<double>(), 0.0);
+  EXPECT_LT(felt["force_min_n"].get<double>(), felt["force_median_n"].get<double>());
+  EXPECT_LT(felt["force_median_n"].get<double>(), felt["force_max_n"].get<double>());
+  ASSERT_EQ(made["warnings"].size(), 1U);
+  EXPECT_NE(made["warnings"][0].get<std::string>().find("zero.nii.gz"), std::string::npos);
+}
+
+TEST_F(CliSoften, CacheMakesTheSameFileUnlessSwitchedOff)
+{
+  const ChosenCache cache(this->Folder / "cache");
+  const auto isRead = [this](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> all{"--json"};
+    all.insert(all.end(), more.begin(), more.end());
+    const CommandRun run = this->Soften(all);
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+    return nlohmann::json::parse(run.Output)["built"]["from_cache"].get<bool>();
+  };
+  EXPECT_FALSE(isRead({"--no-cache"}));
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "cache"));
+  EXPECT_FALSE(isRead({}));
+  const nlohmann::json made = this->Elasticity();
+  EXPECT_TRUE(isRead({}));
+  EXPECT_EQ(this->Elasticity(), made);
+  EXPECT_FALSE(isRead({"--no-cache"}));
+  EXPECT_FALSE(isRead({"--tissue", "21"}));
+  for (const auto& entry : std::filesystem::directory_iterator(this->Folder / "cache"))
+  {
+    EXPECT_EQ(ReadAll(entry.path()).find("gland"), std::string::npos) << "no name of a file";
+  }
 }
 
 TEST_F(CliSoften, ElastographyReplacesTheTissue)

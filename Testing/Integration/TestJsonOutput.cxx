@@ -141,6 +141,14 @@ TEST_F(JsonOutput, FitIsDocumented)
   this->ExpectDocumented("fit");
 }
 
+TEST_F(JsonOutput, SoftenIsDocumented)
+{
+  this->Run({"soften", "ball.json", "--output", "soft.json", "--elements", "4", "--degree", "4",
+             "--map-degree", "6", "--free", "posterior", "--neighbour", "a.nii.gz", "--lesion",
+             "a.nii.gz", "--lesion-modulus", "60", "--json"});
+  this->ExpectDocumented("soften");
+}
+
 TEST_F(JsonOutput, InfoIsDocumented)
 {
   this->Run({"info", "a.nii.gz", "bad.nii.gz", "--json"});
