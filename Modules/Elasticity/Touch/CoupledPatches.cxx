@@ -17,7 +17,7 @@ class Solver
 public:
   Solver(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
          const CoupledPatches::Wall* walls, std::size_t count, double ballRadius) noexcept
-      : Count(std::min(count, CoupledPatches::MostWalls)), Width(0.5 * ballRadius)
+      : Count(std::min(count, CoupledPatches::MostWalls)), Ball(ballRadius), Width(0.5 * ballRadius)
   {
     std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> ordered;
     std::copy_n(walls, this->Count, ordered.begin());
@@ -29,6 +29,11 @@ public:
     {
       this->Patches[i] =
           ElasticPatch(atlas, model, ordered[i].Direction, ordered[i].Depth, ballRadius);
+      this->Gaps[i] = ordered[i].Gap;
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        this->Couplings[i][j] = this->Couplings[j][i] = this->CouplingOf(i, j).Value;
+      }
     }
   }
 
@@ -46,7 +51,7 @@ public:
         double depth = this->Patches[i].Depth();
         for (std::size_t j = 0; j < this->Count; ++j)
         {
-          depth -= i != j ? this->Coupling(i, j) * this->ForceOf(j) : 0.0;
+          depth -= i != j ? this->Couplings[i][j] * this->ForceOf(j) : 0.0;
         }
         const double before = this->ForceOf(i);
         this->Patches[i].Press(std::max(0.0, depth), this->Patches[i].Contact().PatchRadius);
@@ -64,7 +69,7 @@ public:
     {
       for (std::size_t j = 0; j < i; ++j)
       {
-        sum.Energy += this->ForceOf(i) * this->ForceOf(j) * this->Coupling(i, j);
+        sum.Energy += this->ForceOf(i) * this->ForceOf(j) * this->Couplings[i][j];
       }
       const ElasticForce one = this->Patches[i].ForceOfHeldBall();
       sum.ForceWorld += one.ForceWorld;
@@ -82,11 +87,39 @@ public:
     return sum;
   }
 
-private:
-  double ForceOf(std::size_t i) const noexcept { return this->Patches[i].Contact().Force; }
+  // Slope of the energy by the place where the walls hold the ball, with which the patches move and
+  // their normals turn; the ball itself stays.
+  Vector3 SlopeByHeldPlace(const Vector3& push) const noexcept
+  {
+    Vector3 sum = Vector3::Zero();
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const ElasticPatch& patch = this->Patches[i];
+      Vector3 slope = patch.EnergySlope() + this->ForceOf(i) * patch.Bent(push);
+      for (std::size_t j = 0; j < this->Count; ++j)
+      {
+        slope -= i != j
+                     ? Vector3(this->ForceOf(i) * this->ForceOf(j) * this->CouplingOf(i, j).Slope)
+                     : Vector3::Zero();
+      }
+      sum += patch.Followed(slope, this->Distance(i));
+    }
+    return sum;
+  }
 
-  // mm/N.
-  double Coupling(std::size_t i, std::size_t j) const noexcept
+private:
+  // mm/N, and its slope by the place of the first patch.
+  struct Coupling
+  {
+    double Value;
+    Vector3 Slope;
+  };
+
+  double ForceOf(std::size_t i) const noexcept { return this->Patches[i].Contact().Force; }
+  // Of a wall from where the walls hold the ball's centre, mm.
+  double Distance(std::size_t i) const noexcept { return this->Ball + this->Gaps[i]; }
+
+  Coupling CouplingOf(std::size_t i, std::size_t j) const noexcept
   {
     const ElasticPatch& one = this->Patches[i];
     const ElasticPatch& other = this->Patches[j];
@@ -95,24 +128,42 @@ private:
     constexpr double Far = 5.0 / (3.0 * Pi);
     constexpr double Least = 1e-6;
     const double spread = 2.0 * Far / std::sqrt(Pi);
-    const double x = std::max(Least, (one.Point() - other.Point()).norm() / this->Width);
+    const Vector3 across = one.Point() - other.Point();
+    const double x = std::max(Least, across.norm() / this->Width);
+    const double share = Far * std::erf(x / spread) / x;
+    const double fall =
+        2.0 * Far / (std::sqrt(Pi) * spread) * std::exp(-x * x / (spread * spread)) / x - share / x;
     const double facing = 0.5 * (1.0 + one.Normal().dot(other.Normal()));
     const double whole =
         0.5 * (one.Softness(this->Width) + other.Softness(this->Width)) / this->Width;
-    return whole * facing * Far * std::erf(x / spread) / x;
+    return {whole * facing * share,
+            whole * facing * fall / (x * this->Width * this->Width) * across +
+                0.5 * whole * share * one.Bent(other.Normal()) +
+                0.5 * facing * share / this->Width * one.SoftnessSlope(this->Width)};
   }
 
   std::size_t Count;
+  double Ball;  // mm
   double Width; // of the bumps whose coupling is taken, mm
   std::array<ElasticPatch, CoupledPatches::MostWalls> Patches;
+  std::array<double, CoupledPatches::MostWalls> Gaps{};
+  std::array<std::array<double, CoupledPatches::MostWalls>, CoupledPatches::MostWalls> Couplings{};
 };
 } // namespace
 
 ElasticForce CoupledPatches::Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-                                const Wall* walls, std::size_t count, double ballRadius) noexcept
+                                const Wall* walls, std::size_t count, double ballRadius,
+                                const Hold& hold) noexcept
 {
+  constexpr double MostLateral = 0.5; // of the push
   Solver solver(atlas, model, walls, count, ballRadius);
   solver.Solve();
-  return solver.Sum();
+  ElasticForce force = solver.Sum();
+  const Vector3 lateral = -(hold.Motion * solver.SlopeByHeldPlace(hold.Push));
+  const double size = lateral.norm();
+  const double most = MostLateral * force.ForceWorld.norm();
+  force.IsValid = force.IsValid && size <= most;
+  force.ForceWorld += size > most ? Vector3(most / size * lateral) : lateral;
+  return force;
 }
 } // namespace palpate

@@ -3,6 +3,8 @@
 #include "ElasticForce.h"
 #include "Vector3.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 
 namespace palpate
@@ -25,11 +27,21 @@ public:
   {
     Vector3 Direction; ///< unit, from the model's centre, of the place that holds the ball
     double Depth;      ///< by which the ball is pressed into it along its normal, mm
+    double Gap = 0.0;  ///< from the ball where the walls hold it, mm; negative if it overlaps
+  };
+
+  /// Where the walls hold the ball, which tells what places of them it touches.
+  struct Hold
+  {
+    Vector3 Push = Vector3::Zero(); ///< from the ball to there, mm
+    /// Derivative of that place by the ball's, symmetric; zero for walls that stay.
+    Eigen::Matrix3d Motion = Eigen::Matrix3d::Zero();
   };
 
   /// PatchRadius is the largest patch's; Slope is that along the force. Of walls above MostWalls
   /// the last are left out. Does not allocate.
   static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-                         const Wall* walls, std::size_t count, double ballRadius) noexcept;
+                         const Wall* walls, std::size_t count, double ballRadius,
+                         const Hold& hold) noexcept;
 };
 } // namespace palpate

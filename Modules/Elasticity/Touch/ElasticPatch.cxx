@@ -31,9 +31,30 @@ double ElasticPatch::Softness(double radius) const noexcept
   return patch * this->Place.Compliance.At(patch).Compliance;
 }
 
-// Derivative of the energy by the direction of the patch, at the same depth: tangent, N mm/rad.
+// From a slope by the direction, per rad, which is tangent to the unit sphere.
+Vector3 ElasticPatch::OnSurface(const Vector3& slope) const noexcept
+{
+  const Vector3 onSphere =
+      (slope - this->Direction.dot(slope) * this->Direction) / this->SurfaceRadius;
+  return onSphere - this->Outward.dot(onSphere) * this->Outward;
+}
+
+// 0 in a hollow as round as the ball, which is touched all round: there the nearest point moves
+// without bounds, and the ball is not pushed along the surface.
+double ElasticPatch::Openness() const noexcept
+{
+  constexpr double Round = 0.02;
+  constexpr double Open = 0.15;
+  const double room = 1.0 + this->Ball * this->Curvature.Principal[1];
+  return std::clamp((room - Round) / (Open - Round), 0.0, 1.0);
+}
+
 Vector3 ElasticPatch::EnergySlope() const noexcept
 {
+  if (!(this->Pressed.PatchRadius > 0.0))
+  {
+    return Vector3::Zero();
+  }
   const auto polynomials = PatchCompliance::PolynomialsAt(this->Pressed.PatchRadius,
                                                           this->Place.Compliance.LargestRadius);
   Vector3 compliance = Vector3::Zero();
@@ -42,8 +63,47 @@ Vector3 ElasticPatch::EnergySlope() const noexcept
     compliance += polynomials.Value[term] * this->Place.Slopes[term];
   }
   compliance /= this->Pressed.PatchRadius;
-  return -0.5 * this->Pressed.Force * this->Pressed.Force * compliance +
-         this->Pressed.EnergyByCurvature(this->Place.MeanCurvature) * this->Place.CurvatureSlope;
+  return this->Openness() *
+         this->OnSurface(-0.5 * this->Pressed.Force * this->Pressed.Force * compliance +
+                         this->Pressed.EnergyByCurvature(this->Place.MeanCurvature) *
+                             this->Place.CurvatureSlope);
+}
+
+Vector3 ElasticPatch::SoftnessSlope(double radius) const noexcept
+{
+  const double largest = this->Place.Compliance.LargestRadius;
+  const auto polynomials = PatchCompliance::PolynomialsAt(std::min(radius, largest), largest);
+  Vector3 slope = Vector3::Zero();
+  for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
+  {
+    slope += polynomials.Value[term] * this->Place.Slopes[term];
+  }
+  return this->OnSurface(slope);
+}
+
+Vector3 ElasticPatch::Bent(const Vector3& tangent) const noexcept
+{
+  Vector3 bent = Vector3::Zero();
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const Vector3& along = this->Curvature.Directions[i];
+    bent += this->Curvature.Principal[i] * along.dot(tangent) * along;
+  }
+  return bent;
+}
+
+// By (1 + s k)^-1 along each principal direction.
+Vector3 ElasticPatch::Followed(const Vector3& motion, double distance) const noexcept
+{
+  constexpr double LeastStretch = 0.05;
+  Vector3 moved = Vector3::Zero();
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const Vector3& along = this->Curvature.Directions[i];
+    moved += along.dot(motion) /
+             std::max(1.0 + distance * this->Curvature.Principal[i], LeastStretch) * along;
+  }
+  return moved;
 }
 
 ElasticForce ElasticPatch::ForceOfHeldBall() const noexcept
@@ -68,30 +128,11 @@ ElasticForce ElasticPatch::Force() const noexcept
   {
     return force;
   }
-  // The nearest point moves with the ball by (1 + s k)^-1 along each principal direction, for the
-  // centre's distance s from the surface. In a hollow as round as the ball it moves without bounds:
-  // there the ball is touched all round, and not pushed along the surface.
-  constexpr double Round = 0.02;
-  constexpr double Open = 0.15;
-  constexpr double LeastStretch = 0.05;
   constexpr double MostLateral = 0.5; // of the push; some tenths are met beside lesions
-  const double distance = this->Ball - this->Deep;
-  const Vector3 slope = this->EnergySlope();
-  const Vector3 onSphere =
-      (slope - this->Direction.dot(slope) * this->Direction) / this->SurfaceRadius;
-  const double room = 1.0 + this->Ball * this->Curvature.Principal[1];
-  const double share = std::clamp((room - Round) / (Open - Round), 0.0, 1.0);
-  force.IsValid = force.IsValid && share == 1.0;
-  Vector3 lateral = Vector3::Zero();
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    const double curvature = this->Curvature.Principal[i];
-    lateral -= share * this->Curvature.Directions[i].dot(onSphere) /
-               std::max(1.0 + distance * curvature, LeastStretch) * this->Curvature.Directions[i];
-  }
+  const Vector3 lateral = -this->Followed(this->EnergySlope(), this->Ball - this->Deep);
   const double size = lateral.norm();
   const double most = MostLateral * this->Pressed.Force;
-  force.IsValid = force.IsValid && size <= most;
+  force.IsValid = force.IsValid && this->Openness() == 1.0 && size <= most;
   force.ForceWorld += size > most ? Vector3(most / size * lateral) : lateral;
   return force;
 }

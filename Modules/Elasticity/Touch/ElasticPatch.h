@@ -31,6 +31,16 @@ public:
   /// The force on a ball that does not move along the surface, since other places hold it too.
   ElasticForce ForceOfHeldBall() const noexcept;
 
+  /// Slope (N) of the energy by the patch's place on the surface at the same depth, tangent. Fades
+  /// out where the ball is about as round as the hollow.
+  Vector3 EnergySlope() const noexcept;
+  /// Of Softness, mm/N.
+  Vector3 SoftnessSlope(double radius) const noexcept;
+  /// How a vector of the tangent plane changes the normal: by the shape operator, 1/mm.
+  Vector3 Bent(const Vector3& tangent) const noexcept;
+  /// How far (mm) the nearest point moves for a motion of a place at this distance (mm) from it.
+  Vector3 Followed(const Vector3& motion, double distance) const noexcept;
+
   double Depth() const noexcept { return this->Deep; }
   const Vector3& Point() const noexcept { return this->Foot; } ///< mm, from the model's centre
   const Vector3& Normal() const noexcept { return this->Outward; }
@@ -38,7 +48,8 @@ public:
   double Softness(double radius) const noexcept;
 
 private:
-  Vector3 EnergySlope() const noexcept;
+  Vector3 OnSurface(const Vector3& slope) const noexcept;
+  double Openness() const noexcept;
 
   ComplianceAtlas::Place Place{};
   SurfaceCurvature Curvature{};

@@ -1,5 +1,6 @@
 #include "ElasticTracker.h"
 
+#include "ElasticHold.h"
 #include "SurfaceCurvature.h"
 
 #include <algorithm>
@@ -8,11 +9,19 @@
 
 namespace palpate
 {
+namespace
+{
+// Of the ball's radius: how far walls are looked for, so that a wall is known before the ball is
+// pressed into it.
+constexpr double Ahead = 0.5;
+} // namespace
+
 ElasticTracker::ElasticTracker(std::shared_ptr<const HarmonicSurface> surface,
                                std::shared_ptr<const ComplianceAtlas> atlas, double toolRadius,
                                const SurfaceFriction& friction)
-    : Rigid(surface, toolRadius, SurfaceFriction()), Surface(std::move(surface)),
-      Atlas(std::move(atlas)), ToolRadius(toolRadius), Friction(friction)
+    : Rigid(surface, toolRadius, SurfaceFriction(), Ahead * toolRadius),
+      Surface(std::move(surface)), Atlas(std::move(atlas)), ToolRadius(toolRadius),
+      Friction(friction)
 {
 }
 
@@ -52,52 +61,34 @@ const Contact& ElasticTracker::Follow(const ToolPose& pose) noexcept
   return this->Felt;
 }
 
-// Between the ball at the proxy and a wall (mm): 0 if it touches, or if the wall is tracked at the
-// probe.
-double ElasticTracker::GapTo(const ClosestPoint& wall) const noexcept
-{
-  return std::max(0.0, wall.SignedDistance - this->ToolRadius);
-}
-
-// The walls at the proxy that the ball is pressed into.
-std::size_t ElasticTracker::WallsAt(const Vector3& probe,
-                                    CoupledPatches::Wall* walls) const noexcept
-{
-  const Vector3 push = this->Felt.ProxyWorld - probe;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < this->Rigid.WallCount() && count < CoupledPatches::MostWalls; ++i)
-  {
-    const ClosestPoint& wall = this->Rigid.Walls()[i];
-    const double depth = push.dot(wall.Normal) - this->GapTo(wall);
-    if (depth > 0.0)
-    {
-      walls[count++] = {wall.Direction, depth};
-    }
-  }
-  return count;
-}
-
 // How much the walls are places of their own: 1 in a notch; 0 in a round hollow, which the ball
 // touches all round, so that walls are found anywhere on a circle.
-double ElasticTracker::Distinctness() const noexcept
+double ElasticTracker::Distinctness(const ElasticHold& hold) const noexcept
 {
   constexpr double Round = 0.1;
   constexpr double Distinct = 0.4;
+  constexpr double Pressed = 0.1; // of the depth, at which a wall counts in full
   double least = 1.0;
-  for (std::size_t i = 0; i < this->Rigid.WallCount(); ++i)
+  for (std::size_t i = 0; i < hold.WallCount(); ++i)
   {
-    const ClosestPoint& wall = this->Rigid.Walls()[i];
+    const ClosestPoint& wall = hold.Walls()[i];
+    const double weight = std::clamp(hold.DepthIn(wall) / (Pressed * this->Felt.Depth), 0.0, 1.0);
     const SurfaceCurvature shape = CurvatureAt(wall.SampleDirection, wall.Sample);
-    least = std::min(least, 1.0 + this->ToolRadius * shape.Principal[1]);
+    least = std::min(least, 1.0 + weight * this->ToolRadius * shape.Principal[1]);
   }
   return std::clamp((least - Round) / (Distinct - Round), 0.0, 1.0);
 }
 
 void ElasticTracker::Press(const Vector3& probe) noexcept
 {
-  std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> walls;
-  const std::size_t count = this->WallsAt(probe, walls.data());
-  const double part = count > 1 ? this->Distinctness() : 0.0;
+  if (this->Rigid.WallCount() < 2)
+  {
+    this->PressOne(probe);
+    return;
+  }
+  const ElasticHold hold(*this->Surface, this->ToolRadius, this->Rigid.Walls(),
+                         this->Rigid.WallCount(), probe, this->Felt.ProxyWorld);
+  const double part = this->Distinctness(hold);
   if (part < 1.0)
   {
     this->PressOne(probe);
@@ -106,13 +97,36 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
   {
     const ElasticForce one = this->Push;
     ElasticForce& force = this->Push;
-    force = CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
-                               this->ToolRadius);
+    force = this->ForceOfWalls(hold, probe);
     force.ForceWorld = part * force.ForceWorld + (1.0 - part) * one.ForceWorld;
     force.Energy = part * force.Energy + (1.0 - part) * one.Energy;
     force.Slope = part * force.Slope + (1.0 - part) * one.Slope;
     force.IsValid = force.IsValid && part == 1.0;
   }
+}
+
+ElasticForce ElasticTracker::ForceOfWalls(const ElasticHold& hold,
+                                          const Vector3& probe) const noexcept
+{
+  std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> walls;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < hold.WallCount(); ++i)
+  {
+    const ClosestPoint& wall = hold.Walls()[i];
+    if (hold.DepthIn(wall) > 0.0)
+    {
+      walls[count++] = {wall.Direction, hold.DepthIn(wall), hold.GapTo(wall)};
+    }
+  }
+  return CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
+                            this->ToolRadius, {hold.CenterWorld() - probe, hold.Motion()});
+}
+
+// Between the ball at the proxy and a wall (mm): 0 if it touches, or if the wall is tracked at the
+// probe.
+double ElasticTracker::GapTo(const ClosestPoint& wall) const noexcept
+{
+  return std::max(0.0, wall.SignedDistance - this->ToolRadius);
 }
 
 // At the wall that the push presses most; if that does not hold the proxy alone, with the size of

@@ -20,6 +20,8 @@ namespace palpate
 /// Friction is a spring along the surface, as stiff as the patch (Mindlin, J. Appl. Mech. 16,
 /// 1949), whose force Coulomb's law limits. It follows the ball from tick to tick, and shrinks with
 /// the patch, so that unloading gives no energy out.
+class ElasticHold;
+
 class ElasticTracker final : public ContactTracker
 {
 public:
@@ -34,9 +36,9 @@ public:
 private:
   void Press(const Vector3& probe) noexcept;
   void PressOne(const Vector3& probe) noexcept;
-  double Distinctness() const noexcept;
+  double Distinctness(const ElasticHold& hold) const noexcept;
+  ElasticForce ForceOfWalls(const ElasticHold& hold, const Vector3& probe) const noexcept;
   double GapTo(const ClosestPoint& wall) const noexcept;
-  std::size_t WallsAt(const Vector3& probe, CoupledPatches::Wall* walls) const noexcept;
   void Rub(const Vector3& probe) noexcept;
   void LetGo() noexcept;
 

@@ -52,7 +52,8 @@ typename Surface::Place PlaceOf(const typename Surface::ClosestPoint& point) noe
 template <typename Surface>
 HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<const Surface> surface,
                                                             double toolRadius,
-                                                            const SurfaceFriction& friction)
+                                                            const SurfaceFriction& friction,
+                                                            double wallsAhead)
     : Touched(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
       TouchingGap(
           std::max(RelativeGap * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
@@ -73,8 +74,8 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   }
   if (isWedgeNeeded)
   {
-    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(this->Touched,
-                                                             toolRadius + this->Touched->Margin());
+    this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(
+        this->Touched, toolRadius + this->Touched->Margin(), wallsAhead);
   }
 }
 
@@ -91,6 +92,7 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
   if (this->IsWedging && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
+    this->Wedge->LookAhead();
     this->IsHovering = !this->Wedge->IsHeld();
     this->EndWedge(pose.PositionWorld);
   }

@@ -40,8 +40,9 @@ public:
   using ClosestPoint = typename Surface::ClosestPoint;
   using Place = typename Surface::Place;
 
+  /// `wallsAhead` (mm): see HarmonicWedge.
   HarmonicNearestTrackerOf(std::shared_ptr<const Surface> surface, double toolRadius,
-                           const SurfaceFriction& friction);
+                           const SurfaceFriction& friction, double wallsAhead = 0.0);
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }

@@ -23,6 +23,7 @@ constexpr double LeastProven = 0.5;
 constexpr int MostSteps = 6;
 constexpr int MostProofs = 12;
 constexpr int EvaluationsOfMove = 640;
+constexpr int EvaluationsAhead = 160;
 
 // A wall's minimum for another query on its normal: it is the same point.
 template <typename ClosestPoint>
@@ -73,14 +74,22 @@ double StepOf(const ParametricTouchSurface& surface, double radius) noexcept
 } // namespace
 
 template <typename Surface>
-HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius)
+HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius,
+                                          double ahead)
     : Touched(std::move(surface)), Radius(radius), LongestStep(StepOf(*this->Touched, radius)),
+      Ahead(ahead), Kept(std::max(LongestStep, ahead)),
       End(std::max(RelativeEnd * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
       Clearance(
           this->Touched->Search(), radius,
           std::min(0.5 * radius, std::max({RelativeTolerance * this->Touched->SmallestRadius(),
                                            2.0 * End, PartOfMargin * this->Touched->Margin()})))
 {
+  if (ahead > 0.0)
+  {
+    constexpr double Tolerance = 0.01; // of the distance ahead
+    this->ClearanceAhead =
+        std::make_unique<Proof>(this->Touched->Search(), radius + ahead, Tolerance * ahead);
+  }
 }
 
 template <typename Surface>
@@ -131,6 +140,41 @@ void HarmonicWedgeOf<Surface>::MoveTo(const Vector3& goalWorld) noexcept
   const Vector3 path = goalWorld - this->Center;
   const double length = path.stableNorm();
   this->Approach(length > far ? Vector3(this->Center + (far / length) * path) : goalWorld);
+}
+
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::LookAhead() noexcept
+{
+  if (!this->ClearanceAhead || !this->IsKeptBack || this->KnownCount == 0)
+  {
+    return;
+  }
+  constexpr std::size_t Most = 2; // walls that are found at once
+  static_assert(MostWalls + Most <= Proof::MostKnown, "a proof takes all walls");
+  const Vector3 place = this->Center + this->Ahead * this->JointNormal;
+  std::array<ClosestPoint, Proof::MostKnown> walls;
+  std::size_t count = 0;
+  double nearest = this->Radius + this->Ahead;
+  for (std::size_t i = 0; i < this->KnownCount; ++i)
+  {
+    walls[count] = this->Touched->Search().Track(place, this->Known[i]);
+    nearest = std::min(nearest, walls[count++].SignedDistance);
+  }
+  for (std::size_t found = 0; found < Most && this->KnownCount < MostWalls; ++found)
+  {
+    const typename Proof::Answer answer =
+        this->ClearanceAhead->AskWithin(nearest, place, walls.data(), count, EvaluationsAhead);
+    if (answer.State != Proof::Finding::Nearer)
+    {
+      return;
+    }
+    walls[count++] = answer.Minimum;
+    const ClosestPoint wall = this->Touched->Search().Track(this->Center, answer.Minimum);
+    if (wall.Converged() && wall.SignedDistance < this->Radius + this->Kept)
+    {
+      this->Meet(wall);
+    }
+  }
 }
 
 template <typename Surface>
@@ -347,7 +391,7 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
       wall = isTouched ? wall : this->Sided(wall);
     }
     // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
-    if (isTouched || wall.SignedDistance < this->Radius + this->LongestStep)
+    if (isTouched || wall.SignedDistance < this->Radius + this->Kept)
     {
       this->Meet(wall);
     }

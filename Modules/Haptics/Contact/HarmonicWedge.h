@@ -28,7 +28,9 @@ public:
   using ClosestPoint = typename Surface::ClosestPoint;
   using Proof = ClearanceProofOf<typename Surface::Shape>;
 
-  HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius);
+  /// Walls are known, too, that keep the sphere from `ahead` (mm) further along its normal, were it
+  /// larger by that; see LookAhead.
+  HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius, double ahead = 0.0);
 
   /// False if a sphere (mm) touches in at most one place wherever it rolls, tested at some thousand
   /// places with a sphere a tenth larger. Takes milliseconds.
@@ -41,6 +43,11 @@ public:
   void Begin(const ClosestPoint& nearest) noexcept;
   /// Moves from the last place towards the goal; Normal() is then the combined normal of the walls.
   void MoveTo(const Vector3& goalWorld) noexcept;
+
+  /// Searches for walls that the sphere does not touch yet: those that a sphere larger by `ahead`
+  /// would touch if the walls that hold this one held it. Between two walls that enclose an angle
+  /// of 120 degrees, the other one is found when its gap is half of `ahead`. Takes a proof.
+  void LookAhead() noexcept;
 
   const Vector3& CenterWorld() const noexcept { return this->Center; }
   const Vector3& Normal() const noexcept { return this->JointNormal; }
@@ -86,8 +93,11 @@ private:
   std::shared_ptr<const Surface> Touched;
   double Radius;
   double LongestStep; // mm, between two proofs
+  double Ahead;       // mm
+  double Kept;        // mm, the gap up to which a wall is followed
   double End;         // mm, at which a slide ends
   Proof Clearance;
+  std::unique_ptr<Proof> ClearanceAhead;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre
   bool IsKeptBack = false;
