@@ -345,53 +345,36 @@ def touching_height(shape, ball, aside):
     return over[beside < ball].max()
 
 
+REACH = np.array([11.0, 6.0])  # mm, across and along the cleft, where nodes may touch the ball
+
+
 class Cleft:
-    """A ball that touches both walls: nodes move in all directions, and are pushed away from its
-    centre, without friction. Springs and elements are linear; the ball is not."""
+    """A ball that touches both walls: each node yields along the surface's normal there."""
 
     def __init__(self, shape, fine):
         self.shape, up = shape, np.array([0.0, 0.0, 1.0])
         self.organ = Organ(shape, up, fine, 9.5, 20.0)
         surface = np.unique(self.organ.faces)
         points = self.organ.world[surface]
-        near = (np.abs(points[:, 0]) < 9.0) & (np.abs(points[:, 1]) < 5.0) & (points[:, 2] > 0.0)
+        near = np.all(np.abs(points[:, :2]) < REACH, axis=1) & (points[:, 2] > 0.0)
         self.kept, self.points = surface[near], points[near]
+        self.normals = np.array([shape.normal(unit(point)) for point in self.points])
         moduli = np.full(len(self.organ.elements), TISSUE)
         stiffness = assembled(self.organ, moduli, BED * self.organ.areas())
-        axes = np.tile(self.organ.axes, (len(self.kept), 1))  # rows: the mesh's axes, in the world
-        columns = np.repeat(self.kept, 3)
-        self.softness = compliance(stiffness, forces_on(
-            self.organ, columns, np.tile(self.organ.axes.T, (len(self.kept), 1))))
-
-    def pushed(self, ball, center):
-        """Forces on the nodes: the push along each node's direction from the ball's centre, which
-        depends on how far the node has been moved."""
-        moved = np.zeros_like(self.points)
-        for _ in range(60):
-            away = self.points + moved - center
-            away /= np.linalg.norm(away, axis=1, keepdims=True)
-            overlap = ball - np.einsum("nc,nc->n", self.points - center, away)
-            near = np.flatnonzero(overlap > -ball)
-            rows = 3 * np.repeat(near, 3).reshape(-1, 3) + np.arange(3)
-            block = self.softness[np.ix_(rows.ravel(), rows.ravel())].reshape(
-                len(near), 3, len(near), 3)
-            softness = np.einsum("ic,icjd,jd->ij", away[near], block, away[near], optimize=True)
-            force = np.zeros(len(away))
-            force[near] = push(softness, overlap[near])
-            before, moved = moved, (self.softness @ (force[:, None] * away).ravel()).reshape(-1, 3)
-            if np.abs(moved - before).max() < 1e-6:
-                return force[:, None] * away
-        sys.exit("The directions of contact did not settle.")
+        self.softness = compliance(stiffness, forces_on(self.organ, self.kept,
+                                                        self.normals @ self.organ.axes.T))
 
     def press(self, ball, depth, aside):
         """`depth` is below the place where the ball touches, `aside` across the cleft."""
         height = touching_height(self.shape, ball, aside) - depth
         center = np.array([aside, 0.0, height])
-        force = self.pushed(ball, center)
-        if np.abs(self.points[np.any(force != 0.0, axis=1)]).max(axis=0)[1] > 4.6:
+        force = push(self.softness, overlaps(self.points, self.normals, center, ball))
+        if np.any(np.abs(self.points[force > 0.0, :2]) > 0.9 * REACH):
             sys.exit("The patch is larger than the part that is retained.")
+        sides = [self.points[:, 0] < -1e-6, self.points[:, 0] > 1e-6]
         return {"ball_radius_mm": ball, "depth_mm": depth, "center_mm": center.tolist(),
-                "force_n": (-force.sum(axis=0)).tolist()}
+                "force_n": (force @ self.normals).tolist(),
+                "wall_force_n": [float(force[side].sum()) for side in sides]}
 
 
 # Commands -----------------------------------------------------------------------------------------

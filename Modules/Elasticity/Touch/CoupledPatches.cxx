@@ -133,12 +133,14 @@ private:
     const double share = Far * std::erf(x / spread) / x;
     const double fall =
         2.0 * Far / (std::sqrt(Pi) * spread) * std::exp(-x * x / (spread * spread)) / x - share / x;
-    const double facing = 0.5 * (1.0 + one.Normal().dot(other.Normal()));
+    const double half = 0.5 * (1.0 + one.Normal().dot(other.Normal()));
+    const double facing = half * half * half;
+    const double facingSlope = 1.5 * half * half;
     const double whole =
         0.5 * (one.Softness(this->Width) + other.Softness(this->Width)) / this->Width;
     return {whole * facing * share,
             whole * facing * fall / (x * this->Width * this->Width) * across +
-                0.5 * whole * share * one.Bent(other.Normal()) +
+                facingSlope * whole * share * one.Bent(other.Normal()) +
                 0.5 * facing * share / this->Width * one.SoftnessSlope(this->Width)};
   }
 

@@ -67,12 +67,13 @@ double ElasticTracker::Distinctness(const ElasticHold& hold) const noexcept
 {
   constexpr double Round = 0.1;
   constexpr double Distinct = 0.4;
-  constexpr double Pressed = 0.1; // of the depth, at which a wall counts in full
+  constexpr double Before = 0.1; // of the depth: a wall counts before the ball touches it
   double least = 1.0;
   for (std::size_t i = 0; i < hold.WallCount(); ++i)
   {
     const ClosestPoint& wall = hold.Walls()[i];
-    const double weight = std::clamp(hold.DepthIn(wall) / (Pressed * this->Felt.Depth), 0.0, 1.0);
+    const double weight =
+        std::clamp(1.0 + hold.DepthIn(wall) / (Before * this->Felt.Depth), 0.0, 1.0);
     const SurfaceCurvature shape = CurvatureAt(wall.SampleDirection, wall.Sample);
     least = std::min(least, 1.0 + weight * this->ToolRadius * shape.Principal[1]);
   }
