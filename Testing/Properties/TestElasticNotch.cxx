@@ -127,7 +127,7 @@ private:
 
 Vector3 VectorOf(const nlohmann::json& numbers)
 {
-  return {numbers[0], numbers[1], numbers[2]};
+  return Vector3(numbers[0].get<double>(), numbers[1].get<double>(), numbers[2].get<double>());
 }
 
 // Height of the centre of a ball that touches both walls.
@@ -243,8 +243,8 @@ TEST(ElasticNotch, WallsPushAlike)
     for (const double aside : {0.0, 0.3, 1.0, 3.0})
     {
       const double height = TouchingHeight(ball) - 2.0;
-      const Vector3 one = Hand(ball).PressAt({aside, 0.5, height}).ForceWorld;
-      const Vector3 other = Hand(ball).PressAt({-aside, 0.5, height}).ForceWorld;
+      const Vector3 one = Hand(ball).PressAt(Vector3(aside, 0.5, height)).ForceWorld;
+      const Vector3 other = Hand(ball).PressAt(Vector3(-aside, 0.5, height)).ForceWorld;
       EXPECT_LE((Vector3(-one.x(), one.y(), one.z()) - other).norm(), 1e-3 * one.norm())
           << ball << " mm, " << aside << " mm aside";
     }

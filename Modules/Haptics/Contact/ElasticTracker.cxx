@@ -63,17 +63,18 @@ const Contact& ElasticTracker::Follow(const ToolPose& pose) noexcept
 
 // How much the walls are places of their own: 1 in a notch; 0 in a round hollow, which the ball
 // touches all round, so that walls are found anywhere on a circle.
-double ElasticTracker::Distinctness(const ElasticHold& hold) const noexcept
+double ElasticTracker::Distinctness(const Vector3& probe) const noexcept
 {
   constexpr double Round = 0.1;
   constexpr double Distinct = 0.4;
   constexpr double Before = 0.1; // of the depth: a wall counts before the ball touches it
+  const Vector3 push = this->Felt.ProxyWorld - probe;
   double least = 1.0;
-  for (std::size_t i = 0; i < hold.WallCount(); ++i)
+  for (std::size_t i = 0; i < this->Rigid.WallCount(); ++i)
   {
-    const ClosestPoint& wall = hold.Walls()[i];
-    const double weight =
-        std::clamp(1.0 + hold.DepthIn(wall) / (Before * this->Felt.Depth), 0.0, 1.0);
+    const ClosestPoint& wall = this->Rigid.Walls()[i];
+    const double depth = push.dot(wall.Normal) - this->GapTo(wall);
+    const double weight = std::clamp(1.0 + depth / (Before * this->Felt.Depth), 0.0, 1.0);
     const SurfaceCurvature shape = CurvatureAt(wall.SampleDirection, wall.Sample);
     least = std::min(least, 1.0 + weight * this->ToolRadius * shape.Principal[1]);
   }
@@ -87,9 +88,7 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
     this->PressOne(probe);
     return;
   }
-  const ElasticHold hold(*this->Surface, this->ToolRadius, this->Rigid.Walls(),
-                         this->Rigid.WallCount(), probe, this->Felt.ProxyWorld);
-  const double part = this->Distinctness(hold);
+  const double part = this->Distinctness(probe);
   if (part < 1.0)
   {
     this->PressOne(probe);
@@ -98,7 +97,7 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
   {
     const ElasticForce one = this->Push;
     ElasticForce& force = this->Push;
-    force = this->ForceOfWalls(hold, probe);
+    force = this->ForceOfWalls(probe);
     force.ForceWorld = part * force.ForceWorld + (1.0 - part) * one.ForceWorld;
     force.Energy = part * force.Energy + (1.0 - part) * one.Energy;
     force.Slope = part * force.Slope + (1.0 - part) * one.Slope;
@@ -106,9 +105,10 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
   }
 }
 
-ElasticForce ElasticTracker::ForceOfWalls(const ElasticHold& hold,
-                                          const Vector3& probe) const noexcept
+ElasticForce ElasticTracker::ForceOfWalls(const Vector3& probe) const noexcept
 {
+  const ElasticHold hold(*this->Surface, this->ToolRadius, this->Rigid.Walls(),
+                         this->Rigid.WallCount(), probe, this->Felt.ProxyWorld);
   std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> walls;
   std::size_t count = 0;
   for (std::size_t i = 0; i < hold.WallCount(); ++i)

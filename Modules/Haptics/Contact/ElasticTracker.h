@@ -13,15 +13,15 @@ namespace palpate
 {
 /// Tracks a ball at a structure that yields. The nearest point is that of the rigid surface, and
 /// depth and patch follow from it. Where the ball does not fit into a hollow of the surface, each
-/// wall that the rigid proxy touches or is near to has a patch (CoupledPatches), and the ball's
-/// motion from the proxy presses it in. In a hollow that is so round that the ball touches it all
-/// round, the force is that of one patch in the proxy's direction, and said to be invalid.
+/// wall that the ball is pressed into has a patch (CoupledPatches), also one that the rigid proxy
+/// does not touch yet; ElasticHold tells where. The force is minus the gradient of one energy of
+/// the ball's place there too, and does not jump where another wall takes hold. In a hollow that is
+/// so round that the ball touches it all round, the force is that of one patch in the proxy's
+/// direction, and said to be invalid.
 ///
 /// Friction is a spring along the surface, as stiff as the patch (Mindlin, J. Appl. Mech. 16,
 /// 1949), whose force Coulomb's law limits. It follows the ball from tick to tick, and shrinks with
 /// the patch, so that unloading gives no energy out.
-class ElasticHold;
-
 class ElasticTracker final : public ContactTracker
 {
 public:
@@ -36,8 +36,8 @@ public:
 private:
   void Press(const Vector3& probe) noexcept;
   void PressOne(const Vector3& probe) noexcept;
-  double Distinctness(const ElasticHold& hold) const noexcept;
-  ElasticForce ForceOfWalls(const ElasticHold& hold, const Vector3& probe) const noexcept;
+  double Distinctness(const Vector3& probe) const noexcept;
+  ElasticForce ForceOfWalls(const Vector3& probe) const noexcept;
   double GapTo(const ClosestPoint& wall) const noexcept;
   void Rub(const Vector3& probe) noexcept;
   void LetGo() noexcept;
