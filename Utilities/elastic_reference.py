@@ -2,7 +2,7 @@
 """Contact forces on organs that yield, by another program than Palpate: references for its tests.
 
     Utilities/elastic_reference.py sphere --output sphere.json
-    Utilities/elastic_reference.py notch --output notch.json
+    Utilities/elastic_reference.py notch --fine 0.5 --output notch.json
     Utilities/elastic_reference.py gland MODEL LESION --case NUMBER --output gland.json
 
 The elements and their assembly are CalculiX's (ccx, Debian's calculix-ccx): linear elasticity with
@@ -349,7 +349,9 @@ REACH = np.array([11.0, 6.0])  # mm, across and along the cleft, where nodes may
 
 
 class Cleft:
-    """A ball that touches both walls: each node yields along the surface's normal there."""
+    """A ball that touches both walls: each node yields along the surface's normal there. From
+    elements of 0.7 to 0.5 mm forces change by up to 1.2 %, and by 3 % for the larger ball at the
+    smallest depth, where its patch is a few elements wide."""
 
     def __init__(self, shape, fine):
         self.shape, up = shape, np.array([0.0, 0.0, 1.0])

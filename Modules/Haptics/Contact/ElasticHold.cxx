@@ -3,8 +3,6 @@
 #include "ClearanceProof.h"
 #include "SurfaceCurvature.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 
 namespace palpate

@@ -5,8 +5,6 @@
 #include "HarmonicSurface.h"
 #include "Vector3.h"
 
-#include <Eigen/Core>
-
 #include <array>
 #include <cstddef>
 
