@@ -153,7 +153,7 @@ TEST_F(CliSoften, NeighbourHolds)
 
 TEST_F(CliSoften, SaysThatALesionLiesMostlyOutside)
 {
-  const double edge = 23.0; // mm
+  const double edge = 12.5; // mm
   WriteLesion(this->Folder / "lesion.nii.gz", edge);
   const CommandRun run = this->Soften({"--lesion", "lesion.nii.gz", "--lesion-modulus", "60kPa"});
   ASSERT_EQ(run.Code, 0) << run.Errors;

@@ -170,6 +170,27 @@ TEST_F(AddedStructures, SofteningIsAStepOfThePipeline)
   EXPECT_EQ(table->index(0, StructureTableModel::StiffnessColumn).data().toString(), "yields");
 }
 
+TEST_F(AddedStructures, InclusionOutsideIsAMessage)
+{
+  this->OpenPhantom();
+  StudyState next = this->Study->State();
+  next.Structures[0].Representation = TouchRepresentation::Elastic;
+  next.Structures[0].Degree = 4;
+  next.Structures[0].SetNumber("elements_across", 4.0);
+  next.Structures[2].SetNumber("inclusion_kpa", 60.0); // three voxels elsewhere
+  this->Study->Change("Let it yield", next);
+  WaitUntil([this] { return this->Messages().find("lies outside of") != std::string::npos; });
+  this->Settle();
+  const std::string messages = this->Messages();
+  EXPECT_NE(messages.find("mask.nii.gz, label 3 lies outside of label 1"), std::string::npos)
+      << messages;
+  next = this->Study->State();
+  next.Structures[2].SetNumber("inclusion_kpa", 80.0);
+  this->Study->Change("Another modulus", next);
+  this->Settle();
+  EXPECT_EQ(this->Messages(), messages) << "said once";
+}
+
 TEST_F(AddedStructures, MenuAddsStructuresOfASegmentation)
 {
   this->OpenPhantom();
