@@ -120,6 +120,10 @@ SceneStructure RandomStructure(Random& random, const Sources& sources, int id)
   structure.IsVisible = RandomChoice(random);
   structure.IsTouchable = id == 1 || RandomChoice(random);
   structure.Representation = RandomRepresentation(random, structure);
+  if (structure.Representation == TouchRepresentation::Elastic)
+  {
+    structure.SetNumber("elements_across", 4.0); // in seconds; both sides use them
+  }
   structure.Degree = RandomWhole(random, 2, 9);
   structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
   structure.Smoothing = RandomNumber(random, 0.0, 1.5);
