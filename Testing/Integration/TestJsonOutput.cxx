@@ -253,17 +253,27 @@ TEST(JsonPage, HasTableForEveryJsonCommand)
 // The end of a key gives its unit, and the page agrees.
 TEST(JsonPage, ListsUnitSuffixesOfKeys)
 {
-  const std::vector<std::pair<std::string, std::string>> units{
-      {"_n_per_mm", "N/mm"}, {"_mm_per_rad", "mm/rad"},
-      {"_n_mm", "N mm"},     {"_mm2", "mm\u00b2"},
-      {"mm3", "mm\u00b3"},   {"_mm", "mm"},
-      {"_ml", "ml"},         {"_percent", "%"},
-      {"seconds", "s"},      {"_s", "s"},
-      {"_us", "\u00b5s"},    {"_ms", "ms"},
-      {"_ns", "ns"},         {"_hz", "Hz"},
-      {"_n", "N"},           {"_mib", "MiB"},
-      {"bytes", "bytes"},    {"_degrees", "degrees"},
-      {"_jnd", "JND"}};
+  const std::vector<std::pair<std::string, std::string>> units{{"_kpa_per_mm", "kPa/mm"},
+                                                               {"_kpa", "kPa"},
+                                                               {"_n_per_mm", "N/mm"},
+                                                               {"_mm_per_rad", "mm/rad"},
+                                                               {"_n_mm", "N mm"},
+                                                               {"_mm2", "mm\u00b2"},
+                                                               {"mm3", "mm\u00b3"},
+                                                               {"_mm", "mm"},
+                                                               {"_ml", "ml"},
+                                                               {"_percent", "%"},
+                                                               {"seconds", "s"},
+                                                               {"_s", "s"},
+                                                               {"_us", "\u00b5s"},
+                                                               {"_ms", "ms"},
+                                                               {"_ns", "ns"},
+                                                               {"_hz", "Hz"},
+                                                               {"_n", "N"},
+                                                               {"_mib", "MiB"},
+                                                               {"bytes", "bytes"},
+                                                               {"_degrees", "degrees"},
+                                                               {"_jnd", "JND"}};
   for (const auto& [command, table] : DocumentedTables())
   {
     for (const auto& [key, unit] : table)
