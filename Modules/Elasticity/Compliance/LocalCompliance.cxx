@@ -19,15 +19,18 @@ double EnergyAbove(double t) noexcept
 }
 
 // Of a layer that takes `part` of the energy, on a ground. A stiff ground stops the wave: the mean
-// of the softness. A soft one is bridged by the layer: the mean of the root of the modulus.
-double Layered(double layer, double ground, double part) noexcept
+// of the softness. Ground that is softer than the organ's tissue is bridged by tissue above it,
+// which reaches far: the mean of the root of the modulus. A hard part, which ends soon, bridges
+// nothing.
+double Layered(double layer, double ground, double part, double tissue) noexcept
 {
-  if (ground <= layer)
+  const double bridge = std::max(layer, tissue);
+  if (ground <= bridge)
   {
     return part * layer + (1.0 - part) * ground;
   }
-  const double root = part / std::sqrt(layer) + (1.0 - part) / std::sqrt(ground);
-  return 1.0 / (root * root);
+  const double root = part / std::sqrt(bridge) + (1.0 - part) / std::sqrt(ground);
+  return part * (layer - bridge) + 1.0 / (root * root);
 }
 } // namespace
 
@@ -75,6 +78,8 @@ LocalCompliance::SoftnessBelow(const HertzPatch& patch) const
 // From the deepest layer up: each on what is below it.
 double LocalCompliance::Softness(const std::array<double, Depths>& below, double waveNumber) const
 {
+  const double nu = this->Solid->PoissonRatio;
+  const double tissue = (1.0 - nu * nu) / this->Solid->Tissue.OwnModulus();
   double softness = 0.0;
   double energy = 0.0; // of the layers that it is of
   double last = 1.0;
@@ -88,7 +93,7 @@ double LocalCompliance::Softness(const std::array<double, Depths>& below, double
       continue;
     }
     energy += own;
-    softness = Layered(below[i], softness, own / energy);
+    softness = Layered(below[i], softness, own / energy, tissue);
   }
   return softness;
 }

@@ -17,10 +17,9 @@ namespace palpate
 ///
 /// with the window w of ReducedCompliance, R' = |x| / ((1 + n.d)/2), and the modulus E*(k) that a
 /// wave feels: a mean over the depth z with the strain energy 4k (kz)^2 exp(-2kz) of an
-/// incompressible half-space, where E* at a depth is a mean over the patch. It is the mean of 1/E*
-/// where what is below is stiffer, and that of the root of E*, squared, where it is softer: the
-/// power was found by comparison with layered spheres (cores of 0.3 to 0.01 of the modulus, 3 to 10
-/// mm down).
+/// incompressible half-space, where E* at a depth is a mean over the patch. It is the mean of 1/E*,
+/// but below tissue that lies on softer ground that of the root of E*, squared: the power was found
+/// by comparison with layered spheres (cores of 0.3 to 0.01 of the modulus, 3 to 10 mm down).
 class LocalCompliance
 {
 public:

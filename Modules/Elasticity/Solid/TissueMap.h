@@ -46,6 +46,8 @@ public:
   /// Fails for a modulus outside the limits and for samples that do not fit their grid.
   Status Check() const;
 
+  /// Of the organ's tissue, N/mm^2.
+  double OwnModulus() const noexcept { return this->Tissue; }
   /// N/mm^2.
   double Modulus(const Vector3& pointWorld) const noexcept;
 
