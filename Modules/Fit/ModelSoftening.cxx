@@ -61,13 +61,14 @@ std::shared_ptr<const TissueMap::Samples> ModuliOf(const Volume& image)
 double PartNextTo(const InclusionFractions& structure, const SphericalHarmonicModel& model,
                   const Vector3& direction)
 {
-  constexpr double Step = 0.5; // mm
+  constexpr int Steps = 6;
   const auto sample = model.EvaluateSecondOrder(direction);
   const Vector3 normal = (sample.Radius * direction - sample.SurfaceGradient).normalized();
   const Vector3 foot = model.CenterWorld() + sample.Radius * direction;
   double part = 0.0;
-  for (double away = 0.0; away <= SofteningSettings::Neighbour::Reach; away += Step)
+  for (int step = 0; step <= Steps; ++step)
   {
+    const double away = SofteningSettings::Neighbour::Reach * step / Steps;
     double share = 0.0; // of the structure's segments together
     for (const auto& image : structure)
     {

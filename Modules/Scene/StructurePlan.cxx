@@ -100,7 +100,7 @@ std::string StructurePlan::AddNode(SceneStep step, const std::string& key,
 // For files small enough to be read once per structure.
 std::string StructurePlan::AddFile(SceneNode node)
 {
-  const std::string key = SceneKey(node.Key, this->Structure.Id);
+  std::string key = SceneKey(node.Key, this->Structure.Id);
   const std::size_t before = this->Nodes.size();
   this->AddNode(node.Step, key, {}, std::move(node.Make));
   if (this->Nodes.size() > before)

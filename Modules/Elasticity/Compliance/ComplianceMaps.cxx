@@ -240,7 +240,7 @@ Status ComplianceMaps::Check() const
   {
     return Status::Failure("The maps of compliance are incomplete.");
   }
-  const Status drawn = this->LongWaves.IsEmpty() ? Status::Success() : this->LongWaves.Check();
+  Status drawn = this->LongWaves.IsEmpty() ? Status::Success() : this->LongWaves.Check();
   if (!drawn.IsOk())
   {
     return drawn;

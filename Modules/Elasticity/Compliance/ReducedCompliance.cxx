@@ -52,14 +52,14 @@ Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stif
                            std::to_string(MostDegree) + ".");
   }
   constexpr double PartOfFactor = 0.4;
-  const Status cancelled = Status::Failure("Cancelled.");
+  Status cancelled = Status::Failure("Cancelled.");
   const auto goesOn = [&](double fraction) { return !progress || progress(fraction); };
   if (!goesOn(0.0))
   {
     return cancelled;
   }
   SparseCholesky solver;
-  const Status factored =
+  Status factored =
       solver.Factor(stiffness, [&](double fraction) { return goesOn(PartOfFactor * fraction); });
   if (!factored.IsOk())
   {
@@ -86,7 +86,7 @@ Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stif
       Eigen::Map<Eigen::Matrix3Xd>(columns.col(i).data(), 3, nodes).row(component) =
           integrals.col((first + i) % harmonics).transpose();
     }
-    const Status solved = solver.Solve(columns);
+    Status solved = solver.Solve(columns);
     if (!solved.IsOk())
     {
       return solved;

@@ -83,7 +83,7 @@ Status TissueMap::Check() const
   }
   for (const Layer& layer : this->Layers)
   {
-    const Status grid = layer.Image->Grid.Check();
+    Status grid = layer.Image->Grid.Check();
     if (!grid.IsOk())
     {
       return grid;

@@ -123,9 +123,9 @@ TEST(ReducedCompliance, WindowFallsFromOneToZero)
   EXPECT_EQ(ReducedCompliance::Window(6.0, 12), 1.0);
   EXPECT_EQ(ReducedCompliance::Window(12.5, 12), 0.0);
   double last = 1.0;
-  for (double degree = 6.5; degree < 12.5; degree += 0.5)
+  for (int halves = 13; halves < 25; ++halves)
   {
-    const double value = ReducedCompliance::Window(degree, 12);
+    const double value = ReducedCompliance::Window(0.5 * halves, 12);
     EXPECT_LT(value, last);
     last = value;
   }

@@ -112,8 +112,8 @@ HarmonicNearestTrackerOf<Surface>::NearestTo(const Vector3& probe) noexcept
 {
   const auto& search = this->Touched->Search();
   const int most = this->EvaluationsOfNextSearch();
-  const ClosestPoint nearest = this->IsNearKnown() ? search.Nearest(probe, most, this->Closest)
-                                                   : search.Nearest(probe, most);
+  ClosestPoint nearest = this->IsNearKnown() ? search.Nearest(probe, most, this->Closest)
+                                             : search.Nearest(probe, most);
   this->EvaluationsLeft -= nearest.Evaluations;
   return nearest;
 }
