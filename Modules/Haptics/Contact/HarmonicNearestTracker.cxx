@@ -278,7 +278,7 @@ bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motio
   const ClosestPoint next = this->Continued(probe);
   if (next.SignedDistance >= this->EndOfContact())
   {
-    this->Leave(probe, next);
+    this->Leave(next);
     return false;
   }
   const double largestTurn = LargestTurn(motion / this->Touched->SmallestRadius());
@@ -291,11 +291,10 @@ bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motio
   return true;
 }
 
-// At a parametric surface the way from the proxy to the probe has to be free, from a little above
-// the surface.
+// At a parametric surface free motion goes on from a little above the surface, so that what it may
+// cross is found.
 template <typename Surface>
-void HarmonicNearestTrackerOf<Surface>::Leave(const Vector3& probe,
-                                              const ClosestPoint& next) noexcept
+void HarmonicNearestTrackerOf<Surface>::Leave(const ClosestPoint& next) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {

@@ -88,7 +88,7 @@ private:
   {
     return Surface::MayCrossItself ? this->ToolRadius + this->TouchingGap : this->ToolRadius;
   }
-  void Leave(const Vector3& probe, const ClosestPoint& next) noexcept;
+  void Leave(const ClosestPoint& next) noexcept;
   ClosestPoint Continued(const Vector3& probe) noexcept;
   int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;
