@@ -65,6 +65,9 @@ def draw(found, file):
     for panel_row, (name, structure) in zip(panels, found.items()):
         rows = felt(structure)
         for axes, (error, label) in zip(panel_row, ERRORS.items()):
+            if not any(row[error] for row in rows):
+                axes.set_visible(False)
+                continue
             for kind, marker in MARKERS.items():
                 mine = [row for row in rows if row["representation"] == kind and row[error]]
                 axes.loglog([row["tick_p999_ns"] / 1e3 for row in mine],
