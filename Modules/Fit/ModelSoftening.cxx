@@ -62,9 +62,8 @@ double PartNextTo(const InclusionFractions& structure, const SphericalHarmonicMo
                   const Vector3& direction)
 {
   constexpr int Steps = 6;
-  const auto sample = model.EvaluateSecondOrder(direction);
-  const Vector3 normal = (sample.Radius * direction - sample.SurfaceGradient).normalized();
-  const Vector3 foot = model.CenterWorld() + sample.Radius * direction;
+  const Vector3 normal = model.Normal(direction);
+  const Vector3 foot = model.PointWorld(direction);
   double part = 0.0;
   for (int step = 0; step <= Steps; ++step)
   {

@@ -43,10 +43,8 @@ ComplianceAtlas AtlasOf(const SphericalHarmonicModel& model, const SofteningSett
 double PushAt(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
               const Vector3& direction, double depth)
 {
-  const Vector3 normal =
-      (model.Radius(direction) * direction - model.EvaluateSecondOrder(direction).SurfaceGradient)
-          .normalized();
-  return ElasticForce::Of(atlas, model, direction, depth, Ball).ForceWorld.dot(normal);
+  return ElasticForce::Of(atlas, model, direction, depth, Ball)
+      .ForceWorld.dot(model.Normal(direction));
 }
 
 TEST(ElasticReference, SphereAgrees)

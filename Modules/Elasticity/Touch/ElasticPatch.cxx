@@ -7,6 +7,21 @@
 
 namespace palpate
 {
+namespace
+{
+// Of a c(a) by the direction, tangent to the unit sphere, mm^2/N per rad.
+Vector3 SoftnessSlopeOf(const ComplianceAtlas::Place& place, double radius) noexcept
+{
+  const auto polynomials = PatchCompliance::PolynomialsAt(radius, place.Compliance.LargestRadius);
+  Vector3 slope = Vector3::Zero();
+  for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
+  {
+    slope += polynomials.Value[term] * place.Slopes[term];
+  }
+  return slope;
+}
+} // namespace
+
 ElasticPatch::ElasticPatch(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
                            const Vector3& direction, double depth, double ballRadius) noexcept
     : Place(atlas.At(direction)), Direction(direction), Deep(depth), Ball(ballRadius)
@@ -55,14 +70,8 @@ Vector3 ElasticPatch::EnergySlope() const noexcept
   {
     return Vector3::Zero();
   }
-  const auto polynomials = PatchCompliance::PolynomialsAt(this->Pressed.PatchRadius,
-                                                          this->Place.Compliance.LargestRadius);
-  Vector3 compliance = Vector3::Zero();
-  for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
-  {
-    compliance += polynomials.Value[term] * this->Place.Slopes[term];
-  }
-  compliance /= this->Pressed.PatchRadius;
+  const Vector3 compliance =
+      SoftnessSlopeOf(this->Place, this->Pressed.PatchRadius) / this->Pressed.PatchRadius;
   return this->Openness() *
          this->OnSurface(-0.5 * this->Pressed.Force * this->Pressed.Force * compliance +
                          this->Pressed.EnergyByCurvature(this->Place.MeanCurvature) *
@@ -72,13 +81,7 @@ Vector3 ElasticPatch::EnergySlope() const noexcept
 Vector3 ElasticPatch::SoftnessSlope(double radius) const noexcept
 {
   const double largest = this->Place.Compliance.LargestRadius;
-  const auto polynomials = PatchCompliance::PolynomialsAt(std::min(radius, largest), largest);
-  Vector3 slope = Vector3::Zero();
-  for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
-  {
-    slope += polynomials.Value[term] * this->Place.Slopes[term];
-  }
-  return this->OnSurface(slope);
+  return this->OnSurface(SoftnessSlopeOf(this->Place, std::min(radius, largest)));
 }
 
 Vector3 ElasticPatch::Bent(const Vector3& tangent) const noexcept
