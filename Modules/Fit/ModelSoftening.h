@@ -22,7 +22,7 @@ struct ModelSoftness
   OrganSoftening::Account Account;
   bool IsFromCache = false;
   std::vector<InclusionShare> Inclusions; ///< those of the settings, in their order
-  std::vector<std::string> Notes;         ///< on the elastography image
+  std::vector<std::string> Notes;         ///< on images, neighbours and the model's shape
 
   /// All that a user has to know before relying on it: the notes, and those of the inclusions.
   PALPATEFIT_EXPORT std::vector<std::string> Warnings() const;

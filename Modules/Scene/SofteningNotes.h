@@ -15,9 +15,9 @@ struct SofteningNote
   std::string Text;
 };
 
-/// Warnings on inclusions that lie outside, or mostly outside, of all structures that yield, and on
-/// elastography images without effect. Inclusions are judged once they have been compared with all
-/// those structures.
+/// Warnings on inclusions that lie outside, or mostly outside, of all structures that yield, on
+/// images without effect, and on sharp hollows. Inclusions are judged once they have been compared
+/// with all those structures.
 PALPATESCENE_EXPORT std::vector<SofteningNote> SofteningNotes(const SceneSettings& scene,
                                                               const SceneProducts& products);
 } // namespace palpate

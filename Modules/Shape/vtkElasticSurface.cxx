@@ -1,6 +1,7 @@
 #include "vtkElasticSurface.h"
 
 #include "DentedSurface.h"
+#include "ElasticForce.h"
 #include "FeltStiffness.h"
 #include "IcosahedronDirections.h"
 #include "ModelTable.h"
@@ -162,8 +163,9 @@ void vtkElasticSurface::Draw(vtkPolyData* output) const
   const palpate::DentedSurface dented(this->Made->Model, this->Made->Maps, sphere.Directions());
   const Vector3 direction = Vector3(this->BallDirection).normalized();
   const bool isPressed = this->BallDepth > 0.0 && direction.allFinite();
-  const auto points = isPressed ? dented.PointsWorld({direction, this->BallDepth, this->BallRadius})
-                                : dented.RestWorld();
+  const auto points =
+      isPressed ? dented.PointsWorld(dented.PressedAt(direction, this->BallDepth, this->BallRadius))
+                : dented.RestWorld();
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
   for (const Vector3& point : points)

@@ -45,17 +45,40 @@ YieldingSurface::YieldingSurface(const SphericalHarmonicModel& model,
 
 void YieldingSurface::Press(const Vector3& proxyWorld, const Vector3& probeWorld, double ballRadius)
 {
-  const Vector3 out = proxyWorld - probeWorld;
-  const double depth = out.norm();
-  if (this->Dented == nullptr || !(depth > 0.0) || !(ballRadius > 0.0))
+  if (this->Dented == nullptr || !((proxyWorld - probeWorld).norm() > 0.0) || !(ballRadius > 0.0))
   {
     this->Release();
     return;
   }
-  const Vector3 foot = proxyWorld - ballRadius / depth * out;
-  const Vector3 direction = (foot - this->Model.CenterWorld()).normalized();
-  this->Move(this->Dented->PointsWorld({direction, depth, ballRadius}));
+  this->Move(this->Dented->PointsWorld(this->BallAt(proxyWorld, probeWorld, ballRadius)));
   this->IsPressed = true;
+}
+
+// As the hand does that is drawn, from just above the place where the organ would stop it.
+DentedSurface::Ball YieldingSurface::BallAt(const Vector3& proxyWorld, const Vector3& probeWorld,
+                                            double ballRadius)
+{
+  constexpr double Above = 0.01; // mm
+  if (this->Hand == nullptr || this->HandRadius != ballRadius)
+  {
+    std::shared_ptr<const HarmonicSurface> surface;
+    const Status status =
+        HarmonicSurface::Make(std::make_shared<const SphericalHarmonicModel>(this->Model), surface);
+    if (!status.IsOk())
+    {
+      return {probeWorld, ballRadius, {}};
+    }
+    this->Hand = std::make_unique<ElasticTracker>(
+        surface, std::make_shared<const ComplianceAtlas>(*this->Compliance), ballRadius,
+        SurfaceFriction());
+    this->HandRadius = ballRadius;
+  }
+  const Vector3 out = (proxyWorld - probeWorld).normalized();
+  this->Hand->Release();
+  this->Hand->Follow({proxyWorld + Above * out, Eigen::Quaterniond::Identity()});
+  this->Hand->Follow({probeWorld, Eigen::Quaterniond::Identity()});
+  const PressedPlace* places = this->Hand->Places();
+  return {probeWorld, ballRadius, {places, places + this->Hand->PlaceCount()}};
 }
 
 void YieldingSurface::Release()

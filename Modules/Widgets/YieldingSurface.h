@@ -2,6 +2,7 @@
 
 #include "ComplianceMaps.h"
 #include "DentedSurface.h"
+#include "ElasticTracker.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
@@ -36,12 +37,17 @@ public:
   void MapStiffness(double ballRadius);
 
 private:
+  DentedSurface::Ball BallAt(const Vector3& proxyWorld, const Vector3& probeWorld,
+                             double ballRadius);
   void Move(const std::vector<Vector3>& points);
   std::vector<Vector3> NormalsOf(const std::vector<Vector3>& points) const;
 
   SphericalHarmonicModel Model;
   std::shared_ptr<const ComplianceMaps> Compliance;
   std::unique_ptr<DentedSurface> Dented; // null: its maps have no long waves
+  // Tells where a ball of the radius (mm) presses.
+  std::unique_ptr<ElasticTracker> Hand;
+  double HandRadius = 0.0;
   vtkSmartPointer<vtkPolyData> Drawn;
   std::vector<Vector3> Directions;
   std::vector<std::array<int, 3>> Triangles;

@@ -1,6 +1,9 @@
 #include "ContactTracker.h"
+#include "DentedSurface.h"
 #include "ElasticContactModel.h"
 #include "ElasticForce.h"
+#include "ElasticTracker.h"
+#include "IcosahedronDirections.h"
 #include "OrganSoftening.h"
 #include "SphericalHarmonicProjection.h"
 #include "ToolPose.h"
@@ -76,9 +79,16 @@ SphericalHarmonicModel NotchModel()
 }
 
 // Elements of 3 mm carry the harmonics that a cleft of that size needs.
-std::shared_ptr<const ContactModel> MakeNotch()
+struct Notch
 {
-  const auto model = std::make_shared<const SphericalHarmonicModel>(NotchModel());
+  std::shared_ptr<const SphericalHarmonicModel> Model;
+  ComplianceMaps Maps;
+  std::shared_ptr<const ContactModel> Contact;
+};
+
+Notch MakeNotch()
+{
+  Notch notch{std::make_shared<const SphericalHarmonicModel>(NotchModel()), {}, nullptr};
   const double tissue = Reference()["tissue_kpa"];
   const double bed = Reference()["bed_kpa_per_mm"];
   const ElasticSolid solid{TissueMap(1e-3 * tissue), Reference()["poisson_ratio"],
@@ -87,13 +97,17 @@ std::shared_ptr<const ContactModel> MakeNotch()
   softening.ElementsAcross = 12;
   softening.Degree = 20;
   softening.Maps.Degree = 20;
-  ComplianceMaps maps;
   OrganSoftening::Account account;
-  Status status = softening.Make(*model, solid, {}, maps, account);
+  Status status = softening.Make(*notch.Model, solid, {}, notch.Maps, account);
   EXPECT_TRUE(status.IsOk()) << status.Message();
-  std::shared_ptr<const ContactModel> notch;
-  status = ElasticContactModel::Make(model, maps, notch);
+  status = ElasticContactModel::Make(notch.Model, notch.Maps, notch.Contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
+  return notch;
+}
+
+const Notch& TheNotch()
+{
+  static const Notch notch = MakeNotch();
   return notch;
 }
 
@@ -103,8 +117,8 @@ class Hand
 public:
   explicit Hand(double ball)
   {
-    static const std::shared_ptr<const ContactModel> notch = MakeNotch();
-    const Status status = notch->MakeTracker(ToolShape::Sphere(ball), {}, this->Tracker);
+    const Status status =
+        TheNotch().Contact->MakeTracker(ToolShape::Sphere(ball), {}, this->Tracker);
     EXPECT_TRUE(status.IsOk()) << status.Message();
   }
 
@@ -119,6 +133,12 @@ public:
       this->MoveTo(place + height * Vector3::UnitZ());
     }
     return this->MoveTo(place);
+  }
+  // Where it presses.
+  std::vector<PressedPlace> Places() const
+  {
+    const auto& tracker = dynamic_cast<const ElasticTracker&>(*this->Tracker);
+    return {tracker.Places(), tracker.Places() + tracker.PlaceCount()};
   }
 
 private:
@@ -247,6 +267,46 @@ TEST(ElasticNotch, WallsPushAlike)
       const Vector3 other = Hand(ball).PressAt(Vector3(-aside, 0.5, height)).ForceWorld;
       EXPECT_LE((Vector3(-one.x(), one.y(), one.z()) - other).norm(), 1e-3 * one.norm())
           << ball << " mm, " << aside << " mm aside";
+    }
+  }
+}
+
+// Of vertices that lie mirrored at the cleft.
+TEST(ElasticNotch, BothWallsAreDrawnOnTheBall)
+{
+  constexpr double Depth = 2.0;
+  constexpr double Close = 0.05; // mm
+  const IcosahedronDirections mesh(40);
+  std::vector<Vector3> directions = mesh.Directions();
+  for (const Vector3& direction : mesh.Directions())
+  {
+    directions.emplace_back(-direction.x(), direction.y(), direction.z());
+  }
+  const DentedSurface surface(*TheNotch().Model, TheNotch().Maps, directions);
+  for (const double ball : {4.0, 8.0})
+  {
+    const Vector3 center(0.0, 0.0, TouchingHeight(ball) - Depth);
+    Hand hand(ball);
+    hand.PressAt(center);
+    ASSERT_EQ(hand.Places().size(), 2U);
+    const auto points = surface.PointsWorld({center, ball, hand.Places()});
+    const std::size_t half = mesh.Directions().size();
+    double farthest = 0.0; // that a vertex moves
+    for (std::size_t i = 0; i < half; ++i)
+    {
+      const Vector3& other = points[half + i];
+      EXPECT_LT((points[i] - Vector3(-other.x(), other.y(), other.z())).norm(), Close);
+      EXPECT_GT((points[i] - center).norm(), ball - 1e-9);
+      farthest = std::max(farthest, (points[i] - surface.RestWorld()[i]).norm());
+    }
+    EXPECT_GT(farthest, 0.5 * Depth);
+    for (const auto& [a, b, c] : mesh.Triangles())
+    {
+      const Vector3 middle =
+          (points[static_cast<std::size_t>(a)] + points[static_cast<std::size_t>(b)] +
+           points[static_cast<std::size_t>(c)]) /
+          3.0;
+      EXPECT_GT((middle - center).norm(), ball - 0.1);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "DentedSurface.h"
 #include "ElasticCases.h"
+#include "ElasticForce.h"
 #include "GaussLegendre.h"
 #include "IcosahedronDirections.h"
 
@@ -83,6 +84,11 @@ struct DrawnSphere
         std::make_unique<DentedSurface>(sphere.Model, this->Maps, this->Mesh.Directions());
   }
 
+  std::vector<Vector3> PressedAt(const Vector3& direction, double depth, double ball) const
+  {
+    return this->Surface->PointsWorld(this->Surface->PressedAt(direction, depth, ball));
+  }
+
   IcosahedronDirections Mesh;
   ComplianceMaps Maps;
   std::unique_ptr<DentedSurface> Surface;
@@ -113,7 +119,7 @@ TEST(DentedSurface, IsThatOfTheExactSphere)
       const ElasticForce force = ElasticForce::Of(
           ComplianceAtlas(drawn.Maps), test::SphereCase(core).Model, Vector3::UnitZ(), depth, Ball);
       const ExactDent exact(test::SphereTruth(core), force.ForceWorld.z(), force.PatchRadius);
-      const auto points = drawn.Surface->PointsWorld({Vector3::UnitZ(), depth, Ball});
+      const auto points = drawn.PressedAt(Vector3::UnitZ(), depth, Ball);
       double square = 0.0;
       for (std::size_t i = 0; i < points.size(); ++i)
       {
@@ -134,7 +140,7 @@ TEST(DentedSurface, KeepsOutOfTheBall)
   for (const double ball : {4.0, 8.0})
   {
     const Vector3 direction = Vector3(1.0, -2.0, 2.0).normalized();
-    const auto points = drawn.Surface->PointsWorld({direction, 0.5 * ball, ball});
+    const auto points = drawn.PressedAt(direction, 0.5 * ball, ball);
     const Vector3 center = drawn.Center + (test::Radius + 0.5 * ball) * direction;
     for (const auto& triangle : drawn.Mesh.Triangles())
     {
@@ -153,8 +159,8 @@ TEST(DentedSurface, KeepsOutOfTheBall)
 TEST(DentedSurface, RestsWithoutDepth)
 {
   const DrawnSphere drawn(CoarseSphere(), 6);
-  EXPECT_EQ(drawn.Surface->PointsWorld({Vector3::UnitX(), 0.0, 8.0}), drawn.Surface->RestWorld());
-  EXPECT_EQ(drawn.Surface->PointsWorld({Vector3::UnitX(), -1.0, 8.0}), drawn.Surface->RestWorld());
+  EXPECT_EQ(drawn.PressedAt(Vector3::UnitX(), 0.0, 8.0), drawn.Surface->RestWorld());
+  EXPECT_EQ(drawn.PressedAt(Vector3::UnitX(), -1.0, 8.0), drawn.Surface->RestWorld());
 }
 
 TEST(PackedCompliance, IsWithinHalfAThousandth)

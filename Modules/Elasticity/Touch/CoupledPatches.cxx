@@ -61,6 +61,15 @@ public:
     }
   }
 
+  void Tell(PressedPlace* places) const noexcept
+  {
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      places[i] = {this->Patches[i].Point().normalized(), this->ForceOf(i),
+                   this->Patches[i].Contact().PatchRadius};
+    }
+  }
+
   ElasticForce Sum() const noexcept
   {
     ElasticForce sum;
@@ -155,11 +164,15 @@ private:
 
 ElasticForce CoupledPatches::Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
                                 const Wall* walls, std::size_t count, double ballRadius,
-                                const Hold& hold) noexcept
+                                const Hold& hold, PressedPlace* places) noexcept
 {
   constexpr double MostLateral = 0.5; // of the push
   Solver solver(atlas, model, walls, count, ballRadius);
   solver.Solve();
+  if (places != nullptr)
+  {
+    solver.Tell(places);
+  }
   ElasticForce force = solver.Sum();
   const Vector3 lateral = -(hold.Motion * solver.SlopeByHeldPlace(hold.Push));
   const double size = lateral.norm();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ElasticForce.h"
+#include "PressedPlace.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -42,10 +43,11 @@ public:
   };
 
   /// PatchRadius is the largest patch's; Slope is that along the force. Of walls above MostWalls
-  /// the last are left out. Does not allocate.
+  /// the last are left out. `places`, if not null, gets a place for each wall, in any order. Does
+  /// not allocate.
   static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-                         const Wall* walls, std::size_t count, double ballRadius,
-                         const Hold& hold) noexcept;
+                         const Wall* walls, std::size_t count, double ballRadius, const Hold& hold,
+                         PressedPlace* places = nullptr) noexcept;
   /// For walls that stay wherever the ball goes.
   static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
                          const Wall* walls, std::size_t count, double ballRadius) noexcept

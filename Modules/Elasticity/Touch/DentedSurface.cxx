@@ -1,5 +1,6 @@
 #include "DentedSurface.h"
 
+#include "ElasticForce.h"
 #include "GaussLegendre.h"
 #include "HertzPatch.h"
 #include "SphericalHarmonicBasis.h"
@@ -83,6 +84,28 @@ double MeanHertzDent(double radius)
 {
   return 0.6 / radius;
 }
+
+// Downwards, as the surface is pressed at the place below that point of the ball, so that no vertex
+// comes out on the other side.
+void KeepOut(const DentedSurface::Ball& ball, const std::vector<Vector3>& normals,
+             std::vector<Vector3>& points)
+{
+  for (Vector3& point : points)
+  {
+    const Vector3 from = point - ball.CenterWorld;
+    if (normals.empty() || !(from.norm() < ball.Radius))
+    {
+      continue;
+    }
+    const Vector3& normal = *std::min_element(normals.begin(), normals.end(),
+                                              [&](const Vector3& a, const Vector3& b)
+                                              { return from.dot(a) < from.dot(b); });
+    const double along = from.dot(normal);
+    const double aside = from.squaredNorm() - along * along;
+    const double low = -std::sqrt(std::max(0.0, ball.Radius * ball.Radius - aside));
+    point += (low - along) * normal;
+  }
+}
 } // namespace
 
 DentedSurface::DentedSurface(const SphericalHarmonicModel& model, const ComplianceMaps& maps,
@@ -133,47 +156,45 @@ std::vector<double> DentedSurface::Dents(const HertzPatch& patch, double force) 
   return dents;
 }
 
-void DentedSurface::KeepOut(const Ball& ball, const HertzPatch& patch,
-                            std::vector<Vector3>& points) const
+HertzPatch DentedSurface::PatchAt(const Vector3& direction, double patchRadius) const
 {
-  const Vector3 center =
-      this->Model.CenterWorld() + patch.Point + (ball.Radius - ball.Depth) * patch.Normal;
-  for (Vector3& point : points)
-  {
-    const Vector3 from = point - center;
-    const double distance = from.norm();
-    if (distance < ball.Radius)
-    {
-      // Downwards, as the surface is pressed, so that no vertex comes out on the other side.
-      const double along = from.dot(patch.Normal);
-      const double aside = from.squaredNorm() - along * along;
-      const double low = -std::sqrt(std::max(0.0, ball.Radius * ball.Radius - aside));
-      point += (low - along) * patch.Normal;
-    }
-  }
+  const auto sample = this->Model.EvaluateSecondOrder(direction);
+  const Vector3 normal = (sample.Radius * direction - sample.SurfaceGradient).normalized();
+  return {sample.Radius * direction, normal, patchRadius, CurvatureAt(direction, sample).Mean};
+}
+
+DentedSurface::Ball DentedSurface::PressedAt(const Vector3& direction, double depth,
+                                             double ballRadius) const
+{
+  const ElasticForce force =
+      ElasticForce::Of(this->Atlas, this->Model, direction, depth, ballRadius);
+  const HertzPatch patch = this->PatchAt(direction, force.PatchRadius);
+  return {this->Model.CenterWorld() + patch.Point + (ballRadius - depth) * patch.Normal,
+          ballRadius,
+          {{direction, force.ForceWorld.dot(patch.Normal), force.PatchRadius}}};
 }
 
 std::vector<Vector3> DentedSurface::PointsWorld(const Ball& ball) const
 {
-  const ElasticForce force =
-      ElasticForce::Of(this->Atlas, this->Model, ball.Direction, ball.Depth, ball.Radius);
   std::vector<Vector3> points = this->Rest;
-  if (!(force.PatchRadius > 0.0))
+  std::vector<Vector3> normals;
+  for (const PressedPlace& place : ball.Places)
   {
-    return points;
+    if (!(place.PatchRadius > 0.0) || !(place.Force > 0.0))
+    {
+      continue;
+    }
+    const HertzPatch patch = this->PatchAt(place.Direction, place.PatchRadius);
+    const Eigen::MatrixX3d moved =
+        this->Harmonics * (place.Force * this->LongWaves.Displacement(patch));
+    const std::vector<double> dents = this->Dents(patch, place.Force);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      points[i] += moved.row(static_cast<Eigen::Index>(i)).transpose() - dents[i] * patch.Normal;
+    }
+    normals.push_back(patch.Normal);
   }
-  const auto sample = this->Model.EvaluateSecondOrder(ball.Direction);
-  const Vector3 normal = (sample.Radius * ball.Direction - sample.SurfaceGradient).normalized();
-  const HertzPatch patch{sample.Radius * ball.Direction, normal, force.PatchRadius,
-                         CurvatureAt(ball.Direction, sample).Mean};
-  const double push = force.ForceWorld.dot(normal);
-  const Eigen::MatrixX3d moved = this->Harmonics * (push * this->LongWaves.Displacement(patch));
-  const std::vector<double> dents = this->Dents(patch, push);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    points[i] += moved.row(static_cast<Eigen::Index>(i)).transpose() - dents[i] * normal;
-  }
-  this->KeepOut(ball, patch, points);
+  KeepOut(ball, normals, points);
   return points;
 }
 } // namespace palpate

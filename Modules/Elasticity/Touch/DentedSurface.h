@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ComplianceAtlas.h"
-#include "ElasticForce.h"
+#include "PressedPlace.h"
 #include "ReducedCompliance.h"
 #include "SphericalHarmonicModel.h"
 #include "Vector3.h"
@@ -13,7 +13,7 @@
 
 namespace palpate
 {
-/// The surface of an organ with the dent of a ball that is pressed into it, for pictures: long
+/// The surface of an organ with the dents of a ball that is pressed into it, for pictures: long
 /// waves by the reduced compliance, the rest as of a half-space under a Hertz bump (Johnson,
 /// Contact Mechanics, 1985, section 3.4) whose modulus makes its compliance that of the place.
 /// Immutable; queries allocate.
@@ -25,23 +25,25 @@ public:
   DentedSurface(const SphericalHarmonicModel& model, const ComplianceMaps& maps,
                 const std::vector<Vector3>& directions);
 
-  /// What presses: the nearest point of the undeformed surface in the unit vector Direction, and
-  /// the depth (mm) of a ball of Radius (mm) there.
+  /// What presses, and where it does: on both walls of a notch, for example.
   struct Ball
   {
-    Vector3 Direction;
-    double Depth;
-    double Radius;
+    Vector3 CenterWorld; ///< mm
+    double Radius;       ///< mm
+    std::vector<PressedPlace> Places;
   };
 
+  /// A ball of this radius (mm), this deep (mm) at the nearest point of the undeformed surface, in
+  /// the unit vector `direction`.
+  Ball PressedAt(const Vector3& direction, double depth, double ballRadius) const;
   /// Where the vertices are (mm, world), at most on the ball's surface: none is inside.
   std::vector<Vector3> PointsWorld(const Ball& ball) const;
   /// Where they are without a ball.
   const std::vector<Vector3>& RestWorld() const noexcept { return this->Rest; }
 
 private:
+  HertzPatch PatchAt(const Vector3& direction, double patchRadius) const;
   std::vector<double> Dents(const HertzPatch& patch, double force) const;
-  void KeepOut(const Ball& ball, const HertzPatch& patch, std::vector<Vector3>& points) const;
 
   SphericalHarmonicModel Model;
   ComplianceAtlas Atlas;

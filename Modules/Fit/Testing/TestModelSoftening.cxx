@@ -5,7 +5,9 @@
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ParametricPhantoms.h"
+#include "SphericalHarmonicProjection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -84,6 +86,30 @@ TEST(ModelSoftening, TellsWhatIsInTheModel)
   EXPECT_FALSE(made.Inclusions.back().IsInside());
   ASSERT_EQ(made.Warnings().size(), 1U);
   EXPECT_NE(made.Warnings().front().find("lesion.nii.gz lies outside"), std::string::npos);
+}
+
+TEST(ModelSoftening, TellsOfASharpHollow)
+{
+  // A ball with a hole of this depth and angle.
+  const auto holed = [](double depth, double angle)
+  {
+    constexpr int Degree = 12;
+    const auto radius = [=](const Vector3& direction)
+    {
+      const double part = std::acos(std::clamp(direction.z(), -1.0, 1.0)) / angle;
+      return 20.0 - depth * std::exp(-part * part);
+    };
+    return SphericalHarmonicModel(Degree, ProjectOnHarmonics(Degree, 4 * Degree, radius),
+                                  Vector3::Zero());
+  };
+  SofteningSettings settings = Quick();
+  const auto warnings = SoftenModel(holed(5.0, 0.3), "holed", settings, GoOn).Warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings.front().find("hollow with a radius of"), std::string::npos);
+  EXPECT_TRUE(SoftenModel(holed(1.0, 0.5), "flat", settings, GoOn).Warnings().empty());
+  settings.Numbers.ElementsAcross = 10;
+  settings.Numbers.Degree = 20;
+  EXPECT_TRUE(SoftenModel(holed(5.0, 0.3), "holed", settings, GoOn).Warnings().empty());
 }
 
 // Beyond x0 (mm); the ball's surface is at 14 mm.

@@ -34,6 +34,7 @@ void ElasticTracker::Release() noexcept
 void ElasticTracker::LetGo() noexcept
 {
   this->PatchRadius = 0.0;
+  this->PressedCount = 0;
   this->Shear.setZero();
   this->ShearStiffness = 0.0;
   this->IsSlipping = false;
@@ -88,16 +89,18 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
     this->PressOne(probe);
     return;
   }
+  this->PressedCount = 0;
   const double part = this->Distinctness(probe);
   if (part < 1.0)
   {
     this->PressOne(probe);
+    this->Pressed[0].Force *= 1.0 - part;
   }
   if (part > 0.0)
   {
     const ElasticForce one = this->Push;
     ElasticForce& force = this->Push;
-    force = this->ForceOfWalls(probe);
+    force = this->PressWalls(probe, part);
     force.ForceWorld = part * force.ForceWorld + (1.0 - part) * one.ForceWorld;
     force.Energy = part * force.Energy + (1.0 - part) * one.Energy;
     force.Slope = part * force.Slope + (1.0 - part) * one.Slope;
@@ -105,7 +108,8 @@ void ElasticTracker::Press(const Vector3& probe) noexcept
   }
 }
 
-ElasticForce ElasticTracker::ForceOfWalls(const Vector3& probe) const noexcept
+// The places get this part of their forces.
+ElasticForce ElasticTracker::PressWalls(const Vector3& probe, double part) noexcept
 {
   const ElasticHold hold(*this->Surface, this->ToolRadius, this->Rigid.Walls(),
                          this->Rigid.WallCount(), probe, this->Felt.ProxyWorld);
@@ -119,8 +123,16 @@ ElasticForce ElasticTracker::ForceOfWalls(const Vector3& probe) const noexcept
       walls[count++] = {wall.Direction, hold.DepthIn(wall), hold.GapTo(wall)};
     }
   }
-  return CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
-                            this->ToolRadius, {hold.CenterWorld() - probe, hold.Motion()});
+  PressedPlace* const places = this->Pressed.data() + this->PressedCount;
+  const ElasticForce force =
+      CoupledPatches::Of(*this->Atlas, this->Surface->Model(), walls.data(), count,
+                         this->ToolRadius, {hold.CenterWorld() - probe, hold.Motion()}, places);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    places[i].Force *= part;
+  }
+  this->PressedCount += count;
+  return force;
 }
 
 // Between the ball at the proxy and a wall (mm): 0 if it touches, or if the wall is tracked at the
@@ -144,6 +156,7 @@ void ElasticTracker::PressOne(const Vector3& probe) noexcept
                                                { return pressedBy(a) < pressedBy(b); });
   const double along = push.dot(wall.Normal);
   ElasticForce& force = this->Push;
+  this->PressedCount = 0;
   if (!(pressedBy(wall) > 0.0))
   {
     return;
@@ -152,6 +165,8 @@ void ElasticTracker::PressOne(const Vector3& probe) noexcept
   force = ElasticForce::Of(*this->Atlas, this->Surface->Model(), wall.Direction, depth,
                            this->ToolRadius, this->PatchRadius);
   this->PatchRadius = force.PatchRadius;
+  this->Pressed[0] = {wall.Direction, force.ForceWorld.dot(wall.Normal), force.PatchRadius};
+  this->PressedCount = 1;
   if (along < (1.0 - Alone) * this->Felt.Depth)
   {
     force.ForceWorld = force.ForceWorld.dot(wall.Normal) / this->Felt.Depth * push;

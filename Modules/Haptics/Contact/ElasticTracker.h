@@ -5,7 +5,9 @@
 #include "CoupledPatches.h"
 #include "ElasticForce.h"
 #include "HarmonicNearestTracker.h"
+#include "PressedPlace.h"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 
@@ -31,13 +33,16 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override;
+  /// Where the ball presses the organ since the last tick, for pictures of its dent.
+  const PressedPlace* Places() const noexcept { return this->Pressed.data(); }
+  std::size_t PlaceCount() const noexcept { return this->PressedCount; }
   std::size_t Bytes() const noexcept override { return sizeof(*this) + this->Rigid.Bytes(); }
 
 private:
   void Press(const Vector3& probe) noexcept;
   void PressOne(const Vector3& probe) noexcept;
   double Distinctness(const Vector3& probe) const noexcept;
-  ElasticForce ForceOfWalls(const Vector3& probe) const noexcept;
+  ElasticForce PressWalls(const Vector3& probe, double part) noexcept;
   double GapTo(const ClosestPoint& wall) const noexcept;
   void Rub(const Vector3& probe) noexcept;
   void LetGo() noexcept;
@@ -50,6 +55,8 @@ private:
 
   Contact Felt;
   ElasticForce Push;
+  std::array<PressedPlace, CoupledPatches::MostWalls + 1> Pressed;
+  std::size_t PressedCount = 0;
   double PatchRadius = 0.0;        // mm, of the last tick
   Vector3 Shear = Vector3::Zero(); // friction, N
   double ShearStiffness = 0.0;     // N/mm; 0 without contact
