@@ -30,13 +30,6 @@ ElasticContactModel::ElasticContactModel(std::shared_ptr<const HarmonicSurface> 
 {
 }
 
-Eigen::AlignedBox3d ElasticContactModel::BoundsWorld() const noexcept
-{
-  const Vector3& center = this->Surface->Model().CenterWorld();
-  const Vector3 reach = Vector3::Constant(this->Surface->LargestRadius());
-  return {center - reach, center + reach};
-}
-
 std::size_t ElasticContactModel::Bytes() const noexcept
 {
   return this->Surface->Bytes() + this->Atlas->Bytes();

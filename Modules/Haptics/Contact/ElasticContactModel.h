@@ -18,7 +18,7 @@ public:
   static Status Make(std::shared_ptr<const SphericalHarmonicModel> model,
                      const ComplianceMaps& maps, std::shared_ptr<const ContactModel>& contact);
 
-  Eigen::AlignedBox3d BoundsWorld() const noexcept override;
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Surface->BoundsWorld(); }
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
   double OwnStiffness(const ToolShape& tool) const override;

@@ -27,13 +27,6 @@ HarmonicContactModel::HarmonicContactModel(std::shared_ptr<const HarmonicSurface
 {
 }
 
-Eigen::AlignedBox3d HarmonicContactModel::BoundsWorld() const noexcept
-{
-  const Vector3& center = this->Surface->Model().CenterWorld();
-  const Vector3 reach = Vector3::Constant(this->Surface->LargestRadius());
-  return {center - reach, center + reach};
-}
-
 std::size_t HarmonicContactModel::Bytes() const noexcept
 {
   return this->Surface->Bytes();

@@ -3,6 +3,8 @@
 #include "ClosestPointSearch.h"
 #include "Status.h"
 
+#include <Eigen/Geometry>
+
 #include <cstddef>
 #include <memory>
 
@@ -36,6 +38,11 @@ public:
   /// Bounds of the radius, mm.
   double SmallestRadius() const noexcept { return this->Smallest; }
   double LargestRadius() const noexcept { return this->Largest; }
+  Eigen::AlignedBox3d BoundsWorld() const noexcept
+  {
+    const Vector3 reach = Vector3::Constant(this->Largest);
+    return {this->Model().CenterWorld() - reach, this->Model().CenterWorld() + reach};
+  }
   /// Rounding error of a distance near the surface, mm.
   double Rounding() const noexcept
   {
