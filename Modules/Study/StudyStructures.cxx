@@ -2,6 +2,7 @@
 
 #include "FitStructure.h"
 #include "SegmentColor.h"
+#include "StructureColor.h"
 #include "Study.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ SceneStructure StructureOf(const Segment& segment, const std::filesystem::path& 
   structure.Name = segment.Name;
   structure.File = file;
   structure.Labels = {std::to_string(segment.Label)};
-  structure.Color = segment.Color;
+  structure.Color = StructureColor(segment.Color, segment.Label);
   structure.Representation = TouchRepresentation::ModelOrField;
   structure.Degree = degree;
   structure.IsVisible = isShown;
