@@ -222,6 +222,21 @@ void vtkSliceView::Pan(double right, double up)
   this->Modified();
 }
 
+void vtkSliceView::ShowPoint(const double world[3])
+{
+  const SlicePosition position = this->GetPosition();
+  const palpate::ViewFrame& frame = position.Frame;
+  const Vector3 offset = Vector3(world) - position.CenterWorld;
+  const double right = offset.dot(frame.RightWorld);
+  const double up = offset.dot(frame.UpWorld);
+  const double half = 0.5 * position.PixelMillimeters;
+  if (std::abs(right) > half * position.Width || std::abs(up) > half * position.Height)
+  {
+    this->Inner->Center += right * frame.RightWorld + up * frame.UpWorld;
+    this->Modified();
+  }
+}
+
 void vtkSliceView::DisplayToWorld(double x, double y, double world[3])
 {
   const SlicePosition position = this->GetPosition();

@@ -59,6 +59,8 @@ public:
   void Zoom(double factor, double x, double y);
   /** Moves the contents by pixels to the right and up. */
   void Pan(double right, double up);
+  /** Centres a point (world, mm) if it lies beyond the view's edges. */
+  void ShowPoint(const double world[3]);
   /** mm per pixel. */
   double GetPixelMillimeters();
 

@@ -288,6 +288,17 @@ TEST_F(vtkSliceViewTest, ZoomKeepsPointUnderPointerAndPanMovesIt)
   EXPECT_NEAR((this->WorldAt(43.0, 40.0) - before).norm(), 0.0, 1e-11);
 }
 
+TEST_F(vtkSliceViewTest, CentresAPointThatIsOutOfView)
+{
+  this->Draw();
+  const Vector3 before = this->View->GetPosition().CenterWorld;
+  this->View->ShowPoint(this->WorldAt(40.0, 30.0).data());
+  EXPECT_EQ(this->View->GetPosition().CenterWorld, before) << "it is in view";
+  const Vector3 outside = this->WorldAt(-20.0, 50.0);
+  this->View->ShowPoint(outside.data());
+  EXPECT_NEAR((this->View->GetPosition().CenterWorld - outside).norm(), 0.0, 1e-9);
+}
+
 TEST_F(vtkSliceViewTest, ScrollsVolumeSlicesAndStopsAtEnds)
 {
   const ImageAxes axes(this->Image);
