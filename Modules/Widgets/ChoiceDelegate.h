@@ -5,7 +5,8 @@
 
 namespace palpate
 {
-/// Edits a cell that holds the number of one of a few choices.
+/// A cell that holds the number of one of a few choices. It looks like a combo box, and its list
+/// opens as soon as it is edited.
 class ChoiceDelegate : public QStyledItemDelegate
 {
   Q_OBJECT
@@ -16,6 +17,8 @@ public:
   {
   }
 
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override;
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                         const QModelIndex& index) const override;
   void setEditorData(QWidget* editor, const QModelIndex& index) const override;
@@ -23,6 +26,8 @@ public:
                     const QModelIndex& index) const override;
 
 private:
+  void Take();
+
   QStringList Choices;
 };
 } // namespace palpate

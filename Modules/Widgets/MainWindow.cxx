@@ -6,6 +6,7 @@
 #include "PlotsPanel.h"
 #include "ReplayBar.h"
 #include "ScreenString.h"
+#include "StructureLink.h"
 #include "StructuresPanel.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
@@ -159,6 +160,9 @@ void MainWindow::ConnectViews()
           { this->Shown.Crosshair()->SetPositionWorld(place.data()); });
   this->Shown.Crosshair()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
+  new StructureLink(
+      *this->findChild<StructuresPanel*>(), this->Shown, *this->Grid,
+      [this] { return !this->Marks->IsAdding(); }, this);
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
   connect(this->Touching, &TouchMenu::WorkspaceMoved, link, &TouchLink::MoveWorkspace);

@@ -29,6 +29,8 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
           [this](double x, double y) { Q_EMIT PointedAt(this->PointAt(x, y)); });
   connect(this, &ViewPane::Clicked, this,
           [this](double x, double y) { Q_EMIT ClickedAt(this->PointAt(x, y)); });
+  connect(this, &ViewPane::Tapped, this,
+          [this](double x, double y) { Q_EMIT TappedAt(this->PointAt(x, y)); });
 }
 
 Vector3 SlicePane::PointAt(double x, double y) const
@@ -36,6 +38,12 @@ Vector3 SlicePane::PointAt(double x, double y) const
   Vector3 point;
   this->Slice->DisplayToWorld(x, y, point.data());
   return point;
+}
+
+void SlicePane::ShowPlace(const Vector3& pointWorld)
+{
+  this->Slice->ShowPoint(pointWorld.data());
+  this->RequestRender();
 }
 
 void SlicePane::FitToImage()

@@ -22,11 +22,15 @@ public:
   /// See vtkInteractorStyleSlice::LeftButtonModes.
   void SetLeftButtonMode(int mode) { this->Style->SetLeftButtonMode(mode); }
   void FitToImage();
+  /// See vtkSliceView::ShowPoint.
+  void ShowPlace(const Vector3& pointWorld);
 
 Q_SIGNALS:
   /// The point under the pointer (world, mm).
   void PointedAt(const Vector3& pointWorld);
   void ClickedAt(const Vector3& pointWorld);
+  /// See Tapped.
+  void TappedAt(const Vector3& pointWorld);
 
 private:
   void ChooseSlice(int number);

@@ -6,6 +6,9 @@
 #include <QColor>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace palpate
 {
@@ -13,21 +16,28 @@ namespace
 {
 constexpr double SlipShare = 0.8; // of the static coefficient, as in the command line
 
+QColor ColorOf(const SceneStructure& structure)
+{
+  return QColor::fromRgbF(structure.Color[0], structure.Color[1], structure.Color[2]);
+}
+
+int PercentOf(const SceneStructure& structure)
+{
+  return static_cast<int>(std::lround(100.0 * structure.Opacity));
+}
+
+// A number, or a dash.
+QString NumberText(const std::optional<double>& number, int decimals)
+{
+  return number ? QString::number(*number, 'f', decimals) : QString("\u2013");
+}
+
 // Writes a cell into a structure, and returns the change's description; empty if the cell cannot be
 // written.
 QString Write(SceneStructure& structure, int column, const QVariant& value)
 {
   switch (column)
   {
-  case StructureTableModel::NameColumn:
-    structure.Name = value.toString().toStdString();
-    return "name " + value.toString();
-  case StructureTableModel::ColorColumn:
-  {
-    const auto color = value.value<QColor>();
-    structure.Color = {{color.redF(), color.greenF(), color.blueF()}};
-    return "colour";
-  }
   case StructureTableModel::AppearanceColumn:
     structure.Appearance = static_cast<SceneAppearance>(value.toInt());
     return QString("shown as ") + NameOf(structure.Appearance);
@@ -45,20 +55,20 @@ QString Write(SceneStructure& structure, int column, const QVariant& value)
     structure.Friction.Static = std::clamp(value.toDouble(), 0.0, 10.0);
     structure.Friction.Dynamic = SlipShare * structure.Friction.Static;
     return QString("friction %1").arg(structure.Friction.Static);
+  case StructureTableModel::NameColumn:
+  {
+    // An editor that is left as it was must not name a structure after its label.
+    const QString name = value.toString().trimmed();
+    if (name.isEmpty() || name == ScreenString(TitleOf(structure)))
+    {
+      return {};
+    }
+    structure.Name = name.toStdString();
+    return "name " + name;
+  }
   default:
     return {};
   }
-}
-
-QString Check(SceneStructure& structure, int column, bool isOn)
-{
-  if (column == StructureTableModel::VisibleColumn)
-  {
-    structure.IsVisible = isOn;
-    return isOn ? "Show" : "Hide";
-  }
-  structure.IsTouchable = isOn;
-  return isOn ? "Make touchable" : "Make untouchable";
 }
 } // namespace
 
@@ -83,7 +93,7 @@ QStringList StructureTableModel::RepresentationNames()
 }
 
 StructureTableModel::StructureTableModel(StudyController& study, QObject* parent)
-    : QAbstractTableModel(parent), Study(study)
+    : QAbstractTableModel(parent), Study(study), Edits(study)
 {
   connect(&study, &StudyController::StateChanged, this, &StructureTableModel::TakeState);
   connect(&study, &StudyController::ProductsChanged, this, &StructureTableModel::TakeState);
@@ -92,26 +102,91 @@ StructureTableModel::StructureTableModel(StudyController& study, QObject* parent
 
 void StructureTableModel::TakeState()
 {
-  const int rows = static_cast<int>(this->Study.State().Structures.size());
-  if (rows != this->Rows)
+  std::vector<Row> next;
+  for (const SceneStructure& structure : this->Study.State().Structures)
+  {
+    next.push_back({structure, this->MadeOf(structure)});
+  }
+  const bool areSame =
+      std::equal(next.begin(), next.end(), this->Rows.begin(), this->Rows.end(),
+                 [](const Row& a, const Row& b) { return a.Structure.Id == b.Structure.Id; });
+  if (!areSame)
   {
     this->beginResetModel();
-    this->Rows = rows;
+    this->Rows = std::move(next);
     this->endResetModel();
+    return;
   }
-  else if (rows > 0)
+  this->Rows.swap(next);
+  this->TellRows(next, 0, ColumnCount - 1,
+                 [](const Row& a, const Row& b) { return a.Structure == b.Structure; });
+  // Separately, since telling a cell replaces what the user is typing into it.
+  this->TellRows(next, RepresentationColumn, RepresentationColumn,
+                 [](const Row& a, const Row& b)
+                 {
+                   return a.Products.Representation == b.Products.Representation &&
+                          a.Products.Represented == b.Products.Represented;
+                 });
+  this->TellRows(next, StiffnessColumn, StiffnessColumn,
+                 [](const Row& a, const Row& b) { return a.Products.Yields == b.Products.Yields; });
+  this->TellRows(next, QualityColumn, CostColumn,
+                 [](const Row& a, const Row& b) {
+                   return a.Products.Error == b.Products.Error &&
+                          a.Products.Tick == b.Products.Tick;
+                 });
+}
+
+// Tells views of all rows that differ by one signal.
+void StructureTableModel::TellRows(
+    const std::vector<Row>& before, int firstColumn, int lastColumn,
+    const std::function<bool(const Row& before, const Row& now)>& isSame)
+{
+  int first = -1;
+  int last = -1;
+  for (std::size_t r = 0; r < before.size(); ++r)
   {
-    Q_EMIT dataChanged(this->index(0, 0), this->index(rows - 1, ColumnCount - 1));
+    if (!isSame(before[r], this->Rows[r]))
+    {
+      first = first < 0 ? static_cast<int>(r) : first;
+      last = static_cast<int>(r);
+    }
   }
+  if (first >= 0)
+  {
+    Q_EMIT dataChanged(this->index(first, firstColumn), this->index(last, lastColumn));
+  }
+}
+
+StructureTableModel::Made StructureTableModel::MadeOf(const SceneStructure& structure) const
+{
+  const StudyPipeline& pipeline = this->Study.Current().Pipeline();
+  const auto contact = pipeline.Newest<TouchContact>(SceneStep::Touch, structure.Id);
+  const auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
+  const auto cost = pipeline.Newest<TouchCost>(SceneStep::Cost, structure.Id);
+  Made made;
+  made.Representation = QString::fromStdString(palpate::RepresentationOf(structure).Label);
+  if (contact != nullptr)
+  {
+    const bool isReplaced =
+        structure.Representation == TouchRepresentation::ModelOrField && contact->Field != nullptr;
+    made.Representation += isReplaced ? ": sub-voxel" : "";
+    made.Represented = PlainToolTip(ScreenString(contact->Represented));
+    made.Yields = contact->Yields;
+  }
+  if (model != nullptr && model->State == FitResult::Outcome::Fitted)
+  {
+    made.Error = model->ModelToInput().Mean;
+  }
+  if (cost != nullptr && cost->Ticks > 0)
+  {
+    made.Tick = 1e-3 * cost->MedianNanoseconds;
+  }
+  return made;
 }
 
 int StructureTableModel::rowCount(const QModelIndex& parent) const
 {
-  // A change of the study is announced within the same turn of the event loop; until then, the
-  // smaller number of rows is valid.
-  return parent.isValid()
-             ? 0
-             : std::min(this->Rows, static_cast<int>(this->Study.State().Structures.size()));
+  return parent.isValid() ? 0 : static_cast<int>(this->Rows.size());
 }
 
 int StructureTableModel::columnCount(const QModelIndex& parent) const
@@ -121,14 +196,15 @@ int StructureTableModel::columnCount(const QModelIndex& parent) const
 
 QVariant StructureTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-  static const QStringList Titles{"Structure",  "Colour",      "Visible",      "Touchable",
-                                  "Display as", "Touch model", "Degree",       "N/mm",
-                                  "Friction",   "Error, mm",   "Tick, \u00B5s"};
+  static const QStringList Titles{"Visible",   "Touchable",  "Colour",      "Opacity",
+                                  "Structure", "Display as", "Touch model", "Degree",
+                                  "N/mm",      "Friction",   "Error, mm",   "Tick, \u00B5s"};
   static const QStringList Tips{
-      "Name",
-      "Colour",
-      "Whether the structure is displayed",
-      "Whether the structure can be touched",
+      "Whether the structure is displayed; of a selected row, all selected ones",
+      "Whether the structure can be touched; of a selected row, all selected ones",
+      "Colour; double click to change it",
+      "In 3-D and over the slices; drag over the cell to change it, double click to type it",
+      "Name; F2 to change it",
       "Automatic: as the touch model",
       "Automatic: harmonics for models, facets for surfaces, the sub-voxel field for voxels; model "
       "or field: harmonics if they fit, otherwise the field",
@@ -146,112 +222,109 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
                                    : QVariant();
 }
 
-const SceneStructure& StructureTableModel::StructureAt(const QModelIndex& index) const
-{
-  return this->Study.State().Structures.at(static_cast<std::size_t>(index.row()));
-}
-
-QVariant StructureTableModel::QualityOf(const SceneStructure& structure) const
-{
-  const auto model =
-      this->Study.Current().Pipeline().Newest<FitResult>(SceneStep::Model, structure.Id);
-  return model != nullptr && model->State == FitResult::Outcome::Fitted
-             ? QString::number(model->ModelToInput().Mean, 'f', 3)
-             : QString("\u2013");
-}
-
-QVariant StructureTableModel::CostOf(const SceneStructure& structure) const
-{
-  const auto cost =
-      this->Study.Current().Pipeline().Newest<TouchCost>(SceneStep::Cost, structure.Id);
-  return cost != nullptr && cost->Ticks > 0
-             ? QString::number(1e-3 * cost->MedianNanoseconds, 'f', 2)
-             : QString("\u2013");
-}
-
-// Includes the replacement if harmonics were refused.
-QString StructureTableModel::RepresentationOf(const SceneStructure& structure) const
-{
-  const QString name = QString::fromStdString(palpate::RepresentationOf(structure).Label);
-  const auto contact = this->ContactOf(structure);
-  const bool isReplaced = structure.Representation == TouchRepresentation::ModelOrField &&
-                          contact != nullptr && contact->Field != nullptr;
-  return isReplaced ? name + ": sub-voxel" : name;
-}
-
-std::shared_ptr<const TouchContact>
-StructureTableModel::ContactOf(const SceneStructure& structure) const
-{
-  return this->Study.Current().Pipeline().Newest<TouchContact>(SceneStep::Touch, structure.Id);
-}
-
-// The stiffness of a structure that yields does not count.
-bool StructureTableModel::Yields(const SceneStructure& structure) const
-{
-  const auto contact = this->ContactOf(structure);
-  return contact != nullptr && contact->Yields;
-}
-
-// What is touched, as the command line prints it: with it, whether a lesion lies in the organ.
-QVariant StructureTableModel::ToolTipOf(const SceneStructure& structure, int column) const
-{
-  const auto contact = this->ContactOf(structure);
-  return column == RepresentationColumn && contact != nullptr
-             ? PlainToolTip(ScreenString(contact->Represented))
-             : QVariant();
-}
-
-QVariant StructureTableModel::ValueOf(const SceneStructure& structure, int column) const
+QVariant StructureTableModel::TextOf(const Row& row, int column)
 {
   switch (column)
   {
+  case OpacityColumn:
+    return QString("%1 %").arg(PercentOf(row.Structure));
+  case AppearanceColumn:
+    return QString(NameOf(row.Structure.Appearance));
+  case RepresentationColumn:
+    return row.Products.Representation;
+  case StiffnessColumn:
+    return row.Products.Yields ? QVariant("yields") : ValueOf(row, column);
+  case QualityColumn:
+    return NumberText(row.Products.Error, 3);
+  case CostColumn:
+    return NumberText(row.Products.Tick, 2);
+  default:
+    return ValueOf(row, column);
+  }
+}
+
+QVariant StructureTableModel::ValueOf(const Row& row, int column)
+{
+  const SceneStructure& structure = row.Structure;
+  switch (column)
+  {
+  case OpacityColumn:
+    return PercentOf(structure);
   case NameColumn:
     return ScreenString(TitleOf(structure));
+  case AppearanceColumn:
+    return static_cast<int>(structure.Appearance);
+  case RepresentationColumn:
+    return RepresentationNames().indexOf(
+        QString::fromStdString(palpate::RepresentationOf(structure).Label));
   case DegreeColumn:
     return structure.Degree;
   case StiffnessColumn:
     return structure.Stiffness;
   case FrictionColumn:
     return structure.Friction.Static;
-  case QualityColumn:
-    return this->QualityOf(structure);
-  case CostColumn:
-    return this->CostOf(structure);
   default:
     return {};
   }
 }
 
+// What is on comes first, and what is not measured last.
+QVariant StructureTableModel::SortValueOf(const Row& row, int column)
+{
+  constexpr double Last = std::numeric_limits<double>::infinity();
+  switch (column)
+  {
+  case VisibleColumn:
+    return row.Structure.IsVisible ? 0.0 : 1.0;
+  case TouchableColumn:
+    return row.Structure.IsTouchable ? 0.0 : 1.0;
+  case ColorColumn:
+    return ColorOf(row.Structure).hueF();
+  case AppearanceColumn:
+  case RepresentationColumn:
+    return TextOf(row, column);
+  case QualityColumn:
+    return row.Products.Error.value_or(Last);
+  case CostColumn:
+    return row.Products.Tick.value_or(Last);
+  default:
+    return ValueOf(row, column);
+  }
+}
+
+QVariant StructureTableModel::CheckOf(const Row& row, int column)
+{
+  if (column != VisibleColumn && column != TouchableColumn)
+  {
+    return {};
+  }
+  const bool isOn = column == VisibleColumn ? row.Structure.IsVisible : row.Structure.IsTouchable;
+  return isOn ? Qt::Checked : Qt::Unchecked;
+}
+
 QVariant StructureTableModel::data(const QModelIndex& index, int role) const
 {
-  const SceneStructure& structure = this->StructureAt(index);
+  const Row& row = this->Rows.at(static_cast<std::size_t>(index.row()));
   const int column = index.column();
-  const bool isChecked = column == VisibleColumn ? structure.IsVisible : structure.IsTouchable;
   switch (role)
   {
   case Qt::DisplayRole:
-    return column == AppearanceColumn       ? QString(NameOf(structure.Appearance))
-           : column == RepresentationColumn ? this->RepresentationOf(structure)
-           : column == StiffnessColumn && this->Yields(structure)
-               ? QString("yields")
-               : this->ValueOf(structure, column);
+    return TextOf(row, column);
   case Qt::EditRole:
-    return column == AppearanceColumn ? QVariant(static_cast<int>(structure.Appearance))
-           : column == RepresentationColumn
-               ? QVariant(RepresentationNames().indexOf(
-                     QString::fromStdString(palpate::RepresentationOf(structure).Label)))
-               : this->ValueOf(structure, column);
+    return ValueOf(row, column);
   case Qt::ToolTipRole:
-    return this->ToolTipOf(structure, column);
+    return column == RepresentationColumn && !row.Products.Represented.isEmpty()
+               ? QVariant(row.Products.Represented)
+               : QVariant();
   case Qt::DecorationRole:
   case Qt::UserRole:
-    return column == ColorColumn ? QVariant(QColor::fromRgbF(structure.Color[0], structure.Color[1],
-                                                             structure.Color[2]))
-                                 : QVariant();
+    return column == ColorColumn ? QVariant(ColorOf(row.Structure)) : QVariant();
   case Qt::CheckStateRole:
-    return column == VisibleColumn || column == TouchableColumn
-               ? QVariant(isChecked ? Qt::Checked : Qt::Unchecked)
-               : QVariant();
+    return CheckOf(row, column);
+  case SortRole:
+    return SortValueOf(row, column);
+  case IdRole:
+    return row.Structure.Id;
   default:
     return {};
   }
@@ -259,24 +332,39 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
 
 bool StructureTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-  StudyState next = this->Study.State();
-  SceneStructure& structure = next.Structures.at(static_cast<std::size_t>(index.row()));
-  const QString name = QString::fromStdString(TitleOf(structure));
-  QString message;
+  const int id = index.data(IdRole).toInt();
+  const int column = index.column();
   if (role == Qt::CheckStateRole)
   {
-    message = Check(structure, index.column(), value.toInt() == Qt::Checked) + " " + name;
+    const bool isOn = value.toInt() == Qt::Checked;
+    column == VisibleColumn ? this->Edits.SetVisible({id}, isOn)
+                            : this->Edits.SetTouchable({id}, isOn);
+    return true;
   }
-  else
+  if (column == ColorColumn)
   {
-    const QString change = Write(structure, index.column(), value);
-    message = change.isEmpty() ? QString() : QString("Change %1: %2").arg(name, change);
+    this->Edits.SetColor({id}, value.value<QColor>());
+    return true;
   }
-  if (!message.isEmpty())
+  if (column == OpacityColumn)
   {
-    this->Study.Change(message, next);
+    this->Edits.SetOpacity({id}, value.toInt());
+    return true;
   }
-  return !message.isEmpty();
+  StudyState next = this->Study.State();
+  const auto structure = std::find_if(next.Structures.begin(), next.Structures.end(),
+                                      [id](const SceneStructure& one) { return one.Id == id; });
+  if (structure == next.Structures.end())
+  {
+    return false;
+  }
+  const QString title = ScreenString(TitleOf(*structure));
+  const QString change = Write(*structure, column, value);
+  if (!change.isEmpty())
+  {
+    this->Study.Change("Change " + title + ": " + change, next);
+  }
+  return !change.isEmpty();
 }
 
 Qt::ItemFlags StructureTableModel::flags(const QModelIndex& index) const

@@ -1,8 +1,13 @@
 #pragma once
 
+#include "StructureEdits.h"
 #include "StudyController.h"
 
 #include <QAbstractTableModel>
+
+#include <functional>
+#include <optional>
+#include <vector>
 
 namespace palpate
 {
@@ -14,10 +19,11 @@ class StructureTableModel : public QAbstractTableModel
 public:
   enum Column
   {
-    NameColumn,
-    ColorColumn,
     VisibleColumn,
     TouchableColumn,
+    ColorColumn,
+    OpacityColumn,
+    NameColumn,
     AppearanceColumn,
     RepresentationColumn,
     DegreeColumn,
@@ -26,6 +32,11 @@ public:
     QualityColumn,
     CostColumn,
     ColumnCount
+  };
+  enum Role
+  {
+    SortRole = Qt::UserRole + 1, ///< a number or a text
+    IdRole                       ///< the structure's, of every column
   };
   /// In the order of SceneAppearance.
   static QStringList AppearanceNames();
@@ -43,17 +54,32 @@ public:
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 private:
+  // What the pipeline has made of a structure, as shown.
+  struct Made
+  {
+    QString Representation;      ///< includes the replacement if harmonics were refused
+    QString Represented;         ///< what is touched, as the command line prints it
+    bool Yields = false;         ///< then its stiffness does not count
+    std::optional<double> Error; ///< mm
+    std::optional<double> Tick;  ///< microseconds
+  };
+  struct Row
+  {
+    SceneStructure Structure;
+    Made Products;
+  };
+
   void TakeState();
-  const SceneStructure& StructureAt(const QModelIndex& index) const;
-  QVariant ValueOf(const SceneStructure& structure, int column) const;
-  QVariant QualityOf(const SceneStructure& structure) const;
-  QVariant CostOf(const SceneStructure& structure) const;
-  QString RepresentationOf(const SceneStructure& structure) const;
-  std::shared_ptr<const TouchContact> ContactOf(const SceneStructure& structure) const;
-  bool Yields(const SceneStructure& structure) const;
-  QVariant ToolTipOf(const SceneStructure& structure, int column) const;
+  void TellRows(const std::vector<Row>& before, int firstColumn, int lastColumn,
+                const std::function<bool(const Row& before, const Row& now)>& isSame);
+  Made MadeOf(const SceneStructure& structure) const;
+  static QVariant TextOf(const Row& row, int column);
+  static QVariant ValueOf(const Row& row, int column);
+  static QVariant SortValueOf(const Row& row, int column);
+  static QVariant CheckOf(const Row& row, int column);
 
   StudyController& Study;
-  int Rows = 0;
+  StructureEdits Edits;
+  std::vector<Row> Rows; ///< as told to views
 };
 } // namespace palpate

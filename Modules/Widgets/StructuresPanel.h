@@ -1,14 +1,25 @@
 #pragma once
 
+#include "StructureEdits.h"
+#include "StructureFilterModel.h"
+#include "StructureMenu.h"
+#include "StructureTable.h"
 #include "StructureTableModel.h"
 
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLineEdit>
 #include <QSlider>
-#include <QTableView>
+#include <QToolButton>
 #include <QWidget>
+
+#include <functional>
+#include <vector>
 
 namespace palpate
 {
-/// The table of structures, their details, and the opacity of labels over the slices.
+/// The table of structures with its search, what can be done with many of them at once, and the
+/// opacity of labels over the slices.
 class StructuresPanel : public QWidget
 {
   Q_OBJECT
@@ -17,19 +28,54 @@ public:
   /// Keeps the address.
   explicit StructuresPanel(StudyController& study, QWidget* parent = nullptr);
 
+  std::vector<int> SelectedIds() const { return this->Table->SelectedIds(); }
+  /// Selects the row of a structure, which is listed again if the search left it out. Tells
+  /// SelectionChanged, but not Selected.
+  void Select(int id);
+
 Q_SIGNALS:
   void OpacityChosen(double opacity);
+  /// The user selected a row, or asked to centre the views at it.
+  void Selected(int id);
+  /// Other rows are selected, for whatever reason.
+  void SelectionChanged();
+
+protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+  void ConnectTable();
+  QBoxLayout* MakeTools();
+  void MakeShowMenu(QToolButton* button);
+  QWidget* MakeButton(const QString& text, const char* name, const QString& tip,
+                      void (StructuresPanel::*act)());
   void ShowOpacity(double opacity);
-  void ChooseColor(const QModelIndex& index);
-  int SelectedId() const;
+  void KeepSelection();
+  void TakeSelection(const QItemSelection& selected);
+  void TakeCheck(int id, int column, bool isOn);
+  void TakeOpacity(int id, int percent, bool isLast);
+  void TakeText(const QString& text);
+  void OpenCell(const QModelIndex& index);
+  void OpenMenu(const QPoint& global);
+  void Act(int entry);
+  void ShowOnlySelected();
   void ShowDetails();
   void Remove();
+  void ChooseColor();
+  void ChooseOpacity();
+  void ChooseColorOf(const QModelIndex& index);
+  std::vector<int> WithSelected(int id) const;
 
   StudyController& Study;
+  StructureEdits Edits;
   StructureTableModel* Model;
-  QTableView* Table;
+  StructureFilterModel* Listed;
+  StructureTable* Table;
+  StructureMenu* Menu;
+  QLineEdit* Search;
+  QComboBox* Kept;
   QSlider* Opacity;
+  std::vector<int> SelectedBefore; ///< while the list changes
+  bool IsQuiet = false;            ///< while the selection is changed by the program
 };
 } // namespace palpate

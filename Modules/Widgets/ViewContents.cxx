@@ -1,5 +1,6 @@
 #include "ViewContents.h"
 
+#include "DisplayedSurface.h"
 #include "FitResult.h"
 #include "ImageAxes.h"
 #include "PlainVector3.h"
@@ -26,15 +27,6 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* ErrorArray = "DistanceToSurface";
-
-const char* ColorArrayOf(SceneAppearance appearance)
-{
-  return appearance == SceneAppearance::ErrorMap       ? ErrorArray
-         : appearance == SceneAppearance::StiffnessMap ? YieldingSurface::StiffnessArray
-                                                       : "";
-}
-
 // A VTK pipeline writes to its input, but products are shared with other threads.
 template <typename T>
 vtkSmartPointer<T> OwnView(T* data)
@@ -44,70 +36,35 @@ vtkSmartPointer<T> OwnView(T* data)
   return own;
 }
 
-// Whether to display its model, if there is one.
-bool WantsModel(const SceneStructure& structure)
+const double* BoundsOf(vtkSurfaceDisplay& surface)
 {
-  switch (structure.Appearance)
+  return surface.GetSurface()->GetBounds();
+}
+
+const double* BoundsOf(vtkVolume& volume)
+{
+  return volume.GetBounds();
+}
+
+template <typename Shown>
+std::optional<Vector3> MiddleOf(const std::map<int, vtkSmartPointer<Shown>>& shown, int id)
+{
+  const auto found = shown.find(id);
+  if (found == shown.end())
   {
-  case SceneAppearance::Model:
-  case SceneAppearance::ErrorMap:
-  case SceneAppearance::StiffnessMap:
-    return true;
-  case SceneAppearance::Surface:
-  case SceneAppearance::SubVoxel:
-    return false;
-  case SceneAppearance::Automatic:
-    break;
+    return std::nullopt;
   }
-  return structure.Source() == SceneSource::Model ||
-         RepresentationOf(structure).Appearance == SceneAppearance::Model;
+  const double* box = BoundsOf(*found->second);
+  return Vector3(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
 }
 
-bool WantsField(const SceneStructure& structure)
+// The id of an object among those that are shown; 0 if it is none of them.
+template <typename Shown>
+int IdOf(const std::map<int, vtkSmartPointer<Shown>>& shown, const vtkObject* object)
 {
-  const bool isFelt =
-      structure.IsDrilled() || RepresentationOf(structure).Appearance == SceneAppearance::SubVoxel;
-  return structure.Appearance == SceneAppearance::SubVoxel ||
-         (structure.Appearance == SceneAppearance::Automatic && isFelt);
-}
-
-// The displayed surface of a structure: its model if wanted, else the surface of its mask.
-vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& structure)
-{
-  const auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
-  if (WantsModel(structure) && model != nullptr && model->ModelSurface != nullptr &&
-      model->State == FitResult::Outcome::Fitted)
-  {
-    return model->ModelSurface;
-  }
-  const auto surface = pipeline.Newest<FitSurface>(SceneStep::Surface, structure.Id);
-  return surface != nullptr ? surface->Found.Surface.Get() : nullptr;
-}
-
-// The model of a structure that yields, or null.
-std::shared_ptr<const FitResult> YieldingModelOf(const StudyPipeline& pipeline,
-                                                 const SceneStructure& structure)
-{
-  const bool isRigid = structure.Representation == TouchRepresentation::Harmonics ||
-                       structure.Representation == TouchRepresentation::Facets ||
-                       structure.Representation == TouchRepresentation::SubVoxel;
-  auto model = pipeline.Newest<FitResult>(SceneStep::Elasticity, structure.Id);
-  model = model != nullptr ? model : pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
-  const bool yields = !isRigid && WantsModel(structure) && model != nullptr &&
-                      model->Elasticity != nullptr &&
-                      std::holds_alternative<SphericalHarmonicModel>(model->Model);
-  return yields ? model : nullptr;
-}
-
-// The structure that is a label of the segmentation in the slices, or null.
-const SceneStructure* StructureOf(const StudyState& state, const Segment& segment)
-{
-  const std::vector<std::string> label{std::to_string(segment.Label)};
-  const auto found =
-      std::find_if(state.Structures.begin(), state.Structures.end(),
-                   [&](const SceneStructure& one)
-                   { return one.File == state.SegmentationFile && one.Labels == label; });
-  return found != state.Structures.end() ? &*found : nullptr;
+  const auto found = std::find_if(shown.begin(), shown.end(),
+                                  [object](const auto& one) { return one.second == object; });
+  return found != shown.end() ? found->first : 0;
 }
 
 template <typename Shown>
@@ -132,6 +89,7 @@ ViewContents::ViewContents()
 void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
 {
   this->ShowImages(pipeline);
+  this->Places.Take(state, this->Labels);
   this->ShowLabels(state);
   TouchToolSettings tool = state.Tool;
   tool.Surface = pipeline.Newest<SurfaceTool>(SceneStep::Tool);
@@ -183,11 +141,11 @@ void ViewContents::ShowLabels(const StudyState& state)
   this->Structures = state.Structures;
   for (const Segment& segment : this->Labels->Segments)
   {
-    const SceneStructure* structure = StructureOf(state, segment);
+    const SceneStructure* structure = FindStructure(state, this->Places.IdOf(segment.Label));
     const bool isShown = structure != nullptr && structure->IsVisible;
     const auto& color = structure != nullptr ? structure->Color : segment.Color;
     this->ImageShown->SetLabelColor(segment.Layer, segment.Value, color[0], color[1], color[2],
-                                    isShown ? 1.0 : 0.0);
+                                    isShown ? structure->Opacity : 0.0);
   }
 }
 
@@ -222,7 +180,7 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
   KeepOnly(this->FieldsShown, fields);
   KeepOnly(this->FieldSources, fields);
   KeepOnly(this->Yielding, surfaces);
-  this->ShowWhatLiesInside();
+  this->ShowOpacities(state);
 }
 
 // The surface of a structure that yields, or null.
@@ -248,23 +206,36 @@ vtkPolyData* ViewContents::ShowYielding(const SceneStructure& structure,
   return yielding->Surface();
 }
 
-// A structure that yields is translucent if another one lies in it, unless it is coloured by a map.
-void ViewContents::ShowWhatLiesInside()
+// A structure that yields is more translucent if another one lies in it.
+void ViewContents::ShowOpacities(const StudyState& state)
 {
   constexpr double Translucent = 0.5;
-  for (const auto& [id, yielding] : this->Yielding)
+  for (const SceneStructure& structure : state.Structures)
   {
-    const vtkBoundingBox box(yielding->Surface()->GetBounds());
-    const bool isMap = *this->SurfacesShown.at(id)->GetColorArray() != '\0';
-    bool holdsAnother = false;
-    for (const auto& [other, shown] : this->SurfacesShown)
+    const auto shown = this->SurfacesShown.find(structure.Id);
+    if (shown != this->SurfacesShown.end())
     {
-      holdsAnother =
-          holdsAnother ||
-          (other != id && box.Contains(vtkBoundingBox(shown->GetSurface()->GetBounds())));
+      const double factor = this->HoldsAnother(structure.Id) ? Translucent : 1.0;
+      shown->second->SetOpacity(factor * structure.Opacity);
     }
-    this->SurfacesShown.at(id)->SetOpacity(holdsAnother && !isMap ? Translucent : 1.0);
   }
+}
+
+// Whether a structure yields and another one lies in it, unless it is coloured by a map.
+bool ViewContents::HoldsAnother(int id) const
+{
+  const auto yielding = this->Yielding.find(id);
+  if (yielding == this->Yielding.end() || *this->SurfacesShown.at(id)->GetColorArray() != '\0')
+  {
+    return false;
+  }
+  const vtkBoundingBox box(yielding->second->Surface()->GetBounds());
+  return std::any_of(this->SurfacesShown.begin(), this->SurfacesShown.end(),
+                     [&](const auto& other)
+                     {
+                       return other.first != id &&
+                              box.Contains(vtkBoundingBox(other.second->GetSurface()->GetBounds()));
+                     });
 }
 
 void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* surface)
@@ -273,6 +244,7 @@ void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* sur
   if (shown == nullptr)
   {
     shown = vtkSmartPointer<vtkSurfaceDisplay>::New();
+    this->ShowHighlight(structure.Id);
     this->SurfaceSources.erase(structure.Id);
   }
   if (this->SurfaceSources[structure.Id] != surface)
@@ -281,7 +253,6 @@ void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* sur
     // The surface of a structure that yields is its own, and changes.
     const bool isOwn = this->Yielding.count(structure.Id) > 0;
     shown->SetSurface(isOwn ? vtkSmartPointer<vtkPolyData>(surface) : OwnView(surface));
-    shown->SetOpacity(1.0);
   }
   shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
   shown->SetColorArray(ColorArrayOf(structure.Appearance));
@@ -301,15 +272,65 @@ void ViewContents::ShowField(const SceneStructure& structure,
     shown->SetMapper(mapper);
     shown->GetProperty()->ShadeOn(); // like surfaces
     SurfaceMaterial::Set(shown->GetProperty());
+    this->ShowHighlight(structure.Id);
   }
   auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->GetMapper());
   std::array<double, 3> color{};
   mapper->GetMaterialColor(0, color.data());
-  if (color != structure.Color)
+  if (color != structure.Color || mapper->GetMaterialOpacity(0) != structure.Opacity)
   {
     mapper->SetMaterialColor(0, structure.Color[0], structure.Color[1], structure.Color[2]);
+    mapper->SetMaterialOpacity(0, structure.Opacity);
     shown->Modified(); // views check its modification time
   }
+}
+
+void ViewContents::Highlight(const std::set<int>& ids)
+{
+  std::set<int> changed = ids;
+  changed.insert(this->Highlighted.begin(), this->Highlighted.end());
+  this->Highlighted = ids;
+  for (const int id : changed)
+  {
+    this->ShowHighlight(id);
+  }
+}
+
+void ViewContents::ShowHighlight(int id)
+{
+  const bool isOn = this->Highlighted.count(id) > 0;
+  const auto surface = this->SurfacesShown.find(id);
+  if (surface != this->SurfacesShown.end())
+  {
+    surface->second->SetHighlight(isOn);
+  }
+  const auto field = this->FieldsShown.find(id);
+  const double ambient = isOn ? SurfaceMaterial::HighlightAmbient : SurfaceMaterial::Ambient;
+  if (field != this->FieldsShown.end() && field->second->GetProperty()->GetAmbient() != ambient)
+  {
+    field->second->GetProperty()->SetAmbient(ambient);
+    field->second->Modified(); // views check its modification time
+  }
+}
+
+int ViewContents::StructureAt(const vtkObject* picked, const Vector3& pointWorld) const
+{
+  if (picked == this->ImageShown)
+  {
+    return this->StructureAt(pointWorld);
+  }
+  const int surface = IdOf(this->SurfacesShown, picked);
+  return surface != 0 ? surface : IdOf(this->FieldsShown, picked);
+}
+
+std::optional<Vector3> ViewContents::CenterOf(int id) const
+{
+  if (const auto center = this->Places.CenterOf(id))
+  {
+    return center;
+  }
+  const auto surface = MiddleOf(this->SurfacesShown, id);
+  return surface ? surface : MiddleOf(this->FieldsShown, id);
 }
 
 // Shows a drilled structure's newest version instead of its original field.

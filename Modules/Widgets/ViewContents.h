@@ -1,5 +1,6 @@
 #pragma once
 
+#include "StructurePlaces.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
 #include "StudyTouch.h"
@@ -19,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,6 +61,18 @@ public:
   /// Sub-voxel structures, for the 3D view.
   const std::map<int, vtkSmartPointer<vtkVolume>>& Fields() const { return this->FieldsShown; }
 
+  /// Makes these structures brighter in 3D and their contours thicker in slices, and no others.
+  void Highlight(const std::set<int>& ids);
+
+  /// The visible structure of the labels at a point (world, mm); 0 if there is none.
+  int StructureAt(const Vector3& pointWorld) const { return this->Places.At(pointWorld); }
+  /// The structure of a picked object (see vtkSpaceView::PickObject) at a point; 0 if there is
+  /// none.
+  int StructureAt(const vtkObject* picked, const Vector3& pointWorld) const;
+  /// A point in the middle of a structure (world, mm); none if neither its label nor anything of
+  /// it is there.
+  std::optional<Vector3> CenterOf(int id) const;
+
   /// The value and the names of the structures at a point (world, mm), for the status line.
   std::string TextAt(const Vector3& pointWorld) const;
 
@@ -68,7 +82,9 @@ private:
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
   void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
   vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
-  void ShowWhatLiesInside();
+  void ShowOpacities(const StudyState& state);
+  bool HoldsAnother(int id) const;
+  void ShowHighlight(int id);
   double BallRadius() const;
   void ShowDent(const StudyTouchReading& reading, bool isTouching);
   void ShowField(const SceneStructure& structure, const std::shared_ptr<const ScalarField>& field);
@@ -85,6 +101,8 @@ private:
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
   std::map<int, std::unique_ptr<YieldingSurface>> Yielding;
+  std::set<int> Highlighted;
+  StructurePlaces Places;
 
   // The displayed products; they are shared and never changed.
   std::shared_ptr<const Volume> Grey;

@@ -8,6 +8,7 @@
 #include "vtkLinkedView.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -136,13 +137,25 @@ bool ViewPane::TakeMouse(QEvent* event)
   {
     return false;
   }
-  if (event->type() == QEvent::MouseButtonDblClick)
+  const bool wasPressed = this->IsPressed;
+  this->IsPressed = event->type() == QEvent::MouseButtonPress;
+  switch (event->type())
   {
+  case QEvent::MouseButtonDblClick:
     Q_EMIT MaximizeAsked();
     return true;
+  case QEvent::MouseButtonPress:
+    this->Pressed = mouse->pos();
+    Q_EMIT Clicked(x, y);
+    return false;
+  default:
+    if (wasPressed &&
+        (mouse->pos() - this->Pressed).manhattanLength() < QApplication::startDragDistance())
+    {
+      Q_EMIT Tapped(x, y);
+    }
+    return false;
   }
-  Q_EMIT Clicked(x, y);
-  return false;
 }
 
 bool ViewPane::eventFilter(QObject* object, QEvent* event)
@@ -151,6 +164,7 @@ bool ViewPane::eventFilter(QObject* object, QEvent* event)
   {
   case QEvent::MouseMove:
   case QEvent::MouseButtonPress:
+  case QEvent::MouseButtonRelease:
   case QEvent::MouseButtonDblClick:
     return this->TakeMouse(event);
   case QEvent::Show:

@@ -63,6 +63,8 @@ Q_SIGNALS:
   /// Over the canvas, in its pixels from the lower left.
   void PointerMoved(double x, double y);
   void Clicked(double x, double y);
+  /// Clicked and released at the same place, and not dragged.
+  void Tapped(double x, double y);
   void Rendered();
 
 protected:
@@ -80,6 +82,8 @@ private:
   vtkNew<vtkRenderer> Scene;
   vtkNew<vtkEventQtSlotConnect> Links; ///< to the followed objects
   vtkSmartPointer<vtkLinkedView> Shown;
+  QPoint Pressed;
+  bool IsPressed = false;
   bool IsDue = false;
   int Drawn = 0;
 };

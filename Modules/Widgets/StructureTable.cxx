@@ -1,0 +1,291 @@
+#include "StructureTable.h"
+
+#include "OpacityDelegate.h"
+#include "StructureTableModel.h"
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QStyle>
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+bool IsCheck(const QModelIndex& cell)
+{
+  return cell.column() == StructureTableModel::VisibleColumn ||
+         cell.column() == StructureTableModel::TouchableColumn;
+}
+
+// Whether a key is text for the search.
+bool IsText(const QKeyEvent& key)
+{
+  const auto commands = Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier;
+  return !(key.modifiers() & commands) && !key.text().isEmpty() && key.text()[0].isPrint() &&
+         key.key() != Qt::Key_Space;
+}
+
+// The widest text of a column; the header may be wider.
+QString WidestTextOf(int column)
+{
+  switch (column)
+  {
+  case StructureTableModel::OpacityColumn:
+    return "00000000";
+  case StructureTableModel::NameColumn:
+    return "Frontal_Sup_Medial_R";
+  case StructureTableModel::AppearanceColumn:
+    return "sub-voxel volume000";
+  case StructureTableModel::RepresentationColumn:
+    return "model or field: sub-voxel000";
+  default:
+    return "0.000";
+  }
+}
+} // namespace
+
+StructureTable::StructureTable(QWidget* parent) : QTableView(parent)
+{
+  this->setSelectionBehavior(SelectRows);
+  this->setSelectionMode(ExtendedSelection);
+  this->setEditTriggers(DoubleClicked);
+  this->setTabKeyNavigation(false);
+  this->setHorizontalScrollMode(ScrollPerPixel);
+  this->setWordWrap(false);
+  this->verticalHeader()->hide();
+  this->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  this->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
+  this->horizontalHeader()->setSectionsClickable(true);
+  this->horizontalHeader()->setHighlightSections(false);
+  connect(this->horizontalHeader(), &QHeaderView::sectionCountChanged, this,
+          &StructureTable::SetWidths);
+}
+
+// Once, from samples: widths that follow the contents would measure every row at every change.
+void StructureTable::SetWidths()
+{
+  QHeaderView* header = this->horizontalHeader();
+  const int margin = 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
+  for (int column = 0; column < header->count(); ++column)
+  {
+    const int sample = this->fontMetrics().horizontalAdvance(WidestTextOf(column)) + margin;
+    header->resizeSection(column, std::max(header->sectionSizeHint(column), sample));
+  }
+  this->FitName();
+}
+
+// The name takes the width that the other columns leave, but is never narrower than a long name.
+void StructureTable::FitName()
+{
+  constexpr int Name = StructureTableModel::NameColumn;
+  QHeaderView* header = this->horizontalHeader();
+  if (header->count() <= Name)
+  {
+    return;
+  }
+  const int others = header->length() - header->sectionSize(Name);
+  const int least = this->fontMetrics().horizontalAdvance(WidestTextOf(Name));
+  header->resizeSection(Name, std::max(least, this->viewport()->width() - others));
+}
+
+void StructureTable::resizeEvent(QResizeEvent* event)
+{
+  QTableView::resizeEvent(event);
+  this->FitName();
+}
+
+std::vector<int> StructureTable::SelectedIds() const
+{
+  QModelIndexList rows = this->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  std::vector<int> ids;
+  for (const QModelIndex& row : rows)
+  {
+    ids.push_back(row.data(StructureTableModel::IdRole).toInt());
+  }
+  return ids;
+}
+
+int StructureTable::CurrentId() const
+{
+  const QModelIndex current = this->currentIndex();
+  if (current.isValid() && this->selectionModel()->isRowSelected(current.row(), {}))
+  {
+    return current.data(StructureTableModel::IdRole).toInt();
+  }
+  const std::vector<int> ids = this->SelectedIds();
+  return ids.empty() ? 0 : ids.front();
+}
+
+void StructureTable::SelectIds(const std::vector<int>& ids)
+{
+  QItemSelection rows;
+  QModelIndex first;
+  for (int row = 0; row < this->model()->rowCount(); ++row)
+  {
+    const QModelIndex cell = this->model()->index(row, StructureTableModel::NameColumn);
+    if (std::find(ids.begin(), ids.end(), cell.data(StructureTableModel::IdRole).toInt()) !=
+        ids.end())
+    {
+      first = first.isValid() ? first : cell;
+      rows.select(cell, cell);
+    }
+  }
+  this->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+  this->selectionModel()->select(rows,
+                                 QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+  if (first.isValid())
+  {
+    this->scrollTo(first);
+  }
+}
+
+void StructureTable::Rename()
+{
+  const QModelIndex name = this->currentIndex().siblingAtColumn(StructureTableModel::NameColumn);
+  if (name.isValid())
+  {
+    this->setCurrentIndex(name);
+    this->edit(name);
+  }
+}
+
+// Otherwise the window's shortcuts of single letters would take text.
+bool StructureTable::event(QEvent* event)
+{
+  if (event->type() == QEvent::ShortcutOverride && IsText(static_cast<const QKeyEvent&>(*event)))
+  {
+    event->accept();
+    return true;
+  }
+  return QTableView::event(event);
+}
+
+void StructureTable::keyPressEvent(QKeyEvent* event)
+{
+  const QModelIndex current = this->currentIndex();
+  if (this->state() == EditingState)
+  {
+    QTableView::keyPressEvent(event);
+  }
+  else if (event->key() == Qt::Key_F2)
+  {
+    this->Rename();
+  }
+  else if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier)
+  {
+    this->TellCheck(IsCheck(current) ? current
+                                     : current.siblingAtColumn(StructureTableModel::VisibleColumn));
+  }
+  else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) &&
+           (current.flags() & Qt::ItemIsEditable))
+  {
+    this->edit(current);
+  }
+  else if (IsText(*event))
+  {
+    Q_EMIT Typed(event->text());
+  }
+  else
+  {
+    QTableView::keyPressEvent(event);
+  }
+}
+
+void StructureTable::TellCheck(const QModelIndex& cell)
+{
+  if (cell.isValid())
+  {
+    Q_EMIT CheckChosen(cell.data(StructureTableModel::IdRole).toInt(), cell.column(),
+                       cell.data(Qt::CheckStateRole).toInt() != Qt::Checked);
+  }
+}
+
+// Whether the press begins a change that leaves the selection.
+bool StructureTable::Press(const QMouseEvent& event)
+{
+  const QModelIndex cell = this->indexAt(event.pos());
+  const bool isOpacity =
+      cell.column() == StructureTableModel::OpacityColumn && event.modifiers() == Qt::NoModifier;
+  const bool isTaken = event.button() == Qt::LeftButton && (IsCheck(cell) || isOpacity);
+  this->Pressed = isTaken ? cell : QModelIndex();
+  this->PressedAt = event.pos();
+  this->IsDragging = false;
+  return isTaken;
+}
+
+void StructureTable::mousePressEvent(QMouseEvent* event)
+{
+  if (!this->Press(*event))
+  {
+    QTableView::mousePressEvent(event);
+  }
+}
+
+void StructureTable::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  const QModelIndex cell = this->indexAt(event->pos());
+  if (!IsCheck(cell))
+  {
+    QTableView::mouseDoubleClickEvent(event);
+  }
+  else
+  {
+    this->Press(*event); // two quick clicks
+  }
+}
+
+void StructureTable::mouseMoveEvent(QMouseEvent* event)
+{
+  if (!this->Pressed.isValid())
+  {
+    QTableView::mouseMoveEvent(event);
+  }
+  else if (this->Pressed.column() == StructureTableModel::OpacityColumn)
+  {
+    // A click with an unsteady hand selects.
+    const int moved = (event->pos() - this->PressedAt).manhattanLength();
+    this->IsDragging = this->IsDragging || moved >= QApplication::startDragDistance();
+    if (this->IsDragging)
+    {
+      this->TellOpacity(event->pos().x(), false);
+    }
+  }
+}
+
+void StructureTable::mouseReleaseEvent(QMouseEvent* event)
+{
+  const QPersistentModelIndex cell = this->Pressed;
+  if (!cell.isValid() || event->button() != Qt::LeftButton)
+  {
+    QTableView::mouseReleaseEvent(event);
+    return;
+  }
+  if (this->IsDragging)
+  {
+    this->TellOpacity(event->pos().x(), true);
+  }
+  else if (this->indexAt(event->pos()) == cell)
+  {
+    IsCheck(cell) ? this->TellCheck(cell) : this->setCurrentIndex(cell);
+  }
+  this->Pressed = QModelIndex();
+  this->IsDragging = false;
+}
+
+void StructureTable::TellOpacity(int x, bool isLast)
+{
+  const int percent = OpacityDelegate::PercentAt(this->visualRect(this->Pressed), x);
+  Q_EMIT OpacityDragged(this->Pressed.data(StructureTableModel::IdRole).toInt(), percent, isLast);
+}
+
+void StructureTable::contextMenuEvent(QContextMenuEvent* event)
+{
+  Q_EMIT MenuAsked(event->globalPos());
+}
+} // namespace palpate
