@@ -4,6 +4,7 @@
 #include "ModelFile.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
+#include "ToolIcon.h"
 
 #include <QFileInfo>
 #include <QInputDialog>
@@ -49,9 +50,12 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
         }
       },
       QKeySequence::New);
-  this->addAction(
+  QAction* open = this->addAction(
       "Open &volume...", this,
       [this] { this->Open("Open a volume", &StudyController::OpenVolume); }, QKeySequence::Open);
+  open->setIcon(ToolIcon(ToolSign::Open));
+  open->setIconText("Open");
+  open->setPriority(QAction::HighPriority);
   this->addAction(
       "Open &segmentation...", this,
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
@@ -79,9 +83,13 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
   this->Recent = this->addMenu("&Recent");
   connect(this->Recent, &QMenu::aboutToShow, this, &FileMenu::ListRecent);
   this->addSeparator();
-  this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
+  QAction* save = this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
+  save->setIcon(ToolIcon(ToolSign::Save));
   this->addAction("Save &as...", this, &FileMenu::SaveAs, QKeySequence("Ctrl+Shift+S"));
-  this->addAction("S&creenshot...", this, &FileMenu::AskForScreenshot, QKeySequence("Ctrl+P"));
+  QAction* screenshot =
+      this->addAction("S&creenshot...", this, &FileMenu::AskForScreenshot, QKeySequence("Ctrl+P"));
+  screenshot->setIcon(ToolIcon(ToolSign::Screenshot));
+  this->ForTools = {open, save, screenshot};
   this->addSeparator();
   this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
   connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);

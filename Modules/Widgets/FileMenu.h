@@ -18,6 +18,8 @@ public:
 
   /// True if the study may be left: saved, discarded, or unchanged.
   bool MayLeave();
+  /// Those for the toolbar.
+  const QList<QAction*>& Tools() const { return this->ForTools; }
   /// Asks for each missing file of the study.
   void AskForMissing();
 
@@ -40,5 +42,6 @@ private:
   const FileQuestions& Questions;
   QWidget* Window;
   QMenu* Recent;
+  QList<QAction*> ForTools;
 };
 } // namespace palpate

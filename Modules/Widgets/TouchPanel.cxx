@@ -41,6 +41,9 @@ QLabel* MakeText(const char* name, QWidget* parent)
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // What is below does not move when it wraps.
+  label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
+  label->setAlignment(Qt::AlignTop);
   return label;
 }
 } // namespace
@@ -49,10 +52,9 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
     : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new QComboBox(this)),
       Radius(new QDoubleSpinBox(this)), Scale(new QDoubleSpinBox(this)),
       FollowCamera(new QCheckBox(this)), Start(new QPushButton(this)),
-      StopForce(new QPushButton("Stop force  (Esc)", this)),
-      AllowForce(new QPushButton("Allow force again", this)), Record(new QPushButton(this)),
-      Recording(MakeText("recording", this)), Safety(MakeText("safety", this)),
-      Felt(MakeText("felt", this)), Advice(MakeText("advice", this))
+      Record(new QPushButton(this)), Recording(MakeText("recording", this)),
+      Safety(MakeText("safety", this)), Felt(MakeText("felt", this)),
+      Advice(MakeText("advice", this))
 {
   auto* column = new QVBoxLayout(this);
   auto* form = new QFormLayout;
@@ -61,14 +63,11 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
   column->addLayout(form);
   column->addLayout(this->Tools);
   column->addWidget(this->Start);
-  column->addWidget(this->StopForce);
-  column->addWidget(this->AllowForce);
   column->addWidget(this->Record);
   column->addWidget(this->Recording);
   column->addWidget(this->Safety);
   column->addWidget(this->Felt);
   column->addWidget(this->Advice);
-  column->addStretch(1);
   connect(&study, &StudyController::StateChanged, this, &TouchPanel::ShowState);
   connect(&study, &StudyController::TouchChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::StepsChanged, this, &TouchPanel::ShowTouch);
@@ -92,16 +91,7 @@ void TouchPanel::AddTools(const QList<QAction*>& actions)
 void TouchPanel::MakeButtons()
 {
   this->Start->setObjectName("start-touch");
-  this->StopForce->setObjectName("stop-force");
-  this->AllowForce->setObjectName("allow-force");
   this->Record->setObjectName("record");
-  // This button must be found without searching.
-  this->StopForce->setMinimumHeight(48);
-  this->StopForce->setStyleSheet(
-      "QPushButton { background: #B34700; color: white; font-weight: bold; font-size: 15px;"
-      " border: none; border-radius: 4px; }" // the style's border would bring its own gradient
-      "QPushButton:pressed { background: #8A3600; }"
-      "QPushButton:disabled { background: gray; }");
   connect(this->Start, &QPushButton::clicked, this,
           [this]
           {
@@ -115,10 +105,6 @@ void TouchPanel::MakeButtons()
             }
             this->ShowTouch();
           });
-  connect(this->StopForce, &QPushButton::clicked, this,
-          [this] { this->Study.Current().Touch().SwitchForcesOff(); });
-  connect(this->AllowForce, &QPushButton::clicked, this,
-          [this] { this->Study.Current().Touch().SwitchForcesOn(); });
   connect(this->Record, &QPushButton::clicked, this, &TouchPanel::RecordAsked);
 }
 
@@ -198,8 +184,6 @@ void TouchPanel::ShowTouch()
                        : isOpening   ? "Opening the device... (stop)"
                        : isReplaying ? "Close the replay and touch"
                                      : "Start touching");
-  this->StopForce->setEnabled(isTouching);
-  this->AllowForce->setEnabled(isTouching);
   this->Record->setEnabled(isTouching);
   this->Device->setEnabled(!isTouching && !isOpening);
   this->ShowRecording();

@@ -85,7 +85,9 @@ TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
   WaitUntil([this]
             { return this->Study->Reading().Newest.Safety.Fault == SafetyFault::SwitchedOff; });
   EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
-  this->Button("allow-force")->click();
+  QPushButton* force = this->Button("stop-force");
+  WaitUntil([&] { return force->isEnabled() && force->text() == "Allow force again"; });
+  force->click();
   this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
 }
 
