@@ -50,12 +50,12 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
         }
       },
       QKeySequence::New);
-  QAction* open = this->addAction(
-      "Open &volume...", this,
-      [this] { this->Open("Open a volume", &StudyController::OpenVolume); }, QKeySequence::Open);
+  QAction* open = this->addAction("&Open files...", this, &FileMenu::OpenFiles, QKeySequence::Open);
   open->setIcon(ToolIcon(ToolSign::Open));
   open->setIconText("Open");
   open->setPriority(QAction::HighPriority);
+  this->addAction("Open &volume...", this,
+                  [this] { this->Open("Open a volume", &StudyController::OpenVolume); });
   this->addAction(
       "Open &segmentation...", this,
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
@@ -102,6 +102,16 @@ void FileMenu::Open(const QString& title,
   {
     (this->Study.*take)(PathOf(file));
   }
+}
+
+void FileMenu::OpenFiles()
+{
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : this->Questions.ToOpen(this->Window, "Open files", "All files (*)"))
+  {
+    files.push_back(PathOf(file));
+  }
+  this->Study.OpenFiles(files);
 }
 
 void FileMenu::AddStructures()
@@ -209,30 +219,36 @@ bool FileMenu::MayLeave()
 void FileMenu::ListRecent()
 {
   this->Recent->clear();
-  for (const QString& file : QSettings().value(RecentKey).toStringList())
+  for (const QString& file : RecentFiles())
   {
     const QFileInfo information(file);
     const QString text = information.fileName() + "  -  " + information.path();
     QAction* action = this->Recent->addAction(MenuString(ScreenString(text.toStdString())));
-    connect(action, &QAction::triggered, this,
-            [this, file]
-            {
-              if (file.endsWith(StudyEnding))
-              {
-                this->OpenSession(file);
-              }
-              else
-              {
-                this->Study.OpenFiles({PathOf(file)});
-              }
-            });
+    connect(action, &QAction::triggered, this, [this, file] { this->OpenRecent(file); });
   }
+}
+
+void FileMenu::OpenRecent(const QString& file)
+{
+  if (file.endsWith(StudyEnding))
+  {
+    this->OpenSession(file);
+  }
+  else
+  {
+    this->Study.OpenFiles({PathOf(file)});
+  }
+}
+
+QStringList FileMenu::RecentFiles()
+{
+  return QSettings().value(RecentKey).toStringList();
 }
 
 void FileMenu::Remember(const QString& file)
 {
   QSettings settings;
-  QStringList files = settings.value(RecentKey).toStringList();
+  QStringList files = RecentFiles();
   files.removeAll(file);
   files.prepend(file);
   settings.setValue(RecentKey, QStringList(files.mid(0, MostRecent)));

@@ -20,6 +20,13 @@ public:
   bool MayLeave();
   /// Those for the toolbar.
   const QList<QAction*>& Tools() const { return this->ForTools; }
+  /// Asks for files of any kind, and opens them.
+  void OpenFiles();
+  /// Asks for a folder of DICOM slices, and opens it.
+  void OpenFolder();
+  /// The last one first.
+  static QStringList RecentFiles();
+  void OpenRecent(const QString& file);
   /// Asks for each missing file of the study.
   void AskForMissing();
 
@@ -28,7 +35,6 @@ Q_SIGNALS:
 
 private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
-  void OpenFolder();
   void AddStructures();
   void AddIsoValue();
   bool Save();

@@ -53,6 +53,7 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
   this->ConnectViews();
   connect(&study, &StudyController::StateChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ProductsChanged, this, &MainWindow::ShowState);
+  connect(&study, &StudyController::ReplayChanged, this, &MainWindow::ShowCentre);
   connect(&study, &StudyController::FileOpened, this, &MainWindow::TakeFile);
   connect(&study, &StudyController::Problem, this->Area, &MessageArea::Add);
   this->ShowState();
@@ -66,6 +67,8 @@ void MainWindow::MakeCentre()
   column->setSpacing(2);
   this->Grid = new ViewGrid(this->Shown, middle);
   this->Area = new MessageArea(middle);
+  this->Start = new StartPage(middle);
+  column->addWidget(this->Start, 1);
   column->addWidget(this->Grid, 1);
   column->addWidget(new ReplayBar(this->Study, middle));
   column->addWidget(this->Area);
@@ -81,6 +84,16 @@ void MainWindow::MakeMenus()
   this->Study.AskForSeries([this](const QStringList& series)
                            { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
+  connect(this->Start, &StartPage::OpenAsked, this->Files, &FileMenu::OpenFiles);
+  connect(this->Start, &StartPage::FolderAsked, this->Files, &FileMenu::OpenFolder);
+  connect(this->Start, &StartPage::FilesChosen, this,
+          [this](const QStringList& files)
+          {
+            for (const QString& file : files)
+            {
+              this->Files->OpenRecent(file);
+            }
+          });
   this->menuBar()->addMenu(this->Files);
   QMenu* edit = this->menuBar()->addMenu("&Edit");
   this->Undo = edit->addAction("&Undo", &this->Study, &StudyController::Undo,
@@ -219,7 +232,22 @@ void MainWindow::ShowState()
   const StudyHistory& history = this->Study.Current().History();
   ShowStep(this->Undo, "&Undo", history.UndoText());
   ShowStep(this->Redo, "&Redo", history.RedoText());
+  this->ShowCentre();
   this->ShowTitle();
+}
+
+// The views, or what can be opened while there is nothing to see.
+void MainWindow::ShowCentre()
+{
+  const StudyState& state = this->Study.State();
+  const bool isEmpty = state.VolumeFile.empty() && state.SegmentationFile.empty() &&
+                       state.Structures.empty() && !this->Study.IsReplaying();
+  if (isEmpty && !this->Start->isVisible())
+  {
+    this->Start->ShowRecent(FileMenu::RecentFiles());
+  }
+  this->Start->setVisible(isEmpty);
+  this->Grid->setVisible(!isEmpty);
 }
 
 void MainWindow::ShowTitle()

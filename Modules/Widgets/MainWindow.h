@@ -4,6 +4,7 @@
 #include "FileQuestions.h"
 #include "LandmarksPanel.h"
 #include "MessageArea.h"
+#include "StartPage.h"
 #include "StatusLine.h"
 #include "StudyController.h"
 #include "TouchMenu.h"
@@ -53,11 +54,13 @@ private:
   void TakeView();
   void TakeClick(const Vector3& pointWorld);
   void TakeFile(const QString& file);
+  void ShowCentre();
 
   StudyController& Study;
   FileQuestions Questions;
   ViewContents Shown;
   ViewGrid* Grid = nullptr;
+  StartPage* Start = nullptr;
   MessageArea* Area = nullptr;
   StatusLine* Status = nullptr;
   WorkColumn* Column = nullptr;

@@ -9,6 +9,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -74,7 +75,6 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
   connect(&study, &StudyController::ReplayChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::Touched, this, &TouchPanel::ShowReading);
   this->ShowState();
-  this->ShowTouch();
 }
 
 void TouchPanel::AddTools(const QList<QAction*>& actions)
@@ -173,6 +173,7 @@ void TouchPanel::ShowState()
   this->Radius->setValue(state.Tool.Radius);
   this->Scale->setValue(state.Placement.Scale.value_or(0.0));
   this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);
+  this->ShowTouch();
 }
 
 void TouchPanel::ShowTouch()
@@ -184,6 +185,11 @@ void TouchPanel::ShowTouch()
                        : isOpening   ? "Opening the device... (stop)"
                        : isReplaying ? "Close the replay and touch"
                                      : "Start touching");
+  const auto& structures = this->Study.State().Structures;
+  const bool canTouch = std::any_of(structures.begin(), structures.end(),
+                                    [](const SceneStructure& one) { return one.IsTouchable; });
+  this->Start->setEnabled(isTouching || isOpening || canTouch);
+  this->Start->setToolTip(this->Start->isEnabled() ? "" : "Make a structure touchable first");
   this->Record->setEnabled(isTouching);
   this->Device->setEnabled(!isTouching && !isOpening);
   this->ShowRecording();

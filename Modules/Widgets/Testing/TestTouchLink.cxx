@@ -255,7 +255,8 @@ TEST_F(TouchLinkTest, CancelledCloseKeepsForcesOff)
 
 TEST_F(TouchLinkTest, RejectsTouchOfNothing)
 {
-  this->Button("start-touch")->click();
+  EXPECT_FALSE(this->Button("start-touch")->isEnabled());
+  this->Study->StartTouch();
   WaitUntil([this] { return !this->Messages().empty(); });
   EXPECT_EQ(this->Messages(), "There is nothing to touch yet: make a structure touchable and wait "
                               "until its model is made.");

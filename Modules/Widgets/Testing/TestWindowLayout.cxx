@@ -116,6 +116,26 @@ TEST_F(WindowLayoutTest, MenuUnfoldsASectionAndShowsIt)
       });
 }
 
+TEST_F(WindowLayoutTest, EmptyWindowOffersFilesInsteadOfViews)
+{
+  auto* start = this->Window->findChild<StartPage*>();
+  EXPECT_TRUE(start->isVisible());
+  EXPECT_FALSE(this->Window->Views()->isVisible());
+  this->Opened = QStringList{QString::fromStdString(this->MaskFile().string())};
+  this->Button("start-open")->click();
+  WaitUntil([this] { return this->Window->Views()->isVisible(); });
+  EXPECT_FALSE(start->isVisible());
+  this->Settle();
+  this->Action("New study")->trigger();
+  WaitUntil([&] { return start->isVisible(); });
+  auto* recent = start->findChild<QLabel*>("start-recent");
+  EXPECT_TRUE(recent->text().contains("mask.nii.gz"));
+  const QString link = recent->text().section("href=\"", 1, 1).section('"', 0, 0);
+  Q_EMIT recent->linkActivated(link);
+  WaitUntil([this] { return this->Window->Views()->isVisible(); });
+  EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
+}
+
 TEST_F(WindowLayoutTest, ForceButtonNeverMoves)
 {
   this->OpenPhantom();
