@@ -4,9 +4,12 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QSlider>
+#include <QTimer>
+#include <QToolTip>
 
 namespace palpate
 {
@@ -45,6 +48,19 @@ bool IsOfText(QKeyEvent* key)
   return key->matches(QKeySequence::Copy) || key->matches(QKeySequence::Cut) ||
          key->matches(QKeySequence::Paste) || key->matches(QKeySequence::SelectAll);
 }
+
+// Otherwise 9999 becomes 9 without a word.
+void TellRange(QDoubleSpinBox* box, const QString& before)
+{
+  if (box->cleanText() == before)
+  {
+    QToolTip::showText(
+        box->mapToGlobal(QPoint(0, box->height())),
+        QString("From %1 to %2")
+            .arg(box->textFromValue(box->minimum()), box->textFromValue(box->maximum())),
+        box);
+  }
+}
 } // namespace
 
 FormManners::FormManners(QObject* parent) : QObject(parent)
@@ -71,6 +87,17 @@ bool FormManners::eventFilter(QObject* object, QEvent* event)
       return true;
     }
     break;
+  case QEvent::KeyPress:
+  {
+    auto* box = qobject_cast<QDoubleSpinBox*>(object);
+    const QString typed = static_cast<QKeyEvent*>(event)->text();
+    if (box != nullptr && typed.size() == 1 && typed[0].isDigit())
+    {
+      const QString before = box->cleanText();
+      QTimer::singleShot(0, box, [box, before] { TellRange(box, before); });
+    }
+    break;
+  }
   case QEvent::ShortcutOverride:
   {
     auto* key = static_cast<QKeyEvent*>(event);

@@ -16,7 +16,27 @@ namespace palpate
 {
 namespace
 {
-QStringList DeviceNames()
+// What a person calls a device; one with an argument has no other name.
+QString LabelOf(const QString& device)
+{
+  return device == "simulated" ? "Mouse (no device)"
+         : device == "falcon"  ? "Novint Falcon"
+                               : device;
+}
+
+QString DeviceOf(const QString& label)
+{
+  for (const char* device : {"simulated", "falcon"})
+  {
+    if (label == LabelOf(device))
+    {
+      return device;
+    }
+  }
+  return label;
+}
+
+QStringList DeviceLabels()
 {
   DeviceRegistry registry;
   QStringList names;
@@ -24,7 +44,7 @@ QStringList DeviceNames()
   {
     for (const DeviceRegistry::Kind& kind : registry.Kinds())
     {
-      names += QString::fromStdString(kind.Name);
+      names += LabelOf(QString::fromStdString(kind.Name));
     }
   }
   return names;
@@ -111,15 +131,15 @@ void TouchPanel::MakeButtons()
 void TouchPanel::MakeSettings(QFormLayout* form)
 {
   this->Device->setObjectName("device");
-  this->Device->addItems(DeviceNames());
+  this->Device->addItems(DeviceLabels());
   this->Device->setEditable(true); // for "name:argument"
   form->addRow("Device", this->Device);
   connect(this->Device, &QComboBox::currentTextChanged, this,
-          [this](const QString& name)
+          [this](const QString& label)
           {
             StudyState next = this->Study.State();
-            next.Device = name.toStdString();
-            this->Study.Change("Choose the device " + name, next, "device");
+            next.Device = DeviceOf(label).toStdString();
+            this->Study.Change("Choose the device " + label, next, "device");
           });
   this->Radius->setObjectName("tool-radius");
   this->Radius->setRange(0.0, 100.0);
@@ -169,7 +189,7 @@ void TouchPanel::ShowState()
   const QSignalBlocker device(this->Device);
   const QSignalBlocker radius(this->Radius);
   const QSignalBlocker scale(this->Scale);
-  this->Device->setCurrentText(QString::fromStdString(state.Device));
+  this->Device->setCurrentText(LabelOf(QString::fromStdString(state.Device)));
   this->Radius->setValue(state.Tool.Radius);
   this->Scale->setValue(state.Placement.Scale.value_or(0.0));
   this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);

@@ -9,6 +9,7 @@
 #include <QScrollBar>
 #include <QTableWidget>
 #include <QTextBrowser>
+#include <QToolTip>
 
 #include <set>
 
@@ -83,6 +84,39 @@ TEST_F(WindowHabitsTest, ShortcutsWorkInANumberBox)
   EXPECT_TRUE(Keeps(text, Qt::Key_V, Qt::ControlModifier));
   QLineEdit line;
   EXPECT_TRUE(Keeps(&line, Qt::Key_Z, Qt::ControlModifier)) << "a text's own undo";
+}
+
+TEST_F(WindowHabitsTest, DigitThatIsNotTakenIsAnsweredWithTheRange)
+{
+  QDoubleSpinBox* degree = this->Degree();
+  const auto type = [degree](Qt::Key key, const QString& text)
+  {
+    QKeyEvent event(QEvent::KeyPress, key, Qt::NoModifier, text);
+    QApplication::sendEvent(degree, &event);
+    QApplication::processEvents();
+  };
+  this->Window->activateWindow();
+  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  degree->setFocus();
+  degree->selectAll();
+  type(Qt::Key_9, "9");
+  EXPECT_FALSE(QToolTip::isVisible());
+  type(Qt::Key_9, "9");
+  EXPECT_EQ(QToolTip::text(), "From 0 to 64");
+  EXPECT_EQ(degree->cleanText(), "9");
+  QToolTip::hideText();
+}
+
+TEST_F(WindowHabitsTest, MouseIsNamedAsTheDevice)
+{
+  auto* device = this->Window->findChild<QComboBox*>("device");
+  EXPECT_EQ(device->currentText(), "Mouse (no device)");
+  device->setCurrentText("Novint Falcon");
+  EXPECT_EQ(this->Study->State().Device, "falcon");
+  device->setCurrentText("falcon:2");
+  EXPECT_EQ(this->Study->State().Device, "falcon:2");
+  device->setCurrentText("Mouse (no device)");
+  EXPECT_EQ(this->Study->State().Device, "simulated");
 }
 
 TEST_F(WindowHabitsTest, MenusAndShortcutsHaveDifferentKeys)
