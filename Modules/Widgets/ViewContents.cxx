@@ -436,6 +436,7 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
+  this->ShowDepth(proxy);
   // Okabe and Ito's vermilion; yellow where the force is an estimate. Grey: no force.
   constexpr std::array<double, 3> Known{{0.84, 0.37, 0.0}};
   constexpr std::array<double, 3> Estimated{{0.94, 0.89, 0.26}};
@@ -446,6 +447,33 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   const auto& free = hasForce ? Free : None;
   this->ProbeShown->SetContactColor(touching[0], touching[1], touching[2]);
   this->ProbeShown->SetColor(free[0], free[1], free[2]);
+}
+
+// How far the tool is from what is seen.
+void ViewContents::ShowDepth(const Vector3& toolWorld)
+{
+  constexpr double Farthest = 200.0; // mm
+  if (this->ProbeShown->GetInContact())
+  {
+    return;
+  }
+  std::vector<vtkPolyData*> surfaces;
+  for (const auto& [id, shown] : this->SurfacesShown)
+  {
+    if (shown->GetSurface() != nullptr)
+    {
+      surfaces.push_back(shown->GetSurface());
+    }
+  }
+  this->Around.SetSurfaces(surfaces);
+  if (const auto nearest = this->Around.Find(toolWorld, Farthest))
+  {
+    this->ProbeShown->SetNearestPoint(nearest->x(), nearest->y(), nearest->z());
+  }
+  else
+  {
+    this->ProbeShown->ClearNearestPoint();
+  }
 }
 
 // Only a sphere touches what yields; 0 for another tool.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "NearestOnSurfaces.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
 #include "StudyTouch.h"
@@ -70,6 +71,7 @@ private:
   vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
   void ShowWhatLiesInside();
   double BallRadius() const;
+  void ShowDepth(const Vector3& toolWorld);
   void ShowDent(const StudyTouchReading& reading, bool isTouching);
   void ShowField(const SceneStructure& structure, const std::shared_ptr<const ScalarField>& field);
   void ShowNewest(int label);
@@ -80,6 +82,7 @@ private:
   vtkNew<vtkCrosshair> CrosshairShown;
   vtkNew<vtkLandmarks> LandmarksShown;
   vtkNew<vtkProbeRepresentation> ProbeShown;
+  NearestOnSurfaces Around; // the tool
   vtkNew<vtkSurfaceDisplay> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;

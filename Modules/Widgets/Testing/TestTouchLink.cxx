@@ -76,6 +76,16 @@ TEST_F(TouchLinkTest, MouseMovesHandShownInEveryView)
   EXPECT_FALSE(this->Window->findChild<TouchPanel*>()->SafetyWords().isEmpty());
 }
 
+TEST_F(TouchLinkTest, ToolWithoutContactTellsItsDistance)
+{
+  this->StartTouch();
+  Move(this->Window->Views()->Space()->Canvas(), this->PlaceOf(this->SphereCenter));
+  vtkProbeRepresentation* probe = this->Window->Contents().Probe();
+  this->FeelUntil([&] { return probe->GetHasNearestPoint() && !probe->GetInContact(); });
+  const Vector3 nearest(probe->GetNearestPoint());
+  EXPECT_NEAR((nearest - this->SphereCenter).norm(), 15.0, 1.0) << "on the sphere, within a voxel";
+}
+
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
 {
   this->StartTouch();
