@@ -12,6 +12,7 @@
 #include "ToolRow.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
+#include "VolumePanel.h"
 #include "WindowLook.h"
 
 #include <QApplication>
@@ -130,7 +131,12 @@ void MainWindow::MakeColumn()
   auto* touch = new TouchPanel(this->Study, this);
   connect(touch, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
   touch->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
-  this->AddSection("Data", new PipelinePanel(this->Study, this), true);
+  auto* files = new QWidget(this);
+  auto* rows = new QVBoxLayout(files);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addWidget(new VolumePanel(this->Study, this->Shown, files));
+  rows->addWidget(new PipelinePanel(this->Study, files));
+  this->AddSection("Data", files, true);
   this->AddSection("Structures", structures, true);
   this->AddSection("Model", new FitPanel(this->Study, this), false);
   this->AddSection("Touch", touch, true);
