@@ -1,6 +1,5 @@
 #include "StudyController.h"
 
-#include "DicomSeries.h"
 #include "SceneContacts.h"
 #include "ScreenString.h"
 #include "SofteningNotes.h"
@@ -201,16 +200,11 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
   StudyJob job;
   job.Work = [this, folder](const ProgressFunction&)
   {
-    QStringList series;
-    for (const DicomSeries& one : FindDicomSeries(folder))
-    {
-      series += ScreenString(one.Summary());
-    }
     return StudyJob::Delivery(
-        [this, folder, series]
+        [this, series = FindDicomSeriesBelow(folder)]
         {
           // Deferred until after the delivery: a question to the user processes events.
-          QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
+          QTimer::singleShot(0, this, [this, series] { this->TakeSeries(series); });
         });
   };
   job.Fail = [this](const std::string& message)
@@ -221,14 +215,20 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
   this->Open.Jobs().Start(std::move(job));
 }
 
-void StudyController::TakeSeries(const std::filesystem::path& folder, const QStringList& series)
+void StudyController::TakeSeries(const std::vector<DicomSeriesChoice>& series)
 {
-  const bool isAsked = series.size() > 1 && this->WhichSeries;
-  const int chosen = isAsked ? this->WhichSeries(series) : 0;
+  QStringList texts;
+  for (const DicomSeriesChoice& one : series)
+  {
+    texts += ScreenString(one.Text);
+  }
+  const bool isAsked = texts.size() > 1 && this->WhichSeries;
+  const int chosen = isAsked ? this->WhichSeries(texts) : 0;
   --this->Folders;
   if (chosen >= 0)
   {
-    this->OpenVolumeNow(folder, isAsked ? std::to_string(chosen + 1) : std::string());
+    const DicomSeriesChoice& one = series.at(static_cast<std::size_t>(chosen));
+    this->OpenVolumeNow(one.Folder, one.Series);
   }
 }
 

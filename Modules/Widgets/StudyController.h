@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DicomFolders.h"
 #include "Study.h"
 #include "StudyFile.h"
 #include "StudyOpening.h"
@@ -135,7 +136,7 @@ private:
   void LookSoon();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
   void OpenFolder(const std::filesystem::path& folder);
-  void TakeSeries(const std::filesystem::path& folder, const QStringList& series);
+  void TakeSeries(const std::vector<DicomSeriesChoice>& series);
   void OpenVolumeNow(const std::filesystem::path& file, const std::string& series);
 
   Study Open;

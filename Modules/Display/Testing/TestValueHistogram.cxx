@@ -1,7 +1,7 @@
 #include "ValueHistogram.h"
 
 #include "vtkImageData.h"
-#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -163,6 +163,21 @@ TEST_F(BadFilesTest, UserChoosesAmongSeveralSeries)
   EXPECT_EQ(this->Messages(), "");
 }
 
+TEST_F(BadFilesTest, SeriesOfSubfoldersAreOffered)
+{
+  const auto patient = this->Phantom.Folder / "patient";
+  std::filesystem::create_directories(patient / "study");
+  std::filesystem::rename(this->TwoSeries(), patient / "study" / "CT");
+  this->Series = 0;
+  this->OpenFolder(patient);
+  ASSERT_EQ(this->SeriesOffered.size(), 2) << this->Messages();
+  EXPECT_TRUE(this->SeriesOffered[0].contains("in study/CT"))
+      << this->SeriesOffered[0].toStdString();
+  WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
+  EXPECT_EQ(this->Study->State().VolumeFile, patient / "study" / "CT");
+  EXPECT_EQ(this->Study->State().DicomSeries, "1");
+}
+
 TEST_F(BadFilesTest, CancelledSeriesChoiceOpensNothing)
 {
   this->Series = -1;
