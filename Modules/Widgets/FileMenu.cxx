@@ -4,10 +4,10 @@
 #include "ModelFile.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
+#include "ThresholdDialog.h"
 #include "ToolIcon.h"
 
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QSettings>
 
 namespace palpate
@@ -24,11 +24,22 @@ QString ImageFilter()
                                 ");;All files (*)");
 }
 
+std::string ScenePatterns()
+{
+  return "*.scene.json " + PatternsOf(ReadableModelEndings()) + " " +
+         PatternsOf(SurfaceFormats().ReadEndings());
+}
+
 QString SceneFilter()
 {
-  return QString::fromStdString("Models, surfaces, scenes (*.scene.json " +
-                                PatternsOf(ReadableModelEndings()) + " " +
-                                PatternsOf(SurfaceFormats().ReadEndings()) + ");;All files (*)");
+  return QString::fromStdString("Models, surfaces, scenes (" + ScenePatterns() +
+                                ");;All files (*)");
+}
+
+QString AnyFilter()
+{
+  return QString::fromStdString("All known files (*.palpate.json *.touch " + ScenePatterns() + " " +
+                                PatternsOf(ReadableImageEndings()) + ");;All files (*)");
 }
 
 std::filesystem::path PathOf(const QString& file)
@@ -37,8 +48,9 @@ std::filesystem::path PathOf(const QString& file)
 }
 } // namespace
 
-FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window)
-    : QMenu("&File", window), Study(study), Questions(questions), Window(window)
+FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
+                   const ViewContents& contents, QWidget* window)
+    : QMenu("&File", window), Study(study), Questions(questions), Contents(contents), Window(window)
 {
   this->addAction(
       "&New study", this,
@@ -50,7 +62,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
         }
       },
       QKeySequence::New);
-  QAction* open = this->addAction("&Open files...", this, &FileMenu::OpenFiles, QKeySequence::Open);
+  QAction* open = this->addAction("&Open...", this, &FileMenu::OpenFiles, QKeySequence::Open);
   open->setIcon(ToolIcon(ToolSign::Open));
   open->setIconText("Open");
   open->setPriority(QAction::HighPriority);
@@ -65,9 +77,11 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
       "Add structures of a se&gmentation...", this,
       [this] { this->Open("Add structures of a segmentation", &StudyController::AddSegmentation); },
       QKeySequence("Ctrl+Alt+S"));
-  this->addAction("Add &model, surface or scene...", this, &FileMenu::AddStructures,
-                  QKeySequence("Ctrl+Alt+M"));
-  this->addAction("Add &iso-value of the volume...", this, &FileMenu::AddIsoValue,
+  this->addAction(
+      "Add &model, surface or scene...", this,
+      [this] { this->OpenAny("Add models, surfaces or scenes", SceneFilter()); },
+      QKeySequence("Ctrl+Alt+M"));
+  this->addAction("Add structure from &image values...", this, &FileMenu::AddFromValues,
                   QKeySequence("Ctrl+Alt+I"));
   this->addAction(
       "Open s&tudy...", this,
@@ -106,35 +120,37 @@ void FileMenu::Open(const QString& title,
 
 void FileMenu::OpenFiles()
 {
+  this->OpenAny("Open files", AnyFilter());
+}
+
+void FileMenu::OpenAny(const QString& title, const QString& filter)
+{
   std::vector<std::filesystem::path> files;
-  for (const QString& file : this->Questions.ToOpen(this->Window, "Open files", "All files (*)"))
+  for (const QString& file : this->Questions.ToOpen(this->Window, title, filter))
   {
     files.push_back(PathOf(file));
   }
   this->Study.OpenFiles(files);
 }
 
-void FileMenu::AddStructures()
+// Beside the window, in which the slices show the values that are chosen.
+void FileMenu::AddFromValues()
 {
-  std::vector<std::filesystem::path> files;
-  for (const QString& file :
-       this->Questions.ToOpen(this->Window, "Add models, surfaces or scenes", SceneFilter()))
+  if (auto* open = this->Window->findChild<ThresholdDialog*>())
   {
-    files.push_back(PathOf(file));
+    open->raise();
+    open->activateWindow();
+    return;
   }
-  this->Study.OpenFiles(files);
-}
-
-void FileMenu::AddIsoValue()
-{
-  bool isGiven = false;
-  const double iso = QInputDialog::getDouble(this->Window, "Add an iso-value",
-                                             "Touch the iso-surface of the volume at this value",
-                                             300.0, -1e9, 1e9, 3, &isGiven);
-  if (isGiven)
+  if (this->Study.Current().Pipeline().Newest<Volume>(SceneStep::Volume) == nullptr)
   {
-    this->Study.AddIsoValue(iso);
+    this->Study.Report(
+        "There is no volume to take values of: open one, and wait until it is read.");
+    return;
   }
+  auto* dialog = new ThresholdDialog(this->Study, this->Contents.Images(), this->Window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
 }
 
 void FileMenu::OpenFolder()

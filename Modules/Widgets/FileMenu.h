@@ -2,6 +2,7 @@
 
 #include "FileQuestions.h"
 #include "StudyController.h"
+#include "ViewContents.h"
 
 #include <QMenu>
 
@@ -14,7 +15,8 @@ class FileMenu : public QMenu
 
 public:
   /// Keeps the addresses.
-  FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window);
+  FileMenu(StudyController& study, const FileQuestions& questions, const ViewContents& contents,
+           QWidget* window);
 
   /// True if the study may be left: saved, discarded, or unchanged.
   bool MayLeave();
@@ -35,8 +37,8 @@ Q_SIGNALS:
 
 private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
-  void AddStructures();
-  void AddIsoValue();
+  void OpenAny(const QString& title, const QString& filter);
+  void AddFromValues();
   bool Save();
   bool SaveAs();
   void OpenSession(const QString& file);
@@ -46,6 +48,7 @@ private:
 
   StudyController& Study;
   const FileQuestions& Questions;
+  const ViewContents& Contents;
   QWidget* Window;
   QMenu* Recent;
   QList<QAction*> ForTools;

@@ -80,7 +80,7 @@ void MainWindow::MakeCentre()
 
 void MainWindow::MakeMenus()
 {
-  this->Files = new FileMenu(this->Study, this->Questions, this);
+  this->Files = new FileMenu(this->Study, this->Questions, this->Shown, this);
   this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
   this->Study.AskForSeries([this](const QStringList& series)
                            { return this->Questions.Series(this, series); });

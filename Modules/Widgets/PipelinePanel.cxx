@@ -29,7 +29,7 @@ void PipelinePanel::Show()
 {
   for (const auto& [step, row] : this->Rows)
   {
-    row->Show(this->Study.Current().Pipeline().StateOf(step));
+    row->Show(this->Study.StateOf(step));
   }
 }
 } // namespace palpate
