@@ -72,8 +72,8 @@ void SliceContours::Update(Contour& contour, const SlicePosition& slice)
     return;
   }
   const double* color = surface->GetColor();
-  contour.Curves->SetStyle({{color[0], color[1], color[2]}}, 1.0,
-                           surface->GetLineWidth() * slice.PointPixels);
+  const double width = (surface->GetHighlight() ? 2.0 : 1.0) * surface->GetLineWidth();
+  contour.Curves->SetStyle({{color[0], color[1], color[2]}}, 1.0, width * slice.PointPixels);
   const Vector3& normal = slice.Frame.TowardsViewerWorld;
   const double height = normal.dot(slice.CenterWorld);
   const std::uint64_t time = surface->GetMTime();

@@ -64,7 +64,9 @@ void SurfaceInSpace::Update()
   vtkProperty* property = this->Surface->GetProperty();
   property->SetRepresentation(isWireframe ? VTK_WIREFRAME : VTK_SURFACE);
   // Edges look unlit. Without VTK's lighting the contact's shader would have no positions.
-  property->SetAmbient(isWireframe ? 1.0 : SurfaceMaterial::Ambient);
+  property->SetAmbient(isWireframe                   ? 1.0
+                       : this->Shown->GetHighlight() ? SurfaceMaterial::HighlightAmbient
+                                                     : SurfaceMaterial::Ambient);
   property->SetDiffuse(isWireframe ? 0.0 : SurfaceMaterial::Diffuse);
   property->SetSpecular(isWireframe ? 0.0 : SurfaceMaterial::Specular);
   property->SetColor(this->Shown->GetColor());

@@ -113,7 +113,8 @@ struct vtkSpaceView::State
   palpate::ColorBar Bar;
   vtkNew<vtkLight> Lamp;
 
-  bool PickPolygons(vtkRenderer* renderer, double x, double y, double world[3])
+  // The actor of a surface or a slice, or null.
+  vtkActor* PickPolygons(vtkRenderer* renderer, double x, double y, double world[3])
   {
     vtkNew<vtkCellPicker> picker;
     picker->SetTolerance(0.0);
@@ -128,10 +129,19 @@ struct vtkSpaceView::State
     }
     if (picker->Pick(x, y, 0.0, renderer) == 0)
     {
-      return false;
+      return nullptr;
     }
     picker->GetPickPosition(world);
-    return true;
+    return picker->GetActor();
+  }
+
+  // The surface that an actor draws, or null if it draws a slice.
+  vtkSurfaceDisplay* DisplayOf(vtkActor* actor) const
+  {
+    const auto found =
+        std::find_if(this->Surfaces.begin(), this->Surfaces.end(),
+                     [actor](const auto& surface) { return surface->Actor() == actor; });
+    return found != this->Surfaces.end() ? (*found)->Display() : nullptr;
   }
 };
 
@@ -264,27 +274,34 @@ void vtkSpaceView::LookFrom(int side)
 
 bool vtkSpaceView::Pick(double x, double y, double world[3])
 {
+  return this->PickObject(x, y, world) != nullptr;
+}
+
+vtkObject* vtkSpaceView::PickObject(double x, double y, double world[3])
+{
   vtkRenderer* renderer = this->GetRenderer();
   if (renderer == nullptr)
   {
-    return false;
+    return nullptr;
   }
   double polygon[3];
-  const bool hasPolygon = this->Inner->PickPolygons(renderer, x, y, polygon);
+  vtkActor* actor = this->Inner->PickPolygons(renderer, x, y, polygon);
   vtkNew<vtkSubVoxelPicker> picker;
   const bool hasVoxels = picker->Pick(x, y, 0.0, renderer) != 0;
   vtkCamera* camera = renderer->GetActiveCamera();
-  if (hasVoxels && (!hasPolygon || DistanceFrom(camera, picker->GetPickPosition()) <
-                                       DistanceFrom(camera, polygon)))
+  if (hasVoxels && (actor == nullptr || DistanceFrom(camera, picker->GetPickPosition()) <
+                                            DistanceFrom(camera, polygon)))
   {
     picker->GetPickPosition(world);
-    return true;
+    return picker->GetViewProp();
   }
-  if (hasPolygon)
+  if (actor == nullptr)
   {
-    std::copy_n(polygon, 3, world);
+    return nullptr;
   }
-  return hasPolygon;
+  std::copy_n(polygon, 3, world);
+  vtkSurfaceDisplay* surface = this->Inner->DisplayOf(actor);
+  return surface != nullptr ? static_cast<vtkObject*>(surface) : this->GetImageDisplay();
 }
 
 void vtkSpaceView::UpdateContents()

@@ -51,6 +51,9 @@ public:
    * depth buffer.
    */
   bool Pick(double x, double y, double world[3]);
+  /** The same, which returns what the point belongs to: a vtkSurfaceDisplay, a vtkVolume, or the
+   * vtkImageDisplay of a slice; null if there is none. */
+  vtkObject* PickObject(double x, double y, double world[3]);
 
 protected:
   vtkSpaceView();

@@ -51,6 +51,13 @@ public:
   vtkBooleanMacro(ContourVisibility, bool);
   ///@}
   ///@{
+  /** Whether it is brighter in 3D and its contour thicker, as what the user has selected. Off by
+   * default. */
+  vtkSetMacro(Highlight, bool);
+  vtkGetMacro(Highlight, bool);
+  vtkBooleanMacro(Highlight, bool);
+  ///@}
+  ///@{
   /** Line width of contours, in points. */
   vtkSetClampMacro(LineWidth, double, 0.5, 20.0);
   vtkGetMacro(LineWidth, double);
@@ -84,6 +91,7 @@ private:
   double Opacity = 1.0;
   bool Visibility = true;
   bool ContourVisibility = true;
+  bool Highlight = false;
   double LineWidth = 1.5;
   bool Wireframe = false;
   std::string ColorArray;

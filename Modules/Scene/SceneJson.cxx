@@ -142,6 +142,11 @@ void ExchangeStructure(JsonFields& fields, SceneStructure& structure)
   ExchangeSource(fields, structure);
   fields.Exchange("seen", structure.IsVisible);
   fields.Exchange("color", structure.Color, 0.0, 1.0);
+  // Written only if set, so that earlier versions read all other scenes.
+  if (fields.IsReading() || structure.Opacity != 1.0)
+  {
+    fields.Exchange("opacity", structure.Opacity, 0.0, 1.0);
+  }
   fields.Exchange("shown_as", structure.Appearance, AppearanceWords);
   fields.Exchange("touched", structure.IsTouchable);
   ExchangeRepresentation(fields, structure);

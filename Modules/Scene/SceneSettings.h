@@ -79,6 +79,7 @@ struct SceneStructure
   bool IsVisible = true;
   bool IsTouchable = true;
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
+  double Opacity = 1.0; ///< in 3D and over slices, 0..1; does not affect touch
   SceneAppearance Appearance = SceneAppearance::Automatic;
 
   std::string Representation = TouchRepresentation::Automatic; ///< its name

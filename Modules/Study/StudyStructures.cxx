@@ -7,6 +7,7 @@
 #include "SceneLabels.h"
 #include "SegmentColor.h"
 #include "SegmentationFile.h"
+#include "StructureColor.h"
 #include "Study.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ SceneStructure StructureOf(const Segment& segment, const std::filesystem::path& 
   structure.Name = segment.Name;
   structure.File = file;
   structure.Labels = {std::to_string(segment.Label)};
-  structure.Color = segment.Color;
+  structure.Color = StructureColor(segment.Color, segment.Label);
   structure.Representation = TouchRepresentation::ModelOrField;
   structure.Degree = degree;
   structure.IsVisible = isShown;

@@ -160,6 +160,11 @@ void vtkSubVoxelVolumeMapper::SetMaterialOpacity(int material, double opacity)
   this->Modified();
 }
 
+double vtkSubVoxelVolumeMapper::GetMaterialOpacity(int material)
+{
+  return this->Inner->Look(material).Opacity;
+}
+
 void vtkSubVoxelVolumeMapper::SetContact(const palpate::ContactMark& contact)
 {
   if (!(contact == this->Inner->Contact))

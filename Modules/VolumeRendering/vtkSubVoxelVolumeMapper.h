@@ -79,6 +79,7 @@ public:
   void SetMaterialColor(int material, double red, double green, double blue);
   void GetMaterialColor(int material, double color[3]);
   void SetMaterialOpacity(int material, double opacity);
+  double GetMaterialOpacity(int material);
   ///@}
 #ifndef __VTK_WRAP__
   /** Where the surface is coloured differently; see ContactMark. Default: nowhere. */

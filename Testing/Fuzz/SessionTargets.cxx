@@ -177,11 +177,12 @@ std::vector<FuzzTarget> JsonTargets()
        "interpolation", "drill",     "forbidden",   "alarm_mm",       "texture_n", "texture_image",
        "scale",         "sphere",    "capsule",     "ellipsoid",      "cylinder",  "surface",
        "points",        "radius_mm", "semi_axes_mm"});
-  const Mutator study = JsonMutator(
-      {"structures", "fit",         "tool",      "landmarks",    "distances", "view",
-       "placement",  "field",       "drill",     "crosshair_mm", "window",    "level",
-       "center_mm",  "position_mm", "version",   "color",        "volume",    "segmentation",
-       "harmonics",  "facets",      "sub-voxel", "automatic",    "camera",    "patient"});
+  const Mutator study =
+      JsonMutator({"structures", "fit",       "tool",         "landmarks",   "distances",
+                   "view",       "placement", "field",        "drill",       "crosshair_mm",
+                   "window",     "level",     "center_mm",    "position_mm", "version",
+                   "color",      "volume",    "segmentation", "opacity",     "harmonics",
+                   "facets",     "sub-voxel", "automatic",    "camera",      "patient"});
   const Mutator script =
       JsonMutator({"start", "stop", "end-stroke", "undo", "redo", "reset", "time_s", "do"});
   return {FileTarget("scene", "a.scene.json", SceneSeeds(), scene,

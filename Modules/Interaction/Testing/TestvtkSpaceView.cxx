@@ -272,6 +272,40 @@ TEST_F(vtkSpaceViewTest, PicksNearerOfPolygonsAndSubVoxelSurfaces)
   EXPECT_NEAR((nearer - seen).norm(), 0.0, 1e-9);
 }
 
+TEST_F(vtkSpaceViewTest, PickTellsWhichObjectWasHit)
+{
+  vtkNew<vtkSurfaceDisplay> other;
+  this->Surface->SetSurface(Sphere(Vector3(-10.0, 0.0, 0.0), 5.0));
+  other->SetSurface(Sphere(Vector3(10.0, 0.0, 0.0), 5.0));
+  this->View->AddSurface(this->Surface);
+  this->View->AddSurface(other);
+  this->Draw();
+  const auto pick = [this](double x)
+  {
+    Vector3 world;
+    return this->View->PickObject(std::floor(0.5 * Side + x / PixelMillimeters), 0.5 * Side,
+                                  world.data());
+  };
+  EXPECT_EQ(pick(-10.0), this->Surface);
+  EXPECT_EQ(pick(10.0), other);
+  EXPECT_EQ(pick(0.0), nullptr);
+  other->SetOpacity(0.0);
+  this->Draw();
+  EXPECT_EQ(pick(10.0), nullptr) << "it is invisible";
+}
+
+TEST_F(vtkSpaceViewTest, HighlightIsBrighterInTheSameHue)
+{
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 10.0));
+  this->Surface->SetColor(0.0, 0.0, 0.6);
+  this->View->AddSurface(this->Surface);
+  const int plain = PixelAt(this->Draw(), 5.0, 0.0)[2];
+  this->Surface->HighlightOn();
+  const RasterImage raster = this->Draw();
+  EXPECT_GT(PixelAt(raster, 5.0, 0.0)[2], plain + 20);
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 5.0, 0.0)));
+}
+
 TEST_F(vtkSpaceViewTest, WireframeShowsEdgesThatAreNeitherPickedNorFitted)
 {
   this->Surface->SetSurface(Sphere(Vector3::Zero(), 9.0));

@@ -77,6 +77,7 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   mask.Representation = TouchRepresentation::Facets;
   mask.Degree = 20;
   bone.IsVisible = false;
+  bone.Opacity = 0.25;
   mask.IsTouchable = false;
   settings.Structures = {gland, bone, mask};
   settings.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
@@ -93,6 +94,8 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   EXPECT_EQ(back.Structures[0].File.lexically_normal(), gland.File.lexically_normal());
   EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
   EXPECT_EQ(back.Structures[1].Iso, -300.5);
+  EXPECT_EQ(back.Structures[1].Opacity, 0.25);
+  EXPECT_EQ(back.Structures[0].Opacity, 1.0) << "the default, which is not written";
   EXPECT_EQ(back.Structures[1].Friction.Dynamic, 0.3);
   EXPECT_EQ(back.Structures[1].Number("viscosity_ns_per_mm"), 0.003);
   EXPECT_EQ(back.Structures[1].Number("texture_n"), 0.25);
@@ -248,6 +251,7 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
       {begin + R"(, "label": 3000000000}]})", "label"},
       {begin + R"(, "label": true}]})", "label"},
       {begin + R"(, "seen": 1}]})", "seen"},
+      {begin + R"(, "opacity": 1.5}]})", "opacity"},
       {begin + R"(, "touched": "no"}]})", "touched"},
       {begin + R"(, "viscosity_ns_per_mm": -1}]})", "viscosity_ns_per_mm"},
       {begin + R"(, "texture_n": 0.1}]})", "texture_image"},

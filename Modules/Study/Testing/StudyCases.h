@@ -47,6 +47,7 @@ inline SceneStructure RandomStructure(Random& random)
   structure.File = StudyPath("masks/1.seg.nrrd");
   structure.Name = RandomName(random);
   structure.Color = {{RandomNumber(random, 0.0, 1.0), RandomNumber(random, 0.0, 1.0), 1.0}};
+  structure.Opacity = RandomChoice(random) ? 1.0 : RandomNumber(random, 0.0, 1.0);
   structure.IsVisible = RandomChoice(random);
   structure.IsTouchable = RandomChoice(random);
   structure.Appearance = static_cast<SceneAppearance>(RandomWhole(random, 0, 5));

@@ -3,6 +3,7 @@
 #include "InputError.h"
 #include "ManualClock.h"
 #include "SceneContacts.h"
+#include "StructureColor.h"
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyPhantoms.h"
@@ -237,6 +238,21 @@ TEST(StudyStructures, ShowsOnlyTheFirstOfManyByDefault)
     EXPECT_EQ(structure.IsVisible, structure.Id == 1);
     EXPECT_EQ(structure.IsTouchable, structure.Id == 1);
   }
+}
+
+TEST(StudyStructures, BlackOfAFileIsReplaced)
+{
+  Segmentation segmentation;
+  for (int label = 1; label <= 2; ++label)
+  {
+    Segment segment;
+    segment.Label = label;
+    segment.Color = {{0.0, 0.0, label == 1 ? 0.0 : 1.0}};
+    segmentation.Segments.push_back(segment);
+  }
+  const StudyState state = WithStructuresOf({}, segmentation);
+  EXPECT_EQ(state.Structures.at(0).Color, StructureColor({}, 1));
+  EXPECT_EQ(state.Structures.at(1).Color, segmentation.Segments[1].Color);
 }
 
 TEST_F(StudyTest, SessionReopensAsSaved)

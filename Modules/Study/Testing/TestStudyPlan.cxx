@@ -275,6 +275,7 @@ TEST(StudyPlan, KeysOmitIrrelevantSettings)
                                 s.Color = {{0.0, 0.0, 1.0}};
                               }),
                           {}},
+                         {"opacity", OfEach([](SceneStructure& s) { s.Opacity = 0.5; }), {}},
                          {"alarm", OfEach([](SceneStructure& s) { s.AlarmDistance = 7.0; }), {}},
                          {"drag", OfEach([](SceneStructure& s) { s.Drill.Drag = 0.01; }), {}},
                          {"turns", [](Inputs& i) { i.State.Drill.Turns = 5.0; }, {}},
