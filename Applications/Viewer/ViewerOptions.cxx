@@ -1,5 +1,7 @@
 #include "ViewerOptions.h"
 
+#include "SampleData.h"
+
 #include <QCommandLineParser>
 #include <QRegularExpression>
 
@@ -7,8 +9,6 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* DemoVolume = "/usr/share/mricron/templates/ch2.nii.gz";
-constexpr const char* DemoLabels = "/usr/share/mricron/templates/aal.nii.gz";
 
 // Empty for an invalid size.
 QSize SizeOf(const QString& text)
@@ -56,7 +56,7 @@ ViewerOptions ParseViewerOptions(const QStringList& arguments)
   }
   if (options.ShowsDemo)
   {
-    options.Files = QStringList{DemoVolume, DemoLabels} + options.Files;
+    options.Files = SampleData::Head().Files + options.Files;
   }
   return options;
 }

@@ -36,6 +36,10 @@ public:
     {
       this->Image.emplace_back(content.Image, grid);
     }
+    if (content.Image != nullptr && content.Band && content.Band->Mask != nullptr)
+    {
+      this->Mask.emplace_back(content.Band->Mask, grid);
+    }
     for (const LabelLayer& layer : content.Layers)
     {
       if (layer.Image != nullptr && !layer.Colors.empty())
@@ -52,6 +56,7 @@ public:
     {
       std::uint8_t* pixels = this->Pixels + std::size_t{4} * row * this->Grid.Width;
       this->PaintGrey(row, values, pixels);
+      this->PaintBand(row, values, pixels);
       for (const PaintedLayer& layer : this->Layers)
       {
         layer.Labels.SampleNearest(row, NoLabel, values.data());
@@ -92,6 +97,48 @@ private:
     }
   }
 
+  // `values` are those that PaintGrey left.
+  void PaintBand(int row, std::vector<float>& values, std::uint8_t* pixels) const
+  {
+    if (this->Image.empty() || !this->Content.Band)
+    {
+      return;
+    }
+    const ValueBand& band = *this->Content.Band;
+    constexpr float Nowhere = std::numeric_limits<float>::quiet_NaN();
+    if (band.High < std::numeric_limits<double>::infinity())
+    {
+      this->Image.front().SampleNearest(row, Nowhere, values.data());
+    }
+    std::vector<float> labels;
+    if (!this->Mask.empty())
+    {
+      labels.resize(values.size());
+      this->Mask.front().SampleNearest(row, NoLabel, labels.data());
+    }
+    const auto label = static_cast<float>(band.MaskValue);
+    for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
+    {
+      const bool isIn = values[pixel] >= band.Low && values[pixel] <= band.High &&
+                        (labels.empty() || labels[pixel] == label);
+      if (isIn)
+      {
+        Blend(band.Color, pixels + 4 * pixel);
+      }
+    }
+  }
+
+  static void Blend(const LabelLayer::Color& color, std::uint8_t* pixel)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const auto grey = static_cast<float>(pixel[c]);
+      const float mixed = (1.0F - color[3]) * grey + color[3] * 255.0F * color[c];
+      pixel[c] = static_cast<std::uint8_t>(mixed + Half);
+    }
+    pixel[3] = 255;
+  }
+
   // Neighbours mostly have the same label, so its colour is looked up only on a change.
   void BlendLabels(const LabelLayer& layer, const std::vector<float>& labels,
                    std::uint8_t* pixels) const
@@ -110,13 +157,7 @@ private:
       }
       if (color[3] > 0.0F)
       {
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          const float mixed = (1.0F - color[3]) * pixels[c] + color[3] * 255.0F * color[c];
-          const float level = mixed + Half;
-          pixels[c] = static_cast<std::uint8_t>(level);
-        }
-        pixels[3] = 255;
+        Blend(color, pixels);
       }
       pixels += 4;
     }
@@ -126,6 +167,7 @@ private:
   const PixelGrid& Grid;
   std::uint8_t* Pixels;
   std::vector<PlaneSampler> Image; // one or none
+  std::vector<PlaneSampler> Mask;  // of the band; one or none
   std::vector<PaintedLayer> Layers;
 };
 

@@ -7,6 +7,8 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <limits>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -23,6 +25,19 @@ struct LabelLayer
   std::unordered_map<int, Color> Colors;
 };
 
+/// A range of values that is painted over an image in one colour, such as that of a structure that
+/// is about to be made.
+struct ValueBand
+{
+  double Low = 0.0;
+  /// Without an upper limit, interpolated values are painted, up to the iso-surface; with one,
+  /// whole voxels, since a range of voxels is not a range of interpolated values.
+  double High = std::numeric_limits<double>::infinity();
+  vtkSmartPointer<vtkImageData> Mask; ///< a label map that limits it; null: none
+  int MaskValue = 0;
+  std::array<float, 4> Color{{1.0F, 0.55F, 0.0F, 0.5F}}; ///< red, green, blue, opacity; 0 to 1
+};
+
 /// The content of a slice.
 struct SliceContent
 {
@@ -30,13 +45,14 @@ struct SliceContent
   GreyWindow Window;
   bool IsSmooth = true; ///< linear interpolation instead of nearest voxels
   std::vector<LabelLayer> Layers;
-  float LabelOpacity = 1.0F; ///< multiplied by that of each label
+  float LabelOpacity = 1.0F;     ///< multiplied by that of each label
+  std::optional<ValueBand> Band; ///< over the image, under the labels
 };
 
-/// Paints the pixels of a plane: grey values of an image, labels over them in the order of their
-/// layers. A pixel with neither is transparent. Rows are painted by vtkSMPTools; the result does
-/// not depend on the number of threads. `picture` becomes red, green, blue and opacity (0 to 255),
-/// its first row at the grid's first one.
+/// Paints the pixels of a plane: grey values of an image, a band of them, labels over them in the
+/// order of their layers. A pixel with neither is transparent. Rows are painted by vtkSMPTools; the
+/// result does not depend on the number of threads. `picture` becomes red, green, blue and opacity
+/// (0 to 255), its first row at the grid's first one.
 PALPATEINTERACTION_EXPORT void PaintSlice(const SliceContent& content, const PixelGrid& grid,
                                           vtkImageData* raster);
 } // namespace palpate

@@ -33,6 +33,7 @@ void vtkImageDisplay::SetImage(vtkImageData* image)
   if (this->Content->Image != image)
   {
     this->Content->Image = image;
+    this->Content->Band.reset();
     this->ResetWindowLevel();
     this->Modified();
   }
@@ -140,6 +141,35 @@ double vtkImageDisplay::GetLabelOpacity()
   return this->Content->LabelOpacity;
 }
 
+void vtkImageDisplay::MarkValues(double low, double high, vtkImageData* mask, int label)
+{
+  if (std::isnan(low) || std::isnan(high))
+  {
+    return;
+  }
+  palpate::ValueBand band;
+  band.Low = low;
+  band.High = high;
+  band.Mask = mask;
+  band.MaskValue = label;
+  this->Content->Band = band;
+  this->Modified();
+}
+
+void vtkImageDisplay::ClearMarkedValues()
+{
+  if (this->Content->Band)
+  {
+    this->Content->Band.reset();
+    this->Modified();
+  }
+}
+
+bool vtkImageDisplay::HasMarkedValues()
+{
+  return this->Content->Band.has_value();
+}
+
 bool vtkImageDisplay::GetCenterWorld(double center[3])
 {
   if (this->Content->Image == nullptr)
@@ -176,4 +206,5 @@ void vtkImageDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Interpolate: " << this->Content->IsSmooth << '\n';
   os << indent << "Layers: " << this->Content->Layers.size() << '\n';
   os << indent << "LabelOpacity: " << this->Content->LabelOpacity << '\n';
+  os << indent << "HasMarkedValues: " << this->Content->Band.has_value() << '\n';
 }

@@ -70,6 +70,17 @@ public:
   double GetLabelOpacity();
   ///@}
 
+  ///@{
+  /**
+   * Paints the volume's values from `low` to `high` (infinity: all higher ones) in a colour, only
+   * inside the voxels of `mask` that have this label unless it is null, as a preview of the region.
+   * A new volume ends it. Values that are no numbers are ignored.
+   */
+  void MarkValues(double low, double high, vtkImageData* mask = nullptr, int label = 0);
+  void ClearMarkedValues();
+  bool HasMarkedValues();
+  ///@}
+
   /** The centre of the volume (world, mm). Returns false without a volume. */
   bool GetCenterWorld(double center[3]);
 

@@ -94,6 +94,27 @@ void vtkProbeRepresentation::SetForce(double x, double y, double z)
   }
 }
 
+void vtkProbeRepresentation::SetNearestPoint(double x, double y, double z)
+{
+  const double point[3] = {x, y, z};
+  const bool isSame = this->HasNearestPoint && std::equal(point, point + 3, this->NearestPoint);
+  if (AreNumbers(point, 3) && !isSame)
+  {
+    std::copy_n(point, 3, this->NearestPoint);
+    this->HasNearestPoint = true;
+    this->Modified();
+  }
+}
+
+void vtkProbeRepresentation::ClearNearestPoint()
+{
+  if (this->HasNearestPoint)
+  {
+    this->HasNearestPoint = false;
+    this->Modified();
+  }
+}
+
 void vtkProbeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -103,5 +124,6 @@ void vtkProbeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ForceScale: " << this->ForceScale << '\n';
   os << indent << "InContact: " << this->InContact << '\n';
   os << indent << "ContactRadius: " << this->ContactRadius << '\n';
+  os << indent << "HasNearestPoint: " << this->HasNearestPoint << '\n';
   os << indent << "Visibility: " << this->Visibility << '\n';
 }

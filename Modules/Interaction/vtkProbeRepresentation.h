@@ -76,6 +76,14 @@ public:
   vtkGetMacro(ContactRadius, double);
   ///@}
   ///@{
+  /** The nearest place of what is around (world, mm), to which 3D views draw a line with its length
+   * while the tool is not in contact. None by default. */
+  void SetNearestPoint(double x, double y, double z);
+  void ClearNearestPoint();
+  vtkGetVector3Macro(NearestPoint, double);
+  vtkGetMacro(HasNearestPoint, bool);
+  ///@}
+  ///@{
   /** Colour of the contact: red, green, blue. */
   vtkSetVector3Macro(ContactColor, double);
   vtkGetVector3Macro(ContactColor, double);
@@ -108,6 +116,8 @@ private:
   double ForceScale = 10.0;
   bool InContact = false;
   double ContactRadius = 4.0;
+  double NearestPoint[3] = {0.0, 0.0, 0.0};
+  bool HasNearestPoint = false;
   double ContactColor[3] = {0.84, 0.37, 0.0};
   double Color[3] = {0.34, 0.71, 0.91};
   bool Visibility = true;

@@ -7,6 +7,7 @@
 #include "ColorBar.h"
 #include "ContactMark.h"
 #include "LandmarksInSpace.h"
+#include "PlumbLine.h"
 #include "ProbeInSpace.h"
 #include "SliceInSpace.h"
 #include "SurfaceInSpace.h"
@@ -106,6 +107,7 @@ struct vtkSpaceView::State
   std::array<bool, 3> AreSlicesShown{{true, true, true}};
   palpate::LandmarksInSpace Marks;
   palpate::ProbeInSpace Tool;
+  palpate::PlumbLine Depth;
   palpate::AxesMarker Axes;
   palpate::ArrayScales Scales;
   palpate::ColorBar Bar;
@@ -169,6 +171,7 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
+  state.Depth.SetRenderer(renderer);
   state.Axes.AddTo(renderer);
   state.Bar.AddTo(renderer);
   renderer->AddLight(state.Lamp);
@@ -188,6 +191,7 @@ void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
   }
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
+  state.Depth.SetRenderer(nullptr);
   state.Axes.RemoveFrom(renderer);
   state.Bar.RemoveFrom(renderer);
   renderer->RemoveLight(state.Lamp);
@@ -318,6 +322,7 @@ void vtkSpaceView::UpdateContents()
   }
   state.Marks.Update(this->GetLandmarks());
   state.Tool.Update(this->GetProbe());
+  state.Depth.Update(this->GetProbe());
 }
 
 void vtkSpaceView::UpdateFor(vtkRenderer* renderer)

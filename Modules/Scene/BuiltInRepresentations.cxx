@@ -3,6 +3,7 @@
 #include "ElasticRepresentation.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
+#include "SceneRegion.h"
 #include "StructurePlan.h"
 
 #include <algorithm>
@@ -107,9 +108,15 @@ SceneProduct FieldContactOf(const SceneStructure& structure, const StructurePlan
       contact.Drilled.Image = read->Layers[static_cast<std::size_t>(segment.Layer)];
       contact.Drilled.Label = segment.Value;
     }
+    else if (const auto volume = ProductAs<Volume>(&inputs[1]); structure.IsLimited())
+    {
+      // The values of a region's image mean nothing to the user: drilling gives a label map.
+      contact.Drilled.Image = LabelsOfRegion(volume->Image);
+      contact.Drilled.Label = 1;
+    }
     else
     {
-      contact.Drilled.Image = ProductAs<Volume>(&inputs[1])->Image;
+      contact.Drilled.Image = volume->Image;
     }
   }
   return std::make_shared<const TouchContact>(std::move(contact));

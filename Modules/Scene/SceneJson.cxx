@@ -104,6 +104,26 @@ void ExchangeDrillLaw(JsonFields& fields, DrillLaw& law)
   fields.Exchange("vibration", law.Vibration, 0.0, 1.0);
 }
 
+// Only an iso-value is limited or chooses a series.
+void ExchangeLimits(JsonFields& fields, SceneStructure& structure)
+{
+  fields.Exchange("iso_upper", structure.IsoUpper, -LargestIso, LargestIso);
+  fields.ExchangeIfSet("within", structure.WithinFile);
+  fields.ExchangeIfSet("within_label", structure.WithinLabel);
+  fields.ExchangeIfSet("series", structure.Series);
+  const bool isPlain = !structure.IsoUpper && structure.WithinFile.empty() &&
+                       structure.WithinLabel.empty() && structure.Series.empty();
+  fields.Require(isPlain || structure.Iso, "limits " + fields.Place() + ", which has no iso-value",
+                 "add \"iso\" there, or remove \"iso_upper\", \"within\", \"within_label\" and "
+                 "\"series\"");
+  fields.Require(!structure.IsoUpper || *structure.IsoUpper > structure.Iso,
+                 "gives " + fields.Place() + " an upper value that is not above its iso-value",
+                 "raise \"iso_upper\" there");
+  fields.Require(structure.WithinFile.empty() == structure.WithinLabel.empty(),
+                 "gives " + fields.Place() + " only one of \"within\" and \"within_label\"",
+                 "give both: a segmentation, and the number or name of its label");
+}
+
 void ExchangeSource(JsonFields& fields, SceneStructure& structure)
 {
   fields.ExchangeIfSet("id", structure.Id, 0, LargestId);
@@ -113,6 +133,7 @@ void ExchangeSource(JsonFields& fields, SceneStructure& structure)
                  "name a model, a surface, a segmentation or an image in its entry \"file\"");
   fields.ExchangeIfSet("label", structure.Labels);
   fields.Exchange("iso", structure.Iso, -LargestIso, LargestIso);
+  ExchangeLimits(fields, structure);
 }
 
 void ExchangeStructure(JsonFields& fields, SceneStructure& structure)

@@ -55,7 +55,7 @@ PALPATESCENE_EXPORT const char* NameOf(SceneAppearance appearance);
 enum class SceneSource
 {
   Label,    ///< of a segmentation
-  IsoValue, ///< of an image: the region of at least this value
+  IsoValue, ///< of an image: the region of at least this value, which may be limited
   Model,
   Surface
 };
@@ -64,11 +64,15 @@ enum class SceneSource
 /// command line, one entry may represent several labels of a segmentation (see ResolveLabels).
 struct SceneStructure
 {
-  int Id = 0;                      ///< unique in a scene; of a label its number if that is free
-  std::string Name;                ///< may be empty (see TitleOf)
-  std::filesystem::path File;      ///< a model, a surface, a segmentation, or an image with `Iso`
-  std::vector<std::string> Labels; ///< of a segmentation, numbers or names; empty: all
-  std::optional<double> Iso;       ///< of an image: the region of at least this value
+  int Id = 0;                       ///< unique in a scene; of a label its number if that is free
+  std::string Name;                 ///< may be empty (see TitleOf)
+  std::filesystem::path File;       ///< a model, a surface, a segmentation, or an image with `Iso`
+  std::vector<std::string> Labels;  ///< of a segmentation, numbers or names; empty: all
+  std::optional<double> Iso;        ///< of an image: the region of at least this value
+  std::optional<double> IsoUpper;   ///< limits it to at most this value
+  std::filesystem::path WithinFile; ///< limits it to a label of this segmentation
+  std::string WithinLabel;          ///< number or name of that label
+  std::string Series;               ///< of the image, as in VolumeChoice
 
   /// If a structure is neither displayed nor touched nor forbidden, nothing is made and its file is
   /// not opened.
@@ -107,6 +111,11 @@ struct SceneStructure
   bool IsDrilled() const noexcept
   {
     return this->IsTouchable && !this->IsForbidden && this->Drill.Wear > 0.0;
+  }
+  /// Whether an iso-value is limited, so that the structure is a part of a region of the image.
+  bool IsLimited() const noexcept
+  {
+    return this->Iso && (this->IsoUpper || !this->WithinFile.empty());
   }
   /// Determined by its iso-value, otherwise by the ending of its file.
   PALPATESCENE_EXPORT SceneSource Source() const;

@@ -11,6 +11,7 @@
 #include "SceneIsoSurface.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
+#include "SceneRegion.h"
 #include "SceneTool.h"
 #include "SteadyClock.h"
 #include "SurfaceFileFit.h"
@@ -135,20 +136,48 @@ std::string StructurePlan::AddSegmentationOf(const SceneStructure& other)
   return this->Share(SegmentationNode(other.File, this->Scene.LeftHanded, this->Stamps), other.Id);
 }
 
-std::string StructurePlan::AddImage(const std::filesystem::path& file)
+std::string StructurePlan::AddImage(const std::filesystem::path& file, const std::string& series)
 {
-  SceneNode node = VolumeNode(file, {}, this->Scene.LeftHanded, this->Stamps);
+  SceneNode node = VolumeNode(file, series, this->Scene.LeftHanded, this->Stamps);
   node.Step = SceneStep::Image;
   return this->Share(std::move(node), this->Structure.Id);
 }
 
+// The image in which an iso-value bounds the structure: its own, or that of a limited region.
+std::string StructurePlan::AddIsoImage()
+{
+  const SceneStructure& own = this->Structure;
+  const std::string image = this->AddImage(own.File, own.Series);
+  if (!own.IsLimited())
+  {
+    return image;
+  }
+  std::vector<std::string> inputs{image};
+  if (!own.WithinFile.empty())
+  {
+    inputs.push_back(this->Share(
+        SegmentationNode(own.WithinFile, this->Scene.LeftHanded, this->Stamps), own.Id));
+  }
+  const std::string limit = own.IsoUpper ? SceneKey("to", *own.IsoUpper) : std::string();
+  const std::string key =
+      SceneKey(image, "region", *own.Iso, limit, inputs.back(), own.WithinLabel);
+  return this->AddNode(SceneStep::Image, key, std::move(inputs),
+                       [own](const Inputs& made, const ProgressFunction& progress)
+                       {
+                         const auto mask = made.size() > 1 ? ProductAs<Segmentation>(&made[1])
+                                                           : std::shared_ptr<const Segmentation>();
+                         return std::make_shared<const Volume>(MakeRegion(
+                             own, *ProductAs<Volume>(made.data()), mask.get(), progress));
+                       });
+}
+
 std::string StructurePlan::AddIsoSurface()
 {
-  const std::string image = this->AddImage(this->Structure.File);
+  const std::string image = this->AddIsoImage();
   return this->AddNode(SceneStep::Surface, SceneKey(image, "iso-surface", *this->Structure.Iso),
                        {image},
-                       [iso = *this->Structure.Iso](
-                           const Inputs& inputs, const ProgressFunction& progress) -> SceneProduct
+                       [iso = this->IsoOfImage()](const Inputs& inputs,
+                                                  const ProgressFunction& progress) -> SceneProduct
                        {
                          const auto volume = ProductAs<Volume>(inputs.data());
                          FitSurface surface;
@@ -233,12 +262,12 @@ std::string StructurePlan::AddField()
   const FieldForm form(interpolation, isDrilled);
   if (this->Source == SceneSource::IsoValue)
   {
-    const std::string image = this->AddImage(this->Structure.File);
+    const std::string image = this->AddIsoImage();
     return this->AddNode(
         SceneStep::Field,
         SceneKey(image, "field", *this->Structure.Iso, static_cast<int>(interpolation), isDrilled),
         {image},
-        [iso = *this->Structure.Iso, form](const Inputs& inputs, const ProgressFunction& progress)
+        [iso = this->IsoOfImage(), form](const Inputs& inputs, const ProgressFunction& progress)
         { return MakeIsoField(ProductAs<Volume>(inputs.data())->Image, {iso}, form, progress); });
   }
   const std::string segmentation = this->AddSegmentation();
@@ -402,8 +431,7 @@ void StructurePlan::AddUndecidedContact(const std::string& input)
 
 std::string StructurePlan::AddVoxels()
 {
-  return this->Source == SceneSource::Label ? this->AddSegmentation()
-                                            : this->AddImage(this->Structure.File);
+  return this->Source == SceneSource::Label ? this->AddSegmentation() : this->AddIsoImage();
 }
 
 // Only effects made from images.

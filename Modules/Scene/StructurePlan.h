@@ -38,7 +38,7 @@ public:
   ///@{
   const SceneStructure& Settings() const { return this->Structure; }
   const SceneSettings& Whole() const { return this->Scene; }
-  /// The segmentation of a label, the image of an iso-value.
+  /// The segmentation of a label, the image of an iso-value (of a limited one, that of its region).
   std::string AddVoxels();
   /// FitSurface: of a label's mask, of an iso-value, or from a file.
   std::string AddSurface();
@@ -47,7 +47,7 @@ public:
   /// ScalarField of a label or an iso-value.
   std::string AddField();
   /// Volume: an image of the structure.
-  std::string AddImage(const std::filesystem::path& file);
+  std::string AddImage(const std::filesystem::path& file, const std::string& series = {});
   /// Segmentation: that of another label of the scene.
   std::string AddSegmentationOf(const SceneStructure& other);
   /// Any other product.
@@ -73,6 +73,8 @@ private:
   std::string Share(SceneNode node, int id);
   std::string AddSegmentation();
   std::string AddSamples();
+  std::string AddIsoImage();
+  double IsoOfImage() const { return this->Structure.IsLimited() ? 0.0 : *this->Structure.Iso; }
   std::string AddIsoSurface();
   std::string AddProtectedSurface();
 

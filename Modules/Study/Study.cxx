@@ -1,12 +1,9 @@
 #include "Study.h"
 
-#include "DecimalText.h"
 #include "FileStamp.h"
 #include "FitSettingsJson.h"
 #include "InputError.h"
 #include "OpenBuiltInDevice.h"
-#include "SceneFile.h"
-#include "SceneLabels.h"
 #include "SceneReading.h"
 #include "SegmentationFile.h"
 #include "SteadyClock.h"
@@ -118,63 +115,26 @@ void Study::AddSegmentation(const std::filesystem::path& file,
 
 void Study::AddStructure(const std::filesystem::path& file)
 {
-  StudyState next = this->State();
   SceneStructure structure;
-  structure.Id = NextFreeId(next);
   structure.Name = file.stem().string();
   structure.File = StudyPath(file);
-  next.Structures.push_back(std::move(structure));
-  this->Change("Add " + file.filename().string(), next);
+  this->Change("Add " + file.filename().string(), WithStructure(this->State(), structure));
 }
 
-void Study::AddIsoValue(double iso)
+void Study::AddThreshold(const StudyThreshold& threshold)
 {
-  StudyState next = this->State();
-  if (next.VolumeFile.empty() || !next.DicomSeries.empty())
-  {
-    throw InputError(next.VolumeFile.empty()
-                         ? "there is no volume to take an iso-value of; open one first"
-                         : "an iso-value needs a volume in a single file; convert the series with "
-                           "palpate convert");
-  }
-  SceneStructure structure;
-  structure.Id = NextFreeId(next);
-  structure.Name = "iso " + SignificantText(iso, 6);
-  structure.File = next.VolumeFile;
-  structure.Iso = iso;
-  next.Structures.push_back(std::move(structure));
-  this->Change("Add the iso-surface at " + SignificantText(iso, 6), next);
+  const SceneStructure structure = ThresholdStructure(this->State(), threshold);
+  this->Change("Add " + structure.Name, WithStructure(this->State(), structure));
 }
 
 void Study::OpenScene(const std::filesystem::path& file)
 {
-  const SceneSettings scene =
-      ResolveLabels(ReadScene(file), true,
-                    [this](const std::filesystem::path& labels)
-                    {
-                      return std::make_shared<const Segmentation>(
-                          ReadSegmentation(labels, this->State().LeftHanded));
-                    });
-  StudyState next = this->State();
-  SceneSettings& own = next;
-  own = scene;
-  for (SceneStructure& structure : next.Structures)
-  {
-    structure.File = StudyPath(structure.File);
-    for (auto& [key, image] : structure.Images)
-    {
-      image = StudyPath(image);
-    }
-    if (structure.Source() == SceneSource::Label && next.SegmentationFile.empty())
-    {
-      next.SegmentationFile = structure.File;
-    }
-    if (structure.Source() == SceneSource::IsoValue && next.VolumeFile.empty())
-    {
-      next.VolumeFile = structure.File;
-    }
-  }
-  this->Change("Open the scene " + file.filename().string(), next);
+  this->AddScene(file, ReadWholeScene(file, this->State().LeftHanded));
+}
+
+void Study::AddScene(const std::filesystem::path& file, const SceneSettings& scene)
+{
+  this->Change("Open the scene " + file.filename().string(), WithScene(this->State(), scene));
 }
 
 void Study::RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved)
@@ -360,9 +320,14 @@ void Study::StopTouch()
   this->Problem.clear();
 }
 
+// A replay that is open stays until this one has been read.
 void Study::OpenReplay(const std::filesystem::path& file)
 {
-  this->CloseReplay();
+  if (this->Reading)
+  {
+    this->Work.Cancel(*this->Reading);
+  }
+  this->Unplayable.clear();
   StudyJob job;
   job.IsUrgent = true;
   job.Work = [this, file](const ProgressFunction&)

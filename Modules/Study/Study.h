@@ -20,6 +20,15 @@
 
 namespace palpate
 {
+/// Values of the volume that make a structure.
+struct StudyThreshold
+{
+  double Lower = 0.0;
+  std::optional<double> Upper;
+  int WithinId = 0; ///< the structure, a label of a segmentation, that limits it; 0: none
+  std::string Name; ///< empty: after its values
+};
+
 /// An open study: its state with undo and redo, its products, and its touch. One thread only, a
 /// window's or a command's, which must call Deliver regularly.
 class PALPATESTUDY_EXPORT Study
@@ -59,13 +68,16 @@ public:
   void AddSegmentation(const std::filesystem::path& file,
                        const std::function<void(const std::string& message)>& fail);
   bool IsAddingSegmentation() const { return !this->Adding.empty(); }
-  /// Adds a model, a surface, or an iso-surface of the volume; an undo step. AddIsoValue throws
-  /// InputError without a volume in a single file.
+  /// Adds a model, a surface, or a region of the volume; an undo step. AddThreshold throws
+  /// InputError without a volume, and for limits that contradict each other.
   void AddStructure(const std::filesystem::path& file);
-  void AddIsoValue(double iso);
-  /// Adds the structures of a scene file and takes over its tool, device and rate; an undo step.
-  /// Throws InputError.
+  void AddThreshold(const StudyThreshold& threshold);
+  void AddIsoValue(double iso) { this->AddThreshold({iso, {}, 0, {}}); }
+  /// Adds the structures of a scene file and takes over its tool, device and rate (see WithScene);
+  /// an undo step. OpenScene throws InputError. AddScene takes a scene that was read from `file`
+  /// before, with resolved labels (see ReadWholeScene).
   void OpenScene(const std::filesystem::path& file);
+  void AddScene(const std::filesystem::path& file, const SceneSettings& scene);
   /// See Relocate; an undo step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
 
@@ -104,8 +116,8 @@ public:
   const std::string& TouchProblem() const { return this->Problem; }
 
   /// Reads a recorded touch in the background, then shows it. Touch and replay exclude each other:
-  /// a running touch is stopped (forces first), an open replay is closed, and StartTouch closes
-  /// this one.
+  /// a running touch is stopped (forces first), an open replay is replaced, and StartTouch closes
+  /// this one. A recording that cannot be read changes neither (see ReplayProblem).
   void OpenReplay(const std::filesystem::path& file);
   void CloseReplay();
   bool IsOpeningReplay() const { return this->Reading.has_value(); }

@@ -51,6 +51,7 @@ std::vector<StudyMissingFile> MissingFiles(const StudyState& state)
   for (const SceneStructure& structure : state.Structures)
   {
     named.push_back({"structure", structure.File});
+    named.push_back({"segmentation", structure.WithinFile});
     for (const auto& [key, image] : structure.Images)
     {
       named.push_back({key, image});
@@ -78,6 +79,7 @@ StudyState Relocate(const StudyState& state, const std::filesystem::path& missin
   for (SceneStructure& structure : relocated.Structures)
   {
     files.push_back(&structure.File);
+    files.push_back(&structure.WithinFile);
     for (auto& [key, image] : structure.Images)
     {
       files.push_back(&image);
@@ -104,7 +106,7 @@ StudyState Relocate(const StudyState& state, const std::filesystem::path& missin
   return relocated;
 }
 
-StudyFileRole RoleOf(const std::filesystem::path& file)
+std::optional<StudyFileRole> RoleByName(const std::filesystem::path& file)
 {
   const std::string name = file.filename().string();
   const std::string ending = StudyEnding;
@@ -124,6 +126,15 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
   if (IsSurfaceFile(file))
   {
     return StudyFileRole::Surface;
+  }
+  return std::nullopt;
+}
+
+StudyFileRole RoleOf(const std::filesystem::path& file)
+{
+  if (const std::optional<StudyFileRole> named = RoleByName(file))
+  {
+    return *named;
   }
   std::error_code failure;
   if (std::filesystem::is_directory(file, failure))

@@ -4,6 +4,7 @@
 #include "StudyState.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ enum class StudyFileRole
   Model,
   Surface
 };
+
+/// The role of a session, scene, model or surface, which only its name tells; none for images and
+/// recordings. Does not open the file.
+PALPATESTUDY_EXPORT std::optional<StudyFileRole> RoleByName(const std::filesystem::path& file);
 
 /// Determined by its name, otherwise by its content, as in `palpate info`. Reads the whole file.
 /// Throws InputError.

@@ -58,6 +58,13 @@ public:
   /// whether files have changed.
   void Update(const StudyState& state);
 
+  /// Keeps a product that was made elsewhere from the same inputs and settings, for the next
+  /// Update.
+  void Keep(const std::string& key, SceneProduct product)
+  {
+    this->Cache.Store(key, std::move(product));
+  }
+
   StudyStepState StateOf(SceneStep step, int id) const;
   /// State over all structures: running if one is running, failed if one failed, and so on.
   StudyStepState StateOf(SceneStep step) const;

@@ -15,6 +15,7 @@ SceneStamps StampFiles(const StudyState& state)
   for (const SceneStructure& structure : state.Structures)
   {
     files.push_back(structure.File);
+    files.push_back(structure.WithinFile);
     for (const auto& [key, image] : structure.Images)
     {
       files.push_back(image);

@@ -1,7 +1,12 @@
 #include "StudyStructures.h"
 
+#include "DecimalText.h"
 #include "FitStructure.h"
+#include "InputError.h"
+#include "SceneFile.h"
+#include "SceneLabels.h"
 #include "SegmentColor.h"
+#include "SegmentationFile.h"
 #include "StructureColor.h"
 #include "Study.h"
 
@@ -141,6 +146,106 @@ StudyState WithAddedStructuresOf(const StudyState& state, const std::filesystem:
       added.Name = DistinctName(added, next, segmentation.Segments.size() == 1);
       added.Id = FindStructure(next, added.Id) == nullptr ? added.Id : NextFreeId(next);
       next.Structures.push_back(std::move(added));
+    }
+  }
+  return next;
+}
+
+StudyState WithStructure(const StudyState& state, const SceneStructure& structure)
+{
+  StudyState next = state;
+  SceneStructure added = structure;
+  const bool isFree = added.Id != 0 && FindStructure(state, added.Id) == nullptr;
+  added.Id = isFree ? added.Id : NextFreeId(state);
+  added.Color = DistinctColor(added.Color, state);
+  added.Name = DistinctName(added, state, true);
+  next.Structures.push_back(std::move(added));
+  return next;
+}
+
+SceneStructure ThresholdStructure(const StudyState& state, const StudyThreshold& threshold)
+{
+  if (state.VolumeFile.empty())
+  {
+    throw InputError("there is no volume to take values of; open one first");
+  }
+  const bool isRange = !threshold.Upper || *threshold.Upper > threshold.Lower;
+  if (!std::isfinite(threshold.Lower) || !isRange)
+  {
+    throw InputError("the upper value must be above the lower one");
+  }
+  SceneStructure structure;
+  structure.File = state.VolumeFile;
+  structure.Series = state.DicomSeries;
+  structure.Iso = threshold.Lower;
+  structure.IsoUpper = threshold.Upper;
+  structure.Name = "iso " + SignificantText(threshold.Lower, 6);
+  structure.Name += threshold.Upper ? " to " + SignificantText(*threshold.Upper, 6) : "";
+  if (threshold.WithinId != 0)
+  {
+    const SceneStructure* mask = FindStructure(state, threshold.WithinId);
+    if (mask == nullptr || mask->Source() != SceneSource::Label || mask->Labels.size() != 1)
+    {
+      throw InputError("only a label of a segmentation can limit a structure");
+    }
+    structure.WithinFile = mask->File;
+    structure.WithinLabel = mask->Labels.front();
+    structure.Name += " in " + TitleOf(*mask);
+  }
+  structure.Name = threshold.Name.empty() ? structure.Name : threshold.Name;
+  return structure;
+}
+
+SceneSettings ReadWholeScene(const std::filesystem::path& file, LeftHandedAxes leftHanded)
+{
+  SceneSettings scene = ResolveLabels(
+      ReadScene(file), true,
+      [leftHanded](const std::filesystem::path& labels)
+      { return std::make_shared<const Segmentation>(ReadSegmentation(labels, leftHanded)); });
+  for (SceneStructure& structure : scene.Structures)
+  {
+    structure.File = StudyPath(structure.File);
+    structure.WithinFile = StudyPath(structure.WithinFile);
+    for (auto& [key, image] : structure.Images)
+    {
+      image = StudyPath(image);
+    }
+  }
+  return scene;
+}
+
+StudyState WithScene(const StudyState& state, const SceneSettings& scene)
+{
+  StudyState next = state;
+  SceneSettings& own = next;
+  own = scene;
+  if (!state.Structures.empty())
+  {
+    own.Structures = state.Structures;
+    own.Fit = state.Fit;
+    own.LeftHanded = state.LeftHanded;
+    for (const SceneStructure& added : scene.Structures)
+    {
+      SceneStructure same = added;
+      const bool isThere = std::any_of(state.Structures.begin(), state.Structures.end(),
+                                       [&same](const SceneStructure& one)
+                                       {
+                                         same.Id = one.Id;
+                                         return one == same;
+                                       });
+      next = isThere ? next : WithStructure(next, added);
+    }
+  }
+  for (const SceneStructure& structure : next.Structures)
+  {
+    if (structure.Source() == SceneSource::Label && next.SegmentationFile.empty())
+    {
+      next.SegmentationFile = structure.File;
+    }
+    if (structure.Source() == SceneSource::IsoValue && next.VolumeFile.empty())
+    {
+      next.VolumeFile = structure.File;
+      next.DicomSeries = structure.Series;
     }
   }
   return next;

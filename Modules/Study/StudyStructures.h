@@ -8,6 +8,8 @@
 
 namespace palpate
 {
+struct StudyThreshold;
+
 /// Whether a state lacks the structures of its segmentation.
 bool LacksStructures(const StudyState& state);
 
@@ -25,4 +27,23 @@ PALPATESTUDY_EXPORT StudyState WithStructuresOf(const StudyState& state,
 PALPATESTUDY_EXPORT StudyState WithAddedStructuresOf(const StudyState& state,
                                                      const std::filesystem::path& file,
                                                      const Segmentation& segmentation);
+
+/// The state with a further structure, of which id, colour and name are replaced if they are in
+/// use.
+PALPATESTUDY_EXPORT StudyState WithStructure(const StudyState& state,
+                                             const SceneStructure& structure);
+
+/// The structure of values of the state's volume. Throws InputError if there is no volume, for
+/// values that are not numbers or not in order, and if the limiting structure is not a label.
+PALPATESTUDY_EXPORT SceneStructure ThresholdStructure(const StudyState& state,
+                                                      const StudyThreshold& threshold);
+
+/// Reads a scene file and the segmentations that it names (see ResolveLabels). Throws InputError.
+PALPATESTUDY_EXPORT SceneSettings ReadWholeScene(const std::filesystem::path& file,
+                                                 LeftHandedAxes leftHanded);
+
+/// The state with the structures, tool, device, rate and placement of a scene with resolved labels.
+/// A state without structures takes everything; otherwise its own structures, their fit and axes
+/// stay, and structures that it has already are left out.
+PALPATESTUDY_EXPORT StudyState WithScene(const StudyState& state, const SceneSettings& scene);
 } // namespace palpate

@@ -5,9 +5,11 @@
 #include "ScreenString.h"
 #include "SurfaceFile.h"
 #include "TextContrast.h"
+#include "TouchNotice.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QFormLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -20,6 +22,8 @@ namespace palpate
 {
 namespace
 {
+constexpr int MostRows = 8; // of the table at once
+
 // A structure's drill role. Wear and feel are plausible, not measured.
 struct DrillRole
 {
@@ -113,8 +117,8 @@ DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, Q
 
 void DrillPanel::MakeBurr(QWidget* row)
 {
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
+  auto* form = new QFormLayout(row);
+  form->setContentsMargins(0, 0, 0, 0);
   this->Pedal = new QPushButton("Drill (hold D)", row);
   this->Pedal->setObjectName("drill-pedal");
   this->Pedal->setToolTip("While held, removes touched material that can be drilled. The D key and "
@@ -138,12 +142,9 @@ void DrillPanel::MakeBurr(QWidget* row)
             next.Drill.Turns = turns;
             this->Study.Change("Change the drill's speed", next, "turns");
           });
-  line->addWidget(this->Pedal);
-  line->addWidget(new QLabel("Burr radius", row));
-  line->addWidget(this->Radius);
-  line->addWidget(new QLabel("Speed", row));
-  line->addWidget(this->Turns);
-  line->addStretch(1);
+  form->addRow(this->Pedal);
+  form->addRow("Burr radius", this->Radius);
+  form->addRow("Speed", this->Turns);
 }
 
 QPushButton* DrillPanel::AddButton(QWidget* row, const QString& text, const QString& name,
@@ -152,13 +153,15 @@ QPushButton* DrillPanel::AddButton(QWidget* row, const QString& text, const QStr
   auto* button = new QPushButton(text, row);
   button->setObjectName(name);
   connect(button, &QPushButton::clicked, this, act);
-  row->layout()->addWidget(button);
+  constexpr int Columns = 3;
+  auto* grid = qobject_cast<QGridLayout*>(row->layout());
+  grid->addWidget(button, grid->count() / Columns, grid->count() % Columns);
   return button;
 }
 
 void DrillPanel::MakeButtons(QWidget* row)
 {
-  (new QHBoxLayout(row))->setContentsMargins(0, 0, 0, 0);
+  (new QGridLayout(row))->setContentsMargins(0, 0, 0, 0);
   const auto command = [this](DrillCommand wanted)
   { return [this, wanted] { this->Study.Current().Touch().Command(wanted); }; };
   this->Undo = this->AddButton(row, "Undo stroke", "drill-undo", command(DrillCommand::Undo));
@@ -176,6 +179,8 @@ void DrillPanel::MakeTable()
   this->Table->setHorizontalHeaderLabels({"Structure", "Drill role", "Alarm", "Status"});
   this->Table->verticalHeader()->hide();
   this->Table->horizontalHeader()->setSectionResizeMode(StandColumn, QHeaderView::Stretch);
+  this->Table->setTextElideMode(Qt::ElideMiddle); // left and right differ at the end
+  this->Table->setMinimumHeight(MostRows * this->Table->verticalHeader()->defaultSectionSize());
   this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
 }
@@ -317,16 +322,9 @@ void DrillPanel::ShowAlarm(const StudyDrillReading& reading,
   QString text = ScreenString(reading.Problem);
   const QString hold = ScreenString(this->HoldText(reading, forbidden));
   text = hold.isEmpty() ? text : hold;
-  for (const DrillApproach& one : reading.Approaches)
+  if (const QString alarm = TouchNotice::AlarmText(reading); !alarm.isEmpty())
   {
-    if (one.IsAlarmed)
-    {
-      const char* form = one.Distance < 0.0 ? "The drill touches %2 (%1 mm inside)."
-                                            : "The drill is %1 mm from %2.";
-      text = QString(form).arg(QString::number(std::abs(one.Distance), 'f', 1),
-                               ScreenString(one.Name)) +
-             (hold.isEmpty() ? hold : " " + hold);
-    }
+    text = hold.isEmpty() ? alarm : alarm + ". " + hold;
   }
   if (text != this->Alarm->text())
   {

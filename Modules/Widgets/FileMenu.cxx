@@ -4,9 +4,10 @@
 #include "ModelFile.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
+#include "ThresholdDialog.h"
+#include "ToolIcon.h"
 
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QSettings>
 
 namespace palpate
@@ -23,11 +24,22 @@ QString ImageFilter()
                                 ");;All files (*)");
 }
 
+std::string ScenePatterns()
+{
+  return "*.scene.json " + PatternsOf(ReadableModelEndings()) + " " +
+         PatternsOf(SurfaceFormats().ReadEndings());
+}
+
 QString SceneFilter()
 {
-  return QString::fromStdString("Models, surfaces, scenes (*.scene.json " +
-                                PatternsOf(ReadableModelEndings()) + " " +
-                                PatternsOf(SurfaceFormats().ReadEndings()) + ");;All files (*)");
+  return QString::fromStdString("Models, surfaces, scenes (" + ScenePatterns() +
+                                ");;All files (*)");
+}
+
+QString AnyFilter()
+{
+  return QString::fromStdString("All known files (*.palpate.json *.touch " + ScenePatterns() + " " +
+                                PatternsOf(ReadableImageEndings()) + ");;All files (*)");
 }
 
 std::filesystem::path PathOf(const QString& file)
@@ -36,8 +48,9 @@ std::filesystem::path PathOf(const QString& file)
 }
 } // namespace
 
-FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window)
-    : QMenu("&File", window), Study(study), Questions(questions), Window(window)
+FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
+                   const ViewContents& contents, QWidget* window)
+    : QMenu("&File", window), Study(study), Questions(questions), Contents(contents), Window(window)
 {
   this->addAction(
       "&New study", this,
@@ -49,9 +62,12 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
         }
       },
       QKeySequence::New);
-  this->addAction(
-      "Open &volume...", this,
-      [this] { this->Open("Open a volume", &StudyController::OpenVolume); }, QKeySequence::Open);
+  QAction* open = this->addAction("&Open...", this, &FileMenu::OpenFiles, QKeySequence::Open);
+  open->setIcon(ToolIcon(ToolSign::Open));
+  open->setIconText("Open");
+  open->setPriority(QAction::HighPriority);
+  this->addAction("Open &volume...", this,
+                  [this] { this->Open("Open a volume", &StudyController::OpenVolume); });
   this->addAction(
       "Open &segmentation...", this,
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
@@ -61,9 +77,11 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
       "Add structures of a se&gmentation...", this,
       [this] { this->Open("Add structures of a segmentation", &StudyController::AddSegmentation); },
       QKeySequence("Ctrl+Alt+S"));
-  this->addAction("Add &model, surface or scene...", this, &FileMenu::AddStructures,
-                  QKeySequence("Ctrl+Alt+M"));
-  this->addAction("Add &iso-value of the volume...", this, &FileMenu::AddIsoValue,
+  this->addAction(
+      "Add &model, surface or scene...", this,
+      [this] { this->OpenAny("Add models, surfaces or scenes", SceneFilter()); },
+      QKeySequence("Ctrl+Alt+M"));
+  this->addAction("Add structure from &image values...", this, &FileMenu::AddFromValues,
                   QKeySequence("Ctrl+Alt+I"));
   this->addAction(
       "Open s&tudy...", this,
@@ -79,9 +97,13 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions, QWidg
   this->Recent = this->addMenu("&Recent");
   connect(this->Recent, &QMenu::aboutToShow, this, &FileMenu::ListRecent);
   this->addSeparator();
-  this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
+  QAction* save = this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
+  save->setIcon(ToolIcon(ToolSign::Save));
   this->addAction("Save &as...", this, &FileMenu::SaveAs, QKeySequence("Ctrl+Shift+S"));
-  this->addAction("S&creenshot...", this, &FileMenu::AskForScreenshot, QKeySequence("Ctrl+P"));
+  QAction* screenshot =
+      this->addAction("S&creenshot...", this, &FileMenu::AskForScreenshot, QKeySequence("Ctrl+P"));
+  screenshot->setIcon(ToolIcon(ToolSign::Screenshot));
+  this->ForTools = {open, save, screenshot};
   this->addSeparator();
   this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
   connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
@@ -96,27 +118,39 @@ void FileMenu::Open(const QString& title,
   }
 }
 
-void FileMenu::AddStructures()
+void FileMenu::OpenFiles()
+{
+  this->OpenAny("Open files", AnyFilter());
+}
+
+void FileMenu::OpenAny(const QString& title, const QString& filter)
 {
   std::vector<std::filesystem::path> files;
-  for (const QString& file :
-       this->Questions.ToOpen(this->Window, "Add models, surfaces or scenes", SceneFilter()))
+  for (const QString& file : this->Questions.ToOpen(this->Window, title, filter))
   {
     files.push_back(PathOf(file));
   }
   this->Study.OpenFiles(files);
 }
 
-void FileMenu::AddIsoValue()
+// Beside the window, in which the slices show the values that are chosen.
+void FileMenu::AddFromValues()
 {
-  bool isGiven = false;
-  const double iso = QInputDialog::getDouble(this->Window, "Add an iso-value",
-                                             "Touch the iso-surface of the volume at this value",
-                                             300.0, -1e9, 1e9, 3, &isGiven);
-  if (isGiven)
+  if (auto* open = this->Window->findChild<ThresholdDialog*>())
   {
-    this->Study.AddIsoValue(iso);
+    open->raise();
+    open->activateWindow();
+    return;
   }
+  if (this->Study.Current().Pipeline().Newest<Volume>(SceneStep::Volume) == nullptr)
+  {
+    this->Study.Report(
+        "There is no volume to take values of: open one, and wait until it is read.");
+    return;
+  }
+  auto* dialog = new ThresholdDialog(this->Study, this->Contents.Images(), this->Window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
 }
 
 void FileMenu::OpenFolder()
@@ -201,30 +235,36 @@ bool FileMenu::MayLeave()
 void FileMenu::ListRecent()
 {
   this->Recent->clear();
-  for (const QString& file : QSettings().value(RecentKey).toStringList())
+  for (const QString& file : RecentFiles())
   {
     const QFileInfo information(file);
     const QString text = information.fileName() + "  -  " + information.path();
     QAction* action = this->Recent->addAction(MenuString(ScreenString(text.toStdString())));
-    connect(action, &QAction::triggered, this,
-            [this, file]
-            {
-              if (file.endsWith(StudyEnding))
-              {
-                this->OpenSession(file);
-              }
-              else
-              {
-                this->Study.OpenFiles({PathOf(file)});
-              }
-            });
+    connect(action, &QAction::triggered, this, [this, file] { this->OpenRecent(file); });
   }
+}
+
+void FileMenu::OpenRecent(const QString& file)
+{
+  if (file.endsWith(StudyEnding))
+  {
+    this->OpenSession(file);
+  }
+  else
+  {
+    this->Study.OpenFiles({PathOf(file)});
+  }
+}
+
+QStringList FileMenu::RecentFiles()
+{
+  return QSettings().value(RecentKey).toStringList();
 }
 
 void FileMenu::Remember(const QString& file)
 {
   QSettings settings;
-  QStringList files = settings.value(RecentKey).toStringList();
+  QStringList files = RecentFiles();
   files.removeAll(file);
   files.prepend(file);
   settings.setValue(RecentKey, QStringList(files.mid(0, MostRecent)));

@@ -2,6 +2,7 @@
 
 #include "FileQuestions.h"
 #include "StudyController.h"
+#include "ViewContents.h"
 
 #include <QMenu>
 
@@ -14,10 +15,20 @@ class FileMenu : public QMenu
 
 public:
   /// Keeps the addresses.
-  FileMenu(StudyController& study, const FileQuestions& questions, QWidget* window);
+  FileMenu(StudyController& study, const FileQuestions& questions, const ViewContents& contents,
+           QWidget* window);
 
   /// True if the study may be left: saved, discarded, or unchanged.
   bool MayLeave();
+  /// Those for the toolbar.
+  const QList<QAction*>& Tools() const { return this->ForTools; }
+  /// Asks for files of any kind, and opens them.
+  void OpenFiles();
+  /// Asks for a folder of DICOM slices, and opens it.
+  void OpenFolder();
+  /// The last one first.
+  static QStringList RecentFiles();
+  void OpenRecent(const QString& file);
   /// Asks for each missing file of the study.
   void AskForMissing();
 
@@ -26,9 +37,8 @@ Q_SIGNALS:
 
 private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
-  void OpenFolder();
-  void AddStructures();
-  void AddIsoValue();
+  void OpenAny(const QString& title, const QString& filter);
+  void AddFromValues();
   bool Save();
   bool SaveAs();
   void OpenSession(const QString& file);
@@ -38,7 +48,9 @@ private:
 
   StudyController& Study;
   const FileQuestions& Questions;
+  const ViewContents& Contents;
   QWidget* Window;
   QMenu* Recent;
+  QList<QAction*> ForTools;
 };
 } // namespace palpate

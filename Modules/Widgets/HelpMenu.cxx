@@ -1,6 +1,12 @@
 #include "HelpMenu.h"
 
-#include <QMessageBox>
+#include "SoftwareVersions.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QScreen>
+#include <QTextBrowser>
+#include <QVBoxLayout>
 
 namespace palpate
 {
@@ -11,20 +17,46 @@ constexpr const char* MouseText =
     "Ctrl+wheel or right drag zooms, middle drag pans, arrows and page keys scroll, R fits. Double "
     "click: one view alone, or all again.</p>"
     "<p><b>3-D</b>: left drag rotates, middle drag pans, right drag or wheel zooms. While "
-    "touching, the mouse moves the hand and the wheel sets its depth; with Ctrl or Shift the mouse "
-    "moves the camera. With Move workspace on, a left drag moves the device's workspace, and the "
-    "wheel moves it in depth.</p>"
-    "<p><b>Esc</b> stops all force, anywhere in the window.</p>";
-constexpr const char* AboutText =
-    "<p><b>Palpate</b>: spherical-harmonic organ models for display and touch.</p>"
-    "<p>For research. Not a medical device, and not for diagnosis or treatment.</p>";
+    "touching, the mouse moves the hand and the wheel sets its depth: forwards is deeper, away "
+    "from "
+    "you; with Ctrl or Shift the mouse moves the camera. With Move workspace on, a left drag moves "
+    "the device's workspace, and the wheel moves it in depth.</p>"
+    "<p><b>D</b>, held: drills. <b>Esc</b> stops all force, anywhere in the program.</p>";
 
-void Show(QWidget* window, const QString& title, const QString& text)
+void Show(QWidget* window, const QString& title, const QString& html)
 {
-  auto* box = new QMessageBox(QMessageBox::NoIcon, title, text, QMessageBox::Close, window);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setModal(false);
-  box->show();
+  constexpr double MostOfScreen = 0.8;
+  auto* dialog = new QDialog(window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  auto* text = new QTextBrowser(dialog);
+  text->setOpenExternalLinks(true);
+  text->setHtml(html);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(text, 1);
+  column->addWidget(buttons);
+  const QSize wanted(text->fontMetrics().averageCharWidth() * 76,
+                     static_cast<int>(text->document()->size().height()) + 80);
+  dialog->resize(wanted.boundedTo(window->screen()->availableSize() * MostOfScreen));
+  dialog->show();
+}
+
+QString AboutText()
+{
+  QString libraries = QString("Qt %1").arg(qVersion());
+  QString version;
+  for (const auto& [name, number] : SoftwareVersions())
+  {
+    const QString text = QString::fromStdString(name + " " + number).toHtmlEscaped();
+    (name == "Palpate" ? version : libraries) += (name == "Palpate" ? text : ", " + text);
+  }
+  return QString("<h3>%1</h3>"
+                 "<p>Spherical-harmonic organ models for display and touch.</p>"
+                 "<p>For research. Not a medical device, and not for diagnosis or treatment.</p>"
+                 "<p>Licence: BSD, 3 clauses. Libraries: %2.</p>")
+      .arg(version, libraries);
 }
 } // namespace
 
@@ -34,7 +66,7 @@ HelpMenu::HelpMenu(QWidget* window) : QMenu("&Help", window), Window(window)
       "&Shortcuts and mouse", this,
       [this] { Show(this->Window, "Shortcuts and mouse", this->ShortcutText()); },
       QKeySequence::HelpContents);
-  this->addAction("&About", this, [this] { Show(this->Window, "About Palpate", AboutText); });
+  this->addAction("&About", this, [this] { Show(this->Window, "About Palpate", AboutText()); });
 }
 
 QString HelpMenu::ShortcutText() const
@@ -45,10 +77,12 @@ QString HelpMenu::ShortcutText() const
     const QString key = action->shortcut().toString(QKeySequence::NativeText);
     if (!key.isEmpty())
     {
+      // Without the step that would be undone.
+      const QString name = action->text().remove('&').section(": ", 0, 0);
       rows += QString("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-                  .arg(key.toHtmlEscaped(), action->text().remove('&').toHtmlEscaped());
+                  .arg(key.toHtmlEscaped(), name.toHtmlEscaped());
     }
   }
-  return QString("<table>%1</table>").arg(rows) + MouseText;
+  return MouseText + QString("<table>%1</table>").arg(rows);
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "LandmarksPanel.h"
 
 #include "StudyMarkups.h"
+#include "ToolIcon.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>
@@ -37,7 +38,7 @@ void FillRow(QTableWidget* table, int row, const std::string& name, const Vector
 LandmarksPanel::LandmarksPanel(StudyController& study, const FileQuestions& questions,
                                QWidget* parent)
     : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(0, 5, this)),
-      AddMode(new QPushButton("Add by click  (A)", this))
+      AddMode(new QAction("Add landmarks by click", this))
 {
   this->Table->setObjectName("landmarks");
   this->Table->setHorizontalHeaderLabels({"Name", "L, mm", "P, mm", "S, mm", "Length, mm"});
@@ -65,11 +66,16 @@ LandmarksPanel::LandmarksPanel(StudyController& study, const FileQuestions& ques
 
 void LandmarksPanel::MakeButtons()
 {
-  this->AddMode->setObjectName("add-landmarks");
   this->AddMode->setCheckable(true);
   this->AddMode->setShortcut(QString("A"));
+  this->AddMode->setIcon(ToolIcon(ToolSign::Landmark));
+  auto* mode = new QPushButton("Add by click (A)", this);
+  mode->setObjectName("add-landmarks");
+  mode->setCheckable(true);
+  connect(mode, &QPushButton::toggled, this->AddMode, &QAction::setChecked);
+  connect(this->AddMode, &QAction::toggled, mode, &QPushButton::setChecked);
   auto* column = new QVBoxLayout;
-  column->addWidget(this->AddMode);
+  column->addWidget(mode);
   const auto add = [this, column](const QString& text, const char* name, auto act)
   {
     auto* button = new QPushButton(text, this);

@@ -3,6 +3,7 @@
 #include "FileQuestions.h"
 #include "StudyController.h"
 
+#include <QAction>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QWidget>
@@ -20,6 +21,8 @@ public:
 
   /// Whether a click on a view places a landmark.
   bool IsAdding() const { return this->AddMode->isChecked(); }
+  /// Switches that, for the toolbar.
+  QAction* Tool() const { return this->AddMode; }
   /// World, mm.
   void Add(const Vector3& pointWorld);
 
@@ -40,6 +43,6 @@ private:
   StudyController& Study;
   const FileQuestions& Questions;
   QTableWidget* Table;
-  QPushButton* AddMode;
+  QAction* AddMode;
 };
 } // namespace palpate

@@ -1,6 +1,8 @@
 #include "MainWindow.h"
 
 #include "DrillPanel.h"
+#include "FitPanel.h"
+#include "FormManners.h"
 #include "HelpMenu.h"
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
@@ -8,9 +10,10 @@
 #include "ScreenString.h"
 #include "StructureLink.h"
 #include "StructuresPanel.h"
+#include "ToolRow.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
-#include "ViewMenu.h"
+#include "VolumePanel.h"
 #include "WindowLook.h"
 
 #include <QApplication>
@@ -21,8 +24,6 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScopedValueRollback>
-#include <QScrollArea>
-#include <QStatusBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -30,7 +31,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeftWidth = 280; // pixels
+constexpr int LeftWidth = 320; // pixels
 constexpr int BottomHeight = 150;
 
 // Names an action after the step of the study that it undoes or redoes.
@@ -45,6 +46,7 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
     : Study(study), Questions(std::move(questions))
 {
   QApplication::setPalette(PaletteOf(ChosenLook()));
+  new FormManners(this);
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   this->MakeCentre();
@@ -53,6 +55,7 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
   this->ConnectViews();
   connect(&study, &StudyController::StateChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ProductsChanged, this, &MainWindow::ShowState);
+  connect(&study, &StudyController::ReplayChanged, this, &MainWindow::ShowCentre);
   connect(&study, &StudyController::FileOpened, this, &MainWindow::TakeFile);
   connect(&study, &StudyController::Problem, this->Area, &MessageArea::Add);
   this->ShowState();
@@ -66,76 +69,124 @@ void MainWindow::MakeCentre()
   column->setSpacing(2);
   this->Grid = new ViewGrid(this->Shown, middle);
   this->Area = new MessageArea(middle);
+  this->Start = new StartPage(middle);
+  column->addWidget(this->Start, 1);
   column->addWidget(this->Grid, 1);
   column->addWidget(new ReplayBar(this->Study, middle));
   column->addWidget(this->Area);
   this->setCentralWidget(middle);
-  this->Point = new QLabel(this);
-  this->Point->setTextFormat(Qt::PlainText);
-  this->statusBar()->addWidget(this->Point, 1);
+  this->Status = new StatusLine(this->Study, this);
+  this->setStatusBar(this->Status);
 }
 
 void MainWindow::MakeMenus()
 {
-  this->Files = new FileMenu(this->Study, this->Questions, this);
+  this->Files = new FileMenu(this->Study, this->Questions, this->Shown, this);
   this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
   this->Study.AskForSeries([this](const QStringList& series)
                            { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
+  connect(this->Start, &StartPage::OpenAsked, this->Files, &FileMenu::OpenFiles);
+  connect(this->Start, &StartPage::FolderAsked, this->Files, &FileMenu::OpenFolder);
+  connect(this->Start, &StartPage::FilesChosen, this,
+          [this](const QStringList& files)
+          {
+            for (const QString& file : files)
+            {
+              this->Files->OpenRecent(file);
+            }
+          });
   this->menuBar()->addMenu(this->Files);
   QMenu* edit = this->menuBar()->addMenu("&Edit");
   this->Undo = edit->addAction("&Undo", &this->Study, &StudyController::Undo,
                                QKeySequence(QKeySequence::Undo));
   this->Redo = edit->addAction("&Redo", &this->Study, &StudyController::Redo,
                                QKeySequence(QKeySequence::Redo));
-  this->menuBar()->addMenu(new ViewMenu(this->Study, *this->Grid, this->Shown, this));
+  this->Viewing = new ViewMenu(this->Study, *this->Grid, this->Shown, this);
+  this->menuBar()->addMenu(this->Viewing);
   this->Touching = new TouchMenu(this->Study, this->Questions, this);
   this->menuBar()->addMenu(this->Touching);
-  this->Panels = this->menuBar()->addMenu("&Panels");
+  this->Panels = this->menuBar()->addMenu("Pa&nels");
   this->menuBar()->addMenu(new HelpMenu(this));
 }
 
-QDockWidget* MainWindow::AddPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area)
+void MainWindow::AddSection(const QString& title, QWidget* content, bool isOpen)
+{
+  Section* section = this->Column->Add(title, content, isOpen);
+  QAction* action = this->Panels->addAction(title);
+  action->setCheckable(true);
+  action->setChecked(section->IsOpen());
+  connect(section, &Section::Opened, action, &QAction::setChecked);
+  connect(action, &QAction::triggered, this,
+          [this, section](bool isShown)
+          { isShown ? this->Column->GoTo(section) : section->Open(false); });
+}
+
+// In the order of the work.
+void MainWindow::MakeColumn()
+{
+  this->Column = new WorkColumn(this);
+  auto* structures = new StructuresPanel(this->Study, this);
+  connect(structures, &StructuresPanel::OpacityChosen, this,
+          [this](double opacity) { this->Shown.Images()->SetLabelOpacity(opacity); });
+  auto* touch = new TouchPanel(this->Study, this);
+  connect(touch, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
+  touch->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
+  auto* files = new QWidget(this);
+  auto* rows = new QVBoxLayout(files);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addWidget(new VolumePanel(this->Study, this->Shown, files));
+  rows->addWidget(new PipelinePanel(this->Study, files));
+  this->AddSection("Data", files, true);
+  this->AddSection("Structures", structures, true);
+  this->AddSection("Model", new FitPanel(this->Study, this), false);
+  this->AddSection("Touch", touch, true);
+  this->AddSection("Drilling", new DrillPanel(this->Study, this->Questions, this), false);
+  auto* dock = new QDockWidget(this);
+  dock->setObjectName("Work");
+  dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+  dock->setTitleBarWidget(new QWidget(dock)); // none
+  dock->setWidget(this->Column);
+  this->addDockWidget(Qt::LeftDockWidgetArea, dock);
+  this->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  this->resizeDocks({dock}, {LeftWidth}, Qt::Horizontal);
+}
+
+QDockWidget* MainWindow::AddPanel(const QString& title, QWidget* panel)
 {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(title);
   dock->setWidget(panel);
-  this->addDockWidget(area, dock);
+  this->addDockWidget(Qt::BottomDockWidgetArea, dock);
   this->Panels->addAction(dock->toggleViewAction());
+  dock->hide(); // until it is used
   return dock;
 }
 
 void MainWindow::MakePanels()
 {
-  auto* scroll = new QScrollArea(this);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(LeftWidth);
-  scroll->setWidget(new PipelinePanel(this->Study, scroll));
+  this->MakeColumn();
+  this->Panels->addSeparator();
   this->Marks = new LandmarksPanel(this->Study, this->Questions, this);
-  auto* structures = new StructuresPanel(this->Study, this);
-  connect(structures, &StructuresPanel::OpacityChosen, this,
-          [this](double opacity) { this->Shown.Images()->SetLabelOpacity(opacity); });
-  QDockWidget* pipeline = this->AddPanel("Pipeline", scroll, Qt::LeftDockWidgetArea);
-  auto* touchPanel = new TouchPanel(this->Study, this);
-  connect(touchPanel, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
-  touchPanel->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
-  QDockWidget* touch = this->AddPanel("Touch", touchPanel, Qt::LeftDockWidgetArea);
-  QDockWidget* table = this->AddPanel("Structures", structures, Qt::BottomDockWidgetArea);
-  QDockWidget* plots =
-      this->AddPanel("Plots", new PlotsPanel(this->Study, this), Qt::BottomDockWidgetArea);
-  QDockWidget* marks = this->AddPanel("Landmarks", this->Marks, Qt::BottomDockWidgetArea);
-  this->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  this->tabifyDockWidget(table, plots);
+  QDockWidget* plots = this->AddPanel("Plots", new PlotsPanel(this->Study, this));
+  QDockWidget* marks = this->AddPanel("Landmarks", this->Marks);
   this->tabifyDockWidget(plots, marks);
-  QDockWidget* drill = this->AddPanel(
-      "Drilling", new DrillPanel(this->Study, this->Questions, this), Qt::BottomDockWidgetArea);
-  this->tabifyDockWidget(marks, drill);
-  drill->hide(); // until the user drills
-  table->raise();
-  this->resizeDocks({pipeline, touch}, {LeftWidth, LeftWidth}, Qt::Horizontal);
-  this->resizeDocks({table}, {BottomHeight}, Qt::Vertical);
+  this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
+  connect(this->Marks->Tool(), &QAction::toggled, this,
+          [marks](bool isOn)
+          {
+            if (isOn)
+            {
+              marks->show();
+              marks->raise();
+            }
+          });
+  auto* tools = new ToolRow(this->Study, this);
+  tools->Add(this->Files->Tools());
+  tools->Add(this->Viewing->Tools());
+  tools->Add({this->Marks->Tool()});
+  tools->Add(this->Touching->Tools());
+  this->addToolBar(tools);
 }
 
 void MainWindow::ConnectViews()
@@ -143,7 +194,10 @@ void MainWindow::ConnectViews()
   for (const SliceOrientation orientation : AllSliceOrientations)
   {
     SlicePane* slice = this->Grid->Slice(orientation);
-    connect(slice, &SlicePane::PointedAt, this, &MainWindow::ShowPoint);
+    connect(slice, &SlicePane::PointedAt, this,
+            [this](const Vector3& pointWorld)
+            { this->Status->ShowPoint(pointWorld, this->Shown.TextAt(pointWorld)); });
+    connect(slice, &SlicePane::PointerLeft, this->Status, &StatusLine::ClearPoint);
     connect(slice, &SlicePane::ClickedAt, this, &MainWindow::TakeClick);
   }
   connect(this->Grid->Space(), &ViewPane::Clicked, this,
@@ -166,6 +220,8 @@ void MainWindow::ConnectViews()
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
   connect(this->Touching, &TouchMenu::WorkspaceMoved, link, &TouchLink::MoveWorkspace);
+  link->SoundAlarms(this->Touching->AlarmSound()->isChecked());
+  connect(this->Touching->AlarmSound(), &QAction::toggled, link, &TouchLink::SoundAlarms);
 }
 
 void MainWindow::TakeClick(const Vector3& pointWorld)
@@ -186,7 +242,22 @@ void MainWindow::ShowState()
   const StudyHistory& history = this->Study.Current().History();
   ShowStep(this->Undo, "&Undo", history.UndoText());
   ShowStep(this->Redo, "&Redo", history.RedoText());
+  this->ShowCentre();
   this->ShowTitle();
+}
+
+// The views, or what can be opened while there is nothing to see.
+void MainWindow::ShowCentre()
+{
+  const StudyState& state = this->Study.State();
+  const bool isEmpty = state.VolumeFile.empty() && state.SegmentationFile.empty() &&
+                       state.Structures.empty() && !this->Study.IsReplaying();
+  if (isEmpty && !this->Start->isVisible())
+  {
+    this->Start->ShowRecent(FileMenu::RecentFiles());
+  }
+  this->Start->setVisible(isEmpty);
+  this->Grid->setVisible(!isEmpty);
 }
 
 void MainWindow::ShowTitle()
@@ -215,16 +286,6 @@ void MainWindow::TakeFile(const QString& file)
     // Deferred: the answer changes the study that is being opened.
     QTimer::singleShot(0, this->Files, &FileMenu::AskForMissing);
   }
-}
-
-void MainWindow::ShowPoint(const Vector3& pointWorld)
-{
-  const QString place = QString("L %1  P %2  S %3 mm")
-                            .arg(pointWorld.x(), 0, 'f', 1)
-                            .arg(pointWorld.y(), 0, 'f', 1)
-                            .arg(pointWorld.z(), 0, 'f', 1);
-  const std::string text = this->Shown.TextAt(pointWorld);
-  this->Point->setText(text.empty() ? place : place + "   " + ScreenString(text));
 }
 
 bool MainWindow::SaveScreenshot(const QString& file)

@@ -4,19 +4,22 @@
 #include "FileQuestions.h"
 #include "LandmarksPanel.h"
 #include "MessageArea.h"
+#include "StartPage.h"
+#include "StatusLine.h"
 #include "StudyController.h"
 #include "TouchMenu.h"
 #include "ViewContents.h"
 #include "ViewGrid.h"
+#include "ViewMenu.h"
+#include "WorkColumn.h"
 
 #include <QDockWidget>
-#include <QLabel>
 #include <QMainWindow>
 
 namespace palpate
 {
-/// The window: views in the centre, panels around them, messages below. It only shows and asks; the
-/// study does the work.
+/// The window: tools above, the parts of the work in a column on the left, views in the centre,
+/// plots and landmarks below once they are used. It only shows and asks; the study does the work.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -29,7 +32,7 @@ public:
   MessageArea* Messages() const { return this->Area; }
   const ViewContents& Contents() const { return this->Shown; }
   /// Text about the point under the pointer.
-  QString PointText() const { return this->Point->text(); }
+  QString PointText() const { return this->Status->PointText(); }
   /// Saves the window as a PNG file. Returns false, with a message, if it cannot be written.
   bool SaveScreenshot(const QString& file);
 
@@ -43,21 +46,26 @@ private:
   void MakeMenus();
   void MakePanels();
   void ConnectViews();
-  QDockWidget* AddPanel(const QString& title, QWidget* panel, Qt::DockWidgetArea area);
+  void MakeColumn();
+  void AddSection(const QString& title, QWidget* content, bool isOpen);
+  QDockWidget* AddPanel(const QString& title, QWidget* panel);
   void ShowState();
   void ShowTitle();
-  void ShowPoint(const Vector3& pointWorld);
   void TakeView();
   void TakeClick(const Vector3& pointWorld);
   void TakeFile(const QString& file);
+  void ShowCentre();
 
   StudyController& Study;
   FileQuestions Questions;
   ViewContents Shown;
   ViewGrid* Grid = nullptr;
+  StartPage* Start = nullptr;
   MessageArea* Area = nullptr;
-  QLabel* Point = nullptr;
+  StatusLine* Status = nullptr;
+  WorkColumn* Column = nullptr;
   FileMenu* Files = nullptr;
+  ViewMenu* Viewing = nullptr;
   TouchMenu* Touching = nullptr;
   LandmarksPanel* Marks = nullptr;
   QMenu* Panels = nullptr;

@@ -1,18 +1,15 @@
 #include "PipelinePanel.h"
 
 #include <QGridLayout>
-#include <QVBoxLayout>
 
 namespace palpate
 {
 PipelinePanel::PipelinePanel(StudyController& study, QWidget* parent)
     : QWidget(parent), Study(study)
 {
-  auto* column = new QVBoxLayout(this);
-  auto* table = new QGridLayout;
+  auto* table = new QGridLayout(this);
   table->setColumnStretch(2, 1);
   table->setVerticalSpacing(2);
-  column->addLayout(table);
   int row = 0;
   for (const SceneStep step :
        {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
@@ -24,8 +21,6 @@ PipelinePanel::PipelinePanel(StudyController& study, QWidget* parent)
     connect(line, &StepRow::RepeatAsked, &study, &StudyController::ResumeStep);
     this->Rows[step] = line;
   }
-  column->addWidget(new FitPanel(study, this));
-  column->addStretch(1);
   connect(&study, &StudyController::StepsChanged, this, &PipelinePanel::Show);
   this->Show();
 }
@@ -34,7 +29,7 @@ void PipelinePanel::Show()
 {
   for (const auto& [step, row] : this->Rows)
   {
-    row->Show(this->Study.Current().Pipeline().StateOf(step));
+    row->Show(this->Study.StateOf(step));
   }
 }
 } // namespace palpate

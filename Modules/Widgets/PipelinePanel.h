@@ -1,6 +1,5 @@
 #pragma once
 
-#include "FitPanel.h"
 #include "StepRow.h"
 #include "StudyController.h"
 
@@ -10,7 +9,7 @@
 
 namespace palpate
 {
-/// The pipeline from files to touch: status of each step, and the options of the fit.
+/// The pipeline from files to touch: the status of each step.
 class PipelinePanel : public QWidget
 {
   Q_OBJECT

@@ -69,7 +69,7 @@ void StepRow::Show(const StudyStepState& state)
   this->Progress->setVisible(isRunning);
   this->Progress->setToolTip(PlainToolTip(ScreenString(state.Stage)));
   this->Progress->setValue(static_cast<int>(std::lround(100.0 * state.Fraction)));
-  this->Button->setText(isRunning ? "Cancel" : "Again");
+  this->Button->setText(isRunning ? "Cancel" : "Run again");
   this->Button->setVisible(isRunning || state.Is == StudyStepState::Kind::Failed ||
                            state.Is == StudyStepState::Kind::NeedsUpdate);
 }

@@ -36,7 +36,7 @@ QString WidestTextOf(int column)
   switch (column)
   {
   case StructureTableModel::OpacityColumn:
-    return "00000000";
+    return "100 %";
   case StructureTableModel::NameColumn:
     return "Frontal_Sup_Medial_R";
   case StructureTableModel::AppearanceColumn:
@@ -74,7 +74,10 @@ void StructureTable::SetWidths()
   for (int column = 0; column < header->count(); ++column)
   {
     const int sample = this->fontMetrics().horizontalAdvance(WidestTextOf(column)) + margin;
-    header->resizeSection(column, std::max(header->sectionSizeHint(column), sample));
+    const int title = header->sectionSizeHint(column);
+    header->resizeSection(column, column < StructureTableModel::OpacityColumn
+                                      ? 2 * this->fontMetrics().height()
+                                      : std::max(title, sample));
   }
   this->FitName();
 }

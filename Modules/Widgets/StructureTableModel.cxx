@@ -2,6 +2,7 @@
 
 #include "SceneRepresentation.h"
 #include "ScreenString.h"
+#include "ToolIcon.h"
 
 #include <QColor>
 
@@ -200,8 +201,8 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
                                   "Structure", "Display as", "Touch model", "Degree",
                                   "N/mm",      "Friction",   "Error, mm",   "Tick, \u00B5s"};
   static const QStringList Tips{
-      "Whether the structure is displayed; of a selected row, all selected ones",
-      "Whether the structure can be touched; of a selected row, all selected ones",
+      "Visible: whether the structure is displayed; of a selected row, all selected ones",
+      "Touchable: whether the structure can be touched; of a selected row, all selected ones",
       "Colour; double click to change it",
       "In 3-D and over the slices; drag over the cell to change it, double click to type it",
       "Name; F2 to change it",
@@ -217,9 +218,22 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
   {
     return {};
   }
-  return role == Qt::DisplayRole   ? Titles.value(section)
-         : role == Qt::ToolTipRole ? QVariant(Tips.value(section))
-                                   : QVariant();
+  switch (role)
+  {
+  case Qt::DisplayRole:
+    // Narrow columns leave the space to the name.
+    return section < OpacityColumn ? QString() : Titles.value(section);
+  case Qt::DecorationRole:
+    return section == VisibleColumn     ? QVariant(ToolIcon(ToolSign::Eye))
+           : section == TouchableColumn ? QVariant(ToolIcon(ToolSign::Touch))
+                                        : QVariant();
+  case Qt::AccessibleTextRole:
+    return Titles.value(section);
+  case Qt::ToolTipRole:
+    return Tips.value(section);
+  default:
+    return {};
+  }
 }
 
 QVariant StructureTableModel::TextOf(const Row& row, int column)

@@ -58,8 +58,9 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 2, 4, 2);
   column->addWidget(new QualityPanel(study, this));
-  column->addLayout(this->MakeTools());
+  column->addLayout(this->MakeSearch());
   column->addWidget(this->Table, 1);
+  column->addLayout(this->MakeTools());
 }
 
 void StructuresPanel::ConnectTable()
@@ -78,14 +79,13 @@ void StructuresPanel::ConnectTable()
   connect(this->Listed, &QAbstractItemModel::modelReset, this, &StructuresPanel::KeepSelection);
 }
 
-// One row, since the table needs the height.
-QBoxLayout* StructuresPanel::MakeTools()
+QBoxLayout* StructuresPanel::MakeSearch()
 {
   this->Search->setObjectName("structure-search");
-  this->Search->setPlaceholderText("Search structures");
+  this->Search->setPlaceholderText("Search");
   this->Search->setToolTip("List only structures whose names contain these words");
   this->Search->setClearButtonEnabled(true);
-  this->Search->setMinimumWidth(this->fontMetrics().horizontalAdvance("Search structures 000"));
+  this->Search->setMinimumWidth(this->fontMetrics().horizontalAdvance("Search 00000"));
   this->Search->installEventFilter(this);
   connect(this->Search, &QLineEdit::textChanged, this->Listed, &StructureFilterModel::Search);
   this->Kept->setObjectName("structure-filter");
@@ -95,12 +95,18 @@ QBoxLayout* StructuresPanel::MakeTools()
           [this](int kept) { this->Listed->Keep(static_cast<StructureFilterModel::Kept>(kept)); });
   auto* show = new QToolButton(this);
   this->MakeShowMenu(show);
+  auto* row = new QHBoxLayout;
+  row->addWidget(this->Search, 1);
+  row->addWidget(this->Kept);
+  row->addWidget(show);
+  return row;
+}
+
+QBoxLayout* StructuresPanel::MakeTools()
+{
   auto* label = new QLabel("Label opacity", this);
   label->setToolTip("Opacity of all labels over the slices");
   auto* row = new QHBoxLayout;
-  row->addWidget(this->Search, 2);
-  row->addWidget(this->Kept);
-  row->addWidget(show);
   row->addWidget(this->MakeButton("Details...", "structure-details",
                                   "All touch settings of the selected structure",
                                   &StructuresPanel::ShowDetails));

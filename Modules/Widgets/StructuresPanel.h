@@ -45,6 +45,7 @@ protected:
 
 private:
   void ConnectTable();
+  QBoxLayout* MakeSearch();
   QBoxLayout* MakeTools();
   void MakeShowMenu(QToolButton* button);
   QWidget* MakeButton(const QString& text, const char* name, const QString& tip,

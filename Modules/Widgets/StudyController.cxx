@@ -1,6 +1,5 @@
 #include "StudyController.h"
 
-#include "DicomSeries.h"
 #include "SceneContacts.h"
 #include "ScreenString.h"
 #include "SofteningNotes.h"
@@ -30,8 +29,27 @@ StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
 void StudyController::Announce()
 {
   Q_EMIT StateChanged();
+  this->LookSoon();
+}
+
+void StudyController::LookSoon()
+{
   this->LooksToSteps = 0;
   this->Look();
+}
+
+StudyStepState StudyController::StateOf(SceneStep step)
+{
+  const StudyStepState reading = this->Opening.StateOf(step);
+  return reading.Is != StudyStepState::Kind::NotWanted ? reading
+                                                       : this->Open.Pipeline().StateOf(step);
+}
+
+StudyOpening::Outcome StudyController::OutcomeOf(const std::filesystem::path& file)
+{
+  return {[this, name = QString::fromStdString(StudyPath(file).string())]
+          { Q_EMIT FileOpened(name); },
+          [this](const std::string& message) { this->Report(message); }};
 }
 
 void StudyController::Try(const std::function<void()>& act)
@@ -50,6 +68,7 @@ void StudyController::Try(const std::function<void()>& act)
 void StudyController::New()
 {
   this->Roles.clear();
+  this->Opening.Cancel();
   this->Open.New();
   this->Announce();
 }
@@ -123,13 +142,14 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
     this->OpenReplay(file);
     break;
   case StudyFileRole::Scene:
-    this->Try([&] { this->Open.OpenScene(file); });
+    this->Opening.OpenScene(file, this->OutcomeOf(file));
     break;
   case StudyFileRole::Model:
   case StudyFileRole::Surface:
-    this->Try([&] { this->Open.AddStructure(file); });
+    this->Opening.AddStructure(file, this->OutcomeOf(file));
     break;
   }
+  this->LookSoon();
 }
 
 void StudyController::MeasureQuality()
@@ -144,15 +164,19 @@ void StudyController::UseRecommendedQuality()
   this->Announce();
 }
 
-void StudyController::AddIsoValue(double iso)
+void StudyController::AddThreshold(const StudyThreshold& threshold)
 {
-  this->Try([&] { this->Open.AddIsoValue(iso); });
+  this->Try([&] { this->Open.AddThreshold(threshold); });
 }
 
 void StudyController::OpenVolume(const std::filesystem::path& file)
 {
   std::error_code failure;
-  if (std::filesystem::is_directory(file, failure))
+  if (RoleByName(file))
+  {
+    this->OpenFiles({file});
+  }
+  else if (std::filesystem::is_directory(file, failure))
   {
     this->OpenFolder(file);
   }
@@ -165,8 +189,8 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
 void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
 {
   this->Reported.erase(SceneStep::Volume); // a file that is opened again is reported again
-  this->Try([&] { this->Open.OpenVolume(file, series); });
-  Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+  this->Opening.OpenVolume(file, series, this->OutcomeOf(file));
+  this->LookSoon();
 }
 
 // A folder may have thousands of slices: their headers are read in the background.
@@ -176,16 +200,11 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
   StudyJob job;
   job.Work = [this, folder](const ProgressFunction&)
   {
-    QStringList series;
-    for (const DicomSeries& one : FindDicomSeries(folder))
-    {
-      series += ScreenString(one.Summary());
-    }
     return StudyJob::Delivery(
-        [this, folder, series]
+        [this, series = FindDicomSeriesBelow(folder)]
         {
           // Deferred until after the delivery: a question to the user processes events.
-          QTimer::singleShot(0, this, [this, folder, series] { this->TakeSeries(folder, series); });
+          QTimer::singleShot(0, this, [this, series] { this->TakeSeries(series); });
         });
   };
   job.Fail = [this](const std::string& message)
@@ -196,29 +215,39 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
   this->Open.Jobs().Start(std::move(job));
 }
 
-void StudyController::TakeSeries(const std::filesystem::path& folder, const QStringList& series)
+void StudyController::TakeSeries(const std::vector<DicomSeriesChoice>& series)
 {
-  const bool isAsked = series.size() > 1 && this->WhichSeries;
-  const int chosen = isAsked ? this->WhichSeries(series) : 0;
+  QStringList texts;
+  for (const DicomSeriesChoice& one : series)
+  {
+    texts += ScreenString(one.Text);
+  }
+  const bool isAsked = texts.size() > 1 && this->WhichSeries;
+  const int chosen = isAsked ? this->WhichSeries(texts) : 0;
   --this->Folders;
   if (chosen >= 0)
   {
-    this->OpenVolumeNow(folder, isAsked ? std::to_string(chosen + 1) : std::string());
+    const DicomSeriesChoice& one = series.at(static_cast<std::size_t>(chosen));
+    this->OpenVolumeNow(one.Folder, one.Series);
   }
 }
 
 void StudyController::OpenSegmentation(const std::filesystem::path& file)
 {
+  if (RoleByName(file))
+  {
+    this->OpenFiles({file});
+    return;
+  }
   this->Reported.erase(this->Reported.upper_bound(SceneStep::Volume), this->Reported.end());
-  this->Try([&] { this->Open.OpenSegmentation(file); });
-  Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
+  this->Opening.OpenSegmentation(file, this->OutcomeOf(file));
+  this->LookSoon();
 }
 
 void StudyController::AddSegmentation(const std::filesystem::path& file)
 {
   this->Open.AddSegmentation(file, [this](const std::string& message) { this->Report(message); });
-  this->LooksToSteps = 0;
-  this->Look();
+  this->LookSoon();
 }
 
 void StudyController::OpenSession(const std::filesystem::path& file)
@@ -227,6 +256,7 @@ void StudyController::OpenSession(const std::filesystem::path& file)
       [&]
       {
         this->Open.Open(file);
+        this->Opening.Cancel();
         this->Reported.clear();
         Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
       });
@@ -286,17 +316,16 @@ void StudyController::Redo()
 
 void StudyController::CancelStep(SceneStep step)
 {
+  this->Opening.Cancel(step);
   this->Open.CancelStep(step);
-  this->LooksToSteps = 0;
-  this->Look();
+  this->LookSoon();
 }
 
 void StudyController::ResumeStep(SceneStep step)
 {
   this->Reported.clear();
   this->Open.ResumeStep(step);
-  this->LooksToSteps = 0;
-  this->Look();
+  this->LookSoon();
 }
 
 void StudyController::StartTouch()
@@ -471,7 +500,8 @@ void StudyController::LookAtNotes()
 
 void StudyController::LookAtSteps()
 {
-  bool isMaking = this->Open.IsOpeningDevice() || this->Open.IsAddingSegmentation();
+  bool isMaking = this->Open.IsOpeningDevice() || this->Open.IsAddingSegmentation() ||
+                  this->Opening.IsReading();
   for (const SceneStep step : AllSteps)
   {
     const StudyStepState state = this->Open.Pipeline().StateOf(step);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "DicomFolders.h"
 #include "Study.h"
 #include "StudyFile.h"
+#include "StudyOpening.h"
 
 #include <QObject>
 #include <QString>
@@ -37,7 +39,12 @@ public:
   /// Whether a recorded touch is replayed; Reading is then the one at its current time.
   bool IsReplaying() const { return this->Open.Replay() != nullptr; }
   /// Whether something is being read, computed or opened.
-  bool IsBusy() const { return !this->Roles.empty() || this->Folders > 0 || this->IsMaking; }
+  bool IsBusy() const
+  {
+    return !this->Roles.empty() || this->Folders > 0 || this->Opening.IsReading() || this->IsMaking;
+  }
+  /// The pipeline's, or that of a file which is being read for the step before the study changes.
+  StudyStepState StateOf(SceneStep step);
 
   /// Asked whether the study may be closed when opened files include another one. None: always.
   void AskBeforeLeaving(std::function<bool()> mayLeave) { this->MayLeave = std::move(mayLeave); }
@@ -50,7 +57,9 @@ public:
   void New();
   /// Opens files of any kind, one after the other; their kinds are detected in the background.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
-  /// A file, or a folder of DICOM slices.
+  /// A file, or a folder of DICOM slices. These two read in the background first: a file that
+  /// cannot be read gives a message and changes nothing. Sessions, scenes, models and surfaces are
+  /// opened as what they are.
   void OpenVolume(const std::filesystem::path& file);
   void OpenSegmentation(const std::filesystem::path& file);
   /// See Study::AddSegmentation.
@@ -71,7 +80,7 @@ public:
   /// See Study.
   void MeasureQuality();
   void UseRecommendedQuality();
-  void AddIsoValue(double iso);
+  void AddThreshold(const StudyThreshold& threshold);
 
   void CancelStep(SceneStep step);
   void ResumeStep(SceneStep step);
@@ -102,14 +111,14 @@ public:
   bool HasEnded() const { return this->IsEnded; }
 
 Q_SIGNALS:
-  void StateChanged();    ///< another undo step, or another study
-  void ViewChanged();     ///< another crosshair, window, level or layout
-  void ProductsChanged(); ///< the pipeline has new results
-  void StepsChanged();    ///< status of the pipeline's steps
-  void FileOpened(const QString& file);
-  void TouchChanged();  ///< began or ended
-  void Touched();       ///< a new reading
-  void ReplayChanged(); ///< opened or closed, played or paused
+  void StateChanged();                  ///< another undo step, or another study
+  void ViewChanged();                   ///< another crosshair, window, level or layout
+  void ProductsChanged();               ///< the pipeline has new results
+  void StepsChanged();                  ///< status of the pipeline's steps
+  void FileOpened(const QString& file); ///< it could be read
+  void TouchChanged();                  ///< began or ended
+  void Touched();                       ///< a new reading
+  void ReplayChanged();                 ///< opened or closed, played or paused
   void Problem(const QString& message);
 
 private:
@@ -123,12 +132,15 @@ private:
   void ReportOnce(SceneStep step, const std::string& message);
   void Announce();
   void TakeRole();
+  StudyOpening::Outcome OutcomeOf(const std::filesystem::path& file);
+  void LookSoon();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
   void OpenFolder(const std::filesystem::path& folder);
-  void TakeSeries(const std::filesystem::path& folder, const QStringList& series);
+  void TakeSeries(const std::vector<DicomSeriesChoice>& series);
   void OpenVolumeNow(const std::filesystem::path& file, const std::string& series);
 
   Study Open;
+  StudyOpening Opening{this->Open};
   StudyTouchReading Felt;
   QTimer Timer;
   std::vector<std::filesystem::path> Roles; ///< files whose kind is not yet known

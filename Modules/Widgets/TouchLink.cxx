@@ -1,5 +1,7 @@
 #include "TouchLink.h"
 
+#include "TouchNotice.h"
+
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
@@ -62,6 +64,7 @@ void TouchLink::Begin()
       isTouching && this->Study.Current().Touch().PlaceHand(this->Views.Space()->Axes().col(2));
   this->Views.Space()->SetHand(isSimulated, this->Study.Current().Touch().HandWorld());
   this->ShowProbe();
+  this->ShowNotice();
   this->ShowPlace();
 }
 
@@ -94,6 +97,19 @@ void TouchLink::ShowProbe()
                            this->Study.IsTouching() || this->Study.IsReplaying());
 }
 
+void TouchLink::ShowNotice()
+{
+  const TouchNotice notice =
+      this->Study.IsTouching() ? TouchNotice::Of(this->Study.Reading()) : TouchNotice();
+  this->Views.ShowNotice(notice);
+  const bool isAlarm = notice.Is == TouchNotice::Kind::Alarm;
+  if (isAlarm && !this->IsAlarmed && this->AreAlarmsHeard)
+  {
+    QApplication::beep();
+  }
+  this->IsAlarmed = isAlarm;
+}
+
 void TouchLink::MoveHand(const Vector3& targetWorld)
 {
   this->Study.Current().Touch().MoveHand(targetWorld);
@@ -114,6 +130,7 @@ void TouchLink::ShowReading()
     this->Views.TakeContents();
   }
   this->ShowProbe();
+  this->ShowNotice();
   this->ShowHand();
   this->ShowPlace();
   if (reading.Newest.HasSample && this->Study.State().View.SlicesFollowProbe)

@@ -25,6 +25,8 @@ public:
   /// The workspace is shown while touching, and moved by the mouse.
   void ShowWorkspace(bool isShown);
   void MoveWorkspace(bool isMoved);
+  /// Whether an alarm begins with a sound.
+  void SoundAlarms(bool areHeard) { this->AreAlarmsHeard = areHeard; }
 
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -35,6 +37,7 @@ private:
   void Begin();
   void ShowReading();
   void ShowProbe();
+  void ShowNotice();
   void ShowPlace();
   void TellAxes();
   void MoveHand(const Vector3& targetWorld);
@@ -45,5 +48,7 @@ private:
   ViewGrid& Views;
   bool IsWorkspaceShown = true;
   bool IsWorkspaceMoved = false;
+  bool AreAlarmsHeard = false;
+  bool IsAlarmed = false;
 };
 } // namespace palpate

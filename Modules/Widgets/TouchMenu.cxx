@@ -1,10 +1,15 @@
 #include "TouchMenu.h"
 
+#include "ToolIcon.h"
+
+#include <QSettings>
+
 namespace palpate
 {
 namespace
 {
 constexpr const char* RecordingEnding = ".touch";
+constexpr const char* SoundKey = "alarm-sound";
 constexpr const char* RecordingFilter = "Recorded touches (*.touch *.part)";
 } // namespace
 
@@ -12,11 +17,18 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
     : QMenu("&Touch", window), Study(study), Questions(questions), Window(window)
 {
   this->Touch = this->addAction("", this, &TouchMenu::ToggleTouch, QKeySequence("Ctrl+T"));
+  this->Touch->setIcon(ToolIcon(ToolSign::Touch));
+  this->Touch->setPriority(QAction::HighPriority);
   // Escape does the first anywhere in the program, so it is not a menu shortcut.
   this->StopForce = this->addAction("Stop all &force (Esc)", this,
                                     [this] { this->Study.Current().Touch().SwitchForcesOff(); });
   this->AllowForce = this->addAction("&Allow force again", this,
                                      [this] { this->Study.Current().Touch().SwitchForcesOn(); });
+  this->Sound = this->addAction("&Sound on alarms");
+  this->Sound->setCheckable(true);
+  this->Sound->setChecked(QSettings().value(SoundKey, false).toBool());
+  connect(this->Sound, &QAction::toggled, this,
+          [](bool isOn) { QSettings().setValue(SoundKey, isOn); });
   this->AddWorkspace();
   this->AddRecording();
   connect(&study, &StudyController::TouchChanged, this, &TouchMenu::ShowTouch);
@@ -46,6 +58,7 @@ void TouchMenu::AddRecording()
   this->addSeparator();
   this->Record =
       this->addAction("", this, &TouchMenu::ToggleRecording, QKeySequence("Ctrl+Shift+R"));
+  this->Record->setIcon(ToolIcon(ToolSign::Record));
   this->addAction("&Open a recording...", this, &TouchMenu::OpenRecording,
                   QKeySequence("Ctrl+Shift+T"));
   this->Play = this->addAction(
@@ -102,6 +115,7 @@ void TouchMenu::ShowTouch()
   const bool isTouching = this->Study.IsTouching();
   const StudyReplay* replay = this->Study.Current().Replay();
   this->Touch->setText(isTouching ? "&Stop touching" : "&Start touching");
+  this->Touch->setIconText(isTouching ? "Stop touching" : "Touch");
   this->StopForce->setEnabled(isTouching);
   this->AllowForce->setEnabled(isTouching);
   this->Record->setText(this->Study.IsRecording() ? "Stop &recording" : "&Record...");

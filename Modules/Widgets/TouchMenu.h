@@ -18,7 +18,10 @@ public:
 
   /// Asks for a file and begins recording, or ends the current recording.
   void ToggleRecording();
+  /// Those for the toolbar.
+  QList<QAction*> Tools() const { return {this->Touch, this->Record}; }
   /// Also used by a panel's buttons.
+  QAction* AlarmSound() const { return this->Sound; }
   QAction* MoveWorkspace() const { return this->Move; }
   QAction* FitWorkspace() const { return this->Fit; }
 
@@ -40,6 +43,7 @@ private:
   QAction* Touch;
   QAction* StopForce;
   QAction* AllowForce;
+  QAction* Sound;
   QAction* Move;
   QAction* Fit;
   QAction* Record;

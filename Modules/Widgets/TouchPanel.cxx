@@ -9,13 +9,34 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-QStringList DeviceNames()
+// What a person calls a device; one with an argument has no other name.
+QString LabelOf(const QString& device)
+{
+  return device == "simulated" ? "Mouse (no device)"
+         : device == "falcon"  ? "Novint Falcon"
+                               : device;
+}
+
+QString DeviceOf(const QString& label)
+{
+  for (const char* device : {"simulated", "falcon"})
+  {
+    if (label == LabelOf(device))
+    {
+      return device;
+    }
+  }
+  return label;
+}
+
+QStringList DeviceLabels()
 {
   DeviceRegistry registry;
   QStringList names;
@@ -23,7 +44,7 @@ QStringList DeviceNames()
   {
     for (const DeviceRegistry::Kind& kind : registry.Kinds())
     {
-      names += QString::fromStdString(kind.Name);
+      names += LabelOf(QString::fromStdString(kind.Name));
     }
   }
   return names;
@@ -41,6 +62,9 @@ QLabel* MakeText(const char* name, QWidget* parent)
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // What is below does not move when it wraps.
+  label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());
+  label->setAlignment(Qt::AlignTop);
   return label;
 }
 } // namespace
@@ -49,10 +73,9 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
     : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new QComboBox(this)),
       Radius(new QDoubleSpinBox(this)), Scale(new QDoubleSpinBox(this)),
       FollowCamera(new QCheckBox(this)), Start(new QPushButton(this)),
-      StopForce(new QPushButton("Stop force  (Esc)", this)),
-      AllowForce(new QPushButton("Allow force again", this)), Record(new QPushButton(this)),
-      Recording(MakeText("recording", this)), Safety(MakeText("safety", this)),
-      Felt(MakeText("felt", this)), Advice(MakeText("advice", this))
+      Record(new QPushButton(this)), Recording(MakeText("recording", this)),
+      Safety(MakeText("safety", this)), Felt(MakeText("felt", this)),
+      Advice(MakeText("advice", this))
 {
   auto* column = new QVBoxLayout(this);
   auto* form = new QFormLayout;
@@ -61,21 +84,17 @@ TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
   column->addLayout(form);
   column->addLayout(this->Tools);
   column->addWidget(this->Start);
-  column->addWidget(this->StopForce);
-  column->addWidget(this->AllowForce);
   column->addWidget(this->Record);
   column->addWidget(this->Recording);
   column->addWidget(this->Safety);
   column->addWidget(this->Felt);
   column->addWidget(this->Advice);
-  column->addStretch(1);
   connect(&study, &StudyController::StateChanged, this, &TouchPanel::ShowState);
   connect(&study, &StudyController::TouchChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::StepsChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::ReplayChanged, this, &TouchPanel::ShowTouch);
   connect(&study, &StudyController::Touched, this, &TouchPanel::ShowReading);
   this->ShowState();
-  this->ShowTouch();
 }
 
 void TouchPanel::AddTools(const QList<QAction*>& actions)
@@ -92,16 +111,7 @@ void TouchPanel::AddTools(const QList<QAction*>& actions)
 void TouchPanel::MakeButtons()
 {
   this->Start->setObjectName("start-touch");
-  this->StopForce->setObjectName("stop-force");
-  this->AllowForce->setObjectName("allow-force");
   this->Record->setObjectName("record");
-  // This button must be found without searching.
-  this->StopForce->setMinimumHeight(48);
-  this->StopForce->setStyleSheet(
-      "QPushButton { background: #B34700; color: white; font-weight: bold; font-size: 15px;"
-      " border: none; border-radius: 4px; }" // the style's border would bring its own gradient
-      "QPushButton:pressed { background: #8A3600; }"
-      "QPushButton:disabled { background: gray; }");
   connect(this->Start, &QPushButton::clicked, this,
           [this]
           {
@@ -115,25 +125,21 @@ void TouchPanel::MakeButtons()
             }
             this->ShowTouch();
           });
-  connect(this->StopForce, &QPushButton::clicked, this,
-          [this] { this->Study.Current().Touch().SwitchForcesOff(); });
-  connect(this->AllowForce, &QPushButton::clicked, this,
-          [this] { this->Study.Current().Touch().SwitchForcesOn(); });
   connect(this->Record, &QPushButton::clicked, this, &TouchPanel::RecordAsked);
 }
 
 void TouchPanel::MakeSettings(QFormLayout* form)
 {
   this->Device->setObjectName("device");
-  this->Device->addItems(DeviceNames());
+  this->Device->addItems(DeviceLabels());
   this->Device->setEditable(true); // for "name:argument"
   form->addRow("Device", this->Device);
   connect(this->Device, &QComboBox::currentTextChanged, this,
-          [this](const QString& name)
+          [this](const QString& label)
           {
             StudyState next = this->Study.State();
-            next.Device = name.toStdString();
-            this->Study.Change("Choose the device " + name, next, "device");
+            next.Device = DeviceOf(label).toStdString();
+            this->Study.Change("Choose the device " + label, next, "device");
           });
   this->Radius->setObjectName("tool-radius");
   this->Radius->setRange(0.0, 100.0);
@@ -183,10 +189,11 @@ void TouchPanel::ShowState()
   const QSignalBlocker device(this->Device);
   const QSignalBlocker radius(this->Radius);
   const QSignalBlocker scale(this->Scale);
-  this->Device->setCurrentText(QString::fromStdString(state.Device));
+  this->Device->setCurrentText(LabelOf(QString::fromStdString(state.Device)));
   this->Radius->setValue(state.Tool.Radius);
   this->Scale->setValue(state.Placement.Scale.value_or(0.0));
   this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);
+  this->ShowTouch();
 }
 
 void TouchPanel::ShowTouch()
@@ -198,8 +205,11 @@ void TouchPanel::ShowTouch()
                        : isOpening   ? "Opening the device... (stop)"
                        : isReplaying ? "Close the replay and touch"
                                      : "Start touching");
-  this->StopForce->setEnabled(isTouching);
-  this->AllowForce->setEnabled(isTouching);
+  const auto& structures = this->Study.State().Structures;
+  const bool canTouch = std::any_of(structures.begin(), structures.end(),
+                                    [](const SceneStructure& one) { return one.IsTouchable; });
+  this->Start->setEnabled(isTouching || isOpening || canTouch);
+  this->Start->setToolTip(this->Start->isEnabled() ? "" : "Make a structure touchable first");
   this->Record->setEnabled(isTouching);
   this->Device->setEnabled(!isTouching && !isOpening);
   this->ShowRecording();

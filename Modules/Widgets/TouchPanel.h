@@ -14,8 +14,7 @@ class QHBoxLayout;
 
 namespace palpate
 {
-/// The device, the tool, start and stop, the status of the safety chain, and the button that stops
-/// all force.
+/// The device, the tool, start and stop, recording, and the status of the safety chain.
 class TouchPanel : public QWidget
 {
   Q_OBJECT
@@ -53,8 +52,6 @@ private:
   QDoubleSpinBox* Scale;
   QCheckBox* FollowCamera;
   QPushButton* Start;
-  QPushButton* StopForce;
-  QPushButton* AllowForce;
   QPushButton* Record;
   QLabel* Recording;
   QLabel* Safety;

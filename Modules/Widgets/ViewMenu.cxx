@@ -1,5 +1,6 @@
 #include "ViewMenu.h"
 
+#include "ToolIcon.h"
 #include "WindowLook.h"
 
 #include <QActionGroup>
@@ -25,6 +26,9 @@ void ViewMenu::AddLayouts()
 {
   constexpr std::array<const char*, 3> Texts{"&Four views", "&3-D with slices", "&One view"};
   auto* group = new QActionGroup(this);
+  auto* choice = new QMenu("Layout", this); // of the toolbar
+  choice->setIcon(ToolIcon(ToolSign::Layout));
+  this->ForTools += choice->menuAction();
   for (const ViewLayout layout : AllViewLayouts)
   {
     const auto l = static_cast<std::size_t>(layout);
@@ -32,6 +36,7 @@ void ViewMenu::AddLayouts()
     this->Layouts[l]->setCheckable(true);
     this->Layouts[l]->setShortcut(QString("Ctrl+%1").arg(l + 1));
     group->addAction(this->Layouts[l]);
+    choice->addAction(this->Layouts[l]);
     connect(this->Layouts[l], &QAction::triggered, this,
             [this, layout]
             {
@@ -46,9 +51,10 @@ void ViewMenu::AddLayouts()
 
 void ViewMenu::AddMouse()
 {
-  QAction* windowLevel = this->addAction("Left drag changes &window and level");
+  QAction* windowLevel = this->addAction("Adjust &window and level by left drag");
   windowLevel->setCheckable(true);
   windowLevel->setShortcut(QString("W"));
+  windowLevel->setIcon(ToolIcon(ToolSign::WindowLevel));
   connect(windowLevel, &QAction::toggled, this,
           [this](bool isOn)
           {
@@ -58,8 +64,10 @@ void ViewMenu::AddMouse()
   this->addAction(
       "&Reset window and level", this, [this] { this->Contents.Images()->ResetWindowLevel(); },
       QKeySequence("Shift+W"));
-  this->addAction(
+  QAction* fit = this->addAction(
       "Fit &all views", this, [this] { this->Views.FitAll(); }, QKeySequence("Ctrl+R"));
+  fit->setIcon(ToolIcon(ToolSign::Fit));
+  this->ForTools += {windowLevel, fit};
   this->addSeparator();
 }
 

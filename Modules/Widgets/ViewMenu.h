@@ -18,6 +18,9 @@ public:
   /// Keeps the addresses.
   ViewMenu(StudyController& study, ViewGrid& views, ViewContents& contents, QWidget* window);
 
+  /// Those for the toolbar.
+  const QList<QAction*>& Tools() const { return this->ForTools; }
+
 private:
   void AddLayouts();
   void AddCameras();
@@ -36,6 +39,7 @@ private:
   QAction* AlongImage = nullptr;
   QAction* FollowProbe = nullptr;
   QAction* ErrorMaps = nullptr;
+  QList<QAction*> ForTools;
   std::map<int, SceneAppearance> Before; ///< by label, of structures that became error maps here
 };
 } // namespace palpate

@@ -48,7 +48,12 @@ protected:
     QApplication::sendEvent(this->Window.get(), &drop);
   }
   /// Brings a panel to the front.
-  void Raise(const char* panel) { this->Window->findChild<QDockWidget*>(panel)->raise(); }
+  void Raise(const char* panel)
+  {
+    auto* dock = this->Window->findChild<QDockWidget*>(panel);
+    dock->show();
+    dock->raise();
+  }
   void ExpectBaseline(const std::string& name)
   {
     DrawAll(*this->Window->Views());

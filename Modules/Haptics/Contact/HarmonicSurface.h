@@ -3,8 +3,6 @@
 #include "ClosestPointSearch.h"
 #include "Status.h"
 
-#include <Eigen/Geometry>
-
 #include <cstddef>
 #include <memory>
 

@@ -22,9 +22,20 @@ struct SliceHeader
   std::string Uid;
   std::string Description;
   int Number = 0;
+  std::string Date;
   SlicePlane Plane;
   DicomPixelFormat Format;
 };
+
+// "20260531" as 2026-05-31; empty for anything else.
+std::string DateText(const std::string& digits)
+{
+  const bool isDate =
+      digits.size() == 8 &&
+      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return isDate ? digits.substr(0, 4) + "-" + digits.substr(4, 2) + "-" + digits.substr(6)
+                : std::string();
+}
 
 // Empty for a file that is not a slice of a volume: a report, a segmentation, a projection image.
 std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
@@ -44,6 +55,8 @@ std::optional<SliceHeader> ReadSliceHeader(const std::filesystem::path& file)
   header.Uid = DicomText(root, DCM_SeriesInstanceUID);
   header.Description = DicomText(root, DCM_SeriesDescription);
   header.Number = DicomInteger(root, DCM_SeriesNumber, 0);
+  header.Date = DateText(DicomText(root, DCM_SeriesDate));
+  header.Date = header.Date.empty() ? DateText(DicomText(root, DCM_StudyDate)) : header.Date;
   return header;
 }
 
@@ -57,7 +70,7 @@ void AddSlice(const SliceHeader& header, const std::filesystem::path& file,
                             });
   if (place == all.end())
   {
-    all.push_back({header.Uid, header.Description, header.Number, {}, {}, {}});
+    all.push_back({header.Uid, header.Description, header.Number, header.Date, {}, {}, {}});
     place = all.end() - 1;
   }
   place->Files.push_back(file);

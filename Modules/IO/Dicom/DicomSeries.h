@@ -17,6 +17,7 @@ struct DicomSeries
   std::string Uid;         ///< series instance UID; not unique if a series mixes orientations
   std::string Description; ///< series description, as the scanner wrote it; no patient data
   int Number = 0;          ///< series number
+  std::string Date;        ///< of its first file, 2026-05-31; empty if not stated
   std::vector<std::filesystem::path> Files;
   std::vector<SlicePlane> Planes;        ///< of each file
   std::vector<DicomPixelFormat> Formats; ///< of each file

@@ -275,6 +275,10 @@ void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& sp
   PutText(item, DCM_PatientName, "Secret^Patient");
   PutText(item, DCM_SeriesInstanceUID, spec.SeriesUid);
   PutText(item, DCM_SeriesDescription, spec.Description);
+  if (!spec.Date.empty())
+  {
+    PutText(item, DCM_SeriesDate, spec.Date);
+  }
   PutText(item, DCM_SeriesNumber, std::to_string(spec.SeriesNumber));
   PutText(item, DCM_ImagePositionPatient,
           Decimals({spec.PositionWorld[0], spec.PositionWorld[1], spec.PositionWorld[2]}));

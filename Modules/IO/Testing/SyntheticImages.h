@@ -60,6 +60,7 @@ struct DicomSliceSpec
   std::string SeriesUid = "1.2.3";
   std::string Description = "synthetic";
   int SeriesNumber = 1;
+  std::string Date; ///< of the series, omitted if empty
   Vector3 PositionWorld = Vector3::Zero();
   Vector3 RowWorld = Vector3::UnitX();
   Vector3 ColumnWorld = Vector3::UnitY();

@@ -1,10 +1,12 @@
 #include "SlicePainter.h"
 
+#include "PlaneSampler.h"
 #include "SlicePatch.h"
 #include "SliceViewTest.h"
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -77,6 +79,87 @@ TEST(SlicePainter, BlendsLayersInOrderAndMultipliesOpacities)
   EXPECT_NEAR(bytes[0], 0.75 * 127.5, 1.0); // half red, a quarter of which is covered
   EXPECT_NEAR(bytes[1], 0.25 * 255.0, 1.0);
   EXPECT_EQ(bytes[2], 0);
+}
+
+namespace
+{
+// The pixels of a row of 61 mm through a ramp that a band colours: red is then more than blue.
+std::vector<bool> Colored(const SliceContent& content)
+{
+  vtkNew<vtkImageData> raster;
+  PaintSlice(content, Plane(61, 1), raster);
+  const auto bytes = Bytes(raster);
+  std::vector<bool> colored;
+  for (std::size_t pixel = 0; pixel < bytes.size(); pixel += 4)
+  {
+    colored.push_back(bytes[pixel] > bytes[pixel + 2]);
+  }
+  return colored;
+}
+
+// The grey values of the same row, with one sample for each pixel.
+std::vector<float> ValuesOf(vtkImageData* image, bool isSmooth)
+{
+  std::vector<float> values(61);
+  const palpate::PlaneSampler sampler(image, Plane(61, 1));
+  if (isSmooth)
+  {
+    sampler.SampleLinear(0, values.data());
+  }
+  else
+  {
+    sampler.SampleNearest(0, -1e9F, values.data());
+  }
+  return values;
+}
+} // namespace
+
+TEST(SlicePainter, BandWithoutUpperLimitEndsAtTheIsoSurface)
+{
+  SliceContent content;
+  content.Image = palpate::test::RampImage(palpate::test::SkewTurn());
+  content.Window = {0.0, 1000.0};
+  content.Band.emplace();
+  const auto values = ValuesOf(content.Image, true);
+  content.Band->Low = 0.5 * (values[20] + values[21]) + 1e-3;
+  const auto colored = Colored(content);
+  for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
+  {
+    EXPECT_EQ(colored[pixel], values[pixel] >= content.Band->Low) << pixel;
+  }
+  EXPECT_NE(colored[20], colored[21]);
+}
+
+TEST(SlicePainter, BandWithUpperLimitIsOfWholeVoxels)
+{
+  SliceContent content;
+  content.Image = palpate::test::RampImage(palpate::Matrix3::Identity());
+  content.Window = {0.0, 1000.0};
+  const auto values = ValuesOf(content.Image, false);
+  content.Band.emplace();
+  content.Band->Low = std::min(values[20], values[30]);
+  content.Band->High = std::max(values[20], values[30]);
+  const auto colored = Colored(content);
+  for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
+  {
+    const bool isIn = values[pixel] >= content.Band->Low && values[pixel] <= content.Band->High;
+    EXPECT_EQ(colored[pixel], isIn) << pixel;
+  }
+}
+
+TEST(SlicePainter, BandStaysInsideItsMask)
+{
+  SliceContent content;
+  content.Image = Uniform(5.0);
+  content.Window = {0.0, 1000.0};
+  content.Band.emplace();
+  content.Band->Mask = Uniform(3.0);
+  content.Band->MaskValue = 4;
+  auto colored = Colored(content);
+  EXPECT_EQ(std::count(colored.begin(), colored.end(), true), 0);
+  content.Band->MaskValue = 3;
+  colored = Colored(content);
+  EXPECT_GT(std::count(colored.begin(), colored.end(), true), 10);
 }
 
 TEST(SlicePainter, PaintsColoredLabelsWithoutImage)

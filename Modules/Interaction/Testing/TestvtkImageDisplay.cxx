@@ -1,5 +1,6 @@
 #include "vtkImageDisplay.h"
 
+#include "SlicePainter.h"
 #include "SliceViewTest.h"
 #include "vtkLandmarks.h"
 #include "vtkSurfaceDisplay.h"
@@ -36,6 +37,20 @@ TEST(vtkImageDisplay, WindowStaysPositiveAndFinite)
   display->SetWindowLevel(10.0, std::nan(""));
   EXPECT_GT(display->GetWindow(), 0.0);
   EXPECT_NEAR(display->GetLevel(), 20.0, 1e-12);
+}
+
+TEST(vtkImageDisplay, NewVolumeEndsMarkedValues)
+{
+  vtkNew<vtkImageDisplay> display;
+  display->SetImage(palpate::test::RampImage(palpate::test::SkewTurn()));
+  const vtkMTimeType before = display->GetMTime();
+  display->MarkValues(50.0, HUGE_VAL);
+  EXPECT_TRUE(display->HasMarkedValues());
+  EXPECT_GT(display->GetMTime(), before) << "views draw it";
+  display->MarkValues(std::nan(""), 60.0);
+  EXPECT_EQ(display->GetContent().Band->Low, 50.0);
+  display->SetImage(palpate::test::RampImage(palpate::test::SkewTurn()));
+  EXPECT_FALSE(display->HasMarkedValues());
 }
 
 TEST(vtkImageDisplay, CenterEqualsVolumeCenter)

@@ -371,6 +371,34 @@ TEST_F(vtkSpaceViewTest, ContactRegionHasContactColor)
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8)));
 }
 
+TEST_F(vtkSpaceViewTest, LineTellsTheDepthOfAToolWithoutContact)
+{
+  vtkNew<vtkProbeRepresentation> probe;
+  this->View->SetProbe(probe);
+  probe->SetToolSphere(1.0);
+  probe->SetColor(1.0, 0.0, 0.0);
+  probe->SetProbePosition(-10.0, 0.0, 0.0);
+  probe->SetProxyPosition(-10.0, 0.0, 0.0);
+  const auto isSeen = [this]
+  {
+    const RasterImage raster = this->Draw();
+    bool isLine = false;
+    for (double up = -0.6; up < 0.7; up += PixelMillimeters)
+    {
+      isLine = isLine || IsRed(PixelAt(raster, 4.0, up));
+    }
+    return isLine;
+  };
+  EXPECT_FALSE(isSeen());
+  probe->SetNearestPoint(10.0, 0.0, 0.0);
+  EXPECT_TRUE(isSeen());
+  probe->InContactOn();
+  EXPECT_FALSE(isSeen());
+  probe->InContactOff();
+  probe->ClearNearestPoint();
+  EXPECT_FALSE(isSeen());
+}
+
 TEST_F(vtkSpaceViewTest, SubVoxelContactRegionHasContactColor)
 {
   vtkNew<vtkSubVoxelVolumeMapper> mapper;

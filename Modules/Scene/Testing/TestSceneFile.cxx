@@ -113,6 +113,46 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   EXPECT_EQ(back.Placement.Scale, 0.5);
 }
 
+TEST_F(TouchSceneFile, RoundTripsALimitedIsoValue)
+{
+  SceneSettings settings;
+  SceneStructure bone;
+  bone.File = this->Folder / "ct";
+  bone.Series = "2";
+  bone.Iso = 300.0;
+  bone.IsoUpper = 1200.5;
+  bone.WithinFile = this->Folder / "masks/skull.nii.gz";
+  bone.WithinLabel = "temporal bone, left";
+  settings.Structures = {bone};
+  const std::string text = SceneText(settings, this->Folder.Path());
+  EXPECT_NE(text.find("\"masks/skull.nii.gz\""), std::string::npos) << text;
+  const SceneSettings back = this->Read(text);
+  EXPECT_EQ(SceneText(back, this->Folder.Path()), text);
+  const SceneStructure& read = back.Structures.front();
+  EXPECT_EQ(read.Series, "2");
+  EXPECT_EQ(read.IsoUpper, 1200.5);
+  EXPECT_EQ(read.WithinFile.lexically_normal(), bone.WithinFile.lexically_normal());
+  EXPECT_EQ(read.WithinLabel, "temporal bone, left");
+  EXPECT_EQ(read.Source(), SceneSource::IsoValue);
+  EXPECT_TRUE(read.IsLimited());
+}
+
+TEST_F(TouchSceneFile, RejectsContradictoryLimits)
+{
+  const auto refusal = [this](const std::string& entries)
+  {
+    return this->Refusal(R"({"format": "palpate-scene", "structures": [{"file": "a.nrrd", )" +
+                         entries + "}]}");
+  };
+  EXPECT_NE(refusal(R"("iso_upper": 5)").find("has no iso-value"), std::string::npos);
+  EXPECT_NE(refusal(R"("within": "m.nrrd", "within_label": "1")").find("has no iso-value"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("iso": 5, "iso_upper": 5)").find("not above"), std::string::npos);
+  EXPECT_NE(refusal(R"("iso": 5, "within": "m.nrrd")").find("only one of"), std::string::npos);
+  EXPECT_NE(refusal(R"("iso": 5, "iso_upper": "6")").find("iso_upper"), std::string::npos);
+  EXPECT_EQ(refusal(R"("iso": 5, "iso_upper": 6)"), "");
+}
+
 TEST_F(TouchSceneFile, WritesNamesOfAnyLength)
 {
   const std::string name(5000, 'a');

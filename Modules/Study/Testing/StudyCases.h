@@ -75,6 +75,13 @@ inline SceneStructure RandomStructure(Random& random)
   {
     structure.Labels.clear();
     structure.Iso = RandomNumber(random, -100.0, 100.0);
+    structure.Series = RandomChoice(random) ? "" : "2";
+    if (RandomChoice(random))
+    {
+      structure.IsoUpper = *structure.Iso + RandomNumber(random, 1.0, 100.0);
+      structure.WithinFile = StudyPath("masks/skull.nii.gz");
+      structure.WithinLabel = "temporal bone";
+    }
   }
   structure.Friction = {RandomNumber(random, 0.5, 1.0), RandomNumber(random, 0.0, 0.5)};
   return structure;

@@ -366,6 +366,9 @@ TEST_F(StudyTest, TouchAndReplayExcludeEachOther)
   this->Settle();
   EXPECT_NE(this->Open.Replay(), nullptr);
   EXPECT_NE(this->Open.ReplayProblem().find("left out"), std::string::npos);
+  this->Open.OpenReplay(this->Phantom.Folder / "absent.touch");
+  this->Settle();
+  EXPECT_NE(this->Open.Replay(), nullptr) << "a file that cannot be read replaces nothing";
   this->Open.StartTouch();
   EXPECT_EQ(this->Open.Replay(), nullptr);
   this->Settle();

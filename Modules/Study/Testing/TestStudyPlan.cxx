@@ -220,6 +220,44 @@ TEST(StudyPlan, EveryInputOfAProductIsInItsKey)
        {"tool's content", [](Inputs& i) { i.Stamps["/tool.stl"] = "u"; }, ToolPlaces}});
 }
 
+// A limited iso-value is made again for each of its limits.
+TEST(StudyPlan, EveryLimitOfAnIsoValueIsInItsKeys)
+{
+  Inputs base;
+  SceneStructure bone;
+  bone.Id = Bone;
+  bone.File = "/volume.nii.gz";
+  bone.Iso = 300.0;
+  bone.IsoUpper = 900.0;
+  bone.WithinFile = "/mask.nii.gz";
+  bone.WithinLabel = "1";
+  bone.Appearance = SceneAppearance::Surface;
+  base.State.Structures = {bone};
+  const Places made{
+      {Step::Surface, Bone}, {Step::Field, Bone}, {Step::Touch, Bone}, {Step::Cost, Bone}};
+  const auto expectRemade = [&](const char* name, const auto& change, const Places& read)
+  {
+    Inputs next = base;
+    change(next);
+    const auto before = KeysOf(base);
+    const auto after = KeysOf(next);
+    for (const Place& place : And(made, read))
+    {
+      EXPECT_NE(before.at(place), after.at(place)) << name << ": " << NameOf(place.first);
+    }
+  };
+  const auto of = [](auto member, auto value)
+  { return [=](Inputs& inputs) { inputs.State.Structures[0].*member = value; }; };
+  expectRemade("lower", of(&SceneStructure::Iso, 301.0), {});
+  expectRemade("upper", of(&SceneStructure::IsoUpper, 901.0), {});
+  expectRemade("no upper", of(&SceneStructure::IsoUpper, std::optional<double>()), {});
+  expectRemade("label", of(&SceneStructure::WithinLabel, std::string("2")), {});
+  expectRemade("series", of(&SceneStructure::Series, std::string("2")), {});
+  expectRemade("mask", [](Inputs& i) { i.Stamps["/mask.nii.gz"] = "r"; },
+               {{Step::Segmentation, Bone}});
+  expectRemade("image", [](Inputs& i) { i.Stamps["/volume.nii.gz"] = "w"; }, {});
+}
+
 // Settings of the view or of the force law alone do not remake products.
 TEST(StudyPlan, KeysOmitIrrelevantSettings)
 {

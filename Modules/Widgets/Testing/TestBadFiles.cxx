@@ -139,8 +139,10 @@ TEST_F(BadFilesTest, LeftHandedFileIsReadUnlessRefused)
   EXPECT_EQ(this->Study->State().LeftHanded, LeftHandedAxes::Refuse);
   EXPECT_NE(this->SaidOf("Open volume", file).find("left-handed"), std::string::npos);
   EXPECT_EQ(this->Window->Contents().Images()->GetImage(), nullptr);
+  EXPECT_TRUE(this->Study->State().VolumeFile.empty());
   choice->setCurrentIndex(1);
   Q_EMIT choice->activated(1);
+  this->Action("Open volume")->trigger();
   WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
   EXPECT_EQ(this->Study->State().LeftHanded, LeftHandedAxes::Reverse);
   EXPECT_NE(this->Messages().find("mirrored.nrrd: The axes were left-handed: index axis 2 was "
@@ -159,6 +161,21 @@ TEST_F(BadFilesTest, UserChoosesAmongSeveralSeries)
   EXPECT_EQ(this->Study->State().DicomSeries, "2");
   EXPECT_EQ(this->Window->Contents().Images()->GetImage()->GetDimensions()[2], 2);
   EXPECT_EQ(this->Messages(), "");
+}
+
+TEST_F(BadFilesTest, SeriesOfSubfoldersAreOffered)
+{
+  const auto patient = this->Phantom.Folder / "patient";
+  std::filesystem::create_directories(patient / "study");
+  std::filesystem::rename(this->TwoSeries(), patient / "study" / "CT");
+  this->Series = 0;
+  this->OpenFolder(patient);
+  ASSERT_EQ(this->SeriesOffered.size(), 2) << this->Messages();
+  EXPECT_TRUE(this->SeriesOffered[0].contains("in study/CT"))
+      << this->SeriesOffered[0].toStdString();
+  WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
+  EXPECT_EQ(this->Study->State().VolumeFile, patient / "study" / "CT");
+  EXPECT_EQ(this->Study->State().DicomSeries, "1");
 }
 
 TEST_F(BadFilesTest, CancelledSeriesChoiceOpensNothing)
@@ -187,6 +204,37 @@ TEST_F(BadFilesTest, FolderWithoutImagesMessageEqualsCommandLine)
   this->OpenFolder(folder);
   EXPECT_EQ(this->Messages(), test::MessageOf([&] { ReadVolume(folder); }));
   EXPECT_EQ(this->Study->State(), StudyState());
+}
+
+// Files of every kind that are not what their names say.
+TEST_F(BadFilesTest, BadFileBesideGoodWorkChangesNothing)
+{
+  this->OpenPhantom();
+  const StudyState before = this->Study->State();
+  const std::string undo = this->Study->Current().History().UndoText();
+  const QStringList recent = QSettings().value("recent").toStringList();
+  const std::string image = test::ReadAll(this->VolumeFile());
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"text.nii.gz", "no image"}, {"empty.nrrd", ""},        {"cut.nii.gz", image.substr(0, 300)},
+      {"bad.stl", "no surface"},   {"empty.ply", ""},         {"bad.json", "{"},
+      {"bad.scene.json", "{}"},    {"bad.palpate.json", "[]"}};
+  for (const char* action : {"Open...", "Open volume", "Open segmentation"})
+  {
+    for (const auto& [name, bytes] : files)
+    {
+      const auto file = this->Phantom.Folder / name;
+      test::WriteAll(file, bytes);
+      const std::string said = this->SaidOf(action, file);
+      WaitUntil([this] { return !this->Study->IsBusy(); });
+      EXPECT_NE(said.find(name), std::string::npos) << said;
+      EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+      EXPECT_EQ(this->Messages(), said) << "one message";
+      EXPECT_EQ(this->Study->State(), before) << action << ": " << name;
+      EXPECT_EQ(this->Study->Current().History().UndoText(), undo) << name;
+      EXPECT_EQ(QSettings().value("recent").toStringList(), recent) << name;
+    }
+  }
+  EXPECT_EQ(this->Window->Contents().Surfaces().count(1), 1U);
 }
 
 TEST_F(BadFilesTest, ReportsUnwritableStudyAndKeepsItOpen)

@@ -117,9 +117,9 @@ TEST_F(MainWindowTest, StatusLineShowsPositionValueAndLabel)
   const double left = -15.0 / axial->View()->GetPixelMillimeters(); // to the sphere's centre
   Move(axial->Canvas(), middle + QPointF(left, 0.0));
   const std::string text = this->Window->PointText().toStdString();
-  EXPECT_NE(text.find("value 700"), std::string::npos) << text;
+  EXPECT_NE(text.find("volume.nii.gz 700"), std::string::npos) << text;
   EXPECT_NE(text.find("label 1"), std::string::npos) << text;
-  EXPECT_EQ(text.rfind("L -1", 0), 0U) << text; // -15 mm, within a pixel
+  EXPECT_EQ(text.rfind("R 1", 0), 0U) << text; // 15 mm, within a pixel
 }
 
 TEST_F(MainWindowTest, SavedStudyReopensUnchanged)

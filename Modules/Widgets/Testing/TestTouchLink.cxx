@@ -76,6 +76,16 @@ TEST_F(TouchLinkTest, MouseMovesHandShownInEveryView)
   EXPECT_FALSE(this->Window->findChild<TouchPanel*>()->SafetyWords().isEmpty());
 }
 
+TEST_F(TouchLinkTest, ToolWithoutContactTellsItsDistance)
+{
+  this->StartTouch();
+  Move(this->Window->Views()->Space()->Canvas(), this->PlaceOf(this->SphereCenter));
+  vtkProbeRepresentation* probe = this->Window->Contents().Probe();
+  this->FeelUntil([&] { return probe->GetHasNearestPoint() && !probe->GetInContact(); });
+  const Vector3 nearest(probe->GetNearestPoint());
+  EXPECT_NEAR((nearest - this->SphereCenter).norm(), 15.0, 1.0) << "on the sphere, within a voxel";
+}
+
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
 {
   this->StartTouch();
@@ -85,7 +95,9 @@ TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
   WaitUntil([this]
             { return this->Study->Reading().Newest.Safety.Fault == SafetyFault::SwitchedOff; });
   EXPECT_EQ(Norm(this->Study->Reading().Newest.ForceDevice), 0.0);
-  this->Button("allow-force")->click();
+  QPushButton* force = this->Button("stop-force");
+  WaitUntil([&] { return force->isEnabled() && force->text() == "Allow force again"; });
+  force->click();
   this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
 }
 
@@ -253,7 +265,8 @@ TEST_F(TouchLinkTest, CancelledCloseKeepsForcesOff)
 
 TEST_F(TouchLinkTest, RejectsTouchOfNothing)
 {
-  this->Button("start-touch")->click();
+  EXPECT_FALSE(this->Button("start-touch")->isEnabled());
+  this->Study->StartTouch();
   WaitUntil([this] { return !this->Messages().empty(); });
   EXPECT_EQ(this->Messages(), "There is nothing to touch yet: make a structure touchable and wait "
                               "until its model is made.");

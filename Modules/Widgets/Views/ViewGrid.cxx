@@ -179,6 +179,14 @@ void ViewGrid::SetLeftButtonMode(int mode)
   }
 }
 
+void ViewGrid::ShowNotice(const TouchNotice& notice)
+{
+  for (ViewPane* pane : this->All)
+  {
+    pane->ShowNotice(notice);
+  }
+}
+
 void ViewGrid::FitAll()
 {
   for (SlicePane* slice : this->Slices)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "NearestOnSurfaces.h"
 #include "StructurePlaces.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
@@ -86,6 +87,7 @@ private:
   bool HoldsAnother(int id) const;
   void ShowHighlight(int id);
   double BallRadius() const;
+  void ShowDepth(const Vector3& toolWorld);
   void ShowDent(const StudyTouchReading& reading, bool isTouching);
   void ShowField(const SceneStructure& structure, const std::shared_ptr<const ScalarField>& field);
   void ShowNewest(int label);
@@ -96,6 +98,7 @@ private:
   vtkNew<vtkCrosshair> CrosshairShown;
   vtkNew<vtkLandmarks> LandmarksShown;
   vtkNew<vtkProbeRepresentation> ProbeShown;
+  NearestOnSurfaces Around; // the tool
   vtkNew<vtkSurfaceDisplay> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;

@@ -7,6 +7,10 @@
 #include "vtkInteractorStyleSlice.h"
 #include "vtkSliceView.h"
 
+#include <QPointF>
+
+#include <optional>
+
 namespace palpate
 {
 /// One slice view of a window.
@@ -35,8 +39,10 @@ Q_SIGNALS:
 private:
   void ChooseSlice(int number);
   Vector3 PointAt(double x, double y) const;
+  void TellPoint();
 
   vtkNew<vtkSliceView> Slice;
   vtkNew<vtkInteractorStyleSlice> Style;
+  std::optional<QPointF> Pointer; // over the canvas
 };
 } // namespace palpate

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ViewBanner.h"
 #include "ViewHeader.h"
 
 #include "vtkEventQtSlotConnect.h"
@@ -41,6 +42,8 @@ public:
   /// The widget that VTK draws in and that receives the mouse.
   ViewCanvas* Canvas() const { return this->RasterImage; }
   vtkRenderer* Renderer() const { return this->Scene; }
+  /// Over its upper edge.
+  void ShowNotice(const TouchNotice& notice) { this->Banner->Show(notice); }
   /// Draws now if a frame is due.
   void RenderNow();
   /// Number of frames drawn.
@@ -62,6 +65,7 @@ Q_SIGNALS:
   void MaximizeAsked();
   /// Over the canvas, in its pixels from the lower left.
   void PointerMoved(double x, double y);
+  void PointerLeft();
   void Clicked(double x, double y);
   /// Clicked and released at the same place, and not dragged.
   void Tapped(double x, double y);
@@ -79,6 +83,7 @@ private:
 
   ViewHeader* Bar;
   ViewCanvas* RasterImage;
+  ViewBanner* Banner;
   vtkNew<vtkRenderer> Scene;
   vtkNew<vtkEventQtSlotConnect> Links; ///< to the followed objects
   vtkSmartPointer<vtkLinkedView> Shown;

@@ -20,13 +20,20 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
   this->Style->AddView(this->Slice);
   this->SetStyle(this->Style);
   connect(this, &ViewPane::Rendered, this,
-          [this] {
+          [this]
+          {
             this->Header()->ShowSlice(this->Slice->GetSliceNumber(),
                                       this->Slice->GetNumberOfSlices());
+            this->TellPoint(); // the slice may have moved under the pointer
           });
   connect(this->Header(), &ViewHeader::SliceChosen, this, &SlicePane::ChooseSlice);
   connect(this, &ViewPane::PointerMoved, this,
-          [this](double x, double y) { Q_EMIT PointedAt(this->PointAt(x, y)); });
+          [this](double x, double y)
+          {
+            this->Pointer = QPointF(x, y);
+            this->TellPoint();
+          });
+  connect(this, &ViewPane::PointerLeft, this, [this] { this->Pointer.reset(); });
   connect(this, &ViewPane::Clicked, this,
           [this](double x, double y) { Q_EMIT ClickedAt(this->PointAt(x, y)); });
   connect(this, &ViewPane::Tapped, this,
@@ -44,6 +51,14 @@ void SlicePane::ShowPlace(const Vector3& pointWorld)
 {
   this->Slice->ShowPoint(pointWorld.data());
   this->RequestRender();
+}
+
+void SlicePane::TellPoint()
+{
+  if (this->Pointer)
+  {
+    Q_EMIT PointedAt(this->PointAt(this->Pointer->x(), this->Pointer->y()));
+  }
 }
 
 void SlicePane::FitToImage()

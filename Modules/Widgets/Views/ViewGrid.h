@@ -56,6 +56,8 @@ public:
   void SetAlongImage(bool isAlongImage);
   void SetLeftButtonMode(int mode);
   void FitAll();
+  /// In every view.
+  void ShowNotice(const TouchNotice& notice);
 
 private:
   void Arrange();

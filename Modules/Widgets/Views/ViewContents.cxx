@@ -4,7 +4,6 @@
 #include "FitResult.h"
 #include "ImageAxes.h"
 #include "PlainVector3.h"
-#include "SceneRepresentation.h"
 #include "SceneTool.h"
 #include "SphericalHarmonicModel.h"
 #include "SurfaceMaterial.h"
@@ -457,11 +456,44 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
-  // Okabe and Ito's vermilion; yellow where the force is an estimate.
+  this->ShowDepth(proxy);
+  // Okabe and Ito's vermilion; yellow where the force is an estimate. Grey: no force.
   constexpr std::array<double, 3> Known{{0.84, 0.37, 0.0}};
   constexpr std::array<double, 3> Estimated{{0.94, 0.89, 0.26}};
-  const auto& color = state.IsBeyondLinear ? Estimated : Known;
-  this->ProbeShown->SetContactColor(color[0], color[1], color[2]);
+  constexpr std::array<double, 3> Free{{0.34, 0.71, 0.91}};
+  constexpr std::array<double, 3> None{{0.45, 0.45, 0.45}};
+  const bool hasForce = state.Safety.Fault == SafetyFault::None;
+  const auto& touching = !hasForce ? None : state.IsBeyondLinear ? Estimated : Known;
+  const auto& free = hasForce ? Free : None;
+  this->ProbeShown->SetContactColor(touching[0], touching[1], touching[2]);
+  this->ProbeShown->SetColor(free[0], free[1], free[2]);
+}
+
+// How far the tool is from what is seen.
+void ViewContents::ShowDepth(const Vector3& toolWorld)
+{
+  constexpr double Farthest = 200.0; // mm
+  if (this->ProbeShown->GetInContact())
+  {
+    return;
+  }
+  std::vector<vtkPolyData*> surfaces;
+  for (const auto& [id, shown] : this->SurfacesShown)
+  {
+    if (shown->GetSurface() != nullptr)
+    {
+      surfaces.push_back(shown->GetSurface());
+    }
+  }
+  this->Around.SetSurfaces(surfaces);
+  if (const auto nearest = this->Around.Find(toolWorld, Farthest))
+  {
+    this->ProbeShown->SetNearestPoint(nearest->x(), nearest->y(), nearest->z());
+  }
+  else
+  {
+    this->ProbeShown->ClearNearestPoint();
+  }
 }
 
 // Only a sphere touches what yields; 0 for another tool.
@@ -513,7 +545,7 @@ std::string ViewContents::TextAt(const Vector3& pointWorld) const
   {
     if (const auto value = VoxelValueAt(this->Grey->Image, pointWorld))
     {
-      text << "value " << *value;
+      text << this->Grey->Source.filename().string() << " " << *value;
     }
   }
   for (std::size_t s = 0; this->Labels != nullptr && s < this->Labels->Segments.size(); ++s)

@@ -35,7 +35,8 @@ void ViewCanvas::paintGL()
 }
 
 ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
-    : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this))
+    : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this)),
+      Banner(new ViewBanner(RasterImage))
 {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -167,6 +168,9 @@ bool ViewPane::eventFilter(QObject* object, QEvent* event)
   case QEvent::MouseButtonRelease:
   case QEvent::MouseButtonDblClick:
     return this->TakeMouse(event);
+  case QEvent::Leave:
+    Q_EMIT PointerLeft();
+    break;
   case QEvent::Show:
   case QEvent::Resize:
     this->RequestRender();

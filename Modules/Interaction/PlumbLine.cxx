@@ -1,0 +1,52 @@
+#include "PlumbLine.h"
+
+#include "DecimalText.h"
+#include "vtkProbeRepresentation.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace palpate
+{
+namespace
+{
+constexpr double LineWidth = 1.5; // pixels
+}
+
+void PlumbLine::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer != nullptr)
+  {
+    this->Renderer->RemoveViewProp(this->Line.Actor());
+  }
+  if (renderer != nullptr)
+  {
+    renderer->AddViewProp(this->Line.Actor());
+  }
+  this->Length.SetRenderer(renderer);
+  this->Renderer = renderer;
+}
+
+void PlumbLine::Update(vtkProbeRepresentation* probe)
+{
+  const bool isShown = probe != nullptr && probe->GetVisibility() && !probe->GetInContact() &&
+                       probe->GetHasNearestPoint();
+  this->Line.SetVisible(isShown);
+  if (!isShown)
+  {
+    this->Length.Update({}, {});
+    return;
+  }
+  vtkMatrix4x4* place = probe->GetProxyMatrix();
+  const Vector3 tool(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  const Vector3 nearest(probe->GetNearestPoint());
+  const double distance = std::max(0.0, (nearest - tool).norm() - probe->GetToolRadius());
+  const double* color = probe->GetColor();
+  this->Line.SetCurves({{{tool, nearest}, false}}, Vector3::Zero());
+  this->Line.SetStyle({{color[0], color[1], color[2]}}, 1.0, LineWidth);
+  this->Length.Update({{FixedText(distance, 1) + " mm", 0.5 * (tool + nearest)}},
+                      {{color[0], color[1], color[2]}});
+}
+} // namespace palpate

@@ -1,0 +1,93 @@
+#include "StatusLine.h"
+
+#include "ScreenString.h"
+#include "TouchNotice.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// "R 10.3": with the side's letter instead of a sign.
+QString Side(double coordinate, char positive, char negative)
+{
+  const double shown = std::round(10.0 * coordinate) / 10.0;
+  return QString("%1 %2")
+      .arg(QChar(shown < 0.0 ? negative : positive))
+      .arg(std::abs(shown), 0, 'f', 1);
+}
+
+QLabel* MakeLabel(const char* name, QWidget* parent)
+{
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+} // namespace
+
+StatusLine::StatusLine(StudyController& study, QWidget* parent)
+    : QStatusBar(parent), Study(study), Point(MakeLabel("point", this)),
+      Jobs(MakeLabel("jobs", this)), Touch(MakeLabel("touch-state", this))
+{
+  this->Point->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  this->addWidget(this->Point, 1);
+  this->addPermanentWidget(this->Jobs);
+  this->addPermanentWidget(this->Touch);
+  connect(&study, &StudyController::StepsChanged, this, &StatusLine::ShowJobs);
+  connect(&study, &StudyController::TouchChanged, this, &StatusLine::ShowTouch);
+  connect(&study, &StudyController::ReplayChanged, this, &StatusLine::ShowTouch);
+  connect(&study, &StudyController::Touched, this, &StatusLine::ShowTouch);
+  this->ShowJobs();
+  this->ShowTouch();
+}
+
+void StatusLine::ShowPoint(const Vector3& pointWorld, const std::string& text)
+{
+  const QString place = Side(pointWorld.x(), 'L', 'R') + "  " + Side(pointWorld.y(), 'P', 'A') +
+                        "  " + Side(pointWorld.z(), 'S', 'I') + " mm";
+  this->Point->setText(text.empty() ? place : place + "   " + ScreenString(text));
+}
+
+void StatusLine::ShowJobs()
+{
+  QStringList running;
+  for (const SceneStep step :
+       {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Surface, SceneStep::Samples,
+        SceneStep::Model, SceneStep::Elasticity, SceneStep::Field, SceneStep::Protection})
+  {
+    const StudyStepState state = this->Study.Current().Pipeline().StateOf(step);
+    if (state.Is == StudyStepState::Kind::Running)
+    {
+      running += QString("%1 %2 %").arg(NameOf(step)).arg(std::lround(100.0 * state.Fraction));
+    }
+  }
+  const QString text = running.join(", ");
+  if (text != this->Jobs->text())
+  {
+    this->Jobs->setText(text);
+  }
+}
+
+void StatusLine::ShowTouch()
+{
+  const StudyTouchReading& reading = this->Study.Reading();
+  QString text = this->Study.IsReplaying() ? "Replay" : "Touch is off";
+  if (this->Study.IsTouching())
+  {
+    const TouchNotice notice = TouchNotice::Of(reading);
+    const SceneStructure* touched = FindStructure(this->Study.State(), reading.TouchedId);
+    text = notice.Is == TouchNotice::Kind::Alarm     ? notice.Text
+           : notice.Is == TouchNotice::Kind::NoForce ? QString("No force")
+           : touched != nullptr                      ? QString("Touches %1: %2 N")
+                                      .arg(ScreenString(TitleOf(*touched)))
+                                      .arg(Vector3(reading.Newest.ForceWorld).norm(), 0, 'f', 2)
+                                : QString("Touch is on");
+  }
+  if (text != this->Touch->text())
+  {
+    this->Touch->setText(text);
+  }
+}
+} // namespace palpate

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "StudyController.h"
+
+#include <QLabel>
+#include <QStatusBar>
+
+namespace palpate
+{
+/// The place under the pointer, what is being computed, and the state of touch. It never makes the
+/// window wider.
+class StatusLine : public QStatusBar
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the address.
+  StatusLine(StudyController& study, QWidget* parent);
+
+  /// The pointer's place (world, mm), and what is there; see ViewContents::TextAt.
+  void ShowPoint(const Vector3& pointWorld, const std::string& text);
+  void ClearPoint() { this->Point->clear(); }
+  QString PointText() const { return this->Point->text(); }
+  QString TouchText() const { return this->Touch->text(); }
+
+private:
+  void ShowJobs();
+  void ShowTouch();
+
+  StudyController& Study;
+  QLabel* Point;
+  QLabel* Jobs;
+  QLabel* Touch;
+};
+} // namespace palpate

@@ -1,0 +1,212 @@
+#include "ForceButton.h"
+#include "SafetyReport.h"
+#include "ViewBanner.h"
+#include "WindowTest.h"
+
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QScrollBar>
+#include <QToolButton>
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+class WindowLayoutTest : public test::WindowTest
+{
+protected:
+  WorkColumn* Column() const { return this->Window->findChild<WorkColumn*>(); }
+  void OpenAllSections()
+  {
+    for (Section* section : this->Column()->Sections())
+    {
+      section->Open(true);
+    }
+    QApplication::processEvents();
+  }
+  std::vector<QWidget*> Controls() const
+  {
+    std::vector<QWidget*> controls;
+    for (auto* widget : this->Column()->findChildren<QWidget*>())
+    {
+      const bool isControl = qobject_cast<QAbstractButton*>(widget) != nullptr ||
+                             qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
+                             qobject_cast<QComboBox*>(widget) != nullptr;
+      if (isControl && widget->isVisible() &&
+          qobject_cast<QAbstractScrollArea*>(widget->parentWidget()->parentWidget()) == nullptr)
+      {
+        controls.push_back(widget);
+      }
+    }
+    return controls;
+  }
+  bool IsBannerShown() const
+  {
+    for (const auto* banner : this->Window->findChildren<ViewBanner*>())
+    {
+      if (!banner->isVisible() || banner->text().isEmpty())
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+// The last is 1600 x 1000 at scale 2.
+TEST_F(WindowLayoutTest, NothingIsClippedAtUsualSizes)
+{
+  this->OpenPhantom();
+  this->OpenAllSections();
+  for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1600, 1000), QSize(800, 500)})
+  {
+    this->Window->resize(size);
+    QApplication::processEvents();
+    EXPECT_EQ(this->Window->size(), size) << "the window can be as small as that";
+    const std::vector<QWidget*> controls = this->Controls();
+    EXPECT_GT(controls.size(), 30U);
+    for (QWidget* control : controls)
+    {
+      const std::string name = control->objectName().toStdString() + " of " +
+                               control->metaObject()->className() + " at " +
+                               std::to_string(size.width());
+      const QSize least = control->minimumSizeHint();
+      EXPECT_GE(control->width(), least.width()) << name;
+      EXPECT_GE(control->height(), least.height()) << name;
+      const int right = control->mapTo(this->Column()->viewport(), control->rect().topRight()).x();
+      EXPECT_LT(right, this->Column()->viewport()->width()) << name;
+    }
+  }
+}
+
+TEST_F(WindowLayoutTest, ColumnScrollsAsOne)
+{
+  this->OpenAllSections();
+  this->Window->resize(1024, 700);
+  QApplication::processEvents();
+  EXPECT_GT(this->Column()->verticalScrollBar()->maximum(), 0);
+  EXPECT_EQ(this->Column()->horizontalScrollBar()->maximum(), 0);
+}
+
+TEST_F(WindowLayoutTest, SectionsStayAsTheyWereLeft)
+{
+  Section* drilling = this->Column()->Sections().back();
+  ASSERT_EQ(drilling->Title(), "Drilling");
+  EXPECT_FALSE(drilling->IsOpen());
+  drilling->findChild<QToolButton*>("fold-drilling")->click();
+  EXPECT_TRUE(drilling->IsOpen());
+  const MainWindow next(*this->Study);
+  EXPECT_TRUE(next.findChild<WorkColumn*>()->Sections().back()->IsOpen());
+}
+
+TEST_F(WindowLayoutTest, MenuUnfoldsASectionAndShowsIt)
+{
+  this->OpenAllSections();
+  Section* drilling = this->Column()->Sections().back();
+  drilling->Open(false);
+  this->Action("Drilling")->trigger();
+  EXPECT_TRUE(drilling->IsOpen());
+  WaitUntil(
+      [&]
+      {
+        const QPoint place = drilling->mapTo(this->Column()->viewport(), QPoint(0, 0));
+        return this->Column()->viewport()->rect().contains(place);
+      });
+}
+
+TEST_F(WindowLayoutTest, EmptyWindowOffersFilesInsteadOfViews)
+{
+  auto* start = this->Window->findChild<StartPage*>();
+  EXPECT_TRUE(start->isVisible());
+  EXPECT_FALSE(this->Window->Views()->isVisible());
+  this->Opened = QStringList{QString::fromStdString(this->MaskFile().string())};
+  this->Button("start-open")->click();
+  WaitUntil([this] { return this->Window->Views()->isVisible(); });
+  EXPECT_FALSE(start->isVisible());
+  this->Settle();
+  this->Action("New study")->trigger();
+  WaitUntil([&] { return start->isVisible(); });
+  auto* recent = start->findChild<QLabel*>("start-recent");
+  EXPECT_TRUE(recent->text().contains("mask.nii.gz"));
+  const QString link = recent->text().section("href=\"", 1, 1).section('"', 0, 0);
+  Q_EMIT recent->linkActivated(link);
+  WaitUntil([this] { return this->Window->Views()->isVisible(); });
+  EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
+}
+
+TEST_F(WindowLayoutTest, ForceButtonNeverMoves)
+{
+  this->OpenPhantom();
+  QPushButton* force = this->Button("stop-force");
+  const auto place = [&]
+  { return QRect(force->mapTo(this->Window.get(), QPoint()), force->size()); };
+  const QRect first = place();
+  EXPECT_FALSE(force->isEnabled());
+  this->BeginTouch();
+  WaitUntil([&] { return force->isEnabled(); });
+  EXPECT_EQ(place(), first);
+  this->Study->Current().Touch().SwitchForcesOff();
+  WaitUntil([&] { return force->text() == "Allow force again"; });
+  EXPECT_EQ(place(), first);
+  this->Study->Report("A message that takes some lines of the window, since it is long: " +
+                      std::string(400, 'x'));
+  QApplication::processEvents();
+  EXPECT_EQ(place(), first);
+}
+
+TEST_F(WindowLayoutTest, PressingStopTwiceDoesNotAllowForce)
+{
+  this->OpenPhantom();
+  this->BeginTouch();
+  QPushButton* force = this->Button("stop-force");
+  WaitUntil([&] { return force->isEnabled(); });
+  const auto fault = [this] { return this->Study->Reading().Newest.Safety.Fault; };
+  WaitUntil([&] { return fault() == SafetyFault::None; });
+  force->click();
+  force->click();
+  WaitUntil([&] { return fault() == SafetyFault::SwitchedOff; });
+  force->click();
+  const std::uint64_t tick = this->Study->Reading().Newest.Tick.Number;
+  WaitUntil([&] { return this->Study->Reading().Newest.Tick.Number > tick + 50; });
+  EXPECT_EQ(fault(), SafetyFault::SwitchedOff);
+  WaitUntil([&] { return force->isEnabled(); });
+  force->click();
+  WaitUntil([&] { return fault() == SafetyFault::None; });
+}
+
+TEST_F(WindowLayoutTest, EveryViewSaysThatThereIsNoForce)
+{
+  this->OpenPhantom();
+  this->BeginTouch();
+  EXPECT_FALSE(this->IsBannerShown());
+  this->Study->Current().Touch().SwitchForcesOff();
+  WaitUntil([this] { return this->IsBannerShown(); });
+  EXPECT_EQ(this->Window->findChild<QLabel*>("touch-state")->text(), "No force");
+  this->Study->Current().Touch().SwitchForcesOn();
+  WaitUntil([this] { return !this->Window->findChild<ViewBanner*>()->isVisible(); });
+}
+
+TEST(TouchNotice, NearestAlarmComesBeforeTheMissingForce)
+{
+  StudyTouchReading reading;
+  EXPECT_EQ(TouchNotice::Of(reading).Is, TouchNotice::Kind::None);
+  reading.Newest.Safety.Fault = SafetyFault::SwitchedOff;
+  reading.Safety = "Forces are off.";
+  EXPECT_EQ(TouchNotice::Of(reading).Is, TouchNotice::Kind::NoForce);
+  EXPECT_EQ(TouchNotice::Of(reading).Text, "No force. Forces are off.");
+  reading.Drill.Approaches.resize(3);
+  reading.Drill.Approaches[0].Name = "Putamen_L";
+  reading.Drill.Approaches[0].Distance = 1.24;
+  reading.Drill.Approaches[0].IsAlarmed = true;
+  EXPECT_EQ(TouchNotice::Of(reading).Text, "Drill is 1.2 mm from Putamen_L");
+  reading.Drill.Approaches[1].Name = "Pallidum_L";
+  reading.Drill.Approaches[1].Distance = -0.31;
+  reading.Drill.Approaches[1].IsAlarmed = true;
+  reading.Drill.Approaches[2].Distance = -5.0;
+  EXPECT_EQ(TouchNotice::Of(reading).Is, TouchNotice::Kind::Alarm);
+  EXPECT_EQ(TouchNotice::Of(reading).Text, "Drill touches Pallidum_L (0.3 mm inside)");
+}
+} // namespace
+} // namespace palpate
