@@ -36,7 +36,7 @@ QString WidestTextOf(int column)
   switch (column)
   {
   case StructureTableModel::OpacityColumn:
-    return "100 %";
+    return "Opacity";
   case StructureTableModel::NameColumn:
     return "Frontal_Sup_Medial_R";
   case StructureTableModel::AppearanceColumn:
@@ -66,34 +66,41 @@ StructureTable::StructureTable(QWidget* parent) : QTableView(parent)
           &StructureTable::SetWidths);
 }
 
-// Once, from samples: widths that follow the contents would measure every row at every change.
+// From samples: widths that follow the contents would measure every row at every change. The
+// columns before the name are narrow, so that it is read without scrolling.
+int StructureTable::WidthOf(int column) const
+{
+  const QFontMetrics font = this->fontMetrics();
+  if (column < StructureTableModel::OpacityColumn)
+  {
+    return font.height() * 3 / 2 + 4;
+  }
+  const int margin = 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
+  const int text = font.horizontalAdvance(WidestTextOf(column)) + margin;
+  return column <= StructureTableModel::NameColumn
+             ? text
+             : std::max(text, this->horizontalHeader()->sectionSizeHint(column));
+}
+
 void StructureTable::SetWidths()
 {
-  QHeaderView* header = this->horizontalHeader();
-  const int margin = 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
-  for (int column = 0; column < header->count(); ++column)
+  for (int column = 0; column < this->horizontalHeader()->count(); ++column)
   {
-    const int sample = this->fontMetrics().horizontalAdvance(WidestTextOf(column)) + margin;
-    const int title = header->sectionSizeHint(column);
-    header->resizeSection(column, column < StructureTableModel::OpacityColumn
-                                      ? 2 * this->fontMetrics().height()
-                                      : std::max(title, sample));
+    this->horizontalHeader()->resizeSection(column, this->WidthOf(column));
   }
   this->FitName();
 }
 
-// The name takes the width that the other columns leave, but is never narrower than a long name.
+// The name takes the width that the other columns leave.
 void StructureTable::FitName()
 {
   constexpr int Name = StructureTableModel::NameColumn;
   QHeaderView* header = this->horizontalHeader();
-  if (header->count() <= Name)
+  if (header->count() > Name)
   {
-    return;
+    const int others = header->length() - header->sectionSize(Name);
+    header->resizeSection(Name, std::max(this->WidthOf(Name), this->viewport()->width() - others));
   }
-  const int others = header->length() - header->sectionSize(Name);
-  const int least = this->fontMetrics().horizontalAdvance(WidestTextOf(Name));
-  header->resizeSection(Name, std::max(least, this->viewport()->width() - others));
 }
 
 void StructureTable::resizeEvent(QResizeEvent* event)

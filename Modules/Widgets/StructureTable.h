@@ -47,6 +47,7 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
+  int WidthOf(int column) const;
   void SetWidths();
   void FitName();
   bool Press(const QMouseEvent& event);

@@ -104,6 +104,7 @@ QBoxLayout* StructuresPanel::MakeSearch()
 
 QBoxLayout* StructuresPanel::MakeTools()
 {
+  this->Opacity->setMinimumWidth(this->fontMetrics().horizontalAdvance("00000000"));
   auto* label = new QLabel("Label opacity", this);
   label->setToolTip("Opacity of all labels over the slices");
   auto* row = new QHBoxLayout;
@@ -179,11 +180,16 @@ void StructuresPanel::KeepSelection()
 void StructuresPanel::TakeSelection(const QItemSelection& selected)
 {
   Q_EMIT SelectionChanged();
-  const int id = this->Table->CurrentId();
-  // Not if rows were only deselected, or all were selected.
-  if (!this->IsQuiet && id != 0 && selected.contains(this->Table->currentIndex()))
+  // By the keyboard, rows are selected before the cursor moves there. Several rows that leave the
+  // cursor where it is, as if all are selected, have no centre.
+  const QModelIndex current = this->Table->currentIndex();
+  const bool isOne = selected.size() == 1 && selected.front().height() == 1;
+  const QModelIndex cell = selected.contains(current) ? current
+                           : isOne                    ? selected.front().topLeft()
+                                                      : QModelIndex();
+  if (!this->IsQuiet && cell.isValid())
   {
-    Q_EMIT Selected(id);
+    Q_EMIT Selected(cell.data(StructureTableModel::IdRole).toInt());
   }
 }
 
