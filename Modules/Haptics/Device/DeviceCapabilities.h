@@ -24,6 +24,9 @@ struct DeviceCapabilities
   double Rate = 0.0;             ///< Hz, of new samples
   /// Longest normal interval (s) between new samples, as on a shared bus; 0: one period.
   double LongestGap = 0.0;
+  /// Whether forces may reach a person. False only for a computed hand: faults of timing then end
+  /// by themselves (FaultRecovery).
+  bool HasMotors = true;
 
   /// N, device's frame: force that carries the weight of its handle. The servo adds it to the
   /// scene's forces, so that it passes the safety chain too.

@@ -9,9 +9,10 @@ constexpr double MotionTimeConstant = 0.003;
 } // namespace
 
 SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
-    : Dog(settings.Limits), Ramp(settings.RampDuration), Energy(settings.LargestDamping),
-      Limit(settings.MaximumForce), Slew(settings.MaximumSlew), Motion(MotionTimeConstant),
-      DeviceDamping(settings.DeviceDamping), DeviceFriction(settings.DeviceFriction)
+    : Dog(settings.Limits), Recovery(settings.HasMotors), Ramp(settings.RampDuration),
+      Energy(settings.LargestDamping), Limit(settings.MaximumForce), Slew(settings.MaximumSlew),
+      Motion(MotionTimeConstant), DeviceDamping(settings.DeviceDamping),
+      DeviceFriction(settings.DeviceFriction)
 {
 }
 
@@ -53,10 +54,13 @@ Vector3 SafetyChain::Zero() noexcept
 
 void SafetyChain::Fail(SafetyFault fault) noexcept
 {
-  if (this->LastReport.Fault == SafetyFault::None)
+  this->Recovery.Restart();
+  const bool endsByItself = this->Recovery.EndsByItself(fault);
+  if (this->LastReport.Fault == SafetyFault::None || (this->LastReport.WillResume && !endsByItself))
   {
     this->LastReport = {};
     this->LastReport.Fault = fault;
+    this->LastReport.WillResume = endsByItself;
   }
 }
 
@@ -70,6 +74,7 @@ void SafetyChain::Rearm() noexcept
 void SafetyChain::Resume() noexcept
 {
   this->Dog.Reset();
+  this->Recovery.Restart();
   this->Zero();
 }
 
@@ -78,12 +83,27 @@ void SafetyChain::FadeIn() noexcept
   this->Ramp.Restart();
 }
 
+// A fault that lasts is not looked at again: only Rearm ends it.
+void SafetyChain::Judge(const SafetyInput& input) noexcept
+{
+  if (this->LastReport.Fault != SafetyFault::None && !this->LastReport.WillResume)
+  {
+    return;
+  }
+  const SafetyFault fault = this->FaultOf(input);
+  if (fault != SafetyFault::None)
+  {
+    this->Fail(fault);
+  }
+  else if (!this->LastReport.WillResume || this->Recovery.IsOver(input.Observed.Tick.Started))
+  {
+    this->LastReport = {};
+  }
+}
+
 Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
 {
-  if (this->LastReport.Fault == SafetyFault::None)
-  {
-    this->Fail(this->FaultOf(input));
-  }
+  this->Judge(input);
   const bool isReady = input.Observed.State == DeviceState::Ready;
   if (this->LastReport.Fault != SafetyFault::None || !isReady)
   {
@@ -125,9 +145,9 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   // Exactly zero without contact, once the slew limit has settled.
   this->AppliedContact = force - ambient;
 
-  this->LastReport = {SafetyFault::None,    true,      this->Ramp.IsRamping(),
-                      !damping.isZero(0.0), isLimited, this->Slew.IsSlewing(),
-                      this->Energy.Energy()};
+  this->LastReport = {
+      SafetyFault::None,      true,  this->Ramp.IsRamping(), !damping.isZero(0.0), isLimited,
+      this->Slew.IsSlewing(), false, this->Energy.Energy()};
   return force;
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "EnergyObserver.h"
+#include "FaultRecovery.h"
 #include "ForceLimit.h"
 #include "NonFiniteGuard.h"
 #include "RampIn.h"
@@ -19,6 +20,7 @@ struct SafetySettings
   double LargestDamping = 0.0; ///< N s/mm, limit for the energy observer
   double DeviceDamping = 0.0;  ///< N s/mm, of the mechanism; 0 if unknown
   double DeviceFriction = 0.0; ///< N, likewise
+  bool HasMotors = true;       ///< false: faults of timing end by themselves
   WatchdogLimits Limits;
 };
 
@@ -36,7 +38,8 @@ struct SafetyInput
 /// this order: watchdog, non-finite guard, ramp, energy observer, limit, slew limit.
 ///
 /// For any input its output is finite and no longer than MaximumForce. A fault gives 0 N at once
-/// and for good, until Rearm. It passes no force before the device is Ready.
+/// and for good, until Rearm; only without motors, faults of timing end by themselves
+/// (FaultRecovery), and forces fade in. It passes no force before the device is Ready.
 class SafetyChain
 {
 public:
@@ -44,7 +47,8 @@ public:
 
   /// Once a tick: the force (N, device's frame) to apply.
   Vector3 Apply(const SafetyInput& input) noexcept;
-  /// A fault detected while applying the force.
+  /// A fault detected while applying the force. The first one since arming remains, except that
+  /// one that lasts replaces one that would end by itself.
   void Fail(SafetyFault fault) noexcept;
   /// Clears a fault, restarts and fades in.
   void Rearm() noexcept;
@@ -56,6 +60,7 @@ public:
   const SafetyReport& Report() const noexcept { return this->LastReport; }
 
 private:
+  void Judge(const SafetyInput& input) noexcept;
   SafetyFault FaultOf(const SafetyInput& input) noexcept;
   Vector3 Shape(const SafetyInput& input) noexcept;
   double PeriodBefore(const TickObservation& now) const noexcept;
@@ -64,6 +69,7 @@ private:
   Vector3 Zero() noexcept;
 
   Watchdog Dog;
+  FaultRecovery Recovery;
   NonFiniteGuard Guard;
   RampIn Ramp;
   EnergyObserver Energy;

@@ -2,7 +2,9 @@
 
 namespace palpate
 {
-const char* Describe(SafetyFault fault) noexcept
+namespace
+{
+const char* DescribeLasting(SafetyFault fault) noexcept
 {
   switch (fault)
   {
@@ -36,5 +38,25 @@ const char* Describe(SafetyFault fault) noexcept
            "switch forces on again.";
   }
   return "An unknown fault.";
+}
+
+// Of faults of timing; see FaultRecovery.
+const char* DescribeResuming(SafetyFault fault) noexcept
+{
+  switch (fault)
+  {
+  case SafetyFault::StaleSample:
+    return "The device sent no new positions: touching goes on by itself once it does.";
+  case SafetyFault::Suspended:
+    return "The machine was suspended: touching goes on by itself.";
+  default:
+    return "The servo was delayed for too long: touching goes on by itself.";
+  }
+}
+} // namespace
+
+const char* Describe(SafetyFault fault, bool willResume) noexcept
+{
+  return willResume ? DescribeResuming(fault) : DescribeLasting(fault);
 }
 } // namespace palpate

@@ -27,6 +27,7 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
   safety.LargestDamping = device.MaximumDamping;
   safety.DeviceDamping = device.Damping;
   safety.DeviceFriction = device.Friction;
+  safety.HasMotors = device.HasMotors;
   safety.RampDuration = settings.RampDuration;
   safety.MaximumSlew = settings.MaximumSlew;
   safety.Limits.StaleTicks = 1 + TicksPerSample(device, settings);

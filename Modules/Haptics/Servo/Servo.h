@@ -54,7 +54,8 @@ public:
   /// Destroys scenes that the servo no longer uses; Publish calls it too.
   void Reclaim() noexcept { this->Scenes.Reclaim(); }
 
-  /// Switches forces on again after a fault, from the next tick on.
+  /// Switches forces on again after a fault, from the next tick on. Only without motors, faults of
+  /// timing end by themselves too: contacts then carry on, and the drill's pedal is up.
   void Rearm() noexcept { this->RearmWanted.store(true, std::memory_order_release); }
   /// 0 N from the next tick on, until Rearm; the tool is still tracked.
   void SwitchOff() noexcept { this->OffWanted.store(true, std::memory_order_release); }

@@ -39,6 +39,7 @@ void TouchWatch::Take(const TouchState& tick, std::vector<TouchChange>& changes)
   if (tick.Safety.Fault != this->Fault)
   {
     change.Why = tick.Safety.Fault;
+    change.WillResume = tick.Safety.WillResume;
     add(tick.Safety.Fault != SafetyFault::None ? Kind::Fault : Kind::ForcesOn);
     this->Fault = tick.Safety.Fault;
   }

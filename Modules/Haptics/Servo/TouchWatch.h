@@ -24,6 +24,7 @@ struct TouchChange
   std::int32_t Structure = -1;         ///< index in the scene, for a contact
   int Button = 0;                      ///< for a button, from 0
   SafetyFault Why = SafetyFault::None; ///< for a fault
+  bool WillResume = false;             ///< for a fault: it ends by itself
   std::int64_t Time = 0;               ///< ns of the servo's clock, when the tick began
 };
 

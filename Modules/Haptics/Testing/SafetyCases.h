@@ -50,4 +50,14 @@ inline TickObservation HealthyTick(std::uint64_t n, const Vector3& position = Ve
   tick.Sample.Time = tick.Tick.Started;
   return tick;
 }
+
+/// The same with a contact that pushes.
+inline SafetyInput Pushing(std::uint64_t n, const Vector3& force)
+{
+  SafetyInput input;
+  input.Observed = HealthyTick(n);
+  input.IsTouching = true;
+  input.ContactForce = force;
+  return input;
+}
 } // namespace palpate::test

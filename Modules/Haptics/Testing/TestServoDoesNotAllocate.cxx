@@ -62,6 +62,23 @@ TEST(ServoDoesNotAllocate, InAnyTick)
   EXPECT_EQ(AllocationsOfASession(settings), 0u);
 }
 
+TEST(ServoDoesNotAllocate, WhileAFaultEndsByItself)
+{
+  DeviceCapabilities device = test::ScriptedDevice().Abilities;
+  device.HasMotors = false;
+  test::ServoRun run(test::WallScene(0.0, {1.0, 0.01}), ServoSettings(), device);
+  run.RestAt({0.0, 0.0, -1.0});
+  const std::size_t before = test::AllocationCount();
+  run.Device.RepeatsSample = true;
+  run.TickAt({0.0, 0.0, -1.0});
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_TRUE(run.Loop.Latest().Safety.WillResume);
+  run.Device.RepeatsSample = false;
+  run.RestAt({0.0, 0.0, -1.0});
+  EXPECT_TRUE(run.Loop.Latest().Safety.IsArmed);
+  EXPECT_EQ(test::AllocationCount(), before);
+}
+
 TEST(ServoDoesNotAllocate, AmongManyStructures)
 {
   test::ServoRun run(test::ManyStructures(300));

@@ -11,6 +11,8 @@ namespace palpate
 {
 namespace
 {
+using test::Pushing;
+
 SafetySettings Settings()
 {
   SafetySettings settings;
@@ -18,15 +20,6 @@ SafetySettings Settings()
   settings.RampDuration = 0.01;
   settings.LargestDamping = 0.02;
   return settings;
-}
-
-SafetyInput Pushing(std::uint64_t n, const Vector3& force)
-{
-  SafetyInput input;
-  input.Observed = test::HealthyTick(n);
-  input.IsTouching = true;
-  input.ContactForce = force;
-  return input;
 }
 
 // A chain after `ticks` healthy ticks with a push.
@@ -317,6 +310,13 @@ TEST(SafetyChain, EveryFaultHasItsOwnMessage)
   {
     const std::string text = Describe(static_cast<SafetyFault>(fault));
     EXPECT_EQ(text.back(), '.');
+    EXPECT_TRUE(messages.insert(text).second) << text;
+  }
+  for (const SafetyFault fault :
+       {SafetyFault::StalledTick, SafetyFault::StaleSample, SafetyFault::Suspended})
+  {
+    const std::string text = Describe(fault, true);
+    EXPECT_NE(text.find("goes on by itself"), std::string::npos);
     EXPECT_TRUE(messages.insert(text).second) << text;
   }
 }

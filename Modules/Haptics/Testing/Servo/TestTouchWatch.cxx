@@ -95,5 +95,20 @@ TEST_F(TouchWatchTest, ReportsAFaultAndItsEnd)
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].What, Kind::ForcesOn);
 }
+
+TEST_F(TouchWatchTest, TellsFaultsThatEndByThemselves)
+{
+  this->Tick.Safety.Fault = SafetyFault::StalledTick;
+  this->Tick.Safety.WillResume = true;
+  auto changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_TRUE(changes[0].WillResume);
+  this->Tick.Safety.Fault = SafetyFault::SwitchedOff;
+  this->Tick.Safety.WillResume = false;
+  changes = this->Next();
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].What, Kind::Fault);
+  EXPECT_FALSE(changes[0].WillResume);
+}
 } // namespace
 } // namespace palpate
