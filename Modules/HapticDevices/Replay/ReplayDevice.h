@@ -12,7 +12,8 @@ namespace palpate
 {
 /// A device that plays a recorded session: at each time since Open it returns the sample of the
 /// tick at that time, and accepts forces where they were accepted. At the end it enters Error, "has
-/// ended". Forces have no effect on it.
+/// ended". Forces have no effect on it; its capabilities, also HasMotors, are the recorded ones, so
+/// that the same faults end by themselves.
 class ReplayDevice final : public HapticDevice
 {
 public:

@@ -44,7 +44,7 @@ TEST(TouchRecordingFormat, TicksRoundTripBitForBit)
     {
       word = random();
     }
-    words[5] &= 0xfff;       // twelve flags
+    words[5] &= 0x1fff;      // thirteen flags
     words[6] %= 5;           // states
     words[7] %= 10;          // faults
     words[16] &= 0xffffffff; // buttons
@@ -66,13 +66,25 @@ TEST(TouchRecordingFormat, SessionKeepsSampleRate)
   EXPECT_EQ(read.Device.LeastRate(), session.Device.LeastRate());
 }
 
+TEST(TouchRecordingFormat, SessionKeepsWhetherThereAreMotors)
+{
+  for (const bool hasMotors : {true, false})
+  {
+    RecordedSession session;
+    session.Device.HasMotors = hasMotors;
+    RecordedSession read;
+    ASSERT_TRUE(TouchRecordingFormat::Decode(TouchRecordingFormat::Encode(session), read));
+    EXPECT_EQ(read.Device.HasMotors, hasMotors);
+  }
+}
+
 TEST(TouchRecordingFormat, RejectsInvalidTick)
 {
   const TouchRecordingFormat::TickRecord good = TouchRecordingFormat::Encode(TouchState());
   TouchState state;
   ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
   const std::pair<std::size_t, std::uint64_t> bad[] = {
-      {5, 0x1000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
+      {5, 0x2000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
       {34, 5}};
   for (const auto& [word, value] : bad)
   {
@@ -116,11 +128,11 @@ TEST_F(TouchRecordingFile, TruncatedFileKeepsWholeTicks)
 
 TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
 {
-  for (const char version : {'1', '2', '5'})
+  for (const char version : {'1', '2', '6'})
   {
     this->Bytes[24] = version;
     EXPECT_EQ(this->ReadBytes().Message(),
-              this->Path + " is not a touch recording of version 3 or 4.");
+              this->Path + " is not a touch recording of version 3, 4 or 5.");
   }
   this->Bytes = "";
   EXPECT_FALSE(this->ReadBytes().IsOk());
@@ -140,8 +152,8 @@ TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
     this->Bytes[at + 8 * TouchRecordingFormat::FlagsWord + 6] = 1;
     this->Bytes[at + 8 * TouchRecordingFormat::FlagsWord + 7] = 2;
   }
-  EXPECT_FALSE(this->ReadBytes().IsOk()) << "version 4 has no such flags";
-  std::string old = this->Bytes.substr(0, first);
+  EXPECT_FALSE(this->ReadBytes().IsOk()) << "newer versions have no such flags";
+  std::string old = this->Bytes.substr(0, first - 8);
   for (std::size_t at = first; at < this->Bytes.size(); at += tick)
   {
     old += this->Bytes.substr(at, 8 * TouchRecordingFormat::TickWords3);
@@ -155,6 +167,24 @@ TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
     ASSERT_EQ(TouchRecordingFormat::Encode(this->Recording.Ticks[n]),
               TouchRecordingFormat::Encode(newest.Ticks[n]));
   }
+}
+
+// Version 4 does not tell whether there are motors; then no fault ended by itself.
+TEST_F(TouchRecordingFile, DevicesOfVersion4HaveMotors)
+{
+  const std::size_t head =
+      TouchRecordingFormat::MagicSize + 8 * TouchRecordingFormat::SessionWords4;
+  this->Bytes[head] = 0;
+  ASSERT_TRUE(this->ReadBytes().IsOk());
+  const TouchRecording newest = this->Recording;
+  EXPECT_FALSE(newest.Session.Device.HasMotors);
+  this->Bytes.erase(head, 8);
+  this->Bytes[24] = '4';
+  ASSERT_TRUE(this->ReadBytes().IsOk());
+  EXPECT_TRUE(this->Recording.Session.Device.HasMotors);
+  ASSERT_EQ(this->Recording.Ticks.size(), newest.Ticks.size());
+  EXPECT_EQ(TouchRecordingFormat::Encode(this->Recording.Ticks.back()),
+            TouchRecordingFormat::Encode(newest.Ticks.back()));
 }
 
 TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)

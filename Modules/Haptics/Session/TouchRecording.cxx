@@ -23,13 +23,21 @@ bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words,
   return file.gcount() == bytes;
 }
 
-Status ReadTicks(const std::string& path, std::istream& file, bool isOld,
+bool ReadSession(std::istream& file, bool hasMotorsWord, RecordedSession& session)
+{
+  SessionRecord record{};
+  record.back() = 1; // motors
+  return ReadWords(file, record, hasMotorsWord ? SessionWords : SessionWords4) &&
+         Decode(record, session);
+}
+
+Status ReadTicks(const std::string& path, std::istream& file, bool isVersion3,
                  std::vector<TouchState>& ticks)
 {
   TickRecord record{};
-  while (ReadWords(file, record, isOld ? TickWords3 : TickWords))
+  while (ReadWords(file, record, isVersion3 ? TickWords3 : TickWords))
   {
-    record[FlagsWord] &= isOld ? ~SkippedFlags3 : ~std::uint64_t{0};
+    record[FlagsWord] &= isVersion3 ? ~SkippedFlags3 : ~std::uint64_t{0};
     TouchState state;
     if (!Decode(record, state))
     {
@@ -56,14 +64,13 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   }
   std::string magic(MagicSize, ' ');
   file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
-  SessionRecord session{};
   TouchRecording read;
-  const bool isOld = magic == Magic3;
-  if ((magic != Magic && !isOld) || !ReadWords(file, session) || !Decode(session, read.Session))
+  const bool isKnown = magic == Magic || magic == Magic4 || magic == Magic3;
+  if (!isKnown || !ReadSession(file, magic == Magic, read.Session))
   {
-    return Status::Failure(path + " is not a touch recording of version 3 or 4.");
+    return Status::Failure(path + " is not a touch recording of version 3, 4 or 5.");
   }
-  Status status = ReadTicks(path, file, isOld, read.Ticks);
+  Status status = ReadTicks(path, file, magic == Magic3, read.Ticks);
   if (status.IsOk())
   {
     read.WasCutOff = file.gcount() > 0;

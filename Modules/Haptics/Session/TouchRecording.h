@@ -15,7 +15,7 @@ struct RecordedSession
 {
   ServoSettings Settings;
   /// Only the members that forces depend on: MaximumForce, MaximumDamping, Damping, Friction,
-  /// GravityCompensation, and LeastRate, which is its Rate if it was read from a file.
+  /// GravityCompensation, HasMotors, and LeastRate, which is its Rate if it was read from a file.
   DeviceCapabilities Device;
 };
 

@@ -68,6 +68,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.WasContinued);
   visit(s.IsDrilling);
   visit(s.IsBeyondLinear);
+  visit(s.Safety.WillResume);
 }
 
 std::uint64_t FlagsOf(const TouchState& state) noexcept
@@ -149,6 +150,7 @@ void VisitSession(Words& words, Session& s)
   words.Field(s.Device.Friction);
   words.Field(s.Device.Rate);
   VisitVector(words, s.Device.GravityCompensation);
+  words.Small(s.Device.HasMotors);
 }
 } // namespace
 

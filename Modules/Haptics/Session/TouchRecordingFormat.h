@@ -13,15 +13,18 @@ namespace palpate
 /// they are read back exactly.
 namespace TouchRecordingFormat
 {
-inline constexpr char Magic[] = "palpate-touch-recording 4\n";
-/// Of 0.1.0: the same, but flags have bits from 48 up, which are skipped, and the last words of a
+inline constexpr char Magic[] = "palpate-touch-recording 5\n";
+/// Without the session's last word: every device has motors.
+inline constexpr char Magic4[] = "palpate-touch-recording 4\n";
+/// Of 0.1.0: like 4, but flags have bits from 48 up, which are skipped, and the last words of a
 /// tick, which describe structures that yield, are missing.
 inline constexpr char Magic3[] = "palpate-touch-recording 3\n";
 inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
 /// Index of the word that holds flags, in a tick.
 inline constexpr std::size_t FlagsWord = 5;
 inline constexpr std::uint64_t SkippedFlags3 = ~std::uint64_t{0} << 48;
-inline constexpr std::size_t SessionWords = 13;
+inline constexpr std::size_t SessionWords = 14;
+inline constexpr std::size_t SessionWords4 = 13; ///< of versions 3 and 4
 inline constexpr std::size_t TickWords = 39;
 inline constexpr std::size_t TickWords3 = 37;
 

@@ -152,7 +152,7 @@ TEST_F(ReplayBarTest, RejectsForeignFileEachTime)
     this->Window->Messages()->Clear();
     this->Study->OpenFiles({file});
     WaitUntil([this] { return !this->Messages().empty(); });
-    EXPECT_EQ(this->Messages(), file.string() + " is not a touch recording of version 3 or 4.");
+    EXPECT_EQ(this->Messages(), file.string() + " is not a touch recording of version 3, 4 or 5.");
   }
   EXPECT_FALSE(this->Study->IsReplaying());
 }
