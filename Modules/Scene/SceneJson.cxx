@@ -104,12 +104,26 @@ void ExchangeDrillLaw(JsonFields& fields, DrillLaw& law)
   fields.Exchange("vibration", law.Vibration, 0.0, 1.0);
 }
 
+// A number or a name, like those of structures.
+void ExchangeWithinLabel(JsonFields& fields, SceneStructure& structure)
+{
+  std::vector<std::string> labels;
+  if (!structure.WithinLabel.empty())
+  {
+    labels.push_back(structure.WithinLabel);
+  }
+  fields.ExchangeIfSet("within_label", labels);
+  fields.Require(labels.size() <= 1, "limits " + fields.Place() + " to several labels",
+                 "name one of them in \"within_label\"");
+  structure.WithinLabel = labels.empty() ? std::string() : labels.front();
+}
+
 // Only an iso-value is limited or chooses a series.
 void ExchangeLimits(JsonFields& fields, SceneStructure& structure)
 {
   fields.Exchange("iso_upper", structure.IsoUpper, -LargestIso, LargestIso);
   fields.ExchangeIfSet("within", structure.WithinFile);
-  fields.ExchangeIfSet("within_label", structure.WithinLabel);
+  ExchangeWithinLabel(fields, structure);
   fields.ExchangeIfSet("series", structure.Series);
   const bool isPlain = !structure.IsoUpper && structure.WithinFile.empty() &&
                        structure.WithinLabel.empty() && structure.Series.empty();

@@ -136,7 +136,8 @@ void FileMenu::OpenAny(const QString& title, const QString& filter)
 // Beside the window, in which the slices show the values that are chosen.
 void FileMenu::AddFromValues()
 {
-  if (auto* open = this->Window->findChild<ThresholdDialog*>())
+  auto* open = this->Window->findChild<ThresholdDialog*>();
+  if (open != nullptr && open->isVisible())
   {
     open->raise();
     open->activateWindow();

@@ -572,10 +572,10 @@ void StudyController::LookAtReplay()
 {
   this->ReportOnce(this->Open.ReplayProblem(), this->ReportedReplay);
   StudyReplay* replay = this->Open.Replay();
-  if (this->IsReplaying() != this->WasReplaying)
+  if (replay != this->Replayed)
   {
-    this->WasReplaying = this->IsReplaying();
-    if (this->WasReplaying)
+    this->Replayed = replay;
+    if (replay != nullptr)
     {
       Q_EMIT FileOpened(QString::fromStdString(replay->File().string()));
     }

@@ -156,7 +156,7 @@ private:
   int LooksToSteps = 0;
   bool IsMaking = false;
   bool WasTouching = false;
-  bool WasReplaying = false;
+  const StudyReplay* Replayed = nullptr; ///< at the last look
   bool IsClosed = false;
   bool IsEnded = false;
 };

@@ -8,7 +8,6 @@
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
-#include <QPushButton>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -38,6 +37,9 @@ ThresholdDialog::ThresholdDialog(StudyController& study, vtkImageDisplay* images
       Masks(new QComboBox(this)), Name(new QLineEdit(this))
 {
   this->setWindowTitle("Structure from image values");
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  this->Add = buttons->button(QDialogButtonBox::Ok);
+  this->Add->setText("Add structure");
   this->Form->addRow(this->Chart);
   this->AddValues();
   this->AddPresets();
@@ -45,8 +47,6 @@ ThresholdDialog::ThresholdDialog(StudyController& study, vtkImageDisplay* images
   this->Name->setObjectName("threshold-name");
   this->Name->setPlaceholderText("after its values");
   this->Form->addRow("Name", this->Name);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  buttons->button(QDialogButtonBox::Ok)->setText("Add structure");
   this->Form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &ThresholdDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -222,6 +222,9 @@ void ThresholdDialog::ShowOnSlices()
       this->Study.Report(error.what()); // the file has no such label any more
     }
   }
+  const bool isRange = this->Upper() > this->LowerBox->value();
+  this->Add->setEnabled(isRange);
+  this->Add->setToolTip(isRange ? "" : "The upper value must be above the lower one");
   this->Chart->ShowRange(this->LowerBox->value(), this->Upper());
   this->Images->MarkValues(this->LowerBox->value(), this->Upper(), mask, value);
 }

@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 
 #include <memory>
@@ -57,5 +58,6 @@ private:
   QComboBox* Masks;
   std::vector<std::pair<int, QString>> Offered; ///< id and title of each mask
   QLineEdit* Name;
+  QPushButton* Add = nullptr;
 };
 } // namespace palpate

@@ -150,7 +150,9 @@ TEST_F(TouchSceneFile, RejectsContradictoryLimits)
   EXPECT_NE(refusal(R"("iso": 5, "iso_upper": 5)").find("not above"), std::string::npos);
   EXPECT_NE(refusal(R"("iso": 5, "within": "m.nrrd")").find("only one of"), std::string::npos);
   EXPECT_NE(refusal(R"("iso": 5, "iso_upper": "6")").find("iso_upper"), std::string::npos);
-  EXPECT_EQ(refusal(R"("iso": 5, "iso_upper": 6)"), "");
+  EXPECT_NE(refusal(R"("iso": 5, "within": "m.nrrd", "within_label": [1, 2])").find("several"),
+            std::string::npos);
+  EXPECT_EQ(refusal(R"("iso": 5, "iso_upper": 6, "within": "m.nrrd", "within_label": 1)"), "");
 }
 
 TEST_F(TouchSceneFile, WritesNamesOfAnyLength)

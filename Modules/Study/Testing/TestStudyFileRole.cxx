@@ -1,7 +1,10 @@
 #include "StudyFile.h"
 
+#include "ImageFormat.h"
 #include "InputError.h"
+#include "ModelFile.h"
 #include "StudyPhantoms.h"
+#include "SurfaceFile.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -26,6 +29,25 @@ TEST(StudyFileRole, FollowsFromNameOrContent)
   EXPECT_EQ(RoleOf(grey), StudyFileRole::Volume);
   // It need not exist: opening it reports that.
   EXPECT_EQ(RoleOf("case.palpate.json"), StudyFileRole::Session);
+}
+
+// Every ending of the lists that fit and convert read by, without opening the file.
+TEST(StudyFileRole, FollowsFromTheListsOfFormats)
+{
+  for (const std::string& ending : SurfaceFormats().ReadEndings())
+  {
+    EXPECT_EQ(RoleByName("absent" + ending), StudyFileRole::Surface) << ending;
+  }
+  for (const std::string& ending : ReadableModelEndings())
+  {
+    EXPECT_EQ(RoleByName("absent" + ending), StudyFileRole::Model) << ending;
+  }
+  for (const std::string& ending : ReadableImageEndings())
+  {
+    EXPECT_FALSE(RoleByName("absent" + ending)) << ending;
+  }
+  EXPECT_EQ(RoleByName("a.scene.json"), StudyFileRole::Scene);
+  EXPECT_EQ(RoleByName("a.palpate.json"), StudyFileRole::Session);
 }
 
 TEST(StudyFileRole, RejectsUnknownFiles)

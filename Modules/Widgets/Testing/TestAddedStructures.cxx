@@ -62,17 +62,46 @@ TEST_F(AddedStructures, SurfaceIsTouchedByItsFacets)
   EXPECT_EQ(this->Window->Contents().Surfaces().count(this->Last().Id), 1U);
 }
 
+TEST_F(AddedStructures, MenuOpensFilesOfEveryKind)
+{
+  this->OpenPhantom();
+  const auto session = this->Phantom.Folder / "case.palpate.json";
+  this->Opened = QStringList{QString::fromStdString(this->Model.string()),
+                             QString::fromStdString(this->Surface.string())};
+  this->Action("Open...")->trigger();
+  WaitUntil([this] { return this->Study->State().Structures.size() == 5; });
+  this->Settle();
+  ASSERT_TRUE(this->Study->Save(session)) << this->Messages();
+  const StudyState saved = this->Study->State();
+  this->Action("New study")->trigger();
+  this->Opened = QStringList{QString::fromStdString(session.string())};
+  this->Action("Open...")->trigger();
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
+  EXPECT_EQ(this->Study->State().Structures, saved.Structures);
+  EXPECT_EQ(QSettings().value("recent").toStringList().first().toStdString(), session);
+}
+
+TEST_F(AddedStructures, SurfaceOpenedAsAVolumeIsAStructure)
+{
+  this->Opened = QStringList{QString::fromStdString(this->Surface.string())};
+  this->Action("Open volume")->trigger();
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
+  this->WaitForContact("facets");
+  EXPECT_TRUE(this->Study->State().VolumeFile.empty());
+  EXPECT_EQ(this->Messages(), "");
+}
+
 TEST_F(AddedStructures, IsoValueOfTheVolumeIsTouchedByItsField)
 {
   this->Study->OpenVolume(this->VolumeFile());
   this->Settle();
-  this->Study->AddIsoValue(350.0);
+  this->Study->AddThreshold({350.0, {}, 0, {}});
   this->WaitForContact("sub-voxel field");
 }
 
 TEST_F(AddedStructures, RejectsIsoValueWithoutVolume)
 {
-  this->Study->AddIsoValue(350.0);
+  this->Study->AddThreshold({350.0, {}, 0, {}});
   EXPECT_TRUE(this->Study->State().Structures.empty());
   EXPECT_NE(this->Messages().find("no volume"), std::string::npos);
 }

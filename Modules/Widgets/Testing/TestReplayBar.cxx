@@ -143,6 +143,23 @@ TEST_F(ReplayBarTest, RecordingIsListedAmongRecentFiles)
   EXPECT_TRUE(QSettings().value("recent").toStringList().first().endsWith("recorded.touch"));
 }
 
+TEST_F(ReplayBarTest, OnlyARecordingReplacesTheOpenOne)
+{
+  this->OpenRecording();
+  const auto foreign = this->Phantom.Folder / "none.touch";
+  test::WriteAll(foreign, "no recording");
+  this->Study->OpenFiles({foreign});
+  WaitUntil([this] { return !this->Messages().empty(); });
+  EXPECT_TRUE(this->Study->IsReplaying());
+  const auto second = this->Phantom.Folder / "second.touch";
+  std::filesystem::copy(this->Study->Current().Replay()->File(), second);
+  this->Study->OpenFiles({second});
+  WaitUntil([&] { return this->Study->Current().Replay()->File() == second; });
+  WaitUntil(
+      [] { return QSettings().value("recent").toStringList().first().endsWith("second.touch"); });
+  EXPECT_TRUE(this->Study->IsReplaying());
+}
+
 TEST_F(ReplayBarTest, RejectsForeignFileEachTime)
 {
   const auto file = this->Phantom.Folder / "none.touch";
