@@ -69,7 +69,7 @@ void StructureEdits::SetOpacity(const std::vector<int>& ids, int percent, const 
   const int share = std::clamp(percent, 0, 100);
   this->Change(
       ids, QString("Change %1: opacity ") + QString::number(share) + " %",
-      [=](SceneStructure& structure) { structure.Opacity = 0.01 * share; }, gesture);
+      [=](SceneStructure& structure) { structure.Opacity = share / 100.0; }, gesture);
 }
 
 void StructureEdits::Remove(const std::vector<int>& ids)

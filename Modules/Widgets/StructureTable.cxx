@@ -240,13 +240,17 @@ void StructureTable::mousePressEvent(QMouseEvent* event)
 void StructureTable::mouseDoubleClickEvent(QMouseEvent* event)
 {
   const QModelIndex cell = this->indexAt(event->pos());
-  if (!IsCheck(cell))
+  if (IsCheck(cell))
   {
-    QTableView::mouseDoubleClickEvent(event);
+    this->Press(*event); // two quick clicks
+  }
+  else if (cell.column() == StructureTableModel::OpacityColumn && event->button() == Qt::LeftButton)
+  {
+    this->edit(cell); // Qt did not see the first click
   }
   else
   {
-    this->Press(*event); // two quick clicks
+    QTableView::mouseDoubleClickEvent(event);
   }
 }
 

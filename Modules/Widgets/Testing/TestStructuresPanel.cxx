@@ -7,6 +7,7 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QSpinBox>
 
 #include <chrono>
 
@@ -357,6 +358,17 @@ TEST_F(StructuresPanelTest, ClickOnAnOpacityOnlySelects)
   this->ClickCell(3, Column::OpacityColumn);
   EXPECT_EQ(this->StructureOf(4).Opacity, 1.0);
   EXPECT_EQ(this->Panel->SelectedIds(), Ids{4});
+}
+
+TEST_F(StructuresPanelTest, DoubleClickTypesAnOpacity)
+{
+  DoubleClick(this->Table->viewport(), this->PlaceOf(3, Column::OpacityColumn));
+  auto* box = this->Table->viewport()->findChild<QSpinBox*>();
+  ASSERT_NE(box, nullptr);
+  EXPECT_EQ(box->value(), 100);
+  box->setValue(30);
+  this->Table->setFocus();
+  EXPECT_EQ(this->StructureOf(4).Opacity, 0.3);
 }
 
 TEST_F(StructuresPanelTest, ChoiceOpensItsListAtOneClick)
