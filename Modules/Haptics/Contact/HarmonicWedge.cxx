@@ -61,6 +61,11 @@ private:
   double Factor = 1.0;
 };
 
+double RoomAt(const Vector3& place, const HalfSpace& plane) noexcept
+{
+  return plane.Normal.dot(place) - plane.Offset;
+}
+
 // Between two places that are proven free by half a radius there is no part of the surface, if they
 // are less than that apart; a slide may end twice this step away.
 double StepOf(const HarmonicSurface& surface, double) noexcept
@@ -221,9 +226,10 @@ template <typename Surface>
 Vector3 HarmonicWedgeOf<Surface>::NextGoal(const Vector3& goalWorld,
                                            const Leash& leash) const noexcept
 {
-  const Vector3 held =
-      NearestInHalfSpaces(goalWorld, this->Planes().data(), this->KnownCount).Point;
-  const Vector3 along = held - leash.ClearWorld;
+  const std::array<HalfSpace, MostWalls> planes = this->Planes();
+  const Vector3 held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount).Point;
+  const Vector3 along =
+      this->GrooveAt(planes.data(), held, goalWorld).Newton(held - leash.ClearWorld);
   const Vector3 inward = goalWorld - held;
   const double half = 0.5 * leash.Length;
   if (along.norm() <= leash.Length)
@@ -288,17 +294,20 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
     {
       return true;
     }
-    const Vector3 path =
-        this->Center + relaxation.Relaxed(held.Point - this->Center) - leash.ClearWorld;
+    const WedgeGroove groove = this->GrooveAt(planes.data(), held.Point, goalWorld);
+    const Vector3 left = held.Point - this->Center;
+    const Vector3 path = this->Center +
+                         (groove.IsKnown() ? groove.Newton(left) : relaxation.Relaxed(left)) -
+                         leash.ClearWorld;
     const double length = path.norm();
     const Vector3 next = leash.ClearWorld + std::min(1.0, leash.Length / length) * path;
-    const double left = (next - this->Center).norm();
+    const double moved = (next - this->Center).norm();
     this->GoTo(next, nullptr);
-    if (left <= this->End && held.IsHeld && length <= leash.Length)
+    if (moved <= this->End && held.IsHeld && length <= leash.Length)
     {
       return true;
     }
-    if (left <= this->End)
+    if (moved <= this->End)
     {
       break;
     }
@@ -333,36 +342,60 @@ void HarmonicWedgeOf<Surface>::ReturnToWall(const Vector3& goalWorld) noexcept
   }
 }
 
+template <typename Surface>
+typename HarmonicWedgeOf<Surface>::Holders
+HarmonicWedgeOf<Surface>::HoldersAt(const Vector3& heldWorld,
+                                    const HalfSpace* planes) const noexcept
+{
+  const double rounding = 1e-12 * (this->Touched->LargestRadius() + this->Radius);
+  Holders holders;
+  for (std::size_t i = 0; i < this->KnownCount; ++i)
+  {
+    if (RoomAt(heldWorld, planes[i]) <= rounding)
+    {
+      holders.Each[holders.Count++] = i;
+    }
+  }
+  return holders;
+}
+
+// Star-shaped surfaces do without.
+template <typename Surface>
+WedgeGroove HarmonicWedgeOf<Surface>::GrooveAt(const HalfSpace* planes, const Vector3& heldWorld,
+                                               const Vector3& goalWorld) const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    const Holders holders = this->HoldersAt(heldWorld, planes);
+    return holders.Count == 2 ? WedgeGroove(this->Known[holders.Each[0]],
+                                            this->Known[holders.Each[1]], heldWorld - goalWorld)
+                              : WedgeGroove();
+  }
+  else
+  {
+    return {};
+  }
+}
+
 // If a single plane holds the sphere, a single wall does, and the result is the nearest point to
 // the goal, if the other walls allow it.
 template <typename Surface>
 bool HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash,
                                     const HalfSpace* planes, const Vector3& heldWorld) noexcept
 {
-  const double rounding = 1e-12 * (this->Touched->LargestRadius() + this->Radius);
-  const auto room = [&](std::size_t i, const Vector3& place)
-  { return planes[i].Normal.dot(place) - planes[i].Offset; };
-  std::size_t touched = 0;
-  std::size_t touchedCount = 0;
-  for (std::size_t i = 0; i < this->KnownCount; ++i)
-  {
-    if (room(i, heldWorld) <= rounding)
-    {
-      touched = i;
-      ++touchedCount;
-    }
-  }
-  if (touchedCount != 1)
+  const Holders holders = this->HoldersAt(heldWorld, planes);
+  if (holders.Count != 1)
   {
     return false;
   }
+  const std::size_t touched = holders.Each[0];
   const ClosestPoint wall = this->Touched->Search().Track(goalWorld, this->Known[touched]);
   const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
   bool isAllowed = wall.Converged() && wall.SignedDistance <= this->Radius &&
                    (place - leash.ClearWorld).norm() <= leash.Length;
   for (std::size_t i = 0; i < this->KnownCount && isAllowed; ++i)
   {
-    isAllowed = i == touched || room(i, place) >= 0.0;
+    isAllowed = i == touched || RoomAt(place, planes[i]) >= 0.0;
   }
   if (isAllowed)
   {

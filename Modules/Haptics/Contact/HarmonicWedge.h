@@ -5,6 +5,7 @@
 #include "HalfSpaces.h"
 #include "HarmonicSurface.h"
 #include "ParametricTouchSurface.h"
+#include "WedgeGroove.h"
 
 #include <array>
 #include <cstddef>
@@ -77,11 +78,21 @@ private:
     double Length;
   };
 
+  // The walls that hold the sphere at a place that their planes allow.
+  struct Holders
+  {
+    std::array<std::size_t, MostWalls> Each;
+    std::size_t Count = 0;
+  };
+
   void Approach(const Vector3& goalWorld) noexcept;
   void Shorten(Leash& leash) noexcept;
   Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;
   std::array<HalfSpace, MostWalls> Planes() const noexcept;
   bool Slide(const Vector3& goalWorld, const Leash& leash) noexcept;
+  Holders HoldersAt(const Vector3& heldWorld, const HalfSpace* planes) const noexcept;
+  WedgeGroove GrooveAt(const HalfSpace* planes, const Vector3& heldWorld,
+                       const Vector3& goalWorld) const noexcept;
   bool Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
             const Vector3& heldWorld) noexcept;
   void ReturnToWall(const Vector3& goalWorld) noexcept;
