@@ -409,7 +409,9 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   }
   if (result.Fault != SafetyFault::None)
   {
-    console.Error(std::string("forces were switched off: ") + Describe(result.Fault) +
+    console.Error(std::string("forces were ") +
+                  (result.HasResumed ? "interrupted" : "switched off") + ": " +
+                  Describe(result.Fault, result.HasResumed) +
                   (result.DeviceProblem.empty() ? "" : " " + result.DeviceProblem));
     return 1;
   }

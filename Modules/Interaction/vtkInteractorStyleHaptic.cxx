@@ -251,7 +251,8 @@ std::string vtkInteractorStyleHaptic::GetStatusText()
   const std::string problem = inner.Session.Device().Problem();
   const std::string guidance = inner.Session.Device().Guidance();
   const std::string& ofDevice = problem.empty() ? guidance : problem;
-  return ofDevice.empty() ? palpate::Describe(inner.Reading.Newest.Safety.Fault) : ofDevice;
+  const palpate::SafetyReport& safety = inner.Reading.Newest.Safety;
+  return ofDevice.empty() ? palpate::Describe(safety.Fault, safety.WillResume) : ofDevice;
 }
 
 // The servo gets a new frame only when the camera has come to rest, since forces fade in for each.
@@ -310,7 +311,8 @@ void vtkInteractorStyleHaptic::TellChanges()
       this->InvokeEvent(isPress ? ButtonPressEvent : ButtonReleaseEvent, &button);
       break;
     case Kind::Fault:
-      this->InvokeEvent(FaultEvent, const_cast<char*>(palpate::Describe(change.Why)));
+      this->InvokeEvent(FaultEvent,
+                        const_cast<char*>(palpate::Describe(change.Why, change.WillResume)));
       break;
     case Kind::ForcesOn:
       break;

@@ -29,6 +29,7 @@ DeviceCapabilities CapabilitiesOf(const SimulatedSettings& settings)
   c.Resolution = settings.Resolution;
   c.Delay = settings.Delay;
   c.Rate = settings.Rate;
+  c.HasMotors = settings.HasMotors;
   return c;
 }
 

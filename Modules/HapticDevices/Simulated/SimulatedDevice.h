@@ -37,6 +37,7 @@ struct SimulatedSettings
   double Rate = 1000.0;          ///< Hz
   double WorkspaceRadius = 40.0; ///< mm, around the origin
   double HomingDuration = 0.0;   ///< s
+  bool HasMotors = false;        ///< true: the safety chain takes it for a real device
   /// The hand's target (mm) at a time (s) after opening; without one it is what LeadHand said. It
   /// must neither throw nor allocate.
   std::function<Vector3(double)> Path;

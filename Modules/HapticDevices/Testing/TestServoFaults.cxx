@@ -11,15 +11,21 @@ namespace
 // A rig that presses 3 mm into a wall 10 mm below the origin.
 struct Rig
 {
-  static SimulatedSettings Pressing()
+  explicit Rig(bool hasMotors)
+      : Touch(test::WallScene(-10.0, {1.0, 0.001}, this->Wall), Pressing(hasMotors))
+  {
+  }
+
+  static SimulatedSettings Pressing(bool hasMotors)
   {
     SimulatedSettings device;
+    device.HasMotors = hasMotors;
     device.Path = [](double) { return Vector3(0.0, 0.0, -13.0); };
     return device;
   }
 
   std::shared_ptr<test::WallControl> Wall = std::make_shared<test::WallControl>();
-  test::SimulatedTouch Touch{test::WallScene(-10.0, {1.0, 0.001}, this->Wall), Pressing()};
+  test::SimulatedTouch Touch;
 };
 
 struct FaultCase
@@ -89,7 +95,7 @@ protected:
     ASSERT_GT(this->Broken.Touch.Tick(1000).ForceDevice.Z, 0.5);
     ASSERT_TRUE(this->Broken.Touch.Loop.Latest().Safety.IsArmed);
   }
-  Rig Broken;
+  Rig Broken{true};
 };
 
 TEST_P(ServoFaults, EndInZeroForceWithinTwoTicks)
@@ -111,7 +117,7 @@ TEST_P(ServoFaults, PersistUntilFixedAndRearmed)
   GetParam().Break(this->Broken);
   this->Broken.Touch.Tick(3);
   GetParam().Mend(this->Broken);
-  EXPECT_EQ(Vector3(this->Broken.Touch.Tick(100).ForceDevice), Vector3::Zero());
+  EXPECT_EQ(Vector3(this->Broken.Touch.Tick(2000).ForceDevice), Vector3::Zero());
   this->Broken.Touch.Loop.Rearm();
   EXPECT_EQ(this->Broken.Touch.Tick().Safety.Fault, SafetyFault::None);
   // Fades in, without a step.
@@ -157,9 +163,71 @@ TEST_P(LastingServoFaults, ReturnWithinTwoTicksIfNotFixed)
 INSTANTIATE_TEST_SUITE_P(All, LastingServoFaults, testing::ValuesIn(LastingFaults()),
                          [](const auto& chosen) { return chosen.param.Name; });
 
+class ServoFaultsWithoutMotors : public ServoFaults
+{
+protected:
+  void SetUp() override
+  {
+    ASSERT_FALSE(this->Mouse.Touch.Device.Capabilities().HasMotors);
+    ASSERT_GT(this->Mouse.Touch.Tick(1000).ForceDevice.Z, 0.5);
+  }
+  Rig Mouse{false};
+};
+
+TEST_P(ServoFaultsWithoutMotors, EndInZeroForceAndEndByThemselvesIfOfTiming)
+{
+  GetParam().Break(this->Mouse);
+  this->Mouse.Touch.Tick();
+  for (int n = 0; n < 250; ++n)
+  {
+    ASSERT_EQ(Vector3(this->Mouse.Touch.Tick().ForceDevice), Vector3::Zero()) << n;
+  }
+  EXPECT_EQ(this->Mouse.Touch.Loop.Latest().Safety.Fault, GetParam().Expected);
+  GetParam().Mend(this->Mouse);
+  const SafetyFault fault = GetParam().Expected;
+  const bool isOfTiming = fault == SafetyFault::StalledTick || fault == SafetyFault::StaleSample ||
+                          fault == SafetyFault::Suspended;
+  double last = 0.0;
+  for (int n = 0; n < 2000; ++n)
+  {
+    const double force = this->Mouse.Touch.Tick().ForceDevice.Z;
+    ASSERT_LT(force, last + 0.2) << n; // fades in, without a step
+    last = force;
+  }
+  EXPECT_EQ(this->Mouse.Touch.Loop.Latest().Safety.IsArmed, isOfTiming);
+  EXPECT_EQ(last > 0.5, isOfTiming);
+  EXPECT_TRUE(isOfTiming || last == 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ServoFaultsWithoutMotors, testing::ValuesIn(AllFaults()),
+                         [](const auto& chosen) { return chosen.param.Name; });
+
+// What was touched stays touched: the hand is tracked through the fault.
+TEST(ServoWithoutMotors, ContactCarriesOnAfterALateTick)
+{
+  Rig mouse(false);
+  mouse.Touch.Tick(1000);
+  const int questions = mouse.Wall->Questions;
+  mouse.Touch.Time.Advance(15'000'000);
+  mouse.Touch.Tick(1000);
+  EXPECT_TRUE(mouse.Touch.Loop.Latest().Safety.IsArmed);
+  EXPECT_EQ(mouse.Wall->Questions, questions + 1000); // a start would ask twice
+}
+
+TEST(ServoWithoutMotors, DrillStaysOffAfterALateTickUntilPressedAgain)
+{
+  Rig mouse(false);
+  mouse.Touch.Loop.RunDrill(true);
+  EXPECT_TRUE(mouse.Touch.Tick(1000).IsDrilling);
+  mouse.Touch.Time.Advance(15'000'000);
+  mouse.Touch.Tick(1000);
+  EXPECT_TRUE(mouse.Touch.Loop.Latest().Safety.IsArmed);
+  EXPECT_FALSE(mouse.Touch.Loop.Latest().IsDrilling);
+}
+
 TEST(ServoBeforeReady, NoForceWhileDeviceHomes)
 {
-  SimulatedSettings device = Rig::Pressing();
+  SimulatedSettings device = Rig::Pressing(true);
   device.HomingDuration = 0.1;
   test::SimulatedTouch touch(test::WallScene(-10.0, {1.0, 0.0}), device);
   for (int n = 0; n < 100; ++n)

@@ -117,6 +117,49 @@ TEST(TouchReplay, ReplaysSuspensionFault)
   EXPECT_EQ(comparison.DifferentTicks, 0u);
 }
 
+// Held up at 300, again during the wait at 400, and at 1500; stopped by a person during that wait.
+TEST(TouchReplay, ReplaysForcesThatReturnByThemselves)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "session.touch").string();
+  SimulatedSettings device;
+  device.Path = test::PressingPath(3.0, 2.0);
+  test::SimulatedTouch touch(*test::RecordedScenes()[0], device);
+  TouchRecorder recorder;
+  ASSERT_TRUE(recorder.Start(path, test::SessionOf(touch.Device, ServoSettings())).IsOk());
+  for (int n = 0; n < 3000; ++n)
+  {
+    if (n == 300 || n == 400 || n == 1500)
+    {
+      touch.Time.Advance(15'000'000);
+    }
+    if (n == 1600)
+    {
+      touch.Loop.SwitchOff();
+    }
+    if (n == 2500)
+    {
+      touch.Loop.Rearm();
+    }
+    const SafetyReport report = touch.Tick().Safety;
+    ASSERT_TRUE(recorder.Take(touch.Loop.Latest()).IsOk());
+    const bool isWaiting = (n >= 300 && n <= 650) || (n >= 1500 && n < 1600);
+    ASSERT_EQ(report.WillResume, isWaiting) << n;
+    ASSERT_EQ(report.IsArmed, !isWaiting && !(n >= 1600 && n < 2500)) << n;
+  }
+  ASSERT_TRUE(recorder.Finish().IsOk());
+  auto recording = std::make_shared<TouchRecording>();
+  ASSERT_TRUE(ReadTouchRecording(path, *recording).IsOk());
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), comparison).IsOk());
+  EXPECT_EQ(comparison.Ticks, 3000u);
+  EXPECT_EQ(comparison.DifferentTicks, 0u);
+  recording->Session.Device.HasMotors = true;
+  ReplayComparison different;
+  ASSERT_TRUE(ReplayTouch(recording, test::RecordedScenes(), different).IsOk());
+  EXPECT_GT(different.DifferentTicks, 100u);
+}
+
 TEST(TouchReplay, ReplaysDrillingByDeviceButton)
 {
   test::ScriptedDevice device;

@@ -14,6 +14,7 @@
 #include "WholeFile.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -265,6 +266,42 @@ TEST_F(TouchRun, RunsInRealTimeOnAThread)
   EXPECT_EQ(result.Durations.Misses(), 0U);
   EXPECT_GT(result.TouchedSeconds[0], 0.5);
   EXPECT_EQ(result.Trace.Whole().Computation.Most, 0.0F);
+}
+
+// A machine that is busy for 30 ms, once, after 0.3 s.
+class BusyOnceClock final : public Clock
+{
+public:
+  std::int64_t Now() const noexcept override { return this->Paced.Now() + this->Busy; }
+  void WaitUntil(std::int64_t time) noexcept override
+  {
+    this->Paced.WaitUntil(time - this->Busy);
+    if (time >= 300'000'000)
+    {
+      this->Busy = 30'000'000;
+    }
+  }
+
+private:
+  test::PacedClock Paced;
+  std::atomic<std::int64_t> Busy{0}; // ns
+};
+
+TEST_F(TouchRun, DelayedServoInterruptsForcesOfTheSimulatedHand)
+{
+  SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Rate = 200.0;
+  TouchScript script = PressTo(10.0);
+  script.Duration = 1.5;
+  const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
+  BusyOnceClock clock;
+  TouchRunSettings run;
+  run.IsVirtual = false;
+  run.Time = &clock;
+  const TouchResult result = RunTouch(touch, run, GoOn);
+  EXPECT_EQ(result.Fault, SafetyFault::StalledTick);
+  EXPECT_TRUE(result.HasResumed);
+  EXPECT_GT(LastOf(result).Force.Most, 0.1F);
 }
 
 TEST_F(TouchRun, RejectsScenesThatCannotBeTouched)

@@ -7,7 +7,7 @@ std::string SafetyText(const TouchState& state)
   const SafetyReport& safety = state.Safety;
   if (safety.Fault != SafetyFault::None)
   {
-    return Describe(safety.Fault);
+    return Describe(safety.Fault, safety.WillResume);
   }
   if (state.State == DeviceState::Homing)
   {

@@ -128,6 +128,11 @@ std::string StiffnessText(const BuiltStructure& structure)
   return structure.Yields ? "yields" : SignificantText(structure.Touch.Law.Stiffness, 3) + " N/mm";
 }
 
+const char* FaultText(const TouchResult& result)
+{
+  return Describe(result.Fault, result.HasResumed);
+}
+
 nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& result)
 {
   nlohmann::ordered_json summary;
@@ -157,7 +162,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   {
     summary["period"] = StatisticsAsJson(result.Periods);
   }
-  summary["fault"] = result.Fault == SafetyFault::None ? "" : Describe(result.Fault);
+  summary["fault"] = result.Fault == SafetyFault::None ? "" : FaultText(result);
   summary["device_problem"] = result.DeviceProblem;
   summary["warnings"] = touch.Warnings;
   summary["thread"] = result.ThreadAdvice;
@@ -240,7 +245,7 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
       {"tick time, longest", micro(result.Durations.Max())},
       {"late ticks", std::to_string(result.Durations.Misses())},
       {"skipped ticks", std::to_string(result.Periods.Misses())},
-      {"forces", result.Fault == SafetyFault::None ? "on until the end" : Describe(result.Fault)}};
+      {"forces", result.Fault == SafetyFault::None ? "on until the end" : FaultText(result)}};
   if (result.BeyondLinearSeconds > 0.0)
   {
     rows.emplace_back("beyond linear elasticity",

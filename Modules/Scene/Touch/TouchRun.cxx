@@ -102,9 +102,11 @@ public:
       this->Result.BeyondLinearSeconds += state.IsBeyondLinear ? passed : 0.0;
     }
     this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
-    if (this->Result.Fault == SafetyFault::None)
+    const bool isLasting = state.Safety.Fault != SafetyFault::None && !state.Safety.WillResume;
+    if (this->Result.Fault == SafetyFault::None || (this->Result.HasResumed && isLasting))
     {
       this->Result.Fault = state.Safety.Fault;
+      this->Result.HasResumed = state.Safety.WillResume;
     }
   }
 

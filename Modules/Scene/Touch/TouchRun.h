@@ -63,11 +63,12 @@ struct TouchResult
   PeriodStatistics Durations; ///< of ticks; its misses are late ticks
   PeriodStatistics Periods;   ///< from tick to tick; its misses are skipped ticks
   std::uint64_t Ticks = 0;
-  std::uint64_t LostTicks = 0;        ///< executed but missing in the trace
-  std::vector<double> TouchedSeconds; ///< by structure, the one touched most deeply
-  double BeyondLinearSeconds = 0.0;   ///< of them, beyond linear elasticity
-  double LeastEnergy = 0.0;           ///< N mm, smallest energy absorbed by contacts so far
-  SafetyFault Fault = SafetyFault::None;
+  std::uint64_t LostTicks = 0;           ///< executed but missing in the trace
+  std::vector<double> TouchedSeconds;    ///< by structure, the one touched most deeply
+  double BeyondLinearSeconds = 0.0;      ///< of them, beyond linear elasticity
+  double LeastEnergy = 0.0;              ///< N mm, smallest energy absorbed by contacts so far
+  SafetyFault Fault = SafetyFault::None; ///< the first one; rather one that lasts
+  bool HasResumed = false;               ///< the fault ended by itself (SafetyReport::WillResume)
   std::vector<double> RemovedVolumes;    ///< mm^3, of each drill site
   std::vector<DrillMoment> Removal;      ///< over time, a few hundred samples
   std::uint64_t DrillOrders = 0;         ///< cuts and commands

@@ -499,5 +499,14 @@ TEST(SafetyText, DescribesTheSafetyChain)
   state.Safety.Fault = SafetyFault::SwitchedOff;
   EXPECT_EQ(SafetyText(state), Describe(SafetyFault::SwitchedOff));
 }
+
+TEST(SafetyText, SaysThatTouchingGoesOnByItself)
+{
+  TouchState state;
+  state.State = DeviceState::Ready;
+  state.Safety.Fault = SafetyFault::StalledTick;
+  state.Safety.WillResume = true;
+  EXPECT_EQ(SafetyText(state), "The servo was delayed for too long: touching goes on by itself.");
+}
 } // namespace
 } // namespace palpate
