@@ -185,7 +185,7 @@ void StructuresPanel::TakeSelection(const QItemSelection& selected)
   const QModelIndex current = this->Table->currentIndex();
   const bool isOne = selected.size() == 1 && selected.front().height() == 1;
   const QModelIndex cell = selected.contains(current) ? current
-                           : isOne                    ? selected.front().topLeft()
+                           : isOne                    ? QModelIndex(selected.front().topLeft())
                                                       : QModelIndex();
   if (!this->IsQuiet && cell.isValid())
   {
