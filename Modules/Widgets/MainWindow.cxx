@@ -6,6 +6,7 @@
 #include "HelpMenu.h"
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
+#include "QualityPanel.h"
 #include "ReplayBar.h"
 #include "ScreenString.h"
 #include "StructureLink.h"
@@ -59,6 +60,21 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
   connect(&study, &StudyController::FileOpened, this, &MainWindow::TakeFile);
   connect(&study, &StudyController::Problem, this->Area, &MessageArea::Add);
   this->ShowState();
+}
+
+MainWindow::~MainWindow()
+{
+  this->EndEditing();
+}
+
+// A number that is being typed is taken when its box loses the focus: while all that it changes is
+// there, and before the user is asked whether to save.
+void MainWindow::EndEditing()
+{
+  if (QWidget* edited = this->focusWidget())
+  {
+    edited->clearFocus();
+  }
 }
 
 void MainWindow::MakeCentre()
@@ -139,7 +155,12 @@ void MainWindow::MakeColumn()
   rows->addWidget(new PipelinePanel(this->Study, files));
   this->AddSection("Data", files, true);
   this->AddSection("Structures", structures, true);
-  this->AddSection("Model", new FitPanel(this->Study, this), false);
+  auto* model = new QWidget(this);
+  auto* options = new QVBoxLayout(model);
+  options->setContentsMargins(0, 0, 0, 0);
+  options->addWidget(new QualityPanel(this->Study, model));
+  options->addWidget(new FitPanel(this->Study, model));
+  this->AddSection("Model", model, false);
   this->AddSection("Touch", touch, true);
   this->AddSection("Drilling", new DrillPanel(this->Study, this->Questions, this), false);
   auto* dock = new QDockWidget(this);
@@ -327,6 +348,7 @@ void MainWindow::dropEvent(QDropEvent* event)
 void MainWindow::closeEvent(QCloseEvent* event)
 {
   this->Study.Current().Touch().SwitchForcesOff();
+  this->EndEditing();
   if (!this->Files->MayLeave())
   {
     // Forces stay off until the user allows them again: they may have been off before.

@@ -27,6 +27,7 @@ class MainWindow : public QMainWindow
 public:
   /// Keeps the address of the study, which outlives it.
   explicit MainWindow(StudyController& study, FileQuestions questions = AskByDialogs());
+  ~MainWindow() override;
 
   ViewGrid* Views() const { return this->Grid; }
   MessageArea* Messages() const { return this->Area; }
@@ -42,6 +43,7 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
+  void EndEditing();
   void MakeCentre();
   void MakeMenus();
   void MakePanels();

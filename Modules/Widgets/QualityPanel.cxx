@@ -2,7 +2,7 @@
 
 #include "ScreenString.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 
 #include <algorithm>
 
@@ -41,13 +41,16 @@ QualityPanel::QualityPanel(StudyController& study, QWidget* parent)
   this->Numbers->setObjectName("quality-numbers");
   this->Numbers->setWordWrap(true);
   this->Numbers->setTextFormat(Qt::PlainText);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(new QLabel("Quality:", this));
-  row->addWidget(this->Preset);
-  row->addWidget(this->Measuring);
-  row->addWidget(this->Recommended);
-  row->addWidget(this->Numbers, 1);
+  // What is below does not move when the text changes.
+  constexpr int MostLines = 3;
+  this->Numbers->setMinimumHeight(MostLines * this->fontMetrics().lineSpacing());
+  this->Numbers->setAlignment(Qt::AlignTop);
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(new QLabel("Quality of all", this), 0, 0);
+  grid->addWidget(this->Preset, 0, 1);
+  grid->addWidget(this->Measuring, 1, 0);
+  grid->addWidget(this->Recommended, 1, 1);
+  grid->addWidget(this->Numbers, 2, 0, 1, 2);
   connect(this->Preset, qOverload<int>(&QComboBox::activated), this,
           [this](int choice) { this->Choose(choice - 1); });
   connect(this->Measuring, &QPushButton::clicked, this, &QualityPanel::Measure);

@@ -60,9 +60,7 @@ void StepRow::Show(const StudyStepState& state)
   this->Sign->setPalette(colors);
   this->State->setText(look.Word);
   this->State->setToolTip(PlainToolTip(ScreenString(state.Message)));
-  // Most scenes have no structure that is forbidden or yields.
-  const bool isRare = this->Step == SceneStep::Protection || this->Step == SceneStep::Elasticity;
-  const bool isShown = !isRare || state.Is != StudyStepState::Kind::NotWanted;
+  const bool isShown = state.Is != StudyStepState::Kind::NotWanted;
   this->Sign->setVisible(isShown);
   this->Name->setVisible(isShown);
   this->State->setVisible(isShown && !isRunning);

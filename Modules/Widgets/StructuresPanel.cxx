@@ -2,7 +2,6 @@
 
 #include "ChoiceDelegate.h"
 #include "OpacityDelegate.h"
-#include "QualityPanel.h"
 #include "StructureDialog.h"
 
 #include <QColorDialog>
@@ -57,7 +56,6 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
           [this](int value) { Q_EMIT OpacityChosen(value / SliderSteps); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 2, 4, 2);
-  column->addWidget(new QualityPanel(study, this));
   column->addLayout(this->MakeSearch());
   column->addWidget(this->Table, 1);
   column->addLayout(this->MakeTools());

@@ -1,7 +1,6 @@
 #include "StudyController.h"
 
 #include "SceneContacts.h"
-#include "ScreenString.h"
 #include "SofteningNotes.h"
 
 #include <algorithm>
@@ -45,10 +44,14 @@ StudyStepState StudyController::StateOf(SceneStep step)
                                                        : this->Open.Pipeline().StateOf(step);
 }
 
-StudyOpening::Outcome StudyController::OutcomeOf(const std::filesystem::path& file)
+StudyOpening::Outcome StudyController::OutcomeOf(const std::filesystem::path& file,
+                                                 const std::function<void()>& taken)
 {
-  return {[this, name = QString::fromStdString(StudyPath(file).string())]
-          { Q_EMIT FileOpened(name); },
+  return {[this, taken, name = QString::fromStdString(StudyPath(file).string())]
+          {
+            taken();
+            Q_EMIT FileOpened(name);
+          },
           [this](const std::string& message) { this->Report(message); }};
 }
 
@@ -188,8 +191,9 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
 
 void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
 {
-  this->Reported.erase(SceneStep::Volume); // a file that is opened again is reported again
-  this->Opening.OpenVolume(file, series, this->OutcomeOf(file));
+  // A file that is opened again is reported again.
+  const auto forget = [this] { this->Reported.erase(SceneStep::Volume); };
+  this->Opening.OpenVolume(file, series, this->OutcomeOf(file, forget));
   this->LookSoon();
 }
 
@@ -239,8 +243,9 @@ void StudyController::OpenSegmentation(const std::filesystem::path& file)
     this->OpenFiles({file});
     return;
   }
-  this->Reported.erase(this->Reported.upper_bound(SceneStep::Volume), this->Reported.end());
-  this->Opening.OpenSegmentation(file, this->OutcomeOf(file));
+  const auto forget = [this]
+  { this->Reported.erase(this->Reported.upper_bound(SceneStep::Volume), this->Reported.end()); };
+  this->Opening.OpenSegmentation(file, this->OutcomeOf(file, forget));
   this->LookSoon();
 }
 
@@ -411,11 +416,6 @@ void StudyController::PlayReplay(bool isPlayed)
     isPlayed ? replay->Play() : replay->Pause();
     Q_EMIT ReplayChanged();
   }
-}
-
-void StudyController::Report(const std::string& message)
-{
-  Q_EMIT Problem(ScreenString(message));
 }
 
 bool StudyController::Close()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DicomFolders.h"
+#include "ScreenString.h"
 #include "Study.h"
 #include "StudyFile.h"
 #include "StudyOpening.h"
@@ -102,7 +103,7 @@ public:
   void PlayReplay(bool isPlayed);
 
   /// Shows a message to the user, from anywhere in the window.
-  void Report(const std::string& message);
+  void Report(const std::string& message) { Q_EMIT Problem(ScreenString(message)); }
   /// Acts, reporting an error to the user.
   void Try(const std::function<void()>& act);
   /// Switches forces off, then cancels work; nothing happens afterwards. Returns Study::Close.
@@ -132,7 +133,9 @@ private:
   void ReportOnce(SceneStep step, const std::string& message);
   void Announce();
   void TakeRole();
-  StudyOpening::Outcome OutcomeOf(const std::filesystem::path& file);
+  /// `taken` is called once the file was read and is part of the study.
+  StudyOpening::Outcome OutcomeOf(
+      const std::filesystem::path& file, const std::function<void()>& taken = [] {});
   void LookSoon();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
   void OpenFolder(const std::filesystem::path& folder);

@@ -6,7 +6,6 @@
 #include "vtkImageData.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 
 #include <algorithm>
@@ -72,11 +71,8 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->addRow(this->VolumeText);
   form->addRow(this->LabelsText);
-  auto* numbers = new QHBoxLayout;
-  numbers->addWidget(this->Width, 1);
-  numbers->addWidget(new QLabel("level", this));
-  numbers->addWidget(this->Level, 1);
-  form->addRow("Window", numbers);
+  form->addRow("Window", this->Width);
+  form->addRow("Level", this->Level);
   form->addRow("Preset", this->Preset);
   connect(this->Preset, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakePreset);
   connect(&study, &StudyController::StateChanged, this, &VolumePanel::ShowFiles);
@@ -92,9 +88,6 @@ QDoubleSpinBox* VolumePanel::AddNumber(const char* name)
   box->setObjectName(name);
   box->setRange(-Most, Most);
   box->setKeyboardTracking(false);
-  // Its range would make it wider than any number that is usual.
-  box->setMinimumWidth(box->fontMetrics().averageCharWidth() * 11);
-  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VolumePanel::TakeNumbers);
   return box;
 }
@@ -108,10 +101,13 @@ void VolumePanel::ShowFiles()
   const QString size = image != nullptr ? "  " + SizeText(image) : QString();
   this->VolumeText->setText(state.VolumeFile.empty() ? QString("No volume")
                                                      : name(state.VolumeFile) + size);
-  this->LabelsText->setText(state.SegmentationFile.empty() ? QString("No segmentation")
-                                                           : QString("%1  %2 structures")
-                                                                 .arg(name(state.SegmentationFile))
-                                                                 .arg(state.Structures.size()));
+  this->LabelsText->setText(
+      state.SegmentationFile.empty()
+          ? QString("No segmentation")
+          : QString("%1  %2 %3")
+                .arg(name(state.SegmentationFile))
+                .arg(state.Structures.size())
+                .arg(state.Structures.size() == 1 ? "structure" : "structures"));
   this->ShowWindow();
 }
 

@@ -85,8 +85,25 @@ double MeanHertzDent(double radius)
   return 0.6 / radius;
 }
 
-// Downwards, as the surface is pressed at the place below that point of the ball, so that no vertex
-// comes out on the other side.
+// Where the surface is pressed to at a point of a ball (mm, from its centre): against the normal of
+// the place below it, and between two places against both.
+Vector3 OutwardAt(const Vector3& from, double ballRadius, const std::vector<Vector3>& normals)
+{
+  constexpr double Width = 0.1; // of the ball's radius
+  double lowest = from.dot(normals.front());
+  for (const Vector3& normal : normals)
+  {
+    lowest = std::min(lowest, from.dot(normal));
+  }
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3& normal : normals)
+  {
+    sum += std::exp((lowest - from.dot(normal)) / (Width * ballRadius)) * normal;
+  }
+  return sum.norm() > 0.0 ? Vector3(sum.normalized()) : normals.front();
+}
+
+// Downwards, as the surface is pressed, so that no vertex comes out on the other side.
 void KeepOut(const DentedSurface::Ball& ball, const std::vector<Vector3>& normals,
              std::vector<Vector3>& points)
 {
@@ -97,9 +114,7 @@ void KeepOut(const DentedSurface::Ball& ball, const std::vector<Vector3>& normal
     {
       continue;
     }
-    const Vector3& normal = *std::min_element(normals.begin(), normals.end(),
-                                              [&](const Vector3& a, const Vector3& b)
-                                              { return from.dot(a) < from.dot(b); });
+    const Vector3 normal = OutwardAt(from, ball.Radius, normals);
     const double along = from.dot(normal);
     const double aside = from.squaredNorm() - along * along;
     const double low = -std::sqrt(std::max(0.0, ball.Radius * ball.Radius - aside));

@@ -93,7 +93,7 @@ TEST(ModelSoftening, TellsOfASharpHollow)
   // A ball with a hole of this depth and angle.
   const auto holed = [](double depth, double angle)
   {
-    constexpr int Degree = 12;
+    constexpr int Degree = 20;
     const auto radius = [=](const Vector3& direction)
     {
       const double part = std::acos(std::clamp(direction.z(), -1.0, 1.0)) / angle;

@@ -39,6 +39,7 @@ protected:
   void OpenPhantom()
   {
     this->Files.OpenVolume(this->Volume, {}, this->Count());
+    this->Settle(); // the order of two that are read at once is open
     this->Files.OpenSegmentation(this->Mask, this->Count());
     while (this->Open.Jobs().WaitForResult())
     {

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTimer>
 #include <QToolTip>
@@ -15,17 +16,33 @@ namespace palpate
 {
 namespace
 {
+// What a widget lies in that scrolls, or null.
+QAbstractScrollArea* AreaAround(const QWidget* widget)
+{
+  for (QWidget* around = widget->parentWidget(); around != nullptr; around = around->parentWidget())
+  {
+    if (auto* area = qobject_cast<QAbstractScrollArea*>(around))
+    {
+      return area;
+    }
+  }
+  return nullptr;
+}
+
+void ScrollAround(const QWidget* field, QEvent* wheel)
+{
+  if (const QAbstractScrollArea* area = AreaAround(field))
+  {
+    QApplication::sendEvent(area->verticalScrollBar(), wheel);
+  }
+  wheel->accept();
+}
+
 bool IsField(const QWidget* widget)
 {
   if (qobject_cast<const QSlider*>(widget) != nullptr)
   {
-    // The slider of a slice lies in nothing that scrolls.
-    const QWidget* around = widget->parentWidget();
-    while (around != nullptr && qobject_cast<const QAbstractScrollArea*>(around) == nullptr)
-    {
-      around = around->parentWidget();
-    }
-    return around != nullptr;
+    return AreaAround(widget) != nullptr; // unlike the slider of a slice
   }
   return qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
          qobject_cast<const QComboBox*>(widget) != nullptr;
@@ -83,7 +100,7 @@ bool FormManners::eventFilter(QObject* object, QEvent* event)
   case QEvent::Wheel:
     if (const QWidget* field = FieldOf(object); field != nullptr && !field->hasFocus())
     {
-      event->ignore(); // so that it goes on to what the field lies in
+      ScrollAround(field, event);
       return true;
     }
     break;

@@ -81,9 +81,14 @@ TEST_F(TouchLinkTest, ToolWithoutContactTellsItsDistance)
   this->StartTouch();
   Move(this->Window->Views()->Space()->Canvas(), this->PlaceOf(this->SphereCenter));
   vtkProbeRepresentation* probe = this->Window->Contents().Probe();
-  this->FeelUntil([&] { return probe->GetHasNearestPoint() && !probe->GetInContact(); });
-  const Vector3 nearest(probe->GetNearestPoint());
-  EXPECT_NEAR((nearest - this->SphereCenter).norm(), 15.0, 1.0) << "on the sphere, within a voxel";
+  // On the sphere of 15 mm, within a voxel, once the hand is near it.
+  this->FeelUntil(
+      [&]
+      {
+        const double radius = (Vector3(probe->GetNearestPoint()) - this->SphereCenter).norm();
+        return probe->GetHasNearestPoint() && !probe->GetInContact() &&
+               std::abs(radius - 15.0) < 1.0;
+      });
 }
 
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)

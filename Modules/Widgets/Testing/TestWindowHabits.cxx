@@ -107,6 +107,23 @@ TEST_F(WindowHabitsTest, DigitThatIsNotTakenIsAnsweredWithTheRange)
   QToolTip::hideText();
 }
 
+TEST_F(WindowHabitsTest, NumberThatIsBeingTypedCountsWhenTheWindowCloses)
+{
+  this->OpenPhantom();
+  QDoubleSpinBox* degree = this->Degree();
+  this->Window->activateWindow();
+  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  degree->setFocus();
+  degree->selectAll();
+  QKeyEvent seven(QEvent::KeyPress, Qt::Key_7, Qt::NoModifier, "7");
+  QApplication::sendEvent(degree, &seven);
+  EXPECT_EQ(this->Study->State().Fit.Degree, 12);
+  this->Leaving = FileQuestions::Answer::Cancel;
+  EXPECT_FALSE(this->Window->close());
+  EXPECT_EQ(this->Study->State().Fit.Degree, 7);
+  EXPECT_TRUE(this->Window->isWindowModified());
+}
+
 TEST_F(WindowHabitsTest, MouseIsNamedAsTheDevice)
 {
   auto* device = this->Window->findChild<QComboBox*>("device");
