@@ -229,7 +229,14 @@ Status TouchSession::StartRecording(const std::filesystem::path& path,
   {
     this->Pause();
     this->TakeTicks();
+    // A new servo knows nothing of a fault that a person has to end.
+    const SafetyReport safety = this->Loop().Latest().Safety;
+    const bool staysOff = safety.Fault != SafetyFault::None && !safety.WillResume;
     this->MakeServo();
+    if (staysOff)
+    {
+      this->Loop().SwitchOff();
+    }
     status = this->Send(this->Current, SceneEntry::FadeIn);
     status = status.IsOk() ? this->Run() : status;
   }

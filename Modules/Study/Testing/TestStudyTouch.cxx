@@ -450,6 +450,45 @@ TEST_F(StudyTouchTest, RecordingReplaysBitForBit)
   EXPECT_EQ(comparison.DifferentTicks, 0U);
 }
 
+TEST_F(StudyTouchTest, RecordingDoesNotSwitchForcesOnAgain)
+{
+  const test::TemporaryFolder folder;
+  test::PacedClock clock;
+  StudyTouch touch(clock, Ordinary());
+  ASSERT_TRUE(touch.Start(this->OpenDevice(clock), this->State, this->Contacts).IsOk());
+  touch.SwitchForcesOff();
+  while (touch.Poll().Newest.Safety.Fault != SafetyFault::SwitchedOff)
+  {
+    std::this_thread::yield();
+  }
+  const auto file = folder / "session.touch";
+  ASSERT_TRUE(touch.StartRecording(file).IsOk());
+  touch.MoveHand(Vector3(Radius - 4.0, 0.0, 0.0));
+  while (touch.Poll().Newest.Tick.Number < 150)
+  {
+    std::this_thread::yield();
+  }
+  touch.SwitchForcesOn();
+  while (touch.Poll().TouchedId != 7 || touch.Poll().Newest.Safety.Fault != SafetyFault::None)
+  {
+    std::this_thread::yield();
+  }
+  touch.Stop();
+  auto recording = std::make_shared<TouchRecording>();
+  ASSERT_TRUE(ReadTouchRecording(file.string(), *recording).IsOk());
+  for (std::size_t tick = 0; tick < 150; ++tick)
+  {
+    ASSERT_EQ(recording->Ticks[tick].Safety.Fault, SafetyFault::SwitchedOff) << tick;
+    ASSERT_EQ(Vector3(recording->Ticks[tick].ForceDevice).norm(), 0.0) << tick;
+  }
+  WorkspaceFrame frame = touch.Frame();
+  const auto scene =
+      std::make_shared<const TouchScene>(MakeTouchScene(this->State, this->Contacts, frame));
+  ReplayComparison comparison;
+  ASSERT_TRUE(ReplayTouch(recording, {scene}, comparison).IsOk());
+  EXPECT_EQ(comparison.DifferentTicks, 0U);
+}
+
 TEST_F(StudyTouchTest, FailedRecordingIsReportedAndTouchContinues)
 {
   EXPECT_FALSE(this->Touch.StartRecording("/nowhere/session.touch").IsOk());

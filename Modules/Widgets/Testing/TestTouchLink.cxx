@@ -81,14 +81,12 @@ TEST_F(TouchLinkTest, ToolWithoutContactTellsItsDistance)
   this->StartTouch();
   Move(this->Window->Views()->Space()->Canvas(), this->PlaceOf(this->SphereCenter));
   vtkProbeRepresentation* probe = this->Window->Contents().Probe();
-  // On the sphere of 15 mm, within a voxel, once the hand is near it.
-  this->FeelUntil(
-      [&]
-      {
-        const double radius = (Vector3(probe->GetNearestPoint()) - this->SphereCenter).norm();
-        return probe->GetHasNearestPoint() && !probe->GetInContact() &&
-               std::abs(radius - 15.0) < 1.0;
-      });
+  this->FeelUntil([&] { return probe->GetHasNearestPoint() && !probe->GetInContact(); });
+  const Vector3 nearest(probe->GetNearestPoint());
+  vtkMatrix4x4* pose = probe->GetProxyMatrix();
+  const Vector3 tool(pose->GetElement(0, 3), pose->GetElement(1, 3), pose->GetElement(2, 3));
+  // No farther than the sphere of 9 mm, within a voxel.
+  EXPECT_LE((nearest - tool).norm(), std::abs((tool - this->SphereCenter).norm() - 9.0) + 1.0);
 }
 
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
