@@ -1,5 +1,6 @@
 #include "StatusLine.h"
 
+#include "PlainLabel.h"
 #include "ScreenString.h"
 #include "TouchNotice.h"
 
@@ -17,19 +18,11 @@ QString Side(double coordinate, char positive, char negative)
       .arg(QChar(shown < 0.0 ? negative : positive))
       .arg(std::abs(shown), 0, 'f', 1);
 }
-
-QLabel* MakeLabel(const char* name, QWidget* parent)
-{
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setTextFormat(Qt::PlainText);
-  return label;
-}
 } // namespace
 
 StatusLine::StatusLine(StudyController& study, QWidget* parent)
-    : QStatusBar(parent), Study(study), Point(MakeLabel("point", this)),
-      Jobs(MakeLabel("jobs", this)), Touch(MakeLabel("touch-state", this))
+    : QStatusBar(parent), Study(study), Point(MakePlainLabel("point", this)),
+      Jobs(MakePlainLabel("jobs", this)), Touch(MakePlainLabel("touch-state", this))
 {
   this->Point->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->addWidget(this->Point, 1);

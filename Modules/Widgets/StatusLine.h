@@ -17,7 +17,7 @@ public:
   /// Keeps the address.
   StatusLine(StudyController& study, QWidget* parent);
 
-  /// The pointer's place (world, mm), and what is there; see ViewContents::TextAt.
+  /// Position of the pointer (world, mm), and the text of ViewContents::TextAt for it.
   void ShowPoint(const Vector3& pointWorld, const std::string& text);
   void ClearPoint() { this->Point->clear(); }
   QString PointText() const { return this->Point->text(); }

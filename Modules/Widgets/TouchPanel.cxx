@@ -1,6 +1,7 @@
 #include "TouchPanel.h"
 
 #include "OpenBuiltInDevice.h"
+#include "PlainLabel.h"
 #include "ScreenString.h"
 
 #include <QFormLayout>
@@ -57,10 +58,8 @@ double Norm(const PlainVector3& vector)
 
 QLabel* MakeText(const char* name, QWidget* parent)
 {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
+  QLabel* label = MakePlainLabel(name, parent);
   label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   // What is below does not move when it wraps.
   label->setMinimumHeight(2 * label->fontMetrics().lineSpacing());

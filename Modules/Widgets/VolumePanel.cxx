@@ -1,5 +1,6 @@
 #include "VolumePanel.h"
 
+#include "PlainLabel.h"
 #include "ScreenString.h"
 
 #include "vtkCommand.h"
@@ -46,9 +47,7 @@ QString SizeText(vtkImageData* image)
 
 QLabel* MakeText(const char* name, QWidget* parent)
 {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setTextFormat(Qt::PlainText);
+  QLabel* label = MakePlainLabel(name, parent);
   label->setWordWrap(true);
   return label;
 }

@@ -469,7 +469,7 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetColor(free[0], free[1], free[2]);
 }
 
-// How far the tool is from what is seen.
+// Distance of the tool from the displayed surfaces.
 void ViewContents::ShowDepth(const Vector3& toolWorld)
 {
   constexpr double Farthest = 200.0; // mm
