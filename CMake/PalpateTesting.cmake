@@ -9,30 +9,39 @@ if(PkgConfig_FOUND AND TARGET PkgConfig::libusb)
   pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0 gobject-2.0)
 endif()
 
-# palpate_add_gtest(name SOURCES a.cxx… LIBRARIES t… [RENDERING filter] [ON_VIRTUAL_BUS])
+# palpate_add_gtest(name SOURCES a.cxx… LIBRARIES t… [RENDERING filter] [TOGETHER filter] [ON_VIRTUAL_BUS])
 # RENDERING: GoogleTest's filter for the tests that render through OpenGL.
+# TOGETHER: the filter for tests that share what takes long to make; ctest runs them in one process, named
+# <name>.Together.
 # ON_VIRTUAL_BUS: the tests see umockdev's devices, as under umockdev-wrapper.
 function(palpate_add_gtest name)
-  cmake_parse_arguments(arg "ON_VIRTUAL_BUS" "RENDERING" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "ON_VIRTUAL_BUS" "RENDERING;TOGETHER" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   palpate_compile_settings(${name})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} Palpate::TestSupport GTest::gtest_main)
   vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType
     VTK::InteractionStyle)
   set(discover ${name} DISCOVERY_MODE PRE_TEST TEST_PREFIX "${name}.")
+  set(others "-")
+  if(arg_TOGETHER)
+    add_test(NAME ${name}.Together COMMAND ${name} "--gtest_filter=${arg_TOGETHER}")
+    # They take longest, so they start first.
+    set_tests_properties(${name}.Together PROPERTIES TIMEOUT 900 COST 1000)
+    string(APPEND others "${arg_TOGETHER}:")
+  endif()
   if(arg_RENDERING)
     # Mesa leaks memory in libraries that it has unloaded, which no suppression can name.
     gtest_discover_tests(${discover} TEST_FILTER "${arg_RENDERING}"
       TEST_LIST ${name}_RENDERING_TESTS
       PROPERTIES TIMEOUT 300 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
-    gtest_discover_tests(${discover} TEST_FILTER "-${arg_RENDERING}" PROPERTIES TIMEOUT 300)
+    gtest_discover_tests(${discover} TEST_FILTER "${others}${arg_RENDERING}" PROPERTIES TIMEOUT 300)
   elseif(arg_ON_VIRTUAL_BUS)
     # In real time, with several processes per byte: run serially. AddressSanitizer would be the first
     # library, and GLib keeps much memory until the end.
     gtest_discover_tests(${discover} PROPERTIES TIMEOUT 240 RUN_SERIAL TRUE ENVIRONMENT
       "LD_PRELOAD=libumockdev-preload.so.0;ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0")
   else()
-    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 300)
+    gtest_discover_tests(${discover} TEST_FILTER "${others}" PROPERTIES TIMEOUT 300)
   endif()
 endfunction()
 

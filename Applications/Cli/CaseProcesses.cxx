@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <map>
 #include <poll.h>
@@ -24,8 +25,6 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int Failure = 1;
-
 bool WriteAll(int file, const std::string& text)
 {
   for (std::size_t done = 0; done < text.size();)
@@ -104,7 +103,7 @@ public:
       close(ends[0]);
       if (getppid() != parent)
       {
-        _exit(Failure);
+        _exit(EXIT_FAILURE);
       }
       this->RunChild(number, ends[1]);
     }
@@ -153,10 +152,10 @@ private:
   {
     // The other cases use the other processors.
     vtkSMPTools::Initialize(1);
-    int code = Failure;
+    int code = EXIT_FAILURE;
     try
     {
-      code = WriteAll(file, Packed(this->Run(number))) ? 0 : Failure;
+      code = WriteAll(file, Packed(this->Run(number))) ? 0 : EXIT_FAILURE;
     }
     catch (const std::exception&)
     {

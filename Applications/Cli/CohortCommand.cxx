@@ -17,7 +17,8 @@ namespace palpate::cli
 namespace
 {
 // The tables of all folders, their models' paths as seen from `output`.
-CohortTable Join(const std::vector<std::string>& folders, const std::filesystem::path& output)
+CohortTable JoinCohorts(const std::vector<std::string>& folders,
+                        const std::filesystem::path& output)
 {
   CohortTable joined;
   for (const std::string& folder : folders)
@@ -72,7 +73,7 @@ int CohortCommand::Run(Console& console)
   }
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
-  const CohortTable table = Join(this->Folders, output);
+  const CohortTable table = JoinCohorts(this->Folders, output);
   const CohortGroup group =
       MakeCohortGroup(table, output, this->Label,
                       this->Align == "patient" ? AlignmentAxes::Patient : AlignmentAxes::Ellipsoid);

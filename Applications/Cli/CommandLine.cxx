@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <new>
 #include <ostream>
 
@@ -19,7 +20,6 @@ namespace palpate::cli
 namespace
 {
 constexpr int Success = 0;
-constexpr int Failure = 1;
 constexpr int BadInput = 2;
 constexpr int ParsedWithoutHelp = -1;
 
@@ -117,7 +117,7 @@ int CommandLine::Run(const std::vector<std::string>& arguments, Console& console
   if (code == Success && !console.Output())
   {
     console.Error("the results could not be written to standard output; is its disk full?");
-    return Failure;
+    return EXIT_FAILURE;
   }
   return code;
 }
@@ -205,12 +205,12 @@ int CommandLine::RunParsed(Console& console)
   {
     console.Error("not enough memory for this; try a smaller image, or lower --degree or "
                   "--frequency where the command has them");
-    return Failure;
+    return EXIT_FAILURE;
   }
   catch (const std::exception& error)
   {
     console.Error(AsClause(error.what()));
-    return Failure;
+    return EXIT_FAILURE;
   }
 }
 } // namespace palpate::cli

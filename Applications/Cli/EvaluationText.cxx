@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "JsonSchema.h"
 #include "TextTable.h"
+#include "Units.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,6 @@ namespace
 using Json = nlohmann::ordered_json;
 
 constexpr int Decimals = 4;
-constexpr double CubicMillimetersPerMilliliter = 1000.0;
 
 std::string Short(const Vector3& vector)
 {

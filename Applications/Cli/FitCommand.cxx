@@ -15,14 +15,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 
 namespace palpate::cli
 {
-namespace
-{
-constexpr int Failure = 1;
-} // namespace
-
 std::string FitCommand::Examples() const
 {
   return "  palpate fit mask.nii.gz --output out               every label, with files and report\n"
@@ -191,7 +187,7 @@ int FitCommand::Conclude(Console& console) const
                         this->Tally.BadInputs < this->Tally.Cases;
   if (hasIndex && !this->WriteIndex(console))
   {
-    return Failure;
+    return EXIT_FAILURE;
   }
   return code;
 }

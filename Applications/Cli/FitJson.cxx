@@ -2,6 +2,7 @@
 
 #include "CaseText.h"
 #include "JsonSchema.h"
+#include "Units.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -39,7 +40,6 @@ Json StarJson(const FitResult& result)
 
 Json CoverageJson(const DirectionCoverage& coverage)
 {
-  constexpr double DegreesPerRadian = 180.0 / M_PI;
   const Vector3& gap = coverage.LargestGap.Center;
   return {{"verdict", CoverageWord(coverage)},
           {"message", coverage.Message},

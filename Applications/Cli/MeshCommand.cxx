@@ -15,6 +15,7 @@
 #include "SegmentationFile.h"
 #include "SurfaceFile.h"
 #include "TextTable.h"
+#include "Units.h"
 #include "VoxelMinimum.h"
 #include "vtkNew.h"
 #include "vtkSegmentationSurface.h"
@@ -29,8 +30,6 @@ namespace palpate::cli
 namespace
 {
 using JsonObject = nlohmann::ordered_json;
-
-constexpr double CubicMillimetersPerMilliliter = 1000.0;
 
 void Configure(vtkSegmentationSurface* surface, const FitSettings& settings)
 {

@@ -19,6 +19,7 @@
 #include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "TouchReport.h"
+#include "Units.h"
 
 #include <CLI/CLI.hpp>
 #include <functional>
@@ -273,7 +274,6 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
     return;
   }
   constexpr double Almost = 0.999;
-  constexpr double Micro = 1e-3;
   std::ostream& out = console.Output();
   for (std::size_t s = 0; s < touch.Structures.size(); ++s)
   {
@@ -283,8 +283,10 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   }
   out << result.Ticks << " ticks; at most " << result.Trace.Whole().Force.Most << " N, "
       << result.Trace.Whole().Depth.Most << " mm deep; a tick takes "
-      << Micro * static_cast<double>(result.Durations.Median()) << " us, 99.9 % at most "
-      << Micro * static_cast<double>(result.Durations.Quantile(Almost)) << " us\n";
+      << MicrosecondsPerNanosecond * static_cast<double>(result.Durations.Median())
+      << " us, 99.9 % at most "
+      << MicrosecondsPerNanosecond * static_cast<double>(result.Durations.Quantile(Almost))
+      << " us\n";
   if (result.BeyondLinearSeconds > 0.0)
   {
     out << "for " << result.BeyondLinearSeconds

@@ -15,6 +15,7 @@
 #include "TextTable.h"
 #include "TradePage.h"
 #include "TradeText.h"
+#include "Units.h"
 #include "WholeFile.h"
 
 #include <CLI/CLI.hpp>
@@ -26,7 +27,6 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr double Micro = 1e-3; // us per ns
 constexpr double Mega = 1e6;
 
 // Two significant digits, without exponents for ordinary numbers.
@@ -53,7 +53,8 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
     {
       continue;
     }
-    table.AddRow({name, Short(Micro * row.TickMean), Short(Micro * row.TickRare),
+    table.AddRow({name, Short(MicrosecondsPerNanosecond * row.TickMean),
+                  Short(MicrosecondsPerNanosecond * row.TickRare),
                   Short(yields ? row.ForceRare : row.PositionRare), Short(row.NoticeableRare),
                   Short(row.DirectionRare), Short(row.Bytes / Mega), Short(row.BuildSeconds)});
   }

@@ -14,6 +14,7 @@
 #include "StageClock.h"
 #include "SurfaceFileFit.h"
 #include "SurfaceFit.h"
+#include "Units.h"
 #include "VoxelMinimum.h"
 #include "vtkIcosahedronDirections.h"
 #include "vtkRadialSampler.h"
@@ -35,8 +36,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double CubicMillimetersPerMilliliter = 1000.0;
-
 // Cells on the surface that is fitted: far finer than the details of a model, and enough for Dice
 // above 0.999 with the mask. More would only take time.
 constexpr int CellsOnSurface = 12000;

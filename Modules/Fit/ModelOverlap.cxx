@@ -3,6 +3,7 @@
 #include "MaskOverlap.h"
 #include "MeshConversion.h"
 #include "MeshVoxels.h"
+#include "Units.h"
 
 #include "vtkBoundingBox.h"
 
@@ -38,7 +39,6 @@ WindingOverlap OverlapOfSurfaces(const FitResult& result, const VoxelCenters& gr
   WindingOverlap overlap = CompareWithMask(numbers, inside.data());
   if (!IsWithin(result.ModelSurface->GetBounds(), grid))
   {
-    constexpr double CubicMillimetersPerMilliliter = 1000.0;
     const double volume = CubicMillimetersPerMilliliter * std::abs(result.ModelMilliliters);
     const double cubes = volume / std::abs(grid.Axes.determinant());
     overlap.Inside = std::max<std::int64_t>(overlap.Inside, std::llround(std::min(cubes, 1e18)));

@@ -13,6 +13,7 @@
 #include "StageClock.h"
 #include "SurfaceTopology.h"
 #include "TriangleMesh.h"
+#include "Units.h"
 
 #include <memory>
 #include <utility>
@@ -21,8 +22,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double CubicMillimetersPerMilliliter = 1000.0;
-
 std::string Counted(int count, const char* one, const char* several)
 {
   return std::to_string(count) + " " + (count == 1 ? one : several);

@@ -14,6 +14,7 @@
 #include "ParametricUncertainty.h"
 #include "RepairRemarks.h"
 #include "SurfaceFileFit.h"
+#include "Units.h"
 #include "VoxelMinimum.h"
 
 #include "vtkImageData.h"
@@ -26,8 +27,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double CubicMillimetersPerMilliliter = 1000.0;
-
 VoxelMask MaskOf(const FitResult& result, int component)
 {
   VoxelMask mask = CopyLabelMask(result.Mask, result.Structure.Value, 1).Mask;

@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "Refusal.h"
 #include "ServoScene.h"
+#include "Units.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::uintmax_t LargestFile = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t LargestPath = std::uintmax_t{256} << 20;
 
 HandPath::Place ParseLine(const std::string& line, const std::filesystem::path& path, int number)
 {
@@ -137,7 +138,6 @@ Vector3 RandomDirection(std::mt19937_64& random)
 // Spiral about the z axis from pole to pole; `part` from 0 to 1.
 Vector3 OnSpiral(double part)
 {
-  constexpr double Pi = 3.14159265358979323846;
   constexpr double Turns = 8.0;
   const double polar = Pi * (0.02 + 0.96 * part);
   const double azimuth = 2.0 * Pi * Turns * part;
@@ -169,7 +169,7 @@ Vector3 HandPath::At(double time) const noexcept
 
 HandPath ReadHandPath(const std::filesystem::path& path)
 {
-  std::istringstream stream(ReadWholeFile(path, LargestFile));
+  std::istringstream stream(ReadWholeFile(path, LargestPath));
   std::vector<HandPath::Place> places;
   std::string line;
   std::getline(stream, line);

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::uintmax_t LargestFile = 1 << 26; // bytes; some hundred thousand structures
+constexpr std::uintmax_t LargestScene = 1 << 26; // bytes; some hundred thousand structures
 
 // Only a linear sub-voxel field can be drilled.
 void CheckDrilled(const SceneStructure& structure, const std::filesystem::path& path,
@@ -83,7 +83,7 @@ bool IsSceneFile(const std::filesystem::path& path)
 SceneSettings ReadScene(const std::filesystem::path& path)
 {
   const nlohmann::json root =
-      ReadJson(path, LargestFile, "write a scene as Documentation/HowTo/Touch.md shows");
+      ReadJson(path, LargestScene, "write a scene as Documentation/HowTo/Touch.md shows");
   JsonFields fields(root, path, "scene", path.parent_path());
   SceneSettings scene;
   ExchangeFile(fields, scene);

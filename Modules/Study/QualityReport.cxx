@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "StructureTrade.h"
 #include "TradeAdvice.h"
+#include "Units.h"
 
 #include <algorithm>
 
@@ -18,8 +19,6 @@ bool IsMeasured(const TradeRow& row)
 {
   return row.IsFelt() && row.TickRare > 0.0 && row.SurfaceMean >= 0.0;
 }
-
-constexpr double Micro = 1e-3; // us in a ns
 
 std::string Microseconds(double number)
 {
@@ -37,7 +36,8 @@ std::string PresetsText(const QualityMeasurement& measured)
   for (const TradeRow& row : measured.Presets)
   {
     text += (text.empty() ? "" : "\n") + Describe(row.Setting) + ": " +
-            (row.IsFelt() ? Microseconds(Micro * row.TickMean) + ", " + Millimeters(row.SurfaceMean)
+            (row.IsFelt() ? Microseconds(MicrosecondsPerNanosecond * row.TickMean) + ", " +
+                                Millimeters(row.SurfaceMean)
                           : "refused");
   }
   return text;
@@ -124,7 +124,7 @@ QualityLine MakeQualityLine(const SceneStructure& structure, const QualityMeasur
   const TradeRow* row = measured != nullptr ? RowOf(*measured, PresetOf(structure)) : nullptr;
   if (row != nullptr)
   {
-    line.TickMicroseconds = Micro * row->TickMean;
+    line.TickMicroseconds = MicrosecondsPerNanosecond * row->TickMean;
     line.ErrorMillimeters = row->SurfaceMean;
   }
   line.Presets = measured != nullptr ? PresetsText(*measured) : std::string();

@@ -12,39 +12,20 @@
 
 namespace palpate
 {
-namespace
-{
-struct Entry
-{
-  StudyJobs::Id Number = 0;
-  StudyJob Job;
-  std::atomic<bool> IsCancelled{false};
-  // Guarded by the desk's lock.
-  StudyJobProgress Progress;
-  StudyJob::Delivery Delivery; ///< after it has ended
-};
-using EntryPointer = std::shared_ptr<Entry>;
-
-StudyJob::Delivery FailWith(const Entry& entry, const std::string& message)
-{
-  return [fail = entry.Job.Fail, message]
-  {
-    if (fail)
-    {
-      fail(message);
-    }
-  };
-}
-
-void Remove(std::deque<EntryPointer>& entries, const EntryPointer& entry)
-{
-  entries.erase(std::remove(entries.begin(), entries.end(), entry), entries.end());
-}
-} // namespace
-
 // Shared by owner and workers.
 struct StudyJobs::Desk
 {
+  struct Entry
+  {
+    Id Number = 0;
+    StudyJob Job;
+    std::atomic<bool> IsCancelled{false};
+    // Guarded by the desk's lock.
+    StudyJobProgress Progress;
+    StudyJob::Delivery Delivery; ///< after it has ended
+  };
+  using EntryPointer = std::shared_ptr<Entry>;
+
   std::mutex Lock;
   std::condition_variable News; ///< a job was started, has ended, or was cancelled
   std::deque<EntryPointer> Waiting;
@@ -59,10 +40,22 @@ struct StudyJobs::Desk
   void Work();
   void Drop(Id id);
   bool HasWork() const;
+  static StudyJob::Delivery FailWith(const Entry& entry, const std::string& message);
 };
 
+StudyJob::Delivery StudyJobs::Desk::FailWith(const Entry& entry, const std::string& message)
+{
+  return [fail = entry.Job.Fail, message]
+  {
+    if (fail)
+    {
+      fail(message);
+    }
+  };
+}
+
 // Waits for a job; null when ending.
-EntryPointer StudyJobs::Desk::Take()
+StudyJobs::Desk::EntryPointer StudyJobs::Desk::Take()
 {
   std::unique_lock<std::mutex> hold(this->Lock);
   this->News.wait(hold, [this] { return this->IsEnding || !this->Waiting.empty(); });
@@ -110,7 +103,8 @@ void StudyJobs::Desk::Work()
   {
     StudyJob::Delivery delivery = this->Do(*entry);
     const std::lock_guard<std::mutex> hold(this->Lock);
-    Remove(this->Running, entry);
+    this->Running.erase(std::remove(this->Running.begin(), this->Running.end(), entry),
+                        this->Running.end());
     if (!entry->IsCancelled)
     {
       entry->Delivery = std::move(delivery);
@@ -162,13 +156,13 @@ StudyJobs::~StudyJobs()
 
 StudyJobs::Id StudyJobs::Start(StudyJob job)
 {
-  auto entry = std::make_shared<Entry>();
+  auto entry = std::make_shared<Desk::Entry>();
   entry->Job = std::move(job);
   const std::lock_guard<std::mutex> hold(this->Shared->Lock);
   entry->Number = ++this->Shared->LastId;
   if (!this->Shared->IsEnding)
   {
-    std::deque<EntryPointer>& waiting = this->Shared->Waiting;
+    std::deque<Desk::EntryPointer>& waiting = this->Shared->Waiting;
     waiting.insert(entry->Job.IsUrgent ? waiting.begin() : waiting.end(), entry);
     this->Shared->News.notify_all();
   }
@@ -184,9 +178,10 @@ void StudyJobs::Cancel(Id id)
 std::optional<StudyJobProgress> StudyJobs::ProgressOf(Id id) const
 {
   const std::lock_guard<std::mutex> hold(this->Shared->Lock);
-  for (const std::deque<EntryPointer>* entries : {&this->Shared->Running, &this->Shared->Waiting})
+  for (const std::deque<Desk::EntryPointer>* entries :
+       {&this->Shared->Running, &this->Shared->Waiting})
   {
-    for (const EntryPointer& entry : *entries)
+    for (const Desk::EntryPointer& entry : *entries)
     {
       if (entry->Number == id && !entry->IsCancelled)
       {
@@ -202,7 +197,7 @@ std::size_t StudyJobs::Deliver()
   std::size_t count = 0;
   while (true)
   {
-    EntryPointer entry;
+    Desk::EntryPointer entry;
     {
       const std::lock_guard<std::mutex> hold(this->Shared->Lock);
       if (this->Shared->Done.empty())
@@ -250,7 +245,7 @@ bool StudyJobs::End(std::chrono::milliseconds longest)
   desk.IsEnding = true;
   desk.Waiting.clear();
   desk.Done.clear();
-  for (const EntryPointer& entry : desk.Running)
+  for (const Desk::EntryPointer& entry : desk.Running)
   {
     entry->IsCancelled = true;
   }

@@ -3,6 +3,7 @@
 #include "Refusal.h"
 #include "SafetyText.h"
 #include "TouchRecording.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Nano = 1e-9;
-
 bool BeganBefore(const TouchState& one, const TouchState& other)
 {
   return one.Tick.Started < other.Tick.Started;
@@ -45,13 +44,15 @@ StudyReplay::StudyReplay(std::filesystem::path file,
 double StudyReplay::Duration() const
 {
   const std::vector<TouchState>& ticks = this->Recorded->Ticks;
-  return Nano * static_cast<double>(ticks.back().Tick.Started - ticks.front().Tick.Started);
+  return SecondsPerNanosecond *
+         static_cast<double>(ticks.back().Tick.Started - ticks.front().Tick.Started);
 }
 
 double StudyReplay::Position() const
 {
-  const double passed =
-      this->Playing ? this->Rate * Nano * static_cast<double>(this->Time.Now() - this->Since) : 0.0;
+  const double passed = this->Playing ? this->Rate * SecondsPerNanosecond *
+                                            static_cast<double>(this->Time.Now() - this->Since)
+                                      : 0.0;
   return std::min(this->Held + passed, this->Duration());
 }
 
@@ -100,7 +101,8 @@ void StudyReplay::SetSpeed(double speed)
 std::size_t StudyReplay::TickAt(double seconds) const
 {
   const std::vector<TouchState>& ticks = this->Recorded->Ticks;
-  const std::int64_t time = ticks.front().Tick.Started + std::llround(seconds / Nano);
+  const std::int64_t time =
+      ticks.front().Tick.Started + std::llround(seconds / SecondsPerNanosecond);
   const auto after = std::upper_bound(ticks.begin(), ticks.end(), time,
                                       [](std::int64_t t, const TouchState& tick)
                                       { return t < tick.Tick.Started; });

@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "SceneTissue.h"
 #include "TradeMeasure.h"
+#include "Units.h"
 #include "VoxelMinimum.h"
 
 #include <algorithm>
@@ -128,7 +129,6 @@ int StructureTrade::HighestDegree(const ProgressFunction& progress)
   {
     // Each setting gives the reason.
   }
-  constexpr double CubicMillimetersPerMilliliter = 1000.0;
   const auto surface =
       ProductAs<FitSurface>(this->Made.ProductAt(SceneStep::Surface, structure.Id));
   if (surface == nullptr || surface->IsOver)

@@ -1,6 +1,7 @@
 #include "TradeAdvice.h"
 
 #include "DecimalText.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,20 +11,19 @@ namespace palpate
 {
 namespace
 {
-constexpr double Mega = 1e6;
-constexpr double Micro = 1e-3; // us per ns
+constexpr double HertzPerMegahertz = 1e6;
 
 std::string RateText(double hertz)
 {
-  return hertz >= Mega  ? SignificantText(hertz / Mega, 2) + " MHz"
-         : hertz >= 1e3 ? SignificantText(hertz / 1e3, 3) + " kHz"
-                        : SignificantText(hertz, 3) + " Hz";
+  return hertz >= HertzPerMegahertz ? SignificantText(hertz / HertzPerMegahertz, 2) + " MHz"
+         : hertz >= 1e3             ? SignificantText(hertz / 1e3, 3) + " kHz"
+                                    : SignificantText(hertz, 3) + " Hz";
 }
 
 std::string Costs(const TradeRow& row)
 {
-  return SignificantText(Micro * row.TickMean, 2) + " \xC2\xB5s per tick (up to " +
-         RateText(row.Rate) + ")";
+  return SignificantText(MicrosecondsPerNanosecond * row.TickMean, 2) +
+         " \xC2\xB5s per tick (up to " + RateText(row.Rate) + ")";
 }
 
 using Places = std::vector<std::size_t>;

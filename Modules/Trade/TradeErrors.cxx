@@ -1,5 +1,7 @@
 #include "TradeErrors.h"
 
+#include "Units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,6 @@ namespace
 {
 constexpr double Rare = 0.99;
 constexpr double Most = 1.0;
-constexpr double DegreesPerRadian = 180.0 / M_PI;
 
 // Jumps of a force during contact.
 class Jumps

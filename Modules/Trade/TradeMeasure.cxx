@@ -6,6 +6,7 @@
 #include "Servo.h"
 #include "StructureFollower.h"
 #include "TradeErrors.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,8 +16,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double SecondsPerNanosecond = 1e-9;
-
 // Time between two consecutive readings of a clock.
 double GlanceOf(const Clock& clock)
 {
@@ -78,7 +77,7 @@ public:
 
   void Fill(TradeRow& row) const
   {
-    constexpr double Rare = 0.999;
+    constexpr double RareTick = 0.999;
     constexpr double Least = 1.0; // ns, below the resolution of any clock
     const double glance = GlanceOf(this->Time);
     std::vector<double> times = this->Times;
@@ -88,7 +87,7 @@ public:
     }
     row.TickMean = MeanOf(times);
     row.TickMedian = QuantileOf(times, 0.5);
-    row.TickRare = QuantileOf(times, Rare);
+    row.TickRare = QuantileOf(times, RareTick);
     row.Rate = 1.0 / (SecondsPerNanosecond * row.TickRare);
     CompareWithTruth(this->Path, this->Felt, this->Touch.Stiffness, row);
   }

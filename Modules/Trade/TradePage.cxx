@@ -5,6 +5,7 @@
 #include "ReportPage.h"
 #include "SvgChart.h"
 #include "TradeText.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +17,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Micro = 1e-3; // us per ns
-constexpr double Mega = 1e6;
+constexpr double BytesPerMegabyte = 1e6;
 // mm, JND: logarithmic axes cannot show 0, and errors below this do not matter.
 constexpr double LeastDrawn = 1e-6;
 
@@ -95,7 +95,8 @@ std::vector<std::pair<double, double>> PlacesOf(const std::vector<const TradeRow
   {
     // At least LeastDrawn, but NaN stays NaN.
     const double value = row->*error;
-    places.emplace_back(Micro * row->TickMean, value < LeastDrawn ? LeastDrawn : value);
+    places.emplace_back(MicrosecondsPerNanosecond * row->TickMean,
+                        value < LeastDrawn ? LeastDrawn : value);
   }
   return places;
 }
@@ -181,11 +182,12 @@ std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* 
     html += std::string("<tr>") + Cell(std::to_string(r + 1)) + "<td class=\"text\">" +
             (&row == chosen ? "<strong class=\"good\">" + name + "</strong>" : name) + "</td>";
     for (const double number :
-         {Micro * row.TickMean, Micro * row.TickMedian, Micro * row.TickRare, row.Rate / Kilo,
+         {MicrosecondsPerNanosecond * row.TickMean, MicrosecondsPerNanosecond * row.TickMedian,
+          MicrosecondsPerNanosecond * row.TickRare, row.Rate / Kilo,
           yields ? Kilo * row.ForceMean : row.PositionMean,
           yields ? Kilo * row.ForceRare : row.PositionRare, row.NoticeableMean, row.NoticeableRare,
           row.DirectionMean, row.DirectionRare, Kilo * row.JumpMean, Kilo * row.JumpMost,
-          Kilo * row.IdealJumpMost, row.Seizures, row.BuildSeconds, row.Bytes / Mega})
+          Kilo * row.IdealJumpMost, row.Seizures, row.BuildSeconds, row.Bytes / BytesPerMegabyte})
     {
       html += Cell(NumberText(number));
     }

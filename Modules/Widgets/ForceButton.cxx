@@ -4,29 +4,37 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* StopText = "Stop force (Esc)";
-constexpr const char* AllowText = "Allow force again";
 constexpr int PauseMilliseconds = 800;
 
-// The style's border would bring its own gradient.
-QString StyleOf(const char* color, const char* pressed)
+struct Face
 {
-  return QString("QPushButton { background: %1; color: white; font-weight: bold; border: none;"
-                 " border-radius: 4px; padding: 4px 12px; }"
-                 "QPushButton:pressed { background: %2; }"
-                 "QPushButton:disabled { background: gray; color: white; }")
-      .arg(color, pressed);
+  const char* Text;
+  const char* Color;
+  const char* Pressed;
+};
+constexpr Face Stop{"Stop force (Esc)", "#B34700", "#8A3600"};
+constexpr Face Allow{"Allow force again", "#1f6fb2", "#17527f"};
+
+// The style's border would bring its own gradient.
+void Wear(const Face& face, QPushButton& button)
+{
+  button.setText(face.Text);
+  button.setStyleSheet(
+      QString("QPushButton { background: %1; color: white; font-weight: bold; border: none;"
+              " border-radius: 4px; padding: 4px 12px; }"
+              "QPushButton:pressed { background: %2; }"
+              "QPushButton:disabled { background: gray; color: white; }")
+          .arg(face.Color, face.Pressed));
 }
 } // namespace
 
 ForceButton::ForceButton(StudyController& study, QWidget* parent)
-    : QPushButton(AllowText, parent), Study(study)
+    : QPushButton(parent), Study(study)
 {
   this->setObjectName("stop-force");
-  this->setStyleSheet(StyleOf("#1f6fb2", "#17527f"));
+  Wear(Allow, *this);
   const QSize allow = this->sizeHint();
-  this->setText(StopText);
-  this->setStyleSheet(StyleOf("#B34700", "#8A3600"));
+  Wear(Stop, *this);
   this->setFixedSize(allow.expandedTo(this->sizeHint()));
   this->Pause.setSingleShot(true);
   this->Pause.setInterval(PauseMilliseconds);
@@ -37,30 +45,38 @@ ForceButton::ForceButton(StudyController& study, QWidget* parent)
   this->Show();
 }
 
+bool ForceButton::IsOff(const SafetyReport& safety)
+{
+  return safety.Fault != SafetyFault::None && !safety.WillResume;
+}
+
+// Allows force only where the button said so: the fault may be newer than what it shows.
 void ForceButton::Press()
 {
-  if (this->text() == StopText)
+  if (this->WasOff)
   {
-    this->Study.Current().Touch().SwitchForcesOff();
-    this->Pause.start();
+    this->Study.Current().Touch().SwitchForcesOn();
   }
   else
   {
-    this->Study.Current().Touch().SwitchForcesOn();
+    this->Study.Current().Touch().SwitchForcesOff();
+    this->Pause.start();
   }
   this->Show();
 }
 
 void ForceButton::Show()
 {
-  const bool isTouching = this->Study.IsTouching();
-  const bool isOff = isTouching && this->Study.Reading().Newest.Safety.Fault != SafetyFault::None;
-  this->setEnabled(isTouching && !(isOff && this->Pause.isActive()));
-  const QString text = isOff ? AllowText : StopText;
-  if (text != this->text())
+  const bool isOff = this->Study.IsTouching() && IsOff(this->Study.Reading().Newest.Safety);
+  if (isOff != this->WasOff)
   {
-    this->setText(text);
-    this->setStyleSheet(isOff ? StyleOf("#1f6fb2", "#17527f") : StyleOf("#B34700", "#8A3600"));
+    this->WasOff = isOff;
+    Wear(isOff ? Allow : Stop, *this);
+    if (isOff)
+    {
+      this->Pause.start();
+    }
   }
+  this->setEnabled(this->Study.IsTouching() && !(isOff && this->Pause.isActive()));
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "QualityPanel.h"
 
 #include "ScreenString.h"
+#include "Units.h"
 
 #include <QGridLayout>
 
@@ -126,10 +127,9 @@ void QualityPanel::MeasureTicks()
   const std::uint64_t ticks = now.Count() - this->Last.Count();
   if (this->Study.IsTouching() && ticks >= TicksALook)
   {
-    constexpr double Micro = 1e-3;
     const double sum = now.Mean() * static_cast<double>(now.Count()) -
                        this->Last.Mean() * static_cast<double>(this->Last.Count());
-    this->Microseconds = Micro * sum / static_cast<double>(ticks);
+    this->Microseconds = MicrosecondsPerNanosecond * sum / static_cast<double>(ticks);
     this->Last = now;
     this->ShowNumbers();
   }

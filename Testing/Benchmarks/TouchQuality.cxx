@@ -9,6 +9,7 @@
 #include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
 #include "PublishedShell.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <chrono>
@@ -282,7 +283,6 @@ std::vector<TouchQualityRow> TouchQuality()
 
 std::string ToMarkdown(const std::vector<TouchQualityRow>& rows)
 {
-  constexpr double Micro = 1e-3;
   constexpr double Degrees = 180.0 / M_PI;
   constexpr double Percent = 100.0;
   std::ostringstream text;
@@ -292,10 +292,11 @@ std::string ToMarkdown(const std::vector<TouchQualityRow>& rows)
   text << std::setprecision(2);
   for (const TouchQualityRow& row : rows)
   {
-    text << "| " << row.Name << " | " << Micro * row.MedianNanoseconds << " | "
-         << Micro * row.RareNanoseconds << " | " << Micro * row.LongestNanoseconds << " | "
-         << row.SurfaceMean << " | " << row.SurfaceMaximum << " | " << Degrees * row.AngleMean
-         << "° | " << Degrees * row.AngleRare << "° | " << Degrees * row.AngleMaximum << "° | "
+    text << "| " << row.Name << " | " << MicrosecondsPerNanosecond * row.MedianNanoseconds << " | "
+         << MicrosecondsPerNanosecond * row.RareNanoseconds << " | "
+         << MicrosecondsPerNanosecond * row.LongestNanoseconds << " | " << row.SurfaceMean << " | "
+         << row.SurfaceMaximum << " | " << Degrees * row.AngleMean << "° | "
+         << Degrees * row.AngleRare << "° | " << Degrees * row.AngleMaximum << "° | "
          << Percent * row.JumpMean << " % | " << Percent * row.JumpMaximum << " % | "
          << Percent * row.IdealJumpMean << " % | " << Percent * row.IdealJumpMaximum << " % | "
          << row.Seizures << " |\n";

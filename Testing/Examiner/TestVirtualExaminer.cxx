@@ -9,9 +9,9 @@
 #include <limits>
 #include <vector>
 
+namespace palpate::virtual_examiner_test
+{
 using namespace palpate::test;
-using palpate::ForcePerception;
-using palpate::Status;
 
 namespace
 {
@@ -190,3 +190,4 @@ TEST(ExaminerTable, MoreContrastIsNotFoundLess)
   }
   EXPECT_GT(before, Searches / 2);
 }
+} // namespace palpate::virtual_examiner_test

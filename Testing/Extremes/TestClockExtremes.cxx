@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-namespace palpate
+namespace palpate::clock_extremes_test
 {
 namespace
 {
@@ -141,4 +141,4 @@ TEST(ClockExtremes, AcceptsSlightlyOldOrFutureSamples)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::clock_extremes_test

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace palpate
+namespace palpate::elastic_extremes_test
 {
 namespace
 {
@@ -438,4 +438,4 @@ TEST(ElasticOrgans, DamagedMapsAreRefusedOrGiveBoundedForces)
   EXPECT_LT(accepted, 1200);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_extremes_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <sstream>
 
-namespace palpate
+namespace palpate::field_extremes_test
 {
 namespace
 {
@@ -211,4 +211,4 @@ TEST(FieldExtremes, BSplineRejectsValuesBeyondItsFloats)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_extremes_test

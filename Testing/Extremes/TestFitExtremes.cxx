@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::fit_extremes_test
 {
 namespace
 {
@@ -263,4 +263,4 @@ TEST(FitExtremes, FitsTwelveDecadesBetweenDegreesToRoundingOfTheLargest)
   EXPECT_LE(off.Value(), 1e-14 * test::Norm(coefficients));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::fit_extremes_test

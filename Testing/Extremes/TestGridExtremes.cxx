@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::grid_extremes_test
 {
 namespace
 {
@@ -142,4 +142,4 @@ TEST(GridExtremes, ValuesOfAnySizeGiveTheSamePlane)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::grid_extremes_test

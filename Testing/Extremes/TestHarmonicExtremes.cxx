@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::harmonic_extremes_test
 {
 namespace
 {
@@ -231,4 +231,4 @@ TEST(HarmonicExtremes, NoOrderOfDegree2000OverflowsOrIsLost)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::harmonic_extremes_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace palpate
+namespace palpate::many_structures_test
 {
 namespace
 {
@@ -108,4 +108,4 @@ TEST(ManyStructures, UntouchedStructureTakesLessThanTwoKilobytes)
   EXPECT_LE(sizeof(TouchStructure) + sizeof(StructureFollower), 2048U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::many_structures_test

@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-namespace palpate
+namespace palpate::shape_extremes_test
 {
 namespace
 {
@@ -217,4 +217,4 @@ TEST(ShapeExtremes, TouchTenMetresAwayIsEqualUpToRounding)
   EXPECT_LE(depth.Value(), 1e-10);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::shape_extremes_test

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace palpate
+namespace palpate::stability_extremes_test
 {
 namespace
 {
@@ -161,4 +161,4 @@ TEST(StabilityExtremes, CountsCoarserThanTheDepthAreStableUpToTheClaimedLimit)
   EXPECT_TRUE(PressWall(trial, 0.99 * claimed).Vibrated());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::stability_extremes_test

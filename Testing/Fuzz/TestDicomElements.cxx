@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace palpate::test
+namespace palpate::test::dicom_elements_test
 {
 namespace
 {
@@ -89,4 +89,4 @@ TEST(DicomElements, FindCompressedFragments)
   EXPECT_EQ(bytes.substr(elements[pixels + 2].Value, 2), "\xFF\x4F");
 }
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::dicom_elements_test

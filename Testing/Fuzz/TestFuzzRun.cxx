@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace palpate::test
+namespace palpate::test::fuzz_run_test
 {
 namespace
 {
@@ -184,4 +184,4 @@ TEST(FuzzTargets, HaveUniqueNames)
   EXPECT_THROW(FindFuzzTarget("nothing"), std::invalid_argument);
 }
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::fuzz_run_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace palpate::test
+namespace palpate::test::mutators_test
 {
 namespace
 {
@@ -160,4 +160,4 @@ TEST(OddDepth, ExceedsStack)
   EXPECT_EQ(Nested(2, "[", "1", "]"), "[[1]]");
 }
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::mutators_test

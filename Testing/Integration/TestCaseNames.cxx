@@ -7,13 +7,10 @@
 #include <random>
 #include <set>
 
+namespace palpate::case_names_test
+{
 // Conversion of hostile names of files and structures to folder names.
 
-using palpate::CaseFolderName;
-using palpate::FoldedName;
-using palpate::PlainName;
-using palpate::Segment;
-using palpate::StructureFolderName;
 using palpate::cli::CaseNames;
 
 namespace
@@ -145,3 +142,4 @@ TEST(CaseNames, DistinctCasesHaveDistinctFoldersIgnoringCase)
     }
   }
 }
+} // namespace palpate::case_names_test

@@ -13,6 +13,8 @@
 #include <set>
 #include <sstream>
 
+namespace palpate::cli_cases_test
+{
 // Interaction of several cases of one run: names, labels, failures, exit codes.
 
 using namespace palpate::test;
@@ -533,3 +535,4 @@ TEST(CliCases, UnwritableTouchStillPrintsSummary)
   EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
   EXPECT_GT(Json::parse(run.Output).at("ticks"), 0);
 }
+} // namespace palpate::cli_cases_test

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+namespace palpate::cli_cohort_test
+{
 using namespace palpate::test;
-using palpate::CohortRow;
-using palpate::CohortTable;
 using Outcome = palpate::FitResult::Outcome;
 
 namespace
@@ -405,3 +405,4 @@ TEST_F(CliCohort, UnwritableCaseKeepsEarlierResult)
   EXPECT_EQ(ReadAll(this->Folder / "out/a/1/model.json"), model);
   EXPECT_EQ(RowsIn(this->Folder / "out")[0].Result.State, Outcome::Failed);
 }
+} // namespace palpate::cli_cohort_test

@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::cli_convert_test
+{
 using namespace palpate::test;
 
 namespace
@@ -157,3 +158,4 @@ TEST(CliConvert, ChoosesSeriesOfMixedDicomFolderByNumber)
       RunPalpate({"convert", input, "a.nrrd", "--series", "2"}, folder.Path());
   EXPECT_EQ(chosen.Code, 0) << chosen.Errors;
 }
+} // namespace palpate::cli_convert_test

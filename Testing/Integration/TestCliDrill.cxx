@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+namespace palpate::cli_drill_test
+{
 using namespace palpate::test;
 
 namespace
@@ -121,3 +123,4 @@ TEST(CliDrillMastoid, TutorialDrillingOpensMastoid)
   EXPECT_EQ(summary["fault"], "");
 }
 } // namespace
+} // namespace palpate::cli_drill_test

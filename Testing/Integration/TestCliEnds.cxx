@@ -9,6 +9,8 @@
 #include <random>
 #include <set>
 
+namespace palpate::cli_ends_test
+{
 using namespace palpate::test;
 
 namespace
@@ -157,3 +159,4 @@ TEST_F(CliEnds, CtrlCInConversionLeavesNoPartialFile)
   EXPECT_EQ(command.Finish().Code, 130);
   EXPECT_EQ(this->FilesThatAreLeft(), (std::set<std::string>{"noise.nii.gz"}));
 }
+} // namespace palpate::cli_ends_test

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-using namespace palpate;
+namespace palpate::cli_evaluate_test
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -129,3 +130,4 @@ TEST(CliEvaluate, RejectsBadArgumentsWithOneMessage)
     EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << run.Errors;
   }
 }
+} // namespace palpate::cli_evaluate_test

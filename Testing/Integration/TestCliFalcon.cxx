@@ -19,7 +19,7 @@
 #include <sys/wait.h>
 #include <thread>
 
-namespace palpate::test
+namespace palpate::test::cli_falcon_test
 {
 namespace
 {
@@ -468,4 +468,4 @@ TEST(FalconUdevRule, IsInstalledOnRequest)
   EXPECT_EQ(RunCommand("sh", {script, "file/rules"}, folder.Path()).Code, 1);
 }
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::cli_falcon_test

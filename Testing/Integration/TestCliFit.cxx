@@ -8,6 +8,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+namespace palpate::cli_fit_test
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -197,3 +199,4 @@ TEST(CliFit, DirectionGapGivesNoteAndVerdict)
   EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 divided by the degree
   EXPECT_TRUE(Has(run.Errors, "No direction within")) << run.Errors;
 }
+} // namespace palpate::cli_fit_test

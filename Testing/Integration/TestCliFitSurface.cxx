@@ -10,7 +10,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::cli_fit_surface_test
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -169,3 +170,4 @@ TEST(CliFitSurface, BrokenFileIsBadInput)
   EXPECT_EQ(run.Code, 2);
   EXPECT_NE(run.Errors.find("its data set is not POLYDATA"), std::string::npos) << run.Errors;
 }
+} // namespace palpate::cli_fit_surface_test

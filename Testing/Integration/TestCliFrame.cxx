@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::cli_frame_test
+{
 using namespace palpate::test;
 
 TEST(CliFrame, VersionIsPrinted)
@@ -138,3 +140,4 @@ TEST(CliFrame, ZshAndFishScriptsNameEveryCommand)
     }
   }
 }
+} // namespace palpate::cli_frame_test

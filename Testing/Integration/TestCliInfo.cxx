@@ -8,6 +8,8 @@
 #include <iterator>
 #include <sstream>
 
+namespace palpate::cli_info_test
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -104,3 +106,4 @@ TEST(CliInfo, DoesNotShowPatientNames)
   // PatientName of the series' headers.
   EXPECT_EQ(run.Output.find("PCAMRGBX"), std::string::npos);
 }
+} // namespace palpate::cli_info_test

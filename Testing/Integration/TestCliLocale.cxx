@@ -9,6 +9,8 @@
 #include <set>
 #include <sstream>
 
+namespace palpate::cli_locale_test
+{
 using namespace palpate::test;
 
 namespace
@@ -102,3 +104,4 @@ TEST(CliLocale, OutputIsIndependentOfDecimalComma)
     }
   }
 }
+} // namespace palpate::cli_locale_test

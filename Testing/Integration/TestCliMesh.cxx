@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::cli_mesh_test
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -79,3 +81,4 @@ TEST(CliMesh, BadInputIsRefusedAndLeavesNothing)
     EXPECT_EQ(folder.EntryCount(), 1u);
   }
 }
+} // namespace palpate::cli_mesh_test

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::cli_messages_test
+{
 using namespace palpate::test;
 
 namespace
@@ -276,3 +278,4 @@ TEST(CliMessages, StudyProgressNamesStructureAndCount)
   const std::string study = OnTerminal({"study", (folder / "a.palpate.json").string()});
   EXPECT_TRUE(Has(study, "case 1 of 2: ball: ") || Has(study, "case 2 of 2: label 2: ")) << study;
 }
+} // namespace palpate::cli_messages_test

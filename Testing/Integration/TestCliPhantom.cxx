@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 #include <variant>
 
+namespace palpate::cli_phantom_test
+{
 using namespace palpate::test;
 
 namespace
@@ -140,3 +142,4 @@ TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)
     EXPECT_EQ(folder.EntryCount(), 1U) << more.front();
   }
 }
+} // namespace palpate::cli_phantom_test

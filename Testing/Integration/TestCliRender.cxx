@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::cli_render_test
+{
 using namespace palpate::test;
 
 namespace
@@ -122,3 +124,4 @@ TEST(CliDisplay, FittingNeedsNoDisplay)
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(ReadAll(folder / "out/report.html").find("data:image/png"), std::string::npos);
 }
+} // namespace palpate::cli_render_test

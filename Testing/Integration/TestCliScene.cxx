@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+namespace palpate::cli_scene_test
+{
 using namespace palpate::test;
 
 namespace
@@ -86,3 +88,4 @@ TEST(CliScene, RejectsMalformedScene)
     EXPECT_EQ(RunPalpate(arguments, folder.Path()).Code, 2) << arguments.back();
   }
 }
+} // namespace palpate::cli_scene_test

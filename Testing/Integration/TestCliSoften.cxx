@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+namespace palpate::cli_soften_test
+{
 using namespace palpate::test;
 
 namespace
@@ -337,3 +339,4 @@ TEST_F(CliSoften, BadInputIsRefusedAndLeavesNothing)
   }
 }
 } // namespace
+} // namespace palpate::cli_soften_test

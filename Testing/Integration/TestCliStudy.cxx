@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+namespace palpate::cli_study_test
+{
 using namespace palpate::test;
 
 namespace
@@ -101,3 +103,4 @@ TEST(CliStudy, FailedStructureIsReportedAndOthersWritten)
   EXPECT_NE(run.Output.find("label 1 "), std::string::npos) << run.Output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1/model.json"));
 }
+} // namespace palpate::cli_study_test

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+namespace palpate::cli_touch_test
+{
 using namespace palpate::test;
 
 TEST(CliTouch, SweepsMaskAndWritesForces)
@@ -109,3 +111,4 @@ TEST(CliDevices, ListsEachDeviceWithItsStatus)
   EXPECT_TRUE(
       nlohmann::json::parse(json.Output.substr(0, json.Output.find('\n')))["there"].is_boolean());
 }
+} // namespace palpate::cli_touch_test

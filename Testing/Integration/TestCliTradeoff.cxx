@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+namespace palpate::cli_tradeoff_test
+{
 using namespace palpate::test;
 
 namespace
@@ -103,3 +105,4 @@ TEST_F(CliTradeoff, RejectsBadInputWithOneMessage)
     EXPECT_TRUE(Has(run.Errors, "palpate: ")) << run.Errors;
   }
 }
+} // namespace palpate::cli_tradeoff_test

@@ -16,7 +16,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::cohort_group_test
+{
 using palpate::test::CsvRecordsIn;
 using palpate::test::Random;
 using palpate::test::TemporaryFolder;
@@ -261,3 +262,4 @@ TEST(CohortGroup, RejectsInvalidCohortWithOneMessage)
   EXPECT_EQ(palpate::test::RunPalpate({"cohort", "nowhere"}, folder.Path()).Code, 2);
   EXPECT_EQ(folder.EntryCount(), 1U);
 }
+} // namespace palpate::cohort_group_test

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <map>
 
+namespace palpate::cohort_workflow_test
+{
 using namespace palpate::test;
 
 namespace
@@ -126,3 +128,4 @@ TEST_F(CohortWorkflow, ResumesAfterKillWithoutRepetition)
   EXPECT_EQ(rows[0].Case, "seed 1");
   EXPECT_EQ(rows[4].Result.State, palpate::FitResult::Outcome::BadInput);
 }
+} // namespace palpate::cohort_workflow_test

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
+namespace palpate::console_test
+{
 using palpate::cli::Console;
 
 TEST(Console, ResultsAndRemarksUseTheirStreams)
@@ -114,3 +116,4 @@ TEST(Console, NamesWithLineBreaksStayOnOneLine)
   EXPECT_EQ(err.str(), "palpate: bad\\x0aname.nii is empty; write it again.\n"
                        "turned \\xe2\\x80\\xaeround\n");
 }
+} // namespace palpate::console_test

@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+namespace palpate::json_output_test
+{
 using namespace palpate::test;
 
 namespace
@@ -294,3 +296,4 @@ TEST(JsonPage, ListsUnitSuffixesOfKeys)
     }
   }
 }
+} // namespace palpate::json_output_test

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-namespace palpate
+namespace palpate::lesion_tutorial_test
 {
 namespace
 {
@@ -106,4 +106,4 @@ TEST_F(LesionTutorialTest, StepsLeadToAFeltNodule)
   ASSERT_NO_FATAL_FAILURE(this->FeelByCommandLine());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::lesion_tutorial_test

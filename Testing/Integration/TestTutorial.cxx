@@ -4,7 +4,7 @@
 #include <QSlider>
 #include <QTableWidget>
 
-namespace palpate
+namespace palpate::tutorial_test
 {
 namespace
 {
@@ -121,4 +121,4 @@ TEST_F(TutorialTest, TenStepsLeadToTouchedProstate)
   ASSERT_NO_FATAL_FAILURE(this->Keep());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::tutorial_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::version010_test
 {
 namespace
 {
@@ -70,4 +70,4 @@ TEST(Version010, SessionOpens)
   EXPECT_EQ(state.View.Window, 200.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::version010_test

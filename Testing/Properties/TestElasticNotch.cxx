@@ -8,6 +8,7 @@
 #include "SphericalHarmonicProjection.h"
 #include "ToolPose.h"
 #include "ToolShape.h"
+#include "Units.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -24,12 +25,10 @@
 
 // A ball pressed into a cleft of 90 degrees in an elastic organ, against finite elements of another
 // program (Utilities/elastic_reference.py), and what has to hold without a reference.
-namespace palpate
+namespace palpate::elastic_notch_test
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 const nlohmann::json& Reference()
 {
   static const nlohmann::json reference =
@@ -311,4 +310,4 @@ TEST(ElasticNotch, BothWallsAreDrawnOnTheBall)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_notch_test

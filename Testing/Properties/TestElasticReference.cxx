@@ -13,7 +13,7 @@
 // Forces on a ball of 8 mm that CalculiX found; see Testing/References/elastic and
 // Utilities/elastic_reference.py.
 
-namespace palpate
+namespace palpate::elastic_reference_test
 {
 namespace
 {
@@ -151,4 +151,4 @@ INSTANTIATE_TEST_SUITE_P(
                           "prostate/cohort/lesions/11231_1001254.nii.gz"}),
     [](const auto& pathsInfo) { return std::string(pathsInfo.param[0]).substr(0, 11); });
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_reference_test

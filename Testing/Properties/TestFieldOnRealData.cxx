@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::field_on_real_data_test
 {
 namespace
 {
@@ -138,4 +138,4 @@ TEST(FieldOnRealData, IsoSurfaceOfAnMrVolumeIsClosedInBothInterpolations)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_on_real_data_test

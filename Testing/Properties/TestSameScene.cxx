@@ -25,7 +25,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace palpate
+namespace palpate::same_scene_test
 {
 namespace
 {
@@ -491,4 +491,4 @@ TEST(SameScene, InteractorStyleGivesEqualBitsForSurfaces)
   EXPECT_GT(touching, 1000U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::same_scene_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spharm_pdm_convention_test
 {
 namespace
 {
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(RealFiles, SpharmPdmConvention,
                          testing::Values("spharm_coef/case0_hippoL.coef",
                                          "spharm_coef/andesred_07.coef"));
 } // namespace
-} // namespace palpate
+} // namespace palpate::spharm_pdm_convention_test

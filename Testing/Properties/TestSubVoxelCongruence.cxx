@@ -16,10 +16,11 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::sub_voxel_congruence_test
+{
 // Visible and touched surface agree: every pixel's hit in a rendered image of real data, and the
 // hit of a haptic query along the same ray, have the same bits.
 
-using namespace palpate;
 using namespace palpate::test;
 
 namespace
@@ -135,3 +136,4 @@ TEST_F(SubVoxelCongruence, OfAProstateBetweenThickSlicesByCubicInterpolation)
   ExpectCongruence(
       MakeSegmentField(gland, gland.Segments, FieldInterpolation::TricubicBSpline, 0.5, GoOn));
 }
+} // namespace palpate::sub_voxel_congruence_test

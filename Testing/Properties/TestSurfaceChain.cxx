@@ -8,7 +8,7 @@
 #include <random>
 
 // From masks to surface models: what a fit keeps of shapes that are known, and what it refuses.
-namespace palpate::test
+namespace palpate::test::surface_chain_test
 {
 namespace
 {
@@ -376,4 +376,4 @@ TEST(SurfaceChain, ModelsVoxelsSheetsAndBodiesWithDirt)
   }
 }
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::surface_chain_test

@@ -3,7 +3,7 @@
 #include "DeviceContract.h"
 #include "ManualClock.h"
 
-namespace palpate
+namespace palpate::sample_device_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST_F(SampleDeviceTest, CloseStopsMotors)
   EXPECT_EQ(this->OtherEnd.Motors, (std::array<std::int16_t, 3>{}));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::sample_device_test

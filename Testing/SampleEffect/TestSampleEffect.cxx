@@ -12,7 +12,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::sample_effect_test
 {
 namespace
 {
@@ -77,4 +77,4 @@ TEST_F(SampleEffectTest, AddsItsForce)
   EXPECT_NEAR((pulled - plain + Vector3(0.0, 0.0, 0.2)).norm(), 0.0, 1e-9);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::sample_effect_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::sample_representation_test
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST_F(SampleRepresentationTest, IsComparedInTheTradeOff)
   EXPECT_LT(row.SurfaceMean, 0.3) << "exact for a sphere, except for the voxels";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::sample_representation_test

@@ -10,6 +10,7 @@
 #include "ReducedCompliance.h"
 #include "SphericalHarmonicProjection.h"
 #include "StarMesh.h"
+#include "Units.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,6 @@
 
 namespace palpate::test
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = 25.0;  // mm
 constexpr double Tissue = 0.02;  // N/mm^2
 constexpr double Stiffer = 0.08; // N/mm^2

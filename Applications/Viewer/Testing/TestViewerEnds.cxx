@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-namespace palpate
+namespace palpate::viewer_ends_test
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST_F(ViewerEndsTest, EachSignalClosesWindowWithItsExitCode)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::viewer_ends_test

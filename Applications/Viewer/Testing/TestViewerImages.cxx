@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::viewer_images_test
 {
 namespace
 {
@@ -144,4 +144,4 @@ TEST_F(ViewerImagesTest, KeepApparentSizeOnHighResolutionScreens)
   EXPECT_EQ(MixedSquares(plain.scaled(fine.size()), words), 0) << "what the figure above excludes";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::viewer_images_test

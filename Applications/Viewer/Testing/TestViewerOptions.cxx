@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::viewer_options_test
 {
 namespace
 {
@@ -49,4 +49,4 @@ TEST(ViewerOptions, ReportErrors)
     EXPECT_TRUE(Parse({QString("--size=") + bad}).Problem.contains(bad)) << bad;
   }
 }
-} // namespace palpate
+} // namespace palpate::viewer_options_test

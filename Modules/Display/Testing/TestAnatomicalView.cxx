@@ -3,11 +3,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-using palpate::FrameOf;
-using palpate::OrientationLetters;
-using palpate::Vector3;
-using palpate::ViewSide;
-
+namespace palpate::anatomical_view_test
+{
 TEST(AnatomicalView, FramesAreRightHandedAndOrthonormal)
 {
   for (const ViewSide side : palpate::AllViewSides)
@@ -53,3 +50,4 @@ TEST(AnatomicalView, ObliqueDirectionsListLargestComponentFirst)
   EXPECT_EQ(OrientationLetters(Vector3(-0.2, -0.1, -0.97)), "I");
   EXPECT_EQ(OrientationLetters(Vector3::Zero()), "");
 }
+} // namespace palpate::anatomical_view_test

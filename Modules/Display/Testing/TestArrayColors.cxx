@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using palpate::ColorOf;
-using palpate::MakeArrayColors;
+namespace palpate::array_colors_test
+{
 using Color = std::array<std::uint8_t, 3>;
 
 namespace
@@ -98,3 +98,4 @@ TEST(ArrayColors, OwnArraysHaveUnit)
   EXPECT_EQ(palpate::ArrayTitle("DistanceToSurface"), "Distance to the surface, mm");
   EXPECT_EQ(palpate::ArrayTitle("Thickness"), "Thickness");
 }
+} // namespace palpate::array_colors_test

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-using palpate::BodyAxes;
-using palpate::ImageAxes;
-using palpate::Vector3;
-
+namespace palpate::body_axes_test
+{
 namespace
 {
 // A sagittal series: columns run to posterior, rows to inferior, slices to left; rotated by 10
@@ -44,3 +42,4 @@ TEST(BodyAxes, NearestDirectionKeepsSign)
     }
   }
 }
+} // namespace palpate::body_axes_test

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+namespace palpate::grey_window_test
+{
 TEST(GreyWindow, WindowExcludesExtremes)
 {
   std::vector<float> values(100000);
@@ -32,3 +34,4 @@ TEST(GreyWindow, WindowOfImageEqualsThatOfValues)
   EXPECT_NEAR(window.Low, -4900.0, 5.0);
   EXPECT_NEAR(window.High, 4950.0, 5.0);
 }
+} // namespace palpate::grey_window_test

@@ -9,9 +9,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::ImageAxes;
-using palpate::Vector3;
-
+namespace palpate::image_axes_test
+{
 TEST(ImageAxes, VoxelPositionsEqualVtk)
 {
   std::mt19937_64 random(1);
@@ -69,3 +68,4 @@ TEST(ImageAxes, BoxOfCornersIsCutInItsCrossSection)
   EXPECT_NEAR(length, 2.0 * (20.0 + 10.0), 1e-12);
   EXPECT_TRUE(palpate::CutSurface(box, Vector3(0.0, 0.0, 6.5), Vector3::UnitZ()).empty());
 }
+} // namespace palpate::image_axes_test

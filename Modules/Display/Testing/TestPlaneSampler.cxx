@@ -8,11 +8,8 @@
 #include <random>
 #include <vector>
 
-using palpate::ImageAxes;
-using palpate::PixelGrid;
-using palpate::PlaneSampler;
-using palpate::Vector3;
-
+namespace palpate::plane_sampler_test
+{
 namespace
 {
 constexpr float Outside = -7.0F;
@@ -195,3 +192,4 @@ TEST(PlaneSampler, SingleSliceExtendsHalfAVoxelToBothSides)
     EXPECT_TRUE(height > 1.5 || value == 9.0F);
   }
 }
+} // namespace palpate::plane_sampler_test

@@ -6,10 +6,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::CutSurface;
-using palpate::SurfaceCurve;
-using palpate::Vector3;
-
+namespace palpate::surface_cut_test
+{
 namespace
 {
 double Length(const SurfaceCurve& curve)
@@ -87,3 +85,4 @@ TEST(SurfaceCut, MissingPlaneGivesNoCurve)
   vtkNew<vtkPolyData> nothing;
   EXPECT_TRUE(CutSurface(nothing, Vector3::Zero(), Vector3::UnitZ()).empty());
 }
+} // namespace palpate::surface_cut_test

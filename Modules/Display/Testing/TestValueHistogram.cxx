@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-namespace palpate
+namespace palpate::value_histogram_test
 {
 namespace
 {
@@ -118,4 +118,4 @@ TEST(ValueHistogram, AirTellsACt)
   EXPECT_FALSE(withLowest(0.0));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::value_histogram_test

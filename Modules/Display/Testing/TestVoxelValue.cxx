@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::voxel_value_test
 {
 namespace
 {
@@ -57,4 +57,4 @@ TEST(VoxelValue, IsEmptyOutsideImage)
       VoxelValueAt(image, {0.0, std::numeric_limits<double>::infinity(), 0.0}).has_value());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::voxel_value_test

@@ -2,6 +2,7 @@
 
 #include "GaussLegendre.h"
 #include "ReducedCompliance.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // Part of a wave's strain energy above the depth t/k.
 double EnergyAbove(double t) noexcept
 {

@@ -1,13 +1,13 @@
 #include "PatchCompliance.h"
 
+#include "Units.h"
+
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 double AngleOf(std::size_t node) noexcept
 {
   return Pi * (static_cast<double>(node) + 0.5) / PatchCompliance::Terms;

@@ -1,5 +1,7 @@
 #include "ElasticBed.h"
 
+#include "Units.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -27,7 +29,6 @@ void ElasticBed::Hold(std::function<double(const Vector3&)> part, double stiffne
 
 Status ElasticBed::Check() const
 {
-  constexpr double Pi = 3.14159265358979323846;
   const bool areStiffnesses =
       IsStiffness(this->Stiffness) &&
       std::all_of(this->Holders.begin(), this->Holders.end(),

@@ -1,6 +1,7 @@
 #include "LayeredSphere.h"
 
 #include "GaussLegendre.h"
+#include "Units.h"
 
 #include <Eigen/LU>
 
@@ -13,8 +14,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // One solution r^power of Navier's equation for a degree: displacement (U, V) and the traction
 // (radial, tangential) on spheres, for the shear modulus 1 and radii as parts of a length.
 struct PowerSolution

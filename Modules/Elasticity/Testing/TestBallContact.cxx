@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::ball_contact_test
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST(BallContact, DoesNotTouchOutsideOrWhereItDoesNotFit)
   EXPECT_EQ(BallContact::Of(1.0, 8.0, -0.2, place).Force, 0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ball_contact_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::compliance_atlas_test
 {
 namespace
 {
@@ -190,4 +190,4 @@ TEST(OrganSoftening, MakesTheSameMapsAsItsParts)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::compliance_atlas_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::compliance_sampler_test
 {
 namespace
 {
@@ -74,4 +74,4 @@ TEST(PatchCompliance, PassesThroughItsNodes)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::compliance_sampler_test

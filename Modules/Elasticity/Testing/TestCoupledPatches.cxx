@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::coupled_patches_test
 {
 namespace
 {
@@ -130,4 +130,4 @@ TEST(CoupledPatches, ForceIsMinusTheSlopeOfTheEnergy)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::coupled_patches_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::dented_surface_test
 {
 namespace
 {
@@ -191,4 +191,4 @@ TEST(PackedCompliance, RefusesWhatIsIncomplete)
   EXPECT_TRUE(refused([](PackedCompliance& p) { p.Degree = 2; }));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::dented_surface_test

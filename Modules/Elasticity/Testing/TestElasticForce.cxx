@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace palpate
+namespace palpate::elastic_force_test
 {
 namespace
 {
@@ -195,4 +195,4 @@ TEST(ElasticForce, IsZeroWithoutContact)
   EXPECT_EQ(force.Energy, 0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_force_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::felt_stiffness_test
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST(FeltStiffness, IsNotSaidWhereTheBallDoesNotFit)
   EXPECT_FALSE(std::isnan(felt.Forces[1]));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::felt_stiffness_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::hex_elasticity_test
 {
 namespace
 {
@@ -121,4 +121,4 @@ TEST_F(HexElasticity, RefusesImpossibleMaterials)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::hex_elasticity_test

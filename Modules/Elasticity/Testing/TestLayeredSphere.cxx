@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::layered_sphere_test
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST(LayeredSphere, UniformPressureOfAThickSphereIsLames)
   EXPECT_NEAR(y * sphere.Response(0)(0, 0), y * soft, 1e-12 * soft);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::layered_sphere_test

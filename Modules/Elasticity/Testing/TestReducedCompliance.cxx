@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::reduced_compliance_test
 {
 namespace
 {
@@ -131,4 +131,4 @@ TEST(ReducedCompliance, WindowFallsFromOneToZero)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::reduced_compliance_test

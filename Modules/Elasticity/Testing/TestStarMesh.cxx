@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::star_mesh_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(StarMesh, RefusesOtherNumbersOfElements)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::star_mesh_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::tissue_map_test
 {
 namespace
 {
@@ -164,4 +164,4 @@ TEST(ElasticBed, RefusesConesThatAreNone)
   EXPECT_FALSE(bed.Check().IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::tissue_map_test

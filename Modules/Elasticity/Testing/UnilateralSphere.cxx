@@ -1,6 +1,7 @@
 #include "UnilateralSphere.h"
 
 #include "GaussLegendre.h"
+#include "Units.h"
 
 #include <Eigen/Cholesky>
 
@@ -11,8 +12,6 @@ namespace palpate::test
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // Mean of a function of the square of the distance from the axis over a ring.
 template <typename Function>
 double MeanOver(double inner, double outer, const Function& function)

@@ -1,6 +1,7 @@
 #include "CoupledPatches.h"
 
 #include "ElasticPatch.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 class Solver
 {
 public:

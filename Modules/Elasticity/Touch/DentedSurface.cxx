@@ -5,6 +5,7 @@
 #include "HertzPatch.h"
 #include "SphericalHarmonicBasis.h"
 #include "SurfaceCurvature.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 // The waves of a half-space that harmonics up to a degree carry, under a Hertz bump of unit force
 // on unit modulus E*, with the square of the window.
 class LongPart

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::beam_clearance_test
 {
 namespace
 {
@@ -218,4 +218,4 @@ TEST(BeamClearance, EndsNearTheSurface)
   EXPECT_GE(clear, 50.0 + 28.0 - 1e-3);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::beam_clearance_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace palpate
+namespace palpate::bernstein_crossings_test
 {
 namespace
 {
@@ -154,4 +154,4 @@ TEST(BernsteinCrossings, ValueAndSlopeMatchThePolynomial)
   EXPECT_DOUBLE_EQ(slope, 1.6875);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::bernstein_crossings_test

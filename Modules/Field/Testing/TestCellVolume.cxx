@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::cell_volume_test
 {
 namespace
 {
@@ -122,4 +122,4 @@ TEST(CellVolume, RandomCellsAgreeWithPointCounts)
   EXPECT_NEAR(sum / Trials, 0.0, 0.002);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::cell_volume_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::cut_sweep_test
 {
 namespace
 {
@@ -212,4 +212,4 @@ TEST(CutSweep, RemovedVolumeConvergesWithOrderTwo)
   EXPECT_LT(error(0.25), coarse / 14.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::cut_sweep_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace palpate
+namespace palpate::cut_tool_test
 {
 namespace
 {
@@ -99,4 +99,4 @@ TEST(CutTool, RejectsInvalidTools)
   EXPECT_FALSE(CutTool::Surface(grid, std::vector<double>(26, 1.0)).Check().IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::cut_tool_test

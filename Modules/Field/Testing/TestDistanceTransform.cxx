@@ -5,9 +5,10 @@
 #include <limits>
 #include <random>
 
+namespace palpate::distance_transform_test
+{
 namespace
 {
-using palpate::DistanceDomain;
 
 palpate::VoxelMask RandomMask(std::mt19937_64& random, const std::array<double, 3>& spacing)
 {
@@ -103,3 +104,4 @@ TEST(DistanceTransform, IsInfiniteWithoutOtherVoxels)
   }
 }
 } // namespace
+} // namespace palpate::distance_transform_test

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::drilled_accuracy_test
 {
 namespace
 {
@@ -154,4 +154,4 @@ TEST(DrilledAccuracy, CanalRadiusEqualsTheToolsWithinATenthOfAVoxel)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drilled_accuracy_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::drilled_field_test
 {
 namespace
 {
@@ -488,4 +488,4 @@ TEST_F(DrilledFieldTest, VolumesCountTheIntersectionWithTheLimit)
   EXPECT_NEAR(drilled->RemovedVolume() / (2.0 / 3.0 * M_PI * 27.0), 1.0, 0.01);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drilled_field_test

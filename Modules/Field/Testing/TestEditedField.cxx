@@ -8,7 +8,7 @@
 #include <atomic>
 #include <thread>
 
-namespace palpate
+namespace palpate::edited_field_test
 {
 namespace
 {
@@ -250,4 +250,4 @@ TEST_F(EditedFieldTest, OtherThreadsSeeNoTornVersion)
   EXPECT_GE(seen, 5 * Cuts / 4);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::edited_field_test

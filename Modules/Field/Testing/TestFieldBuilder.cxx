@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace palpate
+namespace palpate::field_builder_test
 {
 namespace
 {
@@ -272,4 +272,4 @@ TEST(FieldBuilder, KeepInsideDoesNotChangeResults)
   EXPECT_EQ(kept->SurfaceCells(), plain->SurfaceCells());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_builder_test

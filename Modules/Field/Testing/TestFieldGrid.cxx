@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::field_grid_test
 {
 namespace
 {
@@ -77,4 +77,4 @@ TEST(FieldGrid, RejectsInvalidGrids)
   EXPECT_FALSE(FieldGrid({5, 5, 5}, zero, one, nan * identity).Check().IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_grid_test

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace palpate
+namespace palpate::field_queries_do_not_allocate_test
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(FieldQueriesDoNotAllocate, OfSamplersAndRayCasters)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_queries_do_not_allocate_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::field_sampler_test
 {
 namespace
 {
@@ -353,4 +353,4 @@ TEST(FieldSampler, ReadsEveryTypeOfSample)
   ExpectRightAnswersFor<double>();
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_sampler_test

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace palpate
+namespace palpate::field_threads_test
 {
 namespace
 {
@@ -59,4 +59,4 @@ TEST(FieldThreads, ManyThreadsGetTheSameResults)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_threads_test

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 #include <random>
 
+namespace palpate::genus_zero_surface_test
+{
 namespace
 {
 using namespace palpate::phantoms;
-using palpate::Vector3;
 
 // Makes the surface and checks what holds for every mask that is not refused.
 palpate::GenusZeroSurface SurfaceOf(const palpate::VoxelMask& mask,
@@ -200,3 +201,4 @@ TEST(GenusZeroSurface, RejectsEmptyAndMalformedMasks)
   EXPECT_FALSE(palpate::MakeGenusZeroSurface(mask, {}, {}, surface).IsOk());
 }
 } // namespace
+} // namespace palpate::genus_zero_surface_test

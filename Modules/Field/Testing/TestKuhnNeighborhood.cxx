@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 #include <random>
 
+namespace palpate::kuhn_neighborhood_test
+{
 namespace
 {
 using namespace palpate::phantoms;
-using palpate::Vector3;
 
 constexpr unsigned AllNeighbors = (1u << palpate::KuhnNeighbors) - 1;
 
@@ -97,3 +98,4 @@ TEST(KuhnNeighborhood, CountsPartsHandlesAndCavitiesOfPhantoms)
               (Topology{2, 0, 0}));
 }
 } // namespace
+} // namespace palpate::kuhn_neighborhood_test

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace palpate
+namespace palpate::label_field_test
 {
 namespace
 {
@@ -221,4 +221,4 @@ TEST(LabelField, StoresLittleOfALargeVolume)
   EXPECT_EQ(far.Value, -4.0); // the cut-off
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::label_field_test

@@ -6,10 +6,11 @@
 #include <limits>
 #include <random>
 
+namespace palpate::marching_tetrahedra_test
+{
 namespace
 {
 using namespace palpate::phantoms;
-using palpate::Vector3;
 
 palpate::ShapeField RandomField(std::mt19937_64& random)
 {
@@ -115,3 +116,4 @@ TEST(FieldVolume, ReturnsNearestLevelOnPlateau)
   EXPECT_GE(palpate::VolumeAbove(field, level), 0.99 * largest);
 }
 } // namespace
+} // namespace palpate::marching_tetrahedra_test

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::materials_test
 {
 namespace
 {
@@ -188,4 +188,4 @@ TEST(Materials, StoresSurfacesOfMaterialsNotChannels)
   EXPECT_LE(field->Channel(everywhere).BlockCount(), 4u * 4u * 4u); // bricks from i = 96 on
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::materials_test

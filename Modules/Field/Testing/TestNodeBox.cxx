@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::node_box_test
 {
 namespace
 {
@@ -59,4 +59,4 @@ TEST(NodeBox, BoxOutsideHasNoCells)
   EXPECT_FALSE(NodesRound(Oblique(random), {far, far + Vector3::Ones()}, 1.0).HasCells());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::node_box_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::node_cut_test
 {
 namespace
 {
@@ -64,4 +64,4 @@ TEST(NodeCut, AtMostIsTheMirrorImageOfAtLeast)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::node_cut_test

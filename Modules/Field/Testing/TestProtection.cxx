@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::protection_test
 {
 namespace
 {
@@ -179,4 +179,4 @@ TEST(FieldNodes, EqualSamplesWhereStoredAndKeepTheirSideElsewhere)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::protection_test

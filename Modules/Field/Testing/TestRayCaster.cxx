@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::ray_caster_test
 {
 namespace
 {
@@ -347,4 +347,4 @@ TEST(RayCaster, TricubicHitsConvergeWithOrderFourAndNormalsWithThree)
   ExpectOrders(FieldInterpolation::TricubicBSpline, 4.0, 3.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ray_caster_test

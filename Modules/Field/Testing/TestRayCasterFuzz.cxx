@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::ray_caster_fuzz_test
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST(RayCasterFuzz, NothingLeaksThroughFacesEdgesOrCorners)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ray_caster_fuzz_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::ray_lanes_test
 {
 namespace
 {
@@ -212,4 +212,4 @@ TEST(RayLanes, EqualSingleRaysForEveryMaterialSet)
   EXPECT_GT(tally.Hits, 3000);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ray_lanes_test

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-namespace palpate
+namespace palpate::removal_bytes_test
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST_F(RemovalBytesTest, DamageIsRejectedOrHarmless)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::removal_bytes_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::removed_distances_test
 {
 namespace
 {
@@ -209,4 +209,4 @@ TEST_F(RemovedDistancesTest, StateCostsOnlyChangedMemory)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::removed_distances_test

@@ -7,10 +7,11 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace palpate::shape_field_test
+{
 namespace
 {
 using namespace palpate::phantoms;
-using palpate::Vector3;
 
 palpate::ShapeFieldSettings Unsmoothed()
 {
@@ -228,3 +229,4 @@ TEST(ShapeField, RejectsBadMasksAndSettings)
   EXPECT_FALSE(palpate::MakeShapeField(good, settings, field).IsOk());
 }
 } // namespace
+} // namespace palpate::shape_field_test

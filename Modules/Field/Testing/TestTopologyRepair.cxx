@@ -5,10 +5,11 @@
 #include <gtest/gtest.h>
 #include <random>
 
+namespace palpate::topology_repair_test
+{
 namespace
 {
 using namespace palpate::phantoms;
-using palpate::Vector3;
 
 constexpr double Spacing = 0.6;
 
@@ -265,3 +266,4 @@ TEST(TopologyRepair, RejectsBadSettingsAndEmptyObjects)
   EXPECT_FALSE(palpate::RepairTopology(field, settings, report).IsOk());
 }
 } // namespace
+} // namespace palpate::topology_repair_test

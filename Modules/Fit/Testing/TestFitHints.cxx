@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::fit_hints_test
+{
 namespace
 {
-using palpate::FitSettings;
-using palpate::OptionWords;
 
 bool Names(const std::string& hint, const char* option)
 {
@@ -60,3 +60,4 @@ TEST(FitHints, SuggestsPenaltyOnlyIfUnused)
   EXPECT_FALSE(Names(palpate::HintForImplausible(settings, OptionWords), "--penalty"));
 }
 } // namespace
+} // namespace palpate::fit_hints_test

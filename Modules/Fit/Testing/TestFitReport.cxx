@@ -11,7 +11,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using palpate::FitResult;
+namespace palpate::fit_report_test
+{
 using palpate::test::SyntheticFit;
 
 namespace
@@ -185,3 +186,4 @@ TEST(FitReport, MissingFolderIsInputError)
   EXPECT_THROW(palpate::WriteFitReport(fit.Result, nullptr, "/no/such/folder/report.html"),
                palpate::InputError);
 }
+} // namespace palpate::fit_report_test

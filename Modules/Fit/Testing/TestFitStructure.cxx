@@ -23,13 +23,10 @@
 #include <gtest/gtest.h>
 #include <new>
 
+namespace palpate::fit_structure_test
+{
 namespace
 {
-using palpate::FitResult;
-using palpate::FitSettings;
-using palpate::Segment;
-using palpate::Segmentation;
-using palpate::Vector3;
 using Outcome = palpate::FitResult::Outcome;
 
 Segmentation SegmentationOf(vtkImageData* layer, int value = 1)
@@ -558,3 +555,4 @@ INSTANTIATE_TEST_SUITE_P(
         "prostate/promise12_1_label.nii.gz", "prostate/whole_gland_oblique_label.nrrd",
         "/usr/share/mricron/templates/aal.nii.gz"));
 } // namespace
+} // namespace palpate::fit_structure_test

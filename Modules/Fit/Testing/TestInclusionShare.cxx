@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::inclusion_share_test
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST(InclusionShare, NamesOneStructureOfSeveral)
   EXPECT_EQ(FractionsOf(read, read.Segments).size(), 1U) << "no voxel has the other label";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::inclusion_share_test

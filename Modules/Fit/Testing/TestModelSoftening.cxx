@@ -11,7 +11,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::model_softening_test
 {
 namespace
 {
@@ -204,4 +204,4 @@ TEST(SofteningSettings, FailsOutsideOfItsLimits)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::model_softening_test

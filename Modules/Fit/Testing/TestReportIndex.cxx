@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-using palpate::FitResult;
-
+namespace palpate::report_index_test
+{
 namespace
 {
 std::string Page(const palpate::ReportIndex& index)
@@ -59,3 +59,4 @@ TEST(ReportIndex, NoCasesGiveValidPage)
 {
   EXPECT_EQ(palpate::test::MarkupError(Page(palpate::ReportIndex())), "");
 }
+} // namespace palpate::report_index_test

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-using palpate::SlicePlane;
-
+namespace palpate::slice_contour_test
+{
 namespace
 {
 struct PathMeasure
@@ -146,3 +146,4 @@ TEST(SliceContour, AbsentStructureHasNoPath)
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 100).front();
   EXPECT_EQ(palpate::MaskOutlinePath(fit.Result.Mask, 5, plane), "");
 }
+} // namespace palpate::slice_contour_test

@@ -8,9 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using palpate::SlicePlane;
-using palpate::Vector3;
-
+namespace palpate::slice_image_test
+{
 namespace
 {
 const Vector3 Slope(0.3, -0.7, 0.2);
@@ -116,3 +115,4 @@ TEST(SliceImage, GreyRunsFromBlackToWhiteAndNanIsBlack)
   EXPECT_EQ(raster.Pixel(3, 0)[0], 0);
   EXPECT_EQ(raster.Pixel(3, 0)[3], 255);
 }
+} // namespace palpate::slice_image_test

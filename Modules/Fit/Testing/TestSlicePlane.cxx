@@ -8,11 +8,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::ChooseSlicePlanes;
-using palpate::OrientationLetters;
-using palpate::SlicePlane;
-using palpate::Vector3;
-
+namespace palpate::slice_plane_test
+{
 namespace
 {
 // A box of ones in a zero image with index axes along the given body directions.
@@ -170,3 +167,4 @@ TEST(SlicePlane, IndicesNeedNotStartAtZero)
     EXPECT_NEAR((centre - voxel.cast<double>()).norm(), 0.0, 1e-12) << plane.Name;
   }
 }
+} // namespace palpate::slice_plane_test

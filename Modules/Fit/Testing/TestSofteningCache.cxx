@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace palpate
+namespace palpate::softening_cache_test
 {
 namespace
 {
@@ -294,4 +294,4 @@ TEST(SofteningKey, DiffersWithEveryInput)
   EXPECT_EQ(keys.begin()->size(), 32U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::softening_cache_test

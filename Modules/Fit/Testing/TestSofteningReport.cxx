@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::softening_report_test
 {
 namespace
 {
@@ -78,4 +78,4 @@ TEST(SofteningReport, PageIsWholeAndEscaped)
   EXPECT_EQ(views, 6U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::softening_report_test

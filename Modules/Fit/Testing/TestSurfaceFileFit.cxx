@@ -15,7 +15,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::surface_file_fit_test
+{
 using namespace palpate::test;
 using Outcome = FitResult::Outcome;
 
@@ -188,3 +189,4 @@ TEST(SurfaceFileFit, FilesHaveErrorMapAndNoMask)
     EXPECT_EQ(report.find(word), std::string::npos) << word;
   }
 }
+} // namespace palpate::surface_file_fit_test

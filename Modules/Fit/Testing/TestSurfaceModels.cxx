@@ -16,15 +16,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::surface_models_test
+{
 namespace
 {
-using palpate::FitResult;
-using palpate::FitSettings;
-using palpate::IndexedMesh;
-using palpate::ParametricSphericalSurface;
-using palpate::Segment;
-using palpate::Segmentation;
-using palpate::Vector3;
 using Outcome = palpate::FitResult::Outcome;
 
 FitResult Fit(vtkImageData* mask, const FitSettings& settings = {})
@@ -341,3 +336,4 @@ TEST(SurfaceModels, CanBeCancelled)
   }
 }
 } // namespace
+} // namespace palpate::surface_models_test

@@ -6,7 +6,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::cohort_table_test
+{
 using namespace palpate::test;
 
 // Memory and time are bounded by the actual content of a table, not by its numbers.
@@ -120,3 +121,4 @@ TEST(CohortTable, KeyChangesWithDetachedVoxels)
   WriteAll(folder / "mask.raw", "other voxels");
   EXPECT_NE(key(), before);
 }
+} // namespace palpate::cohort_table_test

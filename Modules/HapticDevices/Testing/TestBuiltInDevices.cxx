@@ -5,7 +5,7 @@
 #include "RecordedSession.h"
 #include "TemporaryFolder.h"
 
-namespace palpate
+namespace palpate::built_in_devices_test
 {
 namespace
 {
@@ -50,4 +50,4 @@ TEST(BuiltInDevices, RejectSecondRegistration)
   EXPECT_FALSE(RegisterBuiltInDevices(registry).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::built_in_devices_test

@@ -3,7 +3,7 @@
 #include "TemporaryFolder.h"
 #include "TouchReplay.h"
 
-namespace palpate
+namespace palpate::drill_replay_test
 {
 namespace
 {
@@ -82,4 +82,4 @@ TEST(DrillReplay, ReplaysForcesAndHolesBitForBit)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_replay_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace palpate
+namespace palpate::passivity_test
 {
 namespace
 {
@@ -148,4 +148,4 @@ TEST(Passivity, ObserverDissipatesEnergyBeyondLimit)
   EXPECT_GT(PressWall(c, 6.0, 0.02).LeastEnergy, 0.2 * without);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::passivity_test

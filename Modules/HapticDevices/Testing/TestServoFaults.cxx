@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace palpate
+namespace palpate::servo_faults_test
 {
 namespace
 {
@@ -239,4 +239,4 @@ TEST(ServoBeforeReady, NoForceWhileDeviceHomes)
   EXPECT_EQ(touch.Loop.Latest().Safety.Fault, SafetyFault::None);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_faults_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::simulated_device_test
 {
 namespace
 {
@@ -170,4 +170,4 @@ TEST(SimulatedDevice, UnpluggedDeviceMustBeReopened)
   EXPECT_TRUE(device.Problem().empty());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::simulated_device_test

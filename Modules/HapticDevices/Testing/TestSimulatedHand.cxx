@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::simulated_hand_test
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(SimulatedHand, FrictionHoldsAgainstSmallForce)
   EXPECT_EQ(hand.Position(), Vector3::Zero());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::simulated_hand_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::stability_probe_test
 {
 namespace
 {
@@ -148,4 +148,4 @@ TEST(StabilityProbe, RejectsEmptyScene)
                    .IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::stability_probe_test

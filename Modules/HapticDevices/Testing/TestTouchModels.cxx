@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace palpate
+namespace palpate::touch_models_test
 {
 namespace
 {
@@ -136,4 +136,4 @@ TEST_P(TouchModels, ReplayBitForBit)
 INSTANTIATE_TEST_SUITE_P(All, TouchModels, testing::ValuesIn(AllModels()),
                          [](const auto& chosen) { return chosen.param.Name; });
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_models_test

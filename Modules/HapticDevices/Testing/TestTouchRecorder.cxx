@@ -11,7 +11,7 @@
 
 // Contents of the disk during a recording, and after failures.
 
-namespace palpate
+namespace palpate::touch_recorder_test
 {
 namespace
 {
@@ -303,4 +303,4 @@ TEST(BackgroundWriter, SlowDiskGetsAllBytesInOrder)
   EXPECT_GE(disk->Syncs, 2) << "meanwhile, and at its end";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_recorder_test

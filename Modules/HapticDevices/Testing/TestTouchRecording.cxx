@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace palpate
+namespace palpate::touch_recording_test
 {
 namespace
 {
@@ -196,4 +196,4 @@ TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)
 }
 
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_recording_test

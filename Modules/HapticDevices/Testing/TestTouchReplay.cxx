@@ -5,7 +5,7 @@
 #include "ReplayDevice.h"
 #include "TemporaryFolder.h"
 
-namespace palpate
+namespace palpate::touch_replay_test
 {
 namespace
 {
@@ -303,4 +303,4 @@ TEST(ReplayDevice, IsCreatedByName)
   EXPECT_FALSE(registry.Make("replay:nowhere", clock, device).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_replay_test

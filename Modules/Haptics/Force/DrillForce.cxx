@@ -1,5 +1,7 @@
 #include "DrillForce.h"
 
+#include "Units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
 constexpr double MetersOfMillimeters = 1e-3;
 
 Vector3 Drag(const DrillLaw& law, double push, const Vector3& along) noexcept

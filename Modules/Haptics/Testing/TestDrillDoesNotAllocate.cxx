@@ -2,7 +2,7 @@
 #include "DrillCases.h"
 #include "ServoRun.h"
 
-namespace palpate
+namespace palpate::drill_does_not_allocate_test
 {
 namespace
 {
@@ -28,4 +28,4 @@ TEST(DrillDoesNotAllocate, InAnyTick)
   EXPECT_GT(run.Loop.Latest().DrillVersion, 50u);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_does_not_allocate_test

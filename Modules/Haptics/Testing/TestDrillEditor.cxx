@@ -2,7 +2,7 @@
 
 #include "RandomShapes.h"
 
-namespace palpate
+namespace palpate::drill_editor_test
 {
 namespace
 {
@@ -181,4 +181,4 @@ TEST(DrillEditor, LongHeldVersionsOnlyDelayNewOnes)
   EXPECT_EQ(block.Editor->Newest().Problem, "");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_editor_test

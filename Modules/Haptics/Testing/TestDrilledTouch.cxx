@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::drilled_touch_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(DrilledTouch, ThinWallStopsFastTools)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drilled_touch_test

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <limits>
 
-namespace palpate
+namespace palpate::elastic_contact_model_test
 {
 namespace
 {
@@ -423,4 +423,4 @@ TEST(ElasticContactModel, LoopsInAHollowTakeLittleWork)
   EXPECT_LT(Groove().WorkOfLoop(22.0), 0.02);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_contact_model_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::elastic_paths_test
 {
 namespace
 {
@@ -79,4 +79,4 @@ TEST_P(ElasticPaths, ForceIsThatOfTheNearestPlaceAndDoesNotJump)
 
 INSTANTIATE_TEST_SUITE_P(Balls, ElasticPaths, testing::Values(2.0, 4.0, 8.0));
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_paths_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::facet_tracker_test
 {
 namespace
 {
@@ -176,4 +176,4 @@ TEST(FacetContactModel, SupportsSpheresOnly)
   EXPECT_TRUE(model->BoundsWorld().isApprox({Vector3::Constant(-10.0), Vector3::Constant(10.0)}));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::facet_tracker_test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace palpate
+namespace palpate::facet_tree_test
 {
 namespace
 {
@@ -141,4 +141,4 @@ TEST(FacetTree, RejectsInvalidMesh)
   EXPECT_EQ(tree->Bytes(), test::TreeOf(box)->Bytes());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::facet_tree_test

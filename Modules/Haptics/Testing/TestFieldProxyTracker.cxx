@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace palpate
+namespace palpate::field_proxy_tracker_test
 {
 namespace
 {
@@ -502,4 +502,4 @@ TEST(FieldContactModel, ShellsMatchVoxelsAndUnknownMaterialIsRejected)
   EXPECT_TRUE(bounds.max().isApprox(grid.PointWorld(Vector3::Constant(23.0))));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_proxy_tracker_test

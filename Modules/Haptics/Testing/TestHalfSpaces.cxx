@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace palpate
+namespace palpate::half_spaces_test
 {
 namespace
 {
@@ -154,4 +154,4 @@ TEST(HalfSpaces, IsIndependentOfTheUnitOfLength)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::half_spaces_test

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::harmonic_contact_model_test
 {
 namespace
 {
@@ -130,4 +130,4 @@ TEST(HarmonicRadialTracker, HasNoFriction)
   EXPECT_FALSE(model->MakeTracker(ToolShape::Sphere(0.0), {0.3, 0.2}, tracker).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::harmonic_contact_model_test

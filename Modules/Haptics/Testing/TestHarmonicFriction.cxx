@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::harmonic_friction_test
 {
 namespace
 {
@@ -136,4 +136,4 @@ TEST(HarmonicFriction, RejectsInvalidFriction)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::harmonic_friction_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::harmonic_nearest_tracker_test
 {
 namespace
 {
@@ -301,4 +301,4 @@ TEST(HarmonicNearestTracker, RestartsAnywhereAfterRelease)
   EXPECT_LE((fresh.ProxyWorld - Vector3(0.0, -20.0, 0.0)).norm(), TrackingError);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::harmonic_nearest_tracker_test

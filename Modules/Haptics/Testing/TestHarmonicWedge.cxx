@@ -4,7 +4,7 @@
 #include "SearchedWedge.h"
 #include "WorstCase.h"
 
-namespace palpate
+namespace palpate::harmonic_wedge_test
 {
 namespace
 {
@@ -175,4 +175,4 @@ TEST_P(HarmonicWedgeOfDegree, EqualsASearchOfTheWholeSurface)
 
 INSTANTIATE_TEST_SUITE_P(Each, HarmonicWedgeOfDegree, testing::Values(4, 8, 12, 20, 33));
 } // namespace
-} // namespace palpate
+} // namespace palpate::harmonic_wedge_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace palpate
+namespace palpate::parametric_contact_model_test
 {
 namespace
 {
@@ -557,4 +557,4 @@ TEST(WedgePlaces, AreEverywhereOnASurfaceOfMoreCrossingsThanAreListed)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_contact_model_test

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::published_shell_test
 {
 namespace
 {
@@ -180,4 +180,4 @@ TEST(PublishedShell, RejectsPointsAndFriction)
   EXPECT_TRUE(model->MakeTracker(ToolShape::Sphere(1.0), {}, tracker).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::published_shell_test

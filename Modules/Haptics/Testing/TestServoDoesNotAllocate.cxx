@@ -9,7 +9,7 @@
 
 #include <utility>
 
-namespace palpate
+namespace palpate::servo_does_not_allocate_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(ServoDoesNotAllocate, AmongManyStructures)
   EXPECT_GT(touches, 300);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_does_not_allocate_test

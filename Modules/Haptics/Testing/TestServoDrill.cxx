@@ -4,7 +4,7 @@
 #include <atomic>
 #include <thread>
 
-namespace palpate
+namespace palpate::servo_drill_test
 {
 namespace
 {
@@ -495,4 +495,4 @@ TEST(ServoDrill, EditorAndServoNeitherBlockNorTear)
   EXPECT_GT(block.Editor->RemovedVolumes()[0], 1.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_drill_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace palpate
+namespace palpate::servo_handover_test
 {
 namespace
 {
@@ -365,4 +365,4 @@ TEST(ServoHandover, NoTakeoverCausesAStep)
   EXPECT_GT(touches, 200);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_handover_test

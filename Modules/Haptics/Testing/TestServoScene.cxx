@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::servo_scene_test
 {
 namespace
 {
@@ -199,4 +199,4 @@ TEST(ServoScene, StructurePassedInOneTickIsTouchedAmongMany)
   EXPECT_GE(servo->Follow(step).Structure, 0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_scene_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-namespace palpate
+namespace palpate::tool_shape_test
 {
 namespace
 {
@@ -118,4 +118,4 @@ TEST(ToolShape, RejectsInvalidTools)
   EXPECT_TRUE(ToolShape::Sphere(0.0).Check().IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::tool_shape_test

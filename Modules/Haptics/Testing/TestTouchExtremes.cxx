@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::touch_extremes_test
 {
 namespace
 {
@@ -244,4 +244,4 @@ INSTANTIATE_TEST_SUITE_P(
              ShapeNames[static_cast<int>(std::get<1>(each.param))];
     });
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_extremes_test

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-namespace palpate
+namespace palpate::touch_truth_test
 {
 namespace
 {
@@ -401,4 +401,4 @@ TEST(TouchTruth, FacetForcesAreIndependentOfTheUnitOfLength)
   EXPECT_LE(difference.Value(), 1e-9); // rounding
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_truth_test

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace palpate
+namespace palpate::trackers_do_not_allocate_test
 {
 namespace
 {
@@ -131,4 +131,4 @@ TEST(TrackersDoNotAllocate, OnFields)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::trackers_do_not_allocate_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-namespace palpate
+namespace palpate::wedge_groove_test
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(WedgeGroove, LeavesStepsAsTheyAreBetweenParallelWalls)
   EXPECT_EQ(WedgeGroove().Newton(step), step);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::wedge_groove_test

@@ -9,8 +9,8 @@
 #include <unistd.h>
 #include <vector>
 
-using palpate::AtomicFile;
-using palpate::InputError;
+namespace palpate::atomic_file_test
+{
 using palpate::test::HoldsUnprivileged;
 using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
@@ -193,3 +193,4 @@ TEST(AtomicFile, SyncsContentBeforeRename)
   const std::vector<std::filesystem::path> expected{temporary, temporary.parent_path()};
   EXPECT_EQ(Synced, expected) << "the file under its temporary name, then the folder";
 }
+} // namespace palpate::atomic_file_test

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using namespace palpate;
+namespace palpate::available_memory_test
+{
 using namespace palpate::test;
 
 namespace
@@ -119,3 +120,4 @@ TEST_F(AvailableMemory, CountsDataTwice)
   EXPECT_NE(MessageOf([] { CheckMemory("x.nii", std::numeric_limits<double>::quiet_NaN(), 1000); }),
             "no error");
 }
+} // namespace palpate::available_memory_test

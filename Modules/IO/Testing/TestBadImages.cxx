@@ -9,7 +9,8 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::bad_images_test
+{
 using namespace palpate::test;
 
 namespace
@@ -159,3 +160,4 @@ TEST(BadImages, RejectsEmptyMask)
       SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned char"), std::string(120, '\0'))),
       "has no labelled voxel"));
 }
+} // namespace palpate::bad_images_test

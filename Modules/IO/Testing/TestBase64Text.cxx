@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using namespace palpate;
-
+namespace palpate::base64_text_test
+{
 TEST(Base64Text, InvertsEncoder)
 {
   std::mt19937 random(3);
@@ -40,3 +40,4 @@ TEST(Base64Text, RejectsOtherTexts)
     EXPECT_FALSE(DecodedBase64(text).has_value()) << text;
   }
 }
+} // namespace palpate::base64_text_test

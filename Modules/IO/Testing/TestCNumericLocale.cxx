@@ -20,7 +20,8 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-using namespace palpate;
+namespace palpate::cnumeric_locale_test
+{
 using namespace palpate::test;
 
 namespace
@@ -246,3 +247,4 @@ TEST(CNumericLocale, RejectsStreamFormatsIfStreamsUseDecimalComma)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSurface(folder / "a.vtp"); }), fact));
   EXPECT_FALSE(std::filesystem::exists(folder / "w.mha"));
 }
+} // namespace palpate::cnumeric_locale_test

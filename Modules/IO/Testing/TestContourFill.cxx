@@ -7,7 +7,8 @@
 #include <random>
 #include <set>
 
-using namespace palpate;
+namespace palpate::contour_fill_test
+{
 using namespace palpate::test;
 
 namespace
@@ -138,3 +139,4 @@ TEST(ContourFill, RejectsMoreCrossingsThanAllowed)
   EXPECT_EQ(fill.Runs(square).size(), 100u);
   EXPECT_TRUE(Contains(MessageOf([&] { fill.Runs(square); }), "go to and fro too often"));
 }
+} // namespace palpate::contour_fill_test

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::InertCell;
-using palpate::TextOfCell;
-
+namespace palpate::csv_cell_test
+{
 TEST(CsvCell, KeepsNumbers)
 {
   for (const char* number : {"-1.5", "+2", "1e-3", "-0", "0.1", ""})
@@ -51,3 +50,4 @@ TEST(CsvCell, RoundTripsTextAndDisarmsFormulas)
         << cell;
   }
 }
+} // namespace palpate::csv_cell_test

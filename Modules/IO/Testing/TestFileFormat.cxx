@@ -17,7 +17,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-using namespace palpate;
+namespace palpate::file_format_test
+{
 using namespace palpate::test;
 
 namespace
@@ -151,3 +152,4 @@ TEST(FileFormat, UsesLongestEnding)
   EXPECT_EQ(ListOfEndings({".a", ".b", ".c"}), ".a, .b or .c");
   EXPECT_EQ(PatternsOf({".a", ".b"}), "*.a *.b");
 }
+} // namespace palpate::file_format_test

@@ -10,7 +10,8 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-using namespace palpate;
+namespace palpate::foreign_file_test
+{
 using namespace palpate::test;
 
 namespace
@@ -94,3 +95,4 @@ TEST(ForeignFile, HeaderReportsMissingData)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "a.nhdr"); }), "lacks its data file"));
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "a.mhd"); }), "lacks its data file"));
 }
+} // namespace palpate::foreign_file_test

@@ -8,7 +8,8 @@
 #include <limits>
 #include <numeric>
 
-using namespace palpate;
+namespace palpate::gipl_format_test
+{
 using namespace palpate::test;
 
 namespace
@@ -147,3 +148,4 @@ TEST(GiplFormat, RejectsAbsurdSizesTypesAndGeometry)
   EXPECT_TRUE(Contains(refusal([](GiplSpec& s) { s.Spacing[2] = NaN; }), "voxel spacing of"));
   EXPECT_TRUE(Contains(refusal([](GiplSpec& s) { s.Origin[0] = double{NaN}; }), "not finite"));
 }
+} // namespace palpate::gipl_format_test

@@ -12,7 +12,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-using namespace palpate;
+namespace palpate::hostile_images_test
+{
 using namespace palpate::test;
 
 // Memory and time are bounded by the actual content of an image file, not by its header.
@@ -283,3 +284,4 @@ TEST_F(HostileImages, RejectsVoxelsThatExceedCompressedBytes)
     EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "is truncated")) << encoding;
   }
 }
+} // namespace palpate::hostile_images_test

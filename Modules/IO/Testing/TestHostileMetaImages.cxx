@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::hostile_meta_images_test
+{
 using namespace palpate::test;
 
 // Headers that overflow the MetaIO library, that it reads differently, or that leave voxels
@@ -283,3 +284,4 @@ TEST_F(HostileMetaImages, WordsEndAsInLibrary)
                                               std::string(DataLine) + "\xff")),
                        "is truncated"));
 }
+} // namespace palpate::hostile_meta_images_test

@@ -9,7 +9,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::image_content_test
+{
 using namespace palpate::test;
 
 namespace
@@ -76,3 +77,4 @@ TEST(ImageContent, RecognizesAtlasesAndHeads)
     EXPECT_NE(WhyNoLabelMap(volume), "") << name;
   }
 }
+} // namespace palpate::image_content_test

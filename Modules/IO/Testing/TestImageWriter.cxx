@@ -13,7 +13,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using namespace palpate;
+namespace palpate::image_writer_test
+{
 using namespace palpate::test;
 
 namespace
@@ -185,3 +186,4 @@ TEST(ImageWriter, FullDiskKeepsOldFile)
   }
   EXPECT_EQ(folder.EntryCount(), 4u);
 }
+} // namespace palpate::image_writer_test

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::json_text_test
+{
 using namespace palpate::test;
 
 namespace
@@ -69,3 +70,4 @@ TEST(JsonText, RejectsDeeplyNestedModel)
   WriteAll(folder / "a.json", "{\"format\": " + Nested(1000000) + "}");
   EXPECT_TRUE(Contains(MessageOf([&] { ReadModel(folder / "a.json"); }), "64 deep"));
 }
+} // namespace palpate::json_text_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::label_centers_test
 {
 namespace
 {
@@ -78,4 +78,4 @@ TEST(LabelCenters, CenterOfAHollowStructureIsOneOfItsVoxels)
       0.0, 1e-12);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::label_centers_test

@@ -15,7 +15,8 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::label_statistics_test
+{
 using namespace palpate::test;
 
 namespace
@@ -268,3 +269,4 @@ TEST(LabelStatistics, LabelCountsOfAtlasAddUp)
     EXPECT_EQ(inComponents, all[i].Voxels);
   }
 }
+} // namespace palpate::label_statistics_test

@@ -11,7 +11,8 @@
 #include <limits>
 #include <numeric>
 
-using namespace palpate;
+namespace palpate::mgh_format_test
+{
 using namespace palpate::test;
 
 namespace
@@ -206,3 +207,4 @@ TEST(MghFormat, RejectsVoxelsThatAreNotFinite)
   EXPECT_TRUE(Contains(Refusal("a.mgh", MghBytes(spec, BigEndian(values))),
                        "1 voxels that are NaN or infinite"));
 }
+} // namespace palpate::mgh_format_test

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-using namespace palpate;
+namespace palpate::model_csv_test
+{
 using namespace palpate::test;
 
 namespace
@@ -105,3 +106,4 @@ TEST(ModelCsv, RejectsNonFiniteNumbers)
   EXPECT_THROW(ModelToCsv({SphericalHarmonicModel(0, {std::nan("")}, Vector3::Zero()), {}}, "f"),
                InputError);
 }
+} // namespace palpate::model_csv_test

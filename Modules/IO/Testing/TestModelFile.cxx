@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::model_file_test
+{
 using namespace palpate::test;
 
 TEST(ModelFile, EndingSelectsFormat)
@@ -70,3 +71,4 @@ TEST(ModelFile, UnwritableModelKeepsOldFile)
   EXPECT_EQ(ReadAll(folder / "a.json"), "old");
   EXPECT_EQ(folder.EntryCount(), 1u);
 }
+} // namespace palpate::model_file_test

@@ -6,7 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-using namespace palpate;
+namespace palpate::model_json_test
+{
 using namespace palpate::test;
 using Json = nlohmann::ordered_json;
 
@@ -289,3 +290,4 @@ TEST(ModelJson, RefusesElasticityThatIsNoBody)
   const std::string message = RefusalOf(file.dump());
   EXPECT_NE(message.find("elastic body"), std::string::npos) << message;
 }
+} // namespace palpate::model_json_test

@@ -12,7 +12,8 @@
 #include <limits>
 #include <numeric>
 
-using namespace palpate;
+namespace palpate::nifti_format_test
+{
 using namespace palpate::test;
 
 namespace
@@ -277,3 +278,4 @@ TEST(NiftiFormat, RejectsDamageBehindChosenVolume)
       MessageOf([&] { ReadSingle("a.nii.gz", packed.substr(0, packed.size() - 6), {"1"}); }),
       "is truncated"));
 }
+} // namespace palpate::nifti_format_test

@@ -13,7 +13,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-using namespace palpate;
+namespace palpate::orientations_test
+{
 using namespace palpate::test;
 
 namespace
@@ -354,3 +355,4 @@ TEST(Orientations, RejectsDamagedNrrdDirections)
   EXPECT_TRUE(Contains(RefusalOfNrrd(LinesWith(8, "space origin: (nan,nan,nan)")),
                        "a space origin that is not three finite numbers"));
 }
+} // namespace palpate::orientations_test

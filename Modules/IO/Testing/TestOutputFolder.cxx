@@ -8,11 +8,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-using palpate::CheckOutputFolder;
-using palpate::InputError;
-using palpate::MakeOutputFolder;
-using palpate::WriteOutputSet;
-using palpate::WriteWholeFile;
+namespace palpate::output_folder_test
+{
 using palpate::test::FileSizeLimit;
 using palpate::test::HoldsUnprivileged;
 using palpate::test::ReadAll;
@@ -161,3 +158,4 @@ TEST(OutputSet, KeepsSymbolicLink)
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "out/a.txt"));
   EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new a");
 }
+} // namespace palpate::output_folder_test

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <iostream>
 
-using palpate::QuietStandardStreams;
-
+namespace palpate::quiet_standard_streams_test
+{
 TEST(QuietStandardStreams, MutesOnlyDuringLifetime)
 {
   testing::internal::CaptureStderr();
@@ -25,3 +25,4 @@ TEST(QuietStandardStreams, MutesOnlyDuringLifetime)
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "ac");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "bd");
 }
+} // namespace palpate::quiet_standard_streams_test

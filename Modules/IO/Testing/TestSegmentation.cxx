@@ -13,7 +13,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::segmentation_test
+{
 using namespace palpate::test;
 
 namespace
@@ -243,3 +244,4 @@ TEST(Segmentation, ReadsEveryRealMask)
     EXPECT_GT(GridOf(segmentation.Layers[0]).Direction.determinant(), 0.999) << entry.path();
   }
 }
+} // namespace palpate::segmentation_test

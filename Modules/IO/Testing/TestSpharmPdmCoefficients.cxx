@@ -9,7 +9,8 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::spharm_pdm_coefficients_test
+{
 using namespace palpate::test;
 
 namespace
@@ -203,3 +204,4 @@ TEST(SpharmPdmCoefficients, DamagedBytesAreOnlyRefused)
     ASSERT_FALSE(RefusalOf(damaged).empty()); // any other exception fails the test
   }
 }
+} // namespace palpate::spharm_pdm_coefficients_test

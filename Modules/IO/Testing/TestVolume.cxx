@@ -16,7 +16,8 @@
 #include <numeric>
 #include <sstream>
 
-using namespace palpate;
+namespace palpate::volume_test
+{
 using namespace palpate::test;
 
 namespace
@@ -320,3 +321,4 @@ TEST(Volume, PromiseCaseHasNominalGeometry)
   // Single precision in the header.
   EXPECT_LT((grid.Spacing - Vector3(1.4, 1.4, 1.6)).norm(), 1e-6);
 }
+} // namespace palpate::volume_test

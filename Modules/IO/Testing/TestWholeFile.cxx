@@ -5,9 +5,8 @@
 
 #include <gtest/gtest.h>
 
-using palpate::InputError;
-using palpate::ReadWholeFile;
-using palpate::WriteWholeFile;
+namespace palpate::whole_file_test
+{
 using palpate::test::FileSizeLimit;
 using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
@@ -48,3 +47,4 @@ TEST(WholeFile, RejectsMissingEmptyFolderAndTooLarge)
   EXPECT_THROW(ReadWholeFile(folder / "large", 4), InputError);
   EXPECT_EQ(ReadWholeFile(folder / "large", 5), "12345");
 }
+} // namespace palpate::whole_file_test

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::four_views_test
+{
 namespace
 {
 class FourViewsTest : public palpate::test::DisplayTest
@@ -19,3 +21,4 @@ TEST_F(FourViewsTest, MatchBaseline)
   palpate::test::ExpectLikeBaseline(palpate::ReadWindow(scene.Views.Window),
                                     std::filesystem::path(PALPATE_BASELINES) / "FourViews.png");
 }
+} // namespace palpate::four_views_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::nearest_on_surfaces_test
 {
 namespace
 {
@@ -57,4 +57,4 @@ TEST(NearestOnSurfaces, FollowsASurfaceThatMoves)
   EXPECT_NEAR(all.Find(Vector3::Zero(), 100.0)->norm(), 15.0, Flat);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::nearest_on_surfaces_test

@@ -12,10 +12,8 @@
 #include <limits>
 #include <random>
 
-using palpate::CutTool;
-using palpate::FlatArrow;
-using palpate::Vector3;
-
+namespace palpate::probe_in_slice_test
+{
 TEST(ProbeInSlice, SphereCrossSectionIsCircleOfItsDepth)
 {
   std::mt19937_64 random(21);
@@ -94,3 +92,4 @@ TEST(vtkProbeRepresentation, DrawsPointAsSmallSphere)
   probe->SetToolSphere(3.0);
   EXPECT_NEAR(probe->GetToolRadius(), 3.0, 1e-6);
 }
+} // namespace palpate::probe_in_slice_test

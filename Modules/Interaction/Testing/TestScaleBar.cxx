@@ -3,8 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::ScaleBar;
-
+namespace palpate::scale_bar_test
+{
 TEST(ScaleBar, LengthIsOneTwoOrFiveTimesAPowerOfTen)
 {
   EXPECT_DOUBLE_EQ(ScaleBar::RoundLength(99.0), 50.0);
@@ -30,3 +30,4 @@ TEST(ScaleBar, BarIsSlightlyShorterThanAThirdOfTheView)
     EXPECT_GT(bar.LengthMillimeters() / pixel, 640.0 * 0.3 * 0.4 - 1e-9);
   }
 }
+} // namespace palpate::scale_bar_test

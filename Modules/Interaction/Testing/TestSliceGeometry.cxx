@@ -6,12 +6,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::ImageAxes;
-using palpate::OrientationLetters;
-using palpate::SliceGeometry;
-using palpate::SliceOrientation;
-using palpate::Vector3;
-
+namespace palpate::slice_geometry_test
+{
 TEST(SliceGeometry, FollowsRadiologicalConvention)
 {
   const auto letters = [](SliceOrientation orientation)
@@ -80,3 +76,4 @@ TEST(SliceGeometry, AlongBodyStepEqualsNearestAxisWithoutNumbers)
   EXPECT_FALSE(geometry.HasNumbers());
   EXPECT_EQ(geometry.Moved(Vector3(1.0, 2.0, 3.0), 2), Vector3(1.0, 2.0, 9.0));
 }
+} // namespace palpate::slice_geometry_test

@@ -10,12 +10,8 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-using palpate::LabelLayer;
-using palpate::PaintSlice;
-using palpate::PixelGrid;
-using palpate::SliceContent;
-using palpate::Vector3;
-
+namespace palpate::slice_painter_test
+{
 namespace
 {
 PixelGrid Plane(int width, int height)
@@ -181,3 +177,4 @@ TEST(SlicePatch, CornersMatchPixelGrid)
   EXPECT_EQ(corners[0], Vector3(-2.0, -1.0, 0.0));
   EXPECT_EQ(corners[2], Vector3(2.0, 1.0, 0.0));
 }
+} // namespace palpate::slice_painter_test

@@ -7,9 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::MakeToolSurface;
-using palpate::ToolShape;
-
+namespace palpate::tool_surface_test
+{
 namespace
 {
 vtkIdType OpenEdges(vtkPolyData* surface)
@@ -56,3 +55,4 @@ TEST(ToolSurface, EllipsoidIsHullOfItsShell)
   EXPECT_LT(Volume(surface), exact);
   EXPECT_GT(Volume(surface), 0.95 * exact); // as above; the points are denser
 }
+} // namespace palpate::tool_surface_test

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <thread>
 
+namespace palpate::tutorial_programs_test
+{
 /// The unmodified program of Documentation/Tutorial; the build renames its main.
 int TouchASurface(int argc, char** argv);
 
@@ -115,3 +117,4 @@ TEST_F(TutorialStyleTest, TouchASurfaceFailsWithoutItsDevice)
   EXPECT_EQ(this->Said.str(), "");
 }
 } // namespace
+} // namespace palpate::tutorial_programs_test

@@ -1,5 +1,7 @@
 #include "CrossValidation.h"
 
+#include "ThinSvd.h"
+
 #include <cmath>
 
 namespace palpate
@@ -19,11 +21,10 @@ CrossValidation::CrossValidation(const LeastSquaresSolver& solver, double sample
   }
   // The first column of the triangle is nonzero only in its first row, so projecting the constant
   // out of the other columns drops the first row.
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(
-      triangle.bottomRightCorner(size - 1, size - 1) * scales.asDiagonal(), Eigen::ComputeThinU);
-  this->Values = svd.singularValues();
+  const ThinSvd svd(triangle.bottomRightCorner(size - 1, size - 1) * scales.asDiagonal());
+  this->Values = svd.Values;
   const Eigen::Map<const Eigen::VectorXd> right(solver.Projection().data(), size);
-  this->Right = svd.matrixU().transpose() * right.tail(size - 1);
+  this->Right = svd.U.transpose() * right.tail(size - 1);
 }
 
 double CrossValidation::Strength() const

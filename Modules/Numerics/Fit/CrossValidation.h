@@ -3,7 +3,6 @@
 #include "LeastSquaresSolver.h"
 
 #include <Eigen/Core>
-#include <Eigen/SVD>
 
 namespace palpate
 {

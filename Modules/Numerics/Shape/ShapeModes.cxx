@@ -1,6 +1,7 @@
 #include "ShapeModes.h"
 
-#include <Eigen/SVD>
+#include "ThinSvd.h"
+
 #include <cmath>
 #include <limits>
 
@@ -28,10 +29,10 @@ Status FindShapeModes(const Eigen::MatrixXd& coefficients, ShapeModes& result)
   }
   result.Mean = coefficients.colwise().mean().transpose();
   const Eigen::MatrixXd centered = coefficients.rowwise() - result.Mean.transpose();
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(centered, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = svd.singularValues();
+  const ThinSvd svd(centered);
+  const Eigen::VectorXd& values = svd.Values;
   const Eigen::Index count = (values.array() > RoundingOf(coefficients)).count();
-  result.Modes = svd.matrixV().leftCols(count);
+  result.Modes = svd.V.leftCols(count);
   result.Deviations = values.head(count) / std::sqrt(static_cast<double>(cases - 1));
   for (Eigen::Index k = 0; k < count; ++k)
   {

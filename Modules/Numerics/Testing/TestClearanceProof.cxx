@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-namespace palpate
+namespace palpate::clearance_proof_test
 {
 namespace
 {
@@ -209,4 +209,4 @@ TEST(ClearanceProof, LongPathsKeepBoundsValid)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::clearance_proof_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::closest_point_search_test
 {
 namespace
 {
@@ -347,4 +347,4 @@ TEST(ClosestPointSearch, RejectsNonFiniteInput)
   EXPECT_EQ(broken.Nearest({1.0, 2.0, 3.0}).State, Outcome::BadInput);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::closest_point_search_test

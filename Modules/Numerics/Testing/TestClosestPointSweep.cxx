@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-namespace palpate
+namespace palpate::closest_point_sweep_test
 {
 namespace
 {
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(Everywhere, ClosestPointSweep,
                          testing::Values(Place::Inside, Place::Outside, Place::Center,
                                          Place::Focal));
 } // namespace
-} // namespace palpate
+} // namespace palpate::closest_point_sweep_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::closest_point_tracking_test
 {
 namespace
 {
@@ -383,4 +383,4 @@ TEST(ToolContact, ToolIsPushedOutOfNarrowHollows)
   EXPECT_GT(corrected, 3); // the case occurs
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::closest_point_tracking_test

@@ -6,14 +6,8 @@
 #include <limits>
 #include <random>
 
-using palpate::ExactText;
-using palpate::FixedText;
-using palpate::ParseInteger;
-using palpate::ParseNumber;
-using palpate::SignificantAgainstLimit;
-using palpate::SignificantText;
-using palpate::TextAgainstLimit;
-
+namespace palpate::decimal_text_test
+{
 namespace
 {
 template <typename Real>
@@ -143,3 +137,4 @@ TEST(DecimalText, AgainstLimitSupportsNonFiniteAndLargestNumbers)
   const double largest = std::numeric_limits<double>::max();
   EXPECT_EQ(std::stod(TextAgainstLimit(-largest, 1.0, 2)), -largest);
 }
+} // namespace palpate::decimal_text_test

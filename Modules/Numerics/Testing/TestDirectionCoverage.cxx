@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::direction_coverage_test
 {
 namespace
 {
@@ -292,4 +292,4 @@ TEST_F(MissingCaps, TableHasOneLinePerRow)
             Rows().size() + 2);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::direction_coverage_test

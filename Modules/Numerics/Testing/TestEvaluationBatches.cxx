@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::evaluation_batches_test
 {
 namespace
 {
@@ -133,4 +133,4 @@ TEST(EvaluationBatches, InvalidDirectionAffectsOnlyItsOwnResult)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::evaluation_batches_test

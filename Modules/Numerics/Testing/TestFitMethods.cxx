@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::fit_methods_test
 {
 namespace
 {
@@ -243,4 +243,4 @@ TEST(FitMethods, ZeroRadiiGiveZeroCoefficients)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::fit_methods_test

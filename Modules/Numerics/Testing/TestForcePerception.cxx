@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using palpate::ForcePerception;
-
+namespace palpate::force_perception_test
+{
 TEST(ForcePerception, FollowsWebersLawFromHalfANewton)
 {
   for (const double force : {0.5, 1.0, 2.5, 10.0})
@@ -38,3 +38,4 @@ TEST(ForcePerception, PassesNanOn)
   EXPECT_TRUE(std::isnan(ForcePerception::Contrast(nan, 1.0)));
   EXPECT_TRUE(std::isnan(ForcePerception::Contrast(1.0, nan)));
 }
+} // namespace palpate::force_perception_test

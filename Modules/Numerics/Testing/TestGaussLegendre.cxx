@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace palpate
+namespace palpate::gauss_legendre_test
 {
 namespace
 {
@@ -76,4 +76,4 @@ TEST(GaussLegendre, HasSortedNodesAndPositiveWeights)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::gauss_legendre_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::householder_reduction_test
 {
 namespace
 {
@@ -52,4 +52,4 @@ TEST_P(HouseholderReduction, KeepsGramMatrixAndSolution)
 INSTANTIATE_TEST_SUITE_P(Sets, HouseholderReduction, testing::ValuesIn(RunnableInstructionSets()),
                          [](const auto& chosen) { return NameOf(chosen.param); });
 } // namespace
-} // namespace palpate
+} // namespace palpate::householder_reduction_test

@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 
-namespace palpate
+namespace palpate::icosahedron_directions_test
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(IcosahedronDirections, LargestGapReachesEveryDirection)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::icosahedron_directions_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::latitude_synthesis_test
 {
 namespace
 {
@@ -94,4 +94,4 @@ TEST(LatitudeSynthesis, IsAccurateAtDegree1000)
     EXPECT_LE(Difference(model, 11, z), 1e-9) << z;
   }
 }
-} // namespace palpate
+} // namespace palpate::latitude_synthesis_test

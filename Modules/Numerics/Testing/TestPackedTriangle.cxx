@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::packed_triangle_test
 {
 namespace
 {
@@ -201,4 +201,4 @@ TEST(ConditionEstimate, IsInfiniteForSingularAndNan)
   EXPECT_EQ(EstimateCondition(packed), std::numeric_limits<double>::infinity());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::packed_triangle_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::queries_do_not_allocate_test
 {
 namespace
 {
@@ -118,4 +118,4 @@ TEST(QueriesDoNotAllocate, BoundsOverCones)
   EXPECT_EQ(AllocationCount(), before);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::queries_do_not_allocate_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::radius_range_test
 {
 namespace
 {
@@ -124,4 +124,4 @@ TEST(RadiusRange, ScalesWithModel)
     EXPECT_EQ(range.Upper, std::ldexp(plain.Upper, power));
   }
 }
-} // namespace palpate
+} // namespace palpate::radius_range_test

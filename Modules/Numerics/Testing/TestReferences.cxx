@@ -11,7 +11,7 @@
 #include <numeric>
 #include <optional>
 
-namespace palpate
+namespace palpate::references_test
 {
 namespace
 {
@@ -271,4 +271,4 @@ TEST(References, TabulatedHessiansAreTangent)
     EXPECT_LE((hessian * u).norm(), 4e-16 * scale);
   }
 }
-} // namespace palpate
+} // namespace palpate::references_test

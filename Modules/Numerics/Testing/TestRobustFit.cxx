@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace palpate
+namespace palpate::robust_fit_test
 {
 namespace
 {
@@ -247,4 +247,4 @@ TEST(RobustFit, EndsWhenCancelled)
   EXPECT_EQ(FitSphericalHarmonics(samples, options, result).Message(), "cancelled");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::robust_fit_test

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::RoundNumberAbove;
-
+namespace palpate::round_number_test
+{
 TEST(RoundNumber, RoundsUpToTheNextMantissa)
 {
   EXPECT_EQ(RoundNumberAbove(0.011), 0.02);
@@ -33,3 +33,4 @@ TEST(RoundNumber, IsOneForZeroAndNonFiniteSizes)
   EXPECT_EQ(RoundNumberAbove(std::nan("")), 1.0);
   EXPECT_EQ(RoundNumberAbove(INFINITY), 1.0);
 }
+} // namespace palpate::round_number_test

@@ -15,7 +15,7 @@
 #include <limits>
 #include <numeric>
 
-namespace palpate
+namespace palpate::sample_moments_test
 {
 namespace
 {
@@ -305,4 +305,4 @@ TEST(ResidualMoments, GiveRightHandSideForZeroModel)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::sample_moments_test

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::shape_alignment_test
 {
 namespace
 {
@@ -178,4 +178,4 @@ TEST(ShapeAlignment, RejectsModelWithoutVolume)
   EXPECT_FALSE(AlignShape(broken, AlignmentAxes::Ellipsoid, aligned).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::shape_alignment_test

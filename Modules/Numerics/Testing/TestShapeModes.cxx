@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::shape_modes_test
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(ShapeModes, RejectsTooFewOrNonFiniteCases)
   EXPECT_FALSE(FindShapeModes(broken, modes).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::shape_modes_test

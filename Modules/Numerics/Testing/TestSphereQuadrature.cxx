@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::sphere_quadrature_test
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(SphereQuadrature, HasUnitDirectionsAndPositiveWeights)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::sphere_quadrature_test

@@ -9,7 +9,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spherical_harmonic_basis_test
 {
 namespace
 {
@@ -240,4 +240,4 @@ TEST(SphericalHarmonicBasis, LowerDegreesAreIndependentOfHighest)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_basis_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::spherical_harmonic_bounds_test
 {
 namespace
 {
@@ -223,4 +223,4 @@ TEST(SphericalHarmonicBounds, SphereHasItsRadiusAndNoSlope)
   EXPECT_NEAR(radius.Upper, 5.0, 1e-10);
   EXPECT_EQ(bounds.SlopeInCone({0, 1, 0}, 0.4), 0.0);
 }
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_bounds_test

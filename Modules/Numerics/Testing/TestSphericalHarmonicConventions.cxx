@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spherical_harmonic_conventions_test
 {
 namespace
 {
@@ -92,4 +92,4 @@ TEST(SphericalHarmonicConventions, FindsDegreeOfCount)
   EXPECT_EQ(DegreeOfCount(168), -1);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_conventions_test

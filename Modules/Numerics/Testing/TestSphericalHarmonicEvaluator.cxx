@@ -9,7 +9,7 @@
 #include <numeric>
 #include <thread>
 
-namespace palpate
+namespace palpate::spherical_harmonic_evaluator_test
 {
 namespace
 {
@@ -297,4 +297,4 @@ TEST(SphericalHarmonicEvaluator, TableOfDegree12FitsInFourKilobytes)
   EXPECT_LE(SphericalHarmonicEvaluator(12, coefficients).TableBytes(), 4096U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_evaluator_test

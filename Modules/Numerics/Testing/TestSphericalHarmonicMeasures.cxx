@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spherical_harmonic_measures_test
 {
 namespace
 {
@@ -317,4 +317,4 @@ TEST(SphericalHarmonicMeasures, RejectBodyWithoutVolume)
   EXPECT_FALSE(MeasureBody({1, {INFINITY, 1.0, 0.0, 0.0}, Center}, moments).IsOk());
   EXPECT_TRUE(std::isnan(AreaOf({1, {3.0, std::nan(""), 0.0, 0.0}, Center})));
 }
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_measures_test

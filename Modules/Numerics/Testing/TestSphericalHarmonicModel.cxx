@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace palpate
+namespace palpate::spherical_harmonic_model_test
 {
 namespace
 {
@@ -278,4 +278,4 @@ TEST(SphericalHarmonicModel, DefaultIsPointAtOrigin)
   EXPECT_EQ(VolumeOf(model), 0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_model_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numeric>
 
-namespace palpate
+namespace palpate::spherical_harmonic_penalty_test
 {
 namespace
 {
@@ -350,4 +350,4 @@ TEST(SphericalHarmonicFitCovariance, DeviationsFollowFromFactor)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_penalty_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spherical_harmonic_projection_test
 {
 namespace
 {
@@ -43,4 +43,4 @@ TEST(SphericalHarmonicProjection, TurnsModelsAboutPoint)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_projection_test

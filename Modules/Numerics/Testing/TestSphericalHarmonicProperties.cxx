@@ -9,7 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spherical_harmonic_properties_test
 {
 namespace
 {
@@ -129,4 +129,4 @@ TEST(SphericalHarmonicProperties, SquaredSlopesOfDegreeSumEvenly)
     }
   }
 }
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_properties_test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::spherical_harmonic_spectrum_test
 {
 namespace
 {
@@ -193,4 +193,4 @@ TEST(SphericalHarmonicSpectrum, IsNanForNonFiniteCoefficients)
     EXPECT_TRUE(std::isnan(spectrum.SlopeAround({20.0, Vector3::Zero()}, 0.1)));
   }
 }
-} // namespace palpate
+} // namespace palpate::spherical_harmonic_spectrum_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::spherical_triangle_test
 {
 namespace
 {
@@ -109,4 +109,4 @@ TEST(SphericalTriangle, SplitHalvesCap)
     triangle = triangle.Split()[3];
   }
 }
-} // namespace palpate
+} // namespace palpate::spherical_triangle_test

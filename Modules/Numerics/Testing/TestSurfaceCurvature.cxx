@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::surface_curvature_test
 {
 namespace
 {
@@ -320,4 +320,4 @@ TEST(SurfaceCurvature, ParametricPointHasNone)
   EXPECT_TRUE(std::isnan(CurvatureAt(point.EvaluateSecondOrder(Vector3::UnitZ())).Mean));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::surface_curvature_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::surface_patch_tree_test
 {
 namespace
 {
@@ -146,4 +146,4 @@ TEST(SurfacePatchTree, PartsOfNodeArePartsOfTriangle)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::surface_patch_tree_test

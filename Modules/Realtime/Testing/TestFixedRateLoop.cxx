@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace palpate
+namespace palpate::fixed_rate_loop_test
 {
 namespace
 {
@@ -132,4 +132,4 @@ TEST(FixedRateLoop, StopsFromAnotherThread)
   EXPECT_GE(clock.Now(), 999 * Period);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::fixed_rate_loop_test

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <thread>
 
-namespace palpate
+namespace palpate::latest_value_test
 {
 namespace
 {
@@ -85,4 +85,4 @@ TEST(LatestValue, NeverTornAndNeverGoesBack)
   EXPECT_TRUE(isOrdered);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::latest_value_test

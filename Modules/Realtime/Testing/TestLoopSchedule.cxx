@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace palpate
+namespace palpate::loop_schedule_test
 {
 namespace
 {
@@ -48,4 +48,4 @@ TEST(LoopSchedule, SmallOverrunIsFollowedAtOnce)
   EXPECT_EQ(schedule.Deadline(), 2000);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::loop_schedule_test

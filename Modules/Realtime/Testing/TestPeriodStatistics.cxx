@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace palpate
+namespace palpate::period_statistics_test
 {
 namespace
 {
@@ -87,4 +87,4 @@ TEST(PeriodStatistics, EmptyReturnsZero)
   EXPECT_EQ(statistics.Median(), 0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::period_statistics_test

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 // The limit is a property of the process, so each test runs in a child process.
-namespace palpate
+namespace palpate::realtime_limit_test
 {
 namespace
 {
@@ -153,4 +153,4 @@ TEST(RealtimeLimit, SpinningThreadLosesOnlyItsPriority)
             0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::realtime_limit_test

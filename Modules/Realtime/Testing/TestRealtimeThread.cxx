@@ -6,7 +6,7 @@
 
 #include <pthread.h>
 
-namespace palpate
+namespace palpate::realtime_thread_test
 {
 namespace
 {
@@ -90,4 +90,4 @@ TEST(RealtimeThread, DestructorWaitsForBody)
   EXPECT_EQ(steps, 100);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::realtime_thread_test

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace palpate
+namespace palpate::ring_buffer_test
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(RingBuffer, DeliversOrCountsEveryValueOnce)
   EXPECT_EQ(static_cast<std::uint64_t>(received) + buffer.Dropped(), std::uint64_t{count});
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ring_buffer_test

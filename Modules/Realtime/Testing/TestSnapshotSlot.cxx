@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace palpate
+namespace palpate::snapshot_slot_test
 {
 namespace
 {
@@ -132,4 +132,4 @@ TEST(SnapshotSlot, PublisherDestroysAllDuringServo)
   EXPECT_EQ(ledger.DestroyedElsewhere, 0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::snapshot_slot_test

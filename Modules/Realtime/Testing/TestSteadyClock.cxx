@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::steady_clock_test
 {
 namespace
 {
@@ -62,4 +62,4 @@ TEST(ManualClock, MovesOnlyForwardOnRequest)
   EXPECT_EQ(clock.Now(), 11);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::steady_clock_test

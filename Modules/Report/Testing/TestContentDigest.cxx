@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace palpate
+namespace palpate::content_digest_test
 {
 namespace
 {
@@ -27,4 +27,4 @@ TEST(ContentDigest, EqualOnlyForEqualContent)
   EXPECT_EQ(DigestOf({}), "cbf29ce484222325") << "FNV-1a's own start";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::content_digest_test

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace palpate
+namespace palpate::display_check_test
 {
 namespace
 {
@@ -64,4 +64,4 @@ TEST_F(DisplayCheck, NamesUnresponsiveDisplay)
   EXPECT_NE(Message().find("DISPLAY=:98765 does not answer"), std::string::npos) << Message();
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::display_check_test

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-using palpate::EscapeHtml;
-
+namespace palpate::html_text_test
+{
 TEST(HtmlText, EscapesMarkupAndQuotes)
 {
   EXPECT_EQ(EscapeHtml("<b a=\"1\" b='2'>&amp;"),
@@ -33,3 +33,4 @@ TEST(HtmlText, TablesEscapeNamesAndValues)
   EXPECT_NE(html.find("&lt;n&gt;"), std::string::npos);
   EXPECT_NE(html.find("&lt;v&gt;"), std::string::npos);
 }
+} // namespace palpate::html_text_test

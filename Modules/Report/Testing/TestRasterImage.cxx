@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::RasterImage;
-
+namespace palpate::raster_image_test
+{
 namespace
 {
 // Reads a PNG back; row 0 of the result is the top.
@@ -85,3 +85,4 @@ TEST(RasterImage, EmptyImageHasNoBytes)
 {
   EXPECT_EQ(palpate::EncodePng(RasterImage()), "");
 }
+} // namespace palpate::raster_image_test

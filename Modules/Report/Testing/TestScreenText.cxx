@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using palpate::Printable;
-
+namespace palpate::screen_text_test
+{
 TEST(ScreenText, KeepsLettersOfEveryLanguage)
 {
   for (const char* text : {"Prostate 2", "Pankreas-K\u00f6rper", "\u524d\u7acb\u817a",
@@ -53,3 +53,4 @@ TEST(ScreenText, AnyBytesBecomeOneLine)
     }
   }
 }
+} // namespace palpate::screen_text_test

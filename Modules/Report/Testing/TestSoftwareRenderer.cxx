@@ -11,12 +11,8 @@
 #include <random>
 #include <vector>
 
-using palpate::FrameOf;
-using palpate::RasterImage;
-using palpate::SoftwareRenderer;
-using palpate::Vector3;
-using palpate::ViewSide;
-
+namespace palpate::software_renderer_test
+{
 namespace
 {
 // Opaque area in pixels; partly covered ones count partly.
@@ -191,3 +187,4 @@ TEST(SoftwareRenderer, EmptyMeshIsTransparent)
   vtkNew<vtkPolyData> nothing;
   EXPECT_EQ(CoveredPixels(SoftwareRenderer(nothing).Render(ViewSide::Left, 16)), 0.0);
 }
+} // namespace palpate::software_renderer_test

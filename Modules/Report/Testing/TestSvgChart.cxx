@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using palpate::SvgChart;
+namespace palpate::svg_chart_test
+{
 using Points = std::vector<std::pair<double, double>>;
 
 namespace
@@ -165,3 +166,4 @@ TEST(SvgChart, DotsAreWellFormedForAnyInput)
     }
   }
 }
+} // namespace palpate::svg_chart_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::device_homing_test
 {
 namespace
 {
@@ -88,4 +88,4 @@ TEST_F(DeviceHomingTest, RejectsUnknownKind)
   EXPECT_THROW(HomeDevice("phantom", 0.0, [](const HomingView&) { return true; }), InputError);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::device_homing_test

@@ -15,10 +15,10 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+namespace palpate::documentation_images_test
+{
 namespace
 {
-using palpate::RasterImage;
-using palpate::SceneRenderer;
 
 constexpr SceneRenderer::Color Tan{{0.85, 0.66, 0.55}};
 
@@ -130,3 +130,4 @@ TEST_F(DocumentationImages, DrawsSkullFromCtAloneAndUnderSkin)
   palpate::test::ExpectLikeBaseline(
       SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "skull.png");
 }
+} // namespace palpate::documentation_images_test

@@ -9,7 +9,7 @@
 
 #include "vtkMatrix3x3.h"
 
-namespace palpate
+namespace palpate::drill_export_test
 {
 namespace
 {
@@ -133,4 +133,4 @@ TEST_F(DrillExport, IsCancelled)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_export_test

@@ -12,7 +12,7 @@
 
 #include <random>
 
-namespace palpate
+namespace palpate::drill_files_test
 {
 namespace
 {
@@ -159,4 +159,4 @@ TEST_F(DrillFiles, DrilledLabelVoxelsLoseTheirLabel)
   EXPECT_NEAR(gone * Voxel, removed, 0.3 * removed); // whole voxels of a small hole
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_files_test

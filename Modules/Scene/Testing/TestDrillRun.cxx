@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace palpate
+namespace palpate::drill_run_test
 {
 namespace
 {
@@ -224,4 +224,4 @@ TEST(DrillRun, SummaryHasRemovedVolumeAndForbiddenStructures)
   EXPECT_EQ(summary["drilled"]["forbidden"][0]["name"], "nerve");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_run_test

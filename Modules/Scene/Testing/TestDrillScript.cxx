@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::drill_script_test
 {
 namespace
 {
@@ -70,4 +70,4 @@ TEST_F(DrillScript, RejectsMalformedScripts)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_script_test

@@ -3,7 +3,7 @@
 #include "DrillContextCases.h"
 #include "InputError.h"
 
-namespace palpate
+namespace palpate::drill_state_test
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST_F(DrillStateTest, RejectsChangedVoxelAndMoreStructures)
   EXPECT_NE(this->Refusal(this->Path, *test::BenchOf(two)).find("1 drilled"), std::string::npos);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_state_test

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::drill_tool_test
 {
 namespace
 {
@@ -230,4 +230,4 @@ TEST_F(DrillTool, OffsetSurfaceCutsWhereItLies)
   EXPECT_GT(tool.Distance(Vector3::Zero()), 5.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_tool_test

@@ -9,7 +9,7 @@
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 
-namespace palpate
+namespace palpate::forbidden_structure_test
 {
 namespace
 {
@@ -212,4 +212,4 @@ TEST(DrillWatchTest, IsSilentWithoutSampleOrDrill)
   EXPECT_TRUE(none.Approaches().empty());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::forbidden_structure_test

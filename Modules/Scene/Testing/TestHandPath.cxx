@@ -9,7 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::hand_path_test
 {
 namespace
 {
@@ -78,4 +78,4 @@ TEST(HandPath, SweepFollowsASphereAtItsDepth)
   EXPECT_GT((places.back().PointWorld - center).norm(), Radius + ToolRadius);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::hand_path_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::labels_on_grid_test
 {
 namespace
 {
@@ -75,4 +75,4 @@ TEST(LabelsOnGrid, EqualNearestVoxelOrZeroOutside)
   EXPECT_GT(outside, 100);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::labels_on_grid_test

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <set>
 
-namespace palpate
+namespace palpate::scene_builder_test
 {
 namespace
 {
@@ -261,4 +261,4 @@ TEST_F(SceneBuilderTest, MakesOnlyTheTouchedStructureOfAnAtlas)
   EXPECT_EQ(bytes, made.Touched[0].Touch.Model->Bytes());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::scene_builder_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::scene_field_test
 {
 namespace
 {
@@ -145,4 +145,4 @@ TEST_F(SceneFieldWithin, CanBeCancelled)
                Cancelled);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::scene_field_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::scene_file_test
 {
 namespace
 {
@@ -302,4 +302,4 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::scene_file_test

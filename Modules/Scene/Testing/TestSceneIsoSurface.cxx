@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::scene_iso_surface_test
 {
 namespace
 {
@@ -110,4 +110,4 @@ TEST(SceneIsoSurface, IsCancelled)
       Cancelled);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::scene_iso_surface_test

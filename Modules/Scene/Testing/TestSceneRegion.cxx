@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::scene_region_test
 {
 namespace
 {
@@ -163,4 +163,4 @@ TEST_F(SceneRegionTest, CanBeCancelled)
                Cancelled);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::scene_region_test

@@ -10,11 +10,8 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-using palpate::FrameOf;
-using palpate::RasterImage;
-using palpate::SceneRenderer;
-using palpate::Vector3;
-using palpate::ViewSide;
+namespace palpate::scene_renderer_test
+{
 using palpate::test::ExpectLikeBaseline;
 
 namespace
@@ -189,3 +186,4 @@ TEST_F(SceneRendererTest, EmptySceneShowsTheBackground)
   EXPECT_EQ(image.Height, 48);
   EXPECT_TRUE(IsBackground(image.Pixel(20, 12)));
 }
+} // namespace palpate::scene_renderer_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::scene_tissue_test
 {
 namespace
 {
@@ -352,4 +352,4 @@ TEST_F(SceneTissueTest, SideIsThatOfThePatient)
   EXPECT_EQ(SofteningSettingsOf(gland).FreeSides.at(0), -Vector3::UnitZ()) << "inferior";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::scene_tissue_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::touch_cost_test
 {
 namespace
 {
@@ -94,4 +94,4 @@ TEST(HandPresses, ReachExactlyTheirDepthAndRepeatForASeed)
   EXPECT_NE(again.List().back().PointWorld, path.List().back().PointWorld);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_cost_test

@@ -19,7 +19,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace palpate
+namespace palpate::touch_run_test
 {
 namespace
 {
@@ -370,4 +370,4 @@ TEST(DeviceList, HasTheSimulatedDeviceAndObstaclesOfOthers)
   EXPECT_NE(named("replay").Details.find("file"), std::string::npos);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_run_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::touch_ticks_file_test
 {
 namespace
 {
@@ -53,4 +53,4 @@ TEST_F(TouchTicksFileTest, RejectsOtherEndings)
   EXPECT_FALSE(std::filesystem::exists(this->Folder / "plots.svg"));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_ticks_file_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::touch_trace_test
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST(TouchTrace, WithoutTicksIsEmpty)
   EXPECT_EQ(trace.Whole().Force.Most, 0.0F);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_trace_test

@@ -6,6 +6,7 @@
 #include "RealtimeThread.h"
 #include "Refusal.h"
 #include "SteadyClock.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,8 +18,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Nano = 1e-9;
-
 // Published by the loop's thread.
 struct LoopView
 {
@@ -59,7 +58,8 @@ private:
   static std::int64_t PeriodOf(const DeviceCapabilities& device)
   {
     constexpr double DefaultRate = 1000.0; // Hz
-    return std::llround(1.0 / (Nano * (device.Rate > 0.0 ? device.Rate : DefaultRate)));
+    return std::llround(1.0 /
+                        (SecondsPerNanosecond * (device.Rate > 0.0 ? device.Rate : DefaultRate)));
   }
 
   bool Tick(const TickInfo& tick) noexcept
@@ -106,11 +106,12 @@ HomingReport HomeDevice(HapticDevice& device, double leastSeconds,
   HomingView view;
   const auto look = [&]
   {
-    view.Seconds = Nano * static_cast<double>(clock.Now() - start);
+    view.Seconds = SecondsPerNanosecond * static_cast<double>(clock.Now() - start);
     view.State = device.State();
     view.Guidance = device.Guidance();
     view.Sample = loop.Latest().Sample;
-    view.Rate = static_cast<double>(loop.Latest().Samples) / std::max(view.Seconds, Nano);
+    view.Rate =
+        static_cast<double>(loop.Latest().Samples) / std::max(view.Seconds, SecondsPerNanosecond);
     if (view.State == DeviceState::Ready && report.HomedAfter == 0.0)
     {
       report.HomedAfter = view.Seconds;

@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::uintmax_t LargestFile = 1 << 24;
+constexpr std::uintmax_t LargestScript = 1 << 24;
 constexpr double LongestTime = 36000.0; // s
 const std::initializer_list<const char*> Words{"start", "stop", "end-stroke",
                                                "undo",  "redo", "reset"};
@@ -16,7 +16,7 @@ const std::initializer_list<const char*> Words{"start", "stop", "end-stroke",
 std::vector<DrillAction> ReadDrillScript(const std::filesystem::path& path)
 {
   const nlohmann::json root =
-      ReadJson(path, LargestFile, "write it as Documentation/HowTo/Drill.md shows");
+      ReadJson(path, LargestScript, "write it as Documentation/HowTo/Drill.md shows");
   JsonFields fields(root, path, "script");
   fields.ExchangeFormat("palpate-drill", "a drill script");
   std::vector<DrillAction> actions;

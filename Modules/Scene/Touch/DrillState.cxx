@@ -24,7 +24,7 @@ namespace
 {
 constexpr std::string_view Magic = "palpate-drill-state 1\n";
 constexpr const char* Remedy = "use a file written by palpate touch or saved from the window";
-constexpr std::uintmax_t LargestFile = std::uintmax_t{1} << 33;
+constexpr std::uintmax_t LargestState = std::uintmax_t{1} << 33;
 
 template <typename T>
 std::string_view AsBytes(const T* data, std::size_t count)
@@ -134,7 +134,7 @@ void WriteDrillState(const std::filesystem::path& path, const DrillContext& cont
 
 void ReadDrillState(const std::filesystem::path& path, const DrillContext& context)
 {
-  const std::string file = ReadWholeFile(path, LargestFile);
+  const std::string file = ReadWholeFile(path, LargestState);
   const std::size_t end = file.find('\n', Magic.size());
   if (file.compare(0, Magic.size(), Magic) != 0 || end == std::string::npos)
   {

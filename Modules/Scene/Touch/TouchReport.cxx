@@ -7,6 +7,7 @@
 #include "ReportPage.h"
 #include "SceneFile.h"
 #include "SvgChart.h"
+#include "Units.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -84,8 +85,6 @@ std::string DrillSection(const PreparedTouch& touch, const TouchResult& result)
                            HtmlTable("Removed volume and protected structures", rows) + "</div>\n");
 }
 
-constexpr double Micro = 1e-3; // us in a ns
-
 using TouchQuantity = LeastAndMost TouchStretch::*;
 
 double PercentOf(const TouchResult& result, double seconds)
@@ -109,10 +108,10 @@ nlohmann::ordered_json StatisticsAsJson(const PeriodStatistics& statistics)
   constexpr double Most = 0.99;
   constexpr double Almost = 0.999;
   return {{"count", statistics.Count()},
-          {"median_us", Micro * static_cast<double>(statistics.Median())},
-          {"p99_us", Micro * static_cast<double>(statistics.Quantile(Most))},
-          {"p999_us", Micro * static_cast<double>(statistics.Quantile(Almost))},
-          {"max_us", Micro * static_cast<double>(statistics.Max())},
+          {"median_us", MicrosecondsPerNanosecond * static_cast<double>(statistics.Median())},
+          {"p99_us", MicrosecondsPerNanosecond * static_cast<double>(statistics.Quantile(Most))},
+          {"p999_us", MicrosecondsPerNanosecond * static_cast<double>(statistics.Quantile(Almost))},
+          {"max_us", MicrosecondsPerNanosecond * static_cast<double>(statistics.Max())},
           {"missed", statistics.Misses()}};
 }
 
@@ -231,7 +230,9 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
 {
   constexpr double Almost = 0.999;
   const auto micro = [](std::int64_t nanoseconds)
-  { return SignificantText(Micro * static_cast<double>(nanoseconds), 3) + " µs"; };
+  {
+    return SignificantText(MicrosecondsPerNanosecond * static_cast<double>(nanoseconds), 3) + " µs";
+  };
   HtmlRows rows{
       {"device", touch.Settings.Device},
       {"scene mm per device mm", SignificantText(touch.Frame.Scale, 3)},

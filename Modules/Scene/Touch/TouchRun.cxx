@@ -11,6 +11,7 @@
 #include "StiffnessAdvice.h"
 #include "TouchReplay.h"
 #include "TouchSession.h"
+#include "Units.h"
 #include "WorkspaceFrame.h"
 
 #include <algorithm>
@@ -23,7 +24,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double Nano = 1e-9;
 constexpr const char* SimulatedName = "simulated";
 constexpr double DefaultDuration = 10.0; // s, without a path
 
@@ -91,7 +91,8 @@ public:
       this->Start = state.Tick.Scheduled;
       this->Last = state.Tick.Started;
     }
-    const double passed = Nano * static_cast<double>(state.Tick.Started - this->Last);
+    const double passed =
+        SecondsPerNanosecond * static_cast<double>(state.Tick.Started - this->Last);
     TouchStretch tick = StretchOf(state, this->Start, this->Last);
     tick.Computation = {microseconds, microseconds};
     this->Result.Trace.Add(tick);
@@ -187,7 +188,7 @@ public:
       this->LookOut(passed, this->Session.Loop().Latest());
       this->NoteRemoval(passed);
       this->Fetch();
-      passed = Nano * static_cast<double>(clock.Now() - start);
+      passed = SecondsPerNanosecond * static_cast<double>(clock.Now() - start);
     }
     this->Session.Pause();
     this->Fetch();
@@ -199,7 +200,8 @@ public:
 private:
   std::int64_t Period() const
   {
-    return static_cast<std::int64_t>(std::llround(1.0 / (Nano * this->Touch.Settings.Rate)));
+    return static_cast<std::int64_t>(
+        std::llround(1.0 / (SecondsPerNanosecond * this->Touch.Settings.Rate)));
   }
   double PartAt(std::uint64_t tick) const
   {

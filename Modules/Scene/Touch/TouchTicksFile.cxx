@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "Refusal.h"
 #include "TouchRecording.h"
+#include "Units.h"
 #include "WholeFile.h"
 
 #include <string>
@@ -32,10 +33,9 @@ void Append(std::string& text, const PlainVector3& v)
 
 void Append(std::string& text, const TouchState& state, std::int64_t start)
 {
-  constexpr double Nano = 1e-9;
   text += std::to_string(state.Tick.Number);
-  Append(text, Nano * static_cast<double>(state.Tick.Scheduled - start));
-  Append(text, Nano * static_cast<double>(state.Tick.Started - start));
+  Append(text, SecondsPerNanosecond * static_cast<double>(state.Tick.Scheduled - start));
+  Append(text, SecondsPerNanosecond * static_cast<double>(state.Tick.Started - start));
   text += ',' + std::string(NameOf(state.State)) + ',' +
           std::to_string(static_cast<int>(state.Safety.Fault)) + ',' +
           std::to_string(state.Sample.Buttons);

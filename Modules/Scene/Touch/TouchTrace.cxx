@@ -1,5 +1,6 @@
 #include "TouchTrace.h"
 
+#include "Units.h"
 #include "Vector3.h"
 
 namespace palpate
@@ -22,13 +23,11 @@ LeastAndMost Alone(double value)
 
 TouchStretch StretchOf(const TouchState& state, std::int64_t start, std::int64_t last)
 {
-  constexpr double Nano = 1e-9;
-  constexpr double Micro = 1e-3; // of a ns
   TouchStretch tick;
-  tick.Time = Nano * static_cast<double>(state.Tick.Started - start);
+  tick.Time = SecondsPerNanosecond * static_cast<double>(state.Tick.Started - start);
   tick.Force = Alone(Vector3(state.ForceDevice).norm());
   tick.Depth = Alone(state.Structure < 0 ? 0.0 : state.Depth);
-  tick.Period = Alone(Micro * static_cast<double>(state.Tick.Started - last));
+  tick.Period = Alone(MicrosecondsPerNanosecond * static_cast<double>(state.Tick.Started - last));
   return tick;
 }
 

@@ -8,7 +8,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using namespace palpate;
+namespace palpate::closed_mesh_test
+{
 using namespace palpate::test;
 
 namespace
@@ -223,3 +224,4 @@ TEST(MeshVoxels, DirectionsAgreeOnClosedMesh)
   const auto inside = static_cast<double>(std::count(one.begin(), one.end(), 1));
   EXPECT_NEAR(inside * std::pow(grid.Axes(0, 0), 3) / VolumeOf(mesh), 1.0, 0.01);
 }
+} // namespace palpate::closed_mesh_test

@@ -5,9 +5,10 @@
 #include <limits>
 #include <random>
 
+namespace palpate::closest_point_distances_test
+{
 namespace
 {
-using palpate::Vector3;
 
 // A ring about z, of radius 20 and 6 mm: no point sees all of it.
 palpate::IndexedMesh Ring(int steps)
@@ -57,3 +58,4 @@ TEST(SignedDistances, AreNanForSurfaceThatIsNotFinite)
   EXPECT_TRUE(std::isnan(palpate::SignedDistances({Vector3::Zero()}, {}).front()));
 }
 } // namespace
+} // namespace palpate::closest_point_distances_test

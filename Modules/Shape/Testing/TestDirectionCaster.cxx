@@ -7,11 +7,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+namespace palpate::direction_caster_test
+{
 namespace
 {
-using palpate::DirectionCaster;
-using palpate::IndexedMesh;
-using palpate::Vector3;
 
 IndexedMesh Sphere(double radius, const Vector3& center, int frequency)
 {
@@ -127,3 +126,4 @@ TEST(DirectionCaster, CountsNearerTrianglesExceptTheOwn)
   EXPECT_EQ(caster.CountNearer(mesh, Vector3::Zero(), {own}, {5.0}), std::vector<int>{1});
 }
 } // namespace
+} // namespace palpate::direction_caster_test

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::iso_surface_test
+{
 namespace
 {
 // Radius minus the distance from the grid's centre, mm; steps of 0.5 mm.
@@ -85,3 +87,4 @@ TEST(IsoSurface, ReversingNegatesVolume)
   EXPECT_DOUBLE_EQ(palpate::MeasureEnclosed(surface).Volume, -volume);
 }
 } // namespace
+} // namespace palpate::iso_surface_test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::mask_components_test
+{
 namespace
 {
 palpate::VoxelMask EmptyMask(int side)
@@ -77,3 +79,4 @@ TEST(FillCavities, LeavesPitWithDiagonalOpening)
   EXPECT_EQ(palpate::FillCavities(mask).Count, 0);
 }
 } // namespace
+} // namespace palpate::mask_components_test

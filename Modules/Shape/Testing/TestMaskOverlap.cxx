@@ -8,9 +8,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace palpate::mask_overlap_test
+{
 namespace
 {
-using palpate::Vector3;
 using palpate::test::MakeSphere;
 
 constexpr double VoxelCount = 8000.0;
@@ -123,3 +124,4 @@ TEST(MaskOverlap, IsZeroForNonFiniteSurface)
             0.0);
 }
 } // namespace
+} // namespace palpate::mask_overlap_test

@@ -9,9 +9,10 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::model_table_test
+{
 namespace
 {
-using palpate::SphericalHarmonicModel;
 
 TEST(ModelTable, RoundTripsBitForBit)
 {
@@ -40,3 +41,4 @@ TEST(ModelTable, RejectsOtherTables)
   EXPECT_FALSE(palpate::FromTable(table, model));
 }
 } // namespace
+} // namespace palpate::model_table_test

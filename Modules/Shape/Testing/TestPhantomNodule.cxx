@@ -10,14 +10,10 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+namespace palpate::phantom_nodule_test
+{
 namespace
 {
-using palpate::MakePhantom;
-using palpate::PhantomAppearance;
-using palpate::PhantomGrid;
-using palpate::PhantomImages;
-using palpate::PhantomNodule;
-using palpate::Vector3;
 
 const Vector3 TestCenter(12.3, -45.6, 78.9);
 
@@ -161,3 +157,4 @@ TEST(PhantomNodule, HasIntensityOfItsOwn)
   }
   EXPECT_GT(pure, 400);
 }
+} // namespace palpate::phantom_nodule_test

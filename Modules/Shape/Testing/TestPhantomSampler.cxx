@@ -16,12 +16,10 @@
 #include <stdexcept>
 #include <vector>
 
+namespace palpate::phantom_sampler_test
+{
 namespace
 {
-using palpate::MakePhantom;
-using palpate::PhantomGrid;
-using palpate::PhantomImages;
-using palpate::Vector3;
 
 const Vector3 TestCenter(12.3, -45.6, 78.9);
 
@@ -382,3 +380,4 @@ TEST(Phantom, ProgressEndsTheWork)
   EXPECT_THROW(MakePhantom(TestModel(), ObliqueGrid(4.0, 0.0), {}, stop), std::runtime_error);
   EXPECT_EQ(calls, 8); // of 16 slices
 }
+} // namespace palpate::phantom_sampler_test

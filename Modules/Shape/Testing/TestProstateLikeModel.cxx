@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-using palpate::MakeProstateLikeModel;
-using palpate::Vector3;
-
+namespace palpate::prostate_like_model_test
+{
 TEST(ProstateLikeModel, HasProstateSizeAndIsStarShaped)
 {
   const palpate::IcosahedronDirections directions(8);
@@ -46,3 +45,4 @@ TEST(ProstateLikeModel, BackIsFlatterThanFront)
   const auto model = MakeProstateLikeModel(12, 4, Vector3::Zero());
   EXPECT_LT(model.Radius(Vector3::UnitY()), model.Radius(-Vector3::UnitY()));
 }
+} // namespace palpate::prostate_like_model_test

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::star_shape_test
+{
 namespace
 {
-using palpate::IndexedMesh;
-using palpate::Vector3;
 
 // An L of square cross-section: arms of 30 mm along x and y, 10 mm thick, as its outline in x and y
 // extruded along z.
@@ -88,3 +88,4 @@ TEST(StarShape, CentroidOfSphereIsItsCentre)
   EXPECT_LT((palpate::VolumeCentroid(sphere) - Vector3(100, -50, 7)).norm(), 1e-10);
 }
 } // namespace
+} // namespace palpate::star_shape_test

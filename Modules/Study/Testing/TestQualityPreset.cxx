@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::quality_preset_test
 {
 namespace
 {
@@ -128,4 +128,4 @@ TEST_F(StudyQuality, ReportsWhyItCannotBeMeasured)
   EXPECT_NE(this->Open.QualityLines().at(0).Problem, "");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::quality_preset_test

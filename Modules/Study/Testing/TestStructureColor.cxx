@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::structure_color_test
 {
 namespace
 {
@@ -44,4 +44,4 @@ TEST(StructureColor, TakesAnyId)
   EXPECT_EQ(StructureColor({}, -5), StructureColor({}, 1));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::structure_color_test

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace palpate
+namespace palpate::study_test
 {
 namespace
 {
@@ -471,4 +471,4 @@ TEST_F(StudyTest, UndoAndRedoOfRandomStepsRestoreTheStates)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_test

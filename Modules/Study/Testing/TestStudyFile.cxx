@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::study_file_test
 {
 namespace
 {
@@ -199,4 +199,4 @@ TEST(StudyText, EmptyObjectGivesTheDefaultState)
             StudyState());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_file_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::study_file_role_test
 {
 namespace
 {
@@ -58,4 +58,4 @@ TEST(StudyFileRole, RejectsUnknownFiles)
   EXPECT_THROW((void)RoleOf(folder / "absent.nrrd"), InputError);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_file_role_test

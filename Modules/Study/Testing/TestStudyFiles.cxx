@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::study_files_test
 {
 namespace
 {
@@ -49,4 +49,4 @@ TEST(StudyFiles, WrittenProductsCanBeTouchedAgain)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_files_test

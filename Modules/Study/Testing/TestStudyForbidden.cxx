@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace palpate
+namespace palpate::study_forbidden_test
 {
 namespace
 {
@@ -334,4 +334,4 @@ TEST_F(StudyForbiddenTest, CommandLineProtectsTheSame)
             ReadWholeFile(this->Phantom.Folder / "command.state", Largest));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_forbidden_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <utility>
 
-namespace palpate
+namespace palpate::study_history_test
 {
 namespace
 {
@@ -149,4 +149,4 @@ TEST(StudyHistory, ReportsUnsavedChanges)
   EXPECT_FALSE(history.IsChanged());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_history_test

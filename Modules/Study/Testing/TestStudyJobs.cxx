@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace palpate
+namespace palpate::study_jobs_test
 {
 namespace
 {
@@ -223,4 +223,4 @@ TEST(StudyJobs, SeveralWorkersRunEachJobOnce)
   EXPECT_EQ(delivered, 200);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_jobs_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace palpate
+namespace palpate::study_markups_test
 {
 namespace
 {
@@ -58,4 +58,4 @@ TEST(StudyMarkups, RejectsEmptyMarkupsAndOtherEndings)
   EXPECT_EQ(folder.EntryCount(), 0U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_markups_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::study_opening_test
 {
 namespace
 {
@@ -181,4 +181,4 @@ TEST_F(StudyOpeningTest, SceneIsAddedToWhatIsOpen)
   EXPECT_EQ(this->Open.State(), own);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_opening_test

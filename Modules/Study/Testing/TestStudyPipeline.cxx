@@ -11,7 +11,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::study_pipeline_test
 {
 namespace
 {
@@ -539,4 +539,4 @@ TEST_F(StudyPipelineTest, MakesAProstateOfRealData)
   EXPECT_GT(this->Model(1)->Dice, 0.95); // `palpate fit` gives 0.960
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_pipeline_test

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace palpate
+namespace palpate::study_plan_test
 {
 namespace
 {
@@ -413,4 +413,4 @@ TEST(SceneStamps, StampsCompanionFiles)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_plan_test

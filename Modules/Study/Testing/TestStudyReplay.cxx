@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::study_replay_test
 {
 namespace
 {
@@ -223,4 +223,4 @@ TEST_F(StudyReplayTest, RejectsMalformedRecordings)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_replay_test

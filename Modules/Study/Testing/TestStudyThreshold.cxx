@@ -12,7 +12,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::study_threshold_test
 {
 namespace
 {
@@ -187,4 +187,4 @@ TEST_F(StudyThresholdTest, MovedLabelsAreFound)
   EXPECT_EQ(Relocate(state, mask, moved).Structures.front().WithinFile, moved);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_threshold_test

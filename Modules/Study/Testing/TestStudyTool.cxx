@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace palpate
+namespace palpate::study_tool_test
 {
 namespace
 {
@@ -135,4 +135,4 @@ TEST_F(StudyToolTest, TouchWaitsForTheTool)
   EXPECT_TRUE(this->Open.Touch().IsRunning()) << this->Open.TouchProblem();
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_tool_test

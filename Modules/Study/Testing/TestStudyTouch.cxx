@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace palpate
+namespace palpate::study_touch_test
 {
 namespace
 {
@@ -548,4 +548,4 @@ TEST(SafetyText, SaysThatTouchingGoesOnByItself)
   EXPECT_EQ(SafetyText(state), "The servo was delayed for too long: touching goes on by itself.");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::study_touch_test

@@ -15,7 +15,7 @@
 #include <optional>
 #include <set>
 
-namespace palpate
+namespace palpate::elastic_trade_test
 {
 namespace
 {
@@ -311,4 +311,4 @@ TEST(TradeErrors, ForcesOfAYieldingStructureAreComparedAsTheyAre)
   EXPECT_EQ(row.Seizures, 1.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::elastic_trade_test

@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace palpate
+namespace palpate::structure_trade_test
 {
 namespace
 {
@@ -313,4 +313,4 @@ TEST(TradeErrors, ForceTenPercentTooStrongHasThatError)
   EXPECT_NEAR(row.JumpMost, 1.1 * row.IdealJumpMost, 1e-12);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::structure_trade_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::trade_advice_test
 {
 namespace
 {
@@ -94,4 +94,4 @@ TEST(TradeAdvice, RecommendsNothingWithoutRows)
 }
 
 } // namespace
-} // namespace palpate
+} // namespace palpate::trade_advice_test

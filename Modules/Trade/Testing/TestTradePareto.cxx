@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::trade_pareto_test
 {
 namespace
 {
@@ -51,4 +51,4 @@ TEST(TradePareto, RejectsNonFinitePoints)
   EXPECT_EQ(front, std::vector<std::size_t>{1});
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::trade_pareto_test

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace palpate
+namespace palpate::trade_run_test
 {
 namespace
 {
@@ -135,4 +135,4 @@ TEST_F(TradeRunTest, TableAndJsonHaveTheSameNumbers)
   EXPECT_NE(table.find("," + row["bytes"].dump().substr(0, 4)), std::string::npos);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::trade_run_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::field_renderer_test
 {
 namespace
 {
@@ -187,4 +187,4 @@ TEST(FieldRenderer, ScenePlacementAffectsOnlyShading)
   EXPECT_EQ(ColorAt(image, 32, 32), (std::array<int, 4>{255, 255, 255, 255}));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::field_renderer_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::pixel_rays_test
 {
 namespace
 {
@@ -90,4 +90,4 @@ TEST(PixelRays, AreUnusableWithoutPixelsOrInverse)
   EXPECT_FALSE(PixelRays(Eigen::Matrix4d::Zero(), 10, 10).IsUsable());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::pixel_rays_test

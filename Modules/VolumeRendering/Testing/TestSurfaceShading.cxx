@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::surface_shading_test
 {
 namespace
 {
@@ -67,4 +67,4 @@ TEST(SurfaceShading, PositionalLightShinesFromItsPosition)
   EXPECT_FALSE(SurfaceShading(finish, {FromViewer}).NeedsPoints());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::surface_shading_test

@@ -12,7 +12,7 @@
 
 #include <QTableView>
 
-namespace palpate
+namespace palpate::added_structures_test
 {
 namespace
 {
@@ -251,4 +251,4 @@ TEST_F(AddedStructures, DialogHasTheNumbersOfAddedEffects)
   EXPECT_EQ(this->Study->State().Structures.front().Number("adhesion_n"), 0.25);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::added_structures_test

@@ -6,7 +6,7 @@
 
 #include <clocale>
 
-namespace palpate
+namespace palpate::application_test
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST_F(ApplicationTest, ReadsFractionsOfMillimetres)
   EXPECT_EQ(dicom.OriginWorld, test::FractionalOrigin());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::application_test

@@ -10,7 +10,7 @@
 
 #include <functional>
 
-namespace palpate
+namespace palpate::bad_files_test
 {
 namespace
 {
@@ -248,4 +248,4 @@ TEST_F(BadFilesTest, ReportsUnwritableStudyAndKeepsItOpen)
   EXPECT_TRUE(this->Window->isWindowModified());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::bad_files_test

@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace palpate
+namespace palpate::documentation_image_test
 {
 namespace
 {
@@ -48,4 +48,4 @@ TEST_F(WindowImages, WindowShowsHeadAndModels)
                            std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "viewer.png");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::documentation_image_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::drill_panel_test
 {
 namespace
 {
@@ -232,4 +232,4 @@ TEST_F(DrillPanelTest, ForbiddenStructureRaisesAlarm)
   WaitUntil([this] { return this->Panel()->AlarmWords().isEmpty(); });
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_panel_test

@@ -8,7 +8,7 @@
 
 #include <future>
 
-namespace palpate
+namespace palpate::drill_panel_forbidden_test
 {
 namespace
 {
@@ -142,4 +142,4 @@ TEST_F(DrillPanelForbiddenTest, ReportsFailedProtectionOnceWithFix)
   this->ExpectNothingCut();
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_panel_forbidden_test

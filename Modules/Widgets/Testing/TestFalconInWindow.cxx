@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace palpate
+namespace palpate::falcon_in_window_test
 {
 namespace
 {
@@ -160,4 +160,4 @@ TEST_F(FalconInWindowTest, ClosingWhileTouchingSwitchesMotorsOff)
             0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_in_window_test

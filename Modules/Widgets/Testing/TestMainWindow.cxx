@@ -15,7 +15,7 @@
 #include <fstream>
 #include <map>
 
-namespace palpate
+namespace palpate::main_window_test
 {
 namespace
 {
@@ -228,4 +228,4 @@ TEST_F(MainWindowTest, ClosesDuringWork)
   EXPECT_FALSE(this->Window->isVisible());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::main_window_test

@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QTableView>
 
-namespace palpate
+namespace palpate::quality_panel_test
 {
 namespace
 {
@@ -65,4 +65,4 @@ TEST_F(QualityPanelTest, TicksAreMeasuredWhileTouched)
   WaitUntil([this] { return !this->Panel()->NumbersText().contains("measured"); });
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::quality_panel_test

@@ -9,7 +9,7 @@
 
 #include <QKeyEvent>
 
-namespace palpate
+namespace palpate::replay_bar_test
 {
 namespace
 {
@@ -174,4 +174,4 @@ TEST_F(ReplayBarTest, RejectsForeignFileEachTime)
   EXPECT_FALSE(this->Study->IsReplaying());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::replay_bar_test

@@ -5,7 +5,7 @@
 
 // Names from files, in widgets that would interpret text as HTML.
 
-namespace palpate
+namespace palpate::screen_string_test
 {
 namespace
 {
@@ -65,4 +65,4 @@ TEST_F(ScreenStringTest, MessageAboutAFileIsOneLine)
   EXPECT_NE(message.find("a\\x0a<b>b\\xe2\\x80\\xae.nii.gz"), std::string::npos) << message;
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::screen_string_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::strip_chart_test
 {
 namespace
 {
@@ -75,4 +75,4 @@ TEST_F(StripChartTest, EarlierTimeRestartsCurve)
   EXPECT_EQ(chart.Count(), 1U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::strip_chart_test

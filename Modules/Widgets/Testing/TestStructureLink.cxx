@@ -5,7 +5,7 @@
 #include "vtkSubVoxelVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
-namespace palpate
+namespace palpate::structure_link_test
 {
 namespace
 {
@@ -137,4 +137,4 @@ TEST_F(StructureLinkTest, SubVoxelVolumeHasOpacityAndHighlight)
   EXPECT_EQ(shown.StructureAt(volume, this->SphereCenter), 1);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::structure_link_test

@@ -4,7 +4,7 @@
 
 #include <QTableView>
 
-namespace palpate
+namespace palpate::structure_table_model_test
 {
 namespace
 {
@@ -190,4 +190,4 @@ TEST_F(StructureTableTest, QualityOfASurfaceFileIsTheDistanceFromIt)
   EXPECT_NEAR(quality.data().toDouble(), fitted()->ModelToSurface.Mean, 0.00051);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::structure_table_model_test

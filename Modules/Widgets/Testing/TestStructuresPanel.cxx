@@ -11,7 +11,7 @@
 
 #include <chrono>
 
-namespace palpate
+namespace palpate::structures_panel_test
 {
 namespace
 {
@@ -480,4 +480,4 @@ TEST_F(StructuresPanelTest, ToolsNeedNoWiderColumn)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::structures_panel_test

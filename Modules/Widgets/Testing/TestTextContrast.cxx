@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::text_contrast_test
 {
 namespace
 {
@@ -35,4 +35,4 @@ TEST(TextContrast, MakesEveryColorReadableOnEveryBackground)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::text_contrast_test

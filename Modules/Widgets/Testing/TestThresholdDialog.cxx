@@ -7,7 +7,7 @@
 #include <QDialogButtonBox>
 #include <QPointer>
 
-namespace palpate
+namespace palpate::threshold_dialog_test
 {
 namespace
 {
@@ -198,4 +198,4 @@ TEST_F(ThresholdDialogTest, NeedsAVolume)
   EXPECT_NE(this->Messages().find("no volume"), std::string::npos) << this->Messages();
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::threshold_dialog_test

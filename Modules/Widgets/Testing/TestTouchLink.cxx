@@ -16,7 +16,7 @@
 #include <QTextEdit>
 #include <QWindow>
 
-namespace palpate
+namespace palpate::touch_link_test
 {
 namespace
 {
@@ -308,4 +308,4 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   EXPECT_EQ(this->Window->Contents().Landmarks()->GetDistances().size(), 1U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_link_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace palpate
+namespace palpate::view_grid_test
 {
 namespace
 {
@@ -178,4 +178,4 @@ TEST_F(ViewGridTest, DoesNotDrawHiddenViews)
   EXPECT_EQ(this->Counts()[3], before[3] + 1);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::view_grid_test

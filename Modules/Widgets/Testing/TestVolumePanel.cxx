@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::volume_panel_test
 {
 namespace
 {
@@ -66,4 +66,4 @@ TEST_F(VolumePanelTest, FilesAreNamed)
   EXPECT_TRUE(this->Window->findChild<QLabel*>("labels-name")->text().contains("3 structures"));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::volume_panel_test

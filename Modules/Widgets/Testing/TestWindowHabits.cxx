@@ -13,7 +13,7 @@
 
 #include <set>
 
-namespace palpate
+namespace palpate::window_habits_test
 {
 namespace
 {
@@ -199,4 +199,4 @@ TEST_F(WindowHabitsTest, PlaceHasSidesInsteadOfSigns)
   EXPECT_EQ(line.PointText(), "L 10.3  A 4.0  I 7.3 mm   a");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::window_habits_test

@@ -10,7 +10,7 @@
 
 #include <utility>
 
-namespace palpate
+namespace palpate::window_layout_test
 {
 namespace
 {
@@ -176,6 +176,32 @@ TEST_F(WindowLayoutTest, PressingStopTwiceDoesNotAllowForce)
   WaitUntil([&] { return fault() == SafetyFault::None; });
 }
 
+TEST_F(WindowLayoutTest, PressingStopRightAfterForceEndedDoesNotAllowIt)
+{
+  this->OpenPhantom();
+  this->BeginTouch();
+  QPushButton* force = this->Button("stop-force");
+  const auto fault = [this] { return this->Study->Reading().Newest.Safety.Fault; };
+  WaitUntil([&] { return force->isEnabled() && fault() == SafetyFault::None; });
+  this->Study->Current().Touch().SwitchForcesOff();
+  WaitUntil([&] { return force->text() == "Allow force again"; });
+  EXPECT_FALSE(force->isEnabled());
+  force->click();
+  const std::uint64_t tick = this->Study->Reading().Newest.Tick.Number;
+  WaitUntil([&] { return this->Study->Reading().Newest.Tick.Number > tick + 50; });
+  EXPECT_EQ(fault(), SafetyFault::SwitchedOff);
+}
+
+TEST(ForceButton, StopsWhileAFaultEndsByItself)
+{
+  SafetyReport safety;
+  EXPECT_FALSE(ForceButton::IsOff(safety));
+  safety.Fault = SafetyFault::StalledTick;
+  EXPECT_TRUE(ForceButton::IsOff(safety));
+  safety.WillResume = true;
+  EXPECT_FALSE(ForceButton::IsOff(safety));
+}
+
 TEST_F(WindowLayoutTest, EveryViewSaysThatThereIsNoForce)
 {
   this->OpenPhantom();
@@ -209,4 +235,4 @@ TEST(TouchNotice, NearestAlarmComesBeforeTheMissingForce)
   EXPECT_EQ(TouchNotice::Of(reading).Text, "Drill touches Pallidum_L (0.3 mm inside)");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::window_layout_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace palpate
+namespace palpate::window_look_test
 {
 namespace
 {
@@ -116,4 +116,4 @@ TEST_F(WindowLookTest, LookIsKeptAndNotAnUndoStep)
   EXPECT_EQ(this->Ground(), system);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::window_look_test

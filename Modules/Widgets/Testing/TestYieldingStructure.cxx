@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace palpate
+namespace palpate::yielding_structure_test
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST_F(YieldingStructureTest, StiffnessMapColoursTheSurface)
             nullptr);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::yielding_structure_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace palpate
+namespace palpate::encoder_screen_test
 {
 namespace
 {
@@ -80,4 +80,4 @@ TEST(EncoderScreen, AcceptsWrappedCounters)
   EXPECT_TRUE(screen.Believes({-32764, 32764, 0}, 2 * Period));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::encoder_screen_test

@@ -9,7 +9,7 @@
 
 #include <random>
 
-namespace palpate
+namespace palpate::falcon_boot_test
 {
 namespace
 {
@@ -255,4 +255,4 @@ TEST_F(FalconBootTest, ReportsDeviceInUse)
   EXPECT_EQ(this->Run().Message(), "Another program uses the Falcon: end it.");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_boot_test

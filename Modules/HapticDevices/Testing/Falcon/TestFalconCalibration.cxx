@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace palpate
+namespace palpate::falcon_calibration_test
 {
 namespace
 {
@@ -100,4 +100,4 @@ TEST(FalconCalibration, ParserSurvivesRandomText)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_calibration_test

@@ -14,7 +14,7 @@
 #include <limits>
 #include <utility>
 
-namespace palpate
+namespace palpate::falcon_device_test
 {
 namespace
 {
@@ -499,4 +499,4 @@ TEST(FalconDevice, TickDoesNotAllocate)
   EXPECT_EQ(device.State(), DeviceState::Ready);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_device_test

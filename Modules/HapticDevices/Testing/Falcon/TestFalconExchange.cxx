@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace palpate
+namespace palpate::falcon_exchange_test
 {
 namespace
 {
@@ -198,4 +198,4 @@ TEST_F(FalconExchangeTest, SendsNothingToMissingDevice)
   EXPECT_EQ(this->Wire.Send({}, this->Time.Now()), FalconDelivery::Gone);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_exchange_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace palpate
+namespace palpate::falcon_firmware_test
 {
 namespace
 {
@@ -116,4 +116,4 @@ TEST(FalconFirmware, ChosenPathOverridesEnvironment)
   EXPECT_EQ(FalconFirmware::PathOf(""), "");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_firmware_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::falcon_kind_test
 {
 namespace
 {
@@ -67,4 +67,4 @@ TEST_F(FalconKindTest, ErrorsNameUnknownOption)
   EXPECT_FALSE(this->Make("falcon:device=1-2,wrong").IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_kind_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::falcon_kinematics_test
 {
 namespace
 {
@@ -264,4 +264,4 @@ TEST(FalconKinematics, LeastForceIsSharp)
   EXPECT_NEAR(kinematics.LeastForce(4095.0 / 6.616, Center), 9.2, 0.05);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_kinematics_test

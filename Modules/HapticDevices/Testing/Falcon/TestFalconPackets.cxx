@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace palpate
+namespace palpate::falcon_packets_test
 {
 namespace
 {
@@ -173,4 +173,4 @@ TEST(FalconReplyParser, SurvivesRandomStreams)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_packets_test

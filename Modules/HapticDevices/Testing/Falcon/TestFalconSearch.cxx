@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace palpate
+namespace palpate::falcon_search_test
 {
 namespace
 {
@@ -93,4 +93,4 @@ TEST_F(FalconSearchTest, ReportsRefusedRequest)
   EXPECT_FALSE(found.Details.empty());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_search_test

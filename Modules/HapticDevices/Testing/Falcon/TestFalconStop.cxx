@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace palpate
+namespace palpate::falcon_stop_test
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST(FalconStopAtALink, OnlySentForcesAreAccepted)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_stop_test

@@ -1,6 +1,6 @@
 #include "FalconRig.h"
 
-namespace palpate
+namespace palpate::falcon_touch_test
 {
 namespace
 {
@@ -137,4 +137,4 @@ TEST_F(CarryingFalconTouchTest, WeightAndContactRespectForceLimit)
   EXPECT_LE(Vector3(state.ForceDevice).norm(), this->Device.Capabilities().MaximumForce);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_touch_test

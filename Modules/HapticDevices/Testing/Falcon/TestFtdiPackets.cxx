@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace palpate
+namespace palpate::ftdi_packets_test
 {
 namespace
 {
@@ -70,4 +70,4 @@ TEST(FtdiRequest, DivisorsMatchKnownValues)
   EXPECT_EQ(FtdiRequest::Baud(2, 3).Value, 0x0002);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ftdi_packets_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::homing_watch_test
 {
 namespace
 {
@@ -48,4 +48,4 @@ TEST(HomingWatch, LosesHomingAfterThreeWrongReplies)
   EXPECT_EQ(After(watch, 6, 1), Verdict::Lost);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::homing_watch_test

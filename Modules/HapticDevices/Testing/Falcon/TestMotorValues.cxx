@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace palpate
+namespace palpate::motor_values_test
 {
 namespace
 {
@@ -46,4 +46,4 @@ TEST(MotorValues, NanIsZero)
   EXPECT_EQ(MotorValuesFor({1.0, 1.0, 1.0}, nan), FalconNumbers{});
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::motor_values_test

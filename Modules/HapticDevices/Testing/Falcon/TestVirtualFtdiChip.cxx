@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace palpate::test
+namespace palpate::test::virtual_ftdi_chip_test
 {
 namespace
 {
@@ -106,4 +106,4 @@ TEST_F(VirtualFtdiChipTest, PurgesOneDirection)
   EXPECT_EQ(this->Chip.NextTransmitted(), VirtualFtdiChip::Never);
 }
 } // namespace
-} // namespace palpate::test
+} // namespace palpate::test::virtual_ftdi_chip_test

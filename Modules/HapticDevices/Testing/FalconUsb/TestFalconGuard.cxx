@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace palpate
+namespace palpate::falcon_guard_test
 {
 namespace
 {
@@ -203,4 +203,4 @@ TEST_F(FalconGuardTest, AllowsReopenWhileCalled)
   EXPECT_TRUE(status.IsOk()) << status.Message();
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_guard_test

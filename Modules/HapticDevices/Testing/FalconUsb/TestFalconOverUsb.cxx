@@ -1,6 +1,6 @@
 #include "FalconOverUsb.h"
 
-namespace palpate
+namespace palpate::falcon_over_usb_test
 {
 namespace
 {
@@ -50,4 +50,4 @@ TEST_F(FalconOverUsb, RecoversFromUnpluggingByReopening)
   ASSERT_NO_FATAL_FAILURE(this->OpenAndHome());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::falcon_over_usb_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace palpate
+namespace palpate::libusb_falcon_finder_test
 {
 namespace
 {
@@ -166,4 +166,4 @@ TEST_F(LibusbFalconFinderTest, ReopensAfterUnplugging)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::libusb_falcon_finder_test

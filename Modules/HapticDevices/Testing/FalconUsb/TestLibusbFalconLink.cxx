@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace palpate
+namespace palpate::libusb_falcon_link_test
 {
 namespace
 {
@@ -352,4 +352,4 @@ TEST_F(LibusbFalconLinkTest, OwnerMayControlWhileServoSends)
   EXPECT_EQ(echo, image);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::libusb_falcon_link_test

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace palpate
+namespace palpate::stop_over_usb_test
 {
 namespace
 {
@@ -282,4 +282,4 @@ TEST_P(TouchStopOverUsb, EndsInLastingZeroAtBoard)
 INSTANTIATE_TEST_SUITE_P(All, TouchStopOverUsb, testing::ValuesIn(TouchStops),
                          [](const auto& chosen) { return chosen.param.Name; });
 } // namespace
-} // namespace palpate
+} // namespace palpate::stop_over_usb_test

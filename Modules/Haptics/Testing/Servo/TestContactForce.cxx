@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::contact_force_test
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST(ContactForce, RelaxationIsOfTissueOnly)
   EXPECT_EQ(ContactForce({1.0, 0.0, 0.01}, contact), Vector3(0.0, 0.0, 1.0));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::contact_force_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::device_frame_test
 {
 namespace
 {
@@ -29,4 +29,4 @@ TEST(DeviceFrame, TranslatesScalesAndRotatesTheTool)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::device_frame_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::device_option_test
 {
 namespace
 {
@@ -17,4 +17,4 @@ TEST(DeviceOption, ReplacesEarlierValues)
   EXPECT_EQ(with("falcon:firmware=old"), "falcon:firmware=/a=b");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::device_option_test

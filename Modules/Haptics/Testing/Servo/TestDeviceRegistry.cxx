@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::device_registry_test
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(DeviceRegistry, RejectsInvalidKinds)
   EXPECT_FALSE(registry.Add("second", "", nullptr).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::device_registry_test

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace palpate
+namespace palpate::drill_feed_test
 {
 namespace
 {
@@ -173,4 +173,4 @@ TEST(DrillFeed, DiscardsUnorderedFeedAtRest)
   EXPECT_FALSE(feed.NextCut(order));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_feed_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::drill_force_test
 {
 namespace
 {
@@ -90,4 +90,4 @@ TEST(DrillForce, VibrationIsTheSameAfterAHundredHours)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::drill_force_test

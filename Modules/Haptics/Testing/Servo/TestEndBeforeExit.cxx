@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-namespace palpate
+namespace palpate::end_before_exit_test
 {
 namespace
 {
@@ -61,4 +61,4 @@ TEST(EndBeforeExit, IsInForceWhileOneExists)
   EXPECT_FALSE(EndBeforeExit::IsInForce());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::end_before_exit_test

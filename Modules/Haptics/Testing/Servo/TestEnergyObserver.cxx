@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::energy_observer_test
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(EnergyObserver, CloseResetsTheBalance)
   EXPECT_EQ(observer.Energy(), 0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::energy_observer_test

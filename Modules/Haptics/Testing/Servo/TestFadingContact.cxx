@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::fading_contact_test
 {
 namespace
 {
@@ -76,4 +76,4 @@ TEST(FadingContact, ForceThatDoesNotPushIsNoContact)
   EXPECT_TRUE(FadingContact(Vector3::Constant(nan), Vector3::UnitZ(), 0.5, Hand).IsOver());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::fading_contact_test

@@ -8,7 +8,7 @@
 
 #include <initializer_list>
 
-namespace palpate
+namespace palpate::fault_recovery_test
 {
 namespace
 {
@@ -356,4 +356,4 @@ TEST(FaultRecovery, ForceReturnsOnlyAfterFaultsOfTimingAndTheWait)
   EXPECT_GT(resumed, 50);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::fault_recovery_test

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace palpate
+namespace palpate::force_interpolation_test
 {
 namespace
 {
@@ -136,4 +136,4 @@ TEST(ForceInterpolation, EndedContactFadesOutInOneModelPeriod)
   EXPECT_FALSE(end.IsTouching);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::force_interpolation_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::force_limit_test
 {
 namespace
 {
@@ -58,4 +58,4 @@ TEST(ForceLimit, IsZeroWithoutAMaximum)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::force_limit_test

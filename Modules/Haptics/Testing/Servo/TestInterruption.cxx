@@ -14,7 +14,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-namespace palpate
+namespace palpate::interruption_test
 {
 namespace
 {
@@ -224,4 +224,4 @@ TEST(InterruptionDeathTest, RestoresSignalHandlers)
       testing::ExitedWithCode(0), "");
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::interruption_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::non_finite_guard_test
 {
 namespace
 {
@@ -30,4 +30,4 @@ TEST(NonFiniteGuard, RemembersThatItTripped)
   EXPECT_TRUE(guard.HasTripped());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::non_finite_guard_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::ramp_in_test
 {
 namespace
 {
@@ -44,4 +44,4 @@ TEST(RampIn, StaysWithinZeroAndOneForAnyPeriod)
   EXPECT_EQ(RampIn(0.0).Advance(0.001), 1.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::ramp_in_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::reach_index_test
 {
 namespace
 {
@@ -130,4 +130,4 @@ TEST(ReachIndex, AMillionBoxesEqualBruteForce)
   EXPECT_GT(found, 10u);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::reach_index_test

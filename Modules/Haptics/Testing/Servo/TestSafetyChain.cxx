@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace palpate
+namespace palpate::safety_chain_test
 {
 namespace
 {
@@ -321,4 +321,4 @@ TEST(SafetyChain, EveryFaultHasItsOwnMessage)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::safety_chain_test

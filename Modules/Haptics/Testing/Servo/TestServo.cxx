@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::servo_test
 {
 namespace
 {
@@ -418,4 +418,4 @@ TEST(Servo, RejectedSceneKeepsThePreviousOne)
   EXPECT_EQ(run.Loop.Latest().Scene, 1u);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_test

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace palpate
+namespace palpate::servo_thread_test
 {
 namespace
 {
@@ -197,4 +197,4 @@ TEST(ServoThread, RejectsInvalidRate)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::servo_thread_test

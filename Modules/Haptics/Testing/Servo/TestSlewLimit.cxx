@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::slew_limit_test
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(SlewLimit, NothingChangesWithoutTimeOrRate)
   EXPECT_EQ(SlewLimit(test::NotANumber).Apply({1.0, 0.0, 0.0}, 1.0), Vector3::Zero());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::slew_limit_test

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::stiffness_advice_test
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(StiffnessAdvice, WarnsOfViscosityAboveTheMechanisms)
   EXPECT_NE(StiffnessWarnings(scene, Known(), 1000.0)[0].find("0.0021 N s/mm"), std::string::npos);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::stiffness_advice_test

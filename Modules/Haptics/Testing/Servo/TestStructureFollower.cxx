@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::structure_follower_test
 {
 namespace
 {
@@ -99,4 +99,4 @@ TEST_F(StructureFollowerTest, NonFinitePositionIsNotTouched)
   EXPECT_EQ(this->MoveTo({nan, nan, nan}), Vector3::Zero());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::structure_follower_test

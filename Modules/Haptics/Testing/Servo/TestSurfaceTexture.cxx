@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::surface_texture_test
 {
 namespace
 {
@@ -107,4 +107,4 @@ TEST(SurfaceTexture, ActsOnlyAtContacts)
   EXPECT_NE(expected, 1.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::surface_texture_test

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace palpate
+namespace palpate::touch_scene_test
 {
 namespace
 {
@@ -49,4 +49,4 @@ TEST(TouchScene, AcceptsZeroAndVeryLargeStiffness)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_scene_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::touch_watch_test
 {
 namespace
 {
@@ -111,4 +111,4 @@ TEST_F(TouchWatchTest, TellsFaultsThatEndByThemselves)
   EXPECT_FALSE(changes[0].WillResume);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::touch_watch_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::velocity_estimate_test
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(VelocityEstimate, RestartsAfterNonFiniteInput)
   EXPECT_GT(estimate.Update({6.0, 0.0, 0.0}, Period)[0], 0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::velocity_estimate_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::volume_viscosity_test
 {
 namespace
 {
@@ -74,4 +74,4 @@ TEST(VolumeViscosity, StartsWhereTheToolsCentreEnters)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::volume_viscosity_test

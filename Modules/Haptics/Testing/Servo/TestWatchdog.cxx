@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::watchdog_test
 {
 namespace
 {
@@ -209,4 +209,4 @@ TEST(Watchdog, ResetForgetsEarlierTicks)
   EXPECT_EQ(watched.Dog.Check(test::HealthyTick(5000, {90.0, 0.0, 0.0})), SafetyFault::None);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::watchdog_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::workspace_frame_test
 {
 namespace
 {
@@ -90,4 +90,4 @@ TEST_F(WorkspaceFrameTest, UnknownWorkspaceIsUnlimited)
   EXPECT_EQ(frame.FirstHand(Vector3::UnitZ(), {}), Vector3::Zero());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::workspace_frame_test

@@ -3,8 +3,8 @@
 #include <array>
 #include <gtest/gtest.h>
 
-using palpate::CompressedFrame;
-
+namespace palpate::compressed_frame_test
+{
 namespace
 {
 // The 16-bit word made from a sample.
@@ -39,3 +39,4 @@ TEST(CompressedFrame, ShiftsNarrowSamplesToHighBit)
   EXPECT_EQ(Stored(0x123, 12, 12, 15, false), 0x1230);
   EXPECT_EQ(Stored(0x1230, 16, 12, 15, false), 0x1230);
 }
+} // namespace palpate::compressed_frame_test

@@ -12,7 +12,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_codecs_test
+{
 using namespace palpate::test;
 
 namespace
@@ -206,3 +207,4 @@ TEST(DicomCodecs, ReadsLabelMapsInEveryLosslessCoding)
     }
   }
 }
+} // namespace palpate::dicom_codecs_test

@@ -11,8 +11,8 @@
 #include <unistd.h>
 #include <vector>
 
-using namespace palpate;
-
+namespace palpate::dicom_decoder_process_test
+{
 namespace
 {
 // Runs palpate-dicom-decoder and uses the protocol of DicomFrameDecoder.
@@ -137,3 +137,4 @@ TEST(ChildProgram, ReportsMissingProgram)
 {
   EXPECT_EQ(StartChildProgram("palpate-no-such-program", {}, STDIN_FILENO), -1);
 }
+} // namespace palpate::dicom_decoder_process_test

@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_folders_test
+{
 using namespace palpate::test;
 
 namespace
@@ -83,3 +84,4 @@ TEST(DicomFolders, OnlyDatesAreShownAsDates)
   WriteSeries(top.Path(), 1, "DOE^JOHN");
   EXPECT_EQ(FindDicomSeries(top.Path()).front().Date, "");
 }
+} // namespace palpate::dicom_folders_test

@@ -7,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_frame_decoder_test
+{
 using namespace palpate::test;
 
 namespace
@@ -176,3 +177,4 @@ TEST(DicomFrameDecoder, DamagedFrameKeepsNextFramesReadable)
   EXPECT_GT(refused, 0);
   EXPECT_TRUE(IsDecoded(decoder, Codec::JpegLs, Frame(Codec::JpegLs)));
 }
+} // namespace palpate::dicom_frame_decoder_test

@@ -5,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_pixels_test
+{
 using namespace palpate::test;
 
 namespace
@@ -103,3 +104,4 @@ TEST(DicomPixels, RejectsTooFewPixels)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder.Path()); }),
                        "its pixel data do not match its header"));
 }
+} // namespace palpate::dicom_pixels_test

@@ -16,7 +16,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_segmentation_test
+{
 using namespace palpate::test;
 
 namespace
@@ -286,3 +287,4 @@ TEST(SegmentColor, RestoresSlicerColors)
     }
   }
 }
+} // namespace palpate::dicom_segmentation_test

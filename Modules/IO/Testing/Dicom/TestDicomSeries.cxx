@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_series_test
+{
 using namespace palpate::test;
 
 namespace
@@ -170,3 +171,4 @@ TEST(DicomSeries, SeparatesOrientationsOfSameUid)
   EXPECT_TRUE(Contains(Refusal(path, uid), "holds 3 series or orientations of UID " + uid));
   EXPECT_EQ(GridOf(ReadVolume(path / "IM0015.dcm").Image).Direction.col(2), Vector3(0, 0, 1));
 }
+} // namespace palpate::dicom_series_test

@@ -17,7 +17,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_structure_set_test
+{
 using namespace palpate::test;
 
 namespace
@@ -317,3 +318,4 @@ TEST(DicomStructureSet, RejectsFilesTruncatedAnywhere)
     EXPECT_NE(message, "no error") << length;
   }
 }
+} // namespace palpate::dicom_structure_set_test

@@ -8,7 +8,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::dicom_transfer_syntax_test
+{
 using namespace palpate::test;
 
 namespace
@@ -116,3 +117,4 @@ TEST(DicomTransferSyntax, RejectsCompressedBits)
                        "has compressed pixels of one bit, which are not supported; export the "
                        "segmentation again uncompressed or with eight bits a pixel."));
 }
+} // namespace palpate::dicom_transfer_syntax_test

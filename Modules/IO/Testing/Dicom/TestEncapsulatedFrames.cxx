@@ -11,7 +11,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::encapsulated_frames_test
+{
 using namespace palpate::test;
 
 namespace
@@ -199,3 +200,4 @@ TEST(EncapsulatedFrames, RejectsFragmentsWithoutFrame)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
                        "its pixel data do not match its header"));
 }
+} // namespace palpate::encapsulated_frames_test

@@ -13,7 +13,8 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-using namespace palpate;
+namespace palpate::foreign_dicom_test
+{
 using namespace palpate::test;
 
 namespace
@@ -125,3 +126,4 @@ TEST(ForeignDicom, SlicesAndSegmentationsAreNotForeign)
   EXPECT_FALSE(RecognizeForeignDicom(folder / "slice.dcm").has_value());
   EXPECT_FALSE(RecognizeForeignDicom(folder / "seg.dcm").has_value());
 }
+} // namespace palpate::foreign_dicom_test

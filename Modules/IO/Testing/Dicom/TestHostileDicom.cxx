@@ -8,7 +8,8 @@
 #include <ctime>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::hostile_dicom_test
+{
 using namespace palpate::test;
 
 // Memory and time are bounded by the actual content of a DICOM file, not by its header.
@@ -213,3 +214,4 @@ TEST(HostileDicom, RejectsGigabytesFromFewCompressedBytes)
   bytes[128 + 4 + 8] = static_cast<char>(syntax.size());
   EXPECT_TRUE(Contains(Refusal(bytes), "declares 4.29484 GB of pixels, but there are 8"));
 }
+} // namespace palpate::hostile_dicom_test

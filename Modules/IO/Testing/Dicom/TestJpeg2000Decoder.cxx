@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::jpeg2000_decoder_test
+{
 using namespace palpate::test;
 
 namespace
@@ -109,3 +110,4 @@ TEST(Jpeg2000Decoder, DetectsEveryTruncation)
     EXPECT_FALSE(Decode(frame, pixels)) << size;
   }
 }
+} // namespace palpate::jpeg2000_decoder_test

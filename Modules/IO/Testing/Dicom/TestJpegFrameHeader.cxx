@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
-
+namespace palpate::jpeg_frame_header_test
+{
 namespace
 {
 using Bytes = std::vector<std::uint8_t>;
@@ -55,3 +55,4 @@ TEST(JpegFrameHeader, RejectsLengthsBeyondStream)
   EXPECT_FALSE(HasHeader(Stream({{0xFF, 0xFE, 0xFF, 0xFE}, Frame, Scan})));
   EXPECT_FALSE(HasHeader(Stream({Comment, Scan})));
 }
+} // namespace palpate::jpeg_frame_header_test

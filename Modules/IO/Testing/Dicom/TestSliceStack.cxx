@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::slice_stack_test
+{
 using namespace palpate::test;
 
 namespace
@@ -111,3 +112,4 @@ TEST(SliceStack, RejectsPlanesOfDifferentOrientation)
   planes[1].ColumnWorld = Vector3::UnitZ();
   EXPECT_TRUE(Contains(MessageOf([&] { StackSlices("x", planes, {}); }), "different orientation"));
 }
+} // namespace palpate::slice_stack_test

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-using namespace palpate;
+namespace palpate::gifti_reader_test
+{
 using namespace palpate::test;
 
 namespace
@@ -206,3 +207,4 @@ TEST(GiftiReader, IsNotTakenForImage)
   WriteAll(folder / "a.gii", GiftiBytes({}));
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "a.gii"); }), "is a surface"));
 }
+} // namespace palpate::gifti_reader_test

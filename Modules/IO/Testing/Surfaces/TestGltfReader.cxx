@@ -14,7 +14,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-using namespace palpate;
+namespace palpate::gltf_reader_test
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -344,3 +345,4 @@ TEST(GltfReader, MessagesRepeatNoNames)
       });
   EXPECT_EQ(message.find("Jane"), std::string::npos);
 }
+} // namespace palpate::gltf_reader_test

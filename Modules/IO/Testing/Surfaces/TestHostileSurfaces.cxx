@@ -9,7 +9,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::hostile_surfaces_test
+{
 using namespace palpate::test;
 
 // Indices and counts of surface files are checked before they are used.
@@ -280,3 +281,4 @@ TEST(HostileSurfaces, RejectsTooManyPlyElements)
   }
   EXPECT_TRUE(Contains(Refusal("a.ply", header + "end_header\n"), "more than 256 elements"));
 }
+} // namespace palpate::hostile_surfaces_test

@@ -18,7 +18,8 @@
 
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::legacy_vtk_reader_test
+{
 using namespace palpate::test;
 
 namespace
@@ -281,3 +282,4 @@ TEST(LegacyVtkReader, ReadsManySectionsInLinearTime)
   }
   EXPECT_EQ(Refusal(TextOf("3.0", fields + "POLYGONS 1 4\n3 0 1 2\n")), "no error");
 }
+} // namespace palpate::legacy_vtk_reader_test

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-using namespace palpate;
-
+namespace palpate::mesh_formats_test
+{
 namespace
 {
 TriangleMesh Mesh(int frequency)
@@ -135,3 +135,4 @@ TEST(MeshFormats, PlyKeepsColoursAndPointArrays)
   // 3 doubles, 3 floats, 3 bytes and a double per point; a byte and 3 integers per face.
   EXPECT_EQ(bytes.size() - end - 11, 12u * (24 + 12 + 3 + 8) + 20u * 13);
 }
+} // namespace palpate::mesh_formats_test

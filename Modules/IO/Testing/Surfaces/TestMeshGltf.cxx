@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-using namespace palpate;
+namespace palpate::mesh_gltf_test
+{
 using Json = nlohmann::json;
 
 namespace
@@ -193,3 +194,4 @@ TEST(MeshGltf, OmitsAbsentNormalsAndColours)
   const Glb file(MeshToGlb(mesh));
   EXPECT_EQ(file.Description["meshes"][0]["primitives"][0]["attributes"].size(), 1u);
 }
+} // namespace palpate::mesh_gltf_test

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-using namespace palpate;
-
+namespace palpate::ply_reader_test
+{
 namespace
 {
 TriangleMesh Mesh()
@@ -142,3 +142,4 @@ TEST(PlyReader, DamagedBytesAreOnlyRefused)
     }
   }
 }
+} // namespace palpate::ply_reader_test

@@ -18,7 +18,8 @@
 #include <limits>
 #include <random>
 
-using namespace palpate;
+namespace palpate::surface_file_test
+{
 using namespace palpate::test;
 
 namespace
@@ -276,3 +277,4 @@ TEST(SurfaceFile, AcceptsUpperCaseEndings)
   EXPECT_FALSE(IsSurfaceFile("a.json"));
   EXPECT_FALSE(IsSurfaceFile("a"));
 }
+} // namespace palpate::surface_file_test

@@ -15,7 +15,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-using namespace palpate;
+namespace palpate::surface_space_test
+{
 using namespace palpate::test;
 
 namespace
@@ -188,3 +189,4 @@ TEST(SurfaceSpace, RejectsOtherSpacesByName)
   WriteSurface(folder / "a.vtp", TriangleStating("LAS"));
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSurface(folder / "a.vtp"); }), "\"LAS\""));
 }
+} // namespace palpate::surface_space_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::exact_sign_test
 {
 namespace
 {
@@ -116,4 +116,4 @@ TEST(ExactSign, OfAreaEqualsIntegerArithmetic)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::exact_sign_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <set>
 
-namespace palpate
+namespace palpate::mesh_crossings_test
 {
 namespace
 {
@@ -251,4 +251,4 @@ TEST(TriangleTree, NodesContainTheirTrianglesOnce)
   EXPECT_EQ(seen.size(), mesh.Triangles.size());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::mesh_crossings_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace palpate
+namespace palpate::mesh_decimation_test
 {
 namespace
 {
@@ -269,4 +269,4 @@ TEST(MeshDecimation, CopesWithFlatAndCoincidentPoints)
   ExpectSameTopology(mesh, Decimated(mesh, 200));
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::mesh_decimation_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numeric>
 
-namespace palpate
+namespace palpate::mesh_distances_test
 {
 namespace
 {
@@ -230,4 +230,4 @@ TEST(MeshDistances, RejectBadInput)
   EXPECT_FALSE(MeasureMeshDistances(sphere, bad, distances).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::mesh_distances_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace palpate
+namespace palpate::mesh_mending_test
 {
 namespace
 {
@@ -129,4 +129,4 @@ TEST(MeshMending, RejectsBadInputUnchanged)
   EXPECT_TRUE(MendMesh(empty, true, mends).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::mesh_mending_test

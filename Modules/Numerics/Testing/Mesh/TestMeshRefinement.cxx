@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-using namespace palpate;
+namespace palpate::mesh_refinement_test
+{
 using namespace palpate::test;
 
 namespace
@@ -67,3 +68,4 @@ TEST(MeshRefinement, StopsBeforeItExceedsLimit)
   IndexedMesh none;
   EXPECT_TRUE(SplitLongEdges(none, 1.0, 0));
 }
+} // namespace palpate::mesh_refinement_test

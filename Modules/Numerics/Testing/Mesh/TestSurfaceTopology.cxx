@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace palpate
+namespace palpate::surface_topology_test
 {
 namespace
 {
@@ -184,4 +184,4 @@ TEST(SurfaceTopology, PointsWithManyTrianglesAreNotSlow)
   EXPECT_EQ(FaultOf(test::DoubleCone(200'000)), ""); // minutes, were it quadratic
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::surface_topology_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <numeric>
 
-namespace palpate
+namespace palpate::winding_numbers_test
 {
 namespace
 {
@@ -247,4 +247,4 @@ TEST(WindingNumbers, RejectBadInput)
   EXPECT_FALSE(FindWindingNumbers(mesh, Cube(3), numbers).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::winding_numbers_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::direction_slide_test
 {
 namespace
 {
@@ -140,4 +140,4 @@ TEST(DirectionSlide, RejectsBadStepsAndFoldedMaps)
   EXPECT_EQ(moved, folded);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::direction_slide_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::sphere_map_quality_test
 {
 namespace
 {
@@ -101,4 +101,4 @@ TEST(SphereMapQuality, RejectsMapsThatCoverTheSphereTwice)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::sphere_map_quality_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::spherical_parametrisation_test
 {
 namespace
 {
@@ -335,4 +335,4 @@ TEST(SphericalParametrisation, CancelsAtEveryReport)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_parametrisation_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::spherical_placement_test
 {
 namespace
 {
@@ -170,4 +170,4 @@ TEST(SphericalPlacement, RejectsWhatDeterminesNoRotation)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::spherical_placement_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace palpate
+namespace palpate::vertex_relaxation_test
 {
 namespace
 {
@@ -191,4 +191,4 @@ TEST(RingKernel, SeesEverySideOfRandomPolygons)
   EXPECT_GE(tested, 4000);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::vertex_relaxation_test

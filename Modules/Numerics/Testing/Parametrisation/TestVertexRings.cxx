@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace palpate
+namespace palpate::vertex_rings_test
 {
 namespace
 {
@@ -136,4 +136,4 @@ TEST(MeshSimplification, RemovesNoVertexWithALargeRing)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::vertex_rings_test

@@ -13,7 +13,7 @@
 #include <limits>
 #include <memory>
 
-namespace palpate
+namespace palpate::parametric_closest_point_test
 {
 namespace
 {
@@ -381,4 +381,4 @@ TEST(ParametricClosestPoint, RejectsQueriesThatAreNotFinite)
   EXPECT_GT(search.Bytes(), 10000U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_closest_point_test

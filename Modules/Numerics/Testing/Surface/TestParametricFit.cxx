@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::parametric_fit_test
 {
 namespace
 {
@@ -170,4 +170,4 @@ TEST(ParametricFit, StopsWhenCancelled)
                    .IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_fit_test

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace palpate
+namespace palpate::parametric_solver_test
 {
 namespace
 {
@@ -225,4 +225,4 @@ TEST(SurfaceSamples, DividesTrianglesThatAreWideOnTheSphere)
   EXPECT_EQ(samples.Weights.front(), 0.0) << "a vertex without an undivided triangle";
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_solver_test

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::parametric_spherical_surface_test
 {
 namespace
 {
@@ -186,4 +186,4 @@ TEST(ParametricSphericalSurface, DerivativesAreThoseOfModel)
   }
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_spherical_surface_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::parametric_surface_bounds_test
 {
 namespace
 {
@@ -216,4 +216,4 @@ TEST(ParametricSurfaceBounds, PointHasNoDerivatives)
   EXPECT_LE(ParametricSurfaceBounds(point).Second(), 1e-10);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_surface_bounds_test

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace palpate
+namespace palpate::parametric_surface_evaluator_test
 {
 namespace
 {
@@ -312,4 +312,4 @@ TEST(ParametricSurfaceEvaluator, TablesFitInTheCache)
   EXPECT_LE(Evaluator(20, {twenty, twenty, twenty}).TableBytes(), 12000U);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_surface_evaluator_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace palpate
+namespace palpate::parametric_surface_measures_test
 {
 namespace
 {
@@ -103,4 +103,4 @@ TEST(ParametricSurfaceMeasures, RejectsSurfaceWithoutVolume)
   EXPECT_FALSE(MeasureBody(ParametricEllipsoid({1e200, 1e200, 1e200}), moments).IsOk());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::parametric_surface_measures_test
