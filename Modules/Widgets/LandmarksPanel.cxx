@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int NameColumn = 0;
+constexpr int MarkNameColumn = 0;
 
 QTableWidgetItem* FixedItem(const QString& text)
 {
@@ -26,7 +26,7 @@ QTableWidgetItem* FixedItem(const QString& text)
 void FillRow(QTableWidget* table, int row, const std::string& name, const Vector3& place,
              const QString& length)
 {
-  table->setItem(row, NameColumn, new QTableWidgetItem(QString::fromStdString(name)));
+  table->setItem(row, MarkNameColumn, new QTableWidgetItem(QString::fromStdString(name)));
   for (int axis = 0; axis < 3; ++axis)
   {
     table->setItem(row, 1 + axis, FixedItem(QString::number(place[axis], 'f', 2)));

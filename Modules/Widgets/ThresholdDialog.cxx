@@ -18,13 +18,13 @@ namespace palpate
 {
 namespace
 {
-constexpr int SliderSteps = 1000;
+constexpr int ValueSteps = 1000;
 constexpr double LargestValue = 1e9;
 
 // So that a slider's step can be written.
 int DecimalsFor(const ValueHistogram& histogram)
 {
-  const double step = (histogram.Last - histogram.First) / SliderSteps;
+  const double step = (histogram.Last - histogram.First) / ValueSteps;
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step))), 0, 9);
 }
 } // namespace
@@ -79,7 +79,7 @@ QWidget* ThresholdDialog::AddValue(const char* name, QDoubleSpinBox*& box)
   row->setContentsMargins(0, 0, 0, 0);
   auto* slider = new QSlider(Qt::Horizontal, both);
   slider->setObjectName(QString(name) + "-slider");
-  slider->setRange(0, SliderSteps);
+  slider->setRange(0, ValueSteps);
   box = new QDoubleSpinBox(both);
   box->setObjectName(name);
   box->setDecimals(DecimalsFor(this->Histogram));
@@ -87,7 +87,7 @@ QWidget* ThresholdDialog::AddValue(const char* name, QDoubleSpinBox*& box)
   row->addWidget(slider, 1);
   row->addWidget(box);
   const double first = this->Histogram.First;
-  const double step = (this->Histogram.Last - first) / SliderSteps;
+  const double step = (this->Histogram.Last - first) / ValueSteps;
   box->setSingleStep(std::max(step, std::pow(10.0, -box->decimals())));
   connect(slider, &QSlider::valueChanged, this,
           [box, first, step](int place) { box->setValue(first + step * place); });
@@ -96,7 +96,7 @@ QWidget* ThresholdDialog::AddValue(const char* name, QDoubleSpinBox*& box)
           {
             const QSignalBlocker quiet(slider); // a typed value is not rounded to its steps
             const double place = (value - first) / step;
-            slider->setValue(static_cast<int>(std::clamp(place, 0.0, 1.0 * SliderSteps)));
+            slider->setValue(static_cast<int>(std::clamp(place, 0.0, 1.0 * ValueSteps)));
             this->ShowOnSlices();
           });
   return both;
