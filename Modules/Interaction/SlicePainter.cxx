@@ -6,9 +6,11 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace palpate
 {
@@ -18,6 +20,15 @@ namespace
 constexpr float NoLabel = 1e20F;
 // Turns truncation of a non-negative number into rounding.
 constexpr float Half = 0.5F;
+
+// Squares along the shorter side of the picture.
+constexpr int Squares = 8;
+
+struct PaintedImage
+{
+  PlaneSampler Values;
+  const ImageLayer& Layer;
+};
 
 struct PaintedLayer
 {
@@ -40,6 +51,13 @@ public:
     {
       this->Mask.emplace_back(content.Band->Mask, grid);
     }
+    for (const ImageLayer& layer : content.Over)
+    {
+      if (layer.Image != nullptr)
+      {
+        this->Over.push_back({PlaneSampler(layer.Image, grid), layer});
+      }
+    }
     for (const LabelLayer& layer : content.Layers)
     {
       if (layer.Image != nullptr && !layer.Colors.empty())
@@ -52,10 +70,15 @@ public:
   void operator()(vtkIdType begin, vtkIdType end) const
   {
     std::vector<float> values(static_cast<std::size_t>(this->Grid.Width));
+    std::vector<float> others(this->Over.empty() ? 0 : values.size());
     for (auto row = static_cast<int>(begin); row < end; ++row)
     {
       std::uint8_t* pixels = this->Pixels + std::size_t{4} * row * this->Grid.Width;
       this->PaintGrey(row, values, pixels);
+      for (const PaintedImage& image : this->Over)
+      {
+        this->PaintOver(image, row, others, pixels);
+      }
       this->PaintBand(row, values, pixels);
       for (const PaintedLayer& layer : this->Layers)
       {
@@ -73,15 +96,7 @@ private:
       std::fill_n(pixels, 4 * values.size(), std::uint8_t{0});
       return;
     }
-    const PlaneSampler& image = this->Image.front();
-    if (this->Content.IsSmooth)
-    {
-      image.SampleLinear(row, values.data());
-    }
-    else
-    {
-      image.SampleNearest(row, std::numeric_limits<float>::quiet_NaN(), values.data());
-    }
+    this->Sample(this->Image.front(), row, values);
     const auto low = static_cast<float>(this->Content.Window.Low);
     const auto scale =
         static_cast<float>(255.0 / (this->Content.Window.High - this->Content.Window.Low));
@@ -95,6 +110,73 @@ private:
       *pixels++ = level;
       *pixels++ = isNumber ? 255 : 0;
     }
+  }
+
+  void Sample(const PlaneSampler& image, int row, std::vector<float>& values) const
+  {
+    if (this->Content.IsSmooth)
+    {
+      image.SampleLinear(row, values.data());
+    }
+    else
+    {
+      image.SampleNearest(row, std::numeric_limits<float>::quiet_NaN(), values.data());
+    }
+  }
+
+  // The share of an image over the first one from `column` on, and the next column where it may
+  // differ.
+  std::pair<float, int> ShareAt(const ImageLayer& layer, int column, int row) const
+  {
+    const int width = this->Grid.Width;
+    if (this->Content.Mixing == ImageMixing::Checkerboard)
+    {
+      const int side = std::max(1, std::min(width, this->Grid.Height) / Squares);
+      const bool isOver = (column / side + row / side) % 2 != 0;
+      return {isOver ? 1.0F : 0.0F, std::min(width, (column / side + 1) * side)};
+    }
+    if (this->Content.Mixing == ImageMixing::Curtain)
+    {
+      const int place = static_cast<int>(std::lround(this->Content.Curtain * width));
+      return column < place ? std::pair(1.0F, std::min(place, width)) : std::pair(0.0F, width);
+    }
+    return {layer.Opacity, width};
+  }
+
+  void PaintOver(const PaintedImage& image, int row, std::vector<float>& values,
+                 std::uint8_t* pixels) const
+  {
+    const ImageLayer& layer = image.Layer;
+    const ColorTable& colors = TableOf(layer.Colors);
+    const auto low = static_cast<float>(layer.Window.Low);
+    const auto scale = static_cast<float>(255.0 / (layer.Window.High - layer.Window.Low));
+    this->Sample(image.Values, row, values);
+    for (int column = 0; column < this->Grid.Width;)
+    {
+      const auto [share, next] = this->ShareAt(layer, column, row);
+      for (; column < next; ++column)
+      {
+        const float value = values[static_cast<std::size_t>(column)];
+        // Neither where it is transparent nor where there is no number.
+        if (share > 0.0F && value == value)
+        {
+          const float place = std::clamp((value - low) * scale + Half, 0.0F, 255.0F);
+          Mix(colors[static_cast<std::size_t>(place)], share, pixels + std::size_t{4} * column);
+        }
+      }
+    }
+  }
+
+  // Over a transparent pixel the colour is whole.
+  static void Mix(const std::array<std::uint8_t, 3>& color, float share, std::uint8_t* pixel)
+  {
+    const float kept = pixel[3] == 0 ? 0.0F : 1.0F - share;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const float mixed = kept * pixel[c] + (1.0F - kept) * color[c];
+      pixel[c] = static_cast<std::uint8_t>(mixed + Half);
+    }
+    pixel[3] = 255;
   }
 
   // `values` are those that PaintGrey left.
@@ -168,6 +250,7 @@ private:
   std::uint8_t* Pixels;
   std::vector<PlaneSampler> Image; // one or none
   std::vector<PlaneSampler> Mask;  // of the band; one or none
+  std::vector<PaintedImage> Over;
   std::vector<PaintedLayer> Layers;
 };
 

@@ -3,6 +3,7 @@
 #include "GreyWindow.h"
 #include "PalpateInteractionModule.h"
 #include "PixelGrid.h"
+#include "VolumeColors.h"
 
 #include "vtkSmartPointer.h"
 
@@ -16,6 +17,23 @@ class vtkImageData;
 
 namespace palpate
 {
+/// A further image over the first one.
+struct ImageLayer
+{
+  vtkSmartPointer<vtkImageData> Image;
+  GreyWindow Window;
+  VolumeColors Colors = VolumeColors::Grey;
+  float Opacity = 0.5F; ///< of a blend, 0 to 1
+};
+
+/// Where further images cover the first one.
+enum class ImageMixing
+{
+  Blend,        ///< everywhere, with their opacities
+  Checkerboard, ///< in every other square
+  Curtain       ///< to the left of the curtain
+};
+
 /// Labels painted over an image: those with a colour (red, green, blue, opacity; 0 to 1).
 struct LabelLayer
 {
@@ -44,15 +62,19 @@ struct SliceContent
   vtkSmartPointer<vtkImageData> Image; ///< null: labels only
   GreyWindow Window;
   bool IsSmooth = true; ///< linear interpolation instead of nearest voxels
+  std::vector<ImageLayer> Over;
+  ImageMixing Mixing = ImageMixing::Blend;
+  double Curtain = 0.5; ///< its place as a fraction of the picture's width
   std::vector<LabelLayer> Layers;
   float LabelOpacity = 1.0F;     ///< multiplied by that of each label
   std::optional<ValueBand> Band; ///< over the image, under the labels
 };
 
-/// Paints the pixels of a plane: grey values of an image, a band of them, labels over them in the
-/// order of their layers. A pixel with neither is transparent. Rows are painted by vtkSMPTools; the
-/// result does not depend on the number of threads. `picture` becomes red, green, blue and opacity
-/// (0 to 255), its first row at the grid's first one.
+/// Paints the pixels of a plane: grey values of an image, further images over it in their order, a
+/// band of the first one's values, labels over them in the order of their layers. A pixel with
+/// neither is transparent. Rows are painted by vtkSMPTools; the result does not depend on the
+/// number of threads. `picture` becomes red, green, blue and opacity (0 to 255), its first row at
+/// the grid's first one.
 PALPATEINTERACTION_EXPORT void PaintSlice(const SliceContent& content, const PixelGrid& grid,
                                           vtkImageData* raster);
 } // namespace palpate

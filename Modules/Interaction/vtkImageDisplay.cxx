@@ -89,6 +89,120 @@ void vtkImageDisplay::SetInterpolate(bool interpolate)
   }
 }
 
+int vtkImageDisplay::AddOverlay(vtkImageData* image)
+{
+  palpate::ImageLayer overlay;
+  overlay.Image = image;
+  overlay.Window = palpate::WindowOf(image);
+  this->Content->Over.push_back(overlay);
+  this->Modified();
+  return this->GetNumberOfOverlays() - 1;
+}
+
+int vtkImageDisplay::GetNumberOfOverlays()
+{
+  return static_cast<int>(this->Content->Over.size());
+}
+
+void vtkImageDisplay::RemoveAllOverlays()
+{
+  if (!this->Content->Over.empty())
+  {
+    this->Content->Over.clear();
+    this->Modified();
+  }
+}
+
+bool vtkImageDisplay::HasOverlay(int overlay)
+{
+  const bool isThere = overlay >= 0 && overlay < this->GetNumberOfOverlays();
+  if (!isThere)
+  {
+    vtkErrorMacro(<< "There is no overlay " << overlay << ".");
+  }
+  return isThere;
+}
+
+void vtkImageDisplay::SetOverlayWindowLevel(int overlay, double window, double level)
+{
+  if (this->HasOverlay(overlay) && window > 0.0 && std::isfinite(window) && std::isfinite(level))
+  {
+    GreyWindow& shown = this->Content->Over[static_cast<std::size_t>(overlay)].Window;
+    shown = {level - 0.5 * window, level + 0.5 * window};
+    this->Modified();
+  }
+}
+
+double vtkImageDisplay::GetOverlayWindow(int overlay)
+{
+  if (!this->HasOverlay(overlay))
+  {
+    return 0.0;
+  }
+  const GreyWindow& shown = this->Content->Over[static_cast<std::size_t>(overlay)].Window;
+  return shown.High - shown.Low;
+}
+
+double vtkImageDisplay::GetOverlayLevel(int overlay)
+{
+  if (!this->HasOverlay(overlay))
+  {
+    return 0.0;
+  }
+  const GreyWindow& shown = this->Content->Over[static_cast<std::size_t>(overlay)].Window;
+  return 0.5 * (shown.Low + shown.High);
+}
+
+void vtkImageDisplay::SetOverlayColors(int overlay, int colors)
+{
+  const bool isKnown = colors >= 0 && colors < static_cast<int>(palpate::AllVolumeColors.size());
+  if (this->HasOverlay(overlay) && isKnown)
+  {
+    this->Content->Over[static_cast<std::size_t>(overlay)].Colors =
+        palpate::AllVolumeColors[static_cast<std::size_t>(colors)];
+    this->Modified();
+  }
+}
+
+void vtkImageDisplay::SetOverlayOpacity(int overlay, double opacity)
+{
+  if (this->HasOverlay(overlay) && std::isfinite(opacity))
+  {
+    this->Content->Over[static_cast<std::size_t>(overlay)].Opacity =
+        static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+    this->Modified();
+  }
+}
+
+void vtkImageDisplay::SetMixing(int mixing)
+{
+  const auto wanted = static_cast<palpate::ImageMixing>(std::clamp<int>(mixing, BLEND, CURTAIN));
+  if (this->Content->Mixing != wanted)
+  {
+    this->Content->Mixing = wanted;
+    this->Modified();
+  }
+}
+
+int vtkImageDisplay::GetMixing()
+{
+  return static_cast<int>(this->Content->Mixing);
+}
+
+void vtkImageDisplay::SetCurtain(double place)
+{
+  if (std::isfinite(place) && this->Content->Curtain != std::clamp(place, 0.0, 1.0))
+  {
+    this->Content->Curtain = std::clamp(place, 0.0, 1.0);
+    this->Modified();
+  }
+}
+
+double vtkImageDisplay::GetCurtain()
+{
+  return this->Content->Curtain;
+}
+
 int vtkImageDisplay::AddLabels(vtkImageData* labels)
 {
   this->Content->Layers.push_back({labels, {}});
@@ -190,6 +304,10 @@ vtkMTimeType vtkImageDisplay::GetMTime()
   {
     time = std::max(time, this->Content->Image->GetMTime());
   }
+  for (const palpate::ImageLayer& overlay : this->Content->Over)
+  {
+    time = std::max(time, overlay.Image->GetMTime());
+  }
   for (const LabelLayer& layer : this->Content->Layers)
   {
     time = layer.Image == nullptr ? time : std::max(time, layer.Image->GetMTime());
@@ -204,6 +322,9 @@ void vtkImageDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Window: " << this->GetWindow() << '\n';
   os << indent << "Level: " << this->GetLevel() << '\n';
   os << indent << "Interpolate: " << this->Content->IsSmooth << '\n';
+  os << indent << "Overlays: " << this->Content->Over.size() << '\n';
+  os << indent << "Mixing: " << this->GetMixing() << '\n';
+  os << indent << "Curtain: " << this->Content->Curtain << '\n';
   os << indent << "Layers: " << this->Content->Layers.size() << '\n';
   os << indent << "LabelOpacity: " << this->Content->LabelOpacity << '\n';
   os << indent << "HasMarkedValues: " << this->Content->Band.has_value() << '\n';

@@ -2,9 +2,9 @@
  * @class vtkImageDisplay
  * @brief display of a volume and its segmentation in slices, shared by linked views
  *
- * A volume with window and level, and label images painted over it in colours. Images keep their
- * direction matrix and may be on any grids; they are shown at their world coordinates. None is
- * copied.
+ * A volume with window and level, further volumes over it, and label images over them in colours.
+ * Images keep their direction matrix and may be on any grids; they are shown at their world
+ * coordinates. None is copied.
  *
  * Views check the modification times of this object and of its images when they draw. Observe its
  * ModifiedEvent to know when to draw.
@@ -57,6 +57,39 @@ public:
   vtkBooleanMacro(Interpolate, bool);
   ///@}
 
+  ///@{
+  /**
+   * Further volumes over the first one, in this order, with window and level, colours (see
+   * palpate::VolumeColors) and the opacity of a blend, 0 to 1. Non-finite numbers are ignored.
+   * AddOverlay returns the overlay's number, from 0; its window is that of ResetWindowLevel.
+   */
+  int AddOverlay(vtkImageData* image);
+  int GetNumberOfOverlays();
+  void RemoveAllOverlays();
+  void SetOverlayWindowLevel(int overlay, double window, double level);
+  double GetOverlayWindow(int overlay);
+  double GetOverlayLevel(int overlay);
+  void SetOverlayColors(int overlay, int colors);
+  void SetOverlayOpacity(int overlay, double opacity);
+  ///@}
+
+  enum
+  {
+    BLEND,
+    CHECKERBOARD,
+    CURTAIN
+  };
+  ///@{
+  /** Where overlays cover the volume. Default: BLEND, with their opacities. */
+  void SetMixing(int mixing);
+  int GetMixing();
+  ///@}
+  ///@{
+  /** CURTAIN shows overlays to the left of this fraction of the picture's width. Default: 0.5. */
+  void SetCurtain(double place);
+  double GetCurtain();
+  ///@}
+
   /** Adds a label image over the previous ones. Returns the layer's number, from 0. */
   int AddLabels(vtkImageData* labels);
   int GetNumberOfLayers();
@@ -101,6 +134,8 @@ protected:
 private:
   vtkImageDisplay(const vtkImageDisplay&) = delete;
   void operator=(const vtkImageDisplay&) = delete;
+
+  bool HasOverlay(int overlay);
 
   std::unique_ptr<palpate::SliceContent> Content;
   double ChosenWindow = 1.0;

@@ -62,6 +62,87 @@ TEST(SlicePainter, OutsidePixelsAreTransparent)
   EXPECT_EQ(bytes[4 * 150], 255);
 }
 
+TEST(SlicePainter, BlendsFurtherImagesInTheirOrder)
+{
+  SliceContent content;
+  content.Image = Uniform(0.0);
+  content.Over = {{Uniform(1.0), {0.0, 1.0}, VolumeColors::Red, 1.0F},
+                  {Uniform(1.0), {0.0, 1.0}, VolumeColors::Green, 0.25F}};
+  vtkNew<vtkImageData> raster;
+  PaintSlice(content, Plane(1, 1), raster);
+  const auto bytes = Bytes(raster);
+  EXPECT_NEAR(bytes[0], 0.75 * 255.0, 1.0);
+  EXPECT_NEAR(bytes[1], 0.25 * 255.0, 1.0);
+  EXPECT_EQ(bytes[2], 0);
+}
+
+TEST(SlicePainter, FurtherImageIsShownByItsOwnWindowAndAtItsPlace)
+{
+  SliceContent content;
+  content.Image = Uniform(0.0);
+  content.Window = {0.0, 1.0};
+  content.Over = {{palpate::test::RampImage(palpate::test::SkewTurn()),
+                   {40.0, 140.0},
+                   VolumeColors::Grey,
+                   1.0F}};
+  SliceContent alone;
+  alone.Image = content.Over[0].Image;
+  alone.Window = content.Over[0].Window;
+  vtkNew<vtkImageData> together;
+  vtkNew<vtkImageData> only;
+  PaintSlice(content, Plane(300, 40), together);
+  PaintSlice(alone, Plane(300, 40), only);
+  const auto bytes = Bytes(together);
+  const auto expected = Bytes(only);
+  std::size_t shown = 0;
+  for (std::size_t pixel = 0; pixel < bytes.size(); pixel += 4)
+  {
+    const bool isInside = expected[pixel + 3] != 0;
+    EXPECT_EQ(bytes[pixel], isInside ? expected[pixel] : 0) << pixel;
+    shown += isInside ? 1 : 0;
+  }
+  EXPECT_GT(shown, 1000U);
+}
+
+TEST(SlicePainter, CheckerboardShowsOneImageInEverySquare)
+{
+  SliceContent content;
+  content.Image = Uniform(0.0);
+  content.Over = {{Uniform(1.0), {0.0, 1.0}, VolumeColors::Grey, 0.3F}};
+  content.Mixing = ImageMixing::Checkerboard;
+  vtkNew<vtkImageData> raster;
+  PaintSlice(content, Plane(16, 16), raster);
+  const auto bytes = Bytes(raster);
+  for (std::size_t row = 0; row < 16; ++row)
+  {
+    for (std::size_t column = 0; column < 16; ++column)
+    {
+      const bool isOver = (row / 2 + column / 2) % 2 != 0; // eight squares along a side
+      EXPECT_EQ(bytes[4 * (16 * row + column)], isOver ? 255 : 0) << row << " " << column;
+    }
+  }
+}
+
+TEST(SlicePainter, CurtainShowsTheFurtherImageOnItsLeft)
+{
+  for (const double place : {0.0, 0.25, 1.0})
+  {
+    SliceContent content;
+    content.Image = Uniform(0.0);
+    content.Over = {{Uniform(1.0), {0.0, 1.0}, VolumeColors::Grey, 0.3F}};
+    content.Mixing = ImageMixing::Curtain;
+    content.Curtain = place;
+    vtkNew<vtkImageData> raster;
+    PaintSlice(content, Plane(20, 1), raster);
+    const auto bytes = Bytes(raster);
+    for (int column = 0; column < 20; ++column)
+    {
+      EXPECT_EQ(bytes[static_cast<std::size_t>(4 * column)], column < 20.0 * place ? 255 : 0)
+          << place << " " << column;
+    }
+  }
+}
+
 TEST(SlicePainter, BlendsLayersInOrderAndMultipliesOpacities)
 {
   SliceContent content;
