@@ -12,7 +12,7 @@ namespace
 {
 constexpr double NormOf(int degree)
 {
-  return (2.0 * degree + 1.0) / (4.0 * test::Pi);
+  return (2.0 * degree + 1.0) / (4.0 * Pi);
 }
 
 // Displacement (mm) of the closed form under a force on a Hertz bump about the z axis.

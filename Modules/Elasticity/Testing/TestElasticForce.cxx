@@ -101,7 +101,7 @@ TEST(ElasticForce, ClosedPathsTakeNoWork)
     Vector3 lastForce = Vector3::Zero();
     for (int i = 0; i <= Steps; ++i)
     {
-      const double angle = 2.0 * test::Pi * (i % Steps) / Steps;
+      const double angle = 2.0 * Pi * (i % Steps) / Steps;
       const Vector3 direction = (Organ().Lesion + size * (1.0 + std::cos(angle)) * first +
                                  size * std::sin(angle) * second)
                                     .normalized();

@@ -36,7 +36,7 @@ TEST(LayeredSphere, ResponseIsReciprocal)
 TEST(LayeredSphere, RigidSphereMovesAsItsBedYields)
 {
   const LayeredSphere sphere({{25.0, 1e6}}, 0.3, 1e-3);
-  const double moved = 1.0 / (1e-3 * 4.0 * test::Pi * 25.0 * 25.0);
+  const double moved = 1.0 / (1e-3 * 4.0 * Pi * 25.0 * 25.0);
   EXPECT_NEAR(sphere.Compliance(3.0), moved, 1e-5 * moved);
 }
 
@@ -55,7 +55,7 @@ TEST(LayeredSphere, UniformPressureOfAThickSphereIsLames)
   // u = p R (1 - 2 nu) / (E + k R (1 - 2 nu)) for a homogeneous sphere on springs k.
   const double nu = 0.3;
   const LayeredSphere sphere({{25.0, 0.02}}, nu, 2e-3);
-  const double y = 1.0 / std::sqrt(4.0 * test::Pi); // cancels: both are coefficients
+  const double y = 1.0 / std::sqrt(4.0 * Pi); // cancels: both are coefficients
   const double soft = 25.0 * (1.0 - 2.0 * nu) / (0.02 + 2e-3 * 25.0 * (1.0 - 2.0 * nu));
   EXPECT_NEAR(y * sphere.Response(0)(0, 0), y * soft, 1e-12 * soft);
 }

@@ -60,15 +60,15 @@ TEST(StarMesh, FacesCoverTheSphereOnce)
       }
     }
   }
-  EXPECT_NEAR(sum, 4.0 * test::Pi, 1e-10);
+  EXPECT_NEAR(sum, 4.0 * Pi, 1e-10);
   EXPECT_LE(moment.norm(), 1e-10);
 }
 
 TEST(StarMesh, AcceptsRadiiThatVaryManyfold)
 {
   // R(d) from 0.4 to 1.6 of its mean.
-  const double mean = 20.0 * std::sqrt(4.0 * test::Pi);
-  const double slope = 12.0 / std::sqrt(3.0 / (4.0 * test::Pi));
+  const double mean = 20.0 * std::sqrt(4.0 * Pi);
+  const double slope = 12.0 / std::sqrt(3.0 / (4.0 * Pi));
   StarMesh mesh;
   const Status status =
       StarMesh::Make(SphericalHarmonicModel(1, {mean, 0.0, slope, 0.0}, Vector3::Zero()), 8, mesh);
@@ -79,7 +79,7 @@ TEST(StarMesh, RefusesWhatHasNoInside)
 {
   StarMesh mesh;
   EXPECT_FALSE(StarMesh::Make(SphericalHarmonicModel(), 8, mesh).IsOk());
-  const double mean = 20.0 * std::sqrt(4.0 * test::Pi);
+  const double mean = 20.0 * std::sqrt(4.0 * Pi);
   EXPECT_FALSE(
       StarMesh::Make(SphericalHarmonicModel(1, {mean, 0.0, mean, 0.0}, Vector3::Zero()), 8, mesh)
           .IsOk());

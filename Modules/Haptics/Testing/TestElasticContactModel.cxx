@@ -152,7 +152,7 @@ TEST(ElasticContactModel, RubbingTakesEnergyOnly)
   Vector3 lastForce = Vector3::Zero();
   for (int tick = 0; tick <= 4000; ++tick)
   {
-    const double angle = 2.0 * test::Pi * (tick % 1000) / 1000.0;
+    const double angle = 2.0 * Pi * (tick % 1000) / 1000.0;
     const Vector3 place =
         TheOrgan().Above((direction + 0.05 * std::sin(angle) * first).normalized(),
                          Ball - 1.5 - 0.8 * std::sin(2.0 * angle + 1.0));
@@ -346,7 +346,7 @@ public:
     constexpr int Loop = 2000;
     for (int tick = -800; tick <= Loop; ++tick)
     {
-      const double angle = 2.0 * test::Pi * std::max(tick, 0) / Loop;
+      const double angle = 2.0 * Pi * std::max(tick, 0) / Loop;
       const double down = tick < 0 ? -0.02 * tick : 0.0;
       const Vector3 place = this->Place(height + down + 0.8 * std::sin(angle),
                                         0.8 * (1.0 - std::cos(angle)), 0.5 * std::sin(angle));

@@ -19,7 +19,7 @@ const ModelDocument& SoftBall()
   static const ModelDocument ball = []
   {
     test::ElasticCase organ;
-    organ.Model = {0, {15.0 * std::sqrt(4.0 * test::Pi)}, Vector3(-15.0, 0.0, 0.0)};
+    organ.Model = {0, {15.0 * std::sqrt(4.0 * Pi)}, Vector3(-15.0, 0.0, 0.0)};
     organ.Solid.Tissue.AddInclusion(test::BallFraction(Vector3(-6.0, 0.0, 0.0), 4.0), 0.2);
     organ.Build(8, 10);
     ComplianceMaps maps;
