@@ -74,6 +74,27 @@ void Study::OpenVolume(const std::filesystem::path& file, const std::string& ser
   this->Change("Open the volume " + file.filename().string(), next);
 }
 
+void Study::AddVolume(const std::filesystem::path& file, const std::string& series)
+{
+  if (this->State().VolumeFile.empty())
+  {
+    this->OpenVolume(file, series);
+    return;
+  }
+  StudyState next = this->State();
+  StudyVolume added;
+  for (const StudyVolume& one : next.Volumes)
+  {
+    added.Id = std::max(added.Id, one.Id);
+  }
+  ++added.Id;
+  added.File = StudyPath(file);
+  added.Series = series;
+  added.Colors = VolumeColors::Hot; // tells it from the first one
+  next.Volumes.push_back(added);
+  this->Change("Add the volume " + file.filename().string(), next);
+}
+
 void Study::OpenSegmentation(const std::filesystem::path& file)
 {
   StudyState next = this->State();

@@ -63,6 +63,8 @@ public:
   /// `series` as in VolumeChoice. Structures from other files are kept.
   void OpenVolume(const std::filesystem::path& file, const std::string& series = {});
   void OpenSegmentation(const std::filesystem::path& file);
+  /// Shows a further volume over the first one, which it becomes if there is none; an undo step.
+  void AddVolume(const std::filesystem::path& file, const std::string& series = {});
   /// Reads a further segmentation in the background, then adds its structures (see
   /// WithAddedStructuresOf), as one undo step. `fail` gets the message if it cannot be read.
   void AddSegmentation(const std::filesystem::path& file,

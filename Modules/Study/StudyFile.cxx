@@ -5,6 +5,7 @@
 #include "Refusal.h"
 #include "SceneFile.h"
 #include "StudyJson.h"
+#include "StudyPaths.h"
 #include "SurfaceFile.h"
 #include "TouchTicksFile.h"
 #include "WholeFile.h"
@@ -45,27 +46,16 @@ StudyState ReadStudy(const std::filesystem::path& path)
 
 std::vector<StudyMissingFile> MissingFiles(const StudyState& state)
 {
-  std::vector<StudyMissingFile> named{{"volume", state.VolumeFile},
-                                      {"segmentation", state.SegmentationFile},
-                                      {"tool", state.Tool.File}};
-  for (const SceneStructure& structure : state.Structures)
-  {
-    named.push_back({"structure", structure.File});
-    named.push_back({"segmentation", structure.WithinFile});
-    for (const auto& [key, image] : structure.Images)
-    {
-      named.push_back({key, image});
-    }
-  }
   std::vector<StudyMissingFile> missing;
   std::set<std::filesystem::path> known;
-  for (const StudyMissingFile& file : named)
-  {
-    if (!file.Path.empty() && known.insert(file.Path).second && !IsThere(file.Path))
-    {
-      missing.push_back(file);
-    }
-  }
+  ForEachPath(state,
+              [&](const char* role, const std::filesystem::path& path)
+              {
+                if (!path.empty() && known.insert(path).second && !IsThere(path))
+                {
+                  missing.push_back({role, path});
+                }
+              });
   return missing;
 }
 
@@ -74,35 +64,21 @@ StudyState Relocate(const StudyState& state, const std::filesystem::path& missin
 {
   const std::filesystem::path newPlace = StudyPath(moved);
   StudyState relocated = state;
-  std::vector<std::filesystem::path*> files{&relocated.VolumeFile, &relocated.SegmentationFile,
-                                            &relocated.Tool.File};
-  for (SceneStructure& structure : relocated.Structures)
-  {
-    files.push_back(&structure.File);
-    files.push_back(&structure.WithinFile);
-    for (auto& [key, image] : structure.Images)
-    {
-      files.push_back(&image);
-    }
-  }
-  for (std::filesystem::path* file : files)
-  {
-    if (file->empty())
-    {
-      continue;
-    }
-    const std::filesystem::path along =
-        (newPlace.parent_path() / file->lexically_relative(missing.parent_path()))
-            .lexically_normal();
-    if (*file == missing)
-    {
-      *file = newPlace;
-    }
-    else if (!IsThere(*file) && IsThere(along))
-    {
-      *file = along;
-    }
-  }
+  ForEachPath(relocated,
+              [&](const char*, std::filesystem::path& file)
+              {
+                const std::filesystem::path along =
+                    (newPlace.parent_path() / file.lexically_relative(missing.parent_path()))
+                        .lexically_normal();
+                if (!file.empty() && file == missing)
+                {
+                  file = newPlace;
+                }
+                else if (!file.empty() && !IsThere(file) && IsThere(along))
+                {
+                  file = along;
+                }
+              });
   return relocated;
 }
 

@@ -5,6 +5,10 @@
 #include "SceneJson.h"
 #include "SessionUpgrade.h"
 
+#include <algorithm>
+#include <limits>
+#include <set>
+
 namespace palpate
 {
 namespace
@@ -14,6 +18,9 @@ constexpr double LargestPlace = 1e6; // mm, of coordinates
 constexpr double LargestIntensity = 1e300;
 
 const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
+const std::initializer_list<const char*> MixingWords{"blend", "checkerboard", "curtain"};
+const std::initializer_list<const char*> ColorWords{"grey", "hot",   "blue-to-yellow",
+                                                    "red",  "green", "blue"};
 
 void ExchangeVersion(JsonFields& fields)
 {
@@ -38,6 +45,19 @@ void ExchangeDistance(JsonFields& fields, StudyDistance& distance)
   fields.Exchange("to_mm", distance.ToWorld, -LargestPlace, LargestPlace);
 }
 
+void ExchangeVolume(JsonFields& fields, StudyVolume& volume)
+{
+  fields.Exchange("id", volume.Id, 1, std::numeric_limits<int>::max());
+  fields.Exchange("file", volume.File);
+  fields.Require(!volume.File.empty(), "has a volume without a file", "name its file");
+  fields.ExchangeIfSet("dicom_series", volume.Series);
+  fields.Exchange("seen", volume.IsVisible);
+  fields.Exchange("window", volume.Window, 0.0, LargestIntensity);
+  fields.Exchange("level", volume.Level, -LargestIntensity, LargestIntensity);
+  fields.Exchange("colors", volume.Colors, ColorWords);
+  fields.Exchange("opacity", volume.Opacity, 0.0, 1.0);
+}
+
 void ExchangeView(JsonFields& fields, StudyView& view)
 {
   fields.Exchange("crosshair_mm", view.CrosshairWorld, -LargestPlace, LargestPlace);
@@ -47,6 +67,8 @@ void ExchangeView(JsonFields& fields, StudyView& view)
   fields.Exchange("overlay_opacity", view.OverlayOpacity, 0.0, 1.0);
   fields.Exchange("slice_axes", view.UsesVolumeAxes, SliceAxesWords);
   fields.Exchange("slices_follow_probe", view.SlicesFollowProbe);
+  fields.Exchange("mixing", view.Mixing, MixingWords);
+  fields.Exchange("curtain", view.Curtain, 0.0, 1.0);
 }
 
 void ExchangeStudy(JsonFields& fields, StudyState& state)
@@ -55,6 +77,12 @@ void ExchangeStudy(JsonFields& fields, StudyState& state)
   ExchangeVersion(fields);
   fields.ExchangeIfSet("volume", state.VolumeFile);
   fields.ExchangeIfSet("dicom_series", state.DicomSeries);
+  fields.ExchangeList("volumes", state.Volumes, ExchangeVolume);
+  std::set<int> ids;
+  const bool areUnique =
+      std::all_of(state.Volumes.begin(), state.Volumes.end(),
+                  [&](const StudyVolume& one) { return ids.insert(one.Id).second; });
+  fields.Require(areUnique, "has two volumes of one id", "give each an id of its own");
   fields.ExchangeIfSet("segmentation", state.SegmentationFile);
   fields.ExchangeObject("scene", state, ExchangeScene);
   fields.ExchangeList("landmarks", state.Landmarks, ExchangeLandmark);

@@ -55,13 +55,28 @@ void StudyOpening::ReadImage(const SceneNode& node, Taking take, Outcome outcome
       std::move(outcome));
 }
 
+void StudyOpening::ReadVolume(const std::filesystem::path& file, const std::string& series,
+                              Taking take, Outcome outcome)
+{
+  const std::filesystem::path path = StudyPath(file);
+  this->ReadImage(VolumeNode(path, series, this->Open.State().LeftHanded, {{path, StampOf(path)}}),
+                  std::move(take), std::move(outcome));
+}
+
 void StudyOpening::OpenVolume(const std::filesystem::path& file, const std::string& series,
                               Outcome outcome)
 {
-  const std::filesystem::path path = StudyPath(file);
-  this->ReadImage(
-      VolumeNode(path, series, this->Open.State().LeftHanded, {{path, StampOf(path)}}),
-      [this, file, series] { this->Open.OpenVolume(file, series); }, std::move(outcome));
+  this->ReadVolume(
+      file, series, [this, file, series] { this->Open.OpenVolume(file, series); },
+      std::move(outcome));
+}
+
+void StudyOpening::AddVolume(const std::filesystem::path& file, const std::string& series,
+                             Outcome outcome)
+{
+  this->ReadVolume(
+      file, series, [this, file, series] { this->Open.AddVolume(file, series); },
+      std::move(outcome));
 }
 
 void StudyOpening::OpenSegmentation(const std::filesystem::path& file, Outcome outcome)

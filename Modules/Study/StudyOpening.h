@@ -28,6 +28,7 @@ public:
 
   /// See the study's functions of these names.
   void OpenVolume(const std::filesystem::path& file, const std::string& series, Outcome outcome);
+  void AddVolume(const std::filesystem::path& file, const std::string& series, Outcome outcome);
   void OpenSegmentation(const std::filesystem::path& file, Outcome outcome);
   void AddStructure(const std::filesystem::path& file, Outcome outcome);
   void OpenScene(const std::filesystem::path& file, Outcome outcome);
@@ -44,6 +45,8 @@ private:
   using Taking = std::function<void()>; // what to do with the file that was read
   void Read(SceneStep step, std::function<Taking(const ProgressFunction& progress)> read,
             Outcome outcome);
+  void ReadVolume(const std::filesystem::path& file, const std::string& series, Taking take,
+                  Outcome outcome);
   void ReadImage(const SceneNode& node, Taking take, Outcome outcome);
 
   Study& Open;

@@ -26,6 +26,13 @@ StudyStepState Simply(StudyStepState::Kind kind)
 {
   return {kind, 0.0, {}, {}};
 }
+
+// The first volume has the number 0.
+std::filesystem::path FileOfVolume(const StudyState& state, int id)
+{
+  const StudyVolume* further = FindVolume(state, id);
+  return id == 0 ? state.VolumeFile : further != nullptr ? further->File : std::filesystem::path();
+}
 } // namespace
 
 const char* NameOf(StudyStepState::Kind kind)
@@ -66,7 +73,7 @@ bool StudyPipeline::IsOfOtherFile(const Place& place, const StudyState& next) co
   switch (place.first)
   {
   case SceneStep::Volume:
-    return next.VolumeFile != this->State.VolumeFile;
+    return FileOfVolume(next, place.second) != FileOfVolume(this->State, place.second);
   case SceneStep::Tool:
     return next.Tool.File != this->State.Tool.File;
   default:
@@ -313,15 +320,25 @@ StudyStepState StudyPipeline::StateOf(SceneStep step, int id) const
 
 StudyStepState StudyPipeline::StateOf(SceneStep step) const
 {
+  StudyStepState worst;
+  const auto add = [&](int id)
+  {
+    const StudyStepState one = this->StateOf(step, id);
+    worst = one.Is > worst.Is ? one : worst;
+  };
   if (step == SceneStep::Volume || step == SceneStep::Segmentation || step == SceneStep::Tool)
   {
-    return this->StateOf(step, 0);
+    add(0);
   }
-  StudyStepState worst;
+  if (step == SceneStep::Volume)
+  {
+    std::for_each(this->State.Volumes.begin(), this->State.Volumes.end(),
+                  [&](const StudyVolume& volume) { add(volume.Id); });
+    return worst;
+  }
   for (const SceneStructure& structure : this->State.Structures)
   {
-    const StudyStepState one = this->StateOf(step, structure.Id);
-    worst = one.Is > worst.Is ? one : worst;
+    add(structure.Id);
   }
   return worst;
 }

@@ -2,33 +2,21 @@
 
 #include "FileStamp.h"
 #include "SceneReading.h"
+#include "StudyPaths.h"
 
 namespace palpate
 {
 SceneStamps StampFiles(const StudyState& state)
 {
-  std::vector<std::filesystem::path> files{state.VolumeFile, state.SegmentationFile};
-  if (state.Tool.Kind == TouchToolSettings::Shape::Surface)
-  {
-    files.push_back(state.Tool.File);
-  }
-  for (const SceneStructure& structure : state.Structures)
-  {
-    files.push_back(structure.File);
-    files.push_back(structure.WithinFile);
-    for (const auto& [key, image] : structure.Images)
-    {
-      files.push_back(image);
-    }
-  }
   SceneStamps stamps;
-  for (const std::filesystem::path& file : files)
-  {
-    if (!file.empty() && stamps.count(file) == 0)
-    {
-      stamps[file] = StampOf(file);
-    }
-  }
+  ForEachPath(state,
+              [&stamps](const char*, const std::filesystem::path& file)
+              {
+                if (!file.empty() && stamps.count(file) == 0)
+                {
+                  stamps[file] = StampOf(file);
+                }
+              });
   return stamps;
 }
 
@@ -39,6 +27,14 @@ std::vector<SceneNode> PlanStudy(const StudyState& state, const SceneStamps& sta
   if (!state.VolumeFile.empty())
   {
     nodes.push_back(VolumeNode(state.VolumeFile, state.DicomSeries, state.LeftHanded, stamps));
+  }
+  for (const StudyVolume& volume : state.Volumes)
+  {
+    if (volume.IsVisible)
+    {
+      nodes.push_back(VolumeNode(volume.File, volume.Series, state.LeftHanded, stamps));
+      nodes.back().Id = volume.Id;
+    }
   }
   if (!state.SegmentationFile.empty())
   {

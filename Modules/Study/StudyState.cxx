@@ -1,5 +1,6 @@
 #include "StudyState.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace palpate
@@ -19,13 +20,18 @@ auto Fields(const StudyDistance& d)
 auto Fields(const StudyView& v)
 {
   return std::tie(v.CrosshairWorld, v.Window, v.Level, v.Layout, v.OverlayOpacity, v.UsesVolumeAxes,
-                  v.SlicesFollowProbe);
+                  v.SlicesFollowProbe, v.Mixing, v.Curtain);
+}
+
+auto Fields(const StudyVolume& v)
+{
+  return std::tie(v.Id, v.File, v.Series, v.IsVisible, v.Window, v.Level, v.Colors, v.Opacity);
 }
 
 auto Fields(const StudyState& s)
 {
-  return std::tie(s.VolumeFile, s.DicomSeries, s.SegmentationFile, s.Landmarks, s.Distances,
-                  s.View);
+  return std::tie(s.VolumeFile, s.DicomSeries, s.Volumes, s.SegmentationFile, s.Landmarks,
+                  s.Distances, s.View);
 }
 } // namespace
 
@@ -39,6 +45,11 @@ bool operator==(const StudyDistance& a, const StudyDistance& b)
   return Fields(a) == Fields(b);
 }
 
+bool operator==(const StudyVolume& a, const StudyVolume& b)
+{
+  return Fields(a) == Fields(b);
+}
+
 bool operator==(const StudyView& a, const StudyView& b)
 {
   return Fields(a) == Fields(b);
@@ -48,6 +59,18 @@ bool operator==(const StudyState& a, const StudyState& b)
 {
   const SceneSettings& scene = a;
   return scene == static_cast<const SceneSettings&>(b) && Fields(a) == Fields(b);
+}
+
+const StudyVolume* FindVolume(const StudyState& state, int id)
+{
+  const auto found = std::find_if(state.Volumes.begin(), state.Volumes.end(),
+                                  [id](const StudyVolume& one) { return one.Id == id; });
+  return found != state.Volumes.end() ? &*found : nullptr;
+}
+
+StudyVolume* FindVolume(StudyState& state, int id)
+{
+  return const_cast<StudyVolume*>(FindVolume(static_cast<const StudyState&>(state), id));
 }
 
 std::filesystem::path StudyPath(const std::filesystem::path& file)

@@ -2,6 +2,7 @@
 
 #include "PalpateStudyModule.h"
 #include "SceneSettings.h"
+#include "VolumeColors.h"
 
 #include <array>
 #include <filesystem>
@@ -28,6 +29,27 @@ struct StudyDistance
   double Length() const { return (this->ToWorld - this->FromWorld).norm(); } ///< mm
 };
 
+/// A further volume, which slices show over the first one. It may have any grid.
+struct StudyVolume
+{
+  int Id = 0;                   ///< unique in a study, from 1
+  std::filesystem::path File;   ///< or the folder of a DICOM series
+  std::string Series;           ///< see VolumeChoice
+  bool IsVisible = true;        ///< if not, it is not read
+  std::optional<double> Window; ///< intensity window width; none: by the volume
+  std::optional<double> Level;  ///< intensity window centre
+  VolumeColors Colors = VolumeColors::Grey;
+  double Opacity = 0.5; ///< of a blend, 0..1
+};
+
+/// Where further volumes cover the first one in slices.
+enum class StudyMixing
+{
+  Blend,
+  Checkerboard,
+  Curtain
+};
+
 /// View settings; no product depends on them.
 struct StudyView
 {
@@ -38,6 +60,8 @@ struct StudyView
   double OverlayOpacity = 0.5;           ///< of the segmentation over the slices, 0..1
   bool UsesVolumeAxes = true;            ///< slices along the volume's axes, else the patient's
   bool SlicesFollowProbe = false;
+  StudyMixing Mixing = StudyMixing::Blend;
+  double Curtain = 0.5; ///< its place as a fraction of a slice's width, 0..1
 };
 
 /// The complete state of a study as a value: a scene with the window's additions. Saved in session
@@ -46,6 +70,7 @@ struct StudyState : SceneSettings
 {
   std::filesystem::path VolumeFile;       ///< or the folder of a DICOM series
   std::string DicomSeries;                ///< see VolumeChoice
+  std::vector<StudyVolume> Volumes;       ///< over the first one, in this order
   std::filesystem::path SegmentationFile; ///< its labels are overlaid on the slices
 
   std::vector<StudyLandmark> Landmarks;
@@ -55,12 +80,17 @@ struct StudyState : SceneSettings
 
 PALPATESTUDY_EXPORT bool operator==(const StudyLandmark& a, const StudyLandmark& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyDistance& a, const StudyDistance& b);
+PALPATESTUDY_EXPORT bool operator==(const StudyVolume& a, const StudyVolume& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyView& a, const StudyView& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyState& a, const StudyState& b);
 inline bool operator!=(const StudyState& a, const StudyState& b)
 {
   return !(a == b);
 }
+
+/// The further volume of this id, or null.
+PALPATESTUDY_EXPORT StudyVolume* FindVolume(StudyState& state, int id);
+PALPATESTUDY_EXPORT const StudyVolume* FindVolume(const StudyState& state, int id);
 
 /// A path as stored in a state: absolute, so that it is independent of the working directory; empty
 /// stays empty.

@@ -1,10 +1,6 @@
 #include "StudyController.h"
 
-#include "SceneContacts.h"
-#include "SofteningNotes.h"
-
 #include <algorithm>
-#include <array>
 
 namespace palpate
 {
@@ -12,10 +8,6 @@ namespace
 {
 constexpr int LookMilliseconds = 16; // a frame at 60 Hz
 constexpr int LooksAStep = 6;
-constexpr std::array<SceneStep, 11> AllSteps{
-    {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
-     SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity, SceneStep::Field,
-     SceneStep::Protection, SceneStep::Touch, SceneStep::Tool}};
 } // namespace
 
 StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
@@ -192,7 +184,7 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
 void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
 {
   // A file that is opened again is reported again.
-  const auto forget = [this] { this->Reported.erase(SceneStep::Volume); };
+  const auto forget = [this] { this->Problems.ForgetVolumes(); };
   this->Opening.OpenVolume(file, series, this->OutcomeOf(file, forget));
   this->LookSoon();
 }
@@ -243,8 +235,7 @@ void StudyController::OpenSegmentation(const std::filesystem::path& file)
     this->OpenFiles({file});
     return;
   }
-  const auto forget = [this]
-  { this->Reported.erase(this->Reported.upper_bound(SceneStep::Volume), this->Reported.end()); };
+  const auto forget = [this] { this->Problems.ForgetStructures(); };
   this->Opening.OpenSegmentation(file, this->OutcomeOf(file, forget));
   this->LookSoon();
 }
@@ -262,7 +253,7 @@ void StudyController::OpenSession(const std::filesystem::path& file)
       {
         this->Open.Open(file);
         this->Opening.Cancel();
-        this->Reported.clear();
+        this->Problems.Forget();
         Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
       });
 }
@@ -328,14 +319,14 @@ void StudyController::CancelStep(SceneStep step)
 
 void StudyController::ResumeStep(SceneStep step)
 {
-  this->Reported.clear();
+  this->Problems.Forget();
   this->Open.ResumeStep(step);
   this->LookSoon();
 }
 
 void StudyController::StartTouch()
 {
-  this->ReportedTouch.clear();
+  this->Problems.ForgetTouch();
   this->Open.StartTouch();
   this->Look();
 }
@@ -392,7 +383,7 @@ void StudyController::StopRecording()
 
 void StudyController::OpenReplay(const std::filesystem::path& file)
 {
-  this->ReportedReplay.clear();
+  this->Problems.ForgetReplay();
   this->Open.OpenReplay(StudyPath(file));
   this->Look();
 }
@@ -405,7 +396,7 @@ void StudyController::CloseReplay()
 
 void StudyController::ExportReplay(const std::filesystem::path& file)
 {
-  this->ReportedReplay.clear();
+  this->Problems.ForgetReplay();
   this->Open.ExportReplay(file);
 }
 
@@ -441,7 +432,7 @@ void StudyController::Look()
   if (this->Revision != this->Open.Pipeline().Revision())
   {
     this->Revision = this->Open.Pipeline().Revision();
-    this->LookAtNotes();
+    this->Problems.LookAtProducts();
     Q_EMIT ProductsChanged();
   }
   // Progress is for reading, so it is updated less often.
@@ -454,113 +445,30 @@ void StudyController::Look()
   this->LookAtReplay();
 }
 
-// Reports each problem once: a step's problem also blocks all later ones. Those of the volume are
-// separate.
-void StudyController::ReportOnce(SceneStep step, const std::string& message)
-{
-  const bool isOfVolume = step == SceneStep::Volume;
-  const auto isReported = [&](const auto& reported)
-  {
-    return (reported.first == SceneStep::Volume) == isOfVolume &&
-           reported.second.count(message) > 0;
-  };
-  if (std::none_of(this->Reported.begin(), this->Reported.end(), isReported))
-  {
-    this->Reported[step].insert(message);
-    this->Report(message);
-  }
-}
-
-// Reports once what was assumed of an image, or changed, when it was read, and what structures do
-// not yield by.
-void StudyController::LookAtNotes()
-{
-  const auto tell = [this](SceneStep step, const auto& image, auto& noted)
-  {
-    if (image != nullptr && image != noted.lock())
-    {
-      noted = image;
-      for (const std::string& note : image->Notes)
-      {
-        this->ReportOnce(step, image->Source.filename().string() + ": " + note);
-      }
-    }
-  };
-  const StudyPipeline& pipeline = this->Open.Pipeline();
-  tell(SceneStep::Volume, pipeline.Newest<Volume>(SceneStep::Volume), this->NotedVolume);
-  tell(SceneStep::Segmentation, pipeline.Newest<Segmentation>(SceneStep::Segmentation),
-       this->NotedLabels);
-  const auto products = [&pipeline](SceneStep step, int id)
-  { return pipeline.NewestProduct(step, id); };
-  for (const SofteningNote& note : SofteningNotes(this->State(), products))
-  {
-    this->ReportOnce(SceneStep::Elasticity, note.Text);
-  }
-}
-
 void StudyController::LookAtSteps()
 {
   bool isMaking = this->Open.IsOpeningDevice() || this->Open.IsAddingSegmentation() ||
                   this->Opening.IsReading();
-  for (const SceneStep step : AllSteps)
+  for (const SceneStep step : StudyProblems::Steps)
   {
-    const StudyStepState state = this->Open.Pipeline().StateOf(step);
-    isMaking = isMaking || state.Is == StudyStepState::Kind::Running ||
-               state.Is == StudyStepState::Kind::NeedsUpdate;
-    if (state.Is == StudyStepState::Kind::Failed && step != SceneStep::Protection)
-    {
-      this->ReportOnce(step, state.Message);
-    }
+    const StudyStepState::Kind state = this->Open.Pipeline().StateOf(step).Is;
+    isMaking = isMaking || state == StudyStepState::Kind::Running ||
+               state == StudyStepState::Kind::NeedsUpdate;
   }
-  this->LookAtProtection();
-  for (const std::string& advice : this->Open.Pipeline().Advice())
-  {
-    this->ReportOnce(SceneStep::Touch, advice);
-  }
+  this->Problems.LookAtSteps();
   this->IsMaking = isMaking;
   Q_EMIT StepsChanged();
 }
 
-// A structure that cannot be protected is reported at once, with the consequence for the drill.
-void StudyController::LookAtProtection()
-{
-  std::vector<StudyForbidden> failed = ForbiddenOf(this->State(), this->Open.Pipeline());
-  failed.erase(std::remove_if(failed.begin(), failed.end(),
-                              [](const StudyForbidden& one)
-                              { return one.State.Is != StudyStepState::Kind::Failed; }),
-               failed.end());
-  if (!failed.empty())
-  {
-    this->ReportOnce(SceneStep::Protection, DrillHoldText(failed));
-  }
-}
-
-void StudyController::ReportOnce(const std::string& problem, std::string& reported)
-{
-  if (problem != reported)
-  {
-    reported = problem;
-    if (!problem.empty())
-    {
-      this->Report(problem);
-    }
-  }
-}
-
 void StudyController::LookAtTouch()
 {
-  this->ReportOnce(this->Open.TouchProblem(), this->ReportedTouch);
   const bool isTouching = this->IsTouching();
   if (isTouching)
   {
     this->Felt = this->Open.Touch().Poll();
-    if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
-    {
-      this->ReportOnce(SceneStep::Protection,
-                       this->Felt.Drill.Hold); // for the key and the device's button
-    }
     Q_EMIT Touched();
   }
+  this->Problems.LookAtTouch(this->Felt);
   if (isTouching != this->WasTouching)
   {
     this->WasTouching = isTouching;
@@ -570,7 +478,7 @@ void StudyController::LookAtTouch()
 
 void StudyController::LookAtReplay()
 {
-  this->ReportOnce(this->Open.ReplayProblem(), this->ReportedReplay);
+  this->Problems.LookAtReplay();
   StudyReplay* replay = this->Open.Replay();
   if (replay != this->Replayed)
   {

@@ -5,6 +5,7 @@
 #include "Study.h"
 #include "StudyFile.h"
 #include "StudyOpening.h"
+#include "StudyProblems.h"
 
 #include <QObject>
 #include <QString>
@@ -126,11 +127,7 @@ private:
   void Look();
   void LookAtTouch();
   void LookAtReplay();
-  void ReportOnce(const std::string& problem, std::string& reported);
-  void LookAtNotes();
   void LookAtSteps();
-  void LookAtProtection();
-  void ReportOnce(SceneStep step, const std::string& message);
   void Announce();
   void TakeRole();
   /// `taken` is called once the file was read and is part of the study.
@@ -150,11 +147,7 @@ private:
   int Folders = 0;                          ///< number of folders whose series are being listed
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
-  std::map<SceneStep, std::set<std::string>> Reported; ///< reported failures and replacements
-  std::weak_ptr<const Volume> NotedVolume;             ///< whose notes were reported
-  std::weak_ptr<const Segmentation> NotedLabels;
-  std::string ReportedTouch;
-  std::string ReportedReplay;
+  StudyProblems Problems{this->Open, [this](const std::string& message) { this->Report(message); }};
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "StudyState.h"
+
+namespace palpate
+{
+/// Calls `visit(role, path)` for every file that a state may name, also for empty paths; roles as
+/// in StudyMissingFile. `State` is StudyState or const StudyState.
+template <typename State, typename Function>
+void ForEachPath(State& state, const Function& visit)
+{
+  visit("volume", state.VolumeFile);
+  visit("segmentation", state.SegmentationFile);
+  visit("tool", state.Tool.File);
+  for (auto& volume : state.Volumes)
+  {
+    visit("volume", volume.File);
+  }
+  for (auto& structure : state.Structures)
+  {
+    visit("structure", structure.File);
+    visit("segmentation", structure.WithinFile);
+    for (auto& [key, image] : structure.Images)
+    {
+      visit(key.c_str(), image);
+    }
+  }
+}
+} // namespace palpate
