@@ -11,13 +11,13 @@
 
 namespace palpate::atomic_file_test
 {
+namespace
+{
 using palpate::test::HoldsUnprivileged;
 using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
 using palpate::test::WriteAll;
 
-namespace
-{
 std::string MessageOf(const std::filesystem::path& path)
 {
   try
@@ -33,7 +33,6 @@ std::string MessageOf(const std::filesystem::path& path)
 
 // The files that this program synchronised with the disk, in order.
 std::vector<std::filesystem::path> Synced;
-} // namespace
 
 // Replaces the C library's function in this program.
 extern "C" __attribute__((visibility("default"))) int fsync(int file)
@@ -193,4 +192,5 @@ TEST(AtomicFile, SyncsContentBeforeRename)
   const std::vector<std::filesystem::path> expected{temporary, temporary.parent_path()};
   EXPECT_EQ(Synced, expected) << "the file under its temporary name, then the folder";
 }
+} // namespace
 } // namespace palpate::atomic_file_test

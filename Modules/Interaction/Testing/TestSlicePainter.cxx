@@ -34,7 +34,6 @@ vtkSmartPointer<vtkImageData> Uniform(double value)
               static_cast<float>(value));
   return image;
 }
-} // namespace
 
 TEST(SlicePainter, ResultDoesNotDependOnThreads)
 {
@@ -77,8 +76,6 @@ TEST(SlicePainter, BlendsLayersInOrderAndMultipliesOpacities)
   EXPECT_EQ(bytes[2], 0);
 }
 
-namespace
-{
 // The pixels of a row of 61 mm through a ramp that a band colours: red is then more than blue.
 std::vector<bool> Colored(const SliceContent& content)
 {
@@ -108,7 +105,6 @@ std::vector<float> ValuesOf(vtkImageData* image, bool isSmooth)
   }
   return values;
 }
-} // namespace
 
 TEST(SlicePainter, BandWithoutUpperLimitEndsAtTheIsoSurface)
 {
@@ -177,4 +173,5 @@ TEST(SlicePatch, CornersMatchPixelGrid)
   EXPECT_EQ(corners[0], Vector3(-2.0, -1.0, 0.0));
   EXPECT_EQ(corners[2], Vector3(2.0, 1.0, 0.0));
 }
+} // namespace
 } // namespace palpate::slice_painter_test
