@@ -17,6 +17,10 @@ endif()
 function(palpate_add_gtest name)
   cmake_parse_arguments(arg "ON_VIRTUAL_BUS" "RENDERING;TOGETHER" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
+  # Only tests have namespaces of their own.
+  set(helpers ${arg_SOURCES})
+  list(FILTER helpers EXCLUDE REGEX "(^|/)Test[A-Za-z0-9]+[.]cxx$")
+  set_source_files_properties(${helpers} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   palpate_compile_settings(${name})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} Palpate::TestSupport GTest::gtest_main)
   vtk_module_autoinit(TARGETS ${name} MODULES VTK::RenderingOpenGL2 VTK::RenderingFreeType

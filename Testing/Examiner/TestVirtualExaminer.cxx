@@ -11,10 +11,10 @@
 
 namespace palpate::virtual_examiner_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Coarser than for the page, for speed.
 ElasticPhantom Phantom(const std::optional<HiddenNodule>& nodule)
 {
@@ -30,7 +30,6 @@ VirtualExaminer::Press BumpAt(const FreePlace& place, double most)
   return [place, most](const FreePlace& pressed)
   { return 1.0 + (most - 1.0) * std::exp(-(pressed - place).squaredNorm() / 32.0); };
 }
-} // namespace
 
 TEST(VirtualExaminer, RasterLeavesNoGaps)
 {
@@ -190,4 +189,5 @@ TEST(ExaminerTable, MoreContrastIsNotFoundLess)
   }
   EXPECT_GT(before, Searches / 2);
 }
+} // namespace
 } // namespace palpate::virtual_examiner_test

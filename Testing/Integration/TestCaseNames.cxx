@@ -9,12 +9,12 @@
 
 namespace palpate::case_names_test
 {
+namespace
+{
 // Conversion of hostile names of files and structures to folder names.
 
 using palpate::cli::CaseNames;
 
-namespace
-{
 const std::vector<std::string> HostilePieces{
     ".",      "..",         "...",  "/",      "\\",
     "-",      "_",          " ",    "\n",     "\t",
@@ -71,7 +71,6 @@ bool IsInside(const std::filesystem::path& path, const std::filesystem::path& fo
   const std::filesystem::path relative = path.lexically_normal().lexically_relative(folder);
   return !relative.empty() && *relative.begin() != ".." && *relative.begin() != ".";
 }
-} // namespace
 
 TEST(OutputNames, PlainNamesAreSafeAndUnchanged)
 {
@@ -142,4 +141,5 @@ TEST(CaseNames, DistinctCasesHaveDistinctFoldersIgnoringCase)
     }
   }
 }
+} // namespace
 } // namespace palpate::case_names_test

@@ -15,13 +15,13 @@
 
 namespace palpate::cli_cases_test
 {
+namespace
+{
 // Interaction of several cases of one run: names, labels, failures, exit codes.
 
 using namespace palpate::test;
 using Json = nlohmann::json;
 
-namespace
-{
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
@@ -114,7 +114,6 @@ std::vector<std::string> FitWords(std::vector<std::string> more)
   more.insert(more.end(), fast.begin(), fast.end());
   return more;
 }
-} // namespace
 
 TEST(CliCases, FilesOfSameNameHaveSeparateResults)
 {
@@ -535,4 +534,5 @@ TEST(CliCases, UnwritableTouchStillPrintsSummary)
   EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
   EXPECT_GT(Json::parse(run.Output).at("ticks"), 0);
 }
+} // namespace
 } // namespace palpate::cli_cases_test

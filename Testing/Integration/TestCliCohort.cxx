@@ -10,11 +10,11 @@
 
 namespace palpate::cli_cohort_test
 {
+namespace
+{
 using namespace palpate::test;
 using Outcome = palpate::FitResult::Outcome;
 
-namespace
-{
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
@@ -74,7 +74,6 @@ protected:
 
   TemporaryFolder Folder;
 };
-} // namespace
 
 TEST_F(CliCohort, EveryMaskIsARowDespiteOneFailure)
 {
@@ -405,4 +404,5 @@ TEST_F(CliCohort, UnwritableCaseKeepsEarlierResult)
   EXPECT_EQ(ReadAll(this->Folder / "out/a/1/model.json"), model);
   EXPECT_EQ(RowsIn(this->Folder / "out")[0].Result.State, Outcome::Failed);
 }
+} // namespace
 } // namespace palpate::cli_cohort_test

@@ -10,10 +10,10 @@
 
 namespace palpate::cli_convert_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 void ExpectRefused(const CommandRun& run, const std::string& name)
 {
   EXPECT_EQ(run.Code, 2) << run.Errors;
@@ -21,7 +21,6 @@ void ExpectRefused(const CommandRun& run, const std::string& name)
   EXPECT_NE(run.Errors.find(name), std::string::npos) << run.Errors;
   EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << "more than a sentence: " << run.Errors;
 }
-} // namespace
 
 TEST(CliConvert, ModelTablesAreWriteOnly)
 {
@@ -158,4 +157,5 @@ TEST(CliConvert, ChoosesSeriesOfMixedDicomFolderByNumber)
       RunPalpate({"convert", input, "a.nrrd", "--series", "2"}, folder.Path());
   EXPECT_EQ(chosen.Code, 0) << chosen.Errors;
 }
+} // namespace
 } // namespace palpate::cli_convert_test

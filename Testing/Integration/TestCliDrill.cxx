@@ -9,10 +9,10 @@
 
 namespace palpate::cli_drill_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // A block with a nerve, a hand motion down into it, and a pedal.
 class CliDrill : public testing::Test
 {

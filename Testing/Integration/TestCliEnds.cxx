@@ -11,10 +11,10 @@
 
 namespace palpate::cli_ends_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Real-time touches, much longer than a test waits, that are ended by signals.
 class CliEnds : public testing::Test
 {
@@ -138,8 +138,6 @@ TEST_F(CliEnds, SignalWritesDrillingDoneSoFar)
   EXPECT_EQ(run.Errors.find("cancelled"), std::string::npos) << run.Errors;
 }
 
-} // namespace
-
 // Compressing takes so long that the signal comes while the file is written.
 TEST_F(CliEnds, CtrlCInConversionLeavesNoPartialFile)
 {
@@ -159,4 +157,5 @@ TEST_F(CliEnds, CtrlCInConversionLeavesNoPartialFile)
   EXPECT_EQ(command.Finish().Code, 130);
   EXPECT_EQ(this->FilesThatAreLeft(), (std::set<std::string>{"noise.nii.gz"}));
 }
+} // namespace
 } // namespace palpate::cli_ends_test

@@ -9,11 +9,11 @@
 
 namespace palpate::cli_evaluate_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
-namespace
-{
 Vector3 AsVector(const Json& list)
 {
   return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
@@ -29,7 +29,6 @@ Json Evaluate(const TemporaryFolder& folder, std::vector<std::string> more)
   EXPECT_EQ(run.Errors, "");
   return Json::parse(run.Output);
 }
-} // namespace
 
 TEST(CliEvaluate, JsonNumbersEqualKernelsBitForBit)
 {
@@ -130,4 +129,5 @@ TEST(CliEvaluate, RejectsBadArgumentsWithOneMessage)
     EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << run.Errors;
   }
 }
+} // namespace
 } // namespace palpate::cli_evaluate_test

@@ -10,16 +10,15 @@
 
 namespace palpate::cli_fit_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
-namespace
-{
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-} // namespace
 
 TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
 {
@@ -199,4 +198,5 @@ TEST(CliFit, DirectionGapGivesNoteAndVerdict)
   EXPECT_GT(coverage.at("largest_gap_degrees").get<double>(), 45.0); // 180 divided by the degree
   EXPECT_TRUE(Has(run.Errors, "No direction within")) << run.Errors;
 }
+} // namespace
 } // namespace palpate::cli_fit_test

@@ -12,11 +12,11 @@
 
 namespace palpate::cli_fit_surface_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
-namespace
-{
 void Write(const IndexedMesh& mesh, const std::filesystem::path& file)
 {
   TriangleMesh triangles;
@@ -59,7 +59,6 @@ std::vector<std::pair<IndexedMesh, std::string>> BadSurfaces()
           {Crossing(), "has triangles that cross each other"},
           {TwoParts(), "has 2 separate parts"}};
 }
-} // namespace
 
 TEST(CliFitSurface, SphereGivesNumbersFilesAndReport)
 {
@@ -170,4 +169,5 @@ TEST(CliFitSurface, BrokenFileIsBadInput)
   EXPECT_EQ(run.Code, 2);
   EXPECT_NE(run.Errors.find("its data set is not POLYDATA"), std::string::npos) << run.Errors;
 }
+} // namespace
 } // namespace palpate::cli_fit_surface_test

@@ -5,6 +5,8 @@
 
 namespace palpate::cli_frame_test
 {
+namespace
+{
 using namespace palpate::test;
 
 TEST(CliFrame, VersionIsPrinted)
@@ -140,4 +142,5 @@ TEST(CliFrame, ZshAndFishScriptsNameEveryCommand)
     }
   }
 }
+} // namespace
 } // namespace palpate::cli_frame_test

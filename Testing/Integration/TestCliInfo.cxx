@@ -10,11 +10,11 @@
 
 namespace palpate::cli_info_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
-namespace
-{
 // The words of the line that starts with `first`; empty if there is none.
 std::vector<std::string> WordsOfLine(const std::string& text, const std::string& first)
 {
@@ -30,7 +30,6 @@ std::vector<std::string> WordsOfLine(const std::string& text, const std::string&
   }
   return {};
 }
-} // namespace
 
 TEST(CliInfo, TableListsLabels)
 {
@@ -106,4 +105,5 @@ TEST(CliInfo, DoesNotShowPatientNames)
   // PatientName of the series' headers.
   EXPECT_EQ(run.Output.find("PCAMRGBX"), std::string::npos);
 }
+} // namespace
 } // namespace palpate::cli_info_test

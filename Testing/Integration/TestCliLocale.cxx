@@ -11,10 +11,10 @@
 
 namespace palpate::cli_locale_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 using Words = std::vector<std::string>;
 
 // The cells of a cohort's table except durations and folders.
@@ -72,7 +72,6 @@ std::map<std::string, std::string> ResultsOf(const Words& words)
   results["standard error"] = run.Errors;
   return results;
 }
-} // namespace
 
 TEST(CliLocale, OutputIsIndependentOfDecimalComma)
 {
@@ -104,4 +103,5 @@ TEST(CliLocale, OutputIsIndependentOfDecimalComma)
     }
   }
 }
+} // namespace
 } // namespace palpate::cli_locale_test

@@ -9,6 +9,8 @@
 
 namespace palpate::cli_mesh_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
@@ -81,4 +83,5 @@ TEST(CliMesh, BadInputIsRefusedAndLeavesNothing)
     EXPECT_EQ(folder.EntryCount(), 1u);
   }
 }
+} // namespace
 } // namespace palpate::cli_mesh_test

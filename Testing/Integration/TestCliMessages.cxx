@@ -16,10 +16,10 @@
 
 namespace palpate::cli_messages_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
@@ -76,7 +76,6 @@ std::string OnTerminal(const std::vector<std::string>& words)
       << err.str();
   return err.str();
 }
-} // namespace
 
 TEST(CliMessages, NamesUnknownCommand)
 {
@@ -278,4 +277,5 @@ TEST(CliMessages, StudyProgressNamesStructureAndCount)
   const std::string study = OnTerminal({"study", (folder / "a.palpate.json").string()});
   EXPECT_TRUE(Has(study, "case 1 of 2: ball: ") || Has(study, "case 2 of 2: label 2: ")) << study;
 }
+} // namespace
 } // namespace palpate::cli_messages_test

@@ -15,10 +15,10 @@
 
 namespace palpate::cli_phantom_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 double MaskMilliliters(const std::filesystem::path& file)
 {
   const palpate::Segmentation mask = palpate::ReadSegmentation(file);
@@ -39,7 +39,6 @@ double MaskMilliliters(const std::filesystem::path& file)
   const double* spacing = image->GetSpacing();
   return voxels * spacing[0] * spacing[1] * spacing[2] / 1000.0;
 }
-} // namespace
 
 TEST(CliPhantom, FilesMatchGroundTruth)
 {
@@ -142,4 +141,5 @@ TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)
     EXPECT_EQ(folder.EntryCount(), 1U) << more.front();
   }
 }
+} // namespace
 } // namespace palpate::cli_phantom_test

@@ -6,10 +6,10 @@
 
 namespace palpate::cli_render_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Width and height from a PNG's header.
 std::pair<int, int> PngSize(const std::string& bytes)
 {
@@ -24,7 +24,6 @@ std::pair<int, int> PngSize(const std::string& bytes)
   };
   return {number(16), number(20)};
 }
-} // namespace
 
 TEST(CliRender, DrawsSegmentationsModelsAndSlicesTogether)
 {
@@ -124,4 +123,5 @@ TEST(CliDisplay, FittingNeedsNoDisplay)
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(ReadAll(folder / "out/report.html").find("data:image/png"), std::string::npos);
 }
+} // namespace
 } // namespace palpate::cli_render_test

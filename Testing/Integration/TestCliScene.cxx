@@ -8,10 +8,10 @@
 
 namespace palpate::cli_scene_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Two spheres of a mask, a model that is only touched, and a missing file.
 void WriteScene(const TemporaryFolder& folder)
 {
@@ -24,7 +24,6 @@ void WriteScene(const TemporaryFolder& folder)
                {"file": "ball.json", "name": "hand", "seen": false},
                {"file": "missing.nii.gz", "name": "none", "seen": false, "touched": false}]})");
 }
-} // namespace
 
 TEST(CliScene, ExplainsWhatWasBuiltAndSkipped)
 {
@@ -88,4 +87,5 @@ TEST(CliScene, RejectsMalformedScene)
     EXPECT_EQ(RunPalpate(arguments, folder.Path()).Code, 2) << arguments.back();
   }
 }
+} // namespace
 } // namespace palpate::cli_scene_test

@@ -11,10 +11,10 @@
 
 namespace palpate::cli_soften_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // A ball of 5 mm on a grid around the model of NearlyASphere, or beside it.
 void WriteLesion(const std::filesystem::path& path, double x)
 {

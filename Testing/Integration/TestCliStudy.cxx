@@ -8,12 +8,11 @@
 
 namespace palpate::cli_study_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 const std::string Start = "{\"format\": \"palpate-study\", \"fit\": {\"frequency\": 10}, ";
-}
 
 TEST(CliStudy, BuildsSessionThatCanBeTouched)
 {
@@ -103,4 +102,5 @@ TEST(CliStudy, FailedStructureIsReportedAndOthersWritten)
   EXPECT_NE(run.Output.find("label 1 "), std::string::npos) << run.Output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1/model.json"));
 }
+} // namespace
 } // namespace palpate::cli_study_test

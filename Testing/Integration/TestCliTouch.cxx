@@ -9,6 +9,8 @@
 
 namespace palpate::cli_touch_test
 {
+namespace
+{
 using namespace palpate::test;
 
 TEST(CliTouch, SweepsMaskAndWritesForces)
@@ -111,4 +113,5 @@ TEST(CliDevices, ListsEachDeviceWithItsStatus)
   EXPECT_TRUE(
       nlohmann::json::parse(json.Output.substr(0, json.Output.find('\n')))["there"].is_boolean());
 }
+} // namespace
 } // namespace palpate::cli_touch_test

@@ -8,10 +8,10 @@
 
 namespace palpate::cli_tradeoff_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
@@ -39,7 +39,6 @@ protected:
 
   TemporaryFolder Folder;
 };
-} // namespace
 
 TEST_F(CliTradeoff, RecommendsASettingAndWritesTableAndPage)
 {
@@ -105,4 +104,5 @@ TEST_F(CliTradeoff, RejectsBadInputWithOneMessage)
     EXPECT_TRUE(Has(run.Errors, "palpate: ")) << run.Errors;
   }
 }
+} // namespace
 } // namespace palpate::cli_tradeoff_test

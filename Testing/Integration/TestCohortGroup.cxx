@@ -18,12 +18,12 @@
 
 namespace palpate::cohort_group_test
 {
+namespace
+{
 using palpate::test::CsvRecordsIn;
 using palpate::test::Random;
 using palpate::test::TemporaryFolder;
 
-namespace
-{
 /// A table of models in a folder.
 class Cohort
 {
@@ -102,7 +102,6 @@ double Field(const CsvRecord& record, const std::string& column)
 {
   return ParseNumber(*record.Find(column)).value();
 }
-} // namespace
 
 TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
 {
@@ -262,4 +261,5 @@ TEST(CohortGroup, RejectsInvalidCohortWithOneMessage)
   EXPECT_EQ(palpate::test::RunPalpate({"cohort", "nowhere"}, folder.Path()).Code, 2);
   EXPECT_EQ(folder.EntryCount(), 1U);
 }
+} // namespace
 } // namespace palpate::cohort_group_test

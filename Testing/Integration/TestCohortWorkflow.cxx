@@ -8,10 +8,10 @@
 
 namespace palpate::cohort_workflow_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 using Times = std::map<std::string, std::filesystem::file_time_type>;
 
 /// Four phantoms, one file that is not a mask, one missing file; and Snakemake.
@@ -89,7 +89,6 @@ protected:
 
   TemporaryFolder Folder;
 };
-} // namespace
 
 TEST_F(CohortWorkflow, ResumesAfterKillWithoutRepetition)
 {
@@ -128,4 +127,5 @@ TEST_F(CohortWorkflow, ResumesAfterKillWithoutRepetition)
   EXPECT_EQ(rows[0].Case, "seed 1");
   EXPECT_EQ(rows[4].Result.State, palpate::FitResult::Outcome::BadInput);
 }
+} // namespace
 } // namespace palpate::cohort_workflow_test

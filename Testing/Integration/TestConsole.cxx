@@ -6,6 +6,8 @@
 
 namespace palpate::console_test
 {
+namespace
+{
 using palpate::cli::Console;
 
 TEST(Console, ResultsAndRemarksUseTheirStreams)
@@ -116,4 +118,5 @@ TEST(Console, NamesWithLineBreaksStayOnOneLine)
   EXPECT_EQ(err.str(), "palpate: bad\\x0aname.nii is empty; write it again.\n"
                        "turned \\xe2\\x80\\xaeround\n");
 }
+} // namespace
 } // namespace palpate::console_test

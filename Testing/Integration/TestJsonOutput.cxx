@@ -18,10 +18,10 @@
 
 namespace palpate::json_output_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 using Json = nlohmann::json;
 
 // A command's table: key and unit of each row.
@@ -127,7 +127,6 @@ private:
 
   std::set<std::string> Paths;
 };
-} // namespace
 
 TEST_F(JsonOutput, FitIsDocumented)
 {
@@ -296,4 +295,5 @@ TEST(JsonPage, ListsUnitSuffixesOfKeys)
     }
   }
 }
+} // namespace
 } // namespace palpate::json_output_test

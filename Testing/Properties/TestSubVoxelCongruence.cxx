@@ -18,13 +18,13 @@
 
 namespace palpate::sub_voxel_congruence_test
 {
+namespace
+{
 // Visible and touched surface agree: every pixel's hit in a rendered image of real data, and the
 // hit of a haptic query along the same ray, have the same bits.
 
 using namespace palpate::test;
 
-namespace
-{
 class SubVoxelCongruence : public DisplayTest
 {
 protected:
@@ -109,7 +109,6 @@ bool GoOn(double, const std::string&)
 {
   return true;
 }
-} // namespace
 
 TEST_F(SubVoxelCongruence, OfTheSkullInAHeadCt)
 {
@@ -136,4 +135,5 @@ TEST_F(SubVoxelCongruence, OfAProstateBetweenThickSlicesByCubicInterpolation)
   ExpectCongruence(
       MakeSegmentField(gland, gland.Segments, FieldInterpolation::TricubicBSpline, 0.5, GoOn));
 }
+} // namespace
 } // namespace palpate::sub_voxel_congruence_test

@@ -16,7 +16,6 @@ ViewerOptions Parse(const QStringList& arguments)
   const QCoreApplication application(count, all);
   return ParseViewerOptions(QStringList{"palpate-viewer"} + arguments);
 }
-} // namespace
 
 TEST(ViewerOptions, ParsesFilesSwitchesAndSize)
 {
@@ -49,4 +48,5 @@ TEST(ViewerOptions, ReportErrors)
     EXPECT_TRUE(Parse({QString("--size=") + bad}).Problem.contains(bad)) << bad;
   }
 }
+} // namespace
 } // namespace palpate::viewer_options_test

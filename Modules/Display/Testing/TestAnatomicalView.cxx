@@ -5,6 +5,8 @@
 
 namespace palpate::anatomical_view_test
 {
+namespace
+{
 TEST(AnatomicalView, FramesAreRightHandedAndOrthonormal)
 {
   for (const ViewSide side : palpate::AllViewSides)
@@ -50,4 +52,5 @@ TEST(AnatomicalView, ObliqueDirectionsListLargestComponentFirst)
   EXPECT_EQ(OrientationLetters(Vector3(-0.2, -0.1, -0.97)), "I");
   EXPECT_EQ(OrientationLetters(Vector3::Zero()), "");
 }
+} // namespace
 } // namespace palpate::anatomical_view_test

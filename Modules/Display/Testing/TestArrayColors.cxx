@@ -6,10 +6,10 @@
 
 namespace palpate::array_colors_test
 {
-using Color = std::array<std::uint8_t, 3>;
-
 namespace
 {
+using Color = std::array<std::uint8_t, 3>;
+
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 // Relative luminance is monotone in lightness; its weights are those of sRGB.
@@ -27,7 +27,6 @@ int LargestDifference(const Color& a, const Color& b)
   }
   return largest;
 }
-} // namespace
 
 TEST(ArrayColors, EndsAndCentreMatchRdBu)
 {
@@ -98,4 +97,5 @@ TEST(ArrayColors, OwnArraysHaveUnit)
   EXPECT_EQ(palpate::ArrayTitle("DistanceToSurface"), "Distance to the surface, mm");
   EXPECT_EQ(palpate::ArrayTitle("Thickness"), "Thickness");
 }
+} // namespace
 } // namespace palpate::array_colors_test

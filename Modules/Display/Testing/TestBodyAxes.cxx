@@ -18,7 +18,6 @@ vtkSmartPointer<vtkImageData> SagittalSeries()
   grid.Direction = {{-s, 0, c, c, 0, s, 0, -1, 0}};
   return palpate::test::MakeLabelImage(grid, [](double, double, double) { return true; });
 }
-} // namespace
 
 TEST(BodyAxes, FindsAxesOfSagittalSeries)
 {
@@ -42,4 +41,5 @@ TEST(BodyAxes, NearestDirectionKeepsSign)
     }
   }
 }
+} // namespace
 } // namespace palpate::body_axes_test

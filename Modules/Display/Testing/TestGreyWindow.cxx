@@ -9,6 +9,8 @@
 
 namespace palpate::grey_window_test
 {
+namespace
+{
 TEST(GreyWindow, WindowExcludesExtremes)
 {
   std::vector<float> values(100000);
@@ -34,4 +36,5 @@ TEST(GreyWindow, WindowOfImageEqualsThatOfValues)
   EXPECT_NEAR(window.Low, -4900.0, 5.0);
   EXPECT_NEAR(window.High, 4950.0, 5.0);
 }
+} // namespace
 } // namespace palpate::grey_window_test

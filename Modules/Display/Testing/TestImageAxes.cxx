@@ -11,6 +11,8 @@
 
 namespace palpate::image_axes_test
 {
+namespace
+{
 TEST(ImageAxes, VoxelPositionsEqualVtk)
 {
   std::mt19937_64 random(1);
@@ -68,4 +70,5 @@ TEST(ImageAxes, BoxOfCornersIsCutInItsCrossSection)
   EXPECT_NEAR(length, 2.0 * (20.0 + 10.0), 1e-12);
   EXPECT_TRUE(palpate::CutSurface(box, Vector3(0.0, 0.0, 6.5), Vector3::UnitZ()).empty());
 }
+} // namespace
 } // namespace palpate::image_axes_test

@@ -89,7 +89,6 @@ class PlaneSamplerOf : public testing::Test
 };
 using Types = testing::Types<unsigned char, short, float, double>;
 TYPED_TEST_SUITE(PlaneSamplerOf, Types);
-} // namespace
 
 TYPED_TEST(PlaneSamplerOf, LinearRowsInterpolateEightVoxels)
 {
@@ -192,4 +191,5 @@ TEST(PlaneSampler, SingleSliceExtendsHalfAVoxelToBothSides)
     EXPECT_TRUE(height > 1.5 || value == 9.0F);
   }
 }
+} // namespace
 } // namespace palpate::plane_sampler_test

@@ -19,7 +19,6 @@ double Length(const SurfaceCurve& curve)
   }
   return length + (curve.IsClosed ? (curve.Points.front() - curve.Points.back()).norm() : 0.0);
 }
-} // namespace
 
 TEST(SurfaceCut, SphereIsCutInOneCircle)
 {
@@ -85,4 +84,5 @@ TEST(SurfaceCut, MissingPlaneGivesNoCurve)
   vtkNew<vtkPolyData> nothing;
   EXPECT_TRUE(CutSurface(nothing, Vector3::Zero(), Vector3::UnitZ()).empty());
 }
+} // namespace
 } // namespace palpate::surface_cut_test

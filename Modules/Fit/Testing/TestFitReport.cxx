@@ -13,10 +13,10 @@
 
 namespace palpate::fit_report_test
 {
-using palpate::test::SyntheticFit;
-
 namespace
 {
+using palpate::test::SyntheticFit;
+
 std::string Report(const FitResult& result, const palpate::Volume* volume)
 {
   const palpate::test::TemporaryFolder folder;
@@ -33,7 +33,6 @@ int Count(const std::string& text, const std::string& part)
   }
   return count;
 }
-} // namespace
 
 TEST(FitReport, IsWellFormedAndLoadsNothing)
 {
@@ -186,4 +185,5 @@ TEST(FitReport, MissingFolderIsInputError)
   EXPECT_THROW(palpate::WriteFitReport(fit.Result, nullptr, "/no/such/folder/report.html"),
                palpate::InputError);
 }
+} // namespace
 } // namespace palpate::fit_report_test

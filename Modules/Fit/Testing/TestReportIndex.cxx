@@ -16,7 +16,6 @@ std::string Page(const palpate::ReportIndex& index)
   index.Write(folder / "index.html");
   return palpate::test::ReadAll(folder / "index.html");
 }
-} // namespace
 
 TEST(ReportIndex, LinksEveryCaseAndCountsFitted)
 {
@@ -59,4 +58,5 @@ TEST(ReportIndex, NoCasesGiveValidPage)
 {
   EXPECT_EQ(palpate::test::MarkupError(Page(palpate::ReportIndex())), "");
 }
+} // namespace
 } // namespace palpate::report_index_test

@@ -52,7 +52,6 @@ PathMeasure Measure(const std::string& path)
   }
   return measure;
 }
-} // namespace
 
 TEST(SliceContour, SphereContourEnclosesDisc)
 {
@@ -146,4 +145,5 @@ TEST(SliceContour, AbsentStructureHasNoPath)
   const SlicePlane plane = palpate::ChooseSlicePlanes(fit.Result.Mask, 1, 1, 100).front();
   EXPECT_EQ(palpate::MaskOutlinePath(fit.Result.Mask, 5, plane), "");
 }
+} // namespace
 } // namespace palpate::slice_contour_test

@@ -35,7 +35,6 @@ vtkSmartPointer<vtkImageData> MakeLinearImage()
   }
   return image;
 }
-} // namespace
 
 TEST(SliceImage, ReproducesLinearImageOnOtherGrid)
 {
@@ -115,4 +114,5 @@ TEST(SliceImage, GreyRunsFromBlackToWhiteAndNanIsBlack)
   EXPECT_EQ(raster.Pixel(3, 0)[0], 0);
   EXPECT_EQ(raster.Pixel(3, 0)[3], 255);
 }
+} // namespace
 } // namespace palpate::slice_image_test

@@ -57,7 +57,6 @@ std::vector<Eigen::Matrix3d> AxisDirections()
   }
   return directions;
 }
-} // namespace
 
 TEST(SlicePlane, FollowsRadiologicalConventionForAnyAxes)
 {
@@ -167,4 +166,5 @@ TEST(SlicePlane, IndicesNeedNotStartAtZero)
     EXPECT_NEAR((centre - voxel.cast<double>()).norm(), 0.0, 1e-12) << plane.Name;
   }
 }
+} // namespace
 } // namespace palpate::slice_plane_test

@@ -17,11 +17,11 @@
 
 namespace palpate::surface_file_fit_test
 {
+namespace
+{
 using namespace palpate::test;
 using Outcome = FitResult::Outcome;
 
-namespace
-{
 FitSettings Settings(FitSettings::ModelKind model, int degree)
 {
   FitSettings settings;
@@ -62,7 +62,6 @@ std::vector<double> CoefficientsOf(const FitResult& result)
   }
   return all;
 }
-} // namespace
 
 TEST(SurfaceFileFit, EveryFormatGivesSameCoefficients)
 {
@@ -189,4 +188,5 @@ TEST(SurfaceFileFit, FilesHaveErrorMapAndNoMask)
     EXPECT_EQ(report.find(word), std::string::npos) << word;
   }
 }
+} // namespace
 } // namespace palpate::surface_file_fit_test

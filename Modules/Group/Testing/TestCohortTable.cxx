@@ -8,11 +8,11 @@
 
 namespace palpate::cohort_table_test
 {
+namespace
+{
 using namespace palpate::test;
 
 // Memory and time are bounded by the actual content of a table, not by its numbers.
-namespace
-{
 constexpr rlim_t SomeMemory = rlim_t{256} << 20;
 
 const std::string Head =
@@ -51,7 +51,6 @@ bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-} // namespace
 
 TEST(CohortTable, RowsOfHighestDegreeStoreNoCoefficients)
 {
@@ -121,4 +120,5 @@ TEST(CohortTable, KeyChangesWithDetachedVoxels)
   WriteAll(folder / "mask.raw", "other voxels");
   EXPECT_NE(key(), before);
 }
+} // namespace
 } // namespace palpate::cohort_table_test

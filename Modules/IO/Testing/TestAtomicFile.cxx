@@ -11,13 +11,27 @@
 
 namespace palpate::atomic_file_test
 {
+namespace
+{
+// The files that this program synchronised with the disk, in order.
+std::vector<std::filesystem::path> Synced;
+} // namespace
+
+// Replaces the C library's function in this program.
+extern "C" __attribute__((visibility("default"))) int fsync(int file)
+{
+  std::error_code ignored;
+  Synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file), ignored));
+  return static_cast<int>(syscall(SYS_fsync, file));
+}
+
+namespace
+{
 using palpate::test::HoldsUnprivileged;
 using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
 using palpate::test::WriteAll;
 
-namespace
-{
 std::string MessageOf(const std::filesystem::path& path)
 {
   try
@@ -29,18 +43,6 @@ std::string MessageOf(const std::filesystem::path& path)
     return error.what();
   }
   return "no error";
-}
-
-// The files that this program synchronised with the disk, in order.
-std::vector<std::filesystem::path> Synced;
-} // namespace
-
-// Replaces the C library's function in this program.
-extern "C" __attribute__((visibility("default"))) int fsync(int file)
-{
-  std::error_code ignored;
-  Synced.push_back(std::filesystem::read_symlink("/proc/self/fd/" + std::to_string(file), ignored));
-  return static_cast<int>(syscall(SYS_fsync, file));
 }
 
 TEST(AtomicFile, CommitLeavesOnlyNamedFile)
@@ -193,4 +195,5 @@ TEST(AtomicFile, SyncsContentBeforeRename)
   const std::vector<std::filesystem::path> expected{temporary, temporary.parent_path()};
   EXPECT_EQ(Synced, expected) << "the file under its temporary name, then the folder";
 }
+} // namespace
 } // namespace palpate::atomic_file_test

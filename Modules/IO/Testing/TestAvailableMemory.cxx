@@ -7,10 +7,10 @@
 
 namespace palpate::available_memory_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 constexpr std::uint64_t Kibibyte = 1024;
 
 // A machine with 300 kB left, and groups defined by the test.
@@ -36,7 +36,6 @@ protected:
 private:
   TemporaryFolder Folder;
 };
-} // namespace
 
 TEST_F(AvailableMemory, UsesMachineWithoutGroups)
 {
@@ -120,4 +119,5 @@ TEST_F(AvailableMemory, CountsDataTwice)
   EXPECT_NE(MessageOf([] { CheckMemory("x.nii", std::numeric_limits<double>::quiet_NaN(), 1000); }),
             "no error");
 }
+} // namespace
 } // namespace palpate::available_memory_test

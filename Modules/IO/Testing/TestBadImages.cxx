@@ -11,10 +11,10 @@
 
 namespace palpate::bad_images_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // One sentence: it starts with the file, contains the fact and a fix, and no line break.
 void ExpectMessage(const std::string& message, const std::filesystem::path& file,
                    const std::string& fact)
@@ -64,7 +64,6 @@ std::string SegmentationRefusal(const std::string& nrrd)
   WriteAll(folder / "a.nrrd", nrrd);
   return MessageOf([&] { ReadSegmentation(folder / "a.nrrd"); });
 }
-} // namespace
 
 TEST(BadImages, RejectsBadNiftiWithOneMessage)
 {
@@ -160,4 +159,5 @@ TEST(BadImages, RejectsEmptyMask)
       SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned char"), std::string(120, '\0'))),
       "has no labelled voxel"));
 }
+} // namespace
 } // namespace palpate::bad_images_test

@@ -7,6 +7,8 @@
 
 namespace palpate::base64_text_test
 {
+namespace
+{
 TEST(Base64Text, InvertsEncoder)
 {
   std::mt19937 random(3);
@@ -40,4 +42,5 @@ TEST(Base64Text, RejectsOtherTexts)
     EXPECT_FALSE(DecodedBase64(text).has_value()) << text;
   }
 }
+} // namespace
 } // namespace palpate::base64_text_test

@@ -22,10 +22,10 @@
 
 namespace palpate::cnumeric_locale_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 constexpr CommaLocale::Scope Scopes[] = {CommaLocale::Scope::OnlyC, CommaLocale::Scope::Streams};
 
 // MetaImage's and VTP's libraries use C++ streams, which cannot have a locale per thread; a test
@@ -179,7 +179,6 @@ void WriteInputs(const TemporaryFolder& folder)
            "vertex 4000.75 5.5 -6.25\nvertex -7.5 8.75 9.875\nendloop\nendfacet\nendsolid a\n");
   WriteAllOf(folder, ReadImageContent(folder / "a.mha").Labels->Layers[0]);
 }
-} // namespace
 
 TEST(CNumericLocale, SetsDecimalPointForThreadDuringLifetime)
 {
@@ -247,4 +246,5 @@ TEST(CNumericLocale, RejectsStreamFormatsIfStreamsUseDecimalComma)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSurface(folder / "a.vtp"); }), fact));
   EXPECT_FALSE(std::filesystem::exists(folder / "w.mha"));
 }
+} // namespace
 } // namespace palpate::cnumeric_locale_test

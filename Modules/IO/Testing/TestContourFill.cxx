@@ -9,10 +9,10 @@
 
 namespace palpate::contour_fill_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 constexpr std::int64_t Enough = 1000000;
 
 using Voxels = std::set<std::int64_t>;
@@ -62,7 +62,6 @@ std::set<std::int64_t> SlicesOf(const std::vector<double>& planes, int slices)
   }
   return found;
 }
-} // namespace
 
 // Polygons that cross themselves, other polygons, and the borders of the grid.
 TEST(ContourFill, VoxelsAreInsideOfOddNumberOfTurns)
@@ -139,4 +138,5 @@ TEST(ContourFill, RejectsMoreCrossingsThanAllowed)
   EXPECT_EQ(fill.Runs(square).size(), 100u);
   EXPECT_TRUE(Contains(MessageOf([&] { fill.Runs(square); }), "go to and fro too often"));
 }
+} // namespace
 } // namespace palpate::contour_fill_test

@@ -6,6 +6,8 @@
 
 namespace palpate::csv_cell_test
 {
+namespace
+{
 TEST(CsvCell, KeepsNumbers)
 {
   for (const char* number : {"-1.5", "+2", "1e-3", "-0", "0.1", ""})
@@ -50,4 +52,5 @@ TEST(CsvCell, RoundTripsTextAndDisarmsFormulas)
         << cell;
   }
 }
+} // namespace
 } // namespace palpate::csv_cell_test

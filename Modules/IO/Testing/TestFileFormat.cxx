@@ -19,10 +19,10 @@
 
 namespace palpate::file_format_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // A format of a test: 2 x 2 rows of bytes, after their length.
 class RowFile : public ImageFile
 {
@@ -103,7 +103,6 @@ bool Holds(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-} // namespace
 
 TEST_F(FileFormats, AddedImagesAreWrittenAndRead)
 {
@@ -152,4 +151,5 @@ TEST(FileFormat, UsesLongestEnding)
   EXPECT_EQ(ListOfEndings({".a", ".b", ".c"}), ".a, .b or .c");
   EXPECT_EQ(PatternsOf({".a", ".b"}), "*.a *.b");
 }
+} // namespace
 } // namespace palpate::file_format_test

@@ -12,10 +12,10 @@
 
 namespace palpate::foreign_file_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 struct Foreign
 {
   const char* Name;
@@ -48,7 +48,6 @@ std::vector<Foreign> ForeignFiles()
       {"letter.docx", "a letter", "is not in a known image format", ".nii.gz"},
   };
 }
-} // namespace
 
 TEST(ForeignFile, RejectsNamingFormatAndFix)
 {
@@ -95,4 +94,5 @@ TEST(ForeignFile, HeaderReportsMissingData)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "a.nhdr"); }), "lacks its data file"));
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "a.mhd"); }), "lacks its data file"));
 }
+} // namespace
 } // namespace palpate::foreign_file_test

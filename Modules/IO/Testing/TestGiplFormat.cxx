@@ -10,10 +10,10 @@
 
 namespace palpate::gipl_format_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 template <typename T>
 std::vector<T> Counting(std::size_t count)
 {
@@ -50,7 +50,6 @@ void ExpectKeepsType(std::uint16_t code, int vtkType)
   const T* found = static_cast<const T*>(volume.Image->GetScalarPointer());
   EXPECT_TRUE(std::equal(values.begin(), values.end(), found));
 }
-} // namespace
 
 TEST(GiplFormat, KeepsVoxelsOfEveryType)
 {
@@ -148,4 +147,5 @@ TEST(GiplFormat, RejectsAbsurdSizesTypesAndGeometry)
   EXPECT_TRUE(Contains(refusal([](GiplSpec& s) { s.Spacing[2] = NaN; }), "voxel spacing of"));
   EXPECT_TRUE(Contains(refusal([](GiplSpec& s) { s.Origin[0] = double{NaN}; }), "not finite"));
 }
+} // namespace
 } // namespace palpate::gipl_format_test

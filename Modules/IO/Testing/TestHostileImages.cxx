@@ -14,11 +14,11 @@
 
 namespace palpate::hostile_images_test
 {
+namespace
+{
 using namespace palpate::test;
 
 // Memory and time are bounded by the actual content of an image file, not by its header.
-namespace
-{
 constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 constexpr std::size_t Gigabytes = std::size_t{3} << 30;
 
@@ -58,7 +58,6 @@ std::string GzippedWithZerosBehind(const std::string& bytes)
   }
   return packed;
 }
-} // namespace
 
 TEST_F(HostileImages, RejectsNrrdFieldsThatOverflowLibrary)
 {
@@ -284,4 +283,5 @@ TEST_F(HostileImages, RejectsVoxelsThatExceedCompressedBytes)
     EXPECT_TRUE(Contains(this->NrrdRefusal(lines), "is truncated")) << encoding;
   }
 }
+} // namespace
 } // namespace palpate::hostile_images_test

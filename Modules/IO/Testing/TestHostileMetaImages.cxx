@@ -9,12 +9,12 @@
 
 namespace palpate::hostile_meta_images_test
 {
+namespace
+{
 using namespace palpate::test;
 
 // Headers that overflow the MetaIO library, that it reads differently, or that leave voxels
 // uninitialised.
-namespace
-{
 constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 constexpr const char* DataLine = "ElementDataFile = LOCAL";
 
@@ -70,7 +70,6 @@ protected:
 
   TemporaryFolder Folder;
 };
-} // namespace
 
 TEST_F(HostileMetaImages, BoundsDigitsInPlaceOfWords)
 {
@@ -284,4 +283,5 @@ TEST_F(HostileMetaImages, WordsEndAsInLibrary)
                                               std::string(DataLine) + "\xff")),
                        "is truncated"));
 }
+} // namespace
 } // namespace palpate::hostile_meta_images_test

@@ -11,10 +11,10 @@
 
 namespace palpate::image_content_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 const std::filesystem::path Templates = "/usr/share/mricron/templates";
 
 template <typename T>
@@ -24,7 +24,6 @@ ImageContent ContentOf(const char* type, const std::vector<T>& values)
   WriteAll(folder / "a.nrrd", NrrdBytes(PlainNrrdLines(type), BytesOf(values)));
   return ReadImageContent(folder / "a.nrrd");
 }
-} // namespace
 
 TEST(ImageContent, FewWholeValuesAreLabels)
 {
@@ -77,4 +76,5 @@ TEST(ImageContent, RecognizesAtlasesAndHeads)
     EXPECT_NE(WhyNoLabelMap(volume), "") << name;
   }
 }
+} // namespace
 } // namespace palpate::image_content_test

@@ -15,10 +15,10 @@
 
 namespace palpate::image_writer_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 const char* const Names[] = {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"};
 
 // Noise on an oblique, anisotropic grid.
@@ -58,7 +58,6 @@ double LargestCornerShift(vtkImageData* a, vtkImageData* b)
   }
   return largest;
 }
-} // namespace
 
 TEST(ImageWriter, EveryFormatKeepsTypeAndValues)
 {
@@ -186,4 +185,5 @@ TEST(ImageWriter, FullDiskKeepsOldFile)
   }
   EXPECT_EQ(folder.EntryCount(), 4u);
 }
+} // namespace
 } // namespace palpate::image_writer_test

@@ -7,10 +7,10 @@
 
 namespace palpate::json_text_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 std::string Nested(std::size_t depth)
 {
   return std::string(depth, '[') + std::string(depth, ']');
@@ -20,7 +20,6 @@ std::string Refusal(const std::string& text)
 {
   return MessageOf([&] { ParseJson(text, "a.json", "mend it"); });
 }
-} // namespace
 
 TEST(JsonText, RejectsDeepNesting)
 {
@@ -70,4 +69,5 @@ TEST(JsonText, RejectsDeeplyNestedModel)
   WriteAll(folder / "a.json", "{\"format\": " + Nested(1000000) + "}");
   EXPECT_TRUE(Contains(MessageOf([&] { ReadModel(folder / "a.json"); }), "64 deep"));
 }
+} // namespace
 } // namespace palpate::json_text_test

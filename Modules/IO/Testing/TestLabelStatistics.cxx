@@ -17,10 +17,10 @@
 
 namespace palpate::label_statistics_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 using Size = std::array<int, 3>;
 
 // A volume of labels, voxel x + nx (y + ny z).
@@ -119,7 +119,6 @@ void ExpectMatchesFloodFill(Labels& labels, const Segment& segment,
   EXPECT_EQ(statistics.Voxels,
             std::count(labels.Values.begin(), labels.Values.end(), segment.Value));
 }
-} // namespace
 
 TEST(LabelStatistics, RandomVolumesMatchFloodFill)
 {
@@ -145,8 +144,6 @@ TEST(LabelStatistics, RandomVolumesMatchFloodFill)
   }
 }
 
-namespace
-{
 // Labels from 1 on that alternate along the first axis, so that each spans the volume.
 Segmentation InterleavedLabels(int labels)
 {
@@ -172,7 +169,6 @@ double SecondsToMeasure(const Segmentation& segmentation)
   MeasureLabels(segmentation);
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
-} // namespace
 
 TEST(LabelStatistics, TimeIsIndependentOfLabelCount)
 {
@@ -269,4 +265,5 @@ TEST(LabelStatistics, LabelCountsOfAtlasAddUp)
     EXPECT_EQ(inComponents, all[i].Voxels);
   }
 }
+} // namespace
 } // namespace palpate::label_statistics_test

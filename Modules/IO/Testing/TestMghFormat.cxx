@@ -13,10 +13,10 @@
 
 namespace palpate::mgh_format_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 template <typename T>
 std::vector<T> Counting(std::size_t count)
 {
@@ -60,7 +60,6 @@ void ExpectKeepsType(std::int32_t code, int vtkType)
   const T* found = static_cast<const T*>(volume.Image->GetScalarPointer());
   EXPECT_TRUE(std::equal(values.begin(), values.end(), found));
 }
-} // namespace
 
 TEST(MghFormat, KeepsVoxelsOfEveryType)
 {
@@ -207,4 +206,5 @@ TEST(MghFormat, RejectsVoxelsThatAreNotFinite)
   EXPECT_TRUE(Contains(Refusal("a.mgh", MghBytes(spec, BigEndian(values))),
                        "1 voxels that are NaN or infinite"));
 }
+} // namespace
 } // namespace palpate::mgh_format_test

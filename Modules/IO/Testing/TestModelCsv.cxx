@@ -9,10 +9,10 @@
 
 namespace palpate::model_csv_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // The numbers of a table's rows after l and m, row by row.
 std::vector<double> NumbersOf(const std::string& table)
 {
@@ -41,7 +41,6 @@ bool Has(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-} // namespace
 
 TEST(ModelCsv, KeepsEveryBitOfStarShapedModel)
 {
@@ -106,4 +105,5 @@ TEST(ModelCsv, RejectsNonFiniteNumbers)
   EXPECT_THROW(ModelToCsv({SphericalHarmonicModel(0, {std::nan("")}, Vector3::Zero()), {}}, "f"),
                InputError);
 }
+} // namespace
 } // namespace palpate::model_csv_test

@@ -9,6 +9,8 @@
 
 namespace palpate::model_file_test
 {
+namespace
+{
 using namespace palpate::test;
 
 TEST(ModelFile, EndingSelectsFormat)
@@ -71,4 +73,5 @@ TEST(ModelFile, UnwritableModelKeepsOldFile)
   EXPECT_EQ(ReadAll(folder / "a.json"), "old");
   EXPECT_EQ(folder.EntryCount(), 1u);
 }
+} // namespace
 } // namespace palpate::model_file_test

@@ -8,11 +8,11 @@
 
 namespace palpate::model_json_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::ordered_json;
 
-namespace
-{
 Json SmallFile()
 {
   std::mt19937_64 random(1);
@@ -40,7 +40,6 @@ void ExpectRefusal(const Json& file, const std::string& fact)
   EXPECT_NE(message.find(fact), std::string::npos) << message;
   EXPECT_NE(message.find(';'), std::string::npos) << "no way out: " << message;
 }
-} // namespace
 
 TEST(ModelJson, RoundTripsStarShapedModelBitForBit)
 {
@@ -219,8 +218,6 @@ TEST(ModelJson, RejectsDeeplyNestedText)
   EXPECT_NE(RefusalOf(std::string(2000000, '[')), "accepted");
 }
 
-namespace
-{
 // c = 25 mm^2/N / a, a little less to one side.
 ComplianceMaps SomeMaps()
 {
@@ -245,7 +242,6 @@ Json ElasticFile()
   document.Elasticity = std::make_shared<const ComplianceMaps>(SomeMaps());
   return Json::parse(ModelToJson(document, "f"));
 }
-} // namespace
 
 TEST(ModelJson, RoundTripsElasticityBitForBit)
 {
@@ -290,4 +286,5 @@ TEST(ModelJson, RefusesElasticityThatIsNoBody)
   const std::string message = RefusalOf(file.dump());
   EXPECT_NE(message.find("elastic body"), std::string::npos) << message;
 }
+} // namespace
 } // namespace palpate::model_json_test

@@ -14,10 +14,10 @@
 
 namespace palpate::nifti_format_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 template <typename T>
 std::vector<T> Counting(std::size_t count)
 {
@@ -83,7 +83,6 @@ NiftiSpec FourDimensional(short volumes)
   spec.Dimensions = {4, 4, 5, 6, volumes, 1, 1, 1};
   return spec;
 }
-} // namespace
 
 TEST(NiftiFormat, ReadsSecondVersionInBothByteOrders)
 {
@@ -278,4 +277,5 @@ TEST(NiftiFormat, RejectsDamageBehindChosenVolume)
       MessageOf([&] { ReadSingle("a.nii.gz", packed.substr(0, packed.size() - 6), {"1"}); }),
       "is truncated"));
 }
+} // namespace
 } // namespace palpate::nifti_format_test

@@ -15,10 +15,10 @@
 
 namespace palpate::orientations_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Different, so that exchanged axes are detected.
 const Vector3 Spacing(0.5, 1.25, 3.0);
 const Vector3 Origin(10.0, -20.0, 30.0);
@@ -180,7 +180,6 @@ NiftiSpec NiftiOfSpacing()
   spec.PixelDimensions = {1.0F, 0.5F, 1.25F, 3.0F};
   return spec;
 }
-} // namespace
 
 TEST(Orientations, NiftiSFormKeepsPositionsInAll48AxisOrders)
 {
@@ -355,4 +354,5 @@ TEST(Orientations, RejectsDamagedNrrdDirections)
   EXPECT_TRUE(Contains(RefusalOfNrrd(LinesWith(8, "space origin: (nan,nan,nan)")),
                        "a space origin that is not three finite numbers"));
 }
+} // namespace
 } // namespace palpate::orientations_test

@@ -10,14 +10,14 @@
 
 namespace palpate::output_folder_test
 {
+namespace
+{
 using palpate::test::FileSizeLimit;
 using palpate::test::HoldsUnprivileged;
 using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
 using palpate::test::WriteAll;
 
-namespace
-{
 std::string MessageOf(void (*ask)(const std::filesystem::path&), const std::filesystem::path& path)
 {
   try
@@ -38,7 +38,6 @@ void WriteSmallAndLarge(const std::filesystem::path& folder)
   WriteWholeFile(folder / "b.txt", std::string(4096, 'b'));
 }
 constexpr rlim_t TooSmall = 1024;
-} // namespace
 
 TEST(OutputFolder, CheckCreatesNothing)
 {
@@ -158,4 +157,5 @@ TEST(OutputSet, KeepsSymbolicLink)
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "out/a.txt"));
   EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new a");
 }
+} // namespace
 } // namespace palpate::output_folder_test

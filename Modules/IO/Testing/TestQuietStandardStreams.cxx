@@ -6,6 +6,8 @@
 
 namespace palpate::quiet_standard_streams_test
 {
+namespace
+{
 TEST(QuietStandardStreams, MutesOnlyDuringLifetime)
 {
   testing::internal::CaptureStderr();
@@ -25,4 +27,5 @@ TEST(QuietStandardStreams, MutesOnlyDuringLifetime)
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "ac");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "bd");
 }
+} // namespace
 } // namespace palpate::quiet_standard_streams_test

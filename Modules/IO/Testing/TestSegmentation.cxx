@@ -15,10 +15,10 @@
 
 namespace palpate::segmentation_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 template <typename T>
 Segmentation ReadNrrdOf(const char* type, const std::vector<T>& values)
 {
@@ -63,7 +63,6 @@ Segmentation ReadSlicer(const std::vector<std::string>& lines, const std::string
   WriteAll(folder / "a.seg.nrrd", NrrdBytes(lines, voxels));
   return ReadSegmentation(folder / "a.seg.nrrd", leftHanded);
 }
-} // namespace
 
 TEST(Segmentation, LayersHaveSmallestSufficientType)
 {
@@ -244,4 +243,5 @@ TEST(Segmentation, ReadsEveryRealMask)
     EXPECT_GT(GridOf(segmentation.Layers[0]).Direction.determinant(), 0.999) << entry.path();
   }
 }
+} // namespace
 } // namespace palpate::segmentation_test

@@ -11,10 +11,10 @@
 
 namespace palpate::spharm_pdm_coefficients_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 std::string RefusalOf(const std::string& text)
 {
   try
@@ -84,7 +84,6 @@ std::array<std::vector<double>, 3> ScanRows(const std::string& text)
   }
   return rows;
 }
-} // namespace
 
 TEST(SpharmPdmCoefficients, RealFilesMatchReferenceInLps)
 {
@@ -204,4 +203,5 @@ TEST(SpharmPdmCoefficients, DamagedBytesAreOnlyRefused)
     ASSERT_FALSE(RefusalOf(damaged).empty()); // any other exception fails the test
   }
 }
+} // namespace
 } // namespace palpate::spharm_pdm_coefficients_test

@@ -18,10 +18,10 @@
 
 namespace palpate::volume_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 template <typename T>
 std::vector<T> Counting(std::size_t count)
 {
@@ -78,7 +78,6 @@ void ExpectNrrdKeepsType(const char* nrrdType, int vtkType)
   const T* found = static_cast<const T*>(scalars->GetVoidPointer(0));
   EXPECT_TRUE(std::equal(values.begin(), values.end(), found)) << nrrdType;
 }
-} // namespace
 
 TEST(Volume, NiftiVoxelsFollowSformInLps)
 {
@@ -321,4 +320,5 @@ TEST(Volume, PromiseCaseHasNominalGeometry)
   // Single precision in the header.
   EXPECT_LT((grid.Spacing - Vector3(1.4, 1.4, 1.6)).norm(), 1e-6);
 }
+} // namespace
 } // namespace palpate::volume_test

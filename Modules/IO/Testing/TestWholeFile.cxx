@@ -7,6 +7,8 @@
 
 namespace palpate::whole_file_test
 {
+namespace
+{
 using palpate::test::FileSizeLimit;
 using palpate::test::ReadAll;
 using palpate::test::TemporaryFolder;
@@ -47,4 +49,5 @@ TEST(WholeFile, RejectsMissingEmptyFolderAndTooLarge)
   EXPECT_THROW(ReadWholeFile(folder / "large", 4), InputError);
   EXPECT_EQ(ReadWholeFile(folder / "large", 5), "12345");
 }
+} // namespace
 } // namespace palpate::whole_file_test

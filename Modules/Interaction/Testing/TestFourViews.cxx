@@ -12,7 +12,6 @@ namespace
 class FourViewsTest : public palpate::test::DisplayTest
 {
 };
-} // namespace
 
 TEST_F(FourViewsTest, MatchBaseline)
 {
@@ -21,4 +20,5 @@ TEST_F(FourViewsTest, MatchBaseline)
   palpate::test::ExpectLikeBaseline(palpate::ReadWindow(scene.Views.Window),
                                     std::filesystem::path(PALPATE_BASELINES) / "FourViews.png");
 }
+} // namespace
 } // namespace palpate::four_views_test

@@ -14,6 +14,8 @@
 
 namespace palpate::probe_in_slice_test
 {
+namespace
+{
 TEST(ProbeInSlice, SphereCrossSectionIsCircleOfItsDepth)
 {
   std::mt19937_64 random(21);
@@ -92,4 +94,5 @@ TEST(vtkProbeRepresentation, DrawsPointAsSmallSphere)
   probe->SetToolSphere(3.0);
   EXPECT_NEAR(probe->GetToolRadius(), 3.0, 1e-6);
 }
+} // namespace
 } // namespace palpate::probe_in_slice_test

@@ -5,6 +5,8 @@
 
 namespace palpate::scale_bar_test
 {
+namespace
+{
 TEST(ScaleBar, LengthIsOneTwoOrFiveTimesAPowerOfTen)
 {
   EXPECT_DOUBLE_EQ(ScaleBar::RoundLength(99.0), 50.0);
@@ -30,4 +32,5 @@ TEST(ScaleBar, BarIsSlightlyShorterThanAThirdOfTheView)
     EXPECT_GT(bar.LengthMillimeters() / pixel, 640.0 * 0.3 * 0.4 - 1e-9);
   }
 }
+} // namespace
 } // namespace palpate::scale_bar_test

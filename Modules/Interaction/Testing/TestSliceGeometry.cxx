@@ -8,6 +8,8 @@
 
 namespace palpate::slice_geometry_test
 {
+namespace
+{
 TEST(SliceGeometry, FollowsRadiologicalConvention)
 {
   const auto letters = [](SliceOrientation orientation)
@@ -76,4 +78,5 @@ TEST(SliceGeometry, AlongBodyStepEqualsNearestAxisWithoutNumbers)
   EXPECT_FALSE(geometry.HasNumbers());
   EXPECT_EQ(geometry.Moved(Vector3(1.0, 2.0, 3.0), 2), Vector3(1.0, 2.0, 9.0));
 }
+} // namespace
 } // namespace palpate::slice_geometry_test

@@ -34,7 +34,6 @@ vtkSmartPointer<vtkImageData> Uniform(double value)
               static_cast<float>(value));
   return image;
 }
-} // namespace
 
 TEST(SlicePainter, ResultDoesNotDependOnThreads)
 {
@@ -158,8 +157,6 @@ TEST(SlicePainter, BlendsLayersInOrderAndMultipliesOpacities)
   EXPECT_EQ(bytes[2], 0);
 }
 
-namespace
-{
 // The pixels of a row of 61 mm through a ramp that a band colours: red is then more than blue.
 std::vector<bool> Colored(const SliceContent& content)
 {
@@ -189,7 +186,6 @@ std::vector<float> ValuesOf(vtkImageData* image, bool isSmooth)
   }
   return values;
 }
-} // namespace
 
 TEST(SlicePainter, BandWithoutUpperLimitEndsAtTheIsoSurface)
 {
@@ -258,4 +254,5 @@ TEST(SlicePatch, CornersMatchPixelGrid)
   EXPECT_EQ(corners[0], Vector3(-2.0, -1.0, 0.0));
   EXPECT_EQ(corners[2], Vector3(2.0, 1.0, 0.0));
 }
+} // namespace
 } // namespace palpate::slice_painter_test

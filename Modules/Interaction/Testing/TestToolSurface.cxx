@@ -27,7 +27,6 @@ double Volume(vtkPolyData* surface)
   mass->SetInputData(surface);
   return mass->GetVolume();
 }
-} // namespace
 
 TEST(ToolSurface, SphereHasItsRadius)
 {
@@ -55,4 +54,5 @@ TEST(ToolSurface, EllipsoidIsHullOfItsShell)
   EXPECT_LT(Volume(surface), exact);
   EXPECT_GT(Volume(surface), 0.95 * exact); // as above; the points are denser
 }
+} // namespace
 } // namespace palpate::tool_surface_test

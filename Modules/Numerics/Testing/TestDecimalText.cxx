@@ -15,7 +15,6 @@ bool SameBits(Real a, Real b)
 {
   return a == b && std::signbit(a) == std::signbit(b);
 }
-} // namespace
 
 TEST(DecimalText, EveryFiniteDoubleRoundTrips)
 {
@@ -137,4 +136,5 @@ TEST(DecimalText, AgainstLimitSupportsNonFiniteAndLargestNumbers)
   const double largest = std::numeric_limits<double>::max();
   EXPECT_EQ(std::stod(TextAgainstLimit(-largest, 1.0, 2)), -largest);
 }
+} // namespace
 } // namespace palpate::decimal_text_test

@@ -6,6 +6,8 @@
 
 namespace palpate::force_perception_test
 {
+namespace
+{
 TEST(ForcePerception, FollowsWebersLawFromHalfANewton)
 {
   for (const double force : {0.5, 1.0, 2.5, 10.0})
@@ -38,4 +40,5 @@ TEST(ForcePerception, PassesNanOn)
   EXPECT_TRUE(std::isnan(ForcePerception::Contrast(nan, 1.0)));
   EXPECT_TRUE(std::isnan(ForcePerception::Contrast(1.0, nan)));
 }
+} // namespace
 } // namespace palpate::force_perception_test

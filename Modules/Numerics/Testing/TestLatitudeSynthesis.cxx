@@ -26,7 +26,6 @@ double Difference(const SphericalHarmonicModel& model, int longitudes, double z)
   }
   return worst.Value();
 }
-} // namespace
 
 TEST(LatitudeSynthesis, EqualsSingleEvaluations)
 {
@@ -94,4 +93,5 @@ TEST(LatitudeSynthesis, IsAccurateAtDegree1000)
     EXPECT_LE(Difference(model, 11, z), 1e-9) << z;
   }
 }
+} // namespace
 } // namespace palpate::latitude_synthesis_test

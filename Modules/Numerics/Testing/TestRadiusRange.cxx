@@ -18,7 +18,6 @@ double Rounding(const SphericalHarmonicModel& model)
 {
   return 2.0 * SphericalHarmonicSpectrum(model).EvaluationError();
 }
-} // namespace
 
 TEST(RadiusRange, EnclosesSamplesWithinTolerance)
 {
@@ -124,4 +123,5 @@ TEST(RadiusRange, ScalesWithModel)
     EXPECT_EQ(range.Upper, std::ldexp(plain.Upper, power));
   }
 }
+} // namespace
 } // namespace palpate::radius_range_test

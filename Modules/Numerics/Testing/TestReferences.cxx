@@ -164,7 +164,6 @@ void ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation formulation)
     ExpectTrue(LowDegreeBound, degree, formulation);
   }
 }
-} // namespace
 
 TEST(References, PolynomialsHave14DigitsUpToDegree16)
 {
@@ -271,4 +270,5 @@ TEST(References, TabulatedHessiansAreTangent)
     EXPECT_LE((hessian * u).norm(), 4e-16 * scale);
   }
 }
+} // namespace
 } // namespace palpate::references_test

@@ -5,6 +5,8 @@
 
 namespace palpate::round_number_test
 {
+namespace
+{
 TEST(RoundNumber, RoundsUpToTheNextMantissa)
 {
   EXPECT_EQ(RoundNumberAbove(0.011), 0.02);
@@ -33,4 +35,5 @@ TEST(RoundNumber, IsOneForZeroAndNonFiniteSizes)
   EXPECT_EQ(RoundNumberAbove(std::nan("")), 1.0);
   EXPECT_EQ(RoundNumberAbove(INFINITY), 1.0);
 }
+} // namespace
 } // namespace palpate::round_number_test

@@ -53,7 +53,6 @@ struct Seen
 };
 
 const std::vector<double> Angles = {0.0, 1e-9, 1e-3, 0.05, 0.2, 0.6, 1.5, 2.5, M_PI};
-} // namespace
 
 TEST(SphericalHarmonicBounds, EncloseRadiiAndSlopesInCone)
 {
@@ -223,4 +222,5 @@ TEST(SphericalHarmonicBounds, SphereHasItsRadiusAndNoSlope)
   EXPECT_NEAR(radius.Upper, 5.0, 1e-10);
   EXPECT_EQ(bounds.SlopeInCone({0, 1, 0}, 0.4), 0.0);
 }
+} // namespace
 } // namespace palpate::spherical_harmonic_bounds_test

@@ -75,7 +75,6 @@ BodyMoments OfMesh(const SphericalHarmonicModel& model, int frequency)
   moments.SecondMoments = second - first * first.transpose() / volume;
   return moments;
 }
-} // namespace
 
 TEST(SphericalHarmonicMeasures, SphereMatchesClosedForms)
 {
@@ -317,4 +316,5 @@ TEST(SphericalHarmonicMeasures, RejectBodyWithoutVolume)
   EXPECT_FALSE(MeasureBody({1, {INFINITY, 1.0, 0.0, 0.0}, Center}, moments).IsOk());
   EXPECT_TRUE(std::isnan(AreaOf({1, {3.0, std::nan(""), 0.0, 0.0}, Center})));
 }
+} // namespace
 } // namespace palpate::spherical_harmonic_measures_test

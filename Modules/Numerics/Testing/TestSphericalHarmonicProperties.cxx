@@ -35,7 +35,6 @@ Eigen::VectorXd Project(int degree, const std::vector<double>& c)
   }
   return sum;
 }
-} // namespace
 
 TEST(SphericalHarmonicProperties, ProjectionReturnsCoefficientsUpToDegree100)
 {
@@ -129,4 +128,5 @@ TEST(SphericalHarmonicProperties, SquaredSlopesOfDegreeSumEvenly)
     }
   }
 }
+} // namespace
 } // namespace palpate::spherical_harmonic_properties_test

@@ -45,7 +45,6 @@ double Bend(const SphericalHarmonicModel& model, const Vector3& u, const Vector3
   };
   return (slope(H) - slope(-H)) / (2.0 * H);
 }
-} // namespace
 
 TEST(SphericalHarmonicSpectrum, BoundsHoldEverywhere)
 {
@@ -193,4 +192,5 @@ TEST(SphericalHarmonicSpectrum, IsNanForNonFiniteCoefficients)
     EXPECT_TRUE(std::isnan(spectrum.SlopeAround({20.0, Vector3::Zero()}, 0.1)));
   }
 }
+} // namespace
 } // namespace palpate::spherical_harmonic_spectrum_test

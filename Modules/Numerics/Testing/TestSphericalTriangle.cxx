@@ -39,7 +39,6 @@ bool AnyHolds(const Triangles& triangles, const Vector3& u)
   return std::any_of(triangles.begin(), triangles.end(),
                      [&u](const SphericalTriangle& triangle) { return Holds(triangle, u); });
 }
-} // namespace
 
 TEST(SphericalTriangle, IcosahedronCoversSphere)
 {
@@ -109,4 +108,5 @@ TEST(SphericalTriangle, SplitHalvesCap)
     triangle = triangle.Split()[3];
   }
 }
+} // namespace
 } // namespace palpate::spherical_triangle_test

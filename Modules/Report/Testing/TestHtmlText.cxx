@@ -4,6 +4,8 @@
 
 namespace palpate::html_text_test
 {
+namespace
+{
 TEST(HtmlText, EscapesMarkupAndQuotes)
 {
   EXPECT_EQ(EscapeHtml("<b a=\"1\" b='2'>&amp;"),
@@ -33,4 +35,5 @@ TEST(HtmlText, TablesEscapeNamesAndValues)
   EXPECT_NE(html.find("&lt;n&gt;"), std::string::npos);
   EXPECT_NE(html.find("&lt;v&gt;"), std::string::npos);
 }
+} // namespace
 } // namespace palpate::html_text_test

@@ -55,7 +55,6 @@ RasterImage RandomRasterImage(bool isGrey, bool isOpaque)
   }
   return raster;
 }
-} // namespace
 
 TEST(RasterImage, PngKeepsPixelsInFewestComponents)
 {
@@ -85,4 +84,5 @@ TEST(RasterImage, EmptyImageHasNoBytes)
 {
   EXPECT_EQ(palpate::EncodePng(RasterImage()), "");
 }
+} // namespace
 } // namespace palpate::raster_image_test

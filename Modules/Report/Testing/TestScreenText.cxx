@@ -5,6 +5,8 @@
 
 namespace palpate::screen_text_test
 {
+namespace
+{
 TEST(ScreenText, KeepsLettersOfEveryLanguage)
 {
   for (const char* text : {"Prostate 2", "Pankreas-K\u00f6rper", "\u524d\u7acb\u817a",
@@ -53,4 +55,5 @@ TEST(ScreenText, AnyBytesBecomeOneLine)
     }
   }
 }
+} // namespace
 } // namespace palpate::screen_text_test

@@ -84,7 +84,6 @@ int CountColor(const RasterImage& raster, int channel)
   }
   return count;
 }
-} // namespace
 
 TEST(SoftwareRenderer, SphereSilhouetteHasAreaOfDisc)
 {
@@ -187,4 +186,5 @@ TEST(SoftwareRenderer, EmptyMeshIsTransparent)
   vtkNew<vtkPolyData> nothing;
   EXPECT_EQ(CoveredPixels(SoftwareRenderer(nothing).Render(ViewSide::Left, 16)), 0.0);
 }
+} // namespace
 } // namespace palpate::software_renderer_test

@@ -8,10 +8,10 @@
 
 namespace palpate::svg_chart_test
 {
-using Points = std::vector<std::pair<double, double>>;
-
 namespace
 {
+using Points = std::vector<std::pair<double, double>>;
+
 // The heights of the rectangles of class "bar", in their order.
 std::vector<double> BarHeights(const std::string& svg)
 {
@@ -38,7 +38,6 @@ Points Circles(const std::string& svg)
   }
   return centers;
 }
-} // namespace
 
 TEST(SvgChart, BarHeightsAreProportional)
 {
@@ -166,4 +165,5 @@ TEST(SvgChart, DotsAreWellFormedForAnyInput)
     }
   }
 }
+} // namespace
 } // namespace palpate::svg_chart_test

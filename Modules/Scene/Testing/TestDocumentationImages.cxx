@@ -19,7 +19,6 @@ namespace palpate::documentation_images_test
 {
 namespace
 {
-
 constexpr SceneRenderer::Color Tan{{0.85, 0.66, 0.55}};
 
 RasterImage SideBySide(const std::vector<RasterImage>& panels)
@@ -74,7 +73,6 @@ struct PhantomFit
 class DocumentationImages : public palpate::test::DisplayTest
 {
 };
-} // namespace
 
 TEST_F(DocumentationImages, OverviewShowsMaskModelAndError)
 {
@@ -130,4 +128,5 @@ TEST_F(DocumentationImages, DrawsSkullFromCtAloneAndUnderSkin)
   palpate::test::ExpectLikeBaseline(
       SideBySide(panels), std::filesystem::path(PALPATE_DOCUMENTATION_IMAGES) / "skull.png");
 }
+} // namespace
 } // namespace palpate::documentation_images_test

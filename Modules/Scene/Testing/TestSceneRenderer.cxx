@@ -12,10 +12,10 @@
 
 namespace palpate::scene_renderer_test
 {
-using palpate::test::ExpectLikeBaseline;
-
 namespace
 {
+using palpate::test::ExpectLikeBaseline;
+
 const std::filesystem::path Baselines = PALPATE_BASELINES;
 constexpr SceneRenderer::Color Tan{{0.85, 0.66, 0.55}};
 
@@ -27,7 +27,6 @@ bool IsBackground(const std::uint8_t* pixel)
 {
   return pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255;
 }
-} // namespace
 
 TEST_F(SceneRendererTest, ErrorMapLooksLikeItsBaseline)
 {
@@ -186,4 +185,5 @@ TEST_F(SceneRendererTest, EmptySceneShowsTheBackground)
   EXPECT_EQ(image.Height, 48);
   EXPECT_TRUE(IsBackground(image.Pixel(20, 12)));
 }
+} // namespace
 } // namespace palpate::scene_renderer_test

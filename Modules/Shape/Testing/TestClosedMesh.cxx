@@ -10,10 +10,10 @@
 
 namespace palpate::closed_mesh_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 void Append(const IndexedMesh& more, IndexedMesh& mesh)
 {
   const int start = static_cast<int>(mesh.Points.size());
@@ -70,7 +70,6 @@ bool Contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
-} // namespace
 
 TEST(ClosedMesh, FineSphereStays)
 {
@@ -224,4 +223,5 @@ TEST(MeshVoxels, DirectionsAgreeOnClosedMesh)
   const auto inside = static_cast<double>(std::count(one.begin(), one.end(), 1));
   EXPECT_NEAR(inside * std::pow(grid.Axes(0, 0), 3) / VolumeOf(mesh), 1.0, 0.01);
 }
+} // namespace
 } // namespace palpate::closed_mesh_test

@@ -14,7 +14,6 @@ namespace palpate::phantom_nodule_test
 {
 namespace
 {
-
 const Vector3 TestCenter(12.3, -45.6, 78.9);
 
 palpate::SphericalHarmonicModel Body()
@@ -57,7 +56,6 @@ double BallVolume(double diameter)
 {
   return M_PI / 6.0 * std::pow(diameter, 3);
 }
-} // namespace
 
 TEST(PhantomNodule, LiesBehindCentreOfSphere)
 {
@@ -157,4 +155,5 @@ TEST(PhantomNodule, HasIntensityOfItsOwn)
   }
   EXPECT_GT(pure, 400);
 }
+} // namespace
 } // namespace palpate::phantom_nodule_test

@@ -20,7 +20,6 @@ namespace palpate::phantom_sampler_test
 {
 namespace
 {
-
 const Vector3 TestCenter(12.3, -45.6, 78.9);
 
 palpate::SphericalHarmonicModel TestModel(std::uint64_t seed = 3)
@@ -91,7 +90,6 @@ double CountingDeviation(double areaSquareMillimeters, double spacing)
 {
   return spacing * spacing * std::sqrt(areaSquareMillimeters / 12.0);
 }
-} // namespace
 
 TEST(Phantom, MaskVolumeConvergesToModelVolume)
 {
@@ -380,4 +378,5 @@ TEST(Phantom, ProgressEndsTheWork)
   EXPECT_THROW(MakePhantom(TestModel(), ObliqueGrid(4.0, 0.0), {}, stop), std::runtime_error);
   EXPECT_EQ(calls, 8); // of 16 slices
 }
+} // namespace
 } // namespace palpate::phantom_sampler_test

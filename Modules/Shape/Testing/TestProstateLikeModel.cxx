@@ -8,6 +8,8 @@
 
 namespace palpate::prostate_like_model_test
 {
+namespace
+{
 TEST(ProstateLikeModel, HasProstateSizeAndIsStarShaped)
 {
   const palpate::IcosahedronDirections directions(8);
@@ -45,4 +47,5 @@ TEST(ProstateLikeModel, BackIsFlatterThanFront)
   const auto model = MakeProstateLikeModel(12, 4, Vector3::Zero());
   EXPECT_LT(model.Radius(Vector3::UnitY()), model.Radius(-Vector3::UnitY()));
 }
+} // namespace
 } // namespace palpate::prostate_like_model_test

@@ -19,7 +19,6 @@ int Stored(std::uint32_t sample, int precision, int bitsStored, int highBit, boo
   frame.Store(sample, precision, 1, pixels.data());
   return pixels[2] | pixels[3] << 8;
 }
-} // namespace
 
 TEST(CompressedFrame, KeepsFullSamples)
 {
@@ -39,4 +38,5 @@ TEST(CompressedFrame, ShiftsNarrowSamplesToHighBit)
   EXPECT_EQ(Stored(0x123, 12, 12, 15, false), 0x1230);
   EXPECT_EQ(Stored(0x1230, 16, 12, 15, false), 0x1230);
 }
+} // namespace
 } // namespace palpate::compressed_frame_test

@@ -14,10 +14,10 @@
 
 namespace palpate::dicom_codecs_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // 23 x 17 pixels: an odd number of bytes for 8-bit pixels. A slope and the extremes, with little
 // enough noise to compress: DCMTK writes past its buffer if a JPEG-LS stream is longer than the
 // pixels.
@@ -77,7 +77,6 @@ void ExpectSame(const DicomSliceSpec& spec)
     EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(22, 16, 1, 0), spec.Pixels[390]);
   }
 }
-} // namespace
 
 TEST(DicomCodecs, RestoresUnsignedBytes)
 {
@@ -207,4 +206,5 @@ TEST(DicomCodecs, ReadsLabelMapsInEveryLosslessCoding)
     }
   }
 }
+} // namespace
 } // namespace palpate::dicom_codecs_test

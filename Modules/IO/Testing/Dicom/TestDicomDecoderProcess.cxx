@@ -98,7 +98,6 @@ protected:
   int Socket = -1;
   pid_t Process = -1;
 };
-} // namespace
 
 TEST_F(DecoderProcess, InheritsNoFiles)
 {
@@ -137,4 +136,5 @@ TEST(ChildProgram, ReportsMissingProgram)
 {
   EXPECT_EQ(StartChildProgram("palpate-no-such-program", {}, STDIN_FILENO), -1);
 }
+} // namespace
 } // namespace palpate::dicom_decoder_process_test

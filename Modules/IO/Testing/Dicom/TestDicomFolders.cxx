@@ -10,10 +10,10 @@
 
 namespace palpate::dicom_folders_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Two slices of a series in a folder.
 void WriteSeries(const std::filesystem::path& folder, int number, const std::string& date = {})
 {
@@ -29,7 +29,6 @@ void WriteSeries(const std::filesystem::path& folder, int number, const std::str
     WriteDicomSlice(folder / (std::to_string(number) + "-" + std::to_string(i) + ".dcm"), slice);
   }
 }
-} // namespace
 
 TEST(DicomFolders, SeriesOfSubfoldersCanBeRead)
 {
@@ -84,4 +83,5 @@ TEST(DicomFolders, OnlyDatesAreShownAsDates)
   WriteSeries(top.Path(), 1, "DOE^JOHN");
   EXPECT_EQ(FindDicomSeries(top.Path()).front().Date, "");
 }
+} // namespace
 } // namespace palpate::dicom_folders_test

@@ -9,10 +9,10 @@
 
 namespace palpate::dicom_frame_decoder_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 constexpr int Columns = 40;
 constexpr int Rows = 30;
 
@@ -61,7 +61,6 @@ bool IsDecoded(DicomFrameDecoder& decoder, Codec codec, const CompressedFrame& f
   std::vector<std::uint8_t> pixels(2 * frame.PixelCount());
   return decoder.Decode("a.dcm", CodingOf(codec), frame, pixels.data());
 }
-} // namespace
 
 TEST(DicomFrameDecoder, RestoresLosslessPixels)
 {
@@ -177,4 +176,5 @@ TEST(DicomFrameDecoder, DamagedFrameKeepsNextFramesReadable)
   EXPECT_GT(refused, 0);
   EXPECT_TRUE(IsDecoded(decoder, Codec::JpegLs, Frame(Codec::JpegLs)));
 }
+} // namespace
 } // namespace palpate::dicom_frame_decoder_test

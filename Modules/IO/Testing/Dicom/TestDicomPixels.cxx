@@ -7,10 +7,10 @@
 
 namespace palpate::dicom_pixels_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // A volume of two slices that differ only in position.
 Volume ReadTwoSlices(DicomSliceSpec first, DicomSliceSpec second)
 {
@@ -28,7 +28,6 @@ void ExpectValue(const DicomSliceSpec& spec, int vtkType, double value)
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(3, 2, 0, 0), value);
   EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 1, 0), value);
 }
-} // namespace
 
 TEST(DicomPixels, KeepsUnsignedValues)
 {
@@ -104,4 +103,5 @@ TEST(DicomPixels, RejectsTooFewPixels)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder.Path()); }),
                        "its pixel data do not match its header"));
 }
+} // namespace
 } // namespace palpate::dicom_pixels_test

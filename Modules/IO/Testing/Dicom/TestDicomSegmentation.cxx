@@ -18,10 +18,10 @@
 
 namespace palpate::dicom_segmentation_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 Segmentation ReadBack(const DicomSegmentationSpec& spec)
 {
   const TemporaryFolder folder;
@@ -71,7 +71,6 @@ std::vector<vtkIdType> SetBits(const std::filesystem::path& file, std::size_t bl
   }
   return set;
 }
-} // namespace
 
 TEST(DicomSegmentation, PlacesFramesByPosition)
 {
@@ -287,4 +286,5 @@ TEST(SegmentColor, RestoresSlicerColors)
     }
   }
 }
+} // namespace
 } // namespace palpate::dicom_segmentation_test

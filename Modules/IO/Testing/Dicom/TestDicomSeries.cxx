@@ -10,10 +10,10 @@
 
 namespace palpate::dicom_series_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Slices at these heights along their normal, in files whose names do not reveal the order.
 void WriteStack(const TemporaryFolder& folder, const std::vector<double>& heights,
                 DicomSliceSpec spec = {})
@@ -33,7 +33,6 @@ std::string Refusal(const std::filesystem::path& path, const std::string& series
 {
   return MessageOf([&] { ReadVolume(path, {series}); });
 }
-} // namespace
 
 TEST(DicomSeries, OrdersSlicesAlongNormal)
 {
@@ -171,4 +170,5 @@ TEST(DicomSeries, SeparatesOrientationsOfSameUid)
   EXPECT_TRUE(Contains(Refusal(path, uid), "holds 3 series or orientations of UID " + uid));
   EXPECT_EQ(GridOf(ReadVolume(path / "IM0015.dcm").Image).Direction.col(2), Vector3(0, 0, 1));
 }
+} // namespace
 } // namespace palpate::dicom_series_test

@@ -19,10 +19,10 @@
 
 namespace palpate::dicom_structure_set_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 Segmentation Read(const StructureSetSpec& spec)
 {
   const TemporaryFolder folder;
@@ -90,7 +90,6 @@ bool HasNote(const Segmentation& segmentation, const std::string& part)
                      [&part](const std::string& note)
                      { return note.find(part) != std::string::npos; });
 }
-} // namespace
 
 // 10 x 6 mm on four slices of 3 mm.
 TEST(DicomStructureSet, BoxHasItsVolume)
@@ -318,4 +317,5 @@ TEST(DicomStructureSet, RejectsFilesTruncatedAnywhere)
     EXPECT_NE(message, "no error") << length;
   }
 }
+} // namespace
 } // namespace palpate::dicom_structure_set_test

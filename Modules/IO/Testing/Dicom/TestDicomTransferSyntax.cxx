@@ -10,10 +10,10 @@
 
 namespace palpate::dicom_transfer_syntax_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // A series whose second slice states a wrong transfer syntax.
 std::string SeriesRefusal(const std::string& syntax)
 {
@@ -26,7 +26,6 @@ std::string SeriesRefusal(const std::string& syntax)
   StateTransferSyntax(folder / "2.dcm", syntax);
   return MessageOf([&] { ReadVolume(folder.Path()); });
 }
-} // namespace
 
 TEST(DicomTransferSyntax, UncompressedSyntaxesAreNative)
 {
@@ -117,4 +116,5 @@ TEST(DicomTransferSyntax, RejectsCompressedBits)
                        "has compressed pixels of one bit, which are not supported; export the "
                        "segmentation again uncompressed or with eight bits a pixel."));
 }
+} // namespace
 } // namespace palpate::dicom_transfer_syntax_test

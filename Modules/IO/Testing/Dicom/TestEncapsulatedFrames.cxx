@@ -13,10 +13,10 @@
 
 namespace palpate::encapsulated_frames_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 // Splits a stream into pieces of even length, the last of which may be shorter.
 std::vector<std::string> Split(const std::string& stream, std::size_t length)
 {
@@ -60,7 +60,6 @@ void ExpectThreeFrames(const std::filesystem::path& file)
 }
 
 constexpr Codec StreamCodecs[] = {Codec::JpegLossless, Codec::JpegLs, Codec::Jpeg2000};
-} // namespace
 
 TEST(EncapsulatedFrames, FrameMaySpanFragments)
 {
@@ -200,4 +199,5 @@ TEST(EncapsulatedFrames, RejectsFragmentsWithoutFrame)
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSegmentation(file); }),
                        "its pixel data do not match its header"));
 }
+} // namespace
 } // namespace palpate::encapsulated_frames_test

@@ -15,10 +15,10 @@
 
 namespace palpate::foreign_dicom_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 struct Foreign
 {
   const char* Class;
@@ -63,7 +63,6 @@ void ExpectTold(const std::string& message, const std::filesystem::path& file, c
   EXPECT_TRUE(Contains(message, "; "));
   EXPECT_EQ(message.find("Secret"), std::string::npos);
 }
-} // namespace
 
 TEST(ForeignDicom, RejectsNamingFormat)
 {
@@ -126,4 +125,5 @@ TEST(ForeignDicom, SlicesAndSegmentationsAreNotForeign)
   EXPECT_FALSE(RecognizeForeignDicom(folder / "slice.dcm").has_value());
   EXPECT_FALSE(RecognizeForeignDicom(folder / "seg.dcm").has_value());
 }
+} // namespace
 } // namespace palpate::foreign_dicom_test

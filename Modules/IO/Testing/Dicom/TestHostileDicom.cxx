@@ -10,11 +10,11 @@
 
 namespace palpate::hostile_dicom_test
 {
+namespace
+{
 using namespace palpate::test;
 
 // Memory and time are bounded by the actual content of a DICOM file, not by its header.
-namespace
-{
 constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 std::string Refusal(const std::string& bytes)
@@ -29,7 +29,6 @@ double CpuSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
-} // namespace
 
 TEST(HostileDicom, ReadsSegmentationWithoutFalseClaims)
 {
@@ -130,8 +129,6 @@ TEST(HostileDicom, ReadsSequencesNestedFarDeeperThanRealOnes)
   EXPECT_EQ(Refusal(ClaimedSegmentationBytes(claim)), "no error");
 }
 
-namespace
-{
 // Elements with descending tags, with other elements between them.
 std::string FallingElements(int count, const std::string& vr, const std::string& value)
 {
@@ -165,7 +162,6 @@ std::string PrivateElements(int groups)
   }
   return bytes;
 }
-} // namespace
 
 // The parser searches all earlier ones for each.
 TEST(HostileDicom, RejectsTooManyElements)
@@ -214,4 +210,5 @@ TEST(HostileDicom, RejectsGigabytesFromFewCompressedBytes)
   bytes[128 + 4 + 8] = static_cast<char>(syntax.size());
   EXPECT_TRUE(Contains(Refusal(bytes), "declares 4.29484 GB of pixels, but there are 8"));
 }
+} // namespace
 } // namespace palpate::hostile_dicom_test

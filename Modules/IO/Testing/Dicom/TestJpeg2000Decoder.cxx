@@ -5,10 +5,10 @@
 
 namespace palpate::jpeg2000_decoder_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 constexpr int Columns = 40;
 constexpr int Rows = 30;
 
@@ -54,7 +54,6 @@ void ExpectSlope(const CompressedFrame& frame)
   ASSERT_TRUE(Decode(frame, pixels));
   EXPECT_EQ(std::vector<int>(pixels.begin(), pixels.end()), Slope());
 }
-} // namespace
 
 TEST(Jpeg2000Decoder, TakesSignFromHeader)
 {
@@ -110,4 +109,5 @@ TEST(Jpeg2000Decoder, DetectsEveryTruncation)
     EXPECT_FALSE(Decode(frame, pixels)) << size;
   }
 }
+} // namespace
 } // namespace palpate::jpeg2000_decoder_test

@@ -27,7 +27,6 @@ bool HasHeader(const Bytes& stream)
 {
   return ReadJpegFrameHeader(stream).has_value();
 }
-} // namespace
 
 TEST(JpegFrameHeader, FindsFrameAmongMarkers)
 {
@@ -55,4 +54,5 @@ TEST(JpegFrameHeader, RejectsLengthsBeyondStream)
   EXPECT_FALSE(HasHeader(Stream({{0xFF, 0xFE, 0xFF, 0xFE}, Frame, Scan})));
   EXPECT_FALSE(HasHeader(Stream({Comment, Scan})));
 }
+} // namespace
 } // namespace palpate::jpeg_frame_header_test

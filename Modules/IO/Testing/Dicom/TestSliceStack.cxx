@@ -8,10 +8,10 @@
 
 namespace palpate::slice_stack_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 SlicePlane PlaneAt(double height, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity())
 {
   SlicePlane plane;
@@ -39,7 +39,6 @@ std::string Refusal(const std::vector<double>& heights, const SliceStackRules& r
 {
   return MessageOf([&] { StackSlices("x", PlanesAt(heights), rules); });
 }
-} // namespace
 
 TEST(SliceStack, StackIsIndependentOfOrderAndOrientation)
 {
@@ -112,4 +111,5 @@ TEST(SliceStack, RejectsPlanesOfDifferentOrientation)
   planes[1].ColumnWorld = Vector3::UnitZ();
   EXPECT_TRUE(Contains(MessageOf([&] { StackSlices("x", planes, {}); }), "different orientation"));
 }
+} // namespace
 } // namespace palpate::slice_stack_test

@@ -11,10 +11,10 @@
 
 namespace palpate::gifti_reader_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 TriangleMesh MeshOf(const GiftiSpec& spec)
 {
   return MeshFromGifti(GiftiBytes(spec), "a.gii");
@@ -42,7 +42,6 @@ void ExpectTetrahedron(const TriangleMesh& mesh)
   EXPECT_EQ(mesh.Triangles[1], (std::array<int, 3>{0, 1, 3}));
   EXPECT_TRUE(mesh.SinglePrecision);
 }
-} // namespace
 
 TEST(GiftiReader, ReadsEveryEncodingByteOrderAndIndexOrder)
 {
@@ -207,4 +206,5 @@ TEST(GiftiReader, IsNotTakenForImage)
   WriteAll(folder / "a.gii", GiftiBytes({}));
   EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(folder / "a.gii"); }), "is a surface"));
 }
+} // namespace
 } // namespace palpate::gifti_reader_test

@@ -16,11 +16,11 @@
 
 namespace palpate::gltf_reader_test
 {
+namespace
+{
 using namespace palpate::test;
 using Json = nlohmann::json;
 
-namespace
-{
 // Points of a tetrahedron of 10 mm edges, in metres: x left, y up, z front.
 const std::vector<float> Points{0, 0, 0, 0.01F, 0, 0, 0, 0.01F, 0, 0, 0, 0.01F};
 const std::vector<std::uint32_t> Corners{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -73,7 +73,6 @@ TriangleMesh Sphere()
   mesh.Triangles = sphere.Triangles();
   return mesh;
 }
-} // namespace
 
 TEST(GltfReader, InvertsWriterBitForBit)
 {
@@ -345,4 +344,5 @@ TEST(GltfReader, MessagesRepeatNoNames)
       });
   EXPECT_EQ(message.find("Jane"), std::string::npos);
 }
+} // namespace
 } // namespace palpate::gltf_reader_test

@@ -11,11 +11,11 @@
 
 namespace palpate::hostile_surfaces_test
 {
+namespace
+{
 using namespace palpate::test;
 
 // Indices and counts of surface files are checked before they are used.
-namespace
-{
 constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 std::string Refusal(const std::string& name, const std::string& bytes)
@@ -85,7 +85,6 @@ VtpSpec WithBlocks(const std::string& header)
       "<AppendedData encoding=\"raw\">_" + header + std::string(64, '\1') + "</AppendedData>";
   return spec;
 }
-} // namespace
 
 TEST(HostileSurfaces, RejectsObjIndicesOutOfRange)
 {
@@ -281,4 +280,5 @@ TEST(HostileSurfaces, RejectsTooManyPlyElements)
   }
   EXPECT_TRUE(Contains(Refusal("a.ply", header + "end_header\n"), "more than 256 elements"));
 }
+} // namespace
 } // namespace palpate::hostile_surfaces_test

@@ -20,10 +20,10 @@
 
 namespace palpate::legacy_vtk_reader_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 constexpr rlim_t SomeMemory = rlim_t{1} << 30; // limit for reading a file of some bytes
 
 // A square, a strip of two triangles and a line, with arrays of every kind around them.
@@ -113,7 +113,6 @@ std::string BinaryOf(const std::string& section)
 {
   return "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\n" + section;
 }
-} // namespace
 
 TEST(LegacyVtkReader, ReadsWhatVtkWrites)
 {
@@ -282,4 +281,5 @@ TEST(LegacyVtkReader, ReadsManySectionsInLinearTime)
   }
   EXPECT_EQ(Refusal(TextOf("3.0", fields + "POLYGONS 1 4\n3 0 1 2\n")), "no error");
 }
+} // namespace
 } // namespace palpate::legacy_vtk_reader_test

@@ -45,7 +45,6 @@ std::vector<float> Numbers(vtkXMLDataElement* scope, const char* element, const 
   EXPECT_TRUE(words.eof());
   return numbers;
 }
-} // namespace
 
 TEST(MeshFormats, X3dIsXmlWithExactIcosahedronCounts)
 {
@@ -135,4 +134,5 @@ TEST(MeshFormats, PlyKeepsColoursAndPointArrays)
   // 3 doubles, 3 floats, 3 bytes and a double per point; a byte and 3 integers per face.
   EXPECT_EQ(bytes.size() - end - 11, 12u * (24 + 12 + 3 + 8) + 20u * 13);
 }
+} // namespace
 } // namespace palpate::mesh_formats_test

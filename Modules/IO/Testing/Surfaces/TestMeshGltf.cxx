@@ -7,10 +7,10 @@
 
 namespace palpate::mesh_gltf_test
 {
-using Json = nlohmann::json;
-
 namespace
 {
+using Json = nlohmann::json;
+
 TriangleMesh Mesh()
 {
   const IcosahedronDirections sphere(5);
@@ -84,7 +84,6 @@ std::string FromBase64(const std::string& text)
   }
   return bytes;
 }
-} // namespace
 
 TEST(MeshGltf, RoundTripsPositionsAndIndices)
 {
@@ -194,4 +193,5 @@ TEST(MeshGltf, OmitsAbsentNormalsAndColours)
   const Glb file(MeshToGlb(mesh));
   EXPECT_EQ(file.Description["meshes"][0]["primitives"][0]["attributes"].size(), 1u);
 }
+} // namespace
 } // namespace palpate::mesh_gltf_test

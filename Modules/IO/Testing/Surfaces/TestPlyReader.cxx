@@ -49,7 +49,6 @@ const char* const TwoTrianglesAsText = "ply\r\nformat ascii 1.0\ncomment by hand
                                        "element face 1\nproperty list uchar int vertex_index\n"
                                        "end_header\n"
                                        "0 0 0 1\n1 0 0 2\n1 1.5 0 3\n0 1 -2e-1 4\n4 0 1 2 3\n";
-} // namespace
 
 TEST(PlyReader, RoundTripsBitForBit)
 {
@@ -142,4 +141,5 @@ TEST(PlyReader, DamagedBytesAreOnlyRefused)
     }
   }
 }
+} // namespace
 } // namespace palpate::ply_reader_test

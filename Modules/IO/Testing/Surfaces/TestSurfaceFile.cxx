@@ -20,10 +20,10 @@
 
 namespace palpate::surface_file_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 enum class Precision
 {
   Single,
@@ -100,7 +100,6 @@ void ExpectSameTriangles(vtkPolyData* a, vtkPolyData* b)
 
 // Single precision of coordinates up to 162 mm, three of them.
 constexpr double SingleMm = 1.8 * 162.0 * 6e-8;
-} // namespace
 
 TEST(SurfaceFile, VtpKeepsEveryBitAndArray)
 {
@@ -277,4 +276,5 @@ TEST(SurfaceFile, AcceptsUpperCaseEndings)
   EXPECT_FALSE(IsSurfaceFile("a.json"));
   EXPECT_FALSE(IsSurfaceFile("a"));
 }
+} // namespace
 } // namespace palpate::surface_file_test

@@ -17,10 +17,10 @@
 
 namespace palpate::surface_space_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 using Points = std::set<std::array<double, 3>>;
 
 const std::vector<Vector3> Corners{{1.5, -2.25, 3.0}, {4.0, 5.5, -6.0}, {-7.0, 8.0, 9.75}};
@@ -120,7 +120,6 @@ vtkSmartPointer<vtkPolyData> TriangleStating(const std::string& space)
   triangle->GetFieldData()->AddArray(array);
   return triangle;
 }
-} // namespace
 
 TEST(SurfaceSpace, FollowsSpaceStatedInText)
 {
@@ -189,4 +188,5 @@ TEST(SurfaceSpace, RejectsOtherSpacesByName)
   WriteSurface(folder / "a.vtp", TriangleStating("LAS"));
   EXPECT_TRUE(Contains(MessageOf([&] { ReadSurface(folder / "a.vtp"); }), "\"LAS\""));
 }
+} // namespace
 } // namespace palpate::surface_space_test

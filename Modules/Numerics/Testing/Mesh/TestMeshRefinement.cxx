@@ -8,10 +8,10 @@
 
 namespace palpate::mesh_refinement_test
 {
-using namespace palpate::test;
-
 namespace
 {
+using namespace palpate::test;
+
 double LongestEdge(const IndexedMesh& mesh)
 {
   double longest = 0.0;
@@ -24,7 +24,6 @@ double LongestEdge(const IndexedMesh& mesh)
   }
   return longest;
 }
-} // namespace
 
 TEST(MeshRefinement, BoxKeepsVolumeAreaAndTopology)
 {
@@ -68,4 +67,5 @@ TEST(MeshRefinement, StopsBeforeItExceedsLimit)
   IndexedMesh none;
   EXPECT_TRUE(SplitLongEdges(none, 1.0, 0));
 }
+} // namespace
 } // namespace palpate::mesh_refinement_test
