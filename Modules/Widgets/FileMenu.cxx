@@ -74,6 +74,10 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
       QKeySequence("Ctrl+Shift+O"));
   this->addAction("Open &DICOM folder...", this, &FileMenu::OpenFolder, QKeySequence("Ctrl+D"));
   this->addAction(
+      "Add vol&ume over it...", this,
+      [this] { this->Open("Add a volume over the first one", &StudyController::AddVolume); },
+      QKeySequence("Ctrl+Alt+V"));
+  this->addAction(
       "Add structures of a se&gmentation...", this,
       [this] { this->Open("Add structures of a segmentation", &StudyController::AddSegmentation); },
       QKeySequence("Ctrl+Alt+S"));

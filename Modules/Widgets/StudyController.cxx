@@ -166,6 +166,16 @@ void StudyController::AddThreshold(const StudyThreshold& threshold)
 
 void StudyController::OpenVolume(const std::filesystem::path& file)
 {
+  this->ReadVolume(file, &StudyOpening::OpenVolume);
+}
+
+void StudyController::AddVolume(const std::filesystem::path& file)
+{
+  this->ReadVolume(file, &StudyOpening::AddVolume);
+}
+
+void StudyController::ReadVolume(const std::filesystem::path& file, VolumeOpening open)
+{
   std::error_code failure;
   if (RoleByName(file))
   {
@@ -173,34 +183,35 @@ void StudyController::OpenVolume(const std::filesystem::path& file)
   }
   else if (std::filesystem::is_directory(file, failure))
   {
-    this->OpenFolder(file);
+    this->OpenFolder(file, open);
   }
   else
   {
-    this->OpenVolumeNow(file, {});
+    this->ReadVolumeNow(file, {}, open);
   }
 }
 
-void StudyController::OpenVolumeNow(const std::filesystem::path& file, const std::string& series)
+void StudyController::ReadVolumeNow(const std::filesystem::path& file, const std::string& series,
+                                    VolumeOpening open)
 {
   // A file that is opened again is reported again.
   const auto forget = [this] { this->Problems.ForgetVolumes(); };
-  this->Opening.OpenVolume(file, series, this->OutcomeOf(file, forget));
+  (this->Opening.*open)(file, series, this->OutcomeOf(file, forget));
   this->LookSoon();
 }
 
 // A folder may have thousands of slices: their headers are read in the background.
-void StudyController::OpenFolder(const std::filesystem::path& folder)
+void StudyController::OpenFolder(const std::filesystem::path& folder, VolumeOpening open)
 {
   ++this->Folders;
   StudyJob job;
-  job.Work = [this, folder](const ProgressFunction&)
+  job.Work = [this, folder, open](const ProgressFunction&)
   {
     return StudyJob::Delivery(
-        [this, series = FindDicomSeriesBelow(folder)]
+        [this, open, series = FindDicomSeriesBelow(folder)]
         {
           // Deferred until after the delivery: a question to the user processes events.
-          QTimer::singleShot(0, this, [this, series] { this->TakeSeries(series); });
+          QTimer::singleShot(0, this, [this, series, open] { this->TakeSeries(series, open); });
         });
   };
   job.Fail = [this](const std::string& message)
@@ -211,7 +222,7 @@ void StudyController::OpenFolder(const std::filesystem::path& folder)
   this->Open.Jobs().Start(std::move(job));
 }
 
-void StudyController::TakeSeries(const std::vector<DicomSeriesChoice>& series)
+void StudyController::TakeSeries(const std::vector<DicomSeriesChoice>& series, VolumeOpening open)
 {
   QStringList texts;
   for (const DicomSeriesChoice& one : series)
@@ -224,7 +235,7 @@ void StudyController::TakeSeries(const std::vector<DicomSeriesChoice>& series)
   if (chosen >= 0)
   {
     const DicomSeriesChoice& one = series.at(static_cast<std::size_t>(chosen));
-    this->OpenVolumeNow(one.Folder, one.Series);
+    this->ReadVolumeNow(one.Folder, one.Series, open);
   }
 }
 

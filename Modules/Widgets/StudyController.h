@@ -63,6 +63,7 @@ public:
   /// cannot be read gives a message and changes nothing. Sessions, scenes, models and surfaces are
   /// opened as what they are.
   void OpenVolume(const std::filesystem::path& file);
+  void AddVolume(const std::filesystem::path& file); ///< see Study::AddVolume
   void OpenSegmentation(const std::filesystem::path& file);
   /// See Study::AddSegmentation.
   void AddSegmentation(const std::filesystem::path& file);
@@ -135,9 +136,15 @@ private:
       const std::filesystem::path& file, const std::function<void()>& taken = [] {});
   void LookSoon();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
-  void OpenFolder(const std::filesystem::path& folder);
-  void TakeSeries(const std::vector<DicomSeriesChoice>& series);
-  void OpenVolumeNow(const std::filesystem::path& file, const std::string& series);
+  /// How a volume is read: StudyOpening::OpenVolume or AddVolume.
+  using VolumeOpening = void (StudyOpening::*)(const std::filesystem::path& file,
+                                               const std::string& series,
+                                               StudyOpening::Outcome outcome);
+  void ReadVolume(const std::filesystem::path& file, VolumeOpening open);
+  void OpenFolder(const std::filesystem::path& folder, VolumeOpening open);
+  void TakeSeries(const std::vector<DicomSeriesChoice>& series, VolumeOpening open);
+  void ReadVolumeNow(const std::filesystem::path& file, const std::string& series,
+                     VolumeOpening open);
 
   Study Open;
   StudyOpening Opening{this->Open};

@@ -31,6 +31,7 @@ constexpr std::array<WindowPreset, 4> Presets{{{"CT: bone", 1800.0, 400.0},
 constexpr int AutomaticPreset = 0;
 constexpr int RangePreset = 1;
 constexpr int FirstPreset = 2;
+constexpr int OpacitySteps = 100;
 
 QString SizeText(vtkImageData* image)
 {
@@ -54,9 +55,11 @@ QLabel* MakeText(const char* name, QWidget* parent)
 } // namespace
 
 VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, QWidget* parent)
-    : QWidget(parent), Study(study), Images(contents.Images()),
+    : QWidget(parent), Study(study), Contents(contents), Images(contents.Images()),
       VolumeText(MakeText("volume-name", this)), LabelsText(MakeText("labels-name", this)),
-      Width(this->AddNumber("window")), Level(this->AddNumber("level")), Preset(new QComboBox(this))
+      Volumes(new VolumeList(study, this)), Width(this->AddNumber("window")),
+      Level(this->AddNumber("level")), Preset(new QComboBox(this)), Colors(new QComboBox(this)),
+      Opacity(new QSlider(Qt::Horizontal, this)), OfOverlay(new QWidget(this))
 {
   this->Width->setMinimum(0.0);
   this->Preset->setObjectName("window-preset");
@@ -66,15 +69,36 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   {
     this->Preset->addItem(preset.Name);
   }
+  this->Colors->setObjectName("volume-colors");
+  for (const VolumeColors colors : AllVolumeColors)
+  {
+    QString name = NameOf(colors);
+    name[0] = name[0].toUpper();
+    this->Colors->addItem(name);
+  }
+  this->Opacity->setObjectName("volume-opacity");
+  this->Opacity->setToolTip("Opacity of a blend");
+  this->Opacity->setRange(0, OpacitySteps);
+  auto* ofOverlay = new QFormLayout(this->OfOverlay);
+  ofOverlay->setContentsMargins(0, 0, 0, 0);
+  ofOverlay->addRow("Colours", this->Colors);
+  ofOverlay->addRow("Opacity", this->Opacity);
   auto* form = new QFormLayout(this);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->addRow(this->VolumeText);
   form->addRow(this->LabelsText);
+  form->addRow(this->Volumes);
   form->addRow("Window", this->Width);
   form->addRow("Level", this->Level);
   form->addRow("Preset", this->Preset);
+  form->addRow(this->OfOverlay);
   connect(this->Preset, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakePreset);
+  connect(this->Colors, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakeOverlay);
+  connect(this->Opacity, &QSlider::valueChanged, this, &VolumePanel::TakeOverlay);
+  connect(this->Opacity, &QSlider::sliderReleased, &study, &StudyController::EndGesture);
+  connect(this->Volumes, &VolumeList::Changed, this, &VolumePanel::ShowFiles);
   connect(&study, &StudyController::StateChanged, this, &VolumePanel::ShowFiles);
+  connect(&study, &StudyController::ViewChanged, this, &VolumePanel::ShowOverlay);
   connect(&study, &StudyController::ProductsChanged, this, &VolumePanel::ShowFiles);
   this->Images->AddObserver(vtkCommand::ModifiedEvent, this, &VolumePanel::ShowWindow);
   this->ShowFiles();
@@ -94,12 +118,13 @@ QDoubleSpinBox* VolumePanel::AddNumber(const char* name)
 void VolumePanel::ShowFiles()
 {
   const StudyState& state = this->Study.State();
-  vtkImageData* image = this->Images->GetImage();
-  const auto name = [](const std::filesystem::path& file)
-  { return ScreenString(file.filename().string()); };
+  vtkImageData* image = this->Image();
+  const StudyVolume* overlay = this->Overlay();
+  const std::filesystem::path& file = overlay != nullptr ? overlay->File : state.VolumeFile;
+  const auto name = [](const std::filesystem::path& path)
+  { return ScreenString(path.filename().string()); };
   const QString size = image != nullptr ? "  " + SizeText(image) : QString();
-  this->VolumeText->setText(state.VolumeFile.empty() ? QString("No volume")
-                                                     : name(state.VolumeFile) + size);
+  this->VolumeText->setText(file.empty() ? QString("No volume") : name(file) + size);
   this->LabelsText->setText(
       state.SegmentationFile.empty()
           ? QString("No segmentation")
@@ -110,46 +135,117 @@ void VolumePanel::ShowFiles()
   this->ShowWindow();
 }
 
+// The volume over the first one that is selected, or null.
+const StudyVolume* VolumePanel::Overlay() const
+{
+  return FindVolume(this->Study.State(), this->Volumes->Chosen());
+}
+
+vtkImageData* VolumePanel::Image() const
+{
+  const int id = this->Volumes->Chosen();
+  return id == 0 ? this->Images->GetImage() : this->Contents.Volumes().ImageOf(id);
+}
+
 void VolumePanel::ShowWindow()
 {
-  const bool isShown = this->Images->GetImage() != nullptr;
+  const bool isShown = this->Image() != nullptr;
   for (QWidget* control : std::array<QWidget*, 3>{this->Width, this->Level, this->Preset})
   {
     control->setEnabled(isShown);
   }
-  const QSignalBlocker width(this->Width);
-  const QSignalBlocker level(this->Level);
+  this->ShowOverlay();
+  const std::optional<int> overlay = this->Contents.Volumes().OverlayOf(this->Volumes->Chosen());
+  const double width =
+      overlay ? this->Images->GetOverlayWindow(*overlay) : this->Images->GetWindow();
+  const double unit = overlay ? width : this->Images->GetChosenWindow();
+  const QSignalBlocker blockWidth(this->Width);
+  const QSignalBlocker blockLevel(this->Level);
   // A step is a hundredth of what there is, and no digit is shown that a step does not need.
-  const double step = std::pow(10.0, std::floor(std::log10(this->Images->GetChosenWindow())) - 1.0);
+  const double step = std::pow(10.0, std::floor(std::log10(unit)) - 1.0);
   for (QDoubleSpinBox* box : {this->Width, this->Level})
   {
     box->setDecimals(std::max(0, static_cast<int>(1.0 - std::floor(std::log10(step)))));
     box->setSingleStep(step);
   }
-  this->Width->setValue(this->Images->GetWindow());
-  this->Level->setValue(this->Images->GetLevel());
+  this->Width->setValue(width);
+  this->Level->setValue(overlay ? this->Images->GetOverlayLevel(*overlay)
+                                : this->Images->GetLevel());
+}
+
+void VolumePanel::ShowOverlay()
+{
+  const StudyVolume* overlay = this->Overlay();
+  this->OfOverlay->setVisible(overlay != nullptr);
+  if (overlay != nullptr)
+  {
+    const QSignalBlocker block(this->Opacity);
+    this->Colors->setCurrentIndex(static_cast<int>(overlay->Colors));
+    this->Opacity->setValue(static_cast<int>(std::lround(OpacitySteps * overlay->Opacity)));
+    this->Opacity->setEnabled(this->Study.State().View.Mixing == StudyMixing::Blend);
+  }
+}
+
+void VolumePanel::ChangeOverlay(const StudyVolume& changed, const QString& what)
+{
+  StudyState next = this->Study.State();
+  *FindVolume(next, changed.Id) = changed;
+  const QString message = what + " of " + ScreenString(changed.File.filename().string());
+  this->Study.Change(message, next, message);
+}
+
+void VolumePanel::SetWindow(double width, double level)
+{
+  if (const StudyVolume* overlay = this->Overlay())
+  {
+    StudyVolume changed = *overlay;
+    changed.Window = width;
+    changed.Level = level;
+    this->ChangeOverlay(changed, "Window and level");
+  }
+  else
+  {
+    this->Images->SetWindowLevel(width, level);
+  }
+}
+
+void VolumePanel::TakeOverlay()
+{
+  StudyVolume changed = *this->Overlay();
+  const auto colors = AllVolumeColors.at(static_cast<std::size_t>(this->Colors->currentIndex()));
+  const bool isOfColors = colors != changed.Colors;
+  changed.Colors = colors;
+  changed.Opacity = static_cast<double>(this->Opacity->value()) / OpacitySteps;
+  this->ChangeOverlay(changed, isOfColors ? "Colours" : "Opacity");
 }
 
 void VolumePanel::TakeNumbers()
 {
-  this->Images->SetWindowLevel(this->Width->value(), this->Level->value());
+  this->SetWindow(this->Width->value(), this->Level->value());
 }
 
 void VolumePanel::TakePreset(int preset)
 {
-  if (preset == AutomaticPreset)
+  if (preset == AutomaticPreset && this->Overlay() != nullptr)
+  {
+    StudyVolume changed = *this->Overlay();
+    changed.Window.reset();
+    changed.Level.reset();
+    this->ChangeOverlay(changed, "Window and level");
+  }
+  else if (preset == AutomaticPreset)
   {
     this->Images->ResetWindowLevel();
   }
   else if (preset == RangePreset)
   {
-    const double* range = this->Images->GetImage()->GetScalarRange();
-    this->Images->SetWindowLevel(range[1] - range[0], 0.5 * (range[0] + range[1]));
+    const double* range = this->Image()->GetScalarRange();
+    this->SetWindow(range[1] - range[0], 0.5 * (range[0] + range[1]));
   }
   else
   {
     const WindowPreset& chosen = Presets.at(static_cast<std::size_t>(preset - FirstPreset));
-    this->Images->SetWindowLevel(chosen.Width, chosen.Level);
+    this->SetWindow(chosen.Width, chosen.Level);
   }
 }
 } // namespace palpate

@@ -8,7 +8,6 @@
 #include "SphericalHarmonicModel.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
-#include "VoxelValue.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkImageData.h"
@@ -87,65 +86,19 @@ ViewContents::ViewContents()
 
 void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
 {
-  this->ShowImages(pipeline);
-  this->Places.Take(state, this->Labels);
-  this->ShowLabels(state);
+  double center[3];
+  if (this->Pictures.Show(state, pipeline) && this->Images()->GetCenterWorld(center))
+  {
+    this->CrosshairShown->SetPositionWorld(center);
+  }
+  this->Places.Take(state, this->Pictures.Labels());
+  this->Pictures.ShowLabels(state, this->Places);
   TouchToolSettings tool = state.Tool;
   tool.Surface = pipeline.Newest<SurfaceTool>(SceneStep::Tool);
   this->ShowTool(tool);
   this->ShowSurfaces(state, pipeline);
   this->ShowLandmarks(state);
   this->ShowView(state.View);
-}
-
-void ViewContents::ShowImages(const StudyPipeline& pipeline)
-{
-  const auto grey = pipeline.Newest<Volume>(SceneStep::Volume);
-  const auto labels = pipeline.Newest<Segmentation>(SceneStep::Segmentation);
-  if (grey == this->Grey && labels == this->Labels)
-  {
-    return;
-  }
-  if (grey != this->Grey || grey == nullptr)
-  {
-    // Without a volume, show the labels.
-    vtkImageData* first = labels != nullptr ? labels->Layers.front().Get() : nullptr;
-    vtkImageData* image = grey != nullptr ? grey->Image.Get() : first;
-    this->ImageShown->SetImage(image != nullptr ? OwnView(image).Get() : nullptr);
-    double center[3];
-    if (this->ImageShown->GetCenterWorld(center))
-    {
-      this->CrosshairShown->SetPositionWorld(center);
-    }
-  }
-  if (labels != this->Labels)
-  {
-    this->ImageShown->RemoveAllLabels();
-    this->Structures.clear();
-    for (std::size_t l = 0; labels != nullptr && l < labels->Layers.size(); ++l)
-    {
-      this->ImageShown->AddLabels(OwnView(labels->Layers[l].Get()));
-    }
-  }
-  this->Grey = grey;
-  this->Labels = labels;
-}
-
-void ViewContents::ShowLabels(const StudyState& state)
-{
-  if (this->Labels == nullptr || this->Structures == state.Structures)
-  {
-    return;
-  }
-  this->Structures = state.Structures;
-  for (const Segment& segment : this->Labels->Segments)
-  {
-    const SceneStructure* structure = FindStructure(state, this->Places.IdOf(segment.Label));
-    const bool isShown = structure != nullptr && structure->IsVisible;
-    const auto& color = structure != nullptr ? structure->Color : segment.Color;
-    this->ImageShown->SetLabelColor(segment.Layer, segment.Value, color[0], color[1], color[2],
-                                    isShown ? structure->Opacity : 0.0);
-  }
 }
 
 void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline)
@@ -314,7 +267,7 @@ void ViewContents::ShowHighlight(int id)
 
 int ViewContents::StructureAt(const vtkObject* picked, const Vector3& pointWorld) const
 {
-  if (picked == this->ImageShown)
+  if (picked == this->Images())
   {
     return this->StructureAt(pointWorld);
   }
@@ -421,20 +374,22 @@ void ViewContents::ShowView(const StudyView& view)
   }
   if (view.Window && view.Level)
   {
-    this->ImageShown->SetWindowLevel(*view.Window, *view.Level);
+    this->Images()->SetWindowLevel(*view.Window, *view.Level);
   }
-  this->ImageShown->SetLabelOpacity(view.OverlayOpacity);
+  this->Images()->SetLabelOpacity(view.OverlayOpacity);
+  this->Images()->SetMixing(static_cast<int>(view.Mixing));
+  this->Images()->SetCurtain(view.Curtain);
 }
 
 StudyView ViewContents::WithViewOf(StudyView view) const
 {
-  if (this->ImageShown->GetImage() != nullptr)
+  if (this->Images()->GetImage() != nullptr)
   {
     view.CrosshairWorld = Vector3(this->CrosshairShown->GetPositionWorld());
-    view.Window = this->ImageShown->GetWindow();
-    view.Level = this->ImageShown->GetLevel();
+    view.Window = this->Images()->GetWindow();
+    view.Level = this->Images()->GetLevel();
   }
-  view.OverlayOpacity = this->ImageShown->GetLabelOpacity();
+  view.OverlayOpacity = this->Images()->GetLabelOpacity();
   return view;
 }
 
@@ -536,29 +491,5 @@ void ViewContents::ShowWorkspace(const WorkspaceFrame& frame, const Eigen::Align
     this->WorkspaceCorners = corners;
     this->WorkspaceShown->SetSurface(MakeBox(corners));
   }
-}
-
-std::string ViewContents::TextAt(const Vector3& pointWorld) const
-{
-  std::ostringstream text;
-  if (this->Grey != nullptr)
-  {
-    if (const auto value = VoxelValueAt(this->Grey->Image, pointWorld))
-    {
-      text << this->Grey->Source.filename().string() << " " << *value;
-    }
-  }
-  for (std::size_t s = 0; this->Labels != nullptr && s < this->Labels->Segments.size(); ++s)
-  {
-    const Segment& segment = this->Labels->Segments[s];
-    const auto layer = static_cast<std::size_t>(segment.Layer);
-    const auto value = VoxelValueAt(this->Labels->Layers[layer], pointWorld);
-    if (value && *value == segment.Value)
-    {
-      text << (text.str().empty() ? "" : ", ") << "label " << segment.Label
-           << (segment.Name.empty() ? "" : " (" + segment.Name + ")");
-    }
-  }
-  return text.str();
 }
 } // namespace palpate

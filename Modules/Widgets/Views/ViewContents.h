@@ -1,6 +1,7 @@
 #pragma once
 
 #include "NearestOnSurfaces.h"
+#include "ShownImages.h"
 #include "StructurePlaces.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
@@ -8,7 +9,6 @@
 #include "YieldingSurface.h"
 
 #include "vtkCrosshair.h"
-#include "vtkImageDisplay.h"
 #include "vtkLandmarks.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -47,7 +47,8 @@ public:
   /// `view` with the user's crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
 
-  vtkImageDisplay* Images() const { return this->ImageShown; }
+  vtkImageDisplay* Images() const { return this->Pictures.Display(); }
+  const ShownImages& Volumes() const { return this->Pictures; }
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
   vtkLandmarks* Landmarks() const { return this->LandmarksShown; }
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
@@ -75,11 +76,9 @@ public:
   std::optional<Vector3> CenterOf(int id) const;
 
   /// The value and the names of the structures at a point (world, mm), for the status line.
-  std::string TextAt(const Vector3& pointWorld) const;
+  std::string TextAt(const Vector3& pointWorld) const { return this->Pictures.TextAt(pointWorld); }
 
 private:
-  void ShowImages(const StudyPipeline& pipeline);
-  void ShowLabels(const StudyState& state);
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
   void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
   vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
@@ -94,7 +93,7 @@ private:
   void ShowLandmarks(const StudyState& state);
   void ShowTool(const TouchToolSettings& tool);
 
-  vtkNew<vtkImageDisplay> ImageShown;
+  ShownImages Pictures;
   vtkNew<vtkCrosshair> CrosshairShown;
   vtkNew<vtkLandmarks> LandmarksShown;
   vtkNew<vtkProbeRepresentation> ProbeShown;
@@ -108,9 +107,6 @@ private:
   StructurePlaces Places;
 
   // The displayed products; they are shared and never changed.
-  std::shared_ptr<const Volume> Grey;
-  std::shared_ptr<const Segmentation> Labels;
-  std::vector<SceneStructure> Structures;
   std::map<int, vtkPolyData*> SurfaceSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
   std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;
