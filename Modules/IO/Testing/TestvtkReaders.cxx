@@ -13,11 +13,12 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-using namespace palpate;
-using namespace palpate::test;
-
+namespace palpate::vtk_readers_test
+{
 namespace
 {
+using namespace palpate::test;
+
 // Axes rotated by a quarter turn about z: x runs to P, y to R.
 std::string TurnedNrrd(const std::string& voxels)
 {
@@ -44,7 +45,6 @@ struct ErrorWatch
   vtkNew<vtkTest::ErrorObserver> Own;
   vtkNew<vtkTest::ErrorObserver> Executive;
 };
-} // namespace
 
 TEST(vtkSegmentationReader, OutputAndInformationHaveDirection)
 {
@@ -143,3 +143,5 @@ TEST(vtkSegmentationReader, PrintSelfNamesTheFile)
   reader->Print(text);
   EXPECT_NE(text.str().find("FileName: x.nii"), std::string::npos);
 }
+} // namespace
+} // namespace palpate::vtk_readers_test

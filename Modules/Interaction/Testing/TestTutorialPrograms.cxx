@@ -12,13 +12,13 @@
 #include <sstream>
 #include <thread>
 
+/// The unmodified program of Documentation/Tutorial; the build renames its main.
+int TouchASurface(int argc, char** argv);
+
 namespace palpate::tutorial_programs_test
 {
 namespace
 {
-/// The unmodified program of Documentation/Tutorial; the build renames its main.
-int TouchASurface(int argc, char** argv);
-
 // An interactor with a simulated user: pushes the hand in depth until contact, and pulls it back
 // until release; gives up after ten seconds.
 class PushingInteractor : public vtkGenericRenderWindowInteractor

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+namespace palpate::vtk_crosshair_test
+{
 namespace
 {
 // Counts the ModifiedEvents.
@@ -17,7 +19,6 @@ void Observe(vtkCrosshair* crosshair, int& count)
                        { ++*static_cast<int*>(counter); });
   crosshair->AddObserver(vtkCommand::ModifiedEvent, command);
 }
-} // namespace
 
 TEST(vtkCrosshair, SignalsEachMoveOnce)
 {
@@ -41,3 +42,5 @@ TEST(vtkCrosshair, IgnoresNonFinitePosition)
   EXPECT_EQ(moves, 0);
   EXPECT_EQ(crosshair->GetPositionWorld()[2], 3.0);
 }
+} // namespace
+} // namespace palpate::vtk_crosshair_test

@@ -11,8 +11,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::Vector3;
-
+namespace palpate::vtk_image_display_test
+{
+namespace
+{
 TEST(vtkImageDisplay, NewVolumeResetsWindow)
 {
   vtkNew<vtkImageDisplay> display;
@@ -111,3 +113,5 @@ TEST(vtkLandmarks, RejectsNonFinitePositionsAndUnknownNumbers)
   EXPECT_EQ(landmarks->GetNumberOfLandmarks(), 0);
   EXPECT_TRUE(landmarks->GetDistances().empty());
 }
+} // namespace
+} // namespace palpate::vtk_image_display_test

@@ -25,7 +25,7 @@
 #include <thread>
 #include <vector>
 
-namespace palpate
+namespace palpate::vtk_interactor_style_haptic_test
 {
 namespace
 {
@@ -323,4 +323,4 @@ TEST(CameraAxes, AreRightHandedWhateverTheViewUp)
   EXPECT_GT(axes.col(1).dot(Vector3(0.2, 0.3, 0.9)), 0.0);
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::vtk_interactor_style_haptic_test

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace palpate
+namespace palpate::vtk_interactor_style_mouse_hand_test
 {
 namespace
 {
@@ -151,4 +151,4 @@ TEST_F(MouseHandStyleTest, IgnoresNonFinitePosition)
   EXPECT_EQ(this->Hand(), Vector3::Zero());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::vtk_interactor_style_mouse_hand_test

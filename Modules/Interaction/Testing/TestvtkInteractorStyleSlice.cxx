@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-using palpate::Vector3;
-
+namespace palpate::vtk_interactor_style_slice_test
+{
 namespace
 {
 // VTK's interactor for this system needs a window on a display; tests send their events themselves.
@@ -68,7 +68,6 @@ protected:
   vtkNew<vtkInteractorStyleSlice> Style;
   vtkNew<EventSender> Interactor;
 };
-} // namespace
 
 TEST_F(vtkInteractorStyleSliceTest, LeftDragMovesCrosshairWithPointer)
 {
@@ -212,3 +211,5 @@ TEST_F(vtkInteractorStyleSliceTest, DrawsViewsThatShareCrosshair)
   this->Drag(vtkCommand::LeftButtonPressEvent, 50, 20, 50, 100);
   EXPECT_GT(coronal->GetPaintCount(), painted);
 }
+} // namespace
+} // namespace palpate::vtk_interactor_style_slice_test

@@ -12,10 +12,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::ImageAxes;
-using palpate::RasterImage;
-using palpate::Vector3;
-
+namespace palpate::vtk_slice_view_test
+{
 namespace
 {
 using vtkSliceViewTest = palpate::test::SliceViewTest;
@@ -40,7 +38,6 @@ bool IsGreen(const std::uint8_t* pixel)
 {
   return pixel[1] > pixel[0] + 60 && pixel[1] > pixel[2] + 60;
 }
-} // namespace
 
 TEST_F(vtkSliceViewTest, PixelsShowVolumeAtWorldCoordinates)
 {
@@ -385,3 +382,5 @@ TEST_F(vtkSliceViewTest, MayOutliveItsWindow)
   this->View->SetRenderer(nullptr);
   EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
 }
+} // namespace
+} // namespace palpate::vtk_slice_view_test

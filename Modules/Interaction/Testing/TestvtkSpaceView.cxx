@@ -22,9 +22,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-using palpate::RasterImage;
-using palpate::Vector3;
-
+namespace palpate::vtk_space_view_test
+{
 namespace
 {
 constexpr int Side = 200; // pixels, 60 mm
@@ -101,7 +100,6 @@ protected:
   vtkNew<vtkCrosshair> Crosshair;
   vtkNew<vtkSurfaceDisplay> Surface;
 };
-} // namespace
 
 TEST_F(vtkSpaceViewTest, DrawsSurfaceAtItsPositionInItsColor)
 {
@@ -513,3 +511,5 @@ TEST_F(vtkSpaceViewTest, MayOutliveItsWindow)
   this->View->SetRenderer(nullptr);
   EXPECT_EQ(this->Renderer->GetViewProps()->GetNumberOfItems(), 0);
 }
+} // namespace
+} // namespace palpate::vtk_space_view_test

@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace palpate
+namespace palpate::vtk_elastic_surface_test
 {
 namespace
 {
@@ -113,4 +113,4 @@ TEST_F(ElasticSurfaceTest, OtherTablesAreErrors)
   EXPECT_FALSE(errors.IsEmpty());
 }
 } // namespace
-} // namespace palpate
+} // namespace palpate::vtk_elastic_surface_test

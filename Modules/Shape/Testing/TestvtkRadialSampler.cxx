@@ -12,9 +12,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::vtk_radial_sampler_test
+{
 namespace
 {
-using palpate::Vector3;
 
 vtkSmartPointer<vtkRadialSampler> Sample(vtkPolyData* surface)
 {
@@ -123,3 +124,4 @@ TEST(RadialSampler, RaisesErrorWithoutSurface)
   EXPECT_TRUE(errors.Contains("needs a surface"));
 }
 } // namespace
+} // namespace palpate::vtk_radial_sampler_test

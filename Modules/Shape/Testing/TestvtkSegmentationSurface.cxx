@@ -12,6 +12,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::vtk_segmentation_surface_test
+{
 namespace
 {
 using palpate::test::LabelGrid;
@@ -415,3 +417,4 @@ TEST(SegmentationSurface, StopsOnAbort)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), 0);
 }
 } // namespace
+} // namespace palpate::vtk_segmentation_surface_test

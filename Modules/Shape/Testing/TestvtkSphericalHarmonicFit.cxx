@@ -17,10 +17,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::vtk_spherical_harmonic_fit_test
+{
 namespace
 {
-using palpate::SphericalHarmonicModel;
-using palpate::Vector3;
 
 SphericalHarmonicModel RandomModel(int degree)
 {
@@ -197,3 +197,4 @@ TEST(SphericalHarmonicSurface, RaisesErrorForTableWithoutModel)
   EXPECT_TRUE(errors.Contains("not a spherical-harmonic model"));
 }
 } // namespace
+} // namespace palpate::vtk_spherical_harmonic_fit_test

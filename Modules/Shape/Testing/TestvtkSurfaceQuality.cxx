@@ -10,9 +10,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+namespace palpate::vtk_surface_quality_test
+{
 namespace
 {
-using palpate::Vector3;
 using palpate::test::MakeSphere;
 
 vtkSmartPointer<vtkSurfaceQuality> Compare(vtkPolyData* tested, vtkPolyData* reference)
@@ -159,3 +160,4 @@ TEST(SurfaceQuality, RaisesErrorWithoutTriangles)
   EXPECT_TRUE(errors.Contains("need triangles"));
 }
 } // namespace
+} // namespace palpate::vtk_surface_quality_test

@@ -27,10 +27,10 @@
 
 #include <gtest/gtest.h>
 
+namespace palpate::vtk_sub_voxel_volume_mapper_test
+{
 namespace
 {
-using palpate::Vector3;
-
 constexpr int Side = 200; // pixels
 constexpr double Radius = 6.0;
 
@@ -138,7 +138,6 @@ protected:
 constexpr std::array<int, 3> Red{{255, 0, 0}};
 constexpr std::array<int, 3> Blue{{0, 0, 255}};
 constexpr std::array<int, 3> Black{{0, 0, 0}};
-} // namespace
 
 TEST_F(SubVoxelVolumeMapper, DrawsSphereAtItsPosition)
 {
@@ -488,3 +487,5 @@ TEST_F(SubVoxelVolumeMapper, RestartsAbortedFieldBuild)
   this->Mapper->RemoveObserver(tag);
   EXPECT_NE(this->Mapper->GetField(), nullptr);
 }
+} // namespace
+} // namespace palpate::vtk_sub_voxel_volume_mapper_test
