@@ -146,7 +146,26 @@ inline StudyView RandomView(Random& random)
   view.OverlayOpacity = RandomNumber(random, 0.0, 1.0);
   view.UsesVolumeAxes = RandomChoice(random);
   view.SlicesFollowProbe = RandomChoice(random);
+  view.Mixing = static_cast<StudyMixing>(RandomWhole(random, 0, 2));
+  view.Curtain = RandomNumber(random, 0.0, 1.0);
   return view;
+}
+
+inline StudyVolume RandomVolume(Random& random, int id)
+{
+  StudyVolume volume;
+  volume.Id = id;
+  volume.File = StudyPath("volumes/" + std::to_string(id) + ".nrrd");
+  volume.Series = RandomChoice(random) ? "" : "1.2.3." + std::to_string(id);
+  volume.IsVisible = RandomChoice(random);
+  if (RandomChoice(random))
+  {
+    volume.Window = RandomNumber(random, 1.0, 2000.0);
+    volume.Level = RandomNumber(random, -1000.0, 1000.0);
+  }
+  volume.Colors = AllVolumeColors.at(static_cast<std::size_t>(RandomWhole(random, 0, 5)));
+  volume.Opacity = RandomNumber(random, 0.0, 1.0);
+  return volume;
 }
 
 /// Most entries differ from their defaults.
@@ -162,6 +181,7 @@ inline StudyState RandomStudy(Random& random)
     state.Structures.push_back(RandomStructure(random));
     state.Landmarks.push_back({RandomName(random), RandomPlace(random)});
     state.Distances.push_back({RandomName(random), RandomPlace(random), RandomPlace(random)});
+    state.Volumes.push_back(RandomVolume(random, 3 * i));
   }
   RandomizeFit(random, state.Fit);
   RandomizeTouch(random, state);

@@ -90,6 +90,19 @@ TEST_F(StudyFile, MissingFilesAreNamedByTheirRole)
   EXPECT_TRUE(MissingFiles({}).empty());
 }
 
+TEST_F(StudyFile, MissingFurtherVolumeIsNamedAndRelocated)
+{
+  StudyState state;
+  state.Volumes.resize(1);
+  state.Volumes[0].Id = 1;
+  state.Volumes[0].File = this->Folder / "adc.nii.gz";
+  const auto missing = MissingFiles(state);
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_EQ(missing[0].Role, "volume");
+  const auto moved = this->Folder / "elsewhere" / "adc.nii.gz";
+  EXPECT_EQ(Relocate(state, missing[0].Path, moved).Volumes[0].File, moved);
+}
+
 TEST_F(StudyFile, RelocatesNeighboursOfAMovedFile)
 {
   StudyState state;
@@ -169,6 +182,13 @@ TEST(StudyText, RejectsMalformedTextWithThePosition)
       {start + ", \"fit\": {\"method\": \"other\"}}", "\"method\" of its fit"},
       {start + ", \"landmarks\": [{\"position_mm\": [1, 2]}]}", "landmarks[0]"},
       {start + ", \"placement\": {\"scale\": 0}}", "placement"},
+      {start + ", \"volumes\": [{\"id\": 1}]}", "volume without a file"},
+      {start + ", \"volumes\": [{\"id\": 0, \"file\": \"a.nrrd\"}]}", "volumes[0]"},
+      {start + ", \"volumes\": [{\"id\": 1, \"file\": \"a.nrrd\", \"colors\": \"pink\"}]}",
+       "volumes[0]"},
+      {start +
+           ", \"volumes\": [{\"id\": 1, \"file\": \"a.nrrd\"}, {\"id\": 1, \"file\": \"b.nrrd\"}]}",
+       "two volumes of one id"},
       {start + ", \"view\": {\"window\": null}}", "view"}};
   for (const auto& [text, place] : cases)
   {

@@ -180,5 +180,34 @@ TEST_F(StudyOpeningTest, SceneIsAddedToWhatIsOpen)
   this->Open.Undo();
   EXPECT_EQ(this->Open.State(), own);
 }
+
+TEST_F(StudyOpeningTest, FurtherVolumeIsAddedOverTheFirst)
+{
+  this->Files.AddVolume(this->Volume, {}, this->Count());
+  this->Settle();
+  EXPECT_EQ(this->Open.State().VolumeFile, this->Volume) << "there was none";
+  EXPECT_TRUE(this->Open.State().Volumes.empty());
+  this->Files.AddVolume(this->Mask, {}, this->Count());
+  this->Settle();
+  this->Files.AddVolume(this->Volume, {}, this->Count());
+  this->Settle();
+  const auto& added = this->Open.State().Volumes;
+  ASSERT_EQ(added.size(), 2U);
+  EXPECT_EQ(added[0].File, this->Mask);
+  EXPECT_EQ(added[1].File, this->Volume);
+  EXPECT_NE(added[0].Id, added[1].Id);
+  EXPECT_EQ(this->Open.History().UndoText(), "Add the volume volume.nii.gz");
+  EXPECT_EQ(this->Done, 3);
+}
+
+TEST_F(StudyOpeningTest, FurtherVolumeThatCannotBeReadChangesNothing)
+{
+  this->OpenPhantom();
+  const StudyState before = this->Open.State();
+  this->Files.AddVolume(this->WithBytes("bad.nii.gz", "no image"), {}, this->Count());
+  this->Settle();
+  EXPECT_EQ(this->Open.State(), before);
+  EXPECT_EQ(this->Failed, 1);
+}
 } // namespace
 } // namespace palpate::study_opening_test

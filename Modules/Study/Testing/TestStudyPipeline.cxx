@@ -538,5 +538,54 @@ TEST_F(StudyPipelineTest, MakesAProstateOfRealData)
   this->ExpectUpToDate({SceneStep::Volume, SceneStep::Model, SceneStep::Touch});
   EXPECT_GT(this->Model(1)->Dice, 0.95); // `palpate fit` gives 0.960
 }
+
+TEST_F(StudyPipelineTest, FurtherVolumeIsReadWhileItIsShown)
+{
+  StudyState state = this->Phantom.State();
+  StudyVolume further;
+  further.Id = 4;
+  further.File = state.SegmentationFile; // any image will do
+  further.IsVisible = false;
+  state.Volumes = {further};
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.Newest<Volume>(SceneStep::Volume, 4), nullptr);
+  state.Volumes[0].IsVisible = true;
+  this->Make(state);
+  const auto read = this->Pipeline.Newest<Volume>(SceneStep::Volume, 4);
+  ASSERT_NE(read, nullptr);
+  EXPECT_EQ(read->Source, further.File);
+  EXPECT_NE(this->Pipeline.Newest<Volume>(SceneStep::Volume), read);
+  state.Volumes.clear();
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.Newest<Volume>(SceneStep::Volume, 4), nullptr);
+}
+
+TEST_F(StudyPipelineTest, FurtherVolumeOfTheSameFileIsTheSameImage)
+{
+  StudyState state = this->Phantom.State();
+  StudyVolume further;
+  further.Id = 1;
+  further.File = state.VolumeFile;
+  state.Volumes = {further};
+  this->Make(state);
+  const auto first = this->Pipeline.Newest<Volume>(SceneStep::Volume);
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(this->Pipeline.Newest<Volume>(SceneStep::Volume, 1), first);
+}
+
+TEST_F(StudyPipelineTest, UnreadableFurtherVolumeFailsAlone)
+{
+  StudyState state = this->Phantom.State();
+  StudyVolume further;
+  further.Id = 1;
+  further.File = this->Phantom.Folder / "none.nii.gz";
+  state.Volumes = {further};
+  this->Make(state);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Volume).Is, Kind::Failed);
+  EXPECT_NE(this->Pipeline.StateOf(SceneStep::Volume).Message.find("none.nii.gz"),
+            std::string::npos);
+  EXPECT_NE(this->Pipeline.Newest<Volume>(SceneStep::Volume), nullptr);
+  EXPECT_EQ(this->Pipeline.StateOf(SceneStep::Touch, 1).Is, Kind::UpToDate);
+}
 } // namespace
 } // namespace palpate::study_pipeline_test

@@ -1,8 +1,15 @@
+#include "ImageWriter.h"
+#include "LabelImages.h"
+#include "SlicePainter.h"
 #include "WindowTest.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListWidget>
+#include <QSlider>
+
+#include <random>
 
 #include <cmath>
 
@@ -64,6 +71,112 @@ TEST_F(VolumePanelTest, FilesAreNamed)
   EXPECT_TRUE(volume.startsWith("volume.nii.gz  ")) << volume.toStdString();
   EXPECT_TRUE(volume.endsWith(" mm")) << volume.toStdString();
   EXPECT_TRUE(this->Window->findChild<QLabel*>("labels-name")->text().contains("3 structures"));
+}
+
+// A second volume over the phantom's: oblique and anisotropic.
+class SeveralVolumesTest : public VolumePanelTest
+{
+protected:
+  void SetUp() override
+  {
+    VolumePanelTest::SetUp();
+    test::LabelGrid grid;
+    grid.Size = {{30, 24, 10}};
+    grid.Spacing = {{1.5, 1.2, 4.0}};
+    std::mt19937_64 random(5);
+    grid.Direction = test::RandomRotation(random);
+    grid.CenterOnOrigin();
+    WriteImage(this->Second, test::MakeLabelImage<short>(
+                                 grid, [](double x, double, double) { return x < 0.0; }, 100));
+    this->OpenPhantom();
+    this->Study->AddVolume(this->Second);
+    WaitUntil([this] { return this->Images()->GetNumberOfOverlays() == 1; });
+  }
+  QListWidget* List() const { return this->Window->findChild<QListWidget*>("volumes"); }
+  QComboBox* Box(const char* name) const { return this->Window->findChild<QComboBox*>(name); }
+  const StudyVolume& Further() const { return this->Study->State().Volumes.at(0); }
+
+  std::filesystem::path Second = this->Phantom.Folder / "second.nii.gz";
+};
+
+TEST_F(SeveralVolumesTest, ListIsShownForSeveralOnly)
+{
+  EXPECT_TRUE(this->List()->isVisible());
+  EXPECT_EQ(this->List()->item(0)->text(), "volume.nii.gz");
+  EXPECT_EQ(this->List()->item(1)->text(), "second.nii.gz");
+  EXPECT_FALSE(this->Box("volume-colors")->isVisible()) << "the first is selected";
+  this->List()->setCurrentRow(1);
+  EXPECT_TRUE(this->Box("volume-colors")->isVisible());
+  this->Button("remove-volume")->click();
+  EXPECT_FALSE(this->List()->isVisible());
+  EXPECT_EQ(this->Images()->GetNumberOfOverlays(), 0);
+  this->Study->Undo();
+  WaitUntil([this] { return this->Images()->GetNumberOfOverlays() == 1; });
+}
+
+TEST_F(SeveralVolumesTest, NumbersAreThoseOfTheSelectedVolume)
+{
+  const double ofFirst = this->Images()->GetWindow();
+  this->List()->setCurrentRow(1);
+  EXPECT_NEAR(this->Number("window")->value(), 100.0, 1.0) << "of second.nii.gz";
+  this->Number("window")->setValue(80.0);
+  this->Number("level")->setValue(30.0);
+  EXPECT_EQ(this->Images()->GetOverlayWindow(0), 80.0);
+  EXPECT_EQ(this->Images()->GetOverlayLevel(0), 30.0);
+  EXPECT_EQ(this->Images()->GetWindow(), ofFirst);
+  EXPECT_EQ(this->Further().Window, 80.0) << "part of the study";
+  this->Choose("Automatic");
+  EXPECT_FALSE(this->Further().Window);
+  EXPECT_NEAR(this->Images()->GetOverlayWindow(0), 100.0, 1.0);
+  this->List()->setCurrentRow(0);
+  EXPECT_EQ(this->Number("window")->value(), ofFirst);
+}
+
+TEST_F(SeveralVolumesTest, ColoursOpacityAndMixingReachTheSlices)
+{
+  this->List()->setCurrentRow(1);
+  const auto& over = this->Images()->GetContent().Over;
+  this->Box("volume-colors")->setCurrentIndex(2);
+  Q_EMIT this->Box("volume-colors")->activated(2);
+  EXPECT_EQ(over.at(0).Colors, VolumeColors::BlueToYellow);
+  this->Window->findChild<QSlider*>("volume-opacity")->setValue(80);
+  EXPECT_NEAR(over.at(0).Opacity, 0.8, 1e-6);
+  this->Box("mixing")->setCurrentIndex(2);
+  Q_EMIT this->Box("mixing")->activated(2);
+  EXPECT_EQ(this->Images()->GetMixing(), vtkImageDisplay::CURTAIN);
+  this->Window->findChild<QSlider*>("curtain")->setValue(250);
+  EXPECT_EQ(this->Images()->GetCurtain(), 0.25);
+  EXPECT_EQ(this->Study->State().View.Mixing, StudyMixing::Curtain) << "part of the study";
+}
+
+TEST_F(SeveralVolumesTest, HiddenVolumeIsNotShownNorKept)
+{
+  this->List()->item(1)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(this->Further().IsVisible);
+  EXPECT_EQ(this->Images()->GetNumberOfOverlays(), 0);
+  this->List()->item(1)->setCheckState(Qt::Checked);
+  WaitUntil([this] { return this->Images()->GetNumberOfOverlays() == 1; });
+}
+
+TEST_F(SeveralVolumesTest, ProbeNamesTheValueOfEach)
+{
+  const std::string text = this->Window->Contents().TextAt(Vector3(-3.0, 0.0, 0.0));
+  EXPECT_NE(text.find("volume.nii.gz 700"), std::string::npos) << text;
+  EXPECT_NE(text.find("second.nii.gz 100"), std::string::npos) << text;
+}
+
+TEST_F(SeveralVolumesTest, SessionReopensEqual)
+{
+  this->List()->setCurrentRow(1);
+  this->Number("window")->setValue(80.0);
+  const StudyState saved = this->Study->State();
+  ASSERT_TRUE(this->Study->Save(this->Phantom.Folder / "two.palpate.json"));
+  this->Study->New();
+  EXPECT_FALSE(this->List()->isVisible());
+  this->Study->OpenSession(this->Phantom.Folder / "two.palpate.json");
+  WaitUntil([this] { return this->Images()->GetNumberOfOverlays() == 1; });
+  EXPECT_EQ(this->Study->State().Volumes, saved.Volumes);
+  EXPECT_EQ(this->Images()->GetOverlayWindow(0), 80.0);
 }
 } // namespace
 } // namespace palpate::volume_panel_test
