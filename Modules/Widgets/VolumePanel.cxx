@@ -46,7 +46,7 @@ QString SizeText(vtkImageData* image)
       .arg(spacing[2], 0, 'g', 3);
 }
 
-QLabel* MakeText(const char* name, QWidget* parent)
+QLabel* MakeWrappedText(const char* name, QWidget* parent)
 {
   QLabel* label = MakePlainLabel(name, parent);
   label->setWordWrap(true);
@@ -56,7 +56,7 @@ QLabel* MakeText(const char* name, QWidget* parent)
 
 VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, QWidget* parent)
     : QWidget(parent), Study(study), Contents(contents), Images(contents.Images()),
-      VolumeText(MakeText("volume-name", this)), LabelsText(MakeText("labels-name", this)),
+      VolumeText(MakeWrappedText("volume-name", this)), LabelsText(MakeWrappedText("labels-name", this)),
       Volumes(new VolumeList(study, this)), Width(this->AddNumber("window")),
       Level(this->AddNumber("level")), Preset(new QComboBox(this)), Colors(new QComboBox(this)),
       Opacity(new QSlider(Qt::Horizontal, this)), OfOverlay(new QWidget(this))
