@@ -7,7 +7,8 @@ templates=/usr/share/mricron/templates
 output=demo-output
 
 Utilities/install-dependencies.sh
-Utilities/build.sh
+# Without tests, benchmarks and wrappers, which Utilities/test.sh builds.
+Utilities/build.sh palpate palpate-viewer
 
 echo "== Demonstration: twelve structures of $templates/aal.nii.gz, as spherical-harmonic models"
 set -- fit "$templates/aal.nii.gz" --volume "$templates/ch2.nii.gz" --output "$output" --label \
