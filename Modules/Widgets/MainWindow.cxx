@@ -57,6 +57,8 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
   connect(&study, &StudyController::StateChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ProductsChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ReplayChanged, this, &MainWindow::ShowCentre);
+  connect(&study, &StudyController::ViewChanged, this,
+          [this] { this->Shown.ShowView(this->Study.State().View); });
   connect(&study, &StudyController::FileOpened, this, &MainWindow::TakeFile);
   connect(&study, &StudyController::Problem, this->Area, &MessageArea::Add);
   this->ShowState();
