@@ -63,6 +63,17 @@ void Study::Save(const std::filesystem::path& file)
   this->Steps.MarkSaved();
 }
 
+// What was only opened can be opened again: until something else has changed, it is not asked for.
+void Study::ChangeByFile(const std::string& message, const StudyState& next)
+{
+  const bool isOnlyOpened = this->SessionFile.empty() && !this->Steps.IsChanged();
+  this->Change(message, next);
+  if (isOnlyOpened)
+  {
+    this->Steps.MarkSaved();
+  }
+}
+
 void Study::OpenVolume(const std::filesystem::path& file, const std::string& series)
 {
   StudyState next = this->State();
@@ -71,7 +82,7 @@ void Study::OpenVolume(const std::filesystem::path& file, const std::string& ser
   next.View.CrosshairWorld.reset();
   next.View.Window.reset();
   next.View.Level.reset();
-  this->Change("Open the volume " + file.filename().string(), next);
+  this->ChangeByFile("Open the volume " + file.filename().string(), next);
 }
 
 void Study::AddVolume(const std::filesystem::path& file, const std::string& series)
@@ -92,7 +103,7 @@ void Study::AddVolume(const std::filesystem::path& file, const std::string& seri
   added.Series = series;
   added.Colors = VolumeColors::Hot; // tells it from the first one
   next.Volumes.push_back(added);
-  this->Change("Add the volume " + file.filename().string(), next);
+  this->ChangeByFile("Add the volume " + file.filename().string(), next);
 }
 
 void Study::OpenSegmentation(const std::filesystem::path& file)
@@ -105,7 +116,7 @@ void Study::OpenSegmentation(const std::filesystem::path& file)
                                        { return one.File == before; }),
                         next.Structures.end());
   this->Unread.insert(next.SegmentationFile);
-  this->Change("Open the segmentation " + file.filename().string(), next);
+  this->ChangeByFile("Open the segmentation " + file.filename().string(), next);
 }
 
 void Study::AddSegmentation(const std::filesystem::path& file,
@@ -121,8 +132,8 @@ void Study::AddSegmentation(const std::filesystem::path& file,
         [this, file, id, read = ReadSegmentation(file, leftHanded)]
         {
           this->Adding.erase(*id);
-          this->Change("Add the structures of " + file.filename().string(),
-                       WithAddedStructuresOf(this->State(), file, read));
+          this->ChangeByFile("Add the structures of " + file.filename().string(),
+                             WithAddedStructuresOf(this->State(), file, read));
         });
   };
   job.Fail = [this, id, fail](const std::string& message)
@@ -139,7 +150,7 @@ void Study::AddStructure(const std::filesystem::path& file)
   SceneStructure structure;
   structure.Name = file.stem().string();
   structure.File = StudyPath(file);
-  this->Change("Add " + file.filename().string(), WithStructure(this->State(), structure));
+  this->ChangeByFile("Add " + file.filename().string(), WithStructure(this->State(), structure));
 }
 
 void Study::AddThreshold(const StudyThreshold& threshold)
@@ -155,7 +166,7 @@ void Study::OpenScene(const std::filesystem::path& file)
 
 void Study::AddScene(const std::filesystem::path& file, const SceneSettings& scene)
 {
-  this->Change("Open the scene " + file.filename().string(), WithScene(this->State(), scene));
+  this->ChangeByFile("Open the scene " + file.filename().string(), WithScene(this->State(), scene));
 }
 
 void Study::RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved)

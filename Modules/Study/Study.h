@@ -144,6 +144,7 @@ public:
 private:
   void Begin(const StudyState& state, const std::filesystem::path& file);
   void Follow();
+  void ChangeByFile(const std::string& message, const StudyState& next);
   void AdoptStructures();
   void FollowByTouch();
   const QualityMeasurement* QualityOf(const SceneStructure& structure) const;

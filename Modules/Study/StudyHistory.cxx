@@ -51,6 +51,16 @@ bool StudyHistory::Change(const std::string& message, const StudyState& next,
   return true;
 }
 
+void StudyHistory::Amend(const StudyState& next)
+{
+  const bool wasChanged = this->IsChanged();
+  this->Now = next;
+  if (!wasChanged)
+  {
+    this->MarkSaved();
+  }
+}
+
 void StudyHistory::Reset(const StudyState& first)
 {
   this->Now = first;

@@ -24,8 +24,9 @@ public:
   /// steps are discarded. Consecutive changes with the same `gesture`, such as those of one slider,
   /// become one step, until EndGesture. Returns false if nothing differs.
   bool Change(const std::string& message, const StudyState& next, const std::string& gesture = {});
-  /// Adds consequences of the last step to it; they are undone and redone with it.
-  void Amend(const StudyState& next) { this->Now = next; }
+  /// Adds consequences of the last step to it; they are undone and redone with it, and are no
+  /// change of their own.
+  void Amend(const StudyState& next);
   /// Ends a gesture: the next change is a separate step.
   void EndGesture() { this->Gesture.clear(); }
   /// Changes the view without a step.

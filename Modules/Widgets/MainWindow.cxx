@@ -61,6 +61,7 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
           [this] { this->Shown.ShowView(this->Study.State().View); });
   connect(&study, &StudyController::FileOpened, this, &MainWindow::TakeFile);
   connect(&study, &StudyController::Problem, this->Area, &MessageArea::Add);
+  connect(&study, &StudyController::ProblemEnded, this->Area, &MessageArea::Remove);
   this->ShowState();
 }
 

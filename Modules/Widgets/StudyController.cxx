@@ -1,6 +1,7 @@
 #include "StudyController.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace palpate
 {
@@ -36,14 +37,10 @@ StudyStepState StudyController::StateOf(SceneStep step)
                                                        : this->Open.Pipeline().StateOf(step);
 }
 
-StudyOpening::Outcome StudyController::OutcomeOf(const std::filesystem::path& file,
-                                                 const std::function<void()>& taken)
+StudyOpening::Outcome StudyController::OutcomeOf(const std::filesystem::path& file)
 {
-  return {[this, taken, name = QString::fromStdString(StudyPath(file).string())]
-          {
-            taken();
-            Q_EMIT FileOpened(name);
-          },
+  return {[this, name = QString::fromStdString(StudyPath(file).string())]
+          { Q_EMIT FileOpened(name); },
           [this](const std::string& message) { this->Report(message); }};
 }
 
@@ -195,8 +192,7 @@ void StudyController::ReadVolumeNow(const std::filesystem::path& file, const std
                                     VolumeOpening open)
 {
   // A file that is opened again is reported again.
-  const auto forget = [this] { this->Problems.ForgetVolumes(); };
-  (this->Opening.*open)(file, series, this->OutcomeOf(file, forget));
+  (this->Opening.*open)(file, series, this->OutcomeOf(file));
   this->LookSoon();
 }
 
@@ -246,8 +242,7 @@ void StudyController::OpenSegmentation(const std::filesystem::path& file)
     this->OpenFiles({file});
     return;
   }
-  const auto forget = [this] { this->Problems.ForgetStructures(); };
-  this->Opening.OpenSegmentation(file, this->OutcomeOf(file, forget));
+  this->Opening.OpenSegmentation(file, this->OutcomeOf(file));
   this->LookSoon();
 }
 
@@ -264,7 +259,6 @@ void StudyController::OpenSession(const std::filesystem::path& file)
       {
         this->Open.Open(file);
         this->Opening.Cancel();
-        this->Problems.Forget();
         Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
       });
 }
@@ -330,14 +324,12 @@ void StudyController::CancelStep(SceneStep step)
 
 void StudyController::ResumeStep(SceneStep step)
 {
-  this->Problems.Forget();
   this->Open.ResumeStep(step);
   this->LookSoon();
 }
 
 void StudyController::StartTouch()
 {
-  this->Problems.ForgetTouch();
   this->Open.StartTouch();
   this->Look();
 }
@@ -394,7 +386,6 @@ void StudyController::StopRecording()
 
 void StudyController::OpenReplay(const std::filesystem::path& file)
 {
-  this->Problems.ForgetReplay();
   this->Open.OpenReplay(StudyPath(file));
   this->Look();
 }
@@ -407,7 +398,6 @@ void StudyController::CloseReplay()
 
 void StudyController::ExportReplay(const std::filesystem::path& file)
 {
-  this->Problems.ForgetReplay();
   this->Open.ExportReplay(file);
 }
 
@@ -443,7 +433,6 @@ void StudyController::Look()
   if (this->Revision != this->Open.Pipeline().Revision())
   {
     this->Revision = this->Open.Pipeline().Revision();
-    this->Problems.LookAtProducts();
     Q_EMIT ProductsChanged();
   }
   // Progress is for reading, so it is updated less often.
@@ -456,6 +445,27 @@ void StudyController::Look()
   this->LookAtReplay();
 }
 
+// A message goes with its cause, and comes again with it.
+void StudyController::LookAtProblems()
+{
+  const std::vector<std::string> now = this->Problems.Now(this->Felt);
+  for (const std::string& told : this->Told)
+  {
+    if (std::find(now.begin(), now.end(), told) == now.end())
+    {
+      Q_EMIT ProblemEnded(ScreenString(told));
+    }
+  }
+  const std::vector<std::string> before = std::exchange(this->Told, now);
+  for (const std::string& problem : now)
+  {
+    if (std::find(before.begin(), before.end(), problem) == before.end())
+    {
+      this->Report(problem);
+    }
+  }
+}
+
 void StudyController::LookAtSteps()
 {
   bool isMaking = this->Open.IsOpeningDevice() || this->Open.IsAddingSegmentation() ||
@@ -466,8 +476,8 @@ void StudyController::LookAtSteps()
     isMaking = isMaking || state == StudyStepState::Kind::Running ||
                state == StudyStepState::Kind::NeedsUpdate;
   }
-  this->Problems.LookAtSteps();
   this->IsMaking = isMaking;
+  this->LookAtProblems();
   Q_EMIT StepsChanged();
 }
 
@@ -479,7 +489,6 @@ void StudyController::LookAtTouch()
     this->Felt = this->Open.Touch().Poll();
     Q_EMIT Touched();
   }
-  this->Problems.LookAtTouch(this->Felt);
   if (isTouching != this->WasTouching)
   {
     this->WasTouching = isTouching;
@@ -489,7 +498,6 @@ void StudyController::LookAtTouch()
 
 void StudyController::LookAtReplay()
 {
-  this->Problems.LookAtReplay();
   StudyReplay* replay = this->Open.Replay();
   if (replay != this->Replayed)
   {

@@ -123,17 +123,17 @@ Q_SIGNALS:
   void Touched();                       ///< a new reading
   void ReplayChanged();                 ///< opened or closed, played or paused
   void Problem(const QString& message);
+  void ProblemEnded(const QString& message); ///< its cause has gone
 
 private:
   void Look();
   void LookAtTouch();
   void LookAtReplay();
   void LookAtSteps();
+  void LookAtProblems();
   void Announce();
   void TakeRole();
-  /// `taken` is called once the file was read and is part of the study.
-  StudyOpening::Outcome OutcomeOf(
-      const std::filesystem::path& file, const std::function<void()>& taken = [] {});
+  StudyOpening::Outcome OutcomeOf(const std::filesystem::path& file);
   void LookSoon();
   void OpenAs(StudyFileRole role, const std::filesystem::path& file);
   /// How a volume is read: StudyOpening::OpenVolume or AddVolume.
@@ -154,7 +154,8 @@ private:
   int Folders = 0;                          ///< number of folders whose series are being listed
   std::function<bool()> MayLeave;
   std::function<int(const QStringList&)> WhichSeries;
-  StudyProblems Problems{this->Open, [this](const std::string& message) { this->Report(message); }};
+  StudyProblems Problems{this->Open};
+  std::vector<std::string> Told; ///< problems that are there
   std::uint64_t Revision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;

@@ -4,92 +4,93 @@
 #include "SofteningNotes.h"
 
 #include <algorithm>
-#include <vector>
+#include <memory>
 
 namespace palpate
 {
-// A step's problem also blocks all later ones. Those of volumes are separate.
-void StudyProblems::TellOnce(SceneStep step, const std::string& message)
+namespace
 {
-  const bool isOfVolume = step == SceneStep::Volume;
-  const auto isTold = [&](const auto& told)
-  { return (told.first == SceneStep::Volume) == isOfVolume && told.second.count(message) > 0; };
-  if (std::none_of(this->Told.begin(), this->Told.end(), isTold))
-  {
-    this->Told[step].insert(message);
-    this->Tell(message);
-  }
-}
-
-void StudyProblems::TellOnce(const std::string& problem, std::string& told)
-{
-  if (problem != told)
-  {
-    told = problem;
-    if (!problem.empty())
-    {
-      this->Tell(problem);
-    }
-  }
-}
-
 template <typename Image>
-void StudyProblems::TellNotes(SceneStep step, const std::shared_ptr<const Image>& image,
-                              std::weak_ptr<const Image>& noted)
+std::vector<std::string> NotesOf(const std::shared_ptr<const Image>& image)
 {
-  if (image != nullptr && image != noted.lock())
+  std::vector<std::string> notes;
+  if (image != nullptr)
   {
-    noted = image;
     for (const std::string& note : image->Notes)
     {
-      this->TellOnce(step, image->Source.filename().string() + ": " + note);
+      notes.push_back(image->Source.filename().string() + ": " + note);
     }
   }
+  return notes;
 }
+} // namespace
 
-void StudyProblems::LookAtVolume(int id)
+std::vector<std::string> StudyProblems::Now(const StudyTouchReading& reading)
 {
-  this->TellNotes(SceneStep::Volume, this->Open.Pipeline().Newest<Volume>(SceneStep::Volume, id),
-                  this->NotedVolumes[id]);
+  this->Messages.clear();
+  this->AddNotes();
+  this->AddFailures();
+  this->AddProtection();
+  this->AddHold(reading);
+  this->Add(this->Open.TouchProblem());
+  this->Add(this->Open.ReplayProblem());
+  return this->Messages;
 }
 
-void StudyProblems::LookAtProducts()
+// A step's failure is also that of all later ones.
+void StudyProblems::Add(const std::string& message)
+{
+  const bool isThere =
+      std::find(this->Messages.begin(), this->Messages.end(), message) != this->Messages.end();
+  if (!message.empty() && !isThere)
+  {
+    this->Messages.push_back(message);
+  }
+}
+
+void StudyProblems::AddNotes()
 {
   const StudyPipeline& pipeline = this->Open.Pipeline();
-  this->LookAtVolume(0);
+  const auto add = [this](const auto& image)
+  {
+    for (const std::string& note : NotesOf(image))
+    {
+      this->Add(note);
+    }
+  };
+  add(pipeline.Newest<Volume>(SceneStep::Volume));
   for (const StudyVolume& volume : this->Open.State().Volumes)
   {
-    this->LookAtVolume(volume.Id);
+    add(pipeline.Newest<Volume>(SceneStep::Volume, volume.Id));
   }
-  this->TellNotes(SceneStep::Segmentation, pipeline.Newest<Segmentation>(SceneStep::Segmentation),
-                  this->NotedLabels);
+  add(pipeline.Newest<Segmentation>(SceneStep::Segmentation));
   const auto products = [&pipeline](SceneStep step, int id)
   { return pipeline.NewestProduct(step, id); };
   for (const SofteningNote& note : SofteningNotes(this->Open.State(), products))
   {
-    this->TellOnce(SceneStep::Elasticity, note.Text);
+    this->Add(note.Text);
   }
 }
 
-void StudyProblems::LookAtSteps()
+void StudyProblems::AddFailures()
 {
+  const StudyPipeline& pipeline = this->Open.Pipeline();
   for (const SceneStep step : Steps)
   {
-    const StudyStepState state = this->Open.Pipeline().StateOf(step);
+    const StudyStepState state = pipeline.StateOf(step);
     if (state.Is == StudyStepState::Kind::Failed && step != SceneStep::Protection)
     {
-      this->TellOnce(step, state.Message);
+      this->Add(state.Message);
     }
   }
-  this->LookAtProtection();
-  for (const std::string& advice : this->Open.Pipeline().Advice())
+  for (const std::string& advice : pipeline.Advice())
   {
-    this->TellOnce(SceneStep::Touch, advice);
+    this->Add(advice);
   }
 }
 
 // A structure that cannot be protected is told at once, with the consequence for the drill.
-void StudyProblems::LookAtProtection()
+void StudyProblems::AddProtection()
 {
   std::vector<StudyForbidden> failed = ForbiddenOf(this->Open.State(), this->Open.Pipeline());
   failed.erase(std::remove_if(failed.begin(), failed.end(),
@@ -98,22 +99,21 @@ void StudyProblems::LookAtProtection()
                failed.end());
   if (!failed.empty())
   {
-    this->TellOnce(SceneStep::Protection, DrillHoldText(failed));
+    this->Add(DrillHoldText(failed));
   }
 }
 
-void StudyProblems::LookAtTouch(const StudyTouchReading& reading)
+// Of a drill that was started by its key or by the device's button; until it may turn.
+void StudyProblems::AddHold(const StudyTouchReading& reading)
 {
-  this->TellOnce(this->Open.TouchProblem(), this->ToldOfTouch);
-  // Of a drill that was started by its key or by the device's button.
-  if (this->Open.Touch().IsRunning() && reading.Newest.IsDrilling && !reading.Drill.Hold.empty())
+  if (!this->Open.Touch().IsRunning() || reading.Drill.Hold.empty())
   {
-    this->TellOnce(SceneStep::Protection, reading.Drill.Hold);
+    this->Hold.clear();
   }
-}
-
-void StudyProblems::LookAtReplay()
-{
-  this->TellOnce(this->Open.ReplayProblem(), this->ToldOfReplay);
+  else if (reading.Newest.IsDrilling)
+  {
+    this->Hold = reading.Drill.Hold;
+  }
+  this->Add(this->Hold);
 }
 } // namespace palpate

@@ -3,16 +3,12 @@
 #include "Study.h"
 
 #include <array>
-#include <functional>
-#include <map>
-#include <memory>
-#include <set>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
-/// Tells each problem of a study once, and once what was assumed of its files: for the messages of
-/// a window, which looks regularly.
+/// What a study has to tell its user now. A message is there as long as its cause.
 class StudyProblems
 {
 public:
@@ -23,45 +19,22 @@ public:
        SceneStep::Protection, SceneStep::Touch, SceneStep::Tool}};
 
   /// Keeps the address.
-  StudyProblems(Study& study, std::function<void(const std::string& message)> tell)
-      : Open(study), Tell(std::move(tell))
-  {
-  }
+  explicit StudyProblems(Study& study) : Open(study) {}
 
-  /// What was assumed of an image, or changed, when it was read, and what structures do not yield
-  /// by.
-  void LookAtProducts();
-  /// Failures and replacements of steps.
-  void LookAtSteps();
-  void LookAtTouch(const StudyTouchReading& reading);
-  void LookAtReplay();
-
-  ///@{ What is done again is told again.
-  void Forget() { this->Told.clear(); }
-  void ForgetVolumes() { this->Told.erase(SceneStep::Volume); }
-  void ForgetStructures()
-  {
-    this->Told.erase(this->Told.upper_bound(SceneStep::Volume), this->Told.end());
-  }
-  void ForgetTouch() { this->ToldOfTouch.clear(); }
-  void ForgetReplay() { this->ToldOfReplay.clear(); }
-  ///@}
+  /// Each message once, in the order of the work: what was assumed of an image, or changed, when it
+  /// was read; what structures do not yield by; failures and replacements of steps; what hinders
+  /// drill, touch and replay. `reading` is the newest one of a touch.
+  std::vector<std::string> Now(const StudyTouchReading& reading);
 
 private:
-  void LookAtVolume(int id);
-  void LookAtProtection();
-  template <typename Image>
-  void TellNotes(SceneStep step, const std::shared_ptr<const Image>& image,
-                 std::weak_ptr<const Image>& noted);
-  void TellOnce(SceneStep step, const std::string& message);
-  void TellOnce(const std::string& problem, std::string& told);
+  void AddNotes();
+  void AddFailures();
+  void AddProtection();
+  void AddHold(const StudyTouchReading& reading);
+  void Add(const std::string& message);
 
   Study& Open;
-  std::function<void(const std::string& message)> Tell;
-  std::map<SceneStep, std::set<std::string>> Told;
-  std::map<int, std::weak_ptr<const Volume>> NotedVolumes; ///< whose notes were told
-  std::weak_ptr<const Segmentation> NotedLabels;
-  std::string ToldOfTouch;
-  std::string ToldOfReplay;
+  std::vector<std::string> Messages;
+  std::string Hold; ///< why a drill that was started does not turn
 };
 } // namespace palpate

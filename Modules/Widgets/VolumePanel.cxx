@@ -56,9 +56,10 @@ QLabel* MakeWrappedText(const char* name, QWidget* parent)
 
 VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, QWidget* parent)
     : QWidget(parent), Study(study), Contents(contents), Images(contents.Images()),
-      VolumeText(MakeWrappedText("volume-name", this)), LabelsText(MakeWrappedText("labels-name", this)),
-      Volumes(new VolumeList(study, this)), Width(this->AddNumber("window")),
-      Level(this->AddNumber("level")), Preset(new QComboBox(this)), Colors(new QComboBox(this)),
+      VolumeText(MakeWrappedText("volume-name", this)),
+      LabelsText(MakeWrappedText("labels-name", this)), Volumes(new VolumeList(study, this)),
+      Width(this->AddNumber("window")), Level(this->AddNumber("level")),
+      Preset(new QComboBox(this)), Colors(new QComboBox(this)),
       Opacity(new QSlider(Qt::Horizontal, this)), OfOverlay(new QWidget(this))
 {
   this->Width->setMinimum(0.0);

@@ -255,6 +255,29 @@ TEST(StudyStructures, BlackOfAFileIsReplaced)
   EXPECT_EQ(state.Structures.at(1).Color, segmentation.Segments[1].Color);
 }
 
+TEST_F(StudyTest, OnlyOpenedFilesAreNoChange)
+{
+  this->OpenFiles();
+  this->Settle();
+  ASSERT_FALSE(this->Open.State().Structures.empty());
+  EXPECT_FALSE(this->Open.History().IsChanged());
+  this->Open.AddVolume(this->Open.State().VolumeFile);
+  EXPECT_FALSE(this->Open.History().IsChanged());
+  this->ChangeDegree(5);
+  EXPECT_TRUE(this->Open.History().IsChanged());
+  this->Open.OpenVolume(this->Open.State().VolumeFile, "1.2.3");
+  EXPECT_TRUE(this->Open.History().IsChanged()) << "the degree is";
+}
+
+TEST_F(StudyTest, FileOpenedBesideASessionIsAChange)
+{
+  this->OpenFiles();
+  this->Settle();
+  this->Open.Save(this->Phantom.Folder / "case.palpate.json");
+  this->Open.AddVolume(this->Open.State().VolumeFile);
+  EXPECT_TRUE(this->Open.History().IsChanged());
+}
+
 TEST_F(StudyTest, SessionReopensAsSaved)
 {
   this->OpenFiles();

@@ -44,6 +44,19 @@ void MessageArea::Add(const QString& message)
   this->show();
 }
 
+void MessageArea::Remove(const QString& message)
+{
+  QStringList messages = this->Text().split('\n');
+  const int last = messages.lastIndexOf(message);
+  if (last < 0)
+  {
+    return;
+  }
+  messages.removeAt(last);
+  this->Messages->setPlainText(messages.join('\n'));
+  this->setVisible(!messages.isEmpty());
+}
+
 void MessageArea::Clear()
 {
   this->Messages->clear();

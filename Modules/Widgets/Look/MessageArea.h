@@ -5,8 +5,8 @@
 
 namespace palpate
 {
-/// Messages for the user, below the views: they stay until closed, do not block, and can be copied.
-/// Hidden while empty.
+/// Messages for the user, below the views: they stay until closed or removed, do not block, and can
+/// be copied. Hidden while empty.
 class MessageArea : public QFrame
 {
   Q_OBJECT
@@ -15,6 +15,8 @@ public:
   explicit MessageArea(QWidget* parent = nullptr);
 
   void Add(const QString& message);
+  /// The newest message of this text, if it is still there.
+  void Remove(const QString& message);
   /// All messages, one per line.
   QString Text() const { return this->Messages->toPlainText(); }
   void Clear();

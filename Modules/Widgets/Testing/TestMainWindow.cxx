@@ -210,9 +210,43 @@ TEST_F(MainWindowTest, ScreenshotEqualsWindow)
   EXPECT_NE(this->Messages().find("/no/such/folder/window.png"), std::string::npos);
 }
 
+TEST_F(MainWindowTest, ClosesUnaskedIfFilesWereOnlyOpened)
+{
+  this->OpenPhantom();
+  this->Leaving = FileQuestions::Answer::Cancel;
+  EXPECT_FALSE(this->Window->isWindowModified());
+  EXPECT_TRUE(this->Window->close());
+}
+
+TEST_F(MainWindowTest, MessageGoesWithItsCause)
+{
+  this->OpenPhantom();
+  StudyState broken = this->Study->State();
+  broken.Tool.Kind = TouchToolSettings::Shape::Surface;
+  broken.Tool.File = this->Phantom.Folder / "none.stl";
+  const std::string before = this->Messages();
+  this->Study->Change("Take a missing tool", broken);
+  WaitUntil([this] { return this->Messages().find("none.stl") != std::string::npos; });
+  this->Study->Undo();
+  WaitUntil([this] { return this->Messages().find("none.stl") == std::string::npos; });
+  EXPECT_EQ(this->Messages(), before) << "others stay";
+  this->Study->Redo();
+  WaitUntil([this] { return this->Messages().find("none.stl") != std::string::npos; });
+}
+
+TEST_F(MainWindowTest, MessagesOfAStudyGoWithIt)
+{
+  this->OpenPhantom();
+  EXPECT_FALSE(this->Messages().empty()) << "a structure of one voxel";
+  this->Study->New();
+  WaitUntil([this] { return this->Messages().empty(); });
+  EXPECT_FALSE(this->Window->Messages()->isVisible());
+}
+
 TEST_F(MainWindowTest, CancelKeepsWindowOpen)
 {
   this->OpenPhantom();
+  this->Window->findChild<QDoubleSpinBox*>("Degree of all")->setValue(5);
   this->Leaving = FileQuestions::Answer::Cancel;
   EXPECT_FALSE(this->Window->close());
   EXPECT_TRUE(this->Window->isVisible());

@@ -257,6 +257,9 @@ TEST_F(TouchLinkTest, CancelledCloseKeepsForcesOff)
 {
   this->StartTouch();
   this->PressByMouse();
+  StudyState marked = this->Study->State();
+  marked.Landmarks.push_back({"apex", Vector3::Zero()});
+  this->Study->Change("Mark the apex", marked);
   this->Leaving = FileQuestions::Answer::Cancel;
   EXPECT_FALSE(this->Window->close());
   WaitUntil([this]
