@@ -67,6 +67,9 @@ public:
   /// Current state for views, with the tool's distances to forbidden structures. `time` in s.
   StudyDrillReading Read(double time, const TouchState& newest);
 
+  /// The newest one, also after a touch; empty once the drilled structures have changed.
+  const StudyDrillReading& Last() const { return this->Known; }
+
   bool IsEmpty() const { return this->Context == nullptr; }
   /// See WriteDrillState and ReadDrillState; throw InputError. Open only while touch is off.
   void Save(const std::filesystem::path& path) const;

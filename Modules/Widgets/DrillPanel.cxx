@@ -76,14 +76,16 @@ void SetText(QTableWidgetItem* item, const QString& text)
   }
 }
 // Distance of the drill to a structure, or the status of its protection.
-QString TextOf(const StudyForbidden& forbidden, const StudyDrillReading& reading)
+QString TextOf(const StudyForbidden& forbidden, const StudyDrillReading& reading, bool isTouching)
 {
   for (const DrillApproach& one : reading.Approaches)
   {
     if (forbidden.IsReady() && one.Name == forbidden.Name)
     {
-      return QString::number(one.Distance, 'f', 1) + " mm away (minimum " +
-             QString::number(one.Least, 'f', 1) + " mm)";
+      const QString least = QString::number(one.Least, 'f', 1);
+      return isTouching
+                 ? QString("%1 mm away (minimum %2 mm)").arg(one.Distance, 0, 'f', 1).arg(least)
+                 : QString("Minimum %1 mm in the last touch").arg(least);
     }
   }
   return QString::fromStdString(ProtectionText(forbidden));
@@ -284,13 +286,14 @@ void DrillPanel::ShowState()
 
 void DrillPanel::ShowReading()
 {
-  const StudyDrillReading reading =
-      this->Study.IsTouching() ? this->Study.Reading().Drill : StudyDrillReading();
+  const bool isTouching = this->Study.IsTouching();
+  const StudyDrillReading& reading =
+      isTouching ? this->Study.Reading().Drill : this->Study.Current().Touch().Drill().Last();
   const std::vector<StudyForbidden> forbidden =
       ForbiddenOf(this->Study.State(), this->Study.Current().Pipeline());
-  this->Pedal->setEnabled(!reading.Drilled.empty() && reading.Hold.empty());
-  this->Undo->setEnabled(reading.CanUndo);
-  this->Redo->setEnabled(reading.CanRedo);
+  this->Pedal->setEnabled(isTouching && !reading.Drilled.empty() && reading.Hold.empty());
+  this->Undo->setEnabled(isTouching && reading.CanUndo);
+  this->Redo->setEnabled(isTouching && reading.CanRedo);
   for (int row = 0; row < this->Table->rowCount(); ++row)
   {
     const QTableWidgetItem* name = this->Table->item(row, NameColumn);
@@ -307,13 +310,13 @@ void DrillPanel::ShowReading()
     {
       if (one.Id == label)
       {
-        text = TextOf(one, reading);
+        text = TextOf(one, reading, isTouching);
       }
     }
     SetText(this->Table->item(row, StandColumn), text);
     this->Table->item(row, StandColumn)->setToolTip(text);
   }
-  this->ShowAlarm(reading, forbidden);
+  this->ShowAlarm(isTouching ? reading : StudyDrillReading(), forbidden);
 }
 
 void DrillPanel::ShowAlarm(const StudyDrillReading& reading,

@@ -487,6 +487,10 @@ void StudyController::LookAtTouch()
   if (isTouching)
   {
     this->Felt = this->Open.Touch().Poll();
+    if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
+    {
+      this->LookAtProblems(); // the key may be held for a moment only
+    }
     Q_EMIT Touched();
   }
   if (isTouching != this->WasTouching)

@@ -169,6 +169,18 @@ TEST_F(DrillPanelTest, ShowsDrilledHoleAtOnceAndUndoesIt)
   WaitUntil([this] { return this->Removed() > 20.0; });
 }
 
+TEST_F(DrillPanelTest, RemovedVolumeStaysReadableAfterATouch)
+{
+  this->StartDrilling();
+  this->Drill(20.0);
+  this->Button("start-touch")->click();
+  WaitUntil([this] { return !this->Study->IsTouching(); });
+  EXPECT_TRUE(this->Table()->item(0, 3)->text().contains("removed"))
+      << this->Table()->item(0, 3)->text().toStdString();
+  EXPECT_FALSE(this->Button("drill-pedal")->isEnabled());
+  EXPECT_FALSE(this->Button("drill-undo")->isEnabled());
+}
+
 TEST_F(DrillPanelTest, HolesOutliveTouchesAndAreSavedOpenedAndExported)
 {
   this->StartDrilling();
