@@ -173,7 +173,7 @@ TEST_F(DrillPanelTest, RemovedVolumeStaysReadableAfterATouch)
 {
   this->StartDrilling();
   this->Drill(20.0);
-  this->Button("start-touch")->click();
+  this->Study->StopTouch();
   WaitUntil([this] { return !this->Study->IsTouching(); });
   EXPECT_TRUE(this->Table()->item(0, 3)->text().contains("removed"))
       << this->Table()->item(0, 3)->text().toStdString();
