@@ -87,7 +87,8 @@ void SurfaceInSpace::ColorByArray()
   {
     std::array<double, 2> range{};
     values->GetFiniteRange(range.data());
-    this->Range = range;
+    const double limit = this->Shown->GetColorLimit();
+    this->Range = limit > 0.0 ? std::array<double, 2>{{-limit, limit}} : range;
     this->Mapper->SetScalarModeToUsePointFieldData();
     this->Mapper->SelectColorArray(name);
     this->Mapper->UseLookupTableScalarRangeOn();

@@ -25,4 +25,5 @@ void vtkSurfaceDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LineWidth: " << this->LineWidth << '\n';
   os << indent << "Wireframe: " << this->Wireframe << '\n';
   os << indent << "ColorArray: " << this->ColorArray << '\n';
+  os << indent << "ColorLimit: " << this->ColorLimit << '\n';
 }

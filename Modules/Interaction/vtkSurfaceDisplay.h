@@ -74,6 +74,12 @@ public:
   vtkSetStdStringFromCharMacro(ColorArray);
   vtkGetCharFromStdStringMacro(ColorArray);
   ///@}
+  ///@{
+  /** The array's value, and its negative, at the ends of the colours; 0, the default: by its
+   * values. Surfaces coloured by arrays of one name share the widest scale. */
+  vtkSetClampMacro(ColorLimit, double, 0.0, 1e300);
+  vtkGetMacro(ColorLimit, double);
+  ///@}
 
   /** The latest of its own time and that of the surface. */
   vtkMTimeType GetMTime() override;
@@ -95,6 +101,7 @@ private:
   double LineWidth = 1.5;
   bool Wireframe = false;
   std::string ColorArray;
+  double ColorLimit = 0.0;
 };
 
 #endif

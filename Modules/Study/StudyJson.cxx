@@ -16,6 +16,7 @@ namespace
 constexpr int Version = 2;
 constexpr double LargestPlace = 1e6; // mm, of coordinates
 constexpr double LargestIntensity = 1e300;
+constexpr double LeastErrorScale = 1e-6; // mm
 
 const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 const std::initializer_list<const char*> MixingWords{"blend", "checkerboard", "curtain"};
@@ -69,6 +70,7 @@ void ExchangeView(JsonFields& fields, StudyView& view)
   fields.Exchange("slices_follow_probe", view.SlicesFollowProbe);
   fields.Exchange("mixing", view.Mixing, MixingWords);
   fields.Exchange("curtain", view.Curtain, 0.0, 1.0);
+  fields.Exchange("error_scale_mm", view.ErrorScale, LeastErrorScale, LargestPlace);
 }
 
 void ExchangeStudy(JsonFields& fields, StudyState& state)

@@ -20,7 +20,7 @@ auto Fields(const StudyDistance& d)
 auto Fields(const StudyView& v)
 {
   return std::tie(v.CrosshairWorld, v.Window, v.Level, v.Layout, v.OverlayOpacity, v.UsesVolumeAxes,
-                  v.SlicesFollowProbe, v.Mixing, v.Curtain);
+                  v.SlicesFollowProbe, v.Mixing, v.Curtain, v.ErrorScale);
 }
 
 auto Fields(const StudyVolume& v)

@@ -61,7 +61,8 @@ struct StudyView
   bool UsesVolumeAxes = true;            ///< slices along the volume's axes, else the patient's
   bool SlicesFollowProbe = false;
   StudyMixing Mixing = StudyMixing::Blend;
-  double Curtain = 0.5; ///< its place as a fraction of a slice's width, 0..1
+  double Curtain = 0.5;             ///< its place as a fraction of a slice's width, 0..1
+  std::optional<double> ErrorScale; ///< mm at the ends of error maps' colours; none: two voxels
 };
 
 /// The complete state of a study as a value: a scene with the window's additions. Saved in session

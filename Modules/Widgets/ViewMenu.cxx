@@ -96,6 +96,7 @@ void ViewMenu::AddContents()
   this->ErrorMaps->setCheckable(true);
   this->ErrorMaps->setShortcut(QString("Ctrl+E"));
   connect(this->ErrorMaps, &QAction::triggered, this, &ViewMenu::ShowErrorMaps);
+  this->AddErrorScales();
   QAction* slices = this->addAction("Slices in &3-D");
   slices->setCheckable(true);
   slices->setShortcut(QString("Shift+D"));
@@ -106,6 +107,31 @@ void ViewMenu::AddContents()
   connect(smooth, &QAction::toggled, this,
           [this](bool isOn) { this->Contents.Images()->SetInterpolate(isOn); });
   this->addSeparator();
+}
+
+void ViewMenu::AddErrorScales()
+{
+  QMenu* menu = this->addMenu("Scale of error &maps");
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const QString& text, std::optional<double> scale)
+  {
+    QAction* action = menu->addAction(text);
+    action->setCheckable(true);
+    group->addAction(action);
+    this->ErrorScales.emplace_back(action, scale);
+    connect(action, &QAction::triggered, this,
+            [this, scale]
+            {
+              StudyView view = this->Study.State().View;
+              view.ErrorScale = scale;
+              this->Study.ChangeView(view);
+            });
+  };
+  add("Two voxels of the mask", std::nullopt);
+  for (const double scale : {0.5, 1.0, 2.0, 5.0, 10.0})
+  {
+    add(QString("\u00b1%1 mm").arg(scale), scale);
+  }
 }
 
 void ViewMenu::AddCameras()
@@ -178,6 +204,10 @@ void ViewMenu::ShowView()
   this->Layouts[static_cast<std::size_t>(layout)]->setChecked(true);
   this->AlongImage->setChecked(view.UsesVolumeAxes);
   this->FollowProbe->setChecked(view.SlicesFollowProbe);
+  for (const auto& [action, scale] : this->ErrorScales)
+  {
+    action->setChecked(view.ErrorScale == scale);
+  }
   this->Views.SetAlongImage(view.UsesVolumeAxes);
 }
 } // namespace palpate

@@ -6,6 +6,9 @@
 #include <QMenu>
 
 #include <map>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace palpate
 {
@@ -27,6 +30,7 @@ private:
   void AddMouse();
   void AddContents();
   void AddLooks();
+  void AddErrorScales();
   void ShowView();
   void ShowErrorMaps(bool areShown);
   /// Adds a switch for a field of the view's state.
@@ -39,6 +43,7 @@ private:
   QAction* AlongImage = nullptr;
   QAction* FollowProbe = nullptr;
   QAction* ErrorMaps = nullptr;
+  std::vector<std::pair<QAction*, std::optional<double>>> ErrorScales;
   QList<QAction*> ForTools;
   std::map<int, SceneAppearance> Before; ///< by label, of structures that became error maps here
 };

@@ -20,6 +20,7 @@ public:
     this->Abilities.MaximumForce = 8.0;
     this->Abilities.MaximumDamping = 0.02;
     this->Abilities.Rate = 1000.0;
+    this->Abilities.HasMotors = false; // so that a busy machine's delays end by themselves
   }
 
   void Put(const Vector3& position, unsigned buttons)

@@ -157,6 +157,9 @@ TEST_F(vtkSpaceViewTest, SurfacesOfOneArrayShareScale)
   this->Surface->SetColorArray("DistanceToSurface");
   this->View->AddSurface(this->Surface);
   EXPECT_TRUE(IsRed(PixelAt(this->Draw(), -10.0, 0.0))) << "alone it fills its scale";
+  this->Surface->SetColorLimit(2.0);
+  EXPECT_LT(colorfulness(PixelAt(this->Draw(), -10.0, 0.0)), 40) << "a tenth of the limit";
+  this->Surface->SetColorLimit(0.0);
   vtkNew<vtkSurfaceDisplay> other;
   other->SetSurface(measured(Vector3(10.0, 0.0, 0.0), 2.0));
   other->SetColorArray("DistanceToSurface");

@@ -148,6 +148,10 @@ inline StudyView RandomView(Random& random)
   view.SlicesFollowProbe = RandomChoice(random);
   view.Mixing = static_cast<StudyMixing>(RandomWhole(random, 0, 2));
   view.Curtain = RandomNumber(random, 0.0, 1.0);
+  if (RandomChoice(random))
+  {
+    view.ErrorScale = RandomNumber(random, 0.1, 10.0);
+  }
   return view;
 }
 

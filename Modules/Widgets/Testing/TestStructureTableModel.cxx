@@ -132,6 +132,26 @@ TEST_F(StructureTableTest, ErrorMapsSwitchInOneUndoStep)
   EXPECT_EQ(this->Study->State(), before);
 }
 
+TEST_F(StructureTableTest, ScaleOfErrorMapsDependsOnTheMaskUnlessChosen)
+{
+  this->OpenPhantom();
+  const auto limit = [this] { return this->Window->Contents().Surfaces().at(1)->GetColorLimit(); };
+  EXPECT_EQ(limit(), 0.0) << "no error map";
+  this->Action("All as error maps")->trigger();
+  this->Settle();
+  EXPECT_EQ(limit(), 2.0) << "of voxels of 1 mm";
+  StudyState coarser = this->Study->State();
+  coarser.Structures.at(0).Degree = 2;
+  this->Study->Change("Change the degree", coarser);
+  this->Settle();
+  EXPECT_EQ(limit(), 2.0);
+  this->Action("\u00b15 mm")->trigger();
+  EXPECT_EQ(limit(), 5.0);
+  EXPECT_EQ(this->Study->State().View.ErrorScale, 5.0) << "part of the study";
+  this->Action("Two voxels of the mask")->trigger();
+  EXPECT_EQ(limit(), 2.0);
+}
+
 // Label 2 is a horseshoe.
 TEST_F(StructureTableTest, ReportsReplacementOnceAndNotAsFailure)
 {

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <sstream>
+#include <string>
 #include <variant>
 
 namespace palpate
@@ -377,8 +377,25 @@ void ViewContents::ShowView(const StudyView& view)
     this->Images()->SetWindowLevel(*view.Window, *view.Level);
   }
   this->Images()->SetLabelOpacity(view.OverlayOpacity);
+  this->ShowErrorScale(view);
   this->Images()->SetMixing(static_cast<int>(view.Mixing));
   this->Images()->SetCurtain(view.Curtain);
+}
+
+// Unless it is chosen, the scale depends on the mask alone, so that pictures of several fits can be
+// compared.
+void ViewContents::ShowErrorScale(const StudyView& view)
+{
+  constexpr double Voxels = 2.0;
+  const auto& labels = this->Pictures.Labels();
+  const double* spacing = labels != nullptr ? labels->Layers.front()->GetSpacing() : nullptr;
+  const double ofMask = spacing != nullptr ? Voxels * *std::max_element(spacing, spacing + 3) : 0.0;
+  for (const auto& [id, surface] : this->SurfacesShown)
+  {
+    const bool isErrorMap =
+        std::string(surface->GetColorArray()) == ColorArrayOf(SceneAppearance::ErrorMap);
+    surface->SetColorLimit(isErrorMap ? view.ErrorScale.value_or(ofMask) : 0.0);
+  }
 }
 
 StudyView ViewContents::WithViewOf(StudyView view) const

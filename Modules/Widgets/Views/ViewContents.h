@@ -83,6 +83,7 @@ private:
   void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
   vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
   void ShowOpacities(const StudyState& state);
+  void ShowErrorScale(const StudyView& view);
   bool HoldsAnother(int id) const;
   void ShowHighlight(int id);
   double BallRadius() const;
