@@ -99,11 +99,11 @@ void VolumeList::ShowMixing()
   this->Curtain->setEnabled(view.Mixing == StudyMixing::Curtain);
 }
 
-void VolumeList::ChangeVolume(const QString& message, const StudyVolume& changed)
+void VolumeList::Change(const QString& message, const StudyVolume& changed, const QString& gesture)
 {
   StudyState next = this->Study.State();
   *FindVolume(next, changed.Id) = changed;
-  this->Study.Change(message, next);
+  this->Study.Change(message, next, gesture);
 }
 
 void VolumeList::TakeCheck(QListWidgetItem* item)
@@ -113,7 +113,7 @@ void VolumeList::TakeCheck(QListWidgetItem* item)
   {
     StudyVolume volume = this->Study.State().Volumes.at(static_cast<std::size_t>(row - 1));
     volume.IsVisible = item->checkState() == Qt::Checked;
-    this->ChangeVolume((volume.IsVisible ? "Show " : "Hide ") + NameOf(volume.File), volume);
+    this->Change((volume.IsVisible ? "Show " : "Hide ") + NameOf(volume.File), volume);
   }
 }
 

@@ -23,6 +23,8 @@ public:
 
   /// The id of the selected volume; 0 for the first one.
   int Chosen() const { return this->Id; }
+  /// Changes the settings of a volume over the first one; see StudyController::Change.
+  void Change(const QString& message, const StudyVolume& changed, const QString& gesture = {});
 
 Q_SIGNALS:
   void Changed(); ///< another volume is selected
@@ -34,7 +36,6 @@ private:
   void TakeRow(int row);
   void Remove();
   void TakeMixing();
-  void ChangeVolume(const QString& message, const StudyVolume& changed);
 
   StudyController& Study;
   QListWidget* Volumes;

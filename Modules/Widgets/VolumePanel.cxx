@@ -189,10 +189,8 @@ void VolumePanel::ShowOverlay()
 
 void VolumePanel::ChangeOverlay(const StudyVolume& changed, const QString& what)
 {
-  StudyState next = this->Study.State();
-  *FindVolume(next, changed.Id) = changed;
   const QString message = what + " of " + ScreenString(changed.File.filename().string());
-  this->Study.Change(message, next, message);
+  this->Volumes->Change(message, changed, message);
 }
 
 void VolumePanel::SetWindow(double width, double level)
