@@ -8,6 +8,7 @@
 
 #include <QFormLayout>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <array>
@@ -84,15 +85,19 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   ofOverlay->setContentsMargins(0, 0, 0, 0);
   ofOverlay->addRow("Colours", this->Colors);
   ofOverlay->addRow("Opacity", this->Opacity);
-  auto* form = new QFormLayout(this);
+  auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->addRow(this->VolumeText);
-  form->addRow(this->LabelsText);
-  form->addRow(this->Volumes);
   form->addRow("Window", this->Width);
   form->addRow("Level", this->Level);
   form->addRow("Preset", this->Preset);
-  form->addRow(this->OfOverlay);
+  // A form would keep the spacing of hidden rows.
+  auto* rows = new QVBoxLayout(this);
+  rows->setSpacing(form->spacing());
+  rows->addWidget(this->VolumeText);
+  rows->addWidget(this->LabelsText);
+  rows->addWidget(this->Volumes);
+  rows->addLayout(form);
+  rows->addWidget(this->OfOverlay);
   connect(this->Preset, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakePreset);
   connect(this->Colors, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakeOverlay);
   connect(this->Opacity, &QSlider::valueChanged, this, &VolumePanel::TakeOverlay);
