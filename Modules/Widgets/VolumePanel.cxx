@@ -92,7 +92,6 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   form->addRow("Preset", this->Preset);
   // A form would keep the spacing of hidden rows.
   auto* rows = new QVBoxLayout(this);
-  rows->setSpacing(form->spacing());
   rows->addWidget(this->VolumeText);
   rows->addWidget(this->LabelsText);
   rows->addWidget(this->Volumes);
