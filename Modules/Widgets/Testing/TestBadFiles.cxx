@@ -240,7 +240,9 @@ TEST_F(BadFilesTest, BadFileBesideGoodWorkChangesNothing)
 TEST_F(BadFilesTest, ReportsUnwritableStudyAndKeepsItOpen)
 {
   this->OpenPhantom();
-  const StudyState before = this->Study->State();
+  StudyState before = this->Study->State();
+  before.Landmarks.push_back({"apex", Vector3::Zero()});
+  this->Study->Change("Mark the apex", before);
   this->SavedTo = "/no/such/folder/case.palpate.json";
   this->Action("Save as")->trigger();
   EXPECT_NE(this->Messages().find("/no/such/folder"), std::string::npos) << this->Messages();
