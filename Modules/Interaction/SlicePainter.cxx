@@ -157,8 +157,9 @@ private:
       for (; column < next; ++column)
       {
         const float value = values[static_cast<std::size_t>(column)];
+        const bool isHidden = layer.HidesBelow && value <= low;
         // Neither where it is transparent nor where there is no number.
-        if (share > 0.0F && value == value)
+        if (share > 0.0F && value == value && !isHidden)
         {
           const float place = std::clamp((value - low) * scale + Half, 0.0F, 255.0F);
           Mix(colors[static_cast<std::size_t>(place)], share, pixels + std::size_t{4} * column);

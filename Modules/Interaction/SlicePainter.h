@@ -23,7 +23,8 @@ struct ImageLayer
   vtkSmartPointer<vtkImageData> Image;
   GreyWindow Window;
   VolumeColors Colors = VolumeColors::Grey;
-  float Opacity = 0.5F; ///< of a blend, 0 to 1
+  float Opacity = 0.5F;    ///< of a blend, 0 to 1
+  bool HidesBelow = false; ///< values up to the window's low end are transparent
 };
 
 /// Where further images cover the first one.

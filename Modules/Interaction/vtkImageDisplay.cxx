@@ -174,6 +174,15 @@ void vtkImageDisplay::SetOverlayOpacity(int overlay, double opacity)
   }
 }
 
+void vtkImageDisplay::SetOverlayHidesBelow(int overlay, bool hides)
+{
+  if (this->HasOverlay(overlay))
+  {
+    this->Content->Over[static_cast<std::size_t>(overlay)].HidesBelow = hides;
+    this->Modified();
+  }
+}
+
 void vtkImageDisplay::SetMixing(int mixing)
 {
   const auto wanted = static_cast<palpate::ImageMixing>(std::clamp<int>(mixing, BLEND, CURTAIN));

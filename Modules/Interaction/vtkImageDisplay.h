@@ -71,6 +71,8 @@ public:
   double GetOverlayLevel(int overlay);
   void SetOverlayColors(int overlay, int colors);
   void SetOverlayOpacity(int overlay, double opacity);
+  /** Whether values up to the low end of its window are transparent. Default: false. */
+  void SetOverlayHidesBelow(int overlay, bool hides);
   ///@}
 
   enum

@@ -57,6 +57,7 @@ void ExchangeVolume(JsonFields& fields, StudyVolume& volume)
   fields.Exchange("level", volume.Level, -LargestIntensity, LargestIntensity);
   fields.Exchange("colors", volume.Colors, ColorWords);
   fields.Exchange("opacity", volume.Opacity, 0.0, 1.0);
+  fields.Exchange("hides_below_window", volume.HidesBelow);
 }
 
 void ExchangeView(JsonFields& fields, StudyView& view)

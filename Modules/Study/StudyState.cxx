@@ -25,7 +25,8 @@ auto Fields(const StudyView& v)
 
 auto Fields(const StudyVolume& v)
 {
-  return std::tie(v.Id, v.File, v.Series, v.IsVisible, v.Window, v.Level, v.Colors, v.Opacity);
+  return std::tie(v.Id, v.File, v.Series, v.IsVisible, v.Window, v.Level, v.Colors, v.Opacity,
+                  v.HidesBelow);
 }
 
 auto Fields(const StudyState& s)

@@ -39,7 +39,8 @@ struct StudyVolume
   std::optional<double> Window; ///< intensity window width; none: by the volume
   std::optional<double> Level;  ///< intensity window centre
   VolumeColors Colors = VolumeColors::Grey;
-  double Opacity = 0.5; ///< of a blend, 0..1
+  double Opacity = 0.5;    ///< of a blend, 0..1
+  bool HidesBelow = false; ///< values up to the window's low end are transparent
 };
 
 /// Where further volumes cover the first one in slices.

@@ -61,7 +61,8 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
       LabelsText(MakeWrappedText("labels-name", this)), Volumes(new VolumeList(study, this)),
       Width(this->AddNumber("window")), Level(this->AddNumber("level")),
       Preset(new QComboBox(this)), Colors(new QComboBox(this)),
-      Opacity(new QSlider(Qt::Horizontal, this)), OfOverlay(new QWidget(this))
+      Opacity(new QSlider(Qt::Horizontal, this)),
+      HidesBelow(new QCheckBox("Transparent below the window", this)), OfOverlay(new QWidget(this))
 {
   this->Width->setMinimum(0.0);
   this->Preset->setObjectName("window-preset");
@@ -81,10 +82,14 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   this->Opacity->setObjectName("volume-opacity");
   this->Opacity->setToolTip("Opacity of a blend");
   this->Opacity->setRange(0, OpacitySteps);
+  this->HidesBelow->setObjectName("volume-hides-below");
+  this->HidesBelow->setToolTip(
+      "Shows the first volume where this one is as dark as its background");
   auto* ofOverlay = new QFormLayout(this->OfOverlay);
   ofOverlay->setContentsMargins(0, 0, 0, 0);
   ofOverlay->addRow("Colours", this->Colors);
   ofOverlay->addRow("Opacity", this->Opacity);
+  ofOverlay->addRow(this->HidesBelow);
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->addRow("Window", this->Width);
@@ -100,6 +105,7 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   connect(this->Preset, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakePreset);
   connect(this->Colors, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakeOverlay);
   connect(this->Opacity, &QSlider::valueChanged, this, &VolumePanel::TakeOverlay);
+  connect(this->HidesBelow, &QCheckBox::clicked, this, &VolumePanel::TakeOverlay);
   connect(this->Opacity, &QSlider::sliderReleased, &study, &StudyController::EndGesture);
   connect(this->Volumes, &VolumeList::Changed, this, &VolumePanel::ShowFiles);
   connect(&study, &StudyController::StateChanged, this, &VolumePanel::ShowFiles);
@@ -187,6 +193,7 @@ void VolumePanel::ShowOverlay()
     const QSignalBlocker block(this->Opacity);
     this->Colors->setCurrentIndex(static_cast<int>(overlay->Colors));
     this->Opacity->setValue(static_cast<int>(std::lround(OpacitySteps * overlay->Opacity)));
+    this->HidesBelow->setChecked(overlay->HidesBelow);
     this->Opacity->setEnabled(this->Study.State().View.Mixing == StudyMixing::Blend);
   }
 }
@@ -216,10 +223,13 @@ void VolumePanel::TakeOverlay()
 {
   StudyVolume changed = *this->Overlay();
   const auto colors = AllVolumeColors.at(static_cast<std::size_t>(this->Colors->currentIndex()));
-  const bool isOfColors = colors != changed.Colors;
+  const QString what = colors != changed.Colors                              ? "Colours"
+                       : this->HidesBelow->isChecked() != changed.HidesBelow ? "Transparency"
+                                                                             : "Opacity";
   changed.Colors = colors;
+  changed.HidesBelow = this->HidesBelow->isChecked();
   changed.Opacity = static_cast<double>(this->Opacity->value()) / OpacitySteps;
-  this->ChangeOverlay(changed, isOfColors ? "Colours" : "Opacity");
+  this->ChangeOverlay(changed, what);
 }
 
 void VolumePanel::TakeNumbers()

@@ -4,6 +4,7 @@
 #include "ViewContents.h"
 #include "VolumeList.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -46,6 +47,7 @@ private:
   QComboBox* Preset;
   QComboBox* Colors;
   QSlider* Opacity;
+  QCheckBox* HidesBelow;
   QWidget* OfOverlay; // its colours and opacity
 };
 } // namespace palpate

@@ -103,6 +103,20 @@ TEST(SlicePainter, FurtherImageIsShownByItsOwnWindowAndAtItsPlace)
   EXPECT_GT(shown, 1000U);
 }
 
+TEST(SlicePainter, DarkBackgroundOfAFurtherImageMayBeTransparent)
+{
+  for (const double value : {0.2, 0.5, 0.6})
+  {
+    SliceContent content;
+    content.Image = Uniform(1.0);
+    content.Window = {0.0, 1.0};
+    content.Over = {{Uniform(value), {0.5, 1.5}, VolumeColors::Grey, 1.0F, true}};
+    vtkNew<vtkImageData> raster;
+    PaintSlice(content, Plane(1, 1), raster);
+    EXPECT_EQ(Bytes(raster)[0] == 255, value <= 0.5) << value;
+  }
+}
+
 TEST(SlicePainter, CheckerboardShowsOneImageInEverySquare)
 {
   SliceContent content;

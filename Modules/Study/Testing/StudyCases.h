@@ -169,6 +169,7 @@ inline StudyVolume RandomVolume(Random& random, int id)
   }
   volume.Colors = AllVolumeColors.at(static_cast<std::size_t>(RandomWhole(random, 0, 5)));
   volume.Opacity = RandomNumber(random, 0.0, 1.0);
+  volume.HidesBelow = RandomChoice(random);
   return volume;
 }
 

@@ -3,6 +3,7 @@
 #include "SlicePainter.h"
 #include "WindowTest.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -141,6 +142,8 @@ TEST_F(SeveralVolumesTest, ColoursOpacityAndMixingReachTheSlices)
   EXPECT_EQ(over.at(0).Colors, VolumeColors::BlueToYellow);
   this->Window->findChild<QSlider*>("volume-opacity")->setValue(80);
   EXPECT_NEAR(over.at(0).Opacity, 0.8, 1e-6);
+  this->Window->findChild<QCheckBox*>("volume-hides-below")->click();
+  EXPECT_TRUE(over.at(0).HidesBelow);
   this->Box("mixing")->setCurrentIndex(2);
   Q_EMIT this->Box("mixing")->activated(2);
   EXPECT_EQ(this->Images()->GetMixing(), vtkImageDisplay::CURTAIN);

@@ -128,6 +128,7 @@ void ShownImages::Set(int number, const Overlay& overlay)
       overlay.Settings.Level.value_or(0.5 * (automatic.Low + automatic.High)));
   this->Shown->SetOverlayColors(number, static_cast<int>(overlay.Settings.Colors));
   this->Shown->SetOverlayOpacity(number, overlay.Settings.Opacity);
+  this->Shown->SetOverlayHidesBelow(number, overlay.Settings.HidesBelow);
 }
 
 std::optional<int> ShownImages::OverlayOf(int id) const
