@@ -39,8 +39,7 @@ void PlumbLine::Update(vtkProbeRepresentation* probe)
     this->Length.Update({}, {});
     return;
   }
-  vtkMatrix4x4* place = probe->GetProxyMatrix();
-  const Vector3 tool(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  const Vector3 tool = probe->ProxyWorld();
   const Vector3 nearest(probe->GetNearestPoint());
   const double distance = std::max(0.0, (nearest - tool).norm() - probe->GetToolRadius());
   const double* color = probe->GetColor();

@@ -84,8 +84,7 @@ void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& sl
   this->Probe.SetStyle(ToArray(probe->GetColor()), ProbeOpacity, ProbeWidth * size);
   this->Proxy.SetStyle(ToArray(probe->GetColor()), 1.0, ProxyWidth * size);
 
-  vtkMatrix4x4* place = probe->GetProxyMatrix();
-  const Vector3 from(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  const Vector3 from = probe->ProxyWorld();
   const Vector3 arrow = probe->GetForceScale() * Vector3(probe->GetForce());
   const Vector3 inPlane = arrow - arrow.dot(normal) * normal;
   this->Arrow.SetCurves(proxy.empty() ? std::vector<SurfaceCurve>{}

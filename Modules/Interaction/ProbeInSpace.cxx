@@ -82,8 +82,7 @@ void ProbeInSpace::Update(vtkProbeRepresentation* probe)
   this->Proxy->SetUserMatrix(probe->GetProxyMatrix());
   if (hasForce)
   {
-    vtkMatrix4x4* place = probe->GetProxyMatrix();
-    const Vector3 from(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+    const Vector3 from = probe->ProxyWorld();
     PlaceArrow(from, probe->GetForceScale() * Vector3(probe->GetForce()),
                this->Arrow->GetUserMatrix());
     this->Arrow->GetProperty()->SetColor(probe->GetContactColor());

@@ -115,6 +115,12 @@ void vtkProbeRepresentation::ClearNearestPoint()
   }
 }
 
+palpate::Vector3 vtkProbeRepresentation::ProxyWorld() const
+{
+  return {this->ProxyMatrix->GetElement(0, 3), this->ProxyMatrix->GetElement(1, 3),
+          this->ProxyMatrix->GetElement(2, 3)};
+}
+
 void vtkProbeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

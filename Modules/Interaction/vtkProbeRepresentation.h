@@ -19,6 +19,10 @@
 #include "vtkPolyData.h" // For the tool
 #include "vtkSmartPointer.h"
 
+#ifndef __VTK_WRAP__
+#include "Vector3.h"
+#endif
+
 class PALPATEINTERACTION_EXPORT vtkProbeRepresentation : public vtkObject
 {
 public:
@@ -50,6 +54,9 @@ public:
   /** From the tool's frame to the world. Do not change. */
   vtkGetSmartPointerMacro(ProbeMatrix, vtkMatrix4x4);
   vtkGetSmartPointerMacro(ProxyMatrix, vtkMatrix4x4);
+#ifndef __VTK_WRAP__
+  palpate::Vector3 ProxyWorld() const; // the proxy's position
+#endif
   ///@}
 
   ///@{

@@ -72,8 +72,7 @@ palpate::ContactMark MarkOf(vtkProbeRepresentation* probe)
   {
     return mark;
   }
-  vtkMatrix4x4* place = probe->GetProxyMatrix();
-  const Vector3 middle(place->GetElement(0, 3), place->GetElement(1, 3), place->GetElement(2, 3));
+  const Vector3 middle = probe->ProxyWorld();
   const Vector3 force(probe->GetForce());
   mark.PlaceWorld =
       force.norm() > 0.0 ? Vector3(middle - probe->GetToolRadius() * force.normalized()) : middle;

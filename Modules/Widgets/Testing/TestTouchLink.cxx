@@ -83,8 +83,7 @@ TEST_F(TouchLinkTest, ToolWithoutContactTellsItsDistance)
   vtkProbeRepresentation* probe = this->Window->Contents().Probe();
   this->FeelUntil([&] { return probe->GetHasNearestPoint() && !probe->GetInContact(); });
   const Vector3 nearest(probe->GetNearestPoint());
-  vtkMatrix4x4* pose = probe->GetProxyMatrix();
-  const Vector3 tool(pose->GetElement(0, 3), pose->GetElement(1, 3), pose->GetElement(2, 3));
+  const Vector3 tool = probe->ProxyWorld();
   // No farther than the sphere of 9 mm, within a voxel.
   EXPECT_LE((nearest - tool).norm(), std::abs((tool - this->SphereCenter).norm() - 9.0) + 1.0);
 }

@@ -144,8 +144,7 @@ TEST_F(YieldingStructureTest, DentIsShownWhereTheToolIs)
   EXPECT_GT(newest.PatchRadius, 0.5);
   EXPECT_GT(newest.ElasticEnergy, 0.0);
   ASSERT_GT(newest.Depth, 0.5);
-  vtkMatrix4x4* tool = this->Window->Contents().Probe()->GetProxyMatrix();
-  const Vector3 shown(tool->GetElement(0, 3), tool->GetElement(1, 3), tool->GetElement(2, 3));
+  const Vector3 shown = this->Window->Contents().Probe()->ProxyWorld();
   EXPECT_NEAR(DistanceFrom(shown, this->Shown()->GetSurface()), 4.0, 0.05)
       << "the drawn dent is as exact as that";
   this->Button("start-touch")->click(); // which stops it now
