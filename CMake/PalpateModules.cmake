@@ -56,9 +56,12 @@ function(palpate_add_kernel_module module)
   add_library(${module} ${arg_SOURCES})
   add_library(Palpate::${module} ALIAS ${module})
   palpate_compile_settings(${module})
-  # One unit of many sources would limit what is inlined in each.
   set_target_properties(${module} PROPERTIES
-    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1 UNITY_BUILD OFF)
+    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1)
+  # One unit of many sources would limit what is inlined in each.
+  if(NOT PALPATE_SANITIZERS)
+    set_property(TARGET ${module} PROPERTY UNITY_BUILD OFF)
+  endif()
   target_compile_features(${module} PUBLIC cxx_std_17)
   foreach(folder IN LISTS arg_FOLDERS)
     cmake_path(ABSOLUTE_PATH folder NORMALIZE)

@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr unsigned Deadline = 250; // ms, per request and per packet
+constexpr unsigned StopDeadline = 250; // ms, per request and per packet
 constexpr int Repeats = 3;
 constexpr std::chrono::milliseconds Interval(2);
 
@@ -20,7 +20,7 @@ bool Control(libusb_device_handle& handle, const FtdiRequest& request)
   constexpr int VendorOut =
       int{LIBUSB_ENDPOINT_OUT} | int{LIBUSB_REQUEST_TYPE_VENDOR} | int{LIBUSB_RECIPIENT_DEVICE};
   return libusb_control_transfer(&handle, VendorOut, request.Request, request.Value, request.Index,
-                                 nullptr, 0, Deadline) >= 0;
+                                 nullptr, 0, StopDeadline) >= 0;
 }
 
 bool Send(libusb_device_handle& handle, FalconPacket packet)
@@ -28,7 +28,7 @@ bool Send(libusb_device_handle& handle, FalconPacket packet)
   constexpr unsigned char EndpointOut = 0x02;
   int sent = 0;
   return libusb_bulk_transfer(&handle, EndpointOut, packet.data(), static_cast<int>(packet.size()),
-                              &sent, Deadline) == LIBUSB_SUCCESS;
+                              &sent, StopDeadline) == LIBUSB_SUCCESS;
 }
 } // namespace
 

@@ -11,11 +11,11 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 // Work of a tick, in evaluations of the surface: to follow the probe, and to look ahead when that
 // is done. Of a search where the proof does not end: rare, since it takes some ticks' time.
-constexpr int EvaluationsOfTick = 12;
-constexpr int EvaluationsAhead = 6;
-constexpr int EvaluationsOfSearch = 256;
-constexpr int MostSteps = 32;
-constexpr int MostProofs = 5;
+constexpr int MotionEvaluationsOfTick = 12;
+constexpr int MotionEvaluationsAhead = 6;
+constexpr int MotionEvaluationsOfSearch = 256;
+constexpr int MotionSteps = 32;
+constexpr int MotionProofs = 5;
 // Of the room in which nothing is, that a proof is for.
 constexpr double WantedPart = 2.0 / 3.0;
 } // namespace
@@ -51,9 +51,9 @@ void ClearMotion::Begin(const Vector3& placeWorld, const ClosestPoint& minimum) 
 
 bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
 {
-  this->EvaluationsLeft = EvaluationsOfTick;
+  this->EvaluationsLeft = MotionEvaluationsOfTick;
   double longest = this->Stride;
-  for (int step = 0; step < MostSteps; ++step)
+  for (int step = 0; step < MotionSteps; ++step)
   {
     const Vector3 start = this->EndOfBall(probeWorld);
     const Vector3 path = probeWorld - start;
@@ -174,7 +174,7 @@ bool ClearMotion::IsAlone(const ClosestPoint& last, const ClosestPoint& next) co
 void ClearMotion::LookAhead() noexcept
 {
   constexpr double Early = 0.5;
-  if (this->Known.Count == 0 || this->EvaluationsLeft < EvaluationsAhead)
+  if (this->Known.Count == 0 || this->EvaluationsLeft < MotionEvaluationsAhead)
   {
     return;
   }
@@ -187,7 +187,7 @@ void ClearMotion::LookAhead() noexcept
   {
     return;
   }
-  this->EvaluationsLeft = EvaluationsAhead;
+  this->EvaluationsLeft = MotionEvaluationsAhead;
   Minima minima = this->Continued(this->Place);
   if (minima.Count > 0 && this->Touched(minima) == nullptr)
   {
@@ -254,7 +254,7 @@ double ClearMotion::Wanted(double needed, const Minima& minima) const noexcept
 ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima& minima) noexcept
 {
   double wanted = this->Wanted(needed, minima);
-  for (int proof = 0; proof<MostProofs&& this->EvaluationsLeft> 0; ++proof)
+  for (int proof = 0; proof<MotionProofs&& this->EvaluationsLeft> 0; ++proof)
   {
     const auto answer = this->Clearance.AskWithin(
         wanted + this->Exactness, goal, minima.Each.data(), minima.Count, this->EvaluationsLeft);
@@ -319,7 +319,7 @@ void ClearMotion::Remember(const ClosestPoint& found) noexcept
 // Where minima are not strict. Returns the distance of all.
 double ClearMotion::Search(const Vector3& goal, Minima& minima) noexcept
 {
-  const ClosestPoint nearest = this->Surface->Search().Nearest(goal, EvaluationsOfSearch);
+  const ClosestPoint nearest = this->Surface->Search().Nearest(goal, MotionEvaluationsOfSearch);
   this->EvaluationsLeft -= nearest.Evaluations;
   minima.Each[0] = this->Surface->SeenFromOutside(nearest);
   minima.Count = this->IsExact(nearest) ? 1 : 0;

@@ -12,7 +12,7 @@ namespace
 constexpr int MostRounds = 4;
 constexpr std::size_t MostPlanes = 4;
 // A round that changes the pull by less is the last one.
-constexpr double Enough = 1e-3;
+constexpr double FacetTolerance = 1e-3;
 } // namespace
 
 FacetTracker::FacetTracker(std::shared_ptr<const FacetTree> tree, double toolRadius,
@@ -73,7 +73,7 @@ void FacetTracker::Advance(const Vector3& probe) noexcept
   {
     const Vector3 before = this->ProxyWorld;
     this->IsTouching = this->MoveTo(drawnTo, MostPlanes);
-    const double left = Enough * (probe - this->ProxyWorld).norm();
+    const double left = FacetTolerance * (probe - this->ProxyWorld).norm();
     if (!this->IsTouching || (this->ProxyWorld - before).norm() <= std::max(this->Skin, left))
     {
       break;

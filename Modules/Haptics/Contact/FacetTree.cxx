@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double FarFromFacets = std::numeric_limits<double>::infinity();
 
 Eigen::AlignedBox3d BoxOf(const Facet& facet)
 {
@@ -32,7 +32,7 @@ double PartToBox(const SphereMotion& motion, const Vector3& inverse, const Eigen
     {
       if (low > 0.0 || high < 0.0)
       {
-        return Infinite;
+        return FarFromFacets;
       }
       continue;
     }
@@ -41,7 +41,7 @@ double PartToBox(const SphereMotion& motion, const Vector3& inverse, const Eigen
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
-  return first <= last ? first : Infinite;
+  return first <= last ? first : FarFromFacets;
 }
 
 // Calls leaf(number) for the facets of all nodes whose bound(box) isOpen. A pending node keeps its
@@ -140,7 +140,7 @@ FacetTree::Nearest FacetTree::NearestTo(const Vector3& pointWorld, double within
 {
   double least = within * within;
   Nearest nearest;
-  nearest.Distance = Infinite;
+  nearest.Distance = FarFromFacets;
   Visit(
       this->Boxes,
       [&](const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(pointWorld); },

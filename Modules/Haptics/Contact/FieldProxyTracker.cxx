@@ -15,7 +15,7 @@ namespace
 // thick; a contact point is kept while it is this near; and this distance counts as converged.
 constexpr double LongestStep = 0.25;
 constexpr double Watched = 0.5;
-constexpr double Enough = 1e-3;
+constexpr double FieldTolerance = 1e-3;
 // rad; a sphere's contact point is then normal to the surface.
 constexpr double Aligned = 1e-4;
 // Limits of a tick.
@@ -192,7 +192,7 @@ void FieldProxyTracker::Settle(const Vector3& probe) noexcept
   for (int more = 0; more < MostStrides && this->Known == State::Touching; ++more)
   {
     this->Slide(probe);
-    if (this->Deepest <= Enough * this->Solid->VoxelSize())
+    if (this->Deepest <= FieldTolerance * this->Solid->VoxelSize())
     {
       break;
     }
@@ -275,13 +275,14 @@ bool FieldProxyTracker::Solve(const Vector3& goal) noexcept
     }
     const Vector3 step = held.Point - this->ToolWorld;
     const double length = step.norm();
-    const bool isThere = length <= Enough * voxel;
+    const bool isThere = length <= FieldTolerance * voxel;
     const Vector3 push = held.Point - goal;
     if (push.squaredNorm() > 0.0)
     {
       this->NormalWorld = push.normalized();
     }
-    else if (this->Deepest <= Enough * voxel && (isThere || (solve > 0 && this->FootCount == 0)))
+    else if (this->Deepest <= FieldTolerance * voxel &&
+             (isThere || (solve > 0 && this->FootCount == 0)))
     {
       return false;
     }

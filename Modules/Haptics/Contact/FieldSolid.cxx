@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double FarFromField = std::numeric_limits<double>::infinity();
 // Deeper inside, no wall is reliable as the nearest exit.
 constexpr double MostVoxelsDeep = 2.0;
 
@@ -96,7 +96,7 @@ FieldSolid::Wall FieldSolid::WallBySamples(const Vector3& pointIndex) const noex
   const ScalarField& field = this->Sampler.Field();
   const FieldMaterial& material = field.Material(this->Number);
   Wall wall;
-  wall.Distance = -Infinite;
+  wall.Distance = -FarFromField;
   for (int c = 0; c < material.ConditionCount; ++c)
   {
     const FieldCondition& condition = material.Conditions[c];
@@ -167,7 +167,7 @@ double FieldSolid::PartToEntry(const Vector3& fromWorld, const Vector3& path) co
   FieldHit hit = this->Caster.CastWorld(ray, 0.0, 1.0, material);
   if (hit.Kind != HitKind::Missed && !hit.IsEntering)
   {
-    hit = this->Caster.CastWorld(ray, std::nextafter(hit.T, Infinite), 1.0, material);
+    hit = this->Caster.CastWorld(ray, std::nextafter(hit.T, FarFromField), 1.0, material);
   }
   const bool isHit = hit.Kind == HitKind::Surface || hit.Kind == HitKind::Border;
   return isHit && hit.IsEntering ? hit.T : 1.0;

@@ -20,10 +20,10 @@ constexpr double PartOfMargin = 0.1;
 // Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
 // time for the whole proof.
 constexpr double LeastProven = 0.5;
-constexpr int MostSteps = 6;
-constexpr int MostProofs = 12;
+constexpr int WedgeSteps = 6;
+constexpr int WedgeProofs = 12;
 constexpr int EvaluationsOfMove = 640;
-constexpr int EvaluationsAhead = 160;
+constexpr int WedgeEvaluations = 160;
 
 // A wall's minimum for another query on its normal: it is the same point.
 template <typename ClosestPoint>
@@ -168,7 +168,7 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
   for (std::size_t found = 0; found < Most && this->KnownCount < MostWalls; ++found)
   {
     const typename Proof::Answer answer =
-        this->ClearanceAhead->AskWithin(nearest, place, walls.data(), count, EvaluationsAhead);
+        this->ClearanceAhead->AskWithin(nearest, place, walls.data(), count, WedgeEvaluations);
     if (answer.State != Proof::Finding::Nearer)
     {
       return;
@@ -186,7 +186,7 @@ template <typename Surface>
 void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
   Leash leash{this->Center, this->LongestStep};
-  for (int proof = 0; proof < MostProofs; ++proof)
+  for (int proof = 0; proof < WedgeProofs; ++proof)
   {
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
@@ -280,7 +280,7 @@ template <typename Surface>
 bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
   Relaxation relaxation;
-  for (int step = 0; step < MostSteps; ++step)
+  for (int step = 0; step < WedgeSteps; ++step)
   {
     const std::array<HalfSpace, MostWalls> planes = this->Planes();
     const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount);

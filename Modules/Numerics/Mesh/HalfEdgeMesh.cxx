@@ -8,12 +8,12 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t MostTriangles = 500'000'000; // four numbers each
-constexpr double MostMillimetres = 1e15;           // areas fit into float
+constexpr std::size_t MostOfHalfEdges = 500'000'000; // four numbers each
+constexpr double MostMillimetres = 1e15;             // areas fit into float
 
 Status CheckArrays(const IndexedMesh& mesh)
 {
-  if (std::max(mesh.Triangles.size(), mesh.Points.size()) > MostTriangles)
+  if (std::max(mesh.Triangles.size(), mesh.Points.size()) > MostOfHalfEdges)
   {
     return Status::Failure("The surface has more than 500 million triangles or points.");
   }

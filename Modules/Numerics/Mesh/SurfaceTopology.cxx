@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t MostTriangles = 700'000'000; // three half-edges each, numbered by int
+constexpr std::size_t MostOfTopology = 700'000'000; // three half-edges each, numbered by int
 
 void CountTriangles(const IndexedMesh& mesh, SurfaceTopology& topology)
 {
@@ -224,7 +224,7 @@ SurfaceTopology DescribeTopology(const IndexedMesh& mesh)
   { return static_cast<int>(std::min<std::size_t>(count, std::numeric_limits<int>::max())); };
   topology.Points = bounded(mesh.Points.size());
   topology.Triangles = bounded(mesh.Triangles.size());
-  if (std::max(mesh.Triangles.size(), mesh.Points.size()) > MostTriangles)
+  if (std::max(mesh.Triangles.size(), mesh.Points.size()) > MostOfTopology)
   {
     return topology;
   }
@@ -246,7 +246,7 @@ SurfaceTopology DescribeTopology(const IndexedMesh& mesh)
 
 std::string FaultOfGenusZero(const SurfaceTopology& topology)
 {
-  if (std::max(topology.Triangles, topology.Points) > static_cast<int>(MostTriangles))
+  if (std::max(topology.Triangles, topology.Points) > static_cast<int>(MostOfTopology))
   {
     return "has more than 700 million triangles or points";
   }

@@ -20,7 +20,7 @@ constexpr double LeastHeight = 1e-12;
 // Of the progress: simplification, refinement, last sweeps.
 constexpr double SimplificationShare = 0.3;
 constexpr double RefinementShare = 0.4;
-constexpr std::size_t ReportInterval = 1024; // vertices
+constexpr std::size_t VerticesPerReport = 1024; // vertices
 
 const char* const Cancelled = "The parametrisation was cancelled.";
 const char* const Degenerate =
@@ -92,7 +92,8 @@ Status ReturnAll(const MeshSimplification& simplification, const KernelProgress&
       refinement.SweepLevel();
     }
     const double done = static_cast<double>(count - i) / static_cast<double>(count);
-    if (i % ReportInterval == 0 && !Report(progress, SimplificationShare + RefinementShare * done))
+    if (i % VerticesPerReport == 0 &&
+        !Report(progress, SimplificationShare + RefinementShare * done))
     {
       return Status::Failure(Cancelled);
     }
