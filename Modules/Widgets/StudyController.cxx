@@ -331,6 +331,7 @@ void StudyController::ResumeStep(SceneStep step)
 void StudyController::StartTouch()
 {
   this->Open.StartTouch();
+  this->LookAtProblems(); // what is tried again is told again
   this->Look();
 }
 
@@ -387,6 +388,7 @@ void StudyController::StopRecording()
 void StudyController::OpenReplay(const std::filesystem::path& file)
 {
   this->Open.OpenReplay(StudyPath(file));
+  this->LookAtProblems();
   this->Look();
 }
 
@@ -399,6 +401,7 @@ void StudyController::CloseReplay()
 void StudyController::ExportReplay(const std::filesystem::path& file)
 {
   this->Open.ExportReplay(file);
+  this->LookAtProblems();
 }
 
 void StudyController::PlayReplay(bool isPlayed)
