@@ -3,6 +3,7 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "SceneTool.h"
+#include "SmoothStep.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +54,7 @@ private:
 double DepthAt(int tick, double depth)
 {
   const double part = std::min(1.0, static_cast<double>(tick) / PressTicks);
-  const double eased = part * part * (3.0 - 2.0 * part);
-  return depth * (eased - 0.2 * part * (1.0 - std::cos(0.05 * tick)));
+  return depth * (SmoothStep(part) - 0.2 * part * (1.0 - std::cos(0.05 * tick)));
 }
 
 // A hand guided by the reference's proxy.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "SmoothStep.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct ContactMark
   {
     const double distance = (pointWorld - this->PlaceWorld).norm() / this->Radius;
     const double outer = std::clamp(2.0 * distance - 1.0, 0.0, 1.0);
-    return this->Strength * (1.0 - outer * outer * (3.0 - 2.0 * outer));
+    return this->Strength * (1.0 - SmoothStep(outer));
   }
 };
 

@@ -1,5 +1,7 @@
 #include "ElasticBed.h"
 
+#include "SmoothStep.h"
+
 #include "Units.h"
 
 #include <algorithm>
@@ -55,7 +57,7 @@ double ElasticBed::At(const Vector3& direction) const
   {
     const double angle = std::acos(std::clamp(direction.dot(cone.Axis), -1.0, 1.0));
     const double t = std::clamp((angle - cone.HalfAngle) / Rim, 0.0, 1.0);
-    part *= t * t * (3.0 - 2.0 * t);
+    part *= SmoothStep(t);
   }
   double stiffness = this->Stiffness * part;
   for (const Holder& holder : this->Holders)

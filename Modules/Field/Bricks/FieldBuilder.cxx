@@ -134,7 +134,8 @@ Status FieldBuilder::CheckCondition(const FieldCondition& condition,
 
 Status FieldBuilder::CheckMaterials(const std::vector<ChannelSurvey>& surveys) const
 {
-  if (this->Materials.empty() || this->Materials.size() > MostMaterials)
+  const bool isEmpty = this->Materials.empty() && !this->KeepsAll;
+  if (isEmpty || this->Materials.size() > MostMaterials)
   {
     return Status::Failure("A field needs 1 to " + std::to_string(MostMaterials) +
                            " materials; it was given " + std::to_string(this->Materials.size()) +

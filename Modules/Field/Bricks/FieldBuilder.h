@@ -33,7 +33,8 @@ public:
   {
     this->Form.Interpolation = interpolation;
   }
-  /// Stores every brick, so that FieldSampler has samples everywhere.
+  /// Stores every brick, so that FieldSampler has samples everywhere; such a field needs no
+  /// material.
   void KeepAll() { this->KeepsAll = true; }
   /// Also stores the bricks that a material fills, with all its channels, as drilling requires.
   /// Without this they take one number each; with it, the memory of their nodes (729 numbers for

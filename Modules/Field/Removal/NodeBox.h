@@ -69,6 +69,19 @@ inline Eigen::AlignedBox3d IndexBounds(const FieldGrid& grid,
   return index;
 }
 
+/// The box in the world (mm) that contains one along the grid's axes (continuous indices).
+inline Eigen::AlignedBox3d WorldBounds(const FieldGrid& grid,
+                                       const Eigen::AlignedBox3d& boxIndex) noexcept
+{
+  Eigen::AlignedBox3d world;
+  for (int n = 0; n < 8; ++n)
+  {
+    const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(n);
+    world.extend(grid.PointWorld(boxIndex.corner(corner)));
+  }
+  return world;
+}
+
 /// The nodes needed to interpolate within a box in the world (mm), and `margin` more on each side,
 /// clipped to the grid.
 inline NodeBox NodesRound(const FieldGrid& grid, const Eigen::AlignedBox3d& boxWorld,

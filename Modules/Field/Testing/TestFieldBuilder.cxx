@@ -1,4 +1,5 @@
 #include "FieldCases.h"
+#include "FieldSampler.h"
 #include "ProceduralFields.h"
 
 #include <cstdint>
@@ -89,6 +90,19 @@ TEST(FieldBuilder, RejectsSingleSliceVolume)
   FieldBuilder builder(slice);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(ramp.data(), slice)), 2.5});
   EXPECT_TRUE(Details(RefusalOf(builder), "1 samples along axis 2"));
+}
+
+TEST(FieldBuilder, NeedsNoMaterialIfAllIsKept)
+{
+  const std::vector<double> constant(6 * 6 * 6, 7.5);
+  FieldBuilder builder(Cube);
+  builder.AddChannel(SamplesOfGrid(constant.data(), Cube));
+  builder.KeepAll();
+  std::shared_ptr<const ScalarField> field;
+  ASSERT_TRUE(builder.Build(field).IsOk());
+  const FieldSample sample = FieldSampler(field).ValueIndex(0, {2.5, 1.0, 4.25});
+  EXPECT_EQ(sample.Kind, SampleKind::Sampled);
+  EXPECT_EQ(sample.Value, 7.5);
 }
 
 TEST(FieldBuilder, RejectsInvalidMaterials)

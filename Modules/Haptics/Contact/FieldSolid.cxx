@@ -1,5 +1,7 @@
 #include "FieldSolid.h"
 
+#include "NodeBox.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,14 +45,7 @@ Eigen::AlignedBox3d OccupiedIndex(const ScalarField& field, int material)
 
 Eigen::AlignedBox3d FieldSolid::BoundsOf(const ScalarField& field, int material)
 {
-  const Eigen::AlignedBox3d index = OccupiedIndex(field, material);
-  Eigen::AlignedBox3d world;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);
-    world.extend(field.Grid().PointWorld(index.corner(type)));
-  }
-  return world;
+  return WorldBounds(field.Grid(), OccupiedIndex(field, material));
 }
 
 Status FieldSolid::Make(const std::shared_ptr<const ScalarField>& field, int material,
