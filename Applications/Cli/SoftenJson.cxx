@@ -3,7 +3,6 @@
 #include "JsonSchema.h"
 #include "PatientSides.h"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -61,8 +60,7 @@ Json BuiltJson(const SoftenedModel& made)
   return {{"elements_across", numbers.ElementsAcross},
           {"element_mm", made.Softness.Account.ElementEdge},
           {"unknowns", made.Softness.Account.Unknowns},
-          {"compliance_degree",
-           std::min(numbers.Degree, OrganSoftening::MostDegreePerElement * numbers.ElementsAcross)},
+          {"compliance_degree", made.Softness.ComplianceDegree},
           {"map_degree", maps.Degree},
           {"largest_patch_mm", maps.LargestPatch},
           {"map_error_rms", maps.FitError.Rms},

@@ -7,7 +7,6 @@
 #include "Refusal.h"
 #include "SofteningKey.h"
 #include "SphereQuadrature.h"
-#include "SurfaceCurvature.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -79,31 +78,15 @@ double PartNextTo(const InclusionFractions& structure, const SphericalHarmonicMo
   return std::min(part, 1.0);
 }
 
-// Radius of the sharpest hollow of the surface, mm; infinite if there is none.
-double SharpestHollow(const SphericalHarmonicModel& model)
-{
-  constexpr int LeastDegree = 30;
-  double sharpest = 0.0;
-  for (const Vector3& direction :
-       SphereQuadrature(std::max(LeastDegree, 3 * model.Degree())).Directions)
-  {
-    const auto sample = model.EvaluateSecondOrder(direction);
-    sharpest = std::max(sharpest, -CurvatureAt(direction, sample).Principal[1]);
-  }
-  return 1.0 / sharpest;
-}
-
 // Measured in a notch of 90 degrees (TestElasticNotch), for a hollow that the harmonics of the
 // compliance do not resolve.
 std::string HollowNote(const SphericalHarmonicModel& model, int degree)
 {
-  constexpr double Sharp = 3.0; // mm
-  constexpr int Enough = 20;
-  const double radius = SharpestHollow(model);
-  return radius < Sharp && degree < Enough
+  const double radius = OrganSoftening::SharpestHollow(model);
+  return radius < OrganSoftening::SharpHollow && degree < OrganSoftening::DegreeInHollows
              ? "the surface has a hollow with a radius of " + FixedText(radius, 1) +
                    " mm: where a ball touches both sides of it, its force may be off by 14 %; a "
-                   "compliance of degree 20 makes that 8 %"
+                   "compliance of degree 20, with at least 10 elements across, makes that 8 %"
              : std::string();
 }
 
@@ -257,7 +240,8 @@ ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
   ModelSoftness made;
   Composition composition(settings, *radial, made);
   const ElasticSolid solid = composition.Solid(progress);
-  if (const std::string note = HollowNote(*radial, settings.Numbers.Degree); !note.empty())
+  made.ComplianceDegree = settings.Numbers.DegreeFor(*radial);
+  if (const std::string note = HollowNote(*radial, made.ComplianceDegree); !note.empty())
   {
     made.Notes.push_back(note);
   }

@@ -20,6 +20,7 @@ struct ModelSoftness
   /// "20 kPa, inclusions of 60 kPa": without those that lie outside of the model.
   std::string Tissue;
   OrganSoftening::Account Account;
+  int ComplianceDegree = 0;
   bool IsFromCache = false;
   std::vector<InclusionShare> Inclusions; ///< those of the settings, in their order
   std::vector<std::string> Notes;         ///< on images, neighbours and the model's shape

@@ -25,7 +25,7 @@ SofteningKey::SofteningKey(const SphericalHarmonicModel& model, const SofteningS
   for (const double number :
        {settings.TissueKilopascal, settings.PoissonRatio, settings.Exaggeration,
         settings.BedPerMillimeter, settings.FreeDegrees, 1.0 * numbers.ElementsAcross,
-        1.0 * numbers.Degree, 1.0 * numbers.Maps.Degree, numbers.Maps.LargestPatch})
+        1.0 * numbers.DegreeFor(model), 1.0 * numbers.Maps.Degree, numbers.Maps.LargestPatch})
   {
     this->AddNumber(number);
   }

@@ -210,7 +210,8 @@ int EvenUp(double number)
   return 2 * static_cast<int>(std::ceil(0.5 * number));
 }
 
-// Of the settings that are softened by: the degree of the compliance is what the elements carry.
+// Of the settings that are softened by: the degree of the compliance is what the elements carry, or
+// 0 if the surface decides.
 OrganSoftening NumbersOf(const SceneStructure& structure)
 {
   OrganSoftening numbers = SofteningSettingsOf(structure).Numbers;
@@ -282,6 +283,9 @@ std::vector<ContactSetting> VaryElastic(const ContactSetting& standard,
   constexpr std::array<double, 2> ElementParts{{0.75, 0.5}};
   constexpr std::array<double, 2> DegreeParts{{4.0 / 3.0, 2.0 / 3.0}};
   const OrganSoftening numbers = NumbersOf(standard.Structure);
+  const int degree = numbers.Degree > 0
+                         ? numbers.Degree
+                         : std::min(OrganSoftening::UsualDegree, numbers.ElementsAcross);
   std::vector<ContactSetting> settings{Explicit(standard, numbers)};
   for (const double part : ElementParts)
   {
@@ -294,7 +298,7 @@ std::vector<ContactSetting> VaryElastic(const ContactSetting& standard,
   for (const double part : DegreeParts)
   {
     OrganSoftening other = numbers;
-    other.Degree = std::min({DegreeOf(part, numbers.Degree), ReducedCompliance::MostDegree,
+    other.Degree = std::min({DegreeOf(part, degree), ReducedCompliance::MostDegree,
                              OrganSoftening::MostDegreePerElement * numbers.ElementsAcross});
     settings.push_back(Explicit(standard, other));
   }
@@ -313,6 +317,15 @@ std::string TextOf(const ContactSetting& setting, const char* key, const std::st
 {
   const auto number = static_cast<int>(setting.Structure.Number(key));
   return number > 0 ? before + std::to_string(number) + after : std::string();
+}
+
+// A file's maps say nothing of it.
+std::string ComplianceTextOf(const ContactSetting& setting, const std::string& before,
+                             const std::string& automatic)
+{
+  const bool isOfFile = setting.Structure.Number(TissueKey::Elements) == 0.0;
+  const std::string degree = TextOf(setting, TissueKey::ComplianceDegree, before);
+  return degree.empty() && !isOfFile ? automatic : degree;
 }
 } // namespace
 
@@ -340,7 +353,9 @@ ContactSetting FinestElastic(const ContactSetting& standard, int highestDegree)
   OrganSoftening numbers = NumbersOf(standard.Structure);
   numbers.ElementsAcross =
       std::min(SofteningSettings::MostElements, EvenUp(MoreElements * numbers.ElementsAcross));
-  numbers.Degree = raised(HigherDegree, numbers.Degree, ReducedCompliance::MostDegree);
+  numbers.Degree = numbers.Degree > 0
+                       ? raised(HigherDegree, numbers.Degree, ReducedCompliance::MostDegree)
+                       : std::min(OrganSoftening::DegreeInHollows, numbers.ElementsAcross);
   numbers.Maps.Degree = raised(HigherMaps, numbers.Maps.Degree, ComplianceMaps::MostDegree);
   return Explicit(standard, numbers);
 }
@@ -361,13 +376,14 @@ SceneRepresentation ElasticRepresentation()
   elastic.Describe = [](const ContactSetting& setting)
   {
     return "elastic" + TextOf(setting, TissueKey::Elements, ", ", " elements across") +
-           TextOf(setting, TissueKey::ComplianceDegree, ", compliance of degree ") +
+           ComplianceTextOf(setting, ", compliance of degree ",
+                            ", compliance of automatic degree") +
            TextOf(setting, TissueKey::MapDegree, ", maps of degree ");
   };
   elastic.KeyOf = [](const ContactSetting& setting)
   {
     return "elastic" + TextOf(setting, TissueKey::Elements, "/elements-") +
-           TextOf(setting, TissueKey::ComplianceDegree, "/compliance-") +
+           ComplianceTextOf(setting, "/compliance-", "/compliance-auto") +
            TextOf(setting, TissueKey::MapDegree, "/maps-");
   };
   elastic.Vary = VaryElastic;

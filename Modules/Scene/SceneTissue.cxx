@@ -41,7 +41,8 @@ std::vector<SceneNumber> TissueNumbers()
            TissueMap::MostExaggeration, 2},
           {TissueKey::Elements, "Finite elements across (0: 16)",
            1.0 * SofteningSettings::MostElements, 0},
-          {TissueKey::ComplianceDegree, "Degree of the elements' compliance (0: 12)",
+          {TissueKey::ComplianceDegree,
+           "Degree of the elements' compliance (0: as the surface needs)",
            1.0 * ReducedCompliance::MostDegree, 0},
           {TissueKey::MapDegree, "Degree of the maps that are felt (0: 20)",
            1.0 * ComplianceMaps::MostDegree, 0}};
@@ -84,10 +85,7 @@ SofteningSettings SofteningSettingsOf(const SceneStructure& structure)
   double elements = settings.Numbers.ElementsAcross;
   Take(structure, TissueKey::Elements, elements);
   settings.Numbers.ElementsAcross = static_cast<int>(elements);
-  // Elements cannot bend in waves of fewer than four along a great circle's quarter.
-  double degree = std::min(settings.Numbers.Degree, settings.Numbers.ElementsAcross);
-  Take(structure, TissueKey::ComplianceDegree, degree);
-  settings.Numbers.Degree = static_cast<int>(degree);
+  settings.Numbers.Degree = static_cast<int>(structure.Number(TissueKey::ComplianceDegree));
   // Lower degrees are parts of the usual maps, so that choosing one does not soften again.
   settings.Numbers.Maps.Degree = std::max(settings.Numbers.Maps.Degree,
                                           static_cast<int>(structure.Number(TissueKey::MapDegree)));

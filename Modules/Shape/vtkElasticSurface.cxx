@@ -135,7 +135,6 @@ bool vtkElasticSurface::Soften(vtkTable* table, vtkImageData* moduli)
   }
   palpate::OrganSoftening numbers;
   numbers.ElementsAcross = this->ElementsAcross + this->ElementsAcross % 2;
-  numbers.Degree = std::min(numbers.Degree, numbers.ElementsAcross);
   palpate::OrganSoftening::Account account;
   const palpate::Status status = numbers.Make(
       made->Model, solid,

@@ -94,7 +94,6 @@ Notch MakeNotch()
                            ElasticBed(1e-3 * bed)};
   OrganSoftening softening;
   softening.ElementsAcross = 12;
-  softening.Degree = 20;
   softening.Maps.Degree = 20;
   OrganSoftening::Account account;
   Status status = softening.Make(*notch.Model, solid, {}, notch.Maps, account);

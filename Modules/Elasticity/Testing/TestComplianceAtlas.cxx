@@ -1,7 +1,10 @@
 #include "ElasticCases.h"
 #include "OrganSoftening.h"
+#include "SphericalHarmonicProjection.h"
+#include "Units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -151,6 +154,25 @@ TEST(ComplianceMaps, OfADeepHollowAreThoseOfABody)
   const ComplianceMaps maps = MapsOf(organ, {16, 0.0});
   EXPECT_LT(ComplianceAtlas(maps).At(test::HollowDirection()).MeanCurvature, -0.1);
   EXPECT_TRUE(maps.Check().IsOk()) << maps.Check().Message();
+}
+
+TEST(OrganSoftening, DegreeIsWhatTheSurfaceNeedsAndElementsCarry)
+{
+  const SphericalHarmonicModel ball(0, {20.0 * std::sqrt(4.0 * Pi)}, Vector3::Zero());
+  const auto groove = [](const Vector3& direction)
+  { return 20.0 - 4.0 * std::exp(-std::pow(direction.x() / 0.15, 2)); };
+  const SphericalHarmonicModel cleft(24, ProjectOnHarmonics(24, 96, groove), Vector3::Zero());
+  EXPECT_EQ(OrganSoftening::SharpestHollow(ball), std::numeric_limits<double>::infinity());
+  // 0.75 mm before its harmonics above 24 are left out.
+  EXPECT_NEAR(OrganSoftening::SharpestHollow(cleft), 1.0, 0.3);
+  OrganSoftening softening;
+  EXPECT_EQ(softening.DegreeFor(ball), 12);
+  EXPECT_EQ(softening.DegreeFor(cleft), 20);
+  softening.ElementsAcross = 6;
+  EXPECT_EQ(softening.DegreeFor(ball), 6);
+  EXPECT_EQ(softening.DegreeFor(cleft), 12);
+  softening.Degree = 16;
+  EXPECT_EQ(softening.DegreeFor(ball), 12) << "two for each element";
 }
 
 TEST(OrganSoftening, MakesTheSameMapsAsItsParts)

@@ -4,6 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
+#include <future>
+#include <vector>
+
 namespace palpate::reduced_compliance_test
 {
 namespace
@@ -66,6 +69,34 @@ TEST(ReducedCompliance, IsSymmetricAndPositive)
     EXPECT_EQ((c - c.transpose()).norm(), 0.0);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values(c, Eigen::EigenvaluesOnly);
     EXPECT_GT(values.eigenvalues().minCoeff(), 0.0) << nu;
+  }
+}
+
+TEST(ReducedCompliance, IsTheSameFromSeveralThreads)
+{
+  std::mt19937_64 random(7);
+  test::ElasticCase organ;
+  organ.Model = test::RandomModel(random);
+  ASSERT_NO_FATAL_FAILURE(organ.Build(6, 4));
+  const auto differences = [&organ]
+  {
+    int count = 0;
+    for (int repeat = 0; repeat < 8; ++repeat)
+    {
+      ReducedCompliance again;
+      const bool isMade = ReducedCompliance::Make(organ.Mesh, organ.Stiffness, 4, {}, again).IsOk();
+      count += isMade && again.Matrix() == organ.Reduced.Matrix() ? 0 : 1;
+    }
+    return count;
+  };
+  std::vector<std::future<int>> threads;
+  for (int thread = 0; thread < 4; ++thread)
+  {
+    threads.push_back(std::async(std::launch::async, differences));
+  }
+  for (std::future<int>& thread : threads)
+  {
+    EXPECT_EQ(thread.get(), 0);
   }
 }
 

@@ -108,8 +108,10 @@ TEST(ModelSoftening, TellsOfASharpHollow)
   EXPECT_NE(warnings.front().find("hollow with a radius of"), std::string::npos);
   EXPECT_TRUE(SoftenModel(holed(1.0, 0.5), "flat", settings, GoOn).Warnings().empty());
   settings.Numbers.ElementsAcross = 10;
-  settings.Numbers.Degree = 20;
-  EXPECT_TRUE(SoftenModel(holed(5.0, 0.3), "holed", settings, GoOn).Warnings().empty());
+  settings.Numbers.Degree = 0;
+  const ModelSoftness chosen = SoftenModel(holed(5.0, 0.3), "holed", settings, GoOn);
+  EXPECT_TRUE(chosen.Warnings().empty());
+  EXPECT_EQ(chosen.ComplianceDegree, OrganSoftening::DegreeInHollows);
 }
 
 // Beyond x0 (mm); the ball's surface is at 14 mm.

@@ -127,11 +127,12 @@ TEST(ElasticCandidates, VaryOneNumberAtATime)
   EXPECT_EQ(
       KeysOf(CandidatesFor(sphere.Scene, 0)),
       (std::set<std::string>{
-          "elastic/elements-16/compliance-12/maps-20", "elastic/elements-12/compliance-12/maps-20",
-          "elastic/elements-8/compliance-8/maps-20", "elastic/elements-16/compliance-16/maps-20",
-          "elastic/elements-16/compliance-8/maps-20", "elastic/elements-16/compliance-12/maps-16",
-          "elastic/elements-16/compliance-12/maps-12", "elastic/elements-16/compliance-12/maps-8",
-          "harmonics/nearest"}));
+          "elastic/elements-16/compliance-auto/maps-20",
+          "elastic/elements-12/compliance-auto/maps-20",
+          "elastic/elements-8/compliance-auto/maps-20", "elastic/elements-16/compliance-16/maps-20",
+          "elastic/elements-16/compliance-8/maps-20", "elastic/elements-16/compliance-auto/maps-16",
+          "elastic/elements-16/compliance-auto/maps-12",
+          "elastic/elements-16/compliance-auto/maps-8", "harmonics/nearest"}));
   sphere.Scene.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
   EXPECT_TRUE(CandidatesFor(sphere.Scene, 0).empty());
 }
@@ -165,7 +166,7 @@ TEST_F(ElasticTrade, MeasuresEverySettingByItsOwnForce)
 TEST_F(ElasticTrade, ErrorsShrinkWithTheDegreeOfTheMaps)
 {
   const auto errorOf = [](int degree)
-  { return RowOf("elastic/elements-6/compliance-6/maps-" + std::to_string(degree)).ForceMean; };
+  { return RowOf("elastic/elements-6/compliance-auto/maps-" + std::to_string(degree)).ForceMean; };
   EXPECT_GT(errorOf(8), errorOf(12));
   EXPECT_GT(errorOf(12), errorOf(16));
   // From there on the elements' error is larger than that of the maps.
@@ -174,7 +175,7 @@ TEST_F(ElasticTrade, ErrorsShrinkWithTheDegreeOfTheMaps)
 
 TEST_F(ElasticTrade, MapsOfLowerDegreeAreSmaller)
 {
-  EXPECT_LT(RowOf("elastic/elements-6/compliance-6/maps-8").Bytes, Rows->front().Bytes);
+  EXPECT_LT(RowOf("elastic/elements-6/compliance-auto/maps-8").Bytes, Rows->front().Bytes);
 }
 
 TEST_F(ElasticTrade, RigidRowHasTheLargestError)
