@@ -1,5 +1,6 @@
 #include "SoftenCommand.h"
 
+#include "CancelDeadline.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
@@ -168,9 +169,12 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->check(CLI::Range(SofteningSettings::FewestElements, SofteningSettings::MostElements))
       ->capture_default_str();
   app.add_option("--degree", this->Settings.Numbers.Degree,
-                 "Degree of the harmonics of the finite elements' compliance")
-      ->check(CLI::Range(4, ReducedCompliance::MostDegree))
-      ->capture_default_str();
+                 "Degree of the harmonics of the finite elements' compliance (default: " +
+                     std::to_string(OrganSoftening::UsualDegree) + ", or " +
+                     std::to_string(OrganSoftening::DegreeInHollows) +
+                     " if the surface has a hollow with a radius below " +
+                     FixedText(OrganSoftening::SharpHollow, 0) + " mm)")
+      ->check(CLI::Range(4, ReducedCompliance::MostDegree));
   app.add_option("--map-degree", this->Settings.Numbers.Maps.Degree,
                  "Degree of the maps that are kept; a tick's time grows with its square")
       ->check(CLI::Range(4, ComplianceMaps::MostDegree))
@@ -269,17 +273,22 @@ int SoftenCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->CheckOutputs();
-  const SofteningSettings settings = this->Read(console);
+  SofteningSettings settings = this->Read(console);
   ModelDocument model = ReadModel(this->Model);
   std::vector<std::pair<std::string, double>> stages;
   StageClock clock(stages);
   const ModelSoftness softness =
-      SoftenModel(model.Surface, this->Model.string(), settings, ProgressOn(console),
-                  SofteningCache::OfProcess().get());
+      Cancellably(console,
+                  [&]
+                  {
+                    return SoftenModel(model.Surface, this->Model.string(), settings,
+                                       ProgressOn(console), SofteningCache::OfProcess().get());
+                  });
   clock.EndStage("softening");
   console.EndProgress();
   Tell(softness.Warnings(), console);
   model.Elasticity = softness.Elasticity;
+  settings.Numbers.Degree = softness.ComplianceDegree;
   for (const auto& entry : DescribeSettings(settings))
   {
     model.Provenance.Settings.push_back(entry);

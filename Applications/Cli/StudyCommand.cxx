@@ -1,5 +1,6 @@
 #include "StudyCommand.h"
 
+#include "CancelDeadline.h"
 #include "CaseTally.h"
 #include "CommandProgress.h"
 #include "Console.h"
@@ -72,10 +73,12 @@ void ShowProgress(Study& study, Console& console)
 void MakeAll(Study& study, Console& console)
 {
   constexpr std::chrono::milliseconds Glance(50);
+  constexpr std::chrono::seconds LongerThanTheDeadline(10);
   while (!study.Jobs().IsIdle())
   {
     if (Interruption::WasAsked())
     {
+      static_cast<void>(study.Close(LongerThanTheDeadline));
       throw Cancelled();
     }
     study.Jobs().WaitForResult(Glance);
@@ -257,7 +260,7 @@ int StudyCommand::Run(Console& console)
   SteadyClock clock;
   Study study(clock);
   study.Open(this->Input);
-  MakeAll(study, console);
+  Cancellably(console, [&] { MakeAll(study, console); });
   console.EndProgress();
   const std::vector<Line> lines = LinesOf(study);
   Print(lines, this->Json, console);

@@ -1,5 +1,6 @@
 #include "TouchCommand.h"
 
+#include "CancelDeadline.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DeviceOption.h"
@@ -431,7 +432,8 @@ int TouchCommand::Run(Console& console)
   {
     CheckOutputFolder(this->OutputFolder);
   }
-  const PreparedTouch touch = PrepareTouch(this->Settings(), this->Script(), ProgressOn(console));
+  const PreparedTouch touch = Cancellably(
+      console, [&] { return PrepareTouch(this->Settings(), this->Script(), ProgressOn(console)); });
   console.EndProgress();
   for (const std::string& warning : touch.Warnings)
   {

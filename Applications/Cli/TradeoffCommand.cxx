@@ -1,5 +1,6 @@
 #include "TradeoffCommand.h"
 
+#include "CancelDeadline.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
@@ -189,7 +190,8 @@ int TradeoffCommand::Run(Console& console)
     MakeOutputFolder(this->OutputFolder);
   }
   const SteadyClock clock;
-  const TradeResult result = RunTrade(settings, clock, ProgressOn(console));
+  const TradeResult result =
+      Cancellably(console, [&] { return RunTrade(settings, clock, ProgressOn(console)); });
   console.EndProgress();
   this->Write(result, console);
   return 0;
