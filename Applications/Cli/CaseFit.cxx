@@ -26,7 +26,6 @@
 #include <iomanip>
 #include <new>
 #include <numeric>
-#include <optional>
 #include <ostream>
 #include <sstream>
 
@@ -102,7 +101,7 @@ void RemarkOnVolume(const Volume& volume, FitResult& result)
   if (!Covers(volume.Image, result.Surface->GetBounds()))
   {
     result.Notes.emplace_back(
-        "the volume does not cover the whole structure; check that it belongs to the mask");
+        "the volume does not cover the whole structure; check that it belongs to it");
   }
 }
 
@@ -170,10 +169,6 @@ private:
       Refuse(this->Mask.Mask, "is a surface",
              "leave out --label, --component, --method and --smoothing, which are for masks");
     }
-    if (this->Mask.Slices != nullptr)
-    {
-      Refuse(this->Mask.Mask, "is a surface", "leave out --volume, which is for masks");
-    }
   }
 
   void FitSurfaceOfFile()
@@ -182,6 +177,7 @@ private:
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
     const vtkSmartPointer<vtkPolyData> surface = ReadSurface(this->Mask.Mask);
+    this->ReadSlices();
     clock.EndStage("read");
     this->IsOnly = this->Mask.IsAlone;
     Segment structure;
@@ -194,7 +190,7 @@ private:
 
   void FitStructures()
   {
-    if (this->Mask.MayBeSurface && SurfaceFormats().Reader(this->Mask.Mask) != nullptr)
+    if (SurfaceFormats().Reader(this->Mask.Mask) != nullptr)
     {
       this->FitSurfaceOfFile();
       return;
@@ -202,13 +198,8 @@ private:
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
     const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->Images.LeftHanded());
-    std::optional<Volume> volume;
-    if (!this->Mask.SlicesFile.empty())
-    {
-      volume = ReadVolume(this->Mask.SlicesFile, this->Images.Choice());
-    }
+    this->ReadSlices();
     clock.EndStage("read");
-    this->Slices = volume ? &*volume : this->Mask.Slices;
     for (const std::string& note : segmentation.Notes)
     {
       this->Output.Note(this->Mask.Name + ": " + note);
@@ -226,6 +217,16 @@ private:
           choice.Found[n], n, choice.Found.size(), readTime.front().second,
           [&](const ProgressFunction& progress)
           { return FitStructure(segmentation, choice.Found[n], this->Mask.Settings, progress); });
+    }
+  }
+
+  void ReadSlices()
+  {
+    this->Slices = this->Mask.Slices;
+    if (!this->Mask.SlicesFile.empty())
+    {
+      this->OwnSlices = ReadVolume(this->Mask.SlicesFile, this->Images.Choice());
+      this->Slices = &this->OwnSlices;
     }
   }
 
@@ -312,6 +313,7 @@ private:
   const ImageOptions& Images;
   Console& Output;
   const TakeResult& Take;
+  Volume OwnSlices;
   const Volume* Slices = nullptr;
   bool IsOnly = false;
   std::size_t FileNotes = 0;

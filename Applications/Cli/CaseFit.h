@@ -16,7 +16,7 @@ class ImageOptions;
 /// Title of a structure in progress lines: its name, or "label 1".
 std::string ShortTitle(const Segment& structure);
 
-/// A mask or a surface whose structures are fitted, written and reported.
+/// A mask or a closed surface (SurfaceFormats) whose structures are fitted, written and reported.
 struct MaskToFit
 {
   std::filesystem::path Mask;
@@ -34,8 +34,6 @@ struct MaskToFit
   /// Output is bad input.
   bool IsAlone = false;
   bool Json = false; ///< on standard output, instead of a line
-  /// Mask may be a closed surface (SurfaceFormats).
-  bool MayBeSurface = false;
 
   ///@{ This mask's part of the whole run, and the title of its progress for a structure, its number
   /// from 1, and their count.

@@ -41,6 +41,10 @@ CohortRow RowOf(const CohortCase& one, FitResult result)
   row.Degree = DegreeOf(result.Model);
   row.CenterWorld = CenterOf(result.Model);
   result.Model = {};
+  if (result.IsOfSurface)
+  {
+    result.Structure = {}; // its name is the file's, and would differ from case to case
+  }
   row.Result = std::move(result);
   return row;
 }

@@ -34,9 +34,8 @@ std::string FitCommand::Examples() const
 void FitCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs,
-                 "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or folders of them. Or closed "
-                 "surfaces (" +
-                     ListOfEndings(SurfaceFormats().ReadEndings()) + ")");
+                 "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or closed surfaces (" +
+                     ListOfEndings(SurfaceFormats().ReadEndings()) + "); or folders of either");
   app.add_option("--manifest", this->Manifest,
                  "Table of cases: case,mask,label,volume; paths are relative to its folder, or to "
                  "MASK if that is a folder")
@@ -141,7 +140,6 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   mask.PlaceOf = [&](const Segment& structure) { return this->Names.Take(file, structure); };
   mask.IsAlone = count == 1;
   mask.Json = this->Json;
-  mask.MayBeSurface = true;
   mask.From = static_cast<double>(file) / static_cast<double>(count);
   mask.To = static_cast<double>(file + 1) / static_cast<double>(count);
   mask.TitleOf = [&](std::size_t number, std::size_t all, const Segment& structure)

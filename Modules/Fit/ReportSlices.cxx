@@ -3,16 +3,20 @@
 #include "AnatomicalView.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
+#include "MeshConversion.h"
+#include "MeshVoxels.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SliceContour.h"
 #include "SliceImage.h"
 #include "SlicePlane.h"
 
+#include "vtkImageData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace palpate
 {
@@ -21,14 +25,46 @@ namespace
 constexpr int AxialCount = 4;
 constexpr int LongestSide = 340; // pixels
 
+constexpr double CubesToDraw = 1.0e6;
+
+// What the planes are chosen in: the mask, or the cubes inside a surface.
+struct Voxels
+{
+  vtkSmartPointer<vtkImageData> Image;
+  int Value = 1;
+};
+
+Voxels VoxelsOf(const FitResult& result)
+{
+  if (result.Mask || !result.IsOfSurface || !result.Surface)
+  {
+    return {result.Mask, result.Structure.Value};
+  }
+  const IndexedMesh mesh = ToIndexedMesh(result.Surface);
+  const VoxelCenters grid = CubesAround(mesh, CubesToDraw);
+  std::vector<std::uint8_t> inside;
+  if (!FindInside(mesh, grid, false, inside).IsOk())
+  {
+    return {};
+  }
+  Voxels cubes{vtkSmartPointer<vtkImageData>::New()};
+  cubes.Image->SetDimensions(grid.Size.data());
+  cubes.Image->SetOrigin(grid.Origin.data());
+  cubes.Image->SetSpacing(grid.Axes(0, 0), grid.Axes(1, 1), grid.Axes(2, 2));
+  cubes.Image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  std::copy(inside.begin(), inside.end(),
+            static_cast<std::uint8_t*>(cubes.Image->GetScalarPointer()));
+  return cubes;
+}
+
 std::vector<std::vector<float>> SampleAll(const std::vector<SlicePlane>& planes,
-                                          const FitResult& result, const Volume* volume)
+                                          const Voxels& voxels, const Volume* volume)
 {
   std::vector<std::vector<float>> values(planes.size());
   vtkSMPTools::Transform(planes.begin(), planes.end(), values.begin(),
                          [&](const SlicePlane& plane) {
                            return volume ? SampleLinear(volume->Image, plane)
-                                         : SampleNearest(result.Mask, plane);
+                                         : SampleNearest(voxels.Image, plane);
                          });
   return values;
 }
@@ -101,7 +137,10 @@ std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage
                     "%\" role=\"img\" viewBox=\"0 0 " + width + " " + height + "\" aria-label=\"" +
                     plane.Name + " slice\"><image width=\"" + width + "\" height=\"" + height +
                     "\" href=\"" + PngDataUri(raster) + "\"/>";
-  svg += PathElement("mask", MaskOutlinePath(result.Mask, result.Structure.Value, plane));
+  if (result.Mask)
+  {
+    svg += PathElement("mask", MaskOutlinePath(result.Mask, result.Structure.Value, plane));
+  }
   if (result.Surface)
   {
     svg += PathElement("surface", SurfaceContourPath(result.Surface, plane));
@@ -111,8 +150,12 @@ std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage
     svg += PathElement("model", SurfaceContourPath(result.ModelSurface, plane));
   }
   svg += Letters(plane) + ScaleBar(plane);
-  std::string caption = plane.Name + ", slice " + std::to_string(plane.SliceNumber) + " of " +
-                        std::to_string(plane.SliceCount);
+  std::string caption = plane.Name;
+  if (result.Mask)
+  {
+    caption +=
+        ", slice " + std::to_string(plane.SliceNumber) + " of " + std::to_string(plane.SliceCount);
+  }
   if (place != nullptr)
   {
     svg += Ring(plane, *place);
@@ -123,30 +166,35 @@ std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage
 
 std::string Legend(const FitResult& result, const Volume* volume)
 {
-  std::string html =
-      "<ul class=\"legend\"><li><i class=\"mask\"></i>mask, edges of its voxels</li>";
+  std::string html = "<ul class=\"legend\">";
+  if (result.Mask)
+  {
+    html += "<li><i class=\"mask\"></i>mask, edges of its voxels</li>";
+  }
   if (result.Surface)
   {
-    html += "<li><i class=\"surface\"></i>surface of the mask</li>";
+    html += std::string("<li><i class=\"surface\"></i>") +
+            (result.IsOfSurface ? "surface" : "surface of the mask") + "</li>";
   }
   if (result.ModelSurface)
   {
     html += "<li><i class=\"model\"></i>model</li>";
   }
-  const std::string raster =
-      volume ? volume->Source.filename().string() : std::string("the mask itself, no volume given");
+  const std::string raster = volume               ? volume->Source.filename().string()
+                             : result.IsOfSurface ? "inside and outside, no volume given"
+                                                  : "the mask itself, no volume given";
   return html + "<li class=\"soft\">image: " + EscapeHtml(raster) + "</li></ul>\n";
 }
 
 // `places`: none, or one for each plane.
 std::string SliceFigures(const std::vector<SlicePlane>& planes, const std::vector<Place>& places,
-                         const FitResult& result, const Volume* volume)
+                         const FitResult& result, const Voxels& voxels, const Volume* volume)
 {
   if (planes.empty())
   {
     return {};
   }
-  std::vector<std::vector<float>> values = SampleAll(planes, result, volume);
+  std::vector<std::vector<float>> values = SampleAll(planes, voxels, volume);
   GreyWindow window;
   if (volume)
   {
@@ -156,7 +204,7 @@ std::string SliceFigures(const std::vector<SlicePlane>& planes, const std::vecto
   {
     for (std::vector<float>& slice : values)
     {
-      ShadeMask(slice, result.Structure.Value);
+      ShadeMask(slice, voxels.Value);
     }
   }
   const int widest =
@@ -210,15 +258,17 @@ std::vector<Place> PlacesOf(const MappedSurface& mapped)
 
 std::string ReportSlices(const FitResult& result, const Volume* volume)
 {
-  return result.Mask ? SliceFigures(ChooseSlicePlanes(result.Mask, result.Structure.Value,
-                                                      AxialCount, LongestSide),
-                                    {}, result, volume)
-                     : std::string();
+  const Voxels voxels = VoxelsOf(result);
+  return voxels.Image
+             ? SliceFigures(ChooseSlicePlanes(voxels.Image, voxels.Value, AxialCount, LongestSide),
+                            {}, result, voxels, volume)
+             : std::string();
 }
 
 std::string ReportRepair(const FitResult& result, const Volume* volume)
 {
-  if (!result.Mask || !result.Details.Mapped)
+  const Voxels voxels = result.Details.Mapped ? VoxelsOf(result) : Voxels();
+  if (!voxels.Image)
   {
     return {};
   }
@@ -228,7 +278,7 @@ std::string ReportRepair(const FitResult& result, const Volume* volume)
   {
     points.push_back(place.World);
   }
-  return SliceFigures(SlicePlanesAt(points, result.Mask, result.Structure.Value, LongestSide),
-                      places, result, volume);
+  return SliceFigures(SlicePlanesAt(points, voxels.Image, voxels.Value, LongestSide), places,
+                      result, voxels, volume);
 }
 } // namespace palpate

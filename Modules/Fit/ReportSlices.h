@@ -9,7 +9,8 @@ namespace palpate
 {
 /// The report's slices as HTML: four axial ones, a sagittal and a coronal one through the
 /// structure, to scale, of the volume if there is one and otherwise of the mask, with the outline
-/// of the mask's voxels and the curves of surface and model. Empty without a mask.
+/// of the mask's voxels and the curves of surface and model. Of a surface file, which has no mask,
+/// of the volume or of what is inside. Empty without either.
 PALPATEFIT_EXPORT std::string ReportSlices(const FitResult& result, const Volume* volume);
 /// The same, axial, through the places that the repair of a surface model's structure changed most
 /// and that its surface leaves out, with a ring round each. Empty if there are none.

@@ -4,6 +4,7 @@
 #include "ImageFormat.h"
 #include "InputError.h"
 #include "OutputNames.h"
+#include "SurfaceFile.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -16,11 +17,10 @@ namespace
 {
 constexpr std::uintmax_t LargestManifest = 64U << 20U;
 
-bool IsImage(const std::filesystem::path& file)
+bool HasEnding(const std::filesystem::path& file, const std::vector<std::string>& endings)
 {
   std::error_code ignored;
-  return !EndingOf(file, ReadableImageEndings()).empty() &&
-         std::filesystem::is_regular_file(file, ignored);
+  return !EndingOf(file, endings).empty() && std::filesystem::is_regular_file(file, ignored);
 }
 
 std::string Get(const CsvRecord& record, const char* column)
@@ -83,18 +83,26 @@ std::vector<std::filesystem::path> FindMasks(const std::filesystem::path& folder
 {
   std::error_code error;
   std::vector<std::filesystem::path> masks;
+  std::vector<std::filesystem::path> surfaces;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
   {
-    if (IsImage(entry->path()))
+    if (HasEnding(entry->path(), ReadableImageEndings()))
     {
       masks.push_back(entry->path());
     }
+    else if (HasEnding(entry->path(), SurfaceFormats().ReadEndings()))
+    {
+      surfaces.push_back(entry->path());
+    }
   }
+  masks = masks.empty() ? surfaces : masks;
   if (masks.empty())
   {
-    throw InputError(folder.string() + " has no readable segmentation; use a folder of NIfTI, "
-                                       "NRRD, MetaImage or DICOM files, or a --manifest");
+    throw InputError(folder.string() +
+                     " has no readable segmentation or surface; use a folder of NIfTI, NRRD, "
+                     "MetaImage or DICOM files, or of STL, PLY, OBJ, VTP, VTK, GIfTI or glTF "
+                     "files, or a --manifest");
   }
   std::sort(masks.begin(), masks.end());
   return masks;

@@ -12,7 +12,7 @@ namespace palpate
 struct CohortCase
 {
   std::string Name;             ///< name of its row and folder, unique
-  std::filesystem::path Mask;   ///< not checked until the case is processed
+  std::filesystem::path Mask;   ///< or a closed surface; not checked until it is processed
   std::string Label;            ///< by number or name; empty for every structure
   std::filesystem::path Volume; ///< for the report's slices; empty for none
 };
@@ -24,8 +24,8 @@ struct CohortCase
 PALPATEGROUP_EXPORT std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
                                                          const std::filesystem::path& base = {});
 
-/// The images of a folder, not of its subfolders, sorted by name. Throws InputError if there are
-/// none.
+/// The images of a folder, or its surfaces if it has no image, not of its subfolders, sorted by
+/// name. Throws InputError if there are none.
 PALPATEGROUP_EXPORT std::vector<std::filesystem::path>
 FindMasks(const std::filesystem::path& folder);
 } // namespace palpate

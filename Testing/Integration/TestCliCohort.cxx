@@ -300,7 +300,7 @@ TEST_F(CliCohort, BadInputGivesOneMessage)
   WriteAll(this->Folder / "up.csv", "case,mask\n..,x.nii\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"masks"}, "--output"},
-      {{"empty", "--output", "out"}, "empty has no readable segmentation"},
+      {{"empty", "--output", "out"}, "empty has no readable segmentation or surface"},
       {{"--manifest", "none.csv", "--output", "out"}, "lists no case"},
       {{"--manifest", "twice.csv", "--output", "out"}, "case A"},
       {{"--manifest", "up.csv", "--output", "out"}, "case .."},

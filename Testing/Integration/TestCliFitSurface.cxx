@@ -161,6 +161,50 @@ TEST(CliFitSurface, MasksAndSurfacesTogether)
   EXPECT_TRUE(std::filesystem::exists(folder / "out/report.html"));
 }
 
+TEST(CliFitSurface, FolderOfSurfacesIsACohort)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "surfaces");
+  Write(Sphere(8, 20.0), folder / "surfaces/a.stl");
+  Write(Sphere(8, 22.0), folder / "surfaces/b.ply");
+  const CommandRun run =
+      RunPalpate({"fit", "surfaces", "--degree", "2", "--output", "out"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const CommandRun cohort = RunPalpate({"cohort", "out"}, folder.Path());
+  EXPECT_EQ(cohort.Code, 0) << cohort.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/cohort.html"));
+  const CommandRun again =
+      RunPalpate({"fit", "surfaces", "--degree", "2", "--output", "out"}, folder.Path());
+  EXPECT_NE(again.Errors.find("2 of 2 cases were done before"), std::string::npos) << again.Errors;
+}
+
+// Without a volume what is inside is drawn.
+TEST(CliFitSurface, ReportHasSlicesOfTheVolume)
+{
+  const TemporaryFolder folder;
+  Write(Sphere(16, 8.0), folder / "a.stl");
+  WriteTwoSpheres(folder / "v.nii.gz");
+  WriteAll(folder / "cases.csv", "case,mask,volume\nwith,a.stl,v.nii.gz\nwithout,a.stl,\n");
+  const CommandRun run = RunPalpate(
+      {"fit", "--manifest", "cases.csv", "--degree", "2", "--output", "out"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const auto page = [&](const std::string& name)
+  {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "out" / name))
+    {
+      if (entry.path().filename() == "report.html")
+      {
+        return ReadAll(entry.path());
+      }
+    }
+    return std::string();
+  };
+  EXPECT_NE(page("with").find("image: v.nii.gz"), std::string::npos);
+  EXPECT_NE(page("without").find("image: inside and outside, no volume given"), std::string::npos);
+  EXPECT_NE(page("without").find("<svg class=\"slice\""), std::string::npos);
+  EXPECT_EQ(page("without").find("edges of its voxels"), std::string::npos);
+}
+
 TEST(CliFitSurface, BrokenFileIsBadInput)
 {
   const TemporaryFolder folder;
