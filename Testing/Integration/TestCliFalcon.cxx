@@ -262,7 +262,7 @@ TEST_F(CliFalcon, LoadsAndHomesWithGuidance)
   EXPECT_EQ(this->Bus.WithFalcon([](VirtualFalcon& falcon) { return falcon.Board().Motors(); }),
             (std::array<std::int16_t, 3>{}));
   const std::string isReported = this->Listed("falcon").at(0)["details"];
-  EXPECT_NE(isReported.find("homed"), std::string::npos)
+  EXPECT_NE(isReported.find("and it is homed"), std::string::npos)
       << "firmware and zero stay: " << isReported;
 }
 

@@ -18,8 +18,7 @@ constexpr std::int64_t EchoTime = 500 * Millisecond;     // until a portion is e
 constexpr std::int64_t AnswerTime = 20 * Millisecond;    // until the next request
 constexpr std::int64_t RetryPause = 100 * Millisecond;   // with the link closed
 constexpr int Greetings = 5;
-constexpr int RoundsBefore = 5;
-constexpr int RoundsAfter = 15;
+constexpr int Rounds = 15; // of requests: on a busy machine answers are late
 // The echo fills one packet, which the chip then sends without waiting for its timer.
 constexpr std::size_t Portion = 62;
 constexpr unsigned UploadDivisor = 21; // 142,857 Bd, as in the manufacturer's software
@@ -193,7 +192,7 @@ Status FalconBoot::SwitchToRunning()
 
 // No request exists that only queries the firmware, so a request without torque is used. DTR is not
 // touched, since its edge would reset firmware and homing.
-bool FalconBoot::Answers(int rounds)
+bool FalconBoot::Answers()
 {
   FalconRequest request;
   request.IsHoming = true;
@@ -201,7 +200,7 @@ bool FalconBoot::Answers(int rounds)
   const FalconPacket packet = Encoded(request);
   FalconReplyParser parser;
   FalconReply reply;
-  for (int round = 0; round < rounds && this->Link.Send(packet.data(), packet.size()); ++round)
+  for (int round = 0; round < Rounds && this->Link.Send(packet.data(), packet.size()); ++round)
   {
     const std::int64_t deadline = this->Time.Now() + AnswerTime;
     std::uint8_t byte = 0;
@@ -226,7 +225,7 @@ Status FalconBoot::Attempt(const FalconFirmware& firmware, bool isSlow)
     return status;
   }
   status = this->SwitchToRunning();
-  if (!status.IsOk() || this->Answers(RoundsAfter))
+  if (!status.IsOk() || this->Answers())
   {
     return status;
   }
@@ -246,7 +245,7 @@ Status FalconBoot::Reopen()
 Status FalconBoot::Run(const std::string& firmwarePath)
 {
   Status status = this->SwitchToRunning();
-  if (!status.IsOk() || this->Answers(RoundsBefore))
+  if (!status.IsOk() || this->Answers())
   {
     return status;
   }

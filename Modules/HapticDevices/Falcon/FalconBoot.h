@@ -45,7 +45,7 @@ private:
   Status LockRate(bool isSlow);
   Status Upload(const FalconFirmware& firmware);
   Status SwitchToRunning();
-  bool Answers(int rounds);
+  bool Answers();
   Status Command(std::initializer_list<FtdiRequest> requests);
   Status SendAll(const std::uint8_t* bytes, std::size_t count);
   bool WaitForByte(std::int64_t deadline, std::uint8_t& byte);

@@ -12,17 +12,21 @@ namespace
 bool IsHomed(FalconLink& link, Clock& clock)
 {
   constexpr std::int64_t Round = 5'000'000; // ns
-  constexpr int Rounds = 10;
+  constexpr int MostRounds = 30;
+  constexpr int Enough = 5; // replies
   FalconExchange exchange(link);
   exchange.Restart(clock.Now());
   FalconRequest request;
   request.IsHoming = true;
   request.Light = FalconLight::Red;
   FalconReply reply;
-  for (int n = 0; n < Rounds && exchange.Send(request, clock.Now()) != FalconDelivery::Gone; ++n)
+  int replies = 0;
+  for (int n = 0; n < MostRounds && replies < Enough &&
+                  exchange.Send(request, clock.Now()) != FalconDelivery::Gone;
+       ++n)
   {
     clock.WaitUntil(clock.Now() + Round);
-    static_cast<void>(exchange.Receive(clock.Now(), reply));
+    replies += exchange.Receive(clock.Now(), reply) ? 1 : 0;
   }
   return reply.Homed == FalconReply::AllHomed;
 }
