@@ -16,12 +16,14 @@ constexpr double RelativeStep = 1.0 / 16.0;
 constexpr double RelativeEnd = 6e-6;
 constexpr double RelativeTolerance = 1e-5;
 // Of the margin that a surface adds to tools: the tool itself is still kept off.
-constexpr double PartOfMargin = 0.1;
+constexpr double PartOfMargin = 0.4;
 // Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
 // time for the whole proof.
 constexpr double LeastProven = 0.5;
 constexpr int WedgeSteps = 6;
+// At a parametric surface a proof takes much longer: a sphere that has farther to go arrives later.
 constexpr int WedgeProofs = 12;
+constexpr int WedgeProofsAtFolds = 4;
 constexpr int EvaluationsOfMove = 640;
 constexpr int WedgeEvaluations = 160;
 
@@ -185,8 +187,9 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
 template <typename Surface>
 void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
+  constexpr int MostProofs = Surface::MayCrossItself ? WedgeProofsAtFolds : WedgeProofs;
   Leash leash{this->Center, this->LongestStep};
-  for (int proof = 0; proof < WedgeProofs; ++proof)
+  for (int proof = 0; proof < MostProofs; ++proof)
   {
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
