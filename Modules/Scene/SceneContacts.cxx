@@ -1,5 +1,6 @@
 #include "SceneContacts.h"
 
+#include "Refusal.h"
 #include "SceneTool.h"
 
 #include <algorithm>
@@ -25,9 +26,9 @@ MakeEffects(const SceneStructure& structure, const SceneContact& contact, double
     if (kind->ImageKey.empty())
     {
       const auto isNeverCancelled = [](double, const std::string&) { return true; };
-      effects.push_back(
-          kind->Make({structure, nullptr, contact.Contact->Model->BoundsWorld(), toolReach},
-                     isNeverCancelled));
+      effects.push_back(kind->Make({structure, nullptr, contact.Contact->Model->BoundsWorld(),
+                                    toolReach, contact.Contact->Yields},
+                                   isNeverCancelled));
     }
     else if (contact.Effects != nullptr && contact.Effects->Made.count(kind->Name) > 0)
     {
@@ -68,6 +69,12 @@ TouchScene MakeTouchScene(const SceneSettings& scene, const std::vector<SceneCon
   TouchScene made;
   made.Tool = MakeTool(scene.Tool);
   made.Frame = frame.ForDevice();
+  for (const GuideSettings& guide : scene.Guides)
+  {
+    std::shared_ptr<const ForceField> field;
+    RequireInput(GuideField::Make(guide, field));
+    made.Fields.push_back(std::move(field));
+  }
   for (const SceneContact& contact : contacts)
   {
     const SceneStructure& structure = *FindStructure(scene, contact.Id);

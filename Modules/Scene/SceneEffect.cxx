@@ -1,16 +1,14 @@
 #include "SceneEffect.h"
 
+#include "EffectField.h"
 #include "FieldOfImage.h"
-#include "FilterRun.h"
+#include "GuidingGradient.h"
 #include "KindRegistration.h"
-#include "NodeBox.h"
 #include "Refusal.h"
 #include "SceneSettings.h"
+#include "StiffnessImage.h"
 #include "SurfaceTexture.h"
 #include "VolumeViscosity.h"
-
-#include "vtkImageData.h"
-#include "vtkNew.h"
 
 #include <utility>
 
@@ -18,64 +16,50 @@ namespace palpate
 {
 namespace
 {
+constexpr double LargestImageValue = 1e6; // to either side of 0
+
 std::shared_ptr<const ForceEffect> MakeTexture(const SceneEffectSource& source, double amplitude,
                                                const ProgressFunction& progress)
 {
-  const Volume& volume = *source.Image;
-  const Eigen::AlignedBox3d& boundsWorld = source.BoundsWorld;
-  const Vector3 margin = Vector3::Constant(source.ToolReach);
-  FieldGrid grid = GridOfImage(volume.Image);
-  // One node more than needed, against rounding.
-  const NodeBox nodes =
-      NodesRound(grid, {boundsWorld.min() - margin, boundsWorld.max() + margin}, 1.0);
-  vtkNew<vtkImageData> image;
-  image->ShallowCopy(volume.Image);
-  if (nodes.HasCells())
-  {
-    std::array<int, 6> extent{};
-    image->GetExtent(extent.data());
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      extent[2 * axis + 1] = extent[2 * axis] + nodes.Last[axis];
-      extent[2 * axis] += nodes.First[axis];
-    }
-    image->Crop(extent.data());
-    grid = PartOf(grid, nodes);
-  }
-  FieldSamples samples;
-  Status status = SamplesOfImage(image, samples);
-  FieldBuilder builder(grid);
-  const int channel = builder.AddChannel(samples);
-  // A field needs a surface; any will do here, since all samples are kept.
-  const double* range = image->GetScalarRange();
-  if (status.IsOk() && range[0] == range[1])
-  {
-    status = Status::Failure("The image is constant around the structure, so it has no texture.");
-  }
-  builder.AddMaterial({channel, 0.5 * (range[0] + range[1])});
-  builder.KeepAll();
-  bool wasCancelled = false;
-  std::shared_ptr<const ScalarField> field;
-  if (status.IsOk())
-  {
-    status = builder.Build(field,
-                           [&](double part)
-                           {
-                             wasCancelled = wasCancelled || !progress(part, "texture");
-                             return !wasCancelled;
-                           });
-  }
-  if (wasCancelled)
-  {
-    throw Cancelled();
-  }
+  const auto field = FieldAround(source, {"texture"}, progress);
   std::shared_ptr<const SurfaceTexture> texture;
-  if (status.IsOk())
-  {
-    status = SurfaceTexture::Make(field, channel, boundsWorld, amplitude, texture);
-  }
-  RequireInput(status, volume.Source.string());
+  RequireInput(SurfaceTexture::Make(field, 0, source.BoundsWorld, amplitude, texture),
+               source.Image->Source.string());
   return texture;
+}
+
+std::shared_ptr<const ForceEffect> MakeStiffness(const SceneEffectSource& source,
+                                                 const StiffnessRange& range,
+                                                 const ProgressFunction& progress)
+{
+  const std::string image = source.Image->Source.string();
+  if (source.Yields)
+  {
+    Refuse(image, "cannot be felt as stiffness on a structure that yields, whose tissue decides",
+           "remove the stiffness image, or choose another touch model");
+  }
+  // So much that the stiffness fades out where the image ends, not where it is cut.
+  const Vector3 spacing = GridOfImage(source.Image->Image).Spacing();
+  EffectFieldSettings settings{"stiffness"};
+  settings.Margin = StiffnessImage::FadeVoxels * spacing.maxCoeff();
+  const auto field = FieldAround(source, settings, progress);
+  std::shared_ptr<const StiffnessImage> stiffness;
+  RequireInput(StiffnessImage::Make(field, 0, range, stiffness), image);
+  return stiffness;
+}
+
+std::shared_ptr<const ForceEffect> MakeGradient(const SceneEffectSource& source,
+                                                const GuidingSettings& settings, double smoothing,
+                                                const ProgressFunction& progress)
+{
+  EffectFieldSettings image{"gradient"};
+  image.Margin = settings.Fade;
+  image.Smoothing = smoothing;
+  image.Interpolation = FieldInterpolation::TricubicBSpline;
+  const auto field = FieldAround(source, image, progress);
+  std::shared_ptr<const GuidingGradient> gradient;
+  RequireInput(GuidingGradient::Make(field, 0, settings, gradient), source.Image->Source.string());
+  return gradient;
 }
 
 // A small force from the intensities of an image (see SurfaceTexture). Only the part of the image
@@ -94,6 +78,60 @@ SceneEffectKind TextureKind()
   return kind;
 }
 
+// The stiffness of a rigid structure from the intensities of an image (see StiffnessImage).
+SceneEffectKind StiffnessKind()
+{
+  constexpr double Stiffest = 1e4; // N/mm, as of structures
+  SceneEffectKind kind;
+  kind.Name = "stiffness image";
+  kind.Numbers = {
+      {"stiffness_from_n_per_mm", "Stiffness at the first value, N/mm", Stiffest, 3},
+      {"stiffness_from_value", "First value", LargestImageValue, 6, {}, -LargestImageValue},
+      {"stiffness_to_n_per_mm", "Stiffness at the second value, N/mm", Stiffest, 3},
+      {"stiffness_to_value", "Second value", LargestImageValue, 6, {}, -LargestImageValue}};
+  kind.ImageKey = "stiffness_image";
+  kind.ImageLabel = "Stiffness image";
+  kind.Make = [](const SceneEffectSource& source, const ProgressFunction& progress)
+  {
+    const auto number = [&](const char* key) { return source.Structure.Number(key); };
+    return MakeStiffness(source,
+                         {number("stiffness_from_value"), number("stiffness_to_value"),
+                          number("stiffness_from_n_per_mm"), number("stiffness_to_n_per_mm")},
+                         progress);
+  };
+  return kind;
+}
+
+// A force along the gradient of an image around the structure (see GuidingGradient).
+SceneEffectKind GradientKind()
+{
+  constexpr double MostEnergy = 100.0;  // N mm
+  constexpr double MostForce = 3.0;     // N
+  constexpr double MostSmoothing = 5.0; // mm
+  SceneEffectKind kind;
+  kind.Name = "guiding gradient";
+  kind.Numbers = {
+      {"gradient_n_mm", "Energy between both values, N mm", MostEnergy, 3},
+      {"gradient_from_value", "From this value", LargestImageValue, 6, {}, -LargestImageValue},
+      {"gradient_to_value", "Towards this value", LargestImageValue, 6, {}, -LargestImageValue},
+      {"gradient_largest_n", "Largest force, N (0: 0.5)", MostForce, 3},
+      {"gradient_smoothing_mm", "Smoothing of the image, mm", MostSmoothing, 2}};
+  kind.ImageKey = "gradient_image";
+  kind.ImageLabel = "Gradient image";
+  kind.Make = [](const SceneEffectSource& source, const ProgressFunction& progress)
+  {
+    const auto number = [&](const char* key) { return source.Structure.Number(key); };
+    GuidingSettings settings;
+    settings.FromIntensity = number("gradient_from_value");
+    settings.ToIntensity = number("gradient_to_value");
+    settings.Energy = number("gradient_n_mm");
+    const double largest = number("gradient_largest_n");
+    settings.LargestForce = largest > 0.0 ? largest : settings.LargestForce;
+    return MakeGradient(source, settings, number("gradient_smoothing_mm"), progress);
+  };
+  return kind;
+}
+
 SceneEffectKind ViscosityKind()
 {
   constexpr double Largest = 10.0; // N s/mm
@@ -106,10 +144,11 @@ SceneEffectKind ViscosityKind()
   return kind;
 }
 
-// Texture before viscosity: recordings replay the sum in this order.
+// Recordings replay the sum in this order.
 std::deque<SceneEffectKind>& Kinds()
 {
-  static std::deque<SceneEffectKind> kinds{TextureKind(), ViscosityKind()};
+  static std::deque<SceneEffectKind> kinds{TextureKind(), ViscosityKind(), StiffnessKind(),
+                                           GradientKind()};
   return kinds;
 }
 } // namespace

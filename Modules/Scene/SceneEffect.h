@@ -24,10 +24,11 @@ struct SceneNumber
 {
   std::string Key; ///< in files; ends with the unit
   std::string Label;
-  double Largest = 1.0; ///< the least is 0, which is also the default
-  int Decimals = 3;     ///< 0 for a whole number
+  double Largest = 1.0;
+  int Decimals = 3; ///< 0 for a whole number
   /// Of a choice: words in files, of which the number is the index.
   std::vector<std::string> Words = {};
+  double Least = 0.0; ///< at most 0, which is the default of every number
 };
 
 /// What a force effect is made from.
@@ -37,6 +38,7 @@ struct SceneEffectSource
   const Volume* Image = nullptr;   ///< if its kind needs one
   Eigen::AlignedBox3d BoundsWorld; ///< mm, of the structure
   double ToolReach = 0.0;          ///< mm, from the tool's origin to its farthest surface
+  bool Yields = false;             ///< then the structure's stiffness is that of its tissue
 };
 
 /// A kind of force effect. A structure has it if the first of its numbers is not 0.
@@ -55,7 +57,7 @@ struct SceneEffectKind
 };
 
 /// The kinds of force effects that scenes can have, in the order in which their forces are added:
-/// texture, viscosity, then those that were added.
+/// texture, viscosity, stiffness, guiding gradient, then those that were added.
 PALPATESCENE_EXPORT const std::deque<SceneEffectKind>& SceneEffectKinds();
 
 /// Adds a kind for the whole program, or replaces the one of its name, before the first scene is

@@ -19,6 +19,8 @@ constexpr double LargestStiffness = 1e4; // N/mm
 constexpr double LargestDamping = 10.0;  // N s/mm
 constexpr double LargestFriction = 10.0;
 constexpr double LargestIso = 1e300;
+constexpr double LargestGuideStiffness = 10.0; // N/mm
+constexpr double LargestGuideForce = 3.0;      // N
 constexpr int LargestId = 2'000'000'000;
 
 const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
@@ -27,6 +29,7 @@ const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
 const std::initializer_list<const char*> AppearanceWords{"automatic", "model",     "surface",
                                                          "error-map", "sub-voxel", "stiffness-map"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
+const std::initializer_list<const char*> GuideWords{"point", "path", "plane"};
 const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
                                                     "surface"};
 
@@ -59,7 +62,7 @@ void ExchangeNumbers(JsonFields& fields, const std::vector<SceneNumber>& numbers
     }
     else
     {
-      fields.ExchangeIfSet(number.Key.c_str(), value, 0.0, number.Largest);
+      fields.ExchangeIfSet(number.Key.c_str(), value, number.Least, number.Largest);
     }
     structure.SetNumber(number.Key, value);
   }
@@ -201,6 +204,21 @@ void ExchangeDrillMotion(JsonFields& fields, TouchDrillSettings& drill)
   fields.Exchange("vibration_hz", drill.VibrationFrequency, 0.0, DrillLimits::Vibration);
 }
 
+void ExchangeGuide(JsonFields& fields, GuideSettings& guide)
+{
+  fields.Exchange("shape", guide.Shape, GuideWords);
+  fields.ExchangeList("points", guide.PointsWorld,
+                      [](JsonFields& point, Vector3& place)
+                      { point.Exchange("position_mm", place, -LargestPlace, LargestPlace); });
+  fields.Exchange("stiffness_n_per_mm", guide.Stiffness, 0.0, LargestGuideStiffness);
+  fields.Exchange("range_mm", guide.Range, 0.0, LargestLength);
+  fields.Exchange("largest_n", guide.LargestForce, 0.0, LargestGuideForce);
+  std::shared_ptr<const ForceField> made;
+  const Status status = GuideField::Make(guide, made);
+  fields.Require(status.IsOk(), "cannot use " + fields.Place() + ": " + status.Message(),
+                 "correct it there, or remove it from \"guides\"");
+}
+
 void ExchangeScale(JsonFields& fields, ScenePlacement& placement)
 {
   fields.Exchange("scale", placement.Scale, 1e-3, 1e3);
@@ -219,6 +237,10 @@ void ExchangeScene(JsonFields& fields, SceneSettings& scene)
   fields.Skip(RetiredKeys::Scene);
   fields.Exchange("left_handed", scene.LeftHanded, LeftHandedWords);
   fields.ExchangeList("structures", scene.Structures, ExchangeStructure);
+  if (fields.IsReading() || !scene.Guides.empty())
+  {
+    fields.ExchangeList("guides", scene.Guides, ExchangeGuide);
+  }
   fields.ExchangeObject("fit", scene.Fit, ExchangeFitSettings);
   fields.ExchangeObject("tool", scene.Tool, ExchangeTool);
   fields.ExchangeObject("drill", scene.Drill, ExchangeDrillMotion);

@@ -27,7 +27,7 @@ auto Fields(const ScenePlacement& p)
 
 auto Fields(const SceneSettings& s)
 {
-  return std::tie(s.Structures, s.LeftHanded, s.Fit, s.Tool, s.Drill.Turns,
+  return std::tie(s.Structures, s.Guides, s.LeftHanded, s.Fit, s.Tool, s.Drill.Turns,
                   s.Drill.VibrationFrequency, s.Device, s.Rate, s.ModelInterval, s.Placement);
 }
 } // namespace

@@ -3,6 +3,7 @@
 #include "DrillForce.h"
 #include "FieldBuilder.h"
 #include "FitSettings.h"
+#include "GuideField.h"
 #include "HarmonicContactModel.h"
 #include "LeftHandedAxes.h"
 #include "PalpateSceneModule.h"
@@ -141,6 +142,7 @@ struct ScenePlacement
 struct SceneSettings
 {
   std::vector<SceneStructure> Structures;
+  std::vector<GuideSettings> Guides;
   LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse; ///< of all images
   FitSettings Fit; ///< of all labels, except the degree, which applies to new structures
   TouchToolSettings Tool;

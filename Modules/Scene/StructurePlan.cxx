@@ -475,7 +475,7 @@ void StructurePlan::AddEffects()
                     const auto image = ProductAs<Volume>(&made[made.size() - kinds.size() + n]);
                     effects->Made[kinds[n]->Name] =
                         kinds[n]->Make({structure, image.get(), contact->Model->BoundsWorld(),
-                                        tool.BoundingRadius()},
+                                        tool.BoundingRadius(), contact->Yields},
                                        progress);
                   }
                   return std::shared_ptr<const ImageEffects>(std::move(effects));

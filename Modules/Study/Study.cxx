@@ -277,7 +277,6 @@ void Study::StartTouch()
 {
   this->StopTouch();
   this->CloseReplay();
-  this->Problem.clear();
   StudyJob job;
   job.IsUrgent = true;
   job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)

@@ -49,8 +49,8 @@ public:
   std::vector<SceneContact> Contacts() const;
   StudyJobs& Jobs() { return this->Work; }
 
-  /// Starts an empty study.
-  void New() { this->Begin({}, {}); }
+  /// Starts a new study.
+  void New(const StudyState& first = {}) { this->Begin(first, {}); }
   /// Opens a session file. Throws InputError, in which case the open study is unchanged; missing
   /// files that it names are no error (see MissingFiles).
   void Open(const std::filesystem::path& file);

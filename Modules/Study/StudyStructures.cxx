@@ -222,6 +222,7 @@ StudyState WithScene(const StudyState& state, const SceneSettings& scene)
   if (!state.Structures.empty())
   {
     own.Structures = state.Structures;
+    own.Guides = scene.Guides.empty() ? state.Guides : scene.Guides;
     own.Fit = state.Fit;
     own.LeftHanded = state.LeftHanded;
     for (const SceneStructure& added : scene.Structures)

@@ -27,7 +27,8 @@ bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
            one.Friction.Static == other.Friction.Static &&
            one.Friction.Dynamic == other.Friction.Dynamic && one.Numbers == other.Numbers;
   };
-  return a.Tool == b.Tool && a.Frame == b.Frame && a.DrillRevision == b.DrillRevision &&
+  return a.Tool == b.Tool && a.Guides == b.Guides && a.Frame == b.Frame &&
+         a.DrillRevision == b.DrillRevision &&
          std::equal(a.Contacts.begin(), a.Contacts.end(), b.Contacts.begin(), b.Contacts.end(),
                     isSameContact) &&
          std::equal(a.Structures.begin(), a.Structures.end(), b.Structures.begin(),
@@ -134,6 +135,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
       this->Session.Loop().LiftPedals();
     }
     next.Tool = state.Tool;
+    next.Guides = state.Guides;
     next.DrillRevision = this->Drilled.Revision();
     const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::FadeIn;
     next.Frame = this->FrameFor(state.Placement, scene);

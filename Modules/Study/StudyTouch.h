@@ -108,6 +108,7 @@ private:
     std::vector<SceneContact> Contacts;
     std::vector<DrillLaw> Laws; // without wear while drilling is off
     std::uint64_t DrillRevision = 0;
+    std::vector<GuideSettings> Guides;
     TouchToolSettings Tool;
     WorkspaceFrame Frame;
   };

@@ -1,11 +1,11 @@
 #include "LandmarksPanel.h"
 
+#include "GuideField.h"
 #include "StudyMarkups.h"
 #include "ToolIcon.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <set>
@@ -87,14 +87,65 @@ void LandmarksPanel::MakeButtons()
   add("Distance of two", "add-distance", &LandmarksPanel::AddDistance);
   add("Remove", "remove-landmarks", &LandmarksPanel::Remove);
   add("Export...", "export-landmarks", &LandmarksPanel::Export);
+  this->MakeGuide(column);
   column->addStretch(1);
   this->layout()->addItem(column);
+}
+
+// After the first one, in the order of GuideShape.
+void LandmarksPanel::MakeGuide(QVBoxLayout* column)
+{
+  this->Guide = new QComboBox(this);
+  this->Guide->setObjectName("guide");
+  this->Guide->addItems(
+      {"No guide", "Pull to a landmark", "Pull to the path", "Pull to the plane"});
+  this->Guide->setAccessibleName("Guide of the tool");
+  const QString tip =
+      "While touching, pulls the tool gently to the selected landmarks: to one, to the path "
+      "through several in their order, or to the plane of the first three; without a selection, of "
+      "all";
+  this->Guide->setToolTip(tip);
+  this->Guide->setStatusTip(tip);
+  column->addWidget(this->Guide);
+  connect(this->Guide, QOverload<int>::of(&QComboBox::activated), this,
+          &LandmarksPanel::ChangeGuide);
+}
+
+void LandmarksPanel::ChangeGuide(int shape)
+{
+  StudyState next = this->Study.State();
+  next.Guides.clear();
+  if (shape > 0)
+  {
+    GuideSettings guide;
+    guide.Shape = static_cast<GuideShape>(shape - 1);
+    const std::vector<std::size_t> selected = this->SelectedRows();
+    for (std::size_t mark = 0; mark < next.Landmarks.size(); ++mark)
+    {
+      if (selected.empty() || std::count(selected.begin(), selected.end(), mark) > 0)
+      {
+        guide.PointsWorld.push_back(next.Landmarks[mark].PositionWorld);
+      }
+    }
+    std::shared_ptr<const ForceField> made;
+    const Status status = GuideField::Make(guide, made);
+    if (!status.IsOk())
+    {
+      this->Study.Report(status.Message());
+      this->ShowState();
+      return;
+    }
+    next.Guides.push_back(guide);
+  }
+  this->Study.Change(shape > 0 ? "Guide the tool" : "Do not guide the tool", next);
 }
 
 void LandmarksPanel::ShowState()
 {
   const QSignalBlocker quiet(this->Table);
   const StudyState& state = this->Study.State();
+  this->Guide->setCurrentIndex(
+      state.Guides.empty() ? 0 : 1 + static_cast<int>(state.Guides.front().Shape));
   const int marks = static_cast<int>(state.Landmarks.size());
   this->Table->setRowCount(marks + static_cast<int>(state.Distances.size()));
   for (int m = 0; m < marks; ++m)

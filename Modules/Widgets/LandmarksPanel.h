@@ -4,8 +4,10 @@
 #include "StudyController.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QVBoxLayout>
 #include <QWidget>
 
 namespace palpate
@@ -32,6 +34,8 @@ Q_SIGNALS:
 
 private:
   void MakeButtons();
+  void MakeGuide(QVBoxLayout* column);
+  void ChangeGuide(int shape);
   void ShowState();
   void TakeEdit(QTableWidgetItem* item);
   void AddAtProxy();
@@ -44,5 +48,6 @@ private:
   const FileQuestions& Questions;
   QTableWidget* Table;
   QAction* AddMode;
+  QComboBox* Guide;
 };
 } // namespace palpate

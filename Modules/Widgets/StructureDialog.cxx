@@ -7,31 +7,64 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QTabWidget>
 
 #include <algorithm>
 
 namespace palpate
 {
 StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent)
-    : QDialog(parent), Study(study), Structure(*FindStructure(study.State(), id)),
-      Form(new QFormLayout(this)), Rows(Form)
+    : QDialog(parent), Study(study), Structure(*FindStructure(study.State(), id))
 {
   this->setWindowTitle(QString::fromStdString(TitleOf(this->Structure)));
+  auto* all = new QVBoxLayout(this);
+  auto* tabs = new QTabWidget(this);
+  tabs->setObjectName("details");
+  auto* model = new QWidget(tabs);
+  auto* contact = new QWidget(tabs);
+  auto* images = new QWidget(tabs);
+  tabs->addTab(model, "Touch &model");
+  tabs->addTab(contact, "&Contact");
+  tabs->addTab(images, "Forces from &images");
+  all->addWidget(tabs);
+  this->Form = new QFormLayout(model);
+  this->Rows = this->Form;
   this->AddRepresentation();
-  this->AddMembers();
+  this->AddModelMembers();
+  this->Form = new QFormLayout(contact);
+  this->Rows = this->Form;
+  this->AddContactMembers();
   if (this->Structure.Source() == SceneSource::Label)
   {
     this->AddNumbers(SurroundingNumbers());
   }
+  auto* groups = new QVBoxLayout(images);
   for (const SceneEffectKind& kind : SceneEffectKinds())
   {
-    this->AddNumbers(kind.Numbers);
-    this->AddImage(kind.ImageLabel, kind.ImageKey);
+    this->AddEffect(kind, groups);
   }
+  groups->addStretch(1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  this->Form->addRow(buttons);
+  all->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &StructureDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+// Those from images have a group each.
+void StructureDialog::AddEffect(const SceneEffectKind& kind, QVBoxLayout* groups)
+{
+  if (kind.ImageKey.empty())
+  {
+    this->AddNumbers(kind.Numbers);
+    return;
+  }
+  const QString name = QString::fromStdString(kind.Name);
+  auto* group = new QGroupBox(name.left(1).toUpper() + name.mid(1), groups->parentWidget());
+  groups->addWidget(group);
+  this->Rows = new QFormLayout(group);
+  this->AddNumbers(kind.Numbers);
+  this->AddImage(kind.ImageLabel, kind.ImageKey);
+  this->Rows = this->Form;
 }
 
 // The choice, and below it what the chosen representation needs.
@@ -76,7 +109,7 @@ void StructureDialog::AddRepresentation()
   }
 }
 
-void StructureDialog::AddMembers()
+void StructureDialog::AddModelMembers()
 {
   this->AddChoice("Harmonics", "mode", {"nearest point", "radial"},
                   static_cast<int>(this->Structure.Mode),
@@ -88,6 +121,10 @@ void StructureDialog::AddMembers()
                   { structure.Interpolation = static_cast<FieldInterpolation>(choice); });
   this->AddNumber("Smoothing of the field, voxels", "smoothing", 8.0, 2,
                   [](SceneStructure& structure) -> double& { return structure.Smoothing; });
+}
+
+void StructureDialog::AddContactMembers()
+{
   this->AddNumber("Stiffness, N/mm", "stiffness", 1e4, 3,
                   [](SceneStructure& structure) -> double& { return structure.Stiffness; });
   this->AddNumber("Damping, N s/mm", "damping", 10.0, 5,
@@ -101,17 +138,18 @@ void StructureDialog::AddMembers()
 void StructureDialog::AddNumber(const QString& label, const QString& name, double most,
                                 int decimals, const std::function<double&(SceneStructure&)>& member)
 {
-  this->AddBox(label, name, most, decimals, member(this->Structure),
+  this->AddBox(label, name, 0.0, most, decimals, member(this->Structure),
                [member](SceneStructure& structure, double value) { member(structure) = value; });
 }
 
-void StructureDialog::AddBox(const QString& label, const QString& name, double most, int decimals,
-                             double value, const std::function<void(SceneStructure&, double)>& set)
+void StructureDialog::AddBox(const QString& label, const QString& name, double least, double most,
+                             int decimals, double value,
+                             const std::function<void(SceneStructure&, double)>& set)
 {
   auto* box = new QDoubleSpinBox(this);
   box->setObjectName(name);
   box->setDecimals(decimals);
-  box->setRange(0.0, most);
+  box->setRange(least, most);
   box->setSingleStep(decimals == 0 ? 1.0 : 0.1);
   box->setValue(value);
   this->Rows->addRow(label, box);
@@ -151,7 +189,7 @@ void StructureDialog::AddNumbers(const std::vector<SceneNumber>& numbers)
     { structure.SetNumber(key, chosen); };
     if (number.Words.empty())
     {
-      this->AddBox(label, name, number.Largest, number.Decimals, value, set);
+      this->AddBox(label, name, number.Least, number.Largest, number.Decimals, value, set);
       continue;
     }
     QStringList words;
@@ -163,6 +201,21 @@ void StructureDialog::AddNumbers(const std::vector<SceneNumber>& numbers)
   }
 }
 
+QStringList StructureDialog::OpenVolumes() const
+{
+  QStringList files;
+  const StudyState& state = this->Study.State();
+  if (!state.VolumeFile.empty())
+  {
+    files += QString::fromStdString(state.VolumeFile.string());
+  }
+  for (const StudyVolume& volume : state.Volumes)
+  {
+    files += QString::fromStdString(volume.File.string());
+  }
+  return files;
+}
+
 void StructureDialog::AddImage(const std::string& label, const std::string& key)
 {
   if (key.empty())
@@ -170,11 +223,18 @@ void StructureDialog::AddImage(const std::string& label, const std::string& key)
     return;
   }
   const QString title = QString::fromStdString(label);
-  const std::string shown = this->Structure.Image(key).string();
+  const QString shown = QString::fromStdString(this->Structure.Image(key).string());
   auto* both = new QWidget(this);
   auto* row = new QHBoxLayout(both);
   row->setContentsMargins(0, 0, 0, 0);
-  auto* file = new QLineEdit(QString::fromStdString(shown), both);
+  // Any file, and those that are open to choose from.
+  auto* file = new QComboBox(both);
+  file->setEditable(true);
+  file->addItems(this->OpenVolumes());
+  file->setCurrentIndex(-1);
+  file->setCurrentText(shown);
+  file->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  file->setMinimumContentsLength(12); // characters
   file->setObjectName(QString::fromStdString(key));
   auto* browse = new QPushButton("Browse...", both);
   row->addWidget(file, 1);
@@ -184,10 +244,11 @@ void StructureDialog::AddImage(const std::string& label, const std::string& key)
           [this, file, title]
           {
             const QString chosen = QFileDialog::getOpenFileName(this, title);
-            file->setText(chosen.isEmpty() ? file->text() : chosen);
+            file->setCurrentText(chosen.isEmpty() ? file->currentText() : chosen);
           });
-  this->Writes.emplace_back([file, key](SceneStructure& structure)
-                            { structure.SetImage(key, StudyPath(file->text().toStdString())); });
+  this->Writes.emplace_back(
+      [file, key](SceneStructure& structure)
+      { structure.SetImage(key, StudyPath(file->currentText().toStdString())); });
 }
 
 void StructureDialog::accept()

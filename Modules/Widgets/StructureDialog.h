@@ -8,7 +8,7 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QLineEdit>
+#include <QVBoxLayout>
 
 #include <functional>
 #include <vector>
@@ -29,20 +29,23 @@ public:
 
 private:
   void AddRepresentation();
-  void AddMembers();
+  void AddModelMembers();
+  void AddContactMembers();
   void AddNumber(const QString& label, const QString& name, double most, int decimals,
                  const std::function<double&(SceneStructure&)>& member);
   QComboBox* AddChoice(const QString& label, const QString& name, const QStringList& choices,
                        int value, const std::function<void(SceneStructure&, int)>& set);
-  void AddBox(const QString& label, const QString& name, double most, int decimals, double value,
-              const std::function<void(SceneStructure&, double)>& set);
+  void AddBox(const QString& label, const QString& name, double least, double most, int decimals,
+              double value, const std::function<void(SceneStructure&, double)>& set);
   void AddNumbers(const std::vector<SceneNumber>& numbers);
+  void AddEffect(const SceneEffectKind& kind, QVBoxLayout* groups);
+  QStringList OpenVolumes() const;
   void AddImage(const std::string& label, const std::string& key);
 
   StudyController& Study;
   SceneStructure Structure;
-  QFormLayout* Form;
-  QFormLayout* Rows; ///< to which rows are added
+  QFormLayout* Form = nullptr; ///< of the tab that is filled
+  QFormLayout* Rows = nullptr; ///< to which rows are added
   std::vector<std::function<void(SceneStructure&)>> Writes;
 };
 } // namespace palpate

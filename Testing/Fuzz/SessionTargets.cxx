@@ -171,12 +171,14 @@ FuzzTarget WithSeed(const std::string& name, const std::string& fileName, std::s
 
 std::vector<FuzzTarget> JsonTargets()
 {
-  const Mutator scene = JsonMutator(
-      {"structures",    "tool",      "device",      "name",           "file",      "label",
-       "iso",           "seen",      "touched",     "representation", "degree",    "mode",
-       "interpolation", "drill",     "forbidden",   "alarm_mm",       "texture_n", "texture_image",
-       "scale",         "sphere",    "capsule",     "ellipsoid",      "cylinder",  "surface",
-       "points",        "radius_mm", "semi_axes_mm"});
+  const Mutator scene =
+      JsonMutator({"structures",    "tool",           "device",       "name",
+                   "file",          "label",          "iso",          "seen",
+                   "touched",       "representation", "degree",       "mode",
+                   "interpolation", "drill",          "forbidden",    "alarm_mm",
+                   "texture_n",     "texture_image",  "scale",        "sphere",
+                   "capsule",       "ellipsoid",      "cylinder",     "surface",
+                   "points",        "radius_mm",      "semi_axes_mm", "stiffness_to_value"});
   const Mutator study =
       JsonMutator({"structures", "fit",       "tool",         "landmarks",   "distances",
                    "view",       "placement", "field",        "drill",       "crosshair_mm",

@@ -109,6 +109,21 @@ void SetRandomEffects(Random& random, const Sources& sources, SceneStructure& st
     structure.SetNumber("texture_n", RandomNumber(random, 0.1, 1.0));
     structure.SetImage("texture_image", sources.Texture);
   }
+  Random own = random; // so that the other settings stay those of their seeds
+  if (RandomChoice(own) && structure.Representation != TouchRepresentation::Elastic)
+  {
+    structure.SetNumber("stiffness_from_n_per_mm", RandomNumber(own, 0.1, 1.0));
+    structure.SetNumber("stiffness_to_n_per_mm", RandomNumber(own, 0.0, 1.0));
+    structure.SetNumber("stiffness_to_value", RandomNumber(own, -100.0, -10.0));
+    structure.SetImage("stiffness_image", sources.Texture);
+  }
+  if (RandomChoice(own))
+  {
+    structure.SetNumber("gradient_n_mm", RandomNumber(own, 0.1, 1.0));
+    structure.SetNumber("gradient_to_value", RandomNumber(own, 10.0, 100.0));
+    structure.SetNumber("gradient_smoothing_mm", RandomNumber(own, 0.0, 2.0));
+    structure.SetImage("gradient_image", sources.Texture);
+  }
 }
 
 SceneStructure RandomStructure(Random& random, const Sources& sources, int id)
@@ -266,6 +281,7 @@ void ExpectSameBits(double a, double b, const char* what)
 void ExpectSameEffect(const ForceEffect& a, const ForceEffect& b)
 {
   ExpectSameBits(a.Damping(), b.Damping(), "damping of an effect");
+  ASSERT_EQ(a.Field() != nullptr, b.Field() != nullptr);
   Random random(7);
   for (int n = 0; n < 100; ++n)
   {
@@ -282,6 +298,11 @@ void ExpectSameEffect(const ForceEffect& a, const ForceEffect& b)
     for (int axis = 0; axis < 3; ++axis)
     {
       ExpectSameBits(one[axis], other[axis], "force of an effect");
+    }
+    for (int axis = 0; a.Field() != nullptr && axis < 3; ++axis)
+    {
+      ExpectSameBits(a.Field()->ForceWorld(touch.SurfaceWorld)[axis],
+                     b.Field()->ForceWorld(touch.SurfaceWorld)[axis], "force of a field");
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ContactForce.h"
+#include "ForceField.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -16,11 +17,14 @@ struct EffectTouch
   Vector3 HandVelocity = Vector3::Zero(); ///< mm/s
   /// mm; the tool's centre is inside where the contact is deeper than this.
   double CenterDepth = 0.0;
-  Vector3 SurfaceWorld = Vector3::Zero(); ///< mm, where the tool touches
-  double Time = 0.0;                      ///< s
+  double OwnStiffness = 0.0;                    ///< N/mm, of the structure without effects
+  Vector3 SurfaceWorld = Vector3::Zero();       ///< mm, where the tool touches
+  Matrix3 WorldPerDevice = Matrix3::Identity(); ///< mm of the world per mm of the hand
+  double Time = 0.0;                            ///< s
 };
 
-/// A force that a structure adds to its contact force. Immutable, shared by threads.
+/// A force that a structure adds to its contact force, or a change of its stiffness. Immutable,
+/// shared by threads.
 class ForceEffect
 {
 public:
@@ -30,7 +34,17 @@ public:
   ForceEffect& operator=(const ForceEffect&) = delete;
 
   /// N, in the device's frame. Servo thread: allocates nothing.
-  virtual Vector3 Force(const EffectTouch& touch) const noexcept = 0;
+  virtual Vector3 Force(const EffectTouch& /*touch*/) const noexcept { return Vector3::Zero(); }
+  /// A force that acts around the structure, with or without contact; null: none.
+  virtual const ForceField* Field() const noexcept { return nullptr; }
+  /// N/mm at the hand: the stiffness of a rigid structure where the tool touches `pointWorld` (mm),
+  /// if it would be `own` without this effect. Servo thread: allocates nothing.
+  virtual double StiffnessAt(double own, const Vector3& /*pointWorld*/) const noexcept
+  {
+    return own;
+  }
+  /// The largest of these anywhere, which has a bound of stability.
+  virtual double LargestStiffness(double own) const noexcept { return own; }
   /// N s/mm that it adds to the damping of the contact, which has a bound of stability.
   virtual double Damping() const noexcept { return 0.0; }
   /// Refuses parameters that give no finite force.

@@ -25,6 +25,9 @@ public:
   {
     return this->Rotation.transpose() * lengthWorld / this->Scale;
   }
+  /// mm of the world per mm of the hand, along the device's axes; its transpose turns changes per
+  /// mm of the world into changes per mm of the hand.
+  Matrix3 WorldPerDevice() const noexcept { return this->Scale * this->Rotation; }
   /// Directions and forces are rotated, not scaled.
   Vector3 TurnedToDevice(const Vector3& world) const noexcept
   {

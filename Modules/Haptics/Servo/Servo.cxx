@@ -274,7 +274,7 @@ SafetyInput Servo::InputOf(const TickObservation& now) const noexcept
   input.SceneFault = this->Current.Felt.IsValid ? SafetyFault::None : SafetyFault::InvalidContact;
   input.IsTouching = this->Current.Felt.Structure >= 0;
   input.ContactForce = this->Current.Felt.Force;
-  input.AmbientForce = this->Carrying;
+  input.AmbientForce = this->Carrying + this->Current.Felt.Field;
   return input;
 }
 

@@ -65,6 +65,8 @@ void ServoScene::Leave() noexcept
     this->Followers[this->Near[i]].Leave();
   }
   this->Fading = {};
+  this->FieldNow.setZero();
+  this->FieldBefore.setZero();
 }
 
 int ServoScene::Find(int id) const noexcept
@@ -101,6 +103,8 @@ void ServoScene::FadeOut(int structure, const FadingContact& contact) noexcept
 
 void ServoScene::CarryOn(const ServoScene& before) noexcept
 {
+  this->FieldBefore = before.FieldNow;
+  this->FieldFading = RampIn(HandoverDuration);
   for (const FadingStructure& one : before.Fading)
   {
     this->FadeOut(this->IndexOf(before, one.Structure), one.Contact);
@@ -228,6 +232,7 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
   {
     StructureFollower& follower = this->Followers[this->Near[i]];
     feeling.Force += follower.Follow(step);
+    feeling.Field += follower.FieldForce();
     const Contact& contact = follower.Touched();
     feeling.IsValid = feeling.IsValid && contact.IsValid;
     if (contact.IsTouching && (feeling.Structure < 0 || contact.Depth > feeling.Deepest.Depth))
@@ -243,6 +248,14 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
       feeling.Force += one.Contact.Advance(step.Hand, step.Passed);
     }
   }
+  const double fading = this->FieldFading.Advance(step.Passed);
+  for (const auto& field : this->Shared->Fields)
+  {
+    const Vector3 force = field->ForceWorld(step.Now.PositionWorld);
+    feeling.Field += fading * this->Shared->Frame.TurnedToDevice(force);
+  }
+  feeling.Field += (1.0 - fading) * this->FieldBefore;
+  this->FieldNow = feeling.Field;
   this->Hand = step.Hand;
   return feeling;
 }

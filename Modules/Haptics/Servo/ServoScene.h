@@ -33,6 +33,7 @@ public:
   struct Feeling
   {
     Vector3 Force = Vector3::Zero(); ///< N, the sum over all structures
+    Vector3 Field = Vector3::Zero(); ///< N, of their force fields, in addition
     int Structure = -1;              ///< the one touched most deeply; -1 without contact
     Contact Deepest;                 ///< of that structure
     bool IsValid = true;             ///< every model gave a valid result
@@ -86,6 +87,9 @@ private:
   std::size_t NearCount = 0;
   std::vector<std::pair<int, int>> Ids;    // ids and their structures; ascending
   std::array<FadingStructure, 8> Fading;   // more than a tool usually touches
+  Vector3 FieldNow = Vector3::Zero();      // N, of the last Follow
+  Vector3 FieldBefore = Vector3::Zero();   // N, of the previous scene, which fades out
+  RampIn FieldFading{0.0};                 // of the other
   Vector3 Hand = Vector3::Zero();          // mm, device's frame, of the last Follow
   std::vector<std::uint32_t> Drilled;      // followers
   const DrillVersions* Versions = nullptr; // in use; owned by the link

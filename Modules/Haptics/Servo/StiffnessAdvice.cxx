@@ -50,17 +50,27 @@ std::vector<std::string> StiffnessWarnings(const TouchScene& scene,
                                            const DeviceCapabilities& device, double rate)
 {
   std::vector<std::string> warnings;
+  double everywhere = 0.0;
+  for (const auto& field : scene.Fields)
+  {
+    everywhere += field->Stiffness();
+  }
   for (const TouchStructure& structure : scene.Structures)
   {
     double damping = structure.Law.Damping;
+    double rigid = structure.Law.Stiffness;
+    double field = everywhere;
     for (const auto& effect : structure.Effects)
     {
       damping += effect->Damping();
+      rigid = effect->LargestStiffness(rigid);
+      field += effect->Field() != nullptr ? effect->Field()->Stiffness() : 0.0;
     }
     const double own = structure.Model != nullptr ? structure.Model->OwnStiffness(scene.Tool) : 0.0;
-    const double stiffness = own > 0.0 ? own / scene.Frame.LengthDevice(Vector3::UnitX()).norm()
-                                       : structure.Law.Stiffness;
-    damping += own > 0.0 ? structure.Law.Relaxation * stiffness : 0.0;
+    const double handPerWorld = scene.Frame.LengthDevice(Vector3::UnitX()).norm();
+    const double contact = own > 0.0 ? own / handPerWorld : rigid;
+    damping += own > 0.0 ? structure.Law.Relaxation * contact : 0.0;
+    const double stiffness = contact + field / handPerWorld;
     const StableStiffness stable = StiffestStable(device, rate, damping);
     if (stiffness > stable.Largest)
     {

@@ -56,7 +56,7 @@ StructureFollower::StructureFollower(const TouchStructure& structure, const Touc
     : Tracker(std::move(tracker)), Structure(&structure), Frame(&scene.Frame), Tool(&scene.Drill),
       Reach(ReachWorld(structure, scene.Tool)), ToolRadiusWorld(LeastRadius(scene.Tool)),
       ToolRadiusDevice(scene.Frame.LengthDevice(ToolRadiusWorld * Vector3::UnitX()).norm()),
-      OffsetVelocity(velocityTimeConstant)
+      OffsetVelocity(velocityTimeConstant), Law(structure.Law)
 {
   if (structure.Site >= 0)
   {
@@ -70,6 +70,13 @@ Eigen::AlignedBox3d StructureFollower::ReachWorld(const TouchStructure& structur
   Eigen::AlignedBox3d reach = structure.Model->BoundsWorld();
   reach.min().array() -= tool.BoundingRadius();
   reach.max().array() += tool.BoundingRadius();
+  for (const auto& effect : structure.Effects)
+  {
+    if (effect->Field() != nullptr)
+    {
+      reach.extend(effect->Field()->BoundsWorld());
+    }
+  }
   return reach;
 }
 
@@ -111,6 +118,7 @@ void StructureFollower::Leave() noexcept
   this->Before.reset();
   this->Weight = RampIn(0.0);
   this->Force.setZero();
+  this->OfFields.setZero();
   this->OffsetVelocity.Reset();
   this->Interpolation.Reset();
   if (this->Feed != nullptr)
@@ -188,7 +196,7 @@ double StructureFollower::StiffnessDevice() const noexcept
 {
   return this->Last.Elastic != nullptr
              ? this->Last.Elastic->Slope / this->Frame->LengthDevice(Vector3::UnitX()).norm()
-             : this->Structure->Law.Stiffness;
+             : this->Law.Stiffness;
 }
 
 // Between results of the model, the force changes with the depth by its slope.
@@ -273,6 +281,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   {
     this->Last = Untouched(step.Now.PositionWorld);
     this->Force.setZero();
+    this->OfFields.setZero();
     return Vector3::Zero();
   }
   ContactOffset felt = this->Felt(step);
@@ -285,13 +294,19 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   felt.Normal = this->Frame->TurnedToDevice(felt.Normal);
   felt.Push = this->Frame->TurnedToDevice(felt.Push);
   felt.Velocity = this->OffsetVelocity.Update(felt.Offset, step.Passed);
-  const Vector3 force = ContactForce(this->Structure->Law, felt);
+  EffectTouch touch = this->TouchOf(felt, proxyWorld, step);
+  if (felt.IsTouching)
+  {
+    this->Law.Stiffness = this->StiffnessAt(touch);
+  }
+  touch.ContactForce = ContactForce(this->Law, felt);
   this->Factor = this->Weight.Advance(step.Passed);
   this->NormalDevice = felt.Normal;
-  this->Force = this->Factor * this->WithEffects(force, felt, proxyWorld, step);
+  this->Force = this->Factor * this->WithEffects(touch);
+  this->OfFields = this->Factor * this->FieldForceAt(step.Now.PositionWorld);
   if (this->Feed != nullptr)
   {
-    this->Force += this->Drill(step, felt, this->Factor * force.dot(felt.Normal));
+    this->Force += this->Drill(step, felt, this->Factor * touch.ContactForce.dot(felt.Normal));
   }
   return this->Force;
 }
@@ -315,22 +330,46 @@ Vector3 StructureFollower::Drill(const FollowStep& step, const ContactOffset& fe
 }
 
 // Effects see the point where the tool touches, as a sphere does.
-Vector3 StructureFollower::WithEffects(const Vector3& contactForce, const ContactOffset& felt,
-                                       const Vector3& proxyWorld,
+EffectTouch StructureFollower::TouchOf(const ContactOffset& felt, const Vector3& proxyWorld,
                                        const FollowStep& step) const noexcept
 {
-  Vector3 force = contactForce + Vector3::Zero(); // -0 becomes 0, as recordings have it
-  if (this->Structure->Effects.empty())
-  {
-    return force;
-  }
   EffectTouch touch;
   touch.Contact = felt;
-  touch.ContactForce = contactForce;
   touch.HandVelocity = step.HandVelocity;
   touch.CenterDepth = this->ToolRadiusDevice;
+  touch.OwnStiffness = this->Structure->Law.Stiffness;
   touch.SurfaceWorld = proxyWorld - this->ToolRadiusWorld * this->Frame->TurnedToWorld(felt.Normal);
+  touch.WorldPerDevice = this->Frame->WorldPerDevice();
   touch.Time = step.Time;
+  return touch;
+}
+
+Vector3 StructureFollower::FieldForceAt(const Vector3& originWorld) const noexcept
+{
+  Vector3 forceWorld = Vector3::Zero();
+  for (const auto& effect : this->Structure->Effects)
+  {
+    if (const ForceField* const field = effect->Field())
+    {
+      forceWorld += field->ForceWorld(originWorld);
+    }
+  }
+  return this->Frame->TurnedToDevice(forceWorld);
+}
+
+double StructureFollower::StiffnessAt(const EffectTouch& touch) const noexcept
+{
+  double stiffness = touch.OwnStiffness;
+  for (const auto& effect : this->Structure->Effects)
+  {
+    stiffness = effect->StiffnessAt(stiffness, touch.SurfaceWorld);
+  }
+  return stiffness;
+}
+
+Vector3 StructureFollower::WithEffects(const EffectTouch& touch) const noexcept
+{
+  Vector3 force = touch.ContactForce + Vector3::Zero(); // -0 becomes 0, as recordings have it
   for (const auto& effect : this->Structure->Effects)
   {
     force += effect->Force(touch);

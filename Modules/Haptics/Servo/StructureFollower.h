@@ -58,7 +58,11 @@ public:
   /// The force (N) in the device's frame.
   Vector3 Follow(const FollowStep& step) noexcept;
 
-  /// Box in which the tool's origin may touch, mm.
+  /// N, device's frame: of the structure's force fields, in addition to the result of the last
+  /// Follow.
+  const Vector3& FieldForce() const noexcept { return this->OfFields; }
+
+  /// Box in which the tool's origin may touch or be in a force field, mm.
   static Eigen::AlignedBox3d ReachWorld(const TouchStructure& structure, const ToolShape& tool);
   /// Whether Follow would query the tracker now. Otherwise no call is needed, once one has
   /// registered that the tool left.
@@ -110,8 +114,11 @@ private:
   ContactOffset Felt(const FollowStep& step) noexcept;
   Vector3 ElasticPush(const Vector3& offsetWorld) const noexcept;
   double StiffnessDevice() const noexcept;
-  Vector3 WithEffects(const Vector3& contactForce, const ContactOffset& felt,
-                      const Vector3& proxyWorld, const FollowStep& step) const noexcept;
+  EffectTouch TouchOf(const ContactOffset& felt, const Vector3& proxyWorld,
+                      const FollowStep& step) const noexcept;
+  Vector3 FieldForceAt(const Vector3& originWorld) const noexcept;
+  double StiffnessAt(const EffectTouch& touch) const noexcept;
+  Vector3 WithEffects(const EffectTouch& touch) const noexcept;
 
   std::unique_ptr<ContactTracker> Tracker;
   std::unique_ptr<DrillFeed> Feed; // null: not drilled
@@ -130,7 +137,9 @@ private:
   std::optional<Contact> Before; // contact from which it carries on
   RampIn Weight{0.0};            // fade-in of its force
   double Factor = 1.0;           // of the weight, last value
+  ContactLaw Law;                // of the last contact, with its effects
   Vector3 Force = Vector3::Zero();
+  Vector3 OfFields = Vector3::Zero();
   Vector3 NormalDevice = Vector3::UnitZ(); // of it
 };
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "TouchScene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpate
@@ -63,6 +64,10 @@ Status TouchScene::Check() const
     {
       return drill;
     }
+  }
+  if (std::find(this->Fields.begin(), this->Fields.end(), nullptr) != this->Fields.end())
+  {
+    return Status::Failure("A force field of the scene is missing.");
   }
   const DrillMotion& motion = this->Drill.Motion;
   if (!IsAmount(this->Drill.Clearance) || !IsAmount(motion.Radius) || !IsAmount(motion.Turns) ||

@@ -48,6 +48,8 @@ struct TouchDrill
 struct TouchScene
 {
   std::vector<TouchStructure> Structures;
+  /// That act everywhere, whatever is touched.
+  std::vector<std::shared_ptr<const ForceField>> Fields;
   ToolShape Tool = ToolShape::Sphere(1.0);
   DeviceFrame Frame;
   TouchDrill Drill;

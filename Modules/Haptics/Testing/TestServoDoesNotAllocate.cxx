@@ -1,6 +1,8 @@
 #include "AllocationCounter.h"
+#include "GuidingGradient.h"
 #include "ManyStructures.h"
 #include "ServoRun.h"
+#include "StiffnessImage.h"
 #include "SurfaceTexture.h"
 #include "TexturedField.h"
 #include "VolumeViscosity.h"
@@ -22,7 +24,15 @@ std::size_t AllocationsOfASession(const ServoSettings& settings)
   std::shared_ptr<const SurfaceTexture> texture;
   EXPECT_TRUE(
       SurfaceTexture::Make(test::TexturedField(), 0, test::TexturedBox(), 0.2, texture).IsOk());
-  scene.Structures[0].Effects = {texture, std::make_shared<const VolumeViscosity>(0.001)};
+  std::shared_ptr<const StiffnessImage> stiffness;
+  EXPECT_TRUE(
+      StiffnessImage::Make(test::TexturedField(), 0, {-1.0, 1.0, 0.5, 2.0}, stiffness).IsOk());
+  GuidingSettings guiding;
+  guiding.ToIntensity = guiding.Energy = 1.0;
+  std::shared_ptr<const GuidingGradient> gradient;
+  EXPECT_TRUE(GuidingGradient::Make(test::TexturedField(), 0, guiding, gradient).IsOk());
+  scene.Structures[0].Effects = {texture, std::make_shared<const VolumeViscosity>(0.001), stiffness,
+                                 gradient};
   test::ServoRun run(scene, settings);
   TouchScene continued = test::WallScene(0.5, {1.0, 0.0});
   continued.Structures[0].Id = 1;

@@ -71,6 +71,17 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   bone.SetNumber("viscosity_ns_per_mm", 0.003);
   bone.SetNumber("texture_n", 0.25);
   bone.SetImage("texture_image", this->Folder / "images/mr.nii.gz");
+  bone.SetNumber("stiffness_from_n_per_mm", 0.3);
+  bone.SetNumber("stiffness_from_value", -1000.5);
+  bone.SetNumber("stiffness_to_n_per_mm", 2.0);
+  bone.SetNumber("stiffness_to_value", 1500.25);
+  bone.SetImage("stiffness_image", this->Folder / "images/ct.nii.gz");
+  bone.SetNumber("gradient_n_mm", 0.8);
+  bone.SetNumber("gradient_from_value", -20.25);
+  bone.SetNumber("gradient_to_value", 1500.0);
+  bone.SetNumber("gradient_largest_n", 0.3);
+  bone.SetNumber("gradient_smoothing_mm", 1.5);
+  bone.SetImage("gradient_image", this->Folder / "images/t2.nii.gz");
   SceneStructure mask;
   mask.File = this->Folder / "mask.nii.gz";
   mask.Labels = {"1", "tumour, left"};
@@ -83,6 +94,8 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   settings.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
   settings.Tool.SemiAxes = Vector3(3.0, 2.0, 1.0);
   settings.Tool.Points = 77;
+  settings.Guides = {{GuideShape::Path, {{1.5, 2.0, 3.0}, {4.0, 5.0, -6.25}}, 0.3, 12.0, 0.25},
+                     {GuideShape::Point, {{7.0, 8.0, 9.0}}}};
   settings.Device = "replay:old.touch";
   settings.Rate = 2500.0;
   settings.ModelInterval = 4;
@@ -90,6 +103,7 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   const std::string text = SceneText(settings, this->Folder.Path());
   const SceneSettings back = this->Read(text);
   EXPECT_EQ(SceneText(back, this->Folder.Path()), text);
+  EXPECT_EQ(back.Guides, settings.Guides);
   ASSERT_EQ(back.Structures.size(), 3U);
   EXPECT_EQ(back.Structures[0].File.lexically_normal(), gland.File.lexically_normal());
   EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
@@ -101,6 +115,11 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   EXPECT_EQ(back.Structures[1].Number("texture_n"), 0.25);
   EXPECT_EQ(back.Structures[1].Image("texture_image").lexically_normal(),
             bone.Image("texture_image").lexically_normal());
+  EXPECT_EQ(back.Structures[1].Number("stiffness_from_value"), -1000.5);
+  EXPECT_EQ(back.Structures[1].Number("stiffness_to_n_per_mm"), 2.0);
+  EXPECT_EQ(back.Structures[1].Numbers, bone.Numbers);
+  EXPECT_EQ(back.Structures[1].Image("stiffness_image").lexically_normal(),
+            bone.Image("stiffness_image").lexically_normal());
   EXPECT_TRUE(back.Structures[0].Images.empty());
   EXPECT_EQ(back.Structures[2].Labels, mask.Labels);
   EXPECT_EQ(back.Structures[2].Degree, 20);
@@ -258,6 +277,17 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
       {begin + R"(, "viscosity_ns_per_mm": -1}]})", "viscosity_ns_per_mm"},
       {begin + R"(, "texture_n": 0.1}]})", "texture_image"},
       {begin + R"(, "texture_image": "mr.nrrd"}]})", "texture_n"},
+      {begin + R"(, "stiffness_from_n_per_mm": 1}]})", "stiffness_image"},
+      {begin + R"(, "stiffness_image": "mr.nrrd"}]})", "stiffness_from_n_per_mm"},
+      {begin + R"(, "stiffness_from_n_per_mm": -1, "stiffness_image": "mr.nrrd"}]})",
+       "stiffness_from_n_per_mm"},
+      {begin + R"(, "stiffness_to_n_per_mm": 1e5}]})", "stiffness_to_n_per_mm"},
+      {begin + R"(, "stiffness_to_value": -1e7}]})", "stiffness_to_value"},
+      {begin + R"(, "gradient_n_mm": 1}]})", "gradient_image"},
+      {begin + R"(, "gradient_image": "mr.nrrd"}]})", "gradient_n_mm"},
+      {begin + R"(, "gradient_n_mm": 101, "gradient_image": "mr.nrrd"}]})", "gradient_n_mm"},
+      {begin + R"(, "gradient_largest_n": 3.5}]})", "gradient_largest_n"},
+      {begin + R"(, "gradient_smoothing_mm": -1}]})", "gradient_smoothing_mm"},
       {begin + R"(, "modulus_kpa": -1}]})", "modulus_kpa"},
       {begin + R"(, "modulus_kpa": 1e7}]})", "modulus_kpa"},
       {begin + R"(, "poisson_ratio": 0.5}]})", "poisson_ratio"},
@@ -290,6 +320,16 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
       {begin + R"(}], "drill": {"turns_per_s": -1}})", "turns_per_s"},
       {begin + R"(}], "drill": {"vibration_hz": 1000}})", "vibration_hz"},
       {begin + R"(}], "drill": {"rpm": 1000}})", "turns_per_s"},
+      {begin + R"(}], "guides": 3})", "guides"},
+      {begin + R"(}], "guides": [{"points": []}]})", "guides[0]"},
+      {begin + R"(}], "guides": [{"shape": "line"}]})", "plane"},
+      {begin + R"(}], "guides": [{"points": [{"position_mm": [1, 2]}]}]})", "position_mm"},
+      {begin + R"(}], "guides": [{"shape": "path", "points": [{"position_mm": [1, 2, 3]}]}]})",
+       "guides[0]"},
+      {begin + R"(}], "guides": [{"points": [{"position_mm": [1, 2, 3]}], "range_mm": 0}]})",
+       "positive"},
+      {begin + R"(}], "guides": [{"points": [{"position_mm": [1, 2, 3]}], "largest_n": 4}]})",
+       "largest_n"},
       {begin + R"(}], "device": 4})", "device"},
       {begin + R"(}], "rate_hz": 0})", "rate_hz"},
       {begin + R"(}], "scale": 1e9})", "scale"},

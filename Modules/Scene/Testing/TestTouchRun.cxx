@@ -36,6 +36,21 @@ const TouchStretch& LastOf(const TouchResult& result)
 
 constexpr double Radius = 15.0;
 
+// Voxels of 1 mm around the origin whose value is their x, mm.
+vtkSmartPointer<vtkImageData> RampAlongX(int size)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size, size, size);
+  image->SetOrigin(-0.5 * (size - 1), -0.5 * (size - 1), -0.5 * (size - 1));
+  image->AllocateScalars(VTK_FLOAT, 1);
+  for (int n = 0; n < size * size * size; ++n)
+  {
+    image->SetScalarComponentFromDouble(n % size, n / size % size, n / size / size, 0,
+                                        n % size - 0.5 * (size - 1));
+  }
+  return image;
+}
+
 // A sphere, as a model, and as a mask on 1 mm voxels.
 class TouchRun : public testing::Test
 {
@@ -60,6 +75,15 @@ protected:
     structure.Degree = 2;
     settings.Structures = {structure};
     return settings;
+  }
+  // The recording is session.touch.
+  TouchResult RunAndReplay(const SceneSettings& settings, const TouchScript& script)
+  {
+    const PreparedTouch touch = PrepareTouch(settings, script, GoOn);
+    const auto file = this->Folder / "session.touch";
+    const TouchResult result = RunTouch(touch, {true, file, {}, {}}, GoOn);
+    EXPECT_EQ(CompareTouch(touch, file).DifferentTicks, 0U);
+    return result;
   }
   // Straight to a point on the x axis, and rest.
   static TouchScript PressTo(double x)
@@ -188,6 +212,113 @@ TEST_F(TouchRun, TextureForceIncreasesWithIntensity)
   EXPECT_GT(ratio(), 0.55);
   settings.Structures[0].SetImage("texture_image", this->Folder / "missing.nrrd");
   EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
+}
+
+// The image is x in mm, and the hand presses at the sphere's 15 mm: half-way between two values.
+TEST_F(TouchRun, StiffnessFollowsAnImageAndReplaysBitForBit)
+{
+  const auto image = this->Folder / "image.nrrd";
+  WriteImage(image, RampAlongX(40));
+  SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Structures[0].SetNumber("stiffness_from_n_per_mm", 0.4);
+  settings.Structures[0].SetNumber("stiffness_from_value", 20.0);
+  settings.Structures[0].SetNumber("stiffness_to_n_per_mm", 1.2);
+  settings.Structures[0].SetNumber("stiffness_to_value", 10.0);
+  settings.Structures[0].SetImage("stiffness_image", image);
+  const TouchResult result = this->RunAndReplay(settings, PressTo(13.0));
+  EXPECT_NEAR(LastOf(result).Force.Most / LastOf(result).Depth.Most, 0.8, 1e-6); // floats
+  settings.Structures[0].SetNumber("stiffness_to_value", 5.0);
+  const PreparedTouch changed = PrepareTouch(settings, PressTo(13.0), GoOn);
+  EXPECT_GT(CompareTouch(changed, this->Folder / "session.touch").DifferentTicks, 500U);
+}
+
+// The hand holds still beside the sphere, without contact, where the image rises along x.
+TEST_F(TouchRun, GradientGuidesInFreeSpaceAndReplaysBitForBit)
+{
+  const auto image = this->Folder / "image.nrrd";
+  WriteImage(image, RampAlongX(80));
+  SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  SceneStructure& ball = settings.Structures[0];
+  ball.SetNumber("gradient_n_mm", 1.0);
+  ball.SetNumber("gradient_from_value", 13.0);
+  ball.SetNumber("gradient_to_value", 23.0);
+  ball.SetNumber("gradient_smoothing_mm", 1.5);
+  ball.SetImage("gradient_image", image);
+  TouchScript script;
+  script.Path = HandPath({{0.0, Vector3(18.0, 3.0, 0.0)}, {2.0, Vector3(18.0, 3.0, 0.0)}});
+  const TouchResult result = this->RunAndReplay(settings, script);
+  EXPECT_EQ(result.TouchedSeconds[0], 0.0);
+  EXPECT_NEAR(LastOf(result).Force.Most, 0.15, 0.01); // 1.5 N mm / 10 mm; the hand yields a little
+  ball.SetNumber("gradient_largest_n", 0.05);
+  const TouchResult weaker = RunTouch(PrepareTouch(settings, script, GoOn), {}, GoOn);
+  EXPECT_LT(LastOf(weaker).Force.Most, 0.05);
+  ball.SetNumber("gradient_to_value", 13.0);
+  EXPECT_THROW(PrepareTouch(settings, script, GoOn), InputError);
+}
+
+// The hand holds still 2 mm from a path that passes beside the sphere.
+TEST_F(TouchRun, GuideActsInFreeSpaceAndReplaysBitForBit)
+{
+  SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Guides = {{GuideShape::Path, {{30.0, -40.0, 0.0}, {30.0, 40.0, 0.0}}}};
+  TouchScript script;
+  script.Path = HandPath({{0.0, Vector3(28.0, 3.0, 0.0)}, {2.0, Vector3(28.0, 3.0, 0.0)}});
+  const TouchResult result = this->RunAndReplay(settings, script);
+  EXPECT_EQ(result.TouchedSeconds[0], 0.0);
+  const double left = 1.0 - 2.0 * 2.0 / 100.0;
+  EXPECT_NEAR(LastOf(result).Force.Most, 0.5 / 2.862 * 2.0 * left * left, 0.08); // the hand yields
+  settings.Guides[0].LargestForce = 0.1;
+  const TouchResult weaker = RunTouch(PrepareTouch(settings, script, GoOn), {}, GoOn);
+  EXPECT_LT(LastOf(weaker).Force.Most, 0.1);
+}
+
+TEST_F(TouchRun, RejectsStiffnessImagesThatCannotBeFelt)
+{
+  const auto image = this->Folder / "image.nrrd";
+  WriteImage(image, RampAlongX(40));
+  SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  SceneStructure& ball = settings.Structures[0];
+  ball.SetNumber("stiffness_from_n_per_mm", 0.4);
+  ball.SetImage("stiffness_image", image);
+  const auto refusal = [&]
+  {
+    try
+    {
+      PrepareTouch(settings, PressTo(13.0), GoOn);
+    }
+    catch (const InputError& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal().find("choose two different"), std::string::npos) << refusal();
+  ball.SetNumber("stiffness_to_value", 10.0);
+  EXPECT_EQ(refusal(), "");
+  vtkSmartPointer<vtkImageData> far = RampAlongX(40);
+  far->SetOrigin(500.0, 0.0, 0.0);
+  WriteImage(image, far);
+  EXPECT_NE(refusal().find("does not reach"), std::string::npos) << refusal();
+  vtkSmartPointer<vtkImageData> broken = RampAlongX(40);
+  broken->SetScalarComponentFromDouble(20, 20, 20, 0, std::nan(""));
+  WriteImage(image, broken);
+  EXPECT_NE(refusal().find("NaN or infinite"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("image.nrrd"), std::string::npos) << refusal();
+}
+
+TEST_F(TouchRun, RejectsStiffnessImagesOfStructuresThatYield)
+{
+  const auto image = this->Folder / "image.nrrd";
+  WriteImage(image, RampAlongX(40));
+  SceneSettings settings = this->SettingsOf(this->MaskPath, TouchRepresentation::Elastic);
+  SceneStructure& ball = settings.Structures[0];
+  ball.SetNumber("elements_across", 4.0);
+  ball.SetNumber("stiffness_from_n_per_mm", 0.4);
+  ball.SetNumber("stiffness_to_value", 10.0);
+  ball.SetImage("stiffness_image", image);
+  EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
+  ball.SetNumber("stiffness_from_n_per_mm", 0.0);
+  EXPECT_NO_THROW(PrepareTouch(settings, PressTo(13.0), GoOn));
 }
 
 TEST_F(TouchRun, SweepIsMostlyInContact)

@@ -63,6 +63,8 @@ inline SceneStructure RandomStructure(Random& random)
   structure.SetNumber("texture_n", RandomChoice(random) ? 0.0 : RandomNumber(random, 0.0, 1.0));
   structure.SetImage("texture_image",
                      RandomChoice(random) ? "" : StudyPath("volumes/t2 \xC3\xA4.nii.gz"));
+  structure.SetNumber("stiffness_from_value", RandomNumber(random, -1000.0, 1000.0));
+  structure.SetImage("stiffness_image", RandomChoice(random) ? "" : StudyPath("adc.nii.gz"));
   structure.SetNumber("modulus_kpa", RandomNumber(random, 1.0, 100.0));
   structure.SetNumber("free_side", RandomWhole(random, 0, 6));
   structure.SetNumber("elements_across", 2 * RandomWhole(random, 0, 12));
@@ -117,6 +119,10 @@ inline void RandomizeFit(Random& random, FitSettings& fit)
 
 inline void RandomizeTouch(Random& random, StudyState& state)
 {
+  if (RandomChoice(random))
+  {
+    state.Guides = {{GuideShape::Point, {Vector3::Constant(RandomNumber(random, -90.0, 90.0))}}};
+  }
   state.Tool.Kind = static_cast<TouchToolSettings::Shape>(RandomWhole(random, 0, 2));
   state.Tool.Radius = RandomNumber(random, 0.0, 5.0);
   state.Tool.Length = RandomNumber(random, 1.0, 20.0);

@@ -10,6 +10,8 @@
 #include "SurfaceFile.h"
 #include "WholeFile.h"
 
+#include <QKeyEvent>
+#include <QTabWidget>
 #include <QTableView>
 
 namespace palpate::added_structures_test
@@ -164,6 +166,61 @@ TEST_F(AddedStructures, DialogLetsAStructureYield)
   EXPECT_EQ(first.Number("free_side"), 3.0);
   EXPECT_EQ(first.Number("inclusion_kpa"), 60.0);
   EXPECT_EQ(first.Number("support_kpa_per_mm"), 0.0);
+}
+
+TEST_F(AddedStructures, DialogLetsAnOpenVolumeBeFeltAsStiffness)
+{
+  this->OpenPhantom();
+  const std::filesystem::path open = this->Study->State().VolumeFile;
+  ASSERT_FALSE(open.empty());
+  StructureDialog dialog(*this->Study, this->Study->State().Structures.front().Id);
+  dialog.show();
+  auto* image = dialog.findChild<QComboBox*>("stiffness_image");
+  EXPECT_EQ(image->currentText(), "") << "none is chosen by itself";
+  auto* tabs = dialog.findChild<QTabWidget*>("details");
+  tabs->setCurrentIndex(2);
+  EXPECT_TRUE(image->isVisible());
+  image->setFocus();
+  QKeyEvent down(QEvent::KeyPress, Qt::Key_Down, Qt::NoModifier);
+  QCoreApplication::sendEvent(image, &down);
+  EXPECT_EQ(image->currentText().toStdString(), open.string());
+  const auto type = [&dialog](const char* name, double value)
+  { dialog.findChild<QDoubleSpinBox*>(name)->setValue(value); };
+  type("stiffness_from_n_per_mm", 0.3);
+  type("stiffness_from_value", -250.5);
+  type("stiffness_to_n_per_mm", 1.2);
+  type("stiffness_to_value", 700.0);
+  dialog.accept();
+  const SceneStructure first = this->Study->State().Structures.front();
+  EXPECT_EQ(first.Image("stiffness_image"), open);
+  EXPECT_EQ(first.Number("stiffness_from_n_per_mm"), 0.3);
+  EXPECT_EQ(first.Number("stiffness_from_value"), -250.5);
+  EXPECT_EQ(first.Number("stiffness_to_n_per_mm"), 1.2);
+  EXPECT_EQ(first.Number("stiffness_to_value"), 700.0);
+  EXPECT_TRUE(first.Image("texture_image").empty());
+  const auto effects = [&]
+  { return this->Study->Current().Pipeline().Newest<ImageEffects>(SceneStep::Effects, first.Id); };
+  WaitUntil([&] { return effects() != nullptr; });
+  ASSERT_NE(effects(), nullptr) << this->Messages();
+  EXPECT_EQ(effects()->Made.count("stiffness image"), 1U);
+}
+
+// With the rows of a structure that yields, which are the most.
+TEST_F(AddedStructures, DetailsFitASmallScreen)
+{
+  this->OpenPhantom();
+  StructureDialog dialog(*this->Study, this->Study->State().Structures.front().Id);
+  dialog.findChild<QComboBox*>("representation")->setCurrentText("elastic");
+  dialog.show();
+  for (int tab = 0; tab < 3; ++tab)
+  {
+    dialog.findChild<QTabWidget*>("details")->setCurrentIndex(tab);
+    QCoreApplication::processEvents();
+    const QSize wanted = dialog.minimumSizeHint().expandedTo(dialog.size());
+    EXPECT_LE(wanted.height(), 700);
+    EXPECT_LE(wanted.width(), 1024);
+  }
+  dialog.reject();
 }
 
 TEST_F(AddedStructures, OnlyLabelsAreInclusions)

@@ -5,9 +5,11 @@
 #include "vtkRenderWindow.h"
 
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QKeyEvent>
+#include <QKeySequenceEdit>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPlainTextEdit>
@@ -106,14 +108,14 @@ TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
 TEST_F(TouchLinkTest, KeyDIsPedalUnlessTyping)
 {
   this->StartTouch();
-  this->Window->activateWindow();
-  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  Activate(*this->Window);
   EXPECT_TRUE(this->IsPedalWith(this->Window->Views()->Space()->Canvas()));
   auto* line = new QLineEdit(this->Window.get());
   EXPECT_FALSE(this->IsPedalWith(line));
   EXPECT_EQ(line->text(), "d");
   EXPECT_FALSE(this->IsPedalWith(new QDoubleSpinBox(this->Window.get())));
   EXPECT_FALSE(this->IsPedalWith(new QTextEdit(this->Window.get())));
+  EXPECT_FALSE(this->IsPedalWith(new QKeySequenceEdit(this->Window.get())));
   EXPECT_FALSE(this->IsPedalWith(new QPlainTextEdit(this->Window.get())));
   auto* choice = new QComboBox(this->Window.get());
   EXPECT_TRUE(this->IsPedalWith(choice));
@@ -275,6 +277,45 @@ TEST_F(TouchLinkTest, RejectsTouchOfNothing)
   WaitUntil([this] { return !this->Messages().empty(); });
   EXPECT_EQ(this->Messages(), "There is nothing to touch yet: make a structure touchable and wait "
                               "until its model is made.");
+}
+
+// By keyboard: to a landmark, along a path, to a plane that has too few points, and none.
+TEST_F(TouchLinkTest, LandmarksGuideTheTool)
+{
+  this->StartTouch();
+  StudyState next = this->Study->State();
+  next.Landmarks = {{"F-1", this->SphereCenter + Vector3(0.0, 0.0, 20.0)},
+                    {"F-2", this->SphereCenter + Vector3(10.0, 0.0, 20.0)}};
+  this->Study->Change("Place landmarks", next);
+  auto* guide = this->Window->findChild<QComboBox*>("guide");
+  auto* dock = guide->parentWidget();
+  while (qobject_cast<QDockWidget*>(dock) == nullptr)
+  {
+    dock = dock->parentWidget();
+  }
+  dock->show();
+  const auto chooseNext = [guide]
+  {
+    QKeyEvent down(QEvent::KeyPress, Qt::Key_Down, Qt::NoModifier);
+    QCoreApplication::sendEvent(guide, &down);
+  };
+  chooseNext();
+  ASSERT_EQ(this->Study->State().Guides.size(), 1U) << this->Messages();
+  EXPECT_EQ(this->Study->State().Guides[0].Shape, GuideShape::Point);
+  chooseNext();
+  const GuideSettings path = this->Study->State().Guides.at(0);
+  EXPECT_EQ(path.Shape, GuideShape::Path);
+  EXPECT_EQ(path.PointsWorld.size(), 2U);
+  EXPECT_EQ(path.PointsWorld.back(), next.Landmarks.back().PositionWorld);
+  chooseNext();
+  EXPECT_NE(this->Messages().find("a plane 3"), std::string::npos);
+  EXPECT_EQ(this->Study->State().Guides.at(0), path);
+  EXPECT_EQ(guide->currentIndex(), 2) << "shows what holds";
+  this->Study->Undo();
+  this->Study->Undo();
+  EXPECT_TRUE(this->Study->State().Guides.empty());
+  EXPECT_EQ(guide->currentIndex(), 0);
+  EXPECT_TRUE(this->Study->IsTouching());
 }
 
 // Open, fit, touch by mouse, landmark, save, reopen: the same state.
