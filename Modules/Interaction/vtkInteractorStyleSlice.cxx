@@ -121,6 +121,13 @@ void vtkInteractorStyleSlice::OnMouseMove()
     this->Drag();
     return;
   }
+  if (vtkSliceView* view = this->Interactor->GetShiftKey() != 0 ? this->PokedView() : nullptr)
+  {
+    const int* now = this->Interactor->GetEventPosition();
+    view->MoveCrosshairTo(now[0], now[1]);
+    this->Finish();
+    return;
+  }
   this->Superclass::OnMouseMove();
 }
 
@@ -128,7 +135,8 @@ void vtkInteractorStyleSlice::OnLeftButtonDown()
 {
   const bool isOther = this->Interactor->GetControlKey() != 0;
   const bool movesCrosshair = (this->LeftButtonMode == CROSSHAIR) != isOther;
-  if (!this->StartDrag(movesCrosshair ? CROSSHAIR_DRAG : WINDOW_LEVEL_DRAG))
+  const bool pans = this->Interactor->GetShiftKey() != 0;
+  if (!this->StartDrag(pans ? PAN_DRAG : movesCrosshair ? CROSSHAIR_DRAG : WINDOW_LEVEL_DRAG))
   {
     this->Superclass::OnLeftButtonDown();
   }

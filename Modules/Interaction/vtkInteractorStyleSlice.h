@@ -4,6 +4,7 @@
  *
  * - left drag: moves the crosshair, or window (to the right: wider) and level (upwards: brighter);
  *   LeftButtonMode selects which, Ctrl the other one
+ * - Shift: the pointer moves the crosshair without a button, and a left drag pans, as in 3D Slicer
  * - mouse wheel: slices; with Ctrl: zoom. Middle drag: pan. Right drag: zoom, upwards larger
  * - arrow keys: one slice; page up and down: ten slices; r: fit the view to the volume
  *

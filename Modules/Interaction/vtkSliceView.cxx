@@ -60,8 +60,14 @@ struct vtkSliceView::State
   SliceGeometry Geometry(vtkSliceView* view)
   {
     vtkImageDisplay* display = view->GetImageDisplay();
-    return {static_cast<SliceOrientation>(view->Orientation), view->GetAlongImage(),
-            display == nullptr ? nullptr : display->GetImage()};
+    SliceGeometry geometry(static_cast<SliceOrientation>(view->Orientation), view->GetAlongImage(),
+                           display == nullptr ? nullptr : display->GetImage());
+    if (view->Neurological && view->Orientation != SAGITTAL)
+    {
+      geometry.Frame.RightWorld *= -1.0;
+      geometry.Frame.TowardsViewerWorld *= -1.0;
+    }
+    return geometry;
   }
   Vector3 Focus(vtkSliceView* view) const
   {
@@ -325,5 +331,6 @@ void vtkSliceView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "Orientation: " << palpate::NameOf(static_cast<SliceOrientation>(this->Orientation))
      << '\n';
+  os << indent << "Neurological: " << this->Neurological << '\n';
   os << indent << "PixelMillimeters: " << this->GetPixelMillimeters() << '\n';
 }

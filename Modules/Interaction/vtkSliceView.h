@@ -2,8 +2,8 @@
  * @class vtkSliceView
  * @brief one plane through a volume in a renderer, linked to other views
  *
- * The plane passes through the shared vtkCrosshair, in radiological convention. For contents and
- * links see vtkLinkedView; surfaces are shown as contours.
+ * The plane passes through the shared vtkCrosshair, in radiological or neurological convention. For
+ * contents and links see vtkLinkedView; surfaces are shown as contours.
  *
  * The volume is sampled at the view's pixels, in world coordinates: volumes on oblique grids are
  * shown at their positions. The view controls the camera: parallel, in front of the plane. Letters
@@ -46,6 +46,14 @@ public:
   ///@{
   vtkSetClampMacro(Orientation, int, AXIAL, SAGITTAL);
   vtkGetMacro(Orientation, int);
+  ///@}
+
+  ///@{
+  /** Axial slices from the head and coronal ones from behind, so that the patient's left is at the
+   * left (neurological convention). Off by default: radiological convention. */
+  vtkSetMacro(Neurological, bool);
+  vtkGetMacro(Neurological, bool);
+  vtkBooleanMacro(Neurological, bool);
   ///@}
 
   /** Shows the whole volume, centred, in the next frame. */
@@ -94,6 +102,7 @@ private:
   void UpdateImage(const palpate::SlicePosition& position);
 
   int Orientation = AXIAL;
+  bool Neurological = false;
 
   struct State;
   std::unique_ptr<State> Inner;

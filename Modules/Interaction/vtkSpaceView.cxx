@@ -22,6 +22,7 @@
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellPicker.h"
 #include "vtkImageData.h"
@@ -47,6 +48,11 @@ namespace
 {
 // VTK leaves space for a sphere around everything, which boxes and organs do not fill.
 constexpr double FitCloseness = 1.15;
+
+// Of the scene's size. A smaller bias darkens surfaces by their own facets.
+constexpr double OcclusionReach = 0.1;
+constexpr double OcclusionBias = 0.001;
+constexpr unsigned int OcclusionSamples = 64;
 
 // Rotates the camera around its focal point.
 void Look(vtkCamera* camera, const palpate::ViewFrame& frame)
@@ -340,6 +346,27 @@ void vtkSpaceView::UpdateFor(vtkRenderer* renderer)
   }
   MarkVolumes(renderer, contact);
   this->UpdateAnnotation(renderer);
+  this->UpdateQuality(renderer);
+}
+
+void vtkSpaceView::UpdateQuality(vtkRenderer* renderer)
+{
+  renderer->SetUseFXAA(this->Antialiasing);
+  renderer->SetUseSSAO(this->AmbientOcclusion);
+  if (!this->AmbientOcclusion)
+  {
+    return;
+  }
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  if (vtkMath::AreBoundsInitialized(bounds))
+  {
+    const double size = vtkBoundingBox(bounds).GetDiagonalLength();
+    renderer->SetSSAORadius(OcclusionReach * size);
+    renderer->SetSSAOBias(OcclusionBias * size);
+    renderer->SetSSAOKernelSize(OcclusionSamples);
+    renderer->SSAOBlurOn();
+  }
 }
 
 void vtkSpaceView::UpdateAnnotation(vtkRenderer* renderer)
@@ -357,4 +384,6 @@ void vtkSpaceView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Surfaces: " << this->Inner->Surfaces.size() << '\n';
+  os << indent << "Antialiasing: " << this->Antialiasing << '\n';
+  os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << '\n';
 }

@@ -40,6 +40,21 @@ public:
   /** Whether a slice is shown; orientations as in vtkSliceView. All are shown by default. */
   void SetSliceVisibility(int orientation, bool visibility);
 
+  ///@{
+  /** Smooth edges of surfaces (FXAA; text is smooth anyway). Off by default: software OpenGL needs
+   * several milliseconds a frame for it. */
+  vtkSetMacro(Antialiasing, bool);
+  vtkGetMacro(Antialiasing, bool);
+  vtkBooleanMacro(Antialiasing, bool);
+  ///@}
+  ///@{
+  /** Darkens clefts and places where surfaces meet, within a tenth of the scene's size
+   * (screen-space ambient occlusion). Off by default; only for OpenGL hardware. */
+  vtkSetMacro(AmbientOcclusion, bool);
+  vtkGetMacro(AmbientOcclusion, bool);
+  vtkBooleanMacro(AmbientOcclusion, bool);
+  ///@}
+
   /** Shows everything from a side of the patient; see palpate::FrameOf for the up direction. */
   void LookFrom(int side);
   /** Shows everything from the camera's current direction. */
@@ -69,7 +84,10 @@ private:
 
   void UpdateContents();
   void UpdateAnnotation(vtkRenderer* renderer);
+  void UpdateQuality(vtkRenderer* renderer);
 
+  bool Antialiasing = false;
+  bool AmbientOcclusion = false;
   struct State;
   std::unique_ptr<State> Inner;
 };

@@ -157,6 +157,29 @@ TEST_F(vtkInteractorStyleSliceTest, MiddleDragPans)
   EXPECT_NEAR((this->WorldAt(71, 33) - under).norm(), 0.0, 1e-11);
 }
 
+TEST_F(vtkInteractorStyleSliceTest, ShiftMovesCrosshairWithoutButton)
+{
+  const Vector3 before = this->Place();
+  this->Send(vtkCommand::MouseMoveEvent, 70, 40);
+  EXPECT_EQ(this->Place(), before);
+  this->Interactor->SetEventInformation(80, 20, 0, 1);
+  this->Interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+  this->ExpectCrosshairAt(80, 20);
+}
+
+TEST_F(vtkInteractorStyleSliceTest, ShiftLeftDragPans)
+{
+  const Vector3 before = this->Place();
+  const Vector3 under = this->WorldAt(40, 50);
+  this->Interactor->SetEventInformation(40, 50, 0, 1);
+  this->Interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  this->Interactor->SetEventInformation(71, 33, 0, 1);
+  this->Interactor->InvokeEvent(vtkCommand::MouseMoveEvent);
+  this->Interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  EXPECT_NEAR((this->WorldAt(71, 33) - under).norm(), 0.0, 1e-11);
+  EXPECT_EQ(this->Place(), before);
+}
+
 TEST_F(vtkInteractorStyleSliceTest, ArrowsAndPagesScroll)
 {
   this->View->Scroll(0);

@@ -270,6 +270,47 @@ TEST_F(vtkSliceViewTest, WindowPositionsMatchCamera)
   EXPECT_NEAR(display[1], 120.5, 1e-6);
 }
 
+TEST_F(vtkSliceViewTest, NeurologicalConventionMirrorsAxialAndCoronalSlices)
+{
+  const auto sphere = SphereDisplay(Vector3(15.0, 8.0, 10.0), 12.0);
+  this->View->AddSurface(sphere);
+  this->Crosshair->SetPositionWorld(15.0, 8.0, 10.0);
+  for (const int orientation : Orientations)
+  {
+    this->View->SetOrientation(orientation);
+    this->View->NeurologicalOff();
+    this->View->FitToImage();
+    const RasterImage radiological = this->Draw();
+    const Vector3 left = this->WorldAt(0, 60);
+    const int slice = this->View->GetSliceNumber();
+    this->View->NeurologicalOn();
+    const RasterImage neurological = this->Draw();
+    const bool isMirrored = orientation != vtkSliceView::SAGITTAL;
+    EXPECT_NEAR((this->WorldAt(isMirrored ? Width - 1 : 0, 60) - left).norm(), 0.0, 1e-9);
+    EXPECT_EQ(this->View->GetSliceNumber(), slice);
+    int green = 0;
+    int greenInBoth = 0;
+    for (int y = 0; y < Height; ++y)
+    {
+      for (int x = 0; x < Width; ++x)
+      {
+        const std::uint8_t* before = PixelAt(radiological, x, y);
+        const std::uint8_t* after = PixelAt(neurological, isMirrored ? Width - 1 - x : x, y);
+        const bool areGreen = IsGreen(before) && IsGreen(after);
+        green += IsGreen(before) ? 1 : 0;
+        greenInBoth += areGreen ? 1 : 0;
+        // Lines may be drawn a pixel beside.
+        if (!IsGreen(before) && !IsGreen(after))
+        {
+          ASSERT_NEAR(before[0], after[0], 1.0) << orientation << ": " << x << ", " << y;
+        }
+      }
+    }
+    EXPECT_GT(green, 50);
+    EXPECT_GT(greenInBoth, green / 3);
+  }
+}
+
 TEST_F(vtkSliceViewTest, ZoomKeepsPointUnderPointerAndPanMovesIt)
 {
   this->Draw();

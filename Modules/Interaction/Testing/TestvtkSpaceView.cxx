@@ -495,6 +495,47 @@ TEST_F(vtkSpaceViewTest, DrawsLandmarksAsSpheresAndDistancesAsLines)
   EXPECT_TRUE(isLine());
 }
 
+TEST_F(vtkSpaceViewTest, AntialiasingChangesOnlyEdges)
+{
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 15.0));
+  this->View->AddSurface(this->Surface);
+  const RasterImage rough = this->Draw();
+  this->View->AntialiasingOn();
+  const RasterImage smooth = this->Draw();
+  int changed = 0;
+  for (int row = 0; row < Side; ++row)
+  {
+    for (int column = 0; column < Side; ++column)
+    {
+      const double radius =
+          PixelMillimeters * std::hypot(column + 0.5 - 0.5 * Side, row + 0.5 - 0.5 * Side);
+      const bool isOther = rough.Pixel(column, row)[2] != smooth.Pixel(column, row)[2];
+      changed += isOther ? 1 : 0;
+      EXPECT_FALSE(isOther && std::abs(radius - 15.0) > 1.0) << column << ", " << row;
+    }
+  }
+  EXPECT_GT(changed, 100) << "of some 300 pixels of the edge";
+}
+
+TEST_F(vtkSpaceViewTest, AmbientOcclusionDarkensClefts)
+{
+  this->Surface->SetSurface(Sphere(Vector3(-9.0, 0.0, 0.0), 10.0));
+  this->View->AddSurface(this->Surface);
+  vtkNew<vtkSurfaceDisplay> other;
+  other->SetSurface(Sphere(Vector3(9.0, 0.0, 0.0), 10.0));
+  other->SetColor(0.0, 0.0, 1.0);
+  this->View->AddSurface(other);
+  const RasterImage plain = this->Draw();
+  this->View->AmbientOcclusionOn();
+  const RasterImage occluded = this->Draw();
+  const auto share = [&](double x)
+  { return static_cast<double>(PixelAt(occluded, x, 0.0)[2]) / PixelAt(plain, x, 0.0)[2]; };
+  EXPECT_LT(share(0.6), 0.9) << "between the spheres";
+  EXPECT_GT(share(9.0), 0.95) << "in front of one";
+  this->View->AmbientOcclusionOff();
+  EXPECT_EQ(this->Draw().Rgba, plain.Rgba);
+}
+
 TEST_F(vtkSpaceViewTest, ReleasedRendererIsEmpty)
 {
   this->Surface->SetSurface(Sphere(Vector3::Zero(), 9.0));
