@@ -104,10 +104,11 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
   QAction* save = this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
   save->setIcon(ToolIcon(ToolSign::Save));
   this->addAction("Save &as...", this, &FileMenu::SaveAs, QKeySequence("Ctrl+Shift+S"));
-  QAction* screenshot =
-      this->addAction("S&creenshot...", this, &FileMenu::AskForScreenshot, QKeySequence("Ctrl+P"));
-  screenshot->setIcon(ToolIcon(ToolSign::Screenshot));
-  this->ForTools = {open, save, screenshot};
+  QAction* picture =
+      this->addAction("Save pi&cture...", this, &FileMenu::PictureAsked, QKeySequence("Ctrl+P"));
+  picture->setIcon(ToolIcon(ToolSign::Screenshot));
+  picture->setToolTip("Save a picture of a view, of all views, or of the window");
+  this->ForTools = {open, save, picture};
   this->addSeparator();
   this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
   connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
@@ -207,16 +208,6 @@ bool FileMenu::SaveAs()
   }
   file += file.endsWith(StudyEnding) ? "" : StudyEnding;
   return this->Study.Save(PathOf(file));
-}
-
-void FileMenu::AskForScreenshot()
-{
-  const QString file = this->Questions.ToSave(this->Window, "Save a screenshot of the window",
-                                              "palpate.png", "Images (*.png)");
-  if (!file.isEmpty())
-  {
-    Q_EMIT ScreenshotAsked(file);
-  }
 }
 
 bool FileMenu::MayLeave()

@@ -33,7 +33,7 @@ public:
   void AskForMissing();
 
 Q_SIGNALS:
-  void ScreenshotAsked(const QString& file);
+  void PictureAsked();
 
 private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
@@ -42,7 +42,6 @@ private:
   bool Save();
   bool SaveAs();
   void OpenSession(const QString& file);
-  void AskForScreenshot();
   void ListRecent();
   static void Remember(const QString& file);
 

@@ -13,8 +13,11 @@ namespace palpate
 namespace
 {
 constexpr const char* MouseText =
-    "<p><b>Slices</b>: left drag moves the crosshair (with Ctrl: window and level), wheel scrolls, "
-    "Ctrl+wheel or right drag zooms, middle drag pans, arrows and page keys scroll, R fits. Double "
+    "<p><b>Slices</b>: left drag moves the crosshair (with Ctrl: window and level; the other way "
+    "round if preferred or chosen in View), Shift moves the crosshair without a button, wheel "
+    "scrolls, Ctrl+wheel or right drag zooms, middle or Shift+left drag pans, arrows and page keys "
+    "scroll, "
+    "R fits. Double "
     "click: one view alone, or all again.</p>"
     "<p><b>3-D</b>: left drag rotates, middle drag pans, right drag or wheel zooms. While "
     "touching, the mouse moves the hand and the wheel sets its depth: forwards is deeper, away "

@@ -4,8 +4,10 @@
 #include "FitPanel.h"
 #include "FormManners.h"
 #include "HelpMenu.h"
+#include "PictureDialog.h"
 #include "PipelinePanel.h"
 #include "PlotsPanel.h"
+#include "PreferencesDialog.h"
 #include "QualityPanel.h"
 #include "ReplayBar.h"
 #include "ScreenString.h"
@@ -14,8 +16,8 @@
 #include "ToolRow.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
+#include "ViewPicture.h"
 #include "VolumePanel.h"
-#include "WindowLook.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -46,7 +48,6 @@ void ShowStep(QAction* action, const QString& verb, const std::string& step)
 MainWindow::MainWindow(StudyController& study, FileQuestions questions)
     : Study(study), Questions(std::move(questions))
 {
-  QApplication::setPalette(PaletteOf(ChosenLook()));
   new FormManners(this);
   this->setAcceptDrops(true);
   this->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
@@ -54,6 +55,8 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
   this->MakeMenus();
   this->MakePanels();
   this->ConnectViews();
+  this->Follow(Preferences::Kept());
+  this->Keys = std::make_unique<KeyBindings>(this);
   connect(&study, &StudyController::StateChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ProductsChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ReplayChanged, this, &MainWindow::ShowCentre);
@@ -104,7 +107,7 @@ void MainWindow::MakeMenus()
   this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
   this->Study.AskForSeries([this](const QStringList& series)
                            { return this->Questions.Series(this, series); });
-  connect(this->Files, &FileMenu::ScreenshotAsked, this, &MainWindow::SaveScreenshot);
+  connect(this->Files, &FileMenu::PictureAsked, this, &MainWindow::AskForPicture);
   connect(this->Start, &StartPage::OpenAsked, this->Files, &FileMenu::OpenFiles);
   connect(this->Start, &StartPage::FolderAsked, this->Files, &FileMenu::OpenFolder);
   connect(this->Start, &StartPage::FilesChosen, this,
@@ -121,6 +124,8 @@ void MainWindow::MakeMenus()
                                QKeySequence(QKeySequence::Undo));
   this->Redo = edit->addAction("&Redo", &this->Study, &StudyController::Redo,
                                QKeySequence(QKeySequence::Redo));
+  edit->addSeparator();
+  edit->addAction("&Preferences...", this, &MainWindow::AskForPreferences, QKeySequence("Ctrl+,"));
   this->Viewing = new ViewMenu(this->Study, *this->Grid, this->Shown, this);
   this->menuBar()->addMenu(this->Viewing);
   this->Touching = new TouchMenu(this->Study, this->Questions, this);
@@ -314,16 +319,57 @@ void MainWindow::TakeFile(const QString& file)
 
 bool MainWindow::SaveScreenshot(const QString& file)
 {
-  for (ViewPane* pane : this->Grid->Panes())
-  {
-    pane->RenderNow();
-  }
-  const bool isSaved = this->grab().save(file, "PNG");
-  if (!isSaved)
-  {
-    this->Study.Report(file.toStdString() + ": the image cannot be written there");
-  }
+  return this->Write(PictureOf(*this->Grid, *this), file);
+}
+
+bool MainWindow::Write(const QImage& picture, const QString& file)
+{
+  bool isSaved = false;
+  this->Study.Try(
+      [&]
+      {
+        WritePicture(picture, file.toStdString());
+        isSaved = true;
+      });
   return isSaved;
+}
+
+void MainWindow::AskForPicture()
+{
+  auto* dialog = new PictureDialog(*this->Grid, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog]
+          {
+            QString file = this->Questions.ToSave(this, "Save the picture", dialog->ProposedName(),
+                                                  "Images (*.png)");
+            if (!file.isEmpty())
+            {
+              file += file.endsWith(".png", Qt::CaseInsensitive) ? "" : ".png";
+              this->Write(dialog->Picture(), file);
+            }
+          });
+  dialog->open();
+}
+
+void MainWindow::AskForPreferences()
+{
+  auto* dialog = new PreferencesDialog(*this->Keys, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PreferencesDialog::Changed, this, &MainWindow::Follow);
+  dialog->open();
+}
+
+void MainWindow::Follow(const Preferences& preferences)
+{
+  QApplication::setPalette(PaletteOf(preferences.Look));
+  if (preferences.LeftDragAdjustsWindow != this->Habits.LeftDragAdjustsWindow)
+  {
+    this->Viewing->AdjustWindowByLeftDrag(preferences.LeftDragAdjustsWindow);
+  }
+  this->Grid->SetNeurological(preferences.IsNeurological);
+  this->Study.BeginWith(preferences.NewStudy());
+  this->Habits = preferences;
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -2,8 +2,10 @@
 
 #include "FileMenu.h"
 #include "FileQuestions.h"
+#include "KeyBindings.h"
 #include "LandmarksPanel.h"
 #include "MessageArea.h"
+#include "Preferences.h"
 #include "StartPage.h"
 #include "StatusLine.h"
 #include "StudyController.h"
@@ -15,6 +17,8 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+
+#include <memory>
 
 namespace palpate
 {
@@ -57,6 +61,10 @@ private:
   void TakeClick(const Vector3& pointWorld);
   void TakeFile(const QString& file);
   void ShowCentre();
+  void AskForPicture();
+  void AskForPreferences();
+  void Follow(const Preferences& preferences);
+  bool Write(const QImage& picture, const QString& file);
 
   StudyController& Study;
   FileQuestions Questions;
@@ -73,6 +81,8 @@ private:
   QMenu* Panels = nullptr;
   QAction* Undo = nullptr;
   QAction* Redo = nullptr;
+  Preferences Habits;
+  std::unique_ptr<KeyBindings> Keys;
   bool IsShowing =
       false; ///< while showing the study's view, which is then not taken for the user's
 };

@@ -61,8 +61,20 @@ void StudyController::New()
 {
   this->Roles.clear();
   this->Opening.Cancel();
-  this->Open.New();
+  this->Open.New(this->First);
   this->Announce();
+}
+
+void StudyController::BeginWith(const StudyState& first)
+{
+  const bool isUntouched = this->State() == this->First && this->Open.File().empty() &&
+                           !this->Open.History().CanRedo() && !this->IsReplaying();
+  this->First = first;
+  if (isUntouched && first != this->State())
+  {
+    this->Open.New(first);
+    this->Announce();
+  }
 }
 
 void StudyController::OpenFiles(const std::vector<std::filesystem::path>& files)

@@ -57,6 +57,8 @@ public:
     this->WhichSeries = std::move(series);
   }
   void New();
+  /// What new studies begin with, and with them one in which nothing was done yet.
+  void BeginWith(const StudyState& first);
   /// Opens files of any kind, one after the other; their kinds are detected in the background.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
   /// A file, or a folder of DICOM slices. These two read in the background first: a file that
@@ -148,6 +150,7 @@ private:
 
   Study Open;
   StudyOpening Opening{this->Open};
+  StudyState First; ///< of a new study
   StudyTouchReading Felt;
   QTimer Timer;
   std::vector<std::filesystem::path> Roles; ///< files whose kind is not yet known

@@ -1,9 +1,11 @@
 #include "ViewMenu.h"
 
+#include "OpenGLDriver.h"
+#include "Preferences.h"
 #include "ToolIcon.h"
-#include "WindowLook.h"
 
 #include <QActionGroup>
+#include <QSettings>
 
 #include <algorithm>
 
@@ -16,7 +18,6 @@ ViewMenu::ViewMenu(StudyController& study, ViewGrid& views, ViewContents& conten
   this->AddMouse();
   this->AddContents();
   this->AddCameras();
-  this->AddLooks();
   connect(&study, &StudyController::StateChanged, this, &ViewMenu::ShowView);
   connect(&study, &StudyController::ViewChanged, this, &ViewMenu::ShowView);
   this->ShowView();
@@ -51,7 +52,8 @@ void ViewMenu::AddLayouts()
 
 void ViewMenu::AddMouse()
 {
-  QAction* windowLevel = this->addAction("Adjust &window and level by left drag");
+  QAction* windowLevel = this->WindowLevel =
+      this->addAction("Adjust &window and level by left drag");
   windowLevel->setCheckable(true);
   windowLevel->setShortcut(QString("W"));
   windowLevel->setIcon(ToolIcon(ToolSign::WindowLevel));
@@ -106,16 +108,40 @@ void ViewMenu::AddContents()
   smooth->setChecked(true);
   connect(smooth, &QAction::toggled, this,
           [this](bool isOn) { this->Contents.Images()->SetInterpolate(isOn); });
+  this->AddQuality();
   this->addSeparator();
+}
+
+// A setting of the machine, not of a study.
+void ViewMenu::AddQuality(const QString& text, const QString& key, bool isDefault,
+                          void (SpacePane::*apply)(bool))
+{
+  QAction* action = this->addAction(text);
+  action->setCheckable(true);
+  connect(action, &QAction::toggled, this->Views.Space(), apply);
+  action->setChecked(QSettings().value(key, isDefault).toBool());
+  connect(action, &QAction::toggled, this, [key](bool isOn) { QSettings().setValue(key, isOn); });
+}
+
+// Without a graphics card smooth edges cost frames, and occlusion would take seconds.
+void ViewMenu::AddQuality()
+{
+  const bool hasCard = IsGraphicsCard(OpenGLDriver());
+  this->AddQuality("Smooth ed&ges in 3-D", "smooth-edges", hasCard, &SpacePane::SmoothEdges);
+  if (hasCard)
+  {
+    this->AddQuality("Am&bient occlusion in 3-D", "ambient-occlusion", false,
+                     &SpacePane::ShowOcclusion);
+  }
 }
 
 void ViewMenu::AddErrorScales()
 {
   QMenu* menu = this->addMenu("Scale of error &maps");
   auto* group = new QActionGroup(this);
-  const auto add = [&](const QString& text, std::optional<double> scale)
+  for (const std::optional<double>& scale : palpate::ErrorScales)
   {
-    QAction* action = menu->addAction(text);
+    QAction* action = menu->addAction(TextOf(scale));
     action->setCheckable(true);
     group->addAction(action);
     this->ErrorScales.emplace_back(action, scale);
@@ -126,11 +152,6 @@ void ViewMenu::AddErrorScales()
               view.ErrorScale = scale;
               this->Study.ChangeView(view);
             });
-  };
-  add("Two voxels of the mask", std::nullopt);
-  for (const double scale : {0.5, 1.0, 2.0, 5.0, 10.0})
-  {
-    add(QString("\u00b1%1 mm").arg(scale), scale);
   }
 }
 
@@ -145,21 +166,6 @@ void ViewMenu::AddCameras()
     action->setShortcut(QString("Alt+%1").arg(Names[side][0]));
     connect(action, &QAction::triggered, this,
             [this, side] { this->Views.Space()->LookFrom(static_cast<int>(side)); });
-  }
-}
-
-void ViewMenu::AddLooks()
-{
-  constexpr std::array<const char*, 3> Texts{"As the &system", "&Light", "&Dark"};
-  QMenu* looks = this->addMenu("A&ppearance");
-  auto* group = new QActionGroup(this);
-  for (const WindowLook look : AllWindowLooks)
-  {
-    QAction* action = looks->addAction(Texts[static_cast<std::size_t>(look)]);
-    action->setCheckable(true);
-    action->setChecked(look == ChosenLook());
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [look] { ChooseLook(look); });
   }
 }
 

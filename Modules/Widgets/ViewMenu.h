@@ -21,6 +21,8 @@ public:
   /// Keeps the addresses.
   ViewMenu(StudyController& study, ViewGrid& views, ViewContents& contents, QWidget* window);
 
+  /// What a left drag on slices does.
+  void AdjustWindowByLeftDrag(bool isOn) { this->WindowLevel->setChecked(isOn); }
   /// Those for the toolbar.
   const QList<QAction*>& Tools() const { return this->ForTools; }
 
@@ -29,8 +31,10 @@ private:
   void AddCameras();
   void AddMouse();
   void AddContents();
-  void AddLooks();
   void AddErrorScales();
+  void AddQuality();
+  void AddQuality(const QString& text, const QString& key, bool isDefault,
+                  void (SpacePane::*apply)(bool));
   void ShowView();
   void ShowErrorMaps(bool areShown);
   /// Adds a switch for a field of the view's state.
@@ -40,6 +44,7 @@ private:
   ViewGrid& Views;
   ViewContents& Contents;
   std::array<QAction*, 3> Layouts{};
+  QAction* WindowLevel = nullptr;
   QAction* AlongImage = nullptr;
   QAction* FollowProbe = nullptr;
   QAction* ErrorMaps = nullptr;

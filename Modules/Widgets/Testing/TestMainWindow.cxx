@@ -177,7 +177,11 @@ TEST_F(MainWindowTest, AsksForMissingFile)
 
 TEST_F(MainWindowTest, ListsRecentFiles)
 {
-  this->OpenPhantom();
+  // One after the other: files that are opened together are read at the same time.
+  this->Study->OpenVolume(this->VolumeFile());
+  WaitUntil([this] { return !this->Study->State().VolumeFile.empty(); });
+  this->Study->OpenSegmentation(this->MaskFile());
+  WaitUntil([this] { return !this->Study->State().Structures.empty(); });
   auto* menu = this->Action("Recent")->menu();
   Q_EMIT menu->aboutToShow();
   ASSERT_EQ(menu->actions().size(), 2);
@@ -232,6 +236,17 @@ TEST_F(MainWindowTest, MessageGoesWithItsCause)
   EXPECT_EQ(this->Messages(), before) << "others stay";
   this->Study->Redo();
   WaitUntil([this] { return this->Messages().find("none.stl") != std::string::npos; });
+}
+
+// More often than twice: each try meets another turn of the timer that looks for problems.
+TEST_F(MainWindowTest, TouchThatFailsTellsItsMessageEachTime)
+{
+  for (int n = 0; n < 4; ++n)
+  {
+    this->Action("Start touching")->trigger();
+    WaitUntil([this] { return this->Messages().find("nothing to touch") != std::string::npos; });
+    this->Button("close")->click();
+  }
 }
 
 TEST_F(MainWindowTest, MessagesOfAStudyGoWithIt)

@@ -137,6 +137,31 @@ TEST_F(ReplayBarTest, TicksAreExported)
   EXPECT_NE(this->Messages().find("/nowhere/ticks.csv"), std::string::npos) << this->Messages();
 }
 
+// More often than twice: each try meets another turn of the timer that looks for problems.
+TEST_F(ReplayBarTest, ReplayThatFailsTellsItsMessageEachTime)
+{
+  this->Opened = QStringList("/nowhere/session.touch");
+  for (int n = 0; n < 4; ++n)
+  {
+    this->Action("Open a recording")->trigger();
+    WaitUntil([this]
+              { return this->Messages().find("/nowhere/session.touch") != std::string::npos; });
+    this->Button("close")->click();
+  }
+}
+
+TEST_F(ReplayBarTest, ExportThatFailsTellsItsMessageEachTime)
+{
+  this->OpenRecording();
+  this->SavedTo = "/nowhere/ticks.csv";
+  for (int n = 0; n < 4; ++n)
+  {
+    this->Action("Export every tick")->trigger();
+    WaitUntil([this] { return this->Messages().find("/nowhere/ticks.csv") != std::string::npos; });
+    this->Button("close")->click();
+  }
+}
+
 TEST_F(ReplayBarTest, RecordingIsListedAmongRecentFiles)
 {
   this->OpenRecording();

@@ -51,8 +51,7 @@ TEST_F(WindowHabitsTest, WheelOverANumberWithoutFocusScrolls)
   Wheel(degree->findChild<QLineEdit*>(), {5.0, 5.0}, -1);
   EXPECT_EQ(degree->value(), before);
   EXPECT_GT(bar->value(), 0);
-  this->Window->activateWindow();
-  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  Activate(*this->Window);
   degree->setFocus();
   Wheel(degree, {5.0, 5.0}, -1);
   EXPECT_EQ(degree->value(), before - 1.0);
@@ -95,8 +94,7 @@ TEST_F(WindowHabitsTest, DigitThatIsNotTakenIsAnsweredWithTheRange)
     QApplication::sendEvent(degree, &event);
     QApplication::processEvents();
   };
-  this->Window->activateWindow();
-  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  Activate(*this->Window);
   degree->setFocus();
   degree->selectAll();
   type(Qt::Key_9, "9");
@@ -111,8 +109,7 @@ TEST_F(WindowHabitsTest, NumberThatIsBeingTypedCountsWhenTheWindowCloses)
 {
   this->OpenPhantom();
   QDoubleSpinBox* degree = this->Degree();
-  this->Window->activateWindow();
-  WaitUntil([this] { return this->Window->isActiveWindow(); });
+  Activate(*this->Window);
   degree->setFocus();
   degree->selectAll();
   QKeyEvent seven(QEvent::KeyPress, Qt::Key_7, Qt::NoModifier, "7");

@@ -81,7 +81,7 @@ TEST_F(WindowLookTest, TextIsReadableInBothLooks)
   WaitUntil([this] { return !this->Messages().empty(); });
   for (const WindowLook look : {WindowLook::Light, WindowLook::Dark})
   {
-    this->Action(look == WindowLook::Light ? "Light" : "Dark")->trigger();
+    ChooseLook(look);
     bool isShown = false; // signs of steps update their colours when steps are polled
     const auto shown = QObject::connect(this->Study.get(), &StudyController::StepsChanged,
                                         [&isShown] { isShown = true; });
@@ -99,21 +99,6 @@ TEST_F(WindowLookTest, TextIsReadableInBothLooks)
           << (label != nullptr ? label->text().toStdString() : "");
     }
   }
-}
-
-TEST_F(WindowLookTest, LookIsKeptAndNotAnUndoStep)
-{
-  const QColor system = this->Ground();
-  this->Action("Dark")->trigger();
-  const QColor dark = this->Ground();
-  EXPECT_NE(dark, system);
-  EXPECT_FALSE(this->Study->Current().History().IsChanged());
-  EXPECT_EQ(ChosenLook(), WindowLook::Dark);
-  QApplication::setPalette(QPalette());
-  const MainWindow next(*this->Study);
-  EXPECT_EQ(next.palette().color(QPalette::Window), dark);
-  this->Action("As the system")->trigger();
-  EXPECT_EQ(this->Ground(), system);
 }
 } // namespace
 } // namespace palpate::window_look_test

@@ -71,6 +71,15 @@ protected:
       QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
   }
+  /// Asks until it is: another program may have taken the focus of the display in between.
+  static void Activate(QWidget& window)
+  {
+    while (!window.isActiveWindow())
+    {
+      window.activateWindow();
+      QApplication::processEvents(QEventLoop::AllEvents, 20);
+    }
+  }
   /// Until nothing is left to be drawn.
   static void DrawAll(ViewGrid& views)
   {

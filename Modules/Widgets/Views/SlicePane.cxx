@@ -61,6 +61,12 @@ void SlicePane::TellPoint()
   }
 }
 
+void SlicePane::SetNeurological(bool isNeurological)
+{
+  this->Slice->SetNeurological(isNeurological);
+  this->RequestRender();
+}
+
 void SlicePane::FitToImage()
 {
   this->Slice->FitToImage();

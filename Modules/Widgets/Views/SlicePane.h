@@ -25,6 +25,7 @@ public:
   vtkSliceView* View() const { return this->Slice; }
   /// See vtkInteractorStyleSlice::LeftButtonModes.
   void SetLeftButtonMode(int mode) { this->Style->SetLeftButtonMode(mode); }
+  void SetNeurological(bool isNeurological);
   void FitToImage();
   /// See vtkSliceView::ShowPoint.
   void ShowPlace(const Vector3& pointWorld);

@@ -81,6 +81,18 @@ void SpacePane::ShowSlices(bool areShown)
   this->RequestRender();
 }
 
+void SpacePane::SmoothEdges(bool areSmooth)
+{
+  this->Space->SetAntialiasing(areSmooth);
+  this->RequestRender();
+}
+
+void SpacePane::ShowOcclusion(bool isShown)
+{
+  this->Space->SetAmbientOcclusion(isShown);
+  this->RequestRender();
+}
+
 void SpacePane::LookFrom(int side)
 {
   this->Space->LookFrom(side);

@@ -24,6 +24,9 @@ public:
   /// Shows only these.
   void ShowFields(const std::set<vtkProp*>& fields);
   void ShowSlices(bool areShown);
+  /// See vtkSpaceView::SetAntialiasing and SetAmbientOcclusion.
+  void SmoothEdges(bool areSmooth);
+  void ShowOcclusion(bool isShown);
   void LookFrom(int side);
   void ShowAll();
   /// The same, unless the user has moved the camera since FreeCamera.

@@ -179,6 +179,14 @@ void ViewGrid::SetLeftButtonMode(int mode)
   }
 }
 
+void ViewGrid::SetNeurological(bool isNeurological)
+{
+  for (SlicePane* slice : this->Slices)
+  {
+    slice->SetNeurological(isNeurological);
+  }
+}
+
 void ViewGrid::ShowNotice(const TouchNotice& notice)
 {
   for (ViewPane* pane : this->All)

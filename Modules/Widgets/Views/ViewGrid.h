@@ -55,6 +55,8 @@ public:
   void TakeContents();
   void SetAlongImage(bool isAlongImage);
   void SetLeftButtonMode(int mode);
+  /// See vtkSliceView::SetNeurological.
+  void SetNeurological(bool isNeurological);
   void FitAll();
   /// In every view.
   void ShowNotice(const TouchNotice& notice);
