@@ -9,11 +9,13 @@ namespace palpate
 namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
-// Work of a tick, in evaluations of the surface: to follow the probe, and to look ahead when that
-// is done. Of a search where the proof does not end: rare, since it takes some ticks' time.
-constexpr int MotionEvaluationsOfTick = 12;
+// Work, in evaluations of the surface: of a proof, and of looking ahead when the probe was
+// followed. Where a proof does not end the whole surface is searched, since a tool that waits meets
+// its wall too late. The most of a tick is reached by no hand: then the tool waits.
+constexpr int MotionEvaluationsOfProof = 12;
 constexpr int MotionEvaluationsAhead = 6;
 constexpr int MotionEvaluationsOfSearch = 256;
+constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
 // Of the room in which nothing is, that a proof is for.
@@ -51,9 +53,9 @@ void ClearMotion::Begin(const Vector3& placeWorld, const ClosestPoint& minimum) 
 
 bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
 {
-  this->EvaluationsLeft = MotionEvaluationsOfTick;
+  int left = MotionEvaluationsOfTick;
   double longest = this->Stride;
-  for (int step = 0; step < MotionSteps; ++step)
+  for (int step = 0; step < MotionSteps && left > 0; ++step)
   {
     const Vector3 start = this->EndOfBall(probeWorld);
     const Vector3 path = probeWorld - start;
@@ -61,39 +63,21 @@ bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
     this->Place = start;
     if (!(length > 0.0))
     {
-      break;
+      this->LookAhead();
+      return true;
     }
     const Vector3 goal = length > longest ? Vector3(start + (longest / length) * path) : probeWorld;
+    this->EvaluationsLeft = MotionEvaluationsOfProof;
     const Step result = this->StepTo(start, goal);
+    left -= MotionEvaluationsOfProof - this->EvaluationsLeft;
     if (result == Step::Met)
     {
       return false;
     }
-    if (result == Step::Open || this->EvaluationsLeft <= 0)
-    {
-      this->Wait(result);
-      return true;
-    }
     longest = result == Step::Taken ? std::min(2.0 * longest, this->Stride)
                                     : 0.25 * std::min(longest, length);
   }
-  this->Waits = 0;
-  this->LookAhead();
   return true;
-}
-
-// For the next tick. A proof that does not end is replaced by a search of the whole surface.
-void ClearMotion::Wait(Step last) noexcept
-{
-  constexpr int MostWaits = 8;
-  this->Waits = last == Step::Taken ? 0 : this->Waits + 1;
-  if (this->Waits >= MostWaits)
-  {
-    this->Waits = 0;
-    Minima minima;
-    const double others = this->Search(this->Place, minima);
-    this->Take(this->Place, minima, others);
-  }
 }
 
 // The last point in the ball on the path to the probe.
@@ -145,7 +129,12 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
   constexpr double ShortestStep = 0.05;
   const double longest = std::max({LongestPart * (minima.Nearest() - this->Free),
                                    ShortestStep * this->Stride, this->Exactness});
-  return needed > this->Free + longest ? Step::TooLong : this->Prove(goal, needed, minima);
+  if (needed > this->Free + longest)
+  {
+    return Step::TooLong;
+  }
+  const Step proven = this->Prove(goal, needed, minima);
+  return proven == Step::Open ? this->SearchAt(goal, needed) : proven;
 }
 
 // Far away the ball outside of the sphere around the surface suffices.
@@ -174,7 +163,7 @@ bool ClearMotion::IsAlone(const ClosestPoint& last, const ClosestPoint& next) co
 void ClearMotion::LookAhead() noexcept
 {
   constexpr double Early = 0.5;
-  if (this->Known.Count == 0 || this->EvaluationsLeft < MotionEvaluationsAhead)
+  if (this->Known.Count == 0)
   {
     return;
   }
@@ -266,12 +255,7 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima&
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
     if (!this->IsExact(found))
     {
-      if (this->EvaluationsLeft <= 0)
-      {
-        break;
-      }
-      const double others = this->Search(goal, minima);
-      return this->TakeIf(others >= needed, goal, minima, others);
+      return Step::Open;
     }
     if (found.SignedDistance < needed && needed > this->Free + this->Exactness)
     {
@@ -281,6 +265,18 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima&
     wanted = this->With(found, needed, minima);
   }
   return Step::Open;
+}
+
+// Where a proof does not end. A wall that is nearer than needed is known from then on.
+ClearMotion::Step ClearMotion::SearchAt(const Vector3& goal, double needed) noexcept
+{
+  Minima minima;
+  const double others = this->Search(goal, minima);
+  if (others < needed && minima.Count > 0)
+  {
+    this->Remember(minima.Each[0]);
+  }
+  return this->TakeIf(others >= needed, goal, minima, others);
 }
 
 // How far to look then.

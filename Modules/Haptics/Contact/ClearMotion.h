@@ -16,8 +16,9 @@ namespace palpate
 /// how far all of the surface is, apart from known minima. In the ball around that place a tick
 /// takes no evaluation.
 ///
-/// The work of a tick is limited. A step that is not proven by then is not taken; the next tick
-/// goes on with the proof, towards the probe's place there. For one thread; does not allocate.
+/// The work of a proof is limited; where it does not end, a search of the whole surface takes its
+/// place. The work of a tick is limited too, far above what a hand needs: a step that is not proven
+/// by then is left to the next tick. For one thread; does not allocate.
 class ClearMotion
 {
 public:
@@ -61,7 +62,6 @@ private:
 
   double RadiusAt(const ClosestPoint& minimum) const noexcept;
   Vector3 EndOfBall(const Vector3& probe) const noexcept;
-  void Wait(Step last) noexcept;
   Step StepTo(const Vector3& start, const Vector3& goal) noexcept;
   bool IsFar(const Vector3& place) noexcept;
   bool IsAlone(const ClosestPoint& last, const ClosestPoint& next) const noexcept;
@@ -70,6 +70,7 @@ private:
   const ClosestPoint* Touched(const Minima& minima) const noexcept;
   void Meet(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;
   Step Prove(const Vector3& goal, double needed, Minima& minima) noexcept;
+  Step SearchAt(const Vector3& goal, double needed) noexcept;
   void Remember(const ClosestPoint& found) noexcept;
   double Search(const Vector3& goal, Minima& minima) noexcept;
   double Wanted(double needed, const Minima& minima) const noexcept;
@@ -93,7 +94,6 @@ private:
   double Exactness;
   Proof Clearance; // of everything but known minima
   int EvaluationsLeft = 0;
-  int Waits = 0; // ticks since the last step
   Vector3 Place = Vector3::Zero();
   // At the last measured place. While the tool is in the ball around it, it touches nothing.
   Vector3 BallCenter = Vector3::Zero();

@@ -218,10 +218,8 @@ TEST(ParametricContactModel, NoToolIsInsideWithoutContact)
         leaves += wasTouching && !contact.IsTouching ? 1 : 0;
         wasTouching = contact.IsTouching;
       }
-      // A tick has no time to prove the whole path of some jumps, and leaves them to the next
-      // ticks.
-      EXPECT_LE(inside, 20) << toolRadius;
-      EXPECT_LE(outsideButTouching, 30) << toolRadius;
+      EXPECT_EQ(inside, 0) << toolRadius;
+      EXPECT_EQ(outsideButTouching, 0) << toolRadius;
       EXPECT_GT(touches, 300);
       EXPECT_GT(leaves, 50);
     }
