@@ -181,6 +181,27 @@ TEST(TopologyRepair, BridgesRowsOfSpheresByTheirShortestGaps)
   EXPECT_NEAR(report.Bridges.LargestExtent, std::hypot(6.0, 0.9) - 4.4, 2.0 * Spacing);
 }
 
+// Two rods side by side that are thick at the origin. A bump a third of a spacing high at one end,
+// as noise makes them, is where they are nearest.
+TEST(TopologyRepair, BridgesWhereMostOfTheObjectIs)
+{
+  const auto rods = [](const Vector3& p)
+  {
+    const double side = std::abs(p[1]) - 3.0;
+    const double bump = (p - Vector3(12.0, 2.0, 0.0)).norm() < 1.5 ? 0.2 : 0.0;
+    const double thick = 1.5 + 1.5 * std::exp(-p[0] * p[0] / 16.0);
+    const double across = std::hypot(std::max(0.0, side), p[2]);
+    const double rod = side < 0.0 ? std::min(thick - std::abs(p[2]), 1.5 + side) : thick - across;
+    return std::min(rod + bump, 14.0 - std::abs(p[0]));
+  };
+  palpate::ShapeField field = Sampled(17.0, Spacing, rods);
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.Bridges.Count, 1);
+  EXPECT_NEAR(report.Bridges.LargestCentre[0], 0.0, 4.0) << "the thick part is 8 mm long";
+}
+
 TEST(TopologyRepair, FillsCavityAndLimitsNameIt)
 {
   const Vector3 place(1.0, 0.0, 2.0);

@@ -1,7 +1,7 @@
 #include "HandleRepair.h"
 
-#include "AxisWeights.h"
 #include "DistanceTransform.h"
+#include "MassAround.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,30 +30,6 @@ ShapeField DepthOf(const ShapeField& field, const std::vector<unsigned char>& in
 // Widths of the averages that tell where a handle has least cross-section, in grid spacings: with
 // both, walls on peripheral zones cost within 2 % of the best of six.
 constexpr std::array<double, 2> MassWidths{3.0, 12.0};
-
-// The part of a neighbourhood that is inside, by a Gaussian of standard deviation `width`; on
-// coarser nodes where that is wide.
-ShapeField MassOf(const ShapeGrid& grid, const std::vector<unsigned char>& inside, double width)
-{
-  constexpr double Deviation = 3.0; // in steps
-  const double step = std::max(1.0, width / Deviation);
-  ShapeField mass{grid, std::vector<float>(inside.begin(), inside.end())};
-  std::array<int, 3> size = grid.Size;
-  std::array<double, 3> first{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const int count = static_cast<int>((size[axis] - 1) / step) + 1;
-    first[axis] = 0.5 * (size[axis] - 1 - (count - 1) * step); // centred, as the grid is
-    const AxisWeights weights(size[axis], count, first[axis], step, width / step);
-    mass.Values = weights.Apply(mass.Values, size, axis);
-  }
-  for (std::size_t axis = 0; axis < 3 && size != grid.Size; ++axis)
-  {
-    const AxisWeights weights(size[axis], grid.Size[axis], -first[axis] / step, 1.0 / step, 0.0);
-    mass.Values = weights.Apply(mass.Values, size, axis);
-  }
-  return mass;
-}
 
 // What the outside cannot take when it grows from the grid's border: membranes across holes.
 std::vector<NodeList> MembranesOf(const ShapeField& depth, const std::vector<unsigned char>& inside)
@@ -239,7 +215,7 @@ HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned c
   double least = std::numeric_limits<double>::infinity();
   for (const double width : MassWidths)
   {
-    const ShapeField mass = MassOf(field.Grid, inside, width);
+    const ShapeField mass = MassAround(field.Grid, inside, width);
     HandleRepairer repairer(field, inside, mass);
     repairer.Run(membranes);
     if (const double cost = repairer.Cost(); cost < least)

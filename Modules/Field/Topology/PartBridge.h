@@ -24,9 +24,11 @@ struct PartBridge
 /// first; 0 marks the outside.
 ///
 /// Dijkstra's algorithm over the 14 neighbours, where a step costs its length times 1 + distance
-/// outside / spacing, so that the bridge stays near the object; the path is widened to a radius of
-/// 1.8 spacings. The grid's outermost layer is not used. A search goes on where the one before it
-/// ended, so that many bridges take little longer than one. Takes 13 bytes a node.
+/// outside / spacing, so that the bridge stays near the object, and more where less of the object
+/// is around (MassAround): where two faces are parallel, noise decides where they are nearest. The
+/// path is widened to a radius of 1.8 spacings. The grid's outermost layer is not used. A search
+/// goes on where the one before it ended, so that many bridges take little longer than one. Takes
+/// 17 bytes a node.
 class BridgeSearch
 {
 public:
@@ -48,6 +50,7 @@ private:
 
   const ShapeField* Field;
   const std::vector<unsigned char>* Marks;
+  ShapeField Mass;
   KuhnOffsets Steps;
   std::array<float, KuhnNeighbors> Lengths{};
   std::vector<unsigned char> IsBlocked; // the grid's outermost layer
