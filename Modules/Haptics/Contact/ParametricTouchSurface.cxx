@@ -183,7 +183,7 @@ SurfacePoint ParametricTouchSurface::SeenFrom(const Vector3& queryWorld,
 SurfacePoint ParametricTouchSurface::SeenLike(const ClosestPoint& other,
                                               const ClosestPoint& nearest) const noexcept
 {
-  return other.SignedDistance * nearest.SignedDistance < 0.0 ? OtherSide(nearest) : nearest;
+  return IsTurned(other) != IsTurned(nearest) ? OtherSide(nearest) : nearest;
 }
 
 // The mesh is not exactly the surface: near it the place is moved away from the surface first.

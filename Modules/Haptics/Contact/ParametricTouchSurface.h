@@ -66,7 +66,8 @@ public:
   /// By the winding number: of a tool that is outside, or a place to which a tool that is inside
   /// can be moved out.
   ClosestPoint SeenFrom(const Vector3& queryWorld, const ClosestPoint& nearest) const noexcept;
-  /// On the side of another point nearby.
+  /// On the same side of the surface's orientation as another point: of a tool that was pressed
+  /// through a thin sheet, that is the side from which it can leave.
   ClosestPoint SeenLike(const ClosestPoint& other, const ClosestPoint& nearest) const noexcept;
 
   Place PlaceAt(const Vector3& parameter) const noexcept;
