@@ -47,6 +47,27 @@ TEST(TopologyRepair, CutsRingWhereItIsThinnest)
   EXPECT_LT(report.CutHandles.Volume, 1.0 * wall);
 }
 
+// A ring with a heavy part at negative x, and two necks: a thinner one beside the heavy part, and
+// one opposite to it. Noise would decide between them.
+TEST(TopologyRepair, CutsFarFromTheCentreWhereNecksAreAlike)
+{
+  const auto signet = [](const Vector3& p)
+  {
+    const double around = std::atan2(p[1], p[0]);
+    const auto neck = [around](double at, double depth)
+    { return depth * std::exp(-std::pow((around - at) / 0.3, 2)); };
+    const double tube = 2.4 - neck(0.0, 1.0) - neck(1.9, 1.1);
+    const double ring = tube - std::hypot(std::hypot(p[0], p[1]) - 9.0, p[2]);
+    return std::max(ring, Sphere(p - Vector3(-9.0, 0.0, 0.0), 4.5));
+  };
+  palpate::ShapeField field = Sampled(15.0, Spacing, signet);
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.CutHandles.Count, 1);
+  EXPECT_LT((report.CutHandles.LargestCentre - Vector3(9.0, 0.0, 0.0)).norm(), 3.0 * Spacing);
+}
+
 // At positive x the ring is a band, thin and wide; at negative x a neck, thicker and much narrower.
 TEST(TopologyRepair, CutsWhereCrossSectionIsLeast)
 {

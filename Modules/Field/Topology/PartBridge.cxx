@@ -17,7 +17,7 @@ constexpr double Radius = 1.8; // in spacings
 // around, in spacings. On the one of 164 peripheral zones that has parts, noise, another grid and
 // the mirror move the model's parameters by 1.9 to 5.5 mm without this and by 2.3 to 3.1 mm with
 // it.
-constexpr float Emptiness = 30.0f;
+constexpr float Emptiness = 15.0f;
 constexpr double MassWidth = 20.0;
 
 ShapeField MassOf(const ShapeGrid& grid, std::vector<unsigned char> marks)

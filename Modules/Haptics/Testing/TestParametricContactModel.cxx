@@ -226,6 +226,25 @@ TEST(ParametricContactModel, NoToolIsInsideWithoutContact)
   }
 }
 
+// A tool that was pressed through a sheet: inside as seen from the wall that it met, beyond the
+// other one. It is pushed out there, not back in.
+TEST(ParametricTouchSurface, OtherWallsAreSeenFromOutsideToo)
+{
+  std::shared_ptr<const ParametricTouchSurface> surface;
+  ASSERT_TRUE(ParametricTouchSurface::Make(test::Bowl(), surface).IsOk());
+  const auto& search = surface->Search();
+  const auto met = search.Nearest(Vector3(-25.0, 0.0, 10.0 + 24.5));
+  const Vector3 beyond(-25.0, 0.0, 10.0 + 15.5);
+  const auto other = search.Nearest(beyond);
+  ASSERT_GT(other.SignedDistance, 0.0);
+  ASSERT_LT(other.Normal.dot(met.Normal), -0.9);
+  const auto pressed = search.Track(beyond, met);
+  ASSERT_LT(pressed.SignedDistance, 0.0);
+  const auto seen = surface->SeenLike(pressed, other);
+  EXPECT_EQ(seen.SignedDistance, other.SignedDistance);
+  EXPECT_EQ(seen.Normal, other.Normal);
+}
+
 // The mesh has the resolution of the one that decides where the surface crosses itself.
 WindingMesh MeshOf(const ParametricSphericalSurface& surface)
 {
