@@ -11,11 +11,12 @@ namespace
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 // Work, in evaluations of the surface: of a proof, and of looking ahead when the probe was
 // followed. Where a proof does not end the whole surface is searched, since a tool that waits meets
-// its wall too late. The most of a tick is reached by no hand: then the tool waits.
+// its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
+// waits.
 constexpr int MotionEvaluationsOfProof = 12;
 constexpr int MotionEvaluationsAhead = 6;
 constexpr int MotionEvaluationsOfSearch = 256;
-constexpr int MotionEvaluationsOfTick = 1024;
+constexpr int MotionEvaluationsOfTick = 256;
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
 // Of the room in which nothing is, that a proof is for.
