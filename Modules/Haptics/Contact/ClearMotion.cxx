@@ -16,7 +16,8 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr int MotionEvaluationsOfProof = 12;
 constexpr int MotionEvaluationsAhead = 6;
 constexpr int MotionEvaluationsOfSearch = 256;
-constexpr int MotionEvaluationsOfTick = 256;
+constexpr int MotionEvaluationsOfTick = 1024;
+constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
 // Of the room in which nothing is, that a proof is for.
@@ -54,7 +55,8 @@ void ClearMotion::Begin(const Vector3& placeWorld, const ClosestPoint& minimum) 
 
 bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
 {
-  int left = MotionEvaluationsOfTick;
+  int left =
+      this->Surface->CrossesItself() ? MotionEvaluationsAtCrossings : MotionEvaluationsOfTick;
   double longest = this->Stride;
   for (int step = 0; step < MotionSteps && left > 0; ++step)
   {

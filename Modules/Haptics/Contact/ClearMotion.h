@@ -17,7 +17,7 @@ namespace palpate
 /// takes no evaluation.
 ///
 /// The work of a proof is limited; where it does not end, a search of the whole surface takes its
-/// place. The work of a tick is limited too, to less than half a millisecond: a step that is not
+/// place. The work of a tick is limited too, to less than a millisecond: a step that is not
 /// proven by then is left to the next tick. For one thread; does not allocate.
 class ClearMotion
 {
