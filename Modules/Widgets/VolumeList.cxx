@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostRows = 5; // more are scrolled
+constexpr int MostVisible = 5; // more are scrolled
 constexpr int CurtainSteps = 1000;
 
 QString NameOf(const std::filesystem::path& file)
@@ -83,7 +83,7 @@ void VolumeList::Show()
     chosen = volume.Id == this->Id ? row : chosen;
   }
   this->Volumes->setCurrentRow(chosen);
-  const int height = this->Volumes->sizeHintForRow(0) * std::min(count, MostRows);
+  const int height = this->Volumes->sizeHintForRow(0) * std::min(count, MostVisible);
   this->Volumes->setFixedHeight(height + 2 * this->Volumes->frameWidth());
   this->setVisible(count > 1);
   this->ShowMixing();

@@ -3,7 +3,8 @@
 Modules may include only the modules and packages that the table permits, and only modules of a lower
 level; each permission is used; Documentation/Architecture.md lists the same; vtk.module files name no
 other modules; folders do not include each other in circles; every source has its header, every module its
-README, no file and no folder is too long, and comments hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
+README, no file and no folder is too long, sources that may be compiled as one share no names, and comments
+hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
 """
 
 import argparse
@@ -17,6 +18,14 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 # Split, so that this file does not match itself.
 UNFINISHED = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
 SOURCE_ENDINGS = {".h", ".cxx", ".cmake", ".py", ".sh", ".txt", ".module", ".in"}
+# A file's own names, and how each is declared at the start of a line: constant, type or function.
+OWN_NAMES = re.compile(r"\nnamespace\n\{\n(.*?)\n\} // namespace\n", re.DOTALL)
+OWN_NAME = re.compile(
+    r"^(?:(?:constexpr|const) [\w:<>, ]+ (\w+)(?:\[\])? ?[={]|(?:struct|class|enum class) (\w+)"
+    r"|[\w:<>,*& ]+?[ *&](\w+\([^{};]*\))(?: noexcept)?\n\{)",
+    re.MULTILINE,
+)
+PARAMETER = re.compile(r"\s*\b\w+(?=[,)])")
 # Neither the project's nor a package's: C and C++ standard library, POSIX.
 SYSTEM_HEADER = re.compile(r"^([a-z_0-9]+|(sys/)?[a-z_0-9]+\.h)$")
 PAGE_ROW = re.compile(
@@ -48,6 +57,7 @@ class Checker:
         for path in self.modules:
             self.check_module(self.root / path)
             self.check_folder_circles(self.root / path)
+            self.check_own_names(self.root / path)
         self.check_modules_are_in_the_table()
         self.check_permissions_are_used()
         self.check_page()
@@ -187,6 +197,22 @@ class Checker:
                 if target in left:
                     fact = f"is in a circle of includes with {target.relative_to(self.root)}: {targets[target]}"
                     self.report(folder, fact)
+
+    def check_own_names(self, module):
+        """Sources that may be compiled as one declare no name of their own alike."""
+        build = module / "CMakeLists.txt"
+        if build.is_file() and "UNITY_BUILD OFF" in build.read_text():
+            return
+        declared = {}
+        for source in self.sources_of(module):
+            text = source.read_text()
+            outer = tuple(re.findall(r"^namespace ([\w:]+)", text, re.MULTILINE))
+            for names in OWN_NAMES.findall(text):
+                for constant, kind, function in OWN_NAME.findall(names):
+                    name = constant or kind or " ".join(PARAMETER.sub("", function).split())
+                    first = declared.setdefault((outer, name), source)
+                    if first != source:
+                        self.report(source, f"declares {name}, as {first.name} does; both may be compiled as one")
 
     def check_folder_sizes(self):
         """The lines of a folder's own sources, without those of its sub-folders."""

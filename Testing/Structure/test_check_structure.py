@@ -121,6 +121,21 @@ class CheckStructure(unittest.TestCase):
         self.assertEqual(len(violations), 3, violations)  # one for each edge of the circle
         self.assertIn("circle", violations[0])
 
+    def test_own_names_that_are_alike(self):
+        def source(header, own):
+            return f'#include "{header}"\nnamespace palpate\n{{\nnamespace\n{{\n{own}}} // namespace\n}}\n'
+
+        files = {
+            "Modules/Low/Vector.cxx": source("Vector.h", "bool IsLong(double a)\n{\n  return a > 1;\n}\n"),
+            "Modules/Low/Line.h": "\n",
+            "Modules/Low/Line.cxx": source("Line.h", "bool IsLong(const Line& l)\n{\n  return l.A;\n}\n"),
+        }
+        self.assertEqual(self.violations(**files), [])
+        same = {"Modules/Low/Line.cxx": source("Line.h", "bool IsLong(double b)\n{\n  return b > 2;\n}\n")}
+        self.assert_one("declares IsLong(double)", **{**files, **same})
+        separate = {"Modules/Low/CMakeLists.txt": "set_property(TARGET Low PROPERTY UNITY_BUILD OFF)\n"}
+        self.assertEqual(self.violations(**{**files, **same, **separate}), [])
+
     def test_folder_that_is_too_long(self):
         files = {f"Modules/High/Testing/Test{name}.cxx": "\n" * 20 for name in "AB"}
         self.assert_one("has 41 lines", **files)

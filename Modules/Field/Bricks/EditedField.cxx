@@ -41,7 +41,7 @@ void ForEachOfRing(const BrickLayout& layout, const std::array<int, 3>& middle, 
   }
 }
 
-Status NoMemory()
+Status NoMemoryToEdit()
 {
   return Status::Failure("There is not enough memory to edit the field.");
 }
@@ -300,7 +300,7 @@ Status EditedField::Make(const ScalarField& whole, const std::vector<ScalarType>
   }
   catch (const std::bad_alloc&)
   {
-    return NoMemory();
+    return NoMemoryToEdit();
   }
   return Status::Success();
 }
@@ -372,7 +372,7 @@ Status EditedField::MakeVersion(std::shared_ptr<const ScalarField>& version)
     }
     catch (const std::bad_alloc&)
     {
-      return NoMemory();
+      return NoMemoryToEdit();
     }
   }
   version = this->Last;

@@ -1,5 +1,7 @@
 #include "CutTool.h"
 
+#include "PositiveNumber.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,11 +11,6 @@ namespace palpate
 {
 namespace
 {
-bool IsLength(double length)
-{
-  return length > 0.0 && std::isfinite(length);
-}
-
 // Whether a node of number `n` lies on the border of a grid of this size.
 bool IsOnBorder(std::size_t n, const std::array<int, 3>& size)
 {
@@ -65,8 +62,8 @@ Status CutTool::Check() const
   {
     return this->CheckSamples();
   }
-  const bool hasLength = this->Kind == Shape::Sphere || IsLength(this->HalfLength);
-  return IsLength(this->Radius) && hasLength
+  const bool hasLength = this->Kind == Shape::Sphere || IsPositive(this->HalfLength);
+  return IsPositive(this->Radius) && hasLength
              ? Status::Success()
              : Status::Failure("The lengths of a cutting tool are not positive numbers.");
 }

@@ -6,10 +6,9 @@ namespace palpate
 {
 namespace
 {
-constexpr int Side = RemovedDistances::Side;
-
 std::size_t NodeNumber(int i, int j, int k)
 {
+  constexpr int Side = RemovedDistances::Side;
   return static_cast<std::size_t>((k * Side + j) * Side + i);
 }
 } // namespace

@@ -7,14 +7,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double KernelReach = 3.0; // in standard deviations
+constexpr double WeightReach = 3.0; // in standard deviations
 
 // The weights of a Gaussian from its centre to one side; with the other side they sum to one.
 std::vector<double> HalfGaussian(double deviation)
 {
   std::vector<double> weights{1.0};
   double sum = 1.0;
-  for (int n = 1; n <= KernelReach * deviation; ++n)
+  for (int n = 1; n <= WeightReach * deviation; ++n)
   {
     weights.push_back(std::exp(-0.5 * n * n / (deviation * deviation)));
     sum += 2.0 * weights.back();

@@ -8,7 +8,7 @@ namespace palpate
 {
 namespace
 {
-std::string Rounded(double value)
+std::string PlainNumber(double value)
 {
   char text[32];
   std::snprintf(text, sizeof(text), "%.3g", value);
@@ -43,20 +43,20 @@ Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits)
 {
   if (DiameterOf(report.FilledCavities.LargestVolume) > limits.CavityDiameter)
   {
-    return Status::Failure("has a cavity of " + Rounded(report.FilledCavities.LargestVolume) +
+    return Status::Failure("has a cavity of " + PlainNumber(report.FilledCavities.LargestVolume) +
                            " mm\xC2\xB3, which a model would fill");
   }
   const double longest =
       std::min(limits.BridgedGap, limits.GapShare * DiameterOf(report.ObjectVolume));
   if (report.Bridges.LargestExtent > longest)
   {
-    return Status::Failure("has parts that are " + Rounded(report.Bridges.LargestExtent) +
+    return Status::Failure("has parts that are " + PlainNumber(report.Bridges.LargestExtent) +
                            " mm apart, which a model would join");
   }
   if (!(report.ChangedPercent() <= limits.ChangedPercent))
   {
     return Status::Failure("has handles, cavities and small parts whose removal would change " +
-                           Rounded(report.ChangedPercent()) + " % of its volume");
+                           PlainNumber(report.ChangedPercent()) + " % of its volume");
   }
   return Status::Success();
 }

@@ -2,6 +2,7 @@
 
 #include "DecimalText.h"
 #include "FalconKinematics.h"
+#include "PositiveNumber.h"
 
 #include <array>
 #include <cmath>
@@ -86,7 +87,7 @@ Status Check(const FalconCalibration& calibration)
   for (const double positive :
        {g.Thigh, g.Shin, g.AnglePerCount, calibration.CountsPerNewtonMillimeter})
   {
-    if (!(positive > 0.0 && std::isfinite(positive)))
+    if (!IsPositive(positive))
     {
       return Status::Failure("A Falcon's lengths, its angle per count and its torque scale must be "
                              "positive numbers.");

@@ -9,7 +9,7 @@ namespace
 {
 constexpr int LargestIterations = 30;
 constexpr int LargestHalvings = 12;
-constexpr double LongestStep = 20.0; // mm
+constexpr double LongestMove = 20.0; // mm
 constexpr double Converged = 1e-12;  // rad; a tenth of a millionth of a count
 constexpr double Acceptable = 1e-9;  // rad, where rounding allows no better
 // Relative to the centre's; within the workspace of 40 mm it falls to 0.8. Other assembly modes lie
@@ -129,7 +129,7 @@ bool FalconKinematics::Descend(const Vector3& angles, Vector3& position) const n
   for (int iteration = 0; iteration < LargestIterations && !(error <= Converged); ++iteration)
   {
     Vector3 step = jacobian.inverse() * (angles - reached);
-    step *= std::min(1.0, LongestStep / step.norm());
+    step *= std::min(1.0, LongestMove / step.norm());
     bool isNearer = false;
     for (int halving = 0; halving < LargestHalvings && !isNearer; ++halving)
     {

@@ -15,9 +15,9 @@ constexpr double RelativeStride = 1.0 / 16.0;
 // How high above the surface it is known which place is the nearest.
 constexpr double RelativeReach = 0.25;
 // Limits of a tick: steps through free space, and short steps of a probe in contact.
-constexpr int MostParts = 4;
+constexpr int MostPartsOfMove = 4;
 constexpr int MostFreeSteps = 16;
-constexpr int MostStrides = 32;
+constexpr int MostStridesOfMove = 32;
 // Evaluations of the radius with its derivatives in searches of the whole surface: of one search,
 // and of all in a tick, after which every search is limited to a few. Rough bodies need many.
 constexpr int EvaluationsOfSearch = 256;
@@ -127,7 +127,7 @@ void HarmonicNearestTrackerOf<Surface>::Advance(const Vector3& probe) noexcept
     this->Settle(probe);
     return;
   }
-  for (int part = 0; part < MostParts; ++part)
+  for (int part = 0; part < MostPartsOfMove; ++part)
   {
     if (this->Known == State::Free && this->MoveFree(probe))
     {
@@ -252,7 +252,8 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
   const Vector3 start = this->ProbeWorld;
   const Vector3 path = probe - start;
   const double length = path.norm();
-  const int strides = 1 + static_cast<int>(std::min(length / this->Stride, MostStrides - 1.0));
+  const int strides =
+      1 + static_cast<int>(std::min(length / this->Stride, MostStridesOfMove - 1.0));
   for (int i = 1; i <= strides; ++i)
   {
     const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);

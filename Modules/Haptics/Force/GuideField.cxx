@@ -1,5 +1,7 @@
 #include "GuideField.h"
 
+#include "PositiveNumber.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,11 +12,6 @@ namespace
 {
 // Of k R: D (1 - D^2/R^2)^2 at D = R / sqrt(5).
 const double LargestPart = 16.0 / (25.0 * std::sqrt(5.0));
-
-bool IsPositive(double number)
-{
-  return number > 0.0 && std::isfinite(number);
-}
 
 std::size_t LeastPoints(GuideShape shape)
 {

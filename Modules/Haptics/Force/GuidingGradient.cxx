@@ -1,6 +1,7 @@
 #include "GuidingGradient.h"
 
 #include "NodeBox.h"
+#include "PositiveNumber.h"
 #include "SmoothStep.h"
 
 #include <algorithm>
@@ -10,14 +11,6 @@
 
 namespace palpate
 {
-namespace
-{
-bool IsPositive(double number)
-{
-  return number > 0.0 && std::isfinite(number);
-}
-} // namespace
-
 Status GuidingGradient::Make(std::shared_ptr<const ScalarField> image, int channel,
                              const GuidingSettings& settings,
                              std::shared_ptr<const GuidingGradient>& made)

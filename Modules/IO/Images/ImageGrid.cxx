@@ -1,6 +1,7 @@
 #include "ImageGrid.h"
 
 #include "DecimalText.h"
+#include "PositiveNumber.h"
 #include "Refusal.h"
 
 #include "vtkMatrix3x3.h"
@@ -40,7 +41,7 @@ void CheckSpacing(const std::filesystem::path& file, const ImageGrid& grid)
   for (int axis = 0; axis < 3; ++axis)
   {
     const double spacing = grid.Spacing[axis];
-    if (!(std::isfinite(spacing) && spacing > 0.0))
+    if (!IsPositive(spacing))
     {
       Refuse(file,
              "has a voxel spacing of " + SignificantText(spacing) + " mm along axis " +

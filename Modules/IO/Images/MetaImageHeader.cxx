@@ -3,6 +3,7 @@
 #include "CNumericLocale.h"
 #include "DecimalText.h"
 #include "MetaImageFields.h"
+#include "PositiveNumber.h"
 #include "Refusal.h"
 #include "ZlibCheck.h"
 
@@ -73,7 +74,7 @@ void CheckSpacings(const std::filesystem::path& file, const MetaImageFields& hea
   {
     for (const double spacing : header.Numbers(key))
     {
-      if (!(std::isfinite(spacing) && spacing > 0.0))
+      if (!IsPositive(spacing))
       {
         Refuse(file, "has a voxel spacing of " + SignificantText(spacing) + " mm",
                "correct its header: spacings must be positive");

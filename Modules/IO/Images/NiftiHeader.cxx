@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "FileFormat.h"
 #include "NiftiFields.h"
+#include "PositiveNumber.h"
 #include "Refusal.h"
 
 #include <Eigen/Geometry>
@@ -78,7 +79,7 @@ void CheckSpacings(const std::filesystem::path& file, const NiftiFields& fields)
   for (std::size_t axis = 1; axis <= 3; ++axis)
   {
     const double spacing = fields.PixelDimensions[axis];
-    if (!(std::isfinite(spacing) && spacing > 0.0))
+    if (!IsPositive(spacing))
     {
       Refuse(file,
              "has a voxel spacing of " + SignificantText(spacing) + " along axis " +

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostSteps = 16;
+constexpr int MostProducts = 16;
 
 // A fixed asymmetric start vector, in practice orthogonal to no eigenvector.
 CacheLineVector<double> Start(const PackedTriangle& factor)
@@ -44,7 +44,7 @@ double LargestEigenvalue(const PackedTriangle& factor, const Apply& apply)
   std::vector<double> diagonal;
   std::vector<double> offDiagonal;
   double value = 0.0;
-  const int steps = std::min(MostSteps, factor.Size());
+  const int steps = std::min(MostProducts, factor.Size());
   for (int step = 0; step < steps; ++step)
   {
     CacheLineVector<double> next = basis.back();

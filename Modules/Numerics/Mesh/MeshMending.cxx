@@ -140,7 +140,7 @@ std::vector<double> SheetVolumes(const IndexedMesh& mesh, const MeshSheets& shee
   return volumes;
 }
 
-Status CheckArrays(const IndexedMesh& mesh)
+Status CheckPointsAndTriangles(const IndexedMesh& mesh)
 {
   if (std::max(mesh.Points.size(), mesh.Triangles.size()) > MostElements)
   {
@@ -248,7 +248,7 @@ int OrientOutwards(IndexedMesh& mesh)
 Status MendMesh(IndexedMesh& mesh, bool keepsLargestPartOnly, MeshMends& mends)
 {
   mends = {};
-  if (Status status = CheckArrays(mesh); !status.IsOk())
+  if (Status status = CheckPointsAndTriangles(mesh); !status.IsOk())
   {
     return status;
   }

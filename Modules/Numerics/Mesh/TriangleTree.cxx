@@ -7,7 +7,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double MostMillimetres = 1e30; // fits into float, and its cube into double
+constexpr double FarthestCorner = 1e30; // fits into float, and its cube into double
 constexpr std::size_t MostTriangles = 700'000'000;
 
 float Below(double x)
@@ -42,7 +42,7 @@ Status CheckMesh(const IndexedMesh& mesh)
   }
   if (!std::all_of(mesh.Points.begin(), mesh.Points.end(),
                    [](const Vector3& p)
-                   { return p.cwiseAbs().maxCoeff() <= MostMillimetres && p.allFinite(); }))
+                   { return p.cwiseAbs().maxCoeff() <= FarthestCorner && p.allFinite(); }))
   {
     return Status::Failure("The mesh has coordinates that are not finite or beyond 1e30 mm.");
   }

@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 constexpr double MostVoxels = 8'589'934'592.0; // 2^33
-constexpr double MostSteps = 1e15;             // integers of this size are exact
+constexpr double MostGridSteps = 1e15;         // integers of this size are exact
 constexpr double LeastSteps = 1e-70;           // see ExactSign
 
 Status CheckCenters(const VoxelCenters& centers)
@@ -38,7 +38,7 @@ Status ToSteps(const IndexedMesh& mesh, const VoxelCenters& centers, std::vector
   for (const Vector3& point : mesh.Points)
   {
     Vector3 p = inverse * (point - centers.Origin);
-    if (!(p.cwiseAbs().maxCoeff() <= MostSteps) || !p.allFinite())
+    if (!(p.cwiseAbs().maxCoeff() <= MostGridSteps) || !p.allFinite())
     {
       return Status::Failure("The mesh has points that are not finite or too far from the grid.");
     }
@@ -53,18 +53,18 @@ Status ToSteps(const IndexedMesh& mesh, const VoxelCenters& centers, std::vector
 }
 
 // The integers from the first not below `least` to before the first above `most`, within [0, size].
-struct Range
+struct CellRange
 {
   int Begin;
   int End;
-  Range(double least, double most, int size)
+  CellRange(double least, double most, int size)
       : Begin(static_cast<int>(std::clamp(std::ceil(least), 0.0, static_cast<double>(size)))),
         End(static_cast<int>(std::clamp(std::floor(most) + 1.0, 0.0, static_cast<double>(size))))
   {
   }
 };
 
-Range RangeOf(double a, double b, double c, int size)
+CellRange RangeOf(double a, double b, double c, int size)
 {
   return {std::min({a, b, c}), std::max({a, b, c}), size};
 }
@@ -95,8 +95,8 @@ public:
 
   void Add(const Vector3& a, const Vector3& b, const Vector3& c)
   {
-    const Range rows = RangeOf(a[1], b[1], c[1], this->Size[1]);
-    const Range slices = RangeOf(a[2], b[2], c[2], this->Size[2]);
+    const CellRange rows = RangeOf(a[1], b[1], c[1], this->Size[1]);
+    const CellRange slices = RangeOf(a[2], b[2], c[2], this->Size[2]);
     for (int k = slices.Begin; k < slices.End; ++k)
     {
       for (int j = rows.Begin; j < rows.End; ++j)
@@ -130,7 +130,7 @@ private:
   {
     const exact::Plane plane(a, b, c);
     const auto isBehind = [&](int i) { return plane.SideOf(Vector3(i, j, k)) * side >= 0; };
-    const Range range = RangeOf(a[0], b[0], c[0], this->Size[0]);
+    const CellRange range = RangeOf(a[0], b[0], c[0], this->Size[0]);
     const Vector3 normal = (b - a).cross(c - a);
     const double at = a[0] - (normal[1] * (j - a[1]) + normal[2] * (k - a[2])) / normal[0];
     int first = range.Begin;

@@ -11,7 +11,7 @@ const char* const NotClosed = "The surface must be closed and consistently orien
 const char* const NotGenus0 = "The surface must be closed, in one part and without handles.";
 
 // For each vertex the two other corners of its triangles, in the triangles' order.
-struct Corners
+struct CornersOfVertices
 {
   std::vector<std::size_t> Offsets;
   std::vector<std::array<int, 2>> Pairs;
@@ -37,9 +37,9 @@ Status CheckIndices(const IndexedMesh& mesh)
   return Status::Success();
 }
 
-Corners CollectCorners(const IndexedMesh& mesh)
+CornersOfVertices CollectCorners(const IndexedMesh& mesh)
 {
-  Corners corners;
+  CornersOfVertices corners;
   corners.Offsets.assign(mesh.Points.size() + 1, 0);
   for (const std::array<int, 3>& t : mesh.Triangles)
   {
@@ -76,7 +76,7 @@ Status VertexRings::From(const IndexedMesh& mesh, VertexRings& rings)
   {
     return status;
   }
-  const Corners corners = CollectCorners(mesh);
+  const CornersOfVertices corners = CollectCorners(mesh);
   VertexRings result;
   result.Slots.reserve(mesh.Points.size());
   result.Entries.reserve(corners.Pairs.size());

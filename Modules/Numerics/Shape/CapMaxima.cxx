@@ -10,7 +10,7 @@ namespace
 {
 // A cell of the central projection of a cube's surface with the same number of cells along every
 // edge, numbered face by face.
-struct Cell
+struct GroupCell
 {
   Vector3 Center;
   double Radius; // rad
@@ -26,7 +26,7 @@ Vector3 Projected(int face, double a, double b)
   return point.normalized();
 }
 
-Cell CellOf(int index, int cells)
+GroupCell CellOf(int index, int cells)
 {
   const int face = index / (cells * cells);
   const int row = index / cells % cells;
@@ -71,7 +71,7 @@ CapMaxima::CapMaxima(const std::vector<Vector3>& directions, const std::vector<d
   // Directions are sorted into coarse cells, so that far ones are passed over together.
   const int coarse = std::max(1, cells / 5);
   std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(6 * coarse * coarse));
-  std::vector<Cell> groups;
+  std::vector<GroupCell> groups;
   for (std::size_t i = 0; i < members.size(); ++i)
   {
     groups.push_back(CellOf(static_cast<int>(i), coarse));

@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double Infinite = std::numeric_limits<double>::infinity();
+constexpr double Unbounded = std::numeric_limits<double>::infinity();
 
 // Local bounds on f and on the surface at a sample.
 template <typename Surface>
@@ -99,7 +99,7 @@ Remainder After(double step, const LocalBounds<Surface>& bounds) noexcept
   // Almost always the angle is much less than the step, and the existing bound suffices.
   const double thirdThere = angle <= step ? third : bounds.ThirdOfF(step + angle);
   const bool isKnown = eigenvalue > 0.0 && angle * thirdThere <= 1.5 * eigenvalue;
-  return {isKnown ? angle : Infinite, 2.0 * left * quotient};
+  return {isKnown ? angle : Unbounded, 2.0 * left * quotient};
 }
 
 // Computes the point at the end of a last, short step.
@@ -117,9 +117,9 @@ void Finish(const Vector3& query, const Vector3& centerWorld, const Vector3& ste
   const double length = offset.norm();
   point.SignedDistance = std::copysign(length, offset.dot(normal));
 
-  point.PositionError = Infinite;
-  point.DistanceError = Infinite;
-  if (remainder.Angle < Infinite)
+  point.PositionError = Unbounded;
+  point.DistanceError = Unbounded;
+  if (remainder.Angle < Unbounded)
   {
     const double angle = step.norm();
     const double expansion = bounds.Third * angle * angle * angle * (1.0 / 6.0) + rounding;

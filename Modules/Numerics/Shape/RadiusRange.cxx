@@ -14,12 +14,12 @@ namespace
 {
 constexpr int LargestEvaluationCount = 500000; // of each of the two searches
 
-struct Cell
+struct RangeCell
 {
   SphericalTriangle Triangle;
   double Upper;
 
-  friend bool operator<(const Cell& a, const Cell& b) { return a.Upper < b.Upper; }
+  friend bool operator<(const RangeCell& a, const RangeCell& b) { return a.Upper < b.Upper; }
 };
 
 struct Extreme
@@ -81,7 +81,7 @@ private:
   const SphericalHarmonicModel& Model;
   const SphericalHarmonicSpectrum& Spectrum;
   double Sign;
-  std::priority_queue<Cell> Cells;
+  std::priority_queue<RangeCell> Cells;
   double Found = -std::numeric_limits<double>::infinity();
   int EvaluationCount = 0;
 };

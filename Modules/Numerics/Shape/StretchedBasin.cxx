@@ -25,7 +25,7 @@ ParametricShape::SecondOrderSample Unstretched(const ParametricShape::SecondOrde
 
 // The half squared distance along a step of `length` mm is above its quadratic expansion minus
 // length^3 / 6 times Fall(length); see ClosestPointDescent.cxx, with steps instead of angles.
-struct Expansion
+struct ExpansionInBasin
 {
   double Second;     // |x''|, 1/mm
   double Product;    // 3 |x'.x''|, 1/mm
@@ -52,8 +52,8 @@ struct Expansion
   }
 };
 
-Expansion ExpansionOf(const ParametricShape::SecondOrderSample& even,
-                      const Vector3& offset) noexcept
+ExpansionInBasin ExpansionOf(const ParametricShape::SecondOrderSample& even,
+                             const Vector3& offset) noexcept
 {
   const double aa = 1.0 - offset.dot(even.Second[0]);
   const double ab = -offset.dot(even.Second[1]);
@@ -65,7 +65,7 @@ Expansion ExpansionOf(const ParametricShape::SecondOrderSample& even,
   const double larger = half + std::sqrt(std::max(0.0, half * half - determinant));
   const double stepA = (ab * b - bb * a) / determinant;
   const double stepB = (ab * a - aa * b) / determinant;
-  Expansion expansion{};
+  ExpansionInBasin expansion{};
   expansion.Second = LargestSecond(even);
   expansion.Product = LargestProduct(even);
   expansion.Distance = offset.norm();
@@ -94,7 +94,7 @@ StretchedBasin StretchedBasinAround(const Vector3& parameter,
     return basin;
   }
   const double least = std::sqrt(determinant) / basin.Stretch; // |x'|, mm/rad
-  Expansion expansion = ExpansionOf(Unstretched(sample, basin.Metric), offset);
+  ExpansionInBasin expansion = ExpansionOf(Unstretched(sample, basin.Metric), offset);
   if (!(expansion.Eigenvalue > 0.0))
   {
     return basin;

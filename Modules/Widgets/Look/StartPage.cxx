@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostRecent = 8;
+constexpr int MostListed = 8;
 constexpr QChar Separator('\n'); // between files of a link
 
 QString Link(const QStringList& files, const QString& text, const QString& remark)
@@ -92,7 +92,7 @@ void StartPage::ShowSamples()
 void StartPage::ShowRecent(const QStringList& files)
 {
   QString text;
-  for (const QString& file : files.mid(0, MostRecent))
+  for (const QString& file : files.mid(0, MostListed))
   {
     const QFileInfo information(file);
     text += Link({file}, ScreenString(information.fileName().toStdString()),
