@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palpate
 {
@@ -13,8 +14,8 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // followed. Where a proof does not end the whole surface is searched, since a tool that waits meets
 // its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
 // waits.
-constexpr int MotionEvaluationsOfProof = 12;
-constexpr int MotionEvaluationsAhead = 6;
+constexpr int MotionEvaluationsOfProof = 80;
+constexpr int MotionEvaluationsAhead = 20;
 constexpr int MotionEvaluationsOfSearch = 256;
 constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
@@ -34,12 +35,13 @@ double ClearMotion::Minima::Nearest() const noexcept
   return nearest;
 }
 
-// Minima are not merged however near they are.
 ClearMotion::ClearMotion(const ParametricTouchSurface& surface, const WedgePlaces& places,
-                         double radius, double stride, double exactness) noexcept
+                         double radius, double stride, double exactness,
+                         std::shared_ptr<Proof> clearance)
     : Surface(&surface), Places(&places), Radius(radius), Free(radius + surface.Margin()),
       Stride(stride), Exactness(exactness),
-      Clearance(surface.Search(), Free + stride, 0.5 * exactness, 0.0)
+      Clearance(clearance ? std::move(clearance)
+                          : std::make_shared<Proof>(surface.Search(), Free + stride, exactness))
 {
 }
 
@@ -248,8 +250,11 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima&
   double wanted = this->Wanted(needed, minima);
   for (int proof = 0; proof<MotionProofs&& this->EvaluationsLeft> 0; ++proof)
   {
-    const auto answer = this->Clearance.AskWithin(
-        wanted + this->Exactness, goal, minima.Each.data(), minima.Count, this->EvaluationsLeft);
+    constexpr double Apart = 0.0; // minima are not merged however near they are
+    const double asked = wanted + 0.5 * this->Exactness;
+    const auto answer =
+        this->Clearance->AskWithin(asked + this->Clearance->Tolerance(), goal, minima.Each.data(),
+                                   minima.Count, this->EvaluationsLeft, Apart);
     this->EvaluationsLeft -= answer.Evaluations;
     if (answer.State != Proof::Finding::Nearer)
     {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 
 namespace palpate
 {
@@ -23,12 +24,14 @@ class ClearMotion
 {
 public:
   using ClosestPoint = ParametricTouchSurface::ClosestPoint;
+  using Proof = ClearanceProofOf<ParametricTouchSurface::Shape>;
 
   /// `radius` is the tool's (mm), which the surface's margin enlarges at `places`; `stride` the
   /// longest step that stays with a minimum, `exactness` that of a minimum's distance (mm).
-  /// Keeps the addresses of surface and places, which must outlive it.
+  /// Keeps the addresses of surface and places, which must outlive it. `clearance` is the proof of
+  /// whoever else moves this tool at the surface; null for one of its own.
   ClearMotion(const ParametricTouchSurface& surface, const WedgePlaces& places, double radius,
-              double stride, double exactness) noexcept;
+              double stride, double exactness, std::shared_ptr<Proof> clearance);
 
   /// Begins at a place (mm) where the tool is free, at the outer side of this minimum of the
   /// distance to it.
@@ -37,11 +40,15 @@ public:
   /// with Met() at PlaceWorld().
   bool MoveTo(const Vector3& probeWorld) noexcept;
 
+  /// Without a proof that it shares.
+  std::size_t Bytes() const noexcept
+  {
+    return sizeof(*this) + (this->Clearance.use_count() == 1 ? sizeof(Proof) : 0);
+  }
   const Vector3& PlaceWorld() const noexcept { return this->Place; }
   const ClosestPoint& Met() const noexcept { return this->Wall; }
 
 private:
-  using Proof = ClearanceProofOf<ParametricTouchSurface::Shape>;
   static constexpr std::size_t MostMinima = 4;
 
   struct Minima
@@ -92,7 +99,7 @@ private:
   double Free; // mm from the centre of the tool, where nothing unknown may be
   double Stride;
   double Exactness;
-  Proof Clearance; // of everything but known minima
+  std::shared_ptr<Proof> Clearance; // of everything but known minima
   int EvaluationsLeft = 0;
   Vector3 Place = Vector3::Zero();
   // At the last measured place. While the tool is in the ball around it, it touches nothing.

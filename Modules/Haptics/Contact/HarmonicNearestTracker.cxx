@@ -65,8 +65,6 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
     this->Places = std::make_unique<WedgePlaces>(*this->Touched, toolRadius,
                                                  RelativeReach * this->Touched->SmallestRadius());
     isWedgeNeeded = !this->Places->IsEmpty();
-    this->Motion = std::make_unique<ClearMotion>(*this->Touched, *this->Places, toolRadius,
-                                                 this->Stride, this->TouchingGap);
   }
   else
   {
@@ -76,6 +74,12 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   {
     this->Wedge = std::make_unique<HarmonicWedgeOf<Surface>>(
         this->Touched, toolRadius + this->Touched->Margin(), wallsAhead);
+  }
+  if constexpr (Surface::MayCrossItself)
+  {
+    this->Motion = std::make_unique<ClearMotion>(*this->Touched, *this->Places, toolRadius,
+                                                 this->Stride, this->TouchingGap,
+                                                 this->Wedge ? this->Wedge->Clearance() : nullptr);
   }
 }
 
@@ -89,6 +93,7 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
   }
   this->EvaluationsLeft = EvaluationsOfTick;
   this->Advance(pose.PositionWorld);
+  this->PrepareWedge();
   if (this->IsWedging && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
@@ -339,6 +344,20 @@ void HarmonicNearestTrackerOf<Surface>::Drag(const Vector3& probe) noexcept
   else if (!this->Friction.Sticks(this->PullOf(probe, this->Held)))
   {
     this->Held = this->Slip(probe, PlaceOf<Surface>(this->Closest));
+  }
+}
+
+// Next to where the wedge will be needed.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::PrepareWedge() noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    const bool isHeldByOne = this->Known == State::Touching && !this->IsWedging;
+    if (isHeldByOne && this->Wedge && this->Places->IsBeside(this->Closest.Direction))
+    {
+      this->Wedge->Prepare(this->Closest);
+    }
   }
 }
 

@@ -54,8 +54,8 @@ public:
   std::size_t WallCount() const noexcept { return this->IsWedging ? this->Wedge->WallCount() : 1; }
   std::size_t Bytes() const noexcept override
   {
-    return sizeof(*this) + (this->Wedge ? sizeof(*this->Wedge) : 0) +
-           (this->Motion ? sizeof(*this->Motion) : 0) +
+    return sizeof(*this) + (this->Wedge ? this->Wedge->Bytes() : 0) +
+           (this->Motion ? this->Motion->Bytes() : 0) +
            (this->Places ? sizeof(*this->Places) + this->Places->Bytes() : 0);
   }
 
@@ -99,6 +99,7 @@ private:
   {
     return this->Wedge && (!this->Places || this->Places->Contains(direction));
   }
+  void PrepareWedge() noexcept;
   void EndWedge(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;

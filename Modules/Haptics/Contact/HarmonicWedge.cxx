@@ -11,10 +11,13 @@ namespace palpate
 namespace
 {
 // Relative to the smallest radius, so that units do not matter: the path between two proofs, where
-// a slide ends, and the tolerance of a proof.
+// a slide ends, and how deep the sphere may be in a wall that is not known yet. At a parametric
+// surface that is some micrometres, far less than a hand feels: for less, many more ticks take
+// long.
 constexpr double RelativeStep = 1.0 / 16.0;
 constexpr double RelativeEnd = 6e-6;
-constexpr double RelativeTolerance = 1e-5;
+template <typename Surface>
+constexpr double RelativeTolerance = Surface::MayCrossItself ? 1e-3 : 1e-5;
 // Of the margin that a surface adds to tools: the tool itself is still kept off.
 constexpr double PartOfMargin = 0.4;
 // Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
@@ -26,6 +29,7 @@ constexpr int WedgeProofs = 12;
 constexpr int WedgeProofsAtFolds = 4;
 constexpr int EvaluationsOfMove = 640;
 constexpr int WedgeEvaluations = 160;
+constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
 
 // A wall's minimum for another query on its normal: it is the same point.
 template <typename ClosestPoint>
@@ -86,10 +90,11 @@ HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface
     : Touched(std::move(surface)), Radius(radius), LongestStep(StepOf(*this->Touched, radius)),
       Ahead(ahead), Kept(std::max(LongestStep, ahead)),
       End(std::max(RelativeEnd * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
-      Clearance(
+      Clear(std::make_shared<Proof>(
           this->Touched->Search(), radius,
-          std::min(0.5 * radius, std::max({RelativeTolerance * this->Touched->SmallestRadius(),
-                                           2.0 * End, PartOfMargin * this->Touched->Margin()})))
+          std::min(0.5 * radius,
+                   std::max({RelativeTolerance<Surface> * this->Touched->SmallestRadius(),
+                             2.0 * End, PartOfMargin * this->Touched->Margin()}))))
 {
   if (ahead > 0.0)
   {
@@ -126,6 +131,14 @@ bool HarmonicWedgeOf<Surface>::IsNeededAt(const Surface& surface, const Vector3&
   const typename Surface::Place place = surface.PlaceAt(direction);
   const Vector3 center = place.PointWorld + size * place.Normal;
   return surface.Search().Nearest(center).SignedDistance < least;
+}
+
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Prepare(const ClosestPoint& wall) noexcept
+{
+  const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
+  const ClosestPoint seen = SeenFrom(place, this->Touched->Model().CenterWorld(), wall);
+  this->Clear->Ask(place, &seen, 1, EvaluationsOfPreparation);
 }
 
 template <typename Surface>
@@ -201,7 +214,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       continue;
     }
     const typename Proof::Answer answer =
-        this->Clearance.Ask(this->Center, this->Known.data(), this->KnownCount, EvaluationsOfMove);
+        this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, EvaluationsOfMove);
     if (answer.State == Proof::Finding::Nearer)
     {
       this->Meet(this->Sided(answer.Minimum));

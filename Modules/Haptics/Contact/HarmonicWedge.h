@@ -32,6 +32,8 @@ public:
   /// Walls are known, too, that keep the sphere from `ahead` (mm) further along its normal, were it
   /// larger by that; see LookAhead.
   HarmonicWedgeOf(std::shared_ptr<const Surface> surface, double radius, double ahead = 0.0);
+  /// The proof that it keeps from step to step, for others that move the same sphere.
+  const std::shared_ptr<Proof>& Clearance() const noexcept { return this->Clear; }
 
   /// False if a sphere (mm) touches in at most one place wherever it rolls, tested at some thousand
   /// places with a sphere a tenth larger. Takes milliseconds.
@@ -39,6 +41,9 @@ public:
   /// The same at one place, by its direction or parameter.
   static bool IsNeededAt(const Surface& surface, const Vector3& direction, double radius);
 
+  /// Proves a part of what Begin and MoveTo will need if the sphere, which this wall alone holds,
+  /// comes to a hollow.
+  void Prepare(const ClosestPoint& wall) noexcept;
   /// Starts at the surface's nearest point to the sphere: in place if the sphere is free there,
   /// else pushed out by that wall.
   void Begin(const ClosestPoint& nearest) noexcept;
@@ -63,6 +68,10 @@ public:
   const ClosestPoint* OnlyWall() const noexcept
   {
     return this->KnownCount == 1 && this->IsKeptBack && this->IsClear ? &this->Known[0] : nullptr;
+  }
+  std::size_t Bytes() const noexcept
+  {
+    return sizeof(*this) + (this->ClearanceAhead ? 2 : 1) * sizeof(Proof);
   }
   /// The longest step (mm) between two proofs. Farther walls may be unknown.
   double Step() const noexcept { return this->LongestStep; }
@@ -107,7 +116,7 @@ private:
   double Ahead;       // mm
   double Kept;        // mm, the gap up to which a wall is followed
   double End;         // mm, at which a slide ends
-  Proof Clearance;
+  std::shared_ptr<Proof> Clear;
   std::unique_ptr<Proof> ClearanceAhead;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre

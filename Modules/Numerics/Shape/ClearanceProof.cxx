@@ -125,10 +125,8 @@ struct ClearanceProofOf<Surface>::Task
 
 template <typename Surface>
 ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
-                                            double distance, double tolerance,
-                                            double apart) noexcept
-    : Search(&search), Tolerance(tolerance), Needed(distance - tolerance), Asked(Needed),
-      Together(apart)
+                                            double distance, double tolerance) noexcept
+    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed)
 {
   this->BeginAfresh();
 }
@@ -195,7 +193,7 @@ typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
                                std::size_t knownCount, int evaluationLimit) noexcept
 {
-  return this->AskWithin(this->Needed + this->Tolerance, queryWorld, known, knownCount,
+  return this->AskWithin(this->Needed + this->LeftOpen, queryWorld, known, knownCount,
                          evaluationLimit);
 }
 
@@ -203,9 +201,9 @@ template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
                                      const ClosestPoint* known, std::size_t knownCount,
-                                     int evaluationLimit) noexcept
+                                     int evaluationLimit, double apart) noexcept
 {
-  this->Asked = distance - this->Tolerance;
+  this->Asked = distance - this->LeftOpen;
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
   const ClosestPointDescentOf<Surface>& descent = this->Search->Descent();
   Task task;
@@ -218,7 +216,7 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   for (std::size_t i = 0; i < task.KnownCount; ++i)
   {
     auto basin = descent.BasinAround(this->Query, known[i]);
-    Widen(basin, this->Together);
+    Widen(basin, apart);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
   for (std::size_t i = 0; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)

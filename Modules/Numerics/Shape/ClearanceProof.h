@@ -37,19 +37,20 @@ public:
   /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
-  /// `distance` > `tolerance` > 0, mm. Known minima count for everything within the angle `apart`
-  /// (rad). Keeps the address of the search, which must outlive it.
-  ClearanceProofOf(const ClosestPointSearchOf<Surface>& search, double distance, double tolerance,
-                   double apart = Apart) noexcept;
+  /// `distance` > `tolerance` > 0, mm. Keeps the address of the search, which must outlive it.
+  ClearanceProofOf(const ClosestPointSearchOf<Surface>& search, double distance,
+                   double tolerance) noexcept;
+  double Tolerance() const noexcept { return this->LeftOpen; }
 
   /// `known` are minima of the distance to `queryWorld` (mm; at most 1e100), tracked there, at most
   /// MostKnown. Works as long as about `evaluationLimit` evaluations of the surface with its first
   /// two derivatives take; what remains open is continued by the next query.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
              int evaluationLimit) noexcept;
-  /// The same for another distance, up to the tolerance, preferably less.
+  /// The same for another distance, up to the tolerance, preferably less. Known minima count for
+  /// everything within the angle `apart` (rad).
   Answer AskWithin(double distance, const Vector3& queryWorld, const ClosestPoint* known,
-                   std::size_t knownCount, int evaluationLimit) noexcept;
+                   std::size_t knownCount, int evaluationLimit, double apart = Apart) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
@@ -96,10 +97,9 @@ private:
   double Used() const noexcept { return this->PathLength + (this->Asked - this->Needed); }
 
   const ClosestPointSearchOf<Surface>* Search;
-  double Tolerance; // mm
-  double Needed;    // mm, usually
-  double Asked;     // mm, now
-  double Together;  // rad
+  double LeftOpen; // mm
+  double Needed;   // mm, usually
+  double Asked;    // mm, now
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
   // No point of a cell is closer than this plus Needed, minus the path length.

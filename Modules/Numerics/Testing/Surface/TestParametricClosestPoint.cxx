@@ -217,7 +217,7 @@ TEST(ParametricClearanceProof, HoldsForAnyDistanceAlongAPath)
     {
       points.push_back(surface.Point(u));
     }
-    const auto proof = std::make_unique<ClearanceProofOf<ParametricShape>>(search, 0.5, 1e-6, 0.0);
+    const auto proof = std::make_unique<ClearanceProofOf<ParametricShape>>(search, 0.5, 1e-6);
     Vector3 u = test::RandomDirection(random);
     int clear = 0;
     for (int step = 0; step < 300; ++step)
@@ -228,7 +228,7 @@ TEST(ParametricClearanceProof, HoldsForAnyDistanceAlongAPath)
       const Vector3 query = surface.Point(u) + height * surface.Normal(u);
       const auto known = search.Nearest(query, 5000);
       const double distance = std::abs(known.SignedDistance) + (step % 3 == 0 ? 0.05 : 1e-5);
-      const auto answer = proof->AskWithin(distance, query, &known, 1, 400);
+      const auto answer = proof->AskWithin(distance, query, &known, 1, 400, 0.0);
       EXPECT_LE(answer.Evaluations, 500);
       if (answer.State != ClearanceProofOf<ParametricShape>::Finding::Clear)
       {
@@ -258,7 +258,7 @@ TEST(ParametricClearanceProof, IsNeverClearBeyondTheNearestPoint)
   for (const ParametricSphericalSurface& surface : Phantoms())
   {
     const Search search(Shaped(surface));
-    const auto proof = std::make_unique<ClearanceProofOf<ParametricShape>>(search, 2.0, 1e-6, 0.0);
+    const auto proof = std::make_unique<ClearanceProofOf<ParametricShape>>(search, 2.0, 1e-6);
     Vector3 query = Vector3::Zero();
     int clear = 0;
     for (int step = 0; step < 600; ++step)
