@@ -45,8 +45,7 @@ find_package(X11 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)
-find_library(PALPATE_MUMPS dmumps_seq REQUIRED)
-mark_as_advanced(PALPATE_MUMPS)
+find_package(BLAS REQUIRED)
 
 # Without libusb everything is built except the access to a real Falcon.
 find_package(PkgConfig)

@@ -25,9 +25,15 @@ double ComplianceSampler::Compliance(const HertzPatch& patch) const
 PatchCompliance ComplianceSampler::At(const Vector3& direction, double largestRadius) const
 {
   std::array<double, PatchCompliance::Terms> values = PatchCompliance::Nodes(largestRadius);
-  for (double& value : values)
+  std::vector<HertzPatch> patches;
+  for (const double radius : values)
   {
-    value *= this->Compliance(this->PatchAt(direction, value));
+    patches.push_back(this->PatchAt(direction, radius));
+  }
+  const std::vector<double> longWaves = this->Reduced->Compliances(patches.front().Normal, patches);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] *= longWaves[i] + this->Local.At(patches[i]);
   }
   return {PatchCompliance::Interpolate(values), largestRadius};
 }

@@ -9,7 +9,7 @@ struct OrganSoftening
 {
   /// Raise it with every change of the numerics that changes results: what was kept by an earlier
   /// version (SofteningCache) is not used then.
-  static constexpr int Version = 1;
+  static constexpr int Version = 2;
   /// Elements carry harmonics up to this degree times their number across: of shorter ones, less
   /// than two elements long, the organ would be too stiff by tens of percent.
   static constexpr int MostDegreePerElement = 2;

@@ -1,8 +1,8 @@
 #include "ReducedCompliance.h"
 
 #include "GaussLegendre.h"
-#include "SparseCholesky.h"
 #include "SphericalHarmonicBasis.h"
+#include "StiffnessCondensation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +41,27 @@ Eigen::MatrixXd SurfaceIntegrals(const StarMesh& mesh, int degree)
   }
   return integrals;
 }
+
+// Each harmonic as a traction along each axis.
+LoadMatrix SurfaceLoads(const StarMesh& mesh, int degree)
+{
+  const Eigen::MatrixXd integrals = SurfaceIntegrals(mesh, degree);
+  const Eigen::Index harmonics = integrals.cols();
+  LoadMatrix loads(3 * integrals.rows(), 3 * harmonics);
+  for (Eigen::Index row = 0; row < loads.rows(); ++row)
+  {
+    loads.startVec(row);
+    for (Eigen::Index i = 0; i < harmonics; ++i)
+    {
+      if (const double integral = integrals(row / 3, i); integral != 0.0)
+      {
+        loads.insertBack(row, (row % 3) * harmonics + i) = integral;
+      }
+    }
+  }
+  loads.finalize();
+  return loads;
+}
 } // namespace
 
 Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stiffness, int degree,
@@ -51,56 +72,15 @@ Status ReducedCompliance::Make(const StarMesh& mesh, const StiffnessMatrix& stif
     return Status::Failure("The degree of the compliance is not a number from 0 to " +
                            std::to_string(MostDegree) + ".");
   }
-  constexpr double PartOfFactor = 0.4;
-  Status cancelled = Status::Failure("Cancelled.");
   const auto goesOn = [&](double fraction) { return !progress || progress(fraction); };
   if (!goesOn(0.0))
   {
-    return cancelled;
+    return Status::Failure("Cancelled.");
   }
-  SparseCholesky solver;
-  Status factored =
-      solver.Factor(stiffness, [&](double fraction) { return goesOn(PartOfFactor * fraction); });
-  if (!factored.IsOk())
-  {
-    return factored;
-  }
-  const Eigen::MatrixXd integrals = SurfaceIntegrals(mesh, degree);
-  const Eigen::Index nodes = integrals.rows();
-  const Eigen::Index harmonics = integrals.cols();
-  Eigen::MatrixXd values(3 * harmonics, 3 * harmonics);
-  constexpr Eigen::Index Together = 64; // right sides, which bounds memory and time to cancel
-  const Eigen::Index all = 3 * harmonics;
-  for (Eigen::Index first = 0; first < all; first += Together)
-  {
-    if (!goesOn(PartOfFactor +
-                (1.0 - PartOfFactor) * static_cast<double>(first) / static_cast<double>(all)))
-    {
-      return cancelled;
-    }
-    const Eigen::Index count = std::min(Together, all - first);
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(3 * nodes, count);
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      const Eigen::Index component = (first + i) / harmonics;
-      Eigen::Map<Eigen::Matrix3Xd>(columns.col(i).data(), 3, nodes).row(component) =
-          integrals.col((first + i) % harmonics).transpose();
-    }
-    Status solved = solver.Solve(columns);
-    if (!solved.IsOk())
-    {
-      return solved;
-    }
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      const Eigen::Map<const Eigen::Matrix3Xd> moved(columns.col(i).data(), 3, nodes);
-      Eigen::Map<Eigen::MatrixXd>(values.col(first + i).data(), harmonics, 3) =
-          (moved * integrals).transpose();
-    }
-  }
+  Status condensed = CondenseStiffness(stiffness, NestedDissection(mesh.Places()),
+                                       SurfaceLoads(mesh, degree), progress, compliance.Values);
   compliance.MaximumDegree = degree;
-  compliance.Values = 0.5 * (values + values.transpose()); // of rounding
-  return goesOn(1.0) ? Status::Success() : cancelled;
+  return !condensed.IsOk() || goesOn(1.0) ? condensed : Status::Failure("Cancelled.");
 }
 
 ReducedCompliance ReducedCompliance::Of(int degree, Eigen::MatrixXd matrix)
@@ -126,29 +106,28 @@ ReducedCompliance ReducedCompliance::Truncated(int degree) const
   return Of(degree, std::move(part));
 }
 
-Eigen::VectorXd ReducedCompliance::Traction(const HertzPatch& patch) const
+Eigen::VectorXd ReducedCompliance::Pressure(const HertzPatch& patch) const
 {
   const SphericalHarmonicBasis basis(this->MaximumDegree);
-  const auto harmonics = static_cast<Eigen::Index>(basis.Size());
-  Eigen::VectorXd bump(harmonics);
+  Eigen::VectorXd bump(static_cast<Eigen::Index>(basis.Size()));
   patch.Project(basis, bump.data());
   for (Eigen::Index l = 0; l <= this->MaximumDegree; ++l)
   {
     bump.segment(l * l, 2 * l + 1) *= Window(static_cast<double>(l), this->MaximumDegree);
   }
-  Eigen::VectorXd traction(3 * harmonics);
-  for (Eigen::Index component = 0; component < 3; ++component)
-  {
-    traction.segment(component * harmonics, harmonics) = -patch.Normal[component] * bump;
-  }
-  return traction;
+  return bump;
 }
 
 Eigen::MatrixX3d ReducedCompliance::Displacement(const HertzPatch& patch) const
 {
-  const Eigen::VectorXd moved =
-      this->Values.selfadjointView<Eigen::Lower>() * this->Traction(patch);
-  const Eigen::Index harmonics = moved.size() / 3;
+  const Eigen::VectorXd pressure = this->Pressure(patch);
+  const Eigen::Index harmonics = pressure.size();
+  Eigen::VectorXd traction(3 * harmonics);
+  for (Eigen::Index component = 0; component < 3; ++component)
+  {
+    traction.segment(component * harmonics, harmonics) = -patch.Normal[component] * pressure;
+  }
+  const Eigen::VectorXd moved = this->Values.selfadjointView<Eigen::Lower>() * traction;
   Eigen::MatrixX3d coefficients = Eigen::Map<const Eigen::MatrixX3d>(moved.data(), harmonics, 3);
   for (Eigen::Index l = 0; l <= this->MaximumDegree; ++l)
   {
@@ -160,8 +139,36 @@ Eigen::MatrixX3d ReducedCompliance::Displacement(const HertzPatch& patch) const
 
 double ReducedCompliance::Compliance(const HertzPatch& patch) const
 {
-  const Eigen::VectorXd traction = this->Traction(patch);
-  return traction.dot(this->Values.selfadjointView<Eigen::Lower>() * traction);
+  return this->Compliances(patch.Normal, {patch}).front();
+}
+
+std::vector<double> ReducedCompliance::Compliances(const Vector3& normal,
+                                                   const std::vector<HertzPatch>& patches) const
+{
+  const Eigen::Index harmonics = this->Values.rows() / 3;
+  // Of the components along the normal. A product from both sides with one vector is the same with
+  // a block below the diagonal as with that above it.
+  Eigen::MatrixXd along = Eigen::MatrixXd::Zero(harmonics, harmonics);
+  for (Eigen::Index column = 0; column < harmonics; ++column)
+  {
+    for (Eigen::Index i = 0; i < 3; ++i)
+    {
+      for (Eigen::Index j = 0; j <= i; ++j)
+      {
+        along.col(column) +=
+            (i == j ? 1.0 : 2.0) * normal[i] * normal[j] *
+            this->Values.col(j * harmonics + column).segment(i * harmonics, harmonics);
+      }
+    }
+  }
+  std::vector<double> compliances;
+  compliances.reserve(patches.size());
+  for (const HertzPatch& patch : patches)
+  {
+    const Eigen::VectorXd pressure = this->Pressure(patch);
+    compliances.push_back(pressure.dot(along * pressure));
+  }
+  return compliances;
 }
 
 double ReducedCompliance::Window(double degree, int degreeLimit) noexcept

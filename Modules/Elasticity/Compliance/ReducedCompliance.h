@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace palpate
 {
 /// What is kept of an elastic organ: displacements of its surface under tractions, both in real
@@ -44,14 +46,17 @@ public:
   Eigen::MatrixX3d Displacement(const HertzPatch& patch) const;
   /// Mean of that displacement over the patch, against its normal, mm/N.
   double Compliance(const HertzPatch& patch) const;
+  /// Of several patches with one normal. Allocates.
+  std::vector<double> Compliances(const Vector3& normal,
+                                  const std::vector<HertzPatch>& patches) const;
 
   /// How much of a wave belongs to the harmonics: 1 up to half the degree limit, 0 beyond the
   /// limit; `degree` need not be whole.
   static double Window(double degree, int degreeLimit) noexcept;
 
 private:
-  /// Per solid angle, with the window; 3 (L+1)^2 rows.
-  Eigen::VectorXd Traction(const HertzPatch& patch) const;
+  /// Against the normal, per solid angle, with the window; (L+1)^2 rows.
+  Eigen::VectorXd Pressure(const HertzPatch& patch) const;
 
   int MaximumDegree = 0;
   Eigen::MatrixXd Values;

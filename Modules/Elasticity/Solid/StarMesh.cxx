@@ -43,30 +43,38 @@ class CubedBall
 public:
   explicit CubedBall(int n) : Across(n), Layers(n / 2) { this->Number(); }
 
-  std::vector<Vector3> Points() const
+  std::vector<StarMesh::Place> Places() const
   {
-    std::vector<Vector3> points;
+    std::vector<StarMesh::Place> places;
     for (int k = 0; k <= this->Across; ++k)
     {
       for (int j = 0; j <= this->Across; ++j)
       {
         for (int i = 0; i <= this->Across; ++i)
         {
-          points.push_back(InMiddle(this->InCube({i, j, k})));
+          places.push_back({i, j, k, 0});
         }
       }
     }
     for (int layer = 1; layer <= this->Layers; ++layer)
     {
-      const double part = static_cast<double>(layer) / this->Layers;
       for (const Lattice& place : this->Outer)
       {
-        const Vector3 inCube = this->InCube(place);
-        points.emplace_back((1.0 - part) * InMiddle(inCube) +
-                            part * EquiangularPoint(inCube).normalized());
+        places.push_back({place[0], place[1], place[2], layer});
       }
     }
-    return points;
+    return places;
+  }
+
+  Vector3 Point(const StarMesh::Place& place) const
+  {
+    const Vector3 inCube = this->InCube({place[0], place[1], place[2]});
+    if (place[3] == 0)
+    {
+      return InMiddle(inCube);
+    }
+    const double part = static_cast<double>(place[3]) / this->Layers;
+    return (1.0 - part) * InMiddle(inCube) + part * EquiangularPoint(inCube).normalized();
   }
 
   std::vector<StarMesh::Element> Elements() const
@@ -215,7 +223,12 @@ Status StarMesh::Make(const SphericalHarmonicModel& model, int elementsAcross, S
                            ".");
   }
   const CubedBall ball(elementsAcross);
-  mesh.NodePoints = ball.Points();
+  mesh.NodePlaces = ball.Places();
+  mesh.NodePoints.clear();
+  for (const Place& place : mesh.NodePlaces)
+  {
+    mesh.NodePoints.push_back(ball.Point(place));
+  }
   std::vector<double> radii(mesh.NodePoints.size());
   double least = std::numeric_limits<double>::infinity();
   double sum = 0.0;

@@ -18,6 +18,10 @@ class StarMesh
 public:
   /// In the order of VTK_HEXAHEDRON.
   using Element = std::array<int, 8>;
+  /// Of a node: three coordinates in the cube's lattice, 0 to n, and the layer, 0 in the cube.
+  /// Those of an element's nodes differ by at most one in each. A node of a layer has the lattice
+  /// coordinates of the node on the cube's surface below it.
+  using Place = std::array<int, 4>;
   /// A side of an element on the surface, counterclockwise from outside.
   struct Face
   {
@@ -41,6 +45,8 @@ public:
   static Status Make(const SphericalHarmonicModel& model, int elementsAcross, StarMesh& mesh);
 
   const std::vector<Vector3>& Nodes() const noexcept { return this->NodePoints; }
+  /// Of each node.
+  const std::vector<Place>& Places() const noexcept { return this->NodePlaces; }
   const std::vector<Element>& Elements() const noexcept { return this->Hexahedra; }
   const std::vector<Face>& Faces() const noexcept { return this->SurfaceFaces; }
   /// Mean edge of the elements at the surface, mm.
@@ -51,6 +57,7 @@ public:
 
 private:
   std::vector<Vector3> NodePoints; // mm
+  std::vector<Place> NodePlaces;
   std::vector<Element> Hexahedra;
   std::vector<Face> SurfaceFaces;
 };
