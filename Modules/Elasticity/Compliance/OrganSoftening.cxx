@@ -52,8 +52,8 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
                             Account& account) const
 {
   // Parts of the time, measured with the defaults.
-  constexpr double Assembled = 0.03;
-  constexpr double Reduced = 0.85;
+  constexpr double Assembled = 0.07;
+  constexpr double Reduced = 0.8;
   const auto between = [&](double from, double to)
   {
     return [&progress, from, to](double fraction)
