@@ -1,9 +1,8 @@
 #include "EffectField.h"
 
 #include "AxisWeights.h"
-#include "FieldBuilder.h"
 #include "FieldOfImage.h"
-#include "FilterRun.h"
+#include "FieldRun.h"
 #include "NodeBox.h"
 #include "Refusal.h"
 
@@ -82,20 +81,10 @@ std::shared_ptr<const ScalarField> FieldAround(const SceneEffectSource& source,
   builder.AddChannel(samples);
   builder.KeepAll();
   builder.SetInterpolation(settings.Interpolation);
-  bool wasCancelled = false;
   std::shared_ptr<const ScalarField> field;
   if (status.IsOk())
   {
-    status = builder.Build(field,
-                           [&](double part)
-                           {
-                             wasCancelled = wasCancelled || !progress(part, settings.Stage);
-                             return !wasCancelled;
-                           });
-  }
-  if (wasCancelled)
-  {
-    throw Cancelled();
+    status = RunBuilder(builder, settings.Stage, progress, field);
   }
   RequireInput(status, volume.Source.string());
   return field;

@@ -1,5 +1,6 @@
 #include "SceneBuilder.h"
 
+#include "InputError.h"
 #include "ModelSurface.h"
 #include "Refusal.h"
 #include "SceneLabels.h"
@@ -32,11 +33,13 @@ public:
         this->Asked, false,
         [this](const std::filesystem::path& file)
         { return this->Run.SegmentationOf(file, this->Asked.LeftHanded, this->Progress); });
+    this->RequireGuides();
     this->Planned = this->Undisplayed();
     this->Run.Make(this->Planned, this->Progress);
     this->Made.Account.Files = this->Run.Files();
     const auto products = [this](SceneStep step, int id) { return this->Run.ProductAt(step, id); };
     this->Made.Contacts = ContactsOf(this->Planned, products);
+    this->Made.Distances = GuideDistancesOf(this->Planned, products);
     for (SofteningNote& note : SofteningNotes(this->Planned, products))
     {
       this->Made.Warnings.push_back(std::move(note.Text));
@@ -55,6 +58,19 @@ public:
   }
 
 private:
+  void RequireGuides() const
+  {
+    for (const GuideSettings& guide : this->Made.Settings.Guides)
+    {
+      if (guide.HasStructure() && FindStructure(this->Made.Settings, guide.Structure) == nullptr)
+      {
+        throw InputError("the scene has no structure with the id " +
+                         std::to_string(guide.Structure) +
+                         ", by which a guide is made; correct \"structure\" in \"guides\"");
+      }
+    }
+  }
+
   SceneSettings Undisplayed() const
   {
     SceneSettings scene = this->Made.Settings;
@@ -134,7 +150,8 @@ SceneItem AccountForServo(const BuiltScene& built)
   {
     return {{}, 0, 0.0, "no structure of the scene is touched"};
   }
-  auto scene = std::make_shared<TouchScene>(MakeTouchScene(built.Settings, built.Contacts, {}));
+  auto scene = std::make_shared<TouchScene>(
+      MakeTouchScene(built.Settings, built.Contacts, {}, built.Distances));
   std::vector<std::pair<std::string, double>> stages;
   StageClock clock(stages);
   std::unique_ptr<ServoScene> servo;

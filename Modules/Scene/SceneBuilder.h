@@ -28,6 +28,7 @@ struct BuiltScene
 {
   SceneSettings Settings; ///< with resolved labels
   std::vector<SceneContact> Contacts;
+  GuideDistances Distances;
   std::vector<BuiltStructure> Touched;      ///< one for each contact
   std::vector<DrillProtection> Protections; ///< of forbidden structures, touched or not
   SceneAccount Account;

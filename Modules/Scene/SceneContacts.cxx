@@ -1,9 +1,12 @@
 #include "SceneContacts.h"
 
+#include "GuideField.h"
 #include "Refusal.h"
 #include "SceneTool.h"
+#include "StructureGuide.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate
 {
@@ -37,6 +40,32 @@ MakeEffects(const SceneStructure& structure, const SceneContact& contact, double
   }
   return effects;
 }
+
+// Guides by structures act once their distances have been made.
+std::vector<std::shared_ptr<const ForceField>> MakeGuides(const std::vector<GuideSettings>& guides,
+                                                          const GuideDistances& distances)
+{
+  std::vector<std::shared_ptr<const ForceField>> fields;
+  for (const GuideSettings& guide : guides)
+  {
+    const auto found = distances.find(guide.Structure);
+    if (!guide.HasStructure())
+    {
+      std::shared_ptr<const ForceField> field;
+      RequireInput(GuideField::Make(guide, field));
+      fields.push_back(std::move(field));
+    }
+    // Those of a former, shorter range are kept until new ones are made.
+    else if (found != distances.end() &&
+             std::abs(guide.Distance) + guide.Range <= found->second->Reach())
+    {
+      std::shared_ptr<const StructureGuide> field;
+      RequireInput(StructureGuide::Make(guide, found->second, field));
+      fields.push_back(std::move(field));
+    }
+  }
+  return fields;
+}
 } // namespace
 
 std::vector<SceneContact> ContactsOf(const SceneSettings& scene, const SceneProducts& products)
@@ -63,18 +92,27 @@ std::vector<SceneContact> ContactsOf(const SceneSettings& scene, const SceneProd
   return contacts;
 }
 
+GuideDistances GuideDistancesOf(const SceneSettings& scene, const SceneProducts& products)
+{
+  GuideDistances distances;
+  for (const SceneStructure& structure : scene.Structures)
+  {
+    auto made = ProductAs<StructureDistance>(products(SceneStep::Guide, structure.Id));
+    if (made != nullptr && IsGuide(scene, structure.Id))
+    {
+      distances[structure.Id] = std::move(made);
+    }
+  }
+  return distances;
+}
+
 TouchScene MakeTouchScene(const SceneSettings& scene, const std::vector<SceneContact>& contacts,
-                          const WorkspaceFrame& frame)
+                          const WorkspaceFrame& frame, const GuideDistances& distances)
 {
   TouchScene made;
   made.Tool = MakeTool(scene.Tool);
   made.Frame = frame.ForDevice();
-  for (const GuideSettings& guide : scene.Guides)
-  {
-    std::shared_ptr<const ForceField> field;
-    RequireInput(GuideField::Make(guide, field));
-    made.Fields.push_back(std::move(field));
-  }
+  made.Fields = MakeGuides(scene.Guides, distances);
   for (const SceneContact& contact : contacts)
   {
     const SceneStructure& structure = *FindStructure(scene, contact.Id);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "GuideDistance.h"
 #include "PalpateSceneModule.h"
 #include "ScenePlan.h"
 #include "TouchScene.h"
@@ -27,9 +28,15 @@ struct SceneContact
 PALPATESCENE_EXPORT std::vector<SceneContact> ContactsOf(const SceneSettings& scene,
                                                          const SceneProducts& products);
 
+/// The distances to the structures that guide the tool, as far as they have been made.
+PALPATESCENE_EXPORT GuideDistances GuideDistancesOf(const SceneSettings& scene,
+                                                    const SceneProducts& products);
+
 /// Assembles the scene for the servo: one structure for each of `contacts`, which must be
-/// touchable. Throws InputError if the settings do not describe a valid tool.
+/// touchable, and the guides; those by structures without `distances` are left out. Throws
+/// InputError if the settings do not describe a valid tool or guide.
 PALPATESCENE_EXPORT TouchScene MakeTouchScene(const SceneSettings& scene,
                                               const std::vector<SceneContact>& contacts,
-                                              const WorkspaceFrame& frame);
+                                              const WorkspaceFrame& frame,
+                                              const GuideDistances& distances = {});
 } // namespace palpate

@@ -19,8 +19,6 @@ constexpr double LargestStiffness = 1e4; // N/mm
 constexpr double LargestDamping = 10.0;  // N s/mm
 constexpr double LargestFriction = 10.0;
 constexpr double LargestIso = 1e300;
-constexpr double LargestGuideStiffness = 10.0; // N/mm
-constexpr double LargestGuideForce = 3.0;      // N
 constexpr int LargestId = 2'000'000'000;
 
 const std::initializer_list<const char*> InterpolationWords{"linear", "cubic"};
@@ -29,7 +27,8 @@ const std::initializer_list<const char*> LeftHandedWords{"refuse", "reverse"};
 const std::initializer_list<const char*> AppearanceWords{"automatic", "model",     "surface",
                                                          "error-map", "sub-voxel", "stiffness-map"};
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
-const std::initializer_list<const char*> GuideWords{"point", "path", "plane"};
+const std::initializer_list<const char*> GuideWords{"point",  "path",    "plane",
+                                                    "inside", "outside", "surface"};
 const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
                                                     "surface"};
 
@@ -207,14 +206,18 @@ void ExchangeDrillMotion(JsonFields& fields, TouchDrillSettings& drill)
 void ExchangeGuide(JsonFields& fields, GuideSettings& guide)
 {
   fields.Exchange("shape", guide.Shape, GuideWords);
-  fields.ExchangeList("points", guide.PointsWorld,
-                      [](JsonFields& point, Vector3& place)
-                      { point.Exchange("position_mm", place, -LargestPlace, LargestPlace); });
-  fields.Exchange("stiffness_n_per_mm", guide.Stiffness, 0.0, LargestGuideStiffness);
+  if (fields.IsReading() || !guide.HasStructure())
+  {
+    fields.ExchangeList("points", guide.PointsWorld,
+                        [](JsonFields& point, Vector3& place)
+                        { point.Exchange("position_mm", place, -LargestPlace, LargestPlace); });
+  }
+  fields.ExchangeIfSet("structure", guide.Structure, 0, LargestId);
+  fields.ExchangeIfSet("distance_mm", guide.Distance, -LargestLength, LargestLength);
+  fields.Exchange("stiffness_n_per_mm", guide.Stiffness, 0.0, GuideSettings::MostStiffness);
   fields.Exchange("range_mm", guide.Range, 0.0, LargestLength);
-  fields.Exchange("largest_n", guide.LargestForce, 0.0, LargestGuideForce);
-  std::shared_ptr<const ForceField> made;
-  const Status status = GuideField::Make(guide, made);
+  fields.Exchange("largest_n", guide.LargestForce, 0.0, GuideSettings::MostForce);
+  const Status status = CheckGuide(guide);
   fields.Require(status.IsOk(), "cannot use " + fields.Place() + ": " + status.Message(),
                  "correct it there, or remove it from \"guides\"");
 }

@@ -56,9 +56,13 @@ SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const Segme
 {
   SceneSettings resolved = scene;
   resolved.Structures.clear();
+  const bool isGuided =
+      std::any_of(scene.Guides.begin(), scene.Guides.end(),
+                  [](const GuideSettings& guide) { return guide.HasStructure(); });
   for (const SceneStructure& entry : scene.Structures)
   {
-    const bool isNeeded = (entry.IsVisible && isSeen) || entry.IsTouchable || entry.IsForbidden;
+    const bool isNeeded =
+        (entry.IsVisible && isSeen) || entry.IsTouchable || entry.IsForbidden || isGuided;
     if (isNeeded && entry.Source() == SceneSource::Label)
     {
       AddSegments(entry, *read(entry.File), resolved.Structures);

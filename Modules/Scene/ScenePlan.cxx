@@ -10,9 +10,9 @@ namespace palpate
 const char* NameOf(SceneStep step)
 {
   constexpr std::array<const char*, SceneStepCount> Names{
-      "volume",  "segmentation", "image",      "structures", "surface",
-      "samples", "model",        "elasticity", "field",      "protection",
-      "touch",   "effects",      "cost",       "tool",       "inclusions"};
+      "volume", "segmentation", "image",      "structures", "surface", "samples",
+      "model",  "elasticity",   "field",      "protection", "touch",   "effects",
+      "cost",   "tool",         "inclusions", "guide"};
   return Names.at(static_cast<std::size_t>(step));
 }
 
@@ -44,10 +44,12 @@ void PlanScene(const SceneSettings& scene, const SceneStamps& stamps, const Scen
   }
   for (const SceneStructure& structure : scene.Structures)
   {
+    StructurePlan plan(scene, structure, tool, stamps, lookup, nodes);
     if (structure.IsForbidden)
     {
-      StructurePlan(scene, structure, tool, stamps, lookup, nodes).AddProtection(drilled);
+      plan.AddProtection(drilled);
     }
+    plan.AddGuide();
   }
 }
 } // namespace palpate

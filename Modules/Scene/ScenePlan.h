@@ -34,9 +34,10 @@ enum class SceneStep
   Effects,    ///< force effects made from images
   Cost,       ///< measured time per tick; no step waits for it
   Tool,       ///< if it is a surface from a file
-  Inclusions  ///< how much of each inclusion lies in a structure that yields
+  Inclusions, ///< how much of each inclusion lies in a structure that yields
+  Guide       ///< distances to a structure that guides the tool
 };
-constexpr int SceneStepCount = 15;
+constexpr int SceneStepCount = 16;
 
 /// "volume", "segmentation", ...
 PALPATESCENE_EXPORT const char* NameOf(SceneStep step);
@@ -65,8 +66,9 @@ struct SceneNode
 using SceneLookup = std::function<const SceneProduct*(const std::string& key)>;
 
 /// Appends the nodes that a scene with resolved labels (see ResolveLabels) needs, inputs before
-/// their dependents: only those required by structures that are displayed or touched, and the
-/// protection of every forbidden one. File nodes that are already in `nodes` are shared.
+/// their dependents: only those required by structures that are displayed or touched, the
+/// protection of every forbidden one, and the distances to those that guide. File nodes that are
+/// already in `nodes` are shared.
 PALPATESCENE_EXPORT void PlanScene(const SceneSettings& scene, const SceneStamps& stamps,
                                    const SceneLookup& lookup, bool measuresCosts,
                                    std::vector<SceneNode>& nodes);

@@ -86,6 +86,8 @@ std::size_t BytesOf(const SceneProduct& product)
           [](const std::shared_ptr<const SceneProtection>& protection)
           { return protection->Bytes(); },
           [](const std::shared_ptr<const SurfaceTool>& tool) { return tool->Bytes(); },
+          [](const std::shared_ptr<const StructureDistance>& distance)
+          { return distance->Bytes(); },
           [](const std::shared_ptr<const SceneInclusions>& inclusions)
           {
             std::size_t bytes = sizeof(*inclusions);

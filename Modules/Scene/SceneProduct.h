@@ -7,6 +7,7 @@
 #include "SceneInclusions.h"
 #include "SceneProtection.h"
 #include "Segmentation.h"
+#include "StructureDistance.h"
 #include "SurfaceTool.h"
 #include "TouchContact.h"
 #include "TouchCost.h"
@@ -37,7 +38,8 @@ using SceneProduct =
                  std::shared_ptr<const FitResult>, std::shared_ptr<const ScalarField>,
                  std::shared_ptr<const TouchContact>, std::shared_ptr<const TouchCost>,
                  std::shared_ptr<const ImageEffects>, std::shared_ptr<const SceneProtection>,
-                 std::shared_ptr<const SurfaceTool>, std::shared_ptr<const SceneInclusions>>;
+                 std::shared_ptr<const SurfaceTool>, std::shared_ptr<const SceneInclusions>,
+                 std::shared_ptr<const StructureDistance>>;
 
 /// The product if it has this type, otherwise null.
 template <typename T>

@@ -118,6 +118,21 @@ const SceneStructure* FindStructure(const SceneSettings& scene, int id)
   return found != scene.Structures.end() ? &*found : nullptr;
 }
 
+bool IsGuide(const SceneSettings& scene, int id)
+{
+  return std::any_of(scene.Guides.begin(), scene.Guides.end(),
+                     [id](const GuideSettings& guide)
+                     { return guide.HasStructure() && guide.Structure == id; });
+}
+
+void DropLooseGuides(SceneSettings& scene)
+{
+  const auto isLoose = [&scene](const GuideSettings& guide)
+  { return guide.HasStructure() && FindStructure(scene, guide.Structure) == nullptr; };
+  scene.Guides.erase(std::remove_if(scene.Guides.begin(), scene.Guides.end(), isLoose),
+                     scene.Guides.end());
+}
+
 FitSettings FitSettingsOf(const SceneSettings& scene, const SceneStructure& structure)
 {
   FitSettings settings = scene.Fit;

@@ -3,7 +3,7 @@
 #include "DrillForce.h"
 #include "FieldBuilder.h"
 #include "FitSettings.h"
-#include "GuideField.h"
+#include "GuideSettings.h"
 #include "HarmonicContactModel.h"
 #include "LeftHandedAxes.h"
 #include "PalpateSceneModule.h"
@@ -162,6 +162,12 @@ PALPATESCENE_EXPORT std::string TitleOf(const SceneStructure& structure);
 
 /// The structure with this id, or null.
 PALPATESCENE_EXPORT const SceneStructure* FindStructure(const SceneSettings& scene, int id);
+
+/// Whether a guide is made by the structure with this id.
+PALPATESCENE_EXPORT bool IsGuide(const SceneSettings& scene, int id);
+
+/// Removes the guides of structures that the scene does not have.
+PALPATESCENE_EXPORT void DropLooseGuides(SceneSettings& scene);
 
 /// Fit settings for a label of a scene.
 PALPATESCENE_EXPORT FitSettings FitSettingsOf(const SceneSettings& scene,

@@ -4,6 +4,7 @@
 #include "CaseText.h"
 #include "ElasticRepresentation.h"
 #include "FilterRun.h"
+#include "GuideDistance.h"
 #include "InputError.h"
 #include "ProtectedSurface.h"
 #include "Refusal.h"
@@ -557,5 +558,21 @@ void StructurePlan::AddProtection(const std::vector<std::string>& fields)
                       [&](double fraction, const std::string& stage)
                       { return progress(SurfacePart + (1.0 - SurfacePart) * fraction, stage); }));
                 });
+}
+
+void StructurePlan::AddGuide()
+{
+  const GuideReach reach = ReachOfGuides(this->Scene, this->Structure.Id);
+  if (reach.Reach <= 0.0)
+  {
+    return;
+  }
+  const std::string surface = this->AddProtectedSurface();
+  const std::string label =
+      this->Source == SceneSource::Label ? this->Structure.Labels.front() : std::string();
+  this->AddNode(
+      SceneStep::Guide, SceneKey(surface, "guide", label, reach.Reach, reach.Step), {surface},
+      [structure = this->Structure, reach](const Inputs& made, const ProgressFunction& progress)
+      { return MakeGuideDistance(structure, made.front(), reach, progress); });
 }
 } // namespace palpate

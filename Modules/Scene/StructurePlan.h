@@ -34,6 +34,9 @@ public:
   /// failed are skipped.
   void AddProtection(const std::vector<std::string>& fields);
 
+  /// Adds the distances to a structure that guides the tool, if it does.
+  void AddGuide();
+
   /// \name For representations. Each product is planned once; the functions return its key.
   ///@{
   const SceneStructure& Settings() const { return this->Structure; }

@@ -222,11 +222,18 @@ void Study::AdoptStructures()
   }
 }
 
+void Study::PrepareTouch()
+{
+  this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
+  this->Felt.Guide(GuideDistancesOf(this->State(), [this](SceneStep step, int id)
+                                    { return this->Made.NewestProduct(step, id); }));
+}
+
 void Study::FollowByTouch()
 {
   if (this->Felt.IsRunning())
   {
-    this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
+    this->PrepareTouch();
     this->Problem = this->Felt.Update(this->WithTool(), this->Contacts()).Message();
   }
 }
@@ -315,7 +322,7 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
                         : "The tool's file is still being read: start the touch afterwards.";
     return;
   }
-  this->Felt.Forbid(ForbiddenOf(this->State(), this->Made));
+  this->PrepareTouch();
   this->Problem = this->Felt.Start(std::move(device), this->WithTool(), this->Contacts()).Message();
 }
 

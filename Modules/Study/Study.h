@@ -146,6 +146,7 @@ private:
   void Follow();
   void ChangeByFile(const std::string& message, const StudyState& next);
   void AdoptStructures();
+  void PrepareTouch();
   void FollowByTouch();
   const QualityMeasurement* QualityOf(const SceneStructure& structure) const;
   void TakeDevice(std::unique_ptr<HapticDevice> device);

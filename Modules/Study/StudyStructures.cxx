@@ -15,6 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string>
 
 namespace palpate
@@ -89,6 +90,30 @@ std::string DistinctName(const SceneStructure& added, const StudyState& state, b
   }
   return name;
 }
+
+// The id of a structure that differs in nothing else; 0 if there is none.
+int IdOfSame(const StudyState& state, SceneStructure structure)
+{
+  const auto found = std::find_if(state.Structures.begin(), state.Structures.end(),
+                                  [&structure](const SceneStructure& one)
+                                  {
+                                    structure.Id = one.Id;
+                                    return one == structure;
+                                  });
+  return found != state.Structures.end() ? found->Id : 0;
+}
+
+// The guides of a scene, whose structures have other ids in a study.
+std::vector<GuideSettings> Renumbered(std::vector<GuideSettings> guides,
+                                      const std::map<int, int>& ids)
+{
+  for (GuideSettings& guide : guides)
+  {
+    const auto found = ids.find(guide.Structure);
+    guide.Structure = found != ids.end() ? found->second : 0;
+  }
+  return guides;
+}
 } // namespace
 
 bool LacksStructures(const StudyState& state)
@@ -122,6 +147,7 @@ StudyState WithStructuresOf(const StudyState& state, const Segmentation& segment
   std::copy_if(state.Structures.begin(), state.Structures.end(),
                std::back_inserter(next.Structures),
                [&state](const SceneStructure& one) { return one.File != state.SegmentationFile; });
+  DropLooseGuides(next);
   return next;
 }
 
@@ -222,20 +248,16 @@ StudyState WithScene(const StudyState& state, const SceneSettings& scene)
   if (!state.Structures.empty())
   {
     own.Structures = state.Structures;
-    own.Guides = scene.Guides.empty() ? state.Guides : scene.Guides;
     own.Fit = state.Fit;
     own.LeftHanded = state.LeftHanded;
+    std::map<int, int> ids; // in the study, by those in the scene
     for (const SceneStructure& added : scene.Structures)
     {
-      SceneStructure same = added;
-      const bool isThere = std::any_of(state.Structures.begin(), state.Structures.end(),
-                                       [&same](const SceneStructure& one)
-                                       {
-                                         same.Id = one.Id;
-                                         return one == same;
-                                       });
-      next = isThere ? next : WithStructure(next, added);
+      const int there = IdOfSame(state, added);
+      next = there != 0 ? next : WithStructure(next, added);
+      ids[added.Id] = there != 0 ? there : next.Structures.back().Id;
     }
+    next.Guides = scene.Guides.empty() ? state.Guides : Renumbered(scene.Guides, ids);
   }
   for (const SceneStructure& structure : next.Structures)
   {
@@ -249,6 +271,7 @@ StudyState WithScene(const StudyState& state, const SceneSettings& scene)
       next.DicomSeries = structure.Series;
     }
   }
+  DropLooseGuides(next);
   return next;
 }
 } // namespace palpate

@@ -27,8 +27,8 @@ bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
            one.Friction.Static == other.Friction.Static &&
            one.Friction.Dynamic == other.Friction.Dynamic && one.Numbers == other.Numbers;
   };
-  return a.Tool == b.Tool && a.Guides == b.Guides && a.Frame == b.Frame &&
-         a.DrillRevision == b.DrillRevision &&
+  return a.Tool == b.Tool && a.Guides == b.Guides && a.Distances == b.Distances &&
+         a.Frame == b.Frame && a.DrillRevision == b.DrillRevision &&
          std::equal(a.Contacts.begin(), a.Contacts.end(), b.Contacts.begin(), b.Contacts.end(),
                     isSameContact) &&
          std::equal(a.Structures.begin(), a.Structures.end(), b.Structures.begin(),
@@ -124,7 +124,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
   {
     Feelable next;
     next.Contacts = contacts;
-    TouchScene scene = MakeTouchScene(state, next.Contacts, {});
+    TouchScene scene = MakeTouchScene(state, next.Contacts, {}, this->Distances);
     const bool wasHeld = !this->Drilled.Hold().empty();
     this->Drilled.Follow(state, next.Contacts, this->Forbidden);
     this->Drilled.PutInto(scene);
@@ -136,6 +136,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     }
     next.Tool = state.Tool;
     next.Guides = state.Guides;
+    next.Distances = this->Distances;
     next.DrillRevision = this->Drilled.Revision();
     const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::FadeIn;
     next.Frame = this->FrameFor(state.Placement, scene);

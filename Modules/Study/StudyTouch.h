@@ -79,6 +79,8 @@ public:
 
   /// Sets the forbidden structures from the next Start or Update on.
   void Forbid(std::vector<StudyForbidden> forbidden) { this->Forbidden = std::move(forbidden); }
+  /// Sets the distances to structures that guide from the next Start or Update on.
+  void Guide(GuideDistances distances) { this->Distances = std::move(distances); }
   /// Drilling; its state is kept when a touch ends.
   StudyDrill& Drill() { return this->Drilled; }
   /// The drill's pedal, and commands to the drill's editor, during a touch.
@@ -109,6 +111,7 @@ private:
     std::vector<DrillLaw> Laws; // without wear while drilling is off
     std::uint64_t DrillRevision = 0;
     std::vector<GuideSettings> Guides;
+    GuideDistances Distances;
     TouchToolSettings Tool;
     WorkspaceFrame Frame;
   };
@@ -125,6 +128,7 @@ private:
   ServoSettings Settings;
   StudyDrill Drilled;
   std::vector<StudyForbidden> Forbidden;
+  GuideDistances Distances;
   Feelable Felt;
   Matrix3 CameraAxes = Matrix3::Identity();
   std::optional<WorkspaceFrame> Automatic;

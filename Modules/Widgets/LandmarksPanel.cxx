@@ -1,6 +1,6 @@
 #include "LandmarksPanel.h"
 
-#include "GuideField.h"
+#include "GuideSettings.h"
 #include "StudyMarkups.h"
 #include "ToolIcon.h"
 
@@ -32,6 +32,11 @@ void FillRow(QTableWidget* table, int row, const std::string& name, const Vector
     table->setItem(row, 1 + axis, FixedItem(QString::number(place[axis], 'f', 2)));
   }
   table->setItem(row, 4, FixedItem(length));
+}
+
+bool IsOfPoints(const GuideSettings& guide)
+{
+  return !guide.HasStructure();
 }
 } // namespace
 
@@ -114,7 +119,8 @@ void LandmarksPanel::MakeGuide(QVBoxLayout* column)
 void LandmarksPanel::ChangeGuide(int shape)
 {
   StudyState next = this->Study.State();
-  next.Guides.clear();
+  next.Guides.erase(std::remove_if(next.Guides.begin(), next.Guides.end(), IsOfPoints),
+                    next.Guides.end());
   if (shape > 0)
   {
     GuideSettings guide;
@@ -127,8 +133,7 @@ void LandmarksPanel::ChangeGuide(int shape)
         guide.PointsWorld.push_back(next.Landmarks[mark].PositionWorld);
       }
     }
-    std::shared_ptr<const ForceField> made;
-    const Status status = GuideField::Make(guide, made);
+    const Status status = CheckGuide(guide);
     if (!status.IsOk())
     {
       this->Study.Report(status.Message());
@@ -144,8 +149,9 @@ void LandmarksPanel::ShowState()
 {
   const QSignalBlocker quiet(this->Table);
   const StudyState& state = this->Study.State();
-  this->Guide->setCurrentIndex(
-      state.Guides.empty() ? 0 : 1 + static_cast<int>(state.Guides.front().Shape));
+  const auto guide = std::find_if(state.Guides.begin(), state.Guides.end(), IsOfPoints);
+  this->Guide->setCurrentIndex(guide == state.Guides.end() ? 0
+                                                           : 1 + static_cast<int>(guide->Shape));
   const int marks = static_cast<int>(state.Landmarks.size());
   this->Table->setRowCount(marks + static_cast<int>(state.Distances.size()));
   for (int m = 0; m < marks; ++m)

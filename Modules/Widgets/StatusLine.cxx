@@ -46,9 +46,9 @@ void StatusLine::ShowPoint(const Vector3& pointWorld, const std::string& text)
 void StatusLine::ShowJobs()
 {
   QStringList running;
-  for (const SceneStep step :
-       {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Surface, SceneStep::Samples,
-        SceneStep::Model, SceneStep::Elasticity, SceneStep::Field, SceneStep::Protection})
+  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Surface,
+                               SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity,
+                               SceneStep::Field, SceneStep::Protection, SceneStep::Guide})
   {
     const StudyStepState state = this->Study.Current().Pipeline().StateOf(step);
     if (state.Is == StudyStepState::Kind::Running)

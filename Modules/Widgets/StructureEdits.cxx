@@ -81,6 +81,7 @@ void StructureEdits::Remove(const std::vector<int>& ids)
                                        [&chosen](const SceneStructure& one)
                                        { return chosen.count(one.Id) > 0; }),
                         next.Structures.end());
+  DropLooseGuides(next);
   this->Study.Change(message, next);
 }
 } // namespace palpate

@@ -14,6 +14,7 @@ StructureMenu::StructureMenu(QWidget* parent) : QMenu(parent)
   this->Add(Color, "&Colour...", "structure-color");
   this->Add(Opacity, "O&pacity...", "structure-opacity");
   this->Add(Details, "&Details...", "structure-menu-details");
+  this->Add(Guide, "&Guide the tool...", "structure-guide");
   this->Add(Rename, "Re&name\tF2", "structure-rename");
   this->addSeparator();
   this->Add(Centre, "Centre &views", "structure-centre");
@@ -41,7 +42,7 @@ void StructureMenu::Offer(const std::vector<SceneStructure>& selected)
   {
     action->setEnabled(!selected.empty());
   }
-  for (const Entry entry : {Details, Rename, Centre})
+  for (const Entry entry : {Details, Guide, Rename, Centre})
   {
     this->Entries.at(entry)->setEnabled(selected.size() == 1);
   }

@@ -23,6 +23,7 @@ public:
     Color,
     Opacity,
     Details,
+    Guide, ///< the tool by this structure
     Rename,
     Centre,
     Remove,

@@ -1,6 +1,7 @@
 #include "StructuresPanel.h"
 
 #include "ChoiceDelegate.h"
+#include "GuideDialog.h"
 #include "OpacityDelegate.h"
 #include "StructureDialog.h"
 
@@ -293,6 +294,8 @@ void StructuresPanel::Act(int entry)
     return this->ChooseOpacity();
   case StructureMenu::Details:
     return this->ShowDetails();
+  case StructureMenu::Guide:
+    return this->ShowGuide();
   case StructureMenu::Rename:
     return this->Table->Rename();
   case StructureMenu::Centre:
@@ -319,6 +322,14 @@ void StructuresPanel::ShowDetails()
   if (const int id = this->Table->CurrentId())
   {
     StructureDialog(this->Study, id, this).exec();
+  }
+}
+
+void StructuresPanel::ShowGuide()
+{
+  if (const int id = this->Table->CurrentId())
+  {
+    GuideDialog(this->Study, id, this).exec();
   }
 }
 

@@ -61,6 +61,7 @@ private:
   void Act(int entry);
   void ShowOnlySelected();
   void ShowDetails();
+  void ShowGuide();
   void Remove();
   void ChooseColor();
   void ChooseOpacity();

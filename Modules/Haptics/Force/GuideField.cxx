@@ -1,28 +1,12 @@
 #include "GuideField.h"
 
-#include "PositiveNumber.h"
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace palpate
 {
 namespace
 {
-// Of k R: D (1 - D^2/R^2)^2 at D = R / sqrt(5).
-const double LargestPart = 16.0 / (25.0 * std::sqrt(5.0));
-
-std::size_t LeastPoints(GuideShape shape)
-{
-  return shape == GuideShape::Point ? 1 : shape == GuideShape::Path ? 2 : 3;
-}
-
-Vector3 AcrossThree(const std::vector<Vector3>& points)
-{
-  return (points[1] - points[0]).cross(points[2] - points[0]);
-}
-
 Vector3 NearestOnLine(const Vector3& from, const Vector3& to, const Vector3& place) noexcept
 {
   const Vector3 line = to - from;
@@ -33,43 +17,25 @@ Vector3 NearestOnLine(const Vector3& from, const Vector3& to, const Vector3& pla
 } // namespace
 
 GuideField::GuideField(const GuideSettings& settings)
-    : Shape(settings.Shape), Points(settings.PointsWorld), Range(settings.Range),
-      Spring(std::min(settings.Stiffness, settings.LargestForce / (LargestPart * settings.Range)))
+    : Shape(settings.Shape), Points(settings.PointsWorld), Law(settings)
 {
   if (this->Shape == GuideShape::Plane)
   {
-    this->Normal = AcrossThree(this->Points).normalized();
+    const Vector3 along = this->Points[1] - this->Points[0];
+    this->Normal = along.cross(this->Points[2] - this->Points[0]).normalized();
   }
 }
 
 Status GuideField::Make(const GuideSettings& settings, std::shared_ptr<const ForceField>& made)
 {
-  const std::vector<Vector3>& points = settings.PointsWorld;
-  if (points.size() < LeastPoints(settings.Shape) || points.size() > MostPoints)
+  const Status status = CheckGuide(settings);
+  if (!status.IsOk())
   {
-    return Status::Failure("A guide needs 1 point, a path 2 to " + std::to_string(MostPoints) +
-                           ", a plane 3.");
+    return status;
   }
-  constexpr double Farthest = 1e6; // mm
-  const bool areNear =
-      std::all_of(points.begin(), points.end(),
-                  [](const Vector3& point)
-                  { return point.allFinite() && point.cwiseAbs().maxCoeff() <= Farthest; });
-  if (!areNear)
+  if (settings.HasStructure())
   {
-    return Status::Failure("A guide's points must be finite and within a kilometre.");
-  }
-  if (!IsPositive(settings.Stiffness) || !IsPositive(settings.Range) ||
-      !IsPositive(settings.LargestForce))
-  {
-    return Status::Failure("Stiffness, range and largest force of a guide must be finite and "
-                           "positive.");
-  }
-  constexpr double LeastArea = 1e-6; // mm^2
-  if (settings.Shape == GuideShape::Plane && !(AcrossThree(points).norm() > LeastArea))
-  {
-    return Status::Failure(
-        "The three points of a guide's plane lie on one line: move one of them.");
+    return Status::Failure("A guide by a structure has no points.");
   }
   // std::make_shared cannot call the private constructor.
   made.reset(new GuideField(settings));
@@ -101,9 +67,9 @@ Vector3 GuideField::NearestTo(const Vector3& originWorld) const noexcept
 Vector3 GuideField::ForceWorld(const Vector3& originWorld) const noexcept
 {
   const Vector3 offset = this->NearestTo(originWorld) - originWorld;
-  const double left = 1.0 - offset.squaredNorm() / (this->Range * this->Range);
-  // False for a place that is not finite.
-  return left > 0.0 ? Vector3(this->Spring * left * left * offset) : Vector3::Zero();
+  const double pull = this->Law.PullAt(offset.squaredNorm());
+  // 0 for a place that is not finite.
+  return pull > 0.0 ? Vector3(pull * offset) : Vector3::Zero();
 }
 
 Eigen::AlignedBox3d GuideField::BoundsWorld() const noexcept
@@ -116,8 +82,8 @@ Eigen::AlignedBox3d GuideField::BoundsWorld() const noexcept
   }
   for (const Vector3& point : this->Points)
   {
-    bounds.extend(Vector3(point.array() - this->Range));
-    bounds.extend(Vector3(point.array() + this->Range));
+    bounds.extend(Vector3(point.array() - this->Law.Range()));
+    bounds.extend(Vector3(point.array() + this->Law.Range()));
   }
   return bounds;
 }

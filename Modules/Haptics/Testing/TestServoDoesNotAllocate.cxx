@@ -1,8 +1,10 @@
 #include "AllocationCounter.h"
+#include "FeltCases.h"
 #include "GuidingGradient.h"
 #include "ManyStructures.h"
 #include "ServoRun.h"
 #include "StiffnessImage.h"
+#include "StructureGuide.h"
 #include "SurfaceTexture.h"
 #include "TexturedField.h"
 #include "VolumeViscosity.h"
@@ -16,6 +18,23 @@ namespace palpate::servo_does_not_allocate_test
 namespace
 {
 static_assert(noexcept(std::declval<Servo&>().Tick(std::declval<const TickInfo&>())));
+
+// Keeps the tool at a distance from a sphere of 10 mm.
+std::shared_ptr<const ForceField> GuideByDistance()
+{
+  const auto field = test::FeltField(
+      test::FeltGrid(50), [](const Vector3& place) { return place.norm() - 10.0; },
+      FieldInterpolation::TricubicBSpline);
+  std::shared_ptr<const StructureDistance> distance;
+  EXPECT_TRUE(StructureDistance::Make(field, 12.0, distance).IsOk());
+  GuideSettings settings;
+  settings.Shape = GuideShape::Surface;
+  settings.Structure = 1;
+  settings.Range = 12.0;
+  std::shared_ptr<const StructureGuide> guide;
+  EXPECT_TRUE(StructureGuide::Make(settings, distance, guide).IsOk());
+  return guide;
+}
 
 // In and out of a wall, through a new scene, continued scenes, a fault and its end.
 std::size_t AllocationsOfASession(const ServoSettings& settings)
@@ -33,6 +52,7 @@ std::size_t AllocationsOfASession(const ServoSettings& settings)
   EXPECT_TRUE(GuidingGradient::Make(test::TexturedField(), 0, guiding, gradient).IsOk());
   scene.Structures[0].Effects = {texture, std::make_shared<const VolumeViscosity>(0.001), stiffness,
                                  gradient};
+  scene.Fields = {GuideByDistance()};
   test::ServoRun run(scene, settings);
   TouchScene continued = test::WallScene(0.5, {1.0, 0.0});
   continued.Structures[0].Id = 1;

@@ -95,7 +95,9 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   settings.Tool.SemiAxes = Vector3(3.0, 2.0, 1.0);
   settings.Tool.Points = 77;
   settings.Guides = {{GuideShape::Path, {{1.5, 2.0, 3.0}, {4.0, 5.0, -6.25}}, 0.3, 12.0, 0.25},
-                     {GuideShape::Point, {{7.0, 8.0, 9.0}}}};
+                     {GuideShape::Point, {{7.0, 8.0, 9.0}}},
+                     {GuideShape::Outside, {}, 0.4, 6.0, 1.5, 12, 2.5},
+                     {GuideShape::Surface, {}, 0.2, 10.0, 0.5, 7, -3.0}};
   settings.Device = "replay:old.touch";
   settings.Rate = 2500.0;
   settings.ModelInterval = 4;
@@ -330,6 +332,10 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
        "positive"},
       {begin + R"(}], "guides": [{"points": [{"position_mm": [1, 2, 3]}], "largest_n": 4}]})",
        "largest_n"},
+      {begin + R"(}], "guides": [{"shape": "inside"}]})", "number of a label"},
+      {begin + R"(}], "guides": [{"shape": "inside", "structure": -1}]})", "structure"},
+      {begin + R"(}], "guides": [{"shape": "surface", "structure": 1, "distance_mm": 1e5}]})",
+       "distance_mm"},
       {begin + R"(}], "device": 4})", "device"},
       {begin + R"(}], "rate_hz": 0})", "rate_hz"},
       {begin + R"(}], "scale": 1e9})", "scale"},

@@ -272,6 +272,46 @@ TEST_F(TouchRun, GuideActsInFreeSpaceAndReplaysBitForBit)
   EXPECT_LT(LastOf(weaker).Force.Most, 0.1);
 }
 
+// The hand holds still beside the sphere, in a larger one that is not touched.
+TEST_F(TouchRun, StructureThatIsNotTouchedGuidesAndReplaysBitForBit)
+{
+  const auto large = this->Folder / "large.json";
+  WriteModel(large,
+             {SphericalHarmonicModel(0, {24.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+  SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  settings.Structures.push_back(settings.Structures.front());
+  settings.Structures[1].File = large;
+  settings.Structures[1].Id = 5;
+  settings.Structures[1].IsTouchable = false;
+  GuideSettings guide;
+  guide.Shape = GuideShape::Inside;
+  guide.Structure = 5;
+  guide.Distance = -2.0;
+  settings.Guides = {guide};
+  TouchScript script;
+  script.Path = HandPath({{0.0, Vector3(25.0, 0.0, 0.0)}, {2.0, Vector3(25.0, 0.0, 0.0)}});
+  const TouchResult result = this->RunAndReplay(settings, script);
+  EXPECT_EQ(result.TouchedSeconds.size(), 1U) << "of the touched one";
+  EXPECT_EQ(result.TouchedSeconds[0], 0.0);
+  const double left = 1.0 - 3.0 * 3.0 / 100.0; // 3 mm beyond the level
+  EXPECT_NEAR(LastOf(result).Force.Most, 0.5 / 2.862 * 3.0 * left * left, 0.08); // the hand yields
+  settings.Guides[0].Distance = 4.0;
+  const TouchResult free = RunTouch(PrepareTouch(settings, script, GoOn), {}, GoOn);
+  EXPECT_EQ(LastOf(free).Force.Most, 0.0);
+}
+
+TEST_F(TouchRun, RejectsGuidesOfMissingStructures)
+{
+  SceneSettings settings = this->SettingsOf(this->MaskPath, TouchRepresentation::Facets);
+  GuideSettings guide;
+  guide.Shape = GuideShape::Inside;
+  guide.Structure = 1;
+  settings.Guides = {guide};
+  EXPECT_NO_THROW(PrepareTouch(settings, PressTo(13.0), GoOn)) << "the label's number is its id";
+  settings.Guides[0].Structure = 2;
+  EXPECT_THROW(PrepareTouch(settings, PressTo(13.0), GoOn), InputError);
+}
+
 TEST_F(TouchRun, RejectsStiffnessImagesThatCannotBeFelt)
 {
   const auto image = this->Folder / "image.nrrd";

@@ -356,7 +356,8 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   }
   touch.Actions = script.Actions;
   touch.Structures = std::move(built.Touched);
-  auto scene = std::make_shared<TouchScene>(MakeTouchScene(touch.Settings, built.Contacts, {}));
+  auto scene = std::make_shared<TouchScene>(
+      MakeTouchScene(touch.Settings, built.Contacts, {}, built.Distances));
   if (touch.Drill != nullptr)
   {
     touch.Drill->PutInto(*scene);

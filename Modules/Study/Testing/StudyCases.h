@@ -122,6 +122,11 @@ inline void RandomizeTouch(Random& random, StudyState& state)
   if (RandomChoice(random))
   {
     state.Guides = {{GuideShape::Point, {Vector3::Constant(RandomNumber(random, -90.0, 90.0))}}};
+    GuideSettings level;
+    level.Shape = static_cast<GuideShape>(RandomWhole(random, 3, 5));
+    level.Structure = RandomWhole(random, 1, 99);
+    level.Distance = RandomNumber(random, -9.0, 9.0);
+    state.Guides.push_back(level);
   }
   state.Tool.Kind = static_cast<TouchToolSettings::Shape>(RandomWhole(random, 0, 2));
   state.Tool.Radius = RandomNumber(random, 0.0, 5.0);

@@ -13,10 +13,10 @@ class StudyProblems
 {
 public:
   /// The steps whose failure is a problem of the study.
-  static constexpr std::array<SceneStep, 11> Steps{
+  static constexpr std::array<SceneStep, 12> Steps{
       {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Structures, SceneStep::Surface,
        SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity, SceneStep::Field,
-       SceneStep::Protection, SceneStep::Touch, SceneStep::Tool}};
+       SceneStep::Protection, SceneStep::Touch, SceneStep::Tool, SceneStep::Guide}};
 
   /// Keeps the address.
   explicit StudyProblems(Study& study) : Open(study) {}
