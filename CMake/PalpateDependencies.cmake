@@ -10,9 +10,8 @@ set(PALPATE_VTK_COMPONENTS
   ImagingCore ImagingGeneral ImagingMorphological ImagingStencil
   IOCore IOExport IOGeometry IOImage IOPLY IOXML
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
-  RenderingVolume)
-set(palpate_vtk_build_components IOLegacy TestingCore TestingRendering RenderingImage
-  RenderingVolumeOpenGL2)
+  RenderingVolume RenderingVolumeOpenGL2)
+set(palpate_vtk_build_components IOLegacy TestingCore TestingRendering RenderingImage)
 if(PALPATE_WRAP_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)
   # Debian's VTK package is built for the system's interpreter, whatever else is on the PATH.

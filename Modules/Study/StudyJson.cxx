@@ -22,6 +22,8 @@ const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 const std::initializer_list<const char*> MixingWords{"blend", "checkerboard", "curtain"};
 const std::initializer_list<const char*> ColorWords{"grey", "hot",   "blue-to-yellow",
                                                     "red",  "green", "blue"};
+const std::initializer_list<const char*> PresetWords{"ct-bone", "ct-soft-tissue", "mr",
+                                                     "maximum-intensity"};
 
 void ExchangeVersion(JsonFields& fields)
 {
@@ -46,6 +48,21 @@ void ExchangeDistance(JsonFields& fields, StudyDistance& distance)
   fields.Exchange("to_mm", distance.ToWorld, -LargestPlace, LargestPlace);
 }
 
+void ExchangeRendering(JsonFields& fields, StudyRendering& rendering)
+{
+  fields.Exchange("seen", rendering.IsShown);
+  fields.Exchange("preset", rendering.Preset, PresetWords);
+}
+
+// Written only if set, so that earlier versions read all other sessions.
+void ExchangeRenderingIn(JsonFields& fields, StudyRendering& rendering)
+{
+  if (fields.IsReading() || !(rendering == StudyRendering()))
+  {
+    fields.ExchangeObject("in_3d", rendering, ExchangeRendering);
+  }
+}
+
 void ExchangeVolume(JsonFields& fields, StudyVolume& volume)
 {
   fields.Exchange("id", volume.Id, 1, std::numeric_limits<int>::max());
@@ -58,6 +75,7 @@ void ExchangeVolume(JsonFields& fields, StudyVolume& volume)
   fields.Exchange("colors", volume.Colors, ColorWords);
   fields.Exchange("opacity", volume.Opacity, 0.0, 1.0);
   fields.Exchange("hides_below_window", volume.HidesBelow);
+  ExchangeRenderingIn(fields, volume.Rendering);
 }
 
 void ExchangeView(JsonFields& fields, StudyView& view)
@@ -80,6 +98,7 @@ void ExchangeStudy(JsonFields& fields, StudyState& state)
   ExchangeVersion(fields);
   fields.ExchangeIfSet("volume", state.VolumeFile);
   fields.ExchangeIfSet("dicom_series", state.DicomSeries);
+  ExchangeRenderingIn(fields, state.Rendering);
   fields.ExchangeList("volumes", state.Volumes, ExchangeVolume);
   std::set<int> ids;
   const bool areUnique =

@@ -26,13 +26,13 @@ auto Fields(const StudyView& v)
 auto Fields(const StudyVolume& v)
 {
   return std::tie(v.Id, v.File, v.Series, v.IsVisible, v.Window, v.Level, v.Colors, v.Opacity,
-                  v.HidesBelow);
+                  v.HidesBelow, v.Rendering);
 }
 
 auto Fields(const StudyState& s)
 {
-  return std::tie(s.VolumeFile, s.DicomSeries, s.Volumes, s.SegmentationFile, s.Landmarks,
-                  s.Distances, s.View);
+  return std::tie(s.VolumeFile, s.DicomSeries, s.Rendering, s.Volumes, s.SegmentationFile,
+                  s.Landmarks, s.Distances, s.View);
 }
 } // namespace
 
@@ -44,6 +44,11 @@ bool operator==(const StudyLandmark& a, const StudyLandmark& b)
 bool operator==(const StudyDistance& a, const StudyDistance& b)
 {
   return Fields(a) == Fields(b);
+}
+
+bool operator==(const StudyRendering& a, const StudyRendering& b)
+{
+  return a.IsShown == b.IsShown && a.Preset == b.Preset;
 }
 
 bool operator==(const StudyVolume& a, const StudyVolume& b)

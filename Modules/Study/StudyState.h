@@ -3,6 +3,7 @@
 #include "PalpateStudyModule.h"
 #include "SceneSettings.h"
 #include "VolumeColors.h"
+#include "VolumePreset.h"
 
 #include <array>
 #include <filesystem>
@@ -29,6 +30,13 @@ struct StudyDistance
   double Length() const { return (this->ToWorld - this->FromWorld).norm(); } ///< mm
 };
 
+/// How a volume is drawn in the 3-D view, beside the surfaces.
+struct StudyRendering
+{
+  bool IsShown = false;
+  VolumePreset Preset = VolumePreset::Bone;
+};
+
 /// A further volume, which slices show over the first one. It may have any grid.
 struct StudyVolume
 {
@@ -41,6 +49,7 @@ struct StudyVolume
   VolumeColors Colors = VolumeColors::Grey;
   double Opacity = 0.5;    ///< of a blend, 0..1
   bool HidesBelow = false; ///< values up to the window's low end are transparent
+  StudyRendering Rendering;
 };
 
 /// Where further volumes cover the first one in slices.
@@ -72,6 +81,7 @@ struct StudyState : SceneSettings
 {
   std::filesystem::path VolumeFile;       ///< or the folder of a DICOM series
   std::string DicomSeries;                ///< see VolumeChoice
+  StudyRendering Rendering;               ///< of that volume
   std::vector<StudyVolume> Volumes;       ///< over the first one, in this order
   std::filesystem::path SegmentationFile; ///< its labels are overlaid on the slices
 
@@ -82,6 +92,7 @@ struct StudyState : SceneSettings
 
 PALPATESTUDY_EXPORT bool operator==(const StudyLandmark& a, const StudyLandmark& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyDistance& a, const StudyDistance& b);
+PALPATESTUDY_EXPORT bool operator==(const StudyRendering& a, const StudyRendering& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyVolume& a, const StudyVolume& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyView& a, const StudyView& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyState& a, const StudyState& b);

@@ -18,6 +18,7 @@
 #include "TouchPanel.h"
 #include "ViewPicture.h"
 #include "VolumePanel.h"
+#include "VolumeRenderingLink.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -246,6 +247,7 @@ void MainWindow::ConnectViews()
   new StructureLink(
       *this->findChild<StructuresPanel*>(), this->Shown, *this->Grid,
       [this] { return !this->Marks->IsAdding(); }, this);
+  new VolumeRenderingLink(this->Study, this->Shown, *this->Grid->Space(), this);
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
   connect(this->Touching, &TouchMenu::WorkspaceMoved, link, &TouchLink::MoveWorkspace);

@@ -62,7 +62,8 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
       Width(this->AddNumber("window")), Level(this->AddNumber("level")),
       Preset(new QComboBox(this)), Colors(new QComboBox(this)),
       Opacity(new QSlider(Qt::Horizontal, this)),
-      HidesBelow(new QCheckBox("Transparent below the window", this)), OfOverlay(new QWidget(this))
+      HidesBelow(new QCheckBox("Transparent below the window", this)), OfOverlay(new QWidget(this)),
+      InSpace(new VolumeRenderingRow(study, *Volumes, this))
 {
   this->Width->setMinimum(0.0);
   this->Preset->setObjectName("window-preset");
@@ -102,6 +103,7 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   rows->addWidget(this->Volumes);
   rows->addLayout(form);
   rows->addWidget(this->OfOverlay);
+  rows->addWidget(this->InSpace);
   connect(this->Preset, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakePreset);
   connect(this->Colors, qOverload<int>(&QComboBox::activated), this, &VolumePanel::TakeOverlay);
   connect(this->Opacity, &QSlider::valueChanged, this, &VolumePanel::TakeOverlay);
@@ -143,6 +145,7 @@ void VolumePanel::ShowFiles()
                 .arg(name(state.SegmentationFile))
                 .arg(state.Structures.size())
                 .arg(state.Structures.size() == 1 ? "structure" : "structures"));
+  this->InSpace->ShowVolume();
   this->ShowWindow();
 }
 

@@ -3,6 +3,7 @@
 #include "StudyController.h"
 #include "ViewContents.h"
 #include "VolumeList.h"
+#include "VolumeRenderingRow.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -49,5 +50,6 @@ private:
   QSlider* Opacity;
   QCheckBox* HidesBelow;
   QWidget* OfOverlay; // its colours and opacity
+  VolumeRenderingRow* InSpace;
 };
 } // namespace palpate

@@ -166,6 +166,11 @@ inline StudyView RandomView(Random& random)
   return view;
 }
 
+inline StudyRendering RandomRendering(Random& random)
+{
+  return {RandomChoice(random), static_cast<VolumePreset>(RandomWhole(random, 0, 3))};
+}
+
 inline StudyVolume RandomVolume(Random& random, int id)
 {
   StudyVolume volume;
@@ -181,6 +186,7 @@ inline StudyVolume RandomVolume(Random& random, int id)
   volume.Colors = AllVolumeColors.at(static_cast<std::size_t>(RandomWhole(random, 0, 5)));
   volume.Opacity = RandomNumber(random, 0.0, 1.0);
   volume.HidesBelow = RandomChoice(random);
+  volume.Rendering = RandomRendering(random);
   return volume;
 }
 
@@ -191,6 +197,7 @@ inline StudyState RandomStudy(Random& random)
   state.VolumeFile = StudyPath("volumes/t2 \xC3\xA4.nii.gz");
   state.SegmentationFile = RandomChoice(random) ? "" : StudyPath("../masks/1.seg.nrrd");
   state.DicomSeries = RandomChoice(random) ? "" : "1.2.3";
+  state.Rendering = RandomRendering(random);
   state.LeftHanded = static_cast<LeftHandedAxes>(RandomWhole(random, 0, 1));
   for (int i = RandomWhole(random, 0, 4); i > 0; --i)
   {

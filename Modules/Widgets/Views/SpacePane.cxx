@@ -52,22 +52,32 @@ void SpacePane::SetDragging(bool isOn, const Vector3& world)
 
 void SpacePane::ShowFields(const std::set<vtkProp*>& fields)
 {
-  const std::set<vtkSmartPointer<vtkProp>> next(fields.begin(), fields.end());
-  if (next == this->Fields)
+  this->ShowOnly(this->Fields, fields);
+}
+
+void SpacePane::ShowVolumes(const std::set<vtkProp*>& volumes)
+{
+  this->ShowOnly(this->Volumes, volumes);
+}
+
+void SpacePane::ShowOnly(Props& shown, const std::set<vtkProp*>& props)
+{
+  const Props next(props.begin(), props.end());
+  if (next == shown)
   {
     return;
   }
-  for (const auto& field : this->Fields)
+  for (const auto& prop : shown)
   {
-    this->Renderer()->RemoveViewProp(field);
-    this->Unfollow(field);
+    this->Renderer()->RemoveViewProp(prop);
+    this->Unfollow(prop);
   }
-  for (vtkProp* field : fields)
+  for (vtkProp* prop : props)
   {
-    this->Renderer()->AddViewProp(field);
-    this->Follow(field);
+    this->Renderer()->AddViewProp(prop);
+    this->Follow(prop);
   }
-  this->Fields = next;
+  shown = next;
   this->ShowAllUnlessLed();
   this->RequestRender();
 }

@@ -23,6 +23,8 @@ public:
   vtkSpaceView* View() const { return this->Space; }
   /// Shows only these.
   void ShowFields(const std::set<vtkProp*>& fields);
+  /// The same for volumes that are drawn as a whole.
+  void ShowVolumes(const std::set<vtkProp*>& volumes);
   void ShowSlices(bool areShown);
   /// See vtkSpaceView::SetAntialiasing and SetAmbientOcclusion.
   void SmoothEdges(bool areSmooth);
@@ -50,13 +52,16 @@ Q_SIGNALS:
   void DragEnded();
 
 private:
+  using Props = std::set<vtkSmartPointer<vtkProp>>;
+  void ShowOnly(Props& shown, const std::set<vtkProp*>& props);
   void TellHand();
   void TellDrag();
   void TakeCamera();
 
   vtkNew<vtkSpaceView> Space;
   vtkNew<vtkInteractorStyleMouseHand> Style;
-  std::set<vtkSmartPointer<vtkProp>> Fields;
+  Props Fields;
+  Props Volumes;
   bool IsLed = false;
 };
 } // namespace palpate
