@@ -6,7 +6,11 @@
 #include "SceneRegion.h"
 #include "StructurePlan.h"
 
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+
 #include <algorithm>
+#include <string_view>
 
 namespace palpate
 {
@@ -94,6 +98,25 @@ void PlanFacetContact(StructurePlan& plan)
                   { return FacetContactOf(ProductAs<FitSurface>(inputs.data())->Found); });
 }
 
+template <typename T>
+std::string_view AsBytes(const T* data, std::size_t count)
+{
+  return {reinterpret_cast<const char*>(data), count * sizeof(T)};
+}
+
+ContentDigest VoxelsOf(vtkImageData* image, const FieldGrid& grid)
+{
+  vtkDataArray& voxels = *image->GetPointData()->GetScalars();
+  const auto count = static_cast<std::size_t>(voxels.GetNumberOfTuples());
+  ContentDigest digest;
+  digest.Add(AsBytes(static_cast<const char*>(voxels.GetVoidPointer(0)),
+                     count * static_cast<std::size_t>(voxels.GetDataTypeSize())));
+  digest.Add(AsBytes(grid.Size().data(), grid.Size().size()));
+  digest.Add(AsBytes(grid.OriginWorld().data(), 3));
+  digest.Add(AsBytes(grid.Spacing().data(), 3));
+  return digest;
+}
+
 // A drilled structure also keeps the image that it was made from.
 SceneProduct FieldContactOf(const SceneStructure& structure, const StructurePlan::Inputs& inputs)
 {
@@ -118,6 +141,7 @@ SceneProduct FieldContactOf(const SceneStructure& structure, const StructurePlan
     {
       contact.Drilled.Image = volume->Image;
     }
+    contact.Drilled.Voxels = VoxelsOf(contact.Drilled.Image, field->Grid());
   }
   return std::make_shared<const TouchContact>(std::move(contact));
 }

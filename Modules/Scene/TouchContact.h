@@ -2,6 +2,7 @@
 
 #include "ComplianceMaps.h"
 #include "ContactModel.h"
+#include "ContentDigest.h"
 #include "HarmonicContactModel.h"
 #include "PalpateSceneModule.h"
 #include "ScalarField.h"
@@ -26,6 +27,7 @@ struct DrillSource
   std::shared_ptr<const ScalarField> Field; ///< null: not drilled
   vtkSmartPointer<vtkImageData> Image;
   std::optional<int> Label; ///< none: an image
+  ContentDigest Voxels;     ///< of the image's values and grid
 };
 
 /// A structure's contact model.

@@ -36,6 +36,8 @@ void Study::Begin(const StudyState& state, const std::filesystem::path& file)
 {
   this->StopTouch();
   this->CloseReplay();
+  this->DrillFiles.Cancel();
+  this->Felt.Drill().Clear();
   for (const StudyJobs::Id id : this->Adding)
   {
     this->Work.Cancel(id);
@@ -53,14 +55,28 @@ void Study::Begin(const StudyState& state, const std::filesystem::path& file)
 
 void Study::Open(const std::filesystem::path& file)
 {
-  this->Begin(ReadStudy(file), StudyPath(file));
+  std::filesystem::path drilled;
+  const StudyState state = ReadStudy(file, &drilled);
+  this->Begin(state, StudyPath(file));
+  if (!drilled.empty())
+  {
+    this->DrillFiles.Read(drilled, [this](const std::vector<DrillRecord>& records)
+                          { this->Felt.Drill().Await(records); });
+  }
 }
 
 void Study::Save(const std::filesystem::path& file)
 {
-  WriteStudy(file, this->State());
+  if (this->DrillFiles.IsReading())
+  {
+    throw InputError("What was drilled is still being read: save the study again in a moment.");
+  }
+  const StudyDrillSnapshot drilled = this->Felt.Drill().Take();
+  WriteStudy(file, this->State(), SaveDrilled(file, drilled));
   this->SessionFile = StudyPath(file);
   this->Steps.MarkSaved();
+  this->Felt.Drill().MarkSaved(drilled);
+  this->DrillFiles.Cancel(); // what could not be read is no longer part of the session
 }
 
 // What was only opened can be opened again: until something else has changed, it is not asked for.
@@ -236,6 +252,49 @@ void Study::FollowByTouch()
     this->PrepareTouch();
     this->Problem = this->Felt.Update(this->WithTool(), this->Contacts()).Message();
   }
+  else if (this->Felt.Drill().IsAwaiting())
+  {
+    this->FollowByDrill();
+  }
+}
+
+// What was drilled is shown without a touch too.
+void Study::FollowByDrill()
+{
+  try
+  {
+    this->Felt.Drill().Follow(this->WithTool(), this->Contacts(),
+                              ForbiddenOf(this->State(), this->Made));
+  }
+  catch (const InputError& error)
+  {
+    this->Problem = error.what();
+  }
+}
+
+void Study::OpenDrilled(const std::filesystem::path& file,
+                        const std::function<void(const std::string& message)>& fail)
+{
+  this->DrillFiles.Read(
+      file,
+      [this, file](const std::vector<DrillRecord>& records)
+      {
+        const bool wasTouching = this->Felt.IsRunning();
+        this->StopTouch();
+        this->FollowByDrill();
+        this->Felt.Drill().Open(records, file);
+        if (wasTouching)
+        {
+          this->StartTouch();
+        }
+      },
+      fail);
+}
+
+std::string Study::DrilledProblem() const
+{
+  const std::string& unread = this->DrillFiles.Problem();
+  return unread.empty() ? this->Felt.Drill().RestoreProblem() : unread;
 }
 
 // The state for touch: with the tool's surface as read. While it is being read, or if that fails,

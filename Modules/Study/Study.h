@@ -2,11 +2,13 @@
 
 #include "PalpateStudyModule.h"
 #include "QualityReport.h"
+#include "StudyDrillFiles.h"
 #include "StudyHistory.h"
 #include "StudyJobs.h"
 #include "StudyPipeline.h"
 #include "StudyReplay.h"
 #include "StudyTouch.h"
+#include "StudyWriting.h"
 
 #include <chrono>
 #include <cstddef>
@@ -54,10 +56,14 @@ public:
   /// Opens a session file. Throws InputError, in which case the open study is unchanged; missing
   /// files that it names are no error (see MissingFiles).
   void Open(const std::filesystem::path& file);
-  /// Throws InputError.
+  /// Saves the session, and what was drilled in a file next to it. Throws InputError.
   void Save(const std::filesystem::path& file);
   /// The session file; empty if there is none yet.
   const std::filesystem::path& File() const { return this->SessionFile; }
+  /// Whether there is something to be saved, not counting the view.
+  bool IsChanged() const { return this->Steps.IsChanged() || this->Felt.Drill().IsChanged(); }
+  /// Files that are written in the background.
+  StudyWriting& Writing() { return this->Written; }
 
   /// Opens another volume, or another segmentation with its structures; each is an undo step.
   /// `series` as in VolumeChoice. Structures from other files are kept.
@@ -113,6 +119,13 @@ public:
   void FitWorkspace();
   /// Sets the device's axes in the world, if the placement makes them follow the camera.
   void TurnAxes(const Matrix3& rotation);
+  /// Reads a drilled state in the background, then restores it, interrupting touch; a stroke that
+  /// can be undone. `fail` gets the message if it cannot be read or does not fit.
+  void OpenDrilled(const std::filesystem::path& file,
+                   const std::function<void(const std::string& message)>& fail);
+  bool IsReadingDrilled() const { return this->DrillFiles.IsReading(); }
+  /// Why what was drilled is not, or not entirely, restored; may be empty.
+  std::string DrilledProblem() const;
   bool IsOpeningDevice() const { return this->Opening.has_value(); }
   /// Why a touch did not start, or does not follow the current state; may be empty.
   const std::string& TouchProblem() const { return this->Problem; }
@@ -148,6 +161,7 @@ private:
   void AdoptStructures();
   void PrepareTouch();
   void FollowByTouch();
+  void FollowByDrill();
   const QualityMeasurement* QualityOf(const SceneStructure& structure) const;
   void TakeDevice(std::unique_ptr<HapticDevice> device);
   StudyState WithTool();
@@ -157,6 +171,8 @@ private:
   StudyJobs Work;
   StudyPipeline Made{Work};
   StudyTouch Felt;
+  StudyDrillFiles DrillFiles{Work};
+  StudyWriting Written{Work};
   std::filesystem::path SessionFile;
   std::set<std::filesystem::path> Unread; ///< segmentations whose structures are not yet taken over
   std::set<StudyJobs::Id> Adding;         ///< segmentations that are being read

@@ -84,7 +84,8 @@ void StudyDrill::Follow(const StudyState& state, const std::vector<SceneContact>
   const std::vector<StudyForbidden> unready = UnreadyOf(forbidden, sources);
   this->HoldText = drilled.empty() ? std::string() : DrillHoldText(unready);
   // While one is not ready, the previous protection is kept.
-  if (!this->AreDrilled(drilled) || (unready.empty() && !this->AreForbidden(forbidden)))
+  if (!this->AreDrilled(drilled) || this->IsAwaited ||
+      (unready.empty() && !this->AreForbidden(forbidden)))
   {
     this->Renew(state, drilled, forbidden);
   }
@@ -109,31 +110,83 @@ void StudyDrill::Renew(const StudyState& state, const std::vector<SceneContact>&
   const auto next = DrillContext::Make(state, drilled, {ready.begin(), ready.end()});
   const std::shared_ptr<DrillContext> before = std::exchange(this->Context, next);
   const std::vector<SceneContact> drilledBefore = std::exchange(this->Drilled, drilled);
+  const std::vector<State> savedBefore = std::exchange(this->Saved, {drilled.size(), nullptr});
   this->Forbidden = ready;
-  if (before != nullptr && this->Context != nullptr)
+  this->Unfit.clear();
+  this->IsAwaited = false;
+  std::vector<State> removed(drilled.size());
+  if (before != nullptr)
   {
-    this->KeepWhatIsGone(*before, drilledBefore);
+    this->KeepRemoved(*before, drilledBefore, savedBefore, removed);
+  }
+  if (this->Context != nullptr)
+  {
+    this->RestoreAside(removed);
   }
   this->Watch = std::make_unique<DrillWatch>(this->Context);
   this->Known = {};
   this->SeenNumber = ~std::uint64_t{0};
+  this->Finish();
   ++this->Changes;
 }
 
-void StudyDrill::KeepWhatIsGone(const DrillContext& before,
-                                const std::vector<SceneContact>& drilledBefore)
+// What was removed from fields that are still drilled stays removed; the rest is set aside.
+void StudyDrill::KeepRemoved(const DrillContext& before,
+                             const std::vector<SceneContact>& drilledBefore,
+                             const std::vector<State>& savedBefore, std::vector<State>& removed)
 {
-  std::vector<std::shared_ptr<const RemovedDistances>> kept = this->Context->Editor().Removed();
-  const auto removed = before.Editor().Removed();
-  for (std::size_t n = 0; n < this->Drilled.size(); ++n)
+  const std::vector<State> last = before.Editor().Removed();
+  for (std::size_t n = 0; n < drilledBefore.size(); ++n)
   {
-    for (std::size_t last = 0; last < drilledBefore.size(); ++last)
+    const auto same =
+        std::find_if(this->Drilled.begin(), this->Drilled.end(),
+                     [&one = drilledBefore[n]](const SceneContact& contact) {
+                       return contact.Id == one.Id && contact.Drilled.Field == one.Drilled.Field;
+                     });
+    const bool isEmpty = last[n]->Corners().empty();
+    if (same != this->Drilled.end() && !(isEmpty && savedBefore[n] == nullptr))
     {
-      const bool isSame = this->Drilled[n].Drilled.Field == drilledBefore[last].Drilled.Field;
-      kept[n] = isSame ? removed[last] : kept[n];
+      const auto site = static_cast<std::size_t>(same - this->Drilled.begin());
+      removed[site] = last[n];
+      this->Saved[site] = savedBefore[n];
+    }
+    else if (!isEmpty)
+    {
+      this->Aside.push_back({RecordOf(before, n, *last[n]), last[n] == savedBefore[n]});
     }
   }
-  static_cast<void>(this->Context->Editor().Restore(kept)); // fields are the same
+}
+
+// `removed` has the regions of fields that were drilled before, and null for the others.
+void StudyDrill::RestoreAside(std::vector<State>& removed)
+{
+  const std::vector<State> nothing = this->Context->Editor().Removed();
+  for (std::size_t site = 0; site < removed.size(); ++site)
+  {
+    const std::string& name = this->Context->Sites()[site].Name;
+    const std::string source = SourceDigest(*this->Context, site);
+    const auto one =
+        std::find_if(this->Aside.begin(), this->Aside.end(),
+                     [&source](const SetAside& other) { return other.Record.Source == source; });
+    if (removed[site] == nullptr && one != this->Aside.end())
+    {
+      removed[site] = RemovedOf(one->Record, *this->Context, site);
+      this->Saved[site] = one->IsSaved ? removed[site] : nullptr;
+      this->Unfit = removed[site] == nullptr
+                        ? "What was drilled in " + name + " is damaged, and left out."
+                        : this->Unfit;
+      this->Aside.erase(one);
+    }
+    else if (std::any_of(this->Aside.begin(), this->Aside.end(),
+                         [&name](const SetAside& other) { return other.Record.Name == name; }))
+    {
+      this->Unfit = "What was drilled in " + name +
+                    " is left out, since its voxels or its iso-value are others; it is removed "
+                    "again once they are as they were.";
+    }
+    removed[site] = removed[site] == nullptr ? nothing[site] : removed[site];
+  }
+  static_cast<void>(this->Context->Editor().BeginWith(removed)); // regions fit their fields
 }
 
 void StudyDrill::PutInto(TouchScene& scene) const
@@ -155,7 +208,23 @@ std::shared_ptr<DrillEditor> StudyDrill::Editor() const
   return this->Context != nullptr ? this->Context->SharedEditor() : nullptr;
 }
 
-// Updates the surfaces of cuts, whose outlines slices show, at most ten times per second.
+void StudyDrill::ReadFields()
+{
+  const DrillReading reading = this->Context->Editor().Newest();
+  this->Known.Hold = this->HoldText;
+  this->Known.Drilled.resize(reading.Fields.size());
+  for (std::size_t site = 0; site < reading.Fields.size(); ++site)
+  {
+    StudyDrilled& one = this->Known.Drilled[site];
+    one.Id = this->Drilled[site].Id;
+    one.Name = this->Context->Sites()[site].Name;
+    one.Field = reading.Fields[site];
+  }
+  this->Known.CanUndo = reading.CanUndo;
+  this->Known.CanRedo = reading.CanRedo;
+  this->Known.Problem = reading.Problem;
+}
+
 void StudyDrill::ReadCuts()
 {
   const std::vector<double> volumes = this->Context->Editor().RemovedVolumes();
@@ -173,50 +242,108 @@ StudyDrillReading StudyDrill::Read(double time, const TouchState& newest)
   {
     return {};
   }
-  this->Known.Hold = this->HoldText;
   constexpr double CutPeriod = 0.1; // s
-  const DrillReading reading = this->Context->Editor().Newest();
-  this->Known.Drilled.resize(reading.Fields.size());
-  for (std::size_t site = 0; site < reading.Fields.size(); ++site)
+  const std::uint64_t number = this->Context->Editor().Newest().Number;
+  this->ReadFields();
+  // The surfaces of cuts, whose outlines slices show, are updated at most ten times per second.
+  if (number != this->SeenNumber && !(time >= this->CutTime && time < this->CutTime + CutPeriod))
   {
-    StudyDrilled& one = this->Known.Drilled[site];
-    one.Id = this->Drilled[site].Id;
-    one.Name = this->Context->Sites()[site].Name;
-    one.Field = reading.Fields[site];
-  }
-  if (reading.Number != this->SeenNumber &&
-      !(time >= this->CutTime && time < this->CutTime + CutPeriod))
-  {
-    this->SeenNumber = reading.Number;
+    this->SeenNumber = number;
     this->CutTime = time;
     this->ReadCuts();
   }
-  this->Known.CanUndo = reading.CanUndo;
-  this->Known.CanRedo = reading.CanRedo;
-  this->Known.Problem = reading.Problem;
   this->Watch->Look(time, newest);
   this->Known.Approaches = this->Watch->Approaches();
   return this->Known;
 }
 
-void StudyDrill::Save(const std::filesystem::path& path) const
+void StudyDrill::Finish()
 {
-  if (this->Context == nullptr)
+  if (this->Context != nullptr)
   {
-    throw InputError("there is no drilled state to save; make a structure drillable first");
+    this->ReadFields();
+    this->ReadCuts();
   }
-  WriteDrillState(path, *this->Context);
 }
 
-void StudyDrill::Open(const std::filesystem::path& path)
+void StudyDrill::Clear()
+{
+  this->Context.reset();
+  this->Watch.reset();
+  this->Drilled.clear();
+  this->Forbidden.clear();
+  this->HoldText.clear();
+  this->SiteOfContact.clear();
+  this->Saved.clear();
+  this->Aside.clear();
+  this->IsAwaited = false;
+  this->Unfit.clear();
+  this->Known = {};
+  this->SeenNumber = ~std::uint64_t{0};
+  ++this->Changes;
+}
+
+void StudyDrill::Await(const std::vector<DrillRecord>& records)
+{
+  for (const DrillRecord& record : records)
+  {
+    this->Aside.push_back({record, true});
+  }
+  this->IsAwaited = true;
+}
+
+StudyDrillSnapshot StudyDrill::Take() const
+{
+  StudyDrillSnapshot snapshot;
+  if (this->Context != nullptr)
+  {
+    snapshot.Removed = this->Context->Editor().Removed();
+  }
+  for (std::size_t site = 0; site < snapshot.Removed.size(); ++site)
+  {
+    State& removed = snapshot.Removed[site];
+    if (removed->Corners().empty())
+    {
+      removed.reset();
+    }
+    else
+    {
+      snapshot.Records.push_back(RecordOf(*this->Context, site, *removed));
+    }
+  }
+  for (const SetAside& one : this->Aside)
+  {
+    snapshot.Records.push_back(one.Record);
+  }
+  return snapshot;
+}
+
+void StudyDrill::MarkSaved(const StudyDrillSnapshot& snapshot)
+{
+  this->Saved = snapshot.Removed;
+  for (SetAside& one : this->Aside)
+  {
+    one.IsSaved = true;
+  }
+}
+
+bool StudyDrill::IsChanged() const
+{
+  return std::any_of(this->Aside.begin(), this->Aside.end(),
+                     [](const SetAside& one) { return !one.IsSaved; }) ||
+         (this->Context != nullptr && !this->Context->Editor().Holds(this->Saved));
+}
+
+void StudyDrill::Open(const std::vector<DrillRecord>& records, const std::filesystem::path& path)
 {
   if (this->Context == nullptr)
   {
-    throw InputError(
-        "no structure is drillable yet; make one drillable, touch it, then open the drilled state");
+    throw InputError("no structure can be drilled yet; make one touchable and give it a drill "
+                     "role, then open the drilled state");
   }
-  ReadDrillState(path, *this->Context);
+  RestoreDrillState(records, path, *this->Context);
   this->SeenNumber = ~std::uint64_t{0};
+  this->Finish();
   ++this->Changes;
 }
 
@@ -231,24 +358,22 @@ int StudyDrill::SiteOf(int id) const
   return static_cast<int>(found - this->Drilled.begin());
 }
 
-void StudyDrill::Export(int id, const std::filesystem::path& path,
-                        const ProgressFunction& progress) const
+std::function<void(const ProgressFunction&)>
+StudyDrill::Exporting(int id, const std::filesystem::path& path) const
 {
   const int site = this->SiteOf(id);
-  if (IsWritableImage(path))
-  {
-    WriteImage(path, DrilledImage(*this->Context, site, progress));
-  }
-  else if (IsSurfaceFile(path))
-  {
-    WriteSurface(path, DrilledSurface(*this->Context, site, progress));
-  }
-  else
+  const bool isImage = IsWritableImage(path);
+  if (!isImage && !IsSurfaceFile(path))
   {
     throw InputError(path.string() +
                      " has an ending of neither a volume nor a surface format; use " +
                      ListOfEndings(ImageFormats().WrittenEndings()) + ", or " +
                      ListOfEndings(SurfaceFormats().WrittenEndings()));
   }
+  return [context = this->Context, site, path, isImage](const ProgressFunction& progress)
+  {
+    isImage ? WriteImage(path, DrilledImage(*context, site, progress))
+            : WriteSurface(path, DrilledSurface(*context, site, progress));
+  };
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DrillContext.h"
+#include "DrillRecords.h"
 #include "DrillWatch.h"
 #include "PalpateStudyModule.h"
 #include "SceneContacts.h"
@@ -8,7 +9,7 @@
 #include "StudyState.h"
 
 #include <filesystem>
-#include <map>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,9 +37,17 @@ struct StudyDrillReading
   std::string Hold;    ///< why drilling is off, and what to do; empty if it is on
 };
 
-/// Drilling in a study: kept between touches, and reset when the drilled structures change.
-/// Drilling is off while a forbidden structure's protection is not ready (see Hold). Owner thread
-/// only.
+/// What was removed in a study, at one moment.
+struct StudyDrillSnapshot
+{
+  std::vector<DrillRecord> Records; ///< empty if nothing was removed
+  /// Of each drilled structure; null: nothing.
+  std::vector<std::shared_ptr<const RemovedDistances>> Removed;
+};
+
+/// Drilling in a study: kept between touches. What was removed from a structure that is no longer
+/// drilled is set aside, and removed again once the same voxels are drilled. Drilling is off while
+/// a forbidden structure's protection is not ready (see Hold). Owner thread only.
 class PALPATESTUDY_EXPORT StudyDrill
 {
 public:
@@ -67,22 +76,49 @@ public:
   /// Current state for views, with the tool's distances to forbidden structures. `time` in s.
   StudyDrillReading Read(double time, const TouchState& newest);
 
-  /// The newest one, also after a touch; empty once the drilled structures have changed.
+  /// The newest one, whether touch is on or off.
   const StudyDrillReading& Last() const { return this->Known; }
+  /// Updates Last once a servo has ended.
+  void Finish();
 
-  bool IsEmpty() const { return this->Context == nullptr; }
-  /// See WriteDrillState and ReadDrillState; throw InputError. Open only while touch is off.
-  void Save(const std::filesystem::path& path) const;
-  void Open(const std::filesystem::path& path);
-  /// Writes a drilled structure as a volume or a surface, by the ending. Throws InputError.
-  void Export(int id, const std::filesystem::path& path, const ProgressFunction& progress) const;
+  /// Forgets everything, for another study.
+  void Clear();
+  /// Sets aside what was removed according to a session's file.
+  void Await(const std::vector<DrillRecord>& records);
+  /// Whether something is set aside.
+  bool IsAwaiting() const { return !this->Aside.empty(); }
+  /// Why something that was set aside was not removed again; may be empty.
+  const std::string& RestoreProblem() const { return this->Unfit; }
+  /// To be saved, including what is set aside. Ends the current stroke.
+  StudyDrillSnapshot Take() const;
+  void MarkSaved(const StudyDrillSnapshot& snapshot);
+  /// Whether anything was removed, or undone, since it was saved.
+  bool IsChanged() const;
+
+  /// See RestoreDrillState; an undo step. Only while touch is off. Throws InputError.
+  void Open(const std::vector<DrillRecord>& records, const std::filesystem::path& path);
+  /// Writes a drilled structure as a volume or a surface, by the ending; may be called on any
+  /// thread, while drilling goes on. Throws InputError.
+  std::function<void(const ProgressFunction&)> Exporting(int id,
+                                                         const std::filesystem::path& path) const;
 
 private:
+  using State = std::shared_ptr<const RemovedDistances>;
+  // What was removed from voxels that are not drilled now.
+  struct SetAside
+  {
+    DrillRecord Record;
+    bool IsSaved = true;
+  };
+
   bool AreDrilled(const std::vector<SceneContact>& drilled) const;
   bool AreForbidden(const std::vector<StudyForbidden>& forbidden) const;
   void Renew(const StudyState& state, const std::vector<SceneContact>& drilled,
              const std::vector<StudyForbidden>& forbidden);
-  void KeepWhatIsGone(const DrillContext& before, const std::vector<SceneContact>& drilledBefore);
+  void KeepRemoved(const DrillContext& before, const std::vector<SceneContact>& drilledBefore,
+                   const std::vector<State>& savedBefore, std::vector<State>& removed);
+  void RestoreAside(std::vector<State>& removed);
+  void ReadFields();
   void ReadCuts();
   int SiteOf(int id) const;
 
@@ -92,6 +128,10 @@ private:
   std::vector<StudyForbidden> Forbidden; // with their protections
   std::string HoldText;
   std::vector<int> SiteOfContact; // -1: not drilled
+  std::vector<State> Saved;       // of each site, as in StudyDrillSnapshot
+  std::vector<SetAside> Aside;
+  bool IsAwaited = false; // something was set aside since the last Renew
+  std::string Unfit;
   TouchToolSettings Tool;
   TouchDrillSettings Motion;
   std::uint64_t Changes = 0;

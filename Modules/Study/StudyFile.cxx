@@ -27,10 +27,11 @@ bool IsThere(const std::filesystem::path& path)
 }
 } // namespace
 
-void WriteStudy(const std::filesystem::path& path, const StudyState& state)
+void WriteStudy(const std::filesystem::path& path, const StudyState& state,
+                const std::filesystem::path& drilled)
 {
   const std::filesystem::path folder = StudyPath(path).parent_path();
-  const std::string text = StudyText(state, folder, path);
+  const std::string text = StudyText(state, folder, path, drilled);
   if (StudyFromText(text, folder, path) != state)
   {
     Refuse(path, "was not written, since it would not open again unchanged",
@@ -39,9 +40,10 @@ void WriteStudy(const std::filesystem::path& path, const StudyState& state)
   WriteWholeFile(path, text);
 }
 
-StudyState ReadStudy(const std::filesystem::path& path)
+StudyState ReadStudy(const std::filesystem::path& path, std::filesystem::path* drilled)
 {
-  return StudyFromText(ReadWholeFile(path, LargestFile), StudyPath(path).parent_path(), path);
+  return StudyFromText(ReadWholeFile(path, LargestFile), StudyPath(path).parent_path(), path,
+                       drilled);
 }
 
 std::vector<StudyMissingFile> MissingFiles(const StudyState& state)

@@ -22,11 +22,15 @@ struct StudyMissingFile
 
 /// Writes a session file under AtomicFile's rules: relative paths, settings, placements, landmarks;
 /// no text from image headers. The text is read back and compared before it is written, so the file
-/// opens exactly as saved. Throws InputError.
-PALPATESTUDY_EXPORT void WriteStudy(const std::filesystem::path& path, const StudyState& state);
+/// opens exactly as saved. `drilled` is the file with what was drilled; may be empty. Throws
+/// InputError.
+PALPATESTUDY_EXPORT void WriteStudy(const std::filesystem::path& path, const StudyState& state,
+                                    const std::filesystem::path& drilled = {});
 
-/// Reads a session file. Files that it names may be missing (see MissingFiles). Throws InputError.
-PALPATESTUDY_EXPORT StudyState ReadStudy(const std::filesystem::path& path);
+/// Reads a session file. Files that it names may be missing (see MissingFiles). `drilled` receives
+/// the file with what was drilled; empty if the session names none. Throws InputError.
+PALPATESTUDY_EXPORT StudyState ReadStudy(const std::filesystem::path& path,
+                                         std::filesystem::path* drilled = nullptr);
 
 /// Files that the user has to locate.
 PALPATESTUDY_EXPORT std::vector<StudyMissingFile> MissingFiles(const StudyState& state);

@@ -92,7 +92,7 @@ void ExchangeView(JsonFields& fields, StudyView& view)
   fields.Exchange("error_scale_mm", view.ErrorScale, LeastErrorScale, LargestPlace);
 }
 
-void ExchangeStudy(JsonFields& fields, StudyState& state)
+void ExchangeStudy(JsonFields& fields, StudyState& state, std::filesystem::path& drilled)
 {
   fields.ExchangeFormat("palpate-study", "a Palpate session");
   ExchangeVersion(fields);
@@ -106,6 +106,7 @@ void ExchangeStudy(JsonFields& fields, StudyState& state)
                   [&](const StudyVolume& one) { return ids.insert(one.Id).second; });
   fields.Require(areUnique, "has two volumes of one id", "give each an id of its own");
   fields.ExchangeIfSet("segmentation", state.SegmentationFile);
+  fields.ExchangeIfSet("drilled", drilled);
   fields.ExchangeObject("scene", state, ExchangeScene);
   fields.ExchangeList("landmarks", state.Landmarks, ExchangeLandmark);
   fields.ExchangeList("distances", state.Distances, ExchangeDistance);
@@ -115,13 +116,13 @@ void ExchangeStudy(JsonFields& fields, StudyState& state)
 } // namespace
 
 std::string StudyText(StudyState state, const std::filesystem::path& folder,
-                      const std::filesystem::path& file)
+                      const std::filesystem::path& file, std::filesystem::path drilled)
 {
   try
   {
     nlohmann::ordered_json root;
     JsonFields fields(root, folder);
-    ExchangeStudy(fields, state);
+    ExchangeStudy(fields, state, drilled);
     return root.dump(2) + "\n";
   }
   catch (const nlohmann::ordered_json::type_error&)
@@ -132,13 +133,18 @@ std::string StudyText(StudyState state, const std::filesystem::path& folder,
 }
 
 StudyState StudyFromText(const std::string& text, const std::filesystem::path& folder,
-                         const std::filesystem::path& file)
+                         const std::filesystem::path& file, std::filesystem::path* drilled)
 {
   nlohmann::json root = ParseJson(text, file, "fix it there, or open another session");
   UpgradeSession(root);
   JsonFields fields(root, file, "study", folder);
   StudyState state;
-  ExchangeStudy(fields, state);
+  std::filesystem::path drilledFile;
+  ExchangeStudy(fields, state, drilledFile);
+  if (drilled != nullptr)
+  {
+    *drilled = drilledFile;
+  }
   return state;
 }
 } // namespace palpate

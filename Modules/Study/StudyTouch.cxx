@@ -67,6 +67,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
 void StudyTouch::Stop()
 {
   this->Session.Stop();
+  this->Drilled.Finish();
   const TouchSessionReading& last = this->Session.Poll();
   this->Reading = {};
   this->Reading.RecordedTicks = last.RecordedTicks;

@@ -83,6 +83,7 @@ public:
   void Guide(GuideDistances distances) { this->Distances = std::move(distances); }
   /// Drilling; its state is kept when a touch ends.
   StudyDrill& Drill() { return this->Drilled; }
+  const StudyDrill& Drill() const { return this->Drilled; }
   /// The drill's pedal, and commands to the drill's editor, during a touch.
   void RunDrill(bool runs);
   void Command(DrillCommand command);

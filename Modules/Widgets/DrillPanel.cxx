@@ -113,6 +113,7 @@ DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, Q
   connect(&study, &StudyController::StepsChanged, this, &DrillPanel::ShowReading);
   connect(&study, &StudyController::Touched, this, &DrillPanel::ShowReading);
   connect(&study, &StudyController::TouchChanged, this, &DrillPanel::ShowReading);
+  connect(&study, &StudyController::DrilledChanged, this, &DrillPanel::ShowReading);
   this->ShowState();
   this->ShowReading();
 }
@@ -363,21 +364,29 @@ void DrillPanel::Press(bool isDown)
 
 void DrillPanel::Save()
 {
+  const std::vector<DrillRecord> records = this->Study.Current().Touch().Drill().Take().Records;
+  if (records.empty())
+  {
+    this->Study.Report("Nothing was drilled: there is no drilling state to save.");
+    return;
+  }
   const QString file = this->Questions.ToSave(this, "Save the drilling state", "drill.state",
                                               "Drilling states (*.state)");
   if (!file.isEmpty())
   {
-    this->Study.Try([&] { this->Study.Current().Touch().Drill().Save(file.toStdString()); });
+    const std::filesystem::path path = file.toStdString();
+    this->Study.Write(path, [path, records](const ProgressFunction&)
+                      { WriteDrillRecords(path, records); });
   }
 }
 
 void DrillPanel::Open()
 {
   const QStringList files =
-      this->Questions.ToOpen(this, "Open a drilling state", "Drilling states (*.state)");
+      this->Questions.ToOpen(this, "Open a drilling state", "Drilling states (*.state *.drill)");
   if (!files.isEmpty())
   {
-    this->Study.Try([&] { this->Study.OpenDrilled(files.front().toStdString()); });
+    this->Study.OpenDrilled(files.front().toStdString());
   }
 }
 
@@ -394,12 +403,10 @@ void DrillPanel::Export()
                              PatternsOf(ImageFormats().WrittenEndings()) + ")"));
   if (!file.isEmpty())
   {
+    const std::filesystem::path path = file.toStdString();
     this->Study.Try(
         [&]
-        {
-          this->Study.Current().Touch().Drill().Export(
-              label, file.toStdString(), [](double, const std::string&) { return true; });
-        });
+        { this->Study.Write(path, this->Study.Current().Touch().Drill().Exporting(label, path)); });
   }
 }
 } // namespace palpate

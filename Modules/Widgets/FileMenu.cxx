@@ -212,7 +212,7 @@ bool FileMenu::SaveAs()
 
 bool FileMenu::MayLeave()
 {
-  if (!this->Study.Current().History().IsChanged())
+  if (!this->Study.Current().IsChanged())
   {
     return true;
   }

@@ -250,7 +250,9 @@ void LandmarksPanel::Export()
   if (!file.isEmpty())
   {
     const StudyState& state = this->Study.State();
-    this->Study.Try([&] { WriteMarkups(file.toStdString(), state.Landmarks, state.Distances); });
+    const std::filesystem::path path = file.toStdString();
+    this->Study.Write(path, [path, marks = state.Landmarks, distances = state.Distances](
+                                const ProgressFunction&) { WriteMarkups(path, marks, distances); });
   }
 }
 } // namespace palpate

@@ -61,6 +61,8 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
   connect(&study, &StudyController::StateChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ProductsChanged, this, &MainWindow::ShowState);
   connect(&study, &StudyController::ReplayChanged, this, &MainWindow::ShowCentre);
+  connect(&study, &StudyController::StepsChanged, this, &MainWindow::ShowChange);
+  connect(&study, &StudyController::DrilledChanged, this, &MainWindow::ShowChange);
   connect(&study, &StudyController::ViewChanged, this,
           [this] { this->Shown.ShowView(this->Study.State().View); });
   connect(&study, &StudyController::FileOpened, this, &MainWindow::TakeFile);
@@ -297,7 +299,12 @@ void MainWindow::ShowTitle()
   const QString name =
       file.empty() ? "New study" : TitleString(ScreenString(file.filename().string()));
   this->setWindowTitle(name + "[*] - Palpate");
-  this->setWindowModified(this->Study.Current().History().IsChanged());
+  this->ShowChange();
+}
+
+void MainWindow::ShowChange()
+{
+  this->setWindowModified(this->Study.Current().IsChanged());
 }
 
 // The user's crosshair, window and level belong to the study.
@@ -321,16 +328,11 @@ void MainWindow::TakeFile(const QString& file)
 
 bool MainWindow::SaveScreenshot(const QString& file)
 {
-  return this->Write(PictureOf(*this->Grid, *this), file);
-}
-
-bool MainWindow::Write(const QImage& picture, const QString& file)
-{
   bool isSaved = false;
   this->Study.Try(
       [&]
       {
-        WritePicture(picture, file.toStdString());
+        WritePicture(PictureOf(*this->Grid, *this), file.toStdString());
         isSaved = true;
       });
   return isSaved;
@@ -348,7 +350,9 @@ void MainWindow::AskForPicture()
             if (!file.isEmpty())
             {
               file += file.endsWith(".png", Qt::CaseInsensitive) ? "" : ".png";
-              this->Write(dialog->Picture(), file);
+              this->Study.Write(file.toStdString(),
+                                [picture = dialog->Picture(), file](const ProgressFunction&)
+                                { WritePicture(picture, file.toStdString()); });
             }
           });
   dialog->open();

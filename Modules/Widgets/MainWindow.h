@@ -57,6 +57,7 @@ private:
   QDockWidget* AddPanel(const QString& title, QWidget* panel);
   void ShowState();
   void ShowTitle();
+  void ShowChange();
   void TakeView();
   void TakeClick(const Vector3& pointWorld);
   void TakeFile(const QString& file);
@@ -64,7 +65,6 @@ private:
   void AskForPicture();
   void AskForPreferences();
   void Follow(const Preferences& preferences);
-  bool Write(const QImage& picture, const QString& file);
 
   StudyController& Study;
   FileQuestions Questions;

@@ -22,11 +22,23 @@ QString Side(double coordinate, char positive, char negative)
 
 StatusLine::StatusLine(StudyController& study, QWidget* parent)
     : QStatusBar(parent), Study(study), Point(MakePlainLabel("point", this)),
-      Jobs(MakePlainLabel("jobs", this)), Touch(MakePlainLabel("touch-state", this))
+      Jobs(MakePlainLabel("jobs", this)), Cancel(new QToolButton(this)),
+      Touch(MakePlainLabel("touch-state", this))
 {
   this->Point->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   this->addWidget(this->Point, 1);
   this->addPermanentWidget(this->Jobs);
+  this->Cancel->setObjectName("cancel-writing");
+  this->Cancel->setText("Cancel");
+  this->Cancel->setToolTip("Does not write the file; a former one of its name stays as it is");
+  this->Cancel->hide();
+  this->addPermanentWidget(this->Cancel);
+  connect(this->Cancel, &QToolButton::clicked, this,
+          [this]
+          {
+            this->Study.Current().Writing().Cancel();
+            this->ShowJobs();
+          });
   this->addPermanentWidget(this->Touch);
   connect(&study, &StudyController::StepsChanged, this, &StatusLine::ShowJobs);
   connect(&study, &StudyController::TouchChanged, this, &StatusLine::ShowTouch);
@@ -56,6 +68,14 @@ void StatusLine::ShowJobs()
       running += QString("%1 %2 %").arg(NameOf(step)).arg(std::lround(100.0 * state.Fraction));
     }
   }
+  const std::vector<StudyWriting::File> files = this->Study.Current().Writing().Waiting();
+  for (const StudyWriting::File& file : files)
+  {
+    running += QString("writing %1 %2 %")
+                   .arg(ScreenString(file.Path.filename().string()))
+                   .arg(std::lround(100.0 * file.Progress.Fraction));
+  }
+  this->Cancel->setVisible(!files.empty());
   const QString text = running.join(", ");
   if (text != this->Jobs->text())
   {

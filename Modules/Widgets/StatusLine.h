@@ -4,11 +4,12 @@
 
 #include <QLabel>
 #include <QStatusBar>
+#include <QToolButton>
 
 namespace palpate
 {
-/// The place under the pointer, what is being computed, and the state of touch. It never makes the
-/// window wider.
+/// The place under the pointer, what is being computed or written, and the state of touch. It never
+/// makes the window wider.
 class StatusLine : public QStatusBar
 {
   Q_OBJECT
@@ -30,6 +31,7 @@ private:
   StudyController& Study;
   QLabel* Point;
   QLabel* Jobs;
+  QToolButton* Cancel; ///< of files that are written
   QLabel* Touch;
 };
 } // namespace palpate

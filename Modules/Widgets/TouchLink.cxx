@@ -35,6 +35,7 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
   connect(&study, &StudyController::TouchChanged, this, &TouchLink::Begin);
   connect(&study, &StudyController::ReplayChanged, this, &TouchLink::ShowProbe);
   connect(&study, &StudyController::Touched, this, &TouchLink::ShowReading);
+  connect(&study, &StudyController::DrilledChanged, this, &TouchLink::ShowDrilled);
   connect(views.Space(), &SpacePane::HandMoved, this, &TouchLink::MoveHand);
   connect(views.Space(), &SpacePane::Dragged, this,
           [this](const Vector3& world) { this->Study.MoveWorkspace(world, "workspace"); });
@@ -124,13 +125,18 @@ void TouchLink::ShowHand()
   this->Views.Space()->PlaceHand(this->Study.Current().Touch().HandWorld());
 }
 
-void TouchLink::ShowReading()
+void TouchLink::ShowDrilled()
 {
-  const StudyTouchReading& reading = this->Study.Reading();
-  if (this->Contents.ShowDrilled(reading.Drill))
+  if (this->Contents.ShowDrilled(this->Study.Reading().Drill))
   {
     this->Views.TakeContents();
   }
+}
+
+void TouchLink::ShowReading()
+{
+  const StudyTouchReading& reading = this->Study.Reading();
+  this->ShowDrilled();
   this->ShowProbe();
   this->ShowNotice();
   this->ShowHand();

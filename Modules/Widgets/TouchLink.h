@@ -36,6 +36,7 @@ private:
   void ReleaseKey(const QKeyEvent& key);
   void Begin();
   void ShowReading();
+  void ShowDrilled();
   void ShowProbe();
   void ShowNotice();
   void ShowPlace();

@@ -271,9 +271,8 @@ std::vector<std::shared_ptr<const RemovedDistances>> DrillEditor::Removed()
   return this->Before;
 }
 
-Status DrillEditor::Restore(const std::vector<State>& removed)
+Status DrillEditor::PutBack(const std::vector<State>& removed)
 {
-  const Lock lock(this->Editing);
   if (removed.size() != this->Fields.size())
   {
     return Status::Failure("The removal belongs to a different number of structures.");
@@ -286,9 +285,39 @@ Status DrillEditor::Restore(const std::vector<State>& removed)
       return status;
     }
   }
-  this->Push(this->ChangedSites());
   this->GrownAt = this->Done;
-  return this->HandOver();
+  return Status::Success();
+}
+
+Status DrillEditor::Restore(const std::vector<State>& removed)
+{
+  const Lock lock(this->Editing);
+  Status status = this->PutBack(removed);
+  this->Push(this->ChangedSites());
+  return status.IsOk() ? this->HandOver() : status;
+}
+
+Status DrillEditor::BeginWith(const std::vector<State>& removed)
+{
+  const Lock lock(this->Editing);
+  Status status = this->PutBack(removed);
+  this->ChangedSites();
+  this->Strokes.clear();
+  this->Place = 0;
+  return status.IsOk() ? this->HandOver() : status;
+}
+
+bool DrillEditor::Holds(const std::vector<State>& removed) const
+{
+  const Lock lock(this->Editing);
+  bool holds = removed.size() == this->Fields.size();
+  for (std::size_t site = 0; holds && site < removed.size(); ++site)
+  {
+    DrilledField& field = *this->Fields[site];
+    holds = !field.HasOpenStroke() && (removed[site] == nullptr ? field.Now().Corners().empty()
+                                                                : field.Removed() == removed[site]);
+  }
+  return holds;
 }
 
 void DrillEditor::WriteSamples(int site, const FieldSamples& original, void* drilled) const

@@ -61,6 +61,12 @@ public:
   /// Replaces the removed regions by saved ones, before a servo has given any order. Fails for
   /// those of other volumes.
   Status Restore(const std::vector<std::shared_ptr<const RemovedDistances>>& removed);
+  /// The same as the state that drilling begins with: neither this nor what was done before can be
+  /// undone.
+  Status BeginWith(const std::vector<std::shared_ptr<const RemovedDistances>>& removed);
+  /// Whether the removed regions are these objects, as Removed returned them; null: nothing is
+  /// removed. Ends no stroke.
+  bool Holds(const std::vector<std::shared_ptr<const RemovedDistances>>& removed) const;
 
   /// DrilledField::WriteSamples of a site.
   void WriteSamples(int site, const FieldSamples& original, void* drilled) const;
@@ -93,6 +99,7 @@ private:
   std::vector<std::size_t> ChangedSites();
   void Push(std::vector<std::size_t> sites);
   bool HasOpenStroke() const;
+  Status PutBack(const std::vector<State>& removed);
   Status HandOver();
 
   std::shared_ptr<DrillLink> Shared = std::make_shared<DrillLink>();

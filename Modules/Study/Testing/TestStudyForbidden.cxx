@@ -318,7 +318,7 @@ TEST_F(StudyForbiddenTest, CommandLineProtectsTheSame)
     ++order.Number;
   }
   drill.Editor()->Take();
-  drill.Save(this->Phantom.Folder / "window.state");
+  WriteDrillRecords(this->Phantom.Folder / "window.state", drill.Take().Records);
 
   const auto context = test::BenchOf(state);
   ASSERT_EQ(context->Forbidden().size(), 1U);

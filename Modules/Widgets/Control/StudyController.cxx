@@ -367,14 +367,15 @@ void StudyController::FitWorkspace()
 
 void StudyController::OpenDrilled(const std::filesystem::path& file)
 {
-  const bool wasTouching = this->IsTouching();
-  this->Open.StopTouch();
-  this->Open.Touch().Drill().Open(file);
-  if (wasTouching)
-  {
-    this->Open.StartTouch();
-  }
-  this->Announce();
+  this->Open.OpenDrilled(file, [this](const std::string& message) { this->Report(message); });
+  this->LookSoon();
+}
+
+void StudyController::Write(const std::filesystem::path& file, StudyWriting::Writing write)
+{
+  this->Open.Writing().Start(file, std::move(write),
+                             [this](const std::string& message) { this->Report(message); });
+  this->LookSoon();
 }
 
 void StudyController::StartRecording(const std::filesystem::path& file)
@@ -458,6 +459,7 @@ void StudyController::Look()
   }
   this->LookAtTouch();
   this->LookAtReplay();
+  this->LookAtDrill();
 }
 
 // A message goes with its cause, and comes again with it.
@@ -484,7 +486,7 @@ void StudyController::LookAtProblems()
 void StudyController::LookAtSteps()
 {
   bool isMaking = this->Open.IsOpeningDevice() || this->Open.IsAddingSegmentation() ||
-                  this->Opening.IsReading();
+                  this->Open.IsReadingDrilled() || this->Opening.IsReading();
   for (const SceneStep step : StudyProblems::Steps)
   {
     const StudyStepState::Kind state = this->Open.Pipeline().StateOf(step).Is;
@@ -515,12 +517,25 @@ void StudyController::LookAtTouch()
   }
 }
 
+// While touch is off, what was drilled changes with files and structures.
+void StudyController::LookAtDrill()
+{
+  const StudyDrill& drill = this->Open.Touch().Drill();
+  if (this->DrillRevision != drill.Revision() && !this->IsTouching() && !this->IsReplaying())
+  {
+    this->DrillRevision = drill.Revision();
+    this->Felt.Drill = drill.Last();
+    Q_EMIT DrilledChanged();
+  }
+}
+
 void StudyController::LookAtReplay()
 {
   StudyReplay* replay = this->Open.Replay();
   if (replay != this->Replayed)
   {
     this->Replayed = replay;
+    --this->DrillRevision; // a replay does not show what was drilled
     if (replay != nullptr)
     {
       Q_EMIT FileOpened(QString::fromStdString(replay->File().string()));

@@ -43,7 +43,8 @@ public:
   /// Whether something is being read, computed or opened.
   bool IsBusy() const
   {
-    return !this->Roles.empty() || this->Folders > 0 || this->Opening.IsReading() || this->IsMaking;
+    return !this->Roles.empty() || this->Folders > 0 || this->Opening.IsReading() ||
+           this->Open.IsReadingDrilled() || this->IsMaking;
   }
   /// The pipeline's, or that of a file which is being read for the step before the study changes.
   StudyStepState StateOf(SceneStep step);
@@ -94,8 +95,10 @@ public:
   void StopTouch();
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
   void FitWorkspace();
-  /// Opens an earlier drilling state, interrupting touch. Throws InputError.
+  /// See Study::OpenDrilled.
   void OpenDrilled(const std::filesystem::path& file);
+  /// Writes a file in the background; see StudyWriting.
+  void Write(const std::filesystem::path& file, StudyWriting::Writing write);
   void StartRecording(const std::filesystem::path& file);
   void StopRecording();
 
@@ -123,6 +126,7 @@ Q_SIGNALS:
   void FileOpened(const QString& file); ///< it could be read
   void TouchChanged();                  ///< began or ended
   void Touched();                       ///< a new reading
+  void DrilledChanged();                ///< what was drilled, while touch is off
   void ReplayChanged();                 ///< opened or closed, played or paused
   void Problem(const QString& message);
   void ProblemEnded(const QString& message); ///< its cause has gone
@@ -130,6 +134,7 @@ Q_SIGNALS:
 private:
   void Look();
   void LookAtTouch();
+  void LookAtDrill();
   void LookAtReplay();
   void LookAtSteps();
   void LookAtProblems();
@@ -160,6 +165,7 @@ private:
   StudyProblems Problems{this->Open};
   std::vector<std::string> Told; ///< problems that are there
   std::uint64_t Revision = 0;
+  std::uint64_t DrillRevision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;
   bool WasTouching = false;

@@ -34,6 +34,7 @@ std::vector<std::string> StudyProblems::Now(const StudyTouchReading& reading)
   this->AddHold(reading);
   this->Add(this->Open.TouchProblem());
   this->Add(this->Open.ReplayProblem());
+  this->Add(this->Open.DrilledProblem());
   return this->Messages;
 }
 

@@ -1,13 +1,8 @@
 #include "DrillPanel.h"
-#include "WindowTest.h"
+#include "DrillWindowTest.h"
 
-#include "vtkSubVoxelVolumeMapper.h"
-
-#include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QKeyEvent>
 #include <QLineEdit>
-#include <QTableWidget>
 
 #include <cmath>
 
@@ -15,86 +10,16 @@ namespace palpate::drill_panel_test
 {
 namespace
 {
-class DrillPanelTest : public test::WindowTest
+class DrillPanelTest : public test::DrillWindowTest
 {
 protected:
-  QTableWidget* Table() const { return this->Window->findChild<QTableWidget*>("drill-structures"); }
   DrillPanel* Panel() const { return this->Window->findChild<DrillPanel*>(); }
-  void Choose(int row, int role)
-  {
-    auto* choice = qobject_cast<QComboBox*>(this->Table()->cellWidget(row, 1));
-    choice->setCurrentIndex(role);
-    Q_EMIT choice->activated(role);
-  }
-  // Starts touching the sphere alone, as soft tissue.
-  void StartDrilling()
-  {
-    this->OpenPhantom();
-    StudyState next = this->Study->State();
-    next.Structures.resize(1);
-    next.Structures[0].Drill.Wear = 2.0;
-    next.Tool.Radius = 3.0;
-    this->Study->Change("Drill the ball", next);
-    this->Settle();
-    this->StartTouch();
-  }
-  void StartTouch()
-  {
-    DrawAll(*this->Window->Views());
-    this->Window->Messages()->Clear(); // on structures that cannot be modelled
-    this->Button("start-touch")->click();
-    WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
-    ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
-  }
-  double Removed() const
-  {
-    const auto& drilled = this->Study->Reading().Drill.Drilled;
-    return drilled.empty() ? -1.0 : drilled[0].RemovedVolume;
-  }
-  void Key(QEvent::Type type, int key)
-  {
-    QKeyEvent event(type, key, Qt::NoModifier);
-    QApplication::sendEvent(this->Window->Views(), &event);
-  }
   // Until the servo has received the key.
   void HoldPedal()
   {
     this->Key(QEvent::KeyPress, Qt::Key_D);
     this->FeelUntil([this] { return this->Study->Reading().Newest.IsDrilling; });
   }
-  // Presses the hand into the sphere with the pedal down until `volume` is removed.
-  void Drill(double volume)
-  {
-    const Vector3 hand = this->Study->Current().Touch().HandWorld();
-    const Vector3 inward = (this->SphereCenter - hand).normalized();
-    double path = 0.0;
-    this->Key(QEvent::KeyPress, Qt::Key_D);
-    std::uint64_t last = 0;
-    this->FeelUntil(
-        [&]
-        {
-          const TouchState& newest = this->Study->Reading().Newest;
-          if (newest.Tick.Number >= last + 20 && path < (this->SphereCenter - hand).norm())
-          {
-            last = newest.Tick.Number;
-            path += 0.5;
-            this->Study->Current().Touch().MoveHand(hand + path * inward);
-          }
-          return this->Removed() > volume;
-        });
-    this->Key(QEvent::KeyRelease, Qt::Key_D);
-    WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
-  }
-  std::shared_ptr<const ScalarField> Shown() const
-  {
-    const auto& fields = this->Window->Contents().Fields();
-    const auto one = fields.find(1);
-    return one == fields.end()
-               ? nullptr
-               : vtkSubVoxelVolumeMapper::SafeDownCast(one->second->GetMapper())->GetField();
-  }
-
-  const Vector3 SphereCenter{-15.0, 0.0, 0.0};
 };
 
 TEST_F(DrillPanelTest, RolesAreUndoStepsAndRestoredBySession)
@@ -186,22 +111,17 @@ TEST_F(DrillPanelTest, HolesOutliveTouchesAndAreSavedOpenedAndExported)
   this->StartDrilling();
   this->Drill(10.0);
   this->Study->StopTouch();
-  // Includes the last command, which no reading of the window may show yet.
-  constexpr double Later = 1e9; // s
-  const double before = this->Study->Current()
-                            .Touch()
-                            .Drill()
-                            .Read(Later, this->Study->Reading().Newest)
-                            .Drilled[0]
-                            .RemovedVolume;
+  const double before = this->Study->Current().Touch().Drill().Last().Drilled[0].RemovedVolume;
   ASSERT_GT(before, 10.0);
   const std::filesystem::path state = this->Phantom.Folder / "drill.state";
   this->SavedTo = QString::fromStdString(state.string());
   this->Button("drill-save")->click();
+  this->FinishWriting();
   EXPECT_TRUE(std::filesystem::exists(state)) << this->Messages();
   const std::filesystem::path surface = this->Phantom.Folder / "left.stl";
   this->SavedTo = QString::fromStdString(surface.string());
   this->Button("drill-export")->click();
+  this->FinishWriting();
   EXPECT_TRUE(std::filesystem::exists(surface)) << this->Messages();
   this->StartTouch();
   WaitUntil([&] { return this->Removed() == before; });

@@ -337,6 +337,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   const auto csv = this->Phantom.Folder / "marks.csv";
   this->SavedTo = QString::fromStdString(csv.string());
   this->Button("export-landmarks")->click();
+  this->FinishWriting();
   EXPECT_TRUE(std::filesystem::exists(csv)) << this->Messages();
   this->Button("start-touch")->click();
   EXPECT_FALSE(this->Study->IsTouching());

@@ -163,6 +163,7 @@ TEST_F(ViewPictureTest, DialogSavesTheChosenViewAtTheChosenSize)
   dialog->findChild<QCheckBox*>("picture-transparent")->setChecked(true);
   this->SavedTo = QString::fromStdString((this->Phantom.Folder / "figure").string());
   Press(dialog, QDialogButtonBox::Save);
+  this->FinishWriting();
   const QImage saved(this->SavedTo + ".png");
   EXPECT_EQ(saved.size(), QSize(640, 500));
   EXPECT_EQ(qAlpha(saved.pixel(2, 2)), 0);
@@ -190,6 +191,7 @@ TEST_F(ViewPictureTest, PictureThatCannotBeWrittenIsToldAndLeavesNoFile)
 {
   this->SavedTo = "/nowhere/figure.png";
   Press(this->OpenDialog(), QDialogButtonBox::Save);
+  this->FinishWriting();
   EXPECT_NE(this->Messages().find("/nowhere/figure.png"), std::string::npos) << this->Messages();
   const auto file = this->Phantom.Folder / "none.png";
   EXPECT_THROW(WritePicture(QImage(), file), InputError);

@@ -47,7 +47,11 @@ protected:
       this->AskedFor.push_back(missing);
       return this->Found;
     };
-    questions.WhetherToSave = [this](QWidget*) { return this->Leaving; };
+    questions.WhetherToSave = [this](QWidget*)
+    {
+      ++this->TimesAskedToSave;
+      return this->Leaving;
+    };
     this->Window = std::make_unique<MainWindow>(*this->Study, questions);
     this->Window->resize(1000, 700);
     this->Window->show();
@@ -86,6 +90,11 @@ protected:
           const auto& all = this->Study->State().Structures;
           return !this->Study->IsBusy() && std::all_of(all.begin(), all.end(), isMade);
         });
+  }
+  /// Waits until all files are written or have failed.
+  void FinishWriting()
+  {
+    WaitUntil([this] { return this->Study->Current().Writing().Waiting().empty(); });
   }
   void OpenPhantom()
   {
@@ -179,6 +188,7 @@ protected:
   QString Found;
   std::vector<StudyMissingFile> AskedFor;
   FileQuestions::Answer Leaving = FileQuestions::Answer::Discard;
+  int TimesAskedToSave = 0;
   std::unique_ptr<StudyController> Study;
   std::unique_ptr<MainWindow> Window;
 };

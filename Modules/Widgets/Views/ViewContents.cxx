@@ -19,6 +19,7 @@
 #include <array>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace palpate
@@ -290,14 +291,16 @@ void ViewContents::ShowNewest(int label)
 {
   const auto newest = this->DrilledFields.find(label);
   const auto shown = this->FieldsShown.find(label);
-  if (newest == this->DrilledFields.end() || shown == this->FieldsShown.end())
+  if (shown == this->FieldsShown.end())
   {
     return;
   }
+  const auto& field =
+      newest != this->DrilledFields.end() ? newest->second : this->FieldSources.at(label);
   auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(shown->second->GetMapper());
-  if (mapper->GetField() != newest->second)
+  if (mapper->GetField() != field)
   {
-    mapper->SetField(newest->second);
+    mapper->SetField(field);
     shown->second->Modified(); // views check its modification time
   }
 }
@@ -306,10 +309,17 @@ bool ViewContents::ShowDrilled(const StudyDrillReading& reading)
 {
   bool areOthers = false;
   std::set<int> labels;
-  this->DrilledFields.clear();
+  const auto before = std::exchange(this->DrilledFields, {});
   for (const StudyDrilled& one : reading.Drilled)
   {
     this->DrilledFields[one.Id] = one.Field;
+  }
+  for (const auto& [id, field] : before)
+  {
+    this->ShowNewest(id);
+  }
+  for (const StudyDrilled& one : reading.Drilled)
+  {
     this->ShowNewest(one.Id);
     if (one.Cut == nullptr || one.Cut->GetNumberOfCells() == 0)
     {
