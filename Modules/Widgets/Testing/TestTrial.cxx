@@ -41,12 +41,14 @@ protected:
     grid.CenterOnOrigin();
     const auto ct = test::MakeLabelImage<short>(grid, [](double x, double y, double z)
                                                 { return std::hypot(x, y, z) < BoneRadius; });
-    const auto values = static_cast<short*>(ct->GetScalarPointer());
+    auto* values = static_cast<short*>(ct->GetScalarPointer());
+    std::uniform_int_distribution<int> noise(-20, 20); // HU
     for (vtkIdType voxel = 0; voxel < ct->GetNumberOfPoints(); ++voxel)
     {
       const Vector3 place(ct->GetPoint(voxel));
       const bool isCell = (place - Vector3(0.0, 4.0, 5.0)).norm() < 1.5;
-      values[voxel] = static_cast<short>(values[voxel] == 0 || isCell ? -1000 : 1200);
+      values[voxel] =
+          static_cast<short>((values[voxel] == 0 || isCell ? -1000 : 1200) + noise(random));
     }
     WriteImage(this->Ct, ct);
     grid.Size = {{20, 20, 32}};
@@ -63,7 +65,7 @@ protected:
     Activate(*this->Window);
   }
   // A key combination of the menus.
-  void Press(Qt::Key key, Qt::KeyboardModifiers modifiers)
+  void Type(Qt::Key key, Qt::KeyboardModifiers modifiers)
   {
     Activate(*this->Window);
     this->Window->setFocus();
@@ -79,6 +81,8 @@ protected:
   {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
+    QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(this->Window.get(), &enter);
     QDropEvent drop(QPointF(300.0, 300.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(this->Window.get(), &drop);
   }
@@ -106,7 +110,7 @@ protected:
   void AddMr()
   {
     this->Choose(this->Mr);
-    this->Press(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
+    this->Type(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
     WaitUntil([this] { return this->Window->Contents().Images()->GetNumberOfOverlays() == 1; });
     auto* volumes = this->Window->findChild<QListWidget*>("volumes");
     QTest::keyClick(volumes, Qt::Key_Down);
@@ -117,7 +121,7 @@ protected:
   }
   void AddBone()
   {
-    this->Press(Qt::Key_I, Qt::ControlModifier | Qt::AltModifier);
+    this->Type(Qt::Key_I, Qt::ControlModifier | Qt::AltModifier);
     auto* dialog = this->Window->findChild<ThresholdDialog*>();
     ASSERT_NE(dialog, nullptr) << this->Messages();
     ClickOn(dialog->findChild<QPushButton*>("threshold-bone"));
@@ -131,7 +135,7 @@ protected:
   void AddNerve()
   {
     this->Choose(this->Nerve);
-    this->Press(Qt::Key_S, Qt::ControlModifier | Qt::AltModifier);
+    this->Type(Qt::Key_S, Qt::ControlModifier | Qt::AltModifier);
     WaitUntil([this] { return this->Study->State().Structures.size() == 2; });
     this->Settle();
   }
@@ -162,7 +166,7 @@ protected:
   void Touch()
   {
     this->BeginTouch();
-    WindowTest::Press(Vector3::Zero(), 0.3);
+    this->Press(Vector3::Zero(), 0.3, this->Study->State().Structures[0].Id);
   }
   void MeasureDistance()
   {
@@ -250,7 +254,7 @@ protected:
   void Save()
   {
     this->SavedTo = QString::fromStdString(this->File.string());
-    this->Press(Qt::Key_S, Qt::ControlModifier);
+    this->Type(Qt::Key_S, Qt::ControlModifier);
     ASSERT_TRUE(std::filesystem::exists(this->File)) << this->Messages();
   }
   // With the MR volume in another place.
@@ -258,10 +262,10 @@ protected:
   {
     std::filesystem::rename(this->Mr, this->MovedMr);
     this->Found = QString::fromStdString(this->MovedMr.string());
-    this->Press(Qt::Key_N, Qt::ControlModifier);
+    this->Type(Qt::Key_N, Qt::ControlModifier);
     EXPECT_TRUE(this->Window->findChild<StartPage*>()->isVisible());
     this->Choose(this->File);
-    this->Press(Qt::Key_O, Qt::ControlModifier | Qt::AltModifier);
+    this->Type(Qt::Key_O, Qt::ControlModifier | Qt::AltModifier);
     EXPECT_EQ(this->TimesAskedToSave, 0);
     WaitUntil([this] { return !this->AskedFor.empty(); });
     this->Settle();
@@ -295,15 +299,15 @@ TEST_F(TrialTest, FromAnEmptyWindowToTheSameStateReopened)
   this->Save();
   const StudyState saved = this->Study->State();
   const double removed = this->Removed();
-  ASSERT_NE(this->Shown(), nullptr);
-  const std::vector<float> voxels = NodesOf(*this->Shown(), 0);
+  ASSERT_NE(this->Shown(saved.Structures[0].Id), nullptr);
+  const std::vector<float> voxels = NodesOf(*this->Shown(saved.Structures[0].Id), 0);
   this->ReopenWithAMissingFile();
   ASSERT_EQ(this->AskedFor.size(), 1U);
   EXPECT_EQ(this->AskedFor[0].Path, this->Mr);
   EXPECT_EQ(this->Study->State(), Relocate(saved, this->Mr, this->MovedMr));
   EXPECT_EQ(this->Removed(), removed);
-  ASSERT_NE(this->Shown(), nullptr);
-  EXPECT_EQ(NodesOf(*this->Shown(), 0), voxels);
+  ASSERT_NE(this->Shown(saved.Structures[0].Id), nullptr);
+  EXPECT_EQ(NodesOf(*this->Shown(saved.Structures[0].Id), 0), voxels);
   EXPECT_EQ(this->Messages(), "");
 }
 } // namespace

@@ -138,8 +138,8 @@ protected:
     WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
   }
-  /// By mouse: over this point, then towards it until structure 1 pushes with a force (N).
-  void Press(const Vector3& towardsWorld, double force)
+  /// By mouse: over this point, then towards it until a structure pushes with a force (N).
+  void Press(const Vector3& towardsWorld, double force, int id = 1)
   {
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
     const QPointF place = this->PlaceOf(towardsWorld);
@@ -151,7 +151,7 @@ protected:
         {
           const TouchState& newest = this->Study->Reading().Newest;
           const bool isFelt =
-              this->Study->Reading().TouchedId == 1 && Norm(newest.ForceWorld) > force;
+              this->Study->Reading().TouchedId == id && Norm(newest.ForceWorld) > force;
           if (!isFelt && newest.Tick.Number >= last + 20)
           {
             last = newest.Tick.Number;
