@@ -1,0 +1,78 @@
+#include "WallThickness.h"
+
+#include "DirectionCaster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+// Of each corner of a triangle: the normals around it, weighted by their angles.
+std::array<Vector3, 3> CornerNormals(const IndexedMesh& mesh, int triangle)
+{
+  const std::array<int, 3>& corners = mesh.Triangles[triangle];
+  std::array<Vector3, 3> normals{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const auto found = std::find(corners.begin(), corners.end(), t[k]);
+      if (found != corners.end())
+      {
+        const Vector3 one = mesh.Points[t[(k + 1) % 3]] - mesh.Points[t[k]];
+        const Vector3 other = mesh.Points[t[(k + 2) % 3]] - mesh.Points[t[k]];
+        const Vector3 normal = one.cross(other);
+        const double angle = std::atan2(normal.norm(), one.dot(other));
+        normals[static_cast<std::size_t>(found - corners.begin())] += angle * normal.normalized();
+      }
+    }
+  }
+  return normals;
+}
+
+// Weights of a triangle's corners at a point of it: the areas opposite of them.
+Vector3 NormalAt(const IndexedMesh& mesh, int triangle, const Vector3& point)
+{
+  const auto [a, b, c] = mesh.Triangles[triangle];
+  const std::array<Vector3, 3> arms{mesh.Points[a] - point, mesh.Points[b] - point,
+                                    mesh.Points[c] - point};
+  const std::array<Vector3, 3> normals = CornerNormals(mesh, triangle);
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    sum += arms[(k + 1) % 3].cross(arms[(k + 2) % 3]).norm() * normals[k].normalized();
+  }
+  return sum.normalized();
+}
+
+// Distance of the next crossing if the ray starts inwards; else 0.
+double NextCrossing(const IndexedMesh& mesh, const Vector3& point, const Vector3& direction)
+{
+  constexpr double LeastDistance = 1e-6; // mm: the surface where the ray starts
+  const std::vector<RayCrossing> crossings = DirectionCaster({direction}).Cast(mesh, point).front();
+  const auto next =
+      std::find_if(crossings.begin(), crossings.end(),
+                   [](const RayCrossing& crossing) { return crossing.Distance > LeastDistance; });
+  return (crossings.end() - next) % 2 == 1 ? next->Distance : 0.0;
+}
+} // namespace
+
+Status MeasureThickness(const IndexedMesh& mesh, const NearestOnMesh& nearest, const Vector3& point,
+                        WallThickness& measured)
+{
+  const NearestOnMesh::Result start = nearest.Find(point);
+  const Vector3 outwards = NormalAt(mesh, start.Triangle, start.Point);
+  for (const Vector3& inwards : {Vector3(-outwards), outwards})
+  {
+    const double thickness = NextCrossing(mesh, start.Point, inwards);
+    if (thickness > 0.0)
+    {
+      measured = {start.Point, start.Point + thickness * inwards, thickness};
+      return Status::Success();
+    }
+  }
+  return Status::Failure("The surface has no opposite wall here: it is not closed.");
+}
+} // namespace palpate
