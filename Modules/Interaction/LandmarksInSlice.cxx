@@ -1,7 +1,5 @@
 #include "LandmarksInSlice.h"
 
-#include "DecimalText.h"
-
 #include "vtkLandmarks.h"
 
 #include "vtkActor.h"
@@ -9,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate
 {
@@ -36,11 +35,6 @@ struct Drawing
   std::vector<PointLabels::Label> Labels;
 };
 
-Vector3 PlaceOf(const vtkLandmarks& landmarks, int number)
-{
-  return Vector3(landmarks.GetLandmarks()[static_cast<std::size_t>(number)].PositionWorld.data());
-}
-
 void AddSpheres(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
 {
   const double radius = landmarks.GetRadius();
@@ -58,19 +52,66 @@ void AddSpheres(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& dr
   }
 }
 
-void AddDistances(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
+// The part of a segment whose height over the slice is within reach, as fractions; empty if the
+// first one is larger.
+std::pair<double, double> PartWithin(double from, double to, double reach)
 {
-  for (const auto& [from, to] : landmarks.GetDistances())
+  std::pair<double, double> part{0.0, 1.0};
+  for (const double sign : {1.0, -1.0})
   {
-    const Vector3 start = PlaceOf(landmarks, from);
-    const Vector3 end = PlaceOf(landmarks, to);
-    if (std::max(std::abs(slice.HeightOver(start)), std::abs(slice.HeightOver(end))) <
-        landmarks.GetRadius())
+    const double before = sign * from - reach; // positive: out of reach
+    const double after = sign * to - reach;
+    if (before > 0.0 && after > 0.0)
     {
-      const Vector3 a = slice.Projected(start);
-      const Vector3 b = slice.Projected(end);
-      drawing.Curves.push_back({{a, b}, false});
-      drawing.Labels.push_back({FixedText((end - start).norm(), 1) + " mm", 0.5 * (a + b)});
+      return {1.0, 0.0};
+    }
+    const double fraction = before / (before - after);
+    part.first = before > 0.0 ? std::max(part.first, fraction) : part.first;
+    part.second = after > 0.0 ? std::min(part.second, fraction) : part.second;
+  }
+  return part;
+}
+
+// The parts of a curve within reach of the slice, projected on it.
+std::vector<SurfaceCurve> PartsOf(const vtkLandmarks::Curve& curve, const SlicePosition& slice,
+                                  double reach)
+{
+  std::vector<SurfaceCurve> parts;
+  bool isGoingOn = false;
+  const std::size_t count = curve.Points.size();
+  for (std::size_t i = 0; i + 1 < count + (curve.IsClosed ? 1 : 0); ++i)
+  {
+    const Vector3 from(curve.Points[i].data());
+    const Vector3 to(curve.Points[(i + 1) % count].data());
+    const auto [first, last] = PartWithin(slice.HeightOver(from), slice.HeightOver(to), reach);
+    if (first > last)
+    {
+      isGoingOn = false;
+      continue;
+    }
+    if (!isGoingOn || first > 0.0)
+    {
+      parts.push_back({{slice.Projected(from + first * (to - from))}, false});
+    }
+    parts.back().Points.push_back(slice.Projected(from + last * (to - from)));
+    isGoingOn = last == 1.0;
+  }
+  return parts;
+}
+
+void AddCurves(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& drawing)
+{
+  const double reach = landmarks.GetRadius();
+  for (const vtkLandmarks::Curve& curve : landmarks.GetCurves())
+  {
+    const std::vector<SurfaceCurve> parts = PartsOf(curve, slice, reach);
+    if (!parts.empty())
+    {
+      const Vector3 place(curve.LabelWorld.data());
+      const bool isNear = std::abs(slice.HeightOver(place)) < reach;
+      drawing.Labels.push_back(
+          {curve.Label, isNear ? slice.Projected(place) : parts.front().Points.front()});
+      drawing.Curves.insert(drawing.Curves.end(), parts.begin(), parts.end());
     }
   }
 }
@@ -99,7 +140,7 @@ void LandmarksInSlice::Update(vtkLandmarks* landmarks, const SlicePosition& slic
     const double* shade = landmarks->GetColor();
     color = {{shade[0], shade[1], shade[2]}};
     AddSpheres(*landmarks, slice, drawing);
-    AddDistances(*landmarks, slice, drawing);
+    AddCurves(*landmarks, slice, drawing);
   }
   this->Marks.SetCurves(drawing.Curves, slice.Lift(LandmarkLayer));
   this->Marks.SetStyle(color, 1.0, LineWidth * slice.PointPixels);

@@ -10,8 +10,8 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// Landmarks within reach of a slice: cross-sections of their spheres with their names, and
-/// distances between two that are both within reach.
+/// Landmarks within reach of a slice: cross-sections of their spheres with their names, and the
+/// parts of curves within reach with their labels.
 class PALPATEINTERACTION_EXPORT LandmarksInSlice
 {
 public:

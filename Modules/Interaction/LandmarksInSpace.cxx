@@ -1,7 +1,5 @@
 #include "LandmarksInSpace.h"
 
-#include "DecimalText.h"
-
 #include "vtkLandmarks.h"
 
 #include "vtkGlyph3D.h"
@@ -15,7 +13,9 @@ namespace palpate
 namespace
 {
 constexpr int SphereResolution = 16;
-constexpr double LineWidth = 2.0; // pixels
+constexpr double LineWidth = 2.0;  // pixels
+constexpr double TubeShare = 0.15; // of the spheres' radius
+constexpr int TubeSides = 8;
 } // namespace
 
 LandmarksInSpace::LandmarksInSpace()
@@ -31,11 +31,19 @@ LandmarksInSpace::LandmarksInSpace()
   mapper->ScalarVisibilityOff();
   this->Spheres->SetMapper(mapper);
   this->Spheres->PickableOff();
+  this->Tube->SetInputData(this->Lines.Data());
+  this->Tube->SetNumberOfSides(TubeSides);
+  vtkNew<vtkPolyDataMapper> tubeMapper;
+  tubeMapper->SetInputConnection(this->Tube->GetOutputPort());
+  tubeMapper->ScalarVisibilityOff();
+  this->Tubes->SetMapper(tubeMapper);
+  this->Tubes->GetProperty()->LightingOff();
+  this->Tubes->PickableOff();
 }
 
 void LandmarksInSpace::SetRenderer(vtkRenderer* renderer)
 {
-  for (vtkActor* actor : {this->Spheres.Get(), this->Distances.Actor()})
+  for (vtkActor* actor : {this->Spheres.Get(), this->Lines.Actor(), this->Tubes.Get()})
   {
     if (this->Renderer != nullptr)
     {
@@ -53,9 +61,11 @@ void LandmarksInSpace::SetRenderer(vtkRenderer* renderer)
 void LandmarksInSpace::Update(vtkLandmarks* landmarks)
 {
   const bool isShown = landmarks != nullptr && landmarks->GetNumberOfLandmarks() > 0;
+  const bool hasCurves = landmarks != nullptr && !landmarks->GetCurves().empty();
   this->Spheres->SetVisibility(isShown ? 1 : 0);
-  this->Distances.SetVisible(isShown);
-  if (!isShown)
+  this->Lines.SetVisible(hasCurves);
+  this->Tubes->SetVisibility(hasCurves ? 1 : 0);
+  if (!isShown && !hasCurves)
   {
     this->Labels.Update({}, {});
     return;
@@ -68,19 +78,26 @@ void LandmarksInSpace::Update(vtkLandmarks* landmarks)
     labels.push_back({landmark.Name, Vector3(landmark.PositionWorld.data())});
   }
   std::vector<SurfaceCurve> lines;
-  for (const auto& [from, to] : landmarks->GetDistances())
+  for (const vtkLandmarks::Curve& curve : landmarks->GetCurves())
   {
-    const Vector3 a = labels[static_cast<std::size_t>(from)].PositionWorld;
-    const Vector3 b = labels[static_cast<std::size_t>(to)].PositionWorld;
-    lines.push_back({{a, b}, false});
-    labels.push_back({FixedText((b - a).norm(), 1) + " mm", 0.5 * (a + b)});
+    SurfaceCurve line;
+    line.IsClosed = curve.IsClosed;
+    for (const std::array<double, 3>& point : curve.Points)
+    {
+      line.Points.emplace_back(point.data());
+    }
+    lines.push_back(line);
+    labels.push_back({curve.Label, Vector3(curve.LabelWorld.data())});
   }
-  const double* color = landmarks->GetColor();
+  const double* shade = landmarks->GetColor();
+  const std::array<double, 3> color{{shade[0], shade[1], shade[2]}};
   this->Places->SetPoints(points);
   this->Sphere->SetRadius(landmarks->GetRadius());
   this->Spheres->GetProperty()->SetColor(landmarks->GetColor());
-  this->Distances.SetCurves(lines, Vector3::Zero());
-  this->Distances.SetStyle({{color[0], color[1], color[2]}}, 1.0, LineWidth);
-  this->Labels.Update(labels, {{color[0], color[1], color[2]}});
+  this->Lines.SetCurves(lines, Vector3::Zero());
+  this->Lines.SetStyle(color, 1.0, LineWidth);
+  this->Tube->SetRadius(TubeShare * landmarks->GetRadius());
+  this->Tubes->GetProperty()->SetColor(landmarks->GetColor());
+  this->Labels.Update(labels, color);
 }
 } // namespace palpate

@@ -5,13 +5,15 @@
 #include "PointLabels.h"
 
 #include "vtkSphereSource.h"
+#include "vtkTubeFilter.h"
 
 class vtkLandmarks;
 class vtkRenderer;
 
 namespace palpate
 {
-/// Landmarks as spheres with their names, distances as lines.
+/// Landmarks as spheres with their names, curves as lines within thin tubes, which are seen also
+/// where a curve lies in a surface.
 class PALPATEINTERACTION_EXPORT LandmarksInSpace
 {
 public:
@@ -27,7 +29,9 @@ private:
   vtkNew<vtkPolyData> Places;
   vtkNew<vtkSphereSource> Sphere;
   vtkNew<vtkActor> Spheres;
-  CurveActor Distances;
+  CurveActor Lines;
+  vtkNew<vtkTubeFilter> Tube;
+  vtkNew<vtkActor> Tubes;
   PointLabels Labels;
 };
 } // namespace palpate

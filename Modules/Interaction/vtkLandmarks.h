@@ -1,9 +1,10 @@
 /**
  * @class vtkLandmarks
- * @brief named points and distances between them, shared by linked views
+ * @brief named points, distances between them and labelled curves, shared by linked views
  *
  * In 3D a landmark is a small sphere, in slices its cross-section: visible if the slice passes
- * within Radius of it. A distance is a straight line between two landmarks with its length in mm.
+ * within Radius of it. A curve is a line through points with a label; slices show its parts within
+ * Radius. A distance is a curve between two landmarks with its length in mm as its label.
  */
 #ifndef vtkLandmarks_h
 #define vtkLandmarks_h
@@ -11,10 +12,11 @@
 #include "PalpateInteractionModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <array>   // For points
-#include <string>  // For names
-#include <utility> // For distances
-#include <vector>  // For both
+#include <array>  // For points
+#include <string> // For names
+#include <vector> // For points
+
+class vtkPoints;
 
 class PALPATEINTERACTION_EXPORT vtkLandmarks : public vtkObject
 {
@@ -31,6 +33,10 @@ public:
   }
   /** Between two landmarks. Returns false for unknown numbers. */
   bool AddDistance(int from, int to);
+  /** Through at least two points (world, mm), such as a measured length; closed, also from the last
+   * one to the first. The label is drawn at `labelPlace`. Returns false for fewer points, and for
+   * non-finite places. */
+  bool AddCurve(const char* label, const double labelPlace[3], vtkPoints* points, bool isClosed);
   void RemoveAll();
 
   int GetNumberOfLandmarks();
@@ -55,9 +61,17 @@ public:
   {
     return this->Landmarks;
   }
-  const std::vector<std::pair<int, int>>& GetDistances() const
+  struct Curve
   {
-    return this->Distances;
+    std::string Label;
+    std::array<double, 3> LabelWorld;
+    std::vector<std::array<double, 3>> Points;
+    bool IsClosed;
+  };
+  /** Distances are among them. */
+  const std::vector<Curve>& GetCurves() const
+  {
+    return this->Curves;
   }
 #endif
 
@@ -73,8 +87,8 @@ private:
   double Color[3] = {0.34, 0.71, 0.91};
 #ifndef __VTK_WRAP__
   std::vector<Landmark> Landmarks;
+  std::vector<Curve> Curves;
 #endif
-  std::vector<std::pair<int, int>> Distances;
 };
 
 #endif

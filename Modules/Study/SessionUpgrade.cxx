@@ -72,10 +72,38 @@ json StructureOf(json old, const json& segmentation, const json& field, const st
   TurnDial(dial, structure);
   return structure;
 }
+// What was a distance is a line. Anything else stays, to be refused.
+void MeasureDistances(json& root)
+{
+  if (!root.is_object() || !root.contains("distances") || !root["distances"].is_array())
+  {
+    return;
+  }
+  json lines = root.value("measurements", json::array());
+  for (json& distance : root["distances"])
+  {
+    if (!distance.is_object() || !lines.is_array())
+    {
+      return;
+    }
+    json line = {{"kind", "line"}, {"points", json::array()}};
+    for (const char* end : {"from_mm", "to_mm"})
+    {
+      json point = json::object();
+      Move(distance, end, point, "position_mm");
+      line["points"].push_back(point);
+    }
+    line.update(distance);
+    lines.push_back(line);
+  }
+  root["measurements"] = std::move(lines);
+  root.erase("distances");
+}
 } // namespace
 
 void UpgradeSession(json& root)
 {
+  MeasureDistances(root);
   const bool isFirst = root.is_object() &&
                        (root.contains("version") ? root["version"] == 1 : !root.contains("scene"));
   if (!isFirst)

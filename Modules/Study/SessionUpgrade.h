@@ -7,6 +7,7 @@
 namespace palpate
 {
 /// Converts a session of version 1 (0.1.0), whose scene entries stood next to its views under other
-/// names, to the present version. Leaves anything else unchanged.
+/// names and which had distances instead of measurements, to the present version. Leaves anything
+/// else unchanged.
 PALPATESTUDY_EXPORT void UpgradeSession(nlohmann::json& root);
 } // namespace palpate

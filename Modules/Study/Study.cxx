@@ -185,6 +185,15 @@ void Study::AddScene(const std::filesystem::path& file, const SceneSettings& sce
   this->ChangeByFile("Open the scene " + file.filename().string(), WithScene(this->State(), scene));
 }
 
+void Study::AddMarkups(const std::filesystem::path& file, const StudyMarkups& markups)
+{
+  StudyState next = this->State();
+  next.Landmarks.insert(next.Landmarks.end(), markups.Landmarks.begin(), markups.Landmarks.end());
+  next.Measurements.insert(next.Measurements.end(), markups.Measurements.begin(),
+                           markups.Measurements.end());
+  this->ChangeByFile("Open " + file.filename().string(), next);
+}
+
 void Study::RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved)
 {
   this->Change("Find " + missing.filename().string(), Relocate(this->State(), missing, moved));

@@ -5,6 +5,7 @@
 #include "StudyDrillFiles.h"
 #include "StudyHistory.h"
 #include "StudyJobs.h"
+#include "StudyMarkups.h"
 #include "StudyPipeline.h"
 #include "StudyReplay.h"
 #include "StudyTouch.h"
@@ -86,6 +87,8 @@ public:
   /// before, with resolved labels (see ReadWholeScene).
   void OpenScene(const std::filesystem::path& file);
   void AddScene(const std::filesystem::path& file, const SceneSettings& scene);
+  /// Adds landmarks and measurements that were read from `file`; an undo step.
+  void AddMarkups(const std::filesystem::path& file, const StudyMarkups& markups);
   /// See Relocate; an undo step.
   void RelocateFile(const std::filesystem::path& missing, const std::filesystem::path& moved);
 

@@ -5,6 +5,7 @@
 #include "Refusal.h"
 #include "SceneFile.h"
 #include "StudyJson.h"
+#include "StudyMarkups.h"
 #include "StudyPaths.h"
 #include "SurfaceFile.h"
 #include "TouchTicksFile.h"
@@ -92,6 +93,10 @@ std::optional<StudyFileRole> RoleByName(const std::filesystem::path& file)
       name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
   {
     return StudyFileRole::Session;
+  }
+  if (IsMarkupsFile(file))
+  {
+    return StudyFileRole::Markups;
   }
   if (IsSceneFile(file))
   {

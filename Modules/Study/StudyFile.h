@@ -48,13 +48,14 @@ enum class StudyFileRole
   Segmentation,
   Volume,
   Recording, ///< a recorded touch
+  Markups,   ///< landmarks and measurements
   Scene,
   Model,
   Surface
 };
 
-/// The role of a session, scene, model or surface, which only its name tells; none for images and
-/// recordings. Does not open the file.
+/// The role of a session, scene, model, surface or markups file, which only its name tells; none
+/// for images and recordings. Does not open the file.
 PALPATESTUDY_EXPORT std::optional<StudyFileRole> RoleByName(const std::filesystem::path& file);
 
 /// Determined by its name, otherwise by its content, as in `palpate info`. Reads the whole file.

@@ -58,10 +58,11 @@ void WriteStudyFiles(const StudyState& state, const StudyPipeline& pipeline,
                    {
                      WriteWholeFile(stage / "scene.json", SceneText(state, folder));
                    }
-                   if (!state.Landmarks.empty() || !state.Distances.empty())
+                   const StudyMarkups markups = MarkupsOf(state);
+                   if (!markups.IsEmpty())
                    {
-                     WriteMarkups(stage / "markups.mrk.json", state.Landmarks, state.Distances);
-                     WriteMarkups(stage / "markups.csv", state.Landmarks, state.Distances);
+                     WriteMarkups(stage / "markups.mrk.json", markups);
+                     WriteMarkups(stage / "markups.csv", markups);
                    }
                  });
 }

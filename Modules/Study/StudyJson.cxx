@@ -20,6 +20,8 @@ constexpr double LeastErrorScale = 1e-6; // mm
 
 const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 const std::initializer_list<const char*> MixingWords{"blend", "checkerboard", "curtain"};
+const std::initializer_list<const char*> MeasurementWords{
+    "line", "angle", "curve", "surface-curve", "plane", "gap", "thickness"};
 const std::initializer_list<const char*> ColorWords{"grey", "hot",   "blue-to-yellow",
                                                     "red",  "green", "blue"};
 const std::initializer_list<const char*> PresetWords{"ct-bone", "ct-soft-tissue", "mr",
@@ -41,11 +43,33 @@ void ExchangeLandmark(JsonFields& fields, StudyLandmark& landmark)
   fields.Exchange("position_mm", landmark.PositionWorld, -LargestPlace, LargestPlace);
 }
 
-void ExchangeDistance(JsonFields& fields, StudyDistance& distance)
+void ExchangePlace(JsonFields& fields, Vector3& place)
 {
-  fields.Exchange("name", distance.Name);
-  fields.Exchange("from_mm", distance.FromWorld, -LargestPlace, LargestPlace);
-  fields.Exchange("to_mm", distance.ToWorld, -LargestPlace, LargestPlace);
+  fields.Exchange("position_mm", place, -LargestPlace, LargestPlace);
+}
+
+void ExchangeMeasurement(JsonFields& fields, StudyMeasurement& measurement)
+{
+  fields.Exchange("name", measurement.Name);
+  fields.Exchange("kind", measurement.Kind, MeasurementWords);
+  fields.ExchangeList("points", measurement.PointsWorld, ExchangePlace);
+  if (fields.IsReading() || !measurement.PathWorld.empty())
+  {
+    fields.ExchangeList("path", measurement.PathWorld, ExchangePlace);
+  }
+  fields.ExchangeIfSet("structure", measurement.StructureId, 0, std::numeric_limits<int>::max());
+  fields.ExchangeIfSet("open", measurement.IsOpen);
+  fields.Require(HasValidPoints(measurement),
+                 "cannot be read: " + fields.Place() + " does not have the points of its kind",
+                 "correct it there, or remove it from \"measurements\"");
+}
+
+void ExchangeMeasurements(JsonFields& fields, std::vector<StudyMeasurement>& measurements)
+{
+  fields.ExchangeList("measurements", measurements, ExchangeMeasurement);
+  const auto open = std::count_if(measurements.begin(), measurements.end(),
+                                  [](const StudyMeasurement& one) { return one.IsOpen; });
+  fields.Require(open <= 1, "has two open measurements", "set \"open\" in one of them only");
 }
 
 void ExchangeRendering(JsonFields& fields, StudyRendering& rendering)
@@ -109,7 +133,7 @@ void ExchangeStudy(JsonFields& fields, StudyState& state, std::filesystem::path&
   fields.ExchangeIfSet("drilled", drilled);
   fields.ExchangeObject("scene", state, ExchangeScene);
   fields.ExchangeList("landmarks", state.Landmarks, ExchangeLandmark);
-  fields.ExchangeList("distances", state.Distances, ExchangeDistance);
+  ExchangeMeasurements(fields, state.Measurements);
   fields.ExchangeObject("view", state.View, ExchangeView);
   fields.RefuseOthers();
 }

@@ -2,9 +2,11 @@
 
 #include "CsvText.h"
 #include "DecimalText.h"
+#include "PointMeasures.h"
 #include "Refusal.h"
 #include "WholeFile.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace palpate
@@ -23,51 +25,86 @@ bool EndsWith(const std::string& text, const std::string& end)
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-OrderedJson ControlPoint(const std::string& id, const std::string& label, const Vector3& place)
+OrderedJson Triple(const Vector3& vector)
 {
-  return {{"id", id}, {"label", label}, {"position", {place[0], place[1], place[2]}}};
+  return {vector[0], vector[1], vector[2]};
 }
 
-OrderedJson Markup(const char* type, OrderedJson points)
+OrderedJson NewMarkup(const char* type, const std::string& name)
 {
   return {{"type", type},
+          {"name", name},
           {"coordinateSystem", "LPS"},
           {"coordinateUnits", "mm"},
-          {"controlPoints", std::move(points)}};
+          {"controlPoints", OrderedJson::array()}};
 }
 
-OrderedJson PointsOf(const std::vector<StudyLandmark>& landmarks)
+void AddControlPoint(OrderedJson& markup, const std::string& label, const Vector3& place)
 {
-  OrderedJson points = OrderedJson::array();
-  for (const StudyLandmark& landmark : landmarks)
+  OrderedJson& points = markup["controlPoints"];
+  points.push_back({{"id", std::to_string(points.size() + 1)},
+                    {"label", label},
+                    {"position", Triple(place)},
+                    {"positionStatus", "defined"}});
+}
+
+const char* TypeOf(MeasurementKind kind)
+{
+  switch (kind)
   {
-    points.push_back(
-        ControlPoint(std::to_string(points.size() + 1), landmark.Name, landmark.PositionWorld));
+  case MeasurementKind::Angle:
+    return "Angle";
+  case MeasurementKind::Curve:
+  case MeasurementKind::SurfaceCurve:
+    return "Curve";
+  case MeasurementKind::Plane:
+    return "Plane";
+  default:
+    return "Line";
   }
-  return Markup("Fiducial", std::move(points));
 }
 
-OrderedJson LineOf(const StudyDistance& distance)
+OrderedJson MarkupOf(const StudyMeasurement& measurement)
 {
-  OrderedJson line = Markup("Line", {ControlPoint("1", distance.Name + "-1", distance.FromWorld),
-                                     ControlPoint("2", distance.Name + "-2", distance.ToWorld)});
-  line["measurements"] = OrderedJson::array(
-      {{{"name", "length"}, {"enabled", true}, {"value", distance.Length()}, {"units", "mm"}}});
-  return line;
+  OrderedJson markup = NewMarkup(TypeOf(measurement.Kind), measurement.Name);
+  for (const Vector3& place : measurement.Line())
+  {
+    AddControlPoint(
+        markup, measurement.Name + "-" + std::to_string(markup["controlPoints"].size() + 1), place);
+  }
+  const std::vector<Vector3>& points = measurement.PointsWorld;
+  if (measurement.Kind == MeasurementKind::Plane)
+  {
+    markup["planeType"] = "threePoints";
+    markup["center"] = Triple(LabelPlaceOf(measurement));
+    markup["normal"] = Triple(PlaneNormal(points[0], points[1], points[2]));
+  }
+  if (const std::optional<double> value = ValueOf(measurement))
+  {
+    const char* name = measurement.Kind == MeasurementKind::Angle ? "angle" : "length";
+    markup["measurements"] = OrderedJson::array({{{"name", name},
+                                                  {"enabled", true},
+                                                  {"value", *value},
+                                                  {"units", UnitOf(measurement.Kind)}}});
+  }
+  return markup;
 }
 
-std::string SlicerText(const std::filesystem::path& path,
-                       const std::vector<StudyLandmark>& landmarks,
-                       const std::vector<StudyDistance>& distances)
+std::string SlicerText(const std::filesystem::path& path, const StudyMarkups& all)
 {
   OrderedJson markups = OrderedJson::array();
-  if (!landmarks.empty())
+  if (!all.Landmarks.empty())
   {
-    markups.push_back(PointsOf(landmarks));
+    OrderedJson list = NewMarkup("Fiducial", "Landmarks");
+    for (const StudyLandmark& landmark : all.Landmarks)
+    {
+      AddControlPoint(list, landmark.Name, landmark.PositionWorld);
+    }
+    markups.push_back(std::move(list));
   }
-  for (const StudyDistance& distance : distances)
+  for (const StudyMeasurement& measurement : all.Measurements)
   {
-    markups.push_back(LineOf(distance));
+    markups.push_back(MarkupOf(measurement));
   }
   try
   {
@@ -79,45 +116,62 @@ std::string SlicerText(const std::filesystem::path& path,
   }
 }
 
-std::string TableOf(const std::vector<StudyLandmark>& landmarks,
-                    const std::vector<StudyDistance>& distances)
+std::string TableLine(const std::string& kind, const std::string& name, std::size_t number,
+                      const Vector3& place, const std::string& value, const std::string& unit)
 {
-  std::string text = CsvLine(
-      {"kind", "name", "x_mm", "y_mm", "z_mm", "to_x_mm", "to_y_mm", "to_z_mm", "length_mm"});
-  for (const StudyLandmark& landmark : landmarks)
+  return CsvLine({kind, name, std::to_string(number), ExactText(place[0]), ExactText(place[1]),
+                  ExactText(place[2]), value, unit});
+}
+
+std::string TableOf(const StudyMarkups& all)
+{
+  std::string text = CsvLine({"kind", "name", "point", "x_mm", "y_mm", "z_mm", "value", "unit"});
+  for (const StudyLandmark& landmark : all.Landmarks)
   {
-    const Vector3& at = landmark.PositionWorld;
-    text += CsvLine({"landmark", landmark.Name, ExactText(at[0]), ExactText(at[1]),
-                     ExactText(at[2]), "", "", "", ""});
+    text += TableLine("Landmark", landmark.Name, 1, landmark.PositionWorld, "", "");
   }
-  for (const StudyDistance& distance : distances)
+  for (const StudyMeasurement& measurement : all.Measurements)
   {
-    const Vector3& from = distance.FromWorld;
-    const Vector3& to = distance.ToWorld;
-    text += CsvLine({"distance", distance.Name, ExactText(from[0]), ExactText(from[1]),
-                     ExactText(from[2]), ExactText(to[0]), ExactText(to[1]), ExactText(to[2]),
-                     ExactText(distance.Length())});
+    const std::optional<double> value = ValueOf(measurement);
+    std::size_t number = 0;
+    for (const Vector3& place : measurement.PointsWorld)
+    {
+      text += TableLine(NameOf(measurement.Kind), measurement.Name, ++number, place,
+                        value ? ExactText(*value) : "", value ? UnitOf(measurement.Kind) : "");
+    }
   }
   return text;
 }
 } // namespace
 
-void WriteMarkups(const std::filesystem::path& path, const std::vector<StudyLandmark>& landmarks,
-                  const std::vector<StudyDistance>& distances)
+StudyMarkups MarkupsOf(const StudyState& state)
 {
-  if (landmarks.empty() && distances.empty())
+  StudyMarkups markups{state.Landmarks, {}};
+  std::copy_if(state.Measurements.begin(), state.Measurements.end(),
+               std::back_inserter(markups.Measurements),
+               [](const StudyMeasurement& one) { return !one.IsOpen; });
+  return markups;
+}
+
+bool IsMarkupsFile(const std::filesystem::path& file)
+{
+  return EndsWith(file.filename().string(), ".mrk.json");
+}
+
+void WriteMarkups(const std::filesystem::path& path, const StudyMarkups& markups)
+{
+  if (markups.IsEmpty())
   {
     Refuse(path, "was not written, since there are no markups",
-           "place a landmark or a distance first");
+           "place a landmark or a measurement first");
   }
-  const std::string name = path.filename().string();
-  if (EndsWith(name, ".mrk.json"))
+  if (IsMarkupsFile(path))
   {
-    WriteWholeFile(path, SlicerText(path, landmarks, distances));
+    WriteWholeFile(path, SlicerText(path, markups));
   }
-  else if (EndsWith(name, ".csv"))
+  else if (EndsWith(path.filename().string(), ".csv"))
   {
-    WriteWholeFile(path, TableOf(landmarks, distances));
+    WriteWholeFile(path, TableOf(markups));
   }
   else
   {

@@ -3,6 +3,7 @@
 #include "FileStamp.h"
 #include "ModelFile.h"
 #include "SceneReading.h"
+#include "StudyMarkupsReader.h"
 #include "StudyStructures.h"
 
 #include <utility>
@@ -98,6 +99,18 @@ void StudyOpening::AddStructure(const std::filesystem::path& file, Outcome outco
       {
         make({}, progress);
         return Taking([this, file] { this->Open.AddStructure(file); });
+      },
+      std::move(outcome));
+}
+
+void StudyOpening::AddMarkups(const std::filesystem::path& file, Outcome outcome)
+{
+  this->Read(
+      SceneStep::Structures,
+      [this, file](const ProgressFunction&)
+      {
+        return Taking([this, file, markups = ReadMarkups(file)]
+                      { this->Open.AddMarkups(file, markups); });
       },
       std::move(outcome));
 }

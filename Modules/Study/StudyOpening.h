@@ -32,6 +32,7 @@ public:
   void OpenSegmentation(const std::filesystem::path& file, Outcome outcome);
   void AddStructure(const std::filesystem::path& file, Outcome outcome);
   void OpenScene(const std::filesystem::path& file, Outcome outcome);
+  void AddMarkups(const std::filesystem::path& file, Outcome outcome);
 
   bool IsReading() const { return !this->Reading.empty(); }
   /// Whether and how far a file of this step (Volume, Segmentation, ...) is being read; not wanted

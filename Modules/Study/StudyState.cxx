@@ -12,11 +12,6 @@ auto Fields(const StudyLandmark& l)
   return std::tie(l.Name, l.PositionWorld);
 }
 
-auto Fields(const StudyDistance& d)
-{
-  return std::tie(d.Name, d.FromWorld, d.ToWorld);
-}
-
 auto Fields(const StudyView& v)
 {
   return std::tie(v.CrosshairWorld, v.Window, v.Level, v.Layout, v.OverlayOpacity, v.UsesVolumeAxes,
@@ -32,16 +27,11 @@ auto Fields(const StudyVolume& v)
 auto Fields(const StudyState& s)
 {
   return std::tie(s.VolumeFile, s.DicomSeries, s.Rendering, s.Volumes, s.SegmentationFile,
-                  s.Landmarks, s.Distances, s.View);
+                  s.Landmarks, s.Measurements, s.View);
 }
 } // namespace
 
 bool operator==(const StudyLandmark& a, const StudyLandmark& b)
-{
-  return Fields(a) == Fields(b);
-}
-
-bool operator==(const StudyDistance& a, const StudyDistance& b)
 {
   return Fields(a) == Fields(b);
 }

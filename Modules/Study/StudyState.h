@@ -2,6 +2,7 @@
 
 #include "PalpateStudyModule.h"
 #include "SceneSettings.h"
+#include "StudyMeasurement.h"
 #include "VolumeColors.h"
 #include "VolumePreset.h"
 
@@ -18,16 +19,6 @@ struct StudyLandmark
 {
   std::string Name;
   Vector3 PositionWorld = Vector3::Zero();
-};
-
-/// A line between two points; mm, patient LPS.
-struct StudyDistance
-{
-  std::string Name;
-  Vector3 FromWorld = Vector3::Zero();
-  Vector3 ToWorld = Vector3::Zero();
-
-  double Length() const { return (this->ToWorld - this->FromWorld).norm(); } ///< mm
 };
 
 /// How a volume is drawn in the 3-D view, beside the surfaces.
@@ -86,12 +77,11 @@ struct StudyState : SceneSettings
   std::filesystem::path SegmentationFile; ///< its labels are overlaid on the slices
 
   std::vector<StudyLandmark> Landmarks;
-  std::vector<StudyDistance> Distances;
+  std::vector<StudyMeasurement> Measurements; ///< at most one is open
   StudyView View;
 };
 
 PALPATESTUDY_EXPORT bool operator==(const StudyLandmark& a, const StudyLandmark& b);
-PALPATESTUDY_EXPORT bool operator==(const StudyDistance& a, const StudyDistance& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyRendering& a, const StudyRendering& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyVolume& a, const StudyVolume& b);
 PALPATESTUDY_EXPORT bool operator==(const StudyView& a, const StudyView& b);

@@ -38,8 +38,9 @@ QString SceneFilter()
 
 QString AnyFilter()
 {
-  return QString::fromStdString("All known files (*.palpate.json *.touch " + ScenePatterns() + " " +
-                                PatternsOf(ReadableImageEndings()) + ");;All files (*)");
+  return QString::fromStdString("All known files (*.palpate.json *.mrk.json *.touch " +
+                                ScenePatterns() + " " + PatternsOf(ReadableImageEndings()) +
+                                ");;All files (*)");
 }
 
 std::filesystem::path PathOf(const QString& file)

@@ -24,7 +24,8 @@ constexpr const char* MouseText =
     "from "
     "you; with Ctrl or Shift the mouse moves the camera. With Move workspace on, a left drag moves "
     "the device's workspace, and the wheel moves it in depth.</p>"
-    "<p><b>D</b>, held: drills. <b>Esc</b> stops all force, anywhere in the program.</p>";
+    "<p><b>Return</b>, in a view: ends a curve that is measured. <b>D</b>, held: drills. "
+    "<b>Esc</b> stops all force, anywhere in the program.</p>";
 
 void Show(QWidget* window, const QString& title, const QString& html)
 {

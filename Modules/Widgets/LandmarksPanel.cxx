@@ -4,8 +4,11 @@
 #include "StudyMarkups.h"
 #include "ToolIcon.h"
 
+#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include <algorithm>
 #include <set>
@@ -15,6 +18,7 @@ namespace palpate
 namespace
 {
 constexpr int MarkNameColumn = 0;
+constexpr int FirstPlaceColumn = 4;
 
 QTableWidgetItem* FixedItem(const QString& text)
 {
@@ -23,15 +27,34 @@ QTableWidgetItem* FixedItem(const QString& text)
   return item;
 }
 
-void FillRow(QTableWidget* table, int row, const std::string& name, const Vector3& place,
-             const QString& length)
+void FillMarkRow(QTableWidget* table, int row, const std::string& name, const QStringList& facts,
+                 const Vector3& place)
 {
   table->setItem(row, MarkNameColumn, new QTableWidgetItem(QString::fromStdString(name)));
+  for (int i = 0; i < facts.size(); ++i)
+  {
+    table->setItem(row, MarkNameColumn + 1 + i, FixedItem(facts[i]));
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    table->setItem(row, 1 + axis, FixedItem(QString::number(place[axis], 'f', 2)));
+    table->setItem(row, FirstPlaceColumn + axis, FixedItem(QString::number(place[axis], 'f', 2)));
   }
-  table->setItem(row, 4, FixedItem(length));
+}
+
+// Kind, value and unit.
+QStringList FactsOf(const StudyMeasurement& measurement)
+{
+  QString kind = NameOf(measurement.Kind);
+  if (measurement.IsOpen)
+  {
+    const std::size_t wanted = PointCountOf(measurement.Kind);
+    const QString count = QString::number(measurement.PointsWorld.size());
+    kind += wanted == 0 ? QString(" (open, %1 points)").arg(count)
+                        : QString(" (%1 of %2 points)").arg(count).arg(wanted);
+  }
+  const std::optional<double> value = ValueOf(measurement);
+  return {kind, value ? QString::number(*value, 'f', 2) : QString(),
+          value ? UnitOf(measurement.Kind) : ""};
 }
 
 bool IsOfPoints(const GuideSettings& guide)
@@ -40,67 +63,122 @@ bool IsOfPoints(const GuideSettings& guide)
 }
 } // namespace
 
-LandmarksPanel::LandmarksPanel(StudyController& study, const FileQuestions& questions,
-                               QWidget* parent)
-    : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(0, 5, this)),
-      AddMode(new QAction("Add landmarks by click", this))
+LandmarksPanel::LandmarksPanel(StudyController& study, ViewContents& contents,
+                               const FileQuestions& questions, QWidget* parent)
+    : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(0, 7, this)),
+      Points(new MarkPlacer(study, contents, this)),
+      AddMode(new QAction("Add landmarks by click", this)),
+      AddTouched(new QAction("Place where touched", this)),
+      EndCurve(new QAction("End curve", this)), Next(new QComboBox(this)),
+      Guide(new QComboBox(this)), Value(new QLabel(this))
 {
   this->Table->setObjectName("landmarks");
-  this->Table->setHorizontalHeaderLabels({"Name", "L, mm", "P, mm", "S, mm", "Length, mm"});
+  this->Table->setHorizontalHeaderLabels(
+      {"Name", "Kind", "Value", "Unit", "L, mm", "P, mm", "S, mm"});
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   this->Table->verticalHeader()->hide();
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  this->Value->setObjectName("live-value");
+  this->Value->setTextFormat(Qt::PlainText);
+  this->MakeActions();
+  this->MakeChoice();
+  this->MakeGuide();
+  auto* list = new QVBoxLayout;
+  list->addWidget(this->Table, 1);
+  list->addWidget(this->Value);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 2, 4, 2);
-  row->addWidget(this->Table, 1);
-  this->MakeButtons();
+  row->addLayout(list, 1);
+  row->addWidget(this->MakeButtons());
   connect(this->Table, &QTableWidget::itemChanged, this, &LandmarksPanel::TakeEdit);
   connect(this->Table, &QTableWidget::cellDoubleClicked, this,
-          [this](int chosen)
-          {
-            const auto& marks = this->Study.State().Landmarks;
-            const auto place = static_cast<std::size_t>(chosen);
-            if (place < marks.size())
-            {
-              Q_EMIT Chosen(marks[place].PositionWorld);
-            }
-          });
+          [this](int chosen) { this->ShowPlaceOf(static_cast<std::size_t>(chosen)); });
   connect(&study, &StudyController::StateChanged, this, &LandmarksPanel::ShowState);
+  connect(this->Points, &MarkPlacer::Previewed, this, &LandmarksPanel::ShowPreview);
   this->ShowState();
 }
 
-void LandmarksPanel::MakeButtons()
+void LandmarksPanel::MakeActions()
 {
   this->AddMode->setCheckable(true);
   this->AddMode->setShortcut(QString("A"));
   this->AddMode->setIcon(ToolIcon(ToolSign::Landmark));
-  auto* mode = new QPushButton("Add by click (A)", this);
-  mode->setObjectName("add-landmarks");
+  this->AddTouched->setShortcut(QString("Shift+A"));
+  connect(this->AddTouched, &QAction::triggered, this->Points, &MarkPlacer::PlaceWhereTouched);
+  // Of the views only: elsewhere the key ends an input.
+  this->EndCurve->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
+  this->EndCurve->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(this->EndCurve, &QAction::triggered, this->Points, &MarkPlacer::End);
+}
+
+// After the first one, in the order of MeasurementKind.
+void LandmarksPanel::MakeChoice()
+{
+  this->Next->setObjectName("next-mark");
+  this->Next->addItem("Landmark");
+  for (int kind = 0; kind < MeasurementKindCount; ++kind)
+  {
+    this->Next->addItem(NameOf(static_cast<MeasurementKind>(kind)));
+  }
+  this->Next->setAccessibleName("What is placed next");
+  const QString tip =
+      "What a click or the tool's contact places: a landmark, or a point of a measurement. Curves "
+      "along a surface, distances of structures and thicknesses need structures that are displayed "
+      "as surfaces.";
+  this->Next->setToolTip(tip);
+  this->Next->setStatusTip(tip);
+  connect(this->Next, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this](int chosen) {
+            this->Points->Choose(chosen == 0 ? std::nullopt
+                                             : std::optional(MeasurementKind(chosen - 1)));
+          });
+}
+
+QPushButton* LandmarksPanel::MakeButton(const QString& text, const char* name)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(name);
+  return button;
+}
+
+QWidget* LandmarksPanel::MakeButtons()
+{
+  QPushButton* mode = this->MakeButton("Place by click (A)", "add-landmarks");
   mode->setCheckable(true);
   connect(mode, &QPushButton::toggled, this->AddMode, &QAction::setChecked);
   connect(this->AddMode, &QAction::toggled, mode, &QPushButton::setChecked);
-  auto* column = new QVBoxLayout;
-  column->addWidget(mode);
-  const auto add = [this, column](const QString& text, const char* name, auto act)
+  QPushButton* touched = this->MakeButton("Place where touched", "add-touched");
+  connect(touched, &QPushButton::clicked, this->AddTouched, &QAction::trigger);
+  QPushButton* end = this->MakeButton("End curve", "end-curve");
+  connect(end, &QPushButton::clicked, this->EndCurve, &QAction::trigger);
+  connect(this->EndCurve, &QAction::changed, end,
+          [this, end] { end->setEnabled(this->EndCurve->isEnabled()); });
+  QPushButton* distance = this->MakeButton("Distance of two", "add-distance");
+  connect(distance, &QPushButton::clicked, this, &LandmarksPanel::AddDistance);
+  QPushButton* remove = this->MakeButton("Remove", "remove-landmarks");
+  connect(remove, &QPushButton::clicked, this, &LandmarksPanel::Remove);
+  QPushButton* import = this->MakeButton("Import...", "import-landmarks");
+  connect(import, &QPushButton::clicked, this, &LandmarksPanel::Import);
+  QPushButton* save = this->MakeButton("Export...", "export-landmarks");
+  connect(save, &QPushButton::clicked, this, &LandmarksPanel::Export);
+  auto* buttons = new QWidget(this);
+  auto* grid = new QGridLayout(buttons);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setSpacing(2);
+  int place = 0;
+  for (QWidget* one : std::initializer_list<QWidget*>{this->Next, mode, end, touched, distance,
+                                                      remove, import, save, this->Guide})
   {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(name);
-    column->addWidget(button);
-    connect(button, &QPushButton::clicked, this, act);
-  };
-  add("Add where touched", "add-touched", &LandmarksPanel::AddAtProxy);
-  add("Distance of two", "add-distance", &LandmarksPanel::AddDistance);
-  add("Remove", "remove-landmarks", &LandmarksPanel::Remove);
-  add("Export...", "export-landmarks", &LandmarksPanel::Export);
-  this->MakeGuide(column);
-  column->addStretch(1);
-  this->layout()->addItem(column);
+    grid->addWidget(one, place / 2, place % 2);
+    ++place;
+  }
+  grid->setRowStretch(grid->rowCount(), 1);
+  return buttons;
 }
 
 // After the first one, in the order of GuideShape.
-void LandmarksPanel::MakeGuide(QVBoxLayout* column)
+void LandmarksPanel::MakeGuide()
 {
-  this->Guide = new QComboBox(this);
   this->Guide->setObjectName("guide");
   this->Guide->addItems(
       {"No guide", "Pull to a landmark", "Pull to the path", "Pull to the plane"});
@@ -111,7 +189,6 @@ void LandmarksPanel::MakeGuide(QVBoxLayout* column)
       "all";
   this->Guide->setToolTip(tip);
   this->Guide->setStatusTip(tip);
-  column->addWidget(this->Guide);
   connect(this->Guide, QOverload<int>::of(&QComboBox::activated), this,
           &LandmarksPanel::ChangeGuide);
 }
@@ -152,39 +229,36 @@ void LandmarksPanel::ShowState()
   const auto guide = std::find_if(state.Guides.begin(), state.Guides.end(), IsOfPoints);
   this->Guide->setCurrentIndex(guide == state.Guides.end() ? 0
                                                            : 1 + static_cast<int>(guide->Shape));
-  const int marks = static_cast<int>(state.Landmarks.size());
-  this->Table->setRowCount(marks + static_cast<int>(state.Distances.size()));
-  for (int m = 0; m < marks; ++m)
+  this->EndCurve->setEnabled(this->Points->HasOpenCurve());
+  this->Table->setRowCount(static_cast<int>(state.Landmarks.size() + state.Measurements.size()));
+  int row = 0;
+  for (const StudyLandmark& mark : state.Landmarks)
   {
-    const StudyLandmark& mark = state.Landmarks[static_cast<std::size_t>(m)];
-    FillRow(this->Table, m, mark.Name, mark.PositionWorld, {});
+    FillMarkRow(this->Table, row++, mark.Name, {"Landmark", "", ""}, mark.PositionWorld);
   }
-  for (int d = marks; d < this->Table->rowCount(); ++d)
+  for (const StudyMeasurement& measurement : state.Measurements)
   {
-    const StudyDistance& distance = state.Distances[static_cast<std::size_t>(d - marks)];
-    FillRow(this->Table, d, distance.Name, 0.5 * (distance.FromWorld + distance.ToWorld),
-            QString::number(distance.Length(), 'f', 2));
+    FillMarkRow(this->Table, row++, measurement.Name, FactsOf(measurement),
+                LabelPlaceOf(measurement));
   }
 }
 
-void LandmarksPanel::Add(const Vector3& pointWorld)
+void LandmarksPanel::ShowPreview(const QString& text)
 {
-  StudyState next = this->Study.State();
-  const std::string name = "F-" + std::to_string(next.Landmarks.size() + 1);
-  next.Landmarks.push_back({name, pointWorld});
-  this->Study.Change("Add the landmark " + QString::fromStdString(name), next);
+  this->Value->setText(text);
 }
 
-void LandmarksPanel::AddAtProxy()
+void LandmarksPanel::ShowPlaceOf(std::size_t row)
 {
-  if (this->Study.IsTouching())
+  const StudyState& state = this->Study.State();
+  const std::size_t marks = state.Landmarks.size();
+  if (row < marks)
   {
-    const PlainVector3& proxy = this->Study.Reading().Newest.ProxyWorld;
-    this->Add({proxy.X, proxy.Y, proxy.Z});
+    Q_EMIT Chosen(state.Landmarks[row].PositionWorld);
   }
-  else
+  else if (row < marks + state.Measurements.size())
   {
-    this->Study.Report("Touch is off: start touching to place landmarks at the tool's contact.");
+    Q_EMIT Chosen(LabelPlaceOf(state.Measurements[row - marks]));
   }
 }
 
@@ -209,8 +283,11 @@ void LandmarksPanel::AddDistance()
   }
   const StudyLandmark& from = next.Landmarks[rows.front()];
   const StudyLandmark& to = next.Landmarks[rows.back()];
-  next.Distances.push_back({from.Name + " to " + to.Name, from.PositionWorld, to.PositionWorld});
-  this->Study.Change("Measure " + QString::fromStdString(next.Distances.back().Name), next);
+  StudyMeasurement line;
+  line.Name = from.Name + " to " + to.Name;
+  line.PointsWorld = {from.PositionWorld, to.PositionWorld};
+  next.Measurements.push_back(line);
+  this->Study.Change("Measure " + QString::fromStdString(line.Name), next);
 }
 
 void LandmarksPanel::Remove()
@@ -223,14 +300,14 @@ void LandmarksPanel::Remove()
   {
     if (row >= marks)
     {
-      next.Distances.erase(next.Distances.begin() + static_cast<std::ptrdiff_t>(row - marks));
+      next.Measurements.erase(next.Measurements.begin() + static_cast<std::ptrdiff_t>(row - marks));
     }
     else
     {
       next.Landmarks.erase(next.Landmarks.begin() + static_cast<std::ptrdiff_t>(row));
     }
   }
-  this->Study.Change("Remove landmarks", next);
+  this->Study.Change("Remove landmarks and measurements", next);
 }
 
 void LandmarksPanel::TakeEdit(QTableWidgetItem* item)
@@ -238,21 +315,33 @@ void LandmarksPanel::TakeEdit(QTableWidgetItem* item)
   StudyState next = this->Study.State();
   const auto row = static_cast<std::size_t>(item->row());
   const std::size_t marks = next.Landmarks.size();
-  std::string& name = row < marks ? next.Landmarks[row].Name : next.Distances.at(row - marks).Name;
+  std::string& name =
+      row < marks ? next.Landmarks[row].Name : next.Measurements.at(row - marks).Name;
   name = item->text().toStdString();
-  this->Study.Change("Rename a landmark to " + item->text(), next);
+  this->Study.Change("Rename to " + item->text(), next);
+}
+
+void LandmarksPanel::Import()
+{
+  std::vector<std::filesystem::path> files;
+  for (const QString& file : this->Questions.ToOpen(this, "Import landmarks and measurements",
+                                                    "3D Slicer markups (*.mrk.json)"))
+  {
+    files.emplace_back(file.toStdString());
+  }
+  this->Study.OpenFiles(files);
 }
 
 void LandmarksPanel::Export()
 {
-  const QString file = this->Questions.ToSave(this, "Export landmarks", "landmarks.mrk.json",
-                                              "3D Slicer markups (*.mrk.json);;Table (*.csv)");
+  const QString file =
+      this->Questions.ToSave(this, "Export landmarks and measurements", "landmarks.mrk.json",
+                             "3D Slicer markups (*.mrk.json);;Table (*.csv)");
   if (!file.isEmpty())
   {
-    const StudyState& state = this->Study.State();
     const std::filesystem::path path = file.toStdString();
-    this->Study.Write(path, [path, marks = state.Landmarks, distances = state.Distances](
-                                const ProgressFunction&) { WriteMarkups(path, marks, distances); });
+    this->Study.Write(path, [path, marks = MarkupsOf(this->Study.State())](const ProgressFunction&)
+                      { WriteMarkups(path, marks); });
   }
 }
 } // namespace palpate

@@ -199,9 +199,9 @@ void MainWindow::MakePanels()
 {
   this->MakeColumn();
   this->Panels->addSeparator();
-  this->Marks = new LandmarksPanel(this->Study, this->Questions, this);
+  this->Marks = new LandmarksPanel(this->Study, this->Shown, this->Questions, this);
   QDockWidget* plots = this->AddPanel("Plots", new PlotsPanel(this->Study, this));
-  QDockWidget* marks = this->AddPanel("Landmarks", this->Marks);
+  QDockWidget* marks = this->AddPanel("Landmarks and measurements", this->Marks);
   this->tabifyDockWidget(plots, marks);
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
   connect(this->Marks->Tool(), &QAction::toggled, this,
@@ -213,6 +213,8 @@ void MainWindow::MakePanels()
               marks->raise();
             }
           });
+  this->Touching->addAction(this->Marks->TouchTool());
+  this->Grid->addAction(this->Marks->EndTool());
   auto* tools = new ToolRow(this->Study, this);
   tools->Add(this->Files->Tools());
   tools->Add(this->Viewing->Tools());
@@ -226,10 +228,9 @@ void MainWindow::ConnectViews()
   for (const SliceOrientation orientation : AllSliceOrientations)
   {
     SlicePane* slice = this->Grid->Slice(orientation);
-    connect(slice, &SlicePane::PointedAt, this,
-            [this](const Vector3& pointWorld)
-            { this->Status->ShowPoint(pointWorld, this->Shown.TextAt(pointWorld)); });
+    connect(slice, &SlicePane::PointedAt, this, &MainWindow::TakePointer);
     connect(slice, &SlicePane::PointerLeft, this->Status, &StatusLine::ClearPoint);
+    connect(slice, &SlicePane::PointerLeft, this->Marks->Placer(), &MarkPlacer::ClearPreview);
     connect(slice, &SlicePane::ClickedAt, this, &MainWindow::TakeClick);
   }
   connect(this->Grid->Space(), &ViewPane::Clicked, this,
@@ -257,11 +258,20 @@ void MainWindow::ConnectViews()
   connect(this->Touching->AlarmSound(), &QAction::toggled, link, &TouchLink::SoundAlarms);
 }
 
+void MainWindow::TakePointer(const Vector3& pointWorld)
+{
+  this->Status->ShowPoint(pointWorld, this->Shown.TextAt(pointWorld));
+  if (this->Marks->IsAdding())
+  {
+    this->Marks->Placer()->Preview(pointWorld);
+  }
+}
+
 void MainWindow::TakeClick(const Vector3& pointWorld)
 {
   if (this->Marks->IsAdding())
   {
-    this->Marks->Add(pointWorld);
+    this->Marks->Placer()->Place(pointWorld);
   }
 }
 

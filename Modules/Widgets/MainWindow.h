@@ -59,6 +59,7 @@ private:
   void ShowTitle();
   void ShowChange();
   void TakeView();
+  void TakePointer(const Vector3& pointWorld);
   void TakeClick(const Vector3& pointWorld);
   void TakeFile(const QString& file);
   void ShowCentre();

@@ -13,6 +13,7 @@
 #include "StudyCases.h"
 #include "StudyFile.h"
 #include "StudyJson.h"
+#include "StudyMarkupsReader.h"
 #include "TextMutator.h"
 
 namespace palpate::test
@@ -47,6 +48,21 @@ std::vector<std::string> StudySeeds()
   for (int i = 0; i < 3; ++i)
   {
     seeds.push_back(StudyText(RandomStudy(random), "/a", "/a/a.palpate.json"));
+  }
+  return seeds;
+}
+
+std::vector<std::string> MarkupsSeeds()
+{
+  Random random(4);
+  std::vector<std::string> seeds;
+  for (int i = 0; i < 3; ++i)
+  {
+    const StudyState state = RandomStudy(random);
+    StudyMarkups markups{state.Landmarks, state.Measurements};
+    markups.Landmarks.push_back({"apex", Vector3(1.0, 2.0, 3.0)});
+    seeds.push_back(WrittenBytes("a.mrk.json", [&](const std::filesystem::path& file)
+                                 { WriteMarkups(file, markups); }));
   }
   return seeds;
 }
@@ -179,12 +195,16 @@ std::vector<FuzzTarget> JsonTargets()
                    "texture_n",     "texture_image",  "scale",        "sphere",
                    "capsule",       "ellipsoid",      "cylinder",     "surface",
                    "points",        "radius_mm",      "semi_axes_mm", "stiffness_to_value"});
-  const Mutator study =
-      JsonMutator({"structures", "fit",       "tool",         "landmarks",   "distances",
-                   "view",       "placement", "field",        "drill",       "crosshair_mm",
-                   "window",     "level",     "center_mm",    "position_mm", "version",
-                   "color",      "volume",    "segmentation", "opacity",     "harmonics",
-                   "facets",     "sub-voxel", "automatic",    "camera",      "patient"});
+  const Mutator study = JsonMutator(
+      {"structures", "fit",         "tool",         "landmarks",    "distances", "view",
+       "placement",  "field",       "drill",        "crosshair_mm", "window",    "level",
+       "center_mm",  "position_mm", "version",      "color",        "volume",    "segmentation",
+       "opacity",    "harmonics",   "measurements", "points",       "kind",      "open",
+       "thickness",  "facets",      "sub-voxel",    "automatic",    "camera",    "patient"});
+  const Mutator markups =
+      JsonMutator({"markups", "type", "Fiducial", "Line", "Angle", "Curve", "ClosedCurve", "Plane",
+                   "RAS", "um", "normal", "center", "planeType", "controlPoints", "position",
+                   "positionStatus", "undefined", "label"});
   const Mutator script =
       JsonMutator({"start", "stop", "end-stroke", "undo", "redo", "reset", "time_s", "do"});
   return {FileTarget("scene", "a.scene.json", SceneSeeds(), scene,
@@ -193,6 +213,8 @@ std::vector<FuzzTarget> JsonTargets()
           FileTarget("study", "a.palpate.json", StudySeeds(), study,
                      [](const std::filesystem::path& file)
                      { StudyText(ReadStudy(file), file.parent_path(), file); }),
+          FileTarget("markups", "a.mrk.json", MarkupsSeeds(), markups,
+                     [](const std::filesystem::path& file) { ReadMarkups(file); }),
           FileTarget("drill-script", "a.json", {ScriptSeed()}, script,
                      [](const std::filesystem::path& file) { ReadDrillScript(file); })};
 }

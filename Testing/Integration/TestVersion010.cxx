@@ -66,7 +66,8 @@ TEST(Version010, SessionOpens)
   EXPECT_EQ(state.Rate, 2000.0);
   EXPECT_EQ(state.Placement.CenterWorld, Vector3(1.0, 2.0, 3.0));
   EXPECT_EQ(state.Landmarks.at(0).PositionWorld, Vector3(1.5, -2.25, 3.125));
-  EXPECT_EQ(state.Distances.at(0).Length(), 5.0);
+  EXPECT_EQ(state.Measurements.at(0).Kind, MeasurementKind::Line);
+  EXPECT_EQ(ValueOf(state.Measurements.at(0)), 5.0);
   EXPECT_EQ(state.View.Window, 200.0);
 }
 } // namespace

@@ -108,10 +108,29 @@ TEST(vtkLandmarks, RejectsNonFinitePositionsAndUnknownNumbers)
   EXPECT_TRUE(landmarks->AddDistance(0, 1));
   EXPECT_FALSE(landmarks->AddDistance(0, 2));
   EXPECT_FALSE(landmarks->AddDistance(-1, 0));
-  EXPECT_EQ(landmarks->GetDistances().size(), 1U);
+  ASSERT_EQ(landmarks->GetCurves().size(), 1U);
+  EXPECT_EQ(landmarks->GetCurves()[0].Label, "3.0 mm");
   landmarks->RemoveAll();
   EXPECT_EQ(landmarks->GetNumberOfLandmarks(), 0);
-  EXPECT_TRUE(landmarks->GetDistances().empty());
+  EXPECT_TRUE(landmarks->GetCurves().empty());
+}
+
+TEST(vtkLandmarks, CurveNeedsTwoFinitePoints)
+{
+  vtkNew<vtkLandmarks> landmarks;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->InsertNextPoint(1.0, 2.0, 3.0);
+  const double place[3] = {1.0, 2.0, 3.0};
+  EXPECT_FALSE(landmarks->AddCurve("a", place, points, false));
+  EXPECT_FALSE(landmarks->AddCurve("a", place, nullptr, false));
+  points->InsertNextPoint(4.0, 2.0, std::nan(""));
+  EXPECT_FALSE(landmarks->AddCurve("a", place, points, false));
+  points->SetPoint(1, 4.0, 2.0, 3.0);
+  EXPECT_TRUE(landmarks->AddCurve(nullptr, place, points, true));
+  const double nowhere[3] = {1.0, 2.0, std::nan("")};
+  EXPECT_FALSE(landmarks->AddCurve("a", nowhere, points, false));
+  EXPECT_EQ(landmarks->GetCurves().size(), 1U);
 }
 } // namespace
 } // namespace palpate::vtk_image_display_test

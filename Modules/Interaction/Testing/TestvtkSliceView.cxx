@@ -390,6 +390,43 @@ TEST_F(vtkSliceViewTest, ShowsLandmarksWithinReachOnly)
   EXPECT_EQ(radiusSeen(), 0.0);
 }
 
+// Oblique to the slice: as far to the right as above it.
+TEST_F(vtkSliceViewTest, DrawsThePartOfACurveWithinReach)
+{
+  vtkNew<vtkLandmarks> landmarks;
+  landmarks->SetColor(0.0, 1.0, 0.0);
+  landmarks->SetRadius(3.0);
+  const palpate::SlicePosition position = this->View->GetPosition();
+  const Vector3 along = position.Frame.TowardsViewerWorld + position.Frame.RightWorld;
+  const Vector3 right = position.Frame.RightWorld;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const double place : {-10.0, 4.0, 10.0})
+  {
+    points->InsertNextPoint(Vector3(position.CenterWorld + place * along).data());
+  }
+  ASSERT_TRUE(landmarks->AddCurve("", points->GetPoint(0), points, false));
+  this->View->SetLandmarks(landmarks);
+  this->View->Zoom(3.0, 0.5 * Width - 0.5, 0.5 * Height - 0.5);
+  const RasterImage image = this->Draw();
+  double least = 0.0;
+  double most = 0.0;
+  for (int y = 0; y < Height; ++y)
+  {
+    for (int x = 0; x < Width; ++x)
+    {
+      if (IsGreen(PixelAt(image, x, y)))
+      {
+        const double place = (this->WorldAt(x, y) - position.CenterWorld).dot(right);
+        least = std::min(least, place);
+        most = std::max(most, place);
+      }
+    }
+  }
+  EXPECT_NEAR(least, -3.0, 0.5);
+  EXPECT_NEAR(most, 3.0, 0.5);
+}
+
 TEST_F(vtkSliceViewTest, DrawsNothingWithoutContents)
 {
   vtkNew<vtkSliceView> empty;

@@ -495,6 +495,28 @@ TEST_F(vtkSpaceViewTest, DrawsLandmarksAsSpheresAndDistancesAsLines)
   EXPECT_TRUE(isLine());
 }
 
+// Its line lies in the surface, as a path along it does.
+TEST_F(vtkSpaceViewTest, DrawsCurvesThatLieInASurface)
+{
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 15.0));
+  this->Surface->SetColor(1.0, 0.0, 0.0);
+  this->View->AddSurface(this->Surface);
+  vtkNew<vtkLandmarks> landmarks;
+  landmarks->SetColor(0.0, 0.0, 1.0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  constexpr double Below = 14.99; // mm
+  for (double angle = -0.3; angle <= 0.3; angle += 0.02)
+  {
+    points->InsertNextPoint(0.0, -Below * std::cos(angle), Below * std::sin(angle));
+  }
+  ASSERT_TRUE(landmarks->AddCurve("", points->GetPoint(0), points, false));
+  this->View->SetLandmarks(landmarks);
+  const RasterImage raster = this->Draw();
+  EXPECT_TRUE(IsBlue(PixelAt(raster, 0.0, 0.0)));
+  EXPECT_TRUE(IsRed(PixelAt(raster, 2.0, 0.0)));
+}
+
 TEST_F(vtkSpaceViewTest, AntialiasingChangesOnlyEdges)
 {
   this->Surface->SetSurface(Sphere(Vector3::Zero(), 15.0));

@@ -190,6 +190,24 @@ inline StudyVolume RandomVolume(Random& random, int id)
   return volume;
 }
 
+inline StudyMeasurement RandomMeasurement(Random& random)
+{
+  StudyMeasurement measurement;
+  measurement.Kind = static_cast<MeasurementKind>(RandomWhole(random, 0, MeasurementKindCount - 1));
+  measurement.Name = RandomName(random);
+  const std::size_t count = PointCountOf(measurement.Kind);
+  for (std::size_t i = 0; i < (count == 0 ? 5 : count); ++i)
+  {
+    measurement.PointsWorld.push_back(RandomPlace(random));
+  }
+  if (measurement.Kind == MeasurementKind::SurfaceCurve)
+  {
+    measurement.PathWorld = {RandomPlace(random), RandomPlace(random)};
+    measurement.StructureId = RandomWhole(random, 1, 100);
+  }
+  return measurement;
+}
+
 /// Most entries differ from their defaults.
 inline StudyState RandomStudy(Random& random)
 {
@@ -203,8 +221,13 @@ inline StudyState RandomStudy(Random& random)
   {
     state.Structures.push_back(RandomStructure(random));
     state.Landmarks.push_back({RandomName(random), RandomPlace(random)});
-    state.Distances.push_back({RandomName(random), RandomPlace(random), RandomPlace(random)});
+    state.Measurements.push_back(RandomMeasurement(random));
     state.Volumes.push_back(RandomVolume(random, 3 * i));
+  }
+  if (!state.Measurements.empty() && RandomChoice(random))
+  {
+    state.Measurements.front().IsOpen = true;
+    state.Measurements.front().PointsWorld.resize(1);
   }
   RandomizeFit(random, state.Fit);
   RandomizeTouch(random, state);

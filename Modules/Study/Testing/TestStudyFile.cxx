@@ -142,6 +142,40 @@ TEST(StudyText, AppearanceIsAutomaticUnlessGiven)
   EXPECT_EQ(state.Structures[1].Appearance, SceneAppearance::ErrorMap);
 }
 
+TEST(StudyText, DistancesOfOlderSessionsAreLines)
+{
+  for (const char* version : {"1", "2"})
+  {
+    const StudyState state = StudyFromText(
+        std::string(R"({"format": "palpate-study", "version": )") + version +
+            R"(, "distances": [{"name": "width", "from_mm": [1, 2, 3], "to_mm": [1, 5, 7]}]})",
+        "/", "old");
+    ASSERT_EQ(state.Measurements.size(), 1U);
+    EXPECT_EQ(state.Measurements[0].Kind, MeasurementKind::Line);
+    EXPECT_EQ(state.Measurements[0].Name, "width");
+    EXPECT_EQ(ValueOf(state.Measurements[0]), 5.0);
+  }
+}
+
+TEST(StudyText, RefusesMeasurementsWithoutTheirPoints)
+{
+  const std::string point = R"({"position_mm": [1, 2, 3]})";
+  const auto refusal = [&](const std::string& measurements)
+  { return RefusalOf(R"({"format": "palpate-study", )" + measurements + "}"); };
+  const std::string angle = R"({"kind": "angle", "points": [)" + point + "]";
+  EXPECT_NE(refusal(R"("measurements": [)" + angle + "}]").find("measurements[0]"),
+            std::string::npos);
+  EXPECT_EQ(refusal(R"("measurements": [)" + angle + R"(, "open": true}])"), "");
+  EXPECT_NE(refusal(R"("measurements": [)" + angle + R"(, "open": true}, )" + angle +
+                    R"(, "open": true}])")
+                .find("two open"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("measurements": [{"kind": "area", "points": []}])").find("kind"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"("distances": [3])").find("distances"), std::string::npos);
+  EXPECT_NE(refusal(R"("distances": 3)").find("distances"), std::string::npos);
+}
+
 TEST_F(StudyFile, RefusesToWriteWhatWouldNotReopen)
 {
   test::WriteAll(this->Path, "old");

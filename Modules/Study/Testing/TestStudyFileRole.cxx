@@ -48,6 +48,7 @@ TEST(StudyFileRole, FollowsFromTheListsOfFormats)
   }
   EXPECT_EQ(RoleByName("a.scene.json"), StudyFileRole::Scene);
   EXPECT_EQ(RoleByName("a.palpate.json"), StudyFileRole::Session);
+  EXPECT_EQ(RoleByName("a.mrk.json"), StudyFileRole::Markups);
 }
 
 TEST(StudyFileRole, RejectsUnknownFiles)

@@ -148,6 +148,9 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
   case StudyFileRole::Scene:
     this->Opening.OpenScene(file, this->OutcomeOf(file));
     break;
+  case StudyFileRole::Markups:
+    this->Opening.AddMarkups(file, this->OutcomeOf(file));
+    break;
   case StudyFileRole::Model:
   case StudyFileRole::Surface:
     this->Opening.AddStructure(file, this->OutcomeOf(file));

@@ -333,7 +333,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   EXPECT_GT((touched - this->SphereCenter).norm(), 9.0 - 1.0);
   this->Window->findChild<QTableWidget*>("landmarks")->selectAll();
   this->Button("add-distance")->click();
-  ASSERT_EQ(this->Study->State().Distances.size(), 1U) << this->Messages();
+  ASSERT_EQ(this->Study->State().Measurements.size(), 1U) << this->Messages();
   const auto csv = this->Phantom.Folder / "marks.csv";
   this->SavedTo = QString::fromStdString(csv.string());
   this->Button("export-landmarks")->click();
@@ -349,7 +349,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   this->Settle();
   DrawAll(*this->Window->Views());
   EXPECT_EQ(this->Study->State(), saved);
-  EXPECT_EQ(this->Window->Contents().Landmarks()->GetDistances().size(), 1U);
+  EXPECT_EQ(this->Window->Contents().Landmarks()->GetCurves().size(), 1U);
 }
 } // namespace
 } // namespace palpate::touch_link_test

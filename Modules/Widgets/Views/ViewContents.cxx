@@ -98,7 +98,7 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
   tool.Surface = pipeline.Newest<SurfaceTool>(SceneStep::Tool);
   this->ShowTool(tool);
   this->ShowSurfaces(state, pipeline);
-  this->ShowLandmarks(state);
+  this->Marks.Show(state);
   this->ShowView(state.View);
 }
 
@@ -342,27 +342,6 @@ bool ViewContents::ShowDrilled(const StudyDrillReading& reading)
   areOthers = areOthers || labels.size() != this->CutsShown.size();
   KeepOnly(this->CutsShown, labels);
   return areOthers;
-}
-
-void ViewContents::ShowLandmarks(const StudyState& state)
-{
-  if (this->Marks == state.Landmarks && this->Distances == state.Distances)
-  {
-    return;
-  }
-  this->Marks = state.Landmarks;
-  this->Distances = state.Distances;
-  this->LandmarksShown->RemoveAll();
-  for (const StudyLandmark& mark : this->Marks)
-  {
-    this->LandmarksShown->AddLandmark(mark.Name.c_str(), mark.PositionWorld.data());
-  }
-  for (const StudyDistance& distance : this->Distances)
-  {
-    const int from = this->LandmarksShown->AddLandmark("", distance.FromWorld.data());
-    const int to = this->LandmarksShown->AddLandmark("", distance.ToWorld.data());
-    this->LandmarksShown->AddDistance(from, to);
-  }
 }
 
 void ViewContents::ShowTool(const TouchToolSettings& tool)

@@ -2,6 +2,7 @@
 
 #include "NearestOnSurfaces.h"
 #include "ShownImages.h"
+#include "ShownMarks.h"
 #include "StructurePlaces.h"
 #include "StudyPipeline.h"
 #include "StudyState.h"
@@ -9,7 +10,6 @@
 #include "YieldingSurface.h"
 
 #include "vtkCrosshair.h"
-#include "vtkLandmarks.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkProbeRepresentation.h"
@@ -34,7 +34,7 @@ class ViewContents
 public:
   ViewContents();
 
-  /// Volume, labels, surfaces and landmarks.
+  /// Volume, labels, surfaces, landmarks and measurements.
   void Show(const StudyState& state, const StudyPipeline& pipeline);
   /// Crosshair, window and opacity, where the view specifies them.
   void ShowView(const StudyView& view);
@@ -44,13 +44,18 @@ public:
   bool ShowDrilled(const StudyDrillReading& reading);
   /// The device's workspace; nothing if `isShown` is false.
   void ShowWorkspace(const WorkspaceFrame& frame, const Eigen::AlignedBox3d& box, bool isShown);
+  /// See ShownMarks.
+  void ShowPreview(const std::optional<StudyMeasurement>& preview)
+  {
+    this->Marks.ShowPreview(preview);
+  }
   /// `view` with the user's crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
 
   vtkImageDisplay* Images() const { return this->Pictures.Display(); }
   const ShownImages& Volumes() const { return this->Pictures; }
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
-  vtkLandmarks* Landmarks() const { return this->LandmarksShown; }
+  vtkLandmarks* Landmarks() const { return this->Marks.Display(); }
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
   vtkSurfaceDisplay* Workspace() const { return this->WorkspaceShown; }
   /// By the structure's label.
@@ -91,12 +96,11 @@ private:
   void ShowDent(const StudyTouchReading& reading, bool isTouching);
   void ShowField(const SceneStructure& structure, const std::shared_ptr<const ScalarField>& field);
   void ShowNewest(int label);
-  void ShowLandmarks(const StudyState& state);
   void ShowTool(const TouchToolSettings& tool);
 
   ShownImages Pictures;
   vtkNew<vtkCrosshair> CrosshairShown;
-  vtkNew<vtkLandmarks> LandmarksShown;
+  ShownMarks Marks;
   vtkNew<vtkProbeRepresentation> ProbeShown;
   NearestOnSurfaces Around; // the tool
   vtkNew<vtkSurfaceDisplay> WorkspaceShown;
@@ -111,8 +115,6 @@ private:
   std::map<int, vtkPolyData*> SurfaceSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
   std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;
-  std::vector<StudyLandmark> Marks;
-  std::vector<StudyDistance> Distances;
   std::optional<TouchToolSettings> Tool;
   std::array<Vector3, 8> WorkspaceCorners; // of the box that is shown
 };

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "StudyController.h"
+#include "StudyMeasuring.h"
+#include "ViewContents.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <optional>
+
+namespace palpate
+{
+/// Places landmarks and the points of measurements, by click and by touch. While a measurement is
+/// open, its value with the point under the pointer or the tool is shown in the views.
+class MarkPlacer : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  MarkPlacer(StudyController& study, ViewContents& contents, QObject* parent);
+
+  /// What is placed next; none: landmarks.
+  void Choose(std::optional<MeasurementKind> kind);
+  std::optional<MeasurementKind> Chosen() const { return this->Kind; }
+
+  /// World, mm.
+  void Place(const Vector3& pointWorld) { this->Place(PlacedPoint{pointWorld, 0}); }
+  /// At the contact of the tool, or at the tool itself without contact.
+  void PlaceWhereTouched();
+  /// Ends the open curve. Without two points it is removed.
+  void End();
+  /// Whether there is a curve to end.
+  bool HasOpenCurve() const;
+
+  /// For a pointer at this point (world, mm).
+  void Preview(const Vector3& pointWorld) { this->Preview(PlacedPoint{pointWorld, 0}); }
+  void ClearPreview();
+
+Q_SIGNALS:
+  /// Name and value of the measurement as previewed; empty if there is none.
+  void Previewed(const QString& text);
+
+private:
+  void Place(const PlacedPoint& point);
+  void Preview(const PlacedPoint& point);
+  void FollowTouch();
+  PlacedPoint TouchedPoint();
+  void TakeSurfaces();
+
+  StudyController& Study;
+  ViewContents& Contents;
+  MeasuredSurfaces Surfaces;
+  std::optional<MeasurementKind> Kind;
+  QElapsedTimer SincePreview;
+  qint64 Pause = 0; ///< ms from one preview to the next
+};
+} // namespace palpate

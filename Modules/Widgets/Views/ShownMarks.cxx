@@ -1,0 +1,70 @@
+#include "ShownMarks.h"
+
+#include "vtkPoints.h"
+
+namespace palpate
+{
+void ShownMarks::Show(const StudyState& state)
+{
+  if (this->Landmarks == state.Landmarks && this->Measurements == state.Measurements)
+  {
+    return;
+  }
+  this->Landmarks = state.Landmarks;
+  this->Measurements = state.Measurements;
+  this->Update();
+}
+
+void ShownMarks::ShowPreview(const std::optional<StudyMeasurement>& preview)
+{
+  if (!(this->Preview == preview))
+  {
+    this->Preview = preview;
+    this->Update();
+  }
+}
+
+void ShownMarks::Update()
+{
+  this->Shown->RemoveAll();
+  for (const StudyLandmark& mark : this->Landmarks)
+  {
+    this->Shown->AddLandmark(mark.Name.c_str(), mark.PositionWorld.data());
+  }
+  for (const StudyMeasurement& measurement : this->Measurements)
+  {
+    if (!measurement.IsOpen || !this->Preview)
+    {
+      this->Add(measurement);
+    }
+  }
+  if (this->Preview)
+  {
+    this->Add(*this->Preview);
+  }
+}
+
+void ShownMarks::Add(const StudyMeasurement& measurement)
+{
+  // Curves of other programs may have thousands of points: spheres at all of them would hide it.
+  constexpr std::size_t MostSpheres = 50;
+  const std::vector<Vector3>& points = measurement.PointsWorld;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (points.size() <= MostSpheres || i == 0 || i + 1 == points.size())
+    {
+      this->Shown->AddLandmark("", points[i].data());
+    }
+  }
+  vtkNew<vtkPoints> line;
+  line->SetDataTypeToDouble();
+  for (const Vector3& place : measurement.Line())
+  {
+    line->InsertNextPoint(place.data());
+  }
+  const std::string value = ValueText(measurement);
+  this->Shown->AddCurve((value.empty() ? measurement.Name : value).c_str(),
+                        LabelPlaceOf(measurement).data(), line,
+                        measurement.Kind == MeasurementKind::Plane);
+}
+} // namespace palpate

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "StudyState.h"
+
+#include "vtkLandmarks.h"
+#include "vtkNew.h"
+
+#include <optional>
+#include <vector>
+
+namespace palpate
+{
+/// Landmarks and measurements as all views share them: control points, lines and values.
+class ShownMarks
+{
+public:
+  void Show(const StudyState& state);
+  /// The open measurement as it would be with one more point, or one that would be made; none:
+  /// only what the study has.
+  void ShowPreview(const std::optional<StudyMeasurement>& preview);
+
+  vtkLandmarks* Display() const { return this->Shown; }
+
+private:
+  void Update();
+  void Add(const StudyMeasurement& measurement);
+
+  vtkNew<vtkLandmarks> Shown;
+  std::vector<StudyLandmark> Landmarks;
+  std::vector<StudyMeasurement> Measurements;
+  std::optional<StudyMeasurement> Preview;
+};
+} // namespace palpate
