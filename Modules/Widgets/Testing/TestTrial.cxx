@@ -179,8 +179,8 @@ protected:
     ASSERT_EQ(this->Study->State().Landmarks.size(), 2U);
     this->Window->findChild<QTableWidget*>("landmarks")->selectAll();
     ClickOn(this->Button("add-distance"));
-    ASSERT_EQ(this->Study->State().Distances.size(), 1U) << this->Messages();
-    EXPECT_GT(this->Study->State().Distances[0].Length(), 1.0);
+    ASSERT_EQ(this->Study->State().Measurements.size(), 1U) << this->Messages();
+    EXPECT_GT(ValueOf(this->Study->State().Measurements[0]).value_or(0.0), 1.0);
   }
   // Bone as soft tissue, so that little servo time is needed; the nerve forbidden.
   void ChooseRoles()
