@@ -105,9 +105,6 @@ void LandmarksPanel::MakeActions()
   this->AddMode->setIcon(ToolIcon(ToolSign::Landmark));
   this->AddTouched->setShortcut(QString("Shift+A"));
   connect(this->AddTouched, &QAction::triggered, this->Points, &MarkPlacer::PlaceWhereTouched);
-  // Of the views only: elsewhere the key ends an input.
-  this->EndCurve->setShortcuts({QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)});
-  this->EndCurve->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   connect(this->EndCurve, &QAction::triggered, this->Points, &MarkPlacer::End);
 }
 

@@ -28,6 +28,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScopedValueRollback>
+#include <QShortcut>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -214,7 +215,13 @@ void MainWindow::MakePanels()
             }
           });
   this->Touching->addAction(this->Marks->TouchTool());
-  this->Grid->addAction(this->Marks->EndTool());
+  // In the views only: elsewhere these keys end an input.
+  for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
+  {
+    auto* end = new QShortcut(key, this->Grid);
+    end->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(end, &QShortcut::activated, this->Marks->EndTool(), &QAction::trigger);
+  }
   auto* tools = new ToolRow(this->Study, this);
   tools->Add(this->Files->Tools());
   tools->Add(this->Viewing->Tools());
