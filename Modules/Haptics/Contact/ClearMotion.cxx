@@ -14,8 +14,8 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // followed. Where a proof does not end the whole surface is searched, since a tool that waits meets
 // its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
 // waits.
-constexpr int MotionEvaluationsOfProof = 80;
-constexpr int MotionEvaluationsAhead = 20;
+constexpr int MotionEvaluationsOfProof = 160;
+constexpr int MotionEvaluationsAhead = 40;
 constexpr int MotionEvaluationsOfSearch = 256;
 constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
