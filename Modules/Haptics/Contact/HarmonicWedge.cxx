@@ -12,7 +12,7 @@ namespace
 {
 // Relative to the smallest radius, so that units do not matter: the path between two proofs, where
 // a slide ends, and how deep the sphere may be in a wall that is not known yet. At a parametric
-// surface that is some micrometres, far less than a hand feels: for less, many more ticks take
+// surface that is about 0.01 mm, less than a hand feels: for less, many more ticks take
 // long.
 constexpr double RelativeStep = 1.0 / 16.0;
 constexpr double RelativeEnd = 6e-6;
