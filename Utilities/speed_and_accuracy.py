@@ -114,7 +114,7 @@ The first system's radial force and the second's mean length are laws of their o
 
 ELASTIC_BUILDS = """## Organs that yield: elements and harmonics
 
-What `palpate soften --elements --degree` cost and bring, on one core: a sphere of 25 mm, 20 kPa, on a bed of 1 kPa/mm.
+What `palpate soften --elements --degree` cost and bring, by two threads: a sphere of 25 mm, 20 kPa, on a bed of 1 kPa/mm.
 Compliance is that to Hertz bumps of 0.5 to 8 mm, against the closed form; force that of a ball of 8 mm, 0.5 to
 4 mm deep, against exact unilateral contact of the closed form. Each is the largest error of five directions.
 """
