@@ -99,7 +99,7 @@ void TutorialTest::Keep()
 {
   this->SavedTo = QString::fromStdString(this->File("marks.mrk.json").string());
   this->Button("export-landmarks")->click();
-  WaitUntil([this] { return this->Study->Current().Writing().Waiting().empty(); });
+  this->FinishWriting();
   EXPECT_TRUE(std::filesystem::exists(this->File("marks.mrk.json"))) << this->Messages();
   this->SavedTo = QString::fromStdString(this->File("prostate/case.palpate.json").string());
   this->Action("Save as")->trigger();
