@@ -73,6 +73,26 @@ TEST(YieldingSurface, FollowsTheBallAndComesBack)
   }
 }
 
+// Also where it is not known from where the ball came, and it only comes near.
+TEST(YieldingSurface, BallFromOutsideMakesTheSameDent)
+{
+  const auto drawn = DrawnBall();
+  const auto rest = PointsOf(drawn->Surface());
+  const Vector3 proxy(-15.0, 0.0, 19.0);
+  const Vector3 probe(-15.0, 0.0, 17.5);
+  drawn->Press(proxy, probe, 4.0);
+  const auto dented = PointsOf(drawn->Surface());
+  drawn->Press(probe, 4.0);
+  const auto again = PointsOf(drawn->Surface());
+  drawn->Press(proxy + Vector3(0.0, 0.0, 0.5), 4.0);
+  const auto left = PointsOf(drawn->Surface());
+  for (std::size_t p = 0; p < rest.size(); ++p)
+  {
+    EXPECT_LT((again[p] - dented[p]).norm(), 1e-4) << "coordinates are single";
+    EXPECT_LT((left[p] - rest[p]).norm(), 1e-4);
+  }
+}
+
 TEST(YieldingSurface, NormalsAreUnitAndTiltAroundTheDent)
 {
   const auto drawn = DrawnBall();
@@ -152,6 +172,38 @@ TEST_F(YieldingStructureTest, DentIsShownWhereTheToolIs)
   for (const Vector3& point : PointsOf(this->Shown()->GetSurface()))
   {
     EXPECT_NEAR((point - Vector3(-15.0, 0.0, 0.0)).norm(), 15.0, 1e-3);
+  }
+}
+
+// Two that the tool is between: no wall is drawn in the tool.
+TEST_F(YieldingStructureTest, EachStructureHasItsDent)
+{
+  this->OpenSoftBall();
+  const auto file = this->Phantom.Folder / "second.json";
+  ModelDocument second = SoftBall();
+  auto& moved = std::get<SphericalHarmonicModel>(second.Surface);
+  moved = {0, {15.0 * std::sqrt(4.0 * Pi)}, Vector3(-15.0, 36.0, 0.0)};
+  WriteModel(file, second);
+  StudyState next = this->Study->State();
+  next.Structures.push_back(next.Structures[0]);
+  next.Structures[1].Id = 2;
+  next.Structures[1].Name = "Second";
+  next.Structures[1].File = file;
+  this->Study->Change("Add a second one", next);
+  this->Settle();
+  StudyTouchReading between;
+  between.TouchedId = 1;
+  between.Newest.HasSample = true;
+  between.Newest.Structure = 0;
+  between.Newest.ProbeWorld = Vector3(-15.0, 17.8, 0.0);
+  between.Newest.ProxyWorld = Vector3(-15.0, 19.0, 0.0);
+  ViewContents shown;
+  shown.Show(this->Study->State(), this->Study->Current().Pipeline());
+  shown.ShowTouch(between, true);
+  for (const int id : {1, 2})
+  {
+    vtkPolyData* drawn = shown.Surfaces().at(id)->GetSurface();
+    EXPECT_NEAR(DistanceFrom(between.Newest.ProbeWorld, drawn), 4.0, 0.05) << "structure " << id;
   }
 }
 

@@ -106,8 +106,13 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
 {
   std::set<int> surfaces;
   std::set<int> fields;
+  this->Touchable.clear();
   for (const SceneStructure& structure : state.Structures)
   {
+    if (structure.IsTouchable)
+    {
+      this->Touchable.insert(structure.Id);
+    }
     if (!structure.IsVisible)
     {
       continue;
@@ -464,13 +469,20 @@ double ViewContents::BallRadius() const
   return isBall ? this->Tool->Radius : 0.0;
 }
 
+// In each structure that the tool presses, not only in the one that it presses most.
 void ViewContents::ShowDent(const StudyTouchReading& reading, bool isTouching)
 {
+  const TouchState& newest = reading.Newest;
+  const bool isPressing = isTouching && reading.TouchedId != 0;
   for (const auto& [id, yielding] : this->Yielding)
   {
-    if (isTouching && id == reading.TouchedId)
+    if (isPressing && id == reading.TouchedId)
     {
-      yielding->Press(reading.Newest.ProxyWorld, reading.Newest.ProbeWorld, this->BallRadius());
+      yielding->Press(newest.ProxyWorld, newest.ProbeWorld, this->BallRadius());
+    }
+    else if (isPressing && this->Touchable.count(id) != 0)
+    {
+      yielding->Press(newest.ProbeWorld, this->BallRadius());
     }
     else
     {

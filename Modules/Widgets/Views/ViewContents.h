@@ -108,6 +108,7 @@ private:
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
   std::map<int, std::unique_ptr<YieldingSurface>> Yielding;
+  std::set<int> Touchable; // ids
   std::set<int> Highlighted;
   StructurePlaces Places;
 

@@ -45,40 +45,71 @@ YieldingSurface::YieldingSurface(const SphericalHarmonicModel& model,
 
 void YieldingSurface::Press(const Vector3& proxyWorld, const Vector3& probeWorld, double ballRadius)
 {
-  if (this->Dented == nullptr || !((proxyWorld - probeWorld).norm() > 0.0) || !(ballRadius > 0.0))
+  constexpr double Above = 0.01; // mm
+  const Vector3 push = proxyWorld - probeWorld;
+  if (push.norm() > 0.0 && this->HasHand(ballRadius))
+  {
+    this->PressFrom(proxyWorld + Above * push.normalized(), probeWorld);
+  }
+  else
+  {
+    this->Release();
+  }
+}
+
+void YieldingSurface::Press(const Vector3& probeWorld, double ballRadius)
+{
+  const Vector3 center = this->Model.CenterWorld();
+  const Vector3 from = probeWorld - center;
+  if (!(from.norm() > 0.0) || !this->HasHand(ballRadius))
   {
     this->Release();
     return;
   }
-  this->Move(this->Dented->PointsWorld(this->BallAt(proxyWorld, probeWorld, ballRadius)));
-  this->IsPressed = true;
+  const double outside = this->Farthest + 2.0 * ballRadius;
+  this->PressFrom(center + std::max(1.0, outside / from.norm()) * from, probeWorld);
 }
 
-// As the hand does that is drawn, from just above the place where the organ would stop it.
-DentedSurface::Ball YieldingSurface::BallAt(const Vector3& proxyWorld, const Vector3& probeWorld,
-                                            double ballRadius)
+// Whether the dent of such a ball can be drawn.
+bool YieldingSurface::HasHand(double ballRadius)
 {
-  constexpr double Above = 0.01; // mm
-  if (this->Hand == nullptr || this->HandRadius != ballRadius)
+  if (this->Dented == nullptr || !(ballRadius > 0.0))
   {
-    std::shared_ptr<const HarmonicSurface> surface;
-    const Status status =
-        HarmonicSurface::Make(std::make_shared<const SphericalHarmonicModel>(this->Model), surface);
-    if (!status.IsOk())
-    {
-      return {probeWorld, ballRadius, {}};
-    }
-    this->Hand = std::make_unique<ElasticTracker>(
-        surface, std::make_shared<const ComplianceAtlas>(*this->Compliance), ballRadius,
-        SurfaceFriction());
-    this->HandRadius = ballRadius;
+    return false;
   }
-  const Vector3 out = (proxyWorld - probeWorld).normalized();
+  if (this->Hand != nullptr && this->HandRadius == ballRadius)
+  {
+    return true;
+  }
+  std::shared_ptr<const HarmonicSurface> surface;
+  const Status status =
+      HarmonicSurface::Make(std::make_shared<const SphericalHarmonicModel>(this->Model), surface);
+  if (!status.IsOk())
+  {
+    return false;
+  }
+  this->Hand = std::make_unique<ElasticTracker>(
+      surface, std::make_shared<const ComplianceAtlas>(*this->Compliance), ballRadius,
+      SurfaceFriction());
+  this->HandRadius = ballRadius;
+  this->Farthest = surface->LargestRadius();
+  return true;
+}
+
+// As the hand does that is drawn.
+void YieldingSurface::PressFrom(const Vector3& startWorld, const Vector3& probeWorld)
+{
   this->Hand->Release();
-  this->Hand->Follow({proxyWorld + Above * out, Eigen::Quaterniond::Identity()});
-  this->Hand->Follow({probeWorld, Eigen::Quaterniond::Identity()});
+  this->Hand->Follow({startWorld, Eigen::Quaterniond::Identity()});
+  if (!this->Hand->Follow({probeWorld, Eigen::Quaterniond::Identity()}).IsTouching)
+  {
+    this->Release();
+    return;
+  }
   const PressedPlace* places = this->Hand->Places();
-  return {probeWorld, ballRadius, {places, places + this->Hand->PlaceCount()}};
+  this->Move(this->Dented->PointsWorld(
+      {probeWorld, this->HandRadius, {places, places + this->Hand->PlaceCount()}}));
+  this->IsPressed = true;
 }
 
 void YieldingSurface::Release()

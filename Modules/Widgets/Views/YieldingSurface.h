@@ -32,13 +32,15 @@ public:
   /// With the dent of a ball (mm) at `probeWorld`, which would be at `proxyWorld` if the structure
   /// were rigid.
   void Press(const Vector3& proxyWorld, const Vector3& probeWorld, double ballRadius);
+  /// The same where it is not known from where the ball came: from straight outside.
+  void Press(const Vector3& probeWorld, double ballRadius);
   void Release();
   /// Adds the array, as felt with a ball of this radius (mm).
   void MapStiffness(double ballRadius);
 
 private:
-  DentedSurface::Ball BallAt(const Vector3& proxyWorld, const Vector3& probeWorld,
-                             double ballRadius);
+  bool HasHand(double ballRadius);
+  void PressFrom(const Vector3& startWorld, const Vector3& probeWorld);
   void Move(const std::vector<Vector3>& points);
   std::vector<Vector3> NormalsOf(const std::vector<Vector3>& points) const;
 
@@ -48,6 +50,7 @@ private:
   // Tells where a ball of the radius (mm) presses.
   std::unique_ptr<ElasticTracker> Hand;
   double HandRadius = 0.0;
+  double Farthest = 0.0; // of the rigid surface from its centre, mm
   vtkSmartPointer<vtkPolyData> Drawn;
   std::vector<Vector3> Directions;
   std::vector<std::array<int, 3>> Triangles;
