@@ -1,6 +1,23 @@
 # Every package that the build uses; Documentation/Architecture.md gives the reasons.
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Threads REQUIRED)
+find_package(BLAS REQUIRED)
+
+# Without libusb everything is built except the access to a real Falcon.
+find_package(PkgConfig)
+if(PkgConfig_FOUND)
+  pkg_check_modules(libusb IMPORTED_TARGET libusb-1.0>=1.0.23)
+endif()
+if(NOT TARGET PkgConfig::libusb)
+  message(STATUS "libusb (libusb-1.0-0-dev) was not found: there will be no device named falcon")
+endif()
+
+set(PALPATE_HAS_QT OFF)
+if(NOT PALPATE_USE_VTK)
+  return()
+endif()
 
 # Components are listed explicitly: otherwise VTK requires every third-party package and pulls in
 # the MPI modules, which replace standard classes.
@@ -23,7 +40,6 @@ if(PALPATE_BUILD_VIEWER)
 endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${PALPATE_VTK_COMPONENTS} ${palpate_vtk_build_components}
   OPTIONAL_COMPONENTS ${palpate_vtk_qt_components})
-set(PALPATE_HAS_QT OFF)
 if(Qt5_FOUND AND TARGET VTK::GUISupportQt)
   set(PALPATE_HAS_QT ON)
 elseif(PALPATE_BUILD_VIEWER)
@@ -42,15 +58,3 @@ unset(CMAKE_MESSAGE_LOG_LEVEL)
 find_package(ZLIB REQUIRED)
 find_package(X11 REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(nlohmann_json 3.11 REQUIRED)
-find_package(Threads REQUIRED)
-find_package(BLAS REQUIRED)
-
-# Without libusb everything is built except the access to a real Falcon.
-find_package(PkgConfig)
-if(PkgConfig_FOUND)
-  pkg_check_modules(libusb IMPORTED_TARGET libusb-1.0>=1.0.23)
-endif()
-if(NOT TARGET PkgConfig::libusb)
-  message(STATUS "libusb (libusb-1.0-0-dev) was not found: there will be no device named falcon")
-endif()

@@ -5,6 +5,7 @@ install(EXPORT PalpateKernels NAMESPACE Palpate:: FILE PalpateKernels-targets.cm
   DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
 export(EXPORT PalpateKernels NAMESPACE Palpate::
   FILE "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateKernels-targets.cmake")
+string(REPLACE ";" " " PALPATE_KERNEL_LIST "${PALPATE_KERNEL_MODULES}")
 configure_package_config_file(CMake/PalpateConfig.cmake.in
   "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfig.cmake"
   INSTALL_DESTINATION "${PALPATE_VTK_CMAKE_DIR}")

@@ -1,3 +1,7 @@
+# The modules without VTK, ITK and Qt, each after those that it uses.
+set(PALPATE_KERNEL_MODULES
+  Core Numerics Field Realtime Elasticity Files Haptics HapticDevices CInterface)
+
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
 set(PALPATE_VTK_MODULE_FILES)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ModelDocument.h"
-#include "PalpateIOModule.h"
 
 #include <filesystem>
 #include <string>
@@ -10,19 +9,19 @@
 namespace palpate
 {
 /// Whether the ending is that of a model file: .json, .coef, or .csv, which is write-only.
-PALPATEIO_EXPORT bool IsModelFile(const std::filesystem::path& path);
+bool IsModelFile(const std::filesystem::path& path);
 
-PALPATEIO_EXPORT std::vector<std::string> ReadableModelEndings();
+std::vector<std::string> ReadableModelEndings();
 
 /// Whether a file of this ending preserves a star-shaped model; SPHARM-PDM has only parametric
 /// surfaces.
-PALPATEIO_EXPORT bool KeepsStarShape(const std::filesystem::path& path);
+bool KeepsStarShape(const std::filesystem::path& path);
 
 /// Reads a model by its ending: Palpate's JSON (see ModelToJson) or SPHARM-PDM's .coef
 /// (SurfaceFromSpharmPdm). Lengths mm, frame patient LPS. Throws InputError, also for a .csv.
-PALPATEIO_EXPORT ModelDocument ReadModel(const std::filesystem::path& path);
+ModelDocument ReadModel(const std::filesystem::path& path);
 
 /// Writes a model by its ending, under AtomicFile's rules. Of the provenance's input only the file
 /// name is kept. Throws InputError.
-PALPATEIO_EXPORT void WriteModel(const std::filesystem::path& path, const ModelDocument& document);
+void WriteModel(const std::filesystem::path& path, const ModelDocument& document);
 } // namespace palpate

@@ -35,10 +35,10 @@ void Flip(std::vector<double>& values, double sign)
 }
 
 /// Reads braces, commas and numbers, with any white space between them.
-class Reader
+class CoefficientReader
 {
 public:
-  Reader(std::string_view text, const std::string& name) : Rest(text), FileName(name) {}
+  CoefficientReader(std::string_view text, const std::string& name) : Rest(text), FileName(name) {}
 
   std::array<std::vector<double>, 3> Rows(int& degree)
   {
@@ -165,7 +165,7 @@ ParametricSphericalSurface SurfaceFromSpharmPdm(const std::string& text,
                                                 const std::string& fileName)
 {
   int degree = 0;
-  const std::array<std::vector<double>, 3> rows = Reader(text, fileName).Rows(degree);
+  const std::array<std::vector<double>, 3> rows = CoefficientReader(text, fileName).Rows(degree);
   std::array<std::vector<double>, 3> coefficients;
   for (std::size_t k = 0; k < rows.size(); ++k)
   {

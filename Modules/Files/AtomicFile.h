@@ -1,6 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
 #include "TemporaryFile.h"
 
 #include <filesystem>
@@ -12,7 +11,7 @@ namespace palpate
 /// existing file is unchanged. A symbolic link is followed, and an existing file's permissions are
 /// kept. A committed file survives a power failure: file and folder are synchronised with the disk,
 /// which takes some milliseconds each.
-class PALPATEIO_EXPORT AtomicFile
+class AtomicFile
 {
 public:
   /// Creates the empty temporary file. Throws InputError if `path` cannot be written: no such

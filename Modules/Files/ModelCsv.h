@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ModelDocument.h"
-#include "PalpateIOModule.h"
 
 #include <string>
 
@@ -12,5 +11,5 @@ namespace palpate
 /// `l,m,coefficient_mm`, or `l,m,x_mm,y_mm,z_mm` for a parametric surface, one row per coefficient,
 /// every number in full precision. Palpate does not read such tables. Throws InputError if a number
 /// is not finite; `fileName` is used in messages.
-PALPATEIO_EXPORT std::string ModelToCsv(const ModelDocument& document, const std::string& fileName);
+std::string ModelToCsv(const ModelDocument& document, const std::string& fileName);
 } // namespace palpate

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
-
 #include <cstdint>
 #include <filesystem>
 
@@ -20,10 +18,10 @@ struct MemorySources
 /// that the kernel can drop count as free. Returns the largest number if nothing can be read, so
 /// that nothing is refused. Source: Linux, Documentation/admin-guide/cgroup-v2.rst and
 /// cgroup-v1/memory.rst.
-PALPATEIO_EXPORT std::uint64_t AvailableMemoryBytes(const MemorySources& sources = {});
+std::uint64_t AvailableMemoryBytes(const MemorySources& sources = {});
 
 /// Throws InputError if reading `dataBytes` of voxels from `file` needs more than `availableBytes`.
 /// The voxels count twice, since the format libraries decode into their own buffer.
-PALPATEIO_EXPORT void CheckMemory(const std::filesystem::path& file, double dataBytes,
-                                  std::uint64_t availableBytes = AvailableMemoryBytes());
+void CheckMemory(const std::filesystem::path& file, double dataBytes,
+                 std::uint64_t availableBytes = AvailableMemoryBytes());
 } // namespace palpate

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
-
 #include <string>
 
 namespace palpate
@@ -9,8 +7,8 @@ namespace palpate
 /// A text as a table cell that no spreadsheet interprets as a formula: if it begins with = + - @, a
 /// tab or a carriage return and is not a number, or with apostrophes before these, it is prefixed
 /// with an apostrophe.
-PALPATEIO_EXPORT std::string InertCell(const std::string& text);
+std::string InertCell(const std::string& text);
 
 /// The inverse of InertCell.
-PALPATEIO_EXPORT std::string TextOfCell(const std::string& cell);
+std::string TextOfCell(const std::string& cell);
 } // namespace palpate

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
-
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,16 +12,15 @@ namespace palpate
 /// if the text is not JSON (with line and column), if lists and objects are nested more than 64
 /// deep, which would overflow the stack of recursive code, if a number is too large, or if its
 /// values would not fit into memory.
-PALPATEIO_EXPORT nlohmann::json ParseJson(std::string_view text, const std::filesystem::path& file,
-                                          const std::string& remedy);
+nlohmann::json ParseJson(std::string_view text, const std::filesystem::path& file,
+                         const std::string& remedy);
 
 /// The same with keys in the file's order. Refuses more than 10,000 keys: an ordered object is
 /// searched from its start for each of them.
-PALPATEIO_EXPORT nlohmann::ordered_json ParseOrderedJson(std::string_view text,
-                                                         const std::filesystem::path& file,
-                                                         const std::string& remedy);
+nlohmann::ordered_json ParseOrderedJson(std::string_view text, const std::filesystem::path& file,
+                                        const std::string& remedy);
 
 /// Parses a whole file of at most `maximumBytes`.
-PALPATEIO_EXPORT nlohmann::json ReadJson(const std::filesystem::path& file,
-                                         std::uintmax_t maximumBytes, const std::string& remedy);
+nlohmann::json ReadJson(const std::filesystem::path& file, std::uintmax_t maximumBytes,
+                        const std::string& remedy);
 } // namespace palpate

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ModelDocument.h"
-#include "PalpateIOModule.h"
 
 #include <string>
 
@@ -19,10 +18,9 @@ namespace palpate
 /// always gives a parametric surface. Numbers are written in full precision, while SPHARM-PDM
 /// itself writes six decimals; its reader accepts both.
 /// Throws InputError if a number is not finite; `fileName` is used in messages.
-PALPATEIO_EXPORT std::string SurfaceToSpharmPdm(const SurfaceModel& surface,
-                                                const std::string& fileName);
+std::string SurfaceToSpharmPdm(const SurfaceModel& surface, const std::string& fileName);
 
 /// The surface of such a text. Throws InputError for any other text.
-PALPATEIO_EXPORT ParametricSphericalSurface SurfaceFromSpharmPdm(const std::string& text,
-                                                                 const std::string& fileName);
+ParametricSphericalSurface SurfaceFromSpharmPdm(const std::string& text,
+                                                const std::string& fileName);
 } // namespace palpate

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -19,12 +17,11 @@ struct FileFormat
 };
 
 /// The longest of the endings that matches the file name, ignoring case; empty if none does.
-PALPATEIO_EXPORT std::string EndingOf(const std::filesystem::path& file,
-                                      const std::vector<std::string>& endings);
+std::string EndingOf(const std::filesystem::path& file, const std::vector<std::string>& endings);
 /// Endings for a message: ".vtp, .stl or .ply".
-PALPATEIO_EXPORT std::string ListOfEndings(const std::vector<std::string>& endings);
+std::string ListOfEndings(const std::vector<std::string>& endings);
 /// Endings for a file dialog: "*.vtp *.stl *.ply".
-PALPATEIO_EXPORT std::string PatternsOf(const std::vector<std::string>& endings);
+std::string PatternsOf(const std::vector<std::string>& endings);
 
 /// The formats of one kind of file, each declared once; readers, writers, dialogs and lists use
 /// this list. Not thread-safe: add formats before files are read.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "PalpateIOModule.h"
-
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -11,13 +9,12 @@ namespace palpate
 {
 /// A file's size in bytes. Throws InputError if it is missing, not a regular file, empty, or cannot
 /// be opened.
-PALPATEIO_EXPORT std::uintmax_t InputFileSize(const std::filesystem::path& path);
+std::uintmax_t InputFileSize(const std::filesystem::path& path);
 
 /// All bytes of a file. Throws InputError if it is missing, not a regular file, empty, unreadable,
 /// or larger than `maximumBytes`.
-PALPATEIO_EXPORT std::string ReadWholeFile(const std::filesystem::path& path,
-                                           std::uintmax_t maximumBytes);
+std::string ReadWholeFile(const std::filesystem::path& path, std::uintmax_t maximumBytes);
 
 /// Writes all bytes, under AtomicFile's rules. Throws InputError.
-PALPATEIO_EXPORT void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
+void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
 } // namespace palpate

@@ -1,0 +1,290 @@
+#include "ModelHandle.h"
+
+#include "ErrorText.h"
+#include "IcosahedronDirections.h"
+#include "ModelFile.h"
+#include "ParametricSurfaceMeasures.h"
+#include "SphericalHarmonicBasis.h"
+#include "SphericalHarmonicFit.h"
+#include "SphericalHarmonicMeasures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr int MostDegree = 1000; // as in files
+constexpr int MostFrequency = 1000;
+
+palpate_model* HandleOf(SurfaceModel surface)
+{
+  return new palpate_model{{std::move(surface), {}, nullptr}, nullptr, nullptr};
+}
+
+const SphericalHarmonicModel* StarOf(const palpate_model& model)
+{
+  return std::get_if<SphericalHarmonicModel>(&model.Document.Surface);
+}
+
+bool IsFinite(const std::vector<double>& numbers)
+{
+  return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
+}
+
+palpate_model* StarShaped(int degree, std::vector<double> coefficients, const Vector3& center,
+                          palpate_error* error)
+{
+  if (!IsFinite(coefficients) || !center.allFinite())
+  {
+    SetError(error, "a coefficient or the centre is not finite");
+    return nullptr;
+  }
+  return HandleOf(SphericalHarmonicModel(degree, std::move(coefficients), center));
+}
+
+void PlaceAt(const SurfaceModel& surface, const Vector3& direction, double* point, double* normal)
+{
+  const auto place = [&](const Vector3& where, const Vector3& outward)
+  {
+    Copy(where, point);
+    if (normal != nullptr)
+    {
+      Copy(outward, normal);
+    }
+  };
+  if (const auto* star = std::get_if<SphericalHarmonicModel>(&surface))
+  {
+    place(star->PointWorld(direction), star->Normal(direction));
+    return;
+  }
+  const auto& parametric = std::get<ParametricSphericalSurface>(surface);
+  place(parametric.Point(direction), parametric.Normal(direction));
+}
+
+template <typename Search>
+int Nearest(const Search& search, const Vector3& query, double point[3], double normal[3],
+            double* distance, palpate_error* error)
+{
+  const auto found = search.Nearest(query);
+  if (found.State == Search::ClosestPoint::Outcome::BadInput)
+  {
+    SetError(error, "the point or the surface is not finite");
+    return 0;
+  }
+  Copy(found.PointWorld, point);
+  Copy(found.Normal, normal);
+  *distance = found.SignedDistance;
+  return 1;
+}
+} // namespace
+} // namespace palpate
+
+using namespace palpate;
+
+palpate_model* palpate_model_create(int degree, const double* coefficients, const double center[3],
+                                    palpate_error* error)
+{
+  return Guarded(
+      error,
+      [&]() -> palpate_model*
+      {
+        if (degree < 0 || degree > MostDegree)
+        {
+          SetError(error, "a model's degree is from 0 to 1,000");
+          return nullptr;
+        }
+        const std::size_t count = SphericalHarmonicBasis(degree).Size();
+        return StarShaped(degree, {coefficients, coefficients + count}, VectorOf(center), error);
+      });
+}
+
+palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
+                                 int degree, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]() -> palpate_model*
+                 {
+                   RadialSamples samples;
+                   for (std::size_t i = 0; i < count; ++i)
+                   {
+                     const Vector3 from = VectorOf(points + 3 * i) - VectorOf(center);
+                     samples.Directions.emplace_back(from.normalized());
+                     samples.Radii.push_back(from.norm());
+                     samples.Weights.push_back(1.0);
+                   }
+                   SphericalHarmonicFitOptions options;
+                   options.Degree = degree;
+                   SphericalHarmonicFitResult fit;
+                   const Status status = FitSphericalHarmonics(samples, options, fit);
+                   return Told(status, error) != 0
+                              ? StarShaped(degree, fit.Coefficients, VectorOf(center), error)
+                              : nullptr;
+                 });
+}
+
+palpate_model* palpate_model_read(const char* path, palpate_error* error)
+{
+  return Guarded(error, [&] { return new palpate_model{ReadModel(path), nullptr, nullptr}; });
+}
+
+int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   WriteModel(path, model->Document);
+                   return 1;
+                 });
+}
+
+void palpate_model_free(palpate_model* model)
+{
+  delete model;
+}
+
+int palpate_model_degree(const palpate_model* model)
+{
+  return DegreeOf(model->Document.Surface);
+}
+
+int palpate_model_is_star_shaped(const palpate_model* model)
+{
+  return StarOf(*model) != nullptr ? 1 : 0;
+}
+
+int palpate_model_yields(const palpate_model* model)
+{
+  return model->Document.Elasticity != nullptr ? 1 : 0;
+}
+
+size_t palpate_model_coefficients(const palpate_model* model, double* coefficients, size_t capacity)
+{
+  std::size_t count = 0;
+  const auto append = [&](const std::vector<double>& values)
+  {
+    const std::size_t left = capacity > count ? capacity - count : 0;
+    std::copy_n(values.begin(), std::min(left, values.size()), coefficients + count);
+    count += values.size();
+  };
+  if (const SphericalHarmonicModel* star = StarOf(*model))
+  {
+    append(star->Coefficients());
+    return count;
+  }
+  const auto& surface = std::get<ParametricSphericalSurface>(model->Document.Surface);
+  for (int coordinate = 0; coordinate < 3; ++coordinate)
+  {
+    append(surface.Coefficients(coordinate));
+  }
+  return count;
+}
+
+void palpate_model_center(const palpate_model* model, double center[3])
+{
+  Copy(CenterOf(model->Document.Surface), center);
+}
+
+int palpate_model_point(const palpate_model* model, const double direction[3], double point[3],
+                        double normal[3], palpate_error* error)
+{
+  const Vector3 towards = VectorOf(direction);
+  if (!towards.allFinite() || !(towards.stableNorm() > 0.0))
+  {
+    SetError(error, "the direction is zero or not finite");
+    return 0;
+  }
+  PlaceAt(model->Document.Surface, towards.stableNormalized(), point, normal);
+  return 1;
+}
+
+int palpate_model_measure(const palpate_model* model, double* volume, double* area,
+                          palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   return std::visit(
+                       [&](const auto& surface)
+                       {
+                         BodyMoments moments;
+                         if (Told(MeasureBody(surface, moments), error) == 0)
+                         {
+                           return 0;
+                         }
+                         *volume = moments.Volume;
+                         *area = AreaOf(surface);
+                         return 1;
+                       },
+                       model->Document.Surface);
+                 });
+}
+
+int palpate_model_nearest(palpate_model* model, const double query[3], double point[3],
+                          double normal[3], double* distance, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   const Vector3 from = VectorOf(query);
+                   if (const SphericalHarmonicModel* star = StarOf(*model))
+                   {
+                     if (model->StarSearch == nullptr)
+                     {
+                       model->StarSearch = std::make_unique<const ClosestPointSearch>(
+                           std::make_shared<const SphericalHarmonicModel>(*star));
+                     }
+                     return Nearest(*model->StarSearch, from, point, normal, distance, error);
+                   }
+                   if (model->ParametricSearch == nullptr)
+                   {
+                     model->ParametricSearch =
+                         std::make_unique<const ClosestPointSearchOf<ParametricShape>>(
+                             std::make_shared<const ParametricShape>(
+                                 std::get<ParametricSphericalSurface>(model->Document.Surface)));
+                   }
+                   return Nearest(*model->ParametricSearch, from, point, normal, distance, error);
+                 });
+}
+
+size_t palpate_mesh_point_count(int frequency)
+{
+  const auto f = static_cast<std::size_t>(std::clamp(frequency, 1, MostFrequency));
+  return 10 * f * f + 2;
+}
+
+size_t palpate_mesh_triangle_count(int frequency)
+{
+  const auto f = static_cast<std::size_t>(std::clamp(frequency, 1, MostFrequency));
+  return 20 * f * f;
+}
+
+int palpate_model_mesh(const palpate_model* model, int frequency, double* points, double* normals,
+                       int32_t* triangles, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   if (frequency < 1 || frequency > MostFrequency)
+                   {
+                     SetError(error, "a mesh's frequency is from 1 to 1,000");
+                     return 0;
+                   }
+                   const IcosahedronDirections sphere(frequency);
+                   for (std::size_t i = 0; i < sphere.Directions().size(); ++i)
+                   {
+                     PlaceAt(model->Document.Surface, sphere.Directions()[i], points + 3 * i,
+                             normals != nullptr ? normals + 3 * i : nullptr);
+                   }
+                   for (const auto& corners : sphere.Triangles())
+                   {
+                     triangles = std::copy(corners.begin(), corners.end(), triangles);
+                   }
+                   return 1;
+                 });
+}

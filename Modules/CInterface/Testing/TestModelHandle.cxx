@@ -1,0 +1,195 @@
+#include "Handles.h"
+#include "IcosahedronDirections.h"
+#include "RandomShapes.h"
+#include "TemporaryFolder.h"
+#include "Vector3.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace palpate::model_handle_test
+{
+namespace
+{
+using test::Owned;
+
+SphericalHarmonicModel Bumpy()
+{
+  test::Random random(5);
+  return test::RandomOrgan(random, 8);
+}
+
+Owned<palpate_model> HandleOf(const SphericalHarmonicModel& model)
+{
+  palpate_error error{};
+  Owned<palpate_model> handle(palpate_model_create(model.Degree(), model.Coefficients().data(),
+                                                   model.CenterWorld().data(), &error));
+  EXPECT_NE(handle, nullptr) << error.text;
+  return handle;
+}
+
+std::vector<double> CoefficientsOf(const palpate_model* model)
+{
+  std::vector<double> values(palpate_model_coefficients(model, nullptr, 0));
+  EXPECT_EQ(palpate_model_coefficients(model, values.data(), values.size()), values.size());
+  return values;
+}
+
+TEST(ModelHandle, PointsAreThoseOfTheModel)
+{
+  const SphericalHarmonicModel model = Bumpy();
+  const auto handle = HandleOf(model);
+  EXPECT_EQ(palpate_model_degree(handle.get()), 8);
+  EXPECT_EQ(palpate_model_is_star_shaped(handle.get()), 1);
+  EXPECT_EQ(palpate_model_yields(handle.get()), 0);
+  EXPECT_EQ(CoefficientsOf(handle.get()), model.Coefficients());
+  const Vector3 direction = Vector3(1.0, -2.0, 0.5);
+  Vector3 point;
+  Vector3 normal;
+  ASSERT_EQ(
+      palpate_model_point(handle.get(), direction.data(), point.data(), normal.data(), nullptr), 1);
+  EXPECT_EQ(point, model.PointWorld(direction.stableNormalized()));
+  EXPECT_EQ(normal, model.Normal(direction.stableNormalized()));
+}
+
+TEST(ModelHandle, FitRestoresTheCoefficients)
+{
+  const SphericalHarmonicModel model = Bumpy();
+  std::vector<double> points;
+  const IcosahedronDirections sphere(10);
+  for (const Vector3& direction : sphere.Directions())
+  {
+    const Vector3 point = model.PointWorld(direction);
+    points.insert(points.end(), point.data(), point.data() + 3);
+  }
+  palpate_error error{};
+  const Owned<palpate_model> fitted(
+      palpate_model_fit(points.data(), points.size() / 3, model.CenterWorld().data(), 8, &error));
+  ASSERT_NE(fitted, nullptr) << error.text;
+  const std::vector<double> found = CoefficientsOf(fitted.get());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EXPECT_NEAR(found[i], model.Coefficients()[i], 1e-10);
+  }
+  EXPECT_EQ(palpate_model_fit(points.data(), 3, model.CenterWorld().data(), 8, &error), nullptr);
+  EXPECT_NE(std::strlen(error.text), 0U);
+}
+
+// SPHARM-PDM's format has parametric surfaces only: the other kind of model.
+TEST(ModelHandle, FilesBringModelsBack)
+{
+  const test::TemporaryFolder folder;
+  const auto handle = HandleOf(Bumpy());
+  palpate_error error{};
+  const std::string json = folder.Path() / "model.json";
+  const std::string coef = folder.Path() / "model.coef";
+  ASSERT_EQ(palpate_model_write(handle.get(), json.c_str(), &error), 1) << error.text;
+  ASSERT_EQ(palpate_model_write(handle.get(), coef.c_str(), &error), 1) << error.text;
+  const Owned<palpate_model> star(palpate_model_read(json.c_str(), &error));
+  ASSERT_NE(star, nullptr) << error.text;
+  EXPECT_EQ(CoefficientsOf(star.get()), CoefficientsOf(handle.get()));
+  const Owned<palpate_model> parametric(palpate_model_read(coef.c_str(), &error));
+  ASSERT_NE(parametric, nullptr) << error.text;
+  EXPECT_EQ(palpate_model_is_star_shaped(parametric.get()), 0);
+  EXPECT_EQ(CoefficientsOf(parametric.get()).size(), 300U);
+  double volumes[2];
+  double areas[2];
+  ASSERT_EQ(palpate_model_measure(star.get(), volumes, areas, &error), 1) << error.text;
+  ASSERT_EQ(palpate_model_measure(parametric.get(), volumes + 1, areas + 1, &error), 1);
+  EXPECT_NEAR(volumes[1] / volumes[0], 1.0, 1e-9);
+  EXPECT_NEAR(areas[1] / areas[0], 1.0, 1e-6);
+}
+
+TEST(ModelHandle, BadFilesGiveAMessage)
+{
+  const test::TemporaryFolder folder;
+  const std::string file = folder.Path() / "broken.json";
+  std::ofstream(file) << "{";
+  palpate_error error{};
+  EXPECT_EQ(palpate_model_read(file.c_str(), &error), nullptr);
+  EXPECT_NE(std::strstr(error.text, "broken.json"), nullptr) << error.text;
+  EXPECT_EQ(palpate_model_read(file.c_str(), nullptr), nullptr);
+  const auto handle = HandleOf(Bumpy());
+  EXPECT_EQ(palpate_model_write(handle.get(), "model.unknown", &error), 0);
+}
+
+TEST(ModelHandle, RefusesWhatIsNoModel)
+{
+  const double center[3] = {0.0, 0.0, 0.0};
+  double coefficient = std::numeric_limits<double>::quiet_NaN();
+  palpate_error error{};
+  EXPECT_EQ(palpate_model_create(0, &coefficient, center, &error), nullptr);
+  coefficient = 1.0;
+  EXPECT_EQ(palpate_model_create(-1, &coefficient, center, &error), nullptr);
+  EXPECT_EQ(palpate_model_create(1001, &coefficient, center, &error), nullptr);
+  double point[3];
+  EXPECT_EQ(palpate_model_point(test::BallModel().get(), center, point, nullptr, &error), 0)
+      << "no direction";
+}
+
+TEST(ModelHandle, NearestPointIsThatOfASphere)
+{
+  const test::TemporaryFolder folder;
+  const std::string coef = folder.Path() / "ball.coef";
+  const auto ball = test::BallModel();
+  ASSERT_EQ(palpate_model_write(ball.get(), coef.c_str(), nullptr), 1);
+  const Owned<palpate_model> parametric(palpate_model_read(coef.c_str(), nullptr));
+  for (palpate_model* model : {ball.get(), parametric.get()})
+  {
+    const double query[3] = {0.0, 15.0, 0.0};
+    Vector3 point;
+    Vector3 normal;
+    double distance = 0.0;
+    ASSERT_EQ(palpate_model_nearest(model, query, point.data(), normal.data(), &distance, nullptr),
+              1);
+    EXPECT_NEAR(distance, -5.0, 1e-9);
+    EXPECT_LT((point - Vector3(0.0, 20.0, 0.0)).norm(), 1e-6);
+    EXPECT_LT((normal - Vector3::UnitY()).norm(), 1e-6);
+    const double nowhere[3] = {0.0, std::numeric_limits<double>::infinity(), 0.0};
+    EXPECT_EQ(
+        palpate_model_nearest(model, nowhere, point.data(), normal.data(), &distance, nullptr), 0);
+  }
+}
+
+TEST(ModelHandle, MeshIsClosedAndHasTheVolume)
+{
+  const auto model = HandleOf(Bumpy());
+  constexpr int Frequency = 12;
+  std::vector<double> points(3 * palpate_mesh_point_count(Frequency));
+  std::vector<double> normals(points.size());
+  std::vector<int32_t> triangles(3 * palpate_mesh_triangle_count(Frequency));
+  ASSERT_EQ(palpate_model_mesh(model.get(), Frequency, points.data(), normals.data(),
+                               triangles.data(), nullptr),
+            1);
+  const auto at = [&](int32_t p)
+  { return Vector3(points.data() + 3 * static_cast<std::size_t>(p)); };
+  double sixfold = 0.0;
+  std::set<std::pair<int32_t, int32_t>> edges;
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+  {
+    const int32_t* c = triangles.data() + t;
+    sixfold += at(c[0]).dot(at(c[1]).cross(at(c[2])));
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_TRUE(edges.emplace(c[i], c[(i + 1) % 3]).second) << "each once in each direction";
+    }
+  }
+  for (const auto& [from, to] : edges)
+  {
+    EXPECT_EQ(edges.count({to, from}), 1U);
+  }
+  double volume = 0.0;
+  double area = 0.0;
+  ASSERT_EQ(palpate_model_measure(model.get(), &volume, &area, nullptr), 1);
+  EXPECT_NEAR(sixfold / 6.0 / volume, 1.0, 0.02) << "chords lie inside";
+  EXPECT_EQ(palpate_model_mesh(model.get(), 0, points.data(), nullptr, triangles.data(), nullptr),
+            0);
+}
+} // namespace
+} // namespace palpate::model_handle_test

@@ -1,0 +1,189 @@
+#ifndef PALPATE_H
+#define PALPATE_H
+
+/* Palpate's kernels for C99 and for languages that call C: models in spherical harmonics, fields,
+ * scenes, what a tool feels there, and haptic devices.
+ *
+ * Lengths are mm, forces N, stiffness N/mm, times s; the frame is the patient's LPS. Points and
+ * vectors are three doubles. Handles are opaque; each is freed by the function named _free, which
+ * accepts NULL; what was made from a handle does not need it any longer. No function throws or
+ * prints.
+ *
+ * A function that can fail returns NULL or 0, leaves its outputs alone, and writes one sentence
+ * into `error`, unless that is NULL. Functions without `error` cannot fail.
+ *
+ * Handles may be used by several threads at once where they are const, else by one at a time. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+#define PALPATE_API_VERSION 1
+
+  typedef struct palpate_error
+  {
+    char text[512]; /* UTF-8, ends with 0 */
+  } palpate_error;
+
+  typedef struct palpate_model palpate_model;
+  typedef struct palpate_field palpate_field;
+  typedef struct palpate_scene palpate_scene;
+  typedef struct palpate_tracker palpate_tracker;
+  typedef struct palpate_session palpate_session;
+
+  /* Of the library, "major.minor.patch"; and its PALPATE_API_VERSION, which changes when a program
+   * has to be compiled again. */
+  const char* palpate_version(void);
+  int palpate_api_version(void);
+
+  /* ---- Models: star-shaped (a radius) or parametric (three coordinates) in spherical harmonics
+   * ---- */
+
+  /* Star-shaped, of (degree + 1)^2 coefficients (mm): real, orthonormal, no Condon-Shortley phase,
+   * at l (l + 1) + m. */
+  palpate_model* palpate_model_create(int degree, const double* coefficients,
+                                      const double center[3], palpate_error* error);
+  /* Star-shaped, fitted by least squares to `count` points of a surface (x, y, z of each). */
+  palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
+                                   int degree, palpate_error* error);
+  /* Palpate's .json, with its elasticity if it has one, or SPHARM-PDM's .coef. Written: .csv too.
+   */
+  palpate_model* palpate_model_read(const char* path, palpate_error* error);
+  int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error);
+  void palpate_model_free(palpate_model* model);
+
+  int palpate_model_degree(const palpate_model* model);
+  int palpate_model_is_star_shaped(const palpate_model* model);
+  int palpate_model_yields(const palpate_model* model); /* whether it has an elasticity */
+  /* Of all coefficients: (degree + 1)^2, or three times that; a parametric model's are those of x,
+   * then y, then z. Copies at most `capacity` of them, and returns how many there are. */
+  size_t palpate_model_coefficients(const palpate_model* model, double* coefficients,
+                                    size_t capacity);
+  void palpate_model_center(const palpate_model* model, double center[3]);
+  /* The surface's point along a direction from the centre, or at a parameter: not zero, of any
+   * length. The unit normal points outwards. */
+  int palpate_model_point(const palpate_model* model, const double direction[3], double point[3],
+                          double normal[3], palpate_error* error);
+  /* mm^3 and mm^2. */
+  int palpate_model_measure(const palpate_model* model, double* volume, double* area,
+                            palpate_error* error);
+  /* The surface's point nearest to `query`, and the distance from there, negative inside. A model's
+   * first call prepares the search, which may take seconds for a parametric one. */
+  int palpate_model_nearest(palpate_model* model, const double query[3], double point[3],
+                            double normal[3], double* distance, palpate_error* error);
+  /* A closed mesh: 10 frequency^2 + 2 points and their normals (x, y, z of each; normals may be
+   * NULL), and 20 frequency^2 triangles of three indices, counter-clockwise from outside. */
+  size_t palpate_mesh_point_count(int frequency);
+  size_t palpate_mesh_triangle_count(int frequency);
+  int palpate_model_mesh(const palpate_model* model, int frequency, double* points, double* normals,
+                         int32_t* triangles, palpate_error* error);
+
+  /* ---- Fields: volumes as they are touched, between voxels ---- */
+
+  /* `values` has size[0] size[1] size[2] numbers, i fastest; row i of `axes` is the unit vector of
+   * the grid's axis i, and the axes are right-handed. The object is where values are at least
+   * `iso`. */
+  palpate_field* palpate_field_create(const int size[3], const double origin[3],
+                                      const double spacing[3], const double axes[9],
+                                      const float* values, double iso, palpate_error* error);
+  void palpate_field_free(palpate_field* field);
+  int palpate_field_is_inside(const palpate_field* field, const double point[3]);
+
+  /* ---- Scenes: what is touched, with which tool ---- */
+
+  typedef struct palpate_law
+  {
+    double stiffness;       /* N/mm; a structure that yields has its own */
+    double damping;         /* N s/mm */
+    double static_friction; /* coefficients: 0 <= dynamic <= static */
+    double dynamic_friction;
+  } palpate_law;
+
+  palpate_scene* palpate_scene_create(void);
+  void palpate_scene_free(palpate_scene* scene);
+  /* Adds a structure. Its id, above 0 and of no other structure, is reported by contacts, and lets
+   * it carry on in a later scene. A model that yields is felt as such. */
+  int palpate_scene_add_model(palpate_scene* scene, int id, const palpate_model* model,
+                              const palpate_law* law, palpate_error* error);
+  int palpate_scene_add_field(palpate_scene* scene, int id, const palpate_field* field,
+                              const palpate_law* law, palpate_error* error);
+  /* A closed triangle mesh. */
+  int palpate_scene_add_mesh(palpate_scene* scene, int id, const double* points, size_t point_count,
+                             const int32_t* triangles, size_t triangle_count,
+                             const palpate_law* law, palpate_error* error);
+  /* A sphere; 1 mm unless set. 0 is a point. */
+  int palpate_scene_set_tool_radius(palpate_scene* scene, double radius, palpate_error* error);
+  /* Where the middle of the device's workspace is, and mm of the scene for one of the hand. Without
+   * it, a session begins with the whole scene in reach. */
+  int palpate_scene_set_workspace(palpate_scene* scene, const double center[3], double scale,
+                                  palpate_error* error);
+
+  /* ---- Tracking: a tool in a scene without a device, for a program with a loop of its own ---- */
+
+  typedef struct palpate_contact
+  {
+    int id;           /* of the structure touched most deeply; 0: none */
+    double proxy[3];  /* where the tool would be if it could not enter that structure */
+    double normal[3]; /* unit, out of it */
+    double depth;     /* from the probe to the proxy */
+    double force[3];  /* of all structures, without damping */
+  } palpate_contact;
+
+  palpate_tracker* palpate_tracker_create(const palpate_scene* scene, palpate_error* error);
+  void palpate_tracker_free(palpate_tracker* tracker);
+  /* Moves the tool there from its last place. Neither allocates nor locks. Returns 0, with no
+   * contact, for a place that is not finite. */
+  int palpate_tracker_follow(palpate_tracker* tracker, const double probe[3],
+                             palpate_contact* contact);
+  /* Forgets the last place: the next one is reached from outside. */
+  void palpate_tracker_release(palpate_tracker* tracker);
+
+  /* ---- Sessions: a device and a servo thread. Forces are limited, faded in, and off after any
+   * fault ---- */
+
+  typedef struct palpate_state
+  {
+    int64_t time;     /* ns of the machine's steady clock, at the tick's begin */
+    uint64_t tick;    /* its number */
+    double probe[3];  /* the hand */
+    double proxy[3];  /* where the tool is shown */
+    double force[3];  /* sent, in the scene's axes */
+    uint32_t buttons; /* one bit each */
+    int has_sample;   /* whether the device has told its position */
+    int id;           /* of the structure touched most deeply; 0: none */
+    double depth;
+    double patch;    /* radius of the contact with a structure that yields; else 0 */
+    int is_estimate; /* linear elasticity does not hold there */
+    int is_armed;    /* whether forces are on; they are off after a fault */
+    int is_ramping;  /* whether they are still fading in */
+  } palpate_state;
+
+  /* Opens a device by its name: "simulated", "falcon". May take seconds. End sessions in the thread
+   * of main. */
+  palpate_session* palpate_session_open(const char* device, palpate_error* error);
+  /* 0 N, then closes the device. */
+  void palpate_session_free(palpate_session* session);
+  /* Starts to render a scene at 1 kHz, or changes it: forces fade in, or with `is_continuing`
+   * structures with the same id carry on. */
+  int palpate_session_show(palpate_session* session, const palpate_scene* scene, int is_continuing,
+                           palpate_error* error);
+  /* The newest tick; 0 before the first scene. Call it ten times a second or more often. */
+  int palpate_session_read(palpate_session* session, palpate_state* state);
+  /* Why forces are off and what to do, as one message; empty while they are on. Valid until the
+   * next call for this session. */
+  const char* palpate_session_problem(palpate_session* session);
+  /* 0 N from the next tick on, until forces are allowed again, which also ends a fault. */
+  void palpate_session_stop_force(palpate_session* session);
+  void palpate_session_allow_force(palpate_session* session);
+  /* Leads a simulated hand to a place of the scene; returns 0, without effect, for a real one. */
+  int palpate_session_lead_hand(palpate_session* session, const double place[3]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
