@@ -62,10 +62,9 @@ function(palpate_add_kernel_module module)
   palpate_compile_settings(${module})
   set_target_properties(${module} PROPERTIES
     OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1)
-  # One unit of many sources would limit what is inlined in each.
-  if(NOT PALPATE_SANITIZERS)
-    set_property(TARGET ${module} PROPERTY UNITY_BUILD OFF)
-  endif()
+  # A unit of many sources is inlined as freely as one source.
+  target_compile_options(${module} PRIVATE
+    $<$<CXX_COMPILER_ID:GNU>:--param=large-unit-insns=1000000>)
   target_compile_features(${module} PUBLIC cxx_std_17)
   foreach(folder IN LISTS arg_FOLDERS)
     cmake_path(ABSOLUTE_PATH folder NORMALIZE)

@@ -22,13 +22,13 @@ namespace
 {
 // Empty frames compress to a thousandth or less, but no real file to a ten-thousandth.
 constexpr double MostBytesFromAnything = 64e6;
-constexpr double MostBytesFromByte = 16384.0;
+constexpr double MostPixelBytesFromByte = 16384.0;
 
 // A header and a stream of a few bytes must not cause gigabytes to be allocated and filled.
 void CheckRatio(const std::filesystem::path& file, double pixelBytes, std::size_t streamBytes)
 {
   const double most =
-      std::max(MostBytesFromAnything, MostBytesFromByte * static_cast<double>(streamBytes));
+      std::max(MostBytesFromAnything, MostPixelBytesFromByte * static_cast<double>(streamBytes));
   if (!(pixelBytes <= most))
   {
     Refuse(file,

@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-int Open(const std::filesystem::path& path)
+int OpenLock(const std::filesystem::path& path)
 {
   constexpr int Flags = O_CREAT | O_CLOEXEC | O_NOFOLLOW;
   const int file = open(path.c_str(), Flags | O_RDWR, 0666);
@@ -70,7 +70,7 @@ bool FolderLock::Take(int operation)
 {
   while (true)
   {
-    this->File = this->File >= 0 ? this->File : Open(this->Path);
+    this->File = this->File >= 0 ? this->File : OpenLock(this->Path);
     if (this->File < 0)
     {
       return true;

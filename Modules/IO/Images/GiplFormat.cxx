@@ -15,24 +15,24 @@ namespace
 {
 // Bytes in front of the voxels. Numbers are big-endian. Read as ITK 5.2 does (GiplImageIO), but
 // without ITK, which does not notice that voxels are missing.
-constexpr std::size_t VoxelOffset = 256;
+constexpr std::size_t GiplHeaderBytes = 256;
 constexpr std::array<std::uint32_t, 2> Marks{{0xefffe9b0, 0x2ae389b8}};
 
-constexpr std::array<std::pair<int, int>, 9> VoxelTypes{{{1, VTK_UNSIGNED_CHAR},
-                                                         {7, VTK_SIGNED_CHAR},
-                                                         {8, VTK_UNSIGNED_CHAR},
-                                                         {15, VTK_SHORT},
-                                                         {16, VTK_UNSIGNED_SHORT},
-                                                         {31, VTK_UNSIGNED_INT},
-                                                         {32, VTK_INT},
-                                                         {64, VTK_FLOAT},
-                                                         {65, VTK_DOUBLE}}};
+constexpr std::array<std::pair<int, int>, 9> GiplTypes{{{1, VTK_UNSIGNED_CHAR},
+                                                        {7, VTK_SIGNED_CHAR},
+                                                        {8, VTK_UNSIGNED_CHAR},
+                                                        {15, VTK_SHORT},
+                                                        {16, VTK_UNSIGNED_SHORT},
+                                                        {31, VTK_UNSIGNED_INT},
+                                                        {32, VTK_INT},
+                                                        {64, VTK_FLOAT},
+                                                        {65, VTK_DOUBLE}}};
 
 HeaderBytes ReadBytes(const std::filesystem::path& file)
 {
-  HeaderBytes bytes(file, VoxelOffset);
+  HeaderBytes bytes(file, GiplHeaderBytes);
   bytes.SetBigEndian();
-  if (bytes.Size() < VoxelOffset)
+  if (bytes.Size() < GiplHeaderBytes)
   {
     RefuseContent(file, "has a truncated or damaged header", "copy or export it again");
   }
@@ -60,9 +60,9 @@ ImageGrid GridOf(const HeaderBytes& bytes)
 VoxelLayout LayoutOf(const std::filesystem::path& file, const HeaderBytes& bytes)
 {
   const int code = bytes.At<std::uint16_t>(8);
-  const auto* const type = std::find_if(VoxelTypes.begin(), VoxelTypes.end(),
+  const auto* const type = std::find_if(GiplTypes.begin(), GiplTypes.end(),
                                         [code](const auto& known) { return known.first == code; });
-  if (type == VoxelTypes.end())
+  if (type == GiplTypes.end())
   {
     Refuse(file, "has voxels of a type that is not supported (code " + std::to_string(code) + ")",
            "convert it to integers or floating-point numbers");
@@ -70,7 +70,7 @@ VoxelLayout LayoutOf(const std::filesystem::path& file, const HeaderBytes& bytes
   VoxelLayout layout;
   layout.File = file;
   layout.Type = type->second;
-  layout.Offset = VoxelOffset;
+  layout.Offset = GiplHeaderBytes;
   layout.Voxels = CountVoxels(file, GridOf(bytes).Size);
   layout.Volumes = std::max<std::int64_t>(1, bytes.At<std::uint16_t>(6));
   layout.IsSwapped = bytes.IsSwapped();

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-itk::ImageIOBase::Pointer NewImageIo(ItkFormat format)
+itk::ImageIOBase::Pointer NewWritingIo(ItkFormat format)
 {
   switch (format)
   {
@@ -94,7 +94,7 @@ void WriteWithItk(ItkFormat format, const std::filesystem::path& file, vtkImageD
 {
   const QuietStandardStreams quiet;
   const CNumericLocale numbers;
-  const itk::ImageIOBase::Pointer io = NewImageIo(format);
+  const itk::ImageIOBase::Pointer io = NewWritingIo(format);
   io->SetFileName(file.string());
   io->SetNumberOfDimensions(3);
   SetGeometry(io, image);

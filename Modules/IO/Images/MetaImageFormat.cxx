@@ -32,7 +32,7 @@ public:
   }
 };
 
-void Write(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
+void WriteMetaImage(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
 {
   WriteWithItk(ItkFormat::MetaImage, file, image, voxels, true);
 }
@@ -42,7 +42,7 @@ ImageFormat MetaImageFormat()
 {
   return {{"MetaImage", {".mha", ".mhd"}, {".mha"}},
           [](const std::filesystem::path& file) { return std::make_unique<MetaImageFile>(file); },
-          &Write,
+          &WriteMetaImage,
           true};
 }
 } // namespace palpate

@@ -13,7 +13,7 @@ namespace
 {
 // Bytes in front of the voxels, most of which are unused. Numbers are big-endian.
 // Source: FreeSurfer's wiki, FsTutorial/MghFormat; the transform is that of its MRIread.
-constexpr std::size_t VoxelOffset = 284;
+constexpr std::size_t MghHeaderBytes = 284;
 
 struct MghHeader
 {
@@ -22,7 +22,7 @@ struct MghHeader
   std::vector<std::string> Notes;
 };
 
-int VoxelType(const std::filesystem::path& file, int code)
+int MghType(const std::filesystem::path& file, int code)
 {
   switch (code)
   {
@@ -82,11 +82,11 @@ void PlaceGrid(const HeaderBytes& bytes, MghHeader& header)
   header.Grid.Direction = toLps.asDiagonal() * axesRas;
 }
 
-MghHeader ReadHeader(const std::filesystem::path& file)
+MghHeader ReadMghHeader(const std::filesystem::path& file)
 {
-  HeaderBytes bytes(file, VoxelOffset);
+  HeaderBytes bytes(file, MghHeaderBytes);
   bytes.SetBigEndian();
-  if (bytes.Size() < VoxelOffset)
+  if (bytes.Size() < MghHeaderBytes)
   {
     RefuseContent(file, "has a truncated or damaged header", "copy or export it again");
   }
@@ -101,8 +101,8 @@ MghHeader ReadHeader(const std::filesystem::path& file)
     header.Grid.Size[axis] = SizeAt(file, bytes, 4 + 4 * axis);
   }
   header.Voxels.File = file;
-  header.Voxels.Type = VoxelType(file, bytes.At<std::int32_t>(20));
-  header.Voxels.Offset = VoxelOffset;
+  header.Voxels.Type = MghType(file, bytes.At<std::int32_t>(20));
+  header.Voxels.Offset = MghHeaderBytes;
   header.Voxels.Voxels = CountVoxels(file, header.Grid.Size);
   header.Voxels.Volumes = SizeAt(file, bytes, 16);
   header.Voxels.IsSwapped = bytes.IsSwapped();
@@ -126,7 +126,7 @@ ImageFormat MghFormat()
 {
   return {{"FreeSurfer", {".mgz", ".mgh", ".mgh.gz"}, {}},
           [](const std::filesystem::path& file)
-          { return std::make_unique<MghFile>(file, ReadHeader(file)); },
+          { return std::make_unique<MghFile>(file, ReadMghHeader(file)); },
           nullptr};
 }
 } // namespace palpate

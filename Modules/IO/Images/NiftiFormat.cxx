@@ -28,12 +28,12 @@ public:
 };
 
 template <bool IsPair>
-std::unique_ptr<ImageFile> Open(const std::filesystem::path& file)
+std::unique_ptr<ImageFile> OpenNifti(const std::filesystem::path& file)
 {
   return std::make_unique<NiftiFile>(file, ReadNiftiHeader(file, IsPair));
 }
 
-void Write(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
+void WriteNifti(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
 {
   WriteWithItk(ItkFormat::Nifti, file, image, voxels, !EndingOf(file, {".gz"}).empty());
 }
@@ -41,11 +41,11 @@ void Write(const std::filesystem::path& file, vtkImageData* image, vtkDataArray*
 
 ImageFormat NiftiFormat()
 {
-  return {{"NIfTI", {".nii", ".nii.gz"}, {".nii", ".nii.gz"}}, &Open<false>, &Write};
+  return {{"NIfTI", {".nii", ".nii.gz"}, {".nii", ".nii.gz"}}, &OpenNifti<false>, &WriteNifti};
 }
 
 ImageFormat NiftiPairFormat()
 {
-  return {{"NIfTI or Analyze pair", {".hdr", ".hdr.gz"}, {}}, &Open<true>, nullptr};
+  return {{"NIfTI or Analyze pair", {".hdr", ".hdr.gz"}, {}}, &OpenNifti<true>, nullptr};
 }
 } // namespace palpate

@@ -21,7 +21,7 @@ namespace palpate
 namespace
 {
 // Codes of the header, and VTK's types.
-constexpr std::array<std::pair<int, int>, 10> VoxelTypes{{{2, VTK_UNSIGNED_CHAR},
+constexpr std::array<std::pair<int, int>, 10> NiftiTypes{{{2, VTK_UNSIGNED_CHAR},
                                                           {4, VTK_SHORT},
                                                           {8, VTK_INT},
                                                           {16, VTK_FLOAT},
@@ -89,7 +89,7 @@ void CheckSpacings(const std::filesystem::path& file, const NiftiFields& fields)
   }
 }
 
-int VoxelType(const std::filesystem::path& file, int code)
+int NiftiType(const std::filesystem::path& file, int code)
 {
   if (code == 128 || code == 2304)
   {
@@ -100,9 +100,9 @@ int VoxelType(const std::filesystem::path& file, int code)
     Refuse(file, "holds complex numbers", "convert it to magnitudes");
   }
   const auto* found =
-      std::find_if(VoxelTypes.begin(), VoxelTypes.end(),
+      std::find_if(NiftiTypes.begin(), NiftiTypes.end(),
                    [code](const std::pair<int, int>& type) { return type.first == code; });
-  if (found == VoxelTypes.end())
+  if (found == NiftiTypes.end())
   {
     Refuse(file, "has voxels of a type that is not supported (code " + std::to_string(code) + ")",
            "convert it to integers or floating-point numbers");
@@ -193,7 +193,7 @@ VoxelLayout LayoutOf(const std::filesystem::path& file, const NiftiFields& field
 {
   VoxelLayout layout;
   layout.File = fields.IsPair ? VoxelFile(file) : file;
-  layout.Type = VoxelType(file, fields.Type);
+  layout.Type = NiftiType(file, fields.Type);
   layout.Offset = VoxelOffset(file, fields);
   layout.Voxels = CountVoxels(file, size);
   layout.Volumes = fields.Dimensions[0] > 3 ? std::max<std::int64_t>(1, fields.Dimensions[4]) : 1;

@@ -33,7 +33,7 @@ protected:
   void CheckLength() const override { CheckNrrdLength(this->File, this->DataBytes()); }
 };
 
-void Write(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
+void WriteNrrd(const std::filesystem::path& file, vtkImageData* image, vtkDataArray* voxels)
 {
   WriteWithItk(ItkFormat::Nrrd, file, image, voxels, true);
 }
@@ -43,6 +43,6 @@ ImageFormat NrrdFormat()
 {
   return {{"NRRD", {".nrrd", ".seg.nrrd", ".nhdr"}, {".nrrd"}},
           [](const std::filesystem::path& file) { return std::make_unique<NrrdFile>(file); },
-          &Write};
+          &WriteNrrd};
 }
 } // namespace palpate

@@ -13,9 +13,9 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t BufferBytes = std::size_t{1} << 17;
-constexpr std::uint64_t MostBytesBehind = std::uint64_t{1} << 20;
-constexpr double MostBytesFromByte = 1032.0; // of the deflate format
+constexpr std::size_t InflationBuffer = std::size_t{1} << 17;
+constexpr std::uint64_t MostInflatedBehind = std::uint64_t{1} << 20;
+constexpr double MostInflatedFromByte = 1032.0; // of the deflate format
 
 // Decodes the stream's input until there are more than `most` bytes. Returns zlib's state and
 // counts the bytes.
@@ -38,19 +38,20 @@ int InflateInput(z_stream& stream, std::vector<unsigned char>& room, std::uint64
 std::uint64_t CheckedInflatedBytes(const std::filesystem::path& file, std::uint64_t start,
                                    std::uint64_t dataBytes, std::uint64_t mostBytes)
 {
-  const std::uint64_t mostDecoded = dataBytes + std::min(MostBytesBehind, UINT64_MAX - dataBytes);
+  const std::uint64_t mostDecoded =
+      dataBytes + std::min(MostInflatedBehind, UINT64_MAX - dataBytes);
   std::ifstream input(file, std::ios::binary);
   input.seekg(static_cast<std::streamoff>(start));
   z_stream stream{};
   inflateInit2(&stream, MAX_WBITS + 32); // zlib or gzip by its first bytes
   const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
-  std::vector<unsigned char> packed(BufferBytes);
-  std::vector<unsigned char> room(BufferBytes);
+  std::vector<unsigned char> packed(InflationBuffer);
+  std::vector<unsigned char> room(InflationBuffer);
   std::uint64_t bytes = 0;
   int state = Z_OK;
   while (state == Z_OK)
   {
-    const auto wanted = std::min<std::uint64_t>(BufferBytes, mostBytes);
+    const auto wanted = std::min<std::uint64_t>(InflationBuffer, mostBytes);
     input.read(reinterpret_cast<char*>(packed.data()), static_cast<std::streamsize>(wanted));
     mostBytes -= static_cast<std::uint64_t>(input.gcount());
     stream.next_in = packed.data();
@@ -77,7 +78,7 @@ std::uint64_t CheckedInflatedBytes(const std::filesystem::path& file, std::uint6
 
 void CheckInflatedSize(const std::filesystem::path& file, double packedBytes, double dataBytes)
 {
-  if (!(dataBytes <= MostBytesFromByte * packedBytes))
+  if (!(dataBytes <= MostInflatedFromByte * packedBytes))
   {
     Refuse(file,
            "is truncated: its header declares " + SignificantText(dataBytes) +

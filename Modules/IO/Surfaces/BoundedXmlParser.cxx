@@ -12,7 +12,7 @@ namespace
 {
 constexpr unsigned int MostDepth = 32;
 // LZMA, the strongest of VTK's compressors, reaches some thousand.
-constexpr std::uint64_t MostBytesFromByte = 8192;
+constexpr std::uint64_t MostBlockBytesFromByte = 8192;
 constexpr std::uint64_t SmallBlock = std::uint64_t{1} << 20;
 } // namespace
 
@@ -92,7 +92,7 @@ bool BoundedXmlParser::HasSoundBlocks(vtkXMLDataElement* array, std::uint64_t fi
     const std::uint64_t bytes = this->BlockCompressedSizes[block];
     packed += bytes;
     if (bytes > fileBytes || packed > fileBytes ||
-        this->FindBlockSize(block) > SmallBlock + MostBytesFromByte * bytes)
+        this->FindBlockSize(block) > SmallBlock + MostBlockBytesFromByte * bytes)
     {
       return false;
     }
@@ -102,6 +102,6 @@ bool BoundedXmlParser::HasSoundBlocks(vtkXMLDataElement* array, std::uint64_t fi
              ? this->PartialLastBlockUncompressedSize == 0
              : this->BlockUncompressedSize > 0 &&
                    this->PartialLastBlockUncompressedSize <= this->BlockUncompressedSize &&
-                   this->BlockUncompressedSize <= SmallBlock + MostBytesFromByte * fileBytes;
+                   this->BlockUncompressedSize <= SmallBlock + MostBlockBytesFromByte * fileBytes;
 }
 } // namespace palpate

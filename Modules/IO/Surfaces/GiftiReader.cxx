@@ -19,7 +19,7 @@ namespace palpate
 namespace
 {
 // Coordinates compress to about a half and triangles to a tenth.
-constexpr std::size_t MostBytesFromByte = 100;
+constexpr std::size_t MostGiftiBytesFromByte = 100;
 
 /// Decodes the arrays of one file.
 class Decoder
@@ -68,7 +68,7 @@ private:
       this->Refuse("its points or triangles are not triples");
     }
     // Even one digit and one blank each, or the strongest compression, take some bytes.
-    if (static_cast<std::size_t>(count) > MostBytesFromByte * array.Data.size())
+    if (static_cast<std::size_t>(count) > MostGiftiBytesFromByte * array.Data.size())
     {
       this->Refuse("it states more values than it can hold");
     }
@@ -134,7 +134,7 @@ private:
     }
     std::vector<Stored> numbers;
     const std::size_t bytes = count * sizeof(Stored);
-    if (bytes > (isPacked ? MostBytesFromByte : 1) * decoded->size())
+    if (bytes > (isPacked ? MostGiftiBytesFromByte : 1) * decoded->size())
     {
       this->Refuse("it states more values than it can hold");
     }

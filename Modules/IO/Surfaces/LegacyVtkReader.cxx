@@ -70,10 +70,10 @@ std::string InLowerCase(std::string_view word)
 }
 
 /// Parses a file from start to end.
-class Reader
+class LegacyVtkText
 {
 public:
-  Reader(const std::string& bytes, const std::string& name) : Rest(bytes), FileName(name) {}
+  LegacyVtkText(const std::string& bytes, const std::string& name) : Rest(bytes), FileName(name) {}
 
   vtkSmartPointer<vtkPolyData> Surface()
   {
@@ -498,7 +498,7 @@ private:
 vtkSmartPointer<vtkPolyData> SurfaceFromLegacyVtk(const std::string& bytes,
                                                   const std::string& fileName)
 {
-  return Reader(bytes, fileName).Surface();
+  return LegacyVtkText(bytes, fileName).Surface();
 }
 
 std::string TitleOfLegacyVtk(const std::string& bytes)

@@ -10,12 +10,12 @@ namespace palpate
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // glTF's codes of component types, targets and the chunks of a .glb file.
-constexpr int Float = 5126;
-constexpr int UnsignedByte = 5121;
-constexpr int UnsignedInt = 5125;
+constexpr int PointComponent = 5126;
+constexpr int ColorComponent = 5121;
+constexpr int IndexComponent = 5125;
 constexpr int ArrayBuffer = 34962;
 constexpr int ElementArrayBuffer = 34963;
 constexpr std::uint32_t GlbMagic = 0x46546c67;
@@ -27,13 +27,13 @@ constexpr std::size_t GlbHeaderBytes = 12;
 /// The JSON description and the binary buffer that it refers to.
 struct GltfFile
 {
-  Json Description;
+  OrderedJson Description;
   std::string Buffer;
 
   /// Adds a view and an accessor for what was appended since `start`; returns the accessor.
-  std::size_t AddAccessor(std::size_t start, int target, Json accessor)
+  std::size_t AddAccessor(std::size_t start, int target, OrderedJson accessor)
   {
-    Json& views = this->Description["bufferViews"];
+    OrderedJson& views = this->Description["bufferViews"];
     accessor["bufferView"] = views.size();
     views.push_back({{"buffer", 0},
                      {"byteOffset", start},
@@ -68,7 +68,7 @@ std::size_t AddPositions(const TriangleMesh& mesh, GltfFile& file)
   const std::size_t start = file.Buffer.size();
   file.Append(mesh.PointsWorld);
   return file.AddAccessor(start, ArrayBuffer,
-                          {{"componentType", Float},
+                          {{"componentType", PointComponent},
                            {"count", mesh.PointsWorld.size()},
                            {"type", "VEC3"},
                            {"min", {low.x(), low.y(), low.z()}},
@@ -81,7 +81,7 @@ std::size_t AddNormals(const TriangleMesh& mesh, GltfFile& file)
   file.Append(mesh.Normals);
   return file.AddAccessor(
       start, ArrayBuffer,
-      {{"componentType", Float}, {"count", mesh.Normals.size()}, {"type", "VEC3"}});
+      {{"componentType", PointComponent}, {"count", mesh.Normals.size()}, {"type", "VEC3"}});
 }
 
 std::size_t AddColors(const TriangleMesh& mesh, GltfFile& file)
@@ -97,7 +97,7 @@ std::size_t AddColors(const TriangleMesh& mesh, GltfFile& file)
     file.Buffer.push_back('\xff');
   }
   return file.AddAccessor(start, ArrayBuffer,
-                          {{"componentType", UnsignedByte},
+                          {{"componentType", ColorComponent},
                            {"normalized", true},
                            {"count", mesh.Colors.size()},
                            {"type", "VEC4"}});
@@ -113,9 +113,10 @@ std::size_t AddIndices(const TriangleMesh& mesh, GltfFile& file)
       AppendLittleEndian(file.Buffer, static_cast<std::uint32_t>(corner));
     }
   }
-  return file.AddAccessor(
-      start, ElementArrayBuffer,
-      {{"componentType", UnsignedInt}, {"count", 3 * mesh.Triangles.size()}, {"type", "SCALAR"}});
+  return file.AddAccessor(start, ElementArrayBuffer,
+                          {{"componentType", IndexComponent},
+                           {"count", 3 * mesh.Triangles.size()},
+                           {"type", "SCALAR"}});
 }
 
 GltfFile Describe(const TriangleMesh& mesh)
@@ -129,7 +130,7 @@ GltfFile Describe(const TriangleMesh& mesh)
       {1e-3, 0.0, 0.0, 0.0, 0.0, 0.0, -1e-3, 0.0, 0.0, 1e-3, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}};
   file.Description["nodes"] = {
       {{"name", "surface, patient LPS, mm"}, {"mesh", 0}, {"matrix", matrix}}};
-  Json primitive;
+  OrderedJson primitive;
   primitive["attributes"]["POSITION"] = AddPositions(mesh, file);
   if (!mesh.Normals.empty())
   {
@@ -142,8 +143,8 @@ GltfFile Describe(const TriangleMesh& mesh)
   primitive["indices"] = AddIndices(mesh, file);
   primitive["material"] = 0;
   file.Description["meshes"] = {{{"primitives", {primitive}}}};
-  const Json white{1.0, 1.0, 1.0, 1.0};
-  const Json flesh{0.9, 0.6, 0.4, 1.0};
+  const OrderedJson white{1.0, 1.0, 1.0, 1.0};
+  const OrderedJson flesh{0.9, 0.6, 0.4, 1.0};
   file.Description["materials"] = {{{"pbrMetallicRoughness",
                                      {{"baseColorFactor", mesh.Colors.empty() ? flesh : white},
                                       {"metallicFactor", 0.0},

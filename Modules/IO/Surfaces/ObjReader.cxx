@@ -19,22 +19,22 @@ namespace palpate
 {
 namespace
 {
-constexpr std::string_view Blanks = " \t\r";
+constexpr std::string_view ObjBlanks = " \t\r";
 
 // Removes and returns the first word; empty at the end.
 std::string_view TakeWord(std::string_view& rest)
 {
-  rest.remove_prefix(std::min(rest.find_first_not_of(Blanks), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(Blanks));
+  rest.remove_prefix(std::min(rest.find_first_not_of(ObjBlanks), rest.size()));
+  const std::string_view word = rest.substr(0, rest.find_first_of(ObjBlanks));
   rest.remove_prefix(word.size());
   return word;
 }
 
 /// Parses a text line by line.
-class Reader
+class ObjText
 {
 public:
-  Reader(std::string_view text, const std::string& name) : Rest(text), FileName(name) {}
+  ObjText(std::string_view text, const std::string& name) : Rest(text), FileName(name) {}
 
   vtkSmartPointer<vtkPolyData> Surface()
   {
@@ -72,7 +72,7 @@ private:
       ++this->Line;
       std::string_view part = this->Rest.substr(0, this->Rest.find('\n'));
       this->Rest.remove_prefix(std::min(part.size() + 1, this->Rest.size()));
-      part = part.substr(0, part.find_last_not_of(Blanks) + 1);
+      part = part.substr(0, part.find_last_not_of(ObjBlanks) + 1);
       goesOn = !part.empty() && part.back() == '\\';
       part.remove_suffix(goesOn ? 1 : 0);
       line.append(part).append(goesOn ? " " : "");
@@ -214,6 +214,6 @@ private:
 
 vtkSmartPointer<vtkPolyData> SurfaceFromObj(const std::string& text, const std::string& fileName)
 {
-  return Reader(text, fileName).Surface();
+  return ObjText(text, fileName).Surface();
 }
 } // namespace palpate

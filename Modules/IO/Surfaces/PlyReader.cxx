@@ -60,10 +60,10 @@ const std::map<std::string, NumberType>& NumberTypes()
 constexpr std::size_t MostElements = 256;
 
 /// Parses a file from start to end.
-class Reader
+class PlyText
 {
 public:
-  Reader(const std::string& bytes, const std::string& name) : Rest(bytes), FileName(name) {}
+  PlyText(const std::string& bytes, const std::string& name) : Rest(bytes), FileName(name) {}
 
   TriangleMesh Mesh()
   {
@@ -405,6 +405,6 @@ private:
 
 TriangleMesh MeshFromPly(const std::string& bytes, const std::string& fileName)
 {
-  return Reader(bytes, fileName).Mesh();
+  return PlyText(bytes, fileName).Mesh();
 }
 } // namespace palpate
