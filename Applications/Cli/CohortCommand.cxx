@@ -2,6 +2,7 @@
 
 #include "CohortGroup.h"
 #include "Console.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -52,10 +53,13 @@ std::string CohortCommand::Examples() const
 
 void CohortCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("OUT", this->Folders, "Folders with a cohort.csv written by fit")->required();
+  app.add_option("OUT", this->Folders, "Folders with a cohort.csv written by fit")
+      ->required()
+      ->check(FileType::Input("directory"));
   app.add_option("--output", this->OutputFolder,
                  "Folder for tables and cohort.html (default: OUT, if it is a single folder)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(FileType::Output("directory"));
   app.add_option("--label", this->Label, "Structure, by number or name, if there are several")
       ->type_name("N|NAME");
   app.add_option("--align", this->Align,

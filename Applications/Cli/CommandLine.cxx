@@ -1,11 +1,13 @@
 #include "CommandLine.h"
 
 #include "Console.h"
+#include "DeclaredCommand.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "NearestWord.h"
 #include "ProgramVersion.h"
+#include "SlicerModule.h"
 #include "SofteningCache.h"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +24,8 @@ namespace
 constexpr int Success = 0;
 constexpr int BadInput = 2;
 constexpr int ParsedWithoutHelp = -1;
+
+constexpr const char* SlicerFlag = "--slicer";
 
 std::string ProgramExamples()
 {
@@ -47,6 +51,28 @@ std::string OptionOf(const std::string& word)
   const bool isOption =
       word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
   return isOption ? word.substr(0, word.find('=')) : std::string();
+}
+
+// "--max-degree" of "--max_degree", for which 3D Slicer's descriptions have no hyphen.
+void ReadUnderscoresAsHyphens(std::vector<std::string>& arguments)
+{
+  for (std::string& word : arguments)
+  {
+    if (word.rfind("--", 0) == 0)
+    {
+      const auto end = word.begin() + static_cast<std::ptrdiff_t>(OptionOf(word).size());
+      std::replace(word.begin(), end, '_', '-');
+    }
+  }
+}
+
+// --xml answers before required options are missed, like --help.
+void DeclareDescription(CLI::App& app)
+{
+  app.add_flag_callback(
+      "--xml",
+      [&app] { throw CLI::CallForVersion(SlicerModule(DeclaredCommand(app), VersionNumber()), 0); },
+      "Print 3D Slicer's description of this command and exit");
 }
 
 std::vector<std::string> OptionsOf(const std::vector<const CLI::App*>& apps)
@@ -85,6 +111,9 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
   this->App->add_flag("--no-cache", this->HasNoCache,
                       "Neither read nor keep results in the user's cache folder (organs that "
                       "yield)");
+  this->App->add_flag(SlicerFlag, this->IsForSlicer,
+                      "For calls by 3D Slicer: prints progress on standard output in its format, "
+                      "and reads underscores in names of options as hyphens");
   this->App->footer(ProgramExamples());
   this->App->require_subcommand(1);
   for (const auto& command : this->Commands)
@@ -94,6 +123,10 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
     sub->fallthrough();
     sub->footer("Examples:\n" + command->Examples());
     command->DeclareOptions(*sub);
+    if (DeclaredCommand(*sub).IsModule())
+    {
+      DeclareDescription(*sub);
+    }
   }
 }
 
@@ -111,8 +144,13 @@ int CommandLine::Run(const std::vector<std::string>& arguments, Console& console
   {
     SofteningCache::UseInProcess({});
   }
+  if (this->IsForSlicer)
+  {
+    console.StartSlicerProgress("palpate " + this->App->get_subcommands().front()->get_name());
+  }
   const int code = this->RunParsed(console);
   console.EndProgress();
+  console.EndSlicerProgress();
   console.Output().flush();
   if (code == Success && !console.Output())
   {
@@ -124,6 +162,10 @@ int CommandLine::Run(const std::vector<std::string>& arguments, Console& console
 
 int CommandLine::Parse(std::vector<std::string> arguments, Console& console)
 {
+  if (std::find(arguments.begin(), arguments.end(), SlicerFlag) != arguments.end())
+  {
+    ReadUnderscoresAsHyphens(arguments);
+  }
   // CLI11 consumes a vector from its end.
   std::reverse(arguments.begin(), arguments.end());
   try

@@ -38,5 +38,6 @@ private:
   std::unique_ptr<CLI::App> App;
   bool Quiet = false;
   bool HasNoCache = false;
+  bool IsForSlicer = false;
 };
 } // namespace palpate::cli

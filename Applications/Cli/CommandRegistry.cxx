@@ -7,6 +7,7 @@
 #include "EvaluateCommand.h"
 #include "FitCommand.h"
 #include "InfoCommand.h"
+#include "ManualCommand.h"
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
 #include "RenderCommand.h"
@@ -36,6 +37,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<StudyCommand>());
   commands.push_back(std::make_unique<DevicesCommand>());
   commands.push_back(std::make_unique<CompletionCommand>());
+  commands.push_back(std::make_unique<ManualCommand>());
   return commands;
 }
 } // namespace palpate::cli

@@ -1,5 +1,6 @@
 #include "Console.h"
 
+#include "DecimalText.h"
 #include "ScreenText.h"
 
 #include <algorithm>
@@ -20,6 +21,15 @@ double SecondsBetween(std::chrono::steady_clock::time_point first,
                       std::chrono::steady_clock::time_point last)
 {
   return std::chrono::duration<double>(last - first).count();
+}
+
+// Slicer looks for the next "<" after a tag's text.
+std::string WithoutTags(const std::string& text)
+{
+  std::string plain = Printable(text);
+  std::replace(plain.begin(), plain.end(), '<', '(');
+  std::replace(plain.begin(), plain.end(), '>', ')');
+  return plain;
 }
 
 std::string MinutesAndSeconds(double seconds)
@@ -64,7 +74,8 @@ void Console::Relay(const std::string& results, const std::string& messages)
 bool Console::IsTimeToDraw()
 {
   const auto now = std::chrono::steady_clock::now();
-  if (!this->Terminal || this->Quiet || now - this->LastDraw < DrawInterval)
+  const bool isShown = this->Terminal || !this->SlicerName.empty();
+  if (!isShown || this->Quiet || now - this->LastDraw < DrawInterval)
   {
     return false;
   }
@@ -74,16 +85,58 @@ bool Console::IsTimeToDraw()
 
 void Console::Progress(double fraction, const std::string& stage)
 {
-  if (this->IsTimeToDraw())
+  if (!this->IsTimeToDraw())
   {
-    this->Draw(std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0, stage,
-               SecondsBetween(this->Start, this->LastDraw));
+    return;
+  }
+  const double shown = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+  if (!this->SlicerName.empty())
+  {
+    this->WriteForSlicer(shown, stage);
+    return;
+  }
+  this->Draw(shown, stage, SecondsBetween(this->Start, this->LastDraw));
+}
+
+void Console::StartSlicerProgress(const std::string& name)
+{
+  if (!this->Quiet)
+  {
+    this->SlicerName = name;
+    this->SlicerStart = std::chrono::steady_clock::now();
+    this->Out << "<filter-start><filter-name>" << WithoutTags(name)
+              << "</filter-name></filter-start>\n"
+              << std::flush;
+  }
+}
+
+void Console::WriteForSlicer(double fraction, const std::string& stage)
+{
+  if (stage != this->SlicerStage)
+  {
+    this->SlicerStage = stage;
+    this->Out << "<filter-comment>" << WithoutTags(stage) << "</filter-comment>\n";
+  }
+  this->Out << "<filter-progress>" << FixedText(fraction, 3) << "</filter-progress>\n"
+            << std::flush;
+}
+
+void Console::EndSlicerProgress()
+{
+  if (!this->SlicerName.empty())
+  {
+    const double seconds = SecondsBetween(this->SlicerStart, std::chrono::steady_clock::now());
+    this->Out << "<filter-end><filter-name>" << WithoutTags(this->SlicerName)
+              << "</filter-name><filter-time>" << FixedText(seconds, 1)
+              << "</filter-time></filter-end>\n"
+              << std::flush;
+    this->SlicerName.clear();
   }
 }
 
 void Console::Live(const std::string& line)
 {
-  if (this->IsTimeToDraw())
+  if (this->SlicerName.empty() && this->IsTimeToDraw())
   {
     this->Errors << "\r\x1b[K" << Printable(line) << std::flush;
     this->Drawn = true;

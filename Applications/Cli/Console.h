@@ -7,7 +7,8 @@
 namespace palpate::cli
 {
 /// Where a command writes: results to the output stream, messages and progress to the error stream.
-/// Progress is drawn only if the error stream is a terminal.
+/// Progress is drawn only if the error stream is a terminal, or written on the output stream in the
+/// format of 3D Slicer.
 class Console
 {
 public:
@@ -29,12 +30,18 @@ public:
   void Progress(double fraction, const std::string& stage);
   /// Draws a line that the next one replaces, like progress.
   void Live(const std::string& line);
+  /// From here on, writes progress for 3D Slicer (unless quiet), which shows the name until the
+  /// first stage.
+  void StartSlicerProgress(const std::string& name);
+  /// Tells it that the work has ended; without a start, does nothing.
+  void EndSlicerProgress();
   /// Clears the progress line and starts the clock of the next one.
   void EndProgress();
 
 private:
   bool IsTimeToDraw();
   void Draw(double fraction, const std::string& stage, double elapsedSeconds);
+  void WriteForSlicer(double fraction, const std::string& stage);
   void Wipe();
 
   std::ostream& Out;
@@ -42,6 +49,9 @@ private:
   bool Terminal;
   bool Quiet = false;
   bool Drawn = false;
+  std::string SlicerName; ///< of the work that 3D Slicer runs; empty if it does not
+  std::string SlicerStage;
+  std::chrono::steady_clock::time_point SlicerStart;
   std::chrono::steady_clock::time_point Start;
   std::chrono::steady_clock::time_point LastDraw;
 };

@@ -1,6 +1,7 @@
 #include "ConvertCommand.h"
 
 #include "Console.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "ImageContent.h"
 #include "ImageFormat.h"
@@ -73,8 +74,11 @@ std::string ConvertCommand::Examples() const
 void ConvertCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("IN", this->Input, "Model, surface, image, segmentation or recorded touch")
-      ->required();
-  app.add_option("OUT", this->Output, "Output file; its ending selects the format")->required();
+      ->required()
+      ->check(FileType::Input("file"));
+  app.add_option("OUT", this->Output, "Output file; its ending selects the format")
+      ->required()
+      ->check(FileType::Output("file"));
   app.add_option("--label", this->Label,
                  "Write only this structure of a segmentation, as a mask of 0 and 1")
       ->type_name("N|NAME");

@@ -4,6 +4,7 @@
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "DeviceOption.h"
+#include "FileType.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
 #include "ScreenText.h"
@@ -134,6 +135,7 @@ void DevicesCommand::DeclareOptions(CLI::App& app)
       ->needs(home);
   app.add_option("--firmware", this->Firmware, "Firmware file, for devices that need it")
       ->type_name("FILE")
+      ->check(FileType::Input("file"))
       ->needs(home);
 }
 

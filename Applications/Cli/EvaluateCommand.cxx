@@ -3,6 +3,7 @@
 #include "Console.h"
 #include "EvaluationText.h"
 #include "FileFormat.h"
+#include "FileType.h"
 #include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "ModelFile.h"
@@ -40,7 +41,8 @@ std::string EvaluateCommand::Examples() const
 void EvaluateCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MODEL", this->Model, "Model: " + ListOfEndings(ReadableModelEndings()))
-      ->required();
+      ->required()
+      ->check(FileType::Input("file"));
   app.add_option("--direction", this->DirectionWords,
                  "Evaluate along this direction from the centre (LPS); may be repeated")
       ->type_name("X,Y,Z")

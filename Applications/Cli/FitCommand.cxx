@@ -6,6 +6,7 @@
 #include "CohortFit.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "FileType.h"
 #include "FitFiles.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -35,11 +36,13 @@ void FitCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs,
                  "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or closed surfaces (" +
-                     ListOfEndings(SurfaceFormats().ReadEndings()) + "); or folders of either");
+                     ListOfEndings(SurfaceFormats().ReadEndings()) + "); or folders of either")
+      ->check(FileType::Input("label"));
   app.add_option("--manifest", this->Manifest,
                  "Table of cases: case,mask,label,volume; paths are relative to its folder, or to "
                  "MASK if that is a folder")
-      ->type_name("CSV");
+      ->type_name("CSV")
+      ->check(FileType::Input("file", ".csv"));
   app.add_option("--case", this->Cases, "Fit only these cases of a folder or manifest")
       ->type_name("NAME")
       ->allow_extra_args(false);
@@ -47,11 +50,13 @@ void FitCommand::DeclareOptions(CLI::App& app)
   this->Options.DeclareModel(app);
   this->Options.DeclareSurface(app);
   app.add_option("--volume", this->VolumePath,
-                 "Image of the segmentations, for the slices of the report");
+                 "Image of the segmentations, for the slices of the report")
+      ->check(FileType::Input("image"));
   this->Images.Declare(app, "--volume folder");
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(FileType::Output("directory"));
   app.add_option("--jobs", this->Jobs,
                  "Cases of a folder or manifest fitted at a time (default: one per processor)")
       ->check(CLI::Range(1, 1024))

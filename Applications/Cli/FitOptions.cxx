@@ -141,6 +141,7 @@ void FitOptions::DeclareModel(CLI::App& app)
   app.add_option(
          "--max-hidden", this->Values.MaximumHiddenPercent,
          "Refuse structures if more than this share of the surface is hidden from the centre (%)")
+      ->type_name("%")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
 }

@@ -2,6 +2,7 @@
 
 #include "CaseTally.h"
 #include "Console.h"
+#include "FileType.h"
 #include "ImageContent.h"
 #include "ImageFormat.h"
 #include "InfoReport.h"
@@ -26,7 +27,8 @@ void InfoCommand::DeclareOptions(CLI::App& app)
   app.add_option("FILE", this->Inputs,
                  "Images and segmentations (" + ListOfEndings(ReadableImageEndings()) +
                      ", or a DICOM folder)")
-      ->required();
+      ->required()
+      ->check(FileType::Input("image"));
   this->Images.Declare(app, "folder");
   app.add_flag("--json", this->Json, "Print one JSON object per line instead of text");
 }

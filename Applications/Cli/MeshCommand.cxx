@@ -5,6 +5,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "InputError.h"
@@ -65,7 +66,8 @@ std::string MeshCommand::Examples() const
 void MeshCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs, "Segmentations: label maps, .seg.nrrd, DICOM-SEG")
-      ->required();
+      ->required()
+      ->check(FileType::Input("label"));
   this->Images.DeclareAxes(app);
   this->Options.DeclareLabels(app);
   this->Options.DeclareSurface(app);
@@ -73,6 +75,7 @@ void MeshCommand::DeclareOptions(CLI::App& app)
                  "Surface file (" + ListOfEndings(SurfaceFormats().WrittenEndings()) +
                      ") for one structure, or a folder for several")
       ->type_name("FILE|DIR")
+      ->check(FileType::Output("geometry"))
       ->required();
   app.add_flag("--json", this->Json, "Print one JSON object per structure");
 }

@@ -4,6 +4,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "ImageWriter.h"
@@ -68,8 +69,10 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for volume, mask, truth.json and the nodule's mask")
       ->type_name("DIR")
+      ->check(FileType::Output("directory"))
       ->required();
   app.add_option("--spacing", this->Spacing, "Voxel size x,y,z in mm (default: 0.5,0.5,3)")
+      ->type_name("MM,MM,MM")
       ->delimiter(',')
       ->expected(3)
       ->check(FiniteNumber::Between(0.01, 100.0));
@@ -82,7 +85,8 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
       ->check(CLI::IsMember({"nii.gz", "nrrd", "mha"}))
       ->capture_default_str();
   app.add_option("--model", this->ModelPath,
-                 "The body: a model file (default: a prostate-like body)");
+                 "The body: a model file (default: a prostate-like body)")
+      ->check(FileType::Input("file", ".json"));
   app.add_option("--degree", this->Degree, "Degree of the prostate-like body")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();

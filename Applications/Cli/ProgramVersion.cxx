@@ -6,4 +6,9 @@ std::string ProgramVersion()
 {
   return "palpate " PALPATE_VERSION;
 }
+
+std::string VersionNumber()
+{
+  return PALPATE_VERSION;
+}
 } // namespace palpate::cli

@@ -2,6 +2,7 @@
 
 #include "CommandProgress.h"
 #include "Console.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
@@ -147,10 +148,15 @@ void RenderCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
                  "Surfaces (" + ListOfEndings(SurfaceFormats().ReadEndings()) + "), models (" +
-                     ListOfEndings(ReadableModelEndings()) + "), segmentations");
-  app.add_option("--output", this->Output, "PNG file to write")->type_name("FILE")->required();
+                     ListOfEndings(ReadableModelEndings()) + "), segmentations")
+      ->check(FileType::Input("geometry"));
+  app.add_option("--output", this->Output, "PNG file to write")
+      ->type_name("FILE")
+      ->required()
+      ->check(FileType::Output("image", ".png"));
   this->Options.DeclareLabels(app);
-  app.add_option("--volume", this->VolumePath, "Draw slices or iso-surfaces of this image");
+  app.add_option("--volume", this->VolumePath, "Draw slices or iso-surfaces of this image")
+      ->check(FileType::Input("image"));
   this->Images.Declare(app, "--volume folder");
   app.add_option("--slices", this->Slices,
                  "Slices of --volume through the centre of the drawing: axial, sagittal, coronal "
@@ -164,7 +170,8 @@ void RenderCommand::DeclareOptions(CLI::App& app)
       ->allow_extra_args(false)
       ->check(FiniteNumber::Any());
   app.add_option("--within", this->WithinPath, "Draw --iso only within this segmentation")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Input("label"));
   app.add_option("--within-label", this->WithinLabels,
                  "Structures of --within by number or name, separated by commas (default: all)")
       ->type_name("N|NAME")

@@ -3,6 +3,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -153,7 +154,9 @@ void SceneCommand::DeclareOptions(CLI::App& app)
   app.add_option("ACTION", this->Action, "Action: explain")
       ->required()
       ->check(CLI::IsMember({"explain"}));
-  app.add_option("SCENE", this->Input, "A scene to touch (.scene.json)")->required();
+  app.add_option("SCENE", this->Input, "A scene to touch (.scene.json)")
+      ->required()
+      ->check(FileType::Input("file", ".scene.json"));
   app.add_flag("--json", this->Json, "Print one JSON object");
 }
 

@@ -5,6 +5,7 @@
 #include "Console.h"
 #include "DecimalText.h"
 #include "FileFormat.h"
+#include "FileType.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -103,14 +104,18 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MODEL", this->Model,
                  "Star-shaped model: " + ListOfEndings(ReadableModelEndings()))
-      ->required();
-  app.add_option("--output", this->Output, "The model that yields, .json")->required();
+      ->required()
+      ->check(FileType::Input("file"));
+  app.add_option("--output", this->Output, "The model that yields, .json")
+      ->required()
+      ->check(FileType::Output("file", ".json"));
   app.add_option("--tissue", this->Tissue, "Young's modulus of the organ's tissue")
       ->type_name("KPA")
       ->capture_default_str();
   app.add_option("--lesion", this->Lesions,
                  "Segmentation of a part with another modulus; may be repeated, later ones count")
       ->type_name("FILE")
+      ->check(FileType::Input("label"))
       ->allow_extra_args(false);
   app.add_option("--lesion-modulus", this->LesionModuli,
                  "Its Young's modulus: one for all, or one for each")
@@ -122,7 +127,8 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->allow_extra_args(false);
   app.add_option("--elastography", this->Elastography,
                  "Image of Young's modulus in kPa, instead of --tissue where it has values")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Input("image"));
   app.add_option("--poisson", this->Settings.PoissonRatio, "Poisson's ratio")
       ->check(FiniteNumber::Between(0.0, ElasticSolid::MostPoissonRatio))
       ->capture_default_str();
@@ -137,17 +143,20 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->allow_extra_args(false);
   app.add_option("--free-angle", this->Settings.FreeDegrees,
                  "Half the angle of the cone that is free on each such side, degrees")
+      ->type_name("DEG")
       ->check(FiniteNumber::Between(SofteningSettings::LeastFreeDegrees,
                                     SofteningSettings::MostFreeDegrees))
       ->capture_default_str();
   app.add_option("--support", this->Settings.BedPerMillimeter,
                  "Stiffness of what the organ lies on, kPa per mm")
+      ->type_name("KPA/MM")
       ->check(
           FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
       ->capture_default_str();
   app.add_option("--neighbour", this->Neighbours,
                  "Segmentation of what holds the organ where it is next to it; may be repeated")
       ->type_name("FILE")
+      ->check(FileType::Input("label"))
       ->allow_extra_args(false);
   app.add_option("--neighbour-label", this->NeighbourLabels,
                  "Its structure (default: all of the file): one for all, or one for each")
@@ -156,6 +165,7 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
   app.add_option("--neighbour-support", this->NeighbourSupports,
                  "Its stiffness instead of --support and --free, kPa per mm: one for all, or one "
                  "for each (default: 1)")
+      ->type_name("KPA/MM")
       ->check(
           FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
       ->allow_extra_args(false);
@@ -181,9 +191,11 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->capture_default_str();
   app.add_option("--report", this->Report,
                  "Page with a map of how hard the organ's places feel, .html")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Output("file", ".html"));
   app.add_option("--tool-radius", this->ToolRadius,
                  "Of the ball that the map and the last line are for, mm")
+      ->type_name("MM")
       ->check(FiniteNumber::Between(0.1, 100.0))
       ->capture_default_str();
   app.add_flag("--json", this->Json,

@@ -5,6 +5,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
@@ -242,11 +243,13 @@ std::string StudyCommand::Examples() const
 void StudyCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("SESSION", this->Input, "A session file of the application (.palpate.json)")
-      ->required();
+      ->required()
+      ->check(FileType::Input("file", ".palpate.json"));
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces, reports, scene.json and markups (default: write "
                  "nothing)")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(FileType::Output("directory"));
   app.add_flag("--json", this->Json, "Print one JSON object per file or structure");
 }
 

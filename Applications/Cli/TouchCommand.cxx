@@ -6,6 +6,7 @@
 #include "DeviceOption.h"
 #include "DrillExport.h"
 #include "DrillState.h"
+#include "FileType.h"
 #include "FiniteNumber.h"
 #include "FitStructure.h"
 #include "ImageFormat.h"
@@ -117,9 +118,11 @@ void TouchCommand::DeclareStructure(CLI::App& app)
       ->capture_default_str();
   app.add_option("--stiffness", this->Structure.Stiffness,
                  "Stiffness, N per mm of hand displacement")
+      ->type_name("N/MM")
       ->check(FiniteNumber::Between(0.0, 1e4))
       ->capture_default_str();
   app.add_option("--damping", this->Structure.Damping, "Damping, N s/mm")
+      ->type_name("NS/MM")
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--friction", this->Structure.Friction.Static,
@@ -133,6 +136,7 @@ void TouchCommand::DeclareStructure(CLI::App& app)
       ->capture_default_str();
   app.add_option("--tool-radius", this->Tool.Radius,
                  "Radius of the spherical tool, mm (0: a point)")
+      ->type_name("MM")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
   app.add_option(
@@ -148,8 +152,10 @@ void TouchCommand::DeclareRun(CLI::App& app)
                  "Haptic device, see palpate devices (default: the scene's, or simulated)")
       ->type_name("NAME");
   app.add_option("--firmware", this->Firmware, "Firmware file, for devices that need it")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Input("file"));
   app.add_option("--rate", this->Rate, "Servo rate, Hz (default: the scene's, or 1000)")
+      ->type_name("HZ")
       ->check(FiniteNumber::Between(1.0, 1e5));
   app.add_option("--scale", this->Scale,
                  "Scene mm per mm of hand movement (default: the whole scene is in reach)")
@@ -158,28 +164,35 @@ void TouchCommand::DeclareRun(CLI::App& app)
   app.add_option("--path", this->PathFile,
                  "Target path of a simulated hand, time_s,x_mm,y_mm,z_mm per line (default: a "
                  "sweep around the scene)")
-      ->type_name("CSV");
+      ->type_name("CSV")
+      ->check(FileType::Input("file", ".csv"));
   app.add_option("--depth", this->Sweep.SweepDepth, "Depth of the sweep below the surface, mm")
+      ->type_name("MM")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
   app.add_option("--speed", this->Sweep.SweepSpeed, "Speed of the sweep, mm/s")
+      ->type_name("MM/S")
       ->check(FiniteNumber::Between(0.1, 1e5))
       ->capture_default_str();
   app.add_option("--drill", this->DrillScript,
                  "Scripted pedal and button actions for drilling, as JSON (see "
                  "Documentation/HowTo/Drill.md)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Input("file", ".json"));
   app.add_option("--drill-state", this->DrillStateFile,
                  "Start from an earlier state of drilling (drill.state of an output folder)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Input("file", ".state"));
   app.add_option("--drilled", this->DrilledFiles,
                  "Write what is left after drilling: a volume (" +
                      ListOfEndings(ImageFormats().WrittenEndings()) + ") or a surface (" +
                      ListOfEndings(SurfaceFormats().WrittenEndings()) +
                      "); with several structures, their names are added to the file name")
       ->type_name("FILE")
+      ->check(FileType::Output("file"))
       ->allow_extra_args(false);
   app.add_option("--seconds", this->Seconds, "Duration, s (default: that of the path)")
+      ->type_name("S")
       ->expected(1)
       ->check(FiniteNumber::Between(0.001, 36000.0));
   app.add_flag("--real-time", this->IsRealTime,
@@ -190,15 +203,18 @@ void TouchCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
                  "A scene (.scene.json), or models, surfaces, segmentations, images with --iso")
-      ->required();
+      ->required()
+      ->check(FileType::Input("file"));
   this->DeclareStructure(app);
   this->DeclareRun(app);
   app.add_option("--output", this->OutputFolder,
                  "Folder for report.html, summary.json, scene.json and session.touch")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(FileType::Output("directory"));
   app.add_option("--replay", this->ReplayFile,
                  "Replay a recorded session (session.touch), and compare each tick's force")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(FileType::Input("file", ".touch"));
   app.add_flag("--json", this->Json, "Print the summary as one JSON object");
 }
 

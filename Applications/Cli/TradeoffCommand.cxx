@@ -4,6 +4,7 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "DecimalText.h"
+#include "FileType.h"
 #include "FiniteNumber.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -87,7 +88,8 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
   app.add_option(
          "SCENE", this->Input,
          "A scene (.scene.json), or a model, a surface, a segmentation, an image with --iso")
-      ->required();
+      ->required()
+      ->check(FileType::Input("file"));
   app.add_option("--label", this->Labels,
                  "Structures of a segmentation by number or name (default: all)")
       ->type_name("N|NAME")
@@ -99,6 +101,7 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
       ->check(FiniteNumber::Any());
   app.add_option("--tool-radius", this->ToolRadius,
                  "Radius of the spherical tool, mm, if the input is not a scene")
+      ->type_name("MM")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
   app.add_option("--structure", this->Structures, "Structures of the scene, by name (default: all)")
@@ -107,6 +110,7 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
   app.add_option("--seed", this->Seed, "Random seed of the path; equal seeds give equal paths")
       ->capture_default_str();
   app.add_option("--seconds", this->Seconds, "Minimum duration of the path, s")
+      ->type_name("S")
       ->check(FiniteNumber::Between(0.5, 3600.0))
       ->capture_default_str();
   app.add_option("--runs", this->Runs, "Runs of the path; a tick's time is the shortest of them")
@@ -114,7 +118,8 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
       ->capture_default_str();
   app.add_option("-o,--output", this->OutputFolder,
                  "Folder for tradeoff.csv, tradeoff.json and tradeoff.html")
-      ->type_name("DIR");
+      ->type_name("DIR")
+      ->check(FileType::Output("directory"));
   app.add_flag("--json", this->Json, "Print all numbers as one JSON object");
 }
 

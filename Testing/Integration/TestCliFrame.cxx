@@ -118,6 +118,8 @@ TEST(CliFrame, BashCompletesCommandsOptionsAndValues)
   EXPECT_EQ(Offered(folder, "completion z"), " zsh \n");
   EXPECT_EQ(Offered(folder, "mesh a.nii --method pl"), " plain \n");
   EXPECT_EQ(Offered(folder, "mesh a.nii --qu"), " --quiet \n");
+  EXPECT_EQ(Offered(folder, "mesh a.nii --json --meth"), " --method \n");
+  EXPECT_EQ(Offered(folder, "mesh a.nii --json --method pl"), " plain \n");
   // No completions after an option that takes a file: bash then offers file names.
   EXPECT_EQ(Offered(folder, "render --output x"), "  \n");
 }

@@ -45,6 +45,37 @@ TEST(Console, DrawsProgressAtOnceAndClearsIt)
   EXPECT_EQ(out.str(), "");
 }
 
+TEST(Console, WritesProgressForSlicer)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.StartSlicerProgress("palpate fit");
+  console.Progress(0.5, "case <1>");
+  console.Live("not for Slicer");
+  console.EndProgress();
+  console.EndSlicerProgress();
+  console.EndSlicerProgress();
+  EXPECT_EQ(out.str(), "<filter-start><filter-name>palpate fit</filter-name></filter-start>\n"
+                       "<filter-comment>case (1)</filter-comment>\n"
+                       "<filter-progress>0.500</filter-progress>\n"
+                       "<filter-end><filter-name>palpate fit</filter-name>"
+                       "<filter-time>0.0</filter-time></filter-end>\n");
+  EXPECT_EQ(err.str(), "");
+}
+
+TEST(Console, QuietSuppressesProgressForSlicer)
+{
+  std::ostringstream out;
+  std::ostringstream err;
+  Console console(out, err, true);
+  console.SetQuiet(true);
+  console.StartSlicerProgress("palpate fit");
+  console.Progress(0.5, "fit");
+  console.EndSlicerProgress();
+  EXPECT_EQ(out.str() + err.str(), "");
+}
+
 TEST(Console, DrawsAndReplacesLiveLineOnTerminal)
 {
   std::ostringstream out;

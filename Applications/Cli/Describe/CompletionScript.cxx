@@ -7,23 +7,6 @@ namespace palpate::cli
 {
 namespace
 {
-// CLI11 exposes an IsMember check's values only within the option's type name: "TEXT:{a,b}".
-std::vector<std::string> FixedValues(const std::string& typeName)
-{
-  std::vector<std::string> values;
-  const std::size_t open = typeName.find('{');
-  const std::size_t close = typeName.find('}', open);
-  if (open != std::string::npos && close != std::string::npos)
-  {
-    std::istringstream list(typeName.substr(open + 1, close - open - 1));
-    for (std::string value; std::getline(list, value, ',');)
-    {
-      values.push_back(value);
-    }
-  }
-  return values;
-}
-
 std::string Join(const std::vector<std::string>& words, const std::string& separator)
 {
   std::string text;
@@ -68,15 +51,14 @@ std::string HelpForZsh(const std::string& text)
 
 CompletionScript::CompletionScript(const CLI::App& root)
 {
-  this->Commands.push_back(Describe(root));
+  this->Commands.emplace_back(root);
   this->Commands.front().Name.clear();
-  for (const CLI::App* sub : root.get_subcommands([](const CLI::App*) { return true; }))
+  for (DeclaredCommand command : DeclaredCommands(root))
   {
-    Command command = Describe(*sub);
     // The program's own options are also accepted after a command.
-    for (const Option& option : this->Program().Options)
+    for (const DeclaredOption& option : this->Program().Options)
     {
-      if (option.Names.front() != "-h" && option.Names.front() != "--version")
+      if (!option.HasName("--help") && !option.HasName("--version"))
       {
         command.Options.push_back(option);
       }
@@ -85,32 +67,10 @@ CompletionScript::CompletionScript(const CLI::App& root)
   }
 }
 
-CompletionScript::Command CompletionScript::Describe(const CLI::App& app)
-{
-  Command command{app.get_name(), app.get_description(), {}};
-  for (const CLI::Option* declared : app.get_options())
-  {
-    Option option{{},
-                  declared->get_description(),
-                  FixedValues(declared->get_type_name()),
-                  declared->get_type_size_max() > 0};
-    for (const std::string& name : declared->get_snames())
-    {
-      option.Names.push_back("-" + name);
-    }
-    for (const std::string& name : declared->get_lnames())
-    {
-      option.Names.push_back("--" + name);
-    }
-    command.Options.push_back(std::move(option));
-  }
-  return command;
-}
-
-std::string CompletionScript::BashWords(const Command& command)
+std::string CompletionScript::BashWords(const DeclaredCommand& command)
 {
   std::vector<std::string> words;
-  for (const Option& option : command.Options)
+  for (const DeclaredOption& option : command.Options)
   {
     const auto& more = option.Names.empty() ? option.Values : option.Names;
     words.insert(words.end(), more.begin(), more.end());
@@ -118,12 +78,12 @@ std::string CompletionScript::BashWords(const Command& command)
   return "    '" + command.Name + "') words=" + QuotedForBash(Join(words, " ")) + " ;;\n";
 }
 
-std::string CompletionScript::BashValues(const Command& command)
+std::string CompletionScript::BashValues(const DeclaredCommand& command)
 {
   std::string cases;
-  for (const Option& option : command.Options)
+  for (const DeclaredOption& option : command.Options)
   {
-    if (!option.Names.empty() && option.TakesValue)
+    if (!option.Names.empty() && option.TakesValue())
     {
       cases += "    '" + command.Name + " " + Join(option.Names, "'|'" + command.Name + " ") +
                "') words=" + QuotedForBash(Join(option.Values, " ")) + " ;;\n";
@@ -137,7 +97,7 @@ std::string CompletionScript::Bash() const
   std::string names;
   std::string options;
   std::string values;
-  for (const Command& command : this->Commands)
+  for (const DeclaredCommand& command : this->Commands)
   {
     names += " " + command.Name;
     options += BashWords(command);
@@ -164,7 +124,7 @@ std::string CompletionScript::Zsh() const
 {
   std::ostringstream script;
   script << "#compdef palpate\n_palpate()\n{\n  local -a commands\n  commands=(\n";
-  for (const Command& command : this->Commands)
+  for (const DeclaredCommand& command : this->Commands)
   {
     if (!command.Name.empty())
     {
@@ -173,14 +133,14 @@ std::string CompletionScript::Zsh() const
   }
   script << "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
          << "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n";
-  for (const Command& command : this->Commands)
+  for (const DeclaredCommand& command : this->Commands)
   {
     if (command.Name.empty())
     {
       continue;
     }
     script << "    " << command.Name << ")\n      _arguments";
-    for (const Option& option : command.Options)
+    for (const DeclaredOption& option : command.Options)
     {
       const std::string action =
           option.Values.empty() ? "_files" : "(" + Join(option.Values, " ") + ")";
@@ -188,7 +148,7 @@ std::string CompletionScript::Zsh() const
       {
         script << " \\\n        "
                << QuotedForBash("*" + name + "[" + HelpForZsh(option.Help) + "]" +
-                                (option.TakesValue ? ":value:" + action : ""));
+                                (option.TakesValue() ? ":value:" + action : ""));
       }
       if (option.Names.empty() && !option.Values.empty())
       {
@@ -197,14 +157,16 @@ std::string CompletionScript::Zsh() const
     }
     script << " \\\n        '*:file:_files' ;;\n";
   }
-  script << "  esac\n}\ncompdef _palpate palpate\n";
+  // Loaded by zsh at the first completion, or sourced by the user.
+  script << "  esac\n}\nif [[ $funcstack[1] == _palpate ]]; then\n  _palpate \"$@\"\nelse\n"
+         << "  compdef _palpate palpate\nfi\n";
   return script.str();
 }
 
 std::string CompletionScript::Fish() const
 {
   std::ostringstream script;
-  for (const Command& command : this->Commands)
+  for (const DeclaredCommand& command : this->Commands)
   {
     const std::string when = command.Name.empty() ? "__fish_use_subcommand"
                                                   : "__fish_seen_subcommand_from " + command.Name;
@@ -213,14 +175,14 @@ std::string CompletionScript::Fish() const
       script << "complete -c palpate -n __fish_use_subcommand -a " << command.Name << " -d "
              << QuotedForFish(command.Help) << "\n";
     }
-    for (const Option& option : command.Options)
+    for (const DeclaredOption& option : command.Options)
     {
       script << "complete -c palpate -n " << QuotedForFish(when);
       for (const std::string& name : option.Names)
       {
         script << (name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1));
       }
-      script << (option.TakesValue && !option.Names.empty() ? " -r" : "");
+      script << (option.TakesValue() && !option.Names.empty() ? " -r" : "");
       if (!option.Values.empty())
       {
         script << " -f -a " << QuotedForFish(Join(option.Values, " "));

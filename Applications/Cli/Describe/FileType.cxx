@@ -1,0 +1,48 @@
+#include "FileType.h"
+
+#include <sstream>
+
+namespace palpate::cli
+{
+namespace
+{
+// CLI11 keeps copies of its base class only, so the declaration is in the validator's name.
+constexpr const char* FileMark = "file";
+} // namespace
+
+FileType FileType::Input(const std::string& content, const std::string& ending)
+{
+  return FileType(FileMark + (" input " + content) + " " + ending);
+}
+
+FileType FileType::Output(const std::string& content, const std::string& ending)
+{
+  return FileType(FileMark + (" output " + content) + " " + ending);
+}
+
+std::optional<FileType::Declared> FileType::Of(const CLI::Option& option)
+{
+  // CLI11 lists validators, until one is missing, for options that may change only.
+  auto& listed = const_cast<CLI::Option&>(option);
+  try
+  {
+    for (int index = 0;; ++index)
+    {
+      std::istringstream name(listed.get_validator(index)->get_name());
+      std::string mark;
+      std::string channel;
+      Declared declared{};
+      if (name >> mark >> channel >> declared.Content && mark == FileMark)
+      {
+        declared.IsOutput = channel == "output";
+        name >> declared.Ending;
+        return declared;
+      }
+    }
+  }
+  catch (const CLI::OptionNotFound&)
+  {
+    return std::nullopt;
+  }
+}
+} // namespace palpate::cli
