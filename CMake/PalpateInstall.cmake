@@ -2,7 +2,7 @@
 
 include(CMakePackageConfigHelpers)
 install(EXPORT PalpateKernels NAMESPACE Palpate:: FILE PalpateKernels-targets.cmake
-  DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
+  DESTINATION "${PALPATE_VTK_CMAKE_DIR}" COMPONENT development)
 export(EXPORT PalpateKernels NAMESPACE Palpate::
   FILE "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateKernels-targets.cmake")
 string(REPLACE ";" " " PALPATE_KERNEL_LIST "${PALPATE_KERNEL_MODULES}")
@@ -15,7 +15,7 @@ write_basic_package_version_file(
 install(FILES
   "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfig.cmake"
   "${CMAKE_BINARY_DIR}/${PALPATE_VTK_CMAKE_DIR}/PalpateConfigVersion.cmake"
-  DESTINATION "${PALPATE_VTK_CMAKE_DIR}")
+  DESTINATION "${PALPATE_VTK_CMAKE_DIR}" COMPONENT development)
 install(PROGRAMS Utilities/install-udev-rule.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate)
 install(FILES Utilities/70-palpate-falcon.rules DESTINATION ${CMAKE_INSTALL_DATADIR}/palpate)
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
