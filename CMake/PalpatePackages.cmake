@@ -8,7 +8,10 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL runtime development python)
+set(CPACK_COMPONENTS_ALL runtime development)
+if(PALPATE_WRAP_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 if(PALPATE_HAS_QT)
   list(APPEND CPACK_COMPONENTS_ALL viewer)
 endif()
@@ -43,9 +46,16 @@ palpate_debian_package(DEVELOPMENT libpalpate-dev libdevel
   "spherical-harmonic organ models - development files"
   "Headers and CMake package of Palpate's libraries: spherical harmonics,
 fields of voxels, contact and forces, and filters for VTK.")
-palpate_debian_package(PYTHON python3-palpate python "${ours}, python3-vtk9, python3-numpy"
+# The wrappers are compiled for one version of Python.
+if(PALPATE_WRAP_PYTHON)
+  math(EXPR next "${Python3_VERSION_MINOR} + 1")
+  set(python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next})")
+endif()
+palpate_debian_package(PYTHON python3-palpate python "${ours}, ${python}, python3-vtk9, python3-numpy"
   "spherical-harmonic organ models - Python 3"
   "Palpate's VTK filters for Python 3.")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libopenblas0-pthread)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "palpate-viewer, mricron-data")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/Packaging/triggers")
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 include(CPack)
