@@ -14,10 +14,11 @@ import sys
 
 import licences
 
-# Of the system: they match its kernel, its graphics card or its X server.
+# Of the system: they match its kernel, graphics card, X server or services.
 FOREIGN = re.compile(
     r"^(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|resolv|util|anl)\.so"
-    r"|lib(GL|GLX|GLdispatch|OpenGL|EGL|drm|gbm|X11|X11-xcb|xcb|Xau|Xdmcp)\.so)"
+    r"|lib(GL|GLX|GLdispatch|OpenGL|EGL|drm|gbm|X11|X11-xcb|xcb|Xau|Xdmcp|ICE|SM)\.so"
+    r"|lib(udev|uuid|systemd|dbus-1|cap|gcrypt|gpg-error|fontconfig)\.so)"
 )
 # libtiff of VTK and ITK needs it, it is under the GPL, and we read no TIFF.
 STUB = "libjbig.so.0"

@@ -29,15 +29,19 @@ JUDGED = {
     "libwebp7": "BSD-3-clause",
     "libjpeg62-turbo": "BSD-3-clause and IJG",
     "libopenjp2-7": "BSD-2-clause",
+    "libxcb": "MIT",
+    "libxkbcommon0": "MIT",
+    "libxkbcommon-x11-0": "MIT",
+    "libxrender1": "MIT",
 }
 
 
 def origin(name):
-    """The file of Debian that a bundled file is a copy of; None if it is not one."""
-    for path in [SYSTEM / name, *SYSTEM.glob(f"*/{name}"), *SYSTEM.glob(f"qt5/plugins/*/{name}")]:
+    """The file of Debian that a bundled file is a copy of."""
+    for path in [SYSTEM / name, SYSTEM.parent / name, *SYSTEM.glob(f"*/{name}"), *SYSTEM.glob(f"qt5/plugins/*/{name}")]:
         if path.exists():
             return path.resolve()
-    return None
+    raise SystemExit(f"licences.py: {name} is no library of Debian")
 
 
 def package_of(path):
@@ -56,6 +60,8 @@ def copyright_of(package):
 def licence_of(package):
     if package in JUDGED:
         return JUDGED[package]
+    if package.startswith("libxcb-"):
+        return JUDGED["libxcb"]
     for paragraph in re.split(r"\n\s*\n", copyright_of(package).read_text(errors="replace")):
         if re.search(r"^Files:\s*\*\s*$", paragraph, re.M):
             licence = re.search(r"^License:\s*(\S.*)$", paragraph, re.M)
@@ -84,11 +90,9 @@ def main():
     refused = []
     packages = {}
     for path in bundled(folder):
-        source = origin(path.name)
-        package = package_of(source) if source else "(none)"
-        packages.setdefault(package, []).append(path.name)
+        packages.setdefault(package_of(origin(path.name)), []).append(path.name)
     for package, names in sorted(packages.items()):
-        licence = licence_of(package) if package != "(none)" else "unknown"
+        licence = licence_of(package)
         if not is_allowed(licence):
             refused.append(package)
         print(f"{package:24} {licence:44} {' '.join(names)}")
