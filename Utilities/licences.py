@@ -73,7 +73,7 @@ def licence_of(package):
 def is_allowed(licence):
     alternatives = re.split(r"\bor\b", licence)
     return licence != "unknown" and any(
-        re.search(r"\bGPL", alternative) is None or "Runtime Library Exception" in alternative
+        re.search(r"\bA?GPL", alternative) is None or "Runtime Library Exception" in alternative
         for alternative in alternatives
     )
 
