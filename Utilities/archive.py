@@ -3,7 +3,7 @@
 
   Utilities/archive.py BUILD-TREE ARCHIVE.tar.gz
 
-The C library, OpenGL and X come from the system it is unpacked on, which has to be at least as new as the one it
+The C and C++ libraries, OpenGL and X come from the system it is unpacked on, which has to be at least as new as the one it
 was made on. The folder that is packed stays, next to the archive.
 """
 import pathlib
@@ -14,10 +14,12 @@ import sys
 
 import licences
 
-# Of the system: they match its kernel, graphics card, X server or services.
+# Of the system: they match its kernel, graphics card, X server or services, or are also loaded by its graphics
+# driver, which may need newer ones than ours.
 FOREIGN = re.compile(
     r"^(ld-linux|linux-vdso|lib(c|m|dl|rt|pthread|resolv|util|anl)\.so"
     r"|lib(GL|GLX|GLdispatch|OpenGL|EGL|drm|gbm|X11|X11-xcb|xcb|Xau|Xdmcp|ICE|SM)\.so"
+    r"|lib(stdc\+\+|gcc_s|z|zstd|expat)\.so"
     r"|lib(udev|uuid|systemd|dbus-1|cap|gcrypt|gpg-error|fontconfig)\.so)"
 )
 # libtiff of VTK and ITK needs it, it is under the GPL, and we read no TIFF.

@@ -17,8 +17,6 @@ SYSTEM = pathlib.Path("/usr/lib/x86_64-linux-gnu")
 # Read by hand in /usr/share/doc/PACKAGE/copyright of Debian 12.
 RUNTIME = "GPL-3+ with GCC Runtime Library Exception"
 JUDGED = {
-    "libgcc-s1": RUNTIME,
-    "libstdc++6": RUNTIME,
     "libgfortran5": RUNTIME,
     "libquadmath0": "LGPL-2.1+",
     "libbsd0": "BSD-3-clause",

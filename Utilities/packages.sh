@@ -20,7 +20,10 @@ echo "== Archive"
 version=$(build/release/bin/palpate --version | cut -d' ' -f2)
 archive=$packages/palpate-$version-linux-$(uname -m).tar.gz
 /usr/bin/python3 Utilities/archive.py build/release "$archive"
-/usr/bin/python3 Utilities/licences.py "${archive%.tar.gz}" | tee "$packages/licences.txt"
+code=0
+/usr/bin/python3 Utilities/licences.py "${archive%.tar.gz}" >"$packages/licences.txt" || code=$?
+cat "$packages/licences.txt"
+[ $code -eq 0 ] || exit $code
 moved=$(mktemp -d)
 trap 'rm -rf "$moved"' EXIT
 mv "${archive%.tar.gz}" "$moved/else where"
