@@ -15,6 +15,10 @@ palpate_describe(_palpate completion zsh)
 palpate_describe(palpate.fish completion fish)
 get_property(descriptions GLOBAL PROPERTY PALPATE_DESCRIPTIONS)
 add_custom_target(palpate-descriptions ALL DEPENDS ${descriptions})
+# Nothing is installed of these, and what a sanitizer finds belongs into tests.
+if(PALPATE_SANITIZERS)
+  set_target_properties(palpate-descriptions PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()
 
 install(FILES "${made}/palpate.1" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 # The page is that of the helpers, too.
