@@ -14,7 +14,7 @@ import sys
 
 SYSTEM = pathlib.Path("/usr/lib/x86_64-linux-gnu")
 
-# Read by hand in /usr/share/doc/PACKAGE/copyright of Debian 12.
+# As those files say, read by hand (Debian 12).
 RUNTIME = "GPL-3+ with GCC Runtime Library Exception"
 JUDGED = {
     "libgfortran5": RUNTIME,
