@@ -1,4 +1,5 @@
 #include "MeshDistances.h"
+#include "NoisyMask.h"
 #include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "SurfaceChain.h"
@@ -32,18 +33,6 @@ IndexedMesh Moved(IndexedMesh mesh, const Matrix3& turn, const Vector3& shift)
     point = turn * point + shift;
   }
   return mesh;
-}
-
-// A blob with a cleft that reaches half way through it.
-ParametricSphericalSurface CleftBlob()
-{
-  return ProjectMap(Degree,
-                    [](const Vector3& u)
-                    {
-                      const double depth = 12.0 * std::exp(-12.0 * u[0] * u[0] - 3.0 * u[1] * u[1]);
-                      const Vector3 body(24.0 * u[0], 18.0 * u[1], 17.0 * u[2]);
-                      return Vector3(body - Vector3(0.0, 0.0, u[2] > 0.0 ? u[2] * depth : 0.0));
-                    });
 }
 
 // The truth is the tessellation that was voxelised. A mask tells a boundary to some tenth of a
@@ -81,7 +70,7 @@ TEST(SurfaceChain, RecoversBentTubeWithBumpsToTheVoxelsLimit)
 
 TEST(SurfaceChain, RecoversCleftToTheVoxelsLimit)
 {
-  ExpectRecovered(CleftBlob());
+  ExpectRecovered(CleftBlob(Degree));
 }
 
 // A bean with a hilum.
@@ -247,32 +236,6 @@ double MeanGap(const ParametricSphericalSurface& a, const std::function<Vector3(
     largest = std::max(largest, gap);
   }
   return sum / static_cast<double>(sphere.Directions().size());
-}
-
-// Flips each voxel at the boundary in its slice with a probability.
-VoxelMask WithNoise(VoxelMask mask, double probability, std::mt19937_64& random)
-{
-  std::uniform_real_distribution<double> part(0.0, 1.0);
-  const VoxelMask before = mask;
-  for (int k = 0; k < mask.Size[2]; ++k)
-  {
-    for (int j = 1; j + 1 < mask.Size[1]; ++j)
-    {
-      for (int i = 1; i + 1 < mask.Size[0]; ++i)
-      {
-        const unsigned char here = before.Inside[before.Offset(i, j, k)];
-        const bool isBoundary = before.Inside[before.Offset(i - 1, j, k)] != here ||
-                                before.Inside[before.Offset(i + 1, j, k)] != here ||
-                                before.Inside[before.Offset(i, j - 1, k)] != here ||
-                                before.Inside[before.Offset(i, j + 1, k)] != here;
-        if (isBoundary && part(random) < probability)
-        {
-          mask.Inside[mask.Offset(i, j, k)] = here != 0 ? 0 : 1;
-        }
-      }
-    }
-  }
-  return mask;
 }
 
 // The same direction is the same place: under noise of the boundary, on another grid and mesh, and

@@ -73,6 +73,18 @@ inline ParametricSphericalSurface Bowl(int degree = 16)
                     });
 }
 
+/// A blob with a cleft that reaches half way through it.
+inline ParametricSphericalSurface CleftBlob(int degree = 16)
+{
+  return ProjectMap(degree,
+                    [](const Vector3& u)
+                    {
+                      const double depth = 12.0 * std::exp(-12.0 * u[0] * u[0] - 3.0 * u[1] * u[1]);
+                      const Vector3 body(24.0 * u[0], 18.0 * u[1], 17.0 * u[2]);
+                      return Vector3(body - Vector3(0.0, 0.0, u[2] > 0.0 ? u[2] * depth : 0.0));
+                    });
+}
+
 /// A tube bent by 120 degrees with random bumps of every degree.
 inline ParametricSphericalSurface BumpyTube(Random& random, int degree = 16)
 {

@@ -1,0 +1,156 @@
+#include "SurfaceTouch.h"
+
+#include "ParametricContactModel.h"
+#include "ParametricPath.h"
+#include "WanderingHand.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+namespace palpate::bench
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+struct Touched
+{
+  std::shared_ptr<const ParametricTouchSurface> Surface;
+  std::unique_ptr<ContactTracker> Tracker;
+};
+
+Touched MakeTouched(const ParametricSphericalSurface& surface, double toolRadius)
+{
+  Touched touched;
+  std::shared_ptr<const ContactModel> model;
+  Status status = ParametricTouchSurface::Make(surface, touched.Surface);
+  if (status.IsOk())
+  {
+    status = ParametricContactModel::Make(surface, model);
+  }
+  if (status.IsOk())
+  {
+    status = model->MakeTracker(ToolShape::Sphere(toolRadius), {}, touched.Tracker);
+  }
+  if (!status.IsOk())
+  {
+    throw std::runtime_error(status.Message());
+  }
+  return touched;
+}
+
+ToolPose PoseAt(const Vector3& place)
+{
+  return {place, Eigen::Quaterniond::Identity()};
+}
+
+// A tool that was pressed through a thin wall is rightly held far from the probe; one that could
+// move nearer is not.
+class LagWatch
+{
+public:
+  LagWatch(const ParametricTouchSurface& surface, double radius) : Surface(surface), Radius(radius)
+  {
+  }
+
+  void Watch(const Vector3& probe, const Contact& contact, TouchedTicks& counts)
+  {
+    constexpr double Far = 2.0; // mm
+    // Nearer than this none is far, so that the search is rarely needed.
+    const bool isFar = contact.IsTouching && contact.Depth > Far &&
+                       contact.Depth > Far + this->Radius - this->NearestTo(probe).SignedDistance;
+    const bool isLag = isFar && this->CanMove(contact.ProxyWorld, probe);
+    counts.Lags += isLag ? 1 : 0;
+    this->Held = isLag ? this->Held + 1 : 0;
+    counts.LongestLag = std::max(counts.LongestLag, this->Held);
+  }
+
+private:
+  ParametricTouchSurface::ClosestPoint NearestTo(const Vector3& place) const
+  {
+    return this->Surface.SeenFrom(place, this->Surface.Search().Nearest(place, 5000));
+  }
+  // Along the wall towards the probe, or off the wall.
+  bool CanMove(const Vector3& proxy, const Vector3& probe) const
+  {
+    constexpr double Step = 0.05; // mm
+    const Vector3 normal = this->NearestTo(proxy).Normal;
+    const Vector3 way = probe - proxy;
+    const Vector3 along = way - std::min(0.0, way.dot(normal)) * normal;
+    const Vector3 place =
+        proxy + Step * along.normalized() + (this->Surface.Margin() + 0.1 * Step) * normal;
+    return along.norm() > 0.1 * way.norm() && (probe - place).norm() < way.norm() &&
+           this->NearestTo(place).SignedDistance > this->Radius;
+  }
+
+  const ParametricTouchSurface& Surface;
+  double Radius;
+  long Held = 0;
+};
+
+double PartOf(std::vector<float>& times, double part)
+{
+  const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1));
+  std::nth_element(times.begin(), times.begin() + at, times.end());
+  return times[static_cast<std::size_t>(at)];
+}
+} // namespace
+
+TouchedPaths TouchPaths(const ParametricSphericalSurface& surface, double toolRadius, long paths)
+{
+  const Touched touched = MakeTouched(surface, toolRadius);
+  test::SurfaceTouchTruth truth(touched.Surface, toolRadius);
+  test::Random random(9201);
+  TouchedPaths result;
+  for (long path = 0; path < paths; ++path)
+  {
+    touched.Tracker->Release();
+    bool isFirst = true;
+    bool isFree = false;
+    test::FollowSurfacePath(surface, toolRadius, random,
+                            [&](const Vector3& probe)
+                            {
+                              const Contact& contact = touched.Tracker->Follow(PoseAt(probe));
+                              isFree = isFirst ? truth.Begin(probe) : isFree;
+                              if (isFree)
+                              {
+                                truth.Judge(probe, contact, result.Counts);
+                              }
+                              isFirst = false;
+                            });
+    result.Paths += isFree ? 1 : 0;
+  }
+  return result;
+}
+
+TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolRadius, long ticks)
+{
+  const Touched touched = MakeTouched(surface, toolRadius);
+  test::Random random(9202);
+  test::WanderingHand hand(surface, toolRadius, random);
+  LagWatch watch(*touched.Surface, toolRadius);
+  TouchedTicks result;
+  std::vector<float> times;
+  Vector3 last = Vector3::Zero();
+  for (; result.Ticks < ticks; ++result.Ticks)
+  {
+    const Vector3 probe = hand.Next();
+    const Clock::time_point start = Clock::now();
+    const Contact& contact = touched.Tracker->Follow(PoseAt(probe));
+    times.push_back(std::chrono::duration<float, std::micro>(Clock::now() - start).count());
+    const Vector3 force = test::SurfaceTouchTruth::Stiffness * (contact.ProxyWorld - probe);
+    result.Touching += contact.IsTouching ? 1 : 0;
+    result.NotFinite += contact.IsValid && force.allFinite() ? 0 : 1;
+    result.Jumps += !hand.IsJumping() && (force - last).norm() > 1.0 ? 1 : 0;
+    last = force;
+    watch.Watch(probe, contact, result);
+  }
+  result.Median = PartOf(times, 0.5);
+  result.Slow = PartOf(times, 0.99);
+  result.Rare = PartOf(times, 0.999);
+  result.Longest = PartOf(times, 1.0);
+  return result;
+}
+} // namespace palpate::bench

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ParametricSphericalSurface.h"
+#include "SurfaceTouchTruth.h"
+
+namespace palpate::bench
+{
+/// Short random paths of a sphere (radius in mm; 0 is a point) over a surface, each tick next to a
+/// search of the whole surface.
+struct TouchedPaths
+{
+  long Paths = 0; ///< begun where the tool is free
+  test::SurfaceTouchTruth::Counts Counts;
+};
+TouchedPaths TouchPaths(const ParametricSphericalSurface& surface, double toolRadius, long paths);
+
+/// A random hand in and out of a surface.
+struct TouchedTicks
+{
+  long Ticks = 0;
+  long Touching = 0;
+  long NotFinite = 0;
+  /// Ticks when the tool is held 2 mm farther than it has to be to be free, and could move nearer;
+  /// the longest such time.
+  long Lags = 0;
+  long LongestLag = 0;
+  long Jumps = 0; ///< of the force by more than 1 N while the hand does not jump
+  double Median = 0.0, Slow = 0.0, Rare = 0.0, Longest = 0.0; ///< us: median, 99 %, 99.9 %, all
+};
+TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolRadius, long ticks);
+} // namespace palpate::bench
