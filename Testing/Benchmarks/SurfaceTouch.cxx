@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -90,6 +91,32 @@ private:
   long Held = 0;
 };
 
+// A path for times: without jumps.
+std::vector<Vector3> StrokeOver(const ParametricSphericalSurface& surface, double toolRadius,
+                                long ticks)
+{
+  test::Random random(9203);
+  std::uniform_real_distribution<double> step(0.02, 0.1); // mm
+  Vector3 parameter = test::RandomDirection(random);
+  Vector3 axis = test::RandomDirection(random);
+  Vector3 last = surface.Point(parameter);
+  double angle = 0.002; // about a step
+  std::vector<Vector3> path;
+  for (long tick = 0; tick < ticks; ++tick)
+  {
+    axis = (axis + 0.05 * test::RandomDirection(random)).normalized();
+    parameter = (Eigen::AngleAxisd(angle, axis) * parameter).normalized();
+    const Vector3 point = surface.Point(parameter);
+    const double moved = (point - last).norm();
+    angle = std::clamp(angle * step(random) / std::max(moved, 1e-6), 0.25 * angle, 4.0 * angle);
+    angle = std::clamp(angle, 1e-4, 0.02);
+    last = point;
+    const double height = -0.75 + 1.5 * std::sin(0.02 * static_cast<double>(tick));
+    path.push_back(point + (toolRadius + height) * surface.Normal(parameter));
+  }
+  return path;
+}
+
 double PartOf(std::vector<float>& times, double part)
 {
   const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1));
@@ -132,14 +159,11 @@ TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolR
   test::WanderingHand hand(surface, toolRadius, random);
   LagWatch watch(*touched.Surface, toolRadius);
   TouchedTicks result;
-  std::vector<float> times;
   Vector3 last = Vector3::Zero();
   for (; result.Ticks < ticks; ++result.Ticks)
   {
     const Vector3 probe = hand.Next();
-    const Clock::time_point start = Clock::now();
     const Contact& contact = touched.Tracker->Follow(PoseAt(probe));
-    times.push_back(std::chrono::duration<float, std::micro>(Clock::now() - start).count());
     const Vector3 force = test::SurfaceTouchTruth::Stiffness * (contact.ProxyWorld - probe);
     result.Touching += contact.IsTouching ? 1 : 0;
     result.NotFinite += contact.IsValid && force.allFinite() ? 0 : 1;
@@ -147,10 +171,26 @@ TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolR
     last = force;
     watch.Watch(probe, contact, result);
   }
-  result.Median = PartOf(times, 0.5);
-  result.Slow = PartOf(times, 0.99);
-  result.Rare = PartOf(times, 0.999);
-  result.Longest = PartOf(times, 1.0);
   return result;
+}
+
+TickTimes TimeTouch(const ParametricSphericalSurface& surface, double toolRadius, long ticks)
+{
+  constexpr int Runs = 5;
+  const std::vector<Vector3> path = StrokeOver(surface, toolRadius, ticks);
+  std::vector<float> times(path.size(), std::numeric_limits<float>::infinity());
+  const Touched touched = MakeTouched(surface, toolRadius);
+  for (int run = 0; run < Runs; ++run)
+  {
+    touched.Tracker->Release();
+    for (std::size_t tick = 0; tick < path.size(); ++tick)
+    {
+      const Clock::time_point start = Clock::now();
+      touched.Tracker->Follow(PoseAt(path[tick]));
+      const float time = std::chrono::duration<float, std::micro>(Clock::now() - start).count();
+      times[tick] = std::min(times[tick], time);
+    }
+  }
+  return {PartOf(times, 0.5), PartOf(times, 0.99), PartOf(times, 0.999), PartOf(times, 1.0)};
 }
 } // namespace palpate::bench

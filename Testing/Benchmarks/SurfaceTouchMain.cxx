@@ -1,10 +1,14 @@
-// PalpateSurfaceTouch PATHS TICKS [MODEL.json ...]: touches surface models and, without any,
+// PalpateSurfaceTouch PATHS TICKS TIMED [MODEL.json ...]: touches surface models and, without any,
 // phantoms of degree 16 by a point and spheres of 1 and 4 mm; prints a table of short paths next to
-// searches of the whole surface, and one of a random hand.
+// searches of the whole surface, one of a random hand, and one of times, scaled by GSL.
+#include "GslHarmonics.h"
 #include "ModelFile.h"
 #include "ParametricPhantoms.h"
 #include "SurfaceTouch.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -58,10 +62,43 @@ void PrintPaths(const Named& model, double radius, long paths)
 void PrintTicks(const Named& model, double radius, long ticks)
 {
   const TouchedTicks touched = TouchByHand(model.second, radius, ticks);
-  std::printf("hand | %s | %g | %ld | %ld | %ld | %ld | %ld | %ld | %.2f | %.1f | %.1f | %.0f\n",
-              model.first.c_str(), radius, touched.Ticks, touched.Touching, touched.NotFinite,
-              touched.Lags, touched.LongestLag, touched.Jumps, touched.Median, touched.Slow,
-              touched.Rare, touched.Longest);
+  std::printf("hand | %s | %g | %ld | %ld | %ld | %ld | %ld | %ld\n", model.first.c_str(), radius,
+              touched.Ticks, touched.Touching, touched.NotFinite, touched.Lags, touched.LongestLag,
+              touched.Jumps);
+  std::fflush(stdout);
+}
+
+// Of GSL's gradient of degree 12, us: the shortest of many.
+double TimeGsl()
+{
+  using Ticking = std::chrono::steady_clock;
+  constexpr int Calls = 200;
+  test::Random random(7);
+  GslHarmonics harmonics(12, test::RandomCoefficients(random, 12));
+  const std::vector<Vector3> directions = test::RandomDirections(random, Calls);
+  double shortest = 1e300;
+  double sum = 0.0;
+  for (int run = 0; run < 200; ++run)
+  {
+    const Ticking::time_point start = Ticking::now();
+    for (const Vector3& direction : directions)
+    {
+      sum += harmonics.Evaluate(direction).Radius;
+    }
+    const double time = std::chrono::duration<double, std::micro>(Ticking::now() - start).count();
+    shortest = std::min(shortest, time / Calls);
+  }
+  return std::isfinite(sum) ? shortest : 0.0;
+}
+
+void PrintTimes(const Named& model, double radius, long ticks)
+{
+  constexpr double Reference = 0.541; // us, of GSL's gradient on the machine of the aims
+  const TickTimes times = TimeTouch(model.second, radius, ticks);
+  const double scale = Reference / TimeGsl();
+  std::printf("times | %s | %g | %.3f | %.2f | %.2f | %.1f | %.1f\n", model.first.c_str(), radius,
+              1e3 * Reference / scale, scale * times.Median, scale * times.Slow, scale * times.Rare,
+              scale * times.Longest);
   std::fflush(stdout);
 }
 } // namespace
@@ -70,22 +107,24 @@ void PrintTicks(const Named& model, double radius, long ticks)
 int main(int argc, char** argv)
 {
   using namespace palpate::bench;
-  if (argc < 3)
+  if (argc < 4)
   {
-    std::cerr << "usage: PalpateSurfaceTouch PATHS TICKS [MODEL.json ...]\n";
+    std::cerr << "usage: PalpateSurfaceTouch PATHS TICKS TIMED [MODEL.json ...]\n";
     return 2;
   }
   try
   {
     const long paths = std::atol(argv[1]);
     const long ticks = std::atol(argv[2]);
+    const long timed = std::atol(argv[3]);
     std::puts(
         "paths | surface | radius mm | paths | ticks | touching | ended | unique foot | other part "
         "nearer | off > 1e-9 N | most N | off > 0.05 mm | late | most mm | early | most mm | "
         "overlap | most mm");
     std::puts("hand | surface | radius mm | ticks | touching | not finite | could move | longest, "
-              "ticks | jumps > 1 N | median us | 99 % | 99.9 % | longest");
-    for (const auto& model : argc > 3 ? ModelsOf(argc - 3, argv + 3) : Phantoms())
+              "ticks | jumps > 1 N");
+    std::puts("times | surface | radius mm | GSL ns | median us | 99 % | 99.9 % | longest");
+    for (const auto& model : argc > 4 ? ModelsOf(argc - 4, argv + 4) : Phantoms())
     {
       for (const double radius : {0.0, 1.0, 4.0})
       {
@@ -96,6 +135,10 @@ int main(int argc, char** argv)
         if (ticks > 0)
         {
           PrintTicks(model, radius, ticks);
+        }
+        if (timed > 0)
+        {
+          PrintTimes(model, radius, timed);
         }
       }
     }
