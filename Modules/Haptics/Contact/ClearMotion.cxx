@@ -15,7 +15,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
 // waits.
 constexpr int MotionEvaluationsOfProof = 160;
-constexpr int MotionEvaluationsAhead = 40;
+constexpr int MotionEvaluationsAhead = 24;
 constexpr int MotionEvaluationsOfSearch = 256;
 constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end

@@ -269,14 +269,17 @@ HarmonicWedgeOf<Surface>::Planes() const noexcept
   return planes;
 }
 
-// Planes that are inaccurate for a long step are accurate for a short one.
+// Planes that are inaccurate for a long step are accurate for a short one. At a parametric surface
+// that is shorter than the step that was tried, which would only be repeated otherwise.
 template <typename Surface>
 void HarmonicWedgeOf<Surface>::Shorten(Leash& leash) noexcept
 {
   constexpr double Shorter = 0.5;
   if (this->IsClear)
   {
-    leash.Length *= Shorter;
+    const double tried = (this->Center - leash.ClearWorld).norm();
+    leash.Length =
+        Shorter * (Surface::MayCrossItself ? std::min(leash.Length, tried) : leash.Length);
     this->GoTo(leash.ClearWorld, nullptr);
   }
 }
@@ -296,6 +299,7 @@ template <typename Surface>
 bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
   Relaxation relaxation;
+  bool mayRoll = true;
   for (int step = 0; step < WedgeSteps; ++step)
   {
     const std::array<HalfSpace, MostWalls> planes = this->Planes();
@@ -306,9 +310,14 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
     {
       this->JointNormal = push.normalized();
     }
-    if (held.IsHeld && this->Roll(goalWorld, leash, planes.data(), held.Point))
+    if (held.IsHeld && mayRoll)
     {
-      return true;
+      const Rolling rolling = this->Roll(goalWorld, leash, planes.data(), held.Point);
+      if (rolling == Rolling::Done)
+      {
+        return true;
+      }
+      mayRoll = rolling != Rolling::NoMinimum || !Surface::MayCrossItself;
     }
     const WedgeGroove groove = this->GrooveAt(planes.data(), held.Point, goalWorld);
     const Vector3 left = held.Point - this->Center;
@@ -396,13 +405,14 @@ WedgeGroove HarmonicWedgeOf<Surface>::GrooveAt(const HalfSpace* planes, const Ve
 // If a single plane holds the sphere, a single wall does, and the result is the nearest point to
 // the goal, if the other walls allow it.
 template <typename Surface>
-bool HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash,
-                                    const HalfSpace* planes, const Vector3& heldWorld) noexcept
+typename HarmonicWedgeOf<Surface>::Rolling
+HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash,
+                               const HalfSpace* planes, const Vector3& heldWorld) noexcept
 {
   const Holders holders = this->HoldersAt(heldWorld, planes);
   if (holders.Count != 1)
   {
-    return false;
+    return Rolling::Kept;
   }
   const std::size_t touched = holders.Each[0];
   const ClosestPoint wall = this->Touched->Search().Track(goalWorld, this->Known[touched]);
@@ -419,7 +429,7 @@ bool HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash
     this->GoTo(place, &wall);
     this->JointNormal = wall.Normal;
   }
-  return isAllowed;
+  return isAllowed ? Rolling::Done : wall.Converged() ? Rolling::Kept : Rolling::NoMinimum;
 }
 
 // Walls are kept while they are near. The touched one, if known, is the first.

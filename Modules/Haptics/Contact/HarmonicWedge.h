@@ -94,6 +94,13 @@ private:
     std::size_t Count = 0;
   };
 
+  enum class Rolling
+  {
+    Done,
+    Kept,     // by other walls
+    NoMinimum // of the distance from the goal, which takes long to find out
+  };
+
   void Approach(const Vector3& goalWorld) noexcept;
   void Shorten(Leash& leash) noexcept;
   Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;
@@ -102,8 +109,8 @@ private:
   Holders HoldersAt(const Vector3& heldWorld, const HalfSpace* planes) const noexcept;
   WedgeGroove GrooveAt(const HalfSpace* planes, const Vector3& heldWorld,
                        const Vector3& goalWorld) const noexcept;
-  bool Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
-            const Vector3& heldWorld) noexcept;
+  Rolling Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
+               const Vector3& heldWorld) noexcept;
   void ReturnToWall(const Vector3& goalWorld) noexcept;
   void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;
   void Meet(const ClosestPoint& wall) noexcept;

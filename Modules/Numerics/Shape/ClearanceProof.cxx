@@ -327,6 +327,10 @@ typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
   Cell& cell = this->Cells[index];
+  if (cell.IsEvaluated && this->Clears(this->LastBoundOf(cell) - task.Rounding, index))
+  {
+    return Step::Settled;
+  }
   const double inBasin = task.LowerDistance(cell.Cap);
   if (inBasin == Infinite || this->Clears(inBasin, index))
   {
@@ -341,8 +345,7 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
     task.WorkLeft -= WorkOfEvaluation;
     this->Evaluate(cell);
   }
-  if (this->Clears(this->LastBoundOf(cell) - task.Rounding, index) ||
-      this->Clears(this->LowerDistanceOf(cell) - task.Rounding, index))
+  if (this->Clears(this->LowerDistanceOf(cell) - task.Rounding, index))
   {
     return Step::Settled;
   }
