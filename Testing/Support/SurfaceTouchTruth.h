@@ -89,8 +89,10 @@ private:
   void Advance(const Vector3& probe, const ClosestPoint& nearest)
   {
     const Vector3 start = std::exchange(this->Probe, probe);
-    if (!this->IsHeld && nearest.SignedDistance >= this->Radius)
+    const bool isBeyondEdge = nearest.Normal.dot(this->Foot.Normal) < 0.0; // of a thin wall
+    if (!this->IsHeld && nearest.SignedDistance >= this->Radius && !isBeyondEdge)
     {
+      this->Foot = nearest;
       return;
     }
     for (int part = 1; part <= Parts; ++part)

@@ -21,6 +21,7 @@ constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
+constexpr double ShortestStep = 0.05; // of the longest
 // Of the room in which nothing is, that a proof is for.
 constexpr double WantedPart = 2.0 / 3.0;
 } // namespace
@@ -82,6 +83,26 @@ bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
     longest = result == Step::Taken ? std::min(2.0 * longest, this->Stride)
                                     : 0.25 * std::min(longest, length);
   }
+  return !this->IsHeldUp(probeWorld);
+}
+
+// Whether a wall is next to a tool whose work ended before it could follow the probe: in a hollow
+// as round as the tool, steps become ever shorter. Contact begins there, and ends at once if no
+// wall holds the tool; a tool that waited would be pressed in without a force.
+bool ClearMotion::IsHeldUp(const Vector3& probe) noexcept
+{
+  const double near = ShortestStep * this->Stride;
+  if (this->Surface->CrossesItself() || (probe - this->Place).norm() <= near)
+  {
+    return false;
+  }
+  const ClosestPoint nearest = this->Surface->SeenFromOutside(
+      this->Surface->Search().Nearest(this->Place, MotionEvaluationsOfSearch));
+  if (!(nearest.SignedDistance < this->RadiusAt(nearest) + near))
+  {
+    return false;
+  }
+  this->Wall = nearest;
   return true;
 }
 
@@ -131,7 +152,6 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
   }
   const double needed = this->Free + (goal - start).norm();
   constexpr double LongestPart = 0.5;
-  constexpr double ShortestStep = 0.05;
   const double longest = std::max({LongestPart * (minima.Nearest() - this->Free),
                                    ShortestStep * this->Stride, this->Exactness});
   if (needed > this->Free + longest)
@@ -139,7 +159,7 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
     return Step::TooLong;
   }
   const Step proven = this->Prove(goal, needed, minima);
-  return proven == Step::Open ? this->SearchAt(goal, needed) : proven;
+  return proven == Step::Open ? this->SearchAt(start, goal, needed) : proven;
 }
 
 // Far away the ball outside of the sphere around the surface suffices.
@@ -234,6 +254,10 @@ void ClearMotion::Meet(const Vector3& start, const Vector3& goal,
       fall > 0.0 ? std::clamp((first.SignedDistance - radius) / fall, 0.0, 1.0) : 0.0;
   this->Place = start + part * (goal - start);
   this->Wall = search.Track(this->Place, minimum);
+  if (!this->Wall.Converged())
+  {
+    this->Wall = this->Surface->PointAt(minimum.Direction, this->Place, minimum);
+  }
 }
 
 // How far it is worth while to look for others: not as far as the nearest point, since the last bit
@@ -275,14 +299,24 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima&
   return Step::Open;
 }
 
-// Where a proof does not end. A wall that is nearer than needed is known from then on.
-ClearMotion::Step ClearMotion::SearchAt(const Vector3& goal, double needed) noexcept
+// Where a proof does not end. A wall that is nearer than needed is known from then on. In a hollow
+// as round as the tool no minimum is exact; there whatever overlaps the tool is met, or the tool
+// would wait for a proof that never ends. A step within the room that the tool had is on its side.
+ClearMotion::Step ClearMotion::SearchAt(const Vector3& start, const Vector3& goal,
+                                        double needed) noexcept
 {
   Minima minima;
   const double others = this->Search(goal, minima);
   if (others < needed && minima.Count > 0)
   {
     this->Remember(minima.Each[0]);
+  }
+  else if (const ClosestPoint& nearest = minima.Each[0];
+           others < needed && (goal - start).norm() < this->Free &&
+           nearest.SignedDistance < this->RadiusAt(nearest))
+  {
+    this->Meet(start, goal, nearest);
+    return Step::Met;
   }
   return this->TakeIf(others >= needed, goal, minima, others);
 }

@@ -70,6 +70,7 @@ private:
   double RadiusAt(const ClosestPoint& minimum) const noexcept;
   Vector3 EndOfBall(const Vector3& probe) const noexcept;
   Step StepTo(const Vector3& start, const Vector3& goal) noexcept;
+  bool IsHeldUp(const Vector3& probe) noexcept;
   bool IsFar(const Vector3& place) noexcept;
   bool IsAlone(const ClosestPoint& last, const ClosestPoint& next) const noexcept;
   void LookAhead() noexcept;
@@ -77,7 +78,7 @@ private:
   const ClosestPoint* Touched(const Minima& minima) const noexcept;
   void Meet(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;
   Step Prove(const Vector3& goal, double needed, Minima& minima) noexcept;
-  Step SearchAt(const Vector3& goal, double needed) noexcept;
+  Step SearchAt(const Vector3& start, const Vector3& goal, double needed) noexcept;
   void Remember(const ClosestPoint& found) noexcept;
   double Search(const Vector3& goal, Minima& minima) noexcept;
   double Wanted(double needed, const Minima& minima) const noexcept;

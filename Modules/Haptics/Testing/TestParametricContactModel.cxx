@@ -2,8 +2,10 @@
 #include "ContactCases.h"
 #include "IcosahedronDirections.h"
 #include "ParametricContactModel.h"
+#include "ParametricPath.h"
 #include "ParametricPhantoms.h"
 #include "ParametricTouchSurface.h"
+#include "SurfaceTouchTruth.h"
 #include "WedgePlaces.h"
 #include "WindingMesh.h"
 #include "WorstCase.h"
@@ -28,25 +30,6 @@ std::shared_ptr<const ContactModel> ParametricContact(const ParametricSphericalS
   const Status status = ParametricContactModel::Make(surface, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
-}
-
-// A probe that comes down on a random place of the surface and slides over it: 28 ticks, from 0.23
-// mm above to 1.5 mm below where the tool touches.
-template <typename Visit>
-void FollowPath(const ParametricSphericalSurface& surface, double toolRadius, Random& random,
-                const Visit& visit)
-{
-  Vector3 parameter = test::RandomDirection(random);
-  const Vector3 axis = parameter.cross(test::RandomDirection(random)).normalized();
-  for (int tick = 0; tick < 28; ++tick)
-  {
-    const double depth = std::min(1.5, 0.1 * tick - 0.23);
-    visit(Vector3(surface.Point(parameter) + (toolRadius - depth) * surface.Normal(parameter)));
-    if (depth >= 1.5)
-    {
-      parameter = (Eigen::AngleAxisd(0.002, axis) * parameter).normalized();
-    }
-  }
 }
 
 // The point of an ellipsoid around the origin nearest to a point, which must be nearer to the
@@ -81,18 +64,18 @@ TEST(ParametricContactModel, ForcesOfAnEllipsoidAreExact)
     for (int path = 0; path < 300; ++path)
     {
       tracker->Release();
-      FollowPath(surface, toolRadius, random,
-                 [&](const Vector3& probe)
-                 {
-                   const Contact& contact = tracker->Follow(At(probe));
-                   const Vector3 foot = NearestOnEllipsoid(axes, probe - center);
-                   const Vector3 normal = foot.cwiseQuotient(axes).cwiseQuotient(axes).normalized();
-                   const bool isTouched = (probe - center - foot).dot(normal) < toolRadius;
-                   const Vector3 ideal =
-                       isTouched ? Vector3(center + foot + toolRadius * normal) : probe;
-                   error.Add(Stiffness * (contact.ProxyWorld - ideal).norm());
-                   touches += contact.IsTouching ? 1 : 0;
-                 });
+      test::FollowSurfacePath(
+          surface, toolRadius, random,
+          [&](const Vector3& probe)
+          {
+            const Contact& contact = tracker->Follow(At(probe));
+            const Vector3 foot = NearestOnEllipsoid(axes, probe - center);
+            const Vector3 normal = foot.cwiseQuotient(axes).cwiseQuotient(axes).normalized();
+            const bool isTouched = (probe - center - foot).dot(normal) < toolRadius;
+            const Vector3 ideal = isTouched ? Vector3(center + foot + toolRadius * normal) : probe;
+            error.Add(Stiffness * (contact.ProxyWorld - ideal).norm());
+            touches += contact.IsTouching ? 1 : 0;
+          });
     }
     EXPECT_GT(touches, 300 * 24);
     EXPECT_LE(error.Value(), 1e-9) << toolRadius; // N, the required accuracy
@@ -115,7 +98,7 @@ TEST(ParametricContactModel, ForcesEqualThoseOfTheStarShapedModel)
     {
       one->Release();
       other->Release();
-      FollowPath(
+      test::FollowSurfacePath(
           surface, toolRadius, random,
           [&](const Vector3& probe)
           {
@@ -159,18 +142,20 @@ TEST(ParametricContactModel, ProxiesAreAtTheNearestPoint)
     for (int path = 0; path < 150; ++path)
     {
       tracker->Release();
-      FollowPath(surface, 0.0, random,
-                 [&](const Vector3& probe)
-                 {
-                   const Contact& contact = tracker->Follow(At(probe));
-                   const auto nearest = search.Nearest(probe);
-                   ASSERT_EQ(contact.IsTouching, nearest.SignedDistance < 0.0);
-                   const Vector3 ideal = contact.IsTouching ? nearest.PointWorld : probe;
-                   const double error = (contact.ProxyWorld - ideal).norm();
-                   const bool isOther = contact.Depth > std::abs(nearest.SignedDistance) + 1e-6;
-                   others += isOther ? 1 : 0;
-                   farther.Add(isOther ? 0.0 : Stiffness * error);
-                 });
+      test::FollowSurfacePath(surface, 0.0, random,
+                              [&](const Vector3& probe)
+                              {
+                                const Contact& contact = tracker->Follow(At(probe));
+                                const auto nearest = search.Nearest(probe);
+                                ASSERT_EQ(contact.IsTouching, nearest.SignedDistance < 0.0);
+                                const Vector3 ideal =
+                                    contact.IsTouching ? nearest.PointWorld : probe;
+                                const double error = (contact.ProxyWorld - ideal).norm();
+                                const bool isOther =
+                                    contact.Depth > std::abs(nearest.SignedDistance) + 1e-6;
+                                others += isOther ? 1 : 0;
+                                farther.Add(isOther ? 0.0 : Stiffness * error);
+                              });
     }
     EXPECT_LE(farther.Value(), 1e-9);
     EXPECT_LE(others, 150 * 28 / 5); // the bowl's wall is thinner than the depth near its rim
@@ -377,14 +362,14 @@ TEST(ParametricContactModel, TurnsASurfaceThatIsInsideOut)
   {
     one->Release();
     other->Release();
-    FollowPath(bowl, 0.5, random,
-               [&](const Vector3& probe)
-               {
-                 const Contact& here = one->Follow(At(probe));
-                 const Contact& there = other->Follow(At(probe));
-                 EXPECT_EQ(here.IsTouching, there.IsTouching);
-                 EXPECT_LE((here.ProxyWorld - there.ProxyWorld).norm(), 1e-8);
-               });
+    test::FollowSurfacePath(bowl, 0.5, random,
+                            [&](const Vector3& probe)
+                            {
+                              const Contact& here = one->Follow(At(probe));
+                              const Contact& there = other->Follow(At(probe));
+                              EXPECT_EQ(here.IsTouching, there.IsTouching);
+                              EXPECT_LE((here.ProxyWorld - there.ProxyWorld).norm(), 1e-8);
+                            });
   }
 }
 
@@ -450,6 +435,80 @@ TEST(ParametricTouchSurface, KnowsWhereItCrossesItself)
   for (const auto& [name, surface] : SimplePhantoms())
   {
     EXPECT_FALSE(TouchSurfaceOf(surface)->CrossesItself()) << name;
+  }
+}
+
+// Of 10^5 paths over phantoms and patients' zones by Testing/Benchmarks/SurfaceTouch.
+TEST(ParametricContactModel, PathsAgreeWithSearchesOfTheWholeSurface)
+{
+  std::vector<PhantomCase> phantoms = SimplePhantoms();
+  phantoms.push_back({"CleftBlob", test::CleftBlob()});
+  for (const auto& [name, surface] : phantoms)
+  {
+    const auto touch = TouchSurfaceOf(surface);
+    const auto model = ParametricContact(surface);
+    for (const double toolRadius : {0.0, 1.0, 4.0})
+    {
+      Random random(9112);
+      const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius));
+      test::SurfaceTouchTruth truth(touch, toolRadius);
+      test::SurfaceTouchTruth::Counts counts;
+      for (int path = 0; path < 40; ++path)
+      {
+        tracker->Release();
+        int tick = 0;
+        bool isFree = false;
+        test::FollowSurfacePath(surface, toolRadius, random,
+                                [&](const Vector3& probe)
+                                {
+                                  const Contact& contact = tracker->Follow(At(probe));
+                                  isFree = tick++ == 0 ? truth.Begin(probe) : isFree;
+                                  if (isFree)
+                                  {
+                                    truth.Judge(probe, contact, counts);
+                                  }
+                                });
+      }
+      EXPECT_GT(counts.Unique, 38 * 20) << name << " " << toolRadius;
+      EXPECT_EQ(counts.Inexact, 0) << name << " " << toolRadius << " " << counts.Error.Value();
+      EXPECT_EQ(counts.Late, 0) << name << " " << toolRadius << " " << counts.LateDepth.Value();
+      EXPECT_EQ(counts.Early, 0) << name << " " << toolRadius;
+      // What an unknown wall may overlap, and more where the next proof found it.
+      EXPECT_LE(counts.Overlap.Value(), 5e-3 * touch->SmallestRadius())
+          << name << " " << toolRadius;
+    }
+  }
+}
+
+// All minima are about equal there, so that no proof ends.
+TEST(ParametricContactModel, ContactBeginsInAHollowAsRoundAsTheTool)
+{
+  const ParametricSphericalSurface surface = test::Bowl();
+  const auto touch = TouchSurfaceOf(surface);
+  const auto model = ParametricContact(surface);
+  const Vector3 centre(-25.0, 0.0, 10.0); // of the hollow, 16 mm
+  for (const double gap : {0.05, 0.1, 0.2, 0.4})
+  {
+    const double toolRadius = touch->Search().Nearest(centre).SignedDistance - gap;
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(toolRadius));
+    Random random(9113);
+    int late = 0;
+    int longest = 0;
+    for (int path = 0; path < 25; ++path)
+    {
+      tracker->Release();
+      const Vector3 along = test::RandomDirection(random);
+      const double upwards = std::max(0.0, -along.z());
+      for (double length = 0.0; length < gap + 1.0; length += 0.05)
+      {
+        const Vector3 probe = centre + length * (along + 2.0 * upwards * Vector3::UnitZ());
+        const Contact& contact = tracker->Follow(At(probe));
+        const double depth = toolRadius - touch->Search().Nearest(probe, 5000).SignedDistance;
+        late = depth > 0.01 && !contact.IsTouching ? late + 1 : 0;
+        longest = std::max(longest, late);
+      }
+    }
+    EXPECT_LE(longest, 2) << gap; // ticks
   }
 }
 
