@@ -1,16 +1,21 @@
-// PalpateWindow FILE [SECONDS]: measures the servo next to what the window does, and how long the
-// window takes to close, and writes them as JSON; see Utilities/window.sh.
+// PalpateWindow FILE [SECONDS]: measures the servo next to what the window does, how long the
+// window takes to start and to close, and what volumes and structures cost, and writes them as
+// JSON; see Utilities/window.sh. `PalpateWindow --start` is what it starts.
 #include "Application.h"
 #include "DisplayCheck.h"
 #include "MachineName.h"
+#include "WindowFigures.h"
 #include "WindowMeasures.h"
 
 #include <QSurfaceFormat>
 
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -42,10 +47,34 @@ nlohmann::json ToJson(const WindowStretch& stretch)
           {"tick", ToJson(stretch.Durations)}};
 }
 
-void Measure(const char* file, double seconds)
+nlohmann::json Figures(const char* program)
+{
+  const auto memory = palpate::bench::MeasureVolumeMemory(); // first: nothing was freed before
+  const auto structures = palpate::bench::MeasureStructures();
+  const auto start = palpate::bench::MeasureStart(program);
+  return {{"memory", {{"volumes", memory.VolumeBytes}, {"growth", memory.GrowthBytes}}},
+          {"structures",
+           {{"list", structures.List},
+            {"search", structures.Search},
+            {"show_all", structures.ShowAll},
+            {"show_none", structures.ShowNone}}},
+          {"start", {{"window", start.Window}, {"head", start.Head}}}};
+}
+
+void Measure(const char* program, const char* file, double seconds)
 {
   nlohmann::json all{{"machine", palpate::MachineName()}};
-  for (const WindowStretch& stretch : palpate::bench::WindowMeasures(seconds).Stretches())
+  all["figures"] = Figures(program);
+  palpate::bench::WindowMeasures measures(seconds);
+  for (const WindowStretch& stretch : measures.Blending())
+  {
+    const int fewest = *std::min_element(stretch.Images.begin(), stretch.Images.end());
+    all["blending"].push_back(
+        {{"name", stretch.Name},
+         {"frames", fewest / stretch.Seconds},
+         {"touching", static_cast<double>(stretch.Touching) / static_cast<double>(stretch.Ticks)}});
+  }
+  for (const WindowStretch& stretch : measures.Stretches())
   {
     all["stretches"].push_back(ToJson(stretch));
   }
@@ -78,7 +107,12 @@ int main(int argc, char** argv)
     const palpate::Application application(argc, argv);
     QApplication::setApplicationName("PalpateWindow");
     QApplication::setQuitOnLastWindowClosed(false);
-    Measure(argv[1], argc > 2 ? std::stod(argv[2]) : 20.0);
+    if (std::string(argv[1]) == "--start")
+    {
+      palpate::bench::DrawFirstPictures();
+      return 0;
+    }
+    Measure(argv[0], argv[1], argc > 2 ? std::stod(argv[2]) : 20.0);
     return 0;
   }
   catch (const std::exception& error)

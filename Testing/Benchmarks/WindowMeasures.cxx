@@ -14,7 +14,9 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr const char* HeadFile = "/usr/share/mricron/templates/ch2.nii.gz"; // Colin 27
+constexpr const char* HeadFile = "/usr/share/mricron/templates/ch2.nii.gz";      // Colin 27
+constexpr const char* SecondFile = "/usr/share/mricron/templates/ch2bet.nii.gz"; // its brain
+constexpr int Turns = 5;
 constexpr const char* LabelsFile = "/usr/share/mricron/templates/aal.nii.gz";
 constexpr const char* StructureName = "Thalamus_L";
 constexpr double PressDepth = 1.5; // mm
@@ -34,6 +36,16 @@ void WaitUntil(const std::function<bool()>& isTrue)
 double SecondsOf(const QElapsedTimer& timer)
 {
   return 1e-9 * static_cast<double>(timer.nsecsElapsed());
+}
+
+void Extend(WindowStretch& stretch, const WindowStretch& part)
+{
+  stretch.Seconds += part.Seconds;
+  stretch.Ticks += part.Ticks;
+  stretch.Touching += part.Touching;
+  stretch.Images.resize(part.Images.size());
+  std::transform(part.Images.begin(), part.Images.end(), stretch.Images.begin(),
+                 stretch.Images.begin(), std::plus<>());
 }
 
 // The head, with one visible and touchable structure.
@@ -167,6 +179,11 @@ std::filesystem::path WindowMeasures::NewCopy(int number) const
 
 WindowStretch WindowMeasures::Measure(const std::string& name, const Act& act)
 {
+  return this->Measure(name, act, this->Length);
+}
+
+WindowStretch WindowMeasures::Measure(const std::string& name, const Act& act, double seconds)
+{
   WindowStretch stretch;
   stretch.Name = name;
   this->StartTouch();
@@ -180,7 +197,7 @@ WindowStretch WindowMeasures::Measure(const std::string& name, const Act& act)
   this->Taking = &stretch;
   QElapsedTimer timer;
   timer.start();
-  while (SecondsOf(timer) < this->Length)
+  while (SecondsOf(timer) < seconds)
   {
     const double round = std::fmod(SecondsOf(timer) / RoundSeconds, 1.0);
     this->Study->Current().Touch().MoveHand(
@@ -235,6 +252,36 @@ std::vector<WindowStretch> WindowMeasures::Stretches()
                                   ChangeDegree(*this->Study, 13 + stretch.Events++);
                                 }
                               }));
+  return all;
+}
+
+void WindowMeasures::ShowSecondVolume(bool isShown)
+{
+  StudyState next = this->Study->State();
+  next.Volumes.at(0).IsVisible = isShown;
+  this->Study->Change("Show the second volume", next);
+  vtkImageDisplay* images = this->Window->Contents().Images();
+  WaitUntil(
+      [&] { return !this->Study->IsBusy() && images->GetNumberOfOverlays() == (isShown ? 1 : 0); });
+}
+
+std::vector<WindowStretch> WindowMeasures::Blending()
+{
+  std::vector<WindowStretch> all(2);
+  this->Study->AddVolume(SecondFile);
+  WaitUntil([this] { return !this->Study->State().Volumes.empty(); });
+  for (int turn = 0; turn < Turns; ++turn)
+  {
+    for (const bool isBlended : {false, true})
+    {
+      this->ShowSecondVolume(isBlended);
+      const WindowStretch part = this->Measure(
+          "", [](WindowStretch&, double) {}, this->Length / Turns);
+      Extend(all[isBlended ? 1 : 0], part);
+    }
+  }
+  all[0].Name = "one volume";
+  all[1].Name = "a second one blended";
   return all;
 }
 

@@ -50,6 +50,10 @@ public:
 
   /// The servo while the window is hidden, draws, is resized, loads a volume, and refits.
   std::vector<WindowStretch> Stretches();
+  /// Four views in contact, with one volume and with a second one blended over it, in turns, so
+  /// that both are measured under the same load: two stretches. Throws std::runtime_error if the
+  /// second volume is not shown.
+  std::vector<WindowStretch> Blending();
   /// Each with a separate window.
   static std::vector<WindowClosing> Closings();
 
@@ -60,8 +64,10 @@ private:
   void MakePath();
   void StartTouch();
   void TakeTicks();
+  void ShowSecondVolume(bool isShown);
   std::filesystem::path NewCopy(int number) const;
   WindowStretch Measure(const std::string& name, const Act& act);
+  WindowStretch Measure(const std::string& name, const Act& act, double seconds);
 
   double Length;
   test::TemporaryFolder Copies;
