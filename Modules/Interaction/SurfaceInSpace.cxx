@@ -3,6 +3,7 @@
 #include "ContactMark.h"
 #include "SurfaceMaterial.h"
 #include "SurfaceNormals.h"
+#include "ToolShadow.h"
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkCamera.h"
@@ -16,6 +17,7 @@
 #include "vtkUniforms.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palpate
 {
@@ -23,14 +25,38 @@ namespace
 {
 // ContactMark::ShareAt. Positions are in camera coordinates, like those of fragments.
 constexpr const char* ContactShader = R"(//VTK::Color::Impl
+  float contactShare = 0.0;
   if (contactRadius > 0.0)
   {
-    float contactShare = contactStrength * (1.0 - smoothstep(0.5 * contactRadius, contactRadius,
+    contactShare = contactStrength * (1.0 - smoothstep(0.5 * contactRadius, contactRadius,
       distance(vertexVC.xyz, contactPlace)));
     diffuseColor = mix(diffuseColor, contactDiffuse, contactShare);
     ambientColor = mix(ambientColor, contactAmbient, contactShare);
   }
 )";
+
+// ToolShadow::ShareAt, after the normal is known and before the lights. The contact keeps its
+// colour.
+constexpr const char* ShadowShader = R"(if (shadowRadius > 0.0)
+  {
+    vec3 shadowPath = shadowCenter - vertexVC.xyz;
+    float shadowDistance = max(length(shadowPath), shadowRadius);
+    float shadowShare = (1.0 - contactShare) * shadowRadius * shadowRadius *
+      clamp(dot(normalVCVSOutput, shadowPath) / shadowDistance, 0.0, 1.0) /
+      (shadowDistance * shadowDistance);
+    diffuseColor *= 1.0 - shadowShare;
+    ambientColor *= 1.0 - shadowShare;
+  }
+  //VTK::Light::Impl
+)";
+
+std::array<float, 3> InCamera(const Vector3& world, vtkCamera* camera)
+{
+  const double point[4] = {world.x(), world.y(), world.z(), 1.0};
+  double seen[4];
+  camera->GetViewTransformMatrix()->MultiplyPoint(point, seen);
+  return {{static_cast<float>(seen[0]), static_cast<float>(seen[1]), static_cast<float>(seen[2])}};
+}
 } // namespace
 
 SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
@@ -39,7 +65,10 @@ SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
   this->Surface->GetProperty()->SetSpecularPower(SurfaceMaterial::SpecularPower);
   this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
                                                                    ContactShader, false);
+  this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                                                   ShadowShader, false);
   this->UpdateContact({}, nullptr);
+  this->UpdateShadow({}, nullptr);
 }
 
 void SurfaceInSpace::Update()
@@ -107,18 +136,14 @@ void SurfaceInSpace::SetColors(vtkLookupTable* colors)
 void SurfaceInSpace::UpdateContact(const ContactMark& contact, vtkCamera* camera)
 {
   const bool isSeen = contact.IsSeen() && camera != nullptr;
-  float place[3] = {0.0F, 0.0F, 0.0F};
+  std::array<float, 3> place{};
   float diffuse[3] = {0.0F, 0.0F, 0.0F};
   float ambient[3] = {0.0F, 0.0F, 0.0F};
   if (isSeen)
   {
-    const Vector3& world = contact.PlaceWorld;
-    const double point[4] = {world.x(), world.y(), world.z(), 1.0};
-    double seen[4];
-    camera->GetViewTransformMatrix()->MultiplyPoint(point, seen);
+    place = InCamera(contact.PlaceWorld, camera);
     for (int part = 0; part < 3; ++part)
     {
-      place[part] = static_cast<float>(seen[part]);
       diffuse[part] = static_cast<float>(SurfaceMaterial::Diffuse * contact.Color[part]);
       ambient[part] = static_cast<float>(SurfaceMaterial::Ambient * contact.Color[part]);
     }
@@ -126,8 +151,18 @@ void SurfaceInSpace::UpdateContact(const ContactMark& contact, vtkCamera* camera
   vtkUniforms* uniforms = this->Surface->GetShaderProperty()->GetFragmentCustomUniforms();
   uniforms->SetUniformf("contactRadius", isSeen ? static_cast<float>(contact.Radius) : 0.0F);
   uniforms->SetUniformf("contactStrength", static_cast<float>(contact.Strength));
-  uniforms->SetUniform3f("contactPlace", place);
+  uniforms->SetUniform3f("contactPlace", place.data());
   uniforms->SetUniform3f("contactDiffuse", diffuse);
   uniforms->SetUniform3f("contactAmbient", ambient);
+}
+
+void SurfaceInSpace::UpdateShadow(const ToolShadow& shadow, vtkCamera* camera)
+{
+  const bool isSeen = shadow.IsSeen() && camera != nullptr && !this->Shown->GetWireframe();
+  const std::array<float, 3> center =
+      isSeen ? InCamera(shadow.CenterWorld, camera) : std::array<float, 3>{};
+  vtkUniforms* uniforms = this->Surface->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniformf("shadowRadius", isSeen ? static_cast<float>(shadow.Radius) : 0.0F);
+  uniforms->SetUniform3f("shadowCenter", center.data());
 }
 } // namespace palpate

@@ -18,9 +18,11 @@ class vtkSurfaceDisplay;
 namespace palpate
 {
 struct ContactMark;
+struct ToolShadow;
 
 /// A surface in 3D, plain or coloured by an array, with the contact region in its own colour. A
-/// shader blends that colour per pixel, so a moving contact costs nothing per surface point.
+/// shader blends that colour per pixel, and the tool's shadow: moving
+/// them costs nothing per surface point.
 class PALPATEINTERACTION_EXPORT SurfaceInSpace
 {
 public:
@@ -29,6 +31,8 @@ public:
   void Update();
   /// Sets the contact, for the camera of the next frame.
   void UpdateContact(const ContactMark& contact, vtkCamera* camera);
+  /// Sets the tool's shadow, for the camera of the next frame.
+  void UpdateShadow(const ToolShadow& shadow, vtkCamera* camera);
 
   vtkSurfaceDisplay* Display() const { return this->Shown; }
   vtkActor* Actor() const { return this->Surface; }

@@ -12,6 +12,7 @@
 #include "SliceInSpace.h"
 #include "SurfaceInSpace.h"
 #include "SurfaceMaterial.h"
+#include "ToolShadow.h"
 #include "ViewText.h"
 #include "vtkCrosshair.h"
 #include "vtkImageDisplay.h"
@@ -85,6 +86,13 @@ palpate::ContactMark MarkOf(vtkProbeRepresentation* probe)
   mark.Radius = probe->GetContactRadius();
   mark.Color = Vector3(probe->GetContactColor());
   return mark;
+}
+
+palpate::ToolShadow ShadowOf(vtkProbeRepresentation* probe)
+{
+  const bool isShown = probe != nullptr && probe->GetVisibility();
+  return isShown ? palpate::ToolShadow{probe->ProxyWorld(), probe->GetToolRadius()}
+                 : palpate::ToolShadow{};
 }
 
 void MarkVolumes(vtkRenderer* renderer, const palpate::ContactMark& contact)
@@ -340,9 +348,12 @@ void vtkSpaceView::UpdateFor(vtkRenderer* renderer)
   }
   renderer->ResetCameraClippingRange();
   const palpate::ContactMark contact = MarkOf(this->GetProbe());
+  const palpate::ToolShadow shadow =
+      this->ToolShadow ? ShadowOf(this->GetProbe()) : palpate::ToolShadow{};
   for (const auto& surface : this->Inner->Surfaces)
   {
     surface->UpdateContact(contact, renderer->GetActiveCamera());
+    surface->UpdateShadow(shadow, renderer->GetActiveCamera());
   }
   MarkVolumes(renderer, contact);
   this->UpdateAnnotation(renderer);
@@ -386,4 +397,5 @@ void vtkSpaceView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Surfaces: " << this->Inner->Surfaces.size() << '\n';
   os << indent << "Antialiasing: " << this->Antialiasing << '\n';
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << '\n';
+  os << indent << "ToolShadow: " << this->ToolShadow << '\n';
 }

@@ -55,6 +55,14 @@ public:
   vtkBooleanMacro(AmbientOcclusion, bool);
   ///@}
 
+  ///@{
+  /** A soft shadow of the tool on surfaces near it, as of a sphere of the tool's radius under an
+   * even sky. On by default. Sub-voxel volumes have none. */
+  vtkSetMacro(ToolShadow, bool);
+  vtkGetMacro(ToolShadow, bool);
+  vtkBooleanMacro(ToolShadow, bool);
+  ///@}
+
   /** Shows everything from a side of the patient; see palpate::FrameOf for the up direction. */
   void LookFrom(int side);
   /** Shows everything from the camera's current direction. */
@@ -88,6 +96,7 @@ private:
 
   bool Antialiasing = false;
   bool AmbientOcclusion = false;
+  bool ToolShadow = true;
   struct State;
   std::unique_ptr<State> Inner;
 };

@@ -128,6 +128,7 @@ void ViewMenu::AddQuality()
 {
   const bool hasCard = IsGraphicsCard(OpenGLDriver());
   this->AddQuality("Smooth ed&ges in 3-D", "smooth-edges", hasCard, &SpacePane::SmoothEdges);
+  this->AddQuality("S&hadow of the tool in 3-D", "tool-shadow", true, &SpacePane::ShowToolShadow);
   if (hasCard)
   {
     this->AddQuality("Am&bient occlusion in 3-D", "ambient-occlusion", false,

@@ -4,6 +4,7 @@
 #include "ImageAxes.h"
 #include "RasterImage.h"
 #include "SlicePosition.h"
+#include "VolumeColors.h"
 #include "VolumeFile.h"
 #include "WindowImage.h"
 
@@ -19,17 +20,20 @@
 #include "vtkProperty.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <string>
 
 namespace palpate::bench
 {
 namespace
 {
-constexpr const char* BrainFile = "/usr/share/mricron/templates/ch2.nii.gz"; // Colin 27
+constexpr const char* BrainFile = "/usr/share/mricron/templates/ch2.nii.gz";     // Colin 27
+constexpr const char* SecondFile = "/usr/share/mricron/templates/ch2bet.nii.gz"; // its brain
 constexpr int Width = 1280;
 constexpr int Height = 800;
 
@@ -71,6 +75,12 @@ public:
     this->Views.Probe->SetProbePosition(place.x(), place.y(), place.z());
     this->Views.Probe->SetProxyPosition(place.x(), place.y(), place.z());
     this->Views.Render();
+  }
+
+  void Blend(vtkImageData* over)
+  {
+    const int overlay = this->Views.Images->AddOverlay(over);
+    this->Views.Images->SetOverlayColors(overlay, static_cast<int>(VolumeColors::Hot));
   }
 
   test::FourViews Views;
@@ -255,6 +265,61 @@ private:
   int OurFrame = 0;
   int TheirFrame = 0;
 };
+// Four views with a second volume over the first one, and without it.
+class BlendCase
+{
+public:
+  void RunBlended() { this->Prepare().Blended->Frame(++this->BlendedFrame); }
+  void RunPlain() { this->Prepare().Plain->Frame(++this->PlainFrame); }
+  // In the axial view the second one, a brain in colours, covers a part of the head.
+  std::string Disagreement()
+  {
+    const int frame = 5;
+    this->Prepare().Blended->Frame(frame);
+    this->Plain->Frame(frame);
+    const RasterImage blended = ReadWindow(this->Blended->Views.Window);
+    const RasterImage plain = ReadWindow(this->Plain->Views.Window);
+    int colored = 0;
+    int same = 0;
+    for (int row = 0; row < Height / 2; ++row)
+    {
+      for (int column = 0; column < Width / 2; ++column)
+      {
+        const std::uint8_t* pixel = blended.Pixel(column, row);
+        const std::uint8_t* other = plain.Pixel(column, row);
+        const bool isSame = std::equal(pixel, pixel + 3, other);
+        same += isSame ? 1 : 0;
+        colored += !isSame && pixel[0] != pixel[2] ? 1 : 0;
+      }
+    }
+    if (colored > 20000 && same > 20000)
+    {
+      return {};
+    }
+    return std::to_string(colored) + " pixels are coloured; " + std::to_string(same) +
+           " are as without the second volume";
+  }
+
+private:
+  BlendCase& Prepare()
+  {
+    if (!this->Blended)
+    {
+      const vtkSmartPointer<vtkImageData> head = ReadVolume(BrainFile).Image;
+      const vtkSmartPointer<vtkImageData> brain = ReadVolume(SecondFile).Image;
+      const vtkSmartPointer<vtkPolyData> surface = StructureSurface();
+      this->Blended = std::make_unique<OurViews>(head, surface);
+      this->Blended->Blend(brain);
+      this->Plain = std::make_unique<OurViews>(head, surface);
+    }
+    return *this;
+  }
+
+  std::unique_ptr<OurViews> Blended;
+  std::unique_ptr<OurViews> Plain;
+  int BlendedFrame = 0;
+  int PlainFrame = 0;
+};
 } // namespace
 
 std::vector<PairedBenchmark> ViewBenchmarks()
@@ -269,6 +334,10 @@ std::vector<PairedBenchmark> ViewBenchmarks()
                        [c] { c->RunOurs(); }, [c] { c->RunTheirs(); },
                        [c] { return c->Disagreement(); }};
   four.IsCounted = false;
-  return {four};
+  const auto b = std::make_shared<BlendCase>();
+  PairedBenchmark second{"views/four/blended", "one volume (ours)", [b] { b->RunBlended(); },
+                         [b] { b->RunPlain(); }, [b] { return b->Disagreement(); }};
+  second.IsCounted = false;
+  return {four, second};
 }
 } // namespace palpate::bench

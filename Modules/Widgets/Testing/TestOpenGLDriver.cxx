@@ -45,5 +45,16 @@ TEST_F(OpenGLDriverTest, SmoothEdgesAreKept)
   const MainWindow next(*this->Study);
   EXPECT_NE(next.Views()->Space()->View()->GetAntialiasing(), before);
 }
+
+TEST_F(OpenGLDriverTest, ShadowOfTheToolIsShownByDefaultAndItsSwitchIsKept)
+{
+  QAction* shadow = this->Action("Shadow of the tool");
+  EXPECT_TRUE(shadow->isChecked());
+  EXPECT_TRUE(this->Window->Views()->Space()->View()->GetToolShadow());
+  shadow->trigger();
+  EXPECT_FALSE(this->Window->Views()->Space()->View()->GetToolShadow());
+  const MainWindow next(*this->Study);
+  EXPECT_FALSE(next.Views()->Space()->View()->GetToolShadow());
+}
 } // namespace
 } // namespace palpate::open_gl_driver_test

@@ -103,6 +103,12 @@ void SpacePane::ShowOcclusion(bool isShown)
   this->RequestRender();
 }
 
+void SpacePane::ShowToolShadow(bool isShown)
+{
+  this->Space->SetToolShadow(isShown);
+  this->RequestRender();
+}
+
 void SpacePane::LookFrom(int side)
 {
   this->Space->LookFrom(side);

@@ -26,9 +26,10 @@ public:
   /// The same for volumes that are drawn as a whole.
   void ShowVolumes(const std::set<vtkProp*>& volumes);
   void ShowSlices(bool areShown);
-  /// See vtkSpaceView::SetAntialiasing and SetAmbientOcclusion.
+  /// See vtkSpaceView::SetAntialiasing, SetAmbientOcclusion and SetToolShadow.
   void SmoothEdges(bool areSmooth);
   void ShowOcclusion(bool isShown);
+  void ShowToolShadow(bool isShown);
   void LookFrom(int side);
   void ShowAll();
   /// The same, unless the user has moved the camera since FreeCamera.
