@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace palpate
 {
@@ -70,6 +72,35 @@ public:
     return this->Interpolate(cell);
   }
 
+  // The voxels [first, first + count) along an axis, interpolated along both others, between
+  // which every index is known to have a successor.
+  std::vector<float> Line(int axis, const Vector3& index, int first, int count) const
+  {
+    const int a = (axis + 1) % 3;
+    const int b = (axis + 2) % 3;
+    const int lowA = static_cast<int>(index[a]);
+    const int lowB = static_cast<int>(index[b]);
+    const auto shareA = static_cast<float>(index[a] - lowA);
+    const auto shareB = static_cast<float>(index[b] - lowB);
+    const T* from =
+        this->Voxels + lowA * this->Stride[a] + lowB * this->Stride[b] + first * this->Stride[axis];
+    const auto alongA = [&](const T* voxel) {
+      return Mix(static_cast<float>(voxel[0]), static_cast<float>(voxel[this->Stride[a]]), shareA);
+    };
+    std::vector<float> line(static_cast<std::size_t>(count));
+    for (float& value : line)
+    {
+      value = Mix(alongA(from), alongA(from + this->Stride[b]), shareB);
+      from += this->Stride[axis];
+    }
+    return line;
+  }
+
+  static float Mix(float first, float second, float share)
+  {
+    return first + share * (second - first);
+  }
+
 private:
   struct Cell
   {
@@ -87,15 +118,13 @@ private:
   float Interpolate(const Cell& cell) const
   {
     const T* corner = this->Voxels + cell.Offset;
-    const auto mix = [](float first, float second, float share)
-    { return first + share * (second - first); };
     const auto alongI = [&](const T* from) {
-      return mix(static_cast<float>(from[0]), static_cast<float>(from[cell.Step[0]]),
+      return Mix(static_cast<float>(from[0]), static_cast<float>(from[cell.Step[0]]),
                  cell.Share[0]);
     };
     const auto alongJ = [&](const T* from)
-    { return mix(alongI(from), alongI(from + cell.Step[1]), cell.Share[1]); };
-    return mix(alongJ(corner), alongJ(corner + cell.Step[2]), cell.Share[2]);
+    { return Mix(alongI(from), alongI(from + cell.Step[1]), cell.Share[1]); };
+    return Mix(alongJ(corner), alongJ(corner + cell.Step[2]), cell.Share[2]);
   }
 
   const T* Voxels;
@@ -132,6 +161,46 @@ std::array<int, 2> ColumnsWithin(const ImageAxes& axes, const Vector3& begin, co
   return {{static_cast<int>(std::ceil(first)), static_cast<int>(std::ceil(last))}};
 }
 
+// The axis that columns follow in steps of at most a voxel, or none.
+std::optional<int> AxisOf(const Vector3& step)
+{
+  constexpr double Nothing = 1e-12; // of a voxel, as in ColumnsWithin
+  std::optional<int> found;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::abs(step[axis]) < Nothing)
+    {
+      continue;
+    }
+    if (found || std::abs(step[axis]) > 1.0)
+    {
+      return {};
+    }
+    found = axis;
+  }
+  return found;
+}
+
+// Slices mostly lie along the grid, and have several pixels a voxel: voxels that columns share are
+// interpolated once.
+template <typename T>
+void FillAlong(int axis, const VoxelGrid<T>& grid, const std::array<int, 2>& within,
+               const Vector3& begin, const Vector3& step, float* values)
+{
+  const auto placeOf = [&](int column) { return begin[axis] + column * step[axis]; };
+  const auto ends = std::minmax({placeOf(within[0]), placeOf(within[1] - 1)});
+  const int first = static_cast<int>(ends.first);
+  const std::vector<float> line =
+      grid.Line(axis, begin, first, static_cast<int>(ends.second) + 2 - first);
+  for (int column = within[0]; column < within[1]; ++column)
+  {
+    const double place = placeOf(column);
+    const int low = static_cast<int>(place);
+    const float* voxels = line.data() + (low - first);
+    values[column] = VoxelGrid<T>::Mix(voxels[0], voxels[1], static_cast<float>(place - low));
+  }
+}
+
 template <typename T>
 void FillLinear(const VoxelGrid<T>& grid, const std::array<int, 2>& within, const Vector3& begin,
                 const Vector3& step, int width, float* values)
@@ -144,9 +213,17 @@ void FillLinear(const VoxelGrid<T>& grid, const std::array<int, 2>& within, cons
     }
   };
   fill(0, within[0]);
-  for (int column = within[0]; column < within[1]; ++column)
+  const std::optional<int> axis = AxisOf(step);
+  if (axis && within[1] > within[0])
   {
-    values[column] = grid.LinearWithin(begin + column * step);
+    FillAlong(*axis, grid, within, begin, step, values);
+  }
+  else
+  {
+    for (int column = within[0]; column < within[1]; ++column)
+    {
+      values[column] = grid.LinearWithin(begin + column * step);
+    }
   }
   fill(within[1], width);
 }

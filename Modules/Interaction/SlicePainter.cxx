@@ -24,6 +24,10 @@ constexpr float Half = 0.5F;
 // Squares along the shorter side of the picture.
 constexpr int Squares = 8;
 
+// Parts that an opacity is rounded to: integers are mixed faster. A power of two, so that they are
+// divided by shifting; no level changes by more than 1.
+constexpr std::uint32_t WholeShare = 4096;
+
 struct PaintedImage
 {
   PlaneSampler Values;
@@ -154,28 +158,30 @@ private:
     for (int column = 0; column < this->Grid.Width;)
     {
       const auto [share, next] = this->ShareAt(layer, column, row);
+      const auto parts = static_cast<std::uint32_t>(std::lround(share * WholeShare));
       for (; column < next; ++column)
       {
         const float value = values[static_cast<std::size_t>(column)];
         const bool isHidden = layer.HidesBelow && value <= low;
         // Neither where it is transparent nor where there is no number.
-        if (share > 0.0F && value == value && !isHidden)
+        if (parts > 0 && value == value && !isHidden)
         {
           const float place = std::clamp((value - low) * scale + Half, 0.0F, 255.0F);
-          Mix(colors[static_cast<std::size_t>(place)], share, pixels + std::size_t{4} * column);
+          Mix(colors[static_cast<std::size_t>(place)], parts, pixels + std::size_t{4} * column);
         }
       }
     }
   }
 
-  // Over a transparent pixel the colour is whole.
-  static void Mix(const std::array<std::uint8_t, 3>& color, float share, std::uint8_t* pixel)
+  // Of WholeShare parts. Over a transparent pixel the colour is whole.
+  static void Mix(const std::array<std::uint8_t, 3>& color, std::uint32_t parts,
+                  std::uint8_t* pixel)
   {
-    const float kept = pixel[3] == 0 ? 0.0F : 1.0F - share;
+    const std::uint32_t kept = pixel[3] == 0 ? 0 : WholeShare - parts;
     for (std::size_t c = 0; c < 3; ++c)
     {
-      const float mixed = kept * pixel[c] + (1.0F - kept) * color[c];
-      pixel[c] = static_cast<std::uint8_t>(mixed + Half);
+      const std::uint32_t mixed = kept * pixel[c] + (WholeShare - kept) * color[c];
+      pixel[c] = static_cast<std::uint8_t>((mixed + WholeShare / 2) / WholeShare);
     }
     pixel[3] = 255;
   }
