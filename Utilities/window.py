@@ -20,6 +20,27 @@ Every other line is as long, with one more activity of the window. Priority: SCH
 
 """
 
+FIGURES = """
+## Start, volumes, structures
+
+Measured by `PalpateWindow` in the same run; every result is checked. Times are the shortest of five, *wall* time. The start is that of a
+new process. Memory is what stays resident after three volumes (`ch2`, `ch2better`, `ch2bet`) were opened in a window that had drawn a tiny one. The
+structures are AAL's, without their file, so that no surface is made meanwhile. Frames are those of the view that drew least, in turns with and without
+the second volume, with the hand in contact for {touching:.0f} % of the ticks.
+
+| what | measured | aim |
+| --- | --- | --- |
+| start to a window that can be used | {window:.2f} s | |
+| start to four views of the head | {head:.2f} s | 2.5 s |
+| memory of three volumes, by the size of their voxels | {memory:.2f} | 2 |
+| 116 structures: listed | {list:.0f} ms | 100 ms |
+| searched | {search:.0f} ms | 100 ms |
+| all shown, all hidden | {show_all:.0f}, {show_none:.0f} ms | 100 ms |
+| frames/s in contact, one volume | {one:.1f} | |
+| with a second one blended | {two:.1f} ({cost:.0f} % fewer) | 25 % |
+"""
+
+
 READING = """
 *Period* is from tick to tick, ms; *tick* is the computing time of a tick, \u00b5s; quantiles are from a histogram with bins a
 sixteenth wide. *Frames/s* are those of the view that drew least; *times* is how often the window was resized,
@@ -59,6 +80,20 @@ def line_of(stretch):
     )
 
 
+def figures_of(measures):
+    figures = measures["figures"]
+    one, two = measures["blending"]
+    return FIGURES.format(
+        window=1e-3 * figures["start"]["window"],
+        head=1e-3 * figures["start"]["head"],
+        memory=figures["memory"]["growth"] / figures["memory"]["volumes"],
+        one=one["frames"],
+        two=two["frames"],
+        cost=100.0 * (1.0 - two["frames"] / one["frames"]),
+        touching=100.0 * min(one["touching"], two["touching"]),
+        **figures["structures"])
+
+
 def page_of(measures):
     page = INTRODUCTION.format(machine=measures["machine"])
     page += row("the window is", "ticks/s", "in contact", "period 99 %", "99.9 %", "longest", "missed",
@@ -75,6 +110,7 @@ def page_of(measures):
         by_work.setdefault(closing["while"], []).append(closing["milliseconds"])
     page += "".join(row(work, ", ".join(f"{value:.0f}" for value in values))
                     for work, values in by_work.items())
+    page += figures_of(measures)
     return page
 
 
