@@ -228,14 +228,7 @@ TEST_F(MarkPlacerTest, SessionKeepsMeasurementsAndTheOpenOne)
   this->ClickAxial(5.0, 0.0);
   ASSERT_EQ(this->Measured().size(), 2U);
   EXPECT_TRUE(this->Measured()[1].IsOpen);
-  const auto file = this->Phantom.Folder / "case.palpate.json";
-  ASSERT_TRUE(this->Study->Save(file)) << this->Messages();
-  const StudyState saved = this->Study->State();
-  this->Study->New();
-  this->Study->OpenSession(file);
-  this->Settle();
-  DrawAll(*this->Window->Views());
-  EXPECT_EQ(this->Study->State(), saved);
+  this->ExpectSameStudyAfterReopening();
   EXPECT_EQ(this->Window->Contents().Landmarks()->GetCurves().size(), 1U);
   this->ClickAxial(0.0, 5.0);
   this->ClickAxial(0.0, 0.0);

@@ -56,7 +56,6 @@ protected:
     return this->Study->Current().Pipeline().StateOf(step, id).Is == StudyStepState::Kind::UpToDate;
   }
   int IdOf(std::size_t row) { return this->Study->State().Structures.at(row).Id; }
-  bool IsWritten() { return this->Study->Current().Writing().Waiting().empty(); }
   // Bone of the CT that is drilled, next to a nerve.
   void OpenScene()
   {

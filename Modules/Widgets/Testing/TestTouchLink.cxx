@@ -341,14 +341,7 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   EXPECT_TRUE(std::filesystem::exists(csv)) << this->Messages();
   this->Button("start-touch")->click();
   EXPECT_FALSE(this->Study->IsTouching());
-  const auto file = this->Phantom.Folder / "case.palpate.json";
-  ASSERT_TRUE(this->Study->Save(file)) << this->Messages();
-  const StudyState saved = this->Study->State();
-  this->Study->New();
-  this->Study->OpenSession(file);
-  this->Settle();
-  DrawAll(*this->Window->Views());
-  EXPECT_EQ(this->Study->State(), saved);
+  this->ExpectSameStudyAfterReopening();
   EXPECT_EQ(this->Window->Contents().Landmarks()->GetCurves().size(), 1U);
 }
 } // namespace

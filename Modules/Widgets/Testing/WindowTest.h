@@ -91,10 +91,23 @@ protected:
           return !this->Study->IsBusy() && std::all_of(all.begin(), all.end(), isMade);
         });
   }
-  /// Waits until all files are written or have failed.
+  /// Whether all files are written or have failed.
+  bool IsWritten() const { return this->Study->Current().Writing().Waiting().empty(); }
   void FinishWriting()
   {
-    WaitUntil([this] { return this->Study->Current().Writing().Waiting().empty(); });
+    WaitUntil([this] { return this->IsWritten(); });
+  }
+  /// Saves the session, opens it in an empty study, and draws it.
+  void ExpectSameStudyAfterReopening()
+  {
+    const auto file = this->Phantom.Folder / "case.palpate.json";
+    ASSERT_TRUE(this->Study->Save(file)) << this->Messages();
+    const StudyState saved = this->Study->State();
+    this->Study->New();
+    this->Study->OpenSession(file);
+    this->Settle();
+    DrawAll(*this->Window->Views());
+    EXPECT_EQ(this->Study->State(), saved);
   }
   void OpenPhantom()
   {
