@@ -3,7 +3,6 @@
 #include "AnatomicalView.h"
 #include "ImageAxes.h"
 #include "SliceViewTest.h"
-#include "ToolShadow.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSubVoxelVolume.h"
@@ -371,46 +370,6 @@ TEST_F(vtkSpaceViewTest, ContactRegionHasContactColor)
   EXPECT_TRUE(IsBlue(PixelAt(raster, 0.0, 0.0)));
   probe->InContactOff();
   EXPECT_TRUE(IsBlue(PixelAt(this->Draw(), 5.0, 1.8)));
-}
-
-// From the front: a large sphere, nearly a wall, and a tool before it, beside the line of sight.
-TEST_F(vtkSpaceViewTest, ToolDarkensSurfaceByTheLightThatItKeepsFromIt)
-{
-  constexpr double Wall = 25.0;
-  this->Surface->SetSurface(Sphere(Vector3::Zero(), Wall));
-  this->View->AddSurface(this->Surface);
-  vtkNew<vtkProbeRepresentation> probe;
-  this->View->SetProbe(probe);
-  probe->SetToolSphere(2.0);
-  // The tool covers pixels within its radius of (x, z); those tested are beside it.
-  const auto drawn = [&](double x, bool isShaded)
-  {
-    probe->SetProbePosition(x, -29.0, 0.0);
-    probe->SetProxyPosition(x, -29.0, 0.0);
-    this->View->SetToolShadow(isShaded);
-    return this->Draw();
-  };
-  const auto blueAt = [](const RasterImage& raster, double x)
-  { return static_cast<double>(PixelAt(raster, x, 0.0)[2]); };
-  for (const double tool : {-6.0, 6.0})
-  {
-    const RasterImage shaded = drawn(tool, true);
-    const RasterImage plain = drawn(tool, false);
-    const palpate::ToolShadow shadow{Vector3(tool, -29.0, 0.0), 2.0};
-    for (const double beside : {-3.0, -2.4, 2.4, 3.0, 5.0})
-    {
-      const double x = tool + beside;
-      const Vector3 normal = Vector3(x, -std::sqrt(Wall * Wall - x * x), 0.0) / Wall;
-      const double share = shadow.ShareAt(Wall * normal, normal);
-      // Roundings to levels, half a pixel, and a specular share of up to 0.12, which stays.
-      EXPECT_NEAR(blueAt(shaded, x), (1.0 - share) * blueAt(plain, x), 6.0) << tool << ", " << x;
-    }
-    EXPECT_LT(blueAt(shaded, tool + 2.4), blueAt(plain, tool + 2.4) - 12.0);
-    EXPECT_NEAR(blueAt(shaded, -tool * 2.5), blueAt(plain, -tool * 2.5), 1.0) << "far away";
-  }
-  probe->VisibilityOff();
-  const double hidden = blueAt(drawn(6.0, true), 8.4);
-  EXPECT_EQ(hidden, blueAt(drawn(6.0, false), 8.4));
 }
 
 TEST_F(vtkSpaceViewTest, LineTellsTheDepthOfAToolWithoutContact)
