@@ -118,8 +118,10 @@ void ViewMenu::AddQuality(const QString& text, const QString& key, bool isDefaul
 {
   QAction* action = this->addAction(text);
   action->setCheckable(true);
-  connect(action, &QAction::toggled, this->Views.Space(), apply);
   action->setChecked(QSettings().value(key, isDefault).toBool());
+  // An action that is off at first tells nothing, and the view may begin with it on.
+  (this->Views.Space()->*apply)(action->isChecked());
+  connect(action, &QAction::toggled, this->Views.Space(), apply);
   connect(action, &QAction::toggled, this, [key](bool isOn) { QSettings().setValue(key, isOn); });
 }
 
