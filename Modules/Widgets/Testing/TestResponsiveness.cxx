@@ -87,6 +87,8 @@ protected:
     }
     drill.Editor()->Take();
     drill.Finish();
+    // The window reads it some time later.
+    WaitUntil([this] { return !this->Study->Reading().Drill.Drilled.empty(); });
   }
 
   std::filesystem::path Ct = this->Phantom.Folder / "ct.nrrd";
