@@ -2,6 +2,7 @@
 
 #include "ErrorText.h"
 #include "IcosahedronDirections.h"
+#include "ModelConvention.h"
 #include "ModelFile.h"
 #include "ParametricSurfaceMeasures.h"
 #include "SphericalHarmonicBasis.h"
@@ -19,7 +20,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int MostDegree = 1000; // as in files
 constexpr int MostFrequency = 1000;
 
 palpate_model* HandleOf(SurfaceModel surface)
@@ -94,7 +94,7 @@ palpate_model* palpate_model_create(int degree, const double* coefficients, cons
       error,
       [&]() -> palpate_model*
       {
-        if (degree < 0 || degree > MostDegree)
+        if (degree < 0 || degree > ModelConvention::MaximumDegree)
         {
           SetError(error, "a model's degree is from 0 to 1,000");
           return nullptr;

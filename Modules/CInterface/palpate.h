@@ -40,8 +40,8 @@ extern "C"
   const char* palpate_version(void);
   int palpate_api_version(void);
 
-  /* ---- Models: star-shaped (a radius) or parametric (three coordinates) in spherical harmonics
-   * ---- */
+  /* Models: star-shaped (a radius) or parametric (three coordinates) in spherical
+   * harmonics. */
 
   /* Star-shaped, of (degree + 1)^2 coefficients (mm): real, orthonormal, no Condon-Shortley phase,
    * at l (l + 1) + m. */
@@ -82,7 +82,7 @@ extern "C"
   int palpate_model_mesh(const palpate_model* model, int frequency, double* points, double* normals,
                          int32_t* triangles, palpate_error* error);
 
-  /* ---- Fields: volumes as they are touched, between voxels ---- */
+  /* Fields: volumes as they are touched, between voxels. */
 
   /* `values` has size[0] size[1] size[2] numbers, i fastest; row i of `axes` is the unit vector of
    * the grid's axis i, and the axes are right-handed. The object is where values are at least
@@ -93,7 +93,7 @@ extern "C"
   void palpate_field_free(palpate_field* field);
   int palpate_field_is_inside(const palpate_field* field, const double point[3]);
 
-  /* ---- Scenes: what is touched, with which tool ---- */
+  /* Scenes: what is touched, with which tool. */
 
   typedef struct palpate_law
   {
@@ -122,7 +122,7 @@ extern "C"
   int palpate_scene_set_workspace(palpate_scene* scene, const double center[3], double scale,
                                   palpate_error* error);
 
-  /* ---- Tracking: a tool in a scene without a device, for a program with a loop of its own ---- */
+  /* Tracking: a tool in a scene without a device, for a program with a loop of its own. */
 
   typedef struct palpate_contact
   {
@@ -142,8 +142,8 @@ extern "C"
   /* Forgets the last place: the next one is reached from outside. */
   void palpate_tracker_release(palpate_tracker* tracker);
 
-  /* ---- Sessions: a device and a servo thread. Forces are limited, faded in, and off after any
-   * fault ---- */
+  /* Sessions: a device and a servo thread. Forces are limited, faded in, and off after any
+   * fault. */
 
   typedef struct palpate_state
   {

@@ -1,5 +1,6 @@
 #include "ToolShadow.h"
 
+#include "OffScreenTest.h"
 #include "SliceViewTest.h"
 #include "vtkProbeRepresentation.h"
 #include "vtkSpaceView.h"
@@ -19,22 +20,17 @@ constexpr int Pixels = 200; // 60 mm
 constexpr double PixelSize = 0.3;
 
 // A view of a blue sphere from the front, in parallel projection.
-class ToolShadowTest : public palpate::test::DisplayTest
+class ToolShadowTest : public palpate::test::OffScreenTest
 {
 protected:
+  ToolShadowTest() : OffScreenTest(Pixels) {}
   void SetUp() override
   {
-    DisplayTest::SetUp();
+    OffScreenTest::SetUp();
     if (IsSkipped())
     {
       return;
     }
-    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
-    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Pixels, Pixels);
-    this->Window->AddRenderer(this->Renderer);
     this->View->SetRenderer(this->Renderer);
     this->View->AnnotationVisibilityOff();
     this->Surface->SetColor(0.0, 0.0, 1.0);
@@ -52,8 +48,6 @@ protected:
     return palpate::ReadWindow(this->Window);
   }
 
-  vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkSpaceView> View;
   vtkNew<vtkSurfaceDisplay> Surface;
 };

@@ -2,6 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "ImageAxes.h"
+#include "OffScreenTest.h"
 #include "SliceViewTest.h"
 #include "vtkLandmarks.h"
 #include "vtkProbeRepresentation.h"
@@ -41,22 +42,17 @@ vtkSmartPointer<vtkPolyData> Sphere(const Vector3& center, double radius)
 }
 
 // A view of the origin from the front, in parallel projection; tests choose the contents.
-class vtkSpaceViewTest : public palpate::test::DisplayTest
+class vtkSpaceViewTest : public palpate::test::OffScreenTest
 {
 protected:
+  vtkSpaceViewTest() : OffScreenTest(Side) {}
   void SetUp() override
   {
-    DisplayTest::SetUp();
+    OffScreenTest::SetUp();
     if (IsSkipped())
     {
       return;
     }
-    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
-    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Side, Side);
-    this->Window->AddRenderer(this->Renderer);
     this->View->SetRenderer(this->Renderer);
     this->View->SetCrosshair(this->Crosshair);
     this->View->AnnotationVisibilityOff();
@@ -94,8 +90,6 @@ protected:
   static bool IsRed(const std::uint8_t* p) { return p[0] > p[1] + 60 && p[0] > p[2] + 60; }
   static bool IsBlack(const std::uint8_t* p) { return p[0] + p[1] + p[2] == 0; }
 
-  vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
   vtkNew<vtkSpaceView> View;
   vtkNew<vtkCrosshair> Crosshair;
   vtkNew<vtkSurfaceDisplay> Surface;

@@ -1,8 +1,8 @@
 #include "vtkSubVoxelVolumeMapper.h"
 
 #include "ContactMark.h"
-#include "DisplayTest.h"
 #include "FieldRenderer.h"
+#include "OffScreenTest.h"
 #include "vtkSubVoxelPicker.h"
 #include "vtkSubVoxelVolume.h"
 
@@ -62,22 +62,17 @@ vtkSmartPointer<vtkImageData> SphereImage()
 const Vector3 Center(0.5, -0.3, 0.2);
 
 // A sphere, rendered off screen along -z in parallel projection, 20 mm across the image.
-class SubVoxelVolumeMapper : public palpate::test::DisplayTest
+class SubVoxelVolumeMapper : public palpate::test::OffScreenTest
 {
 protected:
+  SubVoxelVolumeMapper() : OffScreenTest(Side) {}
   void SetUp() override
   {
-    DisplayTest::SetUp();
+    OffScreenTest::SetUp();
     if (IsSkipped())
     {
       return;
     }
-    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
-    this->Window = vtkSmartPointer<vtkRenderWindow>::New();
-    this->Window->SetOffScreenRendering(1);
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(Side, Side);
-    this->Window->AddRenderer(this->Renderer);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(0.0, 0.0, 30.0);
     camera->SetFocalPoint(0.0, 0.0, 0.0);
@@ -128,8 +123,6 @@ protected:
     this->Renderer->AddVolume(this->Volume);
   }
 
-  vtkSmartPointer<vtkRenderer> Renderer;
-  vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkVolume> Volume = vtkSmartPointer<vtkVolume>::New();
   vtkNew<vtkSubVoxelVolumeMapper> Mapper;
   vtkNew<vtkUnsignedCharArray> Pixels;
