@@ -11,6 +11,7 @@
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SegmentationFile.h"
+#include "SegmentationWriter.h"
 #include "SurfaceFile.h"
 #include "TouchTicksFile.h"
 
@@ -58,6 +59,16 @@ vtkSmartPointer<vtkImageData> MaskOf(const Segmentation& segmentation, const Seg
   mask->GetPointData()->SetScalars(inside);
   return mask;
 }
+
+Segmentation OnlyOf(const Segmentation& segmentation, Segment structure)
+{
+  Segmentation only;
+  only.Layers = {MaskOf(segmentation, structure)};
+  structure.Label = structure.Value = 1;
+  structure.Layer = 0;
+  only.Segments = {structure};
+  return only;
+}
 } // namespace
 
 std::string ConvertCommand::Examples() const
@@ -68,6 +79,8 @@ std::string ConvertCommand::Examples() const
          "  palpate convert surface.vtp surface.stl\n"
          "  palpate convert mask.nii.gz mask.nrrd\n"
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
+         "  palpate convert labels.nii.gz labels.seg.nrrd      for 3D Slicer, with names and "
+         "colours\n"
          "  palpate convert felt/session.touch ticks.csv       one line per tick";
 }
 
@@ -122,7 +135,12 @@ int ConvertCommand::Run(Console& console)
 
 void ConvertCommand::ConvertTouch(Console& console) const
 {
-  if (ExportTouch(this->Input, this->Output))
+  const auto goOn = [](double, const std::string&)
+  {
+    RequireGoingOn();
+    return true;
+  };
+  if (ExportTouch(this->Input, this->Output, goOn))
   {
     console.Note(this->Input.string() + " ends within a tick, which is left out");
   }
@@ -161,12 +179,9 @@ void ConvertCommand::ConvertImage(Console& console) const
                      ListOfEndings(ImageFormats().WrittenEndings()) +
                      ", or palpate mesh for a surface.");
   }
-  if (!this->Label.empty())
+  if (!this->Label.empty() || IsSlicerSegmentation(this->Output))
   {
-    const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.Choice());
-    PassOn(segmentation.Notes, console);
-    RequireGoingOn();
-    WriteImage(this->Output, MaskOf(segmentation, segmentation.Find(this->Label)));
+    this->ConvertSegmentation(console);
     return;
   }
   const ImageContent content = ReadImageContent(this->Input, this->Images.Choice());
@@ -181,9 +196,27 @@ void ConvertCommand::ConvertImage(Console& console) const
   {
     throw InputError(this->Input.string() + " has structures in " +
                      std::to_string(content.Labels->Layers.size()) +
-                     " layers, more than one image can hold; choose a structure with --label.");
+                     " layers, more than one image can hold; write .seg.nrrd, or choose a "
+                     "structure with --label.");
   }
   PassOn(content.Labels->Notes, console);
   WriteImage(this->Output, content.Labels->Layers.front());
+}
+
+void ConvertCommand::ConvertSegmentation(Console& console) const
+{
+  const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.Choice());
+  PassOn(segmentation.Notes, console);
+  const Segmentation chosen =
+      this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label));
+  RequireGoingOn();
+  if (IsSlicerSegmentation(this->Output))
+  {
+    WriteSegmentation(this->Output, chosen);
+  }
+  else
+  {
+    WriteImage(this->Output, chosen.Layers.front());
+  }
 }
 } // namespace palpate::cli

@@ -25,6 +25,7 @@ private:
   void ConvertModel(Console& console) const;
   void ConvertTouch(Console& console) const;
   void ConvertImage(Console& console) const;
+  void ConvertSegmentation(Console& console) const;
 
   std::filesystem::path Input;
   std::filesystem::path Output;

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <vector>
 
 namespace palpate
 {
@@ -72,29 +71,42 @@ public:
     return this->Interpolate(cell);
   }
 
-  // The voxels [first, first + count) along an axis, interpolated along both others, between
-  // which every index is known to have a successor.
-  std::vector<float> Line(int axis, const Vector3& index, int first, int count) const
+  // A line of voxels along an axis, each interpolated along both others, between which every index
+  // is known to have a successor.
+  class Line
   {
-    const int a = (axis + 1) % 3;
-    const int b = (axis + 2) % 3;
-    const int lowA = static_cast<int>(index[a]);
-    const int lowB = static_cast<int>(index[b]);
-    const auto shareA = static_cast<float>(index[a] - lowA);
-    const auto shareB = static_cast<float>(index[b] - lowB);
-    const T* from =
-        this->Voxels + lowA * this->Stride[a] + lowB * this->Stride[b] + first * this->Stride[axis];
-    const auto alongA = [&](const T* voxel) {
-      return Mix(static_cast<float>(voxel[0]), static_cast<float>(voxel[this->Stride[a]]), shareA);
-    };
-    std::vector<float> line(static_cast<std::size_t>(count));
-    for (float& value : line)
+  public:
+    Line(const VoxelGrid& grid, int axis, const Vector3& index)
+        : StrideA(grid.Stride[(axis + 1) % 3]), StrideB(grid.Stride[(axis + 2) % 3]),
+          Stride(grid.Stride[axis])
     {
-      value = Mix(alongA(from), alongA(from + this->Stride[b]), shareB);
-      from += this->Stride[axis];
+      const double a = index[(axis + 1) % 3];
+      const double b = index[(axis + 2) % 3];
+      this->ShareA = static_cast<float>(a - static_cast<int>(a));
+      this->ShareB = static_cast<float>(b - static_cast<int>(b));
+      this->First =
+          grid.Voxels + static_cast<int>(a) * this->StrideA + static_cast<int>(b) * this->StrideB;
     }
-    return line;
-  }
+    float operator[](int index) const
+    {
+      const T* voxel = this->First + index * this->Stride;
+      return Mix(this->AlongA(voxel), this->AlongA(voxel + this->StrideB), this->ShareB);
+    }
+
+  private:
+    float AlongA(const T* voxel) const
+    {
+      return Mix(static_cast<float>(voxel[0]), static_cast<float>(voxel[this->StrideA]),
+                 this->ShareA);
+    }
+
+    const T* First;
+    std::ptrdiff_t StrideA;
+    std::ptrdiff_t StrideB;
+    std::ptrdiff_t Stride;
+    float ShareA;
+    float ShareB;
+  };
 
   static float Mix(float first, float second, float share)
   {
@@ -187,17 +199,22 @@ template <typename T>
 void FillAlong(int axis, const VoxelGrid<T>& grid, const std::array<int, 2>& within,
                const Vector3& begin, const Vector3& step, float* values)
 {
-  const auto placeOf = [&](int column) { return begin[axis] + column * step[axis]; };
-  const auto ends = std::minmax({placeOf(within[0]), placeOf(within[1] - 1)});
-  const int first = static_cast<int>(ends.first);
-  const std::vector<float> line =
-      grid.Line(axis, begin, first, static_cast<int>(ends.second) + 2 - first);
+  const typename VoxelGrid<T>::Line line(grid, axis, begin);
+  int held = std::numeric_limits<int>::min() / 2; // the index of `lower`
+  float lower = 0.0F;
+  float upper = 0.0F;
   for (int column = within[0]; column < within[1]; ++column)
   {
-    const double place = placeOf(column);
+    const double place = begin[axis] + column * step[axis];
     const int low = static_cast<int>(place);
-    const float* voxels = line.data() + (low - first);
-    values[column] = VoxelGrid<T>::Mix(voxels[0], voxels[1], static_cast<float>(place - low));
+    if (low != held)
+    {
+      const float above = low + 1 == held ? lower : line[low + 1];
+      lower = low == held + 1 ? upper : line[low];
+      upper = above;
+      held = low;
+    }
+    values[column] = VoxelGrid<T>::Mix(lower, upper, static_cast<float>(place - low));
   }
 }
 

@@ -9,7 +9,7 @@ namespace palpate
 {
 /// Makes text with names from files safe to display in a terminal or a window, on one line:
 /// characters that control a terminal, break lines, are invisible, change the text direction, or
-/// are not UTF-8 are replaced byte by byte, as in \x1b.
+/// are not UTF-8 are replaced byte by byte, as in `\x1b`.
 PALPATEREPORT_EXPORT std::string Printable(const std::string& text);
 
 /// The first characters (UTF-8) of a text, ending with an ellipsis if it is longer.

@@ -45,7 +45,7 @@ public:
   /// A horizontal rule with a label; extends the axis range to include it.
   void SetThreshold(double y, std::string text);
 
-  /// The whole <svg> element; empty if there is no point to draw.
+  /// The whole `<svg>` element; empty if there is no point to draw.
   std::string Svg() const;
 
 private:

@@ -3,37 +3,109 @@
 #include "MeshConversion.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace palpate
 {
+MeasuredSurfaces::~MeasuredSurfaces()
+{
+  this->Show({});
+}
+
 void MeasuredSurfaces::Show(const std::map<int, vtkPolyData*>& surfaces)
 {
   for (auto one = this->All.begin(); one != this->All.end();)
   {
-    one = surfaces.count(one->first) == 0 ? this->All.erase(one) : std::next(one);
+    if (surfaces.count(one->first) == 0)
+    {
+      this->Clear(one->second);
+      one = this->All.erase(one);
+    }
+    else
+    {
+      ++one;
+    }
   }
   for (const auto& [id, surface] : surfaces)
   {
     Surface& shown = this->All[id];
     if (shown.Source != surface)
     {
-      shown = {};
+      this->Clear(shown);
       shown.Source = surface;
     }
   }
 }
 
-// Null if it cannot be measured.
-const SurfacePaths* MeasuredSurfaces::Prepare(Surface& surface)
+void MeasuredSurfaces::Clear(Surface& surface)
+{
+  if (surface.Job)
+  {
+    this->Jobs.Cancel(*surface.Job);
+  }
+  surface = {};
+}
+
+bool MeasuredSurfaces::IsPreparing() const
+{
+  return std::any_of(this->All.begin(), this->All.end(),
+                     [](const auto& one) { return one.second.Job.has_value(); });
+}
+
+// Null if it cannot be measured, or not yet.
+const SurfacePaths* MeasuredSurfaces::Prepare(int id, Surface& surface)
 {
   if (surface.Time < surface.Source->GetMTime())
   {
-    surface.Time = surface.Source->GetMTime();
-    std::unique_ptr<const SurfacePaths> paths;
-    surface.Problem = SurfacePaths::Make(ToIndexedMesh(surface.Source), paths);
-    surface.Paths = std::move(paths);
+    const vtkSmartPointer<vtkPolyData> source = surface.Source;
+    this->Clear(surface);
+    surface.Source = source;
+    surface.Time = source->GetMTime();
+    if (source->GetNumberOfPolys() > MostTrianglesAtOnce)
+    {
+      this->StartJob(id, surface);
+    }
+    else
+    {
+      std::unique_ptr<const SurfacePaths> paths;
+      surface.Problem = SurfacePaths::Make(ToIndexedMesh(source), paths);
+      surface.Paths = std::move(paths);
+    }
   }
   return surface.Paths.get();
+}
+
+void MeasuredSurfaces::StartJob(int id, Surface& surface)
+{
+  surface.Problem =
+      Status::Failure("The surface is being prepared for measurements; measure again soon.");
+  vtkNew<vtkPolyData> shared;
+  shared->ShallowCopy(surface.Source);
+  StudyJob job;
+  job.IsUrgent = true;
+  job.Work = [this, id, source = vtkSmartPointer<vtkPolyData>(shared)](const ProgressFunction&)
+  {
+    std::unique_ptr<const SurfacePaths> paths;
+    const Status status = SurfacePaths::Make(ToIndexedMesh(source), paths);
+    return StudyJob::Delivery(
+        [this, id, status, made = std::shared_ptr<const SurfacePaths>(std::move(paths))]
+        {
+          Surface& prepared = this->All.at(id);
+          prepared.Job.reset();
+          prepared.Problem = status;
+          prepared.Paths = made;
+        });
+  };
+  job.Fail = [this, id](const std::string& message)
+  {
+    Surface& failed = this->All.at(id);
+    failed.Job.reset();
+    failed.Problem = Status::Failure(message);
+  };
+  surface.Job = this->Jobs.Start(std::move(job));
 }
 
 Status MeasuredSurfaces::Prepare(int id, const SurfacePaths*& prepared)
@@ -44,7 +116,7 @@ Status MeasuredSurfaces::Prepare(int id, const SurfacePaths*& prepared)
     return Status::Failure("The structure is not displayed as a surface: make it visible, and "
                            "display it as its model or its surface.");
   }
-  prepared = this->Prepare(found->second);
+  prepared = this->Prepare(id, found->second);
   return found->second.Problem;
 }
 
@@ -59,7 +131,11 @@ std::optional<MeasuredSurfaces::Place> MeasuredSurfaces::Nearest(const Vector3& 
     box.Inflate(reach);
     const bool isMeant = id == 0 || number == id;
     const SurfacePaths* prepared =
-        isMeant && box.ContainsPoint(pointWorld.data()) ? this->Prepare(surface) : nullptr;
+        isMeant && box.ContainsPoint(pointWorld.data()) ? this->Prepare(number, surface) : nullptr;
+    if (surface.Job)
+    {
+      return std::nullopt;
+    }
     if (prepared == nullptr)
     {
       continue;

@@ -477,15 +477,11 @@ void Study::ExportReplay(const std::filesystem::path& file)
     return;
   }
   this->Unplayable.clear();
-  StudyJob job;
-  job.IsUrgent = true;
-  job.Work = [file, recording = this->Played->Shared()](const ProgressFunction&)
-  {
-    ExportTouch(*recording, file);
-    return StudyJob::Delivery([] {});
-  };
-  job.Fail = [this](const std::string& message) { this->Unplayable = message; };
-  this->Work.Start(std::move(job));
+  this->Written.Start(
+      file,
+      [file, recording = this->Played->Shared()](const ProgressFunction& progress)
+      { ExportTouch(*recording, file, progress); },
+      [this](const std::string& message) { this->Unplayable = message; });
 }
 
 const StudyTouchReading& Study::PollReplay()

@@ -14,7 +14,7 @@ constexpr qint64 PausePerPreview = 10;
 MarkPlacer::MarkPlacer(StudyController& study, ViewContents& contents, QObject* parent)
     : QObject(parent), Study(study), Contents(contents)
 {
-  connect(&study, &StudyController::StateChanged, this, &MarkPlacer::ClearPreview);
+  connect(&study, &StudyController::StateChanged, this, &MarkPlacer::PlaceWaiting);
   connect(&study, &StudyController::Touched, this, &MarkPlacer::FollowTouch);
   connect(&study, &StudyController::TouchChanged, this, &MarkPlacer::ClearPreview);
 }
@@ -22,6 +22,7 @@ MarkPlacer::MarkPlacer(StudyController& study, ViewContents& contents, QObject* 
 void MarkPlacer::Choose(std::optional<MeasurementKind> kind)
 {
   this->Kind = kind;
+  this->Waiting.clear();
   this->ClearPreview();
 }
 
@@ -50,6 +51,12 @@ void MarkPlacer::Place(const PlacedPoint& point)
   }
   this->TakeSurfaces();
   const Status status = AddPoint(next, *this->Kind, point, this->Surfaces);
+  if (!status.IsOk() && this->Surfaces.IsPreparing())
+  {
+    this->Waiting.push_back(point);
+    this->ShowPreparing();
+    return;
+  }
   if (!status.IsOk())
   {
     this->Study.Report(status.Message());
@@ -62,6 +69,27 @@ void MarkPlacer::Place(const PlacedPoint& point)
                          ? QString("Add point %1 of %2").arg(open->PointsWorld.size()).arg(name)
                          : QString("Measure %1").arg(name),
                      next);
+}
+
+// In their order, since the first of a measurement decides on its structure.
+void MarkPlacer::PlaceWaiting()
+{
+  this->ClearPreview();
+  if (this->Waiting.empty() || this->Surfaces.IsPreparing())
+  {
+    return;
+  }
+  std::vector<PlacedPoint> ready;
+  ready.swap(this->Waiting);
+  for (const PlacedPoint& point : ready)
+  {
+    this->Place(point);
+  }
+}
+
+void MarkPlacer::ShowPreparing()
+{
+  Q_EMIT Previewed("Preparing the surface for measurements...");
 }
 
 PlacedPoint MarkPlacer::TouchedPoint()
@@ -134,6 +162,10 @@ void MarkPlacer::Preview(const PlacedPoint& point)
   else
   {
     this->ClearPreview();
+    if (this->Surfaces.IsPreparing())
+    {
+      this->ShowPreparing();
+    }
   }
   this->Pause = std::max(LeastPause, PausePerPreview * duration.elapsed());
   this->SincePreview.start();

@@ -8,11 +8,13 @@
 #include <QObject>
 
 #include <optional>
+#include <vector>
 
 namespace palpate
 {
 /// Places landmarks and the points of measurements, by click and by touch. While a measurement is
-/// open, its value with the point under the pointer or the tool is shown in the views.
+/// open, its value with the point under the pointer or the tool is shown in the views. Points on a
+/// surface that is being prepared (MeasuredSurfaces) are placed when it is.
 class MarkPlacer : public QObject
 {
   Q_OBJECT
@@ -45,14 +47,17 @@ Q_SIGNALS:
 private:
   void Place(const PlacedPoint& point);
   void Preview(const PlacedPoint& point);
+  void PlaceWaiting();
+  void ShowPreparing();
   void FollowTouch();
   PlacedPoint TouchedPoint();
   void TakeSurfaces();
 
   StudyController& Study;
   ViewContents& Contents;
-  MeasuredSurfaces Surfaces;
+  MeasuredSurfaces Surfaces{this->Study.Current().Jobs()};
   std::optional<MeasurementKind> Kind;
+  std::vector<PlacedPoint> Waiting; ///< for a surface that is being prepared
   QElapsedTimer SincePreview;
   qint64 Pause = 0; ///< ms from one preview to the next
 };

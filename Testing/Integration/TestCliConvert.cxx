@@ -1,4 +1,7 @@
 #include "CommandRun.h"
+#include "LabelStatistics.h"
+#include "SegmentationFile.h"
+#include "SegmentationWriter.h"
 #include "SurfaceFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
@@ -113,6 +116,24 @@ TEST(CliConvert, WritesSingleLabelAsBinaryMask)
     const auto* mask = static_cast<unsigned char*>(after->GetScalarPointer()) + i;
     ASSERT_EQ(*mask, *label == 2 ? 1 : 0);
   }
+}
+
+TEST(CliConvert, SlicerSegmentationKeepsSegmentsAndTheirNames)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  ASSERT_EQ(RunPalpate({"convert", "a.nii.gz", "b.seg.nrrd"}, folder.Path()).Code, 0);
+  Segmentation both = ReadSegmentation(folder / "b.seg.nrrd");
+  ASSERT_EQ(both.Segments.size(), 2U);
+  both.Segments[1].Name = "small one";
+  WriteSegmentation(folder / "b.seg.nrrd", both);
+  const CommandRun run =
+      RunPalpate({"convert", "b.seg.nrrd", "c.seg.nrrd", "--label", "small one"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Segmentation one = ReadSegmentation(folder / "c.seg.nrrd");
+  ASSERT_EQ(one.Segments.size(), 1U);
+  EXPECT_EQ(one.Segments[0].Name, "small one");
+  EXPECT_EQ(MeasureLabels(one)[0].Voxels, MeasureLabels(both)[1].Voxels);
 }
 
 TEST(CliConvert, MissingLabelListsExistingLabels)

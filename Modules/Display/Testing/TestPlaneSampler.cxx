@@ -90,6 +90,29 @@ class PlaneSamplerOf : public testing::Test
 using Types = testing::Types<unsigned char, short, float, double>;
 TYPED_TEST_SUITE(PlaneSamplerOf, Types);
 
+// Compares every row with the reference; adds the pixels inside the image to `inside`.
+void ExpectInterpolated(vtkImageData* image, const PixelGrid& grid, int& inside)
+{
+  const PlaneSampler sampler(image, grid);
+  std::vector<float> row(static_cast<std::size_t>(grid.Width));
+  for (int r = 0; r < grid.Height; ++r)
+  {
+    sampler.SampleLinear(r, row.data());
+    for (int c = 0; c < grid.Width; ++c)
+    {
+      const double expected = InterpolateSlowly(image, grid.PixelWorld(c, r));
+      const float value = row[static_cast<std::size_t>(c)];
+      ASSERT_EQ(std::isnan(value), std::isnan(expected)) << c << ", " << r;
+      if (!std::isnan(expected))
+      {
+        // Single precision of numbers up to 200 over three interpolations.
+        ASSERT_NEAR(value, expected, 2e-4) << c << ", " << r;
+        ++inside;
+      }
+    }
+  }
+}
+
 TYPED_TEST(PlaneSamplerOf, LinearRowsInterpolateEightVoxels)
 {
   std::mt19937_64 random(11);
@@ -97,27 +120,35 @@ TYPED_TEST(PlaneSamplerOf, LinearRowsInterpolateEightVoxels)
   for (int trial = 0; trial < 20; ++trial)
   {
     const auto image = RandomImage<TypeParam>(random);
-    const PixelGrid grid = RandomGrid(image, random);
-    const PlaneSampler sampler(image, grid);
-    std::vector<float> row(static_cast<std::size_t>(grid.Width));
-    for (int r = 0; r < grid.Height; ++r)
-    {
-      sampler.SampleLinear(r, row.data());
-      for (int c = 0; c < grid.Width; ++c)
-      {
-        const double expected = InterpolateSlowly(image, grid.PixelWorld(c, r));
-        const float value = row[static_cast<std::size_t>(c)];
-        ASSERT_EQ(std::isnan(value), std::isnan(expected)) << c << ", " << r;
-        if (!std::isnan(expected))
-        {
-          // Single precision of numbers up to 200 over three interpolations.
-          ASSERT_NEAR(value, expected, 2e-4) << c << ", " << r;
-          ++inside;
-        }
-      }
-    }
+    ExpectInterpolated(image, RandomGrid(image, random), inside);
   }
   EXPECT_GT(inside, 5000);
+}
+
+TYPED_TEST(PlaneSamplerOf, LinearRowsAlongEachAxisInterpolateEightVoxelsBothWays)
+{
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double step : {0.3, -0.3, 0.97, -1.0, 1.7, -2.4}) // voxels a column
+    {
+      const auto image = RandomImage<TypeParam>(random);
+      const ImageAxes axes(image);
+      PixelGrid grid;
+      grid.Width = static_cast<int>(20.0 / std::abs(step));
+      grid.Height = 14;
+      grid.ColumnWorld = step * axes.StepWorld.col(axis);
+      grid.RowWorld = 0.9 * axes.StepWorld.col((axis + 1) % 3);
+      const Vector3 middle =
+          Vector3(3.0, 7.0, 8.5) + Vector3(unit(random), unit(random), unit(random));
+      grid.FirstWorld =
+          axes.ToWorld(middle) - 0.5 * grid.Width * grid.ColumnWorld - 7.0 * grid.RowWorld;
+      int inside = 0;
+      ExpectInterpolated(image, grid, inside);
+      EXPECT_GT(inside, 20) << axis << ", " << step;
+    }
+  }
 }
 
 TYPED_TEST(PlaneSamplerOf, NearestRowsUseVoxelAtPoint)

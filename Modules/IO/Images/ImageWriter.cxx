@@ -5,7 +5,9 @@
 #include "CNumericLocale.h"
 #include "ImageFormat.h"
 #include "ItkImageWriter.h"
+#include "LabelMap.h"
 #include "Refusal.h"
+#include "SegmentationWriter.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -90,6 +92,15 @@ bool IsWritableImage(const std::filesystem::path& path)
 
 void WriteImage(const std::filesystem::path& path, vtkImageData* image)
 {
+  if (IsSlicerSegmentation(path))
+  {
+    CheckWritable(path, image->GetPointData()->GetScalars());
+    Volume labels;
+    labels.Image = image;
+    labels.Source = path;
+    WriteSegmentation(path, LabelMapOf(labels));
+    return;
+  }
   const ImageFormat* const format = ImageFormats().Writer(path);
   if (format == nullptr)
   {

@@ -1,5 +1,6 @@
 #include "TouchTicksFile.h"
 
+#include "FilterRun.h"
 #include "InputError.h"
 #include "TemporaryFolder.h"
 #include "TouchRecording.h"
@@ -45,6 +46,15 @@ TEST_F(TouchTicksFileTest, CsvHasOneLinePerTick)
 {
   const std::string text = this->Text("ticks.csv");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1001);
+}
+
+TEST_F(TouchTicksFileTest, CancelledExportLeavesNothing)
+{
+  int reports = 0;
+  const auto cancel = [&reports](double, const std::string&) { return ++reports < 1; };
+  EXPECT_THROW(ExportTouch(Recording(), this->Folder / "ticks.csv", cancel), Cancelled);
+  EXPECT_EQ(reports, 1);
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "ticks.csv"));
 }
 
 TEST_F(TouchTicksFileTest, RejectsOtherEndings)

@@ -1,11 +1,13 @@
 #include "TouchTicksFile.h"
 
 #include "DecimalText.h"
+#include "FilterRun.h"
 #include "Refusal.h"
 #include "TouchRecording.h"
 #include "Units.h"
 #include "WholeFile.h"
 
+#include <cstddef>
 #include <string>
 
 namespace palpate
@@ -63,7 +65,8 @@ bool IsTouchRecording(const std::filesystem::path& path)
   return path.extension() == ".touch" || path.extension() == ".part";
 }
 
-void ExportTouch(const TouchRecording& recording, const std::filesystem::path& file)
+void ExportTouch(const TouchRecording& recording, const std::filesystem::path& file,
+                 const ProgressFunction& progress)
 {
   if (file.extension() != ".csv")
   {
@@ -73,18 +76,25 @@ void ExportTouch(const TouchRecording& recording, const std::filesystem::path& f
   std::string text = Columns;
   const std::vector<TouchState>& ticks = recording.Ticks;
   const std::int64_t start = ticks.empty() ? 0 : ticks.front().Tick.Scheduled;
-  for (const TouchState& state : ticks)
+  for (std::size_t tick = 0; tick < ticks.size(); ++tick)
   {
-    Append(text, state, start);
+    constexpr std::size_t TicksAReport = 4096;
+    if (progress && tick % TicksAReport == 0 &&
+        !progress(static_cast<double>(tick) / static_cast<double>(ticks.size()), "Writing ticks"))
+    {
+      throw Cancelled();
+    }
+    Append(text, ticks[tick], start);
   }
   WriteWholeFile(file, text);
 }
 
-bool ExportTouch(const std::filesystem::path& recording, const std::filesystem::path& file)
+bool ExportTouch(const std::filesystem::path& recording, const std::filesystem::path& file,
+                 const ProgressFunction& progress)
 {
   TouchRecording read;
   RequireInput(ReadTouchRecording(recording.string(), read));
-  ExportTouch(read, file);
+  ExportTouch(read, file, progress);
   return read.WasCutOff;
 }
 } // namespace palpate

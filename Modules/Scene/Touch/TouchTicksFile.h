@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateSceneModule.h"
+#include "Progress.h"
 
 #include <filesystem>
 
@@ -13,10 +14,12 @@ PALPATESCENE_EXPORT bool IsTouchRecording(const std::filesystem::path& path);
 
 /// Writes a recorded touch as CSV, one line per tick; the first line names the columns with their
 /// units. Lengths are in the device's frame or, if the name says so, in the world. Throws
-/// InputError, also for another ending.
+/// InputError, also for another ending, and Cancelled.
 PALPATESCENE_EXPORT void ExportTouch(const TouchRecording& recording,
-                                     const std::filesystem::path& file);
+                                     const std::filesystem::path& file,
+                                     const ProgressFunction& progress = {});
 /// The same for a recording in a file. Returns whether the recording is truncated.
 PALPATESCENE_EXPORT bool ExportTouch(const std::filesystem::path& recording,
-                                     const std::filesystem::path& file);
+                                     const std::filesystem::path& file,
+                                     const ProgressFunction& progress = {});
 } // namespace palpate

@@ -2,6 +2,9 @@
 
 #include "Bodies.h"
 
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+
 #include <gtest/gtest.h>
 
 namespace palpate::study_measuring_test
@@ -30,7 +33,8 @@ protected:
 
   vtkSmartPointer<vtkPolyData> Large = test::MakeSphere(Radius, Vector3::Zero());
   vtkSmartPointer<vtkPolyData> Small = test::MakeSphere(10.0, Vector3(60.0, 0.0, 0.0));
-  MeasuredSurfaces Surfaces;
+  StudyJobs Jobs;
+  MeasuredSurfaces Surfaces{this->Jobs};
   StudyState State;
 };
 
@@ -50,6 +54,41 @@ TEST_F(Measuring, LineAngleAndPlaneEndWithTheirLastPoint)
     EXPECT_TRUE(HasValidPoints(this->Last()));
   }
   EXPECT_EQ(OpenMeasurement(this->State), nullptr);
+}
+
+TEST_F(Measuring, SurfaceOfManyTrianglesIsMeasuredWhenItIsPrepared)
+{
+  vtkNew<vtkSphereSource> fine;
+  fine->SetRadius(Radius);
+  fine->SetThetaResolution(200);
+  fine->SetPhiResolution(200);
+  fine->Update();
+  ASSERT_GT(fine->GetOutput()->GetNumberOfPolys(), MeasuredSurfaces::MostTrianglesAtOnce);
+  this->Surfaces.Show({{1, fine->GetOutput()}, {2, this->Small}});
+  const Vector3 top(0.0, 0.0, Radius);
+  EXPECT_FALSE(this->Add(MeasurementKind::Thickness, top).IsOk());
+  EXPECT_TRUE(this->Surfaces.IsPreparing());
+  EXPECT_FALSE(this->Surfaces.Nearest(top, 40.0).has_value()) << "not that of the other sphere";
+  ASSERT_TRUE(this->Jobs.WaitForResult());
+  this->Jobs.Deliver();
+  EXPECT_FALSE(this->Surfaces.IsPreparing());
+  ASSERT_TRUE(this->Add(MeasurementKind::Thickness, top).IsOk());
+  EXPECT_NEAR(*ValueOf(this->Last()), 2.0 * Radius, 1e-6); // between the poles
+}
+
+TEST_F(Measuring, SurfaceThatGoesEndsItsPreparation)
+{
+  vtkNew<vtkSphereSource> fine;
+  fine->SetThetaResolution(200);
+  fine->SetPhiResolution(200);
+  fine->Update();
+  this->Surfaces.Show({{1, fine->GetOutput()}});
+  EXPECT_FALSE(this->Add(MeasurementKind::Thickness, Vector3(0.0, 0.0, 0.5)).IsOk());
+  ASSERT_TRUE(this->Surfaces.IsPreparing());
+  this->Surfaces.Show({});
+  EXPECT_FALSE(this->Surfaces.IsPreparing());
+  this->Jobs.WaitForResult();
+  EXPECT_EQ(this->Jobs.Deliver(), 0U);
 }
 
 TEST_F(Measuring, CurvesGoOnUntilTheyAreEnded)

@@ -1,4 +1,5 @@
 #include "EventProbe.h"
+#include "MarkPlacer.h"
 #include "MeshFormats.h"
 #include "SurfaceFile.h"
 #include "TouchRecorder.h"
@@ -218,6 +219,31 @@ TEST_F(ResponsivenessTest, WhileARecordingIsReadAndExported)
   this->Watch(
       "ticks", [&] { this->Study->ExportReplay(table); },
       [&] { return std::filesystem::exists(table); });
+}
+
+TEST_F(ResponsivenessTest, WhileALargeSurfaceIsPreparedForAMeasurement)
+{
+  constexpr int Resolution = 500; // half a million triangles
+  constexpr double Radius = 20.0;
+  const auto file = this->Phantom.Folder / "large.stl";
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(Radius);
+  sphere->SetThetaResolution(Resolution);
+  sphere->SetPhiResolution(Resolution);
+  sphere->Update();
+  WriteSurface(file, sphere->GetOutput());
+  this->OpenPhantom(); // the first frame of the views compiles shaders, once in a program
+  const std::size_t before = this->Study->State().Structures.size();
+  this->Study->OpenFiles({file});
+  WaitUntil([&] { return this->Study->State().Structures.size() > before; });
+  this->Settle();
+  DrawAll(*this->Window->Views());
+  MarkPlacer& marks = *this->Window->findChild<MarkPlacer*>();
+  marks.Choose(MeasurementKind::Thickness);
+  this->Watch(
+      "measurement", [&] { marks.Place(Vector3(0.0, 0.0, Radius)); },
+      [this] { return !this->Study->State().Measurements.empty(); });
+  EXPECT_NEAR(*ValueOf(this->Study->State().Measurements[0]), 2.0 * Radius, 1e-2);
 }
 
 TEST_F(ResponsivenessTest, ProbeSeesABusyEvent)

@@ -1,5 +1,11 @@
 #include "ForceButton.h"
+#include "GuideDialog.h"
+#include "LandmarksPanel.h"
+#include "PictureDialog.h"
+#include "PreferencesDialog.h"
 #include "SafetyReport.h"
+#include "StructureDialog.h"
+#include "ThresholdDialog.h"
 #include "ViewBanner.h"
 #include "WindowTest.h"
 
@@ -8,6 +14,9 @@
 #include <QScrollBar>
 #include <QToolButton>
 
+#include <array>
+#include <cstdlib>
+#include <map>
 #include <utility>
 
 namespace palpate::window_layout_test
@@ -26,10 +35,11 @@ protected:
     }
     QApplication::processEvents();
   }
-  std::vector<QWidget*> Controls() const
+  std::vector<QWidget*> Controls() const { return ControlsOf(*this->Column()); }
+  static std::vector<QWidget*> ControlsOf(const QWidget& parent)
   {
     std::vector<QWidget*> controls;
-    for (auto* widget : this->Column()->findChildren<QWidget*>())
+    for (auto* widget : parent.findChildren<QWidget*>())
     {
       const bool isControl = qobject_cast<QAbstractButton*>(widget) != nullptr ||
                              qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
@@ -55,29 +65,97 @@ protected:
   }
 };
 
+// Controls that say less than their text needs.
+void ExpectNothingClipped(const std::vector<QWidget*>& controls, int width)
+{
+  for (QWidget* control : controls)
+  {
+    const std::string name = control->objectName().toStdString() + " of " +
+                             control->metaObject()->className() + " at " + std::to_string(width);
+    const QSize least = control->minimumSizeHint();
+    EXPECT_GE(control->width(), least.width()) << name;
+    EXPECT_GE(control->height(), least.height()) << name;
+  }
+}
+
+// Written where PALPATE_PICTURES says, for people to look at.
+void ShowPicture(QWidget& widget, const std::string& name)
+{
+  if (const char* folder = std::getenv("PALPATE_PICTURES"))
+  {
+    EXPECT_TRUE(widget.grab().save(QString(folder) + "/" + QString::fromStdString(name) + ".png"));
+  }
+}
+
 // The last is 1600 x 1000 at scale 2.
+const std::array<QSize, 4> Sizes{QSize(1024, 700), QSize(1280, 800), QSize(1600, 1000),
+                                 QSize(800, 500)};
+
 TEST_F(WindowLayoutTest, NothingIsClippedAtUsualSizes)
 {
   this->OpenPhantom();
   this->OpenAllSections();
-  for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1600, 1000), QSize(800, 500)})
+  for (const QSize size : Sizes)
   {
     this->Window->resize(size);
     QApplication::processEvents();
     EXPECT_EQ(this->Window->size(), size) << "the window can be as small as that";
     const std::vector<QWidget*> controls = this->Controls();
     EXPECT_GT(controls.size(), 30U);
+    ExpectNothingClipped(controls, size.width());
     for (QWidget* control : controls)
     {
-      const std::string name = control->objectName().toStdString() + " of " +
-                               control->metaObject()->className() + " at " +
-                               std::to_string(size.width());
-      const QSize least = control->minimumSizeHint();
-      EXPECT_GE(control->width(), least.width()) << name;
-      EXPECT_GE(control->height(), least.height()) << name;
       const int right = control->mapTo(this->Column()->viewport(), control->rect().topRight()).x();
-      EXPECT_LT(right, this->Column()->viewport()->width()) << name;
+      EXPECT_LT(right, this->Column()->viewport()->width()) << control->objectName().toStdString();
     }
+    DrawAll(*this->Window->Views());
+    ShowPicture(*this->Window, "window-" + std::to_string(size.width()));
+  }
+}
+
+TEST_F(WindowLayoutTest, PanelOfMeasurementsIsNotClippedAtUsualSizes)
+{
+  this->OpenPhantom();
+  this->Action("Add landmarks by click")->setChecked(true);
+  auto* panel = this->Window->findChild<LandmarksPanel*>();
+  for (const QSize size : Sizes)
+  {
+    this->Window->resize(size);
+    QApplication::processEvents();
+    EXPECT_EQ(this->Window->size(), size) << "the window can be as small as that";
+    ASSERT_TRUE(panel->isVisible());
+    ExpectNothingClipped(ControlsOf(*panel), size.width());
+    DrawAll(*this->Window->Views());
+    ShowPicture(*this->Window, "measurements-" + std::to_string(size.width()));
+  }
+}
+
+// 800 x 500 is left of 1600 x 1000 at scale 2.
+TEST_F(WindowLayoutTest, DialogsFitTheSmallestScreenUnclipped)
+{
+  this->OpenPhantom();
+  KeyBindings keys(this->Window.get());
+  const int id = this->Study->State().Structures.front().Id;
+  PreferencesDialog preferences(keys, this->Window.get());
+  GuideDialog guide(*this->Study, id, this->Window.get());
+  StructureDialog structure(*this->Study, id, this->Window.get());
+  ThresholdDialog threshold(*this->Study, this->Window->Contents().Images(), this->Window.get());
+  PictureDialog picture(*this->Window->Views(), this->Window.get());
+  const std::map<std::string, QDialog*> dialogs{{"preferences", &preferences},
+                                                {"guide", &guide},
+                                                {"structure", &structure},
+                                                {"threshold", &threshold},
+                                                {"picture", &picture}};
+  for (const auto& [name, dialog] : dialogs)
+  {
+    dialog->show();
+    QApplication::processEvents();
+    EXPECT_LE(dialog->minimumSizeHint().width(), 800) << name;
+    EXPECT_LE(dialog->minimumSizeHint().height(), 500) << name;
+    EXPECT_LE(dialog->frameGeometry().height(), 700) << name << " opens on a small screen";
+    ExpectNothingClipped(ControlsOf(*dialog), dialog->width());
+    ShowPicture(*dialog, "dialog-" + name);
+    dialog->hide();
   }
 }
 
