@@ -7,12 +7,30 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 
 #include <algorithm>
 
 namespace palpate
 {
+namespace
+{
+// Pages are higher than small screens. To be called when the page is filled, since it decides on
+// the width.
+QScrollArea* Scrolled(QWidget* page)
+{
+  auto* area = new QScrollArea;
+  area->setWidget(page);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumWidth(page->sizeHint().width() + area->verticalScrollBar()->sizeHint().width());
+  return area;
+}
+} // namespace
+
 StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent)
     : QDialog(parent), Study(study), Structure(*FindStructure(study.State(), id))
 {
@@ -23,9 +41,6 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
   auto* model = new QWidget(tabs);
   auto* contact = new QWidget(tabs);
   auto* images = new QWidget(tabs);
-  tabs->addTab(model, "Touch &model");
-  tabs->addTab(contact, "&Contact");
-  tabs->addTab(images, "Forces from &images");
   all->addWidget(tabs);
   this->Form = new QFormLayout(model);
   this->Rows = this->Form;
@@ -44,6 +59,9 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
     this->AddEffect(kind, groups);
   }
   groups->addStretch(1);
+  tabs->addTab(Scrolled(model), "Touch &model");
+  tabs->addTab(Scrolled(contact), "&Contact");
+  tabs->addTab(Scrolled(images), "Forces from &images");
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   all->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &StructureDialog::accept);
