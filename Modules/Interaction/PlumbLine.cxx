@@ -1,6 +1,5 @@
 #include "PlumbLine.h"
 
-#include "DecimalText.h"
 #include "vtkProbeRepresentation.h"
 
 #include "vtkMatrix4x4.h"
@@ -29,7 +28,7 @@ void PlumbLine::SetRenderer(vtkRenderer* renderer)
   this->Renderer = renderer;
 }
 
-void PlumbLine::Update(vtkProbeRepresentation* probe)
+void PlumbLine::Update(vtkProbeRepresentation* probe, LengthUnit unit)
 {
   const bool isShown = probe != nullptr && probe->GetVisibility() && !probe->GetInContact() &&
                        probe->GetHasNearestPoint();
@@ -45,7 +44,7 @@ void PlumbLine::Update(vtkProbeRepresentation* probe)
   const double* color = probe->GetColor();
   this->Line.SetCurves({{{tool, nearest}, false}}, Vector3::Zero());
   this->Line.SetStyle({{color[0], color[1], color[2]}}, 1.0, LineWidth);
-  this->Length.Update({{FixedText(distance, 1) + " mm", 0.5 * (tool + nearest)}},
+  this->Length.Update({{LengthText(unit, distance, 1), 0.5 * (tool + nearest)}},
                       {{color[0], color[1], color[2]}});
 }
 } // namespace palpate

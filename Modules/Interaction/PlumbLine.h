@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CurveActor.h"
+#include "LengthText.h"
 #include "PalpateInteractionModule.h"
 #include "PointLabels.h"
 
@@ -19,7 +20,7 @@ public:
   /// Null removes it.
   void SetRenderer(vtkRenderer* renderer);
   /// Null shows nothing.
-  void Update(vtkProbeRepresentation* probe);
+  void Update(vtkProbeRepresentation* probe, LengthUnit unit);
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;

@@ -1,6 +1,5 @@
 #include "ScaleBar.h"
 
-#include "DecimalText.h"
 #include "ViewText.h"
 
 #include "vtkCellArray.h"
@@ -46,7 +45,8 @@ double ScaleBar::RoundLength(double millimeters)
   return length;
 }
 
-void ScaleBar::Update(double pixelMillimeters, int width, int height, double pointPixels)
+void ScaleBar::Update(double pixelMillimeters, int width, int height, double pointPixels,
+                      LengthUnit unit)
 {
   this->Length = RoundLength(LargestShare * width * pixelMillimeters);
   const double left = Left * width;
@@ -63,7 +63,7 @@ void ScaleBar::Update(double pixelMillimeters, int width, int height, double poi
   this->Line->SetPoints(points);
   this->Line->SetLines(lines);
   this->Bar->GetProperty()->SetLineWidth(static_cast<float>(0.5 * tick));
-  SetViewText(this->Label, FixedText(this->Length, this->Length < 1.0 ? 3 : 0) + " mm");
+  SetViewText(this->Label, LengthText(unit, this->Length, this->Length < 1.0 ? 3 : 0));
   this->Label->SetPosition(Left, Bottom + 1.5 * tick / height);
 }
 } // namespace palpate

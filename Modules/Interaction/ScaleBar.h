@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LengthText.h"
 #include "PalpateInteractionModule.h"
 #include "ViewProps.h"
 
@@ -21,7 +22,8 @@ public:
   static double RoundLength(double millimeters);
 
   /// For a view of that many pixels, with `pointPixels` pixels per point (1/72 inch).
-  void Update(double pixelMillimeters, int width, int height, double pointPixels);
+  void Update(double pixelMillimeters, int width, int height, double pointPixels,
+              LengthUnit unit = LengthUnit::Millimeter);
 
   double LengthMillimeters() const { return this->Length; }
 

@@ -1,7 +1,5 @@
 #include "SliceAnnotation.h"
 
-#include "DecimalText.h"
-
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
@@ -16,7 +14,7 @@ constexpr int TextSize = 11; // points
 
 // "Axial  91 / 181" and, below, "S 19.0 mm".
 std::string Describe(SliceOrientation orientation, const SliceGeometry& geometry,
-                     const Vector3& placeWorld)
+                     const Vector3& placeWorld, LengthUnit unit)
 {
   std::string text = NameOf(orientation);
   if (geometry.HasNumbers())
@@ -26,7 +24,7 @@ std::string Describe(SliceOrientation orientation, const SliceGeometry& geometry
   }
   const double place = placeWorld.dot(geometry.ForwardWorld);
   const Vector3 side = place < 0.0 ? Vector3(-geometry.ForwardWorld) : geometry.ForwardWorld;
-  return text + "\n" + OrientationLetters(side) + " " + FixedText(std::abs(place), 1) + " mm";
+  return text + "\n" + OrientationLetters(side) + " " + LengthText(unit, std::abs(place), 1);
 }
 } // namespace
 
@@ -42,12 +40,12 @@ SliceAnnotation::SliceAnnotation() : Text(MakeViewText(0.015, 0.985, TextSize))
 }
 
 void SliceAnnotation::Update(SliceOrientation orientation, const SliceGeometry& geometry,
-                             const SlicePosition& slice, const Vector3& placeWorld)
+                             const SlicePosition& slice, const Vector3& placeWorld, LengthUnit unit)
 {
   this->Letters.Update(slice.Frame);
-  this->Bar.Update(slice.PixelMillimeters, slice.Width, slice.Height, slice.PointPixels);
+  this->Bar.Update(slice.PixelMillimeters, slice.Width, slice.Height, slice.PointPixels, unit);
   const std::array<double, 3> color = ColorOf(orientation);
   this->Text->GetTextProperty()->SetColor(color[0], color[1], color[2]);
-  SetViewText(this->Text, Describe(orientation, geometry, placeWorld));
+  SetViewText(this->Text, Describe(orientation, geometry, placeWorld, unit));
 }
 } // namespace palpate

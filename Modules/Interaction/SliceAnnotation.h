@@ -16,7 +16,7 @@ public:
   SliceAnnotation();
   /// `placeWorld` is a point of the slice.
   void Update(SliceOrientation orientation, const SliceGeometry& geometry,
-              const SlicePosition& slice, const Vector3& placeWorld);
+              const SlicePosition& slice, const Vector3& placeWorld, LengthUnit unit);
 
 private:
   EdgeLetters Letters;

@@ -1,5 +1,7 @@
 #include "vtkLinkedView.h"
 
+#include "LengthText.h"
+
 #include "vtkCommand.h"
 
 void vtkLinkedView::SetRenderer(vtkRenderer* renderer)
@@ -30,10 +32,16 @@ void vtkLinkedView::Update()
   }
 }
 
+palpate::LengthUnit vtkLinkedView::UnitOfLength() const
+{
+  return this->Centimeters ? palpate::LengthUnit::Centimeter : palpate::LengthUnit::Millimeter;
+}
+
 void vtkLinkedView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << '\n';
   os << indent << "AlongImage: " << this->AlongImage << '\n';
   os << indent << "AnnotationVisibility: " << this->AnnotationVisibility << '\n';
+  os << indent << "Centimeters: " << this->Centimeters << '\n';
 }

@@ -20,6 +20,10 @@
 #include "vtkSmartPointer.h"
 
 class vtkSurfaceDisplay;
+namespace palpate
+{
+enum class LengthUnit;
+}
 
 class PALPATEINTERACTION_EXPORT vtkLinkedView : public vtkObject
 {
@@ -59,6 +63,12 @@ public:
   vtkGetMacro(AnnotationVisibility, bool);
   vtkBooleanMacro(AnnotationVisibility, bool);
   ///@}
+  ///@{
+  /** Shows lengths and positions in cm. Off by default: in mm. */
+  vtkSetMacro(Centimeters, bool);
+  vtkGetMacro(Centimeters, bool);
+  vtkBooleanMacro(Centimeters, bool);
+  ///@}
 
   /** Updates everything; called whenever the renderer draws. */
   void Update();
@@ -68,6 +78,8 @@ protected:
   /** Subclasses call SetRenderer(nullptr) in their destructors: their contents are gone when this
    * runs. */
   ~vtkLinkedView() override = default;
+
+  palpate::LengthUnit UnitOfLength() const;
 
   /** Adds the view's props to its renderer, and removes them. */
   virtual void AddTo(vtkRenderer* renderer) = 0;
@@ -81,6 +93,7 @@ private:
 
   bool AlongImage = true;
   bool AnnotationVisibility = true;
+  bool Centimeters = false;
   vtkSmartPointer<vtkRenderer> Renderer;
   unsigned long Observer = 0;
   vtkSmartPointer<vtkImageDisplay> ImageDisplay;

@@ -287,7 +287,8 @@ void vtkSliceView::UpdateFor(vtkRenderer* renderer)
   state.Annotation.SetVisible(this->GetAnnotationVisibility());
   if (this->GetAnnotationVisibility())
   {
-    state.Annotation.Update(orientation, state.Geometry(this), position, state.Focus(this));
+    state.Annotation.Update(orientation, state.Geometry(this), position, state.Focus(this),
+                            this->UnitOfLength());
   }
 }
 

@@ -335,7 +335,7 @@ void vtkSpaceView::UpdateContents()
   }
   state.Marks.Update(this->GetLandmarks());
   state.Tool.Update(this->GetProbe());
-  state.Depth.Update(this->GetProbe());
+  state.Depth.Update(this->GetProbe(), this->UnitOfLength());
 }
 
 void vtkSpaceView::UpdateFor(vtkRenderer* renderer)

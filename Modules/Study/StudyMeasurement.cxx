@@ -96,7 +96,7 @@ std::optional<double> ValueOf(const StudyMeasurement& measurement)
   }
 }
 
-std::string ValueText(const StudyMeasurement& measurement)
+std::string ValueText(const StudyMeasurement& measurement, LengthUnit unit)
 {
   const std::optional<double> value = ValueOf(measurement);
   if (!value)
@@ -104,7 +104,7 @@ std::string ValueText(const StudyMeasurement& measurement)
     return {};
   }
   const bool isAngle = measurement.Kind == MeasurementKind::Angle;
-  return FixedText(*value, 1) + (isAngle ? "\u00B0" : " mm");
+  return isAngle ? FixedText(*value, 1) + "\u00B0" : LengthText(unit, *value, 1);
 }
 
 Vector3 LabelPlaceOf(const StudyMeasurement& measurement)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LengthText.h"
 #include "PalpateStudyModule.h"
 #include "Vector3.h"
 
@@ -56,7 +57,8 @@ PALPATESTUDY_EXPORT bool HasValidPoints(const StudyMeasurement& measurement);
 /// Length in mm, or angle in degrees, of the points so far; none for planes and for too few points.
 PALPATESTUDY_EXPORT std::optional<double> ValueOf(const StudyMeasurement& measurement);
 /// The same as text, such as "12.3 mm"; empty if there is none.
-PALPATESTUDY_EXPORT std::string ValueText(const StudyMeasurement& measurement);
+PALPATESTUDY_EXPORT std::string ValueText(const StudyMeasurement& measurement,
+                                          LengthUnit unit = LengthUnit::Millimeter);
 /// Where its value is shown; it must have a point.
 PALPATESTUDY_EXPORT Vector3 LabelPlaceOf(const StudyMeasurement& measurement);
 } // namespace palpate

@@ -27,8 +27,13 @@ QTableWidgetItem* FixedItem(const QString& text)
   return item;
 }
 
+QString LengthNumber(double millimeters, LengthUnit unit)
+{
+  return QString::number(LengthIn(unit, millimeters), 'f', DecimalsIn(unit, 2));
+}
+
 void FillMarkRow(QTableWidget* table, int row, const std::string& name, const QStringList& facts,
-                 const Vector3& place)
+                 const Vector3& place, LengthUnit unit)
 {
   table->setItem(row, MarkNameColumn, new QTableWidgetItem(QString::fromStdString(name)));
   for (int i = 0; i < facts.size(); ++i)
@@ -37,12 +42,12 @@ void FillMarkRow(QTableWidget* table, int row, const std::string& name, const QS
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    table->setItem(row, FirstPlaceColumn + axis, FixedItem(QString::number(place[axis], 'f', 2)));
+    table->setItem(row, FirstPlaceColumn + axis, FixedItem(LengthNumber(place[axis], unit)));
   }
 }
 
 // Kind, value and unit.
-QStringList FactsOf(const StudyMeasurement& measurement)
+QStringList FactsOf(const StudyMeasurement& measurement, LengthUnit unit)
 {
   QString kind = NameOf(measurement.Kind);
   if (measurement.IsOpen)
@@ -53,8 +58,13 @@ QStringList FactsOf(const StudyMeasurement& measurement)
                         : QString(" (%1 of %2 points)").arg(count).arg(wanted);
   }
   const std::optional<double> value = ValueOf(measurement);
-  return {kind, value ? QString::number(*value, 'f', 2) : QString(),
-          value ? UnitOf(measurement.Kind) : ""};
+  if (!value)
+  {
+    return {kind, "", ""};
+  }
+  const bool isLength = measurement.Kind != MeasurementKind::Angle;
+  return {kind, isLength ? LengthNumber(*value, unit) : QString::number(*value, 'f', 2),
+          isLength ? SymbolOf(unit) : UnitOf(measurement.Kind)};
 }
 
 bool IsOfPoints(const GuideSettings& guide)
@@ -73,8 +83,6 @@ LandmarksPanel::LandmarksPanel(StudyController& study, ViewContents& contents,
       Guide(new QComboBox(this)), Value(new QLabel(this))
 {
   this->Table->setObjectName("landmarks");
-  this->Table->setHorizontalHeaderLabels(
-      {"Name", "Kind", "Value", "Unit", "L, mm", "P, mm", "S, mm"});
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   this->Table->verticalHeader()->hide();
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -219,9 +227,22 @@ void LandmarksPanel::ChangeGuide(int shape)
   this->Study.Change(shape > 0 ? "Guide the tool" : "Do not guide the tool", next);
 }
 
+void LandmarksPanel::SetLengthUnit(LengthUnit unit)
+{
+  this->Unit = unit;
+  this->Points->SetLengthUnit(unit);
+  this->ShowState();
+}
+
 void LandmarksPanel::ShowState()
 {
   const QSignalBlocker quiet(this->Table);
+  QStringList heads{"Name", "Kind", "Value", "Unit"};
+  for (const char* axis : {"L", "P", "S"})
+  {
+    heads += QString("%1, %2").arg(axis, SymbolOf(this->Unit));
+  }
+  this->Table->setHorizontalHeaderLabels(heads);
   const StudyState& state = this->Study.State();
   const auto guide = std::find_if(state.Guides.begin(), state.Guides.end(), IsOfPoints);
   this->Guide->setCurrentIndex(guide == state.Guides.end() ? 0
@@ -231,12 +252,13 @@ void LandmarksPanel::ShowState()
   int row = 0;
   for (const StudyLandmark& mark : state.Landmarks)
   {
-    FillMarkRow(this->Table, row++, mark.Name, {"Landmark", "", ""}, mark.PositionWorld);
+    FillMarkRow(this->Table, row++, mark.Name, {"Landmark", "", ""}, mark.PositionWorld,
+                this->Unit);
   }
   for (const StudyMeasurement& measurement : state.Measurements)
   {
-    FillMarkRow(this->Table, row++, measurement.Name, FactsOf(measurement),
-                LabelPlaceOf(measurement));
+    FillMarkRow(this->Table, row++, measurement.Name, FactsOf(measurement, this->Unit),
+                LabelPlaceOf(measurement), this->Unit);
   }
 }
 

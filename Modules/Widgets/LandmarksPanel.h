@@ -31,6 +31,7 @@ public:
   QAction* TouchTool() const { return this->AddTouched; }
   /// Ends a curve.
   QAction* EndTool() const { return this->EndCurve; }
+  void SetLengthUnit(LengthUnit unit);
   MarkPlacer* Placer() const { return this->Points; }
 
 Q_SIGNALS:
@@ -55,6 +56,7 @@ private:
   std::vector<std::size_t> SelectedRows() const;
 
   StudyController& Study;
+  LengthUnit Unit = LengthUnit::Millimeter;
   const FileQuestions& Questions;
   QTableWidget* Table;
   MarkPlacer* Points;

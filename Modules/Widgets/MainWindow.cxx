@@ -109,7 +109,7 @@ void MainWindow::MakeMenus()
 {
   this->Files = new FileMenu(this->Study, this->Questions, this->Shown, this);
   this->Study.AskBeforeLeaving([this] { return this->Files->MayLeave(); });
-  this->Study.AskForSeries([this](const QStringList& series)
+  this->Study.AskForSeries([this](const std::vector<DicomSeriesChoice>& series)
                            { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::PictureAsked, this, &MainWindow::AskForPicture);
   connect(this->Start, &StartPage::OpenAsked, this->Files, &FileMenu::OpenFiles);
@@ -391,6 +391,10 @@ void MainWindow::Follow(const Preferences& preferences)
     this->Viewing->AdjustWindowByLeftDrag(preferences.LeftDragAdjustsWindow);
   }
   this->Grid->SetNeurological(preferences.IsNeurological);
+  this->Grid->SetLengthUnit(preferences.Unit);
+  this->Shown.SetLengthUnit(preferences.Unit);
+  this->Status->SetLengthUnit(preferences.Unit);
+  this->Marks->SetLengthUnit(preferences.Unit);
   this->Study.BeginWith(preferences.NewStudy());
   this->Habits = preferences;
 }

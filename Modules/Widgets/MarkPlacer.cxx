@@ -157,7 +157,7 @@ void MarkPlacer::Preview(const PlacedPoint& point)
   if (AddPoint(next, point, this->Surfaces).IsOk())
   {
     this->Contents.ShowPreview(next);
-    Q_EMIT Previewed(QString::fromStdString(next.Name + ": " + ValueText(next)));
+    Q_EMIT Previewed(QString::fromStdString(next.Name + ": " + ValueText(next, this->Unit)));
   }
   else
   {

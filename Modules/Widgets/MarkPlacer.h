@@ -25,6 +25,8 @@ public:
 
   /// What is placed next; none: landmarks.
   void Choose(std::optional<MeasurementKind> kind);
+  /// Of previewed values.
+  void SetLengthUnit(LengthUnit unit) { this->Unit = unit; }
   std::optional<MeasurementKind> Chosen() const { return this->Kind; }
 
   /// World, mm.
@@ -57,6 +59,7 @@ private:
   ViewContents& Contents;
   MeasuredSurfaces Surfaces{this->Study.Current().Jobs()};
   std::optional<MeasurementKind> Kind;
+  LengthUnit Unit = LengthUnit::Millimeter;
   std::vector<PlacedPoint> Waiting; ///< for a surface that is being prepared
   QElapsedTimer SincePreview;
   qint64 Pause = 0; ///< ms from one preview to the next

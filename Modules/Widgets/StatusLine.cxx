@@ -11,12 +11,12 @@ namespace palpate
 namespace
 {
 // "R 10.3": with the side's letter instead of a sign.
-QString Side(double coordinate, char positive, char negative)
+QString Side(double coordinate, char positive, char negative, LengthUnit unit)
 {
   const double shown = std::round(10.0 * coordinate) / 10.0;
   return QString("%1 %2")
       .arg(QChar(shown < 0.0 ? negative : positive))
-      .arg(std::abs(shown), 0, 'f', 1);
+      .arg(std::abs(LengthIn(unit, shown)), 0, 'f', DecimalsIn(unit, 1));
 }
 } // namespace
 
@@ -50,8 +50,9 @@ StatusLine::StatusLine(StudyController& study, QWidget* parent)
 
 void StatusLine::ShowPoint(const Vector3& pointWorld, const std::string& text)
 {
-  const QString place = Side(pointWorld.x(), 'L', 'R') + "  " + Side(pointWorld.y(), 'P', 'A') +
-                        "  " + Side(pointWorld.z(), 'S', 'I') + " mm";
+  const QString place = Side(pointWorld.x(), 'L', 'R', this->Unit) + "  " +
+                        Side(pointWorld.y(), 'P', 'A', this->Unit) + "  " +
+                        Side(pointWorld.z(), 'S', 'I', this->Unit) + " " + SymbolOf(this->Unit);
   this->Point->setText(text.empty() ? place : place + "   " + ScreenString(text));
 }
 

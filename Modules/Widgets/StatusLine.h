@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LengthText.h"
 #include "StudyController.h"
 
 #include <QLabel>
@@ -20,6 +21,7 @@ public:
 
   /// Position of the pointer (world, mm), and the text of ViewContents::TextAt for it.
   void ShowPoint(const Vector3& pointWorld, const std::string& text);
+  void SetLengthUnit(LengthUnit unit) { this->Unit = unit; }
   void ClearPoint() { this->Point->clear(); }
   QString PointText() const { return this->Point->text(); }
   QString TouchText() const { return this->Touch->text(); }
@@ -29,6 +31,7 @@ private:
   void ShowTouch();
 
   StudyController& Study;
+  LengthUnit Unit = LengthUnit::Millimeter;
   QLabel* Point;
   QLabel* Jobs;
   QToolButton* Cancel; ///< of files that are written

@@ -46,12 +46,18 @@ void AddSeries(const std::filesystem::path& folder, const std::filesystem::path&
     DicomSeriesChoice choice;
     choice.Folder = folder;
     choice.Series = all.size() > 1 ? std::to_string(i + 1) : std::string();
-    choice.Text = all[i].Summary() + (all[i].Date.empty() ? "" : ", " + all[i].Date);
-    choice.Text += folder == top ? "" : ", in " + folder.lexically_relative(top).string();
+    choice.Slices = all[i];
+    choice.Subfolder = folder == top ? "" : folder.lexically_relative(top).string();
     choices.push_back(std::move(choice));
   }
 }
 } // namespace
+
+std::string DicomSeriesChoice::Text() const
+{
+  return this->Slices.Summary() + (this->Slices.Date.empty() ? "" : ", " + this->Slices.Date) +
+         (this->Subfolder.empty() ? "" : ", in " + this->Subfolder);
+}
 
 std::vector<DicomSeriesChoice> FindDicomSeriesBelow(const std::filesystem::path& folder)
 {

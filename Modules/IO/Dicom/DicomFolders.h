@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DicomPreview.h"
 #include "PalpateIOModule.h"
 
 #include <filesystem>
@@ -14,8 +15,12 @@ struct DicomSeriesChoice
   std::filesystem::path Folder; ///< that has its slices
   /// As VolumeChoice takes it; empty for the only series of its folder.
   std::string Series;
+  DicomSeries Slices;
+  std::string Subfolder; ///< relative to the folder of the choice; empty for its own series
+  DicomPreview Preview;  ///< for whoever shows it; empty after FindDicomSeriesBelow
+
   /// Description, number of slices, orientation, date and subfolder, for lists.
-  std::string Text;
+  PALPATEIO_EXPORT std::string Text() const;
 };
 
 /// The image series of a folder and of its subfolders, in the order of their paths; links to

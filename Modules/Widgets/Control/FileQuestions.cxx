@@ -1,10 +1,10 @@
 #include "FileQuestions.h"
 
 #include "ScreenString.h"
+#include "SeriesDialog.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QInputDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -29,13 +29,10 @@ QString AskForMissing(QWidget* parent, const StudyMissingFile& missing)
              : QString();
 }
 
-int AskForSeries(QWidget* parent, const QStringList& series)
+int AskForSeries(QWidget* parent, const std::vector<DicomSeriesChoice>& series)
 {
-  bool isChosen = false;
-  const QString chosen =
-      QInputDialog::getItem(parent, "Several series",
-                            "The folder holds several series. Open:", series, 0, false, &isChosen);
-  return isChosen ? static_cast<int>(series.indexOf(chosen)) : -1;
+  SeriesDialog dialog(series, parent);
+  return dialog.exec() == QDialog::Accepted ? dialog.Chosen() : -1;
 }
 
 FileQuestions::Answer AskWhetherToSave(QWidget* parent)

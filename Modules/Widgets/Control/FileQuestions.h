@@ -1,11 +1,13 @@
 #pragma once
 
+#include "DicomFolders.h"
 #include "StudyFile.h"
 
 #include <QString>
 #include <QStringList>
 
 #include <functional>
+#include <vector>
 
 class QWidget;
 
@@ -28,7 +30,7 @@ struct FileQuestions
       ToSave;
   std::function<QString(QWidget* parent, const QString& title)> Folder;
   /// Which of a folder's series to open, from 0; -1 if the user cancels.
-  std::function<int(QWidget* parent, const QStringList& series)> Series;
+  std::function<int(QWidget* parent, const std::vector<DicomSeriesChoice>& series)> Series;
   /// New path of a missing file of a session.
   std::function<QString(QWidget* parent, const StudyMissingFile& missing)> Missing;
   std::function<Answer(QWidget* parent)> WhetherToSave;

@@ -1,5 +1,9 @@
 #include "StudyController.h"
 
+#include "DicomPreview.h"
+#include "FilterRun.h"
+#include "SeriesDialog.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,6 +11,22 @@ namespace palpate
 {
 namespace
 {
+constexpr std::size_t MostPreviews = 200; // series after these are offered without
+
+// Of series among which the user will choose.
+void ReadPreviews(std::vector<DicomSeriesChoice>& series, const ProgressFunction& progress)
+{
+  const std::size_t count = series.size() > 1 ? std::min(series.size(), MostPreviews) : 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!progress(static_cast<double>(i) / static_cast<double>(count), "Reading previews"))
+    {
+      throw Cancelled();
+    }
+    series[i].Preview = ReadDicomPreview(series[i].Slices, SeriesDialog::PreviewSide);
+  }
+}
+
 constexpr int LookMilliseconds = 16; // a frame at 60 Hz
 constexpr int LooksAStep = 6;
 } // namespace
@@ -216,10 +236,12 @@ void StudyController::OpenFolder(const std::filesystem::path& folder, VolumeOpen
 {
   ++this->Folders;
   StudyJob job;
-  job.Work = [this, folder, open](const ProgressFunction&)
+  job.Work = [this, folder, open](const ProgressFunction& progress)
   {
+    std::vector<DicomSeriesChoice> found = FindDicomSeriesBelow(folder);
+    ReadPreviews(found, progress);
     return StudyJob::Delivery(
-        [this, open, series = FindDicomSeriesBelow(folder)]
+        [this, open, series = std::move(found)]
         {
           // Deferred until after the delivery: a question to the user processes events.
           QTimer::singleShot(0, this, [this, series, open] { this->TakeSeries(series, open); });
@@ -235,13 +257,8 @@ void StudyController::OpenFolder(const std::filesystem::path& folder, VolumeOpen
 
 void StudyController::TakeSeries(const std::vector<DicomSeriesChoice>& series, VolumeOpening open)
 {
-  QStringList texts;
-  for (const DicomSeriesChoice& one : series)
-  {
-    texts += ScreenString(one.Text);
-  }
-  const bool isAsked = texts.size() > 1 && this->WhichSeries;
-  const int chosen = isAsked ? this->WhichSeries(texts) : 0;
+  const bool isAsked = series.size() > 1 && this->WhichSeries;
+  const int chosen = isAsked ? this->WhichSeries(series) : 0;
   --this->Folders;
   if (chosen >= 0)
   {

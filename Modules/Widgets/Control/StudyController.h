@@ -53,7 +53,7 @@ public:
   void AskBeforeLeaving(std::function<bool()> mayLeave) { this->MayLeave = std::move(mayLeave); }
   /// Asked which of several series to open, as FileQuestions::Series. None: the reader reports an
   /// error for several series.
-  void AskForSeries(std::function<int(const QStringList&)> series)
+  void AskForSeries(std::function<int(const std::vector<DicomSeriesChoice>&)> series)
   {
     this->WhichSeries = std::move(series);
   }
@@ -161,7 +161,7 @@ private:
   std::vector<std::filesystem::path> Roles; ///< files whose kind is not yet known
   int Folders = 0;                          ///< number of folders whose series are being listed
   std::function<bool()> MayLeave;
-  std::function<int(const QStringList&)> WhichSeries;
+  std::function<int(const std::vector<DicomSeriesChoice>&)> WhichSeries;
   StudyProblems Problems{this->Open};
   std::vector<std::string> Told; ///< problems that are there
   std::uint64_t Revision = 0;

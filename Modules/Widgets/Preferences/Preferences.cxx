@@ -10,6 +10,7 @@ namespace
 {
 constexpr const char* LeftDragKey = "left-drag-adjusts-window";
 constexpr const char* NeurologicalKey = "neurological";
+constexpr const char* CentimetersKey = "centimeters";
 constexpr const char* DegreeKey = "degree";
 constexpr const char* ErrorScaleKey = "error-scale";
 } // namespace
@@ -26,6 +27,8 @@ Preferences Preferences::Kept()
   kept.Look = ChosenLook();
   kept.LeftDragAdjustsWindow = settings.value(LeftDragKey, false).toBool();
   kept.IsNeurological = settings.value(NeurologicalKey, false).toBool();
+  const bool isCentimeters = settings.value(CentimetersKey, false).toBool();
+  kept.Unit = isCentimeters ? LengthUnit::Centimeter : LengthUnit::Millimeter;
   bool isNumber = false;
   const int degree = settings.value(DegreeKey).toInt(&isNumber);
   if (isNumber && degree >= 0 && degree <= LargestDegree)
@@ -45,6 +48,7 @@ void Preferences::Keep() const
   QSettings settings;
   settings.setValue(LeftDragKey, this->LeftDragAdjustsWindow);
   settings.setValue(NeurologicalKey, this->IsNeurological);
+  settings.setValue(CentimetersKey, this->Unit == LengthUnit::Centimeter);
   settings.setValue(DegreeKey, this->Degree);
   settings.setValue(ErrorScaleKey, this->ErrorScale.value_or(0.0));
   ChooseLook(this->Look);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LengthText.h"
 #include "StudyState.h"
 #include "WindowLook.h"
 
@@ -26,8 +27,9 @@ struct Preferences
   bool LeftDragAdjustsWindow = false;
   /// Whether the patient's left is at the left of axial and coronal slices.
   bool IsNeurological = false;
-  int Degree = StudyState().Fit.Degree; ///< of the models of new studies
-  std::optional<double> ErrorScale;     ///< of new studies, mm; none: two voxels
+  LengthUnit Unit = LengthUnit::Millimeter; ///< of lengths and positions that are shown
+  int Degree = StudyState().Fit.Degree;     ///< of the models of new studies
+  std::optional<double> ErrorScale;         ///< of new studies, mm; none: two voxels
 
   /// Those kept; what is missing or makes no sense is as by default.
   static Preferences Kept();

@@ -52,6 +52,8 @@ QWidget* PreferencesDialog::MakeGeneral()
   this->Convention = this->AddChoice(form, "&Slices", "preferred-convention",
                                      {"Radiological: the patient's left is at the right",
                                       "Neurological: the patient's left is at the left"});
+  this->Unit = this->AddChoice(form, "Lengths and &positions", "preferred-unit",
+                               {"in mm", "in cm (drilling and settings stay in mm)"});
   auto* studies = new QLabel("New studies begin with", page);
   form->addRow(studies);
   this->Degree = new QSpinBox(page);
@@ -75,6 +77,7 @@ void PreferencesDialog::ShowGeneral(const Preferences& preferences)
   this->Look->setCurrentIndex(static_cast<int>(preferences.Look));
   this->LeftDrag->setCurrentIndex(preferences.LeftDragAdjustsWindow ? 1 : 0);
   this->Convention->setCurrentIndex(preferences.IsNeurological ? 1 : 0);
+  this->Unit->setCurrentIndex(static_cast<int>(preferences.Unit));
   this->Degree->setValue(preferences.Degree);
   const auto scale = std::find(ErrorScales.begin(), ErrorScales.end(), preferences.ErrorScale);
   this->ErrorScale->setCurrentIndex(static_cast<int>(scale - ErrorScales.begin()));
@@ -86,6 +89,7 @@ void PreferencesDialog::TakeGeneral()
   chosen.Look = static_cast<WindowLook>(this->Look->currentIndex());
   chosen.LeftDragAdjustsWindow = this->LeftDrag->currentIndex() == 1;
   chosen.IsNeurological = this->Convention->currentIndex() == 1;
+  chosen.Unit = static_cast<LengthUnit>(this->Unit->currentIndex());
   chosen.Degree = this->Degree->value();
   chosen.ErrorScale = ErrorScales.at(static_cast<std::size_t>(this->ErrorScale->currentIndex()));
   chosen.Keep();

@@ -36,6 +36,7 @@ private:
   QComboBox* Look = nullptr;
   QComboBox* LeftDrag = nullptr;
   QComboBox* Convention = nullptr;
+  QComboBox* Unit;
   QSpinBox* Degree = nullptr;
   QComboBox* ErrorScale = nullptr;
 };

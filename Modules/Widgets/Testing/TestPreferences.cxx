@@ -6,6 +6,7 @@
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QSpinBox>
+#include <QTableWidget>
 
 namespace palpate::preferences_test
 {
@@ -62,6 +63,34 @@ TEST_F(PreferencesTest, ThemeAppliesAtOnceAndAtTheNextStart)
   EXPECT_EQ(next.palette().color(QPalette::Window), dark);
   Restore(dialog);
   EXPECT_EQ(this->Ground(), system);
+}
+
+TEST_F(PreferencesTest, LengthsAreInThePreferredUnitEverywhere)
+{
+  this->OpenPhantom();
+  StudyState next = this->Study->State();
+  next.Landmarks = {{"F-1", Vector3(12.5, 0.0, -3.0)}};
+  StudyMeasurement line;
+  line.Name = "Line 1";
+  line.PointsWorld = {Vector3::Zero(), Vector3(0.0, 12.3, 0.0)};
+  next.Measurements = {line};
+  this->Study->Change("Measure", next);
+  const auto* table = this->Window->findChild<QTableWidget*>("landmarks");
+  EXPECT_EQ(table->horizontalHeaderItem(4)->text(), "L, mm");
+  EXPECT_EQ(table->item(0, 4)->text(), "12.50");
+  Choose(this->OpenDialog(), "preferred-unit", 1);
+  EXPECT_EQ(table->horizontalHeaderItem(4)->text(), "L, cm");
+  EXPECT_EQ(table->item(0, 4)->text(), "1.250");
+  EXPECT_EQ(table->item(1, 2)->text(), "1.230");
+  EXPECT_EQ(table->item(1, 3)->text(), "cm");
+  auto* status = this->Window->findChild<StatusLine*>();
+  status->ShowPoint(Vector3(-10.3, 0.0, 4.0), "");
+  EXPECT_EQ(status->PointText(), "R 1.03  P 0.00  S 0.40 cm");
+  EXPECT_TRUE(this->Slice(SliceOrientation::Axial)->View()->GetCentimeters());
+  EXPECT_TRUE(this->Window->Views()->Space()->View()->GetCentimeters());
+  const MainWindow reopened(*this->Study);
+  EXPECT_EQ(reopened.findChild<QTableWidget*>("landmarks")->item(1, 2)->text(), "1.230");
+  EXPECT_EQ(*ValueOf(this->Study->State().Measurements[0]), 12.3);
 }
 
 TEST_F(PreferencesTest, LeftDragIsAsPreferred)

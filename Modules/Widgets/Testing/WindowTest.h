@@ -37,9 +37,13 @@ protected:
     questions.ToSave = [this](QWidget*, const QString&, const QString&, const QString&)
     { return this->SavedTo; };
     questions.Folder = [this](QWidget*, const QString&) { return this->Chosen; };
-    questions.Series = [this](QWidget*, const QStringList& series)
+    questions.Series = [this](QWidget*, const std::vector<DicomSeriesChoice>& series)
     {
-      this->SeriesOffered = series;
+      this->SeriesOffered.clear();
+      for (const DicomSeriesChoice& one : series)
+      {
+        this->SeriesOffered += QString::fromStdString(one.Text());
+      }
       return this->Series;
     };
     questions.Missing = [this](QWidget*, const StudyMissingFile& missing)

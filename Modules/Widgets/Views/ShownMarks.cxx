@@ -24,6 +24,12 @@ void ShownMarks::ShowPreview(const std::optional<StudyMeasurement>& preview)
   }
 }
 
+void ShownMarks::SetLengthUnit(LengthUnit unit)
+{
+  this->Unit = unit;
+  this->Update();
+}
+
 void ShownMarks::Update()
 {
   this->Shown->RemoveAll();
@@ -62,7 +68,7 @@ void ShownMarks::Add(const StudyMeasurement& measurement)
   {
     line->InsertNextPoint(place.data());
   }
-  const std::string value = ValueText(measurement);
+  const std::string value = ValueText(measurement, this->Unit);
   this->Shown->AddCurve((value.empty() ? measurement.Name : value).c_str(),
                         LabelPlaceOf(measurement).data(), line,
                         measurement.Kind == MeasurementKind::Plane);

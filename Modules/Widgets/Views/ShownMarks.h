@@ -19,6 +19,8 @@ public:
   /// only what the study has.
   void ShowPreview(const std::optional<StudyMeasurement>& preview);
 
+  void SetLengthUnit(LengthUnit unit);
+
   vtkLandmarks* Display() const { return this->Shown; }
 
 private:
@@ -26,6 +28,7 @@ private:
   void Add(const StudyMeasurement& measurement);
 
   vtkNew<vtkLandmarks> Shown;
+  LengthUnit Unit = LengthUnit::Millimeter;
   std::vector<StudyLandmark> Landmarks;
   std::vector<StudyMeasurement> Measurements;
   std::optional<StudyMeasurement> Preview;

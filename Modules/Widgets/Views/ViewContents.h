@@ -49,6 +49,8 @@ public:
   {
     this->Marks.ShowPreview(preview);
   }
+  /// Of measurements' values.
+  void SetLengthUnit(LengthUnit unit) { this->Marks.SetLengthUnit(unit); }
   /// `view` with the user's crosshair, window and opacity.
   StudyView WithViewOf(StudyView view) const;
 

@@ -187,6 +187,14 @@ void ViewGrid::SetNeurological(bool isNeurological)
   }
 }
 
+void ViewGrid::SetLengthUnit(LengthUnit unit)
+{
+  for (ViewPane* pane : this->All)
+  {
+    pane->SetLengthUnit(unit);
+  }
+}
+
 void ViewGrid::ShowNotice(const TouchNotice& notice)
 {
   for (ViewPane* pane : this->All)

@@ -57,6 +57,7 @@ public:
   void SetLeftButtonMode(int mode);
   /// See vtkSliceView::SetNeurological.
   void SetNeurological(bool isNeurological);
+  void SetLengthUnit(LengthUnit unit);
   void FitAll();
   /// In every view.
   void ShowNotice(const TouchNotice& notice);

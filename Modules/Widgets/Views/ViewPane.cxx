@@ -89,6 +89,12 @@ void ViewPane::SetAlongImage(bool isAlongImage)
   this->RequestRender();
 }
 
+void ViewPane::SetLengthUnit(LengthUnit unit)
+{
+  this->Shown->SetCentimeters(unit == LengthUnit::Centimeter);
+  this->RequestRender();
+}
+
 void ViewPane::Follow(vtkObject* shared)
 {
   this->Links->Connect(shared, vtkCommand::ModifiedEvent, this, SLOT(RequestRender()));

@@ -52,6 +52,7 @@ public:
   void AddSurface(vtkSurfaceDisplay* surface);
   void RemoveSurface(vtkSurfaceDisplay* surface);
   void SetAlongImage(bool isAlongImage);
+  void SetLengthUnit(LengthUnit unit);
 
   /// Draws whenever the object is modified, until the pane ends.
   void Follow(vtkObject* shared);

@@ -40,9 +40,9 @@ TEST(DicomFolders, SeriesOfSubfoldersCanBeRead)
   WriteAll(top / "b/notes.txt", "no slice");
   const auto choices = FindDicomSeriesBelow(top.Path());
   ASSERT_EQ(choices.size(), 3U);
-  EXPECT_EQ(choices[0].Text, "'series 1' 2 slices, axial, in a");
+  EXPECT_EQ(choices[0].Text(), "'series 1' 2 slices, axial, in a");
   EXPECT_EQ(choices[1].Series, "2");
-  EXPECT_EQ(choices[2].Text, "'series 3' 2 slices, axial, 2026-05-31, in b/late");
+  EXPECT_EQ(choices[2].Text(), "'series 3' 2 slices, axial, 2026-05-31, in b/late");
   EXPECT_EQ(choices[2].Series, "");
   for (const DicomSeriesChoice& choice : choices)
   {
@@ -58,7 +58,7 @@ TEST(DicomFolders, OwnSeriesComeFirst)
   const auto choices = FindDicomSeriesBelow(top.Path());
   ASSERT_EQ(choices.size(), 2U);
   EXPECT_EQ(choices[0].Folder, top.Path());
-  EXPECT_EQ(choices[0].Text, "'series 2' 2 slices, axial");
+  EXPECT_EQ(choices[0].Text(), "'series 2' 2 slices, axial");
 }
 
 TEST(DicomFolders, MessageIsThatOfOneFolder)
