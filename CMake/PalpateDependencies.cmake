@@ -14,6 +14,11 @@ if(NOT TARGET PkgConfig::libusb)
   message(STATUS "libusb (libusb-1.0-0-dev) was not found: there will be no device named falcon")
 endif()
 
+find_package(OpenIGTLink QUIET)
+if(NOT OpenIGTLink_FOUND)
+  message(STATUS "OpenIGTLink (libopenigtlink-dev) was not found: there will be no device of that name")
+endif()
+
 set(PALPATE_HAS_QT OFF)
 if(NOT PALPATE_USE_VTK)
   return()

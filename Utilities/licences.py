@@ -24,6 +24,7 @@ JUDGED = {
     "libhwloc15": "BSD-3-clause",
     "libopenmpi3": "BSD-3-clause",
     "libusb-1.0-0": "LGPL-2.1+",
+    "libopenigtlink1.11": "BSD-3-clause",
     "libwebp7": "BSD-3-clause",
     "libjpeg62-turbo": "BSD-3-clause and IJG",
     "libopenjp2-7": "BSD-2-clause",

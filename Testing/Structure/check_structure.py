@@ -27,7 +27,7 @@ OWN_NAME = re.compile(
 )
 PARAMETER = re.compile(r"\s*\b\w+(?=[,)])")
 # Neither the project's nor a package's: C and C++ standard library, POSIX.
-SYSTEM_HEADER = re.compile(r"^([a-z_0-9]+|(sys/)?[a-z_0-9]+\.h)$")
+SYSTEM_HEADER = re.compile(r"^([a-z_0-9]+|((sys|netinet)/)?[a-z_0-9]+\.h)$")
 PAGE_ROW = re.compile(
     r"^\| (\S+) \| `((?:Modules|Applications)/\w+)` \| (.*?) \| (.*?) \| (.*?) \|$", re.MULTILINE
 )

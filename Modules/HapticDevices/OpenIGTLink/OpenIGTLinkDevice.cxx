@@ -1,0 +1,265 @@
+#include "OpenIGTLinkDevice.h"
+
+#include "DecimalText.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int WaitMilliseconds = 1;
+constexpr std::int64_t ForceLasts = 20'000'000; // ns without Apply
+constexpr double LargestForce = 5.0;            // N, of a device that is not known
+constexpr std::size_t BytesAtOnce = 65536;
+constexpr int CloseMilliseconds = 50; // for 0 N to leave
+
+constexpr const char* Ended =
+    "The OpenIGTLink peer has closed the connection: start it, then open the device again.";
+constexpr const char* NotUnderstood =
+    "The peer sends something that is not OpenIGTLink: check its address and port.";
+} // namespace
+
+Status ParseIgtlPeer(const std::string& argument, IgtlPeer& peer)
+{
+  IgtlPeer parsed;
+  const std::size_t slash = argument.find('/');
+  const std::string address = argument.substr(0, slash);
+  parsed.Name = slash == std::string::npos ? "" : argument.substr(slash + 1);
+  const std::size_t colon = address.rfind(':');
+  parsed.Host = colon == std::string::npos ? "" : address.substr(0, colon);
+  const std::string port = colon == std::string::npos ? address : address.substr(colon + 1);
+  constexpr int LargestPort = 65535;
+  if (!port.empty())
+  {
+    const std::optional<int> number = ParseInteger(port);
+    if (!number || *number < 1 || *number > LargestPort)
+    {
+      return Status::Failure("'" + argument + "' is no OpenIGTLink peer: use PORT or HOST:PORT, " +
+                             "with /NAME for the tool's name.");
+    }
+    parsed.Port = *number;
+  }
+  peer = parsed;
+  return Status::Success();
+}
+
+OpenIGTLinkDevice::OpenIGTLinkDevice(Clock& clock, IgtlPeer peer)
+    : Time(clock), From(std::move(peer))
+{
+  this->Abilities.Name = "OpenIGTLink";
+  this->Abilities.DegreesOfFreedom = 6;
+  constexpr double Reach = 200.0; // mm, about that of an arm
+  this->Abilities.Workspace = {Vector3::Constant(-Reach), Vector3::Constant(Reach)};
+  this->Abilities.MaximumForce = LargestForce;
+  this->Abilities.Rate = 1000.0;
+  this->Abilities.LongestGap = LongestGap;
+}
+
+std::string OpenIGTLinkDevice::Problem() const
+{
+  return this->State() == DeviceState::Error ? this->Failure.load() : "";
+}
+
+std::string OpenIGTLinkDevice::Guidance() const
+{
+  if (this->State() != DeviceState::Homing)
+  {
+    return "";
+  }
+  const std::string tool = this->From.Name.empty() ? "poses" : "poses of " + this->From.Name;
+  return this->From.Host.empty()
+             ? "Waiting for " + tool + " on port " + std::to_string(this->Stream.Port()) + "."
+             : "Waiting for " + tool + " from " + this->From.Host + ".";
+}
+
+std::string OpenIGTLinkDevice::ConnectionReport() const
+{
+  const std::uint64_t refused = this->Refused.load();
+  return refused == 0 ? "" : std::to_string(refused) + " damaged poses were not used.";
+}
+
+Status OpenIGTLinkDevice::Open()
+{
+  if (this->State() != DeviceState::Closed)
+  {
+    return Status::Failure("The OpenIGTLink device is open already.");
+  }
+  const Status status = this->From.Host.empty()
+                            ? this->Stream.Listen(this->From.Port, this->From.IsLocal)
+                            : this->Stream.Connect(this->From.Host, this->From.Port);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Poses = IgtlPoses(this->From.Name);
+  this->Refused = 0;
+  this->Rest.clear();
+  this->IsAtRest = true;
+  this->MustEnd = false;
+  this->SentNumber = this->Commands;
+  this->Last.Time = this->Time.Now();
+  this->Newest.Publish(this->Last);
+  this->Life = DeviceState::Homing;
+  this->Thread = std::thread([this] { this->Run(); });
+  return Status::Success();
+}
+
+void OpenIGTLinkDevice::Close() noexcept
+{
+  this->MustEnd = true;
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+  this->Stream.Close();
+  this->Life = DeviceState::Closed;
+}
+
+bool OpenIGTLinkDevice::Read(DeviceSample& sample) noexcept
+{
+  const DeviceState state = this->State();
+  if (state != DeviceState::Homing && state != DeviceState::Ready)
+  {
+    return false;
+  }
+  sample = this->Newest.Latest();
+  if (state == DeviceState::Homing)
+  {
+    // There is nothing to measure yet, and no silence to be noticed.
+    sample.Time = this->Time.Now();
+  }
+  return true;
+}
+
+bool OpenIGTLinkDevice::Apply(const Vector3& force) noexcept
+{
+  const DeviceState state = this->State();
+  if (state != DeviceState::Homing && state != DeviceState::Ready)
+  {
+    return false;
+  }
+  const double length = force.norm();
+  const bool isForce = state == DeviceState::Ready && length > 0.0; // not NaN
+  const double part = isForce ? std::min(1.0, LargestForce / length) : 0.0;
+  const Vector3 clamped = isForce ? Vector3(part * force) : Vector3::Zero();
+  this->Wanted.Publish({clamped, ++this->Commands, this->Time.Now()});
+  return true;
+}
+
+void OpenIGTLinkDevice::Run()
+{
+  bool goesOn = true;
+  while (goesOn && !this->MustEnd)
+  {
+    this->Stream.Wait(WaitMilliseconds);
+    goesOn = !this->Stream.HasPeer() || (this->TakePoses() && this->SendForces());
+  }
+  if (this->Stream.HasPeer() && !this->IsAtRest)
+  {
+    // What is left of a message must end before the next one.
+    this->SendRest();
+    const std::vector<std::uint8_t> rest = IgtlForceMessage(Vector3::Zero());
+    this->Rest.insert(this->Rest.end(), rest.begin(), rest.end());
+    for (int tries = 0; tries < CloseMilliseconds && this->SendRest() && !this->Rest.empty();
+         ++tries)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+}
+
+bool OpenIGTLinkDevice::TakePoses()
+{
+  std::array<std::uint8_t, BytesAtOnce> bytes;
+  std::ptrdiff_t count = 0;
+  while ((count = this->Stream.Receive(bytes.data(), bytes.size())) > 0)
+  {
+    if (!this->Poses.Take(bytes.data(), static_cast<std::size_t>(count)))
+    {
+      this->EndIn(NotUnderstood);
+      return false;
+    }
+    if (static_cast<std::size_t>(count) < bytes.size())
+    {
+      break;
+    }
+  }
+  this->Refused = this->Poses.Refused();
+  if (const IgtlPose* pose = this->Poses.Newest())
+  {
+    this->Last.Position = pose->Position;
+    this->Last.Orientation = pose->Orientation;
+    this->Last.Time = this->Time.Now();
+    ++this->Last.Sequence;
+    this->Newest.Publish(this->Last);
+    DeviceState homing = DeviceState::Homing;
+    this->Life.compare_exchange_strong(homing, DeviceState::Ready);
+  }
+  if (count < 0)
+  {
+    this->EndIn(Ended);
+  }
+  return count >= 0;
+}
+
+bool OpenIGTLinkDevice::SendForces()
+{
+  const Command& command = this->Wanted.Latest();
+  const bool isNew = command.Number != this->SentNumber;
+  const bool isOld = this->Time.Now() - command.Time > ForceLasts;
+  if (this->Rest.empty() && (isNew || (isOld && !this->IsAtRest)))
+  {
+    const PlainVector3 force = isOld ? PlainVector3() : command.Force;
+    this->SentNumber = command.Number;
+    this->IsAtRest = Vector3(force).isZero(0.0);
+    this->Rest = IgtlForceMessage(force);
+  }
+  if (!this->SendRest())
+  {
+    this->EndIn(Ended);
+    return false;
+  }
+  return true;
+}
+
+// Returns false if the connection has ended.
+bool OpenIGTLinkDevice::SendRest()
+{
+  const std::ptrdiff_t sent =
+      this->Rest.empty() ? 0 : this->Stream.Send(this->Rest.data(), this->Rest.size());
+  if (sent > 0)
+  {
+    this->Rest.erase(this->Rest.begin(), this->Rest.begin() + sent);
+  }
+  return sent >= 0;
+}
+
+void OpenIGTLinkDevice::EndIn(const char* problem) noexcept
+{
+  this->Failure = problem;
+  this->Life = DeviceState::Error;
+}
+
+Status RegisterOpenIGTLinkDevices(DeviceRegistry& registry)
+{
+  return registry.Add(
+      "openigtlink",
+      "a tool tracked over the network; openigtlink:[HOST:]PORT[/NAME], without HOST it connects "
+      "to this machine",
+      [](Clock& clock, const std::string& argument, std::unique_ptr<HapticDevice>& device)
+      {
+        IgtlPeer peer;
+        Status status = ParseIgtlPeer(argument, peer);
+        if (status.IsOk())
+        {
+          device = std::make_unique<OpenIGTLinkDevice>(clock, peer);
+        }
+        return status;
+      });
+}
+} // namespace palpate
