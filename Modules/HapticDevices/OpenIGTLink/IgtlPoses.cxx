@@ -3,6 +3,7 @@
 #include "Vector3.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cstring>
@@ -89,16 +90,22 @@ bool IsPose(const std::vector<std::uint8_t>& content, IgtlPose& pose)
     turn.col(static_cast<Eigen::Index>(i)) = Vector3(column[0], column[1], column[2]);
   }
   place = Vector3(numbers[9], numbers[10], numbers[11]);
-  constexpr double Rounding = 1e-3; // of single precision, several times over
-  constexpr double Farthest = 1e6;  // mm
-  const bool isRotation = turn.allFinite() &&
-                          (turn * turn.transpose() - Matrix3::Identity()).norm() < Rounding &&
-                          turn.determinant() > 0.0;
-  if (!isRotation || !(place.norm() < Farthest))
+  constexpr double Farthest = 1e6; // mm
+  if (!turn.allFinite() || !(place.norm() < Farthest))
   {
     return false;
   }
-  const Eigen::Quaterniond q = Eigen::Quaterniond(turn).normalized();
+  // Some senders have quaternions of another length than 1: the nearest rotation is meant.
+  constexpr double Least = 0.5;
+  constexpr double Most = 2.0;
+  const Eigen::JacobiSVD<Matrix3> parts(turn, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Vector3& lengths = parts.singularValues();
+  if (!(turn.determinant() > 0.0) || !(lengths.minCoeff() > Least) || !(lengths.maxCoeff() < Most))
+  {
+    return false;
+  }
+  const Matrix3 rotation = parts.matrixU() * parts.matrixV().transpose();
+  const Eigen::Quaterniond q = Eigen::Quaterniond(rotation).normalized();
   pose.Position = place;
   pose.Orientation = {q.x(), q.y(), q.z(), q.w()};
   return true;

@@ -20,8 +20,8 @@ struct IgtlPose
 
 /// Finds the poses in a stream of OpenIGTLink messages, of which it may get any number of bytes at
 /// a time. Other messages are skipped, whatever their length, without being kept; so are poses that
-/// are damaged (CRC), not finite, or no rotation. Source: OpenIGTLink protocol 1 to 3, header and
-/// TRANSFORM.
+/// are damaged (CRC), not finite, or far from a rotation. Source: OpenIGTLink protocol 1 to 3,
+/// header and TRANSFORM.
 class IgtlPoses
 {
 public:

@@ -39,7 +39,8 @@ Status ParseIgtlPeer(const std::string& argument, IgtlPeer& peer)
     const std::optional<int> number = ParseInteger(port);
     if (!number || *number < 1 || *number > LargestPort)
     {
-      return Status::Failure("'" + argument + "' is no OpenIGTLink peer: use PORT or HOST:PORT, " +
+      return Status::Failure("'" + argument +
+                             "' is no OpenIGTLink peer: use PORT, *:PORT or HOST:PORT, " +
                              "with /NAME for the tool's name.");
     }
     parsed.Port = *number;
@@ -72,7 +73,7 @@ std::string OpenIGTLinkDevice::Guidance() const
     return "";
   }
   const std::string tool = this->From.Name.empty() ? "poses" : "poses of " + this->From.Name;
-  return this->From.Host.empty()
+  return this->From.Connects()
              ? "Waiting for " + tool + " on port " + std::to_string(this->Stream.Port()) + "."
              : "Waiting for " + tool + " from " + this->From.Host + ".";
 }
@@ -89,8 +90,8 @@ Status OpenIGTLinkDevice::Open()
   {
     return Status::Failure("The OpenIGTLink device is open already.");
   }
-  const Status status = this->From.Host.empty()
-                            ? this->Stream.Listen(this->From.Port, this->From.IsLocal)
+  const Status status = this->From.Connects()
+                            ? this->Stream.Listen(this->From.Port, this->From.Host.empty())
                             : this->Stream.Connect(this->From.Host, this->From.Port);
   if (!status.IsOk())
   {
@@ -250,7 +251,7 @@ Status RegisterOpenIGTLinkDevices(DeviceRegistry& registry)
   return registry.Add(
       "openigtlink",
       "a tool tracked over the network; openigtlink:[HOST:]PORT[/NAME], without HOST it connects "
-      "to this machine",
+      "from this machine, with * from any",
       [](Clock& clock, const std::string& argument, std::unique_ptr<HapticDevice>& device)
       {
         IgtlPeer peer;
@@ -260,6 +261,12 @@ Status RegisterOpenIGTLinkDevices(DeviceRegistry& registry)
           device = std::make_unique<OpenIGTLinkDevice>(clock, peer);
         }
         return status;
+      },
+      // Listing devices must not open a port.
+      [](Clock&, std::vector<FoundDevice>& found)
+      {
+        found = {{"18944", true, "peers are met when it is opened"}};
+        return Status::Success();
       });
 }
 } // namespace palpate

@@ -18,10 +18,11 @@ namespace palpate
 /// Where the poses come from.
 struct IgtlPeer
 {
-  std::string Host; ///< empty: the peer connects to this machine
+  std::string Host; ///< empty: the peer, on this machine, connects; "*": it may be anywhere
   int Port = 18944;
-  bool IsLocal = false; ///< if it connects: only from this machine
-  std::string Name;     ///< of the TRANSFORM messages; empty: the first that arrive
+  std::string Name; ///< of the TRANSFORM messages; empty: the first that arrive
+
+  bool Connects() const { return this->Host.empty() || this->Host == "*"; }
 };
 
 /// The peer that a device's argument names: "", "PORT", "HOST:PORT", each with "/NAME" at its end.

@@ -76,13 +76,23 @@ TEST(IgtlPoses, OtherToolsAreLeftOut)
   EXPECT_EQ(Vector3(first.Newest()->Position), Vector3::Ones());
 }
 
+TEST(IgtlPoses, NearestRotationIsTakenOfAQuaternionOfAnotherLength)
+{
+  const Eigen::Quaterniond q(0.6, 0.0, 0.5, 0.4);
+  IgtlPoses poses;
+  ASSERT_TRUE(Take(poses, Pose("Tracker", Vector3::Zero(), q.toRotationMatrix())));
+  const IgtlPose* found = poses.Newest();
+  ASSERT_NE(found, nullptr);
+  EXPECT_NEAR(Eigen::Map<const Eigen::Vector4d>(found->Orientation.data()).norm(), 1.0, 1e-12);
+}
+
 TEST(IgtlPoses, DamagedOnesAreCountedAndNotUsed)
 {
   IgtlPoses poses;
   Bytes broken = Pose("Stylus", Vector3::Ones());
   broken.back() ^= 1; // the CRC no longer fits
   ASSERT_TRUE(Take(poses, broken));
-  ASSERT_TRUE(Take(poses, Pose("Stylus", Vector3::Ones(), 1.1 * Matrix3::Identity())));
+  ASSERT_TRUE(Take(poses, Pose("Stylus", Vector3::Ones(), 2.5 * Matrix3::Identity())));
   ASSERT_TRUE(Take(poses, Pose("Stylus", Vector3::Ones(), -Matrix3::Identity())));
   ASSERT_TRUE(
       Take(poses, Pose("Stylus", Vector3::Constant(std::numeric_limits<double>::quiet_NaN()))));

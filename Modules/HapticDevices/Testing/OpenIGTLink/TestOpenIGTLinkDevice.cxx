@@ -41,7 +41,6 @@ protected:
   {
     IgtlPeer peer;
     peer.Port = 0;
-    peer.IsLocal = true;
     this->Device = std::make_unique<OpenIGTLinkDevice>(this->Time, peer);
     const Status status = this->Device->Open();
     ASSERT_TRUE(status.IsOk()) << status.Message();
@@ -190,23 +189,24 @@ TEST(OpenIGTLinkDevice, KeepsTheContractOfDevices)
   SteadyClock time;
   IgtlPeer peer;
   peer.Port = 0;
-  peer.IsLocal = true;
   OpenIGTLinkDevice device(time, peer);
   igtl::ClientSocket::Pointer socket;
-  int port = 0;
   const auto sendPose = [&]
   {
-    if (device.Port() != port || !socket)
+    if (device.State() == DeviceState::Homing)
     {
-      port = device.Port();
       socket = igtl::ClientSocket::New();
-      socket->ConnectToServer("127.0.0.1", port);
+      socket->ConnectToServer("127.0.0.1", device.Port());
     }
     const auto message = test::IgtlTransform("Stylus", Vector3::Zero());
     const std::int64_t before = time.Now();
     socket->Send(message->GetPackPointer(), message->GetPackSize());
     DeviceSample sample;
-    Becomes([&] { return device.Read(sample) && sample.Time > before && sample.Sequence > 0; });
+    Becomes(
+        [&] {
+          return device.State() == DeviceState::Ready && device.Read(sample) &&
+                 sample.Time > before;
+        });
   };
   test::ExpectDeviceContract(device, sendPose);
 }
