@@ -7,12 +7,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <igtlSensorMessage.h>
-#include <igtlTimeStamp.h>
-#include <igtlUnit.h>
 #include <igtl_header.h>
 #include <igtl_transform.h>
-#include <igtl_unit.h>
 #include <igtl_util.h>
 
 namespace palpate
@@ -186,27 +182,5 @@ const IgtlPose* IgtlPoses::Newest() noexcept
   const IgtlPose* newest = this->IsFresh ? &this->Last : nullptr;
   this->IsFresh = false;
   return newest;
-}
-
-std::vector<std::uint8_t> IgtlForceMessage(const PlainVector3& force)
-{
-  igtl::SensorMessage::Pointer message = igtl::SensorMessage::New();
-  message->SetDeviceName("Force");
-  message->SetLength(3);
-  const igtl::Unit::Pointer unit = igtl::Unit::New();
-  unit->Init();
-  unit->Append(IGTL_UNIT_SI_DERIVED_NEWTON, 1);
-  message->SetUnit(unit.GetPointer());
-  const std::array<double, 3> values{force.X, force.Y, force.Z};
-  for (unsigned i = 0; i < 3; ++i)
-  {
-    message->SetValue(i, values[i]);
-  }
-  igtl::TimeStamp::Pointer now = igtl::TimeStamp::New();
-  now->GetTime();
-  message->SetTimeStamp(now);
-  message->Pack();
-  const auto* bytes = static_cast<const std::uint8_t*>(message->GetPackPointer());
-  return {bytes, bytes + message->GetPackSize()};
 }
 } // namespace palpate

@@ -47,7 +47,4 @@ private:
   bool IsFresh = false;
   std::uint64_t Damaged = 0;
 };
-
-/// A SENSOR message of a force (N) by the name `Force`, ready to be sent.
-std::vector<std::uint8_t> IgtlForceMessage(const PlainVector3& force);
 } // namespace palpate

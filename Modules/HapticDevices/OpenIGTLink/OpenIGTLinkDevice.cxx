@@ -1,6 +1,8 @@
 #include "OpenIGTLinkDevice.h"
 
 #include "DecimalText.h"
+#include "IgtlMessages.h"
+#include "TouchState.h"
 
 #include <algorithm>
 #include <array>
@@ -103,6 +105,7 @@ Status OpenIGTLinkDevice::Open()
   this->IsAtRest = true;
   this->MustEnd = false;
   this->SentNumber = this->Commands;
+  this->Told = this->Displayed.Latest();
   this->Last.Time = this->Time.Now();
   this->Newest.Publish(this->Last);
   this->Life = DeviceState::Homing;
@@ -152,20 +155,28 @@ bool OpenIGTLinkDevice::Apply(const Vector3& force) noexcept
   return true;
 }
 
+void OpenIGTLinkDevice::Show(const TouchState& state) noexcept
+{
+  if (state.HasSample && state.State == DeviceState::Ready)
+  {
+    this->Displayed.Publish({state.ProbeWorld, state.ProxyWorld, state.Structure,
+                             state.Safety.Fault, state.Tick.Number + 1});
+  }
+}
+
 void OpenIGTLinkDevice::Run()
 {
   bool goesOn = true;
   while (goesOn && !this->MustEnd)
   {
     this->Stream.Wait(WaitMilliseconds);
-    goesOn = !this->Stream.HasPeer() || (this->TakePoses() && this->SendForces());
+    goesOn = !this->Stream.HasPeer() || (this->TakePoses() && this->SendNews());
   }
   if (this->Stream.HasPeer() && !this->IsAtRest)
   {
     // What is left of a message must end before the next one.
     this->SendRest();
-    const std::vector<std::uint8_t> rest = IgtlForceMessage(Vector3::Zero());
-    this->Rest.insert(this->Rest.end(), rest.begin(), rest.end());
+    this->Add(IgtlForceMessage(Vector3::Zero()));
     for (int tries = 0; tries < CloseMilliseconds && this->SendRest() && !this->Rest.empty();
          ++tries)
     {
@@ -208,17 +219,13 @@ bool OpenIGTLinkDevice::TakePoses()
   return count >= 0;
 }
 
-bool OpenIGTLinkDevice::SendForces()
+// Only when all of the former messages has been taken, so that nothing old is sent.
+bool OpenIGTLinkDevice::SendNews()
 {
-  const Command& command = this->Wanted.Latest();
-  const bool isNew = command.Number != this->SentNumber;
-  const bool isOld = this->Time.Now() - command.Time > ForceLasts;
-  if (this->Rest.empty() && (isNew || (isOld && !this->IsAtRest)))
+  if (this->Rest.empty())
   {
-    const PlainVector3 force = isOld ? PlainVector3() : command.Force;
-    this->SentNumber = command.Number;
-    this->IsAtRest = Vector3(force).isZero(0.0);
-    this->Rest = IgtlForceMessage(force);
+    this->AddForce();
+    this->AddShown();
   }
   if (!this->SendRest())
   {
@@ -226,6 +233,49 @@ bool OpenIGTLinkDevice::SendForces()
     return false;
   }
   return true;
+}
+
+void OpenIGTLinkDevice::AddForce()
+{
+  const Command& command = this->Wanted.Latest();
+  const bool isNew = command.Number != this->SentNumber;
+  const bool isOld = this->Time.Now() - command.Time > ForceLasts;
+  if (isNew || (isOld && !this->IsAtRest))
+  {
+    const PlainVector3 force = isOld ? PlainVector3() : command.Force;
+    this->SentNumber = command.Number;
+    this->IsAtRest = Vector3(force).isZero(0.0);
+    this->Add(IgtlForceMessage(force));
+  }
+}
+
+void OpenIGTLinkDevice::AddShown()
+{
+  const Shown& now = this->Displayed.Latest();
+  if (now.Tick == this->Told.Tick)
+  {
+    return;
+  }
+  this->Add(IgtlPlaceMessage("Probe", now.ProbeWorld));
+  this->Add(IgtlPlaceMessage("Proxy", now.ProxyWorld));
+  if (now.Structure != this->Told.Structure)
+  {
+    this->Add(IgtlEventMessage(now.Structure < 0 ? "contact ends"
+                                                 : "contact with structure " +
+                                                       std::to_string(now.Structure + 1)));
+  }
+  if (now.Fault != this->Told.Fault)
+  {
+    this->Add(IgtlEventMessage(now.Fault == SafetyFault::None
+                                   ? "forces are on"
+                                   : std::string("forces are off: ") + Describe(now.Fault)));
+  }
+  this->Told = now;
+}
+
+void OpenIGTLinkDevice::Add(const std::vector<std::uint8_t>& message)
+{
+  this->Rest.insert(this->Rest.end(), message.begin(), message.end());
 }
 
 // Returns false if the connection has ended.

@@ -6,6 +6,7 @@
 #include "IgtlPoses.h"
 #include "IgtlStream.h"
 #include "LatestValue.h"
+#include "SafetyReport.h"
 
 #include <atomic>
 #include <cstdint>
@@ -31,8 +32,10 @@ Status ParseIgtlPeer(const std::string& argument, IgtlPeer& peer);
 
 /// A tracked tool on the network: TRANSFORM messages of OpenIGTLink are its poses (mm, in the
 /// tracker's frame), and forces (N, in that frame) are sent back as SENSOR messages named Force,
-/// for a peer with motors. A thread of its own talks to the peer. It is homing until the first
-/// pose.
+/// for a peer with motors. For peers that
+/// display the scene, the places of probe and proxy are sent too (TRANSFORM messages Probe and
+/// Proxy, mm, RAS), and STRING messages Event when a contact begins or ends and when forces go off
+/// or on. A thread of its own talks to the peer. It is homing until the first pose.
 ///
 /// Forces that are not renewed for 20 ms are replaced by 0 N, once; nothing is sent late: of forces
 /// that the connection cannot take, only the newest is kept. When the connection ends, or bytes
@@ -56,6 +59,7 @@ public:
   void Close() noexcept override;
   bool Read(DeviceSample& sample) noexcept override;
   bool Apply(const Vector3& force) noexcept override;
+  void Show(const TouchState& state) noexcept override;
 
   /// The port that is listened on while it is open.
   int Port() const noexcept { return this->Stream.Port(); }
@@ -68,9 +72,22 @@ private:
     std::int64_t Time = 0;    ///< ns
   };
 
+  /// What the peer may display.
+  struct Shown
+  {
+    PlainVector3 ProbeWorld; ///< mm
+    PlainVector3 ProxyWorld;
+    std::int32_t Structure = -1;
+    SafetyFault Fault = SafetyFault::None;
+    std::uint64_t Tick = 0;
+  };
+
   void Run();
   bool TakePoses();
-  bool SendForces();
+  void AddForce();
+  void AddShown();
+  bool SendNews();
+  void Add(const std::vector<std::uint8_t>& message);
   bool SendRest();
   void EndIn(const char* problem) noexcept;
 
@@ -83,6 +100,7 @@ private:
   std::atomic<std::uint64_t> Refused{0};
   LatestValue<DeviceSample> Newest; ///< to the servo
   LatestValue<Command> Wanted;      ///< from the servo
+  LatestValue<Shown> Displayed;     ///< from the servo
   std::uint64_t Commands = 0;       ///< servo thread
 
   // Of the thread while it runs.
@@ -91,7 +109,8 @@ private:
   DeviceSample Last;
   std::uint64_t SentNumber = 0;   ///< the last command that was sent
   bool IsAtRest = true;           ///< the last force sent is 0 N
-  std::vector<std::uint8_t> Rest; ///< of a message that the connection has not taken yet
+  Shown Told;                     ///< the last that was sent
+  std::vector<std::uint8_t> Rest; ///< of what the connection has not taken yet
   std::thread Thread;
 };
 

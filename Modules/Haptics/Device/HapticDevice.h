@@ -9,6 +9,8 @@
 
 namespace palpate
 {
+struct TouchState;
+
 /// A device that measures the position of a hand and applies forces to it. Open, Close and Problem:
 /// owner thread. Read and Apply: servo thread, between Open and Close. State: any thread.
 ///
@@ -58,5 +60,9 @@ public:
   /// false if nothing was sent: the device failed, as State tells, or its connection is busy. The
   /// servo faults if that lasts longer than LongestGap.
   virtual bool Apply(const Vector3& force) noexcept = 0;
+
+  /// The tick whose force was applied, for devices that display more than a force. Servo thread,
+  /// with the same requirements as Apply.
+  virtual void Show(const TouchState& state) noexcept { static_cast<void>(state); }
 };
 } // namespace palpate

@@ -74,6 +74,7 @@ void Servo::Tick(const TickInfo& tick) noexcept
   state.WasContinued = change.IsContinued;
   state.Command = change.Command;
   state.Safety = this->Safety.Report();
+  this->Device.Show(state);
   this->Newest.Publish(state);
   this->Recorded.Push(state);
 }

@@ -1,5 +1,6 @@
 #include "IgtlPoses.h"
 
+#include "IgtlMessages.h"
 #include "IgtlTransform.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "DeviceContract.h"
 #include "IgtlTransform.h"
 #include "SteadyClock.h"
+#include "TouchState.h"
 
 #include <chrono>
 #include <functional>
@@ -171,6 +172,48 @@ TEST_F(OpenIGTLinkDeviceTest, ForceEndsWhenBytesCannotBeUnderstood)
   force = force.isZero(0.0) ? force : this->NextForce();
   EXPECT_EQ(force, Vector3::Zero());
   EXPECT_NE(this->Device->Problem().find("not OpenIGTLink"), std::string::npos);
+}
+
+TEST_F(OpenIGTLinkDeviceTest, PeerIsToldPlacesAndContacts)
+{
+  this->MoveTo(Vector3::Zero());
+  TouchState state;
+  state.HasSample = true;
+  state.State = DeviceState::Ready;
+  state.ProbeWorld = Vector3(1.0, 2.0, 3.0);
+  state.ProxyWorld = Vector3(1.0, 2.0, 4.0);
+  state.Structure = 1;
+  this->Device->Show(state);
+  std::vector<std::string> received;
+  Vector3 proxy = Vector3::Zero();
+  std::string event;
+  for (int i = 0; i < 3; ++i)
+  {
+    igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
+    header->InitPack();
+    ASSERT_EQ(this->Peer->Receive(header->GetPackPointer(), header->GetPackSize()),
+              header->GetPackSize());
+    header->Unpack();
+    std::vector<std::uint8_t> body(static_cast<std::size_t>(header->GetBodySizeToRead()));
+    this->Peer->Receive(body.data(), static_cast<int>(body.size()));
+    received.emplace_back(header->GetDeviceName());
+    if (received.back() == "Proxy")
+    {
+      igtl::TransformMessage::Pointer message = igtl::TransformMessage::New();
+      message->SetMessageHeader(header);
+      message->AllocatePack();
+      std::copy(body.begin(), body.end(),
+                static_cast<std::uint8_t*>(message->GetPackBodyPointer()));
+      message->Unpack(1);
+      igtl::Matrix4x4 matrix;
+      message->GetMatrix(matrix);
+      proxy = Vector3(matrix[0][3], matrix[1][3], matrix[2][3]);
+    }
+    event.assign(body.begin(), body.end());
+  }
+  EXPECT_EQ(received, (std::vector<std::string>{"Probe", "Proxy", "Event"}));
+  EXPECT_EQ(proxy, Vector3(-1.0, -2.0, 4.0)) << "RAS";
+  EXPECT_NE(event.find("contact with structure 2"), std::string::npos);
 }
 
 TEST_F(OpenIGTLinkDeviceTest, PeerThatReadsNothingDelaysNothing)

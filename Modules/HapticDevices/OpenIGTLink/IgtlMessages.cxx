@@ -1,0 +1,65 @@
+#include "IgtlMessages.h"
+
+#include <array>
+#include <igtlSensorMessage.h>
+#include <igtlStringMessage.h>
+#include <igtlTimeStamp.h>
+#include <igtlTransformMessage.h>
+#include <igtlUnit.h>
+#include <igtl_unit.h>
+
+namespace palpate
+{
+namespace
+{
+std::vector<std::uint8_t> Packed(igtl::MessageBase& message)
+{
+  const igtl::TimeStamp::Pointer now = igtl::TimeStamp::New();
+  now->GetTime();
+  igtl::TimeStamp::Pointer stamp = now;
+  message.SetTimeStamp(stamp);
+  message.Pack();
+  const auto* bytes = static_cast<const std::uint8_t*>(message.GetPackPointer());
+  return {bytes, bytes + message.GetPackSize()};
+}
+} // namespace
+
+std::vector<std::uint8_t> IgtlForceMessage(const PlainVector3& force)
+{
+  const igtl::SensorMessage::Pointer message = igtl::SensorMessage::New();
+  message->SetDeviceName("Force");
+  message->SetLength(3);
+  const igtl::Unit::Pointer unit = igtl::Unit::New();
+  unit->Init();
+  unit->Append(IGTL_UNIT_SI_DERIVED_NEWTON, 1);
+  message->SetUnit(unit.GetPointer());
+  const std::array<double, 3> values{force.X, force.Y, force.Z};
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    message->SetValue(i, values[i]);
+  }
+  return Packed(*message);
+}
+
+std::vector<std::uint8_t> IgtlPlaceMessage(const std::string& name, const PlainVector3& placeWorld)
+{
+  igtl::Matrix4x4 matrix;
+  igtl::IdentityMatrix(matrix);
+  matrix[0][3] = static_cast<float>(-placeWorld.X);
+  matrix[1][3] = static_cast<float>(-placeWorld.Y);
+  matrix[2][3] = static_cast<float>(placeWorld.Z);
+  const igtl::TransformMessage::Pointer message = igtl::TransformMessage::New();
+  message->SetDeviceName(name.c_str());
+  message->SetMatrix(matrix);
+  return Packed(*message);
+}
+
+std::vector<std::uint8_t> IgtlEventMessage(const std::string& text)
+{
+  std::string copy = text; // the library asks for one that it could change
+  const igtl::StringMessage::Pointer message = igtl::StringMessage::New();
+  message->SetDeviceName("Event");
+  message->SetString(copy);
+  return Packed(*message);
+}
+} // namespace palpate
