@@ -30,6 +30,8 @@ constexpr int WedgeProofsAtFolds = 4;
 constexpr int EvaluationsOfMove = 640;
 constexpr int WedgeEvaluations = 160;
 constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
+// Error of a wall's parameter, rad: that of its distance is the square of it.
+constexpr double WedgeTracking = 1e-7;
 
 // A wall's minimum for another query on its normal: it is the same point.
 template <typename ClosestPoint>
@@ -150,6 +152,7 @@ void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest) noexcept
   this->JointNormal = nearest.Normal;
   this->Known[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
   this->KnownCount = 1;
+  this->Rolled.Wall.State = ClosestPoint::Outcome::BadInput; // none
 }
 
 template <typename Surface>
@@ -208,7 +211,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
     const bool isThere = this->Slide(goal, leash) && goal == goalWorld;
     leash.ClearWorld = this->IsClear ? leash.ClearWorld : this->Center;
-    if (!this->IsClearOfWalls())
+    if (!this->IsClearOfWalls() || this->IsFartherOff(goal, isThere, leash))
     {
       this->Shorten(leash);
       continue;
@@ -332,13 +335,46 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
     {
       return true;
     }
-    if (moved <= this->End)
+    if (moved <= this->End || this->IsBadStep(moved))
     {
       break;
     }
   }
+  this->PushOut();
   this->ReturnToWall(goalWorld);
   return false;
+}
+
+// Whether steps that did not end led away from the goal.
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::IsFartherOff(const Vector3& goalWorld, bool isThere,
+                                            const Leash& leash) const noexcept
+{
+  return Surface::MayCrossItself && this->IsClear && !isThere &&
+         (goalWorld - this->Center).squaredNorm() > (goalWorld - leash.ClearWorld).squaredNorm();
+}
+
+// Whether a step led far into a wall that curves much, or that another one took the place of: more
+// whole steps would go to and fro.
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::IsBadStep(double moved) const noexcept
+{
+  constexpr double Much = 0.05;
+  const ClosestPoint* nearest = this->NearestWall();
+  return Surface::MayCrossItself && nearest != nullptr &&
+         this->Radius - nearest->SignedDistance > Much * moved;
+}
+
+// By the shortest path, from where steps towards a goal did not end: the next tick goes on there.
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::PushOut() noexcept
+{
+  constexpr int Pushes = 3;
+  for (int push = 0; Surface::MayCrossItself && push < Pushes && !this->IsClearOfWalls(); ++push)
+  {
+    const std::array<HalfSpace, MostWalls> planes = this->Planes();
+    this->GoTo(NearestInHalfSpaces(this->Center, planes.data(), this->KnownCount).Point, nullptr);
+  }
 }
 
 template <typename Surface>
@@ -402,6 +438,30 @@ WedgeGroove HarmonicWedgeOf<Surface>::GrooveAt(const HalfSpace* planes, const Ve
   }
 }
 
+// The minimum of the distance to the goal that continues a wall. It is far from the wall where the
+// sphere is pressed in deep, so that it is continued from the last goal instead.
+template <typename Surface>
+const typename HarmonicWedgeOf<Surface>::ClosestPoint&
+HarmonicWedgeOf<Surface>::AtGoal(const Vector3& goalWorld, const ClosestPoint& wall,
+                                 const Leash& leash) noexcept
+{
+  constexpr double Near = 0.1; // rad, which a wall may have moved
+  const bool isSame = this->Rolled.Wall.State != ClosestPoint::Outcome::BadInput &&
+                      (this->Rolled.From - wall.Direction).squaredNorm() < Near * Near;
+  if (isSame && this->Rolled.GoalWorld == goalWorld)
+  {
+    return this->Rolled.Wall;
+  }
+  const ClosestPoint& last = this->Rolled.Wall;
+  const Vector3 place = last.PointWorld + this->Radius * last.Normal;
+  const bool isNear = isSame && last.Converged() && last.Normal.dot(wall.Normal) > 0.0 &&
+                      (place - leash.ClearWorld).norm() <= leash.Length;
+  this->Rolled.Wall = this->Touched->Search().Track(goalWorld, isNear ? last : wall);
+  this->Rolled.From = wall.Direction;
+  this->Rolled.GoalWorld = goalWorld;
+  return this->Rolled.Wall;
+}
+
 // If a single plane holds the sphere, a single wall does, and the result is the nearest point to
 // the goal, if the other walls allow it.
 template <typename Surface>
@@ -415,7 +475,7 @@ HarmonicWedgeOf<Surface>::Roll(const Vector3& goalWorld, const Leash& leash,
     return Rolling::Kept;
   }
   const std::size_t touched = holders.Each[0];
-  const ClosestPoint wall = this->Touched->Search().Track(goalWorld, this->Known[touched]);
+  const ClosestPoint& wall = this->AtGoal(goalWorld, this->Known[touched], leash);
   const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
   bool isAllowed = wall.Converged() && wall.SignedDistance <= this->Radius &&
                    (place - leash.ClearWorld).norm() <= leash.Length;
@@ -444,7 +504,7 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
     const bool isTouched = i == 0 && touched != nullptr;
     ClosestPoint wall = isTouched
                             ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
-                            : this->Touched->Search().Track(placeWorld, walls[i]);
+                            : this->Touched->Search().Track(placeWorld, walls[i], WedgeTracking);
     if constexpr (Surface::MayCrossItself)
     {
       wall = isTouched ? wall : this->Sided(wall);

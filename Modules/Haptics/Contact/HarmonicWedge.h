@@ -94,6 +94,14 @@ private:
     std::size_t Count = 0;
   };
 
+  // The last wall, at this parameter, that was continued to a goal.
+  struct WallAtGoal
+  {
+    Vector3 From = Vector3::Zero();
+    Vector3 GoalWorld = Vector3::Zero();
+    ClosestPoint Wall{};
+  };
+
   enum class Rolling
   {
     Done,
@@ -109,8 +117,13 @@ private:
   Holders HoldersAt(const Vector3& heldWorld, const HalfSpace* planes) const noexcept;
   WedgeGroove GrooveAt(const HalfSpace* planes, const Vector3& heldWorld,
                        const Vector3& goalWorld) const noexcept;
+  const ClosestPoint& AtGoal(const Vector3& goalWorld, const ClosestPoint& wall,
+                             const Leash& leash) noexcept;
   Rolling Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
                const Vector3& heldWorld) noexcept;
+  bool IsFartherOff(const Vector3& goalWorld, bool isThere, const Leash& leash) const noexcept;
+  bool IsBadStep(double moved) const noexcept;
+  void PushOut() noexcept;
   void ReturnToWall(const Vector3& goalWorld) noexcept;
   void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;
   void Meet(const ClosestPoint& wall) noexcept;
@@ -131,6 +144,7 @@ private:
   Vector3 JointNormal = Vector3::UnitZ();
   std::array<ClosestPoint, MostWalls> Known{}; // at the centre
   std::size_t KnownCount = 0;
+  WallAtGoal Rolled;
 };
 using HarmonicWedge = HarmonicWedgeOf<HarmonicSurface>;
 } // namespace palpate

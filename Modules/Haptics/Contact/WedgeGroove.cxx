@@ -30,7 +30,7 @@ double TurnAlong(const Wall& wall, const Vector3& along) noexcept
 WedgeGroove::WedgeGroove(const Wall& one, const Wall& other, const Vector3& push) noexcept
 {
   constexpr double LeastSine = 1e-3;
-  constexpr double Longest = 3.0;
+  constexpr double Longest = 16.0;
   const Vector3 across = one.Normal.cross(other.Normal);
   const double sine = across.norm();
   if (!(sine > LeastSine))

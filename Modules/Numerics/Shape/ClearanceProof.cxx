@@ -1,12 +1,12 @@
 #include "ClearanceProof.h"
 
-#include "ParametricSample.h"
+#include "SampleGeometry.h"
 #include "SquaredDistance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
+#include <utility>
 
 namespace palpate
 {
@@ -16,6 +16,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double MinimumTolerance = 1e-9; // rad
 // An evaluation with the bounds that it leads to takes as long as this many bounds of nodes.
 constexpr int WorkOfEvaluation = 16;
+constexpr int WorkOfBound = 4;                      // of a triangle that is evaluated already
 constexpr int WorkOfDescent = 8 * WorkOfEvaluation; // nearly always enough
 
 template <typename Surface>
@@ -46,6 +47,14 @@ bool IsNear(const StretchedBasin& basin, const Vector3& around, const Vector3& d
 {
   return basin.IsNear(around, direction, reach);
 }
+double WidestChord(const RoundBasin& basin) noexcept
+{
+  return basin.Angle; // of which it is shorter
+}
+double WidestChord(const StretchedBasin& basin) noexcept
+{
+  return basin.WidestChord();
+}
 void Widen(RoundBasin& basin, double angle) noexcept
 {
   basin.Angle = std::max(basin.Angle, angle);
@@ -75,6 +84,7 @@ struct ClearanceProofOf<Surface>::Task
     Vector3 Direction;
     typename ClosestPointDescentOf<Surface>::Basin Around;
     double LowerDistance; // infinite around known minima
+    double SquaredChord;  // beyond which no direction is in it
   };
 
   void Add(const typename ClosestPointDescentOf<Surface>::Basin& around, const Vector3& direction,
@@ -82,7 +92,9 @@ struct ClearanceProofOf<Surface>::Task
   {
     if (this->BasinCount < this->Basins.size())
     {
-      this->Basins[this->BasinCount++] = {direction, Limited(around), lowerDistance};
+      const auto& limited = Limited(around);
+      const double chord = WidestChord(limited);
+      this->Basins[this->BasinCount++] = {direction, limited, lowerDistance, chord * chord};
     }
   }
   // Lower bound of the cap's distance by the basins that cover it, mm.
@@ -92,7 +104,8 @@ struct ClearanceProofOf<Surface>::Task
     for (std::size_t i = 0; i < this->BasinCount; ++i)
     {
       const Basin& basin = this->Basins[i];
-      if (Contains(basin.Around, basin.Direction, cap))
+      if ((cap.Center - basin.Direction).squaredNorm() < basin.SquaredChord &&
+          Contains(basin.Around, basin.Direction, cap))
       {
         lower = std::max(lower, basin.LowerDistance);
       }
@@ -126,7 +139,8 @@ struct ClearanceProofOf<Surface>::Task
 template <typename Surface>
 ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
                                             double distance, double tolerance) noexcept
-    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed)
+    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed),
+      Set(FastestInstructionSet())
 {
   this->BeginAfresh();
 }
@@ -134,14 +148,40 @@ ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>&
 template <typename Surface>
 void ClearanceProofOf<Surface>::BeginAfresh() noexcept
 {
+  constexpr std::size_t Roots = SurfacePatchTreeOf<Surface>::RootCount;
+  static_assert(Roots % MovedBounds::Count == 0, "roots fill whole groups");
   this->PathLength = 0.0;
   this->NearUntil = -Infinite;
-  this->CellCount = SurfacePatchTreeOf<Surface>::RootCount;
-  for (std::size_t root = 0; root < this->CellCount; ++root)
+  this->Parts.Begin(Roots / MovedBounds::Count);
+  this->ClearUntil.fill(Infinite);
+  for (std::size_t root = 0; root < Roots; ++root)
   {
     this->ClearUntil[root] = -Infinite;
     this->Cells[root].Node = static_cast<int>(root);
+    this->Bounds[root / MovedBounds::Count].Forget();
   }
+}
+
+template <typename Surface>
+double ClearanceProofOf<Surface>::LeastOf(std::size_t group) const noexcept
+{
+  const double* until = &this->ClearUntil[MovedBounds::Count * group];
+  return std::min(std::min(until[0], until[1]), std::min(until[2], until[3]));
+}
+
+// The many cells that were quartered for places left behind.
+template <typename Surface>
+void ClearanceProofOf<Surface>::JoinFar() noexcept
+{
+  constexpr double Farther = 0.1;
+  const double far = this->Used() + Farther * this->Needed;
+  this->Parts.Join([&](std::size_t group) { return this->LeastOf(group) > far; },
+                   [&](std::size_t cell, std::size_t group)
+                   {
+                     this->ClearUntil[cell] = this->LeastOf(group);
+                     std::fill_n(&this->ClearUntil[MovedBounds::Count * group], MovedBounds::Count,
+                                 Infinite);
+                   });
 }
 
 // Most cells stay clear for many steps, so that only the others are looked at.
@@ -149,20 +189,10 @@ template <typename Surface>
 void ClearanceProofOf<Surface>::GatherNear() noexcept
 {
   this->NearCount = 0;
-  for (std::size_t i = 0; i < this->CellCount; ++i)
+  for (std::size_t group = 0; group < this->Parts.End(); ++group)
   {
-    this->Near[this->NearCount] = static_cast<std::uint16_t>(i);
-    this->NearCount += this->ClearUntil[i] < this->NearUntil ? 1 : 0;
-  }
-}
-
-// Parts of a cell that is not clear.
-template <typename Surface>
-void ClearanceProofOf<Surface>::AddNear(std::size_t count) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    this->Near[this->NearCount++] = static_cast<std::uint16_t>(this->CellCount++);
+    this->Near[this->NearCount] = static_cast<std::uint16_t>(group);
+    this->NearCount += this->LeastOf(group) < this->NearUntil ? 1 : 0;
   }
 }
 
@@ -174,10 +204,8 @@ void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
   const double step = (query - this->Query).norm();
   this->PathLength += step;
   this->Query = query;
-  // Keeps the rounding of the path length far below any tolerance, and drops the many cells that
-  // were split for places left behind.
-  if (!(this->PathLength < 1e4 * this->Search->Tree().LargestRadius()) ||
-      this->CellCount > CellCapacity * 3 / 4)
+  // Keeps the rounding of the path length far below any tolerance.
+  if (!(this->PathLength < 1e4 * this->Search->Tree().LargestRadius()) || this->IsNearlyFull())
   {
     this->BeginAfresh();
   }
@@ -186,6 +214,98 @@ void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
     this->NearUntil = this->Used() + std::min(Ahead * step, Farthest * this->Needed);
     this->GatherNear();
   }
+}
+
+// After the cells of places left behind were joined.
+template <typename Surface>
+bool ClearanceProofOf<Surface>::IsNearlyFull() noexcept
+{
+  constexpr std::size_t Few = Groups / 8;
+  if (this->Parts.FreeGroups() < Few)
+  {
+    this->JoinFar();
+    this->NearUntil = -Infinite; // some of the near cells are joined
+  }
+  return this->Parts.FreeGroups() < Few;
+}
+
+// Most of the near cells are clear by their last bounds.
+template <typename Surface>
+void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
+{
+  const double used = this->Used();
+  const double less = this->PathLength - this->Needed - rounding;
+  this->OpenCount = 0;
+  for (std::size_t i = 0; i < this->NearCount; ++i)
+  {
+    const std::size_t group = this->Near[i];
+    if (this->LeastOf(group) >= used)
+    {
+      continue;
+    }
+    MovedBounds::Lanes lower;
+    this->Bounds[group].Move(this->Query, lower);
+    lower += less;
+    auto& until =
+        reinterpret_cast<MovedBounds::Lanes&>(this->ClearUntil[MovedBounds::Count * group]);
+    until = lower > until ? lower : until;
+    for (std::size_t part = 0; part < MovedBounds::Count; ++part)
+    {
+      this->Open[this->OpenCount] = static_cast<std::uint16_t>(MovedBounds::Count * group + part);
+      this->OpenCount += until[part] < used ? 1 : 0;
+    }
+  }
+}
+
+// Compiled twice, like the tracking of closest points: everything is inlined here.
+template <typename Surface>
+[[gnu::flatten]] void ClearanceProofOf<Surface>::FindOpenPortably(double rounding) noexcept
+{
+  this->MoveBounds(rounding);
+}
+
+template <typename Surface>
+#if defined(__x86_64__)
+[[gnu::target("avx2,fma")]]
+#endif
+[[gnu::flatten]] void
+ClearanceProofOf<Surface>::FindOpenByAvx2(double rounding) noexcept
+{
+  this->MoveBounds(rounding);
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
+{
+  if (this->Set == InstructionSet::Avx2)
+  {
+    this->FindOpenByAvx2(rounding);
+  }
+  else
+  {
+    this->FindOpenPortably(rounding);
+  }
+}
+
+// Without those in basins; the nearest first, where minima are found soonest.
+template <typename Surface>
+void ClearanceProofOf<Surface>::SortOpen(const Task& task) noexcept
+{
+  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
+  const std::size_t count = std::exchange(this->OpenCount, 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t index = this->Open[i];
+    const Cell& cell = this->Cells[index];
+    const double inBasin = task.LowerDistance(cell.Node != None ? tree.CapOf(cell.Node) : cell.Cap);
+    if (inBasin != Infinite && !this->Clears(inBasin, index))
+    {
+      this->Open[this->OpenCount++] = static_cast<std::uint16_t>(index);
+    }
+  }
+  std::sort(this->Open.begin(), this->Open.begin() + static_cast<std::ptrdiff_t>(this->OpenCount),
+            [&](std::size_t a, std::size_t b)
+            { return this->ClearUntil[a] < this->ClearUntil[b]; });
 }
 
 template <typename Surface>
@@ -219,9 +339,11 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     Widen(basin, apart);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
-  for (std::size_t i = 0; i < this->NearCount && task.Result.State != Finding::Nearer; ++i)
+  this->FindOpen(task.Rounding);
+  this->SortOpen(task);
+  for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
   {
-    this->Settle(task, this->Near[i]);
+    this->Settle(task, this->Open[i]);
   }
   task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
   return task.Result;
@@ -255,6 +377,18 @@ bool ClearanceProofOf<Surface>::Clears(double lower, std::size_t index) noexcept
   return until >= this->Used();
 }
 
+// The bound holds at the query; the cell is within `extent` of `point`, all mm.
+template <typename Surface>
+void ClearanceProofOf<Surface>::KeepBound(std::size_t index, double lower, const Vector3& point,
+                                          double extent) noexcept
+{
+  if (lower > 0.0)
+  {
+    this->Bounds[index / MovedBounds::Count].Set(index % MovedBounds::Count, this->Query, lower,
+                                                 point, extent);
+  }
+}
+
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
@@ -266,60 +400,34 @@ ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
   --task.WorkLeft;
   const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
   const int node = this->Cells[index].Node;
-  const double inBasin = task.LowerDistance(tree.CapOf(node));
-  if (inBasin == Infinite || this->Clears(inBasin, index) ||
-      this->Clears(tree.LowerDistance(node, this->Query) - task.Rounding, index))
+  const double lower = tree.LowerDistance(node, this->Query);
+  if (this->Clears(lower - task.Rounding, index))
   {
+    const auto ball = tree.BallOf(node);
+    this->KeepBound(index, lower, ball.Center, ball.Radius);
     return Step::Settled;
   }
-  return this->CutNode(index);
+  const double inBasin = task.LowerDistance(tree.CapOf(node));
+  return inBasin == Infinite || this->Clears(inBasin, index) ? Step::Settled : this->CutNode(index);
 }
 
 template <typename Surface>
 void ClearanceProofOf<Surface>::Evaluate(Cell& cell) noexcept
 {
   cell.Sample = this->Search->Model().EvaluateSecondOrder(cell.Cap.Center);
+  cell.Bounds = this->Search->Descent().BoundsWithin(cell.Cap.Center, cell.Sample, cell.Cap.Radius);
   cell.IsEvaluated = true;
-  if constexpr (std::is_same_v<Surface, ParametricShape>)
-  {
-    const double reach = cell.Cap.Radius;
-    const double third = this->Search->Descent().Bounds().ThirdWithin(cell.Cap.Center, reach);
-    cell.Extent = reach * (LargestFirst(cell.Sample) +
-                           reach * (0.5 * LargestSecond(cell.Sample) + reach * third / 6.0));
-    cell.LowerDistance = 0.0;
-  }
 }
 
 template <typename Surface>
-double ClearanceProofOf<Surface>::LowerDistanceOf(Cell& cell) noexcept
+double ClearanceProofOf<Surface>::LowerDistanceOf(std::size_t index) noexcept
 {
-  const double lower = this->Search->Descent().LowerDistance(this->Query, cell.Cap.Center,
-                                                             cell.Sample, cell.Cap.Radius);
-  if constexpr (std::is_same_v<Surface, ParametricShape>)
-  {
-    cell.Place = this->Query;
-    cell.LowerDistance = lower;
-  }
+  const Cell& cell = this->Cells[index];
+  const double lower = this->Search->Descent().LowerDistance(
+      this->Query, cell.Cap.Center, cell.Sample, cell.Cap.Radius, cell.Bounds);
+  this->KeepBound(index, lower, PointOf(cell.Cap.Center, cell.Sample),
+                  cell.Bounds.Extent(cell.Cap.Radius));
   return lower;
-}
-
-// The last bound, moved to the query: |x - q - d|^2 = |x - q|^2 - 2 d.(x - q) + |d|^2. A step along
-// the surface hardly changes it, unlike the clearance that the path length uses up.
-template <typename Surface>
-double ClearanceProofOf<Surface>::LastBoundOf(const Cell& cell) const noexcept
-{
-  if constexpr (std::is_same_v<Surface, ParametricShape>)
-  {
-    const Vector3 step = this->Query - cell.Place;
-    const double along = step.dot(cell.Sample.Point - cell.Place) + step.norm() * cell.Extent;
-    const double square =
-        cell.LowerDistance * cell.LowerDistance - 2.0 * along + step.squaredNorm();
-    return cell.LowerDistance > 0.0 && square > 0.0 ? std::sqrt(square) : 0.0;
-  }
-  else
-  {
-    return -Infinite;
-  }
 }
 
 template <typename Surface>
@@ -327,25 +435,22 @@ typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
   Cell& cell = this->Cells[index];
-  if (cell.IsEvaluated && this->Clears(this->LastBoundOf(cell) - task.Rounding, index))
-  {
-    return Step::Settled;
-  }
   const double inBasin = task.LowerDistance(cell.Cap);
   if (inBasin == Infinite || this->Clears(inBasin, index))
   {
     return Step::Settled;
   }
+  const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
+  if (task.WorkLeft < work)
+  {
+    return Step::Open;
+  }
+  task.WorkLeft -= work;
   if (!cell.IsEvaluated)
   {
-    if (task.WorkLeft < WorkOfEvaluation)
-    {
-      return Step::Open;
-    }
-    task.WorkLeft -= WorkOfEvaluation;
     this->Evaluate(cell);
   }
-  if (this->Clears(this->LowerDistanceOf(cell) - task.Rounding, index))
+  if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
   {
     return Step::Settled;
   }
@@ -395,6 +500,27 @@ ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
   return Step::Again;
 }
 
+// Returns the first of the cell's parts, which are open; CellCapacity without memory.
+template <typename Surface>
+std::size_t ClearanceProofOf<Surface>::Quarter(std::size_t index) noexcept
+{
+  const std::size_t group = this->Parts.Quarter(index);
+  if (group == QuarteredCells<Groups>::None)
+  {
+    return CellCapacity;
+  }
+  const std::size_t first = MovedBounds::Count * group;
+  const double until = std::exchange(this->ClearUntil[index], Infinite);
+  this->Bounds[group].Forget();
+  this->Near[this->NearCount++] = static_cast<std::uint16_t>(group);
+  for (std::size_t part = first; part < first + MovedBounds::Count; ++part)
+  {
+    this->ClearUntil[part] = until;
+    this->Open[this->OpenCount++] = static_cast<std::uint16_t>(part);
+  }
+  return first;
+}
+
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::CutNode(std::size_t index) noexcept
@@ -405,49 +531,46 @@ ClearanceProofOf<Surface>::CutNode(std::size_t index) noexcept
   if (!tree.IsInner(node))
   {
     cell.Node = None;
+    cell.Leaf = node;
     cell.IsEvaluated = false;
-    cell.Triangle = tree.Triangle(node);
     cell.Cap = tree.CapOf(node);
     return Step::Again;
   }
-  if (this->CellCount + 3 > CellCapacity)
+  const std::size_t first = this->Quarter(index);
+  if (first == CellCapacity)
   {
     return Step::Open;
   }
-  const std::array<std::size_t, 4> places{index, this->CellCount, this->CellCount + 1,
-                                          this->CellCount + 2};
-  for (std::size_t part = 0; part < 4; ++part)
+  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
   {
-    this->Cells[places[part]].Node =
+    this->Cells[first + part].Node =
         SurfacePatchTreeOf<Surface>::FirstPart(node) + static_cast<int>(part);
-    this->ClearUntil[places[part]] = this->ClearUntil[index];
   }
-  this->AddNear(3);
-  return Step::Again;
+  return Step::Settled;
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::CutTriangle(std::size_t index) noexcept
 {
-  if (this->CellCount + 3 > CellCapacity)
+  const std::size_t first = this->Quarter(index);
+  if (first == CellCapacity)
   {
     return Step::Open;
   }
-  const std::array<SphericalTriangle, 4> parts = this->Cells[index].Triangle.Split();
-  const std::array<std::size_t, 4> places{index, this->CellCount, this->CellCount + 1,
-                                          this->CellCount + 2};
-  for (std::size_t part = 0; part < 4; ++part)
+  const Cell& whole = this->Cells[index];
+  const std::array<SphericalTriangle, MovedBounds::Count> parts =
+      (whole.Leaf != None ? this->Search->Tree().Triangle(whole.Leaf) : whole.Triangle).Split();
+  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
   {
-    Cell& cell = this->Cells[places[part]];
+    Cell& cell = this->Cells[first + part];
     cell.Node = None;
+    cell.Leaf = None;
     cell.IsEvaluated = false;
     cell.Triangle = parts[part];
     cell.Cap = parts[part].Cap();
-    this->ClearUntil[places[part]] = this->ClearUntil[index];
   }
-  this->AddNear(3);
-  return Step::Again;
+  return Step::Settled;
 }
 
 template class ClearanceProofOf<SphericalHarmonicModel>;

@@ -2,6 +2,9 @@
 
 #include "ClosestPoint.h"
 #include "ClosestPointSearch.h"
+#include "InstructionSet.h"
+#include "MovedBounds.h"
+#include "QuarteredCells.h"
 #include "SphericalTriangle.h"
 
 #include <array>
@@ -58,41 +61,47 @@ private:
   struct Cell
   {
     int Node; // None for triangles
+    int Leaf; // of triangles that are a whole node, else None
     bool IsEvaluated;
-    SphericalTriangle Triangle;
+    SphericalTriangle Triangle; // without a leaf
     SphericalCap Cap;
     SampleOf<Surface> Sample; // at the cap's centre
-    // Of parametric surfaces: how far the cell extends from the sample's point, and the last bound
-    // of its distance from a place, all mm; no bound if not positive.
-    double Extent;
-    Vector3 Place;
-    double LowerDistance;
+    typename ClosestPointDescentOf<Surface>::CapBounds Bounds;
   };
   struct Task;
   enum class Step
   {
     Settled,
-    Again, // the cell was replaced by others
+    Again, // as another kind of cell
     Found, // a minimum
     Open
   };
   static constexpr int None = -1;
-  static constexpr std::size_t CellCapacity = SurfaceKind<Surface>::ProofCells;
+  static constexpr std::size_t Groups = SurfaceKind<Surface>::ProofCells / MovedBounds::Count;
+  static constexpr std::size_t CellCapacity = MovedBounds::Count * Groups;
 
   void BeginAfresh() noexcept;
+  void JoinFar() noexcept;
+  bool IsNearlyFull() noexcept;
   void GatherNear() noexcept;
-  void AddNear(std::size_t count) noexcept;
   void GoTo(const Vector3& query) noexcept;
+  void FindOpen(double rounding) noexcept;
+  void FindOpenPortably(double rounding) noexcept;
+  void FindOpenByAvx2(double rounding) noexcept;
+  void MoveBounds(double rounding) noexcept;
+  void SortOpen(const Task& task) noexcept;
   void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
   Step Descend(Task& task, const Cell& cell) noexcept;
   Step CutNode(std::size_t index) noexcept;
   Step CutTriangle(std::size_t index) noexcept;
+  std::size_t Quarter(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
   void Evaluate(Cell& cell) noexcept;
-  double LowerDistanceOf(Cell& cell) noexcept;
-  double LastBoundOf(const Cell& cell) const noexcept;
+  double LowerDistanceOf(std::size_t index) noexcept;
+  void KeepBound(std::size_t index, double lower, const Vector3& point, double extent) noexcept;
+  double LeastOf(std::size_t group) const noexcept;
   // Cells with more clearance than this need no work.
   double Used() const noexcept { return this->PathLength + (this->Asked - this->Needed); }
 
@@ -102,14 +111,20 @@ private:
   double Asked;    // mm, now
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
-  // No point of a cell is closer than this plus Needed, minus the path length.
-  std::array<double, CellCapacity> ClearUntil;
+  InstructionSet Set;
+  QuarteredCells<Groups> Parts;
+  // No point of a cell is closer than this plus Needed, minus the path length. Infinite for cells
+  // that are quartered and for numbers without a cell.
+  alignas(32) std::array<double, CellCapacity> ClearUntil;
+  std::array<MovedBounds, Groups> Bounds;
   std::array<Cell, CellCapacity> Cells;
-  std::size_t CellCount = 0;
-  // The cells whose clearance may be used up before a path length, by increasing index.
-  std::array<std::uint16_t, CellCapacity> Near;
+  // The groups of cells whose clearance may be used up before a path length.
+  std::array<std::uint16_t, Groups> Near;
   std::size_t NearCount = 0;
   double NearUntil = 0.0; // mm
+  // The cells that need work at the query.
+  std::array<std::uint16_t, CellCapacity> Open;
+  std::size_t OpenCount = 0;
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate

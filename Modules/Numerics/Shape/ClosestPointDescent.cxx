@@ -421,16 +421,27 @@ ClosestPointDescentOf<ParametricShape>::BasinAround(const Vector3& query,
 }
 
 template <typename Surface>
+typename ClosestPointDescentOf<Surface>::CapBounds
+ClosestPointDescentOf<Surface>::BoundsWithin(const Vector3& direction, const Sample& sample,
+                                             double reach) const noexcept
+{
+  const CurveSizes sizes = CurveSizesOf(sample);
+  return {sizes.First, sizes.Second, sizes.Product,
+          this->Derivatives.ThirdWithin(direction, reach)};
+}
+
+template <typename Surface>
 double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const Vector3& direction,
-                                                     const Sample& sample,
-                                                     double reach) const noexcept
+                                                     const Sample& sample, double reach,
+                                                     const CapBounds& cap) const noexcept
 {
   const SquaredDistance distance(direction, sample, query);
-  const LocalBounds<Surface> bounds = BoundsAt<Surface>(
-      sample, distance, this->Derivatives.ThirdWithin(direction, reach), this->Rounding(query));
-  const double change = distance.LeastChange(reach, bounds.Eigenvalue, bounds.Gradient);
-  const double least = 0.5 * distance.Offset.squaredNorm() + change -
-                       reach * reach * reach * bounds.Fall(reach) / 6.0;
+  const double length = distance.Offset.norm();
+  const double fall =
+      cap.Product + (length + reach * (cap.First + 0.5 * reach * cap.Second)) * cap.Third;
+  const double change =
+      distance.LeastChange(reach, distance.SmallestEigenvalue(), distance.Gradient.norm());
+  const double least = 0.5 * length * length + change - reach * reach * reach * fall / 6.0;
   return std::sqrt(std::max(0.0, 2.0 * least));
 }
 

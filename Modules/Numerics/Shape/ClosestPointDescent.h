@@ -50,10 +50,33 @@ public:
   /// Basin of a point that Run found for the same query.
   Basin BasinAround(const Vector3& query, const ClosestPoint& point) const noexcept;
 
+  /// Bounds of the surface over a cap around a sample.
+  struct CapBounds
+  {
+    double First;   ///< |x'| at the sample, mm/rad
+    double Second;  ///< |x''| at the sample, mm/rad^2
+    double Product; ///< 3 |x'.x''| at the sample, mm^2/rad^3
+    double Third;   ///< |x'''| in the cap, mm/rad^3
+
+    /// How far (mm) the surface over a cap of the angle `reach` (rad) extends from the sample.
+    double Extent(double reach) const noexcept
+    {
+      return reach *
+             (this->First + reach * (0.5 * this->Second + reach * (1.0 / 6.0) * this->Third));
+    }
+  };
+  CapBounds BoundsWithin(const Vector3& direction, const Sample& sample,
+                         double reach) const noexcept;
   /// Lower bound of the distance (mm) from the query to the surface over the cap of the angle
   /// `reach` (rad) around `direction`, by the expansion at its centre.
   double LowerDistance(const Vector3& query, const Vector3& direction, const Sample& sample,
-                       double reach) const noexcept;
+                       double reach, const CapBounds& bounds) const noexcept;
+  double LowerDistance(const Vector3& query, const Vector3& direction, const Sample& sample,
+                       double reach) const noexcept
+  {
+    return this->LowerDistance(query, direction, sample, reach,
+                               this->BoundsWithin(direction, sample, reach));
+  }
 
   const DerivativeBounds& Bounds() const noexcept { return this->Derivatives; }
   /// Bound of the rounding error of a distance (mm): some units in the last place of the numbers

@@ -119,16 +119,16 @@ ClosestPointSearchOf<Surface>::Search(const Vector3& queryWorld, int evaluationL
 }
 
 template <typename Surface>
-ClosestPointOf<Surface>
-ClosestPointSearchOf<Surface>::Track(const Vector3& queryWorld,
-                                     const ClosestPoint& previous) const noexcept
+ClosestPointOf<Surface> ClosestPointSearchOf<Surface>::Track(const Vector3& queryWorld,
+                                                             const ClosestPoint& previous,
+                                                             double tolerance) const noexcept
 {
   const Vector3 query = queryWorld - this->Shape->CenterWorld();
   if (!IsUsable(query))
   {
     return Unusable(*this->Shape);
   }
-  return this->LocalSearch.Continue(query, previous, TrackingTolerance, TrackingEvaluationLimit);
+  return this->LocalSearch.Continue(query, previous, tolerance, TrackingEvaluationLimit);
 }
 
 template <typename Surface>

@@ -69,8 +69,9 @@ public:
   /// The minimum of the distance that continues `previous`, the result of the last tick. One
   /// evaluation if the query moved by up to some hundredths of the radius. Follows its own minimum
   /// even if another one becomes closer, and reports in State if it no longer exists: call Nearest
-  /// then.
-  ClosestPoint Track(const Vector3& queryWorld, const ClosestPoint& previous) const noexcept;
+  /// then. `tolerance` is the allowed error of the angle, rad.
+  ClosestPoint Track(const Vector3& queryWorld, const ClosestPoint& previous,
+                     double tolerance = TrackingTolerance) const noexcept;
 
   /// The contact of a spherical tool (radius in mm) with the whole surface. The tool's centre is
   /// placed at the closest point plus radius times normal and pushed out until the tool does not

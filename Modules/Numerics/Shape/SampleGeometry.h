@@ -16,7 +16,7 @@ namespace palpate
 
 // Moves a unit vector along a tangent. Short steps, such as every step of a servo tick, need
 // neither square root nor division.
-Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
+inline Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
 {
   const Vector3 end = direction + step;
   const double excess = end.squaredNorm() - 1.0;
@@ -80,6 +80,37 @@ inline SampleSizes SizesOf(const ParametricShape::SecondOrderSample& sample,
           std::sqrt(distance.SquaredSpread()),
           lengths[0],
           lengths[1]};
+}
+
+/// The same lengths of the surface alone.
+struct CurveSizes
+{
+  double First;
+  double Second;
+  double Product;
+};
+inline CurveSizes CurveSizesOf(const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+{
+  const double slope = sample.SurfaceGradient.squaredNorm();
+  const double first = std::sqrt(sample.Radius * sample.Radius + slope);
+  const double bend = sample.SurfaceHessian.norm() + std::abs(sample.Radius);
+  const double second = std::sqrt(bend * bend + 4.0 * slope);
+  return {first, second, 3.0 * first * second};
+}
+inline CurveSizes CurveSizesOf(const ParametricShape::SecondOrderSample& sample) noexcept
+{
+  return {LargestFirst(sample), LargestSecond(sample), LargestProduct(sample)};
+}
+
+/// The surface's point, relative to its centre, mm.
+inline Vector3 PointOf(const Vector3& direction,
+                       const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+{
+  return sample.Radius * direction;
+}
+inline Vector3 PointOf(const Vector3&, const ParametricShape::SecondOrderSample& sample) noexcept
+{
+  return sample.Point;
 }
 
 /// A direction, the point there relative to the centre (mm), and a normal of any length.

@@ -94,6 +94,7 @@ StretchedBasin StretchedBasinAround(const Vector3& parameter,
     return basin;
   }
   const double least = std::sqrt(determinant) / basin.Stretch; // |x'|, mm/rad
+  basin.Least = least;
   ExpansionInBasin expansion = ExpansionOf(Unstretched(sample, basin.Metric), offset);
   if (!(expansion.Eigenvalue > 0.0))
   {

@@ -22,6 +22,7 @@ struct StretchedBasin
   std::array<Vector3, 2> Tangents{Vector3::Zero(), Vector3::Zero()}; ///< of the parameter sphere
   std::array<double, 3> Metric{}; ///< products of x' along them, mm^2/rad^2
   double Stretch = 0.0;           ///< the largest |x'|, mm/rad
+  double Least = 0.0;             ///< the smallest
 
   /// Whether the basin around the parameter `around` contains the cap, all parameters on the unit
   /// sphere.
@@ -30,6 +31,13 @@ struct StretchedBasin
     const double angle = AngleTo(around, center) + reach;
     return angle < this->LeastAngle ||
            (angle <= WidestAngle && this->FarthestStep(around, center, reach, angle) < this->Reach);
+  }
+  /// No direction farther than this chord from `around` is contained.
+  double WidestChord() const noexcept
+  {
+    // Steps are at least sin s times Least, and chords at most 1.15 sin s up to 1 rad.
+    const double chord = this->Least > 0.0 ? 1.15 * this->Reach / this->Least : 0.0;
+    return std::max(this->LeastAngle, chord);
   }
   /// Whether the cap touches the basin, roughly.
   bool IsNear(const Vector3& around, const Vector3& center, double reach) const noexcept

@@ -30,7 +30,7 @@ struct SurfaceKind<SphericalHarmonicModel>
   /// Parts of a SurfacePatchTree in the finest detail that the degree can represent.
   static constexpr int PartFraction = 1;
   /// Memory of a ClearanceProof.
-  static constexpr std::size_t ProofCells = 1024;
+  static constexpr std::size_t ProofCells = 1280;
 };
 
 template <>
@@ -42,7 +42,7 @@ struct SurfaceKind<ParametricShape>
   /// The point itself is then exact to some 1e-9 mm.
   static constexpr double TrackingTolerance = 1e-10;
   static constexpr int PartFraction = 2;
-  static constexpr std::size_t ProofCells = 2048;
+  static constexpr std::size_t ProofCells = 3072;
 };
 
 template <typename Surface>

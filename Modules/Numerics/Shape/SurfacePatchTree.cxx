@@ -61,7 +61,7 @@ SurfacePatchTreeOf<Surface>::SurfacePatchTreeOf(const Surface& surface, const Bo
 }
 
 template <typename Surface>
-typename SurfacePatchTreeOf<Surface>::Sphere
+typename SurfacePatchTreeOf<Surface>::Ball
 SurfacePatchTreeOf<Surface>::Build(const Surface& surface, const Bounds& bounds, int node,
                                    const SphericalTriangle& triangle)
 {
@@ -70,7 +70,7 @@ SurfacePatchTreeOf<Surface>::Build(const Surface& surface, const Bounds& bounds,
   {
     return this->BuildPatch(surface, bounds, node);
   }
-  std::array<Sphere, 4> parts;
+  std::array<Ball, 4> parts;
   Vector3 center = Vector3::Zero();
   const std::array<SphericalTriangle, 4> triangles = triangle.Split();
   for (std::size_t i = 0; i < 4; ++i)
@@ -78,9 +78,9 @@ SurfacePatchTreeOf<Surface>::Build(const Surface& surface, const Bounds& bounds,
     parts[i] = this->Build(surface, bounds, FirstPart(node) + static_cast<int>(i), triangles[i]);
     center += 0.25 * parts[i].Center;
   }
-  Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
+  Ball& sphere = this->Spheres[static_cast<std::size_t>(node)];
   sphere = {center, 0.0};
-  for (const Sphere& part : parts)
+  for (const Ball& part : parts)
   {
     sphere.Radius = std::max(sphere.Radius, (part.Center - center).norm() + part.Radius);
   }
@@ -88,7 +88,7 @@ SurfacePatchTreeOf<Surface>::Build(const Surface& surface, const Bounds& bounds,
 }
 
 template <typename Surface>
-typename SurfacePatchTreeOf<Surface>::Sphere
+typename SurfacePatchTreeOf<Surface>::Ball
 SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bounds, int node)
 {
   const auto& [direction, reach] = this->CapOf(node);

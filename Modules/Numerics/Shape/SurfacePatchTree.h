@@ -39,8 +39,23 @@ public:
       return this->Patches[static_cast<std::size_t>(node - this->InnerCount())].LowerDistance(
           query);
     }
-    const Sphere& sphere = this->Spheres[static_cast<std::size_t>(node)];
+    const Ball& sphere = this->Spheres[static_cast<std::size_t>(node)];
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
+  }
+  struct Ball
+  {
+    Vector3 Center;
+    double Radius;
+  };
+  /// Around the node's surface.
+  Ball BallOf(int node) const noexcept
+  {
+    if (this->IsInner(node))
+    {
+      return this->Spheres[static_cast<std::size_t>(node)];
+    }
+    const Patch& patch = this->Patches[static_cast<std::size_t>(node - this->InnerCount())];
+    return {patch.Center(), patch.Extent()};
   }
   /// Square of the distance (mm^2) from the query to the middle of the node.
   double SquaredCenterDistance(int node, const Vector3& query) const noexcept
@@ -59,7 +74,7 @@ public:
   std::size_t Bytes() const noexcept
   {
     return this->Roots.size() * sizeof(SphericalTriangle) +
-           this->Caps.size() * sizeof(SphericalCap) + this->Spheres.size() * sizeof(Sphere) +
+           this->Caps.size() * sizeof(SphericalCap) + this->Spheres.size() * sizeof(Ball) +
            this->Patches.size() * sizeof(Patch);
   }
 
@@ -69,19 +84,13 @@ public:
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
 
 private:
-  struct Sphere
-  {
-    Vector3 Center;
-    double Radius;
-  };
-
-  Sphere Build(const Surface& surface, const Bounds& bounds, int node,
-               const SphericalTriangle& triangle);
-  Sphere BuildPatch(const Surface& surface, const Bounds& bounds, int node);
+  Ball Build(const Surface& surface, const Bounds& bounds, int node,
+             const SphericalTriangle& triangle);
+  Ball BuildPatch(const Surface& surface, const Bounds& bounds, int node);
 
   std::vector<SphericalTriangle> Roots;
   std::vector<SphericalCap> Caps;
-  std::vector<Sphere> Spheres;
+  std::vector<Ball> Spheres;
   std::vector<Patch> Patches;
   double Lowest; // bounds of R, or of the distance from the centre
   double Highest;
