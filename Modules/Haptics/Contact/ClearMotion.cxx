@@ -15,13 +15,18 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
 // waits.
 constexpr int MotionEvaluationsOfProof = 160;
-constexpr int MotionEvaluationsAhead = 24;
+constexpr int MotionEvaluationsOfShortStep = 32;
+constexpr int MotionEvaluationsAhead = 16;
 constexpr int MotionEvaluationsOfSearch = 256;
 constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
-constexpr double ShortestStep = 0.05; // of the longest
+constexpr double ShortestStep = 0.05;      // of the longest
+constexpr double MotionPartOfRadius = 0.5; // short steps of a sphere
+// Of the smallest radius: how deep in a sphere parts of the surface may be that a proof leaves to
+// the next tick.
+constexpr double MotionSlack = 4e-3;
 // Of the room in which nothing is, that a proof is for.
 constexpr double WantedPart = 2.0 / 3.0;
 } // namespace
@@ -41,6 +46,7 @@ ClearMotion::ClearMotion(const ParametricTouchSurface& surface, const WedgePlace
                          std::shared_ptr<Proof> clearance)
     : Surface(&surface), Places(&places), Radius(radius), Free(radius + surface.Margin()),
       Stride(stride), Exactness(exactness),
+      Slack(std::min(MotionSlack * surface.SmallestRadius(), 0.25 * radius)),
       Clearance(clearance ? std::move(clearance)
                           : std::make_shared<Proof>(surface.Search(), Free + stride, exactness))
 {
@@ -150,6 +156,10 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
     this->Take(goal, minima, 0.0);
     return Step::Taken;
   }
+  if (this->IsShort(start, goal))
+  {
+    return this->StepShortly(start, goal, minima);
+  }
   const double needed = this->Free + (goal - start).norm();
   constexpr double LongestPart = 0.5;
   const double longest = std::max({LongestPart * (minima.Nearest() - this->Free),
@@ -158,8 +168,30 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
   {
     return Step::TooLong;
   }
-  const Step proven = this->Prove(goal, needed, minima);
+  const Step proven = this->Prove(start, goal, needed, minima);
   return proven == Step::Open ? this->SearchAt(start, goal, needed) : proven;
+}
+
+// With little work if that shows enough.
+ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& goal,
+                                           Minima& minima) noexcept
+{
+  const int most = this->EvaluationsLeft;
+  this->EvaluationsLeft = std::min(most, MotionEvaluationsOfShortStep);
+  const int little = this->EvaluationsLeft;
+  Step proven = this->Prove(start, goal, this->Free, minima);
+  this->EvaluationsLeft += most - little;
+  if (proven == Step::Open && this->EvaluationsLeft > 0)
+  {
+    proven = this->Prove(start, goal, this->Free, minima);
+  }
+  return proven == Step::Open ? this->SearchAt(start, goal, this->Free) : proven;
+}
+
+// Whether no part of the surface is between two places, since nothing is as near to the first one.
+bool ClearMotion::IsShort(const Vector3& start, const Vector3& goal) const noexcept
+{
+  return (goal - start).norm() < MotionPartOfRadius * this->Radius;
 }
 
 // Far away the ball outside of the sphere around the surface suffices.
@@ -206,7 +238,8 @@ void ClearMotion::LookAhead() noexcept
   if (minima.Count > 0 && this->Touched(minima) == nullptr)
   {
     constexpr double LeastPart = 0.25;
-    this->Prove(Vector3(this->Place), this->PartOfGap(LeastPart, minima.Nearest()), minima);
+    const Vector3 place = this->Place;
+    this->Prove(place, place, this->PartOfGap(LeastPart, minima.Nearest()), minima);
   }
 }
 
@@ -268,9 +301,12 @@ double ClearMotion::Wanted(double needed, const Minima& minima) const noexcept
                                             : this->PartOfGap(WantedPart, minima.Nearest()));
 }
 
-// Looks for others that the goal is too near to, and goes there if there are none.
-ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima& minima) noexcept
+// Looks for others that the goal is too near to, and goes there if there are none. After a short
+// step of a sphere the rest of a proof may wait for the next tick.
+ClearMotion::Step ClearMotion::Prove(const Vector3& start, const Vector3& goal, double needed,
+                                     Minima& minima) noexcept
 {
+  const bool isShort = needed <= this->Free && this->IsShort(start, goal);
   double wanted = this->Wanted(needed, minima);
   for (int proof = 0; proof<MotionProofs&& this->EvaluationsLeft> 0; ++proof)
   {
@@ -282,9 +318,15 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& goal, double needed, Minima&
     this->EvaluationsLeft -= answer.Evaluations;
     if (answer.State != Proof::Finding::Nearer)
     {
-      return this->TakeIf(answer.LowerDistance >= needed, goal, minima, answer.LowerDistance);
+      const double enough = isShort ? needed - this->Slack : needed;
+      return this->TakeIf(answer.LowerDistance >= enough, goal, minima, answer.LowerDistance);
     }
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
+    if (isShort && found.SignedDistance < this->RadiusAt(found))
+    {
+      this->Meet(start, goal, found);
+      return Step::Met;
+    }
     if (!this->IsExact(found))
     {
       return Step::Open;

@@ -77,7 +77,9 @@ private:
   Minima Continued(const Vector3& goal) noexcept;
   const ClosestPoint* Touched(const Minima& minima) const noexcept;
   void Meet(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;
-  Step Prove(const Vector3& goal, double needed, Minima& minima) noexcept;
+  Step StepShortly(const Vector3& start, const Vector3& goal, Minima& minima) noexcept;
+  bool IsShort(const Vector3& start, const Vector3& goal) const noexcept;
+  Step Prove(const Vector3& start, const Vector3& goal, double needed, Minima& minima) noexcept;
   Step SearchAt(const Vector3& start, const Vector3& goal, double needed) noexcept;
   void Remember(const ClosestPoint& found) noexcept;
   double Search(const Vector3& goal, Minima& minima) noexcept;
@@ -100,6 +102,7 @@ private:
   double Free; // mm from the centre of the tool, where nothing unknown may be
   double Stride;
   double Exactness;
+  double Slack;                     // mm
   std::shared_ptr<Proof> Clearance; // of everything but known minima
   int EvaluationsLeft = 0;
   Vector3 Place = Vector3::Zero();

@@ -26,8 +26,12 @@ constexpr double LeastProven = 0.5;
 constexpr int WedgeSteps = 6;
 // At a parametric surface a proof takes much longer: a sphere that has farther to go arrives later.
 constexpr int WedgeProofs = 12;
-constexpr int WedgeProofsAtFolds = 4;
+constexpr int WedgeProofsAtFolds = 3;
 constexpr int EvaluationsOfMove = 640;
+constexpr int EvaluationsAtFolds = 24; // of all proofs of a tick, the rest is left to the next ones
+constexpr int LeastEvaluations = 8;    // of each of them
+// Of the smallest radius: how deep in the sphere parts may be that are left.
+constexpr double RelativeSlack = 4e-3;
 constexpr int WedgeEvaluations = 160;
 constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
 // Error of a wall's parameter, rad: that of its distance is the square of it.
@@ -205,6 +209,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
   constexpr int MostProofs = Surface::MayCrossItself ? WedgeProofsAtFolds : WedgeProofs;
   Leash leash{this->Center, this->LongestStep};
+  int left = Surface::MayCrossItself ? EvaluationsAtFolds : EvaluationsOfMove;
   for (int proof = 0; proof < MostProofs; ++proof)
   {
     // An overlapping sphere is first pushed out by the shortest path.
@@ -216,8 +221,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       this->Shorten(leash);
       continue;
     }
-    const typename Proof::Answer answer =
-        this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, EvaluationsOfMove);
+    const typename Proof::Answer answer = this->ProofHere(left);
     if (answer.State == Proof::Finding::Nearer)
     {
       this->Meet(this->Sided(answer.Minimum));
@@ -236,6 +240,29 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
   if (leash.ClearWorld != this->Center)
   {
     this->GoTo(leash.ClearWorld, nullptr);
+    // Where a wall was found late that is there too, the sphere is pushed out first.
+    this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
+  }
+}
+
+// With little work where that leaves only parts open that are hardly in the sphere.
+template <typename Surface>
+typename HarmonicWedgeOf<Surface>::Proof::Answer
+HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft) noexcept
+{
+  const auto ask = [&](int evaluations)
+  { return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations); };
+  if constexpr (Surface::MayCrossItself)
+  {
+    typename Proof::Answer answer = ask(evaluationsLeft);
+    evaluationsLeft = std::max(LeastEvaluations, evaluationsLeft - answer.Evaluations);
+    const double enough = this->Radius - RelativeSlack * this->Touched->SmallestRadius();
+    const bool isLeft = answer.State == Proof::Finding::Open && answer.LowerDistance < enough;
+    return isLeft ? ask(EvaluationsOfMove) : answer;
+  }
+  else
+  {
+    return ask(evaluationsLeft);
   }
 }
 
@@ -284,6 +311,8 @@ void HarmonicWedgeOf<Surface>::Shorten(Leash& leash) noexcept
     leash.Length =
         Shorter * (Surface::MayCrossItself ? std::min(leash.Length, tried) : leash.Length);
     this->GoTo(leash.ClearWorld, nullptr);
+    // Where a wall was found late that is there too, the sphere is pushed out first.
+    this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
   }
 }
 

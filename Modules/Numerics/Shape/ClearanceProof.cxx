@@ -14,10 +14,9 @@ namespace
 {
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double MinimumTolerance = 1e-9; // rad
-// An evaluation with the bounds that it leads to takes as long as this many bounds of nodes.
-constexpr int WorkOfEvaluation = 16;
-constexpr int WorkOfBound = 4;                      // of a triangle that is evaluated already
-constexpr int WorkOfDescent = 8 * WorkOfEvaluation; // nearly always enough
+constexpr int EvaluationsOfDescent = 8;   // nearly always enough
+constexpr int LeastForDescent = 5;        // it usually ends before
+constexpr std::size_t SortedCells = 32;
 
 template <typename Surface>
 bool IsSame(const ClosestPointOf<Surface>& a, const ClosestPointOf<Surface>& b) noexcept
@@ -199,7 +198,7 @@ void ClearanceProofOf<Surface>::GatherNear() noexcept
 template <typename Surface>
 void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
-  constexpr double Ahead = 6.0;
+  constexpr double Ahead = 3.0;
   constexpr double Farthest = 0.25;
   const double step = (query - this->Query).norm();
   this->PathLength += step;
@@ -287,25 +286,27 @@ void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
   }
 }
 
-// Without those in basins; the nearest first, where minima are found soonest.
+// To look through the cells takes time too, but leaves some to settle them.
 template <typename Surface>
-void ClearanceProofOf<Surface>::SortOpen(const Task& task) noexcept
+int ClearanceProofOf<Surface>::WorkOfLook(int workLeft) const noexcept
 {
-  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
-  const std::size_t count = std::exchange(this->OpenCount, 0);
-  for (std::size_t i = 0; i < count; ++i)
+  return std::min(workLeft / 4, static_cast<int>((this->NearCount + 2 * this->OpenCount) / 4));
+}
+
+// The nearest first, where minima are found soonest; the many others in any order.
+template <typename Surface>
+void ClearanceProofOf<Surface>::SortOpen() noexcept
+{
+  const auto begin = this->Open.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(this->OpenCount);
+  const auto last = begin + static_cast<std::ptrdiff_t>(std::min(SortedCells, this->OpenCount));
+  const auto isNearer = [&](std::size_t a, std::size_t b)
+  { return this->ClearUntil[a] < this->ClearUntil[b]; };
+  if (last != end)
   {
-    const std::size_t index = this->Open[i];
-    const Cell& cell = this->Cells[index];
-    const double inBasin = task.LowerDistance(cell.Node != None ? tree.CapOf(cell.Node) : cell.Cap);
-    if (inBasin != Infinite && !this->Clears(inBasin, index))
-    {
-      this->Open[this->OpenCount++] = static_cast<std::uint16_t>(index);
-    }
+    std::nth_element(begin, last, end, isNearer);
   }
-  std::sort(this->Open.begin(), this->Open.begin() + static_cast<std::ptrdiff_t>(this->OpenCount),
-            [&](std::size_t a, std::size_t b)
-            { return this->ClearUntil[a] < this->ClearUntil[b]; });
+  std::sort(begin, last, isNearer);
 }
 
 template <typename Surface>
@@ -340,9 +341,15 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
   this->FindOpen(task.Rounding);
-  this->SortOpen(task);
+  task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
+  this->SortOpen();
   for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
   {
+    if (i >= SortedCells && task.WorkLeft < WorkOfEvaluation)
+    {
+      this->LeaveOpen(task, i);
+      break;
+    }
     this->Settle(task, this->Open[i]);
   }
   task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
@@ -362,10 +369,38 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
   }
   if (step == Step::Open)
   {
-    task.Result.State = Finding::Open;
-    const double lower = this->Needed + this->ClearUntil[index] - this->PathLength;
-    task.Result.LowerDistance = std::clamp(lower, 0.0, task.Result.LowerDistance);
+    this->LeaveOpen(task, this->ClearUntil[index]);
   }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::LeaveOpen(Task& task, double until) const noexcept
+{
+  task.Result.State = Finding::Open;
+  const double lower = this->Needed + until - this->PathLength;
+  task.Result.LowerDistance = std::clamp(lower, 0.0, task.Result.LowerDistance);
+}
+
+// The rest, from the open cell of this number on.
+template <typename Surface>
+void ClearanceProofOf<Surface>::LeaveOpen(Task& task, std::size_t first) const noexcept
+{
+  double until = Infinite;
+  for (std::size_t i = first; i < this->OpenCount; ++i)
+  {
+    const std::size_t index = this->Open[i];
+    const bool isNearer = this->ClearUntil[index] < until;
+    until = isNearer && task.LowerDistance(this->CapOf(index)) != Infinite ? this->ClearUntil[index]
+                                                                           : until;
+  }
+  this->LeaveOpen(task, until);
+}
+
+template <typename Surface>
+const SphericalCap& ClearanceProofOf<Surface>::CapOf(std::size_t index) const noexcept
+{
+  const Cell& cell = this->Cells[index];
+  return cell.Node != None ? this->Search->Tree().CapOf(cell.Node) : cell.Cap;
 }
 
 // Stores the bound of the cell's distance; returns whether it suffices here.
@@ -393,13 +428,18 @@ template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 {
+  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
+  const int node = this->Cells[index].Node;
+  const double inBasin = task.LowerDistance(tree.CapOf(node));
+  if (inBasin == Infinite || this->Clears(inBasin, index))
+  {
+    return Step::Settled;
+  }
   if (task.WorkLeft <= 0)
   {
     return Step::Open;
   }
   --task.WorkLeft;
-  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
-  const int node = this->Cells[index].Node;
   const double lower = tree.LowerDistance(node, this->Query);
   if (this->Clears(lower - task.Rounding, index))
   {
@@ -407,8 +447,7 @@ ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
     this->KeepBound(index, lower, ball.Center, ball.Radius);
     return Step::Settled;
   }
-  const double inBasin = task.LowerDistance(tree.CapOf(node));
-  return inBasin == Infinite || this->Clears(inBasin, index) ? Step::Settled : this->CutNode(index);
+  return this->CutNode(index);
 }
 
 template <typename Surface>
@@ -480,14 +519,14 @@ ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
   {
     return Step::Again;
   }
-  if (task.WorkLeft < WorkOfDescent)
+  if (task.WorkLeft < LeastForDescent * WorkOfEvaluation)
   {
     return Step::Open;
   }
   const ClosestPointDescentOf<Surface>& descent = this->Search->Descent();
   const ClosestPointOf<Surface> found =
       descent.Run(this->Query, cell.Cap.Center, cell.Sample, MinimumTolerance,
-                  task.WorkLeft / WorkOfEvaluation);
+                  std::max(EvaluationsOfDescent, task.WorkLeft / WorkOfEvaluation));
   task.WorkLeft -= WorkOfEvaluation * found.Evaluations;
   if (std::abs(found.SignedDistance) < this->Asked && !task.IsKnown(found))
   {

@@ -77,6 +77,8 @@ private:
     Open
   };
   static constexpr int None = -1;
+  static constexpr int WorkOfEvaluation = SurfaceKind<Surface>::WorkOfEvaluation;
+  static constexpr int WorkOfBound = SurfaceKind<Surface>::WorkOfBound;
   static constexpr std::size_t Groups = SurfaceKind<Surface>::ProofCells / MovedBounds::Count;
   static constexpr std::size_t CellCapacity = MovedBounds::Count * Groups;
 
@@ -88,8 +90,12 @@ private:
   void FindOpen(double rounding) noexcept;
   void FindOpenPortably(double rounding) noexcept;
   void FindOpenByAvx2(double rounding) noexcept;
+  int WorkOfLook(int workLeft) const noexcept;
   void MoveBounds(double rounding) noexcept;
-  void SortOpen(const Task& task) noexcept;
+  void SortOpen() noexcept;
+  const SphericalCap& CapOf(std::size_t index) const noexcept;
+  void LeaveOpen(Task& task, double until) const noexcept;
+  void LeaveOpen(Task& task, std::size_t first) const noexcept;
   void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;

@@ -31,6 +31,10 @@ struct SurfaceKind<SphericalHarmonicModel>
   static constexpr int PartFraction = 1;
   /// Memory of a ClearanceProof.
   static constexpr std::size_t ProofCells = 1280;
+  /// A proof's evaluation, with the bounds that it leads to, and another bound of an evaluated part
+  /// take as long as this many bounds of nodes.
+  static constexpr int WorkOfEvaluation = 16;
+  static constexpr int WorkOfBound = 4;
 };
 
 template <>
@@ -43,6 +47,8 @@ struct SurfaceKind<ParametricShape>
   static constexpr double TrackingTolerance = 1e-10;
   static constexpr int PartFraction = 2;
   static constexpr std::size_t ProofCells = 3072;
+  static constexpr int WorkOfEvaluation = 6;
+  static constexpr int WorkOfBound = 2;
 };
 
 template <typename Surface>
