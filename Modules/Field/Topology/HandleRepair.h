@@ -20,7 +20,8 @@ struct HandleRepair
   NodeList Filled; ///< outside before
 };
 
-/// Cuts or fills the handles of an object, whichever changes less.
+/// Cuts or fills the handles of an object, whichever changes less; fills where both change about
+/// as much.
 ///
 /// The object is one part without cavities (1 in `inside`). First all handles are cut: a ball grows
 /// through simple nodes in the order of falling mass, the part of a node's neighbourhood that is
@@ -29,8 +30,8 @@ struct HandleRepair
 /// thinnest, however wide it is there, and noise moves that place. The outside grows towards the
 /// object by depth, which leaves membranes of one node across the handles' holes. Each membrane in
 /// turn, the cheapest first, is added to the ball, which then may grow through the walls; that is
-/// kept if it costs less. The cost of a changed node is |field| + spacing / 4. Every step adds
-/// simple nodes only, so the result is a ball whatever the input is. After Kriegeskorte and Goebel,
-/// NeuroImage 14 (2001).
+/// kept unless it costs much more. The cost of a changed node is |field| + spacing / 4. Every step
+/// adds simple nodes only, so the result is a ball whatever the input is. After Kriegeskorte and
+/// Goebel, NeuroImage 14 (2001).
 HandleRepair RepairHandles(const ShapeField& field, const std::vector<unsigned char>& inside);
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "MapRefinement.h"
 
+#include "MapDescent.h"
 #include "RingKernel.h"
 
 #include <algorithm>
@@ -9,10 +10,15 @@ namespace palpate
 {
 namespace
 {
+// A level is done whenever the number of vertices has grown by this factor.
+constexpr double LevelGrowth = 1.5;
+constexpr std::size_t VerticesPerReport = 1024;
 // Sweeps of a level: so many visits of a vertex, but within these limits.
 constexpr double LevelVisits = 60000.0;
 constexpr double LeastLevelSweeps = 3.0;
 constexpr double MostLevelSweeps = 300.0;
+// Steps of a level's descent: so many visits of a vertex.
+constexpr double DescentVisits = 100000.0;
 // A vertex is visited again if the D of a triangle next to it changed by more than this, relative.
 constexpr double LevelTolerance = 0.01;
 constexpr double LastTolerance = 0.005;
@@ -33,7 +39,10 @@ MapRefinement::MapRefinement(VertexRings& rings, std::vector<MappedVertex>& vert
       this->Present.push_back(v);
     }
   }
-  this->PlaceTetrahedron();
+  if (this->Present.size() == 4)
+  {
+    this->PlaceTetrahedron();
+  }
 }
 
 void MapRefinement::PlaceTetrahedron()
@@ -154,5 +163,42 @@ void MapRefinement::SweepLevel()
   for (int i = 0; i < most && this->Sweep(LevelTolerance); ++i)
   {
   }
+}
+
+double MapRefinement::Descend(int mostSteps)
+{
+  std::sort(this->Present.begin(), this->Present.end());
+  MapDescent descent(this->Rings, this->Present, this->Vertices);
+  descent.Run(mostSteps);
+  return descent.Energy();
+}
+
+bool MapRefinement::ReturnAll(const MeshSimplification& simplification, bool isConverged,
+                              const KernelProgress& progress)
+{
+  const std::size_t count = simplification.Removals.size();
+  double nextLevel = LevelGrowth * static_cast<double>(this->Size());
+  for (std::size_t i = count; i > 0; --i)
+  {
+    if (!this->Return(simplification, simplification.Removals[i - 1]))
+    {
+      return false;
+    }
+    if (static_cast<double>(this->Size()) >= nextLevel)
+    {
+      nextLevel *= LevelGrowth;
+      this->SweepLevel();
+      if (isConverged)
+      {
+        this->Descend(static_cast<int>(DescentVisits / static_cast<double>(this->Size())));
+      }
+    }
+    const double done = static_cast<double>(count - i) / static_cast<double>(count);
+    if (i % VerticesPerReport == 0 && progress && !progress(done))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 } // namespace palpate

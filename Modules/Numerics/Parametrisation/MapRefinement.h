@@ -1,5 +1,6 @@
 #pragma once
 
+#include "KernelProgress.h"
 #include "MeshSimplification.h"
 #include "VertexRelaxation.h"
 
@@ -13,23 +14,28 @@ namespace palpate
 class MapRefinement
 {
 public:
-  /// `rings` is a tetrahedron, which is mapped to the regular one; both arguments are kept, and
-  /// `vertices` have their points.
+  /// The vertices of `rings` are mapped, or they are four: those are mapped to a regular
+  /// tetrahedron. Both arguments are kept, and `vertices` have their points.
   MapRefinement(VertexRings& rings, std::vector<MappedVertex>& vertices);
 
   /// Vertices that have returned.
   std::size_t Size() const noexcept { return this->Present.size(); }
 
-  /// Puts the vertex that was removed last of those still missing into the kernel of its ring.
-  /// False if the kernel is thinner than rounding.
-  bool Return(const MeshSimplification& simplification, const MeshSimplification::Removal& removal);
-  /// Sweeps until the map hardly changes, or for about as long as vertices take to return.
-  void SweepLevel();
+  /// Puts all removed vertices into the kernels of their rings, the last one first. Lowers the
+  /// energy whenever their number has grown by half: by sweeps, and where `isConverged` by
+  /// MapDescent, which large meshes need to move far parts. False if a kernel is thinner than
+  /// rounding, or if `progress` cancels.
+  bool ReturnAll(const MeshSimplification& simplification, bool isConverged,
+                 const KernelProgress& progress);
+  /// MapDescent of all vertices; returns the energy.
+  double Descend(int mostSteps);
   /// One fine sweep over the waiting vertices: those next to a change. False once all are at rest.
   bool Sweep();
   void WakeAll();
 
 private:
+  bool Return(const MeshSimplification& simplification, const MeshSimplification::Removal& removal);
+  void SweepLevel();
   bool Sweep(double tolerance);
   void MakeRoom(Ring ring);
   void Wake(int vertex);

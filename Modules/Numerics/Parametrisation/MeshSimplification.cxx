@@ -9,7 +9,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t ReportInterval = 1024; // vertices
+constexpr int ReportInterval = 1024; // vertices
 
 // Keeps 16 bits of the mantissa.
 double RoundCost(double cost)
@@ -18,9 +18,6 @@ double RoundCost(double cost)
   const double mantissa = std::frexp(cost, &exponent);
   return std::ldexp(std::nearbyint(std::ldexp(mantissa, 16)), exponent - 16);
 }
-
-// For each change of a vertex's ring: spreads the collapses.
-constexpr double ChangePenalty = 0.1;
 
 // Six neighbours are ideal.
 double ValencePenalty(int valence)
@@ -51,8 +48,9 @@ struct Candidate
 class CollapseQueue
 {
 public:
-  CollapseQueue(const std::vector<MappedVertex>& vertices, const VertexRings& rings)
-      : Vertices(vertices), Rings(rings), Versions(vertices.size(), 0)
+  CollapseQueue(const std::vector<MappedVertex>& vertices, const VertexRings& rings,
+                double changePenalty)
+      : Vertices(vertices), Rings(rings), ChangePenalty(changePenalty), Versions(vertices.size(), 0)
   {
     std::vector<Candidate> all;
     all.reserve(2 * vertices.size());
@@ -95,8 +93,8 @@ public:
     }
     for (const int target : ring)
     {
-      const double cost =
-          RoundCost(this->Cost(vertex, target, ring.Count) * (1.0 + ChangePenalty * best.Version));
+      const double cost = RoundCost(this->Cost(vertex, target, ring.Count) *
+                                    (1.0 + this->ChangePenalty * best.Version));
       if ((cost < best.Cost || (cost == best.Cost && target < best.Target)) &&
           this->Rings.CanCollapse(vertex, target))
       {
@@ -120,19 +118,21 @@ private:
 
   const std::vector<MappedVertex>& Vertices;
   const VertexRings& Rings;
+  double ChangePenalty; // spreads the collapses
   std::vector<int> Versions;
   std::priority_queue<Candidate> Heap;
 };
 } // namespace
 
-bool Simplify(const std::vector<MappedVertex>& vertices, const KernelProgress& progress,
-              VertexRings& rings, MeshSimplification& result)
+bool Simplify(const std::vector<MappedVertex>& vertices, const SimplificationSettings& settings,
+              const KernelProgress& progress, VertexRings& rings, MeshSimplification& result)
 {
   result = {};
   result.Removals.reserve(vertices.size());
   result.RingEntries.reserve(6 * vertices.size());
-  CollapseQueue queue(vertices, rings);
-  for (std::size_t left = vertices.size(); left > 4; --left)
+  CollapseQueue queue(vertices, rings, settings.ChangePenalty);
+  const int present = rings.CountVertices();
+  for (int left = present; left > settings.Vertices; --left)
   {
     const Candidate best = queue.Pop();
     const Ring ring = rings.Of(best.Vertex);
@@ -147,7 +147,7 @@ bool Simplify(const std::vector<MappedVertex>& vertices, const KernelProgress& p
     {
       queue.Update(result.RingEntries[i]);
     }
-    const double done = 1.0 - static_cast<double>(left) / static_cast<double>(vertices.size());
+    const double done = 1.0 - static_cast<double>(left) / static_cast<double>(present);
     if (left % ReportInterval == 0 && progress && !progress(done))
     {
       return false;

@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Order in which half-edge collapses take a triangulation down to a tetrahedron.
+/// Order in which half-edge collapses take a triangulation down to a few vertices.
 struct MeshSimplification
 {
   /// No vertex with more neighbours is removed; every triangulation has one with at most five.
@@ -32,11 +32,18 @@ struct MeshSimplification
   std::vector<int> RingEntries;
 };
 
-/// Collapses `rings` to a tetrahedron, cheapest first; the points' scale is arbitrary. The cost of
+struct SimplificationSettings
+{
+  int Vertices = 4; ///< that are left; a tetrahedron is the least
+  /// Adds this share to a collapse's cost for each earlier change of the vertex's ring.
+  double ChangePenalty = 0.1;
+};
+
+/// Collapses `rings` to a few vertices, cheapest first; the points' scale is arbitrary. The cost of
 /// a collapse is the squared length of its edge, times penalties of the valence that it makes and
 /// of earlier changes of the vertex's ring, so that no region is thinned out before others. Ties go
 /// to the lower index; costs are compared after rounding to 16 bits, so that rotated or moved
 /// copies of a mesh are simplified in the same order. O(n log n). False if `progress` cancels.
-bool Simplify(const std::vector<MappedVertex>& vertices, const KernelProgress& progress,
-              VertexRings& rings, MeshSimplification& result);
+bool Simplify(const std::vector<MappedVertex>& vertices, const SimplificationSettings& settings,
+              const KernelProgress& progress, VertexRings& rings, MeshSimplification& result);
 } // namespace palpate

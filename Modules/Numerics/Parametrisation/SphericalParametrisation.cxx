@@ -1,5 +1,6 @@
 #include "SphericalParametrisation.h"
 
+#include "CoarseMap.h"
 #include "MapRefinement.h"
 #include "MeshSimplification.h"
 
@@ -12,15 +13,16 @@ namespace palpate
 {
 namespace
 {
-// Sweeps run whenever the number of vertices has grown by this factor, and at the end, at most:
-constexpr double LevelGrowth = 1.5;
+// Of the surface whose map is searched for.
+constexpr int CoarseVertices = 500;
+// At the end, at most.
 constexpr int LastSweeps = 30;
 // A triangle's height has to exceed this share of the surface's extent: rounding of coordinates.
 constexpr double LeastHeight = 1e-12;
-// Of the progress: simplification, refinement, last sweeps.
-constexpr double SimplificationShare = 0.3;
-constexpr double RefinementShare = 0.4;
-constexpr std::size_t VerticesPerReport = 1024; // vertices
+// Of the progress: simplification, coarse map, refinement, last sweeps.
+constexpr double SimplificationShare = 0.15;
+constexpr double CoarseShare = 0.35;
+constexpr double RefinementShare = 0.35;
 
 const char* const Cancelled = "The parametrisation was cancelled.";
 const char* const Degenerate =
@@ -75,61 +77,49 @@ bool Report(const KernelProgress& progress, double fraction)
   return !progress || progress(fraction);
 }
 
-Status ReturnAll(const MeshSimplification& simplification, const KernelProgress& progress,
-                 MapRefinement& refinement)
+void SweepLast(const KernelProgress& report, MapRefinement& refinement)
 {
-  const std::size_t count = simplification.Removals.size();
-  double nextLevel = LevelGrowth * 4.0;
-  for (std::size_t i = count; i > 0; --i)
-  {
-    if (!refinement.Return(simplification, simplification.Removals[i - 1]))
-    {
-      return Status::Failure(Degenerate);
-    }
-    if (static_cast<double>(refinement.Size()) >= nextLevel)
-    {
-      nextLevel *= LevelGrowth;
-      refinement.SweepLevel();
-    }
-    const double done = static_cast<double>(count - i) / static_cast<double>(count);
-    if (i % VerticesPerReport == 0 &&
-        !Report(progress, SimplificationShare + RefinementShare * done))
-    {
-      return Status::Failure(Cancelled);
-    }
-  }
-  return Status::Success();
-}
-
-Status SweepLast(const KernelProgress& progress, MapRefinement& refinement)
-{
-  constexpr double Before = SimplificationShare + RefinementShare;
+  constexpr double Before = SimplificationShare + CoarseShare + RefinementShare;
   refinement.WakeAll();
   bool any = true;
   for (int i = 0; i < LastSweeps && any; ++i)
   {
-    if (!Report(progress, Before + (1.0 - Before) * i / LastSweeps))
-    {
-      return Status::Failure(Cancelled);
-    }
-    any = refinement.Sweep();
+    any = report(Before + (1.0 - Before) * i / LastSweeps) && refinement.Sweep();
   }
-  return Status::Success();
 }
 
 Status MapVertices(VertexRings& rings, const KernelProgress& progress,
                    std::vector<MappedVertex>& vertices)
 {
+  bool isCancelled = false;
+  const auto report = [&](double fraction)
+  {
+    isCancelled = isCancelled || !Report(progress, fraction);
+    return !isCancelled;
+  };
+  const auto simplified = [&](double part) { return report(SimplificationShare * part); };
+  const auto coarse = [&](double part) { return report(SimplificationShare + CoarseShare * part); };
+  const auto returned = [&](double part)
+  { return report(SimplificationShare + CoarseShare + RefinementShare * part); };
   MeshSimplification simplification;
-  const auto share = [&](double fraction)
-  { return Report(progress, SimplificationShare * fraction); };
-  if (!Simplify(vertices, share, rings, simplification))
+  SimplificationSettings settings;
+  settings.Vertices = CoarseVertices;
+  bool isMapped = Simplify(vertices, settings, simplified, rings, simplification) &&
+                  MapCoarseSurface(rings, coarse, vertices);
+  if (isMapped)
+  {
+    MapRefinement refinement(rings, vertices);
+    isMapped = refinement.ReturnAll(simplification, true, returned);
+    if (isMapped)
+    {
+      SweepLast(report, refinement);
+    }
+  }
+  if (isCancelled)
   {
     return Status::Failure(Cancelled);
   }
-  MapRefinement refinement(rings, vertices);
-  Status status = ReturnAll(simplification, progress, refinement);
-  return status.IsOk() ? SweepLast(progress, refinement) : status;
+  return isMapped ? Status::Success() : Status::Failure(Degenerate);
 }
 } // namespace
 

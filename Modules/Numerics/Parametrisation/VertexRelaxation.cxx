@@ -8,7 +8,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double EquilateralShare = 0.005;
 // Over-relaxation: fewer sweeps than with Newton's step.
 constexpr double StepFactor = 1.5;
 // Of a Hessian's eigenvalues, relative to the larger one.

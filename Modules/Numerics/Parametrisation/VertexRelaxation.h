@@ -21,6 +21,8 @@ namespace palpate
 class VertexRelaxation
 {
 public:
+  static constexpr double EquilateralShare = 0.005;
+
   /// One damped Newton step for `vertex`; every triangle of its ring has D > 0 before and after.
   /// Returns by how much the step changed D, relative, at most; 0 if no step lowered the energy.
   double Step(std::vector<MappedVertex>& vertices, int vertex, Ring ring);

@@ -138,6 +138,12 @@ bool VertexRings::IsConnected() const
   return reached.size() == this->Slots.size();
 }
 
+int VertexRings::CountVertices() const noexcept
+{
+  return static_cast<int>(std::count_if(this->Slots.begin(), this->Slots.end(),
+                                        [](const Slot& slot) { return slot.Count > 0; }));
+}
+
 bool VertexRings::AreJoined(int vertex, int other) const noexcept
 {
   const Ring a = this->Of(vertex);

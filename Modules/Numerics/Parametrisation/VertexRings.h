@@ -37,6 +37,8 @@ public:
     const Slot& slot = this->Slots[static_cast<std::size_t>(vertex)];
     return {this->Entries.data() + slot.First, slot.Count};
   }
+  /// Vertices that are not collapsed; takes time in all.
+  int CountVertices() const noexcept;
   /// True if the vertices are neighbours; takes time in the shorter ring.
   bool AreJoined(int vertex, int other) const noexcept;
 

@@ -88,7 +88,7 @@ TEST(VertexRings, SplitsRestoreWhatCollapsesRemoved)
     VertexRings rings = RingsOf(mesh);
     const std::set<std::array<int, 3>> expected = TrianglesOf(rings);
     MeshSimplification simplification;
-    ASSERT_TRUE(Simplify(VerticesOf(mesh), {}, rings, simplification));
+    ASSERT_TRUE(Simplify(VerticesOf(mesh), {}, {}, rings, simplification));
     EXPECT_EQ(TrianglesOf(rings).size(), 4U);
     for (std::size_t i = simplification.Removals.size(); i > 0; --i)
     {
@@ -105,7 +105,7 @@ TEST(MeshSimplification, ThinsARegularMeshEvenly)
   const IndexedMesh mesh = test::Bipyramid(64);
   VertexRings rings = RingsOf(mesh);
   MeshSimplification simplification;
-  ASSERT_TRUE(Simplify(VerticesOf(mesh), {}, rings, simplification));
+  ASSERT_TRUE(Simplify(VerticesOf(mesh), {}, {}, rings, simplification));
   std::vector<bool> isRemoved(66, false);
   for (std::size_t i = 0; i < 32; ++i)
   {
@@ -127,7 +127,7 @@ TEST(MeshSimplification, RemovesNoVertexWithALargeRing)
   const IndexedMesh mesh = test::RandomStarMesh(random, 8);
   VertexRings rings = RingsOf(mesh);
   MeshSimplification simplification;
-  ASSERT_TRUE(Simplify(VerticesOf(mesh), {}, rings, simplification));
+  ASSERT_TRUE(Simplify(VerticesOf(mesh), {}, {}, rings, simplification));
   EXPECT_EQ(simplification.Removals.size(), mesh.Points.size() - 4);
   for (const MeshSimplification::Removal& removal : simplification.Removals)
   {
