@@ -3,6 +3,7 @@
 #include "ErrorText.h"
 #include "IcosahedronDirections.h"
 #include "ModelConvention.h"
+#include "ModelEvaluation.h"
 #include "ModelFile.h"
 #include "ParametricSurfaceMeasures.h"
 #include "SphericalHarmonicBasis.h"
@@ -10,6 +11,7 @@
 #include "SphericalHarmonicMeasures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -24,12 +26,22 @@ constexpr int MostFrequency = 1000;
 
 palpate_model* HandleOf(SurfaceModel surface)
 {
-  return new palpate_model{{std::move(surface), {}, nullptr}, nullptr, nullptr};
+  return new palpate_model({std::move(surface), {}, nullptr});
 }
 
 const SphericalHarmonicModel* StarOf(const palpate_model& model)
 {
   return std::get_if<SphericalHarmonicModel>(&model.Document.Surface);
+}
+
+bool IsDegree(int degree, palpate_error* error)
+{
+  const bool isDegree = degree >= 0 && degree <= ModelConvention::MaximumDegree;
+  if (!isDegree)
+  {
+    SetError(error, "a model's degree is from 0 to 1,000");
+  }
+  return isDegree;
 }
 
 bool IsFinite(const std::vector<double>& numbers)
@@ -67,6 +79,19 @@ void PlaceAt(const SurfaceModel& surface, const Vector3& direction, double* poin
   place(parametric.Point(direction), parametric.Normal(direction));
 }
 
+void PrepareSearch(palpate_model& model)
+{
+  if (const SphericalHarmonicModel* star = StarOf(model))
+  {
+    model.StarSearch = std::make_unique<const ClosestPointSearch>(
+        std::make_shared<const SphericalHarmonicModel>(*star));
+    return;
+  }
+  model.ParametricSearch = std::make_unique<const ClosestPointSearchOf<ParametricShape>>(
+      std::make_shared<const ParametricShape>(
+          std::get<ParametricSphericalSurface>(model.Document.Surface)));
+}
+
 template <typename Search>
 int Nearest(const Search& search, const Vector3& query, double point[3], double normal[3],
             double* distance, palpate_error* error)
@@ -94,14 +119,39 @@ palpate_model* palpate_model_create(int degree, const double* coefficients, cons
       error,
       [&]() -> palpate_model*
       {
-        if (degree < 0 || degree > ModelConvention::MaximumDegree)
+        if (!IsDegree(degree, error))
         {
-          SetError(error, "a model's degree is from 0 to 1,000");
           return nullptr;
         }
         const std::size_t count = SphericalHarmonicBasis(degree).Size();
         return StarShaped(degree, {coefficients, coefficients + count}, VectorOf(center), error);
       });
+}
+
+palpate_model* palpate_model_create_parametric(int degree, const double* coefficients,
+                                               palpate_error* error)
+{
+  return Guarded(error,
+                 [&]() -> palpate_model*
+                 {
+                   if (!IsDegree(degree, error))
+                   {
+                     return nullptr;
+                   }
+                   const std::size_t count = SphericalHarmonicBasis(degree).Size();
+                   std::array<std::vector<double>, 3> values;
+                   for (std::vector<double>& coordinate : values)
+                   {
+                     coordinate.assign(coefficients, coefficients + count);
+                     coefficients += count;
+                     if (!IsFinite(coordinate))
+                     {
+                       SetError(error, "a coefficient is not finite");
+                       return nullptr;
+                     }
+                   }
+                   return HandleOf(ParametricSphericalSurface(degree, values));
+                 });
 }
 
 palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
@@ -130,7 +180,7 @@ palpate_model* palpate_model_fit(const double* points, size_t count, const doubl
 
 palpate_model* palpate_model_read(const char* path, palpate_error* error)
 {
-  return Guarded(error, [&] { return new palpate_model{ReadModel(path), nullptr, nullptr}; });
+  return Guarded(error, [&] { return new palpate_model(ReadModel(path)); });
 }
 
 int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error)
@@ -203,8 +253,15 @@ int palpate_model_point(const palpate_model* model, const double direction[3], d
   return 1;
 }
 
-int palpate_model_measure(const palpate_model* model, double* volume, double* area,
-                          palpate_error* error)
+int palpate_model_evaluate(const palpate_model* model, const double* directions, size_t count,
+                           const palpate_evaluation* results, palpate_error* error)
+{
+  return Guarded(
+      error, [&]
+      { return Told(EvaluateModel(model->Document.Surface, directions, count, *results), error); });
+}
+
+int palpate_model_body(const palpate_model* model, palpate_body* body, palpate_error* error)
 {
   return Guarded(error,
                  [&]
@@ -217,12 +274,42 @@ int palpate_model_measure(const palpate_model* model, double* volume, double* ar
                          {
                            return 0;
                          }
-                         *volume = moments.Volume;
-                         *area = AreaOf(surface);
+                         body->volume = moments.Volume;
+                         body->area = AreaOf(surface);
+                         Copy(moments.CentroidWorld, body->centroid);
+                         Copy(moments.SemiAxes, body->semi_axes);
+                         for (int axis = 0; axis < 3; ++axis)
+                         {
+                           Copy(moments.PrincipalAxes.col(axis), body->axes + 3 * axis);
+                         }
                          return 1;
                        },
                        model->Document.Surface);
                  });
+}
+
+int palpate_model_spectrum(const palpate_model* model, double* spectrum, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   const std::vector<double> powers = PowerSpectrumOf(model->Document.Surface);
+                   std::copy(powers.begin(), powers.end(), spectrum);
+                   return 1;
+                 });
+}
+
+int palpate_model_measure(const palpate_model* model, double* volume, double* area,
+                          palpate_error* error)
+{
+  palpate_body body;
+  const int isMeasured = palpate_model_body(model, &body, error);
+  if (isMeasured != 0)
+  {
+    *volume = body.volume;
+    *area = body.area;
+  }
+  return isMeasured;
 }
 
 int palpate_model_nearest(palpate_model* model, const double query[3], double point[3],
@@ -231,24 +318,12 @@ int palpate_model_nearest(palpate_model* model, const double query[3], double po
   return Guarded(error,
                  [&]
                  {
+                   std::call_once(model->HasSearch, [&] { PrepareSearch(*model); });
                    const Vector3 from = VectorOf(query);
-                   if (const SphericalHarmonicModel* star = StarOf(*model))
-                   {
-                     if (model->StarSearch == nullptr)
-                     {
-                       model->StarSearch = std::make_unique<const ClosestPointSearch>(
-                           std::make_shared<const SphericalHarmonicModel>(*star));
-                     }
-                     return Nearest(*model->StarSearch, from, point, normal, distance, error);
-                   }
-                   if (model->ParametricSearch == nullptr)
-                   {
-                     model->ParametricSearch =
-                         std::make_unique<const ClosestPointSearchOf<ParametricShape>>(
-                             std::make_shared<const ParametricShape>(
-                                 std::get<ParametricSphericalSurface>(model->Document.Surface)));
-                   }
-                   return Nearest(*model->ParametricSearch, from, point, normal, distance, error);
+                   return model->StarSearch != nullptr
+                              ? Nearest(*model->StarSearch, from, point, normal, distance, error)
+                              : Nearest(*model->ParametricSearch, from, point, normal, distance,
+                                        error);
                  });
 }
 

@@ -5,12 +5,17 @@
 #include "ParametricShape.h"
 
 #include <memory>
+#include <mutex>
+#include <utility>
 
 /// A model of the C interface: the document that its file has, and the search that its first query
 /// makes.
 struct palpate_model
 {
+  explicit palpate_model(palpate::ModelDocument document) : Document(std::move(document)) {}
+
   palpate::ModelDocument Document;
+  std::once_flag HasSearch;
   std::unique_ptr<const palpate::ClosestPointSearch> StarSearch;
   std::unique_ptr<const palpate::ClosestPointSearchOf<palpate::ParametricShape>> ParametricSearch;
 };

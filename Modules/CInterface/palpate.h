@@ -47,6 +47,9 @@ extern "C"
    * at l (l + 1) + m. */
   palpate_model* palpate_model_create(int degree, const double* coefficients,
                                       const double center[3], palpate_error* error);
+  /* Parametric, of 3 (degree + 1)^2 coefficients: those of x, then y, then z. */
+  palpate_model* palpate_model_create_parametric(int degree, const double* coefficients,
+                                                 palpate_error* error);
   /* Star-shaped, fitted by least squares to `count` points of a surface (x, y, z of each). */
   palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
                                    int degree, palpate_error* error);
@@ -68,11 +71,42 @@ extern "C"
    * length. The unit normal points outwards. */
   int palpate_model_point(const palpate_model* model, const double direction[3], double point[3],
                           double normal[3], palpate_error* error);
+
+  /* Where evaluations go: arrays of the caller with an entry for each direction; vectors are three
+   * numbers. NULL leaves one out. */
+  typedef struct palpate_evaluation
+  {
+    double* points;               /* mm */
+    double* normals;              /* unit, outwards */
+    double* radii;                /* mm; of star-shaped models */
+    double* gradients;            /* of the radius over the unit sphere, mm/rad; likewise */
+    double* mean_curvatures;      /* 1/mm; a sphere's are positive */
+    double* gaussian_curvatures;  /* 1/mm^2 */
+    double* principal_curvatures; /* two numbers, the larger first, 1/mm */
+    double* principal_directions; /* two unit tangents, in the same order */
+  } palpate_evaluation;
+  /* palpate_model_point for `count` directions (x, y, z of each) at once. */
+  int palpate_model_evaluate(const palpate_model* model, const double* directions, size_t count,
+                             const palpate_evaluation* results, palpate_error* error);
+
+  typedef struct palpate_body
+  {
+    double volume; /* mm^3 */
+    double area;   /* mm^2 */
+    double centroid[3];
+    double semi_axes[3]; /* mm, the longest first: of the ellipsoid with the same volume and, up to
+                          * a factor, the same second moments */
+    double axes[9];      /* row i: the unit vector of semi-axis i */
+  } palpate_body;
+  int palpate_model_body(const palpate_model* model, palpate_body* body, palpate_error* error);
+  /* The power of each degree (sum of its squared coefficients, mm^2): degree + 1 numbers. */
+  int palpate_model_spectrum(const palpate_model* model, double* spectrum, palpate_error* error);
   /* mm^3 and mm^2. */
   int palpate_model_measure(const palpate_model* model, double* volume, double* area,
                             palpate_error* error);
   /* The surface's point nearest to `query`, and the distance from there, negative inside. A model's
-   * first call prepares the search, which may take seconds for a parametric one. */
+   * first call prepares the search, which may take seconds for a parametric one. Several threads
+   * may call it at once. */
   int palpate_model_nearest(palpate_model* model, const double query[3], double point[3],
                             double normal[3], double* distance, palpate_error* error);
   /* A closed mesh: 10 frequency^2 + 2 points and their normals (x, y, z of each; normals may be

@@ -64,6 +64,8 @@ TEST(CInterface, FunctionsAreThoseOfItsVersion)
 TEST(CInterface, StructuresHaveTheSizesOfItsVersion)
 {
   EXPECT_EQ(sizeof(palpate_error), 512U);
+  EXPECT_EQ(sizeof(palpate_evaluation), 64U);
+  EXPECT_EQ(sizeof(palpate_body), 136U);
   EXPECT_EQ(sizeof(palpate_law), 32U);
   EXPECT_EQ(sizeof(palpate_contact), 88U);
   EXPECT_EQ(sizeof(palpate_state), 136U);

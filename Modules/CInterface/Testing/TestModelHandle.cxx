@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -155,6 +156,32 @@ TEST(ModelHandle, NearestPointIsThatOfASphere)
     EXPECT_EQ(
         palpate_model_nearest(model, nowhere, point.data(), normal.data(), &distance, nullptr), 0);
   }
+}
+
+// An ellipsoid, whose coordinates are harmonics of degree 1.
+TEST(ModelHandle, BodyIsThatOfAnEllipsoid)
+{
+  const double unit = std::sqrt(4.0 * M_PI / 3.0);
+  // x, y, z of each: constants, then the harmonics along y, z and x.
+  const double coefficients[12] = {0.0, 0.0, 0.0, 9.0 * unit, 0.0,        15.0 * unit,
+                                   0.0, 0.0, 0.0, 0.0,        6.0 * unit, 0.0};
+  palpate_error error{};
+  const Owned<palpate_model> model(palpate_model_create_parametric(1, coefficients, &error));
+  ASSERT_NE(model, nullptr) << error.text;
+  palpate_body body;
+  ASSERT_EQ(palpate_model_body(model.get(), &body, &error), 1) << error.text;
+  EXPECT_NEAR(body.volume, 4.0 / 3.0 * M_PI * 15.0 * 9.0 * 6.0, 1e-8);
+  const double semiAxes[3] = {15.0, 9.0, 6.0};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(body.semi_axes[axis], semiAxes[axis], 1e-9);
+    EXPECT_NEAR(body.centroid[axis], 0.0, 1e-9);
+  }
+  EXPECT_NEAR(std::abs(body.axes[1]), 1.0, 1e-9) << "the longest is y";
+  double powers[2];
+  ASSERT_EQ(palpate_model_spectrum(model.get(), powers, &error), 1) << error.text;
+  EXPECT_NEAR(powers[0], 0.0, 1e-12);
+  EXPECT_NEAR(powers[1], unit * unit * (225.0 + 81.0 + 36.0), 1e-9);
 }
 
 TEST(ModelHandle, MeshIsClosedAndHasTheVolume)
