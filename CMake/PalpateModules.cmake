@@ -1,6 +1,6 @@
 # The modules without VTK, ITK and Qt, each after those that it uses.
 set(PALPATE_KERNEL_MODULES
-  Core Numerics Field Realtime Elasticity Files Haptics HapticDevices CInterface)
+  Core Numerics Field Realtime Elasticity Modelling Files Haptics HapticDevices CInterface)
 
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 

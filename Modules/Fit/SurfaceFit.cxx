@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "FitDeviation.h"
 #include "IcosahedronDirections.h"
+#include "ImageIndexToWorld.h"
 #include "KernelWatch.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"

@@ -1,6 +1,6 @@
 #include "MaskOverlap.h"
 
-#include "IndexToWorld.h"
+#include "ImageIndexToWorld.h"
 #include "LabelMask.h"
 
 #include "vtkImageData.h"

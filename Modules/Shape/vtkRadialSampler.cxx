@@ -2,6 +2,7 @@
 
 #include "DirectionCaster.h"
 #include "MeshConversion.h"
+#include "RadialSampling.h"
 #include "StarShape.h"
 
 #include "vtkDoubleArray.h"
@@ -46,17 +47,6 @@ Vector3 ChooseCenter(const palpate::IndexedMesh& mesh, int mode, const double* g
   default:
     return palpate::VolumeCentroid(mesh);
   }
-}
-
-// Cosine of the angle between a ray and a triangle's normal. Never zero, since a sample on a
-// surface seen edge-on still locates the surface.
-double Incidence(const palpate::IndexedMesh& mesh, int triangle, const Vector3& direction)
-{
-  const std::array<int, 3>& ids = mesh.Triangles[static_cast<std::size_t>(triangle)];
-  const Vector3& a = mesh.Points[static_cast<std::size_t>(ids[0])];
-  const Vector3 normal = (mesh.Points[static_cast<std::size_t>(ids[1])] - a)
-                             .cross(mesh.Points[static_cast<std::size_t>(ids[2])] - a);
-  return std::max(0.05, std::abs(normal.normalized().dot(direction)));
 }
 
 // The output arrays of the samples, one entry per direction.
@@ -150,10 +140,8 @@ int vtkRadialSampler::RequestData(vtkInformation*, vtkInformationVector** inputs
     samples.Crossings->SetValue(id, static_cast<int>(list.size()));
     samples.Valid->SetValue(id, list.empty() ? 0 : 1);
     samples.SolidAngle->SetValue(id, angle);
-    samples.AreaWeight->SetValue(id, list.empty()
-                                         ? 0.0
-                                         : angle * radius * radius *
-                                               Incidence(mesh, crossing.Triangle, directions[i]));
+    samples.AreaWeight->SetValue(
+        id, list.empty() ? 0.0 : palpate::AreaWeightOf(mesh, crossing, directions[i], angle));
     samples.Points->SetPoint(id, Vector3(center + radius * directions[i]).data());
   }
   this->MultiplePercent = 100.0 * multiple / total;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -80,6 +81,44 @@ TEST(ModelHandle, FitRestoresTheCoefficients)
   }
   EXPECT_EQ(palpate_model_fit(points.data(), 3, model.CenterWorld().data(), 8, &error), nullptr);
   EXPECT_NE(std::strlen(error.text), 0U);
+}
+
+// A box of 20 x 24 x 16 mm in voxels of 1, 1.5 and 2 mm, along y, z and x of the world.
+TEST(ModelHandle, FitToAMaskHasItsBody)
+{
+  const int size[3] = {30, 24, 12};
+  std::vector<uint8_t> inside(30 * 24 * 12, 0);
+  for (std::size_t k = 2; k < 10; ++k)
+  {
+    for (std::size_t j = 4; j < 20; ++j)
+    {
+      std::fill_n(inside.begin() + static_cast<std::ptrdiff_t>((k * 24 + j) * 30 + 5), 20, 255);
+    }
+  }
+  const double origin[3] = {100.0, 200.0, 300.0};
+  const double spacing[3] = {1.0, 1.5, 2.0};
+  const double axes[9] = {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0};
+  palpate_error error{};
+  for (const int isStarShaped : {0, 1})
+  {
+    const Owned<palpate_model> model(palpate_model_fit_mask(inside.data(), size, origin, spacing,
+                                                            axes, 16, isStarShaped, &error));
+    ASSERT_NE(model, nullptr) << error.text;
+    EXPECT_EQ(palpate_model_is_star_shaped(model.get()), isStarShaped);
+    palpate_body body;
+    ASSERT_EQ(palpate_model_body(model.get(), &body, &error), 1) << error.text;
+    EXPECT_NEAR(body.volume / (20.0 * 24.0 * 16.0), 1.0, 0.02) << "corners are round";
+    EXPECT_NEAR(body.centroid[0], 100.0 + 11.0, 0.2);
+    EXPECT_NEAR(body.centroid[1], 200.0 + 14.5, 0.2);
+    EXPECT_NEAR(body.centroid[2], 300.0 + 17.25, 0.2);
+  }
+  const double skewed[9] = {0.0, 1.0, 0.0, 0.0, 0.6, 0.8, 1.0, 0.0, 0.0};
+  EXPECT_EQ(palpate_model_fit_mask(inside.data(), size, origin, spacing, skewed, 16, 0, &error),
+            nullptr);
+  inside.assign(inside.size(), 0);
+  EXPECT_EQ(palpate_model_fit_mask(inside.data(), size, origin, spacing, axes, 16, 0, &error),
+            nullptr);
+  EXPECT_STREQ(error.text, "the mask has no voxels");
 }
 
 // SPHARM-PDM's format has parametric surfaces only: the other kind of model.

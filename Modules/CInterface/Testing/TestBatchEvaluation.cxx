@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-namespace palpate::model_evaluation_test
+namespace palpate::batch_evaluation_test
 {
 namespace
 {
@@ -87,7 +87,7 @@ void ExpectCurvature(const SurfaceCurvature& wanted, const Results& results, std
   }
 }
 
-TEST(ModelEvaluation, BatchesHaveTheResultsOfSinglePoints)
+TEST(BatchEvaluation, BatchesHaveTheResultsOfSinglePoints)
 {
   const SphericalHarmonicModel model = Bumpy();
   const ParametricSphericalSurface surface = ParametricSphericalSurface::FromModel(model);
@@ -113,7 +113,7 @@ TEST(ModelEvaluation, BatchesHaveTheResultsOfSinglePoints)
   }
 }
 
-TEST(ModelEvaluation, ResultsThatAreNullAreLeftOut)
+TEST(BatchEvaluation, ResultsThatAreNullAreLeftOut)
 {
   const auto star = StarHandle(Bumpy());
   const double direction[3] = {0.0, 0.0, 3.0};
@@ -124,7 +124,7 @@ TEST(ModelEvaluation, ResultsThatAreNullAreLeftOut)
   EXPECT_NEAR(radius, Bumpy().Radius(Vector3::UnitZ()), 1e-12);
 }
 
-TEST(ModelEvaluation, RefusesDirectionsThatAreZeroAndRadiiOfParametricModels)
+TEST(BatchEvaluation, RefusesDirectionsThatAreZeroAndRadiiOfParametricModels)
 {
   const auto parametric = ParametricHandle(ParametricSphericalSurface::FromModel(Bumpy()));
   const double directions[6] = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
@@ -139,4 +139,4 @@ TEST(ModelEvaluation, RefusesDirectionsThatAreZeroAndRadiiOfParametricModels)
   EXPECT_EQ(radii[0], -1.0) << "outputs are left alone";
 }
 } // namespace
-} // namespace palpate::model_evaluation_test
+} // namespace palpate::batch_evaluation_test

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "PalpateShapeModule.h"
 #include "RunComponents.h"
 #include "VoxelMask.h"
 
@@ -10,7 +9,7 @@ namespace palpate
 {
 /// Connected components of a mask: voxels that share a face are connected, as are the surfaces
 /// around them.
-class PALPATESHAPE_EXPORT MaskComponents
+class MaskComponents
 {
 public:
   explicit MaskComponents(const VoxelMask& mask);
@@ -35,5 +34,5 @@ struct MaskCavities
   long long Voxels = 0;
 };
 
-PALPATESHAPE_EXPORT MaskCavities FillCavities(VoxelMask& mask);
+MaskCavities FillCavities(VoxelMask& mask);
 } // namespace palpate

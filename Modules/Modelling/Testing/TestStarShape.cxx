@@ -1,7 +1,6 @@
 #include "StarShape.h"
 
-#include "Bodies.h"
-#include "MeshConversion.h"
+#include "MeshShapes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -42,7 +41,7 @@ IndexedMesh LShape()
 
 TEST(StarShape, SphereIsStarShapedFromInside)
 {
-  const IndexedMesh sphere = palpate::ToIndexedMesh(palpate::test::MakeSphere(10.0, {1, 2, 3}, 16));
+  const IndexedMesh sphere = test::Sphere(16, 10.0, {1, 2, 3});
   for (const Vector3& center : {Vector3(1, 2, 3), Vector3(8, 2, 3), Vector3(1, 2, -6)})
   {
     const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(sphere, center);
@@ -53,7 +52,7 @@ TEST(StarShape, SphereIsStarShapedFromInside)
 
 TEST(StarShape, SphereHidesFarSideFromOutside)
 {
-  const IndexedMesh sphere = palpate::ToIndexedMesh(palpate::test::MakeSphere(10.0, {0, 0, 0}, 30));
+  const IndexedMesh sphere = test::Sphere(30, 10.0, {0, 0, 0});
   // Seen from 20 mm, faces that face the centre count as hidden (they face away from inside): the
   // near cap, (1 - 10 / 20) / 2 of the area; the rest all lies behind that cap.
   const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(sphere, Vector3(20, 0, 0));
@@ -83,8 +82,7 @@ TEST(StarShape, MostVisibleCentreOfLShapeIsItsCorner)
 
 TEST(StarShape, CentroidOfSphereIsItsCentre)
 {
-  const IndexedMesh sphere =
-      palpate::ToIndexedMesh(palpate::test::MakeSphere(10.0, {100, -50, 7}, 10));
+  const IndexedMesh sphere = test::Sphere(10, 10.0, {100, -50, 7});
   EXPECT_LT((palpate::VolumeCentroid(sphere) - Vector3(100, -50, 7)).norm(), 1e-10);
 }
 } // namespace

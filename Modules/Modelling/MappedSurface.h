@@ -4,7 +4,6 @@
 #include "IndexToWorld.h"
 #include "IndexedMesh.h"
 #include "KernelProgress.h"
-#include "PalpateShapeModule.h"
 #include "SphereMapQuality.h"
 #include "Status.h"
 #include "Vector3.h"
@@ -33,12 +32,15 @@ struct MappedSurfaceSettings
   int Triangles = 10'000;
 };
 
+/// Moves a mesh from mm along a mask's axes, from the centre of its box's first voxel, to world mm,
+/// where triangles still face outwards.
+void MoveToWorld(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh& mesh);
+
 /// Makes the surface of a mask (MakeGenusZeroSurface), coarsens it (DecimateMesh) and maps it to
 /// the sphere (ParametriseOnSphere). Fails as those do, and beyond the limits of CheckSphereMap;
 /// messages are predicates of the structure or sentences of their own. However much had to be
 /// changed: CheckTopology judges that, also of a surface that has no map.
-PALPATESHAPE_EXPORT Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
-                                             const MappedSurfaceSettings& settings,
-                                             const KernelProgress& progress,
-                                             MappedSurface& surface);
+Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
+                         const MappedSurfaceSettings& settings, const KernelProgress& progress,
+                         MappedSurface& surface);
 } // namespace palpate

@@ -1,4 +1,4 @@
-#include "ModelEvaluation.h"
+#include "BatchEvaluation.h"
 
 #include "SurfaceCurvature.h"
 

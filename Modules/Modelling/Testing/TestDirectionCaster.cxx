@@ -1,7 +1,6 @@
 #include "DirectionCaster.h"
 
-#include "Bodies.h"
-#include "MeshConversion.h"
+#include "MeshShapes.h"
 #include "RandomShapes.h"
 
 #include <Eigen/Dense>
@@ -11,11 +10,6 @@ namespace palpate::direction_caster_test
 {
 namespace
 {
-
-IndexedMesh Sphere(double radius, const Vector3& center, int frequency)
-{
-  return palpate::ToIndexedMesh(palpate::test::MakeSphere(radius, center, frequency));
-}
 
 // Solves center + distance d = a + u (b - a) + v (c - a) for every triangle.
 std::vector<double> CrossingsByElimination(const IndexedMesh& mesh, const Vector3& center,
@@ -44,10 +38,12 @@ std::vector<double> CrossingsByElimination(const IndexedMesh& mesh, const Vector
 IndexedMesh DentedBody(palpate::test::Random& random, int frequency)
 {
   const Vector3 axis = palpate::test::RandomDirection(random);
-  return palpate::ToIndexedMesh(
-      palpate::test::MakeBody(frequency,
-                              [&axis](const Vector3& u) -> Vector3
-                              { return (10.0 + 6.0 * std::sin(8.0 * axis.dot(u))) * u; }));
+  IndexedMesh mesh = test::Sphere(frequency);
+  for (Vector3& u : mesh.Points)
+  {
+    u *= 10.0 + 6.0 * std::sin(8.0 * axis.dot(u));
+  }
+  return mesh;
 }
 
 TEST(DirectionCaster, AgreesWithEliminationFromInsideAndOutside)
@@ -75,7 +71,7 @@ TEST(DirectionCaster, AgreesWithEliminationFromInsideAndOutside)
 
 TEST(DirectionCaster, RaysThroughVerticesCrossOnce)
 {
-  const IndexedMesh mesh = Sphere(5.0, Vector3::Zero(), 12);
+  const IndexedMesh mesh = test::Sphere(12, 5.0);
   std::vector<Vector3> directions;
   for (const auto& t : mesh.Triangles)
   {
@@ -116,7 +112,7 @@ TEST(DirectionCaster, FindsTrianglesThatFillHalfTheSphere)
 TEST(DirectionCaster, CountsNearerTrianglesExceptTheOwn)
 {
   // Two spheres in a row, seen from the origin.
-  IndexedMesh mesh = Sphere(1.0, Vector3(5.0, 0.0, 0.0), 6);
+  IndexedMesh mesh = test::Sphere(6, 1.0, {5.0, 0.0, 0.0});
   const auto own = static_cast<int>(mesh.Triangles.size());
   mesh.Points.insert(mesh.Points.end(), {{20, -1, -1}, {20, 1, -1}, {20, 0, 1}});
   const auto last = static_cast<int>(mesh.Points.size());

@@ -37,21 +37,6 @@ struct MaskToWorld
   }
 };
 
-void MoveMesh(const MaskToWorld& toWorld, IndexedMesh& mesh)
-{
-  for (Vector3& point : mesh.Points)
-  {
-    point = toWorld(point);
-  }
-  if (toWorld.ToWorld.Axes.determinant() < 0.0)
-  {
-    for (std::array<int, 3>& triangle : mesh.Triangles)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
-  }
-}
-
 void MoveReports(const MaskToWorld& toWorld, MappedSurface& surface)
 {
   TopologyReport& report = surface.Topology;
@@ -66,6 +51,22 @@ void MoveReports(const MaskToWorld& toWorld, MappedSurface& surface)
   }
 }
 } // namespace
+
+void MoveToWorld(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh& mesh)
+{
+  const MaskToWorld place{mask, toWorld};
+  for (Vector3& point : mesh.Points)
+  {
+    point = place(point);
+  }
+  if (toWorld.Axes.determinant() < 0.0)
+  {
+    for (std::array<int, 3>& triangle : mesh.Triangles)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+}
 
 Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
                          const MappedSurfaceSettings& settings, const KernelProgress& progress,
@@ -88,9 +89,8 @@ Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
   mapped.Lost = std::move(made.Lost);
   mapped.RestoredVolume = made.RestoredVolume;
   mapped.MaskVolume = made.MaskVolume;
-  const MaskToWorld place{mask, toWorld};
-  MoveMesh(place, mapped.Mesh);
-  MoveReports(place, mapped);
+  MoveToWorld(mask, toWorld, mapped.Mesh);
+  MoveReports({mask, toWorld}, mapped);
   SphericalParametrisation map;
   status = ParametriseOnSphere(mapped.Mesh, PartOf(progress, 0.7, 1.0), map);
   if (status.IsOk())

@@ -1,4 +1,4 @@
-#include "IndexToWorld.h"
+#include "ImageIndexToWorld.h"
 
 #include "vtkImageData.h"
 

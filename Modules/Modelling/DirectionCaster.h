@@ -1,7 +1,6 @@
 #pragma once
 
 #include "IndexedMesh.h"
-#include "PalpateShapeModule.h"
 
 #include <vector>
 
@@ -20,7 +19,7 @@ struct RayCrossing
 /// Crossings are counted exactly once: triangles that share an edge use the same numbers for it,
 /// and rays are rotated by 1e-11 rad about a fixed oblique axis, so that rays aimed at the vertices
 /// or edges of a symmetric mesh hit exactly one side.
-class PALPATESHAPE_EXPORT DirectionCaster
+class DirectionCaster
 {
 public:
   /// `directions` are unit vectors.

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "PalpateShapeModule.h"
 #include "Vector3.h"
-
-class vtkImageData;
 
 namespace palpate
 {
@@ -15,7 +12,4 @@ struct IndexToWorld
 
   Vector3 operator()(const Vector3& index) const { return this->Origin + this->Axes * index; }
 };
-
-/// Index (0, 0, 0) is the image's first voxel, whatever its extent.
-PALPATESHAPE_EXPORT IndexToWorld IndexToWorldOf(vtkImageData* image);
 } // namespace palpate

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "IndexToWorld.h"
+#include "Status.h"
+#include "SurfaceModel.h"
+#include "VoxelMask.h"
+
+namespace palpate
+{
+struct MaskModelSettings
+{
+  int Degree = 20;
+  bool IsStarShaped = false; ///< a radius around the volume's centroid, else three coordinates
+  /// Star-shaped models of which more of the surface is hidden from the centre are refused.
+  double MaximumHiddenPercent = 10.0;
+};
+
+/// Fits a model to the largest part of a mask: a closed surface without handles in world mm, then
+/// the parametric surface of MakeMappedSurface, or radii along 4,002 directions. Fails as those do,
+/// for a mask without voxels, beyond the limits of CheckTopology, and where too much is hidden.
+Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSettings& settings,
+               SurfaceModel& model);
+} // namespace palpate
