@@ -26,6 +26,12 @@ if(PALPATE_SANITIZERS)
   add_link_options(-fsanitize=${PALPATE_SANITIZERS})
 endif()
 
+function(palpate_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor
+    -Woverloaded-virtual -Wno-unused-parameter
+    $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
 # Warnings for one of our targets; a library with an undefined symbol fails at link time, not at load
 # time. No code reads errno after a square root, and no code interposes library functions: both would
 # prevent inlining. Neither changes a result.
@@ -34,7 +40,6 @@ function(palpate_compile_settings target)
   if(NOT (PALPATE_SANITIZERS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
     target_link_options(${target} PRIVATE -Wl,--no-undefined)
   endif()
-  target_compile_options(${target} PRIVATE -fno-math-errno -fno-semantic-interposition -Wall -Wextra -Wshadow -Wnon-virtual-dtor
-    -Woverloaded-virtual -Wno-unused-parameter
-    $<$<BOOL:${PALPATE_WARNINGS_AS_ERRORS}>:-Werror>)
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-semantic-interposition)
+  palpate_warnings(${target})
 endfunction()

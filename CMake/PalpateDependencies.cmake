@@ -19,6 +19,23 @@ if(NOT OpenIGTLink_FOUND)
   message(STATUS "OpenIGTLink (libopenigtlink-dev) was not found: there will be no device of that name")
 endif()
 
+# Without pybind11 everything is built except the Python package.
+set(PALPATE_HAS_PYTHON OFF)
+if(PALPATE_WRAP_PYTHON)
+  if(PALPATE_USE_VTK)
+    # Debian's VTK package is built for the system's interpreter, whatever else is on the PATH.
+    set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "")
+  endif()
+  find_package(Python3 3.9 COMPONENTS Interpreter Development.Module)
+  set(PYBIND11_FINDPYTHON ON)
+  find_package(pybind11 2.10 CONFIG QUIET)
+  if(Python3_FOUND AND pybind11_FOUND)
+    set(PALPATE_HAS_PYTHON ON)
+  else()
+    message(STATUS "The Python package is left out: it needs pybind11-dev and python3-dev")
+  endif()
+endif()
+
 set(PALPATE_HAS_QT OFF)
 if(NOT PALPATE_USE_VTK)
   return()
@@ -34,10 +51,8 @@ set(PALPATE_VTK_COMPONENTS
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingVolume RenderingVolumeOpenGL2)
 set(palpate_vtk_build_components IOLegacy TestingCore TestingRendering RenderingImage)
-if(PALPATE_WRAP_PYTHON)
+if(PALPATE_HAS_PYTHON)
   list(APPEND palpate_vtk_build_components WrappingPythonCore CommonPython WrappingTools Python)
-  # Debian's VTK package is built for the system's interpreter, whatever else is on the PATH.
-  set(Python3_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "")
 endif()
 if(PALPATE_BUILD_VIEWER)
   find_package(Qt5 5.15 QUIET COMPONENTS Widgets)

@@ -7,6 +7,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkTable
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
 
+import palpate
 from palpate import vtkElasticSurface, vtkSegmentationSurface
 
 SPACING = numpy.array([1.0, 1.5, 3.0])  # mm
@@ -32,6 +33,19 @@ def ellipsoid(center, axes, label):
     grid = numpy.indices(SHAPE)
     distance = sum(((grid[n] - center[n]) / axes[n]) ** 2 for n in range(3))
     return numpy.where(distance <= 1.0, label, 0).astype(numpy.uint8)
+
+
+class Package(unittest.TestCase):
+    def test_star_import_has_filters_and_arrays(self):
+        names = {}
+        exec("from palpate import *", names)
+        self.assertIn("vtkSegmentationSurface", names)
+        self.assertIn("fit_mask", names)
+        self.assertNotIn("importlib", names)
+
+    def test_unknown_filter_is_no_attribute(self):
+        self.assertFalse(hasattr(palpate, "vtkSegmentationSurfac"))
+        self.assertIn("vtkSegmentationSurface", dir(palpate))
 
 
 class SegmentationSurface(unittest.TestCase):

@@ -1,0 +1,21 @@
+#include "Call.h"
+#include "FieldBinding.h"
+#include "ModelBinding.h"
+#include "SceneBinding.h"
+#include "SessionBinding.h"
+
+#include "palpate.h"
+
+#include <pybind11/pybind11.h>
+
+PYBIND11_MODULE(_kernels, module)
+{
+  module.doc() = "Palpate's interface for C over NumPy arrays; import palpate instead.";
+  pybind11::register_exception<palpate::CallError>(module, "Error", PyExc_RuntimeError).doc() =
+      "What Palpate refuses, as one sentence.";
+  module.attr("__version__") = palpate_version();
+  palpate::BindModels(module);
+  palpate::BindFields(module);
+  palpate::BindScenes(module);
+  palpate::BindSessions(module);
+}

@@ -1,0 +1,70 @@
+"""Palpate: organs as spherical harmonics, to fit, evaluate and touch, over NumPy arrays.
+
+Lengths are mm, forces N, in the patient's frame (LPS). Arrays of points are (n, 3) and of any real type; one point
+(3,) gives results without the leading dimension. What Palpate refuses raises Error, with one sentence; wrong shapes
+and types raise ValueError and TypeError.
+
+    import palpate
+    model = palpate.fit_mask(mask, degree=20, spacing=(0.5, 0.5, 3.0))
+    model.nearest(points).distances
+
+The VTK filters (names that begin with vtk) are loaded when one is first asked for; nothing else needs VTK.
+"""
+
+import importlib
+import pkgutil
+
+from ._kernels import Error as Error
+from ._kernels import Field as Field
+from ._kernels import Model as Model
+from ._kernels import Scene as Scene
+from ._kernels import Session as Session
+from ._kernels import Tracker as Tracker
+from ._kernels import __version__ as __version__
+from ._kernels import contact_dtype as contact_dtype
+from ._kernels import fit_mask as fit_mask
+from ._kernels import fit_points as fit_points
+from ._kernels import read_model as read_model
+from ._results import Curvature as Curvature
+from ._results import Measures as Measures
+from ._results import Mesh as Mesh
+from ._results import Nearest as Nearest
+from ._results import State as State
+
+_CORE = [name for name in globals() if not name.startswith("_") and name not in ("importlib", "pkgutil")]
+
+
+def _load_filters():
+    """Loads what VTK wraps into this module, and returns its names."""
+    modules = sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name.startswith("Palpate"))
+    if not modules:
+        raise ImportError("palpate's VTK filters are not installed (Debian: python3-palpate-vtk)")
+    loaded = {}
+    try:
+        for name in modules:
+            loaded[name] = importlib.import_module(f"{__name__}.{name}")
+            loaded.update((n, value) for n, value in vars(loaded[name]).items() if not n.startswith("_"))
+    except ImportError as error:
+        raise ImportError("palpate's VTK filters need VTK for this Python (Debian: python3-vtk9)") from error
+    globals().update(loaded)
+    return sorted(loaded)
+
+
+def _filter_names():
+    """As _load_filters; empty without VTK."""
+    try:
+        return _load_filters()
+    except ImportError:
+        return []
+
+
+def __getattr__(name):
+    if name == "__all__":
+        return _CORE + _filter_names()
+    if name.startswith(("vtk", "Palpate")) and name in _load_filters():
+        return globals()[name]
+    raise AttributeError(f"module 'palpate' has no attribute '{name}'")
+
+
+def __dir__():
+    return sorted({*globals(), *_filter_names()})
