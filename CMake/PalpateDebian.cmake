@@ -9,7 +9,7 @@ string(STRIP "${license}" license)
 set(license " ${license}")
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
-foreach(component runtime viewer development python)
+foreach(component kernels runtime viewer development python filters)
   string(TOUPPER ${component} upper)
   set(package "${CPACK_DEBIAN_${upper}_PACKAGE_NAME}")
   set(root "${CPACK_TEMPORARY_DIRECTORY}/${component}/usr")

@@ -74,7 +74,7 @@ function(palpate_add_kernel_module module)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
   target_link_libraries(${module} PUBLIC ${arg_LIBRARIES})
   install(TARGETS ${module} EXPORT PalpateKernels
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_COMPONENT development
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT kernels NAMELINK_COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpate
     COMPONENT development)

@@ -1,5 +1,5 @@
-# Packages by CPack, from the components runtime, viewer, development and python. Utilities/packages.sh
-# makes and checks them; CMake/PalpateDebian.cmake adds what Debian alone wants.
+# Packages by CPack, from the components kernels, runtime, viewer, development, python and filters.
+# Utilities/packages.sh makes and checks them; CMake/PalpateDebian.cmake adds what Debian alone wants.
 
 set(CPACK_PACKAGE_NAME palpate)
 set(CPACK_PACKAGE_CONTACT "The Palpate authors <palpate@lists.invalid>")
@@ -8,9 +8,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL runtime development)
-if(PALPATE_WRAP_PYTHON)
-  list(APPEND CPACK_COMPONENTS_ALL python)
+set(CPACK_COMPONENTS_ALL kernels runtime development)
+if(PALPATE_HAS_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python filters)
 endif()
 if(PALPATE_HAS_QT)
   list(APPEND CPACK_COMPONENTS_ALL viewer)
@@ -30,8 +30,13 @@ macro(palpate_debian_package component package section depends summary text)
   set(CPACK_DEBIAN_${component}_PACKAGE_DEPENDS "${depends}")
   set(CPACK_DEBIAN_${component}_DESCRIPTION "${summary}\n${text}")
 endmacro()
+set(kernels "libpalpate1 (= ${PROJECT_VERSION})")
 set(ours "palpate (= ${PROJECT_VERSION})")
-palpate_debian_package(RUNTIME palpate science ""
+palpate_debian_package(KERNELS libpalpate1 libs ""
+  "spherical-harmonic organ models - shared libraries without VTK"
+  "Spherical harmonics, fields of voxels, contact, forces and haptic devices, with
+an interface for C. The package palpate has the programs.")
+palpate_debian_package(RUNTIME palpate science "${kernels}"
   "spherical-harmonic organ models from segmentations"
   "Turns organs in segmented MR and CT volumes into compact surface models,
 measures how well they fit, draws them, and computes the forces of touching
@@ -46,15 +51,21 @@ palpate_debian_package(DEVELOPMENT libpalpate-dev libdevel
   "spherical-harmonic organ models - development files"
   "Headers and CMake package of Palpate's libraries: spherical harmonics,
 fields of voxels, contact and forces, and filters for VTK.")
-# The wrappers are compiled for one version of Python.
-if(PALPATE_WRAP_PYTHON)
+# The modules are compiled for one version of Python.
+if(PALPATE_HAS_PYTHON)
   math(EXPR next "${Python3_VERSION_MINOR} + 1")
   set(python "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next})")
 endif()
-palpate_debian_package(PYTHON python3-palpate python "${ours}, ${python}, python3-vtk9, python3-numpy"
+palpate_debian_package(PYTHON python3-palpate python "${kernels}, ${python}, python3-numpy"
   "spherical-harmonic organ models - Python 3"
-  "Palpate's VTK filters for Python 3.")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS libopenblas0-pthread)
+  "Fits, evaluates and touches organ models over NumPy arrays, without VTK.")
+palpate_debian_package(FILTERS python3-palpate-vtk python
+  "python3-palpate (= ${PROJECT_VERSION}), ${ours}, ${python}, python3-vtk9"
+  "spherical-harmonic organ models - VTK filters for Python 3"
+  "Palpate's VTK filters in the Python package palpate.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-palpate-vtk, python3-vtk9")
+set(CPACK_DEBIAN_KERNELS_PACKAGE_RECOMMENDS libopenblas0-pthread)
+set(CPACK_DEBIAN_KERNELS_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/Packaging/triggers")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "palpate-viewer, mricron-data")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/Packaging/triggers")
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)

@@ -79,7 +79,7 @@ def main():
     build, archive = sys.argv[1], pathlib.Path(sys.argv[2])
     folder = archive.parent / archive.name.removesuffix(".tar.gz")
     shutil.rmtree(folder, ignore_errors=True)
-    for component in ["runtime", "viewer"]:
+    for component in ["kernels", "runtime", "viewer"]:
         run("cmake", "--install", build, "--prefix", folder, "--component", component, "--strip")
     bundle(folder)
     add_licences(folder)

@@ -30,10 +30,18 @@ cp "$packages"/*.deb "$root/try"
 cp Utilities/demo.sh "$root/try/Utilities"
 cp -r Testing/Install/Consumer "$root/try/consumer"
 
-echo "== palpate, palpate-viewer, python3-palpate"
+echo "== python3-palpate, without VTK"
+mkdir "$root/try/examples"
+cp Documentation/Python/*.py "$root/try/examples"
 inside "apt-get update -qq
+  apt-get install -qq -y --no-install-recommends /try/libpalpate1_*.deb /try/python3-palpate_*.deb >/try/python.log 2>&1 ||
+    { tail -20 /try/python.log; exit 1; }
+  ! dpkg-query --show 'libvtk*' 'python3-vtk*' 2>/dev/null
+  cd /try/examples && for example in *.py; do python3 -B \$example; done"
+echo "== palpate, palpate-viewer, python3-palpate-vtk"
+inside "
   apt-get install -qq -y --no-install-recommends /try/palpate_*.deb /try/palpate-viewer_*.deb \
-    /try/python3-palpate_*.deb mricron-data xvfb xauth libgl1-mesa-dri >/try/install.log 2>&1 ||
+    /try/python3-palpate-vtk_*.deb mricron-data xvfb xauth libgl1-mesa-dri >/try/install.log 2>&1 ||
     { tail -20 /try/install.log; exit 1; }"
 echo "== The demonstration"
 inside "cd /try && Utilities/demo.sh /usr/bin"
@@ -51,6 +59,6 @@ inside "apt-get install -qq -y --no-install-recommends /try/libpalpate-dev_*.deb
   cmake --build /try/consumer-build >/try/build.log 2>&1 || { tail -20 /try/build.log; exit 1; }
   /try/consumer-build/consumer"
 echo "== Removal"
-inside "apt-get purge -qq -y palpate palpate-viewer python3-palpate libpalpate-dev >/dev/null 2>&1
-  ! ls /usr/bin/palpate* /usr/lib/libPalpate* 2>/dev/null"
+inside "apt-get purge -qq -y palpate palpate-viewer python3-palpate python3-palpate-vtk libpalpate-dev libpalpate1 >/dev/null 2>&1
+  ! ls /usr/bin/palpate* /usr/lib/libPalpate* /usr/lib/libpalpate* 2>/dev/null"
 echo "== Every package works in a clean Debian 12."

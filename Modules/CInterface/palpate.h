@@ -53,11 +53,11 @@ extern "C"
   /* Star-shaped, fitted by least squares to `count` points of a surface (x, y, z of each). */
   palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
                                    int degree, palpate_error* error);
-  /* Fitted to the largest part of a mask: size[0] size[1] size[2] bytes, i fastest, inside where
-   * not 0. Row i of `axes` is the unit vector of the grid's axis i. Parametric, or star-shaped
-   * around the volume's centroid, sampled along 4,002 directions. Refuses a part with a cavity or
-   * with handles of more than 2 % of its volume, and one that is not star-shaped where it has to
-   * be. */
+  /* Fitted to a mask: size[0] size[1] size[2] bytes, i fastest, inside where not 0. Row i of `axes`
+   * is the unit vector of the grid's axis i. Parametric, or star-shaped around the centroid,
+   * sampled along 4,002 directions. Small parts that are far from the largest are left out. Refuses
+   * masks with a cavity, with large parts far from each other, with handles of more than 2 % of the
+   * volume, and such as are not star-shaped where they have to be. */
   palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                                         const double origin[3], const double spacing[3],
                                         const double axes[9], int degree, int is_star_shaped,

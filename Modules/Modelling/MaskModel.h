@@ -15,9 +15,11 @@ struct MaskModelSettings
   double MaximumHiddenPercent = 10.0;
 };
 
-/// Fits a model to the largest part of a mask: a closed surface without handles in world mm, then
-/// the parametric surface of MakeMappedSurface, or radii along 4,002 directions. Fails as those do,
-/// for a mask without voxels, beyond the limits of CheckTopology, and where too much is hidden.
+/// Fits a model to a mask: a closed surface without handles in world mm, then the parametric
+/// surface of MakeMappedSurface, or radii along 4,002 directions. A parametric model takes in parts
+/// that are near the largest; others are left out, or refused where the largest alone has a Dice
+/// below 0.75. Fails as the steps do, for a mask without voxels, beyond the limits of
+/// CheckTopology, and where too much is hidden.
 Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSettings& settings,
                SurfaceModel& model);
 } // namespace palpate

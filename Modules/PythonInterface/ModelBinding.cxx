@@ -310,7 +310,8 @@ void BindModels(py::module_& module)
       py::arg("mask"), py::arg("degree") = 20, py::arg("kind") = "parametric", py::kw_only(),
       py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
       py::arg("direction") = py::none(), py::arg("affine") = py::none(),
-      "Fits a model to the largest part of a mask (i, j, k), inside where not 0.\n\n"
+      "Fits a model to a mask (i, j, k), inside where not 0. Small parts that are far from the "
+      "largest are left out.\n\n"
       "kind: 'parametric' for any shape, or 'star-shaped'.\n"
       "spacing: (3,), mm. origin: (3,), mm, of the centre of voxel 0, 0, 0. direction: (3, 3), "
       "whose columns are the axes.\n"
