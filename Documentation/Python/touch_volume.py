@@ -8,7 +8,7 @@ spacing, origin = (0.5, 0.5, 1.0), (-15.0, -15.0, -10.0)
 x, y, z = (o + s * n for o, s, n in zip(origin, spacing, numpy.indices((61, 61, 21))))
 values = 1000.0 - 300.0 * numpy.abs(numpy.hypot(x, y) - 8.0) / 2.0
 tube = palpate.Field(values.astype(numpy.float32), iso=700.0, spacing=spacing, origin=origin)
-print("in the wall, in the tube, outside:", tube.contains([[8.0, 0, 0], [0, 0, 0], [0, 12.0, 0]]))
+print("in the wall, in the tube, outside:", tube.contains([[8, 0, 0], [0, 0, 0], [0, 12, 0]]))
 
 scene = palpate.Scene(tool_radius=1.0)
 scene.add(tube, stiffness=0.5, static_friction=0.3, dynamic_friction=0.2)

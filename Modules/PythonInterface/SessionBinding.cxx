@@ -60,7 +60,7 @@ py::object ReadState(BoundSession& session)
   palpate_state state{};
   if (palpate_session_read(OpenSession(session), &state) == 0)
   {
-    return py::none();
+    throw CallError("the session shows no scene yet");
   }
   return Result("State", static_cast<double>(state.time) * 1e-9, state.tick,
                 Numbers(3, state.probe), Numbers(3, state.proxy), Numbers(3, state.force),
@@ -94,9 +94,7 @@ void BindSessions(py::module_& module)
       .def("show", &ShowScene, py::arg("scene"), py::arg("is_continuing") = false,
            "Renders a scene: forces fade in, or with `is_continuing` structures with the same id "
            "carry on.")
-      .def("read", &ReadState,
-           "The newest tick as a State, None before the first scene. Call it ten times a second or "
-           "more often.")
+      .def("read", &ReadState, "The newest tick. Call it ten times a second or more often.")
       .def_property_readonly("problem", &ProblemOf,
                              "Why forces are off and what to do; empty while they are on.")
       .def(

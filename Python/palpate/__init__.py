@@ -13,6 +13,7 @@ The VTK filters (names that begin with vtk) are loaded when one is first asked f
 
 import importlib
 import pkgutil
+from typing import Any
 
 from ._kernels import Error as Error
 from ._kernels import Field as Field
@@ -31,15 +32,16 @@ from ._results import Mesh as Mesh
 from ._results import Nearest as Nearest
 from ._results import State as State
 
-_CORE = [name for name in globals() if not name.startswith("_") and name not in ("importlib", "pkgutil")]
+_OTHERS = ("importlib", "pkgutil", "Any")
+_CORE = [name for name in globals() if not name.startswith("_") and name not in _OTHERS]
 
 
-def _load_filters():
+def _load_filters() -> list[str]:
     """Loads what VTK wraps into this module, and returns its names."""
     modules = sorted(module.name for module in pkgutil.iter_modules(__path__) if module.name.startswith("Palpate"))
     if not modules:
         raise ImportError("palpate's VTK filters are not installed (Debian: python3-palpate-vtk)")
-    loaded = {}
+    loaded: dict[str, Any] = {}
     try:
         for name in modules:
             loaded[name] = importlib.import_module(f"{__name__}.{name}")
@@ -50,21 +52,12 @@ def _load_filters():
     return sorted(loaded)
 
 
-def _filter_names():
-    """As _load_filters; empty without VTK."""
-    try:
-        return _load_filters()
-    except ImportError:
-        return []
-
-
-def __getattr__(name):
-    if name == "__all__":
-        return _CORE + _filter_names()
+def __getattr__(name: str) -> Any:
+    if name == "__all__":  # of a star import
+        try:
+            return _CORE + _load_filters()
+        except ImportError:
+            return _CORE
     if name.startswith(("vtk", "Palpate")) and name in _load_filters():
         return globals()[name]
     raise AttributeError(f"module 'palpate' has no attribute '{name}'")
-
-
-def __dir__():
-    return sorted({*globals(), *_filter_names()})

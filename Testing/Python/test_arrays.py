@@ -235,7 +235,8 @@ class Touch(unittest.TestCase):
         scene = palpate.Scene()
         scene.add(ball())
         with palpate.Session("simulated") as session:
-            self.assertIsNone(session.read())
+            with self.assertRaisesRegex(palpate.Error, "no scene yet"):
+                session.read()
             session.show(scene)
             self.assertTrue(session.lead_hand([0.0, 19.0, 0.0]))
             # In real time; the limit is ctest's.
