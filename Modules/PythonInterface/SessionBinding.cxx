@@ -83,10 +83,11 @@ bool LeadHand(BoundSession& session, const py::object& given)
 
 void BindSessions(py::module_& module)
 {
-  py::class_<BoundSession>(module, "Session",
-                           "A haptic device and a servo thread at 1 kHz, with limited forces that "
-                           "are off after any fault. Use it in a `with` statement.\n\n"
-                           "device: 'simulated' or 'falcon'.")
+  py::class_<BoundSession>(
+      module, "Session",
+      "A haptic device and a servo thread at 1 kHz, with limited forces that "
+      "are off after any fault. Use it in a `with` statement, in the main thread.\n\n"
+      "device: 'simulated' or 'falcon'.")
       .def(py::init(&OpenNamedSession), py::arg("device") = "simulated")
       .def("__enter__", [](py::object self) { return self; })
       .def("__exit__", [](BoundSession& session, const py::args&) { CloseSession(session); })
