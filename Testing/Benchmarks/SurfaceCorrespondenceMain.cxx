@@ -2,6 +2,7 @@
 // noisy, coarser and mirrored variants correspond; a line per file, and their summary.
 #include "SurfaceCorrespondence.h"
 
+#include "ImageIndexToWorld.h"
 #include "LabelMask.h"
 #include "SegmentationFile.h"
 
