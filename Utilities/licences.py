@@ -80,7 +80,7 @@ def is_allowed(licence):
 def bundled(folder):
     """Every library of others in the archive, by its name."""
     for path in sorted(folder.rglob("*.so*")):
-        if not path.is_symlink() and not path.name.startswith(("libPalpate", "libjbig")):
+        if not path.is_symlink() and not path.name.lower().startswith(("libpalpate", "libjbig")):
             yield path
 
 
