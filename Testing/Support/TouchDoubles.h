@@ -3,6 +3,7 @@
 #include "ContactModel.h"
 #include "HapticDevice.h"
 #include "TouchScene.h"
+#include "TouchState.h"
 
 #include <atomic>
 #include <cstdint>
@@ -148,6 +149,7 @@ public:
     this->Applied = this->RefusesForce ? this->Applied : force;
     return !this->RefusesForce;
   }
+  void Show(const TouchState& state) noexcept override { this->Shown = state; }
 
   DeviceCapabilities Abilities;
   DeviceState Life = DeviceState::Ready;
@@ -155,5 +157,6 @@ public:
   bool RepeatsSample = false;
   bool RefusesForce = false;
   Vector3 Applied = Vector3::Zero();
+  TouchState Shown;
 };
 } // namespace palpate::test

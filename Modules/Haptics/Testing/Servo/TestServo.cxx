@@ -30,6 +30,17 @@ TEST(Servo, WallPushesByItsStiffness)
   EXPECT_TRUE(run.Loop.Latest().Safety.IsArmed);
 }
 
+TEST(Servo, DeviceIsShownTheTickWhoseForceWasApplied)
+{
+  test::ServoRun run(WallScene(10.0, {0.8, 0.0}));
+  const Vector3 force = run.RestAt({3.0, 4.0, 8.0});
+  const TouchState& shown = run.Device.Shown;
+  EXPECT_EQ(Vector3(shown.ForceDevice), force);
+  EXPECT_EQ(shown.Tick.Number, run.Loop.Latest().Tick.Number);
+  EXPECT_DOUBLE_EQ(shown.ProxyWorld.Z, 10.0);
+  EXPECT_TRUE(shown.WasTaken);
+}
+
 TEST(Servo, ToolHasASize)
 {
   TouchScene scene = WallScene(0.0, {1.0, 0.0});
