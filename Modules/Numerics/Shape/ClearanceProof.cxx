@@ -1,5 +1,6 @@
 #include "ClearanceProof.h"
 
+#include "ProofBasin.h"
 #include "SampleGeometry.h"
 #include "SquaredDistance.h"
 
@@ -23,54 +24,6 @@ bool IsSame(const ClosestPointOf<Surface>& a, const ClosestPointOf<Surface>& b) 
 {
   constexpr double Apart = ClearanceProofOf<Surface>::Apart;
   return (a.Direction - b.Direction).squaredNorm() < Apart * Apart;
-}
-// Ways to ask the two kinds of basin: for a cap inside, and for a point near.
-bool Contains(const RoundBasin& basin, const Vector3& around, const SphericalCap& cap) noexcept
-{
-  const double margin = basin.Angle - cap.Radius;
-  const double chord = (cap.Center - around).norm();
-  // An angle is less than this up to 2.6 rad.
-  return chord * (1.0 + 0.1 * chord * chord) < margin;
-}
-bool Contains(const StretchedBasin& basin, const Vector3& around, const SphericalCap& cap) noexcept
-{
-  return basin.Contains(around, cap.Center, cap.Radius);
-}
-bool IsNear(const RoundBasin& basin, const Vector3& around, const Vector3& direction,
-            double reach) noexcept
-{
-  return (around - direction).norm() < basin.Angle + reach;
-}
-bool IsNear(const StretchedBasin& basin, const Vector3& around, const Vector3& direction,
-            double reach) noexcept
-{
-  return basin.IsNear(around, direction, reach);
-}
-double WidestChord(const RoundBasin& basin) noexcept
-{
-  return basin.Angle; // of which it is shorter
-}
-double WidestChord(const StretchedBasin& basin) noexcept
-{
-  return basin.WidestChord();
-}
-void Widen(RoundBasin& basin, double angle) noexcept
-{
-  basin.Angle = std::max(basin.Angle, angle);
-}
-void Widen(StretchedBasin& basin, double angle) noexcept
-{
-  basin.LeastAngle = angle;
-}
-RoundBasin Limited(RoundBasin basin) noexcept
-{
-  constexpr double Widest = 2.0; // rad
-  basin.Angle = std::min(basin.Angle, Widest);
-  return basin;
-}
-const StretchedBasin& Limited(const StretchedBasin& basin) noexcept
-{
-  return basin;
 }
 } // namespace
 
