@@ -26,7 +26,7 @@ constexpr double ShortestStep = 0.05;      // of the longest
 constexpr double MotionPartOfRadius = 0.5; // short steps of a sphere
 // Of the smallest radius: how deep in a sphere parts of the surface may be that a proof leaves to
 // the next tick.
-constexpr double MotionSlack = 4e-3;
+constexpr double MotionSlack = 1e-3;
 // Of the room in which nothing is, that a proof is for.
 constexpr double WantedPart = 2.0 / 3.0;
 } // namespace

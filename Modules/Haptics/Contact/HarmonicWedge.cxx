@@ -30,9 +30,9 @@ constexpr int WedgeProofsAtFolds = 3;
 constexpr int EvaluationsOfMove = 640;
 constexpr int EvaluationsAtFolds = 24; // of all proofs of a tick, the rest is left to the next ones
 constexpr int LeastEvaluations = 8;    // of each of them
-constexpr int EvaluationsOfRest = 48;  // where they leave much
+constexpr int EvaluationsOfRest = 160; // where they leave much
 // Of the smallest radius: how deep in the sphere parts may be that are left.
-constexpr double RelativeSlack = 1.5e-2;
+constexpr double RelativeSlack = 1.5e-3;
 constexpr int WedgeEvaluations = 160;
 constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
 // Error of a wall's parameter, rad: that of its distance is the square of it.
