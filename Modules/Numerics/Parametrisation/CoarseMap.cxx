@@ -41,7 +41,7 @@ bool MapCoarseSurface(const VertexRings& rings, const KernelProgress& progress,
     settings.ChangePenalty = ChangePenalties[i];
     Simplify(mapped, settings, {}, trial, simplification);
     MapRefinement refinement(trial, mapped);
-    if (!refinement.ReturnAll(simplification, false, {}))
+    if (!refinement.ReturnAll(simplification, {}))
     {
       continue;
     }

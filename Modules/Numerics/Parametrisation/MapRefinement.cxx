@@ -17,8 +17,6 @@ constexpr std::size_t VerticesPerReport = 1024;
 constexpr double LevelVisits = 60000.0;
 constexpr double LeastLevelSweeps = 3.0;
 constexpr double MostLevelSweeps = 300.0;
-// Steps of a level's descent: so many visits of a vertex.
-constexpr double DescentVisits = 100000.0;
 // A vertex is visited again if the D of a triangle next to it changed by more than this, relative.
 constexpr double LevelTolerance = 0.01;
 constexpr double LastTolerance = 0.005;
@@ -173,7 +171,7 @@ double MapRefinement::Descend(int mostSteps)
   return descent.Energy();
 }
 
-bool MapRefinement::ReturnAll(const MeshSimplification& simplification, bool isConverged,
+bool MapRefinement::ReturnAll(const MeshSimplification& simplification,
                               const KernelProgress& progress)
 {
   const std::size_t count = simplification.Removals.size();
@@ -188,10 +186,6 @@ bool MapRefinement::ReturnAll(const MeshSimplification& simplification, bool isC
     {
       nextLevel *= LevelGrowth;
       this->SweepLevel();
-      if (isConverged)
-      {
-        this->Descend(static_cast<int>(DescentVisits / static_cast<double>(this->Size())));
-      }
     }
     const double done = static_cast<double>(count - i) / static_cast<double>(count);
     if (i % VerticesPerReport == 0 && progress && !progress(done))

@@ -21,12 +21,10 @@ public:
   /// Vertices that have returned.
   std::size_t Size() const noexcept { return this->Present.size(); }
 
-  /// Puts all removed vertices into the kernels of their rings, the last one first. Lowers the
-  /// energy whenever their number has grown by half: by sweeps, and where `isConverged` by
-  /// MapDescent, which large meshes need to move far parts. False if a kernel is thinner than
-  /// rounding, or if `progress` cancels.
-  bool ReturnAll(const MeshSimplification& simplification, bool isConverged,
-                 const KernelProgress& progress);
+  /// Puts all removed vertices into the kernels of their rings, the last one first, and sweeps
+  /// whenever their number has grown by half. False if a kernel is thinner than rounding, or if
+  /// `progress` cancels.
+  bool ReturnAll(const MeshSimplification& simplification, const KernelProgress& progress);
   /// MapDescent of all vertices; returns the energy.
   double Descend(int mostSteps);
   /// One fine sweep over the waiting vertices: those next to a change. False once all are at rest.

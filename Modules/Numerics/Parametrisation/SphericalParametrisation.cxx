@@ -13,7 +13,8 @@ namespace palpate
 {
 namespace
 {
-// Of the surface whose map is searched for.
+// Of the surface whose map is searched for; finer levels only sweep, since maps of less energy do
+// not fit better and cross themselves a little more.
 constexpr int CoarseVertices = 500;
 // At the end, at most.
 constexpr int LastSweeps = 30;
@@ -109,7 +110,7 @@ Status MapVertices(VertexRings& rings, const KernelProgress& progress,
   if (isMapped)
   {
     MapRefinement refinement(rings, vertices);
-    isMapped = refinement.ReturnAll(simplification, true, returned);
+    isMapped = refinement.ReturnAll(simplification, returned);
     if (isMapped)
     {
       SweepLast(report, refinement);
