@@ -104,6 +104,18 @@ TEST(TopologyRepair, FillsNarrowHole)
   EXPECT_LT(report.FilledHandles.LargestCentre.head<2>().norm(), 2.0 * Spacing);
 }
 
+// A hole about as wide as the tube.
+TEST(TopologyRepair, FillsHoleWhereACutCostsAboutAsMuch)
+{
+  palpate::ShapeField field =
+      Sampled(9.0, Spacing, [](const Vector3& p) { return Ring(p, 4.2, 2.15); });
+  palpate::TopologyReport report;
+  ASSERT_TRUE(palpate::RepairTopology(field, {}, report).IsOk());
+  EXPECT_TRUE(IsBall(field));
+  EXPECT_EQ(report.CutHandles.Count, 0);
+  EXPECT_EQ(report.FilledHandles.Count, 1);
+}
+
 TEST(TopologyRepair, CutsBothRingsOfDoubleTorus)
 {
   const Vector3 beside(8.0, 0.0, 0.0);
