@@ -312,11 +312,11 @@ Status RegisterOpenIGTLinkDevices(DeviceRegistry& registry)
         }
         return status;
       },
-      // Listing devices must not open a port.
-      [](Clock&, std::vector<FoundDevice>& found)
+      // Listing devices must not open a port, and none is taken unasked.
+      [](Clock&, std::vector<FoundDevice>&)
       {
-        found = {{"18944", true, "peers are met when it is opened"}};
-        return Status::Success();
+        return Status::Failure("A peer is met when the device is opened: name it, such as "
+                               "openigtlink:18944.");
       });
 }
 } // namespace palpate

@@ -94,7 +94,7 @@ std::string FirstDevicePluggedIn()
   const DeviceRegistry registry = Registry();
   SteadyClock clock;
   std::string first;
-  std::string obstacle = "this build supports no plug-in device";
+  std::string obstacle;
   for (const DeviceRegistry::Kind& kind : registry.Kinds())
   {
     std::vector<FoundDevice> found;
@@ -103,7 +103,7 @@ std::string FirstDevicePluggedIn()
       continue;
     }
     const Status status = kind.FindDevices(clock, found);
-    obstacle = status.IsOk() ? obstacle : status.Message();
+    obstacle = obstacle.empty() ? status.Message() : obstacle;
     for (const FoundDevice& one : found)
     {
       std::string text = kind.Name + ":" + one.Argument;
@@ -116,7 +116,7 @@ std::string FirstDevicePluggedIn()
   }
   if (first.empty())
   {
-    throw InputError(obstacle);
+    throw InputError(obstacle.empty() ? "this build supports no plug-in device" : obstacle);
   }
   return first;
 }

@@ -6,6 +6,8 @@
 #include <QTableWidget>
 #include <QWindow>
 
+#include "vtkCamera.h"
+
 #include <cmath>
 
 namespace palpate::mark_placer_test
@@ -57,6 +59,19 @@ protected:
   void ClickSpace(const Vector3& world)
   {
     Click(this->Window->Views()->Space()->Canvas(), this->PlaceOf(world));
+  }
+  // The point of a surface that is nearest to the camera.
+  Vector3 Foremost(vtkPolyData& surface) const
+  {
+    vtkRenderer* renderer = this->Window->Views()->Space()->View()->GetRenderer();
+    const Vector3 camera(renderer->GetActiveCamera()->GetPosition());
+    Vector3 nearest(surface.GetPoint(0));
+    for (vtkIdType i = 1; i < surface.GetNumberOfPoints(); ++i)
+    {
+      const Vector3 point(surface.GetPoint(i));
+      nearest = (point - camera).norm() < (nearest - camera).norm() ? point : nearest;
+    }
+    return nearest;
   }
   std::vector<StudyMeasurement> Measured() const { return this->Study->State().Measurements; }
   std::string Cell(int row, int column) const
@@ -163,7 +178,7 @@ TEST_F(MarkPlacerTest, DistanceOfStructuresIsThatOfTheirSurfaces)
   ASSERT_GE(surfaces.size(), 2U);
   for (const auto& one : {surfaces.begin(), std::prev(surfaces.end())})
   {
-    this->ClickSpace(Vector3(one->second->GetSurface()->GetPoint(0)));
+    this->ClickSpace(this->Foremost(*one->second->GetSurface()));
   }
   ASSERT_EQ(this->Measured().size(), 1U) << this->Messages();
   const StudyMeasurement gap = this->Measured()[0];
