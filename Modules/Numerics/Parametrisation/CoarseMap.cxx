@@ -45,7 +45,9 @@ bool MapCoarseSurface(const VertexRings& rings, const KernelProgress& progress,
     {
       continue;
     }
-    const double energy = refinement.Descend(TrialSteps);
+    // A simple shape has one minimum, which sweeps find: a descent would only move its map about.
+    const bool isSimple = i == 0 && refinement.Descend(0) <= SimpleShare * LeastEnergy;
+    const double energy = refinement.Descend(isSimple ? 0 : TrialSteps);
     if (energy < BetterShare * least)
     {
       least = energy;
