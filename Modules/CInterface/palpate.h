@@ -136,7 +136,7 @@ extern "C"
   void palpate_field_free(palpate_field* field);
   int palpate_field_is_inside(const palpate_field* field, const double point[3]);
 
-  /* Scenes: what is touched, with which tool. */
+  /* Scenes: the structures that can be touched, and the tool. */
 
   typedef struct palpate_law
   {

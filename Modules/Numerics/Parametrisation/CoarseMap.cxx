@@ -46,8 +46,8 @@ bool MapCoarseSurface(const VertexRings& rings, const KernelProgress& progress,
       continue;
     }
     // A simple shape has one minimum, which sweeps find: a descent would only move its map about.
-    const bool isSimple = i == 0 && refinement.Descend(0) <= SimpleShare * LeastEnergy;
-    const double energy = refinement.Descend(isSimple ? 0 : TrialSteps);
+    const double enough = i == 0 ? SimpleShare * LeastEnergy : 0.0;
+    const double energy = refinement.Descend(TrialSteps, enough);
     if (energy < BetterShare * least)
     {
       least = energy;

@@ -163,11 +163,14 @@ void MapRefinement::SweepLevel()
   }
 }
 
-double MapRefinement::Descend(int mostSteps)
+double MapRefinement::Descend(int mostSteps, double enough)
 {
   std::sort(this->Present.begin(), this->Present.end());
   MapDescent descent(this->Rings, this->Present, this->Vertices);
-  descent.Run(mostSteps);
+  if (descent.Energy() > enough)
+  {
+    descent.Run(mostSteps);
+  }
   return descent.Energy();
 }
 

@@ -25,8 +25,8 @@ public:
   /// whenever their number has grown by half. False if a kernel is thinner than rounding, or if
   /// `progress` cancels.
   bool ReturnAll(const MeshSimplification& simplification, const KernelProgress& progress);
-  /// MapDescent of all vertices; returns the energy.
-  double Descend(int mostSteps);
+  /// MapDescent of all vertices, unless their energy is `enough` already; returns the energy.
+  double Descend(int mostSteps, double enough);
   /// One fine sweep over the waiting vertices: those next to a change. False once all are at rest.
   bool Sweep();
   void WakeAll();
