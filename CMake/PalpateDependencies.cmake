@@ -16,7 +16,7 @@ endif()
 
 find_package(OpenIGTLink QUIET)
 if(NOT OpenIGTLink_FOUND)
-  message(STATUS "OpenIGTLink (libopenigtlink-dev) was not found: there will be no device of that name")
+  message(STATUS "OpenIGTLink (libopenigtlink-dev) was not found: no device of that name, no palpate link")
 endif()
 
 # Without pybind11 everything is built except the Python package.

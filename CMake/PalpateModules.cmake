@@ -1,6 +1,9 @@
 # The modules without VTK, ITK and Qt, each after those that it uses.
 set(PALPATE_KERNEL_MODULES
   Core Numerics Field Realtime Elasticity Modelling Files Haptics HapticDevices CInterface)
+if(OpenIGTLink_FOUND)
+  list(INSERT PALPATE_KERNEL_MODULES 1 Network)
+endif()
 
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 

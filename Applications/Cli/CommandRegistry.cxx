@@ -7,6 +7,9 @@
 #include "EvaluateCommand.h"
 #include "FitCommand.h"
 #include "InfoCommand.h"
+#ifdef PALPATE_HAS_NETWORK
+#include "LinkCommand.h"
+#endif
 #include "ManualCommand.h"
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
@@ -36,6 +39,9 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<TradeoffCommand>());
   commands.push_back(std::make_unique<StudyCommand>());
   commands.push_back(std::make_unique<DevicesCommand>());
+#ifdef PALPATE_HAS_NETWORK
+  commands.push_back(std::make_unique<LinkCommand>());
+#endif
   commands.push_back(std::make_unique<CompletionCommand>());
   commands.push_back(std::make_unique<ManualCommand>());
   return commands;

@@ -1,13 +1,11 @@
 #include "OpenIGTLinkDevice.h"
 
-#include "DecimalText.h"
 #include "IgtlMessages.h"
 #include "TouchState.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <optional>
 #include <utility>
 
 namespace palpate
@@ -25,31 +23,6 @@ constexpr const char* Ended =
 constexpr const char* NotUnderstood =
     "The peer sends something that is not OpenIGTLink: check its address and port.";
 } // namespace
-
-Status ParseIgtlPeer(const std::string& argument, IgtlPeer& peer)
-{
-  IgtlPeer parsed;
-  const std::size_t slash = argument.find('/');
-  const std::string address = argument.substr(0, slash);
-  parsed.Name = slash == std::string::npos ? "" : argument.substr(slash + 1);
-  const std::size_t colon = address.rfind(':');
-  parsed.Host = colon == std::string::npos ? "" : address.substr(0, colon);
-  const std::string port = colon == std::string::npos ? address : address.substr(colon + 1);
-  constexpr int LargestPort = 65535;
-  if (!port.empty())
-  {
-    const std::optional<int> number = ParseInteger(port);
-    if (!number || *number < 1 || *number > LargestPort)
-    {
-      return Status::Failure("'" + argument +
-                             "' is no OpenIGTLink peer: use PORT, *:PORT or HOST:PORT, " +
-                             "with /NAME for the tool's name.");
-    }
-    parsed.Port = *number;
-  }
-  peer = parsed;
-  return Status::Success();
-}
 
 OpenIGTLinkDevice::OpenIGTLinkDevice(Clock& clock, IgtlPeer peer)
     : Time(clock), From(std::move(peer))

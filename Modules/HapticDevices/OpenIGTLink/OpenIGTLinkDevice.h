@@ -3,6 +3,7 @@
 #include "Clock.h"
 #include "DeviceRegistry.h"
 #include "HapticDevice.h"
+#include "IgtlPeer.h"
 #include "IgtlPoses.h"
 #include "IgtlStream.h"
 #include "LatestValue.h"
@@ -16,20 +17,6 @@
 
 namespace palpate
 {
-/// Where the poses come from.
-struct IgtlPeer
-{
-  std::string Host; ///< empty: the peer, on this machine, connects; "*": it may be anywhere
-  int Port = 18944;
-  std::string Name; ///< of the TRANSFORM messages; empty: the first that arrive
-
-  bool Connects() const { return this->Host.empty() || this->Host == "*"; }
-};
-
-/// The peer that a device's argument names: "", "PORT", "HOST:PORT", each with "/NAME" at its end.
-/// Fails for a port outside 1..65535.
-Status ParseIgtlPeer(const std::string& argument, IgtlPeer& peer);
-
 /// A tracked tool on the network: TRANSFORM messages of OpenIGTLink are its poses (mm, in the
 /// tracker's frame), and forces (N, in that frame) are sent back as SENSOR messages named Force,
 /// for a peer with motors. For peers that

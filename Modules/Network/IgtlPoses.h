@@ -1,5 +1,6 @@
 #pragma once
 
+#include "IgtlParser.h"
 #include "PlainVector3.h"
 
 #include <array>
@@ -7,7 +8,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace palpate
 {
@@ -18,10 +18,9 @@ struct IgtlPose
   std::array<double, 4> Orientation{0.0, 0.0, 0.0, 1.0}; ///< unit quaternion, x, y, z, w
 };
 
-/// Finds the poses in a stream of OpenIGTLink messages, of which it may get any number of bytes at
-/// a time. Other messages are skipped, whatever their length, without being kept; so are poses that
-/// are damaged (CRC), not finite, or far from a rotation. Source: OpenIGTLink protocol 1 to 3,
-/// header and TRANSFORM.
+/// The poses in a stream of OpenIGTLink messages, of which it may get any number of bytes at a
+/// time. Other messages are skipped; so are poses that are damaged, not finite, or far from a
+/// rotation. Source: OpenIGTLink protocol 1 to 3, TRANSFORM.
 class IgtlPoses
 {
 public:
@@ -32,19 +31,16 @@ public:
   bool Take(const std::uint8_t* bytes, std::size_t count);
   /// The newest pose since the last call; null if there is none.
   const IgtlPose* Newest() noexcept;
-  std::uint64_t Refused() const noexcept { return this->Damaged; }
+  std::uint64_t Refused() const noexcept { return this->Parser.Damaged() + this->NoPoses; }
 
 private:
-  bool BeginMessage();
-  void EndMessage();
+  /// With the extended header and metadata of version 3.
+  static constexpr std::uint64_t MostPoseBytes = 4096;
 
   std::string Name;
-  std::vector<std::uint8_t> Message; ///< header, then the body of a TRANSFORM
-  std::uint64_t BodyLeft = 0;        ///< bytes still to come
-  bool HasHeader = false;
-  bool IsKept = false; ///< it may be a pose
+  IgtlParser Parser{{{"TRANSFORM", MostPoseBytes}}};
   IgtlPose Last;
   bool IsFresh = false;
-  std::uint64_t Damaged = 0;
+  std::uint64_t NoPoses = 0;
 };
 } // namespace palpate

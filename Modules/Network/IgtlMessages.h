@@ -1,5 +1,6 @@
 #pragma once
 
+#include "IndexedMesh.h"
 #include "PlainVector3.h"
 
 #include <cstdint>
@@ -16,4 +17,6 @@ std::vector<std::uint8_t> IgtlForceMessage(const PlainVector3& force);
 std::vector<std::uint8_t> IgtlPlaceMessage(const std::string& name, const PlainVector3& placeWorld);
 /// A STRING message `Event`.
 std::vector<std::uint8_t> IgtlEventMessage(const std::string& text);
+/// A POLYDATA message of triangles (mm, LPS), sent in RAS. Of the name 20 characters arrive.
+std::vector<std::uint8_t> IgtlSurfaceMessage(const std::string& name, const IndexedMesh& surface);
 } // namespace palpate

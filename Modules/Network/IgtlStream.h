@@ -24,6 +24,8 @@ public:
   /// Connects to a peer that listens; fails after three seconds.
   Status Connect(const std::string& host, int port);
   void Close() noexcept;
+  /// Ends the connection; a stream that listens waits for the next peer.
+  void Leave() noexcept;
 
   /// The port that is listened on.
   int Port() const noexcept { return this->ListeningPort; }

@@ -1,6 +1,8 @@
 #include "IgtlMessages.h"
 
+#include <algorithm>
 #include <array>
+#include <igtlPolyDataMessage.h>
 #include <igtlSensorMessage.h>
 #include <igtlStringMessage.h>
 #include <igtlTimeStamp.h>
@@ -60,6 +62,28 @@ std::vector<std::uint8_t> IgtlEventMessage(const std::string& text)
   const igtl::StringMessage::Pointer message = igtl::StringMessage::New();
   message->SetDeviceName("Event");
   message->SetString(copy);
+  return Packed(*message);
+}
+
+std::vector<std::uint8_t> IgtlSurfaceMessage(const std::string& name, const IndexedMesh& surface)
+{
+  const igtl::PolyDataPointArray::Pointer points = igtl::PolyDataPointArray::New();
+  for (const Vector3& point : surface.Points)
+  {
+    points->AddPoint(static_cast<float>(-point.x()), static_cast<float>(-point.y()),
+                     static_cast<float>(point.z()));
+  }
+  const igtl::PolyDataCellArray::Pointer triangles = igtl::PolyDataCellArray::New();
+  for (const std::array<int, 3>& corners : surface.Triangles)
+  {
+    std::array<igtlUint32, 3> cell{};
+    std::copy(corners.begin(), corners.end(), cell.begin());
+    triangles->AddCell(3, cell.data());
+  }
+  const igtl::PolyDataMessage::Pointer message = igtl::PolyDataMessage::New();
+  message->SetDeviceName(name.c_str());
+  message->SetPoints(points.GetPointer());
+  message->SetPolygons(triangles.GetPointer());
   return Packed(*message);
 }
 } // namespace palpate

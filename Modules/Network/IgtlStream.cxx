@@ -96,14 +96,21 @@ Status IgtlStream::Connect(const std::string& host, int port)
 
 void IgtlStream::Close() noexcept
 {
-  for (int* socket : {&this->Peer, &this->Listener})
+  this->Leave();
+  if (this->Listener >= 0)
   {
-    if (*socket >= 0)
-    {
-      close(*socket);
-    }
-    *socket = -1;
+    close(this->Listener);
   }
+  this->Listener = -1;
+}
+
+void IgtlStream::Leave() noexcept
+{
+  if (this->Peer >= 0)
+  {
+    close(this->Peer);
+  }
+  this->Peer = -1;
 }
 
 void IgtlStream::Take(int peer) noexcept

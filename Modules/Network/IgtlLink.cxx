@@ -1,0 +1,188 @@
+#include "IgtlLink.h"
+
+#include <chrono>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr int LinkWaitMilliseconds = 10;
+constexpr std::size_t LinkBytesAtOnce = 1 << 20;
+constexpr std::size_t MostWaitingImages = 2;
+constexpr std::size_t MostProblems = 16;
+} // namespace
+
+Status IgtlLink::Open(const IgtlPeer& peer)
+{
+  this->Close();
+  const Status status = peer.Connects() ? this->Stream.Listen(peer.Port, peer.Host.empty())
+                                        : this->Stream.Connect(peer.Host, peer.Port);
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  this->Peer = peer;
+  this->MustEnd = false;
+  this->IsOver = false;
+  this->Thread = std::thread([this] { this->Run(); });
+  return Status::Success();
+}
+
+void IgtlLink::Close() noexcept
+{
+  this->MustEnd = true;
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+  this->Stream.Close();
+  this->Parser.reset();
+  this->IsConnected = false;
+}
+
+void IgtlLink::Offer(std::vector<std::uint8_t> message)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Offers.push_back(std::move(message));
+  this->IsSent = false;
+}
+
+std::optional<IgtlImage> IgtlLink::TakeImage()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Images.empty())
+  {
+    return std::nullopt;
+  }
+  IgtlImage image = std::move(this->Images.front());
+  this->Images.pop_front();
+  return image;
+}
+
+std::vector<std::string> IgtlLink::TakeProblems()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return std::exchange(this->Problems, {});
+}
+
+void IgtlLink::Run()
+{
+  while (!this->MustEnd && !this->IsOver)
+  {
+    this->Stream.Wait(LinkWaitMilliseconds);
+    if (!this->Stream.HasPeer())
+    {
+      continue;
+    }
+    if (!this->Parser)
+    {
+      this->BeginPeer();
+    }
+    if (this->IsFull())
+    {
+      // What the peer sent keeps Wait from waiting.
+      std::this_thread::sleep_for(std::chrono::milliseconds(LinkWaitMilliseconds));
+    }
+    else if (!this->Receive())
+    {
+      continue;
+    }
+    if (!this->Send())
+    {
+      this->EndPeer("The OpenIGTLink peer is gone.");
+    }
+  }
+}
+
+void IgtlLink::BeginPeer()
+{
+  this->Parser.emplace(std::vector<IgtlParser::Kind>{{"IMAGE", MostImageBytes}});
+  this->Sending.clear();
+  this->SentBytes = 0;
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->NextOffer = 0;
+  this->IsSent = this->Offers.empty();
+  this->IsConnected = true;
+}
+
+void IgtlLink::EndPeer(const char* problem)
+{
+  this->Report(problem);
+  this->Parser.reset();
+  this->IsConnected = false;
+  this->Stream.Leave();
+  this->IsOver = !this->Peer.Connects();
+}
+
+bool IgtlLink::IsFull()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Images.size() >= MostWaitingImages;
+}
+
+void IgtlLink::Report(const std::string& problem)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Problems.size() < MostProblems)
+  {
+    this->Problems.push_back(problem);
+  }
+}
+
+// Returns false when the peer has ended.
+bool IgtlLink::Receive()
+{
+  std::vector<std::uint8_t> bytes(LinkBytesAtOnce);
+  const std::ptrdiff_t count = this->Stream.Receive(bytes.data(), bytes.size());
+  const std::uint64_t damaged = this->Parser->Damaged();
+  if (count > 0 && !this->Parser->Take(bytes.data(), static_cast<std::size_t>(count)))
+  {
+    this->EndPeer("The peer sends something that is not OpenIGTLink: check its address and port.");
+    return false;
+  }
+  if (this->Parser->Damaged() > damaged)
+  {
+    this->Report("A damaged image was not used.");
+  }
+  while (std::optional<IgtlMessage> message = this->Parser->Next())
+  {
+    IgtlImage image;
+    const Status status = ReadIgtlImage(std::move(*message), image);
+    if (!status.IsOk())
+    {
+      this->Report(status.Message());
+      continue;
+    }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Images.push_back(std::move(image));
+  }
+  if (count < 0)
+  {
+    this->EndPeer("The OpenIGTLink peer is gone.");
+    return false;
+  }
+  return true;
+}
+
+// Returns false if the connection has ended.
+bool IgtlLink::Send()
+{
+  if (this->SentBytes == this->Sending.size())
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->SentBytes = 0;
+    if (this->NextOffer == this->Offers.size())
+    {
+      this->Sending.clear();
+      this->IsSent = true;
+      return true;
+    }
+    this->Sending = this->Offers[this->NextOffer++];
+  }
+  const std::ptrdiff_t sent = this->Stream.Send(this->Sending.data() + this->SentBytes,
+                                                this->Sending.size() - this->SentBytes);
+  this->SentBytes += sent > 0 ? static_cast<std::size_t>(sent) : 0;
+  return sent >= 0;
+}
+} // namespace palpate

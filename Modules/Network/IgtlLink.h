@@ -1,0 +1,83 @@
+#pragma once
+
+#include "IgtlImage.h"
+#include "IgtlParser.h"
+#include "IgtlPeer.h"
+#include "IgtlStream.h"
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace palpate
+{
+/// A connection by OpenIGTLink over which images and label maps arrive, and to which messages with
+/// models are sent; every peer that connects gets all of them again. A thread of its own talks to
+/// the peer. While two images wait to be taken, nothing is received, so the peer has to wait.
+class IgtlLink
+{
+public:
+  /// Of a message with an image; longer ones are skipped.
+  static constexpr std::uint64_t MostImageBytes = std::uint64_t{1} << 31U;
+
+  IgtlLink() = default;
+  IgtlLink(const IgtlLink&) = delete;
+  IgtlLink& operator=(const IgtlLink&) = delete;
+  ~IgtlLink() { this->Close(); }
+
+  /// Port 0 means any free one.
+  Status Open(const IgtlPeer& peer);
+  /// Returns after at most 50 ms.
+  void Close() noexcept;
+
+  /// The port that is listened on while it is open.
+  int Port() const noexcept { return this->Stream.Port(); }
+  bool HasPeer() const noexcept { return this->IsConnected.load(); }
+  /// Whether it connected to a peer that is gone now, or one that does not speak OpenIGTLink. A
+  /// link that listens goes on.
+  bool HasEnded() const noexcept { return this->IsOver.load(); }
+
+  /// Adds a message (IgtlSurfaceMessage) to those that every peer gets.
+  void Offer(std::vector<std::uint8_t> message);
+  /// Whether the peer has been sent everything that was offered.
+  bool IsAllSent() const noexcept { return this->IsSent.load(); }
+
+  /// The oldest image that was not taken yet; none if there is none.
+  std::optional<IgtlImage> TakeImage();
+  /// What was wrong with messages and peers since the last call, as sentences.
+  std::vector<std::string> TakeProblems();
+
+private:
+  void Run();
+  bool Receive();
+  bool Send();
+  void BeginPeer();
+  void EndPeer(const char* problem);
+  bool IsFull();
+  void Report(const std::string& problem);
+
+  IgtlPeer Peer;
+  std::atomic<bool> MustEnd{false};
+  std::atomic<bool> IsConnected{false};
+  std::atomic<bool> IsOver{false};
+  std::atomic<bool> IsSent{true};
+
+  std::mutex Mutex; ///< of the following four
+  std::deque<IgtlImage> Images;
+  std::vector<std::string> Problems;
+  std::vector<std::vector<std::uint8_t>> Offers;
+  std::size_t NextOffer = 0; ///< the first that the peer has not got
+
+  // Of the thread while it runs.
+  IgtlStream Stream;
+  std::optional<IgtlParser> Parser;
+  std::vector<std::uint8_t> Sending;
+  std::size_t SentBytes = 0;
+  std::thread Thread;
+};
+} // namespace palpate

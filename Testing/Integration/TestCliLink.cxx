@@ -1,0 +1,147 @@
+#include "IgtlPackedImage.h"
+#include "IgtlStream.h"
+#include "StartedCommand.h"
+#include "SyntheticFiles.h"
+#include "VolumeFile.h"
+
+#include <csignal>
+#include <gtest/gtest.h>
+#include <igtlClientSocket.h>
+#include <igtlPolyDataMessage.h>
+#include <igtlServerSocket.h>
+
+namespace palpate::cli_link_test
+{
+namespace
+{
+using namespace palpate::test;
+
+// A program that waits for palpate, made of the protocol's own library.
+class WaitingPeer
+{
+public:
+  WaitingPeer()
+  {
+    while (this->Server->CreateServer(this->Port) != 0)
+    {
+      ++this->Port;
+    }
+  }
+  std::string Address() const { return "localhost:" + std::to_string(this->Port); }
+  void Meet()
+  {
+    this->Socket = this->Server->WaitForConnection(60000);
+    ASSERT_TRUE(this->Socket.IsNotNull());
+    this->Socket->SetReceiveTimeout(60000);
+  }
+  void SendImage(std::array<int, 3> size) const
+  {
+    const std::vector<std::uint8_t> image = IgtlPackedImage(size);
+    ASSERT_EQ(this->Socket->Send(image.data(), image.size()), 1);
+  }
+
+  igtl::ClientSocket::Pointer Socket;
+
+private:
+  igtl::ServerSocket::Pointer Server = igtl::ServerSocket::New();
+  int Port = 20000 + static_cast<int>(getpid()) % 10000;
+};
+
+TEST(CliLink, ImageOfAPeerIsAFileOnItsGrid)
+{
+  const TemporaryFolder folder;
+  WaitingPeer peer;
+  StartedCommand link(PALPATE_PROGRAM, {"link", peer.Address(), "--output", "in", "--images", "1"},
+                      folder.Path());
+  peer.Meet();
+  peer.SendImage({5, 4, 3});
+  const CommandRun run = link.Finish();
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(run.Output, "in/image-1.nrrd: 5 x 4 x 3 voxels\n");
+  const Volume volume = ReadVolume(folder / "in/image-1.nrrd");
+  EXPECT_EQ(volume.Image->GetDimensions()[0], 5);
+  EXPECT_NEAR(volume.Image->GetSpacing()[1], 1.5, 1e-6); // single precision
+  // The centre of the grid is where the sender said, in LPS.
+  double center[3];
+  volume.Image->TransformContinuousIndexToPhysicalPoint(2.0, 1.5, 1.0, center);
+  EXPECT_NEAR(center[0], -10.0, 1e-5);
+  EXPECT_NEAR(center[1], -20.0, 1e-5);
+  EXPECT_NEAR(center[2], -30.0, 1e-5);
+}
+
+TEST(CliLink, ImageOfOneSliceIsNamedAndLeavesNoFile)
+{
+  const TemporaryFolder folder;
+  WaitingPeer peer;
+  StartedCommand link(PALPATE_PROGRAM, {"link", peer.Address(), "--output", "in", "--images", "1"},
+                      folder.Path());
+  peer.Meet();
+  for (const int slices : {1, 1, 2})
+  {
+    peer.SendImage({5, 4, slices});
+  }
+  const CommandRun run = link.Finish();
+  EXPECT_EQ(run.Code, 0);
+  const std::size_t first = run.Errors.find("two-dimensional");
+  EXPECT_NE(first, std::string::npos) << run.Errors;
+  EXPECT_EQ(run.Errors.find("two-dimensional", first + 1), std::string::npos) << "told once";
+  EXPECT_EQ(run.Output, "in/image-1.nrrd: 5 x 4 x 2 voxels\n");
+}
+
+TEST(CliLink, PeerGetsTheModelUntilTheProgramIsInterrupted)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "gland.json");
+  WaitingPeer peer;
+  StartedCommand link(PALPATE_PROGRAM, {"link", peer.Address(), "gland.json", "--frequency", "3"},
+                      folder.Path());
+  peer.Meet();
+  igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
+  header->InitPack();
+  ASSERT_EQ(peer.Socket->Receive(header->GetPackPointer(), header->GetPackSize()),
+            header->GetPackSize());
+  header->Unpack();
+  EXPECT_STREQ(header->GetDeviceName(), "Palpate model 1") << "no name of a file";
+  igtl::PolyDataMessage::Pointer message = igtl::PolyDataMessage::New();
+  message->SetMessageHeader(header);
+  message->AllocatePack();
+  peer.Socket->Receive(message->GetPackBodyPointer(), message->GetPackBodySize());
+  ASSERT_NE(message->Unpack(1) & igtl::MessageHeader::UNPACK_BODY, 0);
+  EXPECT_EQ(message->GetPolygons()->GetNumberOfCells(), 180U);
+  link.Send(SIGINT);
+  EXPECT_EQ(link.Finish().Code, 130);
+}
+
+TEST(CliLink, WaitsForOneProgramAfterTheOther)
+{
+  const TemporaryFolder folder;
+  const int port = 30000 + static_cast<int>(getpid()) % 10000;
+  StartedCommand link(PALPATE_PROGRAM,
+                      {"link", std::to_string(port), "--output", "in", "--images", "2"},
+                      folder.Path());
+  const std::vector<std::uint8_t> image = IgtlPackedImage({5, 4, 3});
+  for (int round = 0; round < 2; ++round)
+  {
+    IgtlStream peer;
+    ASSERT_TRUE(IsSoon([&] { return peer.Connect("127.0.0.1", port).IsOk(); }));
+    ASSERT_EQ(peer.Send(image.data(), image.size()), static_cast<std::ptrdiff_t>(image.size()));
+  }
+  EXPECT_EQ(link.Finish().Code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "in/image-2.nrrd"));
+}
+
+TEST(CliLink, BadCallsAreOneMessage)
+{
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& call : {std::vector<std::string>{"link", "18944"},
+                                               {"link", "99999", "--output", "in"},
+                                               {"link", "18944", "absent.json"},
+                                               {"link", "localhost:1", "--output", "in"}})
+  {
+    const CommandRun run = RunPalpate(call, folder.Path());
+    EXPECT_EQ(run.Code, 2) << run.Errors;
+    EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << run.Errors;
+  }
+}
+} // namespace
+} // namespace palpate::cli_link_test
