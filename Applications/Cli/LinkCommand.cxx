@@ -66,14 +66,16 @@ void LinkCommand::DeclareOptions(CLI::App& app)
 
 void LinkCommand::OfferModels(IgtlLink& link) const
 {
-  int number = 0;
+  std::vector<std::vector<std::uint8_t>> messages;
   for (const std::string& path : this->Models)
   {
     const auto surface =
         IsModelFile(path) ? DrawModel(ReadModel(path).Surface, this->Frequency) : ReadSurface(path);
     // Names of files may be patients'.
-    link.Offer(SurfaceMessageOf("Palpate model " + std::to_string(++number), surface));
+    const std::string name = "Palpate model " + std::to_string(messages.size() + 1);
+    messages.push_back(SurfaceMessageOf(name, surface));
   }
+  link.Offer(std::move(messages));
 }
 
 void LinkCommand::Keep(const IgtlImage& image, Console& console)

@@ -41,10 +41,11 @@ void IgtlLink::Close() noexcept
   this->IsConnected = false;
 }
 
-void IgtlLink::Offer(std::vector<std::uint8_t> message)
+void IgtlLink::Offer(std::vector<std::vector<std::uint8_t>> messages)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Offers.push_back(std::move(message));
+  this->Offers = std::move(messages);
+  this->NextOffer = 0;
   this->IsSent = false;
 }
 

@@ -42,8 +42,9 @@ public:
   /// link that listens goes on.
   bool HasEnded() const noexcept { return this->IsOver.load(); }
 
-  /// Adds a message (IgtlSurfaceMessage) to those that every peer gets.
-  void Offer(std::vector<std::uint8_t> message);
+  /// The messages (IgtlSurfaceMessage) that every peer gets, in place of the former ones; one that
+  /// is connected gets them now.
+  void Offer(std::vector<std::vector<std::uint8_t>> messages);
   /// Whether the peer has been sent everything that was offered.
   bool IsAllSent() const noexcept { return this->IsSent.load(); }
 

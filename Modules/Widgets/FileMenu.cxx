@@ -1,6 +1,9 @@
 #include "FileMenu.h"
 
 #include "ImageFormat.h"
+#ifdef PALPATE_HAS_NETWORK
+#include "LinkDialog.h"
+#endif
 #include "ModelFile.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
@@ -101,6 +104,10 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
       QKeySequence("Ctrl+Alt+O"));
   this->Recent = this->addMenu("&Recent");
   connect(this->Recent, &QMenu::aboutToShow, this, &FileMenu::ListRecent);
+#ifdef PALPATE_HAS_NETWORK
+  this->addAction("&Link with other programs...", this, &FileMenu::OpenLink,
+                  QKeySequence("Ctrl+Alt+L"));
+#endif
   this->addSeparator();
   QAction* save = this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
   save->setIcon(ToolIcon(ToolSign::Save));
@@ -159,6 +166,22 @@ void FileMenu::AddFromValues()
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
 }
+
+#ifdef PALPATE_HAS_NETWORK
+// Beside the window, in which what arrives is seen.
+void FileMenu::OpenLink()
+{
+  auto* dialog = this->Window->findChild<LinkDialog*>();
+  if (dialog == nullptr)
+  {
+    dialog = new LinkDialog(this->Study, this->Questions, this->Window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+#endif
 
 void FileMenu::OpenFolder()
 {

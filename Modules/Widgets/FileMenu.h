@@ -39,6 +39,9 @@ private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);
   void AddFromValues();
+#ifdef PALPATE_HAS_NETWORK
+  void OpenLink();
+#endif
   bool Save();
   bool SaveAs();
   void OpenSession(const QString& file);

@@ -123,7 +123,7 @@ TEST_F(IgtlLinkTest, ImagesArriveInTheirOrder)
 
 TEST_F(IgtlLinkTest, EveryPeerGetsEveryModelInRas)
 {
-  this->Link.Offer(IgtlSurfaceMessage("first", Tetrahedron()));
+  this->Link.Offer({IgtlSurfaceMessage("first", Tetrahedron())});
   for (int round = 0; round < 2; ++round)
   {
     const auto peer = this->Connected();
@@ -139,7 +139,7 @@ TEST_F(IgtlLinkTest, ModelOfferedLaterIsSentToo)
 {
   const auto peer = this->Connected();
   ASSERT_TRUE(LinkBecomes([&] { return this->Link.HasPeer(); }));
-  this->Link.Offer(IgtlSurfaceMessage("late", Tetrahedron()));
+  this->Link.Offer({IgtlSurfaceMessage("late", Tetrahedron())});
   EXPECT_FALSE(this->Link.IsAllSent());
   EXPECT_EQ(NextSurface(*peer).size(), 4U);
   EXPECT_TRUE(LinkBecomes([&] { return this->Link.IsAllSent(); }));

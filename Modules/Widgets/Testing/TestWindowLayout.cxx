@@ -141,7 +141,11 @@ TEST_F(WindowLayoutTest, DialogsFitTheSmallestScreenUnclipped)
   StructureDialog structure(*this->Study, id, this->Window.get());
   ThresholdDialog threshold(*this->Study, this->Window->Contents().Images(), this->Window.get());
   PictureDialog picture(*this->Window->Views(), this->Window.get());
-  const std::map<std::string, QDialog*> dialogs{{"preferences", &preferences},
+  this->Action("Link with other programs...")->trigger();
+  auto* link = this->Window->findChild<QDialog*>("link");
+  ASSERT_NE(link, nullptr);
+  const std::map<std::string, QDialog*> dialogs{{"link", link},
+                                                {"preferences", &preferences},
                                                 {"guide", &guide},
                                                 {"structure", &structure},
                                                 {"threshold", &threshold},

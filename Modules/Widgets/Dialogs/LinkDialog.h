@@ -1,0 +1,57 @@
+#pragma once
+
+#include "FileQuestions.h"
+#include "IgtlLink.h"
+#include "StudyController.h"
+
+#include <QCheckBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+
+#include <cstdint>
+#include <vector>
+
+class vtkPolyData;
+
+namespace palpate
+{
+/// Exchanges data with another program by OpenIGTLink while it is open: images and label maps that
+/// arrive are written into a folder and opened; the displayed surfaces of structures are sent,
+/// again whenever they change. Closing it ends the connection.
+class LinkDialog : public QDialog
+{
+  Q_OBJECT
+
+public:
+  /// Keeps the addresses.
+  LinkDialog(StudyController& study, const FileQuestions& questions, QWidget* parent);
+
+  void done(int result) override;
+
+private:
+  void AddRows();
+  void ChooseFolder();
+  void SwitchLink(bool isOn);
+  void Look();
+  void Keep(IgtlImage image);
+  std::vector<vtkPolyData*> Displayed();
+  void OfferSurfaces();
+  void ShowState(const QString& problem = {});
+
+  StudyController& Study;
+  const FileQuestions& Questions;
+  IgtlLink Link;
+  QTimer Timer;
+  QLineEdit* Address;
+  QLineEdit* Folder;
+  QPushButton* Browse;
+  QCheckBox* SendsSurfaces;
+  QPushButton* Switch;
+  QLabel* State;
+  int Received = 0;
+  std::vector<std::uint64_t> Sent; ///< modification times of the surfaces that were offered
+};
+} // namespace palpate
