@@ -22,6 +22,7 @@ constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
+constexpr int MotionMeetings = 4;          // of walls in one step
 constexpr double ShortestStep = 0.05;      // of the longest
 constexpr double MotionPartOfRadius = 0.5; // short steps of a sphere
 // Of the smallest radius: how deep in a sphere parts of the surface may be that a proof leaves to
@@ -98,7 +99,7 @@ bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
 bool ClearMotion::IsHeldUp(const Vector3& probe) noexcept
 {
   const double near = ShortestStep * this->Stride;
-  if (this->Surface->CrossesItself() || (probe - this->Place).norm() <= near)
+  if ((probe - this->Place).norm() <= near)
   {
     return false;
   }
@@ -147,7 +148,7 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
   Minima minima = this->Continued(goal);
   if (const ClosestPoint* touched = this->Touched(minima))
   {
-    this->Meet(start, goal, *touched);
+    this->MeetFirst(start, goal, *touched);
     return Step::Met;
   }
   if (knownBefore > 0 && minima.Count > 0 && this->IsAlone(this->Known.Each[0], minima.Each[0]))
@@ -275,6 +276,28 @@ const ClearMotion::ClosestPoint* ClearMotion::Touched(const Minima& minima) cons
   return nullptr;
 }
 
+// Several walls may be overlapped at the goal, of which a proof finds any first: what overlaps the
+// tool where it touches one was met before that one.
+void ClearMotion::MeetFirst(const Vector3& start, const Vector3& goal,
+                            const ClosestPoint& minimum) noexcept
+{
+  constexpr double Apart = 0.0;
+  this->Meet(start, goal, minimum);
+  for (int met = 1; met < MotionMeetings && !this->Places->IsNearest(this->Wall); ++met)
+  {
+    const auto answer =
+        this->Clearance->AskWithin(this->Free + this->Clearance->Tolerance(), this->Place,
+                                   &this->Wall, 1, MotionEvaluationsOfShortStep, Apart);
+    const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
+    if (answer.State != Proof::Finding::Nearer ||
+        found.SignedDistance > this->RadiusAt(found) - this->Exactness)
+    {
+      return;
+    }
+    this->Meet(start, Vector3(this->Place), found);
+  }
+}
+
 // Where on the step the tool touches: the distance changes almost linearly.
 void ClearMotion::Meet(const Vector3& start, const Vector3& goal,
                        const ClosestPoint& minimum) noexcept
@@ -324,7 +347,7 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& start, const Vector3& goal, 
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
     if (isShort && found.SignedDistance < this->RadiusAt(found))
     {
-      this->Meet(start, goal, found);
+      this->MeetFirst(start, goal, found);
       return Step::Met;
     }
     if (!this->IsExact(found))

@@ -76,6 +76,7 @@ private:
   void LookAhead() noexcept;
   Minima Continued(const Vector3& goal) noexcept;
   const ClosestPoint* Touched(const Minima& minima) const noexcept;
+  void MeetFirst(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;
   void Meet(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;
   Step StepShortly(const Vector3& start, const Vector3& goal, Minima& minima) noexcept;
   bool IsShort(const Vector3& start, const Vector3& goal) const noexcept;

@@ -1,6 +1,7 @@
 #include "HarmonicWedge.h"
 
 #include "IcosahedronDirections.h"
+#include "SlideRelaxation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,9 +28,12 @@ constexpr int WedgeSteps = 6;
 // At a parametric surface a proof takes much longer: a sphere that has farther to go arrives later.
 constexpr int WedgeProofs = 12;
 constexpr int WedgeProofsAtFolds = 3;
+// Where the surface crosses itself steps are as short as the margin: as many as their work allows.
+constexpr int WedgeProofsAtCrossings = 7;
 constexpr int EvaluationsOfMove = 640;
 constexpr int EvaluationsAtFolds = 24; // of all proofs of a tick, the rest is left to the next ones
 constexpr int LeastEvaluations = 8;    // of each of them
+constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
 constexpr int EvaluationsOfRest = 160; // where they leave much
 // Of the smallest radius: how deep in the sphere parts may be that are left.
 constexpr double RelativeSlack = 1.5e-3;
@@ -49,30 +53,6 @@ ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld
       SquaredDistance(wall.SampleDirection, wall.Sample, queryWorld - modelCenterWorld);
   return seen;
 }
-// If two walls hold the sphere in a groove, steps from plane to plane overshoot or lag by about the
-// same fraction each time: Aitken's process removes that fraction along the previous step (Irons
-// and Tuck, Int. J. Numer. Meth. Eng. 1, 1969).
-class Relaxation
-{
-public:
-  Vector3 Relaxed(const Vector3& step) noexcept
-  {
-    Vector3 relaxed = step;
-    const double square = this->Last.squaredNorm();
-    if (square > 0.0)
-    {
-      const double change = (step - this->Last).dot(this->Last);
-      this->Factor = change < 0.0 ? std::clamp(-this->Factor * square / change, 0.1, 3.0) : 1.0;
-      relaxed += (this->Factor - 1.0) * step.dot(this->Last) / square * this->Last;
-    }
-    this->Last = step;
-    return relaxed;
-  }
-
-private:
-  Vector3 Last = Vector3::Zero();
-  double Factor = 1.0;
-};
 
 double RoomAt(const Vector3& place, const HalfSpace& plane) noexcept
 {
@@ -206,12 +186,25 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
 }
 
 template <typename Surface>
+bool HarmonicWedgeOf<Surface>::MayProve(int proofs, int evaluationsLeft) const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    const bool isMore = this->Touched->CrossesItself() && evaluationsLeft > -MoreAtCrossings;
+    return proofs < (isMore ? WedgeProofsAtCrossings : WedgeProofsAtFolds);
+  }
+  else
+  {
+    return proofs < WedgeProofs;
+  }
+}
+
+template <typename Surface>
 void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
-  constexpr int MostProofs = Surface::MayCrossItself ? WedgeProofsAtFolds : WedgeProofs;
   Leash leash{this->Center, this->LongestStep};
   int left = Surface::MayCrossItself ? EvaluationsAtFolds : EvaluationsOfMove;
-  for (int proof = 0; proof < MostProofs; ++proof)
+  for (int proof = 0; this->MayProve(proof, left); ++proof)
   {
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
@@ -255,8 +248,8 @@ HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft) noexcept
   { return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations); };
   if constexpr (Surface::MayCrossItself)
   {
-    typename Proof::Answer answer = ask(evaluationsLeft);
-    evaluationsLeft = std::max(LeastEvaluations, evaluationsLeft - answer.Evaluations);
+    const typename Proof::Answer answer = ask(std::max(LeastEvaluations, evaluationsLeft));
+    evaluationsLeft -= answer.Evaluations;
     const double enough = this->Radius - RelativeSlack * this->Touched->SmallestRadius();
     const bool isLeft = answer.State == Proof::Finding::Open && answer.LowerDistance < enough;
     return isLeft ? ask(EvaluationsOfRest) : answer;
@@ -331,7 +324,7 @@ bool HarmonicWedgeOf<Surface>::IsClearOfWalls() const noexcept
 template <typename Surface>
 bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
-  Relaxation relaxation;
+  SlideRelaxation relaxation;
   bool mayRoll = true;
   for (int step = 0; step < WedgeSteps; ++step)
   {

@@ -110,6 +110,7 @@ private:
   };
 
   void Approach(const Vector3& goalWorld) noexcept;
+  bool MayProve(int proofs, int evaluationsLeft) const noexcept;
   typename Proof::Answer ProofHere(int& evaluationsLeft) noexcept;
   void Shorten(Leash& leash) noexcept;
   Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;

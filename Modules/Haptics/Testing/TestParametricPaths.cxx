@@ -3,8 +3,12 @@
 #include "ParametricPath.h"
 #include "ParametricPhantoms.h"
 #include "SurfaceTouchTruth.h"
+#include "WanderingHand.h"
+#include "WedgePlaces.h"
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace palpate::parametric_paths_test
 {
@@ -117,6 +121,101 @@ TEST(ParametricPaths, ContactBeginsInAHollowAsRoundAsTheTool)
     }
     EXPECT_LE(longest, 2) << gap; // ticks
   }
+}
+// Moves a parameter by about `length` (mm).
+Vector3 MovedAlong(const ParametricSphericalSurface& surface, const Vector3& parameter,
+                   const Vector3& axis, double length)
+{
+  constexpr double Angle = 1e-3;
+  const Vector3 near = Eigen::AngleAxisd(Angle, axis) * parameter;
+  const double moved = (surface.Point(near) - surface.Point(parameter)).norm();
+  return (Eigen::AngleAxisd(Angle * length / moved, axis) * parameter).normalized();
+}
+
+// Next to a crossing a point moves by steps shorter than the margin, of which a tick takes several.
+TEST(ParametricPaths, APointNextToACrossingKeepsUpWithTheHand)
+{
+  constexpr double Speed = 0.2; // mm a tick
+  constexpr int Ticks = 25;
+  const ParametricSphericalSurface surface = test::CrossingRing();
+  const auto touch = PathSurfaceOf(surface);
+  const auto tracker = TrackerOf(*PathContact(surface), ToolShape::Sphere(0.0));
+  const WedgePlaces places(*touch, 0.0, 0.0);
+  const double room = 1.2 * touch->Margin();
+  const auto isFree = [&](const Vector3& parameter)
+  {
+    const Vector3 above = surface.Point(parameter) + room * surface.Normal(parameter);
+    const auto nearest = touch->SeenFrom(above, touch->Search().Nearest(above));
+    return nearest.SignedDistance > 0.99 * room;
+  };
+  Random random(9114);
+  test::WorstCase lag;
+  int strokes = 0;
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    Vector3 parameter = test::RandomDirection(random);
+    const Vector3 axis = parameter.cross(test::RandomDirection(random)).normalized();
+    tracker->Release();
+    tracker->Follow(At(surface.Point(parameter) + 0.5 * surface.Normal(parameter)));
+    int ticks = 0;
+    while (ticks < Ticks && places.Contains(parameter) && isFree(parameter))
+    {
+      tracker->Follow(At(surface.Point(parameter) - 0.3 * surface.Normal(parameter)));
+      parameter = MovedAlong(surface, parameter, axis, Speed);
+      ++ticks;
+    }
+    if (ticks == Ticks)
+    {
+      const Vector3 probe = surface.Point(parameter) - 0.3 * surface.Normal(parameter);
+      lag.Add((tracker->Follow(At(probe)).ProxyWorld - surface.Point(parameter)).norm());
+      ++strokes;
+    }
+  }
+  EXPECT_GT(strokes, 20);
+  EXPECT_LE(lag.Value(), 0.5); // mm
+}
+// An ellipsoid with relief of every degree, that crosses itself in many places.
+ParametricSphericalSurface CrossingRelief()
+{
+  constexpr double Relief = 3.0; // mm
+  Random random(3);
+  const ParametricSphericalSurface smooth = test::EllipsoidPhantom({25.0, 18.0, 9.0}, 16);
+  std::array<std::vector<double>, 3> coefficients;
+  for (int coordinate = 0; coordinate < 3; ++coordinate)
+  {
+    std::vector<double>& values = coefficients[static_cast<std::size_t>(coordinate)];
+    values = smooth.Coefficients(coordinate);
+    const std::vector<double> relief = test::RandomCoefficients(random, 16, 1.0);
+    for (std::size_t i = 4; i < values.size(); ++i)
+    {
+      values[i] += Relief * relief[i];
+    }
+  }
+  return {16, coefficients};
+}
+
+// Next to where a surface crosses itself proofs hardly ever end. A tool that cannot go on is in
+// contact; one that waited would be pressed in without a force.
+TEST(ParametricPaths, NoToolIsPressedInWithoutAForceNextToACrossing)
+{
+  const ParametricSphericalSurface surface = CrossingRelief();
+  const auto touch = PathSurfaceOf(surface);
+  ASSERT_TRUE(touch->CrossesItself());
+  const auto tracker = TrackerOf(*PathContact(surface), ToolShape::Sphere(0.0));
+  Random random(9202);
+  test::WanderingHand hand(surface, 0.0, random);
+  int pressed = 0;
+  int longest = 0;
+  for (int tick = 0; tick < 15000; ++tick)
+  {
+    const Vector3 probe = hand.Next();
+    const bool isTouching = tracker->Follow(At(probe)).IsTouching;
+    const auto depth = [&]
+    { return -touch->SeenFrom(probe, touch->Search().Nearest(probe, 5000)).SignedDistance; };
+    pressed = !isTouching && depth() > 0.5 ? pressed + 1 : 0;
+    longest = std::max(longest, pressed);
+  }
+  EXPECT_LE(longest, 3); // ticks
 }
 } // namespace
 } // namespace palpate::parametric_paths_test
