@@ -1,0 +1,113 @@
+#include "ClearanceProof.h"
+
+#include "ParametricPhantoms.h"
+#include "ParametricShape.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+namespace palpate::parametric_clearance_proof_test
+{
+namespace
+{
+using test::Random;
+using Proof = ClearanceProofOf<ParametricShape>;
+using Search = ClosestPointSearchOf<ParametricShape>;
+using Finding = Proof::Finding;
+
+constexpr int ProvingEvaluations = 20000;
+constexpr double Distance = 3.0; // mm
+constexpr double Tolerance = 0.01;
+
+std::vector<ParametricSphericalSurface> Phantoms()
+{
+  Random random(5);
+  return {test::CleftBlob(), test::BumpyTube(random), test::CrossingRing()};
+}
+
+// A place next to the surface that moves by up to 0.1 mm.
+class Stroke
+{
+public:
+  Stroke(const ParametricSphericalSurface& surface, Random& random)
+      : Surface(surface), Source(random), Parameter(test::RandomDirection(random)),
+        Axis(test::RandomDirection(random))
+  {
+  }
+  Vector3 Next(double height)
+  {
+    this->Axis = (this->Axis + 0.05 * test::RandomDirection(this->Source)).normalized();
+    this->Parameter = (Eigen::AngleAxisd(0.004, this->Axis) * this->Parameter).normalized();
+    return this->Surface.Point(this->Parameter) + height * this->Surface.Normal(this->Parameter);
+  }
+
+private:
+  const ParametricSphericalSurface& Surface;
+  Random& Source;
+  Vector3 Parameter;
+  Vector3 Axis;
+};
+
+// What a limited proof leaves open does not count as clear.
+TEST(ParametricClearanceProof, BoundsHoldWithAnyLimitOfWork)
+{
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const Search search(std::make_shared<const ParametricShape>(surface));
+    Proof proof(search, Distance, Tolerance);
+    Random random(9421);
+    Stroke stroke(surface, random);
+    int open = 0;
+    for (int step = 0; step < 600; ++step)
+    {
+      const Vector3 query = stroke.Next(Distance + 1.5 * std::sin(0.05 * step));
+      const double nearest = std::abs(search.Nearest(query, ProvingEvaluations).SignedDistance);
+      const double asked = Distance + (step % 3 == 0 ? 0.5 : 0.0);
+      const auto limit = static_cast<int>(random() % 24);
+      const Proof::Answer answer = proof.AskWithin(asked, query, nullptr, 0, limit);
+      if (answer.State == Finding::Nearer)
+      {
+        ASSERT_LT(std::abs(answer.Minimum.SignedDistance), asked);
+        continue;
+      }
+      open += answer.State == Finding::Open ? 1 : 0;
+      ASSERT_LE(answer.LowerDistance, nearest + 1e-9) << step; // rounding
+    }
+    EXPECT_GT(open, 20);
+  }
+}
+
+// A tick that has not finished its proof carries it on in the next one.
+TEST(ParametricClearanceProof, LittleWorkAtATimeEndsWhereMuchWorkDoes)
+{
+  constexpr int Little = 8;
+  constexpr int Most = 400; // times
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const Search search(std::make_shared<const ParametricShape>(surface));
+    Random random(9422);
+    int clear = 0;
+    int nearer = 0;
+    for (int trial = 0; trial < 30; ++trial)
+    {
+      Proof proof(search, Distance, Tolerance);
+      Stroke stroke(surface, random);
+      const Vector3 query = stroke.Next(Distance + 0.5 * (trial % 2 == 0 ? 1.0 : -1.0));
+      const double nearest = std::abs(search.Nearest(query, ProvingEvaluations).SignedDistance);
+      Proof::Answer answer = proof.Ask(query, nullptr, 0, Little);
+      for (int again = 0; again < Most && answer.State == Finding::Open; ++again)
+      {
+        answer = proof.Ask(query, nullptr, 0, Little);
+      }
+      ASSERT_EQ(answer.State, nearest < Distance - Tolerance ? Finding::Nearer : Finding::Clear);
+      clear += answer.State == Finding::Clear ? 1 : 0;
+      nearer += answer.State == Finding::Nearer ? 1 : 0;
+    }
+    EXPECT_GT(clear, 3);
+    EXPECT_GT(nearer, 3);
+  }
+}
+} // namespace
+} // namespace palpate::parametric_clearance_proof_test
