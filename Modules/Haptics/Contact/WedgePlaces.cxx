@@ -101,13 +101,25 @@ void WedgePlaces::AddAround(const Vector3& parameter, double room)
   }
 }
 
+// Where the tool hardly fits, hollows between the places that were tested may be narrower: there
+// places twice as close are tested too.
 void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
 {
+  constexpr double Close = 1.2; // of the tool
+  this->AddHollows(surface, this->Frequency, {0.0, std::numeric_limits<double>::infinity()});
+  this->AddHollows(surface, 2 * this->Frequency, {this->Radius, Close * this->Radius});
+}
+
+// Of the places with so much room up to now.
+void WedgePlaces::AddHollows(const ParametricTouchSurface& surface, int frequency,
+                             const std::pair<double, double>& known)
+{
   constexpr double Larger = 1.1;
-  const IcosahedronDirections sphere(this->Frequency);
+  const IcosahedronDirections sphere(frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
-    if (!(this->RoomAt(parameter) > 0.0))
+    const double before = this->RoomAt(parameter);
+    if (!(before > known.first && before < known.second))
     {
       continue;
     }

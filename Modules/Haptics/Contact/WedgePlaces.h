@@ -4,6 +4,7 @@
 #include "ParametricTouchSurface.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -62,6 +63,8 @@ private:
   std::size_t CellOf(const Vector3& parameter) const noexcept;
   void AddAround(const Vector3& parameter, double room);
   void AddHollows(const ParametricTouchSurface& surface);
+  void AddHollows(const ParametricTouchSurface& surface, int frequency,
+                  const std::pair<double, double>& known);
   void AddCrossings(const ParametricTouchSurface& surface, double radius);
 
   int Frequency; // of the directions that are tested; as many cells are on an edge of the cube
