@@ -2,29 +2,16 @@
 
 #include "MeshConversion.h"
 #include "NearestOnMesh.h"
+#include "SignedMeshDistances.h"
 
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
 namespace palpate
 {
-namespace
-{
-Vector3 BoxCenter(const std::vector<Vector3>& points)
-{
-  Eigen::AlignedBox3d box;
-  for (const Vector3& point : points)
-  {
-    box.extend(point);
-  }
-  return box.center();
-}
-} // namespace
-
 std::vector<double> ClosestPointDistances(const std::vector<Vector3>& points,
                                           const IndexedMesh& surface)
 {
@@ -51,34 +38,16 @@ std::vector<double> ClosestPointDistances(vtkPoints* points, vtkPolyData* surfac
 std::vector<double> SignedDistances(const std::vector<Vector3>& points, const IndexedMesh& surface)
 {
   std::vector<double> distances = ClosestPointDistances(points, surface);
-  if (points.empty())
-  {
-    return distances;
-  }
-  // Any start of the rays will do.
-  const Vector3 start = BoxCenter(points);
-  std::vector<Vector3> directions;
-  directions.reserve(points.size());
-  for (const Vector3& point : points)
-  {
-    const Vector3 arm = point - start;
-    directions.push_back(arm.squaredNorm() > 0.0 ? Vector3(arm.normalized()) : Vector3::UnitX());
-  }
-  const auto crossings = DirectionCaster(directions).Cast(surface, start);
+  const std::vector<std::uint8_t> inside = InsideOf(points, surface);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    distances[i] =
-        IsInside(crossings[i], (points[i] - start).norm()) ? -distances[i] : distances[i];
+    distances[i] = inside[i] != 0 ? -distances[i] : distances[i];
   }
   return distances;
 }
 
 bool IsInside(const std::vector<RayCrossing>& crossings, double distance)
 {
-  return std::count_if(crossings.begin(), crossings.end(),
-                       [distance](const RayCrossing& crossing)
-                       { return crossing.Distance > distance; }) %
-             2 ==
-         1;
+  return IsWithinCrossings(crossings, distance);
 }
 } // namespace palpate

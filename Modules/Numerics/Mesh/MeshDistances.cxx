@@ -74,6 +74,25 @@ DistanceSummary Moments(const std::vector<double>& distances, const std::vector<
   summary.Rms = std::sqrt(summary.Rms);
   return summary;
 }
+// The share of a triangle in which a linear function with these values at its corners is at most 0.
+double ShareBelow(std::array<double, 3> values)
+{
+  std::sort(values.begin(), values.end());
+  const auto [low, middle, high] = values;
+  if (high <= 0.0)
+  {
+    return 1.0;
+  }
+  if (low > 0.0)
+  {
+    return 0.0;
+  }
+  if (middle <= 0.0)
+  {
+    return 1.0 - high / (high - low) * (high / (high - middle));
+  }
+  return low / (low - high) * (low / (low - middle));
+}
 } // namespace
 
 std::vector<double> PointAreas(const IndexedMesh& mesh)
@@ -140,6 +159,21 @@ DistanceSummary TwoSidedDistances(const std::vector<double>& there,
   Append(there, weightsThere, 0.5, entries);
   Append(back, weightsBack, 0.5, entries);
   return Pool(Moments(there, weightsThere), Moments(back, weightsBack), std::move(entries));
+}
+
+double ShareWithin(const IndexedMesh& mesh, const std::vector<double>& distances, double limit)
+{
+  double within = 0.0;
+  double area = 0.0;
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const Vector3& a = mesh.Points[t[0]];
+    const double doubled = (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm();
+    area += doubled;
+    within += doubled * ShareBelow({distances[t[0]] - limit, distances[t[1]] - limit,
+                                    distances[t[2]] - limit});
+  }
+  return area > 0.0 ? within / area : 0.0;
 }
 
 Status MeasureMeshDistances(const IndexedMesh& one, const IndexedMesh& other,

@@ -56,6 +56,10 @@ DistanceSummary TwoSidedDistances(const std::vector<double>& there,
                                   const std::vector<double>& back,
                                   const std::vector<double>& weightsBack);
 
+/// The share of a surface's area at which `distances` (at its points, not negative, linear in the
+/// triangles) are at most `limit`; 0 for a surface without area. The indices must be valid.
+double ShareWithin(const IndexedMesh& mesh, const std::vector<double>& distances, double limit);
+
 /// All summaries of two surfaces. Fails as TriangleTree::Make does.
 Status MeasureMeshDistances(const IndexedMesh& one, const IndexedMesh& other,
                             MeshDistances& distances);

@@ -1,0 +1,93 @@
+#include "BodyComparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+KernelProgress PartOfProgress(const KernelProgress& progress, double from, double to)
+{
+  return !progress ? KernelProgress()
+                   : [=](double fraction) { return progress(from + fraction * (to - from)); };
+}
+
+std::vector<double> Lengths(const DistanceMap& map)
+{
+  std::vector<double> lengths;
+  lengths.reserve(map.Values.size());
+  for (const double value : map.Values)
+  {
+    lengths.push_back(std::abs(value));
+  }
+  return lengths;
+}
+
+Status MapDistances(const ComparedBody& from, const ComparedBody& to,
+                    const KernelProgress& progress, DistanceMap& map)
+{
+  if (Status status = to.DistancesOf(from.Surface().Points, progress, map.Values); !status.IsOk())
+  {
+    return status;
+  }
+  map.Unsigned = Summarise(Lengths(map), from.Weights());
+  map.SignedMean = to.IsClosed() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < map.Values.size(); ++i)
+  {
+    map.SignedMean += from.Weights()[i] * map.Values[i];
+  }
+  return Status::Success();
+}
+
+double SurfaceDiceOf(const ComparedBody& one, const DistanceMap& there, const ComparedBody& other,
+                     const DistanceMap& back, double tolerance)
+{
+  const double within = one.Area() * ShareWithin(one.Surface(), Lengths(there), tolerance) +
+                        other.Area() * ShareWithin(other.Surface(), Lengths(back), tolerance);
+  return within / (one.Area() + other.Area());
+}
+} // namespace
+
+double BodyComparison::Hausdorff95() const noexcept
+{
+  return std::max(this->OneToOther.Unsigned.Percentile95, this->OtherToOne.Unsigned.Percentile95);
+}
+
+Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
+                     const std::vector<double>& tolerances, const KernelProgress& progress,
+                     BodyComparison& comparison)
+{
+  BodyComparison made;
+  BodyOverlap overlap;
+  if (FindBodyOverlap(one, other, overlap).IsOk())
+  {
+    made.Overlap = overlap;
+  }
+  Status status = MapDistances(one, other, PartOfProgress(progress, 0.2, 0.6), made.OneToOther);
+  if (status.IsOk())
+  {
+    status = MapDistances(other, one, PartOfProgress(progress, 0.6, 1.0), made.OtherToOne);
+  }
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  made.Both = TwoSidedDistances(Lengths(made.OneToOther), one.Weights(), Lengths(made.OtherToOne),
+                                other.Weights());
+  for (const double tolerance : tolerances)
+  {
+    made.Tolerances.push_back(
+        {tolerance, SurfaceDiceOf(one, made.OneToOther, other, made.OtherToOne, tolerance)});
+  }
+  if (other.IsClosed())
+  {
+    made.Bias =
+        SideBias::Of(one.Surface().Points, made.OneToOther.Values, one.Weights(), other.Centroid());
+  }
+  comparison = std::move(made);
+  return Status::Success();
+}
+} // namespace palpate

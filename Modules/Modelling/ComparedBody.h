@@ -1,0 +1,70 @@
+#pragma once
+
+#include "IndexToWorld.h"
+#include "IndexedMesh.h"
+#include "KernelProgress.h"
+#include "ModelFoot.h"
+#include "NearestOnMesh.h"
+#include "Status.h"
+#include "SurfaceModel.h"
+#include "VoxelMask.h"
+
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// A mask on its grid.
+struct PlacedMask
+{
+  VoxelMask Voxels;
+  IndexToWorld ToWorld; ///< of image indices
+};
+
+/// One of two bodies that are compared: a mask, a triangle surface or a model, as a surface with
+/// points as dense as measurements need (world mm, patient LPS). Immutable.
+class ComparedBody
+{
+public:
+  /// The mask's boundary half way between voxel centres (MakeMaskBoundary). Fails as that does.
+  static Status OfMask(VoxelMask mask, const IndexToWorld& toWorld, ComparedBody& made);
+  /// A surface, closed or open: equal points are merged, triangles turned outwards, and long edges
+  /// split, so that the surface has some 20,000 points. Fails for a mesh without triangles with
+  /// area, points that are not finite, and indices out of range.
+  static Status OfMesh(IndexedMesh mesh, ComparedBody& made);
+  /// A model, at points on itself; distances from it are those from the model, not from triangles.
+  /// Fails if its points are not finite or enclose no volume.
+  static Status OfModel(const SurfaceModel& model, ComparedBody& made);
+
+  const IndexedMesh& Surface() const noexcept { return this->Mesh; }
+  bool IsClosed() const noexcept { return this->Holes == 0; }
+  int HoleCount() const noexcept { return this->Holes; }
+  /// mm^3: of a mask's voxels, a model's integral, the volume that a mesh encloses; NaN if open.
+  double Volume() const noexcept { return this->EnclosedVolume; }
+  double Area() const noexcept { return this->SurfaceArea; } ///< mm^2
+  /// Of the volume, or of the surface if it is open.
+  const Vector3& Centroid() const noexcept { return this->Middle; }
+  const PlacedMask* Mask() const noexcept { return this->Voxels.get(); }
+  bool IsModel() const noexcept { return this->Foot != nullptr; }
+  /// The points' parts of the surface's area, which sum to 1.
+  const std::vector<double>& Weights() const noexcept { return this->Parts; }
+
+  /// Distances (mm) of points from this surface: negative inside if it is closed, else unsigned.
+  /// Fails only if `progress` cancels.
+  Status DistancesOf(const std::vector<Vector3>& points, const KernelProgress& progress,
+                     std::vector<double>& distances) const;
+
+private:
+  Status Finish();
+
+  IndexedMesh Mesh;
+  NearestOnMesh Nearest;
+  std::shared_ptr<const ModelFoot> Foot;
+  std::shared_ptr<const PlacedMask> Voxels;
+  std::vector<double> Parts;
+  Vector3 Middle = Vector3::Zero();
+  double EnclosedVolume = 0.0;
+  double SurfaceArea = 0.0;
+  int Holes = 0;
+};
+} // namespace palpate

@@ -1,0 +1,107 @@
+#include "ModelFoot.h"
+
+#include "IcosahedronDirections.h"
+#include "ParametricSurfaceMeasures.h"
+#include "SampleGeometry.h"
+#include "SphericalHarmonicMeasures.h"
+#include "SquaredDistance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+// Triangles' sides some 2.5 times as short as the shortest half-wave, so that the nearest triangle
+// leads Newton's method to the right place.
+int FrequencyOf(const SurfaceModel& model)
+{
+  return std::clamp(static_cast<int>(std::ceil(2.5 * DegreeOf(model))), 40, 200);
+}
+
+ParametricSphericalSurface AsParametric(const SurfaceModel& model)
+{
+  const auto* star = std::get_if<SphericalHarmonicModel>(&model);
+  return star != nullptr ? ParametricSphericalSurface::FromModel(*star)
+                         : std::get<ParametricSphericalSurface>(model);
+}
+
+double SignedVolumeOf(const SurfaceModel& model)
+{
+  const auto* star = std::get_if<SphericalHarmonicModel>(&model);
+  return star != nullptr ? VolumeOf(*star) : std::get<ParametricSphericalSurface>(model).Volume();
+}
+} // namespace
+
+ModelFoot::ModelFoot(const SurfaceModel& model)
+    : Shape(AsParametric(model)), Outward(SignedVolumeOf(model) < 0.0 ? -1.0 : 1.0),
+      EnclosedVolume(std::abs(SignedVolumeOf(model))),
+      SurfaceArea(std::visit([](const auto& surface) { return AreaOf(surface); }, model))
+{
+  const IcosahedronDirections sphere(FrequencyOf(model));
+  this->Parameters = sphere.Directions();
+  for (const Vector3& parameter : this->Parameters)
+  {
+    this->Drawing.Points.push_back(this->Shape.PointWorld(parameter));
+  }
+  this->Drawing.Triangles = sphere.Triangles();
+  for (std::array<int, 3>& triangle : this->Drawing.Triangles)
+  {
+    if (this->Outward < 0.0)
+    {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+}
+
+// By the areas of the parts into which the point divides its triangle.
+Vector3 ModelFoot::ParameterAt(const NearestOnMesh::Result& near) const noexcept
+{
+  const std::array<int, 3>& corners = this->Drawing.Triangles[near.Triangle];
+  Vector3 parameter = Vector3::Zero();
+  for (int i = 0; i < 3; ++i)
+  {
+    const Vector3 next = this->Drawing.Points[corners[(i + 1) % 3]] - near.Point;
+    const Vector3 last = this->Drawing.Points[corners[(i + 2) % 3]] - near.Point;
+    parameter += next.cross(last).norm() * this->Parameters[corners[i]];
+  }
+  return parameter.squaredNorm() > 0.0 ? Vector3(parameter.normalized())
+                                       : this->Parameters[corners[0]];
+}
+
+double ModelFoot::SignedDistance(const Vector3& query,
+                                 const NearestOnMesh::Result& near) const noexcept
+{
+  constexpr int MostSteps = 12;
+  constexpr double ShortStep = 1e-7; // rad; the distance is then off by the square of it
+  const Vector3 from = query - this->Shape.CenterWorld();
+  Vector3 parameter = this->ParameterAt(near);
+  ParametricShape::SecondOrderSample sample = this->Shape.EvaluateSecondOrder(parameter);
+  for (int i = 0; i < MostSteps; ++i)
+  {
+    const SquaredDistance distance(parameter, sample, from);
+    if (!distance.IsConvex())
+    {
+      break;
+    }
+    const Vector3 step = distance.NewtonStep();
+    if (!(step.squaredNorm() > ShortStep * ShortStep))
+    {
+      break;
+    }
+    const Vector3 next = Moved(parameter, step);
+    const ParametricShape::SecondOrderSample there = this->Shape.EvaluateSecondOrder(next);
+    if (!((from - there.Point).squaredNorm() < (from - sample.Point).squaredNorm()))
+    {
+      break;
+    }
+    parameter = next;
+    sample = there;
+  }
+  const Vector3 offset = from - sample.Point;
+  const double side = this->Outward * offset.dot(sample.First[0].cross(sample.First[1]));
+  return side < 0.0 ? -offset.norm() : offset.norm();
+}
+} // namespace palpate

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "IndexedMesh.h"
+#include "NearestOnMesh.h"
+#include "ParametricShape.h"
+#include "SurfaceModel.h"
+
+#include <vector>
+
+namespace palpate
+{
+/// A model's surface drawn at points of itself, and exact distances from it. The nearest triangle
+/// of the drawing finds where on the surface the closest point is, and Newton's method finds it
+/// there: exact to rounding, except for points that are about equally far from two parts of the
+/// surface. Immutable; queries are thread-safe.
+class ModelFoot
+{
+public:
+  explicit ModelFoot(const SurfaceModel& model);
+
+  /// Points of the surface (mm, patient LPS), outward orientation; 32,000 triangles or more, after
+  /// the model's degree.
+  const IndexedMesh& Mesh() const noexcept { return this->Drawing; }
+  double Volume() const noexcept { return this->EnclosedVolume; } ///< mm^3, positive
+  double Area() const noexcept { return this->SurfaceArea; }      ///< mm^2
+
+  /// Distance (mm) of a point from the surface, negative inside; `near` is the drawing's point
+  /// nearest to it.
+  double SignedDistance(const Vector3& query, const NearestOnMesh::Result& near) const noexcept;
+
+private:
+  Vector3 ParameterAt(const NearestOnMesh::Result& near) const noexcept;
+
+  ParametricShape Shape;
+  std::vector<Vector3> Parameters; // of the drawing's points
+  IndexedMesh Drawing;
+  double Outward; // -1 if the surface is parametrised inside out
+  double EnclosedVolume;
+  double SurfaceArea;
+};
+} // namespace palpate

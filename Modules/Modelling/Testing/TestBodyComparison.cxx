@@ -1,0 +1,250 @@
+#include "BodyComparison.h"
+
+#include "ComparedCases.h"
+#include "MeshShapes.h"
+
+#include <cmath>
+#include <random>
+
+namespace palpate::body_comparison_test
+{
+namespace
+{
+using test::BodyOfMesh;
+using test::BodyOfModel;
+using test::EllipsoidModel;
+using test::SphereModel;
+
+BodyComparison Compared(const ComparedBody& one, const ComparedBody& other)
+{
+  BodyComparison comparison;
+  const Status status = CompareBodies(one, other, {1.0, 2.0, 3.0}, {}, comparison);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return comparison;
+}
+
+// Of two balls: that of their lens (Weisstein, "Sphere-Sphere Intersection", MathWorld).
+double LensVolume(double r, double s, double d)
+{
+  return M_PI * std::pow(r + s - d, 2) * (d * d + 2.0 * d * (r + s) - 3.0 * (r - s) * (r - s)) /
+         (12.0 * d);
+}
+
+// The distance of a point outside or inside an ellipsoid from its surface, by bisection of the
+// multiplier of the closest point (Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a
+// Hyperellipsoid", 2013); no coordinate may be 0.
+double DistanceFromEllipsoid(const Vector3& axes, const Vector3& point)
+{
+  const Vector3 squares = axes.cwiseAbs2();
+  const Vector3 p = point.cwiseAbs();
+  const auto level = [&](double t)
+  {
+    return (axes.cwiseProduct(p)).cwiseQuotient((squares.array() + t).matrix()).squaredNorm() - 1.0;
+  };
+  double low = -squares.minCoeff();
+  double high = axes.maxCoeff() * p.norm();
+  for (int i = 0; i < 200; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (level(middle) > 0.0 ? low : high) = middle;
+  }
+  const Vector3 foot = squares.cwiseProduct(p).cwiseQuotient((squares.array() + high).matrix());
+  const double distance = (p - foot).norm();
+  return p.cwiseQuotient(axes).squaredNorm() < 1.0 ? -distance : distance;
+}
+
+TEST(BodyComparison, ConcentricSpheresAreTheirRadiiApartEverywhere)
+{
+  const BodyComparison found =
+      Compared(BodyOfModel(SphereModel(22.0)), BodyOfModel(SphereModel(20.0)));
+  for (const DistanceSummary& summary :
+       {found.OneToOther.Unsigned, found.OtherToOne.Unsigned, found.Both})
+  {
+    EXPECT_NEAR(summary.Mean, 2.0, 1e-12);
+    EXPECT_NEAR(summary.Rms, 2.0, 1e-12);
+    EXPECT_NEAR(summary.Percentile95, 2.0, 1e-12);
+    EXPECT_NEAR(summary.Largest, 2.0, 1e-12);
+  }
+  EXPECT_NEAR(found.OneToOther.SignedMean, 2.0, 1e-12);
+  EXPECT_NEAR(found.OtherToOne.SignedMean, -2.0, 1e-12);
+}
+
+TEST(BodyComparison, ShiftedSpheresHaveTheirExactValues)
+{
+  constexpr double Radius = 20.0;
+  constexpr double Shift = 3.0;
+  const BodyComparison found = Compared(BodyOfModel(SphereModel(Radius, {Shift, 0.0, 0.0})),
+                                        BodyOfModel(SphereModel(Radius)));
+  // The mean of |r u + d e| over the sphere is r + d^2 / (3 r).
+  EXPECT_NEAR(found.OneToOther.SignedMean, Shift * Shift / (3.0 * Radius), 1e-4);
+  EXPECT_NEAR(found.Both.Largest, Shift, 1e-3); // at a point of the drawing near the pole
+  const double lens = LensVolume(Radius, Radius, Shift);
+  const double ball = 4.0 / 3.0 * M_PI * std::pow(Radius, 3);
+  ASSERT_TRUE(found.Overlap);
+  EXPECT_NEAR(found.Overlap->Dice(), lens / ball, 1e-4);
+  EXPECT_NEAR(found.Overlap->Jaccard(), lens / (2.0 * ball - lens), 2e-4);
+  // |p - c|^2 = r^2 + d^2 + 2 r d cos, and cos is uniform over the sphere.
+  for (const BodyComparison::Tolerance& tolerance : found.Tolerances)
+  {
+    const auto cosine = [&](double distance)
+    {
+      return std::clamp((std::pow(Radius + distance, 2) - Radius * Radius - Shift * Shift) /
+                            (2.0 * Radius * Shift),
+                        -1.0, 1.0);
+    };
+    const double share = 0.5 * (cosine(tolerance.Millimeters) - cosine(-tolerance.Millimeters));
+    EXPECT_NEAR(tolerance.SurfaceDice, share, 1e-3) << tolerance.Millimeters << " mm";
+  }
+}
+
+TEST(BodyComparison, DistancesFromEllipsoidAreExact)
+{
+  const Vector3 axes(25.0, 18.0, 12.0);
+  const ComparedBody body = BodyOfModel(EllipsoidModel(axes));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> coordinate(-35.0, 35.0);
+  std::vector<Vector3> points;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Vector3 point(coordinate(random), coordinate(random), coordinate(random));
+    // Near the middle plane's ellipse, points are equally far from two sides.
+    if (point.cwiseQuotient(axes).norm() > 0.7)
+    {
+      points.push_back(point);
+    }
+  }
+  std::vector<double> distances;
+  ASSERT_TRUE(body.DistancesOf(points, {}, distances).IsOk());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    ASSERT_NEAR(distances[i], DistanceFromEllipsoid(axes, points[i]), 1e-9)
+        << points[i].transpose();
+  }
+}
+
+TEST(BodyComparison, StarShapedAndParametricModelsOfOneBodyAreEqual)
+{
+  const SphericalHarmonicModel star(2, {70.0, 3.0, -2.0, 1.0, 2.0, -1.5, 4.0, 0.5, 1.0},
+                                    {5.0, -3.0, 40.0});
+  const BodyComparison found =
+      Compared(BodyOfModel(star), BodyOfModel(ParametricSphericalSurface::FromModel(star)));
+  EXPECT_LT(found.Both.Largest, 1e-9);
+  EXPECT_EQ(found.Overlap->Dice(), 1.0);
+  EXPECT_EQ(found.Tolerances.front().SurfaceDice, 1.0);
+}
+
+TEST(BodyComparison, BoxInBoxHasItsExactValues)
+{
+  // Of 12 triangles each: long edges are split.
+  const ComparedBody small = BodyOfMesh(test::Box(Vector3::Constant(-5.0), Vector3::Constant(5.0)));
+  const ComparedBody large = BodyOfMesh(test::Box(Vector3::Constant(-7.0), Vector3::Constant(7.0)));
+  const BodyComparison found = Compared(small, large);
+  EXPECT_NEAR(found.OneToOther.Unsigned.Mean, 2.0, 1e-9);
+  EXPECT_NEAR(found.OneToOther.SignedMean, -2.0, 1e-9);
+  EXPECT_NEAR(found.OtherToOne.Unsigned.Largest, std::sqrt(12.0), 1e-9);
+  // Over a face of the large box, by the midpoint rule.
+  constexpr int Steps = 1400;
+  double mean = 0.0;
+  for (int i = 0; i < Steps; ++i)
+  {
+    for (int j = 0; j < Steps; ++j)
+    {
+      const double y = std::max(0.0, std::abs(-7.0 + 14.0 * (i + 0.5) / Steps) - 5.0);
+      const double z = std::max(0.0, std::abs(-7.0 + 14.0 * (j + 0.5) / Steps) - 5.0);
+      mean += std::sqrt(4.0 + y * y + z * z) / (Steps * Steps);
+    }
+  }
+  EXPECT_NEAR(found.OtherToOne.Unsigned.Mean, mean, 2e-3); // linear in triangles of 0.3 mm
+  EXPECT_NEAR(small.Volume(), 1000.0, 1e-9);
+  EXPECT_NEAR(found.Overlap->Dice(), 2.0 * 1000.0 / (1000.0 + 2744.0), 2e-4);
+  // Nothing of the small one, and of the large one no point is nearer than 2 mm.
+  EXPECT_EQ(found.Tolerances[0].SurfaceDice, 0.0);
+}
+
+TEST(BodyComparison, IdenticalBodiesAgreeCompletely)
+{
+  const ComparedBody torus = BodyOfMesh(test::Torus(60, 30, 20.0, 6.0));
+  const BodyComparison found = Compared(torus, torus);
+  EXPECT_EQ(found.Overlap->Dice(), 1.0);
+  EXPECT_EQ(found.Overlap->Jaccard(), 1.0);
+  EXPECT_LT(found.Both.Largest, 1e-9);
+  EXPECT_EQ(found.Tolerances.front().SurfaceDice, 1.0);
+}
+
+TEST(BodyComparison, DisjointBodiesShareNothing)
+{
+  const BodyComparison found =
+      Compared(BodyOfModel(SphereModel(10.0)), BodyOfModel(SphereModel(10.0, {0.0, 0.0, 50.0})));
+  EXPECT_EQ(found.Overlap->Dice(), 0.0);
+  EXPECT_EQ(found.Overlap->Jaccard(), 0.0);
+  EXPECT_GT(found.OneToOther.SignedMean, 30.0);
+  EXPECT_NEAR(found.Both.Largest, 50.0, 0.02);
+}
+
+TEST(BodyComparison, OpenSurfaceHasUnsignedDistancesOnly)
+{
+  IndexedMesh open = test::Sphere(20, 20.0);
+  open.Triangles.resize(open.Triangles.size() / 2);
+  const ComparedBody shell = BodyOfMesh(open);
+  EXPECT_FALSE(shell.IsClosed());
+  EXPECT_TRUE(std::isnan(shell.Volume()));
+  const BodyComparison found = Compared(shell, BodyOfModel(SphereModel(22.0)));
+  EXPECT_FALSE(found.Overlap);
+  EXPECT_NEAR(found.OneToOther.SignedMean, -2.0, 0.05);
+  EXPECT_TRUE(std::isnan(found.OtherToOne.SignedMean));
+  EXPECT_GE(found.OtherToOne.Unsigned.Mean, 2.0);
+}
+
+TEST(BodyComparison, OrderOfTheBodiesOnlySwapsDirections)
+{
+  const ComparedBody one = BodyOfModel(SphereModel(20.0, {2.0, 1.0, 0.0}));
+  const ComparedBody other = BodyOfModel(EllipsoidModel({22.0, 18.0, 15.0}));
+  const BodyComparison there = Compared(one, other);
+  const BodyComparison back = Compared(other, one);
+  EXPECT_EQ(there.Both.Mean, back.Both.Mean);
+  EXPECT_EQ(there.Hausdorff95(), back.Hausdorff95());
+  EXPECT_EQ(there.OneToOther.SignedMean, back.OtherToOne.SignedMean);
+  EXPECT_EQ(there.Overlap->Dice(), back.Overlap->Dice());
+}
+
+TEST(BodyComparison, ShiftIsBiasOfOppositeSides)
+{
+  const BodyComparison found =
+      Compared(BodyOfModel(SphereModel(20.0, {0.0, 0.0, 2.0})), BodyOfModel(SphereModel(20.0)));
+  ASSERT_TRUE(found.Bias);
+  // 2 cos over the side of a cube seen from its centre; its mean cosine is about 0.83.
+  EXPECT_NEAR(found.Bias->Sides[4].Mean, 2.0 * 0.83, 0.1);
+  EXPECT_NEAR(found.Bias->Sides[5].Mean, -2.0 * 0.83, 0.1);
+  for (const std::size_t side : {0U, 1U, 2U, 3U})
+  {
+    EXPECT_NEAR(found.Bias->Sides[side].Mean, 0.0, 0.15);
+  }
+  double share = 0.0;
+  for (const SideBias::Part& octant : found.Bias->Octants)
+  {
+    share += octant.Share;
+  }
+  EXPECT_NEAR(share, 1.0, 1e-12);
+}
+
+TEST(BodyComparison, CancelFails)
+{
+  const ComparedBody body = BodyOfModel(SphereModel(20.0));
+  BodyComparison comparison;
+  EXPECT_FALSE(CompareBodies(
+                   body, body, {}, [](double) { return false; }, comparison)
+                   .IsOk());
+}
+
+TEST(ComparedBody, RefusesWhatHasNoSurface)
+{
+  ComparedBody body;
+  EXPECT_FALSE(ComparedBody::OfMesh({}, body).IsOk());
+  const IndexedMesh flat{{Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(2, 0, 0)}, {{0, 1, 2}}};
+  EXPECT_FALSE(ComparedBody::OfMesh(flat, body).IsOk());
+  EXPECT_FALSE(ComparedBody::OfModel(SphereModel(0.0), body).IsOk());
+  EXPECT_FALSE(ComparedBody::OfModel(SphereModel(std::nan("")), body).IsOk());
+  EXPECT_FALSE(ComparedBody::OfMask({}, {}, body).IsOk());
+}
+} // namespace
+} // namespace palpate::body_comparison_test

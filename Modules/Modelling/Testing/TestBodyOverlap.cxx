@@ -1,0 +1,142 @@
+#include "BodyOverlap.h"
+
+#include "BodyComparison.h"
+#include "ComparedCases.h"
+
+#include <cmath>
+
+namespace palpate::body_overlap_test
+{
+namespace
+{
+using test::BodyOfVoxels;
+
+IndexToWorld Grid(const Vector3& origin, const Vector3& steps)
+{
+  IndexToWorld toWorld;
+  toWorld.Origin = origin;
+  toWorld.Axes = steps.asDiagonal();
+  return toWorld;
+}
+
+// Boxes of whole voxels: their numbers are products.
+bool IsInFirst(const Vector3& point)
+{
+  return point.minCoeff() > 4.5 && point.maxCoeff() < 14.5;
+}
+bool IsInSecond(const Vector3& point)
+{
+  return IsInFirst(point - Vector3(3.0, 0.0, 0.0));
+}
+
+void ExpectBoxes(const BodyOverlap& overlap)
+{
+  EXPECT_EQ(overlap.Kind, BodyOverlap::Cells::Voxels);
+  EXPECT_EQ(overlap.One, 1000);
+  EXPECT_EQ(overlap.Other, 1000);
+  EXPECT_EQ(overlap.Both, 700);
+  EXPECT_DOUBLE_EQ(overlap.Dice(), 0.7);
+  EXPECT_DOUBLE_EQ(overlap.Jaccard(), 700.0 / 1300.0);
+}
+
+TEST(BodyOverlap, MasksOnOneGridAreCountedByVoxels)
+{
+  const IndexToWorld grid = Grid(Vector3::Zero(), Vector3::Ones());
+  BodyOverlap overlap;
+  ASSERT_TRUE(FindBodyOverlap(BodyOfVoxels({20, 20, 20}, grid, IsInFirst),
+                              BodyOfVoxels({20, 20, 20}, grid, IsInSecond), overlap)
+                  .IsOk());
+  ExpectBoxes(overlap);
+}
+
+TEST(BodyOverlap, GridsThatDifferInOriginAndAxesOnlyAreOne)
+{
+  const ComparedBody one =
+      BodyOfVoxels({20, 20, 20}, Grid(Vector3::Zero(), Vector3::Ones()), IsInFirst);
+  // x runs backwards, y and z are exchanged, and the box begins elsewhere.
+  IndexToWorld turned;
+  turned.Origin = {25.0, -3.0, 2.0};
+  turned.Axes.col(0) = -Vector3::UnitX();
+  turned.Axes.col(1) = Vector3::UnitZ();
+  turned.Axes.col(2) = Vector3::UnitY();
+  const ComparedBody other = BodyOfVoxels({20, 24, 24}, turned, IsInSecond, {2, 0, 1});
+  BodyOverlap overlap;
+  ASSERT_TRUE(FindBodyOverlap(one, other, overlap).IsOk());
+  ExpectBoxes(overlap);
+  ASSERT_TRUE(FindBodyOverlap(other, one, overlap).IsOk());
+  ExpectBoxes(overlap);
+}
+
+TEST(BodyOverlap, MasksOnOtherGridsAreCountedOnCubes)
+{
+  // The same box, in voxels of half the size that begin a quarter of a voxel away and cover the
+  // same space.
+  const ComparedBody coarse =
+      BodyOfVoxels({20, 20, 20}, Grid(Vector3::Zero(), Vector3::Ones()), IsInFirst);
+  const ComparedBody fine =
+      BodyOfVoxels({40, 40, 40}, Grid(Vector3::Constant(-0.25), Vector3::Constant(0.5)), IsInFirst);
+  BodyOverlap overlap;
+  ASSERT_TRUE(FindBodyOverlap(coarse, fine, overlap).IsOk());
+  EXPECT_EQ(overlap.Kind, BodyOverlap::Cells::Cubes);
+  EXPECT_LT(overlap.Spacing.maxCoeff(), 0.15);
+  EXPECT_EQ(overlap.Dice(), 1.0); // each voxel is eight of the others
+}
+
+TEST(BodyOverlap, MaskAndModelAreCountedOnTheMasksVoxels)
+{
+  const IndexToWorld grid = Grid(Vector3(-12.0, -12.0, -12.0), Vector3(0.8, 0.8, 1.6));
+  const ComparedBody mask =
+      BodyOfVoxels({31, 31, 16}, grid, [](const Vector3& point) { return point.norm() < 10.0; });
+  const ComparedBody sphere = test::BodyOfModel(test::SphereModel(10.0));
+  BodyOverlap overlap;
+  ASSERT_TRUE(FindBodyOverlap(mask, sphere, overlap).IsOk());
+  EXPECT_EQ(overlap.Kind, BodyOverlap::Cells::MaskVoxels);
+  // The drawing leaves out only what is within 0.01 mm of the sphere.
+  EXPECT_NEAR(overlap.Dice(), 1.0, 2e-3);
+  EXPECT_EQ(overlap.One,
+            static_cast<std::int64_t>(std::llround(mask.Volume() / (0.8 * 0.8 * 1.6))));
+}
+
+TEST(MaskBoundary, IsHalfWayBetweenVoxels)
+{
+  const ComparedBody box =
+      BodyOfVoxels({20, 20, 20}, Grid(Vector3::Zero(), Vector3::Ones()), IsInFirst);
+  Vector3 low = Vector3::Constant(100.0);
+  Vector3 high = Vector3::Constant(-100.0);
+  for (const Vector3& point : box.Surface().Points)
+  {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  EXPECT_EQ(low, Vector3::Constant(4.5));
+  EXPECT_EQ(high, Vector3::Constant(14.5));
+  EXPECT_TRUE(box.IsClosed());
+  EXPECT_EQ(box.Volume(), 1000.0);
+}
+
+TEST(MaskBoundary, FacesOutwardsInMirroredGrids)
+{
+  const IndexToWorld mirrored = Grid(Vector3(19.0, 0.0, 0.0), Vector3(-1.0, 1.0, 1.0));
+  const ComparedBody box = BodyOfVoxels({20, 20, 20}, mirrored, IsInFirst);
+  std::vector<double> distances;
+  ASSERT_TRUE(
+      box.DistancesOf({Vector3::Constant(9.5), Vector3(9.5, 9.5, 18.5)}, {}, distances).IsOk());
+  EXPECT_NEAR(distances[0], -5.0, 1e-9);
+  EXPECT_NEAR(distances[1], 4.0, 1e-9);
+}
+
+TEST(MaskBoundary, HasTheSurfaceOfACavity)
+{
+  const auto isShell = [](const Vector3& point)
+  {
+    const double radius = (point - Vector3::Constant(10.0)).norm();
+    return radius < 8.0 && radius > 3.0;
+  };
+  const ComparedBody shell =
+      BodyOfVoxels({21, 21, 21}, Grid(Vector3::Zero(), Vector3::Ones()), isShell);
+  std::vector<double> distances;
+  ASSERT_TRUE(shell.DistancesOf({Vector3::Constant(10.0)}, {}, distances).IsOk());
+  EXPECT_NEAR(distances[0], 3.0, 0.5);
+}
+} // namespace
+} // namespace palpate::body_overlap_test
