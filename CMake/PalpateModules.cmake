@@ -8,7 +8,7 @@ endif()
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
 set(PALPATE_VTK_MODULE_FILES)
-foreach(module IO Shape VolumeRendering Display Interaction Report Fit Group Scene Trade Study)
+foreach(module IO Shape VolumeRendering Display Interaction Report Fit Group Comparison Scene Trade Study)
   list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${module}/vtk.module")
 endforeach()
 set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")

@@ -1,6 +1,7 @@
 #include "CommandRegistry.h"
 
 #include "CohortCommand.h"
+#include "CompareCommand.h"
 #include "CompletionCommand.h"
 #include "ConvertCommand.h"
 #include "DevicesCommand.h"
@@ -28,6 +29,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<InfoCommand>());
   commands.push_back(std::make_unique<FitCommand>());
   commands.push_back(std::make_unique<CohortCommand>());
+  commands.push_back(std::make_unique<CompareCommand>());
   commands.push_back(std::make_unique<MeshCommand>());
   commands.push_back(std::make_unique<EvaluateCommand>());
   commands.push_back(std::make_unique<ConvertCommand>());

@@ -28,14 +28,6 @@ std::string Header(const FitResult& result)
          EscapeHtml(VerdictText(result)) + "</p></div>\n</header>\n";
 }
 
-std::string Card(const std::string& name, const std::string& value, const std::string& unit,
-                 const std::string& remark)
-{
-  return "<div class=\"card\"><dt>" + EscapeHtml(name) + "</dt><dd>" + EscapeHtml(value) +
-         (unit.empty() ? "" : " <span class=\"unit\">" + EscapeHtml(unit) + "</span>") +
-         (remark.empty() ? "" : "<small>" + EscapeHtml(remark) + "</small>") + "</dd></div>\n";
-}
-
 std::string QualityCards(const FitResult& result)
 {
   const double difference = 100.0 * (result.ModelMilliliters / result.InputMilliliters() - 1.0);
@@ -44,17 +36,17 @@ std::string QualityCards(const FitResult& result)
   const std::string grid = result.IsOfSurface
                                ? "on cubes of " + SignificantText(result.DiceSpacing, 3) + " mm"
                                : "on the mask\xE2\x80\x99s grid";
-  return Card("Dice", FixedText(result.Dice, 4), "", grid) +
-         Card("Mean distance", FixedText(distances.Mean, 2), "mm", to) +
-         Card("95th percentile", FixedText(distances.Percentile95, 2), "mm", to) +
-         Card("Maximum", FixedText(distances.Maximum, 2), "mm", to) +
-         Card("Model volume", FixedText(result.ModelMilliliters, 2), "ml",
-              (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the " +
-                  (result.IsOfSurface ? "surface" : "mask")) +
-         Card("Coverage", CoverageWord(result.Coverage), "", "how far to trust the fit") +
-         Card("Degree", std::to_string(DegreeOf(result.Model)), "",
-              std::to_string(CoefficientCountOf(result.Model)) + " coefficients of a " +
-                  (result.Radial() != nullptr ? "radial" : "surface") + " model");
+  return ReportCard("Dice", FixedText(result.Dice, 4), "", grid) +
+         ReportCard("Mean distance", FixedText(distances.Mean, 2), "mm", to) +
+         ReportCard("95th percentile", FixedText(distances.Percentile95, 2), "mm", to) +
+         ReportCard("Maximum", FixedText(distances.Maximum, 2), "mm", to) +
+         ReportCard("Model volume", FixedText(result.ModelMilliliters, 2), "ml",
+                    (difference >= 0.0 ? "+" : "") + FixedText(difference, 2) + " % against the " +
+                        (result.IsOfSurface ? "surface" : "mask")) +
+         ReportCard("Coverage", CoverageWord(result.Coverage), "", "how far to trust the fit") +
+         ReportCard("Degree", std::to_string(DegreeOf(result.Model)), "",
+                    std::to_string(CoefficientCountOf(result.Model)) + " coefficients of a " +
+                        (result.Radial() != nullptr ? "radial" : "surface") + " model");
 }
 
 std::string Cards(const FitResult& result)
@@ -66,13 +58,13 @@ std::string Cards(const FitResult& result)
   }
   if (result.MaskMilliliters > 0.0)
   {
-    cards += Card("Mask volume", FixedText(result.MaskMilliliters, 2), "ml",
-                  result.TouchesBorder ? "touches the image\xE2\x80\x99s border" : "");
+    cards += ReportCard("Mask volume", FixedText(result.MaskMilliliters, 2), "ml",
+                        result.TouchesBorder ? "touches the image\xE2\x80\x99s border" : "");
   }
   if (result.IsSampled)
   {
-    cards += Card("Star-shaped", result.StarShaped ? "yes" : "no", "",
-                  FixedText(result.HiddenPercent, 2) + " % of the surface hidden");
+    cards += ReportCard("Star-shaped", result.StarShaped ? "yes" : "no", "",
+                        FixedText(result.HiddenPercent, 2) + " % of the surface hidden");
   }
   return cards.empty() ? cards : "<dl class=\"cards\">\n" + cards + "</dl>\n";
 }

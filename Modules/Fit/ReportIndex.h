@@ -2,6 +2,7 @@
 
 #include "FitResult.h"
 #include "PalpateFitModule.h"
+#include "SortableTable.h"
 
 #include <filesystem>
 #include <string>
@@ -13,6 +14,8 @@ namespace palpate
 class PALPATEFIT_EXPORT ReportIndex
 {
 public:
+  ReportIndex();
+
   /// `degree` is the model's (a cohort's rows keep no models); `report` is the case's own page,
   /// relative to the folder of the index; empty for none.
   void Add(const FitResult& result, int degree, const std::filesystem::path& report);
@@ -23,7 +26,7 @@ public:
 private:
   int CaseCount = 0;
   int FittedCount = 0;
-  std::string Rows;
+  SortableTable Table;
   std::string Messages; ///< of the cases that were not fitted
 };
 } // namespace palpate

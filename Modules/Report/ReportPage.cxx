@@ -142,6 +142,14 @@ std::string ReportFigure(const std::string& content, const std::string& caption)
                                "</figcaption></figure>\n";
 }
 
+std::string ReportCard(const std::string& name, const std::string& value, const std::string& unit,
+                       const std::string& remark)
+{
+  return "<div class=\"card\"><dt>" + EscapeHtml(name) + "</dt><dd>" + EscapeHtml(value) +
+         (unit.empty() ? "" : " <span class=\"unit\">" + EscapeHtml(unit) + "</span>") +
+         (remark.empty() ? "" : "<small>" + EscapeHtml(remark) + "</small>") + "</dd></div>\n";
+}
+
 std::string ReportNotes(const std::vector<std::string>& notes)
 {
   std::string items;

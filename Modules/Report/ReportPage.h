@@ -20,6 +20,11 @@ PALPATEREPORT_EXPORT std::string ReportSection(const std::string& heading,
 PALPATEREPORT_EXPORT std::string ReportFigure(const std::string& content,
                                               const std::string& caption);
 
+/// A card for a list of class "cards" (<dl>): a value under its name, with a unit and a remark,
+/// which may be empty (plain text).
+PALPATEREPORT_EXPORT std::string ReportCard(const std::string& name, const std::string& value,
+                                            const std::string& unit, const std::string& remark);
+
 /// A list of notes (plain text); empty if there are none.
 PALPATEREPORT_EXPORT std::string ReportNotes(const std::vector<std::string>& notes);
 

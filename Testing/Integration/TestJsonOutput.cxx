@@ -162,6 +162,12 @@ TEST_F(JsonOutput, MeshIsDocumented)
   this->ExpectDocumented("mesh");
 }
 
+TEST_F(JsonOutput, CompareIsDocumented)
+{
+  this->Run({"compare", "ball.json", "a.nii.gz", "--label", "1", "--output", "compared", "--json"});
+  this->ExpectDocumented("compare");
+}
+
 TEST_F(JsonOutput, EvaluateIsDocumented)
 {
   this->Run({"evaluate", "ball.json", "--direction", "1,0,0", "--point", "1,2,3", "--json"});

@@ -1,0 +1,127 @@
+#include "CompareText.h"
+
+#include "CaseText.h"
+#include "ComparisonOverview.h"
+#include "ComparisonPage.h"
+#include "ComparisonTable.h"
+#include "DecimalText.h"
+#include "PatientSides.h"
+#include "TextTable.h"
+
+#include <cmath>
+
+namespace palpate::cli
+{
+namespace
+{
+std::string Signed(double value, int digits)
+{
+  return (value > 0.0 ? "+" : "") + FixedText(value, digits);
+}
+
+std::string TitleOf(const ComparedSide& side)
+{
+  return side.Structure.Label == 0 ? side.File.string() : CaseTitle(side.File, side.Structure);
+}
+
+std::string Distances(const DistanceSummary& summary)
+{
+  return "mean " + FixedText(summary.Mean, 3) + ", RMS " + FixedText(summary.Rms, 3) + ", 95 % " +
+         FixedText(summary.Percentile95, 3) + ", maximum " + FixedText(summary.Largest, 3) + " mm";
+}
+
+std::string Direction(const DistanceMap& map)
+{
+  return Distances(map.Unsigned) + (std::isfinite(map.SignedMean)
+                                        ? ", signed mean " + Signed(map.SignedMean, 3) + " mm"
+                                        : "");
+}
+
+std::string SurfaceDiceText(const BodyComparison& found)
+{
+  std::string text;
+  for (const BodyComparison::Tolerance& tolerance : found.Tolerances)
+  {
+    text += (text.empty() ? "" : ", ") + FixedText(tolerance.SurfaceDice, 4) + " at " +
+            ToleranceText(tolerance.Millimeters) + " mm";
+  }
+  return text;
+}
+
+std::string BiasText(const SideBias& bias)
+{
+  std::string text;
+  for (std::size_t side = 0; side < PatientSides().size(); ++side)
+  {
+    text += (text.empty() ? "" : ", ") + std::string(PatientSides()[side].Name) + " " +
+            Signed(bias.Sides[side].Mean, 2);
+  }
+  return text + " mm";
+}
+} // namespace
+
+std::string ComparisonText(const PairComparison& pair)
+{
+  const BodyComparison& found = pair.Numbers;
+  TextTable table;
+  table.AddRow({"first", TitleOf(pair.One)});
+  table.AddRow({"reference", TitleOf(pair.Other)});
+  if (found.Overlap)
+  {
+    table.AddRow({"Dice", FixedText(found.Overlap->Dice(), 4) + ", Jaccard " +
+                              FixedText(found.Overlap->Jaccard(), 4) + ", by " +
+                              CellsText(*found.Overlap)});
+  }
+  if (std::isfinite(pair.VolumeDifference()))
+  {
+    table.AddRow({"volume", FixedText(pair.One.Milliliters, 3) + " ml, reference " +
+                                FixedText(pair.Other.Milliliters, 3) + " ml (" +
+                                Signed(pair.VolumeDifferencePercent(), 2) + " %)"});
+  }
+  table.AddRow({"distance", Distances(found.Both)});
+  table.AddRow({"  first to reference", Direction(found.OneToOther)});
+  table.AddRow({"  reference to first", Direction(found.OtherToOne)});
+  table.AddRow({"95 % Hausdorff", FixedText(found.Hausdorff95(), 3) + " mm"});
+  if (!found.Tolerances.empty())
+  {
+    table.AddRow({"surface Dice", SurfaceDiceText(found)});
+  }
+  if (found.Bias)
+  {
+    table.AddRow({"bias", BiasText(*found.Bias)});
+  }
+  return table.Text();
+}
+
+std::string ComparisonLine(const PairComparison& pair)
+{
+  const BodyComparison& found = pair.Numbers;
+  TextTable table;
+  const Segment& structure = pair.One.Structure;
+  table.AddRow({pair.Case +
+                (structure.Label == 0 ? "" : ", label " + std::to_string(structure.Label)) + ": " +
+                (found.Overlap ? "Dice " + FixedText(found.Overlap->Dice(), 4) + ", " : "") +
+                "distance mean " + FixedText(found.Both.Mean, 3) + ", 95 % Hausdorff " +
+                FixedText(found.Hausdorff95(), 3) + ", maximum " +
+                FixedText(found.Both.Largest, 3) + " mm, surface Dice " + SurfaceDiceText(found)});
+  return table.Text();
+}
+
+std::string SummaryText(const std::vector<PairComparison>& pairs)
+{
+  TextTable table;
+  table.AlignRight({1, 2, 3, 4});
+  table.AddRow({"", "mean", "median", "least", "largest"});
+  std::size_t count = 0;
+  for (const SummarisedNumber& one : SummariseComparisons(pairs))
+  {
+    const NumberSummary& summary = one.Summary;
+    count = std::max(count, summary.Count);
+    table.AddRow({one.Name + (one.Unit.empty() ? "" : ", " + one.Unit),
+                  FixedText(summary.Mean, one.Digits), FixedText(summary.Median, one.Digits),
+                  FixedText(summary.Least, one.Digits), FixedText(summary.Largest, one.Digits)});
+  }
+  return count == 0 ? std::string()
+                    : std::to_string(count) + (count == 1 ? " pair\n" : " pairs\n") + table.Text();
+}
+} // namespace palpate::cli

@@ -1,0 +1,92 @@
+#include "ComparedFile.h"
+
+#include "CaseText.h"
+#include "FitStructure.h"
+#include "ImageIndexToWorld.h"
+#include "InputError.h"
+#include "LabelMask.h"
+#include "ModelFile.h"
+#include "SegmentationFile.h"
+#include "SurfaceFile.h"
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+IndexedMesh MeshOf(const std::filesystem::path& path)
+{
+  TriangleMesh triangles = TrianglesOf(ReadSurface(path), path);
+  return {std::move(triangles.PointsWorld), std::move(triangles.Triangles)};
+}
+} // namespace
+
+ComparedFile ComparedFile::Read(const std::filesystem::path& path, const VolumeChoice& choice)
+{
+  ComparedFile file;
+  file.Source = path;
+  if (IsModelFile(path))
+  {
+    file.Content = ReadModel(path).Surface;
+  }
+  else if (SurfaceFormats().Reader(path) != nullptr)
+  {
+    file.Content = MeshOf(path);
+  }
+  else
+  {
+    file.Content = ReadSegmentation(path, choice);
+  }
+  return file;
+}
+
+const char* ComparedFile::Kind() const
+{
+  constexpr const char* Kinds[] = {"segmentation", "surface", "model"};
+  return Kinds[this->Content.index()];
+}
+
+std::vector<Segment> ComparedFile::Structures() const
+{
+  if (const Segmentation* labels = this->Labels())
+  {
+    return labels->Segments;
+  }
+  Segment whole;
+  whole.Name = CaseNameOf(this->Source);
+  return {whole};
+}
+
+std::vector<std::string> ComparedFile::Notes() const
+{
+  const Segmentation* labels = this->Labels();
+  return labels != nullptr ? labels->Notes : std::vector<std::string>();
+}
+
+ComparedBody ComparedFile::Body(const Segment& structure) const
+{
+  ComparedBody body;
+  Status status = Status::Success();
+  if (const Segmentation* labels = this->Labels())
+  {
+    vtkImageData* layer = labels->Layers[static_cast<std::size_t>(structure.Layer)];
+    status = ComparedBody::OfMask(CopyLabelMask(layer, structure.Value, 0).Mask,
+                                  IndexToWorldOf(layer), body);
+  }
+  else if (const auto* mesh = std::get_if<IndexedMesh>(&this->Content))
+  {
+    status = ComparedBody::OfMesh(*mesh, body);
+  }
+  else
+  {
+    status = ComparedBody::OfModel(std::get<SurfaceModel>(this->Content), body);
+  }
+  if (!status.IsOk())
+  {
+    throw InputError(CaseMessage(this->Source, this->Labels() != nullptr ? structure : Segment(),
+                                 status.Message()));
+  }
+  return body;
+}
+} // namespace palpate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ComparedBody.h"
+#include "PalpateComparisonModule.h"
+#include "Segmentation.h"
+#include "SurfaceModel.h"
+#include "Volume.h"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace palpate
+{
+/// A file whose bodies can be compared: a segmentation, a triangle surface or a model.
+class PALPATECOMPARISON_EXPORT ComparedFile
+{
+public:
+  /// `choice` is for DICOM series and axes of images. Throws InputError.
+  static ComparedFile Read(const std::filesystem::path& path, const VolumeChoice& choice);
+
+  const std::filesystem::path& Path() const { return this->Source; }
+  /// "segmentation", "surface" or "model".
+  const char* Kind() const;
+  /// The segmentation; null of a surface or a model.
+  const Segmentation* Labels() const { return std::get_if<Segmentation>(&this->Content); }
+  /// Every structure of a segmentation; of a surface or a model, one with the label 0.
+  std::vector<Segment> Structures() const;
+  /// Changes made to the file's data.
+  std::vector<std::string> Notes() const;
+
+  /// Throws InputError if the structure has no surface that can be measured.
+  ComparedBody Body(const Segment& structure) const;
+
+private:
+  std::filesystem::path Source;
+  std::variant<Segmentation, IndexedMesh, SurfaceModel> Content;
+};
+} // namespace palpate

@@ -1,0 +1,113 @@
+#include "PairComparison.h"
+
+#include "CaseText.h"
+#include "FitStructure.h"
+#include "InputError.h"
+#include "KernelWatch.h"
+#include "StageClock.h"
+#include "Units.h"
+
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+ComparedSide SideOf(const ComparedFile& file, const Segment& structure)
+{
+  ComparedSide side;
+  side.File = file.Path();
+  side.Structure = structure;
+  side.Kind = file.Kind();
+  return side;
+}
+
+void Measure(const ComparedBody& body, ComparedSide& side)
+{
+  side.Milliliters = body.Volume() / CubicMillimetersPerMilliliter;
+  side.Area = body.Area();
+  side.Holes = body.HoleCount();
+}
+
+void RemarkOn(PairComparison& pair)
+{
+  for (const ComparedSide* side : {&pair.One, &pair.Other})
+  {
+    if (side->Holes > 0)
+    {
+      pair.Notes.push_back(side->File.filename().string() + " is open (" +
+                           std::to_string(side->Holes) + (side->Holes == 1 ? " hole" : " holes") +
+                           "): it has no volume and no overlap, and distances from it no sign; "
+                           "palpate fit --repair closes it");
+    }
+  }
+  if (pair.Numbers.Overlap && pair.Numbers.Overlap->Both == 0)
+  {
+    pair.Notes.emplace_back("the two share no volume; check that they are in one frame");
+  }
+}
+} // namespace
+
+void PairComparison::Forget()
+{
+  this->OneBody = nullptr;
+  this->OtherBody = nullptr;
+  this->Numbers.OneToOther.Values = {};
+  this->Numbers.OtherToOne.Values = {};
+}
+
+std::pair<std::string, std::string> TitlesOf(const PairComparison& pair)
+{
+  const std::string one = pair.One.Structure.Name;
+  const std::string other = pair.Other.Structure.Name;
+  if (!one.empty() && !other.empty() && one != other)
+  {
+    return {one, other};
+  }
+  const std::string oneFile = pair.One.File.filename().string();
+  const std::string otherFile = pair.Other.File.filename().string();
+  return oneFile != otherFile ? std::pair(oneFile, otherFile) : std::pair(oneFile, "the reference");
+}
+
+PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
+                           const ComparedFile& other, const Segment& otherStructure,
+                           const std::vector<double>& tolerances, const ProgressFunction& progress)
+{
+  PairComparison pair;
+  pair.One = SideOf(one, oneStructure);
+  pair.Other = SideOf(other, otherStructure);
+  std::vector<std::pair<std::string, double>> stages;
+  StageClock clock(stages);
+  KernelWatch watch(progress, "distances");
+  try
+  {
+    pair.OneBody = std::make_shared<const ComparedBody>(one.Body(oneStructure));
+    watch.Of(0.0, 1.0)(0.1);
+    watch.Require();
+    pair.OtherBody = std::make_shared<const ComparedBody>(other.Body(otherStructure));
+  }
+  catch (const InputError& error)
+  {
+    pair.State = FitResult::Outcome::BadInput;
+    pair.Message = error.what();
+    pair.Forget();
+    return pair;
+  }
+  const Status status =
+      CompareBodies(*pair.OneBody, *pair.OtherBody, tolerances, watch.Of(0.2, 1.0), pair.Numbers);
+  watch.Require();
+  if (!status.IsOk())
+  {
+    pair.State = FitResult::Outcome::Failed;
+    pair.Message = status.Message();
+    pair.Forget();
+    return pair;
+  }
+  Measure(*pair.OneBody, pair.One);
+  Measure(*pair.OtherBody, pair.Other);
+  RemarkOn(pair);
+  clock.EndStage("compare");
+  pair.Seconds = stages.front().second;
+  return pair;
+}
+} // namespace palpate

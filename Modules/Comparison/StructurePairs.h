@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ComparedFile.h"
+#include "PalpateComparisonModule.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Structures of two files that belong together.
+struct StructurePairs
+{
+  struct Pair
+  {
+    Segment One;
+    Segment Other;
+  };
+
+  std::vector<Pair> Pairs;
+  std::vector<std::string> Unpaired; ///< a sentence for each structure without a partner
+
+  /// With a label (number or name), that structure of each segmentation; `otherLabel` is that of
+  /// the second one, if it differs. Without labels, the structures of the same number; two files of
+  /// one structure each are always a pair. Throws InputError if that leaves no pair, if a label is
+  /// not found, and if a label is given but neither file is a segmentation.
+  PALPATECOMPARISON_EXPORT static StructurePairs Of(const ComparedFile& one,
+                                                    const ComparedFile& other,
+                                                    const std::string& label,
+                                                    const std::string& otherLabel);
+};
+} // namespace palpate
