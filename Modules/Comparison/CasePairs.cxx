@@ -23,6 +23,14 @@ namespace
 {
 constexpr std::uintmax_t LargestTable = 64U << 20U;
 
+// The file's name without the ending of its format.
+std::string NameOfCase(const std::filesystem::path& file)
+{
+  const std::string ending = EndingOf(file, ReadableModelEndings());
+  const std::string name = file.filename().string();
+  return ending.empty() ? CaseNameOf(file) : name.substr(0, name.size() - ending.size());
+}
+
 // A case's file, with its label if it is one structure of several.
 struct CaseFile
 {
@@ -57,7 +65,7 @@ CaseFiles ModelsIn(const std::filesystem::path& folder)
   {
     if (!EndingOf(entry->path(), ReadableModelEndings()).empty())
     {
-      files.emplace(CaseNameOf(entry->path()), CaseFile{entry->path(), {}});
+      files.emplace(NameOfCase(entry->path()), CaseFile{entry->path(), {}});
     }
   }
   return files;
@@ -75,7 +83,7 @@ CaseFiles FilesOf(const std::filesystem::path& folder)
   {
     for (const std::filesystem::path& mask : FindMasks(folder))
     {
-      files.emplace(CaseNameOf(mask), CaseFile{mask, {}});
+      files.emplace(NameOfCase(mask), CaseFile{mask, {}});
     }
   }
   catch (const InputError&)
@@ -188,7 +196,7 @@ CasePairs CasePairs::OfTable(const std::filesystem::path& file)
                               "use a table with the header case,first,reference,label");
                      }
                      const std::string name = Field(record, "case");
-                     pairs.Pairs.push_back({name.empty() ? CaseNameOf(first) : name, folder / first,
+                     pairs.Pairs.push_back({name.empty() ? NameOfCase(first) : name, folder / first,
                                             folder / reference, Field(record, "label")});
                    });
   if (pairs.Pairs.empty())

@@ -47,7 +47,6 @@ Status ComparedBody::OfMask(VoxelMask mask, const IndexToWorld& toWorld, Compare
   }
   body.EnclosedVolume = static_cast<double>(mask.Count()) * VoxelVolumeOf(toWorld);
   body.Voxels = std::make_shared<const PlacedMask>(PlacedMask{std::move(mask), toWorld});
-  body.SurfaceArea = DescribeTopology(body.Mesh).Area;
   Status status = body.Finish();
   made = std::move(body);
   return status;
@@ -75,7 +74,6 @@ Status ComparedBody::OfMesh(IndexedMesh mesh, ComparedBody& made)
   }
   body.Mesh = std::move(mesh);
   body.Holes = std::max(topology.Holes, topology.BoundaryEdges > 0 ? 1 : 0);
-  body.SurfaceArea = topology.Area;
   body.EnclosedVolume =
       body.IsClosed() ? std::abs(topology.Volume) : std::numeric_limits<double>::quiet_NaN();
   Status status = body.Finish();
@@ -107,11 +105,13 @@ Status ComparedBody::Finish()
     return status;
   }
   this->Parts = PointAreas(this->Mesh);
-  const double area = std::accumulate(this->Parts.begin(), this->Parts.end(), 0.0);
+  const double area = // of the triangles
+      std::accumulate(this->Parts.begin(), this->Parts.end(), 0.0);
   if (!(area > 0.0) || !std::isfinite(area))
   {
     return Status::Failure("has no area");
   }
+  this->SurfaceArea = this->Foot != nullptr ? this->SurfaceArea : area;
   std::for_each(this->Parts.begin(), this->Parts.end(), [area](double& part) { part /= area; });
   const bool hasInside = this->IsClosed() && this->EnclosedVolume > 0.0;
   this->Middle = hasInside ? VolumeCentroid(this->Mesh) : SurfaceCentroid(this->Mesh, this->Parts);

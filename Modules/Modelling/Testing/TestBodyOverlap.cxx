@@ -2,8 +2,12 @@
 
 #include "BodyComparison.h"
 #include "ComparedCases.h"
+#include "MaskBoundary.h"
+#include "SurfaceTopology.h"
+#include "WindingNumbers.h"
 
 #include <cmath>
+#include <random>
 
 namespace palpate::body_overlap_test
 {
@@ -112,6 +116,38 @@ TEST(MaskBoundary, IsHalfWayBetweenVoxels)
   EXPECT_EQ(high, Vector3::Constant(14.5));
   EXPECT_TRUE(box.IsClosed());
   EXPECT_EQ(box.Volume(), 1000.0);
+}
+
+TEST(MaskBoundary, EnclosesExactlyTheVoxelsOfAnyMask)
+{
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    std::bernoulli_distribution isInside(0.1 + 0.04 * trial);
+    VoxelMask mask;
+    mask.Size = {9, 8, 7};
+    mask.Spacing = {1.0, 1.0, 1.0};
+    for (int voxel = 0; voxel < 9 * 8 * 7; ++voxel)
+    {
+      mask.Inside.push_back(isInside(random) ? 1 : 0);
+    }
+    IndexedMesh mesh;
+    ASSERT_TRUE(MakeMaskBoundary(mask, {}, mesh).IsOk());
+    const SurfaceTopology topology = DescribeTopology(mesh);
+    EXPECT_EQ(topology.BoundaryEdges, 0);
+    EXPECT_EQ(topology.OrientationConflicts, 0);
+    EXPECT_EQ(topology.DegenerateTriangles, 0);
+    EXPECT_GT(topology.Volume, 0.0);
+    EXPECT_LT(topology.Volume, static_cast<double>(mask.Count()) + 1e-9);
+    // The centre of every voxel is on its side.
+    std::vector<std::int16_t> numbers;
+    ASSERT_TRUE(FindWindingNumbers(mesh, {Vector3::Zero(), Matrix3::Identity(), mask.Size}, numbers)
+                    .IsOk());
+    for (std::size_t voxel = 0; voxel < numbers.size(); ++voxel)
+    {
+      ASSERT_EQ(numbers[voxel], static_cast<int>(mask.Inside[voxel]));
+    }
+  }
 }
 
 TEST(MaskBoundary, FacesOutwardsInMirroredGrids)
