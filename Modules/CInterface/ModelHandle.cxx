@@ -2,6 +2,7 @@
 
 #include "BatchEvaluation.h"
 #include "ErrorText.h"
+#include "GridArgument.h"
 #include "IcosahedronDirections.h"
 #include "MaskModel.h"
 #include "ModelConvention.h"
@@ -59,43 +60,6 @@ palpate_model* StarShaped(int degree, std::vector<double> coefficients, const Ve
     return nullptr;
   }
   return HandleOf(SphericalHarmonicModel(degree, std::move(coefficients), center));
-}
-
-// Of a grid whose axes may be left-handed.
-Status PlaceGrid(const int size[3], const double origin[3], const double spacing[3],
-                 const double axes[9], IndexToWorld& toWorld)
-{
-  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rows(axes);
-  toWorld.Origin = VectorOf(origin);
-  toWorld.Axes = rows.transpose() * VectorOf(spacing).asDiagonal();
-  const bool isUnit = (rows * rows.transpose() - Matrix3::Identity()).norm() < 1e-4;
-  const bool isPlaced = isUnit && toWorld.Origin.allFinite() && toWorld.Axes.allFinite();
-  return isPlaced && size[0] > 0 && size[1] > 0 && size[2] > 0 && VectorOf(spacing).minCoeff() > 0.0
-             ? Status::Success()
-             : Status::Failure(
-                   "a grid has voxels, a finite origin, spacings above 0, and axes that "
-                   "are unit vectors at right angles");
-}
-
-// What is inside, with a voxel around it.
-VoxelMask CroppedMask(const uint8_t* inside, const int size[3], const double spacing[3])
-{
-  const std::array<int, 3> of{size[0], size[1], size[2]};
-  std::vector<uint8_t> ones(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
-                            static_cast<std::size_t>(size[2]));
-  std::transform(inside, inside + ones.size(), ones.begin(),
-                 [](uint8_t voxel) { return voxel != 0 ? 1 : 0; });
-  LabelBounds box = FindLabelBounds<uint8_t>(ones.data(), of, 1);
-  if (box.IsEmpty())
-  {
-    return {};
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    --box.First[axis];
-    ++box.Last[axis];
-  }
-  return CopyLabel<uint8_t>(ones.data(), of, {spacing[0], spacing[1], spacing[2]}, box, 1);
 }
 
 void PlaceAt(const SurfaceModel& surface, const Vector3& direction, double* point, double* normal)

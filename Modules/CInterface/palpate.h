@@ -33,6 +33,7 @@ extern "C"
   typedef struct palpate_field palpate_field;
   typedef struct palpate_scene palpate_scene;
   typedef struct palpate_tracker palpate_tracker;
+  typedef struct palpate_compared palpate_compared;
   typedef struct palpate_session palpate_session;
 
   /* Of the library, "major.minor.patch"; and its PALPATE_API_VERSION, which changes when a program
@@ -124,6 +125,56 @@ extern "C"
   size_t palpate_mesh_triangle_count(int frequency);
   int palpate_model_mesh(const palpate_model* model, int frequency, double* points, double* normals,
                          int32_t* triangles, palpate_error* error);
+
+  /* Comparisons of two bodies, each a mask, a closed or open mesh, or a model; on any grid. */
+
+  /* A mask, as palpate_model_fit_mask has it: its surface lies half way between the centres of
+   * voxels inside and outside. */
+  palpate_compared* palpate_compared_of_mask(const uint8_t* inside, const int size[3],
+                                             const double origin[3], const double spacing[3],
+                                             const double axes[9], palpate_error* error);
+  palpate_compared* palpate_compared_of_mesh(const double* points, size_t point_count,
+                                             const int32_t* triangles, size_t triangle_count,
+                                             palpate_error* error);
+  palpate_compared* palpate_compared_of_model(const palpate_model* model, palpate_error* error);
+  void palpate_compared_free(palpate_compared* body);
+  /* The surface at whose points distances are taken: it may have more points than were given. */
+  size_t palpate_compared_point_count(const palpate_compared* body);
+  size_t palpate_compared_triangle_count(const palpate_compared* body);
+  void palpate_compared_surface(const palpate_compared* body, double* points, int32_t* triangles);
+
+  /* mm; over a surface's area. */
+  typedef struct palpate_distances
+  {
+    double mean;
+    double rms;
+    double percentile95;
+    double maximum;
+    double
+        signed_mean; /* negative inside the other body; NaN if that is open, or of both together */
+  } palpate_distances;
+
+  /* NaN: does not exist for an open mesh. */
+  typedef struct palpate_comparison
+  {
+    double dice;
+    double jaccard;
+    double volumes[2];              /* mm^3, of the first and the reference */
+    double areas[2];                /* mm^2 */
+    palpate_distances both;         /* each direction with half of the weight */
+    palpate_distances to_reference; /* of the first surface's points from the reference */
+    palpate_distances to_first;
+    double hausdorff95;  /* the larger of the two directions' 95th percentiles */
+    double side_bias[6]; /* mean signed distance of the first surface on the left, right, posterior,
+                          * anterior, superior and inferior side of the reference's centroid */
+  } palpate_comparison;
+
+  /* Compares a body with a reference. `surface_dice` gets a number for each tolerance (mm); the
+   * arrays of distances, of which any may be NULL, one for each point of the surfaces. */
+  int palpate_compare(const palpate_compared* first, const palpate_compared* reference,
+                      const double* tolerances, size_t tolerance_count,
+                      palpate_comparison* comparison, double* surface_dice, double* first_distances,
+                      double* reference_distances, palpate_error* error);
 
   /* Fields: volumes as they are touched, between voxels. */
 

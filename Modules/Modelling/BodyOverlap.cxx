@@ -98,7 +98,7 @@ BodyOverlap OfMaskVoxels(const ComparedBody& surface, const PlacedMask& mask)
   const double most =
       std::max(MostMaskVoxels, 2.0 * static_cast<double>(mask.Voxels.Inside.size()));
   const WindingOverlap found =
-      OverlapOfSurfaceAndMask(surface.Surface(), mask.Voxels, mask.ToWorld, most);
+      OverlapOfSurfaceAndMask(surface.Enclosure(), mask.Voxels, mask.ToWorld, most);
   BodyOverlap overlap;
   overlap.Kind = BodyOverlap::Cells::MaskVoxels;
   overlap.Spacing = mask.ToWorld.Axes.colwise().norm();
@@ -115,7 +115,7 @@ Status FillCubes(const ComparedBody& body, const VoxelCenters& cubes,
   const PlacedMask* mask = body.Mask();
   if (mask == nullptr)
   {
-    return FindInside(body.Surface(), cubes, false, inside);
+    return FindInside(body.Enclosure(), cubes, false, inside);
   }
   const Matrix3 inverse = mask->ToWorld.Axes.inverse();
   const Matrix3 steps = inverse * cubes.Axes;
@@ -161,7 +161,7 @@ VoxelCenters ObliqueCubesAround(const IndexedMesh& one, const IndexedMesh& other
 
 Status OfCubes(const ComparedBody& one, const ComparedBody& other, BodyOverlap& overlap)
 {
-  const VoxelCenters cubes = ObliqueCubesAround(one.Surface(), other.Surface());
+  const VoxelCenters cubes = ObliqueCubesAround(one.Enclosure(), other.Enclosure());
   std::vector<std::uint8_t> first;
   std::vector<std::uint8_t> second;
   if (Status status = FillCubes(one, cubes, first); !status.IsOk())

@@ -32,6 +32,20 @@ Vector3 SurfaceCentroid(const IndexedMesh& mesh, const std::vector<double>& part
   return centroid;
 }
 
+// About a point, so that it encloses a volume.
+std::shared_ptr<const IndexedMesh> ScaledTo(const IndexedMesh& mesh, const Vector3& center,
+                                            double volume)
+{
+  const double drawn = DescribeTopology(mesh).Volume;
+  const double scale = drawn > 0.0 ? std::cbrt(volume / drawn) : 1.0;
+  IndexedMesh scaled = mesh;
+  for (Vector3& point : scaled.Points)
+  {
+    point = center + scale * (point - center);
+  }
+  return std::make_shared<const IndexedMesh>(std::move(scaled));
+}
+
 double VoxelVolumeOf(const IndexToWorld& toWorld)
 {
   return std::abs(toWorld.Axes.determinant());
@@ -94,6 +108,10 @@ Status ComparedBody::OfModel(const SurfaceModel& model, ComparedBody& made)
   body.EnclosedVolume = foot->Volume();
   body.SurfaceArea = foot->Area();
   Status status = body.Finish();
+  if (status.IsOk())
+  {
+    body.Scaled = ScaledTo(body.Mesh, body.Middle, body.EnclosedVolume);
+  }
   made = std::move(body);
   return status;
 }

@@ -37,6 +37,12 @@ public:
   static Status OfModel(const SurfaceModel& model, ComparedBody& made);
 
   const IndexedMesh& Surface() const noexcept { return this->Mesh; }
+  /// Triangles that enclose the body: the surface; of a model, whose drawing lies inside it where
+  /// it is convex, the drawing scaled to the model's volume.
+  const IndexedMesh& Enclosure() const noexcept
+  {
+    return this->Scaled != nullptr ? *this->Scaled : this->Mesh;
+  }
   bool IsClosed() const noexcept { return this->Holes == 0; }
   int HoleCount() const noexcept { return this->Holes; }
   /// mm^3: of a mask's voxels, a model's integral, the volume that a mesh encloses; NaN if open.
@@ -60,6 +66,7 @@ private:
   IndexedMesh Mesh;
   NearestOnMesh Nearest;
   std::shared_ptr<const ModelFoot> Foot;
+  std::shared_ptr<const IndexedMesh> Scaled; // of a model
   std::shared_ptr<const PlacedMask> Voxels;
   std::vector<double> Parts;
   Vector3 Middle = Vector3::Zero();

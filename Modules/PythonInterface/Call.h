@@ -34,6 +34,7 @@ struct FreeOwned
   void operator()(palpate_field* handle) const { palpate_field_free(handle); }
   void operator()(palpate_scene* handle) const { palpate_scene_free(handle); }
   void operator()(palpate_tracker* handle) const { palpate_tracker_free(handle); }
+  void operator()(palpate_compared* handle) const { palpate_compared_free(handle); }
   void operator()(palpate_session* handle) const { palpate_session_free(handle); }
 };
 template <typename Handle>

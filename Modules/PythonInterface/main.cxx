@@ -1,4 +1,5 @@
 #include "Call.h"
+#include "ComparisonBinding.h"
 #include "FieldBinding.h"
 #include "ModelBinding.h"
 #include "SceneBinding.h"
@@ -15,6 +16,7 @@ PYBIND11_MODULE(_kernels, module)
       "What Palpate refuses, as one sentence.";
   module.attr("__version__") = palpate_version();
   palpate::BindModels(module);
+  palpate::BindComparisons(module);
   palpate::BindFields(module);
   palpate::BindScenes(module);
   palpate::BindSessions(module);

@@ -15,6 +15,7 @@ import importlib
 import pkgutil
 from typing import Any
 
+from ._inputs import Mask as Mask
 from ._kernels import Error as Error
 from ._kernels import Field as Field
 from ._kernels import Model as Model
@@ -22,11 +23,15 @@ from ._kernels import Scene as Scene
 from ._kernels import Session as Session
 from ._kernels import Tracker as Tracker
 from ._kernels import __version__ as __version__
+from ._kernels import compare as compare
 from ._kernels import contact_dtype as contact_dtype
 from ._kernels import fit_mask as fit_mask
 from ._kernels import fit_points as fit_points
 from ._kernels import read_model as read_model
+from ._results import ComparedSurface as ComparedSurface
+from ._results import Comparison as Comparison
 from ._results import Curvature as Curvature
+from ._results import Distances as Distances
 from ._results import Measures as Measures
 from ._results import Mesh as Mesh
 from ._results import Nearest as Nearest

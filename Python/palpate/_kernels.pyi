@@ -1,10 +1,11 @@
 from os import PathLike
-from typing import Literal, Optional, Union
+from typing import Literal, Optional, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-from ._results import Curvature, Measures, Mesh, Nearest, State
+from ._inputs import Mask
+from ._results import Comparison, Curvature, Measures, Mesh, Nearest, State
 
 __version__: str
 contact_dtype: numpy.dtype[numpy.void]
@@ -47,6 +48,16 @@ def fit_mask(
     direction: Optional[ArrayLike] = None,
     affine: Optional[ArrayLike] = None,
 ) -> Model: ...
+def compare(
+    first: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    reference: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    tolerances: Optional[ArrayLike] = None,
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> Comparison: ...
 def read_model(path: Union[str, PathLike[str]]) -> Model: ...
 
 class Field:

@@ -56,6 +56,53 @@ class Measures(NamedTuple):
     """(3, 3): row i is the unit vector of semi-axis i."""
 
 
+class Distances(NamedTuple):
+    """Distances over a surface, mm, weighted by area."""
+
+    mean: float
+    rms: float
+    percentile95: float
+    maximum: float
+    signed_mean: float
+    """Negative inside the other body; NaN if that is open, and of both directions together."""
+
+
+class ComparedSurface(NamedTuple):
+    """A body's surface, at whose points distances were taken: it may have more than were given."""
+
+    points: NDArray[float64]
+    """(n, 3), mm."""
+    triangles: NDArray[int32]
+    """(m, 3): indices of points, counter-clockwise from outside."""
+    distances: NDArray[float64]
+    """(n,), mm, from the other body: negative inside, if that is closed."""
+
+
+class Comparison(NamedTuple):
+    """A body compared with a reference. NaN is what an open mesh has not."""
+
+    dice: float
+    jaccard: float
+    volumes: NDArray[float64]
+    """(2,), mm^3: of the first and the reference."""
+    areas: NDArray[float64]
+    """(2,), mm^2."""
+    both: Distances
+    """Each direction with half of the weight; the maximum is the Hausdorff distance."""
+    to_reference: Distances
+    """Of the first surface's points from the reference."""
+    to_first: Distances
+    hausdorff95: float
+    """mm: the larger of the two directions' 95th percentiles."""
+    surface_dice: NDArray[float64]
+    """(n,): at each tolerance, the area of both surfaces within it of the other one, over the area of both."""
+    side_bias: NDArray[float64]
+    """(6,), mm: mean signed distance of the first surface on the left, right, posterior, anterior, superior and inferior
+    side of the reference's centroid."""
+    first: ComparedSurface
+    reference: ComparedSurface
+
+
 class State(NamedTuple):
     """One tick of a session."""
 

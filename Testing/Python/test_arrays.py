@@ -150,6 +150,92 @@ class Masks(unittest.TestCase):
             numpy.testing.assert_array_equal(self.fitted(spacing=self.spacing).coefficients, wanted)
 
 
+def brute_force_distances(points, mesh):
+    """Distances of points from a mesh: by the projections on planes, edges and corners of all triangles."""
+    a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))
+    found = numpy.linalg.norm(points[:, None] - mesh.points[None], axis=2).min(axis=1)
+    for start, end in ((a, b), (b, c), (c, a)):
+        along = end - start
+        part = numpy.einsum("pti,ti->pt", points[:, None] - start, along) / (along**2).sum(axis=1)
+        foot = start + numpy.clip(part, 0, 1)[..., None] * along
+        found = numpy.minimum(found, numpy.linalg.norm(points[:, None] - foot, axis=2).min(axis=1))
+    normal = numpy.cross(b - a, c - a)
+    normal /= numpy.linalg.norm(normal, axis=1, keepdims=True)
+    height = numpy.einsum("pti,ti->pt", points[:, None] - a, normal)
+    foot = points[:, None] - height[..., None] * normal
+    inside = numpy.ones(height.shape, dtype=bool)
+    for start, end in ((a, b), (b, c), (c, a)):
+        inside &= numpy.einsum("pti,ti->pt", numpy.cross(end - start, foot - start), normal) >= 0
+    return numpy.minimum(found, numpy.where(inside, numpy.abs(height), numpy.inf).min(axis=1))
+
+
+class Comparisons(unittest.TestCase):
+    def masks(self):
+        x, y, z = numpy.indices((30, 28, 12))
+        first = ((x - 14) / 11) ** 2 + ((y - 13) / 9) ** 2 + ((z - 6) / 4.5) ** 2 < 1
+        reference = ((x - 16) / 10) ** 2 + ((y - 13) / 10) ** 2 + ((z - 5) / 4.5) ** 2 < 1
+        return first, reference
+
+    def test_overlap_is_that_of_the_voxels(self):
+        first, reference = self.masks()
+        found = palpate.compare(first, reference, spacing=(1, 1, 2.5))
+        both, either = (first & reference).sum(), (first | reference).sum()
+        self.assertAlmostEqual(found.dice, 2 * both / (first.sum() + reference.sum()), 12)
+        self.assertAlmostEqual(found.jaccard, both / either, 12)
+        numpy.testing.assert_allclose(found.volumes, 2.5 * numpy.array([first.sum(), reference.sum()]))
+
+    def test_distances_are_those_of_brute_force(self):
+        first, reference = self.masks()
+        found = palpate.compare(first, reference, spacing=(1, 1, 2.5))
+        some = slice(0, None, 40)
+        expected = brute_force_distances(found.first.points[some], found.reference)
+        numpy.testing.assert_allclose(numpy.abs(found.first.distances[some]), expected, atol=1e-9)
+        self.assertGreaterEqual(found.both.maximum, expected.max())
+
+    def test_surface_of_a_mask_is_half_way_between_voxels(self):
+        first, reference = self.masks()
+        found = palpate.compare(first, reference)
+        middles = set()
+        for axis in range(3):
+            change = numpy.argwhere(numpy.diff(first.astype(int), axis=axis))
+            middles |= {tuple(p + 0.5 * numpy.eye(3)[axis]) for p in change}
+        self.assertEqual({tuple(p) for p in found.first.points}, middles)
+
+    def test_kinds_of_one_body_agree(self):
+        model = palpate.Model([20 * numpy.sqrt(4 * numpy.pi)], center=(1, 2, 3))
+        mesh = model.mesh(frequency=60)
+        for other in (mesh, (mesh.points, mesh.triangles)):
+            found = palpate.compare(model, other, tolerances=[0.1])
+            self.assertLess(found.both.maximum, 0.005)
+            self.assertGreater(found.dice, 0.9999)
+            self.assertEqual(found.surface_dice, [1.0])
+
+    def test_masks_on_other_grids_are_matched_in_mm(self):
+        first, _ = self.masks()
+        affine = numpy.diag([2.0, 2.0, 5.0, 1.0])
+        affine[:3, 3] = (7, 8, 9)
+        fine = palpate.Mask(first.repeat(2, axis=0), spacing=(1, 2, 5), origin=(6.5, 8, 9))
+        found = palpate.compare(palpate.Mask(first, affine=affine), fine)
+        self.assertEqual(found.dice, 1.0)
+        self.assertEqual(found.volumes[0], found.volumes[1])
+
+    def test_open_meshes_have_no_volume(self):
+        sphere = palpate.Model([70.0]).mesh(10)
+        found = palpate.compare((sphere.points, sphere.triangles[:500]), sphere)
+        self.assertTrue(numpy.isnan(found.dice) and numpy.isnan(found.volumes[0]))
+        self.assertTrue(numpy.isnan(found.to_first.signed_mean))
+        self.assertFalse(numpy.isnan(found.to_reference.signed_mean))
+
+    def test_what_is_no_body_is_refused(self):
+        model = palpate.Model([70.0])
+        with self.assertRaisesRegex(palpate.Error, "the mask has no voxels"):
+            palpate.compare(model, numpy.zeros((3, 3, 3)))
+        with self.assertRaisesRegex(palpate.Error, "tolerance"):
+            palpate.compare(model, model, tolerances=[-1])
+        with self.assertRaises((TypeError, ValueError)):
+            palpate.compare(model, "mask.nii.gz")
+
+
 class Arguments(unittest.TestCase):
     def test_types_and_strides_do_not_matter(self):
         model, along = bumpy(), directions().astype(numpy.float32)

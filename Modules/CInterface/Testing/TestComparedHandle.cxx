@@ -1,0 +1,89 @@
+#include "Handles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+namespace palpate::compared_handle_test
+{
+namespace
+{
+using namespace palpate::test;
+
+Owned<palpate_compared> BallOf(double radius)
+{
+  const double coefficient = radius * std::sqrt(4.0 * M_PI);
+  const double center[3] = {1.0, 2.0, 3.0};
+  const Owned<palpate_model> model(palpate_model_create(0, &coefficient, center, nullptr));
+  return Owned<palpate_compared>(palpate_compared_of_model(model.get(), nullptr));
+}
+
+TEST(ComparedHandle, ModelsOfSpheresHaveTheirExactDistances)
+{
+  const Owned<palpate_compared> first = BallOf(22.0);
+  const Owned<palpate_compared> reference = BallOf(20.0);
+  ASSERT_NE(first, nullptr);
+  const double tolerances[2] = {1.0, 3.0};
+  palpate_comparison found{};
+  double surfaceDice[2];
+  std::vector<double> distances(palpate_compared_point_count(first.get()));
+  palpate_error error{};
+  ASSERT_EQ(palpate_compare(first.get(), reference.get(), tolerances, 2, &found, surfaceDice,
+                            distances.data(), nullptr, &error),
+            1)
+      << error.text;
+  EXPECT_NEAR(found.both.mean, 2.0, 1e-9);
+  EXPECT_NEAR(found.to_reference.signed_mean, 2.0, 1e-9);
+  EXPECT_NEAR(found.hausdorff95, 2.0, 1e-9);
+  EXPECT_NEAR(found.side_bias[3], 2.0, 1e-9);
+  EXPECT_NEAR(found.volumes[1], 4.0 / 3.0 * M_PI * 8000.0, 1e-6);
+  EXPECT_EQ(surfaceDice[0], 0.0);
+  EXPECT_EQ(surfaceDice[1], 1.0);
+  EXPECT_NEAR(*std::min_element(distances.begin(), distances.end()), 2.0, 1e-9);
+  EXPECT_NEAR(found.dice, 2.0 / (1.0 + std::pow(1.1, 3)), 3e-4);
+}
+
+TEST(ComparedHandle, MasksAreComparedByVoxels)
+{
+  const int size[3] = {10, 8, 6};
+  const double origin[3] = {0.0, 0.0, 0.0};
+  const double spacing[3] = {1.0, 1.0, 2.0};
+  const double axes[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  std::vector<uint8_t> inside(480, 0);
+  palpate_error error{};
+  EXPECT_EQ(palpate_compared_of_mask(inside.data(), size, origin, spacing, axes, &error), nullptr);
+  EXPECT_STREQ(error.text, "the mask has no voxels");
+  std::fill_n(inside.begin() + 80, 240, 255); // slices 1 to 3
+  const Owned<palpate_compared> one(
+      palpate_compared_of_mask(inside.data(), size, origin, spacing, axes, &error));
+  std::fill_n(inside.begin() + 80, 80, 0);
+  const Owned<palpate_compared> other(
+      palpate_compared_of_mask(inside.data(), size, origin, spacing, axes, &error));
+  ASSERT_NE(other, nullptr) << error.text;
+  palpate_comparison found{};
+  ASSERT_EQ(palpate_compare(one.get(), other.get(), nullptr, 0, &found, nullptr, nullptr, nullptr,
+                            &error),
+            1);
+  EXPECT_DOUBLE_EQ(found.dice, 2.0 * 160.0 / (240.0 + 160.0));
+  EXPECT_DOUBLE_EQ(found.jaccard, 160.0 / 240.0);
+  EXPECT_DOUBLE_EQ(found.volumes[0], 480.0);
+}
+
+TEST(ComparedHandle, MeshWithWrongIndicesIsRefused)
+{
+  const double points[9] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0};
+  const int32_t triangle[3] = {0, 1, 3};
+  palpate_error error{};
+  EXPECT_EQ(palpate_compared_of_mesh(points, 3, triangle, 1, &error), nullptr);
+  EXPECT_NE(error.text[0], '\0');
+  const Owned<palpate_compared> ball = BallOf(10.0);
+  const double tolerance = -1.0;
+  palpate_comparison found{};
+  double surfaceDice = 0.0;
+  EXPECT_EQ(palpate_compare(ball.get(), ball.get(), &tolerance, 1, &found, &surfaceDice, nullptr,
+                            nullptr, &error),
+            0);
+}
+} // namespace
+} // namespace palpate::compared_handle_test
