@@ -2,9 +2,9 @@
 
 #include "CaseText.h"
 #include "CommandProgress.h"
-#include "CompareJson.h"
-#include "CompareText.h"
 #include "ComparisonFiles.h"
+#include "ComparisonJson.h"
+#include "ComparisonText.h"
 #include "Console.h"
 #include "FileFormat.h"
 #include "FileType.h"

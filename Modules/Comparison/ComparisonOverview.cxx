@@ -1,7 +1,7 @@
 #include "ComparisonOverview.h"
 
 #include "ComparisonFiles.h"
-#include "ComparisonTable.h"
+#include "ComparisonNames.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "ReportPage.h"

@@ -1,8 +1,7 @@
 #include "ComparisonPage.h"
 
-#include "CaseText.h"
 #include "ComparisonCharts.h"
-#include "ComparisonTable.h"
+#include "ComparisonNames.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "PatientSides.h"
@@ -14,11 +13,6 @@ namespace palpate
 {
 namespace
 {
-std::string Signed(double value, int digits)
-{
-  return (value > 0.0 ? "+" : "") + FixedText(value, digits);
-}
-
 std::string SideText(const ComparedSide& side)
 {
   const bool isLabel = side.Structure.Label != 0;
@@ -55,10 +49,10 @@ std::string Cards(const PairComparison& pair)
            ReportCard("Hausdorff distance", FixedText(found.Both.Largest, 2), "mm", "the largest");
   if (std::isfinite(pair.VolumeDifference()))
   {
-    cards +=
-        ReportCard("Volume", FixedText(pair.One.Milliliters, 2), "ml",
-                   Signed(pair.VolumeDifferencePercent(), 1) + " % of the reference\xE2\x80\x99s " +
-                       FixedText(pair.Other.Milliliters, 2) + " ml");
+    cards += ReportCard("Volume", FixedText(pair.One.Milliliters, 2), "ml",
+                        SignedText(pair.VolumeDifferencePercent(), 1) +
+                            " % of the reference\xE2\x80\x99s " +
+                            FixedText(pair.Other.Milliliters, 2) + " ml");
   }
   for (const BodyComparison::Tolerance& tolerance : found.Tolerances)
   {
@@ -83,7 +77,7 @@ std::string DirectionTable(const std::string& caption, const DistanceMap& map)
   AddSummary(map.Unsigned, rows);
   if (std::isfinite(map.SignedMean))
   {
-    rows.emplace_back("Signed mean", Signed(map.SignedMean, 3) + " mm");
+    rows.emplace_back("Signed mean", SignedText(map.SignedMean, 3) + " mm");
   }
   return HtmlTable(caption, rows);
 }
@@ -110,21 +104,16 @@ std::string NumberTables(const PairComparison& pair)
          "</div>\n";
 }
 
-std::string OctantName(std::size_t octant)
-{
-  return std::string((octant & 1U) != 0 ? "right" : "left") + ", " +
-         ((octant & 2U) != 0 ? "anterior" : "posterior") + ", " +
-         ((octant & 4U) != 0 ? "inferior" : "superior");
-}
-
 std::string BiasTables(const PairComparison& pair)
 {
   if (!pair.Numbers.Bias)
   {
     return {};
   }
-  const auto text = [](const SideBias::Part& part) {
-    return Signed(part.Mean, 2) + " mm, on " + FixedText(100.0 * part.Share, 0) + " % of the area";
+  const auto text = [](const SideBias::Part& part)
+  {
+    return SignedText(part.Mean, 2) + " mm, on " + FixedText(100.0 * part.Share, 0) +
+           " % of the area";
   };
   HtmlRows sides;
   for (std::size_t side = 0; side < PatientSides().size(); ++side)
@@ -154,18 +143,6 @@ std::string Definitions()
          "e26151).</p>\n";
 }
 } // namespace
-
-std::string CellsText(const BodyOverlap& overlap)
-{
-  const auto number = [&](Eigen::Index axis) { return SignificantText(overlap.Spacing[axis], 3); };
-  if (overlap.Kind == BodyOverlap::Cells::Cubes)
-  {
-    return "cubes of " + number(0) + " mm";
-  }
-  return std::string(overlap.Kind == BodyOverlap::Cells::Voxels ? "voxels of "
-                                                                : "the mask's voxels of ") +
-         number(0) + " x " + number(1) + " x " + number(2) + " mm";
-}
 
 std::string ComparisonVerdict(const PairComparison& pair)
 {

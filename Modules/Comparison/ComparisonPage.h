@@ -16,7 +16,4 @@ PALPATECOMPARISON_EXPORT std::string ComparisonVerdict(const PairComparison& pai
 /// by side and definitions. Files are named without their folders.
 PALPATECOMPARISON_EXPORT std::string ComparisonPage(const PairComparison& pair,
                                                     const ComparisonMap& map);
-
-/// How a pair's overlap was counted: "voxels of 0.5 x 0.5 x 3 mm".
-PALPATECOMPARISON_EXPORT std::string CellsText(const BodyOverlap& overlap);
 } // namespace palpate

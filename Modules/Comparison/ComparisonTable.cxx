@@ -1,6 +1,7 @@
 #include "ComparisonTable.h"
 
 #include "CaseText.h"
+#include "ComparisonNames.h"
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "PatientSides.h"
@@ -80,11 +81,6 @@ std::vector<double> NumbersOf(const PairComparison& pair)
   return numbers;
 }
 } // namespace
-
-std::string ToleranceText(double millimeters)
-{
-  return SignificantText(millimeters, 6);
-}
 
 void WriteComparisonTable(const std::vector<PairComparison>& pairs,
                           const std::vector<double>& tolerances, const std::filesystem::path& file)

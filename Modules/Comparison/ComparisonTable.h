@@ -14,7 +14,4 @@ namespace palpate
 PALPATECOMPARISON_EXPORT void WriteComparisonTable(const std::vector<PairComparison>& pairs,
                                                    const std::vector<double>& tolerances,
                                                    const std::filesystem::path& file);
-
-/// "2", "0.5": a tolerance (mm) in names of columns and on pages.
-PALPATECOMPARISON_EXPORT std::string ToleranceText(double millimeters);
 } // namespace palpate

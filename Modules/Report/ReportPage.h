@@ -20,7 +20,7 @@ PALPATEREPORT_EXPORT std::string ReportSection(const std::string& heading,
 PALPATEREPORT_EXPORT std::string ReportFigure(const std::string& content,
                                               const std::string& caption);
 
-/// A card for a list of class "cards" (<dl>): a value under its name, with a unit and a remark,
+/// A card for a definition list of class "cards": a value under its name, with a unit and a remark,
 /// which may be empty (plain text).
 PALPATEREPORT_EXPORT std::string ReportCard(const std::string& name, const std::string& value,
                                             const std::string& unit, const std::string& remark);

@@ -1,24 +1,18 @@
-#include "CompareText.h"
+#include "ComparisonText.h"
 
 #include "CaseText.h"
+#include "ComparisonNames.h"
 #include "ComparisonOverview.h"
-#include "ComparisonPage.h"
-#include "ComparisonTable.h"
 #include "DecimalText.h"
 #include "PatientSides.h"
 #include "TextTable.h"
 
 #include <cmath>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
-std::string Signed(double value, int digits)
-{
-  return (value > 0.0 ? "+" : "") + FixedText(value, digits);
-}
-
 std::string TitleOf(const ComparedSide& side)
 {
   return side.Structure.Label == 0 ? side.File.string() : CaseTitle(side.File, side.Structure);
@@ -33,7 +27,7 @@ std::string Distances(const DistanceSummary& summary)
 std::string Direction(const DistanceMap& map)
 {
   return Distances(map.Unsigned) + (std::isfinite(map.SignedMean)
-                                        ? ", signed mean " + Signed(map.SignedMean, 3) + " mm"
+                                        ? ", signed mean " + SignedText(map.SignedMean, 3) + " mm"
                                         : "");
 }
 
@@ -54,7 +48,7 @@ std::string BiasText(const SideBias& bias)
   for (std::size_t side = 0; side < PatientSides().size(); ++side)
   {
     text += (text.empty() ? "" : ", ") + std::string(PatientSides()[side].Name) + " " +
-            Signed(bias.Sides[side].Mean, 2);
+            SignedText(bias.Sides[side].Mean, 2);
   }
   return text + " mm";
 }
@@ -76,7 +70,7 @@ std::string ComparisonText(const PairComparison& pair)
   {
     table.AddRow({"volume", FixedText(pair.One.Milliliters, 3) + " ml, reference " +
                                 FixedText(pair.Other.Milliliters, 3) + " ml (" +
-                                Signed(pair.VolumeDifferencePercent(), 2) + " %)"});
+                                SignedText(pair.VolumeDifferencePercent(), 2) + " %)"});
   }
   table.AddRow({"distance", Distances(found.Both)});
   table.AddRow({"  first to reference", Direction(found.OneToOther)});
@@ -124,4 +118,4 @@ std::string SummaryText(const std::vector<PairComparison>& pairs)
   return count == 0 ? std::string()
                     : std::to_string(count) + (count == 1 ? " pair\n" : " pairs\n") + table.Text();
 }
-} // namespace palpate::cli
+} // namespace palpate

@@ -1,14 +1,16 @@
 #pragma once
 
+#include "PalpateReportModule.h"
+
 #include <set>
 #include <string>
 #include <vector>
 
-namespace palpate::cli
+namespace palpate
 {
 /// Rows of text in columns as wide as their widest entry, two spaces apart. A column whose entries
 /// are all empty is left out.
-class TextTable
+class PALPATEREPORT_EXPORT TextTable
 {
 public:
   /// Names from files are made printable, so that a row stays a line.
@@ -22,4 +24,4 @@ private:
   std::vector<std::vector<std::string>> Rows;
   std::set<std::size_t> RightColumns;
 };
-} // namespace palpate::cli
+} // namespace palpate

@@ -1,13 +1,14 @@
-#include "CompareJson.h"
+#include "ComparisonJson.h"
 
 #include "CaseText.h"
+#include "ComparisonNames.h"
 #include "JsonSchema.h"
 #include "PatientSides.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -76,10 +77,7 @@ Json BiasJson(const std::optional<SideBias>& bias)
   Json octants = Json::array();
   for (std::size_t octant = 0; octant < bias->Octants.size(); ++octant)
   {
-    octants.push_back(part(std::string((octant & 1U) != 0 ? "right" : "left") + "-" +
-                               ((octant & 2U) != 0 ? "anterior" : "posterior") + "-" +
-                               ((octant & 4U) != 0 ? "inferior" : "superior"),
-                           bias->Octants[octant]));
+    octants.push_back(part(OctantName(octant), bias->Octants[octant]));
   }
   return {{"sides", sides}, {"octants", octants}};
 }
@@ -123,4 +121,4 @@ std::string ComparisonJson(const PairComparison& pair, const std::string& folder
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
-} // namespace palpate::cli
+} // namespace palpate

@@ -6,7 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -61,4 +61,4 @@ std::string TextTable::Text() const
   }
   return text;
 }
-} // namespace palpate::cli
+} // namespace palpate
