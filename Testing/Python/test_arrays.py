@@ -207,7 +207,7 @@ class Comparisons(unittest.TestCase):
         for other in (mesh, (mesh.points, mesh.triangles)):
             found = palpate.compare(model, other, tolerances=[0.1])
             self.assertLess(found.both.maximum, 0.005)
-            self.assertGreater(found.dice, 0.9999)
+            self.assertGreater(found.dice, 0.9998)  # the mesh is inscribed
             self.assertEqual(found.surface_dice, [1.0])
 
     def test_masks_on_other_grids_are_matched_in_mm(self):

@@ -161,6 +161,42 @@ TEST(BodyComparison, BoxInBoxHasItsExactValues)
   EXPECT_EQ(found.Tolerances[0].SurfaceDice, 0.0);
 }
 
+// Each triangle on one side becomes four, which adds no area there.
+IndexedMesh RefinedAbove(const IndexedMesh& mesh)
+{
+  IndexedMesh refined{mesh.Points, {}};
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const Vector3 sum = mesh.Points[t[0]] + mesh.Points[t[1]] + mesh.Points[t[2]];
+    if (sum.z() <= 0.0)
+    {
+      refined.Triangles.push_back(t);
+      continue;
+    }
+    const int first = static_cast<int>(refined.Points.size());
+    for (int i = 0; i < 3; ++i)
+    {
+      refined.Points.emplace_back(0.5 * (mesh.Points[t[i]] + mesh.Points[t[(i + 1) % 3]]));
+    }
+    refined.Triangles.push_back({t[0], first, first + 2});
+    refined.Triangles.push_back({t[1], first + 1, first});
+    refined.Triangles.push_back({t[2], first + 2, first + 1});
+    refined.Triangles.push_back({first, first + 1, first + 2});
+  }
+  return refined;
+}
+
+TEST(BodyComparison, FinerTrianglesDoNotWeighMore)
+{
+  const IndexedMesh sphere = test::Sphere(80, 20.0, {0.0, 0.0, 1.0});
+  const ComparedBody reference = BodyOfModel(SphereModel(20.0));
+  const BodyComparison even = Compared(BodyOfMesh(sphere), reference);
+  const BodyComparison uneven = Compared(BodyOfMesh(RefinedAbove(sphere)), reference);
+  EXPECT_NEAR(uneven.OneToOther.SignedMean, even.OneToOther.SignedMean, 2e-3);
+  EXPECT_NEAR(uneven.OneToOther.Unsigned.Percentile95, even.OneToOther.Unsigned.Percentile95, 5e-3);
+  EXPECT_NEAR(uneven.Tolerances[0].SurfaceDice, even.Tolerances[0].SurfaceDice, 2e-3);
+}
+
 TEST(BodyComparison, IdenticalBodiesAgreeCompletely)
 {
   const ComparedBody torus = BodyOfMesh(test::Torus(60, 30, 20.0, 6.0));
