@@ -129,8 +129,24 @@ int CompareCommand::RunFiles(Console& console)
   return this->Conclude(console);
 }
 
-int CompareCommand::RunCases(const CasePairs& cases, Console& console)
+// A cohort's models are one structure each, and their labels are numbers.
+CasePairs CompareCommand::Chosen(CasePairs cases) const
 {
+  const auto isOther = [this](const CasePairs::Pair& pair)
+  { return !this->Label.empty() && !pair.Label.empty() && pair.Label != this->Label; };
+  cases.Pairs.erase(std::remove_if(cases.Pairs.begin(), cases.Pairs.end(), isOther),
+                    cases.Pairs.end());
+  if (cases.Pairs.empty())
+  {
+    throw InputError("no pair has the label " + this->Label +
+                     "; give the number of one that was fitted");
+  }
+  return cases;
+}
+
+int CompareCommand::RunCases(const CasePairs& all, Console& console)
+{
+  const CasePairs cases = this->Chosen(all);
   this->IsTable = true;
   this->Unpaired = cases.Unpaired;
   const auto count = static_cast<double>(cases.Pairs.size());

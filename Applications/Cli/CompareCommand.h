@@ -36,7 +36,9 @@ private:
   };
 
   int RunFiles(Console& console);
-  int RunCases(const CasePairs& cases, Console& console);
+  /// Those with the label that was asked for; throws InputError if there are none.
+  CasePairs Chosen(CasePairs cases) const;
+  int RunCases(const CasePairs& all, Console& console);
   /// Errors of a case become its result.
   void CompareCase(const CasePairs::Pair& one, const Part& part, Console& console);
   /// Compares the structures of two files and takes their results; throws InputError.

@@ -2,9 +2,9 @@
 
 #include "CohortManifest.h"
 #include "CohortTable.h"
+#include "ComparedFile.h"
 #include "CsvText.h"
 #include "FileFormat.h"
-#include "FitStructure.h"
 #include "InputError.h"
 #include "ModelFile.h"
 #include "OutputNames.h"
@@ -22,14 +22,6 @@ namespace palpate
 namespace
 {
 constexpr std::uintmax_t LargestTable = 64U << 20U;
-
-// The file's name without the ending of its format.
-std::string NameOfCase(const std::filesystem::path& file)
-{
-  const std::string ending = EndingOf(file, ReadableModelEndings());
-  const std::string name = file.filename().string();
-  return ending.empty() ? CaseNameOf(file) : name.substr(0, name.size() - ending.size());
-}
 
 // A case's file, with its label if it is one structure of several.
 struct CaseFile
@@ -65,7 +57,7 @@ CaseFiles ModelsIn(const std::filesystem::path& folder)
   {
     if (!EndingOf(entry->path(), ReadableModelEndings()).empty())
     {
-      files.emplace(NameOfCase(entry->path()), CaseFile{entry->path(), {}});
+      files.emplace(NameOfCompared(entry->path()), CaseFile{entry->path(), {}});
     }
   }
   return files;
@@ -83,7 +75,7 @@ CaseFiles FilesOf(const std::filesystem::path& folder)
   {
     for (const std::filesystem::path& mask : FindMasks(folder))
     {
-      files.emplace(NameOfCase(mask), CaseFile{mask, {}});
+      files.emplace(NameOfCompared(mask), CaseFile{mask, {}});
     }
   }
   catch (const InputError&)
@@ -196,8 +188,9 @@ CasePairs CasePairs::OfTable(const std::filesystem::path& file)
                               "use a table with the header case,first,reference,label");
                      }
                      const std::string name = Field(record, "case");
-                     pairs.Pairs.push_back({name.empty() ? NameOfCase(first) : name, folder / first,
-                                            folder / reference, Field(record, "label")});
+                     pairs.Pairs.push_back({name.empty() ? NameOfCompared(first) : name,
+                                            folder / first, folder / reference,
+                                            Field(record, "label")});
                    });
   if (pairs.Pairs.empty())
   {

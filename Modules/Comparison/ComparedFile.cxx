@@ -1,6 +1,7 @@
 #include "ComparedFile.h"
 
 #include "CaseText.h"
+#include "FileFormat.h"
 #include "FitStructure.h"
 #include "ImageIndexToWorld.h"
 #include "InputError.h"
@@ -21,6 +22,13 @@ IndexedMesh MeshOf(const std::filesystem::path& path)
   return {std::move(triangles.PointsWorld), std::move(triangles.Triangles)};
 }
 } // namespace
+
+std::string NameOfCompared(const std::filesystem::path& file)
+{
+  const std::string ending = EndingOf(file, ReadableModelEndings());
+  const std::string name = file.filename().string();
+  return ending.empty() ? CaseNameOf(file) : name.substr(0, name.size() - ending.size());
+}
 
 ComparedFile ComparedFile::Read(const std::filesystem::path& path, const VolumeChoice& choice)
 {
@@ -54,7 +62,7 @@ std::vector<Segment> ComparedFile::Structures() const
     return labels->Segments;
   }
   Segment whole;
-  whole.Name = CaseNameOf(this->Source);
+  whole.Name = NameOfCompared(this->Source);
   return {whole};
 }
 

@@ -13,6 +13,9 @@
 
 namespace palpate
 {
+/// A file's name without the ending of its format, a model's too.
+PALPATECOMPARISON_EXPORT std::string NameOfCompared(const std::filesystem::path& file);
+
 /// A file whose bodies can be compared: a segmentation, a triangle surface or a model.
 class PALPATECOMPARISON_EXPORT ComparedFile
 {

@@ -118,6 +118,12 @@ Status ComparedBody::OfModel(const SurfaceModel& model, ComparedBody& made)
 
 Status ComparedBody::Finish()
 {
+  const auto isNear = [](const Vector3& point)
+  { return point.cwiseAbs().maxCoeff() <= FarthestCompared; };
+  if (!std::all_of(this->Mesh.Points.begin(), this->Mesh.Points.end(), isNear))
+  {
+    return Status::Failure("has points that are farther than 10 km from the origin");
+  }
   if (Status status = NearestOnMesh::Make(this->Mesh, this->Nearest); !status.IsOk())
   {
     return status;

@@ -21,6 +21,9 @@ struct PlacedMask
   IndexToWorld ToWorld; ///< of image indices
 };
 
+/// Points of compared bodies are at most this far from the origin along each axis, mm.
+constexpr double FarthestCompared = 1e7;
+
 /// One of two bodies that are compared: a mask, a triangle surface or a model, as a surface with
 /// points as dense as measurements need (world mm, patient LPS). Immutable.
 class ComparedBody
@@ -33,7 +36,7 @@ public:
   /// area, points that are not finite, and indices out of range.
   static Status OfMesh(IndexedMesh mesh, ComparedBody& made);
   /// A model, at points on itself; distances from it are those from the model, not from triangles.
-  /// Fails if its points are not finite or enclose no volume.
+  /// Fails if its points are not finite or enclose no volume. All fail beyond FarthestCompared.
   static Status OfModel(const SurfaceModel& model, ComparedBody& made);
 
   const IndexedMesh& Surface() const noexcept { return this->Mesh; }

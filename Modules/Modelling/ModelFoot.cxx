@@ -14,11 +14,11 @@ namespace palpate
 {
 namespace
 {
-// Triangles' sides some 2.5 times as short as the shortest half-wave, so that the nearest triangle
-// leads Newton's method to the right place.
+// Up to degree 40, triangles' sides are some 2.5 times as short as the shortest half-wave, so that
+// the nearest triangle leads Newton's method to the right place. Beyond, time counts.
 int FrequencyOf(const SurfaceModel& model)
 {
-  return std::clamp(static_cast<int>(std::ceil(2.5 * DegreeOf(model))), 40, 200);
+  return std::clamp(static_cast<int>(std::ceil(2.5 * DegreeOf(model))), 40, 100);
 }
 
 ParametricSphericalSurface AsParametric(const SurfaceModel& model)

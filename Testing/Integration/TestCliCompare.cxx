@@ -180,6 +180,9 @@ TEST(CliCompare, CohortsModelsArePairedWithTheirMasks)
     EXPECT_EQ(pair.at("status"), "compared");
     EXPECT_GT(pair.at("overlap").at("dice").get<double>(), 0.9);
   }
+  const std::vector<Json> chosen = Compare(folder, {"masks", "fitted", "--label", "2"});
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_EQ(chosen.front().at("first").at("label"), 2);
 }
 
 TEST(CliCompare, CaseThatCannotBeReadDoesNotStopTheOthers)

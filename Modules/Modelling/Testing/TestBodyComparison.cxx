@@ -281,6 +281,8 @@ TEST(ComparedBody, RefusesWhatHasNoSurface)
   EXPECT_FALSE(ComparedBody::OfModel(SphereModel(0.0), body).IsOk());
   EXPECT_FALSE(ComparedBody::OfModel(SphereModel(std::nan("")), body).IsOk());
   EXPECT_FALSE(ComparedBody::OfMask({}, {}, body).IsOk());
+  EXPECT_FALSE(ComparedBody::OfMesh(test::Sphere(4, 1e100), body).IsOk());
+  EXPECT_FALSE(ComparedBody::OfModel(SphereModel(10.0, {1e9, 0.0, 0.0}), body).IsOk());
 }
 } // namespace
 } // namespace palpate::body_comparison_test
