@@ -71,16 +71,12 @@ ComparisonMap::ComparisonMap(const PairComparison& pair)
 {
 }
 
-std::string ComparisonMap::OneViews() const
+std::string ComparisonMap::ViewsOf(vtkPolyData* surface) const
 {
-  return SixViews(Coloured(this->OneSurface, this->Colors)) +
-         DivergingColorBar(this->Colors, "inside the reference", "mm", "outside");
-}
-
-std::string ComparisonMap::OtherViews() const
-{
-  return SixViews(Coloured(this->OtherSurface, this->Colors)) +
-         DivergingColorBar(this->Colors, "inside the first", "mm", "outside");
+  const bool isSigned = surface->GetPointData()->GetArray("SignedDistance") != nullptr;
+  return SixViews(Coloured(surface, this->Colors)) +
+         DivergingColorBar(this->Colors, isSigned ? "inside the other one" : "", "mm",
+                           isSigned ? "outside" : "apart");
 }
 
 RasterImage ComparisonMap::Picture() const

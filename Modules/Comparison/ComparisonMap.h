@@ -26,12 +26,14 @@ public:
   ///@}
   /// The first surface from six sides, coloured by its distances, with a colour bar, as HTML; or
   /// the other one.
-  std::string OneViews() const;
-  std::string OtherViews() const;
+  std::string OneViews() const { return this->ViewsOf(this->OneSurface); }
+  std::string OtherViews() const { return this->ViewsOf(this->OtherSurface); }
   /// The first surface from six sides on white.
   RasterImage Picture() const;
 
 private:
+  std::string ViewsOf(vtkPolyData* surface) const;
+
   vtkSmartPointer<vtkPolyData> OneSurface;
   vtkSmartPointer<vtkPolyData> OtherSurface;
   vtkSmartPointer<vtkLookupTable> Colors;
