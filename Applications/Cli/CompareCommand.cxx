@@ -73,6 +73,7 @@ void CompareCommand::DeclareOptions(CLI::App& app)
   app.add_option("--tolerance", this->Tolerances, "Tolerances of the surface Dice, mm")
       ->type_name("MM")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(FiniteNumber::Between(0.0, 1000.0))
       ->capture_default_str();
   this->Images.Declare(app, "folder");

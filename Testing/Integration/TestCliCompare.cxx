@@ -68,6 +68,15 @@ TEST(CliCompare, TwoModelsHaveTheirExactDistances)
   EXPECT_NEAR(pair.at("overlap").at("dice").get<double>(), 2.0 / (1.0 + 1.331), 2e-4);
 }
 
+TEST(CliCompare, TolerancesMayComeBeforeTheFiles)
+{
+  const TemporaryFolder folder;
+  WriteSphere(folder / "a.json", 22.0, Vector3::Zero());
+  const Json pair = Compare(folder, {"--tolerance", "4,0.5", "a.json", "a.json"}).at(0);
+  ASSERT_EQ(pair.at("surface_dice").size(), 2u);
+  EXPECT_EQ(pair.at("surface_dice").at(0).at("tolerance_mm"), 0.5);
+}
+
 TEST(CliCompare, StructuresOfOneNumberArePaired)
 {
   const TemporaryFolder folder;
