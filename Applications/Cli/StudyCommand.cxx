@@ -89,7 +89,7 @@ void MakeAll(Study& study, Console& console)
 }
 
 // Status of a file or a structure of the study: state, details, and why it failed.
-struct Line
+struct StepLine
 {
   std::string Name;
   std::string State;
@@ -99,7 +99,7 @@ struct Line
   std::optional<double> TickMicroseconds; ///< of the servo, if measured
 };
 
-Line LineOf(SceneStep step, const StudyStepState& state)
+StepLine LineOf(SceneStep step, const StudyStepState& state)
 {
   const bool isLost = state.Is == Kind::Failed;
   return {NameOf(step), NameOf(state.Is),
@@ -108,7 +108,7 @@ Line LineOf(SceneStep step, const StudyStepState& state)
 }
 
 // Its cost per tick, once measured.
-void AddMeasures(const SceneStructure& structure, Study& study, Line& line)
+void AddMeasures(const SceneStructure& structure, Study& study, StepLine& line)
 {
   const StudyPipeline& pipeline = study.Pipeline();
   const auto cost = pipeline.Newest<TouchCost>(SceneStep::Cost, structure.Id);
@@ -120,10 +120,10 @@ void AddMeasures(const SceneStructure& structure, Study& study, Line& line)
 }
 
 // The last step that is wanted counts: a refused model is replaced by a field.
-Line LineOf(const SceneStructure& structure, Study& study)
+StepLine LineOf(const SceneStructure& structure, Study& study)
 {
   const StudyPipeline& pipeline = study.Pipeline();
-  Line line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}};
+  StepLine line{TitleOf(structure), NameOf(Kind::NotWanted), {}, {}, false, {}};
   std::set<std::string> said;
   for (const SceneStep step : StructureSteps)
   {
@@ -158,9 +158,9 @@ Line LineOf(const SceneStructure& structure, Study& study)
   return line;
 }
 
-std::vector<Line> LinesOf(Study& study)
+std::vector<StepLine> LinesOf(Study& study)
 {
-  std::vector<Line> lines;
+  std::vector<StepLine> lines;
   for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Tool})
   {
     const StudyStepState state = study.Pipeline().StateOf(step);
@@ -186,10 +186,10 @@ std::vector<Line> LinesOf(Study& study)
   return lines;
 }
 
-void Print(const std::vector<Line>& lines, bool asJson, Console& console)
+void Print(const std::vector<StepLine>& lines, bool asJson, Console& console)
 {
   TextTable table;
-  for (const Line& line : lines)
+  for (const StepLine& line : lines)
   {
     if (asJson)
     {
@@ -213,11 +213,11 @@ void Print(const std::vector<Line>& lines, bool asJson, Console& console)
 }
 
 // Each message once: the structures of a file repeat its message.
-CaseTally ReportOnce(const std::vector<Line>& lines, Console& console)
+CaseTally ReportOnce(const std::vector<StepLine>& lines, Console& console)
 {
   CaseTally tally;
   std::set<std::string> reported;
-  for (const Line& line : lines)
+  for (const StepLine& line : lines)
   {
     ++tally.Cases;
     tally.BadInputs += line.IsLost ? 1 : 0;
@@ -265,7 +265,7 @@ int StudyCommand::Run(Console& console)
   study.Open(this->Input);
   Cancellably(console, [&] { MakeAll(study, console); });
   console.EndProgress();
-  const std::vector<Line> lines = LinesOf(study);
+  const std::vector<StepLine> lines = LinesOf(study);
   Print(lines, this->Json, console);
   const CaseTally tally = ReportOnce(lines, console);
   if (!this->OutputFolder.empty() && tally.Lost() < tally.Cases)

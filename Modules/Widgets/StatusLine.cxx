@@ -11,7 +11,7 @@ namespace palpate
 namespace
 {
 // "R 10.3": with the side's letter instead of a sign.
-QString Side(double coordinate, char positive, char negative, LengthUnit unit)
+QString SidedLength(double coordinate, char positive, char negative, LengthUnit unit)
 {
   const double shown = std::round(10.0 * coordinate) / 10.0;
   return QString("%1 %2")
@@ -50,9 +50,10 @@ StatusLine::StatusLine(StudyController& study, QWidget* parent)
 
 void StatusLine::ShowPoint(const Vector3& pointWorld, const std::string& text)
 {
-  const QString place = Side(pointWorld.x(), 'L', 'R', this->Unit) + "  " +
-                        Side(pointWorld.y(), 'P', 'A', this->Unit) + "  " +
-                        Side(pointWorld.z(), 'S', 'I', this->Unit) + " " + SymbolOf(this->Unit);
+  const QString place = SidedLength(pointWorld.x(), 'L', 'R', this->Unit) + "  " +
+                        SidedLength(pointWorld.y(), 'P', 'A', this->Unit) + "  " +
+                        SidedLength(pointWorld.z(), 'S', 'I', this->Unit) + " " +
+                        SymbolOf(this->Unit);
   this->Point->setText(text.empty() ? place : place + "   " + ScreenString(text));
 }
 

@@ -199,11 +199,12 @@ class Checker:
                     self.report(folder, fact)
 
     def check_own_names(self, module):
-        """Sources that may be compiled as one declare no name of their own alike."""
+        """Sources that may be compiled as one declare no name of their own alike, nor for things of two sorts."""
         build = module / "CMakeLists.txt"
         if build.is_file() and "UNITY_BUILD OFF" in build.read_text():
             return
         declared = {}
+        sorts = {}
         for source in self.sources_of(module):
             text = source.read_text()
             outer = tuple(re.findall(r"^namespace ([\w:]+)", text, re.MULTILINE))
@@ -213,6 +214,11 @@ class Checker:
                     first = declared.setdefault((outer, name), source)
                     if first != source:
                         self.report(source, f"declares {name}, as {first.name} does; both may be compiled as one")
+                    sort = "a constant" if constant else "a type" if kind else "a function"
+                    bare = name.split("(")[0]
+                    other, place = sorts.setdefault((outer, bare), (sort, source))
+                    if other != sort and place != source:
+                        self.report(source, f"declares {bare} as {sort}, {place.name} as {other}; both may be compiled as one")
 
     def check_folder_sizes(self):
         """The lines of a folder's own sources, without those of its sub-folders."""

@@ -133,6 +133,8 @@ class CheckStructure(unittest.TestCase):
         self.assertEqual(self.violations(**files), [])
         same = {"Modules/Low/Line.cxx": source("Line.h", "bool IsLong(double b)\n{\n  return b > 2;\n}\n")}
         self.assert_one("declares IsLong(double)", **{**files, **same})
+        constant = {"Modules/Low/Line.cxx": source("Line.h", "constexpr double IsLong = 2.0;\n")}
+        self.assert_one("declares IsLong as a function, Line.cxx as a constant", **{**files, **constant})
         separate = {"Modules/Low/CMakeLists.txt": "set_property(TARGET Low PROPERTY UNITY_BUILD OFF)\n"}
         self.assertEqual(self.violations(**{**files, **same, **separate}), [])
 

@@ -6,10 +6,10 @@ namespace palpate
 {
 namespace
 {
-constexpr int Count = 4;
-constexpr std::array<double, Count> Nodes{
+constexpr int GaussCount = 4;
+constexpr std::array<double, GaussCount> GaussNodes{
     {0.069431844202973712, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629}};
-constexpr std::array<double, Count> Weights{
+constexpr std::array<double, GaussCount> GaussWeights{
     {0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693}};
 
 double Mean(double a, double b, double u)
@@ -65,17 +65,18 @@ double InsidePartOfCell(const CellCorners* values, std::size_t count) noexcept
     return 1.0;
   }
   double part = 0.0;
-  for (std::size_t i = 0; i < Count; ++i)
+  for (std::size_t i = 0; i < GaussCount; ++i)
   {
-    for (std::size_t j = 0; j < Count; ++j)
+    for (std::size_t j = 0; j < GaussCount; ++j)
     {
       Stretch inside;
       for (std::size_t n = 0; n < count; ++n)
       {
         const double* corners = values[n].data();
-        inside.Cut(OnFace(corners, Nodes[i], Nodes[j]), OnFace(corners + 4, Nodes[i], Nodes[j]));
+        inside.Cut(OnFace(corners, GaussNodes[i], GaussNodes[j]),
+                   OnFace(corners + 4, GaussNodes[i], GaussNodes[j]));
       }
-      part += Weights[i] * Weights[j] * inside.Length();
+      part += GaussWeights[i] * GaussWeights[j] * inside.Length();
     }
   }
   return part;

@@ -14,7 +14,7 @@ namespace
 {
 constexpr int CornerCount = 12;
 
-std::array<Vector3, CornerCount> Corners()
+std::array<Vector3, CornerCount> IcosahedronCorners()
 {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   return {{{0, 1, g},
@@ -126,7 +126,7 @@ double SolidAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 
 IcosahedronDirections::IcosahedronDirections(int frequency) : Parts(std::max(1, frequency))
 {
-  const std::array<Vector3, CornerCount> corners = Corners();
+  const std::array<Vector3, CornerCount> corners = IcosahedronCorners();
   const std::size_t square =
       static_cast<std::size_t>(this->Parts) * static_cast<std::size_t>(this->Parts);
   this->Points.reserve(10 * square + 2);
