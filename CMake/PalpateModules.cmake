@@ -7,8 +7,14 @@ endif()
 
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
+set(palpate_vtk_modules IO Shape VolumeRendering Display Interaction Report Fit Group Comparison Scene Trade
+  Study)
+if(PALPATE_BUILD_PARAVIEW)
+  set(PALPATE_KERNEL_MODULES Core Numerics Field Elasticity Modelling Files)
+  set(palpate_vtk_modules IO Shape VolumeRendering Display Report Fit ParaView)
+endif()
 set(PALPATE_VTK_MODULE_FILES)
-foreach(module IO Shape VolumeRendering Display Interaction Report Fit Group Comparison Scene Trade Study)
+foreach(module IN LISTS palpate_vtk_modules)
   list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${module}/vtk.module")
 endforeach()
 set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")

@@ -3,10 +3,12 @@
 #include "OutputImageInformation.h"
 #include "SegmentationFile.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 
 #include <optional>
 #include <string>
@@ -110,6 +112,11 @@ bool vtkSegmentationReader::ReadFile()
   {
     vtkErrorMacro(<< error.what());
     return false;
+  }
+  for (const auto& layer : this->State->Segmentation.Layers)
+  {
+    // ParaView shows named arrays only.
+    layer->GetPointData()->GetScalars()->SetName("Labels");
   }
   this->State->FileName = name;
   this->State->RefuseLeftHanded = this->RefuseLeftHanded;

@@ -3,10 +3,11 @@
  * @brief reads a segmentation: one layer of labels as an image, and the list of its segments
  *
  * Reads label maps (NIfTI, NRRD, MetaImage), 3D Slicer's .seg.nrrd and DICOM segmentation objects.
- * The output is one layer, as unsigned char, unsigned short or int, with origin, spacing (mm) and a
- * right-handed direction matrix in patient LPS. The file is read in the information pass, and again
- * when its name changes; choosing another layer does not read it again. A file that cannot be read
- * raises one ErrorEvent and produces no output. See palpate::ReadSegmentation.
+ * The output is one layer, as unsigned char, unsigned short or int, named "Labels", with origin,
+ * spacing (mm) and a right-handed direction matrix in patient LPS. The file is read in the
+ * information pass, and again when its name changes; choosing another layer does not read it again.
+ * A file that cannot be read raises one ErrorEvent and produces no output. See
+ * palpate::ReadSegmentation.
  */
 #ifndef vtkSegmentationReader_h
 #define vtkSegmentationReader_h

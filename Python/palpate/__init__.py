@@ -8,7 +8,8 @@ and types raise ValueError and TypeError.
     model = palpate.fit_mask(mask, degree=20, spacing=(0.5, 0.5, 3.0))
     model.nearest(points).distances
 
-The VTK filters (names that begin with vtk) are loaded when one is first asked for; nothing else needs VTK.
+The VTK filters (names that begin with vtk) are loaded when one is first asked for; nothing else needs VTK. So is
+to_pyvista, which needs PyVista (palpate.pyvista).
 """
 
 import importlib
@@ -63,6 +64,8 @@ def __getattr__(name: str) -> Any:
             return _CORE + _load_filters()
         except ImportError:
             return _CORE
+    if name == "to_pyvista":
+        return importlib.import_module(f"{__name__}.pyvista").to_pyvista
     if name.startswith(("vtk", "Palpate")) and name in _load_filters():
         return globals()[name]
     raise AttributeError(f"module 'palpate' has no attribute '{name}'")

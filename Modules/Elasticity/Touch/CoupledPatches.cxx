@@ -19,11 +19,17 @@ public:
       : Count(std::min(count, CoupledPatches::MostWalls)), Ball(ballRadius), Width(0.5 * ballRadius)
   {
     std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> ordered;
-    std::copy_n(walls, this->Count, ordered.begin());
-    // So that the result does not depend on the order.
-    std::sort(ordered.begin(), ordered.begin() + static_cast<std::ptrdiff_t>(this->Count),
-              [](const CoupledPatches::Wall& a, const CoupledPatches::Wall& b)
-              { return a.Depth > b.Depth; });
+    // Deepest first, so that the result does not depend on the order.
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      auto* const end = ordered.data() + i;
+      auto* const place =
+          std::upper_bound(ordered.data(), end, walls[i],
+                           [](const CoupledPatches::Wall& a, const CoupledPatches::Wall& b)
+                           { return a.Depth > b.Depth; });
+      std::move_backward(place, end, end + 1);
+      *place = walls[i];
+    }
     for (std::size_t i = 0; i < this->Count; ++i)
     {
       this->Patches[i] =

@@ -8,6 +8,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkTestErrorObserver.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,7 @@ TEST(vtkSegmentationReader, OutputAndInformationHaveDirection)
   EXPECT_EQ(GridOf(reader->GetOutput()).Direction.col(0), Vector3(0, 1, 0));
   EXPECT_EQ(GridOf(reader->GetOutput()).OriginWorld, Vector3(10, 20, 30));
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(3, 4, 5, 0), 1.0);
+  EXPECT_STREQ(reader->GetOutput()->GetPointData()->GetScalars()->GetName(), "Labels");
 }
 
 TEST(vtkSegmentationReader, BadFileRaisesErrorAndNextNameRecovers)

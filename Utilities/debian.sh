@@ -1,0 +1,42 @@
+# Systems of Debian in folders, for the scripts that try Palpate in them; read by `. Utilities/debian.sh`. They need root,
+# mmdebstrap and Debian's archive in reach.
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Label: Debian' | head -1)
+systems=
+
+# make_system SUITE FOLDER PACKAGES [OPTION…]: unless the folder has a system, a minimal one with packages (a,b,c); ready for `inside`.
+make_system() {
+  folder=$2
+  if [ ! -d "$folder/etc" ]; then
+    echo "== Debian $1 in $folder"
+    suite=$1
+    packages=$3
+    shift 3
+    mmdebstrap --variant=minbase --quiet --include="$packages" "$@" "$suite" "$folder" "$mirror"
+  fi
+  systems="$systems $folder"
+  mount -t proc proc "$folder/proc"
+  mount --bind /dev "$folder/dev"
+}
+
+# inside FOLDER COMMANDS: runs them in the system.
+inside() {
+  chroot "$1" env LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive sh -euc "$2"
+}
+
+# inside_offline FOLDER COMMANDS: the same without network.
+inside_offline() {
+  unshare --net chroot "$1" env LC_ALL=C.UTF-8 sh -euxc "$2"
+}
+
+# copy_source FOLDER: the source tree as /source of the system; a build there finds unchanged files as old as they were.
+copy_source() {
+  mkdir -p "$1/source"
+  tar -c --exclude=./build --exclude=./.git --exclude=./demo-output . | tar -x -C "$1/source"
+}
+
+# close_systems: before a script ends; the folders stay.
+close_systems() {
+  for folder in $systems; do
+    umount "$folder/proc" "$folder/dev" 2>/dev/null || true
+  done
+}
