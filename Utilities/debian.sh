@@ -1,3 +1,4 @@
+#!/bin/sh
 # Systems of Debian in folders, for the scripts that try Palpate in them; read by `. Utilities/debian.sh`. They need root,
 # mmdebstrap and Debian's archive in reach.
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Label: Debian' | head -1)
@@ -5,17 +6,19 @@ systems=
 
 # make_system SUITE FOLDER PACKAGES [OPTION…]: unless the folder has a system, a minimal one with packages (a,b,c); ready for `inside`.
 make_system() {
-  folder=$2
-  if [ ! -d "$folder/etc" ]; then
-    echo "== Debian $1 in $folder"
-    suite=$1
-    packages=$3
-    shift 3
-    mmdebstrap --variant=minbase --quiet --include="$packages" "$@" "$suite" "$folder" "$mirror"
+  system_suite=$1
+  system_folder=$2
+  system_packages=$3
+  shift 3
+  if [ ! -d "$system_folder/etc" ]; then
+    echo "== Debian $system_suite in $system_folder"
+    # A mirror of the unstable branch may be older than its index allows.
+    [ "$system_suite" != sid ] || set -- --aptopt='Acquire::Check-Valid-Until "false"' "$@"
+    mmdebstrap --variant=minbase --quiet --include="$system_packages" "$@" "$system_suite" "$system_folder" "$mirror"
   fi
-  systems="$systems $folder"
-  mount -t proc proc "$folder/proc"
-  mount --bind /dev "$folder/dev"
+  systems="$systems $system_folder"
+  mount -t proc proc "$system_folder/proc"
+  mount --bind /dev "$system_folder/dev"
 }
 
 # inside FOLDER COMMANDS: runs them in the system.
@@ -36,7 +39,7 @@ copy_source() {
 
 # close_systems: before a script ends; the folders stay.
 close_systems() {
-  for folder in $systems; do
-    umount "$folder/proc" "$folder/dev" 2>/dev/null || true
+  for system_folder in $systems; do
+    umount "$system_folder/proc" "$system_folder/dev" 2>/dev/null || true
   done
 }

@@ -39,7 +39,6 @@ describe() {
   options="-DPALPATE_BUILD_BENCHMARKS=OFF"
   wanted=$packages
   system_options=
-  emulator=
   case $1 in
   12*) suite=bookworm ;;
   13*) suite=trixie ;;

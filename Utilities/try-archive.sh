@@ -3,22 +3,19 @@
 # every library, and fits, draws and shows a phantom there. As root, with mmdebstrap and Debian's archive in reach.
 set -eu
 cd "$(dirname "$0")/.."
+. Utilities/debian.sh
 archive=$(ls "$PWD"/build/release/packages/palpate-*-linux-*.tar.gz)
 root=$(mktemp -d)/debian
 # Packages that the archive leaves to the system, and an X server.
 system=libgl1,libopengl0,libegl1,libgl1-mesa-dri,libx11-xcb1,libxcb-glx0,libsm6,libice6,libfontconfig1,libdbus-1-3,libuuid1
-mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Label: Debian' | head -1)
-
-mmdebstrap --variant=minbase --quiet --include=$system,xvfb,xauth trixie "$root" "$mirror"
 end() {
-  umount "$root/proc" "$root/dev" 2>/dev/null || true
+  close_systems
   rm -rf --one-file-system "$root"
 }
 trap end EXIT
-mount -t proc proc "$root/proc"
-mount --bind /dev "$root/dev"
+make_system trixie "$root" "$system,xvfb,xauth"
 tar -xzf "$archive" -C "$root/opt"
-chroot "$root" sh -euxc "cd /tmp
+inside "$root" "set -x; cd /tmp
   palpate=/opt/$(basename "$archive" .tar.gz)
   \$palpate/bin/palpate phantom --output body --spacing 2,2,3
   \$palpate/bin/palpate fit body/mask.nii.gz --volume body/volume.nii.gz --output out

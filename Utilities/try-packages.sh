@@ -37,7 +37,7 @@ inside "apt-get update -qq
   apt-get install -qq -y --no-install-recommends /try/libpalpate1_*.deb /try/python3-palpate_*.deb >/try/python.log 2>&1 ||
     { tail -20 /try/python.log; exit 1; }
   if ls /usr/lib/*/libvtk* 2>/dev/null; then echo 'VTK was installed'; exit 1; fi
-  cd /try/examples && for example in *.py; do python3 -B \$example; done"
+  cd /try/examples && for example in *.py; do python3 -B \$example || [ \$? -eq 77 ]; done"
 echo "== palpate, palpate-viewer, python3-palpate-vtk"
 inside "
   apt-get install -qq -y --no-install-recommends /try/palpate_*.deb /try/palpate-viewer_*.deb \

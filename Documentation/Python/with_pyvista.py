@@ -22,7 +22,8 @@ model = palpate.pyvista.fit_image(image, label=3, degree=8)
 surface = palpate.to_pyvista(model)
 print(f"{surface.n_cells} triangles, {surface.volume / 1000:.2f} ml")
 
-voxels = image.threshold((2.5, 3.5), scalars="labels").extract_surface()  # through the centres of the outermost voxels
+# A surface through the centres of the outermost voxels.
+voxels = image.threshold((2.5, 3.5), scalars="labels", all_scalars=True).extract_surface()
 deep = palpate.pyvista.distances(voxels, model)["DistanceToModel"]
 print(f"the outermost voxels' centres lie {-deep.mean():.2f} mm deep in the mean, from {-deep.max():.2f} to {-deep.min():.2f}")
 

@@ -142,11 +142,11 @@ palpate_model* palpate_model_create_parametric(int degree, const double* coeffic
                    }
                    const std::size_t count = SphericalHarmonicBasis(degree).Size();
                    std::array<std::vector<double>, 3> values;
-                   for (std::vector<double>& coordinate : values)
+                   for (std::size_t axis = 0; axis < values.size(); ++axis)
                    {
-                     coordinate.assign(coefficients, coefficients + count);
-                     coefficients += count;
-                     if (!IsFinite(coordinate))
+                     const double* const first = coefficients + axis * count;
+                     values[axis] = std::vector<double>(first, first + count);
+                     if (!IsFinite(values[axis]))
                      {
                        SetError(error, "a coefficient is not finite");
                        return nullptr;

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
          "write it again with palpate soften");
 }
 
-const Json& Entry(const Json& parent, const std::string& key, const std::string& fileName)
+const Json& Entry(const Json& parent, const char* key, const std::string& fileName)
 {
   if (!parent.is_object() || !parent.contains(key))
   {
@@ -32,7 +32,7 @@ const Json& Entry(const Json& parent, const std::string& key, const std::string&
   return parent[key];
 }
 
-double Number(const Json& parent, const std::string& key, const std::string& fileName)
+double Number(const Json& parent, const char* key, const std::string& fileName)
 {
   const Json& entry = Entry(parent, key, fileName);
   if (!entry.is_number() || !std::isfinite(entry.get<double>()))

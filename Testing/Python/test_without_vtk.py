@@ -29,6 +29,7 @@ class WithoutVtk(unittest.TestCase):
         maps = run("import palpate\nprint(open('/proc/self/maps').read(), [*__import__('sys').modules])")
         self.assertIn("_kernels", maps)
         self.assertNotIn("vtk", maps.lower())
+        self.assertNotIn("pyvista", maps)
 
     def test_arrays_work(self):
         run(

@@ -24,12 +24,16 @@ PixelCoding PixelCodingOf(const std::string& transferSyntaxUid)
   case EXS_JPEG2000LosslessOnly:
   case EXS_JPEG2000:
     return PixelCoding::Jpeg2000;
+  case EXS_LittleEndianImplicit:
+  case EXS_BigEndianImplicit:
+  case EXS_LittleEndianExplicit:
+  case EXS_BigEndianExplicit:
+  case EXS_DeflatedLittleEndianExplicit:
+  case EXS_PrivateGE_LEI_WithBigEndianPixelData:
+    return PixelCoding::Native;
   default:
-    break;
+    return PixelCoding::Unread;
   }
-  const bool isUnread =
-      syntax.getXfer() == EXS_Unknown || syntax.isEncapsulated() || syntax.isReferenced();
-  return isUnread ? PixelCoding::Unread : PixelCoding::Native;
 }
 
 std::string TransferSyntaxName(const std::string& transferSyntaxUid)
