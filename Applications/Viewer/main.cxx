@@ -19,8 +19,10 @@ namespace
 int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
 {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0) // later versions always do
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+#endif
   QApplication::setApplicationName("palpate-viewer");
   QApplication::setOrganizationName("Palpate");
   const palpate::Application application(argc, argv);

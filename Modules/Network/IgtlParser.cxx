@@ -20,6 +20,14 @@ igtl_header HeaderOf(const std::vector<std::uint8_t>& bytes)
   return header;
 }
 
+// The first field, which OpenIGTLink 3 names differently.
+int VersionOf(const igtl_header& header)
+{
+  igtl_uint16 version = 0;
+  std::memcpy(&version, &header, sizeof version);
+  return version;
+}
+
 // Of a field that a zero ends, if there is room for one.
 template <std::size_t Size>
 std::string TextOf(const char (&field)[Size])
@@ -99,7 +107,8 @@ bool IgtlParser::BeginMessage()
   const std::string type = TextOf(header.name);
   const bool isName =
       std::all_of(type.begin(), type.end(), [](unsigned char c) { return c >= ' ' && c < 0x7F; });
-  if (header.version < 1 || header.version > NewestVersion || type.empty() || !isName)
+  const int version = VersionOf(header);
+  if (version < 1 || version > NewestVersion || type.empty() || !isName)
   {
     return false;
   }
@@ -117,7 +126,7 @@ void IgtlParser::EndMessage()
   {
     const igtl_header header = HeaderOf(this->Header);
     const bool isWhole = crc64(this->Body.data(), this->Body.size(), 0) == header.crc;
-    if (isWhole && KeepContent(this->Body, header.version))
+    if (isWhole && KeepContent(this->Body, VersionOf(header)))
     {
       this->Complete.push_back(
           {TextOf(header.name), TextOf(header.device_name), std::move(this->Body)});

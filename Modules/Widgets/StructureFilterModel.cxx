@@ -69,7 +69,7 @@ bool StructureFilterModel::lessThan(const QModelIndex& left, const QModelIndex& 
 {
   const QVariant a = left.data(this->sortRole());
   const QVariant b = right.data(this->sortRole());
-  return a.type() == QVariant::String ? this->Order.compare(a.toString(), b.toString()) < 0
-                                      : a.toDouble() < b.toDouble();
+  return a.userType() == QMetaType::QString ? this->Order.compare(a.toString(), b.toString()) < 0
+                                            : a.toDouble() < b.toDouble();
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "HistogramView.h"
 
-#include <QMouseEvent>
+#include "PointerPlace.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -67,7 +68,7 @@ void HistogramView::mousePressEvent(QMouseEvent* event)
 {
   if (event->button() == Qt::LeftButton)
   {
-    this->AskFor(event->localPos());
+    this->AskFor(PointerPlace(*event));
   }
 }
 
@@ -75,7 +76,7 @@ void HistogramView::mouseMoveEvent(QMouseEvent* event)
 {
   if ((event->buttons() & Qt::LeftButton) != 0)
   {
-    this->AskFor(event->localPos());
+    this->AskFor(PointerPlace(*event));
   }
 }
 } // namespace palpate

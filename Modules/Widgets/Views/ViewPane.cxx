@@ -1,5 +1,6 @@
 #include "ViewPane.h"
 
+#include "PointerPlace.h"
 #include "ViewContents.h"
 
 #include "vtkCommand.h"
@@ -9,7 +10,6 @@
 #include "vtkRenderWindowInteractor.h"
 
 #include <QApplication>
-#include <QMouseEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -133,8 +133,9 @@ bool ViewPane::TakeMouse(QEvent* event)
 {
   auto* mouse = static_cast<QMouseEvent*>(event);
   const double ratio = this->RasterImage->devicePixelRatioF();
-  const double x = ratio * mouse->localPos().x();
-  const double y = ratio * (this->RasterImage->height() - 1 - mouse->localPos().y());
+  const QPointF place = PointerPlace(*mouse);
+  const double x = ratio * place.x();
+  const double y = ratio * (this->RasterImage->height() - 1 - place.y());
   if (event->type() == QEvent::MouseMove)
   {
     Q_EMIT PointerMoved(x, y);
