@@ -7,7 +7,11 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#if __has_include("vtk_glad.h") // from VTK 9.4 on
+#include "vtk_glad.h"
+#else
 #include "vtk_glew.h"
+#endif
 
 namespace palpate
 {
