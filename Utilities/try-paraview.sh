@@ -30,9 +30,9 @@ inside "$root" "cd /source
     { tail -20 /build.log; exit 1; }
   cmake --build build/release >>/build.log 2>&1 || { grep -A 20 FAILED /build.log | head -60; exit 1; }
   cmake --install build/release >/dev/null
-  ls -l /opt/palpate/lib/*/paraview-5.11/plugins/Palpate/Palpate.so"
+  ls -l /opt/palpate/lib/paraview-5.11/plugins/Palpate/Palpate.so"
 echo "== pvpython"
 inside "$root" "rm -rf /out && mkdir /out && cp /source/Testing/Integration/Version-0.1.0/model.json /out
   cd /out && xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' pvpython /source/Applications/ParaView/drive.py \
-    /opt/palpate/lib/*/paraview-5.11/plugins/Palpate/Palpate.so /usr/share/mricron/templates /out/model.json /out"
+    /opt/palpate/lib/paraview-5.11/plugins/Palpate/Palpate.so /usr/share/mricron/templates /out/model.json /out"
 echo "== The plugin works in Debian 12's ParaView; its pictures: $root/out"

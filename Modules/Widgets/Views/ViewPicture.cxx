@@ -118,12 +118,7 @@ QImage PictureOf(ViewPane& pane, const QSize& size, bool isTransparent)
   const auto format = isTransparent ? QImage::Format_RGBA8888_Premultiplied : QImage::Format_RGB888;
   const int rowBytes = pixels->GetNumberOfComponents() * size.width();
   // VTK's rows begin at the bottom.
-  const QImage upsideDown(pixels->GetPointer(0), size.width(), size.height(), rowBytes, format);
-#if QT_VERSION >= QT_VERSION_CHECK(6, 9, 0)
-  return upsideDown.flipped(Qt::Vertical);
-#else
-  return upsideDown.mirrored();
-#endif
+  return QImage(pixels->GetPointer(0), size.width(), size.height(), rowBytes, format).mirrored();
 }
 
 QImage PictureOf(const ViewGrid& views, const QSize& size, bool isTransparent)
