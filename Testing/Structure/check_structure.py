@@ -25,6 +25,8 @@ OWN_NAME = re.compile(
     r"|[\w:<>,*& ]+?[ *&](\w+\([^{};]*\))(?: noexcept)?\n\{)",
     re.MULTILINE,
 )
+ALIAS = re.compile(r"^using (\w+) =\s*([^;]+);", re.MULTILINE)
+IMPORTED = re.compile(r"^using ([\w:]+::(\w+));", re.MULTILINE)
 PARAMETER = re.compile(r"\s*\b\w+(?=[,)])")
 # Neither the project's nor a package's: C and C++ standard library, POSIX.
 SYSTEM_HEADER = re.compile(r"^([a-z_0-9]+|((sys|netinet)/)?[a-z_0-9]+\.h)$")
@@ -205,10 +207,17 @@ class Checker:
             return
         declared = {}
         sorts = {}
+        aliases = {}
         for source in self.sources_of(module):
             text = source.read_text()
             outer = tuple(re.findall(r"^namespace ([\w:]+)", text, re.MULTILINE))
             for names in OWN_NAMES.findall(text):
+                own = [(kind, "a type of its own") for _, kind, _ in OWN_NAME.findall(names) if kind]
+                own += [(name, meaning) for meaning, name in IMPORTED.findall(names)]
+                for name, meaning in ALIAS.findall(names) + own:
+                    other, place = aliases.setdefault((outer, name), (meaning, source))
+                    if other != meaning:
+                        self.report(source, f"gives {name} another meaning than {place.name} does; both may be compiled as one")
                 for constant, kind, function in OWN_NAME.findall(names):
                     name = constant or kind or " ".join(PARAMETER.sub("", function).split())
                     first = declared.setdefault((outer, name), source)

@@ -135,6 +135,8 @@ class CheckStructure(unittest.TestCase):
         self.assert_one("declares IsLong(double)", **{**files, **same})
         constant = {"Modules/Low/Line.cxx": source("Line.h", "constexpr double IsLong = 2.0;\n")}
         self.assert_one("declares IsLong as a function, Line.cxx as a constant", **{**files, **constant})
+        aliases = {f"Modules/Low/{name}.cxx": source(f"{name}.h", f"using Is = {name};\n") for name in ("Vector", "Line")}
+        self.assert_one("gives Is another meaning than Line.cxx does", **{**files, **aliases})
         separate = {"Modules/Low/CMakeLists.txt": "set_property(TARGET Low PROPERTY UNITY_BUILD OFF)\n"}
         self.assertEqual(self.violations(**{**files, **same, **separate}), [])
 

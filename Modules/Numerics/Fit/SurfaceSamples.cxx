@@ -7,11 +7,11 @@ namespace palpate
 {
 namespace
 {
-struct Corners
+struct TriangleCorners
 {
   std::array<Vector3, 3> Of;
 
-  Corners(const std::vector<Vector3>& all, const std::array<int, 3>& triangle)
+  TriangleCorners(const std::vector<Vector3>& all, const std::array<int, 3>& triangle)
       : Of{all[static_cast<std::size_t>(triangle[0])], all[static_cast<std::size_t>(triangle[1])],
            all[static_cast<std::size_t>(triangle[2])]}
   {
@@ -33,7 +33,7 @@ struct Corners
 };
 
 // Parts of an edge; 1 for a triangle that is not divided.
-int PartsOf(const Corners& parameters, double longestEdge)
+int PartsOf(const TriangleCorners& parameters, double longestEdge)
 {
   constexpr double MostParts = 8.0;
   return static_cast<int>(
@@ -77,8 +77,8 @@ SurfaceSamples SampleMesh(const IndexedMesh& mesh, const std::vector<Vector3>& p
   double total = 0.0;
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
-    const Corners points(mesh.Points, mesh.Triangles[t]);
-    const Corners places(parameters, mesh.Triangles[t]);
+    const TriangleCorners points(mesh.Points, mesh.Triangles[t]);
+    const TriangleCorners places(parameters, mesh.Triangles[t]);
     const Vector3 doubled = points.DoubledArea();
     const double area = doubled.norm();
     const int parts = PartsOf(places, longestEdge);

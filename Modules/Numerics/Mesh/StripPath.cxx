@@ -9,15 +9,15 @@ namespace palpate
 {
 namespace
 {
-using Plane = Eigen::Vector2d;
+using UnfoldedPoint = Eigen::Vector2d;
 
-double Cross(const Plane& a, const Plane& b) noexcept
+double Cross(const UnfoldedPoint& a, const UnfoldedPoint& b) noexcept
 {
   return a.x() * b.y() - a.y() * b.x();
 }
 
 // Positive if c is to the left of the line from a to b.
-double Turn(const Plane& a, const Plane& b, const Plane& c) noexcept
+double Turn(const UnfoldedPoint& a, const UnfoldedPoint& b, const UnfoldedPoint& c) noexcept
 {
   return Cross(b - a, c - a);
 }
@@ -25,22 +25,22 @@ double Turn(const Plane& a, const Plane& b, const Plane& c) noexcept
 // A crossed edge, unfolded. Right is where its half-edge starts, as seen by the path.
 struct Portal
 {
-  Plane Left;
-  Plane Right;
+  UnfoldedPoint Left;
+  UnfoldedPoint Right;
   int LeftPoint;
   int RightPoint;
 };
 
 // Place of a point of the triangle on the near (1) or far (-1) side of an unfolded edge.
-Plane Unfold(const IndexedMesh& mesh, const Portal& edge, const Vector3& point, double side)
+UnfoldedPoint Unfold(const IndexedMesh& mesh, const Portal& edge, const Vector3& point, double side)
 {
   const Vector3& start = mesh.Points[edge.RightPoint];
   const Vector3 along = (mesh.Points[edge.LeftPoint] - start).normalized();
   const Vector3 arm = point - start;
   const double x = arm.dot(along);
   const double y = side * (arm - x * along).norm();
-  const Plane unit = (edge.Left - edge.Right).normalized();
-  return edge.Right + x * unit + y * Plane(-unit.y(), unit.x());
+  const UnfoldedPoint unit = (edge.Left - edge.Right).normalized();
+  return edge.Right + x * unit + y * UnfoldedPoint(-unit.y(), unit.x());
 }
 
 std::vector<Portal> UnfoldStrip(const IndexedMesh& mesh, const std::vector<int>& crossed,
@@ -51,13 +51,13 @@ std::vector<Portal> UnfoldStrip(const IndexedMesh& mesh, const std::vector<int>&
   const int start = StartOf(mesh, crossed.front());
   const int end = StartOf(mesh, NextInTriangle(crossed.front()));
   const double length = (mesh.Points[end] - mesh.Points[start]).norm();
-  portals.push_back({Plane(length, 0.0), Plane::Zero(), end, start});
+  portals.push_back({UnfoldedPoint(length, 0.0), UnfoldedPoint::Zero(), end, start});
   for (std::size_t i = 1; i < crossed.size(); ++i)
   {
     // The next edge joins an end of the last one to the opposite corner.
     Portal next = portals.back();
     const int apex = StartOf(mesh, PreviousInTriangle(entered[i - 1]));
-    const Plane place = Unfold(mesh, next, mesh.Points[apex], -1.0);
+    const UnfoldedPoint place = Unfold(mesh, next, mesh.Points[apex], -1.0);
     const bool keepsLeft = StartOf(mesh, crossed[i]) == next.LeftPoint ||
                            StartOf(mesh, NextInTriangle(crossed[i])) == next.LeftPoint;
     (keepsLeft ? next.Right : next.Left) = place;
@@ -70,7 +70,7 @@ std::vector<Portal> UnfoldStrip(const IndexedMesh& mesh, const std::vector<int>&
 // A place of the path where it may bend; Crossing is -1 at its start.
 struct Corner
 {
-  Plane At;
+  UnfoldedPoint At;
   int Point;
   int Crossing;
 };
@@ -78,8 +78,8 @@ struct Corner
 // Narrows a side of the funnel to `place`, unless that is wider. Where the path would leave the
 // funnel on its other side, returns that, as it has to bend there; else null. `sign` is 1 for the
 // right side, -1 for the left one.
-const Corner* Narrow(const Plane& apex, Corner& side, const Corner& other, const Corner& place,
-                     double sign)
+const Corner* Narrow(const UnfoldedPoint& apex, Corner& side, const Corner& other,
+                     const Corner& place, double sign)
 {
   if (sign * Turn(apex, side.At, place.At) < 0.0)
   {
@@ -94,7 +94,7 @@ const Corner* Narrow(const Plane& apex, Corner& side, const Corner& other, const
 }
 
 // The last portal is the end of the path.
-std::vector<Corner> PullTight(const std::vector<Portal>& portals, const Plane& from)
+std::vector<Corner> PullTight(const std::vector<Portal>& portals, const UnfoldedPoint& from)
 {
   std::vector<Corner> bends{{from, -1, -1}};
   Corner left = bends.back();
@@ -102,7 +102,7 @@ std::vector<Corner> PullTight(const std::vector<Portal>& portals, const Plane& f
   for (int i = 0; i < static_cast<int>(portals.size()); ++i)
   {
     const Portal& portal = portals[i];
-    const Plane apex = bends.back().At;
+    const UnfoldedPoint apex = bends.back().At;
     const Corner* bend = Narrow(apex, right, left, {portal.Right, portal.RightPoint, i}, 1.0);
     if (bend == nullptr)
     {
@@ -120,10 +120,10 @@ std::vector<Corner> PullTight(const std::vector<Portal>& portals, const Plane& f
 }
 
 // Fraction of an edge, from its right end, at which the line between two bends crosses it.
-double CrossingOf(const Portal& portal, const Plane& from, const Plane& to)
+double CrossingOf(const Portal& portal, const UnfoldedPoint& from, const UnfoldedPoint& to)
 {
-  const Plane edge = portal.Left - portal.Right;
-  const Plane line = to - from;
+  const UnfoldedPoint edge = portal.Left - portal.Right;
+  const UnfoldedPoint line = to - from;
   const double across = Cross(edge, line);
   const double fraction = across != 0.0 ? Cross(from - portal.Right, line) / across : 0.0;
   return std::clamp(fraction, 0.0, 1.0);
@@ -153,8 +153,8 @@ StripPath FindStripPath(const IndexedMesh& mesh, const std::vector<int>& crossed
   if (!crossed.empty())
   {
     std::vector<Portal> portals = UnfoldStrip(mesh, crossed, entered);
-    const Plane start = Unfold(mesh, portals.front(), from, 1.0);
-    const Plane end = Unfold(mesh, portals.back(), to, -1.0);
+    const UnfoldedPoint start = Unfold(mesh, portals.front(), from, 1.0);
+    const UnfoldedPoint end = Unfold(mesh, portals.back(), to, -1.0);
     portals.push_back({end, end, -1, -1});
     const std::vector<Corner> bends = PullTight(portals, start);
     for (std::size_t b = 1; b < bends.size(); ++b)

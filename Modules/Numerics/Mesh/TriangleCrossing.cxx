@@ -15,7 +15,7 @@ using exact::Point2;
 using exact::VolumeSign;
 
 // A triangle's corners; common corners first.
-using Corners = std::array<const Vector3*, 3>;
+using CrossingCorners = std::array<const Vector3*, 3>;
 
 Point2 Project(const Vector3& point, int axis) noexcept
 {
@@ -40,7 +40,7 @@ bool AgreeInSign(int a, int b, int c) noexcept
 }
 
 // An axis along which a triangle's projection has an area.
-int AxisOfProjection(const Corners& t) noexcept
+int AxisOfProjection(const CrossingCorners& t) noexcept
 {
   int axis = 0;
   while (axis < 2 &&
@@ -52,7 +52,7 @@ int AxisOfProjection(const Corners& t) noexcept
 }
 
 // A segment in the plane of a triangle.
-bool MeetsInPlane(const Vector3& from, const Vector3& to, const Corners& t) noexcept
+bool MeetsInPlane(const Vector3& from, const Vector3& to, const CrossingCorners& t) noexcept
 {
   const int axis = AxisOfProjection(t);
   const Point2 p = Project(from, axis);
@@ -66,7 +66,7 @@ bool MeetsInPlane(const Vector3& from, const Vector3& to, const Corners& t) noex
 
 // A segment whose ends are on the given sides of a triangle's plane.
 bool SegmentMeets(const Vector3& from, const Vector3& to, int fromSide, int toSide,
-                  const Corners& t) noexcept
+                  const CrossingCorners& t) noexcept
 {
   if (fromSide * toSide > 0)
   {
@@ -80,7 +80,8 @@ bool SegmentMeets(const Vector3& from, const Vector3& to, int fromSide, int toSi
   return AgreeInSign(line.SideOf(*t[1]), VolumeSign(from, to, *t[1], *t[2]), -line.SideOf(*t[2]));
 }
 
-bool EdgesMeet(const Corners& edges, const std::array<int, 3>& sides, const Corners& t) noexcept
+bool EdgesMeet(const CrossingCorners& edges, const std::array<int, 3>& sides,
+               const CrossingCorners& t) noexcept
 {
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -93,12 +94,12 @@ bool EdgesMeet(const Corners& edges, const std::array<int, 3>& sides, const Corn
   return false;
 }
 
-std::array<int, 3> SidesOf(const Plane& plane, const Corners& t) noexcept
+std::array<int, 3> SidesOf(const Plane& plane, const CrossingCorners& t) noexcept
 {
   return {plane.SideOf(*t[0]), plane.SideOf(*t[1]), plane.SideOf(*t[2])};
 }
 
-bool CrossApart(const Corners& t, const Corners& u) noexcept
+bool CrossApart(const CrossingCorners& t, const CrossingCorners& u) noexcept
 {
   const std::array<int, 3> uSides = SidesOf(Plane(*t[0], *t[1], *t[2]), u);
   if (uSides[0] != 0 && uSides[0] == uSides[1] && uSides[1] == uSides[2])
@@ -115,7 +116,7 @@ bool CrossApart(const Corners& t, const Corners& u) noexcept
 
 // Another common point lies on a ray from the common corner that leaves one triangle through its
 // opposite edge while still in the other.
-bool CrossAtCorner(const Corners& t, const Corners& u) noexcept
+bool CrossAtCorner(const CrossingCorners& t, const CrossingCorners& u) noexcept
 {
   const Plane tPlane(*t[0], *t[1], *t[2]);
   const int u1 = tPlane.SideOf(*u[1]);
@@ -132,7 +133,7 @@ bool CrossAtCorner(const Corners& t, const Corners& u) noexcept
 }
 
 // In one plane and on the same side of the common edge.
-bool CrossAtEdge(const Corners& t, const Corners& u) noexcept
+bool CrossAtEdge(const CrossingCorners& t, const CrossingCorners& u) noexcept
 {
   if (VolumeSign(*t[0], *t[1], *t[2], *u[2]) != 0)
   {
@@ -176,7 +177,8 @@ bool TrianglesCross(const IndexedMesh& mesh, int one, int other) noexcept
   const int common = BringCommonForward(t, u);
   const auto corners = [&mesh](const std::array<int, 3>& triangle)
   {
-    return Corners{&mesh.Points[triangle[0]], &mesh.Points[triangle[1]], &mesh.Points[triangle[2]]};
+    return CrossingCorners{&mesh.Points[triangle[0]], &mesh.Points[triangle[1]],
+                           &mesh.Points[triangle[2]]};
   };
   switch (common)
   {

@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-using Sample = SphericalHarmonicModel::Sample;
+using RadialSample = SphericalHarmonicModel::Sample;
 
 // Visits the nodes of a quadrature that is exact for polynomials of this degree: Gauss-Legendre in
 // z, equal steps in longitude, as SphereQuadrature, but circle by circle.
@@ -27,7 +27,7 @@ void ForEachSample(const SphericalHarmonicModel& model, int degree, Add add)
   {
     const double z = latitude.Nodes[i];
     const double weight = latitude.Weights[i] * 2.0 * M_PI / longitudes;
-    const std::vector<Sample>& samples = circle.Evaluate(z);
+    const std::vector<RadialSample>& samples = circle.Evaluate(z);
     for (std::size_t j = 0; j < samples.size(); ++j)
     {
       add(samples[j], circle.Direction(z, j), weight);
@@ -39,7 +39,7 @@ double AreaByQuadrature(const SphericalHarmonicModel& model, int degree)
 {
   double sum = 0.0;
   ForEachSample(model, degree,
-                [&sum](const Sample& sample, const Vector3&, double weight)
+                [&sum](const RadialSample& sample, const Vector3&, double weight)
                 {
                   sum += weight * std::abs(sample.Radius) *
                          std::hypot(sample.Radius, sample.SurfaceGradient.norm());
@@ -57,7 +57,7 @@ struct CentralMoments
   explicit CentralMoments(const SphericalHarmonicModel& model)
   {
     ForEachSample(model, 5 * model.Degree() + 2,
-                  [this](const Sample& sample, const Vector3& direction, double weight)
+                  [this](const RadialSample& sample, const Vector3& direction, double weight)
                   {
                     const double cube = weight * std::pow(sample.Radius, 3);
                     const Vector3 point = sample.Radius * direction;
@@ -74,7 +74,7 @@ double VolumeOf(const SphericalHarmonicModel& model)
 {
   double sum = 0.0;
   ForEachSample(model, 3 * model.Degree(),
-                [&sum](const Sample& sample, const Vector3&, double weight)
+                [&sum](const RadialSample& sample, const Vector3&, double weight)
                 { sum += weight * sample.Radius * sample.Radius * sample.Radius; });
   return sum / 3.0;
 }
