@@ -66,16 +66,13 @@ void LinkCommand::DeclareOptions(CLI::App& app)
 
 void LinkCommand::OfferModels(IgtlLink& link) const
 {
-  std::vector<std::vector<std::uint8_t>> messages;
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   for (const std::string& path : this->Models)
   {
-    const auto surface =
-        IsModelFile(path) ? DrawModel(ReadModel(path).Surface, this->Frequency) : ReadSurface(path);
-    // Names of files may be patients'.
-    const std::string name = "Palpate model " + std::to_string(messages.size() + 1);
-    messages.push_back(SurfaceMessageOf(name, surface));
+    surfaces.push_back(IsModelFile(path) ? DrawModel(ReadModel(path).Surface, this->Frequency)
+                                         : ReadSurface(path));
   }
-  link.Offer(std::move(messages));
+  link.Offer(SurfaceMessagesOf(surfaces));
 }
 
 void LinkCommand::Keep(const IgtlImage& image, Console& console)

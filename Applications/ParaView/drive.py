@@ -39,7 +39,7 @@ def render_view():
 
 
 def look_from_left(view, bounds):
-    """At the middle of bounds from the patient's left (+x), 1.25 times as high as what is seen."""
+    """Looks along -x at the centre of bounds; the view is 1.25 times as high as they are. Returns mm per pixel."""
     middle = [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2]
     height = 1.25 * max(bounds[3] - bounds[2], bounds[5] - bounds[4])
     view.CameraFocalPoint = middle

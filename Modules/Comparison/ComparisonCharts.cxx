@@ -50,32 +50,23 @@ std::string Histogram(const PairComparison& pair)
                                    "inside (negative) or outside the reference.");
 }
 
-std::vector<double> LengthsOf(const DistanceMap& map)
-{
-  std::vector<double> lengths;
-  lengths.reserve(map.Values.size());
-  for (const double value : map.Values)
-  {
-    lengths.push_back(std::abs(value));
-  }
-  return lengths;
-}
-
 std::string ToleranceCurve(const PairComparison& pair)
 {
-  const std::vector<double> there = LengthsOf(pair.Numbers.OneToOther);
-  const std::vector<double> back = LengthsOf(pair.Numbers.OtherToOne);
-  const double area = pair.One.Area + pair.Other.Area;
-  const double end = std::max(
-      {1.0, 1.2 * pair.Numbers.Hausdorff95(),
-       pair.Numbers.Tolerances.empty() ? 0.0 : pair.Numbers.Tolerances.back().Millimeters});
-  SvgChart::Points line;
+  const BodyComparison& numbers = pair.Numbers;
+  const double end =
+      std::max({1.0, 1.2 * numbers.Hausdorff95(),
+                numbers.Tolerances.empty() ? 0.0 : numbers.Tolerances.back().Millimeters});
+  std::vector<double> tolerances;
   for (int i = 0; i <= CurvePoints; ++i)
   {
-    const double tolerance = end * i / CurvePoints;
-    const double within = pair.One.Area * ShareWithin(pair.OneBody->Surface(), there, tolerance) +
-                          pair.Other.Area * ShareWithin(pair.OtherBody->Surface(), back, tolerance);
-    line.emplace_back(tolerance, within / area);
+    tolerances.push_back(end * i / CurvePoints);
+  }
+  const std::vector<double> dice = SurfaceDice(*pair.OneBody, numbers.OneToOther, *pair.OtherBody,
+                                               numbers.OtherToOne, tolerances);
+  SvgChart::Points line;
+  for (std::size_t i = 0; i < dice.size(); ++i)
+  {
+    line.emplace_back(tolerances[i], dice[i]);
   }
   SvgChart chart("tolerance, mm", "normalised surface Dice");
   chart.SetLine(std::move(line));

@@ -41,19 +41,27 @@ Status MapDistances(const ComparedBody& from, const ComparedBody& to,
   }
   return Status::Success();
 }
-
-double SurfaceDiceOf(const ComparedBody& one, const DistanceMap& there, const ComparedBody& other,
-                     const DistanceMap& back, double tolerance)
-{
-  const double within = one.Area() * ShareWithin(one.Surface(), Lengths(there), tolerance) +
-                        other.Area() * ShareWithin(other.Surface(), Lengths(back), tolerance);
-  return within / (one.Area() + other.Area());
-}
 } // namespace
 
 double BodyComparison::Hausdorff95() const noexcept
 {
   return std::max(this->OneToOther.Unsigned.Percentile95, this->OtherToOne.Unsigned.Percentile95);
+}
+
+std::vector<double> SurfaceDice(const ComparedBody& one, const DistanceMap& there,
+                                const ComparedBody& other, const DistanceMap& back,
+                                const std::vector<double>& tolerances)
+{
+  const std::vector<double> lengthsThere = Lengths(there);
+  const std::vector<double> lengthsBack = Lengths(back);
+  std::vector<double> dice;
+  for (const double tolerance : tolerances)
+  {
+    const double within = one.Area() * ShareWithin(one.Surface(), lengthsThere, tolerance) +
+                          other.Area() * ShareWithin(other.Surface(), lengthsBack, tolerance);
+    dice.push_back(within / (one.Area() + other.Area()));
+  }
+  return dice;
 }
 
 Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
@@ -77,10 +85,11 @@ Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
   }
   made.Both = TwoSidedDistances(Lengths(made.OneToOther), one.Weights(), Lengths(made.OtherToOne),
                                 other.Weights());
-  for (const double tolerance : tolerances)
+  const std::vector<double> dice =
+      SurfaceDice(one, made.OneToOther, other, made.OtherToOne, tolerances);
+  for (std::size_t i = 0; i < tolerances.size(); ++i)
   {
-    made.Tolerances.push_back(
-        {tolerance, SurfaceDiceOf(one, made.OneToOther, other, made.OtherToOne, tolerance)});
+    made.Tolerances.push_back({tolerances[i], dice[i]});
   }
   if (other.IsClosed())
   {

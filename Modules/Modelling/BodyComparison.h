@@ -26,10 +26,7 @@ struct BodyComparison
   struct Tolerance
   {
     double Millimeters = 0.0;
-    /// Normalised surface Dice: the area of both surfaces that is within the tolerance of the other
-    /// one, divided by the area of both (Nikolov et al., "Clinically applicable segmentation of
-    /// head and neck anatomy for radiotherapy", J. Med. Internet Res. 23 (2021) e26151).
-    double SurfaceDice = 0.0;
+    double SurfaceDice = 0.0; ///< see the function of this name
   };
 
   std::optional<BodyOverlap> Overlap; ///< of closed bodies
@@ -45,6 +42,14 @@ struct BodyComparison
   /// The larger of the two directions' 95th percentiles ("95 % Hausdorff distance").
   double Hausdorff95() const noexcept;
 };
+
+/// Normalised surface Dice at each tolerance (mm): the area of both surfaces that is within the
+/// tolerance of the other one, divided by the area of both (Nikolov et al., "Clinically applicable
+/// segmentation of head and neck anatomy for radiotherapy", J. Med. Internet Res. 23 (2021)
+/// e26151).
+std::vector<double> SurfaceDice(const ComparedBody& one, const DistanceMap& there,
+                                const ComparedBody& other, const DistanceMap& back,
+                                const std::vector<double>& tolerances);
 
 /// `tolerances` (mm) are those of the surface Dice. The distances of a surface are taken at its
 /// points and linear in its triangles. Fails only if `progress` cancels.

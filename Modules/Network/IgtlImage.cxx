@@ -1,9 +1,12 @@
 #include "IgtlImage.h"
 
+#include "IgtlHeaderVersion.h"
+
 #include <algorithm>
 #include <cstring>
 #include <igtl_image.h>
 #include <igtl_util.h>
+#include <utility>
 
 namespace palpate
 {
@@ -11,31 +14,24 @@ namespace
 {
 constexpr std::size_t ImageHeaderBytes = IGTL_IMAGE_HEADER_SIZE;
 
-bool TypeOf(int code, IgtlImage::Scalar& type, std::size_t& bytes)
+bool TypeOf(int code, ScalarType& type)
 {
-  struct Known
-  {
-    int Code;
-    IgtlImage::Scalar Type;
-    std::size_t Bytes;
-  };
-  using Scalar = IgtlImage::Scalar;
-  static constexpr std::array<Known, 8> All{{{IGTL_IMAGE_STYPE_TYPE_INT8, Scalar::Int8, 1},
-                                             {IGTL_IMAGE_STYPE_TYPE_UINT8, Scalar::UInt8, 1},
-                                             {IGTL_IMAGE_STYPE_TYPE_INT16, Scalar::Int16, 2},
-                                             {IGTL_IMAGE_STYPE_TYPE_UINT16, Scalar::UInt16, 2},
-                                             {IGTL_IMAGE_STYPE_TYPE_INT32, Scalar::Int32, 4},
-                                             {IGTL_IMAGE_STYPE_TYPE_UINT32, Scalar::UInt32, 4},
-                                             {IGTL_IMAGE_STYPE_TYPE_FLOAT32, Scalar::Float32, 4},
-                                             {IGTL_IMAGE_STYPE_TYPE_FLOAT64, Scalar::Float64, 8}}};
+  static constexpr std::array<std::pair<int, ScalarType>, 8> All{
+      {{IGTL_IMAGE_STYPE_TYPE_INT8, ScalarType::Int8},
+       {IGTL_IMAGE_STYPE_TYPE_UINT8, ScalarType::UInt8},
+       {IGTL_IMAGE_STYPE_TYPE_INT16, ScalarType::Int16},
+       {IGTL_IMAGE_STYPE_TYPE_UINT16, ScalarType::UInt16},
+       {IGTL_IMAGE_STYPE_TYPE_INT32, ScalarType::Int32},
+       {IGTL_IMAGE_STYPE_TYPE_UINT32, ScalarType::UInt32},
+       {IGTL_IMAGE_STYPE_TYPE_FLOAT32, ScalarType::Float32},
+       {IGTL_IMAGE_STYPE_TYPE_FLOAT64, ScalarType::Float64}}};
   const auto* const found = std::find_if(All.begin(), All.end(),
-                                         [code](const Known& known) { return known.Code == code; });
+                                         [code](const auto& known) { return known.first == code; });
   if (found == All.end())
   {
     return false;
   }
-  type = found->Type;
-  bytes = found->Bytes;
+  type = found->second;
   return true;
 }
 
@@ -43,7 +39,8 @@ bool TypeOf(int code, IgtlImage::Scalar& type, std::size_t& bytes)
 std::string Flaw(const igtl_image_header& header)
 {
   constexpr int NewestImage = 2;
-  if (header.version < 1 || header.version > NewestImage)
+  const int version = IgtlHeaderVersion(header);
+  if (version < 1 || version > NewestImage)
   {
     return "it has an unknown version";
   }
@@ -121,8 +118,7 @@ Status ReadIgtlImage(IgtlMessage message, IgtlImage& image)
   igtl_image_convert_byte_order(&header);
   std::string flaw = Flaw(header);
   IgtlImage read;
-  std::size_t bytes = 0;
-  if (flaw.empty() && !TypeOf(header.scalar_type, read.Type, bytes))
+  if (flaw.empty() && !TypeOf(header.scalar_type, read.Type))
   {
     flaw = "it has an unknown type of voxels";
   }
@@ -131,6 +127,7 @@ Status ReadIgtlImage(IgtlMessage message, IgtlImage& image)
     return failure(flaw);
   }
   std::copy(header.size, header.size + 3, read.Size.begin());
+  const std::size_t bytes = BytesOf(read.Type);
   const std::uint64_t count = std::uint64_t{header.size[0]} * header.size[1] * header.size[2];
   if (count * bytes != message.Content.size() - ImageHeaderBytes)
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "IgtlParser.h"
+#include "ScalarType.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -13,23 +14,11 @@ namespace palpate
 /// An image or a label map from an IMAGE message.
 struct IgtlImage
 {
-  enum class Scalar
-  {
-    Int8,
-    UInt8,
-    Int16,
-    UInt16,
-    Int32,
-    UInt32,
-    Float32,
-    Float64
-  };
-
   std::array<int, 3> Size{{0, 0, 0}};      ///< voxels along each index axis
   Vector3 Spacing = Vector3::Ones();       ///< mm
   Vector3 OriginWorld = Vector3::Zero();   ///< centre of voxel 0, 0, 0, mm, LPS
   Matrix3 Direction = Matrix3::Identity(); ///< column i: unit vector of index axis i, LPS
-  Scalar Type = Scalar::UInt8;             ///< of the voxels
+  ScalarType Type = ScalarType::UInt8;     ///< of the voxels
   std::vector<std::uint8_t> Voxels;        ///< in this machine's byte order, first axis fastest
 };
 

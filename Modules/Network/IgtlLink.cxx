@@ -69,6 +69,7 @@ std::vector<std::string> IgtlLink::TakeProblems()
 
 void IgtlLink::Run()
 {
+  this->Arrived.resize(LinkBytesAtOnce);
   while (!this->MustEnd && !this->IsOver)
   {
     this->Stream.Wait(LinkWaitMilliseconds);
@@ -134,10 +135,9 @@ void IgtlLink::Report(const std::string& problem)
 // Returns false when the peer has ended.
 bool IgtlLink::Receive()
 {
-  std::vector<std::uint8_t> bytes(LinkBytesAtOnce);
-  const std::ptrdiff_t count = this->Stream.Receive(bytes.data(), bytes.size());
+  const std::ptrdiff_t count = this->Stream.Receive(this->Arrived.data(), this->Arrived.size());
   const std::uint64_t damaged = this->Parser->Damaged();
-  if (count > 0 && !this->Parser->Take(bytes.data(), static_cast<std::size_t>(count)))
+  if (count > 0 && !this->Parser->Take(this->Arrived.data(), static_cast<std::size_t>(count)))
   {
     this->EndPeer("The peer sends something that is not OpenIGTLink: check its address and port.");
     return false;

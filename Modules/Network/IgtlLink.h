@@ -77,6 +77,7 @@ private:
   // Of the thread while it runs.
   IgtlStream Stream;
   std::optional<IgtlParser> Parser;
+  std::vector<std::uint8_t> Arrived;
   std::vector<std::uint8_t> Sending;
   std::size_t SentBytes = 0;
   std::thread Thread;

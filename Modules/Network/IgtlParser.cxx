@@ -1,5 +1,7 @@
 #include "IgtlParser.h"
 
+#include "IgtlHeaderVersion.h"
+
 #include <algorithm>
 #include <cstring>
 #include <igtl_header.h>
@@ -18,14 +20,6 @@ igtl_header HeaderOf(const std::vector<std::uint8_t>& bytes)
   std::memcpy(&header, bytes.data(), HeaderBytes);
   igtl_header_convert_byte_order(&header);
   return header;
-}
-
-// The first field, which OpenIGTLink 3 names differently.
-int VersionOf(const igtl_header& header)
-{
-  igtl_uint16 version = 0;
-  std::memcpy(&version, &header, sizeof version);
-  return version;
 }
 
 // Of a field that a zero ends, if there is room for one.
@@ -107,7 +101,7 @@ bool IgtlParser::BeginMessage()
   const std::string type = TextOf(header.name);
   const bool isName =
       std::all_of(type.begin(), type.end(), [](unsigned char c) { return c >= ' ' && c < 0x7F; });
-  const int version = VersionOf(header);
+  const int version = IgtlHeaderVersion(header);
   if (version < 1 || version > NewestVersion || type.empty() || !isName)
   {
     return false;
@@ -126,7 +120,7 @@ void IgtlParser::EndMessage()
   {
     const igtl_header header = HeaderOf(this->Header);
     const bool isWhole = crc64(this->Body.data(), this->Body.size(), 0) == header.crc;
-    if (isWhole && KeepContent(this->Body, VersionOf(header)))
+    if (isWhole && KeepContent(this->Body, IgtlHeaderVersion(header)))
     {
       this->Complete.push_back(
           {TextOf(header.name), TextOf(header.device_name), std::move(this->Body)});

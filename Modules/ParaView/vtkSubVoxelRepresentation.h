@@ -51,7 +51,7 @@ private:
   vtkNew<vtkSubVoxelVolumeMapper> Mapper;
   vtkNew<vtkVolumeProperty> Property;
   vtkNew<vtkSubVoxelVolume> Volume;
-  vtkSmartPointer<vtkImageData> Image; ///< what is drawn; null without input
+  vtkSmartPointer<vtkImageData> Image; ///< the input image; null without input
 };
 
 #endif

@@ -4,35 +4,22 @@
 #include "ImageGrid.h"
 #include "TriangleMesh.h"
 #include "vtkDataArray.h"
+#include "vtkTypeTraits.h"
 
 #include <cstring>
+#include <string>
+#include <type_traits>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
-int VtkTypeOf(IgtlImage::Scalar type)
+int VtkTypeOf(ScalarType type)
 {
-  switch (type)
-  {
-  case IgtlImage::Scalar::Int8:
-    return VTK_SIGNED_CHAR;
-  case IgtlImage::Scalar::UInt8:
-    return VTK_UNSIGNED_CHAR;
-  case IgtlImage::Scalar::Int16:
-    return VTK_SHORT;
-  case IgtlImage::Scalar::UInt16:
-    return VTK_UNSIGNED_SHORT;
-  case IgtlImage::Scalar::Int32:
-    return VTK_INT;
-  case IgtlImage::Scalar::UInt32:
-    return VTK_UNSIGNED_INT;
-  case IgtlImage::Scalar::Float32:
-    return VTK_FLOAT;
-  case IgtlImage::Scalar::Float64:
-    break;
-  }
-  return VTK_DOUBLE;
+  return VisitScalars(nullptr, type,
+                      [](const auto* samples)
+                      { return vtkTypeTraits<std::decay_t<decltype(*samples)>>::VTKTypeID(); });
 }
 } // namespace
 
@@ -51,10 +38,17 @@ vtkSmartPointer<vtkImageData> ImageOf(const IgtlImage& received)
   return MakeImage(grid, voxels);
 }
 
-std::vector<std::uint8_t> SurfaceMessageOf(const std::string& name, vtkPolyData* surface)
+std::vector<std::vector<std::uint8_t>>
+SurfaceMessagesOf(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces)
 {
-  TriangleMesh triangles = TrianglesOf(surface, name);
-  return IgtlSurfaceMessage(name,
-                            {std::move(triangles.PointsWorld), std::move(triangles.Triangles)});
+  std::vector<std::vector<std::uint8_t>> messages;
+  for (vtkPolyData* surface : surfaces)
+  {
+    const std::string name = "Palpate model " + std::to_string(messages.size() + 1);
+    TriangleMesh triangles = TrianglesOf(surface, name);
+    messages.push_back(IgtlSurfaceMessage(
+        name, {std::move(triangles.PointsWorld), std::move(triangles.Triangles)}));
+  }
+  return messages;
 }
 } // namespace palpate

@@ -7,7 +7,6 @@
 #include "vtkSmartPointer.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace palpate
@@ -16,8 +15,9 @@ namespace palpate
 /// voxels along an axis and for axes that are not perpendicular.
 PALPATESTUDY_EXPORT vtkSmartPointer<vtkImageData> ImageOf(const IgtlImage& received);
 
-/// The message for OpenIGTLink with the triangles of a surface (mm, patient LPS). Throws InputError
-/// if there are none.
-PALPATESTUDY_EXPORT std::vector<std::uint8_t> SurfaceMessageOf(const std::string& name,
-                                                               vtkPolyData* surface);
+/// The messages for OpenIGTLink with the triangles of surfaces (mm, patient LPS), named "Palpate
+/// model 1", 2, ...: names of files and structures may be a patient's. Throws InputError for one
+/// without triangles.
+PALPATESTUDY_EXPORT std::vector<std::vector<std::uint8_t>>
+SurfaceMessagesOf(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces);
 } // namespace palpate

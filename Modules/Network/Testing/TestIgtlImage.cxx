@@ -66,7 +66,7 @@ TEST(IgtlImage, VoxelsAreThoseOfTheSender)
 {
   IgtlImage image;
   ASSERT_TRUE(ReadIgtlImage(MessageOf(test::IgtlPackedImage({4, 3, 2})), image).IsOk());
-  ASSERT_EQ(image.Type, IgtlImage::Scalar::UInt16);
+  ASSERT_EQ(image.Type, ScalarType::UInt16);
   ASSERT_EQ(image.Voxels.size(), 48U);
   for (std::size_t i = 0; i < 24; ++i)
   {
@@ -110,7 +110,12 @@ TEST(IgtlImage, WhatIsNoWholeImageIsRefused)
 {
   const auto refusal = [](auto change) { return RefusalOf(Changed(change)); };
   using Header = igtl_image_header;
-  EXPECT_NE(refusal([](Header& h) { h.version = 9; }).find("version"), std::string::npos);
+  const auto newer = [](Header& h)
+  {
+    const std::uint16_t version = 9;
+    std::memcpy(&h, &version, sizeof version); // the first field
+  };
+  EXPECT_NE(refusal(newer).find("version"), std::string::npos);
   EXPECT_NE(refusal([](Header& h) { h.num_components = 3; }).find("3 values"), std::string::npos);
   EXPECT_NE(refusal([](Header& h) { h.scalar_type = 9; }).find("type"), std::string::npos);
   EXPECT_NE(refusal([](Header& h) { h.endian = 0; }).find("byte order"), std::string::npos);

@@ -2,6 +2,7 @@
 
 #include "IgtlMessages.h"
 #include "IgtlPackedImage.h"
+#include "IsSoon.h"
 
 #include <chrono>
 #include <functional>
@@ -19,15 +20,7 @@ using Bytes = std::vector<std::uint8_t>;
 // Whether it becomes true within five seconds.
 bool LinkBecomes(const std::function<bool()>& isTrue)
 {
-  for (int tries = 0; tries < 5000; ++tries)
-  {
-    if (isTrue())
-    {
-      return true;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return false;
+  return test::IsSoon(isTrue, std::chrono::seconds(5));
 }
 
 IndexedMesh Tetrahedron()

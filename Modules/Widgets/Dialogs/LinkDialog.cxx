@@ -201,18 +201,19 @@ void LinkDialog::Keep(IgtlImage image)
   this->Study.Current().Jobs().Start(std::move(job));
 }
 
-std::vector<vtkPolyData*> LinkDialog::Displayed()
+std::vector<vtkSmartPointer<vtkPolyData>> LinkDialog::SurfacesToSend()
 {
-  std::vector<vtkPolyData*> displayed;
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   for (const SceneStructure& structure : this->Study.State().Structures)
   {
     vtkPolyData* surface = SurfaceOf(this->Study.Current().Pipeline(), structure);
-    if (structure.IsVisible && surface != nullptr && surface->GetNumberOfCells() > 0)
+    if (this->SendsSurfaces->isChecked() && structure.IsVisible && surface != nullptr &&
+        surface->GetNumberOfCells() > 0)
     {
-      displayed.push_back(surface);
+      surfaces.emplace_back(surface);
     }
   }
-  return displayed;
+  return surfaces;
 }
 
 void LinkDialog::OfferSurfaces()
@@ -221,29 +222,17 @@ void LinkDialog::OfferSurfaces()
   {
     return;
   }
-  std::vector<vtkPolyData*> surfaces;
-  if (this->SendsSurfaces->isChecked())
-  {
-    surfaces = this->Displayed();
-  }
+  const std::vector<vtkSmartPointer<vtkPolyData>> surfaces = this->SurfacesToSend();
   std::vector<std::uint64_t> times; // no two data objects share one
   for (vtkPolyData* surface : surfaces)
   {
     times.push_back(surface->GetMTime());
   }
-  if (times == this->Sent)
+  if (times != this->Sent)
   {
-    return;
+    this->Sent = std::move(times);
+    this->Link.Offer(SurfaceMessagesOf(surfaces));
   }
-  std::vector<std::vector<std::uint8_t>> messages;
-  for (vtkPolyData* surface : surfaces)
-  {
-    // Names may be a patient's.
-    const std::string name = "Palpate model " + std::to_string(messages.size() + 1);
-    messages.push_back(SurfaceMessageOf(name, surface));
-  }
-  this->Sent = std::move(times);
-  this->Link.Offer(std::move(messages));
 }
 
 void LinkDialog::done(int result)

@@ -3,6 +3,7 @@
 #include "FileQuestions.h"
 #include "IgtlLink.h"
 #include "StudyController.h"
+#include "vtkSmartPointer.h"
 
 #include <QCheckBox>
 #include <QDialog>
@@ -37,7 +38,7 @@ private:
   void SwitchLink(bool isOn);
   void Look();
   void Keep(IgtlImage image);
-  std::vector<vtkPolyData*> Displayed();
+  std::vector<vtkSmartPointer<vtkPolyData>> SurfacesToSend();
   void OfferSurfaces();
   void ShowState(const QString& problem = {});
 

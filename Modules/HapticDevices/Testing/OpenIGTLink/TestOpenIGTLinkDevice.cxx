@@ -2,6 +2,7 @@
 
 #include "DeviceContract.h"
 #include "IgtlTransform.h"
+#include "IsSoon.h"
 #include "SteadyClock.h"
 #include "TouchState.h"
 
@@ -23,15 +24,7 @@ using Milliseconds = std::chrono::milliseconds;
 // Whether it becomes true within five seconds.
 bool Becomes(const std::function<bool()>& isTrue)
 {
-  for (int tries = 0; tries < 5000; ++tries)
-  {
-    if (isTrue())
-    {
-      return true;
-    }
-    std::this_thread::sleep_for(Milliseconds(1));
-  }
-  return false;
+  return test::IsSoon(isTrue, std::chrono::seconds(5));
 }
 
 // A device that listens on this machine, and a peer made of the protocol's own library.
