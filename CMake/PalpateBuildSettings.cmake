@@ -20,6 +20,9 @@ if(PALPATE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${PALPATE_CCACHE}")
 endif()
 
+# A library whose interface is unchanged needs no new link of what uses it.
+set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
+
 if(PALPATE_SANITIZERS)
   add_compile_options(-fsanitize=${PALPATE_SANITIZERS} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)

@@ -8,6 +8,8 @@ endif()
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(BLAS REQUIRED)
+# Headers of Boost.Math.
+find_package(Boost REQUIRED)
 
 # Without libusb everything is built except the access to a real Falcon.
 find_package(PkgConfig)

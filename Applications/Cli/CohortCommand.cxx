@@ -1,6 +1,7 @@
 #include "CohortCommand.h"
 
-#include "CohortGroup.h"
+#include "CohortEffectFiles.h"
+#include "CommandProgress.h"
 #include "Console.h"
 #include "FileType.h"
 #include "FilterRun.h"
@@ -48,7 +49,9 @@ std::string CohortCommand::Examples() const
 {
   return "  palpate cohort out                      mean, modes and tables of out/cohort.csv\n"
          "  palpate cohort out --align ellipsoid    in each body's principal axes\n"
-         "  palpate cohort a b c --output all       cases that were fitted separately";
+         "  palpate cohort a b c --output all       cases that were fitted separately\n"
+         "  palpate cohort out --covariates patients.csv --formula \"~ age + log(psa) + center\"\n"
+         "                                          what explains the shape, with p-values";
 }
 
 void CohortCommand::DeclareOptions(CLI::App& app)
@@ -66,6 +69,37 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "patient: the patients' axes; ellipsoid: each body's principal axes")
       ->check(CLI::IsMember({"patient", "ellipsoid"}))
       ->capture_default_str();
+  app.add_flag("--names", this->ShowsNames,
+               "Name the cases in cohort.html, which numbers them otherwise");
+  this->DeclareCovariates(app);
+}
+
+void CohortCommand::DeclareCovariates(CLI::App& app)
+{
+  app.add_option("--covariates", this->Request.File,
+                 "Table of the cases' covariates, with a header (CSV)")
+      ->check(FileType::Input("file", ".csv"));
+  app.add_option("--id", this->Request.Id,
+                 "Column with the cases' names or a part of them (default: case, id, ...)")
+      ->type_name("COLUMN");
+  app.add_option("--formula", this->Request.Formula,
+                 "Linear model of the shape on columns, volume_ml and area_mm2, as in R: ~ age + "
+                 "log(psa) + a*b, "
+                 "factor(x), I(x^2)")
+      ->type_name("FORMULA");
+  app.add_option("--reference", this->Request.References,
+                 "Reference level of a factor (default: the first)")
+      ->type_name("COLUMN=LEVEL");
+  app.add_option("--permutations", this->Request.Permutations.Count,
+                 "Permutations of the tests on the surface")
+      ->check(CLI::Range(99, 1000000))
+      ->capture_default_str();
+  app.add_option("--seed", this->Request.Permutations.Seed, "Of the permutations")
+      ->capture_default_str();
+  app.add_option("--repeated", this->Request.Patient,
+                 "Column with the patients, of whom some have several cases: writes a script for R "
+                 "instead of tests")
+      ->type_name("COLUMN");
 }
 
 int CohortCommand::Run(Console& console)
@@ -85,14 +119,28 @@ int CohortCommand::Run(Console& console)
   {
     throw Cancelled();
   }
-  WriteCohortGroup(group, output, ProgramVersion());
+  std::vector<std::string> notes;
+  const ProgressFunction progress = ProgressOn(console);
+  const CovariateModel model(group, this->Request, notes,
+                             [&](double fraction) { return progress(fraction, "permutations"); });
+  console.EndProgress();
+  WriteCohortGroup(group, {model.Effects(), this->ShowsNames}, output, ProgramVersion());
+  model.WriteRepeated(group, output);
   if (!this->OutputFolder.empty())
   {
     table.Write(output / "cohort.csv");
   }
-  for (const std::string& note : group.Notes)
+  for (const CohortNote& note : group.Notes)
+  {
+    console.Note(note.Case + note.Text);
+  }
+  for (const std::string& note : notes)
   {
     console.Note(note);
+  }
+  if (model.Effects() != nullptr)
+  {
+    console.Output() << CohortEffectText(*model.Effects());
   }
   console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
                    << ", " << group.Modes.Modes.cols() << " modes";

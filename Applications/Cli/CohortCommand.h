@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Command.h"
+#include "CovariateModel.h"
 
 #include <string>
 #include <vector>
@@ -23,9 +24,13 @@ public:
   int Run(Console& console) override;
 
 private:
+  void DeclareCovariates(CLI::App& app);
+
   std::vector<std::string> Folders;
   std::string OutputFolder;
   std::string Label;
   std::string Align = "patient";
+  bool ShowsNames = false;
+  CovariateRequest Request;
 };
 } // namespace palpate::cli

@@ -1,5 +1,6 @@
 #include "CohortGroup.h"
 
+#include "CohortEffectFiles.h"
 #include "CohortPage.h"
 #include "CsvText.h"
 #include "DecimalText.h"
@@ -41,7 +42,7 @@ std::string TitleOf(const Segment& segment)
 }
 
 std::vector<CohortRow> Choose(const CohortTable& table, const std::string& structure,
-                              std::vector<std::string>& notes)
+                              std::vector<CohortNote>& notes)
 {
   std::vector<CohortRow> chosen;
   std::set<std::string> titles;
@@ -49,7 +50,7 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
   {
     if (row.Model.empty())
     {
-      notes.push_back(row.Case + " has no model and is omitted: " + row.Result.Message);
+      notes.push_back({row.Case, " has no model and is omitted: " + row.Result.Message});
     }
     else if (IsOf(row, structure))
     {
@@ -101,10 +102,11 @@ void KeepOneKind(std::vector<SurfaceModel>& models, CohortGroup& group)
     }
     else
     {
-      group.Notes.push_back(group.Rows[i].Case + " has a " +
-                            (keepsRadial ? "surface model, the others radial ones"
-                                         : "radial model, the others surface models") +
-                            ", and is omitted; fit all with --model surface");
+      group.Notes.push_back(
+          {group.Rows[i].Case, std::string(" has a ") +
+                                   (keepsRadial ? "surface model, the others radial ones"
+                                                : "radial model, the others surface models") +
+                                   ", and is omitted; fit all with --model surface"});
     }
   }
   if (kept.size() < 2)
@@ -124,16 +126,17 @@ void NoteOn(CohortGroup& group, const std::string& name, const SurfaceModel& mod
       radial != nullptr ? (body.CentroidWorld - radial->CenterWorld()).norm() : 0.0;
   if (offset > LargestOffset * std::cbrt(body.SemiAxes.prod()))
   {
-    group.Notes.push_back(name + ": its centre lies " + std::to_string(offset) +
-                          " mm from its centroid, which counts as shape; fit with --center "
-                          "centroid");
+    group.Notes.push_back(
+        {name, ": its centre lies " + std::to_string(offset) +
+                   " mm from its centroid, which counts as shape; fit with --center "
+                   "centroid"});
   }
   const bool isRound = body.SemiAxes[1] > (1.0 - SmallestAxisDifference) * body.SemiAxes[0] ||
                        body.SemiAxes[2] > (1.0 - SmallestAxisDifference) * body.SemiAxes[1];
   if (group.Axes == AlignmentAxes::Ellipsoid && isRound)
   {
-    group.Notes.push_back(name + ": two of its principal axes are nearly equal, so its rotation "
-                                 "about the third is poorly determined");
+    group.Notes.push_back({name, ": two of its principal axes are nearly equal, so its rotation "
+                                 "about the third is poorly determined"});
   }
 }
 
@@ -154,18 +157,6 @@ Eigen::VectorXd CoefficientsOf(const ParametricSphericalSurface& surface)
         Eigen::Map<const Eigen::VectorXd>(surface.Coefficients(axis).data(), count);
   }
   return all;
-}
-
-Eigen::MatrixXd CoefficientsOf(const std::vector<SurfaceModel>& models)
-{
-  const auto row = [](const SurfaceModel& model)
-  { return std::visit([](const auto& one) { return CoefficientsOf(one); }, model); };
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(models.size()), row(models.front()).size());
-  for (std::size_t i = 0; i < models.size(); ++i)
-  {
-    matrix.row(static_cast<Eigen::Index>(i)) = row(models[i]);
-  }
-  return matrix;
 }
 
 // A table with one row per case: name, label, numbers.
@@ -272,12 +263,11 @@ void WriteShape(const CohortGroup& group, int mode, double deviations,
   WriteModel(file, document);
 }
 
-void WriteGroupFiles(const CohortGroup& group, const std::filesystem::path& folder,
-                     const std::string& program)
+void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
+                     const std::filesystem::path& folder, const std::string& program)
 {
-  WriteWholeFile(
-      folder / "coefficients.csv",
-      CaseTable(group, CoefficientColumns(group.Models.front()), CoefficientsOf(group.Models)));
+  WriteWholeFile(folder / "coefficients.csv",
+                 CaseTable(group, CoefficientColumns(group.Models.front()), CoefficientsOf(group)));
   WriteWholeFile(folder / "modes.csv", CaseTable(group, ModeColumns(group), group.Modes.Scores));
   WriteWholeFile(folder / "variance.csv", VarianceTable(group.Modes));
   WriteWholeFile(folder / "measures.csv", MeasureTable(group));
@@ -289,7 +279,11 @@ void WriteGroupFiles(const CohortGroup& group, const std::filesystem::path& fold
     WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
     WriteShape(group, mode, DrawnDeviations, folder / (name + "_plus.json"), program);
   }
-  WriteWholeFile(folder / "cohort.html", CohortPage(group, DrawnDeviations));
+  WriteWholeFile(folder / "cohort.html", CohortPage(group, output, DrawnDeviations));
+  if (output.Effects != nullptr)
+  {
+    WriteCohortEffects(group, *output.Effects, folder);
+  }
 }
 
 template <typename Model>
@@ -329,8 +323,21 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
     model = std::visit([degree](const auto& one) -> SurfaceModel { return one.WithDegree(degree); },
                        model);
   }
-  Check(FindShapeModes(CoefficientsOf(group.Models), group.Modes), folder.string());
+  Check(FindShapeModes(CoefficientsOf(group), group.Modes), folder.string());
   return group;
+}
+
+Eigen::MatrixXd CoefficientsOf(const CohortGroup& group)
+{
+  const auto row = [](const SurfaceModel& model)
+  { return std::visit([](const auto& one) { return CoefficientsOf(one); }, model); };
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(group.Models.size()),
+                         row(group.Models.front()).size());
+  for (std::size_t i = 0; i < group.Models.size(); ++i)
+  {
+    matrix.row(static_cast<Eigen::Index>(i)) = row(group.Models[i]);
+  }
+  return matrix;
 }
 
 SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
@@ -355,17 +362,22 @@ SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
   return ParametricSphericalSurface(degree, {series(0), series(1), series(2)});
 }
 
-void WriteCohortGroup(const CohortGroup& group, const std::filesystem::path& folder,
-                      const std::string& program)
+void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
+                      const std::filesystem::path& folder, const std::string& program)
 {
   std::vector<std::string> obsolete;
+  if (output.Effects == nullptr)
+  {
+    obsolete = {"effects.csv", "effects.vtp", "design.csv"};
+  }
   for (int mode = ShownModes(group); mode < MostShownModes; ++mode)
   {
     const std::string name = "mode_" + std::to_string(mode + 1);
     obsolete.insert(obsolete.end(), {name + "_minus.json", name + "_plus.json"});
   }
   WriteOutputSet(
-      folder, [&](const std::filesystem::path& stage) { WriteGroupFiles(group, stage, program); },
+      folder,
+      [&](const std::filesystem::path& stage) { WriteGroupFiles(group, output, stage, program); },
       obsolete);
 }
 } // namespace palpate

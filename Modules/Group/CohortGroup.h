@@ -13,6 +13,13 @@
 
 namespace palpate
 {
+/// What is to be said of a case.
+struct CohortNote
+{
+  std::string Case;
+  std::string Text; ///< follows the name: " has no model"
+};
+
 /// The models of one structure over a cohort in common axes, and their variation.
 struct CohortGroup
 {
@@ -21,7 +28,7 @@ struct CohortGroup
   std::vector<SurfaceModel> Models; ///< aligned, of one kind and degree: the highest of all
   std::vector<BodyMoments> Bodies;  ///< of the models in their patients' frames
   ShapeModes Modes;
-  std::vector<std::string> Notes; ///< omitted cases and warnings
+  std::vector<CohortNote> Notes; ///< omitted cases and warnings
 };
 
 /// Reads the models listed in a table, relative to `folder`, and aligns them. `structure` is a
@@ -32,15 +39,28 @@ PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
                                                 const std::filesystem::path& folder,
                                                 const std::string& structure, AlignmentAxes axes);
 
+/// The aligned models' coefficients (mm), one row per case; of surface models x, then y, then z.
+PALPATEGROUP_EXPORT Eigen::MatrixXd CoefficientsOf(const CohortGroup& group);
+
 /// The mean shape plus a mode times its standard deviation times `deviations`; the mean for mode
 /// -1.
 PALPATEGROUP_EXPORT SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations);
 
+struct CohortEffects;
+
+/// What is written of a group beside its shapes.
+struct CohortOutput
+{
+  const CohortEffects* Effects = nullptr; ///< of covariates; may be null
+  bool ShowsNames = false;                ///< cases by name on the page, otherwise by number
+};
+
 /// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
 /// mm), modes.csv (scores, mm), variance.csv (one row per mode), measures.csv, mean.json, mean.vtp,
 /// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
-/// modes) and cohort.html into the folder, all of them or none. Throws InputError.
-PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group,
+/// modes), cohort.html, and the files of WriteCohortEffects into the folder, all of them or none.
+/// Throws InputError.
+PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
                                           const std::filesystem::path& folder,
                                           const std::string& program);
 } // namespace palpate

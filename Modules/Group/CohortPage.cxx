@@ -1,14 +1,13 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
-#include "ArrayColors.h"
+#include "CohortEffectPage.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "IcosahedronDirections.h"
 #include "ModelSurface.h"
-#include "RasterImage.h"
 #include "ReportPage.h"
-#include "SoftwareRenderer.h"
+#include "ShapeFigures.h"
 #include "SvgChart.h"
 
 #include <algorithm>
@@ -21,20 +20,13 @@ namespace palpate
 namespace
 {
 constexpr int Frequency = 24;       // of the drawn surfaces: 5,762 points
-constexpr int ViewSize = 260;       // pixels
 constexpr double FrameShare = 1.05; // of the largest shape's extent
 constexpr std::array<ViewSide, 3> Sides{{ViewSide::Anterior, ViewSide::Right, ViewSide::Superior}};
 
-/// A shape's triangles, and the distance of each point outside the mean (mm).
-struct Drawn
+/// A shape with the distance of each point outside the mean (mm).
+ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean)
 {
-  vtkSmartPointer<vtkPolyData> Mesh;
-  std::vector<double> Offsets;
-};
-
-Drawn Draw(const SurfaceModel& shape, const SurfaceModel& mean)
-{
-  Drawn drawn{DrawModel(shape, Frequency), {}};
+  ColoredShape drawn{DrawModel(shape, Frequency), {}};
   const IcosahedronDirections sphere(Frequency);
   for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
   {
@@ -43,68 +35,17 @@ Drawn Draw(const SurfaceModel& shape, const SurfaceModel& mean)
     if (const auto* radial = std::get_if<SphericalHarmonicModel>(&mean))
     {
       // The centre is the origin, so a point's own direction is the mean's too.
-      drawn.Offsets.push_back(point.norm() - radial->Radius(point.normalized()));
+      drawn.Values.push_back(point.norm() - radial->Radius(point.normalized()));
     }
     else
     {
       const auto& surface = std::get<ParametricSphericalSurface>(mean);
       const Vector3& parameter = sphere.Directions()[static_cast<std::size_t>(p)];
-      drawn.Offsets.push_back(surface.Normal(parameter).dot(point - surface.Point(parameter)));
+      drawn.Values.push_back(surface.Normal(parameter).dot(point - surface.Point(parameter)));
     }
   }
   return drawn;
 }
-
-double LargestExtent(const Drawn& drawn)
-{
-  const double* bounds = drawn.Mesh->GetBounds();
-  return std::abs(*std::max_element(bounds, bounds + 6,
-                                    [](double a, double b) { return std::abs(a) < std::abs(b); }));
-}
-
-/// Draws shapes at the same scale, with the common centre in the image centre.
-class ShapeFigures
-{
-public:
-  ShapeFigures(double halfWidth, double offset)
-      : HalfWidth(halfWidth), Colors(MakeArrayColors(-offset, offset))
-  {
-  }
-
-  /// The offset of full colour.
-  double Limit() const { return this->Colors->GetRange()[1]; }
-
-  std::string Figure(const Drawn& drawn, ViewSide side, const std::string& caption) const
-  {
-    SoftwareRenderer renderer(drawn.Mesh);
-    std::vector<SoftwareRenderer::Color> colors;
-    for (const double offset : drawn.Offsets)
-    {
-      colors.push_back(ColorOf(this->Colors, offset));
-    }
-    renderer.SetPointColors(std::move(colors));
-    // The renderer puts the centre of the bounding box in the centre of its image.
-    double middle[3];
-    drawn.Mesh->GetCenter(middle);
-    const ViewFrame frame = FrameOf(side);
-    const double half = renderer.HalfWidthMillimeters();
-    const double x = frame.RightWorld.dot(Vector3(middle)) - half;
-    const double y = -frame.UpWorld.dot(Vector3(middle)) - half;
-    const auto text = [](double number) { return SignificantText(number, 6); };
-    const std::string box = text(-this->HalfWidth) + " " + text(-this->HalfWidth) + " " +
-                            text(2.0 * this->HalfWidth) + " " + text(2.0 * this->HalfWidth);
-    return ReportFigure("<svg class=\"view\" role=\"img\" viewBox=\"" + box + "\" aria-label=\"" +
-                            EscapeHtml(caption) + "\"><image x=\"" + text(x) + "\" y=\"" + text(y) +
-                            "\" width=\"" + text(2.0 * half) + "\" height=\"" + text(2.0 * half) +
-                            "\" href=\"" + PngDataUri(renderer.Render(side, ViewSize)) +
-                            "\"/></svg>",
-                        caption);
-  }
-
-private:
-  double HalfWidth;
-  vtkSmartPointer<vtkLookupTable> Colors;
-};
 
 std::string Explained(const ShapeModes& modes)
 {
@@ -119,7 +60,7 @@ std::string Explained(const ShapeModes& modes)
          "</div>\n";
 }
 
-std::string CaseRows(const CohortGroup& group)
+std::string CaseRows(const CohortGroup& group, bool showsNames)
 {
   std::string rows;
   const auto cell = [](const std::string& text)
@@ -127,7 +68,8 @@ std::string CaseRows(const CohortGroup& group)
   const Eigen::Index scores = std::min<Eigen::Index>(group.Modes.Modes.cols(), 2);
   for (std::size_t row = 0; row < group.Rows.size(); ++row)
   {
-    rows += "<tr><td class=\"text\">" + EscapeHtml(group.Rows[row].Case) + "</td>" +
+    rows += "<tr><td class=\"text\">" +
+            (showsNames ? EscapeHtml(group.Rows[row].Case) : std::to_string(row + 1)) + "</td>" +
             cell(FixedText(group.Bodies[row].Volume / 1000.0, 2)) +
             cell(FixedText(group.Rows[row].Result.Dice, 4));
     for (Eigen::Index k = 0; k < 2; ++k)
@@ -148,6 +90,21 @@ std::string CaseRows(const CohortGroup& group)
          rows + "</tbody></table></div>\n";
 }
 
+// Cases that are not in the group have no number.
+std::vector<std::string> NoteTexts(const CohortGroup& group, bool showsNames)
+{
+  std::vector<std::string> texts;
+  for (const CohortNote& note : group.Notes)
+  {
+    const auto row = std::find_if(group.Rows.begin(), group.Rows.end(),
+                                  [&](const CohortRow& one) { return one.Case == note.Case; });
+    const std::string number =
+        row == group.Rows.end() ? "A case" : "Case " + std::to_string(row - group.Rows.begin() + 1);
+    texts.push_back((showsNames ? note.Case : number) + note.Text);
+  }
+  return texts;
+}
+
 std::string ModeTitle(const CohortGroup& group, int mode)
 {
   const ShapeModes& modes = group.Modes;
@@ -159,14 +116,14 @@ std::string ModeTitle(const CohortGroup& group, int mode)
 }
 
 // The mean first, then the two shapes of each shown mode.
-std::vector<Drawn> DrawAll(const CohortGroup& group, double deviations)
+std::vector<ColoredShape> DrawAll(const CohortGroup& group, double deviations)
 {
   const SurfaceModel mean = ShapeOf(group, -1, 0.0);
-  std::vector<Drawn> drawn{Draw(mean, mean)};
+  std::vector<ColoredShape> drawn{DrawOffsets(mean, mean)};
   for (int mode = 0; mode < ShownModes(group); ++mode)
   {
-    drawn.push_back(Draw(ShapeOf(group, mode, -deviations), mean));
-    drawn.push_back(Draw(ShapeOf(group, mode, deviations), mean));
+    drawn.push_back(DrawOffsets(ShapeOf(group, mode, -deviations), mean));
+    drawn.push_back(DrawOffsets(ShapeOf(group, mode, deviations), mean));
   }
   return drawn;
 }
@@ -177,18 +134,15 @@ int ShownModes(const CohortGroup& group)
   return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostShownModes));
 }
 
-std::string CohortPage(const CohortGroup& group, double deviations)
+std::string CohortPage(const CohortGroup& group, const CohortOutput& output, double deviations)
 {
-  const std::vector<Drawn> drawn = DrawAll(group, deviations);
+  const std::vector<ColoredShape> drawn = DrawAll(group, deviations);
   double extent = 0.0;
   double offset = 1e-3; // below a micrometre only rounding would be coloured
-  for (const Drawn& shape : drawn)
+  for (const ColoredShape& shape : drawn)
   {
-    extent = std::max(extent, LargestExtent(shape));
-    for (const double one : shape.Offsets)
-    {
-      offset = std::max(offset, std::abs(one));
-    }
+    extent = std::max(extent, shape.Extent());
+    offset = std::max(offset, shape.LargestValue());
   }
   const ShapeFigures figures(FrameShare * extent, offset);
   const std::string several = SignificantText(deviations, 2) + " sd";
@@ -220,7 +174,10 @@ std::string CohortPage(const CohortGroup& group, double deviations)
           "at " +
           SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n" +
           ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n") +
-          ReportSection("Principal modes", modes) + ReportSection("Cases", CaseRows(group)) +
-          ReportSection("Notes", ReportNotes(group.Notes)) + ReportFooter());
+          ReportSection("Principal modes", modes) +
+          (output.Effects == nullptr ? std::string() : CohortEffectSection(*output.Effects)) +
+          ReportSection("Cases", CaseRows(group, output.ShowsNames)) +
+          ReportSection("Notes", ReportNotes(NoteTexts(group, output.ShowsNames))) +
+          ReportFooter());
 }
 } // namespace palpate

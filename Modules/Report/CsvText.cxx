@@ -102,16 +102,31 @@ const std::string* CsvRecord::Find(const std::string& column) const
   return found->second < this->Fields.size() ? &this->Fields[found->second] : &Empty;
 }
 
+std::vector<std::string> CsvRecord::Columns() const
+{
+  std::map<std::size_t, std::string> ordered;
+  for (const auto& [name, place] : *this->Head)
+  {
+    ordered[place] = name;
+  }
+  std::vector<std::string> names;
+  for (auto& [place, name] : ordered)
+  {
+    names.push_back(name);
+  }
+  return names;
+}
+
 void ForEachCsvRecord(std::string_view text, const std::function<void(const CsvRecord&)>& take)
 {
-  std::shared_ptr<const CsvRecord::Columns> head;
+  std::shared_ptr<const CsvRecord::Places> head;
   const auto takeRow = [&](std::vector<std::string> row)
   {
     if (head)
     {
       return take(CsvRecord(head, std::move(row)));
     }
-    auto columns = std::make_shared<CsvRecord::Columns>();
+    auto columns = std::make_shared<CsvRecord::Places>();
     for (std::size_t column = 0; column < row.size(); ++column)
     {
       (*columns)[row[column]] = column;

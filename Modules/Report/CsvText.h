@@ -22,17 +22,19 @@ PALPATEREPORT_EXPORT std::string CsvLine(const std::vector<std::string>& fields)
 class PALPATEREPORT_EXPORT CsvRecord
 {
 public:
-  using Columns = std::map<std::string, std::size_t>;
-  CsvRecord(std::shared_ptr<const Columns> head, std::vector<std::string> fields)
+  using Places = std::map<std::string, std::size_t>;
+  CsvRecord(std::shared_ptr<const Places> head, std::vector<std::string> fields)
       : Head(std::move(head)), Fields(std::move(fields))
   {
   }
 
   /// Null if the head has no such column; empty if the row has fewer fields.
   const std::string* Find(const std::string& column) const;
+  /// The head's columns in their order; of two with one name the last.
+  std::vector<std::string> Columns() const;
 
 private:
-  std::shared_ptr<const Columns> Head;
+  std::shared_ptr<const Places> Head;
   std::vector<std::string> Fields;
 };
 

@@ -108,7 +108,7 @@ TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
   Cohort cohort;
   AddKnownCases(cohort);
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
-  WriteCohortGroup(group, cohort.Folder / "out", "test");
+  WriteCohortGroup(group, {}, cohort.Folder / "out", "test");
   Random random(21);
   const SphericalHarmonicModel mean = palpate::test::RandomOrgan(random, 5);
   const auto read =
@@ -138,7 +138,7 @@ TEST(CohortGroup, SurfaceModelsVaryInTheirThreeCoordinates)
   Cohort cohort;
   AddTubes(cohort);
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
-  WriteCohortGroup(group, cohort.Folder / "out", "test");
+  WriteCohortGroup(group, {}, cohort.Folder / "out", "test");
   ASSERT_GE(group.Modes.Explained.size(), 1);
   EXPECT_GT(group.Modes.Explained[0], 0.99); // the rest is what the centroid moves
   // Standard deviation of -1, 0 and 1; the centroid hardly moves by a harmonic of degree 4.
@@ -162,8 +162,8 @@ TEST(CohortGroup, OmitsModelsOfTheRarerKind)
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
   EXPECT_EQ(group.Rows.size(), 4U);
   EXPECT_EQ(std::count_if(group.Notes.begin(), group.Notes.end(),
-                          [](const std::string& note)
-                          { return note.find("has a surface model") != std::string::npos; }),
+                          [](const CohortNote& note)
+                          { return note.Text.find("has a surface model") != std::string::npos; }),
             3);
 }
 
@@ -172,7 +172,7 @@ TEST(CohortGroup, TablesHaveOneRowPerCase)
   Cohort cohort;
   AddKnownCases(cohort);
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
-  WriteCohortGroup(group, cohort.Folder / "out", "test");
+  WriteCohortGroup(group, {}, cohort.Folder / "out", "test");
   const std::string table = palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv");
   const auto coefficients = CsvRecordsIn(table);
   ASSERT_EQ(coefficients.size(), 4U);
@@ -227,7 +227,8 @@ TEST(CohortGroup, PageIsSelfContainedAndListsOmissions)
   Cohort cohort;
   AddKnownCases(cohort);
   cohort.AddFailure("x & y");
-  WriteCohortGroup(cohort.Group(AlignmentAxes::Patient), cohort.Folder / "out", "test");
+  WriteCohortGroup(cohort.Group(AlignmentAxes::Patient), {nullptr, true}, cohort.Folder / "out",
+                   "test");
   const std::string html = palpate::test::ReadAll(cohort.Folder / "out/cohort.html");
   EXPECT_EQ(palpate::test::MarkupError(html), "");
   EXPECT_EQ(html.find("http"), std::string::npos);

@@ -1,0 +1,236 @@
+#include "CohortEffectFiles.h"
+
+#include "CsvText.h"
+#include "DecimalText.h"
+#include "InputError.h"
+#include "ModelSurface.h"
+#include "ScreenText.h"
+#include "SurfaceFile.h"
+#include "WholeFile.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr double Significance = 0.05;
+constexpr Eigen::Index MostRepeatedModes = 10;
+
+void AddMap(vtkPolyData* surface, const std::string& name, const Eigen::VectorXd& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(values.size());
+  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
+  surface->GetPointData()->AddArray(array);
+}
+
+vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
+{
+  const auto surface = MeanSurface(effects.Surface);
+  for (const TermEffect& effect : effects.Terms)
+  {
+    for (const ColumnEffect& column : effect.Columns)
+    {
+      AddMap(surface, column.Name + " (mm)", column.PerUnit);
+      AddMap(surface, column.Name + " 95% half width (mm)", column.HalfWidth);
+    }
+    const std::string& name = effect.Term.Name;
+    AddMap(surface, name + (effect.Term.Count == 1 ? " t" : " root F"), effect.Points.Statistic);
+    AddMap(surface, name + " partial R2", effect.PartialR2);
+    AddMap(surface, name + " p", effect.Points.P);
+    AddMap(surface, name + " p family", effect.Points.FamilyP);
+    AddMap(surface, name + " p TFCE", effect.Points.EnhancedP);
+    AddMap(surface, name + " q", effect.Discovery);
+  }
+  return surface;
+}
+
+double SignificantArea(const NormalDisplacement& surface, const Eigen::VectorXd& p)
+{
+  double area = 0.0;
+  for (std::size_t i = 0; i < surface.Areas.size(); ++i)
+  {
+    area += p[static_cast<Eigen::Index>(i)] < Significance ? surface.Areas[i] : 0.0;
+  }
+  return area;
+}
+
+std::string TermTable(const CohortEffects& effects)
+{
+  std::string text = CsvLine(
+      {"term",          "columns",        "cases",        "scores",     "pillai",       "pillai_f",
+       "pillai_df1",    "pillai_df2",     "pillai_p",     "wilks",      "wilks_p",      "surface_f",
+       "surface_p",     "least_p_family", "least_p_tfce", "least_q",    "family_mm2",   "tfce_mm2",
+       "discovery_mm2", "largest_mm",     "largest_unit", "largest_r2", "permutations", "seed"});
+  for (const TermEffect& effect : effects.Terms)
+  {
+    const MultivariateStatistic& pillai = effect.Scores.Pillai;
+    const auto number = [](double value) { return ExactText(value); };
+    text += CsvLine({effect.Term.Name,
+                     std::to_string(effect.Term.Count),
+                     std::to_string(effects.Design.Cases.size()),
+                     std::to_string(effects.ScoreCount),
+                     number(pillai.Value),
+                     number(pillai.F),
+                     number(pillai.NumeratorDegrees),
+                     number(pillai.DenominatorDegrees),
+                     number(pillai.P),
+                     number(effect.Scores.Wilks.Value),
+                     number(effect.Scores.Wilks.P),
+                     number(effect.Points.WholeF),
+                     number(effect.Points.WholeP),
+                     number(effect.Points.FamilyP.minCoeff()),
+                     number(effect.Points.EnhancedP.minCoeff()),
+                     number(effect.Discovery.minCoeff()),
+                     number(SignificantArea(effects.Surface, effect.Points.FamilyP)),
+                     number(SignificantArea(effects.Surface, effect.Points.EnhancedP)),
+                     number(SignificantArea(effects.Surface, effect.Discovery)),
+                     number(effect.LargestMillimeters()),
+                     effect.UnitText(),
+                     number(effect.PartialR2.maxCoeff()),
+                     std::to_string(effects.Permutations.Count),
+                     std::to_string(effects.Permutations.Seed)});
+  }
+  return text;
+}
+
+std::string DesignTable(const CohortGroup& group, const LinearDesign& design)
+{
+  std::vector<std::string> head{"case"};
+  head.insert(head.end(), design.Columns.begin(), design.Columns.end());
+  std::string text = CsvLine(head);
+  for (std::size_t i = 0; i < design.Cases.size(); ++i)
+  {
+    std::vector<std::string> fields{group.Rows[design.Cases[i]].Case};
+    for (Eigen::Index k = 0; k < design.Matrix.cols(); ++k)
+    {
+      fields.push_back(ExactText(design.Matrix(static_cast<Eigen::Index>(i), k)));
+    }
+    text += CsvLine(fields);
+  }
+  return text;
+}
+
+std::string RepeatedTable(const CohortGroup& group, const CovariateTable& covariates,
+                          Eigen::Index modes)
+{
+  std::vector<std::string> head{"case"};
+  for (Eigen::Index k = 0; k < modes; ++k)
+  {
+    head.push_back("mode_" + std::to_string(k + 1));
+  }
+  for (const Covariate& column : covariates.Columns())
+  {
+    head.push_back(column.Name());
+  }
+  std::string text = CsvLine(head);
+  for (std::size_t row = 0; row < group.Rows.size(); ++row)
+  {
+    std::vector<std::string> fields{group.Rows[row].Case};
+    for (Eigen::Index k = 0; k < modes; ++k)
+    {
+      fields.push_back(ExactText(group.Modes.Scores(static_cast<Eigen::Index>(row), k)));
+    }
+    for (const Covariate& column : covariates.Columns())
+    {
+      fields.push_back(column.IsMissing(row) ? std::string() : column.Texts()[row]);
+    }
+    text += CsvLine(fields);
+  }
+  return text;
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> MeanSurface(const NormalDisplacement& mean)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < mean.Points.size(); ++i)
+  {
+    points->InsertNextPoint(mean.Points[i].data());
+    normals->InsertNextTuple(mean.Normals[i].data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const std::array<int, 3>& triangle : mean.Triangles)
+  {
+    triangles->InsertNextCell({triangle[0], triangle[1], triangle[2]});
+  }
+  const auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  surface->GetPointData()->SetNormals(normals);
+  return surface;
+}
+
+std::string CohortEffectText(const CohortEffects& effects)
+{
+  const auto right = [](const std::string& text, std::size_t width)
+  { return std::string(width - std::min(width - 1, text.size()), ' ') + text; };
+  std::string table = effects.Formula.Text() + ", " + std::to_string(effects.Design.Cases.size()) +
+                      " cases, " + std::to_string(effects.Permutations.Count) + " permutations\n" +
+                      "term                  p, scores  p, surface  least p, TFCE  largest, mm\n";
+  for (const TermEffect& effect : effects.Terms)
+  {
+    std::string name = Printable(effect.Term.Name);
+    name.resize(std::max<std::size_t>(name.size(), 20), ' ');
+    table += name + right(SignificantText(effect.Scores.Pillai.P, 3), 11) +
+             right(SignificantText(effect.Points.WholeP, 3), 12) +
+             right(SignificantText(effect.Points.EnhancedP.minCoeff(), 3), 15) +
+             right(FixedText(effect.LargestMillimeters(), 2), 13) + " " + effect.UnitText() + "\n";
+  }
+  return table;
+}
+
+void WriteCohortEffects(const CohortGroup& group, const CohortEffects& effects,
+                        const std::filesystem::path& folder)
+{
+  WriteWholeFile(folder / "effects.csv", TermTable(effects));
+  WriteWholeFile(folder / "design.csv", DesignTable(group, effects.Design));
+  WriteSurface(folder / "effects.vtp", EffectSurface(effects));
+}
+
+void WriteRepeatedScans(const CohortGroup& group, const CovariateTable& covariates,
+                        const ModelFormula& formula, const std::string& patient,
+                        const std::filesystem::path& folder)
+{
+  if (covariates.Find(patient) == nullptr)
+  {
+    throw InputError("the covariates have no column " + patient + " that names the patients");
+  }
+  const Eigen::Index modes = std::min(MostRepeatedModes, group.Modes.Scores.cols());
+  FormulaVariable column;
+  column.Column = patient;
+  WriteWholeFile(folder / "repeated.csv", RepeatedTable(group, covariates, modes));
+  WriteWholeFile(
+      folder / "repeated.R",
+      "# Shapes of patients who were scanned more than once: a random intercept for each patient.\n"
+      "# Run in this folder: Rscript repeated.R\n"
+      "library(nlme)\n"
+      "d <- read.csv(\"repeated.csv\", stringsAsFactors = TRUE, check.names = FALSE)\n"
+      "for (k in 1:" +
+          std::to_string(modes) +
+          ") {\n"
+          "  d$score <- d[[paste0(\"mode_\", k)]] # mm\n"
+          "  model <- lme(score " +
+          formula.Text() + ", random = ~ 1 | " + column.Text() +
+          ", data = d, na.action = na.omit)\n"
+          "  cat(\"\\nMode\", k, \"\\n\")\n"
+          "  print(anova(model, type = \"marginal\"))\n"
+          "  print(summary(model)$tTable)\n"
+          "}\n");
+}
+} // namespace palpate

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "CohortEffects.h"
+#include "PalpateGroupModule.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <string>
+
+namespace palpate
+{
+/// The mean as a surface with normals.
+PALPATEGROUP_EXPORT vtkSmartPointer<vtkPolyData> MeanSurface(const NormalDisplacement& mean);
+
+/// A table of the terms for a console, with its heading.
+PALPATEGROUP_EXPORT std::string CohortEffectText(const CohortEffects& effects);
+
+/// Writes effects.csv (one row per term: tests and their p-values), effects.vtp (the mean with all
+/// maps as named arrays) and design.csv (the matrix of the model, one row per case) into an
+/// existing folder. Throws InputError.
+PALPATEGROUP_EXPORT void WriteCohortEffects(const CohortGroup& group, const CohortEffects& effects,
+                                            const std::filesystem::path& folder);
+
+/// Writes repeated.csv (case, scores of the first modes, covariates) and repeated.R, a script that
+/// fits each mode with a random intercept for each value of the column `patient` (R's package
+/// nlme), into an existing folder. Throws InputError if the covariates have no such column.
+PALPATEGROUP_EXPORT void WriteRepeatedScans(const CohortGroup& group,
+                                            const CovariateTable& covariates,
+                                            const ModelFormula& formula, const std::string& patient,
+                                            const std::filesystem::path& folder);
+} // namespace palpate

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Covariates.h"
+#include "PalpateGroupModule.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Reads a table of covariates (CSV with a header) and finds the row of each case, by the column
+/// `id` or, if that is empty, by the first column named case, id, patient_id, participant_id,
+/// subject or subject_id, else by the first column. A row belongs to a case whose name is its id,
+/// or has its id as a whole part between characters that are neither letters nor digits: 10005 to
+/// 10005_1000005; the longest one wins. Cases without a row have missing values; a note says which.
+/// Throws InputError if the file is not such a table, two rows fit a case equally, or no row fits
+/// any case.
+PALPATEGROUP_EXPORT CovariateTable ReadCovariates(const std::filesystem::path& file,
+                                                  const std::string& id,
+                                                  const std::vector<std::string>& cases,
+                                                  std::vector<std::string>& notes);
+} // namespace palpate

@@ -1,0 +1,92 @@
+#include "CovariateModel.h"
+
+#include "CohortEffectFiles.h"
+#include "CovariateFile.h"
+#include "DecimalText.h"
+#include "InputError.h"
+
+#include <map>
+
+namespace palpate
+{
+namespace
+{
+CovariateTable TableOf(const CohortGroup& group, const CovariateRequest& request,
+                       std::vector<std::string>& notes)
+{
+  std::vector<std::string> cases;
+  std::vector<std::string> volumes;
+  std::vector<std::string> areas;
+  for (std::size_t i = 0; i < group.Rows.size(); ++i)
+  {
+    cases.push_back(group.Rows[i].Case);
+    volumes.push_back(ExactText(group.Bodies[i].Volume / 1000.0));
+    areas.push_back(ExactText(group.Rows[i].Result.ModelAreaSquareMillimeters));
+  }
+  CovariateTable table = request.File.empty()
+                             ? CovariateTable(cases)
+                             : ReadCovariates(request.File, request.Id, cases, notes);
+  table.Add("volume_ml", volumes);
+  table.Add("area_mm2", areas);
+  return table;
+}
+
+std::map<std::string, std::string> ReferencesOf(const CovariateRequest& request)
+{
+  std::map<std::string, std::string> references;
+  for (const std::string& text : request.References)
+  {
+    const std::size_t split = text.find('=');
+    if (split == std::string::npos)
+    {
+      throw InputError("the reference " + text + " is not COLUMN=LEVEL");
+    }
+    references[text.substr(0, split)] = text.substr(split + 1);
+  }
+  return references;
+}
+} // namespace
+
+CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest& request,
+                               std::vector<std::string>& notes, const KernelProgress& progress)
+    : Patient(request.Patient), Table({})
+{
+  if (request.Formula.empty())
+  {
+    if (!request.File.empty() || !request.Patient.empty())
+    {
+      throw InputError("covariates need a formula, such as \"~ age\"");
+    }
+    return;
+  }
+  if (const Status status = ModelFormula::Parse(request.Formula, this->Formula); !status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+  this->Table = TableOf(group, request, notes);
+  if (!this->Patient.empty())
+  {
+    notes.push_back("repeated.R fits the model with a random intercept per " + this->Patient +
+                    "; tests here would take the cases of a patient for independent ones and are "
+                    "left out");
+    return;
+  }
+  this->Tested = FindCohortEffects(group, this->Table, this->Formula, ReferencesOf(request),
+                                   request.Permutations, progress);
+  const LinearDesign& design = this->Tested->Design;
+  if (!design.Omitted.empty())
+  {
+    notes.push_back(design.OmissionText() + "; the first is " +
+                    group.Rows[design.Omitted.front()].Case);
+  }
+}
+
+void CovariateModel::WriteRepeated(const CohortGroup& group,
+                                   const std::filesystem::path& folder) const
+{
+  if (!this->Patient.empty())
+  {
+    WriteRepeatedScans(group, this->Table, this->Formula, this->Patient, folder);
+  }
+}
+} // namespace palpate

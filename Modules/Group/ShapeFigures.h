@@ -1,0 +1,45 @@
+#pragma once
+
+#include "AnatomicalView.h"
+#include "PalpateGroupModule.h"
+
+#include "vtkLookupTable.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// A shape's triangles, with a number at each point.
+struct ColoredShape
+{
+  vtkSmartPointer<vtkPolyData> Mesh;
+  std::vector<double> Values;
+
+  /// The largest coordinate, whatever its sign (mm).
+  double Extent() const;
+  /// The largest value, whatever its sign.
+  double LargestValue() const;
+};
+
+/// Draws shapes at the same scale, with the common centre in the image's centre, as elements of a
+/// page.
+class PALPATEGROUP_EXPORT ShapeFigures
+{
+public:
+  /// `halfWidth` of the images (mm); the colours reach from -`limit` to `limit`.
+  ShapeFigures(double halfWidth, double limit);
+
+  /// The value of full colour.
+  double Limit() const { return this->Colors->GetRange()[1]; }
+  /// Points where `isPale` (one entry per point, or none) is set have little colour.
+  std::string Figure(const ColoredShape& shape, ViewSide side, const std::string& caption,
+                     const std::vector<bool>& isPale = {}) const;
+
+private:
+  double HalfWidth;
+  vtkSmartPointer<vtkLookupTable> Colors;
+};
+} // namespace palpate
