@@ -21,11 +21,6 @@ constexpr double LeastLimit = 1e-3;  // mm; below it only rounding would be colo
 constexpr std::array<ViewSide, 4> EffectSides{
     {ViewSide::Anterior, ViewSide::Posterior, ViewSide::Right, ViewSide::Superior}};
 
-std::string ProbabilityText(double p)
-{
-  return p < 1e-4 ? "&lt; 0.0001" : FixedText(p, 4);
-}
-
 std::string TermRows(const CohortEffects& effects)
 {
   std::string rows;
@@ -38,9 +33,9 @@ std::string TermRows(const CohortEffects& effects)
             cell(FixedText(pillai.Value, 3)) +
             cell(SignificantText(pillai.F, 3) + " (" + SignificantText(pillai.NumeratorDegrees, 4) +
                  ", " + SignificantText(pillai.DenominatorDegrees, 4) + ")") +
-            cell(ProbabilityText(pillai.P)) + cell(ProbabilityText(effect.Points.WholeP)) +
-            cell(ProbabilityText(effect.Points.EnhancedP.minCoeff())) +
-            cell(ProbabilityText(effect.Points.FamilyP.minCoeff())) +
+            cell(SignificantText(pillai.P, 2)) + cell(SignificantText(effect.Points.WholeP, 2)) +
+            cell(SignificantText(effect.Points.EnhancedP.minCoeff(), 2)) +
+            cell(SignificantText(effect.Points.FamilyP.minCoeff(), 2)) +
             cell(FixedText(effect.LargestMillimeters(), 2) + " " + EscapeHtml(effect.UnitText())) +
             "</tr>\n";
   }

@@ -1,0 +1,86 @@
+#include "CovariateFile.h"
+#include "InputError.h"
+#include "MessageOf.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+namespace palpate::covariate_file_test
+{
+namespace
+{
+using namespace palpate::test;
+
+const std::vector<std::string> Cases{"10005_1000005", "10015_1000015", "100050_7"};
+
+CovariateTable Read(const std::string& text, std::vector<std::string>& notes,
+                    const std::string& id = {}, const std::vector<std::string>& cases = Cases)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.csv", text);
+  return ReadCovariates(folder / "a.csv", id, cases, notes);
+}
+
+std::string RefusalOf(const std::string& text, const std::string& id = {})
+{
+  std::vector<std::string> notes;
+  try
+  {
+    Read(text, notes, id);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(CovariateFile, FindsRowsByWholePartsOfNames)
+{
+  std::vector<std::string> notes;
+  const CovariateTable table = Read("age,patient_id\n64,10005\n37,10015\n70,100050\n50,1\n", notes);
+  ASSERT_NE(table.Find("age"), nullptr);
+  EXPECT_EQ(table.Find("age")->Texts(), (std::vector<std::string>{"64", "37", "70"}));
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST(CovariateFile, PrefersTheLongestId)
+{
+  std::vector<std::string> notes;
+  const CovariateTable table = Read("case,age\n10005,1\n10005_1000005,2\n10015,3\n", notes);
+  EXPECT_EQ(table.Find("age")->Texts()[0], "2");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0], "1 cases have no row in the covariates, the first is 100050_7");
+  EXPECT_TRUE(table.Find("age")->IsMissing(2));
+}
+
+TEST(CovariateFile, TakesTheNamedColumn)
+{
+  std::vector<std::string> notes;
+  const CovariateTable table = Read("case,scan,age\nx,7,1\ny,1000005,2\n", notes, "scan");
+  EXPECT_EQ(table.Find("age")->Texts(), (std::vector<std::string>{"2", "", "1"}));
+}
+
+TEST(CovariateFile, RefusesWhatNamesNoCaseOrOneTwice)
+{
+  EXPECT_NE(RefusalOf("case,age\nx,1\ny,2\n").find("no case (such as x) is the name of a case"),
+            std::string::npos);
+  EXPECT_NE(RefusalOf("case,age\n10005,1\n10005,2\n").find("several rows have the case 10005"),
+            std::string::npos);
+  EXPECT_NE(RefusalOf("case,age\n10005,1\n", "scan").find("no column scan"), std::string::npos);
+  EXPECT_NE(RefusalOf("case,age\n").find("has no rows"), std::string::npos);
+  EXPECT_NE(RefusalOf("").find("is empty"), std::string::npos);
+  EXPECT_NE(RefusalOf("case,age\n,1\n").find("name the column by --id"), std::string::npos);
+}
+
+TEST(CovariateFile, RefusesTablesOfColumnsOnly)
+{
+  std::string head = "case";
+  for (int i = 0; i < 5000; ++i)
+  {
+    head += ",c" + std::to_string(i);
+  }
+  EXPECT_NE(RefusalOf(head + "\n10005\n").find("more than 4096 columns"), std::string::npos);
+}
+} // namespace
+} // namespace palpate::covariate_file_test
