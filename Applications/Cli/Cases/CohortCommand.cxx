@@ -1,6 +1,8 @@
 #include "CohortCommand.h"
 
+#include "CaseProcesses.h"
 #include "CohortEffectFiles.h"
+#include "CohortFit.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FileType.h"
@@ -51,14 +53,22 @@ std::string CohortCommand::Examples() const
          "  palpate cohort out --align ellipsoid    in each body's principal axes\n"
          "  palpate cohort a b c --output all       cases that were fitted separately\n"
          "  palpate cohort out --covariates patients.csv --formula \"~ age + log(psa) + center\"\n"
-         "                                          what explains the shape, with p-values";
+         "                                          what explains the shape, with p-values\n"
+         "  palpate cohort out --masks glands --covariates patients.csv --formula \"~ age\"\n"
+         "                                          the same from the masks, in one command";
 }
 
 void CohortCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("OUT", this->Folders, "Folders with a cohort.csv written by fit")
+  app.add_option("OUT", this->Folders,
+                 "Folders with a cohort.csv written by fit; with --masks, the folder to write")
       ->required()
-      ->check(FileType::Input("directory"));
+      ->check(FileType::Output("directory"));
+  app.add_option("--masks", this->Masks,
+                 "First fit the masks of this folder, or of this table (--manifest of fit), with "
+                 "the options of fit; resumes after a stop")
+      ->check(FileType::Input("label"));
+  this->Options.DeclareModel(app);
   app.add_option("--output", this->OutputFolder,
                  "Folder for tables and cohort.html (default: OUT, if it is a single folder)")
       ->type_name("DIR")
@@ -102,9 +112,33 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
       ->type_name("COLUMN");
 }
 
+int CohortCommand::FitMasks(Console& console) const
+{
+  if (this->Folders.size() != 1)
+  {
+    throw InputError("--masks are fitted into one folder, but " +
+                     std::to_string(this->Folders.size()) + " are named");
+  }
+  const ImageOptions images;
+  CohortFit fit(this->Options.Settings(),
+                this->Label.empty() ? std::vector<std::string>() : std::vector{this->Label},
+                images);
+  fit.SetJobs(ProcessorCount());
+  if (std::filesystem::path(this->Masks).extension() == ".csv")
+  {
+    fit.TakeManifest(this->Masks, {});
+  }
+  else
+  {
+    fit.TakeMasks({this->Masks});
+  }
+  return fit.Run(this->Folders.front(), console);
+}
+
 int CohortCommand::Run(Console& console)
 {
   const Interruption interruption;
+  const int code = this->Masks.empty() ? 0 : this->FitMasks(console);
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
     throw InputError("--output is required for several cohorts: the folder of their joint results");
@@ -150,6 +184,6 @@ int CohortCommand::Run(Console& console)
                      << 100.0 * group.Modes.Explained[0] << " %";
   }
   console.Output() << ": " << Printable((output / "cohort.html").string()) << '\n';
-  return 0;
+  return code;
 }
 } // namespace palpate::cli

@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "CovariateModel.h"
+#include "FitOptions.h"
 
 #include <string>
 #include <vector>
@@ -25,8 +26,11 @@ public:
 
 private:
   void DeclareCovariates(CLI::App& app);
+  int FitMasks(Console& console) const;
 
   std::vector<std::string> Folders;
+  std::string Masks;
+  FitOptions Options;
   std::string OutputFolder;
   std::string Label;
   std::string Align = "patient";
