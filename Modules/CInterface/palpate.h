@@ -34,6 +34,7 @@ extern "C"
   typedef struct palpate_scene palpate_scene;
   typedef struct palpate_tracker palpate_tracker;
   typedef struct palpate_compared palpate_compared;
+  typedef struct palpate_design palpate_design;
   typedef struct palpate_session palpate_session;
 
   /* Of the library, "major.minor.patch"; and its PALPATE_API_VERSION, which changes when a program
@@ -175,6 +176,82 @@ extern "C"
                       const double* tolerances, size_t tolerance_count,
                       palpate_comparison* comparison, double* surface_dice, double* first_distances,
                       double* reference_distances, palpate_error* error);
+
+  /* Statistics: linear models of many outcomes on covariates. */
+
+  /* `formula` is in R's notation: "~ age + log(psa) + a * b". `values` has the text of each case,
+   * column after column; empty or NA is missing, and a column with a word is a factor. Cases
+   * without a value of a used column are left out. `references` are levels of factors,
+   * "COLUMN=LEVEL". */
+  palpate_design* palpate_design_create(const char* formula, size_t case_count, size_t column_count,
+                                        const char* const* names, const char* const* values,
+                                        size_t reference_count, const char* const* references,
+                                        palpate_error* error);
+  void palpate_design_free(palpate_design* design);
+  size_t palpate_design_case_count(const palpate_design* design); /* those that are not left out */
+  size_t palpate_design_column_count(const palpate_design* design);
+  size_t palpate_design_term_count(const palpate_design* design);
+  /* As R names it: "(Intercept)", "groupb". NULL if there is no such column. */
+  const char* palpate_design_column_name(const palpate_design* design, size_t column);
+
+  /* The columns of a term. A part of an interaction is not to be tested by itself. */
+  typedef struct palpate_term
+  {
+    const char* name;
+    size_t first_column;
+    size_t column_count;
+    int is_tested;
+  } palpate_term;
+  /* 0 if there is no such term. */
+  int palpate_design_term(const palpate_design* design, size_t term, palpate_term* found);
+  /* The indices of the cases that are not left out; the matrix, one row for each of them. */
+  void palpate_design_matrix(const palpate_design* design, size_t* cases, double* matrix);
+
+  /* Outcomes: one row per case that was given, `outcome_count` numbers each; rows of cases that are
+   * left out are not read. Results: one row per column of the design. */
+  int palpate_design_fit(const palpate_design* design, const double* outcomes, size_t outcome_count,
+                         double confidence, double* coefficients, double* errors,
+                         double* half_widths, palpate_error* error);
+  /* F of a term given all others, for each outcome; its p and partial R^2. */
+  int palpate_design_test(const palpate_design* design, size_t term, const double* outcomes,
+                          size_t outcome_count, double* f, double* p, double* partial_r2,
+                          palpate_error* error);
+
+  typedef struct palpate_statistic
+  {
+    double value;
+    double f;
+    double numerator_degrees;
+    double denominator_degrees;
+    double p;
+  } palpate_statistic;
+  typedef struct palpate_multivariate
+  {
+    palpate_statistic pillai;
+    palpate_statistic wilks;
+    palpate_statistic hotelling_lawley;
+    palpate_statistic roy;
+  } palpate_multivariate;
+  /* All outcomes together. */
+  int palpate_design_test_together(const palpate_design* design, size_t term,
+                                   const double* outcomes, size_t outcome_count,
+                                   palpate_multivariate* found, palpate_error* error);
+  /* The outcomes are of points of a surface, with their areas (mm^2) and triangles. By permutation
+   * of the residuals under the other terms: t of a term with one column, else the root of F; p of
+   * each point; p corrected for all points by the largest statistic and by threshold-free cluster
+   * enhancement; F of the whole surface and its p. Uses all processors; the results depend on the
+   * seed alone. */
+  int palpate_design_permute(const palpate_design* design, size_t term, const double* outcomes,
+                             size_t point_count, const double* areas, const int32_t* triangles,
+                             size_t triangle_count, int permutations, uint64_t seed,
+                             double* statistic, double* p, double* family_p, double* enhanced_p,
+                             double* whole_f, double* whole_p, palpate_error* error);
+  /* A model at the 10 frequency^2 + 2 directions of an icosahedron: points relative to its centre,
+   * normals, areas, 20 frequency^2 triangles; and how far each point moves along its normal (mm)
+   * per mm of each coefficient, one row per point. */
+  int palpate_model_displacement(const palpate_model* model, int frequency, double* points,
+                                 double* normals, double* areas, int32_t* triangles,
+                                 double* per_coefficient, palpate_error* error);
 
   /* Fields: volumes as they are touched, between voxels. */
 

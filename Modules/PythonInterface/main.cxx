@@ -4,6 +4,7 @@
 #include "ModelBinding.h"
 #include "SceneBinding.h"
 #include "SessionBinding.h"
+#include "StatisticsBinding.h"
 
 #include "palpate.h"
 
@@ -20,4 +21,5 @@ PYBIND11_MODULE(_kernels, module)
   palpate::BindFields(module);
   palpate::BindScenes(module);
   palpate::BindSessions(module);
+  palpate::BindStatistics(module);
 }

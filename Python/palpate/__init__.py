@@ -19,6 +19,7 @@ from typing import Any
 from ._inputs import Mask as Mask
 from ._kernels import Error as Error
 from ._kernels import Field as Field
+from ._kernels import LinearModel as LinearModel
 from ._kernels import Model as Model
 from ._kernels import Scene as Scene
 from ._kernels import Session as Session
@@ -26,17 +27,24 @@ from ._kernels import Tracker as Tracker
 from ._kernels import __version__ as __version__
 from ._kernels import compare as compare
 from ._kernels import contact_dtype as contact_dtype
+from ._kernels import displacement as displacement
 from ._kernels import fit_mask as fit_mask
 from ._kernels import fit_points as fit_points
 from ._kernels import read_model as read_model
+from ._results import Coefficients as Coefficients
 from ._results import ComparedSurface as ComparedSurface
 from ._results import Comparison as Comparison
 from ._results import Curvature as Curvature
+from ._results import Displacement as Displacement
 from ._results import Distances as Distances
 from ._results import Measures as Measures
 from ._results import Mesh as Mesh
+from ._results import MultivariateTest as MultivariateTest
 from ._results import Nearest as Nearest
+from ._results import PermutationTest as PermutationTest
 from ._results import State as State
+from ._results import Statistic as Statistic
+from ._results import TermTest as TermTest
 
 _OTHERS = ("importlib", "pkgutil", "Any")
 _CORE = [name for name in globals() if not name.startswith("_") and name not in _OTHERS]

@@ -1,11 +1,23 @@
 from os import PathLike
-from typing import Literal, Optional, Tuple, Union
+from typing import Any, Iterable, List, Literal, Mapping, Optional, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from ._inputs import Mask
-from ._results import Comparison, Curvature, Measures, Mesh, Nearest, State
+from ._results import (
+    Coefficients,
+    Comparison,
+    Curvature,
+    Displacement,
+    Measures,
+    Mesh,
+    MultivariateTest,
+    Nearest,
+    PermutationTest,
+    State,
+    TermTest,
+)
 
 __version__: str
 contact_dtype: numpy.dtype[numpy.void]
@@ -58,6 +70,38 @@ def compare(
     direction: Optional[ArrayLike] = None,
     affine: Optional[ArrayLike] = None,
 ) -> Comparison: ...
+
+class LinearModel:
+    def __init__(
+        self,
+        formula: str,
+        covariates: Mapping[str, Iterable[Any]],
+        *,
+        references: Optional[Iterable[Tuple[str, str]]] = None,
+    ) -> None: ...
+    @property
+    def columns(self) -> List[str]: ...
+    @property
+    def terms(self) -> List[str]: ...
+    @property
+    def cases(self) -> NDArray[numpy.uint64]: ...
+    @property
+    def matrix(self) -> Floats: ...
+    def fit(self, outcomes: ArrayLike, *, confidence: float = 0.95) -> Coefficients: ...
+    def test(self, term: str, outcomes: ArrayLike) -> TermTest: ...
+    def test_together(self, term: str, outcomes: ArrayLike) -> MultivariateTest: ...
+    def permute(
+        self,
+        term: str,
+        outcomes: ArrayLike,
+        areas: ArrayLike,
+        triangles: ArrayLike,
+        *,
+        permutations: int = 10000,
+        seed: int = 1,
+    ) -> PermutationTest: ...
+
+def displacement(model: Model, *, frequency: int = 16) -> Displacement: ...
 def read_model(path: Union[str, PathLike[str]]) -> Model: ...
 
 class Field:

@@ -103,6 +103,77 @@ class Comparison(NamedTuple):
     reference: ComparedSurface
 
 
+class Coefficients(NamedTuple):
+    """A linear model's coefficients: k of the design, for m outcomes."""
+
+    values: NDArray[float64]
+    """(k, m)."""
+    errors: NDArray[float64]
+    """(k, m): standard errors."""
+    half_widths: NDArray[float64]
+    """(k, m): of the confidence intervals."""
+
+
+class TermTest(NamedTuple):
+    """Tests of a term given all others, one for each of m outcomes."""
+
+    f: NDArray[float64]
+    p: NDArray[float64]
+    partial_r2: NDArray[float64]
+    """(m,): the share of what the other terms leave that the term explains."""
+
+
+class Statistic(NamedTuple):
+    """A multivariate statistic and its approximation by Fisher's distribution."""
+
+    value: float
+    f: float
+    numerator_degrees: float
+    denominator_degrees: float
+    p: float
+
+
+class MultivariateTest(NamedTuple):
+    """A term given all others, on all outcomes together."""
+
+    pillai: Statistic
+    wilks: Statistic
+    hotelling_lawley: Statistic
+    roy: Statistic
+    """Its p is a lower bound."""
+
+
+class PermutationTest(NamedTuple):
+    """A term given all others, at m points of a surface."""
+
+    statistic: NDArray[float64]
+    """(m,): t of a term with one column, else the root of F."""
+    p: NDArray[float64]
+    """(m,): of each point by itself."""
+    family_p: NDArray[float64]
+    """(m,): corrected for all points, by the largest statistic."""
+    enhanced_p: NDArray[float64]
+    """(m,): corrected for all points, by threshold-free cluster enhancement."""
+    whole_f: float
+    """Explained by residual variance of the whole surface."""
+    whole_p: float
+
+
+class Displacement(NamedTuple):
+    """A model at n points, and how coefficients move them."""
+
+    points: NDArray[float64]
+    """(n, 3), mm: of a star-shaped model relative to its centre."""
+    normals: NDArray[float64]
+    """(n, 3), outwards."""
+    areas: NDArray[float64]
+    """(n,), mm^2."""
+    triangles: NDArray[int32]
+    """(t, 3), counter-clockwise from outside."""
+    map: NDArray[float64]
+    """(n, c), mm per mm: along the normals, of each coefficient; of three coordinates those of x, then y, then z."""
+
+
 class State(NamedTuple):
     """One tick of a session."""
 

@@ -385,5 +385,71 @@ class Threads(unittest.TestCase):
         numpy.testing.assert_array_equal(numpy.concatenate(parts), wanted)
 
 
+class Statistics(unittest.TestCase):
+    def setUp(self):
+        random = numpy.random.default_rng(3)
+        self.age = random.normal(60, 8, 30)
+        self.group = ["a", "b", "c"] * 10
+        self.outcomes = random.normal(size=(30, 42))
+        self.model = palpate.LinearModel("~ age + group", {"age": self.age, "group": self.group})
+
+    def test_least_squares_are_those_of_numpy(self):
+        self.assertEqual(self.model.columns, ["(Intercept)", "age", "groupb", "groupc"])
+        group = numpy.array(self.group)
+        design = numpy.column_stack([numpy.ones(30), self.age, group == "b", group == "c"]).astype(float)
+        numpy.testing.assert_array_equal(self.model.matrix, design)
+        expected = numpy.linalg.lstsq(design, self.outcomes, rcond=None)[0]
+        numpy.testing.assert_allclose(self.model.fit(self.outcomes).values, expected, rtol=1e-9, atol=1e-10)
+
+    def test_missing_values_leave_cases_out(self):
+        age = list(self.age)
+        age[4] = None
+        age[7] = float("nan")
+        model = palpate.LinearModel("~ age", {"age": age}, references=None)
+        self.assertEqual(len(model.cases), 28)
+        self.assertNotIn(4, model.cases)
+        outcomes = self.outcomes.copy()
+        outcomes[4] = numpy.nan
+        kept = palpate.LinearModel("~ age", {"age": numpy.delete(self.age, [4, 7])})
+        numpy.testing.assert_allclose(
+            model.fit(outcomes).values, kept.fit(numpy.delete(self.outcomes, [4, 7], axis=0)).values
+        )
+
+    def test_references_change_the_level_that_is_left_out(self):
+        model = palpate.LinearModel("~ group", {"group": self.group}, references=[("group", "b")])
+        self.assertEqual(model.columns, ["(Intercept)", "groupa", "groupc"])
+
+    def test_permutations_agree_with_the_tests_and_between_runs(self):
+        surface = palpate.displacement(palpate.Model([70.0]), frequency=2)
+        first = self.model.permute("age", self.outcomes, surface.areas, surface.triangles, permutations=199)
+        again = self.model.permute("age", self.outcomes, surface.areas, surface.triangles, permutations=199)
+        numpy.testing.assert_array_equal(first.enhanced_p, again.enhanced_p)
+        numpy.testing.assert_allclose(first.statistic**2, self.model.test("age", self.outcomes).f, rtol=1e-9)
+        self.assertTrue((first.family_p >= first.p).all())
+
+    def test_displacement_moves_points_along_normals(self):
+        surface = palpate.displacement(palpate.Model([70.0, 0.0, 0.0, 0.0]), frequency=3)
+        self.assertEqual(surface.map.shape, (92, 4))
+        radius = 70.0 / numpy.sqrt(4 * numpy.pi)
+        numpy.testing.assert_allclose(surface.points, radius * surface.normals, atol=1e-12)
+        numpy.testing.assert_allclose(surface.map[:, 0], 1 / numpy.sqrt(4 * numpy.pi))
+        # Along z: the harmonic of degree 1 and order 0 is a shift.
+        numpy.testing.assert_allclose(surface.map[:, 2], numpy.sqrt(3 / (4 * numpy.pi)) * surface.normals[:, 2], atol=1e-12)
+
+    def test_refuses_in_a_sentence(self):
+        with self.assertRaisesRegex(palpate.Error, "no column size"):
+            palpate.LinearModel("~ size", {"age": self.age})
+        with self.assertRaisesRegex(ValueError, "differ in length"):
+            palpate.LinearModel("~ age", {"age": self.age, "group": ["a"]})
+        with self.assertRaisesRegex(ValueError, "one row per case"):
+            self.model.fit(self.outcomes[:5])
+        with self.assertRaisesRegex(ValueError, "no term size"):
+            self.model.test("size", self.outcomes)
+        with self.assertRaisesRegex(palpate.Error, "not finite"):
+            self.model.fit(self.outcomes * numpy.nan)
+        with self.assertRaisesRegex(ValueError, "areas"):
+            self.model.permute("age", self.outcomes, [1.0], [[0, 1, 2]])
+
+
 if __name__ == "__main__":
     unittest.main()

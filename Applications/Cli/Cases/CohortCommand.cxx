@@ -2,6 +2,7 @@
 
 #include "CaseProcesses.h"
 #include "CohortEffectFiles.h"
+#include "CohortExport.h"
 #include "CohortFit.h"
 #include "CommandProgress.h"
 #include "Console.h"
@@ -81,6 +82,11 @@ void CohortCommand::DeclareOptions(CLI::App& app)
       ->capture_default_str();
   app.add_flag("--names", this->ShowsNames,
                "Name the cases in cohort.html, which numbers them otherwise");
+  app.add_option("--export", this->Exports,
+                 "Also write the cases as files of another tool, into a folder of this name in the "
+                 "output: spharm-pdm, shapeworks")
+      ->check(CLI::IsMember({"spharm-pdm", "shapeworks"}))
+      ->type_name("TOOL");
   this->DeclareCovariates(app);
 }
 
@@ -160,6 +166,13 @@ int CohortCommand::Run(Console& console)
   console.EndProgress();
   WriteCohortGroup(group, {model.Effects(), this->ShowsNames}, output, ProgramVersion());
   model.WriteRepeated(group, output);
+  for (const std::string& tool : this->Exports)
+  {
+    ExportCohort(group, output,
+                 tool == "shapeworks" ? ExportKind::ShapeWorks : ExportKind::SpharmPdm,
+                 output / tool, progress);
+    console.EndProgress();
+  }
   if (!this->OutputFolder.empty())
   {
     table.Write(output / "cohort.csv");

@@ -30,6 +30,7 @@ private:
 
   std::vector<std::string> Folders;
   std::string Masks;
+  std::vector<std::string> Exports;
   FitOptions Options;
   std::string OutputFolder;
   std::string Label;

@@ -69,6 +69,8 @@ TEST(CInterface, StructuresHaveTheSizesOfItsVersion)
   EXPECT_EQ(sizeof(palpate_law), 32U);
   EXPECT_EQ(sizeof(palpate_contact), 88U);
   EXPECT_EQ(sizeof(palpate_state), 136U);
+  EXPECT_EQ(sizeof(palpate_term), 32U);
+  EXPECT_EQ(sizeof(palpate_multivariate), 160U);
 }
 
 TEST(CInterface, LongMessagesEndAtACharacter)

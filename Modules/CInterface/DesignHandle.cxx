@@ -1,0 +1,310 @@
+#include "DesignHandle.h"
+
+#include "ErrorText.h"
+#include "LinearModel.h"
+#include "ModelHandle.h"
+#include "MultivariateTest.h"
+#include "NormalDisplacement.h"
+#include "PermutationTest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+// Of the kept cases. Throws what the caller's guard tells.
+Eigen::MatrixXd OutcomesOf(const palpate_design* design, const double* outcomes, std::size_t count)
+{
+  if (count == 0)
+  {
+    throw std::invalid_argument("there are no outcomes");
+  }
+  Eigen::MatrixXd kept(static_cast<Eigen::Index>(design->Design.Cases.size()),
+                       static_cast<Eigen::Index>(count));
+  Eigen::Index row = 0;
+  for (const std::size_t given : design->Design.Cases)
+  {
+    kept.row(row++) = Eigen::Map<const Eigen::RowVectorXd>(outcomes + given * count,
+                                                           static_cast<Eigen::Index>(count));
+  }
+  if (!kept.allFinite())
+  {
+    throw std::invalid_argument("an outcome of a case with all covariates is not finite");
+  }
+  return kept;
+}
+
+const DesignTerm& TermOf(const palpate_design* design, std::size_t term)
+{
+  return design->Design.Terms.at(term);
+}
+
+void CopyRows(const Eigen::MatrixXd& values, double* rows)
+{
+  Eigen::Map<RowMajor>(rows, values.rows(), values.cols()) = values;
+}
+
+void CopyVector(const Eigen::VectorXd& values, double* numbers)
+{
+  if (numbers != nullptr)
+  {
+    std::copy(values.data(), values.data() + values.size(), numbers);
+  }
+}
+
+std::map<std::string, std::string> ReferencesOf(const char* const* references, std::size_t count)
+{
+  std::map<std::string, std::string> found;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string text = references[i];
+    const std::size_t split = text.find('=');
+    if (split == std::string::npos)
+    {
+      throw std::invalid_argument("the reference " + text + " is not COLUMN=LEVEL");
+    }
+    found[text.substr(0, split)] = text.substr(split + 1);
+  }
+  return found;
+}
+
+SurfaceGraph GraphOf(std::size_t count, const double* areas, const int32_t* triangles,
+                     std::size_t triangleCount)
+{
+  SurfaceGraph graph;
+  graph.Areas.assign(areas, areas + count);
+  if (!std::all_of(graph.Areas.begin(), graph.Areas.end(),
+                   [](double area) { return std::isfinite(area) && area >= 0.0; }))
+  {
+    throw std::invalid_argument("an area is negative or not finite");
+  }
+  std::set<std::pair<int, int>> edges;
+  for (std::size_t i = 0; i < 3 * triangleCount; ++i)
+  {
+    const int32_t from = triangles[i];
+    const int32_t to = triangles[i % 3 == 2 ? i - 2 : i + 1];
+    if (from < 0 || static_cast<std::size_t>(from) >= count)
+    {
+      throw std::invalid_argument("a triangle has a corner that is no point");
+    }
+    edges.insert(std::minmax(from, to));
+  }
+  graph.Edges.assign(edges.begin(), edges.end());
+  return graph;
+}
+} // namespace
+} // namespace palpate
+
+using namespace palpate;
+
+palpate_design* palpate_design_create(const char* formula, size_t case_count, size_t column_count,
+                                      const char* const* names, const char* const* values,
+                                      size_t reference_count, const char* const* references,
+                                      palpate_error* error)
+{
+  return Guarded(
+      error,
+      [&]() -> palpate_design*
+      {
+        std::vector<std::string> cases;
+        for (std::size_t i = 0; i < case_count; ++i)
+        {
+          cases.push_back(std::to_string(i));
+        }
+        CovariateTable table(cases);
+        for (std::size_t k = 0; k < column_count; ++k)
+        {
+          const char* const* first = values + k * case_count;
+          table.Add(names[k], {first, first + case_count});
+        }
+        palpate_design made;
+        made.GivenCases = case_count;
+        ModelFormula parsed;
+        if (Told(ModelFormula::Parse(formula, parsed), error) == 0 ||
+            Told(MakeLinearDesign(table, parsed, ReferencesOf(references, reference_count),
+                                  made.Design),
+                 error) == 0)
+        {
+          return nullptr;
+        }
+        return new palpate_design(std::move(made));
+      });
+}
+
+void palpate_design_free(palpate_design* design)
+{
+  delete design;
+}
+
+size_t palpate_design_case_count(const palpate_design* design)
+{
+  return design->Design.Cases.size();
+}
+
+size_t palpate_design_column_count(const palpate_design* design)
+{
+  return design->Design.Columns.size();
+}
+
+size_t palpate_design_term_count(const palpate_design* design)
+{
+  return design->Design.Terms.size();
+}
+
+const char* palpate_design_column_name(const palpate_design* design, size_t column)
+{
+  return column < design->Design.Columns.size() ? design->Design.Columns[column].c_str() : nullptr;
+}
+
+int palpate_design_term(const palpate_design* design, size_t term, palpate_term* found)
+{
+  if (term >= design->Design.Terms.size())
+  {
+    return 0;
+  }
+  const DesignTerm& one = design->Design.Terms[term];
+  *found = {one.Name.c_str(), static_cast<std::size_t>(one.First),
+            static_cast<std::size_t>(one.Count), one.IsTested ? 1 : 0};
+  return 1;
+}
+
+void palpate_design_matrix(const palpate_design* design, size_t* cases, double* matrix)
+{
+  std::copy(design->Design.Cases.begin(), design->Design.Cases.end(), cases);
+  CopyRows(design->Design.Matrix, matrix);
+}
+
+int palpate_design_fit(const palpate_design* design, const double* outcomes, size_t outcome_count,
+                       double confidence, double* coefficients, double* errors, double* half_widths,
+                       palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   if (!(confidence > 0.0 && confidence < 1.0))
+                   {
+                     SetError(error, "the confidence is not between 0 and 1");
+                     return 0;
+                   }
+                   const LinearModel model =
+                       FitLinearModel(design->Design, OutcomesOf(design, outcomes, outcome_count));
+                   CopyRows(model.Coefficients, coefficients);
+                   CopyRows(model.StandardErrors, errors);
+                   CopyRows(model.ConfidenceWidths(confidence), half_widths);
+                   return 1;
+                 });
+}
+
+int palpate_design_test(const palpate_design* design, size_t term, const double* outcomes,
+                        size_t outcome_count, double* f, double* p, double* partial_r2,
+                        palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   const Eigen::MatrixXd kept = OutcomesOf(design, outcomes, outcome_count);
+                   const TermTest test = TestTerm(design->Design, TermOf(design, term),
+                                                  FitLinearModel(design->Design, kept), kept);
+                   CopyVector(test.F, f);
+                   CopyVector(test.P, p);
+                   CopyVector(test.PartialR2, partial_r2);
+                   return 1;
+                 });
+}
+
+int palpate_design_test_together(const palpate_design* design, size_t term, const double* outcomes,
+                                 size_t outcome_count, palpate_multivariate* found,
+                                 palpate_error* error)
+{
+  return Guarded(
+      error,
+      [&]
+      {
+        MultivariateTest test;
+        const Eigen::MatrixXd kept = OutcomesOf(design, outcomes, outcome_count);
+        if (Told(TestTogether(design->Design, TermOf(design, term), kept, test), error) == 0)
+        {
+          return 0;
+        }
+        const auto copy = [](const MultivariateStatistic& one) -> palpate_statistic {
+          return {one.Value, one.F, one.NumeratorDegrees, one.DenominatorDegrees, one.P};
+        };
+        *found = {copy(test.Pillai), copy(test.Wilks), copy(test.HotellingLawley), copy(test.Roy)};
+        return 1;
+      });
+}
+
+int palpate_design_permute(const palpate_design* design, size_t term, const double* outcomes,
+                           size_t point_count, const double* areas, const int32_t* triangles,
+                           size_t triangle_count, int permutations, uint64_t seed,
+                           double* statistic, double* p, double* family_p, double* enhanced_p,
+                           double* whole_f, double* whole_p, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   if (permutations < 1 || permutations > 10000000)
+                   {
+                     SetError(error, "permutations are not between 1 and 10,000,000");
+                     return 0;
+                   }
+                   PermutationSettings settings;
+                   settings.Count = permutations;
+                   settings.Seed = seed;
+                   PermutationTest test;
+                   const Status status = TestByPermutation(
+                       FindEffectSpace(design->Design, TermOf(design, term)),
+                       OutcomesOf(design, outcomes, point_count),
+                       GraphOf(point_count, areas, triangles, triangle_count), settings, {}, test);
+                   if (Told(status, error) == 0)
+                   {
+                     return 0;
+                   }
+                   CopyVector(test.Statistic, statistic);
+                   CopyVector(test.P, p);
+                   CopyVector(test.FamilyP, family_p);
+                   CopyVector(test.EnhancedP, enhanced_p);
+                   *whole_f = test.WholeF;
+                   *whole_p = test.WholeP;
+                   return 1;
+                 });
+}
+
+int palpate_model_displacement(const palpate_model* model, int frequency, double* points,
+                               double* normals, double* areas, int32_t* triangles,
+                               double* per_coefficient, palpate_error* error)
+{
+  return Guarded(error,
+                 [&]
+                 {
+                   if (frequency < 1 || frequency > 100)
+                   {
+                     SetError(error, "the frequency is not between 1 and 100");
+                     return 0;
+                   }
+                   const NormalDisplacement found =
+                       FindNormalDisplacement(model->Document.Surface, frequency);
+                   for (std::size_t i = 0; i < found.Points.size(); ++i)
+                   {
+                     Copy(found.Points[i], points + 3 * i);
+                     Copy(found.Normals[i], normals + 3 * i);
+                   }
+                   std::copy(found.Areas.begin(), found.Areas.end(), areas);
+                   for (const std::array<int, 3>& corners : found.Triangles)
+                   {
+                     triangles = std::copy(corners.begin(), corners.end(), triangles);
+                   }
+                   CopyRows(found.PerCoefficient, per_coefficient);
+                   return 1;
+                 });
+}

@@ -1,0 +1,82 @@
+#include "CohortExport.h"
+
+#include "FilterRun.h"
+#include "InputError.h"
+#include "ModelFile.h"
+#include "OutputNames.h"
+#include "ShapeAlignment.h"
+#include "ShapeWorksFolder.h"
+#include "SpharmPdmFolder.h"
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace palpate
+{
+namespace
+{
+SurfaceModel InPrincipalAxes(const SurfaceModel& model, const std::string& name)
+{
+  return std::visit(
+      [&](const auto& one) -> SurfaceModel
+      {
+        auto aligned = one;
+        if (const Status status = AlignShape(one, AlignmentAxes::Ellipsoid, aligned);
+            !status.IsOk())
+        {
+          throw InputError(name + ": " + status.Message());
+        }
+        return aligned;
+      },
+      model);
+}
+
+/// A name of files that no other case has.
+std::string FreeName(const std::string& wanted, std::set<std::string>& taken)
+{
+  const std::string plain = PlainName(wanted);
+  std::string name = plain;
+  for (int k = 2; !taken.insert(name).second; ++k)
+  {
+    name = plain + "-" + std::to_string(k);
+  }
+  return name;
+}
+} // namespace
+
+void ExportCohort(const CohortGroup& group, const std::filesystem::path& folder, ExportKind kind,
+                  const std::filesystem::path& output, const ProgressFunction& progress)
+{
+  std::optional<ShapeWorksFolder> particles;
+  if (kind == ExportKind::ShapeWorks)
+  {
+    particles.emplace(output);
+  }
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < group.Rows.size(); ++i)
+  {
+    if (progress &&
+        !progress(static_cast<double>(i) / static_cast<double>(group.Rows.size()), "export"))
+    {
+      throw Cancelled();
+    }
+    const std::string name = FreeName(group.Rows[i].Case, taken);
+    const SurfaceModel patient =
+        ReadModel((folder / group.Rows[i].Model).lexically_normal()).Surface;
+    if (particles)
+    {
+      particles->Add(name, patient, group.Models[i]);
+    }
+    else
+    {
+      WriteSpharmPdmCase(
+          {name, patient, InPrincipalAxes(patient, group.Rows[i].Case), group.Models[i]}, output);
+    }
+  }
+  if (particles)
+  {
+    particles->Finish();
+  }
+}
+} // namespace palpate
