@@ -32,6 +32,24 @@ inline void WriteTwoSpheres(const std::filesystem::path& path)
   WriteImage(path, image);
 }
 
+/// An ellipsoid of label 1 around the origin, semi-axes in mm.
+inline void WriteEllipsoid(const std::filesystem::path& path, double x, double y, double z)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(41, 41, 27);
+  image->SetSpacing(1.0, 1.0, 1.5);
+  image->SetOrigin(-20.0, -20.0, -19.5);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    image->GetPoint(i, point);
+    voxel[i] = std::hypot(point[0] / x, point[1] / y, point[2] / z) < 1.0 ? 1 : 0;
+  }
+  WriteImage(path, image);
+}
+
 /// A ring of 18 mm, 12 mm thick: label 1.
 inline void WriteTorus(const std::filesystem::path& path)
 {

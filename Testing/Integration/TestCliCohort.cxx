@@ -404,5 +404,88 @@ TEST_F(CliCohort, UnwritableCaseKeepsEarlierResult)
   EXPECT_EQ(ReadAll(this->Folder / "out/a/1/model.json"), model);
   EXPECT_EQ(RowsIn(this->Folder / "out")[0].Result.State, Outcome::Failed);
 }
+/// Ten ellipsoids, wider with age by 0.2 mm a year; height has nothing to do with it.
+class CliCovariates : public testing::Test
+{
+protected:
+  CliCovariates()
+  {
+    std::filesystem::create_directory(this->Folder / "masks");
+    std::string table = "patient_id,age,group\n";
+    for (int i = 0; i < 10; ++i)
+    {
+      const int age = 50 + 3 * i;
+      WriteEllipsoid(this->Folder / ("masks/p0" + std::to_string(i) + "_scan.nii.gz"),
+                     11.0 + 0.2 * (age - 50), 12.0, 12.0 + (i * 7 % 5) * 0.4);
+      table += "p0" + std::to_string(i) + "," + std::to_string(age) + "," +
+               (i % 2 == 0 ? "a" : "b") + "\n";
+    }
+    WriteAll(this->Folder / "patients.csv", table);
+  }
+  CommandRun Cohort(std::vector<std::string> arguments) const
+  {
+    arguments.insert(arguments.begin(), {"cohort", "out"});
+    return RunPalpate(arguments, this->Folder.Path());
+  }
+  CommandRun FromMasks(const std::string& formula) const
+  {
+    return this->Cohort({"--masks", "masks", "--degree", "4", "--covariates", "patients.csv",
+                         "--formula", formula, "--permutations", "199"});
+  }
+
+  TemporaryFolder Folder;
+};
+
+TEST_F(CliCovariates, AreExplainedFromMasksInOneCommand)
+{
+  const CommandRun run = this->FromMasks("~ age + group");
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "~ age + group, 10 cases, 199 permutations")) << run.Output;
+  const std::vector<palpate::CsvRecord> rows =
+      CsvRecordsIn(ReadAll(this->Folder / "out/effects.csv"));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(*rows[0].Find("term"), "age");
+  EXPECT_LE(std::stod(*rows[0].Find("surface_p")), 0.01);
+  // 0.2 mm a year, 9.1 years the standard deviation; voxels of 1 mm.
+  EXPECT_NEAR(std::stod(*rows[0].Find("largest_mm")), 1.8, 0.3);
+  EXPECT_GT(std::stod(*rows[1].Find("surface_p")), 0.05);
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/effects.vtp"));
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "out/cohort.html"), "Covariates"));
+}
+
+TEST_F(CliCovariates, LeaveNothingOfAnEarlierModelBehind)
+{
+  this->FromMasks("~ age");
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/effects.csv"));
+  EXPECT_EQ(this->Cohort({}).Code, 0);
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "out/effects.csv"));
+}
+
+TEST_F(CliCovariates, PageNamesCasesOnlyIfAsked)
+{
+  this->FromMasks("~ age");
+  EXPECT_FALSE(Has(ReadAll(this->Folder / "out/cohort.html"), "p03_scan"));
+  this->Cohort({"--names"});
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "out/cohort.html"), "p03_scan"));
+}
+
+TEST_F(CliCovariates, AreRefusedInOneSentence)
+{
+  this->FromMasks("~ age");
+  const CommandRun run = this->Cohort({"--covariates", "patients.csv", "--formula", "~ weight"});
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_TRUE(Has(run.Errors, "no column weight; they have patient_id, age, group")) << run.Errors;
+  EXPECT_EQ(this->Cohort({"--covariates", "patients.csv"}).Code, 2);
+}
+
+TEST_F(CliCovariates, CasesAreWrittenForOtherTools)
+{
+  this->FromMasks("~ age");
+  EXPECT_EQ(this->Cohort({"--export", "spharm-pdm", "--export", "shapeworks"}).Code, 0);
+  EXPECT_TRUE(std::filesystem::exists(
+      this->Folder /
+      "out/spharm-pdm/Step3_ParaToSPHARMMesh/p09_scan_pp_surf_SPHARM_procalign.vtk"));
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/shapeworks/cohort.swproj"));
+}
 } // namespace
 } // namespace palpate::cli_cohort_test
