@@ -54,7 +54,7 @@ void ShapeWorksFolder::Add(const std::string& name, const SurfaceModel& patient,
 {
   WriteWholeFile(this->Folder / (name + "_local.particles"), ParticleText(patient));
   WriteWholeFile(this->Folder / (name + "_world.particles"), ParticleText(aligned));
-  WriteSurface(this->Folder / (name + ".vtk"), DrawModel(patient, 2 * ParticleFrequency));
+  WriteSurface(this->Folder / (name + ".ply"), DrawModel(patient, 2 * ParticleFrequency));
   this->Names.push_back(name);
 }
 
@@ -66,7 +66,7 @@ void ShapeWorksFolder::Finish() const
     const auto field = [](const std::string& key, const std::string& value)
     { return "\"" + key + "\": \"" + value + "\""; };
     rows += std::string(rows.empty() ? "" : ",") + "\n    {" + field("name", name) + ", " +
-            field("shape_1", name + ".vtk") + ", " + field("groomed_1", name + ".vtk") + ", " +
+            field("shape_1", name + ".ply") + ", " + field("groomed_1", name + ".ply") + ", " +
             field("local_particles_1", name + "_local.particles") + ", " +
             field("world_particles_1", name + "_world.particles") + "}";
   }

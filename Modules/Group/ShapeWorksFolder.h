@@ -11,7 +11,7 @@ namespace palpate
 {
 /// A ShapeWorks project of corresponding points: NAME_local.particles (patient's frame) and
 /// NAME_world.particles (as the group is aligned), a line "x y z" for each of 1,002 points,
-/// NAME.vtk (the model as a surface), and cohort.swproj. Coordinates are LPS, as of the images that
+/// NAME.ply (the model as a surface), and cohort.swproj. Coordinates are LPS, as of the images that
 /// ITK reads, mm.
 class PALPATEGROUP_EXPORT ShapeWorksFolder
 {
