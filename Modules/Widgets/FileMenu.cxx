@@ -1,5 +1,6 @@
 #include "FileMenu.h"
 
+#include "CohortWindow.h"
 #include "ImageFormat.h"
 #ifdef PALPATE_HAS_NETWORK
 #include "LinkDialog.h"
@@ -102,6 +103,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
         }
       },
       QKeySequence("Ctrl+Alt+O"));
+  this->addAction("Open co&hort...", this, &FileMenu::OpenCohort, QKeySequence("Ctrl+Alt+H"));
   this->Recent = this->addMenu("&Recent");
   connect(this->Recent, &QMenu::aboutToShow, this, &FileMenu::ListRecent);
 #ifdef PALPATE_HAS_NETWORK
@@ -165,6 +167,19 @@ void FileMenu::AddFromValues()
   auto* dialog = new ThresholdDialog(this->Study, this->Contents.Images(), this->Window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
+}
+
+void FileMenu::OpenCohort()
+{
+  auto* cohort = this->Window->findChild<CohortWindow*>();
+  if (cohort == nullptr)
+  {
+    cohort = new CohortWindow(this->Questions, this->Window);
+    cohort->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  cohort->show();
+  cohort->raise();
+  cohort->activateWindow();
 }
 
 #ifdef PALPATE_HAS_NETWORK

@@ -39,6 +39,7 @@ private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);
   void AddFromValues();
+  void OpenCohort();
 #ifdef PALPATE_HAS_NETWORK
   void OpenLink();
 #endif

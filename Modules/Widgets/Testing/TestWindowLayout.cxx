@@ -144,12 +144,13 @@ TEST_F(WindowLayoutTest, DialogsFitTheSmallestScreenUnclipped)
   this->Action("Link with other programs...")->trigger();
   auto* link = this->Window->findChild<QDialog*>("link");
   ASSERT_NE(link, nullptr);
-  const std::map<std::string, QDialog*> dialogs{{"link", link},
-                                                {"preferences", &preferences},
-                                                {"guide", &guide},
-                                                {"structure", &structure},
-                                                {"threshold", &threshold},
-                                                {"picture", &picture}};
+  this->Action("Open cohort...")->trigger();
+  auto* cohort = this->Window->findChild<QDialog*>("cohort-window");
+  ASSERT_NE(cohort, nullptr);
+  const std::map<std::string, QDialog*> dialogs{
+      {"link", link},       {"cohort", cohort},        {"preferences", &preferences},
+      {"guide", &guide},    {"structure", &structure}, {"threshold", &threshold},
+      {"picture", &picture}};
   for (const auto& [name, dialog] : dialogs)
   {
     dialog->show();
