@@ -143,7 +143,7 @@ TEST_F(CohortWindowTest, CovariatesBecomeColumnsAndAxes)
 
 TEST_F(CohortWindowTest, SaysWhatIsNoCohort)
 {
-  this->Chosen = QString::fromStdString(this->Phantom.Folder.string());
+  this->Chosen = QString::fromStdString(this->Phantom.Folder.Path().string());
   this->Button("Open &folder...")->click();
   WaitUntil([this] { return this->State().contains("has no cohort.csv"); });
   EXPECT_EQ(this->Table()->rowCount(), 0);
@@ -153,7 +153,8 @@ TEST_F(CohortWindowTest, MayBeClosedWhileItReads)
 {
   this->Button("Open &folder...")->click();
   this->Cohort->close();
-  WaitUntil([this] { return this->Window->findChild<CohortWindow*>() == nullptr; });
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_EQ(this->Window->findChild<CohortWindow*>(), nullptr);
 }
 } // namespace
 } // namespace palpate::cohort_window_test
