@@ -2,6 +2,7 @@
 
 #include "CohortEffectFiles.h"
 #include "CohortPage.h"
+#include "CohortQualityFiles.h"
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "InputError.h"
@@ -284,6 +285,10 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
   {
     WriteCohortEffects(group, *output.Effects, folder);
   }
+  if (output.Quality != nullptr)
+  {
+    WriteCohortQuality(group, *output.Quality, folder);
+  }
 }
 
 template <typename Model>
@@ -342,11 +347,17 @@ Eigen::MatrixXd CoefficientsOf(const CohortGroup& group)
 
 SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
 {
-  Eigen::VectorXd values = group.Modes.Mean;
+  Eigen::VectorXd scores = Eigen::VectorXd::Zero(group.Modes.Deviations.size());
   if (mode >= 0)
   {
-    values += deviations * group.Modes.Deviations[mode] * group.Modes.Modes.col(mode);
+    scores[mode] = deviations * group.Modes.Deviations[mode];
   }
+  return ShapeWith(group, scores);
+}
+
+SurfaceModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores)
+{
+  const Eigen::VectorXd values = group.Modes.Mean + group.Modes.Modes * scores;
   const int degree = DegreeOf(group.Models.front());
   if (std::holds_alternative<SphericalHarmonicModel>(group.Models.front()))
   {
@@ -369,6 +380,11 @@ void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
   if (output.Effects == nullptr)
   {
     obsolete = {"effects.csv", "effects.vtp", "design.csv"};
+  }
+  if (output.Quality == nullptr)
+  {
+    const std::vector<std::string> names = CohortQualityNames();
+    obsolete.insert(obsolete.end(), names.begin(), names.end());
   }
   for (int mode = ShownModes(group); mode < MostShownModes; ++mode)
   {

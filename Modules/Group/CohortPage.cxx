@@ -2,6 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "CohortEffectPage.h"
+#include "CohortQualityPage.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "IcosahedronDirections.h"
@@ -176,6 +177,9 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
           ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n") +
           ReportSection("Principal modes", modes) +
           (output.Effects == nullptr ? std::string() : CohortEffectSection(*output.Effects)) +
+          (output.Quality == nullptr
+               ? std::string()
+               : CohortQualitySections(group, *output.Quality, output.ShowsNames)) +
           ReportSection("Cases", CaseRows(group, output.ShowsNames)) +
           ReportSection("Notes", ReportNotes(NoteTexts(group, output.ShowsNames))) +
           ReportFooter());

@@ -4,6 +4,7 @@
 #include "CohortEffectFiles.h"
 #include "CohortExport.h"
 #include "CohortFit.h"
+#include "CohortQuality.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FileType.h"
@@ -12,6 +13,7 @@
 #include "Interruption.h"
 #include "ProgramVersion.h"
 #include "ScreenText.h"
+#include "ShapeSynthesis.h"
 
 #include <CLI/CLI.hpp>
 #include <iomanip>
@@ -87,6 +89,10 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "output: spharm-pdm, shapeworks")
       ->check(CLI::IsMember({"spharm-pdm", "shapeworks"}))
       ->type_name("TOOL");
+  app.add_option("--shape", this->Shape,
+                 "Write shape.json: the mean plus standard deviations of modes, such as 1:2,3:-1 "
+                 "(0: the mean)")
+      ->type_name("MODE:SD,...");
   this->DeclareCovariates(app);
 }
 
@@ -110,7 +116,7 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
                  "Permutations of the tests on the surface")
       ->check(CLI::Range(99, 1000000))
       ->capture_default_str();
-  app.add_option("--seed", this->Request.Permutations.Seed, "Of the permutations")
+  app.add_option("--seed", this->Request.Permutations.Seed, "Of permutations and random shapes")
       ->capture_default_str();
   app.add_option("--repeated", this->Request.Patient,
                  "Column with the patients, of whom some have several cases: writes a script for R "
@@ -159,12 +165,19 @@ int CohortCommand::Run(Console& console)
   {
     throw Cancelled();
   }
+  if (!this->Shape.empty())
+  {
+    SynthesizeShape(group, this->Shape); // a mistake in it is told before the long work
+  }
   std::vector<std::string> notes;
   const ProgressFunction progress = ProgressOn(console);
   const CovariateModel model(group, this->Request, notes,
                              [&](double fraction) { return progress(fraction, "permutations"); });
   console.EndProgress();
-  WriteCohortGroup(group, {model.Effects(), this->ShowsNames}, output, ProgramVersion());
+  RandomShapeSettings random;
+  random.Seed = this->Request.Permutations.Seed;
+  const CohortQuality quality = FindCohortQuality(group, random);
+  WriteCohortGroup(group, {model.Effects(), this->ShowsNames, &quality}, output, ProgramVersion());
   model.WriteRepeated(group, output);
   for (const std::string& tool : this->Exports)
   {
@@ -172,6 +185,10 @@ int CohortCommand::Run(Console& console)
                  tool == "shapeworks" ? ExportKind::ShapeWorks : ExportKind::SpharmPdm,
                  output / tool, progress);
     console.EndProgress();
+  }
+  if (!this->Shape.empty())
+  {
+    WriteSynthesis(group, this->Shape, output, ProgramVersion());
   }
   if (!this->OutputFolder.empty())
   {

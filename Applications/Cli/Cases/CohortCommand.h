@@ -36,6 +36,7 @@ private:
   std::string Label;
   std::string Align = "patient";
   bool ShowsNames = false;
+  std::string Shape;
   CovariateRequest Request;
 };
 } // namespace palpate::cli
