@@ -1,5 +1,6 @@
 #include "CohortGroup.h"
 
+#include "CohortAlignment.h"
 #include "CohortEffectFiles.h"
 #include "CohortPage.h"
 #include "CohortQualityFiles.h"
@@ -252,15 +253,20 @@ std::string MeasureTable(const CohortGroup& group)
   return CaseTable(group, columns, numbers);
 }
 
+std::string AxesName(AlignmentAxes axes)
+{
+  const char* const others = axes == AlignmentAxes::Ellipsoid ? "ellipsoid" : "procrustes";
+  return axes == AlignmentAxes::Patient ? "patient" : others;
+}
+
 void WriteShape(const CohortGroup& group, int mode, double deviations,
                 const std::filesystem::path& file, const std::string& program)
 {
   ModelDocument document;
   document.Surface = ShapeOf(group, mode, deviations);
   document.Provenance.Program = program;
-  document.Provenance.Settings = {
-      {"cases", std::to_string(group.Rows.size())},
-      {"align", group.Axes == AlignmentAxes::Patient ? "patient" : "ellipsoid"}};
+  document.Provenance.Settings = {{"cases", std::to_string(group.Rows.size())},
+                                  {"align", AxesName(group.Axes)}};
   WriteModel(file, document);
 }
 
@@ -284,6 +290,10 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
   if (output.Effects != nullptr)
   {
     WriteCohortEffects(group, *output.Effects, folder);
+  }
+  if (output.Alignment != nullptr)
+  {
+    WriteWholeFile(folder / "alignment.csv", AlignmentTable(group, *output.Alignment));
   }
   if (output.Quality != nullptr)
   {
@@ -385,6 +395,10 @@ void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
   {
     const std::vector<std::string> names = CohortQualityNames();
     obsolete.insert(obsolete.end(), names.begin(), names.end());
+  }
+  if (output.Alignment == nullptr)
+  {
+    obsolete.emplace_back("alignment.csv");
   }
   for (int mode = ShownModes(group); mode < MostShownModes; ++mode)
   {

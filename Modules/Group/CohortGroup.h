@@ -51,20 +51,22 @@ PALPATEGROUP_EXPORT SurfaceModel ShapeWith(const CohortGroup& group, const Eigen
 
 struct CohortEffects;
 struct CohortQuality;
+struct CohortAlignment;
 
 /// What is written of a group beside its shapes.
 struct CohortOutput
 {
-  const CohortEffects* Effects = nullptr; ///< of covariates; may be null
-  bool ShowsNames = false;                ///< cases by name on the page, otherwise by number
-  const CohortQuality* Quality = nullptr; ///< of the modes; may be null
+  const CohortEffects* Effects = nullptr;     ///< of covariates; may be null
+  bool ShowsNames = false;                    ///< cases by name on the page, otherwise by number
+  const CohortQuality* Quality = nullptr;     ///< of the modes; may be null
+  const CohortAlignment* Alignment = nullptr; ///< of axes Procrustes; may be null
 };
 
 /// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
 /// mm), modes.csv (scores, mm), variance.csv (one row per mode), measures.csv, mean.json, mean.vtp,
 /// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
-/// modes), cohort.html, and the files of WriteCohortEffects and WriteCohortQuality into the folder,
-/// all of them or none. Throws InputError.
+/// modes), cohort.html, alignment.csv (AlignmentTable), and the files of WriteCohortEffects and
+/// WriteCohortQuality into the folder, all of them or none. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
                                           const std::filesystem::path& folder,
                                           const std::string& program);

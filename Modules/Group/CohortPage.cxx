@@ -1,6 +1,7 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
+#include "CohortAlignment.h"
 #include "CohortEffectPage.h"
 #include "CohortQualityPage.h"
 #include "DecimalText.h"
@@ -128,6 +129,18 @@ std::vector<ColoredShape> DrawAll(const CohortGroup& group, double deviations)
   }
   return drawn;
 }
+
+// To follow "axes are".
+std::string AxesText(const CohortGroup& group, const CohortOutput& output)
+{
+  if (group.Axes == AlignmentAxes::Ellipsoid)
+  {
+    return "each body\xE2\x80\x99s principal ones, the longest as left, the shortest as up";
+  }
+  return "the patients\xE2\x80\x99 own (LPS)" +
+         (output.Alignment == nullptr ? std::string()
+                                      : "; from there " + AlignmentText(*output.Alignment));
+}
 } // namespace
 
 int ShownModes(const CohortGroup& group)
@@ -161,16 +174,12 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
              figures.Figure(drawn.front(), ViewSide::Anterior, "mean") +
              figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
   }
-  const bool isPatient = group.Axes == AlignmentAxes::Patient;
   return ReportPage(
       "Palpate cohort",
       "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
           std::to_string(group.Rows.size()) + " shapes, degree " +
           std::to_string(DegreeOf(group.Models.front())) +
-          "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
-          (isPatient ? "the patients\xE2\x80\x99 own (LPS)"
-                     : "each body\xE2\x80\x99s principal ones, the longest as left, the shortest "
-                       "as up") +
+          "</h1>\n<p class=\"soft\">The centres are aligned; axes are " + AxesText(group, output) +
           ". All images have the same scale; red is outside the mean, blue inside, full colour "
           "at " +
           SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n" +

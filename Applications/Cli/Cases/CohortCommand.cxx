@@ -78,10 +78,7 @@ void CohortCommand::DeclareOptions(CLI::App& app)
       ->check(FileType::Output("directory"));
   app.add_option("--label", this->Label, "Structure, by number or name, if there are several")
       ->type_name("N|NAME");
-  app.add_option("--align", this->Align,
-                 "patient: the patients' axes; ellipsoid: each body's principal axes")
-      ->check(CLI::IsMember({"patient", "ellipsoid"}))
-      ->capture_default_str();
+  this->DeclareAlignment(app);
   app.add_flag("--names", this->ShowsNames,
                "Name the cases in cohort.html, which numbers them otherwise");
   app.add_option("--export", this->Exports,
@@ -94,6 +91,34 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "(0: the mean)")
       ->type_name("MODE:SD,...");
   this->DeclareCovariates(app);
+}
+
+void CohortCommand::DeclareAlignment(CLI::App& app)
+{
+  app.add_option("--align", this->Axes,
+                 "patient: the patients' axes; ellipsoid: each body's principal axes; procrustes: "
+                 "from the patients' axes each body turned to the mean")
+      ->check(CLI::IsMember({"patient", "ellipsoid", "procrustes"}))
+      ->capture_default_str();
+  app.add_option(
+         "--align-to", this->Reference,
+         "With --align procrustes: the model to which all are turned, instead of their mean "
+         "(such as an earlier mean.json), so that no case depends on the others")
+      ->check(FileType::Input("file"));
+  app.add_flag("--scale", this->ScalesShapes, "With --align procrustes: all shapes to one size");
+}
+
+std::optional<CohortAlignment> CohortCommand::Align(CohortGroup& group) const
+{
+  if (this->Axes == "procrustes")
+  {
+    return AlignCohortGroup(group, this->ScalesShapes, this->Reference);
+  }
+  if (this->ScalesShapes || !this->Reference.empty())
+  {
+    throw InputError("--scale and --align-to need --align procrustes");
+  }
+  return std::nullopt;
 }
 
 void CohortCommand::DeclareCovariates(CLI::App& app)
@@ -158,9 +183,10 @@ int CohortCommand::Run(Console& console)
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
   const CohortTable table = JoinCohorts(this->Folders, output);
-  const CohortGroup group =
-      MakeCohortGroup(table, output, this->Label,
-                      this->Align == "patient" ? AlignmentAxes::Patient : AlignmentAxes::Ellipsoid);
+  CohortGroup group = MakeCohortGroup(table, output, this->Label,
+                                      this->Axes == "ellipsoid" ? AlignmentAxes::Ellipsoid
+                                                                : AlignmentAxes::Patient);
+  const std::optional<CohortAlignment> alignment = this->Align(group);
   if (Interruption::WasAsked())
   {
     throw Cancelled();
@@ -177,7 +203,9 @@ int CohortCommand::Run(Console& console)
   RandomShapeSettings random;
   random.Seed = this->Request.Permutations.Seed;
   const CohortQuality quality = FindCohortQuality(group, random);
-  WriteCohortGroup(group, {model.Effects(), this->ShowsNames, &quality}, output, ProgramVersion());
+  WriteCohortGroup(group,
+                   {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr},
+                   output, ProgramVersion());
   model.WriteRepeated(group, output);
   for (const std::string& tool : this->Exports)
   {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "CohortAlignment.h"
 #include "Command.h"
 #include "CovariateModel.h"
 #include "FitOptions.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,10 @@ public:
   int Run(Console& console) override;
 
 private:
+  void DeclareAlignment(CLI::App& app);
   void DeclareCovariates(CLI::App& app);
   int FitMasks(Console& console) const;
+  std::optional<CohortAlignment> Align(CohortGroup& group) const;
 
   std::vector<std::string> Folders;
   std::string Masks;
@@ -34,7 +38,9 @@ private:
   FitOptions Options;
   std::string OutputFolder;
   std::string Label;
-  std::string Align = "patient";
+  std::string Axes = "patient";
+  bool ScalesShapes = false;
+  std::string Reference;
   bool ShowsNames = false;
   std::string Shape;
   CovariateRequest Request;

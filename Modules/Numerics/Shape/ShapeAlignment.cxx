@@ -91,7 +91,7 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
     return status;
   }
   const int degree = model.Degree();
-  if (axes == AlignmentAxes::Patient)
+  if (axes != AlignmentAxes::Ellipsoid)
   {
     aligned = {degree, model.Coefficients(), Vector3::Zero()};
     return Status::Success();

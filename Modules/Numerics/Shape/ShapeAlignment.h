@@ -9,8 +9,9 @@ namespace palpate
 /// Common axes of the models of a cohort.
 enum class AlignmentAxes
 {
-  Patient,  ///< the frame's axes, unchanged
-  Ellipsoid ///< the body's principal axes
+  Patient,   ///< the frame's axes, unchanged
+  Ellipsoid, ///< the body's principal axes
+  Procrustes ///< the orientation closest to the mean (AlignByProcrustes); Patient for one shape
 };
 
 /// Moves a model's centre to the origin and, for Ellipsoid, rotates it so that its body extends
