@@ -252,6 +252,31 @@ TEST(CohortGroup, SeveralStructuresRequireChoice)
   EXPECT_THROW(cohort.Group(AlignmentAxes::Patient, "3"), InputError);
 }
 
+TEST(CohortGroup, CommandRatesAlignsAndSynthesizes)
+{
+  Cohort cohort;
+  AddKnownCases(cohort);
+  cohort.Table.Write(cohort.Folder / "cohort.csv");
+  const auto run = palpate::test::RunPalpate(
+      {"cohort", ".", "--align", "procrustes", "--shape", "1:2"}, cohort.Folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_EQ(CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "alignment.csv")).size(), 4U);
+  EXPECT_EQ(CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "distances.csv")).size(), 4U);
+  EXPECT_GE(CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "model_quality.csv")).size(), 2U);
+  const SurfaceModel shape = ReadModel(cohort.Folder / "shape.json").Surface;
+  const SurfaceModel plus = ReadModel(cohort.Folder / "mode_1_plus.json").Surface;
+  EXPECT_EQ(CoefficientsOf(shape), CoefficientsOf(plus));
+  for (const auto& wrong : {std::vector<std::string>{"--scale"},
+                            {"--align-to", "mean.json"},
+                            {"--shape", "9:1"},
+                            {"--align", "procrustes", "--align-to", "missing.json"}})
+  {
+    std::vector<std::string> words{"cohort", "."};
+    words.insert(words.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(palpate::test::RunPalpate(words, cohort.Folder.Path()).Code, 2) << wrong.front();
+  }
+}
+
 TEST(CohortGroup, RejectsInvalidCohortWithOneMessage)
 {
   const TemporaryFolder folder;

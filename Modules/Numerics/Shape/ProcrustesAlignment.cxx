@@ -15,6 +15,9 @@ namespace palpate
 {
 namespace
 {
+// Orientations closer than this to the chosen one are no others.
+constexpr double SmallestOtherTurn = 0.25 * M_PI; // rad
+
 // x to -x. A surface's parameters are mirrored too, so that it stays outside out.
 SurfaceModel MirrorImage(const SurfaceModel& shape)
 {
@@ -160,6 +163,17 @@ void TurnToMean(const std::vector<SurfaceModel>& shapes, bool isFirst, Procruste
   }
 }
 
+// Of the best orientation near a half turn of an aligned shape.
+double FlippedResidual(const ShapeSuperposition& mean, const SurfaceModel& aligned,
+                       const Matrix3& flip)
+{
+  const SphereRotation start = mean.StartFor(aligned, flip);
+  const SuperposedShape found = mean.Fit(aligned, start);
+  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(aligned);
+  const double turn = AngleOf(isRadial ? found.Rotation.Parameters : found.Rotation.Body);
+  return turn < SmallestOtherTurn ? mean.ResidualAt(aligned, start) : found.Residual;
+}
+
 void CompareWithFlips(ProcrustesResult& result)
 {
   const ShapeSuperposition mean(result.Mean);
@@ -175,7 +189,7 @@ void CompareWithFlips(ProcrustesResult& result)
     for (int axis = 0; axis < 3; ++axis)
     {
       const Matrix3 flip = Eigen::AngleAxisd(M_PI, axes.col(axis)).toRotationMatrix();
-      const double residual = mean.Fit(aligned, mean.StartFor(aligned, flip)).Residual;
+      const double residual = FlippedResidual(mean, aligned, flip);
       if (residual < one.FlippedResidual)
       {
         one.FlippedResidual = residual;

@@ -22,7 +22,8 @@ struct ProcrustesCase
   double Scale = 1.0;
   double Residual = 0.0; ///< RMS distance from the mean, mm
   ///@{ The best of the optima that are reached after half a turn about one of the mean's principal
-  /// axes, the longest first.
+  /// axes, the longest first. From where only the chosen orientation is reached again, the half
+  /// turn itself counts.
   double FlippedResidual = 0.0; ///< mm
   int FlipAxis = 0;
   ///@}

@@ -245,9 +245,20 @@ SuperposedShape ShapeSuperposition::Fit(const SurfaceModel& shape,
       break;
     }
   }
+  return {rotation, this->ResidualOf(field)};
+}
+
+double ShapeSuperposition::ResidualOf(const Field& field) const
+{
   const double squared =
       this->Weights.dot((field.Values - this->Target.Values).rowwise().squaredNorm());
-  return {rotation, std::sqrt(squared / (4.0 * M_PI))};
+  return std::sqrt(squared / (4.0 * M_PI));
+}
+
+double ShapeSuperposition::ResidualAt(const SurfaceModel& shape,
+                                      const SphereRotation& rotation) const
+{
+  return this->ResidualOf(this->FieldOf(SeriesOf(shape), rotation));
 }
 
 SphereRotation ShapeSuperposition::StartFor(const SurfaceModel& shape, const Matrix3& body) const

@@ -52,6 +52,10 @@ public:
   /// effect, as of a ball, are left out. Allocates.
   SuperposedShape Fit(const SurfaceModel& shape, const SphereRotation& start) const;
 
+  /// RMS over the sphere of the difference of the turned shape in radius or position, mm.
+  /// Allocates.
+  double ResidualAt(const SurfaceModel& shape, const SphereRotation& rotation) const;
+
   /// Parameters that bring a surface model's terms of degree 1 closest to the target's, once its
   /// body is turned by `body` (the polar factor; Kabsch, Acta Cryst. A 32, 1976). For radial
   /// models: `body`.
@@ -76,6 +80,7 @@ private:
 
   Field FieldOf(const std::vector<SphericalHarmonicModel>& series,
                 const SphereRotation& rotation) const;
+  double ResidualOf(const Field& field) const;
   Product ProductWith(const Field& field) const;
   void AddBodyTurns(const Field& field, Product& product) const;
 

@@ -9,7 +9,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace palpate::procrustes_alignment_test
@@ -220,6 +222,32 @@ TEST(ProcrustesAlignment, SurfaceModelsWithOtherParametersBecomeOneShape)
   {
     EXPECT_LE(one.Residual, 1e-7); // mm
     EXPECT_FALSE(one.IsAmbiguous());
+  }
+}
+
+// After half a turn these climb back to where they were, which is no other orientation.
+TEST(ProcrustesAlignment, HalfTurnThatLeadsBackIsNotAmbiguous)
+{
+  Random random(90);
+  const ParametricSphericalSurface tube = test::BumpyTube(random, 8);
+  std::vector<SurfaceModel> shapes;
+  for (int i = 0; i < 6; ++i)
+  {
+    std::array<std::vector<double>, 3> coefficients;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::vector<double> relief = test::RandomCoefficients(random, 8, 1.5);
+      std::vector<double>& sums = coefficients[static_cast<std::size_t>(axis)];
+      sums = tube.Coefficients(axis);
+      std::transform(sums.begin(), sums.end(), relief.begin(), sums.begin(), std::plus<>());
+      sums[0] = 0.0;
+    }
+    shapes.emplace_back(ParametricSphericalSurface(8, coefficients));
+  }
+  for (const ProcrustesCase& one : Align(shapes).Cases)
+  {
+    EXPECT_LT(one.FlipRatio(), AmbiguousRatio);
+    EXPECT_GT(one.FlippedResidual, one.Residual);
   }
 }
 
