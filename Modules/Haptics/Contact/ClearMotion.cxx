@@ -74,6 +74,7 @@ bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
     const Vector3 path = probeWorld - start;
     const double length = path.norm();
     this->Place = start;
+    this->Start = start;
     if (!(length > 0.0))
     {
       this->LookAhead();

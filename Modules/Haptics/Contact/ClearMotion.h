@@ -2,8 +2,10 @@
 
 #include "ClearanceProof.h"
 #include "ParametricTouchSurface.h"
+#include "ProvenBall.h"
 #include "WedgePlaces.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -47,6 +49,11 @@ public:
   }
   const Vector3& PlaceWorld() const noexcept { return this->Place; }
   const ClosestPoint& Met() const noexcept { return this->Wall; }
+  /// Where the last step began, which was free.
+  ProvenBall FreeBefore() const noexcept
+  {
+    return {this->Start, std::max(0.0, this->Radius - this->Slack)};
+  }
 
 private:
   static constexpr std::size_t MostMinima = 4;
@@ -107,6 +114,7 @@ private:
   std::shared_ptr<Proof> Clearance; // of everything but known minima
   int EvaluationsLeft = 0;
   Vector3 Place = Vector3::Zero();
+  Vector3 Start = Vector3::Zero(); // of the last step
   // At the last measured place. While the tool is in the ball around it, it touches nothing.
   Vector3 BallCenter = Vector3::Zero();
   double BallRadius = 0.0; // mm

@@ -161,7 +161,7 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
     this->ProbeWorld = this->Motion->PlaceWorld();
     if (!isFree)
     {
-      this->Touch(this->Motion->Met());
+      this->Touch(this->Motion->Met(), this->Motion->FreeBefore());
     }
     return isFree;
   }
@@ -222,7 +222,8 @@ void HarmonicNearestTrackerOf<Surface>::Settle(const Vector3& probe) noexcept
 }
 
 template <typename Surface>
-void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexcept
+void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest,
+                                              const ProvenBall& known) noexcept
 {
   this->Known = State::Touching;
   this->IsHovering = false;
@@ -231,7 +232,7 @@ void HarmonicNearestTrackerOf<Surface>::Touch(const ClosestPoint& nearest) noexc
   this->IsWedging = this->NeedsWedge(nearest.Direction);
   if (this->IsWedging)
   {
-    this->Wedge->Begin(nearest);
+    this->Wedge->Begin(nearest, known);
   }
 }
 
@@ -319,7 +320,12 @@ template <typename Surface>
 typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
 HarmonicNearestTrackerOf<Surface>::Continued(const Vector3& probe) noexcept
 {
-  ClosestPoint next = this->Touched->Search().Track(probe, this->Closest);
+  const auto& search = this->Touched->Search();
+  ClosestPoint next = search.Track(probe, this->Closest);
+  if (Surface::MayCrossItself && next.State == ClosestPoint::Outcome::Limit)
+  {
+    next = search.Track(probe, next); // a minimum that is about to end takes more steps
+  }
   const bool isStationary =
       next.State == ClosestPoint::Outcome::Stationary && !next.Expansion.IsConvex();
   if ((Surface::MayCrossItself || next.SignedDistance < this->ToolRadius) && !isStationary)

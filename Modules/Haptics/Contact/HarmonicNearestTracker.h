@@ -72,7 +72,7 @@ private:
   void Slide(const Vector3& probe) noexcept;
   bool Press(const Vector3& probe, double motion) noexcept;
   void Settle(const Vector3& probe) noexcept;
-  void Touch(const ClosestPoint& nearest) noexcept;
+  void Touch(const ClosestPoint& nearest, const ProvenBall& known = {}) noexcept;
   void LetGo(const ClosestPoint& nearest) noexcept;
   // Of the tool at this place of the surface: where the wedge moves it, with the surface's margin.
   double RadiusAt(const Vector3& direction) const noexcept

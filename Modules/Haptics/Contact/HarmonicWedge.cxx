@@ -129,8 +129,9 @@ void HarmonicWedgeOf<Surface>::Prepare(const ClosestPoint& wall) noexcept
 }
 
 template <typename Surface>
-void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest) noexcept
+void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBall& known) noexcept
 {
+  this->Around = known;
   this->Center =
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
   this->IsClear = false;
@@ -221,10 +222,12 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       this->Meet(this->Sided(answer.Minimum));
       continue;
     }
-    if (answer.LowerDistance < LeastProven * this->Radius)
+    const double lower = std::max(answer.LowerDistance, this->Around.DistanceAt(this->Center));
+    if (lower < LeastProven * this->Radius)
     {
       break;
     }
+    this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
     if (std::exchange(this->IsClear, true) && isThere)
     {

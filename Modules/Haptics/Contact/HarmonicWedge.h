@@ -5,6 +5,7 @@
 #include "HalfSpaces.h"
 #include "HarmonicSurface.h"
 #include "ParametricTouchSurface.h"
+#include "ProvenBall.h"
 #include "WedgeGroove.h"
 
 #include <array>
@@ -45,8 +46,9 @@ public:
   /// comes to a hollow.
   void Prepare(const ClosestPoint& wall) noexcept;
   /// Starts at the surface's nearest point to the sphere: in place if the sphere is free there,
-  /// else pushed out by that wall.
-  void Begin(const ClosestPoint& nearest) noexcept;
+  /// else pushed out by that wall. What is known to be free near there lets it move on where the
+  /// proof does not end at once.
+  void Begin(const ClosestPoint& nearest, const ProvenBall& known = {}) noexcept;
   /// Moves from the last place towards the goal; Normal() is then the combined normal of the walls.
   void MoveTo(const Vector3& goalWorld) noexcept;
 
@@ -139,6 +141,7 @@ private:
   double Kept;        // mm, the gap up to which a wall is followed
   double End;         // mm, at which a slide ends
   std::shared_ptr<Proof> Clear;
+  ProvenBall Around; // the last place that was proven
   std::unique_ptr<Proof> ClearanceAhead;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre

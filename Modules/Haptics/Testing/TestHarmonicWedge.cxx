@@ -1,6 +1,7 @@
 #include "ContactCases.h"
 #include "HarmonicWedge.h"
 #include "NearestByBruteForce.h"
+#include "ParametricPhantoms.h"
 #include "SearchedWedge.h"
 #include "WorstCase.h"
 
@@ -171,6 +172,40 @@ TEST_P(HarmonicWedgeOfDegree, EqualsASearchOfTheWholeSurface)
   EXPECT_LE(overlap.Value(), 1.1e-5 * surface->SmallestRadius() + 1e-4); // a proof's tolerance
   EXPECT_LE(apart, Ticks / 20);                                          // another exit was found
   EXPECT_LE(deeper / Ticks, 1e-3);
+}
+
+// Where a tool comes to a surface by a jump, nothing is proven there yet, and hundreds of cells are
+// near a large sphere. What was free before the step is enough to go on.
+TEST(HarmonicWedge, GoesOnFromAFreePlaceWhereAProofTakesMoreThanATick)
+{
+  constexpr double Radius = 60.0; // mm
+  constexpr double Step = 0.05;   // mm, from where it touches, to either side
+  Random random(5);
+  const ParametricSphericalSurface body = test::BumpyTube(random);
+  std::shared_ptr<const ParametricTouchSurface> surface;
+  ASSERT_TRUE(ParametricTouchSurface::Make(body, surface).IsOk());
+  HarmonicWedgeOf<ParametricTouchSurface> wedge(surface, Radius);
+  WorstCase error;
+  for (int jump = 0; jump < 400; ++jump)
+  {
+    const auto foot = surface->PlaceAt(test::RandomDirection(random));
+    const auto near = [&](double height)
+    { return surface->Search().Nearest(foot.PointWorld + height * foot.Normal, 20000); };
+    const Vector3 free = foot.PointWorld + (Radius + Step) * foot.Normal;
+    const Vector3 aside = Step * foot.Normal.unitOrthogonal();
+    const Vector3 goal = free - 2.0 * Step * foot.Normal + aside;
+    const auto wall = surface->Search().Nearest(goal, 20000);
+    const Vector3 place = wall.PointWorld + Radius * wall.Normal;
+    const bool isAlone = surface->Search().Nearest(place, 20000).SignedDistance > Radius - 1e-9;
+    if (near(Radius + Step).SignedDistance > Radius && wall.SignedDistance < Radius && isAlone)
+    {
+      wedge.Begin(near(Radius + Step), {free, Radius});
+      wedge.MoveTo(goal);
+      error.Add((wedge.CenterWorld() - place).norm());
+    }
+  }
+  // A wall may be unknown as deep as a proof's tolerance, a thousandth of 7 mm.
+  EXPECT_LE(error.Value(), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, HarmonicWedgeOfDegree, testing::Values(4, 8, 12, 20, 33));

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace palpate::parametric_paths_test
@@ -88,6 +89,34 @@ TEST(ParametricPaths, PathsAgreeWithSearchesOfTheWholeSurface)
       EXPECT_LE(counts.Overlap.Value(), 5e-3 * touch->SmallestRadius())
           << name << " " << toolRadius;
     }
+  }
+}
+
+// Shortly above the centre of curvature of an ellipsoid's tip a place still has one nearest point,
+// which moves many times faster than the place.
+TEST(ParametricPaths, AMinimumThatIsAboutToEndIsFollowed)
+{
+  const ParametricSphericalSurface surface = test::EllipsoidPhantom({5.0, 7.0, 20.0});
+  const auto touch = PathSurfaceOf(surface);
+  const auto model = PathContact(surface);
+  const Vector3 tip(12.0, -7.0, 60.0);
+  constexpr double Curvature = 5.0 * 5.0 / 20.0; // radius, mm
+  for (const auto& [above, step] : {std::pair(0.01, 0.03), {1e-3, 1e-3}, {1e-4, 1e-3}}) // mm
+  {
+    const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
+    test::WorstCase error;
+    for (int tick = 0; tick < 40; ++tick)
+    {
+      const double depth = std::min(Curvature - above, 0.1 * tick - 0.23);
+      const Vector3 probe =
+          tip - depth * Vector3::UnitZ() + step * std::max(0, tick - 20) * Vector3::UnitX();
+      const Contact& contact = tracker->Follow(At(probe));
+      if (contact.IsTouching)
+      {
+        error.Add((contact.ProxyWorld - touch->Search().Nearest(probe, 20000).PointWorld).norm());
+      }
+    }
+    EXPECT_LE(error.Value(), 2e-9) << above; // mm: 1e-9 N
   }
 }
 
