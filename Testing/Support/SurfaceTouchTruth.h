@@ -27,7 +27,7 @@ public:
     long Inexact = 0;  ///< of Unique: the force is off by more than 1e-9 N
     long Wrong = 0;    ///< of Inexact: the proxy is off by more than 0.05 mm
     long Late = 0;     ///< no contact, though the tool overlaps the surface
-    long Early = 0;    ///< contact, though the tool is free
+    long Early = 0;    ///< contact, though the tool is free; not of Ended
     long Overlaps = 0; ///< touching, and the surface overlaps the tool at its proxy
     WorstCase Error;   ///< of the force, N, where it is inexact
     WorstCase LateDepth, EarlyGap, Overlap; ///< mm
@@ -52,6 +52,7 @@ public:
   {
     const ClosestPoint nearest = this->NearestTo(probe);
     this->Advance(probe, nearest);
+    this->IsLost = this->IsLost && (this->IsHeld || contact.IsTouching);
     ++counts.Ticks;
     counts.Touching += contact.IsTouching ? 1 : 0;
     if (contact.IsTouching != this->IsHeld)
@@ -107,7 +108,6 @@ private:
         this->Foot = this->NearestTo(place);
       }
       this->IsHeld = this->Foot.SignedDistance < this->Radius;
-      this->IsLost = this->IsLost && this->IsHeld;
     }
   }
 
@@ -129,7 +129,9 @@ private:
       ++counts.Late;
       counts.LateDepth.Add(depth);
     }
-    if (!this->IsHeld && -depth > LeastOverlap)
+    // Behind a thin wall, where its minimum has ended, either is right.
+    counts.Ended += !this->IsHeld && this->IsLost ? 1 : 0;
+    if (!this->IsHeld && !this->IsLost && -depth > LeastOverlap)
     {
       ++counts.Early;
       counts.EarlyGap.Add(-depth);
@@ -174,6 +176,6 @@ private:
   ClosestPoint Foot{}; // of the wall that the tool met
   Vector3 Probe = Vector3::Zero();
   bool IsHeld = false;
-  bool IsLost = false; // whether it cannot be told any more where the tool is
+  bool IsLost = false; // whether it cannot be told where the tool is, until it is free
 };
 } // namespace palpate::test
