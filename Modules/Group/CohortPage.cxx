@@ -6,8 +6,7 @@
 #include "CohortQualityPage.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
-#include "IcosahedronDirections.h"
-#include "ModelSurface.h"
+#include "ModeSlider.h"
 #include "ReportPage.h"
 #include "ShapeFigures.h"
 #include "SvgChart.h"
@@ -21,33 +20,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int Frequency = 24;       // of the drawn surfaces: 5,762 points
 constexpr double FrameShare = 1.05; // of the largest shape's extent
 constexpr std::array<ViewSide, 3> Sides{{ViewSide::Anterior, ViewSide::Right, ViewSide::Superior}};
-
-/// A shape with the distance of each point outside the mean (mm).
-ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean)
-{
-  ColoredShape drawn{DrawModel(shape, Frequency), {}};
-  const IcosahedronDirections sphere(Frequency);
-  for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
-  {
-    Vector3 point;
-    drawn.Mesh->GetPoint(p, point.data());
-    if (const auto* radial = std::get_if<SphericalHarmonicModel>(&mean))
-    {
-      // The centre is the origin, so a point's own direction is the mean's too.
-      drawn.Values.push_back(point.norm() - radial->Radius(point.normalized()));
-    }
-    else
-    {
-      const auto& surface = std::get<ParametricSphericalSurface>(mean);
-      const Vector3& parameter = sphere.Directions()[static_cast<std::size_t>(p)];
-      drawn.Values.push_back(surface.Normal(parameter).dot(point - surface.Point(parameter)));
-    }
-  }
-  return drawn;
-}
 
 std::string Explained(const ShapeModes& modes)
 {
@@ -172,7 +146,8 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
     modes += "<h3>" + ModeTitle(group, mode) + "</h3>\n<div class=\"views\">\n" +
              figures.Figure(drawn[first], ViewSide::Anterior, "mean \xE2\x88\x92 " + several) +
              figures.Figure(drawn.front(), ViewSide::Anterior, "mean") +
-             figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
+             figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) +
+             ModeSlider(group, mode, deviations, figures) + "</div>\n";
   }
   return ReportPage(
       "Palpate cohort",

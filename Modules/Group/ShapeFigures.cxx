@@ -3,6 +3,8 @@
 #include "ArrayColors.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
+#include "IcosahedronDirections.h"
+#include "ModelSurface.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
@@ -16,7 +18,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int ViewSize = 260; // pixels
+constexpr int ViewSize = 260;      // pixels
+constexpr int DrawnFrequency = 24; // 5,762 points
 constexpr double PaleShare = 0.25;
 constexpr double PaleGrey = 205.0;
 
@@ -31,6 +34,29 @@ SoftwareRenderer::Color Paled(const SoftwareRenderer::Color& color)
   return pale;
 }
 } // namespace
+
+ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean)
+{
+  ColoredShape drawn{DrawModel(shape, DrawnFrequency), {}};
+  const IcosahedronDirections sphere(DrawnFrequency);
+  for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
+  {
+    Vector3 point;
+    drawn.Mesh->GetPoint(p, point.data());
+    if (const auto* radial = std::get_if<SphericalHarmonicModel>(&mean))
+    {
+      // The centre is the origin, so a point's own direction is the mean's too.
+      drawn.Values.push_back(point.norm() - radial->Radius(point.normalized()));
+    }
+    else
+    {
+      const auto& surface = std::get<ParametricSphericalSurface>(mean);
+      const Vector3& parameter = sphere.Directions()[static_cast<std::size_t>(p)];
+      drawn.Values.push_back(surface.Normal(parameter).dot(point - surface.Point(parameter)));
+    }
+  }
+  return drawn;
+}
 
 double ColoredShape::Extent() const
 {

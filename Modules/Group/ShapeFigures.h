@@ -2,6 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "PalpateGroupModule.h"
+#include "SurfaceModel.h"
 
 #include "vtkLookupTable.h"
 #include "vtkPolyData.h"
@@ -23,6 +24,9 @@ struct ColoredShape
   /// The largest value, whatever its sign.
   double LargestValue() const;
 };
+
+/// A model of a group with the distance of each point outside the mean (mm).
+PALPATEGROUP_EXPORT ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean);
 
 /// Draws shapes at the same scale, with the common centre in the image's centre, as elements of a
 /// page.

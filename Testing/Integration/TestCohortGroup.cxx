@@ -234,6 +234,10 @@ TEST(CohortGroup, PageIsSelfContainedAndListsOmissions)
   EXPECT_EQ(html.find("http"), std::string::npos);
   EXPECT_NE(html.find("4 shapes, degree 5"), std::string::npos);
   EXPECT_NE(html.find("Mode 2: 5.9 %"), std::string::npos);
+  // A slider over nine images, of which the mean is shown.
+  EXPECT_NE(html.find("aria-label=\"Mode 2\""), std::string::npos);
+  EXPECT_NE(html.find("<div data-step=\"0\"><figure>"), std::string::npos);
+  EXPECT_NE(html.find("<div data-step=\"-3\" hidden=\"hidden\"><figure>"), std::string::npos);
   EXPECT_NE(html.find("x &amp; y has no model and is omitted: is &lt;hidden&gt;"),
             std::string::npos);
 }
