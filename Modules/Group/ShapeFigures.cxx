@@ -18,8 +18,8 @@ namespace palpate
 {
 namespace
 {
-constexpr int ViewSize = 260;      // pixels
-constexpr int DrawnFrequency = 24; // 5,762 points
+constexpr int ViewSize = 260;       // pixels
+constexpr int OffsetFrequency = 24; // 5,762 points
 constexpr double PaleShare = 0.25;
 constexpr double PaleGrey = 205.0;
 
@@ -37,8 +37,8 @@ SoftwareRenderer::Color Paled(const SoftwareRenderer::Color& color)
 
 ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean)
 {
-  ColoredShape drawn{DrawModel(shape, DrawnFrequency), {}};
-  const IcosahedronDirections sphere(DrawnFrequency);
+  ColoredShape drawn{DrawModel(shape, OffsetFrequency), {}};
+  const IcosahedronDirections sphere(OffsetFrequency);
   for (vtkIdType p = 0; p < drawn.Mesh->GetNumberOfPoints(); ++p)
   {
     Vector3 point;
