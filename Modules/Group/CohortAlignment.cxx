@@ -14,6 +14,8 @@ namespace palpate
 {
 namespace
 {
+constexpr std::size_t MostNotes = 5;
+constexpr double LargeTurn = 45.0; // degrees
 
 SurfaceModel WithDegree(const SurfaceModel& model, int degree)
 {
@@ -50,25 +52,53 @@ double TurnOf(const SurfaceModel& model, const SphereRotation& rotation)
   return 180.0 / M_PI * AngleOf(turn);
 }
 
+// One note each for a few cases, one for all of many.
+void AddNotes(const std::vector<CohortNote>& notes, const std::string& ofMany,
+              std::vector<CohortNote>& all)
+{
+  if (notes.size() <= MostNotes)
+  {
+    all.insert(all.end(), notes.begin(), notes.end());
+    return;
+  }
+  all.push_back({notes.front().Case, " and " + std::to_string(notes.size() - 1) + " other cases " +
+                                         ofMany + " (alignment.csv)"});
+}
+
 void NoteAlignment(CohortGroup& group, const CohortAlignment& alignment)
 {
+  std::vector<CohortNote> ambiguous;
+  std::vector<CohortNote> mirrored;
+  std::vector<CohortNote> turned;
   for (std::size_t i = 0; i < alignment.Cases.size(); ++i)
   {
     const ProcrustesCase& one = alignment.Cases[i];
-    const std::string residual = FixedText(one.Residual, 2) + " mm from the mean";
+    const std::string& name = group.Rows[i].Case;
+    const std::string residual = FixedText(one.ShapeResidual, 2) + " mm from the mean, but ";
+    const double turn = TurnOf(group.Models[i], one.Rotation);
     if (one.IsAmbiguous())
     {
-      group.Notes.push_back({group.Rows[i].Case, ": its orientation is ambiguous, " + residual +
-                                                     ", but " + FixedText(one.FlippedResidual, 2) +
-                                                     " mm after half a turn"});
+      ambiguous.push_back({name, ": its orientation is ambiguous, " + residual +
+                                     FixedText(one.FlippedResidual, 2) + " mm after half a turn"});
     }
     if (one.IsMirrored())
     {
-      group.Notes.push_back({group.Rows[i].Case, ": it looks mirrored, " + residual + ", but " +
-                                                     FixedText(one.MirroredResidual, 2) +
-                                                     " mm as its mirror image"});
+      mirrored.push_back({name, ": it looks mirrored, " + residual +
+                                    FixedText(one.MirroredResidual, 2) +
+                                    " mm as its mirror image"});
+    }
+    if (turn > LargeTurn)
+    {
+      turned.push_back(
+          {name, ": it is turned by " + FixedText(turn, 0) + " degrees from the patient's axes"});
     }
   }
+  AddNotes(ambiguous,
+           "have an ambiguous orientation: half a turn would be nearly as close to the mean, or "
+           "closer",
+           group.Notes);
+  AddNotes(mirrored, "look mirrored: their mirror images are closer to the mean", group.Notes);
+  AddNotes(turned, "are turned by more than 45 degrees from the patients' axes", group.Notes);
 }
 } // namespace
 
@@ -109,16 +139,17 @@ CohortAlignment AlignCohortGroup(CohortGroup& group, bool isScaled,
 
 std::string AlignmentTable(const CohortGroup& group, const CohortAlignment& alignment)
 {
-  std::string text = CsvLine({"case", "label", "turn_deg", "scale", "residual_mm", "flipped_mm",
-                              "flip_ratio", "mirrored_mm", "ambiguous", "mirrored"});
+  std::string text = CsvLine({"case", "label", "turn_deg", "scale", "residual_mm", "shape_mm",
+                              "flipped_mm", "flip_ratio", "mirrored_mm", "ambiguous", "mirrored"});
   for (std::size_t i = 0; i < alignment.Cases.size(); ++i)
   {
     const ProcrustesCase& one = alignment.Cases[i];
     text += CsvLine({group.Rows[i].Case, std::to_string(group.Rows[i].Result.Structure.Label),
                      ExactText(TurnOf(group.Models[i], one.Rotation)), ExactText(one.Scale),
-                     ExactText(one.Residual), ExactText(one.FlippedResidual),
-                     ExactText(one.FlipRatio()), ExactText(one.MirroredResidual),
-                     one.IsAmbiguous() ? "yes" : "no", one.IsMirrored() ? "yes" : "no"});
+                     ExactText(one.Residual), ExactText(one.ShapeResidual),
+                     ExactText(one.FlippedResidual), ExactText(one.FlipRatio()),
+                     ExactText(one.MirroredResidual), one.IsAmbiguous() ? "yes" : "no",
+                     one.IsMirrored() ? "yes" : "no"});
   }
   return text;
 }

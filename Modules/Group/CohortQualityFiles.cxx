@@ -55,11 +55,20 @@ std::string DistanceTable(const CohortGroup& group, const CohortQuality& quality
   return text;
 }
 
+// VTK writes names of arrays into attributes of XML as they are.
+std::string NameForXml(std::string name)
+{
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return std::string("&<>\"'").find(c) != std::string::npos; }, '_');
+  return name;
+}
+
 void AddPointMap(vtkPolyData* surface, const std::string& name,
                  const Eigen::Ref<const Eigen::VectorXd>& values)
 {
   vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
+  array->SetName(NameForXml(name).c_str());
   array->SetNumberOfTuples(values.size());
   std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
   surface->GetPointData()->AddArray(array);

@@ -102,7 +102,7 @@ TEST(CohortQuality, TablesHaveARowPerCaseAndPerNumberOfModes)
   EXPECT_GT(Number(model.front(), "generalisation_mm"), Number(model.back(), "generalisation_mm"));
   const std::string surface = test::ReadAll(folder / "out/distances.vtp");
   EXPECT_NE(surface.find("sd (mm)"), std::string::npos);
-  EXPECT_NE(surface.find("z patient &amp; 29"), std::string::npos);
+  EXPECT_NE(surface.find("z patient _ 29"), std::string::npos);
 }
 
 TEST(CohortQuality, GroupWithoutQualityRemovesFormerFiles)

@@ -159,6 +159,7 @@ void TurnToMean(const std::vector<SurfaceModel>& shapes, bool isFirst, Procruste
     }
     result.Cases[i].Rotation = best.Rotation;
     result.Cases[i].Residual = best.Residual;
+    result.Cases[i].ShapeResidual = best.ShapeResidual;
     result.Aligned[i] = TurnShape(shapes[i], best.Rotation);
   }
 }
@@ -171,7 +172,7 @@ double FlippedResidual(const ShapeSuperposition& mean, const SurfaceModel& align
   const SuperposedShape found = mean.Fit(aligned, start);
   const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(aligned);
   const double turn = AngleOf(isRadial ? found.Rotation.Parameters : found.Rotation.Body);
-  return turn < SmallestOtherTurn ? mean.ResidualAt(aligned, start) : found.Residual;
+  return (turn < SmallestOtherTurn ? mean.At(aligned, start) : found).ShapeResidual;
 }
 
 void CompareWithFlips(ProcrustesResult& result)
@@ -196,7 +197,7 @@ void CompareWithFlips(ProcrustesResult& result)
         one.FlipAxis = axis;
       }
     }
-    one.MirroredResidual = mean.Fit(MirrorImage(aligned), {}).Residual;
+    one.MirroredResidual = mean.Fit(MirrorImage(aligned), {}).ShapeResidual;
   }
 }
 
@@ -210,12 +211,12 @@ double ResidualRatio(double residual, double other)
 
 double ProcrustesCase::FlipRatio() const
 {
-  return ResidualRatio(this->Residual, this->FlippedResidual);
+  return ResidualRatio(this->ShapeResidual, this->FlippedResidual);
 }
 
 double ProcrustesCase::MirrorRatio() const
 {
-  return ResidualRatio(this->Residual, this->MirroredResidual);
+  return ResidualRatio(this->ShapeResidual, this->MirroredResidual);
 }
 
 bool ProcrustesCase::IsAmbiguous() const

@@ -21,13 +21,15 @@ struct ProcrustesCase
   SphereRotation Rotation;
   double Scale = 1.0;
   double Residual = 0.0; ///< RMS distance from the mean, mm
-  ///@{ The best of the optima that are reached after half a turn about one of the mean's principal
+  ///@{ The same at the size that makes it smallest, so that sizes do not hide differences in shape.
+  double ShapeResidual = 0.0; ///< mm
+  /// The best of the optima that are reached after half a turn about one of the mean's principal
   /// axes, the longest first. From where only the chosen orientation is reached again, the half
   /// turn itself counts.
   double FlippedResidual = 0.0; ///< mm
   int FlipAxis = 0;
-  ///@}
   double MirroredResidual = 0.0; ///< of the optimum of the mirror image (x to -x), mm
+  ///@}
 
   /// Below 1 if the orientation is better than every flip; close to 1 if it is ambiguous.
   double FlipRatio() const;

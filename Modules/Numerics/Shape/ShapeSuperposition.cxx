@@ -245,20 +245,27 @@ SuperposedShape ShapeSuperposition::Fit(const SurfaceModel& shape,
       break;
     }
   }
-  return {rotation, this->ResidualOf(field)};
+  return this->Compare(field, rotation);
 }
 
-double ShapeSuperposition::ResidualOf(const Field& field) const
+SuperposedShape ShapeSuperposition::Compare(const Field& field,
+                                            const SphereRotation& rotation) const
 {
-  const double squared =
-      this->Weights.dot((field.Values - this->Target.Values).rowwise().squaredNorm());
-  return std::sqrt(squared / (4.0 * M_PI));
+  const auto rms = [&](double size)
+  {
+    const Eigen::MatrixXd difference = size * field.Values - this->Target.Values;
+    return std::sqrt(this->Weights.dot(difference.rowwise().squaredNorm()) / (4.0 * M_PI));
+  };
+  const double product =
+      this->Weights.dot(field.Values.cwiseProduct(this->Target.Values).rowwise().sum());
+  const double square = this->Weights.dot(field.Values.rowwise().squaredNorm());
+  return {rotation, rms(1.0), rms(square > 0.0 ? product / square : 1.0)};
 }
 
-double ShapeSuperposition::ResidualAt(const SurfaceModel& shape,
-                                      const SphereRotation& rotation) const
+SuperposedShape ShapeSuperposition::At(const SurfaceModel& shape,
+                                       const SphereRotation& rotation) const
 {
-  return this->ResidualOf(this->FieldOf(SeriesOf(shape), rotation));
+  return this->Compare(this->FieldOf(SeriesOf(shape), rotation), rotation);
 }
 
 SphereRotation ShapeSuperposition::StartFor(const SurfaceModel& shape, const Matrix3& body) const

@@ -33,6 +33,7 @@ struct SuperposedShape
 {
   SphereRotation Rotation;
   double Residual = 0.0; ///< RMS over the sphere of the difference in radius or position, mm
+  double ShapeResidual = 0.0; ///< the same with the shape at the size that makes it smallest, mm
 };
 
 /// Rotations that bring shapes closest to a target: of radial models about the centre, of surface
@@ -52,9 +53,8 @@ public:
   /// effect, as of a ball, are left out. Allocates.
   SuperposedShape Fit(const SurfaceModel& shape, const SphereRotation& start) const;
 
-  /// RMS over the sphere of the difference of the turned shape in radius or position, mm.
-  /// Allocates.
-  double ResidualAt(const SurfaceModel& shape, const SphereRotation& rotation) const;
+  /// What `rotation` itself leaves. Allocates.
+  SuperposedShape At(const SurfaceModel& shape, const SphereRotation& rotation) const;
 
   /// Parameters that bring a surface model's terms of degree 1 closest to the target's, once its
   /// body is turned by `body` (the polar factor; Kabsch, Acta Cryst. A 32, 1976). For radial
@@ -80,7 +80,7 @@ private:
 
   Field FieldOf(const std::vector<SphericalHarmonicModel>& series,
                 const SphereRotation& rotation) const;
-  double ResidualOf(const Field& field) const;
+  SuperposedShape Compare(const Field& field, const SphereRotation& rotation) const;
   Product ProductWith(const Field& field) const;
   void AddBodyTurns(const Field& field, Product& product) const;
 

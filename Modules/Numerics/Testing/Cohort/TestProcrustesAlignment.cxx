@@ -225,6 +225,23 @@ TEST(ProcrustesAlignment, SurfaceModelsWithOtherParametersBecomeOneShape)
   }
 }
 
+TEST(ProcrustesAlignment, SizeDoesNotHideHowWellAShapeFits)
+{
+  Random random(92);
+  const SurfaceModel reference = Organ(random, 5);
+  const SurfaceModel small = Variant(random, reference, 0.4);
+  std::vector<double> coefficients = Radial(small).Coefficients();
+  for (double& c : coefficients)
+  {
+    c *= 1.4;
+  }
+  const SphericalHarmonicModel large(5, coefficients, Vector3::Zero());
+  const ProcrustesResult result = Align({small, large}, &reference);
+  EXPECT_GT(result.Cases[1].Residual, result.Cases[0].Residual + 5.0); // mm
+  EXPECT_NEAR(result.Cases[1].ShapeResidual, result.Cases[0].ShapeResidual, 1e-7);
+  EXPECT_NEAR(result.Cases[1].FlipRatio(), result.Cases[0].FlipRatio(), 1e-6);
+}
+
 // After half a turn these climb back to where they were, which is no other orientation.
 TEST(ProcrustesAlignment, HalfTurnThatLeadsBackIsNotAmbiguous)
 {
