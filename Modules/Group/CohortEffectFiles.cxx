@@ -3,17 +3,10 @@
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "InputError.h"
-#include "ModelSurface.h"
+#include "MappedMean.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
-
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +19,6 @@ namespace
 constexpr double Significance = 0.05;
 constexpr Eigen::Index MostRepeatedModes = 10;
 
-void AddMap(vtkPolyData* surface, const std::string& name, const Eigen::VectorXd& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfTuples(values.size());
-  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
-  surface->GetPointData()->AddArray(array);
-}
-
 vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
 {
   const auto surface = MeanSurface(effects.Surface);
@@ -42,16 +26,17 @@ vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
   {
     for (const ColumnEffect& column : effect.Columns)
     {
-      AddMap(surface, column.Name + " (mm)", column.PerUnit);
-      AddMap(surface, column.Name + " 95% half width (mm)", column.HalfWidth);
+      AddPointMap(surface, column.Name + " (mm)", column.PerUnit);
+      AddPointMap(surface, column.Name + " 95% half width (mm)", column.HalfWidth);
     }
     const std::string& name = effect.Term.Name;
-    AddMap(surface, name + (effect.Term.Count == 1 ? " t" : " root F"), effect.Points.Statistic);
-    AddMap(surface, name + " partial R2", effect.PartialR2);
-    AddMap(surface, name + " p", effect.Points.P);
-    AddMap(surface, name + " p family", effect.Points.FamilyP);
-    AddMap(surface, name + " p TFCE", effect.Points.EnhancedP);
-    AddMap(surface, name + " q", effect.Discovery);
+    AddPointMap(surface, name + (effect.Term.Count == 1 ? " t" : " root F"),
+                effect.Points.Statistic);
+    AddPointMap(surface, name + " partial R2", effect.PartialR2);
+    AddPointMap(surface, name + " p", effect.Points.P);
+    AddPointMap(surface, name + " p family", effect.Points.FamilyP);
+    AddPointMap(surface, name + " p TFCE", effect.Points.EnhancedP);
+    AddPointMap(surface, name + " q", effect.Discovery);
   }
   return surface;
 }
@@ -151,30 +136,6 @@ std::string RepeatedTable(const CohortGroup& group, const CovariateTable& covari
   return text;
 }
 } // namespace
-
-vtkSmartPointer<vtkPolyData> MeanSurface(const NormalDisplacement& mean)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  for (std::size_t i = 0; i < mean.Points.size(); ++i)
-  {
-    points->InsertNextPoint(mean.Points[i].data());
-    normals->InsertNextTuple(mean.Normals[i].data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (const std::array<int, 3>& triangle : mean.Triangles)
-  {
-    triangles->InsertNextCell({triangle[0], triangle[1], triangle[2]});
-  }
-  const auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points);
-  surface->SetPolys(triangles);
-  surface->GetPointData()->SetNormals(normals);
-  return surface;
-}
 
 std::string CohortEffectText(const CohortEffects& effects)
 {

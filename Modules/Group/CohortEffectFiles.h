@@ -3,17 +3,11 @@
 #include "CohortEffects.h"
 #include "PalpateGroupModule.h"
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
 #include <filesystem>
 #include <string>
 
 namespace palpate
 {
-/// The mean as a surface with normals.
-PALPATEGROUP_EXPORT vtkSmartPointer<vtkPolyData> MeanSurface(const NormalDisplacement& mean);
-
 /// A table of the terms for a console, with its heading.
 PALPATEGROUP_EXPORT std::string CohortEffectText(const CohortEffects& effects);
 

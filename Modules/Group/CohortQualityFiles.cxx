@@ -1,16 +1,11 @@
 #include "CohortQualityFiles.h"
 
 #include "AnatomicalView.h"
-#include "CohortEffectFiles.h"
 #include "CsvText.h"
 #include "DecimalText.h"
+#include "MappedMean.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
-
-#include "vtkDoubleArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 
@@ -53,25 +48,6 @@ std::string DistanceTable(const CohortGroup& group, const CohortQuality& quality
                  ExactText(point[1]), ExactText(point[2]), OrientationLetters(point.normalized())});
   }
   return text;
-}
-
-// VTK writes names of arrays into attributes of XML as they are.
-std::string NameForXml(std::string name)
-{
-  std::replace_if(
-      name.begin(), name.end(),
-      [](char c) { return std::string("&<>\"'").find(c) != std::string::npos; }, '_');
-  return name;
-}
-
-void AddPointMap(vtkPolyData* surface, const std::string& name,
-                 const Eigen::Ref<const Eigen::VectorXd>& values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(NameForXml(name).c_str());
-  array->SetNumberOfTuples(values.size());
-  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
-  surface->GetPointData()->AddArray(array);
 }
 
 vtkSmartPointer<vtkPolyData> DistanceSurface(const CohortGroup& group, const CohortQuality& quality)

@@ -1,8 +1,8 @@
 #include "CohortQualityPage.h"
 
-#include "CohortEffectFiles.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
+#include "MappedMean.h"
 #include "ReportPage.h"
 #include "ShapeFigures.h"
 #include "SvgChart.h"

@@ -169,6 +169,7 @@ int CohortCommand::FitMasks(Console& console) const
   {
     fit.TakeMasks({this->Masks});
   }
+  fit.ChooseCases({});
   return fit.Run(this->Folders.front(), console);
 }
 

@@ -140,6 +140,18 @@ TEST(CohortEffects, SurfaceHasAllMapsByName)
   EXPECT_NE(table.find("\nage,1,40,"), std::string::npos);
 }
 
+// VTK writes names of arrays into XML as they are.
+TEST(CohortEffects, NamesOfColumnsMayHoldWhatXmlReserves)
+{
+  const EffectCohort cohort;
+  std::string table = ReadAll(cohort.Folder / "covariates.csv");
+  table.replace(table.find("group"), 5, "\"<gro\"\"u\"\"p&\"");
+  WriteAll(cohort.Folder / "covariates.csv", table);
+  WriteCohortEffects(cohort.Group, cohort.Effects("~ `<gro\"u\"p&`"), cohort.Folder.Path());
+  const auto surface = ReadSurface(cohort.Folder / "effects.vtp");
+  EXPECT_EQ(surface->GetNumberOfPoints(), 2562);
+}
+
 TEST(CohortEffects, SectionIsWellFormedAndNamesNoCase)
 {
   const EffectCohort cohort;
