@@ -4,8 +4,10 @@
 #include "CohortPage.h"
 #include "DecimalText.h"
 #include "ModelSurface.h"
+#include "SurfaceMaterial.h"
 
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkPointData.h"
@@ -14,6 +16,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -45,7 +48,7 @@ CohortShapeView::CohortShapeView(QWidget* parent)
   column->addWidget(this->Drawing, 1);
   column->addWidget(this->Legend);
   this->Legend->setWordWrap(true);
-  this->setMinimumSize(260, 240);
+  this->setMinimumSize(220, 130);
   this->Renderer->SetBackground(0.13, 0.14, 0.16);
   this->Drawing->renderWindow()->AddRenderer(this->Renderer);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
@@ -54,7 +57,12 @@ CohortShapeView::CohortShapeView(QWidget* parent)
   this->Shading->ConsistencyOff();
   this->Mapper->SetInputConnection(this->Shading->GetOutputPort());
   this->Actor->SetMapper(this->Mapper);
-  this->Actor->GetProperty()->SetSpecular(0.2);
+  this->Actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
+  this->Actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
+  this->Actor->GetProperty()->SetSpecular(SurfaceMaterial::Specular);
+  // The canvas draws when it is told to (see ViewCanvas).
+  this->Requests->Connect(this->Drawing->interactor(), vtkCommand::RenderEvent, this,
+                          SLOT(RequestRender()));
   this->Renderer->AddActor(this->Actor);
   this->Actor->VisibilityOff();
 }
@@ -97,6 +105,7 @@ void CohortShapeView::SetGroup(const CohortGroup* group)
   camera->SetPosition(0.0, -1.0, 0.0);
   camera->SetViewUp(0.0, 0.0, 1.0);
   this->Renderer->ResetCamera();
+  this->RequestRender();
 }
 
 void CohortShapeView::ShowModes(const std::vector<double>& deviations)
@@ -141,6 +150,24 @@ void CohortShapeView::Show(const std::vector<Vector3>& points)
       QString("Red outside of the mean, blue inside; full colour at %1 mm")
           .arg(QString::fromStdString(SignificantText(colors->GetRange()[1], 3))));
   this->Renderer->ResetCameraClippingRange();
-  this->Drawing->update();
+  this->RequestRender();
+}
+
+void CohortShapeView::RequestRender()
+{
+  if (this->IsDue)
+  {
+    return;
+  }
+  this->IsDue = true;
+  QTimer::singleShot(0, this,
+                     [this]
+                     {
+                       this->IsDue = false;
+                       if (this->Drawing->isVisible() && this->Drawing->isValid())
+                       {
+                         this->Drawing->renderWindow()->Render();
+                       }
+                     });
 }
 } // namespace palpate

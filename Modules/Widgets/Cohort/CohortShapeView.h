@@ -4,6 +4,7 @@
 #include "ViewPane.h"
 
 #include "vtkActor.h"
+#include "vtkEventQtSlotConnect.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -37,6 +38,10 @@ public:
   double LargestOffset() const { return this->Largest; }
   ViewCanvas* Canvas() const { return this->Drawing; }
 
+public Q_SLOTS:
+  /// Draws in the next turn of the event loop.
+  void RequestRender();
+
 private:
   void Show(const std::vector<Vector3>& points);
 
@@ -52,5 +57,7 @@ private:
   std::vector<Vector3> Normals;
   std::vector<std::vector<Vector3>> Steps; ///< per standard deviation of each shown mode
   double Largest = 0.0;
+  bool IsDue = false;
+  vtkNew<vtkEventQtSlotConnect> Requests; ///< of the interactor
 };
 } // namespace palpate

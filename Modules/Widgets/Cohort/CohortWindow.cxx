@@ -140,6 +140,7 @@ QWidget* CohortWindow::MakeSliders()
   auto* box = new QWidget(this);
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(2);
   for (int mode = 0; mode < MostShownModes; ++mode)
   {
     auto* name = new QLabel(QString("Mode %1").arg(mode + 1), box);

@@ -26,7 +26,7 @@ QString AxisNumber(double value)
 
 ScatterChart::ScatterChart(QWidget* parent) : QWidget(parent)
 {
-  this->setMinimumSize(220, 160);
+  this->setMinimumSize(200, 90);
   this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   this->setAccessibleName("Scatter of two columns");
 }

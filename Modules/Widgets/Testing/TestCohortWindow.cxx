@@ -101,6 +101,28 @@ TEST_F(CohortWindowTest, SlidersMoveTheMeanAlongModes)
   EXPECT_NEAR(this->View()->LargestOffset(), 0.0, 1e-9);
 }
 
+TEST_F(CohortWindowTest, ThePictureFollowsTheSliders)
+{
+  this->Open();
+  const auto picture = [this]
+  {
+    for (int turn = 0; turn < 3; ++turn)
+    {
+      QApplication::processEvents();
+    }
+    return this->View()->Canvas()->grabFramebuffer();
+  };
+  const QImage mean = picture();
+  this->Slider(1)->setValue(30);
+  const QImage moved = picture();
+  EXPECT_NE(mean, moved);
+  // The middle of the mean is nearly white; three deviations along the mode colour it.
+  const QColor before = mean.pixelColor(mean.width() / 2, mean.height() / 2);
+  const QColor after = moved.pixelColor(moved.width() / 2, moved.height() / 2);
+  EXPECT_LT(before.hsvSaturation(), 40);
+  EXPECT_GT(after.hsvSaturation(), before.hsvSaturation() + 20);
+}
+
 TEST_F(CohortWindowTest, ACaseIsChosenInTableAndDots)
 {
   this->Open();
