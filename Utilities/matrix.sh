@@ -31,7 +31,7 @@ trap end EXIT
 packages=$(grep -v '^#' Utilities/packages.txt |
   grep -vE '^(clang-format|clang-tidy|doxygen|valgrind|snakemake|python3-matplotlib|lib(gsl|sharp|benchmark)-dev)$' |
   paste -sd,)
-kernel_packages=ccache,cmake,ninja-build,pkg-config,libeigen3-dev,nlohmann-json3-dev,python3
+kernel_packages=ccache,cmake,ninja-build,pkg-config,libeigen3-dev,libboost-dev,nlohmann-json3-dev,python3
 
 # The row's suite, packages and options of CMake and mmdebstrap.
 describe() {

@@ -14,7 +14,7 @@ packages=$packages,mpi-default-dev,libgl-dev,libopengl-dev,libglew-dev,libutfcpp
 packages=$packages,libprotobuf-dev,protobuf-compiler,libxt-dev,libxcursor-dev,libdouble-conversion-dev,liblz4-dev,liblzma-dev
 packages=$packages,libexpat1-dev,libjpeg-dev,libtiff-dev,libxml2-dev,libpython3-dev,qtbase5-dev,libqt5svg5-dev,qttools5-dev
 packages=$packages,libcgns-dev,libnetcdf-dev,libgl2ps-dev,libogg-dev,libtheora-dev,libjsoncpp-dev,libsqlite3-dev,libproj-dev,libhpdf-dev
-packages=$packages,libinsighttoolkit5-dev,libdcmtk-dev,libopenjp2-7-dev,libeigen3-dev,libblas-dev,libopenblas0-pthread
+packages=$packages,libinsighttoolkit5-dev,libdcmtk-dev,libopenjp2-7-dev,libeigen3-dev,libboost-dev,libblas-dev,libopenblas0-pthread
 packages=$packages,nlohmann-json3-dev,zlib1g-dev,libx11-dev,xvfb,xauth,libgl1-mesa-dri,mricron-data
 
 end() {

@@ -12,7 +12,7 @@ if [ "${1:-}" = -s ]; then
   shift 2
 fi
 base=$(mktemp -d)
-build=build-essential,cmake,ninja-build,pkg-config,libeigen3-dev,nlohmann-json3-dev,libblas-dev,libusb-1.0-0-dev
+build=build-essential,cmake,ninja-build,pkg-config,libeigen3-dev,libboost-dev,nlohmann-json3-dev,libblas-dev,libusb-1.0-0-dev
 build=$build,pybind11-dev,python3-pybind11,python3-dev,python3-build,python3-venv,python3-scikit-build-core,python3-pathspec
 use=python3-venv,python3-numpy,libblas3,libusb-1.0-0
 
