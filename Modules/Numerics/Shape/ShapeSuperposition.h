@@ -32,7 +32,7 @@ double RmsSizeOf(const SurfaceModel& shape);
 struct SuperposedShape
 {
   SphereRotation Rotation;
-  double Residual = 0.0; ///< RMS over the sphere of the difference in radius or position, mm
+  double Residual = 0.0;      ///< RMS over the sphere of the difference in radius or position, mm
   double ShapeResidual = 0.0; ///< the same with the shape at the size that makes it smallest, mm
 };
 
