@@ -62,22 +62,6 @@ void CopyVector(const Eigen::VectorXd& values, double* numbers)
   }
 }
 
-std::map<std::string, std::string> ReferencesOf(const char* const* references, std::size_t count)
-{
-  std::map<std::string, std::string> found;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::string text = references[i];
-    const std::size_t split = text.find('=');
-    if (split == std::string::npos)
-    {
-      throw std::invalid_argument("the reference " + text + " is not COLUMN=LEVEL");
-    }
-    found[text.substr(0, split)] = text.substr(split + 1);
-  }
-  return found;
-}
-
 SurfaceGraph GraphOf(std::size_t count, const double* areas, const int32_t* triangles,
                      std::size_t triangleCount)
 {
@@ -130,10 +114,10 @@ palpate_design* palpate_design_create(const char* formula, size_t case_count, si
         palpate_design made;
         made.GivenCases = case_count;
         ModelFormula parsed;
+        std::map<std::string, std::string> levels;
         if (Told(ModelFormula::Parse(formula, parsed), error) == 0 ||
-            Told(MakeLinearDesign(table, parsed, ReferencesOf(references, reference_count),
-                                  made.Design),
-                 error) == 0)
+            Told(ParseReferences({references, references + reference_count}, levels), error) == 0 ||
+            Told(MakeLinearDesign(table, parsed, levels, made.Design), error) == 0)
         {
           return nullptr;
         }

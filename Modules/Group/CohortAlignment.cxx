@@ -28,15 +28,7 @@ SurfaceModel CentredReference(const std::filesystem::path& file)
 {
   const SurfaceModel model = ReadModel(file).Surface;
   SurfaceModel aligned = model;
-  const Status status = std::visit(
-      [&](const auto& one)
-      {
-        auto moved = one;
-        Status result = AlignShape(one, AlignmentAxes::Patient, moved);
-        aligned = std::move(moved);
-        return result;
-      },
-      model);
+  const Status status = AlignShape(model, AlignmentAxes::Patient, aligned);
   if (!status.IsOk())
   {
     throw InputError(file.string() + ": " + status.Message());

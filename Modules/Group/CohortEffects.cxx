@@ -14,8 +14,6 @@ namespace palpate
 namespace
 {
 constexpr int EffectFrequency = 16; // 2,562 points, some 3 mm apart on a prostate
-constexpr double EnoughVariance = 0.95;
-constexpr Eigen::Index DegreesPerScore = 5;
 constexpr double Confidence = 0.95;
 
 Eigen::MatrixXd KeptRows(const Eigen::MatrixXd& all, const std::vector<std::size_t>& cases)
@@ -26,22 +24,6 @@ Eigen::MatrixXd KeptRows(const Eigen::MatrixXd& all, const std::vector<std::size
     kept.row(static_cast<Eigen::Index>(i)) = all.row(static_cast<Eigen::Index>(cases[i]));
   }
   return kept;
-}
-
-Eigen::Index CountScores(const ShapeModes& modes, Eigen::Index free)
-{
-  const Eigen::Index most =
-      std::min(std::max<Eigen::Index>(free / DegreesPerScore, 1), modes.Explained.size());
-  double explained = 0.0;
-  for (Eigen::Index k = 0; k < most; ++k)
-  {
-    explained += modes.Explained[k];
-    if (explained >= EnoughVariance)
-    {
-      return k + 1;
-    }
-  }
-  return most;
 }
 
 void CheckEffects(const Status& status)
@@ -120,7 +102,7 @@ CohortEffects FindCohortEffects(const CohortGroup& group, const CovariateTable& 
                          group.Modes.Mean.transpose();
   fitted.Displacements = (fitted.Displacements * effects.Surface.PerCoefficient.transpose()).eval();
   fitted.Model = FitLinearModel(effects.Design, fitted.Displacements);
-  effects.ScoreCount = CountScores(group.Modes, fitted.Model.FreeDegrees);
+  effects.ScoreCount = CountStableModes(group.Modes, fitted.Model.FreeDegrees);
   fitted.Scores = KeptRows(group.Modes.Scores, effects.Design.Cases).leftCols(effects.ScoreCount);
   const auto tested =
       static_cast<double>(std::count_if(effects.Design.Terms.begin(), effects.Design.Terms.end(),

@@ -18,18 +18,12 @@ namespace
 {
 SurfaceModel InPrincipalAxes(const SurfaceModel& model, const std::string& name)
 {
-  return std::visit(
-      [&](const auto& one) -> SurfaceModel
-      {
-        auto aligned = one;
-        if (const Status status = AlignShape(one, AlignmentAxes::Ellipsoid, aligned);
-            !status.IsOk())
-        {
-          throw InputError(name + ": " + status.Message());
-        }
-        return aligned;
-      },
-      model);
+  SurfaceModel aligned = model;
+  if (const Status status = AlignShape(model, AlignmentAxes::Ellipsoid, aligned); !status.IsOk())
+  {
+    throw InputError(name + ": " + status.Message());
+  }
+  return aligned;
 }
 
 /// A name of files that no other case has.

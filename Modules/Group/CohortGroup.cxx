@@ -301,15 +301,14 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
   }
 }
 
-template <typename Model>
-void AddAligned(const Model& model, const std::string& name, CohortGroup& group)
+void AddAligned(const SurfaceModel& model, const std::string& name, CohortGroup& group)
 {
   BodyMoments body;
-  Model aligned = model;
-  Check(MeasureBody(model, body), name);
+  SurfaceModel aligned = model;
+  Check(std::visit([&](const auto& one) { return MeasureBody(one, body); }, model), name);
   Check(AlignShape(model, group.Axes, aligned), name);
   group.Bodies.push_back(body);
-  group.Models.emplace_back(std::move(aligned));
+  group.Models.push_back(std::move(aligned));
 }
 } // namespace
 
@@ -329,7 +328,7 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
   for (std::size_t i = 0; i < models.size(); ++i)
   {
     const std::string& name = group.Rows[i].Case;
-    std::visit([&](const auto& model) { AddAligned(model, name, group); }, models[i]);
+    AddAligned(models[i], name, group);
     NoteOn(group, name, models[i], group.Bodies.back());
     degree = std::max(degree, DegreeOf(models[i]));
   }

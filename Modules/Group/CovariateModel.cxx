@@ -30,21 +30,6 @@ CovariateTable TableOf(const CohortGroup& group, const CovariateRequest& request
   table.Add("area_mm2", areas);
   return table;
 }
-
-std::map<std::string, std::string> ReferencesOf(const CovariateRequest& request)
-{
-  std::map<std::string, std::string> references;
-  for (const std::string& text : request.References)
-  {
-    const std::size_t split = text.find('=');
-    if (split == std::string::npos)
-    {
-      throw InputError("the reference " + text + " is not COLUMN=LEVEL");
-    }
-    references[text.substr(0, split)] = text.substr(split + 1);
-  }
-  return references;
-}
 } // namespace
 
 CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest& request,
@@ -71,7 +56,12 @@ CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest&
                     "left out");
     return;
   }
-  this->Tested = FindCohortEffects(group, this->Table, this->Formula, ReferencesOf(request),
+  std::map<std::string, std::string> references;
+  if (const Status status = ParseReferences(request.References, references); !status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+  this->Tested = FindCohortEffects(group, this->Table, this->Formula, references,
                                    request.Permutations, progress);
   const LinearDesign& design = this->Tested->Design;
   if (!design.Omitted.empty())

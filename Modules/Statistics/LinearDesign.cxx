@@ -319,6 +319,21 @@ std::string LinearDesign::OmissionText() const
                    " cases lack a value of " + Listed(this->Lacking) + " and are omitted";
 }
 
+Status ParseReferences(const std::vector<std::string>& texts,
+                       std::map<std::string, std::string>& references)
+{
+  for (const std::string& text : texts)
+  {
+    const std::size_t split = text.find('=');
+    if (split == std::string::npos)
+    {
+      return Status::Failure("the reference " + text + " is not COLUMN=LEVEL");
+    }
+    references[text.substr(0, split)] = text.substr(split + 1);
+  }
+  return Status::Success();
+}
+
 Status MakeLinearDesign(const CovariateTable& table, const ModelFormula& formula,
                         const std::map<std::string, std::string>& references, LinearDesign& design)
 {

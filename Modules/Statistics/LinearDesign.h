@@ -39,6 +39,10 @@ struct LinearDesign
   std::string OmissionText() const;
 };
 
+/// Reads "COLUMN=LEVEL" texts; of two for one column the last counts. Fails for any other text.
+Status ParseReferences(const std::vector<std::string>& texts,
+                       std::map<std::string, std::string>& references);
+
 /// Makes the design of a formula. `references` has the reference level of factors (columns), whose
 /// default is the first one in the order of their bytes. Cases that lack a value of a used column
 /// are omitted. Fails, with a sentence that names what is wrong, if a column is unknown, a category

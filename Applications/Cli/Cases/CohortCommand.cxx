@@ -169,7 +169,6 @@ int CohortCommand::FitMasks(Console& console) const
   {
     fit.TakeMasks({this->Masks});
   }
-  fit.ChooseCases({});
   return fit.Run(this->Folders.front(), console);
 }
 

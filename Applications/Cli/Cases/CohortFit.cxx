@@ -77,6 +77,7 @@ void CohortFit::TakeMasks(const std::vector<std::string>& inputs)
   {
     this->Cases.push_back({names.OfInput(i), masks[i], {}, {}});
   }
+  this->ListCases();
 }
 
 void CohortFit::TakeManifest(const std::string& manifest, const std::vector<std::string>& inputs)
@@ -89,14 +90,20 @@ void CohortFit::TakeManifest(const std::string& manifest, const std::vector<std:
                      "its paths are relative");
   }
   this->Cases = ReadManifest(manifest, inputs.empty() ? std::string() : inputs.front());
+  this->ListCases();
 }
 
-void CohortFit::ChooseCases(const std::vector<std::string>& names)
+void CohortFit::ListCases()
 {
+  this->Listed.clear();
   for (const CohortCase& one : this->Cases)
   {
     this->Listed.push_back(one.Name);
   }
+}
+
+void CohortFit::ChooseCases(const std::vector<std::string>& names)
+{
   std::vector<CohortCase> chosen;
   for (const std::string& name : names)
   {

@@ -41,6 +41,7 @@ public:
   int Run(const std::filesystem::path& output, Console& console);
 
 private:
+  void ListCases();
   /// Reads the rows of other runs, and of the cases that this one has not done.
   void TakeRowsOfOthers();
   void ReadEarlierRows(bool isAlone);

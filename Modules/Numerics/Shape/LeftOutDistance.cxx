@@ -5,26 +5,9 @@
 
 namespace palpate
 {
-namespace
-{
-constexpr double DescribedVariance = 0.95;
-constexpr Eigen::Index CasesPerMode = 5;
-} // namespace
-
 Eigen::Index CountDistanceModes(const ShapeModes& modes)
 {
-  const Eigen::Index most = std::min(
-      std::max<Eigen::Index>((modes.Scores.rows() - 1) / CasesPerMode, 1), modes.Explained.size());
-  double explained = 0.0;
-  for (Eigen::Index k = 0; k < most; ++k)
-  {
-    explained += modes.Explained[k];
-    if (explained >= DescribedVariance)
-    {
-      return k + 1;
-    }
-  }
-  return most;
+  return CountStableModes(modes, modes.Scores.rows() - 1);
 }
 
 LeftOutDistance DistanceFromOthers(const LeftOutModes& others, Eigen::Index count,

@@ -22,9 +22,7 @@ struct LeftOutDistance
   double Outside = 0.0; ///< distance from what these modes can describe, RMS over the sphere, mm
 };
 
-/// How many modes such distances use: the fewest that explain 95 % of the variance, but a fifth of
-/// the other cases at most, since variances from few cases are too small, and one at least; 0 if
-/// the group has no modes.
+/// How many modes such distances use: CountStableModes of the other cases.
 Eigen::Index CountDistanceModes(const ShapeModes& modes);
 
 /// The distance in the first `count` of the others' modes, all that they have at most; of a group

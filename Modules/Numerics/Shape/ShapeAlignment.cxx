@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include <utility>
+
 namespace palpate
 {
 namespace
@@ -117,5 +119,18 @@ Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
     }
   }
   return status;
+}
+
+Status AlignShape(const SurfaceModel& shape, AlignmentAxes axes, SurfaceModel& aligned)
+{
+  return std::visit(
+      [&](const auto& one)
+      {
+        auto moved = one;
+        Status status = AlignShape(one, axes, moved);
+        aligned = std::move(moved);
+        return status;
+      },
+      shape);
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "ParametricSphericalSurface.h"
 #include "SphericalHarmonicModel.h"
 #include "Status.h"
+#include "SurfaceModel.h"
 
 namespace palpate
 {
@@ -32,4 +33,6 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
 /// it.
 Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
                   ParametricSphericalSurface& aligned);
+/// Of either kind.
+Status AlignShape(const SurfaceModel& shape, AlignmentAxes axes, SurfaceModel& aligned);
 } // namespace palpate

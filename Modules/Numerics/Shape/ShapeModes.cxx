@@ -2,6 +2,7 @@
 
 #include "ThinSvd.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,5 +47,23 @@ Status FindShapeModes(const Eigen::MatrixXd& coefficients, ShapeModes& result)
   result.Scores = centered * result.Modes;
   result.Explained = values.head(count).cwiseAbs2() / values.squaredNorm();
   return Status::Success();
+}
+
+Eigen::Index CountStableModes(const ShapeModes& modes, Eigen::Index freeDegrees)
+{
+  constexpr double EnoughVariance = 0.95;
+  constexpr Eigen::Index DegreesPerMode = 5;
+  const Eigen::Index most =
+      std::min(std::max<Eigen::Index>(freeDegrees / DegreesPerMode, 1), modes.Explained.size());
+  double explained = 0.0;
+  for (Eigen::Index k = 0; k < most; ++k)
+  {
+    explained += modes.Explained[k];
+    if (explained >= EnoughVariance)
+    {
+      return k + 1;
+    }
+  }
+  return most;
 }
 } // namespace palpate

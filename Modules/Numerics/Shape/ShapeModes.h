@@ -23,4 +23,8 @@ struct ShapeModes
 /// remain. The sign of a mode is such that its largest entry is positive. Fails for fewer than two
 /// cases and for non-finite numbers. Allocates.
 Status FindShapeModes(const Eigen::MatrixXd& coefficients, ShapeModes& result);
+
+/// The fewest first modes that explain 95 % of the variance, but a fifth of the free degrees at
+/// most, since variances from few cases are too small, and one at least; 0 if there are no modes.
+Eigen::Index CountStableModes(const ShapeModes& modes, Eigen::Index freeDegrees);
 } // namespace palpate
