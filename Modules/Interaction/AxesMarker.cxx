@@ -16,8 +16,8 @@ namespace
 constexpr double AxisLength = 26.0; // points
 constexpr double Reach = 42.0;      // from the corner to the centre
 constexpr double LetterPlace = 1.3; // of an axis
-constexpr int LetterSize = 12;
-constexpr double LineWidth = 1.5;
+constexpr int AxisLetterSize = 12;
+constexpr double AxisWidth = 1.5;
 } // namespace
 
 AxesMarker::AxesMarker()
@@ -31,7 +31,7 @@ AxesMarker::AxesMarker()
   for (int part = 0; part < 3; ++part)
   {
     auto& letter = this->Letters[static_cast<std::size_t>(part)];
-    letter = MakeViewText(0.5, 0.5, LetterSize); // centred
+    letter = MakeViewText(0.5, 0.5, AxisLetterSize); // centred
     letter->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     SetViewText(letter, OrientationLetters(Vector3::Unit(part)));
     this->Add(letter);
@@ -55,6 +55,6 @@ void AxesMarker::Update(const ViewFrame& frame, int width, double pointPixels)
   }
   this->Lines->SetPoints(points);
   this->Lines->SetLines(lines);
-  this->Axes->GetProperty()->SetLineWidth(static_cast<float>(LineWidth * pointPixels));
+  this->Axes->GetProperty()->SetLineWidth(static_cast<float>(AxisWidth * pointPixels));
 }
 } // namespace palpate

@@ -11,28 +11,28 @@ namespace palpate
 {
 namespace
 {
-constexpr int TextSize = 11; // points
+constexpr int BarTextSize = 11; // points
 constexpr int LabelCount = 5;
-constexpr double Left = 0.02; // all as fractions of the view
-constexpr double Bottom = 0.05;
+constexpr double BarLeft = 0.02; // all as fractions of the view
+constexpr double BarBottom = 0.05;
 constexpr double Width = 0.12;
 constexpr double Height = 0.4;
-constexpr double Gap = 0.045; // under the title, for the highest number
+constexpr double TitleGap = 0.045; // under the title, for the highest number
 } // namespace
 
-ColorBar::ColorBar() : Title(MakeViewText(Left, Bottom + Height + Gap, TextSize))
+ColorBar::ColorBar() : Title(MakeViewText(BarLeft, BarBottom + Height + TitleGap, BarTextSize))
 {
   this->Title->GetTextProperty()->SetVerticalJustificationToBottom();
   this->Bar->SetNumberOfLabels(LabelCount);
   this->Bar->SetLabelFormat("%.3g");
   this->Bar->UnconstrainedFontSizeOn();
-  this->Bar->SetPosition(Left, Bottom);
+  this->Bar->SetPosition(BarLeft, BarBottom);
   this->Bar->SetPosition2(Width, Height);
   this->Bar->SetBarRatio(0.25);
   this->Bar->PickableOff();
   vtkTextProperty* style = this->Bar->GetLabelTextProperty();
   style->SetColor(1.0, 1.0, 1.0);
-  style->SetFontSize(TextSize);
+  style->SetFontSize(BarTextSize);
   style->BoldOff();
   style->ItalicOff();
   this->Add(this->Bar);

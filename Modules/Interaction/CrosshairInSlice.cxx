@@ -8,8 +8,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double Gap = 8.0; // points from the centre to the lines
-constexpr double LineWidth = 1.0;
+constexpr double CenterGap = 8.0; // points from the centre to the lines
+constexpr double CrosshairWidth = 1.0;
 } // namespace
 
 CrosshairInSlice::CrosshairInSlice()
@@ -28,7 +28,7 @@ void CrosshairInSlice::Update(vtkCrosshair* crosshair, SliceOrientation orientat
     return;
   }
   const Vector3 middle = slice.Projected(Vector3(crosshair->GetPositionWorld()));
-  const double gap = Gap * slice.PointPixels * slice.PixelMillimeters;
+  const double gap = CenterGap * slice.PointPixels * slice.PixelMillimeters;
   const double reach =
       (middle - slice.CenterWorld).norm() + slice.PixelMillimeters * (slice.Width + slice.Height);
   const auto lines = [&](const Vector3& along)
@@ -40,9 +40,9 @@ void CrosshairInSlice::Update(vtkCrosshair* crosshair, SliceOrientation orientat
   const bool isSagittal = orientation == SliceOrientation::Sagittal;
   this->Across.SetCurves(lines(slice.Frame.RightWorld), slice.Lift(CrosshairLayer));
   this->Across.SetStyle(ColorOf(isAxial ? SliceOrientation::Coronal : SliceOrientation::Axial), 1.0,
-                        LineWidth * slice.PointPixels);
+                        CrosshairWidth * slice.PointPixels);
   this->Up.SetCurves(lines(slice.Frame.UpWorld), slice.Lift(CrosshairLayer));
   this->Up.SetStyle(ColorOf(isSagittal ? SliceOrientation::Coronal : SliceOrientation::Sagittal),
-                    1.0, LineWidth * slice.PointPixels);
+                    1.0, CrosshairWidth * slice.PointPixels);
 }
 } // namespace palpate

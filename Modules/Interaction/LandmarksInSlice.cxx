@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LineWidth = 1.5; // points
+constexpr double CrossWidth = 1.5; // points
 
 SurfaceCurve Circle(const Vector3& center, double radius, const ViewFrame& frame)
 {
@@ -143,7 +143,7 @@ void LandmarksInSlice::Update(vtkLandmarks* landmarks, const SlicePosition& slic
     AddCurves(*landmarks, slice, drawing);
   }
   this->Marks.SetCurves(drawing.Curves, slice.Lift(LandmarkLayer));
-  this->Marks.SetStyle(color, 1.0, LineWidth * slice.PointPixels);
+  this->Marks.SetStyle(color, 1.0, CrossWidth * slice.PointPixels);
   this->Labels.Update(drawing.Labels, color);
 }
 } // namespace palpate

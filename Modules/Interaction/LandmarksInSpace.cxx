@@ -13,8 +13,8 @@ namespace palpate
 namespace
 {
 constexpr int SphereResolution = 16;
-constexpr double LineWidth = 2.0;  // pixels
-constexpr double TubeShare = 0.15; // of the spheres' radius
+constexpr double MeasureWidth = 2.0; // pixels
+constexpr double TubeShare = 0.15;   // of the spheres' radius
 constexpr int TubeSides = 8;
 } // namespace
 
@@ -95,7 +95,7 @@ void LandmarksInSpace::Update(vtkLandmarks* landmarks)
   this->Sphere->SetRadius(landmarks->GetRadius());
   this->Spheres->GetProperty()->SetColor(landmarks->GetColor());
   this->Lines.SetCurves(lines, Vector3::Zero());
-  this->Lines.SetStyle(color, 1.0, LineWidth);
+  this->Lines.SetStyle(color, 1.0, MeasureWidth);
   this->Tube->SetRadius(TubeShare * landmarks->GetRadius());
   this->Tubes->GetProperty()->SetColor(landmarks->GetColor());
   this->Labels.Update(labels, color);

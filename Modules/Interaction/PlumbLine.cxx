@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LineWidth = 1.5; // pixels
+constexpr double PlumbWidth = 1.5; // pixels
 }
 
 void PlumbLine::SetRenderer(vtkRenderer* renderer)
@@ -43,7 +43,7 @@ void PlumbLine::Update(vtkProbeRepresentation* probe, LengthUnit unit)
   const double distance = std::max(0.0, (nearest - tool).norm() - probe->GetToolRadius());
   const double* color = probe->GetColor();
   this->Line.SetCurves({{{tool, nearest}, false}}, Vector3::Zero());
-  this->Line.SetStyle({{color[0], color[1], color[2]}}, 1.0, LineWidth);
+  this->Line.SetStyle({{color[0], color[1], color[2]}}, 1.0, PlumbWidth);
   this->Length.Update({{LengthText(unit, distance, 1), 0.5 * (tool + nearest)}},
                       {{color[0], color[1], color[2]}});
 }

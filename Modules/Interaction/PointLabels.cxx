@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int TextSize = 10; // points
+constexpr int LabelTextSize = 10; // points
 } // namespace
 
 void PointLabels::SetRenderer(vtkRenderer* renderer)
@@ -32,7 +32,7 @@ void PointLabels::Resize(std::size_t count)
   }
   while (this->Texts.size() < count && this->Renderer != nullptr)
   {
-    this->Texts.push_back(MakeViewText(0.0, 0.0, TextSize));
+    this->Texts.push_back(MakeViewText(0.0, 0.0, LabelTextSize));
     this->Texts.back()->GetPositionCoordinate()->SetCoordinateSystemToWorld();
     this->Renderer->AddViewProp(this->Texts.back());
   }

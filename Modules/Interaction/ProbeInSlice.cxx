@@ -12,7 +12,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double ProbeOpacity = 0.6;
+constexpr double CutProbeOpacity = 0.6;
 constexpr double ProbeWidth = 1.0; // points
 constexpr double ProxyWidth = 2.0;
 constexpr double ArrowWidth = 2.0;
@@ -24,8 +24,8 @@ std::array<double, 3> ToArray(const double* color)
 }
 } // namespace
 
-std::vector<SurfaceCurve> CutTool(vtkPolyData* tool, vtkMatrix4x4* place,
-                                  const Vector3& originWorld, const Vector3& normalWorld)
+std::vector<SurfaceCurve> ToolSection(vtkPolyData* tool, vtkMatrix4x4* place,
+                                      const Vector3& originWorld, const Vector3& normalWorld)
 {
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> pose(place->GetData());
   const Matrix3 turn = pose.topLeftCorner<3, 3>();
@@ -76,12 +76,12 @@ void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& sl
   }
   const Vector3& normal = slice.Frame.TowardsViewerWorld;
   const auto cut = [&](vtkMatrix4x4* place)
-  { return CutTool(probe->GetTool(), place, slice.CenterWorld, normal); };
+  { return ToolSection(probe->GetTool(), place, slice.CenterWorld, normal); };
   const std::vector<SurfaceCurve> proxy = cut(probe->GetProxyMatrix());
   this->Probe.SetCurves(cut(probe->GetProbeMatrix()), slice.Lift(ProbeLayer));
   this->Proxy.SetCurves(proxy, slice.Lift(ProbeLayer));
   const double size = slice.PointPixels;
-  this->Probe.SetStyle(ToArray(probe->GetColor()), ProbeOpacity, ProbeWidth * size);
+  this->Probe.SetStyle(ToArray(probe->GetColor()), CutProbeOpacity, ProbeWidth * size);
   this->Proxy.SetStyle(ToArray(probe->GetColor()), 1.0, ProxyWidth * size);
 
   const Vector3 from = probe->ProxyWorld();

@@ -14,9 +14,10 @@ class vtkProbeRepresentation;
 namespace palpate
 {
 /// Cross-section of a tool, placed by a rigid matrix, with a plane; world, mm.
-PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve> CutTool(vtkPolyData* tool, vtkMatrix4x4* place,
-                                                            const Vector3& originWorld,
-                                                            const Vector3& normalWorld);
+PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve> ToolSection(vtkPolyData* tool,
+                                                                vtkMatrix4x4* place,
+                                                                const Vector3& originWorld,
+                                                                const Vector3& normalWorld);
 
 /// A flat arrow along a vector, its head in the plane perpendicular to `normal`. Empty for a zero
 /// vector.

@@ -21,7 +21,7 @@ constexpr double ProbeOpacity = 0.35;
 constexpr double ArrowThickness = 14.0;
 constexpr double LeastForce = 1e-3; // N; shorter arrows are not drawn
 
-void SetMaterial(vtkActor* actor)
+void SetToolMaterial(vtkActor* actor)
 {
   actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
   actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
@@ -56,7 +56,7 @@ ProbeInSpace::ProbeInSpace()
   this->Arrow->SetUserMatrix(vtkNew<vtkMatrix4x4>());
   for (vtkActor* actor : {this->Probe.Get(), this->Proxy.Get(), this->Arrow.Get()})
   {
-    SetMaterial(actor);
+    SetToolMaterial(actor);
     this->Add(actor);
   }
 }

@@ -15,14 +15,14 @@ namespace palpate
 {
 namespace
 {
-constexpr double Left = 0.02;        // of the view's width
-constexpr double Bottom = 0.03;      // of its height
+constexpr double ScaleLeft = 0.02;   // of the view's width
+constexpr double ScaleBottom = 0.03; // of its height
 constexpr double LargestShare = 0.3; // of its width
 constexpr double TickPoints = 4.0;
-constexpr int TextSize = 11;
+constexpr int ScaleTextSize = 11;
 } // namespace
 
-ScaleBar::ScaleBar() : Label(MakeViewText(Left, Bottom, TextSize))
+ScaleBar::ScaleBar() : Label(MakeViewText(ScaleLeft, ScaleBottom, ScaleTextSize))
 {
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(this->Line);
@@ -49,9 +49,9 @@ void ScaleBar::Update(double pixelMillimeters, int width, int height, double poi
                       LengthUnit unit)
 {
   this->Length = RoundLength(LargestShare * width * pixelMillimeters);
-  const double left = Left * width;
+  const double left = ScaleLeft * width;
   const double right = left + this->Length / pixelMillimeters;
-  const double bottom = Bottom * height;
+  const double bottom = ScaleBottom * height;
   const double tick = TickPoints * pointPixels;
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(left, bottom + tick, 0.0);
@@ -64,6 +64,6 @@ void ScaleBar::Update(double pixelMillimeters, int width, int height, double poi
   this->Line->SetLines(lines);
   this->Bar->GetProperty()->SetLineWidth(static_cast<float>(0.5 * tick));
   SetViewText(this->Label, LengthText(unit, this->Length, this->Length < 1.0 ? 3 : 0));
-  this->Label->SetPosition(Left, Bottom + 1.5 * tick / height);
+  this->Label->SetPosition(ScaleLeft, ScaleBottom + 1.5 * tick / height);
 }
 } // namespace palpate

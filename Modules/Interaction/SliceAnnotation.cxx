@@ -10,7 +10,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int TextSize = 11; // points
+constexpr int AnnotationTextSize = 11; // points
 
 // "Axial  91 / 181" and, below, "S 19.0 mm".
 std::string Describe(SliceOrientation orientation, const SliceGeometry& geometry,
@@ -28,7 +28,7 @@ std::string Describe(SliceOrientation orientation, const SliceGeometry& geometry
 }
 } // namespace
 
-SliceAnnotation::SliceAnnotation() : Text(MakeViewText(0.015, 0.985, TextSize))
+SliceAnnotation::SliceAnnotation() : Text(MakeViewText(0.015, 0.985, AnnotationTextSize))
 {
   vtkTextProperty* style = this->Text->GetTextProperty();
   style->ShadowOff(); // VTK would draw a white one under such colours
