@@ -14,7 +14,7 @@ namespace palpate::bench
 {
 namespace
 {
-using Sample = SphericalHarmonicModel::Sample;
+using BoundSample = SphericalHarmonicModel::Sample;
 
 constexpr double HalfAngle = 0.5; // rad
 constexpr int SampleCount = 642;  // the vertices of an icosahedron of frequency 8
@@ -71,7 +71,8 @@ public:
     {
       this->Bounds.Model().EvaluateBatch(this->Directions[i].data(), SampleCount,
                                          this->Samples.data());
-      const auto less = [](const Sample& a, const Sample& b) { return a.Radius < b.Radius; };
+      const auto less = [](const BoundSample& a, const BoundSample& b)
+      { return a.Radius < b.Radius; };
       const auto extremes = std::minmax_element(this->Samples.begin(), this->Samples.end(), less);
       this->Sampled[i] = {extremes.first->Radius, extremes.second->Radius};
     }
@@ -111,7 +112,7 @@ private:
   SphericalHarmonicBounds Bounds;
   std::vector<Vector3> Axes;
   std::vector<std::vector<Vector3>> Directions;
-  std::vector<Sample> Samples;
+  std::vector<BoundSample> Samples;
   std::vector<RadiusInterval> Certified;
   std::vector<RadiusInterval> Sampled;
 };

@@ -16,10 +16,10 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr std::size_t Ticks = 500;
-constexpr double Step = 0.05;  // mm a tick: 50 mm/s at 1 kHz
-constexpr double Depth = 1.5;  // mm
-constexpr double Radius = 6.0; // mm, of the sphere
+constexpr std::size_t BumpTicks = 500;
+constexpr double BumpStep = 0.05;      // mm a tick: 50 mm/s at 1 kHz
+constexpr double BumpDepth = 1.5;      // mm
+constexpr double BumpToolRadius = 6.0; // mm, of the sphere
 
 // A probe that wanders `depth` below where a tool of this radius touches.
 std::vector<Vector3> PathOn(const SphericalHarmonicModel& organ, double toolRadius)
@@ -28,11 +28,11 @@ std::vector<Vector3> PathOn(const SphericalHarmonicModel& organ, double toolRadi
   std::vector<Vector3> path;
   Vector3 place = Vector3::UnitX();
   Vector3 axis = test::RandomDirection(random);
-  while (path.size() < Ticks)
+  while (path.size() < BumpTicks)
   {
     axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
-    place = (Eigen::AngleAxisd(Step / 20.0, axis) * place).normalized();
-    path.push_back(organ.PointWorld(place) + (toolRadius - Depth) * organ.Normal(place));
+    place = (Eigen::AngleAxisd(BumpStep / 20.0, axis) * place).normalized();
+    path.push_back(organ.PointWorld(place) + (toolRadius - BumpDepth) * organ.Normal(place));
   }
   return path;
 }
@@ -69,13 +69,13 @@ public:
   explicit HollowCase(int degree)
   {
     const auto organ = OrganOf(degree);
-    this->Path = PathOn(*organ, Radius);
+    this->Path = PathOn(*organ, BumpToolRadius);
     std::shared_ptr<const HarmonicSurface> surface;
     if (HarmonicSurface::Make(organ, surface).IsOk())
     {
       this->Nearest = surface->Search().Nearest(this->Path.front());
-      this->Proving.emplace(surface, Radius);
-      this->Searching.emplace(surface, Radius);
+      this->Proving.emplace(surface, BumpToolRadius);
+      this->Searching.emplace(surface, BumpToolRadius);
     }
   }
 
@@ -86,7 +86,7 @@ public:
   }
   void Search()
   {
-    this->Searching->Begin(this->Nearest.PointWorld + Radius * this->Nearest.Normal);
+    this->Searching->Begin(this->Nearest.PointWorld + BumpToolRadius * this->Nearest.Normal);
     Follow(*this->Searching, this->Theirs);
   }
   std::string Compared() const { return Disagreement(this->Ours, this->Theirs); }
@@ -95,7 +95,7 @@ private:
   template <typename Wedge>
   void Follow(Wedge& wedge, std::vector<Vector3>& places) const
   {
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < BumpTicks; ++i)
     {
       wedge.MoveTo(this->Path[i]);
       places[i] = wedge.CenterWorld();
@@ -106,8 +106,8 @@ private:
   ClosestPoint Nearest;
   std::optional<HarmonicWedge> Proving;
   std::optional<test::SearchedWedge> Searching;
-  std::vector<Vector3> Ours{Ticks};
-  std::vector<Vector3> Theirs{Ticks};
+  std::vector<Vector3> Ours{BumpTicks};
+  std::vector<Vector3> Theirs{BumpTicks};
 };
 
 PairedBenchmark HollowBenchmark(int degree)
@@ -118,7 +118,7 @@ PairedBenchmark HollowBenchmark(int degree)
           [hollows] { hollows->Prove(); },
           [hollows] { hollows->Search(); },
           [hollows] { return hollows->Compared(); },
-          Ticks};
+          BumpTicks};
 }
 } // namespace
 

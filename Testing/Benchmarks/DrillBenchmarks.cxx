@@ -19,7 +19,7 @@ namespace
 constexpr double Spacing = 0.3; // mm
 constexpr int Size = 120;       // nodes along an axis
 constexpr double Top = 12.0;    // mm
-constexpr std::size_t Ticks = 400;
+constexpr std::size_t DrillTicks = 400;
 
 FieldGrid Grid()
 {
@@ -100,7 +100,7 @@ public:
     }
     servo.Command(DrillCommand::Reset);
     TickInfo last;
-    last.Number = Ticks;
+    last.Number = DrillTicks;
     servo.Tick(last);
     this->Editor->Take();
   }
@@ -121,7 +121,7 @@ public:
   {
     this->BuildFromSamples();
     std::ostringstream text;
-    if (this->Orders < Ticks / 8 || !(this->Removed > 0.5))
+    if (this->Orders < DrillTicks / 8 || !(this->Removed > 0.5))
     {
       text << "only " << this->Orders << " cuts removed " << this->Removed << " mm3";
     }
@@ -137,7 +137,7 @@ public:
 private:
   void Press(test::ScriptedDevice& device, Servo& servo) const
   {
-    for (std::size_t n = 0; n < Ticks; ++n)
+    for (std::size_t n = 0; n < DrillTicks; ++n)
     {
       const double angle = 0.01 * static_cast<double>(n);
       const double height = Top + this->Radius - std::min(0.02 * static_cast<double>(n), 2.0) + 0.3;
@@ -174,7 +174,7 @@ PairedBenchmark DrillBenchmark(double radius, const std::string& name)
           [drill] { drill->Drill(); },
           [drill] { drill->Touch(); },
           [drill] { return drill->Compared(); },
-          Ticks};
+          DrillTicks};
 }
 } // namespace
 

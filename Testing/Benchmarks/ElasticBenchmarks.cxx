@@ -22,11 +22,11 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr std::size_t Ticks = 500;
-constexpr double Ball = 8.0; // mm
+constexpr std::size_t ElasticTicks = 500;
+constexpr double BallRadius = 8.0; // mm
 constexpr int Degrees[] = {8, 12, 16, 20, 24};
 
-std::string NameOf(int degree)
+std::string NameOfDegree(int degree)
 {
   return "elastic/tick/degree" + std::to_string(degree);
 }
@@ -60,7 +60,7 @@ public:
     test::Random random(73);
     Vector3 place = test::RandomDirection(random);
     const Vector3 axis = place.unitOrthogonal();
-    for (std::size_t tick = 0; tick < Ticks; ++tick)
+    for (std::size_t tick = 0; tick < ElasticTicks; ++tick)
     {
       place = (Eigen::AngleAxisd(0.05 / 20.0, axis) * place).normalized();
       this->Places.push_back(place);
@@ -71,10 +71,10 @@ public:
   void Run()
   {
     double patch = 0.0;
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < ElasticTicks; ++i)
     {
-      this->Ours[i] =
-          ElasticForce::Of(this->Atlas, this->Model, this->Places[i], this->Depths[i], Ball, patch);
+      this->Ours[i] = ElasticForce::Of(this->Atlas, this->Model, this->Places[i], this->Depths[i],
+                                       BallRadius, patch);
       patch = this->Ours[i].PatchRadius;
     }
   }
@@ -82,7 +82,7 @@ public:
   void RunByGsl()
   {
     double patch = 0.0;
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < ElasticTicks; ++i)
     {
       PatchCompliance place{{}, this->Atlas.LargestPatch()};
       for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
@@ -90,7 +90,7 @@ public:
         place.Coefficients[term] = this->Maps[term].Evaluate(this->Places[i]).Radius;
       }
       const double curvature = this->Maps.back().Evaluate(this->Places[i]).Radius;
-      this->Theirs[i] = BallContact::Of(this->Depths[i], Ball, curvature, place, patch);
+      this->Theirs[i] = BallContact::Of(this->Depths[i], BallRadius, curvature, place, patch);
       patch = this->Theirs[i].PatchRadius;
     }
   }
@@ -100,7 +100,7 @@ public:
   {
     constexpr double Rounding = 1e-9;
     double worst = 0.0;
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < ElasticTicks; ++i)
     {
       const double off = std::abs(this->Ours[i].Energy / this->Theirs[i].Energy - 1.0);
       worst = off <= worst ? worst : off;
@@ -122,19 +122,19 @@ private:
   std::vector<GslHarmonics> Maps;
   std::vector<Vector3> Places;
   std::vector<double> Depths;
-  std::vector<ElasticForce> Ours{Ticks};
-  std::vector<BallContact> Theirs{Ticks};
+  std::vector<ElasticForce> Ours{ElasticTicks};
+  std::vector<BallContact> Theirs{ElasticTicks};
 };
 
 PairedBenchmark TickBenchmark(int degree)
 {
   const auto tick = std::make_shared<TickCase>(degree);
-  return {NameOf(degree),
+  return {NameOfDegree(degree),
           "GSL, eight maps by deriv_alt_array and sums, the same contact",
           [tick] { tick->Run(); },
           [tick] { tick->RunByGsl(); },
           [tick] { return tick->Compared(); },
-          Ticks};
+          ElasticTicks};
 }
 
 ComplianceMaps LesionMaps(int degree)
@@ -176,7 +176,7 @@ std::vector<ElasticMapRow> ElasticMapRows(const std::vector<Comparison>& compari
   {
     const auto measured = std::find_if(comparisons.begin(), comparisons.end(),
                                        [&](const Comparison& comparison)
-                                       { return comparison.Name == NameOf(degree); });
+                                       { return comparison.Name == NameOfDegree(degree); });
     if (measured != comparisons.end())
     {
       const ComplianceMaps maps = LesionMaps(degree);

@@ -21,14 +21,14 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr double Radius = 25.0;   // mm
-constexpr double CoreDepth = 5.0; // mm
-constexpr double Tissue = 0.02;   // N/mm^2
-constexpr double Core = 0.08;     // N/mm^2
-constexpr double Bed = 1e-3;      // N/mm^3
+constexpr double BodyRadius = 25.0; // mm
+constexpr double CoreDepth = 5.0;   // mm
+constexpr double Tissue = 0.02;     // N/mm^2
+constexpr double Core = 0.08;       // N/mm^2
+constexpr double Bed = 1e-3;        // N/mm^3
 constexpr double Poisson = 0.49;
 
-void Require(const Status& status)
+void RequireBuild(const Status& status)
 {
   if (!status.IsOk())
   {
@@ -38,8 +38,9 @@ void Require(const Status& status)
 
 LayeredSphere Truth(bool hasCore)
 {
-  return hasCore ? LayeredSphere({{Radius - CoreDepth, Core}, {Radius, Tissue}}, Poisson, Bed)
-                 : LayeredSphere({{Radius, Tissue}}, Poisson, Bed);
+  return hasCore
+             ? LayeredSphere({{BodyRadius - CoreDepth, Core}, {BodyRadius, Tissue}}, Poisson, Bed)
+             : LayeredSphere({{BodyRadius, Tissue}}, Poisson, Bed);
 }
 
 // Of this process since ForgetPeak, MiB; the peak of its life where the kernel does not forget.
@@ -66,12 +67,12 @@ void ForgetPeak()
 struct Body
 {
   explicit Body(bool hasCore)
-      : HasCore(hasCore), Model(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()),
+      : HasCore(hasCore), Model(0, {BodyRadius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()),
         Sphere(Truth(hasCore)), Contact(Sphere, 7.0, 80)
   {
     if (hasCore)
     {
-      this->Solid.Tissue.AddInclusion(test::BallFraction(Vector3::Zero(), Radius - CoreDepth),
+      this->Solid.Tissue.AddInclusion(test::BallFraction(Vector3::Zero(), BodyRadius - CoreDepth),
                                       Core);
     }
   }
@@ -83,9 +84,9 @@ struct Body
   test::UnilateralSphere Contact;
 };
 
-void Measure(const Body& body, const ReducedCompliance& reduced, ElasticBuildRow& row)
+void MeasureBuild(const Body& body, const ReducedCompliance& reduced, ElasticBuildRow& row)
 {
-  constexpr double Ball = 8.0;         // mm
+  constexpr double TipRadius = 8.0;    // mm
   constexpr double LargestPatch = 9.0; // mm
   const auto worse = [](double worst, double found, double exact)
   { return std::fmax(worst, std::abs(found / exact - 1.0)); };
@@ -103,13 +104,13 @@ void Measure(const Body& body, const ReducedCompliance& reduced, ElasticBuildRow
     for (const double depth : {0.5, 1.0, 2.0, 3.0, 4.0})
     {
       row.ForceError =
-          worse(row.ForceError, BallContact::Of(depth, Ball, 1.0 / Radius, place).Force,
-                body.Contact.Force(Ball, depth));
+          worse(row.ForceError, BallContact::Of(depth, TipRadius, 1.0 / BodyRadius, place).Force,
+                body.Contact.Force(TipRadius, depth));
     }
   }
 }
 
-ElasticBuildRow MakeRow(const Body& body, int elementsAcross, int degree)
+ElasticBuildRow MakeBuildRow(const Body& body, int elementsAcross, int degree)
 {
   ElasticBuildRow row{elementsAcross, degree, body.HasCore, 0.0, 0.0, 0.0, 0.0};
   ForgetPeak();
@@ -118,12 +119,12 @@ ElasticBuildRow MakeRow(const Body& body, int elementsAcross, int degree)
   StarMesh mesh;
   StiffnessMatrix stiffness;
   ReducedCompliance reduced;
-  Require(StarMesh::Make(body.Model, elementsAcross, mesh));
-  Require(AssembleStiffness(mesh, body.Model.CenterWorld(), body.Solid, stiffness));
-  Require(ReducedCompliance::Make(mesh, stiffness, degree, {}, reduced));
+  RequireBuild(StarMesh::Make(body.Model, elementsAcross, mesh));
+  RequireBuild(AssembleStiffness(mesh, body.Model.CenterWorld(), body.Solid, stiffness));
+  RequireBuild(ReducedCompliance::Make(mesh, stiffness, degree, {}, reduced));
   row.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   row.Mebibytes = PeakMebibytes() - before;
-  Measure(body, reduced, row);
+  MeasureBuild(body, reduced, row);
   return row;
 }
 } // namespace
@@ -138,7 +139,7 @@ std::vector<ElasticBuildRow> ElasticBuilds()
     {
       for (const int degree : {8, 12, 16})
       {
-        rows.push_back(MakeRow(body, elementsAcross, degree));
+        rows.push_back(MakeBuildRow(body, elementsAcross, degree));
       }
     }
   }

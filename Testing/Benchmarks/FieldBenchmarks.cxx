@@ -22,13 +22,13 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Nodes = 160;
+constexpr int SkullNodes = 160;
 constexpr int Points = 26 * 770;
 constexpr int ImageSide = 96;
 constexpr int TouchRays = 4000;
 constexpr double TouchReach = 10.0; // mm
 
-void MakeImage(const SkullPhantom& skull, vtkImageData* image)
+void MakeSkullImage(const SkullPhantom& skull, vtkImageData* image)
 {
   image->SetDimensions(skull.Grid.Size().data());
   image->SetSpacing(skull.Grid.Spacing().data());
@@ -149,10 +149,10 @@ class FieldCase
 {
 public:
   FieldCase()
-      : Skull(Nodes), Itk(MakeItkInterpolators(Skull.Grid, Skull.Samples)),
+      : Skull(SkullNodes), Itk(MakeItkInterpolators(Skull.Grid, Skull.Samples)),
         PointsWorld(PointsOfATool(Skull)), Ours(PointsWorld.size()), Theirs(PointsWorld.size())
   {
-    MakeImage(this->Skull, this->Image);
+    MakeSkullImage(this->Skull, this->Image);
     this->Implicit->SetVolume(this->Image);
     this->Linear->SetInterpolationModeToLinear();
     this->Linear->Initialize(this->Image);

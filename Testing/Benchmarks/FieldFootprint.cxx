@@ -20,7 +20,7 @@ namespace palpate::bench
 namespace
 {
 template <typename Run>
-double SecondsOf(const Run& run)
+double FootprintSeconds(const Run& run)
 {
   const auto start = std::chrono::steady_clock::now();
   run();
@@ -49,7 +49,7 @@ double SecondsOfDense(vtkImageData* image, FieldInterpolation interpolation)
     filter = coefficients;
   }
   filter->SetInputDataObject(image);
-  return SecondsOf([filter] { filter->Update(); });
+  return FootprintSeconds([filter] { filter->Update(); });
 }
 
 void CheckAnswers(const SkullPhantom& skull, const std::shared_ptr<const ScalarField>& field)
@@ -69,7 +69,7 @@ void CheckAnswers(const SkullPhantom& skull, const std::shared_ptr<const ScalarF
   }
 }
 
-FieldFootprintRow MakeRow(SkullPhantom& skull, FieldInterpolation interpolation)
+FieldFootprintRow MakeFootprintRow(SkullPhantom& skull, FieldInterpolation interpolation)
 {
   FieldFootprintRow row{};
   row.Nodes = skull.Grid.Size()[0];
@@ -77,7 +77,7 @@ FieldFootprintRow MakeRow(SkullPhantom& skull, FieldInterpolation interpolation)
   row.DenseBytes = sizeof(float) * skull.Samples.size();
   row.DenseBuildSeconds = SecondsOfDense(ImageOf(skull), interpolation);
   std::shared_ptr<const ScalarField> field;
-  row.BuildSeconds = SecondsOf([&] { field = skull.MakeField(interpolation); });
+  row.BuildSeconds = FootprintSeconds([&] { field = skull.MakeField(interpolation); });
   CheckAnswers(skull, field);
   row.Bytes = field->Bytes();
   row.StoredPart = static_cast<double>(field->Channel(0).BlockCount()) /
@@ -92,8 +92,8 @@ std::vector<FieldFootprintRow> FieldFootprints()
   for (const int nodes : {128, 192, 256, 384, 512})
   {
     SkullPhantom skull(nodes);
-    rows.push_back(MakeRow(skull, FieldInterpolation::Trilinear));
-    rows.push_back(MakeRow(skull, FieldInterpolation::TricubicBSpline));
+    rows.push_back(MakeFootprintRow(skull, FieldInterpolation::Trilinear));
+    rows.push_back(MakeFootprintRow(skull, FieldInterpolation::TricubicBSpline));
   }
   return rows;
 }

@@ -24,20 +24,20 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 using Options = SphericalHarmonicFitOptions;
 
-constexpr int Degree = 12;
+constexpr int FitDegree = 12;
 
 // The paper's case: 4,002 directions, degree 12, noise of 0.1 mm; for the robust fit a tenth of the
 // samples far off.
 class FitCase
 {
 public:
-  explicit FitCase(bool outliers = false) : Moments(Degree)
+  explicit FitCase(bool outliers = false) : Moments(FitDegree)
   {
     const IcosahedronDirections sphere(20);
     test::Random random(12);
-    const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+    const SphericalHarmonicModel organ = test::RandomOrgan(random, FitDegree);
     std::normal_distribution<double> noise(0.0, 0.1);
-    const SphericalHarmonicBasis basis(Degree);
+    const SphericalHarmonicBasis basis(FitDegree);
     this->Samples = {sphere.Directions(), {}, sphere.SolidAngles()};
     const auto rows = static_cast<Eigen::Index>(sphere.Directions().size());
     this->Design.resize(rows, static_cast<Eigen::Index>(basis.Size()));
@@ -65,14 +65,14 @@ public:
 
   void FitOrthogonally()
   {
-    OrthogonalSolver solver(Degree);
+    OrthogonalSolver solver(FitDegree);
     this->Fit(solver, Options::Robust::None);
   }
 
   void Fit(LeastSquaresSolver& solver, Options::Robust robust)
   {
     Options options;
-    options.Degree = Degree;
+    options.Degree = FitDegree;
     options.RobustKind = robust;
     this->Outcome = FitRun(this->Samples, options, solver).Run(this->Result);
     this->Ours =
@@ -149,7 +149,7 @@ protected:
   MomentSolver Moments; // keeps its tables from fit to fit
   SphericalHarmonicFitResult Result;
   Status Outcome = Status::Failure("the fit did not run");
-  Vector Ours = Vector::Zero((Degree + 1) * (Degree + 1));
+  Vector Ours = Vector::Zero((FitDegree + 1) * (FitDegree + 1));
   Vector Solution;
 };
 

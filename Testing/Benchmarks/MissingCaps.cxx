@@ -17,7 +17,7 @@ namespace
 {
 using Options = SphericalHarmonicFitOptions;
 
-constexpr int Degree = 12;
+constexpr int CapDegree = 12;
 constexpr double Noise = 0.3; // mm
 
 struct PenaltyKind
@@ -65,7 +65,7 @@ RadialSamples Samples(const IcosahedronDirections& sphere, const SphericalHarmon
 Options FitOptions(Options::Penalty kind, double strength)
 {
   Options options;
-  options.Degree = Degree;
+  options.Degree = CapDegree;
   options.PenaltyKind = kind;
   options.Roughness = strength;
   options.MaximumCondition = std::numeric_limits<double>::infinity();
@@ -76,7 +76,7 @@ Errors Fit(const IcosahedronDirections& sphere, double capDegrees, const Penalty
            unsigned seed)
 {
   test::Random random(seed);
-  const SphericalHarmonicModel body = test::RandomOrgan(random, Degree);
+  const SphericalHarmonicModel body = test::RandomOrgan(random, CapDegree);
   const Options options = FitOptions(penalty.Kind, penalty.Strength);
   SphericalHarmonicFitResult result;
   constexpr double NoFit = std::numeric_limits<double>::infinity();
@@ -84,7 +84,7 @@ Errors Fit(const IcosahedronDirections& sphere, double capDegrees, const Penalty
   {
     return {NoFit, NoFit, 0.0};
   }
-  const SphericalHarmonicModel fitted(Degree, result.Coefficients, Vector3::Zero());
+  const SphericalHarmonicModel fitted(CapDegree, result.Coefficients, Vector3::Zero());
   Errors errors;
   errors.Strength = result.Roughness;
   for (const Vector3& direction : sphere.Directions())
@@ -95,8 +95,8 @@ Errors Fit(const IcosahedronDirections& sphere, double capDegrees, const Penalty
   return errors;
 }
 
-MissingCapRow MakeRow(const IcosahedronDirections& sphere, double capDegrees,
-                      const PenaltyKind& penalty, int bodies)
+MissingCapRow MakeCapRow(const IcosahedronDirections& sphere, double capDegrees,
+                         const PenaltyKind& penalty, int bodies)
 {
   MissingCapRow row{};
   row.CapDegrees = capDegrees;
@@ -130,7 +130,7 @@ MissingCapRow MakeRow(const IcosahedronDirections& sphere, double capDegrees,
   return row;
 }
 
-const char* NameOf(DirectionCoverage::Verdict verdict)
+const char* NameOfVerdict(DirectionCoverage::Verdict verdict)
 {
   switch (verdict)
   {
@@ -153,7 +153,7 @@ std::vector<MissingCapRow> MissingCaps(int bodies)
   {
     for (const PenaltyKind& penalty : Penalties)
     {
-      rows.push_back(MakeRow(sphere, cap, penalty, bodies));
+      rows.push_back(MakeCapRow(sphere, cap, penalty, bodies));
     }
   }
   return rows;
@@ -171,7 +171,7 @@ std::string ToMarkdown(const std::vector<MissingCapRow>& rows)
     text << "| " << static_cast<int>(row.CapDegrees) << "° | " << row.Penalty << " | "
          << row.Strength << " | " << row.Condition << " | " << row.NoiseGainRms << " | "
          << row.NoiseGainMaximum << " | " << row.ErrorOutside << " | " << row.ErrorInside << " | "
-         << NameOf(row.Verdict) << " |\n";
+         << NameOfVerdict(row.Verdict) << " |\n";
   }
   return text.str();
 }

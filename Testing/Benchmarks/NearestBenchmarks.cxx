@@ -25,7 +25,7 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Ticks = 4000;
+constexpr int NearestTicks = 4000;
 
 std::shared_ptr<const SphericalHarmonicModel> MakeModel()
 {
@@ -40,7 +40,7 @@ std::vector<Vector3> MakePath(const SphericalHarmonicModel& model)
   std::vector<Vector3> path;
   Vector3 query = model.PointWorld(Vector3::UnitX());
   Vector3 velocity = test::RandomDirection(random);
-  while (path.size() < Ticks)
+  while (path.size() < NearestTicks)
   {
     const Vector3 outwards = query - model.CenterWorld();
     const Vector3 u = outwards.normalized();
@@ -237,10 +237,11 @@ std::vector<PairedBenchmark> NearestBenchmarks()
   const auto agree = [nearest] { return nearest->Disagreement(); };
   return {{"sh/nearest/degree12/warm",
            "vtkStaticCellLocator within the last distance, 8,000 triangles",
-           [nearest] { nearest->Track(); }, [nearest] { nearest->LocateFromLast(); }, agree, Ticks},
+           [nearest] { nearest->Track(); }, [nearest] { nearest->LocateFromLast(); }, agree,
+           NearestTicks},
           {"sh/nearest/degree12/cold", "vtkImplicitPolyDataDistance, 8,000 triangles",
            [nearest] { nearest->FindNearest(); }, [nearest] { nearest->FindSignedDistance(); },
-           agree, Ticks},
+           agree, NearestTicks},
           {"sh/curvature/degree12", "vtkCurvatures, 8,000 triangles",
            [curvature] { curvature->Evaluate(); }, [curvature] { curvature->EvaluateMesh(); },
            [curvature] { return curvature->Disagreement(); }, curvature->Items()}};

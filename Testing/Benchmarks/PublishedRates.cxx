@@ -27,7 +27,7 @@ namespace palpate::bench
 namespace
 {
 constexpr int Places = 4000;
-constexpr double Step = 0.05; // mm per tick: 50 mm/s at 1 kHz
+constexpr double RateStep = 0.05; // mm per tick: 50 mm/s at 1 kHz
 
 // The centre of a tool that just touches the true surface next to a probe, and the normal there.
 struct TrueTouch
@@ -37,7 +37,7 @@ struct TrueTouch
 };
 using Truth = std::function<TrueTouch(const Vector3& probe)>;
 
-void Require(const Status& status)
+void RequireRate(const Status& status)
 {
   if (!status.IsOk())
   {
@@ -102,9 +102,10 @@ VolumeQuestions QuestionsOf(const std::shared_ptr<const ScalarField>& field, con
   return {static_cast<double>(touching) / Places, shortest / static_cast<double>(updates)};
 }
 
-PublishedRateRow Measure(const std::string& name, const std::shared_ptr<const ContactModel>& model,
-                         const ToolShape& tool, const std::vector<Vector3>& path,
-                         const Truth& truth)
+PublishedRateRow MeasureRate(const std::string& name,
+                             const std::shared_ptr<const ContactModel>& model,
+                             const ToolShape& tool, const std::vector<Vector3>& path,
+                             const Truth& truth)
 {
   constexpr int Strokes = 20;
   auto scene = std::make_shared<TouchScene>();
@@ -148,7 +149,7 @@ void AddHarmonics(PublishedComparison& made)
     return TrueTouch{nearest.PointWorld, nearest.Normal};
   };
   std::vector<Vector3> path;
-  for (const Vector3& u : Turn(Step / 20.0))
+  for (const Vector3& u : Turn(RateStep / 20.0))
   {
     path.push_back(organ->PointWorld(u) - Depth * organ->Normal(u));
   }
@@ -161,15 +162,16 @@ void AddHarmonics(PublishedComparison& made)
   std::shared_ptr<const ContactModel> radial;
   std::shared_ptr<const ContactModel> nearest;
   std::shared_ptr<const ContactModel> facets;
-  Require(HarmonicContactModel::Make(organ, HarmonicContactMode::Radial, radial));
-  Require(HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, nearest));
-  Require(FacetContactModel::Make(corners, sphere.Triangles(), facets));
+  RequireRate(HarmonicContactModel::Make(organ, HarmonicContactMode::Radial, radial));
+  RequireRate(HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, nearest));
+  RequireRate(FacetContactModel::Make(corners, sphere.Triangles(), facets));
   const ToolShape point = ToolShape::Sphere(0.0);
-  made.Rows.push_back(Measure("degree 12, the published radial law", radial, point, path, truth));
+  made.Rows.push_back(
+      MeasureRate("degree 12, the published radial law", radial, point, path, truth));
   made.Rows.back().System = "spherical harmonics of a prostate";
   made.Rows.back().PublishedHertz = "850 to 1,200";
-  made.Rows.push_back(Measure("degree 12, nearest point", nearest, point, path, truth));
-  made.Rows.push_back(Measure("8,000 facets, god-object", facets, point, path, truth));
+  made.Rows.push_back(MeasureRate("degree 12, nearest point", nearest, point, path, truth));
+  made.Rows.push_back(MeasureRate("8,000 facets, god-object", facets, point, path, truth));
   made.Rows.back().PublishedHertz = "400 to 900";
 }
 
@@ -186,7 +188,7 @@ void AddVoxels(PublishedComparison& made)
   FieldBuilder builder(grid);
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
   std::shared_ptr<const ScalarField> field;
-  Require(builder.Build(field));
+  RequireRate(builder.Build(field));
   const Vector3 center = grid.PointWorld(sphere.Center);
   const double contact = Spacing * sphere.Radius + ToolRadius;
   const Truth truth = [&](const Vector3& probe)
@@ -195,19 +197,19 @@ void AddVoxels(PublishedComparison& made)
     return TrueTouch{center + contact * normal, normal};
   };
   std::vector<Vector3> path;
-  for (const Vector3& u : Turn(Step / 30.0))
+  for (const Vector3& u : Turn(RateStep / 30.0))
   {
     path.push_back(center + (contact - 0.5 * Spacing) * u);
   }
   std::shared_ptr<const ContactModel> published;
   std::shared_ptr<const ContactModel> solved;
-  Require(test::MakePublishedShell(field, 0, published));
-  Require(FieldContactModel::Make(field, 0, solved));
+  RequireRate(test::MakePublishedShell(field, 0, published));
+  RequireRate(FieldContactModel::Make(field, 0, solved));
   const ToolShape tool = ToolShape::SpherePoints(ToolRadius, ToolShape::NeighbourCount);
-  made.Rows.push_back(Measure("26 points, the published law", published, tool, path, truth));
+  made.Rows.push_back(MeasureRate("26 points, the published law", published, tool, path, truth));
   made.Rows.back().System = "sub-voxel surface of a skull";
   made.Rows.back().PublishedHertz = "6,000";
-  made.Rows.push_back(Measure("26 points, solved planes", solved, tool, path, truth));
+  made.Rows.push_back(MeasureRate("26 points, solved planes", solved, tool, path, truth));
   made.Questions = QuestionsOf(field, tool, path);
 }
 } // namespace

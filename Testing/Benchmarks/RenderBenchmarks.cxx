@@ -27,22 +27,22 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Nodes = 256;
+constexpr int RenderNodes = 256;
 constexpr float Iso = 0.0F;
 
 // A smooth, bumpy body that fills most of the picture.
 vtkSmartPointer<vtkImageData> MakeBody()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(Nodes, Nodes, Nodes);
+  image->SetDimensions(RenderNodes, RenderNodes, RenderNodes);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* value = static_cast<float*>(image->GetScalarPointer());
-  const auto place = [](int index) { return 2.0 * index / (Nodes - 1) - 1.0; };
-  for (int k = 0; k < Nodes; ++k)
+  const auto place = [](int index) { return 2.0 * index / (RenderNodes - 1) - 1.0; };
+  for (int k = 0; k < RenderNodes; ++k)
   {
-    for (int j = 0; j < Nodes; ++j)
+    for (int j = 0; j < RenderNodes; ++j)
     {
-      for (int i = 0; i < Nodes; ++i)
+      for (int i = 0; i < RenderNodes; ++i)
       {
         const double bumps =
             0.1 * std::sin(7.0 * place(i)) * std::cos(6.0 * place(j)) * std::sin(5.0 * place(k));
@@ -65,7 +65,8 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->SetBackground(0.0, 0.0, 1.0);
     this->Renderer->AddViewProp(prop);
-    const double bounds[6] = {0.0, Nodes - 1.0, 0.0, Nodes - 1.0, 0.0, Nodes - 1.0};
+    const double bounds[6] = {0.0, RenderNodes - 1.0, 0.0, RenderNodes - 1.0,
+                              0.0, RenderNodes - 1.0};
     this->Renderer->ResetCamera(bounds);
     this->Renderer->GetActiveCamera()->Zoom(1.6);
   }
@@ -198,8 +199,8 @@ private:
   std::unique_ptr<Scene> Second;
 };
 
-PairedBenchmark Pair(const std::string& name, const std::string& against, int side,
-                     const MakeProp& theirs)
+PairedBenchmark RenderPair(const std::string& name, const std::string& against, int side,
+                           const MakeProp& theirs)
 {
   const auto c = std::make_shared<RenderCase>(side, SubVoxelProp, theirs);
   PairedBenchmark pair{name, against, [c] { c->Ours(); }, [c] { c->Theirs(); },
@@ -213,9 +214,9 @@ std::vector<PairedBenchmark> RenderBenchmarks()
 {
   const std::string polygons = "vtkFlyingEdges3D's polygons";
   const std::string fixedPoint = "vtkFixedPointVolumeRayCastMapper, shaded, a sample a voxel";
-  return {Pair("render/subvoxel/512", polygons, 512, PolygonProp),
-          Pair("render/subvoxel/512/fixedpoint", fixedPoint, 512, FixedPointProp),
-          Pair("render/subvoxel/1024", polygons, 1024, PolygonProp),
-          Pair("render/subvoxel/1024/fixedpoint", fixedPoint, 1024, FixedPointProp)};
+  return {RenderPair("render/subvoxel/512", polygons, 512, PolygonProp),
+          RenderPair("render/subvoxel/512/fixedpoint", fixedPoint, 512, FixedPointProp),
+          RenderPair("render/subvoxel/1024", polygons, 1024, PolygonProp),
+          RenderPair("render/subvoxel/1024/fixedpoint", fixedPoint, 1024, FixedPointProp)};
 }
 } // namespace palpate::bench

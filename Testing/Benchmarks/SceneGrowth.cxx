@@ -58,7 +58,7 @@ void WriteCubes(const std::filesystem::path& file, int count)
 }
 
 // An entry a label.
-SceneSettings SceneOf(const std::filesystem::path& file, int count, int touched)
+SceneSettings SceneOfFile(const std::filesystem::path& file, int count, int touched)
 {
   SceneSettings settings;
   for (int label = 1; label <= count; ++label)
@@ -73,10 +73,10 @@ SceneSettings SceneOf(const std::filesystem::path& file, int count, int touched)
   return settings;
 }
 
-SceneGrowthRow Measure(const std::string& scene, const std::filesystem::path& file, int count,
-                       int touched)
+SceneGrowthRow MeasureScene(const std::string& scene, const std::filesystem::path& file, int count,
+                            int touched)
 {
-  const SceneSettings settings = SceneOf(file, count, touched);
+  const SceneSettings settings = SceneOfFile(file, count, touched);
   malloc_trim(0);
   const double before = test::ResidentMebibytes();
   BuiltScene made = BuildScene(settings, GoOn);
@@ -131,12 +131,12 @@ std::vector<SceneGrowthRow> MeasureSceneGrowth()
   {
     const std::filesystem::path file = folder / ("cubes" + std::to_string(count) + ".nii");
     WriteCubes(file, count);
-    rows.push_back(Measure("cubes", file, count, 1));
+    rows.push_back(MeasureScene("cubes", file, count, 1));
   }
   if (std::filesystem::exists(Atlas))
   {
-    rows.push_back(Measure("AAL", Atlas, AtlasStructures, 1));
-    rows.push_back(Measure("AAL", Atlas, AtlasStructures, AtlasStructures));
+    rows.push_back(MeasureScene("AAL", Atlas, AtlasStructures, 1));
+    rows.push_back(MeasureScene("AAL", Atlas, AtlasStructures, AtlasStructures));
   }
   return rows;
 }

@@ -10,9 +10,9 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr double Apart = 60.0; // mm
-constexpr double Step = 0.05;  // mm per tick: 50 mm/s at 1 kHz
-constexpr double Depth = 1.5;  // mm
+constexpr double Apart = 60.0;      // mm
+constexpr double StrokeStep = 0.05; // mm per tick: 50 mm/s at 1 kHz
+constexpr double StrokeDepth = 1.5; // mm
 
 SphericalHarmonicModel OrganAtOrigin()
 {
@@ -21,20 +21,20 @@ SphericalHarmonicModel OrganAtOrigin()
   return {organ.Degree(), organ.Coefficients(), Vector3::Zero()};
 }
 
-std::vector<Vector3> StrokeOver(const SphericalHarmonicModel& organ, double toolRadius)
+std::vector<Vector3> StrokeOverStructures(const SphericalHarmonicModel& organ, double toolRadius)
 {
   std::vector<Vector3> path;
   Vector3 u = Vector3::UnitX();
-  const Eigen::AngleAxisd turn(Step / 20.0, Vector3(0.2, 0.3, 1.0).normalized());
+  const Eigen::AngleAxisd turn(StrokeStep / 20.0, Vector3(0.2, 0.3, 1.0).normalized());
   while (path.size() < StructureTicks)
   {
-    path.push_back(organ.PointWorld(u) + (toolRadius - Depth) * organ.Normal(u));
+    path.push_back(organ.PointWorld(u) + (toolRadius - StrokeDepth) * organ.Normal(u));
     u = (turn * u).normalized();
   }
   return path;
 }
 
-std::shared_ptr<const TouchScene> SceneOf(int count)
+std::shared_ptr<const TouchScene> StrokeSceneOf(int count)
 {
   auto scene = std::make_shared<TouchScene>(test::ManyStructures(count, Apart));
   const auto organ = std::make_shared<const SphericalHarmonicModel>(OrganAtOrigin());
@@ -50,7 +50,8 @@ std::shared_ptr<const TouchScene> SceneOf(int count)
 
 std::unique_ptr<ServoStroke> StructureStroke(int count)
 {
-  const std::shared_ptr<const TouchScene> scene = SceneOf(count);
-  return std::make_unique<ServoStroke>(scene, StrokeOver(OrganAtOrigin(), scene->Tool.Radius()));
+  const std::shared_ptr<const TouchScene> scene = StrokeSceneOf(count);
+  return std::make_unique<ServoStroke>(scene,
+                                       StrokeOverStructures(OrganAtOrigin(), scene->Tool.Radius()));
 }
 } // namespace palpate::bench

@@ -188,8 +188,9 @@ struct SurfaceCase
   std::vector<ApartSample> FoundApart;
 };
 
-PairedBenchmark Pair(const std::string& name, int degree, int order, void (SurfaceCase::*run)(),
-                     void (SurfaceCase::*runApart)(), InstructionSet set = FastestInstructionSet())
+PairedBenchmark SurfacePair(const std::string& name, int degree, int order,
+                            void (SurfaceCase::*run)(), void (SurfaceCase::*runApart)(),
+                            InstructionSet set = FastestInstructionSet())
 {
   const auto c = std::make_shared<SurfaceCase>(degree, set);
   return {name,
@@ -201,7 +202,7 @@ PairedBenchmark Pair(const std::string& name, int degree, int order, void (Surfa
 }
 
 // GSL offers no second derivatives: it computes the gradient of one coordinate only.
-PairedBenchmark PairWithGsl()
+PairedBenchmark SurfaceWithGsl()
 {
   constexpr int Degree = 12;
   struct Case : SurfaceCase
@@ -242,14 +243,15 @@ PairedBenchmark PairWithGsl()
 std::vector<PairedBenchmark> SurfaceBenchmarks()
 {
   using Case = SurfaceCase;
-  return {Pair("surface/point/degree12/independent", 12, 0, &Case::Point, &Case::PointApart),
-          Pair("surface/first/degree12/independent", 12, 1, &Case::First, &Case::FirstApart),
-          Pair("surface/second/degree12/independent", 12, 2, &Case::Second, &Case::SecondApart),
-          Pair("surface/second/degree12/chained", 12, 2, &Case::Chained, &Case::ChainedApart),
-          Pair("surface/second/degree12/portable", 12, 2, &Case::Second, &Case::SecondApart,
-               InstructionSet::Portable),
-          Pair("surface/second/degree20/independent", 20, 2, &Case::Second, &Case::SecondApart),
-          Pair("surface/second/degree40/independent", 40, 2, &Case::Second, &Case::SecondApart),
-          PairWithGsl()};
+  return {
+      SurfacePair("surface/point/degree12/independent", 12, 0, &Case::Point, &Case::PointApart),
+      SurfacePair("surface/first/degree12/independent", 12, 1, &Case::First, &Case::FirstApart),
+      SurfacePair("surface/second/degree12/independent", 12, 2, &Case::Second, &Case::SecondApart),
+      SurfacePair("surface/second/degree12/chained", 12, 2, &Case::Chained, &Case::ChainedApart),
+      SurfacePair("surface/second/degree12/portable", 12, 2, &Case::Second, &Case::SecondApart,
+                  InstructionSet::Portable),
+      SurfacePair("surface/second/degree20/independent", 20, 2, &Case::Second, &Case::SecondApart),
+      SurfacePair("surface/second/degree40/independent", 40, 2, &Case::Second, &Case::SecondApart),
+      SurfaceWithGsl()};
 }
 } // namespace palpate::bench

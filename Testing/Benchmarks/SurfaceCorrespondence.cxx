@@ -16,7 +16,7 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Degree = 12;
+constexpr int SurfaceDegree = 12;
 constexpr double Coarser = 1.17;
 
 Status FitLabel(const PlacedLabel& label, bool isRepaired, double coarser,
@@ -33,7 +33,7 @@ Status FitLabel(const PlacedLabel& label, bool isRepaired, double coarser,
     status = CheckTopology(mapped.Topology, {});
   }
   ParametricFitOptions options;
-  options.Degree = Degree;
+  options.Degree = SurfaceDegree;
   ParametricFitResult fit;
   if (status.IsOk())
   {

@@ -14,7 +14,7 @@ namespace palpate::bench
 {
 namespace
 {
-using Clock = std::chrono::steady_clock;
+using TickClock = std::chrono::steady_clock;
 
 struct Touched
 {
@@ -185,9 +185,9 @@ TickTimes TimeTouch(const ParametricSphericalSurface& surface, double toolRadius
     touched.Tracker->Release();
     for (std::size_t tick = 0; tick < path.size(); ++tick)
     {
-      const Clock::time_point start = Clock::now();
+      const TickClock::time_point start = TickClock::now();
       touched.Tracker->Follow(PoseAt(path[tick]));
-      const float time = std::chrono::duration<float, std::micro>(Clock::now() - start).count();
+      const float time = std::chrono::duration<float, std::micro>(TickClock::now() - start).count();
       times[tick] = std::min(times[tick], time);
     }
   }

@@ -29,8 +29,8 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr int Ticks = 4000;
-constexpr double Step = 0.05; // mm per tick: 50 mm/s at 1 kHz
+constexpr int TouchTicks = 4000;
+constexpr double TouchStep = 0.05; // mm per tick: 50 mm/s at 1 kHz
 
 // A unit vector that moves over the sphere, some `angle` (rad) per tick.
 std::vector<Vector3> Wander(double angle)
@@ -39,7 +39,7 @@ std::vector<Vector3> Wander(double angle)
   std::vector<Vector3> places;
   Vector3 place = Vector3::UnitX();
   Vector3 axis = test::RandomDirection(random);
-  while (places.size() < Ticks)
+  while (places.size() < TouchTicks)
   {
     axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
     place = (Eigen::AngleAxisd(angle, axis) * place).normalized();
@@ -51,13 +51,13 @@ std::vector<Vector3> Wander(double angle)
 // Proxies of both sides of a pair.
 struct Proxies
 {
-  std::vector<Vector3> Ours{Ticks};
-  std::vector<Vector3> Theirs{Ticks};
+  std::vector<Vector3> Ours{TouchTicks};
+  std::vector<Vector3> Theirs{TouchTicks};
 
   std::string Disagreement(double most) const
   {
     double worst = 0.0;
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < TouchTicks; ++i)
     {
       const double difference = (this->Ours[i] - this->Theirs[i]).norm();
       worst = std::isnan(difference) ? INFINITY : std::max(worst, difference);
@@ -111,7 +111,7 @@ public:
     test::Random random(12);
     const auto organ =
         std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
-    for (const Vector3& u : Wander(Step / 20.0))
+    for (const Vector3& u : Wander(TouchStep / 20.0))
     {
       this->PointPath.push_back(organ->PointWorld(u) - 1.5 * organ->Normal(u));
       this->SpherePath.push_back(organ->PointWorld(u) + (SphereRadius - 1.5) * organ->Normal(u));
@@ -150,7 +150,7 @@ public:
   }
   void Locate()
   {
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < TouchTicks; ++i)
     {
       vtkIdType triangle = 0;
       int part = 0;
@@ -161,7 +161,7 @@ public:
   }
   void EvaluateDistance()
   {
-    for (std::size_t i = 0; i < Ticks; ++i)
+    for (std::size_t i = 0; i < TouchTicks; ++i)
     {
       this->Distance->EvaluateFunctionAndGetClosestPoint(this->PointPath[i].data(),
                                                          this->Pairs.Theirs[i].data());
@@ -272,14 +272,14 @@ private:
     test::Random random(61);
     Vector3 u = Vector3::UnitX();
     Vector3 axis = test::RandomDirection(random);
-    while (this->Path.size() < Ticks)
+    while (this->Path.size() < TouchTicks)
     {
       axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
       const auto turned = [&](double angle)
       { return Vector3((Eigen::AngleAxisd(angle, axis) * u).normalized()); };
       constexpr double Small = 1e-4; // rad
       const double speed = (surface.Point(turned(Small)) - surface.Point(u)).norm() / Small;
-      u = turned(std::min(0.01, Step / speed));
+      u = turned(std::min(0.01, TouchStep / speed));
       this->Path.push_back(surface.Point(u) - 1.5 * surface.Normal(u));
     }
   }
@@ -301,20 +301,20 @@ std::vector<PairedBenchmark> ParametricBenchmarks()
   const auto ring = std::make_shared<ParametricCase>(test::OpenRing());
   return {{"touch/parametric/degree16", "god-object on 8,000 triangles (ours)",
            [body] { body->FollowParametric(); }, [body] { body->FollowFacets(); },
-           [body] { return body->Disagreement(); }, Ticks},
+           [body] { return body->Disagreement(); }, TouchTicks},
           {"touch/parametric/degree16/star", "the same as a star-shaped model (ours)",
            [body] { body->FollowParametric(); }, [body] { body->FollowStar(); },
-           [body] { return body->StarDisagreement(); }, Ticks},
+           [body] { return body->StarDisagreement(); }, TouchTicks},
           {"touch/parametric/degree16/ring", "god-object on 8,000 triangles (ours)",
            [ring] { ring->FollowParametric(); }, [ring] { ring->FollowFacets(); },
-           [ring] { return ring->Disagreement(); }, Ticks}};
+           [ring] { return ring->Disagreement(); }, TouchTicks}};
 }
 
 // A sphere of 30 mm in voxels of 0.5 mm, touched by one of 2 mm with 26 points, half a voxel deep.
-class FieldCase
+class FieldTouchCase
 {
 public:
-  FieldCase()
+  FieldTouchCase()
   {
     constexpr int Nodes = 140;
     const FieldGrid grid({Nodes, Nodes, Nodes}, Vector3::Zero(), Vector3::Constant(0.5),
@@ -340,7 +340,7 @@ public:
     {
       this->Published = TrackerOf(model, tool);
     }
-    for (const Vector3& u : Wander(Step / 30.0))
+    for (const Vector3& u : Wander(TouchStep / 30.0))
     {
       const Vector3 place = grid.PointWorld(sphere.Center) + (30.0 - 0.5) * u;
       this->Path.push_back(place + 2.0 * u);
@@ -373,7 +373,7 @@ private:
   Proxies Pairs;
 };
 
-// Ticks of a whole servo, with many structures and with one.
+// TouchTicks of a whole servo, with many structures and with one.
 PairedBenchmark StructureBenchmark(int count)
 {
   const std::shared_ptr<ServoStroke> many = StructureStroke(count);
@@ -392,7 +392,7 @@ PairedBenchmark StructureBenchmark(int count)
 std::vector<PairedBenchmark> TouchBenchmarks()
 {
   const auto organ = std::make_shared<OrganCase>();
-  const auto field = std::make_shared<FieldCase>();
+  const auto field = std::make_shared<FieldTouchCase>();
   const auto agree = [organ] { return organ->Disagreement(); };
   const auto facets = [&](std::size_t size, const char* count)
   {
@@ -401,31 +401,32 @@ std::vector<PairedBenchmark> TouchBenchmarks()
                            [organ, size] { organ->FollowFacets(size); },
                            [organ] { organ->FollowHarmonicAsTheirs(); },
                            [organ] { return organ->FacetsDisagreement(); },
-                           Ticks};
+                           TouchTicks};
   };
   std::vector<PairedBenchmark> all{
       {"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
-       [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, Ticks},
+       [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, TouchTicks},
       {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
-       [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree, Ticks},
+       [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree,
+       TouchTicks},
       {"touch/sh/degree12/sphere", "god-object on 8,000 triangles (ours), sphere of 2 mm",
        [organ] { organ->FollowHarmonicSphere(); }, [organ] { organ->FollowFacetsSphere(); }, agree,
-       Ticks},
+       TouchTicks},
       {"touch/sh/degree12/radius", "a point instead of a sphere of 2 mm (ours)",
        [organ] { organ->TouchHarmonicSphere(); }, [organ] { organ->TouchHarmonicPoint(); }, agree,
-       Ticks},
+       TouchTicks},
       facets(0, "8000"),
       facets(1, "32000"),
       facets(2, "128000"),
       {"touch/subvoxel/26/radius", "a sphere of 0.5 mm instead of one of 4 mm (ours)",
        [field] { field->TouchLarge(); }, [field] { field->TouchSmall(); },
-       [field] { return field->RadiiDisagreement(); }, Ticks},
+       [field] { return field->RadiiDisagreement(); }, TouchTicks},
       StructureBenchmark(10),
       StructureBenchmark(116),
       StructureBenchmark(10000),
       {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
        [field] { field->FollowPublished(); }, [field] { return field->LawsDisagreement(); },
-       Ticks}};
+       TouchTicks}};
   const std::vector<PairedBenchmark> parametric = ParametricBenchmarks();
   all.insert(all.end(), parametric.begin(), parametric.end());
   return all;

@@ -26,7 +26,7 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t Ticks = 60000; // a minute
+constexpr std::size_t QualityTicks = 60000; // a minute
 constexpr int Runs = 5;
 constexpr double Seizure = 2.0; // mm
 
@@ -53,7 +53,7 @@ double ClockNanoseconds()
   return QuantileOf(times, 0.5);
 }
 
-void Require(const Status& status)
+void RequireQuality(const Status& status)
 {
   if (!status.IsOk())
   {
@@ -71,7 +71,7 @@ struct Path
     Vector3 u = test::RandomDirection(random);
     Vector3 axis = u.unitOrthogonal();
     this->Start = body.PointWorld(u) + (toolRadius + 1.0) * body.Normal(u);
-    for (std::size_t tick = 0; tick < Ticks; ++tick)
+    for (std::size_t tick = 0; tick < QualityTicks; ++tick)
     {
       const double step = 0.06 + 0.04 * std::sin(1.7e-3 * static_cast<double>(tick));  // mm
       const double depth = 1.75 - 1.25 * std::cos(4.1e-3 * static_cast<double>(tick)); // mm
@@ -95,9 +95,10 @@ class Rehearsal
 {
 public:
   Rehearsal(const ContactModel& model, const ToolShape& tool, const Path& path)
-      : Followed(path), Times(Ticks, std::numeric_limits<double>::infinity()), Felt(Ticks)
+      : Followed(path), Times(QualityTicks, std::numeric_limits<double>::infinity()),
+        Felt(QualityTicks)
   {
-    Require(model.MakeTracker(tool, {}, this->Tracker));
+    RequireQuality(model.MakeTracker(tool, {}, this->Tracker));
     for (int run = 0; run < Runs; ++run)
     {
       this->Run();
@@ -122,7 +123,7 @@ private:
   {
     this->Tracker->Release();
     this->Tracker->Follow({this->Followed.Start, Eigen::Quaterniond::Identity()});
-    for (std::size_t tick = 0; tick < Ticks; ++tick)
+    for (std::size_t tick = 0; tick < QualityTicks; ++tick)
     {
       const ToolPose pose{this->Followed.Probes[tick], Eigen::Quaterniond::Identity()};
       const auto start = Clock::now();
@@ -135,11 +136,11 @@ private:
   void AssessPlaces(const ClosestPointSearch& search, TouchQualityRow& row) const
   {
     bool wasWrong = false;
-    for (std::size_t tick = 0; tick < Ticks; ++tick)
+    for (std::size_t tick = 0; tick < QualityTicks; ++tick)
     {
       const double gap =
           search.Nearest(this->Felt[tick]).SignedDistance - this->Followed.ToolRadius;
-      row.SurfaceMean += std::abs(gap) / static_cast<double>(Ticks);
+      row.SurfaceMean += std::abs(gap) / static_cast<double>(QualityTicks);
       row.SurfaceMaximum = std::max(row.SurfaceMaximum, std::abs(gap));
       const bool isWrong = !((this->Felt[tick] - this->Followed.Proxies[tick]).norm() <= Seizure);
       row.Seizures += isWrong && !wasWrong ? 1 : 0;
@@ -150,7 +151,7 @@ private:
   void AssessForces(TouchQualityRow& row) const
   {
     test::ForceQuality quality;
-    for (std::size_t tick = 0; tick < Ticks; ++tick)
+    for (std::size_t tick = 0; tick < QualityTicks; ++tick)
     {
       const Vector3& probe = this->Followed.Probes[tick];
       quality.Add(this->Felt[tick] - probe, this->Followed.Proxies[tick] - probe);
@@ -174,7 +175,7 @@ std::shared_ptr<const ContactModel>
 HarmonicOf(const std::shared_ptr<const SphericalHarmonicModel>& body, HarmonicContactMode mode)
 {
   std::shared_ptr<const ContactModel> model;
-  Require(HarmonicContactModel::Make(body, mode, model));
+  RequireQuality(HarmonicContactModel::Make(body, mode, model));
   return model;
 }
 
@@ -187,7 +188,7 @@ std::shared_ptr<const ContactModel> FacetsOf(const SphericalHarmonicModel& body,
     corners.push_back(body.PointWorld(u));
   }
   std::shared_ptr<const ContactModel> model;
-  Require(FacetContactModel::Make(corners, sphere.Triangles(), model));
+  RequireQuality(FacetContactModel::Make(corners, sphere.Triangles(), model));
   return model;
 }
 
@@ -217,26 +218,26 @@ std::shared_ptr<const ScalarField> FieldOf(const SphericalHarmonicModel& body, i
   builder.AddMaterial({builder.AddChannel(SamplesOfGrid(samples.data(), grid)), 0.0});
   builder.SetInterpolation(interpolation);
   std::shared_ptr<const ScalarField> field;
-  Require(builder.Build(field));
+  RequireQuality(builder.Build(field));
   return field;
 }
 
 std::shared_ptr<const ContactModel> FieldContactOf(const std::shared_ptr<const ScalarField>& field)
 {
   std::shared_ptr<const ContactModel> model;
-  Require(FieldContactModel::Make(field, 0, model));
+  RequireQuality(FieldContactModel::Make(field, 0, model));
   return model;
 }
 
 std::shared_ptr<const ContactModel> PublishedOf(const std::shared_ptr<const ScalarField>& field)
 {
   std::shared_ptr<const ContactModel> model;
-  Require(test::MakePublishedShell(field, 0, model));
+  RequireQuality(test::MakePublishedShell(field, 0, model));
   return model;
 }
 
-void AddHarmonics(const std::shared_ptr<const SphericalHarmonicModel>& body,
-                  const ClosestPointSearch& search, std::vector<TouchQualityRow>& rows)
+void AddHarmonicRows(const std::shared_ptr<const SphericalHarmonicModel>& body,
+                     const ClosestPointSearch& search, std::vector<TouchQualityRow>& rows)
 {
   const auto nearest = HarmonicOf(body, HarmonicContactMode::Nearest);
   for (const double radius : {0.0, 1.0, 4.0})
@@ -259,7 +260,7 @@ std::vector<TouchQualityRow> TouchQuality()
   const auto body = std::make_shared<const SphericalHarmonicModel>(test::BumpyBody(random));
   const ClosestPointSearch search(body);
   std::vector<TouchQualityRow> rows;
-  AddHarmonics(body, search, rows);
+  AddHarmonicRows(body, search, rows);
   const Path path(search, 1.0);
   const auto add = [&](const ContactModel& model, const ToolShape& tool, const std::string& name)
   { rows.push_back(Rehearsal(model, tool, path).Assess(name, search)); };
