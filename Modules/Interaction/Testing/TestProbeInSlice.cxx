@@ -31,7 +31,7 @@ TEST(ProbeInSlice, SphereCrossSectionIsCircleOfItsDepth)
     const Vector3 normal = palpate::test::RandomOrientation(random).col(0);
     const double height = 4.5 * unit(random);
     const auto curves =
-        CutTool(probe->GetTool(), probe->GetProxyMatrix(), place + height * normal, normal);
+        ToolSection(probe->GetTool(), probe->GetProxyMatrix(), place + height * normal, normal);
     ASSERT_EQ(curves.size(), 1U);
     EXPECT_TRUE(curves.front().IsClosed);
     const double radius = std::sqrt(25.0 - height * height);
@@ -52,8 +52,9 @@ TEST(ProbeInSlice, DistantToolIsNotCut)
   vtkNew<vtkProbeRepresentation> probe;
   probe->SetToolSphere(2.0);
   probe->SetProxyPosition(0.0, 0.0, 3.0);
-  EXPECT_TRUE(CutTool(probe->GetTool(), probe->GetProxyMatrix(), Vector3::Zero(), Vector3::UnitZ())
-                  .empty());
+  EXPECT_TRUE(
+      ToolSection(probe->GetTool(), probe->GetProxyMatrix(), Vector3::Zero(), Vector3::UnitZ())
+          .empty());
 }
 
 TEST(ProbeInSlice, ArrowEndsAtItsVectorsTip)
