@@ -9,6 +9,7 @@
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "Refusal.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
 
@@ -24,14 +25,6 @@ namespace
 using LinkClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds LookEvery(20);
-
-void RequireOk(const Status& status)
-{
-  if (!status.IsOk())
-  {
-    throw InputError(status.Message());
-  }
-}
 } // namespace
 
 std::string LinkCommand::Examples() const
@@ -119,14 +112,14 @@ int LinkCommand::Run(Console& console)
         "both.");
   }
   IgtlPeer peer;
-  RequireOk(ParseIgtlPeer(this->Peer, peer));
+  RequireInput(ParseIgtlPeer(this->Peer, peer));
   IgtlLink link;
   this->OfferModels(link);
   if (!this->OutputFolder.empty())
   {
     std::filesystem::create_directories(this->OutputFolder);
   }
-  RequireOk(link.Open(peer));
+  RequireInput(link.Open(peer));
   console.Note(peer.Connects() ? "waiting on port " + std::to_string(link.Port())
                                : "connected to " + peer.Host);
   const LinkClock::time_point start = LinkClock::now();

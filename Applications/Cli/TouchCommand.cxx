@@ -20,6 +20,9 @@
 #include "SceneRepresentation.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
+#ifdef PALPATE_HAS_NETWORK
+#include "TouchPeer.h"
+#endif
 #include "TouchReport.h"
 #include "Units.h"
 
@@ -81,6 +84,9 @@ std::string TouchCommand::Examples() const
          "  palpate touch ct.nrrd --iso 300 --stiffness 1 --rate 2000\n"
          "  palpate touch ct.nrrd --iso 300 --wear 0.05 --drill strokes.json --output drilled\n"
          "  palpate touch knee.scene.json --path hand.csv --real-time --output felt\n"
+#ifdef PALPATE_HAS_NETWORK
+         "  palpate touch knee.scene.json --real-time --igtl 18944   shown in 3D Slicer\n"
+#endif
          "  palpate touch felt/scene.json --replay felt/session.touch";
 }
 
@@ -197,6 +203,12 @@ void TouchCommand::DeclareRun(CLI::App& app)
       ->check(FiniteNumber::Between(0.001, 36000.0));
   app.add_flag("--real-time", this->IsRealTime,
                "Run at the servo rate on a separate thread; otherwise as fast as possible");
+#ifdef PALPATE_HAS_NETWORK
+  app.add_option("--igtl", this->Peer,
+                 "Show the touch in 3D Slicer or another program by OpenIGTLink; PORT: wait for it "
+                 "on this machine, *:PORT: on any; HOST:PORT: connect")
+      ->type_name("PEER");
+#endif
 }
 
 void TouchCommand::DeclareOptions(CLI::App& app)
@@ -401,6 +413,24 @@ bool TouchCommand::WriteDrilled(const PreparedTouch& touch, Console& console) co
   return isWhole;
 }
 
+TouchResult TouchCommand::RunWithPeer(const PreparedTouch& touch, TouchRunSettings& settings,
+                                      Console& console) const
+{
+#ifdef PALPATE_HAS_NETWORK
+  if (!this->Peer.empty())
+  {
+    if (settings.IsVirtual && !touch.IsRealTimeOnly)
+    {
+      throw InputError("--igtl shows a touch while it runs; add --real-time");
+    }
+    TouchPeer peer(this->Peer, touch, console);
+    settings.Watcher = [&peer](const TouchState& newest) { peer.Show(newest); };
+    return RunTouch(touch, settings, ProgressOn(console));
+  }
+#endif
+  return RunTouch(touch, settings, ProgressOn(console));
+}
+
 int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
 {
   TouchRunSettings settings;
@@ -411,7 +441,7 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
     MakeOutputFolder(this->OutputFolder);
     settings.Recording = this->OutputFolder / "session.touch";
   }
-  const TouchResult result = RunTouch(touch, settings, ProgressOn(console));
+  const TouchResult result = this->RunWithPeer(touch, settings, console);
   console.EndProgress();
   // An output that cannot be written does not stop the others.
   bool isWhole = this->OutputFolder.empty() ||

@@ -28,6 +28,8 @@ private:
   /// Of the scene file, or of the files and options.
   SceneSettings Settings() const;
   TouchScript Script() const;
+  TouchResult RunWithPeer(const PreparedTouch& touch, TouchRunSettings& settings,
+                          Console& console) const;
   int Touch(const PreparedTouch& touch, Console& console) const;
   int Replay(const PreparedTouch& touch, Console& console) const;
   void CheckDrilled(const PreparedTouch& touch) const;
@@ -54,6 +56,7 @@ private:
   TouchScript Sweep;
   std::vector<double> Seconds; ///< none or one
   bool IsRealTime = false;
+  std::string Peer; ///< that displays the touch; empty: none
   std::string ReplayFile;
   bool Json = false;
   std::filesystem::path OutputFolder;

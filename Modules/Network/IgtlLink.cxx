@@ -49,6 +49,27 @@ void IgtlLink::Offer(std::vector<std::vector<std::uint8_t>> messages)
   this->IsSent = false;
 }
 
+void IgtlLink::Show(const IgtlTouch& now)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Newest = now;
+  this->IsNewestSent = false;
+  this->IsSent = false;
+}
+
+void IgtlLink::EndTouch()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Newest)
+  {
+    this->Newest->ForceWorld = PlainVector3();
+    this->Newest->Structure = -1;
+    this->Newest->Fault = "the touch has ended";
+    this->IsNewestSent = false;
+    this->IsSent = false;
+  }
+}
+
 std::optional<IgtlImage> IgtlLink::TakeImage()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -102,9 +123,11 @@ void IgtlLink::BeginPeer()
   this->Parser.emplace(std::vector<IgtlParser::Kind>{{"IMAGE", MostImageBytes}});
   this->Sending.clear();
   this->SentBytes = 0;
+  this->Told = IgtlTouch();
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->NextOffer = 0;
-  this->IsSent = this->Offers.empty();
+  this->IsNewestSent = !this->Newest;
+  this->IsSent = this->Offers.empty() && this->IsNewestSent;
   this->IsConnected = true;
 }
 
@@ -166,20 +189,32 @@ bool IgtlLink::Receive()
   return true;
 }
 
+// The next message to be sent; false if there is none. Models, which may be large, come after news.
+bool IgtlLink::PrepareNext()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->SentBytes = 0;
+  this->Sending.clear();
+  if (!this->IsNewestSent)
+  {
+    this->Sending = IgtlTouchMessages(this->Told, *this->Newest);
+    this->Told = *this->Newest;
+    this->IsNewestSent = true;
+  }
+  else if (this->NextOffer < this->Offers.size())
+  {
+    this->Sending = this->Offers[this->NextOffer++];
+  }
+  this->IsSent = this->Sending.empty();
+  return !this->Sending.empty();
+}
+
 // Returns false if the connection has ended.
 bool IgtlLink::Send()
 {
-  if (this->SentBytes == this->Sending.size())
+  if (this->SentBytes == this->Sending.size() && !this->PrepareNext())
   {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->SentBytes = 0;
-    if (this->NextOffer == this->Offers.size())
-    {
-      this->Sending.clear();
-      this->IsSent = true;
-      return true;
-    }
-    this->Sending = this->Offers[this->NextOffer++];
+    return true;
   }
   const std::ptrdiff_t sent = this->Stream.Send(this->Sending.data() + this->SentBytes,
                                                 this->Sending.size() - this->SentBytes);

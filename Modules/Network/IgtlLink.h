@@ -4,6 +4,7 @@
 #include "IgtlParser.h"
 #include "IgtlPeer.h"
 #include "IgtlStream.h"
+#include "IgtlTouch.h"
 
 #include <atomic>
 #include <cstdint>
@@ -17,8 +18,9 @@
 namespace palpate
 {
 /// A connection by OpenIGTLink over which images and label maps arrive, and to which messages with
-/// models are sent; every peer that connects gets all of them again. A thread of its own talks to
-/// the peer. While two images wait to be taken, nothing is received, so the peer has to wait.
+/// models and the course of a touch are sent; every peer that connects gets all models again. A
+/// thread of its own talks to the peer. While two images wait to be taken, nothing is received, so
+/// the peer has to wait.
 class IgtlLink
 {
 public:
@@ -45,7 +47,12 @@ public:
   /// The messages (IgtlSurfaceMessage) that every peer gets, in place of the former ones; one that
   /// is connected gets them now.
   void Offer(std::vector<std::vector<std::uint8_t>> messages);
-  /// Whether the peer has been sent everything that was offered.
+  /// Tells the peer of a touch (IgtlTouchMessages), up to 100 times a second: of ticks that the
+  /// connection cannot take, only the newest is kept.
+  void Show(const IgtlTouch& now);
+  /// Tells it that the touch has ended, with a force of 0 N.
+  void EndTouch();
+  /// Whether the peer, if there is one, has been sent all that was offered and shown.
   bool IsAllSent() const noexcept { return this->IsSent.load(); }
 
   /// The oldest image that was not taken yet; none if there is none.
@@ -57,6 +64,7 @@ private:
   void Run();
   bool Receive();
   bool Send();
+  bool PrepareNext();
   void BeginPeer();
   void EndPeer(const char* problem);
   bool IsFull();
@@ -68,11 +76,13 @@ private:
   std::atomic<bool> IsOver{false};
   std::atomic<bool> IsSent{true};
 
-  std::mutex Mutex; ///< of the following four
+  std::mutex Mutex; ///< of the following six
   std::deque<IgtlImage> Images;
   std::vector<std::string> Problems;
   std::vector<std::vector<std::uint8_t>> Offers;
   std::size_t NextOffer = 0; ///< the first that the peer has not got
+  std::optional<IgtlTouch> Newest;
+  bool IsNewestSent = true;
 
   // Of the thread while it runs.
   IgtlStream Stream;
@@ -80,6 +90,7 @@ private:
   std::vector<std::uint8_t> Arrived;
   std::vector<std::uint8_t> Sending;
   std::size_t SentBytes = 0;
+  IgtlTouch Told; ///< the last that was sent
   std::thread Thread;
 };
 } // namespace palpate

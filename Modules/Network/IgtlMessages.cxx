@@ -26,10 +26,10 @@ std::vector<std::uint8_t> Packed(igtl::MessageBase& message)
 }
 } // namespace
 
-std::vector<std::uint8_t> IgtlForceMessage(const PlainVector3& force)
+std::vector<std::uint8_t> IgtlForceMessage(const std::string& name, const PlainVector3& force)
 {
   const igtl::SensorMessage::Pointer message = igtl::SensorMessage::New();
-  message->SetDeviceName("Force");
+  message->SetDeviceName(name.c_str());
   message->SetLength(3);
   const igtl::Unit::Pointer unit = igtl::Unit::New();
   unit->Init();

@@ -10,8 +10,8 @@
 // OpenIGTLink messages ready to be sent, with the present time.
 namespace palpate
 {
-/// A SENSOR message `Force` of three newtons.
-std::vector<std::uint8_t> IgtlForceMessage(const PlainVector3& force);
+/// A SENSOR message of three newtons.
+std::vector<std::uint8_t> IgtlForceMessage(const std::string& name, const PlainVector3& force);
 /// A TRANSFORM message of a place without a turn. The place (mm, LPS) is sent in RAS, as other
 /// programs expect it of the patient.
 std::vector<std::uint8_t> IgtlPlaceMessage(const std::string& name, const PlainVector3& placeWorld);

@@ -1,4 +1,5 @@
 #include "IgtlPackedImage.h"
+#include "IgtlReceived.h"
 #include "IgtlStream.h"
 #include "StartedCommand.h"
 #include "SyntheticFiles.h"
@@ -9,6 +10,7 @@
 #include <igtlClientSocket.h>
 #include <igtlPolyDataMessage.h>
 #include <igtlServerSocket.h>
+#include <set>
 
 namespace palpate::cli_link_test
 {
@@ -130,13 +132,63 @@ TEST(CliLink, WaitsForOneProgramAfterTheOther)
   EXPECT_TRUE(std::filesystem::exists(folder / "in/image-2.nrrd"));
 }
 
+TEST(CliLink, TouchIsShownToThePeerAndEndsWithoutForce)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "gland.json");
+  WaitingPeer peer;
+  StartedCommand touch(
+      PALPATE_PROGRAM,
+      {"touch", "gland.json", "--real-time", "--seconds", "1", "--igtl", peer.Address()},
+      folder.Path());
+  peer.Meet();
+  std::set<std::string> names;
+  bool isPressed = false;
+  Vector3 force = Vector3::Zero();
+  std::string event;
+  for (;;)
+  {
+    const IgtlReceived message(*peer.Socket);
+    if (message.Name.empty())
+    {
+      break;
+    }
+    names.insert(message.Kind + " " + message.Name);
+    force = message.Name == "ContactForce" ? message.Values() : force;
+    isPressed = isPressed || !force.isZero(0.0);
+    event = message.Says("the touch has ended") ? "ended" : event;
+  }
+  EXPECT_EQ(touch.Finish().Code, 0);
+  EXPECT_EQ(names, (std::set<std::string>{"POLYDATA Palpate model 1", "SENSOR ContactForce",
+                                          "STRING Event", "TRANSFORM Probe", "TRANSFORM Proxy"}));
+  EXPECT_TRUE(isPressed);
+  EXPECT_EQ(force, Vector3::Zero());
+  EXPECT_EQ(event, "ended");
+}
+
+TEST(CliLink, TouchGoesOnWithoutAPeer)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "gland.json");
+  const int port = 50000 + static_cast<int>(getpid()) % 10000;
+  const CommandRun run = RunPalpate(
+      {"touch", "gland.json", "--real-time", "--seconds", "0.2", "--igtl", std::to_string(port)},
+      folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+}
+
 TEST(CliLink, BadCallsAreOneMessage)
 {
   const TemporaryFolder folder;
-  for (const std::vector<std::string>& call : {std::vector<std::string>{"link", "18944"},
-                                               {"link", "99999", "--output", "in"},
-                                               {"link", "18944", "absent.json"},
-                                               {"link", "localhost:1", "--output", "in"}})
+  WriteNearlyASphere(folder / "gland.json");
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"link", "18944"},
+        {"link", "99999", "--output", "in"},
+        {"link", "18944", "absent.json"},
+        {"link", "localhost:1", "--output", "in"},
+        {"touch", "gland.json", "--igtl", "18944"},
+        {"touch", "gland.json", "--real-time", "--igtl", "99999"},
+        {"touch", "gland.json", "--real-time", "--igtl", "localhost:1"}})
   {
     const CommandRun run = RunPalpate(call, folder.Path());
     EXPECT_EQ(run.Code, 2) << run.Errors;

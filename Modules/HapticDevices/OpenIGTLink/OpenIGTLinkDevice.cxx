@@ -1,7 +1,7 @@
 #include "OpenIGTLinkDevice.h"
 
 #include "IgtlMessages.h"
-#include "TouchState.h"
+#include "IgtlTouchState.h"
 
 #include <algorithm>
 #include <array>
@@ -132,8 +132,7 @@ void OpenIGTLinkDevice::Show(const TouchState& state) noexcept
 {
   if (state.HasSample && state.State == DeviceState::Ready)
   {
-    this->Displayed.Publish({state.ProbeWorld, state.ProxyWorld, state.Structure,
-                             state.Safety.Fault, state.Tick.Number + 1});
+    this->Displayed.Publish(IgtlTouchOf(state));
   }
 }
 
@@ -149,7 +148,7 @@ void OpenIGTLinkDevice::Run()
   {
     // What is left of a message must end before the next one.
     this->SendRest();
-    this->Add(IgtlForceMessage(Vector3::Zero()));
+    this->Add(IgtlForceMessage("Force", Vector3::Zero()));
     for (int tries = 0; tries < CloseMilliseconds && this->SendRest() && !this->Rest.empty();
          ++tries)
     {
@@ -218,31 +217,18 @@ void OpenIGTLinkDevice::AddForce()
     const PlainVector3 force = isOld ? PlainVector3() : command.Force;
     this->SentNumber = command.Number;
     this->IsAtRest = Vector3(force).isZero(0.0);
-    this->Add(IgtlForceMessage(force));
+    this->Add(IgtlForceMessage("Force", force));
   }
 }
 
 void OpenIGTLinkDevice::AddShown()
 {
-  const Shown& now = this->Displayed.Latest();
+  const IgtlTouch& now = this->Displayed.Latest();
   if (now.Tick == this->Told.Tick)
   {
     return;
   }
-  this->Add(IgtlPlaceMessage("Probe", now.ProbeWorld));
-  this->Add(IgtlPlaceMessage("Proxy", now.ProxyWorld));
-  if (now.Structure != this->Told.Structure)
-  {
-    this->Add(IgtlEventMessage(now.Structure < 0 ? "contact ends"
-                                                 : "contact with structure " +
-                                                       std::to_string(now.Structure + 1)));
-  }
-  if (now.Fault != this->Told.Fault)
-  {
-    this->Add(IgtlEventMessage(now.Fault == SafetyFault::None
-                                   ? "forces are on"
-                                   : std::string("forces are off: ") + Describe(now.Fault)));
-  }
+  this->Add(IgtlTouchMessages(this->Told, now));
   this->Told = now;
 }
 

@@ -6,8 +6,8 @@
 #include "IgtlPeer.h"
 #include "IgtlPoses.h"
 #include "IgtlStream.h"
+#include "IgtlTouch.h"
 #include "LatestValue.h"
-#include "SafetyReport.h"
 
 #include <atomic>
 #include <cstdint>
@@ -19,10 +19,8 @@ namespace palpate
 {
 /// A tracked tool on the network: TRANSFORM messages of OpenIGTLink are its poses (mm, in the
 /// tracker's frame), and forces (N, in that frame) are sent back as SENSOR messages named Force,
-/// for a peer with motors. For peers that
-/// display the scene, the places of probe and proxy are sent too (TRANSFORM messages Probe and
-/// Proxy, mm, RAS), and STRING messages Event when a contact begins or ends and when forces go off
-/// or on. A thread of its own talks to the peer. It is homing until the first pose.
+/// for a peer with motors; and for one that displays the scene, what IgtlTouchMessages names. A
+/// thread of its own talks to the peer. It is homing until the first pose.
 ///
 /// Forces that are not renewed for 20 ms are replaced by 0 N, once; nothing is sent late: of forces
 /// that the connection cannot take, only the newest is kept. When the connection ends, or bytes
@@ -59,16 +57,6 @@ private:
     std::int64_t Time = 0;    ///< ns
   };
 
-  /// What the peer may display.
-  struct Shown
-  {
-    PlainVector3 ProbeWorld; ///< mm
-    PlainVector3 ProxyWorld;
-    std::int32_t Structure = -1;
-    SafetyFault Fault = SafetyFault::None;
-    std::uint64_t Tick = 0;
-  };
-
   void Run();
   bool TakePoses();
   void AddForce();
@@ -87,7 +75,7 @@ private:
   std::atomic<std::uint64_t> Refused{0};
   LatestValue<DeviceSample> Newest; ///< to the servo
   LatestValue<Command> Wanted;      ///< from the servo
-  LatestValue<Shown> Displayed;     ///< from the servo
+  LatestValue<IgtlTouch> Displayed; ///< from the servo
   std::uint64_t Commands = 0;       ///< servo thread
 
   // Of the thread while it runs.
@@ -96,7 +84,7 @@ private:
   DeviceSample Last;
   std::uint64_t SentNumber = 0;   ///< the last command that was sent
   bool IsAtRest = true;           ///< the last force sent is 0 N
-  Shown Told;                     ///< the last that was sent
+  IgtlTouch Told;                 ///< the last that was sent
   std::vector<std::uint8_t> Rest; ///< of what the connection has not taken yet
   std::thread Thread;
 };

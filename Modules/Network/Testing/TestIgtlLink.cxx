@@ -2,6 +2,7 @@
 
 #include "IgtlMessages.h"
 #include "IgtlPackedImage.h"
+#include "IgtlReceived.h"
 #include "IsSoon.h"
 
 #include <chrono>
@@ -192,6 +193,83 @@ TEST(IgtlLink, ConnectsToAProgramThatWaits)
   ASSERT_TRUE(other.IsNotNull());
   other->CloseSocket();
   EXPECT_TRUE(LinkBecomes([&] { return link.HasEnded(); }));
+}
+
+IgtlTouch Pressing()
+{
+  IgtlTouch touch;
+  touch.ProbeWorld = Vector3(1.0, 2.0, 3.0);
+  touch.ProxyWorld = Vector3(1.0, 2.0, 4.0);
+  touch.ForceWorld = Vector3(0.25, 0.5, 2.0);
+  touch.Structure = 1;
+  touch.Tick = 7;
+  return touch;
+}
+
+TEST_F(IgtlLinkTest, TouchIsToldInRas)
+{
+  const auto peer = this->Connected();
+  this->Link.Show(Pressing());
+  const test::IgtlReceived probe(*peer);
+  EXPECT_EQ(probe.Name, "Probe");
+  EXPECT_EQ(probe.Place(), Vector3(-1.0, -2.0, 3.0));
+  const test::IgtlReceived proxy(*peer);
+  EXPECT_EQ(proxy.Name, "Proxy");
+  EXPECT_EQ(proxy.Place(), Vector3(-1.0, -2.0, 4.0));
+  const test::IgtlReceived force(*peer);
+  EXPECT_EQ(force.Name, "ContactForce");
+  EXPECT_EQ(force.Values(), Vector3(-0.25, -0.5, 2.0));
+  EXPECT_TRUE(test::IgtlReceived(*peer).Says("contact with structure 2"));
+}
+
+TEST_F(IgtlLinkTest, EndOfATouchIsAForceOfZero)
+{
+  const auto peer = this->Connected();
+  this->Link.Show(Pressing());
+  while (test::IgtlReceived(*peer).Name != "Event")
+  {
+  }
+  this->Link.EndTouch();
+  EXPECT_EQ(test::IgtlReceived(*peer).Name, "Probe");
+  EXPECT_EQ(test::IgtlReceived(*peer).Name, "Proxy");
+  EXPECT_EQ(test::IgtlReceived(*peer).Values(), Vector3::Zero());
+  EXPECT_TRUE(test::IgtlReceived(*peer).Says("contact ends"));
+  EXPECT_TRUE(test::IgtlReceived(*peer).Says("forces are off: the touch has ended"));
+}
+
+TEST_F(IgtlLinkTest, PeerThatConnectsDuringATouchIsToldOfItAndGetsTheModels)
+{
+  this->Link.Offer({IgtlSurfaceMessage("organ", Tetrahedron())});
+  this->Link.Show(Pressing());
+  const auto peer = this->Connected();
+  for (const char* name : {"Probe", "Proxy", "ContactForce", "Event", "organ"})
+  {
+    EXPECT_EQ(test::IgtlReceived(*peer).Name, name);
+  }
+  EXPECT_TRUE(LinkBecomes([&] { return this->Link.IsAllSent(); }));
+}
+
+// A connection takes some 3 MB; the messages of all ticks would be ten times as much.
+TEST_F(IgtlLinkTest, PeerThatDoesNotReadGetsTheNewestTickAfterwards)
+{
+  const auto peer = this->Connected();
+  IgtlTouch touch = Pressing();
+  ASSERT_TRUE(LinkBecomes([&] { return this->Link.HasPeer(); }));
+  for (; touch.Tick < 100000; ++touch.Tick)
+  {
+    touch.ProbeWorld.Z = static_cast<double>(touch.Tick);
+    this->Link.Show(touch);
+  }
+  double last = 0.0;
+  int received = 0;
+  while (last < 99999.0)
+  {
+    const test::IgtlReceived message(*peer);
+    ASSERT_FALSE(message.Name.empty());
+    last = message.Name == "Probe" ? message.Place().z() : last;
+    ++received;
+  }
+  EXPECT_LT(received, 50000);
 }
 } // namespace
 } // namespace palpate::igtl_link_test

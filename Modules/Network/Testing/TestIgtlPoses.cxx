@@ -169,7 +169,7 @@ TEST(IgtlPoses, NoiseNeitherCrashesNorIsAPose)
 
 TEST(IgtlForceMessage, ProtocolsOwnLibraryReadsIt)
 {
-  const Bytes bytes = IgtlForceMessage(Vector3(0.5, -1.25, 3.0));
+  const Bytes bytes = IgtlForceMessage("Force", Vector3(0.5, -1.25, 3.0));
   igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
   header->InitPack();
   std::copy_n(bytes.begin(), IGTL_HEADER_SIZE,

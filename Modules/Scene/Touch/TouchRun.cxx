@@ -122,8 +122,8 @@ class LiveTouch
 {
 public:
   LiveTouch(const PreparedTouch& touch, Clock& clock, const TouchRunSettings& settings)
-      : Touch(touch), Guide(settings.Guide), Keeper(Result, touch.Structures.size()),
-        Watch(touch.Drill), Session(clock)
+      : Touch(touch), Guide(settings.Guide), Watcher(settings.Watcher),
+        Keeper(Result, touch.Structures.size()), Watch(touch.Drill), Session(clock)
   {
     ServoSettings servo;
     servo.Rate = touch.Settings.Rate;
@@ -185,7 +185,12 @@ public:
     {
       this->Act(passed);
       std::this_thread::sleep_for(Nap);
-      this->LookOut(passed, this->Session.Loop().Latest());
+      const TouchState& newest = this->Session.Loop().Latest();
+      this->LookOut(passed, newest);
+      if (this->Watcher)
+      {
+        this->Watcher(newest);
+      }
       this->NoteRemoval(passed);
       this->Fetch();
       passed = SecondsPerNanosecond * static_cast<double>(clock.Now() - start);
@@ -329,6 +334,7 @@ private:
 
   const PreparedTouch& Touch;
   const TouchGuide& Guide;
+  const TouchWatcher& Watcher;
   TouchResult Result;
   TouchResultCollector Keeper;
   DrillWatch Watch;

@@ -87,6 +87,9 @@ PALPATESCENE_EXPORT PreparedTouch PrepareTouch(const SceneSettings& settings,
 /// Tells the user what to do now, such as during homing.
 using TouchGuide = std::function<void(const std::string& message)>;
 
+/// Looks at the newest tick of a touch that runs.
+using TouchWatcher = std::function<void(const TouchState& newest)>;
+
 /// Settings of a run.
 struct TouchRunSettings
 {
@@ -94,6 +97,7 @@ struct TouchRunSettings
                          ///< rate, on a thread
   std::filesystem::path Recording; ///< of the session; empty: none
   TouchGuide Guide;                ///< may be empty
+  TouchWatcher Watcher;            ///< in real time, 50 times a second; may be empty
   Clock* Time = nullptr;           ///< in real time; null: the machine's clock
 };
 

@@ -2,6 +2,7 @@
 
 #include "DisplayedSurface.h"
 #include "IgtlConversion.h"
+#include "IgtlTouchState.h"
 #include "ImageWriter.h"
 #include "PlainLabel.h"
 #include "ScreenString.h"
@@ -56,6 +57,8 @@ LinkDialog::LinkDialog(StudyController& study, const FileQuestions& questions, Q
   connect(this->Switch, &QPushButton::toggled, this, &LinkDialog::SwitchLink);
   connect(&this->Study, &StudyController::ProductsChanged, this, &LinkDialog::OfferSurfaces);
   connect(&this->Study, &StudyController::StateChanged, this, &LinkDialog::OfferSurfaces);
+  connect(&this->Study, &StudyController::Touched, this, &LinkDialog::ShowTouch);
+  connect(&this->Study, &StudyController::TouchChanged, this, &LinkDialog::ShowTouch);
   connect(this->SendsSurfaces, &QCheckBox::toggled, this, &LinkDialog::OfferSurfaces);
   connect(&this->Timer, &QTimer::timeout, this, &LinkDialog::Look);
   this->Timer.setInterval(LinkLookMilliseconds);
@@ -66,7 +69,7 @@ void LinkDialog::AddRows()
 {
   auto* form = new QFormLayout(this);
   auto* what = new QLabel("Images and label maps that 3D Slicer or another program sends by "
-                          "OpenIGTLink are opened here.",
+                          "OpenIGTLink are opened here; it is shown where the tool is.",
                           this);
   what->setWordWrap(true);
   form->addRow(what);
@@ -232,6 +235,19 @@ void LinkDialog::OfferSurfaces()
   {
     this->Sent = std::move(times);
     this->Link.Offer(SurfaceMessagesOf(surfaces));
+  }
+}
+
+void LinkDialog::ShowTouch()
+{
+  const TouchState& newest = this->Study.Reading().Newest;
+  if (!this->Study.IsTouching())
+  {
+    this->Link.EndTouch();
+  }
+  else if (this->Timer.isActive() && newest.HasSample && newest.State == DeviceState::Ready)
+  {
+    this->Link.Show(IgtlTouchOf(newest));
   }
 }
 

@@ -21,7 +21,8 @@ namespace palpate
 {
 /// Exchanges data with another program by OpenIGTLink while it is open: images and label maps that
 /// arrive are written into a folder and opened; the displayed surfaces of structures are sent,
-/// again whenever they change. Closing it ends the connection.
+/// again whenever they change, and where the tool is during a touch. Closing it ends the
+/// connection.
 class LinkDialog : public QDialog
 {
   Q_OBJECT
@@ -40,6 +41,7 @@ private:
   void Keep(IgtlImage image);
   std::vector<vtkSmartPointer<vtkPolyData>> SurfacesToSend();
   void OfferSurfaces();
+  void ShowTouch();
   void ShowState(const QString& problem = {});
 
   StudyController& Study;

@@ -2,10 +2,13 @@
 #include "LinkDialog.h"
 
 #include "IgtlPackedImage.h"
+#include "IgtlReceived.h"
 #include "WindowTest.h"
 
 #include <QPointer>
 
+#include <algorithm>
+#include <array>
 #include <igtlClientSocket.h>
 #include <igtlMessageHeader.h>
 #include <igtlServerSocket.h>
@@ -58,17 +61,9 @@ protected:
   // The name of the surface that arrives next.
   std::string NextSurface() const
   {
-    igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
-    header->InitPack();
-    if (this->Peer->Receive(header->GetPackPointer(), header->GetPackSize()) !=
-        header->GetPackSize())
-    {
-      return "";
-    }
-    header->Unpack();
-    EXPECT_STREQ(header->GetDeviceType(), "POLYDATA");
-    this->Peer->Skip(header->GetBodySizeToRead());
-    return header->GetDeviceName();
+    const test::IgtlReceived message(*this->Peer);
+    EXPECT_EQ(message.Kind, "POLYDATA");
+    return message.Name;
   }
 
   QPointer<LinkDialog> Dialog;
@@ -108,6 +103,27 @@ TEST_F(LinkDialogTest, DisplayedSurfacesAreSentWithoutTheirNames)
   this->Connect();
   EXPECT_EQ(this->NextSurface(), "Palpate model 1");
   EXPECT_EQ(this->NextSurface(), "Palpate model 2");
+}
+
+TEST_F(LinkDialogTest, TouchIsShownUntilItEnds)
+{
+  this->OpenPhantom();
+  this->Connect();
+  this->Settle();
+  this->BeginTouch();
+  // The window sends while its events are processed, so nothing may wait here.
+  this->Peer->SetReceiveTimeout(1);
+  std::string received;
+  const auto isTold = [&](const char* text)
+  {
+    std::array<char, 4096> bytes;
+    const int count = static_cast<int>(this->Peer->Receive(bytes.data(), bytes.size(), 0));
+    received.append(bytes.data(), static_cast<std::size_t>(std::max(count, 0)));
+    return received.find(text) != std::string::npos;
+  };
+  WaitUntil([&] { return isTold("ContactForce"); });
+  this->Study->StopTouch();
+  WaitUntil([&] { return isTold("the touch has ended"); });
 }
 
 TEST_F(LinkDialogTest, PeerThatLeavesIsToldAndTheLinkEnds)

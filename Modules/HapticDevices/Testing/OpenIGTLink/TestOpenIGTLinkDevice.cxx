@@ -1,6 +1,7 @@
 #include "OpenIGTLinkDevice.h"
 
 #include "DeviceContract.h"
+#include "IgtlReceived.h"
 #include "IgtlTransform.h"
 #include "IsSoon.h"
 #include "SteadyClock.h"
@@ -177,36 +178,14 @@ TEST_F(OpenIGTLinkDeviceTest, PeerIsToldPlacesAndContacts)
   state.ProxyWorld = Vector3(1.0, 2.0, 4.0);
   state.Structure = 1;
   this->Device->Show(state);
-  std::vector<std::string> received;
-  Vector3 proxy = Vector3::Zero();
-  std::string event;
-  for (int i = 0; i < 3; ++i)
-  {
-    igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
-    header->InitPack();
-    ASSERT_EQ(this->Peer->Receive(header->GetPackPointer(), header->GetPackSize()),
-              header->GetPackSize());
-    header->Unpack();
-    std::vector<std::uint8_t> body(static_cast<std::size_t>(header->GetBodySizeToRead()));
-    this->Peer->Receive(body.data(), static_cast<int>(body.size()));
-    received.emplace_back(header->GetDeviceName());
-    if (received.back() == "Proxy")
-    {
-      igtl::TransformMessage::Pointer message = igtl::TransformMessage::New();
-      message->SetMessageHeader(header);
-      message->AllocatePack();
-      std::copy(body.begin(), body.end(),
-                static_cast<std::uint8_t*>(message->GetPackBodyPointer()));
-      message->Unpack(1);
-      igtl::Matrix4x4 matrix;
-      message->GetMatrix(matrix);
-      proxy = Vector3(matrix[0][3], matrix[1][3], matrix[2][3]);
-    }
-    event.assign(body.begin(), body.end());
-  }
-  EXPECT_EQ(received, (std::vector<std::string>{"Probe", "Proxy", "Event"}));
-  EXPECT_EQ(proxy, Vector3(-1.0, -2.0, 4.0)) << "RAS";
-  EXPECT_NE(event.find("contact with structure 2"), std::string::npos);
+  EXPECT_EQ(test::IgtlReceived(*this->Peer).Name, "Probe");
+  const test::IgtlReceived proxy(*this->Peer);
+  EXPECT_EQ(proxy.Name, "Proxy");
+  EXPECT_EQ(proxy.Place(), Vector3(-1.0, -2.0, 4.0)) << "RAS";
+  EXPECT_EQ(test::IgtlReceived(*this->Peer).Name, "ContactForce");
+  const test::IgtlReceived event(*this->Peer);
+  EXPECT_EQ(event.Name, "Event");
+  EXPECT_TRUE(event.Says("contact with structure 2"));
 }
 
 TEST_F(OpenIGTLinkDeviceTest, PeerThatReadsNothingDelaysNothing)

@@ -1,0 +1,61 @@
+#include "TouchPeer.h"
+
+#include "CommandProgress.h"
+#include "Console.h"
+#include "IgtlConversion.h"
+#include "IgtlTouchState.h"
+#include "Refusal.h"
+#include "SceneSurfaces.h"
+
+#include <chrono>
+#include <thread>
+
+namespace palpate::cli
+{
+namespace
+{
+constexpr int FarewellMilliseconds = 200;
+}
+
+TouchPeer::TouchPeer(const std::string& address, const PreparedTouch& touch, Console& console)
+    : Screen(console)
+{
+  IgtlPeer peer;
+  RequireInput(ParseIgtlPeer(address, peer));
+  this->Link.Offer(SurfaceMessagesOf(DisplayedSurfaces(touch.Settings, ProgressOn(console))));
+  console.EndProgress();
+  RequireInput(this->Link.Open(peer));
+}
+
+TouchPeer::~TouchPeer()
+{
+  this->Link.EndTouch();
+  for (int waited = 0;
+       waited < FarewellMilliseconds && this->Link.HasPeer() && !this->Link.IsAllSent(); ++waited)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  this->TellProblems();
+}
+
+void TouchPeer::Show(const TouchState& newest)
+{
+  if (newest.HasSample && newest.State == DeviceState::Ready)
+  {
+    this->Link.Show(IgtlTouchOf(newest));
+  }
+  this->TellProblems();
+}
+
+void TouchPeer::TellProblems()
+{
+  for (const std::string& problem : this->Link.TakeProblems())
+  {
+    this->Screen.Note(problem);
+  }
+  while (this->Link.TakeImage())
+  {
+    // Images are for palpate link.
+  }
+}
+} // namespace palpate::cli
