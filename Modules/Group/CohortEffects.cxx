@@ -38,7 +38,7 @@ void CheckEffects(const Status& status)
 struct FittedEffects
 {
   Eigen::MatrixXd Scores;
-  Eigen::MatrixXd Displacements;
+  LinearOutcomes Displacements;
   LinearModel Model;
 };
 
@@ -97,10 +97,11 @@ CohortEffects FindCohortEffects(const CohortGroup& group, const CovariateTable& 
   effects.Permutations = settings;
   CheckEffects(MakeLinearDesign(covariates, formula, references, effects.Design));
   effects.Surface = FindNormalDisplacement(ShapeOf(group, -1, 0.0), EffectFrequency);
-  FittedEffects fitted;
-  fitted.Displacements = KeptRows(CoefficientsOf(group), effects.Design.Cases).rowwise() -
-                         group.Modes.Mean.transpose();
-  fitted.Displacements = (fitted.Displacements * effects.Surface.PerCoefficient.transpose()).eval();
+  FittedEffects fitted{{},
+                       {KeptRows(CoefficientsOf(group), effects.Design.Cases).rowwise() -
+                            group.Modes.Mean.transpose(),
+                        effects.Surface.PerCoefficient.transpose()},
+                       {}};
   fitted.Model = FitLinearModel(effects.Design, fitted.Displacements);
   effects.ScoreCount = CountStableModes(group.Modes, fitted.Model.FreeDegrees);
   fitted.Scores = KeptRows(group.Modes.Scores, effects.Design.Cases).leftCols(effects.ScoreCount);

@@ -33,15 +33,16 @@ Eigen::MatrixXd LinearModel::ConfidenceWidths(double confidence) const
   return StudentQuantile(confidence, static_cast<double>(this->FreeDegrees)) * this->StandardErrors;
 }
 
-LinearModel FitLinearModel(const LinearDesign& design, const Eigen::MatrixXd& outcomes)
+LinearModel FitLinearModel(const LinearDesign& design, const LinearOutcomes& outcomes)
 {
   const Eigen::MatrixXd& matrix = design.Matrix;
   const Eigen::Index count = matrix.cols();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix);
   LinearModel model;
   model.FreeDegrees = matrix.rows() - count;
-  model.Coefficients = qr.solve(outcomes);
-  model.ResidualSquares = (outcomes - matrix * model.Coefficients).colwise().squaredNorm();
+  const Eigen::MatrixXd fitted = qr.solve(outcomes.Factors());
+  model.Coefficients = outcomes.Spread(fitted);
+  model.ResidualSquares = outcomes.SquaredNorms(outcomes.Factors() - matrix * fitted);
   const Eigen::MatrixXd inverse = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>().solve(
       Eigen::MatrixXd::Identity(count, count));
   const Eigen::VectorXd lengths = inverse.rowwise().norm();
@@ -64,10 +65,11 @@ EffectSpace FindEffectSpace(const LinearDesign& design, const DesignTerm& term)
 }
 
 TermTest TestTerm(const LinearDesign& design, const DesignTerm& term, const LinearModel& model,
-                  const Eigen::MatrixXd& outcomes)
+                  const LinearOutcomes& outcomes)
 {
   const EffectSpace space = FindEffectSpace(design, term);
-  const Eigen::VectorXd explained = (space.Effect.transpose() * outcomes).colwise().squaredNorm();
+  const Eigen::VectorXd explained =
+      outcomes.SquaredNorms(space.Effect.transpose() * outcomes.Factors());
   const auto numerator = static_cast<double>(term.Count);
   const auto denominator = static_cast<double>(model.FreeDegrees);
   TermTest test;

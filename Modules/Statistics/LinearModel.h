@@ -1,6 +1,7 @@
 #pragma once
 
 #include "LinearDesign.h"
+#include "LinearOutcomes.h"
 
 #include <Eigen/Core>
 
@@ -18,8 +19,8 @@ struct LinearModel
   Eigen::MatrixXd ConfidenceWidths(double confidence) const;
 };
 
-/// `outcomes` has one row per kept case. Solved by an orthogonal basis of the design.
-LinearModel FitLinearModel(const LinearDesign& design, const Eigen::MatrixXd& outcomes);
+/// `outcomes` are those of the kept cases. Solved by an orthogonal basis of the design.
+LinearModel FitLinearModel(const LinearDesign& design, const LinearOutcomes& outcomes);
 
 /// Test of one term given all others, as R's drop1: F of each outcome.
 struct TermTest
@@ -38,5 +39,5 @@ struct EffectSpace
 EffectSpace FindEffectSpace(const LinearDesign& design, const DesignTerm& term);
 
 TermTest TestTerm(const LinearDesign& design, const DesignTerm& term, const LinearModel& model,
-                  const Eigen::MatrixXd& outcomes);
+                  const LinearOutcomes& outcomes);
 } // namespace palpate

@@ -27,22 +27,35 @@ struct PermutedModel
   RowMatrix Basis; ///< rows: columns of the term, then of the others but the constant
   Eigen::Index EffectCount;
   double FreeDegrees;
-  RowMatrix Residuals; ///< under the other terms, cases x points
+  const LinearOutcomes& Outcomes;
+  RowMatrix Residuals; ///< of their factors under the other terms
   Eigen::ArrayXd Totals;
   Eigen::ArrayXd Areas;
+
+  // Of combinations of cases with the residuals at each point. `ofFactors` is for later calls.
+  void Multiply(const RowMatrix& combinations, RowMatrix& ofFactors, RowMatrix& products) const
+  {
+    RowMatrix& first = this->Outcomes.IsFactored() ? ofFactors : products;
+    first.noalias() = combinations * this->Residuals;
+    if (this->Outcomes.IsFactored())
+    {
+      products.noalias() = first * this->Outcomes.PerFactor();
+    }
+  }
 };
 
-PermutedModel MakePermutedModel(const EffectSpace& space, const Eigen::MatrixXd& outcomes,
+PermutedModel MakePermutedModel(const EffectSpace& space, const LinearOutcomes& outcomes,
                                 const SurfaceGraph& surface)
 {
-  PermutedModel model;
+  PermutedModel model{{}, 0, 0.0, outcomes, {}, {}, {}};
   const Eigen::Index others = space.Others.cols() - 1;
   model.EffectCount = space.Effect.cols();
-  model.FreeDegrees = static_cast<double>(outcomes.rows() - model.EffectCount - others - 1);
-  model.Basis.resize(model.EffectCount + others, outcomes.rows());
+  model.FreeDegrees = static_cast<double>(outcomes.CaseCount() - model.EffectCount - others - 1);
+  model.Basis.resize(model.EffectCount + others, outcomes.CaseCount());
   model.Basis << space.Effect.transpose(), space.Others.rightCols(others).transpose();
-  model.Residuals = outcomes - space.Others * (space.Others.transpose() * outcomes);
-  model.Totals = model.Residuals.colwise().squaredNorm().transpose().array();
+  const Eigen::MatrixXd& factors = outcomes.Factors();
+  model.Residuals = factors - space.Others * (space.Others.transpose() * factors);
+  model.Totals = outcomes.SquaredNorms(model.Residuals).array();
   model.Areas = Eigen::Map<const Eigen::ArrayXd>(surface.Areas.data(),
                                                  static_cast<Eigen::Index>(surface.Areas.size()));
   return model;
@@ -156,7 +169,7 @@ public:
                              rows, 1) = this->Model.Basis.col(this->Order[row]);
       }
     }
-    this->Products.noalias() = this->Permuted * this->Model.Residuals;
+    this->Model.Multiply(this->Permuted, this->OfFactors, this->Products);
     for (std::size_t k = 0; k < count; ++k)
     {
       this->Statistics.Take(this->Model,
@@ -177,6 +190,7 @@ private:
   Eigen::ArrayXi Reached;
   std::vector<Eigen::Index> Order;
   RowMatrix Permuted;
+  RowMatrix OfFactors;
   RowMatrix Products;
   OrderStatistics Statistics;
 };
@@ -255,13 +269,16 @@ unsigned ThreadsOf(const PermutationSettings& settings)
 }
 } // namespace
 
-Status TestByPermutation(const EffectSpace& space, const Eigen::MatrixXd& outcomes,
+Status TestByPermutation(const EffectSpace& space, const LinearOutcomes& outcomes,
                          const SurfaceGraph& surface, const PermutationSettings& settings,
                          const KernelProgress& progress, PermutationTest& test)
 {
   const PermutedModel model = MakePermutedModel(space, outcomes, surface);
   OrderStatistics observed;
-  observed.Take(model, RowMatrix(model.Basis * model.Residuals));
+  RowMatrix ofFactors;
+  RowMatrix products;
+  model.Multiply(model.Basis, ofFactors, products);
+  observed.Take(model, products);
   std::vector<PermutationWorker> workers;
   for (unsigned i = 0; i < ThreadsOf(settings); ++i)
   {
@@ -272,7 +289,7 @@ Status TestByPermutation(const EffectSpace& space, const Eigen::MatrixXd& outcom
   {
     return Status::Failure("cancelled");
   }
-  Eigen::ArrayXi reached = Eigen::ArrayXi::Ones(outcomes.cols());
+  Eigen::ArrayXi reached = Eigen::ArrayXi::Ones(outcomes.OutcomeCount());
   for (const PermutationWorker& worker : workers)
   {
     reached += worker.Counts();

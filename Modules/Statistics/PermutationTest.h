@@ -42,9 +42,9 @@ struct PermutationTest
 /// Residuals under the other terms are permuted (Freedman and Lane, J. Bus. Econ. Stat. 1 (1983)
 /// 292; Winkler et al., NeuroImage 92 (2014) 381); positive and negative effects compete for one
 /// maximum. A p-value is the share of orders, the observed one included, whose statistic is at
-/// least as large. `outcomes` has one row per case and one column per point. Fails only if
+/// least as large. `outcomes` has one outcome per point. Fails only if
 /// `progress` cancels.
-Status TestByPermutation(const EffectSpace& space, const Eigen::MatrixXd& outcomes,
+Status TestByPermutation(const EffectSpace& space, const LinearOutcomes& outcomes,
                          const SurfaceGraph& surface, const PermutationSettings& settings,
                          const KernelProgress& progress, PermutationTest& test);
 } // namespace palpate

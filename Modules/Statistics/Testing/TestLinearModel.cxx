@@ -146,7 +146,7 @@ TEST(LinearModel, FindsWhatTheOutcomesAreMadeOf)
 {
   const LinearDesign design = DesignOf(RandomCovariates(30, 2), "~ age + center");
   const Eigen::MatrixXd truth = RandomOutcomes(4, 6, 3);
-  const LinearModel model = FitLinearModel(design, design.Matrix * truth);
+  const LinearModel model = FitLinearModel(design, Eigen::MatrixXd(design.Matrix * truth));
   EXPECT_LT((model.Coefficients - truth).cwiseAbs().maxCoeff(), 1e-10); // a condition of some 1e3
   EXPECT_EQ(model.FreeDegrees, 26);
 }
