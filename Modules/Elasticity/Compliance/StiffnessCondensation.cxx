@@ -151,7 +151,9 @@ public:
     const std::size_t last = this->Parts.size() - 1;
     Eigen::MatrixXd second = Eigen::MatrixXd::Zero(energy.rows(), energy.cols());
     std::vector<DenseFront> halves;
-    if (const auto [one, other] = this->Parts[last].Before; other != NestedDissection::None)
+    const int one = this->Parts[last].Before[0];
+    const int other = this->Parts[last].Before[1];
+    if (other != NestedDissection::None)
     {
       // Two threads on any number of processors: the sums have the same order everywhere.
       auto aside = std::async(std::launch::async,

@@ -208,7 +208,7 @@ void ParametricSolver::MultiplyNormal(const Coordinates& x, Coordinates& y) noex
 
 void ParametricSolver::FitNormals(const SurfaceSamples& samples, int iterations)
 {
-  constexpr double Negligible = 1e-20; // of the squared residual: below rounding
+  constexpr double NegligibleSquare = 1e-20; // of the squared residual: below rounding
   Coordinates residual = this->MakeCoordinates();
   Coordinates direction = this->MakeCoordinates();
   Coordinates product = this->MakeCoordinates();
@@ -225,7 +225,7 @@ void ParametricSolver::FitNormals(const SurfaceSamples& samples, int iterations)
     }
     const double now = DotAll(residual, conditioned);
     first = step == 0 ? now : first;
-    if (!(now > Negligible * first))
+    if (!(now > NegligibleSquare * first))
     {
       break;
     }
