@@ -27,10 +27,31 @@ struct CsvTable
   std::vector<std::vector<std::string>> Rows;
 };
 
+// "62,5" gives "62.5"; other texts stay.
+std::string WithDecimalPoint(std::string text)
+{
+  const std::size_t comma = text.find(',');
+  const bool isNumber =
+      comma != std::string::npos && comma > 0 && comma + 1 < text.size() &&
+      text.find_first_not_of("0123456789,", text[0] == '-' ? 1 : 0) == std::string::npos &&
+      text.find(',', comma + 1) == std::string::npos;
+  if (isNumber)
+  {
+    text[comma] = '.';
+  }
+  return text;
+}
+
 CsvTable ReadTable(const std::filesystem::path& file)
 {
   CsvTable table;
-  ForEachCsvRecord(ReadWholeFile(file, LargestCovariateFile),
+  const std::string text = ReadWholeFile(file, LargestCovariateFile);
+  if (text.find('\0') != std::string::npos)
+  {
+    throw InputError(file.string() + " is not plain text; save it as CSV in UTF-8");
+  }
+  const bool mayHaveDecimalCommas = CsvSeparator(text) == ';';
+  ForEachCsvRecord(text,
                    [&](const CsvRecord& record)
                    {
                      if (table.Columns.empty())
@@ -44,15 +65,15 @@ CsvTable ReadTable(const std::filesystem::path& file)
                      std::vector<std::string> row;
                      for (const std::string& column : table.Columns)
                      {
-                       row.push_back(*record.Find(column));
+                       const std::string& field = *record.Find(column);
+                       row.push_back(mayHaveDecimalCommas ? WithDecimalPoint(field) : field);
                      }
                      table.Rows.push_back(std::move(row));
                    });
   if (table.Rows.empty())
   {
     throw InputError(file.string() +
-                     " has no rows; covariates are a table with a header and one row per case, "
-                     "separated by commas");
+                     " has no rows; covariates are a table with a header and one row per case");
   }
   return table;
 }

@@ -9,7 +9,8 @@
 
 namespace palpate
 {
-/// Reads a table of covariates (CSV with a header) and finds the row of each case, by the column
+/// Reads a table of covariates (with a header; separated by commas, semicolons or tabs; with
+/// semicolons, numbers may have decimal commas) and finds the row of each case, by the column
 /// `id` or, if that is empty, by the first column named case, id, patient_id, participant_id,
 /// subject or subject_id, else by the first column. A row belongs to a case whose name is its id,
 /// or has its id as a whole part between characters that are neither letters nor digits: 10005 to

@@ -2,6 +2,9 @@
 
 #include "CsvCell.h"
 
+#include <algorithm>
+#include <array>
+
 namespace palpate
 {
 namespace
@@ -12,7 +15,7 @@ class CsvReader
 {
 public:
   using TakeRow = std::function<void(std::vector<std::string>)>;
-  explicit CsvReader(TakeRow take) : Give(std::move(take)) {}
+  CsvReader(char separator, TakeRow take) : Separator(separator), Give(std::move(take)) {}
 
   void Read(std::string_view text)
   {
@@ -34,7 +37,7 @@ private:
     {
       this->Quoted = !this->Quoted;
     }
-    else if (!this->Quoted && letter == ',')
+    else if (!this->Quoted && letter == this->Separator)
     {
       this->EndField();
     }
@@ -62,6 +65,7 @@ private:
     this->Row.clear();
   }
 
+  char Separator;
   TakeRow Give;
   std::vector<std::string> Row;
   std::string Field;
@@ -117,6 +121,24 @@ std::vector<std::string> CsvRecord::Columns() const
   return names;
 }
 
+char CsvSeparator(std::string_view text)
+{
+  constexpr std::string_view Separators = ",;\t";
+  std::array<std::size_t, Separators.size()> counts{};
+  bool isQuoted = false;
+  for (std::size_t i = 0; i < text.size() && (isQuoted || text[i] != '\n'); ++i)
+  {
+    isQuoted = isQuoted != (text[i] == '"');
+    const std::size_t kind = Separators.find(text[i]);
+    if (!isQuoted && kind != std::string_view::npos)
+    {
+      ++counts.at(kind);
+    }
+  }
+  return Separators[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) -
+                                             counts.begin())];
+}
+
 void ForEachCsvRecord(std::string_view text, const std::function<void(const CsvRecord&)>& take)
 {
   std::shared_ptr<const CsvRecord::Places> head;
@@ -133,6 +155,6 @@ void ForEachCsvRecord(std::string_view text, const std::function<void(const CsvR
     }
     head = std::move(columns);
   };
-  CsvReader(takeRow).Read(text);
+  CsvReader(CsvSeparator(text), takeRow).Read(text);
 }
 } // namespace palpate

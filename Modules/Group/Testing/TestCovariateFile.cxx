@@ -44,6 +44,33 @@ TEST(CovariateFile, FindsRowsByWholePartsOfNames)
   EXPECT_TRUE(notes.empty());
 }
 
+TEST(CovariateFile, SemicolonsAndTabsSeparateAsSpreadsheetsWriteThem)
+{
+  for (const std::string& text :
+       {std::string("id;age;group\n10005;62,5;\"a,b\"\n10015;-7,25;1,2,3\n"),
+        std::string("id\tage\tgroup\n10005\t62.5\ta,b\n10015\t-7.25\t1,2,3\n")})
+  {
+    std::vector<std::string> notes;
+    const CovariateTable table = Read(text, notes);
+    ASSERT_NE(table.Find("age"), nullptr) << text;
+    EXPECT_EQ(table.Find("age")->Texts(), (std::vector<std::string>{"62.5", "-7.25", ""}));
+    EXPECT_EQ(table.Find("group")->Texts(), (std::vector<std::string>{"a,b", "1,2,3", ""}));
+  }
+}
+
+TEST(CovariateFile, CommasInQuotesOfTheHeadSeparateNothing)
+{
+  std::vector<std::string> notes;
+  const CovariateTable table = Read("id;\"a, b, c, d\"\n10005;1\n", notes);
+  EXPECT_NE(table.Find("a, b, c, d"), nullptr);
+}
+
+TEST(CovariateFile, WideCharactersAreRefused)
+{
+  EXPECT_NE(RefusalOf(std::string("\xff\xfei\0d\0", 6)).find("save it as CSV in UTF-8"),
+            std::string::npos);
+}
+
 TEST(CovariateFile, PrefersTheLongestId)
 {
   std::vector<std::string> notes;
