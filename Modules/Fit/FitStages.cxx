@@ -72,7 +72,7 @@ void RunStage(const Stage& stage, FitResult& result)
   }
 }
 
-void Refuse(const std::string& reason, const Hint& hint, FitResult& result)
+void Refuse(const std::string& reason, Hint& hint, FitResult& result)
 {
   result.State = FitResult::Outcome::Refused;
   result.Message = reason;

@@ -38,7 +38,7 @@ const std::array<DrillRole, 4> Roles{{{"Not drilled", {0.0, 0.0, 0.0}, false},
 
 enum Column
 {
-  NameColumn,
+  SiteColumn,
   RoleColumn,
   AlarmColumn,
   StandColumn,
@@ -207,7 +207,7 @@ void DrillPanel::MakeRow(int row, const SceneStructure& structure)
   const QString title = ScreenString(TitleOf(structure));
   auto* name = new QTableWidgetItem(title);
   name->setData(Qt::UserRole, structure.Id);
-  this->Table->setItem(row, NameColumn, name);
+  this->Table->setItem(row, SiteColumn, name);
   this->Table->setItem(row, StandColumn, new QTableWidgetItem);
   auto* role = new QComboBox(this->Table);
   for (const DrillRole& one : Roles)
@@ -240,7 +240,7 @@ void DrillPanel::MakeRow(int row, const SceneStructure& structure)
 
 void DrillPanel::ShowRow(int row, const SceneStructure& structure)
 {
-  SetText(this->Table->item(row, NameColumn), ScreenString(TitleOf(structure)));
+  SetText(this->Table->item(row, SiteColumn), ScreenString(TitleOf(structure)));
   auto* role = qobject_cast<QComboBox*>(this->Table->cellWidget(row, RoleColumn));
   auto* alarm = qobject_cast<QDoubleSpinBox*>(this->Table->cellWidget(row, AlarmColumn));
   const QSignalBlocker quiet(alarm);
@@ -254,7 +254,7 @@ bool DrillPanel::HasRowsOf(const StudyState& state) const
   bool hasAll = this->Table->rowCount() == static_cast<int>(state.Structures.size());
   for (int row = 0; hasAll && row < this->Table->rowCount(); ++row)
   {
-    hasAll = this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() ==
+    hasAll = this->Table->item(row, SiteColumn)->data(Qt::UserRole).toInt() ==
              state.Structures[static_cast<std::size_t>(row)].Id;
   }
   return hasAll;
@@ -297,7 +297,7 @@ void DrillPanel::ShowReading()
   this->Redo->setEnabled(isTouching && reading.CanRedo);
   for (int row = 0; row < this->Table->rowCount(); ++row)
   {
-    const QTableWidgetItem* name = this->Table->item(row, NameColumn);
+    const QTableWidgetItem* name = this->Table->item(row, SiteColumn);
     const int label = name->data(Qt::UserRole).toInt();
     QString text;
     for (const StudyDrilled& one : reading.Drilled)
@@ -395,7 +395,7 @@ void DrillPanel::Export()
   const int row = this->Table->currentRow();
   const auto& drilled = this->Study.Reading().Drill.Drilled;
   int label = drilled.empty() ? 0 : drilled.front().Id;
-  label = row >= 0 ? this->Table->item(row, NameColumn)->data(Qt::UserRole).toInt() : label;
+  label = row >= 0 ? this->Table->item(row, SiteColumn)->data(Qt::UserRole).toInt() : label;
   const QString file = this->Questions.ToSave(
       this, "Export the drilled structure", "drilled.stl",
       QString::fromStdString("Surfaces and images (" +

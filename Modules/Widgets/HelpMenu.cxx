@@ -27,7 +27,7 @@ constexpr const char* MouseText =
     "<p><b>Return</b>, in a view: ends a curve that is measured. <b>D</b>, held: drills. "
     "<b>Esc</b> stops all force, anywhere in the program.</p>";
 
-void Show(QWidget* window, const QString& title, const QString& html)
+void ShowText(QWidget* window, const QString& title, const QString& html)
 {
   constexpr double MostOfScreen = 0.8;
   auto* dialog = new QDialog(window);
@@ -68,9 +68,9 @@ HelpMenu::HelpMenu(QWidget* window) : QMenu("&Help", window), Window(window)
 {
   this->addAction(
       "&Shortcuts and mouse", this,
-      [this] { Show(this->Window, "Shortcuts and mouse", this->ShortcutText()); },
+      [this] { ShowText(this->Window, "Shortcuts and mouse", this->ShortcutText()); },
       QKeySequence::HelpContents);
-  this->addAction("&About", this, [this] { Show(this->Window, "About Palpate", AboutText()); });
+  this->addAction("&About", this, [this] { ShowText(this->Window, "About Palpate", AboutText()); });
 }
 
 QString HelpMenu::ShortcutText() const

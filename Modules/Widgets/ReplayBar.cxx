@@ -12,12 +12,12 @@ namespace palpate
 {
 namespace
 {
-constexpr double MostSteps = 1e6; // of the slider, for recordings of any length
+constexpr double MostSliderSteps = 1e6; // of the slider, for recordings of any length
 
 // A millisecond, or more in long recordings.
 double StepOf(const StudyReplay& replay)
 {
-  return std::max(1e-3, replay.Duration() / MostSteps);
+  return std::max(1e-3, replay.Duration() / MostSliderSteps);
 }
 
 QString TimeText(double seconds)
