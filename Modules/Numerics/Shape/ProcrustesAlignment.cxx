@@ -1,11 +1,11 @@
 #include "ProcrustesAlignment.h"
 
 #include "ParametricSurfaceMeasures.h"
+#include "ShapeVector.h"
 #include "SphericalHarmonicMeasures.h"
 
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -17,6 +17,7 @@ namespace
 {
 // Orientations closer than this to the chosen one are no others.
 constexpr double SmallestOtherTurn = 0.25 * M_PI; // rad
+constexpr double RoundsShare = 0.7;               // of the progress; the rest is flips
 
 // x to -x. A surface's parameters are mirrored too, so that it stays outside out.
 SurfaceModel MirrorImage(const SurfaceModel& shape)
@@ -31,72 +32,13 @@ SurfaceModel MirrorImage(const SurfaceModel& shape)
 
 SurfaceModel Scaled(const SurfaceModel& shape, double factor)
 {
-  if (const auto* surface = std::get_if<ParametricSphericalSurface>(&shape))
-  {
-    return surface->Transformed(factor * Matrix3::Identity(), Vector3::Zero());
-  }
-  const auto& radial = std::get<SphericalHarmonicModel>(shape);
-  std::vector<double> coefficients = radial.Coefficients();
-  for (double& c : coefficients)
-  {
-    c *= factor;
-  }
-  return SphericalHarmonicModel(radial.Degree(), std::move(coefficients), Vector3::Zero());
-}
-
-std::array<std::vector<double>, 3> SeriesCoefficients(const SurfaceModel& shape)
-{
-  if (const auto* radial = std::get_if<SphericalHarmonicModel>(&shape))
-  {
-    return {radial->Coefficients(), {}, {}};
-  }
-  const auto& surface = std::get<ParametricSphericalSurface>(shape);
-  return {surface.Coefficients(0), surface.Coefficients(1), surface.Coefficients(2)};
-}
-
-SurfaceModel MeanOf(const std::vector<SurfaceModel>& shapes)
-{
-  std::array<std::vector<double>, 3> mean = SeriesCoefficients(shapes.front());
-  for (std::size_t i = 1; i < shapes.size(); ++i)
-  {
-    const std::array<std::vector<double>, 3> one = SeriesCoefficients(shapes[i]);
-    for (std::size_t series = 0; series < 3; ++series)
-    {
-      for (std::size_t k = 0; k < mean[series].size(); ++k)
-      {
-        mean[series][k] += one[series][k];
-      }
-    }
-  }
-  for (std::vector<double>& series : mean)
-  {
-    for (double& c : series)
-    {
-      c /= static_cast<double>(shapes.size());
-    }
-  }
-  const int degree = DegreeOf(shapes.front());
-  if (std::holds_alternative<SphericalHarmonicModel>(shapes.front()))
-  {
-    return SphericalHarmonicModel(degree, std::move(mean[0]), Vector3::Zero());
-  }
-  return ParametricSphericalSurface(degree, mean);
+  return ShapeFrom(factor * VectorOf(shape), shape);
 }
 
 // RMS over the sphere, mm.
 double DistanceBetween(const SurfaceModel& a, const SurfaceModel& b)
 {
-  const std::array<std::vector<double>, 3> first = SeriesCoefficients(a);
-  const std::array<std::vector<double>, 3> second = SeriesCoefficients(b);
-  double sum = 0.0;
-  for (std::size_t series = 0; series < 3; ++series)
-  {
-    for (std::size_t k = 0; k < first[series].size(); ++k)
-    {
-      sum += std::pow(first[series][k] - second[series][k], 2);
-    }
-  }
-  return std::sqrt(sum / (4.0 * M_PI));
+  return (VectorOf(a) - VectorOf(b)).norm() / std::sqrt(4.0 * M_PI);
 }
 
 Status MeasureShape(const SurfaceModel& shape, BodyMoments& body)
@@ -145,11 +87,19 @@ void ScaleShapes(const SurfaceModel* reference, ProcrustesResult& result)
 }
 
 // From where each shape is; of surfaces from the polar factor too, the first time.
-void TurnToMean(const std::vector<SurfaceModel>& shapes, bool isFirst, ProcrustesResult& result)
+bool TurnToMean(const std::vector<SurfaceModel>& shapes, const KernelProgress& progress,
+                ProcrustesResult& result)
 {
+  const bool isFirst = result.Rounds == 0;
+  const auto count = static_cast<double>(shapes.size());
   const ShapeSuperposition mean(result.Mean);
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
+    const double rounds = result.Rounds + static_cast<double>(i) / count;
+    if (progress && !progress(RoundsShare * (1.0 - std::exp2(-rounds))))
+    {
+      return false;
+    }
     SuperposedShape best = mean.Fit(shapes[i], result.Cases[i].Rotation);
     if (isFirst && std::holds_alternative<ParametricSphericalSurface>(shapes[i]))
     {
@@ -162,6 +112,7 @@ void TurnToMean(const std::vector<SurfaceModel>& shapes, bool isFirst, Procruste
     result.Cases[i].ShapeResidual = best.ShapeResidual;
     result.Aligned[i] = TurnShape(shapes[i], best.Rotation);
   }
+  return true;
 }
 
 // Of the best orientation near a half turn of an aligned shape.
@@ -175,7 +126,7 @@ double FlippedResidual(const ShapeSuperposition& mean, const SurfaceModel& align
   return (turn < SmallestOtherTurn ? mean.At(aligned, start) : found).ShapeResidual;
 }
 
-void CompareWithFlips(ProcrustesResult& result)
+bool CompareWithFlips(const KernelProgress& progress, ProcrustesResult& result)
 {
   const ShapeSuperposition mean(result.Mean);
   BodyMoments body;
@@ -184,6 +135,11 @@ void CompareWithFlips(ProcrustesResult& result)
   const Matrix3 axes = hasAxes ? Matrix3(body.PrincipalAxes) : Matrix3(Matrix3::Identity());
   for (std::size_t i = 0; i < result.Aligned.size(); ++i)
   {
+    const double done = static_cast<double>(i) / static_cast<double>(result.Aligned.size());
+    if (progress && !progress(RoundsShare + (1.0 - RoundsShare) * done))
+    {
+      return false;
+    }
     ProcrustesCase& one = result.Cases[i];
     const SurfaceModel& aligned = result.Aligned[i];
     one.FlippedResidual = std::numeric_limits<double>::infinity();
@@ -199,6 +155,7 @@ void CompareWithFlips(ProcrustesResult& result)
     }
     one.MirroredResidual = mean.Fit(MirrorImage(aligned), {}).ShapeResidual;
   }
+  return true;
 }
 
 // 1 if both vanish but for rounding.
@@ -230,7 +187,8 @@ bool ProcrustesCase::IsMirrored() const
 }
 
 Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* reference,
-                         const ProcrustesSettings& settings, ProcrustesResult& result)
+                         const ProcrustesSettings& settings, ProcrustesResult& result,
+                         const KernelProgress& progress)
 {
   if (Status status = CheckShapes(shapes, reference); !status.IsOk())
   {
@@ -244,16 +202,18 @@ Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceM
     ScaleShapes(reference, result);
   }
   const std::vector<SurfaceModel> scaled = result.Aligned;
-  result.Mean = reference != nullptr ? *reference : MeanOf(scaled);
+  result.Mean = reference != nullptr ? *reference : MeanShape(scaled);
   while (result.Rounds < settings.MostRounds && !result.HasConverged)
   {
-    TurnToMean(scaled, result.Rounds == 0, result);
+    if (!TurnToMean(scaled, progress, result))
+    {
+      return Status::Failure("cancelled");
+    }
     ++result.Rounds;
-    const SurfaceModel mean = reference != nullptr ? *reference : MeanOf(result.Aligned);
+    const SurfaceModel mean = reference != nullptr ? *reference : MeanShape(result.Aligned);
     result.HasConverged = DistanceBetween(mean, result.Mean) <= settings.Tolerance;
     result.Mean = mean;
   }
-  CompareWithFlips(result);
-  return Status::Success();
+  return CompareWithFlips(progress, result) ? Status::Success() : Status::Failure("cancelled");
 }
 } // namespace palpate

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "KernelProgress.h"
 #include "ShapeSuperposition.h"
 #include "Status.h"
 #include "SurfaceModel.h"
@@ -60,7 +61,10 @@ constexpr double AmbiguousRatio = 0.8;
 /// all.
 ///
 /// `shapes` about the origin, of one kind and degree, as the reference. Fails if the reference is
-/// of another kind or degree, if there are no shapes, or if a shape has no volume.
+/// of another kind or degree, if there are no shapes, if a shape has no volume, or if `progress`
+/// cancels. How many rounds there will be is unknown, so that the progress of one is a part of what
+/// is left.
 Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* reference,
-                         const ProcrustesSettings& settings, ProcrustesResult& result);
+                         const ProcrustesSettings& settings, ProcrustesResult& result,
+                         const KernelProgress& progress = {});
 } // namespace palpate

@@ -167,10 +167,11 @@ ShapeSuperposition::FieldOf(const std::vector<SphericalHarmonicModel>& series,
   return turned;
 }
 
-ShapeSuperposition::Product ShapeSuperposition::ProductWith(const Field& field) const
+ShapeSuperposition::Product ShapeSuperposition::ProductWith(const Field& field,
+                                                            bool turnsBody) const
 {
   const Eigen::Index columns = field.Values.cols();
-  const Eigen::Index turns = columns == 1 ? 3 : 6;
+  const Eigen::Index turns = columns == 1 || !turnsBody ? 3 : 6;
   Product product{0.0, Eigen::VectorXd::Zero(turns), Eigen::MatrixXd::Zero(turns, turns)};
   for (Eigen::Index c = 0; c < columns; ++c)
   {
@@ -214,10 +215,22 @@ void ShapeSuperposition::AddBodyTurns(const Field& field, Product& product) cons
 SuperposedShape ShapeSuperposition::Fit(const SurfaceModel& shape,
                                         const SphereRotation& start) const
 {
+  return this->Climb(shape, start, true);
+}
+
+SuperposedShape ShapeSuperposition::FitParameters(const SurfaceModel& shape,
+                                                  const SphereRotation& start) const
+{
+  return this->Climb(shape, start, false);
+}
+
+SuperposedShape ShapeSuperposition::Climb(const SurfaceModel& shape, const SphereRotation& start,
+                                          bool turnsBody) const
+{
   const std::vector<SphericalHarmonicModel> series = SeriesOf(shape);
   SphereRotation rotation = start;
   Field field = this->FieldOf(series, rotation);
-  Product product = this->ProductWith(field);
+  Product product = this->ProductWith(field, turnsBody);
   for (int step = 0; step < MostTurns; ++step)
   {
     Eigen::VectorXd turn = NewtonTurn(product.Gradient, product.Hessian);
@@ -227,7 +240,7 @@ SuperposedShape ShapeSuperposition::Fit(const SurfaceModel& shape,
     {
       const SphereRotation next = TurnedBy(rotation, turn);
       Field nextField = this->FieldOf(series, next);
-      Product nextProduct = this->ProductWith(nextField);
+      Product nextProduct = this->ProductWith(nextField, turnsBody);
       isBetter = nextProduct.Value > product.Value;
       // The last turns change the product by less than its rounding, but still the gradient.
       const bool isEqual = nextProduct.Value > product.Value * (1.0 - 1e-14) &&

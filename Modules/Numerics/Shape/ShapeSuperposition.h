@@ -53,6 +53,9 @@ public:
   /// effect, as of a ball, are left out. Allocates.
   SuperposedShape Fit(const SurfaceModel& shape, const SphereRotation& start) const;
 
+  /// The same by turns of the parameters alone: a surface's body stays as `start` turns it.
+  SuperposedShape FitParameters(const SurfaceModel& shape, const SphereRotation& start) const;
+
   /// What `rotation` itself leaves. Allocates.
   SuperposedShape At(const SurfaceModel& shape, const SphereRotation& rotation) const;
 
@@ -78,10 +81,12 @@ private:
     Eigen::MatrixXd Hessian;
   };
 
+  SuperposedShape Climb(const SurfaceModel& shape, const SphereRotation& start,
+                        bool turnsBody) const;
   Field FieldOf(const std::vector<SphericalHarmonicModel>& series,
                 const SphereRotation& rotation) const;
   SuperposedShape Compare(const Field& field, const SphereRotation& rotation) const;
-  Product ProductWith(const Field& field) const;
+  Product ProductWith(const Field& field, bool turnsBody) const;
   void AddBodyTurns(const Field& field, Product& product) const;
 
   SphereQuadrature Sphere;

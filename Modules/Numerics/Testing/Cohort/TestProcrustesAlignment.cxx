@@ -268,6 +268,29 @@ TEST(ProcrustesAlignment, HalfTurnThatLeadsBackIsNotAmbiguous)
   }
 }
 
+TEST(ProcrustesAlignment, ProgressGrowsAndCancels)
+{
+  Random random(93);
+  const std::vector<SurfaceModel> shapes = Variants(random, 5, 0.4);
+  double last = -1.0;
+  bool grows = true;
+  const KernelProgress watch = [&](double done)
+  {
+    grows = grows && done >= last && done <= 1.0;
+    last = done;
+    return true;
+  };
+  ProcrustesResult result;
+  EXPECT_TRUE(AlignByProcrustes(shapes, nullptr, {}, result, watch).IsOk());
+  EXPECT_TRUE(grows);
+  EXPECT_GT(last, 0.9);
+  for (const double end : {0.0, 0.3, 0.8})
+  {
+    const KernelProgress until = [end](double done) { return done < end; };
+    EXPECT_FALSE(AlignByProcrustes(shapes, nullptr, {}, result, until).IsOk()) << end;
+  }
+}
+
 TEST(ProcrustesAlignment, RejectsWhatCannotBeAligned)
 {
   Random random(89);

@@ -1,0 +1,63 @@
+#include "ShapeVector.h"
+
+#include <cstddef>
+
+namespace palpate
+{
+namespace
+{
+Eigen::VectorXd SeriesVector(const std::vector<double>& series)
+{
+  return Eigen::Map<const Eigen::VectorXd>(series.data(), static_cast<Eigen::Index>(series.size()));
+}
+} // namespace
+
+Eigen::VectorXd VectorOf(const SurfaceModel& shape)
+{
+  if (const auto* radial = std::get_if<SphericalHarmonicModel>(&shape))
+  {
+    return SeriesVector(radial->Coefficients());
+  }
+  const auto& surface = std::get<ParametricSphericalSurface>(shape);
+  const auto count = static_cast<Eigen::Index>(surface.Coefficients(0).size());
+  Eigen::VectorXd all(3 * count);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all.segment(axis * count, count) = SeriesVector(surface.Coefficients(axis));
+  }
+  return all;
+}
+
+SurfaceModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const SurfaceModel& like)
+{
+  const int degree = DegreeOf(like);
+  if (std::holds_alternative<SphericalHarmonicModel>(like))
+  {
+    return SphericalHarmonicModel(
+        degree, std::vector<double>(values.data(), values.data() + values.size()), Vector3::Zero());
+  }
+  const Eigen::Index count = values.size() / 3;
+  const auto series = [&](Eigen::Index axis)
+  {
+    const double* first = values.data() + axis * count;
+    return std::vector<double>(first, first + count);
+  };
+  return ParametricSphericalSurface(degree, {series(0), series(1), series(2)});
+}
+
+SurfaceModel MeanShape(const std::vector<SurfaceModel>& shapes)
+{
+  Eigen::VectorXd sum = VectorOf(shapes.front());
+  for (std::size_t i = 1; i < shapes.size(); ++i)
+  {
+    sum += VectorOf(shapes[i]);
+  }
+  return ShapeFrom(sum / static_cast<double>(shapes.size()), shapes.front());
+}
+
+SurfaceModel WithDegree(const SurfaceModel& shape, int degree)
+{
+  return std::visit([degree](const auto& one) -> SurfaceModel { return one.WithDegree(degree); },
+                    shape);
+}
+} // namespace palpate
