@@ -37,8 +37,9 @@ void CheckRow(const std::filesystem::path& file, const CohortCase& one)
     throw InputError(file.string() + ": a row has no case or no mask; give every row both");
   }
 }
+} // namespace
 
-void CheckNames(const std::filesystem::path& file, const std::vector<CohortCase>& cases)
+void CheckCaseNames(const std::filesystem::path& source, const std::vector<CohortCase>& cases)
 {
   std::set<std::string> taken;
   for (const CohortCase& one : cases)
@@ -46,13 +47,12 @@ void CheckNames(const std::filesystem::path& file, const std::vector<CohortCase>
     if (one.Name.find_first_not_of('.') == std::string::npos ||
         !taken.insert(FoldedName(PlainName(one.Name))).second)
     {
-      throw InputError(file.string() + ": case " + one.Name +
+      throw InputError(source.string() + ": case " + one.Name +
                        " cannot have its own folder; give every case a name that differs in its "
                        "first 48 letters and digits");
     }
   }
 }
-} // namespace
 
 std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
                                      const std::filesystem::path& base)
@@ -75,7 +75,7 @@ std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
         file.string() +
         " lists no case; use a table with the header case,mask,label,volume and one row per case");
   }
-  CheckNames(file, cases);
+  CheckCaseNames(file, cases);
   return cases;
 }
 

@@ -24,6 +24,11 @@ struct CohortCase
 PALPATEGROUP_EXPORT std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
                                                          const std::filesystem::path& base = {});
 
+/// Throws InputError, beginning with `source`, if two cases would have the same folder name or one
+/// none.
+PALPATEGROUP_EXPORT void CheckCaseNames(const std::filesystem::path& source,
+                                        const std::vector<CohortCase>& cases);
+
 /// The images of a folder, or its surfaces if it has no image, not of its subfolders, sorted by
 /// name. Throws InputError if there are none.
 PALPATEGROUP_EXPORT std::vector<std::filesystem::path>

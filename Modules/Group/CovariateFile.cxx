@@ -20,6 +20,9 @@ constexpr std::size_t MostColumns = 4096;
 constexpr std::array<const char*, 6> IdNames{
     {"case", "id", "patient_id", "participant_id", "subject", "subject_id"}};
 
+// participant_id of BIDS has it, a pattern such as sub-{id} leaves it out.
+const std::string BidsPrefix = "sub-";
+
 /// The rows of a file, each with a text for each column.
 struct CsvTable
 {
@@ -124,7 +127,7 @@ std::optional<std::size_t> RowOf(const std::string& name, const CsvTable& table,
   for (std::size_t row = 0; row < table.Rows.size(); ++row)
   {
     const std::string& id = table.Rows[row][column];
-    if (id.empty() || !HasWholePart(name, id))
+    if (id.empty() || !(HasWholePart(name, id) || id == BidsPrefix + name))
     {
       continue;
     }

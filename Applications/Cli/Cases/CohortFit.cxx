@@ -2,6 +2,7 @@
 
 #include "CaseFit.h"
 #include "CaseNames.h"
+#include "CasePattern.h"
 #include "CaseProcesses.h"
 #include "CaseTally.h"
 #include "CaseText.h"
@@ -58,6 +59,11 @@ CohortFit::CohortFit(const FitSettings& settings, const std::vector<std::string>
 
 void CohortFit::TakeMasks(const std::vector<std::string>& inputs)
 {
+  if (std::any_of(inputs.begin(), inputs.end(), IsCasePattern))
+  {
+    this->TakePattern(inputs);
+    return;
+  }
   std::vector<std::string> masks;
   for (const std::string& input : inputs)
   {
@@ -77,6 +83,16 @@ void CohortFit::TakeMasks(const std::vector<std::string>& inputs)
   {
     this->Cases.push_back({names.OfInput(i), masks[i], {}, {}});
   }
+  this->ListCases();
+}
+
+void CohortFit::TakePattern(const std::vector<std::string>& inputs)
+{
+  if (inputs.size() > 1)
+  {
+    throw InputError("a pattern with {id} lists all cases; give it alone");
+  }
+  this->Cases = FindPatternCases(inputs.front());
   this->ListCases();
 }
 

@@ -29,7 +29,8 @@ public:
   /// Cases at a time, each in a process of its own; 1: in this one.
   void SetJobs(unsigned jobs) { this->Jobs = jobs; }
 
-  /// Adds every mask of the folders, and the files, as cases named after them. Throws InputError.
+  /// Adds every mask of the folders, and the files, as cases named after them, or those of a
+  /// pattern (FindPatternCases). Throws InputError.
   void TakeMasks(const std::vector<std::string>& inputs);
   /// `inputs` is empty, or the one folder to which its paths are relative. Throws InputError.
   void TakeManifest(const std::string& manifest, const std::vector<std::string>& inputs);
@@ -41,6 +42,7 @@ public:
   int Run(const std::filesystem::path& output, Console& console);
 
 private:
+  void TakePattern(const std::vector<std::string>& inputs);
   void ListCases();
   /// Reads the rows of other runs, and of the cases that this one has not done.
   void TakeRowsOfOthers();

@@ -1,6 +1,7 @@
 #include "FitCommand.h"
 
 #include "CaseFit.h"
+#include "CasePattern.h"
 #include "CaseProcesses.h"
 #include "CaseText.h"
 #include "CohortFit.h"
@@ -36,7 +37,8 @@ void FitCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("MASK", this->Inputs,
                  "Segmentations: label maps, .seg.nrrd, DICOM-SEG; or closed surfaces (" +
-                     ListOfEndings(SurfaceFormats().ReadEndings()) + "); or folders of either")
+                     ListOfEndings(SurfaceFormats().ReadEndings()) +
+                     "); or folders of either; or a pattern with {id} and *")
       ->check(FileType::Input("label"));
   app.add_option("--manifest", this->Manifest,
                  "Table of cases: case,mask,label,volume; paths are relative to its folder, or to "
@@ -69,8 +71,9 @@ bool FitCommand::IsCohort() const
   std::error_code ignored;
   return !this->Manifest.empty() ||
          std::any_of(this->Inputs.begin(), this->Inputs.end(),
-                     [&](const std::string& input)
-                     { return std::filesystem::is_directory(input, ignored); });
+                     [&](const std::string& input) {
+                       return IsCasePattern(input) || std::filesystem::is_directory(input, ignored);
+                     });
 }
 
 int FitCommand::RunCohort(Console& console) const

@@ -81,6 +81,19 @@ TEST(CovariateFile, PrefersTheLongestId)
   EXPECT_TRUE(table.Find("age")->IsMissing(2));
 }
 
+TEST(CovariateFile, ReadsParticipantsOfBids)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "participants.tsv",
+           "participant_id\tage\tnote\r\nsub-01\t64\ta, \"b\"\r\nsub-02\tn/a\t=x\r\n");
+  std::vector<std::string> notes;
+  const CovariateTable table =
+      ReadCovariates(folder / "participants.tsv", {}, {"02", "01", "sub-01_dseg"}, notes);
+  EXPECT_EQ(table.Find("age")->Texts(), (std::vector<std::string>{"n/a", "64", "64"}));
+  EXPECT_EQ(table.Find("note")->Texts(), (std::vector<std::string>{"=x", "a, \"b\"", "a, \"b\""}));
+  EXPECT_TRUE(table.Find("age")->IsMissing(0));
+}
+
 TEST(CovariateFile, TakesTheNamedColumn)
 {
   std::vector<std::string> notes;
