@@ -1,9 +1,12 @@
 #include "CohortAlignment.h"
 
+#include "CohortNotes.h"
 #include "CsvText.h"
 #include "DecimalText.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelFile.h"
+#include "ShapeVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +17,7 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t MostNotes = 5;
 constexpr double LargeTurn = 45.0; // degrees
-
-SurfaceModel WithDegree(const SurfaceModel& model, int degree)
-{
-  return std::visit([degree](const auto& one) -> SurfaceModel { return one.WithDegree(degree); },
-                    model);
-}
 
 // About the origin, where the cases are.
 SurfaceModel CentredReference(const std::filesystem::path& file)
@@ -42,19 +38,6 @@ double TurnOf(const SurfaceModel& model, const SphereRotation& rotation)
   const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(model);
   const Matrix3& turn = isRadial ? rotation.Parameters : rotation.Body;
   return 180.0 / M_PI * AngleOf(turn);
-}
-
-// One note each for a few cases, one for all of many.
-void AddNotes(const std::vector<CohortNote>& notes, const std::string& ofMany,
-              std::vector<CohortNote>& all)
-{
-  if (notes.size() <= MostNotes)
-  {
-    all.insert(all.end(), notes.begin(), notes.end());
-    return;
-  }
-  all.push_back({notes.front().Case, " and " + std::to_string(notes.size() - 1) + " other cases " +
-                                         ofMany + " (alignment.csv)"});
 }
 
 void NoteAlignment(CohortGroup& group, const CohortAlignment& alignment)
@@ -85,17 +68,21 @@ void NoteAlignment(CohortGroup& group, const CohortAlignment& alignment)
           {name, ": it is turned by " + FixedText(turn, 0) + " degrees from the patient's axes"});
     }
   }
-  AddNotes(ambiguous,
-           "have an ambiguous orientation: half a turn would be nearly as close to the mean, or "
-           "closer",
-           group.Notes);
-  AddNotes(mirrored, "look mirrored: their mirror images are closer to the mean", group.Notes);
-  AddNotes(turned, "are turned by more than 45 degrees from the patients' axes", group.Notes);
+  AddCohortNotes(
+      ambiguous,
+      "have an ambiguous orientation: half a turn would be nearly as close to the mean, or "
+      "closer",
+      "alignment.csv", group);
+  AddCohortNotes(mirrored, "look mirrored: their mirror images are closer to the mean",
+                 "alignment.csv", group);
+  AddCohortNotes(turned, "are turned by more than 45 degrees from the patients' axes",
+                 "alignment.csv", group);
 }
 } // namespace
 
 CohortAlignment AlignCohortGroup(CohortGroup& group, bool isScaled,
-                                 const std::filesystem::path& reference)
+                                 const std::filesystem::path& reference,
+                                 const KernelProgress& progress)
 {
   std::optional<SurfaceModel> target;
   if (!reference.empty())
@@ -111,7 +98,18 @@ CohortAlignment AlignCohortGroup(CohortGroup& group, bool isScaled,
   ProcrustesSettings settings;
   settings.Scales = isScaled;
   ProcrustesResult result;
-  Status status = AlignByProcrustes(group.Models, target ? &*target : nullptr, settings, result);
+  bool isCancelled = false;
+  const KernelProgress watched = [&](double done)
+  {
+    isCancelled = progress && !progress(done);
+    return !isCancelled;
+  };
+  Status status =
+      AlignByProcrustes(group.Models, target ? &*target : nullptr, settings, result, watched);
+  if (isCancelled)
+  {
+    throw Cancelled();
+  }
   if (status.IsOk())
   {
     group.Models = std::move(result.Aligned);

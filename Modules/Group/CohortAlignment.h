@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CohortGroup.h"
+#include "KernelProgress.h"
 #include "PalpateGroupModule.h"
 #include "ProcrustesAlignment.h"
 
@@ -23,9 +24,11 @@ struct CohortAlignment
 /// Turns the models of a group that are in the patients' axes to their mean (AlignByProcrustes), or
 /// to the model in the file `reference` if that is not empty; with `isScaled` all get one size. The
 /// group's models and modes change, its axes become Procrustes, and cases whose orientation is
-/// ambiguous or that look mirrored get a note. Throws InputError.
+/// ambiguous or that look mirrored get a note. Throws InputError, and Cancelled if `progress`
+/// cancels.
 PALPATEGROUP_EXPORT CohortAlignment AlignCohortGroup(CohortGroup& group, bool isScaled,
-                                                     const std::filesystem::path& reference);
+                                                     const std::filesystem::path& reference,
+                                                     const KernelProgress& progress = {});
 
 /// One row per case: the angle of its turn (deg), scale, and residuals (mm) of the orientation, of
 /// the best half turn and of the mirror image, as CSV.

@@ -50,7 +50,7 @@ std::string TermRows(const CohortEffects& effects)
          rows + "</tbody></table></div>\n";
 }
 
-std::string MethodsText(const CohortEffects& effects)
+std::string FormulaText(const CohortEffects& effects)
 {
   const auto code = [](const std::string& text) { return "<code>" + EscapeHtml(text) + "</code>"; };
   std::string references;
@@ -65,18 +65,8 @@ std::string MethodsText(const CohortEffects& effects)
          std::to_string(effects.Design.Cases.size()) + " cases, " +
          std::to_string(effects.Design.Columns.size()) + " coefficients." + references +
          (references.empty() ? "" : ".") +
-         " Each term is tested given all others. Scores: multivariate analysis of variance of the "
-         "first " +
-         std::to_string(effects.ScoreCount) +
-         " modes. Surface, TFCE and maximum: " + std::to_string(effects.Permutations.Count) +
-         " permutations of the residuals under the other terms (Freedman and Lane), seed " +
-         std::to_string(effects.Permutations.Seed) +
-         "; the surface\xE2\x80\x99s p is that of the explained over the residual variance of the "
-         "whole, the other two are corrected "
-         "for all points, by threshold-free cluster enhancement (area<sup>0.5</sup> "
-         "height<sup>2</sup>) and by the largest "
-         "statistic. In the images red is outward, blue inward; what is pale is not significant "
-         "(TFCE, 0.05).</p>\n";
+         " In the images red is outward, blue inward; what is pale is not significant (TFCE, "
+         "0.05).</p>\n";
 }
 
 std::string OmissionNote(const LinearDesign& design)
@@ -115,9 +105,28 @@ std::string EffectFigures(const CohortEffects& effects, const TermEffect& effect
 }
 } // namespace
 
+std::string CohortEffectMethods(const CohortEffects& effects)
+{
+  return "Covariates were related to the shapes by the linear model " + effects.Formula.Text() +
+         " of the displacement along the mean\xE2\x80\x99s normal at " +
+         std::to_string(effects.Surface.Points.size()) + " points (" +
+         std::to_string(effects.Design.Cases.size()) +
+         " cases). Each term was tested given all others. Scores: multivariate analysis of "
+         "variance of the first " +
+         std::to_string(effects.ScoreCount) +
+         " modes (Pillai\xE2\x80\x99s trace). Surface, TFCE and maximum: " +
+         std::to_string(effects.Permutations.Count) +
+         " permutations of the residuals under the other terms (Freedman and Lane), seed " +
+         std::to_string(effects.Permutations.Seed) +
+         "; the surface\xE2\x80\x99s p is that of the explained over the residual variance of "
+         "the whole, the other two are corrected for all points, by threshold-free cluster "
+         "enhancement (area^0.5 height^2; Smith and Nichols 2009) and by the largest statistic; "
+         "false-discovery rates are those of Benjamini and Hochberg.";
+}
+
 std::string CohortEffectSection(const CohortEffects& effects)
 {
-  std::string content = MethodsText(effects) + TermRows(effects);
+  std::string content = FormulaText(effects) + TermRows(effects);
   const vtkSmartPointer<vtkPolyData> mean = MeanSurface(effects.Surface);
   for (const TermEffect& effect : effects.Terms)
   {

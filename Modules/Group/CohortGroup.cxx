@@ -1,16 +1,19 @@
 #include "CohortGroup.h"
 
 #include "CohortAlignment.h"
+#include "CohortCorrespondence.h"
 #include "CohortEffectFiles.h"
 #include "CohortPage.h"
 #include "CohortQualityFiles.h"
 #include "CsvText.h"
 #include "DecimalText.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "OutputFolder.h"
 #include "ParametricSurfaceMeasures.h"
+#include "ShapeVector.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
 
@@ -29,6 +32,7 @@ constexpr double DrawnDeviations = 2.0;
 constexpr double LargestOffset = 0.05;
 // Principal axes whose lengths differ by less than this fraction are arbitrary.
 constexpr double SmallestAxisDifference = 0.02;
+constexpr double ReadingShare = 0.5; // of the progress; the rest is placing
 
 bool IsOf(const CohortRow& row, const std::string& structure)
 {
@@ -140,25 +144,6 @@ void NoteOn(CohortGroup& group, const std::string& name, const SurfaceModel& mod
     group.Notes.push_back({name, ": two of its principal axes are nearly equal, so its rotation "
                                  "about the third is poorly determined"});
   }
-}
-
-Eigen::VectorXd CoefficientsOf(const SphericalHarmonicModel& model)
-{
-  return Eigen::Map<const Eigen::VectorXd>(model.Coefficients().data(),
-                                           static_cast<Eigen::Index>(model.Coefficients().size()));
-}
-
-// x, then y, then z.
-Eigen::VectorXd CoefficientsOf(const ParametricSphericalSurface& surface)
-{
-  const auto count = static_cast<Eigen::Index>(surface.Coefficients(0).size());
-  Eigen::VectorXd all(3 * count);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    all.segment(axis * count, count) =
-        Eigen::Map<const Eigen::VectorXd>(surface.Coefficients(axis).data(), count);
-  }
-  return all;
 }
 
 // A table with one row per case: name, label, numbers.
@@ -286,7 +271,7 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
     WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
     WriteShape(group, mode, DrawnDeviations, folder / (name + "_plus.json"), program);
   }
-  WriteWholeFile(folder / "cohort.html", CohortPage(group, output, DrawnDeviations));
+  WriteWholeFile(folder / "cohort.html", CohortPage(group, output, DrawnDeviations, program));
   if (output.Effects != nullptr)
   {
     WriteCohortEffects(group, *output.Effects, folder);
@@ -295,10 +280,66 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
   {
     WriteWholeFile(folder / "alignment.csv", AlignmentTable(group, *output.Alignment));
   }
+  if (output.Correspondence != nullptr)
+  {
+    WriteWholeFile(folder / "correspondence.csv",
+                   CorrespondenceTable(group, *output.Correspondence));
+  }
   if (output.Quality != nullptr)
   {
     WriteCohortQuality(group, *output.Quality, folder);
   }
+}
+
+double Share(std::size_t done, std::size_t all)
+{
+  return static_cast<double>(done) / static_cast<double>(all);
+}
+
+void Report(const KernelProgress& progress, double done)
+{
+  if (progress && !progress(done))
+  {
+    throw Cancelled();
+  }
+}
+
+// Settings that all models share.
+void TakeProvenance(const ModelProvenance& provenance, bool isFirst, CohortGroup& group)
+{
+  std::vector<std::string>& programs = group.FitPrograms;
+  if (!provenance.Program.empty() &&
+      std::find(programs.begin(), programs.end(), provenance.Program) == programs.end())
+  {
+    programs.push_back(provenance.Program);
+  }
+  if (isFirst)
+  {
+    group.FitSettings = provenance.Settings;
+    return;
+  }
+  const auto isOther = [&](const auto& setting)
+  {
+    return std::find(provenance.Settings.begin(), provenance.Settings.end(), setting) ==
+           provenance.Settings.end();
+  };
+  group.FitSettings.erase(
+      std::remove_if(group.FitSettings.begin(), group.FitSettings.end(), isOther),
+      group.FitSettings.end());
+}
+
+std::vector<SurfaceModel> ReadModels(const std::filesystem::path& folder,
+                                     const KernelProgress& progress, CohortGroup& group)
+{
+  std::vector<SurfaceModel> models;
+  for (const CohortRow& row : group.Rows)
+  {
+    Report(progress, ReadingShare * Share(models.size(), group.Rows.size()));
+    ModelDocument document = ReadModel((folder / row.Model).lexically_normal());
+    TakeProvenance(document.Provenance, models.empty(), group);
+    models.push_back(std::move(document.Surface));
+  }
+  return models;
 }
 
 void AddAligned(const SurfaceModel& model, const std::string& name, CohortGroup& group)
@@ -313,20 +354,18 @@ void AddAligned(const SurfaceModel& model, const std::string& name, CohortGroup&
 } // namespace
 
 CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::path& folder,
-                            const std::string& structure, AlignmentAxes axes)
+                            const std::string& structure, AlignmentAxes axes,
+                            const KernelProgress& progress)
 {
   CohortGroup group;
   group.Axes = axes;
   group.Rows = Choose(table, structure, group.Notes);
-  std::vector<SurfaceModel> models;
-  for (const CohortRow& row : group.Rows)
-  {
-    models.push_back(ReadModel((folder / row.Model).lexically_normal()).Surface);
-  }
+  std::vector<SurfaceModel> models = ReadModels(folder, progress, group);
   KeepOneKind(models, group);
   int degree = 0;
   for (std::size_t i = 0; i < models.size(); ++i)
   {
+    Report(progress, ReadingShare + (1.0 - ReadingShare) * Share(i, models.size()));
     const std::string& name = group.Rows[i].Case;
     AddAligned(models[i], name, group);
     NoteOn(group, name, models[i], group.Bodies.back());
@@ -334,8 +373,7 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
   }
   for (SurfaceModel& model : group.Models)
   {
-    model = std::visit([degree](const auto& one) -> SurfaceModel { return one.WithDegree(degree); },
-                       model);
+    model = WithDegree(model, degree);
   }
   Check(FindShapeModes(CoefficientsOf(group), group.Modes), folder.string());
   return group;
@@ -343,13 +381,11 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
 
 Eigen::MatrixXd CoefficientsOf(const CohortGroup& group)
 {
-  const auto row = [](const SurfaceModel& model)
-  { return std::visit([](const auto& one) { return CoefficientsOf(one); }, model); };
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(group.Models.size()),
-                         row(group.Models.front()).size());
+                         VectorOf(group.Models.front()).size());
   for (std::size_t i = 0; i < group.Models.size(); ++i)
   {
-    matrix.row(static_cast<Eigen::Index>(i)) = row(group.Models[i]);
+    matrix.row(static_cast<Eigen::Index>(i)) = VectorOf(group.Models[i]);
   }
   return matrix;
 }
@@ -366,20 +402,7 @@ SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
 
 SurfaceModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores)
 {
-  const Eigen::VectorXd values = group.Modes.Mean + group.Modes.Modes * scores;
-  const int degree = DegreeOf(group.Models.front());
-  if (std::holds_alternative<SphericalHarmonicModel>(group.Models.front()))
-  {
-    return SphericalHarmonicModel(
-        degree, std::vector<double>(values.data(), values.data() + values.size()), Vector3::Zero());
-  }
-  const Eigen::Index count = values.size() / 3;
-  const auto series = [&](Eigen::Index axis)
-  {
-    const double* first = values.data() + axis * count;
-    return std::vector<double>(first, first + count);
-  };
-  return ParametricSphericalSurface(degree, {series(0), series(1), series(2)});
+  return ShapeFrom(group.Modes.Mean + group.Modes.Modes * scores, group.Models.front());
 }
 
 void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
@@ -398,6 +421,10 @@ void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
   if (output.Alignment == nullptr)
   {
     obsolete.emplace_back("alignment.csv");
+  }
+  if (output.Correspondence == nullptr)
+  {
+    obsolete.emplace_back("correspondence.csv");
   }
   for (int mode = ShownModes(group); mode < MostShownModes; ++mode)
   {

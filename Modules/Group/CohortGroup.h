@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CohortTable.h"
+#include "KernelProgress.h"
 #include "PalpateGroupModule.h"
 #include "ShapeAlignment.h"
 #include "ShapeModes.h"
@@ -9,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate
@@ -29,15 +31,21 @@ struct CohortGroup
   std::vector<BodyMoments> Bodies;  ///< of the models in their patients' frames
   ShapeModes Modes;
   std::vector<CohortNote> Notes; ///< omitted cases and warnings
+  ///@{ Of the model files read, also of those omitted: programs, and settings that all share.
+  std::vector<std::string> FitPrograms;
+  std::vector<std::pair<std::string, std::string>> FitSettings;
+  ///@}
 };
 
 /// Reads the models listed in a table, relative to `folder`, and aligns them. `structure` is a
 /// label or a name; it may be empty if the cohort has only one. Of radial and surface models, whose
 /// coefficients cannot be compared, those of the more frequent kind are taken. Throws InputError if
-/// fewer than two cases have a model, the structure is ambiguous, or a model cannot be read.
+/// fewer than two cases have a model, the structure is ambiguous, or a model cannot be read, and
+/// Cancelled if `progress`, which counts the cases, cancels.
 PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
                                                 const std::filesystem::path& folder,
-                                                const std::string& structure, AlignmentAxes axes);
+                                                const std::string& structure, AlignmentAxes axes,
+                                                const KernelProgress& progress = {});
 
 /// The aligned models' coefficients (mm), one row per case; of surface models x, then y, then z.
 PALPATEGROUP_EXPORT Eigen::MatrixXd CoefficientsOf(const CohortGroup& group);
@@ -52,6 +60,7 @@ PALPATEGROUP_EXPORT SurfaceModel ShapeWith(const CohortGroup& group, const Eigen
 struct CohortEffects;
 struct CohortQuality;
 struct CohortAlignment;
+struct CohortCorrespondence;
 
 /// What is written of a group beside its shapes.
 struct CohortOutput
@@ -60,13 +69,15 @@ struct CohortOutput
   bool ShowsNames = false;                    ///< cases by name on the page, otherwise by number
   const CohortQuality* Quality = nullptr;     ///< of the modes; may be null
   const CohortAlignment* Alignment = nullptr; ///< of axes Procrustes; may be null
+  const CohortCorrespondence* Correspondence = nullptr; ///< of the cases; may be null
 };
 
 /// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
 /// mm), modes.csv (scores, mm), variance.csv (one row per mode), measures.csv, mean.json, mean.vtp,
 /// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
-/// modes), cohort.html, alignment.csv (AlignmentTable), and the files of WriteCohortEffects and
-/// WriteCohortQuality into the folder, all of them or none. Throws InputError.
+/// modes), cohort.html, alignment.csv (AlignmentTable), correspondence.csv (CorrespondenceTable),
+/// and the files of WriteCohortEffects and WriteCohortQuality into the folder, all of them or none.
+/// Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
                                           const std::filesystem::path& folder,
                                           const std::string& program);

@@ -1,8 +1,9 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
-#include "CohortAlignment.h"
+#include "CohortCorrespondencePage.h"
 #include "CohortEffectPage.h"
+#include "CohortMethods.h"
 #include "CohortQualityPage.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
@@ -104,16 +105,15 @@ std::vector<ColoredShape> DrawAll(const CohortGroup& group, double deviations)
   return drawn;
 }
 
-// To follow "axes are".
-std::string AxesText(const CohortGroup& group, const CohortOutput& output)
+std::string MethodsSection(const CohortGroup& group, const CohortOutput& output,
+                           const std::string& program)
 {
-  if (group.Axes == AlignmentAxes::Ellipsoid)
+  std::string paragraphs;
+  for (const std::string& paragraph : CohortMethods(group, output, program))
   {
-    return "each body\xE2\x80\x99s principal ones, the longest as left, the shortest as up";
+    paragraphs += "<p>" + EscapeHtml(paragraph) + "</p>\n";
   }
-  return "the patients\xE2\x80\x99 own (LPS)" +
-         (output.Alignment == nullptr ? std::string()
-                                      : "; from there " + AlignmentText(*output.Alignment));
+  return ReportSection("Methods", paragraphs);
 }
 } // namespace
 
@@ -122,7 +122,8 @@ int ShownModes(const CohortGroup& group)
   return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostShownModes));
 }
 
-std::string CohortPage(const CohortGroup& group, const CohortOutput& output, double deviations)
+std::string CohortPage(const CohortGroup& group, const CohortOutput& output, double deviations,
+                       const std::string& program)
 {
   const std::vector<ColoredShape> drawn = DrawAll(group, deviations);
   double extent = 0.0;
@@ -154,7 +155,8 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
       "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
           std::to_string(group.Rows.size()) + " shapes, degree " +
           std::to_string(DegreeOf(group.Models.front())) +
-          "</h1>\n<p class=\"soft\">The centres are aligned; axes are " + AxesText(group, output) +
+          "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
+          CohortAxesText(group, output) +
           ". All images have the same scale; red is outside the mean, blue inside, full colour "
           "at " +
           SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n" +
@@ -164,8 +166,11 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
           (output.Quality == nullptr
                ? std::string()
                : CohortQualitySections(group, *output.Quality, output.ShowsNames)) +
+          (output.Correspondence == nullptr
+               ? std::string()
+               : CohortCorrespondenceSection(group, *output.Correspondence, output.ShowsNames)) +
           ReportSection("Cases", CaseRows(group, output.ShowsNames)) +
           ReportSection("Notes", ReportNotes(NoteTexts(group, output.ShowsNames))) +
-          ReportFooter());
+          MethodsSection(group, output, program) + ReportFooter());
 }
 } // namespace palpate

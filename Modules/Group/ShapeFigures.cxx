@@ -7,7 +7,6 @@
 #include "ModelSurface.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
-#include "SoftwareRenderer.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -18,7 +17,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int ViewSize = 260;       // pixels
 constexpr int OffsetFrequency = 24; // 5,762 points
 constexpr double PaleShare = 0.25;
 constexpr double PaleGrey = 205.0;
@@ -75,25 +73,31 @@ double ColoredShape::LargestValue() const
   return largest;
 }
 
-ShapeFigures::ShapeFigures(double halfWidth, double limit)
-    : HalfWidth(halfWidth), Colors(MakeArrayColors(-limit, limit))
+ShapeFigures::ShapeFigures(double halfWidth, double limit, int size)
+    : HalfWidth(halfWidth), Size(size), Colors(MakeArrayColors(-limit, limit))
 {
 }
 
 std::string ShapeFigures::Figure(const ColoredShape& shape, ViewSide side,
                                  const std::string& caption, const std::vector<bool>& isPale) const
 {
-  SoftwareRenderer renderer(shape.Mesh);
   std::vector<SoftwareRenderer::Color> colors;
   for (std::size_t p = 0; p < shape.Values.size(); ++p)
   {
     const SoftwareRenderer::Color color = ColorOf(this->Colors, shape.Values[p]);
     colors.push_back(p < isPale.size() && isPale[p] ? Paled(color) : color);
   }
+  return this->Figure(shape.Mesh, std::move(colors), side, caption);
+}
+
+std::string ShapeFigures::Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer::Color> colors,
+                                 ViewSide side, const std::string& caption) const
+{
+  SoftwareRenderer renderer(mesh);
   renderer.SetPointColors(std::move(colors));
   // The renderer puts the centre of the bounding box in the centre of its image.
   double middle[3];
-  shape.Mesh->GetCenter(middle);
+  mesh->GetCenter(middle);
   const ViewFrame frame = FrameOf(side);
   const double half = renderer.HalfWidthMillimeters();
   const double x = frame.RightWorld.dot(Vector3(middle)) - half;
@@ -104,7 +108,8 @@ std::string ShapeFigures::Figure(const ColoredShape& shape, ViewSide side,
   return ReportFigure("<svg class=\"view\" role=\"img\" viewBox=\"" + box + "\" aria-label=\"" +
                           EscapeHtml(caption) + "\"><image x=\"" + text(x) + "\" y=\"" + text(y) +
                           "\" width=\"" + text(2.0 * half) + "\" height=\"" + text(2.0 * half) +
-                          "\" href=\"" + PngDataUri(renderer.Render(side, ViewSize)) + "\"/></svg>",
+                          "\" href=\"" + PngDataUri(renderer.Render(side, this->Size)) +
+                          "\"/></svg>",
                       caption);
 }
 } // namespace palpate

@@ -2,6 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "PalpateGroupModule.h"
+#include "SoftwareRenderer.h"
 #include "SurfaceModel.h"
 
 #include "vtkLookupTable.h"
@@ -33,17 +34,22 @@ PALPATEGROUP_EXPORT ColoredShape DrawOffsets(const SurfaceModel& shape, const Su
 class PALPATEGROUP_EXPORT ShapeFigures
 {
 public:
-  /// `halfWidth` of the images (mm); the colours reach from -`limit` to `limit`.
-  ShapeFigures(double halfWidth, double limit);
+  /// `halfWidth` of the images (mm), which are `size` pixels wide; the colours of values reach from
+  /// -`limit` to `limit`.
+  ShapeFigures(double halfWidth, double limit, int size = 260);
 
   /// The value of full colour.
   double Limit() const { return this->Colors->GetRange()[1]; }
   /// Points where `isPale` (one entry per point, or none) is set have little colour.
   std::string Figure(const ColoredShape& shape, ViewSide side, const std::string& caption,
                      const std::vector<bool>& isPale = {}) const;
+  /// With a colour for each point.
+  std::string Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer::Color> colors, ViewSide side,
+                     const std::string& caption) const;
 
 private:
   double HalfWidth;
+  int Size;
   vtkSmartPointer<vtkLookupTable> Colors;
 };
 } // namespace palpate

@@ -61,6 +61,9 @@ figcaption { font-size: 13px; margin-top: 4px; }
 .slices { display: grid; grid-template-columns: repeat(auto-fill, minmax(280px, 1fr)); gap: 18px;
   align-items: end; }
 .views { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 14px; }
+.thumbnails { display: grid; grid-template-columns: repeat(auto-fill, minmax(104px, 1fr)); gap: 6px; }
+.thumbnails figcaption { font-size: 11px; margin-top: 1px; overflow-wrap: anywhere; }
+.thumbnails .marked { outline: 2px solid var(--bad); border-radius: 4px; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 22px; }
 svg { display: block; width: 100%; height: auto; }
 svg text { fill: var(--ink); font-size: 12px; }

@@ -1,6 +1,7 @@
 #include "CohortCommand.h"
 
 #include "CaseProcesses.h"
+#include "CohortCorrespondence.h"
 #include "CohortEffectFiles.h"
 #include "CohortExport.h"
 #include "CohortFit.h"
@@ -67,9 +68,11 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "Folders with a cohort.csv written by fit; with --masks, the folder to write")
       ->required()
       ->check(FileType::Output("directory"));
-  app.add_option("--masks", this->Masks,
-                 "First fit the masks of this folder, or of this table (--manifest of fit), with "
-                 "the options of fit; resumes after a stop")
+  app.add_option(
+         "--masks", this->Masks,
+         "First fit the masks of this folder, of this table (--manifest of fit), or of this "
+         "pattern, such as sub-{id}/anat/sub-{id}_*_dseg.nii.gz, with the options of fit; "
+         "resumes after a stop")
       ->check(FileType::Input("label"));
   this->Options.DeclareModel(app);
   app.add_option("--output", this->OutputFolder,
@@ -108,11 +111,12 @@ void CohortCommand::DeclareAlignment(CLI::App& app)
   app.add_flag("--scale", this->ScalesShapes, "With --align procrustes: all shapes to one size");
 }
 
-std::optional<CohortAlignment> CohortCommand::Align(CohortGroup& group) const
+std::optional<CohortAlignment> CohortCommand::Align(CohortGroup& group,
+                                                    const KernelProgress& progress) const
 {
   if (this->Axes == "procrustes")
   {
-    return AlignCohortGroup(group, this->ScalesShapes, this->Reference);
+    return AlignCohortGroup(group, this->ScalesShapes, this->Reference, progress);
   }
   if (this->ScalesShapes || !this->Reference.empty())
   {
@@ -124,7 +128,7 @@ std::optional<CohortAlignment> CohortCommand::Align(CohortGroup& group) const
 void CohortCommand::DeclareCovariates(CLI::App& app)
 {
   app.add_option("--covariates", this->Request.File,
-                 "Table of the cases' covariates, with a header (CSV)")
+                 "Table of the cases' covariates, with a header (CSV; .tsv: tabs)")
       ->check(FileType::Input("file", ".csv"));
   app.add_option("--id", this->Request.Id,
                  "Column with the cases' names or a part of them (default: case, id, ...)")
@@ -183,28 +187,30 @@ int CohortCommand::Run(Console& console)
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
   const CohortTable table = JoinCohorts(this->Folders, output);
-  CohortGroup group = MakeCohortGroup(table, output, this->Label,
-                                      this->Axes == "ellipsoid" ? AlignmentAxes::Ellipsoid
-                                                                : AlignmentAxes::Patient);
-  const std::optional<CohortAlignment> alignment = this->Align(group);
-  if (Interruption::WasAsked())
-  {
-    throw Cancelled();
-  }
+  const ProgressFunction progress = ProgressOn(console);
+  const auto stage = [&progress](const char* name) -> KernelProgress
+  { return [&progress, name](double fraction) { return progress(fraction, name); }; };
+  CohortGroup group =
+      MakeCohortGroup(table, output, this->Label,
+                      this->Axes == "ellipsoid" ? AlignmentAxes::Ellipsoid : AlignmentAxes::Patient,
+                      stage("models"));
+  const std::optional<CohortAlignment> alignment = this->Align(group, stage("alignment"));
   if (!this->Shape.empty())
   {
     SynthesizeShape(group, this->Shape); // a mistake in it is told before the long work
   }
   std::vector<std::string> notes;
-  const ProgressFunction progress = ProgressOn(console);
-  const CovariateModel model(group, this->Request, notes,
-                             [&](double fraction) { return progress(fraction, "permutations"); });
+  const CovariateModel model(group, this->Request, notes, stage("permutations"));
   console.EndProgress();
   RandomShapeSettings random;
   random.Seed = this->Request.Permutations.Seed;
   const CohortQuality quality = FindCohortQuality(group, random);
+  const CohortCorrespondence correspondence =
+      FindCohortCorrespondence(group, stage("correspondence"));
+  console.EndProgress();
   WriteCohortGroup(group,
-                   {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr},
+                   {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr,
+                    &correspondence},
                    output, ProgramVersion());
   model.WriteRepeated(group, output);
   for (const std::string& tool : this->Exports)

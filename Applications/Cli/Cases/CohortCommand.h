@@ -30,7 +30,7 @@ private:
   void DeclareAlignment(CLI::App& app);
   void DeclareCovariates(CLI::App& app);
   int FitMasks(Console& console) const;
-  std::optional<CohortAlignment> Align(CohortGroup& group) const;
+  std::optional<CohortAlignment> Align(CohortGroup& group, const KernelProgress& progress) const;
 
   std::vector<std::string> Folders;
   std::string Masks;

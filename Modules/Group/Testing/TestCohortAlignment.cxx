@@ -2,6 +2,7 @@
 
 #include "CsvRecords.h"
 #include "DecimalText.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelFile.h"
 #include "RandomShapes.h"
@@ -113,6 +114,16 @@ TEST(CohortAlignment, ReferenceOfHigherDegreeRaisesThatOfTheCases)
   AlignCohortGroup(group, false, folder / "mean.json");
   EXPECT_EQ(DegreeOf(group.Models.back()), 7);
   EXPECT_EQ(group.Modes.Mean.size(), 64);
+}
+
+TEST(CohortAlignment, CancelThrowsAndKeepsTheGroup)
+{
+  CohortGroup group = TurnedGroup();
+  const Eigen::MatrixXd before = CoefficientsOf(group);
+  EXPECT_THROW(AlignCohortGroup(group, false, {}, [](double done) { return done < 0.4; }),
+               Cancelled);
+  EXPECT_EQ(CoefficientsOf(group), before);
+  EXPECT_EQ(group.Axes, AlignmentAxes::Patient);
 }
 
 TEST(CohortAlignment, RejectsReferenceOfAnotherKind)

@@ -1,3 +1,4 @@
+#include "CohortCorrespondence.h"
 #include "CohortQuality.h"
 #include "CohortQualityPage.h"
 
@@ -126,6 +127,34 @@ TEST(CohortQuality, PageNumbersCasesUnlessNamesAreAskedFor)
   const std::string named = CohortQualitySections(group, quality, true);
   EXPECT_NE(named.find("<td class=\"text\">patient &amp; 29</td>"), std::string::npos);
   EXPECT_EQ(test::MarkupError("<html>" + named + "</html>"), "");
+}
+
+TEST(CohortMethods, NameVersionsAndSettingsButNoPathsOrCases)
+{
+  CohortGroup group = BumpedGroup();
+  group.FitPrograms = {"palpate 7.8.9", "/home/someone/palpate"};
+  group.FitSettings = {
+      {"model", "radial"}, {"smoothing", "0.5"}, {"input", "secret"}, {"center", "/data/secret"}};
+  const CohortQuality quality = FindCohortQuality(group, {300, 17});
+  const CohortCorrespondence correspondence = FindCohortCorrespondence(group, {});
+  CohortOutput output;
+  output.Quality = &quality;
+  output.Correspondence = &correspondence;
+  const TemporaryFolder folder;
+  WriteCohortGroup(group, output, folder / "out", "palpate 1.2.3");
+  const std::string page = test::ReadAll(folder / "out/cohort.html");
+  EXPECT_EQ(test::MarkupError(page), "");
+  for (const char* part :
+       {"30 shapes were described by the radius", "up to degree 5 (36 coefficients",
+        "by palpate 7.8.9.", "Settings of all fits: model radial, smoothing 0.5.",
+        "Sizes were not normalised", "29 are above rounding", "300 random shapes, seed 17",
+        "weighted as in their geometric median", "Software: palpate 1.2.3, VTK "})
+  {
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(page.find("secret"), std::string::npos);
+  EXPECT_EQ(page.find("/home"), std::string::npos);
+  EXPECT_EQ(page.find("patient &amp;"), std::string::npos);
 }
 
 TEST(CohortQuality, TwoCasesHaveNoDistances)

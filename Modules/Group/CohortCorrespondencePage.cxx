@@ -1,0 +1,106 @@
+#include "CohortCorrespondencePage.h"
+
+#include "DecimalText.h"
+#include "IcosahedronDirections.h"
+#include "ModelSurface.h"
+#include "ParameterColors.h"
+#include "ReportPage.h"
+#include "ShapeFigures.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr int ThumbnailFrequency = 14; // 1,962 points
+constexpr int ThumbnailSize = 96;      // pixels
+constexpr double ThumbnailMargin = 1.05;
+constexpr std::size_t MostThumbnails = 500; // some 6 MB; of more cases the marked ones, too
+
+std::vector<SoftwareRenderer::Color> SphereColors()
+{
+  std::vector<SoftwareRenderer::Color> colors;
+  const IcosahedronDirections sphere(ThumbnailFrequency);
+  for (const Vector3& direction : sphere.Directions())
+  {
+    colors.push_back(ParameterColor(direction));
+  }
+  return colors;
+}
+
+double LargestExtent(const std::vector<SurfaceModel>& models)
+{
+  double extent = 0.0;
+  for (const SurfaceModel& model : models)
+  {
+    extent = std::max(extent, ColoredShape{DrawModel(model, ThumbnailFrequency), {}}.Extent());
+  }
+  return extent;
+}
+
+std::string CaptionOf(const CohortGroup& group, const CorrespondingCase& one, bool showsNames)
+{
+  std::string caption = (showsNames ? group.Rows[one.Row].Case : std::to_string(one.Row + 1)) +
+                        ": " + FixedText(one.Found.Distance, 2) + " mm";
+  if (one.Found.IsFlipped())
+  {
+    caption += ", flipped (" + FixedText(one.Found.TurnRatio(), 1) + ")";
+  }
+  return caption + (one.IsOutlier ? ", outlier" : "");
+}
+
+std::string RuleText(const CohortCorrespondence& correspondence)
+{
+  const auto flips =
+      std::count_if(correspondence.Cases.begin(), correspondence.Cases.end(),
+                    [](const CorrespondingCase& one) { return one.Found.IsFlipped(); });
+  const auto outliers = std::count_if(correspondence.Cases.begin(), correspondence.Cases.end(),
+                                      [](const CorrespondingCase& one) { return one.IsOutlier; });
+  return "<p>Each case from the front, at one scale, with the same colours on the parameter "
+         "sphere: a hue for each octant, light and dark cells of 30\xC2\xB0. Equal colours are "
+         "what the model takes for equal places. The cases are sorted by their RMS distance at "
+         "equal "
+         "parameters from the mean of all others, weighted as in their geometric median. "
+         "<em>Flipped</em>: in another orientation, 45\xC2\xB0 or more away, the case is clearly "
+         "closer to that mean; in brackets the ratio of the distances in its own orientation and "
+         "in the other one, each at its optimum and best size, over " +
+         FixedText(FlippedRatio, 0) +
+         ". <em>Outlier</em>: the distance is beyond the third quartile by 1.5 times the "
+         "quartiles\xE2\x80\x99 distance, of logarithms. Found: " +
+         std::to_string(flips) + " flipped, " + std::to_string(outliers) + " outliers.</p>\n";
+}
+} // namespace
+
+std::string CohortCorrespondenceSection(const CohortGroup& group,
+                                        const CohortCorrespondence& correspondence, bool showsNames)
+{
+  if (correspondence.Cases.empty())
+  {
+    return {};
+  }
+  const std::vector<SoftwareRenderer::Color> colors = SphereColors();
+  const ShapeFigures drawing(ThumbnailMargin * LargestExtent(group.Models), 1.0, ThumbnailSize);
+  const auto figure = [&](const SurfaceModel& model, const std::string& caption)
+  {
+    return drawing.Figure(DrawModel(model, ThumbnailFrequency), colors, ViewSide::Anterior,
+                          caption);
+  };
+  std::string figures = figure(ShapeOf(group, -1, 0.0), "mean");
+  for (std::size_t rank = 0; rank < correspondence.Cases.size(); ++rank)
+  {
+    const CorrespondingCase& one = correspondence.Cases[rank];
+    const bool isMarked = one.Found.IsFlipped() || one.IsOutlier;
+    if (rank >= MostThumbnails && !isMarked)
+    {
+      continue;
+    }
+    const std::string image = figure(group.Models[one.Row], CaptionOf(group, one, showsNames));
+    figures += isMarked ? "<div class=\"marked\">" + image + "</div>\n" : image;
+  }
+  return ReportSection("Correspondence", RuleText(correspondence) + "<div class=\"thumbnails\">\n" +
+                                             figures + "</div>\n");
+}
+} // namespace palpate
