@@ -2,6 +2,7 @@
 
 #include "IcosahedronDirections.h"
 #include "SlideRelaxation.h"
+#include "WedgeLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,37 +12,6 @@ namespace palpate
 {
 namespace
 {
-// Relative to the smallest radius, so that units do not matter: the path between two proofs, where
-// a slide ends, and how deep the sphere may be in a wall that is not known yet. At a parametric
-// surface that is about 0.01 mm, less than a hand feels: for less, many more ticks take
-// long.
-constexpr double RelativeStep = 1.0 / 16.0;
-constexpr double RelativeEnd = 6e-6;
-template <typename Surface>
-constexpr double RelativeTolerance = Surface::MayCrossItself ? 1e-3 : 1e-5;
-// Of the margin that a surface adds to tools: the tool itself is still kept off.
-constexpr double PartOfMargin = 0.4;
-// Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has no
-// time for the whole proof.
-constexpr double LeastProven = 0.5;
-constexpr int WedgeSteps = 6;
-// At a parametric surface a proof takes much longer: a sphere that has farther to go arrives later.
-constexpr int WedgeProofs = 12;
-constexpr int WedgeProofsAtFolds = 3;
-// Where the surface crosses itself steps are as short as the margin: as many as their work allows.
-constexpr int WedgeProofsAtCrossings = 7;
-constexpr int EvaluationsOfMove = 640;
-constexpr int EvaluationsAtFolds = 24; // of all proofs of a tick, the rest is left to the next ones
-constexpr int LeastEvaluations = 8;    // of each of them
-constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
-constexpr int EvaluationsOfRest = 160; // where they leave much
-// Of the smallest radius: how deep in the sphere parts may be that are left.
-constexpr double RelativeSlack = 1.5e-3;
-constexpr int WedgeEvaluations = 160;
-constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
-// Error of a wall's parameter, rad: that of its distance is the square of it.
-constexpr double WedgeTracking = 1e-7;
-
 // A wall's minimum for another query on its normal: it is the same point.
 template <typename ClosestPoint>
 ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld,
@@ -63,11 +33,11 @@ double RoomAt(const Vector3& place, const HalfSpace& plane) noexcept
 // are less than that apart; a slide may end twice this step away.
 double StepOf(const HarmonicSurface& surface, double) noexcept
 {
-  return RelativeStep * surface.SmallestRadius();
+  return WedgeLimits::RelativeStep * surface.SmallestRadius();
 }
 double StepOf(const ParametricTouchSurface& surface, double radius) noexcept
 {
-  return std::min(RelativeStep * surface.SmallestRadius(), 0.45 * radius);
+  return std::min(WedgeLimits::RelativeStep * surface.SmallestRadius(), 0.45 * radius);
 }
 } // namespace
 
@@ -76,12 +46,14 @@ HarmonicWedgeOf<Surface>::HarmonicWedgeOf(std::shared_ptr<const Surface> surface
                                           double ahead)
     : Touched(std::move(surface)), Radius(radius), LongestStep(StepOf(*this->Touched, radius)),
       Ahead(ahead), Kept(std::max(LongestStep, ahead)),
-      End(std::max(RelativeEnd * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
+      End(std::max(WedgeLimits::RelativeEnd * this->Touched->SmallestRadius(),
+                   2.0 * this->Touched->Rounding())),
       Clear(std::make_shared<Proof>(
           this->Touched->Search(), radius,
-          std::min(0.5 * radius,
-                   std::max({RelativeTolerance<Surface> * this->Touched->SmallestRadius(),
-                             2.0 * End, PartOfMargin * this->Touched->Margin()}))))
+          std::min(
+              0.5 * radius,
+              std::max({WedgeLimits::RelativeTolerance<Surface> * this->Touched->SmallestRadius(),
+                        2.0 * End, WedgeLimits::PartOfMargin * this->Touched->Margin()}))))
 {
   if (ahead > 0.0)
   {
@@ -125,7 +97,7 @@ void HarmonicWedgeOf<Surface>::Prepare(const ClosestPoint& wall) noexcept
 {
   const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
   const ClosestPoint seen = SeenFrom(place, this->Touched->Model().CenterWorld(), wall);
-  this->Clear->Ask(place, &seen, 1, EvaluationsOfPreparation);
+  this->Clear->Ask(place, &seen, 1, WedgeLimits::EvaluationsOfPreparation);
 }
 
 template <typename Surface>
@@ -134,6 +106,7 @@ void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBa
   this->Around = known;
   this->Center =
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
+  this->LastGoalWorld = this->Center;
   this->IsClear = false;
   this->JointNormal = nearest.Normal;
   this->Known[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
@@ -171,8 +144,8 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
   }
   for (std::size_t found = 0; found < Most && this->KnownCount < MostWalls; ++found)
   {
-    const typename Proof::Answer answer =
-        this->ClearanceAhead->AskWithin(nearest, place, walls.data(), count, WedgeEvaluations);
+    const typename Proof::Answer answer = this->ClearanceAhead->AskWithin(
+        nearest, place, walls.data(), count, WedgeLimits::EvaluationsAhead);
     if (answer.State != Proof::Finding::Nearer)
     {
       return;
@@ -191,12 +164,13 @@ bool HarmonicWedgeOf<Surface>::MayProve(int proofs, int evaluationsLeft) const n
 {
   if constexpr (Surface::MayCrossItself)
   {
-    const bool isMore = this->Touched->CrossesItself() && evaluationsLeft > -MoreAtCrossings;
-    return proofs < (isMore ? WedgeProofsAtCrossings : WedgeProofsAtFolds);
+    const bool isMore =
+        this->Touched->CrossesItself() && evaluationsLeft > -WedgeLimits::MoreAtCrossings;
+    return proofs < (isMore ? WedgeLimits::ProofsAtCrossings : WedgeLimits::ProofsAtFolds);
   }
   else
   {
-    return proofs < WedgeProofs;
+    return proofs < WedgeLimits::Proofs;
   }
 }
 
@@ -204,9 +178,16 @@ template <typename Surface>
 void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
   Leash leash{this->Center, this->LongestStep};
-  int left = Surface::MayCrossItself ? EvaluationsAtFolds : EvaluationsOfMove;
+  int left =
+      Surface::MayCrossItself ? WedgeLimits::EvaluationsAtFolds : WedgeLimits::EvaluationsOfMove;
+  const Vector3 lastGoal = std::exchange(this->LastGoalWorld, goalWorld);
+  double ahead = -WedgeLimits::CatchingUp * (goalWorld - lastGoal).norm(); // of the goal's motion
   for (int proof = 0; this->MayProve(proof, left); ++proof)
   {
+    if (left <= 0 && ahead > 0.0 && this->MayArriveLater(goalWorld, leash))
+    {
+      return;
+    }
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
     const bool isThere = this->Slide(goal, leash) && goal == goalWorld;
@@ -223,10 +204,11 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       continue;
     }
     const double lower = std::max(answer.LowerDistance, this->Around.DistanceAt(this->Center));
-    if (lower < LeastProven * this->Radius)
+    if (lower < WedgeLimits::LeastProven * this->Radius)
     {
       break;
     }
+    ahead += (this->Center - leash.ClearWorld).norm();
     this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
     if (std::exchange(this->IsClear, true) && isThere)
@@ -247,19 +229,48 @@ template <typename Surface>
 typename HarmonicWedgeOf<Surface>::Proof::Answer
 HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft) noexcept
 {
-  const auto ask = [&](int evaluations)
-  { return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations); };
+  const auto ask = [&](int evaluations, const typename Proof::Rest& rest) {
+    return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations, rest);
+  };
   if constexpr (Surface::MayCrossItself)
   {
-    const typename Proof::Answer answer = ask(std::max(LeastEvaluations, evaluationsLeft));
-    evaluationsLeft -= answer.Evaluations;
-    const double enough = this->Radius - RelativeSlack * this->Touched->SmallestRadius();
-    const bool isLeft = answer.State == Proof::Finding::Open && answer.LowerDistance < enough;
-    return isLeft ? ask(EvaluationsOfRest) : answer;
+    const double enough =
+        this->Radius - WedgeLimits::RelativeSlack * this->Touched->SmallestRadius();
+    const int most = std::max(WedgeLimits::LeastEvaluations, evaluationsLeft);
+    const typename Proof::Answer answer = ask(most, {enough, WedgeLimits::EvaluationsOfRest});
+    evaluationsLeft -= std::min(most, answer.Evaluations);
+    return answer;
   }
   else
   {
-    return ask(evaluationsLeft);
+    return ask(evaluationsLeft, {});
+  }
+}
+
+template <typename Surface>
+typename HarmonicWedgeOf<Surface>::Way
+HarmonicWedgeOf<Surface>::WayTo(const Vector3& goalWorld, const Leash& leash) const noexcept
+{
+  const std::array<HalfSpace, MostWalls> planes = this->Planes();
+  const Vector3 held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount).Point;
+  return {held, this->GrooveAt(planes.data(), held, goalWorld).Newton(held - leash.ClearWorld)};
+}
+
+// At a clear place, when a tick's work is done: a sphere that was held back by a wall that ended is
+// far from its goal, for many ticks whatever each of them does. Next to where a surface crosses
+// itself steps are short.
+template <typename Surface>
+bool HarmonicWedgeOf<Surface>::MayArriveLater(const Vector3& goalWorld,
+                                              const Leash& leash) const noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    return this->IsClear && leash.ClearWorld == this->Center && !this->Touched->CrossesItself() &&
+           this->WayTo(goalWorld, leash).Along.norm() > WedgeLimits::FarSteps * this->LongestStep;
+  }
+  else
+  {
+    return false;
   }
 }
 
@@ -269,10 +280,7 @@ template <typename Surface>
 Vector3 HarmonicWedgeOf<Surface>::NextGoal(const Vector3& goalWorld,
                                            const Leash& leash) const noexcept
 {
-  const std::array<HalfSpace, MostWalls> planes = this->Planes();
-  const Vector3 held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount).Point;
-  const Vector3 along =
-      this->GrooveAt(planes.data(), held, goalWorld).Newton(held - leash.ClearWorld);
+  const auto [held, along] = this->WayTo(goalWorld, leash);
   const Vector3 inward = goalWorld - held;
   const double half = 0.5 * leash.Length;
   if (along.norm() <= leash.Length)
@@ -329,7 +337,7 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
 {
   SlideRelaxation relaxation;
   bool mayRoll = true;
-  for (int step = 0; step < WedgeSteps; ++step)
+  for (int step = 0; step < WedgeLimits::Steps; ++step)
   {
     const std::array<HalfSpace, MostWalls> planes = this->Planes();
     const NearestHeld held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount);
@@ -528,9 +536,9 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isTouched = i == 0 && touched != nullptr;
-    ClosestPoint wall = isTouched
-                            ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
-                            : this->Touched->Search().Track(placeWorld, walls[i], WedgeTracking);
+    ClosestPoint wall =
+        isTouched ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
+                  : this->Touched->Search().Track(placeWorld, walls[i], WedgeLimits::Tracking);
     if constexpr (Surface::MayCrossItself)
     {
       wall = isTouched ? wall : this->Sided(wall);

@@ -1,11 +1,13 @@
 #include "ClearanceProof.h"
 
-#include "ProofBasin.h"
+#include "ProofTask.h"
 #include "SampleGeometry.h"
 #include "SquaredDistance.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -18,75 +20,7 @@ constexpr double MinimumTolerance = 1e-9; // rad
 constexpr int EvaluationsOfDescent = 8;   // nearly always enough
 constexpr int LeastForDescent = 5;        // it usually ends before
 constexpr std::size_t SortedCells = 32;
-
-template <typename Surface>
-bool IsSame(const ClosestPointOf<Surface>& a, const ClosestPointOf<Surface>& b) noexcept
-{
-  constexpr double Apart = ClearanceProofOf<Surface>::Apart;
-  return (a.Direction - b.Direction).squaredNorm() < Apart * Apart;
-}
 } // namespace
-
-// One query.
-template <typename Surface>
-struct ClearanceProofOf<Surface>::Task
-{
-  struct Basin
-  {
-    Vector3 Direction;
-    typename ClosestPointDescentOf<Surface>::Basin Around;
-    double LowerDistance; // infinite around known minima
-    double SquaredChord;  // beyond which no direction is in it
-  };
-
-  void Add(const typename ClosestPointDescentOf<Surface>::Basin& around, const Vector3& direction,
-           double lowerDistance) noexcept
-  {
-    if (this->BasinCount < this->Basins.size())
-    {
-      const auto& limited = Limited(around);
-      const double chord = WidestChord(limited);
-      this->Basins[this->BasinCount++] = {direction, limited, lowerDistance, chord * chord};
-    }
-  }
-  // Lower bound of the cap's distance by the basins that cover it, mm.
-  double LowerDistance(const SphericalCap& cap) const noexcept
-  {
-    double lower = 0.0;
-    for (std::size_t i = 0; i < this->BasinCount; ++i)
-    {
-      const Basin& basin = this->Basins[i];
-      if ((cap.Center - basin.Direction).squaredNorm() < basin.SquaredChord &&
-          Contains(basin.Around, basin.Direction, cap))
-      {
-        lower = std::max(lower, basin.LowerDistance);
-      }
-    }
-    return lower;
-  }
-  // Whether a descent from here probably ends in a known minimum.
-  bool IsNearBasin(const Vector3& direction, double reach) const noexcept
-  {
-    return std::any_of(this->Basins.begin(),
-                       this->Basins.begin() + static_cast<std::ptrdiff_t>(this->BasinCount),
-                       [&](const Basin& basin)
-                       { return IsNear(basin.Around, basin.Direction, direction, reach); });
-  }
-  bool IsKnown(const ClosestPoint& minimum) const noexcept
-  {
-    return std::any_of(this->Known, this->Known + this->KnownCount,
-                       [&](const ClosestPoint& known) { return IsSame(known, minimum); });
-  }
-
-  Vector3 Query;
-  const ClosestPoint* Known;
-  std::size_t KnownCount;
-  int WorkLeft;    // in bounds of nodes
-  double Rounding; // of distances, mm
-  Answer Result;
-  std::array<Basin, 2 * MostKnown> Basins;
-  std::size_t BasinCount = 0;
-};
 
 template <typename Surface>
 ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
@@ -187,14 +121,16 @@ void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
 {
   const double used = this->Used();
   const double less = this->PathLength - this->Needed - rounding;
-  this->OpenCount = 0;
+  std::size_t moved = 0;
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {
-    const std::size_t group = this->Near[i];
-    if (this->LeastOf(group) >= used)
-    {
-      continue;
-    }
+    this->Moved[moved] = this->Near[i];
+    moved += this->LeastOf(this->Near[i]) < used ? 1 : 0;
+  }
+  this->OpenCount = 0;
+  for (std::size_t i = 0; i < moved; ++i)
+  {
+    const std::size_t group = this->Moved[i];
     MovedBounds::Lanes lower;
     this->Bounds[group].Move(this->Query, lower);
     lower += less;
@@ -203,8 +139,11 @@ void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
     until = lower > until ? lower : until;
     for (std::size_t part = 0; part < MovedBounds::Count; ++part)
     {
-      this->Open[this->OpenCount] = static_cast<std::uint16_t>(MovedBounds::Count * group + part);
-      this->OpenCount += until[part] < used ? 1 : 0;
+      const double lacks = used - until[part];
+      std::uint64_t bits;
+      std::memcpy(&bits, &lacks, sizeof bits);
+      this->Open[this->OpenCount] = (bits & ~IndexBits) | (MovedBounds::Count * group + part);
+      this->OpenCount += lacks > 0.0 ? 1 : 0;
     }
   }
 }
@@ -253,29 +192,28 @@ void ClearanceProofOf<Surface>::SortOpen() noexcept
   const auto begin = this->Open.begin();
   const auto end = begin + static_cast<std::ptrdiff_t>(this->OpenCount);
   const auto last = begin + static_cast<std::ptrdiff_t>(std::min(SortedCells, this->OpenCount));
-  const auto isNearer = [&](std::size_t a, std::size_t b)
-  { return this->ClearUntil[a] < this->ClearUntil[b]; };
   if (last != end)
   {
-    std::nth_element(begin, last, end, isNearer);
+    std::nth_element(begin, last, end, std::greater<>());
   }
-  std::sort(begin, last, isNearer);
+  std::sort(begin, last, std::greater<>());
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
-                               std::size_t knownCount, int evaluationLimit) noexcept
+                               std::size_t knownCount, int evaluationLimit,
+                               const Rest& rest) noexcept
 {
   return this->AskWithin(this->Needed + this->LeftOpen, queryWorld, known, knownCount,
-                         evaluationLimit);
+                         evaluationLimit, Apart, rest);
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
                                      const ClosestPoint* known, std::size_t knownCount,
-                                     int evaluationLimit, double apart) noexcept
+                                     int evaluationLimit, double apart, const Rest& rest) noexcept
 {
   this->Asked = distance - this->LeftOpen;
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
@@ -284,6 +222,8 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   task.Known = known;
   task.KnownCount = std::min(knownCount, MostKnown);
   task.WorkLeft = WorkOfEvaluation * evaluationLimit;
+  task.WorkOfRest = WorkOfEvaluation * rest.Evaluations;
+  task.EnoughUntil = Infinite;
   task.Rounding = descent.Rounding(this->Query);
   task.Result.State = Finding::Clear;
   task.Result.LowerDistance = this->Asked;
@@ -296,33 +236,55 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   this->FindOpen(task.Rounding);
   task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
   this->SortOpen();
+  const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
   for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
   {
-    if (i >= SortedCells && task.WorkLeft < WorkOfEvaluation)
+    if (i >= SortedCells && task.WorkLeft < WorkOfEvaluation && !task.TakeRest(enoughUntil))
     {
       this->LeaveOpen(task, i);
       break;
     }
-    this->Settle(task, this->Open[i]);
+    this->Prefetch(i + 2);
+    this->Settle(task, this->OpenAt(i), enoughUntil);
   }
-  task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
+  const int most = evaluationLimit + rest.Evaluations;
+  task.Result.Evaluations = most - (task.WorkLeft + task.WorkOfRest) / WorkOfEvaluation;
   return task.Result;
 }
 
 template <typename Surface>
-void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
+void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double enoughUntil) noexcept
 {
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    const bool isClear = this->ClearUntil[index] >= this->Used();
-    step = isClear                           ? Step::Settled
+    const double until = this->ClearUntil[index];
+    step = until >= this->Used()             ? Step::Settled
+           : until >= task.EnoughUntil       ? Step::Open
            : this->Cells[index].Node != None ? this->SettleNode(task, index)
                                              : this->SettleTriangle(task, index);
+    const bool mayGoOn = step == Step::Open && this->ClearUntil[index] < enoughUntil;
+    step = mayGoOn && task.TakeRest(enoughUntil) ? Step::Again : step;
   }
   if (step == Step::Open)
   {
     this->LeaveOpen(task, this->ClearUntil[index]);
+  }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
+{
+  if (i >= this->OpenCount)
+  {
+    return;
+  }
+  constexpr std::size_t CacheLine = 64; // bytes
+  const Cell& cell = this->Cells[this->OpenAt(i)];
+  const char* begin = reinterpret_cast<const char*>(&cell);
+  for (std::size_t at = 0; at < sizeof(Cell); at += CacheLine)
+  {
+    __builtin_prefetch(begin + at);
   }
 }
 
@@ -341,7 +303,7 @@ void ClearanceProofOf<Surface>::LeaveOpen(Task& task, std::size_t first) const n
   double until = Infinite;
   for (std::size_t i = first; i < this->OpenCount; ++i)
   {
-    const std::size_t index = this->Open[i];
+    const std::size_t index = this->OpenAt(i);
     const bool isNearer = this->ClearUntil[index] < until;
     until = isNearer && task.LowerDistance(this->CapOf(index)) != Infinite ? this->ClearUntil[index]
                                                                            : until;
@@ -508,7 +470,7 @@ std::size_t ClearanceProofOf<Surface>::Quarter(std::size_t index) noexcept
   for (std::size_t part = first; part < first + MovedBounds::Count; ++part)
   {
     this->ClearUntil[part] = until;
-    this->Open[this->OpenCount++] = static_cast<std::uint16_t>(part);
+    this->Open[this->OpenCount++] = part;
   }
   return first;
 }

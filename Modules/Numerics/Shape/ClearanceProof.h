@@ -37,6 +37,14 @@ public:
     ClosestPoint Minimum; ///< of Nearer
   };
 
+  /// More work, in evaluations, for a query whose own leaves parts nearer than `Enough` (mm) open:
+  /// only for such parts.
+  struct Rest
+  {
+    double Enough = 0.0;
+    int Evaluations = 0;
+  };
+
   /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
@@ -49,11 +57,12 @@ public:
   /// MostKnown. Works as long as about `evaluationLimit` evaluations of the surface with its first
   /// two derivatives take; what remains open is continued by the next query.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
-             int evaluationLimit) noexcept;
+             int evaluationLimit, const Rest& rest = {}) noexcept;
   /// The same for another distance, up to the tolerance, preferably less. Known minima count for
   /// everything within the angle `apart` (rad).
   Answer AskWithin(double distance, const Vector3& queryWorld, const ClosestPoint* known,
-                   std::size_t knownCount, int evaluationLimit, double apart = Apart) noexcept;
+                   std::size_t knownCount, int evaluationLimit, double apart = Apart,
+                   const Rest& rest = {}) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
@@ -81,6 +90,7 @@ private:
   static constexpr int WorkOfBound = SurfaceKind<Surface>::WorkOfBound;
   static constexpr std::size_t Groups = SurfaceKind<Surface>::ProofCells / MovedBounds::Count;
   static constexpr std::size_t CellCapacity = MovedBounds::Count * Groups;
+  static constexpr std::uint64_t IndexBits = 0xffff;
 
   void BeginAfresh() noexcept;
   void JoinFar() noexcept;
@@ -93,10 +103,12 @@ private:
   int WorkOfLook(int workLeft) const noexcept;
   void MoveBounds(double rounding) noexcept;
   void SortOpen() noexcept;
+  std::size_t OpenAt(std::size_t i) const noexcept { return this->Open[i] & IndexBits; }
+  void Prefetch(std::size_t i) const noexcept;
   const SphericalCap& CapOf(std::size_t index) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
   void LeaveOpen(Task& task, std::size_t first) const noexcept;
-  void Settle(Task& task, std::size_t index) noexcept;
+  void Settle(Task& task, std::size_t index, double enoughUntil) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
   Step Descend(Task& task, const Cell& cell) noexcept;
@@ -127,9 +139,11 @@ private:
   // The groups of cells whose clearance may be used up before a path length.
   std::array<std::uint16_t, Groups> Near;
   std::size_t NearCount = 0;
-  double NearUntil = 0.0; // mm
-  // The cells that need work at the query.
-  std::array<std::uint16_t, CellCapacity> Open;
+  double NearUntil = 0.0;                  // mm
+  std::array<std::uint16_t, Groups> Moved; // of them, those whose clearance is used up
+  // The cells that need work at the query. Above the number of a cell are the bits of what it
+  // lacks, a positive number (mm), so that they are sorted by that.
+  std::array<std::uint64_t, CellCapacity> Open;
   std::size_t OpenCount = 0;
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;

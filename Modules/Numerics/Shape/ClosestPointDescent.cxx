@@ -2,6 +2,7 @@
 
 #include "SampleGeometry.h"
 #include "SquaredDistance.h"
+#include "TangentQuadratic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,6 +239,17 @@ bool IsStationary(const ClosestPointOf<Surface>& point, double rounding) noexcep
   const double metric = SquaredStretch(point.Sample);
   return point.Expansion.Gradient.squaredNorm() <= metric * rounding * rounding;
 }
+
+// Of the surface over a cap, from the distance of its centre and the least change of the half
+// squared distance's quadratic expansion, all mm.
+template <typename Bounds>
+double DistanceWithin(double reach, double length, double change, const Bounds& cap) noexcept
+{
+  const double fall =
+      cap.Product + (length + reach * (cap.First + 0.5 * reach * cap.Second)) * cap.Third;
+  const double least = 0.5 * length * length + change - reach * reach * reach * fall / 6.0;
+  return std::sqrt(std::max(0.0, 2.0 * least));
+}
 } // namespace
 
 template <typename Surface>
@@ -430,19 +442,31 @@ ClosestPointDescentOf<Surface>::BoundsWithin(const Vector3& direction, const Sam
           this->Derivatives.ThirdWithin(direction, reach)};
 }
 
-template <typename Surface>
-double ClosestPointDescentOf<Surface>::LowerDistance(const Vector3& query, const Vector3& direction,
-                                                     const Sample& sample, double reach,
-                                                     const CapBounds& cap) const noexcept
+template <>
+double ClosestPointDescent::LowerDistance(const Vector3& query, const Vector3& direction,
+                                          const Sample& sample, double reach,
+                                          const CapBounds& cap) const noexcept
 {
   const SquaredDistance distance(direction, sample, query);
   const double length = distance.Offset.norm();
-  const double fall =
-      cap.Product + (length + reach * (cap.First + 0.5 * reach * cap.Second)) * cap.Third;
   const double change =
       distance.LeastChange(reach, distance.SmallestEigenvalue(), distance.Gradient.norm());
-  const double least = 0.5 * length * length + change - reach * reach * reach * fall / 6.0;
-  return std::sqrt(std::max(0.0, 2.0 * least));
+  return DistanceWithin(reach, length, change, cap);
+}
+
+// Along the sample's own tangents, which takes half as long.
+template <>
+double ClosestPointDescentOf<ParametricShape>::LowerDistance(const Vector3& query, const Vector3&,
+                                                             const Sample& sample, double reach,
+                                                             const CapBounds& cap) const noexcept
+{
+  const Vector3 offset = query - sample.Point;
+  const auto& [first, second] = sample.First;
+  const double aa = first.squaredNorm() - offset.dot(sample.Second[0]);
+  const double ab = first.dot(second) - offset.dot(sample.Second[1]);
+  const double bb = second.squaredNorm() - offset.dot(sample.Second[2]);
+  const TangentQuadratic quadratic{aa, ab, bb, -offset.dot(first), -offset.dot(second)};
+  return DistanceWithin(reach, offset.norm(), quadratic.LeastChange(reach), cap);
 }
 
 template class ClosestPointDescentOf<SphericalHarmonicModel>;

@@ -70,7 +70,7 @@ ExpansionInBasin ExpansionOf(const ParametricShape::SecondOrderSample& even,
   expansion.Product = LargestProduct(even);
   expansion.Distance = offset.norm();
   expansion.Eigenvalue = half > 0.0 ? determinant / larger : -1.0;
-  expansion.Away = std::hypot(stepA, stepB);
+  expansion.Away = std::sqrt(stepA * stepA + stepB * stepB);
   expansion.Least = 0.5 * (offset.squaredNorm() + a * stepA + b * stepB);
   return expansion;
 }
@@ -109,6 +109,7 @@ StretchedBasin StretchedBasinAround(const Vector3& parameter,
     double length = expansion.LengthWithin(2.6);
     length = length < 30.0 * away ? expansion.LengthWithin(1.5) : length;
     const double known = 11.0 * away;
+    const bool isWidest = length <= angle * least; // wider caps have larger derivatives
     length = std::min(length, angle * least);
     if (length <= basin.Reach || known > angle * least)
     {
@@ -118,6 +119,10 @@ StretchedBasin StretchedBasinAround(const Vector3& parameter,
         2.0 * (expansion.Least - known * known * known * expansion.Fall(known) / 6.0);
     basin.Reach = length;
     basin.LowerDistance = std::sqrt(std::max(0.0, square)) - rounding;
+    if (isWidest)
+    {
+      break;
+    }
   }
   return basin;
 }

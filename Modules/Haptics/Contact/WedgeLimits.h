@@ -1,0 +1,46 @@
+#pragma once
+
+namespace palpate
+{
+/// How exact a HarmonicWedge is, and how much work it may do.
+struct WedgeLimits
+{
+  // Relative to the smallest radius, so that units do not matter: the path between two proofs,
+  // where a slide ends, and how deep the sphere may be in a wall that is not known yet. At a
+  // parametric surface that is about 0.01 mm, less than a hand feels: for less, many more ticks
+  // take long.
+  static constexpr double RelativeStep = 1.0 / 16.0;
+  static constexpr double RelativeEnd = 6e-6;
+  template <typename Surface>
+  static constexpr double RelativeTolerance = Surface::MayCrossItself ? 1e-3 : 1e-5;
+  // Of the margin that a surface adds to tools: the tool itself is still kept off.
+  static constexpr double PartOfMargin = 0.4;
+  // Relative to the sphere's radius: nothing is nearer to its centre anywhere, even if a tick has
+  // no time for the whole proof.
+  static constexpr double LeastProven = 0.5;
+  static constexpr int Steps = 6;
+  // At a parametric surface a proof takes much longer: a sphere that has farther to go arrives
+  // later.
+  static constexpr int Proofs = 12;
+  static constexpr int ProofsAtFolds = 3;
+  // Where the surface crosses itself steps are as short as the margin: as many as their work
+  // allows.
+  static constexpr int ProofsAtCrossings = 7;
+  static constexpr int EvaluationsOfMove = 640;
+  static constexpr int EvaluationsAtFolds =
+      24; // of all proofs of a tick, the rest is left to the next ones
+  static constexpr int LeastEvaluations = 8;    // of each of them
+  static constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
+  static constexpr int EvaluationsOfRest = 160; // where they leave much
+  // Of the smallest radius: how deep in the sphere parts may be that are left.
+  static constexpr double RelativeSlack = 1.5e-3;
+  // A sphere that is farther from its goal than this many of its longest steps catches up in
+  // several ticks, at least this many times as fast as the goal moves.
+  static constexpr double FarSteps = 2.0;
+  static constexpr double CatchingUp = 2.0;
+  static constexpr int EvaluationsAhead = 160;
+  static constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
+  // Error of a wall's parameter, rad: that of its distance is the square of it.
+  static constexpr double Tracking = 1e-7;
+};
+} // namespace palpate
