@@ -278,7 +278,8 @@ const ClearMotion::ClosestPoint* ClearMotion::Touched(const Minima& minima) cons
 }
 
 // Several walls may be overlapped at the goal, of which a proof finds any first: what overlaps the
-// tool where it touches one was met before that one.
+// tool where it touches one was met before that one. Takes as much work as it needs, since the
+// first wall decides about all of the contact.
 void ClearMotion::MeetFirst(const Vector3& start, const Vector3& goal,
                             const ClosestPoint& minimum) noexcept
 {
@@ -288,7 +289,8 @@ void ClearMotion::MeetFirst(const Vector3& start, const Vector3& goal,
   {
     const auto answer =
         this->Clearance->AskWithin(this->Free + this->Clearance->Tolerance(), this->Place,
-                                   &this->Wall, 1, MotionEvaluationsOfShortStep, Apart);
+                                   &this->Wall, 1, MotionEvaluationsOfShortStep, Apart,
+                                   {this->Free - this->Exactness, MotionEvaluationsOfProof});
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
     if (answer.State != Proof::Finding::Nearer ||
         found.SignedDistance > this->RadiusAt(found) - this->Exactness)

@@ -281,8 +281,8 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
 template <typename Surface>
 bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motion) noexcept
 {
-  this->ProbeWorld = probe;
-  const ClosestPoint next = this->Continued(probe);
+  const Vector3 start = std::exchange(this->ProbeWorld, probe);
+  const ClosestPoint next = this->Continued(start, probe);
   if (next.SignedDistance >= this->EndOfContact())
   {
     this->Leave(next);
@@ -314,18 +314,43 @@ void HarmonicNearestTrackerOf<Surface>::Leave(const ClosestPoint& next) noexcept
   }
 }
 
+// A minimum that is about to end moves many times as fast as the probe, and takes more steps, since
+// a descent from far away may end in another one.
+template <typename Surface>
+typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
+HarmonicNearestTrackerOf<Surface>::Tracked(const Vector3& start,
+                                           const Vector3& probe) const noexcept
+{
+  const auto& search = this->Touched->Search();
+  ClosestPoint next = search.Track(probe, this->Closest);
+  if constexpr (Surface::MayCrossItself)
+  {
+    constexpr double Faster = 8.0;
+    constexpr int Parts = 16;
+    const bool isNear = (next.PointWorld - this->Closest.PointWorld).norm() <=
+                        Faster * (probe - start).norm() + this->TouchingGap;
+    if (next.Converged() && isNear)
+    {
+      return next;
+    }
+    const int parts = this->Closest.Converged() ? Parts : 0;
+    for (int part = 1; part <= parts; ++part)
+    {
+      const Vector3 place = start + (1.0 * part / parts) * (probe - start);
+      next = search.Track(place, part == 1 ? this->Closest : next);
+    }
+    next = next.State == ClosestPoint::Outcome::Limit ? search.Track(probe, next) : next;
+  }
+  return next;
+}
+
 // The continued minimum; or another one, if contact with it has ended but not with the whole
 // surface, or if it has become a saddle or a maximum that descent would never leave.
 template <typename Surface>
 typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
-HarmonicNearestTrackerOf<Surface>::Continued(const Vector3& probe) noexcept
+HarmonicNearestTrackerOf<Surface>::Continued(const Vector3& start, const Vector3& probe) noexcept
 {
-  const auto& search = this->Touched->Search();
-  ClosestPoint next = search.Track(probe, this->Closest);
-  if (Surface::MayCrossItself && next.State == ClosestPoint::Outcome::Limit)
-  {
-    next = search.Track(probe, next); // a minimum that is about to end takes more steps
-  }
+  const ClosestPoint next = this->Tracked(start, probe);
   const bool isStationary =
       next.State == ClosestPoint::Outcome::Stationary && !next.Expansion.IsConvex();
   if ((Surface::MayCrossItself || next.SignedDistance < this->ToolRadius) && !isStationary)

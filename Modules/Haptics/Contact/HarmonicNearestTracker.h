@@ -89,7 +89,8 @@ private:
     return Surface::MayCrossItself ? this->ToolRadius + this->TouchingGap : this->ToolRadius;
   }
   void Leave(const ClosestPoint& next) noexcept;
-  ClosestPoint Continued(const Vector3& probe) noexcept;
+  ClosestPoint Tracked(const Vector3& start, const Vector3& probe) const noexcept;
+  ClosestPoint Continued(const Vector3& start, const Vector3& probe) noexcept;
   int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;
   void Measure(const Vector3& probe) noexcept;
