@@ -146,9 +146,8 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
     const auto first = static_cast<std::size_t>(2 * mode + 1);
     modes += "<h3>" + ModeTitle(group, mode) + "</h3>\n<div class=\"views\">\n" +
              figures.Figure(drawn[first], ViewSide::Anterior, "mean \xE2\x88\x92 " + several) +
-             figures.Figure(drawn.front(), ViewSide::Anterior, "mean") +
-             figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) +
-             ModeSlider(group, mode, deviations, figures) + "</div>\n";
+             ModeSlider(group, mode, deviations, figures) +
+             figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
   }
   return ReportPage(
       "Palpate cohort",

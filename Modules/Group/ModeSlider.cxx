@@ -33,8 +33,8 @@ std::string ModeSlider(const CohortGroup& group, int mode, double deviations,
               (step == 0 ? "" : " hidden=\"hidden\"") + ">" + figure + "</div>";
   }
   const std::string end = std::to_string(StepsToASide);
-  return "<div>" + images + "<input type=\"range\" min=\"-" + end + "\" max=\"" + end +
-         "\" value=\"0\" aria-label=\"Mode " + std::to_string(mode + 1) +
+  return "<div>" + images + "<input style=\"width:100%\" type=\"range\" min=\"-" + end +
+         "\" max=\"" + end + "\" value=\"0\" aria-label=\"Mode " + std::to_string(mode + 1) +
          "\" oninput=\"for (const one of this.parentNode.querySelectorAll('[data-step]')) "
          "one.hidden = one.dataset.step "
          "!== this.value\"/></div>\n";
