@@ -2,6 +2,7 @@
 #include "CommandRun.h"
 #include "CsvRecords.h"
 #include "DecimalText.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "MarkupCheck.h"
 #include "ModelFile.h"
@@ -240,6 +241,82 @@ TEST(CohortGroup, PageIsSelfContainedAndListsOmissions)
   EXPECT_NE(html.find("<div data-step=\"-3\" hidden=\"hidden\"><figure>"), std::string::npos);
   EXPECT_NE(html.find("x &amp; y has no model and is omitted: is &lt;hidden&gt;"),
             std::string::npos);
+}
+
+/// Organs and tubes in turn, with other centres, in the order of `numbers`.
+CohortGroup NumberedGroup(const std::vector<int>& numbers, bool isRadial, AlignmentAxes axes)
+{
+  Cohort cohort;
+  for (const int number : numbers)
+  {
+    Random random(100 + static_cast<unsigned>(number));
+    const Vector3 center(3.0 * number, -number, 40.0);
+    const std::string name(1, static_cast<char>('a' + number));
+    const SphericalHarmonicModel organ = palpate::test::RandomOrgan(random, 5);
+    if (isRadial)
+    {
+      cohort.Add(name, SphericalHarmonicModel(5, organ.Coefficients(), center));
+    }
+    else
+    {
+      cohort.Add(name,
+                 palpate::test::BumpyTube(random, 5).Transformed(Matrix3::Identity(), center));
+    }
+  }
+  return cohort.Group(axes);
+}
+
+// As each is placed by itself.
+TEST(CohortGroup, AddingAndRemovingCasesChangesNoOther)
+{
+  for (const AlignmentAxes axes : {AlignmentAxes::Patient, AlignmentAxes::Ellipsoid})
+  {
+    for (const bool isRadial : {true, false})
+    {
+      const Eigen::MatrixXd all = CoefficientsOf(NumberedGroup({0, 1, 2, 3, 4, 5}, isRadial, axes));
+      const Eigen::MatrixXd some = CoefficientsOf(NumberedGroup({5, 0, 3}, isRadial, axes));
+      EXPECT_EQ(some.row(0), all.row(5));
+      EXPECT_EQ(some.row(1), all.row(0));
+      EXPECT_EQ(some.row(2), all.row(3));
+    }
+  }
+}
+
+// Signs, too: the largest entry of a mode is positive.
+TEST(CohortGroup, ReorderingCasesKeepsMeanAndModes)
+{
+  for (const bool isRadial : {true, false})
+  {
+    const CohortGroup group = NumberedGroup({0, 1, 2, 3, 4, 5}, isRadial, AlignmentAxes::Patient);
+    const CohortGroup other = NumberedGroup({4, 2, 5, 1, 0, 3}, isRadial, AlignmentAxes::Patient);
+    ASSERT_EQ(group.Modes.Modes.cols(), other.Modes.Modes.cols());
+    // mm; rounding of sums of numbers of some 70, over the distance of the variances.
+    EXPECT_LE((group.Modes.Mean - other.Modes.Mean).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_LE((group.Modes.Deviations - other.Modes.Deviations).cwiseAbs().maxCoeff(), 1e-11);
+    EXPECT_LE((group.Modes.Modes - other.Modes.Modes).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_LE((group.Modes.Scores.row(4) - other.Modes.Scores.row(0)).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(CohortGroup, ReadingReportsProgressAndCancels)
+{
+  Cohort cohort;
+  AddKnownCases(cohort);
+  std::vector<double> steps;
+  const auto read = [&](double end)
+  {
+    return MakeCohortGroup(cohort.Table, cohort.Folder.Path(), {}, AlignmentAxes::Patient,
+                           [&](double done)
+                           {
+                             steps.push_back(done);
+                             return done < end;
+                           });
+  };
+  EXPECT_EQ(read(2.0).Rows.size(), 4U);
+  EXPECT_EQ(steps.size(), 8U); // read and placed
+  EXPECT_TRUE(std::is_sorted(steps.begin(), steps.end()));
+  EXPECT_THROW(read(0.1), Cancelled);
+  EXPECT_THROW(read(0.6), Cancelled);
 }
 
 TEST(CohortGroup, SeveralStructuresRequireChoice)
