@@ -1,6 +1,7 @@
 #include "CohortReading.h"
 
 #include "CohortTable.h"
+#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelSurface.h"
 #include "SoftwareRenderer.h"
@@ -16,6 +17,7 @@ namespace
 {
 constexpr int PictureFrequency = 12; // 1,442 points
 constexpr int PictureSize = 48;      // pixels
+constexpr double ReadingShare = 0.6; // of the progress; the rest is pictures
 
 QImage PictureOf(const SurfaceModel& model)
 {
@@ -39,6 +41,7 @@ void CohortReading::Start(const QString& folder)
   qRegisterMetaType<std::shared_ptr<palpate::CohortReading::Product>>(
       "std::shared_ptr<palpate::CohortReading::Product>");
   this->IsCancelled = false;
+  this->Percent = 0;
   this->Thread = std::thread([this, folder] { this->Read(folder); });
 }
 
@@ -49,6 +52,17 @@ void CohortReading::Cancel()
   {
     this->Thread.join();
   }
+}
+
+bool CohortReading::Report(double fraction)
+{
+  const int percent = static_cast<int>(100.0 * fraction);
+  if (percent != this->Percent && !this->IsCancelled)
+  {
+    this->Percent = percent;
+    Q_EMIT this->Progressed(percent);
+  }
+  return !this->IsCancelled;
 }
 
 void CohortReading::Read(const QString& folder)
@@ -65,16 +79,24 @@ void CohortReading::Read(const QString& folder)
           " has no cohort.csv; choose a folder that `palpate fit` wrote from a folder of "
           "masks");
     }
-    product->Group = MakeCohortGroup(table, path, "", AlignmentAxes::Patient);
+    product->Group =
+        MakeCohortGroup(table, path, "", AlignmentAxes::Patient,
+                        [this](double done) { return this->Report(ReadingShare * done); });
+    const auto count = static_cast<double>(product->Group.Models.size());
     for (const SurfaceModel& model : product->Group.Models)
     {
-      if (this->IsCancelled)
+      const double drawn = static_cast<double>(product->Pictures.size()) / count;
+      if (!this->Report(ReadingShare + (1.0 - ReadingShare) * drawn))
       {
         return;
       }
       product->Pictures.push_back(PictureOf(model));
     }
     Q_EMIT this->Done(product);
+  }
+  catch (const Cancelled&)
+  {
+    return;
   }
   catch (const std::exception& error)
   {

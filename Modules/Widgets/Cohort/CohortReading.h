@@ -33,11 +33,16 @@ public:
 Q_SIGNALS:
   void Done(std::shared_ptr<palpate::CohortReading::Product> product);
   void Failed(const QString& sentence);
+  /// In whole percent, when that changes.
+  void Progressed(int percent);
 
 private:
   void Read(const QString& folder);
+  /// Returns false if the reading is cancelled.
+  bool Report(double fraction);
 
   std::thread Thread;
   std::atomic<bool> IsCancelled{false};
+  int Percent = 0; ///< reported last
 };
 } // namespace palpate

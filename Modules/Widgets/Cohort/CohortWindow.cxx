@@ -97,6 +97,7 @@ CohortWindow::CohortWindow(const FileQuestions& questions, QWidget* parent)
   }
   connect(&this->Reading, &CohortReading::Done, this, &CohortWindow::Take);
   connect(&this->Reading, &CohortReading::Failed, this, &CohortWindow::Refuse);
+  connect(&this->Reading, &CohortReading::Progressed, this->Busy, &QProgressBar::setValue);
   this->resize(1000, 700);
 }
 
@@ -112,7 +113,7 @@ void CohortWindow::AddButtons(QLayout* column)
   this->State->setObjectName("cohort-state");
   this->State->setWordWrap(true);
   this->State->setText("Open a folder that `palpate fit` wrote from a folder of masks.");
-  this->Busy->setRange(0, 0); // how long it takes is not known
+  this->Busy->setRange(0, 100);
   this->Busy->setMaximumWidth(120);
   this->Busy->hide();
   this->CovariateButton->setEnabled(false);
@@ -170,6 +171,7 @@ void CohortWindow::AskForFolder()
 void CohortWindow::Open(const QString& folder)
 {
   this->State->setText("Reading " + ScreenString(folder.toStdString()) + "...");
+  this->Busy->setValue(0);
   this->Busy->show();
   this->FolderButton->setEnabled(false);
   this->Reading.Start(folder);
