@@ -33,7 +33,8 @@ public:
 private:
   void Take(char letter, bool isDoubled)
   {
-    if (letter == '"' && !isDoubled)
+    // Within a field that has none at its start, a quote is a letter.
+    if (letter == '"' && !isDoubled && (this->Quoted || this->Field.empty()))
     {
       this->Quoted = !this->Quoted;
     }
