@@ -322,26 +322,39 @@ HarmonicNearestTrackerOf<Surface>::Tracked(const Vector3& start,
                                            const Vector3& probe) const noexcept
 {
   const auto& search = this->Touched->Search();
-  ClosestPoint next = search.Track(probe, this->Closest);
+  const ClosestPoint next = search.Track(probe, this->Closest);
   if constexpr (Surface::MayCrossItself)
   {
-    constexpr double Faster = 8.0;
     constexpr int Parts = 16;
-    const bool isNear = (next.PointWorld - this->Closest.PointWorld).norm() <=
-                        Faster * (probe - start).norm() + this->TouchingGap;
-    if (next.Converged() && isNear)
+    const Vector3 path = probe - start;
+    if (this->IsContinued(this->Closest, next, path.norm()))
     {
       return next;
     }
-    const int parts = this->Closest.Converged() ? Parts : 0;
-    for (int part = 1; part <= parts; ++part)
+    ClosestPoint followed = this->Closest;
+    bool isFollowed = followed.Converged();
+    for (int part = 1; part <= Parts && isFollowed; ++part)
     {
-      const Vector3 place = start + (1.0 * part / parts) * (probe - start);
-      next = search.Track(place, part == 1 ? this->Closest : next);
+      const ClosestPoint last = followed;
+      followed = search.Track(start + (1.0 * part / Parts) * path, last);
+      isFollowed = this->IsContinued(last, followed, path.norm() / Parts);
     }
-    next = next.State == ClosestPoint::Outcome::Limit ? search.Track(probe, next) : next;
+    return isFollowed                                   ? followed
+           : next.State == ClosestPoint::Outcome::Limit ? search.Track(probe, next)
+                                                        : next;
   }
   return next;
+}
+
+// Whether this is the same minimum after the probe's motion (mm), and not one that took its place.
+template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::IsContinued(const ClosestPoint& last,
+                                                    const ClosestPoint& next,
+                                                    double motion) const noexcept
+{
+  constexpr double Faster = 8.0;
+  return next.Converged() &&
+         (next.PointWorld - last.PointWorld).norm() <= Faster * motion + this->TouchingGap;
 }
 
 // The continued minimum; or another one, if contact with it has ended but not with the whole

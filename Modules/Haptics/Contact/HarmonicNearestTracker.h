@@ -90,6 +90,8 @@ private:
   }
   void Leave(const ClosestPoint& next) noexcept;
   ClosestPoint Tracked(const Vector3& start, const Vector3& probe) const noexcept;
+  bool IsContinued(const ClosestPoint& last, const ClosestPoint& next,
+                   double motion) const noexcept;
   ClosestPoint Continued(const Vector3& start, const Vector3& probe) noexcept;
   int EvaluationsOfNextSearch() const noexcept;
   ClosestPoint NearestTo(const Vector3& probe) noexcept;

@@ -106,7 +106,6 @@ void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBa
   this->Around = known;
   this->Center =
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
-  this->LastGoalWorld = this->Center;
   this->IsClear = false;
   this->JointNormal = nearest.Normal;
   this->Known[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
@@ -180,14 +179,8 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
   Leash leash{this->Center, this->LongestStep};
   int left =
       Surface::MayCrossItself ? WedgeLimits::EvaluationsAtFolds : WedgeLimits::EvaluationsOfMove;
-  const Vector3 lastGoal = std::exchange(this->LastGoalWorld, goalWorld);
-  double ahead = -WedgeLimits::CatchingUp * (goalWorld - lastGoal).norm(); // of the goal's motion
   for (int proof = 0; this->MayProve(proof, left); ++proof)
   {
-    if (left <= 0 && ahead > 0.0 && this->MayArriveLater(goalWorld, leash))
-    {
-      return;
-    }
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
     const bool isThere = this->Slide(goal, leash) && goal == goalWorld;
@@ -208,7 +201,6 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     {
       break;
     }
-    ahead += (this->Center - leash.ClearWorld).norm();
     this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
     if (std::exchange(this->IsClear, true) && isThere)
@@ -247,40 +239,16 @@ HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft) noexcept
   }
 }
 
-template <typename Surface>
-typename HarmonicWedgeOf<Surface>::Way
-HarmonicWedgeOf<Surface>::WayTo(const Vector3& goalWorld, const Leash& leash) const noexcept
-{
-  const std::array<HalfSpace, MostWalls> planes = this->Planes();
-  const Vector3 held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount).Point;
-  return {held, this->GrooveAt(planes.data(), held, goalWorld).Newton(held - leash.ClearWorld)};
-}
-
-// At a clear place, when a tick's work is done: a sphere that was held back by a wall that ended is
-// far from its goal, for many ticks whatever each of them does. Next to where a surface crosses
-// itself steps are short.
-template <typename Surface>
-bool HarmonicWedgeOf<Surface>::MayArriveLater(const Vector3& goalWorld,
-                                              const Leash& leash) const noexcept
-{
-  if constexpr (Surface::MayCrossItself)
-  {
-    return this->IsClear && leash.ClearWorld == this->Center && !this->Touched->CrossesItself() &&
-           this->WayTo(goalWorld, leash).Along.norm() > WedgeLimits::FarSteps * this->LongestStep;
-  }
-  else
-  {
-    return false;
-  }
-}
-
 // The goal, or a point on the path to it whose held place is in reach: a place clipped from a
 // longer path lies in or off walls that curve.
 template <typename Surface>
 Vector3 HarmonicWedgeOf<Surface>::NextGoal(const Vector3& goalWorld,
                                            const Leash& leash) const noexcept
 {
-  const auto [held, along] = this->WayTo(goalWorld, leash);
+  const std::array<HalfSpace, MostWalls> planes = this->Planes();
+  const Vector3 held = NearestInHalfSpaces(goalWorld, planes.data(), this->KnownCount).Point;
+  const Vector3 along =
+      this->GrooveAt(planes.data(), held, goalWorld).Newton(held - leash.ClearWorld);
   const Vector3 inward = goalWorld - held;
   const double half = 0.5 * leash.Length;
   if (along.norm() <= leash.Length)

@@ -113,16 +113,8 @@ private:
 
   void Approach(const Vector3& goalWorld) noexcept;
   bool MayProve(int proofs, int evaluationsLeft) const noexcept;
-  bool MayArriveLater(const Vector3& goalWorld, const Leash& leash) const noexcept;
   typename Proof::Answer ProofHere(int& evaluationsLeft) noexcept;
   void Shorten(Leash& leash) noexcept;
-  // The place that the walls' planes hold for a goal, and the path to it from the last clear place.
-  struct Way
-  {
-    Vector3 HeldWorld;
-    Vector3 Along;
-  };
-  Way WayTo(const Vector3& goalWorld, const Leash& leash) const noexcept;
   Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;
   std::array<HalfSpace, MostWalls> Planes() const noexcept;
   bool Slide(const Vector3& goalWorld, const Leash& leash) noexcept;
@@ -152,7 +144,6 @@ private:
   ProvenBall Around; // the last place that was proven
   std::unique_ptr<Proof> ClearanceAhead;
   Vector3 Center = Vector3::Zero();
-  Vector3 LastGoalWorld = Vector3::Zero();
   bool IsClear = false; // proven for the centre
   bool IsKeptBack = false;
   Vector3 JointNormal = Vector3::UnitZ();

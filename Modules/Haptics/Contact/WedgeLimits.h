@@ -27,17 +27,13 @@ struct WedgeLimits
   // allows.
   static constexpr int ProofsAtCrossings = 7;
   static constexpr int EvaluationsOfMove = 640;
-  static constexpr int EvaluationsAtFolds =
-      24; // of all proofs of a tick, the rest is left to the next ones
+  // Of all proofs of a tick; the rest is left to the next ones.
+  static constexpr int EvaluationsAtFolds = 24;
   static constexpr int LeastEvaluations = 8;    // of each of them
   static constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
   static constexpr int EvaluationsOfRest = 160; // where they leave much
   // Of the smallest radius: how deep in the sphere parts may be that are left.
   static constexpr double RelativeSlack = 1.5e-3;
-  // A sphere that is farther from its goal than this many of its longest steps catches up in
-  // several ticks, at least this many times as fast as the goal moves.
-  static constexpr double FarSteps = 2.0;
-  static constexpr double CatchingUp = 2.0;
   static constexpr int EvaluationsAhead = 160;
   static constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
   // Error of a wall's parameter, rad: that of its distance is the square of it.
