@@ -76,9 +76,9 @@ TEST(ForeignFile, LeavesDamagedKnownFormatsToTheirReaders)
       {"a.mha", "ObjectType = Image\nNDims = x\n"}};
   for (const auto& [name, bytes] : files)
   {
-    WriteAll(folder / name, bytes);
-    EXPECT_TRUE(
-        Contains(MessageOf([&] { ReadVolume(folder / name); }), "; copy or export it again."))
+    const std::filesystem::path file = folder / name;
+    WriteAll(file, bytes);
+    EXPECT_TRUE(Contains(MessageOf([&] { ReadVolume(file); }), "; copy or export it again."))
         << name;
   }
 }
