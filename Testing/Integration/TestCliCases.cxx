@@ -145,6 +145,35 @@ TEST(CliCases, FilesOfSameNameHaveSeparateResults)
   EXPECT_EQ(files, (std::set<std::string>{"o/A_same_1.vtp", "o/B_same_1.vtp", "o/A_same-2_1.vtp"}));
 }
 
+TEST(CliCases, PatternNamesCasesByTheirIds)
+{
+  const TemporaryFolder folder;
+  for (const std::string id : {"01", "02"})
+  {
+    std::filesystem::create_directories(folder / ("seg/sub-" + id + "/anat"));
+    WriteBoxes(folder / ("seg/sub-" + id + "/anat/sub-" + id + "_T2w_dseg.nii.gz"), {1});
+  }
+  const CommandRun run = RunPalpate(
+      {"fit", "seg/sub-{id}/anat/sub-{id}_*_dseg.nii.gz", "--output", "out"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/01/model.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/02/model.json"));
+}
+
+TEST(CliCases, PatternWithoutOneFileForEachIdIsRefused)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "sub-01_T1w.nii.gz", {1});
+  WriteBoxes(folder / "sub-01_T2w.nii.gz", {1});
+  for (const std::string pattern : {"sub-{id}_*.nii.gz", "sub-{id}_PDw.nii.gz", "{id", "{id}*"})
+  {
+    const CommandRun run = RunPalpate({"fit", pattern, "--output", "out"}, folder.Path());
+    EXPECT_EQ(run.Code, 2) << pattern << ": " << run.Errors;
+    EXPECT_EQ(run.Errors.find('\n'), run.Errors.size() - 1) << run.Errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
 TEST(CliCases, NumbersNamesThatCollideWhenCombined)
 {
   const TemporaryFolder folder;

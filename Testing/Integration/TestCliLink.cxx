@@ -170,7 +170,7 @@ TEST(CliLink, TouchGoesOnWithoutAPeer)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "gland.json");
-  const int port = 50000 + static_cast<int>(getpid()) % 10000;
+  const int port = 10000 + static_cast<int>(getpid()) % 10000;
   const CommandRun run = RunPalpate(
       {"touch", "gland.json", "--real-time", "--seconds", "0.2", "--igtl", std::to_string(port)},
       folder.Path());

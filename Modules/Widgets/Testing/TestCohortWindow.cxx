@@ -4,7 +4,12 @@
 #include "ModelFile.h"
 #include "WindowTest.h"
 
+#include <QProgressBar>
+
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace palpate::cohort_window_test
 {
@@ -77,6 +82,17 @@ protected:
 
   CohortWindow* Cohort = nullptr;
 };
+
+TEST_F(CohortWindowTest, TellsHowFarTheReadingIs)
+{
+  const auto percents = std::make_shared<std::vector<int>>();
+  auto* bar = this->Cohort->findChild<QProgressBar*>();
+  QObject::connect(bar, &QProgressBar::valueChanged, bar,
+                   [percents](int percent) { percents->push_back(percent); });
+  this->Open();
+  EXPECT_GE(percents->size(), 6U); // six models and six pictures
+  EXPECT_TRUE(std::is_sorted(percents->begin(), percents->end()));
+}
 
 TEST_F(CohortWindowTest, ListsCasesWithPicturesAndNumbers)
 {
