@@ -156,8 +156,8 @@ TEST(CliCases, PatternNamesCasesByTheirIds)
   const CommandRun run = RunPalpate(
       {"fit", "seg/sub-{id}/anat/sub-{id}_*_dseg.nii.gz", "--output", "out"}, folder.Path());
   EXPECT_EQ(run.Code, 0) << run.Errors;
-  EXPECT_TRUE(std::filesystem::exists(folder / "out/01/model.json"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "out/02/model.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/01/1/model.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/02/1/model.json"));
 }
 
 TEST(CliCases, PatternWithoutOneFileForEachIdIsRefused)
