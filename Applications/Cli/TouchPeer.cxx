@@ -40,9 +40,9 @@ TouchPeer::~TouchPeer()
 
 void TouchPeer::Show(const TouchState& newest)
 {
-  if (newest.HasSample && newest.State == DeviceState::Ready)
+  if (const std::optional<IgtlTouch> shown = IgtlTouchOf(newest))
   {
-    this->Link.Show(IgtlTouchOf(newest));
+    this->Link.Show(*shown);
   }
   this->TellProblems();
 }

@@ -127,8 +127,9 @@ std::optional<CohortAlignment> CohortCommand::Align(CohortGroup& group,
 
 void CohortCommand::DeclareCovariates(CLI::App& app)
 {
-  app.add_option("--covariates", this->Request.File,
-                 "Table of the cases' covariates, with a header (CSV; .tsv: tabs)")
+  app.add_option(
+         "--covariates", this->Request.File,
+         "Table of the cases' covariates, with a header (separated by commas, semicolons or tabs)")
       ->check(FileType::Input("file", ".csv"));
   app.add_option("--id", this->Request.Id,
                  "Column with the cases' names or a part of them (default: case, id, ...)")

@@ -130,9 +130,9 @@ bool OpenIGTLinkDevice::Apply(const Vector3& force) noexcept
 
 void OpenIGTLinkDevice::Show(const TouchState& state) noexcept
 {
-  if (state.HasSample && state.State == DeviceState::Ready)
+  if (const std::optional<IgtlTouch> shown = IgtlTouchOf(state))
   {
-    this->Displayed.Publish(IgtlTouchOf(state));
+    this->Displayed.Publish(*shown);
   }
 }
 

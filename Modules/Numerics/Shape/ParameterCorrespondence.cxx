@@ -16,8 +16,7 @@ namespace
 {
 constexpr int SearchDegree = 6;
 constexpr std::ptrdiff_t ImprovedStarts = 4;
-constexpr double LeastOtherTurn = 0.25 * M_PI; // rad
-constexpr double NoDistance = 1e-9;            // mm; below it there is only rounding
+constexpr double NoDistance = 1e-9; // mm; below it there is only rounding
 
 // Rotations that map a cube with axes along the frame's onto itself, without the identity.
 std::vector<Matrix3> CubeTurns()
@@ -40,11 +39,6 @@ std::vector<Matrix3> CubeTurns()
     }
   } while (std::next_permutation(order.begin(), order.end()));
   return turns;
-}
-
-double RmsOf(const Eigen::VectorXd& difference)
-{
-  return difference.norm() / std::sqrt(4.0 * M_PI);
 }
 
 bool IsRadial(const SurfaceModel& shape)
@@ -154,7 +148,7 @@ private:
   }
   void Take(const Matrix3& turn, const SuperposedShape& found)
   {
-    SuperposedShape& best = AngleOf(turn) < LeastOtherTurn ? this->Own : this->Other;
+    SuperposedShape& best = AngleOf(turn) < SmallestOtherTurn ? this->Own : this->Other;
     best = found.ShapeResidual < best.ShapeResidual ? found : best;
   }
   void Report(bool turnsBody, ParameterCorrespondence& found) const
@@ -217,7 +211,7 @@ Status CompareParameters(const std::vector<SurfaceModel>& shapes, const KernelPr
         (sum - weights[i] * vectors.col(i)) / (weights.sum() - weights[i]);
     const SurfaceModel low = WithDegree(shape, degree);
     ParameterCorrespondence one;
-    one.Distance = RmsOf(vectors.col(i) - others);
+    one.Distance = RmsOverSphere(vectors.col(i) - others);
     OrientationSearch(low, WithDegree(ShapeFrom(others, shape), degree)).Run(turns, one);
     cases.push_back(one);
   }

@@ -15,9 +15,7 @@ namespace palpate
 {
 namespace
 {
-// Orientations closer than this to the chosen one are no others.
-constexpr double SmallestOtherTurn = 0.25 * M_PI; // rad
-constexpr double RoundsShare = 0.7;               // of the progress; the rest is flips
+constexpr double RoundsShare = 0.7; // of the progress; the rest is flips
 
 // x to -x. A surface's parameters are mirrored too, so that it stays outside out.
 SurfaceModel MirrorImage(const SurfaceModel& shape)
@@ -38,7 +36,7 @@ SurfaceModel Scaled(const SurfaceModel& shape, double factor)
 // RMS over the sphere, mm.
 double DistanceBetween(const SurfaceModel& a, const SurfaceModel& b)
 {
-  return (VectorOf(a) - VectorOf(b)).norm() / std::sqrt(4.0 * M_PI);
+  return RmsOverSphere(VectorOf(a) - VectorOf(b));
 }
 
 Status MeasureShape(const SurfaceModel& shape, BodyMoments& body)

@@ -1,5 +1,6 @@
 #include "ShapeSuperposition.h"
 
+#include "ShapeVector.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <Eigen/Eigenvalues>
@@ -111,12 +112,7 @@ double AngleOf(const Matrix3& rotation)
 
 double RmsSizeOf(const SurfaceModel& shape)
 {
-  double sum = 0.0;
-  for (const double power : PowerSpectrumOf(shape))
-  {
-    sum += power;
-  }
-  return std::sqrt(sum / (4.0 * M_PI));
+  return RmsOverSphere(VectorOf(shape));
 }
 
 ShapeSuperposition::ShapeSuperposition(const SurfaceModel& target)

@@ -23,6 +23,8 @@ SurfaceModel TurnShape(const SurfaceModel& shape, const SphereRotation& rotation
 
 /// The angle of a rotation, rad.
 double AngleOf(const Matrix3& rotation);
+/// Orientations closer than this to one are no others, rad.
+constexpr double SmallestOtherTurn = 0.25 * M_PI;
 
 /// RMS over the sphere (mm) of a shape's radius or distance from the origin: the length of its
 /// coefficients over sqrt(4 pi).

@@ -1,5 +1,6 @@
 #include "ShapeVector.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace palpate
@@ -26,6 +27,11 @@ Eigen::VectorXd VectorOf(const SurfaceModel& shape)
     all.segment(axis * count, count) = SeriesVector(surface.Coefficients(axis));
   }
   return all;
+}
+
+double RmsOverSphere(const Eigen::Ref<const Eigen::VectorXd>& coefficients)
+{
+  return coefficients.norm() / std::sqrt(4.0 * M_PI);
 }
 
 SurfaceModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const SurfaceModel& like)

@@ -8,10 +8,12 @@
 
 namespace palpate
 {
-/// A model's coefficients (mm) as one vector: of a parametric surface x, then y, then z. As the
-/// harmonics are orthonormal, the distance of two vectors over sqrt(4 pi) is the RMS distance over
-/// the sphere of radii or points. Allocates.
+/// A model's coefficients (mm) as one vector: of a parametric surface x, then y, then z. Allocates.
 Eigen::VectorXd VectorOf(const SurfaceModel& shape);
+
+/// RMS over the sphere of the radii or points (mm) with these coefficients, of a shape or of the
+/// difference of two: as the harmonics are orthonormal, their length over sqrt(4 pi).
+double RmsOverSphere(const Eigen::Ref<const Eigen::VectorXd>& coefficients);
 
 /// The model of a kind and degree with these coefficients, about the origin. `values` as from
 /// VectorOf(like). Allocates.

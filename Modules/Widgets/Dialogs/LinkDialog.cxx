@@ -240,14 +240,14 @@ void LinkDialog::OfferSurfaces()
 
 void LinkDialog::ShowTouch()
 {
-  const TouchState& newest = this->Study.Reading().Newest;
+  const std::optional<IgtlTouch> shown = IgtlTouchOf(this->Study.Reading().Newest);
   if (!this->Study.IsTouching())
   {
     this->Link.EndTouch();
   }
-  else if (this->Timer.isActive() && newest.HasSample && newest.State == DeviceState::Ready)
+  else if (this->Timer.isActive() && shown)
   {
-    this->Link.Show(IgtlTouchOf(newest));
+    this->Link.Show(*shown);
   }
 }
 
