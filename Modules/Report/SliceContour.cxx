@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "ImageAxes.h"
 #include "SurfaceCut.h"
+#include "VoxelMask.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -72,6 +73,7 @@ public:
       vtkTemplateMacro(MarkSlice(static_cast<const VTK_TT*>(mask->GetScalarPointer()), this->Axes,
                                  plane, value, this->Inside));
     }
+    this->FindBounds();
   }
 
   // Path of the edges along one axis of the slice; consecutive edges are joined.
@@ -102,8 +104,21 @@ public:
   }
 
 private:
-  int First(int axis) const { return this->Axes.Extent[2 * axis]; }
-  int Last(int axis) const { return this->Axes.Extent[2 * axis + 1]; }
+  // Of the marked voxels, by image axis; empty where there are none.
+  int First(int axis) const { return this->Bounds[2 * axis]; }
+  int Last(int axis) const { return this->Bounds[2 * axis + 1]; }
+
+  void FindBounds()
+  {
+    const int right = this->Plane.RightAxis;
+    const int down = this->Plane.DownAxis;
+    const LabelBounds box = FindLabelBounds(
+        this->Inside.data(), {this->Axes.Size(right), this->Axes.Size(down), 1}, char{1});
+    this->Bounds[2 * right] = this->Axes.Extent[2 * right] + box.First[0];
+    this->Bounds[2 * right + 1] = this->Axes.Extent[2 * right] + box.Last[0];
+    this->Bounds[2 * down] = this->Axes.Extent[2 * down] + box.First[1];
+    this->Bounds[2 * down + 1] = this->Axes.Extent[2 * down] + box.Last[1];
+  }
 
   bool IsInside(int axis, int along, int otherAxis, int across) const
   {
@@ -113,8 +128,8 @@ private:
       return false;
     }
     const bool alongRight = axis == this->Plane.RightAxis;
-    const int column = (alongRight ? along : across) - this->First(this->Plane.RightAxis);
-    const int row = (alongRight ? across : along) - this->First(this->Plane.DownAxis);
+    const int column = (alongRight ? along : across) - this->Axes.Extent[2 * this->Plane.RightAxis];
+    const int row = (alongRight ? across : along) - this->Axes.Extent[2 * this->Plane.DownAxis];
     return this->Inside[static_cast<std::size_t>(row) * this->Axes.Size(this->Plane.RightAxis) +
                         column] != 0;
   }
@@ -132,6 +147,7 @@ private:
   ImageAxes Axes;
   const SlicePlane& Plane;
   std::vector<char> Inside;
+  std::array<int, 6> Bounds{};
 };
 } // namespace
 

@@ -54,6 +54,18 @@ struct LabelBounds
   }
 };
 
+/// Whether one of `count` voxels has a label. Without an early end, so that it is vectorised.
+template <typename T>
+bool HasLabel(const T* voxels, int count, T wanted)
+{
+  unsigned char found = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    found |= static_cast<unsigned char>(voxels[i] == wanted);
+  }
+  return found != 0;
+}
+
 template <typename T>
 LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, T wanted)
 {
@@ -64,13 +76,12 @@ LabelBounds FindLabelBounds(const T* voxels, const std::array<int, 3>& size, T w
   {
     for (int j = 0; j < size[1]; ++j, voxels += size[0])
     {
-      const T* end = voxels + size[0];
-      const T* first = std::find(voxels, end, wanted);
-      if (first == end)
+      if (!HasLabel(voxels, size[0], wanted))
       {
         continue;
       }
-      const T* last = end - 1;
+      const T* first = std::find(voxels, voxels + size[0], wanted);
+      const T* last = voxels + size[0] - 1;
       while (*last != wanted)
       {
         --last;

@@ -117,6 +117,7 @@ Status ComparedSurface::Make(const IndexedMesh& mesh, ComparedSurface& made)
     return status;
   }
   made.Points = mesh.Points;
+  made.Order = NearestOnMesh::PointOrder(mesh, made.Nearest);
   made.Parts = PointAreas(mesh);
   const double area = std::accumulate(made.Parts.begin(), made.Parts.end(), 0.0);
   for (double& part : made.Parts)
@@ -128,15 +129,7 @@ Status ComparedSurface::Make(const IndexedMesh& mesh, ComparedSurface& made)
 
 std::vector<double> ComparedSurface::DistancesFrom(const ComparedSurface& other) const
 {
-  std::vector<double> distances;
-  distances.reserve(this->Points.size());
-  NearestOnMesh::Result found;
-  for (const Vector3& point : this->Points)
-  {
-    found = other.Nearest.FindFrom(point, found.Triangle); // neighbours often follow each other
-    distances.push_back(found.Distance);
-  }
-  return distances;
+  return other.Nearest.Distances(this->Points, this->Order);
 }
 
 DistanceSummary Summarise(const std::vector<double>& distances, const std::vector<double>& weights)

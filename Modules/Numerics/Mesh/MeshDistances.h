@@ -42,6 +42,7 @@ public:
 
 private:
   std::vector<Vector3> Points;
+  std::vector<int> Order; // close points follow each other
   std::vector<double> Parts;
   NearestOnMesh Nearest;
 };

@@ -1,6 +1,10 @@
 #include "NearestOnMesh.h"
 
+#include "NearestKernelChoice.h"
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace palpate
 {
@@ -168,5 +172,56 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
   result.Distance = std::sqrt(least);
   result.Triangle = this->Tree.Order()[result.Triangle];
   return result;
+}
+
+std::vector<double> NearestOnMesh::Distances(const std::vector<Vector3>& points,
+                                             const std::vector<int>& order,
+                                             InstructionSet set) const
+{
+  using Node = TriangleTree::Node;
+  static_assert(sizeof(Node) == sizeof(nearest::Node) &&
+                nearest::MostPending >= TriangleTree::MostPending &&
+                offsetof(Node, Second) == offsetof(nearest::Node, Second) &&
+                offsetof(Node, Count) == offsetof(nearest::Node, Count));
+  static_assert(sizeof(Corners) == 9 * sizeof(double) && sizeof(Vector3) == 3 * sizeof(double));
+  std::vector<double> distances(points.size());
+  if (points.empty())
+  {
+    return distances;
+  }
+  const nearest::Mesh mesh{reinterpret_cast<const nearest::Node*>(this->Tree.Nodes().data()),
+                           this->Triangles.front().A.data()};
+  nearest::KernelFor(set).Squares(mesh, points.front().data(), order.data(),
+                                  static_cast<long>(order.size()), distances.data());
+  std::transform(distances.begin(), distances.end(), distances.begin(),
+                 [](double square) { return std::sqrt(square); });
+  return distances;
+}
+
+std::vector<int> NearestOnMesh::PointOrder(const IndexedMesh& mesh, const NearestOnMesh& made)
+{
+  std::vector<int> order;
+  order.reserve(mesh.Points.size());
+  std::vector<bool> isListed(mesh.Points.size());
+  const auto list = [&](int point)
+  {
+    if (!isListed[point])
+    {
+      isListed[point] = true;
+      order.push_back(point);
+    }
+  };
+  for (const int triangle : made.Tree.Order())
+  {
+    for (const int corner : mesh.Triangles[triangle])
+    {
+      list(corner);
+    }
+  }
+  for (std::size_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    list(static_cast<int>(point)); // those of no triangle
+  }
+  return order;
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "IndexedMesh.h"
+#include "InstructionSet.h"
 #include "Status.h"
 #include "TriangleTree.h"
 
@@ -27,6 +28,15 @@ public:
   Result Find(const Vector3& point) const noexcept { return this->FindFrom(point, 0); }
   /// The same, faster if the triangle `start` is close to the point.
   Result FindFrom(const Vector3& point, int start) const noexcept;
+
+  /// Distances (mm) of the points, which must be finite, in an order that lists each of them once:
+  /// several at a time, three times as fast where points that follow each other there are close.
+  std::vector<double> Distances(const std::vector<Vector3>& points, const std::vector<int>& order,
+                                InstructionSet set = FastestInstructionSet()) const;
+
+  /// The points of the mesh that this was made of, those of a triangle and its neighbours close to
+  /// each other.
+  static std::vector<int> PointOrder(const IndexedMesh& mesh, const NearestOnMesh& made);
 
 private:
   struct Corners

@@ -8,12 +8,16 @@ namespace palpate
 namespace
 {
 constexpr double FarthestCorner = 1e30; // fits into float, and its cube into double
+// Of a node's triangles, on either side; bounds the depth: ln(MostTriangles) / -ln(1 - share) = 57.
+constexpr double SmallerPart = 0.3;
 constexpr std::size_t MostTriangles = 700'000'000;
 
+// A unit or two in the last place too low, which takes no branch.
 float Below(double x)
 {
-  const float rounded = static_cast<float>(x);
-  return rounded <= x ? rounded : std::nextafter(rounded, -std::numeric_limits<float>::max());
+  const auto rounded = static_cast<float>(x);
+  return rounded - (std::abs(rounded) * std::numeric_limits<float>::epsilon() +
+                    std::numeric_limits<float>::min());
 }
 
 float Above(double x)
@@ -109,15 +113,13 @@ void TriangleTree::Build(std::vector<Center>& centers, std::size_t begin, std::s
     this->Tree[number].Count = static_cast<std::int32_t>(end - begin);
     return;
   }
-  const std::size_t middle = begin + (end - begin) / 2;
-  this->Halve(centers, begin, middle, end);
+  const std::size_t middle = Split(centers, begin, end);
   this->Build(centers, begin, middle);
   this->Tree[number].Second = static_cast<std::int32_t>(this->Tree.size());
   this->Build(centers, middle, end);
 }
 
-void TriangleTree::Halve(std::vector<Center>& centers, std::size_t begin, std::size_t middle,
-                         std::size_t end) const
+std::size_t TriangleTree::Split(std::vector<Center>& centers, std::size_t begin, std::size_t end)
 {
   FloatBox spread{centers[begin].At, centers[begin].At};
   for (std::size_t i = begin + 1; i < end; ++i)
@@ -133,6 +135,17 @@ void TriangleTree::Halve(std::vector<Center>& centers, std::size_t begin, std::s
   }
   const auto at = [&centers](std::size_t i)
   { return centers.begin() + static_cast<std::ptrdiff_t>(i); };
+  const float halfway = 0.5F * spread.Low[longest] + 0.5F * spread.High[longest];
+  const auto cut = std::partition(at(begin), at(end),
+                                  [longest, halfway](const Center& center)
+                                  { return center.At[longest] < halfway; });
+  const std::size_t count = end - begin;
+  const auto below = static_cast<std::size_t>(cut - at(begin));
+  if (std::min(below, count - below) >= SmallerPart * count)
+  {
+    return begin + below;
+  }
+  const std::size_t middle = begin + count / 2;
   // The number decides between equal centres, so that every library finds the same halves.
   std::nth_element(at(begin), at(middle), at(end),
                    [longest](const Center& one, const Center& other)
@@ -141,5 +154,6 @@ void TriangleTree::Halve(std::vector<Center>& centers, std::size_t begin, std::s
                                 ? one.At[longest] < other.At[longest]
                                 : one.Triangle < other.Triangle;
                    });
+  return middle;
 }
 } // namespace palpate

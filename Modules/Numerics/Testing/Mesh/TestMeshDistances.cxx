@@ -1,5 +1,6 @@
 #include "MeshDistances.h"
 
+#include "InstructionSets.h"
 #include "MeshShapes.h"
 #include "NearestOnMesh.h"
 #include "RandomShapes.h"
@@ -37,6 +38,90 @@ TEST(NearestOnMesh, EqualsBruteForce)
       EXPECT_EQ(found.Distance, least);
       EXPECT_EQ((found.Point - query).norm(), least);
     }
+  }
+}
+
+// Flat triangles and triangles of a point among the others; points on the mesh, near it and far.
+IndexedMesh WithFlatTriangles(IndexedMesh mesh)
+{
+  const std::size_t triangles = mesh.Triangles.size();
+  for (std::size_t i = 0; i < triangles; i += 7)
+  {
+    const std::array<int, 3> t = mesh.Triangles[i];
+    mesh.Triangles.push_back({t[0], t[0], t[1]});
+    mesh.Triangles.push_back({t[2], t[2], t[2]});
+  }
+  return mesh;
+}
+
+std::vector<Vector3> PointsAround(const IndexedMesh& mesh, test::Random& random)
+{
+  std::normal_distribution<double> normal;
+  const auto offset = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+  std::vector<Vector3> points;
+  for (const Vector3& point : mesh.Points)
+  {
+    points.insert(points.end(), {point, point + 0.1 * offset(), point + 30.0 * offset()});
+  }
+  return points;
+}
+
+TEST(NearestOnMesh, DistancesOfManyPointsAreThoseOfEachWithAnyInstructions)
+{
+  test::Random random(73);
+  for (const IndexedMesh& whole : {test::Lobed(8), test::Torus(20, 10), test::MoebiusStrip(5)})
+  {
+    const IndexedMesh mesh = WithFlatTriangles(whole);
+    NearestOnMesh tree;
+    ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
+    const std::vector<Vector3> points = PointsAround(mesh, random);
+    std::vector<int> order(points.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), random);
+    for (const InstructionSet set : test::RunnableInstructionSets())
+    {
+      const std::vector<double> distances = tree.Distances(points, order, set);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        // Rounding, of coordinates up to 50 mm.
+        EXPECT_NEAR(distances[i], tree.Find(points[i]).Distance, 1e-13) << i;
+      }
+    }
+  }
+}
+
+TEST(NearestOnMesh, ListsEachPointOnceNextToItsNeighbours)
+{
+  IndexedMesh mesh = test::Lobed(8);
+  std::vector<int> order(mesh.Points.size());
+  std::iota(order.begin(), order.end(), 0);
+  test::Random random(74);
+  std::shuffle(order.begin(), order.end(), random); // a mesh in no useful order of its own
+  IndexedMesh shuffled = mesh;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    shuffled.Points[order[i]] = mesh.Points[i];
+  }
+  for (std::array<int, 3>& t : shuffled.Triangles)
+  {
+    t = {order[t[0]], order[t[1]], order[t[2]]};
+  }
+  shuffled.Points.push_back({1.0, 2.0, 3.0}); // of no triangle
+  NearestOnMesh tree;
+  ASSERT_TRUE(NearestOnMesh::Make(shuffled, tree).IsOk());
+  std::vector<int> listed = NearestOnMesh::PointOrder(shuffled, tree);
+  double steps = 0.0;
+  double stepsUnordered = 0.0;
+  for (std::size_t i = 1; i + 1 < listed.size(); ++i)
+  {
+    steps += (shuffled.Points[listed[i]] - shuffled.Points[listed[i - 1]]).norm();
+    stepsUnordered += (shuffled.Points[i] - shuffled.Points[i - 1]).norm();
+  }
+  EXPECT_LT(steps, 0.25 * stepsUnordered); // 0.16
+  std::sort(listed.begin(), listed.end());
+  for (std::size_t i = 0; i < listed.size(); ++i)
+  {
+    EXPECT_EQ(listed[i], static_cast<int>(i));
   }
 }
 

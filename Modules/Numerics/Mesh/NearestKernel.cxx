@@ -1,0 +1,20 @@
+// Compiled for AVX2 and FMA (see CMakeLists.txt), so this file must not include anything else. The
+// portable kernel is instantiated in NearestKernelChoice.cxx.
+#include "NearestKernel.h"
+
+namespace palpate::nearest
+{
+struct Avx2Set
+{
+  typedef double Vector __attribute__((vector_size(32)));
+  typedef long long Integers __attribute__((vector_size(32)));
+  static constexpr int Lanes = 4;
+
+  static inline __attribute__((always_inline)) bool Any(const Integers& lanes)
+  {
+    return __builtin_ia32_movmskpd256((Vector)lanes) != 0;
+  }
+};
+
+const Kernel Avx2{Arithmetic<Avx2Set>::Squares};
+} // namespace palpate::nearest
