@@ -116,20 +116,18 @@ Status ComparedSurface::Make(const IndexedMesh& mesh, ComparedSurface& made)
   {
     return status;
   }
-  made.Points = mesh.Points;
-  made.Order = NearestOnMesh::PointOrder(mesh, made.Nearest);
   made.Parts = PointAreas(mesh);
   const double area = std::accumulate(made.Parts.begin(), made.Parts.end(), 0.0);
   for (double& part : made.Parts)
   {
-    part = area > 0.0 ? part / area : 1.0 / static_cast<double>(made.Points.size());
+    part = area > 0.0 ? part / area : 1.0 / static_cast<double>(made.Parts.size());
   }
   return Status::Success();
 }
 
 std::vector<double> ComparedSurface::DistancesFrom(const ComparedSurface& other) const
 {
-  return other.Nearest.Distances(this->Points, this->Order);
+  return other.Nearest.DistancesOf(this->Nearest);
 }
 
 DistanceSummary Summarise(const std::vector<double>& distances, const std::vector<double>& weights)

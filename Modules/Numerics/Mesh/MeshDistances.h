@@ -41,8 +41,6 @@ public:
   const std::vector<double>& Weights() const noexcept { return this->Parts; }
 
 private:
-  std::vector<Vector3> Points;
-  std::vector<int> Order; // close points follow each other
   std::vector<double> Parts;
   NearestOnMesh Nearest;
 };

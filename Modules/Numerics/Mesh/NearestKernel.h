@@ -18,18 +18,18 @@ struct __attribute__((may_alias)) Node
 struct Mesh
 {
   const Node* Nodes;
-  const double* Corners; ///< nine numbers of each triangle, in the order of the tree
+  const int* Triangles; ///< three points of each, in the order of the tree
+  const double* Points; ///< x, y, z of each
 };
 
 /// As TriangleTree::MostPending.
 constexpr int MostPending = 64;
 
-/// Squared distances (mm^2) of the points (x, y, z each) with these numbers, written to the same
-/// places as the points. Faster where points that follow each other are close.
+/// Squared distances (mm^2) of points (x, y, z each). Faster where points that follow each other
+/// are close.
 struct Kernel
 {
-  void (*Squares)(const Mesh& mesh, const double* points, const int* numbers, long count,
-                  double* squares);
+  void (*Squares)(const Mesh& mesh, const double* points, long count, double* squares);
 };
 
 extern const Kernel Avx2;
@@ -99,15 +99,15 @@ struct Arithmetic
 
   // The least of four candidates: the nearest points of each edge, and that of the plane, moved
   // into the triangle. Each is a point of the triangle, and one of them the nearest.
-  static inline __attribute__((always_inline)) Vector SquareToTriangle(const Points& p,
-                                                                       const double* t)
+  static inline __attribute__((always_inline)) Vector
+  SquareToTriangle(const Points& p, const double* first, const double* second, const double* third)
   {
-    const double b[3] = {t[3] - t[0], t[4] - t[1], t[5] - t[2]};
-    const double c[3] = {t[6] - t[0], t[7] - t[1], t[8] - t[2]};
+    const double b[3] = {second[0] - first[0], second[1] - first[1], second[2] - first[2]};
+    const double c[3] = {third[0] - first[0], third[1] - first[1], third[2] - first[2]};
     const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
     const double cc = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
     const double bc = b[0] * c[0] + b[1] * c[1] + b[2] * c[2];
-    const Points a{p.X - t[0], p.Y - t[1], p.Z - t[2]};
+    const Points a{p.X - first[0], p.Y - first[1], p.Z - first[2]};
     const Vector pb = a.X * b[0] + a.Y * b[1] + a.Z * b[2];
     const Vector pc = a.X * c[0] + a.Y * c[1] + a.Z * c[2];
     const auto squareAt = [&](const Vector& u, const Vector& v)
@@ -129,7 +129,9 @@ struct Arithmetic
   static inline __attribute__((always_inline)) void Consider(const Mesh& mesh, const Points& p,
                                                              int place, Best& best)
   {
-    const Vector square = SquareToTriangle(p, mesh.Corners + 9L * place);
+    const int* t = mesh.Triangles + 3L * place;
+    const Vector square = SquareToTriangle(p, mesh.Points + 3L * t[0], mesh.Points + 3L * t[1],
+                                           mesh.Points + 3L * t[2]);
     const auto isLess = square < best.Square;
     best.Square = isLess ? square : best.Square;
     best.Place = isLess ? Integers{} + place : best.Place;
@@ -203,8 +205,7 @@ struct Arithmetic
     }
   }
 
-  static void Squares(const Mesh& mesh, const double* points, const int* numbers, long count,
-                      double* squares)
+  static void Squares(const Mesh& mesh, const double* points, long count, double* squares)
   {
     int start = 0;
     for (long first = 0; first < count; first += Lanes)
@@ -212,7 +213,7 @@ struct Arithmetic
       const double* at[Lanes];
       for (int lane = 0; lane < Lanes; ++lane)
       {
-        at[lane] = points + 3L * numbers[first + lane < count ? first + lane : count - 1];
+        at[lane] = points + 3L * (first + lane < count ? first + lane : count - 1);
       }
       const Points p{Coordinate(at, 0), Coordinate(at, 1), Coordinate(at, 2)};
       Best best{Vector{} + __builtin_inf(), Integers{}};
@@ -221,7 +222,7 @@ struct Arithmetic
       start = static_cast<int>(best.Place[Lanes - 1]);
       for (int lane = 0; lane < Lanes && first + lane < count; ++lane)
       {
-        squares[numbers[first + lane]] = best.Square[lane];
+        squares[first + lane] = best.Square[lane];
       }
     }
   }

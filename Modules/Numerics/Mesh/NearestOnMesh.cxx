@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace palpate
 {
@@ -72,40 +73,73 @@ Vector3 NearestOnTriangle(const Vector3& point, const Vector3& a, const Vector3&
 
 Status NearestOnMesh::Make(const IndexedMesh& mesh, NearestOnMesh& made)
 {
-  if (Status status = TriangleTree::Make(mesh, made.Tree); !status.IsOk())
+  TriangleTree tree;
+  if (Status status = TriangleTree::Make(mesh, tree); !status.IsOk())
   {
     return status;
   }
-  made.Triangles.clear();
-  made.Triangles.reserve(mesh.Triangles.size());
-  for (const int number : made.Tree.Order())
+  made.Nodes = std::move(tree).TakeNodes();
+  made.Order = tree.Order();
+  made.Arrange(mesh);
+  for (Corners& corners : made.Triangles)
   {
-    const std::array<int, 3>& t = mesh.Triangles[number];
-    const Corners corners{mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]};
-    const Vector3 ab = corners.B - corners.A;
-    const Vector3 ac = corners.C - corners.A;
-    const bool isFlat = !(ab.cross(ac).norm() > 1e-12 * ab.norm() * ac.norm());
-    made.Triangles.push_back(isFlat ? Segment(corners) : corners);
-  }
-  made.Places.resize(mesh.Triangles.size());
-  for (std::size_t place = 0; place < made.Places.size(); ++place)
-  {
-    made.Places[made.Tree.Order()[place]] = static_cast<int>(place);
+    corners = made.IsFlat(corners) ? made.Segment(corners) : corners;
   }
   return Status::Success();
 }
 
-// The longest edge, in a form for which NearestOnTriangle divides by no rounding error.
-NearestOnMesh::Corners NearestOnMesh::Segment(const Corners& flat)
+// Close points follow each other, so that queries find them together.
+void NearestOnMesh::Arrange(const IndexedMesh& mesh)
 {
-  const double ab = (flat.B - flat.A).squaredNorm();
-  const double bc = (flat.C - flat.B).squaredNorm();
-  const double ca = (flat.A - flat.C).squaredNorm();
+  constexpr int None = -1;
+  std::vector<int> placeOf(mesh.Points.size(), None);
+  this->Points.clear();
+  this->Points.reserve(mesh.Points.size());
+  this->Numbers.clear();
+  this->Numbers.reserve(mesh.Points.size());
+  const auto add = [&](int point)
+  {
+    if (placeOf[point] == None)
+    {
+      placeOf[point] = static_cast<int>(this->Points.size());
+      this->Points.push_back(mesh.Points[point]);
+      this->Numbers.push_back(point);
+    }
+    return placeOf[point];
+  };
+  this->Triangles.resize(mesh.Triangles.size());
+  this->Places.resize(mesh.Triangles.size());
+  for (std::size_t place = 0; place < this->Order.size(); ++place)
+  {
+    const std::array<int, 3>& t = mesh.Triangles[this->Order[place]];
+    this->Triangles[place] = {add(t[0]), add(t[1]), add(t[2])};
+    this->Places[this->Order[place]] = static_cast<int>(place);
+  }
+  for (std::size_t point = 0; point < mesh.Points.size(); ++point)
+  {
+    add(static_cast<int>(point));
+  }
+}
+
+bool NearestOnMesh::IsFlat(const Corners& corners) const
+{
+  const Vector3 ab = this->Points[corners[1]] - this->Points[corners[0]];
+  const Vector3 ac = this->Points[corners[2]] - this->Points[corners[0]];
+  return !(ab.cross(ac).norm() > 1e-12 * ab.norm() * ac.norm());
+}
+
+// The longest edge, in a form for which NearestOnTriangle divides by no rounding error.
+NearestOnMesh::Corners NearestOnMesh::Segment(const Corners& flat) const
+{
+  const auto& [a, b, c] = flat;
+  const double ab = (this->Points[b] - this->Points[a]).squaredNorm();
+  const double bc = (this->Points[c] - this->Points[b]).squaredNorm();
+  const double ca = (this->Points[a] - this->Points[c]).squaredNorm();
   if (ab >= bc && ab >= ca)
   {
-    return {flat.A, flat.B, flat.B};
+    return {a, b, b};
   }
-  return bc >= ca ? Corners{flat.B, flat.C, flat.C} : Corners{flat.C, flat.A, flat.A};
+  return bc >= ca ? Corners{b, c, c} : Corners{c, a, a};
 }
 
 NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) const noexcept
@@ -120,7 +154,8 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
   const auto consider = [&](int place)
   {
     const Corners& t = this->Triangles[place];
-    const Vector3 nearest = NearestOnTriangle(point, t.A, t.B, t.C);
+    const Vector3 nearest =
+        NearestOnTriangle(point, this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
     const double square = (nearest - point).squaredNorm();
     if (square < least)
     {
@@ -132,15 +167,14 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
   consider(this->Places[start]);
   std::array<Pending, TriangleTree::MostPending> pending;
   int count = 0;
-  const std::vector<TriangleTree::Node>& nodes = this->Tree.Nodes();
   int at = 0;
   for (;;)
   {
-    const TriangleTree::Node& node = nodes[at];
+    const TriangleTree::Node& node = this->Nodes[at];
     if (node.Count == 0)
     {
-      Pending near{at + 1, DistanceToBox(point, nodes[at + 1].Box)};
-      Pending far{node.Second, DistanceToBox(point, nodes[node.Second].Box)};
+      Pending near{at + 1, DistanceToBox(point, this->Nodes[at + 1].Box)};
+      Pending far{node.Second, DistanceToBox(point, this->Nodes[node.Second].Box)};
       if (far.Square < near.Square)
       {
         std::swap(near, far);
@@ -170,58 +204,28 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
     at = pending[--count].Node;
   }
   result.Distance = std::sqrt(least);
-  result.Triangle = this->Tree.Order()[result.Triangle];
+  result.Triangle = this->Order[result.Triangle];
   return result;
 }
 
-std::vector<double> NearestOnMesh::Distances(const std::vector<Vector3>& points,
-                                             const std::vector<int>& order,
-                                             InstructionSet set) const
+std::vector<double> NearestOnMesh::DistancesOf(const NearestOnMesh& other, InstructionSet set) const
 {
   using Node = TriangleTree::Node;
   static_assert(sizeof(Node) == sizeof(nearest::Node) &&
                 nearest::MostPending >= TriangleTree::MostPending &&
                 offsetof(Node, Second) == offsetof(nearest::Node, Second) &&
                 offsetof(Node, Count) == offsetof(nearest::Node, Count));
-  static_assert(sizeof(Corners) == 9 * sizeof(double) && sizeof(Vector3) == 3 * sizeof(double));
-  std::vector<double> distances(points.size());
-  if (points.empty())
+  static_assert(sizeof(Corners) == 3 * sizeof(int) && sizeof(Vector3) == 3 * sizeof(double));
+  const nearest::Mesh mesh{reinterpret_cast<const nearest::Node*>(this->Nodes.data()),
+                           this->Triangles.front().data(), this->Points.front().data()};
+  std::vector<double> squares(other.Points.size());
+  nearest::KernelFor(set).Squares(mesh, other.Points.front().data(),
+                                  static_cast<long>(squares.size()), squares.data());
+  std::vector<double> distances(squares.size());
+  for (std::size_t i = 0; i < squares.size(); ++i)
   {
-    return distances;
+    distances[other.Numbers[i]] = std::sqrt(squares[i]);
   }
-  const nearest::Mesh mesh{reinterpret_cast<const nearest::Node*>(this->Tree.Nodes().data()),
-                           this->Triangles.front().A.data()};
-  nearest::KernelFor(set).Squares(mesh, points.front().data(), order.data(),
-                                  static_cast<long>(order.size()), distances.data());
-  std::transform(distances.begin(), distances.end(), distances.begin(),
-                 [](double square) { return std::sqrt(square); });
   return distances;
-}
-
-std::vector<int> NearestOnMesh::PointOrder(const IndexedMesh& mesh, const NearestOnMesh& made)
-{
-  std::vector<int> order;
-  order.reserve(mesh.Points.size());
-  std::vector<bool> isListed(mesh.Points.size());
-  const auto list = [&](int point)
-  {
-    if (!isListed[point])
-    {
-      isListed[point] = true;
-      order.push_back(point);
-    }
-  };
-  for (const int triangle : made.Tree.Order())
-  {
-    for (const int corner : mesh.Triangles[triangle])
-    {
-      list(corner);
-    }
-  }
-  for (std::size_t point = 0; point < mesh.Points.size(); ++point)
-  {
-    list(static_cast<int>(point)); // those of no triangle
-  }
-  return order;
 }
 } // namespace palpate

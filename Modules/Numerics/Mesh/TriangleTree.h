@@ -58,6 +58,8 @@ public:
 
   /// The first is the root.
   const std::vector<Node>& Nodes() const noexcept { return this->Tree; }
+  /// Takes them away, from a tree of which only Order() is still needed.
+  std::vector<Node> TakeNodes() && noexcept { return std::move(this->Tree); }
   /// The triangles, leaf by leaf, and their boxes.
   const std::vector<int>& Order() const noexcept { return this->Numbers; }
   const std::vector<FloatBox>& Boxes() const noexcept { return this->TriangleBoxes; }

@@ -54,15 +54,18 @@ IndexedMesh WithFlatTriangles(IndexedMesh mesh)
   return mesh;
 }
 
-std::vector<Vector3> PointsAround(const IndexedMesh& mesh, test::Random& random)
+// Points of a mesh of one triangle.
+IndexedMesh PointsAround(const IndexedMesh& mesh, test::Random& random)
 {
   std::normal_distribution<double> normal;
   const auto offset = [&] { return Vector3(normal(random), normal(random), normal(random)); };
-  std::vector<Vector3> points;
+  IndexedMesh points;
   for (const Vector3& point : mesh.Points)
   {
-    points.insert(points.end(), {point, point + 0.1 * offset(), point + 30.0 * offset()});
+    points.Points.insert(points.Points.end(),
+                         {point, point + 0.1 * offset(), point + 30.0 * offset()});
   }
+  points.Triangles.push_back({2, 1, 5});
   return points;
 }
 
@@ -72,56 +75,21 @@ TEST(NearestOnMesh, DistancesOfManyPointsAreThoseOfEachWithAnyInstructions)
   for (const IndexedMesh& whole : {test::Lobed(8), test::Torus(20, 10), test::MoebiusStrip(5)})
   {
     const IndexedMesh mesh = WithFlatTriangles(whole);
+    const IndexedMesh points = PointsAround(mesh, random);
     NearestOnMesh tree;
+    NearestOnMesh others;
     ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
-    const std::vector<Vector3> points = PointsAround(mesh, random);
-    std::vector<int> order(points.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::shuffle(order.begin(), order.end(), random);
+    ASSERT_TRUE(NearestOnMesh::Make(points, others).IsOk());
     for (const InstructionSet set : test::RunnableInstructionSets())
     {
-      const std::vector<double> distances = tree.Distances(points, order, set);
-      for (std::size_t i = 0; i < points.size(); ++i)
+      const std::vector<double> distances = tree.DistancesOf(others, set);
+      ASSERT_EQ(distances.size(), points.Points.size());
+      for (std::size_t i = 0; i < distances.size(); ++i)
       {
         // Rounding, of coordinates up to 50 mm.
-        EXPECT_NEAR(distances[i], tree.Find(points[i]).Distance, 1e-13) << i;
+        EXPECT_NEAR(distances[i], tree.Find(points.Points[i]).Distance, 1e-13) << i;
       }
     }
-  }
-}
-
-TEST(NearestOnMesh, ListsEachPointOnceNextToItsNeighbours)
-{
-  IndexedMesh mesh = test::Lobed(8);
-  std::vector<int> order(mesh.Points.size());
-  std::iota(order.begin(), order.end(), 0);
-  test::Random random(74);
-  std::shuffle(order.begin(), order.end(), random); // a mesh in no useful order of its own
-  IndexedMesh shuffled = mesh;
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    shuffled.Points[order[i]] = mesh.Points[i];
-  }
-  for (std::array<int, 3>& t : shuffled.Triangles)
-  {
-    t = {order[t[0]], order[t[1]], order[t[2]]};
-  }
-  shuffled.Points.push_back({1.0, 2.0, 3.0}); // of no triangle
-  NearestOnMesh tree;
-  ASSERT_TRUE(NearestOnMesh::Make(shuffled, tree).IsOk());
-  std::vector<int> listed = NearestOnMesh::PointOrder(shuffled, tree);
-  double steps = 0.0;
-  double stepsUnordered = 0.0;
-  for (std::size_t i = 1; i + 1 < listed.size(); ++i)
-  {
-    steps += (shuffled.Points[listed[i]] - shuffled.Points[listed[i - 1]]).norm();
-    stepsUnordered += (shuffled.Points[i] - shuffled.Points[i - 1]).norm();
-  }
-  EXPECT_LT(steps, 0.25 * stepsUnordered); // 0.16
-  std::sort(listed.begin(), listed.end());
-  for (std::size_t i = 0; i < listed.size(); ++i)
-  {
-    EXPECT_EQ(listed[i], static_cast<int>(i));
   }
 }
 
