@@ -21,6 +21,7 @@ done
 shift $((OPTIND - 1))
 [ $# -gt 0 ] || { sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 base=${keep:-$(mktemp -d)}
+mkdir -p "$base"
 end() {
   close_systems
   [ -n "$keep" ] || rm -rf --one-file-system "$base"

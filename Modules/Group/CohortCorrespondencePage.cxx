@@ -100,7 +100,8 @@ std::string CohortCorrespondenceSection(const CohortGroup& group,
     const std::string image = figure(group.Models[one.Row], CaptionOf(group, one, showsNames));
     figures += isMarked ? "<div class=\"marked\">" + image + "</div>\n" : image;
   }
-  return ReportSection("Correspondence", RuleText(correspondence) + "<div class=\"thumbnails\">\n" +
-                                             figures + "</div>\n");
+  figures.insert(0, RuleText(correspondence) + "<div class=\"thumbnails\">\n");
+  figures += "</div>\n";
+  return ReportSection("Correspondence", std::move(figures));
 }
 } // namespace palpate

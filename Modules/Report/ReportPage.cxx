@@ -123,19 +123,26 @@ footer { margin-top: 36px; color: var(--soft); font-size: 13px; }
 )css";
 } // namespace
 
-std::string ReportPage(const std::string& title, const std::string& body)
+// Pages and sections of many pictures are large: they are completed in place.
+std::string ReportPage(const std::string& title, std::string body)
 {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Images + Tables +
-         "</style>\n</head>\n<body>\n<main>\n" + body + "</main>\n</body>\n</html>\n";
+  body.insert(0,
+              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+                  EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Images + Tables +
+                  "</style>\n</head>\n<body>\n<main>\n");
+  body += "</main>\n</body>\n</html>\n";
+  return body;
 }
 
-std::string ReportSection(const std::string& heading, const std::string& content)
+std::string ReportSection(const std::string& heading, std::string content)
 {
-  return content.empty()
-             ? std::string()
-             : "<section>\n<h2>" + EscapeHtml(heading) + "</h2>\n" + content + "</section>\n";
+  if (!content.empty())
+  {
+    content.insert(0, "<section>\n<h2>" + EscapeHtml(heading) + "</h2>\n");
+    content += "</section>\n";
+  }
+  return content;
 }
 
 std::string ReportFigure(const std::string& content, const std::string& caption)
