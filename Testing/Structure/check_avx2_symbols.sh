@@ -7,7 +7,7 @@ set -eu
 found=0
 for object in "$@"; do
   case $object in
-    *Avx2.cxx.o | */MomentKernel.cxx.o | */TriangleKernel.cxx.o | */InsideKernel.cxx.o | */RayKernel.cxx.o) ;;
+    *Avx2.cxx.o | */MomentKernel.cxx.o | */TriangleKernel.cxx.o | */NearestKernel.cxx.o | */InsideKernel.cxx.o | */RayKernel.cxx.o) ;;
     *) continue ;;
   esac
   found=$((found + 1))

@@ -12,7 +12,11 @@ struct Avx2Set
 
   static inline __attribute__((always_inline)) bool Any(const Integers& lanes)
   {
+#if defined(__AVX__)
     return __builtin_ia32_movmskpd256((Vector)lanes) != 0;
+#else // compiled, never selected
+    return (lanes[0] | lanes[1] | lanes[2] | lanes[3]) != 0;
+#endif
   }
 };
 
