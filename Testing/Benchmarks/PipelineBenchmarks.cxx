@@ -1,21 +1,31 @@
 #include "PipelineBenchmarks.h"
 
 #include "FitStructure.h"
+#include "IcosahedronDirections.h"
 #include "ImageWriter.h"
+#include "MeshDistances.h"
 #include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
 #include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
 
+#include "vtkCellArray.h"
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkMassProperties.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
 #include "vtkWindowedSincPolyDataFilter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
+#include <vector>
 
 namespace palpate::bench
 {
@@ -83,14 +93,101 @@ private:
   double StockVolume = 0.0;
   FitResult Result;
 };
+
+// The distances of a fine surface's 16,002 points from a coarse one of 8,000 triangles, both of one
+// body: what the quality of a fit and a comparison take most.
+class DistanceCase
+{
+public:
+  DistanceCase() : Points(SurfaceOf(40).Points)
+  {
+    const IndexedMesh coarse = SurfaceOf(20);
+    Check(ComparedSurface::Make(SurfaceOf(40), this->Fine));
+    Check(ComparedSurface::Make(coarse, this->Coarse));
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const Vector3& point : coarse.Points)
+    {
+      points->InsertNextPoint(point.data());
+    }
+    vtkNew<vtkCellArray> triangles;
+    for (const std::array<int, 3>& t : coarse.Triangles)
+    {
+      triangles->InsertNextCell({t[0], t[1], t[2]});
+    }
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(points);
+    surface->SetPolys(triangles);
+    this->Locator->SetDataSet(surface);
+    this->Locator->BuildLocator();
+  }
+
+  void Find() { this->Found = this->Fine.DistancesFrom(this->Coarse); }
+
+  void FindByVtk()
+  {
+    this->FoundByVtk.resize(this->Points.size());
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      double nearest[3];
+      vtkIdType cell = 0;
+      int part = 0;
+      double square = 0.0;
+      this->Locator->FindClosestPoint(this->Points[i].data(), nearest, cell, part, square);
+      this->FoundByVtk[i] = std::sqrt(square);
+    }
+  }
+
+  std::string Disagreement() const
+  {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      largest = std::max(largest, std::abs(this->Found[i] - this->FoundByVtk[i]));
+    }
+    return largest <= 1e-9 ? std::string()
+                           : "distances differ by up to " + std::to_string(largest) + " mm";
+  }
+
+private:
+  static IndexedMesh SurfaceOf(int frequency)
+  {
+    const SphericalHarmonicModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
+    const IcosahedronDirections sphere(frequency);
+    IndexedMesh mesh{sphere.Directions(), sphere.Triangles()};
+    for (Vector3& point : mesh.Points)
+    {
+      point *= body.Radius(point);
+    }
+    return mesh;
+  }
+  static void Check(const Status& status)
+  {
+    if (!status.IsOk())
+    {
+      throw std::runtime_error(status.Message());
+    }
+  }
+
+  std::vector<Vector3> Points;
+  ComparedSurface Fine;
+  ComparedSurface Coarse;
+  vtkNew<vtkStaticCellLocator> Locator;
+  std::vector<double> Found;
+  std::vector<double> FoundByVtk;
+};
 } // namespace
 
 std::vector<PairedBenchmark> PipelineBenchmarks()
 {
   const auto pipeline = std::make_shared<PipelineCase>();
-  return {{"pipeline/fit/384x384x23",
-           "read, vtkDiscreteFlyingEdges3D, vtkWindowedSincPolyDataFilter",
-           [pipeline] { pipeline->Fit(); }, [pipeline] { pipeline->MeshTheStockWay(); },
-           [pipeline] { return pipeline->Disagreement(); }}};
+  const auto distances = std::make_shared<DistanceCase>();
+  return {
+      {"pipeline/fit/384x384x23", "read, vtkDiscreteFlyingEdges3D, vtkWindowedSincPolyDataFilter",
+       [pipeline] { pipeline->Fit(); }, [pipeline] { pipeline->MeshTheStockWay(); },
+       [pipeline] { return pipeline->Disagreement(); }},
+      {"pipeline/distances/16002 points", "vtkStaticCellLocator (VTK as packaged, without AVX2)",
+       [distances] { distances->Find(); }, [distances] { distances->FindByVtk(); },
+       [distances] { return distances->Disagreement(); }}};
 }
 } // namespace palpate::bench
