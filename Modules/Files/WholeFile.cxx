@@ -58,10 +58,17 @@ std::string ReadWholeFile(const std::filesystem::path& path, std::uintmax_t maxi
 
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes)
 {
+  WriteWholeFile(path, [bytes](std::ostream& stream)
+                 { stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size())); });
+}
+
+void WriteWholeFile(const std::filesystem::path& path,
+                    const std::function<void(std::ostream&)>& write)
+{
   AtomicFile file(path);
   errno = 0;
   std::ofstream stream(file.TemporaryPath(), std::ios::binary | std::ios::trunc);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  write(stream);
   stream.close();
   if (!stream)
   {

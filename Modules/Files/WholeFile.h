@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -17,4 +19,7 @@ std::string ReadWholeFile(const std::filesystem::path& path, std::uintmax_t maxi
 
 /// Writes all bytes, under AtomicFile's rules. Throws InputError.
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
+/// The same for what `write` writes bit by bit, so that it need not be in memory.
+void WriteWholeFile(const std::filesystem::path& path,
+                    const std::function<void(std::ostream&)>& write);
 } // namespace palpate

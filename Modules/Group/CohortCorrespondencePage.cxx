@@ -8,7 +8,7 @@
 #include "ShapeFigures.h"
 
 #include <algorithm>
-#include <utility>
+#include <ostream>
 #include <vector>
 
 namespace palpate
@@ -74,12 +74,13 @@ std::string RuleText(const CohortCorrespondence& correspondence)
 }
 } // namespace
 
-std::string CohortCorrespondenceSection(const CohortGroup& group,
-                                        const CohortCorrespondence& correspondence, bool showsNames)
+void WriteCohortCorrespondenceSection(const CohortGroup& group,
+                                      const CohortCorrespondence& correspondence, bool showsNames,
+                                      std::ostream& page)
 {
   if (correspondence.Cases.empty())
   {
-    return {};
+    return;
   }
   const std::vector<SoftwareRenderer::Color> colors = SphereColors();
   const ShapeFigures drawing(ThumbnailMargin * LargestExtent(group.Models), 1.0, ThumbnailSize);
@@ -88,7 +89,9 @@ std::string CohortCorrespondenceSection(const CohortGroup& group,
     return drawing.Figure(DrawModel(model, ThumbnailFrequency), colors, ViewSide::Anterior,
                           caption);
   };
-  std::string figures = figure(ShapeOf(group, -1, 0.0), "mean");
+  page << ReportSectionStart("Correspondence") << RuleText(correspondence)
+       << "<div class=\"thumbnails\">\n"
+       << figure(ShapeOf(group, -1, 0.0), "mean");
   for (std::size_t rank = 0; rank < correspondence.Cases.size(); ++rank)
   {
     const CorrespondingCase& one = correspondence.Cases[rank];
@@ -98,10 +101,8 @@ std::string CohortCorrespondenceSection(const CohortGroup& group,
       continue;
     }
     const std::string image = figure(group.Models[one.Row], CaptionOf(group, one, showsNames));
-    figures += isMarked ? "<div class=\"marked\">" + image + "</div>\n" : image;
+    page << (isMarked ? "<div class=\"marked\">" + image + "</div>\n" : image);
   }
-  figures.insert(0, RuleText(correspondence) + "<div class=\"thumbnails\">\n");
-  figures += "</div>\n";
-  return ReportSection("Correspondence", std::move(figures));
+  page << "</div>\n" << ReportSectionEnd();
 }
 } // namespace palpate

@@ -271,7 +271,8 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
     WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
     WriteShape(group, mode, DrawnDeviations, folder / (name + "_plus.json"), program);
   }
-  WriteWholeFile(folder / "cohort.html", CohortPage(group, output, DrawnDeviations, program));
+  WriteWholeFile(folder / "cohort.html", [&](std::ostream& page)
+                 { WriteCohortPage(group, output, DrawnDeviations, program, page); });
   if (output.Effects != nullptr)
   {
     WriteCohortEffects(group, *output.Effects, folder);

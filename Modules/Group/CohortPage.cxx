@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ostream>
 #include <utility>
 
 namespace palpate
@@ -122,8 +123,8 @@ int ShownModes(const CohortGroup& group)
   return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostShownModes));
 }
 
-std::string CohortPage(const CohortGroup& group, const CohortOutput& output, double deviations,
-                       const std::string& program)
+void WriteCohortPage(const CohortGroup& group, const CohortOutput& output, double deviations,
+                     const std::string& program, std::ostream& page)
 {
   const std::vector<ColoredShape> drawn = DrawAll(group, deviations);
   double extent = 0.0;
@@ -149,32 +150,31 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
              ModeSlider(group, mode, deviations, figures) +
              figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
   }
-  std::string page =
-      "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
-      std::to_string(group.Rows.size()) + " shapes, degree " +
-      std::to_string(DegreeOf(group.Models.front())) +
-      "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
-      CohortAxesText(group, output) +
-      ". All images have the same scale; red is outside the mean, blue inside, "
-      "full colour at " +
-      SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n" +
-      ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n");
-  page += ReportSection("Principal modes", std::move(modes));
+  page << ReportPageStart("Palpate cohort")
+       << "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
+              std::to_string(group.Rows.size()) + " shapes, degree " +
+              std::to_string(DegreeOf(group.Models.front())) +
+              "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
+              CohortAxesText(group, output) +
+              ". All images have the same scale; red is outside the mean, blue inside, full colour "
+              "at " +
+              SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n"
+       << ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n")
+       << ReportSection("Principal modes", modes);
   if (output.Effects != nullptr)
   {
-    page += CohortEffectSection(*output.Effects);
+    page << CohortEffectSection(*output.Effects);
   }
   if (output.Quality != nullptr)
   {
-    page += CohortQualitySections(group, *output.Quality, output.ShowsNames);
+    page << CohortQualitySections(group, *output.Quality, output.ShowsNames);
   }
   if (output.Correspondence != nullptr)
   {
-    page += CohortCorrespondenceSection(group, *output.Correspondence, output.ShowsNames);
+    WriteCohortCorrespondenceSection(group, *output.Correspondence, output.ShowsNames, page);
   }
-  page += ReportSection("Cases", CaseRows(group, output.ShowsNames));
-  page += ReportSection("Notes", ReportNotes(NoteTexts(group, output.ShowsNames)));
-  page += MethodsSection(group, output, program) + ReportFooter();
-  return ReportPage("Palpate cohort", std::move(page));
+  page << ReportSection("Cases", CaseRows(group, output.ShowsNames))
+       << ReportSection("Notes", ReportNotes(NoteTexts(group, output.ShowsNames)))
+       << MethodsSection(group, output, program) << ReportFooter() << ReportPageEnd();
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "CohortGroup.h"
 #include "PalpateGroupModule.h"
 
+#include <iosfwd>
 #include <string>
 
 namespace palpate
@@ -13,10 +14,11 @@ constexpr int MostShownModes = 5;
 /// Number of modes with images: at most five.
 PALPATEGROUP_EXPORT int ShownModes(const CohortGroup& group);
 
-/// One self-contained HTML page: the mean shape, the principal modes as the mean plus and minus
-/// `deviations` standard deviations, all at the same scale and coloured by their distance outside
-/// or inside the mean (mm), the variance explained by the modes, a table of cases, notes,
+/// Writes one self-contained HTML page: the mean shape, the principal modes as the mean plus and
+/// minus `deviations` standard deviations, all at the same scale and coloured by their distance
+/// outside or inside the mean (mm), the variance explained by the modes, a table of cases, notes,
 /// and the methods (CohortMethods).
-PALPATEGROUP_EXPORT std::string CohortPage(const CohortGroup& group, const CohortOutput& output,
-                                           double deviations, const std::string& program);
+PALPATEGROUP_EXPORT void WriteCohortPage(const CohortGroup& group, const CohortOutput& output,
+                                         double deviations, const std::string& program,
+                                         std::ostream& page);
 } // namespace palpate

@@ -123,26 +123,38 @@ footer { margin-top: 36px; color: var(--soft); font-size: 13px; }
 )css";
 } // namespace
 
-// Pages and sections of many pictures are large: they are completed in place.
-std::string ReportPage(const std::string& title, std::string body)
+std::string ReportPage(const std::string& title, const std::string& body)
 {
-  body.insert(0,
-              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-                  EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Images + Tables +
-                  "</style>\n</head>\n<body>\n<main>\n");
-  body += "</main>\n</body>\n</html>\n";
-  return body;
+  return ReportPageStart(title) + body + ReportPageEnd();
 }
 
-std::string ReportSection(const std::string& heading, std::string content)
+std::string ReportPageStart(const std::string& title)
 {
-  if (!content.empty())
-  {
-    content.insert(0, "<section>\n<h2>" + EscapeHtml(heading) + "</h2>\n");
-    content += "</section>\n";
-  }
-  return content;
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+         EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Images + Tables +
+         "</style>\n</head>\n<body>\n<main>\n";
+}
+
+std::string ReportPageEnd()
+{
+  return "</main>\n</body>\n</html>\n";
+}
+
+std::string ReportSection(const std::string& heading, const std::string& content)
+{
+  return content.empty() ? std::string()
+                         : ReportSectionStart(heading) + content + ReportSectionEnd();
+}
+
+std::string ReportSectionStart(const std::string& heading)
+{
+  return "<section>\n<h2>" + EscapeHtml(heading) + "</h2>\n";
+}
+
+std::string ReportSectionEnd()
+{
+  return "</section>\n";
 }
 
 std::string ReportFigure(const std::string& content, const std::string& caption)

@@ -15,6 +15,7 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <set>
+#include <sstream>
 
 namespace palpate::cohort_correspondence_test
 {
@@ -26,6 +27,13 @@ using palpate::test::TemporaryFolder;
 
 constexpr std::size_t Flipped = 4;
 constexpr std::size_t Far = 7;
+
+std::string SectionOf(const CohortGroup& group, const CohortCorrespondence& found, bool showsNames)
+{
+  std::ostringstream section;
+  WriteCohortCorrespondenceSection(group, found, showsNames, section);
+  return section.str();
+}
 
 /// Ten variants of a bent tube. The parameters of one are turned by half a turn, another is larger.
 CohortGroup FlippedGroup()
@@ -127,14 +135,14 @@ TEST(CohortCorrespondence, PageShowsEachCaseAndMarksFlipAndOutlier)
 {
   CohortGroup group = FlippedGroup();
   const CohortCorrespondence found = FindCohortCorrespondence(group, {});
-  const std::string section = CohortCorrespondenceSection(group, found, false);
+  const std::string section = SectionOf(group, found, false);
   EXPECT_EQ(test::MarkupError("<html>" + section + "</html>"), "");
   EXPECT_EQ(CountOf(section, "<figure>"), 11U); // and the mean
   EXPECT_EQ(CountOf(section, "class=\"marked\""), 2U);
   EXPECT_EQ(CountOf(section, ", flipped ("), 2U); // caption and label
   EXPECT_EQ(section.find("patient"), std::string::npos);
   EXPECT_NE(section.find("1 flipped, 2 outliers"), std::string::npos);
-  const std::string named = CohortCorrespondenceSection(group, found, true);
+  const std::string named = SectionOf(group, found, true);
   EXPECT_NE(named.find("patient &amp; 4: "), std::string::npos);
 }
 
@@ -161,7 +169,7 @@ TEST(CohortCorrespondence, TwoCasesAreNotComparedAndCancelThrows)
   group.Models.resize(2);
   const CohortCorrespondence found = FindCohortCorrespondence(group, {});
   EXPECT_TRUE(found.Cases.empty());
-  EXPECT_EQ(CohortCorrespondenceSection(group, found, false), "");
+  EXPECT_EQ(SectionOf(group, found, false), "");
 }
 
 // So a flip or a turn is seen at once.
