@@ -4,7 +4,6 @@
 #include "FileType.h"
 #include "FiniteNumber.h"
 #include "IgtlConversion.h"
-#include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "ModelFile.h"
@@ -45,7 +44,7 @@ void LinkCommand::DeclareOptions(CLI::App& app)
       ->check(FileType::Input("file"));
   // No FileType: 3D Slicer has OpenIGTLink itself, and should not offer this as a module.
   app.add_option("--output", this->OutputFolder,
-                 "Folder for received images: image-1.nrrd, image-2.nrrd, ...")
+                 "Folder for received images: image-1.nrrd, image-2.nrrd, ...; none is overwritten")
       ->type_name("DIR");
   app.add_option("--images", this->MostImages, "End after this many images (default: go on)")
       ->check(CLI::Range(1, 100000));
@@ -70,20 +69,17 @@ void LinkCommand::OfferModels(IgtlLink& link) const
 
 void LinkCommand::Keep(const IgtlImage& image, Console& console)
 {
-  const std::string name = "image-" + std::to_string(++this->Received) + ".nrrd";
   try
   {
-    WriteImage(this->OutputFolder / name, ImageOf(image));
+    const std::filesystem::path file = KeepImage(image, this->OutputFolder);
+    ++this->Received;
+    console.Output() << Printable(file.string()) << ": " << image.Size[0] << " x " << image.Size[1]
+                     << " x " << image.Size[2] << " voxels" << std::endl;
   }
   catch (const InputError& refusal)
   {
-    // What a peer sends does not end the connection.
-    --this->Received;
-    this->Tell(refusal.what(), console);
-    return;
+    this->Tell(refusal.what(), console); // what a peer sends does not end the connection
   }
-  console.Output() << Printable((this->OutputFolder / name).string()) << ": " << image.Size[0]
-                   << " x " << image.Size[1] << " x " << image.Size[2] << " voxels" << std::endl;
 }
 
 // Of the same many times a second, once.

@@ -2,6 +2,7 @@
 
 #include "IgtlMessages.h"
 #include "ImageGrid.h"
+#include "ImageWriter.h"
 #include "TriangleMesh.h"
 #include "vtkDataArray.h"
 #include "vtkTypeTraits.h"
@@ -36,6 +37,19 @@ vtkSmartPointer<vtkImageData> ImageOf(const IgtlImage& received)
   voxels->SetNumberOfTuples(grid.VoxelCount());
   std::memcpy(voxels->GetVoidPointer(0), received.Voxels.data(), received.Voxels.size());
   return MakeImage(grid, voxels);
+}
+
+std::filesystem::path KeepImage(const IgtlImage& received, const std::filesystem::path& folder)
+{
+  const vtkSmartPointer<vtkImageData> image = ImageOf(received);
+  std::filesystem::create_directories(folder);
+  std::filesystem::path file;
+  for (int number = 1; file.empty() || std::filesystem::exists(file); ++number)
+  {
+    file = folder / ("image-" + std::to_string(number) + ".nrrd");
+  }
+  WriteImage(file, image);
+  return file;
 }
 
 std::vector<std::vector<std::uint8_t>>

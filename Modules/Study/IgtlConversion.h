@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace palpate
@@ -14,6 +15,11 @@ namespace palpate
 /// An image that arrived by OpenIGTLink (mm, patient LPS). Throws InputError for fewer than two
 /// voxels along an axis and for axes that are not perpendicular.
 PALPATESTUDY_EXPORT vtkSmartPointer<vtkImageData> ImageOf(const IgtlImage& received);
+
+/// Writes it as the first of image-1.nrrd, image-2.nrrd, ... that is not in the folder yet, which
+/// is made, and returns that file. Throws InputError.
+PALPATESTUDY_EXPORT std::filesystem::path KeepImage(const IgtlImage& received,
+                                                    const std::filesystem::path& folder);
 
 /// The messages for OpenIGTLink with the triangles of surfaces (mm, patient LPS), named "Palpate
 /// model 1", 2, ...: names of files and structures may be a patient's. Throws InputError for one

@@ -6,6 +6,8 @@
 #include "VolumeFile.h"
 
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <igtlClientSocket.h>
 #include <igtlPolyDataMessage.h>
@@ -48,6 +50,21 @@ private:
   igtl::ServerSocket::Pointer Server = igtl::ServerSocket::New();
   int Port = 20000 + static_cast<int>(getpid()) % 10000;
 };
+
+TEST(CliLink, ImagesOfAnEarlierCallAreKept)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "in");
+  std::ofstream(folder / "in/image-1.nrrd") << "earlier";
+  WaitingPeer peer;
+  StartedCommand link(PALPATE_PROGRAM, {"link", peer.Address(), "--output", "in", "--images", "1"},
+                      folder.Path());
+  peer.Meet();
+  peer.SendImage({5, 4, 3});
+  const CommandRun run = link.Finish();
+  EXPECT_EQ(run.Output, "in/image-2.nrrd: 5 x 4 x 3 voxels\n");
+  EXPECT_EQ(std::filesystem::file_size(folder / "in/image-1.nrrd"), 7U);
+}
 
 TEST(CliLink, ImageOfAPeerIsAFileOnItsGrid)
 {

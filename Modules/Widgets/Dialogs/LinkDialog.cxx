@@ -3,7 +3,6 @@
 #include "DisplayedSurface.h"
 #include "IgtlConversion.h"
 #include "IgtlTouchState.h"
-#include "ImageWriter.h"
 #include "PlainLabel.h"
 #include "ScreenString.h"
 #include "vtkPolyData.h"
@@ -25,20 +24,6 @@ constexpr int LinkLookMilliseconds = 50;
 QString UsualFolder()
 {
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/received";
-}
-
-// The first of image-1.nrrd, image-2.nrrd, ... that is not there yet; the folder is made.
-std::filesystem::path NewFileIn(const std::filesystem::path& folder)
-{
-  std::filesystem::create_directories(folder);
-  for (int number = 1;; ++number)
-  {
-    const std::filesystem::path file = folder / ("image-" + std::to_string(number) + ".nrrd");
-    if (!std::filesystem::exists(file))
-    {
-      return file;
-    }
-  }
 }
 } // namespace
 
@@ -195,9 +180,7 @@ void LinkDialog::Keep(IgtlImage image)
       [study, image = std::move(image),
        folder = std::filesystem::path(this->Folder->text().toStdString())](const ProgressFunction&)
   {
-    const vtkSmartPointer<vtkImageData> volume = ImageOf(image);
-    const std::filesystem::path file = NewFileIn(folder);
-    WriteImage(file, volume);
+    const std::filesystem::path file = KeepImage(image, folder);
     return StudyJob::Delivery([study, file] { study->OpenFiles({file}); });
   };
   job.Fail = [study](const std::string& message) { study->Report(message); };
