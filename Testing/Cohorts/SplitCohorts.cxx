@@ -1,23 +1,24 @@
 #include "SplitCohorts.h"
 
+#include "IcosahedronDirections.h"
 #include "LinearModel.h"
+#include "ModelFile.h"
 #include "MultivariateTest.h"
 #include "PermutationTest.h"
 #include "ShapeModes.h"
+#include "ShapeVector.h"
 
 #include <Eigen/QR>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <string>
+#include <variant>
 
 namespace palpate::test
 {
 namespace
 {
-constexpr int Frequency = 8; // 642 points
 constexpr Eigen::Index Scores = 10;
 
 LinearDesign DesignOf(const std::vector<std::string>& groups, const std::vector<double>& volumes)
@@ -44,26 +45,29 @@ LinearDesign DesignOf(const std::vector<std::string>& groups, const std::vector<
 
 SplitCohorts::SplitCohorts(CohortGroup group, std::uint64_t seed)
     : Group(std::move(group)),
-      Mean(FindNormalDisplacement(ShapeOf(this->Group, -1, 0.0), Frequency)),
+      Mean(FindNormalDisplacement(ShapeOf(this->Group, -1, 0.0), TestedFrequency)),
+      Directions(IcosahedronDirections(TestedFrequency).Directions()),
       Coefficients(CoefficientsOf(this->Group)), Random(seed)
 {
 }
 
-Eigen::VectorXd SplitCohorts::BumpCoefficients(const SplitSettings& settings, std::size_t center)
+BumpedCases SplitCohorts::ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,
+                                     double height) const
 {
-  Eigen::VectorXd bump(static_cast<Eigen::Index>(this->Mean.Points.size()));
-  for (std::size_t p = 0; p < this->Mean.Points.size(); ++p)
+  BumpedCases bumped{{std::get<SphericalHarmonicModel>(ShapeOf(this->Group, -1, 0.0)),
+                      place.Direction, height, BumpExtent},
+                     Eigen::MatrixXd(this->Coefficients.rows(), this->Coefficients.cols())};
+  for (Eigen::Index row = 0; row < bumped.Coefficients.rows(); ++row)
   {
-    const double distance =
-        (this->Mean.Points[p] - this->Mean.Points[center]).norm() / settings.Extent;
-    const double cosine = distance < 0.5 ? std::cos(M_PI * distance) : 0.0;
-    bump[static_cast<Eigen::Index>(p)] = settings.Bump * cosine * cosine;
+    const std::string& name = this->Group.Rows[static_cast<std::size_t>(row)].Case;
+    const SurfaceModel model = ReadModel(folder / (name + ".json")).Surface;
+    bumped.Coefficients.row(row) = VectorOf(WithDegree(model, DegreeOf(this->Group.Models[0])));
   }
-  return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(this->Mean.PerCoefficient)
-      .solve(bump);
+  return bumped;
 }
 
-SplitResult SplitCohorts::Next(const SplitSettings& settings)
+// A random order (Fisher and Yates), of which the first ones take part.
+SplitCohorts::Draw SplitCohorts::NextDraw(const SplitSettings& settings)
 {
   std::vector<Eigen::Index> order(this->Group.Rows.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -71,50 +75,130 @@ SplitResult SplitCohorts::Next(const SplitSettings& settings)
   {
     std::swap(order[left - 1], order[this->Random() % left]);
   }
-  const Eigen::Index count = 2 * Eigen::Index{settings.PerGroup};
-  const std::size_t center = this->Random() % this->Mean.Points.size();
-  const Eigen::VectorXd bump = this->BumpCoefficients(settings, center);
-  Eigen::MatrixXd drawn(count, this->Coefficients.cols());
+  order.resize(2 * static_cast<std::size_t>(settings.PerGroup));
   std::vector<std::string> groups;
   std::vector<double> volumes;
+  for (const Eigen::Index row : order)
+  {
+    groups.emplace_back(groups.size() % 2 == 0 ? "a" : "b");
+    volumes.push_back(this->Group.Bodies[static_cast<std::size_t>(row)].Volume / 1000.0);
+  }
+  return {order, DesignOf(groups, volumes), this->Random()};
+}
+
+SplitCohorts::Data SplitCohorts::DataOf(const Draw& draw) const
+{
+  const auto count = static_cast<Eigen::Index>(draw.Rows.size());
+  Eigen::MatrixXd drawn(count, this->Coefficients.cols());
   for (Eigen::Index i = 0; i < count; ++i)
   {
-    const Eigen::Index row = order[static_cast<std::size_t>(i)];
-    drawn.row(i) = this->Coefficients.row(row);
-    groups.push_back(i % 2 == 0 ? "a" : "b");
-    volumes.push_back(this->Group.Bodies[static_cast<std::size_t>(row)].Volume / 1000.0);
-    if (i % 2 == 1)
-    {
-      drawn.row(i) += bump.transpose();
-    }
+    drawn.row(i) = this->Coefficients.row(draw.Rows[static_cast<std::size_t>(i)]);
   }
-  const LinearDesign design = DesignOf(groups, volumes);
-  const Eigen::MatrixXd moved = drawn * this->Mean.PerCoefficient.transpose();
+  return {drawn, drawn * this->Mean.PerCoefficient.transpose()};
+}
+
+SplitResult SplitCohorts::Test(const SplitSettings& settings, const Draw& draw, const Data& data,
+                               std::size_t point) const
+{
+  const DesignTerm& group = draw.Design.Terms[0];
   ShapeModes modes;
   MultivariateTest scores;
   PermutationTest points;
   PermutationSettings permutations;
   permutations.Count = settings.Permutations;
-  permutations.Seed = this->Random();
-  if (!FindShapeModes(drawn, modes).IsOk() ||
-      !TestTogether(design, design.Terms[0], modes.Scores.leftCols(Scores), scores).IsOk() ||
-      !TestByPermutation(FindEffectSpace(design, design.Terms[0]), moved,
+  permutations.Seed = draw.Seed;
+  if (!FindShapeModes(data.Coefficients, modes).IsOk() ||
+      !TestTogether(draw.Design, group, modes.Scores.leftCols(Scores), scores).IsOk() ||
+      !TestByPermutation(FindEffectSpace(draw.Design, group), data.Moved,
                          {this->Mean.Areas, this->Mean.Edges}, permutations, {}, points)
            .IsOk())
   {
     throw std::runtime_error("a test failed");
   }
-  const Eigen::VectorXd place = this->Mean.PerCoefficient * bump;
-  const Eigen::MatrixXd known = moved * place;
-  const double ideal =
-      settings.Bump > 0.0
-          ? TestTerm(design, design.Terms[0], FitLinearModel(design, known), known).P[0]
-          : 1.0;
-  return {scores.Pillai.P,
-          points.WholeP,
-          points.FamilyP.minCoeff(),
-          points.EnhancedP.minCoeff(),
-          ideal,
-          points.P[static_cast<Eigen::Index>(center)]};
+  SplitResult result;
+  result.Scores = scores.Pillai.P;
+  result.Surface = points.WholeP;
+  result.Maximum = points.FamilyP.minCoeff();
+  result.Enhanced = points.EnhancedP.minCoeff();
+  result.Point = points.P[static_cast<Eigen::Index>(point)];
+  const Eigen::MatrixXd there = data.Moved.col(static_cast<Eigen::Index>(point));
+  result.Estimate = FitLinearModel(draw.Design, there).Coefficients(group.First, 0);
+  return result;
+}
+
+void SplitCohorts::TestWhereTold(const Draw& draw, const Data& data, const Eigen::VectorXd& shape,
+                                 SplitResult& result) const
+{
+  const Eigen::MatrixXd known = data.Moved * shape;
+  result.Told =
+      TestTerm(draw.Design, draw.Design.Terms[0], FitLinearModel(draw.Design, known), known).P[0];
+}
+
+Eigen::VectorXd SplitCohorts::ShapeOfBump(const SurfaceBump& bump) const
+{
+  Eigen::VectorXd shape(static_cast<Eigen::Index>(this->Directions.size()));
+  std::transform(this->Directions.begin(), this->Directions.end(), shape.begin(),
+                 [&](const Vector3& direction) { return bump.AlongNormal(direction); });
+  return shape;
+}
+
+// The coefficients whose displacements are closest.
+Eigen::VectorXd SplitCohorts::Project(const Eigen::VectorXd& moved) const
+{
+  return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(this->Mean.PerCoefficient)
+      .solve(moved);
+}
+
+std::size_t SplitCohorts::PointOf(const SurfaceBump& bump) const
+{
+  const auto nearest = std::max_element(this->Directions.begin(), this->Directions.end(),
+                                        [&](const Vector3& a, const Vector3& b)
+                                        { return a.dot(bump.Place()) < b.dot(bump.Place()); });
+  return static_cast<std::size_t>(nearest - this->Directions.begin());
+}
+
+SplitResult SplitCohorts::Next(const SplitSettings& settings)
+{
+  const Draw draw = this->NextDraw(settings);
+  return this->Test(settings, draw, this->DataOf(draw), this->Random() % this->Mean.Points.size());
+}
+
+BumpedResult SplitCohorts::Next(const SplitSettings& settings, const BumpedCases& bumped)
+{
+  const Draw draw = this->NextDraw(settings);
+  const Eigen::VectorXd shape = this->ShapeOfBump(bumped.Bump);
+  const Eigen::VectorXd projected = this->Project(shape);
+  Data ideal = this->DataOf(draw);
+  Data masks = ideal;
+  for (std::size_t i = 1; i < draw.Rows.size(); i += 2)
+  {
+    const auto row = static_cast<Eigen::Index>(i);
+    ideal.Coefficients.row(row) += projected.transpose();
+    ideal.Moved.row(row) += shape.transpose();
+    masks.Coefficients.row(row) = bumped.Coefficients.row(draw.Rows[i]);
+  }
+  masks.Moved = masks.Coefficients * this->Mean.PerCoefficient.transpose();
+  const std::size_t point = this->PointOf(bumped.Bump);
+  BumpedResult result{this->Test(settings, draw, ideal, point),
+                      this->Test(settings, draw, masks, point)};
+  if (bumped.Bump.Height() > 0.0)
+  {
+    this->TestWhereTold(draw, ideal, shape, result.Ideal);
+    this->TestWhereTold(draw, masks, shape, result.Masks);
+  }
+  return result;
+}
+
+Eigen::VectorXd SplitCohorts::Found(const BumpedCases& bumped) const
+{
+  return (bumped.Coefficients - this->Coefficients) *
+         this->Mean.PerCoefficient.row(static_cast<Eigen::Index>(this->PointOf(bumped.Bump)))
+             .transpose();
+}
+
+double SplitCohorts::InModelsDegree(const SurfaceBump& bump) const
+{
+  return this->Mean.PerCoefficient.row(static_cast<Eigen::Index>(this->PointOf(bump)))
+      .dot(this->Project(this->ShapeOfBump(bump)));
 }
 } // namespace palpate::test

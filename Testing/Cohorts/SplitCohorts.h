@@ -1,10 +1,14 @@
 #pragma once
 
+#include "BumpedFit.h"
 #include "CohortGroup.h"
+#include "LinearDesign.h"
 #include "NormalDisplacement.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace palpate::test
@@ -12,38 +16,83 @@ namespace palpate::test
 /// p-values of a simulated study, one of each kind of test.
 struct SplitResult
 {
-  double Scores;   ///< Pillai, parametric
-  double Surface;  ///< of the whole surface, by permutation
-  double Maximum;  ///< least p of all points, corrected by the largest statistic
-  double Enhanced; ///< the same by cluster enhancement
-  double Ideal;    ///< parametric t of the mean displacement where the effect is known to be
-  double Point;    ///< by permutation, of one random point: uniform under the null hypothesis
+  double Scores = 1.0;   ///< Pillai, parametric
+  double Surface = 1.0;  ///< of the whole surface, by permutation
+  double Maximum = 1.0;  ///< least p of all points, corrected by the largest statistic
+  double Enhanced = 1.0; ///< the same by cluster enhancement
+  double Told = 1.0;  ///< parametric t of the mean displacement, weighted by the bump's true shape
+  double Point = 1.0; ///< by permutation, of one point: uniform under the null hypothesis
+  double Estimate = 0.0; ///< of the effect at that point, mm
+};
+
+/// One study with an effect, on two kinds of data.
+struct BumpedResult
+{
+  SplitResult Ideal; ///< the bump added to the models: no mask, no fit, no correspondence error
+  SplitResult Masks; ///< models fitted to masks with the bump
+};
+
+/// A bump, and the models of all cases' masks with it.
+struct BumpedCases
+{
+  SurfaceBump Bump;
+  Eigen::MatrixXd Coefficients; ///< a row per case of the group
 };
 
 struct SplitSettings
 {
   int PerGroup = 30;
   int Permutations = 499;
-  double Bump = 0.0;    ///< mm, added to one group
-  double Extent = 20.0; ///< of the bump, mm
 };
 
 /// Studies of two groups of real shapes, drawn at random, so that the null hypothesis is true by
-/// construction whatever the shapes' distribution; the volume is a covariate. With a bump, cos^2 of
-/// the distance from a random point of the mean, in the models' own degree, the alternative is
-/// true.
+/// construction whatever the shapes' distribution; the volume is a covariate. With a bump in one
+/// group the alternative is true.
 class SplitCohorts
 {
 public:
   SplitCohorts(CohortGroup group, std::uint64_t seed);
 
+  /// Reads `folder`/CASE.json of every case. Throws InputError.
+  BumpedCases ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,
+                         double height) const;
+
   SplitResult Next(const SplitSettings& settings);
+  BumpedResult Next(const SplitSettings& settings, const BumpedCases& bumped);
+
+  /// Displacements (mm) at the bump's place of all masks' models: what the fits find of it.
+  Eigen::VectorXd Found(const BumpedCases& bumped) const;
+  /// The bump at its place in the best model of the cohort's degree, mm.
+  double InModelsDegree(const SurfaceBump& bump) const;
 
 private:
-  Eigen::VectorXd BumpCoefficients(const SplitSettings& settings, std::size_t center);
+  /// Who takes part, and in which group.
+  struct Draw
+  {
+    std::vector<Eigen::Index> Rows; ///< of the group: "a", "b", "a", ...
+    LinearDesign Design;
+    std::uint64_t Seed; ///< of the permutations
+  };
+  /// What is tested: a row per case.
+  struct Data
+  {
+    Eigen::MatrixXd Coefficients;
+    Eigen::MatrixXd Moved; ///< along the mean's normal at the points, mm
+  };
+
+  Draw NextDraw(const SplitSettings& settings);
+  Data DataOf(const Draw& draw) const;
+  SplitResult Test(const SplitSettings& settings, const Draw& draw, const Data& data,
+                   std::size_t point) const;
+  void TestWhereTold(const Draw& draw, const Data& data, const Eigen::VectorXd& shape,
+                     SplitResult& result) const;
+  Eigen::VectorXd ShapeOfBump(const SurfaceBump& bump) const;
+  Eigen::VectorXd Project(const Eigen::VectorXd& moved) const;
+  std::size_t PointOf(const SurfaceBump& bump) const;
 
   CohortGroup Group;
   NormalDisplacement Mean;
+  std::vector<Vector3> Directions; ///< of the mean's points
   Eigen::MatrixXd Coefficients;
   std::mt19937_64 Random;
 };

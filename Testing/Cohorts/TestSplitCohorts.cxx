@@ -1,0 +1,139 @@
+#include "SplitCohorts.h"
+
+#include "ModelFile.h"
+#include "PhantomSampler.h"
+#include "ProstateLikeModel.h"
+#include "TemporaryFolder.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace palpate::split_cohorts_test
+{
+namespace
+{
+using test::BumpedCases;
+using test::BumpedResult;
+using test::SplitCohorts;
+using test::TemporaryFolder;
+
+constexpr int Cases = 16;
+constexpr double Height = 2.0; // mm
+const test::BumpPlace& Place = test::BumpPlaces()[1];
+
+SphericalHarmonicModel RandomGland(std::mt19937_64& random)
+{
+  std::normal_distribution<double> normal(0.0, 1.0);
+  std::vector<double> coefficients = MakeProstateLikeModel(6, 1, Vector3::Zero()).Coefficients();
+  for (double& coefficient : coefficients)
+  {
+    coefficient += normal(random);
+  }
+  return {6, coefficients, Vector3(normal(random), normal(random), normal(random))};
+}
+
+// On voxels of 0.9 x 0.9 x 2.5 mm.
+vtkSmartPointer<vtkImageData> MaskOf(const SphericalHarmonicModel& gland)
+{
+  PhantomGrid grid;
+  grid.Size = {84, 84, 26};
+  grid.Spacing = {0.9, 0.9, 2.5};
+  grid.CenterOn(Vector3::Zero());
+  PhantomAppearance look;
+  look.Subdivision = 1;
+  return MakePhantom(gland, grid, look).Mask;
+}
+
+void Add(const SphericalHarmonicModel& model, CohortGroup& group)
+{
+  CohortRow row;
+  row.Case = std::to_string(group.Rows.size());
+  row.CenterWorld = model.CenterWorld();
+  BodyMoments body;
+  EXPECT_TRUE(MeasureBody(model, body).IsOk());
+  group.Rows.push_back(row);
+  group.Bodies.push_back(body);
+  group.Models.emplace_back(
+      SphericalHarmonicModel(model.Degree(), model.Coefficients(), Vector3::Zero()));
+}
+
+test::SurfaceBump BumpOf(const CohortGroup& group)
+{
+  return {std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0)), Place.Direction, Height,
+          test::BumpExtent};
+}
+
+/// Models fitted to masks, and files of those fitted to the masks with a bump.
+struct SmallCohort
+{
+  SmallCohort()
+  {
+    std::mt19937_64 random(7);
+    std::vector<vtkSmartPointer<vtkImageData>> masks;
+    for (int i = 0; i < Cases; ++i)
+    {
+      masks.push_back(MaskOf(RandomGland(random)));
+      Add(test::RadialFitOf(masks.back()), this->Group);
+    }
+    EXPECT_TRUE(FindShapeModes(CoefficientsOf(this->Group), this->Group.Modes).IsOk());
+    for (std::size_t row = 0; row < masks.size(); ++row)
+    {
+      const auto image =
+          test::BumpedImage(masks[row], 1, this->Group.Rows[row].CenterWorld, BumpOf(this->Group));
+      WriteModel(this->Folder / (this->Group.Rows[row].Case + ".json"),
+                 {test::RadialFitOf(image), {}});
+    }
+  }
+
+  TemporaryFolder Folder;
+  CohortGroup Group;
+};
+
+TEST(SplitCohorts, MasksWithABumpGiveWhatModelsWithABumpGive)
+{
+  const SmallCohort cohort;
+  SplitCohorts studies(cohort.Group, 1);
+  const BumpedCases bumped = studies.ReadBumped(cohort.Folder.Path(), Place, Height);
+  // What a model of this degree can hold of the bump, less the bump's part of the centre's shift
+  // (0.04 mm of 1 mm), within 0.1 mm for voxels of 0.9 mm.
+  EXPECT_NEAR(studies.Found(bumped).mean(), studies.InModelsDegree(bumped.Bump), 0.2);
+  test::SplitSettings settings;
+  settings.PerGroup = Cases / 2;
+  settings.Permutations = 99;
+  int ideal = 0;
+  int masks = 0;
+  for (int i = 0; i < 50; ++i)
+  {
+    const BumpedResult result = studies.Next(settings, bumped);
+    ideal += result.Ideal.Told <= 0.05 ? 1 : 0;
+    masks += result.Masks.Told <= 0.05 ? 1 : 0;
+    ASSERT_NEAR(result.Masks.Estimate, result.Ideal.Estimate, 0.5);
+  }
+  EXPECT_GT(ideal, 10);
+  EXPECT_GE(masks, ideal - 5);
+}
+
+TEST(SplitCohorts, BumpOfTheIdealDataIsExact)
+{
+  CohortGroup group;
+  std::mt19937_64 random(8);
+  for (int i = 0; i < Cases; ++i)
+  {
+    Add(RandomGland(random), group);
+  }
+  ASSERT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
+  SplitCohorts studies(group, 1);
+  test::SplitSettings settings;
+  settings.PerGroup = Cases / 2;
+  settings.Permutations = 9;
+  // As if the masks had none.
+  const BumpedCases bumped{BumpOf(group), CoefficientsOf(group)};
+  for (int i = 0; i < 10; ++i)
+  {
+    const BumpedResult result = studies.Next(settings, bumped);
+    ASSERT_NEAR(result.Ideal.Estimate, result.Masks.Estimate + Height, 1e-9);
+  }
+}
+} // namespace
+} // namespace palpate::split_cohorts_test
