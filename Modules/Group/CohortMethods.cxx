@@ -117,7 +117,8 @@ std::string ModesText(const CohortGroup& group, const CohortOutput& output)
             "from all others in their first " +
             std::to_string(output.Quality->ModeCount) +
             " modes (95 % of the variance, a fifth of the cases at most), Hotelling\xE2\x80\x99s "
-            "p, false-discovery rate.";
+            "p, with F over its mean for left-out cases where that is too small, false-discovery "
+            "rate.";
   }
   return text;
 }

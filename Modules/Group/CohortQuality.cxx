@@ -1,8 +1,7 @@
 #include "CohortQuality.h"
 
 #include "FalseDiscovery.h"
-#include "LeftOutDistance.h"
-#include "ProbabilityDistributions.h"
+#include "LeftOutProbability.h"
 #include "StandardizedDisplacement.h"
 
 #include <algorithm>
@@ -13,18 +12,26 @@ namespace
 {
 constexpr int QualityFrequency = 16; // 2,562 points
 
-UnusualCase CompareWithOthers(LeftOutSolver& solver, const StandardizedDisplacement& standardized,
-                              Eigen::Index row, Eigen::Index modes, Eigen::Index cases)
+std::vector<LeftOutDistance> DistancesOf(const ShapeModes& modes, Eigen::Index count)
 {
-  const LeftOutDistance distance = DistanceFromOthers(solver.Solve(row), modes, cases);
+  const Eigen::Index cases = modes.Scores.rows();
+  LeftOutSolver solver(modes);
+  std::vector<LeftOutDistance> distances;
+  for (Eigen::Index row = 0; row < cases; ++row)
+  {
+    distances.push_back(DistanceFromOthers(solver.Solve(row), count, cases));
+  }
+  return distances;
+}
+
+UnusualCase CompareWithOthers(const LeftOutDistance& distance, double probability,
+                              const StandardizedDisplacement& standardized, Eigen::Index row)
+{
   UnusualCase one;
   one.Row = static_cast<std::size_t>(row);
   one.Mahalanobis = distance.Mahalanobis;
   one.OutsideMillimeters = distance.Outside;
-  if (distance.DenominatorDegrees > 0.0)
-  {
-    one.P = FisherUpper(distance.F, distance.NumeratorDegrees, distance.DenominatorDegrees);
-  }
+  one.P = probability;
   const Eigen::VectorXd map = standardized.Of(row);
   Eigen::Index largest = 0;
   map.cwiseAbs().maxCoeff(&largest);
@@ -60,11 +67,12 @@ CohortQuality FindCohortQuality(const CohortGroup& group, const RandomShapeSetti
     return quality;
   }
   quality.ModeCount = CountDistanceModes(group.Modes);
-  LeftOutSolver solver(group.Modes);
+  const std::vector<LeftOutDistance> distances = DistancesOf(group.Modes, quality.ModeCount);
+  const Eigen::VectorXd probabilities = LeftOutProbabilities(distances);
   for (Eigen::Index row = 0; row < cases; ++row)
   {
-    quality.Distances.push_back(
-        CompareWithOthers(solver, standardized, row, quality.ModeCount, cases));
+    quality.Distances.push_back(CompareWithOthers(distances[static_cast<std::size_t>(row)],
+                                                  probabilities[row], standardized, row));
   }
   AddDiscovery(quality.Distances);
   std::stable_sort(quality.Distances.begin(), quality.Distances.end(),

@@ -15,7 +15,7 @@ struct UnusualCase
 {
   std::size_t Row = 0;      ///< of the group
   double Mahalanobis = 0.0; ///< see LeftOutDistance
-  double P = 1.0;           ///< of a normal case that is as far or farther
+  double P = 1.0;           ///< see LeftOutProbabilities
   double Discovery = 1.0;   ///< the smallest false-discovery rate among the cases
   double OutsideMillimeters = 0.0;
   ///@{ Where on the mean its normal displacement has the largest size in the others' deviations.

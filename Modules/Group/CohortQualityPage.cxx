@@ -114,8 +114,9 @@ std::string UnusualCases(const CohortGroup& group, const CohortQuality& quality,
   }
   return "<p>Each case is compared with all others: its Mahalanobis distance in their first " +
          std::to_string(quality.ModeCount) +
-         " modes, with the probability p of a normal case as far or farther (approximate, since "
-         "the modes are estimated) and the false-discovery rate q among the cases; outside, what "
+         " modes, with the probability p of a normal case as far or farther (corrected "
+         "for modes that are estimated) and the false-discovery rate q among the cases; outside, "
+         "what "
          "these modes do not describe (RMS); z, the largest displacement along the "
          "mean\xE2\x80\x99s normal in standard deviations of the others, and where (LPS letters). "
          "Images show z: red outside, blue inside, full colour at " +

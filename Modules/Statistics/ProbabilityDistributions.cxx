@@ -1,5 +1,6 @@
 #include "ProbabilityDistributions.h"
 
+#include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -15,6 +16,7 @@ using Quiet = boost::math::policies::policy<
     boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
     boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
 using Student = boost::math::students_t_distribution<double, Quiet>;
+using Beta = boost::math::beta_distribution<double, Quiet>;
 using Fisher = boost::math::fisher_f_distribution<double, Quiet>;
 } // namespace
 
@@ -43,5 +45,13 @@ double FisherUpper(double f, double numerator, double denominator)
   return std::isinf(f)
              ? 0.0
              : boost::math::cdf(boost::math::complement(Fisher(numerator, denominator), f));
+}
+
+double FisherUpperQuantile(double probability, double numerator, double denominator)
+{
+  // d / (d + n F) is beta distributed, and small where F is large.
+  const Beta beta(0.5 * denominator, 0.5 * numerator);
+  const double part = boost::math::quantile(beta, probability);
+  return denominator / numerator * (1.0 - part) / part;
 }
 } // namespace palpate

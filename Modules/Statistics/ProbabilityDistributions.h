@@ -8,4 +8,6 @@ double StudentTwoSided(double t, double degrees);
 double StudentQuantile(double confidence, double degrees);
 /// P(F >= f) of Fisher's distribution; 1 if f is not a number or negative.
 double FisherUpper(double f, double numerator, double denominator);
+/// The f with P(F >= f) = `probability`, 0 < probability < 1.
+double FisherUpperQuantile(double probability, double numerator, double denominator);
 } // namespace palpate

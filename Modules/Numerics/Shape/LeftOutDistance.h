@@ -13,8 +13,8 @@ struct LeftOutDistance
   double Mahalanobis = 0.0;   ///< root of the sum of squared scores over their variances
   ///@{ Hotelling's statistic for one new case of a normal population and its degrees of freedom:
   /// F exceeds what was found with the probability p of a case that is as far or farther. Exact if
-  /// the modes were fixed in advance or describe everything; they are estimated from the others, so
-  /// that p is approximate otherwise.
+  /// the modes were fixed in advance or describe everything. They are estimated from the others, so
+  /// that F is too small otherwise; LeftOutProbabilities corrects it.
   double F = 0.0;
   double NumeratorDegrees = 0.0;
   double DenominatorDegrees = 0.0;

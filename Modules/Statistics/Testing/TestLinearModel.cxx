@@ -132,13 +132,15 @@ TEST_F(LinearModelAgainstR, AgreesInFalseDiscoveryRatesAndDistributions)
       ours.push_back(FisherUpper(value, 3.0, degrees));
     }
     ours.push_back(StudentQuantile(0.95, degrees));
+    ours.push_back(FisherUpperQuantile(0.001, 3.0, degrees));
   }
   const RProgram judge;
   ExpectAgreement(
       judge.Run(RandomCovariates(3, 1), p,
                 "out(p.adjust(y[, 1], 'BH'))\n"
                 "for (n in c(1, 3, 17, 158)) { for (v in c(0.01, 0.7, 2.3, 9, 40)) {\n"
-                "out(2 * pt(-v, n)); out(pf(v, 3, n, lower.tail = FALSE)) }; out(qt(0.975, n)) }"),
+                "out(2 * pt(-v, n)); out(pf(v, 3, n, lower.tail = FALSE)) }; out(qt(0.975, n)); "
+                "out(qf(0.001, 3, n, lower.tail = FALSE)) }"),
       ours);
 }
 
