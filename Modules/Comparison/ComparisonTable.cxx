@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <system_error>
 
 namespace palpate
 {
@@ -16,12 +17,15 @@ namespace
 {
 std::string Cell(double number)
 {
-  return std::isfinite(number) ? SignificantText(number, 8) : std::string();
+  return std::isfinite(number) ? SignificantText(number, 12) : std::string();
 }
+
+constexpr std::uintmax_t LargestComparisonTable = 64U << 20U;
+constexpr const char* Compared = "compared";
 
 std::string StatusWord(const PairComparison& pair)
 {
-  return pair.IsCompared() ? "compared" : TextOf(pair.State).Word;
+  return pair.IsCompared() ? Compared : TextOf(pair.State).Word;
 }
 
 std::vector<std::string> Head(const std::vector<double>& tolerances)
@@ -51,6 +55,7 @@ std::vector<std::string> Head(const std::vector<double>& tolerances)
   {
     head.push_back(std::string("bias_") + side.Name + "_mm");
   }
+  head.insert(head.end(), {"unpaired", "key"});
   return head;
 }
 
@@ -80,10 +85,91 @@ std::vector<double> NumbersOf(const PairComparison& pair)
   }
   return numbers;
 }
+std::string Joined(const std::vector<std::string>& sentences)
+{
+  std::string text;
+  for (const std::string& one : sentences)
+  {
+    text += (text.empty() ? "" : "; ") + one;
+  }
+  return text;
+}
+
+// What a row says of a pair.
+class PairReader
+{
+public:
+  explicit PairReader(const CsvRecord& record) : Record(record) {}
+
+  PairComparison Pair(const std::vector<double>& tolerances) const
+  {
+    PairComparison pair;
+    pair.Case = this->Text("case");
+    pair.One.Structure.Label = ParseInteger(this->Text("label")).value_or(0);
+    pair.One.Structure.Name = this->Text("name");
+    pair.State = this->State();
+    pair.Message = this->Text("message");
+    pair.Key = this->Text("key");
+    if (!this->Text("unpaired").empty())
+    {
+      pair.Unpaired = {this->Text("unpaired")};
+    }
+    if (pair.IsCompared())
+    {
+      this->TakeNumbers(tolerances, pair);
+    }
+    return pair;
+  }
+
+private:
+  const std::string& Text(const std::string& column) const { return *this->Record.Find(column); }
+  double Number(const std::string& column) const
+  {
+    return ParseNumber(this->Text(column)).value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+  FitResult::Outcome State() const
+  {
+    const std::string& word = this->Text("status");
+    if (word == Compared)
+    {
+      return FitResult::Outcome::Fitted;
+    }
+    return word == TextOf(FitResult::Outcome::BadInput).Word ? FitResult::Outcome::BadInput
+                                                             : FitResult::Outcome::Failed;
+  }
+  void TakeNumbers(const std::vector<double>& tolerances, PairComparison& pair) const
+  {
+    BodyComparison& found = pair.Numbers;
+    if (const double dice = this->Number("dice"); std::isfinite(dice))
+    {
+      found.Overlap = BodyOverlap::OfDice(dice);
+    }
+    pair.One.Milliliters = this->Number("volume_ml");
+    pair.Other.Milliliters = this->Number("reference_volume_ml");
+    found.Both = {this->Number("mean_mm"), this->Number("rms_mm"), this->Number("p95_mm"),
+                  this->Number("hausdorff_mm")};
+    found.OneToOther.Unsigned.Percentile95 = this->Number("hausdorff95_mm");
+    found.OneToOther.SignedMean = this->Number("signed_mean_mm");
+    for (const double tolerance : tolerances)
+    {
+      found.Tolerances.push_back(
+          {tolerance, this->Number("surface_dice_" + ToleranceText(tolerance) + "mm")});
+    }
+    SideBias bias;
+    for (std::size_t side = 0; side < PatientSides().size(); ++side)
+    {
+      bias.Sides[side].Mean =
+          this->Number(std::string("bias_") + PatientSides()[side].Name + "_mm");
+    }
+    found.Bias = bias;
+  }
+
+  const CsvRecord& Record;
+};
 } // namespace
 
-void WriteComparisonTable(const std::vector<PairComparison>& pairs,
-                          const std::vector<double>& tolerances, const std::filesystem::path& file)
+std::string ComparisonTable(const std::vector<PairComparison>& pairs,
+                            const std::vector<double>& tolerances)
 {
   const std::vector<std::string> head = Head(tolerances);
   std::string text = CsvLine(head);
@@ -100,9 +186,42 @@ void WriteComparisonTable(const std::vector<PairComparison>& pairs,
         row.push_back(Cell(number));
       }
     }
-    row.resize(head.size());
+    row.resize(head.size() - 2);
+    row.push_back(Joined(pair.Unpaired));
+    row.push_back(pair.Key);
     text += CsvLine(row);
   }
-  WriteWholeFile(file, text);
+  return text;
+}
+
+std::vector<PairComparison> PairsInTable(std::string_view text,
+                                         const std::vector<double>& tolerances)
+{
+  const std::vector<std::string> head = Head(tolerances);
+  std::vector<PairComparison> pairs;
+  ForEachCsvRecord(text,
+                   [&](const CsvRecord& record)
+                   {
+                     if (record.Columns() == head)
+                     {
+                       pairs.push_back(PairReader(record).Pair(tolerances));
+                     }
+                   });
+  return pairs;
+}
+
+void WriteComparisonTable(const std::vector<PairComparison>& pairs,
+                          const std::vector<double>& tolerances, const std::filesystem::path& file)
+{
+  WriteWholeFile(file, ComparisonTable(pairs, tolerances));
+}
+
+std::vector<PairComparison> ReadComparisonTable(const std::filesystem::path& file,
+                                                const std::vector<double>& tolerances)
+{
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored)
+             ? PairsInTable(ReadWholeFile(file, LargestComparisonTable), tolerances)
+             : std::vector<PairComparison>();
 }
 } // namespace palpate

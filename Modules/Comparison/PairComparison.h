@@ -40,6 +40,11 @@ struct PairComparison
   std::shared_ptr<const ComparedBody> OtherBody;
   ///@}
   double Seconds = 0.0; ///< to compare, without reading and writing
+  ///@{ Of several pairs: sentences on structures of a case's files without a partner, in its first
+  /// pair, and what the result depends on (KeyOfInputs).
+  std::vector<std::string> Unpaired;
+  std::string Key;
+  ///@}
 
   bool IsCompared() const { return this->State == FitResult::Outcome::Fitted; }
   /// ml, and % of the reference.

@@ -1,12 +1,11 @@
 #include "CohortTable.h"
 
 #include "CaseText.h"
-#include "ContentDigest.h"
 #include "CsvText.h"
 #include "DecimalText.h"
-#include "FileStamp.h"
 #include "FitSettingsText.h"
 #include "InputError.h"
+#include "InputKey.h"
 #include "ModelConvention.h"
 #include "WholeFile.h"
 
@@ -163,23 +162,15 @@ std::string CohortKey(const std::filesystem::path& mask, const std::filesystem::
                       const std::vector<std::string>& labels, const FitSettings& settings,
                       const std::string& program)
 {
-  ContentDigest digest;
-  const auto add = [&](const std::string& word) { digest.Add(word); };
-  for (const std::filesystem::path& file : {mask, volume})
-  {
-    const bool isNone = file.empty();
-    add(isNone ? "" : std::filesystem::absolute(file).lexically_normal().generic_string());
-    add(isNone ? "" : StampOf(file));
-  }
-  add(std::to_string(labels.size()));
-  std::for_each(labels.begin(), labels.end(), add);
+  std::vector<std::string> words{std::to_string(labels.size())};
+  words.insert(words.end(), labels.begin(), labels.end());
   for (const auto& [name, value] : DescribeSettings(settings))
   {
-    add(name);
-    add(value);
+    words.push_back(name);
+    words.push_back(value);
   }
-  add(program);
-  return digest.Text();
+  words.push_back(program);
+  return KeyOfInputs({mask, volume}, words);
 }
 
 CohortTable CohortTable::Read(const std::filesystem::path& file)

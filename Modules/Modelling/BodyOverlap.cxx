@@ -185,6 +185,16 @@ Status OfCubes(const ComparedBody& one, const ComparedBody& other, BodyOverlap& 
 }
 } // namespace
 
+BodyOverlap BodyOverlap::OfDice(double dice)
+{
+  constexpr std::int64_t Cells = 1000000000000; // of each body
+  BodyOverlap overlap;
+  overlap.One = Cells;
+  overlap.Other = Cells;
+  overlap.Both = std::llround(dice * static_cast<double>(Cells));
+  return overlap;
+}
+
 double BodyOverlap::Dice() const noexcept
 {
   const auto sum = static_cast<double>(this->One + this->Other);

@@ -22,6 +22,9 @@ struct BodyOverlap
   std::int64_t Other = 0;
   std::int64_t Both = 0;
 
+  /// Of which only Dice, and so Jaccard, is known.
+  static BodyOverlap OfDice(double dice);
+
   /// 2 |A and B| / (|A| + |B|): Dice, Ecology 26 (1945). 0 if neither has a cell.
   double Dice() const noexcept;
   /// |A and B| / |A or B|: Jaccard, New Phytologist 11 (1912).

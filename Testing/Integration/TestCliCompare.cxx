@@ -1,6 +1,8 @@
 #include "CommandRun.h"
+#include "IsSoon.h"
 #include "JsonLines.h"
 #include "MeshShapes.h"
+#include "StartedCommand.h"
 #include "SurfaceFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
@@ -8,6 +10,7 @@
 #include "TriangleMesh.h"
 
 #include <cmath>
+#include <csignal>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -205,6 +208,113 @@ TEST(CliCompare, CaseThatCannotBeReadDoesNotStopTheOthers)
   EXPECT_EQ(pairs[0].at("status"), "bad-input");
   EXPECT_EQ(pairs[1].at("status"), "compared");
   EXPECT_NE(ReadAll(folder / "out/comparison.csv").find("bad-input"), std::string::npos);
+}
+
+/// Three pairs of models in two folders, the second of which cannot be read.
+class CliCompareFolders : public testing::Test
+{
+protected:
+  CliCompareFolders()
+  {
+    for (const char* reader : {"one", "two"})
+    {
+      std::filesystem::create_directory(this->Folder / reader);
+      WriteSphere(this->Folder / reader / "a.json", reader[0] == 'o' ? 21.0 : 20.0,
+                  Vector3::Zero());
+      WriteAll(this->Folder / reader / "b.json", "no model");
+      WriteSphere(this->Folder / reader / "c.json", 20.0, Vector3::Zero());
+    }
+  }
+  std::vector<std::string> Words(const std::string& output, const std::string& jobs) const
+  {
+    return {"compare", "one", "two", "--output", output, "--jobs", jobs};
+  }
+  CommandRun Run(const std::string& output = "out", const std::string& jobs = "1") const
+  {
+    return RunPalpate(this->Words(output, jobs), this->Folder.Path());
+  }
+  std::string Table(const std::string& output = "out") const
+  {
+    return ReadAll(this->Folder / output / "comparison.csv");
+  }
+  /// Sends the signal as soon as a table exists.
+  int CodeOfRunUntilFirstRow(int signal, const std::string& jobs) const
+  {
+    StartedCommand command(PALPATE_PROGRAM, this->Words("out", jobs), this->Folder.Path());
+    EXPECT_TRUE(
+        IsSoon([&] { return std::filesystem::exists(this->Folder / "out/comparison.csv"); }));
+    command.Send(signal);
+    return command.Finish().Code;
+  }
+
+  TemporaryFolder Folder;
+};
+
+TEST_F(CliCompareFolders, SecondRunComparesOnlyChanges)
+{
+  EXPECT_EQ(this->Run().Code, 1);
+  const std::string table = this->Table();
+  const CommandRun again = this->Run();
+  EXPECT_EQ(again.Code, 1);
+  EXPECT_NE(again.Errors.find("3 of 3 cases were done before"), std::string::npos) << again.Errors;
+  EXPECT_NE(again.Output.find("2 pairs"), std::string::npos) << again.Output;
+  EXPECT_EQ(this->Table(), table);
+  // The invalid files become valid; a report is lost; a model changes.
+  WriteSphere(this->Folder / "one/b.json", 20.0, Vector3::Zero());
+  WriteSphere(this->Folder / "two/b.json", 20.0, Vector3::Zero());
+  std::filesystem::remove(this->Folder / "out/a/report.html");
+  const CommandRun third = this->Run();
+  EXPECT_EQ(third.Code, 0) << third.Errors;
+  EXPECT_NE(third.Errors.find("1 of 3 cases were done before"), std::string::npos) << third.Errors;
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out/a/report.html"));
+}
+
+TEST_F(CliCompareFolders, OtherTolerancesCompareEveryPairAgain)
+{
+  this->Run();
+  std::vector<std::string> words = this->Words("out", "1");
+  words.insert(words.end(), {"--tolerance", "0.5"});
+  const CommandRun run = RunPalpate(words, this->Folder.Path());
+  EXPECT_EQ(run.Errors.find("done before"), std::string::npos) << run.Errors;
+  EXPECT_NE(this->Table().find("surface_dice_0.5mm"), std::string::npos);
+}
+
+TEST_F(CliCompareFolders, NumberOfJobsDoesNotChangeResults)
+{
+  const CommandRun one = this->Run("out1", "1");
+  const CommandRun three = this->Run("out3", "3");
+  EXPECT_EQ(three.Code, one.Code);
+  EXPECT_EQ(three.Output, one.Output);
+  EXPECT_EQ(this->Table("out3"), this->Table("out1"));
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "out3/c/report.html"));
+}
+
+TEST_F(CliCompareFolders, InterruptedRunLeavesOnlyCompleteResultsAndIsResumed)
+{
+  for (const char* jobs : {"1", "2"})
+  {
+    std::filesystem::remove_all(this->Folder / "out");
+    for (int i = 0; i < 6; ++i) // enough to be interrupted
+    {
+      for (const char* reader : {"one", "two"})
+      {
+        WriteSphere(this->Folder / reader / ("d" + std::to_string(i) + ".json"), 20.0,
+                    Vector3::Zero());
+      }
+    }
+    EXPECT_EQ(this->CodeOfRunUntilFirstRow(SIGINT, jobs), 130);
+    EXPECT_FALSE(std::filesystem::exists(this->Folder / "out/report.html"));
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(this->Folder / "out"))
+    {
+      // AtomicFile's temporary names begin with a dot; a pair's files are written together.
+      EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+      EXPECT_TRUE(!entry.is_directory() || std::filesystem::exists(entry.path() / "report.html"))
+          << entry.path();
+    }
+    const CommandRun run = this->Run();
+    EXPECT_NE(run.Errors.find("cases were done before"), std::string::npos) << run.Errors;
+    EXPECT_NE(run.Output.find("8 pairs"), std::string::npos) << run.Output;
+  }
 }
 
 TEST(CliCompare, RefusesWithTheWayOut)

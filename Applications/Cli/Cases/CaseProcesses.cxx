@@ -1,5 +1,6 @@
 #include "CaseProcesses.h"
 
+#include "Console.h"
 #include "FilterRun.h"
 #include "Interruption.h"
 
@@ -13,6 +14,7 @@
 #include <exception>
 #include <map>
 #include <poll.h>
+#include <sstream>
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -39,17 +41,29 @@ bool WriteAll(int file, const std::string& text)
   return true;
 }
 
-// The length of the results in a line of its own, the results, the messages.
-std::string Packed(const CaseOutput& text)
+// Each text after its length in a line of its own.
+std::string Packed(const CaseOutput& output)
 {
-  return std::to_string(text.Results.size()) + '\n' + text.Results + text.Messages;
+  std::string bytes;
+  for (const std::string* text : {&output.Results, &output.Messages, &output.Record})
+  {
+    bytes += std::to_string(text->size()) + '\n' + *text;
+  }
+  return bytes;
 }
 
 CaseOutput Unpacked(const std::string& bytes)
 {
-  const std::size_t line = bytes.find('\n');
-  const std::size_t length = std::stoul(bytes.substr(0, line));
-  return {bytes.substr(line + 1, length), bytes.substr(line + 1 + length)};
+  CaseOutput output;
+  std::size_t from = 0;
+  for (std::string* text : {&output.Results, &output.Messages, &output.Record})
+  {
+    const std::size_t line = bytes.find('\n', from);
+    const std::size_t length = std::stoul(bytes.substr(from, line - from));
+    *text = bytes.substr(line + 1, length);
+    from = line + 1 + length;
+  }
+  return output;
 }
 
 std::string ReasonOf(int status)
@@ -222,6 +236,48 @@ void RunInProcesses(
       waiting.erase(next);
     }
   }
+}
+
+void RunCases(std::size_t count, unsigned jobs, Console& console,
+              const std::function<std::string(std::size_t, Console&)>& run,
+              const std::function<void(std::size_t, const std::string&, const std::string&)>& take)
+{
+  if (jobs > 1 && count > 1)
+  {
+    RunInProcesses(
+        count, jobs,
+        [&](std::size_t number)
+        {
+          std::ostringstream results;
+          std::ostringstream messages;
+          Console own(results, messages, false);
+          own.SetQuiet(console.IsQuiet());
+          std::string record = run(number, own);
+          return CaseOutput{results.str(), messages.str(), std::move(record)};
+        },
+        [&](std::size_t number, const CaseOutput& output, const std::string& reason)
+        {
+          console.Relay(output.Results, output.Messages);
+          take(number, output.Record, reason);
+        },
+        [&](std::size_t ended)
+        {
+          console.Progress(static_cast<double>(ended) / static_cast<double>(count),
+                           std::to_string(ended) + " of " + std::to_string(count) + " cases");
+        });
+  }
+  else
+  {
+    for (std::size_t number = 0; number < count; ++number)
+    {
+      if (Interruption::WasAsked())
+      {
+        throw Cancelled();
+      }
+      take(number, run(number, console), {});
+    }
+  }
+  console.EndProgress();
 }
 
 unsigned ProcessorCount()

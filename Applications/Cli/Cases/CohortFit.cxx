@@ -235,22 +235,21 @@ void CohortFit::RunCases(Console& console)
     pending.push_back(i);
   }
   const std::size_t kept = this->Cases.size() - pending.size();
-  if (this->Jobs > 1 && pending.size() > 1)
-  {
-    this->RunInChildren(pending, console);
-  }
-  else
-  {
-    for (const std::size_t number : pending)
-    {
-      if (Interruption::WasAsked())
+  palpate::cli::RunCases(
+      pending.size(), this->Jobs, console,
+      [&](std::size_t number, Console& own)
       {
-        throw Cancelled();
-      }
-      this->RunCase(number, console);
-    }
-  }
-  console.EndProgress();
+        this->RunCase(pending[number], own);
+        return std::string();
+      },
+      [&](std::size_t number, const std::string&, const std::string& reason)
+      {
+        if (!reason.empty())
+        {
+          this->RecordLost(this->Cases[pending[number]], reason, console);
+        }
+      });
+  this->TakeRowsOfOthers(); // those of other processes
   if (kept > 0)
   {
     console.Note(std::to_string(kept) + " of " + std::to_string(this->Cases.size()) +
@@ -267,37 +266,6 @@ void CohortFit::RunCase(std::size_t number, Console& console)
   this->Rows[this->Cases[number].Name] = std::move(rows);
   this->Mine.insert(this->Cases[number].Name);
   this->WriteTable();
-}
-
-void CohortFit::RunInChildren(const std::vector<std::size_t>& pending, Console& console)
-{
-  const std::string all = std::to_string(pending.size());
-  RunInProcesses(
-      pending.size(), this->Jobs,
-      [&](std::size_t number)
-      {
-        std::ostringstream results;
-        std::ostringstream messages;
-        Console own(results, messages, false);
-        own.SetQuiet(console.IsQuiet());
-        this->RunCase(pending[number], own);
-        return CaseOutput{results.str(), messages.str()};
-      },
-      [&](std::size_t number, const CaseOutput& output, const std::string& reason)
-      {
-        console.Relay(output.Results, output.Messages);
-        if (!reason.empty())
-        {
-          this->RecordLost(this->Cases[pending[number]], reason, console);
-        }
-      },
-      [&](std::size_t ended)
-      {
-        console.Progress(static_cast<double>(ended) / static_cast<double>(pending.size()),
-                         std::to_string(ended) + " of " + all + " cases");
-      });
-  // The rows of the children.
-  this->TakeRowsOfOthers();
 }
 
 void CohortFit::RecordLost(const CohortCase& one, const std::string& reason, Console& console)

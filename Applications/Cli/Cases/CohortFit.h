@@ -54,7 +54,6 @@ private:
   void RunCases(Console& console);
   /// Fits a case and writes its rows into the table.
   void RunCase(std::size_t number, Console& console);
-  void RunInChildren(const std::vector<std::size_t>& pending, Console& console);
   /// Writes a row for a case whose process died.
   void RecordLost(const CohortCase& one, const std::string& reason, Console& console);
   /// Does not throw for errors of a case; throws Cancelled.

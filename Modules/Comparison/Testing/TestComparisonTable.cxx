@@ -59,6 +59,34 @@ TEST(ComparisonTable, HasARowPerPairWithUnitsInTheHead)
   EXPECT_EQ(*rows[1].Find("dice"), "");
 }
 
+TEST(ComparisonTable, KeepsItsNumbersOverReadingAndWriting)
+{
+  PairComparison pair = SpherePair("a", 21.0);
+  pair.One.Structure.Label = 3;
+  pair.One.Structure.Name = "Lobe, left";
+  pair.Unpaired = {"x has no partner"};
+  pair.Key = "0123456789abcdef";
+  const std::string text = ComparisonTable({pair, Lost("=b")}, Tolerances);
+  const std::vector<PairComparison> read = PairsInTable(text, Tolerances);
+  ASSERT_EQ(read.size(), 2u);
+  // Differences of rounded volumes are rounded once more; after that nothing changes.
+  const std::string again = ComparisonTable(read, Tolerances);
+  EXPECT_EQ(ComparisonTable(PairsInTable(again, Tolerances), Tolerances), again);
+  EXPECT_NEAR(read[0].VolumeDifferencePercent(), pair.VolumeDifferencePercent(), 1e-9);
+  EXPECT_NEAR(read[0].Numbers.Overlap->Jaccard(), pair.Numbers.Overlap->Jaccard(), 1e-11);
+  EXPECT_EQ(read[0].Key, pair.Key);
+  EXPECT_EQ(read[0].Unpaired, pair.Unpaired);
+  EXPECT_NEAR(read[0].Numbers.Hausdorff95(), pair.Numbers.Hausdorff95(), 1e-11);
+  EXPECT_FALSE(read[1].IsCompared());
+}
+
+TEST(ComparisonTable, OfOtherTolerancesOrColumnsHasNoPairs)
+{
+  EXPECT_TRUE(
+      PairsInTable(ComparisonTable({SpherePair("a", 21.0)}, Tolerances), {0.5, 3.0}).empty());
+  EXPECT_TRUE(PairsInTable("case,dice\na,0.9\n", Tolerances).empty());
+}
+
 TEST(ComparisonOverview, SummarisesComparedPairsOnly)
 {
   const std::vector<SummarisedNumber> summary = SummariseComparisons(
