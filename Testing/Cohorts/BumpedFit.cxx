@@ -57,7 +57,7 @@ const std::vector<BumpPlace>& BumpPlaces()
   static const std::vector<BumpPlace> places{{"posterior", NearestTested(Vector3::UnitY())},
                                              {"left", NearestTested(Vector3::UnitX())},
                                              {"anterior", NearestTested(-Vector3::UnitY())},
-                                             {"superior", NearestTested(Vector3::UnitZ())}};
+                                             {"superior", NearestTested(Vector3::UnitZ()), true}};
   return places;
 }
 
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkImageData> BumpedImage(vtkImageData* image, int label,
   return ImageOfMask(WithBump(copied.Mask, IndexToWorldOf(image), centerWorld, bump), image);
 }
 
-SphericalHarmonicModel RadialFitOf(vtkImageData* image)
+SphericalHarmonicModel RadialFitOf(vtkImageData* image, int degree)
 {
   Segment segment;
   segment.Label = 1;
@@ -81,7 +81,9 @@ SphericalHarmonicModel RadialFitOf(vtkImageData* image)
   Segmentation segmentation;
   segmentation.Layers.emplace_back(image);
   segmentation.Segments.push_back(segment);
-  const FitResult result = FitStructure(segmentation, segment, {});
+  FitSettings settings;
+  settings.Degree = degree;
+  const FitResult result = FitStructure(segmentation, segment, settings);
   if (result.State != FitResult::Outcome::Fitted || result.Radial() == nullptr)
   {
     throw std::runtime_error("no radial model: " + result.Message);

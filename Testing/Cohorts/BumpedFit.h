@@ -16,6 +16,9 @@ struct BumpPlace
 {
   std::string Name;
   Vector3 Direction; ///< patient LPS, one of the directions of the tests
+  /// Along axial slices, half way between which WithBump takes the surface to lie: masks carry only
+  /// what exceeds half a slice.
+  bool IsAlongSlices = false;
 };
 
 constexpr int TestedFrequency = 8;  ///< of the icosahedron whose points are tested: 642
@@ -28,6 +31,7 @@ const std::vector<BumpPlace>& BumpPlaces();
 vtkSmartPointer<vtkImageData> BumpedImage(vtkImageData* image, int label,
                                           const Vector3& centerWorld, const SurfaceBump& bump);
 
-/// The radial model that `palpate fit` makes of an image's label 1. Throws std::runtime_error.
-SphericalHarmonicModel RadialFitOf(vtkImageData* image);
+/// The radial model of a degree that `palpate fit` makes of an image's label 1. Throws
+/// std::runtime_error.
+SphericalHarmonicModel RadialFitOf(vtkImageData* image, int degree);
 } // namespace palpate::test

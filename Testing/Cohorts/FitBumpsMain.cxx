@@ -50,7 +50,9 @@ void FitCase(const CohortRow& row, const SphericalHarmonicModel& mean, const Bum
     const auto layer = segmentation.Layers[static_cast<std::size_t>(segment.Layer)];
     const SurfaceBump bump(mean, place.Direction, height, BumpExtent);
     std::filesystem::create_directories(folder);
-    WriteModel(file, {RadialFitOf(BumpedImage(layer, segment.Value, row.CenterWorld, bump)), {}});
+    WriteModel(
+        file,
+        {RadialFitOf(BumpedImage(layer, segment.Value, row.CenterWorld, bump), mean.Degree()), {}});
   }
 }
 

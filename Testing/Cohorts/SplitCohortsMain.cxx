@@ -182,9 +182,12 @@ void ReportBumps(SplitCohorts& cohorts, const std::filesystem::path& folder, int
     }
     ReportEstimates(where.Name, results, cohorts, bumped);
     ReportFinds(results, height > 0);
-    all.insert(all.end(), results.begin(), results.end());
+    if (!where.IsAlongSlices)
+    {
+      all.insert(all.end(), results.begin(), results.end());
+    }
   }
-  std::printf(" all places\n");
+  std::printf(" all places but those along the slices\n");
   ReportFinds(all, height > 0);
   std::fflush(stdout);
 }

@@ -19,6 +19,7 @@ using test::SplitCohorts;
 using test::TemporaryFolder;
 
 constexpr int Cases = 16;
+constexpr int Degree = 12;
 constexpr double Height = 2.0; // mm
 const test::BumpPlace& Place = test::BumpPlaces()[1];
 
@@ -74,7 +75,7 @@ struct SmallCohort
     for (int i = 0; i < Cases; ++i)
     {
       masks.push_back(MaskOf(RandomGland(random)));
-      Add(test::RadialFitOf(masks.back()), this->Group);
+      Add(test::RadialFitOf(masks.back(), Degree), this->Group);
     }
     EXPECT_TRUE(FindShapeModes(CoefficientsOf(this->Group), this->Group.Modes).IsOk());
     for (std::size_t row = 0; row < masks.size(); ++row)
@@ -82,7 +83,7 @@ struct SmallCohort
       const auto image =
           test::BumpedImage(masks[row], 1, this->Group.Rows[row].CenterWorld, BumpOf(this->Group));
       WriteModel(this->Folder / (this->Group.Rows[row].Case + ".json"),
-                 {test::RadialFitOf(image), {}});
+                 {test::RadialFitOf(image, Degree), {}});
     }
   }
 
