@@ -1,0 +1,169 @@
+#include "CohortReparametrisation.h"
+
+#include "CsvText.h"
+#include "DecimalText.h"
+#include "FilterRun.h"
+#include "InputError.h"
+#include "ReportPage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+namespace
+{
+constexpr double DegreesPerRadian = 180.0 / M_PI;
+
+/// Of the cases that moved.
+struct MovedCases
+{
+  int Count = 0;
+  double MeanTurn = 0.0;      // rad
+  double MeanChange = 0.0;    // mm
+  double WorstChange = 0.0;   // mm
+  double LargestChange = 0.0; // mm
+};
+
+MovedCases SummaryOf(const std::vector<ReparametrisedCase>& cases)
+{
+  MovedCases moved;
+  for (const ReparametrisedCase& one : cases)
+  {
+    moved.Count += one.IsMoved ? 1 : 0;
+    moved.MeanTurn += one.RmsTurn;
+    moved.MeanChange += one.RmsChange;
+    moved.WorstChange = std::max(moved.WorstChange, one.RmsChange);
+    moved.LargestChange = std::max(moved.LargestChange, one.LargestChange);
+  }
+  const double count = std::max(moved.Count, 1);
+  moved.MeanTurn /= count;
+  moved.MeanChange /= count;
+  return moved;
+}
+
+std::string ComparedRow(const std::string& name, double before, double after, int digits)
+{
+  return "<tr><td class=\"text\">" + name + "</td><td class=\"number\">" +
+         FixedText(before, digits) + "</td><td class=\"number\">" + FixedText(after, digits) +
+         "</td></tr>\n";
+}
+
+std::string QualityRows(const ShapeModelQuality& before, const ShapeModelQuality& after)
+{
+  const Eigen::Index most =
+      std::min(before.Compactness.Values.size(), after.Compactness.Values.size()) - 1;
+  std::string rows;
+  for (const Eigen::Index modes : {Eigen::Index{5}, Eigen::Index{20}})
+  {
+    if (modes <= most)
+    {
+      const std::string with = ", " + std::to_string(modes) + " modes, mm";
+      rows += ComparedRow("generalisation" + with, before.Generalisation.Values[modes],
+                          after.Generalisation.Values[modes], 3) +
+              ComparedRow("specificity" + with, before.Specificity.Values[modes],
+                          after.Specificity.Values[modes], 3);
+    }
+  }
+  return rows;
+}
+} // namespace
+
+CohortReparametrisation ReparametriseCohortGroup(CohortGroup& group,
+                                                 const RandomShapeSettings& random,
+                                                 const KernelProgress& progress)
+{
+  std::vector<ParametricSphericalSurface> surfaces;
+  for (const SurfaceModel& model : group.Models)
+  {
+    if (!std::holds_alternative<ParametricSphericalSurface>(model))
+    {
+      throw InputError("--reparametrise needs surface models, but these are radial ones, whose "
+                       "directions correspond; fit with --model surface");
+    }
+    surfaces.push_back(std::get<ParametricSphericalSurface>(model));
+  }
+  bool isCancelled = false;
+  const KernelProgress watched = [&](double done)
+  {
+    isCancelled = progress && !progress(done);
+    return !isCancelled;
+  };
+  CohortReparametrisation made;
+  Status status = ReparametriseGroup(surfaces, made.Settings, made.Result, watched);
+  if (isCancelled)
+  {
+    throw Cancelled();
+  }
+  if (status.IsOk())
+  {
+    made.Before = MeasureShapeModel(group.Modes, random);
+    group.Models.assign(made.Result.Surfaces.begin(), made.Result.Surfaces.end());
+    made.Result.Surfaces.clear();
+    status = FindShapeModes(CoefficientsOf(group), group.Modes);
+    made.After = MeasureShapeModel(group.Modes, random);
+  }
+  if (!status.IsOk())
+  {
+    throw InputError("--reparametrise: " + status.Message());
+  }
+  return made;
+}
+
+std::string ReparametrisationTable(const CohortGroup& group,
+                                   const CohortReparametrisation& reparametrisation)
+{
+  std::string text = CsvLine({"case", "label", "moved", "turn_deg", "least_area_ratio",
+                              "rms_change_mm", "largest_change_mm"});
+  for (std::size_t i = 0; i < group.Rows.size(); ++i)
+  {
+    const ReparametrisedCase& one = reparametrisation.Result.Cases[i];
+    text += CsvLine({group.Rows[i].Case, std::to_string(group.Rows[i].Result.Structure.Label),
+                     one.IsMoved ? "yes" : "no", ExactText(DegreesPerRadian * one.RmsTurn),
+                     ExactText(one.LeastAreaRatio), ExactText(one.RmsChange),
+                     ExactText(one.LargestChange)});
+  }
+  return text;
+}
+
+std::string ReparametrisationText(const CohortReparametrisation& reparametrisation)
+{
+  const ReparametrisationResult& result = reparametrisation.Result;
+  const MovedCases moved = SummaryOf(result.Cases);
+  return "The parameters of " + std::to_string(moved.Count) + " of " +
+         std::to_string(result.Cases.size()) +
+         " surfaces were moved, one to one, to shorten the description of the group (Davies et al. "
+         "2002; the sum over the modes of log(1 + variance / noise\xC2\xB2), noise " +
+         SignificantText(reparametrisation.Settings.NoiseMillimeters, 2) +
+         " mm, weighted by the area of the mean), by steps along smooth fields (harmonics up to "
+         "degree " +
+         std::to_string(reparametrisation.Settings.FieldDegree) + ", " +
+         std::to_string(result.Lengths.size() - 1) + " rounds); they turn by " +
+         FixedText(DegreesPerRadian * moved.MeanTurn, 1) +
+         "\xC2\xB0 (RMS). The surfaces themselves, fitted again in the same degree, change by " +
+         FixedText(moved.MeanChange, 3) + " mm (mean RMS; largest of a case " +
+         FixedText(moved.WorstChange, 3) + " mm, at most " +
+         SignificantText(reparametrisation.Settings.ToleranceMillimeters, 2) +
+         " mm allowed; largest of a point " + FixedText(moved.LargestChange, 2) + " mm).";
+}
+
+std::string ReparametrisationSection(const CohortReparametrisation& reparametrisation)
+{
+  const ReparametrisationResult& result = reparametrisation.Result;
+  return ReportSection(
+      "Parameters moved",
+      "<p>" + ReparametrisationText(reparametrisation) +
+          " Distances at equal parameters are what was made small; that they are smaller does not "
+          "show that equal parameters are equal places of the organ.</p>\n"
+          "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"text\">Model of the "
+          "group</th><th scope=\"col\" class=\"number\">own parameters</th>"
+          "<th scope=\"col\" class=\"number\">moved</th></tr></thead><tbody>\n" +
+          ComparedRow("description length", result.LengthBefore, result.LengthAfter, 2) +
+          ComparedRow("variance, mm\xC2\xB2", result.VarianceBefore, result.VarianceAfter, 2) +
+          QualityRows(reparametrisation.Before, reparametrisation.After) +
+          "</tbody></table></div>\n");
+}
+} // namespace palpate
