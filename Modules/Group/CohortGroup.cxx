@@ -5,6 +5,7 @@
 #include "CohortEffectFiles.h"
 #include "CohortPage.h"
 #include "CohortQualityFiles.h"
+#include "CohortReparametrisation.h"
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "FilterRun.h"
@@ -286,6 +287,11 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
     WriteWholeFile(folder / "correspondence.csv",
                    CorrespondenceTable(group, *output.Correspondence));
   }
+  if (output.Reparametrisation != nullptr)
+  {
+    WriteWholeFile(folder / "reparametrisation.csv",
+                   ReparametrisationTable(group, *output.Reparametrisation));
+  }
   if (output.Quality != nullptr)
   {
     WriteCohortQuality(group, *output.Quality, folder);
@@ -426,6 +432,10 @@ void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
   if (output.Correspondence == nullptr)
   {
     obsolete.emplace_back("correspondence.csv");
+  }
+  if (output.Reparametrisation == nullptr)
+  {
+    obsolete.emplace_back("reparametrisation.csv");
   }
   for (int mode = ShownModes(group); mode < MostShownModes; ++mode)
   {

@@ -61,6 +61,7 @@ struct CohortEffects;
 struct CohortQuality;
 struct CohortAlignment;
 struct CohortCorrespondence;
+struct CohortReparametrisation;
 
 /// What is written of a group beside its shapes.
 struct CohortOutput
@@ -69,15 +70,16 @@ struct CohortOutput
   bool ShowsNames = false;                    ///< cases by name on the page, otherwise by number
   const CohortQuality* Quality = nullptr;     ///< of the modes; may be null
   const CohortAlignment* Alignment = nullptr; ///< of axes Procrustes; may be null
-  const CohortCorrespondence* Correspondence = nullptr; ///< of the cases; may be null
+  const CohortCorrespondence* Correspondence = nullptr;       ///< of the cases; may be null
+  const CohortReparametrisation* Reparametrisation = nullptr; ///< may be null
 };
 
 /// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
 /// mm), modes.csv (scores, mm), variance.csv (one row per mode), measures.csv, mean.json, mean.vtp,
 /// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
 /// modes), cohort.html, alignment.csv (AlignmentTable), correspondence.csv (CorrespondenceTable),
-/// and the files of WriteCohortEffects and WriteCohortQuality into the folder, all of them or none.
-/// Throws InputError.
+/// reparametrisation.csv (ReparametrisationTable), and the files of WriteCohortEffects and
+/// WriteCohortQuality into the folder, all of them or none. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
                                           const std::filesystem::path& folder,
                                           const std::string& program);

@@ -4,6 +4,7 @@
 #include "CohortCorrespondence.h"
 #include "CohortEffectPage.h"
 #include "CohortQuality.h"
+#include "CohortReparametrisation.h"
 #include "DecimalText.h"
 #include "SoftwareVersions.h"
 
@@ -160,8 +161,12 @@ std::string CohortAxesText(const CohortGroup& group, const CohortOutput& output)
 std::vector<std::string> CohortMethods(const CohortGroup& group, const CohortOutput& output,
                                        const std::string& program)
 {
-  std::vector<std::string> paragraphs{ModelText(group), AlignmentMethods(group, output),
-                                      ModesText(group, output)};
+  std::vector<std::string> paragraphs{ModelText(group), AlignmentMethods(group, output)};
+  if (output.Reparametrisation != nullptr)
+  {
+    paragraphs.push_back(ReparametrisationText(*output.Reparametrisation));
+  }
+  paragraphs.push_back(ModesText(group, output));
   if (output.Correspondence != nullptr && !output.Correspondence->Cases.empty())
   {
     paragraphs.push_back(CorrespondenceMethods(*output.Correspondence));

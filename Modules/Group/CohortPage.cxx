@@ -5,6 +5,7 @@
 #include "CohortEffectPage.h"
 #include "CohortMethods.h"
 #include "CohortQualityPage.h"
+#include "CohortReparametrisation.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
 #include "ModeSlider.h"
@@ -161,6 +162,10 @@ void WriteCohortPage(const CohortGroup& group, const CohortOutput& output, doubl
               SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n"
        << ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n")
        << ReportSection("Principal modes", modes);
+  if (output.Reparametrisation != nullptr)
+  {
+    page << ReparametrisationSection(*output.Reparametrisation);
+  }
   if (output.Effects != nullptr)
   {
     page << CohortEffectSection(*output.Effects);

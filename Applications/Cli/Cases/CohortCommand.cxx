@@ -6,6 +6,7 @@
 #include "CohortExport.h"
 #include "CohortFit.h"
 #include "CohortQuality.h"
+#include "CohortReparametrisation.h"
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FileType.h"
@@ -109,6 +110,9 @@ void CohortCommand::DeclareAlignment(CLI::App& app)
          "(such as an earlier mean.json), so that no case depends on the others")
       ->check(FileType::Input("file"));
   app.add_flag("--scale", this->ScalesShapes, "With --align procrustes: all shapes to one size");
+  app.add_flag("--reparametrise", this->MovesParameters,
+               "Move the parameters of surface models, so that the group's modes have a shorter "
+               "description; every case then depends on all others");
 }
 
 std::optional<CohortAlignment> CohortCommand::Align(CohortGroup& group,
@@ -196,6 +200,13 @@ int CohortCommand::Run(Console& console)
                       this->Axes == "ellipsoid" ? AlignmentAxes::Ellipsoid : AlignmentAxes::Patient,
                       stage("models"));
   const std::optional<CohortAlignment> alignment = this->Align(group, stage("alignment"));
+  RandomShapeSettings random;
+  random.Seed = this->Request.Permutations.Seed;
+  std::optional<CohortReparametrisation> moved;
+  if (this->MovesParameters)
+  {
+    moved = ReparametriseCohortGroup(group, random, stage("parameters"));
+  }
   if (!this->Shape.empty())
   {
     SynthesizeShape(group, this->Shape); // a mistake in it is told before the long work
@@ -203,15 +214,13 @@ int CohortCommand::Run(Console& console)
   std::vector<std::string> notes;
   const CovariateModel model(group, this->Request, notes, stage("permutations"));
   console.EndProgress();
-  RandomShapeSettings random;
-  random.Seed = this->Request.Permutations.Seed;
   const CohortQuality quality = FindCohortQuality(group, random);
   const CohortCorrespondence correspondence =
       FindCohortCorrespondence(group, stage("correspondence"));
   console.EndProgress();
   WriteCohortGroup(group,
                    {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr,
-                    &correspondence},
+                    &correspondence, moved ? &*moved : nullptr},
                    output, ProgramVersion());
   model.WriteRepeated(group, output);
   for (const std::string& tool : this->Exports)

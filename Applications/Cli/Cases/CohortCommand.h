@@ -40,6 +40,7 @@ private:
   std::string Label;
   std::string Axes = "patient";
   bool ScalesShapes = false;
+  bool MovesParameters = false;
   std::string Reference;
   bool ShowsNames = false;
   std::string Shape;

@@ -1,9 +1,11 @@
 #include "ClosestPointSearch.h"
 #include "FitStructure.h"
+#include "GroupReparametrisation.h"
 #include "IcosahedronDirections.h"
 #include "ParametricMask.h"
 #include "ParametricPhantoms.h"
 #include "ParametricShape.h"
+#include "ShapeAlignment.h"
 #include "SphericalPlacement.h"
 
 #include <Eigen/Geometry>
@@ -72,18 +74,65 @@ struct Landmarks
   std::vector<Vector3> Parameters; ///< of the closest points of the model
 };
 
+void FindParameters(Landmarks& marks)
+{
+  const ClosestPointSearchOf<ParametricShape> search(
+      std::make_shared<ParametricShape>(marks.Model));
+  marks.Parameters.clear();
+  for (const Vector3& place : marks.Places)
+  {
+    marks.Parameters.push_back(search.Nearest(place).Direction);
+  }
+}
+
 Landmarks LandmarksOf(const ParametricSphericalSurface& truth)
 {
   Landmarks marks{FitOf(truth), {}, {}};
-  const ClosestPointSearchOf<ParametricShape> search(
-      std::make_shared<ParametricShape>(marks.Model));
   const IcosahedronDirections sphere(4); // 162 landmarks
   for (const Vector3& u : sphere.Directions())
   {
     marks.Places.push_back(truth.Point(u));
-    marks.Parameters.push_back(search.Nearest(marks.Places.back()).Direction);
   }
+  FindParameters(marks);
   return marks;
+}
+
+/// All about their centroids.
+std::vector<Landmarks> Centred(std::vector<Landmarks> cases)
+{
+  for (Landmarks& marks : cases)
+  {
+    ParametricSphericalSurface centred = marks.Model;
+    EXPECT_TRUE(AlignShape(marks.Model, AlignmentAxes::Patient, centred).IsOk());
+    const Vector3 pole = Vector3::UnitZ();
+    const Vector3 moved = centred.Point(pole) - marks.Model.Point(pole);
+    for (Vector3& place : marks.Places)
+    {
+      place += moved;
+    }
+    marks.Model = centred;
+  }
+  return cases;
+}
+
+/// The same bodies with parameters that suit the group.
+std::vector<Landmarks> Reparametrised(std::vector<Landmarks> cases,
+                                      const ReparametrisationSettings& settings,
+                                      ReparametrisationResult& result)
+{
+  std::vector<ParametricSphericalSurface> surfaces;
+  for (const Landmarks& marks : cases)
+  {
+    surfaces.push_back(marks.Model);
+  }
+  const Status status = ReparametriseGroup(surfaces, settings, result);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    cases[i].Model = result.Surfaces[i];
+    FindParameters(cases[i]);
+  }
+  return cases;
 }
 
 /// The rotation of the parameters that places them by the ellipsoid of degree 1.
@@ -172,6 +221,31 @@ TEST(CorrespondenceTruth, PatientsAxesFindLandmarksBetterThanEllipsoidAlignment)
   EXPECT_LT(patient.Largest, 8.0);
   EXPECT_LT(patient.Mean, 0.8 * chosen.Mean);
   EXPECT_LT(patient.Mean, 0.5 * ellipsoid.Mean);
+}
+
+// The known correspondence of these bodies has a longer description than their own parameters have:
+// places that move along a surface cost as much as places that move across it. So a shorter
+// description is no better correspondence: 2.05 and 8.6 mm for 1.60 and 5.9. The bounds keep it
+// from becoming worse than that.
+TEST(CorrespondenceTruth, ReparametrisationShortensTheDescriptionAtACostInLandmarks)
+{
+  Random random(411);
+  std::vector<Landmarks> cases;
+  for (int i = 0; i < Cases; ++i)
+  {
+    cases.push_back(LandmarksOf(Variant(random)));
+  }
+  cases = Centred(std::move(cases));
+  const std::vector<Matrix3> none(Cases, Matrix3::Identity());
+  const Errors before = ErrorsOf(cases, none, false);
+  ReparametrisationResult result;
+  const Errors after = ErrorsOf(Reparametrised(cases, {}, result), none, false);
+  std::cout << "landmark errors, mm (mean, largest): own parameters " << before.Mean << ", "
+            << before.Largest << "; moved " << after.Mean << ", " << after.Largest << "; length "
+            << result.LengthBefore << " to " << result.LengthAfter << '\n';
+  EXPECT_LT(result.LengthAfter, 0.9 * result.LengthBefore);
+  EXPECT_LT(after.Mean, 2.5);
+  EXPECT_LT(after.Largest, 11.0);
 }
 } // namespace
 } // namespace palpate::correspondence_truth_test

@@ -13,7 +13,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double DescentShare = 0.9; // of the progress
+constexpr double DescentShare = 0.8;        // of the progress
+constexpr std::size_t RefittedTogether = 8; // between calls of the progress
 constexpr int MostHalvedFlows = 3;
 constexpr double LeastTurn = 1e-6; // rad; less is no move
 
@@ -84,16 +85,21 @@ Status ReparametriseGroup(const std::vector<ParametricSphericalSurface>& surface
   descent.DropUselessMoves();
   result.Surfaces = surfaces;
   result.Cases.assign(surfaces.size(), {});
-  if (isCancelled(DescentShare))
+  for (std::size_t first = 0; first < surfaces.size(); first += RefittedTogether)
   {
-    return Status::Failure("cancelled");
+    const double done = static_cast<double>(first) / static_cast<double>(surfaces.size());
+    if (isCancelled(DescentShare + (1.0 - DescentShare) * done))
+    {
+      return Status::Failure("cancelled");
+    }
+    ForEachCase(std::min(RefittedTogether, surfaces.size() - first), settings.Threads,
+                [&](std::size_t k)
+                {
+                  const std::size_t i = first + k;
+                  MoveWithin(settings.ToleranceMillimeters, surfaces[i], descent.FlowOf(i),
+                             result.Surfaces[i], result.Cases[i]);
+                });
   }
-  ForEachCase(surfaces.size(), settings.Threads,
-              [&](std::size_t i)
-              {
-                MoveWithin(settings.ToleranceMillimeters, surfaces[i], descent.FlowOf(i),
-                           result.Surfaces[i], result.Cases[i]);
-              });
   const DescriptionLength before = descent.Measure(surfaces);
   DescriptionLength after = descent.Measure(result.Surfaces);
   if (!(after.Value < before.Value))
