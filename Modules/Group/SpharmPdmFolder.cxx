@@ -127,25 +127,92 @@ std::string ScalarText(const std::vector<double>& values)
   return text;
 }
 
-void WriteAxis(const ParametricSphericalSurface& surface, const std::filesystem::path& base)
+std::vector<Vector3> HalfTurnedAll(std::vector<Vector3> points)
 {
-  const LatitudeAxis axis = FindLatitudeAxis(surface, AxisLatitudes, AxisLongitudes);
+  for (Vector3& point : points)
+  {
+    point = HalfTurned(point);
+  }
+  return points;
+}
+
+void WriteAxis(const LatitudeAxis& axis, const std::string& base)
+{
   std::string table = "Theta,Radius,Area\n";
-  std::vector<Vector3> points;
   std::string line = std::to_string(axis.Theta.size());
   for (std::size_t i = 0; i < axis.Theta.size(); ++i)
   {
     table += ExactText(axis.Theta[i]) + "," + ExactText(axis.Radii[i]) + "," +
              ExactText(axis.Areas[i]) + "\n";
-    points.push_back(HalfTurned(axis.Middles[i]));
     line += " " + std::to_string(i);
   }
-  WriteWholeFile(base.string() + "_MedialAxisScalars.csv", table);
+  WriteWholeFile(base + "_MedialAxisScalars.csv", table);
   WriteWholeFile(
-      base.string() + "_SPHARMMedialAxis.vtk",
-      PolyDataHead(points) + "LINES 1 " + std::to_string(points.size() + 1) + "\n" + line + "\n" +
-          ArraysText(points.size(),
+      base + "_SPHARMMedialAxis.vtk",
+      PolyDataHead(HalfTurnedAll(axis.Middles)) + "LINES 1 " +
+          std::to_string(axis.Theta.size() + 1) + "\n" + line + "\n" +
+          ArraysText(axis.Theta.size(),
                      {{"_theta", axis.Theta}, {"_radius", axis.Radii}, {"_area", axis.Areas}}));
+}
+
+// The value of its circle at each point.
+std::vector<double> Repeated(const std::vector<double>& values, int times)
+{
+  std::vector<double> all;
+  for (const double value : values)
+  {
+    all.insert(all.end(), static_cast<std::size_t>(times), value);
+  }
+  return all;
+}
+
+// SPHARM-PDM writes this header without blanks, that of the parameters with.
+std::string MedialScalarText(const std::vector<double>& values)
+{
+  std::string text =
+      "NUMBER_OF_POINTS=" + std::to_string(values.size()) + "\nDIMENSION=1\nTYPE=Scalar\n";
+  for (const double value : values)
+  {
+    text += SignificantText(value, 10) + "\n";
+  }
+  return text;
+}
+
+// Two triangles between neighbouring circles and meridians, outward.
+std::string MedialTriangles(int circles, int longitudes)
+{
+  const int count = 2 * (circles - 1) * (longitudes - 1);
+  std::string text = "POLYGONS " + std::to_string(count) + " " + std::to_string(4 * count) + "\n";
+  for (int i = 0; i + 1 < circles; ++i)
+  {
+    for (int j = 0; j + 1 < longitudes; ++j)
+    {
+      const std::string here = std::to_string(i * longitudes + j);
+      const std::string next = std::to_string(i * longitudes + j + 1);
+      const std::string below = std::to_string((i + 1) * longitudes + j);
+      const std::string across = std::to_string((i + 1) * longitudes + j + 1);
+      text += "3 " + here + " " + below + " " + across + "\n3 " + here + " " + across + " " + next +
+              "\n";
+    }
+  }
+  return text;
+}
+
+void WriteMedialMesh(const LatitudeAxis& axis, const std::string& base)
+{
+  const std::vector<PointNumbers> numbers{{"radius", Repeated(axis.Radii, axis.Longitudes)},
+                                          {"area", Repeated(axis.Areas, axis.Longitudes)},
+                                          {"partial_area", axis.PartialAreas},
+                                          {"partial_radius", axis.PartialRadii}};
+  const std::array<const char*, 4> names{{"Radius", "Area", "PartialArea", "PartialRadius"}};
+  for (std::size_t k = 0; k < names.size(); ++k)
+  {
+    WriteWholeFile(base + "_medialMesh" + names[k] + ".txt", MedialScalarText(numbers[k].second));
+  }
+  WriteWholeFile(base + "_SPHARMMedialMesh.vtk",
+                 PolyDataHead(HalfTurnedAll(axis.Points)) +
+                     MedialTriangles(static_cast<int>(axis.Theta.size()), axis.Longitudes) +
+                     ArraysText(axis.Points.size(), numbers));
 }
 
 void WritePose(const SurfaceModel& model, const IcosahedronDirections& sphere,
@@ -179,6 +246,9 @@ void WriteSpharmPdmCase(const SpharmPdmCase& one, const std::filesystem::path& f
   {
     WriteWholeFile(base + name + ".txt", ScalarText(values));
   }
-  WriteAxis(patient, base);
+  const LatitudeAxis axis =
+      FindLatitudeAxis(WithLongAxisFirst(patient), AxisLatitudes, AxisLongitudes);
+  WriteAxis(axis, base);
+  WriteMedialMesh(axis, base);
 }
 } // namespace palpate
