@@ -1,6 +1,6 @@
 #!/bin/sh
 # Prints how often the tests of covariates reject a true null hypothesis and find known bumps of
-# masks, in studies drawn from the masks of a folder. Takes an hour of a processor.
+# masks, in studies drawn from the masks of a folder. Takes about an hour of a processor.
 #   Utilities/split_cohorts.sh MASKS [COHORTS [PERMUTATIONS]]
 set -eu
 cd "$(dirname "$0")/.."

@@ -41,6 +41,17 @@ LinearDesign DesignOf(const std::vector<std::string>& groups, const std::vector<
   }
   return design;
 }
+// With scores as further columns.
+LinearDesign WithScores(LinearDesign design, const Eigen::MatrixXd& scores)
+{
+  design.Matrix.conservativeResize(Eigen::NoChange, design.Matrix.cols() + scores.cols());
+  design.Matrix.rightCols(scores.cols()) = scores;
+  for (Eigen::Index k = 0; k < scores.cols(); ++k)
+  {
+    design.Columns.push_back("mode " + std::to_string(k + 1));
+  }
+  return design;
+}
 } // namespace
 
 SplitCohorts::SplitCohorts(CohortGroup group, std::uint64_t seed)
@@ -107,9 +118,13 @@ SplitResult SplitCohorts::Test(const SplitSettings& settings, const Draw& draw, 
   PermutationSettings permutations;
   permutations.Count = settings.Permutations;
   permutations.Seed = draw.Seed;
-  if (!FindShapeModes(data.Coefficients, modes).IsOk() ||
-      !TestTogether(draw.Design, group, modes.Scores.leftCols(Scores), scores).IsOk() ||
-      !TestByPermutation(FindEffectSpace(draw.Design, group), data.Moved,
+  if (!FindShapeModes(data.Coefficients, modes).IsOk())
+  {
+    throw std::runtime_error("no modes");
+  }
+  const LinearDesign design = WithScores(draw.Design, modes.Scores.leftCols(settings.Modes));
+  if (!TestTogether(draw.Design, group, modes.Scores.leftCols(Scores), scores).IsOk() ||
+      !TestByPermutation(FindEffectSpace(design, group), data.Moved,
                          {this->Mean.Areas, this->Mean.Edges}, permutations, {}, points)
            .IsOk())
   {
@@ -122,7 +137,7 @@ SplitResult SplitCohorts::Test(const SplitSettings& settings, const Draw& draw, 
   result.Enhanced = points.EnhancedP.minCoeff();
   result.Point = points.P[static_cast<Eigen::Index>(point)];
   const Eigen::MatrixXd there = data.Moved.col(static_cast<Eigen::Index>(point));
-  result.Estimate = FitLinearModel(draw.Design, there).Coefficients(group.First, 0);
+  result.Estimate = FitLinearModel(design, there).Coefficients(group.First, 0);
   return result;
 }
 

@@ -43,6 +43,9 @@ struct SplitSettings
 {
   int PerGroup = 30;
   int Permutations = 499;
+  /// The first modes of the drawn cases together, whose scores are further covariates of the tests
+  /// at points: what differs along them is not looked for.
+  Eigen::Index Modes = 0;
 };
 
 /// Studies of two groups of real shapes, drawn at random, so that the null hypothesis is true by

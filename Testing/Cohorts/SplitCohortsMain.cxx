@@ -169,7 +169,8 @@ void ReportBumps(SplitCohorts& cohorts, const std::filesystem::path& folder, int
 {
   const std::size_t places = BumpPlaces().size();
   std::vector<BumpedResult> all;
-  std::printf("A bump of %d mm, %.0f mm wide, %d cohorts\n", height, BumpExtent, count);
+  std::printf("A bump of %d mm, %.0f mm wide, %d cohorts, %d modes as covariates\n", height,
+              BumpExtent, count, static_cast<int>(settings.Modes));
   for (std::size_t place = 0; place < places; ++place)
   {
     const BumpPlace& where = BumpPlaces()[place];
@@ -201,6 +202,11 @@ int RunAll(const std::string& folder, const std::string& bumped, int count, int 
   settings.Permutations = permutations;
   ReportNull(cohorts, count, settings);
   for (const int height : {0, 1, 2, 3})
+  {
+    ReportBumps(cohorts, bumped, height, count, settings);
+  }
+  settings.Modes = 10;
+  for (const int height : {0, 1})
   {
     ReportBumps(cohorts, bumped, height, count, settings);
   }
