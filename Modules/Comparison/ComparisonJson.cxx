@@ -36,12 +36,13 @@ Json OverlapJson(const std::optional<BodyOverlap>& overlap)
   {
     return nullptr;
   }
-  constexpr const char* Cells[] = {"voxels", "mask-voxels", "cubes"};
+  constexpr const char* Cells[] = {"voxels", "mask-voxels", "cubes", "none"};
   const Vector3& spacing = overlap->Spacing;
+  const bool hasCells = overlap->Kind != BodyOverlap::Cells::None;
   return {{"dice", overlap->Dice()},
           {"jaccard", overlap->Jaccard()},
           {"cells", Cells[static_cast<std::size_t>(overlap->Kind)]},
-          {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
+          {"spacing_mm", hasCells ? Json{spacing.x(), spacing.y(), spacing.z()} : Json()}};
 }
 
 Json SummaryJson(const DistanceSummary& summary)

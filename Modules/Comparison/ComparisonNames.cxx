@@ -24,6 +24,10 @@ std::string OctantName(std::size_t octant)
 std::string CellsText(const BodyOverlap& overlap)
 {
   const auto number = [&](Eigen::Index axis) { return SignificantText(overlap.Spacing[axis], 3); };
+  if (overlap.Kind == BodyOverlap::Cells::None)
+  {
+    return "integrals over both surfaces";
+  }
   if (overlap.Kind == BodyOverlap::Cells::Cubes)
   {
     return "cubes of " + number(0) + " mm";

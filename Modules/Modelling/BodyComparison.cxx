@@ -69,8 +69,9 @@ Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
                      BodyComparison& comparison)
 {
   BodyComparison made;
+  const bool areModels = one.IsModel() && other.IsModel();
   BodyOverlap overlap;
-  if (FindBodyOverlap(one, other, overlap).IsOk())
+  if (!areModels && FindBodyOverlap(one, other, overlap).IsOk())
   {
     made.Overlap = overlap;
   }
@@ -82,6 +83,11 @@ Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
   if (!status.IsOk())
   {
     return status;
+  }
+  if (areModels)
+  {
+    made.Overlap =
+        BodyOverlap::OfModels(one, made.OneToOther.Values, other, made.OtherToOne.Values);
   }
   made.Both = TwoSidedDistances(Lengths(made.OneToOther), one.Weights(), Lengths(made.OtherToOne),
                                 other.Weights());

@@ -1,5 +1,6 @@
 #include "BodyOverlap.h"
 
+#include "MeshDistances.h"
 #include "MeshVoxels.h"
 #include "SurfaceMaskOverlap.h"
 
@@ -7,6 +8,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace palpate
@@ -14,7 +16,8 @@ namespace palpate
 namespace
 {
 constexpr double WantedCubes = 4.0e6;
-constexpr double MostMaskVoxels = 6.4e7; // as winding numbers of two bytes each
+constexpr double RelativeCoincidence = 1e-9; // rounding of distances is below
+constexpr double MostMaskVoxels = 6.4e7;     // as winding numbers of two bytes each
 
 using Index = Eigen::Vector3i;
 
@@ -185,26 +188,53 @@ Status OfCubes(const ComparedBody& one, const ComparedBody& other, BodyOverlap& 
 }
 } // namespace
 
+BodyOverlap BodyOverlap::OfModels(const ComparedBody& one, const std::vector<double>& there,
+                                  const ComparedBody& other, const std::vector<double>& back)
+{
+  const double coincident = RelativeCoincidence * std::cbrt(one.Volume() + other.Volume());
+  const Vector3 from = 0.5 * (one.Centroid() + other.Centroid());
+  const auto within =
+      [&](const ComparedBody& body, const std::vector<double>& distances, double limit)
+  {
+    // The error of flat triangles is that of their sides' square: extrapolated to none.
+    return (4.0 * VolumeWithin(body.Surface(), from, distances, limit) -
+            VolumeWithin(*body.CoarseSurface(), from, distances, limit)) /
+           3.0;
+  };
+  const auto part = [&](const ComparedBody& body, const std::vector<double>& distances)
+  {
+    const double whole = within(body, distances, std::numeric_limits<double>::infinity());
+    return body.Volume() / whole * 0.5 *
+           (within(body, distances, -coincident) + within(body, distances, coincident));
+  };
+  BodyOverlap overlap;
+  overlap.Kind = Cells::None;
+  overlap.One = one.Volume();
+  overlap.Other = other.Volume();
+  overlap.Both =
+      std::clamp(part(one, there) + part(other, back), 0.0, std::min(overlap.One, overlap.Other));
+  return overlap;
+}
+
 BodyOverlap BodyOverlap::OfDice(double dice)
 {
-  constexpr std::int64_t Cells = 1000000000000; // of each body
   BodyOverlap overlap;
-  overlap.One = Cells;
-  overlap.Other = Cells;
-  overlap.Both = std::llround(dice * static_cast<double>(Cells));
+  overlap.One = 1.0;
+  overlap.Other = 1.0;
+  overlap.Both = dice;
   return overlap;
 }
 
 double BodyOverlap::Dice() const noexcept
 {
-  const auto sum = static_cast<double>(this->One + this->Other);
-  return sum > 0.0 ? 2.0 * static_cast<double>(this->Both) / sum : 0.0;
+  const double sum = this->One + this->Other;
+  return sum > 0.0 ? 2.0 * this->Both / sum : 0.0;
 }
 
 double BodyOverlap::Jaccard() const noexcept
 {
-  const auto united = static_cast<double>(this->One + this->Other - this->Both);
-  return united > 0.0 ? static_cast<double>(this->Both) / united : 0.0;
+  const double united = this->One + this->Other - this->Both;
+  return united > 0.0 ? this->Both / united : 0.0;
 }
 
 Status FindBodyOverlap(const ComparedBody& one, const ComparedBody& other, BodyOverlap& overlap)

@@ -7,7 +7,9 @@
 #include "SquaredDistance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace palpate
@@ -15,10 +17,44 @@ namespace palpate
 namespace
 {
 // Up to degree 40, triangles' sides are some 2.5 times as short as the shortest half-wave, so that
-// the nearest triangle leads Newton's method to the right place. Beyond, time counts.
+// the nearest triangle leads Newton's method to the right place. Beyond, time counts. Even.
 int FrequencyOf(const SurfaceModel& model)
 {
-  return std::clamp(static_cast<int>(std::ceil(2.5 * DegreeOf(model))), 40, 100);
+  return 2 * std::clamp(static_cast<int>(std::ceil(1.25 * DegreeOf(model))), 20, 50);
+}
+
+// Those of half the frequency, whose directions are among the others.
+std::vector<std::array<int, 3>> CoarseTriangles(const IcosahedronDirections& sphere, int frequency)
+{
+  const auto key = [](const Vector3& direction)
+  {
+    constexpr double Steps = 1e7; // far below the directions' distances, far above rounding
+    return std::array<long, 3>{std::lround(Steps * direction[0]), std::lround(Steps * direction[1]),
+                               std::lround(Steps * direction[2])};
+  };
+  std::map<std::array<long, 3>, int> numbers;
+  for (std::size_t i = 0; i < sphere.Directions().size(); ++i)
+  {
+    numbers[key(sphere.Directions()[i])] = static_cast<int>(i);
+  }
+  const IcosahedronDirections coarse(frequency / 2);
+  std::vector<std::array<int, 3>> triangles = coarse.Triangles();
+  for (std::array<int, 3>& triangle : triangles)
+  {
+    for (int& corner : triangle)
+    {
+      corner = numbers.at(key(coarse.Directions()[corner]));
+    }
+  }
+  return triangles;
+}
+
+void TurnInsideOut(std::vector<std::array<int, 3>>& triangles)
+{
+  for (std::array<int, 3>& triangle : triangles)
+  {
+    std::swap(triangle[1], triangle[2]);
+  }
 }
 
 ParametricSphericalSurface AsParametric(const SurfaceModel& model)
@@ -40,19 +76,19 @@ ModelFoot::ModelFoot(const SurfaceModel& model)
       EnclosedVolume(std::abs(SignedVolumeOf(model))),
       SurfaceArea(std::visit([](const auto& surface) { return AreaOf(surface); }, model))
 {
-  const IcosahedronDirections sphere(FrequencyOf(model));
+  const int frequency = FrequencyOf(model);
+  const IcosahedronDirections sphere(frequency);
   this->Parameters = sphere.Directions();
   for (const Vector3& parameter : this->Parameters)
   {
     this->Drawing.Points.push_back(this->Shape.PointWorld(parameter));
   }
   this->Drawing.Triangles = sphere.Triangles();
-  for (std::array<int, 3>& triangle : this->Drawing.Triangles)
+  this->Coarse = {this->Drawing.Points, CoarseTriangles(sphere, frequency)};
+  if (this->Outward < 0.0)
   {
-    if (this->Outward < 0.0)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
+    TurnInsideOut(this->Drawing.Triangles);
+    TurnInsideOut(this->Coarse.Triangles);
   }
 }
 

@@ -81,8 +81,8 @@ TEST(BodyComparison, ShiftedSpheresHaveTheirExactValues)
   const double lens = LensVolume(Radius, Radius, Shift);
   const double ball = 4.0 / 3.0 * M_PI * std::pow(Radius, 3);
   ASSERT_TRUE(found.Overlap);
-  EXPECT_NEAR(found.Overlap->Dice(), lens / ball, 1e-4);
-  EXPECT_NEAR(found.Overlap->Jaccard(), lens / (2.0 * ball - lens), 2e-4);
+  EXPECT_NEAR(found.Overlap->Dice(), lens / ball, 1e-5);
+  EXPECT_NEAR(found.Overlap->Jaccard(), lens / (2.0 * ball - lens), 1e-5);
   // |p - c|^2 = r^2 + d^2 + 2 r d cos, and cos is uniform over the sphere.
   for (const BodyComparison::Tolerance& tolerance : found.Tolerances)
   {
@@ -129,7 +129,7 @@ TEST(BodyComparison, StarShapedAndParametricModelsOfOneBodyAreEqual)
   const BodyComparison found =
       Compared(BodyOfModel(star), BodyOfModel(ParametricSphericalSurface::FromModel(star)));
   EXPECT_LT(found.Both.Largest, 1e-9);
-  EXPECT_EQ(found.Overlap->Dice(), 1.0);
+  EXPECT_NEAR(found.Overlap->Dice(), 1.0, 1e-12);
   EXPECT_EQ(found.Tolerances.front().SurfaceDice, 1.0);
 }
 

@@ -3,6 +3,8 @@
 #include "BodyComparison.h"
 #include "ComparedCases.h"
 #include "MaskBoundary.h"
+#include "ParametricPhantoms.h"
+#include "RandomShapes.h"
 #include "SurfaceTopology.h"
 #include "WindingNumbers.h"
 
@@ -99,6 +101,115 @@ TEST(BodyOverlap, MaskAndModelAreCountedOnTheMasksVoxels)
   EXPECT_NEAR(overlap.Dice(), 1.0, 2e-3);
   EXPECT_EQ(overlap.One,
             static_cast<std::int64_t>(std::llround(mask.Volume() / (0.8 * 0.8 * 1.6))));
+}
+
+BodyOverlap OverlapOf(const SurfaceModel& one, const SurfaceModel& other)
+{
+  BodyComparison found;
+  EXPECT_TRUE(
+      CompareBodies(test::BodyOfModel(one), test::BodyOfModel(other), {}, {}, found).IsOk());
+  EXPECT_TRUE(found.Overlap);
+  return found.Overlap ? *found.Overlap : BodyOverlap();
+}
+
+// Of two balls of radius 1: the share of each that is in the other one (Weisstein, MathWorld,
+// "Sphere-Sphere Intersection").
+double SharedBall(double shift)
+{
+  return shift >= 2.0 ? 0.0 : (4.0 + shift) * (2.0 - shift) * (2.0 - shift) / 16.0;
+}
+
+SurfaceModel Shifted(const SurfaceModel& model, const Vector3& shift)
+{
+  const auto& surface = std::get<ParametricSphericalSurface>(model);
+  std::array<std::vector<double>, 3> coefficients;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coefficients[static_cast<std::size_t>(axis)] = surface.Coefficients(axis);
+    coefficients[static_cast<std::size_t>(axis)][0] += std::sqrt(4.0 * M_PI) * shift[axis];
+  }
+  return ParametricSphericalSurface(surface.Degree(), coefficients);
+}
+
+TEST(ModelOverlap, OfShiftedSpheresIsALens)
+{
+  for (const double shift : {1e-3, 0.2, 1.0, 1.7, 1.99, 2.5})
+  {
+    const BodyOverlap overlap =
+        OverlapOf(test::SphereModel(20.0), test::SphereModel(20.0, {20.0 * shift, 0.0, 0.0}));
+    EXPECT_EQ(overlap.Kind, BodyOverlap::Cells::None);
+    EXPECT_NEAR(overlap.Dice(), SharedBall(shift), 1e-5) << shift;
+  }
+}
+
+TEST(ModelOverlap, OfShiftedEllipsoidsIsThatOfSpheresOfOneRadius)
+{
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> semiAxis(8.0, 30.0);
+  std::normal_distribution<double> normal(0.0, 0.5);
+  for (int trial = 0; trial < 10; ++trial)
+  {
+    const Vector3 axes(semiAxis(random), semiAxis(random), semiAxis(random));
+    const Vector3 shift(normal(random), normal(random), normal(random)); // of the unit ball
+    const SurfaceModel one = test::EllipsoidModel(axes);
+    const BodyOverlap overlap = OverlapOf(one, Shifted(one, axes.cwiseProduct(shift)));
+    EXPECT_NEAR(overlap.Dice(), SharedBall(shift.norm()), 1e-5) << trial;
+  }
+}
+
+TEST(ModelOverlap, OfABodyWithinAnotherIsItsVolume)
+{
+  const BodyOverlap overlap =
+      OverlapOf(test::EllipsoidModel({9.0, 12.0, 15.0}), test::SphereModel(17.0, {0.5, 0.3, 0.1}));
+  EXPECT_NEAR(overlap.Both, 4.0 / 3.0 * M_PI * 9.0 * 12.0 * 15.0, 1e-12 * overlap.Both);
+  EXPECT_NEAR(overlap.Other, 4.0 / 3.0 * M_PI * std::pow(17.0, 3), 1e-12 * overlap.Other);
+}
+
+TEST(ModelOverlap, OfAModelWithItselfIsWhole)
+{
+  test::Random random(8);
+  for (const SurfaceModel& model :
+       {SurfaceModel(test::RandomOrgan(random, 12)), SurfaceModel(test::BumpyTube(random, 8))})
+  {
+    EXPECT_NEAR(OverlapOf(model, model).Dice(), 1.0, 1e-12);
+  }
+}
+
+// An independent implementation: centres of cubes inside both by the radius in their direction.
+TEST(ModelOverlap, OfRandomOrgansIsWhatCubesCount)
+{
+  test::Random random(31);
+  for (int trial = 0; trial < 3; ++trial)
+  {
+    const SphericalHarmonicModel one = test::RandomOrgan(random, 8);
+    const SphericalHarmonicModel other(8, test::RandomOrgan(random, 8).Coefficients(),
+                                       one.CenterWorld() + Vector3(7.0, -4.0, 3.0));
+    const auto isIn = [](const SphericalHarmonicModel& model, const Vector3& point)
+    {
+      const Vector3 offset = point - model.CenterWorld();
+      return offset.norm() < model.Radius(offset.normalized());
+    };
+    constexpr double Step = 0.7; // mm
+    constexpr int Half = 70;
+    double counts[3] = {};
+    for (int i = -Half; i <= Half; ++i)
+    {
+      for (int j = -Half; j <= Half; ++j)
+      {
+        for (int k = -Half; k <= Half; ++k)
+        {
+          const Vector3 point = one.CenterWorld() + Step * Vector3(i + 0.31, j + 0.17, k + 0.43);
+          const bool isInOne = isIn(one, point);
+          const bool isInOther = isIn(other, point);
+          counts[0] += isInOne ? 1.0 : 0.0;
+          counts[1] += isInOther ? 1.0 : 0.0;
+          counts[2] += isInOne && isInOther ? 1.0 : 0.0;
+        }
+      }
+    }
+    // Of some 100,000 cubes, the errors at the boundary's 15,000 cancel but for 1e-3.
+    EXPECT_NEAR(OverlapOf(one, other).Dice(), 2.0 * counts[2] / (counts[0] + counts[1]), 1e-3);
+  }
 }
 
 TEST(MaskBoundary, IsHalfWayBetweenVoxels)

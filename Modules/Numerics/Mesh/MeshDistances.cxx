@@ -152,6 +152,23 @@ DistanceSummary TwoSidedDistances(const std::vector<double>& there,
   return Pool(Moments(there, weightsThere), Moments(back, weightsBack), std::move(entries));
 }
 
+double VolumeWithin(const IndexedMesh& mesh, const Vector3& from,
+                    const std::vector<double>& distances, double limit)
+{
+  double volume = 0.0;
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const Vector3 a = mesh.Points[t[0]] - from;
+    const Vector3 b = mesh.Points[t[1]] - from;
+    const Vector3 c = mesh.Points[t[2]] - from;
+    // All parts of a triangle have the same height over the point.
+    volume +=
+        a.dot(b.cross(c)) / 6.0 *
+        ShareBelow({distances[t[0]] - limit, distances[t[1]] - limit, distances[t[2]] - limit});
+  }
+  return volume;
+}
+
 double ShareWithin(const IndexedMesh& mesh, const std::vector<double>& distances, double limit)
 {
   double within = 0.0;

@@ -59,6 +59,12 @@ DistanceSummary TwoSidedDistances(const std::vector<double>& there,
 /// triangles) are at most `limit`; 0 for a surface without area. The indices must be valid.
 double ShareWithin(const IndexedMesh& mesh, const std::vector<double>& distances, double limit);
 
+/// The signed volume (mm^3) between a point and the part of a surface at which `distances` (at its
+/// points, linear in the triangles) are at most `limit`; of a closed surface and the whole of it,
+/// the volume that it encloses. The indices must be valid.
+double VolumeWithin(const IndexedMesh& mesh, const Vector3& from,
+                    const std::vector<double>& distances, double limit);
+
 /// All summaries of two surfaces. Fails as TriangleTree::Make does.
 Status MeasureMeshDistances(const IndexedMesh& one, const IndexedMesh& other,
                             MeshDistances& distances);
