@@ -67,8 +67,9 @@ TEST(CliCompare, TwoModelsHaveTheirExactDistances)
   EXPECT_EQ(pair.at("surface_dice").at(0).at("value"), 0.0);
   EXPECT_EQ(pair.at("surface_dice").at(1).at("value"), 1.0);
   EXPECT_NEAR(pair.at("volume_difference_percent").get<double>(), 33.1, 1e-9);
-  EXPECT_EQ(pair.at("overlap").at("cells"), "cubes");
-  EXPECT_NEAR(pair.at("overlap").at("dice").get<double>(), 2.0 / (1.0 + 1.331), 2e-4);
+  EXPECT_EQ(pair.at("overlap").at("cells"), "none");
+  EXPECT_TRUE(pair.at("overlap").at("spacing_mm").is_null());
+  EXPECT_NEAR(pair.at("overlap").at("dice").get<double>(), 2.0 / (1.0 + 1.331), 1e-9);
 }
 
 TEST(CliCompare, TolerancesMayComeBeforeTheFiles)
