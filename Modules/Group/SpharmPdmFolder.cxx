@@ -116,10 +116,12 @@ std::vector<PointNumbers> ParameterNumbers(const IcosahedronDirections& sphere)
   return numbers;
 }
 
-std::string ScalarText(const std::vector<double>& values)
+// SPHARM-PDM writes the head of the parameters with blanks around each sign, that of the medial
+// mesh without.
+std::string ScalarText(const std::vector<double>& values, const std::string& sign = " = ")
 {
-  std::string text =
-      "NUMBER_OF_POINTS = " + std::to_string(values.size()) + "\nDIMENSION = 1\nTYPE = Scalar\n";
+  std::string text = "NUMBER_OF_POINTS" + sign + std::to_string(values.size()) + "\nDIMENSION" +
+                     sign + "1\nTYPE" + sign + "Scalar\n";
   for (const double value : values)
   {
     text += SignificantText(value, 10) + "\n";
@@ -166,18 +168,6 @@ std::vector<double> Repeated(const std::vector<double>& values, int times)
   return all;
 }
 
-// SPHARM-PDM writes this header without blanks, that of the parameters with.
-std::string MedialScalarText(const std::vector<double>& values)
-{
-  std::string text =
-      "NUMBER_OF_POINTS=" + std::to_string(values.size()) + "\nDIMENSION=1\nTYPE=Scalar\n";
-  for (const double value : values)
-  {
-    text += SignificantText(value, 10) + "\n";
-  }
-  return text;
-}
-
 // Two triangles between neighbouring circles and meridians, outward.
 std::string MedialTriangles(int circles, int longitudes)
 {
@@ -207,7 +197,7 @@ void WriteMedialMesh(const LatitudeAxis& axis, const std::string& base)
   const std::array<const char*, 4> names{{"Radius", "Area", "PartialArea", "PartialRadius"}};
   for (std::size_t k = 0; k < names.size(); ++k)
   {
-    WriteWholeFile(base + "_medialMesh" + names[k] + ".txt", MedialScalarText(numbers[k].second));
+    WriteWholeFile(base + "_medialMesh" + names[k] + ".txt", ScalarText(numbers[k].second, "="));
   }
   WriteWholeFile(base + "_SPHARMMedialMesh.vtk",
                  PolyDataHead(HalfTurnedAll(axis.Points)) +

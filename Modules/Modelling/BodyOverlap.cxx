@@ -193,19 +193,18 @@ BodyOverlap BodyOverlap::OfModels(const ComparedBody& one, const std::vector<dou
 {
   const double coincident = RelativeCoincidence * std::cbrt(one.Volume() + other.Volume());
   const Vector3 from = 0.5 * (one.Centroid() + other.Centroid());
-  const auto within =
-      [&](const ComparedBody& body, const std::vector<double>& distances, double limit)
-  {
-    // The error of flat triangles is that of their sides' square: extrapolated to none.
-    return (4.0 * VolumeWithin(body.Surface(), from, distances, limit) -
-            VolumeWithin(*body.CoarseSurface(), from, distances, limit)) /
-           3.0;
-  };
   const auto part = [&](const ComparedBody& body, const std::vector<double>& distances)
   {
-    const double whole = within(body, distances, std::numeric_limits<double>::infinity());
-    return body.Volume() / whole * 0.5 *
-           (within(body, distances, -coincident) + within(body, distances, coincident));
+    const IndexedMesh coarse = body.CoarseSurface();
+    // The error of flat triangles is that of their sides' square: extrapolated to none.
+    const auto within = [&](double limit)
+    {
+      return (4.0 * VolumeWithin(body.Surface(), from, distances, limit) -
+              VolumeWithin(coarse, from, distances, limit)) /
+             3.0;
+    };
+    const double whole = within(std::numeric_limits<double>::infinity());
+    return body.Volume() / whole * 0.5 * (within(-coincident) + within(coincident));
   };
   BodyOverlap overlap;
   overlap.Kind = Cells::None;

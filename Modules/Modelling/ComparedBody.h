@@ -46,11 +46,8 @@ public:
   {
     return this->Scaled != nullptr ? *this->Scaled : this->Mesh;
   }
-  /// Of a model: the same points with a quarter of the triangles; else null.
-  const IndexedMesh* CoarseSurface() const noexcept
-  {
-    return this->Foot != nullptr ? &this->Foot->CoarseMesh() : nullptr;
-  }
+  /// Of a model only: the same points with a quarter of the triangles. Allocates.
+  IndexedMesh CoarseSurface() const { return this->Foot->CoarseMesh(); }
   bool IsClosed() const noexcept { return this->Holes == 0; }
   int HoleCount() const noexcept { return this->Holes; }
   /// mm^3: of a mask's voxels, a model's integral, the volume that a mesh encloses; NaN if open.

@@ -23,8 +23,9 @@ int FrequencyOf(const SurfaceModel& model)
   return 2 * std::clamp(static_cast<int>(std::ceil(1.25 * DegreeOf(model))), 20, 50);
 }
 
-// Those of half the frequency, whose directions are among the others.
-std::vector<std::array<int, 3>> CoarseTriangles(const IcosahedronDirections& sphere, int frequency)
+// Those of half the frequency, whose directions are among the given ones.
+std::vector<std::array<int, 3>> CoarseTriangles(const std::vector<Vector3>& directions,
+                                                int frequency)
 {
   const auto key = [](const Vector3& direction)
   {
@@ -33,9 +34,9 @@ std::vector<std::array<int, 3>> CoarseTriangles(const IcosahedronDirections& sph
                                std::lround(Steps * direction[2])};
   };
   std::map<std::array<long, 3>, int> numbers;
-  for (std::size_t i = 0; i < sphere.Directions().size(); ++i)
+  for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    numbers[key(sphere.Directions()[i])] = static_cast<int>(i);
+    numbers[key(directions[i])] = static_cast<int>(i);
   }
   const IcosahedronDirections coarse(frequency / 2);
   std::vector<std::array<int, 3>> triangles = coarse.Triangles();
@@ -72,24 +73,32 @@ double SignedVolumeOf(const SurfaceModel& model)
 } // namespace
 
 ModelFoot::ModelFoot(const SurfaceModel& model)
-    : Shape(AsParametric(model)), Outward(SignedVolumeOf(model) < 0.0 ? -1.0 : 1.0),
+    : Frequency(FrequencyOf(model)), Shape(AsParametric(model)),
+      Outward(SignedVolumeOf(model) < 0.0 ? -1.0 : 1.0),
       EnclosedVolume(std::abs(SignedVolumeOf(model))),
       SurfaceArea(std::visit([](const auto& surface) { return AreaOf(surface); }, model))
 {
-  const int frequency = FrequencyOf(model);
-  const IcosahedronDirections sphere(frequency);
+  const IcosahedronDirections sphere(this->Frequency);
   this->Parameters = sphere.Directions();
   for (const Vector3& parameter : this->Parameters)
   {
     this->Drawing.Points.push_back(this->Shape.PointWorld(parameter));
   }
   this->Drawing.Triangles = sphere.Triangles();
-  this->Coarse = {this->Drawing.Points, CoarseTriangles(sphere, frequency)};
   if (this->Outward < 0.0)
   {
     TurnInsideOut(this->Drawing.Triangles);
-    TurnInsideOut(this->Coarse.Triangles);
   }
+}
+
+IndexedMesh ModelFoot::CoarseMesh() const
+{
+  IndexedMesh coarse{this->Drawing.Points, CoarseTriangles(this->Parameters, this->Frequency)};
+  if (this->Outward < 0.0)
+  {
+    TurnInsideOut(coarse.Triangles);
+  }
+  return coarse;
 }
 
 // By the areas of the parts into which the point divides its triangle.

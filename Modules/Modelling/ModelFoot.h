@@ -21,8 +21,8 @@ public:
   /// Points of the surface (mm, patient LPS), outward orientation; 32,000 triangles or more, after
   /// the model's degree.
   const IndexedMesh& Mesh() const noexcept { return this->Drawing; }
-  /// The same points, with a quarter of the triangles: for extrapolation.
-  const IndexedMesh& CoarseMesh() const noexcept { return this->Coarse; }
+  /// The same points, with a quarter of the triangles: for extrapolation. Allocates.
+  IndexedMesh CoarseMesh() const;
   double Volume() const noexcept { return this->EnclosedVolume; } ///< mm^3, positive
   double Area() const noexcept { return this->SurfaceArea; }      ///< mm^2
 
@@ -33,10 +33,10 @@ public:
 private:
   Vector3 ParameterAt(const NearestOnMesh::Result& near) const noexcept;
 
+  int Frequency; // of the icosahedron; even
   ParametricShape Shape;
   std::vector<Vector3> Parameters; // of the drawing's points
   IndexedMesh Drawing;
-  IndexedMesh Coarse;
   double Outward; // -1 if the surface is parametrised inside out
   double EnclosedVolume;
   double SurfaceArea;

@@ -9,18 +9,16 @@
 #include "SegmentationFile.h"
 #include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
+#include "TriangleMesh.h"
 
-#include "vtkCellArray.h"
 #include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkMassProperties.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkWindowedSincPolyDataFilter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -104,21 +102,10 @@ public:
     const IndexedMesh coarse = SurfaceOf(20);
     Check(ComparedSurface::Make(SurfaceOf(40), this->Fine));
     Check(ComparedSurface::Make(coarse, this->Coarse));
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const Vector3& point : coarse.Points)
-    {
-      points->InsertNextPoint(point.data());
-    }
-    vtkNew<vtkCellArray> triangles;
-    for (const std::array<int, 3>& t : coarse.Triangles)
-    {
-      triangles->InsertNextCell({t[0], t[1], t[2]});
-    }
-    vtkNew<vtkPolyData> surface;
-    surface->SetPoints(points);
-    surface->SetPolys(triangles);
-    this->Locator->SetDataSet(surface);
+    TriangleMesh mesh;
+    mesh.PointsWorld = coarse.Points;
+    mesh.Triangles = coarse.Triangles;
+    this->Locator->SetDataSet(PolyDataOf(mesh));
     this->Locator->BuildLocator();
   }
 

@@ -8,12 +8,10 @@
 #include "CaseText.h"
 #include "CommandProgress.h"
 #include "Console.h"
-#include "FilterRun.h"
 #include "FitJson.h"
 #include "FitStructure.h"
 #include "FolderLock.h"
 #include "InputError.h"
-#include "Interruption.h"
 #include "OutputFolder.h"
 #include "OutputNames.h"
 #include "ProgramVersion.h"
@@ -21,7 +19,6 @@
 
 #include <algorithm>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace palpate::cli

@@ -1,6 +1,7 @@
 #include "ParameterDescent.h"
 
 #include "CaseLoop.h"
+#include "MeshDistances.h"
 #include "SphereMapQuality.h"
 #include "SphericalHarmonicBasis.h"
 
@@ -45,16 +46,13 @@ ParameterDescent::ParameterDescent(const std::vector<ParametricSphericalSurface>
                 this->Shapes.col(SizeOf(i)) = this->ColumnOf(this->Surfaces[i], this->Places[i]);
               });
   const Eigen::VectorXd mean = this->Shapes.rowwise().mean();
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(nodes);
-  for (const std::array<int, 3>& t : this->Sphere.Triangles())
+  IndexedMesh drawn{{}, this->Sphere.Triangles()};
+  for (Eigen::Index k = 0; k < nodes; ++k)
   {
-    const auto corner = [&](std::size_t k) -> Vector3 { return mean.segment<3>(3 * t[k]); };
-    const double area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    for (const int k : t)
-    {
-      areas[k] += area;
-    }
+    drawn.Points.emplace_back(mean.segment<3>(3 * k));
   }
+  const std::vector<double> parts = PointAreas(drawn);
+  const Eigen::Map<const Eigen::VectorXd> areas(parts.data(), nodes);
   this->Roots = (areas / areas.sum()).cwiseSqrt();
   for (Eigen::Index k = 0; k < nodes; ++k)
   {

@@ -1,6 +1,7 @@
 #include "ReparametrisedSurface.h"
 
 #include "IcosahedronDirections.h"
+#include "MeshDistances.h"
 #include "ParametricSolver.h"
 #include "SphereMapQuality.h"
 #include "SurfaceSamples.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace palpate
@@ -26,25 +28,14 @@ SurfaceSamples SamplesAt(const ParametricSphericalSurface& surface,
 {
   SurfaceSamples samples;
   samples.Parameters = sphere.Directions();
-  samples.Weights.assign(places.size(), 0.0);
   for (const Vector3& place : places)
   {
     const FirstOrder sample = surface.Evaluate(place);
     samples.Points.push_back(sample.Point);
     samples.Normals.push_back(ParametricSphericalSurface::AreaVector(sample).normalized());
   }
-  double total = 0.0;
-  for (const std::array<int, 3>& t : sphere.Triangles())
-  {
-    const auto corner = [&](int i) -> const Vector3&
-    { return samples.Points[static_cast<std::size_t>(t[static_cast<std::size_t>(i)])]; };
-    const double area = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    total += 3.0 * area;
-    for (const int i : t)
-    {
-      samples.Weights[static_cast<std::size_t>(i)] += area;
-    }
-  }
+  samples.Weights = PointAreas({samples.Points, sphere.Triangles()});
+  const double total = std::accumulate(samples.Weights.begin(), samples.Weights.end(), 0.0);
   for (double& weight : samples.Weights)
   {
     weight /= total;
