@@ -280,6 +280,21 @@ TEST_F(CliCompareFolders, OtherTolerancesCompareEveryPairAgain)
   EXPECT_NE(this->Table().find("surface_dice_0.5mm"), std::string::npos);
 }
 
+TEST_F(CliCompareFolders, SecondRunAtATimeIntoTheFolderIsRefused)
+{
+  WriteSphere(this->Folder / "one/d.json", 20.0, Vector3::Zero()); // so that it does not end before
+  WriteSphere(this->Folder / "two/d.json", 20.0, Vector3::Zero());
+  StartedCommand first(PALPATE_PROGRAM, this->Words("out", "1"), this->Folder.Path());
+  ASSERT_TRUE(IsSoon([&] { return std::filesystem::exists(this->Folder / "out/comparison.csv"); }));
+  first.Send(SIGSTOP);
+  const CommandRun second = this->Run();
+  first.Send(SIGCONT);
+  EXPECT_EQ(second.Code, 2);
+  EXPECT_NE(second.Errors.find("another run"), std::string::npos) << second.Errors;
+  EXPECT_EQ(first.Finish().Code, 1); // one pair is invalid
+  EXPECT_EQ(this->Run().Errors.find("another run"), std::string::npos);
+}
+
 TEST_F(CliCompareFolders, NumberOfJobsDoesNotChangeResults)
 {
   const CommandRun one = this->Run("out1", "1");

@@ -8,6 +8,7 @@
 #include "ComparisonText.h"
 #include "Console.h"
 #include "DecimalText.h"
+#include "FolderLock.h"
 #include "InputError.h"
 #include "InputKey.h"
 #include "OutputFolder.h"
@@ -156,10 +157,22 @@ std::vector<PairComparison> FolderComparison::AllResults() const
 
 int FolderComparison::Run(Console& console)
 {
-  if (!this->Settings.Output.empty())
+  if (this->Settings.Output.empty())
   {
-    MakeOutputFolder(this->Settings.Output);
+    return this->RunAlone(console);
   }
+  MakeOutputFolder(this->Settings.Output);
+  FolderLock lock(this->Settings.Output, ".palpate-comparison.lock");
+  if (!lock.TryAlone())
+  {
+    throw InputError("another run of palpate compare writes into " +
+                     this->Settings.Output.string() + "; wait for it or give another --output");
+  }
+  return this->RunAlone(console);
+}
+
+int FolderComparison::RunAlone(Console& console)
+{
   const std::vector<std::size_t> pending = this->KeepDone();
   RunCases(
       pending.size(), this->Jobs, console,

@@ -14,7 +14,7 @@ class Console;
 /// Compares the pairs of two folders, or of a list. With an output folder it keeps
 /// `comparison.csv`, which is replaced whole after every case: a run that was stopped is resumed by
 /// the next one, which compares only pairs that are missing or failed, and those whose files or
-/// settings changed.
+/// settings changed. One run at a time writes into a folder.
 class FolderComparison
 {
 public:
@@ -22,10 +22,12 @@ public:
   /// Cases at a time, each in a process of its own; 1: in this one.
   void SetJobs(unsigned jobs) { this->Jobs = jobs; }
 
-  /// Returns the exit code. Throws InputError if the output cannot be written, and Cancelled.
+  /// Returns the exit code. Throws InputError if the output cannot be written or another run writes
+  /// there, and Cancelled.
   int Run(Console& console);
 
 private:
+  int RunAlone(Console& console);
   std::string KeyOf(const CasePairs::Pair& files) const;
   /// Takes the results of an earlier run, and returns the cases to compare.
   std::vector<std::size_t> KeepDone();
