@@ -53,11 +53,12 @@ double SignificantArea(const NormalDisplacement& surface, const Eigen::VectorXd&
 
 std::string TermTable(const CohortEffects& effects)
 {
-  std::string text = CsvLine(
-      {"term",          "columns",        "cases",        "scores",     "pillai",       "pillai_f",
-       "pillai_df1",    "pillai_df2",     "pillai_p",     "wilks",      "wilks_p",      "surface_f",
-       "surface_p",     "least_p_family", "least_p_tfce", "least_q",    "family_mm2",   "tfce_mm2",
-       "discovery_mm2", "largest_mm",     "largest_unit", "largest_r2", "permutations", "seed"});
+  std::string text =
+      CsvLine({"term",         "columns",    "cases",        "scores",         "pillai",
+               "pillai_f",     "pillai_df1", "pillai_df2",   "pillai_p",       "wilks",
+               "wilks_p",      "surface_f",  "surface_p",    "least_p_family", "least_p_tfce",
+               "least_q",      "family_mm2", "tfce_mm2",     "discovery_mm2",  "largest_mm",
+               "largest_unit", "largest_r2", "permutations", "seed",           "beyond_modes"});
   for (const TermEffect& effect : effects.Terms)
   {
     const MultivariateStatistic& pillai = effect.Scores.Pillai;
@@ -84,8 +85,9 @@ std::string TermTable(const CohortEffects& effects)
                      number(effect.LargestMillimeters()),
                      effect.UnitText(),
                      number(effect.PartialR2.maxCoeff()),
-                     std::to_string(effects.Permutations.Count),
-                     std::to_string(effects.Permutations.Seed)});
+                     std::to_string(effects.Settings.Permutations.Count),
+                     std::to_string(effects.Settings.Permutations.Seed),
+                     std::to_string(effects.Settings.BeyondModes)});
   }
   return text;
 }
@@ -110,11 +112,8 @@ std::string DesignTable(const CohortGroup& group, const LinearDesign& design)
 std::string RepeatedTable(const CohortGroup& group, const CovariateTable& covariates,
                           Eigen::Index modes)
 {
-  std::vector<std::string> head{"case"};
-  for (Eigen::Index k = 0; k < modes; ++k)
-  {
-    head.push_back("mode_" + std::to_string(k + 1));
-  }
+  std::vector<std::string> head = ModeNames(modes);
+  head.insert(head.begin(), "case");
   for (const Covariate& column : covariates.Columns())
   {
     head.push_back(column.Name());
@@ -141,9 +140,14 @@ std::string CohortEffectText(const CohortEffects& effects)
 {
   const auto right = [](const std::string& text, std::size_t width)
   { return std::string(width - std::min(width - 1, text.size()), ' ') + text; };
-  std::string table = effects.Formula.Text() + ", " + std::to_string(effects.Design.Cases.size()) +
-                      " cases, " + std::to_string(effects.Permutations.Count) + " permutations\n" +
-                      "term                  p, scores  p, surface  least p, TFCE  largest, mm\n";
+  std::string table =
+      effects.Formula.Text() + ", " + std::to_string(effects.Design.Cases.size()) + " cases, " +
+      std::to_string(effects.Settings.Permutations.Count) + " permutations" +
+      (effects.Settings.BeyondModes > 0
+           ? "; on the surface beyond the first " + std::to_string(effects.Settings.BeyondModes) +
+                 " modes"
+           : std::string()) +
+      "\n" + "term                  p, scores  p, surface  least p, TFCE  largest, mm\n";
   for (const TermEffect& effect : effects.Terms)
   {
     std::string name = Printable(effect.Term.Name);

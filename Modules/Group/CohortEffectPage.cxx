@@ -50,6 +50,15 @@ std::string TermRows(const CohortEffects& effects)
          rows + "</tbody></table></div>\n";
 }
 
+std::string BeyondText(const CohortEffects& effects)
+{
+  return effects.Settings.BeyondModes > 0
+             ? " Displacements and tests at points are those that the first " +
+                   std::to_string(effects.Settings.BeyondModes) +
+                   " modes do not explain: their scores are covariates there."
+             : std::string();
+}
+
 std::string FormulaText(const CohortEffects& effects)
 {
   const auto code = [](const std::string& text) { return "<code>" + EscapeHtml(text) + "</code>"; };
@@ -64,7 +73,7 @@ std::string FormulaText(const CohortEffects& effects)
          std::to_string(effects.Surface.Points.size()) + " points, " +
          std::to_string(effects.Design.Cases.size()) + " cases, " +
          std::to_string(effects.Design.Columns.size()) + " coefficients." + references +
-         (references.empty() ? "" : ".") +
+         (references.empty() ? "" : ".") + BeyondText(effects) +
          " In the images red is outward, blue inward; what is pale is not significant (TFCE, "
          "0.05).</p>\n";
 }
@@ -113,11 +122,11 @@ std::string CohortEffectMethods(const CohortEffects& effects)
          std::to_string(effects.Design.Cases.size()) +
          " cases). Each term was tested given all others. Scores: multivariate analysis of "
          "variance of the first " +
-         std::to_string(effects.ScoreCount) +
-         " modes (Pillai\xE2\x80\x99s trace). Surface, TFCE and maximum: " +
-         std::to_string(effects.Permutations.Count) +
+         std::to_string(effects.ScoreCount) + " modes (Pillai\xE2\x80\x99s trace)." +
+         BeyondText(effects) +
+         " Surface, TFCE and maximum: " + std::to_string(effects.Settings.Permutations.Count) +
          " permutations of the residuals under the other terms (Freedman and Lane), seed " +
-         std::to_string(effects.Permutations.Seed) +
+         std::to_string(effects.Settings.Permutations.Seed) +
          "; the surface\xE2\x80\x99s p is that of the explained over the residual variance of "
          "the whole, the other two are corrected for all points, by threshold-free cluster "
          "enhancement (area^0.5 height^2; Smith and Nichols 2009) and by the largest statistic; "

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate
 {
@@ -34,9 +35,24 @@ void CheckEffects(const Status& status)
   }
 }
 
+LinearDesign BeyondModes(const CohortGroup& group, const LinearDesign& design, int count)
+{
+  const Eigen::Index most =
+      std::min(group.Modes.Scores.cols(), (design.Matrix.rows() - design.Matrix.cols()) / 2);
+  if (count > most)
+  {
+    throw InputError("tests beyond the first " + std::to_string(count) +
+                     " modes are impossible: " + std::to_string(design.Matrix.rows()) +
+                     " complete cases allow for " + std::to_string(most));
+  }
+  return WithColumns(design, KeptRows(group.Modes.Scores, design.Cases).leftCols(count),
+                     ModeNames(count));
+}
+
 /// Outcomes and the model that all terms share.
 struct FittedEffects
 {
+  LinearDesign ScoreDesign; ///< without scores, which are its outcomes
   Eigen::MatrixXd Scores;
   LinearOutcomes Displacements;
   LinearModel Model;
@@ -56,12 +72,12 @@ TermEffect FindTermEffect(const CohortEffects& effects, const FittedEffects& fit
   }
   if (fitted.Scores.cols() > 0)
   {
-    CheckEffects(TestTogether(effects.Design, term, fitted.Scores, effect.Scores));
+    CheckEffects(TestTogether(fitted.ScoreDesign, term, fitted.Scores, effect.Scores));
   }
   effect.PartialR2 = TestTerm(effects.Design, term, fitted.Model, fitted.Displacements).PartialR2;
   SurfaceGraph graph{effects.Surface.Areas, effects.Surface.Edges};
   if (!TestByPermutation(FindEffectSpace(effects.Design, term), fitted.Displacements, graph,
-                         effects.Permutations, progress, effect.Points)
+                         effects.Settings.Permutations, progress, effect.Points)
            .IsOk())
   {
     throw Cancelled();
@@ -90,20 +106,24 @@ std::string TermEffect::UnitText() const
 CohortEffects FindCohortEffects(const CohortGroup& group, const CovariateTable& covariates,
                                 const ModelFormula& formula,
                                 const std::map<std::string, std::string>& references,
-                                const PermutationSettings& settings, const KernelProgress& progress)
+                                const EffectSettings& settings, const KernelProgress& progress)
 {
   CohortEffects effects;
   effects.Formula = formula;
-  effects.Permutations = settings;
-  CheckEffects(MakeLinearDesign(covariates, formula, references, effects.Design));
+  effects.Settings = settings;
+  LinearDesign design;
+  CheckEffects(MakeLinearDesign(covariates, formula, references, design));
+  effects.Design = BeyondModes(group, design, settings.BeyondModes);
   effects.Surface = FindNormalDisplacement(ShapeOf(group, -1, 0.0), EffectFrequency);
-  FittedEffects fitted{{},
+  const Eigen::Index freeDegrees = design.Matrix.rows() - design.Matrix.cols();
+  FittedEffects fitted{std::move(design),
+                       {},
                        {KeptRows(CoefficientsOf(group), effects.Design.Cases).rowwise() -
                             group.Modes.Mean.transpose(),
                         effects.Surface.PerCoefficient.transpose()},
                        {}};
   fitted.Model = FitLinearModel(effects.Design, fitted.Displacements);
-  effects.ScoreCount = CountStableModes(group.Modes, fitted.Model.FreeDegrees);
+  effects.ScoreCount = CountStableModes(group.Modes, freeDegrees);
   fitted.Scores = KeptRows(group.Modes.Scores, effects.Design.Cases).leftCols(effects.ScoreCount);
   const auto tested =
       static_cast<double>(std::count_if(effects.Design.Terms.begin(), effects.Design.Terms.end(),

@@ -40,23 +40,34 @@ struct TermEffect
   double ShownUnits() const { return this->Term.IsNumeric ? this->Term.Deviation : 1.0; }
 };
 
+struct EffectSettings
+{
+  PermutationSettings Permutations;
+  /// The group's first modes that are further covariates at the points: what differs along these
+  /// wide modes is noise to a small, local effect.
+  int BeyondModes = 0;
+};
+
 /// A linear model of the shapes of a cohort on covariates.
 struct CohortEffects
 {
   ModelFormula Formula;
-  LinearDesign Design;        ///< its cases are rows of the group
+  /// At the points; its cases are rows of the group. The scores of BeyondModes are its last
+  /// columns.
+  LinearDesign Design;
   NormalDisplacement Surface; ///< of the group's mean
   Eigen::Index ScoreCount = 0;
   std::vector<TermEffect> Terms; ///< those that are tested
-  PermutationSettings Permutations;
+  EffectSettings Settings;
 };
 
 /// Displacements are those of the aligned models at 2,562 points of the mean; tests are those of
 /// PermutationTest. The multivariate tests use the first modes that explain 95 % of the variance,
-/// at most a fifth of the free degrees. `covariates` has a row per row of the group. Throws
-/// InputError if the design is impossible, Cancelled if `progress` cancels.
+/// at most a fifth of the free degrees, whatever BeyondModes. `covariates` has a row per row of the
+/// group. Throws InputError if the design is impossible or BeyondModes take more than half of its
+/// free degrees, Cancelled if `progress` cancels.
 PALPATEGROUP_EXPORT CohortEffects
 FindCohortEffects(const CohortGroup& group, const CovariateTable& covariates,
                   const ModelFormula& formula, const std::map<std::string, std::string>& references,
-                  const PermutationSettings& settings, const KernelProgress& progress);
+                  const EffectSettings& settings, const KernelProgress& progress);
 } // namespace palpate

@@ -185,16 +185,6 @@ std::vector<std::string> CoefficientColumns(const SurfaceModel& model)
   return columns;
 }
 
-std::vector<std::string> ModeColumns(const CohortGroup& group)
-{
-  std::vector<std::string> columns;
-  for (Eigen::Index mode = 1; mode <= group.Modes.Modes.cols(); ++mode)
-  {
-    columns.push_back("mode_" + std::to_string(mode));
-  }
-  return columns;
-}
-
 std::string VarianceTable(const ShapeModes& modes)
 {
   std::string text = CsvLine({"mode", "deviation_mm", "rms_radius_mm", "explained"});
@@ -261,7 +251,8 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
 {
   WriteWholeFile(folder / "coefficients.csv",
                  CaseTable(group, CoefficientColumns(group.Models.front()), CoefficientsOf(group)));
-  WriteWholeFile(folder / "modes.csv", CaseTable(group, ModeColumns(group), group.Modes.Scores));
+  WriteWholeFile(folder / "modes.csv",
+                 CaseTable(group, ModeNames(group.Modes.Modes.cols()), group.Modes.Scores));
   WriteWholeFile(folder / "variance.csv", VarianceTable(group.Modes));
   WriteWholeFile(folder / "measures.csv", MeasureTable(group));
   WriteShape(group, -1, 0.0, folder / "mean.json", program);
@@ -405,6 +396,16 @@ SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
     scores[mode] = deviations * group.Modes.Deviations[mode];
   }
   return ShapeWith(group, scores);
+}
+
+std::vector<std::string> ModeNames(Eigen::Index count)
+{
+  std::vector<std::string> names;
+  for (Eigen::Index mode = 1; mode <= count; ++mode)
+  {
+    names.push_back("mode_" + std::to_string(mode));
+  }
+  return names;
 }
 
 SurfaceModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores)

@@ -56,6 +56,8 @@ PALPATEGROUP_EXPORT SurfaceModel ShapeOf(const CohortGroup& group, int mode, dou
 
 /// The mean shape plus the modes times these scores (mm), one per mode.
 PALPATEGROUP_EXPORT SurfaceModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores);
+/// mode_1, mode_2, ...: columns of tables.
+PALPATEGROUP_EXPORT std::vector<std::string> ModeNames(Eigen::Index count);
 
 struct CohortEffects;
 struct CohortQuality;

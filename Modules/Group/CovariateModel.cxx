@@ -61,8 +61,8 @@ CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest&
   {
     throw InputError(status.Message());
   }
-  this->Tested = FindCohortEffects(group, this->Table, this->Formula, references,
-                                   request.Permutations, progress);
+  this->Tested =
+      FindCohortEffects(group, this->Table, this->Formula, references, request.Effects, progress);
   const LinearDesign& design = this->Tested->Design;
   if (!design.Omitted.empty())
   {

@@ -18,7 +18,7 @@ struct CovariateRequest
   std::string Formula;                 ///< empty for no model
   std::vector<std::string> References; ///< COLUMN=LEVEL
   std::string Patient;                 ///< column of patients with several cases; may be empty
-  PermutationSettings Permutations;
+  EffectSettings Effects;
 };
 
 /// The linear model that a request asks for; none without a formula. Beside the file's columns

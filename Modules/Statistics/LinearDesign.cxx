@@ -378,4 +378,13 @@ Status MakeLinearDesign(const CovariateTable& table, const ModelFormula& formula
   }
   return CheckRank(design);
 }
+
+LinearDesign WithColumns(LinearDesign design, const Eigen::MatrixXd& values,
+                         const std::vector<std::string>& names)
+{
+  design.Matrix.conservativeResize(Eigen::NoChange, design.Matrix.cols() + values.cols());
+  design.Matrix.rightCols(values.cols()) = values;
+  design.Columns.insert(design.Columns.end(), names.begin(), names.end());
+  return design;
+}
 } // namespace palpate

@@ -51,4 +51,9 @@ Status ParseReferences(const std::vector<std::string>& texts,
 /// before it, or the kept cases are no more than the columns.
 Status MakeLinearDesign(const CovariateTable& table, const ModelFormula& formula,
                         const std::map<std::string, std::string>& references, LinearDesign& design);
+
+/// The design with further columns, one per column of `values`, a row per kept case. They belong to
+/// no term, so all terms are tested given them.
+LinearDesign WithColumns(LinearDesign design, const Eigen::MatrixXd& values,
+                         const std::vector<std::string>& names);
 } // namespace palpate

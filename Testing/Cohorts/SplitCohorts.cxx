@@ -41,17 +41,6 @@ LinearDesign DesignOf(const std::vector<std::string>& groups, const std::vector<
   }
   return design;
 }
-// With scores as further columns.
-LinearDesign WithScores(LinearDesign design, const Eigen::MatrixXd& scores)
-{
-  design.Matrix.conservativeResize(Eigen::NoChange, design.Matrix.cols() + scores.cols());
-  design.Matrix.rightCols(scores.cols()) = scores;
-  for (Eigen::Index k = 0; k < scores.cols(); ++k)
-  {
-    design.Columns.push_back("mode " + std::to_string(k + 1));
-  }
-  return design;
-}
 } // namespace
 
 SplitCohorts::SplitCohorts(CohortGroup group, std::uint64_t seed)
@@ -122,7 +111,8 @@ SplitResult SplitCohorts::Test(const SplitSettings& settings, const Draw& draw, 
   {
     throw std::runtime_error("no modes");
   }
-  const LinearDesign design = WithScores(draw.Design, modes.Scores.leftCols(settings.Modes));
+  const LinearDesign design =
+      WithColumns(draw.Design, modes.Scores.leftCols(settings.Modes), ModeNames(settings.Modes));
   if (!TestTogether(draw.Design, group, modes.Scores.leftCols(Scores), scores).IsOk() ||
       !TestByPermutation(FindEffectSpace(design, group), data.Moved,
                          {this->Mean.Areas, this->Mean.Edges}, permutations, {}, points)

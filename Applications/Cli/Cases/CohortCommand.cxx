@@ -146,11 +146,18 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
   app.add_option("--reference", this->Request.References,
                  "Reference level of a factor (default: the first)")
       ->type_name("COLUMN=LEVEL");
-  app.add_option("--permutations", this->Request.Permutations.Count,
+  app.add_option("--permutations", this->Request.Effects.Permutations.Count,
                  "Permutations of the tests on the surface")
       ->check(CLI::Range(99, 1000000))
       ->capture_default_str();
-  app.add_option("--seed", this->Request.Permutations.Seed, "Of permutations and random shapes")
+  app.add_option("--beyond-modes", this->Request.Effects.BeyondModes,
+                 "Look on the surface for what the first N modes do not explain, for small, local "
+                 "effects; choose it before looking at results")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--seed", this->Request.Effects.Permutations.Seed,
+                 "Of permutations and random shapes")
       ->capture_default_str();
   app.add_option("--repeated", this->Request.Patient,
                  "Column with the patients, of whom some have several cases: writes a script for R "
@@ -201,7 +208,7 @@ int CohortCommand::Run(Console& console)
                       stage("models"));
   const std::optional<CohortAlignment> alignment = this->Align(group, stage("alignment"));
   RandomShapeSettings random;
-  random.Seed = this->Request.Permutations.Seed;
+  random.Seed = this->Request.Effects.Permutations.Seed;
   std::optional<CohortReparametrisation> moved;
   if (this->MovesParameters)
   {

@@ -1,6 +1,7 @@
 #include "CohortEffectFiles.h"
 #include "CohortEffectPage.h"
 #include "CovariateModel.h"
+#include "DecimalText.h"
 #include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "MarkupCheck.h"
@@ -57,7 +58,7 @@ public:
     CovariateRequest request;
     request.File = this->Folder / "covariates.csv";
     request.Formula = formula;
-    request.Permutations.Count = 199;
+    request.Effects.Permutations.Count = 199;
     return request;
   }
   CohortEffects Effects(const std::string& formula) const
@@ -121,6 +122,38 @@ TEST(CohortEffects, OfAnUnrelatedCovariateAreNotSignificant)
   const CohortEffects effects = cohort.Effects("~ age + group + volume_ml");
   EXPECT_GT(effects.Terms[2].Points.EnhancedP.minCoeff(), 0.05);
   EXPECT_GT(effects.Terms[2].Scores.Pillai.P, 0.01);
+}
+
+TEST(CohortEffects, BeyondModesAreThoseOfTheModelWithTheirScoresAsCovariates)
+{
+  const EffectCohort cohort;
+  CovariateRequest request = cohort.Request("~ group");
+  request.Effects.BeyondModes = 2;
+  std::vector<std::string> notes;
+  const CohortEffects beyond = *CovariateModel(cohort.Group, request, notes, {}).Effects();
+  std::string table = "case,group,mode_1,mode_2\n";
+  for (int i = 0; i < Cases; ++i)
+  {
+    table += "c_" + std::to_string(i) + (i % 2 == 1 ? ",b," : ",a,") +
+             ExactText(cohort.Group.Modes.Scores(i, 0)) + "," +
+             ExactText(cohort.Group.Modes.Scores(i, 1)) + "\n";
+  }
+  request.File = cohort.Folder / "scores.csv";
+  WriteAll(request.File, table);
+  request.Effects.BeyondModes = 0;
+  request.Formula = "~ group + mode_1 + mode_2";
+  const CohortEffects listed = *CovariateModel(cohort.Group, request, notes, {}).Effects();
+  ASSERT_EQ(beyond.Terms.size(), 1U);
+  const TermEffect& group = beyond.Terms[0];
+  const TermEffect& same = listed.Terms[0];
+  EXPECT_EQ(group.Points.FamilyP, same.Points.FamilyP);
+  EXPECT_EQ(group.Columns[0].HalfWidth, same.Columns[0].HalfWidth);
+  EXPECT_EQ(group.Columns[0].PerUnit, same.Columns[0].PerUnit);
+  EXPECT_EQ(group.PartialR2, same.PartialR2);
+  // Scores are what the multivariate test explains, and no covariates of it.
+  EXPECT_EQ(group.Scores.Pillai.P, cohort.Effects("~ group").Terms[0].Scores.Pillai.P);
+  EXPECT_NE(CohortEffectMethods(beyond).find("first 2 modes do not explain"), std::string::npos);
+  EXPECT_NE(CohortEffectText(beyond).find("beyond the first 2 modes"), std::string::npos);
 }
 
 TEST(CohortEffects, SurfaceHasAllMapsByName)
@@ -203,6 +236,9 @@ TEST(CovariateModel, RefusesInOneSentence)
   CovariateRequest request = cohort.Request("~ group");
   request.References = {"group"};
   EXPECT_NE(refusal(request).find("COLUMN=LEVEL"), std::string::npos);
+  request = cohort.Request("~ group");
+  request.Effects.BeyondModes = 20; // of 40 cases two columns leave 38 free degrees
+  EXPECT_NE(refusal(request).find("40 complete cases allow for 19"), std::string::npos);
 }
 } // namespace
 } // namespace palpate::cohort_effects_test
