@@ -8,11 +8,13 @@
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataConnectivityFilter.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
 
 namespace palpate
 {
@@ -51,29 +53,91 @@ vtkSmartPointer<vtkPolyData> Contour(ScalarGrid& grid, float level)
   return contour->GetOutput();
 }
 
-IsoSurface ChoosePieces(vtkPolyData* surface, SurfacePieces pieces)
+template <typename Visit>
+void ForEachTriangle(vtkPolyData* surface, const Visit& visit)
 {
-  vtkNew<vtkPolyDataConnectivityFilter> connectivity;
-  connectivity->SetInputData(surface);
-  if (pieces == SurfacePieces::Largest)
+  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
-    connectivity->SetExtractionModeToLargestRegion();
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    visit(ids);
   }
-  else
-  {
-    connectivity->SetExtractionModeToAllRegions();
-  }
-  connectivity->Update();
-  return {connectivity->GetOutput(), connectivity->GetNumberOfExtractedRegions(), 0.0};
 }
 
-// Removes unused points and orients triangles outwards.
-vtkSmartPointer<vtkPolyData> Compact(vtkPolyData* surface)
+/// The connected pieces of a surface: a forest of its points, whose trees are pieces.
+class PiecesOfSurface
 {
+public:
+  explicit PiecesOfSurface(vtkPolyData* surface)
+      : Parent(static_cast<std::size_t>(surface->GetNumberOfPoints()))
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), vtkIdType{0});
+    ForEachTriangle(surface,
+                    [this](const vtkIdType* ids)
+                    {
+                      this->Join(ids[0], ids[1]);
+                      this->Join(ids[0], ids[2]);
+                    });
+    std::vector<vtkIdType> triangles(this->Parent.size(), 0);
+    ForEachTriangle(surface,
+                    [&](const vtkIdType* ids)
+                    {
+                      vtkIdType& count = triangles[static_cast<std::size_t>(this->RootOf(ids[0]))];
+                      this->Count += ++count == 1 ? 1 : 0;
+                    });
+    this->Largest = std::max_element(triangles.begin(), triangles.end()) - triangles.begin();
+  }
+
+  int GetCount() const { return this->Count; }
+  bool IsInLargest(vtkIdType point) { return this->RootOf(point) == this->Largest; }
+
+private:
+  // Halves the path on its way.
+  vtkIdType RootOf(vtkIdType point)
+  {
+    for (vtkIdType* parent = this->At(point); *parent != point; parent = this->At(point))
+    {
+      *parent = *this->At(*parent);
+      point = *parent;
+    }
+    return point;
+  }
+  // The lower number is the root, so that it does not depend on the order of triangles.
+  void Join(vtkIdType one, vtkIdType other)
+  {
+    const vtkIdType first = this->RootOf(one);
+    const vtkIdType second = this->RootOf(other);
+    *this->At(std::max(first, second)) = std::min(first, second);
+  }
+  vtkIdType* At(vtkIdType point) { return &this->Parent[static_cast<std::size_t>(point)]; }
+
+  std::vector<vtkIdType> Parent;
+  vtkIdType Largest = 0;
+  int Count = 0;
+};
+
+// Of ids of 32 bits, half as large, which number what an image of any size makes.
+vtkSmartPointer<vtkCellArray> TriangleArray(vtkIdType count)
+{
+  auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  if (3 * count <= std::numeric_limits<vtkTypeInt32>::max())
+  {
+    triangles->Use32BitStorage();
+  }
+  triangles->AllocateExact(count, 3 * count);
+  return triangles;
+}
+
+// Takes one piece or all, without unused points, and orients triangles outwards.
+IsoSurface Choose(vtkPolyData* surface, SurfacePieces pieces)
+{
+  PiecesOfSurface connected(surface);
   std::vector<vtkIdType> renumbered(static_cast<std::size_t>(surface->GetNumberOfPoints()), -1);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
+  const auto triangles = TriangleArray(surface->GetNumberOfPolys());
   const auto renumber = [&](vtkIdType id)
   {
     vtkIdType& entry = renumbered[static_cast<std::size_t>(id)];
@@ -83,14 +147,16 @@ vtkSmartPointer<vtkPolyData> Compact(vtkPolyData* surface)
     }
     return entry;
   };
-  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    triangles->InsertNextCell({renumber(ids[0]), renumber(ids[1]), renumber(ids[2])});
-  }
+  ForEachTriangle(
+      surface,
+      [&](const vtkIdType* ids)
+      {
+        if (pieces == SurfacePieces::All || connected.IsInLargest(ids[0]))
+        {
+          triangles->InsertNextCell({renumber(ids[0]), renumber(ids[1]), renumber(ids[2])});
+        }
+      });
+  points->Squeeze();
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(points);
   result->SetPolys(triangles);
@@ -98,48 +164,41 @@ vtkSmartPointer<vtkPolyData> Compact(vtkPolyData* surface)
   {
     ReverseTriangles(result);
   }
-  return result;
+  return {result, connected.GetCount(), 0.0};
 }
 } // namespace
 
 EnclosedMeasure MeasureEnclosed(vtkPolyData* surface)
 {
   EnclosedMeasure measure{0.0, 0.0};
-  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   if (surface->GetNumberOfPoints() > 0)
   {
     surface->GetPoint(0, origin.data()); // close to the surface: less cancellation
   }
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    Eigen::Vector3d a;
-    Eigen::Vector3d b;
-    Eigen::Vector3d c;
-    surface->GetPoint(ids[0], a.data());
-    surface->GetPoint(ids[1], b.data());
-    surface->GetPoint(ids[2], c.data());
-    const Eigen::Vector3d doubled = (b - a).cross(c - a);
-    measure.Volume += (a - origin).dot(doubled) / 6.0;
-    measure.Area += 0.5 * doubled.norm();
-  }
+  ForEachTriangle(surface,
+                  [&](const vtkIdType* ids)
+                  {
+                    Eigen::Vector3d a;
+                    Eigen::Vector3d b;
+                    Eigen::Vector3d c;
+                    surface->GetPoint(ids[0], a.data());
+                    surface->GetPoint(ids[1], b.data());
+                    surface->GetPoint(ids[2], c.data());
+                    const Eigen::Vector3d doubled = (b - a).cross(c - a);
+                    measure.Volume += (a - origin).dot(doubled) / 6.0;
+                    measure.Area += 0.5 * doubled.norm();
+                  });
   return measure;
 }
 
 void ReverseTriangles(vtkPolyData* surface)
 {
-  vtkNew<vtkCellArray> reversed;
-  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    reversed->InsertNextCell({ids[0], ids[2], ids[1]});
-  }
+  const auto reversed = TriangleArray(surface->GetNumberOfPolys());
+  ForEachTriangle(surface,
+                  [&](const vtkIdType* ids) {
+                    reversed->InsertNextCell({ids[0], ids[2], ids[1]});
+                  });
   surface->SetPolys(reversed);
 }
 
@@ -168,8 +227,7 @@ void MoveToWorld(const ScalarGrid& grid, vtkImageData* image, vtkPolyData* surfa
 
 IsoSurface ExtractIsoSurface(ScalarGrid& grid, float level, SurfacePieces pieces)
 {
-  IsoSurface result = ChoosePieces(Contour(grid, level), pieces);
-  result.Surface = Compact(result.Surface);
+  IsoSurface result = Choose(Contour(grid, level), pieces);
   result.Level = level;
   return result;
 }

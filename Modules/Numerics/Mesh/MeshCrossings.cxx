@@ -83,7 +83,8 @@ Status FindMeshCrossings(const IndexedMesh& mesh, const CrossingLimits& limits,
 {
   found = {};
   TriangleTree tree;
-  if (Status status = TriangleTree::Make(mesh, tree); !status.IsOk())
+  if (Status status = TriangleTree::Make(mesh, tree, TriangleTree::TriangleBoxes::Kept);
+      !status.IsOk())
   {
     return status;
   }

@@ -60,7 +60,7 @@ Status CheckMesh(const IndexedMesh& mesh)
 }
 } // namespace
 
-Status TriangleTree::Make(const IndexedMesh& mesh, TriangleTree& tree)
+Status TriangleTree::Make(const IndexedMesh& mesh, TriangleTree& tree, TriangleBoxes boxes)
 {
   if (Status status = CheckMesh(mesh); !status.IsOk())
   {
@@ -80,25 +80,28 @@ Status TriangleTree::Make(const IndexedMesh& mesh, TriangleTree& tree)
   tree.Tree.clear();
   tree.Tree.reserve(count + 1); // at least 2 triangles a leaf
   tree.Numbers.resize(count);
-  tree.TriangleBoxes.resize(count);
   tree.Build(centers, 0, count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    tree.Numbers[i] = centers[i].Triangle;
-    tree.TriangleBoxes[i] = BoxOf(mesh, mesh.Triangles[tree.Numbers[i]]);
-  }
+  std::transform(centers.begin(), centers.end(), tree.Numbers.begin(),
+                 [](const Center& center) { return center.Triangle; });
+  const auto boxAt = [&](std::size_t place)
+  { return BoxOf(mesh, mesh.Triangles[tree.Numbers[place]]); };
   for (std::size_t n = tree.Tree.size(); n-- > 0;) // children follow their parents
   {
     Node& node = tree.Tree[n];
-    node.Box = node.Count > 0 ? tree.TriangleBoxes[node.Second] : tree.Tree[n + 1].Box;
+    node.Box = node.Count > 0 ? boxAt(node.Second) : tree.Tree[n + 1].Box;
     for (int i = 1; i < node.Count; ++i)
     {
-      node.Box.Extend(tree.TriangleBoxes[node.Second + i]);
+      node.Box.Extend(boxAt(node.Second + i));
     }
     if (node.Count == 0)
     {
       node.Box.Extend(tree.Tree[node.Second].Box);
     }
+  }
+  tree.BoxOfPlace.clear();
+  for (std::size_t place = 0; boxes == TriangleBoxes::Kept && place < count; ++place)
+  {
+    tree.BoxOfPlace.push_back(boxAt(place));
   }
   return Status::Success();
 }
