@@ -54,16 +54,66 @@ SplitCohorts::SplitCohorts(CohortGroup group, std::uint64_t seed)
 BumpedCases SplitCohorts::ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,
                                      double height) const
 {
-  BumpedCases bumped{{std::get<SphericalHarmonicModel>(ShapeOf(this->Group, -1, 0.0)),
-                      place.Direction, height, BumpExtent},
-                     Eigen::MatrixXd(this->Coefficients.rows(), this->Coefficients.cols())};
-  for (Eigen::Index row = 0; row < bumped.Coefficients.rows(); ++row)
+  Eigen::MatrixXd masks(this->Coefficients.rows(), this->Coefficients.cols());
+  for (Eigen::Index row = 0; row < masks.rows(); ++row)
   {
     const std::string& name = this->Group.Rows[static_cast<std::size_t>(row)].Case;
     const SurfaceModel model = ReadModel(folder / (name + ".json")).Surface;
-    bumped.Coefficients.row(row) = VectorOf(WithDegree(model, DegreeOf(this->Group.Models[0])));
+    masks.row(row) = VectorOf(WithDegree(model, DegreeOf(this->Group.Models[0])));
   }
+  return this->WithBump({std::get<SphericalHarmonicModel>(ShapeOf(this->Group, -1, 0.0)),
+                         place.Direction, height, BumpExtent},
+                        std::move(masks));
+}
+
+BumpedCases SplitCohorts::WithBump(const SurfaceBump& bump, Eigen::MatrixXd masks) const
+{
+  BumpedCases bumped{bump, std::move(masks), {}, {}};
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> project(this->Mean.PerCoefficient);
+  const Eigen::VectorXd shape = this->ShapeOfBump(bump);
+  const Eigen::VectorXd added = project.solve(shape);
+  bumped.Moved.resize(this->Coefficients.rows(), shape.size());
+  for (Eigen::Index row = 0; row < bumped.Moved.rows(); ++row)
+  {
+    bumped.Moved.row(row) = shape + this->MovedBy(-this->ShiftOf(row, added), row);
+  }
+  bumped.MovedCoefficients = project.solve(bumped.Moved.transpose()).transpose();
   return bumped;
+}
+
+// Of the body's centre by these further coefficients, mm.
+Vector3 SplitCohorts::ShiftOf(Eigen::Index row, const Eigen::VectorXd& added) const
+{
+  const auto centroid = [&](const Eigen::VectorXd& coefficients)
+  {
+    BodyMoments body;
+    const SphericalHarmonicModel model(
+        DegreeOf(this->Group.Models[0]),
+        std::vector<double>(coefficients.begin(), coefficients.end()), Vector3::Zero());
+    if (!MeasureBody(model, body).IsOk())
+    {
+      throw std::runtime_error("a body has no centre");
+    }
+    return body.CentroidWorld;
+  };
+  const Eigen::VectorXd coefficients = this->Coefficients.row(row);
+  return centroid(coefficients + added) - centroid(coefficients);
+}
+
+// What moving the body does to its radii, along the mean's normal at the points; of first order.
+Eigen::VectorXd SplitCohorts::MovedBy(const Vector3& shift, Eigen::Index row) const
+{
+  const auto& model =
+      std::get<SphericalHarmonicModel>(this->Group.Models[static_cast<std::size_t>(row)]);
+  Eigen::VectorXd moved(static_cast<Eigen::Index>(this->Directions.size()));
+  for (std::size_t i = 0; i < this->Directions.size(); ++i)
+  {
+    const Vector3& direction = this->Directions[i];
+    const Vector3 normal = model.Normal(direction);
+    moved[static_cast<Eigen::Index>(i)] =
+        shift.dot(normal) / direction.dot(normal) * direction.dot(this->Mean.Normals[i]);
+  }
+  return moved;
 }
 
 // A random order (Fisher and Yates), of which the first ones take part.
@@ -147,13 +197,6 @@ Eigen::VectorXd SplitCohorts::ShapeOfBump(const SurfaceBump& bump) const
   return shape;
 }
 
-// The coefficients whose displacements are closest.
-Eigen::VectorXd SplitCohorts::Project(const Eigen::VectorXd& moved) const
-{
-  return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(this->Mean.PerCoefficient)
-      .solve(moved);
-}
-
 std::size_t SplitCohorts::PointOf(const SurfaceBump& bump) const
 {
   const auto nearest = std::max_element(this->Directions.begin(), this->Directions.end(),
@@ -172,14 +215,13 @@ BumpedResult SplitCohorts::Next(const SplitSettings& settings, const BumpedCases
 {
   const Draw draw = this->NextDraw(settings);
   const Eigen::VectorXd shape = this->ShapeOfBump(bumped.Bump);
-  const Eigen::VectorXd projected = this->Project(shape);
   Data ideal = this->DataOf(draw);
   Data masks = ideal;
   for (std::size_t i = 1; i < draw.Rows.size(); i += 2)
   {
     const auto row = static_cast<Eigen::Index>(i);
-    ideal.Coefficients.row(row) += projected.transpose();
-    ideal.Moved.row(row) += shape.transpose();
+    ideal.Coefficients.row(row) += bumped.MovedCoefficients.row(draw.Rows[i]);
+    ideal.Moved.row(row) += bumped.Moved.row(draw.Rows[i]);
     masks.Coefficients.row(row) = bumped.Coefficients.row(draw.Rows[i]);
   }
   masks.Moved = masks.Coefficients * this->Mean.PerCoefficient.transpose();
@@ -201,9 +243,16 @@ Eigen::VectorXd SplitCohorts::Found(const BumpedCases& bumped) const
              .transpose();
 }
 
-double SplitCohorts::InModelsDegree(const SurfaceBump& bump) const
+double SplitCohorts::True(const BumpedCases& bumped) const
 {
-  return this->Mean.PerCoefficient.row(static_cast<Eigen::Index>(this->PointOf(bump)))
-      .dot(this->Project(this->ShapeOfBump(bump)));
+  return bumped.Moved.col(static_cast<Eigen::Index>(this->PointOf(bumped.Bump))).mean();
+}
+
+double SplitCohorts::InModelsDegree(const BumpedCases& bumped) const
+{
+  return (bumped.MovedCoefficients *
+          this->Mean.PerCoefficient.row(static_cast<Eigen::Index>(this->PointOf(bumped.Bump)))
+              .transpose())
+      .mean();
 }
 } // namespace palpate::test

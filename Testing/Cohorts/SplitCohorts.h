@@ -32,11 +32,15 @@ struct BumpedResult
   SplitResult Masks; ///< models fitted to masks with the bump
 };
 
-/// A bump, and the models of all cases' masks with it.
+/// A bump, the models of all cases' masks with it, and what it does to their bodies, without masks
+/// and fits: a row per case of the group. Centres are superimposed, so a bump moves the rest of its
+/// body the other way, the more the smaller it is.
 struct BumpedCases
 {
   SurfaceBump Bump;
-  Eigen::MatrixXd Coefficients; ///< a row per case of the group
+  Eigen::MatrixXd Coefficients;      ///< of the masks' models
+  Eigen::MatrixXd Moved;             ///< along the mean's normal at the points, mm
+  Eigen::MatrixXd MovedCoefficients; ///< the closest ones to it
 };
 
 struct SplitSettings
@@ -56,6 +60,7 @@ class SplitCohorts
 public:
   SplitCohorts(CohortGroup group, std::uint64_t seed);
 
+  BumpedCases WithBump(const SurfaceBump& bump, Eigen::MatrixXd masks) const;
   /// Reads `folder`/CASE.json of every case. Throws InputError.
   BumpedCases ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,
                          double height) const;
@@ -65,8 +70,10 @@ public:
 
   /// Displacements (mm) at the bump's place of all masks' models: what the fits find of it.
   Eigen::VectorXd Found(const BumpedCases& bumped) const;
-  /// The bump at its place in the best model of the cohort's degree, mm.
-  double InModelsDegree(const SurfaceBump& bump) const;
+  /// The mean displacement at the bump's place, mm: of the bodies, and of the best models of the
+  /// cohort's degree.
+  double True(const BumpedCases& bumped) const;
+  double InModelsDegree(const BumpedCases& bumped) const;
 
 private:
   /// Who takes part, and in which group.
@@ -90,7 +97,8 @@ private:
   void TestWhereTold(const Draw& draw, const Data& data, const Eigen::VectorXd& shape,
                      SplitResult& result) const;
   Eigen::VectorXd ShapeOfBump(const SurfaceBump& bump) const;
-  Eigen::VectorXd Project(const Eigen::VectorXd& moved) const;
+  Vector3 ShiftOf(Eigen::Index row, const Eigen::VectorXd& added) const;
+  Eigen::VectorXd MovedBy(const Vector3& shift, Eigen::Index row) const;
   std::size_t PointOf(const SurfaceBump& bump) const;
 
   CohortGroup Group;

@@ -145,23 +145,25 @@ void ReportFinds(const std::vector<BumpedResult>& results, bool hasEffect)
 void ReportEstimates(const std::string& place, const std::vector<BumpedResult>& results,
                      const SplitCohorts& cohorts, const BumpedCases& bumped)
 {
+  const double truth = cohorts.True(bumped);
   Eigen::VectorXd ideal(static_cast<Eigen::Index>(results.size()));
   Eigen::VectorXd masks(ideal.size());
   for (std::size_t i = 0; i < results.size(); ++i)
   {
-    ideal[static_cast<Eigen::Index>(i)] = results[i].Ideal.Estimate - bumped.Bump.Height();
-    masks[static_cast<Eigen::Index>(i)] = results[i].Masks.Estimate - bumped.Bump.Height();
+    ideal[static_cast<Eigen::Index>(i)] = results[i].Ideal.Estimate - truth;
+    masks[static_cast<Eigen::Index>(i)] = results[i].Masks.Estimate - truth;
   }
   const MeanOf idealBias = Average(ideal);
   const MeanOf masksBias = Average(masks);
   const MeanOf difference = Average(masks - ideal);
   const MeanOf found = Average(cohorts.Found(bumped));
-  std::printf("  %-10s estimate minus truth: ideal %+.3f +- %.3f mm, masks %+.3f +- %.3f mm, "
+  std::printf("  %-10s truth %.3f mm; estimate minus truth: ideal %+.3f +- %.3f mm, masks %+.3f +- "
+              "%.3f mm, "
               "masks minus ideal %+.3f +- %.3f mm; all glands' fits find %.3f +- %.3f mm, the best "
               "model of their degree %.3f mm\n",
-              place.c_str(), idealBias.Value, idealBias.Error, masksBias.Value, masksBias.Error,
-              difference.Value, difference.Error, found.Value, found.Error,
-              cohorts.InModelsDegree(bumped.Bump));
+              place.c_str(), truth, idealBias.Value, idealBias.Error, masksBias.Value,
+              masksBias.Error, difference.Value, difference.Error, found.Value, found.Error,
+              cohorts.InModelsDegree(bumped));
 }
 
 void ReportBumps(SplitCohorts& cohorts, const std::filesystem::path& folder, int height, int count,
