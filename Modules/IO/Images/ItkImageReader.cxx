@@ -1,6 +1,7 @@
 #include "ItkImageReader.h"
 
 #include "CNumericLocale.h"
+#include "ItkCompiler.h"
 #include "QuietStandardStreams.h"
 
 #include "itkMetaDataObject.h"

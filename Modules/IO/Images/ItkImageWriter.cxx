@@ -1,6 +1,7 @@
 #include "ItkImageWriter.h"
 
 #include "CNumericLocale.h"
+#include "ItkCompiler.h"
 #include "QuietStandardStreams.h"
 
 #include "itkMetaImageIO.h"
