@@ -19,6 +19,7 @@ make_system() {
   systems="$systems $system_folder"
   mount -t proc proc "$system_folder/proc"
   mount --bind /dev "$system_folder/dev"
+  mount --bind /dev/pts "$system_folder/dev/pts" # a folder of its own, with terminals
 }
 
 # inside FOLDER COMMANDS: runs them in the system.
@@ -40,6 +41,6 @@ copy_source() {
 # close_systems: before a script ends; the folders stay.
 close_systems() {
   for system_folder in $systems; do
-    umount "$system_folder/proc" "$system_folder/dev" 2>/dev/null || true
+    umount "$system_folder/proc" "$system_folder/dev/pts" "$system_folder/dev" 2>/dev/null || true
   done
 }
