@@ -84,9 +84,9 @@ for row in "$@"; do
   passed="not run"
   if [ "$result" = "compiles without warnings" ] && [ -z "$compiles_only" ]; then
     echo "== $row: tests"
-    inside "$root" "cd /source && runner=
-      command -v xvfb-run >/dev/null && runner='xvfb-run -a -s \"-screen 0 1280x1024x24 -noreset\"'
-      eval \$runner ctest --preset release -R '$tests' >/tests.log 2>&1" || true
+    inside "$root" "cd /source && set -- ctest --preset release -R '$tests'
+      ! command -v xvfb-run >/dev/null || set -- xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \"\$@\"
+      \"\$@\" >/tests.log 2>&1" || true
     passed=$(sed -n 's/^\(.*\) tests passed, \(.*\) tests failed out of \(.*\)$/\2 of \3 failed/p' "$root/tests.log")
     sed -n '/following tests FAILED/,$p' "$root/tests.log"
   fi
