@@ -11,4 +11,4 @@ cmake --preset dev --log-level=NOTICE
 for part in "$@"; do
   sed -n "s|^ *\"file\": \"$PWD/\(.*$part.*\.cxx\)\".*|\1|p" build/dev/compile_commands.json
 done | grep -v '^build/' | sort -u |
-  xargs --no-run-if-empty -P "$(nproc)" -n 1 clang-tidy -p build/dev --quiet
+  xargs --no-run-if-empty -P "$(nproc)" -n 1 clang-tidy -p build/dev --quiet --extra-arg=-Wno-unused-command-line-argument

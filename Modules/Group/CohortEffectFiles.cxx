@@ -21,7 +21,7 @@ constexpr Eigen::Index MostRepeatedModes = 10;
 
 vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
 {
-  const auto surface = MeanSurface(effects.Surface);
+  auto surface = MeanSurface(effects.Surface);
   for (const TermEffect& effect : effects.Terms)
   {
     for (const ColumnEffect& column : effect.Columns)

@@ -212,8 +212,9 @@ CodedVariable Product(const CodedVariable& one, const std::string& name, const C
     for (Eigen::Index i = 0; i < one.Columns.cols(); ++i)
     {
       product.Columns.col(column++) = one.Columns.col(i).cwiseProduct(next.Columns.col(j));
-      product.Suffixes.push_back(name + one.Suffixes[static_cast<std::size_t>(i)] + ":" + nextName +
-                                 next.Suffixes[static_cast<std::size_t>(j)]);
+      std::string& suffix = product.Suffixes.emplace_back(name);
+      suffix.append(one.Suffixes[static_cast<std::size_t>(i)]).append(":").append(nextName);
+      suffix.append(next.Suffixes[static_cast<std::size_t>(j)]);
     }
   }
   return product;

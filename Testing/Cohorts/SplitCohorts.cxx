@@ -25,11 +25,9 @@ LinearDesign DesignOf(const std::vector<std::string>& groups, const std::vector<
 {
   CovariateTable table(groups);
   table.Add("group", groups);
-  std::vector<std::string> texts;
-  for (const double volume : volumes)
-  {
-    texts.push_back(std::to_string(volume));
-  }
+  std::vector<std::string> texts(volumes.size());
+  std::transform(volumes.begin(), volumes.end(), texts.begin(),
+                 [](double volume) { return std::to_string(volume); });
   table.Add("volume", texts);
   ModelFormula formula;
   LinearDesign design;

@@ -78,8 +78,8 @@ Status NearestOnMesh::Make(const IndexedMesh& mesh, NearestOnMesh& made)
   {
     return status;
   }
-  made.Nodes = std::move(tree).TakeNodes();
   made.Order = tree.Order();
+  made.Nodes = std::move(tree).TakeNodes();
   made.Arrange(mesh);
   for (Corners& corners : made.Triangles)
   {
