@@ -52,7 +52,7 @@ describe() {
     options="$options -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++"
     ;;
   13-arm64)
-    wanted=$kernel_packages,crossbuild-essential-arm64,qemu-user,libblas-dev:arm64,libopenblas0-pthread:arm64,libgtest-dev:arm64
+    wanted=$kernel_packages,crossbuild-essential-arm64,qemu-user,libblas-dev:arm64,libopenblas0-pthread:arm64,libgtest-dev:arm64,libstdc++6:arm64
     system_options=--architectures=amd64,arm64
     options="$options -DPALPATE_USE_VTK=OFF -DPALPATE_WRAP_PYTHON=OFF -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64"
     options="$options -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++"
