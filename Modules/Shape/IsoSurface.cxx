@@ -1,5 +1,6 @@
 #include "IsoSurface.h"
 
+#include "DisjointSets.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkFloatArray.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace palpate
@@ -66,55 +66,32 @@ void ForEachTriangle(vtkPolyData* surface, const Visit& visit)
   }
 }
 
-/// The connected pieces of a surface: a forest of its points, whose trees are pieces.
+/// The connected pieces of a surface.
 class PiecesOfSurface
 {
 public:
   explicit PiecesOfSurface(vtkPolyData* surface)
-      : Parent(static_cast<std::size_t>(surface->GetNumberOfPoints()))
+      : Points(static_cast<std::size_t>(surface->GetNumberOfPoints()))
   {
-    std::iota(this->Parent.begin(), this->Parent.end(), vtkIdType{0});
     ForEachTriangle(surface,
                     [this](const vtkIdType* ids)
                     {
-                      this->Join(ids[0], ids[1]);
-                      this->Join(ids[0], ids[2]);
+                      this->Points.Join(ids[0], ids[1]);
+                      this->Points.Join(ids[0], ids[2]);
                     });
-    std::vector<vtkIdType> triangles(this->Parent.size(), 0);
-    ForEachTriangle(surface,
-                    [&](const vtkIdType* ids)
-                    {
-                      vtkIdType& count = triangles[static_cast<std::size_t>(this->RootOf(ids[0]))];
-                      this->Count += ++count == 1 ? 1 : 0;
-                    });
-    this->Largest = std::max_element(triangles.begin(), triangles.end()) - triangles.begin();
+    std::vector<vtkIdType> triangles(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0);
+    ForEachTriangle(surface, [&](const vtkIdType* ids)
+                    { this->Count += ++triangles[this->Points.Root(ids[0])] == 1 ? 1 : 0; });
+    this->Largest = static_cast<std::size_t>(std::max_element(triangles.begin(), triangles.end()) -
+                                             triangles.begin());
   }
 
   int GetCount() const { return this->Count; }
-  bool IsInLargest(vtkIdType point) { return this->RootOf(point) == this->Largest; }
+  bool IsInLargest(vtkIdType point) { return this->Points.Root(point) == this->Largest; }
 
 private:
-  // Halves the path on its way.
-  vtkIdType RootOf(vtkIdType point)
-  {
-    for (vtkIdType* parent = this->At(point); *parent != point; parent = this->At(point))
-    {
-      *parent = *this->At(*parent);
-      point = *parent;
-    }
-    return point;
-  }
-  // The lower number is the root, so that it does not depend on the order of triangles.
-  void Join(vtkIdType one, vtkIdType other)
-  {
-    const vtkIdType first = this->RootOf(one);
-    const vtkIdType second = this->RootOf(other);
-    *this->At(std::max(first, second)) = std::min(first, second);
-  }
-  vtkIdType* At(vtkIdType point) { return &this->Parent[static_cast<std::size_t>(point)]; }
-
-  std::vector<vtkIdType> Parent;
-  vtkIdType Largest = 0;
+  DisjointSets Points;
+  std::size_t Largest = 0;
   int Count = 0;
 };
 

@@ -60,6 +60,7 @@ class SplitCohorts
 public:
   SplitCohorts(CohortGroup group, std::uint64_t seed);
 
+  /// `masks` are the coefficients of all cases' models with the bump.
   BumpedCases WithBump(const SurfaceBump& bump, Eigen::MatrixXd masks) const;
   /// Reads `folder`/CASE.json of every case. Throws InputError.
   BumpedCases ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,

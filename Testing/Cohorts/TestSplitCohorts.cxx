@@ -103,14 +103,14 @@ TEST(SplitCohorts, MasksWithABumpGiveWhatModelsWithABumpGive)
   settings.Permutations = 99;
   int ideal = 0;
   int masks = 0;
-  for (int i = 0; i < 50; ++i)
+  for (int i = 0; i < 100; ++i)
   {
     const BumpedResult result = studies.Next(settings, bumped);
     ideal += result.Ideal.Told <= 0.05 ? 1 : 0;
     masks += result.Masks.Told <= 0.05 ? 1 : 0;
     ASSERT_NEAR(result.Masks.Estimate, result.Ideal.Estimate, 0.5);
   }
-  EXPECT_GT(ideal, 5); // 2.5 by chance
+  EXPECT_GT(ideal, 10);
   EXPECT_GE(masks, ideal - 5);
 }
 
@@ -128,19 +128,19 @@ TEST(SplitCohorts, BumpOfTheIdealDataIsExact)
   settings.PerGroup = Cases / 2;
   settings.Permutations = 9;
   // As if the masks had none.
-  const BumpedCases bumped = studies.WithBump(BumpOf(group), CoefficientsOf(group));
+  BumpedCases bumped = studies.WithBump(BumpOf(group), CoefficientsOf(group));
   const double truth = studies.True(bumped);
   EXPECT_NEAR(truth, Height, 0.1 * Height); // but for the centre's shift
   EXPECT_LT(truth, Height);
+  // Sizes, and so shifts, differ between cases; the same for all is found exactly.
+  bumped.Moved = bumped.Moved.colwise().mean().replicate(bumped.Moved.rows(), 1).eval();
   for (int i = 0; i < 10; ++i)
   {
     const BumpedResult result = studies.Next(settings, bumped);
-    // Sizes, and so shifts, differ.
-    ASSERT_NEAR(result.Ideal.Estimate, result.Masks.Estimate + truth, 0.05);
+    ASSERT_NEAR(result.Ideal.Estimate, result.Masks.Estimate + truth, 1e-9);
   }
 }
 
-// The radius about the new centre is that of the point of the old surface in that direction.
 TEST(SplitCohorts, BodiesWithABumpAreCentredAgain)
 {
   CohortGroup group;

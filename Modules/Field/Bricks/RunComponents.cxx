@@ -1,43 +1,14 @@
 #include "RunComponents.h"
 
+#include "DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace palpate
 {
 namespace
 {
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t count) : Parents(count)
-  {
-    std::iota(this->Parents.begin(), this->Parents.end(), std::size_t{0});
-  }
-
-  std::size_t Root(std::size_t i)
-  {
-    while (this->Parents[i] != i)
-    {
-      this->Parents[i] = this->Parents[this->Parents[i]];
-      i = this->Parents[i];
-    }
-    return i;
-  }
-
-  // The smaller root stays, so that a component's root is its first run.
-  void Join(std::size_t a, std::size_t b)
-  {
-    a = this->Root(a);
-    b = this->Root(b);
-    this->Parents[a < b ? b : a] = a < b ? a : b;
-  }
-
-private:
-  std::vector<std::size_t> Parents;
-};
-
 // Joins the runs of two rows that overlap when each is widened by `reach` in total.
 void JoinRows(const RunSet& set, std::size_t rowA, std::size_t rowB, int reach, DisjointSets& sets)
 {
@@ -130,7 +101,7 @@ std::size_t RowCursor::Find(int y, int z)
 
 std::vector<int> LabelRunComponents(const RunSet& set, Neighborhood neighborhood)
 {
-  DisjointSets sets(set.Runs().size());
+  DisjointSets sets(set.Runs().size()); // a component's root is its first run
   const bool all = neighborhood == Neighborhood::FacesEdgesCorners;
   const int reach = all ? 1 : 0;
   JoinWithRows(set, -1, 0, reach, sets);

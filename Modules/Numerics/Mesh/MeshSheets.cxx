@@ -1,23 +1,11 @@
 #include "MeshSheets.h"
 
+#include "DisjointSets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace palpate
 {
-namespace
-{
-int RootOf(std::vector<int>& parents, int node)
-{
-  while (parents[node] != node)
-  {
-    parents[node] = parents[parents[node]];
-    node = parents[node];
-  }
-  return node;
-}
-} // namespace
-
 MeshSheets::MeshSheets(const IndexedMesh& mesh, const EdgeRings& rings)
     : SheetOf(mesh.Triangles.size(), -1), IsTurned(mesh.Triangles.size(), 0)
 {
@@ -90,22 +78,20 @@ void MeshSheets::KeepMajority(const EdgeRings& rings)
 
 void MeshSheets::JoinParts(const EdgeRings& rings)
 {
-  std::vector<int> parents(this->SheetCount);
-  std::iota(parents.begin(), parents.end(), 0);
+  DisjointSets parts(static_cast<std::size_t>(this->SheetCount));
   const int count = 3 * static_cast<int>(this->SheetOf.size());
   for (int h = 0; h < count; ++h)
   {
     if (rings.Next(h) >= 0)
     {
-      const int one = RootOf(parents, this->SheetOf[h / 3]);
-      const int other = RootOf(parents, this->SheetOf[rings.Next(h) / 3]);
-      parents[std::max(one, other)] = std::min(one, other);
+      parts.Join(static_cast<std::size_t>(this->SheetOf[h / 3]),
+                 static_cast<std::size_t>(this->SheetOf[rings.Next(h) / 3]));
     }
   }
   this->PartOf.resize(this->SheetCount);
   for (int sheet = 0; sheet < this->SheetCount; ++sheet)
   {
-    const int root = RootOf(parents, sheet);
+    const int root = static_cast<int>(parts.Root(static_cast<std::size_t>(sheet)));
     this->PartOf[sheet] = root == sheet ? this->PartCount++ : this->PartOf[root];
   }
 }
