@@ -37,13 +37,14 @@ endfunction()
 
 # Warnings for one of our targets; a library with an undefined symbol fails at link time, not at load
 # time. No code reads errno after a square root, and no code interposes library functions: both would
-# prevent inlining. Neither changes a result.
+# prevent inlining. Neither changes a result. Products and sums are fused only by kernels that ask for it,
+# so that other code has the same bits on processors that can.
 function(palpate_compile_settings target)
   # Clang links its sanitizers into programs only, so libraries have undefined symbols until then.
   if(NOT (PALPATE_SANITIZERS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
     target_link_options(${target} PRIVATE -Wl,--no-undefined)
   endif()
-  target_compile_options(${target} PRIVATE -fno-math-errno -fno-semantic-interposition)
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-semantic-interposition -ffp-contract=off)
   palpate_warnings(${target})
 endfunction()
 
@@ -51,4 +52,18 @@ endfunction()
 # optimisations.
 function(palpate_compile_sooner target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# Writes and compiles what Qt needs of a target's classes with signals and slots. moc gets no include folders, unlike
+# by AUTOMOC: with them it reads VTK's headers too, takes a hundred times as long, and writes the same.
+function(palpate_add_meta_objects target)
+  get_target_property(headers ${target} SOURCES)
+  list(TRANSFORM headers REPLACE "[.]cxx$" ".h")
+  foreach(header IN LISTS headers)
+    file(STRINGS "${header}" marks REGEX "^ *Q_OBJECT" LIMIT_COUNT 1)
+    if(marks)
+      qt_wrap_cpp(meta_objects "${header}")
+    endif()
+  endforeach()
+  target_sources(${target} PRIVATE ${meta_objects})
 endfunction()

@@ -32,8 +32,6 @@ function(palpate_add_gtest name)
   set_source_files_properties(${helpers} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   palpate_compile_settings(${name})
   palpate_compile_sooner(${name})
-  # Tests share most headers, whose reading takes longer than what follows.
-  set_property(TARGET ${name} PROPERTY UNITY_BUILD_BATCH_SIZE 30)
   target_link_options(${name} PRIVATE ${palpate_test_linker})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} Palpate::TestSupport GTest::gtest_main)
   if(PALPATE_USE_VTK)

@@ -8,5 +8,6 @@ constexpr double DegreesPerRadian = 180.0 / Pi;
 constexpr double SecondsPerNanosecond = 1e-9;
 constexpr double MicrosecondsPerNanosecond = 1e-3;
 constexpr double CubicMillimetersPerMilliliter = 1000.0;
+constexpr double MegapascalsPerKilopascal = 1e-3; // a megapascal is 1 N/mm^2
 ///@}
 } // namespace palpate

@@ -7,6 +7,7 @@
 #include "Refusal.h"
 #include "SofteningKey.h"
 #include "SphereQuadrature.h"
+#include "Units.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -18,7 +19,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double PerKilopascal = 1e-3; // N/mm^2
 constexpr const char* Stage = "elasticity";
 
 // Whether the organ's tissue differs from its own somewhere.
@@ -51,7 +51,8 @@ std::shared_ptr<const TissueMap::Samples> ModuliOf(const Volume& image)
   samples->Values.reserve(static_cast<std::size_t>(values->GetNumberOfTuples()));
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    samples->Values.push_back(static_cast<float>(PerKilopascal * values->GetComponent(i, 0)));
+    samples->Values.push_back(
+        static_cast<float>(MegapascalsPerKilopascal * values->GetComponent(i, 0)));
   }
   return samples;
 }
@@ -97,7 +98,7 @@ public:
   Composition(const SofteningSettings& settings, const SphericalHarmonicModel& model,
               ModelSoftness& made)
       : Settings(settings), Model(model), Made(made), Inputs(model, settings),
-        Own(PerKilopascal * settings.TissueKilopascal)
+        Own(MegapascalsPerKilopascal * settings.TissueKilopascal)
   {
     made.Tissue = SignificantText(settings.TissueKilopascal) + " kPa";
   }
@@ -106,7 +107,7 @@ public:
   {
     constexpr double Radian = 3.14159265358979323846 / 180.0;
     ElasticSolid solid{TissueMap(this->Own), this->Settings.PoissonRatio,
-                       ElasticBed(PerKilopascal * this->Settings.BedPerMillimeter)};
+                       ElasticBed(MegapascalsPerKilopascal * this->Settings.BedPerMillimeter)};
     for (const Vector3& side : this->Settings.FreeSides)
     {
       solid.Bed.Free(side, Radian * this->Settings.FreeDegrees);
@@ -162,7 +163,7 @@ private:
       this->Made.Notes.push_back(neighbour.Read->Source.string() +
                                  " is not next to the model and does not hold it");
     }
-    bed.Hold(part, PerKilopascal * neighbour.KilopascalPerMillimeter);
+    bed.Hold(part, MegapascalsPerKilopascal * neighbour.KilopascalPerMillimeter);
   }
 
   void AddImage(const Volume& image, TissueMap& tissue)
@@ -185,7 +186,7 @@ private:
   // Whether it changes the tissue.
   bool AddInclusion(const SofteningSettings::Inclusion& inclusion, TissueMap& tissue)
   {
-    const double modulus = PerKilopascal * inclusion.Kilopascal;
+    const double modulus = MegapascalsPerKilopascal * inclusion.Kilopascal;
     const InclusionFractions fractions = FractionsOf(*inclusion.Read, inclusion.Segments);
     TissueMap alone(this->Own);
     for (const auto& fraction : fractions)

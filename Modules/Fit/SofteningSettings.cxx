@@ -1,6 +1,7 @@
 #include "SofteningSettings.h"
 
 #include "DecimalText.h"
+#include "Units.h"
 
 #include <algorithm>
 
@@ -10,9 +11,8 @@ namespace
 {
 bool IsModulus(double kilopascal)
 {
-  constexpr double PerKilopascal = 1e-3; // N/mm^2
-  return kilopascal >= TissueMap::LeastModulus / PerKilopascal &&
-         kilopascal <= TissueMap::MostModulus / PerKilopascal;
+  return kilopascal >= TissueMap::LeastModulus / MegapascalsPerKilopascal &&
+         kilopascal <= TissueMap::MostModulus / MegapascalsPerKilopascal;
 }
 } // namespace
 

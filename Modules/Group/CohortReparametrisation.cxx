@@ -5,6 +5,7 @@
 #include "FilterRun.h"
 #include "InputError.h"
 #include "ReportPage.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ namespace palpate
 {
 namespace
 {
-constexpr double DegreesPerRadian = 180.0 / M_PI;
 
 /// Of the cases that moved.
 struct MovedCases

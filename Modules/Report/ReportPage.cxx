@@ -23,7 +23,7 @@ const char* const Colors = R"css(
 }
 )css";
 
-const char* const Layout = R"css(
+const char* const PageLayout = R"css(
 * { box-sizing: border-box; }
 body {
   margin: 0; background: var(--paper); color: var(--ink);
@@ -132,7 +132,7 @@ std::string ReportPageStart(const std::string& title)
 {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         EscapeHtml(title) + "</title>\n<style>" + Colors + Layout + Images + Tables +
+         EscapeHtml(title) + "</title>\n<style>" + Colors + PageLayout + Images + Tables +
          "</style>\n</head>\n<body>\n<main>\n";
 }
 

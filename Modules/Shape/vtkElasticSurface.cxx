@@ -6,6 +6,7 @@
 #include "IcosahedronDirections.h"
 #include "ModelTable.h"
 #include "OrganSoftening.h"
+#include "Units.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -30,7 +31,6 @@ namespace
 {
 using palpate::Vector3;
 
-constexpr double PerKilopascal = 1e-3; // N/mm^2
 constexpr double Radian = 3.14159265358979323846 / 180.0;
 
 std::shared_ptr<const palpate::TissueMap::Samples> ModuliOf(vtkImageData* image)
@@ -53,7 +53,8 @@ std::shared_ptr<const palpate::TissueMap::Samples> ModuliOf(vtkImageData* image)
   vtkDataArray* values = image->GetPointData()->GetScalars();
   for (vtkIdType i = 0; values != nullptr && i < values->GetNumberOfTuples(); ++i)
   {
-    samples->Values.push_back(static_cast<float>(PerKilopascal * values->GetComponent(i, 0)));
+    samples->Values.push_back(
+        static_cast<float>(palpate::MegapascalsPerKilopascal * values->GetComponent(i, 0)));
   }
   return samples;
 }
@@ -122,9 +123,10 @@ bool vtkElasticSurface::Soften(vtkTable* table, vtkImageData* moduli)
                   "and Coefficient and the field Center");
     return false;
   }
-  palpate::ElasticSolid solid{palpate::TissueMap(PerKilopascal * this->TissueModulus),
-                              this->PoissonRatio,
-                              palpate::ElasticBed(PerKilopascal * this->SupportStiffness)};
+  palpate::ElasticSolid solid{
+      palpate::TissueMap(palpate::MegapascalsPerKilopascal * this->TissueModulus),
+      this->PoissonRatio,
+      palpate::ElasticBed(palpate::MegapascalsPerKilopascal * this->SupportStiffness)};
   if (this->FreeAngle > 0.0)
   {
     solid.Bed.Free(Vector3(this->FreeDirection), Radian * this->FreeAngle);

@@ -16,16 +16,16 @@ namespace palpate::bench
 {
 namespace
 {
-constexpr double Spacing = 0.3; // mm
-constexpr int Size = 120;       // nodes along an axis
-constexpr double Top = 12.0;    // mm
+constexpr double DrilledSpacing = 0.3; // mm
+constexpr int Size = 120;              // nodes along an axis
+constexpr double Top = 12.0;           // mm
 constexpr std::size_t DrillTicks = 400;
 
 FieldGrid Grid()
 {
   return {{Size, Size, Size},
-          Vector3::Constant(-0.5 * Spacing * (Size - 1)),
-          Vector3::Constant(Spacing),
+          Vector3::Constant(-0.5 * DrilledSpacing * (Size - 1)),
+          Vector3::Constant(DrilledSpacing),
           Matrix3::Identity()};
 }
 
@@ -46,7 +46,7 @@ std::vector<float> Block()
   for (int n = 0; n < Size * Size * Size; ++n)
   {
     const Vector3 index(n % Size, n / Size % Size, n / (Size * Size));
-    const double depth = (Top - grid.PointWorld(index)[2]) / Spacing;
+    const double depth = (Top - grid.PointWorld(index)[2]) / DrilledSpacing;
     samples.push_back(static_cast<float>(1000.0 * std::clamp(0.5 + 0.5 * depth, 0.0, 1.0)));
   }
   return samples;
@@ -66,13 +66,13 @@ public:
                    DrillEditor::Make(std::move(fields), this->Editor).IsOk() &&
                    this->Editor->AddTool(CutTool::Sphere(radius), tool).IsOk() &&
                    FieldContactModel::Make(this->Field, 0, model).IsOk();
-    this->Scene.Tool = ToolShape::Sphere(radius - 0.1 * Spacing);
+    this->Scene.Tool = ToolShape::Sphere(radius - 0.1 * DrilledSpacing);
     this->Scene.Structures.push_back({"bone", model, {1.0, 0.0}, {}});
     this->Scene.Structures[0].Site = 0;
     this->Scene.Structures[0].Drill = {0.5, 0.002, 0.2};
     this->Scene.Drill.Link = this->Editor->Link();
     this->Scene.Drill.Motion = {radius, 1000.0};
-    this->Scene.Drill.Clearance = 0.1 * Spacing;
+    this->Scene.Drill.Clearance = 0.1 * DrilledSpacing;
   }
 
   // Starts with undrilled bone, which it restores at the end.

@@ -36,7 +36,7 @@ void RequireBuild(const Status& status)
   }
 }
 
-LayeredSphere Truth(bool hasCore)
+LayeredSphere LayeredTruth(bool hasCore)
 {
   return hasCore
              ? LayeredSphere({{BodyRadius - CoreDepth, Core}, {BodyRadius, Tissue}}, Poisson, Bed)
@@ -68,7 +68,7 @@ struct Body
 {
   explicit Body(bool hasCore)
       : HasCore(hasCore), Model(0, {BodyRadius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()),
-        Sphere(Truth(hasCore)), Contact(Sphere, 7.0, 80)
+        Sphere(LayeredTruth(hasCore)), Contact(Sphere, 7.0, 80)
   {
     if (hasCore)
     {

@@ -56,7 +56,7 @@ std::vector<Variant> AllVariants()
   return variants;
 }
 
-SphericalHarmonicModel Body()
+SphericalHarmonicModel TradedBody()
 {
   test::Random random(20261120);
   std::vector<double> coefficients = test::RandomCoefficients(random, BodyDegree, 2.5);
@@ -172,7 +172,7 @@ double LargestLoss(const SphericalHarmonicModel& body, int degree)
 
 std::vector<PairedBenchmark> TradeOffBenchmarks()
 {
-  const SphericalHarmonicModel body = Body();
+  const SphericalHarmonicModel body = TradedBody();
   std::vector<PairedBenchmark> pairs;
   for (const Variant& variant : AllVariants())
   {
@@ -184,7 +184,7 @@ std::vector<PairedBenchmark> TradeOffBenchmarks()
 
 std::vector<TradeOffRow> TradeOffRows(const std::vector<Comparison>& comparisons)
 {
-  const SphericalHarmonicModel body = Body();
+  const SphericalHarmonicModel body = TradedBody();
   std::vector<TradeOffRow> rows;
   for (const Variant& variant : AllVariants())
   {
