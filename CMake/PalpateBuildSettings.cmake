@@ -37,8 +37,8 @@ endfunction()
 
 # Warnings for one of our targets; a library with an undefined symbol fails at link time, not at load
 # time. No code reads errno after a square root, and no code interposes library functions: both would
-# prevent inlining. Neither changes a result. Products and sums are fused only by kernels that ask for it,
-# so that other code has the same bits on processors that can.
+# prevent inlining. Neither changes a result. Products and sums are fused only by kernels that ask for it:
+# elsewhere, a product that is rounded once and its equal that is rounded twice would decide differently, on arm64.
 function(palpate_compile_settings target)
   # Clang links its sanitizers into programs only, so libraries have undefined symbols until then.
   if(NOT (PALPATE_SANITIZERS AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
