@@ -54,23 +54,16 @@ function(palpate_compile_sooner target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Writes what Qt needs of a target's classes with signals and slots, and compiles it as one source. moc gets no include folders,
-# unlike by AUTOMOC: with them it reads VTK's headers too, takes a hundred times as long, and writes the same.
+# Writes what Qt needs of a target's classes with signals and slots, and compiles it as one source. moc writes nothing for other
+# classes. It gets no include folders, unlike by AUTOMOC: with them it reads VTK's headers too, takes a hundred times as long, and
+# writes the same.
 function(palpate_add_meta_objects target)
   get_target_property(headers ${target} SOURCES)
   list(TRANSFORM headers REPLACE "[.]cxx$" ".h")
-  set(includes "")
-  foreach(header IN LISTS headers)
-    file(STRINGS "${header}" marks REGEX "^ *Q_OBJECT" LIMIT_COUNT 1)
-    if(marks)
-      set(written "")
-      qt_wrap_cpp(written "${header}")
-      target_sources(${target} PRIVATE ${written})
-      set_source_files_properties(${written} PROPERTIES HEADER_FILE_ONLY ON)
-      string(APPEND includes "#include \"${written}\"\n")
-    endif()
-  endforeach()
+  qt_wrap_cpp(written ${headers} OPTIONS --no-notes)
+  set_source_files_properties(${written} PROPERTIES HEADER_FILE_ONLY ON)
+  list(JOIN written "\"\n#include \"" includes)
   set(all "${CMAKE_CURRENT_BINARY_DIR}/${target}MetaObjects.cxx")
-  file(CONFIGURE OUTPUT "${all}" CONTENT "${includes}")
-  target_sources(${target} PRIVATE "${all}")
+  file(CONFIGURE OUTPUT "${all}" CONTENT "#include \"${includes}\"\n")
+  target_sources(${target} PRIVATE ${written} "${all}")
 endfunction()

@@ -8,7 +8,6 @@
 #include "Units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <utility>
 #include <vector>

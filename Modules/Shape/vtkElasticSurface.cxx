@@ -31,7 +31,7 @@ namespace
 {
 using palpate::Vector3;
 
-constexpr double Radian = 3.14159265358979323846 / 180.0;
+constexpr double Radian = palpate::Pi / 180.0;
 
 std::shared_ptr<const palpate::TissueMap::Samples> ModuliOf(vtkImageData* image)
 {
