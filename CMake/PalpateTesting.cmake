@@ -62,6 +62,16 @@ function(palpate_add_gtest name)
   endif()
 endfunction()
 
+# palpate_add_test_library(name SOURCES a.cxx… LIBRARIES t…): what several programs for tests share, compiled
+# once.
+function(palpate_add_test_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  palpate_compile_settings(${name})
+  target_include_directories(${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${name} PUBLIC ${arg_LIBRARIES} Palpate::TestSupport)
+endfunction()
+
 # Every module's Testing folder, after all modules exist, so that its tests may use any lower module.
 function(palpate_add_module_tests)
   add_subdirectory(Testing/Support)

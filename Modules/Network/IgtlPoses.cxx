@@ -1,9 +1,8 @@
 #include "IgtlPoses.h"
 
-#include "Vector3.h"
+#include "SingularValues.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <cstring>
 #include <igtl_transform.h>
@@ -38,14 +37,12 @@ bool IsPose(const std::vector<std::uint8_t>& content, IgtlPose& pose)
   // Some senders have quaternions of another length than 1: the nearest rotation is meant.
   constexpr double Least = 0.5;
   constexpr double Most = 2.0;
-  const Eigen::JacobiSVD<Matrix3> parts(turn, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector3& lengths = parts.singularValues();
-  if (!(turn.determinant() > 0.0) || !(lengths.minCoeff() > Least) || !(lengths.maxCoeff() < Most))
+  const SingularValues parts = SingularValuesOf(turn);
+  if (!(turn.determinant() > 0.0) || !(parts.Values[2] > Least) || !(parts.Values[0] < Most))
   {
     return false;
   }
-  const Matrix3 rotation = parts.matrixU() * parts.matrixV().transpose();
-  const Eigen::Quaterniond q = Eigen::Quaterniond(rotation).normalized();
+  const Eigen::Quaterniond q = Eigen::Quaterniond(parts.NearestOrthogonal()).normalized();
   pose.Position = place;
   pose.Orientation = {q.x(), q.y(), q.z(), q.w()};
   return true;

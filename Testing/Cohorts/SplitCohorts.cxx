@@ -67,7 +67,7 @@ BumpedCases SplitCohorts::ReadBumped(const std::filesystem::path& folder, const 
 BumpedCases SplitCohorts::WithBump(const SurfaceBump& bump, Eigen::MatrixXd masks) const
 {
   BumpedCases bumped{bump, std::move(masks), {}, {}};
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> project(this->Mean.PerCoefficient);
+  const Eigen::HouseholderQR<Eigen::MatrixXd> project(this->Mean.PerCoefficient);
   const Eigen::VectorXd shape = this->ShapeOfBump(bump);
   const Eigen::VectorXd added = project.solve(shape);
   bumped.Moved.resize(this->Coefficients.rows(), shape.size());

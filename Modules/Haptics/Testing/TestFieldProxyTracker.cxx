@@ -1,4 +1,5 @@
 #include "FieldContactCases.h"
+#include "RandomOrientation.h"
 #include "WorstCase.h"
 
 #include <algorithm>
@@ -434,8 +435,7 @@ TEST(FieldProxyTracker, ResultsAreFiniteForAnyPose)
     {
       const double far = std::pow(10.0, static_cast<double>(random() % 6) - 1.0);
       ToolPose pose = At(middle + far * test::RandomDirection(random));
-      pose.Orientation = Eigen::Quaterniond::FromTwoVectors(test::RandomDirection(random),
-                                                            test::RandomDirection(random));
+      pose.Orientation = test::RandomOrientation(random);
       const bool isBad = random() % 50 == 0;
       pose.PositionWorld[1] = isBad ? notANumber : pose.PositionWorld[1];
       const Contact& contact = tracker->Follow(pose);

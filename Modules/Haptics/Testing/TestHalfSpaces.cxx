@@ -1,6 +1,7 @@
 #include "HalfSpaces.h"
 
 #include "RandomShapes.h"
+#include "SingularValues.h"
 #include "WorstCase.h"
 
 #include <gtest/gtest.h>
@@ -36,16 +37,23 @@ bool NearestByTrial(const Vector3& goal, const std::vector<HalfSpace>& spaces, V
   std::vector<Vector3> trials{goal};
   const auto solve = [&](const std::vector<std::size_t>& chosen)
   {
-    Eigen::MatrixXd normals(chosen.size(), 3);
-    Eigen::VectorXd missing(chosen.size());
+    Matrix3 normals = Matrix3::Zero();
+    Vector3 missing = Vector3::Zero();
     for (std::size_t row = 0; row < chosen.size(); ++row)
     {
       const auto r = static_cast<Eigen::Index>(row);
       normals.row(r) = spaces[chosen[row]].Normal.transpose();
       missing[r] = spaces[chosen[row]].Offset - spaces[chosen[row]].Normal.dot(goal);
     }
-    const Eigen::VectorXd step = normals.completeOrthogonalDecomposition().solve(missing);
-    trials.push_back(goal + Vector3(step));
+    // The shortest step, of lengths along the normals' singular directions.
+    const SingularValues parts = SingularValuesOf(normals);
+    Vector3 lengths = parts.Left.transpose() * missing;
+    for (Eigen::Index i = 0; i < 3; ++i)
+    {
+      const bool isFree = parts.Values[i] < 1e-12; // normals are unit vectors: rounding
+      lengths[i] = isFree ? 0.0 : lengths[i] / parts.Values[i];
+    }
+    trials.push_back(goal + parts.Right * lengths);
   };
   for (std::size_t i = 0; i < spaces.size(); ++i)
   {

@@ -3,12 +3,12 @@
 #include "DecimalText.h"
 #include "PositiveNumber.h"
 #include "Refusal.h"
+#include "SingularValues.h"
 
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <string>
 
@@ -71,10 +71,7 @@ void CheckGrid(const std::filesystem::path& file, ImageGrid& grid)
   }
   if (deviation > 1e-15)
   {
-    // Nearest orthonormal matrix in the Frobenius norm: the polar factor.
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(grid.Direction,
-                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
-    grid.Direction = svd.matrixU() * svd.matrixV().transpose();
+    grid.Direction = SingularValuesOf(grid.Direction).NearestOrthogonal();
   }
 }
 

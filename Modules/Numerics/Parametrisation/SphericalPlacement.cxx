@@ -1,6 +1,7 @@
 #include "SphericalPlacement.h"
 
-#include <Eigen/SVD>
+#include "SingularValues.h"
+
 #include <cmath>
 
 namespace palpate
@@ -12,23 +13,15 @@ constexpr double LeastShare = 1e-12;
 // Semi-axes are similar if the shorter one is more than this share of the longer one.
 constexpr double SimilarShare = 0.9;
 
-// C = Left diag(Values) Right^T with rotations on both sides; the last value has the sign of det C.
-struct Factors
-{
-  Matrix3 Left;
-  Matrix3 Right;
-  Vector3 Values;
-};
-
-Status Factorise(const Matrix3& degreeOne, Factors& factors)
+// Of C with rotations on both sides: the last value has the sign of det C.
+Status Factorise(const Matrix3& degreeOne, SingularValues& factors)
 {
   const double scale = degreeOne.allFinite() ? degreeOne.cwiseAbs().maxCoeff() : 0.0;
   if (!std::isnormal(scale))
   {
     return Status::Failure("The surface's ellipsoid needs finite axes with a length.");
   }
-  const Eigen::JacobiSVD<Matrix3> svd(degreeOne / scale, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  factors = {svd.matrixU(), svd.matrixV(), svd.singularValues()};
+  factors = SingularValuesOf(degreeOne / scale);
   for (Matrix3* const side : {&factors.Left, &factors.Right})
   {
     if (side->determinant() < 0.0)
@@ -61,18 +54,18 @@ double SignOf(const Vector3& axis)
 
 Status PlaceByPolarFactor(const Matrix3& degreeOne, SphericalPlacement& placement)
 {
-  Factors factors;
+  SingularValues factors;
   if (Status status = Factorise(degreeOne, factors); !status.IsOk())
   {
     return status;
   }
-  placement = PlacementOf(factors.Left * factors.Right.transpose(), factors.Values);
+  placement = PlacementOf(factors.NearestOrthogonal(), factors.Values);
   return Status::Success();
 }
 
 Status PlaceByEllipsoid(const Matrix3& degreeOne, EllipsoidPlacement& placement)
 {
-  Factors factors;
+  SingularValues factors;
   if (Status status = Factorise(degreeOne, factors); !status.IsOk())
   {
     return status;

@@ -1,11 +1,11 @@
 #include "ShapeSuperposition.h"
 
 #include "ShapeVector.h"
+#include "SingularValues.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -284,9 +284,8 @@ SphereRotation ShapeSuperposition::StartFor(const SurfaceModel& shape, const Mat
     return {Matrix3::Identity(), body};
   }
   const Matrix3 product = LinearPart(this->Shape).transpose() * body * LinearPart(shape);
-  const Eigen::JacobiSVD<Matrix3> svd(product, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vector3 signs(1.0, 1.0, 1.0);
-  signs[2] = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
-  return {body, svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose()};
+  const SingularValues parts = SingularValuesOf(product);
+  const Vector3 signs(1.0, 1.0, parts.NearestOrthogonal().determinant() < 0.0 ? -1.0 : 1.0);
+  return {body, parts.Left * signs.asDiagonal() * parts.Right.transpose()};
 }
 } // namespace palpate

@@ -49,9 +49,8 @@ TEST(ForbiddenStructureTest, ToolDistanceIsThatOfItsNearestPoint)
   const ToolShape tool = ToolShape::Capsule(1.0, 6.0, 2000);
   for (int trial = 0; trial < 20; ++trial)
   {
-    const Vector3 out = test::RandomDirection(random);
-    const ToolPose pose{Center + 10.0 * out,
-                        Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), out)};
+    const Matrix3 turn = test::RandomOrientation(random);
+    const ToolPose pose{Center + 10.0 * turn.col(2), Eigen::Quaterniond(turn)};
     // With its end towards the sphere; its 2000 points are 0.2 mm apart.
     EXPECT_NEAR(sphere.Distance(tool, pose), 10.0 - 4.0 - Radius, 0.02);
     EXPECT_NEAR(sphere.Distance(ToolShape::Sphere(1.25), pose), 10.0 - 1.25 - Radius, Coarse);
