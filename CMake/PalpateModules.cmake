@@ -71,7 +71,7 @@ function(palpate_add_kernel_module module)
   palpate_compile_settings(${module})
   # Kernels take longer than the headers that they share: in small units a changed one is compiled soon.
   set_target_properties(${module} PROPERTIES
-    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1 UNITY_BUILD_BATCH_SIZE 10)
+    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1 UNITY_BUILD_BATCH_SIZE 5)
   # A unit of many sources is inlined as freely as one source. Longer walks of aliases cost a third of the
   # time of unrolled kernels, and find nothing.
   target_compile_options(${module} PRIVATE

@@ -1,9 +1,9 @@
 #include "MultivariateTest.h"
 
 #include "ProbabilityDistributions.h"
+#include "SymmetricEigen.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -94,10 +94,9 @@ Status TestTogether(const LinearDesign& design, const DesignTerm& term,
   }
   const Eigen::MatrixXd whitened =
       factor.matrixL().solve((explained * lengths.cwiseInverse().asDiagonal()).transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(whitened.transpose() * whitened,
-                                                              Eigen::EigenvaluesOnly);
+  const SymmetricEigen parts(whitened.transpose() * whitened, false);
   const Eigen::Index count = std::min(term.Count, outcomes.cols());
-  const Eigen::ArrayXd roots = solver.eigenvalues().tail(count).cwiseMax(0.0);
+  const Eigen::ArrayXd roots = parts.Values.tail(count).cwiseMax(0.0);
   const Sizes sizes{static_cast<double>(outcomes.cols()), static_cast<double>(term.Count),
                     static_cast<double>(free)};
   test = {PillaiOf(roots, sizes), WilksOf(roots, sizes), HotellingLawleyOf(roots, sizes),

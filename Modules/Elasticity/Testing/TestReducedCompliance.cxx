@@ -1,7 +1,7 @@
 #include "ElasticCases.h"
 #include "SphereQuadrature.h"
+#include "SymmetricEigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <future>
@@ -67,8 +67,7 @@ TEST(ReducedCompliance, IsSymmetricAndPositive)
     const Eigen::MatrixXd& c = organ.Reduced.Matrix();
     EXPECT_EQ(c.rows(), 3 * 49);
     EXPECT_EQ((c - c.transpose()).norm(), 0.0);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values(c, Eigen::EigenvaluesOnly);
-    EXPECT_GT(values.eigenvalues().minCoeff(), 0.0) << nu;
+    EXPECT_GT(SymmetricEigen(c, false).Values[0], 0.0) << nu;
   }
 }
 

@@ -1,6 +1,6 @@
 #include "DescriptionLength.h"
 
-#include <Eigen/Eigenvalues>
+#include "SymmetricEigen.h"
 
 #include <cmath>
 
@@ -15,9 +15,8 @@ DescriptionLength MeasureDescriptionLength(const Eigen::MatrixXd& shapes, double
   Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count);
   products.selfadjointView<Eigen::Lower>().rankUpdate(centred.transpose(),
                                                       1.0 / static_cast<double>(count - 1));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      products, findsPull ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
-  const Eigen::ArrayXd variances = solver.eigenvalues().array().max(0.0);
+  const SymmetricEigen parts(products, findsPull);
+  const Eigen::ArrayXd variances = parts.Values.array().max(0.0);
   DescriptionLength length;
   length.Variance = variances.sum();
   for (const double variance : variances)
@@ -26,7 +25,7 @@ DescriptionLength MeasureDescriptionLength(const Eigen::MatrixXd& shapes, double
   }
   if (findsPull)
   {
-    const Eigen::MatrixXd& modes = solver.eigenvectors();
+    const Eigen::MatrixXd& modes = parts.Vectors;
     const Eigen::VectorXd slopes = (variances + noise).inverse().matrix();
     length.Pull = modes * slopes.asDiagonal() * modes.transpose();
     const Eigen::VectorXd rows = length.Pull.rowwise().mean();

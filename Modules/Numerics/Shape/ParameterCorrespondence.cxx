@@ -125,10 +125,11 @@ private:
   }
   void TryBody()
   {
-    std::vector<Matrix3> turns{Matrix3::Identity()};
-    for (int axis = 0; axis < 3; ++axis)
+    std::array<Matrix3, 4> turns{Matrix3::Identity()};
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      turns.emplace_back(Eigen::AngleAxisd(M_PI, Vector3::Unit(axis)).toRotationMatrix());
+      turns[axis + 1] = Eigen::AngleAxisd(M_PI, Vector3::Unit(static_cast<Eigen::Index>(axis)))
+                            .toRotationMatrix();
     }
     this->Own = this->Other = Infinite();
     for (const Matrix3& turn : turns)

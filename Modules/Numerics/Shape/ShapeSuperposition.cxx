@@ -3,8 +3,8 @@
 #include "ShapeVector.h"
 #include "SingularValues.h"
 #include "SphericalHarmonicProjection.h"
+#include "SymmetricEigen.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -59,15 +59,15 @@ SphereRotation TurnedBy(const SphereRotation& rotation, const Eigen::VectorXd& t
 // Uphill in every direction, also where the product is not concave.
 Eigen::VectorXd NewtonTurn(const Eigen::VectorXd& gradient, const Eigen::MatrixXd& hessian)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(hessian);
-  const double largest = parts.eigenvalues().cwiseAbs().maxCoeff();
+  const SymmetricEigen parts(hessian);
+  const double largest = parts.Values.cwiseAbs().maxCoeff();
   Eigen::VectorXd turn = Eigen::VectorXd::Zero(gradient.size());
   for (Eigen::Index k = 0; k < gradient.size(); ++k)
   {
-    const double curvature = std::abs(parts.eigenvalues()[k]);
+    const double curvature = std::abs(parts.Values[k]);
     if (curvature > SmallestCurvature * largest)
     {
-      const auto direction = parts.eigenvectors().col(k);
+      const auto direction = parts.Vectors.col(k);
       turn += direction * (direction.dot(gradient) / curvature);
     }
   }
