@@ -1,6 +1,5 @@
 # Tests: one GoogleTest program per module, named <Module>Tests, with one ctest entry per test.
 
-find_package(GTest REQUIRED)
 include(GoogleTest)
 enable_testing()
 # GNU's linker reads every library that a program's libraries need; these take a sixth of its time.

@@ -9,8 +9,8 @@ output=demo-output
 
 programs=${1:-build/release/bin}
 if [ $# -eq 0 ]; then
-  Utilities/install-dependencies.sh
-  # Without tests, benchmarks and wrappers, which Utilities/test.sh builds.
+  # Without tests, benchmarks and wrappers, which Utilities/test.sh builds, and without their packages.
+  Utilities/install-dependencies.sh demo
   Utilities/build.sh palpate palpate-viewer
 fi
 

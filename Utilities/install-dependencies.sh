@@ -1,11 +1,14 @@
 #!/bin/sh
 # Installs the Debian packages of Utilities/packages.txt that are missing. If none is missing it
 # changes nothing and needs no network.
+#   Utilities/install-dependencies.sh [demo]    with "demo" only what the programs and the demonstration need
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+last='$'
+[ "${1:-}" != demo ] || last='/^# For Python, tests/'
 
 missing=
-for package in $(grep -v '^#' "$here/packages.txt"); do
+for package in $(sed -n "1,${last}{/^#/!p}" "$here/packages.txt"); do
   state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
   [ "$state" = installed ] || missing="$missing $package"
 done

@@ -59,11 +59,10 @@ TEST(SliceGeometry, MovedPointsLieOnSlicesAndKeepInPlanePosition)
   {
     const auto orientation = palpate::AllSliceOrientations[random() % 3];
     const SliceGeometry geometry(orientation, true, image);
-    const Vector3 from(place(random), place(random), place(random));
+    const Vector3 from{place(random), place(random), place(random)};
     const int steps = static_cast<int>(random() % 9) - 4;
     const Vector3 to = geometry.Moved(from, steps);
-    const int expected = std::clamp(
-        std::clamp(geometry.NumberOf(from), 0, geometry.Count - 1) + steps, 0, geometry.Count - 1);
+    const int expected = std::clamp(geometry.NumberOf(from) + steps, 0, geometry.Count - 1);
     ASSERT_EQ(geometry.NumberOf(to), expected);
     ASSERT_NEAR((to - from).dot(geometry.Frame.RightWorld), 0.0, 1e-11);
     ASSERT_NEAR((to - from).dot(geometry.Frame.UpWorld), 0.0, 1e-11);
