@@ -208,9 +208,12 @@ TEST(CutSweep, RemovedVolumeConvergesWithOrderTwo)
     return std::sqrt(sum / Trials);
   };
   // A quarter, or nearly; of a sphere of three voxels a little more.
+  const double coarse = error(1.0);
   const double middle = error(0.5);
-  EXPECT_LT(middle, error(1.0) / 3.0);
-  EXPECT_LT(error(0.25), middle / 3.5);
+  const double fine = error(0.25);
+  EXPECT_LT(middle, coarse / 3.0);
+  EXPECT_LT(fine, middle / 3.5);
+  EXPECT_LT(fine, coarse / 13.0);
 }
 } // namespace
 } // namespace palpate::cut_sweep_test
