@@ -40,7 +40,7 @@ UmockdevNode::UmockdevNode(UMockdevTestbed* bed, UsbfsFalcon& falcon, std::strin
 {
   this->Self->Node = this;
   this->Connect("handle-ioctl", G_CALLBACK(OnRequest));
-  this->Connect("client-vanished", G_CALLBACK(OnVanished));
+  this->Connect("client-connected", G_CALLBACK(OnConnected));
   const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(bed), g_free);
   this->Pipe = root.get() + this->Path;
   std::filesystem::create_directories(std::filesystem::path(this->Pipe).parent_path());
@@ -114,21 +114,26 @@ UmockdevNode::Client& UmockdevNode::ClientOf(UMockdevIoctlClient* id)
   return client;
 }
 
-void UmockdevNode::OnVanished(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer handle)
+// A new program's object may have the address of one that has ended, of which umockdev says nothing
+// (its signal client-vanished is never sent): the new one must not get what the old one left.
+void UmockdevNode::OnConnected(UMockdevIoctlBase*, UMockdevIoctlClient* id, gpointer handle)
 {
   const std::shared_ptr<Handle> share = *static_cast<std::shared_ptr<Handle>*>(handle);
   const std::lock_guard<std::mutex> lock(share->Access);
-  UmockdevNode* const self = share->Node;
-  if (self == nullptr)
+  if (share->Node != nullptr)
   {
-    return;
+    share->Node->Forget(id);
   }
-  const auto found = self->Clients.find(id);
-  if (found != self->Clients.end())
+}
+
+void UmockdevNode::Forget(UMockdevIoctlClient* id)
+{
+  const auto found = this->Clients.find(id);
+  if (found != this->Clients.end())
   {
-    self->Falcon.CloseFile(found->second.File);
-    self->Falcon.WithFalcon([&](VirtualFalcon&) { self->Show(found->second, false); });
-    self->Clients.erase(found);
+    this->Falcon.CloseFile(found->second.File);
+    this->Falcon.WithFalcon([&](VirtualFalcon&) { this->Show(found->second, false); });
+    this->Clients.erase(found);
   }
 }
 

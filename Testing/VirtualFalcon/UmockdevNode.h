@@ -56,12 +56,13 @@ private:
   };
 
   static gboolean OnRequest(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer handle);
-  static void OnVanished(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer handle);
+  static void OnConnected(UMockdevIoctlBase* base, UMockdevIoctlClient* client, gpointer handle);
   void Connect(const char* signal, GCallback handler);
   int Answer(Client& client, unsigned long request, UMockdevIoctlData* argument);
   int Submit(Client& client, UMockdevIoctlData* argument);
   int Reap(Client& client, UMockdevIoctlData* argument);
   Client& ClientOf(UMockdevIoctlClient* client);
+  void Forget(UMockdevIoctlClient* client);
   void Show(Client& client, bool hasWork);
 
   UMockdevTestbed* Bed;

@@ -8,6 +8,7 @@
 #include "ShimmedFalcon.h"
 
 #include <chrono>
+#include <csignal>
 #include <memory>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -38,13 +39,17 @@ protected:
     {
       ASSERT_TRUE(link.Control(request).IsOk());
     }
-    FalconRequest push;
-    push.Motors = {500, 500, 500};
-    const FalconPacket packet = Encoded(push);
-    ASSERT_TRUE(link.Send(packet.data(), packet.size()));
+    ASSERT_TRUE(Push(link));
     ASSERT_TRUE(Eventually([this] { return this->HasTorque(); }));
   }
 
+  static bool Push(LibusbFalconLink& link)
+  {
+    FalconRequest push;
+    push.Motors = {500, 500, 500};
+    const FalconPacket packet = Encoded(push);
+    return link.Send(packet.data(), packet.size());
+  }
   bool HasTorque()
   {
     return this->Bus.WithFalcon(
@@ -77,6 +82,30 @@ TEST_F(FalconGuardTest, StopsMotorsWhenProcessDies)
   EXPECT_TRUE(Eventually([this] { return !this->HasTorque(); }));
   EXPECT_GT(waitpid(-1, &status, 0), 0) << "it must end after its work";
   EXPECT_EQ(status, 0);
+}
+
+// Nothing that a killed program has left on the bus may reach the guard.
+TEST_F(FalconGuardTest, StopsMotorsOfOneKilledProgramAfterAnother)
+{
+  for (int n = 0; n < 8; ++n)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      LibusbFalconLink link(this->BusPath);
+      const bool isPushing = link.Open().IsOk() && this->Push(link);
+      pause();
+      _exit(isPushing ? 0 : 1); // not reached
+    }
+    EXPECT_TRUE(Eventually([this] { return this->Bus.WaitingCount() > 0 && this->HasTorque(); }));
+    kill(child, SIGKILL);
+    int status = 1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    this->Bus.ReleaseClaims();
+    EXPECT_TRUE(Eventually([this] { return !this->HasTorque(); }));
+    EXPECT_GT(waitpid(-1, &status, 0), 0);
+    EXPECT_EQ(status, 0);
+  }
 }
 
 TEST_F(FalconGuardTest, StopsMotorsAfterReturnToBus)
