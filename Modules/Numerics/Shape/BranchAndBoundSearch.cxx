@@ -129,12 +129,9 @@ void BranchAndBoundSearch<Surface>::Descend(const Vector3& direction,
                                             const SampleOf<Surface>& sample) noexcept
 {
   constexpr double Tolerance = 1e-12; // rad
-  // At a rim that is equally far all around, rounding can keep a descent going for ever. The search
-  // needs the rest.
-  constexpr int MostOfOne = 200;
-  const int limit = std::clamp(this->EvaluationLimit - this->Evaluations, 0, MostOfOne);
   const ClosestPointOf<Surface> found =
-      this->Descent.Run(this->Query, direction, sample, Tolerance, limit);
+      this->Descent.Run(this->Query, direction, sample, Tolerance,
+                        std::max(0, this->EvaluationLimit - this->Evaluations));
   this->Evaluations += found.Evaluations;
   const double distance = std::abs(found.SignedDistance);
   if (distance < this->BestDistance)

@@ -15,6 +15,10 @@ namespace
 {
 constexpr double Unbounded = std::numeric_limits<double>::infinity();
 
+// Of a descent, that rounding may take without getting nearer. Newton's last ones are two or three;
+// along a rim that is equally far all around there is no end of them.
+constexpr int MostIdleSteps = 16;
+
 // Local bounds on f and on the surface at a sample.
 template <typename Surface>
 struct LocalBounds
@@ -354,6 +358,8 @@ void ClosestPointDescentOf<Surface>::Descend(const Vector3& query, double tolera
 {
   const double third = this->Derivatives.PointThird;
   const Vector3& center = this->Model->CenterWorld();
+  double nearest = point.Expansion.Offset.squaredNorm();
+  int idle = 0; // steps since it got nearer by more than rounding
   for (;;)
   {
     const Vector3 newton = point.Expansion.NewtonStep();
@@ -364,7 +370,7 @@ void ClosestPointDescentOf<Surface>::Descend(const Vector3& query, double tolera
     {
       break;
     }
-    const bool isStationary = IsStationary(point, rounding);
+    const bool isStationary = idle > MostIdleSteps || IsStationary(point, rounding);
     if (isConvex && isStationary &&
         EndWithin(std::numeric_limits<double>::max(), query, center, newton, third, rounding,
                   point))
@@ -377,6 +383,10 @@ void ClosestPointDescentOf<Surface>::Descend(const Vector3& query, double tolera
       Stop(query, center, third, rounding, isStationary, point);
       break;
     }
+    const double square = point.Expansion.Offset.squaredNorm();
+    const bool isNearer = nearest - square > 2.0 * rounding * std::sqrt(nearest);
+    idle = isNearer ? 0 : idle + 1;
+    nearest = std::min(nearest, square);
   }
   if (!std::isfinite(point.SignedDistance))
   {
