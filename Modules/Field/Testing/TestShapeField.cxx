@@ -98,7 +98,8 @@ TEST(ShapeField, MeasuresInSpaceOnRequest)
   palpate::ShapeField field;
   ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
   EXPECT_NEAR(field.Sample(centre), 0.75, 0.25); // voxel centres next to it are less deep
-  EXPECT_LE(*std::max_element(field.Values.begin(), field.Values.end()), 0.75F);
+  // Between clamped values the cubic is at most 1.25 times as far off.
+  EXPECT_GE(*std::min_element(field.Values.begin(), field.Values.end()), -1.25F * 0.75F);
   settings.IsInSpace = true;
   ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
   // Outside there is no clamp in space: the border is 3 nodes and half a voxel away.
@@ -201,6 +202,46 @@ TEST(ShapeField, JoinsOutlinesOfNeighbouringSlicesByObliqueWall)
     EXPECT_GT(field.Sample({20.0 + radius - 1.0, 20.0, z}), 0.0);
     EXPECT_LT(field.Sample({20.0 + radius + 1.0, 20.0, z}), 0.0);
   }
+}
+
+// Of the field's zero level around a point in the plane of its slice, mean of all directions.
+double MeanRadiusAround(const Vector3& centre, const palpate::ShapeField& field)
+{
+  constexpr int Directions = 720;
+  constexpr double Longest = 30.0; // mm
+  double sum = 0.0;
+  for (int n = 0; n < Directions; ++n)
+  {
+    const double angle = 2.0 * M_PI * n / Directions;
+    const Vector3 direction(std::cos(angle), std::sin(angle), 0.0);
+    double inside = 0.0;
+    double outside = Longest;
+    while (outside - inside > 1e-6)
+    {
+      const double middle = 0.5 * (inside + outside);
+      (field.Sample(centre + middle * direction) > 0.0 ? inside : outside) = middle;
+    }
+    sum += inside;
+  }
+  return sum / Directions;
+}
+
+TEST(ShapeField, CurvesBetweenThickSlicesLikeTheBody)
+{
+  // A ball's widest plane, half way between slices 6 mm apart. Their outlines have radii of 19.774
+  // mm, and so would a straight wall between them.
+  constexpr double Radius = 20.0;
+  const Vector3 centre(24.9, 25.2, 27.0);
+  const palpate::VoxelMask mask =
+      MaskOf({100, 102, 10}, {0.5, 0.5, 6.0},
+             [&](int i, int j, int k)
+             { return (Vector3(0.5 * i, 0.5 * j, 6.0 * k) - centre).norm() < Radius; });
+  palpate::ShapeFieldSettings settings = Unsmoothed();
+  settings.SliceClamp = 0.5;
+  palpate::ShapeField field;
+  ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
+  // The cubic through the four outlines has 20.013; the rest is pixels.
+  EXPECT_NEAR(MeanRadiusAround(centre, field), Radius, 0.05);
 }
 
 TEST(ShapeField, RejectsBadMasksAndSettings)

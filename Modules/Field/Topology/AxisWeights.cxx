@@ -25,9 +25,23 @@ std::vector<double> HalfGaussian(double deviation)
   }
   return weights;
 }
+
+// Of the samples at -1, 0, 1, 2, for a place `t` in [0, 1].
+std::array<double, 4> LinearWeights(double t)
+{
+  return {0.0, 1.0 - t, t, 0.0};
+}
+std::array<double, 4> CubicWeights(double t)
+{
+  const double s = 1.0 - t;
+  return {-0.5 * t * s * s, 1.0 + t * t * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5),
+          -0.5 * s * t * t};
+}
 } // namespace
 
-AxisWeights::AxisWeights(int samples, int count, double first, double step, double deviation)
+AxisWeights::AxisWeights(int samples, int count, double first, double step, double deviation,
+                         Interpolation between)
+    : Between(between)
 {
   const std::vector<double> gaussian = HalfGaussian(deviation);
   for (int n = 0; n < count; ++n)
@@ -36,28 +50,37 @@ AxisWeights::AxisWeights(int samples, int count, double first, double step, doub
   }
 }
 
+void AxisWeights::AddTap(int sample, double weight)
+{
+  const auto first = this->Taps.begin() + static_cast<std::ptrdiff_t>(this->Starts.back());
+  const auto same = std::find_if(first, this->Taps.end(),
+                                 [sample](const Tap& tap) { return tap.Sample == sample; });
+  if (same != this->Taps.end())
+  {
+    same->Weight += static_cast<float>(weight);
+  }
+  else if (weight != 0.0)
+  {
+    this->Taps.push_back({sample, static_cast<float>(weight)});
+  }
+}
+
 void AxisWeights::AddOutput(int samples, double position, double step,
                             const std::vector<double>& gaussian)
 {
   const int reach = static_cast<int>(gaussian.size()) - 1;
-  const auto add = [&](int sample, double weight)
-  {
-    if (this->Taps.size() > this->Starts.back() && this->Taps.back().Sample == sample)
-    {
-      this->Taps.back().Weight += static_cast<float>(weight);
-    }
-    else if (weight > 0.0)
-    {
-      this->Taps.push_back({sample, static_cast<float>(weight)});
-    }
-  };
   for (int n = -reach; n <= reach; ++n)
   {
     const double at = std::clamp(position + n * step, 0.0, samples - 1.0);
     const int low = std::min(static_cast<int>(at), std::max(samples - 2, 0));
     const double weight = gaussian[static_cast<std::size_t>(std::abs(n))];
-    add(low, weight * (1.0 - (at - low)));
-    add(std::min(low + 1, samples - 1), weight * (at - low));
+    const std::array<double, 4> around =
+        this->Between == Interpolation::Cubic ? CubicWeights(at - low) : LinearWeights(at - low);
+    for (int sample = 0; sample < 4; ++sample)
+    {
+      this->AddTap(std::clamp(low - 1 + sample, 0, samples - 1),
+                   weight * around[static_cast<std::size_t>(sample)]);
+    }
   }
   this->Starts.push_back(this->Taps.size());
 }

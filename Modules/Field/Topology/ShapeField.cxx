@@ -169,7 +169,10 @@ std::vector<float> Distances(const VoxelMask& mask, const ShapeFieldSettings& se
     return SignedDistance(mask, DistanceDomain::Space, halfStep);
   }
   std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
-  const auto bound = static_cast<float>(settings.SliceClamp * spacing[across]);
+  // Nowhere as far outside as nowhere inside, so that slices beyond the ends of thin objects do not
+  // draw the cubic between the others out of the object.
+  const float deepest = *std::max_element(field.begin(), field.end());
+  const auto bound = std::min(deepest, static_cast<float>(settings.SliceClamp * spacing[across]));
   for (float& value : field)
   {
     value = std::clamp(value, -bound, bound);
@@ -189,15 +192,18 @@ std::array<std::size_t, 3> CheapestOrder(const std::array<int, 3>& from,
 }
 
 std::vector<float> Resample(const VoxelMask& mask, std::vector<float> values, const ShapeGrid& grid,
-                            double smoothing)
+                            double smoothing, bool isInSpace)
 {
+  using Interpolation = AxisWeights::Interpolation;
+  const std::size_t across = isInSpace ? 3 : SliceAxis(mask.Spacing);
   std::array<int, 3> size = mask.Size;
   for (const std::size_t axis : CheapestOrder(mask.Size, grid.Size))
   {
     const double voxel = mask.Spacing[axis];
     const double first = grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis];
     const AxisWeights weights(mask.Size[axis], grid.Size[axis], first, grid.Spacing / voxel,
-                              smoothing);
+                              smoothing,
+                              axis == across ? Interpolation::Cubic : Interpolation::Linear);
     values = weights.Apply(values, size, axis);
   }
   return values;
@@ -274,7 +280,8 @@ Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings,
   }
   field.Grid =
       GridAround(bounds, mask.Spacing, WantedSpacing(object, settings), settings.MaximumNodes);
-  field.Values = Resample(object, Distances(object, settings), field.Grid, settings.Smoothing);
+  field.Values = Resample(object, Distances(object, settings), field.Grid, settings.Smoothing,
+                          settings.IsInSpace);
   return Status::Success();
 }
 } // namespace palpate

@@ -72,10 +72,11 @@ struct ShapeFieldSettings
 /// Makes a field whose zero level is the boundary of the mask's voxels, half way between centres.
 ///
 /// If the slices are thick (HasThickSlices): signed distance in each slice, clamped to `SliceClamp`
-/// slice spacings, and linear between slices (Raya and Udupa, "Shape-based interpolation of
-/// multidimensional objects", IEEE TMI 9, 1990). Otherwise, or with `IsInSpace`, signed distance in
-/// three dimensions. Both are resampled to an isotropic grid (trilinear) and smoothed by a
-/// Gaussian. The volume is not matched yet: LevelOfVolume does that.
+/// slice spacings, and cubic between slices (Raya and Udupa, "Shape-based interpolation of
+/// multidimensional objects", IEEE TMI 9, 1990; linear would cut off what curves from slice to
+/// slice). Otherwise, or with `IsInSpace`, signed distance in three dimensions. Both are resampled
+/// to an isotropic grid, linearly but across thick slices, and smoothed by a Gaussian. The volume
+/// is not matched yet: LevelOfVolume does that.
 ///
 /// The grid's spacing is rounded so that nodes lie on thick slices. Grid and bounds of the mask
 /// have the same centre, so that the field of a mirrored mask is the mirrored field.
