@@ -1,3 +1,4 @@
+#include "ItkCompiler.h"
 #include "PeerLibraries.h"
 
 #include <algorithm>

@@ -11,6 +11,7 @@
 #include "PublishedShell.h"
 #include "RandomShapes.h"
 #include "ServoStroke.h"
+#include "Units.h"
 
 #include <algorithm>
 #include <chrono>
@@ -224,7 +225,6 @@ PublishedComparison ComparePublished()
 
 std::string ToMarkdown(const PublishedComparison& comparison)
 {
-  constexpr double Degrees = 180.0 / M_PI;
   constexpr double Nano = 1e9;
   std::ostringstream text;
   text << "| published system | touched here by | ticks a second | published, Hz | proxy off the "
@@ -234,8 +234,8 @@ std::string ToMarkdown(const PublishedComparison& comparison)
   {
     text << "| " << row.System << " | " << row.Touched << " | " << Thousands(row.TicksPerSecond)
          << " | " << row.PublishedHertz << " | " << std::setprecision(2) << row.PlaceMean << " | "
-         << row.PlaceMaximum << " | " << Degrees * row.AngleMean << "° | "
-         << Degrees * row.AngleMaximum << "° |\n";
+         << row.PlaceMaximum << " | " << DegreesPerRadian * row.AngleMean << "° | "
+         << DegreesPerRadian * row.AngleMaximum << "° |\n";
   }
   const VolumeQuestions& asked = comparison.Questions;
   text << "\nThe published law of 26 points asks 26 inside tests and, in the mean, " << asked.Rays

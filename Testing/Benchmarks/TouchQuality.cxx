@@ -284,7 +284,6 @@ std::vector<TouchQualityRow> TouchQuality()
 
 std::string ToMarkdown(const std::vector<TouchQualityRow>& rows)
 {
-  constexpr double Degrees = 180.0 / M_PI;
   constexpr double Percent = 100.0;
   std::ostringstream text;
   text << "| touched | tick: median, µs | 99.9 % | longest | place to surface: mean, mm | most | "
@@ -296,9 +295,9 @@ std::string ToMarkdown(const std::vector<TouchQualityRow>& rows)
     text << "| " << row.Name << " | " << MicrosecondsPerNanosecond * row.MedianNanoseconds << " | "
          << MicrosecondsPerNanosecond * row.RareNanoseconds << " | "
          << MicrosecondsPerNanosecond * row.LongestNanoseconds << " | " << row.SurfaceMean << " | "
-         << row.SurfaceMaximum << " | " << Degrees * row.AngleMean << "° | "
-         << Degrees * row.AngleRare << "° | " << Degrees * row.AngleMaximum << "° | "
-         << Percent * row.JumpMean << " % | " << Percent * row.JumpMaximum << " % | "
+         << row.SurfaceMaximum << " | " << DegreesPerRadian * row.AngleMean << "° | "
+         << DegreesPerRadian * row.AngleRare << "° | " << DegreesPerRadian * row.AngleMaximum
+         << "° | " << Percent * row.JumpMean << " % | " << Percent * row.JumpMaximum << " % | "
          << Percent * row.IdealJumpMean << " % | " << Percent * row.IdealJumpMaximum << " % | "
          << row.Seizures << " |\n";
   }
