@@ -1,9 +1,13 @@
 #include "RasterImage.h"
 
+#include "TemporaryFolder.h"
+
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
 
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -11,12 +15,15 @@ namespace palpate::raster_image_test
 {
 namespace
 {
-// Reads a PNG back; row 0 of the result is the top.
+// Reads a PNG back, from a file: newer VTK takes memory in another way. Row 0 of the result is the
+// top.
 RasterImage Decode(const std::string& png, int& components)
 {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "image.png";
+  std::ofstream(file, std::ios::binary) << png;
   vtkNew<vtkPNGReader> reader;
-  reader->SetMemoryBuffer(png.data());
-  reader->SetMemoryBufferLength(static_cast<vtkIdType>(png.size()));
+  reader->SetFileName(file.c_str());
   reader->Update();
   vtkImageData* image = reader->GetOutput();
   int size[3];
