@@ -174,7 +174,8 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
   return proven == Step::Open ? this->SearchAt(start, goal, needed) : proven;
 }
 
-// With little work if that shows enough.
+// With little work if that shows enough. A sphere keeps two sheets apart without the margin, which
+// can't be proven above a hollow as round as the sphere: there the sphere would wait in vain.
 ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& goal,
                                            Minima& minima) noexcept
 {
@@ -183,11 +184,12 @@ ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& 
   const int little = this->EvaluationsLeft;
   Step proven = this->Prove(start, goal, this->Free, minima);
   this->EvaluationsLeft += most - little;
+  const double needed = this->Radius > this->Surface->Margin() ? this->Radius : this->Free;
   if (proven == Step::Open && this->EvaluationsLeft > 0)
   {
-    proven = this->Prove(start, goal, this->Free, minima);
+    proven = this->Prove(start, goal, needed, minima);
   }
-  return proven == Step::Open ? this->SearchAt(start, goal, this->Free) : proven;
+  return proven == Step::Open ? this->SearchAt(start, goal, needed) : proven;
 }
 
 // Whether no part of the surface is between two places, since nothing is as near to the first one.

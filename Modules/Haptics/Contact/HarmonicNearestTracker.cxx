@@ -251,6 +251,22 @@ void HarmonicNearestTrackerOf<Surface>::LetGo(const ClosestPoint& nearest) noexc
   }
 }
 
+// Where a surface crosses itself, contact may have brought a tool into its other part. There it is
+// not free, but placed anew: else it would feel nothing inside, and walls from their inner sides.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::LetGoOutside(const ClosestPoint& nearest,
+                                                     const Vector3& probe) noexcept
+{
+  if (!this->Touched->CrossesItself() || this->Touched->IsOutside(this->ProbeWorld, nearest))
+  {
+    this->LetGo(nearest);
+  }
+  else
+  {
+    this->Settle(probe);
+  }
+}
+
 // Along the path in short steps, until contact ends or the end is reached.
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
@@ -285,7 +301,7 @@ bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motio
   const ClosestPoint next = this->Continued(start, probe);
   if (next.SignedDistance >= this->EndOfContact())
   {
-    this->Leave(next);
+    this->Leave(next, probe);
     return false;
   }
   const double largestTurn = LargestTurn(motion / this->Touched->SmallestRadius());
@@ -301,12 +317,13 @@ bool HarmonicNearestTrackerOf<Surface>::Press(const Vector3& probe, double motio
 // At a parametric surface free motion goes on from a little above the surface, so that what it may
 // cross is found.
 template <typename Surface>
-void HarmonicNearestTrackerOf<Surface>::Leave(const ClosestPoint& next) noexcept
+void HarmonicNearestTrackerOf<Surface>::Leave(const ClosestPoint& next,
+                                              const Vector3& probe) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
     this->ProbeWorld = next.PointWorld + (this->ToolRadius + 4.0 * this->TouchingGap) * next.Normal;
-    this->LetGo(this->Touched->Search().Track(this->ProbeWorld, next));
+    this->LetGoOutside(this->Touched->Search().Track(this->ProbeWorld, next), probe);
   }
   else
   {
@@ -480,7 +497,7 @@ void HarmonicNearestTrackerOf<Surface>::LeaveWedge(const Vector3& probe) noexcep
   if constexpr (Surface::MayCrossItself)
   {
     const ClosestPoint* wall = this->Wedge->NearestWall();
-    this->LetGo(wall != nullptr ? *wall : this->Closest);
+    this->LetGoOutside(wall != nullptr ? *wall : this->Closest, probe);
   }
   else
   {

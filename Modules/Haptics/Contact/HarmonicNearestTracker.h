@@ -88,7 +88,8 @@ private:
   {
     return Surface::MayCrossItself ? this->ToolRadius + this->TouchingGap : this->ToolRadius;
   }
-  void Leave(const ClosestPoint& next) noexcept;
+  void Leave(const ClosestPoint& next, const Vector3& probe) noexcept;
+  void LetGoOutside(const ClosestPoint& nearest, const Vector3& probe) noexcept;
   ClosestPoint Tracked(const Vector3& start, const Vector3& probe) const noexcept;
   bool IsContinued(const ClosestPoint& last, const ClosestPoint& next,
                    double motion) const noexcept;

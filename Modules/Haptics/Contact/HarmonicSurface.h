@@ -54,6 +54,7 @@ public:
   /// What only surfaces need that may cross themselves; see ParametricTouchSurface.
   static constexpr bool CrossesItself() noexcept { return false; }
   static constexpr double Margin() noexcept { return 0.0; }
+  static bool IsOutside(const Vector3&, const ClosestPoint&) noexcept { return true; }
   static const ClosestPoint& SeenFromOutside(const ClosestPoint& point) noexcept { return point; }
   static const ClosestPoint& SeenFrom(const Vector3&, const ClosestPoint& point) noexcept
   {

@@ -199,15 +199,26 @@ int ParametricTouchSurface::WindingNumberNear(const Vector3& queryWorld,
   return this->Mesh.WindingNumber(nearest.PointWorld + side * nearest.Normal);
 }
 
+// Whether it is outside there, with room for a point with its margin: next to a crossing it would
+// be pushed out of the other sheet, and into the body.
+bool ParametricTouchSurface::IsExit(const Vector3& pointWorld, const Vector3& normal) const noexcept
+{
+  constexpr double Almost = 0.99;
+  constexpr int Evaluations = 256;
+  const double margin = this->Margin();
+  const Vector3 place = pointWorld + margin * normal;
+  return this->Mesh.WindingNumber(pointWorld + 2.0 * this->MeshDeviation * normal) == 0 &&
+         this->Mesh.WindingNumber(place) == 0 &&
+         std::abs(this->Closest.Nearest(place, Evaluations).SignedDistance) >= Almost * margin;
+}
+
 // The nearest point; where a sheet inside is nearer, the nearest of the mesh's points that border
 // the outside.
 SurfacePoint ParametricTouchSurface::WayOut(const Vector3& queryWorld,
                                             const ClosestPoint& nearest) const noexcept
 {
   const ClosestPoint inside = nearest.SignedDistance > 0.0 ? OtherSide(nearest) : nearest;
-  const double step = 2.0 * this->MeshDeviation;
-  if (this->Exits.empty() ||
-      this->Mesh.WindingNumber(inside.PointWorld + step * inside.Normal) == 0)
+  if (this->Exits.empty() || this->IsExit(inside.PointWorld, inside.Normal))
   {
     return inside;
   }
@@ -217,24 +228,27 @@ SurfacePoint ParametricTouchSurface::WayOut(const Vector3& queryWorld,
                                                 (b.PointWorld - queryWorld).squaredNorm();
                                        });
   const ClosestPoint point = this->RawPointAt(exit.Parameter, queryWorld);
-  const bool isOutward = this->Mesh.WindingNumber(point.PointWorld + step * point.Normal) == 0;
-  return isOutward ? point : OtherSide(point);
+  return point.Normal.dot(exit.Normal) > 0.0 ? point : OtherSide(point);
 }
 
 std::vector<ParametricTouchSurface::Exit> ParametricTouchSurface::FindExits() const
 {
   std::vector<Exit> exits;
-  const double step = 2.0 * this->MeshDeviation;
-  const IcosahedronDirections sphere =
-      this->CrossesItself() ? MeshDirections(this->Model()) : IcosahedronDirections(1);
+  if (!this->CrossesItself())
+  {
+    return exits;
+  }
+  const IcosahedronDirections sphere = MeshDirections(this->Model());
   for (const Vector3& parameter : sphere.Directions())
   {
     const Place place = this->PlaceAt(parameter);
-    if (this->CrossesItself() &&
-        (this->Mesh.WindingNumber(place.PointWorld + step * place.Normal) == 0 ||
-         this->Mesh.WindingNumber(place.PointWorld - step * place.Normal) == 0))
+    for (const double side : {1.0, -1.0})
     {
-      exits.push_back({parameter, place.PointWorld});
+      const Vector3 normal = side * place.Normal;
+      if (this->IsExit(place.PointWorld, normal))
+      {
+        exits.push_back({parameter, place.PointWorld, normal});
+      }
     }
   }
   return exits;

@@ -61,6 +61,11 @@ public:
   /// two sheets that cross: a fiftieth of SmallestRadius at a surface that crosses itself, else 0.
   double Margin() const noexcept { return this->CrossesItself() ? 0.02 * this->Smallest : 0.0; }
 
+  /// By the winding number, of a place that this is a near minimum of the distance to.
+  bool IsOutside(const Vector3& placeWorld, const ClosestPoint& minimum) const noexcept
+  {
+    return this->WindingNumberNear(placeWorld, minimum) == 0;
+  }
   /// Of a tool that is known to be outside.
   ClosestPoint SeenFromOutside(const ClosestPoint& nearest) const noexcept;
   /// By the winding number: of a tool that is outside, or a place to which a tool that is inside
@@ -86,13 +91,15 @@ private:
 
   ClosestPointSearchOf<Shape> Closest;
   double Smallest;
-  // A point of the surface that borders the outside, and its parameter.
+  // A point of the surface that borders the outside on the side of the normal.
   struct Exit
   {
     Vector3 Parameter;
     Vector3 PointWorld;
+    Vector3 Normal;
   };
   std::vector<Exit> FindExits() const;
+  bool IsExit(const Vector3& pointWorld, const Vector3& normal) const noexcept;
 
   WindingMesh Mesh;
   double MeshDeviation; // of the mesh from the surface, mm

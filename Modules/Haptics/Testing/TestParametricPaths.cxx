@@ -246,5 +246,34 @@ TEST(ParametricPaths, NoToolIsPressedInWithoutAForceNextToACrossing)
   }
   EXPECT_LE(longest, 3); // ticks
 }
+
+// A tool that starts inside is moved out of one sheet, and must not get through the other one: it
+// would be free inside, and held by walls from their inner sides.
+TEST(ParametricPaths, NoToolThatStartsNextToACrossingIsFreeInside)
+{
+  const ParametricSphericalSurface surface = CrossingRelief();
+  const auto touch = PathSurfaceOf(surface);
+  const auto depthOf = [&](const Vector3& place)
+  { return -touch->SeenFrom(place, touch->Search().Nearest(place, 5000)).SignedDistance; };
+  const auto tracker = TrackerOf(*PathContact(surface), ToolShape::Sphere(0.0));
+  const std::vector<Vector3>& crossings = touch->CrossingsWorld();
+  Random random(9203);
+  int starts = 0;
+  int freeInside = 0;
+  for (int trial = 0; trial < 600; ++trial)
+  {
+    Vector3 probe = crossings[random() % crossings.size()] + test::RandomDirection(random);
+    const Vector3 step = 0.04 * test::RandomDirection(random); // mm
+    tracker->Release();
+    starts += depthOf(probe) > 0.2 ? 1 : 0;
+    for (int tick = 0; tick < 25 && depthOf(probe) > 0.2; ++tick)
+    {
+      freeInside += tracker->Follow(At(probe)).IsTouching ? 0 : 1;
+      probe += step;
+    }
+  }
+  EXPECT_GT(starts, 100);
+  EXPECT_EQ(freeInside, 0);
+}
 } // namespace
 } // namespace palpate::parametric_paths_test
