@@ -60,15 +60,14 @@ TEST_F(DrillPanelTest, DeactivatedWindowReleasesPedal)
 TEST_F(DrillPanelTest, KeyReleaseReleasesPedalDespiteOtherKeys)
 {
   this->StartDrilling();
-  const QKeyEvent withShift(QEvent::KeyRelease, Qt::Key_D, Qt::ShiftModifier);
-  const QKeyEvent inText(QEvent::KeyRelease, Qt::Key_D, Qt::NoModifier);
   QLineEdit text;
-  const std::pair<QObject*, QKeyEvent> paths[] = {{this->Window->Views(), withShift},
-                                                  {&text, inText}};
-  for (auto [receiver, event] : paths)
+  const std::pair<QObject*, Qt::KeyboardModifier> paths[] = {
+      {this->Window->Views(), Qt::ShiftModifier}, {&text, Qt::NoModifier}};
+  for (const auto& [receiver, modifier] : paths)
   {
     this->HoldPedal();
-    QApplication::sendEvent(receiver, &event);
+    QKeyEvent release(QEvent::KeyRelease, Qt::Key_D, modifier);
+    QApplication::sendEvent(receiver, &release);
     WaitUntil([this] { return !this->Study->Reading().Newest.IsDrilling; });
   }
 }

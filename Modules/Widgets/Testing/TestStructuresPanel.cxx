@@ -311,7 +311,7 @@ TEST_F(StructuresPanelTest, MenuOffersWhatAppliesToTheSelection)
   {
     QContextMenuEvent event(QContextMenuEvent::Mouse,
                             this->PlaceOf(1, Column::NameColumn).toPoint(),
-                            this->Table->mapToGlobal({30, 30}));
+                            this->Table->mapToGlobal(QPoint(30, 30)));
     QApplication::sendEvent(this->Table->viewport(), &event);
     EXPECT_TRUE(menu->isVisible());
     menu->hide();
