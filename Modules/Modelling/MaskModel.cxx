@@ -90,6 +90,7 @@ GenusZeroSettings StarSurface(const VoxelMask& mask)
   std::sort(spacing.begin(), spacing.end());
   GenusZeroSettings settings;
   settings.Field.SliceClamp = 0.5;
+  settings.Field.IsCurved = true;
   settings.Field.CellsOnSurface = 12000.0;
   settings.Field.Spacing = std::max(spacing[1], ShapeFieldSpacing(mask, settings.Field));
   settings.Field.Smoothing = 0.5 * spacing[1] / settings.Field.Spacing;

@@ -171,6 +171,7 @@ bool vtkSegmentationSurface::BuildShape(const palpate::VoxelMask& mask,
   palpate::ShapeFieldSettings settings;
   settings.MaximumNodes = 6e7; // 240 MB
   settings.SliceClamp = SliceClamp;
+  settings.IsCurved = true;
   double wanted = 0.0;
   if (this->CellsOnSurface > 0)
   {

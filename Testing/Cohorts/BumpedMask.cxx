@@ -24,6 +24,7 @@ ShapeLevel ShapeOfMask(const VoxelMask& mask)
   // between the slices, and move with these: their voxels lose a tenth of a bump.
   ShapeFieldSettings settings;
   settings.SliceClamp = 0.5;
+  settings.IsCurved = true;
   if (const Status status = MakeShapeField(mask, settings, shape.Field); !status.IsOk())
   {
     throw std::runtime_error(status.Message());

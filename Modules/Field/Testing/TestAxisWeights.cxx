@@ -18,10 +18,10 @@ double Parabola(double x)
 
 std::vector<float> Between(Interpolation interpolation, std::array<int, 3>& size)
 {
-  std::vector<float> values;
+  std::vector<float> values(Samples);
   for (int n = 0; n < Samples; ++n)
   {
-    values.push_back(static_cast<float>(Parabola(n)));
+    values[static_cast<std::size_t>(n)] = static_cast<float>(Parabola(n));
   }
   size = {Samples, 1, 1};
   const AxisWeights weights(Samples, 65, 0.0, Step, 0.0, interpolation);

@@ -169,10 +169,11 @@ std::vector<float> Distances(const VoxelMask& mask, const ShapeFieldSettings& se
     return SignedDistance(mask, DistanceDomain::Space, halfStep);
   }
   std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
-  // Nowhere as far outside as nowhere inside, so that slices beyond the ends of thin objects do not
-  // draw the cubic between the others out of the object.
+  // No farther outside than the object is deep, so that slices beyond the ends of a thin one do not
+  // bend the cubic between the others.
   const float deepest = *std::max_element(field.begin(), field.end());
-  const auto bound = std::min(deepest, static_cast<float>(settings.SliceClamp * spacing[across]));
+  const auto clamp = static_cast<float>(settings.SliceClamp * spacing[across]);
+  const float bound = settings.IsCurved ? std::min(deepest, clamp) : clamp;
   for (float& value : field)
   {
     value = std::clamp(value, -bound, bound);
@@ -192,18 +193,19 @@ std::array<std::size_t, 3> CheapestOrder(const std::array<int, 3>& from,
 }
 
 std::vector<float> Resample(const VoxelMask& mask, std::vector<float> values, const ShapeGrid& grid,
-                            double smoothing, bool isInSpace)
+                            const ShapeFieldSettings& settings)
 {
   using Interpolation = AxisWeights::Interpolation;
-  const std::size_t across = isInSpace ? 3 : SliceAxis(mask.Spacing);
+  const bool isCurved = settings.IsCurved && !settings.IsInSpace;
+  const std::size_t curved = isCurved ? SliceAxis(mask.Spacing) : 3;
   std::array<int, 3> size = mask.Size;
   for (const std::size_t axis : CheapestOrder(mask.Size, grid.Size))
   {
     const double voxel = mask.Spacing[axis];
     const double first = grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis];
     const AxisWeights weights(mask.Size[axis], grid.Size[axis], first, grid.Spacing / voxel,
-                              smoothing,
-                              axis == across ? Interpolation::Cubic : Interpolation::Linear);
+                              settings.Smoothing,
+                              axis == curved ? Interpolation::Cubic : Interpolation::Linear);
     values = weights.Apply(values, size, axis);
   }
   return values;
@@ -280,8 +282,7 @@ Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings,
   }
   field.Grid =
       GridAround(bounds, mask.Spacing, WantedSpacing(object, settings), settings.MaximumNodes);
-  field.Values = Resample(object, Distances(object, settings), field.Grid, settings.Smoothing,
-                          settings.IsInSpace);
+  field.Values = Resample(object, Distances(object, settings), field.Grid, settings);
   return Status::Success();
 }
 } // namespace palpate

@@ -339,7 +339,7 @@ HarmonicNearestTrackerOf<Surface>::Tracked(const Vector3& start,
                                            const Vector3& probe) const noexcept
 {
   const auto& search = this->Touched->Search();
-  const ClosestPoint next = search.Track(probe, this->Closest);
+  ClosestPoint next = search.Track(probe, this->Closest);
   if constexpr (Surface::MayCrossItself)
   {
     constexpr int Parts = 16;
