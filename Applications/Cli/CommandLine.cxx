@@ -70,9 +70,24 @@ void ReadUnderscoresAsHyphens(std::vector<std::string>& arguments)
 void DeclareDescription(CLI::App& app)
 {
   app.add_flag_callback(
-      "--xml",
-      [&app] { throw CLI::CallForVersion(SlicerModule(DeclaredCommand(app), VersionNumber()), 0); },
-      "Print 3D Slicer's description of this command and exit");
+         "--xml",
+         [&app]
+         { throw CLI::CallForVersion(SlicerModule(DeclaredCommand(app), VersionNumber()), 0); },
+         "Print 3D Slicer's description of this command and exit")
+      ->trigger_on_parse();
+}
+
+// The same headings by all versions of CLI11, and examples as they were written: from 2.5 on it has
+// headings in capitals and fills the examples' lines.
+void ArrangeHelp(CLI::App& app)
+{
+  app.option_defaults()->group("Options");
+  app.get_help_ptr()->group("Options");
+  app.group("Subcommands");
+  app.get_formatter()->label("POSITIONALS", "Positionals");
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
+  app.get_formatter()->enable_footer_formatting(false);
+#endif
 }
 
 std::vector<std::string> OptionsOf(const std::vector<const CLI::App*>& apps)
@@ -105,6 +120,7 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
       App(std::make_unique<CLI::App>(
           "From segmentations to spherical-harmonic organ models: fit, measure, draw.", "palpate"))
 {
+  ArrangeHelp(*this->App);
   this->App->set_version_flag("--version", ProgramVersion());
   this->App->add_flag("--quiet", this->Quiet,
                       "Suppress notes and progress; results and errors are still printed");
@@ -119,6 +135,7 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
   for (const auto& command : this->Commands)
   {
     CLI::App* sub = this->App->add_subcommand(command->Name(), command->Summary());
+    ArrangeHelp(*sub);
     // --quiet and --no-cache may also follow the command.
     sub->fallthrough();
     sub->footer("Examples:\n" + command->Examples());

@@ -271,8 +271,10 @@ TEST(CliMessages, StudyProgressNamesStructureAndCount)
 {
   const TemporaryFolder folder;
   WriteTwoSpheres(folder / "a.nii.gz");
+  // Surfaces of this degree take longer than the time between two looks at the progress.
   WriteAll(folder / "a.palpate.json",
-           "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", \"structures\": "
+           "{\"format\": \"palpate-study\", \"segmentation\": \"a.nii.gz\", "
+           "\"fit\": {\"model\": \"surface\", \"degree\": 20}, \"structures\": "
            "[{\"label\": 1, \"name\": \"ball\"}, {\"label\": 2}]}");
   const std::string study = OnTerminal({"study", (folder / "a.palpate.json").string()});
   EXPECT_TRUE(Has(study, "case 1 of 2: ball: ") || Has(study, "case 2 of 2: label 2: ")) << study;

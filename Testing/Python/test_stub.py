@@ -23,7 +23,7 @@ def parameters_of_stub(function):
 def parameters_of_binding(function):
     """The same, from the signature that pybind11 writes into the docstring."""
     overloads = re.findall(r"^(?:\d+\. )?\w+\((.*)\) -> ", function.__doc__, re.MULTILINE)
-    pairs = re.findall(r"(\w+): [\w.\[\]:, ]+?(?: = ([^,)]+))?(?=, \w+:|, \*|$)", overloads[-1])
+    pairs = re.findall(r"(\w+): [\w.\[\]:, |]+?(?: = ([^,)]+))?(?=, \w+:|, \*|$)", overloads[-1])
     return [(name, default or None) for name, default in pairs if name != "self"]
 
 

@@ -38,9 +38,12 @@ TEST_F(WindowImages, WindowShowsHeadAndModels)
     structure.IsVisible = true;
     structure.IsTouchable = true;
   }
-  next.View.CrosshairWorld = Vector3(12.0, 18.0, 6.0);
   this->Study->Change("Choose structures", next);
-  this->Study->ChangeView(next.View);
+  this->Settle();
+  // Now, since the camera is placed when the structures are there.
+  auto view = this->Study->State().View;
+  view.CrosshairWorld = Vector3(12.0, 18.0, 6.0);
+  this->Study->ChangeView(view);
   this->Settle();
   this->Window->Messages()->Clear();
   DrawAll(*this->Window->Views());
