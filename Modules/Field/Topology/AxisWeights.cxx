@@ -52,12 +52,9 @@ AxisWeights::AxisWeights(int samples, int count, double first, double step, doub
 
 void AxisWeights::AddTap(int sample, double weight)
 {
-  const auto first = this->Taps.begin() + static_cast<std::ptrdiff_t>(this->Starts.back());
-  const auto same = std::find_if(first, this->Taps.end(),
-                                 [sample](const Tap& tap) { return tap.Sample == sample; });
-  if (same != this->Taps.end())
+  if (this->Taps.size() > this->Starts.back() && this->Taps.back().Sample == sample)
   {
-    same->Weight += static_cast<float>(weight);
+    this->Taps.back().Weight += static_cast<float>(weight);
   }
   else if (weight != 0.0)
   {
