@@ -128,9 +128,10 @@ TEST(RayLanes, EqualSingleRays)
       ASSERT_NO_FATAL_FAILURE(
           ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally));
     }
+    // Where there are lanes of one instruction set only, there are half as many.
     EXPECT_GT(tally.Hits, isTrilinear ? 10000 : 1000);
     EXPECT_GT(tally.Borders, isTrilinear ? 1000 : 100);
-    EXPECT_GT(tally.Inside, isTrilinear ? 5000 : 400);
+    EXPECT_GT(tally.Inside, isTrilinear ? 3000 : 200);
   }
 }
 
@@ -154,7 +155,7 @@ TEST(RayLanes, EqualSingleRaysWhereIntervalsEndAtHits)
     ASSERT_NO_FATAL_FAILURE(
         ExpectSingleAnswers(volume.Field, asked, asked.Rays.size(), AllMaterials, tally));
   }
-  EXPECT_GT(tally.Hits, 5000);
+  EXPECT_GT(tally.Hits, 2500);
 }
 
 TEST(RayLanes, HandleAnyNumberOfRays)
@@ -209,7 +210,7 @@ TEST(RayLanes, EqualSingleRaysForEveryMaterialSet)
     const Questions asked(grid, 700, random);
     ASSERT_NO_FATAL_FAILURE(ExpectSingleAnswers(field, asked, asked.Rays.size(), materials, tally));
   }
-  EXPECT_GT(tally.Hits, 3000);
+  EXPECT_GT(tally.Hits, 1200);
 }
 } // namespace
 } // namespace palpate::ray_lanes_test
