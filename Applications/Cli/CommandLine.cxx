@@ -26,6 +26,7 @@ constexpr int BadInput = 2;
 constexpr int ParsedWithoutHelp = -1;
 
 constexpr const char* SlicerFlag = "--slicer";
+constexpr const char* OptionGroup = "Options";
 
 std::string ProgramExamples()
 {
@@ -81,8 +82,8 @@ void DeclareDescription(CLI::App& app)
 // headings in capitals and fills the examples' lines.
 void ArrangeHelp(CLI::App& app)
 {
-  app.option_defaults()->group("Options");
-  app.get_help_ptr()->group("Options");
+  app.option_defaults()->group(OptionGroup);
+  app.get_help_ptr()->group(OptionGroup);
   app.group("Subcommands");
   app.get_formatter()->label("POSITIONALS", "Positionals");
 #if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
@@ -135,7 +136,7 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
   for (const auto& command : this->Commands)
   {
     CLI::App* sub = this->App->add_subcommand(command->Name(), command->Summary());
-    ArrangeHelp(*sub);
+    sub->get_help_ptr()->group(OptionGroup); // made before the defaults are inherited
     // --quiet and --no-cache may also follow the command.
     sub->fallthrough();
     sub->footer("Examples:\n" + command->Examples());

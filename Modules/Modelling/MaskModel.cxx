@@ -89,8 +89,7 @@ GenusZeroSettings StarSurface(const VoxelMask& mask)
   std::array<double, 3> spacing = mask.Spacing;
   std::sort(spacing.begin(), spacing.end());
   GenusZeroSettings settings;
-  settings.Field.SliceClamp = 0.5;
-  settings.Field.IsCurved = true;
+  settings.Field = ShapeFieldSettings::OfStar();
   settings.Field.CellsOnSurface = 12000.0;
   settings.Field.Spacing = std::max(spacing[1], ShapeFieldSpacing(mask, settings.Field));
   settings.Field.Smoothing = 0.5 * spacing[1] / settings.Field.Spacing;

@@ -27,10 +27,6 @@ namespace
 // shape apart. In voxels of the slices.
 constexpr double TornLevel = 0.25;
 
-// Predicts the true shape between slices better than the field's default, which follows the slices;
-// fits agree with the mask as well as with that one.
-constexpr double SliceClamp = 0.5;
-
 palpate::ScalarGrid HalfLevel(const palpate::VoxelMask& mask)
 {
   palpate::ScalarGrid grid;
@@ -168,10 +164,8 @@ bool vtkSegmentationSurface::BuildShape(const palpate::VoxelMask& mask,
 {
   std::array<double, 3> spacing = mask.Spacing;
   std::sort(spacing.begin(), spacing.end());
-  palpate::ShapeFieldSettings settings;
+  palpate::ShapeFieldSettings settings = palpate::ShapeFieldSettings::OfStar();
   settings.MaximumNodes = 6e7; // 240 MB
-  settings.SliceClamp = SliceClamp;
-  settings.IsCurved = true;
   double wanted = 0.0;
   if (this->CellsOnSurface > 0)
   {

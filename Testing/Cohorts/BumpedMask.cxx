@@ -20,11 +20,9 @@ struct ShapeLevel
 ShapeLevel ShapeOfMask(const VoxelMask& mask)
 {
   ShapeLevel shape;
-  // As fits of radii have it. Bodies that follow each slice more closely than that have steps
-  // between the slices, and move with these: their voxels lose a tenth of a bump.
-  ShapeFieldSettings settings;
-  settings.SliceClamp = 0.5;
-  settings.IsCurved = true;
+  // Bodies that follow each slice more closely have steps between the slices, and move with these:
+  // their voxels lose a tenth of a bump.
+  const ShapeFieldSettings settings = ShapeFieldSettings::OfStar();
   if (const Status status = MakeShapeField(mask, settings, shape.Field); !status.IsOk())
   {
     throw std::runtime_error(status.Message());

@@ -41,12 +41,11 @@ std::array<double, 4> CubicWeights(double t)
 
 AxisWeights::AxisWeights(int samples, int count, double first, double step, double deviation,
                          Interpolation between)
-    : Between(between)
 {
   const std::vector<double> gaussian = HalfGaussian(deviation);
   for (int n = 0; n < count; ++n)
   {
-    this->AddOutput(samples, first + n * step, step, gaussian);
+    this->AddOutput(samples, first + n * step, step, gaussian, between);
   }
 }
 
@@ -63,7 +62,7 @@ void AxisWeights::AddTap(int sample, double weight)
 }
 
 void AxisWeights::AddOutput(int samples, double position, double step,
-                            const std::vector<double>& gaussian)
+                            const std::vector<double>& gaussian, Interpolation between)
 {
   const int reach = static_cast<int>(gaussian.size()) - 1;
   for (int n = -reach; n <= reach; ++n)
@@ -72,7 +71,7 @@ void AxisWeights::AddOutput(int samples, double position, double step,
     const int low = std::min(static_cast<int>(at), std::max(samples - 2, 0));
     const double weight = gaussian[static_cast<std::size_t>(std::abs(n))];
     const std::array<double, 4> around =
-        this->Between == Interpolation::Cubic ? CubicWeights(at - low) : LinearWeights(at - low);
+        between == Interpolation::Cubic ? CubicWeights(at - low) : LinearWeights(at - low);
     for (int sample = 0; sample < 4; ++sample)
     {
       this->AddTap(std::clamp(low - 1 + sample, 0, samples - 1),

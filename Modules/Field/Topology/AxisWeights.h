@@ -35,12 +35,12 @@ private:
     float Weight;
   };
 
-  void AddOutput(int samples, double position, double step, const std::vector<double>& gaussian);
+  void AddOutput(int samples, double position, double step, const std::vector<double>& gaussian,
+                 Interpolation between);
   void AddTap(int sample, double weight);
   void ApplyToRow(const float* from, float* to) const;
   void ApplyToBlocks(const float* from, float* to, std::size_t stride) const;
 
-  Interpolation Between;
   std::vector<Tap> Taps;
   std::vector<std::size_t> Starts{0}; // of each output's taps
 };

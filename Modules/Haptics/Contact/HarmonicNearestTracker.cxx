@@ -252,7 +252,8 @@ void HarmonicNearestTrackerOf<Surface>::LetGo(const ClosestPoint& nearest) noexc
 }
 
 // Where a surface crosses itself, contact may have brought a tool into its other part. There it is
-// not free, but placed anew: else it would feel nothing inside, and walls from their inner sides.
+// not free, but settles as at its start: else it would feel nothing inside, and walls from their
+// inner sides.
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::LetGoOutside(const ClosestPoint& nearest,
                                                      const Vector3& probe) noexcept

@@ -176,8 +176,8 @@ SurfacePoint ParametricTouchSurface::SeenFrom(const Vector3& queryWorld,
   {
     return nearest;
   }
-  return this->WindingNumberNear(queryWorld, nearest) == 0 ? this->SeenFromOutside(nearest)
-                                                           : this->WayOut(queryWorld, nearest);
+  return this->IsOutside(queryWorld, nearest) ? this->SeenFromOutside(nearest)
+                                              : this->WayOut(queryWorld, nearest);
 }
 
 SurfacePoint ParametricTouchSurface::SeenLike(const ClosestPoint& other,

@@ -34,7 +34,7 @@ public:
 
   /// Fails for a surface with numbers that are not finite or too large to be squared, and for one
   /// without a volume. One that is inside out (negative volume) is turned. Takes some 100
-  /// milliseconds, allocates.
+  /// milliseconds, half a second more if it crosses itself; allocates.
   static Status Make(const ParametricSphericalSurface& surface,
                      std::shared_ptr<const ParametricTouchSurface>& touch);
 

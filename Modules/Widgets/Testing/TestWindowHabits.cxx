@@ -167,7 +167,7 @@ TEST_F(WindowHabitsTest, AboutNamesVersionAndLicence)
   const QString text =
       this->Window->findChild<QDialog*>()->findChild<QTextBrowser*>()->toPlainText();
   for (const char* word :
-       {"Palpate 0.", "BSD", "VTK 9", "Qt " QT_STRINGIFY(QT_VERSION_MAJOR), "Eigen "})
+       {"Palpate 0.", "BSD", "VTK 9", "Qt " QT_STRINGIFY(QT_VERSION_MAJOR), "Eigen 3"})
   {
     EXPECT_TRUE(text.contains(word)) << word;
   }

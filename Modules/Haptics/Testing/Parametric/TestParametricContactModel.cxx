@@ -5,6 +5,7 @@
 #include "ParametricPath.h"
 #include "ParametricPhantoms.h"
 #include "ParametricTouchSurface.h"
+#include "SimplePhantoms.h"
 #include "WedgePlaces.h"
 #include "WindingMesh.h"
 #include "WorstCase.h"
@@ -111,24 +112,10 @@ TEST(ParametricContactModel, ForcesEqualThoseOfTheStarShapedModel)
   }
 }
 
-struct PhantomCase
-{
-  const char* Name;
-  ParametricSphericalSurface Surface;
-};
-
-std::vector<PhantomCase> SimplePhantoms()
-{
-  Random random(5);
-  return {{"OpenRing", test::OpenRing()},
-          {"Bowl", test::Bowl()},
-          {"BumpyTube", test::BumpyTube(random)}};
-}
-
 // A proxy at a farther point is one that keeps to the minimum that it met.
 TEST(ParametricContactModel, ProxiesAreAtTheNearestPoint)
 {
-  for (const auto& [name, surface] : SimplePhantoms())
+  for (const auto& [name, surface] : test::SimplePhantoms())
   {
     SCOPED_TRACE(name);
     const auto model = ParametricContact(surface);
@@ -165,7 +152,7 @@ TEST(ParametricContactModel, ProxiesAreAtTheNearestPoint)
 // contact, however it moves: slowly over the surface, in and out, or 5 mm in a tick.
 TEST(ParametricContactModel, NoToolIsInsideWithoutContact)
 {
-  for (const auto& [name, surface] : SimplePhantoms())
+  for (const auto& [name, surface] : test::SimplePhantoms())
   {
     SCOPED_TRACE(name);
     const auto model = ParametricContact(surface);
@@ -278,7 +265,7 @@ TEST(ParametricContactModel, StaysFiniteWhateverTheProbeDoes)
 {
   Random random(9105);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<PhantomCase> phantoms = SimplePhantoms();
+  std::vector<test::NamedPhantom> phantoms = test::SimplePhantoms();
   phantoms.push_back({"CrossingRing", test::CrossingRing()});
   for (const auto& [name, surface] : phantoms)
   {
@@ -309,7 +296,7 @@ TEST(ParametricContactModel, StaysFiniteWhateverTheProbeDoes)
 // again at 0.1 m/s, with a turn along it in between.
 TEST(ParametricContactModel, MeetsTheSurfaceInTime)
 {
-  for (const auto& [name, surface] : SimplePhantoms())
+  for (const auto& [name, surface] : test::SimplePhantoms())
   {
     Random random(9111);
     const auto model = ParametricContact(surface);
@@ -431,7 +418,7 @@ TEST(ParametricTouchSurface, KnowsWhereItCrossesItself)
   {
     EXPECT_LT((place - seam).norm(), 20.0);
   }
-  for (const auto& [name, surface] : SimplePhantoms())
+  for (const auto& [name, surface] : test::SimplePhantoms())
   {
     EXPECT_FALSE(TouchSurfaceOf(surface)->CrossesItself()) << name;
   }
@@ -495,7 +482,7 @@ TEST(WedgePlaces, AreWhereAToolDoesNotFit)
   EXPECT_GT(needed, 0);
   EXPECT_LT(needed, all / 2);
   EXPECT_GT(neededBySphere, all / 3);
-  for (const auto& [name, surface] : SimplePhantoms())
+  for (const auto& [name, surface] : test::SimplePhantoms())
   {
     EXPECT_TRUE(WedgePlaces(*TouchSurfaceOf(surface), 0.0, 1.0).IsEmpty()) << name;
   }
@@ -528,7 +515,7 @@ int CountKnownNearest(const ParametricTouchSurface& surface, double reach, Rando
 TEST(WedgePlaces, AMinimumWithRoomIsTheNearestPoint)
 {
   Random random(9110);
-  for (const auto& [name, surface] : SimplePhantoms())
+  for (const auto& [name, surface] : test::SimplePhantoms())
   {
     const auto touched = TouchSurfaceOf(surface);
     const double size = touched->SmallestRadius();

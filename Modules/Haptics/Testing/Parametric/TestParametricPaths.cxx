@@ -2,6 +2,7 @@
 #include "ParametricContactModel.h"
 #include "ParametricPath.h"
 #include "ParametricPhantoms.h"
+#include "SimplePhantoms.h"
 #include "SurfaceTouchTruth.h"
 #include "WanderingHand.h"
 #include "WedgePlaces.h"
@@ -27,20 +28,6 @@ std::shared_ptr<const ContactModel> PathContact(const ParametricSphericalSurface
   return contact;
 }
 
-struct PathPhantom
-{
-  const char* Name;
-  ParametricSphericalSurface Surface;
-};
-
-std::vector<PathPhantom> PathPhantoms()
-{
-  Random random(5);
-  return {{"OpenRing", test::OpenRing()},
-          {"Bowl", test::Bowl()},
-          {"BumpyTube", test::BumpyTube(random)}};
-}
-
 std::shared_ptr<const ParametricTouchSurface>
 PathSurfaceOf(const ParametricSphericalSurface& surface)
 {
@@ -53,7 +40,7 @@ PathSurfaceOf(const ParametricSphericalSurface& surface)
 // Of 10^5 paths over phantoms and patients' zones by Testing/Benchmarks/SurfaceTouch.
 TEST(ParametricPaths, PathsAgreeWithSearchesOfTheWholeSurface)
 {
-  std::vector<PathPhantom> phantoms = PathPhantoms();
+  std::vector<test::NamedPhantom> phantoms = test::SimplePhantoms();
   phantoms.push_back({"CleftBlob", test::CleftBlob()});
   for (const auto& [name, surface] : phantoms)
   {
