@@ -8,10 +8,18 @@ namespace palpate
 {
 namespace
 {
+std::string Dotted(int major, int minor, int patch)
+{
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
+
 std::string EigenVersion()
 {
-  return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-         std::to_string(EIGEN_MINOR_VERSION);
+#ifdef EIGEN_PATCH_VERSION // since Eigen 5, whose "world" still is 3
+  return Dotted(EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, EIGEN_PATCH_VERSION);
+#else
+  return Dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+#endif
 }
 } // namespace
 

@@ -29,6 +29,8 @@ vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file
   joined->SetTolerance(0.0);
   joined->Update();
   vtkPolyData* surface = joined->GetOutput();
+  // Of merged points only the first one's normals are left, which VTK 9.6 would keep.
+  surface->GetPointData()->SetNormals(nullptr);
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(surface);
   edges->BoundaryEdgesOn();

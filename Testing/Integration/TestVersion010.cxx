@@ -21,13 +21,13 @@ double LargestDifference(const test::CommandRun& run)
   return at == std::string::npos ? 1e9 : std::stod(run.Output.substr(at + words.size()));
 }
 
-// With the model that 0.1.0 fitted to the mask, by a program of GCC. Another compiler fuses other
-// products and sums in the kernels that may be fused: a few units in the last place.
+// With the model that 0.1.0 fitted to the mask, by a program of GCC 12. Other compilers (not GCC
+// 14) fuse other products and sums in the kernels that may be fused: a few units in the last place.
 TEST(Version010, RecordingReplaysBitForBit)
 {
   const test::CommandRun run =
       test::RunPalpate({"touch", "model.scene.json", "--replay", "touch.touch"}, Folder);
-#if defined(__clang__)
+#if defined(__clang__) || __GNUC__ > 14
   EXPECT_LT(LargestDifference(run), 1e-13);
 #else
   EXPECT_EQ(run.Code, 0) << run.Errors;

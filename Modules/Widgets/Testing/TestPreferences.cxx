@@ -43,7 +43,12 @@ protected:
         dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults);
     Click(button, button->rect().center());
   }
-  QColor Ground() const { return this->Window->palette().color(QPalette::Window); }
+  QColor Ground() const { return GroundOf(*this->Window); }
+  static QColor GroundOf(const MainWindow& window)
+  {
+    QApplication::processEvents(); // Qt 6 tells widgets of the palette by an event
+    return window.palette().color(QPalette::Window);
+  }
   SlicePane* Slice(SliceOrientation orientation) const
   {
     return this->Window->Views()->Slice(orientation);
@@ -60,7 +65,7 @@ TEST_F(PreferencesTest, ThemeAppliesAtOnceAndAtTheNextStart)
   EXPECT_FALSE(this->Study->Current().History().IsChanged());
   QApplication::setPalette(QPalette());
   const MainWindow next(*this->Study);
-  EXPECT_EQ(next.palette().color(QPalette::Window), dark);
+  EXPECT_EQ(GroundOf(next), dark);
   Restore(dialog);
   EXPECT_EQ(this->Ground(), system);
 }

@@ -40,6 +40,7 @@ private:
   TestApplication()
   {
     qputenv("QT_FONT_DPI", "100"); // xvfb's, for which Qt 5.15.15 does not ask: pictures have text
+    qputenv("QT_ENABLE_HIGHDPI_SCALING", "0"); // by 100/96 with Qt 6
     QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
     // Tests run in parallel: each process has its own settings.
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
