@@ -10,6 +10,6 @@ out=build/split-cohorts/$degree
 
 Utilities/build.sh palpate PalpateFitBumps PalpateSplitCohorts
 build/release/bin/palpate fit "$masks" --model radial --degree "$degree" --output "$out/fit" >/dev/null || true
-printf '%s\n' posterior left anterior superior |
+printf '%s\n' flat posterior left anterior superior |
   xargs -P "$(nproc)" -I '{}' build/release/bin/PalpateFitBumps "$out/fit" "$out" '{}'
 exec build/release/bin/PalpateSplitCohorts "$out/fit" "$out" "${2:-2000}" "${3:-499}"

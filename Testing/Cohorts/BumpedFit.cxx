@@ -25,11 +25,14 @@ Vector3 NearestTested(const Vector3& axis)
                            { return a.dot(axis) < b.dot(axis); });
 }
 
-// 1 for the voxels of a mask that are in the image.
-vtkSmartPointer<vtkImageData> ImageOfMask(const VoxelMask& mask, vtkImageData* grid)
+// 1 for the voxels of a mask that are in the image, moved by this vector.
+vtkSmartPointer<vtkImageData> ImageOfMask(const VoxelMask& mask, vtkImageData* grid,
+                                          const Vector3& move)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->CopyStructure(grid);
+  const Vector3 origin = Vector3(grid->GetOrigin()) + move;
+  image->SetOrigin(origin.data());
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   std::array<int, 3> size{};
   image->GetDimensions(size.data());
@@ -57,12 +60,13 @@ const std::vector<BumpPlace>& BumpPlaces()
   static const std::vector<BumpPlace> places{{"posterior", NearestTested(Vector3::UnitY())},
                                              {"left", NearestTested(Vector3::UnitX())},
                                              {"anterior", NearestTested(-Vector3::UnitY())},
-                                             {"superior", NearestTested(Vector3::UnitZ()), true}};
+                                             {"superior", NearestTested(Vector3::UnitZ())}};
   return places;
 }
 
 vtkSmartPointer<vtkImageData> BumpedImage(vtkImageData* image, int label,
-                                          const Vector3& centerWorld, const SurfaceBump& bump)
+                                          const Vector3& centerWorld, const SurfaceBump& bump,
+                                          double shift)
 {
   const double smallest = *std::min_element(image->GetSpacing(), image->GetSpacing() + 3);
   const LabelMask copied = CopyLabelMask(image, label, static_cast<int>(std::ceil(Rim / smallest)));
@@ -70,7 +74,9 @@ vtkSmartPointer<vtkImageData> BumpedImage(vtkImageData* image, int label,
   {
     throw std::runtime_error("no voxel has the label " + std::to_string(label));
   }
-  return ImageOfMask(WithBump(copied.Mask, IndexToWorldOf(image), centerWorld, bump), image);
+  const IndexToWorld toWorld = IndexToWorldOf(image);
+  return ImageOfMask(WithBump(copied.Mask, toWorld, centerWorld, bump, shift), image,
+                     shift * toWorld.Axes.col(2));
 }
 
 SphericalHarmonicModel RadialFitOf(vtkImageData* image, int degree)

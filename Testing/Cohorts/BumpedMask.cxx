@@ -35,7 +35,7 @@ ShapeLevel ShapeOfMask(const VoxelMask& mask)
 } // namespace
 
 VoxelMask WithBump(const VoxelMask& mask, const IndexToWorld& toWorld, const Vector3& centerWorld,
-                   const SurfaceBump& bump)
+                   const SurfaceBump& bump, double shift)
 {
   const ShapeLevel shape = ShapeOfMask(mask);
   const Vector3 spacing(mask.Spacing[0], mask.Spacing[1], mask.Spacing[2]);
@@ -47,16 +47,16 @@ VoxelMask WithBump(const VoxelMask& mask, const IndexToWorld& toWorld, const Vec
     {
       for (int i = 0; i < mask.Size[0]; ++i)
       {
-        const Vector3 index(i, j, k);
+        const Vector3 index(i, j, k + shift);
         const Vector3 start(mask.StartIndex[0], mask.StartIndex[1], mask.StartIndex[2]);
         const Vector3 offset = toWorld(start + index) - centerWorld;
         const Vector3 direction = offset.normalized();
+        Vector3 point = spacing.cwiseProduct(index);
         if (offset.norm() > 0.0 && bump.Covers(direction))
         {
-          const Vector3 back = bump.AlongRadius(direction) * (axes.transpose() * direction);
-          const double value = shape.Field.Sample(spacing.cwiseProduct(index) - back);
-          bumped.Inside[mask.Offset(i, j, k)] = value > shape.Level ? 1 : 0;
+          point -= bump.AlongRadius(direction) * (axes.transpose() * direction);
         }
+        bumped.Inside[mask.Offset(i, j, k)] = shape.Field.Sample(point) > shape.Level ? 1 : 0;
       }
     }
   }

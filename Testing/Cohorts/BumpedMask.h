@@ -6,11 +6,13 @@
 
 namespace palpate::test
 {
-/// The mask with its surface displaced by the bump around a centre (world, mm): where the bump
-/// reaches, a voxel is inside if its centre, moved back by the bump, is inside the body between the
-/// voxels: the zero level of the mask's shape field with the volume of its voxels
-/// (MakeShapeField). Elsewhere the voxels stay. So a bump that is smaller than a voxel moves as
-/// many voxels as its volume says. `mask` has a rim that holds the bump. Throws std::runtime_error.
+/// The mask's body with a bump around a centre (world, mm), on voxels that lie `shift` of a slice
+/// further along the third axis than the mask's (-0.5 to 0.5): inside if the voxel's centre, moved
+/// back by the bump where that reaches, is inside the level of the mask's shape field
+/// (MakeShapeField) with the volume of its voxels. That level ends half way between the last slice
+/// of the mask and the next one, so that unmoved slices show no bump of less than half a slice
+/// along them, and all of a higher one; of slices that lie anywhere, as in patients, as many as the
+/// bump's volume says. `mask` has a rim that holds the bump. Throws std::runtime_error.
 VoxelMask WithBump(const VoxelMask& mask, const IndexToWorld& toWorld, const Vector3& centerWorld,
-                   const SurfaceBump& bump);
+                   const SurfaceBump& bump, double shift);
 } // namespace palpate::test

@@ -1,6 +1,6 @@
 // PalpateFitBumps FOLDER OUT PLACE: displaces the surfaces of a cohort's masks (`palpate fit` wrote
-// FOLDER) by bumps of 0 to 3 mm and fits them: OUT/PLACE-1/CASE.json and so on. Keeps the models
-// that are there.
+// FOLDER) by bumps of 1 to 3 mm, cuts them on other slices and fits them: OUT/PLACE-1/CASE.json and
+// so on; the place "flat" has no bump: OUT/flat/CASE.json. Keeps the models that are there.
 #include "BumpedFit.h"
 #include "CohortGroup.h"
 #include "CohortTable.h"
@@ -8,6 +8,7 @@
 #include "SegmentationFile.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -30,14 +31,43 @@ const BumpPlace& PlaceNamed(const std::string& name)
   return *found;
 }
 
-void FitCase(const CohortRow& row, const SphericalHarmonicModel& mean, const BumpPlace& place,
-             const std::filesystem::path& out)
+/// What the models of a folder get.
+struct FolderOfBump
+{
+  std::filesystem::path Path;
+  SurfaceBump Bump;
+};
+
+std::vector<FolderOfBump> FoldersOf(const std::string& place, const SphericalHarmonicModel& mean,
+                                    const std::filesystem::path& out)
+{
+  if (place == "flat")
+  {
+    return {{out / place, {mean, Vector3::UnitZ(), 0.0, BumpExtent}}};
+  }
+  std::vector<FolderOfBump> folders;
+  for (const int height : {1, 2, 3})
+  {
+    folders.push_back(
+        {out / (place + "-" + std::to_string(height)),
+         {mean, PlaceNamed(place).Direction, static_cast<double>(height), BumpExtent}});
+  }
+  return folders;
+}
+
+// Of a case, the same with and without a bump: evenly spread by the golden ratio.
+double ShiftOfSlices(int row)
+{
+  constexpr double Golden = 0.6180339887498949;
+  return std::fmod((row + 0.5) * Golden, 1.0) - 0.5;
+}
+
+void FitCase(const CohortRow& row, double shift, const std::vector<FolderOfBump>& folders)
 {
   Segmentation segmentation;
-  for (int height = 0; height <= 3; ++height)
+  for (const FolderOfBump& folder : folders)
   {
-    const std::filesystem::path folder = out / (place.Name + "-" + std::to_string(height));
-    const std::filesystem::path file = folder / (row.Case + ".json");
+    const std::filesystem::path file = folder.Path / (row.Case + ".json");
     if (std::filesystem::exists(file))
     {
       continue;
@@ -48,11 +78,9 @@ void FitCase(const CohortRow& row, const SphericalHarmonicModel& mean, const Bum
     }
     const Segment& segment = segmentation.Find(std::to_string(row.Result.Structure.Label));
     const auto layer = segmentation.Layers[static_cast<std::size_t>(segment.Layer)];
-    const SurfaceBump bump(mean, place.Direction, height, BumpExtent);
-    std::filesystem::create_directories(folder);
-    WriteModel(
-        file,
-        {RadialFitOf(BumpedImage(layer, segment.Value, row.CenterWorld, bump), mean.Degree()), {}});
+    std::filesystem::create_directories(folder.Path);
+    const auto image = BumpedImage(layer, segment.Value, row.CenterWorld, folder.Bump, shift);
+    WriteModel(file, {RadialFitOf(image, row.Degree), {}});
   }
 }
 
@@ -61,12 +89,14 @@ int FitAll(const std::string& folder, const std::filesystem::path& out, const st
   const CohortGroup group = MakeCohortGroup(CohortTable::Read(folder + "/cohort.csv"), folder, "",
                                             AlignmentAxes::Patient);
   const auto mean = std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0));
+  const std::vector<FolderOfBump> folders = FoldersOf(place, mean, out);
   int lost = 0;
+  int index = 0;
   for (const CohortRow& row : group.Rows)
   {
     try
     {
-      FitCase(row, mean, PlaceNamed(place), out);
+      FitCase(row, ShiftOfSlices(index++), folders);
     }
     catch (const std::exception& error)
     {

@@ -49,8 +49,13 @@ SplitCohorts::SplitCohorts(CohortGroup group, std::uint64_t seed)
 {
 }
 
-BumpedCases SplitCohorts::ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,
-                                     double height) const
+SurfaceBump SplitCohorts::BumpAt(const BumpPlace& place, double height) const
+{
+  return {std::get<SphericalHarmonicModel>(ShapeOf(this->Group, -1, 0.0)), place.Direction, height,
+          BumpExtent};
+}
+
+Eigen::MatrixXd SplitCohorts::ReadCoefficients(const std::filesystem::path& folder) const
 {
   Eigen::MatrixXd masks(this->Coefficients.rows(), this->Coefficients.cols());
   for (Eigen::Index row = 0; row < masks.rows(); ++row)
@@ -59,14 +64,13 @@ BumpedCases SplitCohorts::ReadBumped(const std::filesystem::path& folder, const 
     const SurfaceModel model = ReadModel(folder / (name + ".json")).Surface;
     masks.row(row) = VectorOf(WithDegree(model, DegreeOf(this->Group.Models[0])));
   }
-  return this->WithBump({std::get<SphericalHarmonicModel>(ShapeOf(this->Group, -1, 0.0)),
-                         place.Direction, height, BumpExtent},
-                        std::move(masks));
+  return masks;
 }
 
-BumpedCases SplitCohorts::WithBump(const SurfaceBump& bump, Eigen::MatrixXd masks) const
+BumpedCases SplitCohorts::WithBump(const SurfaceBump& bump, Eigen::MatrixXd flat,
+                                   Eigen::MatrixXd masks) const
 {
-  BumpedCases bumped{bump, std::move(masks), {}, {}};
+  BumpedCases bumped{bump, std::move(flat), std::move(masks), {}, {}};
   const Eigen::HouseholderQR<Eigen::MatrixXd> project(this->Mean.PerCoefficient);
   const Eigen::VectorXd shape = this->ShapeOfBump(bump);
   const Eigen::VectorXd added = project.solve(shape);
@@ -215,12 +219,13 @@ BumpedResult SplitCohorts::Next(const SplitSettings& settings, const BumpedCases
   const Eigen::VectorXd shape = this->ShapeOfBump(bumped.Bump);
   Data ideal = this->DataOf(draw);
   Data masks = ideal;
-  for (std::size_t i = 1; i < draw.Rows.size(); i += 2)
+  for (std::size_t i = 0; i < draw.Rows.size(); i += 2)
   {
     const auto row = static_cast<Eigen::Index>(i);
-    ideal.Coefficients.row(row) += bumped.MovedCoefficients.row(draw.Rows[i]);
-    ideal.Moved.row(row) += bumped.Moved.row(draw.Rows[i]);
-    masks.Coefficients.row(row) = bumped.Coefficients.row(draw.Rows[i]);
+    masks.Coefficients.row(row) = bumped.Flat.row(draw.Rows[i]);
+    ideal.Coefficients.row(row + 1) += bumped.MovedCoefficients.row(draw.Rows[i + 1]);
+    ideal.Moved.row(row + 1) += bumped.Moved.row(draw.Rows[i + 1]);
+    masks.Coefficients.row(row + 1) = bumped.Coefficients.row(draw.Rows[i + 1]);
   }
   masks.Moved = masks.Coefficients * this->Mean.PerCoefficient.transpose();
   const std::size_t point = this->PointOf(bumped.Bump);
@@ -236,7 +241,7 @@ BumpedResult SplitCohorts::Next(const SplitSettings& settings, const BumpedCases
 
 Eigen::VectorXd SplitCohorts::Found(const BumpedCases& bumped) const
 {
-  return (bumped.Coefficients - this->Coefficients) *
+  return (bumped.Coefficients - bumped.Flat) *
          this->Mean.PerCoefficient.row(static_cast<Eigen::Index>(this->PointOf(bumped.Bump)))
              .transpose();
 }

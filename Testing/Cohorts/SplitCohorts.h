@@ -29,16 +29,17 @@ struct SplitResult
 struct BumpedResult
 {
   SplitResult Ideal; ///< the bump added to the models: no mask, no fit, no correspondence error
-  SplitResult Masks; ///< models fitted to masks with the bump
+  SplitResult Masks; ///< models fitted to masks with and without the bump
 };
 
-/// A bump, the models of all cases' masks with it, and what it does to their bodies, without masks
-/// and fits: a row per case of the group. Centres are superimposed, so a bump moves the rest of its
-/// body the other way, the more the smaller it is.
+/// A bump, the models of all cases' masks without and with it, and what it does to their bodies,
+/// without masks and fits: a row per case of the group. Centres are superimposed, so a bump moves
+/// the rest of its body the other way, the more the smaller it is.
 struct BumpedCases
 {
   SurfaceBump Bump;
-  Eigen::MatrixXd Coefficients;      ///< of the masks' models
+  Eigen::MatrixXd Flat;              ///< coefficients of the models of masks on the same slices
+  Eigen::MatrixXd Coefficients;      ///< of the masks' models with the bump
   Eigen::MatrixXd Moved;             ///< along the mean's normal at the points, mm
   Eigen::MatrixXd MovedCoefficients; ///< the closest ones to it
 };
@@ -60,11 +61,11 @@ class SplitCohorts
 public:
   SplitCohorts(CohortGroup group, std::uint64_t seed);
 
-  /// `masks` are the coefficients of all cases' models with the bump.
-  BumpedCases WithBump(const SurfaceBump& bump, Eigen::MatrixXd masks) const;
-  /// Reads `folder`/CASE.json of every case. Throws InputError.
-  BumpedCases ReadBumped(const std::filesystem::path& folder, const BumpPlace& place,
-                         double height) const;
+  /// `flat` and `masks` are the coefficients of all cases' models without and with the bump.
+  BumpedCases WithBump(const SurfaceBump& bump, Eigen::MatrixXd flat, Eigen::MatrixXd masks) const;
+  /// The coefficients of `folder`/CASE.json of every case. Throws InputError.
+  Eigen::MatrixXd ReadCoefficients(const std::filesystem::path& folder) const;
+  SurfaceBump BumpAt(const BumpPlace& place, double height) const;
 
   SplitResult Next(const SplitSettings& settings);
   BumpedResult Next(const SplitSettings& settings, const BumpedCases& bumped);

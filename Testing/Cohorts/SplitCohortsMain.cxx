@@ -170,14 +170,18 @@ void ReportBumps(SplitCohorts& cohorts, const std::filesystem::path& folder, int
                  const SplitSettings& settings)
 {
   const std::size_t places = BumpPlaces().size();
+  const Eigen::MatrixXd flat = cohorts.ReadCoefficients(folder / "flat");
   std::vector<BumpedResult> all;
   std::printf("A bump of %d mm, %.0f mm wide, %d cohorts, %d modes as covariates\n", height,
               BumpExtent, count, static_cast<int>(settings.Modes));
   for (std::size_t place = 0; place < places; ++place)
   {
     const BumpPlace& where = BumpPlaces()[place];
-    const BumpedCases bumped =
-        cohorts.ReadBumped(folder / (where.Name + "-" + std::to_string(height)), where, height);
+    const BumpedCases bumped = cohorts.WithBump(
+        cohorts.BumpAt(where, height), flat,
+        height == 0
+            ? flat
+            : cohorts.ReadCoefficients(folder / (where.Name + "-" + std::to_string(height))));
     std::vector<BumpedResult> results;
     for (int i = 0; i < count / static_cast<int>(places); ++i)
     {
@@ -185,12 +189,9 @@ void ReportBumps(SplitCohorts& cohorts, const std::filesystem::path& folder, int
     }
     ReportEstimates(where.Name, results, cohorts, bumped);
     ReportFinds(results, height > 0);
-    if (!where.IsAlongSlices)
-    {
-      all.insert(all.end(), results.begin(), results.end());
-    }
+    all.insert(all.end(), results.begin(), results.end());
   }
-  std::printf(" all places but those along the slices\n");
+  std::printf(" all places\n");
   ReportFinds(all, height > 0);
   std::fflush(stdout);
 }

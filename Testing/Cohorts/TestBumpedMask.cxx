@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace palpate::bumped_mask_test
 {
@@ -19,9 +20,9 @@ SphericalHarmonicModel Sphere()
   return {0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()};
 }
 
-SurfaceBump BumpOf(double height)
+SurfaceBump BumpOf(double height, const Vector3& place = Place)
 {
-  return {Sphere(), Place, height, 20.0};
+  return {Sphere(), place, height, 20.0};
 }
 
 /// The voxels of the sphere around a centre, 0.5 x 0.5 x 3 mm, in axes turned about z.
@@ -95,34 +96,43 @@ double VolumeOfBump(const SurfaceBump& bump)
   return volume;
 }
 
-// On grids that lie otherwise in their voxels, since one rounds to voxels.
-class BumpOfVoxels : public testing::TestWithParam<double>
+// Whether the bump is along the slices, and its height.
+class BumpOfVoxels : public testing::TestWithParam<std::tuple<bool, double>>
 {
 };
 
 TEST_P(BumpOfVoxels, AddsTheVolumeOfTheBump)
 {
-  const SurfaceBump bump = BumpOf(GetParam());
-  constexpr int Grids = 8;
+  const auto& [isAlongSlices, height] = GetParam();
+  const Vector3 place = isAlongSlices ? Vector3::UnitZ() : Place;
+  const SurfaceBump bump = BumpOf(height, place);
+  const SurfaceBump none = BumpOf(0.0, place);
+  // Spheres that lie otherwise in their voxels, on slices that lie otherwise, since one rounds to
+  // voxels.
+  constexpr int Grids = 32;
   double added = 0.0;
   for (int grid = 0; grid < Grids; ++grid)
   {
-    const Vector3 center(0.07 * grid, 0.05 * grid, 3.0 * grid / Grids);
+    const Vector3 center(0.56 * grid / Grids, 0.4 * grid / Grids, 1.5 * (grid % 2));
+    const double shift = (grid + 0.5) / Grids - 0.5;
     const SphereMask sphere = MaskAround(center);
-    const VoxelMask bumped = WithBump(sphere.Mask, sphere.ToWorld, center, bump);
-    added += static_cast<double>(bumped.Count() - sphere.Mask.Count()) * 0.75 / Grids;
+    const VoxelMask flat = WithBump(sphere.Mask, sphere.ToWorld, center, none, shift);
+    const VoxelMask bumped = WithBump(sphere.Mask, sphere.ToWorld, center, bump, shift);
+    added +=
+        (static_cast<double>(bumped.Count()) - static_cast<double>(flat.Count())) * 0.75 / Grids;
   }
-  // 0.022 mm over the bump's 314 mm^2: pixels of 0.5 mm and slices of 3 mm, mean of eight grids.
+  // 0.022 mm over the bump's 314 mm^2: pixels of 0.5 mm and slices of 3 mm, mean of the grids.
   EXPECT_NEAR(added, VolumeOfBump(bump), 7.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Heights, BumpOfVoxels, testing::Values(0.0, 0.3, 1.0, 3.0));
+INSTANTIATE_TEST_SUITE_P(Bumps, BumpOfVoxels,
+                         testing::Combine(testing::Bool(), testing::Values(1.0, 3.0)));
 
 TEST(BumpedMask, KeepsVoxelsBeyondTheBump)
 {
   const SphereMask sphere = MaskAround(Vector3::Zero());
   const SurfaceBump bump = BumpOf(3.0);
-  const VoxelMask bumped = WithBump(sphere.Mask, sphere.ToWorld, Vector3::Zero(), bump);
+  const VoxelMask bumped = WithBump(sphere.Mask, sphere.ToWorld, Vector3::Zero(), bump, 0.0);
   int changed = 0;
   for (int k = 0; k < 22; ++k)
   {

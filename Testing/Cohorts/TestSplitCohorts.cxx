@@ -59,13 +59,13 @@ void Add(const SphericalHarmonicModel& model, CohortGroup& group)
       SphericalHarmonicModel(model.Degree(), model.Coefficients(), Vector3::Zero()));
 }
 
-test::SurfaceBump BumpOf(const CohortGroup& group)
+test::SurfaceBump BumpOf(const CohortGroup& group, double height = Height)
 {
-  return {std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0)), Place.Direction, Height,
+  return {std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0)), Place.Direction, height,
           test::BumpExtent};
 }
 
-/// Models fitted to masks, and files of those fitted to the masks with a bump.
+/// Models fitted to masks, and files of those fitted to the masks with a bump, on other slices.
 struct SmallCohort
 {
   SmallCohort()
@@ -78,13 +78,22 @@ struct SmallCohort
       Add(test::RadialFitOf(masks.back(), Degree), this->Group);
     }
     EXPECT_TRUE(FindShapeModes(CoefficientsOf(this->Group), this->Group.Modes).IsOk());
+    std::filesystem::create_directories(this->Folder / "flat");
     for (std::size_t row = 0; row < masks.size(); ++row)
     {
-      const auto image =
-          test::BumpedImage(masks[row], 1, this->Group.Rows[row].CenterWorld, BumpOf(this->Group));
-      WriteModel(this->Folder / (this->Group.Rows[row].Case + ".json"),
-                 {test::RadialFitOf(image, Degree), {}});
+      const double shift = (static_cast<double>(row) + 0.5) / Cases - 0.5;
+      this->Fit(masks[row], row, 0.0, shift, this->Folder / "flat");
+      this->Fit(masks[row], row, Height, shift, this->Folder.Path());
     }
+  }
+
+  void Fit(vtkImageData* mask, std::size_t row, double height, double shift,
+           const std::filesystem::path& folder) const
+  {
+    const CohortRow& gland = this->Group.Rows[row];
+    const auto image =
+        test::BumpedImage(mask, 1, gland.CenterWorld, BumpOf(this->Group, height), shift);
+    WriteModel(folder / (gland.Case + ".json"), {test::RadialFitOf(image, Degree), {}});
   }
 
   TemporaryFolder Folder;
@@ -95,7 +104,9 @@ TEST(SplitCohorts, MasksWithABumpGiveWhatModelsWithABumpGive)
 {
   const SmallCohort cohort;
   SplitCohorts studies(cohort.Group, 1);
-  const BumpedCases bumped = studies.ReadBumped(cohort.Folder.Path(), Place, Height);
+  const BumpedCases bumped = studies.WithBump(studies.BumpAt(Place, Height),
+                                              studies.ReadCoefficients(cohort.Folder / "flat"),
+                                              studies.ReadCoefficients(cohort.Folder.Path()));
   // Within 0.1 mm for voxels of 0.9 mm.
   EXPECT_NEAR(studies.Found(bumped).mean(), studies.InModelsDegree(bumped), 0.1);
   test::SplitSettings settings;
@@ -128,7 +139,8 @@ TEST(SplitCohorts, BumpOfTheIdealDataIsExact)
   settings.PerGroup = Cases / 2;
   settings.Permutations = 9;
   // As if the masks had none.
-  BumpedCases bumped = studies.WithBump(BumpOf(group), CoefficientsOf(group));
+  BumpedCases bumped =
+      studies.WithBump(BumpOf(group), CoefficientsOf(group), CoefficientsOf(group));
   const double truth = studies.True(bumped);
   EXPECT_NEAR(truth, Height, 0.1 * Height); // but for the centre's shift
   EXPECT_LT(truth, Height);
@@ -149,7 +161,8 @@ TEST(SplitCohorts, BodiesWithABumpAreCentredAgain)
   Add(RandomGland(random), group);
   ASSERT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
   const SplitCohorts studies(group, 1);
-  const BumpedCases bumped = studies.WithBump(BumpOf(group), CoefficientsOf(group));
+  const BumpedCases bumped =
+      studies.WithBump(BumpOf(group), CoefficientsOf(group), CoefficientsOf(group));
   const Eigen::VectorXd moved = CoefficientsOf(group).row(0) + bumped.MovedCoefficients.row(0);
   BodyMoments before;
   BodyMoments after;
