@@ -74,15 +74,15 @@ vtkSmartPointer<vtkImageData> LabelsOnGrid(vtkImageData* labels, vtkImageData* i
   matched->AllocateScalars(labels->GetScalarType(), 1);
   vtkDataArray* source = labels->GetPointData()->GetScalars();
   vtkDataArray* target = matched->GetPointData()->GetScalars();
-  const auto [columns, rows, slices] = from.Size();
-  const auto matchSlices = [&, columns = columns, rows = rows](vtkIdType first, vtkIdType last)
+  const std::array<int, 3> size = from.Size();
+  const auto matchSlices = [&](vtkIdType first, vtkIdType last)
   {
-    vtkIdType node = first * rows * columns;
+    vtkIdType node = first * size[1] * size[0];
     for (auto k = static_cast<int>(first); k < last; ++k)
     {
-      for (int j = 0; j < rows; ++j)
+      for (int j = 0; j < size[1]; ++j)
       {
-        for (int i = 0; i < columns; ++i)
+        for (int i = 0; i < size[0]; ++i)
         {
           const vtkIdType voxel = NearestVoxel(map(i, j, k), to.Size());
           target->SetComponent(node++, 0, voxel < 0 ? 0.0 : source->GetComponent(voxel, 0));
@@ -90,7 +90,7 @@ vtkSmartPointer<vtkImageData> LabelsOnGrid(vtkImageData* labels, vtkImageData* i
       }
     }
   };
-  vtkSMPTools::For(0, slices, matchSlices);
+  vtkSMPTools::For(0, size[2], matchSlices);
   return matched;
 }
 } // namespace palpate

@@ -81,7 +81,7 @@ void Touch(const ModelDocument& document)
 // model.
 void ChangeNumbers(std::string& text, Random& random)
 {
-  using Json = nlohmann::ordered_json;
+  using Json = nlohmann::json;
   const Json::json_pointer elasticity("/elasticity");
   const Json::json_pointer lists[] = {
       Json::json_pointer("/coefficients_mm"), elasticity / "mean_curvature_per_mm",
