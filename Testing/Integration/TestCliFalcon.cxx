@@ -386,7 +386,8 @@ TEST_P(CliFalconEndsBy, LastPacketHasNoTorqueAndFilesAreComplete)
   }
   const CommandRun run = command->Finish();
   EXPECT_EQ(run.Code, 128 + this->GetParam().All.front()) << run.Errors;
-  EXPECT_FALSE(this->HasTorque());
+  // The chip sends a packet on for a tenth of a millisecond after it has taken it.
+  EXPECT_TRUE(IsSoon([this] { return !this->HasTorque(); }));
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/session.touch"));
   EXPECT_TRUE(std::filesystem::exists(this->Folder / "felt/report.html"));
   this->Record(this->GetParam().Name, start);

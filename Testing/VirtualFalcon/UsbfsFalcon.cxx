@@ -322,6 +322,11 @@ void UsbfsFalcon::TakeWrites(UsbfsFile& file, std::int64_t now)
   }
 }
 
+void UsbfsFalcon::BringUpToDate()
+{
+  static_cast<void>(this->Falcon.NextDue(Now()));
+}
+
 void UsbfsFalcon::Serve(UsbfsFile& file)
 {
   if (file.IsGone)

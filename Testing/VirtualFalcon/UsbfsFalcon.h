@@ -99,16 +99,19 @@ public:
   std::size_t WaitingWrites();
   std::size_t FileCount();
 
-  /// Calls `use(VirtualFalcon&)` with exclusive access to the model.
+  /// Calls `use(VirtualFalcon&)` with exclusive access to the model as it is now: bytes that the
+  /// chip has taken reach the board also if no program waits for replies any more.
   template <typename Use>
   auto WithFalcon(Use&& use)
   {
     const std::lock_guard<std::mutex> lock(this->Access);
+    this->BringUpToDate();
     return use(this->Falcon);
   }
   const FalconDescriptors& Descriptors() const { return this->Texts; }
 
 private:
+  void BringUpToDate();
   void Serve();
   void Serve(UsbfsFile& file);
   void TakeAway(UsbfsFile& file, Unplugging how);
