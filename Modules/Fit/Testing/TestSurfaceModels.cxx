@@ -8,6 +8,8 @@
 #include "ModelSurface.h"
 #include "ParametricMask.h"
 #include "ParametricPhantoms.h"
+#include "SegmentationFile.h"
+#include "TestData.h"
 #include "TriangleMesh.h"
 
 #include "vtkDataArray.h"
@@ -335,5 +337,28 @@ TEST(SurfaceModels, CanBeCancelled)
         << end;
   }
 }
+
+class SurfaceOfAZone : public testing::TestWithParam<const char*>
+{
+};
+
+// Each of these crosses itself at 32 to 107 pairs of triangles if its sheets are not taken apart.
+TEST_P(SurfaceOfAZone, DoesNotCrossItself)
+{
+  const auto path =
+      palpate::test::DataPath(std::string("prostate/picai/zones_") + GetParam() + ".nii.gz");
+  PALPATE_REQUIRE_FILE(path);
+  const Segmentation segmentation = ReadSegmentation(path);
+  const FitResult result =
+      palpate::FitStructure(segmentation, segmentation.Find("1"), SurfaceOfDegree(16));
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_EQ(result.Details.Crossings, 0);
+  EXPECT_EQ(result.Details.IrregularPercent, 0.0);
+  EXPECT_GT(result.Dice, 0.97);
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, SurfaceOfAZone,
+                         testing::Values("10000_1000000", "10001_1000001", "10004_1000004",
+                                         "10005_1000005", "10012_1000012"));
 } // namespace
 } // namespace palpate::surface_models_test

@@ -1,5 +1,6 @@
 #include "ParametricFit.h"
 
+#include "CrossingRemedy.h"
 #include "DirectionSlide.h"
 #include "ParametricSolver.h"
 #include "SphericalHarmonicBasis.h"
@@ -78,15 +79,15 @@ class Run
 public:
   Run(const IndexedMesh& mesh, const std::vector<Vector3>& parameters,
       const ParametricFitOptions& options)
-      : Mesh(mesh), Options(options), Parameters(parameters), Solver(options.Degree, options.Ridge),
-        MeshVolume(VolumeOf(mesh))
+      : Mesh(mesh), Target(mesh), Options(options), Parameters(parameters),
+        Solver(options.Degree, options.Ridge), MeshVolume(VolumeOf(mesh))
   {
   }
 
   Status Start()
   {
     this->Samples =
-        SampleMesh(this->Mesh, this->Parameters, SampleSpacingFor(this->Options.Degree));
+        SampleMesh(this->Target, this->Parameters, SampleSpacingFor(this->Options.Degree));
     return this->Solver.FitPoints(this->Samples)
                ? Status::Success()
                : Status::Failure(
@@ -144,10 +145,41 @@ public:
     this->MatchVolume();
   }
 
+  // Keeps the fit with the fewest, if that is less than half: a few of hundreds are not worth the
+  // distance that the vertices were moved.
+  Status RemoveCrossings()
+  {
+    Status status = Status::Success();
+    CrossingRemedy remedy = this->Remedy();
+    std::int64_t fewest = (remedy.Crossings + 1) / 2;
+    for (int round = 0; round < this->Options.MostSeparations && remedy.Crossings > 0; ++round)
+    {
+      status = this->Apply(remedy);
+      if (!status.IsOk())
+      {
+        break;
+      }
+      this->FitNormals();
+      this->MatchVolume();
+      remedy = this->Remedy();
+      if (remedy.Crossings < fewest)
+      {
+        fewest = remedy.Crossings;
+        this->Keep();
+      }
+    }
+    return status;
+  }
+
+  void Keep() { this->Fitted = {this->Solver.Surface(), this->Parameters}; }
+
   void Finish(ParametricFitResult& result)
   {
-    result.Surface = this->Solver.Surface();
-    this->Evaluate(this->Samples.Parameters);
+    result.Surface = this->Fitted.Surface;
+    result.Parameters = this->Fitted.Parameters;
+    this->Samples =
+        SampleMesh(this->Mesh, result.Parameters, SampleSpacingFor(this->Options.Degree));
+    this->Evaluate(result.Surface, this->Samples.Parameters);
     double squares = 0.0;
     result.Folded = 0;
     for (std::size_t i = 0; i < this->Samples.Points.size(); ++i)
@@ -155,10 +187,9 @@ public:
       const double off =
           this->Samples.Normals[i].dot(this->State[i].Point - this->Samples.Points[i]);
       squares += this->Samples.Weights[i] * off * off;
-      result.Folded += i >= this->Parameters.size() || this->AreaElementAt(i) > 0.0 ? 0 : 1;
+      result.Folded += i >= result.Parameters.size() || this->AreaElementAt(i) > 0.0 ? 0 : 1;
     }
     result.NormalRms = std::sqrt(squares);
-    result.Parameters = this->Parameters;
   }
 
 private:
@@ -176,10 +207,10 @@ private:
     return status;
   }
 
-  void Evaluate(const std::vector<Vector3>& parameters)
+  void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vector3>& parameters)
   {
     this->State.resize(parameters.size());
-    this->Solver.Surface().EvaluateBatch(parameters.data(), parameters.size(), this->State.data());
+    surface.EvaluateBatch(parameters.data(), parameters.size(), this->State.data());
   }
 
   double AreaElementAt(std::size_t i) const
@@ -217,20 +248,78 @@ private:
     this->Solver.FitNormals(this->Samples, this->Options.Iterations);
   }
 
-  // Moves each vertex towards the parameter of its nearest point.
-  Status Slide()
+  Status SlideBy(const std::vector<Vector3>& steps)
   {
     constexpr double LongestStep = 0.15; // rad
     constexpr double LeastShare = 0.5;   // of a triangle's area on the sphere
-    this->Evaluate(this->Parameters);
-    std::vector<Vector3> steps(this->Parameters.size());
-    for (std::size_t i = 0; i < steps.size(); ++i)
-    {
-      steps[i] = StepTowards(this->Mesh.Points[i], this->State[i]);
-    }
     DirectionSlide slide;
     return SlideDirections(this->Mesh.Triangles, steps, LongestStep, LeastShare, this->Parameters,
                            slide);
+  }
+
+  // Moves each vertex towards the parameter of its nearest point.
+  Status Slide()
+  {
+    this->Evaluate(this->Solver.Surface(), this->Parameters);
+    std::vector<Vector3> steps(this->Parameters.size());
+    for (std::size_t i = 0; i < steps.size(); ++i)
+    {
+      steps[i] = StepTowards(this->Target.Points[i], this->State[i]);
+    }
+    return this->SlideBy(steps);
+  }
+
+  CrossingRemedy Remedy() const
+  {
+    return FindCrossingRemedy(this->Solver.Surface(), this->Samples, this->Parameters.size());
+  }
+
+  Status Apply(const CrossingRemedy& remedy)
+  {
+    constexpr double LargestWeight = 4.0;
+    constexpr double Evened = 0.5; // of the way to the mean of the neighbours
+    for (std::size_t i = 0; i < this->Parameters.size(); ++i)
+    {
+      this->Target.Points[i] += remedy.Shifts[i] * this->Samples.Normals[i];
+    }
+    this->Stiffen(remedy.IsPleated, LargestWeight);
+    Status status = Status::Success();
+    if (std::count(remedy.IsPleated.begin(), remedy.IsPleated.end(), 1) > 0)
+    {
+      status = this->Slide();
+      if (status.IsOk())
+      {
+        status = this->Even(remedy.IsPleated, Evened);
+      }
+    }
+    return status.IsOk() ? this->Start() : status;
+  }
+
+  // Moves these vertices' parameters towards the means of their neighbours'.
+  Status Even(const std::vector<char>& isChosen, double share)
+  {
+    std::vector<Vector3> sums(isChosen.size(), Vector3::Zero());
+    std::vector<int> counts(isChosen.size());
+    for (const std::array<int, 3>& t : this->Mesh.Triangles)
+    {
+      Vector3 sum = Vector3::Zero();
+      for (const int corner : t)
+      {
+        sum += this->Parameters[static_cast<std::size_t>(corner)];
+      }
+      for (const int corner : t)
+      {
+        const auto i = static_cast<std::size_t>(corner);
+        sums[i] += sum - this->Parameters[i];
+        counts[i] += 2;
+      }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+    {
+      sums[i] = isChosen[i] != 0 ? Vector3(share * (sums[i] / counts[i] - this->Parameters[i]))
+                                 : Vector3(Vector3::Zero());
+    }
+    return this->SlideBy(sums);
   }
 
   // Vertices whose tangents are to be stiffened. A few folds can be ironed out by more weight than
@@ -242,11 +331,21 @@ private:
     std::size_t MostVertices;
   };
 
+  void Stiffen(const std::vector<char>& isChosen, double largestWeight)
+  {
+    constexpr double Stiffer = 5.0;
+    for (std::size_t i = 0; i < isChosen.size(); ++i)
+    {
+      double& weight = this->VertexWeights[i];
+      weight =
+          isChosen[i] != 0 ? std::max(weight, std::min(largestWeight, Stiffer * weight)) : weight;
+    }
+  }
+
   // Stiffens the tangents around them; returns false if there is none, or too many.
   bool Stiffen(const Narrow& narrow)
   {
-    constexpr double Stiffer = 5.0;
-    this->Evaluate(this->Parameters);
+    this->Evaluate(this->Solver.Surface(), this->Parameters);
     std::vector<double> elements(this->Parameters.size());
     double mean = 0.0;
     for (std::size_t i = 0; i < elements.size(); ++i)
@@ -279,17 +378,22 @@ private:
       }
       near = wider;
     }
-    for (std::size_t i = 0; i < near.size(); ++i)
-    {
-      double& weight = this->VertexWeights[i];
-      weight = near[i] != 0 ? std::min(narrow.LargestWeight, Stiffer * weight) : weight;
-    }
+    this->Stiffen(near, narrow.LargestWeight);
     return true;
   }
 
+  /// With the parameters that the vertices had.
+  struct Fit
+  {
+    ParametricSphericalSurface Surface{0, {{{0.0}, {0.0}, {0.0}}}};
+    std::vector<Vector3> Parameters;
+  };
+
   const IndexedMesh& Mesh;
+  IndexedMesh Target; // the same with vertices moved where fits of it cross themselves
   const ParametricFitOptions& Options;
   std::vector<Vector3> Parameters; // of the vertices
+  Fit Fitted;
   SurfaceSamples Samples;
   ParametricSolver Solver;
   double MeshVolume;                 // mm^3
@@ -323,6 +427,12 @@ Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>&
   if (options.Refits > 0)
   {
     run.Complete();
+    run.Keep();
+    status = run.RemoveCrossings();
+  }
+  else
+  {
+    run.Keep();
   }
   run.Finish(result);
   return status;

@@ -32,6 +32,9 @@ struct ParametricFitOptions
   /// The last refit is repeated with stiffer tangents around vertices where the surface's area
   /// element falls below this part of its mean or turns over; 0 for no such guard.
   double LeastAreaRatio = 0.25;
+  /// Rounds at most in which crossings of the surface with itself are taken apart (CrossingRemedy)
+  /// after the last refit; the surface with the fewest is kept, if these are less than half.
+  int MostSeparations = 6;
 };
 
 struct ParametricFitResult
@@ -48,7 +51,8 @@ struct ParametricFitResult
 /// parametrisation, one unit vector per vertex. Fails if the parameters are not bijective or do not
 /// determine the surface, if its placement is undetermined, or on cancellation.
 ///
-/// With refits, the surface has the volume of the mesh (to second order of the change).
+/// With refits, the surface has the volume of the mesh (to second order of the change). The mesh
+/// should not cross itself.
 ///
 /// After Brechbuhler, Gerig and Kubler, "Parametrization of closed surfaces for 3-D shape
 /// description", CVIU 61 (1995); the refits minimise distances along normals, since a surface may

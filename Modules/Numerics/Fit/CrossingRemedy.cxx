@@ -1,0 +1,151 @@
+#include "CrossingRemedy.h"
+
+#include "IcosahedronDirections.h"
+#include "MeshCrossings.h"
+#include "WindingMesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpate
+{
+namespace
+{
+IndexedMesh MeshOf(const ParametricSphericalSurface& surface, const IcosahedronDirections& sphere)
+{
+  std::vector<ParametricSphericalSurface::Sample> samples(sphere.Directions().size());
+  surface.EvaluateBatch(sphere.Directions().data(), samples.size(), samples.data());
+  IndexedMesh mesh;
+  mesh.Triangles = sphere.Triangles();
+  for (const auto& sample : samples)
+  {
+    mesh.Points.push_back(sample.Point);
+  }
+  return mesh;
+}
+
+// A crossing's place on one of its sheets, and which way that is to go: 1 outwards, -1 inwards, 0
+// for a pleat.
+struct CrossingEnd
+{
+  Vector3 Point; // of the samples
+  Vector3 Normal;
+  double Side;
+};
+
+class CrossingSearch
+{
+public:
+  CrossingSearch(const ParametricSphericalSurface& surface, const SurfaceSamples& samples)
+      : Samples(samples), Sphere(2 * surface.Degree()), Mesh(MeshOf(surface, Sphere)),
+        Winding(Mesh.Points, Mesh.Triangles), HalfWave(M_PI / surface.Degree())
+  {
+    constexpr std::size_t MostPairs = 200;
+    // Fails for numbers beyond those of surfaces; then there are no crossings to be taken apart.
+    (void)FindMeshCrossings(this->Mesh, {MostPairs, 1'000'000}, this->Found).IsOk();
+  }
+
+  std::int64_t Count() const { return this->Found.Count; }
+
+  std::vector<CrossingEnd> Ends() const
+  {
+    std::vector<CrossingEnd> ends;
+    for (const MeshCrossing& pair : this->Found.Pairs)
+    {
+      const std::size_t first = this->NearestSample(pair.First);
+      const std::size_t second = this->NearestSample(pair.Second);
+      const Vector3& u = this->Samples.Parameters[first];
+      const bool isPleat = u.dot(this->Samples.Parameters[second]) > std::cos(2.0 * this->HalfWave);
+      const double side = isPleat ? 0.0 : this->SideOf(pair);
+      for (const std::size_t sample : {first, second})
+      {
+        ends.push_back({this->Samples.Points[sample], this->Samples.Normals[sample], side});
+      }
+    }
+    return ends;
+  }
+
+private:
+  const Vector3& Corner(int triangle, std::size_t corner) const
+  {
+    const int point = this->Mesh.Triangles[static_cast<std::size_t>(triangle)][corner];
+    return this->Mesh.Points[static_cast<std::size_t>(point)];
+  }
+
+  Vector3 NormalOf(int triangle) const
+  {
+    const Vector3& a = this->Corner(triangle, 0);
+    return (this->Corner(triangle, 1) - a).cross(this->Corner(triangle, 2) - a).normalized();
+  }
+
+  // By parameters.
+  std::size_t NearestSample(int triangle) const
+  {
+    Vector3 middle = Vector3::Zero();
+    for (const int corner : this->Mesh.Triangles[static_cast<std::size_t>(triangle)])
+    {
+      middle += this->Sphere.Directions()[static_cast<std::size_t>(corner)];
+    }
+    const auto& all = this->Samples.Parameters;
+    const auto nearest = std::max_element(all.begin(), all.end(),
+                                          [&](const Vector3& a, const Vector3& b)
+                                          { return a.dot(middle) < b.dot(middle); });
+    return static_cast<std::size_t>(nearest - all.begin());
+  }
+
+  // Between two sheets that cross, on the outer side of the one and the inner side of the other,
+  // the winding number is 1 if they overlap, and 0 if a thin wall is turned inside out.
+  double SideOf(const MeshCrossing& pair) const
+  {
+    const double reach = 0.5 * (this->Corner(pair.First, 1) - this->Corner(pair.First, 0)).norm();
+    const Vector3 between =
+        reach * (this->NormalOf(pair.First) - this->NormalOf(pair.Second)).normalized();
+    const int both = this->Winding.WindingNumber(pair.Place + between) +
+                     this->Winding.WindingNumber(pair.Place - between);
+    return both >= 1 ? -1.0 : 1.0;
+  }
+
+  const SurfaceSamples& Samples;
+  IcosahedronDirections Sphere;
+  IndexedMesh Mesh;
+  WindingMesh Winding;
+  double HalfWave; // rad
+  MeshCrossings Found;
+};
+} // namespace
+
+CrossingRemedy FindCrossingRemedy(const ParametricSphericalSurface& surface,
+                                  const SurfaceSamples& samples, std::size_t vertices)
+{
+  const CrossingSearch search(surface, samples);
+  CrossingRemedy remedy{search.Count(), std::vector<double>(vertices), std::vector<char>(vertices)};
+  if (search.Count() == 0)
+  {
+    return remedy;
+  }
+  constexpr double Pleated = 0.3;   // of a crossing's influence
+  constexpr double SameSheet = 0.3; // cosine
+  const double halfWave = std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree(); // mm
+  const double width = 0.5 * halfWave;
+  const double step = 0.1 * width;
+  for (const CrossingEnd& end : search.Ends())
+  {
+    for (std::size_t i = 0; i < vertices; ++i)
+    {
+      const double squared = (end.Point - samples.Points[i]).squaredNorm();
+      const double influence = std::exp(-0.5 * squared / (width * width));
+      if (end.Side == 0.0)
+      {
+        remedy.IsPleated[i] |= influence > Pleated ? 1 : 0;
+      }
+      else if (end.Normal.dot(samples.Normals[i]) > SameSheet)
+      {
+        const double shift = step * influence;
+        double& most = remedy.Shifts[i];
+        most = shift > std::abs(most) ? end.Side * shift : most;
+      }
+    }
+  }
+  return remedy;
+}
+} // namespace palpate
