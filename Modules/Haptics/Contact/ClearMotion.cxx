@@ -377,6 +377,11 @@ ClearMotion::Step ClearMotion::SearchAt(const Vector3& start, const Vector3& goa
 {
   Minima minima;
   const double others = this->Search(goal, minima);
+  if (others < needed && this->IsApartWithoutMargin(start, goal, others, minima.Each[0]))
+  {
+    this->Take(goal, minima, others + this->Surface->Margin());
+    return Step::Taken;
+  }
   if (others < needed && minima.Count > 0)
   {
     this->Remember(minima.Each[0]);
@@ -389,6 +394,16 @@ ClearMotion::Step ClearMotion::SearchAt(const Vector3& start, const Vector3& goa
     return Step::Met;
   }
   return this->TakeIf(others >= needed, goal, minima, others);
+}
+
+// Whether a step stays in the empty ball around its end, and what is nearest there is not next to a
+// crossing. A point that waited for a proof with the margin, next to a wall that is nearer than
+// that, would not move any more.
+bool ClearMotion::IsApartWithoutMargin(const Vector3& start, const Vector3& goal, double others,
+                                       const ClosestPoint& nearest) const noexcept
+{
+  return this->RadiusAt(nearest) <= this->Radius &&
+         (goal - start).norm() < others - this->Radius - this->Exactness;
 }
 
 // How far to look then.
