@@ -29,6 +29,11 @@ vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file
   joined->SetTolerance(0.0);
   joined->Update();
   vtkPolyData* surface = joined->GetOutput();
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+  {
+    Refuse(file, "cannot be used as a tool, since its triangles have no area",
+           "choose a surface that is closed, as for 3D printing");
+  }
   // Of merged points only the first one's normals are left, which VTK 9.6 would keep.
   surface->GetPointData()->SetNormals(nullptr);
   vtkNew<vtkFeatureEdges> edges;

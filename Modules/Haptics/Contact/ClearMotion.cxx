@@ -371,16 +371,28 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& start, const Vector3& goal, 
 
 // Where a proof does not end. A wall that is nearer than needed is known from then on. In a hollow
 // as round as the tool no minimum is exact; there whatever overlaps the tool is met, or the tool
-// would wait for a proof that never ends. A step within the room that the tool had is on its side.
+// would wait for a proof that never ends. A step within the room that the tool had is on its side;
+// if no wall next to a crossing is known to be as near as the margin, the tool takes a step that
+// stays in the empty ball around its end: a point would not move any more next to a wall that is
+// nearer than the margin.
 ClearMotion::Step ClearMotion::SearchAt(const Vector3& start, const Vector3& goal,
                                         double needed) noexcept
 {
   Minima minima;
   const double others = this->Search(goal, minima);
-  if (others < needed && this->IsApartWithoutMargin(start, goal, others, minima.Each[0]))
+  if (others < needed && minima.Count > 0 &&
+      (goal - start).norm() < others - this->Radius - this->Exactness)
   {
-    this->Take(goal, minima, others + this->Surface->Margin());
-    return Step::Taken;
+    // What is known of walls next to crossings is not given up.
+    Minima all = this->Continued(goal);
+    const bool isNew = all.Count < MostMinima;
+    all.Each[isNew ? all.Count : MostMinima - 1] = minima.Each[0];
+    all.Count += isNew ? 1 : 0;
+    if (this->Touched(all) == nullptr)
+    {
+      this->Take(goal, all, others + this->Surface->Margin());
+      return Step::Taken;
+    }
   }
   if (others < needed && minima.Count > 0)
   {
@@ -394,16 +406,6 @@ ClearMotion::Step ClearMotion::SearchAt(const Vector3& start, const Vector3& goa
     return Step::Met;
   }
   return this->TakeIf(others >= needed, goal, minima, others);
-}
-
-// Whether a step stays in the empty ball around its end, and what is nearest there is not next to a
-// crossing. A point that waited for a proof with the margin, next to a wall that is nearer than
-// that, would not move any more.
-bool ClearMotion::IsApartWithoutMargin(const Vector3& start, const Vector3& goal, double others,
-                                       const ClosestPoint& nearest) const noexcept
-{
-  return this->RadiusAt(nearest) <= this->Radius &&
-         (goal - start).norm() < others - this->Radius - this->Exactness;
 }
 
 // How far to look then.

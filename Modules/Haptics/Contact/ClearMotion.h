@@ -89,8 +89,6 @@ private:
   bool IsShort(const Vector3& start, const Vector3& goal) const noexcept;
   Step Prove(const Vector3& start, const Vector3& goal, double needed, Minima& minima) noexcept;
   Step SearchAt(const Vector3& start, const Vector3& goal, double needed) noexcept;
-  bool IsApartWithoutMargin(const Vector3& start, const Vector3& goal, double others,
-                            const ClosestPoint& nearest) const noexcept;
   void Remember(const ClosestPoint& found) noexcept;
   double Search(const Vector3& goal, Minima& minima) noexcept;
   double Wanted(double needed, const Minima& minima) const noexcept;

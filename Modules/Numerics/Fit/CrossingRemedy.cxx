@@ -36,22 +36,22 @@ struct CrossingEnd
 class CrossingSearch
 {
 public:
-  CrossingSearch(const ParametricSphericalSurface& surface, const SurfaceSamples& samples)
-      : Samples(samples), Sphere(2 * surface.Degree()), Mesh(MeshOf(surface, Sphere)),
-        Winding(Mesh.Points, Mesh.Triangles), HalfWave(M_PI / surface.Degree())
+  CrossingSearch(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+                 const IcosahedronDirections& sphere, const IndexedMesh& mesh)
+      : Samples(samples), Sphere(sphere), Mesh(mesh), Winding(mesh.Points, mesh.Triangles),
+        HalfWave(M_PI / surface.Degree())
   {
-    constexpr std::size_t MostPairs = 200;
-    // Fails for numbers beyond those of surfaces; then there are no crossings to be taken apart.
-    (void)FindMeshCrossings(this->Mesh, {MostPairs, 1'000'000}, this->Found).IsOk();
   }
 
-  std::int64_t Count() const { return this->Found.Count; }
-
-  std::vector<CrossingEnd> Ends() const
+  // Of pairs from all over the list, which is in the order of places.
+  std::vector<CrossingEnd> Ends(const std::vector<MeshCrossing>& pairs) const
   {
+    constexpr std::size_t Most = 200;
+    const std::size_t stride = 1 + (pairs.size() - 1) / Most;
     std::vector<CrossingEnd> ends;
-    for (const MeshCrossing& pair : this->Found.Pairs)
+    for (std::size_t i = 0; i < pairs.size(); i += stride)
     {
+      const MeshCrossing& pair = pairs[i];
       const std::size_t first = this->NearestSample(pair.First);
       const std::size_t second = this->NearestSample(pair.Second);
       const Vector3& u = this->Samples.Parameters[first];
@@ -106,29 +106,38 @@ private:
   }
 
   const SurfaceSamples& Samples;
-  IcosahedronDirections Sphere;
-  IndexedMesh Mesh;
+  const IcosahedronDirections& Sphere;
+  const IndexedMesh& Mesh;
   WindingMesh Winding;
   double HalfWave; // rad
-  MeshCrossings Found;
 };
 } // namespace
 
-CrossingRemedy FindCrossingRemedy(const ParametricSphericalSurface& surface,
-                                  const SurfaceSamples& samples, std::size_t vertices)
+Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+                          std::size_t vertices, CrossingRemedy& remedy)
 {
-  const CrossingSearch search(surface, samples);
-  CrossingRemedy remedy{search.Count(), std::vector<double>(vertices), std::vector<char>(vertices)};
-  if (search.Count() == 0)
+  remedy = {0, std::vector<double>(vertices), std::vector<char>(vertices)};
+  if (surface.Degree() < 2) // an ellipsoid
   {
-    return remedy;
+    return Status::Success();
   }
+  constexpr std::size_t Most = 20000;
+  const IcosahedronDirections sphere(2 * surface.Degree());
+  const IndexedMesh mesh = MeshOf(surface, sphere);
+  MeshCrossings found;
+  Status status = FindMeshCrossings(mesh, {Most, Most}, found);
+  if (!status.IsOk() || found.Count == 0)
+  {
+    return status;
+  }
+  remedy.Crossings = found.Count;
+  const CrossingSearch search(surface, samples, sphere, mesh);
   constexpr double Pleated = 0.3;   // of a crossing's influence
   constexpr double SameSheet = 0.3; // cosine
   const double halfWave = std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree(); // mm
   const double width = 0.5 * halfWave;
   const double step = 0.1 * width;
-  for (const CrossingEnd& end : search.Ends())
+  for (const CrossingEnd& end : search.Ends(found.Pairs))
   {
     for (std::size_t i = 0; i < vertices; ++i)
     {
@@ -146,6 +155,6 @@ CrossingRemedy FindCrossingRemedy(const ParametricSphericalSurface& surface,
       }
     }
   }
-  return remedy;
+  return Status::Success();
 }
 } // namespace palpate

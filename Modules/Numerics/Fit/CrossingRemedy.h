@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ParametricSphericalSurface.h"
+#include "Status.h"
 #include "SurfaceSamples.h"
 
 #include <cstddef>
@@ -26,7 +27,8 @@ struct CrossingRemedy
 
 /// `vertices` of the first samples are the mesh's. Sheets are moved by a twentieth of half the
 /// surface's shortest wavelength at once, and as far around a crossing as it resolves: several
-/// rounds of fits are needed. Looks at 200 crossings at most.
-CrossingRemedy FindCrossingRemedy(const ParametricSphericalSurface& surface,
-                                  const SurfaceSamples& samples, std::size_t vertices);
+/// rounds of fits are needed. Looks at 200 crossings, of 20,000 that are counted at most. Fails for
+/// a surface that is not finite.
+Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+                          std::size_t vertices, CrossingRemedy& remedy);
 } // namespace palpate

@@ -37,6 +37,10 @@ Vector3 StepTowards(const Vector3& point, const Sample& sample)
   const double bb = b.squaredNorm() + damping;
   const double ab = a.dot(b);
   const double determinant = aa * bb - ab * ab;
+  if (!(determinant > 0.0)) // a point, of degree 0
+  {
+    return Vector3::Zero();
+  }
   const double alongA = (bb * a.dot(left) - ab * b.dot(left)) / determinant;
   const double alongB = (aa * b.dot(left) - ab * a.dot(left)) / determinant;
   return alongA * sample.Tangents[0] + alongB * sample.Tangents[1];
@@ -146,29 +150,34 @@ public:
   }
 
   // Keeps the fit with the fewest, if that is less than half: a few of hundreds are not worth the
-  // distance that the vertices were moved.
-  Status RemoveCrossings()
+  // distance that the vertices were moved. Where a round fails, the fits before are good. Returns
+  // false if cancelled.
+  bool RemoveCrossings(const KernelProgress& progress)
   {
-    Status status = Status::Success();
-    CrossingRemedy remedy = this->Remedy();
+    CrossingRemedy remedy;
+    bool isFound = this->FindRemedy(remedy);
     std::int64_t fewest = (remedy.Crossings + 1) / 2;
-    for (int round = 0; round < this->Options.MostSeparations && remedy.Crossings > 0; ++round)
+    for (int round = 0; round < this->Options.MostSeparations && isFound && remedy.Crossings > 0;
+         ++round)
     {
-      status = this->Apply(remedy);
-      if (!status.IsOk())
+      if (progress && !progress(1.0 - 0.2 / (2.0 + round)))
       {
-        break;
+        return false;
       }
-      this->FitNormals();
-      this->MatchVolume();
-      remedy = this->Remedy();
-      if (remedy.Crossings < fewest)
+      isFound = this->Apply(remedy).IsOk();
+      if (isFound)
+      {
+        this->FitNormals();
+        this->MatchVolume();
+        isFound = this->FindRemedy(remedy);
+      }
+      if (isFound && remedy.Crossings < fewest)
       {
         fewest = remedy.Crossings;
         this->Keep();
       }
     }
-    return status;
+    return true;
   }
 
   void Keep() { this->Fitted = {this->Solver.Surface(), this->Parameters}; }
@@ -269,9 +278,11 @@ private:
     return this->SlideBy(steps);
   }
 
-  CrossingRemedy Remedy() const
+  bool FindRemedy(CrossingRemedy& remedy) const
   {
-    return FindCrossingRemedy(this->Solver.Surface(), this->Samples, this->Parameters.size());
+    return FindCrossingRemedy(this->Solver.Surface(), this->Samples, this->Parameters.size(),
+                              remedy)
+        .IsOk();
   }
 
   Status Apply(const CrossingRemedy& remedy)
@@ -316,8 +327,9 @@ private:
     }
     for (std::size_t i = 0; i < sums.size(); ++i)
     {
-      sums[i] = isChosen[i] != 0 ? Vector3(share * (sums[i] / counts[i] - this->Parameters[i]))
-                                 : Vector3(Vector3::Zero());
+      sums[i] = isChosen[i] != 0 && counts[i] > 0
+                    ? Vector3(share * (sums[i] / counts[i] - this->Parameters[i]))
+                    : Vector3(Vector3::Zero());
     }
     return this->SlideBy(sums);
   }
@@ -428,7 +440,10 @@ Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>&
   {
     run.Complete();
     run.Keep();
-    status = run.RemoveCrossings();
+    if (options.MostSeparations > 0 && !run.RemoveCrossings(progress))
+    {
+      return Status::Failure("cancelled");
+    }
   }
   else
   {

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
 
 namespace palpate::drill_tool_test
@@ -216,6 +217,20 @@ TEST_F(DrillTool, RejectsToolsWithoutVolume)
     EXPECT_NE(std::string(error.what()).find("plane.stl"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("closed"), std::string::npos) << error.what();
   }
+}
+
+// Merged, such triangles are lines and points, and leave no edge open.
+TEST_F(DrillTool, RejectsSurfacesOfTrianglesWithoutArea)
+{
+  TouchToolSettings settings;
+  settings.Kind = Shape::Surface;
+  settings.File = this->Folder / "lines.ply";
+  std::ofstream(settings.File) << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                                  "property float y\nproperty float z\nelement face 2\n"
+                                  "property list uchar int vertex_indices\nend_header\n"
+                                  "0 0 0\n1 0 0\n1 0 0\n0 0 0\n3 0 1 2\n3 1 2 3\n";
+  EXPECT_THROW(MakeTool(settings), InputError);
+  EXPECT_THROW(MakeCutTool(settings), InputError);
 }
 
 TEST_F(DrillTool, OffsetSurfaceCutsWhereItLies)

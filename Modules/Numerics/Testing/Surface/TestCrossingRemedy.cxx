@@ -98,9 +98,10 @@ ParametricFitResult Fitted(const MappedMesh& mapped, int degree, int separations
   return result;
 }
 
+// By finer triangles than those in which the fit looks for them.
 std::int64_t CrossingsOf(const ParametricSphericalSurface& surface)
 {
-  const IcosahedronDirections sphere(2 * surface.Degree());
+  const IcosahedronDirections sphere(5 * surface.Degree());
   IndexedMesh mesh;
   mesh.Triangles = sphere.Triangles();
   for (const Vector3& u : sphere.Directions())
@@ -114,8 +115,11 @@ std::int64_t CrossingsOf(const ParametricSphericalSurface& surface)
 
 CrossingRemedy RemedyFor(const ParametricSphericalSurface& surface, const MappedMesh& mapped)
 {
-  return FindCrossingRemedy(surface, SampleMesh(mapped.Mesh, mapped.Parameters, 1.0),
-                            mapped.Parameters.size());
+  CrossingRemedy remedy;
+  EXPECT_TRUE(FindCrossingRemedy(surface, SampleMesh(mapped.Mesh, mapped.Parameters, 1.0),
+                                 mapped.Parameters.size(), remedy)
+                  .IsOk());
+  return remedy;
 }
 
 bool HasPleats(const CrossingRemedy& remedy)
@@ -131,6 +135,26 @@ TEST(CrossingRemedy, NothingIsChangedWithoutCrossings)
   EXPECT_FALSE(HasPleats(remedy));
   EXPECT_TRUE(std::all_of(remedy.Shifts.begin(), remedy.Shifts.end(),
                           [](double shift) { return shift == 0.0; }));
+}
+
+TEST(CrossingRemedy, SurfacesOfDegreeOneAndLessNeedNone)
+{
+  const MappedMesh ring = OpenRing(20.0);
+  for (const int degree : {0, 1})
+  {
+    EXPECT_EQ(RemedyFor(Fitted(ring, degree, 6).Surface, ring).Crossings, 0) << degree;
+  }
+}
+
+TEST(CrossingRemedy, FitIsCancelledWhileItIsTakenApart)
+{
+  const MappedMesh ring = OpenRing(0.3);
+  ParametricFitOptions options;
+  options.Degree = 8;
+  ParametricFitResult result;
+  EXPECT_FALSE(FitParametricSurface(ring.Mesh, ring.Parameters, options, result,
+                                    [](double part) { return part < 0.85; })
+                   .IsOk());
 }
 
 TEST(CrossingRemedy, BothSidesOfAGapRetreat)
