@@ -107,7 +107,8 @@ private:
   const ParametricTouchSurface* Surface;
   const WedgePlaces* Places;
   double Radius;
-  double Free; // mm from the centre of the tool, where nothing unknown may be
+  // mm from the centre of the tool, where nothing unknown may be; but see SearchAt.
+  double Free;
   double Stride;
   double Exactness;
   double Slack;                     // mm
