@@ -35,6 +35,7 @@ inside_offline() {
 # copy_source FOLDER: the source tree as /source of the system; a build there finds unchanged files as old as they were.
 copy_source() {
   mkdir -p "$1/source"
+  find "$1/source" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} + # files that were moved since
   tar -c --exclude=./build --exclude=./.git --exclude=./demo-output . | tar -x -C "$1/source"
 }
 
