@@ -121,6 +121,10 @@ Eigen::VectorXd SplitCohorts::MovedBy(const Vector3& shift, Eigen::Index row) co
 // A random order (Fisher and Yates), of which the first ones take part.
 SplitCohorts::Draw SplitCohorts::NextDraw(const SplitSettings& settings)
 {
+  if (2 * static_cast<std::size_t>(settings.PerGroup) > this->Group.Rows.size())
+  {
+    throw std::runtime_error("too few cases for two groups");
+  }
   std::vector<Eigen::Index> order(this->Group.Rows.size());
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   for (std::size_t left = order.size(); left > 1; --left)

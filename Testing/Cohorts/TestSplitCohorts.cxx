@@ -153,6 +153,19 @@ TEST(SplitCohorts, BumpOfTheIdealDataIsExact)
   }
 }
 
+TEST(SplitCohorts, NeedCasesForBothGroups)
+{
+  CohortGroup group;
+  std::mt19937_64 random(10);
+  Add(RandomGland(random), group);
+  Add(RandomGland(random), group);
+  ASSERT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
+  SplitCohorts studies(group, 1);
+  test::SplitSettings settings;
+  settings.PerGroup = 2;
+  EXPECT_THROW(studies.Next(settings), std::runtime_error);
+}
+
 TEST(SplitCohorts, BodiesWithABumpAreCentredAgain)
 {
   CohortGroup group;
