@@ -59,6 +59,18 @@ void Add(const SphericalHarmonicModel& model, CohortGroup& group)
       SphericalHarmonicModel(model.Degree(), model.Coefficients(), Vector3::Zero()));
 }
 
+CohortGroup RandomGroup(int cases, std::uint64_t seed)
+{
+  CohortGroup group;
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < cases; ++i)
+  {
+    Add(RandomGland(random), group);
+  }
+  EXPECT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
+  return group;
+}
+
 test::SurfaceBump BumpOf(const CohortGroup& group, double height = Height)
 {
   return {std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0)), Place.Direction, height,
@@ -127,13 +139,7 @@ TEST(SplitCohorts, MasksWithABumpGiveWhatModelsWithABumpGive)
 
 TEST(SplitCohorts, BumpOfTheIdealDataIsExact)
 {
-  CohortGroup group;
-  std::mt19937_64 random(8);
-  for (int i = 0; i < Cases; ++i)
-  {
-    Add(RandomGland(random), group);
-  }
-  ASSERT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
+  const CohortGroup group = RandomGroup(Cases, 8);
   SplitCohorts studies(group, 1);
   test::SplitSettings settings;
   settings.PerGroup = Cases / 2;
@@ -155,12 +161,7 @@ TEST(SplitCohorts, BumpOfTheIdealDataIsExact)
 
 TEST(SplitCohorts, NeedCasesForBothGroups)
 {
-  CohortGroup group;
-  std::mt19937_64 random(10);
-  Add(RandomGland(random), group);
-  Add(RandomGland(random), group);
-  ASSERT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
-  SplitCohorts studies(group, 1);
+  SplitCohorts studies(RandomGroup(2, 10), 1);
   test::SplitSettings settings;
   settings.PerGroup = 2;
   EXPECT_THROW(studies.Next(settings), std::runtime_error);
@@ -168,11 +169,7 @@ TEST(SplitCohorts, NeedCasesForBothGroups)
 
 TEST(SplitCohorts, BodiesWithABumpAreCentredAgain)
 {
-  CohortGroup group;
-  std::mt19937_64 random(9);
-  Add(RandomGland(random), group);
-  Add(RandomGland(random), group);
-  ASSERT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
+  const CohortGroup group = RandomGroup(2, 9);
   const SplitCohorts studies(group, 1);
   const BumpedCases bumped =
       studies.WithBump(BumpOf(group), CoefficientsOf(group), CoefficientsOf(group));

@@ -385,9 +385,7 @@ ClearMotion::Step ClearMotion::SearchAt(const Vector3& start, const Vector3& goa
   {
     // What is known of walls next to crossings is not given up.
     Minima all = this->Continued(goal);
-    const bool isNew = all.Count < MostMinima;
-    all.Each[isNew ? all.Count : MostMinima - 1] = minima.Each[0];
-    all.Count += isNew ? 1 : 0;
+    all.Add(minima.Each[0]);
     if (this->Touched(all) == nullptr)
     {
       this->Take(goal, all, others + this->Surface->Margin());
@@ -413,8 +411,7 @@ double ClearMotion::With(const ClosestPoint& found, double needed, Minima& minim
 {
   if (found.SignedDistance <= needed + 2.0 * this->Exactness)
   {
-    minima.Count = std::min(minima.Count, MostMinima - 1);
-    minima.Each[minima.Count++] = found;
+    minima.Add(found);
     return needed;
   }
   if (found.SignedDistance < minima.Nearest())
@@ -436,8 +433,7 @@ void ClearMotion::Remember(const ClosestPoint& found) noexcept
   {
     this->Known.Count = this->Known.PlaceWorld == this->Place ? this->Known.Count : 0;
     this->Known.PlaceWorld = this->Place;
-    this->Known.Count = std::min(this->Known.Count, MostMinima - 1);
-    this->Known.Each[this->Known.Count++] = this->Surface->SeenFromOutside(here);
+    this->Known.Add(this->Surface->SeenFromOutside(here));
   }
 }
 

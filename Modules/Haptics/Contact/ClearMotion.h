@@ -65,6 +65,12 @@ private:
     std::size_t Count = 0;
 
     double Nearest() const noexcept;
+    /// In place of the last one if there are too many.
+    void Add(const ClosestPoint& found) noexcept
+    {
+      this->Count = std::min(this->Count, MostMinima - 1);
+      this->Each[this->Count++] = found;
+    }
   };
   enum class Step
   {

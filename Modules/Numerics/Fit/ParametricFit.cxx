@@ -439,15 +439,11 @@ Status FitParametricSurface(const IndexedMesh& mesh, const std::vector<Vector3>&
   if (options.Refits > 0)
   {
     run.Complete();
-    run.Keep();
-    if (options.MostSeparations > 0 && !run.RemoveCrossings(progress))
-    {
-      return Status::Failure("cancelled");
-    }
   }
-  else
+  run.Keep();
+  if (std::min(options.Refits, options.MostSeparations) > 0 && !run.RemoveCrossings(progress))
   {
-    run.Keep();
+    return Status::Failure("cancelled");
   }
   run.Finish(result);
   return status;

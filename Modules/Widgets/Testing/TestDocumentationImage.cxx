@@ -22,7 +22,7 @@ TEST_F(WindowImages, WindowShowsHeadAndModels)
 {
   PALPATE_REQUIRE_FILE(Head);
   PALPATE_REQUIRE_FILE(Labels);
-  if (QT_VERSION >= QT_VERSION_CHECK(6, 0, 0))
+  if (!test::HasBaselineRows)
   {
     GTEST_SKIP() << "the picture is of Qt 5, whose rows are higher than those of Qt 6";
   }

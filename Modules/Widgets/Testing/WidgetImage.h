@@ -9,6 +9,10 @@
 
 namespace palpate::test
 {
+/// Whether pictures of whole windows can be compared with the baselines, which are of Qt 5: its
+/// rows are higher than those of Qt 6.
+constexpr bool HasBaselineRows = QT_VERSION < QT_VERSION_CHECK(6, 0, 0);
+
 /// A widget's image.
 inline RasterImage ImageOf(QWidget& widget)
 {
