@@ -169,11 +169,12 @@ std::vector<float> Distances(const VoxelMask& mask, const ShapeFieldSettings& se
     return SignedDistance(mask, DistanceDomain::Space, halfStep);
   }
   std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
-  // No farther outside than the object is deep, so that slices beyond the ends of a thin one do not
-  // bend the cubic between the others.
+  // Far less than the object is deep: a small one is in few slices, which it is to follow, and
+  // slices beyond the ends of a thin one would bend the cubic between the others.
+  constexpr float PartOfDepth = 1.0F / 3.0F;
   const float deepest = *std::max_element(field.begin(), field.end());
   const auto clamp = static_cast<float>(settings.SliceClamp * spacing[across]);
-  const float bound = settings.IsCurved ? std::min(deepest, clamp) : clamp;
+  const float bound = settings.IsCurved ? std::min(PartOfDepth * deepest, clamp) : clamp;
   for (float& value : field)
   {
     value = std::clamp(value, -bound, bound);

@@ -65,7 +65,8 @@ struct ShapeFieldSettings
   /// each slice's own outline more closely: of a zone as thin as a slice, 0.35 loses 0.8 % of Dice
   /// more.
   double SliceClamp = 0.2;
-  /// Cubic between slices, which follows a body that curves, and bumps on it, more closely.
+  /// Cubic between slices, which follows a body that curves, and bumps on it, more closely. Bounds
+  /// distances by a third of the object's depth within slices too.
   bool IsCurved = false;
   bool IsInSpace = false;      ///< distances in three dimensions also for thick slices
   double Smoothing = 0.35;     ///< standard deviation of the Gaussian, in grid spacings
