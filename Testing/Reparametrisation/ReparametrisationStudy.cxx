@@ -8,6 +8,7 @@
 #include "ShapeModelQuality.h"
 #include "ShapeVector.h"
 #include "SphericalHarmonicBasis.h"
+#include "SurfaceTessellation.h"
 
 #include <Eigen/Cholesky>
 
@@ -25,14 +26,8 @@ constexpr std::size_t Candidates = 8; // the nearest at equal parameters
 
 IndexedMesh MeshOf(const SurfaceModel& surface)
 {
-  const IcosahedronDirections sphere(StudyFrequency);
-  IndexedMesh mesh;
-  for (const Vector3& u : sphere.Directions())
-  {
-    mesh.Points.push_back(std::get<ParametricSphericalSurface>(surface).Point(u));
-  }
-  mesh.Triangles = sphere.Triangles();
-  return mesh;
+  return Tessellated(std::get<ParametricSphericalSurface>(surface),
+                     IcosahedronDirections(StudyFrequency));
 }
 
 double RmsBetween(const SurfaceModel& one, const SurfaceModel& other)

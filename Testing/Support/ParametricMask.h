@@ -1,33 +1,20 @@
 #pragma once
 
-#include "IcosahedronDirections.h"
 #include "LabelImages.h"
-#include "ParametricSphericalSurface.h"
+#include "SurfaceTessellation.h"
 #include "WindingNumbers.h"
 
 #include <stdexcept>
 
 namespace palpate::test
 {
-/// The surface's mesh over the directions of an icosahedron.
-inline IndexedMesh MeshOf(const ParametricSphericalSurface& surface, int frequency)
-{
-  const IcosahedronDirections sphere(frequency);
-  IndexedMesh mesh;
-  for (const Vector3& parameter : sphere.Directions())
-  {
-    mesh.Points.push_back(surface.Point(parameter));
-  }
-  mesh.Triangles = sphere.Triangles();
-  return mesh;
-}
-
 /// A label map with 1 at the voxel centres inside of the surface. `grid` gives spacing and
 /// direction; its size and origin are made to hold the surface with two voxels around it.
 inline vtkSmartPointer<vtkImageData> ParametricMask(const ParametricSphericalSurface& surface,
                                                     LabelGrid grid)
 {
-  const IndexedMesh mesh = MeshOf(surface, 60); // facets within some micrometres
+  const IndexedMesh mesh =
+      Tessellated(surface, IcosahedronDirections(60)); // facets within some micrometres
   const Matrix3 direction =
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(grid.Direction.data());
   const Vector3 spacing(grid.Spacing[0], grid.Spacing[1], grid.Spacing[2]);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "GenusZeroSurface.h"
-#include "IcosahedronDirections.h"
 #include "MeshDecimation.h"
 #include "ParametricFit.h"
 #include "SphericalParametrisation.h"
+#include "SurfaceTessellation.h"
 #include "WindingNumbers.h"
 
 #include <algorithm>
@@ -55,16 +55,9 @@ inline Status RunSurfaceChain(const VoxelMask& mask, int degree, SurfaceChain& c
                        : status;
 }
 
-inline IndexedMesh Tessellated(const ParametricSphericalSurface& surface, int frequency = 40)
+inline IndexedMesh Tessellated(const ParametricSphericalSurface& surface)
 {
-  const IcosahedronDirections sphere(frequency);
-  IndexedMesh mesh;
-  mesh.Triangles = sphere.Triangles();
-  for (const Vector3& u : sphere.Directions())
-  {
-    mesh.Points.push_back(surface.Point(u));
-  }
-  return mesh;
+  return palpate::Tessellated(surface, IcosahedronDirections(40));
 }
 
 /// The voxels of a mask that a surface in its frame encloses, and how they agree.

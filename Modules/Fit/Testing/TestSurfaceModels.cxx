@@ -60,7 +60,7 @@ double ErrorOf(const FitResult& result, const ParametricSphericalSurface& truth)
 {
   constexpr int Fine = 60;
   palpate::TriangleMesh mesh;
-  const IndexedMesh fine = palpate::test::MeshOf(truth, Fine);
+  const IndexedMesh fine = palpate::Tessellated(truth, palpate::IcosahedronDirections(Fine));
   mesh.PointsWorld = fine.Points;
   mesh.Triangles = fine.Triangles;
   double squares = 0.0;

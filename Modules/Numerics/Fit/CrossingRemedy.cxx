@@ -1,7 +1,7 @@
 #include "CrossingRemedy.h"
 
-#include "IcosahedronDirections.h"
 #include "MeshCrossings.h"
+#include "SurfaceTessellation.h"
 #include "WindingMesh.h"
 
 #include <algorithm>
@@ -11,19 +11,6 @@ namespace palpate
 {
 namespace
 {
-IndexedMesh MeshOf(const ParametricSphericalSurface& surface, const IcosahedronDirections& sphere)
-{
-  std::vector<ParametricSphericalSurface::Sample> samples(sphere.Directions().size());
-  surface.EvaluateBatch(sphere.Directions().data(), samples.size(), samples.data());
-  IndexedMesh mesh;
-  mesh.Triangles = sphere.Triangles();
-  for (const auto& sample : samples)
-  {
-    mesh.Points.push_back(sample.Point);
-  }
-  return mesh;
-}
-
 // A crossing's place on one of its sheets, and which way that is to go: 1 outwards, -1 inwards, 0
 // for a pleat.
 struct CrossingEnd
@@ -123,7 +110,7 @@ Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const Surfa
   }
   constexpr std::size_t Most = 20000;
   const IcosahedronDirections sphere(2 * surface.Degree());
-  const IndexedMesh mesh = MeshOf(surface, sphere);
+  const IndexedMesh mesh = Tessellated(surface, sphere);
   MeshCrossings found;
   Status status = FindMeshCrossings(mesh, {Most, Most}, found);
   if (!status.IsOk() || found.Count == 0)

@@ -1,11 +1,11 @@
 #include "ClosestPointSearch.h"
 #include "ContactCases.h"
-#include "IcosahedronDirections.h"
 #include "ParametricContactModel.h"
 #include "ParametricPath.h"
 #include "ParametricPhantoms.h"
 #include "ParametricTouchSurface.h"
 #include "SimplePhantoms.h"
+#include "SurfaceTessellation.h"
 #include "WedgePlaces.h"
 #include "WindingMesh.h"
 #include "WorstCase.h"
@@ -219,13 +219,8 @@ TEST(ParametricTouchSurface, OtherWallsAreSeenFromOutsideToo)
 // The mesh has the resolution of the one that decides where the surface crosses itself.
 WindingMesh MeshOf(const ParametricSphericalSurface& surface)
 {
-  const IcosahedronDirections sphere(2 * surface.Degree());
-  std::vector<Vector3> points;
-  for (const Vector3& u : sphere.Directions())
-  {
-    points.push_back(surface.Point(u));
-  }
-  return {points, sphere.Triangles()};
+  const IndexedMesh mesh = Tessellated(surface, IcosahedronDirections(2 * surface.Degree()));
+  return {mesh.Points, mesh.Triangles};
 }
 
 TEST(ParametricContactModel, ProxyStaysOutOfASurfaceThatCrossesItself)

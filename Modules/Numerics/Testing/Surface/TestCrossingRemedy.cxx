@@ -1,8 +1,8 @@
 #include "CrossingRemedy.h"
 
-#include "IcosahedronDirections.h"
 #include "MeshCrossings.h"
 #include "ParametricFit.h"
+#include "SurfaceTessellation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,13 +101,7 @@ ParametricFitResult Fitted(const MappedMesh& mapped, int degree, int separations
 // By finer triangles than those in which the fit looks for them.
 std::int64_t CrossingsOf(const ParametricSphericalSurface& surface)
 {
-  const IcosahedronDirections sphere(5 * surface.Degree());
-  IndexedMesh mesh;
-  mesh.Triangles = sphere.Triangles();
-  for (const Vector3& u : sphere.Directions())
-  {
-    mesh.Points.push_back(surface.Point(u));
-  }
+  const IndexedMesh mesh = Tessellated(surface, IcosahedronDirections(5 * surface.Degree()));
   MeshCrossings found;
   EXPECT_TRUE(FindMeshCrossings(mesh, {}, found).IsOk());
   return found.Count;
