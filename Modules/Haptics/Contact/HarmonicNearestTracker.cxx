@@ -62,8 +62,8 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
   bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
   {
-    this->Places = std::make_unique<WedgePlaces>(*this->Touched, toolRadius,
-                                                 RelativeReach * this->Touched->SmallestRadius());
+    this->Places =
+        this->Touched->PlacesFor(toolRadius, RelativeReach * this->Touched->SmallestRadius());
     isWedgeNeeded = !this->Places->IsEmpty();
   }
   else

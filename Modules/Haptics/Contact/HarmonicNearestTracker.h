@@ -134,7 +134,7 @@ private:
   // Used instead where the tool does not fit: at these places of a parametric surface, else
   // anywhere.
   std::unique_ptr<HarmonicWedgeOf<Surface>> Wedge;
-  std::unique_ptr<WedgePlaces> Places;
+  std::shared_ptr<const WedgePlaces> Places;
   bool IsWedging = false;
   // At a parametric surface, without contact.
   std::unique_ptr<ClearMotion> Motion;

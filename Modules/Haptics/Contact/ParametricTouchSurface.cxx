@@ -3,6 +3,7 @@
 #include "IcosahedronDirections.h"
 #include "MeshCrossings.h"
 #include "ParametricSample.h"
+#include "WedgePlaces.h"
 
 #include <algorithm>
 #include <array>
@@ -162,6 +163,17 @@ std::size_t ParametricTouchSurface::Bytes() const noexcept
 {
   return sizeof(*this) + this->Closest.Bytes() + this->Mesh.Bytes() +
          this->Crossings.size() * sizeof(Vector3) + this->Exits.size() * sizeof(Exit);
+}
+
+std::shared_ptr<const WedgePlaces> ParametricTouchSurface::PlacesFor(double radius,
+                                                                     double reach) const
+{
+  const std::lock_guard<std::mutex> hold(this->PlacesLock); // whoever waits needs them too
+  if (!this->LastPlaces || !this->LastPlaces->AreFor(radius, reach))
+  {
+    this->LastPlaces = std::make_shared<const WedgePlaces>(*this, radius, reach);
+  }
+  return this->LastPlaces;
 }
 
 SurfacePoint ParametricTouchSurface::SeenFromOutside(const ClosestPoint& nearest) const noexcept

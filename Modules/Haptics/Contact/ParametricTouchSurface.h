@@ -6,13 +6,16 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace palpate
 {
+class WedgePlaces;
+
 /// A parametric surface prepared for touch, shared by its trackers: the same as HarmonicSurface,
 /// for surfaces that may wrap round anything and may cross themselves. Inside is where the winding
-/// number is not 0. Immutable; queries are noexcept and do not allocate.
+/// number is not 0. Immutable; queries are noexcept and do not allocate, except PlacesFor.
 ///
 /// The sign of the distance from one sheet of a surface tells inside from outside only near it, and
 /// only where no other sheet crosses. So closest points are seen from a side: SignedDistance is
@@ -61,6 +64,11 @@ public:
   /// two sheets that cross: a fiftieth of SmallestRadius at a surface that crosses itself, else 0.
   double Margin() const noexcept { return this->CrossesItself() ? 0.02 * this->Smallest : 0.0; }
 
+  /// WedgePlaces for a tool of this radius. The last ones are kept, since every new scene has new
+  /// trackers, and the surface and the tool are mostly those of the last. Not for the servo's
+  /// thread.
+  std::shared_ptr<const WedgePlaces> PlacesFor(double radius, double reach) const;
+
   /// By the winding number, of a place that this is a near minimum of the distance to.
   bool IsOutside(const Vector3& placeWorld, const ClosestPoint& minimum) const noexcept
   {
@@ -105,6 +113,8 @@ private:
   double MeshDeviation; // of the mesh from the surface, mm
   std::vector<Vector3> Crossings;
   std::vector<Exit> Exits; // of a surface that crosses itself
+  mutable std::mutex PlacesLock;
+  mutable std::shared_ptr<const WedgePlaces> LastPlaces;
 };
 
 /// The same point, seen from the other side of the surface.

@@ -20,6 +20,10 @@ public:
   /// margin); takes up to some 100 milliseconds.
   WedgePlaces(const ParametricTouchSurface& surface, double radius, double reach);
 
+  bool AreFor(double radius, double reach) const noexcept
+  {
+    return this->Radius == radius && this->Largest == radius + reach;
+  }
   bool IsEmpty() const noexcept;
   /// Whether the tool needs it at this parameter, a unit vector.
   bool Contains(const Vector3& parameter) const noexcept
