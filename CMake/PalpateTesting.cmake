@@ -52,9 +52,9 @@ function(palpate_add_gtest name)
       PROPERTIES TIMEOUT 300 ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
     gtest_discover_tests(${discover} TEST_FILTER "${others}${arg_RENDERING}" PROPERTIES TIMEOUT 300)
   elseif(arg_ON_VIRTUAL_BUS)
-    # In real time, with several processes per byte: run serially. AddressSanitizer would be the first
-    # library, and GLib keeps much memory until the end.
-    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 240 RUN_SERIAL TRUE ENVIRONMENT
+    # In real time, with several processes per byte: one of them at a time, from the start, since they mostly wait.
+    # AddressSanitizer would be the first library, and GLib keeps much memory until the end.
+    gtest_discover_tests(${discover} PROPERTIES TIMEOUT 240 RESOURCE_LOCK virtual-bus COST 100 ENVIRONMENT
       "LD_PRELOAD=libumockdev-preload.so.0;ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0")
   else()
     gtest_discover_tests(${discover} TEST_FILTER "${others}" PROPERTIES TIMEOUT 300)
