@@ -40,5 +40,16 @@ TEST(WedgePlaces, HollowsBetweenTestedPlacesAreFound)
   ASSERT_TRUE(ParametricTouchSurface::Make(test::BumpyTube(random), surface).IsOk());
   EXPECT_LE(DeepestMissed(*surface, Radius), 2e-3 * Radius);
 }
+
+TEST(WedgePlaces, TrackersShareThemUntilTheToolChanges)
+{
+  Random random(1);
+  std::shared_ptr<const ParametricTouchSurface> surface;
+  ASSERT_TRUE(ParametricTouchSurface::Make(test::BumpyTube(random), surface).IsOk());
+  const auto first = surface->PlacesFor(1.0, 0.5);
+  EXPECT_EQ(surface->PlacesFor(1.0, 0.5), first);
+  EXPECT_NE(surface->PlacesFor(1.5, 0.5), first);
+  EXPECT_NE(surface->PlacesFor(1.0, 0.0), first);
+}
 } // namespace
 } // namespace palpate::wedge_places_test
