@@ -37,7 +37,7 @@ stated limits and says what it changed.
 
 # Measured by hand beside the table.
 REMARKS = """
-Measured on 27 November 2026 on a two-core AMD EPYC, two masks at a time, beside other work: two zones at a time and nothing else take 0.77 s at
+Measured on 27 November 2026 on a two-core AMD EPYC, two masks at a time, beside other work; on the day before, two zones at a time and nothing else took 0.77 s at
 degree 20, 1.7 s at most, one at a time (33 zones) 0.65 s. One at a time a gland took 0.34 s of a processor with all its files
 (slowest 0.65 s) on another day. With covariates, permutations and the page ([Cohort](HowTo/Cohort.md)) 164 glands of degree 15 take 72 s, 163 peripheral zones of degree 20
 76 s. Memory of one gland: 74 MB in the middle, at most 117 MB (an image of 1,024 x 1,024 x 31). With `--repair`, 10319_1000325's
