@@ -23,6 +23,9 @@ endif()
 # A library whose interface is unchanged needs no new link of what uses it.
 set(CMAKE_LINK_DEPENDS_NO_SHARED ON)
 
+# GCC collects its own garbage from 128 MB on, again and again: a tenth of the time of our larger sources.
+add_compile_options("$<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=1000000>")
+
 if(PALPATE_SANITIZERS)
   add_compile_options(-fsanitize=${PALPATE_SANITIZERS} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)

@@ -17,20 +17,28 @@ if(PkgConfig_FOUND AND TARGET PkgConfig::libusb)
   pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0 gobject-2.0)
 endif()
 
-# palpate_add_gtest(name SOURCES a.cxx… LIBRARIES t… [RENDERING filter] [TOGETHER filter] [ON_VIRTUAL_BUS])
+# palpate_add_gtest(name SOURCES a.cxx… LIBRARIES t… [RENDERING filter] [TOGETHER filter] [PROCESSES n]
+#   [COMPUTES] [ON_VIRTUAL_BUS])
 # RENDERING: GoogleTest's filter for the tests that render through OpenGL.
+# PROCESSES: ctest runs the tests in so many processes, named <name>.Part1 and so on, each with every n-th test: where
+# to start a process for each would take about as long as the test. With sanitizers each has its own.
+# COMPUTES: the tests themselves take long, so that they are optimised. Others call libraries that are.
 # TOGETHER: the filter for tests that share what takes long to make; ctest runs them in one process, named
 # <name>.Together.
 # ON_VIRTUAL_BUS: the tests see umockdev's devices, as under umockdev-wrapper.
 function(palpate_add_gtest name)
-  cmake_parse_arguments(arg "ON_VIRTUAL_BUS" "RENDERING;TOGETHER" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "COMPUTES;ON_VIRTUAL_BUS" "RENDERING;TOGETHER;PROCESSES" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   # Only tests have namespaces of their own.
   set(helpers ${arg_SOURCES})
   list(FILTER helpers EXCLUDE REGEX "(^|/)Test[A-Za-z0-9]+[.]cxx$")
   set_source_files_properties(${helpers} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   palpate_compile_settings(${name})
-  palpate_compile_sooner(${name})
+  if(arg_COMPUTES)
+    palpate_compile_sooner(${name})
+  else()
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O0>)
+  endif()
   target_link_options(${name} PRIVATE ${palpate_test_linker})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} Palpate::TestSupport GTest::gtest_main)
   if(PALPATE_USE_VTK)
@@ -45,7 +53,16 @@ function(palpate_add_gtest name)
     set_tests_properties(${name}.Together PROPERTIES TIMEOUT 900 COST 1000)
     string(APPEND others "${arg_TOGETHER}:")
   endif()
-  if(arg_RENDERING)
+  if(arg_PROCESSES AND NOT PALPATE_SANITIZERS)
+    math(EXPR last "${arg_PROCESSES} - 1")
+    foreach(index RANGE ${last})
+      math(EXPR part "${index} + 1")
+      add_test(NAME ${name}.Part${part} COMMAND ${name})
+      # They take long, so they start early.
+      set_tests_properties(${name}.Part${part} PROPERTIES TIMEOUT 900 COST 90 ENVIRONMENT
+        "GTEST_TOTAL_SHARDS=${arg_PROCESSES};GTEST_SHARD_INDEX=${index}")
+    endforeach()
+  elseif(arg_RENDERING)
     # Mesa leaks memory in libraries that it has unloaded, which no suppression can name.
     gtest_discover_tests(${discover} TEST_FILTER "${arg_RENDERING}"
       TEST_LIST ${name}_RENDERING_TESTS
