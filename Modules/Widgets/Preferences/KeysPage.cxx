@@ -2,6 +2,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -41,15 +42,7 @@ KeysPage::KeysPage(KeyBindings& keys, QWidget* parent)
   column->addLayout(row);
   column->addWidget(this->Message);
   connect(this->Table, &QTableWidget::itemSelectionChanged, this, &KeysPage::ShowSelected);
-  // A second after the last stroke. Before the first one Qt clears the field, which means nothing.
-  connect(this->Edit, &QKeySequenceEdit::editingFinished, this,
-          [this]
-          {
-            if (!this->Edit->keySequence().isEmpty())
-            {
-              this->Take(this->Edit->keySequence());
-            }
-          });
+  this->Edit->installEventFilter(this);
   connect(none, &QPushButton::clicked, this, [this] { this->Take({}); });
   this->ShowKeys();
   this->Table->selectRow(0);
@@ -79,6 +72,17 @@ void KeysPage::ShowSelected()
   this->Edit->setKeySequence(
       row < 0 ? QKeySequence()
               : this->Keys.Entries().at(static_cast<std::size_t>(row)).Action->shortcut());
+}
+
+// The field itself would wait for a second whether further strokes follow the first.
+bool KeysPage::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::KeyRelease && !static_cast<QKeyEvent*>(event)->isAutoRepeat() &&
+      !this->Edit->keySequence().isEmpty())
+  {
+    this->Take(this->Edit->keySequence());
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 // The first stroke counts. If it is refused, the key stays as it was.

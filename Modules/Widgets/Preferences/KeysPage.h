@@ -21,6 +21,9 @@ public:
 
   void RestoreDefaults();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   void ShowKeys();
   void ShowSelected();

@@ -56,19 +56,16 @@ protected:
   {
     const Vector3 hand = this->Study->Current().Touch().HandWorld();
     const Vector3 inward = (this->SphereCenter - hand).normalized();
-    double path = 0.0;
+    constexpr double Step = 0.025; // mm a tick
     this->Key(QEvent::KeyPress, Qt::Key_D);
-    std::uint64_t last = 0;
+    const std::uint64_t first = this->Study->Reading().Newest.Tick.Number;
     this->FeelUntil(
         [&]
         {
-          const TouchState& newest = this->Study->Reading().Newest;
-          if (newest.Tick.Number >= last + 20 && path < (this->SphereCenter - hand).norm())
-          {
-            last = newest.Tick.Number;
-            path += 0.5;
-            this->Study->Current().Touch().MoveHand(hand + path * inward);
-          }
+          const std::uint64_t ticks = this->Study->Reading().Newest.Tick.Number - first;
+          const double path =
+              std::min(Step * static_cast<double>(ticks), (this->SphereCenter - hand).norm());
+          this->Study->Current().Touch().MoveHand(hand + path * inward);
           return this->Removed() > volume;
         });
     this->Key(QEvent::KeyRelease, Qt::Key_D);

@@ -47,11 +47,6 @@ protected:
       QKeyEvent event(type, key, modifiers);
       QApplication::sendEvent(edit, &event);
     }
-    bool isTaken = false;
-    const auto taken =
-        QObject::connect(edit, &QKeySequenceEdit::editingFinished, [&isTaken] { isTaken = true; });
-    WaitUntil([&isTaken] { return isTaken; });
-    QObject::disconnect(taken);
   }
   QString Message() const { return this->Dialog->findChild<QLabel*>("key-message")->text(); }
 

@@ -161,7 +161,14 @@ protected:
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
     const QPointF place = this->PlaceOf(towardsWorld);
     Move(canvas, place);
-    // One notch per 20 ticks: the hand follows slowly, and a faster target would pass through.
+    // One notch per 20 ticks near a structure: the hand follows slowly, and a faster target would
+    // pass through.
+    const auto isFar = [probe = this->Window->Contents().Probe()](const TouchState& state)
+    {
+      constexpr double Far = 5.0; // mm
+      return probe->GetHasNearestPoint() &&
+             (Vector3(probe->GetNearestPoint()) - Vector3(state.ProbeWorld)).norm() > Far;
+    };
     std::uint64_t last = 0;
     this->FeelUntil(
         [&]
@@ -172,7 +179,10 @@ protected:
           if (!isFelt && newest.Tick.Number >= last + 20)
           {
             last = newest.Tick.Number;
-            Wheel(canvas, place, 1);
+            for (int notch = isFar(newest) ? 5 : 1; notch > 0; --notch)
+            {
+              Wheel(canvas, place, 1);
+            }
           }
           return isFelt;
         });
