@@ -1,4 +1,5 @@
-# Tests: one GoogleTest program per module, named <Module>Tests, with one ctest entry per test.
+# Tests: one GoogleTest program per module, named <Module>Tests, with one ctest entry per test unless many
+# share a process.
 
 include(GoogleTest)
 enable_testing()
