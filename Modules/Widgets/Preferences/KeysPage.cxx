@@ -64,23 +64,29 @@ void KeysPage::ShowKeys()
   }
 }
 
+QKeySequence KeysPage::SelectedKey() const
+{
+  const int row = this->Table->currentRow();
+  return row < 0 ? QKeySequence()
+                 : this->Keys.Entries().at(static_cast<std::size_t>(row)).Action->shortcut();
+}
+
 void KeysPage::ShowSelected()
 {
   this->Message->clear();
   const QSignalBlocker quiet(this->Edit);
-  const int row = this->Table->currentRow();
-  this->Edit->setKeySequence(
-      row < 0 ? QKeySequence()
-              : this->Keys.Entries().at(static_cast<std::size_t>(row)).Action->shortcut());
+  this->Edit->setKeySequence(this->SelectedKey());
 }
 
-// The field itself would wait for a second whether further strokes follow the first.
+// The field itself would wait for a second whether further strokes follow the first. Keys that are
+// released after the first one find the field as it was shown.
 bool KeysPage::eventFilter(QObject* watched, QEvent* event)
 {
+  const QKeySequence typed = this->Edit->keySequence();
   if (event->type() == QEvent::KeyRelease && !static_cast<QKeyEvent*>(event)->isAutoRepeat() &&
-      !this->Edit->keySequence().isEmpty())
+      !typed.isEmpty() && typed != this->SelectedKey())
   {
-    this->Take(this->Edit->keySequence());
+    this->Take(typed);
   }
   return QWidget::eventFilter(watched, event);
 }

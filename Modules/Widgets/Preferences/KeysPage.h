@@ -25,6 +25,7 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  QKeySequence SelectedKey() const;
   void ShowKeys();
   void ShowSelected();
   void Take(const QKeySequence& key);

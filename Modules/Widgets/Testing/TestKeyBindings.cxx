@@ -47,6 +47,9 @@ protected:
       QKeyEvent event(type, key, modifiers);
       QApplication::sendEvent(edit, &event);
     }
+    // The modifier is released last.
+    QKeyEvent event(QEvent::KeyRelease, Qt::Key_Control, Qt::NoModifier);
+    QApplication::sendEvent(edit, &event);
   }
   QString Message() const { return this->Dialog->findChild<QLabel*>("key-message")->text(); }
 
