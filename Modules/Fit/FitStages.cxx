@@ -148,7 +148,7 @@ void RemarkOnComponents(FitResult& result)
 }
 
 // Adds remarks on the structure for the reader of the result.
-void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
+void RemarkOnStructure(FitResult& result)
 {
   if (result.TouchesBorder)
   {
@@ -159,11 +159,6 @@ void RemarkOnStructure(bool usedDistanceInstead, FitResult& result)
   {
     result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
                            FixedText(result.CavityMilliliters, 3) + " ml in total filled");
-  }
-  if (usedDistanceInstead)
-  {
-    result.Notes.push_back("slices overlap too little to interpolate the shape between them; the "
-                           "distance in space was used instead");
   }
 }
 
@@ -272,7 +267,7 @@ void RunSurface(FitSurface& made, const ProgressFunction& progress)
     return;
   }
   // Only for a structure that is modelled: for one that is too small, the message is enough.
-  RemarkOnStructure(surface->GetUsedDistanceInstead(), result);
+  RemarkOnStructure(result);
   made.Boundary = BoundaryOf(result, result.Settings.Component, progress);
   clock.EndStage("boundary");
 }

@@ -44,7 +44,7 @@ std::vector<float> Smoothed(const FieldSamples& samples, const FieldGrid& grid, 
   {
     const int count = size[axis];
     const double voxels = deviation / grid.Spacing()[static_cast<Eigen::Index>(axis)];
-    values = AxisWeights(count, count, 0.0, 1.0, voxels).Apply(values, size, axis);
+    values = AxisWeights({count, count, 0.0, 1.0, voxels}).Apply(values, size, axis);
   }
   return values;
 }

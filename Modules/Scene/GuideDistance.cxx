@@ -135,7 +135,7 @@ std::shared_ptr<const ScalarField> SmoothField(std::vector<float> values,
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int count = size[axis];
-    values = AxisWeights(count, count, 0.0, 1.0, Deviation).Apply(values, size, axis);
+    values = AxisWeights({count, count, 0.0, 1.0, Deviation}).Apply(values, size, axis);
   }
   const FieldGrid grid(size, centers.Origin, centers.Axes.diagonal(), Matrix3::Identity());
   FieldBuilder builder(grid);

@@ -23,10 +23,6 @@ vtkStandardNewMacro(vtkSegmentationSurface);
 
 namespace
 {
-// The level that keeps the volume is close to zero, unless the interpolation tore a thin, oblique
-// shape apart. In voxels of the slices.
-constexpr double TornLevel = 0.25;
-
 palpate::ScalarGrid HalfLevel(const palpate::VoxelMask& mask)
 {
   palpate::ScalarGrid grid;
@@ -136,7 +132,6 @@ bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkIma
       this->Component > 0 ? palpate::SurfacePieces::Largest : palpate::SurfacePieces::All;
   palpate::ScalarGrid grid;
   palpate::IsoSurface surface;
-  this->UsedDistanceInstead = false;
   if (this->Method == PLAIN)
   {
     grid = HalfLevel(mask);
@@ -174,29 +169,20 @@ bool vtkSegmentationSurface::BuildShape(const palpate::VoxelMask& mask,
   }
   settings.Spacing = std::max(spacing[1], wanted);
   settings.Smoothing = std::min(0.5 * this->Smoothing * spacing[1] / settings.Spacing, 8.0);
-  for (this->UsedDistanceInstead = false;; this->UsedDistanceInstead = true)
+  palpate::ShapeField field;
+  if (const palpate::Status status = palpate::MakeShapeField(mask, settings, field); !status.IsOk())
   {
-    settings.IsInSpace = this->UsedDistanceInstead;
-    palpate::ShapeField field;
-    if (const palpate::Status status = palpate::MakeShapeField(mask, settings, field);
-        !status.IsOk())
-    {
-      vtkErrorMacro(<< status.Message());
-      return false;
-    }
-    this->UpdateProgress(0.6);
-    const double volume = this->MaskVolume + this->CavityVolume;
-    const double area = std::cbrt(36.0 * M_PI * volume * volume); // of a sphere
-    const float level = palpate::LevelOfVolume(field, volume, area);
-    std::for_each(field.Values.begin(), field.Values.end(), [level](float& v) { v -= level; });
-    grid = ToScalarGrid(std::move(field), mask);
-    surface = palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
-    const bool isTorn = std::abs(level + surface.Level) > TornLevel * spacing[1];
-    if (!isTorn || this->UsedDistanceInstead || !palpate::HasThickSlices(mask.Spacing))
-    {
-      return true;
-    }
+    vtkErrorMacro(<< status.Message());
+    return false;
   }
+  this->UpdateProgress(0.6);
+  const double volume = this->MaskVolume + this->CavityVolume;
+  const double area = std::cbrt(36.0 * M_PI * volume * volume); // of a sphere
+  const float level = palpate::LevelOfVolume(field, volume, area);
+  std::for_each(field.Values.begin(), field.Values.end(), [level](float& v) { v -= level; });
+  grid = ToScalarGrid(std::move(field), mask);
+  surface = palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
+  return true;
 }
 
 void vtkSegmentationSurface::PrintSelf(ostream& os, vtkIndent indent)
@@ -213,5 +199,4 @@ void vtkSegmentationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CavityCount: " << this->CavityCount << "\n";
   os << indent << "CavityVolume: " << this->CavityVolume << " mm^3\n";
   os << indent << "NumberOfComponents: " << this->GetNumberOfComponents() << "\n";
-  os << indent << "UsedDistanceInstead: " << this->UsedDistanceInstead << "\n";
 }

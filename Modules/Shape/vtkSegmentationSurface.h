@@ -87,11 +87,6 @@ public:
   }
   ///@}
 
-  ///@{ True if slices overlap too little for shape interpolation, so that the three-dimensional
-  /// distance was used instead.
-  vtkGetMacro(UsedDistanceInstead, bool);
-  ///@}
-
 protected:
   vtkSegmentationSurface() = default;
   ~vtkSegmentationSurface() override = default;
@@ -116,7 +111,6 @@ private:
   int Component = 1;
 
   bool TouchesBorder = false;
-  bool UsedDistanceInstead = false;
   double MaskVolume = 0.0;
   double SurfaceVolume = 0.0;
   int CavityCount = 0;

@@ -24,13 +24,14 @@ std::vector<float> Between(Interpolation interpolation, std::array<int, 3>& size
     values[static_cast<std::size_t>(n)] = static_cast<float>(Parabola(n));
   }
   size = {Samples, 1, 1};
-  const AxisWeights weights(Samples, 65, 0.0, Step, 0.0, interpolation);
+  const AxisWeights weights({Samples, 65, 0.0, Step, 0.0}, interpolation);
   return weights.Apply(values, size, 0);
 }
 
-TEST(AxisWeights, BothMeetTheSamples)
+TEST(AxisWeights, AllMeetTheSamples)
 {
-  for (const Interpolation interpolation : {Interpolation::Linear, Interpolation::Cubic})
+  for (const Interpolation interpolation :
+       {Interpolation::Linear, Interpolation::Cubic, Interpolation::Quintic})
   {
     std::array<int, 3> size{};
     const std::vector<float> values = Between(interpolation, size);
@@ -53,6 +54,28 @@ TEST(AxisWeights, CubicKeepsParabolas)
   }
 }
 
+TEST(AxisWeights, QuinticIsThePolynomialThroughSixSamples)
+{
+  const auto polynomial = [](double x)
+  {
+    const double t = x - 4.0;
+    return 2.0 + t * (1.0 - t * (0.5 + t * (0.25 - t * (0.125 - 0.03125 * t))));
+  };
+  std::vector<float> values(Samples);
+  for (int n = 0; n < Samples; ++n)
+  {
+    values[static_cast<std::size_t>(n)] = static_cast<float>(polynomial(n));
+  }
+  std::array<int, 3> size{Samples, 1, 1};
+  const AxisWeights weights({Samples, 33, 2.0, Step, 0.0}, Interpolation::Quintic);
+  values = weights.Apply(values, size, 0);
+  for (int n = 0; n < size[0]; ++n)
+  {
+    const double x = 2.0 + n * Step;
+    EXPECT_NEAR(values[static_cast<std::size_t>(n)], polynomial(x), 1e-5) << x; // floats up to 14
+  }
+}
+
 TEST(AxisWeights, LinearIsTheChord)
 {
   std::array<int, 3> size{};
@@ -62,10 +85,11 @@ TEST(AxisWeights, LinearIsTheChord)
 
 TEST(AxisWeights, OneSampleIsRepeated)
 {
-  for (const Interpolation interpolation : {Interpolation::Linear, Interpolation::Cubic})
+  for (const Interpolation interpolation :
+       {Interpolation::Linear, Interpolation::Cubic, Interpolation::Quintic})
   {
     std::array<int, 3> size{1, 1, 1};
-    const AxisWeights weights(1, 4, -1.0, 0.5, 0.5, interpolation);
+    const AxisWeights weights({1, 4, -1.0, 0.5, 0.5}, interpolation);
     for (const float value : weights.Apply({2.5F}, size, 0))
     {
       EXPECT_FLOAT_EQ(value, 2.5F);

@@ -26,26 +26,58 @@ std::vector<double> HalfGaussian(double deviation)
   return weights;
 }
 
-// Of the samples at -1, 0, 1, 2, for a place `t` in [0, 1].
-std::array<double, 4> LinearWeights(double t)
+// Of the samples at -2, -1, ..., 3, for a place `t` in [0, 1].
+using Weights = std::array<double, 6>;
+
+Weights LinearWeights(double t)
 {
-  return {0.0, 1.0 - t, t, 0.0};
+  return {0.0, 0.0, 1.0 - t, t, 0.0, 0.0};
 }
-std::array<double, 4> CubicWeights(double t)
+Weights CubicWeights(double t)
 {
   const double s = 1.0 - t;
-  return {-0.5 * t * s * s, 1.0 + t * t * (1.5 * t - 2.5), 1.0 + s * s * (1.5 * s - 2.5),
-          -0.5 * s * t * t};
+  return {0.0,
+          -0.5 * t * s * s,
+          1.0 + t * t * (1.5 * t - 2.5),
+          1.0 + s * s * (1.5 * s - 2.5),
+          -0.5 * s * t * t,
+          0.0};
+}
+Weights QuinticWeights(double t)
+{
+  Weights weights{};
+  for (int sample = -2; sample <= 3; ++sample)
+  {
+    double weight = 1.0;
+    for (int other = -2; other <= 3; ++other)
+    {
+      weight *= other == sample ? 1.0 : (t - other) / (sample - other);
+    }
+    weights[static_cast<std::size_t>(sample + 2)] = weight;
+  }
+  return weights;
+}
+
+Weights WeightsOf(AxisWeights::Interpolation interpolation, double t)
+{
+  switch (interpolation)
+  {
+  case AxisWeights::Interpolation::Cubic:
+    return CubicWeights(t);
+  case AxisWeights::Interpolation::Quintic:
+    return QuinticWeights(t);
+  default:
+    return LinearWeights(t);
+  }
 }
 } // namespace
 
-AxisWeights::AxisWeights(int samples, int count, double first, double step, double deviation,
-                         Interpolation between)
+AxisWeights::AxisWeights(const AxisNodes& nodes, Interpolation between)
 {
-  const std::vector<double> gaussian = HalfGaussian(deviation);
-  for (int n = 0; n < count; ++n)
+  const std::vector<double> gaussian = HalfGaussian(nodes.Deviation);
+  for (int n = 0; n < nodes.Count; ++n)
   {
-    this->AddOutput(samples, first + n * step, step, gaussian, between);
+    this->AddOutput(nodes, n, gaussian, between);
   }
 }
 
@@ -61,21 +93,22 @@ void AxisWeights::AddTap(int sample, double weight)
   }
 }
 
-void AxisWeights::AddOutput(int samples, double position, double step,
-                            const std::vector<double>& gaussian, Interpolation between)
+void AxisWeights::AddOutput(const AxisNodes& nodes, int output, const std::vector<double>& gaussian,
+                            Interpolation between)
 {
+  const int last = nodes.Samples - 1;
   const int reach = static_cast<int>(gaussian.size()) - 1;
   for (int n = -reach; n <= reach; ++n)
   {
-    const double at = std::clamp(position + n * step, 0.0, samples - 1.0);
-    const int low = std::min(static_cast<int>(at), std::max(samples - 2, 0));
+    const double at = std::clamp(nodes.First + output * nodes.Step + n * nodes.Step, 0.0,
+                                 static_cast<double>(last));
+    const int low = std::min(static_cast<int>(at), std::max(last - 1, 0));
     const double weight = gaussian[static_cast<std::size_t>(std::abs(n))];
-    const std::array<double, 4> around =
-        between == Interpolation::Cubic ? CubicWeights(at - low) : LinearWeights(at - low);
-    for (int sample = 0; sample < 4; ++sample)
+    const Weights around = WeightsOf(between, at - low);
+    for (int sample = -2; sample <= 3; ++sample)
     {
-      this->AddTap(std::clamp(low - 1 + sample, 0, samples - 1),
-                   weight * around[static_cast<std::size_t>(sample)]);
+      this->AddTap(std::clamp(low + sample, 0, last),
+                   weight * around[static_cast<std::size_t>(sample + 2)]);
     }
   }
   this->Starts.push_back(this->Taps.size());

@@ -2,6 +2,7 @@
 
 #include "AxisWeights.h"
 #include "DistanceTransform.h"
+#include "SliceInterpolation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -158,30 +159,6 @@ ShapeGrid GridAround(const LabelBounds& bounds, const std::array<double, 3>& vox
   }
 }
 
-// Signed distances at the voxels' centres, by slice if the slices are thick.
-std::vector<float> Distances(const VoxelMask& mask, const ShapeFieldSettings& settings)
-{
-  const std::array<double, 3>& spacing = mask.Spacing;
-  const double halfStep = 0.5 * *std::min_element(spacing.begin(), spacing.end());
-  const std::size_t across = settings.IsInSpace ? 3 : SliceAxis(spacing);
-  if (across == 3)
-  {
-    return SignedDistance(mask, DistanceDomain::Space, halfStep);
-  }
-  std::vector<float> field = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
-  // Far less than the object is deep: a small one is in few slices, which it is to follow, and
-  // slices beyond the ends of a thin one would bend the cubic between the others.
-  constexpr float PartOfDepth = 1.0F / 3.0F;
-  const float deepest = *std::max_element(field.begin(), field.end());
-  const auto clamp = static_cast<float>(settings.SliceClamp * spacing[across]);
-  const float bound = settings.IsCurved ? std::min(PartOfDepth * deepest, clamp) : clamp;
-  for (float& value : field)
-  {
-    value = std::clamp(value, -bound, bound);
-  }
-  return field;
-}
-
 // Axes along which the number of samples falls come first, for speed.
 std::array<std::size_t, 3> CheapestOrder(const std::array<int, 3>& from,
                                          const std::array<int, 3>& to)
@@ -193,21 +170,37 @@ std::array<std::size_t, 3> CheapestOrder(const std::array<int, 3>& from,
   return order;
 }
 
-std::vector<float> Resample(const VoxelMask& mask, std::vector<float> values, const ShapeGrid& grid,
-                            const ShapeFieldSettings& settings)
+AxisNodes NodesAlong(std::size_t axis, const VoxelMask& mask, const ShapeGrid& grid,
+                     const ShapeFieldSettings& settings)
 {
-  using Interpolation = AxisWeights::Interpolation;
-  const bool isCurved = settings.IsCurved && !settings.IsInSpace;
-  const std::size_t curved = isCurved ? SliceAxis(mask.Spacing) : 3;
+  const double voxel = mask.Spacing[axis];
+  return {mask.Size[axis], grid.Size[axis],
+          grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis], grid.Spacing / voxel,
+          settings.Smoothing};
+}
+
+// At the grid's nodes: signed distances, by slice if the slices are thick.
+std::vector<float> SampledDistances(const VoxelMask& mask, const ShapeGrid& grid,
+                                    const ShapeFieldSettings& settings)
+{
+  const std::array<double, 3>& spacing = mask.Spacing;
+  const double halfStep = 0.5 * *std::min_element(spacing.begin(), spacing.end());
+  const std::size_t across = SliceAxis(spacing);
   std::array<int, 3> size = mask.Size;
+  std::vector<float> values = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
+  if (across < 3)
+  {
+    const double bound = settings.SliceClamp * spacing[across];
+    const SliceInterpolation slices(across, NodesAlong(across, mask, grid, settings));
+    values = settings.IsCurved ? slices.Curved(values, bound, size)
+                               : slices.Linear(std::move(values), bound, size);
+  }
   for (const std::size_t axis : CheapestOrder(mask.Size, grid.Size))
   {
-    const double voxel = mask.Spacing[axis];
-    const double first = grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis];
-    const AxisWeights weights(mask.Size[axis], grid.Size[axis], first, grid.Spacing / voxel,
-                              settings.Smoothing,
-                              axis == curved ? Interpolation::Cubic : Interpolation::Linear);
-    values = weights.Apply(values, size, axis);
+    if (axis != across)
+    {
+      values = AxisWeights(NodesAlong(axis, mask, grid, settings)).Apply(values, size, axis);
+    }
   }
   return values;
 }
@@ -283,7 +276,7 @@ Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings,
   }
   field.Grid =
       GridAround(bounds, mask.Spacing, WantedSpacing(object, settings), settings.MaximumNodes);
-  field.Values = Resample(object, Distances(object, settings), field.Grid, settings);
+  field.Values = SampledDistances(object, field.Grid, settings);
   return Status::Success();
 }
 } // namespace palpate

@@ -65,10 +65,9 @@ struct ShapeFieldSettings
   /// each slice's own outline more closely: of a zone as thin as a slice, 0.35 loses 0.8 % of Dice
   /// more.
   double SliceClamp = 0.2;
-  /// Cubic between slices, which follows a body that curves, and bumps on it, more closely. Bounds
-  /// distances by a third of the object's depth within slices too.
+  /// Curved between slices (SliceInterpolation), as a body and bumps on it are. The clamp then
+  /// holds next to the object's ends only.
   bool IsCurved = false;
-  bool IsInSpace = false;      ///< distances in three dimensions also for thick slices
   double Smoothing = 0.35;     ///< standard deviation of the Gaussian, in grid spacings
   double MaximumNodes = 8.0e6; ///< the grid is coarsened until it has no more
 
@@ -86,10 +85,9 @@ struct ShapeFieldSettings
 /// Makes a field whose zero level is the boundary of the mask's voxels, half way between centres.
 ///
 /// If the slices are thick (HasThickSlices): signed distance in each slice, clamped to `SliceClamp`
-/// slice spacings, and linear or cubic between slices (Raya and Udupa, "Shape-based interpolation
-/// of multidimensional objects", IEEE TMI 9, 1990). Otherwise, or with `IsInSpace`, signed distance
-/// in three dimensions. Both are resampled to an isotropic grid (trilinear otherwise) and smoothed
-/// by a Gaussian. The volume is not matched yet: LevelOfVolume does that.
+/// slice spacings, and linear or curved between slices (SliceInterpolation). Otherwise signed
+/// distance in three dimensions. Both are resampled to an isotropic grid (trilinear otherwise) and
+/// smoothed by a Gaussian. The volume is not matched yet: LevelOfVolume does that.
 ///
 /// The grid's spacing is rounded so that nodes lie on thick slices. Grid and bounds of the mask
 /// have the same centre, so that the field of a mirrored mask is the mirrored field.
