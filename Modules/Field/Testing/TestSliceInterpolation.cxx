@@ -15,7 +15,7 @@ constexpr int Slices = 21;   // of 3 mm
 constexpr double Pixel = 0.5;
 constexpr double Thickness = 3.0;
 constexpr double Bound = 0.75 * Thickness;
-constexpr float Far = -1e9F; // of slices without the object
+constexpr float Far = -20.0F; // of slices without the object
 
 using Wall = std::function<double(double)>; // mm, of a height
 
@@ -61,7 +61,7 @@ Sampled CurvedBetween(const std::vector<float>& distances, int perSlice)
 {
   Sampled sampled;
   const AxisNodes nodes{Slices, perSlice * (Slices - 1) + 1, 0.0, 1.0 / perSlice, 0.0};
-  sampled.Values = SliceInterpolation(2, nodes).Curved(distances, Bound, sampled.Size);
+  sampled.Values = SliceInterpolation(2, nodes).Apply(distances, Bound, sampled.Size);
   return sampled;
 }
 
@@ -166,7 +166,7 @@ TEST(SliceInterpolation, DoesNotDependOnTheSlicesAxis)
   }
   std::array<int, 3> size{Slices, 1, Columns};
   const AxisNodes nodes{Slices, 4 * (Slices - 1) + 1, 0.0, 0.25, 0.0};
-  const std::vector<float> values = SliceInterpolation(0, nodes).Curved(turned, Bound, size);
+  const std::vector<float> values = SliceInterpolation(0, nodes).Apply(turned, Bound, size);
   ASSERT_EQ(values.size(), sampled.Values.size());
   for (int node = 0; node < sampled.Size[2]; ++node)
   {

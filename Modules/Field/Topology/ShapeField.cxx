@@ -170,37 +170,41 @@ std::array<std::size_t, 3> CheapestOrder(const std::array<int, 3>& from,
   return order;
 }
 
-AxisNodes NodesAlong(std::size_t axis, const VoxelMask& mask, const ShapeGrid& grid,
-                     const ShapeFieldSettings& settings)
-{
-  const double voxel = mask.Spacing[axis];
-  return {mask.Size[axis], grid.Size[axis],
-          grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis], grid.Spacing / voxel,
-          settings.Smoothing};
-}
-
-// At the grid's nodes: signed distances, by slice if the slices are thick.
-std::vector<float> SampledDistances(const VoxelMask& mask, const ShapeGrid& grid,
-                                    const ShapeFieldSettings& settings)
+// Signed distances, by slice if the slices are thick; those beyond the bound say nothing of walls.
+std::vector<float> BoundedDistances(const VoxelMask& mask, const ShapeFieldSettings& settings)
 {
   const std::array<double, 3>& spacing = mask.Spacing;
   const double halfStep = 0.5 * *std::min_element(spacing.begin(), spacing.end());
   const std::size_t across = SliceAxis(spacing);
-  std::array<int, 3> size = mask.Size;
-  std::vector<float> values = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
+  std::vector<float> distances =
+      SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
   if (across < 3)
   {
-    const double bound = settings.SliceClamp * spacing[across];
-    const SliceInterpolation slices(across, NodesAlong(across, mask, grid, settings));
-    values = settings.IsCurved ? slices.Curved(values, bound, size)
-                               : slices.Linear(std::move(values), bound, size);
+    const float deepest = *std::max_element(distances.begin(), distances.end());
+    const auto clamp = static_cast<float>(settings.SliceClamp * spacing[across]);
+    const float bound = settings.IsCurved ? deepest : clamp;
+    for (float& distance : distances)
+    {
+      distance = std::clamp(distance, -bound, bound);
+    }
   }
+  return distances;
+}
+
+std::vector<float> Resample(const VoxelMask& mask, std::vector<float> values, const ShapeGrid& grid,
+                            const ShapeFieldSettings& settings)
+{
+  const std::size_t curved = settings.IsCurved ? SliceAxis(mask.Spacing) : 3;
+  std::array<int, 3> size = mask.Size;
   for (const std::size_t axis : CheapestOrder(mask.Size, grid.Size))
   {
-    if (axis != across)
-    {
-      values = AxisWeights(NodesAlong(axis, mask, grid, settings)).Apply(values, size, axis);
-    }
+    const double voxel = mask.Spacing[axis];
+    const double first = grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis];
+    const AxisNodes nodes{mask.Size[axis], grid.Size[axis], first, grid.Spacing / voxel,
+                          settings.Smoothing};
+    values = axis == curved
+                 ? SliceInterpolation(axis, nodes).Apply(values, settings.SliceClamp * voxel, size)
+                 : AxisWeights(nodes).Apply(values, size, axis);
   }
   return values;
 }
@@ -276,7 +280,7 @@ Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings,
   }
   field.Grid =
       GridAround(bounds, mask.Spacing, WantedSpacing(object, settings), settings.MaximumNodes);
-  field.Values = SampledDistances(object, field.Grid, settings);
+  field.Values = Resample(object, BoundedDistances(object, settings), field.Grid, settings);
   return Status::Success();
 }
 } // namespace palpate

@@ -45,13 +45,6 @@ std::vector<float> SliceInterpolation::Sampled(const std::vector<float>& values,
   return AxisWeights(this->Nodes, between).Apply(values, size, this->Across);
 }
 
-std::vector<float> SliceInterpolation::Linear(std::vector<float> distances, double bound,
-                                              std::array<int, 3>& size) const
-{
-  return this->Sampled(Bounded(std::move(distances), bound), AxisWeights::Interpolation::Linear,
-                       size);
-}
-
 // Of each voxel: 1 where the distances of the seven slices around are less than half the depth, 0
 // where one is the depth.
 std::vector<float> SliceInterpolation::SharesNearWall(const std::vector<float>& distances,
@@ -78,8 +71,8 @@ std::vector<float> SliceInterpolation::SharesNearWall(const std::vector<float>& 
   return shares;
 }
 
-std::vector<float> SliceInterpolation::Curved(const std::vector<float>& distances, double bound,
-                                              std::array<int, 3>& size) const
+std::vector<float> SliceInterpolation::Apply(const std::vector<float>& distances, double bound,
+                                             std::array<int, 3>& size) const
 {
   using Interpolation = AxisWeights::Interpolation;
   const double depth = *std::max_element(distances.begin(), distances.end());
@@ -91,8 +84,7 @@ std::vector<float> SliceInterpolation::Curved(const std::vector<float>& distance
   if (*std::max_element(shares.begin(), shares.end()) > 0.0F)
   {
     shares = this->Sampled(shares, Interpolation::Linear, sizeOfShares);
-    const std::vector<float> near =
-        this->Sampled(Bounded(distances, depth), Interpolation::Quintic, sizeNear);
+    const std::vector<float> near = this->Sampled(distances, Interpolation::Quintic, sizeNear);
     for (std::size_t at = 0; at < values.size(); ++at)
     {
       values[at] += shares[at] * (near[at] - values[at]);
