@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 namespace palpate::slice_interpolation_test
@@ -15,7 +16,7 @@ constexpr int Slices = 21;   // of 3 mm
 constexpr double Pixel = 0.5;
 constexpr double Thickness = 3.0;
 constexpr double Bound = 0.75 * Thickness;
-constexpr float Far = -20.0F; // of slices without the object
+constexpr float Far = -std::numeric_limits<float>::infinity(); // slices without the object
 
 using Wall = std::function<double(double)>; // mm, of a height
 
@@ -61,7 +62,8 @@ Sampled CurvedBetween(const std::vector<float>& distances, int perSlice)
 {
   Sampled sampled;
   const AxisNodes nodes{Slices, perSlice * (Slices - 1) + 1, 0.0, 1.0 / perSlice, 0.0};
-  sampled.Values = SliceInterpolation(2, nodes).Apply(distances, Bound, sampled.Size);
+  sampled.Values = SliceInterpolation(distances, sampled.Size, 2, Bound).Between(nodes);
+  sampled.Size[2] = nodes.Count;
   return sampled;
 }
 
@@ -103,19 +105,21 @@ TEST(SliceInterpolation, EndsHalfWayToASliceWithoutTheObject)
 TEST(SliceInterpolation, IsAsBoundedCubicsNextToAnEnd)
 {
   const int end = 15;
-  std::vector<float> distances = DistancesTo(BumpyWall, end);
+  const std::vector<float> distances = DistancesTo(BumpyWall, end);
   const Sampled sampled = CurvedBetween(distances, 8);
-  for (float& distance : distances)
+  std::vector<float> bounded = distances;
+  for (float& distance : bounded)
   {
     distance = std::clamp(distance, static_cast<float>(-Bound), static_cast<float>(Bound));
   }
   Sampled cubic;
   const AxisNodes nodes{Slices, 8 * (Slices - 1) + 1, 0.0, 0.125, 0.0};
   cubic.Values =
-      AxisWeights(nodes, AxisWeights::Interpolation::Cubic).Apply(distances, cubic.Size, 2);
+      AxisWeights(nodes, AxisWeights::Interpolation::Cubic).Apply(bounded, cubic.Size, 2);
   for (int node = 8 * (end - 3); node < sampled.Size[2]; ++node)
   {
-    for (int column = 0; column < Columns; ++column)
+    // Far outside, slices without the object are no farther from the wall.
+    for (int column = 0; Pixel * column < BumpyWall(Thickness * end) + 10.0; ++column)
     {
       ASSERT_EQ(sampled.At(node, column), cubic.At(node, column)) << node;
     }
@@ -140,7 +144,7 @@ double LargestStep(const Sampled& sampled)
 TEST(SliceInterpolation, IsContinuous)
 {
   std::mt19937_64 random(9700);
-  std::normal_distribution<double> normal(0.0, 4.0);
+  std::normal_distribution<double> normal(0.0, 1.2); // second differences about the bound
   for (int body = 0; body < 20; ++body)
   {
     std::vector<double> walls(Slices);
@@ -155,26 +159,64 @@ TEST(SliceInterpolation, IsContinuous)
   }
 }
 
+TEST(SliceInterpolation, DoesNotBulgeNextToALedge)
+{
+  constexpr double Least = 40.0;
+  for (const double height : {3.0, 8.0, 20.0, 40.0})
+  {
+    const auto ledge = [&](double z) { return z < 10.0 * Thickness ? Least + height : Least; };
+    const Sampled sampled = CurvedBetween(DistancesTo(ledge), 8);
+    for (int node = 8; node < sampled.Size[2] - 8; ++node)
+    {
+      // A tenth of twice the bound.
+      EXPECT_GT(sampled.WallAt(node), Least - 0.2 * Bound) << height << " at " << node;
+      EXPECT_LT(sampled.WallAt(node), Least + height + 0.2 * Bound) << height << " at " << node;
+    }
+  }
+}
+
 TEST(SliceInterpolation, DoesNotDependOnTheSlicesAxis)
 {
   const std::vector<float> distances = DistancesTo(BumpyWall, 15);
   const Sampled sampled = CurvedBetween(distances, 4);
+  const AxisNodes nodes{Slices, 4 * (Slices - 1) + 1, 0.0, 0.25, 0.0};
+  // Columns along i and slices across j; the same twice, along k.
+  std::vector<float> twice = distances;
+  twice.insert(twice.end(), distances.begin(), distances.end());
+  std::vector<float> expected = sampled.Values;
+  expected.insert(expected.end(), sampled.Values.begin(), sampled.Values.end());
+  EXPECT_EQ(SliceInterpolation(twice, {Columns, Slices, 2}, 1, Bound).Between(nodes), expected);
+
   std::vector<float> turned(distances.size());
   for (std::size_t at = 0; at < distances.size(); ++at)
   {
     turned[at % Columns * Slices + at / Columns] = distances[at];
   }
-  std::array<int, 3> size{Slices, 1, Columns};
-  const AxisNodes nodes{Slices, 4 * (Slices - 1) + 1, 0.0, 0.25, 0.0};
-  const std::vector<float> values = SliceInterpolation(0, nodes).Apply(turned, Bound, size);
+  const std::vector<float> values =
+      SliceInterpolation(turned, {Slices, 1, Columns}, 0, Bound).Between(nodes);
   ASSERT_EQ(values.size(), sampled.Values.size());
-  for (int node = 0; node < sampled.Size[2]; ++node)
+  for (int node = 0; node < nodes.Count; ++node)
   {
     for (int column = 0; column < Columns; ++column)
     {
-      const auto at = static_cast<std::size_t>(column * size[0] + node);
+      const auto at = static_cast<std::size_t>(column * nodes.Count + node);
       ASSERT_NEAR(values[at], sampled.At(node, column), 1e-5) << node; // order of sums
     }
+  }
+}
+
+TEST(SliceInterpolation, ResamplesSlicesFirst)
+{
+  // Every other column.
+  const std::vector<float> distances = DistancesTo(BumpyWall, 15);
+  const Sampled sampled = CurvedBetween(distances, 4);
+  SliceInterpolation slices(distances, {Columns, 1, Slices}, 2, Bound);
+  slices.Resample(AxisWeights({Columns, Columns / 2, 0.0, 2.0, 0.0}), 0);
+  const std::vector<float> values = slices.Between({Slices, 4 * (Slices - 1) + 1, 0.0, 0.25, 0.0});
+  ASSERT_EQ(values.size(), sampled.Values.size() / 2);
+  for (std::size_t at = 0; at < values.size(); ++at)
+  {
+    ASSERT_EQ(values[at], sampled.Values[2 * at]) << at;
   }
 }
 } // namespace

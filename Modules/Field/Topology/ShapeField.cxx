@@ -170,50 +170,55 @@ std::array<std::size_t, 3> CheapestOrder(const std::array<int, 3>& from,
   return order;
 }
 
-// Signed distances, by slice if the slices are thick; those beyond the bound say nothing of walls.
-std::vector<float> BoundedDistances(const VoxelMask& mask, const ShapeFieldSettings& settings)
+AxisNodes NodesAlong(std::size_t axis, const VoxelMask& mask, const ShapeGrid& grid,
+                     const ShapeFieldSettings& settings)
 {
-  const std::array<double, 3>& spacing = mask.Spacing;
-  const double halfStep = 0.5 * *std::min_element(spacing.begin(), spacing.end());
-  const std::size_t across = SliceAxis(spacing);
-  std::vector<float> distances =
-      SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
-  if (across < 3)
-  {
-    const float deepest = *std::max_element(distances.begin(), distances.end());
-    const auto clamp = static_cast<float>(settings.SliceClamp * spacing[across]);
-    const float bound = settings.IsCurved ? deepest : clamp;
-    for (float& distance : distances)
-    {
-      distance = std::clamp(distance, -bound, bound);
-    }
-  }
-  return distances;
+  const double voxel = mask.Spacing[axis];
+  return {mask.Size[axis], grid.Size[axis],
+          grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis], grid.Spacing / voxel,
+          settings.Smoothing};
 }
 
 std::vector<float> Resample(const VoxelMask& mask, std::vector<float> values, const ShapeGrid& grid,
                             const ShapeFieldSettings& settings)
 {
-  const std::size_t curved = settings.IsCurved ? SliceAxis(mask.Spacing) : 3;
   std::array<int, 3> size = mask.Size;
   for (const std::size_t axis : CheapestOrder(mask.Size, grid.Size))
   {
-    const double voxel = mask.Spacing[axis];
-    const double first = grid.Origin[static_cast<int>(axis)] / voxel - mask.StartIndex[axis];
-    const AxisNodes nodes{mask.Size[axis], grid.Size[axis], first, grid.Spacing / voxel,
-                          settings.Smoothing};
-    values = axis == curved
-                 ? SliceInterpolation(axis, nodes).Apply(values, settings.SliceClamp * voxel, size)
-                 : AxisWeights(nodes).Apply(values, size, axis);
+    values = AxisWeights(NodesAlong(axis, mask, grid, settings)).Apply(values, size, axis);
   }
   return values;
 }
-} // namespace
 
-bool HasThickSlices(const std::array<double, 3>& spacing)
+// Signed distances at the grid's nodes, by slice if the slices are thick.
+std::vector<float> SampledDistances(const VoxelMask& mask, const ShapeGrid& grid,
+                                    const ShapeFieldSettings& settings)
 {
-  return SliceAxis(spacing) < 3;
+  const double halfStep = 0.5 * *std::min_element(mask.Spacing.begin(), mask.Spacing.end());
+  const std::size_t across = SliceAxis(mask.Spacing);
+  std::vector<float> values = SignedDistance(mask, static_cast<DistanceDomain>(across), halfStep);
+  if (across == 3)
+  {
+    return Resample(mask, std::move(values), grid, settings);
+  }
+  const double bound = settings.SliceClamp * mask.Spacing[across];
+  if (!settings.IsCurved)
+  {
+    const auto most = static_cast<float>(bound);
+    for (float& value : values)
+    {
+      value = std::clamp(value, -most, most);
+    }
+    return Resample(mask, std::move(values), grid, settings);
+  }
+  SliceInterpolation slices(values, mask.Size, across, bound);
+  for (const std::size_t axis : {(across + 1) % 3, (across + 2) % 3})
+  {
+    slices.Resample(AxisWeights(NodesAlong(axis, mask, grid, settings)), axis);
+  }
+  return slices.Between(NodesAlong(across, mask, grid, settings));
 }
+} // namespace
 
 double ShapeFieldSpacing(const VoxelMask& mask, const ShapeFieldSettings& settings)
 {
@@ -280,7 +285,7 @@ Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings,
   }
   field.Grid =
       GridAround(bounds, mask.Spacing, WantedSpacing(object, settings), settings.MaximumNodes);
-  field.Values = Resample(object, BoundedDistances(object, settings), field.Grid, settings);
+  field.Values = SampledDistances(object, field.Grid, settings);
   return Status::Success();
 }
 } // namespace palpate

@@ -66,7 +66,7 @@ struct ShapeFieldSettings
   /// more.
   double SliceClamp = 0.2;
   /// Curved between slices (SliceInterpolation), as a body and bumps on it are. The clamp then
-  /// holds next to the object's ends only.
+  /// holds where distances do not change smoothly from slice to slice.
   bool IsCurved = false;
   double Smoothing = 0.35;     ///< standard deviation of the Gaussian, in grid spacings
   double MaximumNodes = 8.0e6; ///< the grid is coarsened until it has no more
@@ -84,10 +84,11 @@ struct ShapeFieldSettings
 
 /// Makes a field whose zero level is the boundary of the mask's voxels, half way between centres.
 ///
-/// If the slices are thick (HasThickSlices): signed distance in each slice, clamped to `SliceClamp`
-/// slice spacings, and linear or curved between slices (SliceInterpolation). Otherwise signed
-/// distance in three dimensions. Both are resampled to an isotropic grid (trilinear otherwise) and
-/// smoothed by a Gaussian. The volume is not matched yet: LevelOfVolume does that.
+/// If the slices are thick, that is one axis at least 1.5 times as coarse as each of the others:
+/// signed distance in each slice, clamped to `SliceClamp` slice spacings and linear between slices,
+/// or curved (SliceInterpolation). Otherwise signed distance in three dimensions. Both are
+/// resampled to an isotropic grid (trilinear otherwise) and smoothed by a Gaussian. The volume is
+/// not matched yet: LevelOfVolume does that.
 ///
 /// The grid's spacing is rounded so that nodes lie on thick slices. Grid and bounds of the mask
 /// have the same centre, so that the field of a mirrored mask is the mirrored field.
@@ -95,9 +96,6 @@ struct ShapeFieldSettings
 /// Fails for a mask with no voxel inside, with a spacing that is not positive, or whose size does
 /// not match its voxels, and for settings out of range.
 Status MakeShapeField(const VoxelMask& mask, const ShapeFieldSettings& settings, ShapeField& field);
-
-/// Whether one axis of a mask is at least 1.5 times as coarse as each of the others.
-bool HasThickSlices(const std::array<double, 3>& spacing);
 
 /// The spacing (mm) of the grid that follows from a mask: sqrt(area / CellsOnSurface), with area =
 /// 2/3 of that of the voxels' faces (exact for a sphere). For thin shapes it is less, a third of

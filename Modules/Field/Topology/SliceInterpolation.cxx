@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace palpate
 {
 namespace
 {
-constexpr std::size_t Reach = 3; // slices on both sides: all that a node's polynomial meets
 constexpr double PartOfDepth = 1.0 / 3.0; // a small object is in few slices, which it is to follow
+constexpr double Far = 2.0;               // depths: as far from a wall as slices without the object
 
 std::vector<float> Bounded(std::vector<float> values, double bound)
 {
@@ -20,76 +19,123 @@ std::vector<float> Bounded(std::vector<float> values, double bound)
   }
   return values;
 }
+} // namespace
+
+SliceInterpolation::SliceInterpolation(const std::vector<float>& distances,
+                                       const std::array<int, 3>& size, std::size_t across,
+                                       double bound)
+    : Size(size), Across(across)
+{
+  const double depth = *std::max_element(distances.begin(), distances.end());
+  const double shallow = PartOfDepth * depth;
+  this->Near = Bounded(distances, std::min(bound, shallow));
+  if (shallow < bound)
+  {
+    return;
+  }
+  this->Distances = Bounded(distances, Far * depth);
+  this->IsSmooth = this->SharesOfSmooth(bound);
+  if (*std::max_element(this->IsSmooth.begin(), this->IsSmooth.end()) <= 0.0F)
+  {
+    this->Distances.clear();
+    this->IsSmooth.clear();
+  }
+}
 
 // From a voxel to that in the next slice.
-std::size_t StrideOf(const std::array<int, 3>& size, std::size_t across)
+std::size_t SliceInterpolation::Stride() const noexcept
 {
   std::size_t stride = 1;
-  for (std::size_t axis = 0; axis < across; ++axis)
+  for (std::size_t axis = 0; axis < this->Across; ++axis)
   {
-    stride *= static_cast<std::size_t>(size[axis]);
+    stride *= static_cast<std::size_t>(this->Size[axis]);
   }
   return stride;
 }
-} // namespace
 
-SliceInterpolation::SliceInterpolation(std::size_t across, const AxisNodes& nodes)
-    : Across(across), Nodes(nodes)
+// 1 where second differences over the seven slices around, which are all that polynomials next to a
+// slice meet, are no more than the bound, 0 from twice the bound on. Polynomials overshoot by less
+// than a tenth of them.
+std::vector<float> SliceInterpolation::SharesOfSmooth(double bound) const
 {
-}
-
-std::vector<float> SliceInterpolation::Sampled(const std::vector<float>& values,
-                                               AxisWeights::Interpolation between,
-                                               std::array<int, 3>& size) const
-{
-  return AxisWeights(this->Nodes, between).Apply(values, size, this->Across);
-}
-
-// Of each voxel: 1 where the distances of the seven slices around are less than half the depth, 0
-// where one is the depth.
-std::vector<float> SliceInterpolation::SharesNearWall(const std::vector<float>& distances,
-                                                      double depth,
-                                                      const std::array<int, 3>& size) const
-{
-  const auto slices = static_cast<std::size_t>(size[this->Across]);
-  const std::size_t stride = StrideOf(size, this->Across);
-  const auto perDepth = static_cast<float>(2.0 / depth);
-  std::vector<float> shares(distances.size(), 0.0F);
-  for (std::size_t at = 0; at < distances.size(); ++at)
+  constexpr std::size_t Reach = 3;
+  const auto slices = static_cast<std::size_t>(this->Size[this->Across]);
+  const std::size_t stride = this->Stride();
+  const auto most = static_cast<float>(bound);
+  std::vector<float> shares(this->Distances.size(), 0.0F);
+  for (std::size_t at = 0; at < shares.size(); ++at)
   {
     const std::size_t slice = at / stride % slices;
     if (slice >= Reach && slice + Reach < slices)
     {
-      float farthest = 0.0F;
-      for (std::size_t n = 0; n <= 2 * Reach; ++n)
+      float largest = 0.0F;
+      const float* middle = &this->Distances[at - (Reach - 1) * stride];
+      for (std::size_t n = 1; n < 2 * Reach; ++n, middle += stride)
       {
-        farthest = std::max(farthest, std::abs(distances[at + n * stride - Reach * stride]));
+        largest = std::max(largest, std::abs(middle[stride] - 2.0F * *middle + *(middle - stride)));
       }
-      shares[at] = std::clamp(2.0F - perDepth * farthest, 0.0F, 1.0F);
+      shares[at] = std::clamp(2.0F - largest / most, 0.0F, 1.0F);
     }
   }
   return shares;
 }
 
-std::vector<float> SliceInterpolation::Apply(const std::vector<float>& distances, double bound,
-                                             std::array<int, 3>& size) const
+void SliceInterpolation::Resample(const AxisWeights& weights, std::size_t axis)
+{
+  const std::array<int, 3> before = this->Size;
+  for (std::vector<float>* values : {&this->Near, &this->Distances, &this->IsSmooth})
+  {
+    std::array<int, 3> size = before;
+    if (!values->empty())
+    {
+      *values = weights.Apply(*values, size, axis);
+      this->Size = size;
+    }
+  }
+}
+
+std::vector<float> SliceInterpolation::PartBetween(const AxisNodes& nodes) const
 {
   using Interpolation = AxisWeights::Interpolation;
-  const double depth = *std::max_element(distances.begin(), distances.end());
-  std::array<int, 3> sizeNear = size;
-  std::array<int, 3> sizeOfShares = size;
-  std::vector<float> shares = this->SharesNearWall(distances, depth, size);
-  std::vector<float> values = this->Sampled(
-      Bounded(distances, std::min(bound, PartOfDepth * depth)), Interpolation::Cubic, size);
-  if (*std::max_element(shares.begin(), shares.end()) > 0.0F)
+  const auto sampled = [&](const std::vector<float>& values, Interpolation between)
   {
-    shares = this->Sampled(shares, Interpolation::Linear, sizeOfShares);
-    const std::vector<float> near = this->Sampled(distances, Interpolation::Quintic, sizeNear);
+    std::array<int, 3> size = this->Size;
+    return AxisWeights(nodes, between).Apply(values, size, this->Across);
+  };
+  std::vector<float> values = sampled(this->Near, Interpolation::Cubic);
+  if (!this->IsSmooth.empty())
+  {
+    const std::vector<float> shares = sampled(this->IsSmooth, Interpolation::Linear);
+    const std::vector<float> smooth = sampled(this->Distances, Interpolation::Quintic);
     for (std::size_t at = 0; at < values.size(); ++at)
     {
-      values[at] += shares[at] * (near[at] - values[at]);
+      values[at] += shares[at] * (smooth[at] - values[at]);
     }
   }
   return values;
+}
+
+// Some nodes at a time, to keep memory that of the result.
+std::vector<float> SliceInterpolation::Between(const AxisNodes& nodes) const
+{
+  constexpr int AtATime = 8;
+  const std::size_t stride = this->Stride();
+  const auto slices = static_cast<std::size_t>(this->Size[this->Across]);
+  const auto count = static_cast<std::size_t>(nodes.Count);
+  std::vector<float> result(this->Near.size() / slices * count);
+  for (int first = 0; first < nodes.Count; first += AtATime)
+  {
+    AxisNodes some = nodes;
+    some.First += first * nodes.Step;
+    some.Count = std::min(AtATime, nodes.Count - first);
+    const std::vector<float> part = this->PartBetween(some);
+    const std::size_t row = stride * static_cast<std::size_t>(some.Count);
+    for (std::size_t block = 0; block * row < part.size(); ++block)
+    {
+      std::copy_n(&part[block * row], row,
+                  &result[(block * count + static_cast<std::size_t>(first)) * stride]);
+    }
+  }
+  return result;
 }
 } // namespace palpate

@@ -9,32 +9,36 @@
 namespace palpate
 {
 /// Shape-based interpolation between thick slices (Raya and Udupa, "Shape-based interpolation of
-/// multidimensional objects", IEEE TMI 9, 1990), curved as the object is: from signed distances
-/// within slices to those at nodes along the slices' axis.
+/// multidimensional objects", IEEE TMI 9, 1990), curved as the object is: signed distances within
+/// slices, resampled along the slices' axes first, then between slices.
 ///
-/// Where the wall is near in the slices around, compared with the object's depth: a polynomial of
-/// degree 5 through six slices, which follows an oblique wall and bumps on it (of a cosine's peak
-/// 20 mm wide, on a wall at 45 degrees to slices of 3 mm, 1 % is lost half way between slices; by
-/// cubics 3 %). Elsewhere, as next to ends: a cubic of bounded distances, since far ones say
-/// nothing of the wall. One passes into the other.
+/// Where distances change smoothly over the slices around: a polynomial of degree 5 through six
+/// slices, which follows an oblique wall and bumps on it. Elsewhere, as at ledges, next to the
+/// object's ends and in small objects: a cubic of bounded distances, since far ones say nothing of
+/// the wall and polynomials overshoot. One passes into the other.
 class SliceInterpolation
 {
 public:
-  /// Slices across an axis, and nodes along it.
-  SliceInterpolation(std::size_t across, const AxisNodes& nodes);
+  /// `distances` (mm, i fastest, some of them positive, minus infinity in slices without the
+  /// object) are of voxels of `size`, in slices across an axis. Where a cubic is used they are
+  /// bounded by `bound` (mm, positive), but by no more than a third of the object's depth.
+  SliceInterpolation(const std::vector<float>& distances, const std::array<int, 3>& size,
+                     std::size_t across, double bound);
 
-  /// `distances` (mm, i fastest; finite) are of `size`, which is updated. Where a cubic is used
-  /// they are bounded by `bound` (mm), but by no more than a third of the object's depth.
-  std::vector<float> Apply(const std::vector<float>& distances, double bound,
-                           std::array<int, 3>& size) const;
+  /// Along an axis of the slices.
+  void Resample(const AxisWeights& weights, std::size_t axis);
+  /// At nodes along the slices' axis.
+  std::vector<float> Between(const AxisNodes& nodes) const;
 
 private:
-  std::vector<float> Sampled(const std::vector<float>& values, AxisWeights::Interpolation between,
-                             std::array<int, 3>& size) const;
-  std::vector<float> SharesNearWall(const std::vector<float>& distances, double depth,
-                                    const std::array<int, 3>& size) const;
+  std::vector<float> SharesOfSmooth(double bound) const;
+  std::vector<float> PartBetween(const AxisNodes& nodes) const;
+  std::size_t Stride() const noexcept;
 
+  std::array<int, 3> Size;
   std::size_t Across;
-  AxisNodes Nodes;
+  std::vector<float> Near; // bounded
+  std::vector<float> Distances;
+  std::vector<float> IsSmooth; // 1 for the polynomial's; without any neither these nor Distances
 };
 } // namespace palpate
