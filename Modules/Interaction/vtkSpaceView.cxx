@@ -188,6 +188,8 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   state.Axes.AddTo(renderer);
   state.Bar.AddTo(renderer);
   renderer->AddLight(state.Lamp);
+  // Now, since the camera may be reset before anything is drawn.
+  Look(renderer->GetActiveCamera(), palpate::ObliqueFrame());
   state.NeedsReset = true;
 }
 
@@ -343,7 +345,6 @@ void vtkSpaceView::UpdateFor(vtkRenderer* renderer)
   this->UpdateContents();
   if (this->Inner->NeedsReset)
   {
-    Look(renderer->GetActiveCamera(), palpate::ObliqueFrame());
     this->ResetCamera();
   }
   renderer->ResetCameraClippingRange();

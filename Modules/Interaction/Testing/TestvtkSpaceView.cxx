@@ -75,6 +75,7 @@ protected:
     this->Window->Render();
     return palpate::ReadWindow(this->Window);
   }
+  Vector3 Sight() { return Vector3(this->Renderer->GetActiveCamera()->GetDirectionOfProjection()); }
   // From the front: x to the right, z up, mm.
   static const std::uint8_t* PixelAt(const RasterImage& raster, double x, double z)
   {
@@ -180,6 +181,25 @@ TEST_F(vtkSpaceViewTest, LookFromShowsThatSide)
     EXPECT_NEAR((Vector3(camera->GetViewUp()) - frame.UpWorld).norm(), 0.0, 1e-9);
     EXPECT_NEAR((Vector3(camera->GetFocalPoint()) - Vector3(3.0, 4.0, 5.0)).norm(), 0.0, 0.1);
   }
+}
+
+TEST_F(vtkSpaceViewTest, LooksObliquelyAlsoIfResetBeforeTheFirstFrame)
+{
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 10.0));
+  this->View->AddSurface(this->Surface);
+  this->View->ResetCamera();
+  this->Window->Render();
+  EXPECT_LT((this->Sight() + palpate::ObliqueFrame().TowardsViewerWorld).norm(), 1e-6);
+}
+
+TEST_F(vtkSpaceViewTest, KeepsASideThatWasChosenBeforeThereWasAnything)
+{
+  this->View->LookFrom(vtkSpaceView::LEFT);
+  this->Window->Render();
+  this->Surface->SetSurface(Sphere(Vector3::Zero(), 10.0));
+  this->View->AddSurface(this->Surface);
+  this->Window->Render();
+  EXPECT_LT((this->Sight() + Vector3::UnitX()).norm(), 1e-6);
 }
 
 TEST_F(vtkSpaceViewTest, SlicesShowVolumeAtItsPosition)
