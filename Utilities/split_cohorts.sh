@@ -1,6 +1,7 @@
 #!/bin/sh
 # Prints how often the tests of covariates reject a true null hypothesis and find known bumps of
-# masks, in studies drawn from the masks of a folder; by models of degree 20. Takes about an hour of a processor.
+# masks, in studies drawn from the masks of a folder, by models of degree 20. Takes about an hour of a
+# processor.
 #   Utilities/split_cohorts.sh MASKS [COHORTS [PERMUTATIONS [DEGREE]]]
 set -eu
 cd "$(dirname "$0")/.."

@@ -1,5 +1,6 @@
 #include "DistanceTransform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -130,5 +131,15 @@ std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, 
     field[at] = mask.Inside[at] != 0 ? inner[at] - half : half - outer[at];
   }
   return field;
+}
+
+std::vector<float> BoundedDistances(std::vector<float> distances, double bound)
+{
+  const auto most = static_cast<float>(bound);
+  for (float& distance : distances)
+  {
+    distance = std::clamp(distance, -most, most);
+  }
+  return distances;
 }
 } // namespace palpate

@@ -25,4 +25,7 @@ std::vector<float> DistanceToOthers(const VoxelMask& mask, unsigned char value,
 /// Distance (mm) of every voxel centre from the mask's boundary, positive inside, which lies
 /// `halfStep` (mm) from the last centre on either side.
 std::vector<float> SignedDistance(const VoxelMask& mask, DistanceDomain domain, double halfStep);
+
+/// Distances cut off at `bound` (mm) on either side.
+std::vector<float> BoundedDistances(std::vector<float> distances, double bound);
 } // namespace palpate

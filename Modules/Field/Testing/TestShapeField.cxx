@@ -98,6 +98,19 @@ TEST(ShapeField, InterpolatesThickSlicesOnly)
   EXPECT_FALSE(AreThickSlices({3.0, 3.0, 0.5})); // no single coarsest axis
 }
 
+TEST(ShapeField, BoundsDistancesWithinThickSlices)
+{
+  // The box's centre is 1 mm from its nearest faces, the clamp is 0.25 * 3 mm.
+  const palpate::VoxelMask mask = BoxMask({0.5, 0.5, 3.0});
+  const Vector3 centre(3.5 * 0.5, 3.5 * 0.5, 3.5 * 3.0);
+  palpate::ShapeFieldSettings settings = Unsmoothed();
+  settings.Spacing = 0.5;
+  palpate::ShapeField field;
+  ASSERT_TRUE(palpate::MakeShapeField(mask, settings, field).IsOk());
+  EXPECT_NEAR(field.Sample(centre), 0.75, 0.25); // voxel centres next to it are less deep
+  EXPECT_LE(*std::max_element(field.Values.begin(), field.Values.end()), 0.75F);
+}
+
 TEST(ShapeField, SpacingFollowsFromSurface)
 {
   // 8 x 8 x 4 voxels of 1 mm: 256 mm^2 of faces.

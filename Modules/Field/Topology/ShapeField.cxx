@@ -204,12 +204,7 @@ std::vector<float> SampledDistances(const VoxelMask& mask, const ShapeGrid& grid
   const double bound = settings.SliceClamp * mask.Spacing[across];
   if (!settings.IsCurved)
   {
-    const auto most = static_cast<float>(bound);
-    for (float& value : values)
-    {
-      value = std::clamp(value, -most, most);
-    }
-    return Resample(mask, std::move(values), grid, settings);
+    return Resample(mask, BoundedDistances(std::move(values), bound), grid, settings);
   }
   SliceInterpolation slices(values, mask.Size, across, bound);
   for (const std::size_t axis : {(across + 1) % 3, (across + 2) % 3})

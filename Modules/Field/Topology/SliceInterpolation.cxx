@@ -1,5 +1,7 @@
 #include "SliceInterpolation.h"
 
+#include "DistanceTransform.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,16 +11,6 @@ namespace
 {
 constexpr double PartOfDepth = 1.0 / 3.0; // a small object is in few slices, which it is to follow
 constexpr double Far = 2.0;               // depths: as far from a wall as slices without the object
-
-std::vector<float> Bounded(std::vector<float> values, double bound)
-{
-  const auto most = static_cast<float>(bound);
-  for (float& value : values)
-  {
-    value = std::clamp(value, -most, most);
-  }
-  return values;
-}
 } // namespace
 
 SliceInterpolation::SliceInterpolation(const std::vector<float>& distances,
@@ -28,12 +20,12 @@ SliceInterpolation::SliceInterpolation(const std::vector<float>& distances,
 {
   const double depth = *std::max_element(distances.begin(), distances.end());
   const double shallow = PartOfDepth * depth;
-  this->Near = Bounded(distances, std::min(bound, shallow));
+  this->Near = BoundedDistances(distances, std::min(bound, shallow));
   if (shallow < bound)
   {
     return;
   }
-  this->Distances = Bounded(distances, Far * depth);
+  this->Distances = BoundedDistances(distances, Far * depth);
   this->IsSmooth = this->SharesOfSmooth(bound);
   if (*std::max_element(this->IsSmooth.begin(), this->IsSmooth.end()) <= 0.0F)
   {

@@ -10,7 +10,7 @@ namespace palpate
 {
 /// Shape-based interpolation between thick slices (Raya and Udupa, "Shape-based interpolation of
 /// multidimensional objects", IEEE TMI 9, 1990), curved as the object is: signed distances within
-/// slices, resampled along the slices' axes first, then between slices.
+/// slices, resampled within slices first, then between them.
 ///
 /// Where distances change smoothly over the slices around: a polynomial of degree 5 through six
 /// slices, which follows an oblique wall and bumps on it. Elsewhere, as at ledges, next to the
@@ -37,8 +37,9 @@ private:
 
   std::array<int, 3> Size;
   std::size_t Across;
-  std::vector<float> Near; // bounded
+  std::vector<float> Near; // bounded, for cubics
+  // The polynomials' distances, and their shares (0 to 1); both empty where there are none.
   std::vector<float> Distances;
-  std::vector<float> IsSmooth; // 1 for the polynomial's; without any neither these nor Distances
+  std::vector<float> IsSmooth;
 };
 } // namespace palpate
