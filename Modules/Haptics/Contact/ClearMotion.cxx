@@ -174,17 +174,22 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
   return proven == Step::Open ? this->SearchAt(start, goal, needed) : proven;
 }
 
-// With little work if that shows enough. A sphere keeps two sheets apart without the margin, which
-// can't be proven above a hollow as round as the sphere: there the sphere would wait in vain.
+// A sphere keeps two sheets apart without the margin, which can't be proven above a hollow as round
+// as the sphere: there the sphere would wait in vain. With the margin little work is tried first.
 ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& goal,
                                            Minima& minima) noexcept
 {
-  const int most = this->EvaluationsLeft;
-  this->EvaluationsLeft = std::min(most, MotionEvaluationsOfShortStep);
-  const int little = this->EvaluationsLeft;
-  Step proven = this->Prove(start, goal, this->Free, minima);
-  this->EvaluationsLeft += most - little;
-  const double needed = this->Radius > this->Surface->Margin() ? this->Radius : this->Free;
+  const double margin = this->Surface->Margin();
+  const double needed = this->Radius > margin ? this->Radius : this->Free;
+  Step proven = Step::Open;
+  if (margin > 0.0)
+  {
+    const int most = this->EvaluationsLeft;
+    const int little = std::min(most, MotionEvaluationsOfShortStep);
+    this->EvaluationsLeft = little;
+    proven = this->Prove(start, goal, this->Free, minima);
+    this->EvaluationsLeft += most - little;
+  }
   if (proven == Step::Open && this->EvaluationsLeft > 0)
   {
     proven = this->Prove(start, goal, needed, minima);
@@ -280,8 +285,8 @@ const ClearMotion::ClosestPoint* ClearMotion::Touched(const Minima& minima) cons
 }
 
 // Several walls may be overlapped at the goal, of which a proof finds any first: what overlaps the
-// tool where it touches one was met before that one. Takes as much work as it needs, since the
-// first wall decides about all of the contact.
+// tool where it touches one was met before that one. Takes much work, since the first wall decides
+// about all of the contact; walls that are met within the slack of each other count as one time.
 void ClearMotion::MeetFirst(const Vector3& start, const Vector3& goal,
                             const ClosestPoint& minimum) noexcept
 {
@@ -289,10 +294,10 @@ void ClearMotion::MeetFirst(const Vector3& start, const Vector3& goal,
   this->Meet(start, goal, minimum);
   for (int met = 1; met < MotionMeetings && !this->Places->IsNearest(this->Wall); ++met)
   {
-    const auto answer =
-        this->Clearance->AskWithin(this->Free + this->Clearance->Tolerance(), this->Place,
-                                   &this->Wall, 1, MotionEvaluationsOfShortStep, Apart,
-                                   {this->Free - this->Exactness, MotionEvaluationsOfProof});
+    const auto answer = this->Clearance->AskWithin(
+        this->Free + this->Clearance->Tolerance(), this->Place, &this->Wall, 1,
+        MotionEvaluationsOfShortStep, Apart,
+        {this->Free - std::max(this->Slack, this->Exactness), MotionEvaluationsOfProof});
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
     if (answer.State != Proof::Finding::Nearer ||
         found.SignedDistance > this->RadiusAt(found) - this->Exactness)
@@ -335,18 +340,20 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& start, const Vector3& goal, 
                                      Minima& minima) noexcept
 {
   const bool isShort = needed <= this->Free && this->IsShort(start, goal);
+  const double enough = isShort ? needed - this->Slack : needed;
   double wanted = this->Wanted(needed, minima);
   for (int proof = 0; proof<MotionProofs&& this->EvaluationsLeft> 0; ++proof)
   {
     constexpr double Apart = 0.0; // minima are not merged however near they are
     const double asked = wanted + 0.5 * this->Exactness;
-    const auto answer =
-        this->Clearance->AskWithin(asked + this->Clearance->Tolerance(), goal, minima.Each.data(),
-                                   minima.Count, this->EvaluationsLeft, Apart);
+    const int usual = isShort ? std::min(this->EvaluationsLeft, MotionEvaluationsOfShortStep)
+                              : this->EvaluationsLeft;
+    const auto answer = this->Clearance->AskWithin(asked + this->Clearance->Tolerance(), goal,
+                                                   minima.Each.data(), minima.Count, usual, Apart,
+                                                   {enough, this->EvaluationsLeft - usual});
     this->EvaluationsLeft -= answer.Evaluations;
     if (answer.State != Proof::Finding::Nearer)
     {
-      const double enough = isShort ? needed - this->Slack : needed;
       return this->TakeIf(answer.LowerDistance >= enough, goal, minima, answer.LowerDistance);
     }
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);

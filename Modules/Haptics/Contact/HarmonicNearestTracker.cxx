@@ -280,6 +280,7 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
   for (int i = 1; i <= strides; ++i)
   {
     const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
+    const ProvenBall before = this->RoomOfOneWall();
     if (!this->Press(next, length / strides))
     {
       return;
@@ -287,11 +288,24 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
     if (Surface::MayCrossItself && this->NeedsWedge(this->Held.Direction))
     {
       this->Wedge->Begin(
-          this->Touched->PointAt(this->Held.Direction, this->ProbeWorld, this->Closest));
+          this->Touched->PointAt(this->Held.Direction, this->ProbeWorld, this->Closest), before);
       this->IsWedging = true;
       return;
     }
   }
+}
+
+// Where a single wall holds a tool that fits there, nothing is in most of the tool. WedgePlaces
+// knows that by trials, and only of the outer side.
+template <typename Surface>
+ProvenBall HarmonicNearestTrackerOf<Surface>::RoomOfOneWall() const noexcept
+{
+  constexpr double Most = 0.9;
+  if (this->Touched->CrossesItself())
+  {
+    return {};
+  }
+  return {this->Held.PointWorld + this->ToolRadius * this->Held.Normal, Most * this->ToolRadius};
 }
 
 // One short step in contact; returns false if contact ends.
@@ -437,6 +451,10 @@ void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
            !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
   {
     this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
+  }
+  else
+  {
+    this->Wedge->Stay();
   }
 }
 

@@ -70,6 +70,7 @@ private:
   void Advance(const Vector3& probe) noexcept;
   bool MoveFree(const Vector3& probe) noexcept;
   void Slide(const Vector3& probe) noexcept;
+  ProvenBall RoomOfOneWall() const noexcept;
   bool Press(const Vector3& probe, double motion) noexcept;
   void Settle(const Vector3& probe) noexcept;
   void Touch(const ClosestPoint& nearest, const ProvenBall& known = {}) noexcept;

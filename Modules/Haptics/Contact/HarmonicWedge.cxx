@@ -2,7 +2,6 @@
 
 #include "IcosahedronDirections.h"
 #include "SlideRelaxation.h"
-#include "WedgeLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +175,11 @@ bool HarmonicWedgeOf<Surface>::MayProve(int proofs, int evaluationsLeft) const n
 template <typename Surface>
 void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
-  Leash leash{this->Center, this->LongestStep};
+  // The rest of the first proof of a contact may wait, and that of a proof after another wall was
+  // found: where the sphere was free is near.
+  bool mayWait = !this->IsClear;
+  const Vector3 start = this->Center;
+  Leash leash{start, this->LongestStep};
   int left =
       Surface::MayCrossItself ? WedgeLimits::EvaluationsAtFolds : WedgeLimits::EvaluationsOfMove;
   for (int proof = 0; this->MayProve(proof, left); ++proof)
@@ -190,10 +193,11 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       this->Shorten(leash);
       continue;
     }
-    const typename Proof::Answer answer = this->ProofHere(left);
+    const typename Proof::Answer answer = this->ProofHere(left, mayWait);
     if (answer.State == Proof::Finding::Nearer)
     {
       this->Meet(this->Sided(answer.Minimum));
+      mayWait = true;
       continue;
     }
     const double lower = std::max(answer.LowerDistance, this->Around.DistanceAt(this->Center));
@@ -203,23 +207,30 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     }
     this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
-    if (std::exchange(this->IsClear, true) && isThere)
+    if (std::exchange(this->IsClear, true) && (isThere || !this->MayStep(start, left)))
     {
       return;
     }
   }
   if (leash.ClearWorld != this->Center)
   {
-    this->GoTo(leash.ClearWorld, nullptr);
-    // Where a wall was found late that is there too, the sphere is pushed out first.
-    this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
+    this->GoBack(leash);
   }
 }
 
-// With little work where that leaves only parts open that are hardly in the sphere.
+// Where a wall was found late that is there too, the sphere is pushed out first.
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::GoBack(const Leash& leash) noexcept
+{
+  this->GoTo(leash.ClearWorld, nullptr);
+  this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
+}
+
+// With little work where that leaves only parts open that are hardly in the sphere, or where it
+// `mayWait` since enough is known around.
 template <typename Surface>
 typename HarmonicWedgeOf<Surface>::Proof::Answer
-HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft) noexcept
+HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft, bool mayWait) noexcept
 {
   const auto ask = [&](int evaluations, const typename Proof::Rest& rest) {
     return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations, rest);
@@ -228,14 +239,35 @@ HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft) noexcept
   {
     const double enough =
         this->Radius - WedgeLimits::RelativeSlack * this->Touched->SmallestRadius();
+    const bool isKnown =
+        this->Around.DistanceAt(this->Center) >= WedgeLimits::LeastProven * this->Radius;
+    const int rest = mayWait && isKnown ? 0 : WedgeLimits::EvaluationsOfRest;
     const int most = std::max(WedgeLimits::LeastEvaluations, evaluationsLeft);
-    const typename Proof::Answer answer = ask(most, {enough, WedgeLimits::EvaluationsOfRest});
+    const typename Proof::Answer answer = ask(most, {enough, rest});
     evaluationsLeft -= std::min(most, answer.Evaluations);
+    this->IsOpen = answer.State == Proof::Finding::Nearer || answer.LowerDistance < enough;
     return answer;
   }
   else
   {
     return ask(evaluationsLeft, {});
+  }
+}
+
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Stay() noexcept
+{
+  if (!this->IsOpen)
+  {
+    return;
+  }
+  int left = WedgeLimits::EvaluationsAtFolds;
+  const typename Proof::Answer answer = this->ProofHere(left, true);
+  if (answer.State == Proof::Finding::Nearer)
+  {
+    this->Meet(this->Sided(answer.Minimum));
+    this->PushOut();
+    this->IsClear = this->IsClearOfWalls();
   }
 }
 
@@ -283,9 +315,7 @@ void HarmonicWedgeOf<Surface>::Shorten(Leash& leash) noexcept
     const double tried = (this->Center - leash.ClearWorld).norm();
     leash.Length =
         Shorter * (Surface::MayCrossItself ? std::min(leash.Length, tried) : leash.Length);
-    this->GoTo(leash.ClearWorld, nullptr);
-    // Where a wall was found late that is there too, the sphere is pushed out first.
-    this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
+    this->GoBack(leash);
   }
 }
 

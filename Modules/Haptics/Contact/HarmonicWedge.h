@@ -7,6 +7,7 @@
 #include "ParametricTouchSurface.h"
 #include "ProvenBall.h"
 #include "WedgeGroove.h"
+#include "WedgeLimits.h"
 
 #include <array>
 #include <cstddef>
@@ -51,6 +52,10 @@ public:
   void Begin(const ClosestPoint& nearest, const ProvenBall& known = {}) noexcept;
   /// Moves from the last place towards the goal; Normal() is then the combined normal of the walls.
   void MoveTo(const Vector3& goalWorld) noexcept;
+
+  /// Goes on with the proof of the place of a sphere that stays there, where MoveTo left much of it
+  /// to the next tick.
+  void Stay() noexcept;
 
   /// Searches for walls that the sphere does not touch yet: those that a sphere larger by `ahead`
   /// would touch if the walls that hold this one held it. Between two walls that enclose an angle
@@ -113,7 +118,16 @@ private:
 
   void Approach(const Vector3& goalWorld) noexcept;
   bool MayProve(int proofs, int evaluationsLeft) const noexcept;
-  typename Proof::Answer ProofHere(int& evaluationsLeft) noexcept;
+  // Whether there is time for another step. Where a surface crosses itself, and for small spheres,
+  // steps are too short for one a tick.
+  bool MayStep(const Vector3& startWorld, int evaluationsLeft) const noexcept
+  {
+    const double enough = WedgeLimits::RelativeMove * this->Touched->SmallestRadius();
+    return !Surface::MayCrossItself || this->Touched->CrossesItself() || evaluationsLeft > 0 ||
+           (this->Center - startWorld).squaredNorm() < enough * enough;
+  }
+  typename Proof::Answer ProofHere(int& evaluationsLeft, bool mayWait) noexcept;
+  void GoBack(const Leash& leash) noexcept;
   void Shorten(Leash& leash) noexcept;
   Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;
   std::array<HalfSpace, MostWalls> Planes() const noexcept;
@@ -145,6 +159,7 @@ private:
   std::unique_ptr<Proof> ClearanceAhead;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre
+  bool IsOpen = false;  // the last proof left parts deep in the sphere
   bool IsKeptBack = false;
   Vector3 JointNormal = Vector3::UnitZ();
   std::array<ClosestPoint, MostWalls> Known{}; // at the centre

@@ -4,8 +4,8 @@
 
 namespace palpate
 {
-/// A place with a lower bound of its distance from a surface, which bounds that of other places
-/// too: a distance changes by at most as much as the place moves.
+/// A place with a lower bound of its distance from a surface, by a proof or by trials, which bounds
+/// that of other places too: a distance changes by at most as much as the place moves.
 struct ProvenBall
 {
   Vector3 CenterWorld = Vector3::Zero(); ///< mm

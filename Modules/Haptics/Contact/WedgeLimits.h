@@ -7,8 +7,8 @@ struct WedgeLimits
 {
   // Relative to the smallest radius, so that units do not matter: the path between two proofs,
   // where a slide ends, and how deep the sphere may be in a wall that is not known yet. At a
-  // parametric surface that is about 0.01 mm, less than a hand feels: for less, many more ticks
-  // take long.
+  // parametric surface that is about 0.01 mm, and what is left to the next tick 0.03 mm, less than
+  // a hand feels: for less, many more ticks take long.
   static constexpr double RelativeStep = 1.0 / 16.0;
   static constexpr double RelativeEnd = 6e-6;
   template <typename Surface>
@@ -32,8 +32,11 @@ struct WedgeLimits
   static constexpr int LeastEvaluations = 8;    // of each of them
   static constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
   static constexpr int EvaluationsOfRest = 160; // where they leave much
+  // Of the smallest radius: how far a sphere that is behind its goal may move with more work than
+  // that in a tick.
+  static constexpr double RelativeMove = 1.0 / 64.0;
   // Of the smallest radius: how deep in the sphere parts may be that are left.
-  static constexpr double RelativeSlack = 1.5e-3;
+  static constexpr double RelativeSlack = 3e-3;
   static constexpr int EvaluationsAhead = 160;
   static constexpr int EvaluationsOfPreparation = 24; // of each tick near a hollow
   // Error of a wall's parameter, rad: that of its distance is the square of it.

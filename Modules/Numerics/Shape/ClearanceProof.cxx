@@ -1,5 +1,6 @@
 #include "ClearanceProof.h"
 
+#include "ExpandedParts.h"
 #include "ProofTask.h"
 #include "SampleGeometry.h"
 #include "SquaredDistance.h"
@@ -115,6 +116,18 @@ bool ClearanceProofOf<Surface>::IsNearlyFull() noexcept
   return this->Parts.FreeGroups() < Few;
 }
 
+// A cell that is not clear at a path length.
+template <typename Surface>
+[[gnu::always_inline]] inline void ClearanceProofOf<Surface>::AddOpen(std::size_t index,
+                                                                      double used) noexcept
+{
+  const double lacks = used - this->ClearUntil[index];
+  std::uint64_t bits;
+  std::memcpy(&bits, &lacks, sizeof bits);
+  this->Open[this->OpenCount] = (bits & ~IndexBits) | index;
+  this->OpenCount += lacks > 0.0 ? 1 : 0;
+}
+
 // Most of the near cells are clear by their last bounds.
 template <typename Surface>
 void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
@@ -125,25 +138,20 @@ void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {
     this->Moved[moved] = this->Near[i];
-    moved += this->LeastOf(this->Near[i]) < used ? 1 : 0;
+    moved += this->IsUsedUp(this->Near[i], used) ? 1 : 0;
   }
   this->OpenCount = 0;
   for (std::size_t i = 0; i < moved; ++i)
   {
     const std::size_t group = this->Moved[i];
-    MovedBounds::Lanes lower;
+    FourLanes lower;
     this->Bounds[group].Move(this->Query, lower);
     lower += less;
-    auto& until =
-        reinterpret_cast<MovedBounds::Lanes&>(this->ClearUntil[MovedBounds::Count * group]);
+    auto& until = reinterpret_cast<Clearances&>(this->ClearUntil[MovedBounds::Count * group]);
     until = lower > until ? lower : until;
     for (std::size_t part = 0; part < MovedBounds::Count; ++part)
     {
-      const double lacks = used - until[part];
-      std::uint64_t bits;
-      std::memcpy(&bits, &lacks, sizeof bits);
-      this->Open[this->OpenCount] = (bits & ~IndexBits) | (MovedBounds::Count * group + part);
-      this->OpenCount += lacks > 0.0 ? 1 : 0;
+      this->AddOpen(MovedBounds::Count * group + part, used);
     }
   }
 }
@@ -175,6 +183,61 @@ void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
   else
   {
     this->FindOpenPortably(rounding);
+  }
+}
+
+// Most open cells were evaluated before, and only lack a bound from here. Half of the work, and
+// enough for a descent, is left for those that stay open.
+template <typename Surface>
+void ClearanceProofOf<Surface>::BoundOpen(Task& task) noexcept
+{
+  if constexpr (SurfaceKind<Surface>::MayBoundTogether)
+  {
+    ExpandedParts parts;
+    std::array<std::size_t, ExpandedParts::Count> bounded{};
+    std::size_t count = 0;
+    const int least = std::max(task.WorkLeft / 2, LeastForDescent * WorkOfEvaluation + WorkOfBound);
+    for (std::size_t i = 0; i < this->OpenCount && task.WorkLeft > least; ++i)
+    {
+      this->Prefetch(i + 4);
+      const std::size_t index = this->OpenAt(i);
+      const Cell& cell = this->Cells[index];
+      if (cell.Node == None && cell.IsEvaluated && !this->SettlesByBasin(task, cell.Cap, index))
+      {
+        task.WorkLeft -= SurfaceKind<Surface>::WorkOfJointBound;
+        parts.Set(count, cell.Sample, cell.Cap.Radius, cell.Bounds);
+        bounded[count++] = index;
+      }
+      if (count == bounded.size())
+      {
+        this->KeepBounds(task, parts, bounded.data(), std::exchange(count, 0));
+      }
+    }
+    this->KeepBounds(task, parts, bounded.data(), count);
+    const std::size_t before = std::exchange(this->OpenCount, 0);
+    for (std::size_t i = 0; i < before; ++i)
+    {
+      this->AddOpen(this->OpenAt(i), this->Used());
+    }
+  }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::KeepBounds(Task& task, const ExpandedParts& parts,
+                                           const std::size_t* bounded, std::size_t count) noexcept
+{
+  if (count == 0)
+  {
+    return;
+  }
+  FourLanes lower;
+  parts.LowerDistance(this->Query, this->Set, lower);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Cell& cell = this->Cells[bounded[i]];
+    this->KeepBound(bounded[i], lower[i], PointOf(cell.Cap.Center, cell.Sample),
+                    cell.Bounds.Extent(cell.Cap.Radius));
+    this->Clears(lower[i] - task.Rounding, bounded[i]);
   }
 }
 
@@ -235,6 +298,7 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   }
   this->FindOpen(task.Rounding);
   task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
+  this->BoundOpen(task);
   this->SortOpen();
   const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
   for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
@@ -275,16 +339,9 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double eno
 template <typename Surface>
 void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
 {
-  if (i >= this->OpenCount)
+  if (i < this->OpenCount)
   {
-    return;
-  }
-  constexpr std::size_t CacheLine = 64; // bytes
-  const Cell& cell = this->Cells[this->OpenAt(i)];
-  const char* begin = reinterpret_cast<const char*>(&cell);
-  for (std::size_t at = 0; at < sizeof(Cell); at += CacheLine)
-  {
-    __builtin_prefetch(begin + at);
+    this->Cells[this->OpenAt(i)].Prefetch();
   }
 }
 
@@ -327,6 +384,16 @@ bool ClearanceProofOf<Surface>::Clears(double lower, std::size_t index) noexcept
   return until >= this->Used();
 }
 
+// Whether a basin supplies the bound of the cell over this cap.
+template <typename Surface>
+[[gnu::always_inline]] inline bool
+ClearanceProofOf<Surface>::SettlesByBasin(const Task& task, const SphericalCap& cap,
+                                          std::size_t index) noexcept
+{
+  const double lower = task.LowerDistance(cap);
+  return lower == Infinite || this->Clears(lower, index);
+}
+
 // The bound holds at the query; the cell is within `extent` of `point`, all mm.
 template <typename Surface>
 void ClearanceProofOf<Surface>::KeepBound(std::size_t index, double lower, const Vector3& point,
@@ -345,8 +412,7 @@ ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 {
   const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
   const int node = this->Cells[index].Node;
-  const double inBasin = task.LowerDistance(tree.CapOf(node));
-  if (inBasin == Infinite || this->Clears(inBasin, index))
+  if (this->SettlesByBasin(task, tree.CapOf(node), index))
   {
     return Step::Settled;
   }
@@ -389,8 +455,7 @@ typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
   Cell& cell = this->Cells[index];
-  const double inBasin = task.LowerDistance(cell.Cap);
-  if (inBasin == Infinite || this->Clears(inBasin, index))
+  if (this->SettlesByBasin(task, cell.Cap, index))
   {
     return Step::Settled;
   }

@@ -13,6 +13,8 @@
 
 namespace palpate
 {
+class ExpandedParts;
+
 /// Proves from step to step that no part of a surface other than known minima is closer to a moving
 /// point than a given distance, or finds the part that is. It keeps the bounds of cells of
 /// directions while the point moves (README.md). Memory is fixed; queries do not allocate. They
@@ -76,7 +78,17 @@ private:
     SphericalCap Cap;
     SampleOf<Surface> Sample; // at the cap's centre
     typename ClosestPointDescentOf<Surface>::CapBounds Bounds;
+
+    void Prefetch() const noexcept
+    {
+      constexpr std::size_t CacheLine = 64; // bytes
+      for (std::size_t at = 0; at < sizeof(Cell); at += CacheLine)
+      {
+        __builtin_prefetch(reinterpret_cast<const char*>(this) + at);
+      }
+    }
   };
+  typedef FourLanes Clearances __attribute__((may_alias)); // of a group
   struct Task;
   enum class Step
   {
@@ -101,7 +113,11 @@ private:
   void FindOpenPortably(double rounding) noexcept;
   void FindOpenByAvx2(double rounding) noexcept;
   int WorkOfLook(int workLeft) const noexcept;
+  void AddOpen(std::size_t index, double used) noexcept;
   void MoveBounds(double rounding) noexcept;
+  void BoundOpen(Task& task) noexcept;
+  void KeepBounds(Task& task, const ExpandedParts& parts, const std::size_t* bounded,
+                  std::size_t count) noexcept;
   void SortOpen() noexcept;
   std::size_t OpenAt(std::size_t i) const noexcept { return this->Open[i] & IndexBits; }
   void Prefetch(std::size_t i) const noexcept;
@@ -116,10 +132,18 @@ private:
   Step CutTriangle(std::size_t index) noexcept;
   std::size_t Quarter(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
+  bool SettlesByBasin(const Task& task, const SphericalCap& cap, std::size_t index) noexcept;
   void Evaluate(Cell& cell) noexcept;
   double LowerDistanceOf(std::size_t index) noexcept;
   void KeepBound(std::size_t index, double lower, const Vector3& point, double extent) noexcept;
   double LeastOf(std::size_t group) const noexcept;
+  // Whether a cell of the group is not clear at a path length.
+  bool IsUsedUp(std::size_t group, double used) const noexcept
+  {
+    const auto isUsed =
+        reinterpret_cast<const Clearances&>(this->ClearUntil[MovedBounds::Count * group]) < used;
+    return ((isUsed[0] | isUsed[1]) | (isUsed[2] | isUsed[3])) != 0;
+  }
   // Cells with more clearance than this need no work.
   double Used() const noexcept { return this->PathLength + (this->Asked - this->Needed); }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "FourLanes.h"
 #include "Vector3.h"
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -12,11 +12,10 @@ namespace palpate
 /// other places. For a step d from the place p of a bound b, a part within e of the point x is at
 /// least sqrt(b^2 - 2 (d.(x - p) + |d| e) + |d|^2) away: steps along the surface hardly change it.
 ///
-/// All four at once, by GCC and Clang's vector extension.
+/// All four at once.
 struct MovedBounds
 {
   static constexpr std::size_t Count = 4;
-  typedef double Lanes __attribute__((vector_size(Count * sizeof(double)), may_alias));
 
   /// Without bounds: all are 0.
   void Forget() noexcept
@@ -39,30 +38,22 @@ struct MovedBounds
     this->Square[part] = lower * lower;
   }
   /// The bounds (mm) of the distances from `place`, up to rounding, are `lower`.
-  void Move(const Vector3& place, Lanes& lower) const noexcept
+  void Move(const Vector3& place, FourLanes& lower) const noexcept
   {
-    const Lanes x = place[0] - this->PlaceX;
-    const Lanes y = place[1] - this->PlaceY;
-    const Lanes z = place[2] - this->PlaceZ;
-    const Lanes step = x * x + y * y + z * z;
-    const Lanes along = x * this->AwayX + y * this->AwayY + z * this->AwayZ;
-    Lanes length;
-    for (std::size_t i = 0; i < Count; ++i)
-    {
-      length[i] = std::sqrt(step[i]);
-    }
-    const Lanes square = this->Square - 2.0 * (along + length * this->Extent) + step;
-    const Lanes positive = square > 0.0 ? square : Lanes{};
-    for (std::size_t i = 0; i < Count; ++i)
-    {
-      lower[i] = std::sqrt(positive[i]);
-    }
+    const FourLanes x = place[0] - this->PlaceX;
+    const FourLanes y = place[1] - this->PlaceY;
+    const FourLanes z = place[2] - this->PlaceZ;
+    const FourLanes step = x * x + y * y + z * z;
+    const FourLanes along = x * this->AwayX + y * this->AwayY + z * this->AwayZ;
+    FourLanes length;
+    SquareRoot(step, length);
+    SquareRoot(this->Square - 2.0 * (along + length * this->Extent) + step, lower);
   }
 
 private:
-  Lanes PlaceX, PlaceY, PlaceZ; // of the bounds, mm
-  Lanes AwayX, AwayY, AwayZ;    // from there to a point of the part, mm
-  Lanes Square;                 // of the bounds, mm^2
-  Lanes Extent;                 // of the part around that point, mm
+  FourLanes PlaceX, PlaceY, PlaceZ; // of the bounds, mm
+  FourLanes AwayX, AwayY, AwayZ;    // from there to a point of the part, mm
+  FourLanes Square;                 // of the bounds, mm^2
+  FourLanes Extent;                 // of the part around that point, mm
 };
 } // namespace palpate

@@ -35,6 +35,9 @@ struct SurfaceKind<SphericalHarmonicModel>
   /// take as long as this many bounds of nodes.
   static constexpr int WorkOfEvaluation = 16;
   static constexpr int WorkOfBound = 4;
+  /// Whether ExpandedParts can bound four evaluated parts at once; then a part takes this long.
+  static constexpr bool MayBoundTogether = false;
+  static constexpr int WorkOfJointBound = WorkOfBound;
 };
 
 template <>
@@ -49,6 +52,8 @@ struct SurfaceKind<ParametricShape>
   static constexpr std::size_t ProofCells = 3072;
   static constexpr int WorkOfEvaluation = 6;
   static constexpr int WorkOfBound = 2;
+  static constexpr bool MayBoundTogether = true;
+  static constexpr int WorkOfJointBound = 1;
 };
 
 template <typename Surface>

@@ -1,63 +1,72 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "FourLanes.h"
+
 #include <limits>
+#include <type_traits>
 
 namespace palpate
 {
 /// The quadratic g.s + s.H s / 2 of steps s in a tangent plane, by two orthonormal tangents a, b:
-/// what SquaredDistance::LeastChange, which see, needs of a SquaredDistance.
+/// what SquaredDistance::LeastChange, which see, needs of a SquaredDistance. One (`Number` is
+/// double) or four at once (FourLanes).
+template <typename Number>
 struct TangentQuadratic
 {
-  double Aa, Ab, Bb; ///< H
-  double A, B;       ///< g
+  Number Aa, Ab, Bb; ///< H
+  Number A, B;       ///< g
 
-  /// Lower bound, at most 0, within the length `reach` > 0.
-  double LeastChange(double reach) const noexcept
+  /// A lower bound, at most 0, within the length `reach` > 0.
+  void LeastChange(const Number& reach, Number& change) const noexcept
   {
-    const double square = reach * reach;
-    const double half = 0.5 * (this->Aa + this->Bb);
-    const double determinant = this->Aa * this->Bb - this->Ab * this->Ab;
-    const double spread = std::sqrt(std::max(0.0, half * half - determinant));
-    const double smallest = half > 0.0 ? determinant / (half + spread) : half - spread;
-    if (smallest > 0.0)
+    const Number square = reach * reach;
+    const Number half = 0.5 * (this->Aa + this->Bb);
+    const Number determinant = this->Aa * this->Bb - this->Ab * this->Ab;
+    Number spread, slope, squaredLength, length;
+    SquareRoot(half * half - determinant, spread);
+    const Number smallest = half > 0.0 ? determinant / (half + spread) : half - spread;
+    this->Step(Number{}, slope, squaredLength);
+    const Number within = 0.5 * slope;
+    if constexpr (std::is_same_v<Number, double>)
     {
-      const Step step = this->Shifted(0.0);
-      if (step.SquaredLength <= square)
+      if (smallest > 0.0 && squaredLength <= square)
       {
-        return 0.5 * step.Slope;
+        change = within;
+        return;
       }
     }
+    const auto isShort = squaredLength <= square;
+    const Number least = (half > 0.0 ? 2e-6 * half : -2e-6 * half) - smallest;
+    const Number perReach = 1.0 / reach;
+    SquareRoot(this->A * this->A + this->B * this->B, length);
+    Number shift = length * perReach - smallest; // the step is then no longer
+    change = Number{} - std::numeric_limits<double>::infinity();
     constexpr int Shifts = 3;
-    const double least = 1e-6 * std::abs(half + half);
-    double eigenvalue = std::sqrt(this->A * this->A + this->B * this->B) / reach;
-    double change = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < Shifts; ++i)
     {
-      const double shift = std::max(0.0, std::max(eigenvalue, least) - smallest);
-      const Step step = this->Shifted(shift);
-      change = std::max(change, 0.5 * (step.Slope - shift * square));
-      eigenvalue = (smallest + shift) * std::sqrt(step.SquaredLength) / reach;
+      shift = shift > least ? shift : least;
+      shift = shift > 0.0 ? shift : Number{};
+      this->Step(shift, slope, squaredLength);
+      const Number dual = 0.5 * (slope - shift * square);
+      change = dual > change ? dual : change;
+      SquareRoot(squaredLength, length);
+      shift = (smallest + shift) * length * perReach - smallest;
     }
-    return change;
+    const Number convex = isShort ? within : change;
+    change = smallest > 0.0 ? convex : change;
   }
 
 private:
-  struct Step
+  // To the minimum with `shift` times the identity added to H; the slope is g.s.
+  void Step(const Number& shift, Number& slope, Number& squaredLength) const noexcept
   {
-    double Slope; // g.s
-    double SquaredLength;
-  };
-  // To the minimum with `shift` times the identity added to H.
-  Step Shifted(double shift) const noexcept
-  {
-    const double aa = this->Aa + shift;
-    const double bb = this->Bb + shift;
-    const double scale = 1.0 / (aa * bb - this->Ab * this->Ab);
-    const double a = scale * (this->Ab * this->B - bb * this->A);
-    const double b = scale * (this->Ab * this->A - aa * this->B);
-    return {this->A * a + this->B * b, a * a + b * b};
+    const Number aa = this->Aa + shift;
+    const Number bb = this->Bb + shift;
+    const Number scale = 1.0 / (aa * bb - this->Ab * this->Ab);
+    const Number a = scale * (this->Ab * this->B - bb * this->A);
+    const Number b = scale * (this->Ab * this->A - aa * this->B);
+    slope = this->A * a + this->B * b;
+    squaredLength = a * a + b * b;
   }
 };
 } // namespace palpate

@@ -110,6 +110,37 @@ TEST(ParametricClearanceProof, LittleWorkAtATimeEndsWhereMuchWorkDoes)
   }
 }
 
+// Parts that were evaluated before are bounded again first, and must leave work for the others.
+TEST(ParametricClearanceProof, LittleWorkEndsAfterAStepBesideAKnownMinimum)
+{
+  constexpr int Little = 16;
+  constexpr int Most = 400; // times
+  constexpr int Steps = 40;
+  for (const ParametricSphericalSurface& surface : Phantoms())
+  {
+    const Search search(std::make_shared<const ParametricShape>(surface));
+    Random random(9424);
+    for (int trial = 0; trial < 20; ++trial)
+    {
+      Proof proof(search, Distance, Tolerance);
+      Stroke stroke(surface, random);
+      for (int step = 0; step < Steps; ++step)
+      {
+        const Vector3 query = stroke.Next(Distance);
+        const auto known = search.Nearest(query, ProvingEvaluations);
+        Proof fresh(search, Distance, Tolerance);
+        const Finding expected = fresh.Ask(query, &known, 1, ProvingEvaluations).State;
+        Finding found = Finding::Open;
+        for (int again = 0; again < Most && found == Finding::Open; ++again)
+        {
+          found = proof.Ask(query, &known, 1, Little).State;
+        }
+        ASSERT_EQ(found, expected) << trial << " " << step;
+      }
+    }
+  }
+}
+
 TEST(ParametricClearanceProof, TheRestOfTheWorkIsForPartsNearerThanEnough)
 {
   constexpr double Enough = Distance - 0.05;
