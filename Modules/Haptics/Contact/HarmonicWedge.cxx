@@ -478,8 +478,13 @@ HarmonicWedgeOf<Surface>::AtGoal(const Vector3& goalWorld, const ClosestPoint& w
                                  const Leash& leash) noexcept
 {
   constexpr double Near = 0.1; // rad, which a wall may have moved
-  const bool isSame = this->Rolled.Wall.State != ClosestPoint::Outcome::BadInput &&
-                      (this->Rolled.From - wall.Direction).squaredNorm() < Near * Near;
+  const auto away = [&](const ClosestPoint& each)
+  { return (this->Rolled.From - each.Direction).squaredNorm(); };
+  // Of two walls that are near, the nearer one to where it was.
+  const bool isSame =
+      this->Rolled.Wall.State != ClosestPoint::Outcome::BadInput && away(wall) < Near * Near &&
+      std::none_of(this->Walls(), this->Walls() + this->KnownCount,
+                   [&](const ClosestPoint& each) { return away(each) < away(wall); });
   if (isSame && this->Rolled.GoalWorld == goalWorld)
   {
     return this->Rolled.Wall;
