@@ -32,8 +32,8 @@ struct WedgeLimits
   static constexpr int LeastEvaluations = 8;    // of each of them
   static constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
   static constexpr int EvaluationsOfRest = 160; // where they leave much
-  // Of the smallest radius: how far a sphere that is behind its goal may move with more work than
-  // that in a tick.
+  // Of the smallest radius: how far a sphere that is behind its goal may move in a tick whose
+  // EvaluationsAtFolds are used up.
   static constexpr double RelativeMove = 1.0 / 64.0;
   // Of the smallest radius: how deep in the sphere parts may be that are left.
   static constexpr double RelativeSlack = 3e-3;

