@@ -98,18 +98,13 @@ private:
   WindingMesh Winding;
   double HalfWave; // rad
 };
-} // namespace
 
-Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
-                          std::size_t vertices, CrossingRemedy& remedy)
+// What is to be changed where a tessellation crosses itself.
+Status AddRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+                 int frequency, CrossingRemedy& remedy)
 {
-  remedy = {0, std::vector<double>(vertices), std::vector<char>(vertices)};
-  if (surface.Degree() < 2) // an ellipsoid
-  {
-    return Status::Success();
-  }
   constexpr std::size_t Most = 20000;
-  const IcosahedronDirections sphere(2 * surface.Degree());
+  const IcosahedronDirections sphere(frequency);
   const IndexedMesh mesh = Tessellated(surface, sphere);
   MeshCrossings found;
   Status status = FindMeshCrossings(mesh, {Most, Most}, found);
@@ -117,7 +112,7 @@ Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const Surfa
   {
     return status;
   }
-  remedy.Crossings = found.Count;
+  remedy.Crossings += found.Count;
   const CrossingSearch search(surface, samples, sphere, mesh);
   constexpr double Pleated = 0.3;   // of a crossing's influence
   constexpr double SameSheet = 0.3; // cosine
@@ -126,7 +121,7 @@ Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const Surfa
   const double step = 0.1 * width;
   for (const CrossingEnd& end : search.Ends(found.Pairs))
   {
-    for (std::size_t i = 0; i < vertices; ++i)
+    for (std::size_t i = 0; i < remedy.Shifts.size(); ++i)
     {
       const double squared = (end.Point - samples.Points[i]).squaredNorm();
       const double influence = std::exp(-0.5 * squared / (width * width));
@@ -142,6 +137,24 @@ Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const Surfa
       }
     }
   }
-  return Status::Success();
+  return status;
+}
+} // namespace
+
+Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+                          std::size_t vertices, CrossingRemedy& remedy)
+{
+  remedy = {0, std::vector<double>(vertices), std::vector<char>(vertices)};
+  if (surface.Degree() < 2) // an ellipsoid
+  {
+    return Status::Success();
+  }
+  // As in touch and as drawn: sheets that almost touch may cross in either one.
+  constexpr int LeastTouched = 8;
+  constexpr int LeastDrawn = 20;
+  const int touched = std::max(LeastTouched, 2 * surface.Degree());
+  const int drawn = std::max(LeastDrawn, static_cast<int>(std::ceil(1.6 * surface.Degree())));
+  const Status status = AddRemedy(surface, samples, touched, remedy);
+  return status.IsOk() ? AddRemedy(surface, samples, drawn, remedy) : status;
 }
 } // namespace palpate

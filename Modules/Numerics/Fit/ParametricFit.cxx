@@ -77,6 +77,11 @@ double VolumeOf(const IndexedMesh& mesh)
   return sixfold / 6.0;
 }
 
+double HalfWavelengthOf(const ParametricSphericalSurface& surface) // mm, the shortest
+{
+  return std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree();
+}
+
 // One run over a mesh.
 class Run
 {
@@ -149,32 +154,46 @@ public:
     this->MatchVolume();
   }
 
-  // Keeps the fit with the fewest, if that is less than half: a few of hundreds are not worth the
-  // distance that the vertices were moved. Where a round fails, the fits before are good. Returns
-  // false if cancelled.
+  // Keeps the fit with the fewest, if that is worth the distance to which the vertices were moved.
+  // Where a round fails, the fits before are good. Returns false if cancelled.
   bool RemoveCrossings(const KernelProgress& progress)
   {
+    // Of the RMS distance, relative to half the shortest wavelength.
+    constexpr double LargestRise = 0.04;            // of a fit without crossings
+    constexpr double LargestRiseIfCrossed = 0.0075; // of one with less than half of them
     CrossingRemedy remedy;
-    bool isFound = this->FindRemedy(remedy);
-    std::int64_t fewest = (remedy.Crossings + 1) / 2;
-    for (int round = 0; round < this->Options.MostSeparations && isFound && remedy.Crossings > 0;
-         ++round)
+    if (!this->FindRemedy(remedy) || remedy.Crossings == 0)
     {
-      if (progress && !progress(1.0 - 0.2 / (2.0 + round)))
+      return true;
+    }
+    const double before = this->NormalRms(this->Fitted);
+    std::int64_t fewest = (remedy.Crossings + 1) / 2;
+    int degreeOfPleats = this->Options.Degree;
+    for (int round = 1; round <= this->Options.MostSeparations && remedy.Crossings > 0; ++round)
+    {
+      if (progress && !progress(1.0 - 0.2 / (1.0 + round)))
       {
         return false;
       }
-      isFound = this->Apply(remedy).IsOk();
-      if (isFound)
+      const bool hadPleats = remedy.HasPleats();
+      const std::int64_t last = remedy.Crossings;
+      if (!this->Apply(remedy, degreeOfPleats).IsOk())
       {
-        this->FitNormals();
-        this->MatchVolume();
-        isFound = this->FindRemedy(remedy);
+        return true;
       }
-      if (isFound && remedy.Crossings < fewest)
+      this->FitNormals();
+      this->MatchVolume();
+      const Fit fit{this->Solver.Surface(), this->Parameters};
+      const double rise = (this->NormalRms(fit) - before) / HalfWavelengthOf(fit.Surface);
+      if (!(rise <= LargestRise) || !this->FindRemedy(remedy))
+      {
+        return true;
+      }
+      degreeOfPleats -= hadPleats && 2 * remedy.Crossings >= last ? 1 : 0;
+      if (remedy.Crossings < fewest && (remedy.Crossings == 0 || rise <= LargestRiseIfCrossed))
       {
         fewest = remedy.Crossings;
-        this->Keep();
+        this->Fitted = fit;
       }
     }
     return true;
@@ -189,19 +208,22 @@ public:
     this->Samples =
         SampleMesh(this->Mesh, result.Parameters, SampleSpacingFor(this->Options.Degree));
     this->Evaluate(result.Surface, this->Samples.Parameters);
-    double squares = 0.0;
+    result.NormalRms = NormalRms(this->Samples, this->State);
     result.Folded = 0;
-    for (std::size_t i = 0; i < this->Samples.Points.size(); ++i)
+    for (std::size_t i = 0; i < result.Parameters.size(); ++i)
     {
-      const double off =
-          this->Samples.Normals[i].dot(this->State[i].Point - this->Samples.Points[i]);
-      squares += this->Samples.Weights[i] * off * off;
-      result.Folded += i >= result.Parameters.size() || this->AreaElementAt(i) > 0.0 ? 0 : 1;
+      result.Folded += this->AreaElementAt(i) > 0.0 ? 0 : 1;
     }
-    result.NormalRms = std::sqrt(squares);
   }
 
 private:
+  // With the parameters that the vertices had.
+  struct Fit
+  {
+    ParametricSphericalSurface Surface{0, {{{0.0}, {0.0}, {0.0}}}};
+    std::vector<Vector3> Parameters;
+  };
+
   Status FindPlacement(ParametricFitResult& result) const
   {
     const Matrix3 degreeOne = DegreeOneOf(this->Solver.Surface());
@@ -220,6 +242,27 @@ private:
   {
     this->State.resize(parameters.size());
     surface.EvaluateBatch(parameters.data(), parameters.size(), this->State.data());
+  }
+
+  static double NormalRms(const SurfaceSamples& samples, const std::vector<Sample>& surface)
+  {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < samples.Points.size(); ++i)
+    {
+      const double off = samples.Normals[i].dot(surface[i].Point - samples.Points[i]);
+      squares += samples.Weights[i] * off * off;
+    }
+    return std::sqrt(squares);
+  }
+
+  // Of the mesh that was given.
+  double NormalRms(const Fit& fit) const
+  {
+    const SurfaceSamples samples =
+        SampleMesh(this->Mesh, fit.Parameters, SampleSpacingFor(this->Options.Degree));
+    std::vector<Sample> surface(samples.Parameters.size());
+    fit.Surface.EvaluateBatch(samples.Parameters.data(), samples.Parameters.size(), surface.data());
+    return NormalRms(samples, surface);
   }
 
   double AreaElementAt(std::size_t i) const
@@ -285,30 +328,48 @@ private:
         .IsOk();
   }
 
-  Status Apply(const CrossingRemedy& remedy)
+  // Pleats become as smooth as the surface is at a lower degree.
+  Status Apply(const CrossingRemedy& remedy, int degreeOfPleats)
   {
-    constexpr double LargestWeight = 4.0;
-    constexpr double Evened = 0.5; // of the way to the mean of the neighbours
+    constexpr double LargestWeight = 16.0;
+    constexpr int Evenings = 2;
     for (std::size_t i = 0; i < this->Parameters.size(); ++i)
     {
       this->Target.Points[i] += remedy.Shifts[i] * this->Samples.Normals[i];
     }
     this->Stiffen(remedy.IsPleated, LargestWeight);
     Status status = Status::Success();
-    if (std::count(remedy.IsPleated.begin(), remedy.IsPleated.end(), 1) > 0)
+    if (remedy.HasPleats())
     {
-      status = this->Slide();
-      if (status.IsOk())
+      if (degreeOfPleats < this->Options.Degree)
       {
-        status = this->Even(remedy.IsPleated, Evened);
+        this->MoveToDegree(remedy.IsPleated, degreeOfPleats);
+      }
+      status = this->Slide();
+      for (int evening = 0; evening < Evenings && status.IsOk(); ++evening)
+      {
+        status = this->Even(remedy.IsPleated);
       }
     }
     return status.IsOk() ? this->Start() : status;
   }
 
-  // Moves these vertices' parameters towards the means of their neighbours'.
-  Status Even(const std::vector<char>& isChosen, double share)
+  // Moves these vertices onto the surface truncated to a degree.
+  void MoveToDegree(const std::vector<char>& isChosen, int degree)
   {
+    constexpr int LowestDegree = 2;
+    this->Evaluate(this->Solver.Surface().WithDegree(std::max(degree, LowestDegree)),
+                   this->Parameters);
+    for (std::size_t i = 0; i < isChosen.size(); ++i)
+    {
+      this->Target.Points[i] = isChosen[i] != 0 ? this->State[i].Point : this->Target.Points[i];
+    }
+  }
+
+  // Moves these vertices' parameters half of the way to the means of their neighbours'.
+  Status Even(const std::vector<char>& isChosen)
+  {
+    constexpr double Share = 0.5;
     std::vector<Vector3> sums(isChosen.size(), Vector3::Zero());
     std::vector<int> counts(isChosen.size());
     for (const std::array<int, 3>& t : this->Mesh.Triangles)
@@ -328,7 +389,7 @@ private:
     for (std::size_t i = 0; i < sums.size(); ++i)
     {
       sums[i] = isChosen[i] != 0 && counts[i] > 0
-                    ? Vector3(share * (sums[i] / counts[i] - this->Parameters[i]))
+                    ? Vector3(Share * (sums[i] / counts[i] - this->Parameters[i]))
                     : Vector3(Vector3::Zero());
     }
     return this->SlideBy(sums);
@@ -393,13 +454,6 @@ private:
     this->Stiffen(near, narrow.LargestWeight);
     return true;
   }
-
-  /// With the parameters that the vertices had.
-  struct Fit
-  {
-    ParametricSphericalSurface Surface{0, {{{0.0}, {0.0}, {0.0}}}};
-    std::vector<Vector3> Parameters;
-  };
 
   const IndexedMesh& Mesh;
   IndexedMesh Target; // the same with vertices moved where fits of it cross themselves

@@ -33,8 +33,10 @@ struct ParametricFitOptions
   /// element falls below this part of its mean or turns over; 0 for no such guard.
   double LeastAreaRatio = 0.25;
   /// Rounds at most in which crossings of the surface with itself are taken apart (CrossingRemedy)
-  /// after the last refit; the surface with the fewest is kept, if these are less than half.
-  int MostSeparations = 6;
+  /// after the last refit. A surface without any is kept if its RMS distance from the mesh rises by
+  /// at most 4 % of half its shortest wavelength, with which the rounds end; else the one with the
+  /// fewest, if these are less than half and that distance rises by at most 0.75 %.
+  int MostSeparations = 12;
 };
 
 struct ParametricFitResult
