@@ -241,7 +241,7 @@ HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft, bool mayWait) noexcept
         this->Radius - WedgeLimits::RelativeSlack * this->Touched->SmallestRadius();
     const bool isKnown =
         this->Around.DistanceAt(this->Center) >= WedgeLimits::LeastProven * this->Radius;
-    const int rest = mayWait && isKnown ? 0 : WedgeLimits::EvaluationsOfRest;
+    const int rest = mayWait && isKnown ? 0 : WedgeLimits::RestOf(this->Touched->CrossesItself());
     const int most = std::max(WedgeLimits::LeastEvaluations, evaluationsLeft);
     const typename Proof::Answer answer = ask(most, {enough, rest});
     evaluationsLeft -= std::min(most, answer.Evaluations);
@@ -470,8 +470,8 @@ WedgeGroove HarmonicWedgeOf<Surface>::GrooveAt(const HalfSpace* planes, const Ve
   }
 }
 
-// The minimum of the distance to the goal that continues a wall. It is far from the wall where the
-// sphere is pressed in deep, so that it is continued from the last goal instead.
+// A wall as the minimum of the distance to the goal, which is far from it in a deep hollow:
+// continued from the last goal.
 template <typename Surface>
 const typename HarmonicWedgeOf<Surface>::ClosestPoint&
 HarmonicWedgeOf<Surface>::AtGoal(const Vector3& goalWorld, const ClosestPoint& wall,
@@ -485,17 +485,18 @@ HarmonicWedgeOf<Surface>::AtGoal(const Vector3& goalWorld, const ClosestPoint& w
       this->Rolled.Wall.State != ClosestPoint::Outcome::BadInput && away(wall) < Near * Near &&
       std::none_of(this->Walls(), this->Walls() + this->KnownCount,
                    [&](const ClosestPoint& each) { return away(each) < away(wall); });
-  if (isSame && this->Rolled.GoalWorld == goalWorld)
-  {
-    return this->Rolled.Wall;
-  }
   const ClosestPoint& last = this->Rolled.Wall;
+  const bool isThere = goalWorld == this->Center; // where the wall itself is the minimum
+  if (isSame && !isThere && this->Rolled.GoalWorld == goalWorld)
+  {
+    return last;
+  }
   const Vector3 place = last.PointWorld + this->Radius * last.Normal;
-  const bool isNear = isSame && last.Converged() && last.Normal.dot(wall.Normal) > 0.0 &&
+  const bool isNear = isSame && !isThere && last.Converged() &&
+                      last.Normal.dot(wall.Normal) > 0.0 &&
                       (place - leash.ClearWorld).norm() <= leash.Length;
-  this->Rolled.Wall = this->Touched->Search().Track(goalWorld, isNear ? last : wall);
-  this->Rolled.From = wall.Direction;
-  this->Rolled.GoalWorld = goalWorld;
+  this->Rolled = {wall.Direction, goalWorld,
+                  this->Touched->Search().Track(goalWorld, isNear ? last : wall)};
   return this->Rolled.Wall;
 }
 

@@ -29,9 +29,12 @@ struct WedgeLimits
   static constexpr int EvaluationsOfMove = 640;
   // Of all proofs of a tick; the rest is left to the next ones.
   static constexpr int EvaluationsAtFolds = 24;
-  static constexpr int LeastEvaluations = 8;    // of each of them
-  static constexpr int MoreAtCrossings = 24;    // evaluations, for more than the usual proofs
-  static constexpr int EvaluationsOfRest = 160; // where they leave much
+  static constexpr int LeastEvaluations = 8; // of each of them
+  static constexpr int MoreAtCrossings = 24; // evaluations, for more than the usual proofs
+  // Evaluations where they leave much: with 24 instead of 40 a wall in some 10^6 ticks is found so
+  // late that the force is wrong. Surfaces that cross themselves, with
+  // their small spheres, need more.
+  static constexpr int RestOf(bool isOfCrossing) noexcept { return isOfCrossing ? 160 : 40; }
   // Of the smallest radius: how far a sphere that is behind its goal may move in a tick whose
   // EvaluationsAtFolds are used up.
   static constexpr double RelativeMove = 1.0 / 64.0;
