@@ -32,8 +32,8 @@ struct WedgeLimits
   static constexpr int LeastEvaluations = 8; // of each of them
   static constexpr int MoreAtCrossings = 24; // evaluations, for more than the usual proofs
   // Evaluations where they leave much: with 24 instead of 40 a wall in some 10^6 ticks is found so
-  // late that the force is wrong. Surfaces that cross themselves, with
-  // their small spheres, need more.
+  // late that the force is wrong. Surfaces that cross themselves, with their small spheres, need
+  // more.
   static constexpr int RestOf(bool isOfCrossing) noexcept { return isOfCrossing ? 160 : 40; }
   // Of the smallest radius: how far a sphere that is behind its goal may move in a tick whose
   // EvaluationsAtFolds are used up.

@@ -116,8 +116,7 @@ Status AddRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples
   const CrossingSearch search(surface, samples, sphere, mesh);
   constexpr double Pleated = 0.3;   // of a crossing's influence
   constexpr double SameSheet = 0.3; // cosine
-  const double halfWave = std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree(); // mm
-  const double width = 0.5 * halfWave;
+  const double width = 0.5 * HalfWavelengthOf(surface);
   const double step = 0.1 * width;
   for (const CrossingEnd& end : search.Ends(found.Pairs))
   {
@@ -140,6 +139,11 @@ Status AddRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples
   return status;
 }
 } // namespace
+
+double HalfWavelengthOf(const ParametricSphericalSurface& surface)
+{
+  return std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree();
+}
 
 Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
                           std::size_t vertices, CrossingRemedy& remedy)

@@ -31,6 +31,10 @@ struct CrossingRemedy
   }
 };
 
+/// Half the shortest wavelength of a surface of degree 1 or more on a sphere of its area, mm: about
+/// the smallest feature that its degree resolves.
+double HalfWavelengthOf(const ParametricSphericalSurface& surface);
+
 /// `vertices` of the first samples are the mesh's. Sheets are moved by a twentieth of half the
 /// surface's shortest wavelength at once, and as far around a crossing as it resolves: several
 /// rounds of fits are needed. Looks at 200 crossings, of 20,000 that are counted at most, of each

@@ -77,11 +77,6 @@ double VolumeOf(const IndexedMesh& mesh)
   return sixfold / 6.0;
 }
 
-double HalfWavelengthOf(const ParametricSphericalSurface& surface) // mm, the shortest
-{
-  return std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree();
-}
-
 // One run over a mesh.
 class Run
 {
