@@ -157,7 +157,7 @@ public:
     constexpr double LargestRise = 0.04;            // of a fit without crossings
     constexpr double LargestRiseIfCrossed = 0.0075; // of one with less than half of them
     CrossingRemedy remedy;
-    if (!this->FindRemedy(remedy) || remedy.Crossings == 0)
+    if (!this->FindRemedy(this->Fitted.Surface, remedy) || remedy.Crossings == 0)
     {
       return true;
     }
@@ -180,7 +180,7 @@ public:
       this->MatchVolume();
       const Fit fit{this->Solver.Surface(), this->Parameters};
       const double rise = (this->NormalRms(fit) - before) / HalfWavelengthOf(fit.Surface);
-      if (!(rise <= LargestRise) || !this->FindRemedy(remedy))
+      if (!(rise <= LargestRise) || !this->FindRemedy(fit.Surface, remedy))
       {
         return true;
       }
@@ -316,11 +316,9 @@ private:
     return this->SlideBy(steps);
   }
 
-  bool FindRemedy(CrossingRemedy& remedy) const
+  bool FindRemedy(const ParametricSphericalSurface& surface, CrossingRemedy& remedy) const
   {
-    return FindCrossingRemedy(this->Solver.Surface(), this->Samples, this->Parameters.size(),
-                              remedy)
-        .IsOk();
+    return FindCrossingRemedy(surface, this->Samples, this->Parameters.size(), remedy).IsOk();
   }
 
   // Pleats become as smooth as the surface is at a lower degree.
