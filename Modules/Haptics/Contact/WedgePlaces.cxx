@@ -2,6 +2,7 @@
 
 #include "HarmonicWedge.h"
 #include "IcosahedronDirections.h"
+#include "TangentSphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,38 +13,13 @@ namespace palpate
 {
 namespace
 {
-// About three directions per shortest wavelength of the surface, and as many cells.
+// About nine directions per shortest wavelength of the surface, up to degree 40, and as many cells:
+// a hollow's edge is known to a small part of a tool's radius, so that few places next to it need
+// the wedge.
 int FrequencyOf(const ParametricTouchSurface& surface)
 {
-  return std::max(6, surface.Model().Degree());
-}
-
-// The radius of the largest sphere up to `largest` that touches the surface from outside there and
-// nowhere else, by shrinking (Ma, Bae and Choi, The Visual Computer 28, 2012). It may be too large
-// by two hundredths: one that is allowed, and one that searches leave unproven, in a third of the
-// time.
-double RoomAbove(const ParametricTouchSurface& surface, const Vector3& parameter, double largest)
-{
-  constexpr int MostSpheres = 40;
-  constexpr double Almost = 0.99;
-  constexpr double Smaller = 0.9;
-  constexpr double Proven = 0.97; // a third of the rest is left open
-  const ParametricTouchSurface::Place place = surface.PlaceAt(parameter);
-  double radius = largest;
-  for (int sphere = 0; sphere < MostSpheres; ++sphere)
-  {
-    const auto nearest =
-        surface.Search().Clearance(place.PointWorld + radius * place.Normal, Proven * radius);
-    if (nearest.SignedDistance >= Almost * radius)
-    {
-      return radius;
-    }
-    const Vector3 across = nearest.PointWorld - place.PointWorld;
-    const double rise = across.dot(place.Normal);
-    const double touching = rise > 0.0 ? 0.5 * across.squaredNorm() / rise : 0.0;
-    radius = std::clamp(touching, 0.5 * radius, Smaller * radius);
-  }
-  return 0.0;
+  constexpr int Most = 120;
+  return std::min(3 * std::max(6, surface.Model().Degree()), Most);
 }
 } // namespace
 
@@ -78,8 +54,8 @@ std::size_t WedgePlaces::CellOf(const Vector3& parameter) const noexcept
 }
 
 // The cells of a parameter and of those around it, as far as the next directions that are tested,
-// and a rim of cells.
-void WedgePlaces::AddAround(const Vector3& parameter, double room)
+// and a rim of cells. `width` is that of a cell, rad.
+void WedgePlaces::AddAround(const Vector3& parameter, double room, double width)
 {
   constexpr int Directions = 8;
   const Vector3 across = parameter.unitOrthogonal();
@@ -99,37 +75,28 @@ void WedgePlaces::AddAround(const Vector3& parameter, double room)
     {
       const double turn = 2.0 * M_PI * n / Directions;
       const Vector3 aside = std::cos(turn) * across + std::sin(turn) * other;
-      add(parameter + std::tan(distance / this->Frequency) * aside, mark);
+      add(parameter + std::tan(distance * width) * aside, mark);
     }
   }
 }
 
-// Where the tool hardly fits, hollows between the places that were tested may be narrower: there
-// places twice as close are tested too.
+// By spheres a tenth larger, since places between those that are tested have less room.
 void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
 {
-  constexpr double Close = 1.2; // of the tool
-  this->AddHollows(surface, this->Frequency, {0.0, std::numeric_limits<double>::infinity()});
-  this->AddHollows(surface, 2 * this->Frequency, {this->Radius, Close * this->Radius});
-}
-
-// Of the places with so much room up to now.
-void WedgePlaces::AddHollows(const ParametricTouchSurface& surface, int frequency,
-                             const std::pair<double, double>& known)
-{
   constexpr double Larger = 1.1;
-  const IcosahedronDirections sphere(frequency);
+  const IcosahedronDirections sphere(this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
-    const double before = this->RoomAt(parameter);
-    if (!(before > known.first && before < known.second))
+    if (!(this->RoomAt(parameter) > 0.0))
     {
-      continue;
+      continue; // next to a crossing
     }
-    const double room = RoomAbove(surface, parameter, Larger * this->Largest) / Larger;
-    if (room < (1.0 - 1e-9) * this->Largest)
+    const auto sample = surface.Model().EvaluateSecondOrder(parameter);
+    const double room =
+        LargestTangentSphere(surface.Search(), sample, NormalOf(sample), Larger * this->Largest);
+    if (room < (1.0 - 1e-9) * Larger * this->Largest)
     {
-      this->AddAround(parameter, room);
+      this->AddAround(parameter, room / Larger, 1.0 / this->Frequency);
     }
   }
 }
@@ -147,7 +114,9 @@ void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double rad
   const double reach = crossings.size() < ParametricTouchSurface::MostCrossings
                            ? 4.0 * radius + 0.25 * surface.SmallestRadius()
                            : std::numeric_limits<double>::infinity();
-  const IcosahedronDirections sphere(2 * this->Frequency);
+  // The crossings are places of a tessellation, between which the sheets are as near.
+  const double width = 3.0 / this->Frequency;
+  const IcosahedronDirections sphere(this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
     const Vector3 place = surface.PlaceAt(parameter).PointWorld;
@@ -155,7 +124,7 @@ void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double rad
                     [&](const Vector3& crossing)
                     { return (crossing - place).squaredNorm() < reach * reach; }))
     {
-      this->AddAround(parameter, 0.0);
+      this->AddAround(parameter, 0.0, width);
     }
   }
 }

@@ -4,7 +4,6 @@
 #include "ParametricTouchSurface.h"
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace palpate
@@ -16,8 +15,8 @@ namespace palpate
 class WedgePlaces
 {
 public:
-  /// Tests some thousand places for tools up to `radius` + `reach` (mm, without the surface's
-  /// margin); takes up to some 100 milliseconds.
+  /// Tests some ten thousand places for tools up to `radius` + `reach` (mm, without the surface's
+  /// margin); takes some 100 milliseconds.
   WedgePlaces(const ParametricTouchSurface& surface, double radius, double reach);
 
   bool AreFor(double radius, double reach) const noexcept
@@ -65,10 +64,8 @@ private:
   };
 
   std::size_t CellOf(const Vector3& parameter) const noexcept;
-  void AddAround(const Vector3& parameter, double room);
+  void AddAround(const Vector3& parameter, double room, double width);
   void AddHollows(const ParametricTouchSurface& surface);
-  void AddHollows(const ParametricTouchSurface& surface, int frequency,
-                  const std::pair<double, double>& known);
   void AddCrossings(const ParametricTouchSurface& surface, double radius);
 
   int Frequency; // of the directions that are tested; as many cells are on an edge of the cube

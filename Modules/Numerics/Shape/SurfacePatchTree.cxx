@@ -52,7 +52,7 @@ SurfacePatchTreeOf<Surface>::SurfacePatchTreeOf(const Surface& surface, const Bo
     finest *= 4;
   }
   this->Caps.resize(inner + finest);
-  this->Spheres.resize(inner);
+  this->Spheres.resize(inner + finest);
   this->Patches.resize(finest);
   for (int root = 0; root < RootCount; ++root)
   {
@@ -99,7 +99,7 @@ SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bo
 
   const Patch patch(direction, sample, reach, bounds.ThirdWithin(direction, reach));
   this->Patches[static_cast<std::size_t>(node - this->InnerCount())] = patch;
-  return {patch.Center(), patch.Extent()};
+  return this->Spheres[static_cast<std::size_t>(node)] = {patch.Center(), patch.Extent()};
 }
 
 template <typename Surface>

@@ -9,8 +9,8 @@
 namespace palpate
 {
 /// A hierarchy of volumes around the parts of a surface: the triangles of an icosahedron,
-/// each split into four a number of times. The finest have a SurfacePatch or SurfaceBox each, the
-/// others a sphere around their four parts. Nodes are numbered level by level; points are relative
+/// each split into four a number of times. All have a sphere around them, the finest a SurfacePatch
+/// or SurfaceBox too. Nodes are numbered level by level; points are relative
 /// to the surface's centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
 template <typename Surface>
 class SurfacePatchTreeOf
@@ -25,8 +25,8 @@ public:
 
   static constexpr int RootCount = 20;
   /// Number of nodes except the finest, and of all nodes.
-  int InnerCount() const noexcept { return static_cast<int>(this->Spheres.size()); }
-  int NodeCount() const noexcept { return InnerCount() + static_cast<int>(this->Patches.size()); }
+  int InnerCount() const noexcept { return NodeCount() - static_cast<int>(this->Patches.size()); }
+  int NodeCount() const noexcept { return static_cast<int>(this->Spheres.size()); }
   bool IsInner(int node) const noexcept { return node < this->InnerCount(); }
   /// The first of the four parts of an inner node; the others follow.
   static constexpr int FirstPart(int node) noexcept { return RootCount + 4 * node; }
@@ -36,8 +36,7 @@ public:
   {
     if (!this->IsInner(node))
     {
-      return this->Patches[static_cast<std::size_t>(node - this->InnerCount())].LowerDistance(
-          query);
+      return this->PatchOf(node).LowerDistance(query);
     }
     const Ball& sphere = this->Spheres[static_cast<std::size_t>(node)];
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
@@ -48,22 +47,19 @@ public:
     double Radius;
   };
   /// Around the node's surface.
-  Ball BallOf(int node) const noexcept
+  const Ball& BallOf(int node) const noexcept
   {
-    if (this->IsInner(node))
-    {
-      return this->Spheres[static_cast<std::size_t>(node)];
-    }
-    const Patch& patch = this->Patches[static_cast<std::size_t>(node - this->InnerCount())];
-    return {patch.Center(), patch.Extent()};
+    return this->Spheres[static_cast<std::size_t>(node)];
+  }
+  /// Around the samples in the middles of the node's finest parts; a point for one of these.
+  Ball MiddlesOf(int node) const noexcept
+  {
+    return this->IsInner(node) ? this->BallOf(node) : Ball{this->PatchOf(node).Point, 0.0};
   }
   /// Square of the distance (mm^2) from the query to the middle of the node.
   double SquaredCenterDistance(int node, const Vector3& query) const noexcept
   {
-    const auto index = static_cast<std::size_t>(node);
-    const Vector3& center = this->IsInner(node) ? this->Spheres[index].Center
-                                                : this->Patches[index - this->Spheres.size()].Point;
-    return (query - center).squaredNorm();
+    return (query - this->MiddlesOf(node).Center).squaredNorm();
   }
   SphericalTriangle Triangle(int node) const noexcept;
   const SphericalCap& CapOf(int node) const noexcept
@@ -84,6 +80,10 @@ public:
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
 
 private:
+  const Patch& PatchOf(int node) const noexcept
+  {
+    return this->Patches[static_cast<std::size_t>(node - this->InnerCount())];
+  }
   Ball Build(const Surface& surface, const Bounds& bounds, int node,
              const SphericalTriangle& triangle);
   Ball BuildPatch(const Surface& surface, const Bounds& bounds, int node);

@@ -1,4 +1,5 @@
 #include "ContactCases.h"
+#include "IcosahedronDirections.h"
 #include "ParametricContactModel.h"
 #include "ParametricPath.h"
 #include "ParametricPhantoms.h"
@@ -208,6 +209,27 @@ ParametricSphericalSurface CrossingRelief()
     }
   }
   return {16, coefficients};
+}
+
+// A point is followed by its nearest point alone elsewhere.
+TEST(ParametricPaths, MostPlacesWithoutRoomForTheMarginAreKnownAtCrossings)
+{
+  const auto touch = PathSurfaceOf(CrossingRelief());
+  const WedgePlaces places(*touch, 0.0, 0.25 * touch->SmallestRadius());
+  const double margin = touch->Margin();
+  int narrow = 0;
+  int missed = 0;
+  const IcosahedronDirections sphere(30);
+  for (const Vector3& parameter : sphere.Directions())
+  {
+    const auto place = touch->PlaceAt(parameter);
+    const auto nearest = touch->Search().Nearest(place.PointWorld + margin * place.Normal);
+    const bool isNarrow = std::abs(nearest.SignedDistance) < 0.99 * margin;
+    narrow += isNarrow ? 1 : 0;
+    missed += isNarrow && !places.Contains(parameter) ? 1 : 0;
+  }
+  EXPECT_GT(narrow, 100);
+  EXPECT_LT(missed, 0.1 * narrow);
 }
 
 // Next to where a surface crosses itself proofs hardly ever end. A tool that cannot go on is in

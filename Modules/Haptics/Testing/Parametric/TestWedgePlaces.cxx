@@ -1,3 +1,4 @@
+#include "IcosahedronDirections.h"
 #include "ParametricPhantoms.h"
 #include "WedgePlaces.h"
 #include "WorstCase.h"
@@ -31,14 +32,69 @@ double DeepestMissed(const ParametricTouchSurface& surface, double radius)
   return missed.Value();
 }
 
-// Hollows that are narrower between the places that are tested first than there.
-TEST(WedgePlaces, HollowsBetweenTestedPlacesAreFound)
+// Where one wall is said to hold a tool it overlaps no other part, also in hollows between the
+// places that are tested. Three micrometres are less than a proof leaves open.
+TEST(WedgePlaces, ToolsFitWhereOneWallIsSaidToHoldThem)
 {
-  constexpr double Radius = 4.0;
+  Random random(1);
+  for (const ParametricSphericalSurface& shape :
+       {test::BumpyTube(random), test::CleftBlob(), test::Bowl()})
+  {
+    std::shared_ptr<const ParametricTouchSurface> surface;
+    ASSERT_TRUE(ParametricTouchSurface::Make(shape, surface).IsOk());
+    for (const double radius : {0.3, 1.0, 4.0})
+    {
+      EXPECT_LE(DeepestMissed(*surface, radius), 0.003) << radius;
+    }
+  }
+}
+
+TEST(WedgePlaces, AConvexOrganNeedsNone)
+{
+  for (const int degree : {1, 16})
+  {
+    std::shared_ptr<const ParametricTouchSurface> surface;
+    ASSERT_TRUE(
+        ParametricTouchSurface::Make(test::EllipsoidPhantom({25.0, 18.0, 9.0}, degree), surface)
+            .IsOk());
+    for (const double radius : {0.0, 0.5, 4.0})
+    {
+      const WedgePlaces places(*surface, radius, 1.0);
+      EXPECT_TRUE(places.IsEmpty()) << degree << " " << radius;
+      const IcosahedronDirections sphere(30);
+      for (const Vector3& parameter : sphere.Directions())
+      {
+        ASSERT_FLOAT_EQ(places.RoomAt(parameter), radius + 1.0);
+      }
+    }
+  }
+}
+
+// The wedge takes many times as long, so that few places with room for a larger sphere are left to
+// it.
+TEST(WedgePlaces, FewPlacesWithRoomNeedTheWedge)
+{
+  constexpr double Radius = 4.0; // mm
+  constexpr double Larger = 1.5;
+  constexpr int Trials = 5000;
   Random random(1);
   std::shared_ptr<const ParametricTouchSurface> surface;
   ASSERT_TRUE(ParametricTouchSurface::Make(test::BumpyTube(random), surface).IsOk());
-  EXPECT_LE(DeepestMissed(*surface, Radius), 2e-3 * Radius);
+  const WedgePlaces places(*surface, Radius, 0.25 * surface->SmallestRadius());
+  int needed = 0;
+  int more = 0;
+  for (int i = 0; i < Trials; ++i)
+  {
+    const auto place = surface->PlaceAt(test::RandomDirection(random));
+    const Vector3 center = place.PointWorld + Larger * Radius * place.Normal;
+    const bool hasRoom =
+        surface->Search().Nearest(center).SignedDistance > (1.0 - 1e-6) * Larger * Radius;
+    const bool isNeeded = places.IsBeside(place.Direction);
+    needed += isNeeded ? 1 : 0;
+    more += isNeeded && hasRoom ? 1 : 0;
+  }
+  EXPECT_GT(needed, Trials / 10);
+  EXPECT_LT(more, Trials / 20);
 }
 
 TEST(WedgePlaces, TrackersShareThemUntilTheToolChanges)
