@@ -1,6 +1,5 @@
 #include "ClearanceProof.h"
 
-#include "ExpandedParts.h"
 #include "ProofTask.h"
 #include "SampleGeometry.h"
 #include "SquaredDistance.h"
@@ -10,7 +9,6 @@
 #include <cstring>
 #include <functional>
 #include <limits>
-#include <utility>
 
 namespace palpate
 {
@@ -21,6 +19,16 @@ constexpr double MinimumTolerance = 1e-9; // rad
 constexpr int EvaluationsOfDescent = 8;   // nearly always enough
 constexpr int LeastForDescent = 5;        // it usually ends before
 constexpr std::size_t SortedCells = 32;
+
+template <typename Object>
+void PrefetchObject(const Object& object) noexcept
+{
+  constexpr std::size_t CacheLine = 64; // bytes
+  for (std::size_t at = 0; at < sizeof(Object); at += CacheLine)
+  {
+    __builtin_prefetch(reinterpret_cast<const char*>(&object) + at);
+  }
+}
 } // namespace
 
 template <typename Surface>
@@ -35,40 +43,9 @@ ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>&
 template <typename Surface>
 void ClearanceProofOf<Surface>::BeginAfresh() noexcept
 {
-  constexpr std::size_t Roots = SurfacePatchTreeOf<Surface>::RootCount;
-  static_assert(Roots % MovedBounds::Count == 0, "roots fill whole groups");
   this->PathLength = 0.0;
   this->NearUntil = -Infinite;
-  this->Parts.Begin(Roots / MovedBounds::Count);
-  this->ClearUntil.fill(Infinite);
-  for (std::size_t root = 0; root < Roots; ++root)
-  {
-    this->ClearUntil[root] = -Infinite;
-    this->Cells[root].Node = static_cast<int>(root);
-    this->Bounds[root / MovedBounds::Count].Forget();
-  }
-}
-
-template <typename Surface>
-double ClearanceProofOf<Surface>::LeastOf(std::size_t group) const noexcept
-{
-  const double* until = &this->ClearUntil[MovedBounds::Count * group];
-  return std::min(std::min(until[0], until[1]), std::min(until[2], until[3]));
-}
-
-// The many cells that were quartered for places left behind.
-template <typename Surface>
-void ClearanceProofOf<Surface>::JoinFar() noexcept
-{
-  constexpr double Farther = 0.1;
-  const double far = this->Used() + Farther * this->Needed;
-  this->Parts.Join([&](std::size_t group) { return this->LeastOf(group) > far; },
-                   [&](std::size_t cell, std::size_t group)
-                   {
-                     this->ClearUntil[cell] = this->LeastOf(group);
-                     std::fill_n(&this->ClearUntil[MovedBounds::Count * group], MovedBounds::Count,
-                                 Infinite);
-                   });
+  this->Cells.Begin(*this->Search);
 }
 
 // Most cells stay clear for many steps, so that only the others are looked at.
@@ -76,10 +53,10 @@ template <typename Surface>
 void ClearanceProofOf<Surface>::GatherNear() noexcept
 {
   this->NearCount = 0;
-  for (std::size_t group = 0; group < this->Parts.End(); ++group)
+  for (std::size_t group = 0; group < this->Cells.Parts.End(); ++group)
   {
     this->Near[this->NearCount] = static_cast<std::uint16_t>(group);
-    this->NearCount += this->LeastOf(group) < this->NearUntil ? 1 : 0;
+    this->NearCount += this->Cells.LeastOf(group) < this->NearUntil ? 1 : 0;
   }
 }
 
@@ -92,9 +69,19 @@ void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
   this->PathLength += step;
   this->Query = query;
   // Keeps the rounding of the path length far below any tolerance.
-  if (!(this->PathLength < 1e4 * this->Search->Tree().LargestRadius()) || this->IsNearlyFull())
+  const bool isFar = !(this->PathLength < 1e4 * this->Search->Tree().LargestRadius());
+  const bool isAfresh = isFar || this->IsNearlyFull();
+  if (isAfresh)
   {
     this->BeginAfresh();
+  }
+  // A query that goes on where the last one ended has the same bounds.
+  const bool isNew = isAfresh || step > 0.0 || this->Used() > this->BoundedFor;
+  this->IsTurned = !isNew && !this->IsTurned;
+  if (isNew)
+  {
+    ++this->Bounded;
+    this->BoundedFor = this->Used();
   }
   if (this->Used() > this->NearUntil)
   {
@@ -108,12 +95,13 @@ template <typename Surface>
 bool ClearanceProofOf<Surface>::IsNearlyFull() noexcept
 {
   constexpr std::size_t Few = Groups / 8;
-  if (this->Parts.FreeGroups() < Few)
+  if (this->Cells.Parts.FreeGroups() < Few)
   {
-    this->JoinFar();
+    constexpr double Farther = 0.1;
+    this->Cells.Join(this->Used() + Farther * this->Needed);
     this->NearUntil = -Infinite; // some of the near cells are joined
   }
-  return this->Parts.FreeGroups() < Few;
+  return this->Cells.Parts.FreeGroups() < Few;
 }
 
 // A cell that is not clear at a path length.
@@ -121,14 +109,14 @@ template <typename Surface>
 [[gnu::always_inline]] inline void ClearanceProofOf<Surface>::AddOpen(std::size_t index,
                                                                       double used) noexcept
 {
-  const double lacks = used - this->ClearUntil[index];
+  const double lacks = used - this->Cells.ClearUntil[index];
   std::uint64_t bits;
   std::memcpy(&bits, &lacks, sizeof bits);
   this->Open[this->OpenCount] = (bits & ~IndexBits) | index;
   this->OpenCount += lacks > 0.0 ? 1 : 0;
 }
 
-// Most of the near cells are clear by their last bounds.
+// Most of the near cells are clear by their last bounds; leaves the groups of the others.
 template <typename Surface>
 void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
 {
@@ -140,19 +128,17 @@ void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
     this->Moved[moved] = this->Near[i];
     moved += this->IsUsedUp(this->Near[i], used) ? 1 : 0;
   }
-  this->OpenCount = 0;
+  this->MovedCount = 0;
   for (std::size_t i = 0; i < moved; ++i)
   {
-    const std::size_t group = this->Moved[i];
+    const std::uint16_t group = this->Moved[i];
     FourLanes lower;
-    this->Bounds[group].Move(this->Query, lower);
+    this->Cells.Bounds[group].Move(this->Query, lower);
     lower += less;
-    auto& until = reinterpret_cast<Clearances&>(this->ClearUntil[MovedBounds::Count * group]);
+    auto& until = reinterpret_cast<Clearances&>(this->Cells.ClearUntil[MovedBounds::Count * group]);
     until = lower > until ? lower : until;
-    for (std::size_t part = 0; part < MovedBounds::Count; ++part)
-    {
-      this->AddOpen(MovedBounds::Count * group + part, used);
-    }
+    this->Moved[this->MovedCount] = group;
+    this->MovedCount += this->IsUsedUp(group, used) ? 1 : 0;
   }
 }
 
@@ -186,58 +172,86 @@ void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
   }
 }
 
-// Most open cells were evaluated before, and only lack a bound from here. Half of the work, and
-// enough for a descent, is left for those that stay open.
+// Most cells that are not clear by their last bounds only lack bounds from here. Half of the work,
+// and enough for a descent, is left for those that stay open.
 template <typename Surface>
-void ClearanceProofOf<Surface>::BoundOpen(Task& task) noexcept
+void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
 {
-  if constexpr (SurfaceKind<Surface>::MayBoundTogether)
+  const int least = std::max(task.WorkLeft / 2, LeastForDescent * WorkOfEvaluation + WorkOfBound);
+  this->OpenCount = 0;
+  for (std::size_t i = 0; i < this->MovedCount; ++i)
   {
-    ExpandedParts parts;
-    std::array<std::size_t, ExpandedParts::Count> bounded{};
-    std::size_t count = 0;
-    const int least = std::max(task.WorkLeft / 2, LeastForDescent * WorkOfEvaluation + WorkOfBound);
-    for (std::size_t i = 0; i < this->OpenCount && task.WorkLeft > least; ++i)
+    this->PrefetchMoved(i + 2);
+    const std::size_t group = this->Moved[i];
+    if (task.WorkLeft >= least + WorkOfGroup && this->BoundedAt[group] != this->Bounded &&
+        this->Cells.HasBounds(group))
     {
-      this->Prefetch(i + 4);
-      const std::size_t index = this->OpenAt(i);
-      const Cell& cell = this->Cells[index];
-      if (cell.Node == None && cell.IsEvaluated && !this->SettlesByBasin(task, cell.Cap, index))
-      {
-        task.WorkLeft -= SurfaceKind<Surface>::WorkOfJointBound;
-        parts.Set(count, cell.Sample, cell.Cap.Radius, cell.Bounds);
-        bounded[count++] = index;
-      }
-      if (count == bounded.size())
-      {
-        this->KeepBounds(task, parts, bounded.data(), std::exchange(count, 0));
-      }
+      task.WorkLeft -= WorkOfGroup;
+      this->BoundGroup(task, group);
     }
-    this->KeepBounds(task, parts, bounded.data(), count);
-    const std::size_t before = std::exchange(this->OpenCount, 0);
-    for (std::size_t i = 0; i < before; ++i)
+    this->AddOpenOf(group);
+  }
+}
+
+// Bounds at the query of the group's cells that lack them, by their nodes and the parts that were
+// evaluated; also of cells in a basin, since to find that out takes as long.
+template <typename Surface>
+void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) noexcept
+{
+  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
+  const std::size_t first = MovedBounds::Count * group;
+  const double used = this->Used();
+  const int node = this->Cells.FirstNodes[group];
+  this->BoundedAt[group] = this->Bounded;
+  for (std::size_t part = 0; node != None && part < MovedBounds::Count; ++part)
+  {
+    if (this->Cells.ClearUntil[first + part] < used)
     {
-      this->AddOpen(this->OpenAt(i), this->Used());
+      const int each = node + static_cast<int>(part);
+      const auto& ball = tree.BallOf(each);
+      this->Improve(task, first + part, tree.LowerDistance(each, this->Query), ball.Center,
+                    ball.Radius);
+    }
+  }
+  if constexpr (MayBoundTogether)
+  {
+    if (this->Cells.IsExpanded[group])
+    {
+      const ExpandedParts& expanded = this->Cells.Expanded[group];
+      alignas(sizeof(FourLanes)) FourLanes lower;
+      expanded.LowerDistance(this->Query, this->Set, lower);
+      for (std::size_t part = 0; part < MovedBounds::Count; ++part)
+      {
+        if (this->Cells.ClearUntil[first + part] < used)
+        {
+          this->Improve(task, first + part, lower[part], expanded.PointOf(part),
+                        expanded.ExtentOf(part));
+        }
+      }
     }
   }
 }
 
+// Takes a bound of the cell at the query if it is more than is known.
 template <typename Surface>
-void ClearanceProofOf<Surface>::KeepBounds(Task& task, const ExpandedParts& parts,
-                                           const std::size_t* bounded, std::size_t count) noexcept
+void ClearanceProofOf<Surface>::Improve(const Task& task, std::size_t index, double lower,
+                                        const Vector3& point, double extent) noexcept
 {
-  if (count == 0)
+  double& until = this->Cells.ClearUntil[index];
+  const double better = this->PathLength + (lower - task.Rounding - this->Needed);
+  if (better > until)
   {
-    return;
+    until = better;
+    this->KeepBound(index, lower, point, extent);
   }
-  FourLanes lower;
-  parts.LowerDistance(this->Query, this->Set, lower);
-  for (std::size_t i = 0; i < count; ++i)
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::AddOpenOf(std::size_t group) noexcept
+{
+  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
   {
-    const Cell& cell = this->Cells[bounded[i]];
-    this->KeepBound(bounded[i], lower[i], PointOf(cell.Cap.Center, cell.Sample),
-                    cell.Bounds.Extent(cell.Cap.Radius));
-    this->Clears(lower[i] - task.Rounding, bounded[i]);
+    this->AddOpen(MovedBounds::Count * group + part, this->Used());
   }
 }
 
@@ -245,21 +259,27 @@ void ClearanceProofOf<Surface>::KeepBounds(Task& task, const ExpandedParts& part
 template <typename Surface>
 int ClearanceProofOf<Surface>::WorkOfLook(int workLeft) const noexcept
 {
-  return std::min(workLeft / 4, static_cast<int>((this->NearCount + 2 * this->OpenCount) / 4));
+  return std::min(workLeft / 4, static_cast<int>((this->NearCount + 8 * this->MovedCount) / 4));
 }
 
-// The nearest first, where minima are found soonest; the many others in any order.
+// The nearest first, where minima are found soonest; the many others in any order. Next to a
+// minimum in a hollow as round as the distance some are never clear, so that every other query at a
+// place begins with those that lack least.
 template <typename Surface>
 void ClearanceProofOf<Surface>::SortOpen() noexcept
 {
-  const auto begin = this->Open.begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(this->OpenCount);
-  const auto last = begin + static_cast<std::ptrdiff_t>(std::min(SortedCells, this->OpenCount));
-  if (last != end)
+  const auto sort = [&](const auto& isBefore)
   {
-    std::nth_element(begin, last, end, std::greater<>());
-  }
-  std::sort(begin, last, std::greater<>());
+    const auto begin = this->Open.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(this->OpenCount);
+    const auto last = begin + static_cast<std::ptrdiff_t>(std::min(SortedCells, this->OpenCount));
+    if (last != end)
+    {
+      std::nth_element(begin, last, end, isBefore);
+    }
+    std::sort(begin, last, isBefore);
+  };
+  this->IsTurned ? sort(std::less<>()) : sort(std::greater<>());
 }
 
 template <typename Surface>
@@ -298,7 +318,7 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   }
   this->FindOpen(task.Rounding);
   task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
-  this->BoundOpen(task);
+  this->BoundMoved(task);
   this->SortOpen();
   const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
   for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
@@ -322,26 +342,42 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double eno
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    const double until = this->ClearUntil[index];
-    step = until >= this->Used()             ? Step::Settled
-           : until >= task.EnoughUntil       ? Step::Open
-           : this->Cells[index].Node != None ? this->SettleNode(task, index)
-                                             : this->SettleTriangle(task, index);
-    const bool mayGoOn = step == Step::Open && this->ClearUntil[index] < enoughUntil;
+    const double until = this->Cells.ClearUntil[index];
+    step = until >= this->Used()              ? Step::Settled
+           : until >= task.EnoughUntil        ? Step::Open
+           : this->Cells.Nodes[index] != None ? this->SettleNode(task, index)
+                                              : this->SettleTriangle(task, index);
+    const bool mayGoOn = step == Step::Open && this->Cells.ClearUntil[index] < enoughUntil;
     step = mayGoOn && task.TakeRest(enoughUntil) ? Step::Again : step;
   }
   if (step == Step::Open)
   {
-    this->LeaveOpen(task, this->ClearUntil[index]);
+    this->LeaveOpen(task, this->Cells.ClearUntil[index]);
   }
 }
 
 template <typename Surface>
 void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
 {
-  if (i < this->OpenCount)
+  if (i < this->OpenCount && this->Cells.Nodes[this->OpenAt(i)] == None)
   {
-    this->Cells[this->OpenAt(i)].Prefetch();
+    PrefetchObject(this->Cells.Triangles[this->OpenAt(i)]);
+  }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
+{
+  if (i < this->MovedCount)
+  {
+    const std::size_t group = this->Moved[i];
+    if constexpr (MayBoundTogether)
+    {
+      if (this->Cells.IsExpanded[group])
+      {
+        PrefetchObject(this->Cells.Expanded[group]);
+      }
+    }
   }
 }
 
@@ -361,25 +397,19 @@ void ClearanceProofOf<Surface>::LeaveOpen(Task& task, std::size_t first) const n
   for (std::size_t i = first; i < this->OpenCount; ++i)
   {
     const std::size_t index = this->OpenAt(i);
-    const bool isNearer = this->ClearUntil[index] < until;
-    until = isNearer && task.LowerDistance(this->CapOf(index)) != Infinite ? this->ClearUntil[index]
-                                                                           : until;
+    const bool isNearer = this->Cells.ClearUntil[index] < until;
+    until = isNearer && task.LowerDistance(this->Cells.CapOf(index)) != Infinite
+                ? this->Cells.ClearUntil[index]
+                : until;
   }
   this->LeaveOpen(task, until);
-}
-
-template <typename Surface>
-const SphericalCap& ClearanceProofOf<Surface>::CapOf(std::size_t index) const noexcept
-{
-  const Cell& cell = this->Cells[index];
-  return cell.Node != None ? this->Search->Tree().CapOf(cell.Node) : cell.Cap;
 }
 
 // Stores the bound of the cell's distance; returns whether it suffices here.
 template <typename Surface>
 bool ClearanceProofOf<Surface>::Clears(double lower, std::size_t index) noexcept
 {
-  double& until = this->ClearUntil[index];
+  double& until = this->Cells.ClearUntil[index];
   until = std::max(until, this->PathLength + (lower - this->Needed));
   return until >= this->Used();
 }
@@ -401,8 +431,8 @@ void ClearanceProofOf<Surface>::KeepBound(std::size_t index, double lower, const
 {
   if (lower > 0.0)
   {
-    this->Bounds[index / MovedBounds::Count].Set(index % MovedBounds::Count, this->Query, lower,
-                                                 point, extent);
+    this->Cells.Bounds[index / MovedBounds::Count].Set(index % MovedBounds::Count, this->Query,
+                                                       lower, point, extent);
   }
 }
 
@@ -411,8 +441,7 @@ typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 {
   const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
-  const int node = this->Cells[index].Node;
-  if (this->SettlesByBasin(task, tree.CapOf(node), index))
+  if (this->SettlesByBasin(task, tree.CapOf(this->Cells.Nodes[index]), index))
   {
     return Step::Settled;
   }
@@ -420,29 +449,19 @@ ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
   {
     return Step::Open;
   }
-  --task.WorkLeft;
-  const double lower = tree.LowerDistance(node, this->Query);
-  if (this->Clears(lower - task.Rounding, index))
+  if (!this->IsBounded(index))
   {
-    const auto ball = tree.BallOf(node);
-    this->KeepBound(index, lower, ball.Center, ball.Radius);
-    return Step::Settled;
+    task.WorkLeft -= WorkOfGroup;
+    this->BoundGroup(task, index / MovedBounds::Count);
+    return Step::Again;
   }
-  return this->CutNode(index);
-}
-
-template <typename Surface>
-void ClearanceProofOf<Surface>::Evaluate(Cell& cell) noexcept
-{
-  cell.Sample = this->Search->Model().EvaluateSecondOrder(cell.Cap.Center);
-  cell.Bounds = this->Search->Descent().BoundsWithin(cell.Cap.Center, cell.Sample, cell.Cap.Radius);
-  cell.IsEvaluated = true;
+  return this->CutNode(task, index);
 }
 
 template <typename Surface>
 double ClearanceProofOf<Surface>::LowerDistanceOf(std::size_t index) noexcept
 {
-  const Cell& cell = this->Cells[index];
+  const Triangle& cell = this->Cells.Triangles[index];
   const double lower = this->Search->Descent().LowerDistance(
       this->Query, cell.Cap.Center, cell.Sample, cell.Cap.Radius, cell.Bounds);
   this->KeepBound(index, lower, PointOf(cell.Cap.Center, cell.Sample),
@@ -454,24 +473,37 @@ template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
-  Cell& cell = this->Cells[index];
+  Triangle& cell = this->Cells.Triangles[index];
   if (this->SettlesByBasin(task, cell.Cap, index))
   {
     return Step::Settled;
   }
-  const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
-  if (task.WorkLeft < work)
+  if (MayBoundTogether && cell.IsEvaluated && !this->IsBounded(index))
   {
-    return Step::Open;
+    if (task.WorkLeft <= 0)
+    {
+      return Step::Open;
+    }
+    task.WorkLeft -= WorkOfGroup;
+    this->BoundGroup(task, index / MovedBounds::Count);
+    return Step::Again;
   }
-  task.WorkLeft -= work;
-  if (!cell.IsEvaluated)
+  if (!cell.IsEvaluated || !MayBoundTogether)
   {
-    this->Evaluate(cell);
-  }
-  if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
-  {
-    return Step::Settled;
+    const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
+    if (task.WorkLeft < work)
+    {
+      return Step::Open;
+    }
+    task.WorkLeft -= work;
+    if (!cell.IsEvaluated)
+    {
+      this->Cells.Evaluate(index);
+    }
+    if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
+    {
+      return Step::Settled;
+    }
   }
   const Step step = this->Descend(task, cell);
   if (step != Step::Again || this->Clears(task.LowerDistance(cell.Cap), index))
@@ -485,7 +517,7 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
 // that one's basin may supply the missing bound of the cell.
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
-ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
+ClearanceProofOf<Surface>::Descend(Task& task, const Triangle& cell) noexcept
 {
   const SquaredDistance distance(cell.Cap.Center, cell.Sample, this->Query);
   bool isWorthwhile = distance.Offset.norm() < this->Asked;
@@ -519,52 +551,23 @@ ClearanceProofOf<Surface>::Descend(Task& task, const Cell& cell) noexcept
   return Step::Again;
 }
 
-// Returns the first of the cell's parts, which are open; CellCapacity without memory.
-template <typename Surface>
-std::size_t ClearanceProofOf<Surface>::Quarter(std::size_t index) noexcept
-{
-  const std::size_t group = this->Parts.Quarter(index);
-  if (group == QuarteredCells<Groups>::None)
-  {
-    return CellCapacity;
-  }
-  const std::size_t first = MovedBounds::Count * group;
-  const double until = std::exchange(this->ClearUntil[index], Infinite);
-  this->Bounds[group].Forget();
-  this->Near[this->NearCount++] = static_cast<std::uint16_t>(group);
-  for (std::size_t part = first; part < first + MovedBounds::Count; ++part)
-  {
-    this->ClearUntil[part] = until;
-    this->Open[this->OpenCount++] = part;
-  }
-  return first;
-}
-
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
-ClearanceProofOf<Surface>::CutNode(std::size_t index) noexcept
+ClearanceProofOf<Surface>::CutNode(Task& task, std::size_t index) noexcept
 {
-  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
-  Cell& cell = this->Cells[index];
-  const int node = cell.Node;
-  if (!tree.IsInner(node))
+  if (!this->Search->Tree().IsInner(this->Cells.Nodes[index]))
   {
-    cell.Node = None;
-    cell.Leaf = node;
-    cell.IsEvaluated = false;
-    cell.Cap = tree.CapOf(node);
+    this->Cells.Separate(index);
     return Step::Again;
   }
-  const std::size_t first = this->Quarter(index);
-  if (first == CellCapacity)
+  const std::size_t group = this->Cells.CutNode(index);
+  if (group == Groups)
   {
     return Step::Open;
   }
-  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
-  {
-    this->Cells[first + part].Node =
-        SurfacePatchTreeOf<Surface>::FirstPart(node) + static_cast<int>(part);
-  }
+  task.WorkLeft -= WorkOfGroup;
+  this->BoundGroup(task, group);
+  this->AddGroup(group);
   return Step::Settled;
 }
 
@@ -572,24 +575,22 @@ template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::CutTriangle(std::size_t index) noexcept
 {
-  const std::size_t first = this->Quarter(index);
-  if (first == CellCapacity)
+  const std::size_t group = this->Cells.CutTriangle(index);
+  if (group == Groups)
   {
     return Step::Open;
   }
-  const Cell& whole = this->Cells[index];
-  const std::array<SphericalTriangle, MovedBounds::Count> parts =
-      (whole.Leaf != None ? this->Search->Tree().Triangle(whole.Leaf) : whole.Triangle).Split();
-  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
-  {
-    Cell& cell = this->Cells[first + part];
-    cell.Node = None;
-    cell.Leaf = None;
-    cell.IsEvaluated = false;
-    cell.Triangle = parts[part];
-    cell.Cap = parts[part].Cap();
-  }
+  this->BoundedAt[group] = this->Bounded;
+  this->AddGroup(group);
   return Step::Settled;
+}
+
+// One that is new.
+template <typename Surface>
+void ClearanceProofOf<Surface>::AddGroup(std::size_t group) noexcept
+{
+  this->Near[this->NearCount++] = static_cast<std::uint16_t>(group);
+  this->AddOpenOf(group);
 }
 
 template class ClearanceProofOf<SphericalHarmonicModel>;

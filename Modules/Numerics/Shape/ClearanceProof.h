@@ -4,8 +4,7 @@
 #include "ClosestPointSearch.h"
 #include "InstructionSet.h"
 #include "MovedBounds.h"
-#include "QuarteredCells.h"
-#include "SphericalTriangle.h"
+#include "ProofCells.h"
 
 #include <array>
 #include <cstddef>
@@ -13,8 +12,6 @@
 
 namespace palpate
 {
-class ExpandedParts;
-
 /// Proves from step to step that no part of a surface other than known minima is closer to a moving
 /// point than a given distance, or finds the part that is. It keeps the bounds of cells of
 /// directions while the point moves (README.md). Memory is fixed; queries do not allocate. They
@@ -68,26 +65,7 @@ public:
   static constexpr std::size_t MostKnown = 8;
 
 private:
-  // A node of the tree, or a separate triangle.
-  struct Cell
-  {
-    int Node; // None for triangles
-    int Leaf; // of triangles that are a whole node, else None
-    bool IsEvaluated;
-    SphericalTriangle Triangle; // without a leaf
-    SphericalCap Cap;
-    SampleOf<Surface> Sample; // at the cap's centre
-    typename ClosestPointDescentOf<Surface>::CapBounds Bounds;
-
-    void Prefetch() const noexcept
-    {
-      constexpr std::size_t CacheLine = 64; // bytes
-      for (std::size_t at = 0; at < sizeof(Cell); at += CacheLine)
-      {
-        __builtin_prefetch(reinterpret_cast<const char*>(this) + at);
-      }
-    }
-  };
+  using Triangle = typename ProofCells<Surface>::Triangle;
   typedef FourLanes Clearances __attribute__((may_alias)); // of a group
   struct Task;
   enum class Step
@@ -97,15 +75,16 @@ private:
     Found, // a minimum
     Open
   };
-  static constexpr int None = -1;
+  static constexpr int None = ProofCells<Surface>::None;
   static constexpr int WorkOfEvaluation = SurfaceKind<Surface>::WorkOfEvaluation;
   static constexpr int WorkOfBound = SurfaceKind<Surface>::WorkOfBound;
-  static constexpr std::size_t Groups = SurfaceKind<Surface>::ProofCells / MovedBounds::Count;
-  static constexpr std::size_t CellCapacity = MovedBounds::Count * Groups;
+  static constexpr int WorkOfGroup = SurfaceKind<Surface>::WorkOfGroup;
+  static constexpr bool MayBoundTogether = SurfaceKind<Surface>::MayBoundTogether;
+  static constexpr std::size_t Groups = ProofCells<Surface>::Groups;
+  static constexpr std::size_t CellCapacity = ProofCells<Surface>::Capacity;
   static constexpr std::uint64_t IndexBits = 0xffff;
 
   void BeginAfresh() noexcept;
-  void JoinFar() noexcept;
   bool IsNearlyFull() noexcept;
   void GatherNear() noexcept;
   void GoTo(const Vector3& query) noexcept;
@@ -115,33 +94,38 @@ private:
   int WorkOfLook(int workLeft) const noexcept;
   void AddOpen(std::size_t index, double used) noexcept;
   void MoveBounds(double rounding) noexcept;
-  void BoundOpen(Task& task) noexcept;
-  void KeepBounds(Task& task, const ExpandedParts& parts, const std::size_t* bounded,
-                  std::size_t count) noexcept;
+  void BoundMoved(Task& task) noexcept;
+  void BoundGroup(const Task& task, std::size_t group) noexcept;
+  void Improve(const Task& task, std::size_t index, double lower, const Vector3& point,
+               double extent) noexcept;
+  void AddOpenOf(std::size_t group) noexcept;
+  void AddGroup(std::size_t group) noexcept;
+  // Whether BoundGroup has bounded the cell's group at this place.
+  bool IsBounded(std::size_t index) const noexcept
+  {
+    return this->BoundedAt[index / MovedBounds::Count] == this->Bounded;
+  }
   void SortOpen() noexcept;
   std::size_t OpenAt(std::size_t i) const noexcept { return this->Open[i] & IndexBits; }
   void Prefetch(std::size_t i) const noexcept;
-  const SphericalCap& CapOf(std::size_t index) const noexcept;
+  void PrefetchMoved(std::size_t i) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
   void LeaveOpen(Task& task, std::size_t first) const noexcept;
   void Settle(Task& task, std::size_t index, double enoughUntil) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
-  Step Descend(Task& task, const Cell& cell) noexcept;
-  Step CutNode(std::size_t index) noexcept;
+  Step Descend(Task& task, const Triangle& cell) noexcept;
+  Step CutNode(Task& task, std::size_t index) noexcept;
   Step CutTriangle(std::size_t index) noexcept;
-  std::size_t Quarter(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
   bool SettlesByBasin(const Task& task, const SphericalCap& cap, std::size_t index) noexcept;
-  void Evaluate(Cell& cell) noexcept;
   double LowerDistanceOf(std::size_t index) noexcept;
   void KeepBound(std::size_t index, double lower, const Vector3& point, double extent) noexcept;
-  double LeastOf(std::size_t group) const noexcept;
   // Whether that is less than a path length; where it is compiled for AVX2, in half the time.
   bool IsUsedUp(std::size_t group, double used) const noexcept
   {
-    const auto isUsed =
-        reinterpret_cast<const Clearances&>(this->ClearUntil[MovedBounds::Count * group]) < used;
+    const auto isUsed = reinterpret_cast<const Clearances&>(
+                            this->Cells.ClearUntil[MovedBounds::Count * group]) < used;
     return ((isUsed[0] | isUsed[1]) | (isUsed[2] | isUsed[3])) != 0;
   }
   // Cells with more clearance than this need no work.
@@ -154,17 +138,17 @@ private:
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
   InstructionSet Set;
-  QuarteredCells<Groups> Parts;
-  // No point of a cell is closer than this plus Needed, minus the path length. Infinite for cells
-  // that are quartered and for numbers without a cell.
-  alignas(32) std::array<double, CellCapacity> ClearUntil;
-  std::array<MovedBounds, Groups> Bounds;
-  std::array<Cell, CellCapacity> Cells;
+  ProofCells<Surface> Cells;
+  std::array<std::uint32_t, Groups> BoundedAt{};
+  std::uint32_t Bounded = 0; // a number for the place where groups are bounded now
+  double BoundedFor = 0.0;   // Used() there
+  bool IsTurned = false;     // the order of open cells
   // The groups of cells whose clearance may be used up before a path length.
   std::array<std::uint16_t, Groups> Near;
   std::size_t NearCount = 0;
   double NearUntil = 0.0;                  // mm
   std::array<std::uint16_t, Groups> Moved; // of them, those whose clearance is used up
+  std::size_t MovedCount = 0;
   // The cells that need work at the query. Above the number of a cell are the bits of what it
   // lacks, a positive number (mm), so that they are sorted by that.
   std::array<std::uint64_t, CellCapacity> Open;

@@ -39,6 +39,7 @@ void ExpandedParts::Set(std::size_t part, const ParametricShape::SecondOrderSamp
   this->Product[part] = bounds.Product;
   this->Third[part] = bounds.Third;
   this->Longer[part] = reach * (bounds.First + 0.5 * reach * bounds.Second);
+  this->Extent[part] = bounds.Extent(reach);
 }
 
 void ExpandedParts::Bound(const Vector3& place, FourLanes& lower) const noexcept

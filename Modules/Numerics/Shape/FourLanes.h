@@ -6,7 +6,8 @@
 namespace palpate
 {
 /// Four numbers at once, by GCC and Clang's vector extension. Functions take and give them by
-/// reference, since their calling convention as values depends on the instruction set.
+/// reference, since their calling convention as values depends on the instruction set. So does
+/// their alignment: what functions for several sets share is declared alignas(sizeof(FourLanes)).
 typedef double FourLanes __attribute__((vector_size(4 * sizeof(double))));
 
 /// Of negative numbers 0.

@@ -13,7 +13,7 @@ namespace palpate
 /// least sqrt(b^2 - 2 (d.(x - p) + |d| e) + |d|^2) away: steps along the surface hardly change it.
 ///
 /// All four at once.
-struct MovedBounds
+struct alignas(sizeof(FourLanes)) MovedBounds
 {
   static constexpr std::size_t Count = 4;
 

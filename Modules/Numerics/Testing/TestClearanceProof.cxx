@@ -167,6 +167,30 @@ TEST_P(ClearanceProofOfDegree, GoesOnWhereWorkEnded)
 
 INSTANTIATE_TEST_SUITE_P(Each, ClearanceProofOfDegree, testing::Values(4, 8, 12, 20, 33));
 
+// Work for a descent is left, whatever the limit is.
+TEST(ClearanceProof, AnyLittleWorkEnds)
+{
+  constexpr int Most = 2000; // times
+  Random random(947);
+  const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
+  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(rough));
+  for (int little = 8; little <= 16; ++little)
+  {
+    for (int trial = 0; trial < 10; ++trial)
+    {
+      const Vector3 direction = test::RandomDirection(random);
+      const Vector3 query = rough.PointWorld(direction) + 1.5 * direction;
+      ClearanceProof proof(search, 2.0, 0.01);
+      ClearanceProof::Answer answer = proof.Ask(query, nullptr, 0, little);
+      for (int again = 0; again < Most && answer.State == ClearanceProof::Finding::Open; ++again)
+      {
+        answer = proof.Ask(query, nullptr, 0, little);
+      }
+      ASSERT_NE(answer.State, ClearanceProof::Finding::Open) << little << " " << trial;
+    }
+  }
+}
+
 TEST(ClearanceProof, IsDeterministic)
 {
   Random random(1649);

@@ -64,7 +64,7 @@ TEST(ExpandedParts, FourBoundsAreThoseOfEachPart)
     const Vector3 place = each[0].Sample.Point + height(random) * NormalOf(each[0].Sample);
     for (const InstructionSet set : SupportedSets())
     {
-      FourLanes lower;
+      alignas(sizeof(FourLanes)) FourLanes lower;
       parts.LowerDistance(place, set, lower);
       for (std::size_t i = 0; i < each.size(); ++i)
       {
@@ -93,12 +93,66 @@ TEST(ExpandedParts, MissingPartsDoNotDisturbTheOthers)
   {
     ExpandedParts parts;
     parts.Set(lane, part.Sample, part.Cap.Radius, part.Bounds);
-    FourLanes lower;
+    alignas(sizeof(FourLanes)) FourLanes lower;
     parts.LowerDistance(place, FastestInstructionSet(), lower);
     const double alone =
         descent.LowerDistance(place, part.Cap.Center, part.Sample, part.Cap.Radius, part.Bounds);
     EXPECT_GT(alone, 0.1);
     EXPECT_NEAR(lower[lane], alone, 1e-10);
+    for (std::size_t other = 0; other < ExpandedParts::Count; ++other)
+    {
+      EXPECT_TRUE(other == lane || lower[other] == 0.0) << lane << " " << other;
+    }
+  }
+}
+
+TEST(ExpandedParts, ForgottenPartsHaveNoBound)
+{
+  Random random(9413);
+  const ParametricShape shape(test::Bowl());
+  const Descent descent(shape);
+  ExpandedParts parts;
+  Part part{};
+  for (std::size_t lane = 0; lane < ExpandedParts::Count; ++lane)
+  {
+    part = RandomPart(shape, descent, random);
+    parts.Set(lane, part.Sample, part.Cap.Radius, part.Bounds);
+  }
+  parts.Forget();
+  for (const double height : {0.0, 3.0, 300.0})
+  {
+    for (const InstructionSet set : SupportedSets())
+    {
+      alignas(sizeof(FourLanes)) FourLanes lower;
+      parts.LowerDistance(part.Sample.Point + height * NormalOf(part.Sample), set, lower);
+      for (std::size_t lane = 0; lane < ExpandedParts::Count; ++lane)
+      {
+        EXPECT_EQ(lower[lane], 0.0) << lane;
+      }
+    }
+  }
+}
+
+TEST(ExpandedParts, PointAndExtentEncloseThePart)
+{
+  Random random(9414);
+  const ParametricShape shape(test::BumpyTube(random));
+  const Descent descent(shape);
+  ExpandedParts parts;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const Part part = RandomPart(shape, descent, random);
+    const std::size_t lane = random() % ExpandedParts::Count;
+    parts.Set(lane, part.Sample, part.Cap.Radius, part.Bounds);
+    for (int k = 0; k < 20; ++k)
+    {
+      const Vector3 across = part.Cap.Center.cross(test::RandomDirection(random)).normalized();
+      const double angle =
+          part.Cap.Radius * std::uniform_real_distribution<double>(0.0, 1.0)(random);
+      const Vector3 u = std::cos(angle) * part.Cap.Center + std::sin(angle) * across;
+      const double away = (shape.EvaluateSecondOrder(u).Point - parts.PointOf(lane)).norm();
+      EXPECT_LE(away, parts.ExtentOf(lane) + 1e-9); // rounding
+    }
   }
 }
 } // namespace

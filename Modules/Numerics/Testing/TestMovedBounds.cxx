@@ -76,7 +76,7 @@ TEST(MovedBounds, AreLowerBoundsWhereverThePlaceMoves)
       for (const double step : {0.0, 0.01, 0.3, 3.0, 30.0})
       {
         const Vector3 moved = place + step * test::RandomDirection(random);
-        FourLanes bound;
+        alignas(sizeof(FourLanes)) FourLanes bound;
         bounds.Move(moved, bound);
         for (std::size_t j = 0; j <= i; ++j)
         {
@@ -94,7 +94,7 @@ TEST(MovedBounds, StepsAlongASurfaceHardlyChangeThem)
   MovedBounds bounds;
   bounds.Forget();
   bounds.Set(2, Vector3::Zero(), Distance - Extent, Distance * Vector3::UnitZ(), Extent);
-  FourLanes bound;
+  alignas(sizeof(FourLanes)) FourLanes bound;
   bounds.Move(Vector3::Zero(), bound);
   EXPECT_NEAR(bound[2], Distance - Extent, 1e-12);
   bounds.Move(0.2 * Vector3::UnitX(), bound);
@@ -108,7 +108,7 @@ TEST(MovedBounds, PartsWithoutABoundMayBeAnywhere)
   MovedBounds bounds;
   bounds.Forget();
   bounds.Set(1, Vector3::Zero(), 3.0, 3.0 * Vector3::UnitX(), 0.0);
-  FourLanes bound;
+  alignas(sizeof(FourLanes)) FourLanes bound;
   bounds.Move(Vector3::UnitY(), bound);
   EXPECT_EQ(bound[0], 0.0);
   EXPECT_GT(bound[1], 3.0);
