@@ -137,12 +137,8 @@ private:
   double Asked;    // mm, now
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
-  InstructionSet Set;
   ProofCells<Surface> Cells;
   std::array<std::uint32_t, Groups> BoundedAt{};
-  std::uint32_t Bounded = 0; // a number for the place where groups are bounded now
-  double BoundedFor = 0.0;   // Used() there
-  bool IsTurned = false;     // the order of open cells
   // The groups of cells whose clearance may be used up before a path length.
   std::array<std::uint16_t, Groups> Near;
   std::size_t NearCount = 0;
@@ -153,6 +149,10 @@ private:
   // lacks, a positive number (mm), so that they are sorted by that.
   std::array<std::uint64_t, CellCapacity> Open;
   std::size_t OpenCount = 0;
+  double BoundedFor = 0.0;   // Used() where groups were bounded, mm
+  std::uint32_t Bounded = 0; // a number for that place
+  InstructionSet Set;
+  bool IsTurned = false; // the order of open cells
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate
