@@ -1,6 +1,5 @@
 #include "WedgePlaces.h"
 
-#include "HarmonicWedge.h"
 #include "IcosahedronDirections.h"
 #include "TangentSphere.h"
 
@@ -54,7 +53,7 @@ std::size_t WedgePlaces::CellOf(const Vector3& parameter) const noexcept
 }
 
 // The cells of a parameter and of those around it, as far as the next directions that are tested,
-// and a rim of cells. `width` is that of a cell, rad.
+// and a rim of cells. `width` is the distance of these directions, rad.
 void WedgePlaces::AddAround(const Vector3& parameter, double room, double width)
 {
   constexpr int Directions = 8;
@@ -114,7 +113,7 @@ void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double rad
   const double reach = crossings.size() < ParametricTouchSurface::MostCrossings
                            ? 4.0 * radius + 0.25 * surface.SmallestRadius()
                            : std::numeric_limits<double>::infinity();
-  // The crossings are places of a tessellation, between which the sheets are as near.
+  // Wider, since a tessellation knows crossings as finely as its triangles.
   const double width = 3.0 / this->Frequency;
   const IcosahedronDirections sphere(this->Frequency);
   for (const Vector3& parameter : sphere.Directions())

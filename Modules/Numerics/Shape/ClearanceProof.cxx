@@ -183,7 +183,7 @@ void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
   {
     this->PrefetchMoved(i + 2);
     const std::size_t group = this->Moved[i];
-    if (task.WorkLeft >= least + WorkOfGroup && this->BoundedAt[group] != this->Bounded &&
+    if (task.WorkLeft >= least + WorkOfGroup && !this->IsBounded(group) &&
         this->Cells.HasBounds(group))
     {
       task.WorkLeft -= WorkOfGroup;
@@ -237,11 +237,10 @@ template <typename Surface>
 void ClearanceProofOf<Surface>::Improve(const Task& task, std::size_t index, double lower,
                                         const Vector3& point, double extent) noexcept
 {
-  double& until = this->Cells.ClearUntil[index];
-  const double better = this->PathLength + (lower - task.Rounding - this->Needed);
-  if (better > until)
+  const double before = this->Cells.ClearUntil[index];
+  this->Clears(lower - task.Rounding, index);
+  if (this->Cells.ClearUntil[index] > before)
   {
-    until = better;
     this->KeepBound(index, lower, point, extent);
   }
 }
@@ -368,15 +367,11 @@ void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
 template <typename Surface>
 void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
 {
-  if (i < this->MovedCount)
+  if constexpr (MayBoundTogether)
   {
-    const std::size_t group = this->Moved[i];
-    if constexpr (MayBoundTogether)
+    if (i < this->MovedCount && this->Cells.IsExpanded[this->Moved[i]])
     {
-      if (this->Cells.IsExpanded[group])
-      {
-        PrefetchObject(this->Cells.Expanded[group]);
-      }
+      PrefetchObject(this->Cells.Expanded[this->Moved[i]]);
     }
   }
 }
@@ -449,10 +444,11 @@ ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
   {
     return Step::Open;
   }
-  if (!this->IsBounded(index))
+  const std::size_t group = index / MovedBounds::Count;
+  if (!this->IsBounded(group))
   {
     task.WorkLeft -= WorkOfGroup;
-    this->BoundGroup(task, index / MovedBounds::Count);
+    this->BoundGroup(task, group);
     return Step::Again;
   }
   return this->CutNode(task, index);
@@ -478,14 +474,15 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
   {
     return Step::Settled;
   }
-  if (MayBoundTogether && cell.IsEvaluated && !this->IsBounded(index))
+  const std::size_t group = index / MovedBounds::Count;
+  if (MayBoundTogether && cell.IsEvaluated && !this->IsBounded(group))
   {
     if (task.WorkLeft <= 0)
     {
       return Step::Open;
     }
     task.WorkLeft -= WorkOfGroup;
-    this->BoundGroup(task, index / MovedBounds::Count);
+    this->BoundGroup(task, group);
     return Step::Again;
   }
   if (!cell.IsEvaluated || !MayBoundTogether)

@@ -100,10 +100,10 @@ private:
                double extent) noexcept;
   void AddOpenOf(std::size_t group) noexcept;
   void AddGroup(std::size_t group) noexcept;
-  // Whether BoundGroup has bounded the cell's group at this place.
-  bool IsBounded(std::size_t index) const noexcept
+  // Whether BoundGroup has bounded the group at this place.
+  bool IsBounded(std::size_t group) const noexcept
   {
-    return this->BoundedAt[index / MovedBounds::Count] == this->Bounded;
+    return this->BoundedAt[group] == this->Bounded;
   }
   void SortOpen() noexcept;
   std::size_t OpenAt(std::size_t i) const noexcept { return this->Open[i] & IndexBits; }

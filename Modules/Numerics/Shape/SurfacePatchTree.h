@@ -38,7 +38,7 @@ public:
     {
       return this->PatchOf(node).LowerDistance(query);
     }
-    const Ball& sphere = this->Spheres[static_cast<std::size_t>(node)];
+    const Ball& sphere = this->BallOf(node);
     return std::max(0.0, (query - sphere.Center).norm() - sphere.Radius);
   }
   struct Ball

@@ -1,5 +1,8 @@
 #include "TangentSphere.h"
 
+#include "ParametricSample.h"
+#include "SurfaceCurvature.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,24 +35,14 @@ struct Place
 // Its curvature stands for them.
 constexpr double Beside = 1e-6;
 
-// Along the normal to the first centre of curvature, at most `largest`: where the first fundamental
-// form minus that length times the second one is singular.
+// Along the normal to the first centre of curvature, at most `largest`; 0 where the surface has no
+// tangent plane.
 double FocusWithin(double largest, const ParametricShape::SecondOrderSample& sample,
                    const Vector3& normal) noexcept
 {
-  const auto& [a, b] = sample.First;
-  const double aa = a.squaredNorm();
-  const double ab = a.dot(b);
-  const double bb = b.squaredNorm();
-  const double laa = normal.dot(sample.Second[0]);
-  const double lab = normal.dot(sample.Second[1]);
-  const double lbb = normal.dot(sample.Second[2]);
-  const double area = aa * bb - ab * ab;
-  // The mean and the larger principal curvature towards the normal, times the area.
-  const double mean = 0.5 * (aa * lbb - 2.0 * ab * lab + bb * laa);
-  const double gaussian = area * (laa * lbb - lab * lab);
-  const double curvature = mean + std::sqrt(std::max(0.0, mean * mean - gaussian));
-  return curvature * largest > area ? area / curvature : largest;
+  const auto [most, least] = CurvatureAt(sample).Principal;
+  const double towards = AreaVector(sample).dot(normal) < 0.0 ? most : -least;
+  return towards * largest <= 1.0 ? largest : towards > 0.0 ? 1.0 / towards : 0.0;
 }
 
 // The sphere of the smallest radius through the middle of a part.
