@@ -15,8 +15,8 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
 // waits.
 constexpr int MotionEvaluationsOfProof = 160;
-constexpr int MotionEvaluationsOfShortStep = 32;
-constexpr int MotionEvaluationsAhead = 16;
+constexpr int MotionEvaluationsOfShortStep = 16;
+constexpr int MotionEvaluationsAhead = 8;
 constexpr int MotionEvaluationsOfSearch = 256;
 constexpr int MotionEvaluationsOfTick = 1024;
 constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palpate
@@ -21,6 +22,12 @@ ClosestPoint SeenFrom(const Vector3& queryWorld, const Vector3& modelCenterWorld
   seen.Expansion =
       SquaredDistance(wall.SampleDirection, wall.Sample, queryWorld - modelCenterWorld);
   return seen;
+}
+
+template <typename ClosestPoint>
+bool IsNearer(const ClosestPoint& one, const ClosestPoint& other) noexcept
+{
+  return one.SignedDistance < other.SignedDistance;
 }
 
 double RoomAt(const Vector3& place, const HalfSpace& plane) noexcept
@@ -160,16 +167,11 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
 template <typename Surface>
 bool HarmonicWedgeOf<Surface>::MayProve(int proofs, int evaluationsLeft) const noexcept
 {
-  if constexpr (Surface::MayCrossItself)
-  {
-    const bool isMore =
-        this->Touched->CrossesItself() && evaluationsLeft > -WedgeLimits::MoreAtCrossings;
-    return proofs < (isMore ? WedgeLimits::ProofsAtCrossings : WedgeLimits::ProofsAtFolds);
-  }
-  else
-  {
-    return proofs < WedgeLimits::Proofs;
-  }
+  const bool isMore =
+      this->Touched->CrossesItself() && evaluationsLeft > -WedgeLimits::MoreAtCrossings;
+  return proofs < (!Surface::MayCrossItself ? WedgeLimits::Proofs
+                   : isMore                 ? WedgeLimits::ProofsAtCrossings
+                                            : WedgeLimits::ProofsAtFolds);
 }
 
 template <typename Surface>
@@ -178,6 +180,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
   // The rest of the first proof of a contact may wait, and that of a proof after another wall was
   // found: where the sphere was free is near.
   bool mayWait = !this->IsClear;
+  bool hasProven = false; // as far as it goes, in this tick
   const Vector3 start = this->Center;
   Leash leash{start, this->LongestStep};
   int left =
@@ -188,6 +191,11 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
     const bool isThere = this->Slide(goal, leash) && goal == goalWorld;
     leash.ClearWorld = this->IsClear ? leash.ClearWorld : this->Center;
+    if (hasProven && this->IsClear && isThere &&
+        (this->Center - leash.ClearWorld).norm() <= this->End)
+    {
+      return;
+    }
     if (!this->IsClearOfWalls() || this->IsFartherOff(goal, isThere, leash))
     {
       this->Shorten(leash);
@@ -207,6 +215,7 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     }
     this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
+    hasProven = Surface::MayCrossItself || answer.State == Proof::Finding::Clear;
     if (std::exchange(this->IsClear, true) && (isThere || !this->MayStep(start, left)))
     {
       return;
@@ -334,6 +343,7 @@ template <typename Surface>
 bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leash) noexcept
 {
   SlideRelaxation relaxation;
+  double before = std::numeric_limits<double>::infinity();
   bool mayRoll = true;
   for (int step = 0; step < WedgeLimits::Steps; ++step)
   {
@@ -367,7 +377,7 @@ bool HarmonicWedgeOf<Surface>::Slide(const Vector3& goalWorld, const Leash& leas
     {
       return true;
     }
-    if (moved <= this->End || this->IsBadStep(moved))
+    if (moved <= this->End || this->IsBadStep(moved, std::exchange(before, moved)))
     {
       break;
     }
@@ -387,14 +397,15 @@ bool HarmonicWedgeOf<Surface>::IsFartherOff(const Vector3& goalWorld, bool isThe
 }
 
 // Whether a step led far into a wall that curves much, or that another one took the place of: more
-// whole steps would go to and fro.
+// whole steps would go to and fro. Or whether steps hardly get shorter: more of them would not end.
 template <typename Surface>
-bool HarmonicWedgeOf<Surface>::IsBadStep(double moved) const noexcept
+bool HarmonicWedgeOf<Surface>::IsBadStep(double moved, double before) const noexcept
 {
   constexpr double Much = 0.05;
+  constexpr double Slowly = 0.5;
   const ClosestPoint* nearest = this->NearestWall();
   return Surface::MayCrossItself && nearest != nullptr &&
-         this->Radius - nearest->SignedDistance > Much * moved;
+         (moved > Slowly * before || this->Radius - nearest->SignedDistance > Much * moved);
 }
 
 // By the shortest path, from where steps towards a goal did not end: the next tick goes on there.
@@ -413,13 +424,9 @@ template <typename Surface>
 const typename HarmonicWedgeOf<Surface>::ClosestPoint*
 HarmonicWedgeOf<Surface>::NearestWall() const noexcept
 {
-  const ClosestPoint* nearest = nullptr;
-  for (std::size_t i = 0; i < this->KnownCount; ++i)
-  {
-    const ClosestPoint& wall = this->Known[i];
-    nearest = nearest == nullptr || wall.SignedDistance < nearest->SignedDistance ? &wall : nearest;
-  }
-  return nearest;
+  const ClosestPoint* end = this->Walls() + this->KnownCount;
+  const ClosestPoint* nearest = std::min_element(this->Walls(), end, IsNearer<ClosestPoint>);
+  return nearest == end ? nullptr : nearest;
 }
 
 // Along a wall's plane a fast sphere leaves a surface that curves away: moves back by the gap, the
@@ -540,13 +547,10 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
   for (std::size_t i = 0; i < count; ++i)
   {
     const bool isTouched = i == 0 && touched != nullptr;
-    ClosestPoint wall =
+    const ClosestPoint wall =
         isTouched ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
-                  : this->Touched->Search().Track(placeWorld, walls[i], WedgeLimits::Tracking);
-    if constexpr (Surface::MayCrossItself)
-    {
-      wall = isTouched ? wall : this->Sided(wall);
-    }
+                  : this->Sided(
+                        this->Touched->Search().Track(placeWorld, walls[i], WedgeLimits::Tracking));
     // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
     if (isTouched || wall.SignedDistance < this->Radius + this->Kept)
     {
@@ -574,9 +578,7 @@ void HarmonicWedgeOf<Surface>::Meet(const ClosestPoint& wall) noexcept
     this->Known[this->KnownCount++] = wall;
     return;
   }
-  *std::max_element(this->Known.begin(), end,
-                    [](const ClosestPoint& a, const ClosestPoint& b)
-                    { return a.SignedDistance < b.SignedDistance; }) = wall;
+  *std::max_element(this->Known.begin(), end, IsNearer<ClosestPoint>) = wall;
 }
 
 // Within a step of a clear place there is no part of the surface: the sphere is on the outer side
@@ -589,10 +591,7 @@ HarmonicWedgeOf<Surface>::Sided(const ClosestPoint& wall) const noexcept
   {
     return this->IsClear ? this->Touched->SeenFromOutside(wall) : wall;
   }
-  else
-  {
-    return wall;
-  }
+  return wall;
 }
 
 template class HarmonicWedgeOf<HarmonicSurface>;

@@ -140,7 +140,7 @@ private:
   Rolling Roll(const Vector3& goalWorld, const Leash& leash, const HalfSpace* planes,
                const Vector3& heldWorld) noexcept;
   bool IsFartherOff(const Vector3& goalWorld, bool isThere, const Leash& leash) const noexcept;
-  bool IsBadStep(double moved) const noexcept;
+  bool IsBadStep(double moved, double before) const noexcept;
   void PushOut() noexcept;
   void ReturnToWall(const Vector3& goalWorld) noexcept;
   void GoTo(const Vector3& placeWorld, const ClosestPoint* touched) noexcept;

@@ -28,13 +28,13 @@ struct WedgeLimits
   static constexpr int ProofsAtCrossings = 7;
   static constexpr int EvaluationsOfMove = 640;
   // Of all proofs of a tick; the rest is left to the next ones.
-  static constexpr int EvaluationsAtFolds = 16;
+  static constexpr int EvaluationsAtFolds = 10;
   static constexpr int LeastEvaluations = 8; // of each of them
   static constexpr int MoreAtCrossings = 24; // evaluations, for more than the usual proofs
-  // Evaluations where they leave much: with 16 instead of 24 a wall in some 10^5 ticks is found so
+  // Evaluations where they leave much: with 16 instead of 20 a wall in some 10^5 ticks is found so
   // late that the force is wrong. Surfaces that cross themselves, with their small spheres, need
   // more.
-  static constexpr int RestOf(bool isOfCrossing) noexcept { return isOfCrossing ? 160 : 24; }
+  static constexpr int RestOf(bool isOfCrossing) noexcept { return isOfCrossing ? 160 : 20; }
   // Of the smallest radius: how far a sphere that is behind its goal may move in a tick whose
   // EvaluationsAtFolds are used up.
   static constexpr double RelativeMove = 1.0 / 64.0;

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace palpate
 {
@@ -20,6 +19,11 @@ int FrequencyOf(const ParametricTouchSurface& surface)
   constexpr int Most = 120;
   return std::min(3 * std::max(6, surface.Model().Degree()), Most);
 }
+
+// Places between those that are tested have less room. To know a tool's room matters more than
+// whether it fits, since free motion relies on it.
+constexpr double LargerTool = 1.05;
+constexpr double LargerRoom = 1.1;
 } // namespace
 
 WedgePlaces::WedgePlaces(const ParametricTouchSurface& surface, double radius, double reach)
@@ -53,36 +57,42 @@ std::size_t WedgePlaces::CellOf(const Vector3& parameter) const noexcept
 }
 
 // The cells of a parameter and of those around it, as far as the next directions that are tested,
-// and a rim of cells. `width` is the distance of these directions, rad.
-void WedgePlaces::AddAround(const Vector3& parameter, double room, double width)
+// and a rim of cells. `free` (mm) is the radius of the largest sphere that touches only there, 0
+// without any, as next to a crossing; `width` is the distance of these directions, rad.
+void WedgePlaces::AddAround(const Vector3& parameter, double free, double width)
 {
   constexpr int Directions = 8;
   const Vector3 across = parameter.unitOrthogonal();
   const Vector3 other = parameter.cross(across);
-  const bool isNeeded = room < this->Radius || !(room > 0.0);
-  const auto add = [&](const Vector3& place, Mark mark)
+  const bool isNeeded = free < LargerTool * this->Radius || !(free > 0.0);
+  const auto room = static_cast<float>(free / LargerRoom);
+  const auto add = [&](const Vector3& place, Mark mark, bool isNear)
   {
     Cell& cell = this->Cells[this->CellOf(place)];
     cell.Need = isNeeded ? std::max(cell.Need, mark) : cell.Need;
-    cell.Room = mark == Needed ? std::min(cell.Room, static_cast<float>(room)) : cell.Room;
+    cell.Room = isNear ? std::min(cell.Room, room) : cell.Room;
   };
-  add(parameter, Needed);
-  for (const auto& [distance, mark] :
-       {std::pair(0.8, Needed), std::pair(1.6, Needed), std::pair(2.6, Rim)})
+  add(parameter, Needed, true);
+  const auto addRing = [&](double distance, Mark mark, bool isNear)
   {
     for (int n = 0; n < Directions; ++n)
     {
       const double turn = 2.0 * M_PI * n / Directions;
       const Vector3 aside = std::cos(turn) * across + std::sin(turn) * other;
-      add(parameter + std::tan(distance * width) * aside, mark);
+      add(parameter + std::tan(distance * width) * aside, mark, isNear);
     }
+  };
+  addRing(0.8, Needed, true);
+  addRing(1.6, free > 0.0 ? Rim : Needed, true);
+  if (!(free > 0.0))
+  {
+    addRing(2.6, Rim, false);
   }
 }
 
-// By spheres a tenth larger, since places between those that are tested have less room.
 void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
 {
-  constexpr double Larger = 1.1;
+  const double most = LargerRoom * this->Largest;
   const IcosahedronDirections sphere(this->Frequency);
   for (const Vector3& parameter : sphere.Directions())
   {
@@ -91,11 +101,10 @@ void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
       continue; // next to a crossing
     }
     const auto sample = surface.Model().EvaluateSecondOrder(parameter);
-    const double room =
-        LargestTangentSphere(surface.Search(), sample, NormalOf(sample), Larger * this->Largest);
-    if (room < (1.0 - 1e-9) * Larger * this->Largest)
+    const double free = LargestTangentSphere(surface.Search(), sample, NormalOf(sample), most);
+    if (free < (1.0 - 1e-9) * most)
     {
-      this->AddAround(parameter, room / Larger, 1.0 / this->Frequency);
+      this->AddAround(parameter, free, 1.0 / this->Frequency);
     }
   }
 }

@@ -64,7 +64,7 @@ private:
   };
 
   std::size_t CellOf(const Vector3& parameter) const noexcept;
-  void AddAround(const Vector3& parameter, double room, double width);
+  void AddAround(const Vector3& parameter, double free, double width);
   void AddHollows(const ParametricTouchSurface& surface);
   void AddCrossings(const ParametricTouchSurface& surface, double radius);
 

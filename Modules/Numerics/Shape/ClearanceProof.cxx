@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <functional>
 #include <limits>
 
 namespace palpate
@@ -18,7 +16,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double MinimumTolerance = 1e-9; // rad
 constexpr int EvaluationsOfDescent = 8;   // nearly always enough
 constexpr int LeastForDescent = 5;        // it usually ends before
-constexpr std::size_t SortedCells = 32;
+constexpr std::size_t FirstCells = 32;    // to which little is done without work, too
 
 template <typename Object>
 void PrefetchObject(const Object& object) noexcept
@@ -104,18 +102,6 @@ bool ClearanceProofOf<Surface>::IsNearlyFull() noexcept
   return this->Cells.Parts.FreeGroups() < Few;
 }
 
-// A cell that is not clear at a path length.
-template <typename Surface>
-[[gnu::always_inline]] inline void ClearanceProofOf<Surface>::AddOpen(std::size_t index,
-                                                                      double used) noexcept
-{
-  const double lacks = used - this->Cells.ClearUntil[index];
-  std::uint64_t bits;
-  std::memcpy(&bits, &lacks, sizeof bits);
-  this->Open[this->OpenCount] = (bits & ~IndexBits) | index;
-  this->OpenCount += lacks > 0.0 ? 1 : 0;
-}
-
 // Most of the near cells are clear by their last bounds; leaves the groups of the others.
 template <typename Surface>
 void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
@@ -172,13 +158,13 @@ void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
   }
 }
 
-// Most cells that are not clear by their last bounds only lack bounds from here. Half of the work,
-// and enough for a descent, is left for those that stay open.
+// Most cells that are not clear by their last bounds only lack bounds from here. An eighth of the
+// work, and enough for a descent, is left for those that stay open.
 template <typename Surface>
 void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
 {
-  const int least = std::max(task.WorkLeft / 2, LeastForDescent * WorkOfEvaluation + WorkOfBound);
-  this->OpenCount = 0;
+  const int least = std::max(task.WorkLeft / 8, LeastForDescent * WorkOfEvaluation + WorkOfBound);
+  this->Open.Clear();
   for (std::size_t i = 0; i < this->MovedCount; ++i)
   {
     this->PrefetchMoved(i + 2);
@@ -215,17 +201,17 @@ void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) 
   }
   if constexpr (MayBoundTogether)
   {
-    if (this->Cells.IsExpanded[group])
+    const ExpandedParts* expanded = this->Cells.ExpandedOf(group);
+    if (expanded != nullptr && this->IsUsedUp(group, used))
     {
-      const ExpandedParts& expanded = this->Cells.Expanded[group];
       alignas(sizeof(FourLanes)) FourLanes lower;
-      expanded.LowerDistance(this->Query, this->Set, lower);
+      expanded->LowerDistance(this->Query, this->Set, lower);
       for (std::size_t part = 0; part < MovedBounds::Count; ++part)
       {
         if (this->Cells.ClearUntil[first + part] < used)
         {
-          this->Improve(task, first + part, lower[part], expanded.PointOf(part),
-                        expanded.ExtentOf(part));
+          this->Improve(task, first + part, lower[part], expanded->PointOf(part),
+                        expanded->ExtentOf(part));
         }
       }
     }
@@ -250,7 +236,8 @@ void ClearanceProofOf<Surface>::AddOpenOf(std::size_t group) noexcept
 {
   for (std::size_t part = 0; part < MovedBounds::Count; ++part)
   {
-    this->AddOpen(MovedBounds::Count * group + part, this->Used());
+    const std::size_t index = MovedBounds::Count * group + part;
+    this->Open.Add(index, this->Used() - this->Cells.ClearUntil[index]);
   }
 }
 
@@ -259,26 +246,6 @@ template <typename Surface>
 int ClearanceProofOf<Surface>::WorkOfLook(int workLeft) const noexcept
 {
   return std::min(workLeft / 4, static_cast<int>((this->NearCount + 8 * this->MovedCount) / 4));
-}
-
-// The nearest first, where minima are found soonest; the many others in any order. Next to a
-// minimum in a hollow as round as the distance some are never clear, so that every other query at a
-// place begins with those that lack least.
-template <typename Surface>
-void ClearanceProofOf<Surface>::SortOpen() noexcept
-{
-  const auto sort = [&](const auto& isBefore)
-  {
-    const auto begin = this->Open.begin();
-    const auto end = begin + static_cast<std::ptrdiff_t>(this->OpenCount);
-    const auto last = begin + static_cast<std::ptrdiff_t>(std::min(SortedCells, this->OpenCount));
-    if (last != end)
-    {
-      std::nth_element(begin, last, end, isBefore);
-    }
-    std::sort(begin, last, isBefore);
-  };
-  this->IsTurned ? sort(std::less<>()) : sort(std::greater<>());
 }
 
 template <typename Surface>
@@ -318,17 +285,20 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   this->FindOpen(task.Rounding);
   task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
   this->BoundMoved(task);
-  this->SortOpen();
+  // The nearest first, where minima are found soonest. Next to a minimum in a hollow as round as
+  // the distance some are never clear, so that every other query at a place begins with those that
+  // lack least.
+  this->Open.Sort(this->IsTurned);
   const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
-  for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
+  for (std::size_t i = 0; i < this->Open.Count() && task.Result.State != Finding::Nearer; ++i)
   {
-    if (i >= SortedCells && task.WorkLeft < WorkOfEvaluation && !task.TakeRest(enoughUntil))
+    if (i >= FirstCells && task.WorkLeft < WorkOfEvaluation && !task.TakeRest(enoughUntil))
     {
       this->LeaveOpen(task, i);
       break;
     }
     this->Prefetch(i + 2);
-    this->Settle(task, this->OpenAt(i), enoughUntil);
+    this->Settle(task, this->Open[i], enoughUntil);
   }
   const int most = evaluationLimit + rest.Evaluations;
   task.Result.Evaluations = most - (task.WorkLeft + task.WorkOfRest) / WorkOfEvaluation;
@@ -358,9 +328,9 @@ void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double eno
 template <typename Surface>
 void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
 {
-  if (i < this->OpenCount && this->Cells.Nodes[this->OpenAt(i)] == None)
+  if (i < this->Open.Count() && this->Cells.Nodes[this->Open[i]] == None)
   {
-    PrefetchObject(this->Cells.Triangles[this->OpenAt(i)]);
+    PrefetchObject(this->Cells.Triangles[this->Open[i]]);
   }
 }
 
@@ -369,9 +339,11 @@ void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
 {
   if constexpr (MayBoundTogether)
   {
-    if (i < this->MovedCount && this->Cells.IsExpanded[this->Moved[i]])
+    const ExpandedParts* expanded =
+        i < this->MovedCount ? this->Cells.ExpandedOf(this->Moved[i]) : nullptr;
+    if (expanded != nullptr)
     {
-      PrefetchObject(this->Cells.Expanded[this->Moved[i]]);
+      PrefetchObject(*expanded);
     }
   }
 }
@@ -389,9 +361,9 @@ template <typename Surface>
 void ClearanceProofOf<Surface>::LeaveOpen(Task& task, std::size_t first) const noexcept
 {
   double until = Infinite;
-  for (std::size_t i = first; i < this->OpenCount; ++i)
+  for (std::size_t i = first; i < this->Open.Count(); ++i)
   {
-    const std::size_t index = this->OpenAt(i);
+    const std::size_t index = this->Open[i];
     const bool isNearer = this->Cells.ClearUntil[index] < until;
     until = isNearer && task.LowerDistance(this->Cells.CapOf(index)) != Infinite
                 ? this->Cells.ClearUntil[index]

@@ -4,6 +4,7 @@
 #include "ClosestPointSearch.h"
 #include "InstructionSet.h"
 #include "MovedBounds.h"
+#include "OpenCells.h"
 #include "ProofCells.h"
 
 #include <array>
@@ -82,7 +83,6 @@ private:
   static constexpr bool MayBoundTogether = SurfaceKind<Surface>::MayBoundTogether;
   static constexpr std::size_t Groups = ProofCells<Surface>::Groups;
   static constexpr std::size_t CellCapacity = ProofCells<Surface>::Capacity;
-  static constexpr std::uint64_t IndexBits = 0xffff;
 
   void BeginAfresh() noexcept;
   bool IsNearlyFull() noexcept;
@@ -92,7 +92,6 @@ private:
   void FindOpenPortably(double rounding) noexcept;
   void FindOpenByAvx2(double rounding) noexcept;
   int WorkOfLook(int workLeft) const noexcept;
-  void AddOpen(std::size_t index, double used) noexcept;
   void MoveBounds(double rounding) noexcept;
   void BoundMoved(Task& task) noexcept;
   void BoundGroup(const Task& task, std::size_t group) noexcept;
@@ -105,8 +104,6 @@ private:
   {
     return this->BoundedAt[group] == this->Bounded;
   }
-  void SortOpen() noexcept;
-  std::size_t OpenAt(std::size_t i) const noexcept { return this->Open[i] & IndexBits; }
   void Prefetch(std::size_t i) const noexcept;
   void PrefetchMoved(std::size_t i) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
@@ -145,14 +142,11 @@ private:
   double NearUntil = 0.0;                  // mm
   std::array<std::uint16_t, Groups> Moved; // of them, those whose clearance is used up
   std::size_t MovedCount = 0;
-  // The cells that need work at the query. Above the number of a cell are the bits of what it
-  // lacks, a positive number (mm), so that they are sorted by that.
-  std::array<std::uint64_t, CellCapacity> Open;
-  std::size_t OpenCount = 0;
-  double BoundedFor = 0.0;   // Used() where groups were bounded, mm
-  std::uint32_t Bounded = 0; // a number for that place
+  OpenCells<CellCapacity> Open; // at the query
+  double BoundedFor = 0.0;      // Used() where groups were bounded, mm
+  std::uint32_t Bounded = 0;    // a number for that place
   InstructionSet Set;
-  bool IsTurned = false; // the order of open cells
+  bool IsTurned = false; // those that lack least come first
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
 } // namespace palpate

@@ -444,12 +444,12 @@ ClosestPointDescentOf<ParametricShape>::BasinAround(const Vector3& query,
 
 template <typename Surface>
 typename ClosestPointDescentOf<Surface>::CapBounds
-ClosestPointDescentOf<Surface>::BoundsWithin(const Vector3& direction, const Sample& sample,
-                                             double reach) const noexcept
+ClosestPointDescentOf<Surface>::BoundsWithin(const DerivativeBounds& bounds,
+                                             const Vector3& direction, const Sample& sample,
+                                             double reach) noexcept
 {
   const CurveSizes sizes = CurveSizesOf(sample);
-  return {sizes.First, sizes.Second, sizes.Product,
-          this->Derivatives.ThirdWithin(direction, reach)};
+  return {sizes.First, sizes.Second, sizes.Product, bounds.ThirdWithin(direction, reach)};
 }
 
 template <>

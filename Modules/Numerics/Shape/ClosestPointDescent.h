@@ -65,8 +65,13 @@ public:
              (this->First + reach * (0.5 * this->Second + reach * (1.0 / 6.0) * this->Third));
     }
   };
+  static CapBounds BoundsWithin(const DerivativeBounds& bounds, const Vector3& direction,
+                                const Sample& sample, double reach) noexcept;
   CapBounds BoundsWithin(const Vector3& direction, const Sample& sample,
-                         double reach) const noexcept;
+                         double reach) const noexcept
+  {
+    return BoundsWithin(this->Derivatives, direction, sample, reach);
+  }
   /// Lower bound of the distance (mm) from the query to the surface over the cap of the angle
   /// `reach` (rad) around `direction`, by the expansion at its centre.
   double LowerDistance(const Vector3& query, const Vector3& direction, const Sample& sample,

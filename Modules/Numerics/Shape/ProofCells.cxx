@@ -108,6 +108,10 @@ void ProofCells<Surface>::Evaluate(std::size_t index) noexcept
   if constexpr (MayBoundTogether)
   {
     const std::size_t group = index / Count;
+    if (this->FirstNodes[group] != None)
+    {
+      return; // the tree knows these
+    }
     if (!std::exchange(this->IsExpanded[group], true))
     {
       this->Expanded[group].Forget();

@@ -52,6 +52,16 @@ struct ProofCells
   {
     return this->FirstNodes[group] != None || this->IsExpanded[group];
   }
+  /// Of finest nodes and of triangles that were evaluated; else null, as where four are never
+  /// bounded at once.
+  const ExpandedParts* ExpandedOf(std::size_t group) const noexcept
+  {
+    const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
+    const int node = this->FirstNodes[group];
+    return node == None ? this->IsExpanded[group] ? &this->Expanded[group] : nullptr
+           : !MayBoundTogether || tree.IsInner(node) ? nullptr
+                                                     : &tree.ExpandedFrom(node);
+  }
   /// The parts of a cell take its place, with its clearance: of a node that is not a finest one,
   /// and of a triangle. Returns their group; Groups without memory.
   std::size_t CutNode(std::size_t index) noexcept;
@@ -73,7 +83,7 @@ struct ProofCells
   std::array<int, Groups> FirstNodes; // None for groups of triangles
   std::array<int, Capacity> Nodes;    // None for triangles
   std::array<Triangle, Capacity> Triangles;
-  // Of those that were evaluated, where four are bounded at once.
+  // Of triangles in no finest node's group that were evaluated, where four are bounded at once.
   std::array<ExpandedParts, MayBoundTogether ? Groups : 0> Expanded;
   std::array<bool, Groups> IsExpanded;
   QuarteredCells<Groups> Parts;

@@ -22,7 +22,7 @@ double DeepestMissed(const ParametricTouchSurface& surface, double radius)
   for (int i = 0; i < 5000; ++i)
   {
     const auto place = surface.PlaceAt(test::RandomDirection(random));
-    if (!places.IsBeside(place.Direction))
+    if (!places.Contains(place.Direction))
     {
       const Vector3 center = place.PointWorld + radius * place.Normal;
       const double room = surface.Search().Nearest(center).SignedDistance - radius;
