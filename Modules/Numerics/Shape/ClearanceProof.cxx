@@ -179,8 +179,8 @@ void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
   }
 }
 
-// Bounds at the query of the group's cells that lack them, by their nodes and the parts that were
-// evaluated; also of cells in a basin, since to find that out takes as long.
+// Bounds at the query of the group's cells that lack them, by their nodes and expansions; also of
+// cells in a basin, since to find that out takes as long.
 template <typename Surface>
 void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) noexcept
 {

@@ -36,7 +36,7 @@ struct SurfaceKind<SphericalHarmonicModel>
   static constexpr int WorkOfEvaluation = 16;
   static constexpr int WorkOfBound = 4;
   static constexpr int WorkOfGroup = 2;
-  /// Whether ExpandedParts can bound four evaluated parts at once.
+  /// Whether ExpandedParts bounds four parts at once; the tree keeps those of its finest nodes.
   static constexpr bool MayBoundTogether = false;
 };
 

@@ -75,7 +75,7 @@ TEST(WedgePlaces, AConvexOrganNeedsNone)
 TEST(WedgePlaces, FewPlacesWithRoomNeedTheWedge)
 {
   constexpr double Radius = 4.0; // mm
-  constexpr double Larger = 1.5;
+  constexpr double Larger = 1.25;
   constexpr int Trials = 5000;
   Random random(1);
   std::shared_ptr<const ParametricTouchSurface> surface;
@@ -93,8 +93,8 @@ TEST(WedgePlaces, FewPlacesWithRoomNeedTheWedge)
     needed += isNeeded ? 1 : 0;
     more += isNeeded && hasRoom ? 1 : 0;
   }
-  EXPECT_GT(needed, Trials / 10);
-  EXPECT_LT(more, Trials / 20);
+  EXPECT_GT(needed, Trials / 20);
+  EXPECT_LT(more, Trials / 50) << more;
 }
 
 TEST(WedgePlaces, TrackersShareThemUntilTheToolChanges)
