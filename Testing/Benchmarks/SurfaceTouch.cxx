@@ -2,6 +2,7 @@
 
 #include "ParametricContactModel.h"
 #include "ParametricPath.h"
+#include "WanderingDirection.h"
 #include "WanderingHand.h"
 
 #include <algorithm>
@@ -97,15 +98,13 @@ std::vector<Vector3> StrokeOver(const ParametricSphericalSurface& surface, doubl
 {
   test::Random random(9203);
   std::uniform_real_distribution<double> step(0.02, 0.1); // mm
-  Vector3 parameter = test::RandomDirection(random);
-  Vector3 axis = test::RandomDirection(random);
-  Vector3 last = surface.Point(parameter);
+  test::WanderingDirection wandering(random);
+  Vector3 last = surface.Point(wandering.Current());
   double angle = 0.002; // about a step
   std::vector<Vector3> path;
   for (long tick = 0; tick < ticks; ++tick)
   {
-    axis = (axis + 0.05 * test::RandomDirection(random)).normalized();
-    parameter = (Eigen::AngleAxisd(angle, axis) * parameter).normalized();
+    const Vector3& parameter = wandering.Next(angle);
     const Vector3 point = surface.Point(parameter);
     const double moved = (point - last).norm();
     angle = std::clamp(angle * step(random) / std::max(moved, 1e-6), 0.25 * angle, 4.0 * angle);

@@ -199,21 +199,19 @@ void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) 
                     ball.Radius);
     }
   }
-  if constexpr (MayBoundTogether)
+  const ExpandedParts* expanded = this->Cells.ExpandedOf(group);
+  if (expanded == nullptr || !this->IsUsedUp(group, used))
   {
-    const ExpandedParts* expanded = this->Cells.ExpandedOf(group);
-    if (expanded != nullptr && this->IsUsedUp(group, used))
+    return;
+  }
+  alignas(sizeof(FourLanes)) FourLanes lower;
+  expanded->LowerDistance(this->Query, this->Set, lower);
+  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
+  {
+    if (this->Cells.ClearUntil[first + part] < used)
     {
-      alignas(sizeof(FourLanes)) FourLanes lower;
-      expanded->LowerDistance(this->Query, this->Set, lower);
-      for (std::size_t part = 0; part < MovedBounds::Count; ++part)
-      {
-        if (this->Cells.ClearUntil[first + part] < used)
-        {
-          this->Improve(task, first + part, lower[part], expanded->PointOf(part),
-                        expanded->ExtentOf(part));
-        }
-      }
+      this->Improve(task, first + part, lower[part], expanded->PointOf(part),
+                    expanded->ExtentOf(part));
     }
   }
 }
@@ -337,14 +335,11 @@ void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
 template <typename Surface>
 void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
 {
-  if constexpr (MayBoundTogether)
+  const ExpandedParts* expanded =
+      i < this->MovedCount ? this->Cells.ExpandedOf(this->Moved[i]) : nullptr;
+  if (expanded != nullptr)
   {
-    const ExpandedParts* expanded =
-        i < this->MovedCount ? this->Cells.ExpandedOf(this->Moved[i]) : nullptr;
-    if (expanded != nullptr)
-    {
-      PrefetchObject(*expanded);
-    }
+    PrefetchObject(*expanded);
   }
 }
 

@@ -110,7 +110,7 @@ void ProofCells<Surface>::Evaluate(std::size_t index) noexcept
     const std::size_t group = index / Count;
     if (this->FirstNodes[group] != None)
     {
-      return; // the tree knows these
+      return; // the tree keeps its expansions
     }
     if (!std::exchange(this->IsExpanded[group], true))
     {

@@ -58,9 +58,11 @@ struct ProofCells
   {
     const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
     const int node = this->FirstNodes[group];
-    return node == None ? this->IsExpanded[group] ? &this->Expanded[group] : nullptr
-           : !MayBoundTogether || tree.IsInner(node) ? nullptr
-                                                     : &tree.ExpandedFrom(node);
+    if (!MayBoundTogether || (node == None ? !this->IsExpanded[group] : tree.IsInner(node)))
+    {
+      return nullptr;
+    }
+    return node == None ? &this->Expanded[group] : &tree.ExpandedFrom(node);
   }
   /// The parts of a cell take its place, with its clearance: of a node that is not a finest one,
   /// and of a triangle. Returns their group; Groups without memory.

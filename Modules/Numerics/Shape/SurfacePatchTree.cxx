@@ -98,14 +98,15 @@ SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bo
   this->Lowest = std::min(this->Lowest, range.Lowest);
   this->Highest = std::max(this->Highest, range.Highest);
 
-  const Patch patch(direction, sample, reach, bounds.ThirdWithin(direction, reach));
+  const auto within =
+      ClosestPointDescentOf<Surface>::BoundsWithin(bounds, direction, sample, reach);
+  const Patch patch(direction, sample, reach, within.Third);
   const auto finest = static_cast<std::size_t>(node - this->InnerCount());
   this->Patches[finest] = patch;
   if constexpr (SurfaceKind<Surface>::MayBoundTogether)
   {
-    this->Expanded[finest / ExpandedParts::Count].Set(
-        finest % ExpandedParts::Count, sample, reach,
-        ClosestPointDescentOf<Surface>::BoundsWithin(bounds, direction, sample, reach));
+    this->Expanded[finest / ExpandedParts::Count].Set(finest % ExpandedParts::Count, sample, reach,
+                                                      within);
   }
   return this->Spheres[static_cast<std::size_t>(node)] = {patch.Center(), patch.Extent()};
 }

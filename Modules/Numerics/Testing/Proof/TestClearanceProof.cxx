@@ -2,6 +2,7 @@
 
 #include "NearestByBruteForce.h"
 #include "RandomShapes.h"
+#include "WanderingDirection.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -21,23 +22,16 @@ constexpr int ProvingEvaluations = 20000;
 class Glide
 {
 public:
-  Glide(const SphericalHarmonicModel& model, Random& random)
-      : Model(model), Source(random), Place(test::RandomDirection(random)),
-        Axis(test::RandomDirection(random))
-  {
-  }
+  Glide(const SphericalHarmonicModel& model, Random& random) : Model(model), Direction(random) {}
   Vector3 Next(double height)
   {
-    this->Axis = (this->Axis + 0.05 * test::RandomDirection(this->Source)).normalized();
-    this->Place = (Eigen::AngleAxisd(0.004, this->Axis) * this->Place).normalized();
-    return this->Model.PointWorld(this->Place) + height * this->Model.Normal(this->Place);
+    const Vector3& u = this->Direction.Next(0.004);
+    return this->Model.PointWorld(u) + height * this->Model.Normal(u);
   }
 
 private:
   const SphericalHarmonicModel& Model;
-  Random& Source;
-  Vector3 Place;
-  Vector3 Axis;
+  test::WanderingDirection Direction;
 };
 
 class ClearanceProofOfDegree : public testing::TestWithParam<int>

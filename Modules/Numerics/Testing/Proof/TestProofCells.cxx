@@ -118,10 +118,10 @@ TEST_F(ProofCellsOfATube, WithoutMemoryNothingIsCut)
 {
   std::size_t cuts = 0;
   std::size_t index = 0;
-  while (index<Cells::Capacity&& this->Cut->Parts.FreeGroups()> 0)
+  for (; index != Cells::Capacity && this->Cut->Parts.FreeGroups() != 0; ++index)
   {
     cuts += this->Searched.Tree().IsInner(this->Cut->Nodes[index]) ? 1 : 0;
-    this->Cut->CutNode(index++);
+    this->Cut->CutNode(index);
   }
   ASSERT_EQ(cuts, index) << "inner nodes only";
   const double before = this->Cut->ClearUntil[index];

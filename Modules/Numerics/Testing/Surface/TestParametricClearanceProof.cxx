@@ -2,6 +2,7 @@
 
 #include "ParametricPhantoms.h"
 #include "ParametricShape.h"
+#include "WanderingDirection.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -32,22 +33,18 @@ class Stroke
 {
 public:
   Stroke(const ParametricSphericalSurface& surface, Random& random)
-      : Surface(surface), Source(random), Parameter(test::RandomDirection(random)),
-        Axis(test::RandomDirection(random))
+      : Surface(surface), Parameter(random)
   {
   }
   Vector3 Next(double height)
   {
-    this->Axis = (this->Axis + 0.05 * test::RandomDirection(this->Source)).normalized();
-    this->Parameter = (Eigen::AngleAxisd(0.004, this->Axis) * this->Parameter).normalized();
-    return this->Surface.Point(this->Parameter) + height * this->Surface.Normal(this->Parameter);
+    const Vector3& u = this->Parameter.Next(0.004);
+    return this->Surface.Point(u) + height * this->Surface.Normal(u);
   }
 
 private:
   const ParametricSphericalSurface& Surface;
-  Random& Source;
-  Vector3 Parameter;
-  Vector3 Axis;
+  test::WanderingDirection Parameter;
 };
 
 // What a limited proof leaves open does not count as clear.
