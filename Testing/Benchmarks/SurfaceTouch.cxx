@@ -115,13 +115,6 @@ std::vector<Vector3> StrokeOver(const ParametricSphericalSurface& surface, doubl
   }
   return path;
 }
-
-double PartOf(std::vector<float>& times, double part)
-{
-  const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1));
-  std::nth_element(times.begin(), times.begin() + at, times.end());
-  return times[static_cast<std::size_t>(at)];
-}
 } // namespace
 
 TouchedPaths TouchPaths(const ParametricSphericalSurface& surface, double toolRadius, long paths)
@@ -173,7 +166,8 @@ TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolR
   return result;
 }
 
-TickTimes TimeTouch(const ParametricSphericalSurface& surface, double toolRadius, long ticks)
+std::vector<float> TimeTouch(const ParametricSphericalSurface& surface, double toolRadius,
+                             long ticks)
 {
   constexpr int Runs = 5;
   const std::vector<Vector3> path = StrokeOver(surface, toolRadius, ticks);
@@ -190,6 +184,6 @@ TickTimes TimeTouch(const ParametricSphericalSurface& surface, double toolRadius
       times[tick] = std::min(times[tick], time);
     }
   }
-  return {PartOf(times, 0.5), PartOf(times, 0.99), PartOf(times, 0.999), PartOf(times, 1.0)};
+  return times;
 }
 } // namespace palpate::bench

@@ -3,6 +3,8 @@
 #include "ParametricSphericalSurface.h"
 #include "SurfaceTouchTruth.h"
 
+#include <vector>
+
 namespace palpate::bench
 {
 /// Short random paths of a sphere (radius in mm; 0 is a point) over a surface, each tick next to a
@@ -28,14 +30,8 @@ struct TouchedTicks
 };
 TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolRadius, long ticks);
 
-/// Times of a tick (us), each the shortest of five runs of the same path: 0.02 to 0.1 mm a tick
-/// over the surface, from 0.75 mm above to 2.25 mm below it.
-struct TickTimes
-{
-  double Median = 0.0;
-  double Slow = 0.0; ///< 99 %
-  double Rare = 0.0; ///< 99.9 %
-  double Longest = 0.0;
-};
-TickTimes TimeTouch(const ParametricSphericalSurface& surface, double toolRadius, long ticks);
+/// Times of ticks (us), each the shortest of five runs of the same path: 0.02 to 0.1 mm a tick over
+/// the surface, from 0.75 mm above to 2.25 mm below it.
+std::vector<float> TimeTouch(const ParametricSphericalSurface& surface, double toolRadius,
+                             long ticks);
 } // namespace palpate::bench

@@ -1,6 +1,7 @@
 // PalpateSurfaceTouch PATHS TICKS TIMED [MODEL.json ...]: touches surface models and, without any,
-// phantoms of degree 16 by a point and spheres of 1 and 4 mm; prints a table of short paths next to
-// searches of the whole surface, one of a random hand, and one of times, scaled by GSL.
+// phantoms of degree 16 by a point and spheres of 1, 2 and 4 mm; prints a table of short paths next
+// to searches of the whole surface, one of a random hand, and one of times, scaled by GSL, of each
+// model and of the ticks of all.
 #include "GslHarmonics.h"
 #include "ModelFile.h"
 #include "ParametricPhantoms.h"
@@ -13,6 +14,8 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -91,16 +94,51 @@ double TimeGsl()
   return std::isfinite(sum) ? shortest : 0.0;
 }
 
-void PrintTimes(const Named& model, double radius, long ticks)
+double PartOf(std::vector<float>& times, double part)
 {
-  constexpr double Reference = 0.541; // us, of GSL's gradient on the machine of the aims
-  const TickTimes times = TimeTouch(model.second, radius, ticks);
-  const double scale = Reference / TimeGsl();
-  std::printf("times | %s | %g | %.3f | %.2f | %.2f | %.1f | %.1f\n", model.first.c_str(), radius,
-              1e3 * Reference / scale, scale * times.Median, scale * times.Slow, scale * times.Rare,
-              scale * times.Longest);
+  const auto at = static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1));
+  std::nth_element(times.begin(), times.begin() + at, times.end());
+  return times[static_cast<std::size_t>(at)];
+}
+
+void PrintTimes(const std::string& name, double radius, double gsl, std::vector<float> times)
+{
+  std::printf("times | %s | %g | %.3f | %.2f | %.2f | %.1f | %.1f\n", name.c_str(), radius,
+              1e3 * gsl, PartOf(times, 0.5), PartOf(times, 0.99), PartOf(times, 0.999),
+              PartOf(times, 1.0));
   std::fflush(stdout);
 }
+
+/// Times by tools, of single surfaces and of all ticks together.
+class TouchTimes
+{
+public:
+  void Measure(const Named& model, double radius, long ticks)
+  {
+    constexpr double Reference = 0.541; // us, of GSL's gradient on the machine of the aims
+    std::vector<float> times = TimeTouch(model.second, radius, ticks);
+    const double gsl = TimeGsl();
+    for (float& time : times)
+    {
+      time *= static_cast<float>(Reference / gsl);
+    }
+    PrintTimes(model.first, radius, gsl, times);
+    std::vector<float>& all = this->All[radius];
+    all.insert(all.end(), times.begin(), times.end());
+    this->Gsl = std::min(this->Gsl, gsl);
+  }
+  void PrintAll() const
+  {
+    for (const auto& [radius, times] : this->All)
+    {
+      PrintTimes("all", radius, this->Gsl, times);
+    }
+  }
+
+private:
+  std::map<double, std::vector<float>> All;
+  double Gsl = std::numeric_limits<double>::infinity(); // us, the shortest
+};
 } // namespace
 } // namespace palpate::bench
 
@@ -124,9 +162,10 @@ int main(int argc, char** argv)
     std::puts("hand | surface | radius mm | ticks | touching | not finite | could move | longest, "
               "ticks | jumps > 1 N");
     std::puts("times | surface | radius mm | GSL ns | median us | 99 % | 99.9 % | longest");
+    TouchTimes times;
     for (const auto& model : argc > 4 ? ModelsOf(argc - 4, argv + 4) : Phantoms())
     {
-      for (const double radius : {0.0, 1.0, 4.0})
+      for (const double radius : {0.0, 1.0, 2.0, 4.0})
       {
         if (paths > 0)
         {
@@ -138,10 +177,11 @@ int main(int argc, char** argv)
         }
         if (timed > 0)
         {
-          PrintTimes(model, radius, timed);
+          times.Measure(model, radius, timed);
         }
       }
     }
+    times.PrintAll();
     return 0;
   }
   catch (const std::exception& error)
