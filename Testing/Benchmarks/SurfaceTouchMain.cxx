@@ -40,6 +40,7 @@ std::vector<Named> Phantoms()
 std::vector<Named> ModelsOf(int count, char** names)
 {
   std::vector<Named> models;
+  models.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
   {
     models.emplace_back(names[i],

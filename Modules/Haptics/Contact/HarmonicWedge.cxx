@@ -252,7 +252,7 @@ HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft, bool mayWait) noexcept
         this->Around.DistanceAt(this->Center) >= WedgeLimits::LeastProven * this->Radius;
     const int rest = mayWait && isKnown ? 0 : WedgeLimits::RestOf(this->Touched->CrossesItself());
     const int most = std::max(WedgeLimits::LeastEvaluations, evaluationsLeft);
-    const typename Proof::Answer answer = ask(most, {enough, rest});
+    typename Proof::Answer answer = ask(most, {enough, rest});
     evaluationsLeft -= std::min(most, answer.Evaluations);
     this->IsOpen = answer.State == Proof::Finding::Nearer || answer.LowerDistance < enough;
     return answer;
