@@ -43,8 +43,10 @@ void EvaluateCommand::DeclareOptions(CLI::App& app)
   app.add_option("MODEL", this->Model, "Model: " + ListOfEndings(ReadableModelEndings()))
       ->required()
       ->check(FileType::Input("file"));
-  app.add_option("--direction", this->DirectionWords,
-                 "Evaluate along this direction from the centre (LPS); may be repeated")
+  app.add_option(
+         "--direction", this->DirectionWords,
+         "Evaluate along this direction from the centre (LPS), of a parametric surface at this "
+         "parameter; may be repeated")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   app.add_option("--frequency", this->Frequency,
@@ -52,7 +54,7 @@ void EvaluateCommand::DeclareOptions(CLI::App& app)
       ->type_name("F")
       ->check(CLI::Range(1, 200));
   app.add_option("--point", this->PointWords,
-                 "Report whether this point (mm, LPS) is inside; may be repeated")
+                 "Report whether this point (mm, LPS) is inside, and its distance; may be repeated")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   app.add_flag("--json", this->Json, "Print one JSON object");

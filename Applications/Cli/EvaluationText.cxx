@@ -43,11 +43,13 @@ std::string DirectionTable(const ModelEvaluation& evaluation)
 std::string PointTable(const ModelEvaluation& evaluation)
 {
   TextTable table;
-  table.AddRow({"point mm", "where", "radial distance mm", "radius mm"});
+  table.AddRow({"point mm", "where", evaluation.StarShaped ? "radial distance mm" : "distance mm",
+                evaluation.StarShaped ? "radius mm" : ""});
   for (const ModelEvaluation::PointSample& sample : evaluation.Points)
   {
     table.AddRow({Short(sample.PointWorld), sample.Inside ? "inside" : "outside",
-                  FixedText(sample.RadialDistance, Decimals), FixedText(sample.Radius, Decimals)});
+                  FixedText(sample.Distance, Decimals),
+                  sample.Radius ? FixedText(*sample.Radius, Decimals) : ""});
   }
   return "\n" + table.Text();
 }
@@ -117,10 +119,13 @@ std::string EvaluationAsJson(const ModelEvaluation& evaluation)
   }
   for (const ModelEvaluation::PointSample& sample : evaluation.Points)
   {
-    result["points"].push_back({{"point_mm", AsJson(sample.PointWorld)},
-                                {"inside", sample.Inside},
-                                {"radial_distance_mm", sample.RadialDistance},
-                                {"radius_mm", sample.Radius}});
+    Json entry{{"point_mm", AsJson(sample.PointWorld)}, {"inside", sample.Inside}};
+    entry[sample.Radius ? "radial_distance_mm" : "distance_mm"] = sample.Distance;
+    if (sample.Radius)
+    {
+      entry["radius_mm"] = *sample.Radius;
+    }
+    result["points"].push_back(std::move(entry));
   }
   return result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -68,7 +68,7 @@ void MeshCommand::DeclareOptions(CLI::App& app)
   app.add_option("MASK", this->Inputs, "Segmentations: label maps, .seg.nrrd, DICOM-SEG")
       ->required()
       ->check(FileType::Input("label"));
-  this->Images.DeclareAxes(app);
+  this->Images.Declare(app, "folder");
   this->Options.DeclareLabels(app);
   this->Options.DeclareSurface(app);
   app.add_option("--output", this->Output,
@@ -109,7 +109,7 @@ int MeshCommand::Run(Console& console)
 
 Segmentation MeshCommand::Read(const std::filesystem::path& input, StructureChoice& choice) const
 {
-  Segmentation segmentation = ReadSegmentation(input, this->Images.LeftHanded());
+  Segmentation segmentation = ReadSegmentation(input, this->Images.Choice());
   choice = ChooseStructures(segmentation, this->Options.Labels());
   if (this->OutputIsFile() && choice.Found.size() > 1)
   {

@@ -1,9 +1,11 @@
 #include "ModelEvaluation.h"
 
 #include "InputError.h"
+#include "ParametricTouchSurface.h"
 #include "SphericalHarmonicMeasures.h"
 
 #include <cmath>
+#include <memory>
 
 namespace palpate::cli
 {
@@ -38,14 +40,26 @@ void Evaluate(const SphericalHarmonicModel& model, const std::vector<Vector3>& d
   }
 }
 
+void SamplePoints(const ParametricSphericalSurface& surface,
+                  const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
+{
+  std::shared_ptr<const ParametricTouchSurface> touch;
+  if (const Status status = ParametricTouchSurface::Make(surface, touch); !status.IsOk())
+  {
+    throw InputError(result.File + ": " + status.Message());
+  }
+  for (const Vector3& point : pointsWorld)
+  {
+    const ParametricTouchSurface::ClosestPoint nearest = touch->Search().Nearest(point);
+    const double distance = std::abs(nearest.SignedDistance);
+    const bool isInside = !touch->IsOutside(point, nearest);
+    result.Points.push_back({point, isInside, isInside ? -distance : distance, std::nullopt});
+  }
+}
+
 void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vector3>& directions,
               const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
 {
-  if (!pointsWorld.empty())
-  {
-    throw InputError(result.File + " is a parametric surface, without a centre to tell inside from "
-                                   "outside; use a star-shaped model for --point.");
-  }
   const double volume = surface.Volume();
   result.InsideOut = volume < 0.0;
   result.Volume = std::abs(volume);
@@ -56,6 +70,10 @@ void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vecto
   {
     result.Directions.push_back(
         {u, std::nullopt, std::nullopt, surface.Point(u), side * surface.Normal(u)});
+  }
+  if (!pointsWorld.empty())
+  {
+    SamplePoints(surface, pointsWorld, result);
   }
 }
 } // namespace

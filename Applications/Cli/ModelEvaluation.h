@@ -22,10 +22,11 @@ struct ModelEvaluation
   };
   struct PointSample
   {
-    Vector3 PointWorld;    ///< mm
-    bool Inside;           ///< on the surface counts as inside
-    double RadialDistance; ///< mm from the surface along the ray from the centre; negative inside
-    double Radius;         ///< mm, of the surface along that ray
+    Vector3 PointWorld; ///< mm
+    bool Inside;        ///< on the surface counts as inside
+    double Distance;    ///< mm from the surface, negative inside; of a star-shaped model along
+                        ///< the ray from the centre, else to the nearest point
+    std::optional<double> Radius; ///< mm, of a star-shaped model along that ray
   };
 
   std::string File;
@@ -41,7 +42,8 @@ struct ModelEvaluation
 };
 
 /// Evaluates a model along unit directions and at points (mm, patient LPS); a point at the centre
-/// is evaluated along +z. Throws InputError for points in a parametric surface.
+/// is evaluated along +z. Of a parametric surface, a point is inside where the winding number is
+/// not 0. Throws InputError for points at a surface that encloses nothing.
 ModelEvaluation EvaluateModel(const std::string& file, const SurfaceModel& surface,
                               const std::vector<Vector3>& directions,
                               const std::vector<Vector3>& pointsWorld);

@@ -24,8 +24,12 @@ std::string AnyOf(const std::vector<std::string>& choices)
 
 std::vector<std::string> Choices(const FitSettings& settings, const HintWords& words)
 {
-  std::vector<std::string> choices{settings.Tolerance ? words.MaximumDegree : words.Degree,
-                                   words.Frequency};
+  std::vector<std::string> choices{settings.Tolerance ? words.MaximumDegree : words.Degree};
+  if (settings.Model == FitSettings::ModelKind::Surface)
+  {
+    return choices;
+  }
+  choices.emplace_back(words.Frequency);
   if (!UsesMostVisible(settings))
   {
     choices.emplace_back(words.VisibleCenter);
@@ -57,6 +61,11 @@ std::string HintForMisfit(const FitSettings& settings, const HintWords& words)
 {
   return "try " + AnyOf(Choices(settings, words)) + ", or lower " + words.MinimumDice +
          " to see it";
+}
+
+std::string HintForDegree(const FitSettings& settings, const HintWords& words)
+{
+  return "try " + AnyOf(Choices(settings, words));
 }
 
 std::string HintForImplausible(const FitSettings& settings, const HintWords& words)

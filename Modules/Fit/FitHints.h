@@ -37,6 +37,8 @@ using Hint = std::string(const FitSettings& settings, const HintWords& words);
 PALPATEFIT_EXPORT Hint HintForHidden;
 /// If a model overlaps the mask too little.
 PALPATEFIT_EXPORT Hint HintForMisfit;
+/// If a model crosses itself or misses a tolerance.
+PALPATEFIT_EXPORT Hint HintForDegree;
 /// If a repair of the topology would change too much.
 PALPATEFIT_EXPORT Hint HintForRepair;
 /// If a surface from a file cannot be mended.

@@ -16,7 +16,7 @@ struct FitSettings
   {
     Radial,   ///< a radius in each direction from a centre; star-shaped structures only
     Surface,  ///< three coordinates over the parameter sphere; any closed structure
-    Automatic ///< radial where star-shaped (see MaximumHiddenPercent), else surface
+    Automatic ///< radial where star-shaped (see MaximumHiddenPercent) and good enough, else surface
   };
   enum class SurfaceMethod
   {
@@ -45,6 +45,7 @@ struct FitSettings
   SurfaceMethod Method = SurfaceMethod::ShapeInterpolation;
   double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
   int Component = 1;      ///< connected component, by descending size, from 1; 0 for all
+  bool IsAlone = false;   ///< component 1: a surface model takes in no parts near it, either
 
   int Frequency = 20; ///< of the icosahedron: 10 f^2 + 2 directions; see also DrawnFrequency
   CenterChoice Center = CenterChoice::Centroid;
@@ -58,10 +59,17 @@ struct FitSettings
   double Roughness = 0.0; ///< with Penalty::Given
   bool IsRobust = false;  ///< samples with large residuals count less (HuberWeights)
 
+  /// Whether one component is all that is to be modelled, so that others are not missed.
+  bool WantsOneComponent() const
+  {
+    return this->Component > 1 || (this->Component == 1 && this->IsAlone);
+  }
+
   bool Repairs = false; ///< surface models also where the structure's topology has to be changed
                         ///< beyond the limits of CheckTopology
 
-  double MaximumHiddenPercent = 10.0; ///< radial models of more hidden surface are refused
+  double MaximumHiddenPercent = 10.0; ///< radial models of more hidden surface are refused;
+                                      ///< at 100 Automatic is radial, whatever that loses
   double MinimumDice = 0.75;          ///< a model that overlaps the mask less than this is refused
 };
 
@@ -69,8 +77,8 @@ inline bool operator==(const FitSettings& a, const FitSettings& b)
 {
   const auto fields = [](const FitSettings& s)
   {
-    return std::tie(s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.Frequency, s.Center,
-                    s.GivenCenterWorld, s.Degree, s.Tolerance, s.MaximumDegree, s.Weight,
+    return std::tie(s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.IsAlone, s.Frequency,
+                    s.Center, s.GivenCenterWorld, s.Degree, s.Tolerance, s.MaximumDegree, s.Weight,
                     s.PenaltyKind, s.Roughness, s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
   };
   return fields(a) == fields(b);

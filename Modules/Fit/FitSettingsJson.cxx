@@ -20,6 +20,7 @@ void ExchangeFitSettings(JsonFields& fields, FitSettings& fit)
   fields.Exchange("method", fit.Method, MethodWords);
   fields.Exchange("smoothing_voxels", fit.Smoothing, 0.0, 10.0);
   fields.Exchange("component", fit.Component, 0, 1'000'000'000);
+  fields.Exchange("only_component", fit.IsAlone);
   fields.Exchange("frequency", fit.Frequency, 1, 200);
   fields.Exchange("center", fit.Center, CenterWords);
   fields.Exchange("center_mm", fit.GivenCenterWorld, -LargestPlace, LargestPlace);

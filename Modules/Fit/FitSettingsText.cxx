@@ -63,6 +63,13 @@ std::string PenaltyText(const FitSettings& settings)
     return "none";
   }
 }
+
+std::string ComponentText(const FitSettings& settings)
+{
+  return settings.Component == 0        ? "all"
+         : settings.WantsOneComponent() ? std::to_string(settings.Component)
+                                        : "largest";
+}
 } // namespace
 
 std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSettings& settings)
@@ -72,7 +79,7 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSetti
       {"method",
        settings.Method == FitSettings::SurfaceMethod::ShapeInterpolation ? "shape" : "plain"},
       {"smoothing", Text(settings.Smoothing)},
-      {"component", settings.Component == 0 ? "all" : std::to_string(settings.Component)},
+      {"component", ComponentText(settings)},
       {"frequency", std::to_string(settings.Frequency)},
       {"center", CenterText(settings)},
       {"degree", settings.Tolerance ? "auto" : std::to_string(settings.Degree)}};

@@ -12,6 +12,7 @@
 #include "ModelTable.h"
 #include "SphericalHarmonicMeasures.h"
 #include "StageClock.h"
+#include "StructureRemarks.h"
 #include "SurfaceFileFit.h"
 #include "SurfaceFit.h"
 #include "Units.h"
@@ -28,8 +29,8 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
-#include <numeric>
 #include <utility>
 
 namespace palpate
@@ -76,8 +77,13 @@ void Refuse(const std::string& reason, Hint& hint, FitResult& result)
 {
   result.State = FitResult::Outcome::Refused;
   result.Message = reason;
-  result.OptionHint = hint(result.Settings, OptionWords);
-  result.WindowHint = hint(result.Settings, WindowWords);
+  FitSettings settings = result.Settings;
+  if (result.Details.Mapped != nullptr)
+  {
+    settings.Model = FitSettings::ModelKind::Surface;
+  }
+  result.OptionHint = hint(settings, OptionWords);
+  result.WindowHint = hint(settings, WindowWords);
 }
 
 void Configure(vtkSegmentationSurface* surface, vtkImageData* layer, int value,
@@ -128,38 +134,6 @@ void TakeSurface(vtkSegmentationSurface* surface, FitResult& result)
                                           CubicMillimetersPerMilliliter);
   }
   result.Surface = surface->GetOutput();
-}
-
-std::string Counted(long count, const char* one, const char* several)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : several);
-}
-
-// That other components were left out.
-void RemarkOnComponents(FitResult& result)
-{
-  if (result.ComponentMilliliters.size() > 1 && result.Settings.Component > 0)
-  {
-    result.Notes.push_back("the label has " + std::to_string(result.ComponentMilliliters.size()) +
-                           " connected components; number " +
-                           std::to_string(result.Settings.Component) + " (" +
-                           FixedText(result.MaskMilliliters, 2) + " ml) was used");
-  }
-}
-
-// Adds remarks on the structure for the reader of the result.
-void RemarkOnStructure(FitResult& result)
-{
-  if (result.TouchesBorder)
-  {
-    result.Notes.push_back("the structure touches the border of its volume and is closed there; "
-                           "the true surface may continue");
-  }
-  if (result.CavityCount > 0)
-  {
-    result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
-                           FixedText(result.CavityMilliliters, 3) + " ml in total filled");
-  }
 }
 
 void TakeVerdict(vtkRadialSampler* sampler, FitResult& result)
@@ -298,13 +272,13 @@ bool IsMappedWithItsParts(FitSamples& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
   const std::vector<double>& parts = result.ComponentMilliliters;
-  if (result.Settings.Component != 1 || parts.size() < 2)
+  if (result.Settings.Component != 1 || result.Settings.IsAlone || parts.size() < 2)
   {
     return false;
   }
   FitResult whole = result;
   const bool isMapped = IsMapped(whole, 0, progress);
-  const double all = std::accumulate(parts.begin(), parts.end(), 0.0);
+  const double all = AllParts(result);
   const double bestDice = 2.0 * parts.front() / (parts.front() + all);
   if (!isMapped && bestDice >= result.Settings.MinimumDice)
   {
@@ -341,12 +315,37 @@ void RunMap(FitSamples& made, const ProgressFunction& progress)
   clock.EndStage("map");
 }
 
+// Of a structure in parts, a radial model describes the largest; a surface model takes in those
+// that are near it. Returns whether it does, or whether they are the reason of a refusal.
+bool IsMappedForItsParts(FitSamples& made, const ProgressFunction& progress)
+{
+  FitResult& result = made.Found;
+  const double left = AllParts(result) - result.MaskMilliliters;
+  if (result.Settings.Model != FitSettings::ModelKind::Automatic ||
+      !(100.0 * left > TopologyLimits().ChangedPercent * AllParts(result)))
+  {
+    return false;
+  }
+  StageClock clock(result.Seconds);
+  const bool hasParts = IsMappedWithItsParts(made, progress);
+  if (hasParts)
+  {
+    RemarkOnRepair(result);
+  }
+  clock.EndStage("map");
+  return hasParts || !result.Message.empty();
+}
+
 void RunSamples(FitSamples& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
   if (result.Settings.Model == FitSettings::ModelKind::Surface)
   {
     RunMap(made, progress);
+    return;
+  }
+  if (IsMappedForItsParts(made, progress))
+  {
     return;
   }
   StageClock clock(result.Seconds);
@@ -366,9 +365,9 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
     RunMap(made, progress);
     return;
   }
-  RemarkOnComponents(result);
   if (isHidden)
   {
+    RemarkOnRest(result);
     const double limit = result.Settings.MaximumHiddenPercent;
     Refuse("is not star-shaped: the centre does not see " +
                TextAgainstLimit(result.HiddenPercent, limit, 1) + " % of its surface (limit " +
@@ -382,6 +381,7 @@ void RunModel(vtkPolyData* samples, vtkPolyData* boundary, FitResult& result,
               const ProgressFunction& progress)
 {
   StageClock clock(result.Seconds);
+  RemarkOnRest(result);
   const auto surface = OwnCopy(result.Surface.Get());
   vtkNew<vtkSphericalHarmonicFit> fit;
   fit->SetInputData(OwnCopy(samples));
@@ -443,7 +443,7 @@ void RunSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFun
   clock.EndStage("fit");
   if (!reason.empty())
   {
-    Refuse(reason, HintForMisfit, result);
+    Refuse(reason, HintForDegree, result);
     return;
   }
   RemarkOnDegree(DegreeOf(result.Model), result);
@@ -451,6 +451,55 @@ void RunSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFun
   MeasureQuality(boundary, result, progress);
   clock.EndStage("quality");
   JudgeOverlap(result);
+}
+
+// Whether a radial model is refused, misses the tolerance or has another volume, and is not wanted
+// whatever it loses.
+bool IsDoubtful(const FitResult& radial)
+{
+  constexpr double LargestChange = 0.05; // of the volume
+  if (radial.Settings.Model != FitSettings::ModelKind::Automatic ||
+      radial.Settings.MaximumHiddenPercent >= 100.0)
+  {
+    return false;
+  }
+  const double change = radial.ModelMilliliters / radial.InputMilliliters() - 1.0;
+  return radial.State == FitResult::Outcome::Refused ||
+         (radial.State == FitResult::Outcome::Fitted &&
+          (radial.Rms > radial.Settings.Tolerance.value_or(radial.Rms) ||
+           std::abs(change) > LargestChange));
+}
+
+// A surface model takes the place of a doubtful radial one if it overlaps the structure more, or if
+// both are refused: then the reason does not lie in what a radius can describe.
+void TrySurfaceModel(FitSamples made, FitResult& radial, const ProgressFunction& progress)
+{
+  made.Found.Settings = radial.Settings;
+  double tried = 0.0;
+  for (std::size_t stage = made.Found.Seconds.size(); stage < radial.Seconds.size(); ++stage)
+  {
+    tried += radial.Seconds[stage].second;
+  }
+  made.Found.Seconds.emplace_back("radial", tried);
+  RunStage(
+      [&]
+      {
+        RunMap(made, progress);
+        if (made.Found.Message.empty())
+        {
+          RunSurfaceModel(made.Boundary, made.Found, progress);
+        }
+      },
+      made.Found);
+  const FitResult::Outcome found = made.Found.State;
+  const bool isBetter =
+      radial.State == FitResult::Outcome::Refused
+          ? found == FitResult::Outcome::Fitted || found == FitResult::Outcome::Refused
+          : found == FitResult::Outcome::Fitted && made.Found.Dice > radial.Dice;
+  if (isBetter)
+  {
+    radial = std::move(made.Found);
+  }
 }
 } // namespace
 
@@ -501,6 +550,10 @@ FitResult MakeFitModel(const FitSamples& samples, const FitSettings& settings,
           else
           {
             RunModel(samples.Samples, samples.Boundary, result, progress);
+            if (IsDoubtful(result))
+            {
+              TrySurfaceModel(samples, result, progress);
+            }
           }
         },
         result);

@@ -58,8 +58,10 @@ WindingOverlap MeasureOverlap(FitResult& result)
   }
   else
   {
+    const FitSettings& settings = result.Settings;
     overlap = OverlapOfSurfaceAndMask(ToIndexedMesh(result.ModelSurface), result.Mask,
-                                      result.Structure.Value);
+                                      result.Structure.Value,
+                                      settings.WantsOneComponent() ? settings.Component : 0);
   }
   result.Dice = overlap.Dice();
   return overlap;

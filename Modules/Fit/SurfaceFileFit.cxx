@@ -40,6 +40,8 @@ void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
   };
   add(mends.DroppedTriangles, "triangle without three points dropped",
       "triangles without three points dropped");
+  add(mends.Duplicates, "triangle that was there twice dropped",
+      "triangles that were there twice dropped");
   add(mends.ReversedTriangles, "triangle turned to face outwards",
       "triangles turned to face outwards");
   if (!done.empty())

@@ -6,7 +6,6 @@
 #include "ImageIndexToWorld.h"
 #include "KernelWatch.h"
 #include "LabelMask.h"
-#include "MaskComponents.h"
 #include "MeshConversion.h"
 #include "MeshCrossings.h"
 #include "ModelOverlap.h"
@@ -15,6 +14,7 @@
 #include "ParametricUncertainty.h"
 #include "RepairRemarks.h"
 #include "SurfaceFileFit.h"
+#include "SurfaceTopology.h"
 #include "Units.h"
 #include "VoxelMinimum.h"
 
@@ -28,16 +28,6 @@ namespace palpate
 {
 namespace
 {
-VoxelMask MaskOf(const FitResult& result, int component)
-{
-  VoxelMask mask = CopyLabelMask(result.Mask, result.Structure.Value, 1).Mask;
-  if (component > 0)
-  {
-    MaskComponents(mask).Keep(component - 1, mask);
-  }
-  return mask;
-}
-
 // Crossings of the drawn surface, and whether it overlaps itself too much (CheckRegularity).
 Status JudgeDrawn(FitResult& result)
 {
@@ -158,16 +148,19 @@ std::string MapToParameterSphere(FitResult& result, int component, const Progres
   }
   KernelWatch watched(progress, "surface");
   auto mapped = std::make_shared<MappedSurface>();
-  const Status status = MakeMappedSurface(MaskOf(result, component), IndexToWorldOf(result.Mask),
-                                          {}, watched.Of(0.0, 1.0), *mapped);
+  const Status status =
+      MakeMappedSurface(CopyComponent(result.Mask, result.Structure.Value, component, 1),
+                        IndexToWorldOf(result.Mask), {}, watched.Of(0.0, 1.0), *mapped);
   watched.Require();
   if (!status.IsOk())
   {
     // Of a sponge, its holes are the reason.
     const Status changed = CheckTopology(mapped->Topology, {});
-    return changed.IsOk() ? status.Message() : changed.Message();
+    const bool isSponge = !changed.IsOk() && !result.Settings.Repairs;
+    return isSponge ? changed.Message() : status.Message();
   }
   result.Surface = DrawMesh(mapped->Mesh);
+  result.SurfaceMilliliters = DescribeTopology(mapped->Mesh).Volume / CubicMillimetersPerMilliliter;
   result.Details.Mapped = std::move(mapped);
   return {};
 }

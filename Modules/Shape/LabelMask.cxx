@@ -1,5 +1,7 @@
 #include "LabelMask.h"
 
+#include "MaskComponents.h"
+
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -40,5 +42,15 @@ LabelMask CopyLabelMask(vtkImageData* image, int label, int rim)
     break;
   }
   return copied;
+}
+
+VoxelMask CopyComponent(vtkImageData* image, int label, int component, int rim)
+{
+  VoxelMask mask = CopyLabelMask(image, label, rim).Mask;
+  if (component > 0)
+  {
+    MaskComponents(mask).Keep(component - 1, mask);
+  }
+  return mask;
 }
 } // namespace palpate

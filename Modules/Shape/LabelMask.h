@@ -16,4 +16,7 @@ struct LabelMask
 
 /// Copies the voxels with `label` and a margin of `rim` voxels around them.
 PALPATESHAPE_EXPORT LabelMask CopyLabelMask(vtkImageData* image, int label, int rim);
+/// The same of one connected component (MaskComponents), numbered by descending size from 1; 0 for
+/// all.
+PALPATESHAPE_EXPORT VoxelMask CopyComponent(vtkImageData* image, int label, int component, int rim);
 } // namespace palpate

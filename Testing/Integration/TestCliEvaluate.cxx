@@ -1,9 +1,11 @@
 #include "CommandRun.h"
+#include "IcosahedronDirections.h"
 #include "SphericalHarmonicMeasures.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -106,6 +108,32 @@ TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
   EXPECT_NEAR(result.at("area_mm2").get<double>(), AreaOf(model), 1e-9);
 }
 
+// The same sphere, seen by its nearest points instead of its radii.
+TEST(CliEvaluate, ParametricFormKnowsInsideAndDistance)
+{
+  const TemporaryFolder folder;
+  WriteNearlyASphere(folder / "a.json");
+  RunPalpate({"convert", "a.json", "a.coef"}, folder.Path());
+  const Json result = Json::parse(
+      RunPalpate({"evaluate", "a.coef", "--json", "--point", "1,2,3", "--point", "1,2,80"},
+                 folder.Path())
+          .Output);
+  const Json& points = result.at("points");
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].at("inside"), true);
+  EXPECT_LT(points[0].at("distance_mm").get<double>(), 0.0);
+  EXPECT_EQ(points[1].at("inside"), false);
+  const Vector3 far(1.0, 2.0, 80.0);
+  double least = 1e300;
+  for (const Vector3& u : IcosahedronDirections(100).Directions())
+  {
+    least = std::min(least, (NearlyASphere().PointWorld(u) - far).norm());
+  }
+  // The nearest direction may be 0.011 rad off, 0.11 mm on the sphere: 0.11^2 / 2 / 10 mm farther.
+  EXPECT_NEAR(points[1].at("distance_mm").get<double>(), least, 1e-3);
+  EXPECT_EQ(points[1].count("radius_mm"), 0U);
+}
+
 TEST(CliEvaluate, RejectsBadArgumentsWithOneMessage)
 {
   const TemporaryFolder folder;
@@ -117,7 +145,6 @@ TEST(CliEvaluate, RejectsBadArgumentsWithOneMessage)
                                              {"a.json", "--direction", "1,2,3,4"},
                                              {"a.json", "--direction", "1,nan,3"},
                                              {"a.json", "--point", "x,y,z"},
-                                             {"a.coef", "--point", "0,0,0"},
                                              {"none.json"},
                                              {"a.txt"}})
   {

@@ -172,7 +172,7 @@ TEST_F(JsonOutput, EvaluateIsDocumented)
 {
   this->Run({"evaluate", "ball.json", "--direction", "1,0,0", "--point", "1,2,3", "--json"});
   ASSERT_EQ(RunPalpate({"convert", "ball.json", "ball.coef"}, this->Folder.Path()).Code, 0);
-  this->Run({"evaluate", "ball.coef", "--json"});
+  this->Run({"evaluate", "ball.coef", "--point", "1,2,3", "--json"});
   this->ExpectDocumented("evaluate");
 }
 

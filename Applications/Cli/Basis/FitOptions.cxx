@@ -66,6 +66,17 @@ void CheckSurfaceOptions(const FitSettings& settings, const FitSettings& standar
   only(settings.Smoothing != standard.Smoothing, "--smoothing");
   only(settings.MaximumHiddenPercent != standard.MaximumHiddenPercent, "--max-hidden");
 }
+
+void SetComponent(const std::string& word, FitSettings& settings)
+{
+  settings.Component = word == "all" ? 0 : 1;
+  settings.IsAlone = word != "all" && word != "largest";
+  if (settings.IsAlone && (!ParseWhole(word, settings.Component) || settings.Component < 1))
+  {
+    throw InputError("--component " + word +
+                     " is not a valid component; give a whole number from 1, largest or all");
+  }
+}
 } // namespace
 
 void FitOptions::DeclareLabels(CLI::App& app)
@@ -87,8 +98,9 @@ void FitOptions::DeclareSurface(CLI::App& app)
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
   app.add_option("--component", this->ComponentWord,
-                 "Connected component, numbered from 1 by decreasing size, or all")
-      ->type_name("N|all")
+                 "largest (a surface model takes in parts near it), a connected component's number "
+                 "by decreasing size from 1, alone, or all")
+      ->type_name("largest|N|all")
       ->capture_default_str();
 }
 
@@ -154,13 +166,7 @@ FitSettings FitOptions::Settings() const
                                                   : FitSettings::ModelKind::Automatic;
   settings.Method = this->MethodWord == "plain" ? FitSettings::SurfaceMethod::Plain
                                                 : FitSettings::SurfaceMethod::ShapeInterpolation;
-  settings.Component = 0;
-  if (this->ComponentWord != "all" &&
-      (!ParseWhole(this->ComponentWord, settings.Component) || settings.Component < 1))
-  {
-    throw InputError("--component " + this->ComponentWord +
-                     " is not a valid component; give a whole number from 1, or all");
-  }
+  SetComponent(this->ComponentWord, settings);
   if (this->DegreeWord == "auto")
   {
     settings.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : DefaultTolerance;

@@ -35,7 +35,7 @@ private:
   FitSettings Values;
   std::string ModelWord = "automatic";
   std::string MethodWord = "shape";
-  std::string ComponentWord = "1";
+  std::string ComponentWord = "largest";
   std::string DegreeWord = "12";
   double Tolerance = 0.0;
   std::string CenterWord = "centroid";

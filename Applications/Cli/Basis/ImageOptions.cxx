@@ -11,11 +11,6 @@ void ImageOptions::Declare(CLI::App& app, const std::string& seriesOf)
                      ": its number in the list that the error message prints, or its UID; of a "
                      "file of several volumes, the number of one")
       ->type_name("N|UID");
-  this->DeclareAxes(app);
-}
-
-void ImageOptions::DeclareAxes(CLI::App& app)
-{
   app.add_flag("--refuse-left-handed", this->RefuseLeftHanded,
                "Refuse files with left-handed directions, which FSL and dcm2niix write; by default "
                "one index axis is reversed, and voxels keep their positions in the patient");

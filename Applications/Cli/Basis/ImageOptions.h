@@ -18,8 +18,6 @@ public:
   /// Adds --series and --refuse-left-handed; `seriesOf` says in help what the series is chosen
   /// from.
   void Declare(CLI::App& app, const std::string& seriesOf);
-  /// Adds --refuse-left-handed alone, where no DICOM series is read.
-  void DeclareAxes(CLI::App& app);
 
   LeftHandedAxes LeftHanded() const;
   VolumeChoice Choice() const { return {this->Series, this->LeftHanded()}; }

@@ -164,7 +164,8 @@ private:
     const FitSettings& settings = this->Mask.Settings;
     const FitSettings defaults;
     if (!this->Mask.Labels.empty() || settings.Component != defaults.Component ||
-        settings.Method != defaults.Method || settings.Smoothing != defaults.Smoothing)
+        settings.IsAlone || settings.Method != defaults.Method ||
+        settings.Smoothing != defaults.Smoothing)
     {
       Refuse(this->Mask.Mask, "is a surface",
              "leave out --label, --component, --method and --smoothing, which are for masks");
@@ -197,7 +198,7 @@ private:
     }
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
-    const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->Images.LeftHanded());
+    const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());
     this->ReadSlices();
     clock.EndStage("read");
     for (const std::string& note : segmentation.Notes)
@@ -218,6 +219,13 @@ private:
           [&](const ProgressFunction& progress)
           { return FitStructure(segmentation, choice.Found[n], this->Mask.Settings, progress); });
     }
+  }
+
+  // A series that is chosen is that of the slices' volume, if there is one.
+  VolumeChoice ChoiceOfMask() const
+  {
+    const bool hasSlices = this->Mask.Slices != nullptr || !this->Mask.SlicesFile.empty();
+    return hasSlices ? VolumeChoice{{}, this->Images.LeftHanded()} : this->Images.Choice();
   }
 
   void ReadSlices()

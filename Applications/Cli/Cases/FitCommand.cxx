@@ -54,7 +54,7 @@ void FitCommand::DeclareOptions(CLI::App& app)
   app.add_option("--volume", this->VolumePath,
                  "Image of the segmentations, for the slices of the report")
       ->check(FileType::Input("image"));
-  this->Images.Declare(app, "--volume folder");
+  this->Images.Declare(app, "--volume folder, or of the mask where there is no --volume");
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
       ->type_name("DIR")

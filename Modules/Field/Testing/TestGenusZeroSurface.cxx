@@ -128,6 +128,42 @@ TEST(GenusZeroSurface, MakesSurfaceOfEverySpongeAndSaysHowMuchChanged)
   }
 }
 
+// The ball's surface would lie 0.1 mm farther out if it had the volume of the specks, too.
+TEST(GenusZeroSurface, HasTheVolumeOfWhatItKeepsWithoutSpecks)
+{
+  std::mt19937 random(8);
+  std::bernoulli_distribution isSpeck(0.01);
+  long ball = 0;
+  const palpate::VoxelMask mask =
+      MaskOf({50, 50, 50}, {1.0, 1.0, 1.0},
+             [&](int i, int j, int k)
+             {
+               const bool isInside = IsInBall(i, j, k, 24.5, 15.0);
+               ball += isInside ? 1 : 0;
+               return isInside || (isSpeck(random) && !IsInBall(i, j, k, 24.5, 18.0));
+             });
+  const palpate::GenusZeroSurface surface = SurfaceOf(mask);
+  EXPECT_NEAR(VolumeOf(surface.Mesh), static_cast<double>(ball), 0.005 * static_cast<double>(ball));
+  EXPECT_GT(surface.Topology.DroppedParts.Count, 100);
+  EXPECT_NEAR(surface.Topology.DroppedParts.Volume, surface.MaskVolume - static_cast<double>(ball),
+              1e-6);
+  EXPECT_GT(surface.Topology.ChangedPercent(), 5.0);
+}
+
+// Its pores are finer than the field, and its voxels are no thin parts that are to be restored.
+TEST(GenusZeroSurface, DoesNotFillASpongeSilently)
+{
+  std::mt19937 random(9);
+  std::bernoulli_distribution isInside(0.25);
+  const palpate::VoxelMask mask =
+      MaskOf({60, 60, 60}, {1.0, 1.0, 1.0}, [&](int i, int j, int k) { return isInside(random); });
+  palpate::GenusZeroSettings settings;
+  settings.Field.CellsOnSurface = 1500;
+  palpate::GenusZeroSurface surface;
+  const palpate::Status status = palpate::MakeGenusZeroSurface(mask, settings, {}, surface);
+  EXPECT_TRUE(!status.IsOk() || surface.Topology.ChangedPercent() > 2.0);
+}
+
 TEST(GenusZeroSurface, KeepsThinEnds)
 {
   // A tongue of one pixel on a large body, between the rows of a grid with wide steps.

@@ -2,10 +2,12 @@
 
 #include "FieldVolume.h"
 #include "MarchingTetrahedra.h"
+#include "MaskSpecks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <utility>
 
 namespace palpate
@@ -20,13 +22,15 @@ class SurfaceMaker
 public:
   SurfaceMaker(const VoxelMask& mask, const GenusZeroSettings& settings,
                const KernelProgress& progress, GenusZeroSurface& surface)
-      : Mask(&mask), Settings(settings), Progress(&progress), Surface(&surface)
+      : Mask(mask), Settings(settings), Progress(&progress), Surface(&surface)
   {
   }
 
   Status Run()
   {
-    Status status = MakeShapeField(*this->Mask, this->Settings.Field, this->Surface->Field);
+    this->Surface->MaskVolume = this->VolumeOfMask();
+    this->Specks = DropSpecks(this->Settings.Topology.SmallPart, this->Mask);
+    Status status = MakeShapeField(this->Mask, this->Settings.Field, this->Surface->Field);
     if (!status.IsOk())
     {
       return status;
@@ -36,6 +40,11 @@ public:
       return Status::Failure("Cancelled.");
     }
     this->MatchVolume();
+    status = this->CheckVolume();
+    if (!status.IsOk())
+    {
+      return status;
+    }
     ShapeField matched = this->Surface->Field;
     status = this->RepairAndMarch(0.4, 0.6);
     if (!status.IsOk())
@@ -52,14 +61,17 @@ public:
 private:
   bool Report(double fraction) const { return !*this->Progress || (*this->Progress)(fraction); }
 
+  double VolumeOfMask() const
+  {
+    return static_cast<double>(this->Mask.Count()) * this->Mask.VoxelVolume();
+  }
+
   void MatchVolume()
   {
     ShapeField& field = this->Surface->Field;
-    const double volume = static_cast<double>(this->Mask->Count()) * this->Mask->VoxelVolume();
-    this->Surface->MaskVolume = volume;
     const double spacing = field.Grid.Spacing;
     const double area = this->Settings.Field.CellsOnSurface * spacing * spacing;
-    const float level = LevelOfVolume(field, volume, area);
+    const float level = LevelOfVolume(field, this->VolumeOfMask(), area);
     const float least = LeastDepth * static_cast<float>(spacing);
     for (float& value : field.Values)
     {
@@ -67,6 +79,27 @@ private:
       value = shifted > 0.0f ? std::max(shifted, least) : std::min(shifted, -least);
     }
     this->CloseBorder(-least);
+  }
+
+  // Where pores and walls are finer than the field, no level has the mask's volume.
+  Status CheckVolume() const
+  {
+    const double volume = VolumeAbove(this->Surface->Field, 0.0f);
+    if (this->IsNearMask(volume))
+    {
+      return Status::Success();
+    }
+    char text[160];
+    std::snprintf(text, sizeof(text),
+                  "has pores or walls that are too fine for a surface, which would enclose %.3g "
+                  "instead of %.3g mm\xC2\xB3",
+                  volume, this->VolumeOfMask());
+    return Status::Failure(text);
+  }
+  bool IsNearMask(double volume) const
+  {
+    constexpr double LargestChange = 0.1;
+    return std::abs(volume / this->VolumeOfMask() - 1.0) <= LargestChange;
   }
 
   // The level may be below that of the border where the grid is too coarse for the object.
@@ -96,6 +129,7 @@ private:
     {
       return status;
     }
+    surface.Topology.Add(this->Specks);
     if (!this->Report(repaired))
     {
       return Status::Failure("Cancelled.");
@@ -107,16 +141,17 @@ private:
     }
     const double tolerance = this->Settings.LostTolerance > 0.0
                                  ? this->Settings.LostTolerance
-                                 : LostVoxelTolerance(*this->Mask, surface.Field.Grid);
-    surface.Lost = FindLostVoxels(*this->Mask, surface.Field, surface.Mesh, tolerance);
+                                 : LostVoxelTolerance(this->Mask, surface.Field.Grid);
+    surface.Lost = FindLostVoxels(this->Mask, surface.Field, surface.Mesh, tolerance);
     return this->Report(marched) ? Status::Success() : Status::Failure("Cancelled.");
   }
 
   Status Restore(ShapeField matched)
   {
     GenusZeroSurface& surface = *this->Surface;
-    const std::size_t nodes = RestoreVoxels(*this->Mask, surface.Lost, surface.Field, matched);
-    if (nodes == 0)
+    const std::size_t nodes = RestoreVoxels(this->Mask, surface.Lost, surface.Field, matched);
+    // Voxels of a sponge stand for themselves, not for thin parts.
+    if (nodes == 0 || !this->IsNearMask(VolumeAbove(matched, 0.0f)))
     {
       return Status::Success();
     }
@@ -125,7 +160,8 @@ private:
     return this->RepairAndMarch(0.8, 0.9);
   }
 
-  const VoxelMask* Mask;
+  VoxelMask Mask;
+  TopologyChange Specks;
   GenusZeroSettings Settings;
   const KernelProgress* Progress;
   GenusZeroSurface* Surface;

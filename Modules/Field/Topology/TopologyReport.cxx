@@ -22,6 +22,16 @@ double DiameterOf(double volume)
 }
 } // namespace
 
+void TopologyReport::Add(const TopologyChange& dropped)
+{
+  TopologyChange& parts = this->DroppedParts;
+  const TopologyChange before = parts;
+  parts = dropped.LargestVolume > before.LargestVolume ? dropped : before;
+  parts.Count = before.Count + dropped.Count;
+  parts.Volume = before.Volume + dropped.Volume;
+  this->ObjectVolume += dropped.Volume;
+}
+
 double TopologyReport::ChangedVolume() const
 {
   return this->DroppedParts.Volume + this->Bridges.Volume + this->FilledCavities.Volume +

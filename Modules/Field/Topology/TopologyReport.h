@@ -25,6 +25,8 @@ struct TopologyReport
   TopologyChange CutHandles;
   TopologyChange FilledHandles;
 
+  /// Parts that were dropped before, which the object's volume did not have.
+  void Add(const TopologyChange& dropped);
   double ChangedVolume() const;  ///< mm^3, added or removed
   double AddedVolume() const;    ///< mm^3, added minus removed
   double ChangedPercent() const; ///< of the object's volume

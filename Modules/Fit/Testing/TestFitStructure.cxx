@@ -214,6 +214,7 @@ TEST(FitStructure, RejectsModelThatMissesMask)
       palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
                                     { return std::hypot(x, y) < 30 && std::abs(z) < 1.1; });
   FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
   settings.Degree = 3;
   const Segmentation segmentation = SegmentationOf(plate);
   const FitResult result = Fit(segmentation, settings);
@@ -318,6 +319,7 @@ TEST(FitStructure, NeverRoundsMissToSuccess)
   const auto truth = palpate::MakeProstateLikeModel(6, 9, Vector3::Zero());
   const Segmentation segmentation = SegmentationOf(PhantomMask(truth, 1.0));
   FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
   settings.MinimumDice = Fit(segmentation).Dice + 1e-6;
   const FitResult result = Fit(segmentation, settings);
   ASSERT_EQ(result.State, Outcome::Refused);

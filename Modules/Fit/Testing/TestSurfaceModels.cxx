@@ -241,6 +241,58 @@ TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
   EXPECT_EQ(bridged.Details.Mapped->Topology.Bridges.Count, 1);
 }
 
+// Asked for by its number, a part is all that the model has to match.
+TEST(SurfaceModels, OfOneComponentAreComparedWithItAlone)
+{
+  for (const FitSettings::ModelKind kind :
+       {FitSettings::ModelKind::Surface, FitSettings::ModelKind::Radial})
+  {
+    for (const int component : {1, 2})
+    {
+      FitSettings settings;
+      settings.Model = kind;
+      settings.Component = component;
+      settings.IsAlone = true;
+      const FitResult result = Fit(TwoBalls(), settings);
+      ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+      EXPECT_GT(result.Dice, 0.97); // a ball of 8 voxels in radius
+    }
+  }
+}
+
+// A box of 40 x 4 x 4 mm is star-shaped, but a radius of degree 12 does not reach its ends.
+TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {90, 12, 12};
+  grid.CenterOnOrigin();
+  const auto rod = palpate::test::MakeLabelImage(
+      grid, [](double x, double y, double z)
+      { return std::abs(x) < 40.0 && std::abs(y) < 2.0 && std::abs(z) < 2.0; });
+  FitSettings radial;
+  radial.Model = FitSettings::ModelKind::Radial;
+  ASSERT_EQ(Fit(rod, radial).State, Outcome::Refused);
+  const FitResult result = Fit(rod);
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(result.Model));
+  EXPECT_GT(result.Dice, 0.95);
+}
+
+TEST(SurfaceModels, TakeInNearPartsThatARadiusWouldLeaveOut)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = {60, 32, 32};
+  grid.CenterOnOrigin();
+  const auto parts = palpate::test::MakeLabelImage(
+      grid, [](double x, double y, double z)
+      { return std::hypot(x + 8.0, y, z) < 9.0 || std::hypot(x - 9.0, y, z) < 6.0; });
+  const FitResult result = Fit(parts);
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
+  EXPECT_EQ(result.Details.Mapped->Topology.Bridges.Count, 1);
+  EXPECT_GT(result.Dice, 0.95);
+}
+
 // A rod of two pieces that touch by an edge: two components, one organ.
 TEST(SurfaceModels, TakeInPartsThatAreNear)
 {

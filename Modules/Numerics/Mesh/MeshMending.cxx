@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 namespace palpate
@@ -161,6 +162,23 @@ Status CheckPointsAndTriangles(const IndexedMesh& mesh)
              ? Status::Success()
              : Status::Failure("The mesh has triangles with invalid point indices.");
 }
+
+// Keeps the triangles for whose numbers `isKept`; returns the number of the others.
+template <typename Predicate>
+int KeepTriangles(IndexedMesh& mesh, const Predicate& isKept)
+{
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    if (isKept(t))
+    {
+      mesh.Triangles[count++] = mesh.Triangles[t];
+    }
+  }
+  const std::size_t dropped = mesh.Triangles.size() - count;
+  mesh.Triangles.resize(count);
+  return static_cast<int>(dropped);
+}
 } // namespace
 
 int WeldPoints(IndexedMesh& mesh)
@@ -176,6 +194,33 @@ int DropDegenerateTriangles(IndexedMesh& mesh)
   const auto count = mesh.Triangles.end() - end;
   mesh.Triangles.erase(end, mesh.Triangles.end());
   return static_cast<int>(count);
+}
+
+int DropDuplicateTriangles(IndexedMesh& mesh)
+{
+  struct Corners
+  {
+    std::array<int, 3> Sorted;
+    int Number;
+    bool operator<(const Corners& other) const
+    {
+      return std::tie(this->Sorted, this->Number) < std::tie(other.Sorted, other.Number);
+    }
+  };
+  std::vector<Corners> all;
+  all.reserve(mesh.Triangles.size());
+  for (std::array<int, 3> triangle : mesh.Triangles)
+  {
+    std::sort(triangle.begin(), triangle.end());
+    all.push_back({triangle, static_cast<int>(all.size())});
+  }
+  std::sort(all.begin(), all.end());
+  std::vector<unsigned char> isKept(all.size(), 1);
+  for (std::size_t i = 1; i < all.size(); ++i)
+  {
+    isKept[static_cast<std::size_t>(all[i].Number)] = all[i].Sorted != all[i - 1].Sorted ? 1 : 0;
+  }
+  return KeepTriangles(mesh, [&isKept](std::size_t t) { return isKept[t] != 0; });
 }
 
 int DropUnusedPoints(IndexedMesh& mesh)
@@ -209,17 +254,7 @@ int KeepLargestPart(IndexedMesh& mesh)
     }
   }
   const auto largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
-  std::size_t count = 0;
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    if (partOf(t) == largest)
-    {
-      mesh.Triangles[count++] = mesh.Triangles[t];
-    }
-  }
-  const std::size_t dropped = mesh.Triangles.size() - count;
-  mesh.Triangles.resize(count);
-  return static_cast<int>(dropped);
+  return KeepTriangles(mesh, [&](std::size_t t) { return partOf(t) == largest; });
 }
 
 int OrientOutwards(IndexedMesh& mesh)
@@ -254,6 +289,7 @@ Status MendMesh(IndexedMesh& mesh, bool keepsLargestPartOnly, MeshMends& mends)
   }
   mends.WeldedPoints = WeldPoints(mesh);
   mends.DroppedTriangles = DropDegenerateTriangles(mesh);
+  mends.Duplicates = DropDuplicateTriangles(mesh);
   mends.DroppedParts = keepsLargestPartOnly ? KeepLargestPart(mesh) : 0;
   mends.DroppedPoints = DropUnusedPoints(mesh);
   mends.ReversedTriangles = OrientOutwards(mesh);

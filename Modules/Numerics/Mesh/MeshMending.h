@@ -13,6 +13,9 @@ namespace palpate
 int WeldPoints(IndexedMesh& mesh);
 /// Drops triangles with a repeated point; returns their number.
 int DropDegenerateTriangles(IndexedMesh& mesh);
+/// Keeps the first of triangles with the same three points, in any order; returns the number of the
+/// others.
+int DropDuplicateTriangles(IndexedMesh& mesh);
 /// Drops points without triangles, keeping the order; returns their number.
 int DropUnusedPoints(IndexedMesh& mesh);
 /// Keeps the part (connected across edges) with the largest area; returns the number of triangles
@@ -28,6 +31,7 @@ struct MeshMends
 {
   int WeldedPoints = 0;
   int DroppedTriangles = 0; ///< degenerate
+  int Duplicates = 0;       ///< triangles that were there twice
   int DroppedParts = 0;     ///< triangles of smaller parts
   int DroppedPoints = 0;
   int ReversedTriangles = 0;

@@ -171,6 +171,20 @@ TEST(ClosedMesh, RepairUnitesOverlappingPartsAndBridgesOthers)
   EXPECT_EQ(apart.Topology.Bridges.Count, 1);
 }
 
+// Behind the wall, winding numbers depend on the direction in which they are counted.
+TEST(ClosedMesh, RepairKeepsBothSidesOfAWallInside)
+{
+  IndexedMesh mesh;
+  mesh.Points = {{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}, {0, 0, 10}, {0, 0, -10}};
+  mesh.Triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5},
+                    {1, 2, 5}, {3, 1, 5}, {0, 3, 5}, {2, 3, 4}, {3, 2, 5}};
+  const ClosedMesh made = Repaired(mesh);
+  EXPECT_TRUE(Contains(made.Fault, "more than two triangles")) << made.Fault;
+  constexpr double Octahedron = 4000.0 / 3.0;
+  // Its edges get rounder; without a side it would be half.
+  EXPECT_NEAR(VolumeOf(made.Mesh), Octahedron, 0.04 * Octahedron);
+}
+
 TEST(ClosedMesh, RepairRejectsWhatEnclosesNothing)
 {
   IndexedMesh sheet;

@@ -64,6 +64,22 @@ TEST(MeshMending, MakesSphereOfScrambledTriangles)
   EXPECT_EQ(CheckClosedGenusZero(DescribeTopology(mesh)).Message(), "");
 }
 
+TEST(MeshMending, KeepsOneOfDuplicatesInWhateverOrderTheirPointsAre)
+{
+  const IndexedMesh sphere = test::Sphere(5);
+  IndexedMesh mesh = sphere;
+  for (const std::size_t t : {0U, 7U, 8U})
+  {
+    const auto [a, b, c] = sphere.Triangles[t];
+    mesh.Triangles.push_back({b, c, a});
+    mesh.Triangles.push_back({b, a, c});
+  }
+  MeshMends mends;
+  ASSERT_TRUE(MendMesh(mesh, false, mends).IsOk());
+  EXPECT_EQ(mends.Duplicates, 6);
+  EXPECT_EQ(mesh.Triangles, sphere.Triangles);
+}
+
 TEST(MeshMending, LeavesGoodMeshUnchanged)
 {
   const IndexedMesh sphere = test::Sphere(5);
