@@ -322,6 +322,7 @@ bool IsMappedForItsParts(FitSamples& made, const ProgressFunction& progress)
   FitResult& result = made.Found;
   const double left = AllParts(result) - result.MaskMilliliters;
   if (result.Settings.Model != FitSettings::ModelKind::Automatic ||
+      result.Settings.MaximumHiddenPercent >= 100.0 ||
       !(100.0 * left > TopologyLimits().ChangedPercent * AllParts(result)))
   {
     return false;
@@ -471,7 +472,7 @@ bool IsDoubtful(const FitResult& radial)
 }
 
 // A surface model takes the place of a doubtful radial one if it overlaps the structure more, or if
-// both are refused: then the reason does not lie in what a radius can describe.
+// both are refused and it has a way out.
 void TrySurfaceModel(FitSamples made, FitResult& radial, const ProgressFunction& progress)
 {
   made.Found.Settings = radial.Settings;
@@ -492,10 +493,9 @@ void TrySurfaceModel(FitSamples made, FitResult& radial, const ProgressFunction&
       },
       made.Found);
   const FitResult::Outcome found = made.Found.State;
-  const bool isBetter =
-      radial.State == FitResult::Outcome::Refused
-          ? found == FitResult::Outcome::Fitted || found == FitResult::Outcome::Refused
-          : found == FitResult::Outcome::Fitted && made.Found.Dice > radial.Dice;
+  const bool isBetter = radial.State == FitResult::Outcome::Refused
+                            ? found == FitResult::Outcome::Fitted || !made.Found.OptionHint.empty()
+                            : found == FitResult::Outcome::Fitted && made.Found.Dice > radial.Dice;
   if (isBetter)
   {
     radial = std::move(made.Found);

@@ -217,7 +217,8 @@ std::string StructurePlan::AddSamples()
   const std::string surface = this->AddSurface();
   const std::string key =
       SceneKey(surface, "samples", static_cast<int>(this->Fit.Model), this->Fit.Repairs,
-               this->Fit.Frequency, CenterKey(this->Fit), this->Fit.MaximumHiddenPercent);
+               this->Fit.IsAlone, this->Fit.Frequency, CenterKey(this->Fit),
+               this->Fit.MaximumHiddenPercent, this->Fit.MinimumDice);
   return this->AddNode(SceneStep::Samples, key, {surface},
                        [fit = this->Fit, isTriangles = this->Source != SceneSource::Label](
                            const Inputs& inputs, const ProgressFunction& progress)

@@ -112,7 +112,11 @@ void FitPanel::AddOthers(QFormLayout* form)
   this->AddChoice(
       form, "Component", "Change the component", {"all", "largest", "second", "third"},
       [](const StudyState& state) { return std::min(state.Fit.Component, 3); },
-      [](StudyState& state, int choice) { state.Fit.Component = choice; });
+      [](StudyState& state, int choice)
+      {
+        state.Fit.Component = choice;
+        state.Fit.IsAlone = false;
+      });
   this->AddNumber(
       form, "Maximum hidden, %", "Change the maximum hidden share", {0.0, 100.0, 1.0, 2},
       [](const StudyState& state) { return state.Fit.MaximumHiddenPercent; },

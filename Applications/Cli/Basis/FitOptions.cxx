@@ -108,7 +108,8 @@ void FitOptions::DeclareModel(CLI::App& app)
 {
   app.add_option("--model", this->ModelWord,
                  "radial: a radius in each direction, for star-shaped structures; surface: three "
-                 "coordinates, for any shape; automatic: radial where star-shaped, else surface")
+                 "coordinates, for any shape; automatic: radial where star-shaped and good "
+                 "enough, else surface")
       ->check(CLI::IsMember({"radial", "surface", "automatic"}))
       ->capture_default_str();
   app.add_flag("--repair", this->Values.Repairs,

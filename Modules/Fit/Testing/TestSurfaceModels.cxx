@@ -260,7 +260,7 @@ TEST(SurfaceModels, OfOneComponentAreComparedWithItAlone)
   }
 }
 
-// A box of 40 x 4 x 4 mm is star-shaped, but a radius of degree 12 does not reach its ends.
+// A box of 80 x 4 x 4 mm is star-shaped, but a radius of degree 12 does not reach its ends.
 TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
 {
   palpate::test::LabelGrid grid;

@@ -94,6 +94,7 @@ inline void RandomizeFit(Random& random, FitSettings& fit)
   fit.Method = static_cast<FitSettings::SurfaceMethod>(RandomWhole(random, 0, 1));
   fit.Smoothing = RandomNumber(random, 0.0, 3.0);
   fit.Component = RandomWhole(random, 0, 3);
+  fit.IsAlone = RandomChoice(random);
   fit.Frequency = RandomWhole(random, 1, 60);
   fit.Center = static_cast<FitSettings::CenterChoice>(RandomWhole(random, 0, 1));
   if (RandomChoice(random))
