@@ -59,8 +59,7 @@ std::string HintForOpenSurface(const FitSettings& settings, const HintWords& wor
 
 std::string HintForMisfit(const FitSettings& settings, const HintWords& words)
 {
-  return "try " + AnyOf(Choices(settings, words)) + ", or lower " + words.MinimumDice +
-         " to see it";
+  return HintForDegree(settings, words) + ", or lower " + words.MinimumDice + " to see it";
 }
 
 std::string HintForDegree(const FitSettings& settings, const HintWords& words)

@@ -34,7 +34,8 @@ PALPATEFIT_EXPORT FitSurface MakeFitSurface(const Segmentation& segmentation,
                                             const Segment& structure, const FitSettings& settings,
                                             const ProgressFunction& progress);
 
-/// Depends on Frequency, the centre and MaximumHiddenPercent too.
+/// Depends on Model, Repairs, IsAlone, Frequency, the centre, MaximumHiddenPercent and MinimumDice
+/// too.
 PALPATEFIT_EXPORT FitSamples MakeFitSamples(const FitSurface& surface, const FitSettings& settings,
                                             const ProgressFunction& progress);
 

@@ -243,10 +243,9 @@ std::string StructurePlan::AddModel()
   }
   const std::string samples = this->AddSamples();
   const FitSettings& fit = this->Fit;
-  const std::string key =
-      SceneKey(samples, "model", fit.Degree, fit.Tolerance.value_or(-1.0), fit.MaximumDegree,
-               static_cast<int>(fit.Weight), static_cast<int>(fit.PenaltyKind), fit.Roughness,
-               fit.MinimumDice, fit.IsRobust);
+  const std::string key = SceneKey(samples, "model", fit.Degree, fit.Tolerance.value_or(-1.0),
+                                   fit.MaximumDegree, static_cast<int>(fit.Weight),
+                                   static_cast<int>(fit.PenaltyKind), fit.Roughness, fit.IsRobust);
   return this->AddNode(SceneStep::Model, key, {samples},
                        [fit](const Inputs& inputs, const ProgressFunction& progress)
                        {

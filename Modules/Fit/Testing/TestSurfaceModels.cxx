@@ -207,14 +207,21 @@ TEST(SurfaceModels, SayHowFarToTrustThem)
   EXPECT_NEAR(rms, result.NoiseDeviation * result.Coverage.NoiseGainRms, 0.05 * rms);
 }
 
+// Cubes of 1 mm around the origin.
+template <typename Inside>
+vtkSmartPointer<vtkImageData> CubesWhere(const std::array<int, 3>& size, const Inside& inside)
+{
+  palpate::test::LabelGrid grid;
+  grid.Size = size;
+  grid.CenterOnOrigin();
+  return palpate::test::MakeLabelImage(grid, inside);
+}
+
 // Two balls of 8 mm, 12 mm apart.
 vtkSmartPointer<vtkImageData> TwoBalls()
 {
-  palpate::test::LabelGrid grid;
-  grid.Size = {60, 32, 32};
-  grid.CenterOnOrigin();
-  return palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
-                                       { return std::hypot(std::abs(x) - 14.0, y, z) < 8.0; });
+  return CubesWhere({60, 32, 32}, [](double x, double y, double z)
+                    { return std::hypot(std::abs(x) - 14.0, y, z) < 8.0; });
 }
 
 TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
@@ -263,12 +270,9 @@ TEST(SurfaceModels, OfOneComponentAreComparedWithItAlone)
 // A box of 80 x 4 x 4 mm is star-shaped, but a radius of degree 12 does not reach its ends.
 TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
 {
-  palpate::test::LabelGrid grid;
-  grid.Size = {90, 12, 12};
-  grid.CenterOnOrigin();
-  const auto rod = palpate::test::MakeLabelImage(
-      grid, [](double x, double y, double z)
-      { return std::abs(x) < 40.0 && std::abs(y) < 2.0 && std::abs(z) < 2.0; });
+  const auto rod =
+      CubesWhere({90, 12, 12}, [](double x, double y, double z)
+                 { return std::abs(x) < 40.0 && std::abs(y) < 2.0 && std::abs(z) < 2.0; });
   FitSettings radial;
   radial.Model = FitSettings::ModelKind::Radial;
   ASSERT_EQ(Fit(rod, radial).State, Outcome::Refused);
@@ -280,12 +284,9 @@ TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
 
 TEST(SurfaceModels, TakeInNearPartsThatARadiusWouldLeaveOut)
 {
-  palpate::test::LabelGrid grid;
-  grid.Size = {60, 32, 32};
-  grid.CenterOnOrigin();
-  const auto parts = palpate::test::MakeLabelImage(
-      grid, [](double x, double y, double z)
-      { return std::hypot(x + 8.0, y, z) < 9.0 || std::hypot(x - 9.0, y, z) < 6.0; });
+  const auto parts =
+      CubesWhere({60, 32, 32}, [](double x, double y, double z)
+                 { return std::hypot(x + 8.0, y, z) < 9.0 || std::hypot(x - 9.0, y, z) < 6.0; });
   const FitResult result = Fit(parts);
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
@@ -296,17 +297,13 @@ TEST(SurfaceModels, TakeInNearPartsThatARadiusWouldLeaveOut)
 // A rod of two pieces that touch by an edge: two components, one organ.
 TEST(SurfaceModels, TakeInPartsThatAreNear)
 {
-  palpate::test::LabelGrid grid;
-  grid.Size = {60, 30, 30};
-  grid.CenterOnOrigin();
-  const auto rod =
-      palpate::test::MakeLabelImage(grid,
-                                    [](double x, double y, double z)
-                                    {
-                                      const bool isLeft = x < 0.0;
-                                      return std::abs(x) < 24.0 && std::abs(z) < 5.0 &&
-                                             (isLeft ? y > 0.0 && y < 10.0 : y < 0.0 && y > -10.0);
-                                    });
+  const auto rod = CubesWhere({60, 30, 30},
+                              [](double x, double y, double z)
+                              {
+                                const bool isLeft = x < 0.0;
+                                return std::abs(x) < 24.0 && std::abs(z) < 5.0 &&
+                                       (isLeft ? y > 0.0 && y < 10.0 : y < 0.0 && y > -10.0);
+                              });
   const FitResult result = Fit(rod, SurfaceOfDegree(16));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
@@ -319,12 +316,8 @@ TEST(SurfaceModels, TakeInPartsThatAreNear)
 
 TEST(SurfaceModels, OfATorusTellThatItsHandleWasCut)
 {
-  palpate::test::LabelGrid grid;
-  grid.Size = {60, 60, 24};
-  grid.CenterOnOrigin();
-  const auto torus =
-      palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
-                                    { return std::hypot(std::hypot(x, y) - 18.0, z) < 7.0; });
+  const auto torus = CubesWhere({60, 60, 24}, [](double x, double y, double z)
+                                { return std::hypot(std::hypot(x, y) - 18.0, z) < 7.0; });
   const FitResult result = Fit(torus, SurfaceOfDegree(12));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_EQ(result.Details.Mapped->Topology.CutHandles.Count, 1);
@@ -360,13 +353,9 @@ TEST(SurfaceModels, WithoutOrientationFollowTheirEllipsoid)
 
 TEST(SurfaceModels, OfASpongeAreRefusedForItsHoles)
 {
-  palpate::test::LabelGrid grid;
-  grid.Size = {40, 40, 40};
-  grid.CenterOnOrigin();
   std::mt19937_64 random(1);
-  const auto sponge =
-      palpate::test::MakeLabelImage(grid, [&random](double x, double y, double z)
-                                    { return std::hypot(x, y, z) < 16.0 && random() % 4 != 0; });
+  const auto sponge = CubesWhere({40, 40, 40}, [&random](double x, double y, double z)
+                                 { return std::hypot(x, y, z) < 16.0 && random() % 4 != 0; });
   const FitResult result = Fit(sponge, SurfaceOfDegree(12));
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_NE(result.Message.find("% of its volume"), std::string::npos) << result.Message;
