@@ -37,20 +37,20 @@ SurfaceDistances DistancesBetween(const ComparedSurface& one, const ComparedSurf
 
 void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
 {
-  Report(0.3, progress);
+  Report(0.0, progress);
   const ComparedSurface model = Prepared(result.ModelSurface);
   const ComparedSurface surface = Prepared(result.Surface);
   result.SurfaceAreaSquareMillimeters = MeasureEnclosed(result.Surface).Area;
-  Report(0.4, progress);
+  Report(0.1, progress);
   result.ModelToSurface = DistancesBetween(model, surface);
   if (result.IsOfSurface)
   {
     return;
   }
-  Report(0.5, progress);
+  Report(0.3, progress);
   const ComparedSurface mask = Prepared(boundary);
   result.ModelToMask = DistancesBetween(model, mask);
-  Report(0.8, progress);
+  Report(0.7, progress);
   result.SurfaceToMask = DistancesBetween(surface, mask);
   Report(1.0, progress);
 }

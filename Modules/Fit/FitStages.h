@@ -27,6 +27,7 @@ struct FitSamples
   vtkSmartPointer<vtkPolyData> Boundary;
   vtkSmartPointer<vtkPolyData> Samples; ///< see vtkRadialSampler; of a radial model
   bool IsOver = false;
+  bool IsTriedWithParts = false; ///< to map it together with the parts near it
 };
 
 /// Depends on Method, Smoothing and Component.

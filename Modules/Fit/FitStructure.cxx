@@ -11,17 +11,6 @@ namespace palpate
 {
 namespace
 {
-// Maps the progress of a stage to the part [from, to] of the whole.
-ProgressFunction PartOf(const ProgressFunction& progress, double from, double to)
-{
-  if (!progress)
-  {
-    return {};
-  }
-  return [&progress, from, to](double fraction, const std::string& stage)
-  { return progress(from + (to - from) * fraction, stage); };
-}
-
 // The stages after the first, which made the surface.
 FitResult FitTo(const FitSurface& surface, const FitSettings& settings,
                 const ProgressFunction& progress)

@@ -16,6 +16,7 @@ PALPATEFIT_EXPORT FitSurface MakeFitSurface(const std::filesystem::path& file, v
                                             const FitSettings& settings,
                                             const ProgressFunction& progress);
 
-/// MapToParameterSphere for a result of a surface file.
+/// Maps the surface of a file's result to the parameter sphere (Details). Returns why it cannot, as
+/// a predicate, or an empty text. Throws Cancelled.
 PALPATEFIT_EXPORT std::string MapSurfaceFile(FitResult& result, const ProgressFunction& progress);
 } // namespace palpate

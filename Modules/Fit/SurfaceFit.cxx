@@ -1,24 +1,24 @@
 #include "SurfaceFit.h"
 
+#include "ClosestPointDistances.h"
 #include "DecimalText.h"
 #include "FitDeviation.h"
+#include "FitQuality.h"
+#include "FitVerdict.h"
 #include "IcosahedronDirections.h"
-#include "ImageIndexToWorld.h"
 #include "KernelWatch.h"
-#include "LabelMask.h"
 #include "MeshConversion.h"
 #include "MeshCrossings.h"
 #include "ModelOverlap.h"
 #include "ModelSurface.h"
 #include "ParametricSurfaceMeasures.h"
 #include "ParametricUncertainty.h"
-#include "RepairRemarks.h"
-#include "SurfaceFileFit.h"
-#include "SurfaceTopology.h"
+#include "StageClock.h"
 #include "Units.h"
 #include "VoxelMinimum.h"
 
-#include "vtkImageData.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -138,48 +138,9 @@ void RemarkOnFit(FitResult& result)
     result.Notes.push_back(result.Coverage.Message);
   }
 }
-} // namespace
 
-std::string MapToParameterSphere(FitResult& result, int component, const ProgressFunction& progress)
-{
-  if (result.IsOfSurface)
-  {
-    return MapSurfaceFile(result, progress);
-  }
-  KernelWatch watched(progress, "surface");
-  auto mapped = std::make_shared<MappedSurface>();
-  const Status status =
-      MakeMappedSurface(CopyComponent(result.Mask, result.Structure.Value, component, 1),
-                        IndexToWorldOf(result.Mask), {}, watched.Of(0.0, 1.0), *mapped);
-  watched.Require();
-  if (!status.IsOk())
-  {
-    // Of a sponge, its holes are the reason.
-    const Status changed = CheckTopology(mapped->Topology, {});
-    const bool isSponge = !changed.IsOk() && !result.Settings.Repairs;
-    return isSponge ? changed.Message() : status.Message();
-  }
-  result.Surface = DrawMesh(mapped->Mesh);
-  result.SurfaceMilliliters = DescribeTopology(mapped->Mesh).Volume / CubicMillimetersPerMilliliter;
-  result.Details.Mapped = std::move(mapped);
-  return {};
-}
-
-void RemarkOnRepair(FitResult& result)
-{
-  const MappedSurface& mapped = *result.Details.Mapped;
-  RemarkOnChanges(mapped.Topology, result);
-  if (!mapped.Lost.empty())
-  {
-    const LostPlace& farthest = mapped.Lost.front();
-    result.Notes.push_back("the surface leaves out thin parts at " +
-                           std::to_string(mapped.Lost.size()) + " places, up to " +
-                           FixedText(farthest.Distance, 1) + " mm at " +
-                           PlaceText(farthest.Farthest));
-  }
-}
-
-std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
+// Fits a model and draws it. Returns why it cannot, as a predicate, or an empty text.
+std::string FitAndDraw(FitResult& result, const ProgressFunction& progress)
 {
   KernelWatch watched(progress, "fit");
   const MappedSurface& mapped = *result.Details.Mapped;
@@ -214,5 +175,35 @@ std::string FitSurfaceModel(FitResult& result, const ProgressFunction& progress)
   RemarkOnPlacement(fit.IsAmbiguous, result);
   RemarkOnFit(result);
   return regular.Message();
+}
+
+// Signed distances of the drawn model's points from the surface that was fitted.
+void AddDistances(vtkPolyData* surface, vtkPolyData* drawn)
+{
+  const std::vector<double> found =
+      SignedDistances(ToIndexedMesh(drawn).Points, ToIndexedMesh(surface));
+  vtkNew<vtkDoubleArray> distances;
+  distances->SetName("DistanceToSurface");
+  distances->SetNumberOfValues(drawn->GetNumberOfPoints());
+  std::copy(found.begin(), found.end(), distances->GetPointer(0));
+  drawn->GetPointData()->AddArray(distances);
+}
+} // namespace
+
+void FitSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
+{
+  StageClock clock(result.Seconds);
+  const std::string reason = FitAndDraw(result, PartOf(progress, 0.0, 0.7));
+  clock.EndStage("fit");
+  if (!reason.empty())
+  {
+    Refuse(reason, HintForDegree, result);
+    return;
+  }
+  RemarkOnDegree(DegreeOf(result.Model), result);
+  AddDistances(result.Surface, result.ModelSurface);
+  MeasureQuality(boundary, result, PartOf(progress, 0.7, 1.0));
+  clock.EndStage("quality");
+  JudgeOverlap(result);
 }
 } // namespace palpate

@@ -8,4 +8,16 @@ namespace palpate
 /// Called repeatedly with the progress of a task: fraction in 0..1 and the stage's name. Returns
 /// false to cancel the task.
 using ProgressFunction = std::function<bool(double fraction, const std::string& stage)>;
+
+/// For a step that is the part [from, to] of a task. `progress`, which may be empty, has to outlive
+/// it.
+inline ProgressFunction PartOf(const ProgressFunction& progress, double from, double to)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [&progress, from, to](double fraction, const std::string& stage)
+  { return progress(from + (to - from) * fraction, stage); };
+}
 } // namespace palpate

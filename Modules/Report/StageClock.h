@@ -7,7 +7,8 @@
 
 namespace palpate
 {
-/// Appends the durations of successive stages to a list, in seconds.
+/// Adds the durations of successive stages to a list, in seconds: one entry for all that have the
+/// same name.
 class StageClock
 {
 public:
@@ -20,8 +21,17 @@ public:
   void EndStage(const std::string& stage)
   {
     const auto now = std::chrono::steady_clock::now();
-    this->Stages.emplace_back(stage, std::chrono::duration<double>(now - this->Start).count());
+    const double seconds = std::chrono::duration<double>(now - this->Start).count();
     this->Start = now;
+    for (auto& earlier : this->Stages)
+    {
+      if (earlier.first == stage)
+      {
+        earlier.second += seconds;
+        return;
+      }
+    }
+    this->Stages.emplace_back(stage, seconds);
   }
 
 private:

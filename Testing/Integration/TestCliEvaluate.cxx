@@ -125,7 +125,8 @@ TEST(CliEvaluate, ParametricFormKnowsInsideAndDistance)
   EXPECT_EQ(points[1].at("inside"), false);
   const Vector3 far(1.0, 2.0, 80.0);
   double least = 1e300;
-  for (const Vector3& u : IcosahedronDirections(100).Directions())
+  const IcosahedronDirections grid(100);
+  for (const Vector3& u : grid.Directions())
   {
     least = std::min(least, (NearlyASphere().PointWorld(u) - far).norm());
   }

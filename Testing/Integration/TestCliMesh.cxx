@@ -46,6 +46,20 @@ TEST(CliMesh, EveryStructureBecomesOneFile)
   }
 }
 
+TEST(CliMesh, MapOfSeveralVolumesIsChosenByNumber)
+{
+  const TemporaryFolder folder;
+  WriteTwoVolumes(folder / "a.nii");
+  const CommandRun refused = RunPalpate({"mesh", "a.nii", "--output", "s.stl"}, folder.Path());
+  EXPECT_NE(refused.Code, 0);
+  EXPECT_NE(refused.Errors.find("--series"), std::string::npos) << refused.Errors;
+  const CommandRun run =
+      RunPalpate({"mesh", "a.nii", "--series", "2", "--output", "s.stl", "--json"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  // A ball of 9 mm; its voxels miss it by a hundredth.
+  EXPECT_NEAR(Json::parse(run.Output).at("volume_ml").at("mask").get<double>(), 3.054, 0.1);
+}
+
 TEST(CliMesh, FailingFileIsReportedAndDoesNotStopOthers)
 {
   const TemporaryFolder folder;

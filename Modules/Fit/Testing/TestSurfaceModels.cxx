@@ -15,8 +15,10 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace palpate::surface_models_test
 {
@@ -24,7 +26,8 @@ namespace
 {
 using Outcome = palpate::FitResult::Outcome;
 
-FitResult Fit(vtkImageData* mask, const FitSettings& settings = {})
+FitResult Fit(vtkImageData* mask, const FitSettings& settings = {},
+              const ProgressFunction& progress = {})
 {
   Segmentation segmentation;
   segmentation.Layers.emplace_back(mask);
@@ -32,7 +35,14 @@ FitResult Fit(vtkImageData* mask, const FitSettings& settings = {})
   segment.Label = segment.Value = 1;
   segmentation.Segments.push_back(segment);
   segmentation.Source = "folder/case.nrrd";
-  return palpate::FitStructure(segmentation, segment, settings);
+  return palpate::FitStructure(segmentation, segment, settings, progress);
+}
+
+int StagesNamed(const std::string& name, const FitResult& result)
+{
+  return static_cast<int>(std::count_if(result.Seconds.begin(), result.Seconds.end(),
+                                        [&name](const auto& stage)
+                                        { return stage.first == name; }));
 }
 
 FitSettings SurfaceOfDegree(int degree)
@@ -268,26 +278,101 @@ TEST(SurfaceModels, OfOneComponentAreComparedWithItAlone)
 }
 
 // A box of 80 x 4 x 4 mm is star-shaped, but a radius of degree 12 does not reach its ends.
+vtkSmartPointer<vtkImageData> Rod()
+{
+  return CubesWhere({90, 12, 12}, [](double x, double y, double z)
+                    { return std::abs(x) < 40.0 && std::abs(y) < 2.0 && std::abs(z) < 2.0; });
+}
+
 TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
 {
-  const auto rod =
-      CubesWhere({90, 12, 12}, [](double x, double y, double z)
-                 { return std::abs(x) < 40.0 && std::abs(y) < 2.0 && std::abs(z) < 2.0; });
   FitSettings radial;
   radial.Model = FitSettings::ModelKind::Radial;
-  ASSERT_EQ(Fit(rod, radial).State, Outcome::Refused);
-  const FitResult result = Fit(rod);
+  ASSERT_EQ(Fit(Rod(), radial).State, Outcome::Refused);
+  const FitResult result = Fit(Rod());
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(result.Model));
   EXPECT_GT(result.Dice, 0.95);
 }
 
+// A ball and a smaller one, 2 mm apart.
+vtkSmartPointer<vtkImageData> NearBalls()
+{
+  return CubesWhere({60, 32, 32}, [](double x, double y, double z)
+                    { return std::hypot(x + 8.0, y, z) < 9.0 || std::hypot(x - 9.0, y, z) < 6.0; });
+}
+
+TEST(SurfaceModels, AreNotTakenWhereARadialOneIsWantedWhateverItLoses)
+{
+  FitSettings settings;
+  settings.MaximumHiddenPercent = 100.0;
+  EXPECT_EQ(Fit(Rod(), settings).State, Outcome::Refused);
+  const FitResult largest = Fit(NearBalls(), settings);
+  ASSERT_EQ(largest.State, Outcome::Fitted) << largest.Message;
+  EXPECT_NE(largest.Radial(), nullptr);
+}
+
+// Doubtful, as no degree meets the tolerance: whichever overlaps the voxels more.
+TEST(SurfaceModels, AreTakenOnlyIfTheyOverlapMore)
+{
+  std::set<bool> taken;
+  for (const double step : {2.0, 4.0, 5.0})
+  {
+    const auto mask = palpate::test::ParametricMask(
+        palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0)), Cubes(step));
+    FitSettings settings;
+    settings.Tolerance = 0.001;
+    const FitResult automatic = Fit(mask, settings);
+    settings.Model = FitSettings::ModelKind::Radial;
+    const FitResult radial = Fit(mask, settings);
+    settings.Model = FitSettings::ModelKind::Surface;
+    const FitResult surface = Fit(mask, settings);
+    ASSERT_EQ(radial.State, Outcome::Fitted) << radial.Message;
+    const bool isBetter = surface.State == Outcome::Fitted && surface.Dice > radial.Dice;
+    EXPECT_EQ(automatic.Radial() == nullptr, isBetter) << step;
+    EXPECT_EQ(automatic.Dice, isBetter ? surface.Dice : radial.Dice);
+    EXPECT_EQ(StagesNamed("rejected_model", automatic), 1);
+    taken.insert(isBetter);
+  }
+  EXPECT_EQ(taken.size(), 2U);
+}
+
+TEST(SurfaceModels, ThatAreRefusedTooKeepTheWayOut)
+{
+  FitSettings settings;
+  settings.MinimumDice = 0.9999;
+  const FitResult result = Fit(Rod(), settings);
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.OptionHint.find("--min-dice"), std::string::npos) << result.OptionHint;
+}
+
+TEST(SurfaceModels, ProgressNeverRunsBack)
+{
+  FitSettings halves;
+  halves.MinimumDice = 0.5;
+  for (const auto& [mask, settings] :
+       {std::pair(Ring(2.0), FitSettings()), std::pair(Ring(2.0), SurfaceOfDegree(8)),
+        std::pair(Rod(), FitSettings()), std::pair(NearBalls(), FitSettings()),
+        std::pair(TwoBalls(), halves), std::pair(TwoBalls(), SurfaceOfDegree(8))})
+  {
+    double last = 0.0;
+    const FitResult result = Fit(mask, settings,
+                                 [&last](double part, const std::string& stage)
+                                 {
+                                   EXPECT_GE(part, last - 1e-12) << stage;
+                                   last = part;
+                                   return true;
+                                 });
+    if (result.State == Outcome::Fitted)
+    {
+      EXPECT_NEAR(last, 1.0, 1e-12);
+    }
+  }
+}
+
 TEST(SurfaceModels, TakeInNearPartsThatARadiusWouldLeaveOut)
 {
-  const auto parts =
-      CubesWhere({60, 32, 32}, [](double x, double y, double z)
-                 { return std::hypot(x + 8.0, y, z) < 9.0 || std::hypot(x - 9.0, y, z) < 6.0; });
-  const FitResult result = Fit(parts);
+  const FitResult result = Fit(NearBalls());
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
   EXPECT_EQ(result.Details.Mapped->Topology.Bridges.Count, 1);
@@ -366,16 +451,14 @@ TEST(SurfaceModels, CanBeCancelled)
 {
   for (const double end : {0.32, 0.45, 0.6})
   {
-    Segmentation segmentation;
-    segmentation.Layers.emplace_back(Ring(2.0));
-    Segment segment;
-    segment.Label = segment.Value = 1;
-    segmentation.Segments.push_back(segment);
-    EXPECT_THROW(palpate::FitStructure(segmentation, segment, SurfaceOfDegree(12),
-                                       [end](double part, const std::string&)
-                                       { return part < end; }),
-                 palpate::Cancelled)
-        << end;
+    const auto stop = [end](double part, const std::string&) { return part < end; };
+    EXPECT_THROW(Fit(Ring(2.0), SurfaceOfDegree(12), stop), palpate::Cancelled) << end;
+  }
+  // While a surface model is tried after a radial one.
+  for (const double end : {0.75, 0.9})
+  {
+    const auto stop = [end](double part, const std::string&) { return part < end; };
+    EXPECT_THROW(Fit(Rod(), {}, stop), palpate::Cancelled) << end;
   }
 }
 
