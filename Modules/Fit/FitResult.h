@@ -37,6 +37,7 @@ struct SurfaceModelDetails
   std::int64_t Crossings = 0;                  ///< pairs of triangles of the drawn model that cross
   double IrregularPercent = 0.0; ///< voxels with a winding number other than 0 and 1, of the mask's
   TopologyReport SurfaceRepair;  ///< of the repair of a surface file (MakeClosedMesh)
+  double AddedAreaPercent = 0.0; ///< of its area, by the repair (AddedSurface)
 };
 
 /// Result of one structure. Lengths are mm, volumes ml, points and surfaces patient LPS.

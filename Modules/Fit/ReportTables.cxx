@@ -110,6 +110,11 @@ HtmlRows MapRows(const FitResult& result)
   const TopologyReport& repair = mapped.Topology;
   HtmlRows rows{
       {"Changed by the repair", SignificantText(repair.ChangedPercent(), 3) + " % of the volume"}};
+  if (result.IsOfSurface)
+  {
+    rows.emplace_back("Added by the repair",
+                      SignificantText(result.Details.AddedAreaPercent, 3) + " % of the area");
+  }
   const auto add = [&rows](const char* name, const TopologyChange& change)
   {
     if (change.Count > 0)

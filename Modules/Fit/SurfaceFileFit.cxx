@@ -52,6 +52,13 @@ void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
   {
     result.Notes.push_back("the surface " + closed.Fault + ": it was made again from voxels of " +
                            SignificantText(closed.VoxelSize, 3) + " mm inside it");
+    if (closed.Added.AreaPercent > 0.0)
+    {
+      result.Notes.push_back(SignificantText(closed.Added.AreaPercent, 3) +
+                             " % of its area is new, up to " + FixedText(closed.Added.Distance, 1) +
+                             " mm from the surface that was given, at " +
+                             PlaceText(closed.Added.Farthest));
+    }
     RemarkOnChanges(closed.Topology, result);
   }
   else if (closed.Mesh.Triangles.size() < static_cast<std::size_t>(closed.GivenTriangles / 2))
@@ -59,6 +66,17 @@ void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
     result.Notes.push_back("the surface was coarsened from " +
                            std::to_string(closed.GivenTriangles) + " to " +
                            std::to_string(closed.Mesh.Triangles.size()) + " triangles");
+  }
+}
+
+// Nothing that is felt is so small; files in metres are common.
+void RemarkOnUnit(FitResult& result)
+{
+  constexpr double Smallest = 1.0; // mm
+  if (const double diagonal = result.Surface->GetLength(); diagonal < Smallest)
+  {
+    result.Notes.push_back("the surface is only " + SignificantText(diagonal, 2) +
+                           " mm large; its coordinates are taken as mm");
   }
 }
 
@@ -85,9 +103,11 @@ void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunctio
   }
   RemarkOnMends(closed, result);
   result.Details.SurfaceRepair = closed.Topology;
+  result.Details.AddedAreaPercent = closed.Added.AreaPercent;
   result.SurfaceMilliliters = DescribeTopology(closed.Mesh).Volume / CubicMillimetersPerMilliliter;
   result.Surface = DrawMesh(closed.Mesh);
   made.Boundary = result.Surface;
+  RemarkOnUnit(result);
   clock.EndStage("surface");
 }
 } // namespace

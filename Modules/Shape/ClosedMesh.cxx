@@ -6,6 +6,7 @@
 #include "MeshDecimation.h"
 #include "MeshRefinement.h"
 #include "MeshVoxels.h"
+#include "NearestOnMesh.h"
 #include "SurfaceTopology.h"
 
 #include <cmath>
@@ -59,6 +60,41 @@ bool IsOpen(const SurfaceTopology& topology)
 {
   return topology.BoundaryEdges > 0 || topology.NonManifoldEdges > 0 ||
          topology.OrientationConflicts > 0;
+}
+
+AddedSurface AddedTo(const IndexedMesh& given, const IndexedMesh& made, double near)
+{
+  AddedSurface added;
+  NearestOnMesh places;
+  if (!NearestOnMesh::Make(given, places).IsOk())
+  {
+    return added;
+  }
+  double all = 0.0;
+  double away = 0.0;
+  int start = 0;
+  for (const auto& [a, b, c] : made.Triangles)
+  {
+    const Vector3& corner = made.Points[static_cast<std::size_t>(a)];
+    const Vector3 one = made.Points[static_cast<std::size_t>(b)] - corner;
+    const Vector3 other = made.Points[static_cast<std::size_t>(c)] - corner;
+    const Vector3 centre = corner + (one + other) / 3.0;
+    const double area = 0.5 * one.cross(other).norm();
+    const NearestOnMesh::Result nearest = places.FindFrom(centre, start);
+    start = nearest.Triangle;
+    all += area;
+    if (nearest.Distance > near)
+    {
+      away += area;
+      if (nearest.Distance > added.Distance)
+      {
+        added.Distance = nearest.Distance;
+        added.Farthest = centre;
+      }
+    }
+  }
+  added.AreaPercent = all > 0.0 ? 100.0 * away / all : 0.0;
+  return added;
 }
 
 /// The steps of MakeClosedMesh.
@@ -130,11 +166,12 @@ private:
       return status;
     }
     const auto place = [&](const Vector3& point) -> Vector3 { return grid.Origin + point; };
-    mesh = std::move(surface.Mesh);
-    for (Vector3& point : mesh.Points)
+    for (Vector3& point : surface.Mesh.Points)
     {
       point = place(point);
     }
+    this->Made->Added = AddedTo(mesh, surface.Mesh, 2.0 * side);
+    mesh = std::move(surface.Mesh);
     this->Made->Topology = surface.Topology;
     TopologyReport& report = this->Made->Topology;
     for (TopologyChange* change : {&report.DroppedParts, &report.Bridges, &report.FilledCavities,

@@ -20,6 +20,14 @@ struct ClosedMeshSettings
       5'000; ///< edges twice as long as those of so many equal triangles are split
 };
 
+/// Surface that a repair has added: what is farther from the given surface than two of its voxels.
+struct AddedSurface
+{
+  double AreaPercent = 0.0;           ///< of the area of what was made
+  double Distance = 0.0;              ///< mm, of the farthest place from the given surface
+  Vector3 Farthest = Vector3::Zero(); ///< mm
+};
+
 /// A surface of one part without handles, holes and crossings, made from a triangle mesh.
 struct ClosedMesh
 {
@@ -29,6 +37,7 @@ struct ClosedMesh
   std::string Fault;       ///< what the repair has removed, as a predicate; empty without a repair
   double VoxelSize = 0.0;  ///< mm, of the repair
   TopologyReport Topology; ///< of the repair, after the mesh was turned into voxels
+  AddedSurface Added;      ///< by the repair
 };
 
 /// Mends a mesh (MendMesh) and checks that it is closed, without handles and in one part

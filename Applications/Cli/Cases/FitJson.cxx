@@ -83,6 +83,7 @@ Json RepairJson(const FitResult& result)
   }
   return {{"changed_percent", mapped->Topology.ChangedPercent()},
           {"changes", ChangesJson(mapped->Topology)},
+          {"added_area_percent", result.Details.AddedAreaPercent},
           {"lost_places", mapped->Lost.size()},
           {"lost_mm", mapped->Lost.empty() ? 0.0 : mapped->Lost.front().Distance}};
 }

@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkPolyDataWriter.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace palpate::surface_file_fit_test
@@ -168,6 +169,44 @@ TEST(SurfaceFileFit, BadSurfaceIsBadInputUnlessRepaired)
             std::string::npos)
       << repaired.Notes.front();
   EXPECT_NEAR(repaired.ModelMilliliters, 4.0 / 3.0 * M_PI * 9.0, 0.5);
+}
+
+bool HasNote(const FitResult& result, const std::string& text)
+{
+  return std::any_of(result.Notes.begin(), result.Notes.end(),
+                     [&text](const std::string& note)
+                     { return note.find(text) != std::string::npos; });
+}
+
+TEST(SurfaceFileFit, RepairTellsHowMuchOfTheSurfaceIsNew)
+{
+  TriangleMesh open = TrianglesOf(SurfaceOf(EllipsoidPhantom({30.0, 20.0, 15.0}), 64), "a");
+  auto& triangles = open.Triangles;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&open](const auto& t)
+                                 { return open.PointsWorld[t.front()].x() > 12.0; }),
+                  triangles.end());
+  FitSettings settings = Settings(FitSettings::ModelKind::Surface, 6);
+  settings.Repairs = true;
+  const FitResult result = Fit(PolyDataOf(open), settings);
+  ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
+  // The lid of pi 20 15 mm^2, on half of an ellipsoid of 5,550 mm^2; its rim is not counted.
+  EXPECT_GT(result.Details.AddedAreaPercent, 20.0);
+  EXPECT_LT(result.Details.AddedAreaPercent, 26.0);
+  EXPECT_TRUE(HasNote(result, "% of its area is new, up to 1"));
+}
+
+TEST(SurfaceFileFit, SurfaceInMetresIsNoticed)
+{
+  const TriangleMesh given = TrianglesOf(SurfaceOf(EllipsoidPhantom({30.0, 20.0, 15.0}), 16), "a");
+  TriangleMesh metres = given;
+  for (Vector3& point : metres.PointsWorld)
+  {
+    point *= 0.001;
+  }
+  const FitSettings settings = Settings(FitSettings::ModelKind::Automatic, 6);
+  EXPECT_TRUE(HasNote(Fit(PolyDataOf(metres), settings), "its coordinates are taken as mm"));
+  EXPECT_FALSE(HasNote(Fit(PolyDataOf(given), settings), "its coordinates are taken as mm"));
 }
 
 TEST(SurfaceFileFit, FilesHaveErrorMapAndNoMask)

@@ -161,6 +161,23 @@ TEST(ClosedMesh, RepairClosesHole)
   EXPECT_NEAR(VolumeOf(made.Mesh) / VolumeOf(Sphere(16, 10.0)), 1.0, 0.01);
 }
 
+TEST(ClosedMesh, RepairTellsHowMuchSurfaceItAdded)
+{
+  IndexedMesh half = Sphere(32, 10.0);
+  auto& triangles = half.Triangles;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                 [&](const std::array<int, 3>& t)
+                                 { return half.Points[t[0]].z() > 0.0; }),
+                  triangles.end());
+  const AddedSurface added = Repaired(half).Added;
+  // The lid, less a rim of two voxels: pi (10 - rim)^2 of 3 pi 10^2. Its border is ragged.
+  const double rim = 2.0 * Repaired(half).VoxelSize;
+  EXPECT_NEAR(added.AreaPercent, 100.0 * (10.0 - rim) * (10.0 - rim) / 300.0, 3.0);
+  EXPECT_NEAR(added.Distance, 10.0, 0.5);
+  EXPECT_LT(added.Farthest.norm(), 1.0);
+  EXPECT_EQ(Repaired(TwoSpheres(10.0)).Added.AreaPercent, 0.0);
+}
+
 TEST(ClosedMesh, RepairUnitesOverlappingPartsAndBridgesOthers)
 {
   const ClosedMesh overlap = Repaired(TwoSpheres(10.0));
