@@ -158,7 +158,7 @@ std::string ComparisonOverview(const std::vector<PairComparison>& pairs,
   const std::size_t compared = pairs.size() - lost.size();
   return ReportPage("Palpate comparisons",
                     "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 comparisons</div>\n<h1>" +
-                        std::to_string(compared) + (compared == 1 ? " pair" : " pairs") +
+                        CountText(static_cast<std::int64_t>(compared), "pair", "pairs") +
                         "</h1>\n</header>\n" + ReportSection("Summary", SummaryTable(pairs)) +
                         ReportSection("Pairs", PairTable(pairs)) +
                         ReportSection("Not compared", ReportNotes(lost)) +

@@ -115,7 +115,8 @@ std::string SummaryText(const std::vector<PairComparison>& pairs)
                   FixedText(summary.Mean, one.Digits), FixedText(summary.Median, one.Digits),
                   FixedText(summary.Least, one.Digits), FixedText(summary.Largest, one.Digits)});
   }
-  return count == 0 ? std::string()
-                    : std::to_string(count) + (count == 1 ? " pair\n" : " pairs\n") + table.Text();
+  return count == 0
+             ? std::string()
+             : CountText(static_cast<std::int64_t>(count), "pair\n", "pairs\n") + table.Text();
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "PairComparison.h"
 
 #include "CaseText.h"
+#include "DecimalText.h"
 #include "FitStructure.h"
 #include "InputError.h"
 #include "KernelWatch.h"
@@ -36,7 +37,7 @@ void RemarkOn(PairComparison& pair)
     if (side->Holes > 0)
     {
       pair.Notes.push_back(side->File.filename().string() + " is open (" +
-                           std::to_string(side->Holes) + (side->Holes == 1 ? " hole" : " holes") +
+                           CountText(side->Holes, "hole", "holes") +
                            "): it has no volume and no overlap, and distances from it no sign; "
                            "palpate fit --repair closes it");
     }

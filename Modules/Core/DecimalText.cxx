@@ -101,6 +101,11 @@ std::string SignificantAgainstLimit(double value, double limit, int digits)
   return AgainstLimit(value, limit, digits, &SignificantText);
 }
 
+std::string CountText(std::int64_t count, std::string_view one, std::string_view several)
+{
+  return std::to_string(count).append(" ").append(count == 1 ? one : several);
+}
+
 std::optional<double> ParseNumber(std::string_view text)
 {
   const std::string_view body = WithoutPlus(Trimmed(text));

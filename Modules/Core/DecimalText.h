@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ std::string SignificantText(double value, int digits = 6);
 std::string TextAgainstLimit(double value, double limit, int decimals);
 /// The same with SignificantText.
 std::string SignificantAgainstLimit(double value, double limit, int digits);
+
+/// "1 hole", "2 holes".
+std::string CountText(std::int64_t count, std::string_view one, std::string_view several);
 
 /// The finite number that the whole text is, blanks around it left out; nothing otherwise.
 std::optional<double> ParseNumber(std::string_view text);

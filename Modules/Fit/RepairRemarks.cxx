@@ -11,10 +11,10 @@ void RemarkOnChange(const TopologyChange& change, const char* one, const char* s
 {
   if (change.Count > 0)
   {
-    result.Notes.push_back(
-        std::to_string(change.Count) + " " + (change.Count == 1 ? one : several) + ", " +
-        SignificantText(change.Volume, 3) + " mm\xC2\xB3; the largest of " +
-        FixedText(change.LargestExtent, 1) + " mm at " + PlaceText(change.LargestCentre));
+    result.Notes.push_back(CountText(change.Count, one, several) + ", " +
+                           SignificantText(change.Volume, 3) + " mm\xC2\xB3; the largest of " +
+                           FixedText(change.LargestExtent, 1) + " mm at " +
+                           PlaceText(change.LargestCentre));
   }
 }
 } // namespace

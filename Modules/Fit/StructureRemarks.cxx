@@ -6,14 +6,6 @@
 
 namespace palpate
 {
-namespace
-{
-std::string Counted(long count, const char* one, const char* several)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : several);
-}
-} // namespace
-
 double AllParts(const FitResult& result)
 {
   const std::vector<double>& parts = result.ComponentMilliliters;
@@ -47,7 +39,7 @@ void RemarkOnRest(FitResult& result)
   RemarkOnComponents(result);
   if (result.CavityCount > 0)
   {
-    result.Notes.push_back(Counted(result.CavityCount, "cavity", "cavities") + " of " +
+    result.Notes.push_back(CountText(result.CavityCount, "cavity", "cavities") + " of " +
                            FixedText(result.CavityMilliliters, 3) + " ml in total filled");
   }
 }

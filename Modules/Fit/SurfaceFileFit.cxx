@@ -22,11 +22,6 @@ namespace palpate
 {
 namespace
 {
-std::string Counted(int count, const char* one, const char* several)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : several);
-}
-
 void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
 {
   const MeshMends& mends = closed.Mends;
@@ -35,7 +30,7 @@ void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
   {
     if (count > 0)
     {
-      done += (done.empty() ? "" : ", ") + Counted(count, one, several);
+      done += (done.empty() ? "" : ", ") + CountText(count, one, several);
     }
   };
   add(mends.DroppedTriangles, "triangle without three points dropped",

@@ -91,7 +91,7 @@ Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit
 Status JudgeFit(const IndexedMesh& mesh, const ParametricFitResult& fit, FitResult& result)
 {
   ParametricUncertainty uncertainty;
-  const Status status = AssessParametricFit(mesh, fit, uncertainty);
+  Status status = AssessParametricFit(mesh, fit, uncertainty);
   if (!status.IsOk())
   {
     return status;
@@ -127,11 +127,10 @@ void RemarkOnFit(FitResult& result)
   const SurfaceModelDetails& details = result.Details;
   if (details.Crossings > 0)
   {
-    result.Notes.push_back("the model crosses itself at " + std::to_string(details.Crossings) +
-                           (details.Crossings == 1 ? " pair" : " pairs") +
-                           " of the drawn triangles (" +
-                           SignificantText(details.IrregularPercent, 2) +
-                           " % of the mask's voxels lie outside in it or inside twice)");
+    result.Notes.push_back(
+        "the model crosses itself at " + CountText(details.Crossings, "pair", "pairs") +
+        " of the drawn triangles (" + SignificantText(details.IrregularPercent, 2) +
+        " % of the mask's voxels lie outside in it or inside twice)");
   }
   if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
   {

@@ -5,8 +5,10 @@
 #include "ImageIndexToWorld.h"
 #include "KernelWatch.h"
 #include "LabelMask.h"
+#include "MappedSurface.h"
 #include "MaskSurface.h"
 #include "MeshConversion.h"
+#include "ModelSurface.h"
 #include "RepairRemarks.h"
 #include "StageClock.h"
 #include "StructureRemarks.h"
@@ -16,6 +18,7 @@
 
 #include "vtkImageData.h"
 
+#include <memory>
 #include <utility>
 
 namespace palpate

@@ -1,5 +1,6 @@
 #include "VoxelMinimum.h"
 
+#include "DecimalText.h"
 #include "Segmentation.h"
 
 #include "vtkDataArray.h"
@@ -18,8 +19,7 @@ constexpr long SmallestVoxelCount = 8;
 
 std::string TooFew(long voxels)
 {
-  return "has only " + std::to_string(voxels) + (voxels == 1 ? " voxel" : " voxels") +
-         ", too few to have a shape";
+  return "has only " + CountText(voxels, "voxel", "voxels") + ", too few to have a shape";
 }
 
 // Voxels of the label, up to the required number.

@@ -190,7 +190,7 @@ private:
     const int most = this->Settings->MostTriangles;
     if (mesh.Triangles.size() > static_cast<std::size_t>(most))
     {
-      const Status status = DecimateMesh(
+      Status status = DecimateMesh(
           mesh, {most}, {}, [this](double part) { return this->Report(0.7 + 0.3 * part); }, mesh);
       if (!status.IsOk())
       {

@@ -1,5 +1,6 @@
 #include "SurfaceTopology.h"
 
+#include "DecimalText.h"
 #include "EdgeRings.h"
 #include "MeshSheets.h"
 
@@ -182,7 +183,7 @@ void Measure(const IndexedMesh& mesh, const EdgeRings& rings, SurfaceTopology& t
 
 std::string Counted(int count, const std::string& noun)
 {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  return CountText(count, noun, noun + "s");
 }
 
 // Facts about single points, triangles and edges; empty if they form closed, oriented surfaces.

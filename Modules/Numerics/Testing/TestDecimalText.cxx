@@ -119,6 +119,13 @@ TEST(DecimalText, AgainstLimitWritesEqualValueExactly)
   EXPECT_EQ(std::stod(TextAgainstLimit(1.0 / 3.0, 1.0 / 3.0, 2)), 1.0 / 3.0);
 }
 
+TEST(DecimalText, CountsOneAndSeveral)
+{
+  EXPECT_EQ(CountText(1, "cavity", "cavities"), "1 cavity");
+  EXPECT_EQ(CountText(0, "cavity", "cavities"), "0 cavities");
+  EXPECT_EQ(CountText(5'000'000'000, "voxel", "voxels"), "5000000000 voxels");
+}
+
 TEST(DecimalText, AgainstLimitDistinguishesNeighbouringDoubles)
 {
   for (const double limit : {1e-30, 0.1, 1.0, 1e22})
