@@ -77,6 +77,11 @@ std::string HintForImplausible(const FitSettings& settings, const HintWords& wor
   return "try " + AnyOf(choices);
 }
 
+std::string HintForShape(const HintWords& words)
+{
+  return std::string(words.WithoutModel) + " feels it as it is";
+}
+
 std::string OptionsOfFit(const FitSettings& settings)
 {
   return settings.Tolerance ? "(--tolerance, --max-degree, --frequency)"

@@ -18,18 +18,20 @@ struct HintWords
   const char* MinimumDice;
   const char* SurfaceModel;
   const char* Repair;
-  const char* Penalty; ///< empty if none is suggested
+  const char* Penalty;      ///< empty if none is suggested
+  const char* WithoutModel; ///< what feels a structure that no model describes
 };
 /// As options of `palpate fit`.
 inline constexpr HintWords OptionWords{
     "another --degree", "another --max-degree", "a higher --frequency", "--center visible",
     "--max-hidden",     "--min-dice",           "--model surface",      "--repair",
-    "--penalty auto"};
+    "--penalty auto",   "palpate touch"};
 /// As controls of the window, also used for session files.
 inline constexpr HintWords WindowWords{
     "another degree",          "another degree", "a higher Frequency",
     "the most visible Centre", "Maximum hidden", "Minimum Dice",
-    "the Model surface",       "Repair",         ""};
+    "the Model surface",       "Repair",         "",
+    "another Touch model"};
 
 /// Suggestions for a structure that is refused; settings that are already in use are not suggested.
 using Hint = std::string(const FitSettings& settings, const HintWords& words);
@@ -45,6 +47,9 @@ PALPATEFIT_EXPORT Hint HintForRepair;
 PALPATEFIT_EXPORT Hint HintForOpenSurface;
 /// If a model cannot be the structure's.
 PALPATEFIT_EXPORT Hint HintForImplausible;
+
+/// If no setting helps.
+PALPATEFIT_EXPORT std::string HintForShape(const HintWords& words);
 
 /// The options that affect whether samples determine a model, in brackets.
 PALPATEFIT_EXPORT std::string OptionsOfFit(const FitSettings& settings);

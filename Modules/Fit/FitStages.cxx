@@ -1,6 +1,7 @@
 #include "FitStages.h"
 
 #include "FilterRun.h"
+#include "FitHints.h"
 #include "FitStructure.h"
 #include "MaskSurface.h"
 #include "RadialStages.h"
@@ -182,6 +183,11 @@ FitResult MakeFitModel(const FitSamples& samples, const FitSettings& settings,
   if (!samples.IsOver)
   {
     RunStage([&] { RunModel(samples, result, progress); }, result);
+  }
+  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty())
+  {
+    result.OptionHint = HintForShape(OptionWords);
+    result.WindowHint = HintForShape(WindowWords);
   }
   return result;
 }

@@ -447,6 +447,17 @@ TEST(SurfaceModels, OfASpongeAreRefusedForItsHoles)
   EXPECT_EQ(result.ModelSurface, nullptr);
 }
 
+TEST(SurfaceModels, OfANeedleAreRefusedAndTouchIsNamed)
+{
+  const auto needle =
+      CubesWhere({200, 8, 8}, [](double x, double y, double z)
+                 { return std::abs(x) < 97.0 && std::abs(y) < 1.0 && std::abs(z) < 1.0; });
+  const FitResult result = Fit(needle, SurfaceOfDegree(12));
+  EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.Message.find("too long and thin"), std::string::npos) << result.Message;
+  EXPECT_NE(result.OptionHint.find("palpate touch"), std::string::npos) << result.OptionHint;
+}
+
 TEST(SurfaceModels, CanBeCancelled)
 {
   for (const double end : {0.32, 0.45, 0.6})
