@@ -45,6 +45,7 @@ void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunc
   result.ModelToSurface = DistancesBetween(model, surface);
   if (result.IsOfSurface)
   {
+    Report(1.0, progress);
     return;
   }
   Report(0.3, progress);

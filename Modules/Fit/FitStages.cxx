@@ -39,6 +39,16 @@ void RunStage(const Stage& stage, FitResult& result)
   }
 }
 
+// What no setting helps can still be felt.
+void OfferTouch(FitResult& result)
+{
+  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty())
+  {
+    result.OptionHint = HintForShape(OptionWords);
+    result.WindowHint = HintForShape(WindowWords);
+  }
+}
+
 // Whether a surface model may be chosen; not where a radial one is wanted whatever it loses.
 bool MayTakeSurfaceModel(const FitSettings& settings)
 {
@@ -90,8 +100,11 @@ bool IsDoubtful(const FitResult& radial)
 bool IsBetter(const FitResult& surface, const FitResult& radial)
 {
   const bool isFitted = surface.State == FitResult::Outcome::Fitted;
-  return radial.State == FitResult::Outcome::Refused ? isFitted || !surface.OptionHint.empty()
-                                                     : isFitted && surface.Dice > radial.Dice;
+  if (radial.State == FitResult::Outcome::Fitted)
+  {
+    return isFitted && surface.Dice > radial.Dice;
+  }
+  return isFitted || (surface.State == FitResult::Outcome::Refused && !surface.OptionHint.empty());
 }
 
 double SumOf(const std::vector<std::pair<std::string, double>>& seconds)
@@ -170,6 +183,7 @@ FitSamples MakeFitSamples(const FitSurface& surface, const FitSettings& settings
   if (!made.IsOver)
   {
     RunStage([&] { RunSamples(made, progress); }, made.Found);
+    OfferTouch(made.Found);
     made.IsOver = !made.Found.Message.empty();
   }
   return made;
@@ -184,11 +198,7 @@ FitResult MakeFitModel(const FitSamples& samples, const FitSettings& settings,
   {
     RunStage([&] { RunModel(samples, result, progress); }, result);
   }
-  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty())
-  {
-    result.OptionHint = HintForShape(OptionWords);
-    result.WindowHint = HintForShape(WindowWords);
-  }
+  OfferTouch(result);
   return result;
 }
 } // namespace palpate

@@ -45,4 +45,12 @@ void RemarkOnDegree(int supported, FitResult& result)
         TextAgainstLimit(tolerance, tolerance, 3) + " mm requested");
   }
 }
+
+void RemarkOnCoverage(FitResult& result)
+{
+  if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
+  {
+    result.Notes.push_back(result.Coverage.Message);
+  }
+}
 } // namespace palpate

@@ -14,4 +14,7 @@ void JudgeOverlap(FitResult& result);
 /// Adds a note if the search for a degree ended at the highest that the mask's voxels support,
 /// before it met the tolerance.
 void RemarkOnDegree(int supported, FitResult& result);
+
+/// Adds a note if too few directions determine part of the model.
+void RemarkOnCoverage(FitResult& result);
 } // namespace palpate

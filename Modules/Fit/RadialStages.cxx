@@ -80,15 +80,6 @@ void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
     result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
   }
 }
-
-// If too few directions determine part of the model.
-void RemarkOnCoverage(FitResult& result)
-{
-  if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
-  {
-    result.Notes.push_back(result.Coverage.Message);
-  }
-}
 } // namespace
 
 void SampleRadially(FitSamples& made, const ProgressFunction& progress)

@@ -72,11 +72,12 @@ Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit
     degree = std::min(degree + std::max(1, degree / 4), highest);
     status = fitTo(degree, partOf(below), partOf(degree), fit);
   }
+  const double reached = partOf(degree);
   while (status.IsOk() && fit.NormalRms <= *settings.Tolerance && degree - below > 1)
   {
     const int between = (below + degree) / 2;
     ParametricFitResult smaller;
-    status = fitTo(between, partOf(degree), partOf(degree), smaller);
+    status = fitTo(between, reached, reached, smaller);
     const bool meets = smaller.NormalRms <= *settings.Tolerance;
     (meets ? degree : below) = between;
     if (meets)
@@ -132,10 +133,7 @@ void RemarkOnFit(FitResult& result)
         " of the drawn triangles (" + SignificantText(details.IrregularPercent, 2) +
         " % of the mask's voxels lie outside in it or inside twice)");
   }
-  if (result.Coverage.Outcome != DirectionCoverage::Verdict::Good)
-  {
-    result.Notes.push_back(result.Coverage.Message);
-  }
+  RemarkOnCoverage(result);
 }
 
 // Fits a model and draws it. Returns why it cannot, as a predicate, or an empty text.

@@ -60,10 +60,10 @@ void RemarkOnRepair(FitResult& result)
   if (!mapped.Lost.empty())
   {
     const LostPlace& farthest = mapped.Lost.front();
-    result.Notes.push_back("the surface leaves out thin parts at " +
-                           std::to_string(mapped.Lost.size()) + " places, up to " +
-                           FixedText(farthest.Distance, 1) + " mm at " +
-                           PlaceText(farthest.Farthest));
+    result.Notes.push_back(
+        "the surface leaves out thin parts at " +
+        CountText(static_cast<std::int64_t>(mapped.Lost.size()), "place", "places") + ", up to " +
+        FixedText(farthest.Distance, 1) + " mm at " + PlaceText(farthest.Farthest));
   }
 }
 

@@ -176,14 +176,9 @@ std::shared_ptr<const StructureDistance> MakeGuideDistance(const SceneStructure&
                                                            const ProgressFunction& progress)
 {
   constexpr double SurfacePart = 0.2;
-  constexpr double DistancePart = 0.5;
-  const auto part = [&progress](double first, double share)
-  {
-    return [&progress, first, share](double fraction, const std::string& stage)
-    { return progress(first + share * fraction, stage); };
-  };
+  constexpr double SamplesEnd = 0.7;
   const IndexedMesh mesh =
-      ToIndexedMesh(ProtectedSurfaceOf(structure, source, part(0.0, SurfacePart)));
+      ToIndexedMesh(ProtectedSurfaceOf(structure, source, PartOf(progress, 0.0, SurfacePart)));
   if (mesh.Triangles.empty())
   {
     Refuse(structure.File, "has no triangles, so it cannot guide", "choose another structure");
@@ -196,11 +191,10 @@ std::shared_ptr<const StructureDistance> MakeGuideDistance(const SceneStructure&
   const VoxelCenters grid = ChosenGrid(structure, box, reach);
   const double band = reach.Reach + SpreadMargin * grid.Axes(0, 0);
   std::vector<float> values =
-      DistanceSamples(mesh, grid, band).Make(part(SurfacePart, DistancePart));
-  const double done = SurfacePart + DistancePart;
+      DistanceSamples(mesh, grid, band).Make(PartOf(progress, SurfacePart, SamplesEnd));
   std::shared_ptr<const StructureDistance> made;
-  RequireInput(StructureDistance::Make(SmoothField(std::move(values), grid, part(done, 1.0 - done)),
-                                       reach.Reach, made));
+  RequireInput(StructureDistance::Make(
+      SmoothField(std::move(values), grid, PartOf(progress, SamplesEnd, 1.0)), reach.Reach, made));
   return made;
 }
 } // namespace palpate

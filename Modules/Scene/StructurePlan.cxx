@@ -544,19 +544,15 @@ void StructurePlan::AddProtection(const std::vector<std::string>& fields)
                 [structure = this->Structure](const Inputs& made, const ProgressFunction& progress)
                 {
                   constexpr double SurfacePart = 0.2;
-                  const vtkSmartPointer<vtkPolyData> surface =
-                      ProtectedSurfaceOf(structure, made.front(),
-                                         [&](double fraction, const std::string& stage)
-                                         { return progress(SurfacePart * fraction, stage); });
+                  const vtkSmartPointer<vtkPolyData> surface = ProtectedSurfaceOf(
+                      structure, made.front(), PartOf(progress, 0.0, SurfacePart));
                   std::vector<std::shared_ptr<const ScalarField>> drilled;
                   for (std::size_t n = 1; n < made.size(); ++n)
                   {
                     drilled.push_back(ProductAs<ScalarField>(&made[n]));
                   }
-                  return std::make_shared<const SceneProtection>(MakeSceneProtection(
-                      surface, drilled,
-                      [&](double fraction, const std::string& stage)
-                      { return progress(SurfacePart + (1.0 - SurfacePart) * fraction, stage); }));
+                  return std::make_shared<const SceneProtection>(
+                      MakeSceneProtection(surface, drilled, PartOf(progress, SurfacePart, 1.0)));
                 });
 }
 

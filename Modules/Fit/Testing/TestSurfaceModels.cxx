@@ -343,6 +343,7 @@ TEST(SurfaceModels, ThatAreRefusedTooKeepTheWayOut)
   settings.MinimumDice = 0.9999;
   const FitResult result = Fit(Rod(), settings);
   EXPECT_EQ(result.State, Outcome::Refused);
+  EXPECT_NE(result.Details.Mapped, nullptr); // the refusal of the surface model
   EXPECT_NE(result.OptionHint.find("--min-dice"), std::string::npos) << result.OptionHint;
 }
 
@@ -350,10 +351,13 @@ TEST(SurfaceModels, ProgressNeverRunsBack)
 {
   FitSettings halves;
   halves.MinimumDice = 0.5;
+  FitSettings searched = SurfaceOfDegree(0);
+  searched.Tolerance = 0.16; // of a degree between 18 and 22, which are tried first
   for (const auto& [mask, settings] :
        {std::pair(Ring(2.0), FitSettings()), std::pair(Ring(2.0), SurfaceOfDegree(8)),
-        std::pair(Rod(), FitSettings()), std::pair(NearBalls(), FitSettings()),
-        std::pair(TwoBalls(), halves), std::pair(TwoBalls(), SurfaceOfDegree(8))})
+        std::pair(Ring(1.5), searched), std::pair(Rod(), FitSettings()),
+        std::pair(NearBalls(), FitSettings()), std::pair(TwoBalls(), halves),
+        std::pair(TwoBalls(), SurfaceOfDegree(8))})
   {
     double last = 0.0;
     const FitResult result = Fit(mask, settings,
@@ -468,8 +472,14 @@ TEST(SurfaceModels, CanBeCancelled)
   // While a surface model is tried after a radial one.
   for (const double end : {0.75, 0.9})
   {
-    const auto stop = [end](double part, const std::string&) { return part < end; };
+    double last = 0.0;
+    const auto stop = [end, &last](double part, const std::string&)
+    {
+      last = part;
+      return part < end;
+    };
     EXPECT_THROW(Fit(Rod(), {}, stop), palpate::Cancelled) << end;
+    EXPECT_LT(last, 1.0);
   }
 }
 
