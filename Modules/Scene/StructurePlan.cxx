@@ -148,7 +148,7 @@ std::string StructurePlan::AddImage(const std::filesystem::path& file, const std
 std::string StructurePlan::AddIsoImage()
 {
   const SceneStructure& own = this->Structure;
-  const std::string image = this->AddImage(own.File, own.Series);
+  std::string image = this->AddImage(own.File, own.Series);
   if (!own.IsLimited())
   {
     return image;
