@@ -39,10 +39,11 @@ void RunStage(const Stage& stage, FitResult& result)
   }
 }
 
-// What no setting helps can still be felt.
+// What no setting helps can still be felt. A whole sentence gives advice of its own.
 void OfferTouch(FitResult& result)
 {
-  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty())
+  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty() &&
+      result.Message.back() != '.')
   {
     result.OptionHint = HintForShape(OptionWords);
     result.WindowHint = HintForShape(WindowWords);
