@@ -77,11 +77,6 @@ std::string HintForImplausible(const FitSettings& settings, const HintWords& wor
   return "try " + AnyOf(choices);
 }
 
-std::string HintForShape(const HintWords& words)
-{
-  return std::string(words.WithoutModel) + " feels it as it is";
-}
-
 std::string OptionsOfFit(const FitSettings& settings)
 {
   return settings.Tolerance ? "(--tolerance, --max-degree, --frequency)"
@@ -91,6 +86,11 @@ std::string OptionsOfFit(const FitSettings& settings)
 std::string HintForTooFewVoxels()
 {
   return "choose another --label or --component";
+}
+
+std::string HintForShape()
+{
+  return "palpate touch feels it as it is";
 }
 
 std::string WithHint(const std::string& reason, const std::string& hint)

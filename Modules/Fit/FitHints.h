@@ -18,20 +18,18 @@ struct HintWords
   const char* MinimumDice;
   const char* SurfaceModel;
   const char* Repair;
-  const char* Penalty;      ///< empty if none is suggested
-  const char* WithoutModel; ///< what feels a structure that no model describes
+  const char* Penalty; ///< empty if none is suggested
 };
 /// As options of `palpate fit`.
 inline constexpr HintWords OptionWords{
     "another --degree", "another --max-degree", "a higher --frequency", "--center visible",
     "--max-hidden",     "--min-dice",           "--model surface",      "--repair",
-    "--penalty auto",   "palpate touch"};
+    "--penalty auto"};
 /// As controls of the window, also used for session files.
 inline constexpr HintWords WindowWords{
     "another degree",          "another degree", "a higher Frequency",
     "the most visible Centre", "Maximum hidden", "Minimum Dice",
-    "the Model surface",       "Repair",         "",
-    "another Touch model"};
+    "the Model surface",       "Repair",         ""};
 
 /// Suggestions for a structure that is refused; settings that are already in use are not suggested.
 using Hint = std::string(const FitSettings& settings, const HintWords& words);
@@ -48,13 +46,12 @@ PALPATEFIT_EXPORT Hint HintForOpenSurface;
 /// If a model cannot be the structure's.
 PALPATEFIT_EXPORT Hint HintForImplausible;
 
-/// If no setting helps.
-PALPATEFIT_EXPORT std::string HintForShape(const HintWords& words);
-
 /// The options that affect whether samples determine a model, in brackets.
 PALPATEFIT_EXPORT std::string OptionsOfFit(const FitSettings& settings);
 /// If a structure has too few voxels; `palpate mesh` has these options too.
 PALPATEFIT_EXPORT std::string HintForTooFewVoxels();
+/// If no setting helps; the window touches such a structure by its voxels or triangles anyway.
+PALPATEFIT_EXPORT std::string HintForShape();
 
 /// A reason and a hint, as one sentence; the reason alone for an empty hint.
 PALPATEFIT_EXPORT std::string WithHint(const std::string& reason, const std::string& hint);

@@ -45,8 +45,7 @@ void OfferTouch(FitResult& result)
   if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty() &&
       result.Message.back() != '.')
   {
-    result.OptionHint = HintForShape(OptionWords);
-    result.WindowHint = HintForShape(WindowWords);
+    result.OptionHint = HintForShape();
   }
 }
 
@@ -184,7 +183,6 @@ FitSamples MakeFitSamples(const FitSurface& surface, const FitSettings& settings
   if (!made.IsOver)
   {
     RunStage([&] { RunSamples(made, progress); }, made.Found);
-    OfferTouch(made.Found);
     made.IsOver = !made.Found.Message.empty();
   }
   return made;
