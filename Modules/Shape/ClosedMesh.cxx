@@ -4,11 +4,12 @@
 #include "GenusZeroSurface.h"
 #include "MeshCrossings.h"
 #include "MeshDecimation.h"
+#include "MeshDistances.h"
 #include "MeshRefinement.h"
 #include "MeshVoxels.h"
-#include "NearestOnMesh.h"
 #include "SurfaceTopology.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -65,35 +66,23 @@ bool IsOpen(const SurfaceTopology& topology)
 AddedSurface AddedTo(const IndexedMesh& given, const IndexedMesh& made, double near)
 {
   AddedSurface added;
-  NearestOnMesh places;
-  if (!NearestOnMesh::Make(given, places).IsOk())
+  ComparedSurface from;
+  ComparedSurface to;
+  if (!ComparedSurface::Make(given, from).IsOk() || !ComparedSurface::Make(made, to).IsOk())
   {
     return added;
   }
-  double all = 0.0;
-  double away = 0.0;
-  int start = 0;
-  for (const auto& [a, b, c] : made.Triangles)
+  const std::vector<double> distances = to.DistancesFrom(from);
+  for (std::size_t point = 0; point < distances.size(); ++point)
   {
-    const Vector3& corner = made.Points[static_cast<std::size_t>(a)];
-    const Vector3 one = made.Points[static_cast<std::size_t>(b)] - corner;
-    const Vector3 other = made.Points[static_cast<std::size_t>(c)] - corner;
-    const Vector3 centre = corner + (one + other) / 3.0;
-    const double area = 0.5 * one.cross(other).norm();
-    const NearestOnMesh::Result nearest = places.FindFrom(centre, start);
-    start = nearest.Triangle;
-    all += area;
-    if (nearest.Distance > near)
-    {
-      away += area;
-      if (nearest.Distance > added.Distance)
-      {
-        added.Distance = nearest.Distance;
-        added.Farthest = centre;
-      }
-    }
+    added.AreaPercent += distances[point] > near ? 100.0 * to.Weights()[point] : 0.0;
   }
-  added.AreaPercent = all > 0.0 ? 100.0 * away / all : 0.0;
+  const auto farthest = std::max_element(distances.begin(), distances.end());
+  if (*farthest > near)
+  {
+    added.Distance = *farthest;
+    added.Farthest = made.Points[static_cast<std::size_t>(farthest - distances.begin())];
+  }
   return added;
 }
 

@@ -6,13 +6,8 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <string>
 
 namespace palpate::test
 {
@@ -71,34 +66,6 @@ inline void WriteTorus(const std::filesystem::path& path)
     voxel[i] = std::hypot(std::hypot(point[0], point[1]) - 18.0, point[2]) < 6.0 ? 1 : 0;
   }
   WriteImage(path, image);
-}
-
-/// A NIfTI file of two volumes of 24^3 voxels of 1 mm: balls of label 1, of 6 and of 9 mm.
-inline void WriteTwoVolumes(const std::filesystem::path& path)
-{
-  constexpr int Size = 24;
-  std::string bytes(352, '\0');
-  const auto put = [&bytes](std::size_t offset, const auto& value)
-  { std::memcpy(&bytes[offset], &value, sizeof value); };
-  put(0, std::int32_t{348});
-  put(40, std::array<std::int16_t, 8>{4, Size, Size, Size, 2, 1, 1, 1});
-  put(70, std::array<std::int16_t, 2>{2, 8}); // unsigned bytes
-  put(76, std::array<float, 8>{1, 1, 1, 1, 1, 1, 1, 1});
-  put(108, 352.0F);          // where the voxels begin
-  put(254, std::int16_t{1}); // coordinates of the scanner, by the three rows
-  put(280, std::array<float, 12>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
-  bytes.replace(344, 3, "n+1");
-  for (const double radius : {6.0, 9.0})
-  {
-    for (int i = 0; i < Size * Size * Size; ++i)
-    {
-      const double x = i % Size - 11.5;
-      const double y = i / Size % Size - 11.5;
-      const double z = i / Size / Size - 11.5;
-      bytes.push_back(std::hypot(x, y, z) < radius ? '\1' : '\0');
-    }
-  }
-  std::ofstream(path, std::ios::binary) << bytes;
 }
 
 /// The sphere of 10 mm around (1, 2, 3) mm, as a model of degree 1 with a small tilt.

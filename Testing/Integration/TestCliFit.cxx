@@ -4,6 +4,7 @@
 #include "SphericalHarmonicMeasures.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
+#include "TwoVolumes.h"
 
 #include <fstream>
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "SurfaceFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
+#include "TwoVolumes.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
