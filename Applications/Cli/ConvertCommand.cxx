@@ -2,7 +2,6 @@
 
 #include "Console.h"
 #include "FileType.h"
-#include "FilterRun.h"
 #include "ImageContent.h"
 #include "ImageFormat.h"
 #include "ImageWriter.h"
@@ -10,6 +9,7 @@
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "Progress.h"
 #include "SegmentationFile.h"
 #include "SegmentationWriter.h"
 #include "SurfaceFile.h"

@@ -5,7 +5,6 @@
 #include "Console.h"
 #include "DecimalText.h"
 #include "FileType.h"
-#include "FilterRun.h"
 #include "FiniteNumber.h"
 #include "ImageWriter.h"
 #include "InputError.h"
@@ -13,6 +12,7 @@
 #include "ModelFile.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
+#include "Progress.h"
 #include "ProstateLikeModel.h"
 #include "SphericalHarmonicMeasures.h"
 
@@ -240,12 +240,7 @@ int PhantomCommand::Run(Console& console)
   const PhantomGrid grid = this->GridAround(model);
   const ProgressFunction progress = ProgressOn(console);
   const auto goOn = [&progress](double part)
-  {
-    if (!progress(part, "making the phantom"))
-    {
-      throw Cancelled();
-    }
-  };
+  { ReportProgress(progress, part, "making the phantom"); };
   const PhantomImages phantom = MakePhantom(model, grid, this->Appearance(model), goOn);
   console.EndProgress();
   CheckNodule(phantom.Nodule);

@@ -9,13 +9,7 @@ namespace palpate
 {
 namespace
 {
-void Report(double fraction, const ProgressFunction& progress)
-{
-  if (progress && !progress(fraction, "quality"))
-  {
-    throw Cancelled();
-  }
-}
+constexpr const char* QualityStage = "quality";
 
 ComparedSurface Prepared(vtkPolyData* surface)
 {
@@ -37,22 +31,22 @@ SurfaceDistances DistancesBetween(const ComparedSurface& one, const ComparedSurf
 
 void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
 {
-  Report(0.0, progress);
+  ReportProgress(progress, 0.0, QualityStage);
   const ComparedSurface model = Prepared(result.ModelSurface);
   const ComparedSurface surface = Prepared(result.Surface);
   result.SurfaceAreaSquareMillimeters = MeasureEnclosed(result.Surface).Area;
-  Report(0.1, progress);
+  ReportProgress(progress, 0.1, QualityStage);
   result.ModelToSurface = DistancesBetween(model, surface);
   if (result.IsOfSurface)
   {
-    Report(1.0, progress);
+    ReportProgress(progress, 1.0, QualityStage);
     return;
   }
-  Report(0.3, progress);
+  ReportProgress(progress, 0.3, QualityStage);
   const ComparedSurface mask = Prepared(boundary);
   result.ModelToMask = DistancesBetween(model, mask);
-  Report(0.7, progress);
+  ReportProgress(progress, 0.7, QualityStage);
   result.SurfaceToMask = DistancesBetween(surface, mask);
-  Report(1.0, progress);
+  ReportProgress(progress, 1.0, QualityStage);
 }
 } // namespace palpate

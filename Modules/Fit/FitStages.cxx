@@ -39,11 +39,10 @@ void RunStage(const Stage& stage, FitResult& result)
   }
 }
 
-// What no setting helps can still be felt. A whole sentence gives advice of its own.
+// What no setting helps can still be felt.
 void OfferTouch(FitResult& result)
 {
-  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty() &&
-      result.Message.back() != '.')
+  if (result.State == FitResult::Outcome::Refused && result.OptionHint.empty())
   {
     result.OptionHint = HintForShape();
   }
@@ -151,10 +150,7 @@ void RunModel(const FitSamples& samples, FitResult& result, const ProgressFuncti
   {
     TrySurfaceModel(samples, result, PartOf(progress, 0.5, 1.0));
   }
-  if (progress && !progress(1.0, "quality"))
-  {
-    throw Cancelled();
-  }
+  ReportProgress(progress, 1.0, "quality");
 }
 } // namespace
 

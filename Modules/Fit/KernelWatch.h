@@ -1,6 +1,5 @@
 #pragma once
 
-#include "FilterRun.h"
 #include "KernelProgress.h"
 #include "Progress.h"
 

@@ -1,9 +1,9 @@
 #include "ModelSoftening.h"
 
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "ImageGrid.h"
 #include "KernelWatch.h"
+#include "Progress.h"
 #include "Refusal.h"
 #include "SofteningKey.h"
 #include "SphereQuadrature.h"
@@ -123,10 +123,7 @@ public:
     std::string inclusions;
     for (const SofteningSettings::Inclusion& inclusion : this->Settings.Inclusions)
     {
-      if (progress && !progress(0.0, Stage))
-      {
-        throw Cancelled();
-      }
+      ReportProgress(progress, 0.0, Stage);
       if (this->AddInclusion(inclusion, solid.Tissue))
       {
         inclusions += (inclusions.empty() ? ", inclusions of " : ", ") +

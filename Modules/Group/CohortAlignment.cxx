@@ -3,9 +3,9 @@
 #include "CohortNotes.h"
 #include "CsvText.h"
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelFile.h"
+#include "Progress.h"
 #include "ShapeVector.h"
 
 #include <algorithm>

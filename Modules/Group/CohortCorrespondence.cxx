@@ -3,7 +3,7 @@
 #include "CohortNotes.h"
 #include "CsvText.h"
 #include "DecimalText.h"
-#include "FilterRun.h"
+#include "Progress.h"
 #include "Units.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 
 #include "DecimalText.h"
 #include "FalseDiscovery.h"
-#include "FilterRun.h"
 #include "InputError.h"
 #include "LinearModel.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "CohortExport.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelFile.h"
 #include "OutputNames.h"
+#include "Progress.h"
 #include "ShapeAlignment.h"
 #include "ShapeWorksFolder.h"
 #include "SpharmPdmFolder.h"
@@ -50,11 +50,8 @@ void ExportCohort(const CohortGroup& group, const std::filesystem::path& folder,
   std::set<std::string> taken;
   for (std::size_t i = 0; i < group.Rows.size(); ++i)
   {
-    if (progress &&
-        !progress(static_cast<double>(i) / static_cast<double>(group.Rows.size()), "export"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, static_cast<double>(i) / static_cast<double>(group.Rows.size()),
+                   "export");
     const std::string name = FreeName(group.Rows[i].Case, taken);
     const SurfaceModel patient =
         ReadModel((folder / group.Rows[i].Model).lexically_normal()).Surface;

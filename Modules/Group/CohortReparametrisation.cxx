@@ -2,8 +2,8 @@
 
 #include "CsvText.h"
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "InputError.h"
+#include "Progress.h"
 #include "ReportPage.h"
 #include "Units.h"
 

@@ -9,12 +9,6 @@ namespace palpate
 {
 namespace
 {
-KernelProgress PartOfProgress(const KernelProgress& progress, double from, double to)
-{
-  return !progress ? KernelProgress()
-                   : [=](double fraction) { return progress(from + fraction * (to - from)); };
-}
-
 std::vector<double> Lengths(const DistanceMap& map)
 {
   std::vector<double> lengths;
@@ -75,10 +69,10 @@ Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
   {
     made.Overlap = overlap;
   }
-  Status status = MapDistances(one, other, PartOfProgress(progress, 0.2, 0.6), made.OneToOther);
+  Status status = MapDistances(one, other, PartOf(progress, 0.2, 0.6), made.OneToOther);
   if (status.IsOk())
   {
-    status = MapDistances(other, one, PartOfProgress(progress, 0.6, 1.0), made.OtherToOne);
+    status = MapDistances(other, one, PartOf(progress, 0.6, 1.0), made.OtherToOne);
   }
   if (!status.IsOk())
   {

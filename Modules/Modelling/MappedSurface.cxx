@@ -9,16 +9,6 @@ namespace palpate
 {
 namespace
 {
-// The part [from, to] of a progress.
-KernelProgress PartOf(const KernelProgress& progress, double from, double to)
-{
-  if (!progress)
-  {
-    return {};
-  }
-  return [&progress, from, to](double part) { return progress(from + (to - from) * part); };
-}
-
 // From mm along a mask's axes to the world.
 struct MaskToWorld
 {

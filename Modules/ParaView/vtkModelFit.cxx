@@ -1,7 +1,7 @@
 #include "vtkModelFit.h"
 
-#include "FilterRun.h"
 #include "FitStructure.h"
+#include "Progress.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

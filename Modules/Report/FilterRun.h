@@ -17,13 +17,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The user cancelled.
-class Cancelled : public std::runtime_error
-{
-public:
-  Cancelled() : std::runtime_error("cancelled") {}
-};
-
 /// Updates a filter, reports its progress as the part [from, to] of a stage, aborts it when
 /// `progress` returns false, and throws FilterError or Cancelled instead of printing to the error
 /// stream.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace palpate
@@ -8,6 +9,23 @@ namespace palpate
 /// Called repeatedly with the progress of a task: fraction in 0..1 and the stage's name. Returns
 /// false to cancel the task.
 using ProgressFunction = std::function<bool(double fraction, const std::string& stage)>;
+
+/// The user cancelled.
+class Cancelled : public std::runtime_error
+{
+public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// Throws Cancelled if `progress`, which may be empty, returns false.
+inline void ReportProgress(const ProgressFunction& progress, double fraction,
+                           const std::string& stage)
+{
+  if (progress && !progress(fraction, stage))
+  {
+    throw Cancelled();
+  }
+}
 
 /// For a step that is the part [from, to] of a task. `progress`, which may be empty, has to outlive
 /// it.

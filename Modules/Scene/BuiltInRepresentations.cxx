@@ -1,6 +1,7 @@
 #include "BuiltInRepresentations.h"
 
 #include "ElasticRepresentation.h"
+#include "OwnCopy.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
 #include "SceneRegion.h"
@@ -86,9 +87,8 @@ void PlanModelContact(StructurePlan& plan)
 
 SceneProduct FacetContactOf(const FitResult& found)
 {
-  auto own = vtkSmartPointer<vtkPolyData>::New();
-  own->ShallowCopy(found.Surface);
-  return std::make_shared<const TouchContact>(MakeFacetContact(own, found.Input));
+  return std::make_shared<const TouchContact>(
+      MakeFacetContact(OwnCopy(found.Surface.Get()), found.Input));
 }
 
 void PlanFacetContact(StructurePlan& plan)

@@ -4,10 +4,10 @@
 #include "FieldOfImage.h"
 #include "FieldRun.h"
 #include "NodeBox.h"
+#include "OwnCopy.h"
 #include "Refusal.h"
 
 #include "vtkImageData.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <array>
@@ -65,8 +65,7 @@ std::shared_ptr<const ScalarField> FieldAround(const SceneEffectSource& source,
     Refuse(volume.Source, "does not reach the structure on which it is to be felt",
            "choose an image of the same place");
   }
-  vtkNew<vtkImageData> image;
-  image->ShallowCopy(volume.Image);
+  const auto image = OwnCopy(volume.Image.Get());
   Crop(image, nodes);
   FieldSamples samples;
   Status status = SamplesOfImage(image, samples);

@@ -1,8 +1,8 @@
 #include "ElasticRepresentation.h"
 
 #include "CaseText.h"
-#include "FilterRun.h"
 #include "ModelSoftening.h"
+#include "Progress.h"
 #include "SceneLabels.h"
 #include "SceneReading.h"
 #include "SceneTissue.h"
@@ -77,10 +77,8 @@ SceneProduct Place(const std::vector<SceneStructure>& inclusions,
   const bool isSoftened = model != nullptr && fit->Elasticity == nullptr;
   for (std::size_t i = 0; isSoftened && i < inclusions.size(); ++i)
   {
-    if (!progress(static_cast<double>(i) / static_cast<double>(inclusions.size()), "inclusions"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, static_cast<double>(i) / static_cast<double>(inclusions.size()),
+                   "inclusions");
     const auto read = ProductAs<Segmentation>(&inputs[i + 1]);
     const std::vector<Segment> segments = SegmentsOf(inclusions[i], *read);
     placed->Shares.emplace_back(inclusions[i].Id,

@@ -1,6 +1,6 @@
 #include "FieldRun.h"
 
-#include "FilterRun.h"
+#include "Progress.h"
 
 namespace palpate
 {

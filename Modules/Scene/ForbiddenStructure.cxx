@@ -2,6 +2,7 @@
 
 #include "FilterRun.h"
 #include "NodeBox.h"
+#include "OwnCopy.h"
 #include "RemovalStroke.h"
 #include "vtkSegmentationSurface.h"
 
@@ -40,10 +41,8 @@ public:
     const int begin = first[2] / Side * Side;
     for (int k = begin; k <= last[2]; k += Side)
     {
-      if (!progress(static_cast<double>(k - begin) / (last[2] - begin + 1), "protection"))
-      {
-        throw Cancelled();
-      }
+      ReportProgress(progress, static_cast<double>(k - begin) / (last[2] - begin + 1),
+                     "protection");
       for (int j = first[1] / Side * Side; j <= last[1]; j += Side)
       {
         for (int i = first[0] / Side * Side; i <= last[0]; i += Side)
@@ -118,11 +117,9 @@ vtkSmartPointer<vtkPolyData> MakeForbiddenSurface(const Segmentation& segmentati
                                                   const Segment& segment,
                                                   const ProgressFunction& progress)
 {
-  // Pipelines modify the information of their input, which other threads may be reading.
-  vtkNew<vtkImageData> layer;
-  layer->ShallowCopy(segmentation.Layers[static_cast<std::size_t>(segment.Layer)]);
   vtkNew<vtkSegmentationSurface> surface;
-  surface->SetInputData(layer);
+  surface->SetInputData(
+      OwnCopy(segmentation.Layers[static_cast<std::size_t>(segment.Layer)].Get()));
   surface->SetLabel(segment.Value);
   surface->SetComponent(0);
   RunFilter(surface, "surface", 0.0, 1.0, progress);

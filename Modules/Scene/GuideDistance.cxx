@@ -2,10 +2,10 @@
 
 #include "AxisWeights.h"
 #include "FieldRun.h"
-#include "FilterRun.h"
 #include "MeshConversion.h"
 #include "MeshVoxels.h"
 #include "NearestOnMesh.h"
+#include "Progress.h"
 #include "ProtectedSurface.h"
 #include "Refusal.h"
 #include "SurfaceTopology.h"
@@ -83,10 +83,7 @@ public:
   {
     for (int k = 0; k < this->Grid.Size[2]; ++k)
     {
-      if (!progress(1.0 * k / this->Grid.Size[2], Stage))
-      {
-        throw Cancelled();
-      }
+      ReportProgress(progress, 1.0 * k / this->Grid.Size[2], Stage);
       for (int j = 0; j < this->Grid.Size[1]; ++j)
       {
         this->MakeRow(j, k);

@@ -5,6 +5,7 @@
 #include "FitHints.h"
 #include "InputError.h"
 #include "ModelSurface.h"
+#include "OwnCopy.h"
 #include "SceneLabels.h"
 #include "VoxelMinimum.h"
 
@@ -44,8 +45,6 @@ vtkSmartPointer<vtkPolyData> ProtectedSurfaceOf(const SceneStructure& structure,
     constexpr int Frequency = 40;
     return DrawModel(model->Model, Frequency);
   }
-  auto own = vtkSmartPointer<vtkPolyData>::New();
-  own->ShallowCopy(ProductAs<FitSurface>(&source)->Found.Surface);
-  return own;
+  return OwnCopy(ProductAs<FitSurface>(&source)->Found.Surface.Get());
 }
 } // namespace palpate

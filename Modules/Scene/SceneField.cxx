@@ -110,10 +110,7 @@ std::vector<LabelField> DistancesOf(const std::vector<Segment>& structures, cons
   for (std::size_t s = 0; s < structures.size(); ++s)
   {
     const double part = DistancesPart * static_cast<double>(s);
-    if (!progress(part / static_cast<double>(structures.size()), "distances"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, part / static_cast<double>(structures.size()), "distances");
     const vtkSmartPointer<vtkImageData> layer = layerOf(structures[s].Layer);
     FieldSamples labels;
     Require(SamplesOfImage(layer, labels), false);

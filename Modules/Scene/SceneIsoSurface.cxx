@@ -58,13 +58,7 @@ ScalarGrid GridOf(vtkImageData* image, double isoValue)
 vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue,
                                             const ProgressFunction& progress)
 {
-  const auto goOn = [&progress](double fraction)
-  {
-    if (!progress(fraction, "surface"))
-    {
-      throw Cancelled();
-    }
-  };
+  const auto goOn = [&progress](double fraction) { ReportProgress(progress, fraction, "surface"); };
   goOn(0.0);
   ScalarGrid grid = GridOf(image, isoValue);
   goOn(0.3);

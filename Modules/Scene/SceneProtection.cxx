@@ -2,8 +2,8 @@
 
 #include "CaseText.h"
 #include "DrilledField.h"
-#include "FilterRun.h"
 #include "InputError.h"
+#include "Progress.h"
 
 #include <algorithm>
 

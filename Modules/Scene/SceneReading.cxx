@@ -1,10 +1,10 @@
 #include "SceneReading.h"
 
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "FitStructure.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "Progress.h"
 #include "Refusal.h"
 #include "SegmentationFile.h"
 #include "SofteningSettings.h"
@@ -36,10 +36,7 @@ SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::st
   node.Make = [read](const std::vector<SceneProduct>&,
                      const ProgressFunction& progress) -> SceneProduct
   {
-    if (!progress(0.0, "read"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, 0.0, "read");
     return read();
   };
   return node;

@@ -2,8 +2,8 @@
 
 #include "DecimalText.h"
 #include "FieldOfImage.h"
-#include "FilterRun.h"
 #include "LabelsOnGrid.h"
+#include "Progress.h"
 #include "Refusal.h"
 
 #include "vtkDataArray.h"
@@ -87,13 +87,7 @@ std::string RangeText(const SceneStructure& structure)
 Volume MakeRegion(const SceneStructure& structure, const Volume& volume,
                   const Segmentation* segmentation, const ProgressFunction& progress)
 {
-  const auto goOn = [&progress](double fraction)
-  {
-    if (!progress(fraction, "region"))
-    {
-      throw Cancelled();
-    }
-  };
+  const auto goOn = [&progress](double fraction) { ReportProgress(progress, fraction, "region"); };
   goOn(0.0);
   const Mask mask = MaskOf(structure, volume, segmentation);
   const double upper = structure.IsoUpper.value_or(std::numeric_limits<double>::infinity());

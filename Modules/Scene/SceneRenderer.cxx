@@ -5,6 +5,7 @@
 #include "DisplayCheck.h"
 #include "GreyWindow.h"
 #include "ImageAxes.h"
+#include "OwnCopy.h"
 #include "SurfaceMaterial.h"
 #include "SurfaceNormals.h"
 #include "WindowImage.h"
@@ -54,8 +55,7 @@ constexpr double BarTextSize = 17.0;
 // one, and the prop gets the matrix.
 vtkSmartPointer<vtkImageData> WithoutPlace(vtkImageData* image)
 {
-  auto copy = vtkSmartPointer<vtkImageData>::New();
-  copy->ShallowCopy(image);
+  auto copy = OwnCopy(image);
   copy->SetOrigin(0.0, 0.0, 0.0);
   const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   copy->SetDirectionMatrix(identity);

@@ -1,7 +1,7 @@
 #include "TouchCost.h"
 
-#include "FilterRun.h"
 #include "HandPath.h"
+#include "Progress.h"
 #include "Refusal.h"
 #include "SceneTool.h"
 #include "Servo.h"
@@ -46,10 +46,9 @@ TouchCost MeasureTouchCost(const TouchContact& contact, const TouchToolSettings&
   const auto ticks = static_cast<int>(path.Duration() / Period);
   for (int tick = 1; tick <= ticks; ++tick)
   {
-    if (tick % TicksBetweenQuestions == 0 &&
-        !progress(static_cast<double>(tick) / ticks, "time per tick"))
+    if (tick % TicksBetweenQuestions == 0)
     {
-      throw Cancelled();
+      ReportProgress(progress, static_cast<double>(tick) / ticks, "time per tick");
     }
     step.Last = step.Now;
     step.Now.PositionWorld = path.At(Period * tick);

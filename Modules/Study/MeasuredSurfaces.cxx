@@ -1,9 +1,9 @@
 #include "MeasuredSurfaces.h"
 
 #include "MeshConversion.h"
+#include "OwnCopy.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <utility>
@@ -82,11 +82,9 @@ void MeasuredSurfaces::StartJob(int id, Surface& surface)
 {
   surface.Problem =
       Status::Failure("The surface is being prepared for measurements; measure again soon.");
-  vtkNew<vtkPolyData> shared;
-  shared->ShallowCopy(surface.Source);
   StudyJob job;
   job.IsUrgent = true;
-  job.Work = [this, id, source = vtkSmartPointer<vtkPolyData>(shared)](const ProgressFunction&)
+  job.Work = [this, id, source = OwnCopy(surface.Source.Get())](const ProgressFunction&)
   {
     std::unique_ptr<const SurfacePaths> paths;
     const Status status = SurfacePaths::Make(ToIndexedMesh(source), paths);

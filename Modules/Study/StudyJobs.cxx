@@ -1,6 +1,6 @@
 #include "StudyJobs.h"
 
-#include "FilterRun.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "TradeMeasure.h"
 
-#include "FilterRun.h"
+#include "Progress.h"
 #include "Refusal.h"
 #include "SceneTool.h"
 #include "Servo.h"
@@ -64,10 +64,7 @@ public:
       for (std::size_t stroke = 0; stroke < strokes; ++stroke)
       {
         const double done = run + static_cast<double>(stroke) / static_cast<double>(strokes);
-        if (!progress(done / this->Touch.Runs, "touch"))
-        {
-          throw Cancelled();
-        }
+        ReportProgress(progress, done / this->Touch.Runs, "touch");
         this->RunStroke(this->Path.Strokes[stroke], stroke + 1 < strokes
                                                         ? this->Path.Strokes[stroke + 1]
                                                         : this->Path.Ticks.size());

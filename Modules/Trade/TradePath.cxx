@@ -1,7 +1,7 @@
 #include "TradePath.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
+#include "Progress.h"
 #include "SceneTool.h"
 #include "SmoothStep.h"
 
@@ -182,10 +182,8 @@ TradePath MakeTradePath(TradeReference& reference, const TouchToolSettings& tool
   int misses = 0;
   while (path.Ticks.size() < wanted)
   {
-    if (!progress(static_cast<double>(path.Ticks.size()) / static_cast<double>(wanted), "path"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, static_cast<double>(path.Ticks.size()) / static_cast<double>(wanted),
+                   "path");
     misses = hand.Stroke() ? 0 : misses + 1;
     if (misses > MostMisses)
     {

@@ -1,8 +1,8 @@
 #include "TradeRun.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
 #include "MachineName.h"
+#include "Progress.h"
 #include "SceneLabels.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "CaseText.h"
 #include "Console.h"
-#include "FilterRun.h"
 #include "FitFiles.h"
 #include "FitHints.h"
 #include "FitJson.h"
@@ -11,6 +10,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "ProgramVersion.h"
+#include "Progress.h"
 #include "Refusal.h"
 #include "SegmentationFile.h"
 #include "StageClock.h"

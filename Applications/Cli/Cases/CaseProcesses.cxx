@@ -1,8 +1,8 @@
 #include "CaseProcesses.h"
 
 #include "Console.h"
-#include "FilterRun.h"
 #include "Interruption.h"
+#include "Progress.h"
 
 #include "vtkSMPTools.h"
 

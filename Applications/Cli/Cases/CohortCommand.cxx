@@ -10,10 +10,10 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FileType.h"
-#include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "ProgramVersion.h"
+#include "Progress.h"
 #include "ScreenText.h"
 #include "ShapeSynthesis.h"
 

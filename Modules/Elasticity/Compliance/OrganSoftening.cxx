@@ -54,11 +54,6 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
   // Parts of the time, measured with the defaults.
   constexpr double Assembled = 0.07;
   constexpr double Reduced = 0.8;
-  const auto between = [&](double from, double to)
-  {
-    return [&progress, from, to](double fraction)
-    { return !progress || progress(from + fraction * (to - from)); };
-  };
   StarMesh mesh;
   StiffnessMatrix stiffness;
   Status status = StarMesh::Make(model, this->ElementsAcross, mesh);
@@ -76,11 +71,12 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
     account.ElementEdge = mesh.SurfaceEdge();
     account.Unknowns = static_cast<std::size_t>(stiffness.rows());
     status = ReducedCompliance::Make(mesh, stiffness, this->DegreeFor(model),
-                                     between(Assembled, Reduced), reduced);
+                                     PartOf(progress, Assembled, Reduced), reduced);
   }
   if (status.IsOk())
   {
-    status = ComplianceMaps::Fit(model, solid, reduced, this->Maps, between(Reduced, 1.0), maps);
+    status = ComplianceMaps::Fit(model, solid, reduced, this->Maps, PartOf(progress, Reduced, 1.0),
+                                 maps);
   }
   return status.IsOk() && !maps.Check().IsOk()
              ? Status::Failure("The moduli differ too much from place to place, or the support is "

@@ -1,12 +1,12 @@
 #include "FitStructure.h"
 
 #include "ClosestPointDistances.h"
-#include "FilterRun.h"
 #include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelTable.h"
 #include "PhantomSampler.h"
+#include "Progress.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
 #include "SphericalHarmonicMeasures.h"

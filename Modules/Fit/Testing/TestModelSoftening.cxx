@@ -1,10 +1,10 @@
 #include "ModelSoftening.h"
 
 #include "ComplianceAtlas.h"
-#include "FilterRun.h"
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ParametricPhantoms.h"
+#include "Progress.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <algorithm>

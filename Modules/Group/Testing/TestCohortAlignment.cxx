@@ -2,9 +2,9 @@
 
 #include "CsvRecords.h"
 #include "DecimalText.h"
-#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelFile.h"
+#include "Progress.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"

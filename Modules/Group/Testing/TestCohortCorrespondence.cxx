@@ -3,10 +3,10 @@
 #include "ParameterColors.h"
 
 #include "CsvRecords.h"
-#include "FilterRun.h"
 #include "MarkupCheck.h"
 #include "ParametricPhantoms.h"
 #include "ParametricSurfaceMeasures.h"
+#include "Progress.h"
 #include "TemporaryFolder.h"
 
 #include <Eigen/Geometry>

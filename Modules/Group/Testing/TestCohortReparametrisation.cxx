@@ -1,8 +1,8 @@
 #include "CohortReparametrisation.h"
 
-#include "FilterRun.h"
 #include "MessageOf.h"
 #include "ParametricPhantoms.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

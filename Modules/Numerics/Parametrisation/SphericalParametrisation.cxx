@@ -26,8 +26,8 @@ constexpr double CoarseShare = 0.35;
 constexpr double RefinementShare = 0.35;
 
 const char* const Cancelled = "The parametrisation was cancelled.";
-const char* const Degenerate =
-    "The surface is too thin or too long for a map to the sphere; smooth or split it.";
+// As a predicate of the structure.
+const char* const Degenerate = "is too thin or too long for a map to the sphere";
 
 // Centred, with a surface area of 4 pi.
 Status ScalePoints(const IndexedMesh& surface, std::vector<MappedVertex>& vertices)

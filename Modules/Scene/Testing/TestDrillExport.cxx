@@ -1,8 +1,8 @@
 #include "DrillExport.h"
 
 #include "DrillContextCases.h"
-#include "FilterRun.h"
 #include "IsoSurface.h"
+#include "Progress.h"
 #include "SceneIsoSurface.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"

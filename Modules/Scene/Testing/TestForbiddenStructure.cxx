@@ -2,7 +2,7 @@
 
 #include "DrillContextCases.h"
 #include "DrillWatch.h"
-#include "FilterRun.h"
+#include "Progress.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 

@@ -1,8 +1,8 @@
 #include "GuideDistance.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelSurface.h"
+#include "Progress.h"
 #include "RandomShapes.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "SceneRegion.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
 #include "LabelImages.h"
+#include "Progress.h"
 #include "RayCaster.h"
 #include "SceneField.h"
 #include "SceneIsoSurface.h"

@@ -1,12 +1,12 @@
 #include "SceneTissue.h"
 
-#include "FilterRun.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "LabelImages.h"
 #include "ModelFile.h"
 #include "ModelSoftening.h"
 #include "ParametricPhantoms.h"
+#include "Progress.h"
 #include "SceneFile.h"
 #include "TemporaryFolder.h"
 #include "TouchRun.h"

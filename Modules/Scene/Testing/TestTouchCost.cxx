@@ -1,8 +1,8 @@
 #include "TouchCost.h"
 
-#include "FilterRun.h"
 #include "HandPath.h"
 #include "InputError.h"
+#include "Progress.h"
 #include "SteadyClock.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "TouchTicksFile.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
+#include "Progress.h"
 #include "TemporaryFolder.h"
 #include "TouchRecording.h"
 #include "WholeFile.h"

@@ -54,10 +54,7 @@ void ClearLabels(const BeforeAndNow& solids, int label, vtkImageData* image,
   vtkIdType first = 0;
   for (int k = 0; k < size[2]; ++k)
   {
-    if (!progress(static_cast<double>(k) / size[2], "drilled labels"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, static_cast<double>(k) / size[2], "drilled labels");
     for (int j = 0; j < size[1]; ++j)
     {
       for (int i = 0; i < size[0]; ++i)
@@ -92,10 +89,7 @@ vtkSmartPointer<vtkImageData> DrilledImage(const DrillContext& context, int site
                                            const ProgressFunction& progress)
 {
   const DrillSource& source = SiteOf(context, site).Source;
-  if (!progress(0.0, "drilled image"))
-  {
-    throw Cancelled();
-  }
+  ReportProgress(progress, 0.0, "drilled image");
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->DeepCopy(source.Image);
   if (source.Label)

@@ -1,7 +1,7 @@
 #include "TouchTicksFile.h"
 
 #include "DecimalText.h"
-#include "FilterRun.h"
+#include "Progress.h"
 #include "Refusal.h"
 #include "TouchRecording.h"
 #include "Units.h"
@@ -79,10 +79,10 @@ void ExportTouch(const TouchRecording& recording, const std::filesystem::path& f
   for (std::size_t tick = 0; tick < ticks.size(); ++tick)
   {
     constexpr std::size_t TicksAReport = 4096;
-    if (progress && tick % TicksAReport == 0 &&
-        !progress(static_cast<double>(tick) / static_cast<double>(ticks.size()), "Writing ticks"))
+    if (tick % TicksAReport == 0)
     {
-      throw Cancelled();
+      ReportProgress(progress, static_cast<double>(tick) / static_cast<double>(ticks.size()),
+                     "Writing ticks");
     }
     Append(text, ticks[tick], start);
   }

@@ -1,7 +1,7 @@
-#include "FilterRun.h"
 #include "MarkupCheck.h"
 #include "ModelFile.h"
 #include "ModelSoftening.h"
+#include "Progress.h"
 #include "SceneTissue.h"
 #include "TradeAdvice.h"
 #include "TradeCases.h"

@@ -1,11 +1,11 @@
 #include "StructureTrade.h"
 
-#include "FilterRun.h"
 #include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "ParametricPhantoms.h"
+#include "Progress.h"
 #include "TradeCases.h"
 #include "TradeErrors.h"
 

@@ -1,9 +1,9 @@
 #include "TradeRun.h"
 
-#include "FilterRun.h"
 #include "InputError.h"
 #include "MarkupCheck.h"
 #include "ModelFile.h"
+#include "Progress.h"
 #include "TradeCases.h"
 #include "TradePage.h"
 #include "TradeText.h"

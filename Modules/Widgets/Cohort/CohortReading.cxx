@@ -1,9 +1,9 @@
 #include "CohortReading.h"
 
 #include "CohortTable.h"
-#include "FilterRun.h"
 #include "InputError.h"
 #include "ModelSurface.h"
+#include "Progress.h"
 #include "SoftwareRenderer.h"
 
 #include <QMetaType>

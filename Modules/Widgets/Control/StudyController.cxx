@@ -1,7 +1,7 @@
 #include "StudyController.h"
 
 #include "DicomPreview.h"
-#include "FilterRun.h"
+#include "Progress.h"
 #include "SeriesDialog.h"
 
 #include <algorithm>
@@ -19,10 +19,8 @@ void ReadPreviews(std::vector<DicomSeriesChoice>& series, const ProgressFunction
   const std::size_t count = series.size() > 1 ? std::min(series.size(), MostPreviews) : 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (!progress(static_cast<double>(i) / static_cast<double>(count), "Reading previews"))
-    {
-      throw Cancelled();
-    }
+    ReportProgress(progress, static_cast<double>(i) / static_cast<double>(count),
+                   "Reading previews");
     series[i].Preview = ReadDicomPreview(series[i].Slices, SeriesDialog::PreviewSide);
   }
 }

@@ -1,6 +1,7 @@
 #include "ThresholdDialog.h"
 
 #include "InputError.h"
+#include "OwnCopy.h"
 #include "SceneLabels.h"
 #include "ScreenString.h"
 
@@ -213,8 +214,7 @@ void ThresholdDialog::ShowOnSlices()
     {
       const auto read = this->SegmentationOf(*structure);
       const Segment& segment = SegmentOf(*structure, *read);
-      mask = vtkSmartPointer<vtkImageData>::New();
-      mask->ShallowCopy(read->Layers[static_cast<std::size_t>(segment.Layer)]);
+      mask = OwnCopy(read->Layers[static_cast<std::size_t>(segment.Layer)].Get());
       value = segment.Value;
     }
     catch (const InputError& error)

@@ -1,9 +1,9 @@
 #include "ShownImages.h"
 
+#include "OwnCopy.h"
 #include "VoxelValue.h"
 
 #include "vtkImageData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,17 +12,6 @@
 
 namespace palpate
 {
-namespace
-{
-// A VTK pipeline writes to its input, but products are shared with other threads.
-vtkSmartPointer<vtkImageData> OwnImage(vtkImageData* image)
-{
-  auto own = vtkSmartPointer<vtkImageData>::New();
-  own->ShallowCopy(image);
-  return own;
-}
-} // namespace
-
 bool ShownImages::Show(const StudyState& state, const StudyPipeline& pipeline)
 {
   auto labels = pipeline.Newest<Segmentation>(SceneStep::Segmentation);
@@ -41,7 +30,7 @@ bool ShownImages::ShowFirst(std::shared_ptr<const Volume> grey,
   {
     vtkImageData* first = labels != nullptr ? labels->Layers.front().Get() : nullptr;
     vtkImageData* image = grey != nullptr ? grey->Image.Get() : first;
-    this->Shown->SetImage(image != nullptr ? OwnImage(image).Get() : nullptr);
+    this->Shown->SetImage(image != nullptr ? OwnCopy(image).Get() : nullptr);
     this->Grey = std::move(grey);
   }
   return isOther;
@@ -57,7 +46,7 @@ void ShownImages::ShowLabelImages(std::shared_ptr<const Segmentation> labels)
   this->Structures.clear();
   for (std::size_t l = 0; labels != nullptr && l < labels->Layers.size(); ++l)
   {
-    this->Shown->AddLabels(OwnImage(labels->Layers[l].Get()));
+    this->Shown->AddLabels(OwnCopy(labels->Layers[l].Get()));
   }
   this->LabelsShown = std::move(labels);
 }
@@ -108,7 +97,7 @@ void ShownImages::ShowOverlays(const StudyState& state, const StudyPipeline& pip
     }
     else
     {
-      const int number = this->Shown->AddOverlay(OwnImage(overlay.Image->Image));
+      const int number = this->Shown->AddOverlay(OwnCopy(overlay.Image->Image.Get()));
       const double half = 0.5 * this->Shown->GetOverlayWindow(number);
       const double level = this->Shown->GetOverlayLevel(number);
       overlay.Automatic = {level - half, level + half};

@@ -3,6 +3,7 @@
 #include "DisplayedSurface.h"
 #include "FitResult.h"
 #include "ImageAxes.h"
+#include "OwnCopy.h"
 #include "PlainVector3.h"
 #include "SceneTool.h"
 #include "SphericalHarmonicModel.h"
@@ -26,15 +27,6 @@ namespace palpate
 {
 namespace
 {
-// A VTK pipeline writes to its input, but products are shared with other threads.
-template <typename T>
-vtkSmartPointer<T> OwnView(T* data)
-{
-  auto own = vtkSmartPointer<T>::New();
-  own->ShallowCopy(data);
-  return own;
-}
-
 const double* BoundsOf(vtkSurfaceDisplay& surface)
 {
   return surface.GetSurface()->GetBounds();
@@ -210,7 +202,7 @@ void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* sur
     this->SurfaceSources[structure.Id] = surface;
     // The surface of a structure that yields is its own, and changes.
     const bool isOwn = this->Yielding.count(structure.Id) > 0;
-    shown->SetSurface(isOwn ? vtkSmartPointer<vtkPolyData>(surface) : OwnView(surface));
+    shown->SetSurface(isOwn ? vtkSmartPointer<vtkPolyData>(surface) : OwnCopy(surface));
   }
   shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
   shown->SetColorArray(ColorArrayOf(structure.Appearance));
