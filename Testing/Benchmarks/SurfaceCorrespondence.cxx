@@ -18,6 +18,7 @@ namespace
 {
 constexpr int SurfaceDegree = 12;
 constexpr double Coarser = 1.17;
+constexpr double Far = 5.0; // mm
 
 Status FitLabel(const PlacedLabel& label, bool isRepaired, double coarser,
                 std::optional<ParametricSphericalSurface>& model)
@@ -80,6 +81,7 @@ SurfaceCorrespondence::Distance DistanceOf(const ParametricSphericalSurface& mod
   {
     const double apart = (model.Point(u) - other(u)).norm();
     distance.Mean += apart / static_cast<double>(sphere.Directions().size());
+    distance.FarShare += apart > Far ? 1.0 / static_cast<double>(sphere.Directions().size()) : 0.0;
     distance.Largest = std::max(distance.Largest, apart);
   }
   return distance;

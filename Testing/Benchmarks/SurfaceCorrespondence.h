@@ -23,6 +23,7 @@ struct SurfaceCorrespondence
   {
     double Mean = 0.0;
     double Largest = 0.0;
+    double FarShare = 0.0; ///< of the parameters, those that are more than 5 mm apart
   };
   Distance Noise;  ///< 15 % of the voxels at the boundary of slices flipped
   Distance Grid;   ///< a working grid that is 1.17 times as coarse

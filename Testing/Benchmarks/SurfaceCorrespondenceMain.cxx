@@ -33,6 +33,7 @@ struct Summary
   std::array<double, 3> Worst{}; // of the means of masks
   std::array<double, 3> Largest{};
   std::array<int, 3> Above{}; // masks whose mean is above 5 mm
+  std::array<double, 3> Far{};
   int Count = 0;
 
   void Add(const SurfaceCorrespondence& correspondence)
@@ -46,6 +47,7 @@ struct Summary
       this->Worst[i] = std::max(this->Worst[i], all[i].Mean);
       this->Largest[i] = std::max(this->Largest[i], all[i].Largest);
       this->Above[i] += all[i].Mean > Disagreement ? 1 : 0;
+      this->Far[i] += all[i].FarShare;
     }
   }
   void Print() const
@@ -53,9 +55,12 @@ struct Summary
     const std::array<const char*, 3> names{"noise", "other grid", "mirror"};
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-      std::printf("%s: mean %.3f mm, worst of %d masks %.3f, above 5 mm %d, farthest place %.2f\n",
-                  names[i], this->Sum[i] / std::max(1, this->Count), this->Count, this->Worst[i],
-                  this->Above[i], this->Largest[i]);
+      const double count = std::max(1, this->Count);
+      std::printf(
+          "%s: mean %.3f mm, worst of %d masks %.3f, above 5 mm %d; of places %.2f %% above "
+          "5 mm, farthest %.2f\n",
+          names[i], this->Sum[i] / count, this->Count, this->Worst[i], this->Above[i],
+          100.0 * this->Far[i] / count, this->Largest[i]);
     }
   }
 };
