@@ -15,10 +15,10 @@ namespace
 // Simplifications that differ.
 constexpr std::array<double, 5> ChangePenalties = {0.1, 0.02, 0.05, 0.3, 1.0};
 constexpr int TrialSteps = 300;
-// VertexRelaxation's energy of a surface of area 4 pi that is mapped without distortion.
-constexpr double LeastEnergy = 64.0 * M_PI;
+// MapDescent's energy of a surface of area 4 pi that is mapped without distortion.
+constexpr double LeastEnergy = 16.0 * M_SQRT2 * M_PI;
 // Below this share of it, trials agree.
-constexpr double SimpleShare = 1.3;
+constexpr double SimpleShare = 1.04;
 // A map has to be better by more than rounding, or copies of a surface get different ones.
 constexpr double BetterShare = 0.998;
 } // namespace

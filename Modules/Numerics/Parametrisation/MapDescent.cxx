@@ -87,8 +87,10 @@ void MapDescent::AddTriangle(int a, int b, int c)
   {
     others[k] = sum - 2.0 * (square[k] + share);
   }
-  const double area = others[0] * others[1] + others[1] * others[2] + others[2] * others[0];
-  this->Triangles.push_back({{a, b, c}, {area * others[0], area * others[1], area * others[2]}});
+  const double area16 = others[0] * others[1] + others[1] * others[2] + others[2] * others[0];
+  const double weight = std::sqrt(std::sqrt(area16));
+  this->Triangles.push_back(
+      {{a, b, c}, {weight * others[0], weight * others[1], weight * others[2]}});
 }
 
 double MapDescent::EnergyOf(const Field& directions) const
@@ -105,7 +107,7 @@ double MapDescent::EnergyOf(const Field& directions) const
         0.5 * (t.Weights[0] * (ac - ab).squaredNorm() + t.Weights[1] * ac.squaredNorm() +
                t.Weights[2] * ab.squaredNorm());
     least = std::min(least, determinant);
-    energy += numerator / (determinant * determinant * determinant);
+    energy += numerator / (determinant * std::sqrt(determinant)); // NaN if turned over
   }
   return least > 0.0 ? energy : std::numeric_limits<double>::infinity();
 }
@@ -138,8 +140,8 @@ void MapDescent::AddGradient(const Triangle& triangle)
       0.5 * (triangle.Weights[0] * (ac - ab).squaredNorm() +
              triangle.Weights[1] * ac.squaredNorm() + triangle.Weights[2] * ab.squaredNorm());
   const double inverse = 1.0 / q[0].dot(ab.cross(ac));
-  const double cube = inverse * inverse * inverse;
-  const double first = 3.0 * numerator * cube * inverse;
+  const double power = inverse * std::sqrt(inverse);
+  const double first = 1.5 * numerator * power * inverse;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const std::size_t l = (k + 1) % 3;
@@ -149,9 +151,9 @@ void MapDescent::AddGradient(const Triangle& triangle)
     const double along = normal.dot(q[k]);
     const double across = std::max(0.0, normal.squaredNorm() - along * along);
     const auto corner = static_cast<std::size_t>(triangle.Corners[k]);
-    this->Gradient[corner] -= cube * pull + first * normal;
+    this->Gradient[corner] -= power * pull + first * normal;
     this->Curvature[corner] +=
-        2.0 * first * inverse * across + cube * std::max(0.0, pull.dot(q[k]));
+        1.25 * first * inverse * across + power * std::max(0.0, pull.dot(q[k]));
   }
 }
 

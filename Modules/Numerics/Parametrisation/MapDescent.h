@@ -10,10 +10,14 @@
 
 namespace palpate
 {
-/// Moves all directions of a map to the sphere at once, against the sum of the energies of
-/// VertexRelaxation. Single vertices settle details, but where large parts have to move together,
-/// each of their steps is small. L-BFGS (Nocedal 1980), preconditioned by the curvature along each
-/// vertex. Every triangle keeps D > 0. Time and memory are linear in the vertices.
+/// Moves all directions of a map to the sphere at once. Single vertices settle details, but where
+/// large parts have to move together, each of their steps is small. L-BFGS (Nocedal 1980),
+/// preconditioned by the curvature along each vertex. Every triangle keeps D > 0. Time and memory
+/// are linear in the vertices.
+///
+/// The energy is that of VertexRelaxation with less weight on area, sqrt(A / D) N / D: bent horns
+/// that are to keep their areas may lie to one side on the sphere or to the other, with almost the
+/// same energy, while a conformal map (no weight) is unique.
 class MapDescent
 {
 public:
@@ -21,6 +25,7 @@ public:
   MapDescent(const VertexRings& rings, const std::vector<int>& present,
              std::vector<MappedVertex>& vertices);
 
+  /// Of a surface that is mapped without distortion, 2^2.5 times its area.
   double Energy() const noexcept { return this->Current; }
   /// Ends early once ten steps hardly lower the energy.
   void Run(int mostSteps);
@@ -29,7 +34,7 @@ private:
   struct Triangle
   {
     std::array<int, 3> Corners;    // in Present
-    std::array<double, 3> Weights; // in N, of the edge opposite to each corner, times A^2
+    std::array<double, 3> Weights; // in N, of the edge opposite to each corner, times 2 sqrt(A)
   };
   using Field = std::vector<Vector3>; // one vector per vertex
 

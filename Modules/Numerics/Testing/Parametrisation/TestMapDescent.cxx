@@ -44,9 +44,10 @@ TEST(MapDescent, EnergyOfASphereIsItsArea)
 {
   const IndexedMesh sphere = test::SphereMesh(12);
   MappedMesh map(sphere, sphere);
-  // 16 times the area, and the share of equilateral triangles; the flat triangles lack 1 %.
+  // 2^2.5 times the area, and the share of equilateral triangles; the flat triangles lack 1 %.
+  const double whole = 16.0 * M_SQRT2 * M_PI;
   EXPECT_NEAR(MapDescent(map.Rings, map.Present, map.Vertices).Energy(),
-              64.0 * M_PI * std::pow(1.0 + 3.0 * 0.005, 3), 0.02 * 64.0 * M_PI);
+              whole * std::pow(1.0 + 3.0 * 0.005, 1.5), 0.02 * whole);
 }
 
 TEST(MapDescent, KeepsTheMapOneToOneAndLowersItsEnergy)
@@ -55,7 +56,7 @@ TEST(MapDescent, KeepsTheMapOneToOneAndLowersItsEnergy)
   MapDescent descent(map.Rings, map.Present, map.Vertices);
   const double before = descent.Energy();
   descent.Run(100);
-  EXPECT_LT(descent.Energy(), 0.5 * before);
+  EXPECT_LT(descent.Energy(), 0.6 * before);
   EXPECT_TRUE(map.IsOneToOne());
 }
 
