@@ -153,15 +153,16 @@ Status MeasuredSurfaces::FindPath(int id, const Vector3& from, const Vector3& to
 {
   const SurfacePaths* prepared = nullptr;
   const Status status = this->Prepare(id, prepared);
-  return status.IsOk() ? prepared->Find(from, to, path) : status;
+  return prepared != nullptr ? prepared->Find(from, to, path) : status;
 }
 
 Status MeasuredSurfaces::FindThickness(int id, const Vector3& pointWorld, WallThickness& wall)
 {
   const SurfacePaths* prepared = nullptr;
   const Status status = this->Prepare(id, prepared);
-  return status.IsOk() ? MeasureThickness(prepared->Mesh(), prepared->Nearest(), pointWorld, wall)
-                       : status;
+  return prepared != nullptr
+             ? MeasureThickness(prepared->Mesh(), prepared->Nearest(), pointWorld, wall)
+             : status;
 }
 
 Status MeasuredSurfaces::FindGap(int one, int other, MeshGap& gap)
@@ -179,7 +180,7 @@ Status MeasuredSurfaces::FindGap(int one, int other, MeshGap& gap)
   if (this->LastGap.One != wanted.One || this->LastGap.Other != wanted.Other)
   {
     Gap found = wanted;
-    const Status status = FindMeshGap(wanted.One->Mesh(), wanted.Other->Mesh(), found.Found);
+    Status status = FindMeshGap(wanted.One->Mesh(), wanted.Other->Mesh(), found.Found);
     if (!status.IsOk())
     {
       return status;
