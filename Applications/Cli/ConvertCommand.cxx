@@ -105,6 +105,13 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
 int ConvertCommand::Run(Console& console)
 {
   const Interruption interruption;
+  const bool isWhole =
+      IsModelFile(this->Input) || IsSurfaceFile(this->Input) || IsTouchRecording(this->Input);
+  if (isWhole && !this->Label.empty())
+  {
+    throw InputError("--label needs a segmentation, which " + this->Input.string() +
+                     " is not; leave it out");
+  }
   if (IsModelFile(this->Input))
   {
     this->ConvertModel(console);

@@ -7,6 +7,7 @@
 #include "InputError.h"
 #include "LabelMask.h"
 #include "ModelFile.h"
+#include "Refusal.h"
 #include "SegmentationFile.h"
 #include "SurfaceFile.h"
 
@@ -90,10 +91,13 @@ ComparedBody ComparedFile::Body(const Segment& structure) const
   {
     status = ComparedBody::OfModel(std::get<SurfaceModel>(this->Content), body);
   }
+  if (!status.IsOk() && this->Labels() != nullptr)
+  {
+    throw InputError(CaseMessage(this->Source, structure, status.Message()));
+  }
   if (!status.IsOk())
   {
-    throw InputError(CaseMessage(this->Source, this->Labels() != nullptr ? structure : Segment(),
-                                 status.Message()));
+    Refuse(this->Source, status.Message(), "compare another one");
   }
   return body;
 }

@@ -14,6 +14,8 @@ namespace palpate
 {
 namespace
 {
+constexpr double LargestIrregular = 0.005;
+
 ComparedSide SideOf(const ComparedFile& file, const Segment& structure)
 {
   ComparedSide side;
@@ -28,6 +30,7 @@ void Measure(const ComparedBody& body, ComparedSide& side)
   side.Milliliters = body.Volume() / CubicMillimetersPerMilliliter;
   side.Area = body.Area();
   side.Holes = body.HoleCount();
+  side.Irregular = body.Irregular();
 }
 
 void RemarkOn(PairComparison& pair)
@@ -40,6 +43,14 @@ void RemarkOn(PairComparison& pair)
                            CountText(side->Holes, "hole", "holes") +
                            "): it has no volume and no overlap, and distances from it no sign; "
                            "palpate fit --repair closes it");
+    }
+    if (side->Irregular > LargestIrregular)
+    {
+      pair.Notes.push_back(
+          side->File.filename().string() +
+          " crosses itself, or has bodies in each other: " + FixedText(100.0 * side->Irregular, 1) +
+          " % of its inside is not enclosed just once, so that its volume and the signs of "
+          "distances are doubtful; palpate fit --repair makes one surface of it");
     }
   }
   if (pair.Numbers.Overlap && pair.Numbers.Overlap->Both == 0)

@@ -23,6 +23,7 @@ struct ComparedSide
   double Milliliters = 0.0; ///< NaN of an open surface
   double Area = 0.0;        ///< mm^2
   int Holes = 0;            ///< of the surface
+  double Irregular = 0.0;   ///< share of a surface's inside that it does not enclose just once
 };
 
 /// Result of one pair; the second is the reference.

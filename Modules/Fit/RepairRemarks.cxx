@@ -12,7 +12,7 @@ void RemarkOnChange(const TopologyChange& change, const char* one, const char* s
   if (change.Count > 0)
   {
     result.Notes.push_back(CountText(change.Count, one, several) + ", " +
-                           SignificantText(change.Volume, 3) + " mm\xC2\xB3; the largest of " +
+                           VolumeText(change.Volume) + "; the largest of " +
                            FixedText(change.LargestExtent, 1) + " mm at " +
                            PlaceText(change.LargestCentre));
   }
@@ -23,6 +23,12 @@ std::string PlaceText(const Vector3& placeWorld)
 {
   return "(" + FixedText(placeWorld.x(), 1) + ", " + FixedText(placeWorld.y(), 1) + ", " +
          FixedText(placeWorld.z(), 1) + ")";
+}
+
+std::string VolumeText(double volume)
+{
+  constexpr double LeastWhole = 99.95; // three digits
+  return (volume < LeastWhole ? SignificantText(volume, 3) : FixedText(volume, 0)) + " mm\xC2\xB3";
 }
 
 void RemarkOnChanges(const TopologyReport& report, FitResult& result)

@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "FitSettingsText.h"
 #include "HtmlText.h"
+#include "RepairRemarks.h"
 
 #include <algorithm>
 
@@ -119,8 +120,7 @@ HtmlRows MapRows(const FitResult& result)
   {
     if (change.Count > 0)
     {
-      rows.emplace_back(name, std::to_string(change.Count) + ", " +
-                                  SignificantText(change.Volume, 3) + " mm\xC2\xB3");
+      rows.emplace_back(name, std::to_string(change.Count) + ", " + VolumeText(change.Volume));
     }
   };
   add("Small parts dropped", repair.DroppedParts);

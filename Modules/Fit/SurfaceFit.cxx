@@ -57,11 +57,11 @@ Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit
     return FitParametricSurface(mapped.Mesh, mapped.Directions, options, result,
                                 watched.Of(from, to));
   };
-  if (!settings.Tolerance)
+  const int highest = std::min(std::max(supported, 1), settings.MaximumDegree);
+  if (!settings.Tolerance || highest < 1) // the fit says what is wrong with degree 0
   {
-    return fitTo(settings.Degree, 0.0, 1.0, fit);
+    return fitTo(settings.Tolerance ? highest : settings.Degree, 0.0, 1.0, fit);
   }
-  const int highest = std::clamp(supported, 1, settings.MaximumDegree);
   const auto partOf = [highest](int degree) { return static_cast<double>(degree) / highest; };
   int below = 0;
   int degree = 1;

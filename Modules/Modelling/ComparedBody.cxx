@@ -4,6 +4,7 @@
 #include "MeshDistances.h"
 #include "MeshMending.h"
 #include "MeshRefinement.h"
+#include "MeshVoxels.h"
 #include "SignedMeshDistances.h"
 #include "StarShape.h"
 #include "SurfaceTopology.h"
@@ -90,6 +91,7 @@ Status ComparedBody::OfMesh(IndexedMesh mesh, ComparedBody& made)
   body.Holes = std::max(topology.Holes, topology.BoundaryEdges > 0 ? 1 : 0);
   body.EnclosedVolume =
       body.IsClosed() ? std::abs(topology.Volume) : std::numeric_limits<double>::quiet_NaN();
+  body.IrregularPart = body.IsClosed() ? IrregularShare(body.Mesh) : 0.0;
   Status status = body.Finish();
   made = std::move(body);
   return status;

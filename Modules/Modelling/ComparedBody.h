@@ -50,6 +50,8 @@ public:
   IndexedMesh CoarseSurface() const { return this->Foot->CoarseMesh(); }
   bool IsClosed() const noexcept { return this->Holes == 0; }
   int HoleCount() const noexcept { return this->Holes; }
+  /// Of a closed mesh (IrregularShare), else 0.
+  double Irregular() const noexcept { return this->IrregularPart; }
   /// mm^3: of a mask's voxels, a model's integral, the volume that a mesh encloses; NaN if open.
   double Volume() const noexcept { return this->EnclosedVolume; }
   double Area() const noexcept { return this->SurfaceArea; } ///< mm^2
@@ -77,6 +79,7 @@ private:
   Vector3 Middle = Vector3::Zero();
   double EnclosedVolume = 0.0;
   double SurfaceArea = 0.0;
+  double IrregularPart = 0.0;
   int Holes = 0;
 };
 } // namespace palpate

@@ -27,7 +27,7 @@ VoxelCenters TurnedTo(const VoxelCenters& grid, int axis, bool isReversed)
   return turned;
 }
 
-// Adds 1 to each voxel that is inside by the numbers of a turned grid.
+// Adds 1 to each voxel of a positive number of a turned grid.
 void AddVotes(const std::vector<std::int16_t>& numbers, const VoxelCenters& grid, int axis,
               bool isReversed, std::vector<std::uint8_t>& votes)
 {
@@ -83,10 +83,19 @@ VoxelCenters CubesAround(const IndexedMesh& mesh, double voxels)
 Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen,
                   std::vector<std::uint8_t>& inside)
 {
+  constexpr int Directions = 6;
+  constexpr int Majority = 4;
   std::vector<std::int16_t> numbers;
+  if (!isOpen)
+  {
+    Status status = FindWindingNumbers(mesh, grid, numbers);
+    inside.resize(numbers.size());
+    std::transform(numbers.begin(), numbers.end(), inside.begin(),
+                   [](std::int16_t number) { return std::uint8_t{number != 0}; });
+    return status;
+  }
   std::vector<std::uint8_t> votes;
-  const int directions = isOpen ? 6 : 1;
-  for (int direction = 0; direction < directions; ++direction)
+  for (int direction = 0; direction < Directions; ++direction)
   {
     const int axis = direction / 2;
     const bool isReversed = direction % 2 == 1;
@@ -98,12 +107,23 @@ Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen
     votes.resize(numbers.size(), 0);
     AddVotes(numbers, grid, axis, isReversed, votes);
   }
-  const int least = isOpen ? 4 : 1;
-  for (std::uint8_t& vote : votes)
-  {
-    vote = vote >= least ? 1 : 0;
-  }
+  std::transform(votes.begin(), votes.end(), votes.begin(),
+                 [](std::uint8_t vote) { return std::uint8_t{vote >= Majority}; });
   inside = std::move(votes);
   return Status::Success();
+}
+
+double IrregularShare(const IndexedMesh& mesh)
+{
+  constexpr double Voxels = 2e5;
+  std::vector<std::int16_t> numbers;
+  if (!FindWindingNumbers(mesh, CubesAround(mesh, Voxels), numbers).IsOk())
+  {
+    return 0.0;
+  }
+  const auto outside = std::count(numbers.begin(), numbers.end(), 0);
+  const auto once = std::count(numbers.begin(), numbers.end(), 1);
+  const auto enclosed = static_cast<double>(numbers.size()) - static_cast<double>(outside);
+  return enclosed > 0.0 ? 1.0 - static_cast<double>(once) / enclosed : 0.0;
 }
 } // namespace palpate

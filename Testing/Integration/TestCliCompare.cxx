@@ -137,6 +137,18 @@ TEST(CliCompare, OpenSurfaceHasNoVolumeAndANote)
   EXPECT_NE(pair.at("notes").at(0).get<std::string>().find("is open"), std::string::npos);
 }
 
+TEST(CliCompare, SurfaceThatEnclosesPlacesTwiceHasANote)
+{
+  const TemporaryFolder folder;
+  WriteMesh(folder / "nested.stl", Join(Sphere(20, 20.0), Sphere(20, 10.0)));
+  WriteMesh(folder / "hollow.stl", Join(Sphere(20, 20.0), Reversed(Sphere(20, 10.0))));
+  const Json pair = Compare(folder, {"hollow.stl", "nested.stl"}).at(0);
+  ASSERT_EQ(pair.at("notes").size(), 1U);
+  const auto note = pair.at("notes").at(0).get<std::string>();
+  EXPECT_EQ(note.find("nested.stl crosses itself"), 0U) << note;
+  EXPECT_NE(note.find(": 12.5 %"), std::string::npos) << note;
+}
+
 TEST(CliCompare, WritesMapPictureAndPageWithoutPaths)
 {
   const TemporaryFolder folder;
@@ -349,6 +361,9 @@ TEST(CliCompare, RefusesWithTheWayOut)
   };
   EXPECT_NE(refusal({"a.nii.gz", "b.json"}).find("choose one with --label"), std::string::npos);
   EXPECT_NE(refusal({"b.json", "b.json", "--label", "1"}).find("leave out --label"),
+            std::string::npos);
+  WriteSphere(folder / "flat.json", 0.0, Vector3::Zero());
+  EXPECT_NE(refusal({"b.json", "flat.json"}).find("flat.json encloses no volume; "),
             std::string::npos);
   EXPECT_NE(refusal({"a.nii.gz", "folder"}).find("two files or two folders"), std::string::npos);
   EXPECT_NE(refusal({"a.nii.gz"}).find("REFERENCE"), std::string::npos);

@@ -161,6 +161,8 @@ TEST(CliConvert, RejectsIncompatibleInputAndOutput)
   ExpectRefused(RunPalpate({"convert", "bad.stl", "b.vtp"}, folder.Path()), "bad.stl");
   ExpectRefused(RunPalpate({"convert", "a.json", "b.nii.gz"}, folder.Path()), "b.nii.gz");
   ExpectRefused(RunPalpate({"convert", "a.nii.gz", "b.stl"}, folder.Path()), "b.stl");
+  ExpectRefused(RunPalpate({"convert", "a.json", "b.stl", "--label", "1"}, folder.Path()),
+                "--label needs a segmentation");
   ExpectRefused(RunPalpate({"convert", "a.json", "no/b.csv"}, folder.Path()), "no/b.csv");
   EXPECT_EQ(folder.EntryCount(), 5u);
 }

@@ -155,6 +155,43 @@ TEST(CliFit, RejectsFewerDirectionsThanCoefficientsWithFix)
   EXPECT_TRUE(Has(run.Errors, "take more directions or a lower degree")) << run.Errors;
 }
 
+TEST(CliFit, RefusesOptionsWithoutEffect)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  const auto refusal = [&](std::vector<std::string> words)
+  {
+    words.insert(words.begin(), {"fit", "a.nii.gz"});
+    const CommandRun run = RunPalpate(words, folder.Path());
+    EXPECT_EQ(run.Code, 2);
+    return run.Errors;
+  };
+  EXPECT_TRUE(Has(refusal({"--tolerance", "1"}), "--tolerance needs --degree auto"));
+  EXPECT_TRUE(Has(refusal({"--max-degree", "3"}), "--max-degree needs --degree auto"));
+  EXPECT_TRUE(Has(refusal({"--model", "radial", "--repair"}), "--repair is for surface models"));
+  EXPECT_TRUE(
+      Has(refusal({"--model", "surface", "--center", "visible"}), "--center is for radial"));
+}
+
+TEST(CliFit, SurfaceModelsAreNotSearchedBelowDegreeOne)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate({"fit", "a.nii.gz", "--label", "1", "--model", "surface",
+                                     "--degree", "auto", "--max-degree", "0"},
+                                    folder.Path());
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_TRUE(Has(run.Errors, "needs more than degree 0")) << run.Errors;
+}
+
+TEST(CliFit, BadInputNamesTheModelThatWasAskedFor)
+{
+  const TemporaryFolder folder;
+  const CommandRun run =
+      RunPalpate({"fit", "none.nii.gz", "--model", "surface", "--json"}, folder.Path());
+  EXPECT_TRUE(Has(run.Output, R"("model":"surface")")) << run.Output;
+}
+
 TEST(CliFit, AutoDegreeIsSmallestWithinTolerance)
 {
   const TemporaryFolder folder;

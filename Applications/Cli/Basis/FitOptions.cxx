@@ -180,6 +180,10 @@ FitSettings FitOptions::Settings() const
     {
       throw InputError("--tolerance needs --degree auto; it has no effect on a fixed degree");
     }
+    if (settings.MaximumDegree != FitSettings().MaximumDegree)
+    {
+      throw InputError("--max-degree needs --degree auto; it has no effect on a fixed degree");
+    }
   }
   if (this->CenterWord == "visible")
   {
@@ -210,6 +214,10 @@ FitSettings FitOptions::Settings() const
   if (settings.Model == FitSettings::ModelKind::Surface)
   {
     CheckSurfaceOptions(settings, FitSettings());
+  }
+  if (settings.Model == FitSettings::ModelKind::Radial && settings.Repairs)
+  {
+    throw InputError("--repair is for surface models; leave it out with --model radial");
   }
   return settings;
 }

@@ -178,15 +178,17 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["notes"] = result.Notes;
   json["star"] = StarJson(result);
   json["fit"] = FitJsonOf(result, fitted);
-  json["model"] = result.Details.Mapped != nullptr ? "surface" : "radial";
+  const bool isSurface =
+      result.Details.Mapped != nullptr || result.Settings.Model == FitSettings::ModelKind::Surface;
+  json["model"] = isSurface ? "surface" : "radial";
   json["repair"] = RepairJson(result);
   json["parametrisation"] = ParametrisationJson(result);
   json["crossings"] = CrossingsJson(result, fitted);
   json["quality"] = QualityJson(result, fitted);
   const auto orNull = [](bool known, double value) { return known ? Json(value) : Json(); };
-  const bool isSurface = result.IsOfSurface && result.Surface != nullptr;
+  const bool hasSurface = result.IsOfSurface && result.Surface != nullptr;
   json["volume_ml"] = {{"mask", orNull(measured, result.MaskMilliliters)},
-                       {"surface", orNull(measured || isSurface, result.SurfaceMilliliters)},
+                       {"surface", orNull(measured || hasSurface, result.SurfaceMilliliters)},
                        {"model", orNull(fitted, result.ModelMilliliters)}};
   json["area_mm2"] = {{"surface", orNull(fitted, result.SurfaceAreaSquareMillimeters)},
                       {"model", orNull(fitted, result.ModelAreaSquareMillimeters)}};

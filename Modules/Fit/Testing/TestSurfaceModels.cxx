@@ -8,6 +8,7 @@
 #include "ParametricMask.h"
 #include "ParametricPhantoms.h"
 #include "Progress.h"
+#include "RepairRemarks.h"
 #include "SegmentationFile.h"
 #include "TestData.h"
 #include "TriangleMesh.h"
@@ -416,6 +417,13 @@ TEST(SurfaceModels, OfATorusTellThatItsHandleWasCut)
     isTold = isTold || note.find("handle cut") != std::string::npos;
   }
   EXPECT_TRUE(isTold);
+}
+
+TEST(RepairRemarks, VolumesHaveNoExponent)
+{
+  EXPECT_EQ(VolumeText(0.34567), "0.346 mm\xC2\xB3");
+  EXPECT_EQ(VolumeText(99.96), "100 mm\xC2\xB3");
+  EXPECT_EQ(VolumeText(2101.4), "2101 mm\xC2\xB3");
 }
 
 // The tube's ellipsoid is longest along the parameter x, wherever the file's axes look.

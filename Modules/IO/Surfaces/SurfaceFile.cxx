@@ -24,9 +24,11 @@
 #include "vtkXMLPolyDataWriter.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -188,11 +190,40 @@ vtkSmartPointer<vtkPolyData> ReadGltf(const std::filesystem::path& path)
   return PolyDataOf(MeshFromGltf(ReadWholeFile(path, MaximumBytes), path.string()));
 }
 
+// STL, glTF and X3D hold single precision, in which a small surface far from the origin loses its
+// shape.
+void RequireSinglePrecision(const TriangleMesh& mesh, const std::filesystem::path& path)
+{
+  constexpr double CoarsestStep = 1e-3; // of the surface's size
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : mesh.PointsWorld)
+  {
+    box.extend(point);
+  }
+  const double farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const bool isKept =
+      farthest <= std::numeric_limits<float>::max() &&
+      farthest * std::numeric_limits<float>::epsilon() <= CoarsestStep * box.sizes().norm();
+  if (!mesh.SinglePrecision && !isKept)
+  {
+    Refuse(path,
+           "holds single precision, in which a surface so far from the origin loses its shape",
+           "use .vtp, .ply or .obj");
+  }
+}
+
 using MeshWriter = std::string (*)(const TriangleMesh&);
 
 template <MeshWriter Write>
 std::string WriteMesh(const TriangleMesh& mesh, vtkPolyData*, const std::filesystem::path&)
 {
+  return Write(mesh);
+}
+
+template <MeshWriter Write>
+std::string WriteSingle(const TriangleMesh& mesh, vtkPolyData*, const std::filesystem::path& path)
+{
+  RequireSinglePrecision(mesh, path);
   return Write(mesh);
 }
 } // namespace
@@ -201,14 +232,14 @@ FormatList<SurfaceFormat>& SurfaceFormats()
 {
   static FormatList<SurfaceFormat> formats(
       {{{"VTK", {".vtp"}, {".vtp"}}, &ReadVtpInLps, &SurfaceToVtp},
-       {{"STL", {".stl"}, {".stl"}}, &ReadStl, &WriteMesh<&MeshToStl>},
+       {{"STL", {".stl"}, {".stl"}}, &ReadStl, &WriteSingle<&MeshToStl>},
        {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
        {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
        {{"legacy VTK", {".vtk"}, {}}, &ReadLegacyVtk, nullptr},
        {{"GIfTI", {".gii", ".surf.gii"}, {}}, &ReadGifti, nullptr},
-       {{"glTF", {".gltf"}, {".gltf"}}, &ReadGltf, &WriteMesh<&MeshToGltf>},
-       {{"binary glTF", {".glb"}, {".glb"}}, &ReadGltf, &WriteMesh<&MeshToGlb>},
-       {{"X3D", {}, {".x3d"}}, nullptr, &WriteMesh<&MeshToX3d>}});
+       {{"glTF", {".gltf"}, {".gltf"}}, &ReadGltf, &WriteSingle<&MeshToGltf>},
+       {{"binary glTF", {".glb"}, {".glb"}}, &ReadGltf, &WriteSingle<&MeshToGlb>},
+       {{"X3D", {}, {".x3d"}}, nullptr, &WriteSingle<&MeshToX3d>}});
   return formats;
 }
 

@@ -2,6 +2,7 @@
 
 #include "EdgeRings.h"
 #include "MeshSheets.h"
+#include "SheetNesting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -259,19 +260,19 @@ int KeepLargestPart(IndexedMesh& mesh)
 
 int OrientOutwards(IndexedMesh& mesh)
 {
-  const MeshSheets sheets(mesh, EdgeRings(mesh));
+  const EdgeRings rings(mesh);
+  const MeshSheets sheets(mesh, rings);
   if (!sheets.IsOrientable || sheets.SheetCount == 0)
   {
     return 0;
   }
   const std::vector<double> volumes = SheetVolumes(mesh, sheets);
-  const double most =
-      *std::max_element(volumes.begin(), volumes.end(),
-                        [](double one, double other) { return std::abs(one) < std::abs(other); });
+  const std::vector<int> outermost = OutermostSheets(mesh, rings, sheets, volumes);
   int count = 0;
   for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
   {
-    if (sheets.SheetOf[t] >= 0 && (sheets.IsTurned[t] != 0) != (most < 0.0))
+    const int sheet = sheets.SheetOf[t];
+    if (sheet >= 0 && (sheets.IsTurned[t] != 0) != (volumes[outermost[sheet]] < 0.0))
     {
       std::swap(mesh.Triangles[t][1], mesh.Triangles[t][2]);
       ++count;

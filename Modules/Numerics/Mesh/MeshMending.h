@@ -21,9 +21,9 @@ int DropUnusedPoints(IndexedMesh& mesh);
 /// Keeps the part (connected across edges) with the largest area; returns the number of triangles
 /// dropped. Points stay.
 int KeepLargestPart(IndexedMesh& mesh);
-/// Reverses triangles so that all agree with the majority of their sheet, then all if the sheet
-/// that encloses most volume is inside out; a cavity's surface keeps facing inwards. Returns the
-/// number of triangles reversed. Leaves the mesh as it is if it is one-sided.
+/// Reverses triangles so that all agree with the majority of their sheet, then every body whose
+/// outermost sheet is inside out (OutermostSheets), with its cavities, which keep facing inwards.
+/// Returns the number of triangles reversed. Leaves the mesh as it is if it is one-sided.
 int OrientOutwards(IndexedMesh& mesh);
 
 /// What MendMesh changed.

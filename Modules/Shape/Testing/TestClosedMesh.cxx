@@ -188,6 +188,34 @@ TEST(ClosedMesh, RepairUnitesOverlappingPartsAndBridgesOthers)
   EXPECT_EQ(apart.Topology.Bridges.Count, 1);
 }
 
+TEST(ClosedMesh, RepairKeepsABodyThatIsInsideOut)
+{
+  IndexedMesh mesh = Sphere(12, 10.0);
+  Append(Reversed(Sphere(12, 8.0, {24.0, 0.0, 0.0})), mesh);
+  EXPECT_EQ(Repaired(mesh).Topology.Bridges.Count, 1);
+}
+
+// A ball wrung in the middle: one half of it is inside out.
+TEST(ClosedMesh, RepairKeepsLobesThatACrossingTurnedInsideOut)
+{
+  IndexedMesh mesh = Sphere(24, 10.0);
+  double volume = 0.0;
+  const double inside = VolumeOf(mesh);
+  for (Vector3& point : mesh.Points)
+  {
+    point.y() *= (point.x() - 1.0) / 10.0;
+  }
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    // Of the pyramid over the triangle from the line where the lobes meet: of either sign.
+    const Vector3 start(1.0, 0.0, 0.0);
+    const Vector3 a = mesh.Points[t[0]] - start;
+    volume += std::abs(a.dot((mesh.Points[t[1]] - start).cross(mesh.Points[t[2]] - start))) / 6.0;
+  }
+  EXPECT_LT(VolumeOf(mesh), 0.2 * inside);
+  EXPECT_NEAR(VolumeOf(Repaired(mesh).Mesh), volume, 0.03 * volume);
+}
+
 // Behind the wall, winding numbers depend on the direction in which they are counted.
 TEST(ClosedMesh, RepairKeepsBothSidesOfAWallInside)
 {
@@ -253,6 +281,18 @@ TEST(MeshVoxels, DirectionsAgreeOnClosedMesh)
   EXPECT_EQ(one, all);
   const auto inside = static_cast<double>(std::count(one.begin(), one.end(), 1));
   EXPECT_NEAR(inside * std::pow(grid.Axes(0, 0), 3) / VolumeOf(mesh), 1.0, 0.01);
+}
+
+TEST(MeshVoxels, IrregularShareIsWhatIsNotEnclosedJustOnce)
+{
+  EXPECT_EQ(IrregularShare(Sphere(12, 10.0)), 0.0);
+  EXPECT_EQ(IrregularShare(Reversed(Sphere(12, 10.0))), 1.0);
+  IndexedMesh nested = Sphere(12, 10.0);
+  Append(Sphere(12, 5.0), nested);
+  EXPECT_NEAR(IrregularShare(nested), 0.125, 0.002);
+  IndexedMesh hollow = Sphere(12, 10.0);
+  Append(Reversed(Sphere(12, 5.0)), hollow);
+  EXPECT_EQ(IrregularShare(hollow), 0.0);
 }
 } // namespace
 } // namespace palpate::closed_mesh_test

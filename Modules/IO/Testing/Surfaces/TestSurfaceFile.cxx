@@ -165,6 +165,30 @@ TEST(SurfaceFile, StlIsClosedAgainAfterReading)
   EXPECT_EQ(OpenOrBadEdges(back), 0);
 }
 
+TEST(SurfaceFile, SinglePrecisionRefusesWhatItCannotHold)
+{
+  const TemporaryFolder folder;
+  for (const double shift : {0.0, 1e5, 1e9, 1e300})
+  {
+    TriangleMesh mesh;
+    mesh.PointsWorld = {
+        {shift, 0, 0}, {shift + 10.0, 0, 0}, {shift, 10, 0}, {shift + 5.0, 5.0, 10.0}};
+    mesh.Triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    for (const char* name : {"a.stl", "a.glb", "a.gltf", "a.x3d"})
+    {
+      if (shift < 1e6)
+      {
+        EXPECT_NO_THROW(WriteSurface(folder / name, PolyDataOf(mesh))) << shift << name;
+      }
+      else
+      {
+        EXPECT_THROW(WriteSurface(folder / name, PolyDataOf(mesh)), InputError) << shift << name;
+      }
+    }
+    EXPECT_NO_THROW(WriteSurface(folder / "a.obj", PolyDataOf(mesh)));
+  }
+}
+
 TEST(SurfaceFile, StlKeepsVertexOrder)
 {
   const TemporaryFolder folder;

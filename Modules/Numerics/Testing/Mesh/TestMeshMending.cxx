@@ -108,6 +108,43 @@ TEST(MeshMending, CavityKeepsFacingInwards)
   EXPECT_NEAR(hollow, outer * 26.0 / 27.0, 1e-9);
 }
 
+TEST(MeshMending, BodyBesideTheLargestTurnsOutwardsWithItsCavity)
+{
+  const auto hollow = [](double outer, double inner, const Vector3& center)
+  {
+    return test::Join(test::Sphere(4, outer, center),
+                      test::Reversed(test::Sphere(4, inner, center)));
+  };
+  // The first has a body in its cavity; the last overlaps it.
+  const IndexedMesh bodies[] = {test::Join(hollow(6.0, 5.0, {0, 0, 0}), test::Sphere(4, 3.0)),
+                                hollow(4.0, 3.0, {12, 0, 0}), test::Sphere(4, 2.5, {5.5, 5.5, 0})};
+  for (unsigned turned = 0; turned < 8; ++turned)
+  {
+    IndexedMesh mesh;
+    double volume = 0.0;
+    unsigned bit = turned;
+    for (const IndexedMesh& body : bodies)
+    {
+      mesh = test::Join(mesh, bit % 2 == 1 ? test::Reversed(body) : body);
+      volume += DescribeTopology(body).Volume;
+      bit /= 2;
+    }
+    OrientOutwards(mesh);
+    EXPECT_NEAR(DescribeTopology(mesh).Volume, volume, 1e-9) << turned;
+  }
+}
+
+TEST(MeshMending, SmallAndOpenSheetsFollowTheLargest)
+{
+  IndexedMesh open = test::Sphere(4, 3.0, {9, 0, 0});
+  open.Triangles.pop_back();
+  for (const IndexedMesh& other : {test::Sphere(4, 0.5, {9, 0, 0}), open})
+  {
+    IndexedMesh mesh = test::Join(test::Sphere(4, 4.0), test::Reversed(other));
+    EXPECT_EQ(OrientOutwards(mesh), 0);
+  }
+}
+
 TEST(MeshMending, ReversesOnlyTheMinority)
 {
   for (const std::size_t turned : {0U, 17U})
