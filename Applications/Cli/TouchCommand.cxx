@@ -14,6 +14,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
+#include "ModelFile.h"
 #include "OutputFolder.h"
 #include "OutputNames.h"
 #include "SceneFile.h"
@@ -27,6 +28,7 @@
 #include "Units.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 #include <iomanip>
 #include <map>
@@ -244,6 +246,14 @@ SceneSettings TouchCommand::Settings() const
   }
   else
   {
+    const bool areWhole = std::all_of(this->Inputs.begin(), this->Inputs.end(),
+                                      [](const std::string& input)
+                                      { return IsModelFile(input) || IsSurfaceFile(input); });
+    if (areWhole && !this->Labels.empty())
+    {
+      throw InputError("--label needs a segmentation, which " + this->Inputs.front() +
+                       " is not; leave it out");
+    }
     settings.Tool = this->Tool;
     for (const std::string& input : this->Inputs)
     {

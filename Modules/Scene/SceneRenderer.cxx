@@ -267,7 +267,8 @@ void SceneRenderer::PlaceCamera(const ViewFrame& frame, double aspect)
   {
     box.extend(Vector3(Vector3::Zero()));
   }
-  const Vector3 half = (0.5 * box.sizes()).cwiseMax(1.0);
+  const double largest = 0.5 * box.sizes().maxCoeff();
+  const Vector3 half = (0.5 * box.sizes()).cwiseMax(largest > 0.0 ? 1e-3 * largest : 1.0);
   const Vector3 middle = axes * box.center();
   const Vector3 eye = middle + 3.0 * half.norm() * frame.TowardsViewerWorld;
   vtkCamera* camera = this->Renderer->GetActiveCamera();

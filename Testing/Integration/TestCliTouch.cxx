@@ -1,8 +1,10 @@
 #include "CommandRun.h"
+#include "ModelFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -100,6 +102,18 @@ TEST(CliTouch, BadInputIsRefusedAndLeavesNothing)
     EXPECT_EQ(run.Code, 2) << (more.empty() ? "" : more.back()) << ": " << run.Errors;
     EXPECT_EQ(folder.EntryCount(), 1U);
   }
+}
+
+TEST(CliTouch, ModelsHaveNoLabels)
+{
+  const TemporaryFolder folder;
+  ModelDocument document;
+  document.Surface = SphericalHarmonicModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  WriteModel(folder / "a.json", document);
+  const CommandRun run = RunPalpate({"touch", "a.json", "--label", "1"}, folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_NE(run.Errors.find("--label needs a segmentation, which a.json is not"), std::string::npos)
+      << run.Errors;
 }
 
 TEST(CliDevices, ListsEachDeviceWithItsStatus)

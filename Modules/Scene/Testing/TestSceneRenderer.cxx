@@ -4,6 +4,8 @@
 #include "DisplayTest.h"
 #include "SceneField.h"
 #include "SyntheticFit.h"
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +144,22 @@ TEST_F(SceneRendererTest, EverythingFitsIntoTheImage)
       }
     }
     EXPECT_GT(blue, 240 * 150 / 5) << palpate::NameOf(side);
+  }
+}
+
+TEST_F(SceneRendererTest, BodyOfAnySizeFillsTheImage)
+{
+  for (const double radius : {1e-6, 1e-3, 1.0, 1e6})
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(radius);
+    ball->SetCenter(3.0 * radius, 0.0, 0.0);
+    ball->Update();
+    SceneRenderer scene;
+    scene.AddSurface(ball->GetOutput(), Tan, 1.0);
+    const RasterImage image = scene.Render(palpate::ObliqueFrame(), 100, 100);
+    EXPECT_FALSE(IsBackground(image.Pixel(50, 50))) << radius;
+    EXPECT_FALSE(IsBackground(image.Pixel(25, 50))) << radius;
   }
 }
 
