@@ -46,11 +46,11 @@ void RemarkOn(PairComparison& pair)
     }
     if (side->Irregular > LargestIrregular)
     {
-      pair.Notes.push_back(
-          side->File.filename().string() +
-          " crosses itself, or has bodies in each other: " + FixedText(100.0 * side->Irregular, 1) +
-          " % of its inside is not enclosed just once, so that its volume and the signs of "
-          "distances are doubtful; palpate fit --repair makes one surface of it");
+      pair.Notes.push_back(side->File.filename().string() + " encloses " +
+                           FixedText(100.0 * side->Irregular, 1) +
+                           " % of its inside not just once (it crosses itself, or has bodies in "
+                           "each other or inside out): its volume and the signs of distances are "
+                           "doubtful; palpate fit --repair models all that it encloses");
     }
   }
   if (pair.Numbers.Overlap && pair.Numbers.Overlap->Both == 0)

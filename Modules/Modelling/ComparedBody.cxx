@@ -91,8 +91,9 @@ Status ComparedBody::OfMesh(IndexedMesh mesh, ComparedBody& made)
   body.Holes = std::max(topology.Holes, topology.BoundaryEdges > 0 ? 1 : 0);
   body.EnclosedVolume =
       body.IsClosed() ? std::abs(topology.Volume) : std::numeric_limits<double>::quiet_NaN();
-  body.IrregularPart = body.IsClosed() ? IrregularShare(body.Mesh) : 0.0;
+  body.HasPairsOnly = topology.IsConsistent();
   Status status = body.Finish();
+  body.IrregularPart = status.IsOk() && body.IsClosed() ? IrregularShare(body.Mesh) : 0.0;
   made = std::move(body);
   return status;
 }

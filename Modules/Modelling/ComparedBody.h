@@ -50,6 +50,8 @@ public:
   IndexedMesh CoarseSurface() const { return this->Foot->CoarseMesh(); }
   bool IsClosed() const noexcept { return this->Holes == 0; }
   int HoleCount() const noexcept { return this->Holes; }
+  /// As SurfaceTopology::IsConsistent; of masks and models true.
+  bool IsConsistent() const noexcept { return this->HasPairsOnly; }
   /// Of a closed mesh (IrregularShare), else 0.
   double Irregular() const noexcept { return this->IrregularPart; }
   /// mm^3: of a mask's voxels, a model's integral, the volume that a mesh encloses; NaN if open.
@@ -80,6 +82,7 @@ private:
   double EnclosedVolume = 0.0;
   double SurfaceArea = 0.0;
   double IrregularPart = 0.0;
+  bool HasPairsOnly = true;
   int Holes = 0;
 };
 } // namespace palpate

@@ -27,7 +27,7 @@ VoxelCenters TurnedTo(const VoxelCenters& grid, int axis, bool isReversed)
   return turned;
 }
 
-// Adds 1 to each voxel of a positive number of a turned grid.
+// Adds 1 to each voxel that is inside by the numbers of a turned grid.
 void AddVotes(const std::vector<std::int16_t>& numbers, const VoxelCenters& grid, int axis,
               bool isReversed, std::vector<std::uint8_t>& votes)
 {
@@ -46,7 +46,7 @@ void AddVotes(const std::vector<std::int16_t>& numbers, const VoxelCenters& grid
           k * at(steps, 2) + j * at(steps, 1) + (isReversed ? (length - 1) * at(steps, 0) : 0);
       for (int i = 0; i < length; ++i, ++number, place += step)
       {
-        votes[static_cast<std::size_t>(place)] += *number > 0 ? 1 : 0;
+        votes[static_cast<std::size_t>(place)] += *number != 0 ? 1 : 0;
       }
     }
   }
@@ -83,19 +83,10 @@ VoxelCenters CubesAround(const IndexedMesh& mesh, double voxels)
 Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen,
                   std::vector<std::uint8_t>& inside)
 {
-  constexpr int Directions = 6;
-  constexpr int Majority = 4;
   std::vector<std::int16_t> numbers;
-  if (!isOpen)
-  {
-    Status status = FindWindingNumbers(mesh, grid, numbers);
-    inside.resize(numbers.size());
-    std::transform(numbers.begin(), numbers.end(), inside.begin(),
-                   [](std::int16_t number) { return std::uint8_t{number != 0}; });
-    return status;
-  }
   std::vector<std::uint8_t> votes;
-  for (int direction = 0; direction < Directions; ++direction)
+  const int directions = isOpen ? 6 : 1;
+  for (int direction = 0; direction < directions; ++direction)
   {
     const int axis = direction / 2;
     const bool isReversed = direction % 2 == 1;
@@ -107,8 +98,11 @@ Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen
     votes.resize(numbers.size(), 0);
     AddVotes(numbers, grid, axis, isReversed, votes);
   }
-  std::transform(votes.begin(), votes.end(), votes.begin(),
-                 [](std::uint8_t vote) { return std::uint8_t{vote >= Majority}; });
+  const int least = isOpen ? 4 : 1;
+  for (std::uint8_t& vote : votes)
+  {
+    vote = vote >= least ? 1 : 0;
+  }
   inside = std::move(votes);
   return Status::Success();
 }

@@ -13,12 +13,13 @@ namespace palpate
 /// least two cubes around it.
 VoxelCenters CubesAround(const IndexedMesh& mesh, double voxels);
 
-/// 1 for the voxels whose centres a mesh encloses, else 0; i fastest. Of a closed mesh, those with
-/// a winding number other than 0: lobes that a self-crossing turned inside out count too. Of an
-/// open mesh, whose winding numbers depend on the direction in which they are counted, those with a
-/// number > 0 in at least four of the six directions along the grid's axes: a hole misleads only
-/// the voxels behind it (after Nooruddin and Turk, "Simplification and repair of polygonal models
-/// using volumetric techniques", IEEE TVCG 9, 2003). Fails as FindWindingNumbers does.
+/// 1 for the voxels whose centres a mesh encloses, that is with a winding number other than 0
+/// (lobes that a crossing turned inside out count too), else 0; i fastest. Of an open mesh, or
+/// another whose winding numbers depend on the direction in which they are counted
+/// (SurfaceTopology::IsConsistent), those that are inside in at least four of the six directions
+/// along the grid's axes: a hole misleads only the voxels behind it (after Nooruddin and Turk,
+/// "Simplification and repair of polygonal models using volumetric techniques", IEEE TVCG 9, 2003).
+/// Fails as FindWindingNumbers does.
 Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen,
                   std::vector<std::uint8_t>& inside);
 

@@ -73,7 +73,7 @@ public:
   DistanceSamples(const IndexedMesh& mesh, const VoxelCenters& grid, double band)
       : Grid(grid), Band(band)
   {
-    const bool isOpen = DescribeTopology(mesh).BoundaryEdges > 0;
+    const bool isOpen = !DescribeTopology(mesh).IsConsistent();
     RequireInput(FindInside(mesh, grid, isOpen, this->Inside));
     RequireInput(NearestOnMesh::Make(mesh, this->Surface));
     this->Values.resize(this->Inside.size());

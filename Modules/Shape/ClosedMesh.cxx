@@ -56,13 +56,6 @@ std::string CrossingFault(const IndexedMesh& mesh)
          FixedText(place.y(), 1) + ", " + FixedText(place.z(), 1) + ") mm";
 }
 
-// Whether winding numbers of the mesh may depend on the direction in which they are counted.
-bool IsOpen(const SurfaceTopology& topology)
-{
-  return topology.BoundaryEdges > 0 || topology.NonManifoldEdges > 0 ||
-         topology.OrientationConflicts > 0;
-}
-
 AddedSurface AddedTo(const IndexedMesh& given, const IndexedMesh& made, double near)
 {
   AddedSurface added;
@@ -118,8 +111,8 @@ public:
     }
     if (!fault.empty())
     {
-      status =
-          this->Settings->Repairs ? this->Repair(fault, IsOpen(topology)) : Status::Failure(fault);
+      status = this->Settings->Repairs ? this->Repair(fault, !topology.IsConsistent())
+                                       : Status::Failure(fault);
     }
     return status.IsOk() ? this->Resample() : status;
   }

@@ -168,7 +168,6 @@ TEST(CliFit, RefusesOptionsWithoutEffect)
   };
   EXPECT_TRUE(Has(refusal({"--tolerance", "1"}), "--tolerance needs --degree auto"));
   EXPECT_TRUE(Has(refusal({"--max-degree", "3"}), "--max-degree needs --degree auto"));
-  EXPECT_TRUE(Has(refusal({"--model", "radial", "--repair"}), "--repair is for surface models"));
   EXPECT_TRUE(
       Has(refusal({"--model", "surface", "--center", "visible"}), "--center is for radial"));
 }

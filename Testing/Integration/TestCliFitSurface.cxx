@@ -134,6 +134,18 @@ TEST(CliFitSurface, RepairFitsWhatVoxelsEnclose)
   }
 }
 
+TEST(CliFitSurface, RepairServesRadialModelsToo)
+{
+  const TemporaryFolder folder;
+  IndexedMesh open = Sphere(16, 20.0);
+  open.Triangles.pop_back();
+  Write(open, folder / "a.ply");
+  EXPECT_EQ(RunPalpate({"fit", "a.ply", "--model", "radial"}, folder.Path()).Code, 2);
+  const CommandRun run =
+      RunPalpate({"fit", "a.ply", "--model", "radial", "--repair"}, folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+}
+
 TEST(CliFitSurface, RefusesOptionsOfMasks)
 {
   const TemporaryFolder folder;

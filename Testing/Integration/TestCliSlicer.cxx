@@ -186,8 +186,8 @@ TEST(CliSlicer, UnderscoresAreReadOnlyForSlicer)
   const TemporaryFolder folder;
   const CommandRun plain = RunPalpate({"fit", "--max_degree", "2", "missing.nrrd"}, folder.Path());
   EXPECT_NE(plain.Errors.find("--max_degree"), std::string::npos) << plain.Errors;
-  const CommandRun slicer =
-      RunPalpate({"--slicer", "fit", "--max_degree=2", "miss_ing.nrrd"}, folder.Path());
+  const CommandRun slicer = RunPalpate(
+      {"--slicer", "fit", "--degree=auto", "--max_degree=2", "miss_ing.nrrd"}, folder.Path());
   EXPECT_NE(slicer.Errors.find("miss_ing.nrrd"), std::string::npos) << slicer.Errors;
 }
 } // namespace

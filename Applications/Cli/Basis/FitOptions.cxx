@@ -180,6 +180,7 @@ FitSettings FitOptions::Settings() const
     {
       throw InputError("--tolerance needs --degree auto; it has no effect on a fixed degree");
     }
+    // 3D Slicer passes every option, so that the default is no mistake.
     if (settings.MaximumDegree != FitSettings().MaximumDegree)
     {
       throw InputError("--max-degree needs --degree auto; it has no effect on a fixed degree");
@@ -214,10 +215,6 @@ FitSettings FitOptions::Settings() const
   if (settings.Model == FitSettings::ModelKind::Surface)
   {
     CheckSurfaceOptions(settings, FitSettings());
-  }
-  if (settings.Model == FitSettings::ModelKind::Radial && settings.Repairs)
-  {
-    throw InputError("--repair is for surface models; leave it out with --model radial");
   }
   return settings;
 }

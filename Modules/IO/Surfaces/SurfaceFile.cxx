@@ -208,7 +208,7 @@ void RequireSinglePrecision(const TriangleMesh& mesh, const std::filesystem::pat
   {
     Refuse(path,
            "holds single precision, in which a surface so far from the origin loses its shape",
-           "use .vtp, .ply or .obj");
+           "use .vtp or .ply");
   }
 }
 

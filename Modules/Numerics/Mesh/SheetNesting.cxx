@@ -1,8 +1,11 @@
 #include "SheetNesting.h"
 
+#include "WindingNumbers.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace palpate
@@ -11,113 +14,152 @@ namespace
 {
 constexpr double LeastVolume = 0.01; // of the largest sheet's
 constexpr std::size_t MostSheets = 32;
-constexpr double HalfSphere = 2.0 * 3.14159265358979323846;
+constexpr int VoxelsOfSide = 48;
 
-struct Sheet
+double SizeOf(double volume)
 {
-  int Number = 0;
-  std::vector<std::array<int, 3>> Triangles; // that agree
-  Eigen::AlignedBox3d Box;
-};
-
-// Around the point, within 4 pi of a whole one for each time that the triangles enclose it.
-double SolidAngle(const std::vector<Vector3>& points, const Sheet& sheet, const Vector3& from)
-{
-  double sum = 0.0;
-  for (const std::array<int, 3>& triangle : sheet.Triangles)
-  {
-    const Vector3 a = points[triangle[0]] - from;
-    const Vector3 b = points[triangle[1]] - from;
-    const Vector3 c = points[triangle[2]] - from;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    sum += 2.0 * std::atan2(a.dot(b.cross(c)),
-                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return sum;
+  return std::isfinite(volume) ? std::abs(volume) : 0.0;
 }
 
-bool Encloses(const std::vector<Vector3>& points, const Sheet& outer, const Sheet& inner)
+// By falling volume.
+std::vector<int> LargeSheets(const std::vector<double>& volumes)
 {
-  return outer.Box.contains(inner.Box) &&
-         std::abs(SolidAngle(points, outer, points[inner.Triangles.front()[0]])) > HalfSphere;
-}
-
-// The largest, then the others that are closed and large enough, by falling volume.
-std::vector<Sheet> LargeSheets(const EdgeRings& rings, const MeshSheets& sheets,
-                               const std::vector<double>& volumes)
-{
-  std::vector<char> isClosed(volumes.size(), 1);
-  for (std::size_t t = 0; t < sheets.SheetOf.size(); ++t)
-  {
-    for (int h = 3 * static_cast<int>(t); sheets.SheetOf[t] >= 0 && h < 3 * static_cast<int>(t) + 3;
-         ++h)
-    {
-      isClosed[sheets.SheetOf[t]] &= rings.IsPair(h) ? 1 : 0;
-    }
-  }
   std::vector<int> order(volumes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&volumes](int one, int other)
-                   { return std::abs(volumes[one]) > std::abs(volumes[other]); });
-  std::vector<Sheet> large;
-  for (const int number : order)
-  {
-    const bool isLarge =
-        std::abs(volumes[number]) >= LeastVolume * std::abs(volumes[order.front()]);
-    if (large.empty() || (isLarge && isClosed[number] != 0 && large.size() < MostSheets))
-    {
-      large.push_back({number, {}, {}});
-    }
-  }
-  return large;
+                   { return SizeOf(volumes[one]) > SizeOf(volumes[other]); });
+  const double least = LeastVolume * SizeOf(volumes[order.front()]);
+  const auto end =
+      std::find_if(order.begin(), order.end(),
+                   [&volumes, least](int sheet) { return SizeOf(volumes[sheet]) < least; });
+  order.erase(end, order.end());
+  order.resize(std::min(order.size(), MostSheets));
+  return order;
 }
 
-void Fill(const IndexedMesh& mesh, const MeshSheets& sheets, std::vector<Sheet>& large)
+std::vector<char> ClosedSheets(const EdgeRings& rings, const MeshSheets& sheets)
 {
-  std::vector<Sheet*> at(static_cast<std::size_t>(sheets.SheetCount), nullptr);
-  for (Sheet& sheet : large)
+  std::vector<char> isClosed(static_cast<std::size_t>(sheets.SheetCount), 1);
+  const int count = static_cast<int>(sheets.SheetOf.size());
+  for (int h = 0; h < 3 * count; ++h)
   {
-    at[sheet.Number] = &sheet;
-  }
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-  {
-    Sheet* sheet = sheets.SheetOf[t] >= 0 ? at[sheets.SheetOf[t]] : nullptr;
-    if (sheet != nullptr)
+    if (sheets.SheetOf[h / 3] >= 0 && !rings.IsPair(h))
     {
-      const auto [a, b, c] = mesh.Triangles[t];
-      sheet->Triangles.push_back(sheets.IsTurned[t] != 0 ? std::array<int, 3>{a, c, b}
-                                                         : mesh.Triangles[t]);
-      sheet->Box.extend(mesh.Points[a]).extend(mesh.Points[b]).extend(mesh.Points[c]);
+      isClosed[sheets.SheetOf[h / 3]] = 0;
     }
   }
+  return isClosed;
+}
+
+/// The voxels inside one sheet.
+class SheetVoxels
+{
+public:
+  SheetVoxels(const MeshSheets& sheets, const IndexedMesh& mesh) : Sheets(&sheets), Whole(&mesh)
+  {
+    this->Part.Points = mesh.Points;
+  }
+
+  void Fill(int sheet)
+  {
+    this->Part.Triangles.clear();
+    Eigen::AlignedBox3d box;
+    for (std::size_t t = 0; t < this->Whole->Triangles.size(); ++t)
+    {
+      if (this->Sheets->SheetOf[t] == sheet)
+      {
+        auto [a, b, c] = this->Whole->Triangles[t];
+        for (const int corner : {a, b, c})
+        {
+          box.extend(this->Whole->Points[corner]);
+        }
+        this->Part.Triangles.push_back(this->Sheets->IsTurned[t] != 0 ? std::array<int, 3>{a, c, b}
+                                                                      : this->Whole->Triangles[t]);
+      }
+    }
+    // A flat box gets voxels too.
+    const Vector3 sizes = box.sizes().cwiseMax(1e-6 * box.sizes().maxCoeff());
+    this->Sides = sizes / VoxelsOfSide;
+    this->Corner = box.center() - 0.5 * sizes;
+    const VoxelCenters centers{this->Corner + 0.5 * this->Sides,
+                               Matrix3(this->Sides.asDiagonal()),
+                               {VoxelsOfSide, VoxelsOfSide, VoxelsOfSide}};
+    if (!FindWindingNumbers(this->Part, centers, this->Numbers).IsOk())
+    {
+      this->Numbers.assign(std::size_t{VoxelsOfSide} * VoxelsOfSide * VoxelsOfSide, 0);
+    }
+  }
+
+  bool Encloses(const Vector3& point) const
+  {
+    const Vector3 place = (point - this->Corner).cwiseQuotient(this->Sides);
+    if (!(place.minCoeff() >= 0.0 && place.maxCoeff() < VoxelsOfSide))
+    {
+      return false;
+    }
+    const Eigen::Vector3i index = place.cast<int>();
+    return this->Numbers[static_cast<std::size_t>(
+               (index.z() * VoxelsOfSide + index.y()) * VoxelsOfSide + index.x())] != 0;
+  }
+
+private:
+  const MeshSheets* Sheets;
+  const IndexedMesh* Whole;
+  IndexedMesh Part;
+  Vector3 Corner = Vector3::Zero();
+  Vector3 Sides = Vector3::Ones();
+  std::vector<std::int16_t> Numbers;
+};
+
+// Adds 1 for each of their triangles that the voxels enclose, else subtracts 1.
+std::vector<int> Balance(const IndexedMesh& mesh, const MeshSheets& sheets,
+                         const SheetVoxels& voxels)
+{
+  std::vector<int> balance(static_cast<std::size_t>(sheets.SheetCount), 0);
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    if (sheets.SheetOf[t] >= 0)
+    {
+      const auto [a, b, c] = mesh.Triangles[t];
+      const Vector3 center = (mesh.Points[a] + mesh.Points[b] + mesh.Points[c]) / 3.0;
+      balance[sheets.SheetOf[t]] += voxels.Encloses(center) ? 1 : -1;
+    }
+  }
+  return balance;
 }
 } // namespace
 
 std::vector<int> OutermostSheets(const IndexedMesh& mesh, const EdgeRings& rings,
                                  const MeshSheets& sheets, const std::vector<double>& volumes)
 {
-  std::vector<Sheet> large = LargeSheets(rings, sheets, volumes);
-  if (large.size() < 2)
+  if (volumes.size() < 2)
   {
-    return std::vector<int>(volumes.size(), large.empty() ? 0 : large.front().Number);
+    return std::vector<int>(volumes.size(), 0);
   }
-  Fill(mesh, sheets, large);
-  std::vector<int> outermost(volumes.size(), large.front().Number);
-  std::vector<const Sheet*> roots;
-  for (const Sheet& sheet : large)
+  const std::vector<int> large = LargeSheets(volumes);
+  std::vector<int> outermost(volumes.size(), -1);
+  if (large.size() > 1)
   {
-    const auto around =
-        std::find_if(roots.begin(), roots.end(),
-                     [&](const Sheet* root) { return Encloses(mesh.Points, *root, sheet); });
-    outermost[sheet.Number] = around == roots.end() ? sheet.Number : (*around)->Number;
-    if (around == roots.end())
+    const std::vector<char> isClosed = ClosedSheets(rings, sheets);
+    SheetVoxels voxels(sheets, mesh);
+    for (const int outer : large)
     {
-      roots.push_back(&sheet);
+      if (outermost[outer] >= 0)
+      {
+        continue; // lies in a larger one
+      }
+      outermost[outer] = isClosed[outer] != 0 ? outer : large.front();
+      voxels.Fill(outer);
+      const std::vector<int> balance = Balance(mesh, sheets, voxels);
+      for (std::size_t sheet = 0; sheet < balance.size(); ++sheet)
+      {
+        outermost[sheet] =
+            outermost[sheet] < 0 && balance[sheet] > 0 ? outermost[outer] : outermost[sheet];
+      }
     }
   }
+  std::replace(outermost.begin(), outermost.end(), -1, large.front());
   return outermost;
 }
 } // namespace palpate

@@ -8,15 +8,14 @@
 
 namespace palpate
 {
-/// For each sheet of a mesh the outermost sheet that encloses it, or the sheet itself: a cavity and
-/// what lies in it belong to the body around them, a second body beside the first to itself.
-/// `volumes` are those that the sheets enclose, of either sign.
+/// For each sheet of a mesh the sheet whose orientation decides about it: the outermost one that
+/// encloses it, or itself. A cavity and what lies in it belong to the body around them, a body
+/// beside the largest to itself. `volumes` are those that the sheets enclose, of either sign.
 ///
-/// Sheets count as enclosed by the largest one unless they are closed, enclose at least a hundredth
-/// of its volume, and are among the 32 largest, which bounds the time by 32 times that of a sum
-/// over the triangles. Enclosed is a sheet whose box lies in that of the other and around whose
-/// first point the other's solid angle is more than half of the sphere (van Oosterom and Strackee,
-/// IEEE Trans. Biomed. Eng. 30 (1983)).
+/// Outermost are sheets of at least a hundredth of the largest one's volume, at most 32 of them;
+/// those that are not closed, and sheets that none of these encloses, go with the largest. Enclosed
+/// is a sheet of which most triangles have their centre in voxels inside the other one, 48 along
+/// each axis of its box. Time: that of some operations for each triangle and outermost sheet.
 std::vector<int> OutermostSheets(const IndexedMesh& mesh, const EdgeRings& rings,
                                  const MeshSheets& sheets, const std::vector<double>& volumes);
 } // namespace palpate

@@ -32,6 +32,13 @@ struct SurfaceTopology
   double Area = 0.0;            ///< mm^2; 0 if points are not finite
   double Volume = 0.0;          ///< mm^3, signed; of a closed surface, negative if inside out
 
+  /// Two triangles at every edge, which run along it in opposite directions: then winding numbers
+  /// do not depend on the direction in which they are counted.
+  bool IsConsistent() const noexcept
+  {
+    return this->BoundaryEdges == 0 && this->NonManifoldEdges == 0 &&
+           this->OrientationConflicts == 0;
+  }
   /// Of a closed, orientable manifold: the handles of all parts together.
   int Handles() const noexcept { return this->Parts - this->EulerCharacteristic / 2; }
 };

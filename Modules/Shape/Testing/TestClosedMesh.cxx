@@ -214,6 +214,8 @@ TEST(ClosedMesh, RepairKeepsLobesThatACrossingTurnedInsideOut)
   }
   EXPECT_LT(VolumeOf(mesh), 0.2 * inside);
   EXPECT_NEAR(VolumeOf(Repaired(mesh).Mesh), volume, 0.03 * volume);
+  mesh.Triangles.pop_back(); // also with a hole
+  EXPECT_NEAR(VolumeOf(Repaired(mesh).Mesh), volume, 0.03 * volume);
 }
 
 // Behind the wall, winding numbers depend on the direction in which they are counted.

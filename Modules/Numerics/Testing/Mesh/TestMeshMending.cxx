@@ -117,7 +117,7 @@ TEST(MeshMending, BodyBesideTheLargestTurnsOutwardsWithItsCavity)
   };
   // The first has a body in its cavity; the last overlaps it.
   const IndexedMesh bodies[] = {test::Join(hollow(6.0, 5.0, {0, 0, 0}), test::Sphere(4, 3.0)),
-                                hollow(4.0, 3.0, {12, 0, 0}), test::Sphere(4, 2.5, {5.5, 5.5, 0})};
+                                hollow(2.0, 1.0, {9, 0, 0}), test::Sphere(4, 2.5, {5.5, 5.5, 0})};
   for (unsigned turned = 0; turned < 8; ++turned)
   {
     IndexedMesh mesh;
@@ -143,6 +143,27 @@ TEST(MeshMending, SmallAndOpenSheetsFollowTheLargest)
     IndexedMesh mesh = test::Join(test::Sphere(4, 4.0), test::Reversed(other));
     EXPECT_EQ(OrientOutwards(mesh), 0);
   }
+}
+
+TEST(MeshMending, CavitiesOfOpenAndSmallBodiesStay)
+{
+  IndexedMesh open = test::Sphere(4, 4.0, {12, 0, 0});
+  open.Triangles.pop_back();
+  const IndexedMesh small =
+      test::Join(test::Sphere(4, 1.0, {0, 9, 0}), test::Reversed(test::Sphere(4, 0.5, {0, 9, 0})));
+  // The last cavity touches the wall around it and sticks out by a little.
+  const IndexedMesh cavities = test::Join(test::Reversed(test::Sphere(4, 3.0, {12, 0, 0})),
+                                          test::Reversed(test::Sphere(4, 3.0, {3.1, 0, 0})));
+  IndexedMesh mesh =
+      test::Join(test::Join(test::Sphere(4, 6.0), open), test::Join(small, cavities));
+  EXPECT_EQ(OrientOutwards(mesh), 0);
+}
+
+TEST(MeshMending, SheetsOfHugeCoordinatesAreLeftInPeace)
+{
+  IndexedMesh mesh = test::Join(test::Sphere(4, 1e200), test::Sphere(4, 1e200, {3e200, 0, 0}));
+  OrientOutwards(mesh);
+  EXPECT_EQ(mesh.Triangles.size(), 2U * 20U * 16U);
 }
 
 TEST(MeshMending, ReversesOnlyTheMinority)
