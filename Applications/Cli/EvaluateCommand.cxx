@@ -16,6 +16,8 @@ namespace palpate::cli
 {
 namespace
 {
+constexpr double FarthestPoint = 1e12; // mm; squares of distances are far from overflow
+
 Vector3 UnitVector(const std::string& subject, const std::string& word)
 {
   const Vector3 vector = ParseVector(subject, word);
@@ -82,6 +84,12 @@ int EvaluateCommand::Run(Console& console)
   for (const std::string& word : this->PointWords)
   {
     pointsWorld.push_back(ParseVector("--point", word));
+    if (pointsWorld.back().cwiseAbs().maxCoeff() > FarthestPoint)
+    {
+      throw InputError("--point " + word +
+                       " is farther than a million km from the origin; give it "
+                       "in mm");
+    }
   }
   const ModelEvaluation evaluation =
       EvaluateModel(this->Model, ReadModel(this->Model).Surface, directions, pointsWorld);

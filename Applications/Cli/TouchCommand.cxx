@@ -3,6 +3,7 @@
 #include "CancelDeadline.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "DecimalText.h"
 #include "DeviceOption.h"
 #include "DrillExport.h"
 #include "DrillState.h"
@@ -34,6 +35,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <ostream>
 
 namespace palpate::cli
@@ -56,6 +58,20 @@ bool IsWritten(const std::function<void()>& write, Console& console)
     console.Error(error.what());
     return false;
   }
+}
+
+// 3D Slicer passes every option, also one with its default.
+bool IsChanged(const CLI::Option& option)
+{
+  if (option.count() == 0)
+  {
+    return false;
+  }
+  const std::string& given = option.results().back();
+  const std::string standard = option.get_default_str();
+  const std::optional<double> number = ParseNumber(given);
+  const std::optional<double> standardNumber = ParseNumber(standard);
+  return number && standardNumber ? *number != *standardNumber : given != standard;
 }
 
 std::vector<std::string> Representations()
@@ -219,7 +235,10 @@ void TouchCommand::DeclareOptions(CLI::App& app)
                  "A scene (.scene.json), or models, surfaces, segmentations, images with --iso")
       ->required()
       ->check(FileType::Input("file"));
+  const auto before = static_cast<std::ptrdiff_t>(app.get_options().size());
   this->DeclareStructure(app);
+  const std::vector<CLI::Option*> declared = app.get_options();
+  this->StructureOptions.assign(declared.begin() + before, declared.end());
   this->DeclareRun(app);
   app.add_option("--output", this->OutputFolder,
                  "Folder for report.html, summary.json, scene.json and session.touch")
@@ -242,24 +261,30 @@ SceneSettings TouchCommand::Settings() const
   }
   if (isScene)
   {
+    for (const CLI::Option* option : this->StructureOptions)
+    {
+      if (IsChanged(*option))
+      {
+        throw InputError(option->get_name() + " has no effect on a scene; state it in " +
+                         this->Inputs.front());
+      }
+    }
     settings = ReadScene(this->Inputs.front());
   }
   else
   {
-    const bool areWhole = std::all_of(this->Inputs.begin(), this->Inputs.end(),
-                                      [](const std::string& input)
-                                      { return IsModelFile(input) || IsSurfaceFile(input); });
-    if (areWhole && !this->Labels.empty())
-    {
-      throw InputError("--label needs a segmentation, which " + this->Inputs.front() +
-                       " is not; leave it out");
-    }
     settings.Tool = this->Tool;
+    // Without a segmentation the scene tells that it has no use for labels.
+    const bool hasLabels = std::any_of(this->Inputs.begin(), this->Inputs.end(),
+                                       [](const std::string& input)
+                                       { return !IsModelFile(input) && !IsSurfaceFile(input); });
     for (const std::string& input : this->Inputs)
     {
       SceneStructure structure = this->Structure;
       structure.File = input;
-      structure.Labels = this->Labels;
+      structure.Labels = structure.Source() == SceneSource::Label || !hasLabels
+                             ? this->Labels
+                             : std::vector<std::string>();
       structure.Representation = this->Representation;
       structure.Mode =
           this->Mode == "radial" ? HarmonicContactMode::Radial : HarmonicContactMode::Nearest;

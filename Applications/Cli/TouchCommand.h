@@ -7,6 +7,11 @@
 #include <string>
 #include <vector>
 
+namespace CLI
+{
+class Option;
+}
+
 namespace palpate::cli
 {
 /// `palpate touch SCENE|FILE...`: touches a scene with a device, without a window.
@@ -37,6 +42,8 @@ private:
   bool WriteDrilled(const PreparedTouch& touch, Console& console) const;
   void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
 
+  /// Those of structures and the tool, which a scene states itself; owned by the CLI::App.
+  std::vector<const CLI::Option*> StructureOptions;
   std::vector<std::string> Inputs;
   SceneStructure Structure; ///< of every input that is not a scene
   std::vector<std::string> Labels;

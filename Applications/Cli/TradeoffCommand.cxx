@@ -192,7 +192,7 @@ int TradeoffCommand::Run(Console& console)
   const TradeRunSettings settings = this->Settings();
   if (!this->OutputFolder.empty())
   {
-    MakeOutputFolder(this->OutputFolder);
+    CheckOutputFolder(this->OutputFolder); // told before the long work
   }
   const SteadyClock clock;
   const TradeResult result =

@@ -10,11 +10,14 @@ namespace palpate
 namespace
 {
 
+constexpr int LargestSide = 16384; // of an OpenGL window
+
 // Empty for an invalid size.
 QSize SizeOf(const QString& text)
 {
   const auto match = QRegularExpression("^(\\d{2,5})x(\\d{2,5})$").match(text);
-  return match.hasMatch() ? QSize(match.captured(1).toInt(), match.captured(2).toInt()) : QSize();
+  const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+  return match.hasMatch() && size.boundedTo({LargestSide, LargestSide}) == size ? size : QSize();
 }
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "Interruption.h"
 
 #include <QApplication>
+#include <iostream>
 
 namespace palpate
 {
@@ -82,6 +83,11 @@ void ViewerRun::ChooseDemo()
 void ViewerRun::TakeScreenshot()
 {
   const bool isSaved = this->Window.SaveScreenshot(this->Options.Screenshot);
+  // Nobody sees them in a window that closes.
+  if (const QString messages = this->Window.Messages()->Text(); !messages.isEmpty())
+  {
+    std::cerr << messages.toStdString() << std::endl;
+  }
   this->Study.Close();
   QApplication::exit(isSaved ? 0 : 1);
 }

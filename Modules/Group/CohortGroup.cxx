@@ -65,14 +65,19 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
       titles.insert(structure.empty() ? TitleOf(row.Result.Structure) : structure);
     }
   }
-  std::set<std::string> cases;
-  const bool isTwice =
-      std::any_of(chosen.begin(), chosen.end(),
-                  [&](const CohortRow& row) { return !cases.insert(row.Case).second; });
-  if (titles.size() > 1 || isTwice)
+  if (titles.size() > 1)
   {
     throw InputError("the cohort has several structures, within or across cases; choose one with "
                      "--label, or state each case's in the manifest");
+  }
+  std::set<std::string> cases;
+  const auto twice =
+      std::find_if(chosen.begin(), chosen.end(),
+                   [&](const CohortRow& row) { return !cases.insert(row.Case).second; });
+  if (twice != chosen.end())
+  {
+    throw InputError("the cohort has more than one case " + twice->Case +
+                     "; give the cases of several folders different names");
   }
   if (chosen.size() < 2)
   {

@@ -53,6 +53,22 @@ void SliceContours::Remove(vtkSurfaceDisplay* surface)
                        this->Contours.end());
 }
 
+Eigen::AlignedBox3d SliceContours::Bounds() const
+{
+  Eigen::AlignedBox3d box;
+  for (const Contour& contour : this->Contours)
+  {
+    vtkPolyData* surface = contour.Surface->GetSurface();
+    if (surface != nullptr && surface->GetNumberOfPoints() > 0 && !contour.Surface->GetWireframe())
+    {
+      const double* bounds = surface->GetBounds();
+      box.extend(Vector3(bounds[0], bounds[2], bounds[4]));
+      box.extend(Vector3(bounds[1], bounds[3], bounds[5]));
+    }
+  }
+  return box;
+}
+
 void SliceContours::Update(const SlicePosition& slice)
 {
   for (Contour& contour : this->Contours)

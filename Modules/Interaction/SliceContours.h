@@ -6,6 +6,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -24,6 +25,8 @@ public:
   void Add(vtkSurfaceDisplay* surface);
   void Remove(vtkSurfaceDisplay* surface);
   void Update(const SlicePosition& slice);
+  /// Of all surfaces that are not wireframes, world; empty if there is none.
+  Eigen::AlignedBox3d Bounds() const;
 
   /// Number of cuts so far.
   int CutCount() const { return this->Cuts; }

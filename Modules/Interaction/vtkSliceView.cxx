@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using palpate::SliceGeometry;
 using palpate::SliceOrientation;
@@ -35,15 +36,34 @@ vtkStandardNewMacro(vtkSliceView);
 namespace
 {
 constexpr double FitMargin = 1.04;     // view over volume
+constexpr double SurfaceMargin = 1.25; // view over surfaces, which then miss its letters
 constexpr double EyeDistance = 1000.0; // mm; any value in parallel projection
 constexpr double SmallestHeight = 0.5; // of a view, mm
+constexpr double SmallestFit = 1e-6;   // for what is a point
 constexpr double LargestHeight = 1e5;
-constexpr double EmptyHeight = 200.0; // without a volume
+constexpr double EmptyHeight = 200.0; // without a volume and surfaces
+
+std::vector<Vector3> CornersOf(vtkImageData* image)
+{
+  const auto corners = palpate::ImageAxes(image).CornersWorld();
+  return {corners.begin(), corners.end()};
+}
+
+std::vector<Vector3> CornersOf(const Eigen::AlignedBox3d& box)
+{
+  std::vector<Vector3> corners;
+  for (int n = 0; n < 8 && !box.isEmpty(); ++n)
+  {
+    corners.emplace_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)));
+  }
+  return corners;
+}
 } // namespace
 
 struct vtkSliceView::State
 {
   bool NeedsFit = true;
+  bool FitsSurfaces = false; // there is no volume, and the view was not zoomed or moved since
   Vector3 Center = Vector3::Zero(); // of the view, world; its height over the plane is ignored
   double Height = EmptyHeight;      // of the view, mm
 
@@ -114,6 +134,7 @@ void vtkSliceView::SetImageDisplay(vtkImageDisplay* display)
 void vtkSliceView::AddSurface(vtkSurfaceDisplay* surface)
 {
   this->Inner->Contours.Add(surface);
+  this->Inner->NeedsFit = this->Inner->NeedsFit || this->Inner->FitsSurfaces;
   this->Modified();
 }
 
@@ -135,20 +156,25 @@ void vtkSliceView::Fit()
   vtkImageDisplay* display = this->GetImageDisplay();
   vtkImageData* image = display == nullptr ? nullptr : display->GetImage();
   const int* size = this->GetRenderer()->GetSize();
-  if (image == nullptr || size[0] < 1 || size[1] < 1)
+  const std::vector<Vector3> corners =
+      image != nullptr ? CornersOf(image) : CornersOf(state.Contours.Bounds());
+  if (corners.empty() || size[0] < 1 || size[1] < 1)
   {
     return;
   }
   const palpate::ViewFrame frame = state.Geometry(this).Frame;
   Eigen::AlignedBox2d box;
-  for (const Vector3& corner : palpate::ImageAxes(image).CornersWorld())
+  for (const Vector3& corner : corners)
   {
     box.extend(Eigen::Vector2d(corner.dot(frame.RightWorld), corner.dot(frame.UpWorld)));
   }
   const double aspect = static_cast<double>(size[0]) / size[1];
   state.Center = box.center().x() * frame.RightWorld + box.center().y() * frame.UpWorld;
-  state.Height = FitMargin * std::max(box.sizes().y(), box.sizes().x() / aspect);
+  state.Height = std::max((image != nullptr ? FitMargin : SurfaceMargin) *
+                              std::max(box.sizes().y(), box.sizes().x() / aspect),
+                          SmallestFit);
   state.NeedsFit = false;
+  state.FitsSurfaces = image == nullptr;
 }
 
 SlicePosition vtkSliceView::GetPosition()
@@ -217,6 +243,7 @@ void vtkSliceView::Zoom(double factor, double x, double y)
   Vector3 after;
   this->DisplayToWorld(x, y, after.data());
   this->Inner->Center += before - after;
+  this->Inner->FitsSurfaces = false;
   this->Modified();
 }
 
@@ -225,6 +252,7 @@ void vtkSliceView::Pan(double right, double up)
   const SlicePosition position = this->GetPosition();
   this->Inner->Center -=
       position.PixelMillimeters * (right * position.Frame.RightWorld + up * position.Frame.UpWorld);
+  this->Inner->FitsSurfaces = false;
   this->Modified();
 }
 
@@ -268,7 +296,9 @@ void vtkSliceView::MoveCrosshairTo(double x, double y)
 void vtkSliceView::UpdateFor(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
-  if (state.NeedsFit)
+  vtkImageDisplay* display = this->GetImageDisplay();
+  const bool hasImage = display != nullptr && display->GetImage() != nullptr;
+  if (state.NeedsFit || (state.FitsSurfaces && hasImage))
   {
     this->Fit();
   }

@@ -40,6 +40,7 @@ public:
 
   /** A new one fits the view to its volume. */
   void SetImageDisplay(vtkImageDisplay* display) override;
+  /** Without a volume, the view fits to the surfaces until it is zoomed or moved. */
   void AddSurface(vtkSurfaceDisplay* surface) override;
   void RemoveSurface(vtkSurfaceDisplay* surface) override;
 
@@ -56,7 +57,7 @@ public:
   vtkBooleanMacro(Neurological, bool);
   ///@}
 
-  /** Shows the whole volume, centred, in the next frame. */
+  /** Shows the whole volume, or without one all surfaces, centred, in the next frame. */
   void FitToImage();
   /** Moves the crosshair by that many slices to the patient's head, front or right. */
   void Scroll(int slices);

@@ -1,5 +1,7 @@
 #include "SceneLabels.h"
 
+#include "Refusal.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -61,6 +63,12 @@ SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const Segme
                   [](const GuideSettings& guide) { return guide.HasStructure(); });
   for (const SceneStructure& entry : scene.Structures)
   {
+    const SceneSource source = entry.Source();
+    if ((source == SceneSource::Model || source == SceneSource::Surface) && !entry.Labels.empty())
+    {
+      Refuse(entry.File, "is no segmentation, so that it has no label " + entry.Labels.front(),
+             "leave the label out");
+    }
     const bool isNeeded =
         (entry.IsVisible && isSeen) || entry.IsTouchable || entry.IsForbidden || isGuided;
     if (isNeeded && entry.Source() == SceneSource::Label)

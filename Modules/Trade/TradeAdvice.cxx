@@ -107,10 +107,12 @@ TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
       fast.begin(), fast.end(), [&](std::size_t a, std::size_t b) { return error(a) < error(b); });
   const std::size_t best = CheapestOf(
       rows, Where(fast, [&](std::size_t r) { return error(r) <= About * error(truest); }));
-  return {
-      best, false,
-      "choose " + Describe(rows[best]) + ": " + Costs(rows[best]) +
-          "; every setting's errors may be noticeable, and this one is among the most accurate: " +
-          Errors(rows[best])};
+  const std::string those = fast.size() == felt.size()
+                                ? "every setting"
+                                : "every setting that keeps " + RateText(servoRate);
+  return {best, false,
+          "choose " + Describe(rows[best]) + ": " + Costs(rows[best]) + "; the errors of " + those +
+              " may be noticeable, and this one is among the most accurate of them: " +
+              Errors(rows[best])};
 }
 } // namespace palpate

@@ -112,8 +112,39 @@ TEST(CliTouch, ModelsHaveNoLabels)
   WriteModel(folder / "a.json", document);
   const CommandRun run = RunPalpate({"touch", "a.json", "--label", "1"}, folder.Path());
   EXPECT_EQ(run.Code, 2);
-  EXPECT_NE(run.Errors.find("--label needs a segmentation, which a.json is not"), std::string::npos)
+  WriteTwoSpheres(folder / "a.nii.gz");
+  EXPECT_EQ(RunPalpate({"touch", "a.nii.gz", "a.json", "--label", "1", "--seconds", "0.01"},
+                       folder.Path())
+                .Code,
+            0);
+  EXPECT_NE(run.Errors.find("a.json is no segmentation, so that it has no label 1"),
+            std::string::npos)
       << run.Errors;
+}
+
+TEST(CliTouch, SceneStatesItsStructuresItself)
+{
+  const TemporaryFolder folder;
+  ModelDocument document;
+  document.Surface = SphericalHarmonicModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  WriteModel(folder / "a.json", document);
+  std::ofstream(folder / "a.scene.json")
+      << R"({"format": "palpate-scene", "structures": [{"file": "a.json"}]})";
+  const auto touch = [&](const std::string& option, const std::string& value)
+  {
+    return RunPalpate({"touch", "a.scene.json", "--seconds", "0.01", option, value}, folder.Path());
+  };
+  for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{
+           {"--stiffness", "5"}, {"--label", "3"}, {"--mode", "radial"}, {"--tool-radius", "9"}})
+  {
+    const CommandRun run = touch(option, value);
+    EXPECT_EQ(run.Code, 2) << option;
+    EXPECT_NE(run.Errors.find(option + " has no effect on a scene; state it in a.scene.json"),
+              std::string::npos)
+        << run.Errors;
+  }
+  EXPECT_EQ(touch("--stiffness", "0.50").Code, 0); // the default, as 3D Slicer passes it
+  EXPECT_EQ(touch("--rate", "500").Code, 0);
 }
 
 TEST(CliDevices, ListsEachDeviceWithItsStatus)

@@ -97,7 +97,8 @@ TEST_F(CliTradeoff, RejectsBadInputWithOneMessage)
                                                   {"a.nii.gz", "--label", "9"},
                                                   {"a.nii.gz", "--iso", "nan"},
                                                   {"a.nii.gz", "--structure", "nobody"},
-                                                  {"ball.json", "--tool-radius", "-1"}};
+                                                  {"ball.json", "--tool-radius", "-1"},
+                                                  {"ball.json", "--output", "a.nii.gz"}};
   for (const std::vector<std::string>& arguments : bad)
   {
     const CommandRun run = this->Run(arguments);

@@ -333,6 +333,27 @@ TEST(CohortGroup, SeveralStructuresRequireChoice)
   EXPECT_THROW(cohort.Group(AlignmentAxes::Patient, "3"), InputError);
 }
 
+// As of two folders whose cases have the same names.
+TEST(CohortGroup, RepeatedCaseIsNamed)
+{
+  Cohort cohort;
+  Random random(24);
+  for (const char* name : {"a", "b", "b"})
+  {
+    cohort.Add(name, palpate::test::RandomOrgan(random, 2));
+  }
+  try
+  {
+    cohort.Group(AlignmentAxes::Patient, "1");
+    ADD_FAILURE() << "accepted";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("more than one case b;"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(CohortGroup, CommandRatesAlignsAndSynthesizes)
 {
   Cohort cohort;

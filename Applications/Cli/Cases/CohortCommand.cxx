@@ -12,6 +12,7 @@
 #include "FileType.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
 #include "ScreenText.h"
@@ -198,6 +199,7 @@ int CohortCommand::Run(Console& console)
   }
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
+  CheckOutputFolder(output); // told before the long work
   const CohortTable table = JoinCohorts(this->Folders, output);
   const ProgressFunction progress = ProgressOn(console);
   const auto stage = [&progress](const char* name) -> KernelProgress

@@ -143,5 +143,19 @@ TEST_F(ViewerImagesTest, KeepApparentSizeOnHighResolutionScreens)
   EXPECT_GT(MixedSquares(fine, words), 50);
   EXPECT_EQ(MixedSquares(plain.scaled(fine.size()), words), 0) << "what the figure above excludes";
 }
+
+TEST_F(ViewerImagesTest, WhatIsNotSavedIsPrinted)
+{
+  char name[] = "ViewerTests";
+  char* all[] = {name, nullptr};
+  int count = 1;
+  const QCoreApplication application(count, all);
+  QProcess viewer;
+  viewer.start(PALPATE_VIEWER, {"--no-cache", "--screenshot",
+                                QString::fromStdString(this->Phantom.Folder / "none/a.png")});
+  ASSERT_TRUE(viewer.waitForFinished(-1));
+  EXPECT_EQ(viewer.exitCode(), 1);
+  EXPECT_TRUE(viewer.readAllStandardError().contains("none/a.png"));
+}
 } // namespace
 } // namespace palpate::viewer_images_test

@@ -43,7 +43,7 @@ TEST(ViewerOptions, HaveDefaults)
 TEST(ViewerOptions, ReportErrors)
 {
   EXPECT_TRUE(Parse({"--no-such-thing"}).Problem.contains("no-such-thing"));
-  for (const char* bad : {"12", "axb", "0x0", "-1x5", "100x", "1e3x100"})
+  for (const char* bad : {"12", "axb", "0x0", "-1x5", "100x", "1e3x100", "99999x100"})
   {
     EXPECT_TRUE(Parse({QString("--size=") + bad}).Problem.contains(bad)) << bad;
   }

@@ -39,6 +39,51 @@ bool IsGreen(const std::uint8_t* pixel)
   return pixel[1] > pixel[0] + 60 && pixel[1] > pixel[2] + 60;
 }
 
+TEST_F(vtkSliceViewTest, FitsToSurfacesUntilThereIsAVolume)
+{
+  const Vector3 center(400.0, -300.0, 900.0);
+  constexpr double Radius = 20.0;
+  constexpr double Margin = 1.25;
+  this->Display->SetImage(nullptr);
+  this->Crosshair->SetPositionWorld(center.data());
+  for (const int orientation : Orientations)
+  {
+    this->View->SetOrientation(orientation);
+    const auto ball = SphereDisplay(center, Radius);
+    this->View->AddSurface(ball);
+    this->View->FitToImage();
+    const RasterImage image = this->Draw();
+    int green = 0;
+    for (int y = 0; y < Height; ++y)
+    {
+      green += IsGreen(PixelAt(image, Width / 2, y)) ? 1 : 0;
+    }
+    EXPECT_GT(green, 0) << orientation;
+    // Flat triangles and the poles are inside the sphere.
+    EXPECT_NEAR(this->View->GetPixelMillimeters(), Margin * 2.0 * Radius / Height, 0.01);
+    this->View->RemoveSurface(ball);
+  }
+  const auto ball = SphereDisplay(center, Radius);
+  this->View->AddSurface(ball);
+  const auto above = SphereDisplay(center + Vector3(0.0, 0.0, 3.0 * Radius), Radius);
+  this->View->AddSurface(above);
+  this->Draw();
+  EXPECT_NEAR(this->View->GetPixelMillimeters(), Margin * 5.0 * Radius / Height, 0.02);
+  this->View->Zoom(2.0, 0.5 * Width, 0.5 * Height);
+  const auto farther = SphereDisplay(center + Vector3(0.0, 0.0, 9.0 * Radius), Radius);
+  this->View->AddSurface(farther);
+  this->Draw();
+  EXPECT_NEAR(this->View->GetPixelMillimeters(), 0.5 * Margin * 5.0 * Radius / Height, 0.01);
+  this->View->FitToImage();
+  this->Draw();
+  this->Display->SetImage(this->Image);
+  this->Draw();
+  const double fitted = this->View->GetPixelMillimeters();
+  this->View->FitToImage();
+  this->Draw();
+  EXPECT_EQ(this->View->GetPixelMillimeters(), fitted);
+}
+
 TEST_F(vtkSliceViewTest, PixelsShowVolumeAtWorldCoordinates)
 {
   this->Crosshair->SetPositionWorld(3.0, -5.0, 7.0);

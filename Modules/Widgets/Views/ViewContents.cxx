@@ -90,8 +90,25 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
   tool.Surface = pipeline.Newest<SurfaceTool>(SceneStep::Tool);
   this->ShowTool(tool);
   this->ShowSurfaces(state, pipeline);
+  this->FollowSurfaces();
   this->Marks.Show(state);
   this->ShowView(state.View);
+}
+
+// Without a volume, slices are through the middle of what is shown until the user moves them.
+void ViewContents::FollowSurfaces()
+{
+  vtkBoundingBox box;
+  for (const auto& [id, surface] : this->SurfacesShown)
+  {
+    box.AddBounds(BoundsOf(*surface));
+  }
+  const Vector3 crosshair(this->CrosshairShown->GetPositionWorld());
+  if (this->Images()->GetImage() == nullptr && box.IsValid() && crosshair == this->Followed)
+  {
+    box.GetCenter(this->Followed.data());
+    this->CrosshairShown->SetPositionWorld(this->Followed.data());
+  }
 }
 
 void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline)

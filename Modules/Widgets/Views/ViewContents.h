@@ -87,6 +87,7 @@ public:
 
 private:
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
+  void FollowSurfaces();
   void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
   vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
   void ShowOpacities(const StudyState& state);
@@ -118,6 +119,7 @@ private:
   std::map<int, vtkPolyData*> SurfaceSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
   std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;
+  Vector3 Followed = Vector3::Zero(); // where FollowSurfaces left the crosshair
   std::optional<TouchToolSettings> Tool;
   std::array<Vector3, 8> WorkspaceCorners; // of the box that is shown
 };
