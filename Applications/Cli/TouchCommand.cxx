@@ -275,9 +275,10 @@ SceneSettings TouchCommand::Settings() const
   {
     settings.Tool = this->Tool;
     // Without a segmentation the scene tells that it has no use for labels.
-    const bool hasLabels = std::any_of(this->Inputs.begin(), this->Inputs.end(),
-                                       [](const std::string& input)
-                                       { return !IsModelFile(input) && !IsSurfaceFile(input); });
+    const bool hasLabels =
+        this->Iso.empty() && std::any_of(this->Inputs.begin(), this->Inputs.end(),
+                                         [](const std::string& input)
+                                         { return !IsModelFile(input) && !IsSurfaceFile(input); });
     for (const std::string& input : this->Inputs)
     {
       SceneStructure structure = this->Structure;
@@ -398,8 +399,9 @@ void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
 {
   if (touch.Drill == nullptr && (!this->DrilledFiles.empty() || !this->DrillStateFile.empty()))
   {
-    throw InputError(
-        "no structure of the scene can be drilled; give one a \"drill\", or use --wear");
+    throw InputError("no structure of the scene can be drilled; give one a \"drill\" in the scene, "
+                     "or a file that "
+                     "is no scene --wear");
   }
   for (const std::string& file : this->DrilledFiles)
   {

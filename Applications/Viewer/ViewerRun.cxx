@@ -1,6 +1,7 @@
 #include "ViewerRun.h"
 
 #include "Interruption.h"
+#include "ScreenText.h"
 
 #include <QApplication>
 #include <iostream>
@@ -84,9 +85,9 @@ void ViewerRun::TakeScreenshot()
 {
   const bool isSaved = this->Window.SaveScreenshot(this->Options.Screenshot);
   // Nobody sees them in a window that closes.
-  if (const QString messages = this->Window.Messages()->Text(); !messages.isEmpty())
+  for (const QString& line : this->Window.Messages()->Text().split('\n', Qt::SkipEmptyParts))
   {
-    std::cerr << messages.toStdString() << std::endl;
+    std::cerr << Printable(line.toStdString()) << std::endl;
   }
   this->Study.Close();
   QApplication::exit(isSaved ? 0 : 1);

@@ -76,8 +76,9 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
                    [&](const CohortRow& row) { return !cases.insert(row.Case).second; });
   if (twice != chosen.end())
   {
-    throw InputError("the cohort has more than one case " + twice->Case +
-                     "; give the cases of several folders different names");
+    throw InputError(
+        "the cohort has more than one case " + twice->Case +
+        "; give the cases of several folders, and a case's structures, different names");
   }
   if (chosen.size() < 2)
   {

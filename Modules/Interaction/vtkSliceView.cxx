@@ -43,6 +43,11 @@ constexpr double SmallestFit = 1e-6;   // for what is a point
 constexpr double LargestHeight = 1e5;
 constexpr double EmptyHeight = 200.0; // without a volume and surfaces
 
+bool HasImage(vtkImageDisplay* display)
+{
+  return display != nullptr && display->GetImage() != nullptr;
+}
+
 std::vector<Vector3> CornersOf(vtkImageData* image)
 {
   const auto corners = palpate::ImageAxes(image).CornersWorld();
@@ -66,6 +71,8 @@ struct vtkSliceView::State
   bool FitsSurfaces = false; // there is no volume, and the view was not zoomed or moved since
   Vector3 Center = Vector3::Zero(); // of the view, world; its height over the plane is ignored
   double Height = EmptyHeight;      // of the view, mm
+  double FittedHeight = EmptyHeight;
+  bool HadImage = false; // in the last frame
 
   palpate::SlicePatch Patch;
   palpate::PixelGrid PaintedGrid;
@@ -141,6 +148,10 @@ void vtkSliceView::AddSurface(vtkSurfaceDisplay* surface)
 void vtkSliceView::RemoveSurface(vtkSurfaceDisplay* surface)
 {
   this->Inner->Contours.Remove(surface);
+  // What comes after the last one may be elsewhere.
+  const bool isEmpty =
+      !HasImage(this->GetImageDisplay()) && this->Inner->Contours.Bounds().isEmpty();
+  this->Inner->NeedsFit = this->Inner->NeedsFit || isEmpty;
   this->Modified();
 }
 
@@ -173,6 +184,7 @@ void vtkSliceView::Fit()
   state.Height = std::max((image != nullptr ? FitMargin : SurfaceMargin) *
                               std::max(box.sizes().y(), box.sizes().x() / aspect),
                           SmallestFit);
+  state.FittedHeight = state.Height;
   state.NeedsFit = false;
   state.FitsSurfaces = image == nullptr;
 }
@@ -239,7 +251,11 @@ void vtkSliceView::Zoom(double factor, double x, double y)
   }
   Vector3 before;
   this->DisplayToWorld(x, y, before.data());
-  this->Inner->Height = std::clamp(this->Inner->Height / factor, SmallestHeight, LargestHeight);
+  // What is very small or large can be zoomed too.
+  const double fitted = this->Inner->FittedHeight;
+  this->Inner->Height =
+      std::clamp(this->Inner->Height / factor, std::min(SmallestHeight, 1e-2 * fitted),
+                 std::max(LargestHeight, 1e2 * fitted));
   Vector3 after;
   this->DisplayToWorld(x, y, after.data());
   this->Inner->Center += before - after;
@@ -267,6 +283,7 @@ void vtkSliceView::ShowPoint(const double world[3])
   if (std::abs(right) > half * position.Width || std::abs(up) > half * position.Height)
   {
     this->Inner->Center += right * frame.RightWorld + up * frame.UpWorld;
+    this->Inner->FitsSurfaces = false;
     this->Modified();
   }
 }
@@ -296,12 +313,12 @@ void vtkSliceView::MoveCrosshairTo(double x, double y)
 void vtkSliceView::UpdateFor(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
-  vtkImageDisplay* display = this->GetImageDisplay();
-  const bool hasImage = display != nullptr && display->GetImage() != nullptr;
-  if (state.NeedsFit || (state.FitsSurfaces && hasImage))
+  const bool hasImage = HasImage(this->GetImageDisplay());
+  if (state.NeedsFit || (hasImage && !state.HadImage))
   {
     this->Fit();
   }
+  state.HadImage = hasImage;
   const SlicePosition position = this->GetPosition();
   if (position.Width < 1 || position.Height < 1)
   {

@@ -63,10 +63,10 @@ SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const Segme
                   [](const GuideSettings& guide) { return guide.HasStructure(); });
   for (const SceneStructure& entry : scene.Structures)
   {
-    const SceneSource source = entry.Source();
-    if ((source == SceneSource::Model || source == SceneSource::Surface) && !entry.Labels.empty())
+    if (entry.Source() != SceneSource::Label && !entry.Labels.empty())
     {
-      Refuse(entry.File, "is no segmentation, so that it has no label " + entry.Labels.front(),
+      Refuse(entry.File,
+             "is not taken for a segmentation, so that it has no label " + entry.Labels.front(),
              "leave the label out");
     }
     const bool isNeeded =

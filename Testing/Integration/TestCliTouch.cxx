@@ -117,7 +117,7 @@ TEST(CliTouch, ModelsHaveNoLabels)
                        folder.Path())
                 .Code,
             0);
-  EXPECT_NE(run.Errors.find("a.json is no segmentation, so that it has no label 1"),
+  EXPECT_NE(run.Errors.find("a.json is not taken for a segmentation, so that it has no label 1"),
             std::string::npos)
       << run.Errors;
 }

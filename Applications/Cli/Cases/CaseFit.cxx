@@ -172,6 +172,16 @@ private:
     }
   }
 
+  void CheckMaskOptions() const
+  {
+    const FitSettings& settings = this->Mask.Settings;
+    if (settings.Repairs && settings.Model == FitSettings::ModelKind::Radial)
+    {
+      Refuse(this->Mask.Mask, "is a mask, which a radial model needs no repair of",
+             "leave out --repair or --model radial");
+    }
+  }
+
   void FitSurfaceOfFile()
   {
     this->CheckSurfaceOptions();
@@ -196,6 +206,7 @@ private:
       this->FitSurfaceOfFile();
       return;
     }
+    this->CheckMaskOptions();
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
     const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());

@@ -192,7 +192,6 @@ int CohortCommand::FitMasks(Console& console) const
 int CohortCommand::Run(Console& console)
 {
   const Interruption interruption;
-  const int code = this->Masks.empty() ? 0 : this->FitMasks(console);
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
     throw InputError("--output is required for several cohorts: the folder of their joint results");
@@ -200,6 +199,7 @@ int CohortCommand::Run(Console& console)
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
   CheckOutputFolder(output); // told before the long work
+  const int code = this->Masks.empty() ? 0 : this->FitMasks(console);
   const CohortTable table = JoinCohorts(this->Folders, output);
   const ProgressFunction progress = ProgressOn(console);
   const auto stage = [&progress](const char* name) -> KernelProgress

@@ -1,11 +1,8 @@
 #include "SheetNesting.h"
 
-#include "WindingNumbers.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 
 namespace palpate
@@ -13,13 +10,19 @@ namespace palpate
 namespace
 {
 constexpr double LeastVolume = 0.01; // of the largest sheet's
-constexpr std::size_t MostSheets = 32;
-constexpr int VoxelsOfSide = 48;
+constexpr std::size_t MostSheets = 16;
 
 double SizeOf(double volume)
 {
   return std::isfinite(volume) ? std::abs(volume) : 0.0;
 }
+
+struct Sheet
+{
+  std::vector<int> Triangles; // of large sheets only
+  Eigen::AlignedBox3d Box;
+  bool IsClosed = true;
+};
 
 // By falling volume.
 std::vector<int> LargeSheets(const std::vector<double>& volumes)
@@ -38,95 +41,93 @@ std::vector<int> LargeSheets(const std::vector<double>& volumes)
   return order;
 }
 
-std::vector<char> ClosedSheets(const EdgeRings& rings, const MeshSheets& sheets)
+std::vector<Sheet> DescribeSheets(const IndexedMesh& mesh, const EdgeRings& rings,
+                                  const MeshSheets& sheets, const std::vector<int>& large)
 {
-  std::vector<char> isClosed(static_cast<std::size_t>(sheets.SheetCount), 1);
-  const int count = static_cast<int>(sheets.SheetOf.size());
-  for (int h = 0; h < 3 * count; ++h)
+  std::vector<Sheet> described(static_cast<std::size_t>(sheets.SheetCount));
+  std::vector<char> isLarge(described.size(), 0);
+  for (const int sheet : large)
   {
-    if (sheets.SheetOf[h / 3] >= 0 && !rings.IsPair(h))
+    isLarge[sheet] = 1;
+  }
+  const int count = static_cast<int>(mesh.Triangles.size());
+  for (int t = 0; t < count; ++t)
+  {
+    const int number = sheets.SheetOf[t];
+    if (number < 0)
     {
-      isClosed[sheets.SheetOf[h / 3]] = 0;
+      continue;
+    }
+    Sheet& sheet = described[number];
+    for (int k = 0; k < 3; ++k)
+    {
+      sheet.Box.extend(mesh.Points[mesh.Triangles[t][k]]);
+      sheet.IsClosed = sheet.IsClosed && rings.IsPair(3 * t + k);
+    }
+    if (isLarge[number] != 0)
+    {
+      sheet.Triangles.push_back(t);
     }
   }
-  return isClosed;
+  return described;
 }
 
-/// The voxels inside one sheet.
-class SheetVoxels
+Vector3 CenterOf(const IndexedMesh& mesh, int triangle)
 {
-public:
-  SheetVoxels(const MeshSheets& sheets, const IndexedMesh& mesh) : Sheets(&sheets), Whole(&mesh)
-  {
-    this->Part.Points = mesh.Points;
-  }
+  const auto [a, b, c] = mesh.Triangles[triangle];
+  return (mesh.Points[a] + mesh.Points[b] + mesh.Points[c]) / 3.0;
+}
 
-  void Fill(int sheet)
-  {
-    this->Part.Triangles.clear();
-    Eigen::AlignedBox3d box;
-    for (std::size_t t = 0; t < this->Whole->Triangles.size(); ++t)
-    {
-      if (this->Sheets->SheetOf[t] == sheet)
-      {
-        auto [a, b, c] = this->Whole->Triangles[t];
-        for (const int corner : {a, b, c})
-        {
-          box.extend(this->Whole->Points[corner]);
-        }
-        this->Part.Triangles.push_back(this->Sheets->IsTurned[t] != 0 ? std::array<int, 3>{a, c, b}
-                                                                      : this->Whole->Triangles[t]);
-      }
-    }
-    // A flat box gets voxels too.
-    const Vector3 sizes = box.sizes().cwiseMax(1e-6 * box.sizes().maxCoeff());
-    this->Sides = sizes / VoxelsOfSide;
-    this->Corner = box.center() - 0.5 * sizes;
-    const VoxelCenters centers{this->Corner + 0.5 * this->Sides,
-                               Matrix3(this->Sides.asDiagonal()),
-                               {VoxelsOfSide, VoxelsOfSide, VoxelsOfSide}};
-    if (!FindWindingNumbers(this->Part, centers, this->Numbers).IsOk())
-    {
-      this->Numbers.assign(std::size_t{VoxelsOfSide} * VoxelsOfSide * VoxelsOfSide, 0);
-    }
-  }
-
-  bool Encloses(const Vector3& point) const
-  {
-    const Vector3 place = (point - this->Corner).cwiseQuotient(this->Sides);
-    if (!(place.minCoeff() >= 0.0 && place.maxCoeff() < VoxelsOfSide))
-    {
-      return false;
-    }
-    const Eigen::Vector3i index = place.cast<int>();
-    return this->Numbers[static_cast<std::size_t>(
-               (index.z() * VoxelsOfSide + index.y()) * VoxelsOfSide + index.x())] != 0;
-  }
-
-private:
-  const MeshSheets* Sheets;
-  const IndexedMesh* Whole;
-  IndexedMesh Part;
-  Vector3 Corner = Vector3::Zero();
-  Vector3 Sides = Vector3::Ones();
-  std::vector<std::int16_t> Numbers;
-};
-
-// Adds 1 for each of their triangles that the voxels enclose, else subtracts 1.
-std::vector<int> Balance(const IndexedMesh& mesh, const MeshSheets& sheets,
-                         const SheetVoxels& voxels)
+// Whether a sheet fills more than half of the sphere of directions (van Oosterom and Strackee, IEEE
+// Trans. Biomed. Eng. 30 (1983)).
+bool Surrounds(const IndexedMesh& mesh, const MeshSheets& sheets, const Sheet& sheet,
+               const Vector3& point)
 {
-  std::vector<int> balance(static_cast<std::size_t>(sheets.SheetCount), 0);
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  double angle = 0.0;
+  for (const int t : sheet.Triangles)
   {
-    if (sheets.SheetOf[t] >= 0)
-    {
-      const auto [a, b, c] = mesh.Triangles[t];
-      const Vector3 center = (mesh.Points[a] + mesh.Points[b] + mesh.Points[c]) / 3.0;
-      balance[sheets.SheetOf[t]] += voxels.Encloses(center) ? 1 : -1;
-    }
+    const auto [i, j, k] = mesh.Triangles[t];
+    const Vector3 a = mesh.Points[i] - point;
+    const Vector3 b = mesh.Points[j] - point;
+    const Vector3 c = mesh.Points[k] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    const double part =
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    angle += sheets.IsTurned[t] != 0 ? -part : part; // half the solid angle
   }
-  return balance;
+  return std::abs(angle) > M_PI;
+}
+
+// Most of a lumen that sticks out of its wall a little lies in the wall's box.
+bool IsAbout(const Eigen::AlignedBox3d& outer, const Eigen::AlignedBox3d& inner)
+{
+  constexpr double Beyond = 0.05; // of the box's size
+  const Vector3 beyond = Beyond * outer.sizes();
+  return Eigen::AlignedBox3d(outer.min() - beyond, outer.max() + beyond).contains(inner);
+}
+
+// By the centres of five triangles, or of fewer if three agree.
+bool Encloses(const IndexedMesh& mesh, const MeshSheets& sheets, const Sheet& outer,
+              const Sheet& inner)
+{
+  constexpr std::size_t Majority = 3;
+  constexpr double GoldenRatio = 0.6180339887498949; // spreads over any regular order
+  if (!IsAbout(outer.Box, inner.Box))
+  {
+    return false;
+  }
+  std::array<std::size_t, 2> votes{};
+  for (double part = 0.5; votes[0] < Majority && votes[1] < Majority;
+       part = std::fmod(part + GoldenRatio, 1.0))
+  {
+    const auto number =
+        static_cast<std::size_t>(part * static_cast<double>(inner.Triangles.size()));
+    const int triangle = inner.Triangles[std::min(number, inner.Triangles.size() - 1)];
+    ++votes[Surrounds(mesh, sheets, outer, CenterOf(mesh, triangle)) ? 1 : 0];
+  }
+  return votes[1] == Majority;
 }
 } // namespace
 
@@ -139,27 +140,37 @@ std::vector<int> OutermostSheets(const IndexedMesh& mesh, const EdgeRings& rings
   }
   const std::vector<int> large = LargeSheets(volumes);
   std::vector<int> outermost(volumes.size(), -1);
-  if (large.size() > 1)
+  if (large.size() < 2)
   {
-    const std::vector<char> isClosed = ClosedSheets(rings, sheets);
-    SheetVoxels voxels(sheets, mesh);
-    for (const int outer : large)
+    std::fill(outermost.begin(), outermost.end(), large.front());
+    return outermost;
+  }
+  const std::vector<Sheet> described = DescribeSheets(mesh, rings, sheets, large);
+  std::vector<int> roots;
+  for (const int sheet : large)
+  {
+    const auto around = std::find_if(
+        roots.begin(), roots.end(),
+        [&](int root) { return Encloses(mesh, sheets, described[root], described[sheet]); });
+    if (around != roots.end())
     {
-      if (outermost[outer] >= 0)
-      {
-        continue; // lies in a larger one
-      }
-      outermost[outer] = isClosed[outer] != 0 ? outer : large.front();
-      voxels.Fill(outer);
-      const std::vector<int> balance = Balance(mesh, sheets, voxels);
-      for (std::size_t sheet = 0; sheet < balance.size(); ++sheet)
-      {
-        outermost[sheet] =
-            outermost[sheet] < 0 && balance[sheet] > 0 ? outermost[outer] : outermost[sheet];
-      }
+      outermost[sheet] = outermost[*around];
+      continue;
+    }
+    outermost[sheet] = described[sheet].IsClosed ? sheet : large.front();
+    roots.push_back(sheet);
+  }
+  for (std::size_t sheet = 0; sheet < outermost.size(); ++sheet)
+  {
+    if (outermost[sheet] < 0)
+    {
+      // The smallest with a box around it.
+      const auto around = std::find_if(
+          roots.rbegin(), roots.rend(),
+          [&](int root) { return described[root].Box.contains(described[sheet].Box); });
+      outermost[sheet] = around != roots.rend() ? outermost[*around] : large.front();
     }
   }
-  std::replace(outermost.begin(), outermost.end(), -1, large.front());
   return outermost;
 }
 } // namespace palpate

@@ -284,6 +284,7 @@ TEST_F(SceneTissueTest, RefusesWhatCannotYield)
   WriteModel(ring.File, {test::OpenRing(8), {}});
   EXPECT_NE(RefusalOf({ring}).find("star-shaped"), std::string::npos) << RefusalOf({ring});
   SceneStructure image = this->Gland();
+  image.Labels.clear();
   image.Iso = 0.5;
   EXPECT_NE(RefusalOf({image}).find("since it is an image"), std::string::npos);
   this->WriteBall(this->LesionPath, 7.0, 5.0, 3);

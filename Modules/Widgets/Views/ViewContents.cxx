@@ -95,20 +95,28 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
   this->ShowView(state.View);
 }
 
-// Without a volume, slices are through the middle of what is shown until the user moves them.
+// Without a volume, slices are through the middle of what is shown, until the user moves them.
 void ViewContents::FollowSurfaces()
 {
+  std::set<int> shown;
   vtkBoundingBox box;
   for (const auto& [id, surface] : this->SurfacesShown)
   {
+    shown.insert(id);
     box.AddBounds(BoundsOf(*surface));
   }
-  const Vector3 crosshair(this->CrosshairShown->GetPositionWorld());
-  if (this->Images()->GetImage() == nullptr && box.IsValid() && crosshair == this->Followed)
+  if (this->Images()->GetImage() != nullptr || !box.IsValid())
   {
-    box.GetCenter(this->Followed.data());
-    this->CrosshairShown->SetPositionWorld(this->Followed.data());
+    this->Followed.clear();
+    return;
   }
+  const Vector3 crosshair(this->CrosshairShown->GetPositionWorld());
+  if (this->Followed.empty() || (crosshair == this->FollowedWorld && shown != this->Followed))
+  {
+    box.GetCenter(this->FollowedWorld.data());
+    this->CrosshairShown->SetPositionWorld(this->FollowedWorld.data());
+  }
+  this->Followed = std::move(shown);
 }
 
 void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline)

@@ -119,7 +119,10 @@ private:
   std::map<int, vtkPolyData*> SurfaceSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
   std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;
-  Vector3 Followed = Vector3::Zero(); // where FollowSurfaces left the crosshair
+  ///@{ Of FollowSurfaces: the structures, and where it left the crosshair.
+  std::set<int> Followed;
+  Vector3 FollowedWorld = Vector3::Zero();
+  ///@}
   std::optional<TouchToolSettings> Tool;
   std::array<Vector3, 8> WorkspaceCorners; // of the box that is shown
 };

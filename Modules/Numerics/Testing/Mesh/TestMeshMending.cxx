@@ -159,6 +159,23 @@ TEST(MeshMending, CavitiesOfOpenAndSmallBodiesStay)
   EXPECT_EQ(OrientOutwards(mesh), 0);
 }
 
+// A wall that is thin against the body's box.
+TEST(MeshMending, LumenOfACoiledTubeStays)
+{
+  const auto tube = [](double radius)
+  {
+    IndexedMesh mesh = test::Torus(400, 12, 40.0, radius);
+    for (Vector3& point : mesh.Points)
+    {
+      const double angle = std::atan2(point.y(), point.x());
+      point.z() += 60.0 * std::sin(5.0 * angle);
+    }
+    return mesh;
+  };
+  IndexedMesh mesh = test::Join(tube(1.0), test::Reversed(tube(0.8)));
+  EXPECT_EQ(OrientOutwards(mesh), 0);
+}
+
 TEST(MeshMending, SheetsOfHugeCoordinatesAreLeftInPeace)
 {
   IndexedMesh mesh = test::Join(test::Sphere(4, 1e200), test::Sphere(4, 1e200, {3e200, 0, 0}));
