@@ -90,7 +90,7 @@ Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen
   {
     const int axis = direction / 2;
     const bool isReversed = direction % 2 == 1;
-    const Status status = FindWindingNumbers(mesh, TurnedTo(grid, axis, isReversed), numbers);
+    Status status = FindWindingNumbers(mesh, TurnedTo(grid, axis, isReversed), numbers);
     if (!status.IsOk())
     {
       return status;

@@ -300,7 +300,7 @@ int ViewContents::StructureAt(const vtkObject* picked, const Vector3& pointWorld
 
 std::optional<Vector3> ViewContents::CenterOf(int id) const
 {
-  if (const auto center = this->Places.CenterOf(id))
+  if (auto center = this->Places.CenterOf(id))
   {
     return center;
   }
