@@ -1,4 +1,5 @@
 #include "InputError.h"
+#include "ModelFile.h"
 #include "TemporaryFolder.h"
 #include "VolumeFile.h"
 #include "WindowTest.h"
@@ -120,6 +121,37 @@ TEST_F(MainWindowTest, StatusLineShowsPositionValueAndLabel)
   EXPECT_NE(text.find("volume.nii.gz 700"), std::string::npos) << text;
   EXPECT_NE(text.find("label 1"), std::string::npos) << text;
   EXPECT_EQ(text.rfind("R 1", 0), 0U) << text; // 15 mm, within a pixel
+}
+
+TEST_F(MainWindowTest, SlicesFollowModelsWhereThereIsNoVolume)
+{
+  const auto open = [this](const char* name, const Vector3& center, std::size_t count)
+  {
+    const std::filesystem::path file = this->Phantom.Folder / name;
+    WriteModel(file, {SphericalHarmonicModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, center), {}});
+    this->Study->OpenFiles({file});
+    WaitUntil([&] { return this->Window->Contents().Surfaces().size() == count; });
+    DrawAll(*this->Window->Views());
+  };
+  const auto crosshair = [this]
+  { return Vector3(this->Window->Contents().Crosshair()->GetPositionWorld()); };
+  constexpr double DrawnTriangles = 0.5; // mm, by which the drawing may be off the middle
+  const Vector3 first(500.0, -400.0, 900.0);
+  open("first.json", first, 1);
+  EXPECT_LT((crosshair() - first).norm(), DrawnTriangles);
+  const Vector3 second(560.0, -400.0, 900.0);
+  open("second.json", second, 2);
+  EXPECT_LT((crosshair() - 0.5 * (first + second)).norm(), DrawnTriangles);
+  // The user's place stays.
+  const Vector3 chosen(505.0, -401.0, 903.0);
+  this->Window->Contents().Crosshair()->SetPositionWorld(chosen.data());
+  open("third.json", second, 3);
+  EXPECT_EQ(crosshair(), chosen);
+  this->Leaving = FileQuestions::Answer::Discard;
+  this->Action("New study")->trigger();
+  WaitUntil([this] { return this->Window->Contents().Surfaces().empty(); });
+  open("first.json", first, 1);
+  EXPECT_LT((crosshair() - first).norm(), DrawnTriangles);
 }
 
 TEST_F(MainWindowTest, SavedStudyReopensUnchanged)
