@@ -244,10 +244,15 @@ void TouchCommand::DeclareOptions(CLI::App& app)
                  "Folder for report.html, summary.json, scene.json and session.touch")
       ->type_name("DIR")
       ->check(FileType::Output("directory"));
-  app.add_option("--replay", this->ReplayFile,
-                 "Replay a recorded session (session.touch), and compare each tick's force")
-      ->type_name("FILE")
-      ->check(FileType::Input("file", ".touch"));
+  CLI::Option* replay =
+      app.add_option("--replay", this->ReplayFile,
+                     "Replay a recorded session (session.touch), and compare each tick's force")
+          ->type_name("FILE")
+          ->check(FileType::Input("file", ".touch"));
+  for (const char* ofTheHand : {"--seconds", "--real-time", "--path"})
+  {
+    replay->excludes(app.get_option(ofTheHand));
+  }
   app.add_flag("--json", this->Json, "Print the summary as one JSON object");
 }
 

@@ -89,7 +89,8 @@ void ViewerRun::TakeScreenshot()
   {
     std::cerr << Printable(line.toStdString()) << std::endl;
   }
+  const bool isOpened = this->Options.Files.isEmpty() || !(this->Study.State() == StudyState());
   this->Study.Close();
-  QApplication::exit(isSaved ? 0 : 1);
+  QApplication::exit(isSaved && isOpened ? 0 : 1);
 }
 } // namespace palpate

@@ -35,6 +35,11 @@ TEST(CliTouch, SweepsMaskAndWritesForces)
       RunPalpate({"touch", "felt/scene.json", "--replay", "felt/session.touch"}, folder.Path());
   EXPECT_EQ(again.Code, 0) << again.Output << again.Errors;
   EXPECT_EQ(again.Output.rfind("0 of ", 0), 0U) << again.Output;
+  const CommandRun both =
+      RunPalpate({"touch", "felt/scene.json", "--replay", "felt/session.touch", "--seconds", "1"},
+                 folder.Path());
+  EXPECT_EQ(both.Code, 2);
+  EXPECT_NE(both.Errors.find("--seconds excludes --replay"), std::string::npos) << both.Errors;
   const CommandRun device = RunPalpate(
       {"touch", "felt/scene.json", "--device", "replay:felt/session.touch", "--seconds", "0.5"},
       folder.Path());

@@ -144,7 +144,7 @@ TEST_F(ViewerImagesTest, KeepApparentSizeOnHighResolutionScreens)
   EXPECT_EQ(MixedSquares(plain.scaled(fine.size()), words), 0) << "what the figure above excludes";
 }
 
-TEST_F(ViewerImagesTest, WhatIsNotSavedIsPrinted)
+TEST_F(ViewerImagesTest, WhatIsNotOpenedOrSavedIsPrinted)
 {
   char name[] = "ViewerTests";
   char* all[] = {name, nullptr};
@@ -156,6 +156,11 @@ TEST_F(ViewerImagesTest, WhatIsNotSavedIsPrinted)
   ASSERT_TRUE(viewer.waitForFinished(-1));
   EXPECT_EQ(viewer.exitCode(), 1);
   EXPECT_TRUE(viewer.readAllStandardError().contains("none/a.png"));
+  viewer.start(PALPATE_VIEWER, {"--no-cache", "none.json", "--screenshot",
+                                QString::fromStdString(this->Phantom.Folder / "a.png")});
+  ASSERT_TRUE(viewer.waitForFinished(-1));
+  EXPECT_EQ(viewer.exitCode(), 1);
+  EXPECT_TRUE(viewer.readAllStandardError().contains("none.json does not exist"));
 }
 } // namespace
 } // namespace palpate::viewer_images_test
