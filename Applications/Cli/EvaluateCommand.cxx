@@ -87,8 +87,7 @@ int EvaluateCommand::Run(Console& console)
     if (pointsWorld.back().cwiseAbs().maxCoeff() > FarthestPoint)
     {
       throw InputError("--point " + word +
-                       " is farther than a million km from the origin; give it "
-                       "in mm");
+                       " is farther than a million km from the origin; give it in mm");
     }
   }
   const ModelEvaluation evaluation =

@@ -405,8 +405,7 @@ void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
   if (touch.Drill == nullptr && (!this->DrilledFiles.empty() || !this->DrillStateFile.empty()))
   {
     throw InputError("no structure of the scene can be drilled; give one a \"drill\" in the scene, "
-                     "or a file that "
-                     "is no scene --wear");
+                     "or a file that is no scene --wear");
   }
   for (const std::string& file : this->DrilledFiles)
   {

@@ -14,7 +14,7 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestIrregular = 0.005;
+constexpr double LargestIrregular = 0.005; // share of the inside, above that of tiny folds
 
 ComparedSide SideOf(const ComparedFile& file, const Segment& structure)
 {

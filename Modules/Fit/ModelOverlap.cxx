@@ -31,7 +31,7 @@ WindingOverlap OverlapOfSurfaces(const FitResult& result, const VoxelCenters& gr
 {
   std::vector<std::uint8_t> inside;
   std::vector<std::int16_t> numbers;
-  if (!FindInside(ToIndexedMesh(result.Surface), grid, false, inside).IsOk() ||
+  if (!FindInside(ToIndexedMesh(result.Surface), grid, true, inside).IsOk() ||
       !FindWindingNumbers(ToIndexedMesh(result.ModelSurface), grid, numbers).IsOk())
   {
     return {0, 1}; // a model without finite points overlaps nothing

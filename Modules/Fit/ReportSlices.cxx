@@ -43,7 +43,7 @@ Voxels VoxelsOf(const FitResult& result)
   const IndexedMesh mesh = ToIndexedMesh(result.Surface);
   const VoxelCenters grid = CubesAround(mesh, CubesToDraw);
   std::vector<std::uint8_t> inside;
-  if (!FindInside(mesh, grid, false, inside).IsOk())
+  if (!FindInside(mesh, grid, true, inside).IsOk())
   {
     return {};
   }

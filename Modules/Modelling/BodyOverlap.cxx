@@ -118,7 +118,7 @@ Status FillCubes(const ComparedBody& body, const VoxelCenters& cubes,
   const PlacedMask* mask = body.Mask();
   if (mask == nullptr)
   {
-    return FindInside(body.Enclosure(), cubes, !body.IsConsistent(), inside);
+    return FindInside(body.Enclosure(), cubes, body.IsConsistent(), inside);
   }
   const Matrix3 inverse = mask->ToWorld.Axes.inverse();
   const Matrix3 steps = inverse * cubes.Axes;

@@ -80,12 +80,12 @@ VoxelCenters CubesAround(const IndexedMesh& mesh, double voxels)
   return grid;
 }
 
-Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen,
+Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isConsistent,
                   std::vector<std::uint8_t>& inside)
 {
   std::vector<std::int16_t> numbers;
   std::vector<std::uint8_t> votes;
-  const int directions = isOpen ? 6 : 1;
+  const int directions = isConsistent ? 1 : 6;
   for (int direction = 0; direction < directions; ++direction)
   {
     const int axis = direction / 2;
@@ -98,7 +98,7 @@ Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen
     votes.resize(numbers.size(), 0);
     AddVotes(numbers, grid, axis, isReversed, votes);
   }
-  const int least = isOpen ? 4 : 1;
+  const int least = isConsistent ? 1 : 4;
   for (std::uint8_t& vote : votes)
   {
     vote = vote >= least ? 1 : 0;

@@ -20,7 +20,7 @@ VoxelCenters CubesAround(const IndexedMesh& mesh, double voxels);
 /// along the grid's axes: a hole misleads only the voxels behind it (after Nooruddin and Turk,
 /// "Simplification and repair of polygonal models using volumetric techniques", IEEE TVCG 9, 2003).
 /// Fails as FindWindingNumbers does.
-Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isOpen,
+Status FindInside(const IndexedMesh& mesh, const VoxelCenters& grid, bool isConsistent,
                   std::vector<std::uint8_t>& inside);
 
 /// The share, 0 to 1, of what a closed mesh encloses that it does not enclose just once: 0 unless

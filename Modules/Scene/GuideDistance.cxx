@@ -73,8 +73,8 @@ public:
   DistanceSamples(const IndexedMesh& mesh, const VoxelCenters& grid, double band)
       : Grid(grid), Band(band)
   {
-    const bool isOpen = !DescribeTopology(mesh).IsConsistent();
-    RequireInput(FindInside(mesh, grid, isOpen, this->Inside));
+    const bool isConsistent = DescribeTopology(mesh).IsConsistent();
+    RequireInput(FindInside(mesh, grid, isConsistent, this->Inside));
     RequireInput(NearestOnMesh::Make(mesh, this->Surface));
     this->Values.resize(this->Inside.size());
   }

@@ -111,7 +111,7 @@ public:
     }
     if (!fault.empty())
     {
-      status = this->Settings->Repairs ? this->Repair(fault, !topology.IsConsistent())
+      status = this->Settings->Repairs ? this->Repair(fault, topology.IsConsistent())
                                        : Status::Failure(fault);
     }
     return status.IsOk() ? this->Resample() : status;
@@ -121,12 +121,12 @@ private:
   static Status Cancelled() { return Status::Failure("Cancelled."); }
   bool Report(double fraction) const { return !*this->Progress || (*this->Progress)(fraction); }
 
-  Status Repair(const std::string& fault, bool isOpen)
+  Status Repair(const std::string& fault, bool isConsistent)
   {
     IndexedMesh& mesh = this->Made->Mesh;
     const VoxelCenters grid = CubesAround(mesh, this->Settings->RepairVoxels);
     VoxelMask mask;
-    Status status = FindInside(mesh, grid, isOpen, mask.Inside);
+    Status status = FindInside(mesh, grid, isConsistent, mask.Inside);
     if (!status.IsOk())
     {
       return status;

@@ -134,17 +134,12 @@ bool Encloses(const IndexedMesh& mesh, const MeshSheets& sheets, const Sheet& ou
 std::vector<int> OutermostSheets(const IndexedMesh& mesh, const EdgeRings& rings,
                                  const MeshSheets& sheets, const std::vector<double>& volumes)
 {
-  if (volumes.size() < 2)
-  {
-    return std::vector<int>(volumes.size(), 0);
-  }
   const std::vector<int> large = LargeSheets(volumes);
-  std::vector<int> outermost(volumes.size(), -1);
   if (large.size() < 2)
   {
-    std::fill(outermost.begin(), outermost.end(), large.front());
-    return outermost;
+    return std::vector<int>(volumes.size(), large.front());
   }
+  std::vector<int> outermost(volumes.size(), -1);
   const std::vector<Sheet> described = DescribeSheets(mesh, rings, sheets, large);
   std::vector<int> roots;
   for (const int sheet : large)

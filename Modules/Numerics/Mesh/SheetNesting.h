@@ -10,7 +10,8 @@ namespace palpate
 {
 /// For each sheet of a mesh the sheet whose orientation decides about it: the outermost one that
 /// encloses it, or itself. A cavity and what lies in it belong to the body around them, a body
-/// beside the largest to itself. `volumes` are those that the sheets enclose, of either sign.
+/// beside the largest to itself. `volumes` are those that the sheets enclose, of either sign, and
+/// not empty.
 ///
 /// Outermost are sheets of at least a hundredth of the largest one's volume, at most 16; those that
 /// are not closed, and sheets that none of these encloses, go with the largest. Enclosed is a large

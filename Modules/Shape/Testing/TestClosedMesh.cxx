@@ -278,8 +278,8 @@ TEST(MeshVoxels, DirectionsAgreeOnClosedMesh)
   const VoxelCenters grid = CubesAround(mesh, 2.0e4);
   std::vector<std::uint8_t> one;
   std::vector<std::uint8_t> all;
-  ASSERT_TRUE(FindInside(mesh, grid, false, one).IsOk());
-  ASSERT_TRUE(FindInside(mesh, grid, true, all).IsOk());
+  ASSERT_TRUE(FindInside(mesh, grid, true, one).IsOk());
+  ASSERT_TRUE(FindInside(mesh, grid, false, all).IsOk());
   EXPECT_EQ(one, all);
   const auto inside = static_cast<double>(std::count(one.begin(), one.end(), 1));
   EXPECT_NEAR(inside * std::pow(grid.Axes(0, 0), 3) / VolumeOf(mesh), 1.0, 0.01);
