@@ -153,9 +153,11 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     }
     std::vector<std::string> advice =
         StiffnessWarnings(scene, this->Capabilities(), this->Settings.Rate);
-    Status status = this->Session.Publish(std::move(scene), next.Frame, entry);
+    const bool keepsTool = !state.Placement.CenterWorld;
+    Status status = this->Session.Publish(std::move(scene), next.Frame, entry, keepsTool);
     if (status.IsOk())
     {
+      next.Frame = this->Session.Frame();
       this->Advice = std::move(advice);
       this->Felt = std::move(next);
     }

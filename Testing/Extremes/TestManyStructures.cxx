@@ -46,6 +46,7 @@ private:
       return this->Felt;
     }
     void Release() noexcept override {}
+    bool IsFreeAt(const ToolPose& pose) noexcept override { return !this->Follow(pose).IsTouching; }
 
   private:
     Vector3 Center;

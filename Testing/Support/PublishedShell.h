@@ -54,6 +54,11 @@ public:
     return this->Felt;
   }
   void Release() noexcept override { this->HasProxy = false; }
+  bool IsFreeAt(const ToolPose& pose) noexcept override
+  {
+    this->Shell.Turn(pose.Orientation);
+    return pose.IsUsable() && this->Shell.CountInside(*this->Solid, pose.PositionWorld) == 0;
+  }
   std::size_t Bytes() const noexcept override { return sizeof(*this) + this->Shell.Bytes(); }
 
 private:

@@ -49,6 +49,12 @@ private:
       return this->Quick->Follow(pose);
     }
     void Release() noexcept override { this->Quick->Release(); }
+    bool IsFreeAt(const ToolPose& pose) noexcept override
+    {
+      this->Time.Advance(*this->Cost);
+      return this->Quick->IsFreeAt(pose);
+    }
+    double SurfaceTolerance() const noexcept override { return this->Quick->SurfaceTolerance(); }
 
   private:
     std::unique_ptr<ContactTracker> Quick;

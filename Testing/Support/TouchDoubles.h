@@ -73,6 +73,8 @@ private:
       return this->Felt;
     }
     void Release() noexcept override {}
+    // Tests start inside it, and are pushed out.
+    bool IsFreeAt(const ToolPose&) noexcept override { return true; }
 
   private:
     void Depth(const ToolPose& pose) noexcept

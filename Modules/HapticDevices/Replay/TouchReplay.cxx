@@ -71,6 +71,7 @@ Status ReplayTouch(const std::shared_ptr<const TouchRecording>& recording,
     {
       servo.Rearm();
     }
+    tick.IsClutched ? servo.HoldClutch() : servo.ReleaseClutch();
     LeadDrill(servo, tick, isDrilling);
     isDrilling = tick.IsDrilling;
     if (beforeTick)

@@ -33,6 +33,8 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override;
+  bool IsFreeAt(const ToolPose& pose) noexcept override { return this->Rigid.IsFreeAt(pose); }
+  double SurfaceTolerance() const noexcept override { return this->Rigid.SurfaceTolerance(); }
   /// Where the ball presses the organ since the last tick, for pictures of its dent.
   const PressedPlace* Places() const noexcept { return this->Pressed.data(); }
   std::size_t PlaceCount() const noexcept { return this->PressedCount; }

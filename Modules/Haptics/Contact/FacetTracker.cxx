@@ -11,6 +11,9 @@ namespace
 // Limits of a tick: rounds, and planes per round.
 constexpr int MostRounds = 4;
 constexpr std::size_t MostPlanes = 4;
+// Share of the skin that noise of the mesh's coordinates, which are often of single precision, may
+// take.
+constexpr double GrazedSkin = 0.25;
 // A round that changes the pull by less is the last one.
 constexpr double FacetTolerance = 1e-3;
 } // namespace
@@ -44,6 +47,13 @@ const Contact& FacetTracker::Follow(const ToolPose& pose) noexcept
   this->Felt.NormalWorld = this->NormalWorld;
   this->Felt.Depth = (this->Felt.ProxyWorld - probe).norm();
   return this->Felt;
+}
+
+bool FacetTracker::IsFreeAt(const ToolPose& pose) noexcept
+{
+  const Vector3& place = pose.PositionWorld;
+  return pose.IsUsable() && !this->Tree->IsInside(place) &&
+         !(this->Tree->NearestTo(place, this->ToolRadius).Distance <= this->ToolRadius);
 }
 
 // Without a known position: next to the nearest point, outside the mesh.
@@ -102,7 +112,8 @@ bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
   while (count < mostPlanes)
   {
     const Vector3 path = target - this->ProxyWorld;
-    const SweepHit hit = this->Tree->Sweep({this->ProxyWorld, path, this->ToolRadius + this->Skin});
+    const SweepHit hit = this->Tree->Sweep(
+        {this->ProxyWorld, path, this->ToolRadius + this->Skin, GrazedSkin * this->Skin});
     this->ProxyWorld = hit.IsHit ? Vector3(this->ProxyWorld + hit.Part * path) : target;
     if (!hit.IsHit)
     {

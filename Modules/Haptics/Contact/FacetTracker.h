@@ -23,6 +23,8 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->IsKnown = false; }
+  bool IsFreeAt(const ToolPose& pose) noexcept override;
+  double SurfaceTolerance() const noexcept override { return this->Skin; }
   std::size_t Bytes() const noexcept override { return sizeof(*this); }
 
 private:

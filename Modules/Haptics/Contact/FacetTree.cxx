@@ -167,8 +167,8 @@ SweepHit FacetTree::Sweep(const SphereMotion& motion) const noexcept
   {
     return {};
   }
-  SweepHit hit = this->SweepNear(
-      {motion.Start + before * motion.Path, (1.0 - before) * motion.Path, motion.Radius});
+  SweepHit hit = this->SweepNear({motion.Start + before * motion.Path, (1.0 - before) * motion.Path,
+                                  motion.Radius, motion.Slack});
   hit.Part = before + hit.Part * (1.0 - before);
   return hit;
 }
@@ -191,22 +191,42 @@ bool FacetTree::IsInside(const Vector3& pointWorld) const noexcept
   {
     return false;
   }
-  // A direction that is unlikely to be parallel to any edge.
-  const Vector3 direction = Vector3(0.5257311, 0.3090170, 0.7936204);
-  bool isInside = false;
-  for (const Facet& facet : this->Facets)
+  // Three directions that are unlikely to be parallel to any edge: one ray may meet an edge.
+  int votes = 0;
+  for (const Vector3& direction :
+       {Vector3(0.5257311, 0.3090170, 0.7936204), Vector3(-0.7936204, 0.5257311, 0.3090170),
+        Vector3(0.3090170, -0.7936204, 0.5257311)})
   {
-    const Vector3 ab = facet.B - facet.A;
-    const Vector3 ac = facet.C - facet.A;
-    const Vector3 p = direction.cross(ac);
-    const double determinant = ab.dot(p);
-    const Vector3 offset = pointWorld - facet.A;
-    const double u = offset.dot(p) / determinant;
-    const Vector3 q = offset.cross(ab);
-    const double v = direction.dot(q) / determinant;
-    const bool isCrossed = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ac.dot(q) / determinant > 0.0;
-    isInside = isInside != isCrossed;
+    votes += this->CrossesOddly(pointWorld, direction) ? 1 : 0;
   }
-  return isInside;
+  return votes > 1;
+}
+
+// Whether a ray crosses the mesh an odd number of times.
+bool FacetTree::CrossesOddly(const Vector3& start, const Vector3& direction) const noexcept
+{
+  const SphereMotion ray{start, direction, 0.0};
+  const Vector3 inverse = direction.cwiseInverse();
+  bool isOdd = false;
+  Visit(
+      this->Boxes,
+      [&](const Eigen::AlignedBox3d& box) { return PartToBox(ray, inverse, box, FarFromFacets); },
+      [](double part) { return part < FarFromFacets; },
+      [&](std::size_t i)
+      {
+        const Facet& facet = this->Facets[i];
+        const Vector3 ab = facet.B - facet.A;
+        const Vector3 ac = facet.C - facet.A;
+        const Vector3 p = direction.cross(ac);
+        const double determinant = ab.dot(p);
+        const Vector3 offset = start - facet.A;
+        const double u = offset.dot(p) / determinant;
+        const Vector3 q = offset.cross(ab);
+        const double v = direction.dot(q) / determinant;
+        const bool isCrossed =
+            u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ac.dot(q) / determinant > 0.0;
+        isOdd = isOdd != isCrossed;
+      });
+  return isOdd;
 }
 } // namespace palpate

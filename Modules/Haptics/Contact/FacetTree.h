@@ -44,13 +44,13 @@ public:
   Nearest NearestTo(const Vector3& pointWorld, double within) const noexcept;
   /// First contact of a moving sphere.
   SweepHit Sweep(const SphereMotion& motion) const noexcept;
-  /// Whether a closed mesh contains a point, by the number of ray crossings. Only for the initial
-  /// state: a ray through an edge may give a wrong result.
+  /// Whether a closed mesh contains a point, by the crossings of three rays.
   bool IsInside(const Vector3& pointWorld) const noexcept;
 
 private:
   FacetTree() = default;
   SweepHit SweepNear(const SphereMotion& motion) const noexcept;
+  bool CrossesOddly(const Vector3& start, const Vector3& direction) const noexcept;
 
   BoxHierarchy Boxes;
   std::vector<Facet> Facets; // in the order of the boxes

@@ -40,6 +40,10 @@ public:
   double SurfaceTolerance() const noexcept override { return 0.5 * this->Solid->VoxelSize(); }
   bool IsFreeAt(const ToolPose& pose) noexcept override
   {
+    if (!pose.IsUsable())
+    {
+      return false;
+    }
     this->Shell.Turn(pose.Orientation);
     return this->Shell.CountInside(*this->Solid, pose.PositionWorld) == 0;
   }

@@ -106,6 +106,18 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
 }
 
 template <typename Surface>
+bool HarmonicNearestTrackerOf<Surface>::IsFreeAt(const ToolPose& pose) noexcept
+{
+  if (!pose.IsUsable())
+  {
+    return false;
+  }
+  const Vector3& place = pose.PositionWorld;
+  const ClosestPoint nearest = this->Touched->Search().Nearest(place, EvaluationsOfSearch);
+  return this->Touched->SeenFrom(place, nearest).SignedDistance >= this->EndOfContact();
+}
+
+template <typename Surface>
 int HarmonicNearestTrackerOf<Surface>::EvaluationsOfNextSearch() const noexcept
 {
   return std::clamp(this->EvaluationsLeft, FewEvaluations, EvaluationsOfSearch);

@@ -46,6 +46,12 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override { this->Known = State::Nothing; }
+  bool IsFreeAt(const ToolPose& pose) noexcept override;
+  /// With the margin of a surface that crosses itself.
+  double SurfaceTolerance() const noexcept override
+  {
+    return 4.0 * this->TouchingGap + this->Touched->Margin();
+  }
   /// In contact: the walls that hold the tool, or are near where several may, at its proxy.
   const ClosestPoint* Walls() const noexcept
   {

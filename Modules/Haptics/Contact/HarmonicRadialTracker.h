@@ -18,6 +18,12 @@ public:
 
   const Contact& Follow(const ToolPose& pose) noexcept override;
   void Release() noexcept override;
+  bool IsFreeAt(const ToolPose& pose) noexcept override
+  {
+    const Contact& contact = this->Follow(pose);
+    return contact.IsValid && !contact.IsTouching;
+  }
+  double SurfaceTolerance() const noexcept override { return 2.0 * this->Surface->Rounding(); }
   std::size_t Bytes() const noexcept override { return sizeof(*this); }
 
 private:

@@ -134,7 +134,9 @@ Vector3 ClosestPointOnFacet(const Vector3& point, const Facet& facet) noexcept
   return facet.A + (vb / sum) * ab + (vc / sum) * ac;
 }
 
-void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept
+namespace
+{
+void SweepFacet(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept
 {
   if (SweepFace(motion, facet, hit))
   {
@@ -159,5 +161,55 @@ void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) 
   SweepCorner(motion, facet.A, hit);
   SweepCorner(motion, facet.B, hit);
   SweepCorner(motion, facet.C, hit);
+}
+
+// Between two segments, squared (Ericson, Real-Time Collision Detection, 2005, ch. 5).
+double SquaredGap(const Vector3& from, const Vector3& path, const Vector3& start,
+                  const Vector3& edge) noexcept
+{
+  const Vector3 between = from - start;
+  const double a = path.squaredNorm();
+  const double b = path.dot(edge);
+  const double e = edge.squaredNorm();
+  const double c = path.dot(between);
+  const double f = edge.dot(between);
+  const double denominator = a * e - b * b;
+  double s = denominator > 0.0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
+  const double t = std::clamp((b * s + f) / e, 0.0, 1.0);
+  s = a > 0.0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0.0;
+  return (between + s * path - t * edge).squaredNorm();
+}
+
+// Whether the whole path, which stays on one side of the facet, enters it by no more than the
+// slack.
+bool OnlyGrazes(const SphereMotion& motion, const Facet& facet, const Vector3& normal) noexcept
+{
+  constexpr double Steepest = 0.5;
+  const Vector3 end = motion.Start + motion.Path;
+  const double side = facet.Normal.dot(motion.Start - facet.A);
+  if (!(motion.Slack > 0.0) || -normal.dot(motion.Path) > Steepest * motion.Path.norm() ||
+      side * facet.Normal.dot(end - facet.A) <= 0.0)
+  {
+    return false;
+  }
+  const double least = motion.Radius - motion.Slack;
+  const double square = least * least;
+  return (end - ClosestPointOnFacet(end, facet)).squaredNorm() >= square &&
+         SquaredGap(motion.Start, motion.Path, facet.A, facet.B - facet.A) >= square &&
+         SquaredGap(motion.Start, motion.Path, facet.B, facet.C - facet.B) >= square &&
+         SquaredGap(motion.Start, motion.Path, facet.C, facet.A - facet.C) >= square;
+}
+
+} // namespace
+
+void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept
+{
+  SweepHit found = hit;
+  SweepFacet(motion, facet, found);
+  const bool isNearer = found.Part < hit.Part || found.Overlap > hit.Overlap || !hit.IsHit;
+  if (found.IsHit && isNearer && !OnlyGrazes(motion, facet, found.Normal))
+  {
+    hit = found;
+  }
 }
 } // namespace palpate

@@ -24,6 +24,9 @@ struct SphereMotion
   Vector3 Start; ///< of its centre
   Vector3 Path;
   double Radius;
+  /// A facet that the whole path enters by no more than this is not hit: noise of a mesh's
+  /// coordinates must not hold a sphere that slides along it.
+  double Slack = 0.0;
 };
 
 struct SweepHit

@@ -34,6 +34,14 @@ public:
     return this->Rotation.transpose() * world;
   }
   Vector3 TurnedToWorld(const Vector3& device) const noexcept { return this->Rotation * device; }
+  /// mm of the world per mm of the hand.
+  double Magnification() const noexcept { return this->Scale; }
+
+  friend bool operator==(const DeviceFrame& a, const DeviceFrame& b) noexcept
+  {
+    return a.Rotation == b.Rotation && a.Scale == b.Scale && a.OriginWorld == b.OriginWorld;
+  }
+  friend bool operator!=(const DeviceFrame& a, const DeviceFrame& b) noexcept { return !(a == b); }
 
 private:
   Matrix3 Rotation = Matrix3::Identity();

@@ -79,6 +79,13 @@ void Servo::Tick(const TickInfo& tick) noexcept
   this->Recorded.Push(state);
 }
 
+bool Servo::StaysOff() const noexcept
+{
+  const SafetyReport& safety = this->Safety.Report();
+  return this->OffWanted.load(std::memory_order_acquire) ||
+         (safety.Fault != SafetyFault::None && !safety.WillResume);
+}
+
 void Servo::Resume() noexcept
 {
   this->Safety.Resume();
@@ -100,7 +107,10 @@ Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
   {
     this->Safety.Fail(SafetyFault::SwitchedOff);
   }
+  // Before the scene: what was published before the release is then known.
+  const bool isReleased = this->UnclutchWanted.exchange(false, std::memory_order_acq_rel);
   change.IsContinued = this->TakeOverScene();
+  this->TakeClutch(now, isReleased);
   // After the scene: a request made before it was published applies to it.
   if (this->LiftWanted.exchange(false, std::memory_order_acq_rel))
   {
@@ -110,6 +120,21 @@ Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
   this->IsDrilling = this->IsPedalDown(now);
   change.Command = this->TakeCommand(wasDrilling && !this->IsDrilling);
   return change;
+}
+
+// While the clutch is held nothing is followed, so that the tool is placed where it returns.
+void Servo::TakeClutch(const TickObservation& now, bool isReleased) noexcept
+{
+  const bool isKnown = now.State == DeviceState::Ready && now.HasSample;
+  const bool isDown = isKnown && (now.Sample.Buttons & this->Settings.ClutchButtons) != 0;
+  const bool isHeld = this->ClutchWanted.exchange(false, std::memory_order_acq_rel) || isDown;
+  const bool was = this->IsClutched;
+  this->IsClutched = isHeld || (was && !isReleased);
+  if (this->IsClutched != was)
+  {
+    this->ForgetMotion();
+    this->Current.Felt = ServoScene::Feeling();
+  }
 }
 
 // Before a device is ready its buttons are not valid.
@@ -237,7 +262,7 @@ FollowStep Servo::StepTo(const DeviceSample& sample, double passed) noexcept
   step.MostPush = this->MostForce;
   step.Hand = sample.Position;
   step.HandVelocity = this->HandVelocity.Update(step.Hand, passed);
-  step.FadeIn = this->CarriesOn ? std::max(this->Settings.RampDuration, HandoverDuration) : 0.0;
+  step.IsPlaced = this->CarriesOn || !this->HasFelt;
   this->CarriesOn = false;
   const int interval = std::max(this->Settings.ModelInterval, 1);
   this->TicksSinceModel = this->HasFelt ? this->TicksSinceModel + 1 : interval;
@@ -263,6 +288,11 @@ void Servo::Feel(const TickObservation& now) noexcept
   const double passed =
       this->HasFelt ? 1e-9 * static_cast<double>(now.Sample.Time - this->LastFelt.Time) : 0.0;
   this->Current.Pose = scene->Scene().Frame.PoseWorld(now.Sample);
+  if (this->IsClutched)
+  {
+    this->Current.Felt.Deepest.ProxyWorld = this->Current.Pose.PositionWorld;
+    return;
+  }
   this->Current.Felt = scene->Follow(this->StepTo(now.Sample, passed));
   this->LastFelt = now.Sample;
   this->HasFelt = true;
@@ -313,6 +343,7 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
     state.IsBeyondLinear = !elastic->IsValid;
   }
   state.Scene = this->SceneCount;
+  state.IsClutched = this->IsClutched;
   state.IsDrilling = this->IsDrilling;
   state.DrillVersion = scene != nullptr ? scene->VersionNumber() : 0;
   state.DrillOrders = this->OrderCount;

@@ -23,6 +23,8 @@ struct ServoSettings
   double MaximumSlew = 2000.0;         ///< N/s
   /// Buttons of the device that act as the drill's pedal, one bit each as in DeviceSample; 0: none.
   std::uint32_t PedalButtons = 0;
+  /// Buttons that act as HoldClutch, one bit each.
+  std::uint32_t ClutchButtons = 0;
   /// Ticks kept for a recording until fetched; 0 keeps one.
   std::size_t RecordedTicks = 4096;
 };
@@ -33,8 +35,8 @@ struct ServoSettings
 /// same forces to the last bit.
 ///
 /// Publish, Reclaim, Command: one publishing thread. Tick: the servo thread. Latest: one reading
-/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, RunDrill, LiftPedals: any. Resume:
-/// while no thread ticks.
+/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, HoldClutch, ReleaseClutch,
+/// RunDrill, LiftPedals: any. Resume, StaysOff: while no thread ticks.
 class Servo
 {
 public:
@@ -45,11 +47,14 @@ public:
   /// Prepares `scene`, which the servo thread adopts in its next tick. Fails for an invalid scene;
   /// the previous one then stays.
   ///
-  /// FadeIn: forces start from zero. Continuing: structures with the same id carry on: their
-  /// proxies stay in place in the world, whatever changed in shape, law, tool and frame, and move
-  /// to the probe from there; the force changes from the old to the new one within
-  /// HandoverDuration, and structures that only now surround the tool fade in as at a start.
-  /// Continuing has no effect if nothing was rendered yet.
+  /// No scene pushes a hand that it finds inside a structure: that structure is buried, and exerts
+  /// no force until the tool has left it. FadeIn: that holds for all structures. Continuing: those
+  /// with the same id carry on if the tool touched them, has not jumped by more than 1 mm of the
+  /// hand with a new frame, and is free at its old proxy or up to StructureFollower::MostLifted
+  /// above it. The force changes from the old to the new one within HandoverDuration and, however
+  /// stiff, large or magnified the new scene is, rises by what the hand pushes on only
+  /// (HandoverLimit). Force fields, such as guides, are not limited: they fade in within
+  /// HandoverDuration. Continuing has no effect if nothing was rendered yet.
   Status Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry = SceneEntry::FadeIn);
   /// Destroys scenes that the servo no longer uses; Publish calls it too.
   void Reclaim() noexcept { this->Scenes.Reclaim(); }
@@ -59,6 +64,17 @@ public:
   void Rearm() noexcept { this->RearmWanted.store(true, std::memory_order_release); }
   /// 0 N from the next tick on, until Rearm; the tool is still tracked.
   void SwitchOff() noexcept { this->OffWanted.store(true, std::memory_order_release); }
+
+  /// Whether a person has switched forces off, also if no tick has consumed that yet, or has to end
+  /// a fault.
+  bool StaysOff() const noexcept;
+
+  /// From the next tick on no structure and no force field of any scene is felt, until
+  /// ReleaseClutch. Holding a ClutchButton does the same within the tick, however late other
+  /// threads are.
+  void HoldClutch() noexcept { this->ClutchWanted.store(true, std::memory_order_release); }
+  /// Ends that, unless a ClutchButton is down. Publish the scene to return to before.
+  void ReleaseClutch() noexcept { this->UnclutchWanted.store(true, std::memory_order_release); }
 
   /// The drill's pedal: while it is down, touched structures with wear are removed. A fault
   /// releases it. The device's PedalButtons are a second pedal, read in the tick itself; one that
@@ -105,6 +121,7 @@ private:
   Change TakeOver(const TickObservation& now) noexcept;
   bool TakeOverScene() noexcept;
   DrillCommand TakeCommand(bool endsStroke) noexcept;
+  void TakeClutch(const TickObservation& now, bool isReleased) noexcept;
   bool IsPedalDown(const TickObservation& now) noexcept;
   void ReleaseButton() noexcept;
   void ReleasePedal() noexcept;
@@ -137,15 +154,18 @@ private:
   int MostUntaken;      // consecutive ticks in which the device may refuse the force
   int UntakenTicks = 0; // consecutive, while the device is Ready
   int TicksSinceModel = 0;
-  std::atomic<bool> RearmWanted{false}; // set by any thread
-  std::atomic<bool> OffWanted{false};   // set by any thread
-  std::atomic<bool> LiftWanted{false};  // set by any thread, for the button
-  std::atomic<bool> Pedal{false};       // set by any thread
-  bool IsDrilling = false;              // in this tick
-  bool IsButtonPedal = false;           // a pedal button was pressed and runs the drill
-  bool WasButtonDown = true;            // in the last tick
-  double TickTime = 0.0;                // s, of this tick
-  std::uint64_t OrderCount = 0;         // number of orders so far
+  std::atomic<bool> RearmWanted{false};    // set by any thread
+  std::atomic<bool> OffWanted{false};      // set by any thread
+  std::atomic<bool> ClutchWanted{false};   // set by any thread
+  std::atomic<bool> UnclutchWanted{false}; // set by any thread
+  std::atomic<bool> LiftWanted{false};     // set by any thread, for the button
+  std::atomic<bool> Pedal{false};          // set by any thread
+  bool IsClutched = false;                 // in this tick
+  bool IsDrilling = false;                 // in this tick
+  bool IsButtonPedal = false;              // a pedal button was pressed and runs the drill
+  bool WasButtonDown = true;               // in the last tick
+  double TickTime = 0.0;                   // s, of this tick
+  std::uint64_t OrderCount = 0;            // number of orders so far
   bool HasFelt = false;
   bool CarriesOn = false; // the next step is the first of a scene that continues another one
 };

@@ -65,6 +65,8 @@ void ServoScene::Leave() noexcept
     this->Followers[this->Near[i]].Leave();
   }
   this->Fading = {};
+  this->Limit = HandoverLimit();
+  this->ContactNow.setZero();
   this->FieldNow.setZero();
   this->FieldBefore.setZero();
 }
@@ -103,6 +105,7 @@ void ServoScene::FadeOut(int structure, const FadingContact& contact) noexcept
 
 void ServoScene::CarryOn(const ServoScene& before) noexcept
 {
+  this->Limit = HandoverLimit(before.ContactNow.norm(), before.Hand);
   this->FieldBefore = before.FieldNow;
   this->FieldFading = RampIn(HandoverDuration);
   for (const FadingStructure& one : before.Fading)
@@ -120,9 +123,22 @@ void ServoScene::CarryOn(const ServoScene& before) noexcept
     this->FadeOut(next, last.FadingOut(before.Hand));
     if (next >= 0)
     {
-      this->Followers[static_cast<std::size_t>(next)].CarryOn(last);
+      this->CarryOn(last, static_cast<std::uint32_t>(next));
     }
   }
+}
+
+// Of a structure that holds the tool the state is kept until the next Follow, which looks around.
+void ServoScene::CarryOn(const StructureFollower& before, std::uint32_t next) noexcept
+{
+  const FollowedBefore* state = nullptr;
+  if (before.HoldsTool() && this->NearCount < MostContacts)
+  {
+    this->Carried[this->NearCount] = before.Ending();
+    state = &this->Carried[this->NearCount];
+    this->Near[this->NearCount++] = next;
+  }
+  this->Followers[next].CarryOn(before, state);
 }
 
 void ServoScene::LookAround(const FollowStep& step) noexcept
@@ -137,17 +153,23 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   {
     return;
   }
+  this->Margin = margin;
+  this->LookedAt = {path.min().array() - margin, path.max().array() + margin};
+  // A structure that holds the tool stays near wherever the hand is.
+  Eigen::AlignedBox3d searched = this->LookedAt;
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {
     StructureFollower& follower = this->Followers[this->Near[i]];
-    if (!follower.IsInReach(step))
+    if (follower.HoldsTool())
+    {
+      searched.extend(follower.HeldWorld());
+    }
+    else if (!follower.IsInReach(step))
     {
       follower.Leave();
     }
   }
-  this->Margin = margin;
-  this->LookedAt = {path.min().array() - margin, path.max().array() + margin};
-  this->NearCount = this->Index.Find(this->LookedAt, this->Near.data());
+  this->NearCount = this->Index.Find(searched, this->Near.data());
 }
 
 // Takes versions that are newer, or that this scene has not used yet.
@@ -218,10 +240,23 @@ void ServoScene::LiftDrill() noexcept
   }
 }
 
+// The largest of the contacts.
+double ServoScene::StiffnessDevice() const noexcept
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < this->NearCount; ++i)
+  {
+    const StructureFollower& follower = this->Followers[this->Near[i]];
+    largest = std::max(largest, follower.HoldsTool() ? follower.StiffnessDevice() : 0.0);
+  }
+  return largest;
+}
+
 ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
   feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
+  Vector3 field = Vector3::Zero();
   if (step.AsksModel)
   {
     this->TakeVersions();
@@ -232,7 +267,7 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
   {
     StructureFollower& follower = this->Followers[this->Near[i]];
     feeling.Force += follower.Follow(step);
-    feeling.Field += follower.FieldForce();
+    field += follower.FieldForce();
     const Contact& contact = follower.Touched();
     feeling.IsValid = feeling.IsValid && contact.IsValid;
     if (contact.IsTouching && (feeling.Structure < 0 || contact.Depth > feeling.Deepest.Depth))
@@ -248,13 +283,16 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
       feeling.Force += one.Contact.Advance(step.Hand, step.Passed);
     }
   }
-  const double fading = this->FieldFading.Advance(step.Passed);
-  for (const auto& field : this->Shared->Fields)
+  feeling.Force =
+      this->Limit.Limited(feeling.Force, this->StiffnessDevice(), step.Hand, step.Passed);
+  this->ContactNow = feeling.Force;
+  for (const auto& everywhere : this->Shared->Fields)
   {
-    const Vector3 force = field->ForceWorld(step.Now.PositionWorld);
-    feeling.Field += fading * this->Shared->Frame.TurnedToDevice(force);
+    const Vector3 force = everywhere->ForceWorld(step.Now.PositionWorld);
+    field += this->Shared->Frame.TurnedToDevice(force);
   }
-  feeling.Field += (1.0 - fading) * this->FieldBefore;
+  const double fading = this->FieldFading.Advance(step.Passed);
+  feeling.Field = fading * field + (1.0 - fading) * this->FieldBefore;
   this->FieldNow = feeling.Field;
   this->Hand = step.Hand;
   return feeling;

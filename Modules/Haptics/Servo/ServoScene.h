@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FadingContact.h"
+#include "HandoverLimit.h"
 #include "ReachIndex.h"
 #include "StructureFollower.h"
 #include "TouchScene.h"
@@ -13,10 +14,11 @@
 
 namespace palpate
 {
-/// How a scene replaces the previous one.
+/// How a scene replaces the previous one. Neither raises the force of a resting hand: see
+/// Servo::Publish.
 enum class SceneEntry
 {
-  FadeIn,    ///< fades in from zero
+  FadeIn,    ///< begins without contact
   Continuing ///< structures with the same id carry on
 };
 
@@ -43,8 +45,9 @@ public:
                      std::unique_ptr<ServoScene>& made);
 
   Feeling Follow(const FollowStep& step) noexcept;
-  /// Call before the first Follow, which gets a FadeIn: structures near the tool in the previous
-  /// scene carry on here if a structure has the same id, and other contacts fade out.
+  /// Call before the first Follow, which must be placed: structures near the tool in the previous
+  /// scene carry on here if a structure has the same id, and other contacts fade out. The force of
+  /// all contacts then rises by the hand's motion only (HandoverLimit).
   void CarryOn(const ServoScene& before) noexcept;
   /// The structure here with the id of one in another scene; -1 if none.
   int IndexOf(const ServoScene& other, int structure) const noexcept;
@@ -65,17 +68,20 @@ public:
   void SetEntry(SceneEntry entry) noexcept { this->EnteredAs = entry; }
 
 private:
+  static constexpr std::size_t MostContacts = 8; // more than a tool usually touches
   struct FadingStructure
   {
     int Structure = -1; // that replaces it; -1 for none
     FadingContact Contact;
   };
 
+  void CarryOn(const StructureFollower& before, std::uint32_t next) noexcept;
   void LookAround(const FollowStep& step) noexcept;
   void TakeVersions() noexcept;
   void BeginAgain(const FollowStep& step) noexcept;
   void FadeOut(int structure, const FadingContact& contact) noexcept;
   int Find(int id) const noexcept;
+  double StiffnessDevice() const noexcept;
   explicit ServoScene(std::shared_ptr<const TouchScene> scene) : Shared(std::move(scene)) {}
 
   std::shared_ptr<const TouchScene> Shared;
@@ -85,16 +91,19 @@ private:
   double Margin = 0.0;          // mm, around the path for which LookedAt was computed
   std::vector<std::uint32_t> Near; // followers, ascending; capacity for all
   std::size_t NearCount = 0;
-  std::vector<std::pair<int, int>> Ids;    // ids and their structures; ascending
-  std::array<FadingStructure, 8> Fading;   // more than a tool usually touches
-  Vector3 FieldNow = Vector3::Zero();      // N, of the last Follow
-  Vector3 FieldBefore = Vector3::Zero();   // N, of the previous scene, which fades out
-  RampIn FieldFading{0.0};                 // of the other
-  Vector3 Hand = Vector3::Zero();          // mm, device's frame, of the last Follow
-  std::vector<std::uint32_t> Drilled;      // followers
-  const DrillVersions* Versions = nullptr; // in use; owned by the link
-  std::uint64_t Version = 0;               // their number
-  bool HasGrown = false;                   // since the last Follow that queried models
+  std::vector<std::pair<int, int>> Ids; // ids and their structures; ascending
+  std::array<FadingStructure, MostContacts> Fading;
+  std::array<FollowedBefore, MostContacts> Carried; // of the previous scene
+  HandoverLimit Limit;                              // of all contacts
+  Vector3 ContactNow = Vector3::Zero();             // N, of the last Follow
+  Vector3 FieldNow = Vector3::Zero();               // N, of the last Follow
+  Vector3 FieldBefore = Vector3::Zero();            // N, of the previous scene, which fades out
+  RampIn FieldFading{0.0};                          // of the other
+  Vector3 Hand = Vector3::Zero();                   // mm, device's frame, of the last Follow
+  std::vector<std::uint32_t> Drilled;               // followers
+  const DrillVersions* Versions = nullptr;          // in use; owned by the link
+  std::uint64_t Version = 0;                        // their number
+  bool HasGrown = false;                            // since the last Follow that queried models
   SceneEntry EnteredAs = SceneEntry::FadeIn;
 };
 } // namespace palpate

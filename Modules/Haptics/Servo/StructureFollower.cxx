@@ -108,14 +108,14 @@ std::size_t StructureFollower::Bytes() const noexcept
 
 bool StructureFollower::IsInReach(const FollowStep& step) const noexcept
 {
-  return step.PathWorld().intersects(this->Reach);
+  return this->HoldsTool() || step.PathWorld().intersects(this->Reach);
 }
 
 void StructureFollower::Leave() noexcept
 {
   this->Follows = false;
   this->IsBuried = false;
-  this->Before.reset();
+  this->Before = nullptr;
   this->Weight = RampIn(0.0);
   this->Force.setZero();
   this->OfFields.setZero();
@@ -127,22 +127,28 @@ void StructureFollower::Leave() noexcept
   }
 }
 
-void StructureFollower::CarryOn(const StructureFollower& before) noexcept
+FollowedBefore StructureFollower::Ending() const noexcept
 {
-  this->Before = before.Last;
-  this->Before->Elastic = nullptr; // of a tracker that goes
+  FollowedBefore ending{this->Last, this->LastProbe, *this->Frame, this->ToolRadiusWorld};
+  ending.Last.Elastic = nullptr; // of a tracker that goes
+  return ending;
+}
+
+void StructureFollower::CarryOn(const StructureFollower& before,
+                                const FollowedBefore* state) noexcept
+{
+  this->Before = state;
   if (this->Feed != nullptr && before.Feed != nullptr)
   {
     *this->Feed = *before.Feed;
   }
 }
 
-const Contact& StructureFollower::BeginAt(const Vector3& placeWorld,
-                                          const FollowStep& step) noexcept
+void StructureFollower::BeginAt(const ToolPose& pose) noexcept
 {
   this->OffsetVelocity.Reset();
   this->Tracker->Release();
-  return this->Tracker->Follow({placeWorld, step.Now.Orientation});
+  this->Tracker->Follow(pose);
 }
 
 void StructureFollower::UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept
@@ -157,12 +163,13 @@ bool StructureFollower::BeginAgain(const FollowStep& step) noexcept
   {
     this->Feed->Leave();
     const double out = this->Last.IsTouching ? this->Tracker->SurfaceTolerance() : 0.0;
-    const Vector3 place = this->Last.ProxyWorld + out * this->Last.NormalWorld;
+    const ToolPose place{this->Last.ProxyWorld + out * this->Last.NormalWorld,
+                         step.Now.Orientation};
     this->Tracker->Release();
-    this->IsBuried = !this->Tracker->IsFreeAt({place, step.Now.Orientation});
+    this->IsBuried = !this->Tracker->IsFreeAt(place);
     if (!this->IsBuried)
     {
-      this->BeginAt(place, step);
+      this->BeginAt(place);
     }
     this->Weight = RampIn(this->Last.IsTouching ? HandoverDuration : 0.0);
   }
@@ -174,7 +181,7 @@ void StructureFollower::Unbury(const FollowStep& step) noexcept
   this->IsBuried = !this->Tracker->IsFreeAt(step.Now);
   if (!this->IsBuried)
   {
-    this->BeginAt(step.Now.PositionWorld, step);
+    this->BeginAt(step.Now);
   }
   this->Interpolation.Reset();
 }
@@ -194,9 +201,8 @@ FadingContact StructureFollower::FadingOut(const Vector3& hand) const noexcept
 // Of the last contact, at the hand.
 double StructureFollower::StiffnessDevice() const noexcept
 {
-  return this->Last.Elastic != nullptr
-             ? this->Last.Elastic->Slope / this->Frame->LengthDevice(Vector3::UnitX()).norm()
-             : this->Law.Stiffness;
+  return this->Last.Elastic != nullptr ? this->Last.Elastic->Slope * this->Frame->Magnification()
+                                       : this->Law.Stiffness;
 }
 
 // Between results of the model, the force changes with the depth by its slope.
@@ -208,24 +214,56 @@ Vector3 StructureFollower::ElasticPush(const Vector3& offsetWorld) const noexcep
   return force + std::max(this->Last.Elastic->Slope * deeper, -force.dot(normal)) * normal;
 }
 
-// A tracker that was released out of reach restarts at the place before this tick, which was out of
-// reach too. So it never takes a path around a structure for one through it.
+// Where a contact of the previous scene goes on: the lowest place above its proxy at which the tool
+// is free. None for a tool that a new frame has moved.
+bool StructureFollower::FindStart(const FollowStep& step, ToolPose& start) noexcept
+{
+  constexpr double LongestJump = 1.0; // mm of the hand
+  if (this->Before == nullptr)
+  {
+    return false;
+  }
+  const FollowedBefore& before = *this->Before;
+  const double scale = this->Frame->Magnification();
+  const double jump = (step.Now.PositionWorld - before.ProbeWorld).norm();
+  if (before.Frame != *this->Frame && jump > LongestJump * scale)
+  {
+    return false;
+  }
+  const double grown = std::max(0.0, this->ToolRadiusWorld - before.ToolRadius);
+  const double least = this->Tracker->SurfaceTolerance() + grown;
+  this->Tracker->Release();
+  for (const double lifted : {0.0, 0.125, 0.25, 0.5, 1.0})
+  {
+    const double height = least + lifted * MostLifted * scale;
+    start = {before.Last.ProxyWorld + height * before.Last.NormalWorld, step.Now.Orientation};
+    if (this->Tracker->IsFreeAt(start))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// A tool that came by the hand's motion starts at the place before this tick, which was out of
+// reach: so a path around a structure is never taken for one through it. A tool that was placed
+// inside is not pushed out.
 void StructureFollower::Enter(const FollowStep& step) noexcept
 {
-  ToolPose from = step.Last;
-  this->Weight = RampIn(step.FadeIn);
-  if (step.FadeIn > 0.0 && this->Before && this->Before->IsValid)
+  ToolPose from = step.IsPlaced ? step.Now : step.Last;
+  const bool isContinued = step.IsPlaced && this->FindStart(step, from);
+  this->Before = nullptr;
+  this->Weight = RampIn(isContinued ? HandoverDuration : 0.0);
+  this->Tracker->Release();
+  this->IsBuried = step.IsPlaced && !isContinued && !this->Tracker->IsFreeAt(from);
+  if (!this->IsBuried)
   {
-    from = {this->Before->ProxyWorld, step.Now.Orientation};
-    this->Weight = this->Before->IsTouching ? RampIn(HandoverDuration) : this->Weight;
+    this->BeginAt(from);
   }
-  else
+  if (!isContinued)
   {
     this->OffsetVelocity.Update(Vector3::Zero(), step.Passed);
   }
-  this->Tracker->Release();
-  this->Tracker->Follow(from);
-  this->Before.reset();
   this->Follows = true;
 }
 
@@ -281,7 +319,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   {
     this->Last = Untouched(step.Now.PositionWorld);
     this->Force.setZero();
-    this->OfFields.setZero();
+    this->OfFields = this->Follows ? this->FieldForceAt(step.Now.PositionWorld) : Vector3::Zero();
     return Vector3::Zero();
   }
   ContactOffset felt = this->Felt(step);
@@ -303,7 +341,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   this->Factor = this->Weight.Advance(step.Passed);
   this->NormalDevice = felt.Normal;
   this->Force = this->Factor * this->WithEffects(touch);
-  this->OfFields = this->Factor * this->FieldForceAt(step.Now.PositionWorld);
+  this->OfFields = this->FieldForceAt(step.Now.PositionWorld);
   if (this->Feed != nullptr)
   {
     this->Force += this->Drill(step, felt, this->Factor * touch.ContactForce.dot(felt.Normal));

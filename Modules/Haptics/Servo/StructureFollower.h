@@ -10,7 +10,6 @@
 #include "VelocityEstimate.h"
 
 #include <memory>
-#include <optional>
 
 namespace palpate
 {
@@ -24,9 +23,9 @@ struct FollowStep
   Vector3 HandVelocity = Vector3::Zero(); ///< mm/s, device's frame
   bool AsksModel = true;                  ///< otherwise the last result is interpolated
   double ModelPeriod = 0.0; ///< s between ticks of the model; 0 if every tick queries it
-  /// s. In the first step of a scene that continues another one, structures may have grown around
-  /// the tool: their force fades in over this time. 0 in all other steps.
-  double FadeIn = 0.0;
+  /// The tool did not move to Now by the hand: first step of a scene, or after forces were off. A
+  /// structure that contains the tool is then buried.
+  bool IsPlaced = false;
   bool IsDrilling = false;
   double Time = 0.0;     ///< s, of the tick; phase of vibrations
   double MostPush = 0.0; ///< N, the device's limit: a larger push does not drive a drill faster
@@ -37,6 +36,15 @@ struct FollowStep
     return {this->Last.PositionWorld.cwiseMin(this->Now.PositionWorld),
             this->Last.PositionWorld.cwiseMax(this->Now.PositionWorld)};
   }
+};
+
+/// State of a structure's follower in a scene that another one replaces.
+struct FollowedBefore
+{
+  Contact Last;
+  Vector3 ProbeWorld = Vector3::Zero(); ///< at which it was computed, mm
+  DeviceFrame Frame;
+  double ToolRadius = 0.0; ///< mm
 };
 
 /// One structure on the servo thread: queries its tracker only if the tool could reach it, and
@@ -65,16 +73,34 @@ public:
   /// Box in which the tool's origin may touch or be in a force field, mm.
   static Eigen::AlignedBox3d ReachWorld(const TouchStructure& structure, const ToolShape& tool);
   /// Whether Follow would query the tracker now. Otherwise no call is needed, once one has
-  /// registered that the tool left.
+  /// registered that the tool left. In contact, wherever the hand is: the proxy is at the
+  /// structure.
   bool IsInReach(const FollowStep& step) const noexcept;
+  /// Whether the structure holds the proxy of the last Follow.
+  bool HoldsTool() const noexcept
+  {
+    return this->Before != nullptr || (this->Follows && this->Last.IsTouching);
+  }
+  /// Its proxy, within the structure's reach despite rounding, mm.
+  Vector3 HeldWorld() const noexcept
+  {
+    const Contact& held = this->Before != nullptr ? this->Before->Last : this->Last;
+    return held.ProxyWorld.cwiseMax(this->Reach.min()).cwiseMin(this->Reach.max());
+  }
 
   /// Forgets the tool's position: the next Follow starts from scratch.
   void Leave() noexcept;
 
-  /// Carries on from this structure's follower in the previous scene: the next Follow, with a
-  /// FadeIn, starts without contact at the old proxy, so that nothing is passed through from there
-  /// to the probe. If the proxy is now inside, it starts as a tool that is placed inside.
-  void CarryOn(const StructureFollower& before) noexcept;
+  /// For the scene that replaces this one.
+  FollowedBefore Ending() const noexcept;
+  /// Carries on from this structure's follower in the previous scene. `state` is its Ending if it
+  /// held the tool, else null, and is used by the next Follow, which must be placed. That starts at
+  /// the old proxy, or up to MostLifted above it, if the tool is free there now and has not jumped,
+  /// so that nothing is passed through from there to the probe. Otherwise a structure that contains
+  /// the probe is buried: no force until the tool has left it.
+  void CarryOn(const StructureFollower& before, const FollowedBefore* state) noexcept;
+  /// mm of the hand; of a shape that grew.
+  static constexpr double MostLifted = 2.0;
   /// Uses this version of a drilled field from now on. The solid must live until the next one is
   /// set.
   void UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept;
@@ -89,6 +115,8 @@ public:
   int Site() const noexcept { return this->Structure->Site; }
   /// The last contact, with the hand at `hand` (mm, device's frame), to be faded out.
   FadingContact FadingOut(const Vector3& hand) const noexcept;
+  /// N/mm of the hand, of the last contact.
+  double StiffnessDevice() const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
   int Id() const noexcept { return this->Structure->Id; }
 
@@ -104,16 +132,16 @@ private:
 
   void Enter(const FollowStep& step) noexcept;
   void AskModel(const FollowStep& step) noexcept;
-  const Contact& BeginAt(const Vector3& placeWorld, const FollowStep& step) noexcept;
+  void BeginAt(const ToolPose& pose) noexcept;
   void Unbury(const FollowStep& step) noexcept;
   bool IsCut(const FollowStep& step) const noexcept
   {
     return step.IsDrilling && this->Structure->Drill.Wear > 0.0;
   }
   Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
+  bool FindStart(const FollowStep& step, ToolPose& start) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
   Vector3 ElasticPush(const Vector3& offsetWorld) const noexcept;
-  double StiffnessDevice() const noexcept;
   EffectTouch TouchOf(const ContactOffset& felt, const Vector3& proxyWorld,
                       const FollowStep& step) const noexcept;
   Vector3 FieldForceAt(const Vector3& originWorld) const noexcept;
@@ -133,11 +161,11 @@ private:
   Contact Last;
   Vector3 LastProbe = Vector3::Zero(); // at which it was computed, mm
   bool Follows = false;
-  bool IsBuried = false;         // inside material that grew back around the tool
-  std::optional<Contact> Before; // contact from which it carries on
-  RampIn Weight{0.0};            // fade-in of its force
-  double Factor = 1.0;           // of the weight, last value
-  ContactLaw Law;                // of the last contact, with its effects
+  bool IsBuried = false;                  // around a tool that did not enter it by moving
+  const FollowedBefore* Before = nullptr; // from which it carries on
+  RampIn Weight{0.0};                     // fade-in of its force
+  double Factor = 1.0;                    // of the weight, last value
+  ContactLaw Law;                         // of the last contact, with its effects
   Vector3 Force = Vector3::Zero();
   Vector3 OfFields = Vector3::Zero();
   Vector3 NormalDevice = Vector3::UnitZ(); // of it

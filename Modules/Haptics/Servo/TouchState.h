@@ -32,6 +32,7 @@ struct TouchState
   std::uint64_t Scene = 0;                   ///< number of scenes adopted; 0 before the first
   bool WasRearmed = false;                   ///< the user switched forces on again before this tick
   bool WasContinued = false;                 ///< the adopted scene continued the previous one
+  bool IsClutched = false;                   ///< the clutch is held: nothing is felt
   bool IsDrilling = false;                   ///< the drill was requested to run
   DrillCommand Command = DrillCommand::None; ///< consumed before this tick
   std::uint64_t DrillVersion = 0;            ///< DrillVersions::Number of the version in use

@@ -69,6 +69,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.IsDrilling);
   visit(s.IsBeyondLinear);
   visit(s.Safety.WillResume);
+  visit(s.IsClutched);
 }
 
 std::uint64_t FlagsOf(const TouchState& state) noexcept

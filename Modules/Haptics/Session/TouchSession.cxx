@@ -13,12 +13,13 @@ void TouchSession::Open(std::unique_ptr<HapticDevice> opened, const ServoSetting
 {
   this->Stop();
   this->Settings = settings;
+  this->Settings.ClutchButtons = this->ClutchButton >= 0 ? 1U << this->ClutchButton : 0U;
   this->Opened = std::move(opened);
   this->End = std::make_unique<EndBeforeExit>([this] { this->Stop(); });
   this->Current.reset();
   this->Place = {};
   this->Clutch = {};
-  this->ClutchMoved.setZero();
+  this->AllMoved.setZero();
   this->Hand.setZero();
   this->Watch = {};
   this->Reading = {};
@@ -82,33 +83,37 @@ void TouchSession::Stop()
   this->End.reset();
 }
 
-Status TouchSession::Publish(TouchScene scene, const WorkspaceFrame& frame, SceneEntry entry)
+// mm; zero without contact.
+Vector3 TouchSession::ShiftThatKeepsTool(const WorkspaceFrame& frame)
 {
+  const bool isNew = frame.Scale != this->Place.Scale || frame.Rotation != this->Place.Rotation;
+  if (!isNew || !this->IsRunning() || this->Loop().Latest().Structure < 0)
+  {
+    return Vector3::Zero();
+  }
+  const Vector3 hand = this->Loop().Latest().Sample.Position;
+  return this->Place.ToWorld(hand) - frame.ToWorld(hand);
+}
+
+Status TouchSession::Publish(TouchScene scene, WorkspaceFrame frame, SceneEntry entry,
+                             bool keepsTool)
+{
+  const Vector3 shift = keepsTool ? this->ShiftThatKeepsTool(frame) : Vector3::Zero();
+  frame.CenterWorld += shift;
   auto next = std::make_shared<TouchScene>(std::move(scene));
   next->Frame = frame.ForDevice();
   Status status = next->Check();
   if (status.IsOk() && this->IsRunning())
   {
-    status = this->Send(next, entry);
+    status = this->Loop().Publish(next, entry);
   }
   if (status.IsOk())
   {
     this->Current = std::move(next);
     this->Place = frame;
+    this->AllMoved += shift;
   }
   return status;
-}
-
-// While the clutch is held the servo has a scene without structures.
-Status TouchSession::Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
-{
-  if (this->Clutch.IsHeld())
-  {
-    auto empty = std::make_shared<TouchScene>(*scene);
-    empty->Structures.clear();
-    scene = std::move(empty);
-  }
-  return this->Loop().Publish(std::move(scene), entry);
 }
 
 void TouchSession::UseEditor(std::shared_ptr<DrillEditor> editor)
@@ -140,19 +145,18 @@ void TouchSession::HoldClutch(bool isHeld, const TouchState& now)
   }
   if (isHeld)
   {
-    this->Clutch.Hold(now.ProbeWorld);
+    this->Clutch.Hold(now.ProbeWorld); // the servo's own clutch has ended all forces
+    return;
   }
-  else
-  {
-    const WorkspaceFrame moved = this->Clutch.Release(this->Place, now.Sample.Position);
-    this->ClutchMoved += moved.CenterWorld - this->Place.CenterWorld;
-    this->Place = moved;
-    auto scene = std::make_shared<TouchScene>(*this->Current);
-    scene->Frame = moved.ForDevice();
-    this->Current = std::move(scene);
-  }
+  const WorkspaceFrame moved = this->Clutch.Release(this->Place, now.Sample.Position);
+  this->AllMoved += moved.CenterWorld - this->Place.CenterWorld;
+  this->Place = moved;
+  auto scene = std::make_shared<TouchScene>(*this->Current);
+  scene->Frame = moved.ForDevice();
+  this->Current = std::move(scene);
   // The servo has accepted this scene before.
-  static_cast<void>(this->Send(this->Current, SceneEntry::FadeIn));
+  static_cast<void>(this->Loop().Publish(this->Current, SceneEntry::FadeIn));
+  this->Loop().ReleaseClutch();
 }
 
 void TouchSession::TakeTicks()
@@ -229,15 +233,13 @@ Status TouchSession::StartRecording(const std::filesystem::path& path,
   {
     this->Pause();
     this->TakeTicks();
-    // A new servo knows nothing of a fault that a person has to end.
-    const SafetyReport safety = this->Loop().Latest().Safety;
-    const bool staysOff = safety.Fault != SafetyFault::None && !safety.WillResume;
+    const bool staysOff = this->Loop().StaysOff();
     this->MakeServo();
     if (staysOff)
     {
       this->Loop().SwitchOff();
     }
-    status = this->Send(this->Current, SceneEntry::FadeIn);
+    status = this->Loop().Publish(this->Current, SceneEntry::FadeIn);
     status = status.IsOk() ? this->Run() : status;
   }
   this->Recorder = std::move(recorder);

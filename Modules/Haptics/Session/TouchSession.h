@@ -45,7 +45,7 @@ public:
   /// Stops, forces first.
   ~TouchSession() { this->Stop(); }
 
-  /// The device's clutch button, from 0; -1 for none.
+  /// The device's clutch button, from 0; -1 for none. For the next Open.
   void SetClutchButton(int button) { this->ClutchButton = button; }
 
   /// Adopts an open device, for servos with these settings. Stops the current session.
@@ -65,13 +65,14 @@ public:
   void Stop();
 
   /// Changes the scene from the next tick on; see Servo::Publish. If it fails, the previous scene
-  /// stays.
-  Status Publish(TouchScene scene, const WorkspaceFrame& frame, SceneEntry entry);
+  /// stays. `keepsTool`: a frame of another scale or rotation is moved so that a touching tool stays
+  /// in place and keeps its contact; Moved then includes that motion.
+  Status Publish(TouchScene scene, WorkspaceFrame frame, SceneEntry entry, bool keepsTool = false);
   /// The current scene; null before the first.
   const std::shared_ptr<const TouchScene>& Scene() const { return this->Current; }
   const WorkspaceFrame& Frame() const { return this->Place; }
-  /// How far the clutch has moved the workspace since Begin, mm.
-  const Vector3& Moved() const { return this->ClutchMoved; }
+  /// How far the clutch, and changes that kept the tool, have moved the workspace since Begin, mm.
+  const Vector3& Moved() const { return this->AllMoved; }
 
   /// Executes the servo's drill orders from now on; null for none.
   void UseEditor(std::shared_ptr<DrillEditor> editor);
@@ -98,11 +99,11 @@ public:
   Status StopRecording();
 
 private:
-  Status Send(std::shared_ptr<const TouchScene> scene, SceneEntry entry);
   void MakeServo();
   Status Run();
   void TakeTicks();
   void HoldClutch(bool isHeld, const TouchState& now);
+  Vector3 ShiftThatKeepsTool(const WorkspaceFrame& frame);
 
   Clock& Time;
   RealtimeRequest Request;
@@ -116,7 +117,7 @@ private:
   DrillWorker Drill;
   WorkspaceFrame Place;
   WorkspaceClutch Clutch;
-  Vector3 ClutchMoved = Vector3::Zero();
+  Vector3 AllMoved = Vector3::Zero();
   Vector3 Hand = Vector3::Zero(); // mm, in the device
   TouchWatch Watch;
   std::unique_ptr<TouchRecorder> Recorder;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace palpate::test
 {
 /// A servo on a scripted device at 1 kHz, driven tick by tick.
@@ -28,6 +30,18 @@ public:
     this->Device.Next.Time = healthy.Sample.Time;
     this->Loop.Tick(healthy.Tick);
     return this->Device.Applied;
+  }
+
+  /// Ticks along a straight path of the hand from one place to another, 0.05 mm a tick, and then
+  /// rests there. Returns the force (N).
+  Vector3 MoveAndRest(const Vector3& from, const Vector3& to)
+  {
+    const int steps = static_cast<int>(std::ceil((to - from).norm() / 0.05));
+    for (int n = 0; n < steps; ++n)
+    {
+      this->TickAt(from + (1.0 * n / steps) * (to - from));
+    }
+    return this->RestAt(to);
   }
 
   /// Ticks at one place until all fading and filters settle.

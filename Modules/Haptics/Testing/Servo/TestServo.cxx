@@ -1,5 +1,6 @@
 #include "Servo.h"
 
+#include "ForceField.h"
 #include "RandomOrientation.h"
 #include "ServoRun.h"
 
@@ -221,6 +222,75 @@ TEST(Servo, RearmRestartsContacts)
   run.Loop.Rearm();
   run.TickAt({0.0, 0.0, -1.0});
   EXPECT_EQ(wall.Control->Questions, questions + 4);
+}
+
+// N everywhere, as of a guide far away.
+class SteadyPull final : public ForceField
+{
+public:
+  Vector3 ForceWorld(const Vector3&) const noexcept override { return {3.0, 0.0, 0.0}; }
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override
+  {
+    return {Vector3::Constant(-1e3), Vector3::Constant(1e3)};
+  }
+  double Stiffness() const noexcept override { return 0.0; }
+};
+
+constexpr std::uint32_t ClutchButton = 4;
+
+// A hand in a wall, pulled aside by a field.
+test::ServoRun PulledRun()
+{
+  TouchScene scene = WallScene(0.0, {1.0, 0.0});
+  scene.Fields.push_back(std::make_shared<SteadyPull>());
+  ServoSettings settings;
+  settings.ClutchButtons = ClutchButton;
+  return test::ServoRun(scene, settings);
+}
+
+TEST(Servo, ClutchButtonEndsContactsAndFieldsWithoutOtherThreads)
+{
+  test::ServoRun run = PulledRun();
+  const Vector3 hand(0.0, 0.0, -1.0);
+  ASSERT_NEAR(run.RestAt(hand).norm(), std::hypot(1.0, 3.0), 1e-12);
+  run.Device.Next.Buttons = ClutchButton;
+  run.TickAt(hand); // by the slew limit
+  EXPECT_EQ(run.TickAt(hand), Vector3::Zero());
+  EXPECT_TRUE(run.Loop.Latest().IsClutched);
+  EXPECT_EQ(run.Loop.Latest().Structure, -1);
+  EXPECT_EQ(run.RestAt(hand), Vector3::Zero());
+  // Also when a scene is published in the meantime.
+  ASSERT_TRUE(run.Loop.Publish(std::make_shared<TouchScene>(WallScene(0.0, {1.0, 0.0}))).IsOk());
+  EXPECT_EQ(run.RestAt(hand), Vector3::Zero());
+}
+
+TEST(Servo, ClutchEndsOnceItsButtonIsUpAndItWasReleased)
+{
+  test::ServoRun run = PulledRun();
+  const Vector3 hand(0.0, 0.0, 1.0);
+  run.RestAt(hand);
+  run.Device.Next.Buttons = ClutchButton;
+  run.RestAt(hand);
+  run.Loop.ReleaseClutch();
+  EXPECT_EQ(run.RestAt(hand), Vector3::Zero());
+  run.Device.Next.Buttons = 0;
+  EXPECT_EQ(run.RestAt(hand), Vector3::Zero());
+  run.Loop.ReleaseClutch();
+  EXPECT_EQ(run.RestAt(hand), Vector3(3.0, 0.0, 0.0));
+}
+
+TEST(Servo, StaysOffAlsoBeforeATickHasSwitchedOff)
+{
+  test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
+  run.RestAt({0.0, 0.0, 1.0});
+  EXPECT_FALSE(run.Loop.StaysOff());
+  run.Loop.SwitchOff();
+  EXPECT_TRUE(run.Loop.StaysOff());
+  run.TickAt({0.0, 0.0, 1.0});
+  EXPECT_TRUE(run.Loop.StaysOff());
+  run.Loop.Rearm();
+  run.TickAt({0.0, 0.0, 1.0});
+  EXPECT_FALSE(run.Loop.StaysOff());
 }
 
 TEST(Servo, QueriesNoModelBeforeTheDeviceIsReady)

@@ -42,6 +42,7 @@ private:
       return this->Felt;
     }
     void Release() noexcept override { this->Side = 0.0; }
+    bool IsFreeAt(const ToolPose&) noexcept override { return true; } // it has no inside
 
   private:
     double Side = 0.0; // of the first pose
