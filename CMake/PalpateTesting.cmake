@@ -12,7 +12,6 @@ foreach(linker lld gold)
     break()
   endif()
 endforeach()
-find_program(PALPATE_XVFB_RUN xvfb-run)
 # A virtual USB bus for unchanged programs.
 if(PkgConfig_FOUND AND TARGET PkgConfig::libusb)
   pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0 gobject-2.0)

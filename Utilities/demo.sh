@@ -9,9 +9,12 @@ output=demo-output
 
 programs=${1:-build/release/bin}
 if [ $# -eq 0 ]; then
-  # Without tests, benchmarks and wrappers, which Utilities/test.sh builds, and without their packages.
   Utilities/install-dependencies.sh demo
-  Utilities/build.sh palpate palpate-viewer
+  # Without tests, benchmarks and Python: some of their packages may be installed and others not.
+  # Utilities/test.sh adds them to the same folder.
+  echo "== Build: preset demo into build/release (programs in build/release/bin)"
+  cmake --preset demo --log-level=NOTICE
+  cmake --build --preset demo --parallel "$(nproc)"
 fi
 
 echo "== Demonstration: twelve structures of $templates/aal.nii.gz, as spherical-harmonic models"
