@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 benchmarks="xvfb-run -a build/release/bin/PalpateBenchmarks"
 counts=build/release/instructions
 
-Utilities/build.sh
+Utilities/build.sh --preset benchmarks
 rm -rf "$counts"
 mkdir -p "$counts"
 echo "Counting instructions (some minutes without a filter) ..." >&2

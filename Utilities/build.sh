@@ -1,10 +1,16 @@
 #!/bin/sh
-# Configures the release preset and builds it into build/release, incrementally: everything, or the
+# Configures a preset, release unless another one is named, and builds it incrementally: everything, or the
 # targets that are named.
+#   Utilities/build.sh [--preset PRESET] [TARGET…]
 set -eu
 cd "$(dirname "$0")/.."
 
-echo "== Build: preset release into build/release (programs in build/release/bin)"
-cmake --preset release --log-level=NOTICE
+preset=release
+if [ "${1-}" = --preset ]; then
+  preset=${2:?--preset needs a name}
+  shift 2
+fi
+echo "== Build: preset $preset (programs in build/release/bin)"
+cmake --preset "$preset" --log-level=NOTICE
 [ $# -eq 0 ] || set -- --target "$@"
-cmake --build --preset release --parallel "$(nproc)" "$@"
+cmake --build --preset "$preset" --parallel "$(nproc)" "$@"

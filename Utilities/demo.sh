@@ -12,9 +12,7 @@ if [ $# -eq 0 ]; then
   Utilities/install-dependencies.sh demo
   # Without tests, benchmarks and Python: some of their packages may be installed and others not.
   # Utilities/test.sh adds them to the same folder.
-  echo "== Build: preset demo into build/release (programs in build/release/bin)"
-  cmake --preset demo --log-level=NOTICE
-  cmake --build --preset demo --parallel "$(nproc)"
+  Utilities/build.sh --preset demo
 fi
 
 echo "== Demonstration: twelve structures of $templates/aal.nii.gz, as spherical-harmonic models"

@@ -4,6 +4,6 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
+Utilities/build.sh --preset benchmarks
 build/release/bin/PalpateScenes build/release/scenes.json
 exec /usr/bin/python3 Utilities/scenes.py build/release/scenes.json

@@ -4,6 +4,6 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
+Utilities/build.sh --preset benchmarks
 build/release/bin/PalpateStability build/release/stability.json
 exec /usr/bin/python3 Utilities/stability.py build/release/stability.json

@@ -5,5 +5,5 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
+Utilities/build.sh --preset benchmarks
 exec build/release/bin/PalpateSurfaceTouch 6667 1000000 30000 "$@"

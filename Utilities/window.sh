@@ -4,6 +4,6 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
+Utilities/build.sh --preset benchmarks
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" build/release/bin/PalpateWindow build/release/window.json
 exec /usr/bin/python3 Utilities/window.py build/release/window.json

@@ -30,7 +30,7 @@ PACKAGES = {
 SEARCHES = ["PKG_CONFIG_EXECUTABLE", "PALPATE_SHARP_LIBRARY", "PALPATE_CCACHE", "PALPATE_DOXYGEN"]
 
 
-def configure(folder, *arguments, preset="release", **environment):
+def configure(folder, *arguments, preset="benchmarks", **environment):
     """Standard output of a configuration that has to succeed without a warning."""
     command = [CMAKE, "--no-warn-unused-cli", "--preset", preset, "-S", SOURCE, "-B", folder, *arguments]
     done = subprocess.run(
