@@ -9,6 +9,7 @@
 #include "ModelFile.h"
 #include "OutputNames.h"
 #include "Refusal.h"
+#include "TableEncoding.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -177,7 +178,8 @@ CasePairs CasePairs::OfTable(const std::filesystem::path& file)
 {
   const std::filesystem::path folder = file.parent_path();
   CasePairs pairs;
-  ForEachCsvRecord(ReadWholeFile(file, LargestTable),
+  std::string encoding;
+  ForEachCsvRecord(TableAsUtf8(ReadWholeFile(file, LargestTable), file.string(), encoding),
                    [&](const CsvRecord& record)
                    {
                      const std::string first = Field(record, "first");

@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "OutputNames.h"
 #include "SurfaceFile.h"
+#include "TableEncoding.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -68,7 +69,9 @@ std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
                      volume.empty() ? std::filesystem::path() : folder / volume});
     CheckRow(file, cases.back());
   };
-  ForEachCsvRecord(ReadWholeFile(file, LargestManifest), take);
+  std::string encoding;
+  ForEachCsvRecord(TableAsUtf8(ReadWholeFile(file, LargestManifest), file.string(), encoding),
+                   take);
   if (cases.empty())
   {
     throw InputError(

@@ -11,6 +11,18 @@ namespace
 {
 constexpr std::string_view ByteOrderMark = "\xEF\xBB\xBF";
 
+std::string_view WithoutMark(std::string_view text)
+{
+  const bool isMarked = text.substr(0, ByteOrderMark.size()) == ByteOrderMark;
+  return text.substr(isMarked ? ByteOrderMark.size() : 0);
+}
+
+// Excel's "sep=;" says what separates the fields.
+bool NamesSeparator(std::string_view text)
+{
+  return text.substr(0, 4) == "sep=" && text.size() > 5 && (text[5] == '\r' || text[5] == '\n');
+}
+
 class CsvReader
 {
 public:
@@ -19,13 +31,13 @@ public:
 
   void Read(std::string_view text)
   {
-    const bool isMarked = text.substr(0, ByteOrderMark.size()) == ByteOrderMark;
-    text.remove_prefix(isMarked ? ByteOrderMark.size() : 0);
     for (std::size_t i = 0; i < text.size(); ++i)
     {
       const bool isDoubled = this->Quoted && text[i] == '"' && text.substr(i + 1, 1) == "\"";
       i += isDoubled ? 1 : 0;
-      this->Take(text[i], isDoubled);
+      const bool isLineEnd = !this->Quoted && text[i] == '\r';
+      i += isLineEnd && text.substr(i + 1, 1) == "\n" ? 1 : 0;
+      this->Take(isLineEnd ? '\n' : text[i], isDoubled);
     }
     this->EndRow();
   }
@@ -46,7 +58,7 @@ private:
     {
       this->EndRow();
     }
-    else if (this->Quoted || letter != '\r')
+    else
     {
       this->Field += letter;
     }
@@ -127,7 +139,13 @@ char CsvSeparator(std::string_view text)
   constexpr std::string_view Separators = ",;\t";
   std::array<std::size_t, Separators.size()> counts{};
   bool isQuoted = false;
-  for (std::size_t i = 0; i < text.size() && (isQuoted || text[i] != '\n'); ++i)
+  text = WithoutMark(text);
+  if (NamesSeparator(text))
+  {
+    return text[4];
+  }
+  const auto isLineEnd = [](char letter) { return letter == '\n' || letter == '\r'; };
+  for (std::size_t i = 0; i < text.size() && (isQuoted || !isLineEnd(text[i])); ++i)
   {
     isQuoted = isQuoted != (text[i] == '"');
     const std::size_t kind = Separators.find(text[i]);
@@ -156,6 +174,9 @@ void ForEachCsvRecord(std::string_view text, const std::function<void(const CsvR
     }
     head = std::move(columns);
   };
-  CsvReader(CsvSeparator(text), takeRow).Read(text);
+  const char separator = CsvSeparator(text);
+  text = WithoutMark(text);
+  text.remove_prefix(NamesSeparator(text) ? 5 : 0);
+  CsvReader(separator, takeRow).Read(text);
 }
 } // namespace palpate

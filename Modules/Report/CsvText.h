@@ -38,13 +38,14 @@ private:
   std::vector<std::string> Fields;
 };
 
-/// What separates the fields of a text: of comma, semicolon and tab the one that its header has
-/// most of outside of quotes. A comma if it has none.
+/// What separates the fields of a text: what a first line such as `sep=;` says, otherwise of comma,
+/// semicolon and tab the one that its header has most of outside of quotes. A comma if it has none.
 PALPATEREPORT_EXPORT char CsvSeparator(std::string_view text);
 
 /// Calls `take` with each row of a text with separated fields (CsvSeparator; RFC 4180: quotes
-/// around fields with separators, line breaks or quotes, which are doubled) after the header. Empty
-/// lines and a byte-order mark are ignored. CsvLine's changes to fields that look like formulas are
+/// around fields with separators, line breaks or quotes, which are doubled) after the header. Lines
+/// end with LF, CR LF or CR. Empty lines, a byte-order mark and a first line with the separator are
+/// ignored. CsvLine's changes to fields that look like formulas are
 /// undone. Keeps one row at a time: a text of commas would need many times its size.
 PALPATEREPORT_EXPORT void ForEachCsvRecord(std::string_view text,
                                            const std::function<void(const CsvRecord&)>& take);

@@ -81,6 +81,21 @@ std::string Printable(const std::string& text)
   return printable;
 }
 
+bool IsUtf8(const std::string& text)
+{
+  std::size_t i = 0;
+  while (i < text.size())
+  {
+    const Character character = CharacterAt(text, i);
+    if (!character.IsUtf8)
+    {
+      return false;
+    }
+    i += character.Bytes;
+  }
+  return true;
+}
+
 std::string Shortened(const std::string& text, std::size_t characters)
 {
   std::size_t count = 0;

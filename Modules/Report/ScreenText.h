@@ -12,6 +12,9 @@ namespace palpate
 /// are not UTF-8 are replaced byte by byte, as in `\x1b`.
 PALPATEREPORT_EXPORT std::string Printable(const std::string& text);
 
+/// Whether all bytes form characters of UTF-8 (RFC 3629).
+PALPATEREPORT_EXPORT bool IsUtf8(const std::string& text);
+
 /// The first characters (UTF-8) of a text, ending with an ellipsis if it is longer.
 PALPATEREPORT_EXPORT std::string Shortened(const std::string& text, std::size_t characters);
 } // namespace palpate
