@@ -6,6 +6,7 @@
 #include "MappedMean.h"
 #include "ScreenText.h"
 #include "SurfaceFile.h"
+#include "VarianceInflation.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ namespace palpate
 namespace
 {
 constexpr double Significance = 0.05;
-constexpr Eigen::Index MostRepeatedModes = 10;
 
 vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
 {
@@ -53,12 +53,19 @@ double SignificantArea(const NormalDisplacement& surface, const Eigen::VectorXd&
 
 std::string TermTable(const CohortEffects& effects)
 {
-  std::string text =
-      CsvLine({"term",         "columns",    "cases",        "scores",         "pillai",
-               "pillai_f",     "pillai_df1", "pillai_df2",   "pillai_p",       "wilks",
-               "wilks_p",      "surface_f",  "surface_p",    "least_p_family", "least_p_tfce",
-               "least_q",      "family_mm2", "tfce_mm2",     "discovery_mm2",  "largest_mm",
-               "largest_unit", "largest_r2", "permutations", "seed",           "beyond_modes"});
+  std::string text = CsvLine({"term",          "columns",
+                              "cases",         "scores",
+                              "pillai",        "pillai_f",
+                              "pillai_df1",    "pillai_df2",
+                              "pillai_p",      "wilks",
+                              "wilks_p",       "surface_f",
+                              "surface_p",     "least_p_family",
+                              "least_p_tfce",  "least_q",
+                              "family_mm2",    "tfce_mm2",
+                              "discovery_mm2", "largest_mm",
+                              "largest_unit",  "largest_r2",
+                              "permutations",  "seed",
+                              "beyond_modes",  "variance_inflation"});
   for (const TermEffect& effect : effects.Terms)
   {
     const MultivariateStatistic& pillai = effect.Scores.Pillai;
@@ -87,7 +94,8 @@ std::string TermTable(const CohortEffects& effects)
                      number(effect.PartialR2.maxCoeff()),
                      std::to_string(effects.Settings.Permutations.Count),
                      std::to_string(effects.Settings.Permutations.Seed),
-                     std::to_string(effects.Settings.BeyondModes)});
+                     std::to_string(effects.Settings.BeyondModes),
+                     number(VarianceInflation(effects.Design, effect.Term))});
   }
   return text;
 }
@@ -103,32 +111,6 @@ std::string DesignTable(const CohortGroup& group, const LinearDesign& design)
     for (Eigen::Index k = 0; k < design.Matrix.cols(); ++k)
     {
       fields.push_back(ExactText(design.Matrix(static_cast<Eigen::Index>(i), k)));
-    }
-    text += CsvLine(fields);
-  }
-  return text;
-}
-
-std::string RepeatedTable(const CohortGroup& group, const CovariateTable& covariates,
-                          Eigen::Index modes)
-{
-  std::vector<std::string> head = ModeNames(modes);
-  head.insert(head.begin(), "case");
-  for (const Covariate& column : covariates.Columns())
-  {
-    head.push_back(column.Name());
-  }
-  std::string text = CsvLine(head);
-  for (std::size_t row = 0; row < group.Rows.size(); ++row)
-  {
-    std::vector<std::string> fields{group.Rows[row].Case};
-    for (Eigen::Index k = 0; k < modes; ++k)
-    {
-      fields.push_back(ExactText(group.Modes.Scores(static_cast<Eigen::Index>(row), k)));
-    }
-    for (const Covariate& column : covariates.Columns())
-    {
-      fields.push_back(column.IsMissing(row) ? std::string() : column.Texts()[row]);
     }
     text += CsvLine(fields);
   }
@@ -166,36 +148,5 @@ void WriteCohortEffects(const CohortGroup& group, const CohortEffects& effects,
   WriteWholeFile(folder / "effects.csv", TermTable(effects));
   WriteWholeFile(folder / "design.csv", DesignTable(group, effects.Design));
   WriteSurface(folder / "effects.vtp", EffectSurface(effects));
-}
-
-void WriteRepeatedScans(const CohortGroup& group, const CovariateTable& covariates,
-                        const ModelFormula& formula, const std::string& patient,
-                        const std::filesystem::path& folder)
-{
-  if (covariates.Find(patient) == nullptr)
-  {
-    throw InputError("the covariates have no column " + patient + " that names the patients");
-  }
-  const Eigen::Index modes = std::min(MostRepeatedModes, group.Modes.Scores.cols());
-  FormulaVariable column;
-  column.Column = patient;
-  WriteWholeFile(folder / "repeated.csv", RepeatedTable(group, covariates, modes));
-  WriteWholeFile(
-      folder / "repeated.R",
-      "# Shapes of patients who were scanned more than once: a random intercept for each patient.\n"
-      "# Run in this folder: Rscript repeated.R\n"
-      "library(nlme)\n"
-      "d <- read.csv(\"repeated.csv\", stringsAsFactors = TRUE, check.names = FALSE)\n"
-      "for (k in 1:" +
-          std::to_string(modes) +
-          ") {\n"
-          "  d$score <- d[[paste0(\"mode_\", k)]] # mm\n"
-          "  model <- lme(score " +
-          formula.Text() + ", random = ~ 1 | " + column.Text() +
-          ", data = d, na.action = na.omit)\n"
-          "  cat(\"\\nMode\", k, \"\\n\")\n"
-          "  print(anova(model, type = \"marginal\"))\n"
-          "  print(summary(model)$tTable)\n"
-          "}\n");
 }
 } // namespace palpate

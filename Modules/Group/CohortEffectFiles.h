@@ -16,12 +16,4 @@ PALPATEGROUP_EXPORT std::string CohortEffectText(const CohortEffects& effects);
 /// existing folder. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortEffects(const CohortGroup& group, const CohortEffects& effects,
                                             const std::filesystem::path& folder);
-
-/// Writes repeated.csv (case, scores of the first modes, covariates) and repeated.R, a script that
-/// fits each mode with a random intercept for each value of the column `patient` (R's package
-/// nlme), into an existing folder. Throws InputError if the covariates have no such column.
-PALPATEGROUP_EXPORT void WriteRepeatedScans(const CohortGroup& group,
-                                            const CovariateTable& covariates,
-                                            const ModelFormula& formula, const std::string& patient,
-                                            const std::filesystem::path& folder);
 } // namespace palpate

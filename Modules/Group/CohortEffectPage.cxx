@@ -5,6 +5,7 @@
 #include "MappedMean.h"
 #include "ReportPage.h"
 #include "ShapeFigures.h"
+#include "VarianceInflation.h"
 
 #include <algorithm>
 #include <array>
@@ -78,10 +79,14 @@ std::string FormulaText(const CohortEffects& effects)
          "0.05).</p>\n";
 }
 
-std::string OmissionNote(const LinearDesign& design)
+std::string DesignNotes(const LinearDesign& design)
 {
-  const std::string text = design.OmissionText();
-  return text.empty() ? text : ReportNotes({text});
+  std::vector<std::string> notes = InflationNotes(design);
+  if (!design.Omitted.empty())
+  {
+    notes.push_back(design.OmissionText());
+  }
+  return notes.empty() ? std::string() : ReportNotes(notes);
 }
 
 std::string EffectFigures(const CohortEffects& effects, const TermEffect& effect, vtkPolyData* mean)
@@ -141,6 +146,6 @@ std::string CohortEffectSection(const CohortEffects& effects)
   {
     content += EffectFigures(effects, effect, mean);
   }
-  return ReportSection("Covariates", content + OmissionNote(effects.Design));
+  return ReportSection("Covariates", content + DesignNotes(effects.Design));
 }
 } // namespace palpate

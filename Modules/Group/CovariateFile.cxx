@@ -2,11 +2,12 @@
 
 #include "CsvText.h"
 #include "InputError.h"
+#include "MatchedRows.h"
+#include "TableEncoding.h"
 #include "WholeFile.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -19,9 +20,6 @@ constexpr std::uintmax_t LargestCovariateFile = 1U << 26U;
 constexpr std::size_t MostColumns = 4096;
 constexpr std::array<const char*, 6> IdNames{
     {"case", "id", "patient_id", "participant_id", "subject", "subject_id"}};
-
-// participant_id of BIDS has it, a pattern such as sub-{id} leaves it out.
-const std::string BidsPrefix = "sub-";
 
 /// The rows of a file, each with a text for each column.
 struct CsvTable
@@ -45,13 +43,29 @@ std::string WithDecimalPoint(std::string text)
   return text;
 }
 
-CsvTable ReadTable(const std::filesystem::path& file)
+// Without blanks at its ends, also those that do not break a line.
+std::string Trimmed(std::string text)
+{
+  for (std::size_t at = text.find("\xC2\xA0"); at != std::string::npos;
+       at = text.find("\xC2\xA0", at))
+  {
+    text.replace(at, 2, " ");
+  }
+  const std::size_t first = text.find_first_not_of(" \t");
+  const std::size_t last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
+CsvTable ReadTable(const std::filesystem::path& file, std::vector<std::string>& notes)
 {
   CsvTable table;
-  const std::string text = ReadWholeFile(file, LargestCovariateFile);
-  if (text.find('\0') != std::string::npos)
+  std::string encoding;
+  const std::string text =
+      TableAsUtf8(ReadWholeFile(file, LargestCovariateFile), file.string(), encoding);
+  if (!encoding.empty())
   {
-    throw InputError(file.string() + " is not plain text; save it as CSV in UTF-8");
+    notes.push_back(file.string() + " was read as " + encoding +
+                    "; if its words look wrong, save it as CSV in UTF-8");
   }
   const bool mayHaveDecimalCommas = CsvSeparator(text) == ';';
   ForEachCsvRecord(text,
@@ -68,7 +82,7 @@ CsvTable ReadTable(const std::filesystem::path& file)
                      std::vector<std::string> row;
                      for (const std::string& column : table.Columns)
                      {
-                       const std::string& field = *record.Find(column);
+                       const std::string field = Trimmed(*record.Find(column));
                        row.push_back(mayHaveDecimalCommas ? WithDecimalPoint(field) : field);
                      }
                      table.Rows.push_back(std::move(row));
@@ -78,6 +92,7 @@ CsvTable ReadTable(const std::filesystem::path& file)
     throw InputError(file.string() +
                      " has no rows; covariates are a table with a header and one row per case");
   }
+  std::transform(table.Columns.begin(), table.Columns.end(), table.Columns.begin(), &Trimmed);
   return table;
 }
 
@@ -105,63 +120,27 @@ std::size_t IdColumn(const CsvTable& table, const std::string& wanted,
   return first < table.Columns.size() ? first : 0;
 }
 
-bool HasWholePart(const std::string& name, const std::string& part)
-{
-  const auto isPartOfWord = [&](std::size_t place)
-  { return place < name.size() && std::isalnum(static_cast<unsigned char>(name[place])) != 0; };
-  for (std::size_t at = name.find(part); at != std::string::npos; at = name.find(part, at + 1))
-  {
-    if ((at == 0 || !isPartOfWord(at - 1)) && !isPartOfWord(at + part.size()))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-std::optional<std::size_t> RowOf(const std::string& name, const CsvTable& table, std::size_t column,
-                                 const std::filesystem::path& file)
-{
-  std::optional<std::size_t> best;
-  bool isUnique = true;
-  for (std::size_t row = 0; row < table.Rows.size(); ++row)
-  {
-    const std::string& id = table.Rows[row][column];
-    if (id.empty() || !(HasWholePart(name, id) || id == BidsPrefix + name))
-    {
-      continue;
-    }
-    const std::size_t known = best ? table.Rows[*best][column].size() : 0;
-    if (id.size() >= known)
-    {
-      isUnique = id.size() > known;
-      best = row;
-    }
-  }
-  if (!isUnique)
-  {
-    throw InputError(file.string() + ": several rows have the " + table.Columns[column] + " " +
-                     table.Rows[*best][column] + " of case " + name +
-                     "; name a column with one value per case by --id");
-  }
-  return best;
-}
 } // namespace
 
 CovariateTable ReadCovariates(const std::filesystem::path& file, const std::string& id,
                               const std::vector<std::string>& cases,
                               std::vector<std::string>& notes)
 {
-  const CsvTable table = ReadTable(file);
+  const CsvTable table = ReadTable(file, notes);
   const std::size_t column = IdColumn(table, id, file);
-  std::vector<std::optional<std::size_t>> rows;
-  std::vector<std::string> lacking;
-  for (const std::string& name : cases)
+  std::vector<std::string> ids;
+  for (const std::vector<std::string>& row : table.Rows)
   {
-    rows.push_back(RowOf(name, table, column, file));
-    if (!rows.back())
+    ids.push_back(row[column]);
+  }
+  const MatchedRows found(std::move(ids), cases, file.string(), table.Columns[column]);
+  const std::vector<std::optional<std::size_t>>& rows = found.Rows();
+  std::vector<std::string> lacking;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    if (!rows[i])
     {
-      lacking.push_back(name);
+      lacking.push_back(cases[i]);
     }
   }
   if (lacking.size() == cases.size())
@@ -171,6 +150,7 @@ CovariateTable ReadCovariates(const std::filesystem::path& file, const std::stri
                      (cases.empty() ? "" : cases[0]) +
                      ") or a part of it; name the column by --id");
   }
+  notes.insert(notes.end(), found.Notes().begin(), found.Notes().end());
   if (!lacking.empty())
   {
     notes.push_back(std::to_string(lacking.size()) +

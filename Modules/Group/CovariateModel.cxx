@@ -4,7 +4,10 @@
 #include "CovariateFile.h"
 #include "DecimalText.h"
 #include "InputError.h"
+#include "RepeatedScans.h"
+#include "VarianceInflation.h"
 
+#include <cmath>
 #include <map>
 
 namespace palpate
@@ -30,6 +33,21 @@ CovariateTable TableOf(const CohortGroup& group, const CovariateRequest& request
   table.Add("area_mm2", areas);
   return table;
 }
+void NoteMissingCodes(const CovariateTable& table, const ModelFormula& formula,
+                      std::vector<std::string>& notes)
+{
+  for (const std::string& name : formula.Columns())
+  {
+    const Covariate* column = table.Find(name);
+    const double code = column == nullptr ? NAN : column->LikelyMissingCode();
+    if (!std::isnan(code))
+    {
+      notes.push_back(name + " is " + SignificantText(code, 6) +
+                      " in some cases, which looks like a code for a missing value and was taken "
+                      "for a number; if it is one, leave these cells empty");
+    }
+  }
+}
 } // namespace
 
 CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest& request,
@@ -49,6 +67,7 @@ CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest&
     throw InputError(status.Message());
   }
   this->Table = TableOf(group, request, notes);
+  NoteMissingCodes(this->Table, this->Formula, notes);
   if (!this->Patient.empty())
   {
     notes.push_back("repeated.R fits the model with a random intercept per " + this->Patient +
@@ -64,6 +83,8 @@ CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest&
   this->Tested =
       FindCohortEffects(group, this->Table, this->Formula, references, request.Effects, progress);
   const LinearDesign& design = this->Tested->Design;
+  const std::vector<std::string> inflated = InflationNotes(design);
+  notes.insert(notes.end(), inflated.begin(), inflated.end());
   if (!design.Omitted.empty())
   {
     notes.push_back(design.OmissionText() + "; the first is " +

@@ -7,7 +7,8 @@
 namespace palpate
 {
 /// One column of a table of covariates: numbers, or categories if a known value is not a number.
-/// Empty, NA, N/A, NaN, null and ? count as missing, in any case of letters.
+/// Empty, NA, N/A, NaN, null, ? and the errors of spreadsheets (#N/A, #VALUE!, …) count as missing,
+/// in any case of letters.
 class Covariate
 {
 public:
@@ -19,6 +20,9 @@ public:
   bool IsMissing(std::size_t row) const noexcept { return this->Missing[row]; }
   /// NaN where missing; of numeric columns.
   double Number(std::size_t row) const { return this->Numbers[row]; }
+  /// A number that looks like a code for a missing value: -9, -99, … or 9999, … far from all
+  /// others, which are at least 0. NaN if there is none.
+  double LikelyMissingCode() const;
   /// The row of the first value that is not a number, which makes the column categorical.
   std::size_t FirstTextRow() const noexcept { return this->FirstWord; }
 

@@ -233,6 +233,7 @@ void AppendTerm(const ModelFormula::Term& term, const CodedVariable& coded, Line
   added.Name = TextOf(term);
   added.First = design.Matrix.cols();
   added.Count = coded.Columns.cols();
+  added.IsInteraction = term.size() > 1;
   added.IsNumeric = coded.IsNumeric && term.size() == 1;
   added.Deviation = added.IsNumeric ? DeviationOf(coded.Columns.col(0)) : 0.0;
   design.Matrix.conservativeResize(Eigen::NoChange, added.First + added.Count);

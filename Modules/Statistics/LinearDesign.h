@@ -19,6 +19,7 @@ struct DesignTerm
   Eigen::Index Count = 0;
   /// False for a part of an interaction, whose own effect depends on how factors are coded.
   bool IsTested = true;
+  bool IsInteraction = false;
   bool IsNumeric = false; ///< one column of numbers, whose effect is per unit
   double Deviation = 0.0; ///< standard deviation of that column
 };

@@ -194,25 +194,119 @@ TEST(CohortEffects, SectionIsWellFormedAndNamesNoCase)
   EXPECT_NE(html.find("group a"), std::string::npos); // the reference level
 }
 
-TEST(CovariateModel, WritesAScriptInsteadOfTestsForRepeatedScans)
+// F of a term of a mode, as the script prints it; -1 if it does not.
+double PrintedF(const std::string& text, const std::string& mode, const std::string& term)
 {
-  const EffectCohort cohort;
-  CovariateRequest request = cohort.Request("~ age");
-  request.Patient = "group";
+  const std::size_t first = text.find("Mode " + mode + " ");
+  const std::size_t place = text.find(term + " : F ", first);
+  return first == std::string::npos || place == std::string::npos
+             ? -1.0
+             : std::stod(text.substr(place + term.size() + 5));
+}
+
+/// Twenty patients with two scans each, a and b: a patient's own score, 2 mm more in scan b, and
+/// noise. The oracles are exact for equal numbers of scans: the paired t-test for what varies
+/// within patients, the t-test of the patients' means for what does not.
+struct TwoScans
+{
+  TwoScans()
+  {
+    std::string table = "case,group,patient,site\n";
+    std::mt19937 random(8);
+    std::normal_distribution<double> normal;
+    for (int i = 0; i < Cases; i += 2)
+    {
+      const double own = 3.0 * normal(random);
+      for (int scan = 0; scan < 2; ++scan)
+      {
+        const double score = own + 2.0 * scan + normal(random);
+        this->Cohort.Group.Modes.Scores(i + scan, 0) = score;
+        this->Scores.push_back(score);
+        table += "c_" + std::to_string(i + scan) + (scan == 1 ? ",b," : ",a,") +
+                 std::to_string(i / 2) + (i < 16 ? ",x\n" : ",y\n");
+      }
+    }
+    WriteAll(this->Cohort.Folder / "covariates.csv", table);
+  }
+  // Of the differences of both scans.
+  double PairedF() const
+  {
+    Eigen::ArrayXd change(Cases / 2);
+    for (Eigen::Index i = 0; i < change.size(); ++i)
+    {
+      change[i] = this->Score(2 * i + 1) - this->Score(2 * i);
+    }
+    const double rest = (change - change.mean()).square().sum() / 19.0;
+    return change.mean() * change.mean() * 20.0 / rest;
+  }
+  // Of the means of the first eight and the other twelve patients.
+  double MeansF() const
+  {
+    Eigen::ArrayXd mean(Cases / 2);
+    for (Eigen::Index i = 0; i < mean.size(); ++i)
+    {
+      mean[i] = 0.5 * (this->Score(2 * i) + this->Score(2 * i + 1));
+    }
+    const auto one = mean.head(8);
+    const auto two = mean.tail(12);
+    const double rest =
+        ((one - one.mean()).square().sum() + (two - two.mean()).square().sum()) / 18.0;
+    const double difference = one.mean() - two.mean();
+    return difference * difference / (rest * (1.0 / 8.0 + 1.0 / 12.0));
+  }
+  double Score(Eigen::Index i) const { return this->Scores[static_cast<std::size_t>(i)]; }
+
+  EffectCohort Cohort;
+  std::vector<double> Scores;
+};
+
+TEST(CovariateModel, WritesAScriptForPlainRInsteadOfTestsForRepeatedScans)
+{
+  const TwoScans scans;
+  CovariateRequest request = scans.Cohort.Request("~ group + site");
+  request.Patient = "patient";
   std::vector<std::string> notes;
-  const CovariateModel model(cohort.Group, request, notes, {});
+  const CovariateModel model(scans.Cohort.Group, request, notes, {});
   EXPECT_EQ(model.Effects(), nullptr);
   ASSERT_EQ(notes.size(), 1U);
-  model.WriteRepeated(cohort.Group, cohort.Folder.Path());
-  EXPECT_NE(ReadAll(cohort.Folder / "repeated.R").find("lme(score ~ age, random = ~ 1 | group"),
-            std::string::npos);
-  if (std::system("Rscript -e 'library(nlme)' >/dev/null 2>&1") == 0) // NOLINT
+  const std::filesystem::path folder = scans.Cohort.Folder.Path();
+  model.WriteRepeated(scans.Cohort.Group, folder);
+  EXPECT_EQ(ReadAll(folder / "repeated.R").find("library("), std::string::npos);
+  const std::string command =
+      "cd '" + folder.string() + "' && Rscript --vanilla repeated.R >out 2>&1";
+  if (std::system("Rscript --version >/dev/null 2>&1") == 0) // NOLINT
   {
-    const std::string command =
-        "cd '" + cohort.Folder.Path().string() + "' && Rscript repeated.R >out 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << ReadAll(cohort.Folder / "out"); // NOLINT
-    EXPECT_NE(ReadAll(cohort.Folder / "out").find("Mode 10"), std::string::npos);
+    EXPECT_EQ(std::system(command.c_str()), 0) << ReadAll(folder / "out"); // NOLINT
+    const std::string text = ReadAll(folder / "out");
+    // R prints 7 digits; the ratio of the variances is found to 1e-8.
+    EXPECT_NEAR(PrintedF(text, "1", "group") / scans.PairedF(), 1.0, 1e-5) << text;
+    EXPECT_NEAR(PrintedF(text, "1", "site") / scans.MeansF(), 1.0, 1e-5);
+    EXPECT_NE(text.find("with 1 and 19 degrees of freedom"), std::string::npos);
+    EXPECT_NE(text.find("with 1 and 18 degrees of freedom"), std::string::npos);
+    EXPECT_GE(PrintedF(text, "10", "site"), 0.0);
   }
+}
+
+TEST(CovariateModel, SaysWhatLooksLikeACodeAndWhatIsCollinear)
+{
+  const EffectCohort cohort;
+  std::string table = "case,age,again\n";
+  for (int i = 0; i < Cases; ++i)
+  {
+    const int age = i == 3 ? -999 : 50 + (7 * i) % 31;
+    table += "c_" + std::to_string(i) + "," + std::to_string(age) + "," +
+             std::to_string(age + i % 2) + "\n";
+  }
+  WriteAll(cohort.Folder / "covariates.csv", table);
+  std::vector<std::string> notes;
+  const CovariateModel model(cohort.Group, cohort.Request("~ age + again"), notes, {});
+  ASSERT_EQ(notes.size(), 3U);
+  EXPECT_NE(notes[0].find("age is -999 in some cases"), std::string::npos);
+  EXPECT_NE(notes[1].find("age is nearly a combination"), std::string::npos);
+  WriteCohortEffects(cohort.Group, *model.Effects(), cohort.Folder.Path());
+  EXPECT_NE(ReadAll(cohort.Folder / "effects.csv").find(",variance_inflation\n"),
+            std::string::npos);
+  EXPECT_NE(CohortEffectSection(*model.Effects()).find("variance inflation"), std::string::npos);
 }
 
 TEST(CovariateModel, RefusesInOneSentence)

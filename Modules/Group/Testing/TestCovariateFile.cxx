@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace palpate::covariate_file_test
 {
 namespace
@@ -65,10 +67,91 @@ TEST(CovariateFile, CommasInQuotesOfTheHeadSeparateNothing)
   EXPECT_NE(table.Find("a, b, c, d"), nullptr);
 }
 
-TEST(CovariateFile, WideCharactersAreRefused)
+// "Zürich" in both encodings.
+TEST(CovariateFile, ReadsEncodingsOfSpreadsheetsAndSaysSo)
 {
-  EXPECT_NE(RefusalOf(std::string("\xff\xfei\0d\0", 6)).find("save it as CSV in UTF-8"),
-            std::string::npos);
+  std::string wide = "\xff\xfe";
+  for (const char letter : std::string("id,site\n10005,Z\xfcrich\n"))
+  {
+    wide += letter;
+    wide += '\0';
+  }
+  for (const std::string& text : {std::string("id,site\n10005,Z\xfcrich\n"), wide})
+  {
+    std::vector<std::string> notes;
+    const CovariateTable table = Read(text, notes);
+    EXPECT_EQ(table.Find("site")->Texts()[0], "Z\xc3\xbcrich");
+    ASSERT_FALSE(notes.empty());
+    EXPECT_NE(notes[0].find("was read as "), std::string::npos);
+  }
+  std::vector<std::string> notes;
+  EXPECT_EQ(Read("id,euro\n10005,\x80\n", notes).Find("euro")->Texts()[0], "\xe2\x82\xac");
+}
+
+TEST(CovariateFile, RefusesWhatIsNoText)
+{
+  const std::string unpaired("\xff\xfei\0d\0\n\0\0\xd8\n\0", 12);
+  for (const std::string& text :
+       {std::string("i\0d\0", 4), unpaired, std::string("id,a\x01\n10005,1\n"),
+        std::string("id,\xef\xbf\xbf\n10005,1\n"), std::string("id,\xfc\x81\n10005,1\n")})
+  {
+    EXPECT_NE(RefusalOf(text).find("save it as CSV in UTF-8"), std::string::npos) << text;
+  }
+}
+
+TEST(CovariateFile, LineEndsAndFirstLineOfSpreadsheets)
+{
+  for (const std::string& text : {std::string("id,age\r10005,62\r10015,63\r"),
+                                  std::string("sep=|\r\nid|age\n10005|62\n10015|63"),
+                                  std::string("\xef\xbb\xbfsep=;\nid;age\n10005;62,0\n10015;63\n"),
+                                  std::string("id , age\r\n 10005 ,\xc2\xa0"
+                                              "62\r\n10015, 63\r\n")})
+  {
+    std::vector<std::string> notes;
+    const CovariateTable table = Read(text, notes);
+    ASSERT_NE(table.Find("age"), nullptr) << text;
+    EXPECT_TRUE(table.Find("age")->IsNumeric()) << text;
+    EXPECT_EQ(table.Find("age")->Number(0), 62.0) << text;
+    EXPECT_EQ(table.Find("age")->Number(1), 63.0) << text;
+  }
+}
+
+TEST(CovariateFile, ErrorsOfSpreadsheetsAreMissing)
+{
+  std::vector<std::string> notes;
+  const CovariateTable table = Read("id,age\n10005,#N/A\n10015,#VALUE!\n100050,3\n", notes);
+  EXPECT_TRUE(table.Find("age")->IsMissing(0));
+  EXPECT_TRUE(table.Find("age")->IsMissing(1));
+  EXPECT_TRUE(table.Find("age")->IsNumeric());
+}
+
+TEST(CovariateFile, FindsIdsThatSpreadsheetsHaveChanged)
+{
+  const std::vector<std::string> padded{"001", "002", "010"};
+  for (const std::array<std::string, 3>& ids :
+       {std::array<std::string, 3>{"1", "2", "10"},
+        {"1.0", "2.0", "10.0"},
+        {"001.nii.gz", "002.nii.gz", "010.nii.gz"},
+        {"masks/001.nrrd", "C:\\masks\\002.nrrd", "010.nrrd"}})
+  {
+    const std::string text = "id,age\n" + ids[0] + ",5\n" + ids[1] + ",6\n" + ids[2] + ",7\n";
+    std::vector<std::string> notes;
+    const CovariateTable table = Read(text, notes, {}, padded);
+    EXPECT_EQ(table.Find("age")->Texts(), (std::vector<std::string>{"5", "6", "7"})) << text;
+    ASSERT_EQ(notes.size(), 1U) << text;
+    EXPECT_NE(notes[0].find("3 cases were found by an id that is written differently"),
+              std::string::npos);
+    EXPECT_NE(notes[0].find("is taken for 010"), std::string::npos);
+  }
+}
+
+// A session's number is not the subject's, and 1 stands for neither of 01 and 001.
+TEST(CovariateFile, TakesNoAmbiguousNumber)
+{
+  std::vector<std::string> notes;
+  const CovariateTable table =
+      Read("id,age\n1,5\n3,6\n3.0,7\n002,8\n", notes, {}, {"sub-002_ses-01", "003", "01", "001"});
+  EXPECT_EQ(table.Find("age")->Texts(), (std::vector<std::string>{"8", "", "", ""}));
 }
 
 TEST(CovariateFile, PrefersTheLongestId)
