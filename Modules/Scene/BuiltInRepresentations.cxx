@@ -1,5 +1,6 @@
 #include "BuiltInRepresentations.h"
 
+#include "DecimalText.h"
 #include "ElasticRepresentation.h"
 #include "OwnCopy.h"
 #include "SceneLabels.h"
@@ -122,6 +123,11 @@ SceneProduct FieldContactOf(const SceneStructure& structure, const StructurePlan
 {
   const auto field = ProductAs<ScalarField>(inputs.data());
   TouchContact contact = MakeFieldContact(field, 0, structure.File);
+  if (!structure.Iso && field->Smoothing() < structure.Smoothing)
+  {
+    contact.Represented +=
+        ", smoothed by " + FixedText(field->Smoothing(), 2) + " voxels only, since it is thin";
+  }
   if (inputs.size() > 1)
   {
     contact.Drilled.Field = field;

@@ -42,17 +42,6 @@ void Require(const Segmentation& segmentation, const Segment& structure, const s
   }
 }
 
-// Structures thinner than the smoothing may vanish.
-std::string WhyVanished(const LabelField& distance, double smoothing)
-{
-  const FieldSamples samples = distance.Samples();
-  const auto* first = static_cast<const float*>(samples.Data);
-  const bool isThere =
-      std::any_of(first, first + samples.Count(), [](float value) { return value > 0.0f; });
-  return isThere ? std::string()
-                 : "has no voxel left after smoothing by " + FixedText(smoothing, 1) + " voxels";
-}
-
 // Fraction of the time that distances to labels take.
 constexpr double DistancesPart = 0.8;
 
@@ -174,15 +163,16 @@ std::shared_ptr<const ScalarField> MakeSegmentField(const Segmentation& segmenta
   const auto layerOf = [&](int layer)
   { return segmentation.Layers[static_cast<std::size_t>(layer)]; };
   const std::vector<LabelField> distances = DistancesOf(structures, layerOf, smoothing, progress);
-  for (std::size_t s = 0; s < structures.size(); ++s)
-  {
-    Require(segmentation, structures[s], WhyVanished(distances[s], smoothing),
-            "smooth it less, or choose another structure");
-  }
   const FieldGrid whole = GridOfImage(segmentation.Layers.front());
   const NodeBox box = BoxOf(distances, whole, form.Interpolation);
   FieldBuilder builder(PartOf(whole, box));
-  builder.SetForm(form);
+  FieldForm smoothed = form;
+  smoothed.Smoothing = smoothing;
+  for (const LabelField& distance : distances)
+  {
+    smoothed.Smoothing = std::min(smoothed.Smoothing, distance.Smoothing());
+  }
+  builder.SetForm(smoothed);
   for (const LabelField& distance : distances)
   {
     FieldSamples samples = distance.Samples();

@@ -16,7 +16,8 @@ enum class FieldInterpolation
 struct FieldForm
 {
   FieldInterpolation Interpolation;
-  bool KeepsInside; ///< for all materials, as FieldBuilder::KeepInside; drilling requires it
+  bool KeepsInside;       ///< for all materials, as FieldBuilder::KeepInside; drilling requires it
+  double Smoothing = 0.0; ///< voxels, of the label that it is made from: for ScalarField::Smoothing
 
   FieldForm(FieldInterpolation interpolation, bool keepsInside = false)
       : Interpolation(interpolation), KeepsInside(keepsInside)

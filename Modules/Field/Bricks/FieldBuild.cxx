@@ -4,14 +4,15 @@
 
 namespace palpate
 {
-FieldBuild::FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
+FieldBuild::FieldBuild(const FieldGrid& grid, const FieldForm& form,
                        const std::vector<FieldMaterial>& materials,
                        const FieldBuilder::Progress& progress)
     : Field(new ScalarField), Report(progress)
 {
   this->Field->NodeGrid = grid;
-  this->Field->Method = interpolation;
-  this->Field->Bricks = BrickLayout(grid.Size(), interpolation);
+  this->Field->Method = form.Interpolation;
+  this->Field->LabelSmoothing = form.Smoothing;
+  this->Field->Bricks = BrickLayout(grid.Size(), form.Interpolation);
   this->Field->BrickEntries = BrickDirectory(this->Field->Bricks);
   this->Field->Materials = materials;
   this->Field->Maps.assign(materials.size(), MaterialMap(this->Field->Bricks.BrickCount()));

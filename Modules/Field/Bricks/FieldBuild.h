@@ -10,7 +10,7 @@ namespace palpate
 class FieldBuild
 {
 public:
-  FieldBuild(const FieldGrid& grid, FieldInterpolation interpolation,
+  FieldBuild(const FieldGrid& grid, const FieldForm& form,
              const std::vector<FieldMaterial>& materials, const FieldBuilder::Progress& progress);
 
   void AddChannel(const FieldSamples& samples, ScalarType stored);

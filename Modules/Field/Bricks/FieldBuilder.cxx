@@ -172,7 +172,7 @@ Status FieldBuilder::Build(std::shared_ptr<const ScalarField>& field,
     {
       return status;
     }
-    FieldBuild build(this->Grid, this->Form.Interpolation, this->Materials, progress);
+    FieldBuild build(this->Grid, this->Form, this->Materials, progress);
     for (std::size_t channel = 0; channel < surveys.size(); ++channel)
     {
       build.AddChannel(this->Channels[channel], surveys[channel].Exact);

@@ -145,6 +145,28 @@ void Smooth(const VoxelMask& mask, std::size_t axis, double deviation, std::vect
     }
   }
 }
+std::vector<float> SmoothedBy(const DistanceRule& rule, const VoxelMask& mask,
+                              const std::vector<float>& distances)
+{
+  std::vector<float> smoothed = distances;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    if (rule.Deviation[axis] > 0.0)
+    {
+      Smooth(mask, axis, rule.Deviation[axis], smoothed);
+    }
+  }
+  return smoothed;
+}
+
+std::ptrdiff_t InsideCount(const std::vector<float>& distances)
+{
+  return std::count_if(distances.begin(), distances.end(),
+                       [](float distance) { return distance > 0.0f; });
+}
+
+// Voxels; less than this leaves the voxels' steps as they are.
+constexpr double LeastSmoothing = 0.2;
 } // namespace
 
 Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long long label,
@@ -173,10 +195,14 @@ Status LabelField::Make(const FieldSamples& labels, const FieldGrid& grid, long 
   {
     return Status::Failure("No voxel has the label " + std::to_string(label) + ".");
   }
-  field.Distances = ClampedDistances(mask, rule);
-  for (std::size_t axis = 0; axis < 3 && smoothing > 0.0; ++axis)
+  const std::vector<float> distances = ClampedDistances(mask, rule);
+  const auto least = InsideCount(distances) / 2;
+  field.Smoothed = smoothing;
+  field.Distances = SmoothedBy(RuleFor(grid, smoothing), mask, distances);
+  while (InsideCount(field.Distances) < least)
   {
-    Smooth(mask, axis, rule.Deviation[axis], field.Distances);
+    field.Smoothed = field.Smoothed > LeastSmoothing ? 0.5 * field.Smoothed : 0.0;
+    field.Distances = SmoothedBy(RuleFor(grid, field.Smoothed), mask, distances);
   }
   field.StartIndex = mask.StartIndex;
   field.Size = mask.Size;

@@ -20,7 +20,8 @@ namespace palpate
 ///
 /// Unsmoothed, the field keeps the side of every voxel centre, and its normals still show the
 /// voxels. Smoothing is a Gaussian whose standard deviation is in units of the smallest spacing;
-/// thinner parts may vanish.
+/// thinner parts may vanish. If more than half of the label's voxels would, as of a plate of one
+/// voxel, the smoothing is halved until they stay.
 class LabelField
 {
 public:
@@ -29,6 +30,8 @@ public:
   static Status Make(const FieldSamples& labels, const FieldGrid& grid, long long label,
                      double smoothing, LabelField& field);
 
+  /// The smoothing that was used.
+  double Smoothing() const noexcept { return this->Smoothed; }
   /// For FieldBuilder; the label is where they are at least 0. Valid as long as this object.
   FieldSamples Samples() const noexcept;
 
@@ -37,5 +40,6 @@ private:
   std::array<int, 3> StartIndex{};
   std::array<int, 3> Size{};
   float CutOff = 0.0f;
+  double Smoothed = 0.0;
 };
 } // namespace palpate

@@ -65,6 +65,7 @@ ScalarField ScalarField::WithRecords(const RecordLayout& layout, const std::byte
   ScalarField field;
   field.NodeGrid = this->NodeGrid;
   field.Method = this->Method;
+  field.LabelSmoothing = this->LabelSmoothing;
   field.Bricks = this->Bricks;
   field.Materials = this->Materials;
   field.BrickEntries = BrickDirectory(this->Bricks);

@@ -23,6 +23,8 @@ class ScalarField
 public:
   const FieldGrid& Grid() const noexcept { return this->NodeGrid; }
   FieldInterpolation Interpolation() const noexcept { return this->Method; }
+  /// Standard deviation (voxels) by which the label that it was made from was smoothed; 0: none.
+  double Smoothing() const noexcept { return this->LabelSmoothing; }
   int ChannelCount() const noexcept { return static_cast<int>(this->Channels.size()); }
   int MaterialCount() const noexcept { return static_cast<int>(this->Materials.size()); }
   const FieldMaterial& Material(int material) const noexcept
@@ -66,6 +68,7 @@ private:
 
   FieldGrid NodeGrid;
   FieldInterpolation Method = FieldInterpolation::Trilinear;
+  double LabelSmoothing = 0.0;
   BrickLayout Bricks;
   BrickDirectory BrickEntries;
   std::vector<FieldMaterial> Materials;

@@ -190,6 +190,31 @@ TEST(LabelField, SmoothingSmoothsASphere)
   EXPECT_LE(errors.MeanAngle, 0.08);
 }
 
+// A plate of one voxel, a thread of one and a block of five, each smoothed by one voxel.
+TEST(LabelField, SmoothingLeavesThinStructures)
+{
+  const FieldGrid grid({20, 20, 20}, Vector3::Zero(), Vector3::Ones(), Matrix3::Identity());
+  for (const auto& [thickness, height] : {std::pair(1, 12), std::pair(1, 1), std::pair(5, 5)})
+  {
+    std::vector<unsigned char> labels(grid.NodeCount(), 0);
+    for (int k = 4; k < 4 + thickness; ++k)
+    {
+      for (int j = 4; j < 4 + height; ++j)
+      {
+        std::fill_n(labels.begin() + (20 * k + j) * 20 + 4, 12, 1);
+      }
+    }
+    LabelField field;
+    ASSERT_TRUE(LabelField::Make(SamplesOfGrid(labels.data(), grid), grid, 1, 1.0, field).IsOk());
+    const FieldSamples samples = field.Samples();
+    const auto* first = static_cast<const float*>(samples.Data);
+    const auto inside =
+        std::count_if(first, first + samples.Count(), [](float value) { return value > 0.0f; });
+    EXPECT_GE(inside, 12 * thickness * height / 2);
+    EXPECT_EQ(field.Smoothing() == 1.0, thickness == 5);
+  }
+}
+
 TEST(LabelField, InterpolatesThickSlices)
 {
   const SphereErrors errors = ErrorsOfMaskedSphere({0.5, 0.5, 5.0}, 0.0);

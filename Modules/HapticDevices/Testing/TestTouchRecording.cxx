@@ -84,7 +84,7 @@ TEST(TouchRecordingFormat, RejectsInvalidTick)
   TouchState state;
   ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
   const std::pair<std::size_t, std::uint64_t> bad[] = {
-      {5, 0x4000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
+      {5, 0x8000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
       {34, 5}};
   for (const auto& [word, value] : bad)
   {

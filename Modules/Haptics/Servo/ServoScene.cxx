@@ -270,6 +270,7 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
     field += follower.FieldForce();
     const Contact& contact = follower.Touched();
     feeling.IsValid = feeling.IsValid && contact.IsValid;
+    feeling.IsBuried = feeling.IsBuried || follower.IsSilent();
     if (contact.IsTouching && (feeling.Structure < 0 || contact.Depth > feeling.Deepest.Depth))
     {
       feeling.Structure = static_cast<int>(this->Near[i]);

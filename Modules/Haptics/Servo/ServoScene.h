@@ -39,6 +39,7 @@ public:
     int Structure = -1;              ///< the one touched most deeply; -1 without contact
     Contact Deepest;                 ///< of that structure
     bool IsValid = true;             ///< every model gave a valid result
+    bool IsBuried = false;           ///< a structure contains the tool, which did not move there
   };
 
   static Status Make(std::shared_ptr<const TouchScene> scene, double velocityTimeConstant,

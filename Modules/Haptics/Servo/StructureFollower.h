@@ -118,6 +118,8 @@ public:
   /// N/mm of the hand, of the last contact.
   double StiffnessDevice() const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
+  /// Whether it contains the tool, which did not move there, and is silent.
+  bool IsSilent() const noexcept { return this->IsBuried; }
   int Id() const noexcept { return this->Structure->Id; }
 
   /// With its tracker.

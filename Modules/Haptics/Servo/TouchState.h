@@ -26,14 +26,15 @@ struct TouchState
   std::int32_t Structure = -1; ///< the one touched most deeply; -1 without contact
   double Depth = 0.0;          ///< mm, in that structure
   /// If that structure yields, as ElasticForce has them; else 0 and false.
-  double PatchRadius = 0.0;                  ///< mm
-  double ElasticEnergy = 0.0;                ///< N mm
-  bool IsBeyondLinear = false;               ///< linear elasticity does not hold there
-  std::uint64_t Scene = 0;                   ///< number of scenes adopted; 0 before the first
-  bool WasRearmed = false;                   ///< the user switched forces on again before this tick
-  bool WasContinued = false;                 ///< the adopted scene continued the previous one
-  bool IsClutched = false;                   ///< the clutch is held: nothing is felt
-  bool IsDrilling = false;                   ///< the drill was requested to run
+  double PatchRadius = 0.0;    ///< mm
+  double ElasticEnergy = 0.0;  ///< N mm
+  bool IsBeyondLinear = false; ///< linear elasticity does not hold there
+  std::uint64_t Scene = 0;     ///< number of scenes adopted; 0 before the first
+  bool WasRearmed = false;     ///< the user switched forces on again before this tick
+  bool WasContinued = false;   ///< the adopted scene continued the previous one
+  bool IsBuried = false;       ///< a structure around the tool is silent until it left
+  bool IsClutched = false;     ///< the clutch is held: nothing is felt
+  bool IsDrilling = false;     ///< the drill was requested to run
   DrillCommand Command = DrillCommand::None; ///< consumed before this tick
   std::uint64_t DrillVersion = 0;            ///< DrillVersions::Number of the version in use
   std::uint64_t DrillOrders = 0;             ///< number given so far, including this tick

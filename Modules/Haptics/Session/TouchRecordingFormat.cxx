@@ -70,6 +70,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.IsBeyondLinear);
   visit(s.Safety.WillResume);
   visit(s.IsClutched);
+  visit(s.IsBuried);
 }
 
 std::uint64_t FlagsOf(const TouchState& state) noexcept

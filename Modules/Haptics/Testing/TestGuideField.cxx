@@ -64,6 +64,9 @@ TEST(GuideField, PullsTowardsTheNearestPoint)
   // Beyond its end, back to the end.
   const Vector3 out(-0.6, 0.0, -0.8);
   EXPECT_NEAR((path->ForceWorld(5.0 * out) + LawAt(5.0) * out).norm(), 0.0, 1e-15);
+  const auto line = Made(GuideOf(GuideShape::Path, {{0.0, 0.0, 0.0}, {20.0, 0.0, 0.0}}));
+  const Vector3 along = Vector3::UnitX();
+  EXPECT_NEAR((line->ForceWorld(23.0 * along) + LawAt(3.0) * along).norm(), 0.0, 1e-15);
 }
 
 TEST(GuideField, EndsSmoothlyAtItsRange)

@@ -18,6 +18,9 @@ std::string SafetyText(const TouchState& state)
     return std::string("Forces are off: the device is ") + NameOf(state.State) + ".";
   }
   std::string text = Describe(SafetyFault::None);
+  text += state.IsBuried
+              ? " The tool is inside a structure, which is felt once the tool has left it."
+              : "";
   text += safety.IsRamping ? " They are being faded in." : "";
   text += safety.IsLimited ? " They are limited to the device's maximum." : "";
   text += safety.IsDamping ? " They are damped, since the contact generated energy." : "";
