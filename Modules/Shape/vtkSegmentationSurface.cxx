@@ -1,9 +1,9 @@
 #include "vtkSegmentationSurface.h"
 
-#include "FieldVolume.h"
 #include "IsoSurface.h"
 #include "LabelMask.h"
 #include "MaskComponents.h"
+#include "MaskShape.h"
 #include "ShapeField.h"
 #include "VoxelMask.h"
 
@@ -157,29 +157,16 @@ bool vtkSegmentationSurface::BuildShape(const palpate::VoxelMask& mask,
                                         palpate::SurfacePieces pieces, palpate::ScalarGrid& grid,
                                         palpate::IsoSurface& surface)
 {
-  std::array<double, 3> spacing = mask.Spacing;
-  std::sort(spacing.begin(), spacing.end());
-  palpate::ShapeFieldSettings settings = palpate::ShapeFieldSettings::OfStar();
-  settings.MaximumNodes = 6e7; // 240 MB
-  double wanted = 0.0;
-  if (this->CellsOnSurface > 0)
-  {
-    settings.CellsOnSurface = std::max(this->CellsOnSurface, 10);
-    wanted = palpate::ShapeFieldSpacing(mask, settings);
-  }
-  settings.Spacing = std::max(spacing[1], wanted);
-  settings.Smoothing = std::min(0.5 * this->Smoothing * spacing[1] / settings.Spacing, 8.0);
   palpate::ShapeField field;
-  if (const palpate::Status status = palpate::MakeShapeField(mask, settings, field); !status.IsOk())
+  const double volume = this->MaskVolume + this->CavityVolume;
+  if (const palpate::Status status =
+          palpate::MakeMaskShape(mask, volume, {this->Smoothing, this->CellsOnSurface}, field);
+      !status.IsOk())
   {
     vtkErrorMacro(<< status.Message());
     return false;
   }
   this->UpdateProgress(0.6);
-  const double volume = this->MaskVolume + this->CavityVolume;
-  const double area = std::cbrt(36.0 * M_PI * volume * volume); // of a sphere
-  const float level = palpate::LevelOfVolume(field, volume, area);
-  std::for_each(field.Values.begin(), field.Values.end(), [level](float& v) { v -= level; });
   grid = ToScalarGrid(std::move(field), mask);
   surface = palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
   return true;
