@@ -3,7 +3,9 @@
 #include "ElasticRepresentation.h"
 #include "FilterRun.h"
 #include "InputError.h"
+#include "SceneLabels.h"
 #include "SceneTissue.h"
+#include "ShapeContact.h"
 #include "TradeMeasure.h"
 #include "Units.h"
 #include "VoxelMinimum.h"
@@ -161,15 +163,60 @@ StructureTrade::MakeElasticReference(const ProgressFunction& progress)
   return ElasticReference(*this->ContactFor(finest, progress), what, this->Scene.Tool);
 }
 
+std::shared_ptr<const TouchContact> StructureTrade::FieldOfVoxels(FieldInterpolation interpolation,
+                                                                  const ProgressFunction& progress)
+{
+  ContactSetting setting = SettingOf(this->Scene, TouchRepresentation::SubVoxel);
+  setting.Structure.Interpolation = interpolation;
+  setting.Structure.Smoothing = SceneStructure().Smoothing; // not one that is to be judged
+  try
+  {
+    return this->ContactFor(setting, progress);
+  }
+  catch (const InputError&)
+  {
+    setting.Structure.Smoothing = 0.0; // the structure may be thinner than the smoothing
+    return this->ContactFor(setting, progress);
+  }
+}
+
+// Estimates of what the voxels were taken from: the shape interpolated between slices, the same
+// without what one slice alone shows, and the distances that the voxels have.
+std::unique_ptr<TradeReference> StructureTrade::MakeMaskReference(const ProgressFunction& progress)
+{
+  constexpr double SlicesSmoothed = 1.5;
+  const SceneStructure& structure = this->Scene.Structures.front();
+  const auto voxels = this->FieldOfVoxels(FieldInterpolation::TricubicBSpline, progress);
+  const auto read = this->Made.SegmentationOf(structure.File, this->Scene.LeftHanded, progress);
+  const auto shape = [&](double smoothing, const std::string& what)
+  {
+    return FieldReference(MakeShapeContact(*read, SegmentOf(structure, *read), smoothing), what,
+                          this->Scene.Tool);
+  };
+  Vector3 spacing = voxels->Field->Grid().Spacing();
+  std::sort(spacing.data(), spacing.data() + 3);
+  std::vector<std::unique_ptr<TradeReference>> others;
+  others.push_back(
+      FieldReference(*voxels, "the tricubic field of its voxels' distances", this->Scene.Tool));
+  others.push_back(shape(SlicesSmoothed * spacing[2] / spacing[1], "a smoother shape"));
+  return UncertainReference(shape(1.0, "the mask's shape, interpolated between slices"),
+                            std::move(others), voxels->Field->Grid().WorldToIndex());
+}
+
+std::unique_ptr<TradeReference> StructureTrade::MakeImageReference(const ProgressFunction& progress)
+{
+  const auto field = [&](FieldInterpolation interpolation, const std::string& what)
+  { return FieldReference(*this->FieldOfVoxels(interpolation, progress), what, this->Scene.Tool); };
+  std::vector<std::unique_ptr<TradeReference>> others;
+  others.push_back(field(FieldInterpolation::Trilinear, "the trilinear field"));
+  return UncertainReference(
+      field(FieldInterpolation::TricubicBSpline, "the tricubic field of the image's values"),
+      std::move(others), std::nullopt);
+}
+
 std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunction& progress)
 {
   const SceneStructure& structure = this->Scene.Structures.front();
-  const auto make = [&](const char* representation)
-  {
-    ContactSetting finest = SettingOf(this->Scene, representation);
-    finest.Structure.Interpolation = FieldInterpolation::TricubicBSpline;
-    return this->ContactFor(finest, progress);
-  };
   if (this->Yields())
   {
     return this->MakeElasticReference(progress);
@@ -179,13 +226,13 @@ std::unique_ptr<TradeReference> StructureTrade::MakeReference(const ProgressFunc
   case SceneSource::Model:
     return ModelReference(this->ModelFromFile(progress)->Model, this->Scene.Tool);
   case SceneSource::Surface:
-    return FacetReference(*make(TouchRepresentation::Facets), this->Scene.Tool);
+    return FacetReference(
+        *this->ContactFor(SettingOf(this->Scene, TouchRepresentation::Facets), progress),
+        this->Scene.Tool);
   case SceneSource::Label:
-    return FieldReference(*make(TouchRepresentation::SubVoxel),
-                          "the mask's smoothed signed distance", this->Scene.Tool);
+    return this->MakeMaskReference(progress);
   default:
-    return FieldReference(*make(TouchRepresentation::SubVoxel), "the image's values",
-                          this->Scene.Tool);
+    return this->MakeImageReference(progress);
   }
 }
 
@@ -203,6 +250,9 @@ void StructureTrade::Fill(const ContactSetting& setting, TradeRow& row,
   touch.Stiffness = structure.Stiffness > 0.0 ? structure.Stiffness : SceneStructure().Stiffness;
   touch.Runs = this->Asked.Runs;
   MeasureTouch(*contact->Model, touch, this->Path, this->Time, row, progress);
+  constexpr double Touched = 600.0; // s
+  row.CostSeconds =
+      row.BuildSeconds + Touched * this->Scene.Rate * SecondsPerNanosecond * row.TickMean;
 }
 
 void StructureTrade::Prepare(const ProgressFunction& progress)
@@ -213,6 +263,12 @@ void StructureTrade::Prepare(const ProgressFunction& progress)
     this->Reference = this->MakeReference(progress);
     this->Path = MakeTradePath(*this->Reference, this->Scene.Tool, this->Asked.Path, progress);
   }
+}
+
+const TradePath& StructureTrade::MeasuredPath(const ProgressFunction& progress)
+{
+  this->Prepare(progress);
+  return this->Path;
 }
 
 TradeRow StructureTrade::Measure(const ContactSetting& setting, const ProgressFunction& progress)

@@ -48,6 +48,9 @@ public:
   std::vector<TradeRow> MeasureAll(const std::vector<ContactSetting>& settings,
                                    const ProgressFunction& progress);
 
+  /// The path along which all settings are measured. Throws as Measure.
+  const TradePath& MeasuredPath(const ProgressFunction& progress);
+
   /// The highest degree that the voxels support; 0 if the structure has no voxels, or they have no
   /// surface. Of a model that yields by its file, the degree of its maps.
   int HighestDegree(const ProgressFunction& progress);
@@ -58,6 +61,10 @@ private:
   void FindElasticity(const ProgressFunction& progress);
   bool Yields() const;
   std::unique_ptr<TradeReference> MakeReference(const ProgressFunction& progress);
+  std::shared_ptr<const TouchContact> FieldOfVoxels(FieldInterpolation interpolation,
+                                                    const ProgressFunction& progress);
+  std::unique_ptr<TradeReference> MakeMaskReference(const ProgressFunction& progress);
+  std::unique_ptr<TradeReference> MakeImageReference(const ProgressFunction& progress);
   std::unique_ptr<TradeReference> MakeElasticReference(const ProgressFunction& progress);
   void Fill(const ContactSetting& setting, TradeRow& row, const ProgressFunction& progress);
 

@@ -20,27 +20,7 @@ std::string RateText(double hertz)
                                     : SignificantText(hertz, 3) + " Hz";
 }
 
-std::string Costs(const TradeRow& row)
-{
-  return SignificantText(MicrosecondsPerNanosecond * row.TickMean, 2) +
-         " \xC2\xB5s per tick (up to " + RateText(row.Rate) + ")";
-}
-
 using Places = std::vector<std::size_t>;
-
-// "the fastest of 7 settings", or "the only one of 20 settings".
-std::string CheapestText(std::size_t meeting, std::size_t all)
-{
-  return meeting > 1 ? "the fastest of " + std::to_string(meeting) + " settings"
-                     : "the only one of " + std::to_string(all) + " settings";
-}
-
-std::size_t CheapestOf(const std::vector<TradeRow>& rows, const Places& places)
-{
-  return *std::min_element(places.begin(), places.end(),
-                           [&rows](std::size_t a, std::size_t b)
-                           { return rows[a].TickMean < rows[b].TickMean; });
-}
 
 template <typename Condition>
 Places Where(const Places& places, const Condition& condition)
@@ -50,69 +30,187 @@ Places Where(const Places& places, const Condition& condition)
   return chosen;
 }
 
-std::string Errors(const TradeRow& row)
+// The place of the least number; NaN counts as infinity.
+template <typename Number>
+std::size_t LeastOf(const Places& places, const Number& number)
 {
-  return SignificantText(row.NoticeableRare, 2) + " just noticeable differences of force and " +
-         SignificantText(row.DirectionRare, 2) + "\xC2\xB0 (99 %)" +
-         (row.Yields ? std::string() : ", " + SignificantText(row.PositionRare, 2) + " mm");
+  const auto size = [&number](std::size_t r)
+  {
+    const double value = number(r);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  return *std::min_element(places.begin(), places.end(),
+                           [&size](std::size_t a, std::size_t b) { return size(a) < size(b); });
 }
+
+// The advice on the rows of one structure.
+class Judgement
+{
+public:
+  Judgement(const std::vector<TradeRow>& rows, double servoRate) : Rows(rows), Rate(servoRate)
+  {
+    for (std::size_t r = 0; r < rows.size(); ++r)
+    {
+      // NaN: not measured.
+      const double error =
+          rows[r].Yields ? rows[r].BeyondNoticeableRare : rows[r].BeyondPositionRare;
+      if (rows[r].IsFelt() && std::isfinite(rows[r].TickMean) && std::isfinite(error))
+      {
+        this->Felt.push_back(r);
+      }
+    }
+  }
+
+  TradeAdvice Advise() const
+  {
+    if (this->Felt.empty())
+    {
+      return {std::nullopt, false, "no setting could be measured"};
+    }
+    const Places fast =
+        Where(this->Felt, [this](std::size_t r) { return this->Rows[r].Rate >= this->Rate; });
+    if (fast.empty())
+    {
+      const std::size_t best =
+          LeastOf(this->Felt, [this](std::size_t r) { return this->Rows[r].TickMean; });
+      return {best, false,
+              "no setting keeps " + RateText(this->Rate) + " on this machine; the fastest is " +
+                  this->Costs(best)};
+    }
+    const Places good = Where(fast, [this](std::size_t r) { return this->IsGood(r); });
+    return good.empty() ? this->AdviseOnPoor(fast) : this->AdviseOnGood(fast);
+  }
+
+private:
+  bool IsSteady(std::size_t r) const
+  {
+    const TradeRow& row = this->Rows[r];
+    return row.BeyondDirectionRare < TradeThresholds::NoticeableDegrees && row.Seizures == 0.0;
+  }
+  bool IsGood(std::size_t r) const
+  {
+    return this->IsSteady(r) && this->Rows[r].BeyondNoticeableRare < 1.0;
+  }
+  // Whether the errors of two, beyond twice the standard deviation, differ by less than one; false
+  // if there is no uncertainty.
+  bool IsLike(std::size_t r, std::size_t truest) const
+  {
+    return this->Rows[r].BeyondPositionRare - this->Rows[truest].BeyondPositionRare <
+           0.5 * this->Rows[truest].UncertaintyMean;
+  }
+
+  TradeAdvice AdviseOnGood(const Places& fast) const
+  {
+    const std::size_t truest =
+        LeastOf(fast, [this](std::size_t r) { return this->Rows[r].BeyondPositionRare; });
+    const Places equal =
+        Where(fast,
+              [&](std::size_t r)
+              {
+                return this->IsGood(r) ||
+                       (this->IsGood(truest) && this->IsSteady(r) && this->IsLike(r, truest));
+              });
+    const std::size_t best = this->CheapestOfSmooth(equal);
+    const std::string why =
+        equal.size() > 1
+            ? "the errors of " + std::to_string(equal.size()) + " of " +
+                  std::to_string(this->Felt.size()) +
+                  " settings are not noticeable, or differ by less than the uncertainty, and "
+                  "count as equal; " +
+                  this->Reason(equal, best)
+            : "the only one of " + std::to_string(this->Felt.size()) +
+                  " settings whose errors are not noticeable";
+    return {best, true, "choose " + this->Costs(best) + "; " + why + ": " + this->Errors(best)};
+  }
+
+  TradeAdvice AdviseOnPoor(const Places& fast) const
+  {
+    constexpr double About = 1.1;
+    const auto error = [this](std::size_t r) { return this->Rows[r].BeyondNoticeableRare; };
+    const std::size_t truest = LeastOf(fast, error);
+    const Places equal = Where(
+        fast, [&](std::size_t r)
+        { return r == truest || error(r) <= About * error(truest) || this->IsLike(r, truest); });
+    const std::size_t best = this->CheapestOfSmooth(equal);
+    const std::string those = fast.size() == this->Felt.size()
+                                  ? "every setting"
+                                  : "every setting that keeps " + RateText(this->Rate);
+    const std::string why = equal.size() > 1 ? std::to_string(equal.size()) +
+                                                   " are the most accurate and count as equal; " +
+                                                   this->Reason(equal, best)
+                                             : "this one is the most accurate of them";
+    return {best, false,
+            "choose " + this->Costs(best) + "; the errors of " + those +
+                " may be noticeable, and " + why + ": " + this->Errors(best)};
+  }
+
+  // Times vary by as much from run to run.
+  static constexpr double AboutAsCheap = 1.25;
+
+  // N, by which the force jumps more than that of the reference.
+  double Jump(std::size_t r) const
+  {
+    const TradeRow& row = this->Rows[r];
+    return std::max(0.0, row.JumpMost - row.IdealJumpMost);
+  }
+  double Cost(std::size_t r) const { return this->Rows[r].CostSeconds; }
+
+  Places SmoothOf(const Places& equal) const
+  {
+    const double least =
+        this->Jump(LeastOf(equal, [this](std::size_t r) { return this->Jump(r); }));
+    return Where(equal, [&](std::size_t r)
+                 { return this->Jump(r) - least <= TradeThresholds::JustNoticeable(0.0); });
+  }
+  std::size_t CheapestOfSmooth(const Places& equal) const
+  {
+    const Places smooth = this->SmoothOf(equal);
+    const auto cost = [this](std::size_t r) { return this->Cost(r); };
+    const std::size_t cheapest = LeastOf(smooth, cost);
+    const Places cheap =
+        Where(smooth, [&](std::size_t r)
+              { return r == cheapest || cost(r) <= AboutAsCheap * cost(cheapest); });
+    return LeastOf(cheap, [this](std::size_t r) { return this->Rows[r].BeyondNoticeableRare; });
+  }
+  // What decided between settings with equal errors.
+  std::string Reason(const Places& equal, std::size_t best) const
+  {
+    const std::size_t smooth = this->SmoothOf(equal).size();
+    const std::string left = smooth < equal.size()
+                                 ? "of the " + std::to_string(smooth) + " whose force jumps least, "
+                                 : "their forces jump equally, and ";
+    return smooth == 1 ? "the force of this one jumps least"
+                       : left + "this one costs least, " + SignificantText(this->Cost(best), 2) +
+                             " s to prepare and to touch for ten minutes";
+  }
+  std::string Costs(std::size_t r) const
+  {
+    const TradeRow& row = this->Rows[r];
+    return Describe(row) + ": " + SignificantText(MicrosecondsPerNanosecond * row.TickMean, 2) +
+           " \xC2\xB5s per tick (up to " + RateText(row.Rate) + ")";
+  }
+
+  std::string Errors(std::size_t r) const
+  {
+    const TradeRow& row = this->Rows[r];
+    return SignificantText(row.BeyondNoticeableRare, 2) +
+           " just noticeable differences of force and " +
+           SignificantText(row.BeyondDirectionRare, 2) + "\xC2\xB0 (99 %)" +
+           (row.Yields ? std::string()
+                       : ", " + SignificantText(row.BeyondPositionRare, 2) + " mm") +
+           (row.UncertaintyMean > 0.0 ? " beyond the reference's uncertainty of " +
+                                            SignificantText(row.UncertaintyMean, 2) + " mm"
+                                      : std::string());
+  }
+
+  const std::vector<TradeRow>& Rows;
+  double Rate; // Hz
+  Places Felt;
+};
 } // namespace
 
 TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate)
 {
-  Places felt;
-  for (std::size_t r = 0; r < rows.size(); ++r)
-  {
-    // NaN: not measured.
-    const double error = rows[r].Yields ? rows[r].NoticeableRare : rows[r].PositionRare;
-    if (rows[r].IsFelt() && std::isfinite(rows[r].TickMean) && std::isfinite(error))
-    {
-      felt.push_back(r);
-    }
-  }
-  if (felt.empty())
-  {
-    return {std::nullopt, false, "no setting could be measured"};
-  }
-  const auto isFast = [&](std::size_t r) { return rows[r].Rate >= servoRate; };
-  const auto isTrue = [&](std::size_t r)
-  {
-    return rows[r].NoticeableRare < 1.0 &&
-           rows[r].DirectionRare < TradeThresholds::NoticeableDegrees && rows[r].Seizures == 0.0;
-  };
-  const Places fast = Where(felt, isFast);
-  const Places good = Where(fast, isTrue);
-  if (!good.empty())
-  {
-    const std::size_t best = CheapestOf(rows, good);
-    return {best, true,
-            "choose " + Describe(rows[best]) + ": " + Costs(rows[best]) + ", " +
-                CheapestText(good.size(), felt.size()) +
-                " whose errors are not noticeable: " + Errors(rows[best])};
-  }
-  if (fast.empty())
-  {
-    const std::size_t best = CheapestOf(rows, felt);
-    return {best, false,
-            "no setting keeps " + RateText(servoRate) + " on this machine; the fastest is " +
-                Describe(rows[best]) + ": " + Costs(rows[best])};
-  }
-  constexpr double About = 1.1;
-  const auto error = [&](std::size_t r)
-  {
-    const double noticeable = rows[r].NoticeableRare;
-    return std::isnan(noticeable) ? std::numeric_limits<double>::infinity() : noticeable;
-  };
-  const std::size_t truest = *std::min_element(
-      fast.begin(), fast.end(), [&](std::size_t a, std::size_t b) { return error(a) < error(b); });
-  const std::size_t best = CheapestOf(
-      rows, Where(fast, [&](std::size_t r) { return error(r) <= About * error(truest); }));
-  const std::string those = fast.size() == felt.size()
-                                ? "every setting"
-                                : "every setting that keeps " + RateText(servoRate);
-  return {best, false,
-          "choose " + Describe(rows[best]) + ": " + Costs(rows[best]) + "; the errors of " + those +
-              " may be noticeable, and this one is among the most accurate of them: " +
-              Errors(rows[best])};
+  return Judgement(rows, servoRate).Advise();
 }
 } // namespace palpate

@@ -13,13 +13,18 @@ namespace palpate
 struct TradeAdvice
 {
   std::optional<std::size_t> Row; ///< none if no setting was measured
-  bool IsMet = false;             ///< keeps the rate, and its errors are not noticeable
+  bool IsMet = false;             ///< keeps the rate, and its errors are not known to be noticeable
   std::string Message;            ///< the recommendation and its reason
 };
 
-/// Of the settings whose 99.9 % tick reaches `servoRate` (Hz), the fastest, by its mean tick, whose
-/// 99 % force error is below one just noticeable difference and 99 % direction error below 18
-/// degrees, without seizures; if there is none, the fastest of those whose force error is within a
-/// tenth of the smallest; if none reaches the rate, the fastest of all.
+/// Of the settings whose 99.9 % tick reaches `servoRate` (Hz), those with errors (99 %) below one
+/// just noticeable difference of force and 18 degrees of direction beyond the reference's
+/// uncertainty, without seizures, count as equal, and so do those whose position error beyond it
+/// exceeds the smallest one by less than half the uncertainty, which is one standard deviation. If
+/// there are none, those do whose force error is within a tenth of the smallest, or whose position
+/// error exceeds its by less than that. Of equal ones: those whose largest jump of the force,
+/// beyond the reference's, is within one just noticeable difference of the least; of these those
+/// that cost at most a quarter more than the cheapest; of these the one with the smallest force
+/// error. If none reaches the rate, the one with the fastest mean tick.
 PALPATETRADE_EXPORT TradeAdvice AdviseOn(const std::vector<TradeRow>& rows, double servoRate);
 } // namespace palpate

@@ -12,6 +12,12 @@ namespace
 constexpr double Rare = 0.99;
 constexpr double Most = 1.0;
 
+// What an error exceeds its uncertainty by; NaN stays NaN.
+double Beyond(double error, double uncertainty)
+{
+  return error <= uncertainty ? 0.0 : error - uncertainty;
+}
+
 // Jumps of a force during contact.
 class Jumps
 {
@@ -61,18 +67,21 @@ public:
     const Vector3 error = felt.Force - ideal;
     if (truth.ForceWorld)
     {
-      this->CountSeizure(felt.ProxyWorld - truth.ProxyWorld);
+      this->CountSeizure((felt.ProxyWorld - truth.ProxyWorld).norm());
     }
     else
     {
-      this->CountSeizure(error / this->Stiffness);
+      this->CountSeizure(Beyond(error.norm() / this->Stiffness, truth.Uncertainty));
       this->AddPosition(error / this->Stiffness, truth);
     }
+    const double noticeable = TradeThresholds::JustNoticeable(ideal.norm());
+    const double open = this->Stiffness * truth.Uncertainty; // N
     this->Forces.push_back(error.norm());
-    this->Noticeable.push_back(error.norm() / TradeThresholds::JustNoticeable(ideal.norm()));
+    this->Noticeable.push_back(error.norm() / noticeable);
+    this->NoticeableBeyond.push_back(Beyond(error.norm(), open) / noticeable);
     if (truth.IsTouching && ideal.norm() >= TradeThresholds::LeastForce)
     {
-      this->AddDirection(felt, ideal);
+      this->AddDirection(felt, ideal, open);
     }
   }
 
@@ -90,6 +99,11 @@ public:
     row.DirectionMean = MeanOf(this->Directions);
     row.DirectionRare = QuantileOf(this->Directions, Rare);
     row.DirectionMost = QuantileOf(this->Directions, Most);
+    row.BeyondPositionRare = QuantileOf(this->PositionsBeyond, Rare);
+    row.BeyondNoticeableRare = QuantileOf(this->NoticeableBeyond, Rare);
+    row.BeyondDirectionRare = QuantileOf(this->DirectionsBeyond, Rare);
+    row.UncertaintyMean = MeanOf(this->Uncertainties);
+    row.UncertaintyRare = QuantileOf(this->Uncertainties, Rare);
     row.JumpMean = MeanOf(this->FeltJumps.All());
     row.JumpMost = QuantileOf(this->FeltJumps.All(), Most);
     row.IdealJumpMost = QuantileOf(this->IdealJumps.All(), Most);
@@ -100,26 +114,30 @@ private:
   void AddPosition(const Vector3& error, const TradePosition& truth)
   {
     this->Positions.push_back(error.norm());
+    this->PositionsBeyond.push_back(Beyond(error.norm(), truth.Uncertainty));
+    this->Uncertainties.push_back(truth.Uncertainty);
     if (truth.IsTouching)
     {
       this->Surfaces.push_back(std::abs(error.dot(truth.NormalWorld)));
     }
   }
 
-  void CountSeizure(const Vector3& error)
+  void CountSeizure(double error)
   {
-    const bool isSeized = !(error.norm() <= TradeThresholds::Seizure);
+    const bool isSeized = !(error <= TradeThresholds::Seizure);
     this->Seizures += isSeized && !this->WasSeized ? 1.0 : 0.0;
     this->WasSeized = isSeized;
   }
 
-  void AddDirection(const FeltTick& felt, const Vector3& ideal)
+  void AddDirection(const FeltTick& felt, const Vector3& ideal, double open)
   {
     // A missing force has no direction error; it counts as a force error.
     if (felt.IsTouching && !(felt.Force.norm() < TradeThresholds::LeastForce))
     {
-      this->Directions.push_back(DegreesPerRadian *
-                                 std::atan2(felt.Force.cross(ideal).norm(), felt.Force.dot(ideal)));
+      const double turned = std::atan2(felt.Force.cross(ideal).norm(), felt.Force.dot(ideal));
+      const double uncertainty = open < ideal.norm() ? std::asin(open / ideal.norm()) : M_PI;
+      this->Directions.push_back(DegreesPerRadian * turned);
+      this->DirectionsBeyond.push_back(DegreesPerRadian * Beyond(turned, uncertainty));
     }
   }
 
@@ -129,11 +147,35 @@ private:
   std::vector<double> Forces;    // N
   std::vector<double> Noticeable;
   std::vector<double> Directions; // degrees
+  std::vector<double> PositionsBeyond;
+  std::vector<double> NoticeableBeyond;
+  std::vector<double> DirectionsBeyond;
+  std::vector<double> Uncertainties; // mm
   Jumps FeltJumps;
   Jumps IdealJumps;
   double Seizures = 0.0;
   bool WasSeized = false;
 };
+
+// Whether the hand, which follows the reference, presses far deeper into what is felt than it was
+// meant to.
+bool Parts(const TradePath& path, const std::vector<FeltTick>& felt, double stiffness,
+           std::size_t stroke)
+{
+  constexpr double MostPart = 2.0; // of the path's depth
+  for (std::size_t tick = path.Strokes[stroke]; tick < path.EndOf(stroke); ++tick)
+  {
+    const TradePath::Tick& one = path.Ticks[tick];
+    const Vector3 pressed = felt[tick].Force / stiffness;
+    const Vector3 error = one.ProbeWorld + pressed - one.Truth.ProxyWorld;
+    if (!one.Truth.ForceWorld && one.Truth.IsKnown && pressed.norm() > MostPart * path.MostDepth &&
+        error.norm() > TradeThresholds::Seizure)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 } // namespace
 
 double MeanOf(const std::vector<double>& numbers)
@@ -163,15 +205,19 @@ void CompareWithTruth(const TradePath& path, const std::vector<FeltTick>& felt, 
                       TradeRow& row)
 {
   Comparison comparison(stiffness);
-  std::size_t stroke = 0;
-  for (std::size_t tick = 0; tick < path.Ticks.size(); ++tick)
+  row.Parted = 0.0;
+  for (std::size_t stroke = 0; stroke < path.Strokes.size(); ++stroke)
   {
-    if (stroke < path.Strokes.size() && path.Strokes[stroke] == tick)
+    if (Parts(path, felt, stiffness, stroke))
     {
-      comparison.BeginStroke();
-      ++stroke;
+      row.Parted += 1.0;
+      continue;
     }
-    comparison.Add(path.Ticks[tick], felt[tick]);
+    comparison.BeginStroke();
+    for (std::size_t tick = path.Strokes[stroke]; tick < path.EndOf(stroke); ++tick)
+    {
+      comparison.Add(path.Ticks[tick], felt[tick]);
+    }
   }
   comparison.Fill(row);
 }

@@ -16,10 +16,11 @@ struct FeltTick
   Vector3 ProxyWorld = Vector3::Zero(); ///< mm; only needed of a structure that yields
 };
 
-/// Fills in the errors of positions, forces and directions, the jumps and the seizures of `row`,
-/// from ticks along `path` with only a spring of `stiffness` (N/mm). Where the path has the force
-/// of a structure that yields, no positions: they are of the shape at rest, which is not felt.
-/// NaN inputs give NaN.
+/// Fills in the errors of positions, forces and directions, those beyond the uncertainty, the
+/// jumps, seizures and parted strokes of `row`, from ticks along `path` with only a spring of
+/// `stiffness` (N/mm). A proxy that is off by the uncertainty u turns the force at depth d by up to
+/// asin(u / d). Where the path has the force of a structure that yields, no positions: they are of
+/// the shape at rest, which is not felt. NaN inputs give NaN.
 PALPATETRADE_EXPORT void CompareWithTruth(const TradePath& path, const std::vector<FeltTick>& felt,
                                           double stiffness, TradeRow& row);
 

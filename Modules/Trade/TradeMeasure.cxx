@@ -65,9 +65,7 @@ public:
       {
         const double done = run + static_cast<double>(stroke) / static_cast<double>(strokes);
         ReportProgress(progress, done / this->Touch.Runs, "touch");
-        this->RunStroke(this->Path.Strokes[stroke], stroke + 1 < strokes
-                                                        ? this->Path.Strokes[stroke + 1]
-                                                        : this->Path.Ticks.size());
+        this->RunStroke(this->Path.Strokes[stroke], this->Path.EndOf(stroke));
       }
     }
   }

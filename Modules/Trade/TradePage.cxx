@@ -154,42 +154,66 @@ std::string Cell(const std::string& text)
   return "<td class=\"number\">" + text + "</td>";
 }
 
-std::string Head(const std::vector<const char*>& columns)
+struct Column
 {
-  std::string head = "<div class=\"wide\"><table><thead><tr>";
-  for (const char* column : columns)
-  {
-    const bool isText = std::string(column) == "Setting";
-    head += std::string("<th scope=\"col\" class=\"") + (isText ? "text" : "number") + "\">" +
-            column + "</th>";
-  }
-  return head + "</tr></thead><tbody>\n";
+  const char* Head;
+  double TradeRow::*Number;
+  double Factor = 1.0;
+};
+
+std::vector<Column> ColumnsOf(bool yields)
+{
+  constexpr double Milli = 1e-3;
+  constexpr double Kilo = 1e3;
+  std::vector<Column> columns{{"Mean, \xC2\xB5s", &TradeRow::TickMean, MicrosecondsPerNanosecond},
+                              {"Median", &TradeRow::TickMedian, MicrosecondsPerNanosecond},
+                              {"99.9 %", &TradeRow::TickRare, MicrosecondsPerNanosecond},
+                              {"Rate, kHz", &TradeRow::Rate, Milli}};
+  const std::vector<Column> forces{{"Force, mN: mean", &TradeRow::ForceMean, Kilo},
+                                   {"99 %", &TradeRow::ForceRare, Kilo}};
+  const std::vector<Column> positions{{"Position, mm: mean", &TradeRow::PositionMean},
+                                      {"99 %", &TradeRow::PositionRare},
+                                      {"Beyond", &TradeRow::BeyondPositionRare}};
+  const std::vector<Column> rest{{"Force, JND: mean", &TradeRow::NoticeableMean},
+                                 {"99 %", &TradeRow::NoticeableRare},
+                                 {"Beyond", &TradeRow::BeyondNoticeableRare},
+                                 {"Direction, \xC2\xB0: mean", &TradeRow::DirectionMean},
+                                 {"99 %", &TradeRow::DirectionRare},
+                                 {"Beyond", &TradeRow::BeyondDirectionRare},
+                                 {"Jump, mN: mean", &TradeRow::JumpMean, Kilo},
+                                 {"Most", &TradeRow::JumpMost, Kilo},
+                                 {"Most, ideal", &TradeRow::IdealJumpMost, Kilo},
+                                 {"Seizures", &TradeRow::Seizures},
+                                 {"Parted", &TradeRow::Parted},
+                                 {"Build time, s", &TradeRow::BuildSeconds},
+                                 {"Cost, s", &TradeRow::CostSeconds},
+                                 {"Memory, MB", &TradeRow::Bytes, 1.0 / BytesPerMegabyte}};
+  const std::vector<Column>& places = yields ? forces : positions;
+  columns.insert(columns.end(), places.begin(), places.end());
+  columns.insert(columns.end(), rest.begin(), rest.end());
+  return columns;
 }
 
 std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* chosen)
 {
-  const bool yields = Yields(rows);
+  const std::vector<Column> columns = ColumnsOf(Yields(rows));
   std::string html =
-      Head({"", "Setting", "Mean, \xC2\xB5s", "Median", "99.9 %", "Rate, kHz",
-            yields ? "Force, mN: mean" : "Position, mm: mean", "99 %", "Force, JND: mean", "99 %",
-            "Direction, \xC2\xB0: mean", "99 %", "Jump, mN: mean", "Most", "Most, ideal",
-            "Seizures", "Build time, s", "Memory, MB"});
-  constexpr double Kilo = 1e3;
+      "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"number\"></th>"
+      "<th scope=\"col\" class=\"text\">Setting</th>";
+  for (const Column& column : columns)
+  {
+    html += std::string("<th scope=\"col\" class=\"number\">") + column.Head + "</th>";
+  }
+  html += "</tr></thead><tbody>\n";
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
     const TradeRow& row = *rows[r];
     const std::string name = EscapeHtml(Describe(row));
     html += std::string("<tr>") + Cell(std::to_string(r + 1)) + "<td class=\"text\">" +
             (&row == chosen ? "<strong class=\"good\">" + name + "</strong>" : name) + "</td>";
-    for (const double number :
-         {MicrosecondsPerNanosecond * row.TickMean, MicrosecondsPerNanosecond * row.TickMedian,
-          MicrosecondsPerNanosecond * row.TickRare, row.Rate / Kilo,
-          yields ? Kilo * row.ForceMean : row.PositionMean,
-          yields ? Kilo * row.ForceRare : row.PositionRare, row.NoticeableMean, row.NoticeableRare,
-          row.DirectionMean, row.DirectionRare, Kilo * row.JumpMean, Kilo * row.JumpMost,
-          Kilo * row.IdealJumpMost, row.Seizures, row.BuildSeconds, row.Bytes / BytesPerMegabyte})
+    for (const Column& column : columns)
     {
-      html += Cell(NumberText(number));
+      html += Cell(NumberText(column.Factor * row.*column.Number));
     }
     html += "</tr>\n";
   }
@@ -236,7 +260,11 @@ std::string HowItWasMeasured(const TradeResult& result)
          "alone, without friction and damping. A just noticeable difference (JND) of force is 7 % "
          "of it, but at least that of 0.5 N, since small forces are harder to discriminate; that "
          "of its direction is 18\xC2\xB0 to 33\xC2\xB0, evaluated from 0.02 N on. A seizure: the "
-         "position error exceeds 2 mm.</p>\n";
+         "position error exceeds the uncertainty by 2 mm. Parted: strokes on which the hand, which "
+         "follows the reference, pressed more than twice as deep into what is felt; errors, jumps "
+         "and seizures leave them out. Beyond: errors beyond the reference\xE2\x80\x99s "
+         "uncertainty, by which settings are judged. Cost: CPU time to prepare, to fit, and to "
+         "touch for ten minutes.</p>\n";
 }
 } // namespace
 

@@ -87,6 +87,7 @@ public:
     {
       this->GoTo(this->Probe + ApproachStep * inward);
     }
+    this->KnowApproach();
     this->Slide(depth, step);
     this->Leave();
     return true;
@@ -125,6 +126,16 @@ private:
     {
       this->Proxy = this->Truth().ProxyWorld;
       this->Normal = this->Truth().NormalWorld;
+    }
+  }
+
+  // The normal, by which the uncertainty is judged, is known from the first contact on.
+  void KnowApproach()
+  {
+    const double uncertainty = this->Truth().Uncertainty;
+    for (std::size_t tick = this->Path.Strokes.back(); tick < this->Path.Ticks.size(); ++tick)
+    {
+      this->Path.Ticks[tick].Truth.Uncertainty = uncertainty;
     }
   }
 

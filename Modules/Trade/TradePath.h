@@ -33,6 +33,12 @@ struct TradePath
   /// The first tick of each stroke: outside of the structure, not connected to the previous stroke.
   std::vector<std::size_t> Strokes;
   double MostDepth = 0.0; ///< mm, target depth
+
+  /// End of the stroke that begins at Strokes[stroke].
+  std::size_t EndOf(std::size_t stroke) const
+  {
+    return stroke + 1 < this->Strokes.size() ? this->Strokes[stroke + 1] : this->Ticks.size();
+  }
 };
 
 /// Strokes from all sides: towards the structure, in to some depth, along its surface at 20 to 100

@@ -6,6 +6,7 @@
 #include "ParametricTouchSurface.h"
 #include "Refusal.h"
 #include "SceneTool.h"
+#include "TradeRow.h"
 
 #include <algorithm>
 #include <functional>
@@ -83,6 +84,68 @@ private:
   Eigen::AlignedBox3d Box;
 };
 
+// Several estimates of one surface: the best one, and how far it may be off.
+class UncertainProxy final : public TradeReference
+{
+public:
+  UncertainProxy(std::unique_ptr<TradeReference> best,
+                 std::vector<std::unique_ptr<TradeReference>> others,
+                 const std::optional<Matrix3>& voxels)
+      : TradeReference(WordsOf(*best, others, voxels.has_value())), Best(std::move(best)),
+        Others(std::move(others)), WorldToIndex(voxels)
+  {
+  }
+
+  void Begin(const Vector3& probeWorld) override
+  {
+    this->Best->Begin(probeWorld);
+    for (const auto& other : this->Others)
+    {
+      other->Begin(probeWorld);
+    }
+  }
+  TradePosition At(const Vector3& probeWorld) override
+  {
+    TradePosition position = this->Best->At(probeWorld);
+    double apart = 0.0;
+    for (const auto& other : this->Others)
+    {
+      const TradePosition another = other->At(probeWorld);
+      position.IsKnown = position.IsKnown && another.IsKnown;
+      apart = std::max(apart, (position.ProxyWorld - another.ProxyWorld).norm());
+    }
+    position.IsKnown = position.IsKnown && apart <= TradeThresholds::Seizure;
+    position.Uncertainty = Coverage * std::max(0.5 * apart, this->LeastAlong(position.NormalWorld));
+    return position;
+  }
+  Eigen::AlignedBox3d BoundsWorld() const override { return this->Best->BoundsWorld(); }
+
+private:
+  // From a standard deviation to what 95 % of errors do not exceed.
+  static constexpr double Coverage = 2.0;
+
+  static std::string WordsOf(const TradeReference& best,
+                             const std::vector<std::unique_ptr<TradeReference>>& others,
+                             bool hasVoxels)
+  {
+    std::string words = best.Details() + "; its uncertainty is the distance from";
+    for (std::size_t n = 0; n < others.size(); ++n)
+    {
+      words += (n > 0 ? " or " : " ") + others[n]->Details();
+    }
+    return words + (hasVoxels ? ", at least 0.58 of the voxels' spacing along the normal" : "");
+  }
+  double LeastAlong(const Vector3& normal) const
+  {
+    return this->WorldToIndex ? 1.0 / (std::sqrt(12.0) * (*this->WorldToIndex * normal).norm())
+                              : 0.0;
+  }
+
+  std::unique_ptr<TradeReference> Best;
+  std::vector<std::unique_ptr<TradeReference>> Others;
+  std::optional<Matrix3> WorldToIndex; // of a mask's voxels
+};
+
 CertifiedReference::Touch SearchOf(const SphericalHarmonicModel& model, double toolRadius)
 {
   const auto search = std::make_shared<const ClosestPointSearch>(
@@ -115,9 +178,15 @@ std::unique_ptr<TradeReference> FieldReference(const TouchContact& field, const 
   constexpr int Points = 400;
   const bool isPoint = tool.Kind == TouchToolSettings::Shape::Sphere && tool.Radius == 0.0;
   tool.Points = isPoint ? tool.Points : Points;
-  return std::make_unique<TrackedReference>("the tricubic field of " + what +
-                                                ", touched by a densely sampled tool",
-                                            field, MakeTool(tool));
+  return std::make_unique<TrackedReference>(what, field, MakeTool(tool));
+}
+
+std::unique_ptr<TradeReference>
+UncertainReference(std::unique_ptr<TradeReference> best,
+                   std::vector<std::unique_ptr<TradeReference>> others,
+                   const std::optional<Matrix3>& voxels)
+{
+  return std::make_unique<UncertainProxy>(std::move(best), std::move(others), voxels);
 }
 
 std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,

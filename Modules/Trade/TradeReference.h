@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -23,6 +24,8 @@ struct TradePosition
   /// Of a structure that yields, its force on the tool, N; then the proxy is that of its shape at
   /// rest. None: a spring to the proxy makes the force.
   std::optional<Vector3> ForceWorld = std::nullopt;
+  /// The structure's own proxy may lie this far away (mm, 95 %), as its voxels leave it open.
+  double Uncertainty = 0.0;
 };
 
 /// The most accurate affordable proxy positions of a tool that touches a structure; all settings
@@ -49,10 +52,19 @@ private:
   std::string Words;
 };
 
-/// A tricubic field, touched by a densely sampled tool. `what`: the field's source, for the
+/// A field, touched by a densely sampled tool. `what`: the field and its source, for the
 /// description. Throws InputError if the tool cannot touch it, as do the others.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
 FieldReference(const TouchContact& field, const std::string& what, TouchToolSettings tool);
+/// `best` with its uncertainty: twice the standard deviation, which is half the largest distance of
+/// the others' proxies, other estimates of the same surface, from its own; but at least that of
+/// `voxels` (from mm to index) if they are those of a mask: h / sqrt(12), of a border that may lie
+/// anywhere within the spacing h along its normal. Where the others differ by more than
+/// TradeThresholds::Seizure the position is not known.
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference>
+UncertainReference(std::unique_ptr<TradeReference> best,
+                   std::vector<std::unique_ptr<TradeReference>> others,
+                   const std::optional<Matrix3>& voxels);
 /// The model itself, by the certified search over its whole surface.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
                                                                    const TouchToolSettings& tool);

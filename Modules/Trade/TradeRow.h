@@ -68,16 +68,30 @@ struct TradeRow
   double DirectionRare = NAN; ///< 99 %
   double DirectionMost = NAN;
 
+  // Errors (99 %) beyond the reference's uncertainty, by which settings are judged: only these are
+  // known to be errors. The uncertainty itself, mm: how far the reference's proxy may be off.
+  double BeyondPositionRare = NAN;   ///< mm
+  double BeyondNoticeableRare = NAN; ///< just noticeable differences of force
+  double BeyondDirectionRare = NAN;  ///< degrees
+  double UncertaintyMean = NAN;
+  double UncertaintyRare = NAN; ///< 99 %
+
   // Jumps of the force from tick to tick, N.
   double JumpMean = NAN;
   double JumpMost = NAN;
   double IdealJumpMost = NAN;
 
-  /// How often the position error came to exceed TradeThresholds::Seizure; of a structure that
-  /// yields, the error of the proxy on its shape at rest.
+  /// How often the position error came to exceed the uncertainty by TradeThresholds::Seizure; of a
+  /// structure that yields, the error of the proxy on its shape at rest.
   double Seizures = NAN;
+  /// Strokes during which the hand, which follows the reference, parted from the tool: a seizure at
+  /// more than twice the path's depth. No hand presses on there, so all other numbers of errors,
+  /// jumps and seizures leave these strokes out.
+  double Parted = NAN;
 
-  double BuildSeconds = NAN;
+  double BuildSeconds = NAN; ///< reading excluded; preparing and fitting included
+  /// CPU time, s: BuildSeconds and ten minutes of ticks at the servo's rate.
+  double CostSeconds = NAN;
   double Bytes = NAN; ///< of the model and its tracker
 
   bool IsFelt() const { return this->State == Outcome::Measured; }

@@ -22,7 +22,7 @@ struct TradeColumn
   double TradeRow::*Number;
 };
 
-constexpr std::array<TradeColumn, 22> TradeColumns{
+constexpr std::array<TradeColumn, 29> TradeColumns{
     {{"tick_mean_ns", &TradeRow::TickMean},
      {"tick_median_ns", &TradeRow::TickMedian},
      {"tick_p999_ns", &TradeRow::TickRare},
@@ -39,11 +39,18 @@ constexpr std::array<TradeColumn, 22> TradeColumns{
      {"direction_mean_degrees", &TradeRow::DirectionMean},
      {"direction_p99_degrees", &TradeRow::DirectionRare},
      {"direction_most_degrees", &TradeRow::DirectionMost},
+     {"beyond_position_p99_mm", &TradeRow::BeyondPositionRare},
+     {"beyond_noticeable_p99_jnd", &TradeRow::BeyondNoticeableRare},
+     {"beyond_direction_p99_degrees", &TradeRow::BeyondDirectionRare},
+     {"uncertainty_mean_mm", &TradeRow::UncertaintyMean},
+     {"uncertainty_p99_mm", &TradeRow::UncertaintyRare},
      {"jump_mean_n", &TradeRow::JumpMean},
      {"jump_most_n", &TradeRow::JumpMost},
      {"ideal_jump_most_n", &TradeRow::IdealJumpMost},
      {"seizures", &TradeRow::Seizures},
+     {"parted", &TradeRow::Parted},
      {"build_seconds", &TradeRow::BuildSeconds},
+     {"cost_seconds", &TradeRow::CostSeconds},
      {"bytes", &TradeRow::Bytes}}};
 
 JsonObject NumberOf(double number)

@@ -203,9 +203,11 @@ TEST_F(ElasticTrade, RecommendsByTheRule)
 {
   std::vector<TradeRow> rows = *Rows;
   double time = 5e3;
+  double cost = 1e3;
   for (TradeRow& row : rows)
   {
-    row.TickMean = row.TickRare = time -= 100.0; // the rigid row is the fastest
+    row.TickMean = row.TickRare = time -= 100.0; // the rigid row is the fastest and cheapest
+    row.CostSeconds = cost *= 0.7;
     row.Rate = 1e9 / row.TickRare;
   }
   const TradeAdvice advice = AdviseOn(rows, 1000.0);
@@ -216,7 +218,7 @@ TEST_F(ElasticTrade, RecommendsByTheRule)
   {
     EXPECT_TRUE(rows[r].NoticeableRare >= 1.0 ||
                 rows[r].DirectionRare >= TradeThresholds::NoticeableDegrees)
-        << Describe(rows[r]) << " is faster";
+        << Describe(rows[r]) << " is cheaper";
   }
   EXPECT_FALSE(Has(advice.Message, " mm")) << advice.Message;
 }

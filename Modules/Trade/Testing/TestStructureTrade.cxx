@@ -82,7 +82,8 @@ TEST(TradeMeasure, TickTimeExcludesTheClocksOverhead)
 TEST(StructureTrade, ReferenceEqualsItself)
 {
   constexpr int Points = 400; // as in the reference
-  const test::MaskTrade mask = test::SphereMask();
+  test::MaskTrade mask = test::SphereMask();
+  mask.TakeAsImage();
   const TradeRow row =
       mask.Trade().Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, Points), GoOn);
   EXPECT_LT(row.PositionMost, 1e-12);
@@ -93,10 +94,22 @@ TEST(StructureTrade, FewerPointsOfAnEllipsoidAreLessAccurate)
 {
   test::MaskTrade mask = test::SphereMask();
   mask.Scene.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // 4, 2, 2 mm
-  StructureTrade trade = mask.Trade();
-  const TradeRow few = trade.Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 26), GoOn);
-  const TradeRow more =
-      trade.Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 200), GoOn);
+  const auto field =
+      mask.Trade().ContactFor(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 26), GoOn);
+  const auto reference = FieldReference(*field, "the field", mask.Scene.Tool);
+  const TradePath path = MakeTradePath(*reference, mask.Scene.Tool, test::ShortPath().Path, GoOn);
+  const auto measure = [&](int points)
+  {
+    TradeTouch touch;
+    touch.Tool = mask.Scene.Tool;
+    touch.Tool.Points = points;
+    touch.Runs = 1;
+    TradeRow row;
+    MeasureTouch(*field->Model, touch, path, test::StillClock(), row, GoOn);
+    return row;
+  };
+  const TradeRow few = measure(26);
+  const TradeRow more = measure(200);
   // Between points at an angle a, a sphere of radius r lies up to r (1 - cos(a / 2)) higher; a
   // decreases with the square root of their number, so the error with the number: 7.7 times here.
   EXPECT_GT(few.PositionMean, 3.0 * more.PositionMean);

@@ -89,12 +89,9 @@ class MaskTrade
 {
 public:
   template <typename Inside>
-  explicit MaskTrade(const Inside& inside)
+  explicit MaskTrade(const Inside& inside,
+                     const LabelGrid& grid = GridOf({{48, 48, 32}}, {{0.8, 0.8, 1.2}}))
   {
-    LabelGrid grid;
-    grid.Size = {{48, 48, 32}};
-    grid.Spacing = {{0.8, 0.8, 1.2}};
-    grid.CenterOnOrigin();
     const std::filesystem::path file = this->Folder / "mask.nii.gz";
     WriteImage(file, MakeLabelImage(grid, inside));
     SceneStructure structure;
@@ -113,6 +110,22 @@ public:
   StructureTrade Trade(const StructureTrade::Settings& settings = ShortPath()) const
   {
     return {this->Scene, this->Scene.Structures.front(), SceneRun(), settings, this->Time};
+  }
+
+  /// Its values are those of an image; the reference is then their tricubic field.
+  void TakeAsImage()
+  {
+    this->Scene.Structures.front().Labels.clear();
+    this->Scene.Structures.front().Iso = 0.5;
+  }
+
+  static LabelGrid GridOf(const std::array<int, 3>& size, const std::array<double, 3>& spacing)
+  {
+    LabelGrid grid;
+    grid.Size = size;
+    grid.Spacing = spacing;
+    grid.CenterOnOrigin();
+    return grid;
   }
 
   SceneSettings Scene;
