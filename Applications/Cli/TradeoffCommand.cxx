@@ -44,10 +44,12 @@ std::string Short(double number)
 void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
 {
   TextTable table;
-  table.AlignRight({1, 2, 3, 4, 5, 6, 7});
+  table.AlignRight({1, 2, 3, 4, 5, 6, 7, 8});
   const bool yields = !structure.Rows.empty() && structure.Rows.front().Yields;
   table.AddRow({"", "us per tick", "99.9 %", yields ? "N off" : "mm off", "JND", "degrees", "MB",
-                "build s"});
+                "build s", "cost s"});
+  int parted = 0;
+  double uncertainty = 0.0; // mm
   for (const TradeRow& row : structure.Rows)
   {
     const std::string name = Printable(Describe(row));
@@ -57,8 +59,11 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
     }
     table.AddRow({name, Short(MicrosecondsPerNanosecond * row.TickMean),
                   Short(MicrosecondsPerNanosecond * row.TickRare),
-                  Short(yields ? row.ForceRare : row.PositionRare), Short(row.NoticeableRare),
-                  Short(row.DirectionRare), Short(row.Bytes / Mega), Short(row.BuildSeconds)});
+                  Short(yields ? row.ForceRare : row.BeyondPositionRare),
+                  Short(row.BeyondNoticeableRare), Short(row.BeyondDirectionRare),
+                  Short(row.Bytes / Mega), Short(row.BuildSeconds), Short(row.CostSeconds)});
+    parted += row.Parted > 0.0 ? 1 : 0;
+    uncertainty = std::max(uncertainty, row.UncertaintyMean);
   }
   out << table.Text();
   for (const std::string& message : RefusalsOf(structure))
@@ -68,6 +73,13 @@ void PrintStructure(const TradeStructureResult& structure, std::ostream& out)
   if (!structure.Rows.empty())
   {
     out << "Errors (99 %) are against " << Printable(structure.Rows.front().Truth) << ".\n"
+        << (uncertainty > 0.0 ? "They are those beyond its uncertainty, on average " +
+                                    Short(uncertainty) + " mm.\n"
+                              : "")
+        << (parted > 0 ? "With " + std::to_string(parted) +
+                             " settings the hand parted from the tool on some strokes, which are "
+                             "left out.\n"
+                       : "")
         << (yields ? "The structure yields: errors are those of its force, not of positions.\n"
                    : "");
   }
@@ -117,7 +129,8 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("-o,--output", this->OutputFolder,
-                 "Folder for tradeoff.csv, tradeoff.json and tradeoff.html")
+                 "Folder for tradeoff.csv, tradeoff.json, tradeoff.html, and advised.scene.json, "
+                 "the scene with the advised settings")
       ->type_name("DIR")
       ->check(FileType::Output("directory"));
   app.add_flag("--json", this->Json, "Print all numbers as one JSON object");
@@ -175,11 +188,13 @@ void TradeoffCommand::Write(const TradeResult& result, Console& console) const
   if (!this->OutputFolder.empty())
   {
     WriteOutputSet(this->OutputFolder,
-                   [&result](const std::filesystem::path& stage)
+                   [&](const std::filesystem::path& stage)
                    {
                      WriteWholeFile(stage / "tradeoff.csv", TradeCsv(result));
                      WriteWholeFile(stage / "tradeoff.json", TradeJson(result));
                      WriteWholeFile(stage / "tradeoff.html", TradePage(result));
+                     WriteWholeFile(stage / "advised.scene.json",
+                                    SceneText(result.Advised, this->OutputFolder));
                    });
     console.Note((this->OutputFolder / "tradeoff.html").string());
   }

@@ -13,6 +13,13 @@ namespace palpate
 {
 namespace
 {
+SegmentationReader ReaderOf(SceneRun& files, const SceneSettings& scene,
+                            const ProgressFunction& progress)
+{
+  return [&files, leftHanded = scene.LeftHanded, &progress](const std::filesystem::path& file)
+  { return files.SegmentationOf(file, leftHanded, progress); };
+}
+
 // The scene with one label for each structure that is touched; the others may be parts of these.
 SceneSettings Resolve(SceneSettings scene, SceneRun& files, const ProgressFunction& progress)
 {
@@ -20,9 +27,47 @@ SceneSettings Resolve(SceneSettings scene, SceneRun& files, const ProgressFuncti
   {
     structure.IsVisible = structure.IsForbidden = false;
   }
-  return ResolveLabels(scene, false,
-                       [&](const std::filesystem::path& file)
-                       { return files.SegmentationOf(file, scene.LeftHanded, progress); });
+  return ResolveLabels(scene, false, ReaderOf(files, scene, progress));
+}
+
+bool IsSame(const SceneStructure& a, const SceneStructure& b)
+{
+  return a.IsTouchable && b.IsTouchable && a.Name == b.Name && a.File == b.File &&
+         a.Labels == b.Labels && a.Iso == b.Iso && a.IsLimited() == b.IsLimited();
+}
+
+// A structure with an advised setting, which was made without display and drilling.
+SceneStructure WithAdvice(const SceneStructure& structure, const SceneStructure& advised)
+{
+  SceneStructure changed = advised;
+  changed.Id = structure.Id;
+  changed.IsVisible = structure.IsVisible;
+  changed.IsForbidden = structure.IsForbidden;
+  return changed;
+}
+
+// The scene, resolved, with the advice on each measured structure.
+SceneSettings AdvisedScene(SceneSettings scene, const TradeResult& result)
+{
+  int points = 0;
+  for (const TradeStructureResult& measured : result.Structures)
+  {
+    if (!measured.Advice.Row)
+    {
+      continue;
+    }
+    const ContactSetting& setting = measured.Rows[*measured.Advice.Row].Setting;
+    points = setting.Structure.Representation == TouchRepresentation::SubVoxel
+                 ? std::max(points, setting.ToolPoints)
+                 : points;
+    for (SceneStructure& structure : scene.Structures)
+    {
+      structure = IsSame(structure, setting.Structure) ? WithAdvice(structure, setting.Structure)
+                                                       : structure;
+    }
+  }
+  scene.Tool.Points = points > 0 ? points : scene.Tool.Points;
+  return scene;
 }
 
 // The structures to measure: touchable, one label each.
@@ -73,8 +118,10 @@ TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
                      const ProgressFunction& progress)
 {
   constexpr double Preparing = 0.05; // fraction of a structure's time, roughly
-  TradeResult result{{}, MachineName(), settings};
+  TradeResult result{{}, MachineName(), settings, {}};
   SceneRun files;
+  const SceneSettings whole =
+      ResolveLabels(settings.Scene, false, ReaderOf(files, settings.Scene, progress));
   const SceneSettings scene = Resolve(settings.Scene, files, progress);
   const std::vector<SceneStructure> structures = Choose(settings.Structures, TouchedOf(scene));
   const auto count = static_cast<double>(structures.size());
@@ -98,6 +145,7 @@ TradeResult RunTrade(const TradeRunSettings& settings, const Clock& clock,
     measured.Advice = AdviseOn(measured.Rows, scene.Rate);
     result.Structures.push_back(std::move(measured));
   }
+  result.Advised = AdvisedScene(whole, result);
   return result;
 }
 } // namespace palpate

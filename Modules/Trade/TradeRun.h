@@ -32,6 +32,9 @@ struct TradeResult
   std::vector<TradeStructureResult> Structures;
   std::string Machine;
   TradeRunSettings Settings;
+  /// The scene with one structure per label that is touched, measured ones with the setting that is
+  /// advised. The tool has as many points as the most demanding of these needs.
+  SceneSettings Advised;
 };
 
 /// Measures the touchable structures of a scene in turn. Throws InputError, FilterError and

@@ -52,6 +52,20 @@ TEST_F(CliTradeoff, RecommendsASettingAndWritesTableAndPage)
   EXPECT_EQ(json["format"], "palpate-tradeoff");
 }
 
+TEST_F(CliTradeoff, WritesTheSceneWithTheAdvisedSettings)
+{
+  ASSERT_EQ(this->Run({"a.nii.gz", "--label", "1", "-o", "out"}).Code, 0);
+  const auto scene = nlohmann::json::parse(ReadAll(this->Folder / "out/advised.scene.json"));
+  const auto json = nlohmann::json::parse(ReadAll(this->Folder / "out/tradeoff.json"));
+  const std::string chosen = json["structures"][0]["advice"]["choose"];
+  const std::string representation = scene["structures"][0]["representation"];
+  EXPECT_EQ(chosen.substr(0, chosen.find('/')), representation);
+  const CommandRun run =
+      RunPalpate({"scene", "explain", "out/advised.scene.json"}, this->Folder.Path());
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "1 of 1 structures touchable")) << run.Output;
+}
+
 TEST_F(CliTradeoff, PrintsOnlyJsonOnStandardOutput)
 {
   const CommandRun run = this->Run({"ball.json", "--json"});

@@ -60,6 +60,30 @@ TEST_F(TradeRunTest, MeasuresEveryStructureOfAScene)
   }
 }
 
+TEST_F(TradeRunTest, AdvisedSceneDiffersByTheAdvisedSettingsAlone)
+{
+  this->Settings.Scene.Structures[0].IsVisible = false;
+  this->Settings.Scene.Structures[1].IsTouchable = false;
+  this->Settings.Scene.Structures[2].Representation = TouchRepresentation::SubVoxel;
+  const TradeResult result = this->Measure();
+  const std::vector<SceneStructure>& advised = result.Advised.Structures;
+  ASSERT_EQ(advised.size(), 3U);
+  ASSERT_EQ(result.Structures.size(), 2U);
+  EXPECT_FALSE(advised[0].IsVisible);
+  EXPECT_FALSE(advised[1].IsTouchable);
+  EXPECT_TRUE(advised[2].IsVisible);
+  EXPECT_EQ(advised[1].Representation, TouchRepresentation::Automatic) << "not measured";
+  for (const std::size_t measured : {0U, 1U})
+  {
+    const TradeStructureResult& one = result.Structures[measured];
+    ASSERT_TRUE(one.Advice.Row);
+    ContactSetting setting = one.Rows[*one.Advice.Row].Setting;
+    const ContactSetting applied{advised[2 * measured], setting.ToolPoints};
+    EXPECT_EQ(KeyOf(applied), KeyOf(setting));
+    EXPECT_EQ(applied.Structure.Stiffness, setting.Structure.Stiffness);
+  }
+}
+
 TEST_F(TradeRunTest, MeasuresOnlyTheNamedStructures)
 {
   this->Settings.Structures = {"other"};
