@@ -94,6 +94,10 @@ protected:
 
 TEST_F(StudyQuality, IsMeasuredOnRequestAndRecommended)
 {
+  StudyState manual = this->Open.State();
+  manual.Structures.front() = WithPreset(manual.Structures.front(), 0);
+  manual.Structures.front().Degree = 5; // of no preset, so that each one is a change
+  this->Open.Change("a degree of its own", manual);
   this->Settle();
   EXPECT_FALSE(this->Open.QualityLines().at(0).TickMicroseconds.has_value());
   this->Open.MeasureQuality();
