@@ -3,7 +3,6 @@
 #include "AnatomicalView.h"
 #include "DecimalText.h"
 #include "HtmlText.h"
-#include "MeshDistances.h"
 #include "ReportPage.h"
 #include "SliceContour.h"
 #include "SlicePlane.h"
@@ -26,8 +25,8 @@ constexpr int CurvePoints = 60;
 
 std::string Histogram(const PairComparison& pair)
 {
-  const std::vector<double>& values = pair.Numbers.OneToOther.Values;
-  const std::vector<double>& weights = pair.OneBody->Weights();
+  const std::vector<double>& values = pair.Numbers.OneToOther.Samples.Values;
+  const std::vector<double>& weights = pair.Numbers.OneToOther.Samples.Weights;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double width = (*high - *low) / Bins;
   if (!(width > 1e-9))

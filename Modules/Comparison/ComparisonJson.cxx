@@ -99,7 +99,8 @@ Json NumbersJson(const PairComparison& pair)
            {{"both", SummaryJson(found.Both)},
             {"first_to_reference", DirectionJson(found.OneToOther)},
             {"reference_to_first", DirectionJson(found.OtherToOne)},
-            {"hausdorff95_mm", found.Hausdorff95()}}},
+            {"hausdorff95_mm", found.Hausdorff95()},
+            {"least_mm", found.LeastDistance}}},
           {"surface_dice", tolerances},
           {"bias", BiasJson(found.Bias)},
           {"seconds", pair.Seconds}};

@@ -135,7 +135,7 @@ std::string Definitions()
 {
   return "<p>Dice is twice the shared volume over the sum of both volumes; Jaccard is the shared "
          "volume over that of both together. Distances are from points of one surface to the "
-         "nearest point of the other, weighted by area, not by the number of points; distances "
+         "nearest point of the other, over the area, within 1 %; distances "
          "from a model are those from the model itself. A mask\xE2\x80\x99s surface lies half way "
          "between the centres of voxels inside and outside, with the steps of the voxels. The "
          "normalised surface Dice is the area of both surfaces that lies within a tolerance of "

@@ -76,6 +76,10 @@ std::string ComparisonText(const PairComparison& pair)
   table.AddRow({"  first to reference", Direction(found.OneToOther)});
   table.AddRow({"  reference to first", Direction(found.OtherToOne)});
   table.AddRow({"95 % Hausdorff", FixedText(found.Hausdorff95(), 3) + " mm"});
+  if (found.LeastDistance > 0.0)
+  {
+    table.AddRow({"least distance", FixedText(found.LeastDistance, 3) + " mm"});
+  }
   if (!found.Tolerances.empty())
   {
     table.AddRow({"surface Dice", SurfaceDiceText(found)});

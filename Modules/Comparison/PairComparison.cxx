@@ -33,6 +33,16 @@ void Measure(const ComparedBody& body, ComparedSide& side)
   side.Irregular = body.Irregular();
 }
 
+// Whether two files seem to have the same structure; different organs are apart.
+bool AreOfOneName(const PairComparison& pair)
+{
+  const std::string& name = pair.One.Structure.Name;
+  const bool isNamed = !name.empty() || !pair.Other.Structure.Name.empty();
+  return pair.One.File != pair.Other.File &&
+         (isNamed ? name == pair.Other.Structure.Name
+                  : pair.One.File.filename() == pair.Other.File.filename());
+}
+
 void RemarkOn(PairComparison& pair)
 {
   for (const ComparedSide* side : {&pair.One, &pair.Other})
@@ -55,7 +65,11 @@ void RemarkOn(PairComparison& pair)
   }
   if (pair.Numbers.Overlap && pair.Numbers.Overlap->Both == 0)
   {
-    pair.Notes.emplace_back("the two share no volume; check that they are in one frame");
+    pair.Notes.push_back("the two share no volume; the least distance between them is " +
+                         FixedText(pair.Numbers.LeastDistance, 2) + " mm" +
+                         (AreOfOneName(pair)
+                              ? "; if they are one structure, check that their files have one frame"
+                              : ""));
   }
 }
 } // namespace
@@ -64,8 +78,11 @@ void PairComparison::Forget()
 {
   this->OneBody = nullptr;
   this->OtherBody = nullptr;
-  this->Numbers.OneToOther.Values = {};
-  this->Numbers.OtherToOne.Values = {};
+  for (DistanceMap* map : {&this->Numbers.OneToOther, &this->Numbers.OtherToOne})
+  {
+    map->Values = {};
+    map->Samples = {};
+  }
 }
 
 std::pair<std::string, std::string> TitlesOf(const PairComparison& pair)

@@ -23,8 +23,7 @@ ComparedSurface Prepared(vtkPolyData* surface)
 
 SurfaceDistances DistancesBetween(const ComparedSurface& one, const ComparedSurface& other)
 {
-  const DistanceSummary both = TwoSidedDistances(one.DistancesFrom(other), one.Weights(),
-                                                 other.DistancesFrom(one), other.Weights());
+  const DistanceSummary both = TwoSidedDistances(one.SamplesFrom(other), other.SamplesFrom(one));
   return {both.Mean, both.Rms, both.Percentile95, both.Largest};
 }
 } // namespace

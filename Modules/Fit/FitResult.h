@@ -19,7 +19,7 @@
 
 namespace palpate
 {
-/// Distances (mm) between two surfaces, in both directions, weighted by area.
+/// Distances (mm) between two surfaces, in both directions, over their areas.
 struct SurfaceDistances
 {
   double Mean = 0.0;

@@ -1,38 +1,31 @@
 #include "BodyComparison.h"
 
+#include "MeshGap.h"
+
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-std::vector<double> Lengths(const DistanceMap& map)
-{
-  std::vector<double> lengths;
-  lengths.reserve(map.Values.size());
-  for (const double value : map.Values)
-  {
-    lengths.push_back(std::abs(value));
-  }
-  return lengths;
-}
-
 Status MapDistances(const ComparedBody& from, const ComparedBody& to,
                     const KernelProgress& progress, DistanceMap& map)
 {
-  if (Status status = to.DistancesOf(from.Surface().Points, progress, map.Values); !status.IsOk())
+  if (Status status = from.SampleDistancesFrom(to, progress, map.Samples); !status.IsOk())
   {
     return status;
   }
-  map.Unsigned = Summarise(Lengths(map), from.Weights());
-  map.SignedMean = to.IsClosed() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t i = 0; i < map.Values.size(); ++i)
-  {
-    map.SignedMean += from.Weights()[i] * map.Values[i];
-  }
+  const std::vector<double>& values = map.Samples.Values;
+  const auto points = static_cast<std::ptrdiff_t>(from.Surface().Points.size());
+  map.Values.assign(values.begin(), values.begin() + points);
+  map.Unsigned = Summarise(map.Samples);
+  map.SignedMean = to.IsClosed() ? std::inner_product(values.begin(), values.end(),
+                                                      map.Samples.Weights.begin(), 0.0)
+                                 : std::numeric_limits<double>::quiet_NaN();
   return Status::Success();
 }
 } // namespace
@@ -46,13 +39,11 @@ std::vector<double> SurfaceDice(const ComparedBody& one, const DistanceMap& ther
                                 const ComparedBody& other, const DistanceMap& back,
                                 const std::vector<double>& tolerances)
 {
-  const std::vector<double> lengthsThere = Lengths(there);
-  const std::vector<double> lengthsBack = Lengths(back);
   std::vector<double> dice;
   for (const double tolerance : tolerances)
   {
-    const double within = one.Area() * ShareWithin(one.Surface(), lengthsThere, tolerance) +
-                          other.Area() * ShareWithin(other.Surface(), lengthsBack, tolerance);
+    const double within = one.Area() * ShareWithin(there.Samples, tolerance) +
+                          other.Area() * ShareWithin(back.Samples, tolerance);
     dice.push_back(within / (one.Area() + other.Area()));
   }
   return dice;
@@ -83,8 +74,16 @@ Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
     made.Overlap =
         BodyOverlap::OfModels(one, made.OneToOther.Values, other, made.OtherToOne.Values);
   }
-  made.Both = TwoSidedDistances(Lengths(made.OneToOther), one.Weights(), Lengths(made.OtherToOne),
-                                other.Weights());
+  made.Both = TwoSidedDistances(made.OneToOther.Samples, made.OtherToOne.Samples);
+  if (!made.Overlap || made.Overlap->Both == 0.0)
+  {
+    MeshGap gap;
+    if (status = FindMeshGap(one.Surface(), other.Surface(), gap); !status.IsOk())
+    {
+      return status;
+    }
+    made.LeastDistance = gap.Distance;
+  }
   const std::vector<double> dice =
       SurfaceDice(one, made.OneToOther, other, made.OtherToOne, tolerances);
   for (std::size_t i = 0; i < tolerances.size(); ++i)
@@ -93,8 +92,7 @@ Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
   }
   if (other.IsClosed())
   {
-    made.Bias =
-        SideBias::Of(one.Surface().Points, made.OneToOther.Values, one.Weights(), other.Centroid());
+    made.Bias = SideBias::Of(made.OneToOther.Samples, other.Centroid());
   }
   comparison = std::move(made);
   return Status::Success();

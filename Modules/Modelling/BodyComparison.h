@@ -2,8 +2,8 @@
 
 #include "BodyOverlap.h"
 #include "ComparedBody.h"
+#include "DistanceSamples.h"
 #include "KernelProgress.h"
-#include "MeshDistances.h"
 #include "SideBias.h"
 #include "Status.h"
 
@@ -12,15 +12,17 @@
 
 namespace palpate
 {
-/// Distances (mm) of the points of one body's surface from the other's.
+/// Distances (mm) of one body's surface from the other's; negative inside the other body, if that
+/// is closed.
 struct DistanceMap
 {
-  std::vector<double> Values; ///< negative inside the other body, if that is closed
+  std::vector<double> Values; ///< at the surface's points
+  DistanceSamples Samples;    ///< over its area
   DistanceSummary Unsigned;
   double SignedMean = 0.0; ///< NaN if the other surface is open
 };
 
-/// Two bodies compared; the second is the reference. Means over a surface are weighted by area.
+/// Two bodies compared; the second is the reference. Means over a surface are over its area.
 struct BodyComparison
 {
   struct Tolerance
@@ -35,6 +37,9 @@ struct BodyComparison
   /// Of both directions together, each with half of the weight; the maximum is the Hausdorff
   /// distance.
   DistanceSummary Both;
+  /// Least distance (mm) between closed bodies, 0 if they share volume; of an open one, between the
+  /// surfaces. Exact for triangles; a model's are some micrometres inside it.
+  double LeastDistance = 0.0;
   std::vector<Tolerance> Tolerances;
   /// Of the first surface around the reference's centroid; if the reference is closed.
   std::optional<SideBias> Bias;
@@ -51,8 +56,9 @@ std::vector<double> SurfaceDice(const ComparedBody& one, const DistanceMap& ther
                                 const ComparedBody& other, const DistanceMap& back,
                                 const std::vector<double>& tolerances);
 
-/// `tolerances` (mm) are those of the surface Dice. The distances of a surface are taken at its
-/// points and linear in its triangles. Fails only if `progress` cancels.
+/// `tolerances` (mm) are those of the surface Dice. Means and percentiles are within 1 % of those
+/// over the area, largest distances as a rule within 0.1 % (SampleDistances). Fails only if
+/// `progress` cancels.
 Status CompareBodies(const ComparedBody& one, const ComparedBody& other,
                      const std::vector<double>& tolerances, const KernelProgress& progress,
                      BodyComparison& comparison);

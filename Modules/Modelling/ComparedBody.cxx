@@ -1,11 +1,13 @@
 #include "ComparedBody.h"
 
+#include "DistanceSampler.h"
 #include "MaskBoundary.h"
 #include "MeshDistances.h"
 #include "MeshMending.h"
 #include "MeshRefinement.h"
 #include "MeshVoxels.h"
 #include "SignedMeshDistances.h"
+#include "SpatialOrder.h"
 #include "StarShape.h"
 #include "SurfaceTopology.h"
 
@@ -23,12 +25,12 @@ namespace
 constexpr double WantedTriangles = 40000.0;
 constexpr int MostSplitTriangles = 400000;
 
-Vector3 SurfaceCentroid(const IndexedMesh& mesh, const std::vector<double>& parts)
+Vector3 SurfaceCentroid(const IndexedMesh& mesh, const std::vector<double>& areas, double area)
 {
   Vector3 centroid = Vector3::Zero();
-  for (std::size_t i = 0; i < parts.size(); ++i)
+  for (std::size_t i = 0; i < areas.size(); ++i)
   {
-    centroid += parts[i] * mesh.Points[i];
+    centroid += areas[i] / area * mesh.Points[i];
   }
   return centroid;
 }
@@ -131,43 +133,115 @@ Status ComparedBody::Finish()
   {
     return status;
   }
-  this->Parts = PointAreas(this->Mesh);
-  const double area = // of the triangles
-      std::accumulate(this->Parts.begin(), this->Parts.end(), 0.0);
+  const std::vector<double> areas = PointAreas(this->Mesh);
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0); // of the triangles
   if (!(area > 0.0) || !std::isfinite(area))
   {
     return Status::Failure("has no area");
   }
   this->SurfaceArea = this->Foot != nullptr ? this->SurfaceArea : area;
-  std::for_each(this->Parts.begin(), this->Parts.end(), [area](double& part) { part /= area; });
   const bool hasInside = this->IsClosed() && this->EnclosedVolume > 0.0;
-  this->Middle = hasInside ? VolumeCentroid(this->Mesh) : SurfaceCentroid(this->Mesh, this->Parts);
+  this->Middle = hasInside ? VolumeCentroid(this->Mesh) : SurfaceCentroid(this->Mesh, areas, area);
   return Status::Success();
+}
+
+// The ball around a point up to the surface lies on one side of it: a point in that of the one
+// before, or around which it is, is on the same side and needs no test of its own.
+void ComparedBody::GiveSigns(const std::vector<Vector3>& points,
+                             std::vector<double>& distances) const
+{
+  if (!this->IsClosed() || this->Foot != nullptr)
+  {
+    return;
+  }
+  const std::vector<int> order = SpatialOrder(points);
+  std::vector<Vector3> tested;
+  std::vector<std::size_t> tests;
+  tests.reserve(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const int point = order[i];
+    const int before = order[i == 0 ? 0 : i - 1];
+    if (i == 0 ||
+        !((points[point] - points[before]).norm() < std::max(distances[point], distances[before])))
+    {
+      tested.push_back(points[point]);
+    }
+    tests.push_back(tested.size() - 1);
+  }
+  const std::vector<std::uint8_t> inside = InsideOf(tested, this->Mesh);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    double& distance = distances[order[i]];
+    distance = inside[tests[i]] != 0 ? -distance : distance;
+  }
 }
 
 Status ComparedBody::DistancesOf(const std::vector<Vector3>& points, const KernelProgress& progress,
                                  std::vector<double>& distances) const
 {
-  constexpr std::size_t Block = 4096;
-  const bool needsSides = this->IsClosed() && this->Foot == nullptr;
-  const std::vector<std::uint8_t> inside =
-      needsSides ? InsideOf(points, this->Mesh) : std::vector<std::uint8_t>();
+  Status status = this->Measure(points, progress, distances);
+  if (status.IsOk())
+  {
+    this->GiveSigns(points, distances);
+  }
+  return status;
+}
+
+// Signed from a model only.
+Status ComparedBody::Measure(const std::vector<Vector3>& points, const KernelProgress& progress,
+                             std::vector<double>& distances) const
+{
+  constexpr std::size_t Block = 16384;
   std::vector<double> found;
   found.reserve(points.size());
-  NearestOnMesh::Result near;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t begin = 0; begin < points.size(); begin += Block)
   {
-    if (i % Block == 0 && progress &&
-        !progress(static_cast<double>(i) / static_cast<double>(points.size())))
+    if (progress && !progress(static_cast<double>(begin) / static_cast<double>(points.size())))
     {
       return Status::Failure("cancelled");
     }
-    near = this->Nearest.FindFrom(points[i], near.Triangle); // neighbours often follow each other
-    const double distance =
-        this->Foot != nullptr ? this->Foot->SignedDistance(points[i], near) : near.Distance;
-    found.push_back(needsSides && inside[i] != 0 ? -distance : distance);
+    const auto first = points.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto count = static_cast<std::ptrdiff_t>(std::min(Block, points.size() - begin));
+    const std::vector<Vector3> block(first, first + count);
+    if (this->Foot == nullptr)
+    {
+      const std::vector<double> lengths = this->Nearest.DistancesOf(block);
+      found.insert(found.end(), lengths.begin(), lengths.end());
+      continue;
+    }
+    const std::vector<NearestOnMesh::Result> near = this->Nearest.FindAll(block);
+    for (std::size_t i = 0; i < block.size(); ++i)
+    {
+      found.push_back(this->Foot->SignedDistance(block[i], near[i]));
+    }
   }
   distances = std::move(found);
   return Status::Success();
+}
+
+Status ComparedBody::SampleDistancesFrom(const ComparedBody& other, const KernelProgress& progress,
+                                         DistanceSamples& samples) const
+{
+  SampledSurface surface{this->Mesh, {}};
+  if (this->Foot != nullptr)
+  {
+    surface.Places.Points = this->Foot->MeshParameters();
+    surface.PointAt = [this](const Vector3& direction) { return this->Foot->PointAt(direction); };
+  }
+  double done = 0.0; // the number of steps is not known
+  Status status = SampleDistances(
+      surface,
+      [&](const std::vector<Vector3>& points, std::vector<double>& distances)
+      {
+        const double begin = std::exchange(done, 0.5 * (1.0 + done));
+        return other.Measure(points, PartOf(progress, begin, done), distances);
+      },
+      samples);
+  if (status.IsOk())
+  {
+    other.GiveSigns(samples.Points, samples.Values);
+  }
+  return status;
 }
 } // namespace palpate

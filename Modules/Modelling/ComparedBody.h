@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DistanceSamples.h"
 #include "IndexToWorld.h"
 #include "IndexedMesh.h"
 #include "KernelProgress.h"
@@ -61,23 +62,28 @@ public:
   const Vector3& Centroid() const noexcept { return this->Middle; }
   const PlacedMask* Mask() const noexcept { return this->Voxels.get(); }
   bool IsModel() const noexcept { return this->Foot != nullptr; }
-  /// The points' parts of the surface's area, which sum to 1.
-  const std::vector<double>& Weights() const noexcept { return this->Parts; }
 
   /// Distances (mm) of points from this surface: negative inside if it is closed, else unsigned.
   /// Fails only if `progress` cancels.
   Status DistancesOf(const std::vector<Vector3>& points, const KernelProgress& progress,
                      std::vector<double>& distances) const;
+  /// Distances over this surface from another body's, as that measures them (SampleDistances). The
+  /// first samples are the points of Surface(); all are on the model, of one. Fails only if
+  /// `progress` cancels.
+  Status SampleDistancesFrom(const ComparedBody& other, const KernelProgress& progress,
+                             DistanceSamples& samples) const;
 
 private:
   Status Finish();
+  Status Measure(const std::vector<Vector3>& points, const KernelProgress& progress,
+                 std::vector<double>& distances) const;
+  void GiveSigns(const std::vector<Vector3>& points, std::vector<double>& distances) const;
 
   IndexedMesh Mesh;
   NearestOnMesh Nearest;
   std::shared_ptr<const ModelFoot> Foot;
   std::shared_ptr<const IndexedMesh> Scaled; // of a model
   std::shared_ptr<const PlacedMask> Voxels;
-  std::vector<double> Parts;
   Vector3 Middle = Vector3::Zero();
   double EnclosedVolume = 0.0;
   double SurfaceArea = 0.0;

@@ -91,6 +91,11 @@ ModelFoot::ModelFoot(const SurfaceModel& model)
   }
 }
 
+Vector3 ModelFoot::PointAt(const Vector3& direction) const noexcept
+{
+  return this->Shape.PointWorld(direction.normalized());
+}
+
 IndexedMesh ModelFoot::CoarseMesh() const
 {
   IndexedMesh coarse{this->Drawing.Points, CoarseTriangles(this->Parameters, this->Frequency)};
@@ -120,7 +125,7 @@ double ModelFoot::SignedDistance(const Vector3& query,
                                  const NearestOnMesh::Result& near) const noexcept
 {
   constexpr int MostSteps = 12;
-  constexpr double ShortStep = 1e-7; // rad; the distance is then off by the square of it
+  constexpr double ShortStep = 1e-7; // rad; the rest of the way is straight
   const Vector3 from = query - this->Shape.CenterWorld();
   Vector3 parameter = this->ParameterAt(near);
   ParametricShape::SecondOrderSample sample = this->Shape.EvaluateSecondOrder(parameter);
@@ -134,6 +139,8 @@ double ModelFoot::SignedDistance(const Vector3& query,
     const Vector3 step = distance.NewtonStep();
     if (!(step.squaredNorm() > ShortStep * ShortStep))
     {
+      sample.Point += sample.Tangents[0].dot(step) * sample.First[0] +
+                      sample.Tangents[1].dot(step) * sample.First[1];
       break;
     }
     const Vector3 next = Moved(parameter, step);

@@ -21,6 +21,10 @@ public:
   /// Points of the surface (mm, patient LPS), outward orientation; 32,000 triangles or more, after
   /// the model's degree.
   const IndexedMesh& Mesh() const noexcept { return this->Drawing; }
+  /// The directions of the parameter sphere of which PointAt makes its points.
+  const std::vector<Vector3>& MeshParameters() const noexcept { return this->Parameters; }
+  /// The surface's point (mm) in a direction, of any length but 0, of the parameter sphere.
+  Vector3 PointAt(const Vector3& direction) const noexcept;
   /// The same points, with a quarter of the triangles: for extrapolation. Allocates.
   IndexedMesh CoarseMesh() const;
   double Volume() const noexcept { return this->EnclosedVolume; } ///< mm^3, positive

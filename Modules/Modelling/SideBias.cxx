@@ -17,8 +17,7 @@ void Normalise(std::array<SideBias::Part, Count>& parts)
 }
 } // namespace
 
-SideBias SideBias::Of(const std::vector<Vector3>& points, const std::vector<double>& distances,
-                      const std::vector<double>& weights, const Vector3& center)
+SideBias SideBias::Of(const DistanceSamples& samples, const Vector3& center)
 {
   SideBias bias;
   const auto add = [](Part& part, double distance, double weight)
@@ -26,16 +25,16 @@ SideBias SideBias::Of(const std::vector<Vector3>& points, const std::vector<doub
     part.Mean += weight * distance;
     part.Share += weight;
   };
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < samples.Points.size(); ++i)
   {
-    const Vector3 arm = points[i] - center;
+    const Vector3 arm = samples.Points[i] - center;
     Eigen::Index axis = 0;
     arm.cwiseAbs().maxCoeff(&axis);
     const auto side = static_cast<std::size_t>(2 * axis + (arm[axis] < 0.0 ? 1 : 0));
-    add(bias.Sides[side], distances[i], weights[i]);
+    add(bias.Sides[side], samples.Values[i], samples.Weights[i]);
     const std::size_t octant =
         (arm.x() < 0.0 ? 1U : 0U) + (arm.y() < 0.0 ? 2U : 0U) + (arm.z() < 0.0 ? 4U : 0U);
-    add(bias.Octants[octant], distances[i], weights[i]);
+    add(bias.Octants[octant], samples.Values[i], samples.Weights[i]);
   }
   Normalise(bias.Sides);
   Normalise(bias.Octants);

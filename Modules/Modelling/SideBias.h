@@ -1,10 +1,9 @@
 #pragma once
 
-#include "Vector3.h"
+#include "DistanceSamples.h"
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace palpate
 {
@@ -24,8 +23,6 @@ struct SideBias
   /// superior.
   std::array<Part, 8> Octants;
 
-  /// `weights` sum to 1.
-  static SideBias Of(const std::vector<Vector3>& points, const std::vector<double>& distances,
-                     const std::vector<double>& weights, const Vector3& center);
+  static SideBias Of(const DistanceSamples& samples, const Vector3& center);
 };
 } // namespace palpate

@@ -65,16 +65,12 @@ AddedSurface AddedTo(const IndexedMesh& given, const IndexedMesh& made, double n
   {
     return added;
   }
-  const std::vector<double> distances = to.DistancesFrom(from);
-  for (std::size_t point = 0; point < distances.size(); ++point)
+  const DistanceSamples samples = to.SamplesFrom(from);
+  added.AreaPercent = 100.0 * (1.0 - ShareWithin(samples, near));
+  if (samples.Largest > near)
   {
-    added.AreaPercent += distances[point] > near ? 100.0 * to.Weights()[point] : 0.0;
-  }
-  const auto farthest = std::max_element(distances.begin(), distances.end());
-  if (*farthest > near)
-  {
-    added.Distance = *farthest;
-    added.Farthest = made.Points[static_cast<std::size_t>(farthest - distances.begin())];
+    added.Distance = samples.Largest;
+    added.Farthest = samples.Farthest;
   }
   return added;
 }

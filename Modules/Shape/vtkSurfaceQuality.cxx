@@ -15,7 +15,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <vector>
 
 vtkStandardNewMacro(vtkSurfaceQuality);
 
@@ -60,16 +59,15 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
     vtkErrorMacro(<< status.Message());
     return 0;
   }
-  const std::vector<double> there = one.DistancesFrom(other);
+  const palpate::DistanceSamples there = one.SamplesFrom(other);
   this->UpdateProgress(0.3);
-  const std::vector<double> back = other.DistancesFrom(one);
+  const palpate::DistanceSamples back = other.SamplesFrom(one);
   this->UpdateProgress(0.8);
   if (this->AbortExecute)
   {
     return 1;
   }
-  const palpate::DistanceSummary distance =
-      palpate::TwoSidedDistances(there, one.Weights(), back, other.Weights());
+  const palpate::DistanceSummary distance = palpate::TwoSidedDistances(there, back);
   this->MeanDistance = distance.Mean;
   this->RmsDistance = distance.Rms;
   this->Percentile95Distance = distance.Percentile95;
@@ -90,7 +88,7 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
   vtkNew<vtkDoubleArray> distances;
   distances->SetName("Distance");
   distances->SetNumberOfValues(tested->GetNumberOfPoints());
-  std::copy(there.begin(), there.end(), distances->GetPointer(0));
+  std::copy_n(there.Values.begin(), tested->GetNumberOfPoints(), distances->GetPointer(0));
   output->GetPointData()->AddArray(distances);
   this->UpdateProgress(1.0);
   return 1;

@@ -12,11 +12,12 @@ class vtkImageData;
 /// the Dice coefficient. All in world mm; the label map's direction matrix is honoured. Output: the
 /// surface under test with the point array "Distance" (mm, unsigned, to the reference).
 ///
-/// The distances are symmetric: from every vertex of either surface to the nearest point of the
-/// other, each vertex weighted by the area around it, and each direction by one half (so that a
-/// rough surface does not weigh more for its larger area). Mean, root mean square and percentile
-/// are of both directions together; the maximum is the Hausdorff distance of the vertices. Dice is
-/// computed on the label map's own grid: a voxel belongs to the surface if its centre lies inside.
+/// The distances are symmetric: over the area of either surface to the nearest point of the other,
+/// each direction with half of the weight (so that a rough surface does not weigh more for its
+/// larger area). Mean, root mean square and percentile are of both directions together, within 1 %;
+/// the maximum is the Hausdorff distance, over edges and faces too (palpate::SampleDistances). Dice
+/// is computed on the label map's own grid: a voxel belongs to the surface if its centre lies
+/// inside.
 class PALPATESHAPE_EXPORT vtkSurfaceQuality : public vtkPolyDataAlgorithm
 {
 public:

@@ -3,7 +3,7 @@
 #include "FitStructure.h"
 #include "IcosahedronDirections.h"
 #include "ImageWriter.h"
-#include "MeshDistances.h"
+#include "NearestOnMesh.h"
 #include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
@@ -100,8 +100,7 @@ public:
   DistanceCase() : Points(SurfaceOf(40).Points)
   {
     const IndexedMesh coarse = SurfaceOf(20);
-    Check(ComparedSurface::Make(SurfaceOf(40), this->Fine));
-    Check(ComparedSurface::Make(coarse, this->Coarse));
+    Check(NearestOnMesh::Make(coarse, this->Coarse));
     TriangleMesh mesh;
     mesh.PointsWorld = coarse.Points;
     mesh.Triangles = coarse.Triangles;
@@ -109,7 +108,7 @@ public:
     this->Locator->BuildLocator();
   }
 
-  void Find() { this->Found = this->Fine.DistancesFrom(this->Coarse); }
+  void Find() { this->Found = this->Coarse.DistancesOf(this->Points); }
 
   void FindByVtk()
   {
@@ -157,8 +156,7 @@ private:
   }
 
   std::vector<Vector3> Points;
-  ComparedSurface Fine;
-  ComparedSurface Coarse;
+  NearestOnMesh Coarse;
   vtkNew<vtkStaticCellLocator> Locator;
   std::vector<double> Found;
   std::vector<double> FoundByVtk;

@@ -92,7 +92,8 @@ TEST(CliCompare, StructuresOfOneNumberArePaired)
     EXPECT_EQ(pair.at("first").at("label"), pair.at("reference").at("label"));
     EXPECT_EQ(pair.at("overlap").at("dice"), 1.0);
     EXPECT_EQ(pair.at("overlap").at("cells"), "voxels");
-    EXPECT_EQ(pair.at("distance").at("both").at("max_mm"), 0.0);
+    EXPECT_NEAR(pair.at("distance").at("both").at("max_mm").get<double>(), 0.0, 1e-9);
+    EXPECT_EQ(pair.at("distance").at("least_mm"), 0.0);
   }
 }
 
@@ -104,6 +105,30 @@ TEST(CliCompare, OtherLabelIsChosenForTheReference)
       Compare(folder, {"a.nii.gz", "a.nii.gz", "--label", "1", "--reference-label", "2"}).at(0);
   EXPECT_EQ(pair.at("overlap").at("dice"), 0.0);
   EXPECT_NE(pair.at("notes").at(0).get<std::string>().find("share no volume"), std::string::npos);
+}
+
+TEST(CliCompare, TwoOrgansHaveALeastDistanceAndNoHintOfAFrame)
+{
+  const TemporaryFolder folder;
+  WriteSphere(folder / "liver.json", 20.0, {0.0, 0.0, 0.0});
+  WriteSphere(folder / "spleen.json", 10.0, {0.0, 40.0, 0.0});
+  const Json pair = Compare(folder, {"liver.json", "spleen.json"}).at(0);
+  EXPECT_NEAR(pair.at("distance").at("least_mm").get<double>(), 10.0, 0.01);
+  ASSERT_EQ(pair.at("notes").size(), 1U);
+  const std::string note = pair.at("notes").at(0);
+  EXPECT_NE(note.find("least distance between them is 10.0"), std::string::npos) << note;
+  EXPECT_EQ(note.find("frame"), std::string::npos) << note;
+}
+
+TEST(CliCompare, OneStructureFarFromItselfHasAHintOfAFrame)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "flipped");
+  WriteSphere(folder / "liver.json", 20.0, {50.0, 50.0, 0.0});
+  WriteSphere(folder / "flipped" / "liver.json", 20.0, {-50.0, -50.0, 0.0});
+  const Json pair = Compare(folder, {"liver.json", "flipped/liver.json"}).at(0);
+  const std::string note = pair.at("notes").at(0);
+  EXPECT_NE(note.find("one frame"), std::string::npos) << note;
 }
 
 TEST(CliCompare, MaskAndModelAgreeWithTheFitsOwnNumbers)

@@ -20,5 +20,5 @@ struct Avx2Set
   }
 };
 
-const Kernel Avx2{Arithmetic<Avx2Set>::Squares};
+const Kernel Avx2{Arithmetic<Avx2Set>::Find};
 } // namespace palpate::nearest

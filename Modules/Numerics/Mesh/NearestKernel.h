@@ -25,11 +25,11 @@ struct Mesh
 /// As TriangleTree::MostPending.
 constexpr int MostPending = 64;
 
-/// Squared distances (mm^2) of points (x, y, z each). Faster where points that follow each other
-/// are close.
+/// Squared distances (mm^2) of points (x, y, z each), and the place of one of the nearest
+/// triangles. Faster where points that follow each other are close.
 struct Kernel
 {
-  void (*Squares)(const Mesh& mesh, const double* points, long count, double* squares);
+  void (*Find)(const Mesh& mesh, const double* points, long count, double* squares, int* places);
 };
 
 extern const Kernel Avx2;
@@ -205,7 +205,7 @@ struct Arithmetic
     }
   }
 
-  static void Squares(const Mesh& mesh, const double* points, long count, double* squares)
+  static void Find(const Mesh& mesh, const double* points, long count, double* squares, int* places)
   {
     int start = 0;
     for (long first = 0; first < count; first += Lanes)
@@ -223,6 +223,7 @@ struct Arithmetic
       for (int lane = 0; lane < Lanes && first + lane < count; ++lane)
       {
         squares[first + lane] = best.Square[lane];
+        places[first + lane] = static_cast<int>(best.Place[lane]);
       }
     }
   }

@@ -16,7 +16,7 @@ struct PortableSet
   }
 };
 
-const Kernel Portable{Arithmetic<PortableSet>::Squares};
+const Kernel Portable{Arithmetic<PortableSet>::Find};
 } // namespace
 
 const Kernel& KernelFor(InstructionSet set) noexcept

@@ -1,10 +1,12 @@
 #include "NearestOnMesh.h"
 
 #include "NearestKernelChoice.h"
+#include "SpatialOrder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace palpate
@@ -95,15 +97,12 @@ void NearestOnMesh::Arrange(const IndexedMesh& mesh)
   std::vector<int> placeOf(mesh.Points.size(), None);
   this->Points.clear();
   this->Points.reserve(mesh.Points.size());
-  this->Numbers.clear();
-  this->Numbers.reserve(mesh.Points.size());
   const auto add = [&](int point)
   {
     if (placeOf[point] == None)
     {
       placeOf[point] = static_cast<int>(this->Points.size());
       this->Points.push_back(mesh.Points[point]);
-      this->Numbers.push_back(point);
     }
     return placeOf[point];
   };
@@ -114,10 +113,6 @@ void NearestOnMesh::Arrange(const IndexedMesh& mesh)
     const std::array<int, 3>& t = mesh.Triangles[this->Order[place]];
     this->Triangles[place] = {add(t[0]), add(t[1]), add(t[2])};
     this->Places[this->Order[place]] = static_cast<int>(place);
-  }
-  for (std::size_t point = 0; point < mesh.Points.size(); ++point)
-  {
-    add(static_cast<int>(point));
   }
 }
 
@@ -208,7 +203,8 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
   return result;
 }
 
-std::vector<double> NearestOnMesh::DistancesOf(const NearestOnMesh& other, InstructionSet set) const
+void NearestOnMesh::Search(const std::vector<Vector3>& points, InstructionSet set,
+                           std::vector<double>& squares, std::vector<int>& places) const
 {
   using Node = TriangleTree::Node;
   static_assert(sizeof(Node) == sizeof(nearest::Node) &&
@@ -216,16 +212,55 @@ std::vector<double> NearestOnMesh::DistancesOf(const NearestOnMesh& other, Instr
                 offsetof(Node, Second) == offsetof(nearest::Node, Second) &&
                 offsetof(Node, Count) == offsetof(nearest::Node, Count));
   static_assert(sizeof(Corners) == 3 * sizeof(int) && sizeof(Vector3) == 3 * sizeof(double));
+  squares.resize(points.size());
+  places.resize(points.size());
+  if (points.empty())
+  {
+    return;
+  }
   const nearest::Mesh mesh{reinterpret_cast<const nearest::Node*>(this->Nodes.data()),
                            this->Triangles.front().data(), this->Points.front().data()};
-  std::vector<double> squares(other.Points.size());
-  nearest::KernelFor(set).Squares(mesh, other.Points.front().data(),
-                                  static_cast<long>(squares.size()), squares.data());
-  std::vector<double> distances(squares.size());
-  for (std::size_t i = 0; i < squares.size(); ++i)
+  const std::vector<int> order = SpatialOrder(points);
+  std::vector<Vector3> queries;
+  queries.reserve(points.size());
+  std::transform(order.begin(), order.end(), std::back_inserter(queries),
+                 [&points](int number) { return points[number]; });
+  std::vector<double> squaresInOrder(points.size());
+  std::vector<int> placesInOrder(points.size());
+  nearest::KernelFor(set).Find(mesh, queries.front().data(), static_cast<long>(points.size()),
+                               squaresInOrder.data(), placesInOrder.data());
+  for (std::size_t i = 0; i < order.size(); ++i)
   {
-    distances[other.Numbers[i]] = std::sqrt(squares[i]);
+    squares[order[i]] = squaresInOrder[i];
+    places[order[i]] = placesInOrder[i];
   }
-  return distances;
+}
+
+std::vector<NearestOnMesh::Result> NearestOnMesh::FindAll(const std::vector<Vector3>& points,
+                                                          InstructionSet set) const
+{
+  std::vector<double> squares;
+  std::vector<int> places;
+  this->Search(points, set, squares, places);
+  std::vector<Result> results(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Corners& t = this->Triangles[places[i]];
+    const Vector3 nearest =
+        NearestOnTriangle(points[i], this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
+    results[i] = {nearest, (nearest - points[i]).norm(), this->Order[places[i]]};
+  }
+  return results;
+}
+
+std::vector<double> NearestOnMesh::DistancesOf(const std::vector<Vector3>& points,
+                                               InstructionSet set) const
+{
+  std::vector<double> squares;
+  std::vector<int> places;
+  this->Search(points, set, squares, places);
+  std::transform(squares.begin(), squares.end(), squares.begin(),
+                 [](double square) { return std::sqrt(square); });
+  return squares;
 }
 } // namespace palpate

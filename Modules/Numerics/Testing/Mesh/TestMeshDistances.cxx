@@ -54,18 +54,15 @@ IndexedMesh WithFlatTriangles(IndexedMesh mesh)
   return mesh;
 }
 
-// Points of a mesh of one triangle.
-IndexedMesh PointsAround(const IndexedMesh& mesh, test::Random& random)
+std::vector<Vector3> PointsAround(const IndexedMesh& mesh, test::Random& random)
 {
   std::normal_distribution<double> normal;
   const auto offset = [&] { return Vector3(normal(random), normal(random), normal(random)); };
-  IndexedMesh points;
+  std::vector<Vector3> points;
   for (const Vector3& point : mesh.Points)
   {
-    points.Points.insert(points.Points.end(),
-                         {point, point + 0.1 * offset(), point + 30.0 * offset()});
+    points.insert(points.end(), {point, point + 0.1 * offset(), point + 30.0 * offset()});
   }
-  points.Triangles.push_back({2, 1, 5});
   return points;
 }
 
@@ -75,19 +72,21 @@ TEST(NearestOnMesh, DistancesOfManyPointsAreThoseOfEachWithAnyInstructions)
   for (const IndexedMesh& whole : {test::Lobed(8), test::Torus(20, 10), test::MoebiusStrip(5)})
   {
     const IndexedMesh mesh = WithFlatTriangles(whole);
-    const IndexedMesh points = PointsAround(mesh, random);
+    const std::vector<Vector3> points = PointsAround(mesh, random);
     NearestOnMesh tree;
-    NearestOnMesh others;
     ASSERT_TRUE(NearestOnMesh::Make(mesh, tree).IsOk());
-    ASSERT_TRUE(NearestOnMesh::Make(points, others).IsOk());
     for (const InstructionSet set : test::RunnableInstructionSets())
     {
-      const std::vector<double> distances = tree.DistancesOf(others, set);
-      ASSERT_EQ(distances.size(), points.Points.size());
+      const std::vector<double> distances = tree.DistancesOf(points, set);
+      const std::vector<NearestOnMesh::Result> results = tree.FindAll(points, set);
+      ASSERT_EQ(distances.size(), points.size());
+      ASSERT_EQ(results.size(), points.size());
       for (std::size_t i = 0; i < distances.size(); ++i)
       {
         // Rounding, of coordinates up to 50 mm.
-        EXPECT_NEAR(distances[i], tree.Find(points.Points[i]).Distance, 1e-13) << i;
+        EXPECT_NEAR(distances[i], tree.Find(points[i]).Distance, 1e-13) << i;
+        EXPECT_NEAR(results[i].Distance, distances[i], 1e-13) << i;
+        EXPECT_EQ((results[i].Point - points[i]).norm(), results[i].Distance) << i;
       }
     }
   }
@@ -169,22 +168,35 @@ TEST(NearestOnMesh, KeepsDigitsFarFromOrigin)
 
 TEST(MeshDistances, OfConcentricBoxesAreKnown)
 {
-  // From each corner of the inner box 1 mm; from those of the outer one the space diagonal.
+  // The inner box is 1 mm inside; from the outer one's faces of 6 mm it has the distance of a
+  // square of 4 mm in a plane 1 mm below.
   MeshDistances distances;
   ASSERT_TRUE(MeasureMeshDistances(test::Box({1, 1, 1}, {5, 5, 5}), test::Box({0, 0, 0}, {6, 6, 6}),
                                    distances)
                   .IsOk());
-  const double root = std::sqrt(3.0);
   for (const double value : {distances.OneToOther.Mean, distances.OneToOther.Rms,
                              distances.OneToOther.Percentile95, distances.OneToOther.Largest})
   {
-    EXPECT_NEAR(value, 1.0, 1e-14);
+    EXPECT_NEAR(value, 1.0, 1e-13);
   }
-  EXPECT_NEAR(distances.OtherToOne.Mean, root, 1e-14);
-  EXPECT_NEAR(distances.Both.Mean, 0.5 * (1.0 + root), 1e-14);
-  EXPECT_NEAR(distances.Both.Rms, std::sqrt(2.0), 1e-14);
-  EXPECT_NEAR(distances.Both.Percentile95, root, 1e-14);
-  EXPECT_NEAR(distances.Both.Largest, root, 1e-14);
+  constexpr int Steps = 600;
+  double mean = 0.0;
+  double square = 0.0;
+  for (int i = 0; i < Steps; ++i)
+  {
+    for (int j = 0; j < Steps; ++j)
+    {
+      const double y = std::max(0.0, std::abs(-3.0 + 6.0 * (i + 0.5) / Steps) - 2.0);
+      const double z = std::max(0.0, std::abs(-3.0 + 6.0 * (j + 0.5) / Steps) - 2.0);
+      mean += std::sqrt(1.0 + y * y + z * z) / (Steps * Steps);
+      square += (1.0 + y * y + z * z) / (Steps * Steps);
+    }
+  }
+  EXPECT_NEAR(distances.OtherToOne.Mean, mean, 1e-3);
+  EXPECT_NEAR(distances.OtherToOne.Rms, std::sqrt(square), 1e-3);
+  EXPECT_NEAR(distances.OtherToOne.Largest, std::sqrt(3.0), 1e-13);
+  EXPECT_NEAR(distances.Both.Mean, 0.5 * (1.0 + mean), 1e-3);
+  EXPECT_NEAR(distances.Both.Largest, std::sqrt(3.0), 1e-13);
 }
 
 TEST(NearestOnMesh, IsIndependentOfStart)
@@ -210,13 +222,16 @@ TEST(MeshDistances, PercentileIsThatOfSortedDistances)
   std::uniform_real_distribution<double> weight(0.0, 1.0);
   for (int round = 0; round < 50; ++round)
   {
-    std::vector<double> distances(1 + static_cast<std::size_t>(round) * 7);
-    std::vector<double> weights(distances.size());
+    DistanceSamples samples;
+    std::vector<double>& distances = samples.Values;
+    std::vector<double>& weights = samples.Weights;
+    distances.resize(1 + static_cast<std::size_t>(round) * 7);
+    weights.resize(distances.size());
     std::generate(distances.begin(), distances.end(), [&] { return 0.1 * value(random); });
     std::generate(weights.begin(), weights.end(), [&] { return weight(random); });
     const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
     std::for_each(weights.begin(), weights.end(), [sum](double& w) { w /= sum; });
-    const double found = Summarise(distances, weights).Percentile95;
+    const double found = Summarise(samples).Percentile95;
     double beyond = 0.0;
     double before = 0.0; // of the next smaller distance
     double next = -1.0;
@@ -246,7 +261,7 @@ TEST(MeshDistances, AreSymmetric)
   EXPECT_EQ(there.Both.Largest, back.Both.Largest);
 }
 
-TEST(MeshDistances, WeightPointsByArea)
+TEST(MeshDistances, WeighTrianglesByArea)
 {
   // 40 small triangles at height 1 have 4 % of the area of a large one at height 3.
   IndexedMesh mesh;
