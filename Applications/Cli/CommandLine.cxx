@@ -1,5 +1,6 @@
 #include "CommandLine.h"
 
+#include "AvailableMemory.h"
 #include "Console.h"
 #include "DeclaredCommand.h"
 #include "FilterRun.h"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <new>
 #include <ostream>
 
 namespace palpate::cli
@@ -261,15 +261,12 @@ int CommandLine::RunParsed(Console& console)
     console.Error(error.what());
     return BadInput;
   }
-  catch (const std::bad_alloc&)
-  {
-    console.Error("not enough memory for this; try a smaller image, or lower --degree or "
-                  "--frequency where the command has them");
-    return EXIT_FAILURE;
-  }
   catch (const std::exception& error)
   {
-    console.Error(AsClause(error.what()));
+    console.Error(SaysMemoryIsShort(error)
+                      ? "not enough memory for this; try a smaller image, or lower --degree or "
+                        "--frequency where the command has them"
+                      : AsClause(error.what()));
     return EXIT_FAILURE;
   }
 }

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 namespace palpate
@@ -98,5 +100,11 @@ void CheckMemory(const std::filesystem::path& file, double dataBytes, std::uint6
                SignificantText(static_cast<double>(availableBytes) / 1e9) + " GB are free",
            "crop or resample it, or use a larger machine");
   }
+}
+
+bool SaysMemoryIsShort(const std::exception& error) noexcept
+{
+  return dynamic_cast<const std::bad_alloc*>(&error) != nullptr ||
+         dynamic_cast<const std::length_error*>(&error) != nullptr;
 }
 } // namespace palpate

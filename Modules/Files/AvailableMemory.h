@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 
 namespace palpate
@@ -24,4 +25,9 @@ std::uint64_t AvailableMemoryBytes(const MemorySources& sources = {});
 /// The voxels count twice, since the format libraries decode into their own buffer.
 void CheckMemory(const std::filesystem::path& file, double dataBytes,
                  std::uint64_t availableBytes = AvailableMemoryBytes());
+
+/// Whether an exception of the standard library says that there is not enough memory:
+/// std::bad_alloc, or std::length_error for more than any memory holds, whose texts are not for
+/// users.
+bool SaysMemoryIsShort(const std::exception& error) noexcept;
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "FitStages.h"
 
+#include "AvailableMemory.h"
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "FitStructure.h"
@@ -9,7 +10,6 @@
 #include "SurfaceMapping.h"
 
 #include <cmath>
-#include <new>
 #include <utility>
 
 namespace palpate
@@ -29,8 +29,12 @@ void RunStage(const Stage& stage, FitResult& result)
     result.State = FitResult::Outcome::Failed;
     result.Message = error.what();
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception& error)
   {
+    if (!SaysMemoryIsShort(error))
+    {
+      throw;
+    }
     // Fails only this structure: others may be smaller.
     result.State = FitResult::Outcome::Failed;
     result.Message = "needs more memory than is available";

@@ -1,5 +1,6 @@
 #include "StudyJobs.h"
 
+#include "AvailableMemory.h"
 #include "Progress.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
-#include <new>
 #include <utility>
 
 namespace palpate
@@ -87,13 +87,12 @@ StudyJob::Delivery StudyJobs::Desk::Do(Entry& entry)
   {
     return FailWith(entry, cancelled.what()); // dropped if the owner cancelled
   }
-  catch (const std::bad_alloc&)
-  {
-    return FailWith(entry, "not enough memory for this; try a smaller image, degree or frequency");
-  }
   catch (const std::exception& error)
   {
-    return FailWith(entry, error.what());
+    return FailWith(entry,
+                    SaysMemoryIsShort(error)
+                        ? "not enough memory for this; try a smaller image, degree or frequency"
+                        : error.what());
   }
 }
 

@@ -2,8 +2,13 @@
 #include "MessageOf.h"
 #include "TemporaryFolder.h"
 
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace palpate::available_memory_test
 {
@@ -118,6 +123,29 @@ TEST_F(AvailableMemory, CountsDataTwice)
       "a larger machine.");
   EXPECT_NE(MessageOf([] { CheckMemory("x.nii", std::numeric_limits<double>::quiet_NaN(), 1000); }),
             "no error");
+}
+
+// The texts of these exceptions are the library's, not sentences for users.
+TEST_F(AvailableMemory, KnowsExceptionsOfSizesThatNoMemoryHolds)
+{
+  std::string text;
+  std::vector<double> numbers;
+  EXPECT_TRUE(SaysMemoryIsShort(std::bad_alloc()));
+  for (const auto& grow :
+       std::vector<std::function<void()>>{[&] { numbers.reserve(std::size_t{1} << 62U); },
+                                          [&] { text.reserve(text.max_size() + 1); }})
+  {
+    try
+    {
+      grow();
+      FAIL();
+    }
+    catch (const std::exception& error)
+    {
+      EXPECT_TRUE(SaysMemoryIsShort(error)) << error.what();
+    }
+  }
+  EXPECT_FALSE(SaysMemoryIsShort(std::runtime_error("other")));
 }
 } // namespace
 } // namespace palpate::available_memory_test
