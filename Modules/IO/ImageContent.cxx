@@ -14,7 +14,7 @@ namespace palpate
 namespace
 {
 // Empty for a plain image.
-std::string SegmentationKind(const std::filesystem::path& path, bool isDicom)
+std::string SegmentationKind(const std::filesystem::path& path, bool isDicom, ShearedAxes sheared)
 {
   if (isDicom)
   {
@@ -22,7 +22,8 @@ std::string SegmentationKind(const std::filesystem::path& path, bool isDicom)
            : IsDicomStructureSet(path) ? "DICOM structure set"
                                        : "";
   }
-  return SlicerSegments(OpenImage(path)->Entries()).empty() ? "" : "3D Slicer segmentation";
+  return SlicerSegments(OpenImage(path, sheared)->Entries()).empty() ? ""
+                                                                     : "3D Slicer segmentation";
 }
 } // namespace
 
@@ -32,7 +33,7 @@ ImageContent ReadImageContent(const std::filesystem::path& path, const VolumeCho
   std::error_code failure;
   const bool isFolder = std::filesystem::is_directory(path, failure);
   const bool isDicom = isFolder || IsDicomFile(path);
-  content.Kind = isFolder ? std::string() : SegmentationKind(path, isDicom);
+  content.Kind = isFolder ? std::string() : SegmentationKind(path, isDicom, choice.Sheared);
   if (!content.Kind.empty())
   {
     content.Labels = ReadSegmentation(path, choice);

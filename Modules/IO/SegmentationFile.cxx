@@ -8,6 +8,7 @@
 #include "ImageFormat.h"
 #include "LabelMap.h"
 #include "LabelValues.h"
+#include "OrthogonalResampling.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
 #include "SegmentCompletion.h"
@@ -58,7 +59,15 @@ Segmentation ReadSlicerSegmentation(const std::filesystem::path& path, ImageFile
   for (int layer = 0; layer < file.Components(); ++layer)
   {
     segmentation.Layers.push_back(
-        MakeImage(grid, ToLabels(path, ExtractLayer(path, voxels, layer))));
+        MakeImage(grid, ToLabels(path, ExtractLayer(path, voxels, layer), segmentation.Notes)));
+  }
+  if (IsSheared(grid))
+  {
+    for (vtkSmartPointer<vtkImageData>& layer : segmentation.Layers)
+    {
+      layer = ResampleSheared(path, layer, ResamplingKind::Nearest);
+    }
+    segmentation.Notes.emplace_back(ResamplingNote);
   }
   CompleteSegments(segmentation);
   return segmentation;
@@ -88,15 +97,27 @@ std::filesystem::path FindDicomSegmentation(const std::filesystem::path& folder)
   return found.front();
 }
 
-Segmentation ReadDicomLabels(const std::filesystem::path& file)
+void RefuseValueChoice(const std::filesystem::path& path, const VolumeChoice& choice)
 {
+  if (choice.Values.Threshold || !choice.Values.Background.empty())
+  {
+    Refuse(path, "is a segmentation, whose voxels are labels already",
+           "leave out --threshold and --background");
+  }
+}
+
+Segmentation ReadDicomLabels(const std::filesystem::path& file, const VolumeChoice& choice)
+{
+  RefuseValueChoice(file, choice);
   return IsDicomStructureSet(file) ? ReadDicomStructureSet(file) : ReadDicomSegmentation(file);
 }
 } // namespace
 
 Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes leftHanded)
 {
-  return ReadSegmentation(path, VolumeChoice{{}, leftHanded});
+  VolumeChoice choice;
+  choice.LeftHanded = leftHanded;
+  return ReadSegmentation(path, choice);
 }
 
 Segmentation ReadSegmentation(const std::filesystem::path& path, const VolumeChoice& choice)
@@ -104,7 +125,7 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, const VolumeCho
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure))
   {
-    return ReadDicomLabels(FindDicomSegmentation(path));
+    return ReadDicomLabels(FindDicomSegmentation(path), choice);
   }
   if (IsDicomFile(path))
   {
@@ -114,11 +135,12 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, const VolumeCho
       Refuse(path, "is a DICOM file but not a segmentation",
              "specify a DICOM segmentation object, a structure set or a label map");
     }
-    return ReadDicomLabels(path);
+    return ReadDicomLabels(path, choice);
   }
-  const std::unique_ptr<ImageFile> file = OpenImage(path);
+  const std::unique_ptr<ImageFile> file = OpenImage(path, choice.Sheared);
   if (const std::vector<Segment> described = SlicerSegments(file->Entries()); !described.empty())
   {
+    RefuseValueChoice(path, choice);
     return ReadSlicerSegmentation(path, *file, described, choice.LeftHanded);
   }
   return LabelMapOf(ReadVolume(path, choice));

@@ -1,11 +1,14 @@
 #include "VolumeFile.h"
 
+#include "ChosenValues.h"
 #include "DicomSegmentation.h"
 #include "DicomStructureSet.h"
 #include "DicomVolume.h"
 #include "FileKind.h"
 #include "ForeignDicom.h"
 #include "ImageFormat.h"
+#include "LabelMap.h"
+#include "OrthogonalResampling.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
 
@@ -21,7 +24,7 @@ namespace
 {
 Volume ReadImageFile(const std::filesystem::path& path, const VolumeChoice& choice)
 {
-  const std::unique_ptr<ImageFile> file = OpenImage(path);
+  const std::unique_ptr<ImageFile> file = OpenImage(path, choice.Sheared);
   file->ChooseVolume(choice.Series);
   if (file->Components() != 1)
   {
@@ -46,7 +49,7 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   if (std::filesystem::is_directory(path, isNoFolder))
   {
     const std::vector<DicomSeries> all = FindDicomSeries(path);
-    return ReadDicomVolume(ChooseSeries(path, all, choice), path);
+    return ReadDicomVolume(ChooseSeries(path, all, choice), path, choice.Sheared);
   }
   if (IsDicomSegmentation(path))
   {
@@ -61,7 +64,7 @@ Volume ReadDicom(const std::filesystem::path& path, const VolumeChoice& choice)
   RefuseForeignDicom(path);
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   const std::vector<DicomSeries> all = FindDicomSeries(folder);
-  return ReadDicomVolume(SeriesOfFile(path, all), path);
+  return ReadDicomVolume(SeriesOfFile(path, all), path, choice.Sheared);
 }
 
 template <typename T>
@@ -85,7 +88,8 @@ void CheckFinite(const std::filesystem::path& file, vtkDataArray* voxels)
   if (found > 0)
   {
     Refuse(file, "holds " + std::to_string(found) + " voxels that are NaN or infinite",
-           "replace them, for example by 0");
+           "take them as background (--background nan of palpate convert, fit and mesh), or "
+           "replace them");
   }
 }
 } // namespace
@@ -96,7 +100,15 @@ Volume ReadVolume(const std::filesystem::path& path, const VolumeChoice& choice)
   const bool isFolder = std::filesystem::is_directory(path, failure);
   Volume volume =
       isFolder || IsDicomFile(path) ? ReadDicom(path, choice) : ReadImageFile(path, choice);
+  ChooseValues(choice.Values, volume);
   CheckFinite(path, volume.Image->GetPointData()->GetScalars());
+  if (IsSheared(GridOf(volume.Image)))
+  {
+    const bool isLabelMap = WhyNoLabelMap(volume).empty();
+    volume.Image = ResampleSheared(path, volume.Image,
+                                   isLabelMap ? ResamplingKind::Nearest : ResamplingKind::Linear);
+    volume.Notes.emplace_back(ResamplingNote);
+  }
   return volume;
 }
 } // namespace palpate

@@ -31,7 +31,8 @@ vtkSmartPointer<vtkImageData> ImageOf(const IgtlImage& received)
   grid.Spacing = received.Spacing;
   grid.OriginWorld = received.OriginWorld;
   grid.Direction = received.Direction;
-  CheckGrid("The image that was sent", grid);
+  std::vector<std::string> notes; // what is sent has no place for them
+  CheckGrid("The image that was sent", grid, notes);
   const auto voxels =
       vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(VtkTypeOf(received.Type)));
   voxels->SetNumberOfTuples(grid.VoxelCount());

@@ -104,7 +104,7 @@ Vector3 IndexOf(const ImageGrid& grid, const Vector3& pointWorld)
 }
 
 ImageGrid GridOfContours(const std::filesystem::path& file, const DicomContours& contours,
-                         double mostVoxels)
+                         double mostVoxels, std::vector<std::string>& notes)
 {
   const Vector3 normal = NormalOf(file, contours);
   SlicePlane plane = PlaneAcross(normal);
@@ -128,7 +128,9 @@ ImageGrid GridOfContours(const std::filesystem::path& file, const DicomContours&
                  });
   SliceStackRules rules;
   rules.Sparse = true;
-  ImageGrid grid = StackSlices(file, planes, rules).Grid;
+  const SliceStack stack = StackSlices(file, planes, rules);
+  notes.insert(notes.end(), stack.Notes.begin(), stack.Notes.end());
+  ImageGrid grid = stack.Grid;
   const double area = (high[0] - low[0]) * (high[1] - low[1]);
   const double pixel = std::clamp(MedianPointDistance(contours), SmallestPixel, LargestPixel);
   grid.Spacing[0] = grid.Spacing[1] = std::max(pixel, std::sqrt(area * grid.Size[2] / mostVoxels));

@@ -5,6 +5,8 @@
 #include "PalpateIOModule.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -13,7 +15,8 @@ namespace palpate
 /// not below 0.2 mm), or larger if there would be more than `mostVoxels`. Throws InputError if the
 /// contours are not in parallel planes, or their planes do not fit to evenly spaced slices.
 PALPATEIO_EXPORT ImageGrid GridOfContours(const std::filesystem::path& file,
-                                          const DicomContours& contours, double mostVoxels);
+                                          const DicomContours& contours, double mostVoxels,
+                                          std::vector<std::string>& notes);
 
 /// A part of a grid, which may extend beyond its ends: that around the contours, with at least one
 /// voxel without them on every side, and `slices` more at both ends. Voxels keep their positions.

@@ -6,6 +6,7 @@
 #include "SegmentColor.h"
 #include "SegmentCompletion.h"
 #include "SegmentLayers.h"
+#include "StructureGaps.h"
 
 #include "dcmtk/config/osconfig.h"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace palpate
 {
@@ -82,6 +84,21 @@ double MostBytes(const DicomSegmentationFrames& frames)
   return std::max(OfAnyFile, OfPixel * static_cast<double>(frames.PixelCount()));
 }
 
+void NoteGaps(int number, const ImageGrid& grid, const std::vector<VoxelRun>& runs,
+              Segmentation& segmentation)
+{
+  const auto found = std::find_if(segmentation.Segments.begin(), segmentation.Segments.end(),
+                                  [&](const Segment& one) { return one.Label == number; });
+  Segment described;
+  described.Label = number;
+  if (std::string note =
+          GapNote(found == segmentation.Segments.end() ? described : *found, grid, runs);
+      !note.empty())
+  {
+    segmentation.Notes.push_back(std::move(note));
+  }
+}
+
 // BINARY and FRACTIONAL: every frame belongs to one segment.
 void ReadSeparateSegments(const std::filesystem::path& file, const DicomSegmentationFrames& frames,
                           int threshold, Segmentation& segmentation)
@@ -100,6 +117,7 @@ void ReadSeparateSegments(const std::filesystem::path& file, const DicomSegmenta
   for (const auto& [number, runs] : runsOfSegment)
   {
     layerOfSegment[number] = layers.Add(number, runs);
+    NoteGaps(number, frames.Grid(), runs, segmentation);
   }
   for (Segment& segment : segmentation.Segments)
   {
@@ -126,6 +144,7 @@ void ReadLabelFrames(const std::filesystem::path& file, const DicomSegmentationF
     {
       Refuse(file, "has several frames in one slice", "export the segmentation again");
     }
+    NoteGaps(value, frames.Grid(), runs, segmentation);
   }
   segmentation.Layers = layers.Images();
 }
@@ -148,6 +167,7 @@ Segmentation ReadDicomSegmentation(const std::filesystem::path& file)
   const bool isLabelMap = kind == "LABELMAP";
   const int threshold = isLabelMap ? 0 : Threshold(file, dataset, kind, segmentation.Notes);
   const DicomSegmentationFrames frames(file, dataset);
+  segmentation.Notes.insert(segmentation.Notes.end(), frames.Notes().begin(), frames.Notes().end());
   if (isLabelMap)
   {
     ReadLabelFrames(file, frames, segmentation);

@@ -128,6 +128,7 @@ void DicomSegmentationFrames::ReadPlanes(const std::filesystem::path& file,
       Refuse(file, "does not say where frame " + std::to_string(i + 1) + " lies in the patient",
              "export the segmentation again with plane positions");
     }
+    plane.Name = "frame " + std::to_string(i + 1);
     this->Planes.push_back(plane);
     this->SegmentNumbers.push_back(SegmentNumberOf(groups));
     rules.StatedStep = StatedStep(groups);

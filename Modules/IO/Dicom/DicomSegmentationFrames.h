@@ -29,6 +29,8 @@ public:
 
   /// Right-handed by construction: its third axis is the cross product of the others.
   const ImageGrid& Grid() const { return this->Stack.Grid; }
+  /// On positions of frames that are not even.
+  const std::vector<std::string>& Notes() const { return this->Stack.Notes; }
   std::size_t Count() const { return this->Planes.size(); }
   std::int64_t PixelCount() const
   {

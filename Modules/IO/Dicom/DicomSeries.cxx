@@ -75,6 +75,7 @@ void AddSlice(const SliceHeader& header, const std::filesystem::path& file,
   }
   place->Files.push_back(file);
   place->Planes.push_back(header.Plane);
+  place->Planes.back().Name = file.filename().string();
   place->Formats.push_back(header.Format);
 }
 

@@ -8,8 +8,10 @@
 #include "DicomSeries.h"
 #include "InputError.h"
 #include "Refusal.h"
+#include "RepeatedSlices.h"
 #include "SegmentCompletion.h"
 #include "SegmentLayers.h"
+#include "StructureGaps.h"
 
 #include "dcmtk/config/osconfig.h"
 
@@ -19,6 +21,7 @@
 #include <cstdint>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 namespace palpate
 {
@@ -81,18 +84,28 @@ int SlicesBeyond(const DicomContours& contours, const ImageGrid& grid)
   return most;
 }
 
+ImageGrid GridOfImages(const std::filesystem::path& file, const DicomSeries& images,
+                       std::vector<std::string>& notes)
+{
+  SliceStack stack = StackSlices(file, WithoutRepeatedSlices(images, notes).Planes, {});
+  notes.insert(notes.end(), stack.Notes.begin(), stack.Notes.end());
+  CheckGrid(file, stack.Grid, notes); // contours are placed along perpendicular axes
+  return stack.Grid;
+}
+
 ImageGrid GridFor(const std::filesystem::path& file, const DicomContours& contours,
                   const std::optional<DicomSeries>& images, std::vector<std::string>& notes)
 {
   constexpr double Layers = 4.0; // that fit if structures overlap
-  ImageGrid grid = images ? StackSlices(file, images->Planes, {}).Grid
-                          : GridOfContours(file, contours, MostBytes(contours, images) / Layers);
+  ImageGrid grid =
+      images ? GridOfImages(file, *images, notes)
+             : GridOfContours(file, contours, MostBytes(contours, images) / Layers, notes);
   notes.push_back(images ? "Contours were filled on the voxels of the images next to the file."
                          : "The images that the contours were drawn on were not found next to the "
                            "file; contours were filled on slices through them, with pixels of " +
                                SignificantText(grid.Spacing[0], 3) + " mm.");
   grid = GridAroundContours(file, contours, grid, SlicesBeyond(contours, grid));
-  CheckGrid(file, grid);
+  CheckGrid(file, grid, notes);
   return grid;
 }
 
@@ -134,7 +147,12 @@ void AddStructures(const std::filesystem::path& file, const DicomContours& conto
     segment.Label = segment.Value = i + 1;
     segment.Name = structure.Name;
     segment.Color = structure.Color;
-    segment.Layer = layers.Add(segment.Label, fill.Runs(onGrid));
+    const std::vector<VoxelRun> runs = fill.Runs(onGrid);
+    segment.Layer = layers.Add(segment.Label, runs);
+    if (std::string note = GapNote(segment, grid, runs); !note.empty())
+    {
+      segmentation.Notes.push_back(std::move(note));
+    }
     segmentation.Segments.push_back(segment);
   }
   segmentation.Layers = layers.Images();

@@ -3,6 +3,7 @@
 #include "AvailableMemory.h"
 #include "DicomFrameDecoder.h"
 #include "DicomPixels.h"
+#include "RepeatedSlices.h"
 
 #include <cstddef>
 
@@ -22,10 +23,14 @@ int CommonScalarType(const std::vector<DicomPixelFormat>& formats)
 }
 } // namespace
 
-Volume ReadDicomVolume(const DicomSeries& series, const std::filesystem::path& source)
+Volume ReadDicomVolume(const DicomSeries& found, const std::filesystem::path& source,
+                       ShearedAxes sheared)
 {
+  Volume volume;
+  const DicomSeries series = WithoutRepeatedSlices(found, volume.Notes);
   SliceStack stack = StackSlices(source, series.Planes, {});
-  CheckGrid(source, stack.Grid);
+  volume.Notes.insert(volume.Notes.end(), stack.Notes.begin(), stack.Notes.end());
+  CheckGrid(source, stack.Grid, volume.Notes, sheared);
   auto voxels = vtkSmartPointer<vtkDataArray>::Take(
       vtkDataArray::CreateDataArray(CommonScalarType(series.Formats)));
   CheckMemory(source, static_cast<double>(stack.Grid.VoxelCount()) * voxels->GetDataTypeSize());
@@ -37,7 +42,6 @@ Volume ReadDicomVolume(const DicomSeries& series, const std::filesystem::path& s
     ReadSlicePixels(series.Files[i], series.Formats[i], sliceVoxels, voxels,
                     stack.SliceOfPlane[i] * sliceVoxels, decoder);
   }
-  Volume volume;
   volume.Image = MakeImage(stack.Grid, voxels);
   volume.Source = source;
   return volume;

@@ -25,7 +25,10 @@ public:
   virtual ~ImageFile() = default;
 
   /// Throws InputError if the grid is not valid for a volume (see CheckGrid).
-  void CheckVolume() { CheckGrid(this->File, this->FileGrid); }
+  void CheckVolume(ShearedAxes sheared)
+  {
+    CheckGrid(this->File, this->FileGrid, this->HeaderNotes, sheared);
+  }
   /// Patient LPS, mm; as in the file, so possibly left-handed.
   const ImageGrid& Grid() const { return this->FileGrid; }
   int Components() const { return this->Header.Components; }

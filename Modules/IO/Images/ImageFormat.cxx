@@ -36,14 +36,15 @@ const ImageFormat& ImageFormatOf(const std::filesystem::path& file)
   {
     known += format.Name + " (" + ListOfEndings(format.ReadEndings) + "), ";
   }
-  known.erase(known.size() - 2);
-  RefuseContent(file, "is not in a known image format", "use " + known + " or DICOM");
+  RefuseContent(file, "is not in a known image format",
+                "use " + known + "DICOM, or of surfaces " +
+                    ListOfEndings(SurfaceFormats().ReadEndings()));
 }
 
-std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file)
+std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file, ShearedAxes sheared)
 {
   std::unique_ptr<ImageFile> image = ImageFormatOf(file).Open(file);
-  image->CheckVolume();
+  image->CheckVolume(sheared);
   return image;
 }
 

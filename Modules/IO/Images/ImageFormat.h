@@ -31,7 +31,8 @@ PALPATEIO_EXPORT FormatList<ImageFormat>& ImageFormats();
 PALPATEIO_EXPORT const ImageFormat& ImageFormatOf(const std::filesystem::path& file);
 
 /// Reads the header of such a file. Throws InputError if it is damaged or not that of a volume.
-PALPATEIO_EXPORT std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file);
+PALPATEIO_EXPORT std::unique_ptr<ImageFile> OpenImage(const std::filesystem::path& file,
+                                                      ShearedAxes sheared = ShearedAxes::Refuse);
 
 /// Endings of all readable images and segmentations, including DICOM.
 PALPATEIO_EXPORT std::vector<std::string> ReadableImageEndings();

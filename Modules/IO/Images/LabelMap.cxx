@@ -9,6 +9,7 @@
 #include "vtkSetGet.h"
 
 #include <cmath>
+#include <type_traits>
 #include <unordered_set>
 
 namespace palpate
@@ -22,25 +23,42 @@ constexpr double LeastEqualPairs = 0.4;
 struct ValueSurvey
 {
   bool AllWhole = true;
+  bool AnyRounded = false; // up to WholeValue's tolerance
   bool AnyNegative = false;
   std::unordered_set<double> Distinct; // stops growing just above MostLabels
   vtkIdType Pairs = 0;
   vtkIdType EqualPairs = 0;
 };
 
+// As a whole number, if it is one up to rounding.
+template <typename T>
+T Whole(T value)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return static_cast<T>(WholeValue(static_cast<double>(value)).value_or(value));
+  }
+  return value;
+}
+
 template <typename T>
 void Survey(const T* values, vtkIdType count, int rowLength, ValueSurvey& survey)
 {
+  T last = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto value = static_cast<double>(values[i]);
+    const T whole = Whole(values[i]);
+    const auto value = static_cast<double>(whole);
     const bool rowStarts = i % rowLength == 0;
-    if (!rowStarts && (values[i] != 0 || values[i - 1] != 0))
+    const bool isEqual = i > 0 && whole == last;
+    if (!rowStarts && (whole != 0 || last != 0))
     {
       ++survey.Pairs;
-      survey.EqualPairs += values[i] == values[i - 1] ? 1 : 0;
+      survey.EqualPairs += isEqual ? 1 : 0;
     }
-    if (i > 0 && values[i] == values[i - 1])
+    last = whole;
+    survey.AnyRounded = survey.AnyRounded || whole != values[i];
+    if (isEqual)
     {
       continue;
     }
@@ -58,10 +76,10 @@ void Survey(const T* values, vtkIdType count, int rowLength, ValueSurvey& survey
 Segmentation LabelMapOf(const Volume& volume)
 {
   vtkDataArray* voxels = volume.Image->GetPointData()->GetScalars();
-  const vtkSmartPointer<vtkDataArray> labels = ToLabels(volume.Source, voxels);
   Segmentation segmentation;
   segmentation.Source = volume.Source;
   segmentation.Notes = volume.Notes;
+  const vtkSmartPointer<vtkDataArray> labels = ToLabels(volume.Source, voxels, segmentation.Notes);
   segmentation.IsOriented = volume.IsOriented;
   segmentation.Layers.push_back(labels == voxels ? volume.Image
                                                  : MakeImage(GridOf(volume.Image), labels));
@@ -99,6 +117,11 @@ std::string WhyNoLabelMap(const Volume& volume)
   }
   if (survey.Pairs == 0)
   {
+    // Such as a map of very small numbers, which no rounding of labels explains.
+    if (survey.AnyRounded)
+    {
+      return "its values are not whole numbers";
+    }
     return "all its voxels are 0";
   }
   return {};

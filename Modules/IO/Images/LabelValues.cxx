@@ -18,35 +18,57 @@ namespace palpate
 {
 namespace
 {
-// Returns the largest value; throws at the first that is not a label.
-template <typename T>
-int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType count)
+[[noreturn]] void RefuseValue(const std::filesystem::path& file, const std::string& value)
 {
+  Refuse(file, "is not a label map: it holds the value " + value,
+         "use whole numbers, one for each structure, or take the voxels from a value on "
+         "(--threshold of palpate convert, fit and mesh)");
+}
+
+struct LabelSurvey
+{
+  int Largest = 0;
+  double Rounded = 0.0; // largest distance from a whole number
+};
+
+// The value as a whole number; throws if it is no label.
+template <typename T>
+T LabelOf(const std::filesystem::path& file, T value, LabelSurvey& survey)
+{
+  T label = value;
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    const std::optional<double> whole = WholeValue(static_cast<double>(value));
+    if (!whole)
+    {
+      RefuseValue(file, ExactText(value)); // in full precision: 0.998 is not printed as 1
+    }
+    survey.Rounded = std::max(survey.Rounded, std::abs(static_cast<double>(value) - *whole));
+    label = static_cast<T>(*whole);
+  }
+  if constexpr (std::is_signed_v<T>)
+  {
+    if (label < 0)
+    {
+      const std::string text = SignificantText(static_cast<double>(value));
+      Refuse(file, "is not a label map: it holds the negative value " + text,
+             "use labels from 1, with 0 for the background, or take this value as background "
+             "(--background " +
+                 text + " of palpate convert, fit and mesh)");
+    }
+  }
+  return label;
+}
+
+// Throws at the first value that is not a label.
+template <typename T>
+LabelSurvey SurveyLabels(const std::filesystem::path& file, const T* values, vtkIdType count)
+{
+  LabelSurvey survey;
   T largest = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const T value = values[i];
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      if (!(std::floor(value) == value) || std::isinf(value))
-      {
-        Refuse(file,
-               // In full precision: 0.9999999 is not printed as 1.
-               "is not a label map: it holds the value " + ExactText(value),
-               "use whole numbers, one for each structure");
-      }
-    }
-    if constexpr (std::is_signed_v<T>)
-    {
-      if (value < 0)
-      {
-        Refuse(file,
-               "is not a label map: it holds the negative value " +
-                   SignificantText(static_cast<double>(value)),
-               "use labels from 1, with 0 for the background");
-      }
-    }
-    largest = std::max(largest, value);
+    largest = std::max(largest, LabelOf(file, values[i], survey));
   }
   constexpr int most = std::numeric_limits<int>::max();
   if (static_cast<long double>(largest) > most)
@@ -54,7 +76,8 @@ int LargestLabel(const std::filesystem::path& file, const T* values, vtkIdType c
     Refuse(file, "holds the label " + TextAgainstLimit(static_cast<double>(largest), most, 0),
            "use labels up to " + std::to_string(most));
   }
-  return static_cast<int>(largest);
+  survey.Largest = static_cast<int>(largest);
+  return survey;
 }
 
 template <typename From, typename To>
@@ -62,7 +85,14 @@ void ConvertTo(const From* from, vtkDataArray* to)
 {
   To* target = static_cast<To*>(to->GetVoidPointer(0));
   std::transform(from, from + to->GetNumberOfValues(), target,
-                 [](From value) { return static_cast<To>(value); });
+                 [](From value)
+                 {
+                   if constexpr (std::is_floating_point_v<From>)
+                   {
+                     return static_cast<To>(std::round(value));
+                   }
+                   return static_cast<To>(value);
+                 });
 }
 
 template <typename From>
@@ -126,16 +156,32 @@ int LabelType(int largestLabel) noexcept
   return largestLabel <= std::numeric_limits<unsigned short>::max() ? VTK_UNSIGNED_SHORT : VTK_INT;
 }
 
-vtkSmartPointer<vtkDataArray> ToLabels(const std::filesystem::path& file, vtkDataArray* voxels)
+std::optional<double> WholeValue(double value) noexcept
+{
+  constexpr double MostRounding = 1e-3;
+  const double whole = std::round(value);
+  return std::isfinite(value) && std::abs(value - whole) <= MostRounding
+             ? std::optional<double>(whole + 0.0) // +0 of -0
+             : std::nullopt;
+}
+
+vtkSmartPointer<vtkDataArray> ToLabels(const std::filesystem::path& file, vtkDataArray* voxels,
+                                       std::vector<std::string>& notes)
 {
   const void* data = voxels->GetVoidPointer(0);
-  int largest = 0;
+  LabelSurvey survey;
   switch (voxels->GetDataType())
   {
-    vtkTemplateMacro(largest = LargestLabel(file, static_cast<const VTK_TT*>(data),
-                                            voxels->GetNumberOfValues()));
+    vtkTemplateMacro(
+        survey = SurveyLabels(file, static_cast<const VTK_TT*>(data), voxels->GetNumberOfValues()));
   }
-  const int type = LabelType(largest);
+  if (survey.Rounded > 0.0)
+  {
+    notes.push_back("Labels are not exactly whole numbers, as after a scale factor; they were "
+                    "rounded, by up to " +
+                    SignificantText(survey.Rounded, 2) + ".");
+  }
+  const int type = LabelType(survey.Largest);
   if (type == voxels->GetDataType())
   {
     return voxels;

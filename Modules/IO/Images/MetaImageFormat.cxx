@@ -28,7 +28,9 @@ public:
       Refuse(file, "has an ambiguous header", "copy or export it again");
     }
     this->HeaderNotes = facts.Notes;
-    this->FileGrid.IsOriented = facts.Notes.empty();
+    this->FileGrid.IsOriented = facts.IsOriented;
+    this->FileGrid.Spacing *= facts.MillimetersPerUnit;
+    this->FileGrid.OriginWorld *= facts.MillimetersPerUnit;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "CNumericLocale.h"
 #include "DecimalText.h"
+#include "LengthUnit.h"
 #include "MetaImageFields.h"
 #include "PositiveNumber.h"
 #include "Refusal.h"
@@ -13,6 +14,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -260,6 +262,24 @@ std::vector<std::string> OrientationNotes(const MetaImageFields& header)
   }
   return {"The file gives no TransformMatrix; its index axes were taken as L, P, S."};
 }
+// "?" stands for an unknown unit.
+void TakeUnit(const std::string& unit, MetaImageFacts& facts)
+{
+  if (unit.empty() || unit == "?")
+  {
+    return;
+  }
+  const std::optional<double> millimeters = MillimetersPer(unit);
+  facts.MillimetersPerUnit = millimeters.value_or(1.0);
+  if (!millimeters)
+  {
+    facts.Notes.push_back("The file's unit, " + unit + ", is not known; mm were assumed.");
+  }
+  else if (*millimeters != 1.0)
+  {
+    facts.Notes.push_back("The file's unit, " + unit + ", was converted to mm.");
+  }
+}
 } // namespace
 
 MetaImageFacts CheckMetaImageHeader(const std::filesystem::path& file)
@@ -278,6 +298,8 @@ MetaImageFacts CheckMetaImageHeader(const std::filesystem::path& file)
   }
   CheckData(file, header, facts.Size[0] * facts.Size[1] * facts.Size[2]);
   facts.Notes = OrientationNotes(header);
+  facts.IsOriented = facts.Notes.empty();
+  TakeUnit(header.Text("DistanceUnits"), facts);
   return facts;
 }
 } // namespace palpate

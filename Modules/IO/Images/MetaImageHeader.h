@@ -12,7 +12,9 @@ struct MetaImageFacts
 {
   std::vector<double> Size; ///< of the three axes
   double VoxelBytes = 0.0;
-  std::vector<std::string> Notes; ///< assumptions on its orientation, as sentences
+  double MillimetersPerUnit = 1.0; ///< of DistanceUnits, which the library ignores
+  bool IsOriented = true;          ///< false without a TransformMatrix
+  std::vector<std::string> Notes;  ///< on its orientation and unit, as sentences
 };
 
 /// Checks the text header of a MetaImage file before the MetaIO library reads it, since the library

@@ -24,6 +24,7 @@ public:
       this->HeaderNotes = {"Analyze files state no reliable orientation; the index axes were taken "
                            "as L, P, S, as ITK does: check left and right."};
     }
+    this->HeaderNotes.insert(this->HeaderNotes.end(), header.Notes.begin(), header.Notes.end());
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "DecimalText.h"
 #include "FileFormat.h"
+#include "HeaderBytes.h"
 #include "NiftiFields.h"
 #include "PositiveNumber.h"
 #include "Refusal.h"
@@ -110,16 +111,75 @@ int NiftiType(const std::filesystem::path& file, int code)
   return found->second;
 }
 
-// The data of a single file cannot start within its header, whatever the header states.
-std::uint64_t VoxelOffset(const std::filesystem::path& file, const NiftiFields& fields)
+// Four bytes after the header say whether extensions follow.
+constexpr std::size_t MarkBytes = 4;
+
+// Where the extensions of a single file's header end: chained blocks of their size, a multiple of
+// 16, and a code, which is even. Follows the chain up to `end`; equals the first block's start if
+// there is none, whatever the mark says.
+// Source: nifti1.h, "Extended header"; codes: nifti1_io.h.
+std::uint64_t ExtensionEnd(const std::filesystem::path& file, const NiftiFields& fields,
+                           std::uint64_t end)
+{
+  constexpr std::size_t LargestCode = 1024;
+  constexpr std::size_t Read = std::size_t{1} << 20;
+  const std::size_t mark = fields.HeaderBytes();
+  HeaderBytes bytes(file, std::min<std::size_t>(end, Read) + 2 * sizeof(std::int32_t));
+  bytes.SetSwapped(fields.IsSwapped);
+  std::size_t place = mark + MarkBytes;
+  if (bytes.Size() <= mark || bytes.At<char>(mark) == 0)
+  {
+    return place;
+  }
+  do
+  {
+    if (place + 2 * sizeof(std::int32_t) > bytes.Size())
+    {
+      return place;
+    }
+    const auto size = bytes.At<std::int32_t>(place);
+    const auto code = bytes.At<std::uint32_t>(place + sizeof(size));
+    if (size < 16 || size % 16 != 0 || code % 2 != 0 || code > LargestCode)
+    {
+      return place;
+    }
+    place += static_cast<std::size_t>(size);
+  } while (place < end);
+  return place;
+}
+
+// The data of a single file start behind its header and its extensions.
+std::uint64_t VoxelOffset(const std::filesystem::path& file, const NiftiFields& fields,
+                          std::vector<std::string>& notes)
 {
   const double offset = fields.VoxelOffset;
   if (!std::isfinite(offset) || offset > 1e9)
   {
     Refuse(file, "has a damaged header (vox_offset)", "copy or export it again");
   }
-  return std::max<std::uint64_t>(fields.IsPair ? 0 : fields.HeaderBytes(),
-                                 static_cast<std::uint64_t>(std::max(0.0, offset)));
+  const auto stated = static_cast<std::uint64_t>(std::max(0.0, offset));
+  if (fields.IsPair)
+  {
+    return stated;
+  }
+  const std::uint64_t first = fields.HeaderBytes() + MarkBytes;
+  const bool isStated = stated >= fields.HeaderBytes();
+  const std::uint64_t start = isStated ? stated : first;
+  const std::uint64_t end = ExtensionEnd(file, fields, std::max(start, first));
+  if (end > std::max(start, first))
+  {
+    Refuse(file,
+           "has voxels that start within an extension of its header (at byte " +
+               std::to_string(start) + ", but the extension ends at " + std::to_string(end) + ")",
+           "correct vox_offset in its header, or export it again");
+  }
+  if (start < first || !isStated)
+  {
+    notes.push_back("The header says that voxels start at byte " + std::to_string(stated) +
+                    ", within the header; they were read from byte " + std::to_string(start) +
+                    " on.");
+  }
+  return start;
 }
 
 double MillimetersPerUnit(const NiftiFields& fields)
@@ -189,12 +249,12 @@ std::filesystem::path VoxelFile(const std::filesystem::path& header)
 }
 
 VoxelLayout LayoutOf(const std::filesystem::path& file, const NiftiFields& fields,
-                     const std::array<int, 3>& size)
+                     const std::array<int, 3>& size, std::vector<std::string>& notes)
 {
   VoxelLayout layout;
   layout.File = fields.IsPair ? VoxelFile(file) : file;
   layout.Type = NiftiType(file, fields.Type);
-  layout.Offset = VoxelOffset(file, fields);
+  layout.Offset = VoxelOffset(file, fields, notes);
   layout.Voxels = CountVoxels(file, size);
   layout.Volumes = fields.Dimensions[0] > 3 ? std::max<std::int64_t>(1, fields.Dimensions[4]) : 1;
   layout.IsSwapped = fields.IsSwapped;
@@ -218,7 +278,7 @@ NiftiHeader ReadNiftiHeader(const std::filesystem::path& file, bool isPair)
     header.Size[axis] = static_cast<int>(fields.Dimensions[axis + 1]);
     header.Spacing[static_cast<Eigen::Index>(axis)] = unit * fields.PixelDimensions[axis + 1];
   }
-  header.Voxels = LayoutOf(file, fields, header.Size);
+  header.Voxels = LayoutOf(file, fields, header.Size, header.Notes);
   header.IsAnalyze = fields.Kind == NiftiFields::Version::Analyze;
   header.Orientation.QFormCode = fields.QFormCode;
   header.Orientation.SFormCode = fields.SFormCode;

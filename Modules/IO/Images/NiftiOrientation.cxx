@@ -27,6 +27,16 @@ bool HasSpacing(const Form& formWorld, const Vector3& spacing)
   return (lengths - spacing).cwiseAbs().maxCoeff() <= SpacingTolerance;
 }
 
+// Whether voxel sizes differ so far that a voxel of the volume would move by a tenth of one.
+bool HasOtherSizes(const Form& formWorld, const ImageGrid& grid)
+{
+  constexpr double MostVoxels = 0.1;
+  const Vector3 lengths = formWorld.leftCols<3>().colwise().norm().transpose();
+  const Vector3 half(0.5 * grid.Size[0], 0.5 * grid.Size[1], 0.5 * grid.Size[2]);
+  const Vector3 voxels = (lengths.cwiseQuotient(grid.Spacing) - Vector3::Ones()).cwiseProduct(half);
+  return !HasSpacing(formWorld, grid.Spacing) && !(voxels.cwiseAbs().maxCoeff() <= MostVoxels);
+}
+
 bool IsPerpendicular(const Form& formWorld)
 {
   const Eigen::Matrix3d axes = UnitColumns(formWorld);
@@ -88,10 +98,15 @@ void PlaceGrid(const std::filesystem::path& file, const NiftiOrientation& orient
   }
   const bool usesSForm = UsesSForm(orientation, grid.Spacing);
   const Form& form = usesSForm ? orientation.SFormWorld : orientation.QFormWorld;
-  if (usesSForm && IsPerpendicular(form) && !HasSpacing(form, grid.Spacing))
+  if (usesSForm && HasOtherSizes(form, grid))
   {
-    Refuse(file, "has different voxel sizes in its sform and its pixdim",
-           "correct its header or resample it to a rectangular grid");
+    if (IsPerpendicular(form))
+    {
+      Refuse(file, "has different voxel sizes in its sform and its pixdim",
+             "correct its header or resample it to a rectangular grid");
+    }
+    // Sheared: the sform alone places the voxels (see CheckGrid).
+    grid.Spacing = form.leftCols<3>().colwise().norm().transpose();
   }
   grid.OriginWorld = form.col(3);
   grid.Direction = UnitColumns(form);

@@ -24,8 +24,10 @@ struct NiftiOrientation
 /// ITK's, so that positions agree with other ITK programs: the only transform given; of two the
 /// sform if it is the scanner's (code 1) or equal to the qform, and neither sheared nor scaled;
 /// otherwise the qform. With neither, the axes are L, P, S and the origin is 0. The direction's
-/// columns are unit vectors, but only as perpendicular as the transform's. Throws InputError if the
-/// only transform is an sform whose spacing differs from the grid's.
+/// columns are unit vectors, but only as perpendicular as the transform's; of a sheared sform whose
+/// voxel sizes differ from the grid's, the grid gets the sform's. Throws InputError if the only
+/// transform is an sform that is not sheared and has other voxel sizes, which would move a voxel by
+/// a tenth of one.
 PALPATEIO_EXPORT void PlaceGrid(const std::filesystem::path& file,
                                 const NiftiOrientation& orientation, ImageGrid& grid);
 

@@ -108,7 +108,22 @@ std::map<std::string, std::string> ReadNrrdFields(const std::filesystem::path& f
 
 void CheckNrrdHeader(const std::filesystem::path& file)
 {
-  const std::filesystem::path data = DataFile(file, ReadHeader(file));
+  const Header header = ReadHeader(file);
+  if (const std::string encoding = Field(header, "encoding");
+      encoding == "bzip2" || encoding == "bz2")
+  {
+    Refuse(file, "has voxels that are compressed by bzip2, which is not supported",
+           "write it again with the encoding gzip or raw");
+  }
+  const bool hasOtherAxis = Field(header, "spacedirections").find("none") != std::string::npos;
+  if (hasOtherAxis && Field(header, "kinds").empty())
+  {
+    Refuse(file,
+           "has an axis without a direction in space, but no \"kinds\" that say whether its values "
+           "are layers, colours or times",
+           "add kinds to its header, such as \"list domain domain domain\"");
+  }
+  const std::filesystem::path data = DataFile(file, header);
   std::error_code failure;
   if (!data.empty() && !std::filesystem::exists(data, failure))
   {

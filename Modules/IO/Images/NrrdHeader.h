@@ -30,9 +30,10 @@ PALPATEIO_EXPORT bool NextNrrdLine(std::istream& stream, std::string& line);
 PALPATEIO_EXPORT std::map<std::string, std::string>
 ReadNrrdFields(const std::filesystem::path& file);
 
-/// Checks the header of an NRRD file before its library reads it. Throws InputError if the data
-/// file of a detached header (.nhdr) is missing, which the library does not report; other errors
-/// are left to the library.
+/// Checks the header of an NRRD file before its library reads it. Throws InputError for what the
+/// library refuses without a cause: a missing data file of a detached header (.nhdr), bzip2, which
+/// Debian builds the library without, and an axis without a direction or a kind. Other errors are
+/// left to the library.
 /// Source: teem, Definition of NRRD File Format, https://teem.sourceforge.net/nrrd/format.html.
 PALPATEIO_EXPORT void CheckNrrdHeader(const std::filesystem::path& file);
 

@@ -1,6 +1,7 @@
 #include "NrrdSpace.h"
 
 #include "DecimalText.h"
+#include "LengthUnit.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -142,6 +143,35 @@ NrrdSpace::NrrdSpace(const std::filesystem::path& file,
            "correct its header or export it again");
   }
   this->First = *first;
+  this->TakeUnits(fields);
+}
+
+void NrrdSpace::TakeUnits(const std::map<std::string, std::string>& fields)
+{
+  const std::vector<std::string> units =
+      ListedUnits(FieldOf(fields, this->Steps.empty() ? "units" : "spaceunits"));
+  for (std::size_t axis = 0; axis < units.size() && units.size() == 3; ++axis)
+  {
+    if (units[axis].empty())
+    {
+      continue;
+    }
+    const std::optional<double> millimeters = MillimetersPer(units[axis]);
+    this->Scale[static_cast<Eigen::Index>(axis)] = millimeters.value_or(1.0);
+    if (!millimeters)
+    {
+      this->UnitNote = "The file's unit, " + units[axis] + ", is not known; mm were assumed.";
+    }
+    else if (*millimeters != 1.0 && this->UnitNote.empty())
+    {
+      this->UnitNote = "The file's unit, " + units[axis] + ", was converted to mm.";
+    }
+  }
+  this->First = this->First.cwiseProduct(this->Scale);
+  for (Vector3& step : this->Steps)
+  {
+    step = step.cwiseProduct(this->Scale);
+  }
 }
 
 void NrrdSpace::TakeName(const std::filesystem::path& file)
@@ -182,6 +212,11 @@ Vector3 NrrdSpace::ToLps(const Vector3& vector) const
 void NrrdSpace::PlaceGrid(ImageGrid& grid) const
 {
   grid.IsOriented = this->IsAnatomical && !this->Steps.empty();
+  if (this->Steps.empty())
+  {
+    grid.Spacing = grid.Spacing.cwiseProduct(this->Scale);
+    grid.OriginWorld = grid.OriginWorld.cwiseProduct(this->Scale);
+  }
   for (int axis = 0; axis < static_cast<int>(this->Steps.size()); ++axis)
   {
     const Vector3 step = this->ToLps(this->Steps[static_cast<std::size_t>(axis)]);
@@ -193,17 +228,23 @@ void NrrdSpace::PlaceGrid(ImageGrid& grid) const
 
 std::vector<std::string> NrrdSpace::Notes() const
 {
+  std::vector<std::string> notes;
   if (this->Steps.empty())
   {
-    return {"The file gives no space directions; its index axes were taken as L, P, S."};
+    notes.emplace_back("The file gives no space directions; its index axes were taken as L, P, S.");
   }
-  if (this->IsAnatomical)
+  else if (!this->IsAnatomical)
   {
-    return {};
+    notes.push_back(this->Name.empty()
+                        ? "The file names no space; its space directions were taken as L, P, S."
+                        : "The file's space, " + this->Name +
+                              ", does not state its orientation in the patient; it was taken as L, "
+                              "P, S.");
   }
-  return {this->Name.empty()
-              ? "The file names no space; its space directions were taken as L, P, S."
-              : "The file's space, " + this->Name +
-                    ", does not state its orientation in the patient; it was taken as L, P, S."};
+  if (!this->UnitNote.empty())
+  {
+    notes.push_back(this->UnitNote);
+  }
+  return notes;
 }
 } // namespace palpate

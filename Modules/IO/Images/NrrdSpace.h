@@ -27,16 +27,20 @@ public:
   void PlaceGrid(ImageGrid& grid) const;
 
   /// Assumptions, as sentences, if the header does not state the orientation of the axes in the
-  /// patient.
+  /// patient, and what was done with its unit ("space units", or "units" without directions), which
+  /// ITK ignores: known ones become mm, unknown ones are taken as mm.
   std::vector<std::string> Notes() const;
 
 private:
   void TakeName(const std::filesystem::path& file);
+  void TakeUnits(const std::map<std::string, std::string>& fields);
   Vector3 ToLps(const Vector3& vector) const;
 
   std::string Name;                ///< empty if the header names none
   std::vector<Vector3> Steps;      ///< of the index axes, mm, in the space: three or none
   Vector3 First = Vector3::Zero(); ///< centre of the first voxel, mm, in the space
+  Vector3 Scale = Vector3::Ones(); ///< mm per unit of the space's axes, or of the index axes
+  std::string UnitNote;            ///< empty for mm and for a header without a unit
   bool IsAnatomical = false;       ///< whether the space defines its orientation in the patient
   Vector3 Signs = Vector3::Ones(); ///< of LPS coordinates relative to those of the space
 };

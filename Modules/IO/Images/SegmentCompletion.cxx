@@ -1,5 +1,6 @@
 #include "SegmentCompletion.h"
 
+#include "DecimalText.h"
 #include "LabelValues.h"
 #include "Refusal.h"
 #include "SegmentColor.h"
@@ -81,6 +82,27 @@ void DropEmpty(const LayerCounts& counts, Segmentation& segmentation)
   }
   segmentation.Segments = present;
 }
+// Larger than any body, as if the header's unit were wrong.
+void NoteImpossibleVolume(const LayerCounts& counts, Segmentation& segmentation)
+{
+  constexpr double LargestMilliliters = 1e6;
+  constexpr double CubicMillimetersPerMilliliter = 1e3;
+  double largest = 0.0;
+  for (std::size_t layer = 0; layer < counts.size(); ++layer)
+  {
+    const double* spacing = segmentation.Layers[layer]->GetSpacing();
+    const double voxel = spacing[0] * spacing[1] * spacing[2] / CubicMillimetersPerMilliliter;
+    for (const auto& [value, voxels] : counts[layer])
+    {
+      largest = std::max(largest, voxel * static_cast<double>(voxels));
+    }
+  }
+  if (largest > LargestMilliliters)
+  {
+    segmentation.Notes.push_back("A structure of " + SignificantText(largest, 3) +
+                                 " ml is larger than a body; check the unit of the header (mm).");
+  }
+}
 } // namespace
 
 void CompleteSegments(Segmentation& segmentation)
@@ -93,6 +115,7 @@ void CompleteSegments(Segmentation& segmentation)
   AddUndescribed(counts, segmentation.Segments);
   MakeLabelsUnique(segmentation.Segments);
   DropEmpty(counts, segmentation);
+  NoteImpossibleVolume(counts, segmentation);
   if (segmentation.Segments.empty())
   {
     Refuse(segmentation.Source, "has no labelled voxels (the mask is empty)",

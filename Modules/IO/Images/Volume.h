@@ -1,6 +1,8 @@
 #pragma once
 
 #include "LeftHandedAxes.h"
+#include "ShearedAxes.h"
+#include "ValueChoice.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -27,5 +29,7 @@ struct VolumeChoice
   /// several volumes: the number of one, from 1. Empty if there is only one.
   std::string Series;
   LeftHandedAxes LeftHanded = LeftHandedAxes::Reverse;
+  ShearedAxes Sheared = ShearedAxes::Refuse;
+  ValueChoice Values = {}; ///< of images; a segmentation that states its structures refuses one
 };
 } // namespace palpate

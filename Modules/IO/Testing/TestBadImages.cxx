@@ -133,7 +133,7 @@ TEST(BadImages, RejectsFractionalLabels)
 
 TEST(BadImages, MessageShowsAlmostWholeLabelExactly)
 {
-  EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(0.9999999F)), "the value 0.9999999;"));
+  EXPECT_TRUE(Contains(SegmentationRefusal(NrrdOfFloats(0.998F)), "the value 0.998;"));
 }
 
 TEST(BadImages, RejectsNegativeLabels)
@@ -151,6 +151,21 @@ TEST(BadImages, RejectsLabelsBeyondInt)
   EXPECT_TRUE(
       Contains(SegmentationRefusal(NrrdBytes(PlainNrrdLines("unsigned int"), BytesOf(values))),
                "holds the label 3000000000"));
+}
+
+TEST(BadImages, NamesCauseThatNrrdLibraryDoesNot)
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines[7] = "encoding: bzip2";
+  EXPECT_TRUE(Contains(SegmentationRefusal(NrrdBytes(lines, "BZh91AY&SY")), "compressed by bzip2"));
+  lines = {"type: unsigned char",
+           "dimension: 4",
+           "space: left-posterior-superior",
+           "sizes: 1 4 5 6",
+           "space directions: none (2,0,0) (0,2,0) (0,0,2)",
+           "encoding: raw"};
+  EXPECT_TRUE(
+      Contains(SegmentationRefusal(NrrdBytes(lines, std::string(120, '\1'))), "no \"kinds\""));
 }
 
 TEST(BadImages, RejectsEmptyMask)

@@ -277,5 +277,54 @@ TEST(NiftiFormat, RejectsDamageBehindChosenVolume)
       MessageOf([&] { ReadSingle("a.nii.gz", packed.substr(0, packed.size() - 6), {"1"}); }),
       "is truncated"));
 }
+// A header's mark of extensions, one of them of `size` bytes, and the voxels.
+std::string WithExtension(std::int32_t size, float voxelOffset, std::int32_t code = 6)
+{
+  std::string bytes = NiftiBytes({});
+  const std::string voxels(120, '\5');
+  std::string extension = BytesOf(std::vector<std::int32_t>{size, code});
+  extension.resize(32, '\0');
+  bytes.resize(348);
+  bytes.replace(108, 4, BytesOf(std::vector<float>{voxelOffset}));
+  return bytes + std::string("\1\0\0\0", 4) + extension + voxels;
+}
+
+TEST(NiftiFormat, RejectsVoxelsThatStartWithinExtension)
+{
+  for (const float offset : {352.0F, 360.0F, 0.0F})
+  {
+    EXPECT_TRUE(Contains(MessageOf([&] { ReadSingle("a.nii", WithExtension(32, offset)); }),
+                         "start within an extension of its header"))
+        << offset;
+  }
+  const Volume behind = ReadSingle("a.nii", WithExtension(32, 384.0F));
+  EXPECT_EQ(behind.Image->GetScalarComponentAsDouble(0, 0, 0, 0), 5.0);
+  EXPECT_TRUE(behind.Notes.empty());
+}
+
+// The mark alone, or voxels that look like an odd block, are no extension.
+TEST(NiftiFormat, MarkWithoutExtensionIsIgnored)
+{
+  for (const auto& [size, code] :
+       std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 0}, {33, 6}, {32, 7}, {-16, 6}})
+  {
+    EXPECT_EQ(ReadSingle("a.nii", WithExtension(size, 384.0F, code))
+                  .Image->GetScalarComponentAsDouble(0, 0, 0, 0),
+              5.0);
+  }
+}
+
+// Without a start of its voxels a file has them behind the mark.
+TEST(NiftiFormat, NotesVoxelsThatStartWithinHeader)
+{
+  std::string voxels(120, '\1');
+  voxels[0] = '\7';
+  std::string bytes = NiftiBytes({}, voxels);
+  bytes.replace(108, 4, BytesOf(std::vector<float>{0.0F}));
+  const Volume volume = ReadSingle("a.nii", bytes);
+  EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 0, 0), 7.0);
+  ASSERT_EQ(volume.Notes.size(), 1u);
+  EXPECT_TRUE(Contains(volume.Notes[0], "read from byte 352"));
+}
 } // namespace
 } // namespace palpate::nifti_format_test

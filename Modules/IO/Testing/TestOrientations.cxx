@@ -319,6 +319,57 @@ TEST(Orientations, NrrdInPatientSpaceGetsNoNote)
   EXPECT_TRUE(NotesOfNrrd(PlainNrrdLines("unsigned char")).empty());
 }
 
+TEST(Orientations, LengthsFollowUnitOfNrrd)
+{
+  const std::vector<std::pair<std::string, double>> units{
+      {"mm", 1.0},  {"um", 1e-3}, {"\xC2\xB5m", 1e-3},  {"micron", 1e-3},
+      {"cm", 10.0}, {"m", 1e3},   {"Millimeters", 1.0}, {"in", 25.4}};
+  const TemporaryFolder folder;
+  for (const auto& [unit, millimeters] : units)
+  {
+    SCOPED_TRACE(unit);
+    std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+    lines[2] = "space: right-anterior-superior";
+    lines.push_back("space units: \"" + unit + "\" \"" + unit + "\" \"" + unit + "\"");
+    WriteAll(folder / "a.nrrd", NrrdBytes(lines, CountingVoxels()));
+    const Volume volume = ReadVolume(folder / "a.nrrd");
+    const ImageGrid grid = GridOf(volume.Image);
+    EXPECT_LT((grid.Spacing - Vector3::Constant(2.0 * millimeters)).norm(), 1e-12);
+    EXPECT_LT((grid.OriginWorld - millimeters * Vector3(-10, -20, 30)).norm(), 1e-12);
+    EXPECT_EQ(CountOf(volume.Notes, "was converted to mm"), millimeters == 1.0 ? 0u : 1u);
+  }
+}
+
+TEST(Orientations, UnitsOfAxesCountWithoutDirections)
+{
+  const std::vector<std::string> lines{
+      "type: unsigned char",         "dimension: 3", "sizes: 4 5 6", "spacings: 0.2 0.2 0.2",
+      "units: \"cm\" \"cm\" \"cm\"", "encoding: raw"};
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.nrrd", NrrdBytes(lines, CountingVoxels()));
+  EXPECT_LT((GridOf(ReadVolume(folder / "a.nrrd").Image).Spacing - Vector3(2, 2, 2)).norm(), 1e-12);
+}
+
+TEST(Orientations, NotesUnknownUnits)
+{
+  std::vector<std::string> lines = PlainNrrdLines("unsigned char");
+  lines.emplace_back("space units: \"voxel\" \"voxel\" \"voxel\"");
+  EXPECT_EQ(CountOf(NotesOfNrrd(lines), "unit, voxel, is not known"), 1u);
+}
+
+TEST(Orientations, LengthsFollowUnitOfMetaImage)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / "a.mha",
+           MetaImageBytes("MET_UCHAR", CountingVoxels(),
+                          "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 0.2 0.2 0.2\n"
+                          "DistanceUnits = cm\n"));
+  const Volume volume = ReadVolume(folder / "a.mha");
+  EXPECT_LT((GridOf(volume.Image).Spacing - Vector3(2, 2, 2)).norm(), 1e-12);
+  EXPECT_EQ(GridOf(volume.Image).OriginWorld, Vector3(100, 200, 300));
+  EXPECT_TRUE(volume.IsOriented);
+}
+
 TEST(Orientations, RejectsNonPatientNrrdSpacesByName)
 {
   for (const char* space :

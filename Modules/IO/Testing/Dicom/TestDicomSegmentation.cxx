@@ -11,6 +11,7 @@
 
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cmath>
@@ -255,6 +256,21 @@ TEST(DicomSegmentation, SparseLabelMapHasEmptySlice)
     ASSERT_EQ(segmentation.Layers[0]->GetPointData()->GetScalars()->GetTuple1(voxel), 0.0);
   }
   EXPECT_EQ(MeasureLabels(segmentation)[0].ComponentVoxels.size(), 2u);
+}
+
+TEST(DicomSegmentation, NotesSlicesThatAreMissingWithinStructure)
+{
+  DicomSegmentationSpec spec;
+  spec.Segments = {{1, "gland"}};
+  spec.Frames = {{1, 0.0, Pixels({0})}, {1, 3.0, Pixels({0})}, {1, 12.0, Pixels({0})}};
+  const Segmentation segmentation = ReadBack(spec);
+  EXPECT_EQ(std::count_if(segmentation.Notes.begin(), segmentation.Notes.end(),
+                          [](const std::string& note)
+                          {
+                            return Contains(note, "1 'gland' lacks 2 slices between its first and "
+                                                  "its last (S 6 mm to S 9 mm)");
+                          }),
+            1);
 }
 
 TEST(SegmentColor, CieLabWhiteAndBlackAreNeutral)

@@ -95,14 +95,35 @@ TEST(DicomSeries, RejectsMissingSlice)
 {
   const TemporaryFolder folder;
   WriteStack(folder, {0, 3, 6, 12, 15});
-  EXPECT_TRUE(Contains(Refusal(folder.Path()), "uneven gaps between its slices (3 to 6 mm)"));
+  EXPECT_TRUE(Contains(Refusal(folder.Path()),
+                       "uneven gaps between its slices (3 to 6 mm): about 1 slice missing between "
+                       "f2-1.dcm at S 6 mm and f3-1.dcm at S 12 mm"));
 }
 
 TEST(DicomSeries, RejectsTwoImagesAtOnePosition)
 {
   const TemporaryFolder folder;
-  WriteStack(folder, {0, 0, 3, 3});
-  EXPECT_TRUE(Contains(Refusal(folder.Path()), "4 images in 2 positions"));
+  WriteStack(folder, {0, 3});
+  DicomSliceSpec echo;
+  echo.Value = 77;
+  WriteDicomSlice(folder / "echo0.dcm", echo);
+  echo.PositionWorld = {0, 0, 3};
+  WriteDicomSlice(folder / "echo3.dcm", echo);
+  EXPECT_TRUE(Contains(Refusal(folder.Path()),
+                       "4 images in 2 positions, such as echo0.dcm and f0-1.dcm at S 0 mm"));
+}
+
+TEST(DicomSeries, SliceThatIsThereTwiceIsTakenOnce)
+{
+  const TemporaryFolder folder;
+  WriteStack(folder, {0, 3, 6});
+  std::filesystem::copy_file(folder / "f1-1.dcm", folder / "copy of f1.dcm");
+  const Volume volume = ReadVolume(folder.Path());
+  EXPECT_EQ(GridOf(volume.Image).Size[2], 3);
+  EXPECT_EQ(volume.Image->GetScalarComponentAsDouble(0, 0, 1, 0), 30);
+  ASSERT_EQ(volume.Notes.size(), 1u);
+  EXPECT_TRUE(Contains(volume.Notes[0], "1 slice is there twice"));
+  EXPECT_TRUE(Contains(volume.Notes[0], "at S 3 mm"));
 }
 
 TEST(DicomSeries, RejectsTiltedStack)
@@ -112,6 +133,21 @@ TEST(DicomSeries, RejectsTiltedStack)
   {
     DicomSliceSpec spec;
     spec.PositionWorld = {0, 0.5 * i, 3.0 * i};
+    WriteDicomSlice(folder / (std::to_string(i) + ".dcm"), spec);
+  }
+  EXPECT_TRUE(Contains(Refusal(folder.Path()), "has sheared axes"));
+  VolumeChoice choice;
+  choice.Sheared = ShearedAxes::Resample;
+  EXPECT_FALSE(IsSheared(GridOf(ReadVolume(folder.Path(), choice).Image)));
+}
+
+TEST(DicomSeries, RejectsSlicesShiftedUnevenly)
+{
+  const TemporaryFolder folder;
+  for (int i = 0; i < 6; ++i)
+  {
+    DicomSliceSpec spec;
+    spec.PositionWorld = {0, i == 3 ? 1.0 : 0.0, 3.0 * i};
     WriteDicomSlice(folder / (std::to_string(i) + ".dcm"), spec);
   }
   EXPECT_TRUE(Contains(Refusal(folder.Path()), "shifted sideways"));

@@ -218,6 +218,13 @@ TEST(DicomStructureSet, ContoursFinerThanImagesFillEverySliceOnce)
   EXPECT_EQ(VoxelCount(box, 1), 5 * 4 * 3);
 }
 
+TEST(DicomStructureSet, NotesContoursThatAreMissing)
+{
+  EXPECT_TRUE(HasNote(Read(BoxOfContours({0, 3, 9, 12})), "lacks 1 slice"));
+  EXPECT_TRUE(HasNote(ReadNextToImages(BoxOfContours({0, 3, 9, 12}), 6), "(S 6 mm)"));
+  EXPECT_FALSE(HasNote(Read(BoxOfContours({0, 3, 6, 9})), "lacks"));
+}
+
 TEST(DicomStructureSet, ObliqueContoursHaveTheirPlanes)
 {
   const Eigen::Matrix3d turn =
