@@ -14,6 +14,7 @@
 #include "PlyReader.h"
 #include "QuietStandardStreams.h"
 #include "Refusal.h"
+#include "StlText.h"
 #include "SurfaceSpace.h"
 #include "TriangleMesh.h"
 #include "WholeFile.h"
@@ -64,12 +65,10 @@ std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
   return writer->GetOutputString();
 }
 
-// VTK's reader silently accepts a truncated STL file. It takes a file for binary if it has many
-// bytes that are not ASCII, and then trusts its triangle count. So the triangle count of a binary
-// file and the end mark of a text file are checked here. Returns the file's comment.
-std::string CheckedStlComment(const std::filesystem::path& path)
+// VTK's reader trusts the triangle count of a binary file and silently accepts fewer. It takes a
+// file for text if it has few bytes that are not ASCII.
+void CheckBinaryStl(const std::filesystem::path& path, const std::string& bytes)
 {
-  const std::string bytes = ReadWholeFile(path, MaximumBytes);
   constexpr std::size_t header = 80;
   std::uint64_t triangles = 0;
   for (std::size_t i = 4; i-- > 0 && bytes.size() >= header + 4;)
@@ -78,14 +77,10 @@ std::string CheckedStlComment(const std::filesystem::path& path)
   }
   const bool isText =
       vtksys::SystemTools::DetectFileType(path.c_str()) == vtksys::SystemTools::FileTypeText;
-  const bool isWhole =
-      isText ? bytes.rfind("solid", 0) == 0 && bytes.find("endsolid") != std::string::npos
-             : bytes.size() >= header + 4 + 50 * std::max<std::uint64_t>(triangles, 1);
-  if (!isWhole)
+  if (isText || bytes.size() < header + 4 + 50 * std::max<std::uint64_t>(triangles, 1))
   {
     Refuse(path, "is not a complete STL file (it may be truncated)", "write the file again");
   }
-  return bytes.substr(0, isText ? bytes.find('\n') : header);
 }
 
 // The comments before the first vertex.
@@ -155,8 +150,15 @@ vtkSmartPointer<vtkPolyData> ReadVtpInLps(const std::filesystem::path& path)
 
 vtkSmartPointer<vtkPolyData> ReadStl(const std::filesystem::path& path)
 {
-  const SurfaceSpace space = SpaceOfComments(path, CheckedStlComment(path));
-  return TurnedToLps(space, ReadWith(vtkNew<vtkSTLReader>().Get(), path));
+  const std::string bytes = ReadWholeFile(path, MaximumBytes);
+  if (IsStlText(bytes))
+  {
+    return TurnedToLps(SpaceOfComments(path, bytes.substr(0, bytes.find('\n'))),
+                       SurfaceFromStlText(bytes, path.string()));
+  }
+  CheckBinaryStl(path, bytes);
+  return TurnedToLps(SpaceOfComments(path, bytes.substr(0, 80)),
+                     ReadWith(vtkNew<vtkSTLReader>().Get(), path));
 }
 
 vtkSmartPointer<vtkPolyData> ReadPly(const std::filesystem::path& path)

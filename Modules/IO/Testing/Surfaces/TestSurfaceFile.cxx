@@ -293,6 +293,34 @@ TEST(SurfaceFile, ReadsTextStl)
   EXPECT_THROW(ReadSurface(folder / "a.stl"), InputError);
 }
 
+TEST(SurfaceFile, TextStlMayBeInUpperCaseWithLongSolidLines)
+{
+  const TemporaryFolder folder;
+  const std::string name(5000, 'x');
+  WriteAll(folder / "a.stl",
+           "SOLID " + name +
+               " facet vertex\r\n  FACET NORMAL 0 0 1\r\n    OUTER LOOP\r\n"
+               "VERTEX 0 0 0\r\nVERTEX 1.5E+00 0 0\r\nVERTEX 0 +1 0\r\nENDLOOP\r\n"
+               "ENDFACET\r\nENDSOLID " +
+               name + "\r\n");
+  const auto surface = ReadSurface(folder / "a.stl");
+  EXPECT_EQ(surface->GetNumberOfCells(), 1);
+  EXPECT_EQ(surface->GetBounds()[1], 1.5);
+  EXPECT_EQ(surface->GetBounds()[3], 1.0);
+}
+
+TEST(SurfaceFile, RejectsTextStlWithDamagedNumbers)
+{
+  const TemporaryFolder folder;
+  for (const char* number : {"x", "1,5", "1.0.0", "0x1", ""})
+  {
+    WriteAll(folder / "a.stl", std::string("solid a\nfacet normal 0 0 1\nouter loop\n"
+                                           "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 ") +
+                                   number + "\nendloop\nendfacet\nendsolid a\n");
+    EXPECT_THROW(ReadSurface(folder / "a.stl"), InputError) << number;
+  }
+}
+
 TEST(SurfaceFile, AcceptsUpperCaseEndings)
 {
   EXPECT_TRUE(IsSurfaceFile("a.STL"));
