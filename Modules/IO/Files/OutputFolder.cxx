@@ -5,6 +5,7 @@
 #include "Refusal.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <list>
@@ -163,8 +164,30 @@ std::string Replaced(std::string text, const std::string& what, const std::strin
 }
 } // namespace
 
+bool HasFileEnding(const std::filesystem::path& path)
+{
+  constexpr std::size_t Longest = 5;
+  const std::string ending = path.extension().string();
+  const auto isOf = [&ending](int (*is)(int))
+  {
+    return std::all_of(ending.begin() + 1, ending.end(),
+                       [is](unsigned char letter)
+                       { return is(letter) != 0 || std::isdigit(letter) != 0; });
+  };
+  std::error_code ignored;
+  return ending.size() > 2 && ending.size() <= Longest + 1 &&
+         std::isalpha(static_cast<unsigned char>(ending[1])) != 0 &&
+         (isOf(&std::islower) || isOf(&std::isupper)) &&
+         !std::filesystem::is_directory(path, ignored);
+}
+
 void CheckOutputFolder(const std::filesystem::path& folder)
 {
+  if (HasFileEnding(folder))
+  {
+    Refuse(folder, "has the ending of a file, but a folder is written",
+           "choose a name without an ending, or end it with / if that is meant");
+  }
   const std::filesystem::path existing = ExistingPart(folder);
   std::error_code ignored;
   if (!std::filesystem::is_directory(existing, ignored))

@@ -9,8 +9,13 @@
 
 namespace palpate
 {
+/// Whether a name looks like that of a file, "liver.msh": up to five letters and digits after its
+/// last point, of one case and the first of them a letter, and no folder of that name exists.
+PALPATEIO_EXPORT bool HasFileEnding(const std::filesystem::path& path);
+
 /// Checks, before long work, that a folder for results can be created and written to, without
-/// creating it. Throws InputError if a part of its path is not a folder or does not permit it.
+/// creating it. Throws InputError if a part of its path is not a folder or does not
+/// permit it, and for the name of a file (HasFileEnding).
 PALPATEIO_EXPORT void CheckOutputFolder(const std::filesystem::path& folder);
 
 /// Creates a folder for results and its parents. Throws InputError if that fails.

@@ -69,6 +69,25 @@ TEST(OutputFolder, NamesFileThatBlocksFolder)
   }
 }
 
+TEST(OutputFolder, RejectsNamesOfFiles)
+{
+  const TemporaryFolder folder;
+  for (const char* name : {"liver.msh", "a.vtu", "a.3mf", "model.JSON", "a.x3d"})
+  {
+    const bool isOne = HasFileEnding(folder / name);
+    EXPECT_EQ(isOne, std::string(name) != "a.3mf") << name; // starts with a digit, as dates do
+    EXPECT_EQ(MessageOf(&CheckOutputFolder, folder / name).find("ending of a file") !=
+                  std::string::npos,
+              isOne);
+  }
+  for (const char* name : {"run.2026", "J.Smith", "v1.2", "out", ".hidden", "a.b", "liver.msh/"})
+  {
+    EXPECT_FALSE(HasFileEnding(folder / name)) << name;
+  }
+  std::filesystem::create_directory(folder / "there.msh");
+  EXPECT_FALSE(HasFileEnding(folder / "there.msh"));
+}
+
 TEST(OutputFolder, RejectsReadOnlyFolder)
 {
   const TemporaryFolder folder;
