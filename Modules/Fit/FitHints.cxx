@@ -54,7 +54,12 @@ std::string HintForRepair(const FitSettings& settings, const HintWords& words)
 std::string HintForOpenSurface(const FitSettings& settings, const HintWords& words)
 {
   const std::string need = "a model needs one closed surface without handles and crossings";
-  return settings.Repairs ? need : need + ", which " + words.Repair + " makes by way of voxels";
+  const std::string part =
+      settings.WantsOneComponent() || words.Part[0] == '\0'
+          ? std::string()
+          : std::string("; of several parts, ") + words.Part + " 1 keeps the largest alone";
+  return (settings.Repairs ? need : need + ", which " + words.Repair + " makes by way of voxels") +
+         part;
 }
 
 std::string HintForMisfit(const FitSettings& settings, const HintWords& words)

@@ -19,17 +19,24 @@ struct HintWords
   const char* SurfaceModel;
   const char* Repair;
   const char* Penalty; ///< empty if none is suggested
+  const char* Part;    ///< of a surface file; empty if none can be chosen
 };
 /// As options of `palpate fit`.
 inline constexpr HintWords OptionWords{
     "another --degree", "another --max-degree", "a higher --frequency", "--center visible",
     "--max-hidden",     "--min-dice",           "--model surface",      "--repair",
-    "--penalty auto"};
+    "--penalty auto",   "--component"};
 /// As controls of the window, also used for session files.
-inline constexpr HintWords WindowWords{
-    "another degree",          "another degree", "a higher Frequency",
-    "the most visible Centre", "Maximum hidden", "Minimum Dice",
-    "the Model surface",       "Repair",         ""};
+inline constexpr HintWords WindowWords{"another degree",
+                                       "another degree",
+                                       "a higher Frequency",
+                                       "the most visible Centre",
+                                       "Maximum hidden",
+                                       "Minimum Dice",
+                                       "the Model surface",
+                                       "Repair",
+                                       "",
+                                       ""};
 
 /// Suggestions for a structure that is refused; settings that are already in use are not suggested.
 using Hint = std::string(const FitSettings& settings, const HintWords& words);

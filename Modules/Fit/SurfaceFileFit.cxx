@@ -37,6 +37,7 @@ void RemarkOnMends(const ClosedMesh& closed, FitResult& result)
       "triangles without three points dropped");
   add(mends.Duplicates, "triangle that was there twice dropped",
       "triangles that were there twice dropped");
+  add(mends.DroppedParts, "other part of it left out", "other parts of it left out");
   add(mends.ReversedTriangles, "triangle turned to face outwards",
       "triangles turned to face outwards");
   if (!done.empty())
@@ -83,6 +84,7 @@ void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunctio
   TriangleMesh triangles = TrianglesOf(surface, result.Input);
   ClosedMeshSettings settings;
   settings.Repairs = result.Settings.Repairs;
+  settings.Part = result.Settings.WantsOneComponent() ? result.Settings.Component : 0;
   ClosedMesh closed;
   const Status status =
       MakeClosedMesh({std::move(triangles.PointsWorld), std::move(triangles.Triangles)}, settings,

@@ -73,7 +73,7 @@ Status ComparedBody::OfMesh(IndexedMesh mesh, ComparedBody& made)
 {
   ComparedBody body;
   MeshMends mends;
-  if (Status status = MendMesh(mesh, false, mends); !status.IsOk())
+  if (Status status = MendMesh(mesh, 0, mends); !status.IsOk())
   {
     return status;
   }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palpate
@@ -75,6 +76,15 @@ AddedSurface AddedTo(const IndexedMesh& given, const IndexedMesh& made, double n
   return added;
 }
 
+// Only bodies far apart: what else a repair changes is told.
+Status CheckGaps(const TopologyReport& report)
+{
+  TopologyLimits limits;
+  limits.ChangedPercent = std::numeric_limits<double>::infinity();
+  limits.CavityDiameter = std::numeric_limits<double>::infinity();
+  return CheckTopology(report, limits);
+}
+
 /// The steps of MakeClosedMesh.
 class Maker
 {
@@ -88,7 +98,7 @@ public:
   {
     IndexedMesh& mesh = this->Made->Mesh;
     this->Made->GivenTriangles = static_cast<int>(mesh.Triangles.size());
-    Status status = MendMesh(mesh, false, this->Made->Mends);
+    Status status = MendMesh(mesh, this->Settings->Part, this->Made->Mends);
     if (!status.IsOk() || !this->Report(0.1))
     {
       return status.IsOk() ? Cancelled() : status;
@@ -139,6 +149,11 @@ private:
     GenusZeroSurface surface;
     status = MakeGenusZeroSurface(
         mask, settings, [this](double part) { return this->Report(0.5 + 0.2 * part); }, surface);
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    status = CheckGaps(surface.Topology);
     if (!status.IsOk())
     {
       return status;

@@ -13,7 +13,8 @@ namespace palpate
 {
 struct ClosedMeshSettings
 {
-  bool Repairs = false;        ///< by way of voxels, what mends do not close
+  int Part = 0;         ///< the only one that counts, by decreasing area, from 1 (KeepPart); 0: all
+  bool Repairs = false; ///< by way of voxels, what mends do not close
   double RepairVoxels = 4.0e6; ///< of a repair
   int MostTriangles = 200'000; ///< finer meshes are coarsened (DecimateMesh)
   int FewestTriangles =
@@ -43,7 +44,8 @@ struct ClosedMesh
 /// Mends a mesh (MendMesh) and checks that it is closed, without handles and in one part
 /// (FaultOfGenusZero), and that no triangles cross (FindMeshCrossings). Otherwise it fails, or with
 /// `Repairs` takes the surface of the voxels inside (FindInside, MakeGenusZeroSurface), with parts
-/// joined by bridges. Very fine meshes are coarsened afterwards, and long edges split.
+/// joined by bridges, but not across the gap from which on a mask counts as several bodies
+/// (TopologyLimits). Very fine meshes are coarsened afterwards, and long edges split.
 ///
 /// Equal meshes with other numbers of their points give equal results, so that the format of a file
 /// has no influence. Fails, with a predicate of the surface or a sentence, for what cannot be

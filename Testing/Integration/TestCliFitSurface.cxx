@@ -42,7 +42,7 @@ IndexedMesh Crossing()
 IndexedMesh TwoParts()
 {
   IndexedMesh mesh = Sphere(8, 20.0);
-  const IndexedMesh more = Sphere(8, 20.0, {44.0, 0.0, 0.0});
+  const IndexedMesh more = Sphere(8, 20.0, {43.0, 0.0, 0.0});
   const int start = static_cast<int>(mesh.Points.size());
   mesh.Points.insert(mesh.Points.end(), more.Points.begin(), more.Points.end());
   for (const std::array<int, 3>& t : more.Triangles)

@@ -8,6 +8,7 @@
 #include "SinglePrecision.h"
 #include "SurfaceFile.h"
 #include "TemporaryFolder.h"
+#include "TestData.h"
 #include "TriangleMesh.h"
 
 #include "vtkNew.h"
@@ -194,6 +195,29 @@ TEST(SurfaceFileFit, RepairTellsHowMuchOfTheSurfaceIsNew)
   EXPECT_GT(result.Details.AddedAreaPercent, 20.0);
   EXPECT_LT(result.Details.AddedAreaPercent, 26.0);
   EXPECT_TRUE(HasNote(result, "% of its area is new, up to 1"));
+}
+
+// An ellipsoid of 4.691 ml with debris, and one that is there twice.
+TEST(SurfaceFileFit, DebrisIsDroppedOnRequestAndNeverBridged)
+{
+  for (const char* name : {"odd/stl_debris.stl", "odd/obj_twice.obj"})
+  {
+    const auto path = DataPath(name);
+    PALPATE_REQUIRE_FILE(path);
+    const auto surface = ReadSurface(path);
+    FitSettings settings = Settings(FitSettings::ModelKind::Automatic, 8);
+    settings.Repairs = true;
+    const FitResult bridged = Fit(surface, settings);
+    EXPECT_EQ(bridged.State, Outcome::BadInput) << name;
+    EXPECT_NE(bridged.Message.find("mm apart"), std::string::npos) << bridged.Message;
+    EXPECT_NE(bridged.OptionHint.find("--component 1"), std::string::npos);
+    settings.Repairs = false;
+    settings.IsAlone = true;
+    const FitResult alone = Fit(surface, settings);
+    ASSERT_EQ(alone.State, Outcome::Fitted) << alone.Message;
+    EXPECT_NEAR(alone.ModelMilliliters, 4.691, 0.05) << name;
+    EXPECT_TRUE(HasNote(alone, "of it left out"));
+  }
 }
 
 TEST(SurfaceFileFit, SurfaceInMetresIsNoticed)

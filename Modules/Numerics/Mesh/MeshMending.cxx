@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -237,10 +239,10 @@ int DropUnusedPoints(IndexedMesh& mesh)
   return KeepPoints(mesh, std::move(kept));
 }
 
-int KeepLargestPart(IndexedMesh& mesh)
+int KeepPart(IndexedMesh& mesh, int number)
 {
   const MeshSheets sheets(mesh, EdgeRings(mesh));
-  if (sheets.PartCount < 2)
+  if (sheets.PartCount < std::max(2, number))
   {
     return 0;
   }
@@ -254,8 +256,13 @@ int KeepLargestPart(IndexedMesh& mesh)
       areas[partOf(t)] += AreaVector(mesh, mesh.Triangles[t]).norm();
     }
   }
-  const auto largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
-  return KeepTriangles(mesh, [&](std::size_t t) { return partOf(t) == largest; });
+  std::vector<int> order(areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&areas](int a, int b) { return areas[a] > areas[b]; });
+  const int kept = order[number - 1];
+  KeepTriangles(mesh, [&](std::size_t t) { return partOf(t) == kept; });
+  return sheets.PartCount - 1;
 }
 
 int OrientOutwards(IndexedMesh& mesh)
@@ -281,7 +288,7 @@ int OrientOutwards(IndexedMesh& mesh)
   return count;
 }
 
-Status MendMesh(IndexedMesh& mesh, bool keepsLargestPartOnly, MeshMends& mends)
+Status MendMesh(IndexedMesh& mesh, int part, MeshMends& mends)
 {
   mends = {};
   if (Status status = CheckPointsAndTriangles(mesh); !status.IsOk())
@@ -291,7 +298,11 @@ Status MendMesh(IndexedMesh& mesh, bool keepsLargestPartOnly, MeshMends& mends)
   mends.WeldedPoints = WeldPoints(mesh);
   mends.DroppedTriangles = DropDegenerateTriangles(mesh);
   mends.Duplicates = DropDuplicateTriangles(mesh);
-  mends.DroppedParts = keepsLargestPartOnly ? KeepLargestPart(mesh) : 0;
+  mends.DroppedParts = part > 0 ? KeepPart(mesh, part) : 0;
+  if (part > 1 && mends.DroppedParts == 0)
+  {
+    return Status::Failure("has no part number " + std::to_string(part));
+  }
   mends.DroppedPoints = DropUnusedPoints(mesh);
   mends.ReversedTriangles = OrientOutwards(mesh);
   return Status::Success();

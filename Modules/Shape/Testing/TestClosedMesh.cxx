@@ -191,8 +191,36 @@ TEST(ClosedMesh, RepairUnitesOverlappingPartsAndBridgesOthers)
 TEST(ClosedMesh, RepairKeepsABodyThatIsInsideOut)
 {
   IndexedMesh mesh = Sphere(12, 10.0);
-  Append(Reversed(Sphere(12, 8.0, {24.0, 0.0, 0.0})), mesh);
+  Append(Reversed(Sphere(12, 8.0, {22.0, 0.0, 0.0})), mesh);
   EXPECT_EQ(Repaired(mesh).Topology.Bridges.Count, 1);
+}
+
+// As masks: two bodies are not one, whatever a bridge between them looks like.
+TEST(ClosedMesh, RepairJoinsNoBodiesThatAreFarApart)
+{
+  ClosedMesh made;
+  ClosedMeshSettings settings;
+  settings.Repairs = true;
+  const Status status = MakeClosedMesh(TwoSpheres(28.0), settings, {}, made);
+  EXPECT_NE(status.Message().find("mm apart, which a model would join"), std::string::npos)
+      << status.Message();
+}
+
+TEST(ClosedMesh, PartIsKeptAloneByItsNumber)
+{
+  IndexedMesh mesh = Sphere(6, 1.0, {40.0, 0.0, 0.0});
+  Append(Sphere(12, 10.0), mesh);
+  for (const auto& [part, radius] : {std::pair(1, 10.0), std::pair(2, 1.0)})
+  {
+    ClosedMesh made;
+    ClosedMeshSettings settings;
+    settings.Part = part;
+    ASSERT_TRUE(MakeClosedMesh(mesh, settings, {}, made).IsOk());
+    EXPECT_EQ(made.Mends.DroppedParts, 1);
+    EXPECT_NEAR(VolumeOf(made.Mesh) / VolumeOf(Sphere(part == 1 ? 12 : 6, radius)), 1.0, 1e-12);
+  }
+  ClosedMesh made;
+  EXPECT_FALSE(MakeClosedMesh(mesh, {}, {}, made).IsOk());
 }
 
 // A ball wrung in the middle: one half of it is inside out.

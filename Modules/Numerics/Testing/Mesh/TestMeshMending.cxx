@@ -58,7 +58,7 @@ TEST(MeshMending, MakesSphereOfScrambledTriangles)
   mesh.Points.emplace_back(7, 7, 7);
   std::shuffle(mesh.Triangles.begin(), mesh.Triangles.end(), random);
   MeshMends mends;
-  ASSERT_TRUE(MendMesh(mesh, false, mends).IsOk());
+  ASSERT_TRUE(MendMesh(mesh, 0, mends).IsOk());
   EXPECT_EQ(mends.DroppedTriangles, 1);
   EXPECT_EQ(mends.DroppedPoints, 1);
   EXPECT_EQ(CheckClosedGenusZero(DescribeTopology(mesh)).Message(), "");
@@ -75,7 +75,7 @@ TEST(MeshMending, KeepsOneOfDuplicatesInWhateverOrderTheirPointsAre)
     mesh.Triangles.push_back({b, a, c});
   }
   MeshMends mends;
-  ASSERT_TRUE(MendMesh(mesh, false, mends).IsOk());
+  ASSERT_TRUE(MendMesh(mesh, 0, mends).IsOk());
   EXPECT_EQ(mends.Duplicates, 6);
   EXPECT_EQ(mesh.Triangles, sphere.Triangles);
 }
@@ -85,17 +85,25 @@ TEST(MeshMending, LeavesGoodMeshUnchanged)
   const IndexedMesh sphere = test::Sphere(5);
   IndexedMesh mesh = sphere;
   MeshMends mends;
-  ASSERT_TRUE(MendMesh(mesh, true, mends).IsOk());
+  ASSERT_TRUE(MendMesh(mesh, 1, mends).IsOk());
   EXPECT_EQ(mesh.Points, sphere.Points);
   EXPECT_EQ(mesh.Triangles, sphere.Triangles);
 }
 
-TEST(MeshMending, KeepsPartWithLargestArea)
+TEST(MeshMending, KeepsPartByItsNumberInOrderOfArea)
 {
-  IndexedMesh mesh = test::Join(test::Sphere(9, 1.0, {9, 9, 9}), test::Sphere(3, 5.0));
-  EXPECT_EQ(KeepLargestPart(mesh), 20 * 81);
+  const IndexedMesh given = test::Join(test::Sphere(9, 1.0, {9, 9, 9}), test::Sphere(3, 5.0));
+  IndexedMesh mesh = given;
+  EXPECT_EQ(KeepPart(mesh, 1), 1);
   DropUnusedPoints(mesh);
   EXPECT_EQ(mesh.Points, test::Sphere(3, 5.0).Points);
+  mesh = given;
+  EXPECT_EQ(KeepPart(mesh, 2), 1);
+  DropUnusedPoints(mesh);
+  EXPECT_EQ(mesh.Points, test::Sphere(9, 1.0, {9, 9, 9}).Points);
+  mesh = given;
+  MeshMends mends;
+  EXPECT_FALSE(MendMesh(mesh, 3, mends).IsOk());
 }
 
 TEST(MeshMending, CavityKeepsFacingInwards)
@@ -211,13 +219,13 @@ TEST(MeshMending, RejectsBadInputUnchanged)
   MeshMends mends;
   IndexedMesh mesh = test::Unwelded(test::Sphere(2));
   mesh.Triangles[3][1] = 1000;
-  EXPECT_FALSE(MendMesh(mesh, false, mends).IsOk());
+  EXPECT_FALSE(MendMesh(mesh, 0, mends).IsOk());
   EXPECT_EQ(mesh.Points.size(), 240U);
   mesh.Triangles[3][1] = 1;
   mesh.Points[3][1] = INFINITY;
-  EXPECT_FALSE(MendMesh(mesh, false, mends).IsOk());
+  EXPECT_FALSE(MendMesh(mesh, 0, mends).IsOk());
   IndexedMesh empty;
-  EXPECT_TRUE(MendMesh(empty, true, mends).IsOk());
+  EXPECT_TRUE(MendMesh(empty, 1, mends).IsOk());
 }
 } // namespace
 } // namespace palpate::mesh_mending_test
