@@ -22,17 +22,20 @@ constexpr const char* UntouchedReason = "not touched in the scene";
 class Builder
 {
 public:
-  Builder(const SceneSettings& settings, const ProgressFunction& progress)
-      : Asked(settings), Progress(progress)
+  Builder(SceneSettings settings, const ProgressFunction& progress, BadMasks badMasks)
+      : Asked(std::move(settings)), Progress(progress), Bad(badMasks)
   {
   }
 
   BuiltScene Build()
   {
-    this->Made.Settings = ResolveLabels(
-        this->Asked, false,
-        [this](const std::filesystem::path& file)
-        { return this->Run.SegmentationOf(file, this->Asked.LeftHanded, this->Progress); });
+    if (this->Bad == BadMasks::LeaveOut)
+    {
+      this->LeaveOutBadMasks();
+    }
+    this->Made.Settings = ResolveLabels(this->Asked, false,
+                                        [this](const std::filesystem::path& file)
+                                        { return this->SegmentationOf(file); });
     this->RequireGuides();
     this->Planned = this->Undisplayed();
     this->Run.Make(this->Planned, this->Progress);
@@ -58,6 +61,37 @@ public:
   }
 
 private:
+  std::shared_ptr<const Segmentation> SegmentationOf(const std::filesystem::path& file)
+  {
+    return this->Run.SegmentationOf(file, this->Asked.LeftHanded, this->Progress);
+  }
+
+  // What is read here is not read again.
+  void LeaveOutBadMasks()
+  {
+    std::vector<SceneStructure> good;
+    for (const SceneStructure& structure : this->Asked.Structures)
+    {
+      try
+      {
+        if (structure.Source() == SceneSource::Label)
+        {
+          SegmentsOf(structure, *this->SegmentationOf(structure.File));
+        }
+        good.push_back(structure);
+      }
+      catch (const InputError& error)
+      {
+        this->Made.LeftOut.emplace_back(error.what());
+      }
+    }
+    if (good.empty())
+    {
+      throw InputError(this->Made.LeftOut.front());
+    }
+    this->Asked.Structures = std::move(good);
+  }
+
   void RequireGuides() const
   {
     for (const GuideSettings& guide : this->Made.Settings.Guides)
@@ -131,17 +165,19 @@ private:
     }
   }
 
-  const SceneSettings& Asked;
+  SceneSettings Asked;
   const ProgressFunction& Progress;
+  BadMasks Bad;
   SceneSettings Planned; // with nothing displayed
   SceneRun Run;
   BuiltScene Made;
 };
 } // namespace
 
-BuiltScene BuildScene(const SceneSettings& settings, const ProgressFunction& progress)
+BuiltScene BuildScene(const SceneSettings& settings, const ProgressFunction& progress,
+                      BadMasks badMasks)
 {
-  return Builder(settings, progress).Build();
+  return Builder(settings, progress, badMasks).Build();
 }
 
 SceneItem AccountForServo(const BuiltScene& built)

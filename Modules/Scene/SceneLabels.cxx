@@ -1,5 +1,6 @@
 #include "SceneLabels.h"
 
+#include "FitStructure.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -13,7 +14,14 @@ namespace
 // Larger than any label's number.
 constexpr int FirstFreeId = 1'000'000'001;
 
-void AddSegments(const SceneStructure& entry, const Segmentation& segmentation,
+// Of several masks, each has a label 1: its file's name tells them apart.
+std::string NameFromFile(const SceneStructure& entry, const Segment& segment, bool isOne)
+{
+  const std::string name = CaseNameOf(entry.File);
+  return isOne ? name : name + " " + std::to_string(segment.Label);
+}
+
+void AddSegments(const SceneStructure& entry, const Segmentation& segmentation, bool isAmongSeveral,
                  std::vector<SceneStructure>& structures)
 {
   const std::vector<Segment> segments = SegmentsOf(entry, segmentation);
@@ -24,6 +32,10 @@ void AddSegments(const SceneStructure& entry, const Segmentation& segmentation,
     structure.Labels = {std::to_string(segment.Label)};
     structure.Id = isOne ? entry.Id : 0;
     structure.Name = entry.Name.empty() ? segment.Name : entry.Name;
+    if (structure.Name.empty() && isAmongSeveral)
+    {
+      structure.Name = NameFromFile(entry, segment, isOne);
+    }
     structure.Color = entry.Color == SceneStructure().Color ? segment.Color : entry.Color;
     structures.push_back(std::move(structure));
   }
@@ -61,6 +73,14 @@ SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const Segme
   const bool isGuided =
       std::any_of(scene.Guides.begin(), scene.Guides.end(),
                   [](const GuideSettings& guide) { return guide.HasStructure(); });
+  std::set<std::filesystem::path> masks;
+  for (const SceneStructure& entry : scene.Structures)
+  {
+    if (entry.Source() == SceneSource::Label)
+    {
+      masks.insert(entry.File);
+    }
+  }
   for (const SceneStructure& entry : scene.Structures)
   {
     if (entry.Source() != SceneSource::Label && !entry.Labels.empty())
@@ -73,7 +93,7 @@ SceneSettings ResolveLabels(const SceneSettings& scene, bool isSeen, const Segme
         (entry.IsVisible && isSeen) || entry.IsTouchable || entry.IsForbidden || isGuided;
     if (isNeeded && entry.Source() == SceneSource::Label)
     {
-      AddSegments(entry, *read(entry.File), resolved.Structures);
+      AddSegments(entry, *read(entry.File), masks.size() > 1, resolved.Structures);
     }
     else
     {

@@ -344,10 +344,11 @@ private:
 } // namespace
 
 PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& script,
-                           const ProgressFunction& progress)
+                           const ProgressFunction& progress, BadMasks badMasks)
 {
   PreparedTouch touch;
-  BuiltScene built = BuildScene(settings, progress);
+  BuiltScene built = BuildScene(settings, progress, badMasks);
+  touch.LeftOut = std::move(built.LeftOut);
   if (built.Contacts.empty())
   {
     throw InputError("no structure of the scene is touchable; remove \"touched\": false from one "

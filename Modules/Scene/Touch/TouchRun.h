@@ -48,6 +48,7 @@ struct PreparedTouch
   bool IsRealTimeOnly = false;         ///< hardware cannot run in virtual time
   WorkspaceFrame Frame;                ///< placement of the device in the scene
   std::vector<std::string> Warnings;
+  std::vector<std::string> LeftOut; ///< see BuiltScene
 };
 
 /// Removed volumes at a time.
@@ -82,7 +83,8 @@ struct TouchResult
 /// Reads and makes everything that a touch needs. Throws InputError, FilterError, Cancelled.
 PALPATESCENE_EXPORT PreparedTouch PrepareTouch(const SceneSettings& settings,
                                                const TouchScript& script,
-                                               const ProgressFunction& progress);
+                                               const ProgressFunction& progress,
+                                               BadMasks badMasks = BadMasks::Refuse);
 
 /// Tells the user what to do now, such as during homing.
 using TouchGuide = std::function<void(const std::string& message)>;
