@@ -2,11 +2,14 @@
 
 #include "Console.h"
 #include "FileType.h"
+#include "FitStructure.h"
 #include "ImageContent.h"
 #include "ImageFormat.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "MaskCollection.h"
+#include "MaskFolders.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "Progress.h"
@@ -81,12 +84,16 @@ std::string ConvertCommand::Examples() const
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
          "  palpate convert labels.nii.gz labels.seg.nrrd      for 3D Slicer, with names and "
          "colours\n"
+         "  palpate convert probability.nii.gz mask.nii.gz --threshold 0.5\n"
+         "  palpate convert tilted.nii.gz upright.nii.gz --resample\n"
+         "  palpate convert masks labels.seg.nrrd              a folder of masks, named by file\n"
          "  palpate convert felt/session.touch ticks.csv       one line per tick";
 }
 
 void ConvertCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("IN", this->Input, "Model, surface, image, segmentation or recorded touch")
+  app.add_option("IN", this->Input,
+                 "Model, surface, image, segmentation, a folder of masks, or recorded touch")
       ->required()
       ->check(FileType::Input("file"));
   app.add_option("OUT", this->Output, "Output file; its ending selects the format")
@@ -96,15 +103,24 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
                  "Write only this structure of a segmentation, as a mask of 0 and 1")
       ->type_name("N|NAME");
   this->Images.Declare(app, "folder");
+  this->Images.DeclareValues(app);
+  this->Images.DeclareResampling(app);
   app.add_option("--frequency", this->Frequency,
                  "Subdivision F of the icosahedron for drawing a model: 20 F^2 triangles")
       ->check(CLI::Range(1, 200))
       ->capture_default_str();
 }
 
+bool ConvertCommand::IsOfFolder() const
+{
+  return this->Masks.size() != 1 || this->Masks.front() != this->Input.string();
+}
+
 int ConvertCommand::Run(Console& console)
 {
   const Interruption interruption;
+  this->Tally = {};
+  this->Masks = WithMasksOfFolders({this->Input.string()});
   const bool isWhole =
       IsModelFile(this->Input) || IsSurfaceFile(this->Input) || IsTouchRecording(this->Input);
   if (isWhole && !this->Label.empty())
@@ -137,7 +153,7 @@ int ConvertCommand::Run(Console& console)
   {
     this->ConvertImage(console);
   }
-  return 0;
+  return this->Tally.ExitCode();
 }
 
 void ConvertCommand::ConvertTouch(Console& console) const
@@ -177,7 +193,7 @@ void ConvertCommand::ConvertModel(Console& console) const
   }
 }
 
-void ConvertCommand::ConvertImage(Console& console) const
+void ConvertCommand::ConvertImage(Console& console)
 {
   if (!IsWritableImage(this->Output))
   {
@@ -186,7 +202,7 @@ void ConvertCommand::ConvertImage(Console& console) const
                      ListOfEndings(ImageFormats().WrittenEndings()) +
                      ", or palpate mesh for a surface.");
   }
-  if (!this->Label.empty() || IsSlicerSegmentation(this->Output))
+  if (this->IsOfFolder() || !this->Label.empty() || IsSlicerSegmentation(this->Output))
   {
     this->ConvertSegmentation(console);
     return;
@@ -199,31 +215,62 @@ void ConvertCommand::ConvertImage(Console& console) const
     WriteImage(this->Output, content.Image->Image);
     return;
   }
-  if (content.Labels->Layers.size() != 1)
+  PassOn(content.Labels->Notes, console);
+  this->WriteLabels(*content.Labels);
+}
+
+void ConvertCommand::WriteLabels(const Segmentation& segmentation) const
+{
+  if (IsSlicerSegmentation(this->Output))
+  {
+    WriteSegmentation(this->Output, segmentation);
+    return;
+  }
+  if (segmentation.Layers.size() != 1)
   {
     throw InputError(this->Input.string() + " has structures in " +
-                     std::to_string(content.Labels->Layers.size()) +
+                     std::to_string(segmentation.Layers.size()) +
                      " layers, more than one image can hold; write .seg.nrrd, or choose a "
                      "structure with --label.");
   }
-  PassOn(content.Labels->Notes, console);
-  WriteImage(this->Output, content.Labels->Layers.front());
+  WriteImage(this->Output, segmentation.Layers.front());
 }
 
-void ConvertCommand::ConvertSegmentation(Console& console) const
+Segmentation ConvertCommand::ReadLabels(Console& console)
 {
-  const Segmentation segmentation = ReadSegmentation(this->Input, this->Images.Choice());
-  PassOn(segmentation.Notes, console);
+  if (!this->IsOfFolder())
+  {
+    Segmentation segmentation = ReadSegmentation(this->Input, this->Images.Choice());
+    PassOn(segmentation.Notes, console);
+    return segmentation;
+  }
+  MaskCollection masks(this->Input);
+  for (const std::string& mask : this->Masks)
+  {
+    ++this->Tally.Cases;
+    try
+    {
+      RequireGoingOn();
+      const Segmentation segmentation = ReadSegmentation(mask, this->Images.Choice());
+      masks.Add(segmentation, CaseNameOf(mask));
+      PassOn(segmentation.Notes, console);
+    }
+    catch (const InputError& error)
+    {
+      // An empty or broken mask, or one on another grid, leaves the others.
+      ++this->Tally.BadInputs;
+      console.Error(error.what());
+    }
+  }
+  return masks.Result();
+}
+
+void ConvertCommand::ConvertSegmentation(Console& console)
+{
+  const Segmentation segmentation = this->ReadLabels(console);
   const Segmentation chosen =
       this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label));
   RequireGoingOn();
-  if (IsSlicerSegmentation(this->Output))
-  {
-    WriteSegmentation(this->Output, chosen);
-  }
-  else
-  {
-    WriteImage(this->Output, chosen.Layers.front());
-  }
+  this->WriteLabels(chosen);
 }
 } // namespace palpate::cli

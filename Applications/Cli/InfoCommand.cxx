@@ -1,5 +1,6 @@
 #include "InfoCommand.h"
 
+#include "AvailableMemory.h"
 #include "CaseTally.h"
 #include "Console.h"
 #include "FileType.h"
@@ -8,9 +9,9 @@
 #include "InfoReport.h"
 #include "InputError.h"
 #include "LabelStatistics.h"
+#include "MaskFolders.h"
 
 #include <CLI/CLI.hpp>
-#include <new>
 #include <ostream>
 
 namespace palpate::cli
@@ -26,7 +27,7 @@ void InfoCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
                  "Images and segmentations (" + ListOfEndings(ReadableImageEndings()) +
-                     ", or a DICOM folder)")
+                     ", or a DICOM folder, or a folder of masks)")
       ->required()
       ->check(FileType::Input("image"));
   this->Images.Declare(app, "folder");
@@ -58,7 +59,7 @@ void InfoCommand::RecordLost(const std::string& input, const std::string& status
 int InfoCommand::Run(Console& console)
 {
   CaseTally tally;
-  for (const std::string& input : this->Inputs)
+  for (const std::string& input : WithMasksOfFolders(this->Inputs))
   {
     ++tally.Cases;
     try
@@ -70,8 +71,12 @@ int InfoCommand::Run(Console& console)
       ++tally.BadInputs;
       this->RecordLost(input, "bad-input", error.what(), console);
     }
-    catch (const std::bad_alloc&)
+    catch (const std::exception& error)
     {
+      if (!SaysMemoryIsShort(error))
+      {
+        throw;
+      }
       ++tally.Failures;
       this->RecordLost(input, "failed",
                        input + " needs more memory than there is; crop or resample it.", console);

@@ -1,5 +1,6 @@
 #include "MeshCommand.h"
 
+#include "AvailableMemory.h"
 #include "CaseFit.h"
 #include "CaseText.h"
 #include "CommandProgress.h"
@@ -11,6 +12,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
+#include "MaskFolders.h"
 #include "OutputFolder.h"
 #include "ScreenText.h"
 #include "SegmentationFile.h"
@@ -22,7 +24,6 @@
 #include "vtkSegmentationSurface.h"
 
 #include <CLI/CLI.hpp>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -65,10 +66,12 @@ std::string MeshCommand::Examples() const
 
 void MeshCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("MASK", this->Inputs, "Segmentations: label maps, .seg.nrrd, DICOM-SEG")
+  app.add_option("MASK", this->Inputs,
+                 "Segmentations: label maps, .seg.nrrd, DICOM-SEG, or a folder of masks")
       ->required()
       ->check(FileType::Input("label"));
   this->Images.Declare(app, "folder");
+  this->Images.DeclareValues(app);
   this->Options.DeclareLabels(app);
   this->Options.DeclareSurface(app);
   app.add_option("--output", this->Output,
@@ -89,6 +92,7 @@ int MeshCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Settings = this->Options.Settings();
+  this->Inputs = WithMasksOfFolders(this->Inputs);
   this->Names = CaseNames(this->Inputs);
   this->Tally = {};
   if (this->OutputIsFile() && this->Inputs.size() > 1)
@@ -98,6 +102,13 @@ int MeshCommand::Run(Console& console)
   }
   if (!this->OutputIsFile())
   {
+    if (HasFileEnding(this->Output))
+    {
+      throw InputError("--output " + this->Output.string() +
+                       " has the ending of no surface format; use " +
+                       ListOfEndings(SurfaceFormats().WrittenEndings()) +
+                       ", or for a folder a name without an ending.");
+    }
     CheckOutputFolder(this->Output);
   }
   for (std::size_t file = 0; file < this->Inputs.size(); ++file)
@@ -134,8 +145,12 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
     this->RecordLost(input, {}, FitResult::Outcome::BadInput, error.what(), console);
     return;
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception& error)
   {
+    if (!SaysMemoryIsShort(error))
+    {
+      throw;
+    }
     this->RecordLost(input, {}, FitResult::Outcome::Failed,
                      input.string() + " needs more memory than there is; crop or resample it.",
                      console);
@@ -193,8 +208,12 @@ void MeshCommand::MeshCase(const Case& one, Console& console)
   {
     this->RecordLost(one.Input, one.Structure, blame, error.what(), console);
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception& error)
   {
+    if (!SaysMemoryIsShort(error))
+    {
+      throw;
+    }
     this->RecordLost(one.Input, one.Structure, FitResult::Outcome::Failed,
                      "needs more memory than there is; crop or resample the image", console);
   }

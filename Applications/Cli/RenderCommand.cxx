@@ -7,6 +7,7 @@
 #include "FiniteNumber.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "MaskFolders.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SceneField.h"
@@ -148,7 +149,8 @@ void RenderCommand::DeclareOptions(CLI::App& app)
 {
   app.add_option("FILE", this->Inputs,
                  "Surfaces (" + ListOfEndings(SurfaceFormats().ReadEndings()) + "), models (" +
-                     ListOfEndings(ReadableModelEndings()) + "), segmentations")
+                     ListOfEndings(ReadableModelEndings()) +
+                     "), segmentations, or a folder of them")
       ->check(FileType::Input("geometry"));
   app.add_option("--output", this->Output, "PNG file to write")
       ->type_name("FILE")
@@ -280,6 +282,29 @@ void RenderCommand::AddFile(const std::filesystem::path& file, SceneRenderer& sc
   }
 }
 
+void RenderCommand::TakeFile(const std::filesystem::path& file, SceneRenderer& scene,
+                             CaseTally& tally, Console& console)
+{
+  try
+  {
+    this->AddFile(file, scene, console);
+    tally.Add(FitResult::Outcome::Fitted);
+  }
+  catch (const InputError& error)
+  {
+    // One bad file among many leaves the others.
+    console.EndProgress();
+    console.Error(error.what());
+    tally.Add(FitResult::Outcome::BadInput);
+  }
+  catch (const FilterError& error)
+  {
+    console.EndProgress();
+    console.Error(file.string() + ": " + error.what());
+    tally.Add(FitResult::Outcome::BadInput);
+  }
+}
+
 void RenderCommand::AddIsoSurfaces(vtkImageData* image, SceneRenderer& scene, Console& console)
 {
   std::vector<SceneRenderer::Color> colors;
@@ -354,6 +379,7 @@ void RenderCommand::ColorByArray(SceneRenderer& scene) const
 int RenderCommand::Run(Console& console)
 {
   const Interruption interruption;
+  this->Inputs = WithMasksOfFolders(this->Inputs);
   const auto [width, height] = this->Size;
   const SceneRenderer::Color background = ParseColor(this->Background);
   if (this->Output.extension() != ".png")
@@ -380,9 +406,14 @@ int RenderCommand::Run(Console& console)
   }
   SceneRenderer scene;
   scene.SetBackground(background);
+  CaseTally tally;
   for (const std::string& input : this->Inputs)
   {
-    this->AddFile(input, scene, console);
+    this->TakeFile(input, scene, tally, console);
+  }
+  if (tally.Cases > 0 && tally.Lost() == tally.Cases)
+  {
+    return tally.Conclude(console, "cannot be drawn");
   }
   if (!this->ArrayName.empty())
   {
@@ -397,6 +428,6 @@ int RenderCommand::Run(Console& console)
   WriteWholeFile(this->Output, EncodePng(scene.Render(frame, width, height)));
   console.Output() << Printable(this->Output.string()) << ": " << width << " x " << height
                    << " pixels\n";
-  return 0;
+  return tally.Conclude(console, "are not drawn");
 }
 } // namespace palpate::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CaseTally.h"
 #include "Command.h"
 #include "FitOptions.h"
 #include "ImageOptions.h"
@@ -29,6 +30,8 @@ public:
 
 private:
   void AddFile(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
+  void TakeFile(const std::filesystem::path& file, SceneRenderer& scene, CaseTally& tally,
+                Console& console);
   void AddSegmentation(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
   /// As triangles, one surface per structure.
   void AddMeshes(const Segmentation& segmentation, const std::vector<Segment>& structures,

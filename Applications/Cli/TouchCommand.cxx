@@ -15,6 +15,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "JsonSchema.h"
+#include "MaskFolders.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
 #include "OutputNames.h"
@@ -231,8 +232,10 @@ void TouchCommand::DeclareRun(CLI::App& app)
 
 void TouchCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("FILE", this->Inputs,
-                 "A scene (.scene.json), or models, surfaces, segmentations, images with --iso")
+  app.add_option(
+         "FILE", this->Inputs,
+         "A scene (.scene.json), or models, surfaces, segmentations or a folder of them, images "
+         "with --iso")
       ->required()
       ->check(FileType::Input("file"));
   const auto before = static_cast<std::ptrdiff_t>(app.get_options().size());
@@ -515,13 +518,23 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
 int TouchCommand::Run(Console& console)
 {
   const Interruption interruption;
+  this->Inputs = WithMasksOfFolders(this->Inputs);
   if (!this->OutputFolder.empty())
   {
     CheckOutputFolder(this->OutputFolder);
   }
   const PreparedTouch touch = Cancellably(
-      console, [&] { return PrepareTouch(this->Settings(), this->Script(), ProgressOn(console)); });
+      console,
+      [&]
+      {
+        return PrepareTouch(this->Settings(), this->Script(), ProgressOn(console),
+                            this->Inputs.size() > 1 ? BadMasks::LeaveOut : BadMasks::Refuse);
+      });
   console.EndProgress();
+  for (const std::string& reason : touch.LeftOut)
+  {
+    console.Error(reason);
+  }
   for (const std::string& warning : touch.Warnings)
   {
     console.Note(warning);
@@ -531,6 +544,8 @@ int TouchCommand::Run(Console& console)
   {
     ReadDrillState(this->DrillStateFile, *touch.Drill);
   }
-  return this->ReplayFile.empty() ? this->Touch(touch, console) : this->Replay(touch, console);
+  const int code =
+      this->ReplayFile.empty() ? this->Touch(touch, console) : this->Replay(touch, console);
+  return code == 0 && !touch.LeftOut.empty() ? 1 : code;
 }
 } // namespace palpate::cli

@@ -6,8 +6,10 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace palpate::test
 {
@@ -47,6 +49,26 @@ inline void WriteEllipsoid(const std::filesystem::path& path, double x, double y
     image->GetPoint(i, point);
     voxel[i] = std::hypot(point[0] / x, point[1] / y, point[2] / z) < 1.0 ? 1 : 0;
   }
+  WriteImage(path, image);
+}
+
+/// A map of probabilities that falls from 1 at the origin to 0 at 20 mm; 0.5 at 10 mm; NaN in a
+/// corner.
+inline void WriteGradedSphere(const std::filesystem::path& path)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(41, 41, 41);
+  image->SetOrigin(-20.0, -20.0, -20.0);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* voxel = static_cast<float*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    image->GetPoint(i, point);
+    const double distance = std::hypot(point[0], point[1], point[2]);
+    voxel[i] = static_cast<float>(std::max(0.0, 1.0 - distance / 20.0));
+  }
+  voxel[0] = std::numeric_limits<float>::quiet_NaN();
   WriteImage(path, image);
 }
 

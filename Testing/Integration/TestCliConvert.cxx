@@ -180,5 +180,65 @@ TEST(CliConvert, ChoosesSeriesOfMixedDicomFolderByNumber)
       RunPalpate({"convert", input, "a.nrrd", "--series", "2"}, folder.Path());
   EXPECT_EQ(chosen.Code, 0) << chosen.Errors;
 }
+
+TEST(CliConvert, FolderOfMasksBecomesOneNamedSegmentation)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  WriteEllipsoid(folder / "masks/liver.nii.gz", 12.0, 9.0, 8.0);
+  WriteEllipsoid(folder / "masks/none.nii.gz", 0.0, 0.0, 0.0); // empty
+  WriteEllipsoid(folder / "masks/spleen.nii.gz", 9.0, 9.0, 8.0);
+  WriteTwoSpheres(folder / "masks/zother.nii.gz"); // on another grid
+  const CommandRun run = RunPalpate({"convert", "masks", "all.seg.nrrd"}, folder.Path());
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_NE(run.Errors.find("none.nii.gz"), std::string::npos);
+  EXPECT_NE(run.Errors.find("lies on another grid"), std::string::npos);
+  const Segmentation all = ReadSegmentation(folder / "all.seg.nrrd");
+  ASSERT_EQ(all.Segments.size(), 2u);
+  EXPECT_EQ(all.Segments[0].Name, "liver");
+  EXPECT_EQ(all.Segments[1].Name, "spleen");
+  const vtkIdType liver =
+      MeasureLabels(ReadSegmentation(folder / "masks/liver.nii.gz")).at(0).Voxels;
+  EXPECT_EQ(MeasureLabels(all).at(0).Voxels, liver);
+}
+
+TEST(CliConvert, MasksThatShareNoVoxelShareLabelMap)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  WriteTwoSpheres(folder / "two.nii.gz");
+  for (const char* label : {"1", "2"})
+  {
+    RunPalpate(
+        {"convert", "two.nii.gz", std::string("masks/part") + label + ".nrrd", "--label", label},
+        folder.Path());
+  }
+  ASSERT_EQ(RunPalpate({"convert", "masks", "all.nii.gz"}, folder.Path()).Code, 0);
+  const auto before = MeasureLabels(ReadSegmentation(folder / "two.nii.gz"));
+  const auto after = MeasureLabels(ReadSegmentation(folder / "all.nii.gz"));
+  ASSERT_EQ(after.size(), 2u);
+  EXPECT_EQ(after[0].Voxels, before[0].Voxels);
+  EXPECT_EQ(after[1].Voxels, before[1].Voxels);
+}
+
+TEST(CliConvert, ThresholdBackgroundAndResampleMendWhatIsRefused)
+{
+  const TemporaryFolder folder;
+  WriteGradedSphere(folder / "p.nii.gz");
+  const CommandRun refused = RunPalpate({"convert", "p.nii.gz", "m.nii.gz"}, folder.Path());
+  ExpectRefused(refused, "--background nan");
+  EXPECT_EQ(
+      RunPalpate({"convert", "p.nii.gz", "m.nii.gz", "--threshold", "0.5"}, folder.Path()).Code, 0);
+  EXPECT_EQ(ReadSegmentation(folder / "m.nii.gz").Segments.size(), 1u);
+  EXPECT_EQ(
+      RunPalpate({"convert", "p.nii.gz", "v.nii.gz", "--background", "-1,nan"}, folder.Path()).Code,
+      0);
+  EXPECT_EQ(ReadVolume(folder / "v.nii.gz").Image->GetScalarComponentAsDouble(0, 0, 0, 0), 0.0);
+  const auto sheared = DataPath("odd/nii_nonorth_0.2.nii.gz");
+  PALPATE_REQUIRE_FILE(sheared);
+  ExpectRefused(RunPalpate({"convert", sheared, "u.nii.gz"}, folder.Path()), "--resample");
+  EXPECT_EQ(RunPalpate({"convert", sheared, "u.nii.gz", "--resample"}, folder.Path()).Code, 0);
+  EXPECT_EQ(ReadSegmentation(folder / "u.nii.gz").Segments.size(), 1u);
+}
 } // namespace
 } // namespace palpate::cli_convert_test

@@ -151,7 +151,7 @@ TEST(CliFitSurface, RefusesOptionsOfMasks)
   const TemporaryFolder folder;
   Write(Sphere(8, 20.0), folder / "a.stl");
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--label", "1"}, {"--component", "2"}, {"--method", "plain"}})
+       {std::vector<std::string>{"--label", "1"}, {"--method", "plain"}})
   {
     std::vector<std::string> words{"fit", "a.stl"};
     words.insert(words.end(), options.begin(), options.end());
@@ -224,6 +224,32 @@ TEST(CliFitSurface, BrokenFileIsBadInput)
   const CommandRun run = RunPalpate({"fit", "a.vtk"}, folder.Path());
   EXPECT_EQ(run.Code, 2);
   EXPECT_NE(run.Errors.find("its data set is not POLYDATA"), std::string::npos) << run.Errors;
+}
+
+TEST(CliFitSurface, ComponentKeepsOnePartOfSeveral)
+{
+  const TemporaryFolder folder;
+  IndexedMesh mesh = Sphere(6, 10.0, {60.0, 0.0, 0.0});
+  mesh = Join(mesh, Sphere(12, 20.0));
+  Write(mesh, folder / "a.stl");
+  for (const char* word : {"", "--repair"})
+  {
+    std::vector<std::string> words{"fit", "a.stl", "--degree", "4"};
+    if (*word != '\0')
+    {
+      words.emplace_back(word);
+    }
+    const CommandRun refused = RunPalpate(words, folder.Path());
+    EXPECT_EQ(refused.Code, 2) << word;
+    EXPECT_NE(refused.Errors.find("--component 1"), std::string::npos) << refused.Errors;
+  }
+  for (const char* component : {"1", "largest"})
+  {
+    const CommandRun run = RunPalpate(
+        {"fit", "a.stl", "--degree", "4", "--component", component, "--json"}, folder.Path());
+    ASSERT_EQ(run.Code, 0) << run.Errors;
+    EXPECT_NE(run.Output.find("1 other part of it left out"), std::string::npos) << run.Output;
+  }
 }
 } // namespace
 } // namespace palpate::cli_fit_surface_test

@@ -98,5 +98,50 @@ TEST(CliMesh, BadInputIsRefusedAndLeavesNothing)
     EXPECT_EQ(folder.EntryCount(), 1u);
   }
 }
+
+TEST(CliMesh, OutputOfUnknownEndingIsNoFolder)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  for (const char* name :
+       {"liver.msh", "liver.vtu", "liver.usda", "liver.amf", "liver.inp", "liver.feb", "liver.nii"})
+  {
+    const CommandRun run =
+        RunPalpate({"mesh", "a.nii.gz", "--label", "1", "--output", name}, folder.Path());
+    EXPECT_EQ(run.Code, 2) << name;
+    EXPECT_NE(run.Errors.find("use .vtp, .stl, .ply"), std::string::npos) << run.Errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / name)) << name;
+  }
+  for (const char* command : {"fit", "touch"})
+  {
+    EXPECT_EQ(RunPalpate({command, "a.nii.gz", "--output", "out.json"}, folder.Path()).Code, 2);
+  }
+}
+
+TEST(CliMesh, FolderOfMasksIsMeshedUpToBadOnes)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  WriteEllipsoid(folder / "masks/a.nii.gz", 12.0, 9.0, 8.0);
+  WriteEllipsoid(folder / "masks/b.nii.gz", 0.0, 0.0, 0.0); // empty
+  WriteEllipsoid(folder / "masks/c.nii.gz", 9.0, 9.0, 8.0);
+  const CommandRun run = RunPalpate({"mesh", "masks", "--output", "out"}, folder.Path());
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_NE(run.Errors.find("b.nii.gz"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/a_1.vtp"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/c_1.vtp"));
+}
+
+TEST(CliMesh, ThresholdMakesStructureOfProbabilities)
+{
+  const TemporaryFolder folder;
+  WriteGradedSphere(folder / "p.nii.gz");
+  EXPECT_EQ(RunPalpate({"mesh", "p.nii.gz", "--output", "p.stl"}, folder.Path()).Code, 2);
+  const CommandRun run = RunPalpate(
+      {"mesh", "p.nii.gz", "--threshold", "0.5", "--output", "p.stl", "--json"}, folder.Path());
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  // A ball of 10 mm in voxels of 1 mm.
+  EXPECT_NEAR(Json::parse(run.Output).at("volume_ml").at("mask").get<double>(), 4.189, 0.05);
+}
 } // namespace
 } // namespace palpate::cli_mesh_test

@@ -123,5 +123,23 @@ TEST(CliDisplay, FittingNeedsNoDisplay)
   EXPECT_EQ(run.Code, 0) << run.Errors;
   EXPECT_NE(ReadAll(folder / "out/report.html").find("data:image/png"), std::string::npos);
 }
+
+TEST(CliRender, FolderOfMasksIsDrawnUpToBadOnes)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  WriteEllipsoid(folder / "masks/a.nii.gz", 12.0, 9.0, 8.0);
+  WriteEllipsoid(folder / "masks/b.nii.gz", 0.0, 0.0, 0.0); // empty
+  WriteAll(folder / "masks/c.nii.gz", "broken");
+  const CommandRun run =
+      RunPalpate({"render", "masks", "--size", "64x64", "--output", "p.png"}, folder.Path());
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_NE(run.Errors.find("b.nii.gz"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Errors.find("c.nii.gz"), std::string::npos) << run.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "p.png"));
+  std::filesystem::remove(folder / "masks/a.nii.gz");
+  EXPECT_EQ(RunPalpate({"render", "masks", "--output", "q.png"}, folder.Path()).Code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "q.png"));
+}
 } // namespace
 } // namespace palpate::cli_render_test

@@ -163,5 +163,22 @@ TEST(CliDevices, ListsEachDeviceWithItsStatus)
   EXPECT_TRUE(
       nlohmann::json::parse(json.Output.substr(0, json.Output.find('\n')))["there"].is_boolean());
 }
+
+TEST(CliTouch, FolderOfMasksIsTouchedByFileNamesUpToBadOnes)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  WriteEllipsoid(folder / "masks/liver.nii.gz", 12.0, 9.0, 8.0);
+  WriteEllipsoid(folder / "masks/none.nii.gz", 0.0, 0.0, 0.0); // empty
+  WriteEllipsoid(folder / "masks/spleen.nii.gz", 9.0, 9.0, 8.0);
+  WriteAll(folder / "masks/zbroken.nii.gz", "broken");
+  const CommandRun run = RunPalpate({"touch", "masks", "--seconds", "0.05"}, folder.Path());
+  EXPECT_EQ(run.Code, 1) << run.Errors;
+  EXPECT_NE(run.Errors.find("none.nii.gz"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Errors.find("zbroken.nii.gz"), std::string::npos) << run.Errors;
+  EXPECT_NE(run.Output.find("liver: "), std::string::npos) << run.Output;
+  EXPECT_NE(run.Output.find("spleen: "), std::string::npos) << run.Output;
+  EXPECT_EQ(RunPalpate({"touch", "masks/none.nii.gz"}, folder.Path()).Code, 2);
+}
 } // namespace
 } // namespace palpate::cli_touch_test

@@ -97,11 +97,13 @@ void FitOptions::DeclareSurface(CLI::App& app)
                  "Smoothing of the surface in voxels (0 for none)")
       ->check(FiniteNumber::Between(0.0, 10.0))
       ->capture_default_str();
-  app.add_option("--component", this->ComponentWord,
-                 "largest (a surface model takes in parts near it), a connected component's number "
-                 "by decreasing size from 1, alone, or all")
-      ->type_name("largest|N|all")
-      ->capture_default_str();
+  this->ComponentOption =
+      app.add_option("--component", this->ComponentWord,
+                     "largest (a surface model takes in parts near it), a connected component's "
+                     "number by decreasing size from 1, alone, or all; of a surface file, the part "
+                     "to keep (default: it must be one)")
+          ->type_name("largest|N|all")
+          ->capture_default_str();
 }
 
 void FitOptions::DeclareModel(CLI::App& app)
@@ -157,6 +159,12 @@ void FitOptions::DeclareModel(CLI::App& app)
       ->type_name("%")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
+}
+
+bool FitOptions::NamesLargest() const
+{
+  return this->ComponentOption != nullptr && this->ComponentOption->count() > 0 &&
+         this->ComponentWord == "largest";
 }
 
 FitSettings FitOptions::Settings() const

@@ -8,7 +8,8 @@
 namespace CLI
 {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace palpate::cli
 {
@@ -29,6 +30,9 @@ public:
   const std::vector<std::string>& Labels() const { return this->LabelWords; }
   /// Throws InputError for invalid words.
   FitSettings Settings() const;
+  /// Whether --component largest was given, which surface files need for their debris to be
+  /// dropped: by default all of a surface counts.
+  bool NamesLargest() const;
 
 private:
   std::vector<std::string> LabelWords;
@@ -36,6 +40,7 @@ private:
   std::string ModelWord = "automatic";
   std::string MethodWord = "shape";
   std::string ComponentWord = "largest";
+  const CLI::Option* ComponentOption = nullptr;
   std::string DegreeWord = "12";
   double Tolerance = 0.0;
   std::string CenterWord = "centroid";

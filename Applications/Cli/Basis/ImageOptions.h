@@ -3,6 +3,7 @@
 #include "Volume.h"
 
 #include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -19,11 +20,24 @@ public:
   /// from.
   void Declare(CLI::App& app, const std::string& seriesOf);
 
+  /// Adds --threshold and --background, which make masks of images.
+  void DeclareValues(CLI::App& app);
+  /// Adds --resample.
+  void DeclareResampling(CLI::App& app);
+
   LeftHandedAxes LeftHanded() const;
-  VolumeChoice Choice() const { return {this->Series, this->LeftHanded()}; }
+  /// Throws InputError for a background that is no number.
+  VolumeChoice Choice() const;
+  /// The same for grey values, which --threshold and --background are not for.
+  VolumeChoice ChoiceOfVolume() const;
+  /// --threshold and --background as one text, for keys; empty if neither is given.
+  std::string ValueText() const;
 
 private:
   std::string Series;
   bool RefuseLeftHanded = false;
+  bool Resample = false;
+  std::vector<double> Threshold; ///< one or none
+  std::vector<std::string> Background;
 };
 } // namespace palpate::cli

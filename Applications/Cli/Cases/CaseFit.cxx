@@ -1,5 +1,6 @@
 #include "CaseFit.h"
 
+#include "AvailableMemory.h"
 #include "CaseText.h"
 #include "Console.h"
 #include "FitFiles.h"
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <exception>
 #include <iomanip>
-#include <new>
 #include <numeric>
 #include <ostream>
 #include <sstream>
@@ -131,16 +131,13 @@ public:
     {
       lost.Message = error.what();
     }
-    catch (const std::bad_alloc&)
-    {
-      lost.State = FitResult::Outcome::Failed;
-      lost.Message =
-          this->Mask.Mask.string() + " needs more memory than there is; crop or resample it.";
-    }
     catch (const std::exception& error)
     {
       lost.State = FitResult::Outcome::Failed;
-      lost.Message = this->Mask.Mask.string() + ": " + error.what();
+      lost.Message =
+          this->Mask.Mask.string() + (SaysMemoryIsShort(error)
+                                          ? " needs more memory than there is; crop or resample it."
+                                          : std::string(": ") + error.what());
     }
     this->Finish(std::move(lost), {}, false);
   }
@@ -163,12 +160,11 @@ private:
   {
     const FitSettings& settings = this->Mask.Settings;
     const FitSettings defaults;
-    if (!this->Mask.Labels.empty() || settings.Component != defaults.Component ||
-        settings.IsAlone || settings.Method != defaults.Method ||
+    if (!this->Mask.Labels.empty() || settings.Method != defaults.Method ||
         settings.Smoothing != defaults.Smoothing)
     {
       Refuse(this->Mask.Mask, "is a surface",
-             "leave out --label, --component, --method and --smoothing, which are for masks");
+             "leave out --label, --method and --smoothing, which are for masks");
     }
   }
 
@@ -193,10 +189,11 @@ private:
     this->IsOnly = this->Mask.IsAlone;
     Segment structure;
     structure.Name = CaseNameOf(this->Mask.Mask);
+    FitSettings settings = this->Mask.Settings;
+    settings.IsAlone = settings.IsAlone || this->Mask.KeepsLargestPart;
     this->FitOne(structure, 0, 1, readTime.front().second,
-                 [&](const ProgressFunction& progress) {
-                   return FitSurfaceFile(this->Mask.Mask, surface, this->Mask.Settings, progress);
-                 });
+                 [&](const ProgressFunction& progress)
+                 { return FitSurfaceFile(this->Mask.Mask, surface, settings, progress); });
   }
 
   void FitStructures()
@@ -236,7 +233,9 @@ private:
   VolumeChoice ChoiceOfMask() const
   {
     const bool hasSlices = this->Mask.Slices != nullptr || !this->Mask.SlicesFile.empty();
-    return hasSlices ? VolumeChoice{{}, this->Images.LeftHanded()} : this->Images.Choice();
+    VolumeChoice choice = this->Images.Choice();
+    choice.Series = hasSlices ? std::string() : choice.Series;
+    return choice;
   }
 
   void ReadSlices()
@@ -244,7 +243,7 @@ private:
     this->Slices = this->Mask.Slices;
     if (!this->Mask.SlicesFile.empty())
     {
-      this->OwnSlices = ReadVolume(this->Mask.SlicesFile, this->Images.Choice());
+      this->OwnSlices = ReadVolume(this->Mask.SlicesFile, this->Images.ChoiceOfVolume());
       this->Slices = &this->OwnSlices;
     }
   }

@@ -23,6 +23,7 @@ struct MaskToFit
   std::string Name;                ///< in notes about the whole file
   std::vector<std::string> Labels; ///< empty for all structures
   FitSettings Settings;
+  bool KeepsLargestPart = false; ///< of a surface file (FitOptions::NamesLargest)
   /// The image for the report's slices: already read, or a file to read, or none.
   const Volume* Slices = nullptr;
   std::filesystem::path SlicesFile;

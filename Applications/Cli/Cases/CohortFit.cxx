@@ -135,6 +135,7 @@ void CohortFit::ChooseCases(const std::vector<std::string>& names)
 int CohortFit::Run(const std::filesystem::path& output, Console& console)
 {
   this->Output = output;
+  CheckOutputFolder(output);
   MakeOutputFolder(output);
   FolderLock atWork(output, ".palpate-cohort-runs.lock");
   {
@@ -201,7 +202,12 @@ std::vector<std::string> CohortFit::LabelsOf(const CohortCase& one) const
 
 std::string CohortFit::KeyOf(const CohortCase& one) const
 {
-  return CohortKey(one.Mask, one.Volume, this->LabelsOf(one), this->Settings, ProgramVersion());
+  std::vector<std::string> labels = this->LabelsOf(one);
+  if (const std::string values = this->Images.ValueText(); !values.empty())
+  {
+    labels.push_back(values); // other voxels are other structures
+  }
+  return CohortKey(one.Mask, one.Volume, labels, this->Settings, ProgramVersion());
 }
 
 bool CohortFit::IsDone(const CohortCase& one) const

@@ -55,6 +55,7 @@ void FitCommand::DeclareOptions(CLI::App& app)
                  "Image of the segmentations, for the slices of the report")
       ->check(FileType::Input("image"));
   this->Images.Declare(app, "--volume folder, or of the mask where there is no --volume");
+  this->Images.DeclareValues(app);
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
       ->type_name("DIR")
@@ -126,7 +127,7 @@ int FitCommand::Run(Console& console)
   std::optional<Volume> volume;
   if (!this->VolumePath.empty())
   {
-    volume = ReadVolume(this->VolumePath, this->Images.Choice());
+    volume = ReadVolume(this->VolumePath, this->Images.ChoiceOfVolume());
   }
   for (std::size_t file = 0; file < this->Inputs.size(); ++file)
   {
@@ -143,6 +144,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   mask.Name = mask.Mask.filename().string();
   mask.Labels = this->Options.Labels();
   mask.Settings = this->Settings;
+  mask.KeepsLargestPart = this->Options.NamesLargest();
   mask.Slices = volume;
   mask.Output = this->OutputFolder;
   mask.PlaceOf = [&](const Segment& structure) { return this->Names.Take(file, structure); };
