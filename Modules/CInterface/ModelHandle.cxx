@@ -195,9 +195,16 @@ palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                      return nullptr;
                    }
                    SurfaceModel model;
+                   TopologyReport changes;
                    const Status status = FitMask(CroppedMask(inside, size, spacing), toWorld,
-                                                 {degree, is_star_shaped != 0}, model);
-                   return Told(status, error) != 0 ? HandleOf(std::move(model)) : nullptr;
+                                                 {degree, is_star_shaped != 0}, model, &changes);
+                   if (Told(status, error) == 0)
+                   {
+                     return nullptr;
+                   }
+                   palpate_model* handle = HandleOf(std::move(model));
+                   handle->Changes = ChangeText(changes);
+                   return handle;
                  });
 }
 
@@ -219,6 +226,11 @@ int palpate_model_write(const palpate_model* model, const char* path, palpate_er
 void palpate_model_free(palpate_model* model)
 {
   delete model;
+}
+
+const char* palpate_model_changes(const palpate_model* model)
+{
+  return model->Changes.c_str();
 }
 
 int palpate_model_degree(const palpate_model* model)

@@ -15,6 +15,7 @@ struct palpate_model
   explicit palpate_model(palpate::ModelDocument document) : Document(std::move(document)) {}
 
   palpate::ModelDocument Document;
+  std::string Changes; ///< by the fit to a mask, see ChangeText
   std::once_flag HasSearch;
   std::unique_ptr<const palpate::ClosestPointSearch> StarSearch;
   std::unique_ptr<const palpate::ClosestPointSearchOf<palpate::ParametricShape>> ParametricSearch;

@@ -57,13 +57,16 @@ extern "C"
                                    int degree, palpate_error* error);
   /* Fitted to a mask: size[0] size[1] size[2] bytes, i fastest, inside where not 0. Row i of `axes`
    * is the unit vector of the grid's axis i. Parametric, or star-shaped around the centroid,
-   * sampled along 4,002 directions. Small parts that are far from the largest are left out. Refuses
-   * masks with a cavity, with large parts far from each other, with handles of more than 2 % of the
-   * volume, and such as are not star-shaped where they have to be. */
+   * sampled along 4,002 directions. Parts that are far from the largest are left out. Refuses masks
+   * with a cavity of more than 65 mm3, masks of which parts that are left out, handles and cavities
+   * are more than 2 % of the volume, and such as are not star-shaped where they have to be. */
   palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                                         const double origin[3], const double spacing[3],
                                         const double axes[9], int degree, int is_star_shaped,
                                         palpate_error* error);
+  /* What that changed: "1 handle cut, 0.8 % of the volume"; empty if nothing, and for models that
+   * were not fitted to a mask. Valid as long as the model. */
+  const char* palpate_model_changes(const palpate_model* model);
   /* Palpate's .json, with its elasticity if it has one, or SPHARM-PDM's .coef. Written: .csv too.
    */
   palpate_model* palpate_model_read(const char* path, palpate_error* error);

@@ -42,6 +42,7 @@ MaskCavities FillCavities(VoxelMask& mask)
   {
     cavities.Count += voxels > 0 ? 1 : 0;
     cavities.Voxels += voxels;
+    cavities.LargestVoxels = std::max<long long>(cavities.LargestVoxels, voxels);
   }
   SetRuns(
       gaps.Set,

@@ -32,6 +32,7 @@ struct MaskCavities
 {
   int Count = 0;
   long long Voxels = 0;
+  long long LargestVoxels = 0;
 };
 
 MaskCavities FillCavities(VoxelMask& mask);

@@ -19,15 +19,21 @@ namespace palpate
 {
 namespace
 {
-constexpr int Frequency = 20;      // 4,002 directions
-constexpr double LeastDice = 0.75; // as FitSettings::MinimumDice
+constexpr int Frequency = 20; // 4,002 directions
 
-double DiceOfLargest(const MaskComponents& parts)
+// All but the largest, which are left out.
+TopologyChange SmallerParts(const MaskComponents& parts, double voxelVolume)
 {
   const std::vector<long long>& voxels = parts.VoxelCounts();
-  const auto largest = static_cast<double>(voxels.front());
-  return 2.0 * largest /
-         (largest + static_cast<double>(std::accumulate(voxels.begin(), voxels.end(), 0LL)));
+  TopologyChange smaller;
+  if (voxels.size() > 1)
+  {
+    smaller.Count = static_cast<int>(voxels.size()) - 1;
+    smaller.Volume =
+        voxelVolume * static_cast<double>(std::accumulate(voxels.begin() + 1, voxels.end(), 0LL));
+    smaller.LargestVolume = voxelVolume * static_cast<double>(voxels[1]);
+  }
+  return smaller;
 }
 
 // Messages of the surface's kernels are sentences, or begin with what the structure has or is.
@@ -40,12 +46,14 @@ Status OfMask(const Status& status)
 }
 
 Status FitParametric(const VoxelMask& mask, const IndexToWorld& toWorld, int degree,
-                     SurfaceModel& model)
+                     const TopologyChange& leftOut, SurfaceModel& model, TopologyReport& changes)
 {
   MappedSurface mapped;
   Status status = MakeMappedSurface(mask, toWorld, {}, {}, mapped);
   // Of a sponge, its holes are the reason.
-  const Status changed = CheckTopology(mapped.Topology, {});
+  changes = mapped.Topology;
+  changes.Add(leftOut);
+  const Status changed = CheckTopology(changes, {});
   if (!changed.IsOk() || !status.IsOk())
   {
     return OfMask(changed.IsOk() ? status : changed);
@@ -97,11 +105,14 @@ GenusZeroSettings StarSurface(const VoxelMask& mask)
 }
 
 Status FitStar(const VoxelMask& mask, const IndexToWorld& toWorld,
-               const MaskModelSettings& settings, SurfaceModel& model)
+               const MaskModelSettings& settings, const TopologyChange& leftOut,
+               SurfaceModel& model, TopologyReport& changes)
 {
   GenusZeroSurface surface;
   const Status status = MakeGenusZeroSurface(mask, StarSurface(mask), {}, surface);
-  const Status changed = CheckTopology(surface.Topology, {});
+  changes = surface.Topology;
+  changes.Add(leftOut);
+  const Status changed = CheckTopology(changes, {});
   if (!changed.IsOk() || !status.IsOk())
   {
     return OfMask(changed.IsOk() ? status : changed);
@@ -112,29 +123,35 @@ Status FitStar(const VoxelMask& mask, const IndexToWorld& toWorld,
 } // namespace
 
 Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSettings& settings,
-               SurfaceModel& model)
+               SurfaceModel& model, TopologyReport* changes)
 {
   if (mask.Count() == 0)
   {
     return Status::Failure("the mask has no voxels");
   }
+  TopologyReport made;
   const MaskComponents parts(mask);
-  const bool hasParts = parts.VoxelCounts().size() > 1;
-  if (hasParts && !settings.IsStarShaped)
+  const TopologyChange smaller = SmallerParts(parts, mask.VoxelVolume());
+  const double all = mask.VoxelVolume() * static_cast<double>(mask.Count());
+  const bool isTooMuch = 100.0 * smaller.Volume > TopologyLimits().ChangedPercent * all;
+  const bool takesInParts = smaller.Count > 0 && !settings.IsStarShaped;
+  Status status = takesInParts ? FitParametric(mask, toWorld, settings.Degree, {}, model, made)
+                               : Status::Failure({});
+  if (!status.IsOk() && takesInParts && isTooMuch)
   {
-    const Status whole = FitParametric(mask, toWorld, settings.Degree, model);
-    if (whole.IsOk() || DiceOfLargest(parts) < LeastDice)
-    {
-      return whole;
-    }
+    return status;
   }
-  if (DiceOfLargest(parts) < LeastDice)
+  if (!status.IsOk())
   {
-    return Status::Failure("the mask has " + std::to_string(parts.VoxelCounts().size()) +
-                           " parts, and a star-shaped model of the largest would miss too much");
+    parts.Keep(0, mask);
+    status = settings.IsStarShaped
+                 ? FitStar(mask, toWorld, settings, smaller, model, made)
+                 : FitParametric(mask, toWorld, settings.Degree, smaller, model, made);
   }
-  parts.Keep(0, mask);
-  return settings.IsStarShaped ? FitStar(mask, toWorld, settings, model)
-                               : FitParametric(mask, toWorld, settings.Degree, model);
+  if (changes != nullptr)
+  {
+    *changes = made;
+  }
+  return status;
 }
 } // namespace palpate

@@ -3,6 +3,7 @@
 #include "IndexToWorld.h"
 #include "Status.h"
 #include "SurfaceModel.h"
+#include "TopologyReport.h"
 #include "VoxelMask.h"
 
 namespace palpate
@@ -17,9 +18,10 @@ struct MaskModelSettings
 
 /// Fits a model to a mask: a closed surface without handles in world mm, then the parametric
 /// surface of MakeMappedSurface, or radii along 4,002 directions. A parametric model takes in parts
-/// that are near the largest; others are left out, or refused where the largest alone has a Dice
-/// below 0.75. Fails as the steps do, for a mask without voxels, beyond the limits of
-/// CheckTopology, and where too much is hidden.
+/// that are near the largest; others are left out. Fails as the steps do, for a mask without
+/// voxels, where too much is hidden, and beyond the limits of CheckTopology, for which the parts
+/// that are left out count too. `changes`, if not null, gets what the model leaves out, fills or
+/// cuts.
 Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSettings& settings,
-               SurfaceModel& model);
+               SurfaceModel& model, TopologyReport* changes = nullptr);
 } // namespace palpate

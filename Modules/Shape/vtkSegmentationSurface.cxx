@@ -122,6 +122,7 @@ bool vtkSegmentationSurface::SelectComponent(palpate::VoxelMask& mask)
   const palpate::MaskCavities cavities = palpate::FillCavities(mask);
   this->CavityCount = cavities.Count;
   this->CavityVolume = static_cast<double>(cavities.Voxels) * voxel;
+  this->LargestCavityVolume = static_cast<double>(cavities.LargestVoxels) * voxel;
   return true;
 }
 
@@ -185,5 +186,6 @@ void vtkSegmentationSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SurfaceVolume: " << this->SurfaceVolume << " mm^3\n";
   os << indent << "CavityCount: " << this->CavityCount << "\n";
   os << indent << "CavityVolume: " << this->CavityVolume << " mm^3\n";
+  os << indent << "LargestCavityVolume: " << this->LargestCavityVolume << " mm^3\n";
   os << indent << "NumberOfComponents: " << this->GetNumberOfComponents() << "\n";
 }

@@ -80,6 +80,7 @@ public:
   vtkGetMacro(SurfaceVolume, double);
   vtkGetMacro(CavityCount, int);
   vtkGetMacro(CavityVolume, double);
+  vtkGetMacro(LargestCavityVolume, double);
   int GetNumberOfComponents() const { return static_cast<int>(this->ComponentVolumes.size()); }
   double GetComponentVolume(int rank) const
   {
@@ -115,6 +116,7 @@ private:
   double SurfaceVolume = 0.0;
   int CavityCount = 0;
   double CavityVolume = 0.0;
+  double LargestCavityVolume = 0.0;
   std::vector<double> ComponentVolumes;
 };
 

@@ -3,6 +3,9 @@
 #include "Status.h"
 #include "Vector3.h"
 
+#include <array>
+#include <string>
+
 namespace palpate
 {
 /// Changes of one kind. Places are in the frame of the field's grid (ShapeGrid), lengths in mm.
@@ -32,6 +35,9 @@ struct TopologyReport
   double ChangedPercent() const; ///< of the object's volume
 };
 
+/// "1 handle cut and 1 cavity filled, 27 % of the volume"; empty without changes.
+std::string ChangeText(const TopologyReport& report);
+
 /// When a repair is to be refused, or confirmed by the user. A body with holes of a few voxels or
 /// slices that do not overlap passes; two bodies or a hollow one are refused.
 struct TopologyLimits
@@ -41,6 +47,18 @@ struct TopologyLimits
   double BridgedGap = 5.0;     ///< mm between parts, and
   double GapShare = 0.25;      ///< of the diameter of the sphere that has the object's volume
 };
+
+/// How much of a limit a repair takes up.
+struct TopologyLimitUse
+{
+  double Share = 0.0; ///< above 1 beyond the limit
+  std::string Excess; ///< what is refused beyond it, as a predicate of the structure
+  std::string Amount; ///< "changes of 1.9 % of the volume (limit 2 %)"
+};
+
+/// The largest cavity, the widest gap, and all changes together.
+std::array<TopologyLimitUse, 3> UseOfLimits(const TopologyReport& report,
+                                            const TopologyLimits& limits);
 
 /// Fails with a message that names the first limit that is exceeded, a predicate of the structure.
 Status CheckTopology(const TopologyReport& report, const TopologyLimits& limits);
