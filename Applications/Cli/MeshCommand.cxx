@@ -92,6 +92,10 @@ int MeshCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Settings = this->Options.Settings();
+  if (this->Settings.Component == FitSettings::EachPart)
+  {
+    throw InputError("--component each makes several surfaces; give all, or a component's number");
+  }
   this->Inputs = WithMasksOfFolders(this->Inputs);
   this->Names = CaseNames(this->Inputs);
   this->Tally = {};

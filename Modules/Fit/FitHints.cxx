@@ -51,6 +51,16 @@ std::string HintForRepair(const FitSettings& settings, const HintWords& words)
   return settings.Repairs ? std::string() : std::string("accept that by ") + words.Repair;
 }
 
+std::string HintForEachPart(const FitSettings& /*settings*/, const HintWords& words)
+{
+  return std::string("model its parts one by one with ") + words.EachPart;
+}
+
+std::string HintForParts(const FitSettings& settings, const HintWords& words)
+{
+  return HintForEachPart(settings, words) + ", or " + HintForRepair(settings, words);
+}
+
 std::string HintForOpenSurface(const FitSettings& settings, const HintWords& words)
 {
   const std::string need = "a model needs one closed surface without handles and crossings";

@@ -18,6 +18,7 @@ struct HintWords
   const char* MinimumDice;
   const char* SurfaceModel;
   const char* Repair;
+  const char* EachPart;
   const char* Penalty; ///< empty if none is suggested
   const char* Part;    ///< of a surface file; empty if none can be chosen
 };
@@ -25,7 +26,7 @@ struct HintWords
 inline constexpr HintWords OptionWords{
     "another --degree", "another --max-degree", "a higher --frequency", "--center visible",
     "--max-hidden",     "--min-dice",           "--model surface",      "--repair",
-    "--penalty auto",   "--component"};
+    "--component each", "--penalty auto",       "--component"};
 /// As controls of the window, also used for session files.
 inline constexpr HintWords WindowWords{"another degree",
                                        "another degree",
@@ -35,6 +36,7 @@ inline constexpr HintWords WindowWords{"another degree",
                                        "Minimum Dice",
                                        "the Model surface",
                                        "Repair",
+                                       "another Component",
                                        "",
                                        ""};
 
@@ -48,6 +50,10 @@ PALPATEFIT_EXPORT Hint HintForMisfit;
 PALPATEFIT_EXPORT Hint HintForDegree;
 /// If a repair of the topology would change too much.
 PALPATEFIT_EXPORT Hint HintForRepair;
+/// If parts that are too far apart cannot be modelled as one.
+PALPATEFIT_EXPORT Hint HintForEachPart;
+/// If a structure has parts that a model would leave out or join from afar.
+PALPATEFIT_EXPORT Hint HintForParts;
 /// If a surface from a file cannot be mended.
 PALPATEFIT_EXPORT Hint HintForOpenSurface;
 /// If a model cannot be the structure's.

@@ -61,7 +61,8 @@ struct FitResult
   bool IsOfSurface = false;
 
   Outcome State = Outcome::Failed;
-  std::string Message; ///< one sentence; empty if fitted without remarks
+  /// One sentence; of a fitted structure, what the model changes (StructureChanges), or empty.
+  std::string Message;
   /// Suggestions (see WithHint); empty if there are none.
   std::string OptionHint; ///< as options of `palpate fit`
   std::string WindowHint; ///< as controls of the window
@@ -75,6 +76,7 @@ struct FitResult
   std::vector<double> ComponentMilliliters; ///< descending
   int CavityCount = 0;
   double CavityMilliliters = 0.0;
+  double LargestCavityMilliliters = 0.0;
 
   // The surface.
   vtkSmartPointer<vtkPolyData> Surface;

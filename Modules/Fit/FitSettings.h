@@ -41,19 +41,29 @@ struct FitSettings
     Automatic ///< generalised cross-validation
   };
 
+  /// By which kind a model is chosen and what is accepted: 2, or 1 as in files that do not say.
+  /// With 2, Automatic compares distances as well (ModelChoice), and radial models are refused for
+  /// the same changes as surface models (StructureChanges).
+  static constexpr int NewestRules = 2;
+  int Rules = NewestRules;
+
   ModelKind Model = ModelKind::Automatic;
   SurfaceMethod Method = SurfaceMethod::ShapeInterpolation;
   double Smoothing = 1.0; ///< width of the surface's smoothing, in voxels; 0 for none
   int Component = 1;      ///< connected component, by descending size, from 1; 0 for all
-  bool IsAlone = false;   ///< component 1: a surface model takes in no parts near it, either
+  /// Component of a caller that fits each by itself (PartsOf); the stages do not know it.
+  static constexpr int EachPart = -1;
+  bool IsAlone = false; ///< component 1: a surface model takes in no parts near it, either
 
   int Frequency = 20; ///< of the icosahedron: 10 f^2 + 2 directions; see also DrawnFrequency
   CenterChoice Center = CenterChoice::Centroid;
   std::optional<std::array<double, 3>> GivenCenterWorld; ///< mm, patient LPS; overrides Center
 
   int Degree = 12;
-  std::optional<double> Tolerance; ///< mm; if set, the smallest degree whose RMS residual meets it
-  int MaximumDegree = 40;          ///< upper bound of the degree search
+  /// mm; if set, the smallest degree whose RMS residual meets it. 0: by the voxels, and at least
+  /// Degree (DegreeGoal).
+  std::optional<double> Tolerance;
+  int MaximumDegree = 40; ///< upper bound of the degree search
   SampleWeight Weight = SampleWeight::Area;
   Penalty PenaltyKind = Penalty::None;
   double Roughness = 0.0; ///< with Penalty::Given
@@ -77,9 +87,10 @@ inline bool operator==(const FitSettings& a, const FitSettings& b)
 {
   const auto fields = [](const FitSettings& s)
   {
-    return std::tie(s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.IsAlone, s.Frequency,
-                    s.Center, s.GivenCenterWorld, s.Degree, s.Tolerance, s.MaximumDegree, s.Weight,
-                    s.PenaltyKind, s.Roughness, s.IsRobust, s.MaximumHiddenPercent, s.MinimumDice);
+    return std::tie(s.Rules, s.Model, s.Repairs, s.Method, s.Smoothing, s.Component, s.IsAlone,
+                    s.Frequency, s.Center, s.GivenCenterWorld, s.Degree, s.Tolerance,
+                    s.MaximumDegree, s.Weight, s.PenaltyKind, s.Roughness, s.IsRobust,
+                    s.MaximumHiddenPercent, s.MinimumDice);
   };
   return fields(a) == fields(b);
 }

@@ -16,6 +16,12 @@ const std::initializer_list<const char*> PenaltyWords{"none", "given", "auto"};
 
 void ExchangeFitSettings(JsonFields& fields, FitSettings& fit)
 {
+  // Files of earlier versions do not name their rules, and are written as they were.
+  fit.Rules = fields.IsReading() ? 1 : fit.Rules;
+  if (fields.IsReading() || fit.Rules != 1)
+  {
+    fields.Exchange("rules", fit.Rules, 1, FitSettings::NewestRules);
+  }
   fields.Exchange("model", fit.Model, ModelWords);
   fields.Exchange("method", fit.Method, MethodWords);
   fields.Exchange("smoothing_voxels", fit.Smoothing, 0.0, 10.0);

@@ -66,15 +66,17 @@ std::string PenaltyText(const FitSettings& settings)
 
 std::string ComponentText(const FitSettings& settings)
 {
-  return settings.Component == 0        ? "all"
-         : settings.WantsOneComponent() ? std::to_string(settings.Component)
-                                        : "largest";
+  return settings.Component == FitSettings::EachPart ? "each"
+         : settings.Component == 0                   ? "all"
+         : settings.WantsOneComponent()              ? std::to_string(settings.Component)
+                                                     : "largest";
 }
 } // namespace
 
 std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSettings& settings)
 {
   std::vector<std::pair<std::string, std::string>> result{
+      {"rules", std::to_string(settings.Rules)},
       {"model", ModelWord(settings.Model)},
       {"method",
        settings.Method == FitSettings::SurfaceMethod::ShapeInterpolation ? "shape" : "plain"},
@@ -85,7 +87,8 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSetti
       {"degree", settings.Tolerance ? "auto" : std::to_string(settings.Degree)}};
   if (settings.Tolerance)
   {
-    result.emplace_back("tolerance", Text(*settings.Tolerance));
+    const bool isOfVoxels = *settings.Tolerance == 0.0 && settings.Rules > 1;
+    result.emplace_back("tolerance", isOfVoxels ? "by the voxels" : Text(*settings.Tolerance));
     result.emplace_back("max-degree", std::to_string(settings.MaximumDegree));
   }
   result.emplace_back("weights", WeightText(settings.Weight));

@@ -1,15 +1,20 @@
 #include "FitStages.h"
 
 #include "AvailableMemory.h"
+#include "DegreeGoal.h"
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "FitStructure.h"
 #include "MaskSurface.h"
+#include "ModelChoice.h"
 #include "RadialStages.h"
+#include "StructureChanges.h"
+#include "StructureRemarks.h"
 #include "SurfaceFit.h"
 #include "SurfaceMapping.h"
 
 #include <cmath>
+#include <new>
 #include <utility>
 
 namespace palpate
@@ -52,11 +57,13 @@ void OfferTouch(FitResult& result)
   }
 }
 
-// Whether a surface model may be chosen; not where a radial one is wanted whatever it loses.
-bool MayTakeSurfaceModel(const FitSettings& settings)
+// Whether a radial model may change the structure as much as it does. One that is wanted whatever
+// it loses may.
+bool IsAcceptedRadially(FitResult& result)
 {
-  return settings.Model == FitSettings::ModelKind::Automatic &&
-         settings.MaximumHiddenPercent < 100.0;
+  constexpr double All = 100.0; // % of the surface
+  return result.Settings.Rules < 2 || result.Settings.MaximumHiddenPercent >= All ||
+         AcceptChanges(ChangesOf(result), result);
 }
 
 void RunSamples(FitSamples& made, const ProgressFunction& progress)
@@ -75,6 +82,10 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   SampleRadially(made, PartOf(progress, 0.4, 0.5));
   if (!IsHidden(result))
   {
+    if (!IsAcceptedRadially(result))
+    {
+      RemarkOnRest(result);
+    }
     return;
   }
   if (MayTakeSurfaceModel(result.Settings))
@@ -87,29 +98,6 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   }
 }
 
-// Whether a radial model is refused, misses the tolerance or has another volume.
-bool IsDoubtful(const FitResult& radial)
-{
-  constexpr double LargestChange = 0.05; // of the volume
-  const double change = radial.ModelMilliliters / radial.InputMilliliters() - 1.0;
-  return radial.State == FitResult::Outcome::Refused ||
-         (radial.State == FitResult::Outcome::Fitted &&
-          (radial.Rms > radial.Settings.Tolerance.value_or(radial.Rms) ||
-           std::abs(change) > LargestChange));
-}
-
-// A surface model takes the place of a doubtful radial one if it overlaps the structure more, or if
-// both are refused and it has a way out.
-bool IsBetter(const FitResult& surface, const FitResult& radial)
-{
-  const bool isFitted = surface.State == FitResult::Outcome::Fitted;
-  if (radial.State == FitResult::Outcome::Fitted)
-  {
-    return isFitted && surface.Dice > radial.Dice;
-  }
-  return isFitted || (surface.State == FitResult::Outcome::Refused && !surface.OptionHint.empty());
-}
-
 double SumOf(const std::vector<std::pair<std::string, double>>& seconds)
 {
   double sum = 0.0;
@@ -120,7 +108,8 @@ double SumOf(const std::vector<std::pair<std::string, double>>& seconds)
   return sum;
 }
 
-void TrySurfaceModel(FitSamples made, FitResult& result, const ProgressFunction& progress)
+// Returns which model was taken, and why.
+std::string TrySurfaceModel(FitSamples made, FitResult& result, const ProgressFunction& progress)
 {
   const double shared = SumOf(made.Found.Seconds);
   made.Found.Settings = result.Settings;
@@ -134,25 +123,87 @@ void TrySurfaceModel(FitSamples made, FitResult& result, const ProgressFunction&
         }
       },
       made.Found);
+  std::string reason = ReasonOfChoice(made.Found, result);
   if (IsBetter(made.Found, result))
   {
     std::swap(made.Found, result);
   }
   result.Seconds.emplace_back("rejected_model", SumOf(made.Found.Seconds) - shared);
+  return reason;
 }
 
-void RunModel(const FitSamples& samples, FitResult& result, const ProgressFunction& progress)
+// The model of the kind that is asked for or better, and which that was and why.
+std::string RunModel(const FitSamples& samples, FitResult& result, const ProgressFunction& progress)
 {
+  std::string reason;
   if (result.Details.Mapped != nullptr)
   {
     FitSurfaceModel(samples.Boundary, result, progress);
-    return;
+    return reason;
   }
   const bool isFinal = !MayTakeSurfaceModel(result.Settings);
   FitRadialModel(samples, result, PartOf(progress, 0.0, isFinal ? 1.0 : 0.5));
   if (!isFinal && IsDoubtful(result))
   {
-    TrySurfaceModel(samples, result, PartOf(progress, 0.5, 1.0));
+    reason = TrySurfaceModel(samples, result, PartOf(progress, 0.5, 1.0));
+  }
+  ReportProgress(progress, 1.0, "quality");
+  return reason;
+}
+
+// The model of the kind that was taken, by the smallest degree that meets the goal. It takes the
+// place of `result` unless it is worse.
+void SearchDegree(FitSamples made, FitResult& result, const ProgressFunction& progress)
+{
+  FitResult& found = made.Found;
+  const double shared = SumOf(found.Seconds);
+  found.Settings = result.Settings;
+  RunStage(
+      [&]
+      {
+        const bool isSurface = result.Details.Mapped != nullptr;
+        if (isSurface && found.Details.Mapped == nullptr)
+        {
+          MapStructure(made, PartOf(progress, 0.0, 0.3));
+        }
+        if (!found.Message.empty())
+        {
+          return;
+        }
+        isSurface ? FitSurfaceModel(made.Boundary, found, PartOf(progress, 0.3, 1.0))
+                  : FitRadialModel(made, found, PartOf(progress, 0.3, 1.0));
+      },
+      found);
+  if (found.State == FitResult::Outcome::Fitted && found.Dice >= result.Dice &&
+      found.ModelToInput().Percentile95 <= result.ModelToInput().Percentile95)
+  {
+    std::swap(found, result);
+  }
+  result.Seconds.emplace_back("rejected_degree", SumOf(found.Seconds) - shared);
+}
+
+// A degree by the voxels is never worse than the given one, with which the kind is chosen.
+void RunModelAndSearch(const FitSamples& samples, FitResult& result,
+                       const ProgressFunction& progress)
+{
+  const FitSettings settings = result.Settings;
+  const std::optional<DegreeGoal> goal = DegreeGoalOf(result);
+  const bool isOfVoxels = goal && goal->IsOfVoxels;
+  if (isOfVoxels)
+  {
+    result.Settings.Tolerance.reset();
+    result.Settings.Degree = goal->Least;
+  }
+  const std::string reason =
+      RunModel(samples, result, PartOf(progress, 0.0, isOfVoxels ? 0.5 : 1.0));
+  result.Settings = settings;
+  if (isOfVoxels && result.State == FitResult::Outcome::Fitted && MissesGoal(result))
+  {
+    SearchDegree(samples, result, PartOf(progress, 0.5, 1.0));
+  }
+  if (!reason.empty())
+  {
+    result.Notes.push_back(reason);
   }
   ReportProgress(progress, 1.0, "quality");
 }
@@ -195,8 +246,10 @@ FitResult MakeFitModel(const FitSamples& samples, const FitSettings& settings,
   result.Settings = settings;
   if (!samples.IsOver)
   {
-    RunStage([&] { RunModel(samples, result, progress); }, result);
+    RunStage([&] { RunModelAndSearch(samples, result, progress); }, result);
   }
+  RemarkOnGoal(result);
+  RemarkOnAcceptance(result);
   OfferTouch(result);
   return result;
 }

@@ -1,6 +1,7 @@
 #include "FitVerdict.h"
 
 #include "DecimalText.h"
+#include "DegreeGoal.h"
 
 namespace palpate
 {
@@ -35,7 +36,8 @@ void JudgeOverlap(FitResult& result)
 
 void RemarkOnDegree(int supported, FitResult& result)
 {
-  const double tolerance = result.Settings.Tolerance.value_or(result.Rms);
+  const std::optional<DegreeGoal> goal = DegreeGoalOf(result);
+  const double tolerance = goal && !goal->IsOfVoxels ? goal->Tolerance : result.Rms;
   if (result.Rms > tolerance)
   {
     result.Notes.push_back(

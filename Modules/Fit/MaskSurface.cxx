@@ -36,6 +36,8 @@ void TakeSurface(vtkSegmentationSurface* surface, FitResult& result)
   result.TouchesBorder = surface->GetTouchesBorder();
   result.CavityCount = surface->GetCavityCount();
   result.CavityMilliliters = surface->GetCavityVolume() / CubicMillimetersPerMilliliter;
+  result.LargestCavityMilliliters =
+      surface->GetLargestCavityVolume() / CubicMillimetersPerMilliliter;
   for (int rank = 0; rank < surface->GetNumberOfComponents(); ++rank)
   {
     result.ComponentMilliliters.push_back(surface->GetComponentVolume(rank) /

@@ -1,6 +1,7 @@
 #include "RadialStages.h"
 
 #include "DecimalText.h"
+#include "DegreeGoal.h"
 #include "FilterRun.h"
 #include "FitQuality.h"
 #include "FitVerdict.h"
@@ -21,6 +22,7 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace palpate
@@ -45,7 +47,6 @@ void Configure(vtkSphericalHarmonicFit* fit, const FitSettings& settings)
 {
   fit->SetDegree(settings.Degree);
   fit->SetWeighting(static_cast<int>(settings.Weight));
-  fit->SetTolerance(settings.Tolerance.value_or(0.0));
   fit->SetMaximumDegree(settings.MaximumDegree);
   fit->SetPenalty(static_cast<int>(settings.PenaltyKind));
   fit->SetRoughness(settings.Roughness);
@@ -124,6 +125,15 @@ void FitRadialModel(const FitSamples& samples, FitResult& result, const Progress
   Configure(fit, result.Settings);
   fit->SetSupportedDegree(
       SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask.Get()));
+  if (const std::optional<DegreeGoal> goal = DegreeGoalOf(result))
+  {
+    fit->SetTolerance(goal->Tolerance);
+    fit->SetLeastDegree(goal->Least);
+    if (goal->IsOfVoxels) // a bound ends the search without an error
+    {
+      fit->SetSupportedDegree(std::min(fit->GetSupportedDegree(), result.Settings.MaximumDegree));
+    }
+  }
   try
   {
     RunFilter(fit, "fit", 0.0, 0.15, progress);

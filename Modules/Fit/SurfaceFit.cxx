@@ -2,6 +2,7 @@
 
 #include "ClosestPointDistances.h"
 #include "DecimalText.h"
+#include "DegreeGoal.h"
 #include "FitDeviation.h"
 #include "FitQuality.h"
 #include "FitVerdict.h"
@@ -57,28 +58,30 @@ Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit
     return FitParametricSurface(mapped.Mesh, mapped.Directions, options, result,
                                 watched.Of(from, to));
   };
-  const int highest = std::min(std::max(supported, 1), settings.MaximumDegree);
-  if (!settings.Tolerance || highest < 1) // the fit says what is wrong with degree 0
+  const std::optional<DegreeGoal> goal = DegreeGoalOf(found);
+  const int least = goal ? std::max(goal->Least, 1) : 0;
+  const int highest = std::min(std::max(supported, least), settings.MaximumDegree);
+  if (!goal || highest < 1) // the fit says what is wrong with degree 0
   {
-    return fitTo(settings.Tolerance ? highest : settings.Degree, 0.0, 1.0, fit);
+    return fitTo(goal ? highest : settings.Degree, 0.0, 1.0, fit);
   }
   const auto partOf = [highest](int degree) { return static_cast<double>(degree) / highest; };
-  int below = 0;
-  int degree = 1;
+  int below = least - 1;
+  int degree = least;
   Status status = fitTo(degree, 0.0, partOf(degree), fit);
-  while (status.IsOk() && fit.NormalRms > *settings.Tolerance && degree < highest)
+  while (status.IsOk() && fit.NormalRms > goal->Tolerance && degree < highest)
   {
     below = degree;
     degree = std::min(degree + std::max(1, degree / 4), highest);
     status = fitTo(degree, partOf(below), partOf(degree), fit);
   }
   const double reached = partOf(degree);
-  while (status.IsOk() && fit.NormalRms <= *settings.Tolerance && degree - below > 1)
+  while (status.IsOk() && fit.NormalRms <= goal->Tolerance && degree - below > 1)
   {
     const int between = (below + degree) / 2;
     ParametricFitResult smaller;
     status = fitTo(between, reached, reached, smaller);
-    const bool meets = smaller.NormalRms <= *settings.Tolerance;
+    const bool meets = smaller.NormalRms <= goal->Tolerance;
     (meets ? degree : below) = between;
     if (meets)
     {
@@ -150,7 +153,8 @@ std::string FitAndDraw(FitResult& result, const ProgressFunction& progress)
   {
     return status.Message();
   }
-  const double tolerance = result.Settings.Tolerance.value_or(fit.NormalRms);
+  const std::optional<DegreeGoal> goal = DegreeGoalOf(result);
+  const double tolerance = goal && !goal->IsOfVoxels ? goal->Tolerance : fit.NormalRms;
   if (fit.NormalRms > tolerance && fit.Surface.Degree() < supported)
   {
     const std::string highest = std::to_string(fit.Surface.Degree());

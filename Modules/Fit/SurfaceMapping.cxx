@@ -11,6 +11,7 @@
 #include "ModelSurface.h"
 #include "RepairRemarks.h"
 #include "StageClock.h"
+#include "StructureChanges.h"
 #include "StructureRemarks.h"
 #include "SurfaceFileFit.h"
 #include "SurfaceTopology.h"
@@ -26,8 +27,9 @@ namespace palpate
 namespace
 {
 // Maps the structure, or the component of this number (0: all of it), and replaces its surface.
-// Returns why it cannot, as a predicate, or an empty text.
-std::string MapToSphere(FitResult& result, int component, const ProgressFunction& progress)
+// Returns why it cannot, as a predicate, or an empty text; what it would change is in `changes`.
+std::string MapToSphere(FitResult& result, int component, TopologyReport& changes,
+                        const ProgressFunction& progress)
 {
   if (result.IsOfSurface)
   {
@@ -39,10 +41,11 @@ std::string MapToSphere(FitResult& result, int component, const ProgressFunction
       MakeMappedSurface(CopyComponent(result.Mask, result.Structure.Value, component, 1),
                         IndexToWorldOf(result.Mask), {}, watched.Of(0.0, 1.0), *mapped);
   watched.Require();
+  changes = mapped->Topology;
   if (!status.IsOk())
   {
     // Of a sponge, its holes are the reason.
-    const Status changed = CheckTopology(mapped->Topology, {});
+    const Status changed = CheckTopology(changes, {});
     const bool isSponge = !changed.IsOk() && !result.Settings.Repairs;
     return isSponge ? changed.Message() : status.Message();
   }
@@ -70,20 +73,19 @@ void RemarkOnRepair(FitResult& result)
 // Whether a structure was mapped, within the limits of what may be changed.
 bool IsMapped(FitResult& result, int component, const ProgressFunction& progress)
 {
-  const std::string reason = MapToSphere(result, component, progress);
+  TopologyReport changes;
+  const std::string reason = MapToSphere(result, component, changes, progress);
   if (!reason.empty())
   {
     result.State = FitResult::Outcome::Refused; // by its shape, which no setting changes
     result.Message = reason;
+    if (changes.Bridges.Count > 0 && !result.Settings.WantsOneComponent())
+    {
+      Refuse(reason, HintForEachPart, result); // its parts may have a better one
+    }
     return false;
   }
-  const Status changed = CheckTopology(result.Details.Mapped->Topology, {});
-  if (!changed.IsOk() && !result.Settings.Repairs)
-  {
-    Refuse(changed.Message(), HintForRepair, result);
-    return false;
-  }
-  return true;
+  return AcceptChanges(result.Details.Mapped->Topology, result);
 }
 } // namespace
 
@@ -108,7 +110,9 @@ bool MapWithItsParts(FitSamples& made, const ProgressFunction& progress)
   const bool isMapped = IsMapped(whole, 0, PartOf(progress, 0.0, 0.8));
   const double all = AllParts(result);
   const double bestDice = 2.0 * parts.front() / (parts.front() + all);
-  const bool isTaken = isMapped || bestDice < result.Settings.MinimumDice;
+  const bool isTooLittle = bestDice < result.Settings.MinimumDice ||
+                           (result.Settings.Rules > 1 && LeavesOutParts(result));
+  const bool isTaken = isMapped || isTooLittle;
   if (isTaken)
   {
     result = std::move(whole);

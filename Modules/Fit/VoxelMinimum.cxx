@@ -1,6 +1,7 @@
 #include "VoxelMinimum.h"
 
 #include "DecimalText.h"
+#include "FitResult.h"
 #include "Segmentation.h"
 
 #include "vtkDataArray.h"
@@ -58,6 +59,17 @@ std::string TooFewVoxels(const Segmentation& segmentation, const Segment& struct
   }
   // Callers have their own message for a structure without voxels.
   return voxels == 0 || voxels >= SmallestVoxelCount ? std::string() : TooFew(voxels);
+}
+
+double ResolutionOf(const FitResult& result)
+{
+  constexpr double PartOfSize = 0.01;
+  if (result.Mask == nullptr)
+  {
+    return PartOfSize * result.Surface->GetLength();
+  }
+  const double* spacing = result.Mask->GetSpacing();
+  return *std::max_element(spacing, spacing + 3);
 }
 
 int SupportedDegree(double cubicMillimeters, vtkImageData* mask)

@@ -8,6 +8,7 @@ class vtkImageData;
 
 namespace palpate
 {
+struct FitResult;
 struct Segment;
 struct Segmentation;
 
@@ -20,6 +21,10 @@ PALPATEFIT_EXPORT std::string TooFewVoxels(double cubicMillimeters, vtkImageData
 /// The same for a structure whose every part counts, as in a field.
 PALPATEFIT_EXPORT std::string TooFewVoxels(const Segmentation& segmentation,
                                            const Segment& structure);
+
+/// The length (mm) that distances of a model are compared with: the largest side of a voxel, since
+/// the mask is known no better between its slices; of a surface file, a hundredth of its size.
+double ResolutionOf(const FitResult& result);
 
 /// The highest degree that a mask's voxels support for a body of `cubicMillimeters`. On a sphere of
 /// that volume and radius r, degree l has the wavelength 2 pi r / l, and wavelengths below two

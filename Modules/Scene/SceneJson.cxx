@@ -238,6 +238,7 @@ void ExchangePlacement(JsonFields& fields, ScenePlacement& placement)
 void ExchangeScene(JsonFields& fields, SceneSettings& scene)
 {
   fields.Skip(RetiredKeys::Scene);
+  scene.Fit.Rules = fields.IsReading() ? 1 : scene.Fit.Rules; // of a scene without "fit"
   fields.Exchange("left_handed", scene.LeftHanded, LeftHandedWords);
   fields.ExchangeList("structures", scene.Structures, ExchangeStructure);
   if (fields.IsReading() || !scene.Guides.empty())

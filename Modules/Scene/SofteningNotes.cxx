@@ -44,12 +44,27 @@ InclusionShare SumOf(int id, const std::vector<std::shared_ptr<const SceneInclus
   }
   return sum;
 }
+// What fitted models leave out, fill or cut, in the words of `palpate fit`.
+std::vector<SofteningNote> NotesOfFits(const SceneSettings& scene, const SceneProducts& products)
+{
+  std::vector<SofteningNote> notes;
+  for (const SceneStructure& structure : scene.Structures)
+  {
+    const auto fit = ProductAs<FitResult>(products(SceneStep::Model, structure.Id));
+    const bool isFitted = fit != nullptr && fit->State == FitResult::Outcome::Fitted;
+    if (isFitted && !fit->Message.empty())
+    {
+      notes.push_back({structure.Id, TitleOf(structure) + " " + fit->Message});
+    }
+  }
+  return notes;
+}
 } // namespace
 
 std::vector<SofteningNote> SofteningNotes(const SceneSettings& scene, const SceneProducts& products)
 {
   const std::vector<const SceneStructure*> yielding = YieldingOf(scene);
-  std::vector<SofteningNote> notes;
+  std::vector<SofteningNote> notes = NotesOfFits(scene, products);
   std::vector<std::shared_ptr<const SceneInclusions>> all;
   for (const SceneStructure* structure : yielding)
   {

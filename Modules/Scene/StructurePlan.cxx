@@ -216,8 +216,8 @@ std::string StructurePlan::AddSamples()
 {
   const std::string surface = this->AddSurface();
   const std::string key =
-      SceneKey(surface, "samples", static_cast<int>(this->Fit.Model), this->Fit.Repairs,
-               this->Fit.IsAlone, this->Fit.Frequency, CenterKey(this->Fit),
+      SceneKey(surface, "samples", this->Fit.Rules, static_cast<int>(this->Fit.Model),
+               this->Fit.Repairs, this->Fit.IsAlone, this->Fit.Frequency, CenterKey(this->Fit),
                this->Fit.MaximumHiddenPercent, this->Fit.MinimumDice);
   return this->AddNode(SceneStep::Samples, key, {surface},
                        [fit = this->Fit, isTriangles = this->Source != SceneSource::Label](

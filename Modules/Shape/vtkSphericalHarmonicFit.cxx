@@ -61,17 +61,17 @@ void AddCovariance(const Eigen::MatrixXd& factor, vtkTable* output)
   output->GetFieldData()->AddArray(array);
 }
 
-// The smallest degree whose RMS residual meets the tolerance. Factorises for a moderate degree
-// first, because the work grows with the degree's fourth power.
+// The smallest degree from `leastDegree` on whose RMS residual meets the tolerance. Factorises for
+// a moderate degree first, because the work grows with the degree's fourth power.
 palpate::Status FindDegree(const palpate::RadialSamples& samples,
                            palpate::SphericalHarmonicFitOptions options, double tolerance,
-                           int maximumDegree, int supportedDegree, int& found)
+                           int leastDegree, int maximumDegree, int supportedDegree, int& found)
 {
   const bool isBounded = supportedDegree <= maximumDegree;
-  maximumDegree = std::min(maximumDegree, supportedDegree);
+  maximumDegree = std::max(std::min(maximumDegree, supportedDegree), leastDegree);
   options.PenaltyKind = palpate::SphericalHarmonicFitOptions::Penalty::None;
   options.RobustKind = palpate::SphericalHarmonicFitOptions::Robust::None;
-  int tried = std::min(12, maximumDegree);
+  int tried = std::min(std::max(12, leastDegree), maximumDegree);
   while (true)
   {
     options.Degree = tried;
@@ -81,8 +81,9 @@ palpate::Status FindDegree(const palpate::RadialSamples& samples,
     {
       return status;
     }
-    const auto first = std::find_if(result.RmsByDegree.begin(), result.RmsByDegree.end(),
-                                    [tolerance](double rms) { return rms <= tolerance; });
+    const auto first =
+        std::find_if(result.RmsByDegree.begin() + leastDegree, result.RmsByDegree.end(),
+                     [tolerance](double rms) { return rms <= tolerance; });
     if (first != result.RmsByDegree.end())
     {
       found = static_cast<int>(first - result.RmsByDegree.begin());
@@ -135,10 +136,10 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   options.IsCancelled = [this] { return this->AbortExecute != 0; };
   this->UpdateProgress(0.1);
   palpate::SphericalHarmonicFitResult result;
-  palpate::Status status = this->Tolerance > 0.0
-                               ? FindDegree(samples, options, this->Tolerance, this->MaximumDegree,
-                                            this->SupportedDegree, options.Degree)
-                               : palpate::Status::Success();
+  palpate::Status status =
+      this->Tolerance > 0.0 ? FindDegree(samples, options, this->Tolerance, this->LeastDegree,
+                                         this->MaximumDegree, this->SupportedDegree, options.Degree)
+                            : palpate::Status::Success();
   if (status.IsOk() && !this->AbortExecute)
   {
     status = palpate::FitSphericalHarmonics(samples, options, result);
@@ -182,6 +183,7 @@ void vtkSphericalHarmonicFit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Weighting: " << this->Weighting << "\n";
   os << indent << "Tolerance: " << this->Tolerance << " mm\n";
   os << indent << "MaximumDegree: " << this->MaximumDegree << "\n";
+  os << indent << "LeastDegree: " << this->LeastDegree << "\n";
   os << indent << "SupportedDegree: " << this->SupportedDegree << "\n";
   os << indent << "Penalty: " << this->Penalty << "\n";
   os << indent << "Roughness: " << this->Roughness << "\n";

@@ -54,6 +54,9 @@ public:
   vtkGetMacro(Tolerance, double);
   vtkSetClampMacro(MaximumDegree, int, 0, 1000);
   vtkGetMacro(MaximumDegree, int);
+  /// A search does not take a lower degree than this, even beyond SupportedDegree; default 0.
+  vtkSetClampMacro(LeastDegree, int, 0, 1000);
+  vtkGetMacro(LeastDegree, int);
   /// The highest degree that the samples can determine. A search that reaches it ends there, even
   /// if the tolerance is not met. Default 1000: no bound.
   vtkSetClampMacro(SupportedDegree, int, 0, 1000);
@@ -118,6 +121,7 @@ private:
   int Weighting = AREA;
   double Tolerance = 0.0;
   int MaximumDegree = 40;
+  int LeastDegree = 0;
   int SupportedDegree = 1000;
   int Penalty = NO_PENALTY;
   double Roughness = 0.0;

@@ -34,6 +34,26 @@ inline void WriteTwoSpheres(const std::filesystem::path& path)
   WriteImage(path, image);
 }
 
+/// A sphere of radius 8 mm on the patient's right and one of 7 mm on the left, both of label 1.
+inline void WriteBothSides(const std::filesystem::path& path)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(61, 25, 25);
+  image->SetSpacing(1.0, 1.0, 1.0);
+  image->SetOrigin(-30.0, -12.0, -12.0);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* voxel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    image->GetPoint(i, point);
+    const double right = std::hypot(point[0] + 18.0, point[1], point[2]);
+    const double left = std::hypot(point[0] - 18.0, point[1], point[2]);
+    voxel[i] = right < 8.0 || left < 7.0 ? 1 : 0;
+  }
+  WriteImage(path, image);
+}
+
 /// An ellipsoid of label 1 around the origin, semi-axes in mm.
 inline void WriteEllipsoid(const std::filesystem::path& path, double x, double y, double z)
 {

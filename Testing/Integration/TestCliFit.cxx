@@ -167,7 +167,8 @@ TEST(CliFit, RefusesOptionsWithoutEffect)
     return run.Errors;
   };
   EXPECT_TRUE(Has(refusal({"--tolerance", "1"}), "--tolerance needs --degree auto"));
-  EXPECT_TRUE(Has(refusal({"--model", "radial", "--repair"}), "leave out --repair"));
+  EXPECT_TRUE(
+      Has(refusal({"--model", "radial", "--repair", "--rules", "1"}), "leave out --repair"));
   EXPECT_TRUE(Has(refusal({"--max-degree", "3"}), "--max-degree needs --degree auto"));
   EXPECT_TRUE(
       Has(refusal({"--model", "surface", "--center", "visible"}), "--center is for radial"));

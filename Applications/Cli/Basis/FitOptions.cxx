@@ -12,8 +12,8 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int HighestDegree = 100; // a fit takes minutes and gigabytes
-constexpr double DefaultTolerance = 0.5;
+constexpr int HighestDegree = 100;     // a fit takes minutes and gigabytes
+constexpr double FirstTolerance = 0.5; // mm, of --degree auto by the first rules
 
 template <typename T>
 bool ParseWhole(const std::string& word, T& value)
@@ -69,12 +69,13 @@ void CheckSurfaceOptions(const FitSettings& settings, const FitSettings& standar
 
 void SetComponent(const std::string& word, FitSettings& settings)
 {
-  settings.Component = word == "all" ? 0 : 1;
+  settings.Component = word == "each" ? FitSettings::EachPart : word == "all" ? 0 : 1;
   settings.IsAlone = word != "all" && word != "largest";
-  if (settings.IsAlone && (!ParseWhole(word, settings.Component) || settings.Component < 1))
+  if (settings.IsAlone && word != "each" &&
+      (!ParseWhole(word, settings.Component) || settings.Component < 1))
   {
     throw InputError("--component " + word +
-                     " is not a valid component; give a whole number from 1, largest or all");
+                     " is not a valid component; give a whole number from 1, largest, all or each");
   }
 }
 } // namespace
@@ -100,9 +101,10 @@ void FitOptions::DeclareSurface(CLI::App& app)
   this->ComponentOption =
       app.add_option("--component", this->ComponentWord,
                      "largest (a surface model takes in parts near it), a connected component's "
-                     "number by decreasing size from 1, alone, or all; of a surface file, the part "
-                     "to keep (default: it must be one)")
-          ->type_name("largest|N|all")
+                     "number by decreasing size from 1, alone, all together, or each (palpate fit: "
+                     "a model of each part); of a surface file, the part to keep (default: it must "
+                     "be one)")
+          ->type_name("largest|N|all|each")
           ->capture_default_str();
 }
 
@@ -114,16 +116,23 @@ void FitOptions::DeclareModel(CLI::App& app)
                  "enough, else surface")
       ->check(CLI::IsMember({"radial", "surface", "automatic"}))
       ->capture_default_str();
+  app.add_option("--rules", this->Values.Rules,
+                 "Rules by which the kind of model is chosen and structures are accepted: 2, or 1 "
+                 "as before November 2026")
+      ->check(CLI::Range(1, FitSettings::NewestRules))
+      ->capture_default_str();
   app.add_flag("--repair", this->Values.Repairs,
-               "Accept surface models of structures whose handles, cavities or parts need large "
+               "Accept models of structures whose handles, cavities or parts need large "
                "changes; of a surface file, fit what its voxels enclose if it is not closed");
   app.add_option("--degree", this->DegreeWord,
-                 "Degree of the model, or auto: the smallest that meets --tolerance, up to the "
-                 "resolution of the mask (wavelength of two voxels)")
+                 "Degree of the model, or auto: from 12 on the smallest that leaves a fifth of a "
+                 "voxel, or from 0 on the smallest that meets --tolerance, up to the resolution "
+                 "of the mask (wavelength of two voxels)")
       ->type_name("N|auto")
       ->capture_default_str();
   app.add_option("--tolerance", this->Tolerance,
-                 "RMS residual in mm that --degree auto must meet (default 0.5)")
+                 "RMS residual in mm along the normals that --degree auto must meet (default: a "
+                 "fifth of a voxel)")
       ->type_name("MM")
       ->check(FiniteNumber::Positive());
   app.add_option("--max-degree", this->Values.MaximumDegree,
@@ -178,7 +187,9 @@ FitSettings FitOptions::Settings() const
   SetComponent(this->ComponentWord, settings);
   if (this->DegreeWord == "auto")
   {
-    settings.Tolerance = this->Tolerance > 0.0 ? this->Tolerance : DefaultTolerance;
+    settings.Tolerance = this->Tolerance > 0.0 ? this->Tolerance
+                         : settings.Rules > 1  ? 0.0 // by the voxels
+                                               : FirstTolerance;
   }
   else
   {

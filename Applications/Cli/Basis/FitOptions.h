@@ -22,7 +22,8 @@ public:
   void DeclareLabels(CLI::App& app);
   /// --method, --smoothing, --component.
   void DeclareSurface(CLI::App& app);
-  /// --model, --repair, --degree, --tolerance, --max-degree, --frequency, --center, --weights,
+  /// --model, --rules, --repair, --degree, --tolerance, --max-degree, --frequency, --center,
+  /// --weights,
   /// --penalty, --robust, --min-dice, --max-hidden.
   void DeclareModel(CLI::App& app);
 

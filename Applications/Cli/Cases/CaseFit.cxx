@@ -10,11 +10,13 @@
 #include "ImageOptions.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "LabelParts.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
 #include "Refusal.h"
 #include "SegmentationFile.h"
 #include "StageClock.h"
+#include "StructureChanges.h"
 #include "StructureChoice.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
@@ -39,12 +41,12 @@ void AppendShape(const FitResult& result, std::ostream& text)
   if (details.Mapped == nullptr)
   {
     text << (result.StarShaped ? "star-shaped" : "not quite star-shaped") << " ("
-         << result.HiddenPercent << " % hidden)\n";
+         << result.HiddenPercent << " % hidden)";
     return;
   }
   text << "surface model, " << details.Mapped->Topology.ChangedPercent() << " % repaired, "
        << (details.Crossings == 0 ? std::string("no") : std::to_string(details.Crossings))
-       << " crossings\n";
+       << " crossings";
 }
 
 std::string Line(const FitResult& result)
@@ -59,6 +61,11 @@ std::string Line(const FitResult& result)
        << " mm, volume " << std::setprecision(2) << result.ModelMilliliters << " ml ("
        << (result.IsOfSurface ? "surface " : "mask ") << result.InputMilliliters() << " ml), ";
   AppendShape(result, text);
+  if (const std::string changes = ChangeText(result); !changes.empty())
+  {
+    text << ", " << changes;
+  }
+  text << '\n';
   return text.str();
 }
 
@@ -171,7 +178,7 @@ private:
   void CheckMaskOptions() const
   {
     const FitSettings& settings = this->Mask.Settings;
-    if (settings.Repairs && settings.Model == FitSettings::ModelKind::Radial)
+    if (settings.Repairs && settings.Model == FitSettings::ModelKind::Radial && settings.Rules < 2)
     {
       Refuse(this->Mask.Mask, "is a mask, which a radial model needs no repair of",
              "leave out --repair or --model radial");
@@ -220,13 +227,41 @@ private:
     }
     this->IsOnly = this->Mask.IsAlone && choice.Found.size() == 1 && choice.Lost.empty();
     this->FileNotes = segmentation.Notes.size();
-    for (std::size_t n = 0; n < choice.Found.size(); ++n)
+    const std::vector<StructureToFit> structures = this->Expanded(segmentation, choice.Found);
+    this->IsOnly = this->IsOnly && structures.size() == 1;
+    for (std::size_t n = 0; n < structures.size(); ++n)
     {
-      this->FitOne(
-          choice.Found[n], n, choice.Found.size(), readTime.front().second,
-          [&](const ProgressFunction& progress)
-          { return FitStructure(segmentation, choice.Found[n], this->Mask.Settings, progress); });
+      this->FitOne(structures[n].Structure, n, structures.size(), readTime.front().second,
+                   [&](const ProgressFunction& progress) {
+                     return FitStructure(segmentation, structures[n].Structure,
+                                         structures[n].Settings, progress);
+                   });
     }
+  }
+
+  // The structures, or their parts (--component each).
+  std::vector<StructureToFit> Expanded(const Segmentation& segmentation,
+                                       const std::vector<Segment>& chosen)
+  {
+    std::vector<StructureToFit> structures;
+    for (const Segment& structure : chosen)
+    {
+      if (this->Mask.Settings.Component != FitSettings::EachPart)
+      {
+        structures.push_back({structure, this->Mask.Settings});
+        continue;
+      }
+      std::string leftOut;
+      for (StructureToFit& part : PartsOf(segmentation, structure, this->Mask.Settings, leftOut))
+      {
+        structures.push_back(std::move(part));
+      }
+      if (!leftOut.empty())
+      {
+        this->Output.Note(CaseTitle(this->Mask.Mask, structure) + ": " + leftOut);
+      }
+    }
+    return structures;
   }
 
   // A series that is chosen is that of the slices' volume, if there is one.

@@ -2,6 +2,7 @@
 
 #include "CaseText.h"
 #include "JsonSchema.h"
+#include "StructureChanges.h"
 #include "Units.h"
 
 #include <cmath>
@@ -174,7 +175,8 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["name"] = result.Structure.Name;
   json["degree"] = fitted ? DegreeOf(result.Model) : result.Settings.Degree;
   json["status"] = TextOf(result.State).Word;
-  json["message"] = result.Message;
+  json["message"] = fitted ? std::string() : result.Message;
+  json["changes"] = fitted ? ChangeText(result) : std::string();
   json["notes"] = result.Notes;
   json["star"] = StarJson(result);
   json["fit"] = FitJsonOf(result, fitted);

@@ -269,6 +269,7 @@ TEST(FitStructure, RemarksOnNegativeRadius)
   const auto sphere = palpate::test::MakeLabelImage(grid, [](double x, double y, double z)
                                                     { return std::hypot(x, y, z) < 20.0; });
   FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
   settings.GivenCenterWorld = {19.0, 0.0, 0.0};
   settings.Degree = 5;
   const FitResult result = Fit(SegmentationOf(sphere), settings);
@@ -383,9 +384,11 @@ TEST(FitStructure, RemarksOnComponentsCavitiesAndBorder)
         const double r2 = x * x + (y - 20) * (y - 20) + (z - 20) * (z - 20);
         const double other = std::pow(x - 34, 2) + std::pow(y - 20, 2) + std::pow(z - 20, 2);
         const double hole = std::pow(x - 8, 2) + std::pow(y - 20, 2) + std::pow(z - 20, 2);
-        return (r2 < 225 && hole > 5) || other < 9;
+        return (r2 < 225 && hole > 3) || other < 3;
       });
-  const FitResult result = Fit(SegmentationOf(image));
+  FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
+  const FitResult result = Fit(SegmentationOf(image), settings);
   EXPECT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_TRUE(result.TouchesBorder);
   EXPECT_EQ(result.ComponentMilliliters.size(), 2U);
@@ -409,6 +412,7 @@ TEST(FitStructure, DegreeSearchEndsAtSupportedDegree)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3::Zero());
   FitSettings settings;
+  settings.Model = FitSettings::ModelKind::Radial;
   settings.Tolerance = 1e-4;
   settings.MaximumDegree = 40;
   const Segmentation coarse = SegmentationOf(PhantomMask(truth, 4.0));

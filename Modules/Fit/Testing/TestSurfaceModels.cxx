@@ -249,6 +249,8 @@ TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
     EXPECT_EQ(refused.ModelSurface, nullptr);
   }
   settings.MinimumDice = 0.5;
+  EXPECT_EQ(Fit(TwoBalls(), settings).State, Outcome::Refused);
+  settings.Rules = 1;
   EXPECT_EQ(Fit(TwoBalls(), settings).State, Outcome::Fitted);
 
   settings.Component = 0;
@@ -313,8 +315,9 @@ TEST(SurfaceModels, AreNotTakenWhereARadialOneIsWantedWhateverItLoses)
   EXPECT_NE(largest.Radial(), nullptr);
 }
 
-// Doubtful, as no degree meets the tolerance: whichever overlaps the voxels more.
-TEST(SurfaceModels, AreTakenOnlyIfTheyOverlapMore)
+// Doubtful, as no degree meets the tolerance: by the first rules, whichever overlaps the voxels
+// more.
+TEST(SurfaceModels, AreTakenByTheFirstRulesOnlyIfTheyOverlapMore)
 {
   std::set<bool> taken;
   for (const double step : {2.0, 4.0, 5.0})
@@ -322,6 +325,7 @@ TEST(SurfaceModels, AreTakenOnlyIfTheyOverlapMore)
     const auto mask = palpate::test::ParametricMask(
         palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0)), Cubes(step));
     FitSettings settings;
+    settings.Rules = 1;
     settings.Tolerance = 0.001;
     const FitResult automatic = Fit(mask, settings);
     settings.Model = FitSettings::ModelKind::Radial;

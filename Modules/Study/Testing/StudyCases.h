@@ -91,6 +91,7 @@ inline SceneStructure RandomStructure(Random& random)
 
 inline void RandomizeFit(Random& random, FitSettings& fit)
 {
+  fit.Rules = RandomWhole(random, 1, 2);
   fit.Method = static_cast<FitSettings::SurfaceMethod>(RandomWhole(random, 0, 1));
   fit.Smoothing = RandomNumber(random, 0.0, 3.0);
   fit.Component = RandomWhole(random, 0, 3);

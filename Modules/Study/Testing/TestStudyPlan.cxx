@@ -189,6 +189,7 @@ TEST(StudyPlan, EveryInputOfAProductIsInItsKey)
        {"method", fit(&FitSettings::Method, FitSettings::SurfaceMethod::Plain), SurfacePlaces},
        {"smoothing", fit(&FitSettings::Smoothing, 0.25), SurfacePlaces},
        {"component", fit(&FitSettings::Component, 2), SurfacePlaces},
+       {"rules", fit(&FitSettings::Rules, 1), SamplePlaces},
        {"kind of model", fit(&FitSettings::Model, FitSettings::ModelKind::Surface), SamplePlaces},
        {"component alone", fit(&FitSettings::IsAlone, true), SamplePlaces},
        {"repair", fit(&FitSettings::Repairs, true), SamplePlaces},
