@@ -136,6 +136,9 @@ TEST_F(JsonOutput, FitIsDocumented)
   this->Run({"fit", "a.nii.gz", "--degree", "4", "--output", "out", "--json"});
   WriteTorus(this->Folder / "torus.nii.gz"); // a surface model with a repair
   this->Run({"fit", "torus.nii.gz", "--degree", "4", "--min-dice", "0", "--json"});
+  // A search that ends without what it was for.
+  this->Run({"fit", "torus.nii.gz", "--degree", "auto", "--max-degree", "5", "--min-dice", "0",
+             "--json"});
   // As surfaces, and from a surface file.
   this->Run({"fit", "a.nii.gz", "--degree", "4", "--model", "surface", "--json"});
   this->Run({"fit", "out/a_1/surface.vtp", "--degree", "4", "--json"});
