@@ -55,6 +55,11 @@ bool IgtlPoses::Take(const std::uint8_t* bytes, std::size_t count)
   while (const std::optional<IgtlMessage> message = this->Parser.Next())
   {
     IgtlPose pose;
+    if (message->Type == "STATUS")
+    {
+      this->Confirmed += message->Name == "Force" ? 1 : 0;
+      continue;
+    }
     if (!this->Name.empty() && this->Name != message->Name)
     {
       continue;

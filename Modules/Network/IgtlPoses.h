@@ -19,8 +19,9 @@ struct IgtlPose
 };
 
 /// The poses in a stream of OpenIGTLink messages, of which it may get any number of bytes at a
-/// time. Other messages are skipped; so are poses that are damaged, not finite, or far from a
-/// rotation. Source: OpenIGTLink protocol 1 to 3, TRANSFORM.
+/// time, and how many forces the peer says that it has read: one for each STATUS message named
+/// Force. Other messages are skipped; so are poses that are damaged, not finite, or far from a
+/// rotation. Source: OpenIGTLink protocol 1 to 3, TRANSFORM and STATUS.
 class IgtlPoses
 {
 public:
@@ -31,6 +32,7 @@ public:
   bool Take(const std::uint8_t* bytes, std::size_t count);
   /// The newest pose since the last call; null if there is none.
   const IgtlPose* Newest() noexcept;
+  std::uint64_t ForcesRead() const noexcept { return this->Confirmed; }
   std::uint64_t Refused() const noexcept { return this->Parser.Damaged() + this->NoPoses; }
 
 private:
@@ -38,9 +40,10 @@ private:
   static constexpr std::uint64_t MostPoseBytes = 4096;
 
   std::string Name;
-  IgtlParser Parser{{{"TRANSFORM", MostPoseBytes}}};
+  IgtlParser Parser{{{"TRANSFORM", MostPoseBytes}, {"STATUS", MostPoseBytes}}};
   IgtlPose Last;
   bool IsFresh = false;
   std::uint64_t NoPoses = 0;
+  std::uint64_t Confirmed = 0;
 };
 } // namespace palpate

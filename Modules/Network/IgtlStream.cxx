@@ -3,11 +3,13 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <linux/sockios.h>
 #include <memory>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -117,6 +119,10 @@ void IgtlStream::Take(int peer) noexcept
 {
   const int yes = 1;
   setsockopt(peer, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes); // messages are small and urgent
+  if (this->SendBuffer > 0)
+  {
+    setsockopt(peer, SOL_SOCKET, SO_SNDBUF, &this->SendBuffer, sizeof this->SendBuffer);
+  }
   this->Peer = peer;
 }
 
@@ -143,5 +149,11 @@ std::ptrdiff_t IgtlStream::Send(const std::uint8_t* bytes, std::size_t count) no
 {
   const ssize_t sent = send(this->Peer, bytes, count, MSG_NOSIGNAL);
   return sent >= 0 ? sent : IsLater() ? 0 : -1;
+}
+
+std::size_t IgtlStream::Unconfirmed() const noexcept
+{
+  int bytes = 0;
+  return ioctl(this->Peer, SIOCOUTQ, &bytes) == 0 ? static_cast<std::size_t>(bytes) : 0;
 }
 } // namespace palpate

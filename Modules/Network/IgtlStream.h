@@ -14,6 +14,9 @@ class IgtlStream
 {
 public:
   IgtlStream() = default;
+  /// With a send buffer of about so many bytes for what the peer's system has not confirmed; the
+  /// system rounds it up.
+  explicit IgtlStream(int sendBuffer) : SendBuffer(sendBuffer) {}
   IgtlStream(const IgtlStream&) = delete;
   IgtlStream& operator=(const IgtlStream&) = delete;
   ~IgtlStream() { this->Close(); }
@@ -38,6 +41,8 @@ public:
   std::ptrdiff_t Receive(std::uint8_t* bytes, std::size_t most) noexcept;
   /// Sends what can be sent now; less than 0 if the connection has ended.
   std::ptrdiff_t Send(const std::uint8_t* bytes, std::size_t count) noexcept;
+  /// Bytes of those sent that the peer's system has not confirmed yet.
+  std::size_t Unconfirmed() const noexcept;
 
 private:
   void Take(int peer) noexcept;
@@ -45,5 +50,6 @@ private:
   int Listener = -1;
   int Peer = -1;
   int ListeningPort = 0;
+  int SendBuffer = 0; ///< 0: the system's own choice
 };
 } // namespace palpate

@@ -16,7 +16,10 @@ constexpr int WaitMilliseconds = 1;
 constexpr std::int64_t ForceLasts = 20'000'000; // ns without Apply
 constexpr double LargestForce = 5.0;            // N, of a device that is not known
 constexpr std::size_t BytesAtOnce = 65536;
-constexpr int CloseMilliseconds = 50; // for 0 N to leave
+constexpr std::int64_t LongestUnconfirmed = 30'000'000; // ns; systems confirm within 40 ms unread
+constexpr int SendBufferBytes = 4096;
+constexpr std::size_t ForceBytes = 92; // a message's
+constexpr int CloseMilliseconds = 50;  // for 0 N to leave
 
 constexpr const char* Ended =
     "The OpenIGTLink peer has closed the connection: start it, then open the device again.";
@@ -25,7 +28,8 @@ constexpr const char* NotUnderstood =
 } // namespace
 
 OpenIGTLinkDevice::OpenIGTLinkDevice(Clock& clock, IgtlPeer peer)
-    : Time(clock), From(std::move(peer))
+    : Time(clock), From(std::move(peer)), Stream(SendBufferBytes), Arriving(LongestUnconfirmed),
+      Reading(LongestUnconfirmed)
 {
   this->Abilities.Name = "OpenIGTLink";
   this->Abilities.DegreesOfFreedom = 6;
@@ -56,7 +60,18 @@ std::string OpenIGTLinkDevice::Guidance() const
 std::string OpenIGTLinkDevice::ConnectionReport() const
 {
   const std::uint64_t refused = this->Refused.load();
-  return refused == 0 ? "" : std::to_string(refused) + " damaged poses were not used.";
+  const std::uint64_t notSent = this->NotSent.load();
+  std::string report;
+  if (refused > 0)
+  {
+    report = std::to_string(refused) + " damaged poses were not used.";
+  }
+  if (notSent > 0)
+  {
+    report += (report.empty() ? "" : " ") + std::to_string(notSent) +
+              " forces were not sent, since the peer did not take them in time.";
+  }
+  return report;
 }
 
 Status OpenIGTLinkDevice::Open()
@@ -74,6 +89,10 @@ Status OpenIGTLinkDevice::Open()
   }
   this->Poses = IgtlPoses(this->From.Name);
   this->Refused = 0;
+  this->NotSent = 0;
+  this->IsBehind = false;
+  this->Arriving = this->Reading = IgtlProgress(LongestUnconfirmed);
+  this->ForcesSent = 0;
   this->Rest.clear();
   this->IsAtRest = true;
   this->MustEnd = false;
@@ -120,6 +139,11 @@ bool OpenIGTLinkDevice::Apply(const Vector3& force) noexcept
   {
     return false;
   }
+  if (this->IsBehind)
+  {
+    ++this->NotSent;
+    return false;
+  }
   const double length = force.norm();
   const bool isForce = state == DeviceState::Ready && length > 0.0; // not NaN
   const double part = isForce ? std::min(1.0, LargestForce / length) : 0.0;
@@ -146,11 +170,20 @@ void OpenIGTLinkDevice::Run()
   }
   if (this->Stream.HasPeer() && !this->IsAtRest)
   {
-    // What is left of a message must end before the next one.
-    this->SendRest();
-    this->Add(IgtlForceMessage("Force", Vector3::Zero()));
-    for (int tries = 0; tries < CloseMilliseconds && this->SendRest() && !this->Rest.empty();
-         ++tries)
+    this->SendLastZero();
+  }
+}
+
+// What is left of a message must end before the next one.
+void OpenIGTLinkDevice::SendLastZero()
+{
+  const std::vector<std::uint8_t> zero = IgtlForceMessage("Force", Vector3::Zero());
+  std::ptrdiff_t sent = 0;
+  for (int tries = 0; tries < CloseMilliseconds && sent == 0; ++tries)
+  {
+    const bool isOpen = this->SendRest();
+    sent = !isOpen ? -1 : this->Rest.empty() ? this->SendNow(zero) : 0;
+    if (sent == 0 || !this->Rest.empty())
     {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -191,50 +224,101 @@ bool OpenIGTLinkDevice::TakePoses()
   return count >= 0;
 }
 
-// Only when all of the former messages has been taken, so that nothing old is sent.
+// Returns false if the connection has ended.
 bool OpenIGTLinkDevice::SendNews()
 {
-  if (this->Rest.empty())
-  {
-    this->AddForce();
-    this->AddShown();
-  }
-  if (!this->SendRest())
+  this->WatchPeer();
+  const bool isOpen = this->SendRest() && this->SendForce() && this->SendShown();
+  if (!isOpen)
   {
     this->EndIn(Ended);
-    return false;
   }
-  return true;
+  return isOpen;
 }
 
-void OpenIGTLinkDevice::AddForce()
+void OpenIGTLinkDevice::WatchPeer()
+{
+  const std::int64_t now = this->Time.Now();
+  this->Arriving.Update(this->Stream.Unconfirmed(), now);
+  this->Reading.Update(this->Unread(), now);
+  this->IsBehind = this->Arriving.IsBehind() || this->Reading.IsBehind();
+}
+
+// Forces that the peer has not confirmed; 0 for one that confirms none.
+std::uint64_t OpenIGTLinkDevice::Unread() const noexcept
+{
+  const std::uint64_t read = this->Poses.ForcesRead();
+  return read == 0 || read > this->ForcesSent ? 0 : this->ForcesSent - read;
+}
+
+// While the peer is behind, two forces: its system confirms a second one at once if its program
+// reads.
+bool OpenIGTLinkDevice::HasRoom(std::size_t bytes) const noexcept
+{
+  const std::size_t unconfirmed = this->Stream.Unconfirmed();
+  const std::size_t most = this->IsBehind ? 2 : MostOnTheirWay;
+  return this->Rest.empty() && this->Unread() < most &&
+         (unconfirmed == 0 || unconfirmed + bytes <= most * ForceBytes);
+}
+
+// Nothing if the peer need not be told.
+std::optional<PlainVector3> OpenIGTLinkDevice::NextForce()
 {
   const Command& command = this->Wanted.Latest();
   const bool isNew = command.Number != this->SentNumber;
   const bool isOld = this->Time.Now() - command.Time > ForceLasts;
-  if (isNew || (isOld && !this->IsAtRest))
+  this->SentNumber = command.Number;
+  if (this->IsBehind || isOld)
   {
-    const PlainVector3 force = isOld ? PlainVector3() : command.Force;
-    this->SentNumber = command.Number;
-    this->IsAtRest = Vector3(force).isZero(0.0);
-    this->Add(IgtlForceMessage("Force", force));
+    return this->IsBehind || isNew || !this->IsAtRest ? std::optional<PlainVector3>(PlainVector3())
+                                                      : std::nullopt;
   }
+  return isNew ? std::optional<PlainVector3>(command.Force) : std::nullopt;
 }
 
-void OpenIGTLinkDevice::AddShown()
+bool OpenIGTLinkDevice::SendForce()
+{
+  if (!this->HasRoom(ForceBytes))
+  {
+    return true;
+  }
+  const std::optional<PlainVector3> force = this->NextForce();
+  const std::ptrdiff_t sent = force ? this->SendNow(IgtlForceMessage("Force", *force)) : 0;
+  if (sent > 0)
+  {
+    ++this->ForcesSent;
+    this->Reading.Sent(1, this->Time.Now());
+    this->IsAtRest = Vector3(*force).isZero(0.0);
+  }
+  return sent >= 0;
+}
+
+bool OpenIGTLinkDevice::SendShown()
 {
   const IgtlTouch& now = this->Displayed.Latest();
-  if (now.Tick == this->Told.Tick)
+  if (now.Tick == this->Told.Tick || this->IsBehind)
   {
-    return;
+    return true;
   }
-  this->Add(IgtlTouchMessages(this->Told, now));
-  this->Told = now;
+  const std::vector<std::uint8_t> messages = IgtlTouchMessages(this->Told, now);
+  const std::ptrdiff_t sent = this->HasRoom(messages.size()) ? this->SendNow(messages) : 0;
+  if (sent > 0)
+  {
+    this->Told = now;
+  }
+  return sent >= 0;
 }
 
-void OpenIGTLinkDevice::Add(const std::vector<std::uint8_t>& message)
+// A message that the connection takes no byte of is not kept: the next one is newer.
+std::ptrdiff_t OpenIGTLinkDevice::SendNow(const std::vector<std::uint8_t>& message)
 {
-  this->Rest.insert(this->Rest.end(), message.begin(), message.end());
+  const std::ptrdiff_t sent = this->Stream.Send(message.data(), message.size());
+  if (sent > 0)
+  {
+    this->Arriving.Sent(static_cast<std::uint64_t>(sent), this->Time.Now());
+    this->Rest.assign(message.begin() + sent, message.end());
+  }
+  return sent;
 }
 
 // Returns false if the connection has ended.
@@ -244,6 +328,7 @@ bool OpenIGTLinkDevice::SendRest()
       this->Rest.empty() ? 0 : this->Stream.Send(this->Rest.data(), this->Rest.size());
   if (sent > 0)
   {
+    this->Arriving.Sent(static_cast<std::uint64_t>(sent), this->Time.Now());
     this->Rest.erase(this->Rest.begin(), this->Rest.begin() + sent);
   }
   return sent >= 0;

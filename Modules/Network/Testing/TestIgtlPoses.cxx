@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <igtlSensorMessage.h>
+#include <igtlStatusMessage.h>
 #include <igtlStringMessage.h>
 #include <igtl_header.h>
 #include <igtl_util.h>
@@ -186,6 +187,21 @@ TEST(IgtlForceMessage, ProtocolsOwnLibraryReadsIt)
   EXPECT_EQ(sensor->GetValue(0), 0.5);
   EXPECT_EQ(sensor->GetValue(1), -1.25);
   EXPECT_EQ(sensor->GetValue(2), 3.0);
+}
+
+TEST(IgtlPoses, CountsForcesThatThePeerHasRead)
+{
+  IgtlPoses poses;
+  for (const char* name : {"Force", "Tracker", "Force"})
+  {
+    const igtl::StatusMessage::Pointer message = igtl::StatusMessage::New();
+    message->SetDeviceName(name);
+    message->Pack();
+    ASSERT_TRUE(Take(poses, BytesOf(message.GetPointer())));
+  }
+  EXPECT_EQ(poses.ForcesRead(), 2U);
+  EXPECT_EQ(poses.Newest(), nullptr);
+  EXPECT_EQ(poses.Refused(), 0U);
 }
 } // namespace
 } // namespace palpate::igtl_poses_test

@@ -4,17 +4,23 @@
 #include "IgtlReceived.h"
 #include "IgtlTransform.h"
 #include "IsSoon.h"
+#include "ReadingPeer.h"
 #include "SteadyClock.h"
 #include "TouchState.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 #include <igtlClientSocket.h>
 #include <igtlSensorMessage.h>
 #include <igtlServerSocket.h>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace palpate::openigtlink_device_test
 {
@@ -111,14 +117,15 @@ TEST_F(OpenIGTLinkDeviceTest, ForceReachesThePeerClamped)
   this->MoveTo(Vector3::Zero());
   ASSERT_TRUE(this->Device->Apply(Vector3(0.5, -1.0, 0.25)));
   EXPECT_EQ(this->NextForce(), Vector3(0.5, -1.0, 0.25));
-  ASSERT_TRUE(this->Device->Apply(Vector3(30.0, 40.0, 0.0)));
+  // On a slow machine the peer may have been behind.
+  ASSERT_TRUE(Becomes([&] { return this->Device->Apply(Vector3(30.0, 40.0, 0.0)); }));
   Vector3 force = this->NextForce();
   while (force.isZero(0.0)) // the first one lapsed on a slow machine
   {
     force = this->NextForce();
   }
   EXPECT_TRUE(force.isApprox(Vector3(3.0, 4.0, 0.0))) << force.transpose();
-  ASSERT_TRUE(this->Device->Apply(Vector3::Constant(std::nan(""))));
+  ASSERT_TRUE(Becomes([&] { return this->Device->Apply(Vector3::Constant(std::nan(""))); }));
   EXPECT_EQ(this->NextForce(), Vector3::Zero());
 }
 
@@ -193,10 +200,151 @@ TEST_F(OpenIGTLinkDeviceTest, PeerThatReadsNothingDelaysNothing)
   this->MoveTo(Vector3::Zero());
   for (int i = 1; i <= 3000; ++i)
   {
-    ASSERT_TRUE(this->Device->Apply(Vector3(1e-3 * i, 0.0, 0.0)));
+    static_cast<void>(this->Device->Apply(Vector3(1e-3 * i, 0.0, 0.0)));
     std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
   this->MoveTo(Vector3(7.0, 0.0, 0.0));
+}
+
+// A device whose forces count calls of Apply: call n is n times a milli-newton. What the peer
+// receives, in order, and the newest call when it did.
+class ForcesInTime : public testing::Test
+{
+protected:
+  struct Arrival
+  {
+    double Force;
+    int Call;
+    bool IsZero() const { return this->Force == 0.0; }
+    int Age() const { return this->Call - static_cast<int>(std::lround(1e3 * this->Force)); }
+  };
+
+  void Connect(int buffer)
+  {
+    IgtlPeer peer;
+    peer.Port = 0;
+    this->Device = std::make_unique<OpenIGTLinkDevice>(this->Time, peer);
+    ASSERT_TRUE(this->Device->Open().IsOk());
+    this->Peer = std::make_unique<test::ReadingPeer>(this->Device->Port(), buffer);
+    ASSERT_TRUE(this->Peer->IsConnected);
+    this->Peer->SendPose(Vector3::Zero());
+    ASSERT_TRUE(Becomes([&] { return this->Device->State() == DeviceState::Ready; }));
+  }
+  // A tick of about a millisecond, in which the peer reads at most `most` messages.
+  void Tick(std::size_t most)
+  {
+    ++this->Calls;
+    this->IsTaken = this->Device->Apply(Vector3(1e-3 * this->Calls, 0.0, 0.0));
+    std::this_thread::sleep_for(Milliseconds(1));
+    for (const double force : this->Peer->Read(most, 0))
+    {
+      this->Arrivals.push_back({force, this->Calls});
+    }
+  }
+  void Tick(int count, std::size_t most)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      this->Tick(most);
+    }
+  }
+  bool ReadsForcesAgain()
+  {
+    const std::size_t before = this->Arrivals.size();
+    return Becomes(
+        [&]
+        {
+          this->Tick(Everything);
+          return this->IsTaken && this->Arrivals.size() > before &&
+                 !this->Arrivals.back().IsZero() && this->Arrivals.back().Age() < Late;
+        });
+  }
+
+  int OldestForce() const
+  {
+    int oldest = 0;
+    for (const Arrival& one : this->Arrivals)
+    {
+      oldest = one.IsZero() ? oldest : std::max(oldest, one.Age());
+    }
+    return oldest;
+  }
+
+  static constexpr std::size_t Everything = 1000;
+  static constexpr int Late =
+      50; // ticks: 30 ms until a peer is behind, and those of a busy machine
+  SteadyClock Time;
+  std::unique_ptr<OpenIGTLinkDevice> Device;
+  std::unique_ptr<test::ReadingPeer> Peer;
+  std::vector<Arrival> Arrivals;
+  int Calls = 0;
+  bool IsTaken = false;
+};
+TEST_F(ForcesInTime, PeerThatReadsInTimeGetsNewForces)
+{
+  this->Connect(0);
+  this->Tick(200, Everything);
+  EXPECT_TRUE(this->ReadsForcesAgain());
+  EXPECT_LE(this->OldestForce(), Late);
+}
+
+TEST_F(ForcesInTime, SlowPeerThatConfirmsGetsNoOldForce)
+{
+  this->Connect(0);
+  this->Peer->Confirms = true;
+  this->Tick(100, Everything);
+  constexpr int Slowness = 5;
+  for (int i = 0; i < 200; ++i)
+  {
+    this->Tick(Slowness - 1, 0);
+    this->Tick(1);
+  }
+  constexpr int OnTheirWay = static_cast<int>(OpenIGTLinkDevice::MostOnTheirWay);
+  EXPECT_LE(this->OldestForce(), Slowness * OnTheirWay + Late);
+  EXPECT_TRUE(this->ReadsForcesAgain());
+}
+
+TEST_F(ForcesInTime, PeerThatStallsGetsZeroBeforeNewForces)
+{
+  this->Connect(0);
+  this->Peer->Confirms = true;
+  this->Tick(100, Everything);
+  this->Arrivals.clear();
+  this->Tick(300, 0);
+  EXPECT_FALSE(this->IsTaken) << "Apply says what is not sent";
+  EXPECT_NE(this->Device->ConnectionReport().find("forces were not sent"), std::string::npos);
+  ASSERT_TRUE(this->ReadsForcesAgain());
+  const auto zero = std::find_if(this->Arrivals.begin(), this->Arrivals.end(),
+                                 [](const Arrival& one) { return one.IsZero(); });
+  EXPECT_LE(zero - this->Arrivals.begin(),
+            static_cast<std::ptrdiff_t>(OpenIGTLinkDevice::MostOnTheirWay))
+      << "what the peer's system had when it stalled";
+  this->Arrivals.erase(this->Arrivals.begin(), zero);
+  EXPECT_LE(this->OldestForce(), Late);
+}
+
+// No byte leaves while the system's buffer is full, as with a lost cable.
+TEST_F(ForcesInTime, ConnectionThatTakesNothingGetsZeroBeforeNewForces)
+{
+  constexpr int SmallBuffer = 2048;
+  this->Connect(SmallBuffer);
+  this->Tick(100, Everything);
+  this->Arrivals.clear();
+  ASSERT_TRUE(Becomes(
+      [&]
+      {
+        this->Tick(50, 0);
+        return !this->IsTaken;
+      }));
+  const int lost = this->Calls;
+  this->Tick(200, 0);
+  ASSERT_TRUE(this->ReadsForcesAgain());
+  const auto fresh = std::find_if(this->Arrivals.begin(), this->Arrivals.end(),
+                                  [&](const Arrival& one) { return one.Call - one.Age() > lost; });
+  ASSERT_NE(fresh, this->Arrivals.begin());
+  EXPECT_TRUE(std::prev(fresh)->IsZero());
+  this->Arrivals.erase(this->Arrivals.begin(), fresh);
+  EXPECT_LE(this->OldestForce(), Late);
 }
 
 TEST(OpenIGTLinkDevice, KeepsTheContractOfDevices)
