@@ -73,6 +73,11 @@ palpate_compared* palpate_compared_of_mask(const uint8_t* inside, const int size
                                            const double axes[9], palpate_error* error)
 {
   return Guarded(error,
+                 {{inside, "inside"},
+                  {size, "size"},
+                  {origin, "origin"},
+                  {spacing, "spacing"},
+                  {axes, "axes"}},
                  [&]() -> palpate_compared*
                  {
                    IndexToWorld toWorld;
@@ -92,7 +97,7 @@ palpate_compared* palpate_compared_of_mesh(const double* points, size_t point_co
                                            const int32_t* triangles, size_t triangle_count,
                                            palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{points, "points", point_count}, {triangles, "triangles", triangle_count}},
                  [&]
                  {
                    IndexedMesh mesh;
@@ -113,7 +118,7 @@ palpate_compared* palpate_compared_of_mesh(const double* points, size_t point_co
 
 palpate_compared* palpate_compared_of_model(const palpate_model* model, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{model, "model"}},
                  [&]
                  {
                    ComparedBody body;
@@ -129,16 +134,20 @@ void palpate_compared_free(palpate_compared* body)
 
 size_t palpate_compared_point_count(const palpate_compared* body)
 {
-  return body->Body.Surface().Points.size();
+  return body != nullptr ? body->Body.Surface().Points.size() : 0;
 }
 
 size_t palpate_compared_triangle_count(const palpate_compared* body)
 {
-  return body->Body.Surface().Triangles.size();
+  return body != nullptr ? body->Body.Surface().Triangles.size() : 0;
 }
 
 void palpate_compared_surface(const palpate_compared* body, double* points, int32_t* triangles)
 {
+  if (!AreGiven({{body, "body"}, {points, "points"}, {triangles, "triangles"}}, nullptr))
+  {
+    return;
+  }
   for (const Vector3& point : body->Body.Surface().Points)
   {
     Copy(point, points);
@@ -157,6 +166,11 @@ int palpate_compare(const palpate_compared* first, const palpate_compared* refer
 {
   return Guarded(
       error,
+      {{first, "first"},
+       {reference, "reference"},
+       {tolerances, "tolerances", tolerance_count},
+       {comparison, "comparison"},
+       {surface_dice, "surface_dice", tolerance_count}},
       [&]
       {
         const std::vector<double> limits(tolerances, tolerances + tolerance_count);

@@ -1,6 +1,7 @@
 #include "DesignHandle.h"
 
 #include "ErrorText.h"
+#include "InputError.h"
 #include "LinearModel.h"
 #include "ModelHandle.h"
 #include "MultivariateTest.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,12 +22,28 @@ namespace
 {
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+// Saturates.
+std::size_t ProductOf(std::size_t a, std::size_t b)
+{
+  return b > 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b;
+}
+
+// Throws if a text is missing, which the caller's guard tells.
+std::vector<std::string> TextsOf(const char* const* texts, std::size_t count, const char* name)
+{
+  if (std::find(texts, texts + count, nullptr) != texts + count)
+  {
+    throw InputError(std::string("a text of '") + name + "' is NULL");
+  }
+  return {texts, texts + count};
+}
+
 // Of the kept cases. Throws what the caller's guard tells.
 Eigen::MatrixXd OutcomesOf(const palpate_design* design, const double* outcomes, std::size_t count)
 {
   if (count == 0)
   {
-    throw std::invalid_argument("there are no outcomes");
+    throw InputError("there are no outcomes");
   }
   Eigen::MatrixXd kept(static_cast<Eigen::Index>(design->Design.Cases.size()),
                        static_cast<Eigen::Index>(count));
@@ -39,14 +55,18 @@ Eigen::MatrixXd OutcomesOf(const palpate_design* design, const double* outcomes,
   }
   if (!kept.allFinite())
   {
-    throw std::invalid_argument("an outcome of a case with all covariates is not finite");
+    throw InputError("an outcome of a case with all covariates is not finite");
   }
   return kept;
 }
 
 const DesignTerm& TermOf(const palpate_design* design, std::size_t term)
 {
-  return design->Design.Terms.at(term);
+  if (term >= design->Design.Terms.size())
+  {
+    throw InputError("the design has no term of that number");
+  }
+  return design->Design.Terms[term];
 }
 
 void CopyRows(const Eigen::MatrixXd& values, double* rows)
@@ -70,7 +90,7 @@ SurfaceGraph GraphOf(std::size_t count, const double* areas, const int32_t* tria
   if (!std::all_of(graph.Areas.begin(), graph.Areas.end(),
                    [](double area) { return std::isfinite(area) && area >= 0.0; }))
   {
-    throw std::invalid_argument("an area is negative or not finite");
+    throw InputError("an area is negative or not finite");
   }
   std::set<std::pair<int, int>> edges;
   for (std::size_t i = 0; i < 3 * triangleCount; ++i)
@@ -79,7 +99,7 @@ SurfaceGraph GraphOf(std::size_t count, const double* areas, const int32_t* tria
     const int32_t to = triangles[i % 3 == 2 ? i - 2 : i + 1];
     if (from < 0 || static_cast<std::size_t>(from) >= count)
     {
-      throw std::invalid_argument("a triangle has a corner that is no point");
+      throw InputError("a triangle has a corner that is no point");
     }
     edges.insert(std::minmax(from, to));
   }
@@ -98,6 +118,10 @@ palpate_design* palpate_design_create(const char* formula, size_t case_count, si
 {
   return Guarded(
       error,
+      {{formula, "formula"},
+       {names, "names", column_count},
+       {values, "values", ProductOf(case_count, column_count)},
+       {references, "references", reference_count}},
       [&]() -> palpate_design*
       {
         std::vector<std::string> cases;
@@ -106,17 +130,18 @@ palpate_design* palpate_design_create(const char* formula, size_t case_count, si
           cases.push_back(std::to_string(i));
         }
         CovariateTable table(cases);
+        const std::vector<std::string> columns = TextsOf(names, column_count, "names");
         for (std::size_t k = 0; k < column_count; ++k)
         {
-          const char* const* first = values + k * case_count;
-          table.Add(names[k], {first, first + case_count});
+          table.Add(columns[k], TextsOf(values + k * case_count, case_count, "values"));
         }
         palpate_design made;
         made.GivenCases = case_count;
         ModelFormula parsed;
         std::map<std::string, std::string> levels;
         if (Told(ModelFormula::Parse(formula, parsed), error) == 0 ||
-            Told(ParseReferences({references, references + reference_count}, levels), error) == 0 ||
+            Told(ParseReferences(TextsOf(references, reference_count, "references"), levels),
+                 error) == 0 ||
             Told(MakeLinearDesign(table, parsed, levels, made.Design), error) == 0)
         {
           return nullptr;
@@ -132,27 +157,29 @@ void palpate_design_free(palpate_design* design)
 
 size_t palpate_design_case_count(const palpate_design* design)
 {
-  return design->Design.Cases.size();
+  return design != nullptr ? design->Design.Cases.size() : 0;
 }
 
 size_t palpate_design_column_count(const palpate_design* design)
 {
-  return design->Design.Columns.size();
+  return design != nullptr ? design->Design.Columns.size() : 0;
 }
 
 size_t palpate_design_term_count(const palpate_design* design)
 {
-  return design->Design.Terms.size();
+  return design != nullptr ? design->Design.Terms.size() : 0;
 }
 
 const char* palpate_design_column_name(const palpate_design* design, size_t column)
 {
-  return column < design->Design.Columns.size() ? design->Design.Columns[column].c_str() : nullptr;
+  return design != nullptr && column < design->Design.Columns.size()
+             ? design->Design.Columns[column].c_str()
+             : nullptr;
 }
 
 int palpate_design_term(const palpate_design* design, size_t term, palpate_term* found)
 {
-  if (term >= design->Design.Terms.size())
+  if (design == nullptr || found == nullptr || term >= design->Design.Terms.size())
   {
     return 0;
   }
@@ -164,6 +191,10 @@ int palpate_design_term(const palpate_design* design, size_t term, palpate_term*
 
 void palpate_design_matrix(const palpate_design* design, size_t* cases, double* matrix)
 {
+  if (!AreGiven({{design, "design"}, {cases, "cases"}, {matrix, "matrix"}}, nullptr))
+  {
+    return;
+  }
   std::copy(design->Design.Cases.begin(), design->Design.Cases.end(), cases);
   CopyRows(design->Design.Matrix, matrix);
 }
@@ -173,6 +204,11 @@ int palpate_design_fit(const palpate_design* design, const double* outcomes, siz
                        palpate_error* error)
 {
   return Guarded(error,
+                 {{design, "design"},
+                  {outcomes, "outcomes", outcome_count},
+                  {coefficients, "coefficients"},
+                  {errors, "errors"},
+                  {half_widths, "half_widths"}},
                  [&]
                  {
                    if (!(confidence > 0.0 && confidence < 1.0))
@@ -193,7 +229,7 @@ int palpate_design_test(const palpate_design* design, size_t term, const double*
                         size_t outcome_count, double* f, double* p, double* partial_r2,
                         palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{design, "design"}, {outcomes, "outcomes", outcome_count}},
                  [&]
                  {
                    const Eigen::MatrixXd kept = OutcomesOf(design, outcomes, outcome_count);
@@ -211,7 +247,7 @@ int palpate_design_test_together(const palpate_design* design, size_t term, cons
                                  palpate_error* error)
 {
   return Guarded(
-      error,
+      error, {{design, "design"}, {outcomes, "outcomes", outcome_count}, {found, "found"}},
       [&]
       {
         MultivariateTest test;
@@ -235,6 +271,12 @@ int palpate_design_permute(const palpate_design* design, size_t term, const doub
                            double* whole_f, double* whole_p, palpate_error* error)
 {
   return Guarded(error,
+                 {{design, "design"},
+                  {outcomes, "outcomes", point_count},
+                  {areas, "areas", point_count},
+                  {triangles, "triangles", triangle_count},
+                  {whole_f, "whole_f"},
+                  {whole_p, "whole_p"}},
                  [&]
                  {
                    if (permutations < 1 || permutations > 10000000)
@@ -269,6 +311,12 @@ int palpate_model_displacement(const palpate_model* model, int frequency, double
                                double* per_coefficient, palpate_error* error)
 {
   return Guarded(error,
+                 {{model, "model"},
+                  {points, "points"},
+                  {normals, "normals"},
+                  {areas, "areas"},
+                  {triangles, "triangles"},
+                  {per_coefficient, "per_coefficient"}},
                  [&]
                  {
                    if (frequency < 1 || frequency > 100)

@@ -1,6 +1,9 @@
 #include "ErrorText.h"
 
+#include "ExceptionMessage.h"
+
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 namespace palpate
@@ -20,6 +23,39 @@ void SetError(palpate_error* error, const std::string& message) noexcept
   }
   std::memcpy(error->text, message.data(), length);
   error->text[length] = '\0';
+}
+
+void SetError(palpate_error* error, const std::exception& problem) noexcept
+{
+  try
+  {
+    SetError(error, MessageOf(problem));
+  }
+  catch (const std::exception&)
+  {
+    SetError(error, "no memory"); // short enough to need none
+  }
+}
+
+bool AreGiven(std::initializer_list<Argument> needed, palpate_error* error) noexcept
+{
+  for (const Argument& argument : needed)
+  {
+    const bool isMissing = argument.Array == nullptr && argument.Count > 0;
+    if (!isMissing && argument.Count <= MostElements)
+    {
+      continue;
+    }
+    if (error != nullptr)
+    {
+      std::snprintf(error->text, sizeof error->text,
+                    isMissing ? "the argument '%s' is NULL"
+                              : "the argument '%s' has too many elements",
+                    argument.Name);
+    }
+    return false;
+  }
+  return true;
 }
 
 int Told(const Status& status, palpate_error* error) noexcept

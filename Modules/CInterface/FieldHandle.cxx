@@ -2,6 +2,7 @@
 
 #include "ErrorText.h"
 #include "FieldBuilder.h"
+#include "GridArgument.h"
 
 using namespace palpate;
 
@@ -10,6 +11,11 @@ palpate_field* palpate_field_create(const int size[3], const double origin[3],
                                     const float* values, double iso, palpate_error* error)
 {
   return Guarded(error,
+                 {{size, "size"},
+                  {origin, "origin"},
+                  {spacing, "spacing"},
+                  {axes, "axes"},
+                  {values, "values"}},
                  [&]() -> palpate_field*
                  {
                    Matrix3 direction;
@@ -20,6 +26,7 @@ palpate_field* palpate_field_create(const int size[3], const double origin[3],
                    {
                      return nullptr;
                    }
+                   CheckVoxels(size);
                    FieldBuilder builder(grid);
                    const int channel = builder.AddChannel(SamplesOfGrid(values, grid));
                    builder.AddMaterial({channel, iso, FieldSense::AtLeast});
@@ -37,5 +44,7 @@ void palpate_field_free(palpate_field* field)
 
 int palpate_field_is_inside(const palpate_field* field, const double point[3])
 {
-  return field->Sampler.IsInsideWorld(0, VectorOf(point)) ? 1 : 0;
+  return field != nullptr && point != nullptr && field->Sampler.IsInsideWorld(0, VectorOf(point))
+             ? 1
+             : 0;
 }

@@ -1,5 +1,6 @@
 #include "GridArgument.h"
 
+#include "AvailableMemory.h"
 #include "ErrorText.h"
 
 #include <algorithm>
@@ -24,9 +25,15 @@ Status PlaceGrid(const int size[3], const double origin[3], const double spacing
                    "are unit vectors at right angles");
 }
 
+void CheckVoxels(const int size[3])
+{
+  CheckMemory("the grid", static_cast<double>(size[0]) * size[1] * size[2]);
+}
+
 VoxelMask CroppedMask(const uint8_t* inside, const int size[3], const double spacing[3])
 {
   const std::array<int, 3> of{size[0], size[1], size[2]};
+  CheckVoxels(size);
   std::vector<uint8_t> ones(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
                             static_cast<std::size_t>(size[2]));
   std::transform(inside, inside + ones.size(), ones.begin(),

@@ -118,7 +118,7 @@ palpate_model* palpate_model_create(int degree, const double* coefficients, cons
                                     palpate_error* error)
 {
   return Guarded(
-      error,
+      error, {{coefficients, "coefficients"}, {center, "center"}},
       [&]() -> palpate_model*
       {
         if (!IsDegree(degree, error))
@@ -133,7 +133,7 @@ palpate_model* palpate_model_create(int degree, const double* coefficients, cons
 palpate_model* palpate_model_create_parametric(int degree, const double* coefficients,
                                                palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{coefficients, "coefficients"}},
                  [&]() -> palpate_model*
                  {
                    if (!IsDegree(degree, error))
@@ -159,9 +159,13 @@ palpate_model* palpate_model_create_parametric(int degree, const double* coeffic
 palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
                                  int degree, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{points, "points", count}, {center, "center"}},
                  [&]() -> palpate_model*
                  {
+                   if (!IsDegree(degree, error))
+                   {
+                     return nullptr;
+                   }
                    RadialSamples samples;
                    for (std::size_t i = 0; i < count; ++i)
                    {
@@ -186,6 +190,11 @@ palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                                       palpate_error* error)
 {
   return Guarded(error,
+                 {{inside, "inside"},
+                  {size, "size"},
+                  {origin, "origin"},
+                  {spacing, "spacing"},
+                  {axes, "axes"}},
                  [&]() -> palpate_model*
                  {
                    IndexToWorld toWorld;
@@ -210,12 +219,12 @@ palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
 
 palpate_model* palpate_model_read(const char* path, palpate_error* error)
 {
-  return Guarded(error, [&] { return new palpate_model(ReadModel(path)); });
+  return Guarded(error, {{path, "path"}}, [&] { return new palpate_model(ReadModel(path)); });
 }
 
 int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{model, "model"}, {path, "path"}},
                  [&]
                  {
                    WriteModel(path, model->Document);
@@ -235,21 +244,26 @@ const char* palpate_model_changes(const palpate_model* model)
 
 int palpate_model_degree(const palpate_model* model)
 {
-  return DegreeOf(model->Document.Surface);
+  return model != nullptr ? DegreeOf(model->Document.Surface) : 0;
 }
 
 int palpate_model_is_star_shaped(const palpate_model* model)
 {
-  return StarOf(*model) != nullptr ? 1 : 0;
+  return model != nullptr && StarOf(*model) != nullptr ? 1 : 0;
 }
 
 int palpate_model_yields(const palpate_model* model)
 {
-  return model->Document.Elasticity != nullptr ? 1 : 0;
+  return model != nullptr && model->Document.Elasticity != nullptr ? 1 : 0;
 }
 
 size_t palpate_model_coefficients(const palpate_model* model, double* coefficients, size_t capacity)
 {
+  if (model == nullptr)
+  {
+    return 0;
+  }
+  capacity = coefficients != nullptr ? capacity : 0;
   std::size_t count = 0;
   const auto append = [&](const std::vector<double>& values)
   {
@@ -272,12 +286,20 @@ size_t palpate_model_coefficients(const palpate_model* model, double* coefficien
 
 void palpate_model_center(const palpate_model* model, double center[3])
 {
-  Copy(CenterOf(model->Document.Surface), center);
+  if (model != nullptr && center != nullptr)
+  {
+    Copy(CenterOf(model->Document.Surface), center);
+  }
 }
 
 int palpate_model_point(const palpate_model* model, const double direction[3], double point[3],
                         double normal[3], palpate_error* error)
 {
+  if (!AreGiven({{model, "model"}, {direction, "direction"}, {point, "point"}, {normal, "normal"}},
+                error))
+  {
+    return 0;
+  }
   const Vector3 towards = VectorOf(direction);
   if (!towards.allFinite() || !(towards.stableNorm() > 0.0))
   {
@@ -292,13 +314,14 @@ int palpate_model_evaluate(const palpate_model* model, const double* directions,
                            const palpate_evaluation* results, palpate_error* error)
 {
   return Guarded(
-      error, [&]
+      error, {{model, "model"}, {directions, "directions", count}, {results, "results"}},
+      [&]
       { return Told(EvaluateModel(model->Document.Surface, directions, count, *results), error); });
 }
 
 int palpate_model_body(const palpate_model* model, palpate_body* body, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{model, "model"}, {body, "body"}},
                  [&]
                  {
                    return std::visit(
@@ -325,7 +348,7 @@ int palpate_model_body(const palpate_model* model, palpate_body* body, palpate_e
 
 int palpate_model_spectrum(const palpate_model* model, double* spectrum, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{model, "model"}, {spectrum, "spectrum"}},
                  [&]
                  {
                    const std::vector<double> powers = PowerSpectrumOf(model->Document.Surface);
@@ -337,6 +360,10 @@ int palpate_model_spectrum(const palpate_model* model, double* spectrum, palpate
 int palpate_model_measure(const palpate_model* model, double* volume, double* area,
                           palpate_error* error)
 {
+  if (!AreGiven({{model, "model"}, {volume, "volume"}, {area, "area"}}, error))
+  {
+    return 0;
+  }
   palpate_body body;
   const int isMeasured = palpate_model_body(model, &body, error);
   if (isMeasured != 0)
@@ -351,6 +378,11 @@ int palpate_model_nearest(palpate_model* model, const double query[3], double po
                           double normal[3], double* distance, palpate_error* error)
 {
   return Guarded(error,
+                 {{model, "model"},
+                  {query, "query"},
+                  {point, "point"},
+                  {normal, "normal"},
+                  {distance, "distance"}},
                  [&]
                  {
                    std::call_once(model->HasSearch, [&] { PrepareSearch(*model); });
@@ -377,7 +409,7 @@ size_t palpate_mesh_triangle_count(int frequency)
 int palpate_model_mesh(const palpate_model* model, int frequency, double* points, double* normals,
                        int32_t* triangles, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{model, "model"}, {points, "points"}, {triangles, "triangles"}},
                  [&]
                  {
                    if (frequency < 1 || frequency > MostFrequency)

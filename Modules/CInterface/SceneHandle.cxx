@@ -1,5 +1,6 @@
 #include "SceneHandle.h"
 
+#include "ContactLimits.h"
 #include "ContactTracker.h"
 #include "ElasticContactModel.h"
 #include "ErrorText.h"
@@ -11,7 +12,7 @@
 #include "ParametricContactModel.h"
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -34,12 +35,14 @@ int Add(palpate_scene& scene, int id, std::shared_ptr<const ContactModel> model,
     SetError(error, "a structure's id is above 0, and no other structure of the scene has it");
     return 0;
   }
-  structures.push_back({"structure " + std::to_string(id),
-                        std::move(model),
-                        {law.stiffness, law.damping, 0.0},
-                        {law.static_friction, law.dynamic_friction},
-                        {},
-                        id});
+  const ContactLaw felt{law.stiffness, law.damping, 0.0};
+  const SurfaceFriction friction{law.static_friction, law.dynamic_friction};
+  if (Told(ContactLimits::Check(felt, friction), error) == 0)
+  {
+    return 0;
+  }
+  structures.push_back(
+      {"structure " + std::to_string(id), std::move(model), felt, friction, {}, id});
   const TouchStructure& added = structures.back();
   std::unique_ptr<ContactTracker> tracker;
   const bool isAdded =
@@ -67,9 +70,14 @@ Status ContactOf(const ModelDocument& document, std::shared_ptr<const ContactMod
 
 // Adds what `make` makes.
 template <typename Make>
-int AddMade(palpate_scene* scene, int id, const palpate_law* law, palpate_error* error, Make make)
+int AddMade(palpate_scene* scene, int id, const palpate_law* law,
+            std::initializer_list<Argument> needed, palpate_error* error, Make make)
 {
-  return Guarded(error,
+  if (!AreGiven({{scene, "scene"}, {law, "law"}}, error))
+  {
+    return 0;
+  }
+  return Guarded(error, needed,
                  [&]
                  {
                    std::shared_ptr<const ContactModel> contact;
@@ -85,7 +93,7 @@ using namespace palpate;
 
 palpate_scene* palpate_scene_create(void)
 {
-  return Guarded(nullptr, [] { return new palpate_scene; });
+  return Guarded(nullptr, {}, [] { return new palpate_scene; });
 }
 
 void palpate_scene_free(palpate_scene* scene)
@@ -96,7 +104,7 @@ void palpate_scene_free(palpate_scene* scene)
 int palpate_scene_add_model(palpate_scene* scene, int id, const palpate_model* model,
                             const palpate_law* law, palpate_error* error)
 {
-  return AddMade(scene, id, law, error,
+  return AddMade(scene, id, law, {{model, "model"}}, error,
                  [&](std::shared_ptr<const ContactModel>& contact)
                  { return ContactOf(model->Document, contact); });
 }
@@ -104,7 +112,7 @@ int palpate_scene_add_model(palpate_scene* scene, int id, const palpate_model* m
 int palpate_scene_add_field(palpate_scene* scene, int id, const palpate_field* field,
                             const palpate_law* law, palpate_error* error)
 {
-  return AddMade(scene, id, law, error,
+  return AddMade(scene, id, law, {{field, "field"}}, error,
                  [&](std::shared_ptr<const ContactModel>& contact)
                  { return FieldContactModel::Make(field->Field, 0, contact); });
 }
@@ -113,7 +121,8 @@ int palpate_scene_add_mesh(palpate_scene* scene, int id, const double* points, s
                            const int32_t* triangles, size_t triangle_count, const palpate_law* law,
                            palpate_error* error)
 {
-  return AddMade(scene, id, law, error,
+  return AddMade(scene, id, law,
+                 {{points, "points", point_count}, {triangles, "triangles", triangle_count}}, error,
                  [&](std::shared_ptr<const ContactModel>& contact)
                  {
                    std::vector<Vector3> corners;
@@ -133,11 +142,14 @@ int palpate_scene_add_mesh(palpate_scene* scene, int id, const double* points, s
 
 int palpate_scene_set_tool_radius(palpate_scene* scene, double radius, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{scene, "scene"}},
                  [&]
                  {
                    const ToolShape tool = ToolShape::Sphere(radius);
-                   const int isValid = Told(tool.Check(), error);
+                   const int isValid =
+                       radius > ContactLimits::ToolRadius
+                           ? Told(Status::Failure("a tool's radius is from 0 to 100 mm"), error)
+                           : Told(tool.Check(), error);
                    scene->Scene.Tool = isValid != 0 ? tool : scene->Scene.Tool;
                    return isValid;
                  });
@@ -146,10 +158,15 @@ int palpate_scene_set_tool_radius(palpate_scene* scene, double radius, palpate_e
 int palpate_scene_set_workspace(palpate_scene* scene, const double center[3], double scale,
                                 palpate_error* error)
 {
-  const Vector3 middle = VectorOf(center);
-  if (!middle.allFinite() || !(scale > 0.0) || !std::isfinite(scale))
+  if (!AreGiven({{scene, "scene"}, {center, "center"}}, error))
   {
-    SetError(error, "a workspace's centre is finite, and its scale is above 0");
+    return 0;
+  }
+  const Vector3 middle = VectorOf(center);
+  if (!middle.allFinite() || !(scale >= ContactLimits::LeastScale) ||
+      !(scale <= ContactLimits::LargestScale))
+  {
+    SetError(error, "a workspace's centre is finite, and its scale is from 0.001 to 1,000");
     return 0;
   }
   scene->Place = palpate_scene::Workspace{middle, scale};

@@ -42,7 +42,7 @@ int palpate_api_version(void)
 
 palpate_session* palpate_session_open(const char* device, palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{device, "device"}},
                  [&]() -> palpate_session*
                  {
                    auto session = std::make_unique<palpate_session>();
@@ -64,7 +64,7 @@ void palpate_session_free(palpate_session* session)
 int palpate_session_show(palpate_session* session, const palpate_scene* scene, int is_continuing,
                          palpate_error* error)
 {
-  return Guarded(error,
+  return Guarded(error, {{session, "session"}, {scene, "scene"}},
                  [&]
                  {
                    TouchSession& touch = session->Session;
@@ -89,7 +89,7 @@ int palpate_session_show(palpate_session* session, const palpate_scene* scene, i
 
 int palpate_session_read(palpate_session* session, palpate_state* state)
 {
-  return Guarded(nullptr,
+  return Guarded(nullptr, {{session, "session"}, {state, "state"}},
                  [&]
                  {
                    if (!session->Session.IsRunning())
@@ -118,7 +118,11 @@ int palpate_session_read(palpate_session* session, palpate_state* state)
 
 const char* palpate_session_problem(palpate_session* session)
 {
-  Guarded(nullptr,
+  if (session == nullptr)
+  {
+    return "";
+  }
+  Guarded(nullptr, {},
           [&]
           {
             session->Problem.clear();
@@ -138,7 +142,7 @@ const char* palpate_session_problem(palpate_session* session)
 
 void palpate_session_stop_force(palpate_session* session)
 {
-  if (session->Session.IsRunning())
+  if (session != nullptr && session->Session.IsRunning())
   {
     session->Session.Loop().SwitchOff();
   }
@@ -146,7 +150,7 @@ void palpate_session_stop_force(palpate_session* session)
 
 void palpate_session_allow_force(palpate_session* session)
 {
-  if (session->Session.IsRunning())
+  if (session != nullptr && session->Session.IsRunning())
   {
     session->Session.Loop().Rearm();
   }
@@ -154,6 +158,10 @@ void palpate_session_allow_force(palpate_session* session)
 
 int palpate_session_lead_hand(palpate_session* session, const double place[3])
 {
+  if (session == nullptr || place == nullptr)
+  {
+    return 0;
+  }
   const Vector3 goal = VectorOf(place);
   return goal.allFinite() && session->Session.IsRunning() &&
                  session->Session.LeadHand(session->Session.Frame().ToDevice(goal))

@@ -11,7 +11,7 @@ using namespace palpate;
 palpate_tracker* palpate_tracker_create(const palpate_scene* scene, palpate_error* error)
 {
   return Guarded(
-      error,
+      error, {{scene, "scene"}},
       [&]() -> palpate_tracker*
       {
         auto made = std::make_unique<palpate_tracker>();
@@ -38,6 +38,10 @@ void palpate_tracker_free(palpate_tracker* tracker)
 int palpate_tracker_follow(palpate_tracker* tracker, const double probe[3],
                            palpate_contact* contact)
 {
+  if (tracker == nullptr || probe == nullptr || contact == nullptr)
+  {
+    return 0;
+  }
   const Vector3 place = VectorOf(probe);
   Contact deepest;
   Vector3 force = Vector3::Zero();
@@ -73,6 +77,10 @@ int palpate_tracker_follow(palpate_tracker* tracker, const double probe[3],
 
 void palpate_tracker_release(palpate_tracker* tracker)
 {
+  if (tracker == nullptr)
+  {
+    return;
+  }
   for (palpate_tracker::Structure& structure : tracker->Structures)
   {
     structure.Tracker->Release();

@@ -10,7 +10,9 @@
  * prints.
  *
  * A function that can fail returns NULL or 0, leaves its outputs alone, and writes one sentence
- * into `error`, unless that is NULL. Functions without `error` cannot fail.
+ * into `error`, unless that is NULL. Functions without `error` cannot fail. An argument that is
+ * needed and NULL is such a failure; without `error` the function does nothing and returns 0, NULL
+ * or an empty text.
  *
  * Handles may be used by several threads at once where they are const, else by one at a time. */
 
@@ -271,9 +273,9 @@ extern "C"
 
   typedef struct palpate_law
   {
-    double stiffness;       /* N/mm; a structure that yields has its own */
-    double damping;         /* N s/mm */
-    double static_friction; /* coefficients: 0 <= dynamic <= static */
+    double stiffness;       /* N/mm, up to 100; a structure that yields has its own */
+    double damping;         /* N s/mm, up to 10 */
+    double static_friction; /* coefficients: 0 <= dynamic <= static <= 10 */
     double dynamic_friction;
   } palpate_law;
 
@@ -289,10 +291,10 @@ extern "C"
   int palpate_scene_add_mesh(palpate_scene* scene, int id, const double* points, size_t point_count,
                              const int32_t* triangles, size_t triangle_count,
                              const palpate_law* law, palpate_error* error);
-  /* A sphere; 1 mm unless set. 0 is a point. */
+  /* A sphere; 1 mm unless set. 0 is a point; up to 100 mm. */
   int palpate_scene_set_tool_radius(palpate_scene* scene, double radius, palpate_error* error);
-  /* Where the middle of the device's workspace is, and mm of the scene for one of the hand. Without
-   * it, a session begins with the whole scene in reach. */
+  /* Where the middle of the device's workspace is, and mm of the scene for one of the hand, 0.001
+   * to 1,000. Without it, a session begins with the whole scene in reach. */
   int palpate_scene_set_workspace(palpate_scene* scene, const double center[3], double scale,
                                   palpate_error* error);
 

@@ -72,9 +72,10 @@ TEST(DesignHandle, RefusesBadArgumentsInASentence)
   EXPECT_NE(std::string(error.text).find("no column weight"), std::string::npos);
   const Owned<palpate_design> design = DesignOf("~ age", &error);
   std::array<double, 6> values{};
-  EXPECT_EQ(
-      palpate_design_fit(design.get(), values.data(), 1, 1.0, nullptr, nullptr, nullptr, &error),
-      0);
+  std::array<double, 6> results{};
+  EXPECT_EQ(palpate_design_fit(design.get(), values.data(), 1, 1.0, results.data(), results.data(),
+                               results.data(), &error),
+            0);
   EXPECT_STREQ(error.text, "the confidence is not between 0 and 1");
   EXPECT_EQ(
       palpate_design_test(design.get(), 7, values.data(), 1, nullptr, nullptr, nullptr, &error), 0);

@@ -37,6 +37,25 @@ TEST(SceneHandle, RefusesBadLawsAndStaysAsItWas)
   EXPECT_EQ(scene->Scene.Structures.size(), 1U);
 }
 
+TEST(SceneHandle, RefusesLawsThatNoDeviceRenders)
+{
+  const auto scene = test::BallScene();
+  const auto ball = test::BallModel();
+  palpate_error error{};
+  for (const palpate_law& law :
+       {palpate_law{1000.0, 0.0, 0.0, 0.0}, palpate_law{100.1, 0.0, 0.0, 0.0},
+        palpate_law{0.5, 11.0, 0.0, 0.0}, palpate_law{0.5, 0.0, 1e3, 1.0}})
+  {
+    EXPECT_EQ(palpate_scene_add_model(scene.get(), 8, ball.get(), &law, &error), 0);
+    EXPECT_NE(std::strstr(error.text, "check its unit"), nullptr) << error.text;
+  }
+  EXPECT_EQ(palpate_scene_set_tool_radius(scene.get(), 101.0, &error), 0);
+  const double center[3] = {0.0, 0.0, 0.0};
+  EXPECT_EQ(palpate_scene_set_workspace(scene.get(), center, 1e4, &error), 0);
+  const palpate_law stiffest{100.0, 10.0, 10.0, 10.0};
+  EXPECT_EQ(palpate_scene_add_model(scene.get(), 8, ball.get(), &stiffest, &error), 1);
+}
+
 TEST(SceneHandle, RefusesBadMeshesToolsAndPlaces)
 {
   const auto scene = test::BallScene();
