@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <linux/sockios.h>
 #include <memory>
 #include <netdb.h>
 #include <netinet/in.h>
@@ -154,6 +153,6 @@ std::ptrdiff_t IgtlStream::Send(const std::uint8_t* bytes, std::size_t count) no
 std::size_t IgtlStream::Unconfirmed() const noexcept
 {
   int bytes = 0;
-  return ioctl(this->Peer, SIOCOUTQ, &bytes) == 0 ? static_cast<std::size_t>(bytes) : 0;
+  return ioctl(this->Peer, TIOCOUTQ, &bytes) == 0 ? static_cast<std::size_t>(bytes) : 0;
 }
 } // namespace palpate
