@@ -65,8 +65,8 @@ public:
   void Stop();
 
   /// Changes the scene from the next tick on; see Servo::Publish. If it fails, the previous scene
-  /// stays. `keepsTool`: a frame of another scale or rotation is moved so that a touching tool stays
-  /// in place and keeps its contact; Moved then includes that motion.
+  /// stays. `keepsTool`: a frame of another scale or rotation is moved so that a touching tool
+  /// stays in place and keeps its contact; Moved then includes that motion.
   Status Publish(TouchScene scene, WorkspaceFrame frame, SceneEntry entry, bool keepsTool = false);
   /// The current scene; null before the first.
   const std::shared_ptr<const TouchScene>& Scene() const { return this->Current; }

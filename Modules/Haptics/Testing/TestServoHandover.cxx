@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace palpate::servo_handover_test
 {
@@ -230,6 +234,86 @@ TEST(ServoHandover, SmallerScaleInContactIsSilentUntilTheHandHasLeft)
     EXPECT_EQ(run.TickAt(light), Vector3::Zero());
     run.MoveAndRest(light, {0.0, 0.0, 44.0});
     EXPECT_NEAR(run.MoveAndRest({0.0, 0.0, 44.0}, {0.0, 0.0, 40.0}).norm(), 1.0, 0.1); // 2 mm deep
+  }
+}
+
+// What a program may change of a scene while the hand is in it.
+const std::vector<std::pair<std::string, std::function<void(TouchScene&, const ModelMaker&)>>>
+    Changes = {
+        {"stiffer",
+         [](TouchScene& scene, const ModelMaker&) { scene.Structures[0].Law.Stiffness *= 2.5; }},
+        {"larger shape", [](TouchScene& scene, const ModelMaker& sphere)
+         { scene.Structures[0].Model = sphere(Radius + 1.0); }},
+        {"much larger shape", [](TouchScene& scene, const ModelMaker& sphere)
+         { scene.Structures[0].Model = sphere(Radius + 6.0); }},
+        {"other kind", [](TouchScene& scene, const ModelMaker&)
+         { scene.Structures[0].Model = HarmonicSphere(Radius); }},
+        {"larger tool", [](TouchScene& scene, const ModelMaker&)
+         { scene.Tool = ToolShape::SpherePoints(2.5, ToolShape::NeighbourCount); }},
+        {"smaller scale", [](TouchScene& scene, const ModelMaker&)
+         { scene.Frame = DeviceFrame(Matrix3::Identity(), 0.5, Vector3::Zero()); }},
+        {"larger scale about the hand", [](TouchScene& scene, const ModelMaker&)
+         { scene.Frame = DeviceFrame(Matrix3::Identity(), 2.0, -Pressed); }},
+        {"smaller scale about the hand", [](TouchScene& scene, const ModelMaker&)
+         { scene.Frame = DeviceFrame(Matrix3::Identity(), 0.4, 0.6 * Pressed); }},
+        {"moved over the hand",
+         [](TouchScene& scene, const ModelMaker&) {
+           scene.Frame = DeviceFrame(Matrix3::Identity(), 1.0, {0.0, 0.0, -8.0});
+         }},
+        {"turned",
+         [](TouchScene& scene, const ModelMaker&)
+         {
+           const Matrix3 turn = Eigen::AngleAxisd(0.5, Vector3::UnitX()).toRotationMatrix();
+           scene.Frame = DeviceFrame(turn, 1.0, Vector3::Zero());
+         }},
+        {"second structure",
+         [](TouchScene& scene, const ModelMaker& sphere)
+         {
+           scene.Structures.push_back(SceneOf(sphere(Radius + 3.0)).Structures[0]);
+           scene.Structures.back().Id = 20 + static_cast<int>(scene.Structures.size());
+         }},
+        {"other id", [](TouchScene& scene, const ModelMaker&) { scene.Structures[0].Id = 11; }}};
+
+// Each change alone and each after each other one, with a hand that rests and then pushes on.
+TEST(ServoHandover, NoPairOfChangesRaisesTheForceOfAHandThatRests)
+{
+  constexpr double Unnoticed = 0.05; // N
+  for (const ModelMaker& maker : Spheres)
+  {
+    std::map<double, std::shared_ptr<const ContactModel>> made;
+    const ModelMaker sphere = [&](double radius)
+    {
+      std::shared_ptr<const ContactModel>& model = made[radius];
+      model = model != nullptr ? model : maker(radius);
+      return model;
+    };
+    for (const auto& [first, change] : Changes)
+    {
+      for (const auto& [second, next] : Changes)
+      {
+        TouchScene scene = SceneOf(sphere(Radius));
+        test::ServoRun run(scene);
+        double most = run.MoveAndRest(Outside, Pressed).norm();
+        for (const auto& apply : {change, next})
+        {
+          apply(scene, sphere);
+          Continue(run, scene);
+          for (int tick = 0; tick < 250; ++tick)
+          {
+            ASSERT_LE(run.TickAt(Pressed).norm(), most + Unnoticed)
+                << first << ", " << second << ", tick " << tick;
+          }
+          most = run.TickAt(Pressed).norm();
+        }
+        const double stiffness = scene.Structures[0].Law.Stiffness;
+        for (int tick = 1; tick <= 100; ++tick)
+        {
+          const Vector3 hand = Pressed - Vector3(0.0, 0.0, 0.02 * tick);
+          ASSERT_LE(run.TickAt(hand).norm(), most + Unnoticed + stiffness * 0.02 * tick)
+              << first << ", " << second << ", pushing on, tick " << tick;
+        }
+      }
+    }
   }
 }
 
