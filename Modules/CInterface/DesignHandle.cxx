@@ -28,6 +28,12 @@ std::size_t ProductOf(std::size_t a, std::size_t b)
   return b > 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b;
 }
 
+// The numbers of `count` outcomes for each case of a design, which may be missing.
+std::size_t SizeOf(const palpate_design* design, std::size_t count)
+{
+  return design != nullptr ? ProductOf(design->GivenCases, count) : count;
+}
+
 // Throws if a text is missing, which the caller's guard tells.
 std::vector<std::string> TextsOf(const char* const* texts, std::size_t count, const char* name)
 {
@@ -124,6 +130,11 @@ palpate_design* palpate_design_create(const char* formula, size_t case_count, si
        {references, "references", reference_count}},
       [&]() -> palpate_design*
       {
+        if (case_count > MostElements)
+        {
+          SetError(error, "there are too many cases");
+          return nullptr;
+        }
         std::vector<std::string> cases;
         for (std::size_t i = 0; i < case_count; ++i)
         {
@@ -205,7 +216,7 @@ int palpate_design_fit(const palpate_design* design, const double* outcomes, siz
 {
   return Guarded(error,
                  {{design, "design"},
-                  {outcomes, "outcomes", outcome_count},
+                  {outcomes, "outcomes", SizeOf(design, outcome_count)},
                   {coefficients, "coefficients"},
                   {errors, "errors"},
                   {half_widths, "half_widths"}},
@@ -229,7 +240,7 @@ int palpate_design_test(const palpate_design* design, size_t term, const double*
                         size_t outcome_count, double* f, double* p, double* partial_r2,
                         palpate_error* error)
 {
-  return Guarded(error, {{design, "design"}, {outcomes, "outcomes", outcome_count}},
+  return Guarded(error, {{design, "design"}, {outcomes, "outcomes", SizeOf(design, outcome_count)}},
                  [&]
                  {
                    const Eigen::MatrixXd kept = OutcomesOf(design, outcomes, outcome_count);
@@ -247,7 +258,8 @@ int palpate_design_test_together(const palpate_design* design, size_t term, cons
                                  palpate_error* error)
 {
   return Guarded(
-      error, {{design, "design"}, {outcomes, "outcomes", outcome_count}, {found, "found"}},
+      error,
+      {{design, "design"}, {outcomes, "outcomes", SizeOf(design, outcome_count)}, {found, "found"}},
       [&]
       {
         MultivariateTest test;
@@ -272,7 +284,7 @@ int palpate_design_permute(const palpate_design* design, size_t term, const doub
 {
   return Guarded(error,
                  {{design, "design"},
-                  {outcomes, "outcomes", point_count},
+                  {outcomes, "outcomes", SizeOf(design, point_count)},
                   {areas, "areas", point_count},
                   {triangles, "triangles", triangle_count},
                   {whole_f, "whole_f"},

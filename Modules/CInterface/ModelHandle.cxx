@@ -239,7 +239,7 @@ void palpate_model_free(palpate_model* model)
 
 const char* palpate_model_changes(const palpate_model* model)
 {
-  return model->Changes.c_str();
+  return model != nullptr ? model->Changes.c_str() : "";
 }
 
 int palpate_model_degree(const palpate_model* model)

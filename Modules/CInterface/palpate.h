@@ -11,8 +11,9 @@
  *
  * A function that can fail returns NULL or 0, leaves its outputs alone, and writes one sentence
  * into `error`, unless that is NULL. Functions without `error` cannot fail. An argument that is
- * needed and NULL is such a failure; without `error` the function does nothing and returns 0, NULL
- * or an empty text.
+ * needed and NULL, and a count or a size that no machine holds, are such failures; a count that is
+ * wrong but smaller cannot be noticed. Without its arguments a function that has no `error` does
+ * nothing and returns 0, NULL or an empty text.
  *
  * Handles may be used by several threads at once where they are const, else by one at a time. */
 
@@ -217,7 +218,7 @@ extern "C"
   int palpate_design_fit(const palpate_design* design, const double* outcomes, size_t outcome_count,
                          double confidence, double* coefficients, double* errors,
                          double* half_widths, palpate_error* error);
-  /* F of a term given all others, for each outcome; its p and partial R^2. */
+  /* F of a term given all others, for each outcome; its p and partial R^2. NULL leaves one out. */
   int palpate_design_test(const palpate_design* design, size_t term, const double* outcomes,
                           size_t outcome_count, double* f, double* p, double* partial_r2,
                           palpate_error* error);
@@ -244,8 +245,8 @@ extern "C"
   /* The outcomes are of points of a surface, with their areas (mm^2) and triangles. By permutation
    * of the residuals under the other terms: t of a term with one column, else the root of F; p of
    * each point; p corrected for all points by the largest statistic and by threshold-free cluster
-   * enhancement; F of the whole surface and its p. Uses all processors; the results depend on the
-   * seed alone. */
+   * enhancement; F of the whole surface and its p. NULL leaves out one of the numbers of
+   * each point. Uses all processors; the results depend on the seed alone. */
   int palpate_design_permute(const palpate_design* design, size_t term, const double* outcomes,
                              size_t point_count, const double* areas, const int32_t* triangles,
                              size_t triangle_count, int permutations, uint64_t seed,

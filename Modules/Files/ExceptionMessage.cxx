@@ -1,7 +1,8 @@
 #include "ExceptionMessage.h"
 
+#include "AvailableMemory.h"
+
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -9,8 +10,7 @@ namespace palpate
 {
 std::string MessageOf(const std::exception& problem)
 {
-  if (dynamic_cast<const std::bad_alloc*>(&problem) != nullptr ||
-      dynamic_cast<const std::length_error*>(&problem) != nullptr)
+  if (SaysMemoryIsShort(problem))
   {
     return "there is not enough memory for this; use a smaller image, degree or frequency";
   }

@@ -138,8 +138,8 @@ void BindScenes(py::module_& module)
            py::arg("dynamic_friction") = 0.0,
            "Adds a Model or a Field and returns its id, above 0; unless given, the next free "
            "one.\n\n"
-           "stiffness: N/mm; a model that yields has its own. damping: N s/mm. Friction: "
-           "coefficients.")
+           "stiffness: N/mm, up to 100; a model that yields has its own. damping: N s/mm, up to "
+           "10. Friction: coefficients, up to 10.")
       .def("add", &AddField, py::arg("structure"), py::arg("id") = py::none(), py::kw_only(),
            py::arg("stiffness") = 0.5, py::arg("damping") = 0.0, py::arg("static_friction") = 0.0,
            py::arg("dynamic_friction") = 0.0)
@@ -149,7 +149,7 @@ void BindScenes(py::module_& module)
            py::arg("dynamic_friction") = 0.0,
            "Adds a closed mesh: points (n, 3), mm, and triangles (m, 3) of indices, "
            "counter-clockwise from outside.")
-      .def("set_tool_radius", &SetToolRadius, py::arg("radius"), "mm; 0 is a point.")
+      .def("set_tool_radius", &SetToolRadius, py::arg("radius"), "mm, up to 100; 0 is a point.")
       .def("set_workspace", &SetWorkspace, py::arg("center"), py::arg("scale") = 1.0,
            "Where the middle of the device's workspace is (3,), mm, and mm of the scene for one of "
            "the hand. Without it a session begins with the whole scene in reach.");

@@ -6,7 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -17,22 +21,72 @@ namespace palpate::arguments_test
 {
 namespace
 {
-// Calls a function of the interface with each of its pointers in turn as NULL, and the others as
-// given.
-template <typename Function, typename Arguments, std::size_t... All>
-void CallWithNulls(const char* name, Function function, const Arguments& given,
-                   std::index_sequence<All...>)
+// Frees what a function made.
+template <typename Handle>
+void Drop(Handle* made)
+{
+  if constexpr (!std::is_const_v<Handle>)
+  {
+    test::Owned<Handle>{made};
+  }
+}
+
+// What a function returned without an argument: 0, NULL or an empty text where it has no error.
+template <typename Result>
+bool IsNothing(Result result)
+{
+  if constexpr (std::is_same_v<Result, const char*>)
+  {
+    return result == nullptr || *result == '\0';
+  }
+  return result == Result{};
+}
+
+// Calls a function without one of its arguments, and with the others as given. It fails and says
+// so, unless it does without that argument.
+template <std::size_t Missing, typename Result, typename... Arguments>
+void CallWithout(Result (*function)(Arguments...), std::tuple<Arguments...> arguments)
+{
+  constexpr std::size_t last = sizeof...(Arguments) - 1;
+  using Last = std::tuple_element_t<last, std::tuple<Arguments...>>;
+  std::get<Missing>(arguments) = nullptr;
+  if constexpr (std::is_void_v<Result>)
+  {
+    std::apply(function, arguments);
+  }
+  else
+  {
+    if constexpr (std::is_same_v<Last, palpate_error*> && Missing != last)
+    {
+      palpate_error error{};
+      std::get<last>(arguments) = &error;
+      const Result result = std::apply(function, arguments);
+      EXPECT_NE(IsNothing(result), error.text[0] == '\0');
+      EXPECT_TRUE(!IsNothing(result) || std::strstr(error.text, "is NULL") != nullptr)
+          << error.text;
+      return;
+    }
+    const Result result = std::apply(function, arguments);
+    constexpr bool hasError = std::is_same_v<Last, palpate_error*>;
+    EXPECT_TRUE(Missing > 0 || hasError || IsNothing(result));
+    if constexpr (std::is_pointer_v<Result>)
+    {
+      Drop(result);
+    }
+  }
+}
+
+template <typename Result, typename... Arguments, std::size_t... All>
+void CallWithNulls(const char* name, Result (*function)(Arguments...),
+                   const std::tuple<Arguments...>& given, std::index_sequence<All...>)
 {
   const auto without = [&](auto missing)
   {
-    Arguments arguments = given;
-    auto& argument = std::get<decltype(missing)::value>(arguments);
-    using Kind = std::remove_reference_t<decltype(argument)>;
-    if constexpr (std::is_pointer_v<Kind>)
+    constexpr std::size_t index = decltype(missing)::value;
+    if constexpr (std::is_pointer_v<std::tuple_element_t<index, std::tuple<Arguments...>>>)
     {
-      argument = nullptr;
-      SCOPED_TRACE(std::string(name) + ", argument " + std::to_string(decltype(missing)::value));
-      static_cast<void>(std::apply(function, arguments));
+      SCOPED_TRACE(std::string(name) + ", argument " + std::to_string(index));
+      CallWithout<index>(function, given);
     }
   };
   (without(std::integral_constant<std::size_t, All>{}), ...);
@@ -89,6 +143,7 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   SURVIVES(palpate_model_read, "absent.json", e);
   SURVIVES(palpate_model_write, m, "/absent/folder/a.json", e);
   SURVIVES(palpate_model_free, m);
+  SURVIVES(palpate_model_changes, m);
   SURVIVES(palpate_model_degree, m);
   SURVIVES(palpate_model_is_star_shaped, m);
   SURVIVES(palpate_model_yields, m);
@@ -137,6 +192,10 @@ TEST(Arguments, StatisticsSurviveEveryNull)
   const char* const names[] = {"age"};
   const char* const values[] = {"1", "2", "4", "3", "7"};
   const char* const references[] = {"age=1"};
+  for (std::size_t i = 0; i < b.A.size(); ++i)
+  {
+    b.A[i] = std::sin(static_cast<double>(i * i));
+  }
   const auto design = Design();
   ASSERT_NE(design, nullptr);
   const palpate_design* d = design.get();
@@ -147,13 +206,13 @@ TEST(Arguments, StatisticsSurviveEveryNull)
   SURVIVES(palpate_design_term_count, d);
   SURVIVES(palpate_design_column_name, d, 0);
   palpate_term term{};
-  SURVIVES(palpate_design_term, d, 1, &term);
+  SURVIVES(palpate_design_term, d, 0, &term);
   SURVIVES(palpate_design_matrix, d, b.Cases.data(), b.A.data());
   SURVIVES(palpate_design_fit, d, b.A.data(), 3, 0.95, b.B.data(), b.C.data(), b.D.data(), e);
-  SURVIVES(palpate_design_test, d, 1, b.A.data(), 3, b.B.data(), b.C.data(), b.D.data(), e);
+  SURVIVES(palpate_design_test, d, 0, b.A.data(), 3, b.B.data(), b.C.data(), b.D.data(), e);
   palpate_multivariate multivariate{};
-  SURVIVES(palpate_design_test_together, d, 1, b.A.data(), 2, &multivariate, e);
-  SURVIVES(palpate_design_permute, d, 1, b.A.data(), 3, b.B.data(), b.Triangles.data(), 1, 5, 1,
+  SURVIVES(palpate_design_test_together, d, 0, b.A.data(), 2, &multivariate, e);
+  SURVIVES(palpate_design_permute, d, 0, b.A.data(), 3, b.B.data(), b.Triangles.data(), 1, 5, 1,
            b.C.data(), b.C.data(), b.D.data(), b.E.data(), &b.Number, &b.Number, e);
   const char* const missing[] = {"1", "2", nullptr, "3", "7"};
   EXPECT_EQ(palpate_design_create("~ age", 5, 1, names, missing, 0, nullptr, e), nullptr);
@@ -197,6 +256,26 @@ TEST(Arguments, ScenesAndSessionsSurviveEveryNull)
   SURVIVES(palpate_session_free, session.get());
 }
 
+// A new function joins the tests above.
+TEST(Arguments, EveryFunctionIsTriedWithoutItsArguments)
+{
+  std::ifstream in(PALPATE_C_INTERFACE "/Testing/TestArguments.cxx");
+  const std::string source{std::istreambuf_iterator<char>(in), {}};
+  std::ifstream listed(PALPATE_C_INTERFACE "/Testing/functions-" +
+                       std::to_string(PALPATE_API_VERSION) + ".txt");
+  const std::set<std::string> withoutPointers{"palpate_version", "palpate_api_version",
+                                              "palpate_scene_create", "palpate_mesh_point_count",
+                                              "palpate_mesh_triangle_count"};
+  int count = 0;
+  for (std::string name; listed >> name; ++count)
+  {
+    EXPECT_TRUE(withoutPointers.count(name) > 0 ||
+                source.find("SURVIVES(" + name + ",") != std::string::npos)
+        << name;
+  }
+  EXPECT_GT(count, 50);
+}
+
 TEST(Arguments, NullIsNamed)
 {
   palpate_error error{};
@@ -204,48 +283,92 @@ TEST(Arguments, NullIsNamed)
   EXPECT_STREQ(error.text, "the argument 'device' is NULL");
 }
 
-TEST(Arguments, AbsurdSizesAreRefusedInOwnWords)
+// Collects the messages of calls that have to fail.
+struct Refusals
+{
+  palpate_error Error{};
+  std::vector<std::string> Messages;
+
+  template <typename Result>
+  void operator()(Result result)
+  {
+    EXPECT_EQ(result, Result{});
+    this->Messages.emplace_back(this->Error.text);
+    this->Error.text[0] = '\0';
+  }
+
+  ~Refusals()
+  {
+    for (const std::string& message : this->Messages)
+    {
+      EXPECT_NE(message, "");
+      for (const char* foreign : {"::", "bad_alloc", "max_size", "_M_", "basic_string"})
+      {
+        EXPECT_EQ(message.find(foreign), std::string::npos) << message;
+      }
+    }
+  }
+};
+
+TEST(Arguments, AbsurdGridsAndDegreesAreRefusedInOwnWords)
 {
   Buffers b;
-  const int absurd[3] = {65536, 65536, 65536};
-  const int most = std::numeric_limits<int>::max();
-  const int beyond[3] = {most, most, most};
-  std::vector<std::string> messages;
-  const auto refused = [&](const void* made)
+  constexpr int most = std::numeric_limits<int>::max();
+  Refusals refused;
+  palpate_error* e = &refused.Error;
+  for (const std::array<int, 3>& size :
+       {std::array<int, 3>{65536, 65536, 65536}, {most, most, most}, {0, 10, 10}, {-1, -1, 10}})
   {
-    EXPECT_EQ(made, nullptr);
-    messages.emplace_back(b.Error.text);
-    b.Error.text[0] = '\0';
-  };
-  palpate_error* e = &b.Error;
-  for (const int* size : {absurd, beyond})
-  {
-    refused(palpate_model_fit_mask(b.Mask.data(), size, Origin, Spacing, Axes, 8, 0, e));
-    refused(palpate_compared_of_mask(b.Mask.data(), size, Origin, Spacing, Axes, e));
-    refused(palpate_field_create(size, Origin, Spacing, Axes, b.Values.data(), 0.5, e));
+    const int* s = size.data();
+    refused(palpate_model_fit_mask(b.Mask.data(), s, Origin, Spacing, Axes, 8, 0, e));
+    refused(palpate_compared_of_mask(b.Mask.data(), s, Origin, Spacing, Axes, e));
+    refused(palpate_field_create(s, Origin, Spacing, Axes, b.Values.data(), 0.5, e));
   }
+  const auto ball = test::BallModel();
+  for (const int absurd : {-1, most, std::numeric_limits<int>::min()})
+  {
+    refused(palpate_model_create(absurd, b.A.data(), Origin, e));
+    refused(palpate_model_create_parametric(absurd, b.A.data(), e));
+    refused(palpate_model_fit(b.A.data(), 4, Origin, absurd, e));
+    refused(palpate_model_fit_mask(b.Mask.data(), Size, Origin, Spacing, Axes, absurd, 0, e));
+    refused(palpate_model_fit_mask(b.Mask.data(), Size, Origin, Spacing, Axes, absurd, 1, e));
+    refused(palpate_model_mesh(ball.get(), absurd, b.A.data(), nullptr, b.Triangles.data(), e));
+    refused(palpate_model_displacement(ball.get(), absurd, b.A.data(), b.B.data(), b.C.data(),
+                                       b.Triangles.data(), b.D.data(), e));
+  }
+}
+
+TEST(Arguments, AbsurdCountsAreRefusedInOwnWords)
+{
+  Buffers b;
+  Refusals refused;
+  palpate_error* e = &refused.Error;
+  const auto ball = test::BallModel();
+  const auto scene = test::BallScene();
+  const auto design = Design();
+  const char* const text = "1";
+  double* a = b.A.data();
+  int32_t* t = b.Triangles.data();
+  const palpate_evaluation evaluation{};
+  palpate_multivariate multivariate{};
   for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 3 + 1, std::size_t{1} << 40U})
   {
-    refused(palpate_model_fit(b.A.data(), count, Origin, 4, e));
-    refused(palpate_compared_of_mesh(b.A.data(), count, b.Triangles.data(), 1, e));
-    refused(palpate_compared_of_mesh(b.A.data(), 3, b.Triangles.data(), count, e));
-    const char* const text = "1";
+    refused(palpate_model_fit(a, count, Origin, 4, e));
+    refused(palpate_model_evaluate(ball.get(), a, count, &evaluation, e));
+    refused(palpate_compared_of_mesh(a, count, t, 1, e));
+    refused(palpate_compared_of_mesh(a, 3, t, count, e));
+    refused(palpate_scene_add_mesh(scene.get(), 1, a, count, t, 1, &test::Stiff, e));
+    refused(palpate_scene_add_mesh(scene.get(), 1, a, 3, t, count, &test::Stiff, e));
     refused(palpate_design_create("~ a", count, 3, &text, &text, 0, nullptr, e));
     refused(palpate_design_create("~ a", 1, count, &text, &text, 0, nullptr, e));
-    EXPECT_EQ(palpate_model_evaluate(test::BallModel().get(), b.A.data(), count, nullptr, e), 0);
-    EXPECT_EQ(palpate_scene_add_mesh(test::BallScene().get(), 1, b.A.data(), count,
-                                     b.Triangles.data(), 1, &test::Stiff, e),
-              0);
-  }
-  refused(palpate_model_create(-1, b.A.data(), Origin, e));
-  refused(palpate_model_fit(b.A.data(), 4, Origin, most, e));
-  for (const std::string& message : messages)
-  {
-    EXPECT_NE(message, "");
-    for (const char* foreign : {"std::", "bad_alloc", "max_size", "_M_", "basic_string"})
-    {
-      EXPECT_EQ(message.find(foreign), std::string::npos) << message;
-    }
+    refused(palpate_design_create("~ 1", count, 0, nullptr, nullptr, 0, nullptr, e));
+    refused(palpate_design_create("~ a", 1, 1, &text, &text, count, &text, e));
+    refused(palpate_design_fit(design.get(), a, count, 0.95, a, a, a, e));
+    refused(palpate_design_test(design.get(), 0, a, count, a, a, a, e));
+    refused(palpate_design_test_together(design.get(), 0, a, count, &multivariate, e));
+    refused(palpate_design_permute(design.get(), 0, a, count, a, t, 1, 5, 1, a, a, a, a, a, a, e));
+    refused(palpate_design_permute(design.get(), 0, a, 3, a, t, count, 5, 1, a, a, a, a, a, a, e));
+    refused(palpate_design_test(design.get(), count, a, 3, a, a, a, e));
   }
 }
 } // namespace
