@@ -3,6 +3,7 @@
 #include "CancelDeadline.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "ContactLimits.h"
 #include "DecimalText.h"
 #include "DeviceOption.h"
 #include "DrillExport.h"
@@ -148,11 +149,11 @@ void TouchCommand::DeclareStructure(CLI::App& app)
       ->capture_default_str();
   app.add_option("--damping", this->Structure.Damping, "Damping, N s/mm")
       ->type_name("NS/MM")
-      ->check(FiniteNumber::Between(0.0, 10.0))
+      ->check(FiniteNumber::Between(0.0, ContactLimits::Damping))
       ->capture_default_str();
   app.add_option("--friction", this->Structure.Friction.Static,
                  "Coefficient of static friction; sliding friction is 0.8 of it")
-      ->check(FiniteNumber::Between(0.0, 10.0))
+      ->check(FiniteNumber::Between(0.0, ContactLimits::Friction))
       ->capture_default_str();
   app.add_option("--wear", this->Structure.Drill.Wear,
                  "Wear of sub-voxel structures under the drill, in mm per N of push and m of "
@@ -162,7 +163,7 @@ void TouchCommand::DeclareStructure(CLI::App& app)
   app.add_option("--tool-radius", this->Tool.Radius,
                  "Radius of the spherical tool, mm (0: a point)")
       ->type_name("MM")
-      ->check(FiniteNumber::Between(0.0, 100.0))
+      ->check(FiniteNumber::Between(0.0, ContactLimits::ToolRadius))
       ->capture_default_str();
   app.add_option(
          "--tool-points", this->Tool.Points,

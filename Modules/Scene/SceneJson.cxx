@@ -1,5 +1,6 @@
 #include "SceneJson.h"
 
+#include "ContactLimits.h"
 #include "DrillLimits.h"
 #include "FitSettingsJson.h"
 #include "RetiredKeys.h"
@@ -16,8 +17,6 @@ namespace
 constexpr double LargestPlace = 1e6;     // mm, of coordinates
 constexpr double LargestLength = 1e4;    // mm, of tools
 constexpr double LargestStiffness = 1e4; // N/mm
-constexpr double LargestDamping = 10.0;  // N s/mm
-constexpr double LargestFriction = 10.0;
 constexpr double LargestIso = 1e300;
 constexpr int LargestId = 2'000'000'000;
 
@@ -171,9 +170,9 @@ void ExchangeStructure(JsonFields& fields, SceneStructure& structure)
   fields.Exchange("interpolation", structure.Interpolation, InterpolationWords);
   fields.Exchange("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
   fields.Exchange("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
-  fields.Exchange("damping_ns_per_mm", structure.Damping, 0.0, LargestDamping);
-  fields.Exchange("static_friction", structure.Friction.Static, 0.0, LargestFriction);
-  fields.Exchange("dynamic_friction", structure.Friction.Dynamic, 0.0, LargestFriction);
+  fields.Exchange("damping_ns_per_mm", structure.Damping, 0.0, ContactLimits::Damping);
+  fields.Exchange("static_friction", structure.Friction.Static, 0.0, ContactLimits::Friction);
+  fields.Exchange("dynamic_friction", structure.Friction.Dynamic, 0.0, ContactLimits::Friction);
   ExchangeEffects(fields, structure);
   const DrillLaw& law = structure.Drill;
   if (fields.IsReading() || law.Wear != 0.0 || law.Drag != 0.0 || law.Vibration != 0.0)
