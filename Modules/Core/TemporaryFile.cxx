@@ -40,7 +40,9 @@ std::string Obstacle(const std::filesystem::path& target)
   {
     return "it is not a regular file";
   }
-  if (std::filesystem::exists(status) && access(target.c_str(), W_OK) != 0)
+  // A link is replaced itself, so the permissions of the file behind it do not matter.
+  if (std::filesystem::exists(status) && !std::filesystem::is_symlink(target, ignored) &&
+      access(target.c_str(), W_OK) != 0)
   {
     return "the existing file is write-protected";
   }
@@ -95,10 +97,7 @@ void TemporaryFile::Keep() noexcept
 Status TemporaryFile::Create(const std::filesystem::path& target, const std::string& prefix,
                              const std::string& suffix)
 {
-  std::error_code ignored;
-  this->Final = std::filesystem::is_symlink(target, ignored)
-                    ? std::filesystem::weakly_canonical(target, ignored)
-                    : target;
+  this->Final = target;
   if (const std::string obstacle = Obstacle(this->Final); !obstacle.empty())
   {
     return Status::Failure(obstacle);
@@ -124,7 +123,7 @@ Status TemporaryFile::Create(const std::filesystem::path& target, const std::str
 Status TemporaryFile::Publish()
 {
   struct stat old = {};
-  const bool isReplaced = stat(this->Final.c_str(), &old) == 0;
+  const bool isReplaced = lstat(this->Final.c_str(), &old) == 0 && S_ISREG(old.st_mode);
   if (!Sync(this->Temporary, O_NOFOLLOW) ||
       (isReplaced && chmod(this->Temporary.c_str(), old.st_mode & 07777) != 0) ||
       std::rename(this->Temporary.c_str(), this->Final.c_str()) != 0)

@@ -9,7 +9,8 @@ namespace palpate
 {
 /// A new file in the folder of the file that it will replace. Its name is random, was free, and is
 /// not a link, so no other process uses it. It replaces the target atomically, and is removed with
-/// the object unless it was published or kept. A link as target is followed.
+/// the object unless it was published or kept. A symbolic link as target is replaced
+/// itself: the file behind it is never written.
 class TemporaryFile
 {
 public:
@@ -27,8 +28,9 @@ public:
   const std::filesystem::path& Path() const noexcept { return this->Temporary; }
   const std::filesystem::path& Target() const noexcept { return this->Final; }
 
-  /// Renames the file to the target, with the target's permissions if it exists. On return, file
-  /// and name are on the disk. Error messages are clauses; on failure the file stays as it is.
+  /// Renames the file to the target, with the permissions of the file it replaces, if any. On
+  /// return, file and name are on the disk. Error messages are clauses; on failure the file stays
+  /// as it is.
   Status Publish();
   /// Leaves the file under its temporary name.
   void Keep() noexcept;

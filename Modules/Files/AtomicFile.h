@@ -8,9 +8,9 @@ namespace palpate
 {
 /// A file that appears under its name complete, or not at all: it is written under a temporary name
 /// in the same folder and renamed by Commit(). Without Commit(), the destructor removes it and an
-/// existing file is unchanged. A symbolic link is followed, and an existing file's permissions are
-/// kept. A committed file survives a power failure: file and folder are synchronised with the disk,
-/// which takes some milliseconds each.
+/// existing file is unchanged. A symbolic link is replaced itself and never followed; an existing
+/// file's permissions are kept. A committed file survives a power failure: file and folder are
+/// synchronised with the disk, which takes some milliseconds each.
 class AtomicFile
 {
 public:

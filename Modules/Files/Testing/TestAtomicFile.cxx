@@ -114,7 +114,7 @@ TEST(AtomicFile, ConcurrentWritersDoNotMix)
   EXPECT_EQ(ReadAll(folder / "a"), "second");
 }
 
-TEST(AtomicFile, KeepsSymbolicLink)
+TEST(AtomicFile, ReplacesSymbolicLinkAndNotItsTarget)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "elsewhere");
@@ -123,8 +123,9 @@ TEST(AtomicFile, KeepsSymbolicLink)
   AtomicFile file(folder / "link");
   WriteAll(file.TemporaryPath(), "new");
   file.Commit();
-  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
-  EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "link"));
+  EXPECT_EQ(ReadAll(folder / "link"), "new");
+  EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "old");
 }
 
 TEST(AtomicFile, KeepsPermissionsOfExistingFile)

@@ -116,6 +116,19 @@ TEST_F(TouchRecorderTest, DoesNotFollowPlantedLink)
   EXPECT_EQ(this->TicksIn(this->Path()), 10U);
 }
 
+TEST_F(TouchRecorderTest, ReplacesLinkOfItsNameAndNotTheTarget)
+{
+  test::WriteAll(this->Folder / "victim", "untouched");
+  std::filesystem::create_symlink("victim", this->Path());
+  TouchRecorder recorder;
+  ASSERT_TRUE(this->Start(recorder).IsOk());
+  ASSERT_TRUE(this->Take(recorder, 10).IsOk());
+  ASSERT_TRUE(recorder.Finish().IsOk());
+  EXPECT_EQ(test::ReadAll(this->Folder / "victim"), "untouched");
+  EXPECT_FALSE(std::filesystem::is_symlink(this->Path()));
+  EXPECT_EQ(this->TicksIn(this->Path()), 10U);
+}
+
 TEST_F(TouchRecorderTest, RefusesSecondRecorderOfSameName)
 {
   TouchRecorder first;

@@ -165,7 +165,7 @@ TEST(OutputSet, MessagesNameRequestedFile)
   }
 }
 
-TEST(OutputSet, KeepsSymbolicLink)
+TEST(OutputSet, ReplacesSymbolicLinkAndNotItsTarget)
 {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "elsewhere");
@@ -173,8 +173,9 @@ TEST(OutputSet, KeepsSymbolicLink)
   std::filesystem::create_directory(folder / "out");
   std::filesystem::create_symlink("../elsewhere/target", folder / "out/a.txt");
   WriteOutputSet(folder / "out", WriteSmallAndLarge);
-  EXPECT_TRUE(std::filesystem::is_symlink(folder / "out/a.txt"));
-  EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "new a");
+  EXPECT_FALSE(std::filesystem::is_symlink(folder / "out/a.txt"));
+  EXPECT_EQ(ReadAll(folder / "out/a.txt"), "new a");
+  EXPECT_EQ(ReadAll(folder / "elsewhere/target"), "old");
 }
 } // namespace
 } // namespace palpate::output_folder_test
