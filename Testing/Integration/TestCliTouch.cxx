@@ -46,6 +46,37 @@ TEST(CliTouch, SweepsMaskAndWritesForces)
   EXPECT_EQ(device.Code, 0) << device.Errors;
 }
 
+TEST(CliTouch, LinksInPlaceOfItsFilesAreReplacedAndNotFollowed)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  const std::vector<std::string> touch{"touch",   "a.nii.gz", "--label",  "1",
+                                       "--speed", "200",      "--output", "felt"};
+  const CommandRun first = RunPalpate(touch, folder.Path());
+  ASSERT_EQ(first.Code, 0) << first.Errors;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "felt"))
+  {
+    files.push_back(entry.path());
+  }
+  ASSERT_FALSE(files.empty());
+  std::filesystem::create_directory(folder / "victims");
+  for (const auto& file : files)
+  {
+    const std::filesystem::path victim = folder / "victims" / file.filename();
+    WriteAll(victim, "untouched");
+    std::filesystem::remove(file);
+    std::filesystem::create_symlink(victim, file);
+  }
+  const CommandRun again = RunPalpate(touch, folder.Path());
+  ASSERT_EQ(again.Code, 0) << again.Errors;
+  for (const auto& file : files)
+  {
+    EXPECT_FALSE(std::filesystem::is_symlink(file)) << file;
+    EXPECT_EQ(ReadAll(folder / "victims" / file.filename()), "untouched") << file;
+  }
+}
+
 TEST(CliTouch, RecordingHasOneLinePerTick)
 {
   const TemporaryFolder folder;

@@ -207,8 +207,17 @@ TEST_F(StyleHapticTest, ClutchHoldsToolWithoutForce)
   SteadyClock clock;
   auto owned = std::make_unique<test::PlacedDevice>(clock);
   test::PlacedDevice* device = owned.get();
-  device->Put({15.0, 0.0, 0.0}, 0);
+  const auto move = [&](double from, double to)
+  {
+    for (double part = 0.0; part <= 1.0; part += 0.05) // no faster than a hand
+    {
+      device->Put({from + part * (to - from), 0.0, 0.0}, 0);
+      std::this_thread::sleep_for(std::chrono::milliseconds(4));
+    }
+  };
+  device->Put({25.0, 0.0, 0.0}, 0);
   ASSERT_TRUE(this->Touch->StartTouch(std::move(owned)));
+  move(25.0, 15.0);
   ASSERT_TRUE(this->PollUntil([&] { return device->Force() > 0.5; }));
   device->Put({15.0, 0.0, 0.0}, 4);
   ASSERT_TRUE(this->Comes(Style::ButtonPressEvent));
@@ -224,8 +233,12 @@ TEST_F(StyleHapticTest, ClutchHoldsToolWithoutForce)
   EXPECT_EQ(device->Force(), 0.0);
   device->Put({-15.0, 0.0, 0.0}, 0);
   ASSERT_TRUE(this->Comes(Style::ButtonReleaseEvent));
+  // The sphere around the tool is silent until the tool has left it.
+  EXPECT_TRUE(this->PollUntil([&] { return (this->Probe() - held).norm() < 1e-9; }));
+  EXPECT_EQ(device->Force(), 0.0);
+  move(-15.0, -5.0);
+  move(-5.0, -15.0);
   EXPECT_TRUE(this->PollUntil([&] { return device->Force() > 0.5; }));
-  EXPECT_LT((this->Probe() - held).norm(), 1e-9);
   EXPECT_LT(this->Proxy().x() - this->Probe().x(), 10.0); // pushed out to the same side
   EXPECT_GT(this->Proxy().x(), this->Probe().x());
 }
@@ -244,6 +257,11 @@ TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFSwitchesThemOn)
   EXPECT_TRUE(this->Touch->IsTouching());
   this->Interactor->SetKeyCode('f');
   this->Interactor->InvokeEvent(vtkCommand::CharEvent);
+  ASSERT_TRUE(
+      this->PollUntil([&] { return this->Touch->GetStatusText() == Describe(SafetyFault::None); }));
+  this->MoveMouse(36, 0);
+  ASSERT_TRUE(this->PollUntil([&] { return this->Probe().x() > 30.0; }));
+  this->MoveMouse(-36, 0);
   EXPECT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
   EXPECT_EQ(this->Touch->GetStatusText(), Describe(SafetyFault::None));
 }
@@ -265,10 +283,11 @@ TEST_F(StyleHapticTest, AddsStructureWhileTouching)
 {
   this->StartNextToTheSphere();
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(45.0, 0.0, 0.0);
+  sphere->SetCenter(35.0, 25.0, 0.0);
   sphere->SetRadius(15.0);
   sphere->Update();
   EXPECT_EQ(this->Touch->AddSurface(sphere->GetOutput(), 0.3), 1);
+  this->MoveMouse(0, 26); // 13 mm up
   EXPECT_TRUE(this->Comes(Style::ContactBeginEvent));
   this->Touch->RemoveAllStructures();
   EXPECT_TRUE(this->Comes(Style::ContactEndEvent));

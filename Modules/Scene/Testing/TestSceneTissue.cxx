@@ -202,7 +202,7 @@ TEST_F(SceneTissueTest, WarnsOfInclusionsThatLieOutside)
   this->WriteBall(this->LesionPath, 15.6, 1.5);
   const std::vector<std::string> outside = Build({this->Gland(), this->Lesion(60.0)}).Warnings;
   ASSERT_EQ(outside.size(), 1U);
-  EXPECT_NE(outside.front().find("lesion.nii.gz lies outside of label 1"), std::string::npos)
+  EXPECT_NE(outside.front().find("lesion.nii.gz lies outside of gland"), std::string::npos)
       << outside.front();
   TouchScript script;
   script.Duration = 0.1;
@@ -216,7 +216,7 @@ TEST_F(SceneTissueTest, WarnsOfInclusionsThatLieMostlyOutside)
   const std::vector<std::string> warnings = Build({this->Gland(), this->Lesion(60.0)}).Warnings;
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings.front().find(" % of "), std::string::npos) << warnings.front();
-  EXPECT_NE(warnings.front().find("lies in label 1"), std::string::npos) << warnings.front();
+  EXPECT_NE(warnings.front().find("lies in gland"), std::string::npos) << warnings.front();
 }
 
 TEST_F(SceneTissueTest, InclusionInOneOfTwoOrgansIsNoWarning)
