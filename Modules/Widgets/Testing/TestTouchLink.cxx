@@ -102,7 +102,16 @@ TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
   QPushButton* force = this->Button("stop-force");
   WaitUntil([&] { return force->isEnabled() && force->text() == "Allow force again"; });
   force->click();
-  this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceDevice) > 0.05; });
+  this->FeelUntil([this]
+                  { return this->Study->Reading().Newest.Safety.Fault == SafetyFault::None; });
+  // The ball around the tool is silent until the tool has left it.
+  QWidget* canvas = this->Window->Views()->Space()->Canvas();
+  for (int notch = 0; notch < 40; ++notch)
+  {
+    Wheel(canvas, this->PlaceOf(this->SphereCenter), -1);
+  }
+  this->FeelUntil([this] { return !this->Study->Reading().Newest.IsBuried; });
+  this->PressByMouse();
 }
 
 TEST_F(TouchLinkTest, KeyDIsPedalUnlessTyping)
