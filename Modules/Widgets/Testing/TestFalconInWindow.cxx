@@ -77,7 +77,13 @@ protected:
     ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
     WaitUntil([this] { return this->Study->Reading().Newest.State == DeviceState::Ready; });
     const Vector3 sphere = this->Study->Current().Touch().Frame().ToDevice({-15.0, 0.0, 0.0});
-    this->SetHand([sphere](double) -> Vector3 { return sphere + Vector3(0.0, 0.0, CenterHeight); });
+    // In and out again, since after a delay of the machine the sphere around the tool is silent.
+    this->SetHand(
+        [sphere](double seconds) -> Vector3
+        {
+          const double out = 15.0 * (1.0 + std::cos(1.5 * seconds)); // mm
+          return sphere + Vector3(0.0, 0.0, CenterHeight + out);
+        });
     this->FeelDespiteDelaysUntil(
         [this]
         {
