@@ -199,7 +199,6 @@ bool OnlyGrazes(const SphereMotion& motion, const Facet& facet, const Vector3& n
          SquaredGap(motion.Start, motion.Path, facet.B, facet.C - facet.B) >= square &&
          SquaredGap(motion.Start, motion.Path, facet.C, facet.A - facet.C) >= square;
 }
-
 } // namespace
 
 void SweepSphere(const SphereMotion& motion, const Facet& facet, SweepHit& hit) noexcept

@@ -9,7 +9,7 @@ namespace palpate
 Vector3 HandoverLimit::Limited(const Vector3& force, double stiffness, const Vector3& hand,
                                double passed) noexcept
 {
-  if (!this->IsActive)
+  if (this->IsOver())
   {
     return force;
   }

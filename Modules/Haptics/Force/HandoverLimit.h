@@ -20,6 +20,7 @@ public:
   {
   }
 
+  bool IsOver() const noexcept { return !this->IsActive; }
   /// `force` (N), shortened if necessary, of contacts of `stiffness` (N/mm) with the hand at `hand`
   /// (mm), `passed` (s) after the last call.
   Vector3 Limited(const Vector3& force, double stiffness, const Vector3& hand,

@@ -284,8 +284,11 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
       feeling.Force += one.Contact.Advance(step.Hand, step.Passed);
     }
   }
-  feeling.Force =
-      this->Limit.Limited(feeling.Force, this->StiffnessDevice(), step.Hand, step.Passed);
+  if (!this->Limit.IsOver())
+  {
+    feeling.Force =
+        this->Limit.Limited(feeling.Force, this->StiffnessDevice(), step.Hand, step.Passed);
+  }
   this->ContactNow = feeling.Force;
   for (const auto& everywhere : this->Shared->Fields)
   {
