@@ -1,3 +1,4 @@
+#include "FitCases.h"
 #include "FitStructure.h"
 
 #include "LabelImages.h"
@@ -12,25 +13,9 @@ namespace palpate::model_choice_test
 {
 namespace
 {
+using test::FitMask;
+using test::HasNote;
 using Outcome = palpate::FitResult::Outcome;
-
-FitResult Fit(vtkImageData* mask, const FitSettings& settings = {})
-{
-  Segmentation segmentation;
-  segmentation.Layers.emplace_back(mask);
-  Segment segment;
-  segment.Label = segment.Value = 1;
-  segmentation.Segments.push_back(segment);
-  segmentation.Source = "folder/case.nrrd";
-  return palpate::FitStructure(segmentation, segment, settings);
-}
-
-bool HasNote(const FitResult& result, const std::string& text)
-{
-  return std::any_of(result.Notes.begin(), result.Notes.end(),
-                     [&text](const std::string& note)
-                     { return note.find(text) != std::string::npos; });
-}
 
 double Largest(const std::array<double, 3>& spacing)
 {
@@ -40,7 +25,7 @@ double Largest(const std::array<double, 3>& spacing)
 // Whether the automatic choice is that of the kind whose distances are better by far, and is said.
 FitResult ExpectSurfaceChosen(vtkImageData* mask, const std::string& name)
 {
-  FitResult chosen = Fit(mask);
+  FitResult chosen = FitMask(mask);
   EXPECT_EQ(chosen.State, Outcome::Fitted) << name << ": " << chosen.Message;
   EXPECT_EQ(chosen.Radial(), nullptr) << name;
   EXPECT_TRUE(HasNote(chosen, "a surface model was taken")) << name;
@@ -127,9 +112,9 @@ TEST(ModelChoice, GoesByOverlapWithTheFirstRules)
   FitSettings settings;
   settings.Rules = 1;
   const auto aorta = MaskOf(IsInAorta, {20.0, 20.0, 92.0}, {3.0, 3.0, 3.0});
-  const FitResult before = Fit(aorta, settings);
+  const FitResult before = FitMask(aorta, settings);
   settings.Model = FitSettings::ModelKind::Radial;
-  const FitResult radial = Fit(aorta, settings);
+  const FitResult radial = FitMask(aorta, settings);
   ASSERT_NE(before.Radial(), nullptr);
   ASSERT_NE(radial.Radial(), nullptr);
   EXPECT_EQ(VectorOf(before.Model), VectorOf(radial.Model));
@@ -150,9 +135,9 @@ TEST(DegreeGoal, ByTheVoxelsIsReachedAndNoWorseThanTheGivenDegree)
   {
     FitSettings settings;
     settings.Model = kind;
-    const FitResult given = Fit(box, settings);
+    const FitResult given = FitMask(box, settings);
     settings.Tolerance = 0.0;
-    const FitResult searched = Fit(box, settings);
+    const FitResult searched = FitMask(box, settings);
     ASSERT_EQ(searched.State, Outcome::Fitted) << searched.Message;
     EXPECT_LE(searched.Rms, goal);
     EXPECT_GE(searched.Dice, given.Dice);
@@ -168,7 +153,7 @@ TEST(DegreeGoal, ByTheVoxelsIsNeverBelowTheGivenDegree)
   const auto box = MaskOf(IsInBox, {58.0, 38.0, 28.0}, {6.0, 6.0, 6.0});
   FitSettings settings;
   settings.Tolerance = 0.0;
-  const FitResult searched = Fit(box, settings);
+  const FitResult searched = FitMask(box, settings);
   ASSERT_EQ(searched.State, Outcome::Fitted) << searched.Message;
   EXPECT_GE(DegreeOf(searched.Model), settings.Degree);
 }

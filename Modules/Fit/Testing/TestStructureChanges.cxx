@@ -1,5 +1,6 @@
 #include "StructureChanges.h"
 
+#include "FitCases.h"
 #include "FitStructure.h"
 #include "LabelImages.h"
 #include "LabelParts.h"
@@ -16,34 +17,10 @@ namespace palpate::structure_changes_test
 {
 namespace
 {
+using test::CubesWhere;
+using test::FitMask;
+using test::HasNote;
 using Outcome = palpate::FitResult::Outcome;
-
-FitResult Fit(vtkImageData* mask, const FitSettings& settings = {})
-{
-  Segmentation segmentation;
-  segmentation.Layers.emplace_back(mask);
-  Segment segment;
-  segment.Label = segment.Value = 1;
-  segmentation.Segments.push_back(segment);
-  segmentation.Source = "folder/case.nrrd";
-  return palpate::FitStructure(segmentation, segment, settings);
-}
-
-bool HasNote(const FitResult& result, const std::string& text)
-{
-  return std::any_of(result.Notes.begin(), result.Notes.end(),
-                     [&text](const std::string& note)
-                     { return note.find(text) != std::string::npos; });
-}
-
-template <typename Inside>
-vtkSmartPointer<vtkImageData> CubesWhere(const std::array<int, 3>& size, const Inside& inside)
-{
-  palpate::test::LabelGrid grid;
-  grid.Size = size;
-  grid.CenterOnOrigin();
-  return palpate::test::MakeLabelImage(grid, inside);
-}
 
 vtkSmartPointer<vtkImageData> Ball()
 {
@@ -93,11 +70,11 @@ TEST(StructureChanges, AreRefusedByOneRuleForAllKinds)
   {
     FitSettings settings;
     settings.Model = kind;
-    const FitResult shell = Fit(Shell(), settings);
+    const FitResult shell = FitMask(Shell(), settings);
     EXPECT_EQ(shell.State, Outcome::Refused);
     EXPECT_EQ(shell.Message.rfind("has a cavity of ", 0), 0U) << shell.Message;
     EXPECT_NE(shell.OptionHint.find("--repair"), std::string::npos) << shell.OptionHint;
-    const FitResult balls = Fit(UnevenBalls(), settings);
+    const FitResult balls = FitMask(UnevenBalls(), settings);
     EXPECT_EQ(balls.State, Outcome::Refused);
     EXPECT_NE(balls.Message.find("parts"), std::string::npos) << balls.Message;
     EXPECT_NE(balls.OptionHint.find("--component each"), std::string::npos) << balls.OptionHint;
@@ -113,7 +90,7 @@ TEST(StructureChanges, AreSaidWhereTheyAreAccepted)
     settings.Model = kind;
     settings.Repairs = true;
     settings.MinimumDice = 0.5;
-    const FitResult shell = Fit(Shell(), settings);
+    const FitResult shell = FitMask(Shell(), settings);
     ASSERT_EQ(shell.State, Outcome::Fitted) << shell.Message;
     EXPECT_EQ(shell.Message.rfind("is modelled with 1 cavity filled, ", 0), 0U) << shell.Message;
     EXPECT_EQ(shell.Message, "is modelled with " + ChangeText(shell));
@@ -121,11 +98,11 @@ TEST(StructureChanges, AreSaidWhereTheyAreAccepted)
   FitSettings radial;
   radial.Model = FitSettings::ModelKind::Radial;
   radial.Repairs = true;
-  const FitResult balls = Fit(UnevenBalls(), radial);
+  const FitResult balls = FitMask(UnevenBalls(), radial);
   ASSERT_EQ(balls.State, Outcome::Fitted) << balls.Message;
   EXPECT_EQ(balls.Message.rfind("is modelled with 1 part left out, 26.8 % of the volume", 0), 0U)
       << balls.Message;
-  EXPECT_EQ(ChangeText(Fit(Ball())), "");
+  EXPECT_EQ(ChangeText(FitMask(Ball())), "");
 }
 
 // Scenes of earlier versions are touched as they were.
@@ -133,7 +110,7 @@ TEST(StructureChanges, AreAcceptedByTheFirstRules)
 {
   FitSettings settings;
   settings.Rules = 1;
-  const FitResult shell = Fit(Shell(), settings);
+  const FitResult shell = FitMask(Shell(), settings);
   EXPECT_EQ(shell.State, Outcome::Fitted) << shell.Message;
   EXPECT_NE(shell.Message.find("1 cavity filled"), std::string::npos) << shell.Message;
 }
@@ -149,12 +126,12 @@ TEST(StructureChanges, NearALimitGetANote)
     grid.Size = {60, 60, 60};
     grid.CenterOnOrigin();
     const FitResult result =
-        Fit(palpate::test::MakeLabelImage(grid,
-                                          [radius](double x, double y, double z)
-                                          {
-                                            const double place = std::hypot(x, y, z);
-                                            return place < 13.0 && place > radius;
-                                          }));
+        FitMask(palpate::test::MakeLabelImage(grid,
+                                              [radius](double x, double y, double z)
+                                              {
+                                                const double place = std::hypot(x, y, z);
+                                                return place < 13.0 && place > radius;
+                                              }));
     ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
     EXPECT_EQ(HasNote(result, "accepted near a limit: a cavity of"), radius > 2.0) << radius;
   }

@@ -1,5 +1,6 @@
 #include "SurfaceFileFit.h"
 
+#include "FitCases.h"
 #include "FitFiles.h"
 #include "FitStructure.h"
 #include "MeshGltf.h"
@@ -21,6 +22,7 @@ namespace palpate::surface_file_fit_test
 {
 namespace
 {
+using test::HasNote;
 using namespace palpate::test;
 using Outcome = FitResult::Outcome;
 
@@ -170,13 +172,6 @@ TEST(SurfaceFileFit, BadSurfaceIsBadInputUnlessRepaired)
             std::string::npos)
       << repaired.Notes.front();
   EXPECT_NEAR(repaired.ModelMilliliters, 4.0 / 3.0 * M_PI * 9.0, 0.5);
-}
-
-bool HasNote(const FitResult& result, const std::string& text)
-{
-  return std::any_of(result.Notes.begin(), result.Notes.end(),
-                     [&text](const std::string& note)
-                     { return note.find(text) != std::string::npos; });
 }
 
 TEST(SurfaceFileFit, RepairTellsHowMuchOfTheSurfaceIsNew)

@@ -1,3 +1,4 @@
+#include "FitCases.h"
 #include "FitStructure.h"
 
 #include "ClosestPointDistances.h"
@@ -25,19 +26,9 @@ namespace palpate::surface_models_test
 {
 namespace
 {
+using test::CubesWhere;
+using test::FitMask;
 using Outcome = palpate::FitResult::Outcome;
-
-FitResult Fit(vtkImageData* mask, const FitSettings& settings = {},
-              const ProgressFunction& progress = {})
-{
-  Segmentation segmentation;
-  segmentation.Layers.emplace_back(mask);
-  Segment segment;
-  segment.Label = segment.Value = 1;
-  segmentation.Segments.push_back(segment);
-  segmentation.Source = "folder/case.nrrd";
-  return palpate::FitStructure(segmentation, segment, settings, progress);
-}
 
 int StagesNamed(const std::string& name, const FitResult& result)
 {
@@ -94,7 +85,7 @@ TEST(SurfaceModels, RecoverATubeToTheVoxelsLimit)
   const ParametricSphericalSurface truth = palpate::test::OpenRing();
   for (const double step : {2.0, 1.0})
   {
-    const FitResult result = Fit(Ring(step), SurfaceOfDegree(16));
+    const FitResult result = FitMask(Ring(step), SurfaceOfDegree(16));
     ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
     // A surface through the stairs of voxels of size h is off by about h / sqrt(12) / 2 rms.
     EXPECT_LT(ErrorOf(result, truth), 0.15 * step) << step;
@@ -108,7 +99,7 @@ TEST(SurfaceModels, RecoverABowl)
 {
   const ParametricSphericalSurface truth = palpate::test::Bowl();
   const FitResult result =
-      Fit(palpate::test::ParametricMask(truth, Cubes(1.0)), SurfaceOfDegree(16));
+      FitMask(palpate::test::ParametricMask(truth, Cubes(1.0)), SurfaceOfDegree(16));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_LT(ErrorOf(result, truth), 0.15);
   EXPECT_GT(result.Dice, 0.97);
@@ -118,14 +109,14 @@ TEST(SurfaceModels, AreChosenOnlyWhereARadiusDoesNot)
 {
   FitSettings automatic;
   automatic.Degree = 8;
-  const FitResult ring = Fit(Ring(2.0), automatic);
+  const FitResult ring = FitMask(Ring(2.0), automatic);
   ASSERT_EQ(ring.State, Outcome::Fitted) << ring.Message;
   EXPECT_EQ(ring.Radial(), nullptr);
   EXPECT_GT(ring.HiddenPercent, automatic.MaximumHiddenPercent);
 
   const ParametricSphericalSurface ellipsoid =
       palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0));
-  const FitResult round = Fit(palpate::test::ParametricMask(ellipsoid, Cubes(2.0)), automatic);
+  const FitResult round = FitMask(palpate::test::ParametricMask(ellipsoid, Cubes(2.0)), automatic);
   ASSERT_EQ(round.State, Outcome::Fitted) << round.Message;
   EXPECT_NE(round.Radial(), nullptr);
 }
@@ -134,7 +125,7 @@ TEST(SurfaceModels, AreRefusedAsRadialOnes)
 {
   FitSettings radial;
   radial.Model = FitSettings::ModelKind::Radial;
-  const FitResult result = Fit(Ring(2.0), radial);
+  const FitResult result = FitMask(Ring(2.0), radial);
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_NE(result.OptionHint.find("--model surface"), std::string::npos) << result.OptionHint;
 }
@@ -145,8 +136,8 @@ TEST(SurfaceModels, DoNotDependOnTheFilesAxes)
   const ParametricSphericalSurface truth = palpate::test::OpenRing();
   palpate::test::LabelGrid turned = Cubes(1.0);
   turned.Direction = {0, 0, -1, 1, 0, 0, 0, 1, 0}; // left-handed
-  const FitResult straight = Fit(Ring(1.0), SurfaceOfDegree(8));
-  const FitResult other = Fit(palpate::test::ParametricMask(truth, turned), SurfaceOfDegree(8));
+  const FitResult straight = FitMask(Ring(1.0), SurfaceOfDegree(8));
+  const FitResult other = FitMask(palpate::test::ParametricMask(truth, turned), SurfaceOfDegree(8));
   ASSERT_EQ(straight.State, Outcome::Fitted) << straight.Message;
   ASSERT_EQ(other.State, Outcome::Fitted) << other.Message;
   double squares = 0.0;
@@ -180,8 +171,8 @@ TEST(SurfaceModels, AreDrawnAsFineAsTheirDegree)
 
 TEST(SurfaceModels, AreTheSameEachTime)
 {
-  const FitResult first = Fit(Ring(2.0), SurfaceOfDegree(8));
-  const FitResult second = Fit(Ring(2.0), SurfaceOfDegree(8));
+  const FitResult first = FitMask(Ring(2.0), SurfaceOfDegree(8));
+  const FitResult second = FitMask(Ring(2.0), SurfaceOfDegree(8));
   for (int axis = 0; axis < 3; ++axis)
   {
     EXPECT_EQ(SurfaceOf(first).Coefficients(axis), SurfaceOf(second).Coefficients(axis));
@@ -192,16 +183,16 @@ TEST(SurfaceModels, HaveTheSmallestDegreeWithinTheTolerance)
 {
   FitSettings settings = SurfaceOfDegree(0);
   settings.Tolerance = 0.35;
-  const FitResult result = Fit(Ring(1.0), settings);
+  const FitResult result = FitMask(Ring(1.0), settings);
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_LE(result.Rms, 0.35);
   const int degree = palpate::DegreeOf(result.Model);
-  EXPECT_GT(Fit(Ring(1.0), SurfaceOfDegree(degree - 1)).Rms, 0.35);
+  EXPECT_GT(FitMask(Ring(1.0), SurfaceOfDegree(degree - 1)).Rms, 0.35);
 }
 
 TEST(SurfaceModels, SayHowFarToTrustThem)
 {
-  const FitResult result = Fit(Ring(1.0), SurfaceOfDegree(12));
+  const FitResult result = FitMask(Ring(1.0), SurfaceOfDegree(12));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_EQ(result.Coverage.Outcome, palpate::DirectionCoverage::Verdict::Good)
       << result.Coverage.Message;
@@ -218,16 +209,6 @@ TEST(SurfaceModels, SayHowFarToTrustThem)
   EXPECT_NEAR(rms, result.NoiseDeviation * result.Coverage.NoiseGainRms, 0.05 * rms);
 }
 
-// Cubes of 1 mm around the origin.
-template <typename Inside>
-vtkSmartPointer<vtkImageData> CubesWhere(const std::array<int, 3>& size, const Inside& inside)
-{
-  palpate::test::LabelGrid grid;
-  grid.Size = size;
-  grid.CenterOnOrigin();
-  return palpate::test::MakeLabelImage(grid, inside);
-}
-
 // Two balls of 8 mm, 12 mm apart.
 vtkSmartPointer<vtkImageData> TwoBalls()
 {
@@ -242,21 +223,21 @@ TEST(SurfaceModels, OfSeveralPartsAreMadeOnlyOnRequest)
   for (const int component : {0, 1})
   {
     settings.Component = component;
-    const FitResult refused = Fit(TwoBalls(), settings);
+    const FitResult refused = FitMask(TwoBalls(), settings);
     EXPECT_EQ(refused.State, Outcome::Refused);
     EXPECT_NE(refused.Message.find("mm apart"), std::string::npos) << refused.Message;
     EXPECT_NE(refused.OptionHint.find("--repair"), std::string::npos) << refused.OptionHint;
     EXPECT_EQ(refused.ModelSurface, nullptr);
   }
   settings.MinimumDice = 0.5;
-  EXPECT_EQ(Fit(TwoBalls(), settings).State, Outcome::Refused);
+  EXPECT_EQ(FitMask(TwoBalls(), settings).State, Outcome::Refused);
   settings.Rules = 1;
-  EXPECT_EQ(Fit(TwoBalls(), settings).State, Outcome::Fitted);
+  EXPECT_EQ(FitMask(TwoBalls(), settings).State, Outcome::Fitted);
 
   settings.Component = 0;
   settings.Repairs = true;
   settings.MinimumDice = 0.0;
-  const FitResult bridged = Fit(TwoBalls(), settings);
+  const FitResult bridged = FitMask(TwoBalls(), settings);
   EXPECT_EQ(bridged.State, Outcome::Fitted) << bridged.Message;
   EXPECT_EQ(bridged.Details.Mapped->Topology.Bridges.Count, 1);
 }
@@ -273,7 +254,7 @@ TEST(SurfaceModels, OfOneComponentAreComparedWithItAlone)
       settings.Model = kind;
       settings.Component = component;
       settings.IsAlone = true;
-      const FitResult result = Fit(TwoBalls(), settings);
+      const FitResult result = FitMask(TwoBalls(), settings);
       ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
       EXPECT_GT(result.Dice, 0.97); // a ball of 8 voxels in radius
     }
@@ -291,8 +272,8 @@ TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
 {
   FitSettings radial;
   radial.Model = FitSettings::ModelKind::Radial;
-  ASSERT_EQ(Fit(Rod(), radial).State, Outcome::Refused);
-  const FitResult result = Fit(Rod());
+  ASSERT_EQ(FitMask(Rod(), radial).State, Outcome::Refused);
+  const FitResult result = FitMask(Rod());
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(result.Model));
   EXPECT_GT(result.Dice, 0.95);
@@ -309,8 +290,8 @@ TEST(SurfaceModels, AreNotTakenWhereARadialOneIsWantedWhateverItLoses)
 {
   FitSettings settings;
   settings.MaximumHiddenPercent = 100.0;
-  EXPECT_EQ(Fit(Rod(), settings).State, Outcome::Refused);
-  const FitResult largest = Fit(NearBalls(), settings);
+  EXPECT_EQ(FitMask(Rod(), settings).State, Outcome::Refused);
+  const FitResult largest = FitMask(NearBalls(), settings);
   ASSERT_EQ(largest.State, Outcome::Fitted) << largest.Message;
   EXPECT_NE(largest.Radial(), nullptr);
 }
@@ -327,11 +308,11 @@ TEST(SurfaceModels, AreTakenByTheFirstRulesOnlyIfTheyOverlapMore)
     FitSettings settings;
     settings.Rules = 1;
     settings.Tolerance = 0.001;
-    const FitResult automatic = Fit(mask, settings);
+    const FitResult automatic = FitMask(mask, settings);
     settings.Model = FitSettings::ModelKind::Radial;
-    const FitResult radial = Fit(mask, settings);
+    const FitResult radial = FitMask(mask, settings);
     settings.Model = FitSettings::ModelKind::Surface;
-    const FitResult surface = Fit(mask, settings);
+    const FitResult surface = FitMask(mask, settings);
     ASSERT_EQ(radial.State, Outcome::Fitted) << radial.Message;
     const bool isBetter = surface.State == Outcome::Fitted && surface.Dice > radial.Dice;
     EXPECT_EQ(automatic.Radial() == nullptr, isBetter) << step;
@@ -346,7 +327,7 @@ TEST(SurfaceModels, ThatAreRefusedTooKeepTheWayOut)
 {
   FitSettings settings;
   settings.MinimumDice = 0.9999;
-  const FitResult result = Fit(Rod(), settings);
+  const FitResult result = FitMask(Rod(), settings);
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_NE(result.Details.Mapped, nullptr); // the refusal of the surface model
   EXPECT_NE(result.OptionHint.find("--min-dice"), std::string::npos) << result.OptionHint;
@@ -365,13 +346,13 @@ TEST(SurfaceModels, ProgressNeverRunsBack)
         std::pair(TwoBalls(), SurfaceOfDegree(8))})
   {
     double last = 0.0;
-    const FitResult result = Fit(mask, settings,
-                                 [&last](double part, const std::string& stage)
-                                 {
-                                   EXPECT_GE(part, last - 1e-12) << stage;
-                                   last = part;
-                                   return true;
-                                 });
+    const FitResult result = FitMask(mask, settings,
+                                     [&last](double part, const std::string& stage)
+                                     {
+                                       EXPECT_GE(part, last - 1e-12) << stage;
+                                       last = part;
+                                       return true;
+                                     });
     if (result.State == Outcome::Fitted)
     {
       EXPECT_NEAR(last, 1.0, 1e-12);
@@ -381,7 +362,7 @@ TEST(SurfaceModels, ProgressNeverRunsBack)
 
 TEST(SurfaceModels, TakeInNearPartsThatARadiusWouldLeaveOut)
 {
-  const FitResult result = Fit(NearBalls());
+  const FitResult result = FitMask(NearBalls());
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
   EXPECT_EQ(result.Details.Mapped->Topology.Bridges.Count, 1);
@@ -398,7 +379,7 @@ TEST(SurfaceModels, TakeInPartsThatAreNear)
                                 return std::abs(x) < 24.0 && std::abs(z) < 5.0 &&
                                        (isLeft ? y > 0.0 && y < 10.0 : y < 0.0 && y > -10.0);
                               });
-  const FitResult result = Fit(rod, SurfaceOfDegree(16));
+  const FitResult result = FitMask(rod, SurfaceOfDegree(16));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   ASSERT_EQ(result.ComponentMilliliters.size(), 2U);
   EXPECT_NEAR(result.MaskMilliliters,
@@ -412,7 +393,7 @@ TEST(SurfaceModels, OfATorusTellThatItsHandleWasCut)
 {
   const auto torus = CubesWhere({60, 60, 24}, [](double x, double y, double z)
                                 { return std::hypot(std::hypot(x, y) - 18.0, z) < 7.0; });
-  const FitResult result = Fit(torus, SurfaceOfDegree(12));
+  const FitResult result = FitMask(torus, SurfaceOfDegree(12));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_EQ(result.Details.Mapped->Topology.CutHandles.Count, 1);
   bool isTold = false;
@@ -457,7 +438,7 @@ TEST(SurfaceModels, OfASpongeAreRefusedForItsHoles)
   std::mt19937_64 random(1);
   const auto sponge = CubesWhere({40, 40, 40}, [&random](double x, double y, double z)
                                  { return std::hypot(x, y, z) < 16.0 && random() % 4 != 0; });
-  const FitResult result = Fit(sponge, SurfaceOfDegree(12));
+  const FitResult result = FitMask(sponge, SurfaceOfDegree(12));
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_NE(result.Message.find("% of its volume"), std::string::npos) << result.Message;
   EXPECT_EQ(result.ModelSurface, nullptr);
@@ -468,7 +449,7 @@ TEST(SurfaceModels, OfANeedleAreRefusedAndTouchIsNamed)
   const auto needle =
       CubesWhere({200, 8, 8}, [](double x, double y, double z)
                  { return std::abs(x) < 97.0 && std::abs(y) < 1.0 && std::abs(z) < 1.0; });
-  const FitResult result = Fit(needle, SurfaceOfDegree(12));
+  const FitResult result = FitMask(needle, SurfaceOfDegree(12));
   EXPECT_EQ(result.State, Outcome::Refused);
   EXPECT_NE(result.Message.find("too long and thin"), std::string::npos) << result.Message;
   EXPECT_NE(result.OptionHint.find("palpate touch"), std::string::npos) << result.OptionHint;
@@ -479,7 +460,7 @@ TEST(SurfaceModels, CanBeCancelled)
   for (const double end : {0.32, 0.45, 0.6})
   {
     const auto stop = [end](double part, const std::string&) { return part < end; };
-    EXPECT_THROW(Fit(Ring(2.0), SurfaceOfDegree(12), stop), palpate::Cancelled) << end;
+    EXPECT_THROW(FitMask(Ring(2.0), SurfaceOfDegree(12), stop), palpate::Cancelled) << end;
   }
   // While a surface model is tried after a radial one.
   for (const double end : {0.75, 0.9})
@@ -490,7 +471,7 @@ TEST(SurfaceModels, CanBeCancelled)
       last = part;
       return part < end;
     };
-    EXPECT_THROW(Fit(Rod(), {}, stop), palpate::Cancelled) << end;
+    EXPECT_THROW(FitMask(Rod(), {}, stop), palpate::Cancelled) << end;
     EXPECT_LT(last, 1.0);
   }
 }
