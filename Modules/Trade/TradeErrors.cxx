@@ -157,8 +157,7 @@ private:
   bool WasSeized = false;
 };
 
-// Whether the hand, which follows the reference, presses far deeper into what is felt than it was
-// meant to.
+// Whether the hand, which follows the reference, presses the tool far deeper than the path does.
 bool Parts(const TradePath& path, const std::vector<FeltTick>& felt, double stiffness,
            std::size_t stroke)
 {

@@ -261,8 +261,8 @@ std::string HowItWasMeasured(const TradeResult& result)
          "of it, but at least that of 0.5 N, since small forces are harder to discriminate; that "
          "of its direction is 18\xC2\xB0 to 33\xC2\xB0, evaluated from 0.02 N on. A seizure: the "
          "position error exceeds the uncertainty by 2 mm. Parted: strokes on which the hand, which "
-         "follows the reference, pressed more than twice as deep into what is felt; errors, jumps "
-         "and seizures leave them out. Beyond: errors beyond the reference\xE2\x80\x99s "
+         "follows the reference, pressed the tool more than twice as deep as the path; errors, "
+         "jumps and seizures leave them out. Beyond: errors beyond the reference\xE2\x80\x99s "
          "uncertainty, by which settings are judged. Cost: CPU time to prepare, to fit, and to "
          "touch for ten minutes.</p>\n";
 }

@@ -244,7 +244,7 @@ TEST(TradeReference, HandGuidedByWhatItFeelsDoesNotPartAtATerrace)
   StructureTrade trade = box.Trade();
   const auto felt =
       FieldReference(*trade.ContactFor(box.SubVoxel(FieldInterpolation::Trilinear, 26), GoOn),
-                     "what is felt", box.Scene.Tool);
+                     "the measured setting", box.Scene.Tool);
   const TradePath path = MakeTradePath(*felt, box.Scene.Tool, test::ShortPath().Path, GoOn);
   double deepest = 0.0;
   for (const TradePath::Tick& tick : path.Ticks)
