@@ -7,8 +7,8 @@
 namespace palpate
 {
 /// One column of a table of covariates: numbers, or categories if a known value is not a number.
-/// Empty, NA, N/A, NaN, null, ? and the errors of spreadsheets (#N/A, #VALUE!, …) count as missing,
-/// in any case of letters.
+/// Empty, NA, N/A, NaN, null, ? and the errors of spreadsheets, which begin with a hash, count as
+/// missing, in any case of letters.
 class Covariate
 {
 public:

@@ -323,10 +323,10 @@ TEST(CliCases, RejectsTooFewVoxels)
 {
   const TemporaryFolder folder;
   WriteBoxes(folder / "one.nii.gz", {1}, 1);
-  for (const char* command : {"fit", "mesh"})
+  for (const auto& [command, output] : {std::pair("fit", "s"), std::pair("mesh", "s.vtp")})
   {
     const CommandRun run =
-        RunPalpate({command, "one.nii.gz", "--output", "s.vtp", "--json"}, folder.Path());
+        RunPalpate({command, "one.nii.gz", "--output", output, "--json"}, folder.Path());
     EXPECT_EQ(run.Code, 2) << command;
     EXPECT_EQ(Json::parse(run.Output).at("status"), "bad-input");
     EXPECT_TRUE(Has(run.Errors, "one.nii.gz, label 1 has only 1 voxel, too few")) << run.Errors;

@@ -14,6 +14,9 @@ constexpr std::size_t MostPlanes = 4;
 // Share of the skin that noise of the mesh's coordinates, which are often of single precision, may
 // take.
 constexpr double GrazedSkin = 0.25;
+// mm; a lag by that noise that no hand feels is left as it is, so that sessions that were recorded
+// before it was removed replay with the same bits.
+constexpr double UnfeltLag = 0.005;
 // A round that changes the pull by less is the last one.
 constexpr double FacetTolerance = 1e-3;
 } // namespace
@@ -79,20 +82,46 @@ void FacetTracker::Advance(const Vector3& probe) noexcept
 {
   const Vector3 drawnTo =
       this->IsTouching ? this->Friction.DrawnTo(probe, this->ProxyWorld, this->NormalWorld) : probe;
+  if (!this->Slide(drawnTo, probe, 0.0))
+  {
+    this->SlideOverNoise(drawnTo, probe);
+  }
+  // Planes may have moved the proxy off the mesh with no rounds left to return along others.
+  if (this->IsTouching && !this->IsInReach())
+  {
+    this->IsTouching = this->MoveTo(drawnTo, 1, 0.0) > 0 && this->IsInReach();
+  }
+}
+
+// In rounds, until one changes little. Returns false if the last one used up its planes.
+bool FacetTracker::Slide(const Vector3& goal, const Vector3& probe, double slack) noexcept
+{
+  std::size_t planes = 0;
   for (int round = 0; round < MostRounds; ++round)
   {
     const Vector3 before = this->ProxyWorld;
-    this->IsTouching = this->MoveTo(drawnTo, MostPlanes);
+    planes = this->MoveTo(goal, MostPlanes, slack);
+    this->IsTouching = planes > 0;
     const double left = FacetTolerance * (probe - this->ProxyWorld).norm();
     if (!this->IsTouching || (this->ProxyWorld - before).norm() <= std::max(this->Skin, left))
     {
       break;
     }
   }
-  // Planes may have moved the proxy off the mesh with no rounds left to return along others.
-  if (this->IsTouching && !this->IsInReach())
+  return planes < MostPlanes;
+}
+
+// Where planes are used up by noise of the mesh's coordinates, the tool lags behind.
+void FacetTracker::SlideOverNoise(const Vector3& goal, const Vector3& probe) noexcept
+{
+  const Vector3 place = this->ProxyWorld;
+  const Vector3 normal = this->NormalWorld;
+  this->Slide(goal, probe, GrazedSkin * this->Skin);
+  if ((this->ProxyWorld - place).norm() <= UnfeltLag)
   {
-    this->IsTouching = this->MoveTo(drawnTo, 1) && this->IsInReach();
+    this->ProxyWorld = place;
+    this->NormalWorld = normal;
+    this->IsTouching = true;
   }
 }
 
@@ -102,9 +131,9 @@ bool FacetTracker::IsInReach() const noexcept
   return this->Tree->BoundsWorld().squaredExteriorDistance(this->ProxyWorld) <= reach * reach;
 }
 
-// As near to the goal as planes touched along the path allow; returns false if it was reached
-// without contact.
-bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
+// As near to the goal as planes touched along the path allow; returns their number, 0 if it was
+// reached without contact. `slack` is SphereMotion's, mm.
+std::size_t FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes, double slack) noexcept
 {
   std::array<HalfSpace, MostPlanes> planes;
   std::size_t count = 0;
@@ -112,8 +141,8 @@ bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
   while (count < mostPlanes)
   {
     const Vector3 path = target - this->ProxyWorld;
-    const SweepHit hit = this->Tree->Sweep(
-        {this->ProxyWorld, path, this->ToolRadius + this->Skin, GrazedSkin * this->Skin});
+    const SweepHit hit =
+        this->Tree->Sweep({this->ProxyWorld, path, this->ToolRadius + this->Skin, slack});
     this->ProxyWorld = hit.IsHit ? Vector3(this->ProxyWorld + hit.Part * path) : target;
     if (!hit.IsHit)
     {
@@ -123,12 +152,12 @@ bool FacetTracker::MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept
     const NearestHeld held = NearestInHalfSpaces(goal, planes.data(), count);
     if (!held.IsHeld)
     {
-      break;
+      return mostPlanes; // almost parallel ones, for which no more would help
     }
     target = held.Point;
     const Vector3 push = target - goal;
     this->NormalWorld = push.squaredNorm() > 0.0 ? push.normalized() : this->NormalWorld;
   }
-  return count > 0;
+  return count;
 }
 } // namespace palpate

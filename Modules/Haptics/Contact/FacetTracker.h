@@ -30,7 +30,9 @@ public:
 private:
   void Settle(const Vector3& probe) noexcept;
   void Advance(const Vector3& probe) noexcept;
-  bool MoveTo(const Vector3& goal, std::size_t mostPlanes) noexcept;
+  bool Slide(const Vector3& goal, const Vector3& probe, double slack) noexcept;
+  void SlideOverNoise(const Vector3& goal, const Vector3& probe) noexcept;
+  std::size_t MoveTo(const Vector3& goal, std::size_t mostPlanes, double slack) noexcept;
   bool IsInReach() const noexcept;
 
   std::shared_ptr<const FacetTree> Tree;

@@ -256,7 +256,7 @@ void StructureFollower::Enter(const FollowStep& step) noexcept
   this->Weight = RampIn(isContinued ? HandoverDuration : 0.0);
   this->Tracker->Release();
   this->IsBuried = step.IsPlaced && !isContinued && !this->Tracker->IsFreeAt(from);
-  if (!this->IsBuried)
+  if (isContinued || !step.IsPlaced) // else the tracker starts where the tool is followed next
   {
     this->BeginAt(from);
   }

@@ -316,21 +316,27 @@ TEST(PressedThrough, HeldStructureIsFarFromTheHandAmongMany)
 TEST(PressedThrough, DeepToolFollowsTheHandAlongAFlatMesh)
 {
   Random random(10);
-  for (const double toolRadius : {0.0, 1.0})
+  // Across the squares, and along their edges.
+  for (const Vector3& start : {Vector3(-9.0, -6.0, 3.0), Vector3(-9.0, 0.0, 3.0)})
   {
-    const Thin plate = OfFacets("plate", Sheet([](const Vector3&) { return -Thickness; }), random);
-    const auto tracker = test::TrackerOf(*plate.Model, ToolShape::Sphere(toolRadius));
-    const auto at = [&](const Vector3& place) -> const Contact&
-    { return tracker->Follow(test::At(plate.Top + plate.Rotation * place)); };
-    at({-9.0, -6.0, 3.0});
-    for (int tick = 0; tick <= 900; ++tick)
+    const Vector3 stride(0.02, start[1] < 0.0 ? 0.013 : 0.0, 0.0);
+    for (const double toolRadius : {0.0, 1.0})
     {
-      const Vector3 hand(-9.0 + 0.02 * tick, -6.0 + 0.013 * tick, -12.0);
-      const Contact& contact = at(hand);
-      const Vector3 proxy = plate.Rotation.transpose() * (contact.ProxyWorld - plate.Top);
-      ASSERT_TRUE(contact.IsTouching);
-      // The skin is 1e-6 of the size; a hundredth of a millimetre is 0.005 N.
-      ASSERT_LE((proxy - Vector3(hand[0], hand[1], toolRadius)).norm(), 0.01) << tick;
+      const Thin plate =
+          OfFacets("plate", Sheet([](const Vector3&) { return -Thickness; }), random);
+      const auto tracker = test::TrackerOf(*plate.Model, ToolShape::Sphere(toolRadius));
+      const auto at = [&](const Vector3& place) -> const Contact&
+      { return tracker->Follow(test::At(plate.Top + plate.Rotation * place)); };
+      at(start);
+      for (int tick = 0; tick <= 900; ++tick)
+      {
+        const Vector3 hand = start + tick * stride - Vector3(0.0, 0.0, 15.0);
+        const Contact& contact = at(hand);
+        const Vector3 proxy = plate.Rotation.transpose() * (contact.ProxyWorld - plate.Top);
+        ASSERT_TRUE(contact.IsTouching);
+        // The skin is 1e-6 of the size; a hundredth of a millimetre is 0.005 N.
+        ASSERT_LE((proxy - Vector3(hand[0], hand[1], toolRadius)).norm(), 0.01) << tick;
+      }
     }
   }
 }

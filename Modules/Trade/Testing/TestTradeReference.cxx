@@ -149,6 +149,7 @@ TEST(TradeReference, SettingsThatTheMaskCannotTellApartAreEqual)
                  judged, GoOn);
     errors.push_back(judged.PositionMean);
     row.CostSeconds = row.Setting.Structure.Degree == 8 ? 1.0 : 2.0; // whatever the machine
+    row.Rate = 1e5;
   }
   EXPECT_LT(errors[0], errors[1]);
   const TradeAdvice advice = AdviseOn(rows, 1000.0);
@@ -157,6 +158,7 @@ TEST(TradeReference, SettingsThatTheMaskCannotTellApartAreEqual)
   harmonics.Structure.Degree = 3; // no longer the body
   rows[0] = trade.Measure(harmonics, GoOn);
   rows[0].CostSeconds = 1.0;
+  rows[0].Rate = 1e5;
   EXPECT_EQ(AdviseOn(rows, 1000.0).Row, 1U) << "degree 3";
 }
 
