@@ -70,12 +70,13 @@ void LesionTutorialTest::Feel()
   this->Action("Slices follow the probe")->trigger();
   const SphericalHarmonicModel& gland = *this->Fit().Radial();
   const Vector3 over = gland.PointWorld(Vector3::UnitY()) + 5.0 * Vector3::UnitY();
-  this->HoldStill(over); // 3 mm deep
+  this->HoldStill(over, Vector3::UnitY()); // 3 mm deep
   const double atNodule = this->Force();
   EXPECT_GT(this->Study->Reading().Newest.PatchRadius, 1.0);
   this->ExpectBaseline("lesion-touch.png");
   const Vector3 aside = (Vector3::UnitY() + 0.8 * Vector3::UnitX()).normalized();
-  this->HoldStill(gland.PointWorld(aside) + 5.0 * gland.Normal(aside));
+  const Vector3 beside = gland.Normal(aside);
+  this->HoldStill(gland.PointWorld(aside) + 5.0 * beside, beside);
   EXPECT_GT(atNodule, 1.2 * this->Force());
   this->Button("start-touch")->click();
 }

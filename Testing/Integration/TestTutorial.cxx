@@ -19,7 +19,7 @@ protected:
   {
     const SphericalHarmonicModel& gland = *this->Fit().Radial();
     const Vector3 toEye = this->Window->Views()->Space()->Axes().col(2);
-    this->HoldStill(gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye);
+    this->HoldStill(gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye, toEye);
   }
 
   void OpenAndLook();

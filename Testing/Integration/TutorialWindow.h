@@ -72,9 +72,20 @@ protected:
     const PlainVector3& force = this->Study->Reading().Newest.ForceWorld;
     return std::hypot(force.X, force.Y, force.Z);
   }
-  /// The same position and force each time: the hand stays at a place until the force does.
-  void HoldStill(const Vector3& placeWorld)
+  /// The same position and force each time: the hand comes from outside, along the normal, and
+  /// stays at a place until the force does.
+  void HoldStill(const Vector3& placeWorld, const Vector3& normal)
   {
+    constexpr double Above = 8.0; // mm
+    constexpr double Near = 2.0;  // mm; friction stops a hand short of its goal
+    const Vector3 above = placeWorld + Above * normal;
+    this->FeelUntil(
+        [&]
+        {
+          this->Study->Current().Touch().MoveHand(above);
+          const TouchState& newest = this->Study->Reading().Newest;
+          return !newest.IsBuried && (Vector3(newest.ProbeWorld) - above).norm() < Near;
+        });
     std::uint64_t since = 0;
     double former = 0.0;
     this->FeelUntil(

@@ -74,7 +74,11 @@ private:
     }
     void Release() noexcept override {}
     // Tests start inside it, and are pushed out.
-    bool IsFreeAt(const ToolPose&) noexcept override { return true; }
+    bool IsFreeAt(const ToolPose&) noexcept override
+    {
+      ++this->Control->Questions;
+      return true;
+    }
 
   private:
     void Depth(const ToolPose& pose) noexcept

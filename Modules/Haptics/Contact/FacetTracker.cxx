@@ -14,9 +14,9 @@ constexpr std::size_t MostPlanes = 4;
 // Share of the skin that noise of the mesh's coordinates, which are often of single precision, may
 // take.
 constexpr double GrazedSkin = 0.25;
-// mm; a lag by that noise that no hand feels is left as it is, so that sessions that were recorded
-// before it was removed replay with the same bits.
-constexpr double UnfeltLag = 0.005;
+// Skins; a lag by that noise that no hand feels is left as it is, so that sessions that were
+// recorded before it was removed replay with the same bits.
+constexpr double UnfeltLag = 100.0;
 // A round that changes the pull by less is the last one.
 constexpr double FacetTolerance = 1e-3;
 } // namespace
@@ -117,7 +117,7 @@ void FacetTracker::SlideOverNoise(const Vector3& goal, const Vector3& probe) noe
   const Vector3 place = this->ProxyWorld;
   const Vector3 normal = this->NormalWorld;
   this->Slide(goal, probe, GrazedSkin * this->Skin);
-  if ((this->ProxyWorld - place).norm() <= UnfeltLag)
+  if ((this->ProxyWorld - place).norm() <= UnfeltLag * this->Skin)
   {
     this->ProxyWorld = place;
     this->NormalWorld = normal;

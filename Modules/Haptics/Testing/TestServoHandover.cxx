@@ -431,7 +431,7 @@ TEST(ServoHandover, JumpOfTheFrameFadesTheOldForceOut)
   }
 }
 
-TEST(ServoHandover, TakeoverCostsOneExtraQuery)
+TEST(ServoHandover, TakeoverCostsTwoExtraQueries)
 {
   auto control = std::make_shared<test::WallControl>();
   TouchScene scene = test::WallScene(0.0, {0.5, 0.0}, control);
@@ -441,9 +441,9 @@ TEST(ServoHandover, TakeoverCostsOneExtraQuery)
   const int before = control->Questions;
   Continue(run, scene);
   run.TickAt({0.0, 0.0, -1.0});
-  EXPECT_EQ(control->Questions, before + 2);
+  EXPECT_EQ(control->Questions, before + 3); // where it begins, twice
   run.TickAt({0.0, 0.0, -1.0});
-  EXPECT_EQ(control->Questions, before + 3);
+  EXPECT_EQ(control->Questions, before + 4);
 }
 
 TEST(ServoHandover, KeepsTheForceUntilANewSample)

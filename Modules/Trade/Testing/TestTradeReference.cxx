@@ -138,8 +138,7 @@ TEST(TradeReference, SettingsThatTheMaskCannotTellApartAreEqual)
       trade.Measure(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 98), GoOn)};
   const auto exact = body.Exact(mask.Scene.Tool);
   const TradePath path = MakeTradePath(*exact, mask.Scene.Tool, test::ShortPath().Path, GoOn);
-  std::vector<double> errors;
-  for (TradeRow& row : rows)
+  const auto errorOf = [&](const TradeRow& row)
   {
     TradeTouch touch;
     touch.Tool.Points = row.Setting.ToolPoints;
@@ -147,19 +146,23 @@ TEST(TradeReference, SettingsThatTheMaskCannotTellApartAreEqual)
     TradeRow judged;
     MeasureTouch(*trade.ContactFor(row.Setting, GoOn)->Model, touch, path, test::StillClock(),
                  judged, GoOn);
-    errors.push_back(judged.PositionMean);
+    return judged.PositionMean;
+  };
+  for (TradeRow& row : rows)
+  {
     row.CostSeconds = row.Setting.Structure.Degree == 8 ? 1.0 : 2.0; // whatever the machine
     row.Rate = 1e5;
   }
-  EXPECT_LT(errors[0], errors[1]);
+  EXPECT_LT(errorOf(rows[0]), errorOf(rows[1]));
   const TradeAdvice advice = AdviseOn(rows, 1000.0);
   EXPECT_EQ(advice.Row, 0U) << advice.Message;
   EXPECT_TRUE(advice.IsMet) << advice.Message;
-  harmonics.Structure.Degree = 3; // no longer the body
+  harmonics.Structure.Degree = 4; // follows terraces
   rows[0] = trade.Measure(harmonics, GoOn);
   rows[0].CostSeconds = 1.0;
   rows[0].Rate = 1e5;
-  EXPECT_EQ(AdviseOn(rows, 1000.0).Row, 1U) << "degree 3";
+  EXPECT_GT(errorOf(rows[0]), errorOf(rows[1]));
+  EXPECT_EQ(AdviseOn(rows, 1000.0).Row, 1U) << "degree 4";
 }
 
 // A box with a step of four thick slices at x = 0.

@@ -212,8 +212,8 @@ TEST(Servo, RearmRestartsContacts)
   run.RestAt({0.0, 0.0, -1.0});
   const int questions = wall.Control->Questions;
   run.Loop.Rearm();
-  // So the scene has nothing to continue from, and the wall is queried as new: previous and current
-  // place.
+  // So the scene has nothing to continue from, and the wall is queried as new: whether the place is
+  // free, and the force.
   ASSERT_TRUE(
       run.Loop.Publish(std::make_shared<TouchScene>(wall.Scene), SceneEntry::Continuing).IsOk());
   run.TickAt({0.0, 0.0, -1.0});
