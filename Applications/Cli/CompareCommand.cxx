@@ -70,6 +70,7 @@ void CompareCommand::DeclareOptions(CLI::App& app)
       ->check(FiniteNumber::Between(0.0, 1000.0))
       ->capture_default_str();
   this->Settings.Images.Declare(app, "folder");
+  this->Settings.Images.DeclareValues(app);
   app.add_option(
          "--output", this->Settings.Output,
          "Folder for report.html, map.png, the surfaces with their distances (.vtp), and of "

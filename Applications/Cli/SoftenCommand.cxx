@@ -148,7 +148,8 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
                                     SofteningSettings::MostFreeDegrees))
       ->capture_default_str();
   app.add_option("--support", this->Settings.BedPerMillimeter,
-                 "Stiffness of what the organ lies on, kPa per mm")
+                 "Stiffness of what the organ lies on, kPa per mm; at most 200 times the tissue's "
+                 "modulus by the organ's mean radius")
       ->type_name("KPA/MM")
       ->check(
           FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
@@ -201,6 +202,7 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--json", this->Json,
                "Print one JSON object: what was built, how hard it feels, warnings");
   this->Images.Declare(app, "file");
+  this->Images.DeclareValues(app);
 }
 
 void SoftenCommand::ReadLesions(SofteningSettings& settings, Console& console) const
@@ -260,8 +262,8 @@ SofteningSettings SoftenCommand::Read(Console& console) const
   }
   if (!this->Elastography.empty())
   {
-    settings.Elastography =
-        std::make_shared<const Volume>(ReadVolume(this->Elastography, this->Images.Choice()));
+    settings.Elastography = std::make_shared<const Volume>(
+        ReadVolume(this->Elastography, this->Images.ChoiceOfVolume()));
     Tell(settings.Elastography->Notes, console);
   }
   this->ReadLesions(settings, console);

@@ -493,6 +493,10 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
                  IsWritten([&] { WriteTouchFiles(this->OutputFolder, touch, result); }, console);
   isWhole = this->WriteDrilled(touch, console) && isWhole;
   this->PrintSummary(touch, result, console);
+  if (!result.SweepNote.empty())
+  {
+    console.Note(result.SweepNote);
+  }
   if (!result.ThreadAdvice.empty())
   {
     console.Note(result.ThreadAdvice);

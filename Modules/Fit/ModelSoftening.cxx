@@ -235,6 +235,7 @@ ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
            "fit it as a radial model, or let it be rigid");
   }
   RequireInput(settings.Check(), name);
+  RequireInput(settings.CheckSupportOf(*radial), name);
   ModelSoftness made;
   Composition composition(settings, *radial, made);
   const ElasticSolid solid = composition.Solid(progress);

@@ -4,6 +4,7 @@
 #include "Units.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpate
 {
@@ -61,6 +62,19 @@ Status SofteningSettings::Check() const
                            ".");
   }
   return Status::Success();
+}
+
+Status SofteningSettings::CheckSupportOf(const SphericalHarmonicModel& organ) const
+{
+  const double meanRadius = organ.Coefficients()[0] / std::sqrt(4.0 * 3.14159265358979323846);
+  const double most = MostRelativeSupport * this->TissueKilopascal / meanRadius;
+  return this->Elastography != nullptr || this->BedPerMillimeter <= most
+             ? Status::Success()
+             : Status::Failure("A support of " + SignificantText(this->BedPerMillimeter) +
+                               " kPa per mm is too stiff for this organ of " +
+                               SignificantText(this->TissueKilopascal) + " kPa: at most " +
+                               SignificantText(most, 3) +
+                               " kPa per mm, beyond which it is as good as rigid.");
 }
 
 std::string ExaggerationText(double exaggeration)

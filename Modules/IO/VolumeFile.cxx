@@ -88,7 +88,8 @@ void CheckFinite(const std::filesystem::path& file, vtkDataArray* voxels)
   if (found > 0)
   {
     Refuse(file, "holds " + std::to_string(found) + " voxels that are NaN or infinite",
-           "take them as background (--background nan of palpate convert, fit and mesh), or "
+           "take them as background (--background nan of palpate convert, fit, mesh, compare and "
+           "soften), or "
            "replace them");
   }
 }

@@ -54,6 +54,18 @@ std::vector<Json> Compare(const TemporaryFolder& folder, std::vector<std::string
   return objects;
 }
 
+TEST(CliCompare, ThresholdMakesStructuresOfImagesOnly)
+{
+  const TemporaryFolder folder;
+  WriteGradedSphere(folder / "p.nii.gz");
+  WriteSphere(folder / "a.json", 10.0, Vector3::Zero());
+  Compare(folder, {"p.nii.gz", "a.json"}, 2);
+  const auto pairs = Compare(folder, {"p.nii.gz", "a.json", "--threshold", "0.5"});
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_GT(pairs[0].at("overlap").at("dice").get<double>(), 0.98);
+  Compare(folder, {"a.json", "a.json", "--threshold", "0.5"}, 2);
+}
+
 TEST(CliCompare, TwoModelsHaveTheirExactDistances)
 {
   const TemporaryFolder folder;

@@ -5,6 +5,7 @@
 #include "ComparisonJson.h"
 #include "ComparisonText.h"
 #include "Console.h"
+#include "InputError.h"
 #include "Interruption.h"
 #include "StructurePairs.h"
 
@@ -43,6 +44,10 @@ std::vector<PairComparison> CompareFiles(const CasePairs::Pair& files,
 {
   const ComparedFile one = ComparedFile::Read(files.One, settings.Images.Choice());
   const ComparedFile other = ComparedFile::Read(files.Other, settings.Images.Choice());
+  if (one.Labels() == nullptr && other.Labels() == nullptr && !settings.Images.ValueText().empty())
+  {
+    throw InputError("--threshold and --background are for images; leave them out");
+  }
   NoteChanges(one, console);
   NoteChanges(other, console);
   // A cohort's models are one structure each, whatever labels are asked for.

@@ -80,7 +80,7 @@ Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSo
   }
   return status.IsOk() && !maps.Check().IsOk()
              ? Status::Failure("The moduli differ too much from place to place, or the support is "
-                               "too soft or too stiff for them, for maps of degree " +
+                               "too stiff for them, for maps of degree " +
                                std::to_string(maps.Degree) + "; another degree may help.")
              : status;
 }

@@ -205,5 +205,34 @@ TEST(SofteningSettings, FailsOutsideOfItsLimits)
     EXPECT_TRUE(fails([=](SofteningSettings& s) { s.Numbers.ElementsAcross = elements; }));
   }
 }
+
+// Before any element is made; the same number for a larger modulus is not refused.
+TEST(ModelSoftening, RefusesSupportThatLeavesNothingToYield)
+{
+  SofteningSettings settings = Quick();
+  settings.BedPerMillimeter = 290.0; // of at most 200 x 20 kPa / 14 mm
+  double most = 0.0;
+  const auto watch = [&most](double part, const std::string&)
+  {
+    most = std::max(most, part);
+    return true;
+  };
+  try
+  {
+    SoftenModel(Ball(), "ball.json", settings, watch);
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("at most 286 kPa per mm"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(most, 0.0);
+  settings.BedPerMillimeter = 280.0;
+  EXPECT_NE(SoftenModel(Ball(), "ball.json", settings, GoOn).Elasticity, nullptr);
+  settings.BedPerMillimeter = 290.0;
+  settings.TissueKilopascal = 21.0;
+  EXPECT_NE(SoftenModel(Ball(), "ball.json", settings, GoOn).Elasticity, nullptr);
+}
 } // namespace
 } // namespace palpate::model_softening_test

@@ -22,7 +22,7 @@ namespace
 {
   Refuse(file, "is not a label map: it holds the value " + value,
          "use whole numbers, one for each structure, or take the voxels from a value on "
-         "(--threshold of palpate convert, fit and mesh)");
+         "(--threshold of palpate convert, fit, mesh, compare and soften)");
 }
 
 struct LabelSurvey
@@ -54,7 +54,7 @@ T LabelOf(const std::filesystem::path& file, T value, LabelSurvey& survey)
       Refuse(file, "is not a label map: it holds the negative value " + text,
              "use labels from 1, with 0 for the background, or take this value as background "
              "(--background " +
-                 text + " of palpate convert, fit and mesh)");
+                 text + " of palpate convert, fit, mesh, compare and soften)");
     }
   }
   return label;

@@ -370,6 +370,19 @@ TEST_F(TouchRun, SweepIsMostlyInContact)
   EXPECT_GT(result.TouchedSeconds[0], 0.8 * touch.Duration);
 }
 
+TEST_F(TouchRun, SaysThatASweepRanDeep)
+{
+  const SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
+  EXPECT_EQ(RunTouch(PrepareTouch(settings, {}, GoOn), {}, GoOn).SweepNote, "");
+  // As if the hand had meant to go less deep than it went.
+  TouchScript script;
+  script.SweepDepth = 14.0;
+  PreparedTouch touch = PrepareTouch(settings, script, GoOn);
+  touch.SweepDepth = 1.0;
+  const std::string note = RunTouch(touch, {}, GoOn).SweepNote;
+  EXPECT_NE(note.find("mm deep instead of 1 mm"), std::string::npos) << note;
+}
+
 // A touch three times as long as the sweep is in contact for the same part of the time.
 TEST_F(TouchRun, SweepRepeatsForTheWholeTouch)
 {

@@ -164,6 +164,10 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["fault"] = result.Fault == SafetyFault::None ? "" : FaultText(result);
   summary["device_problem"] = result.DeviceProblem;
   summary["warnings"] = touch.Warnings;
+  if (!result.SweepNote.empty())
+  {
+    summary["warnings"].push_back(result.SweepNote);
+  }
   summary["thread"] = result.ThreadAdvice;
   if (touch.Drill != nullptr)
   {
@@ -256,6 +260,10 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   for (const std::string& warning : touch.Warnings)
   {
     rows.emplace_back("warning", warning);
+  }
+  if (!result.SweepNote.empty())
+  {
+    rows.emplace_back("warning", result.SweepNote);
   }
   if (!result.ThreadAdvice.empty())
   {

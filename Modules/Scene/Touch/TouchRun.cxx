@@ -1,5 +1,6 @@
 #include "TouchRun.h"
 
+#include "DecimalText.h"
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "InputError.h"
@@ -61,6 +62,20 @@ double TimeOnPath(const PreparedTouch& touch, double time) noexcept
   }
   const double passed = std::fmod(time, 2.0 * once);
   return passed <= once ? passed : 2.0 * once - passed;
+}
+
+// Between two places a hand that does not see the surface runs deeper than at them. Friction stops
+// a device within a millimetre of its own.
+std::string NoteOnSweep(const PreparedTouch& touch, const TouchTrace& trace)
+{
+  constexpr double Usual = 3.0;
+  const double deepest = trace.Whole().Depth.Most;
+  return touch.IsSweep && deepest > Usual * std::max(touch.SweepDepth, touch.Frame.Scale)
+             ? "the sweep ran " + FixedText(deepest, 0) + " mm deep instead of " +
+                   SignificantText(touch.SweepDepth) +
+                   " mm: it goes straight from place to place, through what lies between them; "
+                   "give a --path along the surface"
+             : std::string();
 }
 
 // Virtual time waits for a slow disk.
@@ -329,6 +344,7 @@ private:
     }
     this->Result.LostTicks = servo.LostTicks();
     this->Result.DeviceProblem = this->Session.Device().Problem();
+    this->Result.SweepNote = NoteOnSweep(this->Touch, this->Result.Trace);
     return std::move(this->Result);
   }
 
@@ -381,6 +397,7 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   {
     RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
     touch.IsSweep = true;
+    touch.SweepDepth = script.SweepDepth;
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
   touch.Duration = script.Duration.value_or(duration);

@@ -44,6 +44,7 @@ struct PreparedTouch
   std::vector<DrillAction> Actions;    ///< scripted drill actions
   HandPath Path;                       ///< empty for a device with its own hand
   bool IsSweep = false;                ///< the path is followed back and forth until Duration
+  double SweepDepth = 0.0;             ///< mm, as in the script
   double Duration = 0.0;               ///< s
   bool IsRealTimeOnly = false;         ///< hardware cannot run in virtual time
   WorkspaceFrame Frame;                ///< placement of the device in the scene
@@ -77,6 +78,7 @@ struct TouchResult
   std::string DrillProblem;              ///< why drilling is incomplete; may be empty
   std::string DeviceProblem;             ///< may be empty
   std::string RecordingProblem; ///< why the recording is incomplete, and what is kept; may be empty
+  std::string SweepNote;        ///< on a sweep that ran much deeper than it should; may be empty
   std::string ThreadAdvice; ///< why the requested priority was not granted; empty in virtual time
 };
 
