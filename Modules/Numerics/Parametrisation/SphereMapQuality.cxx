@@ -84,7 +84,7 @@ Status CheckSphereMap(const SphereMapQuality& quality)
   char text[160];
   std::snprintf(text, sizeof(text),
                 "is too long and thin for a surface model: its map to the sphere distorts areas by "
-                "%.2f (at most %.2f)",
+                "%.3f (at most %.2f)",
                 quality.AreaDistortion, LargestAreaDistortion);
   return Status::Failure(text);
 }
