@@ -80,7 +80,9 @@ struct FitSettings
 
   double MaximumHiddenPercent = 10.0; ///< radial models of more hidden surface are refused;
                                       ///< at 100 Automatic is radial, whatever that loses
-  double MinimumDice = 0.75;          ///< a model that overlaps the mask less than this is refused
+  bool AcceptsAllHidden() const { return this->MaximumHiddenPercent >= 100.0; }
+
+  double MinimumDice = 0.75; ///< a model that overlaps the mask less than this is refused
 };
 
 inline bool operator==(const FitSettings& a, const FitSettings& b)

@@ -61,8 +61,7 @@ void OfferTouch(FitResult& result)
 // it loses may.
 bool IsAcceptedRadially(FitResult& result)
 {
-  constexpr double All = 100.0; // % of the surface
-  return result.Settings.Rules < 2 || result.Settings.MaximumHiddenPercent >= All ||
+  return result.Settings.Rules < 2 || result.Settings.AcceptsAllHidden() ||
          AcceptChanges(ChangesOf(result), result);
 }
 

@@ -80,8 +80,7 @@ std::string DistanceText(const FitResult& result)
 
 bool MayTakeSurfaceModel(const FitSettings& settings)
 {
-  constexpr double All = 100.0; // % of the surface
-  return settings.Model == FitSettings::ModelKind::Automatic && settings.MaximumHiddenPercent < All;
+  return settings.Model == FitSettings::ModelKind::Automatic && !settings.AcceptsAllHidden();
 }
 
 bool IsDoubtful(const FitResult& radial)
