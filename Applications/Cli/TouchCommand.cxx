@@ -339,7 +339,7 @@ TouchScript TouchCommand::Script() const
   return script;
 }
 
-void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& result,
+void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& result, bool hasPage,
                                 Console& console) const
 {
   if (this->Json)
@@ -370,7 +370,7 @@ void TouchCommand::PrintSummary(const PreparedTouch& touch, const TouchResult& r
   {
     out << Printable(line) << '\n';
   }
-  if (!this->OutputFolder.empty())
+  if (hasPage)
   {
     out << Printable((this->OutputFolder / "report.html").string()) << '\n';
   }
@@ -489,10 +489,11 @@ int TouchCommand::Touch(const PreparedTouch& touch, Console& console) const
   const TouchResult result = this->RunWithPeer(touch, settings, console);
   console.EndProgress();
   // An output that cannot be written does not stop the others.
-  bool isWhole = this->OutputFolder.empty() ||
-                 IsWritten([&] { WriteTouchFiles(this->OutputFolder, touch, result); }, console);
-  isWhole = this->WriteDrilled(touch, console) && isWhole;
-  this->PrintSummary(touch, result, console);
+  const bool hasOutput = !this->OutputFolder.empty();
+  const bool hasPage =
+      hasOutput && IsWritten([&] { WriteTouchFiles(this->OutputFolder, touch, result); }, console);
+  const bool isWhole = this->WriteDrilled(touch, console) && hasPage == hasOutput;
+  this->PrintSummary(touch, result, hasPage, console);
   if (!result.SweepNote.empty())
   {
     console.Note(result.SweepNote);

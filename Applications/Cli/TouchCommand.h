@@ -40,7 +40,8 @@ private:
   void CheckDrilled(const PreparedTouch& touch) const;
   /// Returns whether everything was written; prints what was not.
   bool WriteDrilled(const PreparedTouch& touch, Console& console) const;
-  void PrintSummary(const PreparedTouch& touch, const TouchResult& result, Console& console) const;
+  void PrintSummary(const PreparedTouch& touch, const TouchResult& result, bool hasPage,
+                    Console& console) const;
 
   /// Those of structures and the tool, which a scene states itself; owned by the CLI::App.
   std::vector<const CLI::Option*> StructureOptions;

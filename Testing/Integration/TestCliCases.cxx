@@ -563,5 +563,17 @@ TEST(CliCases, UnwritableTouchStillPrintsSummary)
   EXPECT_TRUE(Has(run.Errors, "cannot be written")) << run.Errors;
   EXPECT_GT(Json::parse(run.Output).at("ticks"), 0);
 }
+
+TEST(CliCases, TouchNamesItsPageOnlyIfItWasWritten)
+{
+  const TemporaryFolder folder;
+  WriteBoxes(folder / "a.nii.gz", {1});
+  const std::vector<std::string> touch{"touch", "a.nii.gz", "--seconds", "0.2", "--output", "felt"};
+  const CommandRun full = RunLimited("-f 4; trap '' XFSZ", touch, folder.Path());
+  EXPECT_FALSE(std::filesystem::exists(folder / "felt/report.html"));
+  EXPECT_TRUE(Has(full.Output, " ticks; ")) << full.Output;
+  EXPECT_FALSE(Has(full.Output, "report.html")) << full.Output;
+  EXPECT_TRUE(Has(RunPalpate(touch, folder.Path()).Output, "felt/report.html\n"));
+}
 } // namespace
 } // namespace palpate::cli_cases_test
