@@ -7,6 +7,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "NearestWord.h"
+#include "OutputCheck.h"
 #include "ProgramVersion.h"
 #include "SlicerModule.h"
 #include "SofteningCache.h"
@@ -242,6 +243,7 @@ int CommandLine::RunParsed(Console& console)
                                     [&](const auto& c) { return c->Name() == name; });
   try
   {
+    CheckOutputs(*this->App->get_subcommands().front());
     const int code = (*command)->Run(console);
     return Interruption::WasAsked() ? Interruption::ExitCode() : code;
   }

@@ -76,7 +76,7 @@ void CompareCommand::DeclareOptions(CLI::App& app)
          "Folder for report.html, map.png, the surfaces with their distances (.vtp), and of "
          "folders comparison.csv (default: write nothing)")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder({"report.html", "map.png", "first.vtp", "reference.vtp"}));
   app.add_option("--jobs", this->Jobs,
                  "Cases of folders or a list compared at a time (default: one per processor)")
       ->check(CLI::Range(1, 1024))

@@ -69,7 +69,7 @@ void PhantomCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for volume, mask, truth.json and the nodule's mask")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"))
+      ->check(FileType::OutputFolder({TruthName}))
       ->required();
   app.add_option("--spacing", this->Spacing, "Voxel size x,y,z in mm (default: 0.5,0.5,3)")
       ->type_name("MM,MM,MM")

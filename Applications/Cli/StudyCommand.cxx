@@ -249,7 +249,7 @@ void StudyCommand::DeclareOptions(CLI::App& app)
                  "Folder for models, surfaces, reports, scene.json and markups (default: write "
                  "nothing)")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder({"scene.json"}));
   app.add_flag("--json", this->Json, "Print one JSON object per file or structure");
 }
 

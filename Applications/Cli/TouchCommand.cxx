@@ -8,6 +8,7 @@
 #include "DeviceOption.h"
 #include "DrillExport.h"
 #include "DrillState.h"
+#include "EarlierFiles.h"
 #include "FileType.h"
 #include "FiniteNumber.h"
 #include "FitStructure.h"
@@ -247,7 +248,8 @@ void TouchCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for report.html, summary.json, scene.json and session.touch")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder(
+          {"report.html", "summary.json", "scene.json", "session.touch", "drill.state"}));
   CLI::Option* replay =
       app.add_option("--replay", this->ReplayFile,
                      "Replay a recorded session (session.touch), and compare each tick's force")
@@ -418,6 +420,10 @@ void TouchCommand::CheckDrilled(const PreparedTouch& touch) const
       throw InputError(file + " is neither a volume nor a surface file; use " +
                        ListOfEndings(ImageFormats().WrittenEndings()) + ", or " +
                        ListOfEndings(SurfaceFormats().WrittenEndings()));
+    }
+    for (const SceneStructure& structure : touch.Settings.Structures)
+    {
+      RequireOtherFile(file, structure.File);
     }
   }
 }

@@ -132,7 +132,8 @@ void TradeoffCommand::DeclareOptions(CLI::App& app)
                  "Folder for tradeoff.csv, tradeoff.json, tradeoff.html, and advised.scene.json, "
                  "the scene with the advised settings")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder(
+          {"tradeoff.html", "tradeoff.json", "tradeoff.csv", "advised.scene.json"}));
   app.add_flag("--json", this->Json, "Print all numbers as one JSON object");
 }
 

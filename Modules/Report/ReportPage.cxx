@@ -1,5 +1,6 @@
 #include "ReportPage.h"
 
+#include "EarlierFiles.h"
 #include "HtmlText.h"
 #include "SoftwareVersions.h"
 
@@ -130,7 +131,9 @@ std::string ReportPage(const std::string& title, const std::string& body)
 
 std::string ReportPageStart(const std::string& title)
 {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+  return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n") +
+         PageGenerator +
+         "\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
          EscapeHtml(title) + "</title>\n<style>" + Colors + PageLayout + Images + Tables +
          "</style>\n</head>\n<body>\n<main>\n";

@@ -51,6 +51,15 @@ CohortTable JoinCohorts(const std::vector<std::string>& folders,
   }
   return joined;
 }
+// Without cohort.csv, which is read before it is replaced, and those of --export.
+std::vector<std::string> WrittenNames()
+{
+  return {"cohort.html",        "mean.json",     "mean.vtp",      "shape.json",
+          "coefficients.csv",   "modes.csv",     "variance.csv",  "measures.csv",
+          "effects.csv",        "effects.vtp",   "design.csv",    "alignment.csv",
+          "correspondence.csv", "distances.csv", "distances.vtp", "reparametrisation.csv",
+          "model_quality.csv",  "repeated.csv",  "repeated.R"};
+}
 } // namespace
 
 std::string CohortCommand::Examples() const
@@ -69,7 +78,7 @@ void CohortCommand::DeclareOptions(CLI::App& app)
   app.add_option("OUT", this->Folders,
                  "Folders with a cohort.csv written by fit; with --masks, the folder to write")
       ->required()
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder(WrittenNames()));
   app.add_option(
          "--masks", this->Masks,
          "First fit the masks of this folder, of this table (--manifest of fit), or of this "
@@ -80,7 +89,7 @@ void CohortCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for tables and cohort.html (default: OUT, if it is a single folder)")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder(WrittenNames()));
   app.add_option("--label", this->Label, "Structure, by number or name, if there are several")
       ->type_name("N|NAME");
   this->DeclareAlignment(app);

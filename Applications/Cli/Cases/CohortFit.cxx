@@ -8,6 +8,7 @@
 #include "CaseText.h"
 #include "CommandProgress.h"
 #include "Console.h"
+#include "EarlierFiles.h"
 #include "FitJson.h"
 #include "FitStructure.h"
 #include "FolderLock.h"
@@ -136,6 +137,7 @@ int CohortFit::Run(const std::filesystem::path& output, Console& console)
 {
   this->Output = output;
   CheckOutputFolder(output);
+  RequireEarlierFiles(output, {"report.html"});
   MakeOutputFolder(output);
   FolderLock atWork(output, ".palpate-cohort-runs.lock");
   {

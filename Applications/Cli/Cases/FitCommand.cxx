@@ -59,7 +59,8 @@ void FitCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for models, surfaces and report.html (default: write nothing)")
       ->type_name("DIR")
-      ->check(FileType::Output("directory"));
+      ->check(FileType::OutputFolder(
+          {"report.html", "model.json", "model.csv", "model.vtp", "surface.vtp"}));
   app.add_option("--jobs", this->Jobs,
                  "Cases of a folder or manifest fitted at a time (default: one per processor)")
       ->check(CLI::Range(1, 1024))

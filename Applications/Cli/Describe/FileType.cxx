@@ -1,6 +1,8 @@
 #include "FileType.h"
 
+#include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace palpate::cli
 {
@@ -20,6 +22,16 @@ FileType FileType::Output(const std::string& content, const std::string& ending)
   return FileType(FileMark + (" output " + content) + " " + ending);
 }
 
+FileType FileType::OutputFolder(const std::vector<std::string>& names)
+{
+  std::string words = FileMark + std::string(" output directory");
+  for (const std::string& name : names)
+  {
+    words += " " + name;
+  }
+  return FileType(words);
+}
+
 std::optional<FileType::Declared> FileType::Of(const CLI::Option& option)
 {
   // CLI11 lists validators, until one is missing, for options that may change only.
@@ -35,7 +47,15 @@ std::optional<FileType::Declared> FileType::Of(const CLI::Option& option)
       if (name >> mark >> channel >> declared.Content && mark == FileMark)
       {
         declared.IsOutput = channel == "output";
-        name >> declared.Ending;
+        std::vector<std::string> words{std::istream_iterator<std::string>(name), {}};
+        if (declared.Content == "directory")
+        {
+          declared.Names = std::move(words);
+        }
+        else if (!words.empty())
+        {
+          declared.Ending = words.front();
+        }
         return declared;
       }
     }

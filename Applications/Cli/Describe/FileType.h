@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace palpate::cli
 {
@@ -17,11 +18,14 @@ public:
   {
     std::string Content;
     bool IsOutput;
-    std::string Ending; ///< of the files, such as .png; empty for any
+    std::string Ending;             ///< of the files, such as .png; empty for any
+    std::vector<std::string> Names; ///< that are written into an output folder, as far as known
   };
 
   static FileType Input(const std::string& content, const std::string& ending = {});
   static FileType Output(const std::string& content, const std::string& ending = {});
+  /// A folder, into which files of these names are written.
+  static FileType OutputFolder(const std::vector<std::string>& names);
   /// Nothing if the option names no file.
   static std::optional<Declared> Of(const CLI::Option& option);
 

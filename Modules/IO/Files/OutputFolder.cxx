@@ -1,6 +1,7 @@
 #include "OutputFolder.h"
 
 #include "AtomicFile.h"
+#include "EarlierFiles.h"
 #include "InputError.h"
 #include "Refusal.h"
 
@@ -229,6 +230,9 @@ void WriteOutputSet(const std::filesystem::path& folder,
     throw InputError(Replaced(error.what(), stage.Path().string(), folder.string()));
   }
   const std::vector<std::string> names = stage.Names();
+  std::vector<std::string> replaced = names;
+  replaced.insert(replaced.end(), obsolete.begin(), obsolete.end());
+  RequireEarlierFiles(folder, replaced);
   Move(names, stage.Path(), folder);
   for (const std::string& name : obsolete)
   {

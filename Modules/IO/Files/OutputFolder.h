@@ -25,7 +25,7 @@ PALPATEIO_EXPORT void MakeOutputFolder(const std::filesystem::path& folder);
 /// `folder`; when it returns, its files replace those of the same names in `folder`. Then the
 /// `obsolete` files of an earlier result that `write` did not write are removed. If anything throws
 /// before, `folder` is unchanged, or removed if it was new. Throws InputError, with the final names
-/// of the files.
+/// of the files, also if one of them is not an earlier result (RequireEarlierFiles).
 PALPATEIO_EXPORT void
 WriteOutputSet(const std::filesystem::path& folder,
                const std::function<void(const std::filesystem::path& folder)>& write,
