@@ -3,10 +3,12 @@
 #include "AvailableMemory.h"
 #include "Console.h"
 #include "DeclaredCommand.h"
+#include "FileType.h"
 #include "FilterRun.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "NearestWord.h"
+#include "NeutralInputs.h"
 #include "OutputCheck.h"
 #include "ProgramVersion.h"
 #include "SlicerModule.h"
@@ -16,7 +18,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <optional>
 #include <ostream>
+#include <set>
 
 namespace palpate::cli
 {
@@ -77,6 +81,49 @@ void DeclareDescription(CLI::App& app)
          { throw CLI::CallForVersion(SlicerModule(DeclaredCommand(app), VersionNumber()), 0); },
          "Print 3D Slicer's description of this command and exit")
       ->trigger_on_parse();
+}
+
+// Whether results of a command name its inputs; a cohort's cases are renamed by the command.
+bool NamesInputs(const std::string& command)
+{
+  static const std::set<std::string> commands{"fit",     "compare", "mesh",  "evaluate",
+                                              "convert", "soften",  "touch", "tradeoff"};
+  return commands.count(command) > 0;
+}
+
+void DeclareAnonymous(CLI::App& app, bool& isAnonymous)
+{
+  CLI::Option* flag =
+      app.add_flag("--anonymous", isAnonymous,
+                   "Number the inputs in results instead of naming their files: input-1, and "
+                   "case-001 of a folder, in the order of names");
+  for (const char* ofNames : {"--manifest", "--case", "--pairs"})
+  {
+    if (CLI::Option* option = app.get_option_no_throw(ofNames))
+    {
+      flag->excludes(option);
+    }
+  }
+}
+
+// From here on the command knows its inputs by neutral names.
+void HideNames(CLI::App& command, NeutralInputs& names)
+{
+  for (CLI::Option* option : command.get_options())
+  {
+    const std::optional<FileType::Declared> type = FileType::Of(*option);
+    if (!type || type->IsOutput || option->count() == 0)
+    {
+      continue;
+    }
+    const std::vector<std::string> inputs = option->results();
+    option->clear();
+    for (const std::string& input : inputs)
+    {
+      option->add_result(names.Of(input).string());
+    }
+    option->run_callback();
+  }
 }
 
 // The same headings by all versions of CLI11, and examples as they were written: from 2.5 on it has
@@ -142,6 +189,10 @@ CommandLine::CommandLine(std::vector<std::unique_ptr<Command>> commands)
     sub->fallthrough();
     sub->footer("Examples:\n" + command->Examples());
     command->DeclareOptions(*sub);
+    if (NamesInputs(command->Name()))
+    {
+      DeclareAnonymous(*sub, this->IsAnonymous);
+    }
     if (DeclaredCommand(*sub).IsModule())
     {
       DeclareDescription(*sub);
@@ -243,7 +294,13 @@ int CommandLine::RunParsed(Console& console)
                                     [&](const auto& c) { return c->Name() == name; });
   try
   {
-    CheckOutputs(*this->App->get_subcommands().front());
+    CLI::App& chosen = *this->App->get_subcommands().front();
+    CheckOutputs(chosen);
+    std::optional<NeutralInputs> names;
+    if (this->IsAnonymous)
+    {
+      HideNames(chosen, names.emplace());
+    }
     const int code = (*command)->Run(console);
     return Interruption::WasAsked() ? Interruption::ExitCode() : code;
   }

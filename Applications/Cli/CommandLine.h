@@ -39,5 +39,6 @@ private:
   bool Quiet = false;
   bool HasNoCache = false;
   bool IsForSlicer = false;
+  bool IsAnonymous = false;
 };
 } // namespace palpate::cli

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -57,7 +58,7 @@ std::vector<CohortRow> Choose(const CohortTable& table, const std::string& struc
   {
     if (row.Model.empty())
     {
-      notes.push_back({row.Case, " has no model and is omitted: " + row.Result.Message});
+      notes.push_back({row.Case, " has no model and is omitted", ": " + row.Result.Message});
     }
     else if (IsOf(row, structure))
     {
@@ -381,6 +382,24 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
   }
   Check(FindShapeModes(CoefficientsOf(group), group.Modes), folder.string());
   return group;
+}
+
+void NumberCases(CohortGroup& group)
+{
+  std::map<std::string, std::string> numbers;
+  for (CohortRow& row : group.Rows)
+  {
+    const std::string number = "case " + std::to_string(numbers.size() + 1);
+    numbers.emplace(row.Case, number);
+    row.Case = row.Result.CaseName = number;
+    row.Result.Input.clear();
+  }
+  for (CohortNote& note : group.Notes)
+  {
+    const auto found = numbers.find(note.Case);
+    note.Case = found == numbers.end() ? "a case" : found->second;
+    note.Reason.clear();
+  }
 }
 
 Eigen::MatrixXd CoefficientsOf(const CohortGroup& group)

@@ -19,7 +19,8 @@ namespace palpate
 struct CohortNote
 {
   std::string Case;
-  std::string Text; ///< follows the name: " has no model"
+  std::string Text;        ///< follows the name: " has no model"
+  std::string Reason = {}; ///< follows the text; may name files
 };
 
 /// The models of one structure over a cohort in common axes, and their variation.
@@ -46,6 +47,10 @@ PALPATEGROUP_EXPORT CohortGroup MakeCohortGroup(const CohortTable& table,
                                                 const std::filesystem::path& folder,
                                                 const std::string& structure, AlignmentAxes axes,
                                                 const KernelProgress& progress = {});
+
+/// Names the cases "case 1", "case 2", … in the order of the rows, and forgets their masks, so that
+/// what is written of the group names no patient.
+PALPATEGROUP_EXPORT void NumberCases(CohortGroup& group);
 
 /// The aligned models' coefficients (mm), one row per case; of surface models x, then y, then z.
 PALPATEGROUP_EXPORT Eigen::MatrixXd CoefficientsOf(const CohortGroup& group);

@@ -79,7 +79,7 @@ std::vector<std::string> NoteTexts(const CohortGroup& group, bool showsNames)
                                   [&](const CohortRow& one) { return one.Case == note.Case; });
     const std::string number =
         row == group.Rows.end() ? "A case" : "Case " + std::to_string(row - group.Rows.begin() + 1);
-    texts.push_back((showsNames ? note.Case : number) + note.Text);
+    texts.push_back(showsNames ? note.Case + note.Text + note.Reason : number + note.Text);
   }
   return texts;
 }

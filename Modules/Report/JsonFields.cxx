@@ -18,12 +18,14 @@ std::string RangeText(double least, double most)
   return "from " + SignificantText(least) + " to " + SignificantText(most);
 }
 
-// The path of a file as written in a file in `folder`.
+// The path of a file as written in a file in `folder`. A link keeps its name.
 std::string RelativeFile(const std::filesystem::path& file, const std::filesystem::path& folder)
 {
   std::error_code failure;
-  std::filesystem::path relative = std::filesystem::proximate(file, folder, failure);
-  relative = failure ? file.lexically_proximate(folder) : relative;
+  const std::filesystem::path parent = std::filesystem::absolute(file, failure).parent_path();
+  std::filesystem::path relative =
+      std::filesystem::proximate(parent, folder, failure) / file.filename();
+  relative = failure ? file.lexically_proximate(folder) : relative.lexically_normal();
   // With symbolic links a relative path may lead elsewhere.
   const bool leadsElsewhere = file.is_absolute() && folder.is_absolute() &&
                               (folder / relative).lexically_normal() != file.lexically_normal();

@@ -469,6 +469,26 @@ TEST_F(CliCovariates, PageNamesCasesOnlyIfAsked)
   EXPECT_TRUE(Has(ReadAll(this->Folder / "out/cohort.html"), "p03_scan"));
 }
 
+TEST_F(CliCovariates, AnonymousOutputNumbersCasesThatWereMatchedByName)
+{
+  WriteAll(this->Folder / "masks/p99_scan.nii.gz", "no image");
+  EXPECT_EQ(this->FromMasks("~ age").Code, 1);
+  EXPECT_FALSE(Has(ReadAll(this->Folder / "out/cohort.html"), "p99_scan")) << "omitted: why";
+  const CommandRun run =
+      this->Cohort({"--anonymous", "--output", "shared", "--covariates", "patients.csv",
+                    "--formula", "~ age", "--permutations", "199", "--export", "spharm-pdm"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "~ age, 10 cases")) << run.Output;
+  EXPECT_FALSE(Has(run.Output, "_scan")) << run.Output;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(this->Folder / "shared"))
+  {
+    EXPECT_FALSE(Has(entry.path().filename().string(), "_scan")) << entry.path();
+    EXPECT_FALSE(entry.is_regular_file() && Has(ReadAll(entry.path()), "_scan")) << entry.path();
+  }
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "shared/measures.csv"), "\ncase 10,"));
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "shared/cohort.csv")) << "it names masks";
+}
+
 TEST_F(CliCovariates, AreRefusedInOneSentence)
 {
   this->FromMasks("~ age");

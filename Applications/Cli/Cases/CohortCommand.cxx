@@ -95,6 +95,10 @@ void CohortCommand::DeclareOptions(CLI::App& app)
   this->DeclareAlignment(app);
   app.add_flag("--names", this->ShowsNames,
                "Name the cases in cohort.html, which numbers them otherwise");
+  app.add_flag("--anonymous", this->IsAnonymous,
+               "Number the cases, after they were matched with covariates, in all that is written "
+               "into --output, which then has no cohort.csv")
+      ->excludes(app.get_option("--names"));
   app.add_option("--export", this->Exports,
                  "Also write the cases as files of another tool, into a folder of this name in the "
                  "output: spharm-pdm, shapeworks")
@@ -172,7 +176,8 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
   app.add_option("--repeated", this->Request.Patient,
                  "Column with the patients, of whom some have several cases: writes a script for R "
                  "instead of tests")
-      ->type_name("COLUMN");
+      ->type_name("COLUMN")
+      ->excludes(app.get_option("--anonymous"));
 }
 
 int CohortCommand::FitMasks(Console& console) const
@@ -205,6 +210,10 @@ int CohortCommand::Run(Console& console)
   {
     throw InputError("--output is required for several cohorts: the folder of their joint results");
   }
+  if (this->OutputFolder.empty() && this->IsAnonymous)
+  {
+    throw InputError("--anonymous needs --output: the folders of the cases name them");
+  }
   const std::filesystem::path output =
       this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
   CheckOutputFolder(output); // told before the long work
@@ -232,6 +241,11 @@ int CohortCommand::Run(Console& console)
   std::vector<std::string> notes;
   const CovariateModel model(group, this->Request, notes, stage("permutations"));
   console.EndProgress();
+  if (this->IsAnonymous)
+  {
+    NumberCases(group);
+    notes.emplace_back("the cases are numbered in the order of cohort.csv, without those omitted");
+  }
   const CohortQuality quality = FindCohortQuality(group, random);
   const CohortCorrespondence correspondence =
       FindCohortCorrespondence(group, stage("correspondence"));
@@ -252,13 +266,13 @@ int CohortCommand::Run(Console& console)
   {
     WriteSynthesis(group, this->Shape, output, ProgramVersion());
   }
-  if (!this->OutputFolder.empty())
+  if (!this->OutputFolder.empty() && !this->IsAnonymous)
   {
     table.Write(output / "cohort.csv");
   }
   for (const CohortNote& note : group.Notes)
   {
-    console.Note(note.Case + note.Text);
+    console.Note(note.Case + note.Text + note.Reason);
   }
   for (const std::string& note : notes)
   {

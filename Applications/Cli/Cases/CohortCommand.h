@@ -43,6 +43,7 @@ private:
   bool MovesParameters = false;
   std::string Reference;
   bool ShowsNames = false;
+  bool IsAnonymous = false;
   std::string Shape;
   CovariateRequest Request;
 };

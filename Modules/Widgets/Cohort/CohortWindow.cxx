@@ -201,7 +201,7 @@ void CohortWindow::Take(const std::shared_ptr<CohortReading::Product>& product)
   QStringList notes;
   for (const CohortNote& note : group.Notes)
   {
-    notes << ScreenString(note.Case + note.Text);
+    notes << ScreenString(note.Case + note.Text + note.Reason);
   }
   this->State->setToolTip(notes.join("\n"));
   for (int mode = 0; mode < MostShownModes; ++mode)
