@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <ostream>
 #include <thread>
 
@@ -46,8 +47,14 @@ void LinkCommand::DeclareOptions(CLI::App& app)
   app.add_option("--output", this->OutputFolder,
                  "Folder for received images: image-1.nrrd, image-2.nrrd, ...; none is overwritten")
       ->type_name("DIR");
-  app.add_option("--images", this->MostImages, "End after this many images (default: go on)")
+  app.add_option("--images", this->MostImages,
+                 "End after this many images (default: end with an error at more than " +
+                     std::to_string(IgtlQuota::UsualImages) + ")")
       ->check(CLI::Range(1, 100000));
+  app.add_option("--gigabytes", this->Gigabytes,
+                 "End with an error at more GB of voxels than this in all images")
+      ->check(FiniteNumber::Between(1e-6, 1e6))
+      ->capture_default_str();
   app.add_option("--seconds", this->Seconds, "End after this time, s (default: go on)")
       ->check(FiniteNumber::Between(0.0, 1e6));
   app.add_option("--frequency", this->Frequency,
@@ -69,10 +76,18 @@ void LinkCommand::OfferModels(IgtlLink& link) const
 
 void LinkCommand::Keep(const IgtlImage& image, Console& console)
 {
+  const Status status = this->Quota.Check(image.Voxels.size());
+  if (!status.IsOk())
+  {
+    this->IsBeyondQuota = true;
+    console.Error(status.Message() + ", so the link ends; allow more with --images and "
+                                     "--gigabytes, or start it again");
+    return;
+  }
   try
   {
     const std::filesystem::path file = KeepImage(image, this->OutputFolder);
-    ++this->Received;
+    this->Quota.Add(image.Voxels.size());
     console.Output() << Printable(file.string()) << ": " << image.Size[0] << " x " << image.Size[1]
                      << " x " << image.Size[2] << " voxels" << std::endl;
   }
@@ -92,10 +107,29 @@ void LinkCommand::Tell(const std::string& note, Console& console)
   this->Told = note;
 }
 
-bool LinkCommand::IsDone(const IgtlLink& link) const
+void LinkCommand::TakeImages(IgtlLink& link, Console& console)
 {
-  return Interruption::WasAsked() || link.HasEnded() ||
-         (this->MostImages > 0 && this->Received >= this->MostImages);
+  while (!this->HasAll())
+  {
+    const std::optional<IgtlImage> image = link.TakeImage();
+    if (!image)
+    {
+      return;
+    }
+    if (this->OutputFolder.empty())
+    {
+      this->Tell("an image arrived; --output names a folder for it", console);
+    }
+    else
+    {
+      this->Keep(*image, console);
+    }
+  }
+}
+
+bool LinkCommand::HasAll() const
+{
+  return this->IsBeyondQuota || (this->MostImages > 0 && this->Quota.Images() >= this->MostImages);
 }
 
 int LinkCommand::Run(Console& console)
@@ -109,6 +143,8 @@ int LinkCommand::Run(Console& console)
   }
   IgtlPeer peer;
   RequireInput(ParseIgtlPeer(this->Peer, peer));
+  this->Quota =
+      IgtlQuota(this->MostImages > 0 ? this->MostImages : IgtlQuota::UsualImages, this->Gigabytes);
   IgtlLink link;
   this->OfferModels(link);
   if (!this->OutputFolder.empty())
@@ -120,25 +156,16 @@ int LinkCommand::Run(Console& console)
                                : "connected to " + peer.Host);
   const LinkClock::time_point start = LinkClock::now();
   const std::chrono::duration<double> most(this->Seconds);
-  while (!this->IsDone(link) && (this->Seconds <= 0.0 || LinkClock::now() - start < most))
+  while (!Interruption::WasAsked() && !link.HasEnded() && !this->HasAll() &&
+         (this->Seconds <= 0.0 || LinkClock::now() - start < most))
   {
     std::this_thread::sleep_for(LookEvery);
     for (const std::string& problem : link.TakeProblems())
     {
       this->Tell(problem, console);
     }
-    while (const std::optional<IgtlImage> image = link.TakeImage())
-    {
-      if (this->OutputFolder.empty())
-      {
-        this->Tell("an image arrived; --output names a folder for it", console);
-      }
-      else
-      {
-        this->Keep(*image, console);
-      }
-    }
+    this->TakeImages(link, console);
   }
-  return Interruption::ExitCode();
+  return this->IsBeyondQuota ? EXIT_FAILURE : Interruption::ExitCode();
 }
 } // namespace palpate::cli

@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "IgtlLink.h"
+#include "IgtlQuota.h"
 
 #include <filesystem>
 #include <string>
@@ -24,17 +25,20 @@ public:
 
 private:
   void OfferModels(IgtlLink& link) const;
+  void TakeImages(IgtlLink& link, Console& console);
   void Keep(const IgtlImage& image, Console& console);
   void Tell(const std::string& note, Console& console);
-  bool IsDone(const IgtlLink& link) const;
+  bool HasAll() const;
 
   std::string Peer;
   std::vector<std::string> Models;
   std::filesystem::path OutputFolder;
   int Frequency = 20;
-  int MostImages = 0; ///< 0: any number
+  int MostImages = 0; ///< 0: until the quota is used up
+  double Gigabytes = IgtlQuota::UsualGigabytes;
   double Seconds = 0.0;
-  int Received = 0;
+  IgtlQuota Quota;
+  bool IsBeyondQuota = false;
   std::string Told; ///< the last note
 };
 } // namespace palpate::cli

@@ -1,6 +1,7 @@
 #include "IgtlLink.h"
 
 #include <chrono>
+#include <new>
 #include <utility>
 
 namespace palpate
@@ -98,23 +99,36 @@ void IgtlLink::Run()
     {
       continue;
     }
-    if (!this->Parser)
+    try
     {
-      this->BeginPeer();
+      this->Exchange();
     }
-    if (this->IsFull())
+    catch (const std::bad_alloc&)
     {
-      // What the peer sent keeps Wait from waiting.
-      std::this_thread::sleep_for(std::chrono::milliseconds(LinkWaitMilliseconds));
+      this->EndPeer("There is not enough memory for what the peer sends, so the connection ends: "
+                    "let it send smaller images.");
     }
-    else if (!this->Receive())
-    {
-      continue;
-    }
-    if (!this->Send())
-    {
-      this->EndPeer("The OpenIGTLink peer is gone.");
-    }
+  }
+}
+
+void IgtlLink::Exchange()
+{
+  if (!this->Parser)
+  {
+    this->BeginPeer();
+  }
+  if (this->IsFull())
+  {
+    // What the peer sent keeps Wait from waiting.
+    std::this_thread::sleep_for(std::chrono::milliseconds(LinkWaitMilliseconds));
+  }
+  else if (!this->Receive())
+  {
+    return;
+  }
+  if (!this->Send())
+  {
+    this->EndPeer("The OpenIGTLink peer is gone.");
   }
 }
 
@@ -133,8 +147,8 @@ void IgtlLink::BeginPeer()
 
 void IgtlLink::EndPeer(const char* problem)
 {
+  this->Parser.reset(); // first, since it may hold what is left of the memory
   this->Report(problem);
-  this->Parser.reset();
   this->IsConnected = false;
   this->Stream.Leave();
   this->IsOver = !this->Peer.Connects();
@@ -160,6 +174,7 @@ bool IgtlLink::Receive()
 {
   const std::ptrdiff_t count = this->Stream.Receive(this->Arrived.data(), this->Arrived.size());
   const std::uint64_t damaged = this->Parser->Damaged();
+  const std::uint64_t tooLong = this->Parser->TooLong();
   if (count > 0 && !this->Parser->Take(this->Arrived.data(), static_cast<std::size_t>(count)))
   {
     this->EndPeer("The peer sends something that is not OpenIGTLink: check its address and port.");
@@ -168,6 +183,11 @@ bool IgtlLink::Receive()
   if (this->Parser->Damaged() > damaged)
   {
     this->Report("A damaged image was not used.");
+  }
+  if (this->Parser->TooLong() > tooLong)
+  {
+    this->Report("An image that the peer begins to send is not taken, since its message is longer "
+                 "than 1 GiB: send a part of it, or fewer bytes a voxel.");
   }
   while (std::optional<IgtlMessage> message = this->Parser->Next())
   {

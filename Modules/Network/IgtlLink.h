@@ -24,8 +24,8 @@ namespace palpate
 class IgtlLink
 {
 public:
-  /// Of a message with an image; longer ones are skipped.
-  static constexpr std::uint64_t MostImageBytes = std::uint64_t{1} << 31U;
+  /// Of a message with an image; longer ones are named when they begin, and skipped.
+  static constexpr std::uint64_t MostImageBytes = std::uint64_t{1} << 30U;
 
   IgtlLink() = default;
   IgtlLink(const IgtlLink&) = delete;
@@ -62,6 +62,7 @@ public:
 
 private:
   void Run();
+  void Exchange();
   bool Receive();
   bool Send();
   bool PrepareNext();

@@ -108,9 +108,13 @@ bool IgtlParser::BeginMessage()
   }
   this->HasHeader = true;
   this->BodyLeft = header.body_size;
-  this->IsKept = std::any_of(this->Wanted.begin(), this->Wanted.end(),
-                             [&](const Kind& kind)
-                             { return kind.Type == type && this->BodyLeft <= kind.MostBytes; });
+  const auto kind = std::find_if(this->Wanted.begin(), this->Wanted.end(),
+                                 [&](const Kind& wanted) { return wanted.Type == type; });
+  this->IsKept = kind != this->Wanted.end() && this->BodyLeft <= kind->MostBytes;
+  if (kind != this->Wanted.end() && !this->IsKept)
+  {
+    ++this->TooLongCount;
+  }
   return true;
 }
 

@@ -37,6 +37,8 @@ public:
   /// The oldest message that is complete; none if there is none.
   std::optional<IgtlMessage> Next();
   std::uint64_t Damaged() const noexcept { return this->DamagedCount; }
+  /// Messages of wanted types that are too long, counted when their header has arrived.
+  std::uint64_t TooLong() const noexcept { return this->TooLongCount; }
 
 private:
   bool BeginMessage();
@@ -50,5 +52,6 @@ private:
   bool IsKept = false;
   std::deque<IgtlMessage> Complete;
   std::uint64_t DamagedCount = 0;
+  std::uint64_t TooLongCount = 0;
 };
 } // namespace palpate

@@ -107,6 +107,43 @@ TEST(CliLink, ImageOfOneSliceIsNamedAndLeavesNoFile)
   EXPECT_EQ(run.Output, "in/image-1.nrrd: 5 x 4 x 2 voxels\n");
 }
 
+// Each image has 120 bytes of voxels.
+TEST(CliLink, EndsWithOneMessageWhereTheTotalIsReached)
+{
+  const TemporaryFolder folder;
+  WaitingPeer peer;
+  StartedCommand link(PALPATE_PROGRAM,
+                      {"link", peer.Address(), "--output", "in", "--gigabytes", "1e-6"},
+                      folder.Path());
+  peer.Meet();
+  for (int image = 0; image < 12; ++image)
+  {
+    peer.SendImage({5, 4, 3});
+  }
+  const CommandRun run = link.Finish();
+  EXPECT_EQ(run.Code, 1);
+  const std::size_t first = run.Errors.find("more than 1e-06 GB");
+  EXPECT_NE(first, std::string::npos) << run.Errors;
+  EXPECT_EQ(run.Errors.find("more than", first + 1), std::string::npos) << run.Errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "in/image-8.nrrd"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "in/image-9.nrrd"));
+}
+
+TEST(CliLink, TakesNoMoreImagesThanAskedFor)
+{
+  const TemporaryFolder folder;
+  WaitingPeer peer;
+  StartedCommand link(PALPATE_PROGRAM, {"link", peer.Address(), "--output", "in", "--images", "2"},
+                      folder.Path());
+  peer.Meet();
+  for (int image = 0; image < 6; ++image)
+  {
+    peer.SendImage({5, 4, 3});
+  }
+  EXPECT_EQ(link.Finish().Code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "in/image-3.nrrd"));
+}
+
 TEST(CliLink, PeerGetsTheModelUntilTheProgramIsInterrupted)
 {
   const TemporaryFolder folder;

@@ -6,11 +6,13 @@
 #include "IsSoon.h"
 
 #include <chrono>
+#include <cstring>
 #include <functional>
 #include <gtest/gtest.h>
 #include <igtlClientSocket.h>
 #include <igtlPolyDataMessage.h>
 #include <igtlServerSocket.h>
+#include <igtl_header.h>
 
 namespace palpate::igtl_link_test
 {
@@ -165,6 +167,22 @@ TEST_F(IgtlLinkTest, DamagedImageIsReportedAndTheNextIsTaken)
   const std::optional<IgtlImage> image = this->NextImage();
   ASSERT_TRUE(image.has_value());
   EXPECT_EQ(image->Size[0], 6);
+}
+
+// Only the header is sent, so a limit that is checked later would not be told.
+TEST_F(IgtlLinkTest, ImageThatIsTooLongIsNamedWhenItBegins)
+{
+  const auto peer = this->Connected();
+  igtl_header header;
+  const Bytes image = test::IgtlPackedImage({5, 3, 2});
+  std::memcpy(&header, image.data(), sizeof header);
+  igtl_header_convert_byte_order(&header);
+  header.body_size = IgtlLink::MostImageBytes + 1;
+  igtl_header_convert_byte_order(&header);
+  Bytes claim(sizeof header);
+  std::memcpy(claim.data(), &header, sizeof header);
+  Send(*peer, claim);
+  EXPECT_TRUE(this->Reports("longer than 1 GiB"));
 }
 
 TEST_F(IgtlLinkTest, NoiseEndsThePeer)

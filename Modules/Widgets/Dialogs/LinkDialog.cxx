@@ -109,6 +109,7 @@ void LinkDialog::SwitchLink(bool isOn)
     QSettings().setValue(AddressKey, this->Address->text());
     QSettings().setValue(FolderKey, this->Folder->text());
     this->Sent.clear();
+    this->Quota = IgtlQuota();
     this->Timer.start();
     this->OfferSurfaces();
   }
@@ -135,9 +136,9 @@ void LinkDialog::ShowState(const QString& problem)
     text = this->Link.HasPeer() ? QString("Connected.")
                                 : QString("Waiting on port %1.").arg(this->Link.Port());
   }
-  if (this->Received > 0)
+  if (this->Quota.Images() > 0)
   {
-    text += QString(" %1 images received.").arg(this->Received);
+    text += QString(" %1 images received.").arg(this->Quota.Images());
   }
   if (!problem.isEmpty())
   {
@@ -157,11 +158,13 @@ void LinkDialog::Look()
     problem = ScreenString(one);
     this->Study.Report(one);
   }
-  while (std::optional<IgtlImage> image = this->Link.TakeImage())
+  const Status status = this->TakeImages();
+  if (!status.IsOk())
   {
-    this->Keep(std::move(*image));
+    problem = ScreenString(status.Message() + ", so the link has ended; start it again for more.");
+    this->Study.Report(problem.toStdString());
   }
-  if (this->Link.HasEnded())
+  if (!status.IsOk() || this->Link.HasEnded())
   {
     this->Switch->setChecked(false);
     this->ShowState(problem);
@@ -170,17 +173,38 @@ void LinkDialog::Look()
   this->ShowState();
 }
 
-// Written and then opened as any other file, so that a saved session finds it again.
-void LinkDialog::Keep(IgtlImage image)
+// One at a time, so that images do not wait in memory. Fails if one is beyond the quota.
+Status LinkDialog::TakeImages()
 {
-  ++this->Received;
+  while (this->Writing.expired())
+  {
+    std::optional<IgtlImage> image = this->Link.TakeImage();
+    if (!image)
+    {
+      break;
+    }
+    Status status = this->Quota.Check(image->Voxels.size());
+    if (!status.IsOk())
+    {
+      return status;
+    }
+    this->Quota.Add(image->Voxels.size());
+    this->Keep(std::make_shared<const IgtlImage>(std::move(*image)));
+  }
+  return Status::Success();
+}
+
+// Written and then opened as any other file, so that a saved session finds it again.
+void LinkDialog::Keep(std::shared_ptr<const IgtlImage> image)
+{
+  this->Writing = image;
   StudyController* study = &this->Study;
   StudyJob job;
   job.Work =
       [study, image = std::move(image),
        folder = std::filesystem::path(this->Folder->text().toStdString())](const ProgressFunction&)
   {
-    const std::filesystem::path file = KeepImage(image, folder);
+    const std::filesystem::path file = KeepImage(*image, folder);
     return StudyJob::Delivery([study, file] { study->OpenFiles({file}); });
   };
   job.Fail = [study](const std::string& message) { study->Report(message); };

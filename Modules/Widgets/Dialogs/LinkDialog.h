@@ -2,6 +2,7 @@
 
 #include "FileQuestions.h"
 #include "IgtlLink.h"
+#include "IgtlQuota.h"
 #include "StudyController.h"
 #include "vtkSmartPointer.h"
 
@@ -13,6 +14,7 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 class vtkPolyData;
@@ -38,7 +40,8 @@ private:
   void ChooseFolder();
   void SwitchLink(bool isOn);
   void Look();
-  void Keep(IgtlImage image);
+  Status TakeImages();
+  void Keep(std::shared_ptr<const IgtlImage> image);
   std::vector<vtkSmartPointer<vtkPolyData>> SurfacesToSend();
   void OfferSurfaces();
   void ShowTouch();
@@ -54,7 +57,8 @@ private:
   QCheckBox* SendsSurfaces;
   QPushButton* Switch;
   QLabel* State;
-  int Received = 0;
-  std::vector<std::uint64_t> Sent; ///< modification times of the surfaces that were offered
+  IgtlQuota Quota;
+  std::weak_ptr<const IgtlImage> Writing; ///< the next one waits until it is written
+  std::vector<std::uint64_t> Sent;        ///< modification times of the surfaces that were offered
 };
 } // namespace palpate
