@@ -120,6 +120,7 @@ public:
     // Coinciding places would take no time.
     this->Places.push_back({this->Places.back().Time + std::max(path / this->Speed, 1e-3), point});
   }
+  double Time() const { return this->Places.back().Time; } ///< s
   HandPath Path() { return HandPath(std::move(this->Places)); }
 
 private:
@@ -198,7 +199,7 @@ HandPath ReadHandPath(const std::filesystem::path& path)
   return HandPath(std::move(places));
 }
 
-Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& path)
+Status SweepOf(const TouchScene& scene, double depth, double speed, double longest, HandPath& path)
 {
   constexpr int Knots = 400;
   SceneProbe probe(scene);
@@ -209,7 +210,7 @@ Status SweepOf(const TouchScene& scene, double depth, double speed, HandPath& pa
   }
   const double outside = 1.05 * probe.Extent();
   Walk walk(probe.Center() + outside * OnSpiral(0.0), speed);
-  for (int knot = 0; knot <= Knots; ++knot)
+  for (int knot = 0; knot <= Knots && walk.Time() < longest; ++knot)
   {
     const Vector3 direction = OnSpiral(static_cast<double>(knot) / Knots);
     const double touch = probe.FirstTouch(direction);

@@ -39,9 +39,10 @@ PALPATESCENE_EXPORT HandPath ReadHandPath(const std::filesystem::path& path);
 
 /// A path round all touchable structures of a scene: along a spiral from pole to pole, `depth` mm
 /// below the first contact of the tool, at `speed` mm/s, and off again. Parts of the spiral that
-/// meet no structure pass outside. Fails if the scene cannot be touched.
+/// meet no structure pass outside. Ends early once it takes at least `longest` seconds, since with
+/// a large tool each place takes much time to find. Fails if the scene cannot be touched.
 PALPATESCENE_EXPORT Status SweepOf(const TouchScene& scene, double depth, double speed,
-                                   HandPath& path);
+                                   double longest, HandPath& path);
 
 /// Presses into a scene at seeded places.
 struct HandPresses

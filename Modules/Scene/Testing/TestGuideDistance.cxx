@@ -74,11 +74,27 @@ TEST(GuideDistance, LargeStructuresGetWiderSteps)
     }
     catch (const InputError& error)
     {
-      return std::string(error.what()).find("longer range") != std::string::npos;
+      return std::string(error.what()).find("\"range_mm\" of each at least 10,") !=
+             std::string::npos;
     }
     return false;
   };
   EXPECT_TRUE(isRefused(260.0, {5.0, 0.5}));
+}
+
+// Each node is a search of the mesh, which takes the longer, the farther away it is.
+TEST(GuideDistance, FarGuidesGetFewerNodes)
+{
+  const auto far = MakeGuideDistance({}, Ball(30.0, Vector3::Zero()), {120.0, 2.0}, GoOn);
+  EXPECT_LT(static_cast<double>(far->Bytes()), 6 * MostGuideNodes); // 11 bytes a node
+  // Smoothing by a step of about 5 mm raises the distance by its square over 100 mm.
+  EXPECT_NEAR(far->At({100.0, 0.0, 0.0})->Distance, 70.0, 0.3);
+}
+
+// Of a range of 1e-300 mm.
+TEST(GuideDistance, AbsurdlyShortRangeIsRefused)
+{
+  EXPECT_THROW(MakeGuideDistance({}, Ball(15.0, Vector3::Zero()), {5.0, 1e-301}, GoOn), InputError);
 }
 
 TEST(GuideDistance, CanBeCancelled)

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace palpate::hand_path_test
 {
@@ -47,16 +48,17 @@ TEST(HandPath, RejectsMalformedFile)
   }
 }
 
-TEST(HandPath, SweepFollowsASphereAtItsDepth)
+constexpr double Radius = 20.0;
+constexpr double ToolRadius = 2.0;
+constexpr double Depth = 1.5;
+constexpr double Speed = 40.0;
+
+// Over a sphere, for at least `longest` seconds if it is that long.
+HandPath Sweep(const Vector3& center, double longest)
 {
-  constexpr double Radius = 20.0;
-  constexpr double ToolRadius = 2.0;
-  constexpr double Depth = 1.5;
-  constexpr double Speed = 40.0;
-  const Vector3 center(10.0, -30.0, 5.0);
   TouchScene scene;
   TouchStructure sphere;
-  ASSERT_TRUE(HarmonicContactModel::Make(
+  EXPECT_TRUE(HarmonicContactModel::Make(
                   std::make_shared<const SphericalHarmonicModel>(
                       0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
                   HarmonicContactMode::Nearest, sphere.Model)
@@ -64,7 +66,29 @@ TEST(HandPath, SweepFollowsASphereAtItsDepth)
   scene.Structures = {sphere};
   scene.Tool = ToolShape::Sphere(ToolRadius);
   HandPath path;
-  ASSERT_TRUE(SweepOf(scene, Depth, Speed, path).IsOk());
+  EXPECT_TRUE(SweepOf(scene, Depth, Speed, longest, path).IsOk());
+  return path;
+}
+
+// A place takes 30 ms and more with a tool of 100 mm.
+TEST(HandPath, SweepFindsNoMorePlacesThanItsTimeTakes)
+{
+  const HandPath whole = Sweep(Vector3::Zero(), std::numeric_limits<double>::infinity());
+  const HandPath part = Sweep(Vector3::Zero(), 1.0);
+  EXPECT_GE(part.Duration(), 1.0);
+  ASSERT_LT(part.List().size(), whole.List().size() / 4);
+  for (std::size_t p = 0; p + 1 < part.List().size(); ++p) // the last leads off the structure
+  {
+    EXPECT_EQ(part.List()[p].Time, whole.List()[p].Time);
+    EXPECT_EQ(part.List()[p].PointWorld, whole.List()[p].PointWorld);
+  }
+  EXPECT_GE(part.List()[part.List().size() - 2].Time, 1.0);
+}
+
+TEST(HandPath, SweepFollowsASphereAtItsDepth)
+{
+  const Vector3 center(10.0, -30.0, 5.0);
+  const HandPath path = Sweep(center, std::numeric_limits<double>::infinity());
   const auto& places = path.List();
   ASSERT_GT(places.size(), 100U);
   for (std::size_t p = 1; p + 1 < places.size(); ++p)

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <thread>
 
@@ -395,7 +396,9 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   touch.Path = script.Path;
   if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
   {
-    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed, touch.Path));
+    RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed,
+                         script.Duration.value_or(std::numeric_limits<double>::infinity()),
+                         touch.Path));
     touch.IsSweep = true;
     touch.SweepDepth = script.SweepDepth;
   }
