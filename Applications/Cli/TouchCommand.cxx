@@ -146,7 +146,7 @@ void TouchCommand::DeclareStructure(CLI::App& app)
   app.add_option("--stiffness", this->Structure.Stiffness,
                  "Stiffness, N per mm of hand displacement")
       ->type_name("N/MM")
-      ->check(FiniteNumber::Between(0.0, 1e4))
+      ->check(FiniteNumber::Between(0.0, ContactLimits::Stiffness))
       ->capture_default_str();
   app.add_option("--damping", this->Structure.Damping, "Damping, N s/mm")
       ->type_name("NS/MM")

@@ -1,5 +1,6 @@
 #include "SceneEffect.h"
 
+#include "ContactLimits.h"
 #include "EffectField.h"
 #include "FieldOfImage.h"
 #include "GuidingGradient.h"
@@ -81,13 +82,13 @@ SceneEffectKind TextureKind()
 // The stiffness of a rigid structure from the intensities of an image (see StiffnessImage).
 SceneEffectKind StiffnessKind()
 {
-  constexpr double Stiffest = 1e4; // N/mm, as of structures
   SceneEffectKind kind;
   kind.Name = "stiffness image";
   kind.Numbers = {
-      {"stiffness_from_n_per_mm", "Stiffness at the first value, N/mm", Stiffest, 3},
+      {"stiffness_from_n_per_mm", "Stiffness at the first value, N/mm", ContactLimits::Stiffness,
+       3},
       {"stiffness_from_value", "First value", LargestImageValue, 6, {}, -LargestImageValue},
-      {"stiffness_to_n_per_mm", "Stiffness at the second value, N/mm", Stiffest, 3},
+      {"stiffness_to_n_per_mm", "Stiffness at the second value, N/mm", ContactLimits::Stiffness, 3},
       {"stiffness_to_value", "Second value", LargestImageValue, 6, {}, -LargestImageValue}};
   kind.ImageKey = "stiffness_image";
   kind.ImageLabel = "Stiffness image";

@@ -14,9 +14,8 @@ namespace palpate
 {
 namespace
 {
-constexpr double LargestPlace = 1e6;     // mm, of coordinates
-constexpr double LargestLength = 1e4;    // mm, of tools
-constexpr double LargestStiffness = 1e4; // N/mm
+constexpr double LargestPlace = 1e6;  // mm, of coordinates
+constexpr double LargestLength = 1e4; // mm, of tools and guides
 constexpr double LargestIso = 1e300;
 constexpr int LargestId = 2'000'000'000;
 
@@ -169,7 +168,7 @@ void ExchangeStructure(JsonFields& fields, SceneStructure& structure)
   fields.Exchange("mode", structure.Mode, ModeWords);
   fields.Exchange("interpolation", structure.Interpolation, InterpolationWords);
   fields.Exchange("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
-  fields.Exchange("stiffness_n_per_mm", structure.Stiffness, 0.0, LargestStiffness);
+  fields.Exchange("stiffness_n_per_mm", structure.Stiffness, 0.0, ContactLimits::Stiffness);
   fields.Exchange("damping_ns_per_mm", structure.Damping, 0.0, ContactLimits::Damping);
   fields.Exchange("static_friction", structure.Friction.Static, 0.0, ContactLimits::Friction);
   fields.Exchange("dynamic_friction", structure.Friction.Dynamic, 0.0, ContactLimits::Friction);
@@ -186,7 +185,7 @@ void ExchangeStructure(JsonFields& fields, SceneStructure& structure)
 void ExchangeTool(JsonFields& fields, TouchToolSettings& tool)
 {
   fields.Exchange("shape", tool.Kind, ShapeWords);
-  fields.Exchange("radius_mm", tool.Radius, 0.0, LargestLength);
+  fields.Exchange("radius_mm", tool.Radius, 0.0, ContactLimits::ToolRadius);
   fields.Exchange("length_mm", tool.Length, 0.0, LargestLength);
   fields.Exchange("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
   fields.ExchangeIfSet("file", tool.File);

@@ -1,5 +1,6 @@
 #include "StructureTableModel.h"
 
+#include "ContactLimits.h"
 #include "SceneRepresentation.h"
 #include "ScreenString.h"
 #include "ToolIcon.h"
@@ -50,7 +51,7 @@ QString Write(SceneStructure& structure, int column, const QVariant& value)
     structure.Degree = std::clamp(value.toInt(), 0, 64);
     return "degree " + QString::number(structure.Degree);
   case StructureTableModel::StiffnessColumn:
-    structure.Stiffness = std::clamp(value.toDouble(), 0.0, 1e4);
+    structure.Stiffness = std::clamp(value.toDouble(), 0.0, ContactLimits::Stiffness);
     return QString("stiffness %1 N/mm").arg(structure.Stiffness);
   case StructureTableModel::FrictionColumn:
     structure.Friction.Static = std::clamp(value.toDouble(), 0.0, 10.0);

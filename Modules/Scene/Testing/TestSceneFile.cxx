@@ -336,6 +336,8 @@ TEST_F(TouchSceneFile, RejectsInvalidEntriesByName)
       {begin + R"(}], "guides": [{"shape": "inside", "structure": -1}]})", "structure"},
       {begin + R"(}], "guides": [{"shape": "surface", "structure": 1, "distance_mm": 1e5}]})",
        "distance_mm"},
+      {begin + R"(, "stiffness_n_per_mm": 101}]})", "stiffness_n_per_mm"},
+      {begin + R"(}], "tool": {"radius_mm": 101}})", "radius_mm"},
       {begin + R"(}], "device": 4})", "device"},
       {begin + R"(}], "rate_hz": 0})", "rate_hz"},
       {begin + R"(}], "scale": 1e9})", "scale"},

@@ -1,5 +1,6 @@
 #include "StructureDialog.h"
 
+#include "ContactLimits.h"
 #include "SceneTissue.h"
 
 #include <QDialogButtonBox>
@@ -143,13 +144,13 @@ void StructureDialog::AddModelMembers()
 
 void StructureDialog::AddContactMembers()
 {
-  this->AddNumber("Stiffness, N/mm", "stiffness", 1e4, 3,
+  this->AddNumber("Stiffness, N/mm", "stiffness", ContactLimits::Stiffness, 3,
                   [](SceneStructure& structure) -> double& { return structure.Stiffness; });
-  this->AddNumber("Damping, N s/mm", "damping", 10.0, 5,
+  this->AddNumber("Damping, N s/mm", "damping", ContactLimits::Damping, 5,
                   [](SceneStructure& structure) -> double& { return structure.Damping; });
-  this->AddNumber("Static friction", "static-friction", 10.0, 3,
+  this->AddNumber("Static friction", "static-friction", ContactLimits::Friction, 3,
                   [](SceneStructure& structure) -> double& { return structure.Friction.Static; });
-  this->AddNumber("Dynamic friction", "dynamic-friction", 10.0, 3,
+  this->AddNumber("Dynamic friction", "dynamic-friction", ContactLimits::Friction, 3,
                   [](SceneStructure& structure) -> double& { return structure.Friction.Dynamic; });
 }
 
