@@ -3,6 +3,7 @@
 #include "AvailableMemory.h"
 #include "Console.h"
 #include "DeclaredCommand.h"
+#include "ExceptionMessage.h"
 #include "FileType.h"
 #include "FilterRun.h"
 #include "InputError.h"
@@ -325,7 +326,7 @@ int CommandLine::RunParsed(Console& console)
     console.Error(SaysMemoryIsShort(error)
                       ? "not enough memory for this; try a smaller image, or lower --degree or "
                         "--frequency where the command has them"
-                      : AsClause(error.what()));
+                      : AsClause(MessageOf(error)));
     return EXIT_FAILURE;
   }
 }

@@ -1,5 +1,6 @@
 #include "Application.h"
 #include "DisplayCheck.h"
+#include "ExceptionMessage.h"
 #include "Interruption.h"
 #include "ScreenText.h"
 #include "SofteningCache.h"
@@ -74,9 +75,9 @@ int main(int argc, char* argv[])
     }
     return Run(argc, argv, options);
   }
-  catch (const std::runtime_error& error)
+  catch (const std::exception& error)
   {
-    std::cerr << palpate::Printable(error.what()) << '\n';
+    std::cerr << palpate::Printable(palpate::MessageOf(error)) << '\n';
     return 1;
   }
 }

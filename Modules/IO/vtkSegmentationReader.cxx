@@ -1,5 +1,6 @@
 #include "vtkSegmentationReader.h"
 
+#include "ExceptionMessage.h"
 #include "OutputImageInformation.h"
 #include "SegmentationFile.h"
 
@@ -110,7 +111,7 @@ bool vtkSegmentationReader::ReadFile()
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< palpate::MessageOf(error));
     return false;
   }
   for (const auto& layer : this->State->Segmentation.Layers)

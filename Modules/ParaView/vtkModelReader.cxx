@@ -1,5 +1,6 @@
 #include "vtkModelReader.h"
 
+#include "ExceptionMessage.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 
@@ -55,7 +56,7 @@ int vtkModelReader::RequestData(vtkInformation*, vtkInformationVector**,
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< palpate::MessageOf(error));
     return 0;
   }
 }

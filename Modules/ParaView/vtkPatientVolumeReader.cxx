@@ -1,5 +1,6 @@
 #include "vtkPatientVolumeReader.h"
 
+#include "ExceptionMessage.h"
 #include "OutputImageInformation.h"
 #include "VolumeFile.h"
 
@@ -26,7 +27,7 @@ int vtkPatientVolumeReader::RequestInformation(vtkInformation*, vtkInformationVe
     }
     catch (const std::exception& error)
     {
-      vtkErrorMacro(<< error.what());
+      vtkErrorMacro(<< palpate::MessageOf(error));
       return 0;
     }
     this->Read->GetPointData()->GetScalars()->SetName("Values");

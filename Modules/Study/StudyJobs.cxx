@@ -1,6 +1,6 @@
 #include "StudyJobs.h"
 
-#include "AvailableMemory.h"
+#include "ExceptionMessage.h"
 #include "Progress.h"
 
 #include <algorithm>
@@ -89,10 +89,7 @@ StudyJob::Delivery StudyJobs::Desk::Do(Entry& entry)
   }
   catch (const std::exception& error)
   {
-    return FailWith(entry,
-                    SaysMemoryIsShort(error)
-                        ? "not enough memory for this; try a smaller image, degree or frequency"
-                        : error.what());
+    return FailWith(entry, MessageOf(error));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "StudyTouch.h"
 
+#include "ExceptionMessage.h"
 #include "InputError.h"
 #include "SafetyText.h"
 #include "StiffnessAdvice.h"
@@ -163,9 +164,9 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     }
     return status;
   }
-  catch (const std::runtime_error& error)
+  catch (const std::exception& error)
   {
-    return Status::Failure(error.what());
+    return Status::Failure(MessageOf(error));
   }
 }
 

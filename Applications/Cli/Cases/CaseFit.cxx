@@ -3,6 +3,7 @@
 #include "AvailableMemory.h"
 #include "CaseText.h"
 #include "Console.h"
+#include "ExceptionMessage.h"
 #include "FitFiles.h"
 #include "FitHints.h"
 #include "FitJson.h"
@@ -144,7 +145,7 @@ public:
       lost.Message =
           this->Mask.Mask.string() + (SaysMemoryIsShort(error)
                                           ? " needs more memory than there is; crop or resample it."
-                                          : std::string(": ") + error.what());
+                                          : ": " + MessageOf(error));
     }
     this->Finish(std::move(lost), {}, false);
   }

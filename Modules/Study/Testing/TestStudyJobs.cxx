@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -120,10 +121,13 @@ TEST(StudyJobs, ReportsExceptionsAsMessages)
   start([](const ProgressFunction&) -> StudyJob::Delivery
         { throw std::runtime_error("mask.nii.gz is missing"); });
   start([](const ProgressFunction&) -> StudyJob::Delivery { throw std::bad_alloc(); });
+  start([](const ProgressFunction&) -> StudyJob::Delivery
+        { throw std::out_of_range("vector::_M_range_check"); });
   DeliverAll(jobs);
-  ASSERT_EQ(messages.size(), 2U);
+  ASSERT_EQ(messages.size(), 3U);
   EXPECT_EQ(messages[0], "mask.nii.gz is missing");
   EXPECT_NE(messages[1].find("memory"), std::string::npos);
+  EXPECT_EQ(messages[2].find("vector"), std::string::npos) << "text of a library";
 }
 
 TEST(StudyJobs, CancelledJobStopsAndDeliversNothing)

@@ -1,6 +1,7 @@
 #include "CohortReading.h"
 
 #include "CohortTable.h"
+#include "ExceptionMessage.h"
 #include "InputError.h"
 #include "ModelSurface.h"
 #include "Progress.h"
@@ -100,7 +101,7 @@ void CohortReading::Read(const QString& folder)
   }
   catch (const std::exception& error)
   {
-    Q_EMIT this->Failed(QString::fromStdString(error.what()));
+    Q_EMIT this->Failed(QString::fromStdString(MessageOf(error)));
   }
 }
 } // namespace palpate

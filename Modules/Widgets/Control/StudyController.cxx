@@ -1,6 +1,7 @@
 #include "StudyController.h"
 
 #include "DicomPreview.h"
+#include "ExceptionMessage.h"
 #include "Progress.h"
 #include "SeriesDialog.h"
 
@@ -70,7 +71,7 @@ void StudyController::Try(const std::function<void()>& act)
   }
   catch (const std::exception& error)
   {
-    this->Report(error.what());
+    this->Report(MessageOf(error));
   }
   this->Announce();
 }
