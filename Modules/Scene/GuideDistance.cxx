@@ -54,7 +54,7 @@ double NodesOf(const VoxelCenters& grid)
 // Far from a mesh, a search for its nearest point takes the longer, the more triangles it has.
 double MostNodes(std::size_t triangles, double reach)
 {
-  constexpr double Near = 20.0;   // mm
+  constexpr double Near = 100.0;  // mm
   constexpr double Few = 100'000; // triangles
   return reach <= Near ? MostGuideNodes
                        : 0.5 * MostGuideNodes /

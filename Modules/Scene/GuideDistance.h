@@ -26,7 +26,7 @@ using GuideDistances = std::map<int, std::shared_ptr<const StructureDistance>>;
 
 /// The signed distances to the closed surface of a structure, made from the product of its source
 /// (see ProtectedSurfaceOf), averaged with a Gaussian of one step. Large structures get wider
-/// steps, so that there are at most MostGuideNodes; half of them where the reach is above 20 mm,
+/// steps, so that there are at most MostGuideNodes; half of them where the reach is above 100 mm,
 /// and fewer for a mesh of more than 100,000 triangles, so that the work is bounded. Throws
 /// InputError for a structure without triangles and one that is too large for the range of its
 /// guide, FilterError and Cancelled.
