@@ -17,6 +17,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "Testing/Mutants/mutants.toml"
 PAGE = ROOT / "Documentation/Mutants.md"
 WORK = ROOT / "build/mutants"
+# Fates on the page besides tests.
+HARMLESS = "not run: "
+NOT_RUN = "not run yet"
+SURVIVES = "**survives**"
 LIMIT = 120  # s, for a program that does not end because of a mutant
 
 INTRODUCTION = """# Mutants
@@ -160,15 +164,35 @@ def code_of(text):
     return "`" + " ".join(lines_of(text)).replace("|", "\\|") + "`" if text.strip() else "(nothing)"
 
 
+def row_of(mutant):
+    """Its row of the page, without its fate."""
+    return f"| {mutant['breaks']} | {code_of(mutant['old'])} | {code_of(mutant['new'])} |"
+
+
+def killers_on(page, table):
+    """Mutants whose row is on the page already, and what killed them there; None if nothing did."""
+    fates = {}
+    for line in page.split("\n"):
+        row, _, fate = line.removesuffix(" |").rpartition(" | ")
+        fates[row + " |"] = fate
+    known = {id(m): fates[row_of(m)] for m in table["mutant"] if row_of(m) in fates}
+    return {
+        key: None if fate == SURVIVES else fate
+        for key, fate in known.items()
+        if fate != NOT_RUN and not fate.startswith(HARMLESS)
+    }
+
+
 def page_of(table, killers):
     """The page: mutants and the test that killed each."""
     page = [INTRODUCTION]
-    survivors = [m for m in table["mutant"] if not m.get("equivalent") and not killers[id(m)]]
-    harmless = [m for m in table["mutant"] if m.get("equivalent")]
-    killed = len(killers) - len(survivors)
+    run = [m for m in table["mutant"] if not m.get("equivalent") and id(m) in killers]
+    harmless = sum(1 for m in table["mutant"] if m.get("equivalent"))
+    killed = sum(1 for m in run if killers[id(m)])
+    waiting = len(table["mutant"]) - harmless - len(run)
     page.append(
-        f"{killed} of {len(killers)} mutants are killed; {len(harmless)} more are listed with the reason why none "
-        "needs to be.\n"
+        f"{killed} of {len(run)} mutants are killed; {harmless} more are listed with the reason why none needs to be"
+        + (f", {waiting} were not run yet.\n" if waiting else ".\n")
     )
     file = None
     for mutant in table["mutant"]:
@@ -177,16 +201,17 @@ def page_of(table, killers):
             page.append(f"\n## {pathlib.Path(file).name}\n")
             page.append("| it breaks | line | mutant | killed by |\n| --- | --- | --- | --- |")
         fate = mutant.get("equivalent")
-        fate = f"not run: {fate}" if fate else killers[id(mutant)] or "**survives**"
-        page.append(
-            f"| {mutant['breaks']} | {code_of(mutant['old'])} | {code_of(mutant['new'])} | {fate} |"
-        )
+        fate = HARMLESS + fate if fate else killers.get(id(mutant), NOT_RUN) or SURVIVES
+        page.append(f"{row_of(mutant)} {fate} |")
     return "\n".join(page).replace("\n\n\n", "\n\n") + "\n"
 
 
-def run(table, part):
-    """Runs all mutants whose file's path contains `part`; returns the survivors."""
-    chosen = [m for m in table["mutant"] if part in m["file"] and not m.get("equivalent")]
+def run(table, parts):
+    """Runs all mutants whose file's path contains one of `parts`; returns the survivors."""
+    chosen = [
+        m for m in table["mutant"]
+        if any(part in m["file"] for part in parts) and not m.get("equivalent")
+    ]
     copy = Copy()
     copy.refresh()
     copy.configure()
@@ -203,14 +228,15 @@ def run(table, part):
         killers[id(mutant)] = killer = try_mutant(copy, table, mutant)
         spent = time.monotonic() - start
         print(f"{killer or 'SURVIVES':<70} {mutant['breaks']} ({spent:.0f} s)", flush=True)
-    if len(chosen) == sum(1 for m in table["mutant"] if not m.get("equivalent")):
-        PAGE.write_text(page_of(table, killers))
+    PAGE.write_text(page_of(table, {**killers_on(PAGE.read_text(), table), **killers}))
     return [mutant for mutant in chosen if not killers[id(mutant)]]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("part", nargs="?", default="", help="only files whose path contains this")
+    parser.add_argument(
+        "parts", nargs="*", default=[""], help="only files whose path contains one of these"
+    )
     parser.add_argument("--check", action="store_true", help="only check whether every mutant applies")
     arguments = parser.parse_args()
     table = tomllib.loads(TABLE.read_text())
@@ -219,7 +245,7 @@ def main():
         raise SystemExit("\n".join(problems) + f"\nBring {TABLE.relative_to(ROOT)} up to date.")
     if arguments.check:
         return
-    survivors = run(table, arguments.part)
+    survivors = run(table, arguments.parts)
     if survivors:
         raise SystemExit(f"{len(survivors)} mutants survive: write the missing tests.")
 

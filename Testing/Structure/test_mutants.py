@@ -48,6 +48,26 @@ class Mutants(unittest.TestCase):
             }
             self.assertEqual(len(mutants.problems_of(table, pathlib.Path(folder))), 3)
 
+    def test_keeps_rows_of_mutants_that_were_not_run_again(self):
+        table = {
+            "mutant": [
+                mutant("int a = 1;"),
+                mutant("int a = 1;", "int a = 2;"),
+                mutant("Use(a, a);"),
+                mutant("Use(b);", equivalent="no reason"),
+            ]
+        }
+        first, second, third, _ = table["mutant"]
+        page = mutants.page_of(table, {id(first): "F.Works", id(second): None})
+        self.assertIn("1 of 2 mutants are killed; 1 more", page)
+        self.assertIn(", 1 were not run yet.", page)
+        known = mutants.killers_on(page, table)
+        self.assertEqual(known, {id(first): "F.Works", id(second): None})
+        self.assertEqual(mutants.page_of(table, known), page)
+        page = mutants.page_of(table, {**known, id(second): "F.Works", id(third): "F.Works"})
+        self.assertIn("3 of 3 mutants are killed; 1 more", page)
+        self.assertNotIn("yet", page)
+
 
 if __name__ == "__main__":
     unittest.main()
