@@ -27,6 +27,14 @@ TEST(LinearDesign, CodesFactorsByTreatmentContrasts)
   EXPECT_FALSE(design.Terms[1].IsNumeric);
 }
 
+// Ages of 55, 58, 61, 64, 66 and 70: squares about their mean add up to 448/3.
+TEST(LinearDesign, DeviationOfANumberIsThatOfASample)
+{
+  const LinearDesign design = DesignOf(SmallTable(), "~ age + group");
+  EXPECT_NEAR(design.Terms[0].Deviation, std::sqrt(448.0 / 3.0 / 5.0), 1e-12);
+  EXPECT_EQ(design.Terms[1].Deviation, 0.0);
+}
+
 TEST(LinearDesign, TakesTheReferenceThatIsAskedFor)
 {
   LinearDesign design;

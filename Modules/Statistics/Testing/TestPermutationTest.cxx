@@ -21,6 +21,18 @@ SurfaceGraph Ring(int count)
   return ring;
 }
 
+PermutationTest TestedOn(const SurfaceGraph& surface, const LinearDesign& design,
+                         const Eigen::MatrixXd& outcomes, int count)
+{
+  PermutationTest test;
+  PermutationSettings settings;
+  settings.Count = count;
+  EXPECT_TRUE(TestByPermutation(FindEffectSpace(design, design.Terms[0]), outcomes, surface,
+                                settings, {}, test)
+                  .IsOk());
+  return test;
+}
+
 PermutationTest Tested(const LinearDesign& design, std::size_t term,
                        const Eigen::MatrixXd& outcomes, int count, unsigned threads = 1)
 {
@@ -88,6 +100,33 @@ TEST(PermutationTest, ApproachesTheRefitsOfAllOrders)
   // Four standard errors of a share of 40,000.
   EXPECT_LT((test.P - reached / 5040.0).cwiseAbs().maxCoeff(), 0.01);
   EXPECT_LT((test.FamilyP - family / 5040.0).cwiseAbs().maxCoeff(), 0.01);
+}
+
+// Of the 20 ways to divide six cases into two groups of three, the observed one and its opposite
+// have the largest F; many orders equal them up to rounding.
+TEST(PermutationTest, SingleOutcomeIsItsOwnFamily)
+{
+  CovariateTable table({"a", "b", "c", "d", "e", "f"});
+  table.Add("group", {"ill", "ill", "ill", "well", "well", "well"});
+  const Eigen::MatrixXd outcome =
+      (Eigen::VectorXd(6) << 1.13, 2.71, 3.07, 11.9, 13.3, 17.7).finished();
+  const PermutationTest test = TestedOn({{1.0}, {}}, DesignOf(table, "~ group"), outcome, 4000);
+  EXPECT_NEAR(test.P[0], 0.1, 0.02); // four standard errors
+  EXPECT_EQ(test.FamilyP[0], test.P[0]);
+  EXPECT_EQ(test.EnhancedP[0], test.P[0]);
+  EXPECT_EQ(test.WholeP, test.P[0]);
+}
+
+TEST(PermutationTest, WholeSurfaceWeighsPointsByTheirArea)
+{
+  const LinearDesign design = DesignOf(RandomCovariates(20, 1), "~ age + sex");
+  const Eigen::MatrixXd outcomes = RandomOutcomes(20, 2, 3);
+  Eigen::MatrixXd finer(20, 4); // the second point's area in three parts
+  finer << outcomes, outcomes.col(1), outcomes.col(1);
+  const PermutationTest one = TestedOn({{1.0, 3.0}, {}}, design, outcomes, 199);
+  const PermutationTest parts = TestedOn({{1.0, 1.0, 1.0, 1.0}, {}}, design, finer, 199);
+  EXPECT_NEAR(one.WholeF, parts.WholeF, 1e-12 * one.WholeF);
+  EXPECT_EQ(one.WholeP, parts.WholeP);
 }
 
 TEST(PermutationTest, OfNormalOutcomesApproachesTheParametricP)

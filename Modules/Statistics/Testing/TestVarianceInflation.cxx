@@ -60,6 +60,16 @@ TEST(VarianceInflation, OfAFactorDependsOnNoReferenceLevel)
   }
 }
 
+// With one other column the determinants of both terms are equal, and the root of a factor of
+// three levels is the square root (Fox and Monette, J. Am. Stat. Assoc. 87, 1992).
+TEST(VarianceInflation, OfAFactorIsPerColumn)
+{
+  const LinearDesign design = DesignOf(CollinearTable(5.0), "~ group + age");
+  const double inflation = VarianceInflation(design, design.Terms[0]);
+  EXPECT_NEAR(inflation * inflation, VarianceInflation(design, design.Terms[1]), 1e-9);
+  EXPECT_GT(inflation, 1.001);
+}
+
 TEST(VarianceInflation, NotesNameBothOfACollinearPairAndNoOthers)
 {
   const std::vector<std::string> notes =
@@ -84,6 +94,7 @@ TEST(LikelyMissingCode, IsFarFromNumbersThatAreNotNegative)
   EXPECT_EQ(codeOf({"-9", "-99", "3"}), -9.0);
   EXPECT_TRUE(std::isnan(codeOf({"-9", "-3", "4"})));      // of signed numbers
   EXPECT_TRUE(std::isnan(codeOf({"999", "850", "1200"}))); // among the others
+  EXPECT_TRUE(std::isnan(codeOf({"999", "850", "250"})));  // beside them
   EXPECT_TRUE(std::isnan(codeOf({"999"})));
   EXPECT_TRUE(std::isnan(codeOf({"a", "b"})));
 }
