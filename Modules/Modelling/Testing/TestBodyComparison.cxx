@@ -234,6 +234,7 @@ TEST(BodyComparison, BoxInBoxHasItsExactValues)
   // Over a face of the large box, by the midpoint rule.
   constexpr int Steps = 1400;
   double mean = 0.0;
+  double within = 0.0; // 3 mm
   for (int i = 0; i < Steps; ++i)
   {
     for (int j = 0; j < Steps; ++j)
@@ -241,13 +242,17 @@ TEST(BodyComparison, BoxInBoxHasItsExactValues)
       const double y = std::max(0.0, std::abs(-7.0 + 14.0 * (i + 0.5) / Steps) - 5.0);
       const double z = std::max(0.0, std::abs(-7.0 + 14.0 * (j + 0.5) / Steps) - 5.0);
       mean += std::sqrt(4.0 + y * y + z * z) / (Steps * Steps);
+      within += 4.0 + y * y + z * z <= 9.0 ? 1.0 / (Steps * Steps) : 0.0;
     }
   }
   EXPECT_NEAR(found.OtherToOne.Unsigned.Mean, mean, 1e-3);
+  EXPECT_EQ(found.Hausdorff95(), found.OtherToOne.Unsigned.Percentile95);
+  EXPECT_GT(found.Hausdorff95(), found.OneToOther.Unsigned.Percentile95);
   EXPECT_NEAR(small.Volume(), 1000.0, 1e-9);
   EXPECT_NEAR(found.Overlap->Dice(), 2.0 * 1000.0 / (1000.0 + 2744.0), 2e-4);
   // Nothing of the small one, and of the large one no point is nearer than 2 mm.
   EXPECT_EQ(found.Tolerances[0].SurfaceDice, 0.0);
+  EXPECT_NEAR(found.Tolerances[2].SurfaceDice, (600.0 + 1176.0 * within) / (600.0 + 1176.0), 1e-3);
 }
 
 // Each triangle on one side becomes four, which adds no area there.

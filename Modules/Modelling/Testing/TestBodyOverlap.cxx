@@ -88,6 +88,19 @@ TEST(BodyOverlap, MasksOnOtherGridsAreCountedOnCubes)
   EXPECT_EQ(overlap.Dice(), 1.0); // each voxel is eight of the others
 }
 
+TEST(BodyOverlap, GridsApartByPartsOfAVoxelAreNotOne)
+{
+  BodyOverlap overlap;
+  ASSERT_TRUE(
+      FindBodyOverlap(
+          BodyOfVoxels({20, 20, 20}, Grid(Vector3::Zero(), Vector3::Ones()), IsInFirst),
+          BodyOfVoxels({20, 20, 20}, Grid(Vector3(0.25, 0.0, 0.0), Vector3::Ones()), IsInFirst),
+          overlap)
+          .IsOk());
+  EXPECT_EQ(overlap.Kind, BodyOverlap::Cells::Cubes);
+  EXPECT_NEAR(overlap.Dice(), 0.975, 2e-3); // boxes of 10 mm
+}
+
 TEST(BodyOverlap, MaskAndModelAreCountedOnTheMasksVoxels)
 {
   const IndexToWorld grid = Grid(Vector3(-12.0, -12.0, -12.0), Vector3(0.8, 0.8, 1.6));

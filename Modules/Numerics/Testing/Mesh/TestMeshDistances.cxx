@@ -196,6 +196,7 @@ TEST(MeshDistances, OfConcentricBoxesAreKnown)
   EXPECT_NEAR(distances.OtherToOne.Rms, std::sqrt(square), 1e-3);
   EXPECT_NEAR(distances.OtherToOne.Largest, std::sqrt(3.0), 1e-13);
   EXPECT_NEAR(distances.Both.Mean, 0.5 * (1.0 + mean), 1e-3);
+  EXPECT_NEAR(distances.Both.Rms, std::sqrt(0.5 * (1.0 + square)), 1e-3);
   EXPECT_NEAR(distances.Both.Largest, std::sqrt(3.0), 1e-13);
 }
 
@@ -247,6 +248,15 @@ TEST(MeshDistances, PercentileIsThatOfSortedDistances)
     EXPECT_LE(beyond, 0.05);
     EXPECT_GT(before, 0.05);
   }
+}
+
+TEST(MeshDistances, WhatIsAtTheToleranceIsWithin)
+{
+  const DistanceSamples samples{{}, {-2.0, 1.0, 2.0, 2.5}, {0.1, 0.2, 0.3, 0.4}};
+  EXPECT_DOUBLE_EQ(ShareWithin(samples, 2.0), 0.6);
+  EXPECT_DOUBLE_EQ(ShareWithin(samples, 1.0), 0.2);
+  EXPECT_EQ(ShareWithin(samples, 0.5), 0.0);
+  EXPECT_EQ(ShareWithin(samples, 3.0), 1.0);
 }
 
 TEST(MeshDistances, AreSymmetric)
