@@ -9,6 +9,7 @@
 
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace palpate::elastic_contact_model_test
 {
@@ -139,6 +140,62 @@ TEST(ElasticContactModel, FrictionHoldsThenSlips)
   EXPECT_GT(most, 0.35);
   EXPECT_LT(most, 0.7);
   EXPECT_LT(last, most - 0.05);
+}
+
+// Friction alone: the force of a tracker with friction without that of one without.
+TEST(ElasticContactModel, FrictionIsASpringAlongTheSurfaceUntilItSlipsAtItsDynamicCoefficient)
+{
+  const auto rubbing = Tracker({0.5, 0.3});
+  const auto sliding = Tracker();
+  const auto follow = [&](const Vector3& place)
+  {
+    const Vector3 rubbed = rubbing->Follow(test::At(place)).Elastic->ForceWorld;
+    return Vector3(rubbed - sliding->Follow(test::At(place)).Elastic->ForceWorld);
+  };
+  const Vector3 direction = -TheOrgan().Lesion;
+  const Vector3 start = TheOrgan().Above(direction, Ball - 1.5);
+  follow(TheOrgan().Above(direction, Ball + 1.0));
+  EXPECT_EQ(follow(start), Vector3::Zero()) << "nothing has moved along the surface";
+  const Vector3 normal = sliding->Follow(test::At(start)).NormalWorld;
+  const Vector3 aside = normal.unitOrthogonal();
+  constexpr double Step = 1e-3; // mm, aside and deeper
+  const Vector3 held = follow(start + Step * (aside - normal));
+  const Contact pressed = sliding->Follow(test::At(start + Step * (aside - normal)));
+  const double nu = TheOrgan().Atlas->PoissonRatio();
+  const double stiffness = pressed.Elastic->Slope * 2.0 * (1.0 - nu) / (2.0 - nu); // Mindlin
+  EXPECT_NEAR(held.dot(aside), -stiffness * Step, 1e-3 * stiffness * Step);
+  EXPECT_NEAR(held.dot(pressed.NormalWorld), 0.0, 1e-9 * stiffness);
+  for (int tick = 1; tick <= 300; ++tick)
+  {
+    const double friction = follow(start + 0.01 * tick * aside).norm();
+    const Contact contact = sliding->Follow(test::At(start + 0.01 * tick * aside));
+    const double push = contact.Elastic->ForceWorld.dot(contact.NormalWorld);
+    EXPECT_LE(friction, (0.5 + 1e-9) * push);
+    if (tick > 250)
+    {
+      EXPECT_NEAR(friction, 0.3 * push, 1e-9 * push) << tick;
+    }
+  }
+}
+
+TEST(ElasticContactModel, ContactThatEndsLeavesNoFriction)
+{
+  const auto used = Tracker({0.5, 0.3});
+  const auto fresh = Tracker({0.5, 0.3});
+  const auto at = [](double depth, double aside)
+  {
+    const Vector3 normal = TheOrgan().Case.Model.Normal(TheOrgan().Lesion);
+    return test::At(TheOrgan().Above(TheOrgan().Lesion, Ball - depth) +
+                    aside * normal.unitOrthogonal());
+  };
+  used->Follow(at(-1.0, 0.0));
+  used->Follow(at(1.0, 0.0));
+  used->Follow(at(1.0, 0.1));
+  for (const auto& [depth, aside] : {std::pair(-1.0, 0.0), {1.0, 0.0}, {1.0, 0.01}})
+  {
+    const Vector3 force = used->Follow(at(depth, aside)).Elastic->ForceWorld;
+    EXPECT_LE((force - fresh->Follow(at(depth, aside)).Elastic->ForceWorld).norm(), 1e-9);
+  }
 }
 
 TEST(ElasticContactModel, RubbingTakesEnergyOnly)

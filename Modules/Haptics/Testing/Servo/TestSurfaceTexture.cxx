@@ -1,5 +1,6 @@
 #include "SurfaceTexture.h"
 
+#include "FeltCases.h"
 #include "SafetyCases.h"
 #include "ServoRun.h"
 #include "TexturedField.h"
@@ -76,6 +77,38 @@ TEST(SurfaceTexture, BrighterPushesMore)
     const bool isBrighter = image.ValueWorld(0, a).Value > image.ValueWorld(0, b).Value;
     EXPECT_EQ(texture->PushAt(1.0, a) > texture->PushAt(1.0, b), isBrighter);
   }
+}
+
+// Of an image that rises by a unit per mm, in a box around 7 units: the deviation over n places of
+// a lattice with the step h is h sqrt((n^2 - 1) / 12).
+TEST(SurfaceTexture, BrightnessIsThatOfDeviationsFromTheMean)
+{
+  const auto ramp =
+      test::FeltField(test::FeltGrid(33), [](const Vector3& place) { return place.x(); });
+  const Eigen::AlignedBox3d box(Vector3(1.0, -2.0, -3.0), Vector3(13.0, 2.0, 3.0));
+  std::shared_ptr<const SurfaceTexture> texture;
+  ASSERT_TRUE(SurfaceTexture::Make(ramp, 0, box, Amplitude, texture).IsOk());
+  const double deviation = 12.0 / 32.0 * std::sqrt((32.0 * 32.0 - 1.0) / 12.0);
+  for (const double deviations : {-2.0, -1.0, 0.0, 1.0, 2.0})
+  {
+    EXPECT_NEAR(texture->BrightnessAt({7.0 + deviations * deviation, 0.3, 0.2}),
+                deviations / std::hypot(1.0, deviations), 1e-4) // the image has 16 bits
+        << deviations;
+  }
+}
+
+TEST(SurfaceTexture, FrictionDoesNotCountAsPush)
+{
+  const auto texture = Texture();
+  EffectTouch touch;
+  touch.Contact.IsTouching = true;
+  touch.Contact.Normal = Vector3::UnitZ();
+  touch.SurfaceWorld = {1.0, 2.0, 3.0};
+  touch.ContactForce = {0.0, 0.0, 0.5};
+  const Vector3 without = texture->Force(touch);
+  touch.ContactForce = {2.0, -1.0, 0.5};
+  EXPECT_EQ(texture->Force(touch), without);
+  EXPECT_NE(without, Vector3::Zero());
 }
 
 TEST(SurfaceTexture, RejectsInvalidTextures)

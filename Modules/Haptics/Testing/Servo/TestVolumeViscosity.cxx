@@ -51,6 +51,14 @@ TEST(VolumeViscosity, IsZeroWithoutContact)
   EXPECT_EQ(VolumeViscosity(1.0).Force(touch), Vector3::Zero());
 }
 
+TEST(VolumeViscosity, RejectsWhatDrivesTheHand)
+{
+  EXPECT_TRUE(VolumeViscosity(0.0).Check().IsOk());
+  EXPECT_FALSE(VolumeViscosity(-1e-6).Check().IsOk());
+  EXPECT_FALSE(VolumeViscosity(test::Infinite).Check().IsOk());
+  EXPECT_FALSE(VolumeViscosity(test::NotANumber).Check().IsOk());
+}
+
 // A soft wall, with a scale of 1.5 from hand to world: the sphere's centre is 2 / 1.5 mm of the
 // hand deep when it enters.
 TEST(VolumeViscosity, StartsWhereTheToolsCentreEnters)
