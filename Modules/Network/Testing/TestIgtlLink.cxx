@@ -3,6 +3,7 @@
 #include "IgtlMessages.h"
 #include "IgtlPackedImage.h"
 #include "IgtlReceived.h"
+#include "IgtlStream.h"
 #include "IsSoon.h"
 
 #include <chrono>
@@ -183,6 +184,27 @@ TEST_F(IgtlLinkTest, ImageThatIsTooLongIsNamedWhenItBegins)
   std::memcpy(claim.data(), &header, sizeof header);
   Send(*peer, claim);
   EXPECT_TRUE(this->Reports("longer than 1 GiB"));
+}
+
+// What is not taken stays with the peer: the link keeps some images, and the systems some bytes.
+TEST_F(IgtlLinkTest, PeerWaitsWhileNobodyTakesItsImages)
+{
+  constexpr int Offered = 60;
+  const Bytes image = test::IgtlPackedImage({128, 128, 64}); // 2 MB
+  IgtlStream peer;
+  ASSERT_TRUE(peer.Connect("127.0.0.1", this->Link.Port()).IsOk());
+  std::size_t sent = 0;
+  const auto sendsMore = [&]
+  {
+    const std::ptrdiff_t count =
+        peer.Send(image.data() + sent % image.size(), image.size() - sent % image.size());
+    sent += count > 0 ? static_cast<std::size_t>(count) : 0;
+    return count != 0;
+  };
+  while (sent < Offered * image.size() && test::IsSoon(sendsMore, std::chrono::seconds(1)))
+  {
+  }
+  EXPECT_LT(sent, Offered / 2 * image.size());
 }
 
 TEST_F(IgtlLinkTest, NoiseEndsThePeer)

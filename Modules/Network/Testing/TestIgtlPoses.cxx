@@ -35,6 +35,30 @@ Bytes Text(std::string text)
   message->Pack();
   return BytesOf(message.GetPointer());
 }
+// A message with another body, and the header's length and checksum of it.
+Bytes WithBody(const Bytes& message, Bytes body)
+{
+  Bytes whole(message.begin(), message.begin() + IGTL_HEADER_SIZE);
+  const std::uint64_t numbers[2] = {body.size(), crc64(body.data(), body.size(), 0)};
+  for (int i = 0; i < 16; ++i)
+  {
+    whole[static_cast<std::size_t>(42 + i)] =
+        static_cast<std::uint8_t>(numbers[i / 8] >> (8 * (7 - i % 8)));
+  }
+  whole.insert(whole.end(), body.begin(), body.end());
+  return whole;
+}
+// Version 2 of the header, which newer programs send: bytes of the specification, since the library
+// here has version 1 only. Metadata follow; their stated lengths are 4 and `stated`.
+Bytes WithMetadata(const Bytes& message, std::uint8_t stated)
+{
+  Bytes body{0, 12, 0, 4, 0, 0, 0, stated, 0, 0, 0, 9}; // the extended header's length first
+  body.insert(body.end(), message.begin() + IGTL_HEADER_SIZE, message.end());
+  body.insert(body.end(), 10, std::uint8_t{'m'});
+  Bytes newer = WithBody(message, body);
+  newer[1] = 2;
+  return newer;
+}
 bool Take(IgtlPoses& poses, const Bytes& bytes)
 {
   return poses.Take(bytes.data(), bytes.size());
@@ -105,6 +129,19 @@ TEST(IgtlPoses, DamagedOnesAreCountedAndNotUsed)
   EXPECT_NE(poses.Newest(), nullptr) << "the stream goes on";
 }
 
+TEST(IgtlParser, MessageAboveItsLimitIsLeftOut)
+{
+  const Bytes pose = Pose("Stylus", Vector3::Ones());
+  const std::size_t body = pose.size() - IGTL_HEADER_SIZE;
+  IgtlParser enough({{"TRANSFORM", body}});
+  ASSERT_TRUE(enough.Take(pose.data(), pose.size()));
+  EXPECT_TRUE(enough.Next().has_value());
+  IgtlParser tooFew({{"TRANSFORM", body - 1}});
+  ASSERT_TRUE(tooFew.Take(pose.data(), pose.size()));
+  EXPECT_FALSE(tooFew.Next().has_value());
+  EXPECT_EQ(tooFew.Damaged(), 0U);
+}
+
 TEST(IgtlPoses, LengthThatIsOnlyClaimedTakesNoMemory)
 {
   Bytes huge = Pose("Stylus", Vector3::Ones());
@@ -117,26 +154,34 @@ TEST(IgtlPoses, LengthThatIsOnlyClaimedTakesNoMemory)
   EXPECT_EQ(poses.Newest(), nullptr);
 }
 
-// Version 2 of the header, which newer programs send: bytes of the specification, since the
-// library here has version 1 only.
+TEST(IgtlPoses, PoseOfAnotherLengthIsDamaged)
+{
+  const Bytes pose = Pose("Stylus", Vector3::Ones());
+  const Bytes body(pose.begin() + IGTL_HEADER_SIZE, pose.end());
+  Bytes longer = body;
+  longer.resize(body.size() + 4);
+  const Bytes shorter(body.begin(), body.end() - 4);
+  IgtlPoses poses;
+  ASSERT_TRUE(Take(poses, WithBody(pose, longer)));
+  ASSERT_TRUE(Take(poses, WithBody(pose, shorter)));
+  EXPECT_EQ(poses.Newest(), nullptr);
+  EXPECT_EQ(poses.Refused(), 2U);
+  ASSERT_TRUE(Take(poses, WithBody(pose, body)));
+  EXPECT_NE(poses.Newest(), nullptr);
+}
+
+TEST(IgtlPoses, MetadataLongerThanTheirMessageAreDamaged)
+{
+  IgtlPoses poses;
+  ASSERT_TRUE(Take(poses, WithMetadata(Pose("Stylus", Vector3::Ones()), 200)));
+  EXPECT_EQ(poses.Newest(), nullptr);
+  EXPECT_EQ(poses.Refused(), 1U);
+}
+
 TEST(IgtlPoses, NewerHeadersAndMetadataAreUnderstood)
 {
-  const Bytes old = Pose("Stylus", Vector3(1.0, 2.0, 3.0));
-  const Bytes extended{0, 12, 0, 4, 0, 0, 0, 6, 0, 0, 0, 9}; // sizes: 12, 4, 6; message 9
-  Bytes body = extended;
-  body.insert(body.end(), old.begin() + IGTL_HEADER_SIZE, old.end());
-  body.insert(body.end(), 10, std::uint8_t{'m'}); // metadata
-  Bytes message(old.begin(), old.begin() + IGTL_HEADER_SIZE);
-  message[1] = 2;
-  std::uint64_t numbers[2] = {body.size(), crc64(body.data(), body.size(), 0)};
-  for (int i = 0; i < 16; ++i)
-  {
-    message[static_cast<std::size_t>(42 + i)] =
-        static_cast<std::uint8_t>(numbers[i / 8] >> (8 * (7 - i % 8)));
-  }
-  message.insert(message.end(), body.begin(), body.end());
   IgtlPoses poses;
-  ASSERT_TRUE(Take(poses, message));
+  ASSERT_TRUE(Take(poses, WithMetadata(Pose("Stylus", Vector3(1.0, 2.0, 3.0)), 6)));
   const IgtlPose* found = poses.Newest();
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(Vector3(found->Position), Vector3(1.0, 2.0, 3.0));

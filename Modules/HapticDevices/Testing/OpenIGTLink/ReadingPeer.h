@@ -10,6 +10,7 @@
 #include <igtlStatusMessage.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <vector>
@@ -75,10 +76,7 @@ public:
     return forces;
   }
 
-  bool IsConnected = false;
-  bool Confirms = false; ///< each force that it reads
-
-private:
+  /// Says that it has read a force.
   void Confirm()
   {
     const igtl::StatusMessage::Pointer message = igtl::StatusMessage::New();
@@ -89,6 +87,18 @@ private:
          MSG_NOSIGNAL);
   }
 
+  /// Bytes that its system has and that it has not read.
+  std::size_t Waiting() const
+  {
+    int bytes = 0;
+    ioctl(this->Socket, FIONREAD, &bytes);
+    return static_cast<std::size_t>(bytes);
+  }
+
+  bool IsConnected = false;
+  bool Confirms = false; ///< each force that it reads
+
+private:
   // A SENSOR's first number, big-endian, after its length, status and unit.
   static double First(const std::vector<std::uint8_t>& content)
   {

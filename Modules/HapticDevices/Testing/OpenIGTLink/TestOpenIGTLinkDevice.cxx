@@ -4,6 +4,7 @@
 #include "IgtlReceived.h"
 #include "IgtlTransform.h"
 #include "IsSoon.h"
+#include "ManualClock.h"
 #include "ReadingPeer.h"
 #include "SteadyClock.h"
 #include "TouchState.h"
@@ -323,6 +324,17 @@ TEST_F(ForcesInTime, PeerThatStallsGetsZeroBeforeNewForces)
   EXPECT_LE(this->OldestForce(), Late);
 }
 
+TEST_F(ForcesInTime, PeerThatConfirmsMoreThanWasSentGetsForces)
+{
+  this->Connect(0);
+  for (int i = 0; i < 100; ++i)
+  {
+    this->Peer->Confirm();
+  }
+  this->Tick(20, Everything);
+  EXPECT_TRUE(this->ReadsForcesAgain());
+}
+
 // No byte leaves while the system's buffer is full, as with a lost cable.
 TEST_F(ForcesInTime, ConnectionThatTakesNothingGetsZeroBeforeNewForces)
 {
@@ -345,6 +357,99 @@ TEST_F(ForcesInTime, ConnectionThatTakesNothingGetsZeroBeforeNewForces)
   EXPECT_TRUE(std::prev(fresh)->IsZero());
   this->Arrivals.erase(this->Arrivals.begin(), fresh);
   EXPECT_LE(this->OldestForce(), Late);
+}
+
+// Time stands still but for the test.
+class ForcesInStillTime : public testing::Test
+{
+protected:
+  void Connect(int buffer)
+  {
+    IgtlPeer local;
+    local.Port = 0;
+    this->Device = std::make_unique<OpenIGTLinkDevice>(this->Time, local);
+    ASSERT_TRUE(this->Device->Open().IsOk());
+    this->Peer = std::make_unique<test::ReadingPeer>(this->Device->Port(), buffer);
+    this->Pass(0);
+  }
+  // The device looks at what the peer sent, and sends what there is, before this returns: between
+  // two poses.
+  void Pass(std::int64_t nanoseconds)
+  {
+    this->Time.Advance(nanoseconds);
+    for (int i = 0; i < 2; ++i)
+    {
+      DeviceSample before;
+      this->Device->Read(before);
+      this->Peer->SendPose(Vector3::Zero());
+      ASSERT_TRUE(Becomes(
+          [&]
+          {
+            DeviceSample now;
+            return this->Device->Read(now) && now.Sequence > before.Sequence;
+          }));
+    }
+  }
+  bool Apply(double force) { return this->Device->Apply(Vector3(force, 0.0, 0.0)); }
+
+  static constexpr std::int64_t Millisecond = 1'000'000; // ns
+  ManualClock Time;
+  std::unique_ptr<OpenIGTLinkDevice> Device;
+  std::unique_ptr<test::ReadingPeer> Peer;
+};
+
+TEST_F(ForcesInStillTime, ForceLastsTwentyMilliseconds)
+{
+  this->Connect(0);
+  ASSERT_TRUE(this->Apply(1.0));
+  EXPECT_EQ(this->Peer->Read(1, 2000), std::vector<double>{1.0});
+  this->Pass(20 * Millisecond);
+  EXPECT_TRUE(this->Peer->Read(1, 0).empty());
+  this->Pass(1);
+  EXPECT_EQ(this->Peer->Read(1, 2000), std::vector<double>{0.0});
+}
+
+TEST_F(ForcesInStillTime, PeerThatConfirmsTooLateGetsZeroInsteadOfANewForce)
+{
+  this->Connect(0);
+  for (const double force : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6})
+  {
+    ASSERT_TRUE(this->Apply(force));
+    EXPECT_EQ(this->Peer->Read(1, 2000), std::vector<double>{force});
+    if (force == 0.1)
+    {
+      this->Peer->Confirm();
+      this->Pass(0);
+    }
+  }
+  // Five that are not confirmed leave no room for the seventh.
+  this->Pass(30 * Millisecond);
+  ASSERT_TRUE(this->Apply(0.7));
+  this->Pass(1);
+  EXPECT_FALSE(this->Apply(0.8));
+  EXPECT_TRUE(this->Peer->Read(1, 0).empty());
+  for (int i = 0; i < 4; ++i)
+  {
+    this->Peer->Confirm();
+  }
+  this->Pass(0);
+  EXPECT_EQ(this->Peer->Read(1, 2000), std::vector<double>{0.0});
+}
+
+// Its buffer full, a system confirms nothing any more.
+TEST_F(ForcesInStillTime, FewForcesWaitForAConnectionThatTakesNothing)
+{
+  this->Connect(2048);
+  for (int i = 1; i <= 200; ++i)
+  {
+    ASSERT_TRUE(this->Apply(1e-3 * i));
+    this->Pass(0);
+  }
+  const std::size_t arrived = this->Peer->Waiting();
+  const std::size_t sent = this->Peer->Read(1000, 500).size();
+  EXPECT_LT(sent, 200U);
+  EXPECT_LE(sent * test::ReadingPeer::ForceBytes,
+            arrived + OpenIGTLinkDevice::MostOnTheirWay * test::ReadingPeer::ForceBytes);
 }
 
 TEST(OpenIGTLinkDevice, KeepsTheContractOfDevices)
