@@ -116,6 +116,22 @@ TEST(BodyOverlap, MaskAndModelAreCountedOnTheMasksVoxels)
             static_cast<std::int64_t>(std::llround(mask.Volume() / (0.8 * 0.8 * 1.6))));
 }
 
+TEST(BodyOverlap, NumbersOfMaskAndModelAreInTheirOrder)
+{
+  const ComparedBody mask =
+      BodyOfVoxels({31, 31, 31}, Grid(Vector3::Constant(-15.0), Vector3::Ones()),
+                   [](const Vector3& point) { return point.norm() < 10.0; });
+  const ComparedBody sphere = test::BodyOfModel(test::SphereModel(8.0));
+  BodyOverlap overlap;
+  ASSERT_TRUE(FindBodyOverlap(mask, sphere, overlap).IsOk());
+  EXPECT_GT(overlap.One, overlap.Other);
+  BodyOverlap back;
+  ASSERT_TRUE(FindBodyOverlap(sphere, mask, back).IsOk());
+  EXPECT_EQ(back.One, overlap.Other);
+  EXPECT_EQ(back.Other, overlap.One);
+  EXPECT_EQ(back.Both, overlap.Both);
+}
+
 BodyOverlap OverlapOf(const SurfaceModel& one, const SurfaceModel& other)
 {
   BodyComparison found;

@@ -259,6 +259,15 @@ TEST(MeshDistances, WhatIsAtTheToleranceIsWithin)
   EXPECT_EQ(ShareWithin(samples, 3.0), 1.0);
 }
 
+TEST(MeshDistances, SummaryHasNoSigns)
+{
+  const DistanceSamples samples{{}, {-2.0, 1.0, 2.0, 2.5}, {0.1, 0.2, 0.3, 0.4}};
+  const DistanceSummary summary = Summarise(samples);
+  EXPECT_DOUBLE_EQ(summary.Mean, 2.0);
+  EXPECT_DOUBLE_EQ(summary.Rms, std::sqrt(4.3));
+  EXPECT_EQ(summary.Percentile95, 2.5);
+}
+
 TEST(MeshDistances, AreSymmetric)
 {
   MeshDistances there;
