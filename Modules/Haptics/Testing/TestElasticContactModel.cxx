@@ -2,6 +2,8 @@
 #include "ElasticCases.h"
 #include "ElasticContactModel.h"
 #include "ElasticForce.h"
+#include "ElasticHold.h"
+#include "HarmonicNearestTracker.h"
 #include "StiffnessAdvice.h"
 #include "StructureFollower.h"
 
@@ -10,6 +12,7 @@
 #include <iterator>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace palpate::elastic_contact_model_test
 {
@@ -431,17 +434,87 @@ const HollowOrgan& RoundHollow()
   return organ;
 }
 
-// Across the top, with walls of about 40 degrees.
-const HollowOrgan& Groove()
+// Across the top; the larger the number, the narrower.
+SphericalHarmonicModel GrooveModel(double narrowness)
 {
-  const auto radius = [](const Vector3& d)
+  const auto radius = [narrowness](const Vector3& d)
   {
     const double aside = d.dot(test::HollowDirection().unitOrthogonal());
     const double top = std::exp(6.0 * (d.dot(test::HollowDirection()) - 1.0));
-    return 24.0 - 9.0 * top * std::exp(-12.0 * aside * aside);
+    return 24.0 - 9.0 * top * std::exp(-narrowness * aside * aside);
   };
-  static const HollowOrgan organ({20, ProjectOnHarmonics(20, 46, radius), Vector3(1.0, 2.0, 3.0)});
+  return {20, ProjectOnHarmonics(20, 46, radius), Vector3(1.0, 2.0, 3.0)};
+}
+
+// With walls of about 40 degrees.
+const HollowOrgan& Groove()
+{
+  static const HollowOrgan organ(GrooveModel(12.0));
   return organ;
+}
+
+// A rigid ball in the groove, and where it is held beside the proxy.
+struct HeldBall
+{
+  explicit HeldBall(double height)
+  {
+    EXPECT_TRUE(HarmonicSurface::Make(test::Shared(Groove().Case.Model), this->Surface).IsOk());
+    HarmonicNearestTracker rigid(this->Surface, Radius, {}, 0.5 * Radius);
+    for (double h = 40.0; h > height; h -= 0.1)
+    {
+      rigid.Follow(test::At(Groove().Place(h, 0.3)));
+    }
+    this->Probe = Groove().Place(height, 0.3);
+    this->Proxy = rigid.Follow(test::At(this->Probe)).ProxyWorld;
+    this->Walls.assign(rigid.Walls(), rigid.Walls() + rigid.WallCount());
+    EXPECT_GE(this->Walls.size(), 2U);
+  }
+  ElasticHold At(const Vector3& place) const
+  {
+    return {*this->Surface, Radius, this->Walls.data(), this->Walls.size(), place, this->Proxy};
+  }
+
+  static constexpr double Radius = 8.0; // mm
+  std::shared_ptr<const HarmonicSurface> Surface;
+  std::vector<ClosestPoint> Walls;
+  Vector3 Probe;
+  Vector3 Proxy;
+};
+
+// By differences of the place itself, whose tolerance is 1e-6 mm.
+TEST(ElasticHold, MotionIsTheSlopeOfThePlaceByTheProbe)
+{
+  const HeldBall ball(23.0);
+  const Eigen::Matrix3d motion = ball.At(ball.Probe).Motion();
+  EXPECT_GT(motion.norm(), 0.1);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 step = 1e-2 * Vector3::Unit(axis);
+    const Vector3 moved =
+        ball.At(ball.Probe + step).CenterWorld() - ball.At(ball.Probe - step).CenterWorld();
+    EXPECT_NEAR((moved / 2e-2 - motion * Vector3::Unit(axis)).norm(), 0.0, 2e-3) << axis;
+  }
+}
+
+TEST(ElasticHold, PlaceDoesNotJumpHoweverDeepTheProbeIs)
+{
+  const HeldBall ball(24.0);
+  Vector3 last = ball.At(ball.Probe).CenterWorld();
+  for (int step = 1; step <= 200; ++step)
+  {
+    const Vector3 place = ball.At(ball.Probe - 0.02 * step * test::HollowDirection()).CenterWorld();
+    EXPECT_LT((place - last).norm(), 0.04) << step;
+    last = place;
+  }
+}
+
+TEST(ElasticHold, EqualWallsAreOne)
+{
+  const HeldBall ball(23.0);
+  HeldBall doubled = ball;
+  doubled.Walls.insert(doubled.Walls.begin() + 1, ball.Walls.front());
+  EXPECT_EQ(doubled.At(ball.Probe).WallCount(), ball.At(ball.Probe).WallCount());
+  EXPECT_EQ(doubled.At(ball.Probe).CenterWorld(), ball.At(ball.Probe).CenterWorld());
 }
 
 TEST(ElasticContactModel, WallsPushABallOutOfAHollow)
@@ -472,6 +545,14 @@ TEST(ElasticContactModel, ForceDoesNotJumpInAHollow)
     EXPECT_LT(RoundHollow().LargestChange(23.0, along), 0.035) << along;
     EXPECT_LT(Groove().LargestChange(24.0, along), 0.05) << along;
   }
+}
+
+// Away from the middle of a wide groove, one round hollow parts into two walls.
+TEST(ElasticContactModel, ForceDoesNotJumpWhereAHollowBecomesANotch)
+{
+  const HollowOrgan wide(GrooveModel(3.0));
+  EXPECT_LT(wide.LargestChange(24.0, 3.5), 0.002);
+  EXPECT_LT(wide.LargestChange(24.0, 4.0), 0.007);
 }
 
 TEST(ElasticContactModel, LoopsInAHollowTakeLittleWork)

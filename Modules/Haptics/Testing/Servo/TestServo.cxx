@@ -173,6 +173,20 @@ TEST(Servo, CreditsDampingAndFrictionOfTheDevice)
   EXPECT_NEAR(run.Loop.Latest().Safety.Energy - before, (0.003 * 50.0 + 0.2) * 0.05, 1e-9);
 }
 
+TEST(Servo, StaleSampleEndsByItselfIfTheDeviceHasNoMotors)
+{
+  for (const bool hasMotors : {true, false})
+  {
+    DeviceCapabilities device = test::ScriptedDevice().Abilities;
+    device.HasMotors = hasMotors;
+    test::ServoRun run(WallScene(0.0, {1.0, 0.0}), {}, device);
+    run.RestAt({0.0, 0.0, -1.0});
+    run.Loop.Tick(test::HealthyTick(2000, Vector3::Zero()).Tick);
+    EXPECT_EQ(run.Loop.Latest().Safety.Fault, SafetyFault::StaleSample);
+    EXPECT_EQ(run.Loop.Latest().Safety.WillResume, !hasMotors);
+  }
+}
+
 TEST(Servo, UsesRampAndSlewRateOfTheSettings)
 {
   ServoSettings settings;
