@@ -206,11 +206,13 @@ def page_of(table, killers):
     return "\n".join(page).replace("\n\n\n", "\n\n") + "\n"
 
 
-def run(table, parts):
+def run(table, parts, is_new_only):
     """Runs all mutants whose file's path contains one of `parts`; returns the survivors."""
+    known = killers_on(PAGE.read_text(), table)
     chosen = [
         m for m in table["mutant"]
         if any(part in m["file"] for part in parts) and not m.get("equivalent")
+        and not (is_new_only and known.get(id(m)))
     ]
     copy = Copy()
     copy.refresh()
@@ -228,6 +230,7 @@ def run(table, parts):
         killers[id(mutant)] = killer = try_mutant(copy, table, mutant)
         spent = time.monotonic() - start
         print(f"{killer or 'SURVIVES':<70} {mutant['breaks']} ({spent:.0f} s)", flush=True)
+    # Another run may have written in the meantime.
     PAGE.write_text(page_of(table, {**killers_on(PAGE.read_text(), table), **killers}))
     return [mutant for mutant in chosen if not killers[id(mutant)]]
 
@@ -237,6 +240,9 @@ def main():
     parser.add_argument(
         "parts", nargs="*", default=[""], help="only files whose path contains one of these"
     )
+    parser.add_argument(
+        "--new", action="store_true", help="only those that the page does not have as killed"
+    )
     parser.add_argument("--check", action="store_true", help="only check whether every mutant applies")
     arguments = parser.parse_args()
     table = tomllib.loads(TABLE.read_text())
@@ -245,7 +251,7 @@ def main():
         raise SystemExit("\n".join(problems) + f"\nBring {TABLE.relative_to(ROOT)} up to date.")
     if arguments.check:
         return
-    survivors = run(table, arguments.parts)
+    survivors = run(table, arguments.parts, arguments.new)
     if survivors:
         raise SystemExit(f"{len(survivors)} mutants survive: write the missing tests.")
 
