@@ -49,20 +49,21 @@ bool IsOurs(const std::string& name, const std::string& head)
 // Whether files of this kind say that they are ours.
 bool IsMarked(const std::string& name)
 {
-  return IsPage(name) || std::filesystem::path(name).extension() == ".json";
+  const std::filesystem::path ending = std::filesystem::path(name).extension();
+  return IsPage(name) || ending == ".json" || ending == ".touch";
 }
 } // namespace
 
 void RequireEarlierFiles(const std::filesystem::path& folder, const std::vector<std::string>& names)
 {
   std::string foreign;
-  bool isVouchedFor = std::none_of(names.begin(), names.end(), &IsMarked);
+  bool isVouchedFor = false;
   for (const std::string& name : names)
   {
     const std::string head = HeadOf(folder / name);
     const bool isOurs = IsOurs(name, head);
     isVouchedFor = isVouchedFor || isOurs;
-    if (!head.empty() && !isOurs && (foreign.empty() || IsPage(name)))
+    if (IsMarked(name) && !head.empty() && !isOurs && (foreign.empty() || IsPage(name)))
     {
       foreign = name;
     }

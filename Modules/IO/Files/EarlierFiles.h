@@ -12,11 +12,10 @@ namespace palpate
 inline constexpr const char* PageGenerator = "<meta name=\"generator\" content=\"Palpate\"/>";
 
 /// Checks that a result with files of these names may replace what `folder` holds under them.
-/// Throws InputError for a page (.html) that Palpate did not write, and for any other file unless
-/// it or another of these names is recognised as Palpate's: by PageGenerator or, in older pages, by
-/// the style sheet; by the format that models, scenes and recordings state at their start. Meshes,
-/// tables and pictures state none: where no name is of a page or .json, nothing is refused. Empty
-/// files and links may be replaced.
+/// Throws InputError for a page (.html) that Palpate did not write, and for a .json or .touch
+/// unless it or another of these names is recognised as Palpate's: by PageGenerator or, in older
+/// pages, by the style sheet; by the format that models, scenes and recordings state at their
+/// start. Meshes, tables and pictures state none and may be replaced, as empty files and links.
 PALPATEIO_EXPORT void RequireEarlierFiles(const std::filesystem::path& folder,
                                           const std::vector<std::string>& names);
 
