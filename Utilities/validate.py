@@ -33,18 +33,16 @@ COMPARISON = """| program | structures | degree | Dice: mean, worst | mean mm | 
 | Palpate, surface | 164 glands | 15 | 0.9950, 0.9863 | 0.245 | 0.67 | 0 |
 | Palpate, surface | 164 peripheral zones | 20 | 0.9886, 0.9735 | 0.192 | 0.80 | 1 |
 
-Palpate's other rows are above; its seconds include reports. SPHARM-PDM tests whether a mask is a ball and stops where it is not; Palpate makes it one within
+Palpate's other rows are above; its seconds include reports. All distances of this table, also Palpate's, weight the corners of triangles, as its measures did
+when SPHARM-PDM was run, and are 5 to 10 % higher than integrals over the area. SPHARM-PDM tests whether a mask is a ball and stops where it is not; Palpate makes it one within
 stated limits and says what it changed.
 """
 
 # Measured by hand beside the table.
 REMARKS = """
-Measured on 28 November 2026 on a two-core AMD EPYC, two masks at a time, beside other work and at a time when the machine was slow (the radial row, whose code is the same, took
-0.15 s on the day before, and zones of degree 20 0.71 s); on 26 November, two zones at a time and nothing else took 0.77 s at
-degree 20, 1.7 s at most, one at a time (33 zones) 0.65 s. One at a time a gland took 0.34 s of a processor with all its files
-(slowest 0.65 s) on another day. With covariates, permutations and the page ([Cohort](HowTo/Cohort.md)) 164 glands of degree 15 take 72 s, 163 peripheral zones of degree 20
-76 s. Memory of one gland: 74 MB in the middle, at most 117 MB (an image of 1,024 x 1,024 x 31). With `--repair`, 10319_1000325's
-peripheral zone is modelled at degree 20 with Dice 0.955, 0.39 % repaired.
+Measured on 29 November 2026 on a two-core AMD EPYC, two masks at a time. With covariates, permutations and the page ([Cohort](HowTo/Cohort.md)) 164 glands
+of degree 15 took 72 s and 163 peripheral zones of degree 20 76 s on 26 November, before distances were integrated over triangles, which takes 0.2 s a gland.
+With `--repair`, 10319_1000325's peripheral zone is modelled at degree 20 with Dice 0.955, 0.39 % repaired.
 
 Where the same parameter lies in models of a mask with noise, on another grid and mirrored is in the
 [parametrisation's description](../Modules/Numerics/Parametrisation/README.md): 0.51 mm in the mean over zones, 2.6 mm in the worst zone.
