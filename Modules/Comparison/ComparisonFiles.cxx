@@ -29,10 +29,12 @@ void WriteComparisonOverview(const std::vector<PairComparison>& pairs,
                              const std::vector<double>& tolerances,
                              const std::filesystem::path& folder)
 {
-  // Not one set: the table was there before the page, and says nothing of who wrote it.
-  WriteComparisonTable(pairs, tolerances, folder / "comparison.csv");
-  WriteOutputSet(folder, [&](const std::filesystem::path& stage)
-                 { WriteWholeFile(stage / "report.html", ComparisonOverview(pairs, unpaired)); });
+  WriteOutputSet(folder,
+                 [&](const std::filesystem::path& stage)
+                 {
+                   WriteComparisonTable(pairs, tolerances, stage / "comparison.csv");
+                   WriteWholeFile(stage / "report.html", ComparisonOverview(pairs, unpaired));
+                 });
 }
 
 std::filesystem::path PairFolder(const PairComparison& pair)

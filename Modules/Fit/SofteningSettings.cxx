@@ -1,10 +1,10 @@
 #include "SofteningSettings.h"
 
 #include "DecimalText.h"
+#include "SphericalHarmonicSpectrum.h"
 #include "Units.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace palpate
 {
@@ -66,8 +66,8 @@ Status SofteningSettings::Check() const
 
 Status SofteningSettings::CheckSupportOf(const SphericalHarmonicModel& organ) const
 {
-  const double meanRadius = organ.Coefficients()[0] / std::sqrt(4.0 * 3.14159265358979323846);
-  const double most = MostRelativeSupport * this->TissueKilopascal / meanRadius;
+  const double most =
+      MostRelativeSupport * this->TissueKilopascal / SphericalHarmonicSpectrum(organ).MeanRadius();
   return this->Elastography != nullptr || this->BedPerMillimeter <= most
              ? Status::Success()
              : Status::Failure("A support of " + SignificantText(this->BedPerMillimeter) +

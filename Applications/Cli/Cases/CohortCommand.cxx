@@ -51,6 +51,7 @@ CohortTable JoinCohorts(const std::vector<std::string>& folders,
   }
   return joined;
 }
+
 // Without cohort.csv, which is read before it is replaced, and those of --export.
 std::vector<std::string> WrittenNames()
 {
