@@ -17,6 +17,8 @@ set(PALPATE_VTK_MODULE_FILES)
 foreach(module IN LISTS palpate_vtk_modules)
   list(APPEND PALPATE_VTK_MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Modules/${module}/vtk.module")
 endforeach()
+# Classes of C++ change from one minor version to the next; the C library has its own (Modules/CInterface).
+set(PALPATE_CXX_SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 set(PALPATE_VTK_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/Palpate")
 
 # A macro, so that variables set by VTK's functions stay visible in the caller.
@@ -35,7 +37,7 @@ macro(palpate_build_vtk_modules)
     CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
     HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate"
     VERSION "${PROJECT_VERSION}"
-    SOVERSION 1
+    SOVERSION "${PALPATE_CXX_SOVERSION}"
     TARGET_NAMESPACE Palpate)
 endmacro()
 
@@ -71,7 +73,8 @@ function(palpate_add_kernel_module module)
   palpate_compile_settings(${module})
   # Kernels take longer than the headers that they share: in small units a changed one is compiled soon.
   set_target_properties(${module} PROPERTIES
-    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION 1 UNITY_BUILD_BATCH_SIZE 5)
+    OUTPUT_NAME Palpate${module} VERSION ${PROJECT_VERSION} SOVERSION ${PALPATE_CXX_SOVERSION}
+    UNITY_BUILD_BATCH_SIZE 5)
   # A unit of many sources is inlined as freely as one source. Longer walks of aliases cost a third of the
   # time of unrolled kernels, and find nothing.
   target_compile_options(${module} PRIVATE

@@ -29,14 +29,13 @@ run to run. Every benchmark compares the results of both sides before it times t
 """
 
 PEERS = """Compilation of the alternatives: Eigen's and ITK's templates here, with the same compiler and for AVX2 and FMA as our kernels
-are (`/sse2`: for any x86-64, as they were on this page before version 0.2); VTK, GSL and libsharp as Debian builds
+are (`/sse2`: for any x86-64); VTK, GSL and libsharp as Debian builds
 them, for any x86-64. Like is compared with like: an orthogonal factorisation with another, a search that begins at the
 last point with another, a global search with another. Eigen's fits are given the matrix of the harmonics, which ours has to
 compute.
 
 *chained*: the direction of each call depends on the result of the previous one, as in an iterative search, through a logical
-operation on its bits. Up to 0.1 it depended on it through a sum with zero times the result, which added two roundings to each
-call: those times were some nanoseconds longer, and cannot be compared with these.
+operation on its bits.
 
 The fastest public library for radius and gradient along one direction, sphericart, is not installed by the scripts. Measured
 elsewhere (version 2.0.3, clang 14 with `-march=native`, one core of an AMD EPYC Zen 4 virtual machine, November 2026,

@@ -24,7 +24,7 @@ class Licences(unittest.TestCase):
 
     def test_leaves_out_our_own_libraries(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name in ["libPalpateCore.so.1", "libpalpate.so.1", "libz.so.1"]:
+            for name in ["libPalpateCore.so.0.2", "libpalpate.so.1", "libz.so.1"]:
                 pathlib.Path(folder, name).touch()
             found = [path.name for path in licences.bundled(pathlib.Path(folder))]
         self.assertEqual(found, ["libz.so.1"])
