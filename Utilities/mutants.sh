@@ -5,4 +5,5 @@
 # sources are only read. Arguments restrict the run to files whose path contains one of them, --new
 # to mutants that the page does not have as killed; the other rows of the page stay.
 set -eu
-exec /usr/bin/python3 "$(dirname "$0")/mutants.py" "$@"
+# Some tests draw, on a separate X server.
+exec xvfb-run -a /usr/bin/python3 "$(dirname "$0")/mutants.py" "$@"
