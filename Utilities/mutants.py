@@ -230,8 +230,8 @@ def run(table, parts, is_new_only):
         killers[id(mutant)] = killer = try_mutant(copy, table, mutant)
         spent = time.monotonic() - start
         print(f"{killer or 'SURVIVES':<70} {mutant['breaks']} ({spent:.0f} s)", flush=True)
-    # Another run may have written in the meantime.
-    PAGE.write_text(page_of(table, {**killers_on(PAGE.read_text(), table), **killers}))
+        # After each, since a run may be cut off; another may have written in the meantime.
+        PAGE.write_text(page_of(table, {**killers_on(PAGE.read_text(), table), **killers}))
     return [mutant for mutant in chosen if not killers[id(mutant)]]
 
 
