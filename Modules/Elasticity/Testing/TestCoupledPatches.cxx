@@ -35,10 +35,10 @@ const Hollow& TheHollow()
   return hollow;
 }
 
-ElasticForce Of(const std::vector<Wall>& walls)
+ElasticForce Of(const std::vector<Wall>& walls, double ball = Ball)
 {
   return CoupledPatches::Of(*TheHollow().Atlas, TheHollow().Organ.Model, walls.data(), walls.size(),
-                            Ball);
+                            ball);
 }
 
 TEST(CoupledPatches, OneWallPushesAsOnePatch)
@@ -51,6 +51,15 @@ TEST(CoupledPatches, OneWallPushesAsOnePatch)
   EXPECT_NEAR(coupled.ForceWorld.dot(normal), one.ForceWorld.dot(normal), 1e-12);
   EXPECT_EQ(coupled.Energy, one.Energy);
   EXPECT_EQ(coupled.PatchRadius, one.PatchRadius);
+}
+
+// However shallow the ball is, so that nothing else is at its limit.
+TEST(CoupledPatches, AreInvalidWhereTheHollowIsTooNarrow)
+{
+  const Vector3 bottom = test::HollowDirection();
+  const double fitting = -0.9 / TheHollow().Atlas->At(bottom).MeanCurvature;
+  EXPECT_TRUE(Of({{bottom, 0.001}}, 0.99 * fitting).IsValid);
+  EXPECT_FALSE(Of({{bottom, 0.001}}, 1.01 * fitting).IsValid);
 }
 
 TEST(CoupledPatches, DoesNotDependOnTheOrder)

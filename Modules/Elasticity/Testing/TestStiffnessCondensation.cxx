@@ -1,3 +1,4 @@
+#include "DenseFront.h"
 #include "ElasticCases.h"
 #include "StiffnessCondensation.h"
 
@@ -84,6 +85,19 @@ TEST(StiffnessCondensation, RefusesEquationsThatAreNotDefinite)
     organ.Stiffness.coeffRef(300, 300) = entry;
     Eigen::MatrixXd compliance;
     EXPECT_FALSE(organ.Condense(compliance).IsOk()) << entry;
+  }
+}
+
+// At the front, not after all the others were eliminated.
+TEST(DenseFront, StopsWhereItsStiffnessIsNotDefinite)
+{
+  for (const double entry : {1.0, 0.0, -1.0})
+  {
+    DenseFront front(2, 1, 1);
+    front.Stiffness(0, 0) = 1.0;
+    front.Stiffness(1, 1) = entry;
+    Eigen::MatrixXd energy = Eigen::MatrixXd::Zero(1, 1);
+    EXPECT_EQ(front.Eliminate([] { return true; }, energy), entry > 0.0) << entry;
   }
 }
 
