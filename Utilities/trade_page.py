@@ -75,6 +75,7 @@ def draw(found, file):
                         [max(row[error], least) for row in front], "-", color="0.5", linewidth=1)
             axes.set_xlabel("tick, 99.9 %, µs")
             axes.set_ylabel(label)
+            axes.tick_params(axis="x", which="minor", rotation=45, labelsize=7)
             axes.set_title(name, fontsize=9)
             axes.grid(True, which="both", alpha=0.25)
     panels[0][0].legend(fontsize=8)
