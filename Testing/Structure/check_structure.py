@@ -3,8 +3,8 @@
 Modules may include only the modules and packages that the table permits, and only modules of a lower
 level; each permission is used; Documentation/Architecture.md lists the same; vtk.module files name no
 other modules; folders do not include each other in circles; every source has its header, every module its
-README, no file and no folder is too long, sources that may be compiled as one share no names, and comments
-hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
+README, no file and no folder is too long, no type is defined twice in a namespace, sources that may be compiled
+as one share no names, and comments hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
 """
 
 import argparse
@@ -27,6 +27,7 @@ OWN_NAME = re.compile(
 )
 ALIAS = re.compile(r"^using (\w+) =\s*([^;]+);", re.MULTILINE)
 IMPORTED = re.compile(r"^using ([\w:]+::(\w+));", re.MULTILINE)
+TYPE = re.compile(r"^(?:struct|class|union|enum(?: class)?) (?:\w+_EXPORT )?(\w+)(?: final)?(?: :[^;\n]*)?$", re.MULTILINE)
 PARAMETER = re.compile(r"\s*\b\w+(?=[,)])")
 # Neither the project's nor a package's: C and C++ standard library, POSIX.
 SYSTEM_HEADER = re.compile(r"^([a-z_0-9]+|((sys|netinet)/)?[a-z_0-9]+\.h)$")
@@ -60,6 +61,7 @@ class Checker:
             self.check_module(self.root / path)
             self.check_folder_circles(self.root / path)
             self.check_own_names(self.root / path)
+        self.check_types_are_defined_once()
         self.check_modules_are_in_the_table()
         self.check_permissions_are_used()
         self.check_page()
@@ -228,6 +230,18 @@ class Checker:
                     other, place = sorts.setdefault((outer, bare), (sort, source))
                     if other != sort and place != source:
                         self.report(source, f"declares {bare} as {sort}, {place.name} as {other}; both may be compiled as one")
+
+    def check_types_are_defined_once(self):
+        """Two types of one name in a namespace share their destructors, and the linker says nothing."""
+        defined = {}
+        for module in self.modules:
+            for source in self.sources_of(self.root / module):
+                text = OWN_NAMES.sub("\n", source.read_text())
+                outer = tuple(re.findall(r"^namespace ([\w:]+)", text, re.MULTILINE))
+                for name in TYPE.findall(text):
+                    first = defined.setdefault((outer, name), source)
+                    if first != source:
+                        self.report(source, f"defines {name}, as {first.relative_to(self.root)} does")
 
     def check_folder_sizes(self):
         """The lines of a folder's own sources, without those of its sub-folders."""

@@ -140,6 +140,17 @@ class CheckStructure(unittest.TestCase):
         separate = {"Modules/Low/CMakeLists.txt": "set_property(TARGET Low PROPERTY UNITY_BUILD OFF)\n"}
         self.assertEqual(self.violations(**{**files, **same, **separate}), [])
 
+    def test_type_that_is_defined_twice(self):
+        def header(namespace, own=False):
+            plane = "struct Plane\n{\n  int Rows;\n};\n"
+            plane = f"namespace\n{{\n{plane}}} // namespace\n" if own else plane
+            return f"namespace {namespace}\n{{\nstruct Later;\n{plane}}}\n"
+
+        files = {"Modules/Low/Vector.h": "#include <Eigen/Core>\n" + header("palpate")}
+        self.assertEqual(self.violations(**files, **{"Modules/High/Plane.h": header("palpate::other")}), [])
+        self.assertEqual(self.violations(**files, **{"Modules/High/Plane.h": header("palpate", own=True)}), [])
+        self.assert_one("defines Plane, as Modules/Low/Vector.h", **files, **{"Modules/High/Plane.h": header("palpate")})
+
     def test_folder_that_is_too_long(self):
         files = {f"Modules/High/Testing/Test{name}.cxx": "\n" * 20 for name in "AB"}
         self.assert_one("has 41 lines", **files)

@@ -4,6 +4,7 @@
 #include "HarmonicContactModel.h"
 #include "ProjectedShapes.h"
 #include "RandomShapes.h"
+#include "WanderingDirection.h"
 
 #include <gtest/gtest.h>
 
@@ -54,27 +55,4 @@ void MoveStraight(ContactTracker& tracker, const Vector3& from, const Vector3& t
     visit(probe, tracker.Follow(At(probe)));
   }
 }
-
-/// A unit vector that wanders smoothly over the sphere.
-class WanderingDirection
-{
-public:
-  explicit WanderingDirection(Random& random)
-      : Source(random), Place(RandomDirection(random)), Axis(RandomDirection(random))
-  {
-  }
-
-  const Vector3& Turn(double angle)
-  {
-    this->Axis = (this->Axis + 0.02 * RandomDirection(this->Source)).normalized();
-    this->Place = (Eigen::AngleAxisd(angle, this->Axis) * this->Place).normalized();
-    return this->Place;
-  }
-  const Vector3& Direction() const { return this->Place; }
-
-private:
-  Random& Source;
-  Vector3 Place;
-  Vector3 Axis;
-};
 } // namespace palpate::test

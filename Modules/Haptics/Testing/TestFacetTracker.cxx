@@ -79,7 +79,7 @@ TEST(FacetTracker, ProxiesAreNearestPlacesAlongServoPaths)
     WorstCase gap;
     for (int tick = 0; tick < 1500; ++tick)
     {
-      const Vector3 u = wandering.Turn(0.0025);
+      const Vector3 u = wandering.Next(0.0025);
       const Vector3 probe = organ.PointWorld(u) + (radius - 1.5) * organ.Normal(u);
       const Contact& contact = tracker->Follow(At(probe));
       ASSERT_TRUE(contact.IsTouching);

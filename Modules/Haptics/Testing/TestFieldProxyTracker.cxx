@@ -148,7 +148,7 @@ TEST(FieldProxyTracker, PointProxyIsNearestOnASphereToFourthOrder)
     WorstCase error;
     for (int tick = 0; tick < 400; ++tick)
     {
-      const Vector3 u = wandering.Turn(0.004);
+      const Vector3 u = wandering.Next(0.004);
       const Vector3 surface = grid.PointWorld(middle) + (12.0 + radius) * u;
       const Contact& contact = tracker->Follow(At(surface - 1.5 * u));
       if (tick >= 10) // it starts inside

@@ -59,7 +59,7 @@ TEST(HarmonicFriction, SlipsUntilTheDynamicCone)
     Vector3 before = Vector3::Zero();
     for (int tick = 0; tick < 3000; ++tick)
     {
-      const Vector3 u = wandering.Turn(0.0025);
+      const Vector3 u = wandering.Next(0.0025);
       const Vector3 probe = organ.PointWorld(u) + (toolRadius - 1.0) * organ.Normal(u);
       const Contact& contact = tracker->Follow(At(probe));
       ASSERT_TRUE(contact.IsTouching);
@@ -88,7 +88,7 @@ TEST(HarmonicFriction, ProxyStaysOnTheSurfaceAndLeavesWithTheProbe)
   WorstCase offset;
   for (int tick = 0; tick < 3000; ++tick)
   {
-    const Vector3 u = wandering.Turn(0.0025);
+    const Vector3 u = wandering.Next(0.0025);
     const Vector3 probe =
         organ.PointWorld(u) + (1.0 + 1.5 * std::sin(0.02 * tick)) * organ.Normal(u);
     const Contact& contact = tracker->Follow(At(probe));
@@ -115,7 +115,7 @@ TEST(HarmonicFriction, NoTangentialForceWithoutFriction)
   WorstCase along;
   for (int tick = 0; tick < 1000; ++tick)
   {
-    const Vector3 u = wandering.Turn(0.0025);
+    const Vector3 u = wandering.Next(0.0025);
     const Vector3 probe = organ.PointWorld(u) - 0.5 * organ.Normal(u);
     along.Add(PullOf(probe, tracker->Follow(At(probe))).Along);
   }

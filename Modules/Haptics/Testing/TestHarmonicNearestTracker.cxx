@@ -31,7 +31,7 @@ TEST(HarmonicNearestTracker, ProxyOnASphereIsRadial)
     WorstCase error;
     for (int tick = 0; tick < 2000; ++tick)
     {
-      const Vector3 u = wandering.Turn(0.0025);
+      const Vector3 u = wandering.Next(0.0025);
       const double height = 20.0 + toolRadius + 1.5 * std::sin(0.01 * tick);
       const Contact& contact = tracker->Follow(At(center + height * u));
       const double depth = 20.0 + toolRadius - height;
@@ -68,7 +68,7 @@ TEST(HarmonicNearestTracker, ProxyOnOrgansIsNearestAlongServoPaths)
       for (int tick = 0; tick < 1000; ++tick)
       {
         // 50 mm/s at 1 kHz, 1.5 mm deep.
-        const Vector3 u = wandering.Turn(0.0025);
+        const Vector3 u = wandering.Next(0.0025);
         const Vector3 probe = organ.PointWorld(u) + (toolRadius - 1.5) * organ.Normal(u);
         const Contact& contact = tracker->Follow(At(probe));
         ASSERT_TRUE(contact.IsTouching);
@@ -222,7 +222,7 @@ TEST(HarmonicNearestTracker, IsIndependentOfTheUnitOfLength)
     WorstCase difference;
     for (int tick = 0; tick < 1000; ++tick)
     {
-      const Vector3 u = wandering.Turn(0.005);
+      const Vector3 u = wandering.Next(0.005);
       const Vector3 probe =
           organ.PointWorld(u) + (1.0 + 1.5 * std::sin(0.02 * tick)) * organ.Normal(u);
       const Contact& one = here->Follow(At(probe));

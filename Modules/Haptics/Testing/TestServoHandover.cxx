@@ -519,7 +519,7 @@ TEST(ServoHandover, NoTakeoverCausesAStep)
       Continue(run, scene());
     }
     const Vector3 force =
-        run.TickAt((18.0 + 6.0 * std::sin(0.003 * tick)) * direction.Turn(0.0005));
+        run.TickAt((18.0 + 6.0 * std::sin(0.003 * tick)) * direction.Next(0.0005));
     const SafetyReport& safety = run.Loop.Latest().Safety;
     const bool wasCut = isCut;
     isCut = safety.IsLimited || safety.IsDamping || safety.IsSlewing;

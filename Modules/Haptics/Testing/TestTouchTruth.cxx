@@ -141,7 +141,7 @@ TEST_P(TouchTruthOnHarmonics, ProxyNeverGetsStuck)
   {
     // 20 to 100 mm/s; from 3 mm deep to 0.5 mm above the surface.
     const double speed = 0.06 + 0.04 * std::sin(1.7e-3 * tick);
-    const Vector3 u = wandering.Turn(speed / 20.0);
+    const Vector3 u = wandering.Next(speed / 20.0);
     const double depth = 1.25 + 1.75 * std::sin(4.1e-3 * tick);
     const Vector3 probe = this->Body.PointWorld(u) + (ToolRadius - depth) * this->Body.Normal(u);
     const Contact& contact = tracker->Follow(At(probe));

@@ -68,12 +68,12 @@ Vector3 NormalOf(const std::filesystem::path& file, const DicomContours& contour
 }
 
 // Axes of the slices: rows along the patient axis L, or P for sagittal planes, as far as possible.
-SlicePlane PlaneAcross(const Vector3& normal)
+StackedSlice PlaneAcross(const Vector3& normal)
 {
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   const Vector3 along = Vector3::Unit(axis == 0 ? 1 : 0);
-  SlicePlane plane;
+  StackedSlice plane;
   plane.RowWorld = (along - along.dot(normal) * normal).normalized();
   plane.ColumnWorld = normal.cross(plane.RowWorld);
   plane.Columns = 1;
@@ -107,8 +107,8 @@ ImageGrid GridOfContours(const std::filesystem::path& file, const DicomContours&
                          double mostVoxels, std::vector<std::string>& notes)
 {
   const Vector3 normal = NormalOf(file, contours);
-  SlicePlane plane = PlaneAcross(normal);
-  std::vector<SlicePlane> planes;
+  StackedSlice plane = PlaneAcross(normal);
+  std::vector<StackedSlice> planes;
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 high = -low;
   ForEachContour(contours,

@@ -149,12 +149,12 @@ const std::uint8_t* DicomPixelBytes(DcmItem& item, std::size_t& count)
   return reinterpret_cast<const std::uint8_t*>(words);
 }
 
-bool ReadPlanePosition(DcmItem& item, SlicePlane& plane)
+bool ReadPlanePosition(DcmItem& item, StackedSlice& plane)
 {
   return ReadVector(item, DCM_ImagePositionPatient, 0, plane.PositionWorld);
 }
 
-bool ReadPlaneOrientation(DcmItem& item, SlicePlane& plane)
+bool ReadPlaneOrientation(DcmItem& item, StackedSlice& plane)
 {
   if (!ReadVector(item, DCM_ImageOrientationPatient, 0, plane.RowWorld) ||
       !ReadVector(item, DCM_ImageOrientationPatient, 3, plane.ColumnWorld))
@@ -175,7 +175,7 @@ bool ReadPlaneOrientation(DcmItem& item, SlicePlane& plane)
   return true;
 }
 
-bool ReadPixelSpacing(DcmItem& item, SlicePlane& plane)
+bool ReadPixelSpacing(DcmItem& item, StackedSlice& plane)
 {
   // First value: between rows; second: between columns (PS3.3, 10.7.1.3).
   plane.Spacing[1] = DicomNumber(item, DCM_PixelSpacing, 0.0, 0);

@@ -61,7 +61,7 @@ PALPATEIO_EXPORT int DicomInteger(DcmItem& item, const DcmTagKey& tag, int fallb
 PALPATEIO_EXPORT const std::uint8_t* DicomPixelBytes(DcmItem& item, std::size_t& count);
 /// Reads position, orientation or pixel spacing into `plane`, each from an item that holds it.
 /// Returns false if it is absent, not finite or not valid for a plane.
-PALPATEIO_EXPORT bool ReadPlanePosition(DcmItem& item, SlicePlane& plane);
-PALPATEIO_EXPORT bool ReadPlaneOrientation(DcmItem& item, SlicePlane& plane);
-PALPATEIO_EXPORT bool ReadPixelSpacing(DcmItem& item, SlicePlane& plane);
+PALPATEIO_EXPORT bool ReadPlanePosition(DcmItem& item, StackedSlice& plane);
+PALPATEIO_EXPORT bool ReadPlaneOrientation(DcmItem& item, StackedSlice& plane);
+PALPATEIO_EXPORT bool ReadPixelSpacing(DcmItem& item, StackedSlice& plane);
 } // namespace palpate

@@ -37,7 +37,7 @@ std::size_t MiddleOf(const DicomSeries& series)
 
 vtkSmartPointer<vtkDataArray> ReadPixels(const DicomSeries& series, std::size_t slice)
 {
-  const SlicePlane& plane = series.Planes[slice];
+  const StackedSlice& plane = series.Planes[slice];
   const vtkIdType count = static_cast<vtkIdType>(plane.Columns) * plane.Rows;
   auto pixels = vtkSmartPointer<vtkDataArray>::Take(
       vtkDataArray::CreateDataArray(series.Formats[slice].ScalarType()));
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkDataArray> ReadPixels(const DicomSeries& series, std::size_t 
 }
 
 // The nearest pixels of the slice at those of the picture.
-std::vector<double> Sampled(vtkDataArray* pixels, const SlicePlane& plane,
+std::vector<double> Sampled(vtkDataArray* pixels, const StackedSlice& plane,
                             const DicomPreview& picture)
 {
   std::vector<double> values;
@@ -80,7 +80,7 @@ DicomPreview ReadDicomPreview(const DicomSeries& series, int side)
   try
   {
     const std::size_t slice = MiddleOf(series);
-    const SlicePlane& plane = series.Planes[slice];
+    const StackedSlice& plane = series.Planes[slice];
     const double width = plane.Columns * plane.Spacing[0];
     const double height = plane.Rows * plane.Spacing[1];
     const double scale = side / std::max(width, height);

@@ -30,7 +30,7 @@ struct FunctionalGroups
   }
 };
 
-bool ReadPlane(const FunctionalGroups& groups, SlicePlane& plane)
+bool ReadPlane(const FunctionalGroups& groups, StackedSlice& plane)
 {
   DcmItem* position = groups.Find(DCM_PlanePositionSequence);
   DcmItem* orientation = groups.Find(DCM_PlaneOrientationSequence);
@@ -117,7 +117,7 @@ void DicomSegmentationFrames::ReadPlanes(const std::filesystem::path& file,
            "export the segmentation again with plane positions");
   }
   FunctionalGroups groups{nullptr, DicomItem(root, DCM_SharedFunctionalGroupsSequence)};
-  SlicePlane plane = this->Form;
+  StackedSlice plane = this->Form;
   SliceStackRules rules;
   rules.Sparse = true;
   for (std::size_t i = 0; i < this->FrameCount; ++i)

@@ -54,10 +54,10 @@ private:
   void ReadPixels(const std::filesystem::path& file, const DicomDataset& dataset);
   void ReadPlanes(const std::filesystem::path& file, const DicomDataset& dataset);
 
-  std::vector<SlicePlane> Planes;
+  std::vector<StackedSlice> Planes;
   std::vector<int> SegmentNumbers;
   SliceStack Stack;
-  SlicePlane Form; // columns and rows of every frame
+  StackedSlice Form; // columns and rows of every frame
   std::size_t FrameCount = 0;
   std::int64_t PixelsPerFrame = 0;
   int BitsPerPixel = 1;

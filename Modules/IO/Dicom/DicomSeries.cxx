@@ -23,7 +23,7 @@ struct SliceHeader
   std::string Description;
   int Number = 0;
   std::string Date;
-  SlicePlane Plane;
+  StackedSlice Plane;
   DicomPixelFormat Format;
 };
 

@@ -19,7 +19,7 @@ struct DicomSeries
   int Number = 0;          ///< series number
   std::string Date;        ///< of its first file, 2026-05-31; empty if not stated
   std::vector<std::filesystem::path> Files;
-  std::vector<SlicePlane> Planes;        ///< of each file
+  std::vector<StackedSlice> Planes;      ///< of each file
   std::vector<DicomPixelFormat> Formats; ///< of each file
 
   /// "axial", "oblique coronal", ...

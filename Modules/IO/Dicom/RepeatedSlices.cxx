@@ -20,7 +20,7 @@ constexpr double SamePosition = 1e-3; // mm, as in StackSlices
 vtkSmartPointer<vtkDoubleArray> PixelsOf(const DicomSeries& series, std::size_t slice,
                                          DicomFrameDecoder& decoder)
 {
-  const SlicePlane& plane = series.Planes[slice];
+  const StackedSlice& plane = series.Planes[slice];
   const vtkIdType count = static_cast<vtkIdType>(plane.Columns) * plane.Rows;
   auto pixels = vtkSmartPointer<vtkDoubleArray>::New();
   pixels->SetNumberOfTuples(count);

@@ -26,21 +26,21 @@ constexpr double MostSlices = 65536.0;
 /// Planes, their distances along the normal from the first one given (mm), and their order.
 struct OrderedPlanes
 {
-  const std::vector<SlicePlane>& Planes;
+  const std::vector<StackedSlice>& Planes;
   std::vector<double> Heights;
   std::vector<std::size_t> Order;           // of planes, by height
   std::vector<double> DistinctHeights;      // sorted; within a thousandth of a millimetre merged
   std::vector<std::size_t> FirstOfDistinct; // a plane at each
 
-  const SlicePlane& Lowest() const { return this->Planes[this->Order.front()]; }
+  const StackedSlice& Lowest() const { return this->Planes[this->Order.front()]; }
   double Extent() const { return this->DistinctHeights.back() - this->DistinctHeights.front(); }
 };
 
-OrderedPlanes Ordered(const std::filesystem::path& file, const std::vector<SlicePlane>& planes)
+OrderedPlanes Ordered(const std::filesystem::path& file, const std::vector<StackedSlice>& planes)
 {
   OrderedPlanes ordered{planes, {}, {}, {}, {}};
   const Vector3 normal = planes.front().NormalWorld();
-  for (const SlicePlane& plane : planes)
+  for (const StackedSlice& plane : planes)
   {
     ordered.Heights.push_back(normal.dot(plane.PositionWorld - planes.front().PositionWorld));
     if (!std::isfinite(ordered.Heights.back()))
@@ -139,8 +139,8 @@ void CheckSinglePlanes(const std::filesystem::path& file, const OrderedPlanes& o
   {
     ++pair;
   }
-  const SlicePlane& one = ordered.Planes[ordered.Order[pair - 1]];
-  const SlicePlane& other = ordered.Planes[ordered.Order[pair]];
+  const StackedSlice& one = ordered.Planes[ordered.Order[pair - 1]];
+  const StackedSlice& other = ordered.Planes[ordered.Order[pair]];
   const std::string names =
       one.Name.empty() ? "" : ", such as " + one.Name + " and " + other.Place();
   Refuse(file,
@@ -150,11 +150,11 @@ void CheckSinglePlanes(const std::filesystem::path& file, const OrderedPlanes& o
          "put one of them into a separate folder");
 }
 
-void CheckParallel(const std::filesystem::path& file, const std::vector<SlicePlane>& planes)
+void CheckParallel(const std::filesystem::path& file, const std::vector<StackedSlice>& planes)
 {
   const auto other =
       std::find_if(planes.begin(), planes.end(),
-                   [&](const SlicePlane& plane) { return !plane.IsParallelTo(planes.front()); });
+                   [&](const StackedSlice& plane) { return !plane.IsParallelTo(planes.front()); });
   if (other != planes.end())
   {
     const std::string names =
@@ -167,9 +167,9 @@ void CheckParallel(const std::filesystem::path& file, const std::vector<SlicePla
 // The largest sideways distance from a position, in pixels.
 double SidewaysDrift(const OrderedPlanes& ordered, const Vector3& positionWorld)
 {
-  const SlicePlane& first = ordered.Planes.front();
+  const StackedSlice& first = ordered.Planes.front();
   double drift = 0.0;
-  for (const SlicePlane& plane : ordered.Planes)
+  for (const StackedSlice& plane : ordered.Planes)
   {
     const Vector3 offset = plane.PositionWorld - positionWorld;
     drift = std::max({drift, std::abs(offset.dot(first.RowWorld)) / first.Spacing[0],
@@ -242,13 +242,13 @@ std::optional<SliceLine> ExactLine(const OrderedPlanes& ordered)
 SliceLine RoundedLine(const std::filesystem::path& file, const OrderedPlanes& ordered,
                       std::vector<std::string>& notes)
 {
-  const SlicePlane& first = ordered.Planes.front();
+  const StackedSlice& first = ordered.Planes.front();
   const SliceLine line = FitLine(ordered);
   const double step = line.Step * line.Axis.dot(first.NormalWorld());
   double farthest = 0.0;
   for (std::size_t i = 0; i < ordered.Order.size(); ++i)
   {
-    const SlicePlane& plane = ordered.Planes[ordered.Order[i]];
+    const StackedSlice& plane = ordered.Planes[ordered.Order[i]];
     const Vector3 offset =
         plane.PositionWorld - line.First - static_cast<double>(i) * line.Step * line.Axis;
     if (!(std::abs(offset.dot(first.NormalWorld())) <= RoundedTolerance * step))
@@ -317,9 +317,9 @@ double SparseStep(const std::filesystem::path& file, const OrderedPlanes& ordere
 SliceLine SparseLine(const std::filesystem::path& file, const OrderedPlanes& ordered,
                      const SliceStackRules& rules, std::vector<std::string>& notes)
 {
-  const SlicePlane& lowest = ordered.Lowest();
+  const StackedSlice& lowest = ordered.Lowest();
   Vector3 mean = Vector3::Zero();
-  for (const SlicePlane& plane : ordered.Planes)
+  for (const StackedSlice& plane : ordered.Planes)
   {
     mean +=
         (plane.PositionWorld - lowest.PositionWorld) / static_cast<double>(ordered.Planes.size());
@@ -349,13 +349,13 @@ std::string PlaceAlong(const Vector3& normalWorld, const Vector3& positionWorld)
   return Axes[static_cast<std::size_t>(axis)] + SignificantText(positionWorld[axis]) + " mm";
 }
 
-std::string SlicePlane::Place() const
+std::string StackedSlice::Place() const
 {
   const std::string place = PlaceAlong(this->NormalWorld(), this->PositionWorld);
   return this->Name.empty() ? place : this->Name + " at " + place;
 }
 
-bool SlicePlane::IsParallelTo(const SlicePlane& other) const
+bool StackedSlice::IsParallelTo(const StackedSlice& other) const
 {
   constexpr double Tolerance = 1e-4;
   return this->Columns == other.Columns && this->Rows == other.Rows &&
@@ -364,7 +364,7 @@ bool SlicePlane::IsParallelTo(const SlicePlane& other) const
          (this->Spacing - other.Spacing).norm() < Tolerance * other.Spacing.norm();
 }
 
-SliceStack StackSlices(const std::filesystem::path& file, const std::vector<SlicePlane>& planes,
+SliceStack StackSlices(const std::filesystem::path& file, const std::vector<StackedSlice>& planes,
                        const SliceStackRules& rules)
 {
   const OrderedPlanes ordered = Ordered(file, planes);
@@ -381,7 +381,7 @@ SliceStack StackSlices(const std::filesystem::path& file, const std::vector<Slic
     const std::optional<SliceLine> exact = ExactLine(ordered);
     line = exact ? *exact : RoundedLine(file, ordered, stack.Notes);
   }
-  const SlicePlane& first = planes.front();
+  const StackedSlice& first = planes.front();
   // Exactly the step of a line along the normal.
   const double cosine = line.Axis == first.NormalWorld() ? 1.0 : line.Axis.dot(first.NormalWorld());
   const double step = line.Step * cosine;

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-struct SlicePlane
+struct StackedSlice
 {
   Vector3 PositionWorld = Vector3::Zero(); ///< centre of its first pixel, mm, patient LPS
   Vector3 RowWorld = Vector3::UnitX();     ///< unit vector along a row (growing column index)
@@ -26,7 +26,7 @@ struct SlicePlane
   /// closest to.
   std::string Place() const;
   /// Same orientation (1e-4), pixel spacing and size.
-  bool IsParallelTo(const SlicePlane& other) const;
+  bool IsParallelTo(const StackedSlice& other) const;
 };
 
 /// A position along the patient axis that a normal is closest to: "S 12.5 mm".
@@ -55,6 +55,6 @@ struct SliceStackRules
 /// names slices and their positions, for larger deviations (a missing slice), more than 65,536
 /// slices, and, unless sparse, several planes at one position; if sparse, also for sheared stacks.
 PALPATEIO_EXPORT SliceStack StackSlices(const std::filesystem::path& file,
-                                        const std::vector<SlicePlane>& planes,
+                                        const std::vector<StackedSlice>& planes,
                                         const SliceStackRules& rules);
 } // namespace palpate

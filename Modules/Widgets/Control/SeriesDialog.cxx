@@ -90,7 +90,7 @@ void SeriesDialog::AddRow(const DicomSeriesChoice& series, int number)
   picture->setData(NumberRole, number);
   picture->setData(Qt::DecorationRole, PixmapOf(series.Preview));
   this->Table->setItem(row, Picture, picture);
-  const SlicePlane& plane = series.Slices.Planes.front();
+  const StackedSlice& plane = series.Slices.Planes.front();
   const QString size = QString("%1 \u00d7 %2 \u00d7 %3")
                            .arg(plane.Columns)
                            .arg(plane.Rows)

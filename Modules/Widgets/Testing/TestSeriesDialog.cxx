@@ -15,7 +15,7 @@ DicomSeriesChoice Series(const char* description, int columns, const char* date)
   DicomSeriesChoice series;
   series.Slices.Description = description;
   series.Slices.Date = date;
-  SlicePlane plane;
+  StackedSlice plane;
   plane.Columns = columns;
   plane.Rows = 7;
   plane.RowWorld = Vector3::UnitX();

@@ -239,11 +239,11 @@ TEST(ParametricContactModel, ProxyStaysOutOfASurfaceThatCrossesItself)
     int inside = 0;
     int touches = 0;
     WorstCase jump;
-    Vector3 last = tracker->Follow(At(seam + 30.0 * wandering.Direction())).ProxyWorld;
+    Vector3 last = tracker->Follow(At(seam + 30.0 * wandering.Current())).ProxyWorld;
     for (int tick = 0; tick < 4000; ++tick)
     {
       const double away = 7.0 + 7.0 * std::cos(0.01 * tick);
-      const Contact& contact = tracker->Follow(At(seam + away * wandering.Turn(0.005)));
+      const Contact& contact = tracker->Follow(At(seam + away * wandering.Next(0.005)));
       ASSERT_TRUE(contact.ProxyWorld.allFinite());
       const Vector3 place = contact.ProxyWorld + Off * contact.NormalWorld;
       inside += contact.IsTouching && mesh.WindingNumber(place) != 0 ? 1 : 0;

@@ -14,9 +14,9 @@ namespace
 {
 using namespace palpate::test;
 
-SlicePlane PlaneAt(double height, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity())
+StackedSlice PlaneAt(double height, const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity())
 {
-  SlicePlane plane;
+  StackedSlice plane;
   plane.RowWorld = axes.col(0);
   plane.ColumnWorld = axes.col(1);
   plane.PositionWorld = Vector3(1, 2, 3) + height * axes.col(2);
@@ -26,9 +26,9 @@ SlicePlane PlaneAt(double height, const Eigen::Matrix3d& axes = Eigen::Matrix3d:
   return plane;
 }
 
-std::vector<SlicePlane> PlanesAt(const std::vector<double>& heights)
+std::vector<StackedSlice> PlanesAt(const std::vector<double>& heights)
 {
-  std::vector<SlicePlane> planes;
+  std::vector<StackedSlice> planes;
   planes.reserve(heights.size());
   for (const double height : heights)
   {
@@ -49,7 +49,7 @@ TEST(SliceStack, StackIsIndependentOfOrderAndOrientation)
   {
     const Eigen::Matrix3d axes =
         Eigen::AngleAxisd(round, RandomDirection(random)).toRotationMatrix();
-    std::vector<SlicePlane> planes;
+    std::vector<StackedSlice> planes;
     planes.reserve(9);
     for (int slice = 0; slice < 9; ++slice)
     {
@@ -102,7 +102,7 @@ TEST(SliceStack, PositionsRoundedByLessThanTenthOfVoxelAreMadeEven)
 
 TEST(SliceStack, TiltedStackKeepsItsAxis)
 {
-  std::vector<SlicePlane> planes = PlanesAt({0, 3, 6, 9});
+  std::vector<StackedSlice> planes = PlanesAt({0, 3, 6, 9});
   for (std::size_t i = 0; i < planes.size(); ++i)
   {
     planes[i].PositionWorld[1] += 0.6 * static_cast<double>(i);
@@ -145,7 +145,7 @@ TEST(SliceStack, RejectsUnevenStacks)
 
 TEST(SliceStack, NamesSlicesAroundGap)
 {
-  std::vector<SlicePlane> planes = PlanesAt({0, 1, 2, 5, 6, 7});
+  std::vector<StackedSlice> planes = PlanesAt({0, 1, 2, 5, 6, 7});
   for (std::size_t i = 0; i < planes.size(); ++i)
   {
     planes[i].Name = "f" + std::to_string(i) + ".dcm";
@@ -163,7 +163,7 @@ TEST(SliceStack, NamesSlicesAroundGap)
 
 TEST(SliceStack, RejectsPlanesOfDifferentOrientation)
 {
-  std::vector<SlicePlane> planes = PlanesAt({0, 1});
+  std::vector<StackedSlice> planes = PlanesAt({0, 1});
   planes[1].RowWorld = Vector3::UnitY();
   planes[1].ColumnWorld = Vector3::UnitZ();
   EXPECT_TRUE(Contains(MessageOf([&] { StackSlices("x", planes, {}); }), "different orientation"));
