@@ -1,9 +1,9 @@
 #include "FitQuality.h"
 
 #include "FilterRun.h"
-#include "IsoSurface.h"
 #include "MeshConversion.h"
 #include "MeshDistances.h"
+#include "SurfaceTopology.h"
 
 namespace palpate
 {
@@ -33,7 +33,7 @@ void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunc
   ReportProgress(progress, 0.0, QualityStage);
   const ComparedSurface model = Prepared(result.ModelSurface);
   const ComparedSurface surface = Prepared(result.Surface);
-  result.SurfaceAreaSquareMillimeters = MeasureEnclosed(result.Surface).Area;
+  result.SurfaceAreaSquareMillimeters = MeasureEnclosed(ToIndexedMesh(result.Surface)).Area;
   ReportProgress(progress, 0.1, QualityStage);
   result.ModelToSurface = DistancesBetween(model, surface);
   if (result.IsOfSurface)

@@ -5,7 +5,7 @@
 #include "FilterRun.h"
 #include "FitHints.h"
 #include "FitStructure.h"
-#include "MaskSurface.h"
+#include "MaskStage.h"
 #include "ModelChoice.h"
 #include "RadialStages.h"
 #include "StructureChanges.h"
@@ -78,7 +78,7 @@ void RunSamples(FitSamples& made, const ProgressFunction& progress)
   {
     return;
   }
-  SampleRadially(made, PartOf(progress, 0.4, 0.5));
+  RunSampling(made, PartOf(progress, 0.4, 0.5));
   if (!IsHidden(result))
   {
     if (!IsAcceptedRadially(result))
@@ -220,7 +220,7 @@ FitSurface MakeFitSurface(const Segmentation& segmentation, const Segment& struc
   result.Notes = segmentation.Notes;
   result.Mask = segmentation.Layers[static_cast<std::size_t>(structure.Layer)];
   result.IsOriented = segmentation.IsOriented;
-  RunStage([&] { MakeMaskSurface(made, progress); }, result);
+  RunStage([&] { RunMaskSurface(made, progress); }, result);
   made.IsOver = !result.Message.empty();
   return made;
 }

@@ -4,6 +4,9 @@
 #include "FitSettings.h"
 #include "PalpateFitModule.h"
 #include "Progress.h"
+#include "RadialSampling.h"
+
+#include <memory>
 
 namespace palpate
 {
@@ -25,7 +28,7 @@ struct FitSamples
 {
   FitResult Found;
   vtkSmartPointer<vtkPolyData> Boundary;
-  vtkSmartPointer<vtkPolyData> Samples; ///< see vtkRadialSampler; of a radial model
+  std::shared_ptr<const RadialSampling> Samples; ///< of a radial model
   bool IsOver = false;
   bool IsTriedWithParts = false; ///< to map it together with the parts near it
 };

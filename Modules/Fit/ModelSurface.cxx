@@ -1,12 +1,8 @@
 #include "ModelSurface.h"
 
-#include "FilterRun.h"
 #include "IcosahedronDirections.h"
-#include "ModelTable.h"
+#include "RadialModelSurface.h"
 #include "TriangleMesh.h"
-#include "vtkNew.h"
-#include "vtkSphericalHarmonicSurface.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +14,7 @@ namespace
 {
 vtkSmartPointer<vtkPolyData> Draw(const SphericalHarmonicModel& model, int frequency)
 {
-  vtkNew<vtkTable> table;
-  ToTable(model, table);
-  vtkNew<vtkSphericalHarmonicSurface> surface;
-  surface->SetInputData(table);
-  surface->SetFrequency(frequency);
-  RunFilter(surface, "drawing", 0.0, 1.0, {});
-  return surface->GetOutput();
+  return DrawRadialModel(model, frequency);
 }
 
 vtkSmartPointer<vtkPolyData> Draw(const ParametricSphericalSurface& surface, int frequency)
@@ -59,13 +49,5 @@ int DrawnFrequency(const SurfaceModel& surface, int frequency)
   const auto* parametric = std::get_if<ParametricSphericalSurface>(&surface);
   return parametric ? std::max(frequency, static_cast<int>(std::ceil(1.6 * parametric->Degree())))
                     : frequency;
-}
-
-vtkSmartPointer<vtkPolyData> DrawMesh(const IndexedMesh& mesh)
-{
-  TriangleMesh drawn;
-  drawn.PointsWorld = mesh.Points;
-  drawn.Triangles = mesh.Triangles;
-  return PolyDataOf(drawn);
 }
 } // namespace palpate

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "IndexedMesh.h"
 #include "ModelDocument.h"
 #include "PalpateFitModule.h"
 #include "vtkPolyData.h"
@@ -17,7 +16,4 @@ PALPATEFIT_EXPORT vtkSmartPointer<vtkPolyData> DrawModel(const SurfaceModel& sur
 /// times its degree, about three triangles' sides per shortest half-wave. A coarser drawing cuts
 /// off 0.001 to 0.002 of the Dice of thin organs.
 PALPATEFIT_EXPORT int DrawnFrequency(const SurfaceModel& surface, int frequency);
-
-/// The triangles of a mesh (mm, LPS), without normals.
-PALPATEFIT_EXPORT vtkSmartPointer<vtkPolyData> DrawMesh(const IndexedMesh& mesh);
 } // namespace palpate

@@ -2,100 +2,123 @@
 
 #include "DecimalText.h"
 #include "DegreeGoal.h"
+#include "DegreeSearch.h"
 #include "FilterRun.h"
 #include "FitQuality.h"
 #include "FitVerdict.h"
+#include "KernelWatch.h"
+#include "MeshConversion.h"
 #include "ModelOverlap.h"
 #include "ModelPlausibility.h"
-#include "ModelTable.h"
-#include "OwnCopy.h"
+#include "RadialModelSurface.h"
+#include "SphericalHarmonicFit.h"
 #include "SphericalHarmonicMeasures.h"
 #include "StageClock.h"
 #include "StructureRemarks.h"
 #include "Units.h"
 #include "VoxelMinimum.h"
-#include "vtkIcosahedronDirections.h"
-#include "vtkRadialSampler.h"
-#include "vtkSphericalHarmonicFit.h"
-#include "vtkSphericalHarmonicSurface.h"
-
-#include "vtkNew.h"
-#include "vtkTable.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace palpate
 {
 namespace
 {
-void Configure(vtkRadialSampler* sampler, const FitSettings& settings)
+Vector3 CenterOf(const IndexedMesh& mesh, const FitSettings& settings)
 {
   if (settings.GivenCenterWorld)
   {
-    std::array<double, 3> center = *settings.GivenCenterWorld;
-    sampler->SetCenterMode(vtkRadialSampler::GIVEN);
-    sampler->SetCenter(center.data());
+    return Vector3(settings.GivenCenterWorld->data());
   }
-  else if (settings.Center == FitSettings::CenterChoice::MostVisible)
-  {
-    sampler->SetCenterMode(vtkRadialSampler::MOST_VISIBLE);
-  }
+  return settings.Center == FitSettings::CenterChoice::MostVisible ? MostVisibleCenter(mesh)
+                                                                   : VolumeCentroid(mesh);
 }
 
-void Configure(vtkSphericalHarmonicFit* fit, const FitSettings& settings)
+SphericalHarmonicFitOptions OptionsOf(const FitSettings& settings)
 {
-  fit->SetDegree(settings.Degree);
-  fit->SetWeighting(static_cast<int>(settings.Weight));
-  fit->SetMaximumDegree(settings.MaximumDegree);
-  fit->SetPenalty(static_cast<int>(settings.PenaltyKind));
-  fit->SetRoughness(settings.Roughness);
-  fit->SetRobust(settings.IsRobust);
+  SphericalHarmonicFitOptions options;
+  options.Degree = settings.Degree;
+  options.PenaltyKind = static_cast<SphericalHarmonicFitOptions::Penalty>(settings.PenaltyKind);
+  options.Roughness = settings.Roughness;
+  options.RobustKind = settings.IsRobust ? SphericalHarmonicFitOptions::Robust::Huber
+                                         : SphericalHarmonicFitOptions::Robust::None;
+  return options;
 }
 
-void TakeVerdict(vtkRadialSampler* sampler, FitResult& result)
+void TakeFit(const SphericalHarmonicFitResult& fit, int degree, const Vector3& center,
+             FitResult& result)
 {
-  result.IsSampled = true;
-  result.StarShaped = sampler->GetStarShaped();
-  result.HiddenPercent = sampler->GetHiddenPercent();
-  result.MultiplePercent = sampler->GetMultiplePercent();
-  result.MissedPercent = sampler->GetMissedPercent();
-}
-
-void TakeFit(vtkSphericalHarmonicFit* fit, FitResult& result)
-{
-  SphericalHarmonicModel model;
-  FromTable(fit->GetOutput(), model);
+  SphericalHarmonicModel model(degree, fit.Coefficients, center);
   result.ModelMilliliters = VolumeOf(model) / CubicMillimetersPerMilliliter;
   result.ModelAreaSquareMillimeters = AreaOf(model);
   result.Model = std::move(model);
-  result.Condition = fit->GetCondition();
-  result.Rms = fit->GetRms();
-  result.NoiseDeviation = fit->GetNoiseDeviation();
-  result.Roughness = fit->GetUsedRoughness();
-  result.DegreesOfFreedom = fit->GetDegreesOfFreedom();
-  result.DownWeighted = fit->GetDownWeighted();
-  result.Coverage = fit->GetCoverage();
-  for (int degree = 0; degree < fit->GetNumberOfDegrees(); ++degree)
+  result.Condition = fit.Condition;
+  result.Rms = fit.Rms;
+  result.NoiseDeviation = fit.NoiseDeviation;
+  result.Roughness = fit.Roughness;
+  result.DegreesOfFreedom = fit.DegreesOfFreedom;
+  result.DownWeighted = static_cast<int>(fit.DownWeighted);
+  result.RmsByDegree = fit.RmsByDegree;
+}
+
+// Of the degree asked for, or that meets the goal. Throws FilterError and Cancelled.
+SphericalHarmonicFitResult FitSamplesTo(const RadialSampling& sampling,
+                                        const std::optional<DegreeGoal>& goal, int supported,
+                                        FitResult& result, const ProgressFunction& progress)
+{
+  KernelWatch watch(progress, "fit");
+  const KernelProgress goOn = watch.Of(0.0, 1.0);
+  const auto weight = static_cast<RadialWeight>(result.Settings.Weight);
+  const RadialSamples samples = SamplesOf(sampling, weight);
+  SphericalHarmonicFitOptions options = OptionsOf(result.Settings);
+  options.IsCancelled = [&goOn] { return !goOn(0.1); };
+  Status status = Status::Success();
+  if (goal)
   {
-    result.RmsByDegree.push_back(fit->GetRmsOfDegree(degree));
+    const DegreeSearch search{goal->Tolerance, goal->Least, result.Settings.MaximumDegree,
+                              supported};
+    status = FindDegree(samples, options, search, options.Degree);
   }
+  SphericalHarmonicFitResult fit;
+  if (status.IsOk())
+  {
+    status = FitSphericalHarmonics(samples, options, fit);
+  }
+  if (status.IsOk())
+  {
+    status = AssessCoverage(samples.Directions, samples.Weights, fit, result.Coverage);
+  }
+  watch.Require();
+  if (!status.IsOk())
+  {
+    result.OptionHint = OptionsOfFit(result.Settings);
+    throw FilterError(status.Message());
+  }
+  TakeFit(fit, options.Degree, sampling.CenterWorld, result);
+  return fit;
 }
 } // namespace
 
-void SampleRadially(FitSamples& made, const ProgressFunction& progress)
+void RunSampling(FitSamples& made, const ProgressFunction& progress)
 {
   FitResult& result = made.Found;
   StageClock clock(result.Seconds);
-  vtkNew<vtkIcosahedronDirections> directions;
-  directions->SetFrequency(result.Settings.Frequency);
-  vtkNew<vtkRadialSampler> sampler;
-  sampler->SetInputData(0, OwnCopy(result.Surface.Get()));
-  sampler->SetDirectionsConnection(directions->GetOutputPort());
-  Configure(sampler, result.Settings);
-  RunFilter(sampler, "samples", 0.0, 1.0, progress);
-  made.Samples = sampler->GetOutput();
-  TakeVerdict(sampler, result);
+  KernelWatch watch(progress, "samples");
+  const KernelProgress goOn = watch.Of(0.0, 1.0);
+  const IndexedMesh mesh = ToIndexedMesh(result.Surface);
+  const Vector3 center = CenterOf(mesh, result.Settings);
+  auto sampling = std::make_shared<const RadialSampling>(
+      SampleRadially(mesh, center, result.Settings.Frequency, goOn));
+  watch.Require();
+  result.IsSampled = true;
+  result.StarShaped = sampling->Seen.IsStarShaped;
+  result.HiddenPercent = sampling->Seen.HiddenPercent;
+  result.MultiplePercent = sampling->MultiplePercent;
+  result.MissedPercent = sampling->MissedPercent;
+  made.Samples = std::move(sampling);
   clock.EndStage("samples");
 }
 
@@ -119,40 +142,23 @@ void FitRadialModel(const FitSamples& samples, FitResult& result, const Progress
 {
   StageClock clock(result.Seconds);
   RemarkOnRest(result);
-  const auto surface = OwnCopy(result.Surface.Get());
-  vtkNew<vtkSphericalHarmonicFit> fit;
-  fit->SetInputData(OwnCopy(samples.Samples.Get()));
-  Configure(fit, result.Settings);
-  fit->SetSupportedDegree(
-      SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask.Get()));
-  if (const std::optional<DegreeGoal> goal = DegreeGoalOf(result))
+  const std::optional<DegreeGoal> goal = DegreeGoalOf(result);
+  int supported =
+      SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask.Get());
+  if (goal && goal->IsOfVoxels) // a bound ends the search without an error
   {
-    fit->SetTolerance(goal->Tolerance);
-    fit->SetLeastDegree(goal->Least);
-    if (goal->IsOfVoxels) // a bound ends the search without an error
-    {
-      fit->SetSupportedDegree(std::min(fit->GetSupportedDegree(), result.Settings.MaximumDegree));
-    }
+    supported = std::min(supported, result.Settings.MaximumDegree);
   }
-  try
-  {
-    RunFilter(fit, "fit", 0.0, 0.15, progress);
-  }
-  catch (const FilterError&)
-  {
-    result.OptionHint = OptionsOfFit(result.Settings);
-    throw;
-  }
-  TakeFit(fit, result);
-  RemarkOnDegree(fit->GetSupportedDegree(), result);
+  const SphericalHarmonicFitResult fit =
+      FitSamplesTo(*samples.Samples, goal, supported, result, PartOf(progress, 0.0, 0.15));
+  RemarkOnDegree(supported, result);
   RemarkOnCoverage(result);
   clock.EndStage("fit");
-  vtkNew<vtkSphericalHarmonicSurface> model;
-  model->SetInputConnection(fit->GetOutputPort());
-  model->SetInputData(1, surface);
-  model->SetFrequency(result.Settings.Frequency);
-  RunFilter(model, "model", 0.15, 0.3, progress);
-  result.ModelSurface = model->GetOutput();
+  const Eigen::MatrixXd factor = fit.Covariance.Factor();
+  const IndexedMesh surface = ToIndexedMesh(result.Surface);
+  result.ModelSurface =
+      DrawRadialModel(*result.Radial(), result.Settings.Frequency, {&factor, &surface});
+  ReportProgress(progress, 0.3, "model");
   clock.EndStage("model");
   if (const std::string reason = WhyImplausible(result); !reason.empty())
   {

@@ -5,7 +5,7 @@
 namespace palpate
 {
 /// Distances of the surface from a centre.
-void SampleRadially(FitSamples& made, const ProgressFunction& progress);
+void RunSampling(FitSamples& made, const ProgressFunction& progress);
 
 /// Whether the centre sees less of the sampled surface than the settings want,
 bool IsHidden(const FitResult& result);

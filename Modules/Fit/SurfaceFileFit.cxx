@@ -102,7 +102,7 @@ void RunClosedMesh(vtkPolyData* surface, FitSurface& made, const ProgressFunctio
   result.Details.SurfaceRepair = closed.Topology;
   result.Details.AddedAreaPercent = closed.Added.AreaPercent;
   result.SurfaceMilliliters = DescribeTopology(closed.Mesh).Volume / CubicMillimetersPerMilliliter;
-  result.Surface = DrawMesh(closed.Mesh);
+  result.Surface = ToPolyData(closed.Mesh);
   made.Boundary = result.Surface;
   RemarkOnUnit(result);
   clock.EndStage("surface");

@@ -106,10 +106,9 @@ Status JudgeFit(const IndexedMesh& mesh, const ParametricFitResult& fit, FitResu
   result.Coverage = uncertainty.Coverage;
   const int frequency = DrawnFrequency(result.Model, result.Settings.Frequency);
   result.ModelSurface = DrawModel(result.Model, frequency);
-  const CovarianceFactor::PlainObject factor = uncertainty.Covariance.Factor();
   result.ModelSurface->GetPointData()->AddArray(
-      FitDeviation(CovarianceFactor(factor.data(), factor.rows(), factor.cols()),
-                   IcosahedronDirections(frequency).Directions(), "NormalDeviation"));
+      FitDeviation(uncertainty.Covariance.Factor(), IcosahedronDirections(frequency).Directions(),
+                   "NormalDeviation"));
   return status;
 }
 

@@ -6,7 +6,7 @@
 #include "KernelWatch.h"
 #include "LabelMask.h"
 #include "MappedSurface.h"
-#include "MaskSurface.h"
+#include "MaskStage.h"
 #include "MeshConversion.h"
 #include "ModelSurface.h"
 #include "RepairRemarks.h"
@@ -49,7 +49,7 @@ std::string MapToSphere(FitResult& result, int component, TopologyReport& change
     const bool isSponge = !changed.IsOk() && !result.Settings.Repairs;
     return isSponge ? changed.Message() : status.Message();
   }
-  result.Surface = DrawMesh(mapped->Mesh);
+  result.Surface = ToPolyData(mapped->Mesh);
   result.SurfaceMilliliters = DescribeTopology(mapped->Mesh).Volume / CubicMillimetersPerMilliliter;
   result.Details.Mapped = std::move(mapped);
   return {};

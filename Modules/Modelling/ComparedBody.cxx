@@ -1,7 +1,7 @@
 #include "ComparedBody.h"
 
 #include "DistanceSampler.h"
-#include "MaskBoundary.h"
+#include "MaskSurface.h"
 #include "MeshDistances.h"
 #include "MeshMending.h"
 #include "MeshRefinement.h"

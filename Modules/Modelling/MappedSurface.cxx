@@ -9,45 +9,39 @@ namespace palpate
 {
 namespace
 {
-// From mm along a mask's axes to the world.
-struct MaskToWorld
+// The image index of a point in mm along a mask's axes.
+Vector3 IndexOf(const VoxelMask& mask, const Vector3& point)
 {
-  const VoxelMask& Mask;
-  const IndexToWorld& ToWorld;
-
-  Vector3 operator()(const Vector3& point) const
+  Vector3 index;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    Vector3 index;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto at = static_cast<std::size_t>(axis);
-      index[axis] = point[axis] / this->Mask.Spacing[at] + this->Mask.StartIndex[at];
-    }
-    return this->ToWorld(index);
+    const auto at = static_cast<std::size_t>(axis);
+    index[axis] = point[axis] / mask.Spacing[at] + mask.StartIndex[at];
   }
-};
+  return index;
+}
 
-void MoveReports(const MaskToWorld& toWorld, MappedSurface& surface)
+void MoveReports(const VoxelMask& mask, const IndexToWorld& toWorld, MappedSurface& surface)
 {
+  const auto place = [&](const Vector3& point) { return toWorld(IndexOf(mask, point)); };
   TopologyReport& report = surface.Topology;
   for (TopologyChange* change : {&report.DroppedParts, &report.Bridges, &report.FilledCavities,
                                  &report.CutHandles, &report.FilledHandles})
   {
-    change->LargestCentre = toWorld(change->LargestCentre);
+    change->LargestCentre = place(change->LargestCentre);
   }
-  for (LostPlace& place : surface.Lost)
+  for (LostPlace& lost : surface.Lost)
   {
-    place.Farthest = toWorld(place.Farthest);
+    lost.Farthest = place(lost.Farthest);
   }
 }
 } // namespace
 
-void MoveToWorld(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh& mesh)
+void MoveToWorld(const IndexToWorld& toWorld, IndexedMesh& mesh)
 {
-  const MaskToWorld place{mask, toWorld};
   for (Vector3& point : mesh.Points)
   {
-    point = place(point);
+    point = toWorld(point);
   }
   if (toWorld.Axes.determinant() < 0.0)
   {
@@ -56,6 +50,15 @@ void MoveToWorld(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh
       std::swap(triangle[1], triangle[2]);
     }
   }
+}
+
+void MoveToWorld(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh& mesh)
+{
+  for (Vector3& point : mesh.Points)
+  {
+    point = IndexOf(mask, point);
+  }
+  MoveToWorld(toWorld, mesh);
 }
 
 Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
@@ -80,7 +83,7 @@ Status MakeMappedSurface(const VoxelMask& mask, const IndexToWorld& toWorld,
   mapped.RestoredVolume = made.RestoredVolume;
   mapped.MaskVolume = made.MaskVolume;
   MoveToWorld(mask, toWorld, mapped.Mesh);
-  MoveReports({mask, toWorld}, mapped);
+  MoveReports(mask, toWorld, mapped);
   SphericalParametrisation map;
   status = ParametriseOnSphere(mapped.Mesh, PartOf(progress, 0.7, 1.0), map);
   if (status.IsOk())

@@ -32,6 +32,9 @@ struct MappedSurfaceSettings
   int Triangles = 10'000;
 };
 
+/// Moves a mesh from an image's indices to world mm, where triangles still face outwards.
+void MoveToWorld(const IndexToWorld& toWorld, IndexedMesh& mesh);
+
 /// Moves a mesh from mm along a mask's axes, from the centre of its box's first voxel, to world mm,
 /// where triangles still face outwards.
 void MoveToWorld(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh& mesh);

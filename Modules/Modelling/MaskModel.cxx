@@ -3,13 +3,11 @@
 #include "DecimalText.h"
 #include "MappedSurface.h"
 #include "MaskComponents.h"
+#include "MaskSurface.h"
 #include "ParametricFit.h"
 #include "RadialSampling.h"
 #include "SphericalHarmonicFit.h"
-#include "StarShape.h"
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <numeric>
 #include <string>
@@ -71,53 +69,40 @@ Status FitParametric(const VoxelMask& mask, const IndexToWorld& toWorld, int deg
 
 Status FitRadii(const IndexedMesh& mesh, const MaskModelSettings& settings, SurfaceModel& model)
 {
-  const Vector3 center = VolumeCentroid(mesh);
-  const double hidden = JudgeStarShape(mesh, center).HiddenPercent;
-  if (hidden > settings.MaximumHiddenPercent)
+  const RadialSampling sampling = SampleRadially(mesh, VolumeCentroid(mesh), Frequency, {});
+  if (sampling.Seen.HiddenPercent > settings.MaximumHiddenPercent)
   {
-    return Status::Failure("the mask is not star-shaped: " + FixedText(hidden, 1) +
-                           " % of its surface is hidden from its centre");
+    return Status::Failure(
+        "the mask is not star-shaped: " + FixedText(sampling.Seen.HiddenPercent, 1) +
+        " % of its surface is hidden from its centre");
   }
   SphericalHarmonicFitOptions options;
   options.Degree = settings.Degree;
   SphericalHarmonicFitResult fit;
   const Status status =
-      FitSphericalHarmonics(SampleRadially(mesh, center, Frequency), options, fit);
+      FitSphericalHarmonics(SamplesOf(sampling, RadialWeight::Area), options, fit);
   if (status.IsOk())
   {
-    model = SphericalHarmonicModel(settings.Degree, fit.Coefficients, center);
+    model = SphericalHarmonicModel(settings.Degree, fit.Coefficients, sampling.CenterWorld);
   }
   return status;
-}
-
-// As vtkSegmentationSurface has it for a fit of radii: no finer than the voxels, whose steps would
-// hide parts from the centre, and smoothed by half a voxel.
-GenusZeroSettings StarSurface(const VoxelMask& mask)
-{
-  std::array<double, 3> spacing = mask.Spacing;
-  std::sort(spacing.begin(), spacing.end());
-  GenusZeroSettings settings;
-  settings.Field = ShapeFieldSettings::OfStar();
-  settings.Field.CellsOnSurface = 12000.0;
-  settings.Field.Spacing = std::max(spacing[1], ShapeFieldSpacing(mask, settings.Field));
-  settings.Field.Smoothing = 0.5 * spacing[1] / settings.Field.Spacing;
-  return settings;
 }
 
 Status FitStar(const VoxelMask& mask, const IndexToWorld& toWorld,
                const MaskModelSettings& settings, const TopologyChange& leftOut,
                SurfaceModel& model, TopologyReport& changes)
 {
-  GenusZeroSurface surface;
-  const Status status = MakeGenusZeroSurface(mask, StarSurface(mask), {}, surface);
-  changes = surface.Topology;
+  MaskSurfaceSettings surfaceSettings;
+  surfaceSettings.Shape.CellsOnSurface = MaskSurfaceSettings::CellsOfModel;
+  MaskSurface surface;
+  const Status status = MakeMaskSurface(mask, toWorld, surfaceSettings, {}, surface);
+  changes = surface.Changes();
   changes.Add(leftOut);
   const Status changed = CheckTopology(changes, {});
   if (!changed.IsOk() || !status.IsOk())
   {
     return OfMask(changed.IsOk() ? status : changed);
   }
-  MoveToWorld(mask, toWorld, surface.Mesh);
   return FitRadii(surface.Mesh, settings, model);
 }
 } // namespace

@@ -2,7 +2,10 @@
 
 #include "DecimalText.h"
 #include "FilterRun.h"
-#include "IsoSurface.h"
+#include "ImageIndexToWorld.h"
+#include "MappedSurface.h"
+#include "MarchingCubes.h"
+#include "MeshConversion.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -14,45 +17,26 @@ namespace palpate
 {
 namespace
 {
-constexpr int Border = 1; // samples around the image, all below the value
-
-// The image's samples with a border.
-ScalarGrid GridOf(vtkImageData* image, double isoValue)
+SampledGrid GridOf(vtkImageData* image, double isoValue)
 {
-  ScalarGrid grid;
-  const int* extent = image->GetExtent();
-  std::size_t count = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    grid.StartIndex[axis] = -Border;
-    grid.StepIndex[axis] = 1.0;
-    grid.Spacing[axis] = image->GetSpacing()[axis];
-    grid.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1 + 2 * Border;
-    count *= static_cast<std::size_t>(grid.Size[axis]);
-  }
+  SampledGrid grid;
+  image->GetDimensions(grid.Size.data());
   vtkDataArray* values = image->GetPointData()->GetScalars();
   double range[2];
   values->GetRange(range);
   // As far below the value as the darkest sample, so that the surface lies at most half-way to the
   // border.
-  const double below = std::min(range[0], 2.0 * isoValue - range[1]);
-  grid.Values.assign(count, static_cast<float>(below));
-  vtkIdType id = 0;
-  for (int k = Border; k < grid.Size[2] - Border; ++k)
+  grid.Beyond = static_cast<float>(std::min(range[0], 2.0 * isoValue - range[1]));
+  grid.Row = [values, size = grid.Size](int j, int k, float* row)
   {
-    for (int j = Border; j < grid.Size[1] - Border; ++j)
+    vtkIdType id = (static_cast<vtkIdType>(k) * size[1] + j) * size[0];
+    for (int i = 0; i < size[0]; ++i)
     {
-      std::size_t place = static_cast<std::size_t>(k) * grid.SliceStride(2) +
-                          static_cast<std::size_t>(j) * grid.SliceStride(1) + Border;
-      for (int i = Border; i < grid.Size[0] - Border; ++i)
-      {
-        grid.Values[place++] = static_cast<float>(values->GetComponent(id++, 0));
-      }
+      row[i] = static_cast<float>(values->GetComponent(id++, 0));
     }
-  }
+  };
   return grid;
 }
-
 } // namespace
 
 vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue,
@@ -60,12 +44,13 @@ vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue
 {
   const auto goOn = [&progress](double fraction) { ReportProgress(progress, fraction, "surface"); };
   goOn(0.0);
-  ScalarGrid grid = GridOf(image, isoValue);
-  goOn(0.3);
-  vtkSmartPointer<vtkPolyData> surface =
-      ExtractIsoSurface(grid, static_cast<float>(isoValue), SurfacePieces::All).Surface;
+  IndexedMesh mesh;
+  if (!MarchCubes(GridOf(image, isoValue), static_cast<float>(isoValue), mesh))
+  {
+    throw FilterError("The surface would have too many points.");
+  }
   goOn(0.9);
-  if (surface->GetNumberOfCells() == 0)
+  if (mesh.Triangles.empty())
   {
     double range[2] = {};
     image->GetScalarRange(range);
@@ -73,7 +58,7 @@ vtkSmartPointer<vtkPolyData> MakeIsoSurface(vtkImageData* image, double isoValue
                       " gives no surface: the image's values run from " +
                       SignificantText(range[0]) + " to " + SignificantText(range[1]) + ".");
   }
-  MoveToWorld(grid, image, surface);
-  return surface;
+  MoveToWorld(IndexToWorldOf(image), mesh);
+  return ToPolyData(mesh);
 }
 } // namespace palpate

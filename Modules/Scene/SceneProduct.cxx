@@ -72,7 +72,7 @@ std::size_t BytesOf(const SceneProduct& product)
           [](const std::shared_ptr<const FitSurface>& surface)
           { return BytesOf(surface->Found.Surface.Get()) + BytesOf(surface->Boundary.Get()); },
           [](const std::shared_ptr<const FitSamples>& samples)
-          { return BytesOf(samples->Samples.Get()); },
+          { return samples->Samples != nullptr ? samples->Samples->Bytes() : std::size_t{0}; },
           [](const std::shared_ptr<const FitResult>& fit)
           { return BytesOf(fit->ModelSurface.Get()); },
           [](const std::shared_ptr<const ScalarField>& field) { return field->Bytes(); },

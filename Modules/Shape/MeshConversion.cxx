@@ -2,7 +2,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkPolyData.h"
+#include "vtkNew.h"
 
 namespace palpate
 {
@@ -28,5 +28,29 @@ IndexedMesh ToIndexedMesh(vtkPolyData* surface)
     }
   }
   return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const IndexedMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].data());
+  }
+  // Of ids of 32 bits, half as large, which number what a mesh of this kind can have.
+  vtkNew<vtkCellArray> triangles;
+  triangles->Use32BitStorage();
+  const auto count = static_cast<vtkIdType>(mesh.Triangles.size());
+  triangles->AllocateExact(count, 3 * count);
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    triangles->InsertNextCell({a, b, c});
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface;
 }
 } // namespace palpate

@@ -2,11 +2,14 @@
 
 #include "IndexedMesh.h"
 #include "PalpateShapeModule.h"
-
-class vtkPolyData;
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 namespace palpate
 {
 /// The triangles of a surface as arrays. Other cells are ignored.
 PALPATESHAPE_EXPORT IndexedMesh ToIndexedMesh(vtkPolyData* surface);
+
+/// A mesh as a data set, without normals.
+PALPATESHAPE_EXPORT vtkSmartPointer<vtkPolyData> ToPolyData(const IndexedMesh& mesh);
 } // namespace palpate

@@ -1,6 +1,5 @@
 #include "vtkRadialSampler.h"
 
-#include "DirectionCaster.h"
 #include "MeshConversion.h"
 #include "RadialSampling.h"
 #include "StarShape.h"
@@ -49,47 +48,57 @@ Vector3 ChooseCenter(const palpate::IndexedMesh& mesh, int mode, const double* g
   }
 }
 
-// The output arrays of the samples, one entry per direction.
-struct SampleArrays
+std::vector<double> SolidAngles(vtkPolyData* directions)
 {
-  explicit SampleArrays(vtkIdType count)
+  const auto count = static_cast<std::size_t>(directions->GetNumberOfPoints());
+  std::vector<double> angles(count, 4.0 * M_PI / static_cast<double>(count));
+  if (vtkDataArray* given = directions->GetPointData()->GetArray("SolidAngle"))
   {
-    this->Direction->SetName("Direction");
-    this->Direction->SetNumberOfComponents(3);
-    this->Direction->SetNumberOfTuples(count);
-    this->Radius->SetName("Radius");
-    this->Radius->SetNumberOfValues(count);
-    this->Crossings->SetName("Crossings");
-    this->Crossings->SetNumberOfValues(count);
-    this->Valid->SetName("Valid");
-    this->Valid->SetNumberOfValues(count);
-    this->SolidAngle->SetName("SolidAngle");
-    this->SolidAngle->SetNumberOfValues(count);
-    this->AreaWeight->SetName("AreaWeight");
-    this->AreaWeight->SetNumberOfValues(count);
-    this->Points->SetDataTypeToDouble();
-    this->Points->SetNumberOfPoints(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      angles[i] = given->GetTuple1(static_cast<vtkIdType>(i));
+    }
   }
+  return angles;
+}
 
-  void AddTo(vtkPolyData* output)
+template <typename Array, typename Value>
+void AddArray(const char* name, const std::vector<Value>& values, vtkPolyData* output)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  output->GetPointData()->AddArray(array);
+}
+
+void AddSamples(const palpate::RadialSampling& sampling, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(sampling.Directions.size());
+  vtkNew<vtkDoubleArray> direction;
+  direction->SetName("Direction");
+  direction->SetNumberOfComponents(3);
+  direction->SetNumberOfTuples(count);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  std::vector<unsigned char> valid(sampling.Directions.size());
+  for (vtkIdType id = 0; id < count; ++id)
   {
-    output->SetPoints(this->Points);
-    output->GetPointData()->AddArray(this->Direction);
-    output->GetPointData()->AddArray(this->Radius);
-    output->GetPointData()->AddArray(this->Crossings);
-    output->GetPointData()->AddArray(this->Valid);
-    output->GetPointData()->AddArray(this->SolidAngle);
-    output->GetPointData()->AddArray(this->AreaWeight);
+    const auto i = static_cast<std::size_t>(id);
+    const Vector3& u = sampling.Directions[i];
+    direction->SetTuple(id, u.data());
+    points->SetPoint(id, Vector3(sampling.CenterWorld + sampling.Radii[i] * u).data());
+    valid[i] = sampling.Crossings[i] > 0 ? 1 : 0;
   }
-
-  vtkNew<vtkDoubleArray> Direction;
-  vtkNew<vtkDoubleArray> Radius;
-  vtkNew<vtkIntArray> Crossings;
-  vtkNew<vtkUnsignedCharArray> Valid;
-  vtkNew<vtkDoubleArray> SolidAngle;
-  vtkNew<vtkDoubleArray> AreaWeight;
-  vtkNew<vtkPoints> Points;
-};
+  output->SetPoints(points);
+  output->GetPointData()->AddArray(direction);
+  AddArray<vtkDoubleArray>("Radius", sampling.Radii, output);
+  AddArray<vtkIntArray>("Crossings", sampling.Crossings, output);
+  AddArray<vtkUnsignedCharArray>("Valid", valid, output);
+  AddArray<vtkDoubleArray>("SolidAngle", sampling.SolidAngles, output);
+  AddArray<vtkDoubleArray>("AreaWeight", sampling.AreaWeights, output);
+}
 } // namespace
 
 int vtkRadialSampler::RequestData(vtkInformation*, vtkInformationVector** inputs,
@@ -109,47 +118,28 @@ int vtkRadialSampler::RequestData(vtkInformation*, vtkInformationVector** inputs
   {
     return 1;
   }
-  const palpate::StarShapeVerdict verdict = palpate::JudgeStarShape(mesh, center);
-  this->StarShaped = verdict.IsStarShaped;
-  this->HiddenPercent = verdict.HiddenPercent;
-  this->UpdateProgress(0.7);
-
-  const std::vector<Vector3> directions = UnitDirections(directionInput);
-  const auto crossings = palpate::DirectionCaster(directions).Cast(mesh, center);
-  vtkDataArray* solidAngles = directionInput->GetPointData()->GetArray("SolidAngle");
-  SampleArrays samples(directionInput->GetNumberOfPoints());
-  double total = 0.0;
-  double multiple = 0.0;
-  double missed = 0.0;
-  for (vtkIdType id = 0; id < directionInput->GetNumberOfPoints(); ++id)
+  const palpate::KernelProgress progress = [this](double fraction)
   {
-    const auto i = static_cast<std::size_t>(id);
-    const double angle = solidAngles != nullptr
-                             ? solidAngles->GetTuple1(id)
-                             : 4.0 * M_PI / static_cast<double>(directions.size());
-    const auto& list = crossings[i];
-    const palpate::RayCrossing crossing = list.empty()
-                                              ? palpate::RayCrossing{-1, 0.0}
-                                              : (this->UseOutermost ? list.back() : list.front());
-    const double radius = crossing.Distance;
-    total += angle;
-    multiple += list.size() > 1 ? angle : 0.0;
-    missed += list.empty() ? angle : 0.0;
-    samples.Direction->SetTuple(id, directions[i].data());
-    samples.Radius->SetValue(id, radius);
-    samples.Crossings->SetValue(id, static_cast<int>(list.size()));
-    samples.Valid->SetValue(id, list.empty() ? 0 : 1);
-    samples.SolidAngle->SetValue(id, angle);
-    samples.AreaWeight->SetValue(
-        id, list.empty() ? 0.0 : palpate::AreaWeightOf(mesh, crossing, directions[i], angle));
-    samples.Points->SetPoint(id, Vector3(center + radius * directions[i]).data());
+    this->UpdateProgress(0.3 + 0.7 * fraction);
+    return this->AbortExecute == 0;
+  };
+  const auto crossing =
+      this->UseOutermost ? palpate::RadialCrossing::Outermost : palpate::RadialCrossing::Innermost;
+  const palpate::RadialSampling sampling =
+      palpate::SampleRadially(mesh, center, UnitDirections(directionInput),
+                              SolidAngles(directionInput), crossing, progress);
+  if (this->AbortExecute)
+  {
+    return 1;
   }
-  this->MultiplePercent = 100.0 * multiple / total;
-  this->MissedPercent = 100.0 * missed / total;
+  this->StarShaped = sampling.Seen.IsStarShaped;
+  this->HiddenPercent = sampling.Seen.HiddenPercent;
+  this->MultiplePercent = sampling.MultiplePercent;
+  this->MissedPercent = sampling.MissedPercent;
 
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->CopyStructure(directionInput);
-  samples.AddTo(output);
+  AddSamples(sampling, output);
   vtkNew<vtkDoubleArray> centerArray;
   centerArray->SetName("Center");
   centerArray->SetNumberOfComponents(3);

@@ -1,11 +1,9 @@
 #include "vtkSegmentationSurface.h"
 
-#include "IsoSurface.h"
+#include "ImageIndexToWorld.h"
 #include "LabelMask.h"
-#include "MaskComponents.h"
-#include "MaskShape.h"
-#include "ShapeField.h"
-#include "VoxelMask.h"
+#include "MaskSurface.h"
+#include "MeshConversion.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -16,41 +14,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkSegmentationSurface);
-
-namespace
-{
-palpate::ScalarGrid HalfLevel(const palpate::VoxelMask& mask)
-{
-  palpate::ScalarGrid grid;
-  std::copy(mask.StartIndex.begin(), mask.StartIndex.end(), grid.StartIndex.begin());
-  grid.StepIndex = {1.0, 1.0, 1.0};
-  grid.Spacing = mask.Spacing;
-  grid.Size = mask.Size;
-  grid.Values.resize(mask.Inside.size());
-  std::transform(mask.Inside.begin(), mask.Inside.end(), grid.Values.begin(),
-                 [](unsigned char inside) { return inside != 0 ? 0.5f : -0.5f; });
-  return grid;
-}
-
-palpate::ScalarGrid ToScalarGrid(palpate::ShapeField&& field, const palpate::VoxelMask& mask)
-{
-  palpate::ScalarGrid grid;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double origin = field.Grid.Origin[static_cast<Eigen::Index>(axis)];
-    grid.Spacing[axis] = field.Grid.Spacing;
-    grid.StepIndex[axis] = field.Grid.Spacing / mask.Spacing[axis];
-    grid.StartIndex[axis] = mask.StartIndex[axis] + origin / mask.Spacing[axis];
-  }
-  grid.Size = field.Grid.Size;
-  grid.Values = std::move(field.Values);
-  return grid;
-}
-} // namespace
 
 void vtkSegmentationSurface::SetSmoothing(double smoothing)
 {
@@ -82,95 +48,39 @@ int vtkSegmentationSurface::RequestData(vtkInformation*, vtkInformationVector** 
   }
   palpate::LabelMask copied = palpate::CopyLabelMask(image, this->Label, 1);
   this->TouchesBorder = copied.TouchesBorder;
-  palpate::VoxelMask& mask = copied.Mask;
-  if (mask.Inside.empty())
+  if (copied.Mask.Inside.empty())
   {
     vtkErrorMacro("no voxel has label " << this->Label);
     return 0;
   }
-  this->UpdateProgress(0.1);
-  if (this->AbortExecute || !this->SelectComponent(mask))
+  const palpate::MaskSurfaceSettings settings{
+      this->Method == PLAIN, {this->Smoothing, this->CellsOnSurface}, this->Component};
+  const palpate::KernelProgress progress = [this](double fraction)
   {
-    return this->AbortExecute ? 1 : 0;
-  }
-  this->UpdateProgress(0.3);
-  return this->AbortExecute || this->BuildSurface(mask, image, output) ? 1 : 0;
-}
-
-bool vtkSegmentationSurface::SelectComponent(palpate::VoxelMask& mask)
-{
-  const palpate::MaskComponents components(mask);
-  const double voxel = mask.VoxelVolume();
-  this->ComponentVolumes.clear();
-  for (const long long count : components.VoxelCounts())
+    this->UpdateProgress(fraction);
+    return this->AbortExecute == 0;
+  };
+  palpate::MaskSurface made;
+  const palpate::Status status = palpate::MakeMaskSurface(
+      std::move(copied.Mask), palpate::IndexToWorldOf(image), settings, progress, made);
+  this->ComponentVolumes = std::move(made.ComponentVolumes);
+  if (this->AbortExecute)
   {
-    this->ComponentVolumes.push_back(static_cast<double>(count) * voxel);
+    return 1;
   }
-  if (this->Component > this->GetNumberOfComponents())
+  if (!status.IsOk())
   {
-    const int count = this->GetNumberOfComponents();
-    vtkErrorMacro("there is no component " << this->Component << ": label " << this->Label
-                                           << " has " << count << " connected component"
-                                           << (count == 1 ? "" : "s"));
-    return false;
+    vtkErrorMacro(<< "label " << this->Label << " " << status.Message());
+    return 0;
   }
-  if (this->Component > 0)
-  {
-    components.Keep(this->Component - 1, mask);
-  }
-  this->MaskVolume = static_cast<double>(mask.Count()) * voxel;
-  const palpate::MaskCavities cavities = palpate::FillCavities(mask);
-  this->CavityCount = cavities.Count;
-  this->CavityVolume = static_cast<double>(cavities.Voxels) * voxel;
-  this->LargestCavityVolume = static_cast<double>(cavities.LargestVoxels) * voxel;
-  return true;
-}
-
-bool vtkSegmentationSurface::BuildSurface(const palpate::VoxelMask& mask, vtkImageData* image,
-                                          vtkPolyData* output)
-{
-  const auto pieces =
-      this->Component > 0 ? palpate::SurfacePieces::Largest : palpate::SurfacePieces::All;
-  palpate::ScalarGrid grid;
-  palpate::IsoSurface surface;
-  if (this->Method == PLAIN)
-  {
-    grid = HalfLevel(mask);
-    surface = palpate::ExtractIsoSurface(grid, 0.0f, pieces);
-  }
-  else if (!this->BuildShape(mask, pieces, grid, surface))
-  {
-    return false;
-  }
-  if (surface.Surface->GetNumberOfPolys() == 0)
-  {
-    vtkErrorMacro("label " << this->Label << " is too thin to have a surface");
-    return false;
-  }
-  this->SurfaceVolume = palpate::MeasureEnclosed(surface.Surface).Volume;
-  palpate::MoveToWorld(grid, image, surface.Surface);
-  output->ShallowCopy(surface.Surface);
+  this->MaskVolume = made.MaskVolume;
+  this->SurfaceVolume = made.SurfaceVolume;
+  this->CavityCount = made.FilledCavities.Count;
+  this->CavityVolume = made.FilledCavities.Volume;
+  this->LargestCavityVolume = made.FilledCavities.LargestVolume;
+  output->ShallowCopy(palpate::ToPolyData(made.Mesh));
   this->UpdateProgress(1.0);
-  return true;
-}
-
-bool vtkSegmentationSurface::BuildShape(const palpate::VoxelMask& mask,
-                                        palpate::SurfacePieces pieces, palpate::ScalarGrid& grid,
-                                        palpate::IsoSurface& surface)
-{
-  palpate::ShapeField field;
-  const double volume = this->MaskVolume + this->CavityVolume;
-  if (const palpate::Status status =
-          palpate::MakeMaskShape(mask, volume, {this->Smoothing, this->CellsOnSurface}, field);
-      !status.IsOk())
-  {
-    vtkErrorMacro(<< status.Message());
-    return false;
-  }
-  this->UpdateProgress(0.6);
-  grid = ToScalarGrid(std::move(field), mask);
-  surface = palpate::ExtractIsoSurfaceOfVolume(grid, volume, pieces);
-  return true;
+  return 1;
 }
 
 void vtkSegmentationSurface::PrintSelf(ostream& os, vtkIndent indent)

@@ -6,16 +6,6 @@
 
 #include <vector>
 
-class vtkImageData;
-
-namespace palpate
-{
-struct IsoSurface;
-struct ScalarGrid;
-enum class SurfacePieces;
-struct VoxelMask;
-} // namespace palpate
-
 /// Extracts one label of a label map as a closed, oriented, two-manifold triangle surface.
 ///
 /// Input: vtkImageData with one-component integer scalars; origin, spacing (mm) and direction
@@ -26,7 +16,7 @@ struct VoxelMask;
 ///
 /// SHAPE_INTERPOLATION treats the mask's steps between thick slices as a sampling artefact (see
 /// palpate::MakeShapeField), and encloses the mask's volume to a part in a thousand. PLAIN is the
-/// half level of the mask itself, for comparison.
+/// half level of the mask itself, for comparison. Arithmetic: palpate::MakeMaskSurface.
 class PALPATESHAPE_EXPORT vtkSegmentationSurface : public vtkPolyDataAlgorithm
 {
 public:
@@ -99,11 +89,6 @@ protected:
 private:
   vtkSegmentationSurface(const vtkSegmentationSurface&) = delete;
   void operator=(const vtkSegmentationSurface&) = delete;
-
-  bool SelectComponent(palpate::VoxelMask& mask);
-  bool BuildSurface(const palpate::VoxelMask& mask, vtkImageData* image, vtkPolyData* output);
-  bool BuildShape(const palpate::VoxelMask& mask, palpate::SurfacePieces pieces,
-                  palpate::ScalarGrid& grid, palpate::IsoSurface& surface);
 
   int Label = 1;
   int Method = SHAPE_INTERPOLATION;

@@ -1,6 +1,6 @@
 #include "vtkSphericalHarmonicFit.h"
 
-#include "DecimalText.h"
+#include "DegreeSearch.h"
 #include "ModelTable.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicFit.h"
@@ -15,8 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
 vtkStandardNewMacro(vtkSphericalHarmonicFit);
@@ -60,52 +58,6 @@ void AddCovariance(const Eigen::MatrixXd& factor, vtkTable* output)
       array->GetPointer(0), factor.rows(), factor.cols()) = factor;
   output->GetFieldData()->AddArray(array);
 }
-
-// The smallest degree from `leastDegree` on whose RMS residual meets the tolerance. Factorises for
-// a moderate degree first, because the work grows with the degree's fourth power.
-palpate::Status FindDegree(const palpate::RadialSamples& samples,
-                           palpate::SphericalHarmonicFitOptions options, double tolerance,
-                           int leastDegree, int maximumDegree, int supportedDegree, int& found)
-{
-  const bool isBounded = supportedDegree <= maximumDegree;
-  maximumDegree = std::max(std::min(maximumDegree, supportedDegree), leastDegree);
-  options.PenaltyKind = palpate::SphericalHarmonicFitOptions::Penalty::None;
-  options.RobustKind = palpate::SphericalHarmonicFitOptions::Robust::None;
-  int tried = std::min(std::max(12, leastDegree), maximumDegree);
-  while (true)
-  {
-    options.Degree = tried;
-    palpate::SphericalHarmonicFitResult result;
-    palpate::Status status = palpate::FitSphericalHarmonics(samples, options, result);
-    if (!status.IsOk())
-    {
-      return status;
-    }
-    const auto first =
-        std::find_if(result.RmsByDegree.begin() + leastDegree, result.RmsByDegree.end(),
-                     [tolerance](double rms) { return rms <= tolerance; });
-    if (first != result.RmsByDegree.end())
-    {
-      found = static_cast<int>(first - result.RmsByDegree.begin());
-      return palpate::Status::Success();
-    }
-    if (tried == maximumDegree && isBounded)
-    {
-      found = maximumDegree;
-      return palpate::Status::Success();
-    }
-    if (tried == maximumDegree)
-    {
-      const std::string highest = std::to_string(maximumDegree);
-      return palpate::Status::Failure(
-          "no degree up to " + highest + " meets the tolerance of " +
-          palpate::SignificantAgainstLimit(tolerance, tolerance, 3) + " mm; degree " + highest +
-          " leaves " + palpate::SignificantAgainstLimit(result.RmsByDegree.back(), tolerance, 3) +
-          " mm; allow a larger tolerance or degree");
-    }
-    tried = std::min(maximumDegree, tried * 3 / 2);
-  }
-}
 } // namespace
 
 int vtkSphericalHarmonicFit::FillInputPortInformation(int, vtkInformation* info)
@@ -136,10 +88,12 @@ int vtkSphericalHarmonicFit::RequestData(vtkInformation*, vtkInformationVector**
   options.IsCancelled = [this] { return this->AbortExecute != 0; };
   this->UpdateProgress(0.1);
   palpate::SphericalHarmonicFitResult result;
-  palpate::Status status =
-      this->Tolerance > 0.0 ? FindDegree(samples, options, this->Tolerance, this->LeastDegree,
-                                         this->MaximumDegree, this->SupportedDegree, options.Degree)
-                            : palpate::Status::Success();
+  palpate::Status status = this->Tolerance > 0.0
+                               ? palpate::FindDegree(samples, options,
+                                                     {this->Tolerance, this->LeastDegree,
+                                                      this->MaximumDegree, this->SupportedDegree},
+                                                     options.Degree)
+                               : palpate::Status::Success();
   if (status.IsOk() && !this->AbortExecute)
   {
     status = palpate::FitSphericalHarmonics(samples, options, result);

@@ -1,9 +1,9 @@
 #include "vtkSurfaceQuality.h"
 
-#include "IsoSurface.h"
 #include "MaskOverlap.h"
 #include "MeshConversion.h"
 #include "MeshDistances.h"
+#include "SurfaceTopology.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -47,12 +47,13 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
     return 0;
   }
   const palpate::IndexedMesh testedMesh = palpate::ToIndexedMesh(tested);
+  const palpate::IndexedMesh referenceMesh = palpate::ToIndexedMesh(reference);
   palpate::ComparedSurface one;
   palpate::ComparedSurface other;
   palpate::Status status = palpate::ComparedSurface::Make(testedMesh, one);
   if (status.IsOk())
   {
-    status = palpate::ComparedSurface::Make(palpate::ToIndexedMesh(reference), other);
+    status = palpate::ComparedSurface::Make(referenceMesh, other);
   }
   if (!status.IsOk())
   {
@@ -73,8 +74,8 @@ int vtkSurfaceQuality::RequestData(vtkInformation*, vtkInformationVector** input
   this->Percentile95Distance = distance.Percentile95;
   this->MaximumDistance = distance.Largest;
 
-  const palpate::EnclosedMeasure measured = palpate::MeasureEnclosed(tested);
-  const palpate::EnclosedMeasure expected = palpate::MeasureEnclosed(reference);
+  const palpate::EnclosedMeasure measured = palpate::MeasureEnclosed(testedMesh);
+  const palpate::EnclosedMeasure expected = palpate::MeasureEnclosed(referenceMesh);
   this->Volume = measured.Volume;
   this->Area = measured.Area;
   this->VolumeDifference = measured.Volume - expected.Volume;

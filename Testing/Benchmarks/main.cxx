@@ -1,6 +1,5 @@
 // PalpateBenchmarks: times ours next to named alternatives, after checking that both agree.
 #include "BodyBenchmarks.h"
-#include "BoundsBenchmarks.h"
 #include "BumpyTouchBenchmarks.h"
 #include "ComparisonReport.h"
 #include "DisplayCheck.h"
@@ -57,13 +56,13 @@ std::vector<PairedBenchmark> DrawingBenchmarks()
 std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
-  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
-                      palpate::bench::FitBenchmarks(), palpate::bench::BoundsBenchmarks(),
-                      palpate::bench::NearestBenchmarks(), palpate::bench::BodyBenchmarks(),
-                      palpate::bench::FieldBenchmarks(), DrawingBenchmarks(),
-                      palpate::bench::TouchBenchmarks(), palpate::bench::BumpyTouchBenchmarks(),
-                      palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group :
+       {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
+        palpate::bench::FitBenchmarks(), palpate::bench::NearestBenchmarks(),
+        palpate::bench::BodyBenchmarks(), palpate::bench::FieldBenchmarks(), DrawingBenchmarks(),
+        palpate::bench::TouchBenchmarks(), palpate::bench::BumpyTouchBenchmarks(),
+        palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
+        palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

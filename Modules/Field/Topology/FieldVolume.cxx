@@ -189,39 +189,49 @@ double VolumeAround(const ShapeField& field, const std::vector<std::size_t>& nod
   return sum * field.Grid.CellVolume();
 }
 
-float LevelOfVolume(const ShapeField& field, double volume, double area)
+double FindLevel(const LevelSearch& search, const std::function<double(double level)>& volumeAbove)
 {
-  constexpr int MaximumSteps = 40;
-  constexpr double Tolerance = 1e-4;
-  const auto [lowest, highest] = std::minmax_element(field.Values.begin(), field.Values.end());
-  LevelVolume low{*lowest, std::numeric_limits<double>::infinity()};
-  LevelVolume high{*highest, 0.0};
+  LevelVolume low{search.Lowest, std::numeric_limits<double>::infinity()};
+  LevelVolume high{search.Highest, 0.0};
   LevelVolume best{0.0, std::numeric_limits<double>::infinity()};
   LevelVolume before{0.0, 0.0};
-  double slope = -std::max(area, std::numeric_limits<double>::min());
+  double slope = -std::max(search.Area, std::numeric_limits<double>::min());
   double level = 0.0;
-  for (int step = 0; step < MaximumSteps; ++step)
+  for (int step = 0; step < search.MaximumSteps; ++step)
   {
-    const LevelVolume at{level, VolumeAbove(field, static_cast<float>(level))};
-    if (std::abs(at.Volume - volume) < std::abs(best.Volume - volume))
+    const LevelVolume at{level, volumeAbove(level)};
+    const double excess = at.Volume - search.Volume;
+    if (std::abs(excess) < std::abs(best.Volume - search.Volume))
     {
       best = at;
     }
-    if (std::abs(best.Volume - volume) <= Tolerance * volume)
+    if (std::abs(best.Volume - search.Volume) <= search.Tolerance * search.Volume)
     {
       break;
     }
-    (at.Volume > volume ? low : high) = at;
+    (excess > 0.0 ? low : high) = at;
     if (step > 0 && at.Volume != before.Volume)
     {
       slope = (at.Volume - before.Volume) / (at.Level - before.Level);
     }
     before = at;
-    const double secant = at.Level + (volume - at.Volume) / slope;
+    const double secant = at.Level - excess / slope;
     // Where many nodes have nearly the same value the secant stalls; halving does not.
     const bool isSafe = step % 3 != 2 && secant > low.Level && secant < high.Level;
     level = isSafe ? secant : 0.5 * (low.Level + high.Level);
   }
-  return static_cast<float>(best.Level);
+  return best.Level;
+}
+
+float LevelOfVolume(const ShapeField& field, double volume, double area)
+{
+  const auto [lowest, highest] = std::minmax_element(field.Values.begin(), field.Values.end());
+  LevelSearch search;
+  search.Lowest = *lowest;
+  search.Highest = *highest;
+  search.Volume = volume;
+  search.Area = area;
+  return static_cast<float>(FindLevel(search, [&field](double level)
+                                      { return VolumeAbove(field, static_cast<float>(level)); }));
 }
 } // namespace palpate

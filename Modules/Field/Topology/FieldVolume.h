@@ -3,6 +3,7 @@
 #include "ShapeField.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace palpate
@@ -17,9 +18,22 @@ double VolumeAbove(const ShapeField& field, float level);
 double VolumeAround(const ShapeField& field, const std::vector<std::size_t>& nodes,
                     std::vector<unsigned char>& marks);
 
-/// The level (mm) whose volume is `volume` (mm^3), to 0.01 % within a few steps; the nearest one
-/// that was found if the field has none, for example on a plateau. `area` (mm^2) is a guess of the
-/// surface's area.
+/// What a level is searched for.
+struct LevelSearch
+{
+  double Lowest = 0.0;  ///< of the field
+  double Highest = 0.0; ///< of the field
+  double Volume = 0.0;  ///< mm^3, wanted
+  double Area = 0.0;    ///< mm^2, a guess of the surface's area
+  double Tolerance = 1e-4;
+  int MaximumSteps = 40;
+};
+
+/// The level (mm) at which `volumeAbove` is the wanted one, to the tolerance within a few steps
+/// from level 0; the nearest one that was found if the field has none, for example on a plateau.
+double FindLevel(const LevelSearch& search, const std::function<double(double level)>& volumeAbove);
+
+/// The level (mm) whose VolumeAbove is `volume` (mm^3), to 0.01 %; see FindLevel.
 ///
 /// Matching the volume of the surface, not the number of voxel centres inside it: many centres of
 /// rods and boxes have the same distance, so that counts jump.

@@ -2,7 +2,7 @@
 
 #include "BodyComparison.h"
 #include "ComparedCases.h"
-#include "MaskBoundary.h"
+#include "MaskSurface.h"
 #include "ParametricPhantoms.h"
 #include "RandomShapes.h"
 #include "SurfaceTopology.h"

@@ -13,7 +13,8 @@ namespace
 TEST(RadialSampling, RadiiAndWeightsAreThoseOfASphere)
 {
   const IndexedMesh mesh = test::Sphere(40, 10.0, {3.0, 0.0, 0.0});
-  const RadialSamples samples = SampleRadially(mesh, Vector3::Zero(), 10);
+  const RadialSamples samples =
+      SamplesOf(SampleRadially(mesh, Vector3::Zero(), 10, {}), RadialWeight::Area);
   ASSERT_EQ(samples.Radii.size(), 1002U);
   for (std::size_t i = 0; i < samples.Radii.size(); ++i)
   {
@@ -30,7 +31,8 @@ TEST(RadialSampling, RadiiAndWeightsAreThoseOfASphere)
 TEST(RadialSampling, DirectionsThatMissTheMeshAreLeftOut)
 {
   const IndexedMesh mesh = test::Sphere(10, 1.0, {2.0, 0.0, 0.0});
-  const RadialSamples samples = SampleRadially(mesh, Vector3::Zero(), 10);
+  const RadialSamples samples =
+      SamplesOf(SampleRadially(mesh, Vector3::Zero(), 10, {}), RadialWeight::Area);
   // A sphere of radius 1 at 2 covers (1 - cos 30 degrees) / 2 of the directions.
   EXPECT_NEAR(samples.Radii.size() / 1002.0, 0.067, 0.01);
 }

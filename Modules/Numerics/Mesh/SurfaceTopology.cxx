@@ -218,6 +218,21 @@ std::string GenusZeroFault(const SurfaceTopology& is)
 }
 } // namespace
 
+EnclosedMeasure MeasureEnclosed(const IndexedMesh& mesh)
+{
+  EnclosedMeasure measure;
+  for (const auto& [i, j, k] : mesh.Triangles)
+  {
+    const Vector3& a = mesh.Points[static_cast<std::size_t>(i)];
+    const Vector3 doubled = (mesh.Points[static_cast<std::size_t>(j)] - a)
+                                .cross(mesh.Points[static_cast<std::size_t>(k)] - a);
+    // From a point of the surface: less cancellation.
+    measure.Volume += (a - mesh.Points.front()).dot(doubled) / 6.0;
+    measure.Area += 0.5 * doubled.norm();
+  }
+  return measure;
+}
+
 SurfaceTopology DescribeTopology(const IndexedMesh& mesh)
 {
   SurfaceTopology topology;

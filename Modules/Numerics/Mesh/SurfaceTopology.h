@@ -43,6 +43,15 @@ struct SurfaceTopology
   int Handles() const noexcept { return this->Parts - this->EulerCharacteristic / 2; }
 };
 
+struct EnclosedMeasure
+{
+  double Volume = 0.0; ///< mm^3, signed
+  double Area = 0.0;   ///< mm^2
+};
+
+/// Volume and area alone, of all triangles of a mesh with valid indices.
+EnclosedMeasure MeasureEnclosed(const IndexedMesh& mesh);
+
 /// Linear time; 5 million triangles take some 2 s and 130 MB in addition to the mesh. Any input is
 /// allowed, up to 700 million triangles; beyond, only Points and Triangles are set.
 SurfaceTopology DescribeTopology(const IndexedMesh& mesh);

@@ -3,7 +3,6 @@
 #include "EvaluatorCases.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicBounds.h"
 #include "SurfaceCases.h"
 
 #include <gtest/gtest.h>
@@ -102,20 +101,6 @@ TEST(QueriesDoNotAllocate, ClosestPoint)
   const ToolContact contact = search.TouchAnywhere(outside, 2.0);
   EXPECT_EQ(AllocationCount(), before);
   EXPECT_TRUE(contact.Normal.allFinite());
-}
-
-TEST(QueriesDoNotAllocate, BoundsOverCones)
-{
-  test::Random random(1302);
-  const SphericalHarmonicBounds bounds(test::RandomOrgan(random, 12));
-  const std::size_t before = AllocationCount();
-  for (const double angle : {0.0, 0.1, 1.0, 3.0})
-  {
-    EXPECT_LE(bounds.RadiusInCone(Vector3::UnitX(), angle).Lower,
-              bounds.RadiusInCone(Vector3::UnitX(), angle).Upper);
-    EXPECT_GE(bounds.SlopeInCone(Vector3::UnitX(), angle), 0.0);
-  }
-  EXPECT_EQ(AllocationCount(), before);
 }
 } // namespace
 } // namespace palpate::queries_do_not_allocate_test

@@ -1,10 +1,11 @@
 #include "DrillExport.h"
 
 #include "DrillContextCases.h"
-#include "IsoSurface.h"
+#include "MeshConversion.h"
 #include "Progress.h"
 #include "SceneIsoSurface.h"
 #include "SurfaceFile.h"
+#include "SurfaceTopology.h"
 #include "VolumeFile.h"
 
 #include "vtkMatrix3x3.h"
@@ -69,15 +70,17 @@ TEST_F(DrillExport, ImageKeepsGridTypeAndUncutVoxels)
 TEST_F(DrillExport, SurfaceEnclosesTheRemainingVolume)
 {
   const auto whole = test::BenchOf(this->Files.Scene());
-  const double before = MeasureEnclosed(DrilledSurface(*whole, 0, test::GoOn)).Volume;
+  const double before =
+      MeasureEnclosed(ToIndexedMesh(DrilledSurface(*whole, 0, test::GoOn))).Volume;
   const auto context = Drilled(this->Files.Scene());
   const auto surface = DrilledSurface(*context, 0, test::GoOn);
-  EXPECT_NEAR(before - MeasureEnclosed(surface).Volume, SphereVolume, 0.01 * SphereVolume);
+  EXPECT_NEAR(before - MeasureEnclosed(ToIndexedMesh(surface)).Volume, SphereVolume,
+              0.01 * SphereVolume);
   for (const char* name : {"left.stl", "left.vtp"})
   {
     WriteSurface(this->Files.Folder / name, surface);
-    EXPECT_NEAR(MeasureEnclosed(ReadSurface(this->Files.Folder / name)).Volume,
-                MeasureEnclosed(surface).Volume, 1e-3); // single precision
+    EXPECT_NEAR(MeasureEnclosed(ToIndexedMesh(ReadSurface(this->Files.Folder / name))).Volume,
+                MeasureEnclosed(ToIndexedMesh(surface)).Volume, 1e-3); // single precision
   }
 }
 
@@ -86,14 +89,15 @@ TEST_F(DrillExport, ReadBackImageHasTheSameSurface)
 {
   const auto context = Drilled(this->Files.Scene());
   const auto image = DrilledImage(*context, 0, test::GoOn);
-  const double left = MeasureEnclosed(DrilledSurface(*context, 0, test::GoOn)).Volume;
+  const double left =
+      MeasureEnclosed(ToIndexedMesh(DrilledSurface(*context, 0, test::GoOn))).Volume;
   for (const char* name : {"left.nii.gz", "left.nrrd"})
   {
     WriteImage(this->Files.Folder / name, image);
     const Volume back = ReadVolume(this->Files.Folder / name);
     ExpectSameGrid(back.Image, image, 1e-5); // NIfTI has single precision
     const auto surface = MakeIsoSurface(back.Image, test::BoneFiles::Iso, test::GoOn);
-    EXPECT_NEAR(MeasureEnclosed(surface).Volume, left, 1e-3 * left);
+    EXPECT_NEAR(MeasureEnclosed(ToIndexedMesh(surface)).Volume, left, 1e-3 * left);
   }
 }
 

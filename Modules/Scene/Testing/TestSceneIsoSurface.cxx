@@ -1,8 +1,9 @@
 #include "SceneIsoSurface.h"
 
 #include "FilterRun.h"
-#include "IsoSurface.h"
 #include "LabelImages.h"
+#include "MeshConversion.h"
+#include "SurfaceTopology.h"
 
 #include "vtkFeatureEdges.h"
 #include "vtkNew.h"
@@ -67,7 +68,7 @@ TEST(SceneIsoSurface, FacesLowerValues)
   for (int round = 0; round < 5; ++round)
   {
     const auto surface = MakeIsoSurface(DistanceImage(random), 2.0, GoOn);
-    EXPECT_NEAR(MeasureEnclosed(surface).Volume, sphere, 0.02 * sphere)
+    EXPECT_NEAR(MeasureEnclosed(ToIndexedMesh(surface)).Volume, sphere, 0.02 * sphere)
         << "a polyhedron inside of the sphere";
   }
 }

@@ -1,9 +1,10 @@
 #include "vtkSegmentationSurface.h"
 
 #include "ErrorLog.h"
-#include "IsoSurface.h"
 #include "LabelImages.h"
+#include "MeshConversion.h"
 #include "MeshTopology.h"
+#include "SurfaceTopology.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
@@ -107,7 +108,7 @@ TEST(SegmentationSurface, IsClosedOrientedManifoldForRandomBlobs)
       filter->SetMethod(method);
       filter->Update();
       EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "") << round << ' ' << method;
-      EXPECT_GT(palpate::MeasureEnclosed(filter->GetOutput()).Volume, 0.0);
+      EXPECT_GT(palpate::MeasureEnclosed(palpate::ToIndexedMesh(filter->GetOutput())).Volume, 0.0);
     }
   }
 }
@@ -118,8 +119,8 @@ TEST(SegmentationSurface, KeepsMaskVolume)
   filter->Update();
   // 2 % is documented; the level is found to a part in a thousand.
   EXPECT_NEAR(filter->GetSurfaceVolume(), filter->GetMaskVolume(), 1e-3 * filter->GetMaskVolume());
-  EXPECT_NEAR(palpate::MeasureEnclosed(filter->GetOutput()).Volume, filter->GetSurfaceVolume(),
-              1e-6 * filter->GetSurfaceVolume());
+  EXPECT_NEAR(palpate::MeasureEnclosed(palpate::ToIndexedMesh(filter->GetOutput())).Volume,
+              filter->GetSurfaceVolume(), 1e-6 * filter->GetSurfaceVolume());
 }
 
 TEST(SegmentationSurface, StaysWithinHalfVoxelDiagonalOfMask)
@@ -191,7 +192,7 @@ TEST(SegmentationSurface, ScalesWithVoxelSize)
           Filter(MakeLabelImage(grid, [scale](double x, double y, double z)
                                 { return InEllipsoid(x / scale, y / scale, z / scale); }));
       filter->Update();
-      const auto measure = palpate::MeasureEnclosed(filter->GetOutput());
+      const auto measure = palpate::MeasureEnclosed(palpate::ToIndexedMesh(filter->GetOutput()));
       EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "");
       area = area == 0.0 ? measure.Area : area;
       // Flying edges keeps points in float; the level is found to a part in a thousand.
@@ -264,7 +265,7 @@ TEST(SegmentationSurface, FacesOutwardsOnLeftHandedGrid)
   grid.CenterOnOrigin();
   auto filter = Filter(MakeLabelImage(grid, InEllipsoid));
   filter->Update();
-  EXPECT_GT(palpate::MeasureEnclosed(filter->GetOutput()).Volume, 0.0);
+  EXPECT_GT(palpate::MeasureEnclosed(palpate::ToIndexedMesh(filter->GetOutput())).Volume, 0.0);
   EXPECT_EQ(palpate::test::TopologyFault(filter->GetOutput()), "");
 }
 

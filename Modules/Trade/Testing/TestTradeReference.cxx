@@ -53,7 +53,7 @@ struct Ellipsoid
       mesh.Points.push_back(this->Axes() * direction);
     }
     mesh.Triangles = sphere.Triangles();
-    return FacetReference(MakeFacetContact(DrawMesh(mesh), "ellipsoid"), tool);
+    return FacetReference(MakeFacetContact(ToPolyData(mesh), "ellipsoid"), tool);
   }
 };
 

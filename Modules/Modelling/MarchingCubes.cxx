@@ -1,4 +1,4 @@
-#include "MaskBoundary.h"
+#include "MarchingCubes.h"
 
 #include <algorithm>
 #include <array>
@@ -46,9 +46,9 @@ std::size_t EdgeBetween(unsigned a, unsigned b)
 using CubeTriangles = std::vector<std::array<std::size_t, 3>>;
 
 // On each face, a line from where a run of corners inside begins to where it ends: so corners
-// inside that only share a diagonal are apart, in both cubes of the face. The lines form loops
-// around the cube.
-CubeTriangles TrianglesOfCube(unsigned corners)
+// inside that only share a diagonal are apart, in both cubes of the face. `EdgeCount` where no line
+// begins.
+std::array<std::size_t, EdgeCount> LinesOfCube(unsigned corners)
 {
   std::array<std::size_t, EdgeCount> next{};
   next.fill(EdgeCount);
@@ -70,21 +70,57 @@ CubeTriangles TrianglesOfCube(unsigned corners)
           EdgeBetween(face[end % 4], face[(end + 1) % 4]);
     }
   }
+  return next;
+}
+
+bool ShareFace(std::size_t one, std::size_t other)
+{
+  const auto has = [](const std::array<unsigned, 4>& face, std::size_t edge)
+  {
+    return std::count(face.begin(), face.end(), CubeEdges[edge][0]) != 0 &&
+           std::count(face.begin(), face.end(), CubeEdges[edge][1]) != 0;
+  };
+  return std::any_of(CubeFaces.begin(), CubeFaces.end(),
+                     [&](const std::array<unsigned, 4>& face)
+                     { return has(face, one) && has(face, other); });
+}
+
+// Turns a loop so that no triangle of the fan from its first edge has a side across a face, where
+// the next cube could have the same one. All loops have such a start.
+void TurnToFan(std::vector<std::size_t>& loop)
+{
+  const auto crossesFace = [&loop]
+  {
+    return std::any_of(loop.begin() + 2, loop.end() - 1,
+                       [&loop](std::size_t edge) { return ShareFace(loop.front(), edge); });
+  };
+  for (std::size_t turn = 0; turn < loop.size() && crossesFace(); ++turn)
+  {
+    std::rotate(loop.begin(), loop.begin() + 1, loop.end());
+  }
+}
+
+// The lines form loops around the cube.
+CubeTriangles TrianglesOfCube(unsigned corners)
+{
+  std::array<std::size_t, EdgeCount> next = LinesOfCube(corners);
   CubeTriangles triangles;
   for (std::size_t first = 0; first < EdgeCount; ++first)
   {
-    if (next[first] == EdgeCount)
+    std::vector<std::size_t> loop;
+    for (std::size_t edge = first; next[edge] != EdgeCount;)
     {
-      continue;
+      loop.push_back(edge);
+      edge = std::exchange(next[edge], EdgeCount);
     }
-    std::size_t from = std::exchange(next[first], EdgeCount);
-    while (next[from] != first)
+    if (!loop.empty())
     {
-      const std::size_t to = std::exchange(next[from], EdgeCount);
-      triangles.push_back({first, from, to});
-      from = to;
+      TurnToFan(loop);
     }
-    next[from] = EdgeCount;
+    for (std::size_t i = 2; i < loop.size(); ++i)
+    {
+      triangles.push_back({loop[0], loop[i - 1], loop[i]});
+    }
   }
   return triangles;
 }
@@ -99,17 +135,17 @@ std::array<CubeTriangles, 256> MakeCubes()
   return cubes;
 }
 
-/// Marching cubes (Lorensen and Cline, SIGGRAPH 1987), with faces that fit each other: a vertex
-/// half way between each pair of neighbouring voxels of which one is inside. A slice at a time.
-class MarchedMask
+// A slice at a time.
+class MarchingCubes
 {
 public:
-  explicit MarchedMask(const VoxelMask& mask)
-      : Mask(mask), Row(static_cast<std::size_t>(mask.Size[0]) + 2),
-        Rows(static_cast<std::size_t>(mask.Size[1]) + 2)
+  MarchingCubes(const SampledGrid& grid, float level)
+      : Grid(grid), Level(level), Row(static_cast<std::size_t>(grid.Size[0]) + 2),
+        Rows(static_cast<std::size_t>(grid.Size[1]) + 2)
   {
     for (Slice& slice : this->Slices)
     {
+      slice.Values.assign(this->Row * this->Rows, grid.Beyond);
       slice.Inside.assign(this->Row * this->Rows, 0);
       for (std::vector<int>& vertices : slice.Vertices)
       {
@@ -118,11 +154,11 @@ public:
     }
   }
 
-  /// In steps of the mask's grid from its box's first voxel. False if there are too many points.
+  // False if there are too many points.
   bool Build(IndexedMesh& mesh)
   {
     constexpr std::size_t MostPoints = 1'000'000'000;
-    for (int k = -1; k < this->Mask.Size[2] && mesh.Points.size() < MostPoints; ++k)
+    for (int k = -1; k < this->Grid.Size[2] && mesh.Points.size() < MostPoints; ++k)
     {
       std::swap(this->Slices[0], this->Slices[1]);
       this->Read(k + 1);
@@ -133,29 +169,41 @@ public:
   }
 
 private:
-  // Voxels, with a border of voxels outside, and the vertex behind each along i, j and k.
+  // Samples, with a border of those beyond, and the vertex behind each along i, j and k.
   struct Slice
   {
+    std::vector<float> Values;
     std::vector<std::uint8_t> Inside;
     std::array<std::vector<int>, 3> Vertices;
   };
 
-  // All are outside beyond the last slice.
   void Read(int k)
   {
-    for (int j = 0; j < this->Mask.Size[1]; ++j)
+    Slice& slice = this->Slices[1];
+    if (k == this->Grid.Size[2])
     {
-      std::uint8_t* to =
-          this->Slices[1].Inside.data() + (static_cast<std::size_t>(j) + 1) * this->Row + 1;
-      if (k == this->Mask.Size[2])
-      {
-        std::fill_n(to, this->Mask.Size[0], 0);
-        continue;
-      }
-      const unsigned char* from = this->Mask.Inside.data() + this->Mask.Offset(0, j, k);
-      std::transform(from, from + this->Mask.Size[0], to,
-                     [](unsigned char inside) { return inside != 0 ? 1 : 0; });
+      std::fill(slice.Values.begin(), slice.Values.end(), this->Grid.Beyond);
+      std::fill(slice.Inside.begin(), slice.Inside.end(), 0);
+      return;
     }
+    for (int j = 0; j < this->Grid.Size[1]; ++j)
+    {
+      const std::size_t first = (static_cast<std::size_t>(j) + 1) * this->Row + 1;
+      this->Grid.Row(j, k, &slice.Values[first]);
+      for (std::size_t at = first; at < first + this->Row - 2; ++at)
+      {
+        slice.Inside[at] = slice.Values[at] > this->Level ? 1 : 0;
+      }
+    }
+  }
+
+  // The part of the way from one sample to its neighbour at which the surface parts them.
+  double Crossing(float from, float to) const
+  {
+    constexpr double Margin = 1e-3;
+    const double part =
+        (static_cast<double>(this->Level) - from) / (static_cast<double>(to) - from);
+    return std::clamp(part, Margin, 1.0 - Margin);
   }
 
   // Of the upper slice, and between the lower one, k, and it.
@@ -173,19 +221,20 @@ private:
       {
         continue;
       }
-      const Vector3 voxel(static_cast<double>(at % this->Row) - 1.0,
-                          static_cast<double>(at / this->Row) - 1.0, k + 1.0);
-      const auto add = [&](bool isCrossed, const Vector3& step, int& vertex)
+      const Vector3 sample(static_cast<double>(at % this->Row) - 1.0,
+                           static_cast<double>(at / this->Row) - 1.0, k + 1.0);
+      const float value = high.Values[at];
+      const auto add = [&](bool isCrossed, int axis, double step, int& vertex)
       {
         if (isCrossed)
         {
           vertex = static_cast<int>(mesh.Points.size());
-          mesh.Points.push_back(voxel + step);
+          mesh.Points.push_back(sample + step * Vector3::Unit(axis));
         }
       };
-      add(isCrossedI, {0.5, 0.0, 0.0}, high.Vertices[0][at]);
-      add(isCrossedJ, {0.0, 0.5, 0.0}, high.Vertices[1][at]);
-      add(isCrossedK, {0.0, 0.0, -0.5}, low.Vertices[2][at]);
+      add(isCrossedI, 0, this->Crossing(value, high.Values[at + 1]), high.Vertices[0][at]);
+      add(isCrossedJ, 1, this->Crossing(value, high.Values[at + this->Row]), high.Vertices[1][at]);
+      add(isCrossedK, 2, -this->Crossing(value, low.Values[at]), low.Vertices[2][at]);
     }
   }
 
@@ -218,37 +267,17 @@ private:
     }
   }
 
-  const VoxelMask& Mask;
-  std::size_t Row; // voxels of a row, with the border
+  const SampledGrid& Grid;
+  float Level;
+  std::size_t Row; // samples of a row, with the border
   std::size_t Rows;
   std::array<Slice, 2> Slices; // the lower one first
 };
 } // namespace
 
-Status MakeMaskBoundary(const VoxelMask& mask, const IndexToWorld& toWorld, IndexedMesh& boundary)
+bool MarchCubes(const SampledGrid& grid, float level, IndexedMesh& mesh)
 {
-  if (mask.Count() == 0)
-  {
-    return Status::Failure("has no voxels");
-  }
-  IndexedMesh mesh;
-  if (!MarchedMask(mask).Build(mesh))
-  {
-    return Status::Failure("has too many voxels at its boundary");
-  }
-  const Vector3 start(mask.StartIndex[0], mask.StartIndex[1], mask.StartIndex[2]);
-  for (Vector3& point : mesh.Points)
-  {
-    point = toWorld(start + point);
-  }
-  if (toWorld.Axes.determinant() < 0.0)
-  {
-    for (std::array<int, 3>& triangle : mesh.Triangles)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
-  }
-  boundary = std::move(mesh);
-  return Status::Success();
+  mesh = {};
+  return MarchingCubes(grid, level).Build(mesh);
 }
 } // namespace palpate

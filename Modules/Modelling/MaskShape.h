@@ -1,6 +1,5 @@
 #pragma once
 
-#include "PalpateShapeModule.h"
 #include "ShapeField.h"
 #include "Status.h"
 #include "VoxelMask.h"
@@ -20,6 +19,6 @@ struct MaskShapeSettings
 /// The best estimate of the shape that a mask was drawn from: MakeShapeField with
 /// ShapeFieldSettings::OfStar, shifted so that its zero level encloses `volume` (mm^3). Fails as
 /// MakeShapeField.
-PALPATESHAPE_EXPORT Status MakeMaskShape(const VoxelMask& mask, double volume,
-                                         const MaskShapeSettings& settings, ShapeField& field);
+Status MakeMaskShape(const VoxelMask& mask, double volume, const MaskShapeSettings& settings,
+                     ShapeField& field);
 } // namespace palpate
