@@ -1,24 +1,24 @@
 #include "ImageIndexToWorld.h"
 
 #include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
 
 namespace palpate
 {
 IndexToWorld IndexToWorldOf(vtkImageData* image)
 {
-  const auto at = [image](double i, double j, double k)
-  {
-    const int* extent = image->GetExtent();
-    const Vector3 index(i + extent[0], j + extent[2], k + extent[4]);
-    Vector3 world;
-    image->TransformContinuousIndexToPhysicalPoint(index.data(), world.data());
-    return world;
-  };
+  const vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();
   IndexToWorld toWorld;
-  toWorld.Origin = at(0.0, 0.0, 0.0);
-  toWorld.Axes.col(0) = at(1.0, 0.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(1) = at(0.0, 1.0, 0.0) - toWorld.Origin;
-  toWorld.Axes.col(2) = at(0.0, 0.0, 1.0) - toWorld.Origin;
+  for (int row = 0; row < 3; ++row)
+  {
+    toWorld.Origin[row] = matrix->GetElement(row, 3);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      toWorld.Axes(row, axis) = matrix->GetElement(row, axis);
+    }
+  }
+  const int* extent = image->GetExtent();
+  toWorld.Origin += toWorld.Axes * Vector3(extent[0], extent[2], extent[4]);
   return toWorld;
 }
 } // namespace palpate

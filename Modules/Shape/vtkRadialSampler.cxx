@@ -30,7 +30,11 @@ std::vector<Vector3> UnitDirections(vtkPolyData* directions)
   for (std::size_t i = 0; i < result.size(); ++i)
   {
     directions->GetPoint(static_cast<vtkIdType>(i), result[i].data());
-    result[i].normalize();
+    // Those of unit length keep their bits, as palpate::SampleRadially has them.
+    if (std::abs(result[i].squaredNorm() - 1.0) > 1e-12)
+    {
+      result[i].normalize();
+    }
   }
   return result;
 }
