@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/VirtualExaminer.md from the searches of PalpateExaminer.
+"""Writes Documentation/Evidence/VirtualExaminer.md from the searches of PalpateExaminer.
 
     Utilities/examiner.py SEARCHES [--page FILE]
 
@@ -127,7 +127,7 @@ def page(document):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("searches", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "VirtualExaminer.md")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "VirtualExaminer.md")
     arguments = parser.parse_args()
     arguments.page.write_text(page(json.loads(arguments.searches.read_text())))
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the table measured by PalpateLimits into Documentation/Limits.md.
+"""Writes the table measured by PalpateLimits into Documentation/Evidence/Limits.md.
 
     Utilities/limits.py [TABLE] [--page FILE]
 
@@ -31,7 +31,7 @@ def known_tests():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("table", type=pathlib.Path, nargs="?")
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Limits.md")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "Limits.md")
     arguments = parser.parse_args()
     page = arguments.page.read_text()
     unknown = sorted(set(NAMED.findall(page)) - known_tests())

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Scenes.md from the measurements of PalpateScenes.
+"""Writes Documentation/Evidence/Scenes.md from the measurements of PalpateScenes.
 
     Utilities/scenes.py MEASURED [--page FILE]
 
@@ -64,7 +64,7 @@ def scenes(entries):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("measured", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Scenes.md")
+    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Evidence" / "Scenes.md")
     arguments = parser.parse_args()
     measured = json.loads(arguments.measured.read_text())
     medians = {e["structures"]: e["median_ns"] for e in measured["ticks"]}

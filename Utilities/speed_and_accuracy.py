@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/SpeedAndAccuracy.md and its figure from the benchmarks.
+"""Writes Documentation/Evidence/SpeedAndAccuracy.md and its figure from the benchmarks.
 
     Utilities/speed_and_accuracy.py BENCHMARKS PAGE_DATA TRADE [--page FILE] [--pictures FOLDER]
 
@@ -214,7 +214,7 @@ def main():
     parser.add_argument("benchmarks", type=pathlib.Path)
     parser.add_argument("page_data", type=pathlib.Path)
     parser.add_argument("trade", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "SpeedAndAccuracy.md")
+    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Evidence" / "SpeedAndAccuracy.md")
     parser.add_argument("--pictures", type=pathlib.Path, default=DOCUMENTATION / "Images")
     arguments = parser.parse_args()
     measured = json.loads(arguments.page_data.read_text())

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Stability.md and its figure from the measurements of PalpateStability.
+"""Writes Documentation/Evidence/Stability.md and its figure from the measurements of PalpateStability.
 
     Utilities/stability.py BORDERS [--page FILE] [--picture FILE]
 
@@ -182,7 +182,7 @@ def kept(page):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("borders", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Stability.md")
+    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Evidence" / "Stability.md")
     parser.add_argument("--picture", type=pathlib.Path,
                         default=DOCUMENTATION / "Images" / "stability.png")
     arguments = parser.parse_args()

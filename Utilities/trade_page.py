@@ -1,4 +1,4 @@
-"""The part of Documentation/SpeedAndAccuracy.md on sample scenes: measurements of `palpate
+"""The part of Documentation/Evidence/SpeedAndAccuracy.md on sample scenes: measurements of `palpate
 tradeoff` (Utilities/trade.sh), as tables and a figure. Used by speed_and_accuracy.py."""
 import json
 import pathlib

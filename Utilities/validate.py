@@ -4,7 +4,7 @@
     Utilities/validate.py [--palpate PROGRAM] [--data FOLDER] [--output FILE]
 
 PROGRAM is build/release/bin/palpate by default. FOLDER holds real test data (see Data/README.md);
-missing data are omitted, with a remark. FILE is Documentation/Validation.md by default.
+missing data are omitted, with a remark. FILE is Documentation/Evidence/Validation.md by default.
 """
 import argparse
 import concurrent.futures
@@ -257,7 +257,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--palpate", type=pathlib.Path, default=ROOT / "build/release/bin/palpate")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "../shared/data")
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "Documentation/Validation.md")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "Documentation/Evidence/Validation.md")
     arguments = parser.parse_args()
     program = arguments.palpate
     if not program.exists():

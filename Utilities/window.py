@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Window.md from the measurements of PalpateWindow.
+"""Writes Documentation/Evidence/Window.md from the measurements of PalpateWindow.
 
     Utilities/window.py MEASURES [--page FILE]
 
@@ -117,7 +117,7 @@ def page_of(measures):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measures", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Window.md")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "Window.md")
     arguments = parser.parse_args()
     arguments.page.write_text(page_of(json.loads(arguments.measures.read_text())))
 
