@@ -224,17 +224,15 @@ def organs(program):
                 rows.append(row(name, f"{slices:.0f}", *figures(taken), *figures(radial)[1:],
                                 *figures(auto)[1:3],
                                 auto["degree"] if auto["status"] == "fitted" else ""))
-    return table(["organ", "slices mm", "model", "Dice", "95 % mm", "largest mm",
-                  "radial: Dice", "95 % mm", "largest mm", "degree auto: Dice", "95 % mm",
-                  "degree"], rows) + "\n"
+    return table(["organ", "slices mm", "model", "Dice", "95 % mm", "radial: Dice", "95 % mm",
+                  "degree auto: Dice", "95 % mm", "degree"], rows) + "\n"
 
 
 def figures(result):
     if result["status"] != "fitted":
-        return [result["status"], "", "", ""]
+        return [result["status"], "", ""]
     mask = result["quality"]["mask"]
-    return [result["model"], f"{mask['dice']:.3f}", f"{mask['p95_mm']:.2f}",
-            f"{mask['max_mm']:.1f}"]
+    return [result["model"], f"{mask['dice']:.3f}", f"{mask['p95_mm']:.2f}"]
 
 
 def speed(program, folder):
