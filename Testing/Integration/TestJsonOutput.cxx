@@ -51,9 +51,16 @@ std::map<std::string, Table> DocumentedTables()
     }
     else if (line.rfind("| `", 0) == 0)
     {
-      const std::string key = Between(line, "| `", "` | ");
-      EXPECT_TRUE(tables[command].emplace(key, Between(line, "` | ", " |")).second)
-          << command << " has two rows for " << key;
+      const std::string keys = line.substr(0, line.find(" | "));
+      const std::string unit = Between(line, "` | ", " |");
+      std::size_t end = 0;
+      for (std::size_t at = keys.find('`'); at != std::string::npos; at = keys.find('`', end + 1))
+      {
+        end = keys.find('`', at + 1);
+        const std::string key = keys.substr(at + 1, end - at - 1);
+        EXPECT_TRUE(tables[command].emplace(key, unit).second)
+            << command << " has two rows for " << key;
+      }
     }
   }
   return tables;
