@@ -132,6 +132,7 @@ of 1 mm; one core of an AMD EPYC Zen 4 virtual machine), not run by `Utilities/b
 | 256³ voxels, dynamic |  |  | 0.086 | 0.35 | 11° | 25° | 38° | 4.9 % | 44 % | 3 |
 """
 
+VARIANTS = ("/portable", "/sse2", "/recurrence", "/chained", "/fixedpoint", "/itk")
 IDEAL = ["ideal's: mean"]  # and "most": the same in every row of a minute of touch
 
 
@@ -154,7 +155,7 @@ def comparisons(entries):
     """Against other programs; what is compared with ours is among the aims, or in a table of its own."""
     rows = []
     for entry in entries:
-        if "(ours)" in entry["against"] or entry["name"].startswith("elastic/"):
+        if "(ours)" in entry["against"] or entry["name"].startswith("elastic/") or entry["name"].endswith(VARIANTS):
             continue
         count = f"{entry['instructions']:,.0f}" if "instructions" in entry else ""
         rows.append(row(f"`{entry['name']}`", time_text(entry["ns"]), count, entry["against"],

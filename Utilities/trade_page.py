@@ -94,7 +94,7 @@ def number(value, scale=1.0):
 
 def table(structure):
     head = ["setting", "tick, µs: median", "99.9 %", "position, mm", "force, JND", "direction",
-            "jump a tick, N: mean", "most", "cost, s"]
+            "largest jump a tick, N", "cost, s"]
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     rows = felt(structure)
     for row in rows:
@@ -102,7 +102,7 @@ def table(structure):
         cells = [name, number(row["tick_median_ns"], 1e-3), number(row["tick_p999_ns"], 1e-3),
                  number(row["beyond_position_p99_mm"]), number(row["beyond_noticeable_p99_jnd"]),
                  number(row["beyond_direction_p99_degrees"]) + "°",
-                 number(row["jump_mean_n"]), number(row["jump_most_n"]),
+                 number(row["jump_most_n"]),
                  number(row["cost_seconds"])]
         lines.append("| " + " | ".join(cells) + " |")
     refused = [wrapped(f"- {row['setting']}: {row['message']}", "  ") for row in structure["rows"]

@@ -216,7 +216,7 @@ def organs(program):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for name in organ_shapes.ORGANS:
-            for slices in (1.0, 3.0, 5.0):
+            for slices in (1.0, 5.0):
                 mask = pathlib.Path(folder, "organ.mha")
                 organ_shapes.write_mask(mask, name, slices)
                 taken, radial, auto = (fit(program, [mask], *options)[0] for options in
@@ -276,7 +276,7 @@ def main():
         ("Time and memory", "", speed(program, arguments.data)),
         ("Bodies like organs", "Made by formulas (`Utilities/organ_shapes.py`), fitted with `--model "
          "automatic` at degree 12, as radial models, and with `--degree auto`; distances from the "
-         "mask. Empty: refused. Slices of the cochlea and the tooth are 1, 3 and 5 times as thick "
+         "mask. Empty: refused. Slices of the cochlea and the tooth are 1 and 5 times as thick "
          "as a voxel is wide.", organs(program)),
     ]
     text = ["# Validation", "", "Made by `Utilities/validate.py`; default settings (degree 12, "
