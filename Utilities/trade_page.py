@@ -113,7 +113,6 @@ def table(structure):
 def section(found, picture):
     parts = [TEXT.format(picture=picture)]
     for name, structure in found.items():
-        message = structure["advice"]["message"]
-        parts.append(f"### {SCENES[name]}\n\n{wrapped(message[0].upper() + message[1:])}\n\n"
+        parts.append(f"### {SCENES[name]}\n\n"
                      f"{wrapped('Reference: ' + structure['reference'])}.\n\n{table(structure)}")
     return "\n".join(parts)
