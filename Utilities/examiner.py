@@ -25,10 +25,10 @@ seed, so the same run gives the same numbers.
 | organ | an ellipsoid of a prostate's size, free towards the examiner and on springs elsewhere; elastic contact as in touch ([Elasticity](../../Modules/Elasticity/README.md)) | semi-axes of {axes} mm, tissue of {tissue_kpa:g} kPa, Poisson's ratio {poisson:g}, springs of {bed_kpa_per_mm:g} kPa/mm; {elements_across} elements across, compliance of degree {degree} |
 | nodule | a sphere, its top at a depth under the surface, {ratios} times as stiff as the tissue | 5 mm from the centre of the free side |
 | hand | presses with a sphere | radius {ball_mm:g} mm, {depth_mm:g} mm deep |
-| | errs in depth and place at each press, normally distributed (*assumed*; physiological tremor is of the order of 0.1 mm) | standard deviations of {depth_deviation_mm:g} mm, and {place_deviation_mm:g} mm along each axis |
-| | feels the force with an error | standard deviation of {percept_deviation_jnd:g} just noticeable difference (JND); *assumed* to be what the JND of one presentation means (d' = 1) |
+| | errs in depth and place at each press, normally distributed (*assumed*) | standard deviations of {depth_deviation_mm:g} mm, and {place_deviation_mm:g} mm along each axis |
+| | feels the force with an error | standard deviation of {percept_deviation_jnd:g} just noticeable difference (JND) (*assumed*) |
 | perception | JND of force | {weber:.0f} % (Pang, Tan and Durlach 1991; Jones 1989), at least {floor:.3f} N (`ForcePerception`) |
-| technique | presses the places of a square raster, which each search shifts and turns; comes back to the hardest; reports the hardest of these if it is harder than the median of all places (*chosen*) | {spacing_mm:g} mm apart within {reach_mm:g} mm; {sweeps} presses each; {suspects} places, {returns} presses each; from {threshold_jnd:g} JND |
+| technique | presses a square raster, shifted and turned by each search; comes back to the hardest; reports the hardest of these if it is harder than the median (*chosen*) | {spacing_mm:g} mm apart within {reach_mm:g} mm; {sweeps} presses each; {suspects} places, {returns} presses each; from {threshold_jnd:g} JND |
 
 A nodule is *found* if the reported place is within its radius and {found_margin_mm:g} mm of the surface above it.
 """
@@ -55,17 +55,13 @@ examination by hand, needs larger, shallower or stiffer nodules, or has to say t
 
 ## Limitations
 
-- Nothing was felt by people. The technique and its numbers of presses are chosen; the examiner does not tire or learn.
-- It remembers forces and places perfectly, and does not search longer where it is in doubt. A threshold below
-  {threshold_jnd:g} JND would find more, with more false alarms.
-- It compares with the median of all places, which large and deep nodules raise too, so it finds fewer of these.
-- Reports count as found wherever they come from: a rate that is not above the false alarms says nothing.
-- Its errors of depth and place are assumed and independent from press to press.
-- One point and no skin: no shape of the pressure, sliding, lateral force at the nodule's flank, friction or vibration.
-- The organ is linear, uniform but for the nodule, and as smooth as an ellipsoid. Zones, bumps and a capsule of real
-  glands raise false alarms and hide nodules.
-- The smallest nodule is about as large as the elements (2.7 mm at the surface). With 16 elements across instead of {elements_across},
-  the rise of the force changed by at most 0.7 points above five nodules of 4 to 16 mm.
+- Nothing was felt by people. The technique and its numbers of presses are chosen; a threshold below {threshold_jnd:g} JND would find
+  more, with more false alarms. A rate that is not above the false alarms says nothing.
+- The examiner remembers perfectly, and compares with the median of all places, which large and deep nodules raise too.
+- One point and no skin: no shape of the pressure, sliding, lateral force, friction or vibration.
+- The organ is linear, uniform but for the nodule, and as smooth as an ellipsoid.
+- The smallest nodule is about as large as the elements (2.7 mm). With 16 elements across instead of {elements_across}, the rise of the force
+  changed by at most 0.7 points above five nodules of 4 to 16 mm.
 """
 
 
