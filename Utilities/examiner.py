@@ -38,11 +38,10 @@ RESULTS = """## Results
 Part of the searches that found the nodule and, in parentheses, by how many JND it raises the force right above it.
 
 {table}
-- Without a nodule, {alarms} of {searches} searches reported one ({alarm_rate}). With one, at most {elsewhere} reported another
-  place.
+- Without a nodule, {alarms} of {searches} searches reported one ({alarm_rate}). With one, at most {elsewhere} reported another place.
 - Standard error of a percentage: at most {error:.1f} points.
-- At least three of four searches find each nodule of more than {sure:.1f} JND, and fewer than one of four each of less
-  than {unsure:.1f} JND.
+- At least three of four searches find each nodule of more than {sure:.1f} JND, and fewer than one of four each of less than
+  {unsure:.1f} JND.
 """
 
 PEOPLE = """## Compared with people
@@ -50,8 +49,8 @@ PEOPLE = """## Compared with people
 Gerling et al. (Cancer Epidemiology 34, 2010, 79-84): 18 people with their fingers found spheres of 4 mm, 5 mm deep in
 silicone of 21 kPa, more than 75 % of the time. In tissue of {tissue_kpa:g} kPa such a nodule raises the force on a finger-sized
 sphere by less than one JND, even if it is {most:g} times as stiff. Force alone does not explain what people find; skin feels
-the shape of the pressure too. An exercise on a device that renders the force on one point, and that is to be as easy as an
-examination by hand, needs larger, shallower or stiffer nodules, or has to say that it exaggerates.
+the shape of the pressure too. An exercise on a device that renders the force on one point, and that is to be as easy as
+an examination by hand, needs larger, shallower or stiffer nodules, or has to say that it exaggerates.
 
 ## Limitations
 
@@ -60,8 +59,8 @@ examination by hand, needs larger, shallower or stiffer nodules, or has to say t
 - The examiner remembers perfectly, and compares with the median of all places, which large and deep nodules raise too.
 - One point and no skin: no shape of the pressure, sliding, lateral force, friction or vibration.
 - The organ is linear, uniform but for the nodule, and as smooth as an ellipsoid.
-- The smallest nodule is about as large as the elements (2.7 mm). With 16 elements across instead of {elements_across}, the rise of the force
-  changed by at most 0.7 points above five nodules of 4 to 16 mm.
+- The smallest nodule is about as large as the elements (2.7 mm). With 16 elements across instead of {elements_across}, the rise of
+  the force changed by at most 0.7 points above five nodules of 4 to 16 mm.
 """
 
 

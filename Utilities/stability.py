@@ -28,20 +28,22 @@ chain is off: no ramp, no limit, no energy observer.
 
 *Claimed* is the limit of `StiffestStable`, above which `palpate touch` warns before forces start: the minimum of
 (b - |B|) / (T/2 + delay), for a mechanism with damping b and a structure with damping B (Colgate and Schenkel 1997),
-and 2 f / D, for friction f and encoder counts D (Diolaiti et al. 2006). The device's frame is oblique to every structure.
+and 2 f / D, for friction f and encoder counts D (Diolaiti et al. 2006). The device's frame is oblique to every
+structure.
 
 ![Measured borders over the claimed one]({picture})
 """
 
 READING = """## Results
 
-- Of {count} combinations of structure, rate, delay, damping, friction, counts and hand, {violations}
+- Of {count} combinations of structure, rate, delay, damping, friction, counts and hand,
+  {violations}
 - Without counts and friction, energy generation begins at {low:.2g} to {high:.2g} times the claimed stiffness (median {median:.2g}).
-- With counts and friction, it begins at {low_counts:.2g} to {high_counts:.2g} times (median {median_counts:.2g}): the bound of Diolaiti et al.
-  does not include the energy that the mechanism's damping absorbs in addition to friction.
-- In {earlier} of the {count} combinations a limit cycle at rest began below a press that generates energy ({others} of
-  them without counts): counts sustain a motion of the hand that is too small to generate net energy. None began below
-  the claimed border.
+- With counts and friction, it begins at {low_counts:.2g} to {high_counts:.2g} times (median {median_counts:.2g}): the bound of Diolaiti et al. does not include
+  the energy that the mechanism's damping absorbs in addition to friction.
+- In {earlier} of the {count} combinations a limit cycle at rest began below a press that generates energy ({others} of them without
+  counts): counts sustain a motion of the hand that is too small to generate net energy. None began below the claimed
+  border.
 """
 
 # In the order of the legend.

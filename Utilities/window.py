@@ -13,21 +13,20 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 INTRODUCTION = """# Servo and window
 
-Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for
-all of it. A window of 1280 x 800 shows the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz (harmonics of
-degree 12, a sphere of 2 mm), 1.5 mm deep, with slices following. *Hidden* is the same touch with nothing to draw: the
-servo alone. Every other line is as long, with one more activity of the window. Priority: SCHED_FIFO, if the system
-grants it.
+Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for all of it.
+A window of 1280 x 800 shows the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz
+(harmonics of degree 12, a sphere of 2 mm), 1.5 mm deep, with slices following. *Hidden* is the same touch with nothing
+to draw: the servo alone. Every other line is as long, with one more activity of the window. Priority: SCHED_FIFO, if
+the system grants it.
 
 """
 
 FIGURES = """
 ## Start, volumes, structures
 
-Times are the shortest of five, *wall* time. The start is that of a new process. Memory is what stays resident after
-three volumes (`ch2`, `ch2better`, `ch2bet`) were opened in a window that had drawn a tiny one. The structures are
-AAL's, without their file, so that no surface is made meanwhile. Frames are those of the view that drew least, in turns
-with and without the second volume, with the hand in contact for {touching:.0f} % of the ticks.
+Times are the shortest of five, *wall* time. Memory is what stays resident after three volumes (`ch2`, `ch2better`,
+`ch2bet`) were opened. The structures are AAL's. Frames are those of the view that drew least, with the hand in contact
+for {touching:.0f} % of the ticks.
 
 | what | measured | aim |
 | --- | --- | --- |

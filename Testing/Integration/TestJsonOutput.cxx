@@ -50,6 +50,7 @@ std::map<std::string, Table> DocumentedTables()
     if (line.rfind("## ", 0) == 0)
     {
       command = Between(line, "`palpate ", "`");
+      tables[command].emplace("schema_version", "of every object");
     }
     else if (line.rfind("| `", 0) == 0)
     {
