@@ -18,7 +18,7 @@ TEXT = """## Speed against accuracy, scene by scene
 Results of `palpate tradeoff` for four sample scenes (`Utilities/trade.sh`). All settings are touched along the same
 seeded path and compared with one reference. Errors are those of 99 % of the ticks, as far as they exceed the
 reference's own uncertainty, which is stated with it: the mask does not distinguish settings at 0. A *JND* (just
-noticeable difference) is 7 % of the force; directions are distinguished from 18° to 33° on. The cost is the time to
+noticeable difference) is 7 % of the force. The cost is the time to
 prepare and to touch for ten minutes. In bold: the advised setting. For elastic structures, positions of the proxy are
 not compared.
 
@@ -93,7 +93,7 @@ def number(value, scale=1.0):
 
 
 def table(structure):
-    head = ["setting", "tick, µs: median", "99.9 %", "position, mm", "force, JND", "direction",
+    head = ["setting", "tick, µs: median", "99.9 %", "position, mm", "force, JND",
             "largest jump a tick, N", "cost, s"]
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     rows = felt(structure)
@@ -101,7 +101,6 @@ def table(structure):
         name = f"**{row['setting']}**" if row["key"] == structure["advice"]["choose"] else row["setting"]
         cells = [name, number(row["tick_median_ns"], 1e-3), number(row["tick_p999_ns"], 1e-3),
                  number(row["beyond_position_p99_mm"]), number(row["beyond_noticeable_p99_jnd"]),
-                 number(row["beyond_direction_p99_degrees"]) + "°",
                  number(row["jump_most_n"]),
                  number(row["cost_seconds"])]
         lines.append("| " + " | ".join(cells) + " |")
