@@ -221,10 +221,10 @@ def organs(program):
                 organ_shapes.write_mask(mask, name, slices)
                 taken, radial, auto = (fit(program, [mask], *options)[0] for options in
                                        ((), ("--model", "radial"), ("--degree", "auto")))
-                rows.append(row(name, f"{slices:.0f}", *figures(taken), *figures(radial)[1:],
+                rows.append(row(name, f"{slices:.0f}", *figures(taken), figures(radial)[1],
                                 *figures(auto)[1:3],
                                 auto["degree"] if auto["status"] == "fitted" else ""))
-    return table(["organ", "slices mm", "model", "Dice", "95 % mm", "radial: Dice", "95 % mm",
+    return table(["organ", "slices mm", "model", "Dice", "95 % mm", "radial: Dice",
                   "degree auto: Dice", "95 % mm", "degree"], rows) + "\n"
 
 
