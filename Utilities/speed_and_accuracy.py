@@ -180,13 +180,6 @@ def name_of(entry):
     return f"{entry['formulation']}, {entry['calls']}"
 
 
-def trade_table(entries):
-    shown = [e for e in entries if e["calls"] == "one" and (e["formulation"] == "polynomials" or e["degree"] > 20)]
-    rows = [row(e["degree"], e["formulation"], time_text(e["ns"]), f"{e['rounding_mm']:.1e}",
-                f"{e['lost_rms_mm']:.2g}", f"{e['lost_maximum_mm']:.2g}") for e in shown]
-    return table(["degree", "formulation", "time", "rounding, mm", "shape lost: RMS, mm", "at most, mm"], rows)
-
-
 def without(text, columns=(), rows=()):
     """A table without some columns, and without the rows that have one of these cells."""
     lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.strip().splitlines()]
@@ -240,7 +233,7 @@ def main():
     parts = [INTRODUCTION.format(machine=measured["machine"], compiler=measured["compiler"]),
              aims(pairs), "## Against others\n", PEERS, comparisons(pairs),
              trade_page.section(scenes, link("trade.png")),
-             TRADE.format(picture=link("speed-accuracy.png")), trade_table(measured["tradeoff"]),
+             TRADE.format(picture=link("speed-accuracy.png")),
              PUBLISHED, measured["published"], TOUCH, without(measured["touch"], IDEAL, REPEATED), CHAI3D, ELASTIC_BUILDS,
              without(measured["elastic_builds"], rows=["8"]), ELASTIC_MAPS, measured["elastic_maps"], FOOTPRINTS,
              without(measured["footprints"], rows=["192³", "256³", "384³"]), CAPS,
