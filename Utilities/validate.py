@@ -108,8 +108,8 @@ def wrapped(text, indent=""):
 
 
 def exceptions(results):
-    """The structures without a model, with the reason."""
-    return [wrapped(f"- {title(r)}: {r['message']}", "  ") for r in results if r["status"] != "fitted"]
+    """The structures without a model, with the reason, but not what to do instead."""
+    return [wrapped(f"- {title(r)}: {r['message'].split(';')[0]}", "  ") for r in results if r["status"] != "fitted"]
 
 
 def masks_of_patients(folder):
