@@ -8,7 +8,7 @@ from matplotlib import pyplot
 
 SCENES = {
     "gland": "A prostate-like phantom in voxels of 0.5 x 0.5 x 3 mm, sphere of 2 mm",
-    "yielding": "A phantom of 20 kPa that yields, with a nodule of 8 mm and 60 kPa, sphere of 4 mm",
+    "yielding": "An elastic phantom of 20 kPa, with a nodule of 8 mm and 60 kPa, sphere of 4 mm",
     "thalamus": "The left thalamus of mricron's atlas in voxels of 1 mm, sphere of 2 mm",
     "bone": "Bone (300 and more) in a CT of 0.96 x 0.96 x 1.5 mm, sphere of 1.5 mm",
 }

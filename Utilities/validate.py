@@ -266,7 +266,7 @@ def main():
         ("The degree that is found", "`--degree auto` next to the default of 12, both with `--model "
          "automatic`. *Worse*: structures whose Dice is lower by more than 0.0005, or whose 95 % "
          "distance is longer by more than 0.005 mm, than at degree 12. Measured on 29 November 2026 "
-         "on two cores of an Intel Xeon, two masks at a time; AAL's times beside other work.",
+         "on two cores of an Intel Xeon, two masks at a time; AAL's times while other programs ran.",
          found_degree(program, arguments.data)),
         ("Against SPHARM-PDM", "", COMPARISON),
         ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 around their true "
