@@ -180,6 +180,10 @@ def name_of(entry):
     return f"{entry['formulation']}, {entry['calls']}"
 
 
+def with_short_lines(text):
+    return "\n".join(line if line.startswith("|") else trade_page.wrapped(line) for line in text.split("\n"))
+
+
 def without(text, columns=(), rows=()):
     """A table without some columns, and without the rows that have one of these cells."""
     lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.strip().splitlines()]
@@ -234,7 +238,7 @@ def main():
              aims(pairs), "## Against others\n", PEERS, comparisons(pairs),
              trade_page.section(scenes, link("trade.png")),
              TRADE.format(picture=link("speed-accuracy.png")),
-             PUBLISHED, measured["published"], TOUCH, without(measured["touch"], IDEAL, REPEATED), CHAI3D, ELASTIC_BUILDS,
+             PUBLISHED, with_short_lines(measured["published"]), TOUCH, without(measured["touch"], IDEAL, REPEATED), CHAI3D, ELASTIC_BUILDS,
              without(measured["elastic_builds"], rows=["8"]), ELASTIC_MAPS, measured["elastic_maps"], FOOTPRINTS,
              without(measured["footprints"], rows=["192³", "256³", "384³"]), CAPS,
              without(measured["caps"], rows=["10°", "30°", "50°", "1e-3"])]
