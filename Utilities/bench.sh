@@ -2,7 +2,7 @@
 # Builds and runs the benchmarks whose name contains the argument (all without one); prints each
 # next to its alternative from the same run, and writes build/release/benchmarks.json. Without an
 # argument it also measures the sample scenes (Utilities/trade.sh) and writes
-# Documentation/SpeedAndAccuracy.md and its pictures from this run.
+# Documentation/Evidence/SpeedAndAccuracy.md and its pictures from this run.
 set -eu
 cd "$(dirname "$0")/.."
 # Frames are drawn with OpenGL, on a separate X server.

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/VirtualExaminer.md from the searches of PalpateExaminer.
+"""Writes Documentation/Evidence/VirtualExaminer.md from the searches of PalpateExaminer.
 
     Utilities/examiner.py SEARCHES [--page FILE]
 
@@ -14,21 +14,21 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 INTRODUCTION = """# Virtual examiner
 
-Which nodules can be found by force alone? Made by `Utilities/examiner.sh`: a simulated hand searches elastic phantoms for
-a nodule, {searches} times each. It knows where it pressed and which force it felt, nothing else. Every search has its own seed, so
-the same run gives the same numbers.
+Which nodules can be found by force alone? Made by `Utilities/examiner.sh`: a simulated hand searches elastic phantoms
+for a nodule, {searches} times each. It knows where it pressed and which force it felt, nothing else. Every search has its own
+seed, so the same run gives the same numbers.
 
 ## What is simulated
 
 | part | what it does | values |
 | --- | --- | --- |
-| organ | an ellipsoid of a prostate's size, free towards the examiner and on springs elsewhere; elastic contact as in touch ([Elasticity](../Modules/Elasticity/README.md)) | semi-axes of {axes} mm, tissue of {tissue_kpa:g} kPa, Poisson's ratio {poisson:g}, springs of {bed_kpa_per_mm:g} kPa/mm; {elements_across} elements across, compliance of degree {degree} |
-| nodule | a ball, its top at a depth under the surface, {ratios} times as stiff as the tissue | 5 mm from the middle of the free side |
-| hand | presses a ball in | radius {ball_mm:g} mm, {depth_mm:g} mm deep |
-| | errs in depth and place at each press, normally distributed (*assumed*; physiological tremor is of the order of 0.1 mm) | standard deviations of {depth_deviation_mm:g} mm, and {place_deviation_mm:g} mm along each axis |
-| | feels the force with an error | standard deviation of {percept_deviation_jnd:g} just noticeable difference (JND); *assumed* to be what the JND of one presentation means (d' = 1) |
+| organ | an ellipsoid of a prostate's size, free towards the examiner and on springs elsewhere; elastic contact as in touch ([Elasticity](../../Modules/Elasticity/README.md)) | semi-axes of {axes} mm, tissue of {tissue_kpa:g} kPa, Poisson's ratio {poisson:g}, springs of {bed_kpa_per_mm:g} kPa/mm; {elements_across} elements across, compliance of degree {degree} |
+| nodule | a sphere, its top at a depth under the surface, {ratios} times as stiff as the tissue | 5 mm from the centre of the free side |
+| hand | presses with a sphere | radius {ball_mm:g} mm, {depth_mm:g} mm deep |
+| | errs in depth and place at each press, normally distributed (*assumed*) | standard deviations of {depth_deviation_mm:g} mm, and {place_deviation_mm:g} mm along each axis |
+| | feels the force with an error | standard deviation of {percept_deviation_jnd:g} just noticeable difference (JND) (*assumed*) |
 | perception | JND of force | {weber:.0f} % (Pang, Tan and Durlach 1991; Jones 1989), at least {floor:.3f} N (`ForcePerception`) |
-| technique | presses the places of a square raster, which each search shifts and turns; comes back to the hardest; reports the hardest of these if it is harder than the median of all places (*chosen*) | {spacing_mm:g} mm apart within {reach_mm:g} mm; {sweeps} presses each; {suspects} places, {returns} presses each; from {threshold_jnd:g} JND |
+| technique | presses a square raster, shifted and turned by each search; comes back to the hardest; reports the hardest of these if it is harder than the median (*chosen*) | {spacing_mm:g} mm apart within {reach_mm:g} mm; {sweeps} presses each; {suspects} places, {returns} presses each; from {threshold_jnd:g} JND |
 
 A nodule is *found* if the reported place is within its radius and {found_margin_mm:g} mm of the surface above it.
 """
@@ -40,36 +40,27 @@ Part of the searches that found the nodule and, in parentheses, by how many JND 
 {table}
 - Without a nodule, {alarms} of {searches} searches reported one ({alarm_rate}). With one, at most {elsewhere} reported another place.
 - Standard error of a percentage: at most {error:.1f} points.
-- At least three of four searches find each nodule of more than {sure:.1f} JND, and fewer than one of four each of less than {unsure:.1f} JND.
+- At least three of four searches find each nodule of more than {sure:.1f} JND, and fewer than one of four each of less than
+  {unsure:.1f} JND.
 """
 
-PEOPLE = """## Beside people
+PEOPLE = """## Compared with people
 
-Gerling et al. (Cancer Epidemiology 34, 2010, 79-84): 18 people with their fingers found balls of 4 mm, 5 mm deep in silicone of
-21 kPa, more than 75 % of the time; in silicone of 82 kPa they needed 5 mm. The abstract does not say how much stiffer the balls were.
-The examiner, in tissue of {tissue_kpa:g} kPa:
+Gerling et al. (Cancer Epidemiology 34, 2010, 79-84): 18 people with their fingers found spheres of 4 mm, 5 mm deep in
+silicone of 21 kPa, more than 75 % of the time. In tissue of {tissue_kpa:g} kPa such a nodule raises the force on a finger-sized
+sphere by less than one JND, even if it is {most:g} times as stiff. Force alone does not explain what people find; skin feels
+the shape of the pressure too. An exercise on a device that renders the force on one point, and that is to be as easy as
+an examination by hand, needs larger, shallower or stiffer nodules, or has to say that it exaggerates.
 
-| nodule of 4 mm, 5 mm deep | searches that find it by force alone | rise of the force above it |
-| --- | --- | --- |
-{people}
-Such a nodule raises the force on a finger-sized ball by less than one JND, even if it is {most:g} times as stiff. Force alone does not
-explain what people find; skin feels the shape of the pressure too. A device that renders the force on one point gives less than a
-finger does: an exercise on it that is to be as easy as an examination by hand needs larger, shallower or stiffer nodules, or
-has to say that it exaggerates.
+## Limitations
 
-## What this does not say
-
-- Nothing was felt by people. The examiner's technique is one of many, its numbers of presses are chosen, and it does not tire or learn.
-- It remembers forces and places perfectly, and searches no longer where it is in doubt. With its threshold of {threshold_jnd:g} JND, more presses
-  at a place would find more of what is above, and less of what is below. A lower threshold would find more, with more false alarms.
-- It compares with the median of all places, which large and deep nodules raise too: of these it finds fewer than their contrast suggests.
-- Reports are counted as found wherever they come from: a rate that is not above that of the false alarms says nothing.
-- Its errors of depth and place are assumed and independent from press to press.
-- One point and no skin: no shape of the pressure, no sliding, no lateral force at the nodule's flank, no friction, no vibration.
-- The organ is linear, even apart from the nodule, and as smooth as an ellipsoid. Real glands have zones, bumps and a capsule, which raise
-  false alarms and hide nodules.
-- The smallest nodule is about as large as the elements (2.7 mm at the surface). With 16 elements across instead of {elements_across}, the rise of the force
-  changed by at most 0.7 points above five nodules of 4 to 16 mm.
+- Nothing was felt by people. The technique and its numbers of presses are chosen; a threshold below {threshold_jnd:g} JND would find
+  more, with more false alarms. A rate that is not above the false alarms says nothing.
+- The examiner remembers perfectly, and compares with the median of all places, which large and deep nodules raise too.
+- One point and no skin: no shape of the pressure, sliding, lateral force, friction or vibration.
+- The organ is linear, uniform but for the nodule, and as smooth as an ellipsoid.
+- The smallest nodule is about as large as the elements (2.7 mm). With 16 elements across instead of {elements_across}, the rise of
+  the force changed by at most 0.7 points above five nodules of 4 to 16 mm.
 """
 
 
@@ -96,11 +87,10 @@ def table(entries, ratios):
     return "\n".join(lines) + "\n"
 
 
-def people_table(entries):
+def check_people(entries):
+    """What the page says of nodules of 4 mm, 5 mm deep."""
     cells = [e for e in entries if (e["diameter_mm"], e["depth_mm"]) == (4.0, 5.0)]
     assert max(e["contrast_jnd"] for e in cells) < 1.0 and max(map(rate, cells)) < 0.5, "reword the page"
-    return "\n".join(row(f"{e['ratio']:g} times as stiff", percent(rate(e)),
-                         f"{percent(e['increase'])}, {e['contrast_jnd']:.1f} JND") for e in cells) + "\n"
 
 
 def page(document):
@@ -120,14 +110,15 @@ def page(document):
         error=100.0 * 0.5 / plain["searches"] ** 0.5,
         sure=math.ceil(10.0 * max(e["contrast_jnd"] for e in entries if rate(e) < 0.75)) / 10.0,
         unsure=math.floor(10.0 * min(e["contrast_jnd"] for e in entries if rate(e) >= 0.25)) / 10.0)
-    people = PEOPLE.format(**settings, people=people_table(entries), most=ratios[-1])
+    check_people(entries)
+    people = PEOPLE.format(**settings, most=ratios[-1])
     return "\n".join([introduction, results, people])
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("searches", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "VirtualExaminer.md")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "VirtualExaminer.md")
     arguments = parser.parse_args()
     arguments.page.write_text(page(json.loads(arguments.searches.read_text())))
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Lets the virtual examiner search elastic phantoms for nodules (some minutes on one core), and writes
-# Documentation/VirtualExaminer.md from this run.
+# Documentation/Evidence/VirtualExaminer.md from this run.
 set -eu
 cd "$(dirname "$0")/.."
 

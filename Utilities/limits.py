@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the table measured by PalpateLimits into Documentation/Limits.md.
+"""Writes the table measured by PalpateLimits into Documentation/Evidence/Limits.md.
 
     Utilities/limits.py [TABLE] [--page FILE]
 
@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BEGIN = "<!-- Utilities/limits.py writes from here -->\n"
 END = "<!-- to here -->\n"
 TEST = re.compile(r"\bTEST(?:_P|_F)?\(\s*(\w+),\s*(\w+)\s*\)|\bTYPED_TEST\(\s*(\w+),\s*(\w+)\s*\)")
+SKIPPED = tuple(f"| all but a cap of {degrees}° |" for degrees in (10, 30, 50))  # others show the course
 NAMED = re.compile(r"`([A-Z]\w+\.[A-Z]\w+)`")
 
 
@@ -31,7 +32,7 @@ def known_tests():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("table", type=pathlib.Path, nargs="?")
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Limits.md")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "Limits.md")
     arguments = parser.parse_args()
     page = arguments.page.read_text()
     unknown = sorted(set(NAMED.findall(page)) - known_tests())
@@ -40,7 +41,8 @@ def main():
     before, rest = page.split(BEGIN)
     after = rest.split(END)[1]
     if arguments.table is not None:
-        arguments.page.write_text(before + BEGIN + arguments.table.read_text() + END + after)
+        rows = [line for line in arguments.table.read_text().splitlines() if not line.startswith(SKIPPED)]
+        arguments.page.write_text(before + BEGIN + "\n".join(rows) + "\n" + END + after)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Measures the effect of rounding on hard fits (seconds), and writes the table of Documentation/Limits.md
+# Measures the effect of rounding on hard fits (seconds), and writes the table of Documentation/Evidence/Limits.md
 # from this run.
 set -eu
 cd "$(dirname "$0")/.."

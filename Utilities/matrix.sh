@@ -1,6 +1,6 @@
 #!/bin/sh
 # Compiles Palpate with warnings as errors and runs its tests on other systems, each made for it, and prints a line of
-# Documentation/Systems.md for each. As root, with mmdebstrap and Debian's archive in reach; a row takes half an hour to an hour and 8 GB.
+# Documentation/Evidence/Systems.md for each. As root, with mmdebstrap and Debian's archive in reach; a row takes half an hour to an hour and 8 GB.
 #   Utilities/matrix.sh [-k FOLDER] [-c] [-t REGEX] ROW…
 # Rows: 12, 13, unstable: that Debian with its GCC; 12-clang, 13-clang, unstable-clang: with its Clang; 13-arm64: the kernels for arm64, compiled on
 # Debian 13 and run by qemu. -k keeps the systems in FOLDER, where a second run goes on; -c only compiles; -t runs only tests of these names.

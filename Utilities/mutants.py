@@ -5,6 +5,8 @@ build/mutants, which is built and tested there; the working tree is only read.
 """
 
 import argparse
+import csv
+import io
 import os
 import pathlib
 import re
@@ -15,20 +17,31 @@ import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE = ROOT / "Testing/Mutants/mutants.toml"
-PAGE = ROOT / "Documentation/Mutants.md"
+RESULTS = ROOT / "Testing/Mutants/mutants.csv"
+PAGE = ROOT / "Testing/Mutants/README.md"
 WORK = ROOT / "build/mutants"
-# Fates on the page besides tests.
+# Fates in the results besides tests.
 HARMLESS = "not run: "
 NOT_RUN = "not run yet"
-SURVIVES = "**survives**"
+SURVIVES = "survives"
 LIMIT = 120  # s, for a program that does not end because of a mutant
 
-INTRODUCTION = """# Mutants
+COLUMNS = ["file", "breaks", "line", "mutant", "killed by"]
+SUMMARY = """# Mutants
 
-Each row is one line that was broken on purpose, and the first test that failed. A test that cannot fail kills nothing;
-a surviving mutant is a missing test. Written by `Utilities/mutants.sh` from
-[`Testing/Mutants/mutants.toml`](../Testing/Mutants/mutants.toml); the test `Structure.Mutants` checks that table against
-the sources.
+`Utilities/mutants.sh` breaks one line of safety, servo, forces, elasticity, network, statistics and comparison at a
+time and runs the tests of that code. A test that cannot fail kills nothing; a surviving mutant is a missing test.
+
+{totals}
+
+- [`mutants.toml`](mutants.toml): the lines and what they become. The test `Structure.Mutants` checks that each is in
+  the sources exactly once.
+- [`mutants.csv`](mutants.csv): the first test that failed for each, or the reason why no test can see the change.
+- `Utilities/mutants.sh` writes the CSV file and this page in about two hours. A part of a path as its argument
+  restricts the run to those files; `--new` runs only what is not known to be killed. It fails if a mutant survives.
+
+| code | mutants | killed | harmless |
+| --- | --- | --- | --- |
 """
 
 
@@ -159,23 +172,15 @@ def try_mutant(copy, table, mutant):
         path.write_text(before)
 
 
-def code_of(text):
-    """Code for a cell of a table."""
-    return "`" + " ".join(lines_of(text)).replace("|", "\\|") + "`" if text.strip() else "(nothing)"
-
-
 def row_of(mutant):
-    """Its row of the page, without its fate."""
-    return f"| {mutant['breaks']} | {code_of(mutant['old'])} | {code_of(mutant['new'])} |"
+    """Its row of the results, without its fate."""
+    return [mutant["file"], mutant["breaks"]] + [" ".join(lines_of(mutant[key])) for key in ("old", "new")]
 
 
-def killers_on(page, table):
-    """Mutants whose row is on the page already, and what killed them there; None if nothing did."""
-    fates = {}
-    for line in page.split("\n"):
-        row, _, fate = line.removesuffix(" |").rpartition(" | ")
-        fates[row + " |"] = fate
-    known = {id(m): fates[row_of(m)] for m in table["mutant"] if row_of(m) in fates}
+def killers_in(results, table):
+    """Mutants whose row is in the results (CSV) already, and what killed them there; None if nothing did."""
+    fates = {tuple(cells[:-1]): cells[-1] for cells in csv.reader(io.StringIO(results)) if cells}
+    known = {id(m): fates[tuple(row_of(m))] for m in table["mutant"] if tuple(row_of(m)) in fates}
     return {
         key: None if fate == SURVIVES else fate
         for key, fate in known.items()
@@ -183,32 +188,51 @@ def killers_on(page, table):
     }
 
 
-def page_of(table, killers):
-    """The page: mutants and the test that killed each."""
-    page = [INTRODUCTION]
-    run = [m for m in table["mutant"] if not m.get("equivalent") and id(m) in killers]
-    harmless = sum(1 for m in table["mutant"] if m.get("equivalent"))
-    killed = sum(1 for m in run if killers[id(m)])
-    waiting = len(table["mutant"]) - harmless - len(run)
-    page.append(
-        f"{killed} of {len(run)} mutants are killed; {harmless} more are listed with the reason why none needs to be"
-        + (f", {waiting} were not run yet.\n" if waiting else ".\n")
-    )
-    file = None
+def results_of(table, killers):
+    """The results as CSV: mutants and the test that killed each."""
+    results = io.StringIO()
+    writer = csv.writer(results, lineterminator="\n")
+    writer.writerow(COLUMNS)
     for mutant in table["mutant"]:
-        if mutant["file"] != file:
-            file = mutant["file"]
-            page.append(f"\n## {pathlib.Path(file).name}\n")
-            page.append("| it breaks | line | mutant | killed by |\n| --- | --- | --- | --- |")
         fate = mutant.get("equivalent")
         fate = HARMLESS + fate if fate else killers.get(id(mutant), NOT_RUN) or SURVIVES
-        page.append(f"{row_of(mutant)} {fate} |")
-    return "\n".join(page).replace("\n\n\n", "\n\n") + "\n"
+        writer.writerow(row_of(mutant) + [fate])
+    return results.getvalue()
+
+
+def counts_of(mutants, killers):
+    """How many were run, are killed, and need no test."""
+    run = [m for m in mutants if not m.get("equivalent") and id(m) in killers]
+    return len(run), sum(1 for m in run if killers[id(m)]), sum(1 for m in mutants if m.get("equivalent"))
+
+
+def page_of(table, killers):
+    """The page: totals, and those of each folder."""
+    run, killed, harmless = counts_of(table["mutant"], killers)
+    waiting = len(table["mutant"]) - harmless - run
+    totals = f"{killed} of {run} mutants are killed; {harmless} more are harmless, with the reason" + (
+        f"; {waiting} were not run yet." if waiting else "."
+    )
+    folders = {}
+    for mutant in table["mutant"]:
+        folders.setdefault(str(pathlib.PurePath(mutant["file"]).parent), []).append(mutant)
+    rows = []
+    for folder, mutants in folders.items():
+        _, killed, harmless = counts_of(mutants, killers)
+        rows.append(f"| `{folder}` | {len(mutants)} | {killed} | {harmless} |\n")
+    return SUMMARY.format(totals=totals) + "".join(rows)
+
+
+def write(table, killers):
+    """Writes what is new into the results and the page; another run may have written since."""
+    known = killers_in(RESULTS.read_text(), table) | killers
+    RESULTS.write_text(results_of(table, known))
+    PAGE.write_text(page_of(table, known))
 
 
 def run(table, parts, is_new_only):
     """Runs all mutants whose file's path contains one of `parts`; returns the survivors."""
-    known = killers_on(PAGE.read_text(), table)
+    known = killers_in(RESULTS.read_text(), table)
     chosen = [
         m for m in table["mutant"]
         if any(part in m["file"] for part in parts) and not m.get("equivalent")
@@ -230,8 +254,7 @@ def run(table, parts, is_new_only):
         killers[id(mutant)] = killer = try_mutant(copy, table, mutant)
         spent = time.monotonic() - start
         print(f"{killer or 'SURVIVES':<70} {mutant['breaks']} ({spent:.0f} s)", flush=True)
-        # After each, since a run may be cut off; another may have written in the meantime.
-        PAGE.write_text(page_of(table, {**killers_on(PAGE.read_text(), table), **killers}))
+        write(table, killers)  # after each, since a run may be cut off
     return [mutant for mutant in chosen if not killers[id(mutant)]]
 
 
@@ -241,7 +264,7 @@ def main():
         "parts", nargs="*", default=[""], help="only files whose path contains one of these"
     )
     parser.add_argument(
-        "--new", action="store_true", help="only those that the page does not have as killed"
+        "--new", action="store_true", help="only those that are not known to be killed"
     )
     parser.add_argument("--check", action="store_true", help="only check whether every mutant applies")
     arguments = parser.parse_args()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Scenes.md from the measurements of PalpateScenes.
+"""Writes Documentation/Evidence/Scenes.md from the measurements of PalpateScenes.
 
     Utilities/scenes.py MEASURED [--page FILE]
 
@@ -13,25 +13,23 @@ DOCUMENTATION = pathlib.Path(__file__).resolve().parent.parent / "Documentation"
 
 INTRODUCTION = """# Scenes of many structures
 
-Made by `Utilities/scenes.sh`, on {machine}, with {compiler}. Nothing is built, allocated or evaluated for what a scene
-does not require; this page has the measurements. `palpate scene explain` lists it for any scene.
+Made by `Utilities/scenes.sh`, on {machine}, with {compiler}. `palpate scene explain` lists
+what a scene requires.
 
 ## A tick does not grow with the scene
 
-All structures can be touched, and one is: an organ of degree 12, stroked 1.5 mm deep at 50 mm/s and 1 kHz. The others are
-spheres of 20 facets on a lattice of 60 mm round it. A tick is all that a servo does, from the device's sample to its force; its time
-is the shortest of {strokes} strokes, so that other programs do not count. *Made in* is what publishing the scene takes, off the servo
-thread; *bytes* counts followers, their trackers and the index, without the models. From 1 to 10,000 structures the median
-grows by {growth:.1f} %, on a clock with a resolution of 10 ns (`touch/structures/10000` of `Utilities/bench.sh` times whole strokes). Forces are
-equal, bit for bit, to those of a servo that queries every structure in every tick (`TestServoScene`).
+All structures can be touched, and one is: an organ of degree 12, stroked 1.5 mm deep at 50 mm/s and 1 kHz; the others
+are spheres of 20 facets. A tick's time is the shortest of {strokes} strokes. *Made in* is the time to publish the scene, off
+the servo thread; *bytes* counts followers, their trackers and the index. From 1 to 10,000 structures the median grows
+by {growth:.1f} %, on a clock with a resolution of 10 ns. Forces equal, bit for bit, those of a servo that queries every
+structure in every tick (`TestServoScene`).
 """
 
 SCENES = """## Memory follows what is touched
 
-A scene file with an entry for every structure of one segmentation, of which the first ones are `touched` and the others
-are neither seen nor touched. *Made* is the memory that `palpate scene explain` reports; *servo* is that of trackers and
-index; *process* is the growth of the process while the scene was made. The tick is the
-median over two seconds of touch. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
+A scene file with an entry for every structure of one segmentation, of which the first ones are `touched`. *Made* is the
+memory that `palpate scene explain` reports; *servo* is that of trackers and index; *process* is the growth of the
+process. Cubes are made of 6³ voxels, sub-voxel; AAL is mricron's atlas.
 """
 
 def row(*cells):
@@ -64,7 +62,7 @@ def scenes(entries):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("measured", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Scenes.md")
+    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Evidence" / "Scenes.md")
     arguments = parser.parse_args()
     measured = json.loads(arguments.measured.read_text())
     medians = {e["structures"]: e["median_ns"] for e in measured["ticks"]}

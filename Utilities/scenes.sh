@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the cost of scenes of 1 to 100,000 structures when one is touched (under a minute), and
-# writes Documentation/Scenes.md from this run.
+# writes Documentation/Evidence/Scenes.md from this run.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/SpeedAndAccuracy.md and its figure from the benchmarks.
+"""Writes Documentation/Evidence/SpeedAndAccuracy.md and its figure from the benchmarks.
 
     Utilities/speed_and_accuracy.py BENCHMARKS PAGE_DATA TRADE [--page FILE] [--pictures FOLDER]
 
@@ -9,6 +9,7 @@ calls all of them.
 """
 import argparse
 import json
+import os
 import pathlib
 
 import matplotlib
@@ -23,30 +24,24 @@ DOCUMENTATION = ROOT / "Documentation"
 
 INTRODUCTION = """# Speed and accuracy
 
-Written by `Utilities/bench.sh`, on {machine}, with {compiler}. Times are the shortest of many short repetitions on
-one core of that machine, which is shared: read the ratios, and the instruction counts, which do not change from
+Written by `Utilities/bench.sh` on {machine}, with {compiler}. Times are the shortest of many
+repetitions on one core of that shared machine: read the ratios, and the instruction counts, which do not change from
 run to run. Every benchmark compares the results of both sides before it times them.
 """
 
-PEERS = """Compilation of the alternatives: Eigen's and ITK's templates here, with the same compiler and for AVX2 and FMA as our kernels
-are (`/sse2`: for any x86-64); VTK, GSL and libsharp as Debian builds
-them, for any x86-64. Like is compared with like: an orthogonal factorisation with another, a search that begins at the
-last point with another, a global search with another. Eigen's fits are given the matrix of the harmonics, which ours has to
-compute.
+PEERS = """Eigen's and ITK's templates are compiled with the same compiler for AVX2 and FMA, as the kernels are (`/sse2`: for any
+x86-64); VTK, GSL and libsharp are Debian's builds, for any x86-64. Eigen's fits are given the matrix of the harmonics,
+which Palpate has to compute. *chained*: the direction of each call depends on the result of the previous one.
 
-*chained*: the direction of each call depends on the result of the previous one, as in an iterative search, through a logical
-operation on its bits.
-
-The fastest public library for radius and gradient along one direction, sphericart, is not installed by the scripts. Measured
-elsewhere (version 2.0.3, clang 14 with `-march=native`, one core of an AMD EPYC Zen 4 virtual machine, November 2026,
-degree 12, double, one direction a call): 331 ns independent, 337 ns chained; its gradient is that of the solid harmonics. On the
-same machine GSL took 489 ns for the value alone.
+sphericart 2.0.3 (clang 14 with `-march=native`, AMD EPYC Zen 4, degree 12, double, one direction a call), which the
+scripts do not install, took 331 ns independent and 337 ns chained; on the same machine GSL took 489 ns for the value
+alone.
 """
 
 AIMS_TEXT = """## Aims
 
-For one core with AVX2, in double precision; frames (`render/`) on two cores. Those of three coordinates (`surface/`,
-`touch/parametric/`) are for a machine on which GSL's gradient of degree 12 takes 541 ns, and are to be scaled by it.
+For one core with AVX2, in double precision; frames (`render/`) on two cores. The aims of surface models (`surface/`,
+`touch/parametric/`) are for a machine on which GSL's gradient of degree 12 takes 541 ns; scale them by it.
 """
 
 # Nanoseconds.
@@ -73,10 +68,9 @@ TRADE = """## Time of an evaluation against its accuracy
 
 ![Time for a radius and its gradient against the error]({picture})
 
-Radius and gradient along one direction, of an organ-like body of 25 mm (coefficients of degree l fall as
-(l + 1)^-2.5, up to degree 96). *Shape lost* is the part of the body that a model of that degree leaves out; *rounding* is the
-largest error of the computed radius against sums in extended precision. Left in the figure: cost and gain of
-a higher degree; right: the error of the arithmetic, which is imperceptible.
+Radius and gradient along one direction, of an organ-like body of 25 mm (coefficients of degree l fall as (l + 1)^-2.5,
+up to degree 96). *Shape lost* is the part of the body that a model of that degree leaves out; *rounding* is the largest
+error of the computed radius against sums in extended precision.
 """
 
 CAPS = """## Missing directions
@@ -88,56 +82,62 @@ degree 12. *Noise gain* is the amplification of noise of the radii in the model,
 
 FOOTPRINTS = """## Memory of a field
 
-The bone of a head phantom (16-bit samples, `Testing/Benchmarks/SkullPhantom`) as a field, compared with the whole volume as
-dense floats: `vtkImageCast` for trilinear interpolation, `vtkImageBSplineCoefficients` for the cubic. The field is built by one thread; VTK
-uses all.
+The bone of a head phantom (16-bit samples, `Testing/Benchmarks/SkullPhantom`) as a field, compared with the whole
+volume as dense floats: `vtkImageCast` for trilinear interpolation, `vtkImageBSplineCoefficients` for cubic. One thread
+builds the field; VTK uses all.
 """
 
 TOUCH = """## A minute of touch
 
 A tool slides for 60 s at 1 kHz over a body of 25 mm (1 + 0.15 bumps of degrees 3 and 4), at 20 to 100 mm/s, 0.5 to 3 mm
-deep. A tick's time is the shortest of five runs of the same path on one core, which excludes other programs. The
-ideal force points to the nearest point of the exact body, found by the certified search. *Force jump* is the change of the
-force from one tick to the next, relative to the larger of both; a *seizure* is a proxy that comes to be more than 2 mm
-from the true one.
+deep. A tick's time is the shortest of five runs of the same path on one core, which excludes other programs. The ideal
+force points to the nearest point of the exact body, found by the certified search. *Force jump* is the change of the
+force from one tick to the next, relative to the larger of both (the ideal's is that of spherical harmonics); a
+*seizure* is a proxy more than 2 mm from the true one. The published law is made for tools that are pressed in by less
+than their radius; here the sphere is up to 3 mm deep.
 """
 
 PUBLISHED = """## Compared with the two published systems
 
-The comparisons of both systems, repeated here: an organ of degree 12 against the 8,000 facets that are drawn of it,
-touched by a point 1.5 mm deep, and a sphere in voxels of 0.5 mm touched by a sphere of 26 points, half a voxel deep. A tick is
-all that a servo does, from the device's sample to its force, running freely on one core; a device takes 1,000 a second. Their
-rates were measured on the machines of their time, while drawing: compare the methods with each other.
-The first system's radial force and the second's mean length are laws of their own, with errors of their own.
+The comparisons of both systems, repeated: an organ of degree 12 against the 8,000 facets that are drawn of it, touched
+by a point 1.5 mm deep, and a sphere in voxels of 0.5 mm touched by a sphere of 26 points, half a voxel deep. A tick is
+everything from the device's sample to its force, running freely on one core. The published rates are from machines of
+their time, while drawing: compare the methods with each other.
 """
 
-ELASTIC_BUILDS = """## Organs that yield: elements and harmonics
+ELASTIC_BUILDS = """## Elastic organs: elements and harmonics
 
-What `palpate soften --elements --degree` cost and bring, by two threads: a sphere of 25 mm, 20 kPa, on a bed of 1 kPa/mm.
-Compliance is that to Hertz bumps of 0.5 to 8 mm, against the closed form; force that of a ball of 8 mm, 0.5 to
-4 mm deep, against exact unilateral contact of the closed form. Each is the largest error of five directions.
+Cost and accuracy of `palpate soften --elements --degree` with two threads: a sphere of 25 mm, 20 kPa, supported by 1
+kPa/mm. Compliance is that to Hertz bumps of 0.5 to 8 mm, against the closed form; force is that of a spherical tool of
+8 mm, 0.5 to 4 mm deep, against exact unilateral contact. Each is the largest error of five directions.
 """
 
-ELASTIC_MAPS = """## Organs that yield: degree of the maps
+ELASTIC_MAPS = """## Elastic organs: degree of the maps
 
-What `palpate soften --map-degree` costs and brings: a bumpy organ of 20 mm with a lesion of three times the modulus, 2 mm below
-its surface. What is left out is that of the compliance to a bump of 3 mm, at places between those of the fit. A tick is
-`ElasticForce::Of`, for places that wander.
+Cost and accuracy of `palpate soften --map-degree`: a bumpy organ of 20 mm with a lesion of three times the modulus, 2
+mm below its surface. The part left out is that of the compliance to a bump of 3 mm, between the positions of the fit. A
+tick is `ElasticForce::Of` at a wandering position.
 """
 
 # Entered by hand; see its text.
-CHAI3D = """The same of CHAI3D 3.3, copied from a study of November 2026 and not run by `Utilities/bench.sh`: its release build,
-driven by a program of ours that is not part of this project, with the same description of body, path and depths, on one core of
-an AMD EPYC Zen 4 virtual machine of two cores; its sphere has 1 mm. Compare orders of magnitude, not digits:
+CHAI3D = """CHAI3D 3.3 (release build; a driver that is not part of this project; same description of body, path and depths; sphere
+of 1 mm; one core of an AMD EPYC Zen 4 virtual machine), not run by `Utilities/bench.sh`. Compare orders of magnitude:
 
-| touched | tick: median, µs | 99.9 % | place to surface: mean, mm | most | force angle error: mean | 99 % | most | force jump a tick: mean | most | ideal's: mean | most | seizures |
-|---|---|---|---|---|---|---|---|---|---|---|---|---|
-| mesh of 8,000, static | 4.6 | 11 | 0.014 | 0.038 | 2.5° | 12° | 59° | 5.2 % | 86 % | 0.4 % | 1 % | 0 |
-| mesh of 128,000, static | 24 | 79 | 0.0009 | 0.010 | 2.6° | 23° | 75° | 5.2 % | 84 % | 0.4 % | 1 % | 11 |
-| mesh of 128,000, dynamic | 62 | 149 | 0.0011 | 0.009 | 0.7° | 12° | 74° | 0.7 % | 73 % | 0.4 % | 1 % | 10 |
-| 128³ voxels, static | 2.4 | 4.5 | 0.13 | 0.48 | 19° | 38° | 55° | 6.1 % | 63 % | 0.4 % | 1 % | 216 |
-| 256³ voxels, dynamic | | | 0.086 | 0.35 | 11° | 25° | 38° | 4.9 % | 44 % | 0.4 % | 1 % | 3 |
+| touched | tick: median, µs | 99.9 % | place to surface: mean, mm | most | force angle error: mean | 99 % | most | force jump a tick: mean | most | seizures |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |
+| mesh of 8,000, static | 4.6 | 11 | 0.014 | 0.038 | 2.5° | 12° | 59° | 5.2 % | 86 % | 0 |
+| mesh of 128,000, static | 24 | 79 | 0.0009 | 0.010 | 2.6° | 23° | 75° | 5.2 % | 84 % | 11 |
+| mesh of 128,000, dynamic | 62 | 149 | 0.0011 | 0.009 | 0.7° | 12° | 74° | 0.7 % | 73 % | 10 |
+| 128³ voxels, static | 2.4 | 4.5 | 0.13 | 0.48 | 19° | 38° | 55° | 6.1 % | 63 % | 216 |
+| 256³ voxels, dynamic |  |  | 0.086 | 0.35 | 11° | 25° | 38° | 4.9 % | 44 % | 3 |
 """
+
+SHOWN_ONCE = ("sh/value/", "sh/hessian/", "surface/point/", "surface/first/", "field/firsthit/tricubic",
+              "render/subvoxel/1024")
+VARIANTS = ("/portable", "/sse2", "/recurrence", "/chained", "/fixedpoint", "/itk")
+REPEATED = ["spherical harmonics, sphere of 1 mm", "32,000 facets, sphere of 1 mm",
+            "128³ voxels, the published law, 26 points on 1 mm"]  # as the rows next to them
+IDEAL = ["ideal's: mean"]  # and "most": the same in every row of a minute of touch
 
 
 def row(*cells):
@@ -156,15 +156,16 @@ def time_text(nanoseconds):
 
 
 def comparisons(entries):
+    """Against other programs; what is compared with ours is among the aims, or in a table of its own."""
     rows = []
     for entry in entries:
-        counts = ["", ""]
-        if "instructions" in entry:
-            counts = [f"{entry['instructions']:,.0f}", f"{entry['against_instructions']:,.0f}"]
-        rows.append(row(f"`{entry['name']}`", time_text(entry["ns"]), counts[0], entry["against"],
-                        time_text(entry["against_ns"]), counts[1], f"{entry['ratio']:.3g}"))
-    return table(["benchmark", "time", "instructions", "against", "its time", "its instructions",
-                  "times faster"], rows)
+        if "(ours)" in entry["against"] or entry["name"].startswith(("elastic/", *SHOWN_ONCE)) \
+                or entry["name"].endswith(VARIANTS):
+            continue
+        count = f"{entry['instructions']:,.0f}" if "instructions" in entry else ""
+        rows.append(row(f"`{entry['name']}`", time_text(entry["ns"]), count, entry["against"],
+                        f"{entry['ratio']:.3g}"))
+    return table(["benchmark", "time", "instructions", "against", "times faster"], rows)
 
 
 def aims(entries):
@@ -179,12 +180,16 @@ def name_of(entry):
     return f"{entry['formulation']}, {entry['calls']}"
 
 
-def trade_table(entries):
-    rows = [row(e["degree"], e["formulation"], e["calls"], time_text(e["ns"]),
-                f"{e['rounding_mm']:.1e}", f"{e['lost_rms_mm']:.2g}", f"{e['lost_maximum_mm']:.2g}")
-            for e in entries]
-    return table(["degree", "formulation", "calls", "time", "rounding, mm",
-                  "shape lost: RMS, mm", "at most, mm"], rows)
+def with_short_lines(text):
+    return "\n".join(line if line.startswith("|") else trade_page.wrapped(line) for line in text.split("\n"))
+
+
+def without(text, columns=(), rows=()):
+    """A table without some columns, and without the rows that have one of these cells."""
+    lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in text.strip().splitlines()]
+    kept = [i for i, name in enumerate(lines[0])
+            if name not in columns and not (i and name == "most" and lines[0][i - 1] in columns)]
+    return "\n".join(row(*[cells[i] for i in kept]) for cells in lines if not set(rows) & set(cells)) + "\n"
 
 
 def draw(entries, file):
@@ -214,7 +219,7 @@ def main():
     parser.add_argument("benchmarks", type=pathlib.Path)
     parser.add_argument("page_data", type=pathlib.Path)
     parser.add_argument("trade", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "SpeedAndAccuracy.md")
+    parser.add_argument("--page", type=pathlib.Path, default=DOCUMENTATION / "Evidence" / "SpeedAndAccuracy.md")
     parser.add_argument("--pictures", type=pathlib.Path, default=DOCUMENTATION / "Images")
     arguments = parser.parse_args()
     measured = json.loads(arguments.page_data.read_text())
@@ -225,19 +230,18 @@ def main():
     trade_page.draw(scenes, arguments.pictures / "trade.png")
 
     def link(name):
-        file = arguments.pictures / name
-        return file.relative_to(arguments.page.parent) \
-            if file.is_relative_to(arguments.page.parent) else file
+        return os.path.relpath(arguments.pictures / name, arguments.page.parent)
 
     pairs = [pair for pair in json.loads(arguments.benchmarks.read_text())
              if not pair["name"].startswith("sh/tradeoff/")]
     parts = [INTRODUCTION.format(machine=measured["machine"], compiler=measured["compiler"]),
              aims(pairs), "## Against others\n", PEERS, comparisons(pairs),
              trade_page.section(scenes, link("trade.png")),
-             TRADE.format(picture=link("speed-accuracy.png")), trade_table(measured["tradeoff"]),
-             PUBLISHED, measured["published"], TOUCH, measured["touch"], CHAI3D, ELASTIC_BUILDS,
-             measured["elastic_builds"], ELASTIC_MAPS, measured["elastic_maps"], FOOTPRINTS,
-             measured["footprints"], CAPS, measured["caps"]]
+             TRADE.format(picture=link("speed-accuracy.png")),
+             PUBLISHED, with_short_lines(measured["published"]), TOUCH, without(measured["touch"], IDEAL, REPEATED), CHAI3D, ELASTIC_BUILDS,
+             without(measured["elastic_builds"], rows=["8"]), ELASTIC_MAPS, measured["elastic_maps"], FOOTPRINTS,
+             without(measured["footprints"], rows=["192³", "256³", "384³"]), CAPS,
+             without(measured["caps"], rows=["10°", "30°", "50°", "1e-3"])]
     arguments.page.write_text("\n".join(parts))
 
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the largest stable stiffness of structures on the simulated device (some minutes), and
-# writes Documentation/Stability.md and its figure from this run.
+# writes Documentation/Evidence/Stability.md and its figure from this run.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -2,7 +2,7 @@
 # Measures the cost in accuracy of speed on four sample scenes (some minutes): a prostate-like phantom
 # with thick slices, one that yields and has a nodule, a thalamus of Debian's brain atlas, bone in
 # Debian's CT of a head. Pages and numbers are written to build/release/trade; Utilities/bench.sh copies them to
-# Documentation/SpeedAndAccuracy.md.
+# Documentation/Evidence/SpeedAndAccuracy.md.
 set -eu
 cd "$(dirname "$0")/.."
 palpate=build/release/bin/palpate

@@ -4,7 +4,7 @@
     Utilities/validate.py [--palpate PROGRAM] [--data FOLDER] [--output FILE]
 
 PROGRAM is build/release/bin/palpate by default. FOLDER holds real test data (see Data/README.md);
-missing data are omitted, with a remark. FILE is Documentation/Validation.md by default.
+missing data are omitted, with a remark. FILE is Documentation/Evidence/Validation.md by default.
 """
 import argparse
 import concurrent.futures
@@ -14,6 +14,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 import organ_shapes
 
@@ -33,19 +34,17 @@ COMPARISON = """| program | structures | degree | Dice: mean, worst | mean mm | 
 | Palpate, surface | 164 glands | 15 | 0.9950, 0.9863 | 0.245 | 0.67 | 0 |
 | Palpate, surface | 164 peripheral zones | 20 | 0.9886, 0.9735 | 0.192 | 0.80 | 1 |
 
-Palpate's other rows are above; its seconds include reports. All distances of this table, also Palpate's, weight the corners of triangles, as its measures did
-when SPHARM-PDM was run, and are 5 to 10 % higher than integrals over the area. SPHARM-PDM tests whether a mask is a ball and stops where it is not; Palpate makes it one within
-stated limits and says what it changed.
+Palpate's seconds include reports. All distances of this table weight the corners of triangles and are 5 to 10 % higher
+than integrals over the area. SPHARM-PDM stops if a mask is not a topological sphere; Palpate repairs it within stated
+limits and reports what it changed.
 """
 
 # Measured by hand beside the table.
 REMARKS = """
-Measured on 29 November 2026 on a two-core AMD EPYC, two masks at a time. With covariates, permutations and the page ([Cohort](HowTo/Cohort.md)) 164 glands
-of degree 15 took 72 s and 163 peripheral zones of degree 20 76 s on 26 November, before distances were integrated over triangles, which takes 0.2 s a gland.
-With `--repair`, 10319_1000325's peripheral zone is modelled at degree 20 with Dice 0.955, 0.39 % repaired.
-
-Where the same parameter lies in models of a mask with noise, on another grid and mirrored is in the
-[parametrisation's description](../Modules/Numerics/Parametrisation/README.md): 0.51 mm in the mean over zones, 2.6 mm in the worst zone.
+Measured on 29 November 2026 on a two-core AMD EPYC, two masks at a time. With `--repair`, 10319_1000325's peripheral
+zone is modelled at degree 20 with Dice 0.955, 0.39 % repaired. Models of a mask with noise, on another grid and
+mirrored have the same parameter within 0.51 mm in the mean over zones, 2.6 mm in the worst zone
+([parametrisation](../../Modules/Numerics/Parametrisation/README.md)).
 """
 
 
@@ -104,14 +103,13 @@ def title(result):
     return f"{name}, {result['name'] or 'label ' + str(result['label'])}"
 
 
-def exceptions(results, count=5):
-    """The structures with the lowest overlap, and all without a model."""
-    fitted = sorted((r for r in results if r["status"] == "fitted"),
-                    key=lambda r: r["quality"]["mask"]["dice"])
-    lines = ["Lowest overlap: " + "; ".join(
-        f"{title(r)} {r['quality']['mask']['dice']:.4f}" for r in fitted[:count]) + "."]
-    lines += [f"- {title(r)}: {r['message']}" for r in results if r["status"] != "fitted"]
-    return "\n".join(lines)
+def wrapped(text, indent=""):
+    return textwrap.fill(text, 119, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+
+
+def exceptions(results):
+    """The structures without a model, with the reason, but not what to do instead."""
+    return [wrapped(f"- {title(r)}: {r['message'].split(';')[0]}", "  ") for r in results if r["status"] != "fitted"]
 
 
 def masks_of_patients(folder):
@@ -124,7 +122,7 @@ def masks_of_patients(folder):
 
 
 def series(program, folder):
-    """Rows of each kind of organ, and the structures that were hardest."""
+    """Rows of each kind of organ, and the structures without a model."""
     glands, zones, lesions, others = masks_of_patients(folder)
     surface = ("--model", "surface", "--degree")
     rows, sections = [], []
@@ -135,7 +133,7 @@ def series(program, folder):
         results = fit(program, masks, *options, *(["--label", str(label)] if label else []))
         rows.append(summary(name, model, results))
         if keep:
-            sections.append(f"**{name}, {model}.** " + exceptions(results))
+            sections.extend(exceptions(results))
 
     radial = ("--model", "radial")
     add("whole glands", glands, "radial, degree 12", radial)
@@ -151,7 +149,7 @@ def series(program, folder):
         add("AAL", [AAL], "surface, degree 20", (*surface, "20"))
     if not rows:
         return "No masks were available.\n"
-    return table(SUMMARY, rows) + "\n\n" + "\n\n".join(sections) + "\n"
+    return table(SUMMARY, rows) + ("\n\nNot fitted:\n\n" + "\n".join(sections) if sections else "") + "\n"
 
 
 def found_degree(program, folder):
@@ -218,25 +216,23 @@ def organs(program):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for name in organ_shapes.ORGANS:
-            for slices in (1.0, 3.0, 5.0):
+            for slices in (1.0, 5.0):
                 mask = pathlib.Path(folder, "organ.mha")
                 organ_shapes.write_mask(mask, name, slices)
                 taken, radial, auto = (fit(program, [mask], *options)[0] for options in
                                        ((), ("--model", "radial"), ("--degree", "auto")))
-                rows.append(row(name, f"{slices:.0f}", *figures(taken), *figures(radial)[1:],
+                rows.append(row(name, f"{slices:.0f}", *figures(taken), figures(radial)[1],
                                 *figures(auto)[1:3],
                                 auto["degree"] if auto["status"] == "fitted" else ""))
-    return table(["organ", "slices mm", "model", "Dice", "95 % mm", "largest mm",
-                  "radial: Dice", "95 % mm", "largest mm", "degree auto: Dice", "95 % mm",
-                  "degree"], rows) + "\n"
+    return table(["organ", "slices mm", "model", "Dice", "95 % mm", "radial: Dice",
+                  "degree auto: Dice", "95 % mm", "degree"], rows) + "\n"
 
 
 def figures(result):
     if result["status"] != "fitted":
-        return [result["status"], "", "", ""]
+        return [result["status"], "", ""]
     mask = result["quality"]["mask"]
-    return [result["model"], f"{mask['dice']:.3f}", f"{mask['p95_mm']:.2f}",
-            f"{mask['max_mm']:.1f}"]
+    return [result["model"], f"{mask['dice']:.3f}", f"{mask['p95_mm']:.2f}"]
 
 
 def speed(program, folder):
@@ -246,10 +242,9 @@ def speed(program, folder):
     with tempfile.TemporaryDirectory() as out:
         runs = [fit(program, masks, "--output", out)[0] for _ in range(5)]
     best = min(runs, key=lambda r: r["seconds"]["total"])
-    rows = [row(stage, f"{seconds * 1000:.0f}") for stage, seconds in best["seconds"].items()]
-    return (f"Fastest of five runs of `palpate fit` on {masks[0].name} (384 x 384 x 23), with all "
-            f"its files and the report; peak memory {best['peak_memory_mb']:.0f} MB.\n\n" +
-            table(["stage", "ms"], rows) + "\n")
+    stages = ", ".join(f"{stage} {seconds * 1000:.0f}" for stage, seconds in best["seconds"].items())
+    return wrapped(f"Fastest of five runs of `palpate fit` on {masks[0].name} (384 x 384 x 23), with all its files and "
+                   f"the report; peak memory {best['peak_memory_mb']:.0f} MB. Milliseconds: {stages}.") + "\n"
 
 
 def main():
@@ -257,7 +252,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--palpate", type=pathlib.Path, default=ROOT / "build/release/bin/palpate")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "../shared/data")
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "Documentation/Validation.md")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "Documentation/Evidence/Validation.md")
     arguments = parser.parse_args()
     program = arguments.palpate
     if not program.exists():
@@ -266,27 +261,27 @@ def main():
         ("Masks of patients, and of a whole head (AAL)", "Pairs are mean and worst over the fitted "
          "structures. Distances are between the model and the mask's own half-level boundary, "
          "symmetric, weighted by area; Dice is on the mask's own grid; seconds are those of all "
-         "stages but writing. *Voxels* are those that a surface encloses more than once or inside "
-         "out, of the mask's.", series(program, arguments.data) + REMARKS),
+         "stages but writing. *Voxels*: the part of the mask's that the surface encloses more than "
+         "once or inside out.", series(program, arguments.data) + REMARKS),
         ("The degree that is found", "`--degree auto` next to the default of 12, both with `--model "
          "automatic`. *Worse*: structures whose Dice is lower by more than 0.0005, or whose 95 % "
          "distance is longer by more than 0.005 mm, than at degree 12. Measured on 29 November 2026 "
-         "on two cores of an Intel Xeon, two masks at a time; AAL's times beside other work.",
+         "on two cores of an Intel Xeon, two masks at a time; AAL's times while other programs ran.",
          found_degree(program, arguments.data)),
         ("Against SPHARM-PDM", "", COMPARISON),
         ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 around their true "
          "centre.", phantoms(program)),
         # Before the next, whose arrays would count as memory of what is started.
         ("Time and memory", "", speed(program, arguments.data)),
-        ("Bodies like organs", "Of formulas (`Utilities/organ_shapes.py`), fitted with `--model "
+        ("Bodies like organs", "Made by formulas (`Utilities/organ_shapes.py`), fitted with `--model "
          "automatic` at degree 12, as radial models, and with `--degree auto`; distances from the "
-         "mask. Empty: refused. Slices of the cochlea and the tooth are 1, 3 and 5 times as thick "
+         "mask. Empty: refused. Slices of the cochlea and the tooth are 1 and 5 times as thick "
          "as a voxel is wide.", organs(program)),
     ]
     text = ["# Validation", "", "Made by `Utilities/validate.py`; default settings (degree 12, "
             "frequency 20) unless stated otherwise.", ""]
     for title, remark, body in sections:
-        text += [f"## {title}", ""] + ([remark, ""] if remark else []) + [body]
+        text += [f"## {title}", ""] + ([wrapped(remark), ""] if remark else []) + [body]
     arguments.output.write_text("\n".join(text))
     print(f"wrote {arguments.output}")
 

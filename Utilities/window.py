@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes Documentation/Window.md from the measurements of PalpateWindow.
+"""Writes Documentation/Evidence/Window.md from the measurements of PalpateWindow.
 
     Utilities/window.py MEASURES [--page FILE]
 
@@ -13,20 +13,20 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 INTRODUCTION = """# Servo and window
 
-Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for all of it. A window of 1280 x 800 shows
-the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz (harmonics of degree 12, a sphere
-of 2 mm), 1.5 mm deep, with slices following. *Hidden* is the same touch with nothing to draw: the servo alone.
-Every other line is as long, with one more activity of the window. Priority: SCHED_FIFO, if the system grants it.
+Made by `Utilities/window.sh` on {machine}, with software OpenGL and one process for all of it.
+A window of 1280 x 800 shows the Colin 27 head in four views; a simulated hand strokes the left thalamus at 1 kHz
+(harmonics of degree 12, a sphere of 2 mm), 1.5 mm deep, with slices following. *Hidden* is the same touch with nothing
+to draw: the servo alone. Every other line is as long, with one more activity of the window. Priority: SCHED_FIFO, if
+the system grants it.
 
 """
 
 FIGURES = """
 ## Start, volumes, structures
 
-Measured by `PalpateWindow` in the same run; every result is checked. Times are the shortest of five, *wall* time. The start is that of a
-new process. Memory is what stays resident after three volumes (`ch2`, `ch2better`, `ch2bet`) were opened in a window that had drawn a tiny one. The
-structures are AAL's, without their file, so that no surface is made meanwhile. Frames are those of the view that drew least, in turns with and without
-the second volume, with the hand in contact for {touching:.0f} % of the ticks.
+Times are the shortest of five, *wall* time. Memory is what stays resident after three volumes (`ch2`, `ch2better`,
+`ch2bet`) were opened. The structures are AAL's. Frames are those of the view that drew least, with the hand in contact
+for {touching:.0f} % of the ticks.
 
 | what | measured | aim |
 | --- | --- | --- |
@@ -42,9 +42,9 @@ the second volume, with the hand in contact for {touching:.0f} % of the ticks.
 
 
 READING = """
-*Period* is from tick to tick, ms; *tick* is the computing time of a tick, \u00b5s; quantiles are from a histogram with bins a
-sixteenth wide. *Frames/s* are those of the view that drew least; *times* is how often the window was resized,
-a volume was opened (only the newest is read), or a model of another degree was made.
+*Period* is from tick to tick, ms; *tick* is the computing time of a tick, µs; quantiles are from a histogram with bins
+a sixteenth wide. *Frames/s* are those of the view that drew least; *times* is how often the window was resized, a
+volume was opened (only the newest is read), or a model of another degree was made.
 
 ## Closing
 
@@ -117,7 +117,7 @@ def page_of(measures):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measures", type=pathlib.Path)
-    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Window.md")
+    parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "Window.md")
     arguments = parser.parse_args()
     arguments.page.write_text(page_of(json.loads(arguments.measures.read_text())))
 

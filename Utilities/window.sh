@@ -1,6 +1,6 @@
 #!/bin/sh
 # Measures the servo next to a window that draws, is resized, loads and refits, the time to start
-# and to close the window, and what volumes and structures cost (three minutes), and writes Documentation/Window.md from this run.
+# and to close the window, and what volumes and structures cost (three minutes), and writes Documentation/Evidence/Window.md from this run.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,5 +1,5 @@
 // PalpateLimits FILE: measures the effect of rounding on difficult fits, and writes the table of
-// Documentation/Limits.md; see Utilities/limits.sh.
+// Documentation/Evidence/Limits.md; see Utilities/limits.sh.
 #include "FitPrecision.h"
 
 #include <fstream>

@@ -13,6 +13,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>
+#include <set>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -24,7 +26,7 @@ using namespace palpate::test;
 
 using Json = nlohmann::json;
 
-// A command's table: key and unit of each row.
+// A command's table: key and meaning of each row.
 using Table = std::map<std::string, std::string>;
 
 std::string Between(const std::string& text, const std::string& begin, const std::string& end)
@@ -48,12 +50,20 @@ std::map<std::string, Table> DocumentedTables()
     if (line.rfind("## ", 0) == 0)
     {
       command = Between(line, "`palpate ", "`");
+      tables[command].emplace("schema_version", "of every object");
     }
     else if (line.rfind("| `", 0) == 0)
     {
-      const std::string key = Between(line, "| `", "` | ");
-      EXPECT_TRUE(tables[command].emplace(key, Between(line, "` | ", " |")).second)
-          << command << " has two rows for " << key;
+      const std::string keys = line.substr(0, line.find(" | "));
+      const std::string meaning = Between(line, "` | ", " |");
+      std::size_t end = 0;
+      for (std::size_t at = keys.find('`'); at != std::string::npos; at = keys.find('`', end + 1))
+      {
+        end = keys.find('`', at + 1);
+        const std::string key = keys.substr(at + 1, end - at - 1);
+        EXPECT_TRUE(tables[command].emplace(key, meaning).second)
+            << command << " has two rows for " << key;
+      }
     }
   }
   return tables;
@@ -110,7 +120,7 @@ protected:
       EXPECT_TRUE(IsDocumented(path, table))
           << command << " prints " << path << ", not on the page";
     }
-    for (const auto& [key, unit] : table)
+    for (const auto& [key, meaning] : table)
     {
       EXPECT_EQ(this->Paths.count(key), 1U) << command << " never printed " << key;
     }
@@ -260,7 +270,15 @@ TEST(JsonPage, HasTableForEveryJsonCommand)
   EXPECT_EQ(found, tables.size());
 }
 
-// The end of a key gives its unit, and the page agrees.
+// Whether a key, or an object around it, ends so.
+bool EndsSomewhere(const std::string& key, const std::string& end)
+{
+  const std::size_t found = key.find(end);
+  return found != std::string::npos &&
+         (found + end.size() == key.size() || key.find_first_of(".[", found) == found + end.size());
+}
+
+// The page lists the ends of keys that give units once; each is of some key.
 TEST(JsonPage, ListsUnitSuffixesOfKeys)
 {
   const std::vector<std::pair<std::string, std::string>> units{{"_kpa_per_mm", "kPa/mm"},
@@ -280,28 +298,32 @@ TEST(JsonPage, ListsUnitSuffixesOfKeys)
                                                                {"_ns", "ns"},
                                                                {"_hz", "Hz"},
                                                                {"_n", "N"},
-                                                               {"_mib", "MiB"},
+                                                               {"_mb", "MiB"},
                                                                {"bytes", "bytes"},
                                                                {"_degrees", "degrees"},
                                                                {"_jnd", "JND"}};
+  std::ifstream page(PALPATE_DOCUMENTATION "/JsonOutput.md");
+  std::stringstream text;
+  text << page.rdbuf();
+  std::string listed = Between(text.str(), "ends in the unit: ", ".\n");
+  std::replace(listed.begin(), listed.end(), '\n', ' ');
+  EXPECT_EQ(std::count(listed.begin(), listed.end(), ',') + 1, std::ptrdiff_t(units.size()));
+  std::set<std::string> keys;
   for (const auto& [command, table] : DocumentedTables())
   {
-    for (const auto& [key, unit] : table)
+    for (const auto& [key, meaning] : table)
     {
-      EXPECT_FALSE(unit.empty()) << command << ": " << key;
-      const std::string name = key.substr(0, key.find_last_not_of("[]") + 1);
-      const auto ending = std::find_if(units.begin(), units.end(),
-                                       [&name = name](const auto& one)
-                                       {
-                                         return name.size() >= one.first.size() &&
-                                                name.compare(name.size() - one.first.size(),
-                                                             one.first.size(), one.first) == 0;
-                                       });
-      if (ending != units.end())
-      {
-        EXPECT_EQ(unit, ending->second) << command << ": " << key;
-      }
+      EXPECT_FALSE(meaning.empty()) << command << ": " << key;
+      keys.insert(key);
     }
+  }
+  for (const auto& [end, unit] : units)
+  {
+    EXPECT_NE((listed + ",").find("`" + end + "` " + unit + ","), std::string::npos) << end;
+    EXPECT_TRUE(std::any_of(keys.begin(), keys.end(),
+                            [&end = end](const std::string& key)
+                            { return EndsSomewhere(key, end); }))
+        << end;
   }
 }
 } // namespace

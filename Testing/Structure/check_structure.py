@@ -4,7 +4,7 @@ Modules may include only the modules and packages that the table permits, and on
 level; each permission is used; Documentation/Architecture.md lists the same; vtk.module files name no
 other modules; folders do not include each other in circles; every source has its header, every module its
 README, no file and no folder is too long, no type is defined twice in a namespace, sources that may be compiled
-as one share no names, and comments hold no unfinished work. Prints one line per violation; exits with 1 if there is any.
+as one share no names, comments hold no unfinished work, and pages have short lines and no broken links. Prints one line per violation; exits with 1 if there is any.
 """
 
 import argparse
@@ -36,6 +36,30 @@ PAGE_ROW = re.compile(
 )
 
 
+LONGEST_LINE = 120  # of prose; tables, links, images and code may be longer, and CHANGELOG.md has a line for each entry
+LINK = re.compile(r"\]\(([^)\s]*)\)")
+LIST_ITEM = re.compile(r"^\s*([-*]|\d+\.)\s")
+
+
+def prose_of(text):
+    """Numbered lines of a page outside of code and tables."""
+    fence, in_list = None, False
+    for number, line in enumerate(text.splitlines(), 1):
+        mark = re.match(r"^\s*(```+)", line)
+        if fence or mark:
+            fence = (None if line.strip() == fence else fence) if fence else mark[1]
+            continue
+        in_list = bool(LIST_ITEM.match(line)) or in_list and (not line or line.startswith(" "))
+        if not line.lstrip().startswith(("|", "![")) and (in_list or not line.startswith("    ")):
+            yield number, line
+
+
+def anchors_in(text):
+    """The anchors of a page's headings, as GitHub makes them."""
+    headings = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading).strip().lower().replace(" ", "-") for heading in headings}
+
+
 def names_in(cell):
     """The names of a cell of the table; a dash for none."""
     return set() if cell == "–" else set(cell.split(", "))
@@ -65,6 +89,7 @@ class Checker:
         self.check_modules_are_in_the_table()
         self.check_permissions_are_used()
         self.check_page()
+        self.check_prose_and_links()
         self.check_every_source()
         self.check_folder_sizes()
         return self.violations
@@ -175,6 +200,30 @@ class Checker:
         for path in self.modules:
             if listed.count(path) != 1:
                 self.report(page, f"lists {path} {listed.count(path)} times")
+
+    def check_prose_and_links(self):
+        for page in self.pages():
+            text = page.read_text()
+            for number, line in prose_of(text):
+                if len(LINK.sub("]()", line)) > LONGEST_LINE and page.name != "CHANGELOG.md":
+                    self.report(page, f"line {number} is longer than {LONGEST_LINE} characters")
+            for target in LINK.findall(text):
+                self.check_link(page, target)
+
+    def pages(self):
+        """The pages of the repository, without those of builds."""
+        tops = [self.root / top for top in (*self.table["sources"], "Documentation", "Data")]
+        return sorted(self.root.glob("*.md")) + [page for top in tops for page in sorted(top.rglob("*.md"))]
+
+    def check_link(self, page, target):
+        path, _, anchor = target.partition("#")
+        if re.match(r"\w+:", target):
+            return
+        file = page.parent / path if path else page
+        if not file.exists():
+            self.report(page, f"links to {target}, which does not exist")
+        elif anchor and anchor not in anchors_in(file.read_text()):
+            self.report(page, f"links to {target}, which has no such heading")
 
     def folder_includes(self, module):
         """For each folder of a module, its other folders that it includes headers of, with an example."""

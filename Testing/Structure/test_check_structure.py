@@ -157,6 +157,23 @@ class CheckStructure(unittest.TestCase):
         files["Modules/High/Testing/Sub/TestB.cxx"] = files.pop("Modules/High/Testing/TestB.cxx")
         self.assertEqual(self.violations(**files), [])
 
+    def test_long_line_of_prose(self):
+        words = "word " * 24 + "end"
+        self.assert_one("line 3 is longer", **{"Modules/Low/README.md": f"# Low\n\n{words}\n"})
+        self.assert_one("line 1 is longer", **{"Documentation/Page.md": f"- {words}\n"})
+        self.assert_one("line 2 is longer", **{"Documentation/Page.md": f"- item\n    {words}\n"})
+        link = f"[Low](../Modules/Low/{'../Low/' * 20}README.md)"
+        for exempt in (f"| {words} |", f"    {words}", f"```sh\n{words}\n```", f"![{words}](Page.md)", link):
+            self.assertEqual(self.violations(**{"Documentation/Page.md": exempt + "\n"}), [])
+        self.assertEqual(self.violations(**{"CHANGELOG.md": f"- {words}\n"}), [])
+
+    def test_broken_link(self):
+        page = "# Two words\n\n[a]({}) and [b](https://example.org/x)\n"
+        for target in ("#two-words", "Architecture.md", "../Modules/Low/README.md"):
+            self.assertEqual(self.violations(**{"Documentation/Page.md": page.format(target)}), [])
+        self.assert_one("does not exist", **{"Documentation/Page.md": page.format("None.md")})
+        self.assert_one("no such heading", **{"Documentation/Page.md": page.format("#three-words")})
+
     def test_table_that_points_upward(self):
         table = json.loads(json.dumps(TABLE))
         table["modules"]["Modules/Low"]["modules"] = ["High"]

@@ -58,15 +58,17 @@ class Mutants(unittest.TestCase):
             ]
         }
         first, second, third, _ = table["mutant"]
-        page = mutants.page_of(table, {id(first): "F.Works", id(second): None})
-        self.assertIn("1 of 2 mutants are killed; 1 more", page)
-        self.assertIn(", 1 were not run yet.", page)
-        known = mutants.killers_on(page, table)
+        results = mutants.results_of(table, {id(first): "F.Works", id(second): None})
+        known = mutants.killers_in(results, table)
         self.assertEqual(known, {id(first): "F.Works", id(second): None})
-        self.assertEqual(mutants.page_of(table, known), page)
+        self.assertEqual(mutants.results_of(table, known), results)
+        page = mutants.page_of(table, known)
+        self.assertIn("1 of 2 mutants are killed; 1 more are harmless, with the reason; 1 were not run yet.", page)
+        self.assertIn("| `.` | 4 | 1 | 1 |", page)
         page = mutants.page_of(table, {**known, id(second): "F.Works", id(third): "F.Works"})
         self.assertIn("3 of 3 mutants are killed; 1 more", page)
         self.assertNotIn("yet", page)
+
 
 
 if __name__ == "__main__":

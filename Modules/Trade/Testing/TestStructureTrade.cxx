@@ -22,7 +22,7 @@ using test::GoOn;
 TEST(TradeMeasure, WholeModelEqualsTheReference)
 {
   const TradeRow row = test::ModelTrade(0.5).MeasureDegree(6);
-  // The tracker's own tolerance (Documentation/Touch.md).
+  // The tracker's own tolerance (Documentation/Evidence/Touch.md).
   EXPECT_LT(row.PositionMost, 1e-5);
   EXPECT_LT(row.DirectionMost, 1e-3);
   EXPECT_EQ(row.Seizures, 0.0);
