@@ -1,8 +1,8 @@
 #include "ModelEvaluation.h"
 
 #include "InputError.h"
+#include "ModelMeasures.h"
 #include "ParametricTouchSurface.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include <cmath>
 #include <memory>

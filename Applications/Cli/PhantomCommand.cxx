@@ -10,11 +10,11 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "ModelFile.h"
+#include "ModelMeasures.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
 #include "ProstateLikeModel.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include "ScreenText.h"
 

@@ -7,10 +7,9 @@
 #include "MaskModel.h"
 #include "ModelConvention.h"
 #include "ModelFile.h"
-#include "ParametricSurfaceMeasures.h"
+#include "ModelMeasures.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicFit.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include <algorithm>
 #include <array>

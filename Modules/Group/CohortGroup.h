@@ -2,10 +2,10 @@
 
 #include "CohortTable.h"
 #include "KernelProgress.h"
+#include "ModelMeasures.h"
 #include "PalpateGroupModule.h"
 #include "ShapeAlignment.h"
 #include "ShapeModes.h"
-#include "SphericalHarmonicMeasures.h"
 #include "SurfaceModel.h"
 
 #include <filesystem>

@@ -1,9 +1,8 @@
 #include "ModelFoot.h"
 
 #include "IcosahedronDirections.h"
-#include "ParametricSurfaceMeasures.h"
+#include "ModelMeasures.h"
 #include "SampleGeometry.h"
-#include "SphericalHarmonicMeasures.h"
 #include "SquaredDistance.h"
 
 #include <algorithm>

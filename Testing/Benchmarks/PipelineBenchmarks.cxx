@@ -3,11 +3,11 @@
 #include "FitStructure.h"
 #include "IcosahedronDirections.h"
 #include "ImageWriter.h"
+#include "ModelMeasures.h"
 #include "NearestOnMesh.h"
 #include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
-#include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
 #include "TriangleMesh.h"
 

@@ -1,8 +1,8 @@
 // Spherical harmonics at degrees, places and sizes beyond those of any organ.
 #include "IcosahedronDirections.h"
 #include "LegendreSums.h"
+#include "ModelMeasures.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicMeasures.h"
 #include "SphericalHarmonicReferences.h"
 #include "WorstCase.h"
 

@@ -1,6 +1,6 @@
 #include "CommandRun.h"
 #include "IcosahedronDirections.h"
-#include "SphericalHarmonicMeasures.h"
+#include "ModelMeasures.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"

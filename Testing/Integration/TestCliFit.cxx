@@ -1,7 +1,7 @@
 #include "CommandRun.h"
 #include "JsonLines.h"
 #include "ModelFile.h"
-#include "SphericalHarmonicMeasures.h"
+#include "ModelMeasures.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TwoVolumes.h"

@@ -1,8 +1,8 @@
 #include "CommandRun.h"
 #include "ModelFile.h"
+#include "ModelMeasures.h"
 #include "ProstateLikeModel.h"
 #include "SegmentationFile.h"
-#include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
 #include "VolumeFile.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "FitResult.h"
+#include "ModelMeasures.h"
 #include "ModelMesh.h"
 #include "PhantomSampler.h"
 #include "ProstateLikeModel.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"

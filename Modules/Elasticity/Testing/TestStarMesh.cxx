@@ -1,6 +1,6 @@
 #include "ElasticCases.h"
 #include "GaussLegendre.h"
-#include "SphericalHarmonicMeasures.h"
+#include "ModelMeasures.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include "DecimalText.h"
 #include "InputError.h"
 #include "ModelFile.h"
+#include "ModelMeasures.h"
 #include "Progress.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicMeasures.h"
 #include "TemporaryFolder.h"
 
 #include <Eigen/Geometry>

@@ -4,8 +4,8 @@
 
 #include "CsvRecords.h"
 #include "MarkupCheck.h"
+#include "ModelMeasures.h"
 #include "ParametricPhantoms.h"
-#include "ParametricSurfaceMeasures.h"
 #include "Progress.h"
 #include "TemporaryFolder.h"
 

@@ -5,8 +5,8 @@
 #include "CsvRecords.h"
 #include "DecimalText.h"
 #include "MarkupCheck.h"
+#include "ModelMeasures.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicMeasures.h"
 #include "SphericalHarmonicProjection.h"
 #include "TemporaryFolder.h"
 

@@ -1,6 +1,6 @@
 #include "MaskModel.h"
 
-#include "ParametricSurfaceMeasures.h"
+#include "ModelMeasures.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace palpate
 /// writes. Unlike a SphericalHarmonicModel it needs no centre and need not be star-shaped.
 /// Immutable; every query is const, thread-safe and allocation-free unless stated otherwise. What a
 /// parameter must be and how exact the results are: see ParametricSurfaceEvaluator. Volume,
-/// centroid and moments are in ParametricSurfaceMeasures, curvature in SurfaceCurvature.
+/// centroid and moments are in ModelMeasures, curvature in SurfaceCurvature.
 class ParametricSphericalSurface
 {
 public:

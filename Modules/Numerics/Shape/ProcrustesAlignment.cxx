@@ -1,8 +1,7 @@
 #include "ProcrustesAlignment.h"
 
-#include "ParametricSurfaceMeasures.h"
+#include "ModelMeasures.h"
 #include "ShapeVector.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,7 @@
 #include "ShapeAlignment.h"
 
-#include "ParametricSurfaceMeasures.h"
+#include "ModelMeasures.h"
 #include "SphereQuadrature.h"
-#include "SphericalHarmonicMeasures.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <algorithm>

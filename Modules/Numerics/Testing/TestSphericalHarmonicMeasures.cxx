@@ -1,4 +1,4 @@
-#include "SphericalHarmonicMeasures.h"
+#include "ModelMeasures.h"
 
 #include "IcosahedronDirections.h"
 #include "ProjectedShapes.h"

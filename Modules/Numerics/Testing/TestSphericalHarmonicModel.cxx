@@ -1,11 +1,11 @@
 #include "SphericalHarmonicModel.h"
 
 #include "IcosahedronDirections.h"
+#include "ModelMeasures.h"
 #include "ProjectedShapes.h"
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "PhantomSampler.h"
 
+#include "ModelMeasures.h"
 #include "ProstateLikeModel.h"
 #include "SphereQuadrature.h"
-#include "SphericalHarmonicMeasures.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"

@@ -1,7 +1,7 @@
 #include "ProstateLikeModel.h"
 
 #include "IcosahedronDirections.h"
-#include "SphericalHarmonicMeasures.h"
+#include "ModelMeasures.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "HarmonicContactModel.h"
-#include "SphericalHarmonicMeasures.h"
+#include "ModelMeasures.h"
 
 #include <cmath>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "ParameterCorrespondence.h"
 
+#include "ModelMeasures.h"
 #include "ParametricPhantoms.h"
-#include "ParametricSurfaceMeasures.h"
 #include "RandomShapes.h"
 #include "ShapeVector.h"
 

@@ -1,7 +1,7 @@
 #include "ProcrustesAlignment.h"
 
+#include "ModelMeasures.h"
 #include "ParametricPhantoms.h"
-#include "ParametricSurfaceMeasures.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicProjection.h"
 #include "WorstCase.h"

@@ -1,10 +1,9 @@
 #include "ShapeAlignment.h"
 
+#include "ModelMeasures.h"
 #include "ParametricPhantoms.h"
-#include "ParametricSurfaceMeasures.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicMeasures.h"
 #include "TurnedModel.h"
 #include "WorstCase.h"
 

@@ -1,7 +1,7 @@
 #include "ShapeSuperposition.h"
 
+#include "ModelMeasures.h"
 #include "ParametricPhantoms.h"
-#include "ParametricSurfaceMeasures.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "WorstCase.h"

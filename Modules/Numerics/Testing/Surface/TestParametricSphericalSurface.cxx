@@ -1,9 +1,9 @@
 #include "ParametricSphericalSurface.h"
 
+#include "ModelMeasures.h"
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicMeasures.h"
 #include "SurfaceCases.h"
 
 #include <Eigen/Geometry>

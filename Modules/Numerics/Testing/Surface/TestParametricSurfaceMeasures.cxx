@@ -1,4 +1,4 @@
-#include "ParametricSurfaceMeasures.h"
+#include "ModelMeasures.h"
 
 #include "RandomShapes.h"
 #include "SurfaceCases.h"
