@@ -1,8 +1,27 @@
 #include "FieldSampler.h"
 
-#include "InsideKernelChoice.h"
+#include "InsideKernel.h"
 #include "TricubicCell.h"
 #include "TrilinearCell.h"
+
+namespace palpate::inside
+{
+namespace
+{
+struct PortableSet
+{
+  typedef double Vector __attribute__((vector_size(16)));
+  typedef int Integers __attribute__((vector_size(8)));
+  static constexpr int Lanes = 2;
+};
+const Kernel Portable = Arithmetic<PortableSet>::All();
+
+const Kernel& KernelFor(InstructionSet set) noexcept
+{
+  return set == InstructionSet::Avx2 ? Avx2 : Portable;
+}
+} // namespace
+} // namespace palpate::inside
 
 namespace palpate
 {

@@ -1,5 +1,5 @@
 // The inside test for AVX2: only this file is compiled for it (see CMakeLists.txt), so it must
-// include nothing else. The portable version is in InsideKernelChoice.cxx.
+// include nothing else. The portable version is in FieldSampler.cxx.
 #include "InsideKernel.h"
 
 namespace palpate::inside

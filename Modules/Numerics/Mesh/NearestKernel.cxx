@@ -1,5 +1,5 @@
 // Compiled for AVX2 and FMA (see CMakeLists.txt), so this file must not include anything else. The
-// portable kernel is instantiated in NearestKernelChoice.cxx.
+// portable kernel is instantiated in NearestOnMesh.cxx.
 #include "NearestKernel.h"
 
 namespace palpate::nearest

@@ -1,6 +1,6 @@
 #include "NearestOnMesh.h"
 
-#include "NearestKernelChoice.h"
+#include "NearestKernel.h"
 #include "SpatialOrder.h"
 
 #include <algorithm>
@@ -8,6 +8,31 @@
 #include <cstddef>
 #include <iterator>
 #include <utility>
+
+namespace palpate::nearest
+{
+namespace
+{
+struct PortableSet
+{
+  typedef double Vector __attribute__((vector_size(16)));
+  typedef long long Integers __attribute__((vector_size(16)));
+  static constexpr int Lanes = 2;
+
+  static inline __attribute__((always_inline)) bool Any(const Integers& lanes)
+  {
+    return (lanes[0] | lanes[1]) != 0;
+  }
+};
+
+const Kernel Portable{Arithmetic<PortableSet>::Find};
+
+const Kernel& KernelFor(InstructionSet set) noexcept
+{
+  return set == InstructionSet::Avx2 ? Avx2 : Portable;
+}
+} // namespace
+} // namespace palpate::nearest
 
 namespace palpate
 {

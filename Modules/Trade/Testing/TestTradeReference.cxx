@@ -3,7 +3,7 @@
 #include "TradeReference.h"
 
 #include "IcosahedronDirections.h"
-#include "ModelSurface.h"
+#include "MeshConversion.h"
 #include "StructureTrade.h"
 #include "TradeAdvice.h"
 #include "TradeCases.h"
