@@ -190,6 +190,11 @@ void RenderCommand::DeclareOptions(CLI::App& app)
                  "changes sides; increase it where voxels show)")
       ->check(FiniteNumber::Between(0.0, 8.0))
       ->capture_default_str();
+  this->DeclareLook(app);
+}
+
+void RenderCommand::DeclareLook(CLI::App& app)
+{
   app.add_option("--view", this->View, "Side to look at")
       ->check(CLI::IsMember(
           {"anterior", "posterior", "left", "right", "superior", "inferior", "oblique"}))

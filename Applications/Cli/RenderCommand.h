@@ -29,6 +29,7 @@ public:
   int Run(Console& console) override;
 
 private:
+  void DeclareLook(CLI::App& app);
   void AddFile(const std::filesystem::path& file, SceneRenderer& scene, Console& console);
   void TakeFile(const std::filesystem::path& file, SceneRenderer& scene, CaseTally& tally,
                 Console& console);

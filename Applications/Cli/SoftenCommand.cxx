@@ -132,6 +132,25 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
   app.add_option("--poisson", this->Settings.PoissonRatio, "Poisson's ratio")
       ->check(FiniteNumber::Between(0.0, ElasticSolid::MostPoissonRatio))
       ->capture_default_str();
+  this->DeclareSupport(app);
+  this->DeclareNumbers(app);
+  app.add_option("--report", this->Report,
+                 "Page with a map of how hard the organ's places feel, .html")
+      ->type_name("FILE")
+      ->check(FileType::Output("file", ".html"));
+  app.add_option("--tool-radius", this->ToolRadius,
+                 "Radius of the spherical indenter for the force map and the summary, mm")
+      ->type_name("MM")
+      ->check(FiniteNumber::Between(0.1, 100.0))
+      ->capture_default_str();
+  app.add_flag("--json", this->Json,
+               "Print one JSON object: what was built, how hard it feels, warnings");
+  this->Images.Declare(app, "file");
+  this->Images.DeclareValues(app);
+}
+
+void SoftenCommand::DeclareSupport(CLI::App& app)
+{
   std::vector<std::string> names;
   for (const PatientSide& side : PatientSides())
   {
@@ -170,6 +189,10 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
       ->check(
           FiniteNumber::Between(SofteningSettings::LeastSupport, SofteningSettings::MostSupport))
       ->allow_extra_args(false);
+}
+
+void SoftenCommand::DeclareNumbers(CLI::App& app)
+{
   app.add_option("--exaggerate", this->Settings.Exaggeration,
                  "Power to which contrasts with the tissue are raised, and said to be")
       ->check(FiniteNumber::Between(1.0, TissueMap::MostExaggeration))
@@ -190,19 +213,6 @@ void SoftenCommand::DeclareOptions(CLI::App& app)
                  "Degree of the maps that are kept; a tick's time grows with its square")
       ->check(CLI::Range(4, ComplianceMaps::MostDegree))
       ->capture_default_str();
-  app.add_option("--report", this->Report,
-                 "Page with a map of how hard the organ's places feel, .html")
-      ->type_name("FILE")
-      ->check(FileType::Output("file", ".html"));
-  app.add_option("--tool-radius", this->ToolRadius,
-                 "Of the ball that the map and the last line are for, mm")
-      ->type_name("MM")
-      ->check(FiniteNumber::Between(0.1, 100.0))
-      ->capture_default_str();
-  app.add_flag("--json", this->Json,
-               "Print one JSON object: what was built, how hard it feels, warnings");
-  this->Images.Declare(app, "file");
-  this->Images.DeclareValues(app);
 }
 
 void SoftenCommand::ReadLesions(SofteningSettings& settings, Console& console) const

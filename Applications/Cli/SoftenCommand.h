@@ -21,6 +21,8 @@ public:
   int Run(Console& console) override;
 
 private:
+  void DeclareSupport(CLI::App& app);
+  void DeclareNumbers(CLI::App& app);
   SofteningSettings Read(Console& console) const;
   void CheckOutputs() const;
   void ReadLesions(SofteningSettings& settings, Console& console) const;

@@ -4,16 +4,16 @@
 #include "PairComparison.h"
 #include "PalpateComparisonModule.h"
 
-#include <string>
-
 namespace palpate
 {
-/// Charts of a pair as HTML: how much of the first surface is at each distance from the reference,
-/// and the surface Dice at each tolerance.
-PALPATECOMPARISON_EXPORT std::string ComparisonCharts(const PairComparison& pair);
+class ReportPage;
 
-/// An axial, a sagittal and a coronal plane through the middle of both surfaces with their
-/// outlines, as HTML.
-PALPATECOMPARISON_EXPORT std::string ComparisonSlices(const PairComparison& pair,
-                                                      const ComparisonMap& map);
+/// Adds charts of a pair: how much of the first surface is at each distance from the reference, and
+/// the surface Dice at each tolerance.
+PALPATECOMPARISON_EXPORT void AddComparisonCharts(ReportPage& page, const PairComparison& pair);
+
+/// Adds an axial, a sagittal and a coronal plane through the middle of both surfaces with their
+/// outlines.
+PALPATECOMPARISON_EXPORT void AddComparisonSlices(ReportPage& page, const PairComparison& pair,
+                                                  const ComparisonMap& map);
 } // namespace palpate

@@ -3,7 +3,6 @@
 #include "AnatomicalView.h"
 #include "ArrayColors.h"
 #include "SixViews.h"
-#include "SoftwareRenderer.h"
 #include "TriangleMesh.h"
 
 #include "vtkDataArray.h"
@@ -31,14 +30,13 @@ vtkSmartPointer<vtkPolyData> Mapped(const ComparedBody& body, const DistanceMap&
 SoftwareRenderer Coloured(vtkPolyData* surface, vtkLookupTable* colors)
 {
   vtkDataArray* distances = surface->GetPointData()->GetArray(0);
-  std::vector<SoftwareRenderer::Color> pointColors;
-  pointColors.reserve(static_cast<std::size_t>(distances->GetNumberOfTuples()));
+  std::vector<double> values;
   for (vtkIdType p = 0; p < distances->GetNumberOfTuples(); ++p)
   {
-    pointColors.push_back(ColorOf(colors, distances->GetComponent(p, 0)));
+    values.push_back(distances->GetComponent(p, 0));
   }
   SoftwareRenderer renderer(surface);
-  renderer.SetPointColors(std::move(pointColors));
+  renderer.SetPointColors(SoftwareRenderer::ColorsOf(colors, values));
   return renderer;
 }
 
@@ -71,12 +69,12 @@ ComparisonMap::ComparisonMap(const PairComparison& pair)
 {
 }
 
-std::string ComparisonMap::ViewsOf(vtkPolyData* surface) const
+void ComparisonMap::AddViews(ReportPage& page, vtkPolyData* surface) const
 {
   const bool isSigned = surface->GetPointData()->GetArray("SignedDistance") != nullptr;
-  return SixViews(Coloured(surface, this->Colors)) +
-         DivergingColorBar(this->Colors, isSigned ? "inside the other one" : "", "mm",
-                           isSigned ? "outside" : "apart");
+  AddSixViews(page, Coloured(surface, this->Colors));
+  AddColorBar(page, this->Colors, isSigned ? "inside the other one" : "", "mm",
+              isSigned ? "outside" : "apart");
 }
 
 RasterImage ComparisonMap::Picture() const

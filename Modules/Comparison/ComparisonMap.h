@@ -12,6 +12,8 @@
 
 namespace palpate
 {
+class ReportPage;
+
 /// The two surfaces of a pair, each with its distances from the other.
 class PALPATECOMPARISON_EXPORT ComparisonMap
 {
@@ -24,16 +26,12 @@ public:
   vtkPolyData* One() const { return this->OneSurface; }
   vtkPolyData* Other() const { return this->OtherSurface; }
   ///@}
-  /// The first surface from six sides, coloured by its distances, with a colour bar, as HTML; or
-  /// the other one.
-  std::string OneViews() const { return this->ViewsOf(this->OneSurface); }
-  std::string OtherViews() const { return this->ViewsOf(this->OtherSurface); }
+  /// Adds a surface of the two from six sides, coloured by its distances, with a colour bar.
+  void AddViews(ReportPage& page, vtkPolyData* surface) const;
   /// The first surface from six sides on white.
   RasterImage Picture() const;
 
 private:
-  std::string ViewsOf(vtkPolyData* surface) const;
-
   vtkSmartPointer<vtkPolyData> OneSurface;
   vtkSmartPointer<vtkPolyData> OtherSurface;
   vtkSmartPointer<vtkLookupTable> Colors;

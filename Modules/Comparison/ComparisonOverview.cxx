@@ -3,10 +3,9 @@
 #include "ComparisonFiles.h"
 #include "ComparisonNames.h"
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "ReportPage.h"
+#include "ReportTable.h"
 #include "ReportVerdict.h"
-#include "SortableTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,53 +35,42 @@ double DiceOf(const PairComparison& pair)
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::string SummaryTable(const std::vector<PairComparison>& pairs)
+ReportTable SummaryTable(const std::vector<PairComparison>& pairs)
 {
-  std::string rows;
+  ReportTable table({"", "mean", "median", "least", "largest"});
   for (const SummarisedNumber& one : SummariseComparisons(pairs))
   {
-    rows += "<tr><th scope=\"row\">" +
-            EscapeHtml(one.Name + (one.Unit.empty() ? "" : ", " + one.Unit)) + "</th>";
-    for (const double number :
-         {one.Summary.Mean, one.Summary.Median, one.Summary.Least, one.Summary.Largest})
-    {
-      rows += "<td>" + FixedText(number, one.Digits) + "</td>";
-    }
-    rows += "</tr>\n";
+    table.Text(one.Name + (one.Unit.empty() ? "" : ", " + one.Unit))
+        .Number(one.Summary.Mean, one.Digits)
+        .Number(one.Summary.Median, one.Digits)
+        .Number(one.Summary.Least, one.Digits)
+        .Number(one.Summary.Largest, one.Digits);
   }
-  return "<div class=\"tables\"><table><thead><tr><th></th><th>mean</th><th>median</th>"
-         "<th>least</th><th>largest</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
+  return table;
 }
 
-std::string PairTable(const std::vector<PairComparison>& pairs)
+ReportTable PairTable(const std::vector<PairComparison>& pairs)
 {
-  SortableTable table({{"Case", "text"},
-                       {"Label", "number"},
-                       {"Dice", "number"},
-                       {"Mean, mm", "number"},
-                       {"95 % Hausdorff, mm", "number"},
-                       {"Hausdorff, mm", "number"},
-                       {"Signed mean, mm", "number"},
-                       {"Volume, ml", "number"},
-                       {"Reference, ml", "number"}});
+  ReportTable table({"Case", "Label", "Dice", "Mean, mm", "95 % Hausdorff, mm", "Hausdorff, mm",
+                     "Signed mean, mm", "Volume, ml", "Reference, ml"},
+                    true);
   for (const PairComparison& pair : pairs)
   {
-    if (!pair.IsCompared())
+    if (pair.IsCompared())
     {
-      continue;
+      const int label = pair.One.Structure.Label;
+      table.Link(pair.Case, PairFolder(pair) / "report.html")
+          .Value(label == 0 ? "" : std::to_string(label))
+          .Number(DiceOf(pair), 4)
+          .Number(pair.Numbers.Both.Mean, 3)
+          .Number(pair.Numbers.Hausdorff95(), 3)
+          .Number(pair.Numbers.Both.Largest, 3)
+          .Number(pair.Numbers.OneToOther.SignedMean, 3)
+          .Number(pair.One.Milliliters, 2)
+          .Number(pair.Other.Milliliters, 2);
     }
-    table.AddLink(pair.Case, PairFolder(pair) / "report.html");
-    table.AddText(pair.One.Structure.Label == 0 ? "" : std::to_string(pair.One.Structure.Label));
-    table.AddNumber(DiceOf(pair), 4);
-    table.AddNumber(pair.Numbers.Both.Mean, 3);
-    table.AddNumber(pair.Numbers.Hausdorff95(), 3);
-    table.AddNumber(pair.Numbers.Both.Largest, 3);
-    table.AddNumber(pair.Numbers.OneToOther.SignedMean, 3);
-    table.AddNumber(pair.One.Milliliters, 2);
-    table.AddNumber(pair.Other.Milliliters, 2);
   }
-  return table.Html();
+  return table;
 }
 } // namespace
 
@@ -156,12 +144,13 @@ std::string ComparisonOverview(const std::vector<PairComparison>& pairs,
     }
   }
   const std::size_t compared = pairs.size() - lost.size();
-  return ReportPage("Palpate comparisons",
-                    "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 comparisons</div>\n<h1>" +
-                        CountText(static_cast<std::int64_t>(compared), "pair", "pairs") +
-                        "</h1>\n</header>\n" + ReportSection("Summary", SummaryTable(pairs)) +
-                        ReportSection("Pairs", PairTable(pairs)) +
-                        ReportSection("Not compared", ReportNotes(lost)) +
-                        ReportSection("Without a partner", ReportNotes(unpaired)) + ReportFooter());
+  ReportPage page;
+  page.Header("comparisons", CountText(static_cast<std::int64_t>(compared), "pair", "pairs"))
+      .Section("Summary")
+      .Table(SummaryTable(pairs))
+      .Section("Pairs")
+      .Table(PairTable(pairs));
+  page.Section("Not compared").Notes(lost).Section("Without a partner").Notes(unpaired);
+  return page.Whole("Palpate comparisons");
 }
 } // namespace palpate

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -83,6 +85,38 @@ struct FitSettings
   bool AcceptsAllHidden() const { return this->MaximumHiddenPercent >= 100.0; }
 
   double MinimumDice = 0.75; ///< a model that overlaps the mask less than this is refused
+};
+
+/// What files, the command line and the window accept.
+struct FitLimits
+{
+  static constexpr double Smoothing = 10.0; ///< voxels
+  static constexpr int Frequency = 200;
+  static constexpr int Degree = 100; ///< a fit takes minutes and gigabytes
+};
+
+/// The words of the choices in files, on the command line and in the window, in the order of their
+/// enumerations.
+struct FitWords
+{
+  using Words = std::initializer_list<const char*>;
+  inline static const Words Model{"radial", "surface", "automatic"};
+  inline static const Words Method{"shape", "plain"};
+  inline static const Words Center{"centroid", "visible"};
+  inline static const Words Weight{"area", "solid-angle", "uniform"};
+  inline static const Words Penalty{"none", "given", "auto"};
+
+  template <typename Choice>
+  static std::string Of(const Words& words, Choice choice)
+  {
+    return *(words.begin() + static_cast<int>(choice));
+  }
+  /// The choice of one of the words.
+  template <typename Choice>
+  static void Take(const Words& words, const std::string& word, Choice& choice)
+  {
+    choice = static_cast<Choice>(std::find(words.begin(), words.end(), word) - words.begin());
+  }
 };
 
 inline bool operator==(const FitSettings& a, const FitSettings& b)

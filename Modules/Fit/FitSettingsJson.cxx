@@ -5,13 +5,6 @@ namespace palpate
 namespace
 {
 constexpr double LargestPlace = 1e6; // mm
-constexpr int HighestDegree = 100;
-
-const std::initializer_list<const char*> ModelWords{"radial", "surface", "automatic"};
-const std::initializer_list<const char*> MethodWords{"shape", "plain"};
-const std::initializer_list<const char*> CenterWords{"centroid", "visible"};
-const std::initializer_list<const char*> WeightWords{"area", "solid-angle", "uniform"};
-const std::initializer_list<const char*> PenaltyWords{"none", "given", "auto"};
 } // namespace
 
 void ExchangeFitSettings(JsonFields& fields, FitSettings& fit)
@@ -22,19 +15,19 @@ void ExchangeFitSettings(JsonFields& fields, FitSettings& fit)
   {
     fields.Exchange("rules", fit.Rules, 1, FitSettings::NewestRules);
   }
-  fields.Exchange("model", fit.Model, ModelWords);
-  fields.Exchange("method", fit.Method, MethodWords);
-  fields.Exchange("smoothing_voxels", fit.Smoothing, 0.0, 10.0);
+  fields.Exchange("model", fit.Model, FitWords::Model);
+  fields.Exchange("method", fit.Method, FitWords::Method);
+  fields.Exchange("smoothing_voxels", fit.Smoothing, 0.0, FitLimits::Smoothing);
   fields.Exchange("component", fit.Component, 0, 1'000'000'000);
   fields.Exchange("only_component", fit.IsAlone);
-  fields.Exchange("frequency", fit.Frequency, 1, 200);
-  fields.Exchange("center", fit.Center, CenterWords);
+  fields.Exchange("frequency", fit.Frequency, 1, FitLimits::Frequency);
+  fields.Exchange("center", fit.Center, FitWords::Center);
   fields.Exchange("center_mm", fit.GivenCenterWorld, -LargestPlace, LargestPlace);
-  fields.Exchange("degree", fit.Degree, 0, HighestDegree);
+  fields.Exchange("degree", fit.Degree, 0, FitLimits::Degree);
   fields.Exchange("tolerance_mm", fit.Tolerance, 0.0, LargestPlace);
-  fields.Exchange("max_degree", fit.MaximumDegree, 0, HighestDegree);
-  fields.Exchange("weights", fit.Weight, WeightWords);
-  fields.Exchange("penalty", fit.PenaltyKind, PenaltyWords);
+  fields.Exchange("max_degree", fit.MaximumDegree, 0, FitLimits::Degree);
+  fields.Exchange("weights", fit.Weight, FitWords::Weight);
+  fields.Exchange("penalty", fit.PenaltyKind, FitWords::Penalty);
   fields.Exchange("roughness", fit.Roughness, 0.0, 1e300);
   fields.Exchange("robust", fit.IsRobust);
   fields.Exchange("repair", fit.Repairs);

@@ -15,19 +15,6 @@ std::string Text(double value)
   return text.str();
 }
 
-const char* ModelWord(FitSettings::ModelKind kind)
-{
-  switch (kind)
-  {
-  case FitSettings::ModelKind::Radial:
-    return "radial";
-  case FitSettings::ModelKind::Surface:
-    return "surface";
-  default:
-    return "automatic";
-  }
-}
-
 std::string CenterText(const FitSettings& settings)
 {
   if (settings.GivenCenterWorld)
@@ -35,33 +22,7 @@ std::string CenterText(const FitSettings& settings)
     const auto& center = *settings.GivenCenterWorld;
     return Text(center[0]) + "," + Text(center[1]) + "," + Text(center[2]);
   }
-  return settings.Center == FitSettings::CenterChoice::Centroid ? "centroid" : "visible";
-}
-
-std::string WeightText(FitSettings::SampleWeight weight)
-{
-  switch (weight)
-  {
-  case FitSettings::SampleWeight::Area:
-    return "area";
-  case FitSettings::SampleWeight::SolidAngle:
-    return "solid-angle";
-  default:
-    return "uniform";
-  }
-}
-
-std::string PenaltyText(const FitSettings& settings)
-{
-  switch (settings.PenaltyKind)
-  {
-  case FitSettings::Penalty::Given:
-    return Text(settings.Roughness);
-  case FitSettings::Penalty::Automatic:
-    return "auto";
-  default:
-    return "none";
-  }
+  return FitWords::Of(FitWords::Center, settings.Center);
 }
 
 std::string ComponentText(const FitSettings& settings)
@@ -77,9 +38,8 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSetti
 {
   std::vector<std::pair<std::string, std::string>> result{
       {"rules", std::to_string(settings.Rules)},
-      {"model", ModelWord(settings.Model)},
-      {"method",
-       settings.Method == FitSettings::SurfaceMethod::ShapeInterpolation ? "shape" : "plain"},
+      {"model", FitWords::Of(FitWords::Model, settings.Model)},
+      {"method", FitWords::Of(FitWords::Method, settings.Method)},
       {"smoothing", Text(settings.Smoothing)},
       {"component", ComponentText(settings)},
       {"frequency", std::to_string(settings.Frequency)},
@@ -91,8 +51,10 @@ std::vector<std::pair<std::string, std::string>> DescribeSettings(const FitSetti
     result.emplace_back("tolerance", isOfVoxels ? "by the voxels" : Text(*settings.Tolerance));
     result.emplace_back("max-degree", std::to_string(settings.MaximumDegree));
   }
-  result.emplace_back("weights", WeightText(settings.Weight));
-  result.emplace_back("penalty", PenaltyText(settings));
+  result.emplace_back("weights", FitWords::Of(FitWords::Weight, settings.Weight));
+  result.emplace_back("penalty", settings.PenaltyKind == FitSettings::Penalty::Given
+                                     ? Text(settings.Roughness)
+                                     : FitWords::Of(FitWords::Penalty, settings.PenaltyKind));
   result.emplace_back("robust", settings.IsRobust ? "yes" : "no");
   result.emplace_back("repair", settings.Repairs ? "yes" : "no");
   result.emplace_back("max-hidden", Text(settings.MaximumHiddenPercent));

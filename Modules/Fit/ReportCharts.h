@@ -3,12 +3,12 @@
 #include "FitResult.h"
 #include "PalpateFitModule.h"
 
-#include <string>
-
 namespace palpate
 {
-/// The report's charts as HTML: power of the model by degree, error of the fit against the degree,
-/// and distribution of the distances from model to surface over the model's area. Charts without
-/// numbers are omitted; empty if all are.
-PALPATEFIT_EXPORT std::string ReportCharts(const FitResult& result);
+class ReportPage;
+
+/// Adds the report's charts: power of the model by degree, error of the fit against the degree, and
+/// distribution of the distances from model to surface over the model's area. Charts without
+/// numbers are omitted.
+PALPATEFIT_EXPORT void ReportCharts(ReportPage& page, const FitResult& result);
 } // namespace palpate

@@ -1,7 +1,6 @@
 #include "ReportIndex.h"
 
 #include "CaseText.h"
-#include "HtmlText.h"
 #include "ReportPage.h"
 #include "ReportVerdict.h"
 #include "WholeFile.h"
@@ -23,17 +22,9 @@ std::string ReasonText(const FitResult& result)
 } // namespace
 
 ReportIndex::ReportIndex()
-    : Table({{"Structure", "text"},
-             {"File", "text"},
-             {"Verdict", "text"},
-             {"Dice", "number"},
-             {"Mean, mm", "number"},
-             {"95 %, mm", "number"},
-             {"Max, mm", "number"},
-             {"Mask, ml", "number"},
-             {"Model, ml", "number"},
-             {"Degree", "number"},
-             {"Hidden, %", "number"}})
+    : Table({"Structure", "File", "Verdict", "Dice", "Mean, mm", "95 %, mm", "Max, mm", "Mask, ml",
+             "Model, ml", "Degree", "Hidden, %"},
+            true)
 {
 }
 
@@ -43,12 +34,12 @@ void ReportIndex::Add(const FitResult& result, int degree, const std::filesystem
   ++this->CaseCount;
   this->FittedCount += isFitted ? 1 : 0;
   const OutcomeText outcome = TextOf(result.State);
+  const std::string file = result.Input.filename().string();
   const auto number = [this](bool isKnown, double value, int digits)
-  { isKnown ? this->Table.AddNumber(value, digits) : this->Table.AddNothing(); };
-  this->Table.AddLink(HasStructure(result) ? StructureText(result) : "\xE2\x80\x93", report);
-  this->Table.AddText(result.Input.filename().string());
-  this->Table.AddHtml("<span class=\"" + outcome.Style + "\" title=\"" +
-                      EscapeHtml(ReasonText(result)) + "\">" + outcome.Title + "</span>");
+  { isKnown ? this->Table.Number(value, digits) : this->Table.Nothing(); };
+  this->Table.Link(HasStructure(result) ? StructureText(result) : "\xE2\x80\x93", report)
+      .Text(file)
+      .Marked(outcome.Style, outcome.Title, ReasonText(result));
   number(isFitted, result.Dice, 4);
   number(isFitted, result.ModelToInput().Mean, 3);
   number(isFitted, result.ModelToInput().Percentile95, 3);
@@ -59,26 +50,19 @@ void ReportIndex::Add(const FitResult& result, int degree, const std::filesystem
   number(isFitted || result.Surface != nullptr, result.HiddenPercent, 2);
   if (!isFitted)
   {
-    this->Messages += "<li><strong>" + EscapeHtml(result.Input.filename().string()) +
-                      "</strong>: " + EscapeHtml(ReasonText(result)) + "</li>\n";
+    this->Messages.push_back(file + ": " + ReasonText(result));
   }
 }
 
 void ReportIndex::Write(const std::filesystem::path& html) const
 {
-  const std::string messages = this->Messages.empty()
-                                   ? std::string()
-                                   : "<ul class=\"notes\">\n" + this->Messages + "</ul>\n";
-  WriteWholeFile(
-      html,
-      ReportPage("Palpate fits",
-                 "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 spherical-harmonic fits</div>\n"
-                 "<h1>" +
-                     std::to_string(this->CaseCount) + " cases, " +
-                     std::to_string(this->FittedCount) + " fitted</h1>\n</header>\n<section>\n" +
-                     this->Table.Html() +
-                     "<p class=\"soft\">Distances are those between model "
-                     "and mask boundary.</p>\n</section>\n" +
-                     ReportSection("Not fitted", messages) + ReportFooter()));
+  ReportPage page;
+  page.Header("spherical-harmonic fits", std::to_string(this->CaseCount) + " cases, " +
+                                             std::to_string(this->FittedCount) + " fitted")
+      .Table(this->Table)
+      .SoftText("Distances are those between model and mask boundary.")
+      .Section("Not fitted")
+      .Notes(this->Messages);
+  WriteWholeFile(html, page.Whole("Palpate fits"));
 }
 } // namespace palpate

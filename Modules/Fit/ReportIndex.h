@@ -2,10 +2,11 @@
 
 #include "FitResult.h"
 #include "PalpateFitModule.h"
-#include "SortableTable.h"
+#include "ReportTable.h"
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -26,7 +27,7 @@ public:
 private:
   int CaseCount = 0;
   int FittedCount = 0;
-  SortableTable Table;
-  std::string Messages; ///< of the cases that were not fitted
+  ReportTable Table;
+  std::vector<std::string> Messages; ///< of the cases that were not fitted
 };
 } // namespace palpate

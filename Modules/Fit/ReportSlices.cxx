@@ -1,12 +1,11 @@
 #include "ReportSlices.h"
 
-#include "AnatomicalView.h"
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "MeshConversion.h"
 #include "MeshVoxels.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
+#include "SixViews.h"
 #include "SliceContour.h"
 #include "SliceImage.h"
 #include "SlicePlane.h"
@@ -84,22 +83,6 @@ std::string PathElement(const std::string& style, const std::string& data)
   return data.empty() ? std::string() : "<path class=\"" + style + "\" d=\"" + data + "\"/>";
 }
 
-std::string Letter(double x, double y, const std::string& anchor, const std::string& text)
-{
-  return "<text x=\"" + FixedText(x, 1) + "\" y=\"" + FixedText(y, 1) + "\" text-anchor=\"" +
-         anchor + "\">" + text + "</text>";
-}
-
-std::string Letters(const SlicePlane& plane)
-{
-  const double middleX = 0.5 * plane.Width;
-  const double middleY = 0.5 * plane.Height + 5.0;
-  return Letter(5.0, middleY, "start", OrientationLetters(-plane.RightWorld)) +
-         Letter(plane.Width - 5.0, middleY, "end", OrientationLetters(plane.RightWorld)) +
-         Letter(middleX, 17.0, "middle", OrientationLetters(-plane.DownWorld)) +
-         Letter(middleX, plane.Height - 6.0, "middle", OrientationLetters(plane.DownWorld));
-}
-
 // A bar of 1, 2 or 5 times a power of ten in mm, at most a third of the width.
 std::string ScaleBar(const SlicePlane& plane)
 {
@@ -109,8 +92,8 @@ std::string ScaleBar(const SlicePlane& plane)
   const double y = plane.Height - 9.0;
   return "<line class=\"scale\" x1=\"8\" x2=\"" +
          FixedText(8.0 + length / plane.PixelMillimeters, 1) + "\" y1=\"" + FixedText(y, 1) +
-         "\" y2=\"" + FixedText(y, 1) + "\"/>" +
-         Letter(8.0, y - 6.0, "start", SignificantText(length, 3) + " mm");
+         "\" y2=\"" + FixedText(y, 1) + "\"/>" + "<text x=\"8.0\" y=\"" + FixedText(y - 6.0, 1) +
+         "\" text-anchor=\"start\">" + SignificantText(length, 3) + " mm</text>";
 }
 
 // A place to be seen in a slice.
@@ -128,8 +111,8 @@ std::string Ring(const SlicePlane& plane, const Place& place)
 }
 
 // `share` is the image's width relative to the widest one, so that all have the same scale.
-std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage& raster,
-                        const FitResult& result, const Place* place)
+ReportFigure SliceFigure(const SlicePlane& plane, double share, const RasterImage& raster,
+                         const FitResult& result, const Place* place)
 {
   const std::string width = std::to_string(plane.Width);
   const std::string height = std::to_string(plane.Height);
@@ -149,7 +132,8 @@ std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage
   {
     svg += PathElement("model", SurfaceContourPath(result.ModelSurface, plane));
   }
-  svg += Letters(plane) + ScaleBar(plane);
+  svg +=
+      SideLetters(plane.Width, plane.Height, plane.RightWorld, plane.DownWorld) + ScaleBar(plane);
   std::string caption = plane.Name;
   if (result.Mask)
   {
@@ -161,38 +145,38 @@ std::string SliceFigure(const SlicePlane& plane, double share, const RasterImage
     svg += Ring(plane, *place);
     caption = place->Name + ". " + caption;
   }
-  return ReportFigure(svg + "</svg>", caption);
+  return {svg + "</svg>", caption};
 }
 
-std::string Legend(const FitResult& result, const Volume* volume)
+ReportRows Legend(const FitResult& result, const Volume* volume)
 {
-  std::string html = "<ul class=\"legend\">";
+  ReportRows lines;
   if (result.Mask)
   {
-    html += "<li><i class=\"mask\"></i>mask, edges of its voxels</li>";
+    lines.emplace_back("mask", "mask, edges of its voxels");
   }
   if (result.Surface)
   {
-    html += std::string("<li><i class=\"surface\"></i>") +
-            (result.IsOfSurface ? "surface" : "surface of the mask") + "</li>";
+    lines.emplace_back("surface", result.IsOfSurface ? "surface" : "surface of the mask");
   }
   if (result.ModelSurface)
   {
-    html += "<li><i class=\"model\"></i>model</li>";
+    lines.emplace_back("model", "model");
   }
-  const std::string raster = volume               ? volume->Source.filename().string()
-                             : result.IsOfSurface ? "inside and outside, no volume given"
-                                                  : "the mask itself, no volume given";
-  return html + "<li class=\"soft\">image: " + EscapeHtml(raster) + "</li></ul>\n";
+  lines.emplace_back("", "image: " + (volume               ? volume->Source.filename().string()
+                                      : result.IsOfSurface ? "inside and outside, no volume given"
+                                                           : "the mask itself, no volume given"));
+  return lines;
 }
 
 // `places`: none, or one for each plane.
-std::string SliceFigures(const std::vector<SlicePlane>& planes, const std::vector<Place>& places,
-                         const FitResult& result, const Voxels& voxels, const Volume* volume)
+void AddSlices(ReportPage& page, const std::vector<SlicePlane>& planes,
+               const std::vector<Place>& places, const FitResult& result, const Voxels& voxels,
+               const Volume* volume)
 {
   if (planes.empty())
   {
-    return {};
+    return;
   }
   std::vector<std::vector<float>> values = SampleAll(planes, voxels, volume);
   GreyWindow window;
@@ -211,7 +195,7 @@ std::string SliceFigures(const std::vector<SlicePlane>& planes, const std::vecto
       std::max_element(planes.begin(), planes.end(),
                        [](const SlicePlane& a, const SlicePlane& b) { return a.Width < b.Width; })
           ->Width;
-  std::vector<std::string> figures(planes.size());
+  std::vector<ReportFigure> figures(planes.size());
   vtkSMPTools::For(
       0, static_cast<vtkIdType>(planes.size()),
       [&](vtkIdType first, vtkIdType last)
@@ -223,12 +207,11 @@ std::string SliceFigures(const std::vector<SlicePlane>& planes, const std::vecto
                                    places.empty() ? nullptr : &places[i]);
         }
       });
-  std::string html = Legend(result, volume) + "<div class=\"slices\">\n";
-  for (const std::string& figure : figures)
+  page.Legend(Legend(result, volume));
+  for (const ReportFigure& figure : figures)
   {
-    html += figure;
+    page.Figure("slices", figure);
   }
-  return html + "</div>\n";
 }
 
 std::vector<Place> PlacesOf(const MappedSurface& mapped)
@@ -256,21 +239,22 @@ std::vector<Place> PlacesOf(const MappedSurface& mapped)
 }
 } // namespace
 
-std::string ReportSlices(const FitResult& result, const Volume* volume)
+void ReportSlices(ReportPage& page, const FitResult& result, const Volume* volume)
 {
   const Voxels voxels = VoxelsOf(result);
-  return voxels.Image
-             ? SliceFigures(ChooseSlicePlanes(voxels.Image, voxels.Value, AxialCount, LongestSide),
-                            {}, result, voxels, volume)
-             : std::string();
+  if (voxels.Image)
+  {
+    AddSlices(page, ChooseSlicePlanes(voxels.Image, voxels.Value, AxialCount, LongestSide), {},
+              result, voxels, volume);
+  }
 }
 
-std::string ReportRepair(const FitResult& result, const Volume* volume)
+void ReportRepair(ReportPage& page, const FitResult& result, const Volume* volume)
 {
   const Voxels voxels = result.Details.Mapped ? VoxelsOf(result) : Voxels();
   if (!voxels.Image)
   {
-    return {};
+    return;
   }
   const std::vector<Place> places = PlacesOf(*result.Details.Mapped);
   std::vector<Vector3> points;
@@ -278,7 +262,7 @@ std::string ReportRepair(const FitResult& result, const Volume* volume)
   {
     points.push_back(place.World);
   }
-  return SliceFigures(SlicePlanesAt(points, voxels.Image, voxels.Value, LongestSide), places,
-                      result, voxels, volume);
+  AddSlices(page, SlicePlanesAt(points, voxels.Image, voxels.Value, LongestSide), places, result,
+            voxels, volume);
 }
 } // namespace palpate

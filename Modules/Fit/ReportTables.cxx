@@ -1,9 +1,8 @@
 #include "ReportTables.h"
 
 #include "DecimalText.h"
-#include "FitSettingsText.h"
-#include "HtmlText.h"
 #include "RepairRemarks.h"
+#include "ReportPage.h"
 
 #include <algorithm>
 
@@ -41,9 +40,9 @@ std::string ComponentList(const std::vector<double>& milliliters)
   return list + " ml" + (milliliters.size() > MostComponents ? "; \xE2\x80\xA6" : "");
 }
 
-HtmlRows MaskRows(const FitResult& result)
+ReportRows MaskRows(const FitResult& result)
 {
-  HtmlRows rows{{"Label", std::to_string(result.Structure.Label)}};
+  ReportRows rows{{"Label", std::to_string(result.Structure.Label)}};
   if (result.Mask)
   {
     int size[3];
@@ -71,7 +70,7 @@ HtmlRows MaskRows(const FitResult& result)
   return rows;
 }
 
-void AddDistances(HtmlRows& rows, const SurfaceDistances& distances)
+void AddDistances(ReportRows& rows, const SurfaceDistances& distances)
 {
   rows.emplace_back("Mean distance", Millimeters(distances.Mean));
   rows.emplace_back("Root mean square", Millimeters(distances.Rms));
@@ -79,11 +78,11 @@ void AddDistances(HtmlRows& rows, const SurfaceDistances& distances)
   rows.emplace_back("Maximum", Millimeters(distances.Maximum));
 }
 
-HtmlRows SurfaceRows(const FitResult& result)
+ReportRows SurfaceRows(const FitResult& result)
 {
-  HtmlRows rows{{"Points", std::to_string(result.Surface->GetNumberOfPoints())},
-                {"Triangles", std::to_string(result.Surface->GetNumberOfPolys())},
-                {"Volume", Milliliters(result.SurfaceMilliliters)}};
+  ReportRows rows{{"Points", std::to_string(result.Surface->GetNumberOfPoints())},
+                  {"Triangles", std::to_string(result.Surface->GetNumberOfPolys())},
+                  {"Volume", Milliliters(result.SurfaceMilliliters)}};
   // Measured with the model's quality, so missing for a refused structure.
   if (result.SurfaceAreaSquareMillimeters > 0.0)
   {
@@ -96,7 +95,7 @@ HtmlRows SurfaceRows(const FitResult& result)
   return rows;
 }
 
-HtmlRows ViewRows(const FitResult& result)
+ReportRows ViewRows(const FitResult& result)
 {
   return {{"Star-shaped", result.StarShaped ? "yes" : "no"},
           {"Hidden surface", Percent(result.HiddenPercent)},
@@ -105,11 +104,11 @@ HtmlRows ViewRows(const FitResult& result)
 }
 
 // How a surface model's structure was made ready for it; none of a radial model.
-HtmlRows MapRows(const FitResult& result)
+ReportRows MapRows(const FitResult& result)
 {
   const MappedSurface& mapped = *result.Details.Mapped;
   const TopologyReport& repair = mapped.Topology;
-  HtmlRows rows{
+  ReportRows rows{
       {"Changed by the repair", SignificantText(repair.ChangedPercent(), 3) + " % of the volume"}};
   if (result.IsOfSurface)
   {
@@ -137,7 +136,7 @@ HtmlRows MapRows(const FitResult& result)
   return rows;
 }
 
-HtmlRows CrossingRows(const FitResult& result)
+ReportRows CrossingRows(const FitResult& result)
 {
   const SurfaceModelDetails& details = result.Details;
   return {{"Pairs of triangles that cross", std::to_string(details.Crossings)},
@@ -147,7 +146,7 @@ HtmlRows CrossingRows(const FitResult& result)
           {"Determination of its placement", FixedText(details.Determination, 2)}};
 }
 
-HtmlRows ModelRows(const FitResult& result)
+ReportRows ModelRows(const FitResult& result)
 {
   const bool isRadial = result.Radial() != nullptr;
   return {{"Kind", isRadial ? "radial: a radius in each direction"
@@ -174,25 +173,18 @@ HtmlRows ModelRows(const FitResult& result)
           {"Area", FixedText(result.ModelAreaSquareMillimeters, 1) + " mm\xC2\xB2"}};
 }
 
-HtmlRows ModelToMaskRows(const FitResult& result)
+ReportRows ModelToMaskRows(const FitResult& result)
 {
-  HtmlRows rows{{"Dice", FixedText(result.Dice, 4)}};
+  ReportRows rows{{"Dice", FixedText(result.Dice, 4)}};
   AddDistances(rows, result.ModelToMask);
   const double difference = 100.0 * (result.ModelMilliliters / result.MaskMilliliters - 1.0);
   rows.emplace_back("Volume difference", Percent(difference));
   return rows;
 }
 
-std::string OverlapTable(const FitResult& result)
+ReportRows ModelToSurfaceRows(const FitResult& result)
 {
-  return HtmlTable("Overlap of model and surface",
-                   {{"Dice", FixedText(result.Dice, 4)},
-                    {"Cubes", SignificantText(result.DiceSpacing, 3) + " mm"}});
-}
-
-HtmlRows ModelToSurfaceRows(const FitResult& result)
-{
-  HtmlRows rows;
+  ReportRows rows;
   AddDistances(rows, result.ModelToSurface);
   const double volume = 100.0 * (result.ModelMilliliters / result.SurfaceMilliliters - 1.0);
   const double area =
@@ -202,9 +194,9 @@ HtmlRows ModelToSurfaceRows(const FitResult& result)
   return rows;
 }
 
-HtmlRows DegreeRows(const FitResult& result)
+ReportRows DegreeRows(const FitResult& result)
 {
-  HtmlRows rows;
+  ReportRows rows;
   const std::vector<double> power = PowerSpectrumOf(result.Model);
   for (std::size_t l = 0; l < power.size(); ++l)
   {
@@ -217,50 +209,46 @@ HtmlRows DegreeRows(const FitResult& result)
   }
   return rows;
 }
-
 } // namespace
 
-std::string ReportNumbers(const FitResult& result)
+void ReportNumbers(ReportPage& page, const FitResult& result)
 {
-  std::string html = result.IsOfSurface ? "" : HtmlTable("Mask", MaskRows(result));
+  if (!result.IsOfSurface)
+  {
+    page.Facts("Mask", MaskRows(result));
+  }
   if (result.Surface)
   {
-    html += HtmlTable(result.IsOfSurface ? "Surface" : "Surface, and its distance to the mask",
-                      SurfaceRows(result));
+    page.Facts(result.IsOfSurface ? "Surface" : "Surface, and its distance to the mask",
+               SurfaceRows(result));
     if (result.IsSampled)
     {
-      html += HtmlTable("Seen from the centre", ViewRows(result));
+      page.Facts("Seen from the centre", ViewRows(result));
     }
     if (result.Details.Mapped)
     {
-      html += HtmlTable("Repair, and map to the parameter sphere", MapRows(result));
+      page.Facts("Repair, and map to the parameter sphere", MapRows(result));
     }
   }
   if (result.State == FitResult::Outcome::Fitted)
   {
-    html += HtmlTable("Model", ModelRows(result)) +
-            (result.IsOfSurface ? OverlapTable(result)
-                                : HtmlTable("Model and mask", ModelToMaskRows(result))) +
-            HtmlTable("Model and surface", ModelToSurfaceRows(result)) +
-            (result.Details.Mapped ? HtmlTable("Crossings and placement", CrossingRows(result))
-                                   : std::string()) +
-            HtmlTable("Degree: power; RMS residual up to there", DegreeRows(result));
-  }
-  if (!result.Seconds.empty())
-  {
-    HtmlRows seconds;
-    for (const auto& [stage, time] : result.Seconds)
+    page.Facts("Model", ModelRows(result));
+    result.IsOfSurface ? page.Facts("Overlap of model and surface",
+                                    {{"Dice", FixedText(result.Dice, 4)},
+                                     {"Cubes", SignificantText(result.DiceSpacing, 3) + " mm"}})
+                       : page.Facts("Model and mask", ModelToMaskRows(result));
+    page.Facts("Model and surface", ModelToSurfaceRows(result));
+    if (result.Details.Mapped)
     {
-      seconds.emplace_back(stage, FixedText(time, 3) + " s");
+      page.Facts("Crossings and placement", CrossingRows(result));
     }
-    html += HtmlTable("Time", seconds);
+    page.Facts("Degree: power; RMS residual up to there", DegreeRows(result));
   }
-  return "<div class=\"tables\">\n" + html + "</div>\n";
-}
-
-std::string ReportSettings(const FitSettings& settings)
-{
-  return HtmlTable("Settings, named as the command line\xE2\x80\x99s options",
-                   DescribeSettings(settings));
+  ReportRows seconds;
+  for (const auto& [stage, time] : result.Seconds)
+  {
+    seconds.emplace_back(stage, FixedText(time, 3) + " s");
+  }
+  page.Facts("Time", seconds);
 }
 } // namespace palpate

@@ -4,8 +4,8 @@
 #include "DecimalText.h"
 #include "IcosahedronDirections.h"
 #include "ModelSurface.h"
+#include "ReportPage.h"
 #include "SixViews.h"
-#include "SoftwareRenderer.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -70,7 +70,7 @@ private:
   bool IsWide;
 };
 
-std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
+void AddErrorMap(ReportPage& page, const FitResult& result, vtkDataArray* distances)
 {
   constexpr SoftwareRenderer::Color Uncovered{{110, 110, 110}};
   const UncoveredCap uncovered(result);
@@ -86,30 +86,32 @@ std::string ErrorMap(const FitResult& result, vtkDataArray* distances)
   }
   SoftwareRenderer renderer(result.ModelSurface);
   renderer.SetPointColors(std::move(pointColors));
-  return "<p class=\"soft\">Signed distance from the model to the surface" +
-         std::string(result.IsOfSurface ? "" : " of the mask") + ", from " +
-         FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") + FixedText(range[1], 2) +
-         " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours." +
-         (uncovered.IsAny()
-              ? " Grey: no direction meets the surface there, so the model is undetermined."
-              : "") +
-         "</p>\n" + SixViews(renderer) +
-         DivergingColorBar(colors, "model inside", "mm", "model outside");
+  page.SoftText("Signed distance from the model to the surface" +
+                std::string(result.IsOfSurface ? "" : " of the mask") + ", from " +
+                FixedText(range[0], 2) + " to " + (range[1] > 0.0 ? "+" : "") +
+                FixedText(range[1], 2) +
+                " mm. Distances beyond the ends of the bar have the ends\xE2\x80\x99 colours." +
+                (uncovered.IsAny()
+                     ? " Grey: no direction meets the surface there, so the model is undetermined."
+                     : ""));
+  AddSixViews(page, renderer);
+  AddColorBar(page, colors, "model inside", "mm", "model outside");
 }
 } // namespace
 
-std::string ReportViews(const FitResult& result)
+void ReportViews(ReportPage& page, const FitResult& result)
 {
   vtkPolyData* shown = result.ModelSurface ? result.ModelSurface : result.Surface;
   if (!shown || shown->GetNumberOfPolys() == 0)
   {
-    return {};
+    return;
   }
   vtkDataArray* distances = DistancesOf(result.ModelSurface);
   if (distances && distances->GetNumberOfTuples() == shown->GetNumberOfPoints())
   {
-    return ErrorMap(result, distances);
+    AddErrorMap(page, result, distances);
+    return;
   }
-  return SixViews(SoftwareRenderer(shown));
+  AddSixViews(page, SoftwareRenderer(shown));
 }
 } // namespace palpate

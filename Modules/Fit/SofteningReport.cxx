@@ -2,12 +2,10 @@
 
 #include "ArrayColors.h"
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "IcosahedronDirections.h"
 #include "ModelSurface.h"
 #include "ReportPage.h"
 #include "SixViews.h"
-#include "SoftwareRenderer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +53,7 @@ std::string SofteningReport::Sentence() const
          " %. Tissue: " + this->Softness.Tissue + ".";
 }
 
-std::string SofteningReport::Views() const
+void SofteningReport::AddViews(ReportPage& page) const
 {
   double limit = 1.0; // noticeable step, so that noise has no colours
   for (const double noticed : this->Felt.Noticed)
@@ -63,25 +61,16 @@ std::string SofteningReport::Views() const
     limit = std::isnan(noticed) ? limit : std::max(limit, std::abs(noticed));
   }
   const vtkSmartPointer<vtkLookupTable> colors = MakeArrayColors(-limit, limit);
-  std::vector<SoftwareRenderer::Color> pointColors;
-  for (const double noticed : this->Felt.Noticed)
-  {
-    pointColors.push_back(ColorOf(colors, noticed));
-  }
   SoftwareRenderer renderer(this->Drawn);
-  renderer.SetPointColors(std::move(pointColors));
-  return SixViews(renderer) +
-         DivergingColorBar(colors, "softer", "noticeable steps from the median", "harder");
+  renderer.SetPointColors(SoftwareRenderer::ColorsOf(colors, this->Felt.Noticed));
+  AddSixViews(page, renderer);
+  AddColorBar(page, colors, "softer", "noticeable steps from the median", "harder");
 }
 
 std::string SofteningReport::Page() const
 {
   const ComplianceMaps& maps = *this->Softness.Elasticity;
-  HtmlRows rows;
-  for (const auto& [key, value] : this->Model.Provenance.Settings)
-  {
-    rows.emplace_back(key, value);
-  }
+  ReportRows rows = this->Model.Provenance.Settings;
   rows.emplace_back("unknowns", std::to_string(this->Softness.Account.Unknowns));
   rows.emplace_back("elements at the surface",
                     FixedText(this->Softness.Account.ElementEdge, 1) + " mm");
@@ -89,19 +78,19 @@ std::string SofteningReport::Page() const
                                                 " % of the compliance, at most " +
                                                 FixedText(100.0 * maps.FitError.Largest, 1) + " %");
   rows.emplace_back("largest patch", FixedText(maps.LargestPatch, 1) + " mm");
-  const std::string body =
-      "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 an organ that yields</div>\n<h1>" +
-      EscapeHtml(this->Name) + "</h1>\n</header>\n" +
-      ReportSection(
-          "How hard its places feel",
-          "<p>" + EscapeHtml(this->Sentence()) + "</p>\n<p class=\"soft\">" +
-              "A noticeable step is 7 % of the median force, at least 0.035 N. Grey: the ball does "
-              "not fit, or linear elasticity does not hold. The moduli are those that were given, "
-              "not measured in this patient; a hand at a one-point device feels less than "
-              "fingers.</p>\n" +
-              this->Views()) +
-      ReportSection("What was built", HtmlTable("Settings and result", rows)) +
-      ReportNotes(this->Softness.Warnings()) + ReportFooter();
-  return ReportPage(this->Name, body);
+  ReportPage page;
+  page.Header("an organ that yields", this->Name)
+      .Section("How hard its places feel")
+      .Text(this->Sentence())
+      .SoftText(
+          "A noticeable step is 7 % of the median force, at least 0.035 N. Grey: the ball does "
+          "not fit, or linear elasticity does not hold. The moduli are those that were given, "
+          "not measured in this patient; a hand at a one-point device feels less than "
+          "fingers.");
+  this->AddViews(page);
+  page.Section("What was built")
+      .Facts("Settings and result", rows)
+      .Notes(this->Softness.Warnings());
+  return page.Whole(this->Name);
 }
 } // namespace palpate

@@ -12,6 +12,8 @@
 
 namespace palpate
 {
+class ReportPage;
+
 /// What a model that yields would feel like to a ball.
 class PALPATEFIT_EXPORT SofteningReport
 {
@@ -30,7 +32,7 @@ public:
   std::string Page() const;
 
 private:
-  std::string Views() const;
+  void AddViews(ReportPage& page) const;
 
   const ModelDocument& Model;
   const ModelSoftness& Softness;

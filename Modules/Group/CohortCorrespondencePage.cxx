@@ -8,7 +8,6 @@
 #include "ShapeFigures.h"
 
 #include <algorithm>
-#include <ostream>
 #include <vector>
 
 namespace palpate
@@ -43,8 +42,8 @@ double LargestExtent(const std::vector<SurfaceModel>& models)
 
 std::string CaptionOf(const CohortGroup& group, const CorrespondingCase& one, bool showsNames)
 {
-  std::string caption = (showsNames ? group.Rows[one.Row].Case : std::to_string(one.Row + 1)) +
-                        ": " + FixedText(one.Found.Distance, 2) + " mm";
+  std::string caption =
+      group.ShownName(one.Row, showsNames) + ": " + FixedText(one.Found.Distance, 2) + " mm";
   if (one.Found.IsFlipped())
   {
     caption += ", flipped (" + FixedText(one.Found.TurnRatio(), 1) + ")";
@@ -59,24 +58,23 @@ std::string RuleText(const CohortCorrespondence& correspondence)
                     [](const CorrespondingCase& one) { return one.Found.IsFlipped(); });
   const auto outliers = std::count_if(correspondence.Cases.begin(), correspondence.Cases.end(),
                                       [](const CorrespondingCase& one) { return one.IsOutlier; });
-  return "<p>Each case from the front, at one scale, with the same colours on the parameter "
+  return "Each case from the front, at one scale, with the same colours on the parameter "
          "sphere: a hue for each octant, light and dark cells of 30\xC2\xB0. Equal colours are "
          "what the model takes for equal places. The cases are sorted by their RMS distance at "
          "equal "
          "parameters from the mean of all others, weighted as in their geometric median. "
-         "<em>Flipped</em>: in another orientation, 45\xC2\xB0 or more away, the case is clearly "
+         "Flipped: in another orientation, 45\xC2\xB0 or more away, the case is clearly "
          "closer to that mean; in brackets the ratio of the distances in its own orientation and "
          "in the other one, each at its optimum and best size, over " +
          FixedText(FlippedRatio, 0) +
-         ". <em>Outlier</em>: the distance is beyond the third quartile by 1.5 times the "
+         ". Outlier: the distance is beyond the third quartile by 1.5 times the "
          "quartiles\xE2\x80\x99 distance, of logarithms. Found: " +
-         std::to_string(flips) + " flipped, " + std::to_string(outliers) + " outliers.</p>\n";
+         std::to_string(flips) + " flipped, " + std::to_string(outliers) + " outliers.";
 }
 } // namespace
 
-void WriteCohortCorrespondenceSection(const CohortGroup& group,
-                                      const CohortCorrespondence& correspondence, bool showsNames,
-                                      std::ostream& page)
+void AddCohortCorrespondence(ReportPage& page, const CohortGroup& group,
+                             const CohortCorrespondence& correspondence, bool showsNames)
 {
   if (correspondence.Cases.empty())
   {
@@ -84,25 +82,23 @@ void WriteCohortCorrespondenceSection(const CohortGroup& group,
   }
   const std::vector<SoftwareRenderer::Color> colors = SphereColors();
   const ShapeFigures drawing(ThumbnailMargin * LargestExtent(group.Models), 1.0, ThumbnailSize);
-  const auto figure = [&](const SurfaceModel& model, const std::string& caption)
+  const auto add = [&](const SurfaceModel& model, const std::string& caption, bool isMarked)
   {
-    return drawing.Figure(DrawModel(model, ThumbnailFrequency), colors, ViewSide::Anterior,
-                          caption);
+    ReportFigure figure =
+        drawing.Figure(DrawModel(model, ThumbnailFrequency), colors, ViewSide::Anterior, caption);
+    figure.IsMarked = isMarked;
+    page.Figure("thumbnails", figure);
   };
-  page << ReportSectionStart("Correspondence") << RuleText(correspondence)
-       << "<div class=\"thumbnails\">\n"
-       << figure(ShapeOf(group, -1, 0.0), "mean");
+  page.Section("Correspondence").Text(RuleText(correspondence));
+  add(ShapeOf(group, -1, 0.0), "mean", false);
   for (std::size_t rank = 0; rank < correspondence.Cases.size(); ++rank)
   {
     const CorrespondingCase& one = correspondence.Cases[rank];
     const bool isMarked = one.Found.IsFlipped() || one.IsOutlier;
-    if (rank >= MostThumbnails && !isMarked)
+    if (rank < MostThumbnails || isMarked)
     {
-      continue;
+      add(group.Models[one.Row], CaptionOf(group, one, showsNames), isMarked);
     }
-    const std::string image = figure(group.Models[one.Row], CaptionOf(group, one, showsNames));
-    page << (isMarked ? "<div class=\"marked\">" + image + "</div>\n" : image);
   }
-  page << "</div>\n" << ReportSectionEnd();
 }
 } // namespace palpate

@@ -1,9 +1,9 @@
 #include "CohortEffectPage.h"
 
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "MappedMean.h"
 #include "ReportPage.h"
+#include "ReportTable.h"
 #include "ShapeFigures.h"
 #include "VarianceInflation.h"
 
@@ -22,33 +22,24 @@ constexpr double LeastLimit = 1e-3;  // mm; below it only rounding would be colo
 constexpr std::array<ViewSide, 4> EffectSides{
     {ViewSide::Anterior, ViewSide::Posterior, ViewSide::Right, ViewSide::Superior}};
 
-std::string TermRows(const CohortEffects& effects)
+ReportTable TermsOf(const CohortEffects& effects)
 {
-  std::string rows;
-  const auto cell = [](const std::string& text)
-  { return "<td class=\"number\">" + text + "</td>"; };
+  ReportTable table({"Term", "Pillai", "F (df)", "p, scores", "p, surface", "least p, TFCE",
+                     "least p, maximum", "largest, mm"});
   for (const TermEffect& effect : effects.Terms)
   {
     const MultivariateStatistic& pillai = effect.Scores.Pillai;
-    rows += "<tr><td class=\"text\">" + EscapeHtml(effect.Term.Name) + "</td>" +
-            cell(FixedText(pillai.Value, 3)) +
-            cell(SignificantText(pillai.F, 3) + " (" + SignificantText(pillai.NumeratorDegrees, 4) +
-                 ", " + SignificantText(pillai.DenominatorDegrees, 4) + ")") +
-            cell(SignificantText(pillai.P, 2)) + cell(SignificantText(effect.Points.WholeP, 2)) +
-            cell(SignificantText(effect.Points.EnhancedP.minCoeff(), 2)) +
-            cell(SignificantText(effect.Points.FamilyP.minCoeff(), 2)) +
-            cell(FixedText(effect.LargestMillimeters(), 2) + " " + EscapeHtml(effect.UnitText())) +
-            "</tr>\n";
+    table.Text(effect.Term.Name)
+        .Number(pillai.Value, 3)
+        .Value(SignificantText(pillai.F, 3) + " (" + SignificantText(pillai.NumeratorDegrees, 4) +
+               ", " + SignificantText(pillai.DenominatorDegrees, 4) + ")")
+        .Value(SignificantText(pillai.P, 2))
+        .Value(SignificantText(effect.Points.WholeP, 2))
+        .Value(SignificantText(effect.Points.EnhancedP.minCoeff(), 2))
+        .Value(SignificantText(effect.Points.FamilyP.minCoeff(), 2))
+        .Value(FixedText(effect.LargestMillimeters(), 2) + " " + effect.UnitText());
   }
-  return "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"text\">Term</th>"
-         "<th scope=\"col\" class=\"number\">Pillai</th><th scope=\"col\" class=\"number\">F "
-         "(df)</th>"
-         "<th scope=\"col\" class=\"number\">p, scores</th><th scope=\"col\" class=\"number\">p, "
-         "surface</th>"
-         "<th scope=\"col\" class=\"number\">least p, TFCE</th>"
-         "<th scope=\"col\" class=\"number\">least p, maximum</th>"
-         "<th scope=\"col\" class=\"number\">largest, mm</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
+  return table;
 }
 
 std::string BeyondText(const CohortEffects& effects)
@@ -62,60 +53,46 @@ std::string BeyondText(const CohortEffects& effects)
 
 std::string FormulaText(const CohortEffects& effects)
 {
-  const auto code = [](const std::string& text) { return "<code>" + EscapeHtml(text) + "</code>"; };
   std::string references;
   for (const auto& [factor, level] : effects.Design.References)
   {
-    references +=
-        (references.empty() ? " Reference levels: " : ", ") + EscapeHtml(factor + " " + level);
+    references.append(references.empty() ? " Reference levels: " : ", ")
+        .append(factor)
+        .append(" ")
+        .append(level);
   }
-  return "<p>Linear model " + code(effects.Formula.Text()) +
+  return "Linear model " + effects.Formula.Text() +
          " of the displacement along the mean\xE2\x80\x99s normal at " +
          std::to_string(effects.Surface.Points.size()) + " points, " +
          std::to_string(effects.Design.Cases.size()) + " cases, " +
          std::to_string(effects.Design.Columns.size()) + " coefficients." + references +
          (references.empty() ? "" : ".") + BeyondText(effects) +
          " In the images red is outward, blue inward; what is pale is not significant (TFCE, "
-         "0.05).</p>\n";
+         "0.05).";
 }
 
-std::string DesignNotes(const LinearDesign& design)
-{
-  std::vector<std::string> notes = InflationNotes(design);
-  if (!design.Omitted.empty())
-  {
-    notes.push_back(design.OmissionText());
-  }
-  return notes.empty() ? std::string() : ReportNotes(notes);
-}
-
-std::string EffectFigures(const CohortEffects& effects, const TermEffect& effect, vtkPolyData* mean)
+void AddFigures(ReportPage& page, const TermEffect& effect, vtkPolyData* mean)
 {
   ColoredShape shape;
   shape.Mesh = mean;
-  std::string figures;
   const ShapeFigures drawing(MarginShare * shape.Extent(),
                              std::max(effect.LargestMillimeters(), LeastLimit));
+  std::vector<bool> isPale;
+  for (const double p : effect.Points.EnhancedP)
+  {
+    isPale.push_back(p >= ShownSignificance);
+  }
   for (const ColumnEffect& column : effect.Columns)
   {
     const Eigen::VectorXd shown = effect.ShownUnits() * column.PerUnit;
     shape.Values.assign(shown.data(), shown.data() + shown.size());
-    std::vector<bool> isPale;
-    for (const double p : effect.Points.EnhancedP)
-    {
-      isPale.push_back(p >= ShownSignificance);
-    }
-    figures += "<h3>" +
-               EscapeHtml(column.Name + ", " + effect.UnitText() + ", full colour at " +
-                          SignificantText(drawing.Limit(), 3) + " mm") +
-               "</h3>\n<div class=\"views\">\n";
+    page.Subheading(column.Name + ", " + effect.UnitText() + ", full colour at " +
+                    SignificantText(drawing.Limit(), 3) + " mm");
     for (const ViewSide side : EffectSides)
     {
-      figures += drawing.Figure(shape, side, NameOf(side), isPale);
+      page.Figure("views", drawing.Figure(shape, side, NameOf(side), isPale));
     }
-    figures += "</div>\n";
   }
-  return figures;
 }
 } // namespace
 
@@ -138,14 +115,19 @@ std::string CohortEffectMethods(const CohortEffects& effects)
          "false-discovery rates are those of Benjamini and Hochberg.";
 }
 
-std::string CohortEffectSection(const CohortEffects& effects)
+void AddCohortEffects(ReportPage& page, const CohortEffects& effects)
 {
-  std::string content = FormulaText(effects) + TermRows(effects);
+  page.Section("Covariates").Text(FormulaText(effects)).Table(TermsOf(effects));
   const vtkSmartPointer<vtkPolyData> mean = MeanSurface(effects.Surface);
   for (const TermEffect& effect : effects.Terms)
   {
-    content += EffectFigures(effects, effect, mean);
+    AddFigures(page, effect, mean);
   }
-  return ReportSection("Covariates", content + DesignNotes(effects.Design));
+  std::vector<std::string> notes = InflationNotes(effects.Design);
+  if (!effects.Design.Omitted.empty())
+  {
+    notes.push_back(effects.Design.OmissionText());
+  }
+  page.Notes(notes);
 }
 } // namespace palpate

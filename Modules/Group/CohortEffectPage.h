@@ -7,11 +7,12 @@
 
 namespace palpate
 {
+class ReportPage;
+
 /// How the effects were found, to follow other sentences on methods (plain text).
 PALPATEGROUP_EXPORT std::string CohortEffectMethods(const CohortEffects& effects);
 
-/// A section of the cohort's page (HTML): the model in a sentence, a table of its terms, and the
-/// mean coloured by the displacement that each term brings (mm), pale where the corrected p-value
-/// is 0.05 or more.
-PALPATEGROUP_EXPORT std::string CohortEffectSection(const CohortEffects& effects);
+/// Adds the model in a sentence, a table of its terms, and the mean coloured by the displacement
+/// that each term brings (mm), pale where the corrected p-value is 0.05 or more.
+PALPATEGROUP_EXPORT void AddCohortEffects(ReportPage& page, const CohortEffects& effects);
 } // namespace palpate

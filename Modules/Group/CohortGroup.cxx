@@ -270,8 +270,7 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
     WriteShape(group, mode, -DrawnDeviations, folder / (name + "_minus.json"), program);
     WriteShape(group, mode, DrawnDeviations, folder / (name + "_plus.json"), program);
   }
-  WriteWholeFile(folder / "cohort.html", [&](std::ostream& page)
-                 { WriteCohortPage(group, output, DrawnDeviations, program, page); });
+  WriteWholeFile(folder / "cohort.html", CohortPage(group, output, DrawnDeviations, program));
   if (output.Effects != nullptr)
   {
     WriteCohortEffects(group, *output.Effects, folder);

@@ -32,6 +32,13 @@ struct CohortGroup
   std::vector<BodyMoments> Bodies;  ///< of the models in their patients' frames
   ShapeModes Modes;
   std::vector<CohortNote> Notes; ///< omitted cases and warnings
+
+  /// A row's case by its name or its number.
+  std::string ShownName(std::size_t row, bool showsNames) const
+  {
+    return showsNames ? this->Rows[row].Case : std::to_string(row + 1);
+  }
+
   ///@{ Of the model files read, also of those omitted: programs, and settings that all share.
   std::vector<std::string> FitPrograms;
   std::vector<std::pair<std::string, std::string>> FitSettings;

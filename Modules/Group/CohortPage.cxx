@@ -7,16 +7,15 @@
 #include "CohortQualityPage.h"
 #include "CohortReparametrisation.h"
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "ModeSlider.h"
 #include "ReportPage.h"
+#include "ReportTable.h"
 #include "ShapeFigures.h"
 #include "SvgChart.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ostream>
 #include <utility>
 
 namespace palpate
@@ -26,7 +25,7 @@ namespace
 constexpr double FrameShare = 1.05; // of the largest shape's extent
 constexpr std::array<ViewSide, 3> Sides{{ViewSide::Anterior, ViewSide::Right, ViewSide::Superior}};
 
-std::string Explained(const ShapeModes& modes)
+void AddExplained(ReportPage& page, const ShapeModes& modes)
 {
   SvgChart chart("mode", "explained variance, %");
   std::vector<std::pair<double, double>> bars;
@@ -35,38 +34,27 @@ std::string Explained(const ShapeModes& modes)
     bars.emplace_back(static_cast<double>(k + 1), 100.0 * modes.Explained[k]);
   }
   chart.SetBars(std::move(bars), 0.8);
-  return "<div class=\"charts\">" + ReportFigure(chart.Svg(), "Variance explained by each mode") +
-         "</div>\n";
+  page.Chart(chart, "Variance explained by each mode");
 }
 
-std::string CaseRows(const CohortGroup& group, bool showsNames)
+ReportTable CaseTable(const CohortGroup& group, bool showsNames)
 {
-  std::string rows;
-  const auto cell = [](const std::string& text)
-  { return "<td class=\"number\">" + text + "</td>"; };
-  const Eigen::Index scores = std::min<Eigen::Index>(group.Modes.Modes.cols(), 2);
+  ReportTable table({"Case", "Model, ml", "Dice", "Mode 1, sd", "Mode 2, sd"});
   for (std::size_t row = 0; row < group.Rows.size(); ++row)
   {
-    rows += "<tr><td class=\"text\">" +
-            (showsNames ? EscapeHtml(group.Rows[row].Case) : std::to_string(row + 1)) + "</td>" +
-            cell(FixedText(group.Bodies[row].Volume / 1000.0, 2)) +
-            cell(FixedText(group.Rows[row].Result.Dice, 4));
+    table.Text(group.ShownName(row, showsNames))
+        .Number(group.Bodies[row].Volume / 1000.0, 2)
+        .Number(group.Rows[row].Result.Dice, 4);
     for (Eigen::Index k = 0; k < 2; ++k)
     {
-      const bool isKnown = k < scores;
-      rows += cell(isKnown ? FixedText(group.Modes.Scores(static_cast<Eigen::Index>(row), k) /
-                                           group.Modes.Deviations[k],
-                                       2)
-                           : std::string());
+      k < group.Modes.Modes.cols()
+          ? table.Number(group.Modes.Scores(static_cast<Eigen::Index>(row), k) /
+                             group.Modes.Deviations[k],
+                         2)
+          : table.Nothing();
     }
-    rows += "</tr>\n";
   }
-  return "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"text\">Case</th>"
-         "<th scope=\"col\" class=\"number\">Model, ml</th>"
-         "<th scope=\"col\" class=\"number\">Dice</th>"
-         "<th scope=\"col\" class=\"number\">Mode 1, sd</th>"
-         "<th scope=\"col\" class=\"number\">Mode 2, sd</th></tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
+  return table;
 }
 
 // Cases that are not in the group have no number.
@@ -107,15 +95,26 @@ std::vector<ColoredShape> DrawAll(const CohortGroup& group, double deviations)
   return drawn;
 }
 
-std::string MethodsSection(const CohortGroup& group, const CohortOutput& output,
-                           const std::string& program)
+// The mean from three sides, and the shown modes.
+void AddShapes(ReportPage& page, const CohortGroup& group, const std::vector<ColoredShape>& drawn,
+               const ShapeFigures& figures, double deviations)
 {
-  std::string paragraphs;
-  for (const std::string& paragraph : CohortMethods(group, output, program))
+  page.Section("Mean shape");
+  for (const ViewSide side : Sides)
   {
-    paragraphs += "<p>" + EscapeHtml(paragraph) + "</p>\n";
+    page.Figure("views", figures.Figure(drawn.front(), side, NameOf(side)));
   }
-  return ReportSection("Methods", paragraphs);
+  const std::string several = SignificantText(deviations, 2) + " sd";
+  AddExplained(page.Section("Principal modes"), group.Modes);
+  for (int mode = 0; mode < ShownModes(group); ++mode)
+  {
+    const auto first = static_cast<std::size_t>(2 * mode + 1);
+    page.Subheading(ModeTitle(group, mode))
+        .Figure("views",
+                figures.Figure(drawn[first], ViewSide::Anterior, "mean \xE2\x88\x92 " + several))
+        .Put("views", ModeSlider(group, mode, deviations, figures))
+        .Figure("views", figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several));
+  }
 }
 } // namespace
 
@@ -124,8 +123,8 @@ int ShownModes(const CohortGroup& group)
   return static_cast<int>(std::min<Eigen::Index>(group.Modes.Modes.cols(), MostShownModes));
 }
 
-void WriteCohortPage(const CohortGroup& group, const CohortOutput& output, double deviations,
-                     const std::string& program, std::ostream& page)
+std::string CohortPage(const CohortGroup& group, const CohortOutput& output, double deviations,
+                       const std::string& program)
 {
   const std::vector<ColoredShape> drawn = DrawAll(group, deviations);
   double extent = 0.0;
@@ -136,50 +135,37 @@ void WriteCohortPage(const CohortGroup& group, const CohortOutput& output, doubl
     offset = std::max(offset, shape.LargestValue());
   }
   const ShapeFigures figures(FrameShare * extent, offset);
-  const std::string several = SignificantText(deviations, 2) + " sd";
-  std::string meanViews;
-  for (const ViewSide side : Sides)
-  {
-    meanViews += figures.Figure(drawn.front(), side, NameOf(side));
-  }
-  std::string modes = Explained(group.Modes);
-  for (int mode = 0; mode < ShownModes(group); ++mode)
-  {
-    const auto first = static_cast<std::size_t>(2 * mode + 1);
-    modes += "<h3>" + ModeTitle(group, mode) + "</h3>\n<div class=\"views\">\n" +
-             figures.Figure(drawn[first], ViewSide::Anterior, "mean \xE2\x88\x92 " + several) +
-             ModeSlider(group, mode, deviations, figures) +
-             figures.Figure(drawn[first + 1], ViewSide::Anterior, "mean + " + several) + "</div>\n";
-  }
-  page << ReportPageStart("Palpate cohort")
-       << "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 cohort</div>\n<h1>" +
+  ReportPage page;
+  page.Header("cohort",
               std::to_string(group.Rows.size()) + " shapes, degree " +
-              std::to_string(DegreeOf(group.Models.front())) +
-              "</h1>\n<p class=\"soft\">The centres are aligned; axes are " +
-              CohortAxesText(group, output) +
-              ". All images have the same scale; red is outside the mean, blue inside, full colour "
-              "at " +
-              SignificantText(figures.Limit(), 3) + " mm.</p>\n</header>\n"
-       << ReportSection("Mean shape", "<div class=\"views\">\n" + meanViews + "</div>\n")
-       << ReportSection("Principal modes", modes);
+                  std::to_string(DegreeOf(group.Models.front())),
+              "The centres are aligned; axes are " + CohortAxesText(group, output) +
+                  ". All images have the same scale; red is outside the mean, blue inside, full "
+                  "colour at " +
+                  SignificantText(figures.Limit(), 3) + " mm.");
+  AddShapes(page, group, drawn, figures, deviations);
   if (output.Reparametrisation != nullptr)
   {
-    page << ReparametrisationSection(*output.Reparametrisation);
+    AddReparametrisation(page, *output.Reparametrisation);
   }
   if (output.Effects != nullptr)
   {
-    page << CohortEffectSection(*output.Effects);
+    AddCohortEffects(page, *output.Effects);
   }
   if (output.Quality != nullptr)
   {
-    page << CohortQualitySections(group, *output.Quality, output.ShowsNames);
+    AddCohortQuality(page, group, *output.Quality, output.ShowsNames);
   }
   if (output.Correspondence != nullptr)
   {
-    WriteCohortCorrespondenceSection(group, *output.Correspondence, output.ShowsNames, page);
+    AddCohortCorrespondence(page, group, *output.Correspondence, output.ShowsNames);
   }
-  page << ReportSection("Cases", CaseRows(group, output.ShowsNames))
-       << ReportSection("Notes", ReportNotes(NoteTexts(group, output.ShowsNames)))
-       << MethodsSection(group, output, program) << ReportFooter() << ReportPageEnd();
+  page.Section("Cases").Table(CaseTable(group, output.ShowsNames));
+  page.Section("Notes").Notes(NoteTexts(group, output.ShowsNames)).Section("Methods");
+  for (const std::string& paragraph : CohortMethods(group, output, program))
+  {
+    page.Text(paragraph);
+  }
+  return page.Whole("Palpate cohort");
 }
 } // namespace palpate

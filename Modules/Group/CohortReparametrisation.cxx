@@ -5,6 +5,7 @@
 #include "InputError.h"
 #include "Progress.h"
 #include "ReportPage.h"
+#include "ReportTable.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -44,30 +45,23 @@ MovedCases SummaryOf(const std::vector<ReparametrisedCase>& cases)
   return moved;
 }
 
-std::string ComparedRow(const std::string& name, double before, double after, int digits)
-{
-  return "<tr><td class=\"text\">" + name + "</td><td class=\"number\">" +
-         FixedText(before, digits) + "</td><td class=\"number\">" + FixedText(after, digits) +
-         "</td></tr>\n";
-}
-
-std::string QualityRows(const ShapeModelQuality& before, const ShapeModelQuality& after)
+void AddQuality(ReportTable& table, const ShapeModelQuality& before, const ShapeModelQuality& after)
 {
   const Eigen::Index most =
       std::min(before.Compactness.Values.size(), after.Compactness.Values.size()) - 1;
-  std::string rows;
   for (const Eigen::Index modes : {Eigen::Index{5}, Eigen::Index{20}})
   {
     if (modes <= most)
     {
       const std::string with = ", " + std::to_string(modes) + " modes, mm";
-      rows += ComparedRow("generalisation" + with, before.Generalisation.Values[modes],
-                          after.Generalisation.Values[modes], 3) +
-              ComparedRow("specificity" + with, before.Specificity.Values[modes],
-                          after.Specificity.Values[modes], 3);
+      table.Text("generalisation" + with)
+          .Number(before.Generalisation.Values[modes], 3)
+          .Number(after.Generalisation.Values[modes], 3)
+          .Text("specificity" + with)
+          .Number(before.Specificity.Values[modes], 3)
+          .Number(after.Specificity.Values[modes], 3);
     }
   }
-  return rows;
 }
 } // namespace
 
@@ -149,20 +143,21 @@ std::string ReparametrisationText(const CohortReparametrisation& reparametrisati
          " mm allowed; largest of a point " + FixedText(moved.LargestChange, 2) + " mm).";
 }
 
-std::string ReparametrisationSection(const CohortReparametrisation& reparametrisation)
+void AddReparametrisation(ReportPage& page, const CohortReparametrisation& reparametrisation)
 {
   const ReparametrisationResult& result = reparametrisation.Result;
-  return ReportSection(
-      "Parameters moved",
-      "<p>" + ReparametrisationText(reparametrisation) +
-          " Distances at equal parameters are what was made small; that they are smaller does not "
-          "show that equal parameters are equal places of the organ.</p>\n"
-          "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"text\">Model of the "
-          "group</th><th scope=\"col\" class=\"number\">own parameters</th>"
-          "<th scope=\"col\" class=\"number\">moved</th></tr></thead><tbody>\n" +
-          ComparedRow("description length", result.LengthBefore, result.LengthAfter, 2) +
-          ComparedRow("variance, mm\xC2\xB2", result.VarianceBefore, result.VarianceAfter, 2) +
-          QualityRows(reparametrisation.Before, reparametrisation.After) +
-          "</tbody></table></div>\n");
+  ReportTable table({"Model of the group", "own parameters", "moved"});
+  table.Text("description length")
+      .Number(result.LengthBefore, 2)
+      .Number(result.LengthAfter, 2)
+      .Text("variance, mm\xC2\xB2")
+      .Number(result.VarianceBefore, 2)
+      .Number(result.VarianceAfter, 2);
+  AddQuality(table, reparametrisation.Before, reparametrisation.After);
+  page.Section("Parameters moved")
+      .Text(ReparametrisationText(reparametrisation) +
+            " Distances at equal parameters are what was made small; that they are smaller does "
+            "not show that equal parameters are equal places of the organ.")
+      .Table(table);
 }
 } // namespace palpate

@@ -10,6 +10,8 @@
 
 namespace palpate
 {
+class ReportPage;
+
 /// How the parameters of a group's cases were moved to suit the group.
 struct CohortReparametrisation
 {
@@ -34,7 +36,7 @@ ReparametrisationTable(const CohortGroup& group, const CohortReparametrisation& 
 PALPATEGROUP_EXPORT std::string
 ReparametrisationText(const CohortReparametrisation& reparametrisation);
 
-/// The part of the page.
-PALPATEGROUP_EXPORT std::string
-ReparametrisationSection(const CohortReparametrisation& reparametrisation);
+/// Adds the part of the page.
+PALPATEGROUP_EXPORT void AddReparametrisation(ReportPage& page,
+                                              const CohortReparametrisation& reparametrisation);
 } // namespace palpate

@@ -27,10 +27,10 @@ std::string ModeSlider(const CohortGroup& group, int mode, double deviations,
   for (int step = -StepsToASide; step <= StepsToASide; ++step)
   {
     const double moved = deviations * step / StepsToASide;
-    const std::string figure = figures.Figure(DrawOffsets(ShapeOf(group, mode, moved), mean),
-                                              ViewSide::Anterior, StepCaption(moved));
+    const ReportFigure figure = figures.Figure(DrawOffsets(ShapeOf(group, mode, moved), mean),
+                                               ViewSide::Anterior, StepCaption(moved));
     images += "<div data-step=\"" + std::to_string(step) + "\"" +
-              (step == 0 ? "" : " hidden=\"hidden\"") + ">" + figure + "</div>";
+              (step == 0 ? "" : " hidden=\"hidden\"") + ">" + figure.Html() + "</div>";
   }
   const std::string end = std::to_string(StepsToASide);
   return "<div>" + images + "<input style=\"width:100%\" type=\"range\" min=\"-" + end +

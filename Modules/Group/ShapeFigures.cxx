@@ -6,7 +6,6 @@
 #include "IcosahedronDirections.h"
 #include "ModelSurface.h"
 #include "RasterImage.h"
-#include "ReportPage.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -78,8 +77,8 @@ ShapeFigures::ShapeFigures(double halfWidth, double limit, int size)
 {
 }
 
-std::string ShapeFigures::Figure(const ColoredShape& shape, ViewSide side,
-                                 const std::string& caption, const std::vector<bool>& isPale) const
+ReportFigure ShapeFigures::Figure(const ColoredShape& shape, ViewSide side,
+                                  const std::string& caption, const std::vector<bool>& isPale) const
 {
   std::vector<SoftwareRenderer::Color> colors;
   for (std::size_t p = 0; p < shape.Values.size(); ++p)
@@ -90,8 +89,8 @@ std::string ShapeFigures::Figure(const ColoredShape& shape, ViewSide side,
   return this->Figure(shape.Mesh, std::move(colors), side, caption);
 }
 
-std::string ShapeFigures::Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer::Color> colors,
-                                 ViewSide side, const std::string& caption) const
+ReportFigure ShapeFigures::Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer::Color> colors,
+                                  ViewSide side, const std::string& caption) const
 {
   SoftwareRenderer renderer(mesh);
   renderer.SetPointColors(std::move(colors));
@@ -105,11 +104,10 @@ std::string ShapeFigures::Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer
   const auto text = [](double number) { return SignificantText(number, 6); };
   const std::string box = text(-this->HalfWidth) + " " + text(-this->HalfWidth) + " " +
                           text(2.0 * this->HalfWidth) + " " + text(2.0 * this->HalfWidth);
-  return ReportFigure("<svg class=\"view\" role=\"img\" viewBox=\"" + box + "\" aria-label=\"" +
-                          EscapeHtml(caption) + "\"><image x=\"" + text(x) + "\" y=\"" + text(y) +
-                          "\" width=\"" + text(2.0 * half) + "\" height=\"" + text(2.0 * half) +
-                          "\" href=\"" + PngDataUri(renderer.Render(side, this->Size)) +
-                          "\"/></svg>",
-                      caption);
+  return {"<svg class=\"view\" role=\"img\" viewBox=\"" + box + "\" aria-label=\"" +
+              EscapeHtml(caption) + "\"><image x=\"" + text(x) + "\" y=\"" + text(y) +
+              "\" width=\"" + text(2.0 * half) + "\" height=\"" + text(2.0 * half) + "\" href=\"" +
+              PngDataUri(renderer.Render(side, this->Size)) + "\"/></svg>",
+          caption};
 }
 } // namespace palpate

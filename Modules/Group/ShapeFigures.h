@@ -2,6 +2,7 @@
 
 #include "AnatomicalView.h"
 #include "PalpateGroupModule.h"
+#include "ReportPage.h"
 #include "SoftwareRenderer.h"
 #include "SurfaceModel.h"
 
@@ -29,8 +30,7 @@ struct ColoredShape
 /// A model of a group with the distance of each point outside the mean (mm).
 PALPATEGROUP_EXPORT ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean);
 
-/// Draws shapes at the same scale, with the common centre in the image's centre, as elements of a
-/// page.
+/// Draws shapes at the same scale, with the common centre in the image's centre.
 class PALPATEGROUP_EXPORT ShapeFigures
 {
 public:
@@ -41,11 +41,11 @@ public:
   /// The value of full colour.
   double Limit() const { return this->Colors->GetRange()[1]; }
   /// Points where `isPale` (one entry per point, or none) is set have little colour.
-  std::string Figure(const ColoredShape& shape, ViewSide side, const std::string& caption,
-                     const std::vector<bool>& isPale = {}) const;
+  ReportFigure Figure(const ColoredShape& shape, ViewSide side, const std::string& caption,
+                      const std::vector<bool>& isPale = {}) const;
   /// With a colour for each point.
-  std::string Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer::Color> colors, ViewSide side,
-                     const std::string& caption) const;
+  ReportFigure Figure(vtkPolyData* mesh, std::vector<SoftwareRenderer::Color> colors, ViewSide side,
+                      const std::string& caption) const;
 
 private:
   double HalfWidth;

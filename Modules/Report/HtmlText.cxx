@@ -37,15 +37,4 @@ std::string EscapeHtml(const std::string& text)
   }
   return escaped;
 }
-
-std::string HtmlTable(const std::string& caption, const HtmlRows& rows)
-{
-  std::string html = "<table><caption>" + EscapeHtml(caption) + "</caption><tbody>\n";
-  for (const auto& [name, value] : rows)
-  {
-    html += "<tr><th scope=\"row\">" + EscapeHtml(name) + "</th><td>" + EscapeHtml(value) +
-            "</td></tr>\n";
-  }
-  return html + "</tbody></table>\n";
-}
 } // namespace palpate

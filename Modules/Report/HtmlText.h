@@ -3,8 +3,6 @@
 #include "PalpateReportModule.h"
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace palpate
 {
@@ -12,10 +10,4 @@ namespace palpate
 /// replaced by references, line breaks and tabs by spaces, everything else that Printable replaces
 /// as it does.
 PALPATEREPORT_EXPORT std::string EscapeHtml(const std::string& text);
-
-/// Names and values, not yet escaped.
-using HtmlRows = std::vector<std::pair<std::string, std::string>>;
-
-/// A table of two columns with a caption; everything is escaped.
-PALPATEREPORT_EXPORT std::string HtmlTable(const std::string& caption, const HtmlRows& rows);
 } // namespace palpate

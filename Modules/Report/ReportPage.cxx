@@ -2,7 +2,9 @@
 
 #include "EarlierFiles.h"
 #include "HtmlText.h"
+#include "ReportTable.h"
 #include "SoftwareVersions.h"
+#include "SvgChart.h"
 
 namespace palpate
 {
@@ -64,7 +66,7 @@ figcaption { font-size: 13px; margin-top: 4px; }
 .views { display: grid; grid-template-columns: repeat(auto-fill, minmax(300px, 1fr)); gap: 14px; }
 .thumbnails { display: grid; grid-template-columns: repeat(auto-fill, minmax(104px, 1fr)); gap: 6px; }
 .thumbnails figcaption { font-size: 11px; margin-top: 1px; overflow-wrap: anywhere; }
-.thumbnails .marked { outline: 2px solid var(--bad); border-radius: 4px; }
+.marked { outline: 2px solid var(--bad); border-radius: 4px; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(340px, 1fr)); gap: 22px; }
 svg { display: block; width: 100%; height: auto; }
 svg text { fill: var(--ink); font-size: 12px; }
@@ -103,13 +105,12 @@ th { text-align: left; font-weight: 400; color: var(--soft); padding-right: 14px
 td { text-align: right; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 .wide { overflow-x: auto; }
 .wide th, .wide td { padding: 6px 12px 6px 0; white-space: nowrap; }
-.wide thead th { font-weight: 600; color: var(--ink); cursor: pointer;
-  border-bottom: 2px solid var(--soft); }
-.wide thead th:hover { color: var(--bar); }
+.wide thead th { font-weight: 600; color: var(--ink); border-bottom: 2px solid var(--soft); }
+.sortable thead th { cursor: pointer; } .sortable thead th:hover { color: var(--bar); }
 .wide thead th[aria-sort="ascending"]::after { content: " \2191"; }
 .wide thead th[aria-sort="descending"]::after { content: " \2193"; }
 .wide .text { text-align: left; } .wide .number { text-align: right; }
-.wide td.message { white-space: normal; min-width: 260px; }
+.wide .image { min-width: 130px; }
 footer { margin-top: 36px; color: var(--soft); font-size: 13px; }
 @media print {
   :root {
@@ -122,76 +123,163 @@ footer { margin-top: 36px; color: var(--soft); font-size: 13px; }
   .charts { grid-template-columns: repeat(2, 1fr); } .tables { columns: 2; }
 }
 )css";
+std::string Closed(const std::string& layout)
+{
+  return layout.empty() ? std::string() : "</div>\n";
+}
 } // namespace
 
-std::string ReportPage(const std::string& title, const std::string& body)
+std::string ReportFigure::Html() const
 {
-  return ReportPageStart(title) + body + ReportPageEnd();
+  return this->Svg.empty() ? std::string()
+                           : std::string("<figure") + (this->IsMarked ? " class=\"marked\"" : "") +
+                                 ">" + this->Svg + "<figcaption>" + EscapeHtml(this->Caption) +
+                                 "</figcaption></figure>\n";
 }
 
-std::string ReportPageStart(const std::string& title)
+ReportPage& ReportPage::Put(const std::string& layout, const std::string& html)
 {
-  return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n") +
-         PageGenerator +
-         "\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         EscapeHtml(title) + "</title>\n<style>" + Colors + PageLayout + Images + Tables +
-         "</style>\n</head>\n<body>\n<main>\n";
+  if (html.empty())
+  {
+    return *this;
+  }
+  if (!this->Heading.empty())
+  {
+    this->Html = this->Body() + "<section>\n<h2>" + EscapeHtml(this->Heading) + "</h2>\n";
+    this->IsInSection = true;
+    this->Heading.clear();
+    this->Layout.clear();
+  }
+  if (this->Layout != layout)
+  {
+    this->Html +=
+        Closed(this->Layout) + (layout.empty() ? layout : "<div class=\"" + layout + "\">\n");
+    this->Layout = layout;
+  }
+  this->Html += html;
+  return *this;
 }
 
-std::string ReportPageEnd()
+ReportPage& ReportPage::Section(const std::string& heading)
 {
-  return "</main>\n</body>\n</html>\n";
+  this->Heading = heading;
+  return *this;
 }
 
-std::string ReportSection(const std::string& heading, const std::string& content)
+ReportPage& ReportPage::Header(const std::string& kind, const std::string& heading,
+                               const std::string& about)
 {
-  return content.empty() ? std::string()
-                         : ReportSectionStart(heading) + content + ReportSectionEnd();
+  return this->Put(
+      {}, "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 " + EscapeHtml(kind) + "</div>\n<h1>" +
+              EscapeHtml(heading) + "</h1>\n" +
+              (about.empty() ? about : "<p class=\"soft\">" + EscapeHtml(about) + "</p>\n") +
+              "</header>\n");
 }
 
-std::string ReportSectionStart(const std::string& heading)
+ReportPage& ReportPage::Verdict(const std::string& style, const std::string& word,
+                                const std::string& text)
 {
-  return "<section>\n<h2>" + EscapeHtml(heading) + "</h2>\n";
+  return this->Put({}, "<div class=\"verdict " + style + "\">" +
+                           (word.empty() ? word : "<strong>" + EscapeHtml(word) + "</strong>") +
+                           "<p>" + EscapeHtml(text) + "</p></div>\n");
 }
 
-std::string ReportSectionEnd()
+ReportPage& ReportPage::Subheading(const std::string& heading)
 {
-  return "</section>\n";
+  return this->Put({}, "<h3>" + EscapeHtml(heading) + "</h3>\n");
 }
 
-std::string ReportFigure(const std::string& content, const std::string& caption)
+ReportPage& ReportPage::Text(const std::string& text)
 {
-  return content.empty() ? std::string()
-                         : "<figure>" + content + "<figcaption>" + EscapeHtml(caption) +
-                               "</figcaption></figure>\n";
+  return this->Put({}, text.empty() ? text : "<p>" + EscapeHtml(text) + "</p>\n");
 }
 
-std::string ReportCard(const std::string& name, const std::string& value, const std::string& unit,
-                       const std::string& remark)
+ReportPage& ReportPage::SoftText(const std::string& text)
 {
-  return "<div class=\"card\"><dt>" + EscapeHtml(name) + "</dt><dd>" + EscapeHtml(value) +
-         (unit.empty() ? "" : " <span class=\"unit\">" + EscapeHtml(unit) + "</span>") +
-         (remark.empty() ? "" : "<small>" + EscapeHtml(remark) + "</small>") + "</dd></div>\n";
+  return this->Put({}, "<p class=\"soft\">" + EscapeHtml(text) + "</p>\n");
 }
 
-std::string ReportNotes(const std::vector<std::string>& notes)
+ReportPage& ReportPage::Notes(const std::vector<std::string>& notes)
 {
   std::string items;
   for (const std::string& note : notes)
   {
     items += "<li>" + EscapeHtml(note) + "</li>\n";
   }
-  return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
+  return this->Put({}, items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n");
 }
 
-std::string ReportFooter(const std::string& text)
+ReportPage& ReportPage::Cards(const std::vector<ReportCard>& cards)
 {
-  std::string all = text;
+  const auto element = [](const char* start, const std::string& text, const char* end)
+  { return text.empty() ? text : start + EscapeHtml(text) + end; };
+  std::string html;
+  for (const ReportCard& card : cards)
+  {
+    html += element("<div class=\"card\"><dt>", card.Name, "</dt>") + "<dd>" +
+            EscapeHtml(card.Value) + element(" <span class=\"unit\">", card.Unit, "</span>") +
+            element("<small>", card.Remark, "</small>") + "</dd></div>\n";
+  }
+  return this->Put({}, html.empty() ? html : "<dl class=\"cards\">\n" + html + "</dl>\n");
+}
+
+ReportPage& ReportPage::Facts(const std::string& caption, const ReportRows& rows)
+{
+  std::string html;
+  for (const auto& [name, value] : rows)
+  {
+    html += "<tr><th scope=\"row\">" + EscapeHtml(name) + "</th><td>" + EscapeHtml(value) +
+            "</td></tr>\n";
+  }
+  return this->Put("tables", html.empty()
+                                 ? html
+                                 : "<table><caption>" + EscapeHtml(caption) +
+                                       "</caption><tbody>\n" + html + "</tbody></table>\n");
+}
+
+ReportPage& ReportPage::Table(const ReportTable& table)
+{
+  return this->Put({}, table.Html());
+}
+
+ReportPage& ReportPage::Legend(const ReportRows& styles)
+{
+  std::string html;
+  for (const auto& [style, text] : styles)
+  {
+    html += (style.empty() ? "<li class=\"soft\">" : "<li><i class=\"" + style + "\"></i>") +
+            EscapeHtml(text) + "</li>";
+  }
+  return this->Put({}, "<ul class=\"legend\">" + html + "</ul>\n");
+}
+
+ReportPage& ReportPage::Chart(const SvgChart& chart, const std::string& caption)
+{
+  return this->Figure("charts", {chart.Svg(), caption});
+}
+
+ReportPage& ReportPage::Figure(const char* layout, const ReportFigure& figure)
+{
+  return this->Put(layout, figure.Html());
+}
+
+std::string ReportPage::Body() const
+{
+  return this->Html + Closed(this->Layout) + (this->IsInSection ? "</section>\n" : "");
+}
+
+std::string ReportPage::Whole(const std::string& title, const std::string& footer) const
+{
+  std::string versions = footer;
   for (const auto& [name, version] : SoftwareVersions())
   {
-    all.append(all.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
+    versions.append(versions.empty() ? "" : " \xC2\xB7 ").append(name).append(" ").append(version);
   }
-  return "<footer>" + EscapeHtml(all) + "</footer>\n";
+  return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n") +
+         PageGenerator +
+         "\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
+         EscapeHtml(title) + "</title>\n<style>" + Colors + PageLayout + Images + Tables +
+         "</style>\n</head>\n<body>\n<main>\n" + this->Body() + "<footer>" + EscapeHtml(versions) +
+         "</footer>\n</main>\n</body>\n</html>\n";
 }
 } // namespace palpate

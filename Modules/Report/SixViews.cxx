@@ -6,7 +6,6 @@
 #include "HtmlText.h"
 #include "RasterImage.h"
 #include "ReportPage.h"
-#include "SoftwareRenderer.h"
 
 #include "vtkSMPTools.h"
 
@@ -26,42 +25,47 @@ std::string CssColor(const std::array<std::uint8_t, 3>& color)
   return text.data();
 }
 
-std::string ViewFigure(const SoftwareRenderer& renderer, ViewSide side)
+ReportFigure ViewFigure(const SoftwareRenderer& renderer, ViewSide side)
 {
   const ViewFrame frame = FrameOf(side);
   const std::string size = std::to_string(ViewSize);
-  const auto letter = [](double x, double y, const char* anchor, const Vector3& direction)
-  {
-    return "<text x=\"" + FixedText(x, 0) + "\" y=\"" + FixedText(y, 0) + "\" text-anchor=\"" +
-           anchor + "\">" + OrientationLetters(direction) + "</text>";
-  };
   const std::string svg =
       "<svg class=\"view\" role=\"img\" viewBox=\"0 0 " + size + " " + size + "\" aria-label=\"" +
       NameOf(side) + " view\"><image width=\"" + size + "\" height=\"" + size + "\" href=\"" +
       PngDataUri(renderer.Render(side, ViewSize)) + "\"/>" +
-      letter(6.0, 0.5 * ViewSize + 5.0, "start", -frame.RightWorld) +
-      letter(ViewSize - 6.0, 0.5 * ViewSize + 5.0, "end", frame.RightWorld) +
-      letter(0.5 * ViewSize, 16.0, "middle", frame.UpWorld) +
-      letter(0.5 * ViewSize, ViewSize - 6.0, "middle", -frame.UpWorld) + "</svg>";
-  return ReportFigure(svg, NameOf(side));
+      SideLetters(ViewSize, ViewSize, frame.RightWorld, -frame.UpWorld) + "</svg>";
+  return {svg, NameOf(side)};
 }
 } // namespace
 
-std::string SixViews(const SoftwareRenderer& renderer)
+std::string SideLetters(double width, double height, const Vector3& rightWorld,
+                        const Vector3& downWorld)
 {
-  std::array<std::string, AllViewSides.size()> figures;
-  vtkSMPTools::Transform(AllViewSides.begin(), AllViewSides.end(), figures.begin(),
-                         [&](ViewSide side) { return ViewFigure(renderer, side); });
-  std::string html = "<div class=\"views\">\n";
-  for (const std::string& figure : figures)
+  const auto letter = [](double x, double y, const char* anchor, const Vector3& direction)
   {
-    html += figure;
-  }
-  return html + "</div>\n";
+    return "<text x=\"" + FixedText(x, 1) + "\" y=\"" + FixedText(y, 1) + "\" text-anchor=\"" +
+           anchor + "\">" + OrientationLetters(direction) + "</text>";
+  };
+  const double middleY = 0.5 * height + 5.0;
+  return letter(5.0, middleY, "start", -rightWorld) +
+         letter(width - 5.0, middleY, "end", rightWorld) +
+         letter(0.5 * width, 17.0, "middle", -downWorld) +
+         letter(0.5 * width, height - 6.0, "middle", downWorld);
 }
 
-std::string DivergingColorBar(vtkLookupTable* colors, const std::string& low,
-                              const std::string& unit, const std::string& high)
+void AddSixViews(ReportPage& page, const SoftwareRenderer& renderer)
+{
+  std::array<ReportFigure, AllViewSides.size()> figures;
+  vtkSMPTools::Transform(AllViewSides.begin(), AllViewSides.end(), figures.begin(),
+                         [&](ViewSide side) { return ViewFigure(renderer, side); });
+  for (const ReportFigure& figure : figures)
+  {
+    page.Figure("views", figure);
+  }
+}
+
+void AddColorBar(ReportPage& page, vtkLookupTable* colors, const std::string& low,
+                 const std::string& unit, const std::string& high)
 {
   const double limit = colors->GetRange()[1];
   constexpr int Stops = 16;
@@ -84,8 +88,9 @@ std::string DivergingColorBar(vtkLookupTable* colors, const std::string& low,
     svg += "<text text-anchor=\"middle\" x=\"" + FixedText(x, 1) + "\" y=\"48\">" + sign +
            SignificantText(share * limit, 3) + "</text>";
   }
-  return svg + "<text x=\"20\" y=\"12\">" + EscapeHtml(low) + "</text><text x=\"380\" y=\"12\" " +
-         "text-anchor=\"end\">" + EscapeHtml(high) + "</text><text x=\"200\" y=\"12\" " +
-         "text-anchor=\"middle\">" + EscapeHtml(unit) + "</text></svg>\n";
+  page.Put({}, svg + "<text x=\"20\" y=\"12\">" + EscapeHtml(low) +
+                   "</text><text x=\"380\" y=\"12\" " + "text-anchor=\"end\">" + EscapeHtml(high) +
+                   "</text><text x=\"200\" y=\"12\" " + "text-anchor=\"middle\">" +
+                   EscapeHtml(unit) + "</text></svg>\n");
 }
 } // namespace palpate

@@ -1,5 +1,7 @@
 #include "SoftwareRenderer.h"
 
+#include "ArrayColors.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
@@ -145,6 +147,17 @@ void SoftwareRenderer::MakeNormals()
 void SoftwareRenderer::SetColor(const Color& color)
 {
   this->Colors.assign(this->Points.size(), color);
+}
+
+std::vector<SoftwareRenderer::Color> SoftwareRenderer::ColorsOf(vtkLookupTable* table,
+                                                                const std::vector<double>& numbers)
+{
+  std::vector<Color> colors;
+  for (const double number : numbers)
+  {
+    colors.push_back(ColorOf(table, number));
+  }
+  return colors;
 }
 
 void SoftwareRenderer::SetPointColors(std::vector<Color> colors)

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+class vtkLookupTable;
 class vtkPolyData;
 
 namespace palpate
@@ -31,6 +32,8 @@ public:
   void SetColor(const Color& color);
   /// One colour per point; ignored if the count differs.
   void SetPointColors(std::vector<Color> colors);
+  /// The colours of numbers, one per point.
+  static std::vector<Color> ColorsOf(vtkLookupTable* table, const std::vector<double>& numbers);
 
   /// Half width of an image in mm: the same for all sides, so that their scales can be compared.
   double HalfWidthMillimeters() const { return this->HalfWidth; }

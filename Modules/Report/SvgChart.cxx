@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate
 {
@@ -145,6 +146,42 @@ void SvgChart::SetLine(Points points)
 {
   this->Data = std::move(points);
   this->BarWidth = 0.0;
+}
+
+void SvgChart::SetHistogram(const std::vector<double>& values, const std::vector<double>& weights,
+                            int bins)
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  double total = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (std::isfinite(values[i]))
+    {
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+      total += weights[i];
+    }
+  }
+  const double width = (high - low) / bins;
+  if (!(width > 1e-9)) // only rounding
+  {
+    return;
+  }
+  Points bars;
+  for (int bin = 0; bin < bins; ++bin)
+  {
+    bars.emplace_back(low + (bin + 0.5) * width, 0.0);
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (std::isfinite(values[i]))
+    {
+      const int bin = std::min(bins - 1, static_cast<int>((values[i] - low) / width));
+      bars[static_cast<std::size_t>(bin)].second += 100.0 * weights[i] / total;
+    }
+  }
+  this->SetBars(std::move(bars), width);
 }
 
 void SvgChart::SetMarker(double x, std::string text)

@@ -37,6 +37,10 @@ public:
   /// Bars are `width` wide in the unit of x, which is linear.
   void SetBars(Points points, double width);
   void SetLine(Points points);
+  /// Bars of the share (%) of the weights in each of `bins` equal intervals of the finite values;
+  /// none if these are equal.
+  void SetHistogram(const std::vector<double>& values, const std::vector<double>& weights,
+                    int bins);
   void SetDots(std::vector<Dot> dots) { this->Dots = std::move(dots); }
   /// A staircase line through these points, e.g. a Pareto front.
   void SetStairs(Points points) { this->Stairs = std::move(points); }

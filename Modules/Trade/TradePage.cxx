@@ -1,8 +1,8 @@
 #include "TradePage.h"
 
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "ReportPage.h"
+#include "ReportTable.h"
 #include "SvgChart.h"
 #include "TradeText.h"
 #include "Units.h"
@@ -66,10 +66,6 @@ std::vector<const TradeRow*> FeltRows(const TradeStructureResult& structure)
   return rows;
 }
 
-constexpr const char* YieldingNote = "<p class=\"soft\">The structure yields: errors are those of "
-                                     "its force. Positions of the tool are "
-                                     "not compared.</p>\n";
-
 struct Plot
 {
   const char* Label;
@@ -101,7 +97,7 @@ std::vector<std::pair<double, double>> PlacesOf(const std::vector<const TradeRow
   return places;
 }
 
-std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plot)
+void AddPlot(ReportPage& page, const std::vector<const TradeRow*>& rows, const Plot& plot)
 {
   const auto places = PlacesOf(rows, plot.Error);
   const std::vector<std::size_t> front = ParetoFront(places);
@@ -129,7 +125,7 @@ std::string PlotFigure(const std::vector<const TradeRow*>& rows, const Plot& plo
   {
     chart.SetThreshold(plot.Threshold, plot.ThresholdText);
   }
-  return ReportFigure(chart.Svg(), plot.Caption);
+  page.Chart(chart, plot.Caption);
 }
 
 bool Yields(const std::vector<const TradeRow*>& rows)
@@ -137,21 +133,16 @@ bool Yields(const std::vector<const TradeRow*>& rows)
   return std::any_of(rows.begin(), rows.end(), [](const TradeRow* row) { return row->Yields; });
 }
 
-std::string Legend(bool yields)
+ReportRows LegendOf(bool yields)
 {
-  return std::string("<ul class=\"legend\">") +
-         (yields ? "<li><i class=\"third\"></i>elastic</li>"
-                   "<li><i class=\"first\"></i>rigid</li>"
-                 : "<li><i class=\"first\"></i>spherical harmonics</li>"
-                   "<li><i class=\"second\"></i>facets</li>"
-                   "<li><i class=\"third\"></i>sub-voxel field</li>") +
-         "<li>numbered: no other setting is both faster and more accurate; see the "
-         "table</li></ul>\n";
-}
-
-std::string Cell(const std::string& text)
-{
-  return "<td class=\"number\">" + text + "</td>";
+  ReportRows lines{{"third", "elastic"}, {"first", "rigid"}};
+  if (!yields)
+  {
+    lines = {{"first", "spherical harmonics"}, {"second", "facets"}, {"third", "sub-voxel field"}};
+  }
+  lines.emplace_back("",
+                     "numbered: no other setting is both faster and more accurate; see the table");
+  return lines;
 }
 
 struct Column
@@ -194,64 +185,60 @@ std::vector<Column> ColumnsOf(bool yields)
   return columns;
 }
 
-std::string FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* chosen)
+ReportTable FeltTable(const std::vector<const TradeRow*>& rows, const TradeRow* chosen)
 {
   const std::vector<Column> columns = ColumnsOf(Yields(rows));
-  std::string html =
-      "<div class=\"wide\"><table><thead><tr><th scope=\"col\" class=\"number\"></th>"
-      "<th scope=\"col\" class=\"text\">Setting</th>";
+  std::vector<std::string> heads{"", "Setting"};
   for (const Column& column : columns)
   {
-    html += std::string("<th scope=\"col\" class=\"number\">") + column.Head + "</th>";
+    heads.emplace_back(column.Head);
   }
-  html += "</tr></thead><tbody>\n";
+  ReportTable table(std::move(heads));
   for (std::size_t r = 0; r < rows.size(); ++r)
   {
-    const TradeRow& row = *rows[r];
-    const std::string name = EscapeHtml(Describe(row));
-    html += std::string("<tr>") + Cell(std::to_string(r + 1)) + "<td class=\"text\">" +
-            (&row == chosen ? "<strong class=\"good\">" + name + "</strong>" : name) + "</td>";
+    table.Value(std::to_string(r + 1));
+    rows[r] == chosen ? table.Marked("good", Describe(*chosen)) : table.Text(Describe(*rows[r]));
     for (const Column& column : columns)
     {
-      html += Cell(NumberText(column.Factor * row.*column.Number));
+      table.Value(NumberText(column.Factor * rows[r]->*column.Number));
     }
-    html += "</tr>\n";
   }
-  return html + "</tbody></table></div>\n";
+  return table;
 }
 
-std::string Refusals(const TradeStructureResult& structure)
-{
-  const std::string notes = ReportNotes(RefusalsOf(structure));
-  return notes.empty() ? notes : "<h3>Not measured</h3>\n" + notes;
-}
-
-std::string StructureSection(const TradeStructureResult& structure)
+void AddStructure(ReportPage& page, const TradeStructureResult& structure)
 {
   const std::vector<const TradeRow*> rows = FeltRows(structure);
   const TradeAdvice& advice = structure.Advice;
-  const TradeRow* chosen = advice.Row ? &structure.Rows[*advice.Row] : nullptr;
-  std::string plots;
   const bool yields = Yields(rows);
+  page.Section(structure.Name)
+      .Verdict(advice.IsMet ? "good" : "poor", "", CapitalOf(advice.Message) + ".")
+      .SoftText("Reference: " +
+                (structure.Rows.empty() ? std::string() : structure.Rows.front().Truth) + ".");
+  if (yields)
+  {
+    page.SoftText("The structure yields: errors are those of its force. Positions of the tool are "
+                  "not compared.");
+  }
+  page.Legend(LegendOf(yields));
   for (const Plot& plot : Plots)
   {
-    const bool isOfPositions = plot.Error == &TradeRow::PositionRare;
-    plots += yields && isOfPositions ? std::string() : PlotFigure(rows, plot);
+    if (!yields || plot.Error != &TradeRow::PositionRare)
+    {
+      AddPlot(page, rows, plot);
+    }
   }
-  const std::string truth = structure.Rows.empty() ? std::string() : structure.Rows.front().Truth;
-  return ReportSection(structure.Name,
-                       "<div class=\"verdict " + std::string(advice.IsMet ? "good" : "poor") +
-                           "\"><p>" + EscapeHtml(CapitalOf(advice.Message)) +
-                           ".</p></div>\n<p class=\"soft\">Reference: " + EscapeHtml(truth) +
-                           ".</p>\n" + (yields ? YieldingNote : "") + Legend(yields) +
-                           "<div class=\"charts\">\n" + plots + "</div>\n" +
-                           FeltTable(rows, chosen) + Refusals(structure));
+  page.Table(FeltTable(rows, advice.Row ? &structure.Rows[*advice.Row] : nullptr));
+  if (const std::vector<std::string> refusals = RefusalsOf(structure); !refusals.empty())
+  {
+    page.Subheading("Not measured").Notes(refusals);
+  }
 }
 
 std::string HowItWasMeasured(const TradeResult& result)
 {
   const TradePathSettings& path = result.Settings.Measurement.Path;
-  return "<p>Strokes of " + NumberText(path.Seconds) + " s together at 1 kHz (seed " +
+  return "Strokes of " + NumberText(path.Seconds) + " s together at 1 kHz (seed " +
          std::to_string(path.Seed) + "), up to " + NumberText(path.MostDepth) +
          " mm deep, from all sides, made from the reference; the same for every setting. A "
          "tick\xE2\x80\x99s time is the minimum over " +
@@ -264,23 +251,20 @@ std::string HowItWasMeasured(const TradeResult& result)
          "follows the reference, pressed the tool more than twice as deep as the path; errors, "
          "jumps and seizures leave them out. Beyond: errors beyond the reference\xE2\x80\x99s "
          "uncertainty, by which settings are judged. Cost: CPU time to prepare, to fit, and to "
-         "touch for ten minutes.</p>\n";
+         "touch for ten minutes.";
 }
 } // namespace
 
 std::string TradePage(const TradeResult& result)
 {
-  std::string sections;
+  ReportPage page;
+  page.Header("trade-off", "Speed against accuracy", result.Machine);
   for (const TradeStructureResult& structure : result.Structures)
   {
-    sections += StructureSection(structure);
+    AddStructure(page, structure);
   }
-  return ReportPage("Palpate trade-off",
-                    "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 trade-off</div>\n<h1>Speed "
-                    "against accuracy</h1>\n<p class=\"soft\">" +
-                        EscapeHtml(result.Machine) + "</p>\n</header>\n" + sections +
-                        ReportSection("Method", HowItWasMeasured(result)) +
-                        ReportFooter(result.Machine));
+  page.Section("Method").Text(HowItWasMeasured(result));
+  return page.Whole("Palpate trade-off", result.Machine);
 }
 
 std::vector<std::size_t> ParetoFront(const std::vector<std::pair<double, double>>& points)

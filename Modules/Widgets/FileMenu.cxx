@@ -57,6 +57,16 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
                    const ViewContents& contents, QWidget* window)
     : QMenu("&File", window), Study(study), Questions(questions), Contents(contents), Window(window)
 {
+  this->AddOpening();
+  this->addSeparator();
+  this->AddSaving();
+  this->addSeparator();
+  this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
+  connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
+}
+
+void FileMenu::AddOpening()
+{
   this->addAction(
       "&New study", this,
       [this]
@@ -110,7 +120,11 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
   this->addAction("&Link with other programs...", this, &FileMenu::OpenLink,
                   QKeySequence("Ctrl+Alt+L"));
 #endif
-  this->addSeparator();
+  this->ForTools = {open};
+}
+
+void FileMenu::AddSaving()
+{
   QAction* save = this->addAction("&Save", this, &FileMenu::Save, QKeySequence::Save);
   save->setIcon(ToolIcon(ToolSign::Save));
   this->addAction("Save &as...", this, &FileMenu::SaveAs, QKeySequence("Ctrl+Shift+S"));
@@ -118,10 +132,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
       this->addAction("Save pi&cture...", this, &FileMenu::PictureAsked, QKeySequence("Ctrl+P"));
   picture->setIcon(ToolIcon(ToolSign::Screenshot));
   picture->setToolTip("Save a picture of a view, of all views, or of the window");
-  this->ForTools = {open, save, picture};
-  this->addSeparator();
-  this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
-  connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
+  this->ForTools += {save, picture};
 }
 
 void FileMenu::Open(const QString& title,

@@ -36,6 +36,8 @@ Q_SIGNALS:
   void PictureAsked();
 
 private:
+  void AddOpening();
+  void AddSaving();
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);
   void AddFromValues();

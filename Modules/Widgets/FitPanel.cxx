@@ -68,7 +68,8 @@ void FitPanel::AddImportant(QFormLayout* form)
       [](StudyState& state, int choice)
       { state.Fit.Method = static_cast<FitSettings::SurfaceMethod>(choice); });
   this->AddNumber(
-      form, "Smoothing, voxels", "Change the smoothing of surfaces", {0.0, 8.0, 0.25, 2},
+      form, "Smoothing, voxels", "Change the smoothing of surfaces",
+      {0.0, FitLimits::Smoothing, 0.25, 2},
       [](const StudyState& state) { return state.Fit.Smoothing; },
       [](StudyState& state, double value) { state.Fit.Smoothing = value; });
   this->Coverage = new QLabel(this);
@@ -88,7 +89,7 @@ void FitPanel::AddOthers(QFormLayout* form)
       [](StudyState& state, int choice)
       { state.LeftHanded = static_cast<LeftHandedAxes>(choice); });
   this->AddNumber(
-      form, "Frequency", "Change the number of directions", {1.0, 64.0, 1.0, 0},
+      form, "Frequency", "Change the number of directions", {1.0, FitLimits::Frequency, 1.0, 0},
       [](const StudyState& state) { return state.Fit.Frequency; },
       [](StudyState& state, double value) { state.Fit.Frequency = static_cast<int>(value); });
   this->AddChoice(

@@ -13,7 +13,7 @@ namespace
 {
 // Conversion of hostile names of files and structures to folder names.
 
-using palpate::cli::CaseNames;
+using palpate::CaseNames;
 
 const std::vector<std::string> HostilePieces{
     ".",      "..",         "...",  "/",      "\\",

@@ -12,7 +12,6 @@ namespace palpate::cli
 {
 namespace
 {
-constexpr int HighestDegree = 100;     // a fit takes minutes and gigabytes
 constexpr double FirstTolerance = 0.5; // mm, of --degree auto by the first rules
 
 template <typename T>
@@ -26,10 +25,10 @@ bool ParseWhole(const std::string& word, T& value)
 int ParseDegree(const std::string& word)
 {
   int degree = 0;
-  if (!ParseWhole(word, degree) || degree < 0 || degree > HighestDegree)
+  if (!ParseWhole(word, degree) || degree < 0 || degree > FitLimits::Degree)
   {
     throw InputError("--degree " + word + " is not a valid degree; give a whole number from 0 to " +
-                     std::to_string(HighestDegree) + ", or auto");
+                     std::to_string(FitLimits::Degree) + ", or auto");
   }
   return degree;
 }
@@ -92,11 +91,11 @@ void FitOptions::DeclareSurface(CLI::App& app)
 {
   app.add_option("--method", this->MethodWord,
                  "shape: interpolate the shape between slices; plain: the mask's half level")
-      ->check(CLI::IsMember({"shape", "plain"}))
+      ->check(CLI::IsMember(FitWords::Method))
       ->capture_default_str();
   app.add_option("--smoothing", this->Values.Smoothing,
                  "Smoothing of the surface in voxels (0 for none)")
-      ->check(FiniteNumber::Between(0.0, 10.0))
+      ->check(FiniteNumber::Between(0.0, FitLimits::Smoothing))
       ->capture_default_str();
   this->ComponentOption =
       app.add_option("--component", this->ComponentWord,
@@ -110,11 +109,17 @@ void FitOptions::DeclareSurface(CLI::App& app)
 
 void FitOptions::DeclareModel(CLI::App& app)
 {
+  this->DeclareKind(app);
+  this->DeclareSamples(app);
+}
+
+void FitOptions::DeclareKind(CLI::App& app)
+{
   app.add_option("--model", this->ModelWord,
                  "radial: a radius in each direction, for star-shaped structures; surface: three "
                  "coordinates, for any shape; automatic: radial where star-shaped and good "
                  "enough, else surface")
-      ->check(CLI::IsMember({"radial", "surface", "automatic"}))
+      ->check(CLI::IsMember(FitWords::Model))
       ->capture_default_str();
   app.add_option("--rules", this->Values.Rules,
                  "Rules by which the kind of model is chosen and structures are accepted: 2, or 1 "
@@ -137,20 +142,24 @@ void FitOptions::DeclareModel(CLI::App& app)
       ->check(FiniteNumber::Positive());
   app.add_option("--max-degree", this->Values.MaximumDegree,
                  "Highest degree that --degree auto tries")
-      ->check(CLI::Range(0, HighestDegree))
+      ->check(CLI::Range(0, FitLimits::Degree))
       ->capture_default_str();
+}
+
+void FitOptions::DeclareSamples(CLI::App& app)
+{
   app.add_option(
          "--frequency", this->Values.Frequency,
          "Subdivision F of the icosahedron: 10 F^2 + 2 directions; surface models are drawn "
          "with at least 1.6 times their degree")
-      ->check(CLI::Range(1, 200))
+      ->check(CLI::Range(1, FitLimits::Frequency))
       ->capture_default_str();
   app.add_option("--center", this->CenterWord,
                  "centroid, visible (sees most of the surface), or a point x,y,z in mm (LPS)")
       ->type_name("CENTER")
       ->capture_default_str();
   app.add_option("--weights", this->WeightsWord, "Weight of each sample")
-      ->check(CLI::IsMember({"area", "solid-angle", "uniform"}))
+      ->check(CLI::IsMember(FitWords::Weight))
       ->capture_default_str();
   app.add_option("--penalty", this->PenaltyWord,
                  "Roughness penalty: none, auto (cross-validation), or its strength")
@@ -179,11 +188,9 @@ bool FitOptions::NamesLargest() const
 FitSettings FitOptions::Settings() const
 {
   FitSettings settings = this->Values;
-  settings.Model = this->ModelWord == "radial"    ? FitSettings::ModelKind::Radial
-                   : this->ModelWord == "surface" ? FitSettings::ModelKind::Surface
-                                                  : FitSettings::ModelKind::Automatic;
-  settings.Method = this->MethodWord == "plain" ? FitSettings::SurfaceMethod::Plain
-                                                : FitSettings::SurfaceMethod::ShapeInterpolation;
+  FitWords::Take(FitWords::Model, this->ModelWord, settings.Model);
+  FitWords::Take(FitWords::Method, this->MethodWord, settings.Method);
+  FitWords::Take(FitWords::Weight, this->WeightsWord, settings.Weight);
   SetComponent(this->ComponentWord, settings);
   if (this->DegreeWord == "auto")
   {
@@ -214,9 +221,6 @@ FitSettings FitOptions::Settings() const
     const Vector3 center = ParseVector("--center", this->CenterWord);
     settings.GivenCenterWorld = {center.x(), center.y(), center.z()};
   }
-  settings.Weight = this->WeightsWord == "area"          ? FitSettings::SampleWeight::Area
-                    : this->WeightsWord == "solid-angle" ? FitSettings::SampleWeight::SolidAngle
-                                                         : FitSettings::SampleWeight::Uniform;
   if (this->PenaltyWord == "auto")
   {
     settings.PenaltyKind = FitSettings::Penalty::Automatic;

@@ -36,6 +36,9 @@ public:
   bool NamesLargest() const;
 
 private:
+  void DeclareKind(CLI::App& app);
+  void DeclareSamples(CLI::App& app);
+
   std::vector<std::string> LabelWords;
   FitSettings Values;
   std::string ModelWord = "automatic";

@@ -204,9 +204,8 @@ int CohortCommand::FitMasks(Console& console) const
   return fit.Run(this->Folders.front(), console);
 }
 
-int CohortCommand::Run(Console& console)
+void CohortCommand::CheckOutputs() const
 {
-  const Interruption interruption;
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
     throw InputError("--output is required for several cohorts: the folder of their joint results");
@@ -215,9 +214,59 @@ int CohortCommand::Run(Console& console)
   {
     throw InputError("--anonymous needs --output: the folders of the cases name them");
   }
-  const std::filesystem::path output =
-      this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
-  CheckOutputFolder(output); // told before the long work
+  CheckOutputFolder(this->Output()); // told before the long work
+}
+
+void CohortCommand::WriteOthers(const CohortGroup& group, const CohortTable& table,
+                                Console& console) const
+{
+  for (const std::string& tool : this->Exports)
+  {
+    ExportCohort(group, this->Output(),
+                 tool == "shapeworks" ? ExportKind::ShapeWorks : ExportKind::SpharmPdm,
+                 this->Output() / tool, ProgressOn(console));
+    console.EndProgress();
+  }
+  if (!this->Shape.empty())
+  {
+    WriteSynthesis(group, this->Shape, this->Output(), ProgramVersion());
+  }
+  if (!this->OutputFolder.empty() && !this->IsAnonymous)
+  {
+    table.Write(this->Output() / "cohort.csv");
+  }
+}
+
+void CohortCommand::Print(const CohortGroup& group, const std::vector<std::string>& notes,
+                          const CohortEffects* effects, Console& console) const
+{
+  for (const CohortNote& note : group.Notes)
+  {
+    console.Note(note.Case + note.Text + note.Reason);
+  }
+  for (const std::string& note : notes)
+  {
+    console.Note(note);
+  }
+  if (effects != nullptr)
+  {
+    console.Output() << CohortEffectText(*effects);
+  }
+  console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
+                   << ", " << group.Modes.Modes.cols() << " modes";
+  if (group.Modes.Modes.cols() > 0)
+  {
+    console.Output() << std::fixed << std::setprecision(1) << "; the first explains "
+                     << 100.0 * group.Modes.Explained[0] << " %";
+  }
+  console.Output() << ": " << Printable((this->Output() / "cohort.html").string()) << '\n';
+}
+
+int CohortCommand::Run(Console& console)
+{
+  const Interruption interruption;
+  this->CheckOutputs();
+  const std::filesystem::path output = this->Output();
   const int code = this->Masks.empty() ? 0 : this->FitMasks(console);
   const CohortTable table = JoinCohorts(this->Folders, output);
   const ProgressFunction progress = ProgressOn(console);
@@ -256,41 +305,8 @@ int CohortCommand::Run(Console& console)
                     &correspondence, moved ? &*moved : nullptr},
                    output, ProgramVersion());
   model.WriteRepeated(group, output);
-  for (const std::string& tool : this->Exports)
-  {
-    ExportCohort(group, output,
-                 tool == "shapeworks" ? ExportKind::ShapeWorks : ExportKind::SpharmPdm,
-                 output / tool, progress);
-    console.EndProgress();
-  }
-  if (!this->Shape.empty())
-  {
-    WriteSynthesis(group, this->Shape, output, ProgramVersion());
-  }
-  if (!this->OutputFolder.empty() && !this->IsAnonymous)
-  {
-    table.Write(output / "cohort.csv");
-  }
-  for (const CohortNote& note : group.Notes)
-  {
-    console.Note(note.Case + note.Text + note.Reason);
-  }
-  for (const std::string& note : notes)
-  {
-    console.Note(note);
-  }
-  if (model.Effects() != nullptr)
-  {
-    console.Output() << CohortEffectText(*model.Effects());
-  }
-  console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
-                   << ", " << group.Modes.Modes.cols() << " modes";
-  if (group.Modes.Modes.cols() > 0)
-  {
-    console.Output() << std::fixed << std::setprecision(1) << "; the first explains "
-                     << 100.0 * group.Modes.Explained[0] << " %";
-  }
-  console.Output() << ": " << Printable((output / "cohort.html").string()) << '\n';
+  this->WriteOthers(group, table, console);
+  this->Print(group, notes, model.Effects(), console);
   return code;
 }
 } // namespace palpate::cli

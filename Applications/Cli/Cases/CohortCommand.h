@@ -5,6 +5,7 @@
 #include "CovariateModel.h"
 #include "FitOptions.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,18 @@ public:
 private:
   void DeclareAlignment(CLI::App& app);
   void DeclareCovariates(CLI::App& app);
+  /// The folder to write.
+  std::filesystem::path Output() const
+  {
+    return this->OutputFolder.empty() ? this->Folders.front() : this->OutputFolder;
+  }
+  void CheckOutputs() const;
   int FitMasks(Console& console) const;
   std::optional<CohortAlignment> Align(CohortGroup& group, const KernelProgress& progress) const;
+  /// Exports, the synthesised shape, and the table of joined cohorts.
+  void WriteOthers(const CohortGroup& group, const CohortTable& table, Console& console) const;
+  void Print(const CohortGroup& group, const std::vector<std::string>& notes,
+             const CohortEffects* effects, Console& console) const;
 
   std::vector<std::string> Folders;
   std::string Masks;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace palpate
@@ -136,6 +137,31 @@ void SmoothUntilOfABody(ComplianceMaps& maps)
     }
   }
 }
+
+// The terms of the compliance and the curvature at directions, a row for each. False if `goesOn`,
+// which gets the count of those done, stops it.
+bool SampleMaps(const ComplianceSampler& sampler, const std::vector<Vector3>& directions,
+                double largest, const std::function<bool(std::size_t)>& goesOn,
+                Eigen::MatrixXd& values)
+{
+  constexpr auto Maps = Eigen::Index{ComplianceMaps::Count};
+  values.resize(static_cast<Eigen::Index>(directions.size()), Maps);
+  for (std::size_t i = 0; i < directions.size(); ++i)
+  {
+    if (!goesOn(i))
+    {
+      return false;
+    }
+    const PatchCompliance place = sampler.At(directions[i], largest);
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
+    {
+      values(row, static_cast<Eigen::Index>(term)) = place.Coefficients[term];
+    }
+    values(row, Maps - 1) = sampler.PatchAt(directions[i], largest).Curvature;
+  }
+  return true;
+}
 } // namespace
 
 Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
@@ -162,20 +188,10 @@ Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSol
   const auto goesOn = [&](std::size_t done)
   { return !progress || progress(static_cast<double>(done) / static_cast<double>(all)); };
 
-  Eigen::MatrixXd values(static_cast<Eigen::Index>(directions.size()), Eigen::Index{Count});
-  for (std::size_t i = 0; i < directions.size(); ++i)
+  Eigen::MatrixXd values;
+  if (!SampleMaps(sampler, directions, largest, goesOn, values))
   {
-    if (!goesOn(i))
-    {
-      return Status::Failure("Cancelled.");
-    }
-    const PatchCompliance place = sampler.At(directions[i], largest);
-    const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t term = 0; term < PatchCompliance::Terms; ++term)
-    {
-      values(row, static_cast<Eigen::Index>(term)) = place.Coefficients[term];
-    }
-    values(row, Eigen::Index{Count} - 1) = sampler.PatchAt(directions[i], largest).Curvature;
+    return Status::Failure("Cancelled.");
   }
   const Eigen::MatrixXd coefficients = fit.Solve(values);
   maps.Degree = settings.Degree;

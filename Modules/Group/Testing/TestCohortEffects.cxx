@@ -7,6 +7,7 @@
 #include "MarkupCheck.h"
 #include "ParametricPhantoms.h"
 #include "RandomShapes.h"
+#include "ReportPage.h"
 #include "SphericalHarmonicBasis.h"
 #include "SurfaceFile.h"
 #include "TemporaryFolder.h"
@@ -188,7 +189,9 @@ TEST(CohortEffects, NamesOfColumnsMayHoldWhatXmlReserves)
 TEST(CohortEffects, SectionIsWellFormedAndNamesNoCase)
 {
   const EffectCohort cohort;
-  const std::string html = CohortEffectSection(cohort.Effects("~ age + group"));
+  ReportPage page;
+  AddCohortEffects(page, cohort.Effects("~ age + group"));
+  const std::string html = page.Body();
   EXPECT_EQ(MarkupError("<html><body>" + html + "</body></html>"), "");
   EXPECT_EQ(html.find("c_17"), std::string::npos);
   EXPECT_NE(html.find("group a"), std::string::npos); // the reference level
@@ -306,7 +309,9 @@ TEST(CovariateModel, SaysWhatLooksLikeACodeAndWhatIsCollinear)
   WriteCohortEffects(cohort.Group, *model.Effects(), cohort.Folder.Path());
   EXPECT_NE(ReadAll(cohort.Folder / "effects.csv").find(",variance_inflation\n"),
             std::string::npos);
-  EXPECT_NE(CohortEffectSection(*model.Effects()).find("variance inflation"), std::string::npos);
+  ReportPage page;
+  AddCohortEffects(page, *model.Effects());
+  EXPECT_NE(page.Body().find("variance inflation"), std::string::npos);
 }
 
 TEST(CovariateModel, RefusesInOneSentence)

@@ -7,6 +7,7 @@
 #include "MarkupCheck.h"
 #include "ModelMeasures.h"
 #include "RandomShapes.h"
+#include "ReportPage.h"
 #include "SphericalHarmonicProjection.h"
 #include "TemporaryFolder.h"
 
@@ -121,10 +122,16 @@ TEST(CohortQuality, PageNumbersCasesUnlessNamesAreAskedFor)
 {
   const CohortGroup group = BumpedGroup();
   const CohortQuality quality = FindCohortQuality(group, {});
-  const std::string numbered = CohortQualitySections(group, quality, false);
+  const auto section = [&](bool showsNames)
+  {
+    ReportPage page;
+    AddCohortQuality(page, group, quality, showsNames);
+    return page.Body();
+  };
+  const std::string numbered = section(false);
   EXPECT_EQ(numbered.find("patient"), std::string::npos);
   EXPECT_NE(numbered.find("<td class=\"text\">30</td>"), std::string::npos);
-  const std::string named = CohortQualitySections(group, quality, true);
+  const std::string named = section(true);
   EXPECT_NE(named.find("<td class=\"text\">patient &amp; 29</td>"), std::string::npos);
   EXPECT_EQ(test::MarkupError("<html>" + named + "</html>"), "");
 }

@@ -3,6 +3,7 @@
 #include "MessageOf.h"
 #include "ParametricPhantoms.h"
 #include "Progress.h"
+#include "ReportPage.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -42,7 +43,9 @@ TEST(CohortReparametrisation, ChangesModelsAndModesAndTellsWhatItDid)
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + Cases);
   EXPECT_NE(table.find("case 3"), std::string::npos);
   EXPECT_NE(ReparametrisationText(made).find("of 4 surfaces"), std::string::npos);
-  EXPECT_NE(ReparametrisationSection(made).find("description length"), std::string::npos);
+  ReportPage page;
+  AddReparametrisation(page, made);
+  EXPECT_NE(page.Body().find("description length"), std::string::npos);
 }
 
 TEST(CohortReparametrisation, RefusesRadialModels)

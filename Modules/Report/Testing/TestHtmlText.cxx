@@ -28,12 +28,5 @@ TEST(HtmlText, ShowsControlCharactersAndReplacesLineBreaks)
   EXPECT_EQ(EscapeHtml("gpj.\u202ecod.exe"), "gpj.\\xe2\\x80\\xaecod.exe");
 }
 
-TEST(HtmlText, TablesEscapeNamesAndValues)
-{
-  const std::string html = palpate::HtmlTable("<c>", {{"<n>", "<v>"}});
-  EXPECT_NE(html.find("&lt;c&gt;"), std::string::npos);
-  EXPECT_NE(html.find("&lt;n&gt;"), std::string::npos);
-  EXPECT_NE(html.find("&lt;v&gt;"), std::string::npos);
-}
 } // namespace
 } // namespace palpate::html_text_test

@@ -1,7 +1,6 @@
 #include "TouchReport.h"
 
 #include "DecimalText.h"
-#include "HtmlText.h"
 #include "JsonSchema.h"
 #include "OutputFolder.h"
 #include "ReportPage.h"
@@ -55,10 +54,10 @@ nlohmann::ordered_json DrillSummary(const PreparedTouch& touch, const TouchResul
   return summary;
 }
 
-std::string DrillSection(const PreparedTouch& touch, const TouchResult& result)
+void AddDrilled(ReportPage& page, const PreparedTouch& touch, const TouchResult& result)
 {
-  std::string charts;
-  HtmlRows rows;
+  page.Section("Drilled");
+  ReportRows rows;
   for (std::size_t site = 0; site < result.RemovedVolumes.size(); ++site)
   {
     const std::string& name = touch.Drill->Sites()[site].Name;
@@ -70,7 +69,7 @@ std::string DrillSection(const PreparedTouch& touch, const TouchResult& result)
       points.emplace_back(moment.Time, moment.Volumes[site]);
     }
     chart.SetLine(std::move(points));
-    charts += ReportFigure(chart.Svg(), EscapeHtml(name));
+    page.Chart(chart, name);
   }
   for (const DrillApproach& one : result.Approaches)
   {
@@ -80,9 +79,7 @@ std::string DrillSection(const PreparedTouch& touch, const TouchResult& result)
   {
     rows.emplace_back("problem", result.DrillProblem);
   }
-  return ReportSection("Drilled",
-                       "<div class=\"charts\">\n" + charts + "</div>\n<div class=\"tables\">\n" +
-                           HtmlTable("Removed volume and protected structures", rows) + "</div>\n");
+  page.Facts("Removed volume and protected structures", rows);
 }
 
 using TouchQuantity = LeastAndMost TouchStretch::*;
@@ -207,18 +204,18 @@ std::vector<std::pair<double, double>> Envelope(const std::vector<TouchStretch>&
   return points;
 }
 
-std::string Chart(const TouchTrace& trace, TouchQuantity quantity, const std::string& label,
-                  const std::string& caption, bool isLogarithmic = false)
+void AddChart(ReportPage& page, const TouchTrace& trace, TouchQuantity quantity,
+              const std::string& label, const std::string& caption, bool isLogarithmic = false)
 {
   SvgChart chart("time, s", label);
   chart.SetLogarithmic(false, isLogarithmic);
   chart.SetLine(Envelope(trace.Stretches(), quantity, isLogarithmic));
-  return ReportFigure(chart.Svg(), caption);
+  page.Chart(chart, caption);
 }
 
-std::string StructuresTable(const PreparedTouch& touch, const TouchResult& result)
+ReportRows StructureRows(const PreparedTouch& touch, const TouchResult& result)
 {
-  HtmlRows rows;
+  ReportRows rows;
   for (std::size_t s = 0; s < touch.Structures.size(); ++s)
   {
     const BuiltStructure& structure = touch.Structures[s];
@@ -227,17 +224,17 @@ std::string StructuresTable(const PreparedTouch& touch, const TouchResult& resul
                           FixedText(result.TouchedSeconds[s], 2) + " s; made in " +
                           FixedText(structure.Seconds, 2) + " s");
   }
-  return HtmlTable("Touched structures", rows);
+  return rows;
 }
 
-std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
+ReportRows NumberRows(const PreparedTouch& touch, const TouchResult& result)
 {
   constexpr double Almost = 0.999;
   const auto micro = [](std::int64_t nanoseconds)
   {
     return SignificantText(MicrosecondsPerNanosecond * static_cast<double>(nanoseconds), 3) + " µs";
   };
-  HtmlRows rows{
+  ReportRows rows{
       {"device", touch.Settings.Device},
       {"scene mm per device mm", SignificantText(touch.Frame.Scale, 3)},
       {"rate", SignificantText(touch.Settings.Rate, 4) + " Hz"},
@@ -269,45 +266,40 @@ std::string NumbersTable(const PreparedTouch& touch, const TouchResult& result)
   {
     rows.emplace_back("thread", result.ThreadAdvice);
   }
-  return HtmlTable("Summary", rows);
+  return rows;
 }
 
-std::string Header(const PreparedTouch& touch)
+void AddCharts(ReportPage& page, const TouchTrace& trace)
+{
+  AddChart(page, trace, &TouchStretch::Force, "force, N", "Force applied to the hand.");
+  AddChart(page, trace, &TouchStretch::Depth, "depth, mm",
+           "Depth of the tool in the touched structure.");
+  const bool isVirtual = trace.Whole().Computation.Most > 0.0F;
+  AddChart(page, trace, isVirtual ? &TouchStretch::Computation : &TouchStretch::Period,
+           isVirtual ? "tick time, µs" : "period, µs",
+           isVirtual ? "Computation time of each tick. In virtual time, ticks follow each other "
+                       "immediately."
+                     : "Period from tick to tick.",
+           true);
+}
+
+std::string PageOf(const PreparedTouch& touch, const TouchResult& result)
 {
   std::string names;
   for (const BuiltStructure& structure : touch.Structures)
   {
     names += (names.empty() ? "" : ", ") + structure.Touch.Name;
   }
-  return "<header>\n<div class=\"kicker\">Palpate \xC2\xB7 touch</div>\n<h1>" + EscapeHtml(names) +
-         "</h1>\n</header>\n";
-}
-
-std::string Charts(const TouchTrace& trace)
-{
-  const bool isVirtual = trace.Whole().Computation.Most > 0.0F;
-  const std::string time = isVirtual ? Chart(trace, &TouchStretch::Computation, "tick time, µs",
-                                             "Computation time of each tick. In virtual time, "
-                                             "ticks follow each other immediately.",
-                                             true)
-                                     : Chart(trace, &TouchStretch::Period, "period, µs",
-                                             "Period from tick to tick.", true);
-  return "<div class=\"charts\">\n" +
-         Chart(trace, &TouchStretch::Force, "force, N", "Force applied to the hand.") +
-         Chart(trace, &TouchStretch::Depth, "depth, mm",
-               "Depth of the tool in the touched structure.") +
-         time + "</div>\n";
-}
-
-std::string PageOf(const PreparedTouch& touch, const TouchResult& result)
-{
-  return ReportPage("Touch \xE2\x80\x93 Palpate",
-                    Header(touch) + ReportSection("Over time", Charts(result.Trace)) +
-                        (touch.Drill != nullptr ? DrillSection(touch, result) : "") +
-                        ReportSection("All numbers", "<div class=\"tables\">\n" +
-                                                         StructuresTable(touch, result) +
-                                                         NumbersTable(touch, result) + "</div>\n") +
-                        "<footer>For research; not a medical device.</footer>\n");
+  ReportPage page;
+  AddCharts(page.Header("touch", names).Section("Over time"), result.Trace);
+  if (touch.Drill != nullptr)
+  {
+    AddDrilled(page, touch, result);
+  }
+  page.Section("All numbers")
+      .Facts("Touched structures", StructureRows(touch, result))
+      .Facts("Summary", NumberRows(touch, result));
+  return page.Whole("Touch \xE2\x80\x93 Palpate", "For research; not a medical device.");
 }
 } // namespace
 

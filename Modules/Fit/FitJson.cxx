@@ -10,7 +10,7 @@
 #include <sys/resource.h>
 #include <utility>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -209,4 +209,4 @@ std::string FitResultJson(const FitResult& result, const std::string& folder)
   json["folder"] = folder.empty() ? Json() : Json(folder);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
-} // namespace palpate::cli
+} // namespace palpate

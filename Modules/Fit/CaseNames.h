@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PalpateFitModule.h"
 #include "Segmentation.h"
 
 #include <filesystem>
@@ -7,12 +8,12 @@
 #include <string>
 #include <vector>
 
-namespace palpate::cli
+namespace palpate
 {
 /// Unique names of files and folders for the cases of one run, whatever the names and folders of
 /// their masks. They depend on the command line and the masks alone, not on the outcome of the
 /// cases.
-class CaseNames
+class PALPATEFIT_EXPORT CaseNames
 {
 public:
   CaseNames() = default;
@@ -27,4 +28,4 @@ private:
   std::vector<std::string> Inputs;
   std::set<std::string> Taken; ///< in lower case: some file systems ignore case
 };
-} // namespace palpate::cli
+} // namespace palpate

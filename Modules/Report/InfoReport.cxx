@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -195,4 +195,4 @@ std::string InfoReport::FailureJson(const std::string& input, const std::string&
                   {"status", status},
                   {"message", message}});
 }
-} // namespace palpate::cli
+} // namespace palpate

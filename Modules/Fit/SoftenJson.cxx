@@ -6,7 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -103,4 +103,4 @@ std::string SoftenedAsJson(const SoftenedModel& made)
                     {"warnings", made.Softness.Warnings()}};
   return object.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
-} // namespace palpate::cli
+} // namespace palpate

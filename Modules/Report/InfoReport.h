@@ -2,14 +2,15 @@
 
 #include "ImageContent.h"
 #include "LabelStatistics.h"
+#include "PalpateReportModule.h"
 
 #include <string>
 #include <vector>
 
-namespace palpate::cli
+namespace palpate
 {
 /// What `palpate info` prints about one file.
-struct InfoReport
+struct PALPATEREPORT_EXPORT InfoReport
 {
   std::string Input;
   ImageContent Content;
@@ -23,4 +24,4 @@ struct InfoReport
   static std::string FailureJson(const std::string& input, const std::string& status,
                                  const std::string& message);
 };
-} // namespace palpate::cli
+} // namespace palpate

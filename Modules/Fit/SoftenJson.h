@@ -1,13 +1,14 @@
 #pragma once
 
 #include "ModelSoftening.h"
+#include "PalpateFitModule.h"
 #include "SofteningReport.h"
 #include "SofteningSettings.h"
 
 #include <filesystem>
 #include <string>
 
-namespace palpate::cli
+namespace palpate
 {
 /// A softened model, for `palpate soften --json`.
 struct SoftenedModel
@@ -22,5 +23,5 @@ struct SoftenedModel
 };
 
 /// One JSON object on one line, see Documentation/JsonOutput.md.
-std::string SoftenedAsJson(const SoftenedModel& made);
-} // namespace palpate::cli
+PALPATEFIT_EXPORT std::string SoftenedAsJson(const SoftenedModel& made);
+} // namespace palpate

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -59,4 +59,4 @@ std::string CaseNames::Take(std::size_t input, const Segment& structure)
 {
   return Unique(CaseFolderName(this->Inputs[input], structure), this->Taken);
 }
-} // namespace palpate::cli
+} // namespace palpate
