@@ -4,14 +4,14 @@
 #include "DecimalText.h"
 #include "GiftiText.h"
 #include "Refusal.h"
+#include "SurfaceBytes.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <string_view>
 #include <utility>
+#include <vector>
 #include <zlib.h>
 
 namespace palpate
@@ -20,6 +20,9 @@ namespace
 {
 // Coordinates compress to about a half and triangles to a tenth.
 constexpr std::size_t MostGiftiBytesFromByte = 100;
+constexpr NumberType SingleNumber{4, true, true};
+constexpr NumberType DoubleNumber{8, true, true};
+constexpr NumberType WholeNumber{4, true, false};
 
 /// Decodes the arrays of one file.
 class Decoder
@@ -32,30 +35,30 @@ public:
     palpate::Refuse(this->FileName, "is not a readable GIfTI surface: " + fact, "write it again");
   }
 
-  // Triples of numbers; `Stored` is their type in the file.
-  template <typename Stored, typename Number>
-  std::vector<std::array<Number, 3>> Triples(const GiftiArray& array) const
+  // The numbers of triples, one after the other.
+  std::vector<double> Triples(const GiftiArray& array, const NumberType& type) const
   {
     const std::size_t count = this->TripleCount(array);
-    const std::vector<Stored> numbers = array.Encoding == "ASCII"
-                                            ? this->TextNumbers<Stored>(array.Data, 3 * count)
-                                            : this->BinaryNumbers<Stored>(array, 3 * count);
-    const bool byColumns = array.Order == "ColumnMajorOrder";
-    std::vector<std::array<Number, 3>> triples(count);
-    for (std::size_t i = 0; i < count; ++i)
+    const std::vector<double> numbers = array.Encoding == "ASCII"
+                                            ? this->TextNumbers(array.Data, 3 * count, type)
+                                            : this->BinaryNumbers(array, 3 * count, type);
+    if (array.Order != "ColumnMajorOrder")
     {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        triples[i][k] = static_cast<Number>(numbers[byColumns ? k * count + i : 3 * i + k]);
-      }
+      return numbers;
     }
-    return triples;
+    std::vector<double> byRows;
+    byRows.reserve(3 * count);
+    for (std::size_t i = 0; i < 3 * count; ++i)
+    {
+      byRows.push_back(numbers[i % 3 * count + i / 3]);
+    }
+    return byRows;
   }
 
   // Row by row.
   Eigen::Matrix4d Matrix(const std::string& text) const
   {
-    const std::vector<double> numbers = this->TextNumbers<double>(text, 16);
+    const std::vector<double> numbers = this->TextNumbers(text, 16, DoubleNumber);
     return Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
   }
 
@@ -75,97 +78,90 @@ private:
     return static_cast<std::size_t>(count);
   }
 
-  template <typename Stored>
-  std::vector<Stored> TextNumbers(std::string_view text, std::size_t count) const
+  std::vector<double> TextNumbers(std::string_view text, std::size_t count,
+                                  const NumberType& type) const
   {
-    constexpr std::string_view Blanks = " \t\r\n";
-    std::vector<Stored> numbers;
+    std::vector<double> numbers;
     numbers.reserve(std::min(count, text.size()));
     while (numbers.size() < count)
     {
-      text.remove_prefix(std::min(text.find_first_not_of(Blanks), text.size()));
-      const std::string_view word = text.substr(0, text.find_first_of(Blanks));
-      text.remove_prefix(word.size());
-      numbers.push_back(this->Number<Stored>(word));
+      numbers.push_back(this->Number(TakeWord(text), type));
     }
-    if (text.find_first_not_of(Blanks) != std::string_view::npos)
+    if (!TakeWord(text).empty())
     {
       this->Refuse("it has more values than it states");
     }
     return numbers;
   }
 
-  template <typename Stored>
-  Stored Number(std::string_view word) const
+  double Number(std::string_view word, const NumberType& type) const
   {
-    bool isThere = false;
-    Stored number = 0;
-    if constexpr (std::is_integral_v<Stored>)
+    auto number = ParseNumber(word);
+    if (number && type.Bytes == sizeof(float))
     {
-      const auto value = ParseInteger(word);
-      isThere = value.has_value();
-      number = value.value_or(0);
+      number = static_cast<float>(*number);
     }
-    else
+    if (!type.Real)
     {
-      const auto value = ParseNumber(word);
-      isThere = value && std::isfinite(static_cast<Stored>(*value));
-      number = static_cast<Stored>(value.value_or(0.0));
+      number = ParseInteger(word);
     }
-    if (!isThere)
+    if (!number || !std::isfinite(*number))
     {
       this->Refuse("a value is missing, not a number or too large");
     }
-    return number;
+    return *number;
   }
 
-  template <typename Stored>
-  std::vector<Stored> BinaryNumbers(const GiftiArray& array, std::size_t count) const
+  std::vector<double> BinaryNumbers(const GiftiArray& array, std::size_t count,
+                                    const NumberType& type) const
   {
     const bool isPacked = array.Encoding == "GZipBase64Binary";
     if (!isPacked && array.Encoding != "Base64Binary")
     {
       this->Refuse("its values are not in the file itself");
     }
-    const auto decoded = DecodedBase64(array.Data);
-    if (!decoded)
+    auto bytes = DecodedBase64(array.Data);
+    if (!bytes)
     {
       this->Refuse("its Base64 text is damaged");
     }
-    std::vector<Stored> numbers;
-    const std::size_t bytes = count * sizeof(Stored);
-    if (bytes > (isPacked ? MostGiftiBytesFromByte : 1) * decoded->size())
+    const std::size_t size = count * type.Bytes;
+    if (size > (isPacked ? MostGiftiBytesFromByte : 1) * bytes->size())
     {
       this->Refuse("it states more values than it can hold");
     }
-    numbers.resize(count);
     if (isPacked)
     {
-      this->Inflate(*decoded, numbers.data(), bytes);
+      bytes = this->Inflated(*bytes, size);
     }
-    else
+    this->RequireLength(bytes->size() == size);
+    std::vector<double> numbers;
+    numbers.reserve(count);
+    for (std::string_view left = *bytes; !left.empty(); left.remove_prefix(type.Bytes))
     {
-      this->RequireLength(decoded->size() == bytes);
-      std::memcpy(numbers.data(), decoded->data(), bytes);
+      numbers.push_back(NumberOf(left.substr(0, type.Bytes), type,
+                                 array.Endian == "BigEndian" ? NumberCoding::BigEndian
+                                                             : NumberCoding::LittleEndian));
     }
-    ToOwnOrder(array.Endian, numbers);
     return numbers;
   }
 
   // zlib or gzip by the first bytes: the format's name says gzip, but programs write zlib.
-  void Inflate(const std::string& packed, void* target, std::size_t bytes) const
+  std::string Inflated(const std::string& packed, std::size_t bytes) const
   {
+    std::string unpacked(bytes, '\0');
     z_stream stream{};
     inflateInit2(&stream, MAX_WBITS + 32);
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
     stream.avail_in = static_cast<uInt>(packed.size());
-    stream.next_out = static_cast<Bytef*>(target);
+    stream.next_out = reinterpret_cast<Bytef*>(unpacked.data());
     stream.avail_out = static_cast<uInt>(bytes);
     const bool isWide = bytes > 0xffffffffU || packed.size() > 0xffffffffU;
     const int state = isWide ? Z_DATA_ERROR : inflate(&stream, Z_FINISH);
     const bool isFull = stream.avail_out == 0;
     inflateEnd(&stream);
     this->RequireLength(state == Z_STREAM_END && isFull);
+    return unpacked;
   }
 
   void RequireLength(bool isRight) const
@@ -173,22 +169,6 @@ private:
     if (!isRight)
     {
       this->Refuse("its values are damaged, or not as many as it states");
-    }
-  }
-
-  template <typename Stored>
-  static void ToOwnOrder(const std::string& endian, std::vector<Stored>& numbers)
-  {
-    const std::uint16_t one = 1;
-    unsigned char first = 0;
-    std::memcpy(&first, &one, 1);
-    if ((endian == "BigEndian") == (first == 1))
-    {
-      for (Stored& number : numbers)
-      {
-        auto* bytes = reinterpret_cast<unsigned char*>(&number);
-        std::reverse(bytes, bytes + sizeof(Stored));
-      }
     }
   }
 
@@ -202,12 +182,25 @@ void TakePoints(const Decoder& decoder, const GiftiArray& array, TriangleMesh& m
   {
     decoder.Refuse("its points are not floating-point numbers");
   }
-  const auto points = mesh.SinglePrecision ? decoder.Triples<float, double>(array)
-                                           : decoder.Triples<double, double>(array);
-  mesh.PointsWorld.reserve(points.size());
-  for (const auto& point : points)
+  const std::vector<double> numbers =
+      decoder.Triples(array, mesh.SinglePrecision ? SingleNumber : DoubleNumber);
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
   {
-    mesh.PointsWorld.emplace_back(point[0], point[1], point[2]);
+    mesh.PointsWorld.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  }
+}
+
+void TakeTriangles(const Decoder& decoder, const GiftiArray& array, TriangleMesh& mesh)
+{
+  if (array.Type != "NIFTI_TYPE_INT32")
+  {
+    decoder.Refuse("its triangles are not 32-bit integers");
+  }
+  const std::vector<double> corners = decoder.Triples(array, WholeNumber);
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+  {
+    mesh.Triangles.push_back({static_cast<int>(corners[i]), static_cast<int>(corners[i + 1]),
+                              static_cast<int>(corners[i + 2])});
   }
 }
 
@@ -241,13 +234,9 @@ TriangleMesh MeshFromGifti(const std::string& text, const std::string& fileName)
     Refuse(fileName, "has no points and triangles (it may hold values on a surface)",
            "use the surface that they belong to (.surf.gii)");
   }
-  if (arrays.Triangles->Type != "NIFTI_TYPE_INT32")
-  {
-    decoder.Refuse("its triangles are not 32-bit integers");
-  }
   TriangleMesh mesh;
   TakePoints(decoder, *arrays.Points, mesh);
-  mesh.Triangles = decoder.Triples<std::int32_t, int>(*arrays.Triangles);
+  TakeTriangles(decoder, *arrays.Triangles, mesh);
   if (arrays.Points->ToScanner)
   {
     MoveToScanner(decoder, *arrays.Points->ToScanner, mesh);

@@ -3,8 +3,8 @@
 #include "Base64Text.h"
 #include "JsonText.h"
 #include "Refusal.h"
+#include "SurfaceBytes.h"
 
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -30,20 +30,7 @@ std::size_t BytesOf(std::uint64_t componentType)
 // A little-endian number of up to four bytes.
 std::uint32_t NumberAt(std::string_view bytes, std::size_t place, std::size_t count = 4)
 {
-  std::uint32_t number = 0;
-  for (std::size_t i = count; i-- > 0;)
-  {
-    number = number << 8 | static_cast<unsigned char>(bytes[place + i]);
-  }
-  return number;
-}
-
-float FloatAt(std::string_view bytes, std::size_t place)
-{
-  const std::uint32_t bits = NumberAt(bytes, place);
-  float number = 0.0F;
-  std::memcpy(&number, &bits, sizeof number);
-  return number;
+  return static_cast<std::uint32_t>(BitsOf(bytes.substr(place, count), NumberCoding::LittleEndian));
 }
 
 bool HasText(const GltfDocument::Json* value, const char* text)
@@ -253,9 +240,11 @@ std::vector<Vector3> GltfDocument::Positions(std::uint64_t accessor) const
   std::vector<Vector3> positions(elements.Count);
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    const std::size_t place = i * elements.Stride;
-    positions[i] = {FloatAt(elements.Bytes, place), FloatAt(elements.Bytes, place + 4),
-                    FloatAt(elements.Bytes, place + 8)};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      positions[i].data()[k] = NumberOf(elements.Bytes.substr(i * elements.Stride + 4 * k, 4),
+                                        {4, true, true}, NumberCoding::LittleEndian);
+    }
   }
   return positions;
 }

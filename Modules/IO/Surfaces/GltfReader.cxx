@@ -9,7 +9,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 namespace palpate
@@ -50,7 +49,7 @@ public:
     {
       this->File.Refuse("its scene has no triangles");
     }
-    this->MergePoints();
+    MergeEqualPoints(this->Result);
     return std::move(this->Result);
   }
 
@@ -218,61 +217,6 @@ private:
     {
       this->File.Refuse("it places the same mesh too often");
     }
-  }
-
-  // By sorting, which takes the same time for every file. A point keeps its first number.
-  void MergePoints()
-  {
-    std::vector<Vector3>& points = this->Result.PointsWorld;
-    std::vector<int> order(points.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto at = [&points](int i) -> const Vector3&
-    { return points[static_cast<std::size_t>(i)]; };
-    std::sort(order.begin(), order.end(),
-              [&at](int a, int b)
-              {
-                const double* const p = at(a).data();
-                const double* const q = at(b).data();
-                return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
-              });
-    std::vector<int> merged(points.size());
-    int first = 0;
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      first = i > 0 && at(order[i]) == at(first) ? first : order[i];
-      merged[static_cast<std::size_t>(order[i])] = first;
-    }
-    this->Renumber(merged);
-  }
-
-  // Removes points that were merged into others, and triangles that became edges.
-  void Renumber(std::vector<int>& merged)
-  {
-    std::vector<Vector3> kept;
-    for (std::size_t i = 0; i < merged.size(); ++i)
-    {
-      const bool isKept = merged[i] == static_cast<int>(i);
-      // Points before this one have their new number by now.
-      merged[i] =
-          isKept ? static_cast<int>(kept.size()) : merged[static_cast<std::size_t>(merged[i])];
-      if (isKept)
-      {
-        kept.push_back(this->Result.PointsWorld[i]);
-      }
-    }
-    this->Result.PointsWorld = std::move(kept);
-    std::vector<std::array<int, 3>>& triangles = this->Result.Triangles;
-    for (auto& triangle : triangles)
-    {
-      for (int& corner : triangle)
-      {
-        corner = merged[static_cast<std::size_t>(corner)];
-      }
-    }
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
-                                   [](const std::array<int, 3>& t)
-                                   { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
-                    triangles.end());
   }
 
   GltfDocument File;

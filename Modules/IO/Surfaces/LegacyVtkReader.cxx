@@ -1,7 +1,7 @@
 #include "LegacyVtkReader.h"
 
 #include "DecimalText.h"
-#include "Refusal.h"
+#include "SurfaceBytes.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <map>
 #include <set>
@@ -21,42 +19,22 @@ namespace palpate
 {
 namespace
 {
-constexpr std::string_view Blanks = " \t\r\n\v\f";
-
-enum class Kind
+const std::map<std::string, NumberType>& VtkTypes()
 {
-  Signed,
-  Unsigned,
-  Real,
-  Bit,
-  Text
-};
-
-struct ValueType
-{
-  Kind Is;
-  std::size_t Bytes; ///< in a binary file; at least 1 for a text
-};
-
-const std::map<std::string, ValueType>& ValueTypes()
-{
-  static const std::map<std::string, ValueType> types{{"bit", {Kind::Bit, 1}},
-                                                      {"char", {Kind::Signed, 1}},
-                                                      {"signed_char", {Kind::Signed, 1}},
-                                                      {"unsigned_char", {Kind::Unsigned, 1}},
-                                                      {"short", {Kind::Signed, 2}},
-                                                      {"unsigned_short", {Kind::Unsigned, 2}},
-                                                      {"int", {Kind::Signed, 4}},
-                                                      {"unsigned_int", {Kind::Unsigned, 4}},
-                                                      {"vtkidtype", {Kind::Signed, 4}},
-                                                      {"long", {Kind::Signed, 8}},
-                                                      {"unsigned_long", {Kind::Unsigned, 8}},
-                                                      {"vtktypeint64", {Kind::Signed, 8}},
-                                                      {"vtktypeuint64", {Kind::Unsigned, 8}},
-                                                      {"float", {Kind::Real, 4}},
-                                                      {"double", {Kind::Real, 8}},
-                                                      {"string", {Kind::Text, 1}},
-                                                      {"utf8_string", {Kind::Text, 1}}};
+  static const std::map<std::string, NumberType> types{{"char", {1, true, false}},
+                                                       {"signed_char", {1, true, false}},
+                                                       {"unsigned_char", {1, false, false}},
+                                                       {"short", {2, true, false}},
+                                                       {"unsigned_short", {2, false, false}},
+                                                       {"int", {4, true, false}},
+                                                       {"unsigned_int", {4, false, false}},
+                                                       {"vtkidtype", {4, true, false}},
+                                                       {"long", {8, true, false}},
+                                                       {"unsigned_long", {8, false, false}},
+                                                       {"vtktypeint64", {8, true, false}},
+                                                       {"vtktypeuint64", {8, false, false}},
+                                                       {"float", {4, true, true}},
+                                                       {"double", {8, true, true}}};
   return types;
 }
 
@@ -70,10 +48,12 @@ std::string InLowerCase(std::string_view word)
 }
 
 /// Parses a file from start to end.
-class LegacyVtkText
+class LegacyVtkFile
 {
 public:
-  LegacyVtkText(const std::string& bytes, const std::string& name) : Rest(bytes), FileName(name) {}
+  LegacyVtkFile(const std::string& bytes, const std::string& name) : File(bytes, name, "legacy VTK")
+  {
+  }
 
   vtkSmartPointer<vtkPolyData> Surface()
   {
@@ -87,58 +67,39 @@ public:
     }
     if (surface->GetPoints() == nullptr)
     {
-      this->Refuse("it has no points");
+      this->File.Refuse("it has no points");
     }
     return surface;
   }
 
 private:
-  [[noreturn]] void Refuse(const std::string& fact) const
-  {
-    palpate::Refuse(this->FileName, "is not a readable legacy VTK surface: " + fact,
-                    "write the file again");
-  }
-
-  std::string_view NextLine()
-  {
-    const std::string_view line = this->Rest.substr(0, this->Rest.find('\n'));
-    this->Rest.remove_prefix(std::min(line.size() + 1, this->Rest.size()));
-    return line;
-  }
-
   // Empty at the end of the file.
-  std::string_view NextWord()
-  {
-    this->Rest.remove_prefix(std::min(this->Rest.find_first_not_of(Blanks), this->Rest.size()));
-    const std::string_view word = this->Rest.substr(0, this->Rest.find_first_of(Blanks));
-    this->Rest.remove_prefix(word.size());
-    return word;
-  }
-  std::string Keyword() { return InLowerCase(this->NextWord()); }
+  std::string Keyword() { return InLowerCase(this->File.Word()); }
+  std::size_t Count() { return this->File.CountOf(this->File.Word()); }
 
   void ReadHeader()
   {
     constexpr std::string_view Mark = "# vtk DataFile Version ";
     constexpr int LastVersion = 5;
-    const std::string_view first = this->NextLine();
+    const std::string_view first = this->File.Line();
     const auto version = first.substr(0, Mark.size()) == Mark
                              ? ParseNumber(first.substr(Mark.size()))
                              : std::nullopt;
     if (!version || !(*version >= 1.0 && *version < LastVersion + 1))
     {
-      this->Refuse("it does not start with \"# vtk DataFile Version\" 1 to 5");
+      this->File.Refuse("it does not start with \"# vtk DataFile Version\" 1 to 5");
     }
     this->HasOffsets = *version >= LastVersion;
-    this->NextLine(); // the title
+    this->File.Line(); // the title
     const std::string coding = this->Keyword();
-    this->IsText = coding == "ascii";
-    if (!this->IsText && coding != "binary")
+    this->File.Coding = coding == "binary" ? NumberCoding::BigEndian : NumberCoding::Text;
+    if (coding != "ascii" && coding != "binary")
     {
-      this->Refuse("it is neither ASCII nor BINARY");
+      this->File.Refuse("it is neither ASCII nor BINARY");
     }
     if (this->Keyword() != "dataset" || this->Keyword() != "polydata")
     {
-      this->Refuse("its data set is not POLYDATA");
+      this->File.Refuse("its data set is not POLYDATA");
     }
   }
 
@@ -162,7 +123,7 @@ private:
   {
     if (!this->Seen.insert(section).second)
     {
-      this->Refuse("it has two sections of the same kind");
+      this->File.Refuse("it has two sections of the same kind");
     }
     if (section == "points")
     {
@@ -182,22 +143,24 @@ private:
     }
     else
     {
-      this->Refuse("it has a section that is not known");
+      this->File.Refuse("it has a section that is not known");
     }
   }
 
   // Ends with an empty line.
   void SkipMetaData()
   {
-    this->NextLine();
-    while (!this->Rest.empty() && this->NextLine().find_first_not_of(Blanks) != std::string::npos)
+    this->File.Line();
+    std::string_view line;
+    do
     {
-    }
+      line = this->File.Line();
+    } while (!TakeWord(line).empty());
   }
 
   void SkipField()
   {
-    this->NextWord(); // its name
+    this->File.Word(); // its name
     const std::size_t arrays = this->Count();
     for (std::size_t array = 0; array < arrays; ++array)
     {
@@ -209,40 +172,40 @@ private:
       }
       if (name.empty())
       {
-        this->Refuse("it ends too early");
+        this->File.Refuse("it ends too early");
       }
-      if (name == "null_array")
+      if (name != "null_array")
       {
-        continue;
+        // Each factor is below 2^31.
+        const std::size_t components = this->Count();
+        this->SkipValues(components * this->Count());
       }
-      const std::size_t components = this->Count();
-      const std::size_t tuples = this->Count();
-      this->SkipValues(this->TypeName(), components, tuples);
     }
   }
 
-  void SkipValues(const ValueType& type, std::size_t components, std::size_t tuples)
+  void SkipValues(std::size_t count)
   {
-    // Each factor is below 2^31.
-    const std::size_t count = components * tuples;
-    if (type.Is == Kind::Text)
+    const std::string type = this->Keyword();
+    if (type == "string" || type == "utf8_string")
     {
-      this->CheckRoom(count, 1);
+      this->File.Line();
+      this->File.RequireRoom(count, 1);
       this->SkipTexts(count);
+      return;
     }
-    else if (this->IsText)
+    const bool areBits = type == "bit";
+    const NumberType number = areBits ? NumberType{1, false, false} : this->TypeNamed(type);
+    const std::size_t items = areBits && !this->File.IsText() ? (count + 7) / 8 : count;
+    this->File.RequireRoom(items, this->File.LeastBytes(number));
+    if (!this->File.IsText())
     {
-      this->CheckRoom(count, 2);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        this->NextNumber(type);
-      }
+      this->File.Line();
+      this->File.Bytes(items * number.Bytes);
+      return;
     }
-    else
+    for (std::size_t i = 0; i < items; ++i)
     {
-      const std::size_t items = type.Is == Kind::Bit ? (count + 7) / 8 : count;
-      this->CheckRoom(items, type.Bytes);
-      this->Rest.remove_prefix(items * type.Bytes);
+      this->File.Number(number);
     }
   }
 
@@ -251,109 +214,36 @@ private:
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      if (this->IsText)
+      if (this->File.IsText())
       {
-        this->NextLine();
+        this->File.Line();
         continue;
       }
       // The first two bits tell the bytes of the length: 8, 4, 2 or 1.
-      this->CheckRoom(1, 1);
-      const int code = static_cast<unsigned char>(this->Rest.front()) >> 6;
-      const std::size_t bytes = std::size_t{8} >> code;
-      this->CheckRoom(1, bytes);
-      const std::uint64_t length =
-          this->TakeBits(bytes) & ((std::uint64_t{1} << (8 * bytes - 2)) - 1);
-      this->CheckRoom(length, 1);
-      this->Rest.remove_prefix(length);
+      const auto first = static_cast<unsigned char>(this->File.Bytes(1).front());
+      const std::size_t more = (std::size_t{8} >> (first >> 6)) - 1;
+      const std::uint64_t high = std::uint64_t{first & 63U} << (8 * more);
+      this->File.Bytes(high | BitsOf(this->File.Bytes(more), NumberCoding::BigEndian));
     }
   }
 
-  // A number of things, of which the file has to hold at least a bit each.
-  std::size_t Count()
+  NumberType TypeNamed(const std::string& name) const
   {
-    const auto number = ParseNumber(this->NextWord());
-    if (!number || *number != std::floor(*number) ||
-        !(*number >= 0.0 && *number <= 8.0 * static_cast<double>(this->Size)) ||
-        *number > 2147483647.0)
+    const auto found = VtkTypes().find(name);
+    if (found == VtkTypes().end())
     {
-      this->Refuse("one of its counts is invalid");
-    }
-    return static_cast<std::size_t>(*number);
-  }
-
-  // A type, and the end of its line, after which binary values and texts begin.
-  ValueType TypeName()
-  {
-    const auto found = ValueTypes().find(this->Keyword());
-    if (found == ValueTypes().end())
-    {
-      this->Refuse("it has values of a type that is not supported");
-    }
-    if (!this->IsText || found->second.Is == Kind::Text)
-    {
-      this->NextLine();
+      this->File.Refuse("some of its values are not numbers of a known type");
     }
     return found->second;
   }
 
-  void CheckRoom(std::size_t count, std::size_t bytes) const
+  // Of points or cells; binary values begin in the next line.
+  NumberType TakeType()
   {
-    // In a text, the last value needs no blank behind it.
-    if (count > (this->Rest.size() + (this->IsText ? 1 : 0)) / bytes)
+    const NumberType type = this->TypeNamed(this->Keyword());
+    if (!this->File.IsText())
     {
-      this->Refuse("it ends too early");
-    }
-  }
-
-  std::uint64_t TakeBits(std::size_t bytes)
-  {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < bytes; ++i)
-    {
-      bits = bits << 8 | static_cast<unsigned char>(this->Rest[i]); // big-endian
-    }
-    this->Rest.remove_prefix(bytes);
-    return bits;
-  }
-
-  // The caller has checked that a binary file has room for it.
-  double NextNumber(const ValueType& type)
-  {
-    if (this->IsText)
-    {
-      const auto number = ParseNumber(this->NextWord());
-      if (!number)
-      {
-        this->Refuse(this->Rest.empty() ? "it ends too early" : "a number was expected");
-      }
-      return *number;
-    }
-    const std::uint64_t bits = this->TakeBits(type.Bytes);
-    if (type.Is != Kind::Real)
-    {
-      const std::uint64_t sign = std::uint64_t{1} << (8 * type.Bytes - 1);
-      const double value = static_cast<double>(bits & (sign - 1));
-      const double top = static_cast<double>(bits & sign);
-      return type.Is == Kind::Signed ? value - top : value + top;
-    }
-    if (type.Bytes == 4)
-    {
-      const auto low = static_cast<std::uint32_t>(bits);
-      float value = 0.0F;
-      std::memcpy(&value, &low, sizeof value);
-      return value;
-    }
-    double value = 0.0;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-  }
-
-  ValueType NumberType()
-  {
-    const ValueType type = this->TypeName();
-    if (type.Is == Kind::Text || type.Is == Kind::Bit)
-    {
-      this->Refuse("its points or cells are not numbers");
+      this->File.Line();
     }
     return type;
   }
@@ -361,9 +251,9 @@ private:
   vtkSmartPointer<vtkPoints> ReadPoints()
   {
     const std::size_t count = this->Count();
-    const ValueType type = this->NumberType();
-    this->CheckRoom(3 * count, this->IsText ? 2 : type.Bytes);
-    const bool isSingle = type.Bytes < (type.Is == Kind::Real ? 8 : 4);
+    const NumberType type = this->TakeType();
+    this->File.RequireRoom(3 * count, this->File.LeastBytes(type));
+    const bool isSingle = type.Bytes < (type.Real ? 8 : 4);
     auto points = vtkSmartPointer<vtkPoints>::New();
     points->SetDataType(isSingle ? VTK_FLOAT : VTK_DOUBLE);
     points->SetNumberOfPoints(static_cast<vtkIdType>(count));
@@ -372,10 +262,10 @@ private:
       double point[3];
       for (double& coordinate : point)
       {
-        coordinate = this->NextNumber(type);
+        coordinate = this->File.Number(type);
         if (!(std::abs(coordinate) <= std::numeric_limits<float>::max()))
         {
-          this->Refuse("it has a point whose coordinates are not finite");
+          this->File.Refuse("it has a point whose coordinates are not finite");
         }
       }
       points->SetPoint(static_cast<vtkIdType>(i), point);
@@ -387,9 +277,9 @@ private:
   {
     const std::size_t count = this->Count();
     const std::size_t size = this->Count();
-    if (!this->HasOffsets && !this->IsText)
+    if (!this->HasOffsets && !this->File.IsText())
     {
-      this->NextLine();
+      this->File.Line();
     }
     return this->HasOffsets ? this->CellsByOffsets(count, size, fewestCorners)
                             : this->CellsByCounts(count, size, fewestCorners);
@@ -399,24 +289,24 @@ private:
   vtkSmartPointer<vtkCellArray> CellsByCounts(std::size_t count, std::size_t size,
                                               std::size_t fewestCorners)
   {
-    const ValueType type{Kind::Signed, 4};
-    this->CheckRoom(size, this->IsText ? 2 : type.Bytes);
+    const NumberType type{4, true, false};
+    this->File.RequireRoom(size, this->File.LeastBytes(type));
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     std::size_t left = size;
     for (std::size_t cell = 0; cell < count; ++cell)
     {
-      const double corners = left > 0 ? this->NextNumber(type) : -1.0;
+      const double corners = left > 0 ? this->File.Number(type) : -1.0;
       if (!(corners >= 0.0 && corners <= static_cast<double>(left - 1)) ||
           corners != std::floor(corners))
       {
-        this->Refuse("its cells do not have their stated size");
+        this->File.Refuse("its cells do not have their stated size");
       }
       left -= 1 + static_cast<std::size_t>(corners);
       this->TakeCell(type, static_cast<std::size_t>(corners), fewestCorners, cells);
     }
     if (left > 0)
     {
-      this->Refuse("its cells do not have their stated size");
+      this->File.Refuse("its cells do not have their stated size");
     }
     return cells;
   }
@@ -426,27 +316,27 @@ private:
                                                std::size_t fewestCorners)
   {
     this->Require("offsets");
-    const ValueType offsetType = this->NumberType();
-    this->CheckRoom(offsetCount, this->IsText ? 2 : offsetType.Bytes);
+    const NumberType offsetType = this->TakeType();
+    this->File.RequireRoom(offsetCount, this->File.LeastBytes(offsetType));
     std::vector<std::size_t> offsets(offsetCount);
     double last = 0.0;
     for (std::size_t& offset : offsets)
     {
-      const double next = this->NextNumber(offsetType);
+      const double next = this->File.Number(offsetType);
       if (!(next >= last && next <= static_cast<double>(size)) || next != std::floor(next))
       {
-        this->Refuse("its cells do not have their stated size");
+        this->File.Refuse("its cells do not have their stated size");
       }
       last = next;
       offset = static_cast<std::size_t>(next);
     }
     if (!offsets.empty() && (offsets.front() != 0 || offsets.back() != size))
     {
-      this->Refuse("its cells do not have their stated size");
+      this->File.Refuse("its cells do not have their stated size");
     }
     this->Require("connectivity");
-    const ValueType type = this->NumberType();
-    this->CheckRoom(size, this->IsText ? 2 : type.Bytes);
+    const NumberType type = this->TakeType();
+    this->File.RequireRoom(size, this->File.LeastBytes(type));
     auto cells = vtkSmartPointer<vtkCellArray>::New();
     for (std::size_t cell = 1; cell < offsets.size(); ++cell)
     {
@@ -459,25 +349,20 @@ private:
   {
     if (this->Keyword() != keyword)
     {
-      this->Refuse(std::string("its cells lack their ") + keyword);
+      this->File.Refuse(std::string("its cells lack their ") + keyword);
     }
   }
 
-  void TakeCell(const ValueType& type, std::size_t count, std::size_t fewest, vtkCellArray* cells)
+  void TakeCell(const NumberType& type, std::size_t count, std::size_t fewest, vtkCellArray* cells)
   {
     if (count < fewest)
     {
-      this->Refuse("a polygon or strip has fewer than three corners");
+      this->File.Refuse("a polygon or strip has fewer than three corners");
     }
     this->Corners.resize(count);
     for (vtkIdType& corner : this->Corners)
     {
-      const double index = this->NextNumber(type);
-      if (!(index >= 0.0 && index <= 2147483647.0) || index != std::floor(index))
-      {
-        this->Refuse("a cell refers to a point that does not exist");
-      }
-      corner = static_cast<vtkIdType>(index);
+      corner = this->File.IndexOf(this->File.Number(type));
     }
     if (fewest > 0) // others are skipped
     {
@@ -485,10 +370,7 @@ private:
     }
   }
 
-  std::string_view Rest;
-  std::size_t Size = Rest.size();
-  const std::string& FileName;
-  bool IsText = true;
+  SurfaceBytes File;
   bool HasOffsets = false;        // cells as of version 5
   std::set<std::string> Seen;     // sections
   std::vector<vtkIdType> Corners; // of the cell that is being read
@@ -498,7 +380,7 @@ private:
 vtkSmartPointer<vtkPolyData> SurfaceFromLegacyVtk(const std::string& bytes,
                                                   const std::string& fileName)
 {
-  return LegacyVtkText(bytes, fileName).Surface();
+  return LegacyVtkFile(bytes, fileName).Surface();
 }
 
 std::string TitleOfLegacyVtk(const std::string& bytes)

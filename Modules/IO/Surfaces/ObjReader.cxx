@@ -1,12 +1,13 @@
 #include "ObjReader.h"
 
 #include "DecimalText.h"
-#include "Refusal.h"
+#include "SurfaceBytes.h"
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <array>
@@ -19,33 +20,23 @@ namespace palpate
 {
 namespace
 {
-constexpr std::string_view ObjBlanks = " \t\r";
-
-// Removes and returns the first word; empty at the end.
-std::string_view TakeWord(std::string_view& rest)
-{
-  rest.remove_prefix(std::min(rest.find_first_not_of(ObjBlanks), rest.size()));
-  const std::string_view word = rest.substr(0, rest.find_first_of(ObjBlanks));
-  rest.remove_prefix(word.size());
-  return word;
-}
-
 /// Parses a text line by line.
 class ObjText
 {
 public:
-  ObjText(std::string_view text, const std::string& name) : Rest(text), FileName(name) {}
+  ObjText(std::string_view text, const std::string& name) : File(text, name, "OBJ")
+  {
+    this->Normals->SetNumberOfComponents(3);
+  }
 
   vtkSmartPointer<vtkPolyData> Surface()
   {
-    while (!this->Rest.empty())
+    while (!this->File.IsEmpty())
     {
       this->TakeLine(this->NextLine());
     }
     auto surface = vtkSmartPointer<vtkPolyData>::New();
-    vtkNew<vtkPoints> points;
-    points->SetData(AsArray(this->Points, ""));
-    surface->SetPoints(points);
+    surface->SetPoints(this->Points);
     surface->SetPolys(this->Faces);
     this->AddNormals(surface);
     return surface;
@@ -57,22 +48,18 @@ private:
 
   [[noreturn]] void Refuse(const std::string& fact) const
   {
-    palpate::Refuse(this->FileName,
-                    "is not a readable OBJ surface: " + fact + " in line " +
-                        std::to_string(this->Line),
-                    "write the file again");
+    this->File.Refuse(fact + " in line " + std::to_string(this->Line));
   }
 
   // A line that ends with a backslash continues in the next.
   std::string NextLine()
   {
     std::string line;
-    for (bool goesOn = true; goesOn && !this->Rest.empty();)
+    for (bool goesOn = true; goesOn && !this->File.IsEmpty();)
     {
       ++this->Line;
-      std::string_view part = this->Rest.substr(0, this->Rest.find('\n'));
-      this->Rest.remove_prefix(std::min(part.size() + 1, this->Rest.size()));
-      part = part.substr(0, part.find_last_not_of(ObjBlanks) + 1);
+      std::string_view part = this->File.Line();
+      part = part.substr(0, part.find_last_not_of(" \t\r") + 1);
       goesOn = !part.empty() && part.back() == '\\';
       part.remove_suffix(goesOn ? 1 : 0);
       line.append(part).append(goesOn ? " " : "");
@@ -86,11 +73,11 @@ private:
     const std::string_view keyword = TakeWord(words);
     if (keyword == "v")
     {
-      this->Points.push_back(this->TakeTriple(words));
+      this->Points->InsertNextPoint(this->TakeTriple(words).data());
     }
     else if (keyword == "vn")
     {
-      this->Normals.push_back(this->TakeTriple(words));
+      this->Normals->InsertNextTypedTuple(this->TakeTriple(words).data());
     }
     else if (keyword == "f")
     {
@@ -132,12 +119,12 @@ private:
   void TakeCorner(std::string_view word)
   {
     const std::size_t slash = word.find('/');
-    const vtkIdType point = this->Index(word.substr(0, slash), this->Points.size());
+    const vtkIdType point = this->Index(word.substr(0, slash), this->Points->GetNumberOfPoints());
     this->Corners.push_back(point);
     const std::size_t second = slash == std::string_view::npos ? slash : word.find('/', slash + 1);
     const bool hasNormal = second != std::string_view::npos && second + 1 < word.size();
     const vtkIdType normal =
-        hasNormal ? this->Index(word.substr(second + 1), this->Normals.size()) : None;
+        hasNormal ? this->Index(word.substr(second + 1), this->Normals->GetNumberOfTuples()) : None;
     const auto place = static_cast<std::size_t>(point);
     // Points may follow the faces, but there cannot be more of them than the text has
     // characters.
@@ -147,68 +134,53 @@ private:
     }
     vtkIdType& taken = this->NormalOfPoint[place];
     taken = taken == Unset || taken == normal ? normal : None;
-    this->AllHaveNormals = this->AllHaveNormals && taken != None;
   }
 
   // Zero-based. In the file, indices count from 1, or backwards from the last element so far.
-  vtkIdType Index(std::string_view word, std::size_t countSoFar) const
+  vtkIdType Index(std::string_view word, vtkIdType countSoFar) const
   {
     const auto number = ParseInteger(word);
     const vtkIdType index = !number       ? None
                             : *number > 0 ? vtkIdType{*number} - 1
-                                          : static_cast<vtkIdType>(countSoFar) + *number;
-    if (!number || *number == 0 || index < 0 || static_cast<std::size_t>(index) > this->TextSize)
+                                          : countSoFar + *number;
+    if (!number || *number == 0 || index < 0 || static_cast<std::size_t>(index) > this->File.Size())
     {
       this->Refuse("a face refers to a point or normal that does not exist");
     }
     return index;
   }
 
+  // If every point has one.
   void AddNormals(vtkPolyData* surface) const
   {
-    bool areThere = this->AllHaveNormals && this->NormalOfPoint.size() == this->Points.size();
-    std::vector<Triple> normals;
-    for (const vtkIdType normal : this->NormalOfPoint)
+    const auto isThere = [count = this->Normals->GetNumberOfTuples()](vtkIdType normal)
+    { return normal >= 0 && normal < count; };
+    const std::vector<vtkIdType>& chosen = this->NormalOfPoint;
+    if (chosen.empty() ||
+        chosen.size() != static_cast<std::size_t>(this->Points->GetNumberOfPoints()) ||
+        !std::all_of(chosen.begin(), chosen.end(), isThere))
     {
-      areThere = areThere && normal >= 0 && normal < static_cast<vtkIdType>(this->Normals.size());
-      if (!areThere)
-      {
-        return;
-      }
-      normals.push_back(this->Normals[static_cast<std::size_t>(normal)]);
+      return;
     }
-    if (areThere && !normals.empty())
+    vtkNew<vtkFloatArray> normals;
+    normals->SetName("Normals");
+    normals->SetNumberOfComponents(3);
+    for (const vtkIdType normal : chosen)
     {
-      surface->GetPointData()->SetNormals(AsArray(normals, "Normals"));
+      normals->InsertNextTuple(normal, this->Normals);
     }
-  }
-
-  static vtkSmartPointer<vtkFloatArray> AsArray(const std::vector<Triple>& triples,
-                                                const char* name)
-  {
-    auto array = vtkSmartPointer<vtkFloatArray>::New();
-    array->SetName(name);
-    array->SetNumberOfComponents(3);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(triples.size()));
-    for (std::size_t i = 0; i < triples.size(); ++i)
-    {
-      array->SetTypedTuple(static_cast<vtkIdType>(i), triples[i].data());
-    }
-    return array;
+    surface->GetPointData()->SetNormals(normals);
   }
 
   static constexpr vtkIdType Unset = -2;
 
-  std::string_view Rest;
-  std::size_t TextSize = Rest.size();
-  const std::string& FileName;
+  SurfaceBytes File;
   std::size_t Line = 0;
-  std::vector<Triple> Points;
-  std::vector<Triple> Normals;
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkFloatArray> Normals;
   std::vector<vtkIdType> Corners; // of the face that is being read
   vtkNew<vtkCellArray> Faces;
   std::vector<vtkIdType> NormalOfPoint; // an index of Normals, None or Unset
-  bool AllHaveNormals = true;
 };
 } // namespace
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "TriangleMesh.h"
 
+#include <cstdint>
 #include <string>
 
 namespace palpate
@@ -12,9 +12,13 @@ namespace palpate
 /// comment may start like that.
 bool IsStlText(const std::string& bytes);
 
+/// The length of a binary STL file by its count of triangles, of which there are none if it ends
+/// before the count.
+std::uint64_t BinaryStlBytes(const std::string& bytes);
+
 /// The triangles of a text STL file, with equal points merged, in single precision, as VTK's reader
 /// has them; that reads lines of up to 255 characters and keywords in lower case only. Solids are
 /// one surface; normals are not read. Throws InputError, naming `file`, for a text that is cut off
 /// or has a vertex that is not three numbers.
-vtkSmartPointer<vtkPolyData> SurfaceFromStlText(const std::string& text, const std::string& file);
+TriangleMesh MeshFromStlText(const std::string& text, const std::string& file);
 } // namespace palpate

@@ -69,15 +69,10 @@ std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
 // file for text if it has few bytes that are not ASCII.
 void CheckBinaryStl(const std::filesystem::path& path, const std::string& bytes)
 {
-  constexpr std::size_t header = 80;
-  std::uint64_t triangles = 0;
-  for (std::size_t i = 4; i-- > 0 && bytes.size() >= header + 4;)
-  {
-    triangles = triangles << 8 | static_cast<unsigned char>(bytes[header + i]);
-  }
+  constexpr std::uint64_t OneTriangle = 134;
   const bool isText =
       vtksys::SystemTools::DetectFileType(path.c_str()) == vtksys::SystemTools::FileTypeText;
-  if (isText || bytes.size() < header + 4 + 50 * std::max<std::uint64_t>(triangles, 1))
+  if (isText || bytes.size() < std::max(BinaryStlBytes(bytes), OneTriangle))
   {
     Refuse(path, "is not a complete STL file (it may be truncated)", "write the file again");
   }
@@ -154,7 +149,7 @@ vtkSmartPointer<vtkPolyData> ReadStl(const std::filesystem::path& path)
   if (IsStlText(bytes))
   {
     return TurnedToLps(SpaceOfComments(path, bytes.substr(0, bytes.find('\n'))),
-                       SurfaceFromStlText(bytes, path.string()));
+                       PolyDataOf(MeshFromStlText(bytes, path.string())));
   }
   CheckBinaryStl(path, bytes);
   return TurnedToLps(SpaceOfComments(path, bytes.substr(0, 80)),

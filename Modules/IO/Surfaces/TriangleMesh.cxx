@@ -11,7 +11,10 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
+#include <tuple>
 
 namespace palpate
 {
@@ -139,7 +142,60 @@ void AddColorsAndValues(const TriangleMesh& mesh, vtkPointData* data)
     data->SetScalars(colors);
   }
 }
+// Removes points that were merged into others, and triangles that became edges.
+void RenumberPoints(std::vector<int>& merged, TriangleMesh& mesh)
+{
+  std::vector<Vector3> kept;
+  for (std::size_t i = 0; i < merged.size(); ++i)
+  {
+    const bool isKept = merged[i] == static_cast<int>(i);
+    // Points before this one have their new number by now.
+    merged[i] =
+        isKept ? static_cast<int>(kept.size()) : merged[static_cast<std::size_t>(merged[i])];
+    if (isKept)
+    {
+      kept.push_back(mesh.PointsWorld[i]);
+    }
+  }
+  mesh.PointsWorld = std::move(kept);
+  for (auto& triangle : mesh.Triangles)
+  {
+    for (int& corner : triangle)
+    {
+      corner = merged[static_cast<std::size_t>(corner)];
+    }
+  }
+  mesh.Triangles.erase(std::remove_if(mesh.Triangles.begin(), mesh.Triangles.end(),
+                                      [](const std::array<int, 3>& t)
+                                      { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }),
+                       mesh.Triangles.end());
+}
 } // namespace
+
+// By sorting, which takes the same time for every file.
+void MergeEqualPoints(TriangleMesh& mesh)
+{
+  const std::vector<Vector3>& points = mesh.PointsWorld;
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto at = [&points](int i) -> const Vector3&
+  { return points[static_cast<std::size_t>(i)]; };
+  std::sort(order.begin(), order.end(),
+            [&at](int a, int b)
+            {
+              const double* const p = at(a).data();
+              const double* const q = at(b).data();
+              return std::tie(p[0], p[1], p[2], a) < std::tie(q[0], q[1], q[2], b);
+            });
+  std::vector<int> merged(points.size());
+  int first = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    first = i > 0 && at(order[i]) == at(first) ? first : order[i];
+    merged[static_cast<std::size_t>(order[i])] = first;
+  }
+  RenumberPoints(merged, mesh);
+}
 
 TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file)
 {

@@ -35,6 +35,11 @@ struct TriangleMesh
 /// point that does not exist or a point array has another length.
 PALPATEIO_EXPORT TriangleMesh TrianglesOf(vtkPolyData* surface, const std::filesystem::path& file);
 
+/// Makes points with the same coordinates one, which keeps its first number, and drops triangles
+/// that this turns into edges. The points must be finite and without values of their own; the
+/// indices must be valid.
+void MergeEqualPoints(TriangleMesh& mesh);
+
 /// The data set of a mesh; colours become its active point scalars.
 PALPATEIO_EXPORT vtkSmartPointer<vtkPolyData> PolyDataOf(const TriangleMesh& mesh);
 } // namespace palpate

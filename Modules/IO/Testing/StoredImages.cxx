@@ -1,5 +1,8 @@
 #include "StoredImages.h"
 
+#include "MessageOf.h"
+#include "TemporaryFolder.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -130,5 +133,25 @@ std::string ReversedNifti2(std::string bytes, std::size_t voxelBytes)
   return Reversed(std::move(bytes),
                   {{0, 4, 1}, {12, 2, 2}, {16, 8, 22}, {344, 4, 2}, {352, 8, 18}, {500, 4, 1}}, 544,
                   voxelBytes);
+}
+
+Volume ReadBytes(const std::string& name, const std::string& bytes, const VolumeChoice& choice)
+{
+  const TemporaryFolder folder;
+  WriteAll(folder / name, bytes);
+  return ReadVolume(folder / name, choice);
+}
+
+std::string RefusalOf(const std::string& name, const std::string& bytes)
+{
+  return MessageOf([&] { ReadBytes(name, bytes); });
+}
+
+void ExpectTruncationsAreRefused(const std::string& name, const std::string& bytes)
+{
+  for (std::size_t length = 1; length < bytes.size(); ++length)
+  {
+    EXPECT_NE(RefusalOf(name, bytes.substr(0, length)), "no error") << name << " " << length;
+  }
 }
 } // namespace palpate::test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "SyntheticImages.h"
+#include "VolumeFile.h"
 
 #include <array>
 #include <cstdint>
@@ -62,4 +63,12 @@ std::string AnalyzeHeader(const NiftiSpec& spec);
 /// The fields of such headers and the voxels, of `voxelBytes` each, in the other byte order.
 std::string ReversedNifti1(std::string bytes, std::size_t voxelBytes);
 std::string ReversedNifti2(std::string bytes, std::size_t voxelBytes);
+
+/// The volume of a file of this name and content.
+Volume ReadBytes(const std::string& name, const std::string& bytes,
+                 const VolumeChoice& choice = {});
+/// The message for it; "no error" if it is read.
+std::string RefusalOf(const std::string& name, const std::string& bytes);
+/// Expects that the file is refused however it is truncated, from one byte on.
+void ExpectTruncationsAreRefused(const std::string& name, const std::string& bytes);
 } // namespace palpate::test

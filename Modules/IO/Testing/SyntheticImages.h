@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,15 @@ template <typename T>
 std::string BytesOf(const std::vector<T>& values)
 {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// 0, 1, 2, ...
+template <typename T>
+std::vector<T> Counting(std::size_t count)
+{
+  std::vector<T> values(count);
+  std::iota(values.begin(), values.end(), T(0));
+  return values;
 }
 
 /// A NIfTI-1 header's fields (nifti1.h); the defaults are a 4 x 5 x 6 volume of bytes, 2 mm.

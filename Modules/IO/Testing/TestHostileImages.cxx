@@ -86,26 +86,6 @@ TEST_F(HostileImages, RejectsLongNrrdLinesAfterCarriageReturn)
                        "one of its lines has 2000 characters"));
 }
 
-TEST_F(HostileImages, RejectsNrrdAxesAfterCarriageReturn)
-{
-  EXPECT_TRUE(
-      Contains(this->NrrdRefusal({"type: unsigned char", "encoding: raw",
-                                  "note:=a\rdimension: 16\rsizes: 1 1 1 1 1 1 1 1 1 1 1 1 1 "
-                                  "4 5 6"}),
-               "has 16 dimensions"));
-}
-
-TEST_F(HostileImages, RejectsNrrdDataFilesAfterCarriageReturn)
-{
-  mkfifo((this->Folder / "pipe").c_str(), 0600);
-  for (const char* name : {"pipe", "-"})
-  {
-    EXPECT_TRUE(Contains(this->NrrdRefusalWith(std::string("note:=a\rdata file: ") + name),
-                         "that is not a regular file"))
-        << name;
-  }
-}
-
 TEST_F(HostileImages, FollowsNrrdSpaceAfterCarriageReturn)
 {
   std::vector<std::string> lines = PlainNrrdLines("unsigned char");
@@ -214,20 +194,6 @@ TEST_F(HostileImages, RejectsMetaImageKeysThatOverflowLibrary)
   }
 }
 
-TEST_F(HostileImages, RejectsMetaImageWordsThatOverflowLibrary)
-{
-  for (const char* key : {"ObjectType", "ObjectSubType", "Name", "Comment", "TransformType"})
-  {
-    const std::string bytes =
-        MetaImageBytes("MET_UCHAR", std::string(120, '\1'),
-                       "TransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 2 2 2\n" +
-                           std::string(key) + " = " + std::string(260, 'I') + "\n");
-    EXPECT_TRUE(
-        Contains(this->Refusal("a.mha", bytes), std::string("has 260 characters of ") + key))
-        << key;
-  }
-}
-
 TEST_F(HostileImages, IgnoresHugeFilesNextToLabelMap)
 {
   WriteAll(this->Folder / "a.nii", NiftiBytes({}, std::string(120, '\1')));
@@ -271,10 +237,6 @@ TEST_F(HostileImages, RejectsGigabytesAfterVoxels)
 
 TEST_F(HostileImages, RejectsVoxelsThatExceedCompressedBytes)
 {
-  NiftiSpec spec;
-  spec.Dimensions = {3, 2000, 2000, 2000, 1, 1, 1, 1};
-  EXPECT_TRUE(
-      Contains(this->Refusal("a.nii.gz", Gzipped(NiftiBytes(spec, "few"))), "is truncated"));
   for (const char* encoding : {"raw", "gzip", "hex", "ascii"})
   {
     std::vector<std::string> lines = PlainNrrdLines("unsigned char");

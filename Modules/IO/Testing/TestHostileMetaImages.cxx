@@ -71,14 +71,17 @@ protected:
   TemporaryFolder Folder;
 };
 
-TEST_F(HostileMetaImages, BoundsDigitsInPlaceOfWords)
+TEST_F(HostileMetaImages, BoundsWordsAndDigitsInPlaceOfWords)
 {
-  for (const char* key : {"Comment", "Name", "ObjectSubType", "TransformType", "AcquisitionDate",
-                          "DistanceUnits", "AnatomicalOrientation", "NoSuchKey"})
+  for (const char* key : {"ObjectType", "Comment", "Name", "ObjectSubType", "TransformType",
+                          "AcquisitionDate", "DistanceUnits", "AnatomicalOrientation", "NoSuchKey"})
   {
-    const std::string message =
-        this->Refusal(With(std::string(key) + " = " + std::string(255, '1'), "DimSize"));
-    EXPECT_TRUE(Contains(message, std::string("has 255 characters of ") + key)) << message;
+    for (const char letter : {'1', 'I'})
+    {
+      const std::string message =
+          this->Refusal(With(std::string(key) + " = " + std::string(255, letter), "DimSize"));
+      EXPECT_TRUE(Contains(message, std::string("has 255 characters of ") + key)) << message;
+    }
   }
 }
 

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <numeric>
 #include <sstream>
 
 namespace palpate::volume_test
@@ -21,14 +20,6 @@ namespace palpate::volume_test
 namespace
 {
 using namespace palpate::test;
-
-template <typename T>
-std::vector<T> Counting(std::size_t count)
-{
-  std::vector<T> values(count);
-  std::iota(values.begin(), values.end(), T(0));
-  return values;
-}
 
 Vector3 WorldOf(vtkImageData* image, int i, int j, int k)
 {

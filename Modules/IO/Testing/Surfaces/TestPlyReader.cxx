@@ -126,20 +126,5 @@ TEST(PlyReader, RejectsEveryTruncation)
     ASSERT_NE(RefusalOf(bytes.substr(0, length)), "accepted") << length << " bytes";
   }
 }
-
-TEST(PlyReader, DamagedBytesAreOnlyRefused)
-{
-  std::mt19937_64 random(8);
-  for (const std::string& bytes : {MeshToPly(Mesh()), std::string(TwoTrianglesAsText)})
-  {
-    const std::size_t header = bytes.find("end_header");
-    for (int i = 0; i < 5000; ++i)
-    {
-      std::string damaged = bytes;
-      damaged[random() % (i % 2 == 0 ? header : damaged.size())] = static_cast<char>(random());
-      ASSERT_FALSE(RefusalOf(damaged).empty()); // any other exception fails the test
-    }
-  }
-}
 } // namespace
 } // namespace palpate::ply_reader_test
