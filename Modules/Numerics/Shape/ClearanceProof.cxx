@@ -249,18 +249,17 @@ int ClearanceProofOf<Surface>::WorkOfLook(int workLeft) const noexcept
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
-                               std::size_t knownCount, int evaluationLimit,
-                               const Rest& rest) noexcept
+                               std::size_t knownCount, int evaluationLimit) noexcept
 {
   return this->AskWithin(this->Needed + this->LeftOpen, queryWorld, known, knownCount,
-                         evaluationLimit, Apart, rest);
+                         evaluationLimit);
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
                                      const ClosestPoint* known, std::size_t knownCount,
-                                     int evaluationLimit, double apart, const Rest& rest) noexcept
+                                     int evaluationLimit, double apart) noexcept
 {
   this->Asked = distance - this->LeftOpen;
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
@@ -269,8 +268,6 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   task.Known = known;
   task.KnownCount = std::min(knownCount, MostKnown);
   task.WorkLeft = WorkOfEvaluation * evaluationLimit;
-  task.WorkOfRest = WorkOfEvaluation * rest.Evaluations;
-  task.EnoughUntil = Infinite;
   task.Rounding = descent.Rounding(this->Query);
   task.Result.State = Finding::Clear;
   task.Result.LowerDistance = this->Asked;
@@ -287,35 +284,29 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   // the distance some are never clear, so that every other query at a place begins with those that
   // lack least.
   this->Open.Sort(this->IsTurned);
-  const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
   for (std::size_t i = 0; i < this->Open.Count() && task.Result.State != Finding::Nearer; ++i)
   {
-    if (i >= FirstCells && task.WorkLeft < WorkOfEvaluation && !task.TakeRest(enoughUntil))
+    if (i >= FirstCells && task.WorkLeft < WorkOfEvaluation)
     {
       this->LeaveOpen(task, i);
       break;
     }
     this->Prefetch(i + 2);
-    this->Settle(task, this->Open[i], enoughUntil);
+    this->Settle(task, this->Open[i]);
   }
-  const int most = evaluationLimit + rest.Evaluations;
-  task.Result.Evaluations = most - (task.WorkLeft + task.WorkOfRest) / WorkOfEvaluation;
+  task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
   return task.Result;
 }
 
 template <typename Surface>
-void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double enoughUntil) noexcept
+void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
 {
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    const double until = this->Cells.ClearUntil[index];
-    step = until >= this->Used()              ? Step::Settled
-           : until >= task.EnoughUntil        ? Step::Open
-           : this->Cells.Nodes[index] != None ? this->SettleNode(task, index)
-                                              : this->SettleTriangle(task, index);
-    const bool mayGoOn = step == Step::Open && this->Cells.ClearUntil[index] < enoughUntil;
-    step = mayGoOn && task.TakeRest(enoughUntil) ? Step::Again : step;
+    step = this->Cells.ClearUntil[index] >= this->Used() ? Step::Settled
+           : this->Cells.Nodes[index] != None            ? this->SettleNode(task, index)
+                                                         : this->SettleTriangle(task, index);
   }
   if (step == Step::Open)
   {

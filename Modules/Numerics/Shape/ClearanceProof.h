@@ -37,14 +37,6 @@ public:
     ClosestPoint Minimum; ///< of Nearer
   };
 
-  /// More work, in evaluations, for a query whose own leaves parts nearer than `Enough` (mm) open:
-  /// only for such parts.
-  struct Rest
-  {
-    double Enough = 0.0;
-    int Evaluations = 0;
-  };
-
   /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
@@ -57,12 +49,11 @@ public:
   /// MostKnown. Works as long as about `evaluationLimit` evaluations of the surface with its first
   /// two derivatives take; what remains open is continued by the next query.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
-             int evaluationLimit, const Rest& rest = {}) noexcept;
+             int evaluationLimit) noexcept;
   /// The same for another distance, up to the tolerance, preferably less. Known minima count for
   /// everything within the angle `apart` (rad).
   Answer AskWithin(double distance, const Vector3& queryWorld, const ClosestPoint* known,
-                   std::size_t knownCount, int evaluationLimit, double apart = Apart,
-                   const Rest& rest = {}) noexcept;
+                   std::size_t knownCount, int evaluationLimit, double apart = Apart) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
@@ -108,7 +99,7 @@ private:
   void PrefetchMoved(std::size_t i) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
   void LeaveOpen(Task& task, std::size_t first) const noexcept;
-  void Settle(Task& task, std::size_t index, double enoughUntil) noexcept;
+  void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
   Step Descend(Task& task, const Triangle& cell) noexcept;
