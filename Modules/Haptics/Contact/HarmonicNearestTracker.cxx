@@ -55,7 +55,8 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
     : Touched(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
       TouchingGap(
           std::max(RelativeGap * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
-      Stride(RelativeStride * this->Touched->SmallestRadius())
+      Stride(RelativeStride * this->Touched->SmallestRadius()),
+      Work(TickWork::Evaluations(this->Touched->Model().Degree()) / 2)
 {
   bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
@@ -89,10 +90,11 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     this->Felt = Contact();
     return this->Felt;
   }
-  this->EvaluationsLeft = TickWork::Evaluations(this->Touched->Model().Degree());
+  this->EvaluationsLeft = this->Work;
   this->Advance(pose.PositionWorld);
   if (this->IsWedging && this->Known == State::Touching)
   {
+    this->EvaluationsLeft = std::max(0, this->EvaluationsLeft) + this->Work;
     this->DragWedge(pose.PositionWorld);
     this->Wedge->LookAhead();
     this->IsHovering = !this->Wedge->IsHeld();
@@ -184,9 +186,19 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
         this->ProbeWorld = probe;
         return true;
       }
+      if (this->EvaluationsLeft <= 0)
+      {
+        return true; // the next tick goes on
+      }
+      const int before = this->EvaluationsLeft;
       this->Measure(this->ProbeWorld);
       if (this->ClearRadius <= this->TouchingGap)
       {
+        // A search that the end of the work cut short does not tell.
+        if (this->EvaluationsLeft <= 0 && before < std::min(this->Work, EvaluationsOfSearch))
+        {
+          return true;
+        }
         break;
       }
       const Vector3 path = probe - this->ProbeWorld;
@@ -287,7 +299,7 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
   const double length = path.norm();
   const int strides =
       1 + static_cast<int>(std::min(length / this->Stride, MostStridesOfMove - 1.0));
-  for (int i = 1; i <= strides && this->EvaluationsLeft > 0; ++i)
+  for (int i = 1; i <= strides && (i == 1 || this->EvaluationsLeft > 0); ++i)
   {
     const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
     const ProvenBall before = this->RoomOfOneWall();

@@ -129,7 +129,9 @@ private:
   double TouchingGap; // mm; smaller distances count as contact
   double Stride;      // mm; the longest step of the probe that stays with its minimum
 
-  int EvaluationsLeft = 0; // in this tick
+  // Evaluations of a tick to follow the probe, and again for the wedge; and what is left of them.
+  int Work;
+  int EvaluationsLeft = 0;
   State Known = State::Nothing;
   Vector3 ProbeWorld = Vector3::Zero(); // end of the probe's path that has been followed
   // Without contact at a star-shaped surface: the tool is free while its centre is in this sphere.

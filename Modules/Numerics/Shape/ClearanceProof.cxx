@@ -167,10 +167,9 @@ void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
   this->Open.Clear();
   for (std::size_t i = 0; i < this->MovedCount; ++i)
   {
-    this->PrefetchMoved(i + 2);
     const std::size_t group = this->Moved[i];
     if (task.WorkLeft >= least + WorkOfGroup && !this->IsBounded(group) &&
-        this->Cells.HasBounds(group))
+        this->Cells.FirstNodes[group] != None)
     {
       task.WorkLeft -= WorkOfGroup;
       this->BoundGroup(task, group);
@@ -197,21 +196,6 @@ void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) 
       const auto& ball = tree.BallOf(each);
       this->Improve(task, first + part, tree.LowerDistance(each, this->Query), ball.Center,
                     ball.Radius);
-    }
-  }
-  const ExpandedParts* expanded = this->Cells.ExpandedOf(group);
-  if (expanded == nullptr || !this->IsUsedUp(group, used))
-  {
-    return;
-  }
-  alignas(sizeof(FourLanes)) FourLanes lower;
-  expanded->LowerDistance(this->Query, this->Set, lower);
-  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
-  {
-    if (this->Cells.ClearUntil[first + part] < used)
-    {
-      this->Improve(task, first + part, lower[part], expanded->PointOf(part),
-                    expanded->ExtentOf(part));
     }
   }
 }
@@ -324,17 +308,6 @@ void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
 }
 
 template <typename Surface>
-void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
-{
-  const ExpandedParts* expanded =
-      i < this->MovedCount ? this->Cells.ExpandedOf(this->Moved[i]) : nullptr;
-  if (expanded != nullptr)
-  {
-    PrefetchObject(*expanded);
-  }
-}
-
-template <typename Surface>
 void ClearanceProofOf<Surface>::LeaveOpen(Task& task, double until) const noexcept
 {
   task.Result.State = Finding::Open;
@@ -432,33 +405,19 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
   {
     return Step::Settled;
   }
-  const std::size_t group = index / MovedBounds::Count;
-  if (MayBoundTogether && cell.IsEvaluated && !this->IsBounded(group))
+  const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
+  if (task.WorkLeft < work)
   {
-    if (task.WorkLeft <= 0)
-    {
-      return Step::Open;
-    }
-    task.WorkLeft -= WorkOfGroup;
-    this->BoundGroup(task, group);
-    return Step::Again;
+    return Step::Open;
   }
-  if (!cell.IsEvaluated || !MayBoundTogether)
+  task.WorkLeft -= work;
+  if (!cell.IsEvaluated)
   {
-    const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
-    if (task.WorkLeft < work)
-    {
-      return Step::Open;
-    }
-    task.WorkLeft -= work;
-    if (!cell.IsEvaluated)
-    {
-      this->Cells.Evaluate(index);
-    }
-    if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
-    {
-      return Step::Settled;
-    }
+    this->Cells.Evaluate(index);
+  }
+  if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
+  {
+    return Step::Settled;
   }
   const Step step = this->Descend(task, cell);
   if (step != Step::Again || this->Clears(task.LowerDistance(cell.Cap), index))

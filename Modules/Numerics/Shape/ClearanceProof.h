@@ -71,7 +71,6 @@ private:
   static constexpr int WorkOfEvaluation = SurfaceKind<Surface>::WorkOfEvaluation;
   static constexpr int WorkOfBound = SurfaceKind<Surface>::WorkOfBound;
   static constexpr int WorkOfGroup = SurfaceKind<Surface>::WorkOfGroup;
-  static constexpr bool MayBoundTogether = SurfaceKind<Surface>::MayBoundTogether;
   static constexpr std::size_t Groups = ProofCells<Surface>::Groups;
   static constexpr std::size_t CellCapacity = ProofCells<Surface>::Capacity;
 
@@ -96,7 +95,6 @@ private:
     return this->BoundedAt[group] == this->Bounded;
   }
   void Prefetch(std::size_t i) const noexcept;
-  void PrefetchMoved(std::size_t i) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
   void LeaveOpen(Task& task, std::size_t first) const noexcept;
   void Settle(Task& task, std::size_t index) noexcept;

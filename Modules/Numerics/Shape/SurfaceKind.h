@@ -36,8 +36,6 @@ struct SurfaceKind<SphericalHarmonicModel>
   static constexpr int WorkOfEvaluation = 16;
   static constexpr int WorkOfBound = 4;
   static constexpr int WorkOfGroup = 2;
-  /// Whether ExpandedParts bounds four parts at once; the tree keeps those of its finest nodes.
-  static constexpr bool MayBoundTogether = false;
 };
 
 template <>
@@ -53,7 +51,6 @@ struct SurfaceKind<ParametricShape>
   static constexpr int WorkOfEvaluation = 6;
   static constexpr int WorkOfBound = 2;
   static constexpr int WorkOfGroup = 1;
-  static constexpr bool MayBoundTogether = true;
 };
 
 template <typename Surface>
