@@ -13,7 +13,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // Work, in evaluations of the surface, of a proof. Where that does not end the whole surface is
 // searched, since a tool that waits meets its wall too late.
 constexpr int MotionEvaluationsOfProof = 160;
-constexpr int MotionEvaluationsOfSearch = 256;
+constexpr int MotionEvaluationsOfSearch = 128;
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
 constexpr int MotionMeetings = 4;          // of walls in one step
@@ -61,7 +61,7 @@ bool ClearMotion::MoveTo(const Vector3& probeWorld, int evaluations) noexcept
 {
   this->EvaluationsLeft = evaluations;
   double longest = this->Stride;
-  for (int step = 0; step<MotionSteps&& this->EvaluationsLeft> MotionEvaluationsOfSearch; ++step)
+  for (int step = 0; step<MotionSteps&& this->EvaluationsLeft> 0; ++step)
   {
     const Vector3 start = this->EndOfBall(probeWorld);
     const Vector3 path = probeWorld - start;
@@ -176,7 +176,7 @@ ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& 
   {
     proven = this->Prove(start, goal, this->Free, minima);
   }
-  if (proven == Step::Open)
+  if (proven == Step::Open && this->EvaluationsLeft > 0)
   {
     proven = this->Prove(start, goal, needed, minima);
   }
@@ -300,13 +300,13 @@ ClearMotion::Step ClearMotion::Prove(const Vector3& start, const Vector3& goal, 
   const bool isShort = needed <= this->Free && this->IsShort(start, goal);
   const double enough = isShort ? needed - this->Slack : needed;
   double wanted = this->Wanted(needed, minima);
-  for (int proof = 0; proof < MotionProofs; ++proof)
+  for (int proof = 0; proof<MotionProofs&& this->EvaluationsLeft> 0; ++proof)
   {
     constexpr double Apart = 0.0; // minima are not merged however near they are
     const double asked = wanted + 0.5 * this->Exactness;
-    const auto answer =
-        this->Clearance->AskWithin(asked + this->Clearance->Tolerance(), goal, minima.Each.data(),
-                                   minima.Count, MotionEvaluationsOfProof, Apart);
+    const auto answer = this->Clearance->AskWithin(
+        asked + this->Clearance->Tolerance(), goal, minima.Each.data(), minima.Count,
+        std::min(this->EvaluationsLeft, MotionEvaluationsOfProof), Apart);
     this->EvaluationsLeft -= answer.Evaluations;
     if (answer.State != Proof::Finding::Nearer)
     {

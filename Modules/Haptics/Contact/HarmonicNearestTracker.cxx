@@ -20,6 +20,7 @@ constexpr int MostFreeSteps = 16;
 constexpr int MostStridesOfMove = 32;
 // Of a search of the whole surface, and where the work of a tick has ended. Rough bodies need many.
 constexpr int EvaluationsOfSearch = 256;
+constexpr int EvaluationsOfPath = 500; // of the searches of a tick
 constexpr int FewEvaluations = 20;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
@@ -56,7 +57,7 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
       TouchingGap(
           std::max(RelativeGap * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
       Stride(RelativeStride * this->Touched->SmallestRadius()),
-      Work(TickWork::Evaluations(this->Touched->Model().Degree()) / 2)
+      Work(this->Touched->EvaluationsOfTick())
 {
   bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
@@ -90,11 +91,11 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     this->Felt = Contact();
     return this->Felt;
   }
-  this->EvaluationsLeft = this->Work;
+  this->EvaluationsLeft = std::min(this->Work, EvaluationsOfPath);
   this->Advance(pose.PositionWorld);
   if (this->IsWedging && this->Known == State::Touching)
   {
-    this->EvaluationsLeft = std::max(0, this->EvaluationsLeft) + this->Work;
+    this->EvaluationsLeft += this->Work - std::min(this->Work, EvaluationsOfPath);
     this->DragWedge(pose.PositionWorld);
     this->Wedge->LookAhead();
     this->IsHovering = !this->Wedge->IsHeld();

@@ -6,7 +6,6 @@
 #include "HarmonicSurface.h"
 #include "HarmonicWedge.h"
 #include "ParametricTouchSurface.h"
-#include "TickWork.h"
 #include "WedgePlaces.h"
 
 #include <memory>
@@ -129,7 +128,7 @@ private:
   double TouchingGap; // mm; smaller distances count as contact
   double Stride;      // mm; the longest step of the probe that stays with its minimum
 
-  // Evaluations of a tick to follow the probe, and again for the wedge; and what is left of them.
+  // Evaluations of a tick, and what is left of them.
   int Work;
   int EvaluationsLeft = 0;
   State Known = State::Nothing;

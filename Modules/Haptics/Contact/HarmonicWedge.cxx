@@ -145,8 +145,7 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
   for (std::size_t found = 0; found < Most && this->KnownCount < MostWalls; ++found)
   {
     const typename Proof::Answer answer = this->ClearanceAhead->AskWithin(
-        nearest, place, walls.data(), count, std::max(0, this->EvaluationsLeft));
-    this->EvaluationsLeft -= answer.Evaluations;
+        nearest, place, walls.data(), count, WedgeLimits::EvaluationsAhead);
     if (answer.State != Proof::Finding::Nearer)
     {
       return;

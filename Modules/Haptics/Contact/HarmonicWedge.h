@@ -50,15 +50,14 @@ public:
   /// Moves from the last place towards the goal with at most about so many evaluations of the
   /// surface; Normal() is then the combined normal of the walls.
   void MoveTo(const Vector3& goalWorld, int evaluations) noexcept;
-  /// What the last MoveTo and LookAhead left of them.
+  /// What the last MoveTo left of them.
   int Left() const noexcept { return this->EvaluationsLeft; }
   /// Whether the last MoveTo ended at the place nearest to the goal; else the next one goes on.
   bool HasArrived() const noexcept { return this->IsAtGoal; }
 
   /// Searches for walls that the sphere does not touch yet: those that a sphere larger by `ahead`
   /// would touch if the walls that hold this one held it. Between two walls that enclose an angle
-  /// of 120 degrees, the other one is found when its gap is half of `ahead`. Takes what MoveTo
-  /// left.
+  /// of 120 degrees, the other one is found when its gap is half of `ahead`. Takes a proof.
   void LookAhead() noexcept;
 
   const Vector3& CenterWorld() const noexcept { return this->Center; }

@@ -9,13 +9,12 @@ namespace palpate
 /// Where it ends, the proxy stays at the last proven place and goes on in the next tick.
 struct TickWork
 {
-  /// An evaluation of degree L takes at most 0.5 µs (L + 17)^2 / 33^2 ..., so that a tick takes
-  /// less than half a millisecond.
-  static constexpr int Evaluations(int degree) noexcept
+  /// `most` is that of a surface of degree 16 or less; above, evaluations take longer, in
+  /// proportion to the number of coefficients.
+  static constexpr int Evaluations(int most, int degree) noexcept
   {
-    constexpr int Most = 1000;
     constexpr int Least = 100;
-    return std::clamp(Most * 17 * 17 / ((degree + 1) * (degree + 1)), Least, Most);
+    return std::clamp(most * 17 * 17 / ((degree + 1) * (degree + 1)), Least, most);
   }
 };
 } // namespace palpate

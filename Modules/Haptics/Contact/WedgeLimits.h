@@ -20,6 +20,7 @@ struct WedgeLimits
   static constexpr double LeastProven = 0.5;
   static constexpr int Steps = 6;   // of a slide
   static constexpr int Proofs = 12; // of a tick
+  static constexpr int EvaluationsAhead = 160;
   // Error of a wall's parameter, rad: that of its distance is the square of it.
   static constexpr double Tracking = 1e-7;
 };

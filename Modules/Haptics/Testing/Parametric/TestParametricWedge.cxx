@@ -41,7 +41,9 @@ TEST(ParametricWedge, LeavesWallsInLaterTicks)
     wedge.Begin(surface->Search().Track(place, surface->Search().Nearest(foot.PointWorld)),
                 {place, 0.9 * Radius});
     wedge.MoveTo(place - 0.1 * foot.Normal, Little);
-    late += overlapAt(wedge.CenterWorld()) > most ? 1 : 0;
+    const bool isLate = overlapAt(wedge.CenterWorld()) > most;
+    late += isLate ? 1 : 0;
+    EXPECT_FALSE(isLate && wedge.HasArrived()) << trial;
     for (int tick = 0; tick < Ticks; ++tick)
     {
       wedge.MoveTo(place - 0.1 * foot.Normal, Little);
