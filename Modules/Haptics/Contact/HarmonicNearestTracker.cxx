@@ -187,19 +187,11 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
         this->ProbeWorld = probe;
         return true;
       }
-      if (this->EvaluationsLeft <= 0)
-      {
-        return true; // the next tick goes on
-      }
-      const int before = this->EvaluationsLeft;
+      // Where work has ended a short search may tell too little, and contact begins at what is
+      // near: a slender body's tool that waited for more would be late on every tick.
       this->Measure(this->ProbeWorld);
       if (this->ClearRadius <= this->TouchingGap)
       {
-        // A search that the end of the work cut short does not tell.
-        if (this->EvaluationsLeft <= 0 && before < std::min(this->Work, EvaluationsOfSearch))
-        {
-          return true;
-        }
         break;
       }
       const Vector3 path = probe - this->ProbeWorld;
