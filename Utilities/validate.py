@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Fits every available mask with the default settings and writes the table of the results.
 
-    Utilities/validate.py [--palpate PROGRAM] [--data FOLDER] [--output FILE]
+    Utilities/validate.py [--palpate PROGRAM] [--data FOLDER] [--output FILE] [--only TITLE]
 
 PROGRAM is build/release/bin/palpate by default. FOLDER holds real test data (see Data/README.md);
 missing data are omitted, with a remark. FILE is Documentation/Evidence/Validation.md by default.
@@ -11,6 +11,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -247,12 +248,19 @@ def speed(program, folder):
                    f"the report; peak memory {best['peak_memory_mb']:.0f} MB. Milliseconds: {stages}.") + "\n"
 
 
+def section_of(page, title):
+    """With its heading and the line break that parts it from the next one."""
+    found = re.search(rf"^## {re.escape(title)}\n.*?(?=^## |\Z)", page, re.MULTILINE | re.DOTALL)
+    return found[0].rstrip("\n") + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--palpate", type=pathlib.Path, default=ROOT / "build/release/bin/palpate")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "../shared/data")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "Documentation/Evidence/Validation.md")
+    parser.add_argument("--only", help="begin of a section's title; the others stay as they are in the page")
     arguments = parser.parse_args()
     program = arguments.palpate
     if not program.exists():
@@ -262,26 +270,29 @@ def main():
          "structures. Distances are between the model and the mask's own half-level boundary, "
          "symmetric, weighted by area; Dice is on the mask's own grid; seconds are those of all "
          "stages but writing. *Voxels*: the part of the mask's that the surface encloses more than "
-         "once or inside out.", series(program, arguments.data) + REMARKS),
+         "once or inside out.", lambda: series(program, arguments.data) + REMARKS),
         ("The degree that is found", "`--degree auto` next to the default of 12, both with `--model "
          "automatic`. *Worse*: structures whose Dice is lower by more than 0.0005, or whose 95 % "
          "distance is longer by more than 0.005 mm, than at degree 12. Measured on 29 November 2026 "
          "on two cores of an Intel Xeon, two masks at a time; AAL's times while other programs ran.",
-         found_degree(program, arguments.data)),
-        ("Against SPHARM-PDM", "", COMPARISON),
+         lambda: found_degree(program, arguments.data)),
+        ("Against SPHARM-PDM", "", lambda: COMPARISON),
         ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 around their true "
-         "centre.", phantoms(program)),
+         "centre.", lambda: phantoms(program)),
         # Before the next, whose arrays would count as memory of what is started.
-        ("Time and memory", "", speed(program, arguments.data)),
+        ("Time and memory", "", lambda: speed(program, arguments.data)),
         ("Bodies like organs", "Made by formulas (`Utilities/organ_shapes.py`), fitted with `--model "
          "automatic` at degree 12, as radial models, and with `--degree auto`; distances from the "
          "mask. Empty: refused. Slices of the cochlea and the tooth are 1 and 5 times as thick "
-         "as a voxel is wide.", organs(program)),
+         "as a voxel is wide.", lambda: organs(program)),
     ]
     text = ["# Validation", "", "Made by `Utilities/validate.py`; default settings (degree 12, "
             "frequency 20) unless stated otherwise.", ""]
-    for title, remark, body in sections:
-        text += [f"## {title}", ""] + ([wrapped(remark), ""] if remark else []) + [body]
+    for title, remark, make in sections:
+        if arguments.only and not title.startswith(arguments.only):
+            text += [section_of(arguments.output.read_text(), title)]
+            continue
+        text += [f"## {title}", ""] + ([wrapped(remark), ""] if remark else []) + [make()]
     arguments.output.write_text("\n".join(text))
     print(f"wrote {arguments.output}")
 
