@@ -92,18 +92,12 @@ public:
   std::string Compared() const { return Disagreement(this->Ours, this->Theirs); }
 
 private:
-  static void Move(HarmonicWedge& wedge, const Vector3& goal)
-  {
-    constexpr int Evaluations = 1000;
-    wedge.MoveTo(goal, Evaluations);
-  }
-  static void Move(test::SearchedWedge& wedge, const Vector3& goal) { wedge.MoveTo(goal); }
   template <typename Wedge>
   void Follow(Wedge& wedge, std::vector<Vector3>& places) const
   {
     for (std::size_t i = 0; i < BumpTicks; ++i)
     {
-      Move(wedge, this->Path[i]);
+      wedge.MoveTo(this->Path[i]);
       places[i] = wedge.CenterWorld();
     }
   }

@@ -18,9 +18,10 @@ constexpr double RelativeReach = 0.25;
 constexpr int MostPartsOfMove = 4;
 constexpr int MostFreeSteps = 16;
 constexpr int MostStridesOfMove = 32;
-// Of a search of the whole surface, and where the work of a tick has ended. Rough bodies need many.
+// Evaluations of the radius with its derivatives in searches of the whole surface: of one search,
+// and of all in a tick, after which every search is limited to a few. Rough bodies need many.
 constexpr int EvaluationsOfSearch = 256;
-constexpr int EvaluationsOfPath = 500; // of the searches of a tick
+constexpr int EvaluationsOfTick = 500;
 constexpr int FewEvaluations = 20;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
@@ -56,8 +57,7 @@ HarmonicNearestTrackerOf<Surface>::HarmonicNearestTrackerOf(std::shared_ptr<cons
     : Touched(std::move(surface)), ToolRadius(toolRadius), Friction(friction),
       TouchingGap(
           std::max(RelativeGap * this->Touched->SmallestRadius(), 2.0 * this->Touched->Rounding())),
-      Stride(RelativeStride * this->Touched->SmallestRadius()),
-      Work(this->Touched->EvaluationsOfTick())
+      Stride(RelativeStride * this->Touched->SmallestRadius())
 {
   bool isWedgeNeeded = false;
   if constexpr (Surface::MayCrossItself)
@@ -91,11 +91,11 @@ const Contact& HarmonicNearestTrackerOf<Surface>::Follow(const ToolPose& pose) n
     this->Felt = Contact();
     return this->Felt;
   }
-  this->EvaluationsLeft = std::min(this->Work, EvaluationsOfPath);
+  this->EvaluationsLeft = EvaluationsOfTick;
   this->Advance(pose.PositionWorld);
+  this->PrepareWedge();
   if (this->IsWedging && this->Known == State::Touching)
   {
-    this->EvaluationsLeft += this->Work - std::min(this->Work, EvaluationsOfPath);
     this->DragWedge(pose.PositionWorld);
     this->Wedge->LookAhead();
     this->IsHovering = !this->Wedge->IsHeld();
@@ -169,8 +169,7 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
-    const bool isFree = this->Motion->MoveTo(probe, this->EvaluationsLeft);
-    this->EvaluationsLeft = this->Motion->Left();
+    const bool isFree = this->Motion->MoveTo(probe);
     this->ProbeWorld = this->Motion->PlaceWorld();
     if (!isFree)
     {
@@ -187,8 +186,6 @@ bool HarmonicNearestTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
         this->ProbeWorld = probe;
         return true;
       }
-      // Where work has ended a short search may tell too little, and contact begins at what is
-      // near: a slender body's tool that waited for more would be late on every tick.
       this->Measure(this->ProbeWorld);
       if (this->ClearRadius <= this->TouchingGap)
       {
@@ -292,7 +289,7 @@ void HarmonicNearestTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
   const double length = path.norm();
   const int strides =
       1 + static_cast<int>(std::min(length / this->Stride, MostStridesOfMove - 1.0));
-  for (int i = 1; i <= strides && (i == 1 || this->EvaluationsLeft > 0); ++i)
+  for (int i = 1; i <= strides; ++i)
   {
     const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
     const ProvenBall before = this->RoomOfOneWall();
@@ -365,15 +362,11 @@ void HarmonicNearestTrackerOf<Surface>::Leave(const ClosestPoint& next,
 // a descent from far away may end in another one.
 template <typename Surface>
 typename HarmonicNearestTrackerOf<Surface>::ClosestPoint
-HarmonicNearestTrackerOf<Surface>::Tracked(const Vector3& start, const Vector3& probe) noexcept
+HarmonicNearestTrackerOf<Surface>::Tracked(const Vector3& start,
+                                           const Vector3& probe) const noexcept
 {
-  const auto track = [&](const Vector3& place, const ClosestPoint& last)
-  {
-    const ClosestPoint tracked = this->Touched->Search().Track(place, last);
-    this->EvaluationsLeft -= tracked.Evaluations;
-    return tracked;
-  };
-  const ClosestPoint next = track(probe, this->Closest);
+  const auto& search = this->Touched->Search();
+  ClosestPoint next = search.Track(probe, this->Closest);
   if constexpr (Surface::MayCrossItself)
   {
     constexpr int Parts = 16;
@@ -387,11 +380,11 @@ HarmonicNearestTrackerOf<Surface>::Tracked(const Vector3& start, const Vector3& 
     for (int part = 1; part <= Parts && isFollowed; ++part)
     {
       const ClosestPoint last = followed;
-      followed = track(start + (1.0 * part / Parts) * path, last);
+      followed = search.Track(start + (1.0 * part / Parts) * path, last);
       isFollowed = this->IsContinued(last, followed, path.norm() / Parts);
     }
     return isFollowed                                   ? followed
-           : next.State == ClosestPoint::Outcome::Limit ? track(probe, next)
+           : next.State == ClosestPoint::Outcome::Limit ? search.Track(probe, next)
                                                         : next;
   }
   return next;
@@ -442,19 +435,38 @@ void HarmonicNearestTrackerOf<Surface>::Drag(const Vector3& probe) noexcept
   }
 }
 
+// Next to where the wedge will be needed.
+template <typename Surface>
+void HarmonicNearestTrackerOf<Surface>::PrepareWedge() noexcept
+{
+  if constexpr (Surface::MayCrossItself)
+  {
+    const bool isHeldByOne = this->Known == State::Touching && !this->IsWedging;
+    if (isHeldByOne && this->Wedge && this->Places->IsBeside(this->Closest.Direction))
+    {
+      this->Wedge->Prepare(this->Closest);
+    }
+  }
+}
+
 // Once per tick: it takes short steps itself.
 template <typename Surface>
 void HarmonicNearestTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
   const Vector3& normal = this->Wedge->Normal();
-  const bool sticks = !this->IsHovering && !this->Friction.IsFrictionless() &&
-                      this->Friction.Sticks(FrictionCone::Pull(probe - held, normal));
-  if (!sticks || !this->Wedge->HasArrived())
+  if (this->IsHovering)
   {
-    this->Wedge->MoveTo(this->IsHovering ? probe : this->Friction.DrawnTo(probe, held, normal),
-                        this->EvaluationsLeft);
-    this->EvaluationsLeft = this->Wedge->Left();
+    this->Wedge->MoveTo(probe);
+  }
+  else if (this->Friction.IsFrictionless() ||
+           !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
+  {
+    this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
+  }
+  else
+  {
+    this->Wedge->Stay();
   }
 }
 
@@ -559,9 +571,6 @@ void HarmonicNearestTrackerOf<Surface>::Report(const Vector3& probe) noexcept
     this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
     this->WithoutMargin(probe);
   }
-  this->Felt.IsBehind = this->Known == State::Touching && this->IsWedging
-                            ? !this->Wedge->HasArrived()
-                            : this->ProbeWorld != probe;
 }
 
 // The proxy of the tool itself; without contact while only the margin or the gap is touched.

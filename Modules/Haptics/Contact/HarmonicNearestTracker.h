@@ -97,7 +97,7 @@ private:
   }
   void Leave(const ClosestPoint& next, const Vector3& probe) noexcept;
   void LetGoOutside(const ClosestPoint& nearest, const Vector3& probe) noexcept;
-  ClosestPoint Tracked(const Vector3& start, const Vector3& probe) noexcept;
+  ClosestPoint Tracked(const Vector3& start, const Vector3& probe) const noexcept;
   bool IsContinued(const ClosestPoint& last, const ClosestPoint& next,
                    double motion) const noexcept;
   ClosestPoint Continued(const Vector3& start, const Vector3& probe) noexcept;
@@ -110,6 +110,7 @@ private:
   {
     return this->Wedge && (!this->Places || this->Places->Contains(direction));
   }
+  void PrepareWedge() noexcept;
   void EndWedge(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;
@@ -128,9 +129,7 @@ private:
   double TouchingGap; // mm; smaller distances count as contact
   double Stride;      // mm; the longest step of the probe that stays with its minimum
 
-  // Evaluations of a tick, and what is left of them.
-  int Work;
-  int EvaluationsLeft = 0;
+  int EvaluationsLeft = 0; // in this tick, for searches of the whole surface
   State Known = State::Nothing;
   Vector3 ProbeWorld = Vector3::Zero(); // end of the probe's path that has been followed
   // Without contact at a star-shaped surface: the tool is free while its centre is in this sphere.

@@ -16,8 +16,6 @@ public:
   using Shape = SphericalHarmonicModel;
   using ClosestPoint = ClosestPointOf<Shape>;
   static constexpr bool MayCrossItself = false;
-  /// Evaluations in a tick: of the twelve proofs of a wedge.
-  static constexpr int EvaluationsOfTick() noexcept { return 12 * 640; }
 
   /// A point of the surface, by its direction from the centre.
   struct Place

@@ -99,14 +99,20 @@ bool HarmonicWedgeOf<Surface>::IsNeededAt(const Surface& surface, const Vector3&
 }
 
 template <typename Surface>
+void HarmonicWedgeOf<Surface>::Prepare(const ClosestPoint& wall) noexcept
+{
+  const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
+  const ClosestPoint seen = SeenFrom(place, this->Touched->Model().CenterWorld(), wall);
+  this->Clear->Ask(place, &seen, 1, WedgeLimits::EvaluationsOfPreparation);
+}
+
+template <typename Surface>
 void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBall& known) noexcept
 {
   this->Around = known;
   this->Center =
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
   this->IsClear = false;
-  this->IsKeptBack = true;
-  this->IsAtGoal = false;
   this->JointNormal = nearest.Normal;
   this->Known[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
   this->KnownCount = 1;
@@ -114,9 +120,8 @@ void HarmonicWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBa
 }
 
 template <typename Surface>
-void HarmonicWedgeOf<Surface>::MoveTo(const Vector3& goalWorld, int evaluations) noexcept
+void HarmonicWedgeOf<Surface>::MoveTo(const Vector3& goalWorld) noexcept
 {
-  this->EvaluationsLeft = evaluations;
   // Planes at a goal that is far away would be lost in rounding.
   const double far = 4.0 * (this->Touched->LargestRadius() + this->Radius);
   const Vector3 path = goalWorld - this->Center;
@@ -160,12 +165,27 @@ void HarmonicWedgeOf<Surface>::LookAhead() noexcept
 }
 
 template <typename Surface>
+bool HarmonicWedgeOf<Surface>::MayProve(int proofs, int evaluationsLeft) const noexcept
+{
+  const bool isMore =
+      this->Touched->CrossesItself() && evaluationsLeft > -WedgeLimits::MoreAtCrossings;
+  return proofs < (!Surface::MayCrossItself ? WedgeLimits::Proofs
+                   : isMore                 ? WedgeLimits::ProofsAtCrossings
+                                            : WedgeLimits::ProofsAtFolds);
+}
+
+template <typename Surface>
 void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
-  bool hasProven = false; // in this tick
-  Leash leash{this->Center, this->LongestStep};
-  this->IsAtGoal = false;
-  for (int proof = 0; proof<WedgeLimits::Proofs&& this->EvaluationsLeft> 0; ++proof)
+  // The rest of the first proof of a contact may wait, and that of a proof after another wall was
+  // found: where the sphere was free is near.
+  bool mayWait = !this->IsClear;
+  bool hasProven = false; // as far as it goes, in this tick
+  const Vector3 start = this->Center;
+  Leash leash{start, this->LongestStep};
+  int left =
+      Surface::MayCrossItself ? WedgeLimits::EvaluationsAtFolds : WedgeLimits::EvaluationsOfMove;
+  for (int proof = 0; this->MayProve(proof, left); ++proof)
   {
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
@@ -174,7 +194,6 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     if (hasProven && this->IsClear && isThere &&
         (this->Center - leash.ClearWorld).norm() <= this->End)
     {
-      this->IsAtGoal = true;
       return;
     }
     if (!this->IsClearOfWalls() || this->IsFartherOff(goal, isThere, leash))
@@ -182,12 +201,11 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       this->Shorten(leash);
       continue;
     }
-    const typename Proof::Answer answer =
-        this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, this->EvaluationsLeft);
-    this->EvaluationsLeft -= answer.Evaluations;
+    const typename Proof::Answer answer = this->ProofHere(left, mayWait);
     if (answer.State == Proof::Finding::Nearer)
     {
       this->Meet(this->Sided(answer.Minimum));
+      mayWait = true;
       continue;
     }
     const double lower = std::max(answer.LowerDistance, this->Around.DistanceAt(this->Center));
@@ -197,10 +215,9 @@ void HarmonicWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     }
     this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
-    hasProven = answer.State == Proof::Finding::Clear;
-    if (std::exchange(this->IsClear, true) && isThere)
+    hasProven = Surface::MayCrossItself || answer.State == Proof::Finding::Clear;
+    if (std::exchange(this->IsClear, true) && (isThere || !this->MayStep(start, left)))
     {
-      this->IsAtGoal = hasProven;
       return;
     }
   }
@@ -216,6 +233,51 @@ void HarmonicWedgeOf<Surface>::GoBack(const Leash& leash) noexcept
 {
   this->GoTo(leash.ClearWorld, nullptr);
   this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
+}
+
+// With little work where that leaves only parts open that are hardly in the sphere, or where it
+// `mayWait` since enough is known around.
+template <typename Surface>
+typename HarmonicWedgeOf<Surface>::Proof::Answer
+HarmonicWedgeOf<Surface>::ProofHere(int& evaluationsLeft, bool mayWait) noexcept
+{
+  const auto ask = [&](int evaluations, const typename Proof::Rest& rest) {
+    return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations, rest);
+  };
+  if constexpr (Surface::MayCrossItself)
+  {
+    const double enough =
+        this->Radius - WedgeLimits::RelativeSlack * this->Touched->SmallestRadius();
+    const bool isKnown =
+        this->Around.DistanceAt(this->Center) >= WedgeLimits::LeastProven * this->Radius;
+    const int rest = mayWait && isKnown ? 0 : WedgeLimits::RestOf(this->Touched->CrossesItself());
+    const int most = std::max(WedgeLimits::LeastEvaluations, evaluationsLeft);
+    typename Proof::Answer answer = ask(most, {enough, rest});
+    evaluationsLeft -= std::min(most, answer.Evaluations);
+    this->IsOpen = answer.State == Proof::Finding::Nearer || answer.LowerDistance < enough;
+    return answer;
+  }
+  else
+  {
+    return ask(evaluationsLeft, {});
+  }
+}
+
+template <typename Surface>
+void HarmonicWedgeOf<Surface>::Stay() noexcept
+{
+  if (!this->IsOpen)
+  {
+    return;
+  }
+  int left = WedgeLimits::EvaluationsAtFolds;
+  const typename Proof::Answer answer = this->ProofHere(left, true);
+  if (answer.State == Proof::Finding::Nearer)
+  {
+    this->Meet(this->Sided(answer.Minimum));
+    this->PushOut();
+    this->IsClear = this->IsClearOfWalls();
+  }
 }
 
 // The goal, or a point on the path to it whose held place is in reach: a place clipped from a
@@ -442,7 +504,6 @@ HarmonicWedgeOf<Surface>::AtGoal(const Vector3& goalWorld, const ClosestPoint& w
                       (place - leash.ClearWorld).norm() <= leash.Length;
   this->Rolled = {wall.Direction, goalWorld,
                   this->Touched->Search().Track(goalWorld, isNear ? last : wall)};
-  this->EvaluationsLeft -= this->Rolled.Wall.Evaluations;
   return this->Rolled.Wall;
 }
 
@@ -490,7 +551,6 @@ void HarmonicWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoin
         isTouched ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
                   : this->Sided(
                         this->Touched->Search().Track(placeWorld, walls[i], WedgeLimits::Tracking));
-    this->EvaluationsLeft -= isTouched ? 0 : wall.Evaluations;
     // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
     if (isTouched || wall.SignedDistance < this->Radius + this->Kept)
     {

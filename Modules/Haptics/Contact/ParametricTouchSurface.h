@@ -2,7 +2,6 @@
 
 #include "ClosestPointSearch.h"
 #include "Status.h"
-#include "TickWork.h"
 #include "WindingMesh.h"
 
 #include <cstddef>
@@ -27,11 +26,6 @@ public:
   using Shape = ParametricShape;
   using ClosestPoint = ClosestPointOf<Shape>;
   static constexpr bool MayCrossItself = true;
-  /// Evaluations in a tick, of about 0.6 µs on a core of an AMD EPYC.
-  int EvaluationsOfTick() const noexcept
-  {
-    return TickWork::Evaluations(700, this->Model().Degree());
-  }
 
   /// A point of the surface, by its parameter.
   struct Place

@@ -15,8 +15,6 @@ using test::Random;
 using test::TrackerOf;
 using test::WorstCase;
 
-constexpr int Evaluations = 1000; // of a tick, more than any of these needs
-
 // A sphere with a groove along the equator, up to 3 mm deep and some 6 mm wide.
 SphericalHarmonicModel GroovedSphere()
 {
@@ -162,7 +160,7 @@ TEST_P(HarmonicWedgeOfDegree, EqualsASearchOfTheWholeSurface)
       wedge.Begin(nearest);
       oracle.Begin(nearest.PointWorld + Radius * nearest.Normal);
     }
-    wedge.MoveTo(probe, Evaluations);
+    wedge.MoveTo(probe);
     oracle.MoveTo(probe);
     const Vector3& place = wedge.CenterWorld();
     if (tick >= 20) // both begin overlapping
@@ -204,7 +202,7 @@ TEST(HarmonicWedge, GoesOnFromAFreePlaceWhereAProofTakesMoreThanATick)
     if (near(Radius + Step).SignedDistance > Radius && wall.SignedDistance < Radius && isAlone)
     {
       wedge.Begin(near(Radius + Step), {free, Radius});
-      wedge.MoveTo(goal, Evaluations);
+      wedge.MoveTo(goal);
       error.Add((wedge.CenterWorld() - place).norm());
     }
   }

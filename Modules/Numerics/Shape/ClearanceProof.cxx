@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace palpate
 {
@@ -17,82 +16,251 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 constexpr double MinimumTolerance = 1e-9; // rad
 constexpr int EvaluationsOfDescent = 8;   // nearly always enough
 constexpr int LeastForDescent = 5;        // it usually ends before
+constexpr std::size_t FirstCells = 32;    // to which little is done without work, too
+
+template <typename Object>
+void PrefetchObject(const Object& object) noexcept
+{
+  constexpr std::size_t CacheLine = 64; // bytes
+  for (std::size_t at = 0; at < sizeof(Object); at += CacheLine)
+  {
+    __builtin_prefetch(reinterpret_cast<const char*>(&object) + at);
+  }
+}
 } // namespace
 
 template <typename Surface>
 ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
                                             double distance, double tolerance) noexcept
-    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed)
+    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed),
+      Set(FastestInstructionSet())
 {
   this->BeginAfresh();
 }
 
-// With the roots of the tree, without bounds.
 template <typename Surface>
 void ClearanceProofOf<Surface>::BeginAfresh() noexcept
 {
-  constexpr std::size_t Roots = SurfacePatchTreeOf<Surface>::RootCount;
   this->PathLength = 0.0;
-  this->CellCount = Roots;
-  for (std::size_t root = 0; root < Roots; ++root)
+  this->NearUntil = -Infinite;
+  this->Cells.Begin(*this->Search);
+}
+
+// Most cells stay clear for many steps, so that only the others are looked at.
+template <typename Surface>
+void ClearanceProofOf<Surface>::GatherNear() noexcept
+{
+  this->NearCount = 0;
+  for (std::size_t group = 0; group < this->Cells.Parts.End(); ++group)
   {
-    this->ClearUntil[root] = -Infinite;
-    this->Nodes[root] = static_cast<int>(root);
+    this->Near[this->NearCount] = static_cast<std::uint16_t>(group);
+    this->NearCount += this->Cells.LeastOf(group) < this->NearUntil ? 1 : 0;
   }
 }
 
 template <typename Surface>
 void ClearanceProofOf<Surface>::GoTo(const Vector3& query) noexcept
 {
+  constexpr double Ahead = 3.0;
+  constexpr double Farthest = 0.25;
   const double step = (query - this->Query).norm();
-  this->IsTurned = step == 0.0 && !this->IsTurned;
   this->PathLength += step;
   this->Query = query;
   // Keeps the rounding of the path length far below any tolerance.
   const bool isFar = !(this->PathLength < 1e4 * this->Search->Tree().LargestRadius());
-  constexpr std::size_t Few = Capacity / 8;
-  if (isFar || this->CellCount > Capacity - Few)
+  const bool isAfresh = isFar || this->IsNearlyFull();
+  if (isAfresh)
   {
     this->BeginAfresh();
   }
+  // A query that goes on where the last one ended has the same bounds.
+  const bool isNew = isAfresh || step > 0.0 || this->Used() > this->BoundedFor;
+  this->IsTurned = !isNew && !this->IsTurned;
+  if (isNew)
+  {
+    ++this->Bounded;
+    this->BoundedFor = this->Used();
+  }
+  if (this->Used() > this->NearUntil)
+  {
+    this->NearUntil = this->Used() + std::min(Ahead * step, Farthest * this->Needed);
+    this->GatherNear();
+  }
 }
 
-// The nearest first, where minima are found
-// soonest. Next to a minimum in a hollow as round as the distance some are never clear, so that
-// every other query at a place begins with those that lack least.
+// After the cells of places left behind were joined.
 template <typename Surface>
-void ClearanceProofOf<Surface>::FindOpen() noexcept
+bool ClearanceProofOf<Surface>::IsNearlyFull() noexcept
+{
+  constexpr std::size_t Few = Groups / 8;
+  if (this->Cells.Parts.FreeGroups() < Few)
+  {
+    constexpr double Farther = 0.1;
+    this->Cells.Join(this->Used() + Farther * this->Needed);
+    this->NearUntil = -Infinite; // some of the near cells are joined
+  }
+  return this->Cells.Parts.FreeGroups() < Few;
+}
+
+// Most of the near cells are clear by their last bounds; leaves the groups of the others.
+template <typename Surface>
+void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
 {
   const double used = this->Used();
-  this->OpenCount = 0;
-  for (std::size_t i = 0; i < this->CellCount; ++i)
+  const double less = this->PathLength - this->Needed - rounding;
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < this->NearCount; ++i)
   {
-    this->Open[this->OpenCount] = static_cast<std::uint16_t>(i);
-    this->OpenCount += this->ClearUntil[i] < used ? 1 : 0;
+    this->Moved[moved] = this->Near[i];
+    moved += this->IsUsedUp(this->Near[i], used) ? 1 : 0;
   }
-  std::sort(this->Open.begin(), this->Open.begin() + static_cast<std::ptrdiff_t>(this->OpenCount),
-            [&](std::uint16_t a, std::uint16_t b)
-            {
-              const double one = this->ClearUntil[this->IsTurned ? b : a];
-              const double other = this->ClearUntil[this->IsTurned ? a : b];
-              return one < other || (one == other && a < b);
-            });
+  this->MovedCount = 0;
+  for (std::size_t i = 0; i < moved; ++i)
+  {
+    const std::uint16_t group = this->Moved[i];
+    FourLanes lower;
+    this->Cells.Bounds[group].Move(this->Query, lower);
+    lower += less;
+    auto& until = reinterpret_cast<Clearances&>(this->Cells.ClearUntil[MovedBounds::Count * group]);
+    until = lower > until ? lower : until;
+    this->Moved[this->MovedCount] = group;
+    this->MovedCount += this->IsUsedUp(group, used) ? 1 : 0;
+  }
+}
+
+// Compiled twice, like the tracking of closest points: everything is inlined here.
+template <typename Surface>
+[[gnu::flatten]] void ClearanceProofOf<Surface>::FindOpenPortably(double rounding) noexcept
+{
+  this->MoveBounds(rounding);
+}
+
+template <typename Surface>
+#if defined(__x86_64__)
+[[gnu::target("avx2,fma")]]
+#endif
+[[gnu::flatten]] void
+ClearanceProofOf<Surface>::FindOpenByAvx2(double rounding) noexcept
+{
+  this->MoveBounds(rounding);
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
+{
+  if (this->Set == InstructionSet::Avx2)
+  {
+    this->FindOpenByAvx2(rounding);
+  }
+  else
+  {
+    this->FindOpenPortably(rounding);
+  }
+}
+
+// Most cells that are not clear by their last bounds only lack bounds from here. An eighth of the
+// work, and enough for a descent, is left for those that stay open.
+template <typename Surface>
+void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
+{
+  const int least = std::max(task.WorkLeft / 8, LeastForDescent * WorkOfEvaluation + WorkOfBound);
+  this->Open.Clear();
+  for (std::size_t i = 0; i < this->MovedCount; ++i)
+  {
+    this->PrefetchMoved(i + 2);
+    const std::size_t group = this->Moved[i];
+    if (task.WorkLeft >= least + WorkOfGroup && !this->IsBounded(group) &&
+        this->Cells.HasBounds(group))
+    {
+      task.WorkLeft -= WorkOfGroup;
+      this->BoundGroup(task, group);
+    }
+    this->AddOpenOf(group);
+  }
+}
+
+// Bounds at the query of the group's cells that lack them, by their nodes and expansions; also of
+// cells in a basin, since to find that out takes as long.
+template <typename Surface>
+void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) noexcept
+{
+  const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
+  const std::size_t first = MovedBounds::Count * group;
+  const double used = this->Used();
+  const int node = this->Cells.FirstNodes[group];
+  this->BoundedAt[group] = this->Bounded;
+  for (std::size_t part = 0; node != None && part < MovedBounds::Count; ++part)
+  {
+    if (this->Cells.ClearUntil[first + part] < used)
+    {
+      const int each = node + static_cast<int>(part);
+      const auto& ball = tree.BallOf(each);
+      this->Improve(task, first + part, tree.LowerDistance(each, this->Query), ball.Center,
+                    ball.Radius);
+    }
+  }
+  const ExpandedParts* expanded = this->Cells.ExpandedOf(group);
+  if (expanded == nullptr || !this->IsUsedUp(group, used))
+  {
+    return;
+  }
+  alignas(sizeof(FourLanes)) FourLanes lower;
+  expanded->LowerDistance(this->Query, this->Set, lower);
+  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
+  {
+    if (this->Cells.ClearUntil[first + part] < used)
+    {
+      this->Improve(task, first + part, lower[part], expanded->PointOf(part),
+                    expanded->ExtentOf(part));
+    }
+  }
+}
+
+// Takes a bound of the cell at the query if it is more than is known.
+template <typename Surface>
+void ClearanceProofOf<Surface>::Improve(const Task& task, std::size_t index, double lower,
+                                        const Vector3& point, double extent) noexcept
+{
+  const double before = this->Cells.ClearUntil[index];
+  this->Clears(lower - task.Rounding, index);
+  if (this->Cells.ClearUntil[index] > before)
+  {
+    this->KeepBound(index, lower, point, extent);
+  }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::AddOpenOf(std::size_t group) noexcept
+{
+  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
+  {
+    const std::size_t index = MovedBounds::Count * group + part;
+    this->Open.Add(index, this->Used() - this->Cells.ClearUntil[index]);
+  }
+}
+
+// To look through the cells takes time too, but leaves some to settle them.
+template <typename Surface>
+int ClearanceProofOf<Surface>::WorkOfLook(int workLeft) const noexcept
+{
+  return std::min(workLeft / 4, static_cast<int>((this->NearCount + 8 * this->MovedCount) / 4));
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
-                               std::size_t knownCount, int evaluationLimit) noexcept
+                               std::size_t knownCount, int evaluationLimit,
+                               const Rest& rest) noexcept
 {
   return this->AskWithin(this->Needed + this->LeftOpen, queryWorld, known, knownCount,
-                         evaluationLimit);
+                         evaluationLimit, Apart, rest);
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
                                      const ClosestPoint* known, std::size_t knownCount,
-                                     int evaluationLimit, double apart) noexcept
+                                     int evaluationLimit, double apart, const Rest& rest) noexcept
 {
   this->Asked = distance - this->LeftOpen;
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
@@ -101,6 +269,8 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   task.Known = known;
   task.KnownCount = std::min(knownCount, MostKnown);
   task.WorkLeft = WorkOfEvaluation * evaluationLimit;
+  task.WorkOfRest = WorkOfEvaluation * rest.Evaluations;
+  task.EnoughUntil = Infinite;
   task.Rounding = descent.Rounding(this->Query);
   task.Result.State = Finding::Clear;
   task.Result.LowerDistance = this->Asked;
@@ -110,35 +280,66 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     Widen(basin, apart);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
-  this->FindOpen();
-  for (std::size_t i = 0; i < this->OpenCount && task.Result.State != Finding::Nearer; ++i)
+  this->FindOpen(task.Rounding);
+  task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
+  this->BoundMoved(task);
+  // The nearest first, where minima are found soonest. Next to a minimum in a hollow as round as
+  // the distance some are never clear, so that every other query at a place begins with those that
+  // lack least.
+  this->Open.Sort(this->IsTurned);
+  const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
+  for (std::size_t i = 0; i < this->Open.Count() && task.Result.State != Finding::Nearer; ++i)
   {
-    if (task.WorkLeft < WorkOfEvaluation)
+    if (i >= FirstCells && task.WorkLeft < WorkOfEvaluation && !task.TakeRest(enoughUntil))
     {
       this->LeaveOpen(task, i);
       break;
     }
-    this->Settle(task, this->Open[i]);
+    this->Prefetch(i + 2);
+    this->Settle(task, this->Open[i], enoughUntil);
   }
-  task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
+  const int most = evaluationLimit + rest.Evaluations;
+  task.Result.Evaluations = most - (task.WorkLeft + task.WorkOfRest) / WorkOfEvaluation;
   return task.Result;
 }
 
 template <typename Surface>
-void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
+void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double enoughUntil) noexcept
 {
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    step = this->ClearUntil[index] >= this->Used() || this->SettlesByBasin(task, index)
-               ? Step::Settled
-           : task.WorkLeft <= 0         ? Step::Open
-           : this->Nodes[index] != None ? this->SettleNode(task, index)
-                                        : this->SettleTriangle(task, index);
+    const double until = this->Cells.ClearUntil[index];
+    step = until >= this->Used()              ? Step::Settled
+           : until >= task.EnoughUntil        ? Step::Open
+           : this->Cells.Nodes[index] != None ? this->SettleNode(task, index)
+                                              : this->SettleTriangle(task, index);
+    const bool mayGoOn = step == Step::Open && this->Cells.ClearUntil[index] < enoughUntil;
+    step = mayGoOn && task.TakeRest(enoughUntil) ? Step::Again : step;
   }
   if (step == Step::Open)
   {
-    this->LeaveOpen(task, this->ClearUntil[index]);
+    this->LeaveOpen(task, this->Cells.ClearUntil[index]);
+  }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
+{
+  if (i < this->Open.Count() && this->Cells.Nodes[this->Open[i]] == None)
+  {
+    PrefetchObject(this->Cells.Triangles[this->Open[i]]);
+  }
+}
+
+template <typename Surface>
+void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
+{
+  const ExpandedParts* expanded =
+      i < this->MovedCount ? this->Cells.ExpandedOf(this->Moved[i]) : nullptr;
+  if (expanded != nullptr)
+  {
+    PrefetchObject(*expanded);
   }
 }
 
@@ -155,12 +356,13 @@ template <typename Surface>
 void ClearanceProofOf<Surface>::LeaveOpen(Task& task, std::size_t first) const noexcept
 {
   double until = Infinite;
-  for (std::size_t i = first; i < this->OpenCount; ++i)
+  for (std::size_t i = first; i < this->Open.Count(); ++i)
   {
     const std::size_t index = this->Open[i];
-    const bool isNearer = this->ClearUntil[index] < until;
-    until = isNearer && task.LowerDistance(this->CapOf(index)) != Infinite ? this->ClearUntil[index]
-                                                                           : until;
+    const bool isNearer = this->Cells.ClearUntil[index] < until;
+    until = isNearer && task.LowerDistance(this->Cells.CapOf(index)) != Infinite
+                ? this->Cells.ClearUntil[index]
+                : until;
   }
   this->LeaveOpen(task, until);
 }
@@ -169,17 +371,31 @@ void ClearanceProofOf<Surface>::LeaveOpen(Task& task, std::size_t first) const n
 template <typename Surface>
 bool ClearanceProofOf<Surface>::Clears(double lower, std::size_t index) noexcept
 {
-  double& until = this->ClearUntil[index];
+  double& until = this->Cells.ClearUntil[index];
   until = std::max(until, this->PathLength + (lower - this->Needed));
   return until >= this->Used();
 }
 
-// Whether a basin supplies the bound of the cell.
+// Whether a basin supplies the bound of the cell over this cap.
 template <typename Surface>
-bool ClearanceProofOf<Surface>::SettlesByBasin(const Task& task, std::size_t index) noexcept
+[[gnu::always_inline]] inline bool
+ClearanceProofOf<Surface>::SettlesByBasin(const Task& task, const SphericalCap& cap,
+                                          std::size_t index) noexcept
 {
-  const double lower = task.LowerDistance(this->CapOf(index));
+  const double lower = task.LowerDistance(cap);
   return lower == Infinite || this->Clears(lower, index);
+}
+
+// The bound holds at the query; the cell is within `extent` of `point`, all mm.
+template <typename Surface>
+void ClearanceProofOf<Surface>::KeepBound(std::size_t index, double lower, const Vector3& point,
+                                          double extent) noexcept
+{
+  if (lower > 0.0)
+  {
+    this->Cells.Bounds[index / MovedBounds::Count].Set(index % MovedBounds::Count, this->Query,
+                                                       lower, point, extent);
+  }
 }
 
 template <typename Surface>
@@ -187,47 +403,78 @@ typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleNode(Task& task, std::size_t index) noexcept
 {
   const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
-  const int node = this->Nodes[index];
-  --task.WorkLeft;
-  if (this->Clears(tree.LowerDistance(node, this->Query) - task.Rounding, index))
+  if (this->SettlesByBasin(task, tree.CapOf(this->Cells.Nodes[index]), index))
   {
     return Step::Settled;
   }
-  if (!tree.IsInner(node))
+  if (task.WorkLeft <= 0)
   {
-    this->Separate(index);
+    return Step::Open;
+  }
+  const std::size_t group = index / MovedBounds::Count;
+  if (!this->IsBounded(group))
+  {
+    task.WorkLeft -= WorkOfGroup;
+    this->BoundGroup(task, group);
     return Step::Again;
   }
-  return this->CutNode(index) ? Step::Settled : Step::Open;
+  return this->CutNode(task, index);
+}
+
+template <typename Surface>
+double ClearanceProofOf<Surface>::LowerDistanceOf(std::size_t index) noexcept
+{
+  const Triangle& cell = this->Cells.Triangles[index];
+  const double lower = this->Search->Descent().LowerDistance(
+      this->Query, cell.Cap.Center, cell.Sample, cell.Cap.Radius, cell.Bounds);
+  this->KeepBound(index, lower, PointOf(cell.Cap.Center, cell.Sample),
+                  cell.Bounds.Extent(cell.Cap.Radius));
+  return lower;
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Step
 ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcept
 {
-  Triangle& cell = this->Triangles[index];
-  const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
-  if (task.WorkLeft < work)
-  {
-    return Step::Open;
-  }
-  task.WorkLeft -= work;
-  if (!cell.IsEvaluated)
-  {
-    this->Evaluate(cell);
-  }
-  const double lower = this->Search->Descent().LowerDistance(
-      this->Query, cell.Cap.Center, cell.Sample, cell.Cap.Radius, cell.Bounds);
-  if (this->Clears(lower - task.Rounding, index))
+  Triangle& cell = this->Cells.Triangles[index];
+  if (this->SettlesByBasin(task, cell.Cap, index))
   {
     return Step::Settled;
   }
+  const std::size_t group = index / MovedBounds::Count;
+  if (MayBoundTogether && cell.IsEvaluated && !this->IsBounded(group))
+  {
+    if (task.WorkLeft <= 0)
+    {
+      return Step::Open;
+    }
+    task.WorkLeft -= WorkOfGroup;
+    this->BoundGroup(task, group);
+    return Step::Again;
+  }
+  if (!cell.IsEvaluated || !MayBoundTogether)
+  {
+    const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
+    if (task.WorkLeft < work)
+    {
+      return Step::Open;
+    }
+    task.WorkLeft -= work;
+    if (!cell.IsEvaluated)
+    {
+      this->Cells.Evaluate(index);
+    }
+    if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
+    {
+      return Step::Settled;
+    }
+  }
   const Step step = this->Descend(task, cell);
-  if (step != Step::Again || this->SettlesByBasin(task, index))
+  if (step != Step::Again || this->Clears(task.LowerDistance(cell.Cap), index))
   {
     return step == Step::Again ? Step::Settled : step;
   }
-  return this->CutTriangle(index) ? Step::Settled : Step::Open;
+  return this->CutTriangle(index);
 }
 
 // Looks for a minimum in the cell that is closer than allowed. If it finds one that is farther,
@@ -268,70 +515,46 @@ ClearanceProofOf<Surface>::Descend(Task& task, const Triangle& cell) noexcept
   return Step::Again;
 }
 
-// The first part takes the cell's number, the others are new ones; all have its clearance.
 template <typename Surface>
-std::size_t ClearanceProofOf<Surface>::AddPart(std::size_t of, int part) noexcept
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::CutNode(Task& task, std::size_t index) noexcept
 {
-  const std::size_t index = part == 0 ? of : this->CellCount++;
-  this->ClearUntil[index] = this->ClearUntil[of];
-  this->Open[this->OpenCount++] = static_cast<std::uint16_t>(index);
-  return index;
+  if (!this->Search->Tree().IsInner(this->Cells.Nodes[index]))
+  {
+    this->Cells.Separate(index);
+    return Step::Again;
+  }
+  const std::size_t group = this->Cells.CutNode(index);
+  if (group == Groups)
+  {
+    return Step::Open;
+  }
+  task.WorkLeft -= WorkOfGroup;
+  this->BoundGroup(task, group);
+  this->AddGroup(group);
+  return Step::Settled;
 }
 
 template <typename Surface>
-bool ClearanceProofOf<Surface>::CutNode(std::size_t index) noexcept
+typename ClearanceProofOf<Surface>::Step
+ClearanceProofOf<Surface>::CutTriangle(std::size_t index) noexcept
 {
-  if (this->CellCount + 3 > Capacity)
+  const std::size_t group = this->Cells.CutTriangle(index);
+  if (group == Groups)
   {
-    return false;
+    return Step::Open;
   }
-  const int first = SurfacePatchTreeOf<Surface>::FirstPart(this->Nodes[index]);
-  for (int part = 0; part < 4; ++part)
-  {
-    this->Nodes[this->AddPart(index, part)] = first + part;
-  }
-  return true;
+  this->BoundedAt[group] = this->Bounded;
+  this->AddGroup(group);
+  return Step::Settled;
 }
 
+// One that is new.
 template <typename Surface>
-bool ClearanceProofOf<Surface>::CutTriangle(std::size_t index) noexcept
+void ClearanceProofOf<Surface>::AddGroup(std::size_t group) noexcept
 {
-  if (this->CellCount + 3 > Capacity)
-  {
-    return false;
-  }
-  const Triangle& whole = this->Triangles[index];
-  const std::array<SphericalTriangle, 4> parts =
-      (whole.Leaf != None ? this->Search->Tree().Triangle(whole.Leaf) : whole.Corners).Split();
-  for (int part = 0; part < 4; ++part)
-  {
-    const std::size_t cell = this->AddPart(index, part);
-    const SphericalTriangle& corners = parts[static_cast<std::size_t>(part)];
-    this->Nodes[cell] = None;
-    this->Triangles[cell].Leaf = None;
-    this->Triangles[cell].IsEvaluated = false;
-    this->Triangles[cell].Corners = corners;
-    this->Triangles[cell].Cap = corners.Cap();
-  }
-  return true;
-}
-
-// Makes a triangle of a finest node.
-template <typename Surface>
-void ClearanceProofOf<Surface>::Separate(std::size_t index) noexcept
-{
-  Triangle& triangle = this->Triangles[index];
-  triangle.Leaf = std::exchange(this->Nodes[index], None);
-  triangle.IsEvaluated = false;
-  triangle.Cap = this->Search->Tree().CapOf(triangle.Leaf);
-}
-
-template <typename Surface>
-void ClearanceProofOf<Surface>::Evaluate(Triangle& cell) noexcept
-{
-  cell.Sample = this->Search->Model().EvaluateSecondOrder(cell.Cap.Center);
-  cell.Bounds = this->Search->Descent().BoundsWithin(cell.Cap.Center, cell.Sample, cell.Cap.Radius);
-  cell.IsEvaluated = true;
+  this->Near[this->NearCount++] = static_cast<std::uint16_t>(group);
+  this->AddOpenOf(group);
 }
 
 template class ClearanceProofOf<SphericalHarmonicModel>;

@@ -2,8 +2,10 @@
 
 #include "ClosestPoint.h"
 #include "ClosestPointSearch.h"
-#include "SphericalTriangle.h"
-#include "SurfaceKind.h"
+#include "InstructionSet.h"
+#include "MovedBounds.h"
+#include "OpenCells.h"
+#include "ProofCells.h"
 
 #include <array>
 #include <cstddef>
@@ -35,6 +37,14 @@ public:
     ClosestPoint Minimum; ///< of Nearer
   };
 
+  /// More work, in evaluations, for a query whose own leaves parts nearer than `Enough` (mm) open:
+  /// only for such parts.
+  struct Rest
+  {
+    double Enough = 0.0;
+    int Evaluations = 0;
+  };
+
   /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
@@ -47,24 +57,17 @@ public:
   /// MostKnown. Works as long as about `evaluationLimit` evaluations of the surface with its first
   /// two derivatives take; what remains open is continued by the next query.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
-             int evaluationLimit) noexcept;
+             int evaluationLimit, const Rest& rest = {}) noexcept;
   /// The same for another distance, up to the tolerance, preferably less. Known minima count for
   /// everything within the angle `apart` (rad).
   Answer AskWithin(double distance, const Vector3& queryWorld, const ClosestPoint* known,
-                   std::size_t knownCount, int evaluationLimit, double apart = Apart) noexcept;
+                   std::size_t knownCount, int evaluationLimit, double apart = Apart,
+                   const Rest& rest = {}) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
-  // Within a finest node of the search's tree.
-  struct Triangle
-  {
-    int Leaf; // of one that is a whole node, else None
-    bool IsEvaluated;
-    SphericalTriangle Corners; // without a leaf
-    SphericalCap Cap;
-    SampleOf<Surface> Sample; // at the cap's centre
-    typename ClosestPointDescentOf<Surface>::CapBounds Bounds;
-  };
+  using Triangle = typename ProofCells<Surface>::Triangle;
+  typedef FourLanes Clearances __attribute__((may_alias)); // of a group
   struct Task;
   enum class Step
   {
@@ -73,32 +76,54 @@ private:
     Found, // a minimum
     Open
   };
-  static constexpr int None = -1;
+  static constexpr int None = ProofCells<Surface>::None;
   static constexpr int WorkOfEvaluation = SurfaceKind<Surface>::WorkOfEvaluation;
   static constexpr int WorkOfBound = SurfaceKind<Surface>::WorkOfBound;
-  static constexpr std::size_t Capacity = SurfaceKind<Surface>::ProofCells;
+  static constexpr int WorkOfGroup = SurfaceKind<Surface>::WorkOfGroup;
+  static constexpr bool MayBoundTogether = SurfaceKind<Surface>::MayBoundTogether;
+  static constexpr std::size_t Groups = ProofCells<Surface>::Groups;
+  static constexpr std::size_t CellCapacity = ProofCells<Surface>::Capacity;
 
   void BeginAfresh() noexcept;
+  bool IsNearlyFull() noexcept;
+  void GatherNear() noexcept;
   void GoTo(const Vector3& query) noexcept;
-  void FindOpen() noexcept;
+  void FindOpen(double rounding) noexcept;
+  void FindOpenPortably(double rounding) noexcept;
+  void FindOpenByAvx2(double rounding) noexcept;
+  int WorkOfLook(int workLeft) const noexcept;
+  void MoveBounds(double rounding) noexcept;
+  void BoundMoved(Task& task) noexcept;
+  void BoundGroup(const Task& task, std::size_t group) noexcept;
+  void Improve(const Task& task, std::size_t index, double lower, const Vector3& point,
+               double extent) noexcept;
+  void AddOpenOf(std::size_t group) noexcept;
+  void AddGroup(std::size_t group) noexcept;
+  // Whether BoundGroup has bounded the group at this place.
+  bool IsBounded(std::size_t group) const noexcept
+  {
+    return this->BoundedAt[group] == this->Bounded;
+  }
+  void Prefetch(std::size_t i) const noexcept;
+  void PrefetchMoved(std::size_t i) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
   void LeaveOpen(Task& task, std::size_t first) const noexcept;
-  void Settle(Task& task, std::size_t index) noexcept;
+  void Settle(Task& task, std::size_t index, double enoughUntil) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
   Step Descend(Task& task, const Triangle& cell) noexcept;
-  // The parts take the cell's place; returns false without memory.
-  bool CutNode(std::size_t index) noexcept;
-  bool CutTriangle(std::size_t index) noexcept;
-  void Separate(std::size_t index) noexcept;
-  std::size_t AddPart(std::size_t of, int part) noexcept;
-  void Evaluate(Triangle& cell) noexcept;
+  Step CutNode(Task& task, std::size_t index) noexcept;
+  Step CutTriangle(std::size_t index) noexcept;
   bool Clears(double lower, std::size_t index) noexcept;
-  bool SettlesByBasin(const Task& task, std::size_t index) noexcept;
-  const SphericalCap& CapOf(std::size_t index) const noexcept
+  bool SettlesByBasin(const Task& task, const SphericalCap& cap, std::size_t index) noexcept;
+  double LowerDistanceOf(std::size_t index) noexcept;
+  void KeepBound(std::size_t index, double lower, const Vector3& point, double extent) noexcept;
+  // Whether that is less than a path length; where it is compiled for AVX2, in half the time.
+  bool IsUsedUp(std::size_t group, double used) const noexcept
   {
-    const int node = this->Nodes[index];
-    return node != None ? this->Search->Tree().CapOf(node) : this->Triangles[index].Cap;
+    const auto isUsed = reinterpret_cast<const Clearances&>(
+                            this->Cells.ClearUntil[MovedBounds::Count * group]) < used;
+    return ((isUsed[0] | isUsed[1]) | (isUsed[2] | isUsed[3])) != 0;
   }
   // Cells with more clearance than this need no work.
   double Used() const noexcept { return this->PathLength + (this->Asked - this->Needed); }
@@ -109,15 +134,18 @@ private:
   double Asked;    // mm, now
   Vector3 Query = Vector3::Zero();
   double PathLength = 0.0; // path length of the query since the cells were created, mm
-  // Cells cover the parameters: nodes of the tree, and triangles. No point of a cell is closer than
-  // this plus what the proof needs, minus the path length.
-  std::array<double, Capacity> ClearUntil;
-  std::array<int, Capacity> Nodes; // None for triangles
-  std::array<Triangle, Capacity> Triangles;
-  std::size_t CellCount = 0;
-  // Those to work at, with the parts of cells that were cut.
-  std::array<std::uint16_t, 3 * Capacity> Open;
-  std::size_t OpenCount = 0;
+  ProofCells<Surface> Cells;
+  std::array<std::uint32_t, Groups> BoundedAt{};
+  // The groups of cells whose clearance may be used up before a path length.
+  std::array<std::uint16_t, Groups> Near;
+  std::size_t NearCount = 0;
+  double NearUntil = 0.0;                  // mm
+  std::array<std::uint16_t, Groups> Moved; // of them, those whose clearance is used up
+  std::size_t MovedCount = 0;
+  OpenCells<CellCapacity> Open; // at the query
+  double BoundedFor = 0.0;      // Used() where groups were bounded, mm
+  std::uint32_t Bounded = 0;    // a number for that place
+  InstructionSet Set;
   bool IsTurned = false; // those that lack least come first
 };
 using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;

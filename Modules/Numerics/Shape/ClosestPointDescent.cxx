@@ -475,8 +475,10 @@ double ClosestPointDescentOf<ParametricShape>::LowerDistance(const Vector3& quer
   const double aa = first.squaredNorm() - offset.dot(sample.Second[0]);
   const double ab = first.dot(second) - offset.dot(sample.Second[1]);
   const double bb = second.squaredNorm() - offset.dot(sample.Second[2]);
-  const TangentQuadratic quadratic{aa, ab, bb, -offset.dot(first), -offset.dot(second)};
-  return DistanceWithin(reach, offset.norm(), quadratic.LeastChange(reach), cap);
+  const TangentQuadratic<double> quadratic{aa, ab, bb, -offset.dot(first), -offset.dot(second)};
+  double change;
+  quadratic.LeastChange(reach, change);
+  return DistanceWithin(reach, offset.norm(), change, cap);
 }
 
 template class ClosestPointDescentOf<SphericalHarmonicModel>;

@@ -15,16 +15,15 @@ using test::Random;
 using Wedge = HarmonicWedgeOf<ParametricTouchSurface>;
 
 // A sphere that is put over one wall of a cleft that is too narrow for it, as if most of the sphere
-// were known to be free: little work proves little, and where it ends the next tick goes on.
-TEST(ParametricWedge, LeavesWallsInLaterTicks)
+// were known to be free: the first tick proves little, and friction may hold it from then on.
+TEST(ParametricWedge, LeavesWallsWhileItStays)
 {
   std::shared_ptr<const ParametricTouchSurface> surface;
   ASSERT_TRUE(ParametricTouchSurface::Make(test::CleftBlob(), surface).IsOk());
   constexpr double Radius = 4.0; // mm, wider than the cleft
   constexpr int Ticks = 40;
-  constexpr int Little = 10; // evaluations
   const WedgePlaces places(*surface, Radius, 0.0);
-  const double most = 1.1e-3 * surface->SmallestRadius(); // of which 1e-3 are left open
+  const double most = 3.1e-3 * surface->SmallestRadius(); // of which 3e-3 are left open
   const auto overlapAt = [&](const Vector3& place)
   { return Radius - surface->SeenFrom(place, surface->Search().Nearest(place)).SignedDistance; };
   Random random(9114);
@@ -40,13 +39,11 @@ TEST(ParametricWedge, LeavesWallsInLaterTicks)
     Wedge wedge(surface, Radius);
     wedge.Begin(surface->Search().Track(place, surface->Search().Nearest(foot.PointWorld)),
                 {place, 0.9 * Radius});
-    wedge.MoveTo(place - 0.1 * foot.Normal, Little);
-    const bool isLate = overlapAt(wedge.CenterWorld()) > most;
-    late += isLate ? 1 : 0;
-    EXPECT_FALSE(isLate && wedge.HasArrived()) << trial;
+    wedge.MoveTo(place - 0.1 * foot.Normal);
+    late += overlapAt(wedge.CenterWorld()) > most ? 1 : 0;
     for (int tick = 0; tick < Ticks; ++tick)
     {
-      wedge.MoveTo(place - 0.1 * foot.Normal, Little);
+      wedge.Stay();
     }
     EXPECT_LE(overlapAt(wedge.CenterWorld()), most) << trial;
   }
@@ -79,7 +76,6 @@ TEST(ParametricWedge, IsPushedOutOfTheSecondOfTwoNearWalls)
 {
   Random random(1);
   std::uniform_real_distribution<double> size(1.0, 9.0); // mm
-  constexpr int Enough = 1000;                           // evaluations
   std::shared_ptr<const ParametricTouchSurface> surface;
   ASSERT_TRUE(ParametricTouchSurface::Make(Wrinkled(random), surface).IsOk());
   int pushed = 0;
@@ -102,12 +98,12 @@ TEST(ParametricWedge, IsPushedOutOfTheSecondOfTwoNearWalls)
     wedge.Begin(wall);
     for (int tick = 0; tick < 40; ++tick)
     {
-      wedge.MoveTo(place - 0.05 * foot.Normal, Enough);
+      wedge.MoveTo(place - 0.05 * foot.Normal);
     }
     const Vector3 goal = place + 0.5 * foot.Normal;
     for (int tick = 0; tick < 40; ++tick)
     {
-      wedge.MoveTo(goal, Enough);
+      wedge.MoveTo(goal);
     }
     // Free there, it is at the goal but for rounding; held, half a millimetre off.
     EXPECT_LT((wedge.CenterWorld() - goal).norm(), 1e-3) << trial;
