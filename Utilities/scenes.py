@@ -25,7 +25,7 @@ by {growth:.1f} %, on a clock with a resolution of 10 ns. Forces equal, bit for 
 structure in every tick (`TestServoScene`).
 """
 
-SCENES = """## Memory follows what is touched
+SCENES = """## Memory by touched structures
 
 A scene file with an entry for every structure of one segmentation, of which the first ones are `touched`. *Made* is the
 memory that `palpate scene explain` reports; *servo* is that of trackers and index; *process* is the growth of the

@@ -11,10 +11,10 @@ namespace
 {
 constexpr const char* QualityStage = "quality";
 
-ComparedSurface Prepared(vtkPolyData* surface)
+ComparedSurface Prepared(const IndexedMesh& mesh)
 {
   ComparedSurface prepared;
-  if (const Status status = ComparedSurface::Make(ToIndexedMesh(surface), prepared); !status.IsOk())
+  if (const Status status = ComparedSurface::Make(mesh, prepared); !status.IsOk())
   {
     throw FilterError(status.Message());
   }
@@ -31,9 +31,10 @@ SurfaceDistances DistancesBetween(const ComparedSurface& one, const ComparedSurf
 void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
 {
   ReportProgress(progress, 0.0, QualityStage);
-  const ComparedSurface model = Prepared(result.ModelSurface);
-  const ComparedSurface surface = Prepared(result.Surface);
-  result.SurfaceAreaSquareMillimeters = MeasureEnclosed(ToIndexedMesh(result.Surface)).Area;
+  const IndexedMesh mesh = ToIndexedMesh(result.Surface);
+  const ComparedSurface model = Prepared(ToIndexedMesh(result.ModelSurface));
+  const ComparedSurface surface = Prepared(mesh);
+  result.SurfaceAreaSquareMillimeters = MeasureEnclosed(mesh).Area;
   ReportProgress(progress, 0.1, QualityStage);
   result.ModelToSurface = DistancesBetween(model, surface);
   if (result.IsOfSurface)
@@ -42,7 +43,7 @@ void MeasureQuality(vtkPolyData* boundary, FitResult& result, const ProgressFunc
     return;
   }
   ReportProgress(progress, 0.3, QualityStage);
-  const ComparedSurface mask = Prepared(boundary);
+  const ComparedSurface mask = Prepared(ToIndexedMesh(boundary));
   result.ModelToMask = DistancesBetween(model, mask);
   ReportProgress(progress, 0.7, QualityStage);
   result.SurfaceToMask = DistancesBetween(surface, mask);

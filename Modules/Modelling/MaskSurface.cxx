@@ -1,10 +1,10 @@
 #include "MaskSurface.h"
 
-#include "DisjointSets.h"
 #include "FieldVolume.h"
 #include "MappedSurface.h"
 #include "MarchingCubes.h"
 #include "MaskComponents.h"
+#include "MeshMending.h"
 #include "SurfaceTopology.h"
 
 #include <algorithm>
@@ -51,44 +51,6 @@ bool MarchShape(const ShapeField& field, double level, IndexedMesh& mesh)
     point = field.Grid.Origin + field.Grid.Spacing * point;
   }
   return isMade;
-}
-
-// Keeps the piece with the most triangles.
-void KeepLargestPiece(IndexedMesh& mesh)
-{
-  DisjointSets pieces(mesh.Points.size());
-  for (const std::array<int, 3>& t : mesh.Triangles)
-  {
-    pieces.Join(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]));
-    pieces.Join(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[2]));
-  }
-  std::vector<int> triangles(mesh.Points.size(), 0);
-  for (const std::array<int, 3>& t : mesh.Triangles)
-  {
-    ++triangles[pieces.Root(static_cast<std::size_t>(t[0]))];
-  }
-  const auto largest = static_cast<std::size_t>(
-      std::max_element(triangles.begin(), triangles.end()) - triangles.begin());
-  IndexedMesh kept;
-  std::vector<int> renumbered(mesh.Points.size(), -1);
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    if (pieces.Root(i) == largest)
-    {
-      renumbered[i] = static_cast<int>(kept.Points.size());
-      kept.Points.push_back(mesh.Points[i]);
-    }
-  }
-  for (const std::array<int, 3>& t : mesh.Triangles)
-  {
-    const auto at = [&](std::size_t corner)
-    { return renumbered[static_cast<std::size_t>(t[corner])]; };
-    if (at(0) >= 0)
-    {
-      kept.Triangles.push_back({at(0), at(1), at(2)});
-    }
-  }
-  mesh = std::move(kept);
 }
 
 class SurfaceMaker
@@ -151,7 +113,9 @@ private:
 
   Status MarchPlain()
   {
-    return MarchMask(this->Mask, this->Made.Mesh) ? this->Measure() : Status::Failure(TooLarge);
+    const bool isMade = MarchMask(this->Mask, this->Made.Mesh);
+    this->Measure();
+    return isMade ? Status::Success() : Status::Failure(TooLarge);
   }
 
   Status MarchShapeOfVolume()
@@ -174,31 +138,30 @@ private:
     search.Area = std::cbrt(36.0 * M_PI * volume * volume); // of a sphere
     search.Tolerance = 1e-3;
     search.MaximumSteps = 12;
-    Status status = Status::Success();
+    bool isMade = true;
     double marched = 0.0;
     const auto march = [&](double level)
     {
       marched = level;
-      status =
-          MarchShape(field, level, this->Made.Mesh) ? this->Measure() : Status::Failure(TooLarge);
-      return status.IsOk() ? this->Made.SurfaceVolume : volume; // ends the search
+      isMade = isMade && MarchShape(field, level, this->Made.Mesh);
+      this->Measure();
+      return isMade ? this->Made.SurfaceVolume : volume; // ends the search
     };
-    const double level = FindLevel(search, march);
-    if (status.IsOk() && level != marched)
+    if (const double level = FindLevel(search, march); level != marched)
     {
       march(level);
     }
-    return status;
+    return isMade ? Status::Success() : Status::Failure(TooLarge);
   }
 
-  Status Measure()
+  // Of one component, smoothing may part a thin shape into pieces.
+  void Measure()
   {
-    if (this->Settings.Component > 0)
+    if (this->Settings.Component > 0 && KeepPart(this->Made.Mesh, 1) > 0)
     {
-      KeepLargestPiece(this->Made.Mesh);
+      DropUnusedPoints(this->Made.Mesh);
     }
     this->Made.SurfaceVolume = MeasureEnclosed(this->Made.Mesh).Volume;
-    return Status::Success();
   }
 
   VoxelMask& Mask;
