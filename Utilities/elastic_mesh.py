@@ -38,7 +38,7 @@ def harmonics(degree, directions):
 
 
 class Shape:
-    """A star-shaped surface R(d) about a centre."""
+    """A radial model R(d) about a centre."""
 
     def __init__(self, degree, coefficients, center=(0.0, 0.0, 0.0)):
         self.degree, self.coefficients = degree, np.array(coefficients)

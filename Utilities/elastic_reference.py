@@ -10,7 +10,7 @@ springs as the bed. This script makes the mesh, condenses the matrix to the node
 solves the frictionless unilateral contact of a rigid ball: forces along one normal, none negative,
 and no node in the ball. It needs numpy, scipy and CHOLMOD (libcholmod3), and is run to make
 Testing/References/elastic again; tests only read what it wrote. A place takes a minute or two of
-processor time and 4 GB. MODEL is the star-shaped model of `palpate fit MASK --model radial --degree
+processor time and 4 GB. MODEL is the radial model of `palpate fit MASK --model radial --degree
 12`, LESION a NIfTI mask. Lengths in mm, forces in N, moduli in N/mm^2, directions in patient LPS
 from the model's centre.
 """

@@ -19,7 +19,7 @@ import numpy
 import palpate
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[1] / "build/release/bin/palpate"
-KINDS = {"radial": "star-shaped", "surface": "parametric"}
+KINDS = ("radial", "surface")
 DEGREES = (8, 12)
 TYPES = {"short": "i2", "unsigned short": "u2", "unsigned char": "u1", "int": "i4", "float": "f4", "double": "f8"}
 
@@ -50,7 +50,7 @@ def by_command_line(image, label, model, degree, folder):
 
 def by_python(voxels, label, model, degree, place):
     try:
-        return palpate.fit_mask(voxels == label, degree, KINDS[model], **place), ""
+        return palpate.fit_mask(voxels == label, degree, model, **place), ""
     except palpate.Error as error:
         return None, str(error)
 

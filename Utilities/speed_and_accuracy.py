@@ -41,7 +41,7 @@ alone.
 AIMS_TEXT = """## Aims
 
 For one core with AVX2, in double precision; frames (`render/`) on two cores. The aims of surface models (`surface/`,
-`touch/parametric/`) are for a machine on which GSL's gradient of degree 12 takes 541 ns; scale them by it.
+`touch/surface/`) are for a machine on which GSL's gradient of degree 12 takes 541 ns; scale them by it.
 """
 
 # Nanoseconds.
@@ -59,7 +59,7 @@ AIMS = {
     "surface/second/degree12/independent": 120,
     "surface/second/degree20/independent": 300,
     "touch/sh/degree12": 250,
-    "touch/parametric/degree16": 600,
+    "touch/surface/degree16": 600,
     "touch/subvoxel/26": 4e3,
     "drill/tick/3mm": 50e3,
     "elastic/tick/degree20": 3e3,

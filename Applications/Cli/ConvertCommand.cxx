@@ -185,10 +185,9 @@ void ConvertCommand::ConvertModel(Console& console) const
                      ListOfEndings(ReadableModelEndings()) + ", .csv or a surface format.");
   }
   WriteModel(this->Output, document);
-  if (std::holds_alternative<SphericalHarmonicModel>(document.Surface) &&
-      !KeepsStarShape(this->Output))
+  if (std::holds_alternative<RadialModel>(document.Surface) && !KeepsStarShape(this->Output))
   {
-    console.Note(this->Output.string() + " holds the same surface as a parametric one of one "
+    console.Note(this->Output.string() + " holds the same surface as a surface model of one "
                                          "degree more; its format cannot store the centre.");
   }
 }

@@ -45,10 +45,9 @@ void EvaluateCommand::DeclareOptions(CLI::App& app)
   app.add_option("MODEL", this->Model, "Model: " + ListOfEndings(ReadableModelEndings()))
       ->required()
       ->check(FileType::Input("file"));
-  app.add_option(
-         "--direction", this->DirectionWords,
-         "Evaluate along this direction from the centre (LPS), of a parametric surface at this "
-         "parameter; may be repeated")
+  app.add_option("--direction", this->DirectionWords,
+                 "Evaluate along this direction from the centre (LPS), of a surface model at this "
+                 "parameter; may be repeated")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
   app.add_option("--frequency", this->Frequency,

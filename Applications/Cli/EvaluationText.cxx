@@ -43,8 +43,8 @@ std::string DirectionTable(const ModelEvaluation& evaluation)
 std::string PointTable(const ModelEvaluation& evaluation)
 {
   TextTable table;
-  table.AddRow({"point mm", "where", evaluation.StarShaped ? "radial distance mm" : "distance mm",
-                evaluation.StarShaped ? "radius mm" : ""});
+  table.AddRow({"point mm", "where", evaluation.IsRadial ? "radial distance mm" : "distance mm",
+                evaluation.IsRadial ? "radius mm" : ""});
   for (const ModelEvaluation::PointSample& sample : evaluation.Points)
   {
     table.AddRow({Short(sample.PointWorld), sample.Inside ? "inside" : "outside",
@@ -59,9 +59,9 @@ std::string EvaluationAsText(const ModelEvaluation& evaluation)
 {
   TextTable table;
   table.AddRow({"model", evaluation.File});
-  table.AddRow({"surface", evaluation.StarShaped  ? "star-shaped"
-                           : evaluation.InsideOut ? "parametric, parametrised inside out"
-                                                  : "parametric"});
+  table.AddRow({"model", evaluation.IsRadial    ? "radial"
+                         : evaluation.InsideOut ? "surface, parametrised inside out"
+                                                : "surface"});
   table.AddRow({"degree", std::to_string(evaluation.Degree)});
   table.AddRow({"frame", "patient LPS, mm"});
   if (evaluation.CenterWorld)
@@ -90,7 +90,7 @@ std::string EvaluationAsJson(const ModelEvaluation& evaluation)
   Json result;
   result[JsonSchemaKey] = JsonSchemaVersion;
   result["model"] = evaluation.File;
-  result["surface"] = evaluation.StarShaped ? "star-shaped" : "parametric";
+  result["model"] = evaluation.IsRadial ? "radial" : "surface";
   result["degree"] = evaluation.Degree;
   result["frame"] = "patient LPS";
   if (evaluation.CenterWorld)

@@ -2,7 +2,7 @@
 
 #include "InputError.h"
 #include "ModelMeasures.h"
-#include "ParametricTouchSurface.h"
+#include "TouchableSurfaceModel.h"
 
 #include <cmath>
 #include <memory>
@@ -11,7 +11,7 @@ namespace palpate::cli
 {
 namespace
 {
-ModelEvaluation::PointSample SamplePoint(const SphericalHarmonicModel& model, const Vector3& point)
+ModelEvaluation::PointSample SamplePoint(const RadialModel& model, const Vector3& point)
 {
   const Vector3 arm = point - model.CenterWorld();
   const double distance = arm.norm();
@@ -20,17 +20,17 @@ ModelEvaluation::PointSample SamplePoint(const SphericalHarmonicModel& model, co
   return {point, distance <= radius, distance - radius, radius};
 }
 
-void Evaluate(const SphericalHarmonicModel& model, const std::vector<Vector3>& directions,
+void Evaluate(const RadialModel& model, const std::vector<Vector3>& directions,
               const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
 {
-  result.StarShaped = true;
+  result.IsRadial = true;
   result.CenterWorld = model.CenterWorld();
   result.Volume = VolumeOf(model);
   result.Area = AreaOf(model);
   result.Power = model.PowerSpectrum();
   for (const Vector3& u : directions)
   {
-    const SphericalHarmonicModel::Sample sample = model.Evaluate(u);
+    const RadialModel::Sample sample = model.Evaluate(u);
     result.Directions.push_back(
         {u, sample.Radius, sample.SurfaceGradient, model.PointWorld(u), model.Normal(u)});
   }
@@ -40,24 +40,24 @@ void Evaluate(const SphericalHarmonicModel& model, const std::vector<Vector3>& d
   }
 }
 
-void SamplePoints(const ParametricSphericalSurface& surface,
-                  const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
+void SamplePoints(const SurfaceModel& surface, const std::vector<Vector3>& pointsWorld,
+                  ModelEvaluation& result)
 {
-  std::shared_ptr<const ParametricTouchSurface> touch;
-  if (const Status status = ParametricTouchSurface::Make(surface, touch); !status.IsOk())
+  std::shared_ptr<const TouchableSurfaceModel> touch;
+  if (const Status status = TouchableSurfaceModel::Make(surface, touch); !status.IsOk())
   {
     throw InputError(result.File + ": " + status.Message());
   }
   for (const Vector3& point : pointsWorld)
   {
-    const ParametricTouchSurface::ClosestPoint nearest = touch->Search().Nearest(point);
+    const TouchableSurfaceModel::ClosestPoint nearest = touch->Search().Nearest(point);
     const double distance = std::abs(nearest.SignedDistance);
     const bool isInside = !touch->IsOutside(point, nearest);
     result.Points.push_back({point, isInside, isInside ? -distance : distance, std::nullopt});
   }
 }
 
-void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vector3>& directions,
+void Evaluate(const SurfaceModel& surface, const std::vector<Vector3>& directions,
               const std::vector<Vector3>& pointsWorld, ModelEvaluation& result)
 {
   const double volume = surface.Volume();
@@ -78,7 +78,7 @@ void Evaluate(const ParametricSphericalSurface& surface, const std::vector<Vecto
 }
 } // namespace
 
-ModelEvaluation EvaluateModel(const std::string& file, const SurfaceModel& surface,
+ModelEvaluation EvaluateModel(const std::string& file, const OrganModel& surface,
                               const std::vector<Vector3>& directions,
                               const std::vector<Vector3>& pointsWorld)
 {

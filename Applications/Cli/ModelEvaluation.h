@@ -9,12 +9,12 @@
 namespace palpate::cli
 {
 /// What `palpate evaluate` prints about a model. Lengths mm, points patient LPS. Values that need a
-/// centre are absent for a parametric surface.
+/// centre are absent for a surface model.
 struct ModelEvaluation
 {
   struct DirectionSample
   {
-    Vector3 Direction;               ///< unit vector; of a parametric surface, its parameter
+    Vector3 Direction;               ///< unit vector; of a surface model, its parameter
     std::optional<double> Radius;    ///< mm
     std::optional<Vector3> Gradient; ///< of the radius on the unit sphere, mm/rad
     Vector3 PointWorld;              ///< mm
@@ -22,16 +22,16 @@ struct ModelEvaluation
   };
   struct PointSample
   {
-    Vector3 PointWorld; ///< mm
-    bool Inside;        ///< on the surface counts as inside
-    double Distance;    ///< mm from the surface, negative inside; of a star-shaped model along
-                        ///< the ray from the centre, else to the nearest point
-    std::optional<double> Radius; ///< mm, of a star-shaped model along that ray
+    Vector3 PointWorld;           ///< mm
+    bool Inside;                  ///< on the surface counts as inside
+    double Distance;              ///< mm from the surface, negative inside; of a radial model along
+                                  ///< the ray from the centre, else to the nearest point
+    std::optional<double> Radius; ///< mm, of a radial model along that ray
   };
 
   std::string File;
-  bool StarShaped = false;
-  bool InsideOut = false; ///< a parametric surface whose parameter sphere is turned outside in
+  bool IsRadial = false;
+  bool InsideOut = false; ///< a surface model whose parameter sphere is turned outside in
   int Degree = 0;
   std::optional<Vector3> CenterWorld;
   double Volume = 0.0;       ///< mm^3
@@ -42,9 +42,9 @@ struct ModelEvaluation
 };
 
 /// Evaluates a model along unit directions and at points (mm, patient LPS); a point at the centre
-/// is evaluated along +z. Of a parametric surface, a point is inside where the winding number is
+/// is evaluated along +z. Of a surface model, a point is inside where the winding number is
 /// not 0. Throws InputError for points at a surface that encloses nothing.
-ModelEvaluation EvaluateModel(const std::string& file, const SurfaceModel& surface,
+ModelEvaluation EvaluateModel(const std::string& file, const OrganModel& surface,
                               const std::vector<Vector3>& directions,
                               const std::vector<Vector3>& pointsWorld);
 } // namespace palpate::cli

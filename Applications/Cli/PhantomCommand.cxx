@@ -127,24 +127,24 @@ Matrix3 PhantomCommand::Direction() const
       .toRotationMatrix();
 }
 
-SphericalHarmonicModel PhantomCommand::TrueModel() const
+RadialModel PhantomCommand::TrueModel() const
 {
   if (this->ModelPath.empty())
   {
     return MakeProstateLikeModel(this->Degree, this->Seed, Vector3::Zero());
   }
   const ModelDocument document = ReadModel(this->ModelPath);
-  const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
+  const auto* model = std::get_if<RadialModel>(&document.Surface);
   if (!model)
   {
     throw InputError(
         this->ModelPath +
-        ": a phantom cannot be made from a parametric surface; give a star-shaped model (.json)");
+        ": a phantom cannot be made from a surface model; give a radial model (.json)");
   }
   return *model;
 }
 
-PhantomGrid PhantomCommand::GridAround(const SphericalHarmonicModel& model) const
+PhantomGrid PhantomCommand::GridAround(const RadialModel& model) const
 {
   PhantomGrid grid;
   grid.Direction = this->Direction();
@@ -175,7 +175,7 @@ PhantomGrid PhantomCommand::GridAround(const SphericalHarmonicModel& model) cons
   return grid;
 }
 
-PhantomAppearance PhantomCommand::Appearance(const SphericalHarmonicModel& model) const
+PhantomAppearance PhantomCommand::Appearance(const RadialModel& model) const
 {
   PhantomAppearance look;
   look.NoiseDeviation = this->Noise;
@@ -195,8 +195,7 @@ PhantomAppearance PhantomCommand::Appearance(const SphericalHarmonicModel& model
   return look;
 }
 
-void PhantomCommand::WriteTruth(const SphericalHarmonicModel& model,
-                                const std::filesystem::path& file) const
+void PhantomCommand::WriteTruth(const RadialModel& model, const std::filesystem::path& file) const
 {
   ModelProvenance provenance;
   provenance.Program = ProgramVersion();
@@ -213,7 +212,7 @@ void PhantomCommand::WriteTruth(const SphericalHarmonicModel& model,
   WriteModel(file, {model, provenance});
 }
 
-void PhantomCommand::PrintFiles(Console& console, const SphericalHarmonicModel& model,
+void PhantomCommand::PrintFiles(Console& console, const RadialModel& model,
                                 const PhantomImages& phantom) const
 {
   const std::filesystem::path folder = this->OutputFolder;
@@ -236,7 +235,7 @@ void PhantomCommand::PrintFiles(Console& console, const SphericalHarmonicModel& 
 int PhantomCommand::Run(Console& console)
 {
   const Interruption interruption;
-  const SphericalHarmonicModel model = this->TrueModel();
+  const RadialModel model = this->TrueModel();
   const PhantomGrid grid = this->GridAround(model);
   const ProgressFunction progress = ProgressOn(console);
   const auto goOn = [&progress](double part)

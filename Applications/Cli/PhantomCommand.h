@@ -2,7 +2,7 @@
 
 #include "Command.h"
 #include "PhantomSampler.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 
 #include <cstdint>
@@ -28,14 +28,13 @@ public:
 
 private:
   Matrix3 Direction() const;
-  PhantomGrid GridAround(const SphericalHarmonicModel& model) const;
-  PhantomAppearance Appearance(const SphericalHarmonicModel& model) const;
-  SphericalHarmonicModel TrueModel() const;
-  void WriteTruth(const SphericalHarmonicModel& model, const std::filesystem::path& file) const;
+  PhantomGrid GridAround(const RadialModel& model) const;
+  PhantomAppearance Appearance(const RadialModel& model) const;
+  RadialModel TrueModel() const;
+  void WriteTruth(const RadialModel& model, const std::filesystem::path& file) const;
   /// Of the file of one of the images.
   std::string ImageName(const std::string& image) const { return image + "." + this->Format; }
-  void PrintFiles(Console& console, const SphericalHarmonicModel& model,
-                  const PhantomImages& phantom) const;
+  void PrintFiles(Console& console, const RadialModel& model, const PhantomImages& phantom) const;
 
   std::string OutputFolder;
   std::string ModelPath;

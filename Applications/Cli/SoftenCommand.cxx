@@ -102,8 +102,7 @@ std::string SoftenCommand::Examples() const
 
 void SoftenCommand::DeclareOptions(CLI::App& app)
 {
-  app.add_option("MODEL", this->Model,
-                 "Star-shaped model: " + ListOfEndings(ReadableModelEndings()))
+  app.add_option("MODEL", this->Model, "Radial model: " + ListOfEndings(ReadableModelEndings()))
       ->required()
       ->check(FileType::Input("file"));
   app.add_option("--output", this->Output, "The model that yields, .json")

@@ -299,7 +299,7 @@ SceneSettings TouchCommand::Settings() const
                              : std::vector<std::string>();
       structure.Representation = this->Representation;
       structure.Mode =
-          this->Mode == "radial" ? HarmonicContactMode::Radial : HarmonicContactMode::Nearest;
+          this->Mode == "radial" ? RadialContactMode::Radial : RadialContactMode::Nearest;
       structure.Interpolation = this->Interpolation == "cubic" ? FieldInterpolation::TricubicBSpline
                                                                : FieldInterpolation::Trilinear;
       constexpr double DynamicPart = 0.8;

@@ -31,7 +31,7 @@ void Put(double number, double* array, std::size_t entry)
 }
 
 template <typename Sample>
-void PutPlace(const SphericalHarmonicModel& star, const Vector3& u, const Sample& sample,
+void PutPlace(const RadialModel& star, const Vector3& u, const Sample& sample,
               const palpate_evaluation& results, std::size_t i)
 {
   Put(star.CenterWorld() + sample.Radius * u, results.points, i);
@@ -40,7 +40,7 @@ void PutPlace(const SphericalHarmonicModel& star, const Vector3& u, const Sample
   Put(sample.SurfaceGradient, results.gradients, i);
 }
 template <typename Sample>
-void PutPlace(const ParametricSphericalSurface&, const Vector3&, const Sample& sample,
+void PutPlace(const SurfaceModel&, const Vector3&, const Sample& sample,
               const palpate_evaluation& results, std::size_t i)
 {
   Put(sample.Point, results.points, i);
@@ -58,13 +58,11 @@ void PutCurvature(const SurfaceCurvature& curvature, const palpate_evaluation& r
     Put(curvature.Directions[axis], results.principal_directions, 2 * i + axis);
   }
 }
-SurfaceCurvature Curvature(const Vector3& u,
-                           const SphericalHarmonicModel::SecondOrderSample& sample)
+SurfaceCurvature Curvature(const Vector3& u, const RadialModel::SecondOrderSample& sample)
 {
   return CurvatureAt(u, sample);
 }
-SurfaceCurvature Curvature(const Vector3&,
-                           const ParametricSphericalSurface::SecondOrderSample& sample)
+SurfaceCurvature Curvature(const Vector3&, const SurfaceModel::SecondOrderSample& sample)
 {
   return CurvatureAt(sample);
 }
@@ -104,13 +102,13 @@ void EvaluateBatches(const Surface& surface, const std::vector<Vector3>& units,
 }
 } // namespace
 
-Status EvaluateModel(const SurfaceModel& surface, const double* directions, std::size_t count,
+Status EvaluateModel(const OrganModel& surface, const double* directions, std::size_t count,
                      const palpate_evaluation& results)
 {
-  if (std::holds_alternative<ParametricSphericalSurface>(surface) &&
+  if (std::holds_alternative<SurfaceModel>(surface) &&
       (results.radii != nullptr || results.gradients != nullptr))
   {
-    return Status::Failure("only a star-shaped model has radii and their gradients");
+    return Status::Failure("only a radial model has radii and their gradients");
   }
   std::vector<Vector3> units(count);
   for (std::size_t i = 0; i < count; ++i)

@@ -8,8 +8,8 @@
 #include "ModelConvention.h"
 #include "ModelFile.h"
 #include "ModelMeasures.h"
+#include "RadialModelFit.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicFit.h"
 
 #include <algorithm>
 #include <array>
@@ -25,14 +25,14 @@ namespace
 {
 constexpr int MostFrequency = 1000;
 
-palpate_model* HandleOf(SurfaceModel surface)
+palpate_model* HandleOf(OrganModel surface)
 {
   return new palpate_model({std::move(surface), {}, nullptr});
 }
 
-const SphericalHarmonicModel* StarOf(const palpate_model& model)
+const RadialModel* StarOf(const palpate_model& model)
 {
-  return std::get_if<SphericalHarmonicModel>(&model.Document.Surface);
+  return std::get_if<RadialModel>(&model.Document.Surface);
 }
 
 bool IsDegree(int degree, palpate_error* error)
@@ -50,18 +50,18 @@ bool IsFinite(const std::vector<double>& numbers)
   return std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); });
 }
 
-palpate_model* StarShaped(int degree, std::vector<double> coefficients, const Vector3& center,
-                          palpate_error* error)
+palpate_model* Radial(int degree, std::vector<double> coefficients, const Vector3& center,
+                      palpate_error* error)
 {
   if (!IsFinite(coefficients) || !center.allFinite())
   {
     SetError(error, "a coefficient or the centre is not finite");
     return nullptr;
   }
-  return HandleOf(SphericalHarmonicModel(degree, std::move(coefficients), center));
+  return HandleOf(RadialModel(degree, std::move(coefficients), center));
 }
 
-void PlaceAt(const SurfaceModel& surface, const Vector3& direction, double* point, double* normal)
+void PlaceAt(const OrganModel& surface, const Vector3& direction, double* point, double* normal)
 {
   const auto place = [&](const Vector3& where, const Vector3& outward)
   {
@@ -71,26 +71,25 @@ void PlaceAt(const SurfaceModel& surface, const Vector3& direction, double* poin
       Copy(outward, normal);
     }
   };
-  if (const auto* star = std::get_if<SphericalHarmonicModel>(&surface))
+  if (const auto* star = std::get_if<RadialModel>(&surface))
   {
     place(star->PointWorld(direction), star->Normal(direction));
     return;
   }
-  const auto& parametric = std::get<ParametricSphericalSurface>(surface);
-  place(parametric.Point(direction), parametric.Normal(direction));
+  const auto& organ = std::get<SurfaceModel>(surface);
+  place(organ.Point(direction), organ.Normal(direction));
 }
 
 void PrepareSearch(palpate_model& model)
 {
-  if (const SphericalHarmonicModel* star = StarOf(model))
+  if (const RadialModel* star = StarOf(model))
   {
-    model.StarSearch = std::make_unique<const ClosestPointSearch>(
-        std::make_shared<const SphericalHarmonicModel>(*star));
+    model.StarSearch =
+        std::make_unique<const ClosestPointSearch>(std::make_shared<const RadialModel>(*star));
     return;
   }
-  model.ParametricSearch = std::make_unique<const ClosestPointSearchOf<ParametricShape>>(
-      std::make_shared<const ParametricShape>(
-          std::get<ParametricSphericalSurface>(model.Document.Surface)));
+  model.SurfaceSearch = std::make_unique<const ClosestPointSearchOf<CenteredSurface>>(
+      std::make_shared<const CenteredSurface>(std::get<SurfaceModel>(model.Document.Surface)));
 }
 
 template <typename Search>
@@ -125,12 +124,12 @@ palpate_model* palpate_model_create(int degree, const double* coefficients, cons
           return nullptr;
         }
         const std::size_t count = SphericalHarmonicBasis(degree).Size();
-        return StarShaped(degree, {coefficients, coefficients + count}, VectorOf(center), error);
+        return Radial(degree, {coefficients, coefficients + count}, VectorOf(center), error);
       });
 }
 
-palpate_model* palpate_model_create_parametric(int degree, const double* coefficients,
-                                               palpate_error* error)
+palpate_model* palpate_model_create_surface(int degree, const double* coefficients,
+                                            palpate_error* error)
 {
   return Guarded(error, {{coefficients, "coefficients"}},
                  [&]() -> palpate_model*
@@ -151,8 +150,14 @@ palpate_model* palpate_model_create_parametric(int degree, const double* coeffic
                        return nullptr;
                      }
                    }
-                   return HandleOf(ParametricSphericalSurface(degree, values));
+                   return HandleOf(SurfaceModel(degree, values));
                  });
+}
+
+palpate_model* palpate_model_create_parametric(int degree, const double* coefficients,
+                                               palpate_error* error)
+{
+  return palpate_model_create_surface(degree, coefficients, error);
 }
 
 palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
@@ -173,19 +178,19 @@ palpate_model* palpate_model_fit(const double* points, size_t count, const doubl
                      samples.Radii.push_back(from.norm());
                      samples.Weights.push_back(1.0);
                    }
-                   SphericalHarmonicFitOptions options;
+                   RadialModelFitOptions options;
                    options.Degree = degree;
-                   SphericalHarmonicFitResult fit;
-                   const Status status = FitSphericalHarmonics(samples, options, fit);
+                   RadialModelFitResult fit;
+                   const Status status = FitRadialModel(samples, options, fit);
                    return Told(status, error) != 0
-                              ? StarShaped(degree, fit.Coefficients, VectorOf(center), error)
+                              ? Radial(degree, fit.Coefficients, VectorOf(center), error)
                               : nullptr;
                  });
 }
 
 palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                                       const double origin[3], const double spacing[3],
-                                      const double axes[9], int degree, int is_star_shaped,
+                                      const double axes[9], int degree, int is_radial,
                                       palpate_error* error)
 {
   return Guarded(error,
@@ -202,10 +207,10 @@ palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                    {
                      return nullptr;
                    }
-                   SurfaceModel model;
+                   OrganModel model;
                    TopologyReport changes;
                    const Status status = FitMask(CroppedMask(inside, size, spacing), toWorld,
-                                                 {degree, is_star_shaped != 0}, model, &changes);
+                                                 {degree, is_radial != 0}, model, &changes);
                    if (Told(status, error) == 0)
                    {
                      return nullptr;
@@ -246,9 +251,14 @@ int palpate_model_degree(const palpate_model* model)
   return model != nullptr ? DegreeOf(model->Document.Surface) : 0;
 }
 
-int palpate_model_is_star_shaped(const palpate_model* model)
+int palpate_model_is_radial(const palpate_model* model)
 {
   return model != nullptr && StarOf(*model) != nullptr ? 1 : 0;
+}
+
+int palpate_model_is_star_shaped(const palpate_model* model)
+{
+  return palpate_model_is_radial(model);
 }
 
 int palpate_model_yields(const palpate_model* model)
@@ -270,12 +280,12 @@ size_t palpate_model_coefficients(const palpate_model* model, double* coefficien
     std::copy_n(values.begin(), std::min(left, values.size()), coefficients + count);
     count += values.size();
   };
-  if (const SphericalHarmonicModel* star = StarOf(*model))
+  if (const RadialModel* star = StarOf(*model))
   {
     append(star->Coefficients());
     return count;
   }
-  const auto& surface = std::get<ParametricSphericalSurface>(model->Document.Surface);
+  const auto& surface = std::get<SurfaceModel>(model->Document.Surface);
   for (int coordinate = 0; coordinate < 3; ++coordinate)
   {
     append(surface.Coefficients(coordinate));
@@ -388,7 +398,7 @@ int palpate_model_nearest(palpate_model* model, const double query[3], double po
                    const Vector3 from = VectorOf(query);
                    return model->StarSearch != nullptr
                               ? Nearest(*model->StarSearch, from, point, normal, distance, error)
-                              : Nearest(*model->ParametricSearch, from, point, normal, distance,
+                              : Nearest(*model->SurfaceSearch, from, point, normal, distance,
                                         error);
                  });
 }

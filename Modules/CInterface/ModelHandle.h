@@ -1,8 +1,8 @@
 #pragma once
 
+#include "CenteredSurface.h"
 #include "ClosestPointSearch.h"
 #include "ModelDocument.h"
-#include "ParametricShape.h"
 
 #include <memory>
 #include <mutex>
@@ -18,5 +18,5 @@ struct palpate_model
   std::string Changes; ///< by the fit to a mask, see ChangeText
   std::once_flag HasSearch;
   std::unique_ptr<const palpate::ClosestPointSearch> StarSearch;
-  std::unique_ptr<const palpate::ClosestPointSearchOf<palpate::ParametricShape>> ParametricSearch;
+  std::unique_ptr<const palpate::ClosestPointSearchOf<palpate::CenteredSurface>> SurfaceSearch;
 };

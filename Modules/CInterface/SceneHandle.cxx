@@ -7,9 +7,9 @@
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
 #include "FieldHandle.h"
-#include "HarmonicContactModel.h"
 #include "ModelHandle.h"
-#include "ParametricContactModel.h"
+#include "RadialContactModel.h"
+#include "SurfaceContactModel.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -57,15 +57,14 @@ int Add(palpate_scene& scene, int id, std::shared_ptr<const ContactModel> model,
 
 Status ContactOf(const ModelDocument& document, std::shared_ptr<const ContactModel>& contact)
 {
-  if (const auto* parametric = std::get_if<ParametricSphericalSurface>(&document.Surface))
+  if (const auto* surface = std::get_if<SurfaceModel>(&document.Surface))
   {
-    return ParametricContactModel::Make(*parametric, contact);
+    return SurfaceContactModel::Make(*surface, contact);
   }
-  const auto star = std::make_shared<const SphericalHarmonicModel>(
-      std::get<SphericalHarmonicModel>(document.Surface));
+  const auto star = std::make_shared<const RadialModel>(std::get<RadialModel>(document.Surface));
   return document.Elasticity != nullptr
              ? ElasticContactModel::Make(star, *document.Elasticity, contact)
-             : HarmonicContactModel::Make(star, HarmonicContactMode::Nearest, contact);
+             : RadialContactModel::Make(star, RadialContactMode::Nearest, contact);
 }
 
 // Adds what `make` makes.

@@ -45,27 +45,30 @@ extern "C"
   const char* palpate_version(void);
   int palpate_api_version(void);
 
-  /* Models: star-shaped (a radius) or parametric (three coordinates) in spherical
-   * harmonics. */
+  /* Models of organs in spherical harmonics: radial models (a radius around a centre) and surface
+   * models (three coordinates). */
 
-  /* Star-shaped, of (degree + 1)^2 coefficients (mm): real, orthonormal, no Condon-Shortley phase,
+  /* Radial, of (degree + 1)^2 coefficients (mm): real, orthonormal, no Condon-Shortley phase,
    * at l (l + 1) + m. */
   palpate_model* palpate_model_create(int degree, const double* coefficients,
                                       const double center[3], palpate_error* error);
-  /* Parametric, of 3 (degree + 1)^2 coefficients: those of x, then y, then z. */
+  /* A surface model, of 3 (degree + 1)^2 coefficients: those of x, then y, then z. */
+  palpate_model* palpate_model_create_surface(int degree, const double* coefficients,
+                                              palpate_error* error);
+  /* The same by its former name. Deprecated. */
   palpate_model* palpate_model_create_parametric(int degree, const double* coefficients,
                                                  palpate_error* error);
-  /* Star-shaped, fitted by least squares to `count` points of a surface (x, y, z of each). */
+  /* Radial, fitted by least squares to `count` points of a surface (x, y, z of each). */
   palpate_model* palpate_model_fit(const double* points, size_t count, const double center[3],
                                    int degree, palpate_error* error);
   /* Fitted to a mask: size[0] size[1] size[2] bytes, i fastest, inside where not 0. Row i of `axes`
-   * is the unit vector of the grid's axis i. Parametric, or star-shaped around the centroid,
+   * is the unit vector of the grid's axis i. A surface model, or a radial one around the centroid,
    * sampled along 4,002 directions. Parts that are far from the largest are left out. Refuses masks
    * with a cavity of more than 65 mm3, masks of which parts that are left out, handles and cavities
    * are more than 2 % of the volume, and such as are not star-shaped where they have to be. */
   palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                                         const double origin[3], const double spacing[3],
-                                        const double axes[9], int degree, int is_star_shaped,
+                                        const double axes[9], int degree, int is_radial,
                                         palpate_error* error);
   /* What that changed: "1 handle cut, 0.8 % of the volume"; empty if nothing, and for models that
    * were not fitted to a mask. Valid as long as the model. */
@@ -77,9 +80,10 @@ extern "C"
   void palpate_model_free(palpate_model* model);
 
   int palpate_model_degree(const palpate_model* model);
-  int palpate_model_is_star_shaped(const palpate_model* model);
-  int palpate_model_yields(const palpate_model* model); /* whether it has an elasticity */
-  /* Of all coefficients: (degree + 1)^2, or three times that; a parametric model's are those of x,
+  int palpate_model_is_radial(const palpate_model* model);      /* else it is a surface model */
+  int palpate_model_is_star_shaped(const palpate_model* model); /* the same; deprecated */
+  int palpate_model_yields(const palpate_model* model);         /* whether it has an elasticity */
+  /* Of all coefficients: (degree + 1)^2, or three times that; a surface model's are those of x,
    * then y, then z. Copies at most `capacity` of them, and returns how many there are. */
   size_t palpate_model_coefficients(const palpate_model* model, double* coefficients,
                                     size_t capacity);
@@ -95,7 +99,7 @@ extern "C"
   {
     double* points;               /* mm */
     double* normals;              /* unit, outwards */
-    double* radii;                /* mm; of star-shaped models */
+    double* radii;                /* mm; of radial models */
     double* gradients;            /* of the radius over the unit sphere, mm/rad; likewise */
     double* mean_curvatures;      /* 1/mm; a sphere's are positive */
     double* gaussian_curvatures;  /* 1/mm^2 */
@@ -122,7 +126,7 @@ extern "C"
   int palpate_model_measure(const palpate_model* model, double* volume, double* area,
                             palpate_error* error);
   /* The surface's point nearest to `query`, and the distance from there, negative inside. A model's
-   * first call prepares the search, which may take seconds for a parametric one. Several threads
+   * first call prepares the search, which may take seconds for a surface model. Several threads
    * may call it at once. */
   int palpate_model_nearest(palpate_model* model, const double query[3], double point[3],
                             double normal[3], double* distance, palpate_error* error);

@@ -89,7 +89,7 @@ ComparedBody ComparedFile::Body(const Segment& structure) const
   }
   else
   {
-    status = ComparedBody::OfModel(std::get<SurfaceModel>(this->Content), body);
+    status = ComparedBody::OfModel(std::get<OrganModel>(this->Content), body);
   }
   if (!status.IsOk() && this->Labels() != nullptr)
   {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "ComparedBody.h"
+#include "OrganModel.h"
 #include "PalpateComparisonModule.h"
 #include "Segmentation.h"
-#include "SurfaceModel.h"
 #include "Volume.h"
 
 #include <filesystem>
@@ -38,6 +38,6 @@ public:
 
 private:
   std::filesystem::path Source;
-  std::variant<Segmentation, IndexedMesh, SurfaceModel> Content;
+  std::variant<Segmentation, IndexedMesh, OrganModel> Content;
 };
 } // namespace palpate

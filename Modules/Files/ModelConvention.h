@@ -7,9 +7,9 @@ namespace palpate
 struct ModelConvention
 {
   static constexpr const char* Format = "palpate spherical-harmonic model";
-  static constexpr int Version = 1;
-  static constexpr const char* StarShaped = "star-shaped";
-  static constexpr const char* Parametric = "parametric";
+  static constexpr int Version = 2;
+  static constexpr const char* Radial = "radial";
+  static constexpr const char* Surface = "surface";
   static constexpr const char* Basis = "real spherical harmonics";
   static constexpr const char* Normalization = "orthonormal over the unit sphere";
   static constexpr const char* Phase = "no Condon-Shortley phase";

@@ -15,8 +15,8 @@ namespace palpate
 {
 namespace
 {
-constexpr const char* StarShapedTitle = "l,m,coefficient_mm";
-constexpr const char* ParametricTitle = "l,m,x_mm,y_mm,z_mm";
+constexpr const char* RadialTitle = "l,m,coefficient_mm";
+constexpr const char* SurfaceTitle = "l,m,x_mm,y_mm,z_mm";
 
 using Columns = std::vector<std::vector<double>>; // one for each coordinate
 
@@ -71,11 +71,11 @@ std::string FiniteText(double value, const std::string& fileName)
   return ExactText(value);
 }
 
-Columns ColumnsOf(const SphericalHarmonicModel& model)
+Columns ColumnsOf(const RadialModel& model)
 {
   return {model.Coefficients()};
 }
-Columns ColumnsOf(const ParametricSphericalSurface& surface)
+Columns ColumnsOf(const SurfaceModel& surface)
 {
   return {surface.Coefficients(0), surface.Coefficients(1), surface.Coefficients(2)};
 }
@@ -83,7 +83,7 @@ Columns ColumnsOf(const ParametricSphericalSurface& surface)
 
 std::string ModelToCsv(const ModelDocument& document, const std::string& fileName)
 {
-  const auto* model = std::get_if<SphericalHarmonicModel>(&document.Surface);
+  const auto* model = std::get_if<RadialModel>(&document.Surface);
   const int degree = std::visit([](const auto& s) { return s.Degree(); }, document.Surface);
   const Columns columns = std::visit([](const auto& s) { return ColumnsOf(s); }, document.Surface);
   std::string text;
@@ -91,8 +91,7 @@ std::string ModelToCsv(const ModelDocument& document, const std::string& fileNam
   {
     text += "# " + name + ": " + value + "\n";
   }
-  AddComment(text, "surface",
-             model != nullptr ? ModelConvention::StarShaped : ModelConvention::Parametric);
+  AddComment(text, "model", model != nullptr ? ModelConvention::Radial : ModelConvention::Surface);
   AddComment(text, "degree", std::to_string(degree));
   if (model != nullptr)
   {
@@ -102,7 +101,7 @@ std::string ModelToCsv(const ModelDocument& document, const std::string& fileNam
                    FiniteText(center.z(), fileName));
   }
   AddProvenance(text, document.Provenance);
-  text += std::string(model != nullptr ? StarShapedTitle : ParametricTitle) + "\n";
+  text += std::string(model != nullptr ? RadialTitle : SurfaceTitle) + "\n";
   for (int l = 0; l <= degree; ++l)
   {
     for (int m = -l; m <= l; ++m)

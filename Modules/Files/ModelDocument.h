@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ComplianceMaps.h"
-#include "SurfaceModel.h"
+#include "OrganModel.h"
 
 #include <memory>
 #include <string>
@@ -22,7 +22,7 @@ struct ModelProvenance
 
 struct ModelDocument
 {
-  SurfaceModel Surface;
+  OrganModel Surface;
   ModelProvenance Provenance;
   std::shared_ptr<const ComplianceMaps> Elasticity = nullptr; ///< null: rigid
 };

@@ -13,7 +13,7 @@ bool IsModelFile(const std::filesystem::path& path);
 
 std::vector<std::string> ReadableModelEndings();
 
-/// Whether a file of this ending preserves a star-shaped model; SPHARM-PDM has only parametric
+/// Whether a file of this ending preserves a radial model; SPHARM-PDM has only surface
 /// surfaces.
 bool KeepsStarShape(const std::filesystem::path& path);
 

@@ -66,14 +66,14 @@ const std::vector<double>& Finite(const std::vector<double>& values, const std::
   return values;
 }
 
-void AddSurface(const SphericalHarmonicModel& model, const std::string& fileName, Json& file)
+void AddSurface(const RadialModel& model, const std::string& fileName, Json& file)
 {
   const Vector3& center = model.CenterWorld();
   file["center_mm"] = Finite({center.x(), center.y(), center.z()}, fileName);
   file["coefficients_mm"] = Finite(model.Coefficients(), fileName);
 }
 
-void AddSurface(const ParametricSphericalSurface& surface, const std::string& fileName, Json& file)
+void AddSurface(const SurfaceModel& surface, const std::string& fileName, Json& file)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -92,24 +92,23 @@ public:
   {
     this->CheckConvention();
     const int degree = this->Degree();
-    const std::string kind = this->Text(this->File, "surface");
+    const std::string kind = this->Kind();
     ModelProvenance provenance = this->Provenance();
-    if (kind == ModelConvention::StarShaped)
+    if (kind == ModelConvention::Radial)
     {
       const std::vector<double> center = this->Numbers(this->File, "center_mm", 3);
-      return {
-          SphericalHarmonicModel(degree,
-                                 this->Numbers(this->File, "coefficients_mm",
-                                               SphericalHarmonicBasis::CoefficientCount(degree)),
-                                 Vector3(center[0], center[1], center[2])),
-          std::move(provenance), this->Elasticity()};
+      return {RadialModel(degree,
+                          this->Numbers(this->File, "coefficients_mm",
+                                        SphericalHarmonicBasis::CoefficientCount(degree)),
+                          Vector3(center[0], center[1], center[2])),
+              std::move(provenance), this->Elasticity()};
     }
-    if (kind == ModelConvention::Parametric)
+    if (kind == ModelConvention::Surface)
     {
-      return {ParametricSphericalSurface(degree, this->Coordinates(degree)), std::move(provenance)};
+      return {SurfaceModel(degree, this->Coordinates(degree)), std::move(provenance)};
     }
-    this->Refuse("its surface is \"" + kind + "\", which this version of Palpate does not know",
-                 "convert it to \"star-shaped\" or \"parametric\"");
+    this->Refuse("its model is \"" + kind + "\", which this version of Palpate does not know",
+                 "convert it to \"radial\" or \"surface\"");
   }
 
 private:
@@ -159,11 +158,11 @@ private:
     }
     this->Expect(this->File, "format", ModelConvention::Format);
     const Json& version = this->Entry(this->File, "version");
-    if (version != ModelConvention::Version)
+    if (version != ModelConvention::Version && !this->IsFirstVersion())
     {
       this->Refuse(
           "its version is " + version.dump(-1, ' ', false, Json::error_handler_t::replace) +
-              ", and this program reads version " + std::to_string(ModelConvention::Version),
+              ", and this program reads versions 1 to " + std::to_string(ModelConvention::Version),
           "use the version of Palpate that wrote it");
     }
     const Json& basis = this->Entry(this->File, "basis");
@@ -174,6 +173,21 @@ private:
     }
     this->Expect(this->File, "frame", ModelConvention::Frame);
     this->Expect(this->File, "unit", ModelConvention::Unit);
+  }
+
+  bool IsFirstVersion() const { return this->Entry(this->File, "version") == 1; }
+
+  // Version 1 says "surface", and "star-shaped" or "parametric".
+  std::string Kind() const
+  {
+    if (!this->IsFirstVersion())
+    {
+      return this->Text(this->File, "model");
+    }
+    const std::string kind = this->Text(this->File, "surface");
+    return kind == "star-shaped"  ? ModelConvention::Radial
+           : kind == "parametric" ? ModelConvention::Surface
+                                  : "called " + kind;
   }
 
   int Degree() const
@@ -266,11 +280,11 @@ private:
 
 std::string ModelToJson(const ModelDocument& document, const std::string& fileName)
 {
-  const bool starShaped = std::holds_alternative<SphericalHarmonicModel>(document.Surface);
+  const bool isRadial = std::holds_alternative<RadialModel>(document.Surface);
   Json file;
   file["format"] = ModelConvention::Format;
   file["version"] = ModelConvention::Version;
-  file["surface"] = starShaped ? ModelConvention::StarShaped : ModelConvention::Parametric;
+  file["model"] = isRadial ? ModelConvention::Radial : ModelConvention::Surface;
   file["basis"] = ConventionAsJson();
   file["frame"] = ModelConvention::Frame;
   file["unit"] = ModelConvention::Unit;

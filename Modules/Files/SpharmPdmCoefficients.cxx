@@ -17,11 +17,11 @@ namespace
 // From patient LPS to RAS and back.
 constexpr std::array<double, 3> FrameSigns{{-1.0, -1.0, 1.0}};
 
-ParametricSphericalSurface AsParametric(const SphericalHarmonicModel& model)
+SurfaceModel AsSurfaceModel(const RadialModel& model)
 {
-  return ParametricSphericalSurface::FromModel(model);
+  return SurfaceModel::FromModel(model);
 }
-const ParametricSphericalSurface& AsParametric(const ParametricSphericalSurface& surface)
+const SurfaceModel& AsSurfaceModel(const SurfaceModel& surface)
 {
   return surface;
 }
@@ -137,14 +137,14 @@ private:
 };
 } // namespace
 
-std::string SurfaceToSpharmPdm(const SurfaceModel& surface, const std::string& fileName)
+std::string SurfaceToSpharmPdm(const OrganModel& surface, const std::string& fileName)
 {
-  const ParametricSphericalSurface parametric = std::visit(
-      [](const auto& s) -> ParametricSphericalSurface { return AsParametric(s); }, surface);
+  const SurfaceModel written =
+      std::visit([](const auto& s) -> SurfaceModel { return AsSurfaceModel(s); }, surface);
   std::array<std::vector<double>, 3> rows;
   for (std::size_t k = 0; k < rows.size(); ++k)
   {
-    rows[k] = ToSpharmPdm(parametric.Coefficients(static_cast<int>(k)));
+    rows[k] = ToSpharmPdm(written.Coefficients(static_cast<int>(k)));
     Flip(rows[k], FrameSigns[k]);
   }
   std::string text = "{ " + std::to_string(rows[0].size()) + ",";
@@ -161,8 +161,7 @@ std::string SurfaceToSpharmPdm(const SurfaceModel& surface, const std::string& f
   return text + "}\n";
 }
 
-ParametricSphericalSurface SurfaceFromSpharmPdm(const std::string& text,
-                                                const std::string& fileName)
+SurfaceModel SurfaceFromSpharmPdm(const std::string& text, const std::string& fileName)
 {
   int degree = 0;
   const std::array<std::vector<double>, 3> rows = CoefficientReader(text, fileName).Rows(degree);

@@ -13,14 +13,13 @@ namespace palpate
 /// surfaces, which are RAS, so x and y change sign on reading and writing; this half turn preserves
 /// orientation and digits.
 ///
-/// A star-shaped model is written as the equal parametric surface of one degree more
-/// (ParametricSphericalSurface::FromModel). The format has no centre and no provenance, and reading
-/// always gives a parametric surface. Numbers are written in full precision, while SPHARM-PDM
+/// A radial model is written as the equal surface model of one degree more
+/// (SurfaceModel::FromModel). The format has no centre and no provenance, and reading
+/// always gives a surface model. Numbers are written in full precision, while SPHARM-PDM
 /// itself writes six decimals; its reader accepts both.
 /// Throws InputError if a number is not finite; `fileName` is used in messages.
-std::string SurfaceToSpharmPdm(const SurfaceModel& surface, const std::string& fileName);
+std::string SurfaceToSpharmPdm(const OrganModel& surface, const std::string& fileName);
 
 /// The surface of such a text. Throws InputError for any other text.
-ParametricSphericalSurface SurfaceFromSpharmPdm(const std::string& text,
-                                                const std::string& fileName);
+SurfaceModel SurfaceFromSpharmPdm(const std::string& text, const std::string& fileName);
 } // namespace palpate

@@ -41,7 +41,7 @@ std::vector<std::string> Choices(const FitSettings& settings, const HintWords& w
 std::string HintForHidden(const FitSettings& settings, const HintWords& words)
 {
   const std::string raise = std::string("raise ") + words.MaximumHidden + " to see what is lost";
-  const std::string other = std::string("try ") + words.SurfaceModel + ", ";
+  const std::string other = std::string("try ") + words.OrganModel + ", ";
   return UsesMostVisible(settings) ? other + "or " + raise
                                    : other + words.VisibleCenter + ", or " + raise;
 }

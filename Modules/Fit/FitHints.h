@@ -16,7 +16,7 @@ struct HintWords
   const char* VisibleCenter;
   const char* MaximumHidden;
   const char* MinimumDice;
-  const char* SurfaceModel;
+  const char* OrganModel;
   const char* Repair;
   const char* EachPart;
   const char* Penalty; ///< empty if none is suggested

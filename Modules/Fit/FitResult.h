@@ -5,8 +5,8 @@
 
 #include "DirectionCoverage.h"
 #include "MappedSurface.h"
+#include "OrganModel.h"
 #include "Segmentation.h"
-#include "SurfaceModel.h"
 #include "Volume.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -91,7 +91,7 @@ struct FitResult
   double MissedPercent = 0.0;   ///< of the directions: no crossing
 
   // The model.
-  SurfaceModel Model;
+  OrganModel Model;
   double Condition = 0.0;
   double Rms = 0.0;
   double NoiseDeviation = 0.0;
@@ -119,11 +119,8 @@ struct FitResult
   std::shared_ptr<const ComplianceMaps> Elasticity; ///< of a model that yields; else null
   std::string Tissue; ///< of one, as text: "20 kPa, inclusions of 60 kPa"; empty if unknown
 
-  /// The model if it is star-shaped, otherwise null.
-  const SphericalHarmonicModel* Radial() const
-  {
-    return std::get_if<SphericalHarmonicModel>(&this->Model);
-  }
+  /// The model if it is radial, otherwise null.
+  const RadialModel* Radial() const { return std::get_if<RadialModel>(&this->Model); }
 
   /// Of the model from what was given: the mask's boundary or the surface of a surface file.
   const SurfaceDistances& ModelToInput() const

@@ -7,7 +7,7 @@
 #include "FitStructure.h"
 #include "MaskStage.h"
 #include "ModelChoice.h"
-#include "RadialStages.h"
+#include "RadialFit.h"
 #include "StructureChanges.h"
 #include "StructureRemarks.h"
 #include "SurfaceFit.h"
@@ -118,7 +118,7 @@ std::string TrySurfaceModel(FitSamples made, FitResult& result, const ProgressFu
         MapStructure(made, PartOf(progress, 0.0, 0.5));
         if (made.Found.Message.empty())
         {
-          FitSurfaceModel(made.Boundary, made.Found, PartOf(progress, 0.5, 1.0));
+          MakeSurfaceFit(made.Boundary, made.Found, PartOf(progress, 0.5, 1.0));
         }
       },
       made.Found);
@@ -137,11 +137,11 @@ std::string RunModel(const FitSamples& samples, FitResult& result, const Progres
   std::string reason;
   if (result.Details.Mapped != nullptr)
   {
-    FitSurfaceModel(samples.Boundary, result, progress);
+    MakeSurfaceFit(samples.Boundary, result, progress);
     return reason;
   }
   const bool isFinal = !MayTakeSurfaceModel(result.Settings);
-  FitRadialModel(samples, result, PartOf(progress, 0.0, isFinal ? 1.0 : 0.5));
+  MakeRadialFit(samples, result, PartOf(progress, 0.0, isFinal ? 1.0 : 0.5));
   if (!isFinal && IsDoubtful(result))
   {
     reason = TrySurfaceModel(samples, result, PartOf(progress, 0.5, 1.0));
@@ -169,8 +169,8 @@ void SearchDegree(FitSamples made, FitResult& result, const ProgressFunction& pr
         {
           return;
         }
-        isSurface ? FitSurfaceModel(made.Boundary, found, PartOf(progress, 0.3, 1.0))
-                  : FitRadialModel(made, found, PartOf(progress, 0.3, 1.0));
+        isSurface ? MakeSurfaceFit(made.Boundary, found, PartOf(progress, 0.3, 1.0))
+                  : MakeRadialFit(made, found, PartOf(progress, 0.3, 1.0));
       },
       found);
   if (found.State == FitResult::Outcome::Fitted && found.Dice >= result.Dice &&

@@ -78,7 +78,7 @@ std::shared_ptr<const TissueMap::Samples> FractionOf(vtkImageData* layer, int va
 class Inside
 {
 public:
-  explicit Inside(const SphericalHarmonicModel& model) : Model(model)
+  explicit Inside(const RadialModel& model) : Model(model)
   {
     constexpr double Margin = 0.2; // of what the directions miss
     for (const Vector3& direction : SphereQuadrature(model.Degree() + 10).Directions)
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  const SphericalHarmonicModel& Model;
+  const RadialModel& Model;
   double Least = std::numeric_limits<double>::infinity(); // mm
   double Most = 0.0;                                      // mm
 };
@@ -139,7 +139,7 @@ InclusionFractions FractionsOf(const Segmentation& read, const std::vector<Segme
   return fractions;
 }
 
-InclusionShare ShareOf(const SphericalHarmonicModel& model, const Segmentation& read,
+InclusionShare ShareOf(const RadialModel& model, const Segmentation& read,
                        const std::vector<Segment>& segments, const InclusionFractions& fractions)
 {
   constexpr double PerMilliliter = 1e-3; // ml/mm^3

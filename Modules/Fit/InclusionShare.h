@@ -1,8 +1,8 @@
 #pragma once
 
 #include "PalpateFitModule.h"
+#include "RadialModel.h"
 #include "Segmentation.h"
-#include "SphericalHarmonicModel.h"
 #include "TissueMap.h"
 
 #include <memory>
@@ -33,8 +33,7 @@ PALPATEFIT_EXPORT InclusionFractions FractionsOf(const Segmentation& read,
                                                  const std::vector<Segment>& segments);
 
 /// The share of those structures in a model; `fractions` are theirs.
-PALPATEFIT_EXPORT InclusionShare ShareOf(const SphericalHarmonicModel& model,
-                                         const Segmentation& read,
+PALPATEFIT_EXPORT InclusionShare ShareOf(const RadialModel& model, const Segmentation& read,
                                          const std::vector<Segment>& segments,
                                          const InclusionFractions& fractions);
 } // namespace palpate

@@ -22,7 +22,7 @@ namespace
 constexpr const char* Stage = "elasticity";
 
 // Whether the organ's tissue differs from its own somewhere.
-bool Changes(const TissueMap& tissue, const SphericalHarmonicModel& model, double own)
+bool Changes(const TissueMap& tissue, const RadialModel& model, double own)
 {
   constexpr int Degree = 30;
   constexpr int Shells = 25;
@@ -59,7 +59,7 @@ std::shared_ptr<const TissueMap::Samples> ModuliOf(const Volume& image)
 
 // How much of a place of a model's surface is next to a structure: the largest share on the way
 // out.
-double PartNextTo(const InclusionFractions& structure, const SphericalHarmonicModel& model,
+double PartNextTo(const InclusionFractions& structure, const RadialModel& model,
                   const Vector3& direction)
 {
   constexpr int Steps = 6;
@@ -81,7 +81,7 @@ double PartNextTo(const InclusionFractions& structure, const SphericalHarmonicMo
 
 // Measured in a notch of 90 degrees (TestElasticNotch), for a hollow that the harmonics of the
 // compliance do not resolve.
-std::string HollowNote(const SphericalHarmonicModel& model, int degree)
+std::string HollowNote(const RadialModel& model, int degree)
 {
   const double radius = OrganSoftening::SharpestHollow(model);
   return radius < OrganSoftening::SharpHollow && degree < OrganSoftening::DegreeInHollows
@@ -95,8 +95,7 @@ std::string HollowNote(const SphericalHarmonicModel& model, int degree)
 class Composition
 {
 public:
-  Composition(const SofteningSettings& settings, const SphericalHarmonicModel& model,
-              ModelSoftness& made)
+  Composition(const SofteningSettings& settings, const RadialModel& model, ModelSoftness& made)
       : Settings(settings), Model(model), Made(made), Inputs(model, settings),
         Own(MegapascalsPerKilopascal * settings.TissueKilopascal)
   {
@@ -203,7 +202,7 @@ private:
   }
 
   const SofteningSettings& Settings;
-  const SphericalHarmonicModel& Model;
+  const RadialModel& Model;
   ModelSoftness& Made;
   SofteningKey Inputs;
   double Own; // N/mm^2
@@ -224,14 +223,14 @@ std::vector<std::string> ModelSoftness::Warnings() const
   return warnings;
 }
 
-ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
+ModelSoftness SoftenModel(const OrganModel& model, const std::string& name,
                           const SofteningSettings& settings, const ProgressFunction& progress,
                           const SofteningCache* cache)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  const auto* radial = std::get_if<RadialModel>(&model);
   if (radial == nullptr)
   {
-    Refuse(name, "is a surface model, and only a star-shaped one can yield",
+    Refuse(name, "is a surface model, and only a radial one can yield",
            "fit it as a radial model, or let it be rigid");
   }
   RequireInput(settings.Check(), name);

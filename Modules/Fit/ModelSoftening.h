@@ -1,11 +1,11 @@
 #pragma once
 
 #include "InclusionShare.h"
+#include "OrganModel.h"
 #include "PalpateFitModule.h"
 #include "Progress.h"
 #include "SofteningCache.h"
 #include "SofteningSettings.h"
-#include "SurfaceModel.h"
 
 #include <memory>
 #include <string>
@@ -29,10 +29,10 @@ struct ModelSoftness
   PALPATEFIT_EXPORT std::vector<std::string> Warnings() const;
 };
 
-/// Makes a star-shaped model yield. `name` is that of its file or structure, for messages. Takes
+/// Makes a radial model yield. `name` is that of its file or structure, for messages. Takes
 /// seconds, unless `cache` has it; what is made is added to it. A null cache is none. Throws
 /// InputError for other models and settings outside their limits, and Cancelled.
-PALPATEFIT_EXPORT ModelSoftness SoftenModel(const SurfaceModel& model, const std::string& name,
+PALPATEFIT_EXPORT ModelSoftness SoftenModel(const OrganModel& model, const std::string& name,
                                             const SofteningSettings& settings,
                                             const ProgressFunction& progress,
                                             const SofteningCache* cache = nullptr);

@@ -12,12 +12,12 @@ namespace palpate
 {
 namespace
 {
-vtkSmartPointer<vtkPolyData> Draw(const SphericalHarmonicModel& model, int frequency)
+vtkSmartPointer<vtkPolyData> Draw(const RadialModel& model, int frequency)
 {
   return DrawRadialModel(model, frequency);
 }
 
-vtkSmartPointer<vtkPolyData> Draw(const ParametricSphericalSurface& surface, int frequency)
+vtkSmartPointer<vtkPolyData> Draw(const SurfaceModel& surface, int frequency)
 {
   const IcosahedronDirections sphere(frequency);
   const double side = surface.Volume() < 0.0 ? -1.0 : 1.0;
@@ -39,15 +39,15 @@ vtkSmartPointer<vtkPolyData> Draw(const ParametricSphericalSurface& surface, int
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> DrawModel(const SurfaceModel& surface, int frequency)
+vtkSmartPointer<vtkPolyData> DrawModel(const OrganModel& surface, int frequency)
 {
   return std::visit([frequency](const auto& s) { return Draw(s, frequency); }, surface);
 }
 
-int DrawnFrequency(const SurfaceModel& surface, int frequency)
+int DrawnFrequency(const OrganModel& surface, int frequency)
 {
-  const auto* parametric = std::get_if<ParametricSphericalSurface>(&surface);
-  return parametric ? std::max(frequency, static_cast<int>(std::ceil(1.6 * parametric->Degree())))
-                    : frequency;
+  const auto* mapped = std::get_if<SurfaceModel>(&surface);
+  return mapped ? std::max(frequency, static_cast<int>(std::ceil(1.6 * mapped->Degree())))
+                : frequency;
 }
 } // namespace palpate

@@ -56,7 +56,7 @@ void MakeFolder(const fs::path& folder)
   }
 }
 
-ModelDocument DocumentOf(const std::string& key, const SphericalHarmonicModel& model,
+ModelDocument DocumentOf(const std::string& key, const RadialModel& model,
                          const SofteningCache::Entry& entry)
 {
   constexpr int AllDigits = 17;
@@ -80,9 +80,9 @@ std::string SettingOf(const ModelDocument& document, const std::string& name)
   return {};
 }
 
-bool IsSame(const SurfaceModel& read, const SphericalHarmonicModel& model)
+bool IsSame(const OrganModel& read, const RadialModel& model)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&read);
+  const auto* radial = std::get_if<RadialModel>(&read);
   return radial != nullptr && radial->Coefficients() == model.Coefficients() &&
          radial->CenterWorld() == model.CenterWorld();
 }
@@ -133,7 +133,7 @@ fs::path SofteningCache::PathOf(const std::string& key) const
 }
 
 std::optional<SofteningCache::Entry> SofteningCache::Find(const std::string& key,
-                                                          const SphericalHarmonicModel& model) const
+                                                          const RadialModel& model) const
 {
   constexpr std::uintmax_t MostFileBytes = 16'000'000; // twenty times a usual one
   const fs::path path = this->PathOf(key);
@@ -162,7 +162,7 @@ std::optional<SofteningCache::Entry> SofteningCache::Find(const std::string& key
   }
 }
 
-void SofteningCache::Store(const std::string& key, const SphericalHarmonicModel& model,
+void SofteningCache::Store(const std::string& key, const RadialModel& model,
                            const Entry& entry) const
 {
   MakeFolder(this->Folder);

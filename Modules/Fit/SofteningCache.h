@@ -2,7 +2,7 @@
 
 #include "OrganSoftening.h"
 #include "PalpateFitModule.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -32,8 +32,8 @@ public:
   explicit SofteningCache(std::filesystem::path folder, std::uintmax_t mostBytes = UsualBytes);
 
   /// The entry of a key and model, checked as any model file is.
-  std::optional<Entry> Find(const std::string& key, const SphericalHarmonicModel& model) const;
-  void Store(const std::string& key, const SphericalHarmonicModel& model, const Entry& entry) const;
+  std::optional<Entry> Find(const std::string& key, const RadialModel& model) const;
+  void Store(const std::string& key, const RadialModel& model, const Entry& entry) const;
 
   /// \name The cache of this process
   /// There is none unless an application chooses a folder; an empty one switches it off again.

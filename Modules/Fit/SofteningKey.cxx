@@ -12,7 +12,7 @@ std::string_view BytesOf(const T* values, std::size_t count)
 }
 } // namespace
 
-SofteningKey::SofteningKey(const SphericalHarmonicModel& model, const SofteningSettings& settings)
+SofteningKey::SofteningKey(const RadialModel& model, const SofteningSettings& settings)
 {
   this->Second.Add("second");
   this->AddNumber(OrganSoftening::Version);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ContentDigest.h"
+#include "RadialModel.h"
 #include "SofteningSettings.h"
-#include "SphericalHarmonicModel.h"
 #include "TissueMap.h"
 
 #include <string>
@@ -15,7 +15,7 @@ namespace palpate
 class SofteningKey
 {
 public:
-  SofteningKey(const SphericalHarmonicModel& model, const SofteningSettings& settings);
+  SofteningKey(const RadialModel& model, const SofteningSettings& settings);
 
   /// Voxels that are used in a way that the word says, with a modulus or another number.
   void Add(std::string_view use, const TissueMap::Samples& samples, double number);

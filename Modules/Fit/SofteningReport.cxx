@@ -31,8 +31,8 @@ SofteningReport::SofteningReport(const ModelDocument& model, const ModelSoftness
                                  std::string name, double ballRadius)
     : Model(model), Softness(softness), Name(std::move(name)), Radius(ballRadius),
       Drawn(DrawModel(model.Surface, Frequency)),
-      Felt(FeltStiffness::Of(std::get<SphericalHarmonicModel>(model.Surface), *softness.Elasticity,
-                             ballRadius, IcosahedronDirections(Frequency).Directions()))
+      Felt(FeltStiffness::Of(std::get<RadialModel>(model.Surface), *softness.Elasticity, ballRadius,
+                             IcosahedronDirections(Frequency).Directions()))
 {
 }
 

@@ -18,7 +18,7 @@ class ReportPage;
 class PALPATEFIT_EXPORT SofteningReport
 {
 public:
-  /// `model` is star-shaped and yields as `softness` says; keeps the addresses of both. `name` is
+  /// `model` is radial and yields as `softness` says; keeps the addresses of both. `name` is
   /// that of its file, for titles.
   SofteningReport(const ModelDocument& model, const ModelSoftness& softness, std::string name,
                   double ballRadius);

@@ -1,7 +1,7 @@
 #include "SofteningSettings.h"
 
 #include "DecimalText.h"
-#include "SphericalHarmonicSpectrum.h"
+#include "RadialSpectrum.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -64,10 +64,10 @@ Status SofteningSettings::Check() const
   return Status::Success();
 }
 
-Status SofteningSettings::CheckSupportOf(const SphericalHarmonicModel& organ) const
+Status SofteningSettings::CheckSupportOf(const RadialModel& organ) const
 {
   const double most =
-      MostRelativeSupport * this->TissueKilopascal / SphericalHarmonicSpectrum(organ).MeanRadius();
+      MostRelativeSupport * this->TissueKilopascal / RadialSpectrum(organ).MeanRadius();
   return this->Elastography != nullptr || this->BedPerMillimeter <= most
              ? Status::Success()
              : Status::Failure("A support of " + SignificantText(this->BedPerMillimeter) +

@@ -63,7 +63,7 @@ struct SofteningSettings
   PALPATEFIT_EXPORT Status Check() const;
   /// Fails for a support that is too stiff for the tissue of this organ; moduli of an image are not
   /// looked at.
-  PALPATEFIT_EXPORT Status CheckSupportOf(const SphericalHarmonicModel& organ) const;
+  PALPATEFIT_EXPORT Status CheckSupportOf(const RadialModel& organ) const;
 };
 
 /// ", contrasts exaggerated to the power 2": to be said wherever the tissue is.

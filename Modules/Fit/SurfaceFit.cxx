@@ -13,8 +13,8 @@
 #include "ModelMeasures.h"
 #include "ModelOverlap.h"
 #include "ModelSurface.h"
-#include "ParametricUncertainty.h"
 #include "StageClock.h"
+#include "SurfaceModelUncertainty.h"
 #include "Units.h"
 #include "VoxelMinimum.h"
 
@@ -44,19 +44,18 @@ Status JudgeDrawn(FitResult& result)
 
 // The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
 // by bisection.
-Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit,
+Status FitDegree(const FitResult& found, int supported, SurfaceModelFitResult& fit,
                  KernelWatch& watched)
 {
   const MappedSurface& mapped = *found.Details.Mapped;
   const FitSettings& settings = found.Settings;
-  ParametricFitOptions options;
-  options.Placing = found.IsOriented ? ParametricFitOptions::PlacementKind::Frame
-                                     : ParametricFitOptions::PlacementKind::Ellipsoid;
-  const auto fitTo = [&](int degree, double from, double to, ParametricFitResult& result)
+  SurfaceModelFitOptions options;
+  options.Placing = found.IsOriented ? SurfaceModelFitOptions::PlacementKind::Frame
+                                     : SurfaceModelFitOptions::PlacementKind::Ellipsoid;
+  const auto fitTo = [&](int degree, double from, double to, SurfaceModelFitResult& result)
   {
     options.Degree = degree;
-    return FitParametricSurface(mapped.Mesh, mapped.Directions, options, result,
-                                watched.Of(from, to));
+    return FitSurfaceModel(mapped.Mesh, mapped.Directions, options, result, watched.Of(from, to));
   };
   const std::optional<DegreeGoal> goal = DegreeGoalOf(found);
   const int least = goal ? std::max(goal->Least, 1) : 0;
@@ -79,7 +78,7 @@ Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit
   while (status.IsOk() && fit.NormalRms <= goal->Tolerance && degree - below > 1)
   {
     const int between = (below + degree) / 2;
-    ParametricFitResult smaller;
+    SurfaceModelFitResult smaller;
     status = fitTo(between, reached, reached, smaller);
     const bool meets = smaller.NormalRms <= goal->Tolerance;
     (meets ? degree : below) = between;
@@ -92,10 +91,10 @@ Status FitDegree(const FitResult& found, int supported, ParametricFitResult& fit
 }
 
 // Trust in the fit, and the drawn model.
-Status JudgeFit(const IndexedMesh& mesh, const ParametricFitResult& fit, FitResult& result)
+Status JudgeFit(const IndexedMesh& mesh, const SurfaceModelFitResult& fit, FitResult& result)
 {
-  ParametricUncertainty uncertainty;
-  Status status = AssessParametricFit(mesh, fit, uncertainty);
+  SurfaceModelUncertainty uncertainty;
+  Status status = AssessSurfaceModelFit(mesh, fit, uncertainty);
   if (!status.IsOk())
   {
     return status;
@@ -145,7 +144,7 @@ std::string FitAndDraw(FitResult& result, const ProgressFunction& progress)
   const MappedSurface& mapped = *result.Details.Mapped;
   const int supported =
       SupportedDegree(CubicMillimetersPerMilliliter * result.MaskMilliliters, result.Mask);
-  ParametricFitResult fit;
+  SurfaceModelFitResult fit;
   const Status status = FitDegree(result, supported, fit, watched);
   watched.Require();
   if (!status.IsOk())
@@ -190,7 +189,7 @@ void AddDistances(vtkPolyData* surface, vtkPolyData* drawn)
 }
 } // namespace
 
-void FitSurfaceModel(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
+void MakeSurfaceFit(vtkPolyData* boundary, FitResult& result, const ProgressFunction& progress)
 {
   StageClock clock(result.Seconds);
   const std::string reason = FitAndDraw(result, PartOf(progress, 0.0, 0.7));

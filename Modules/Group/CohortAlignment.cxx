@@ -20,10 +20,10 @@ namespace
 constexpr double LargeTurn = 45.0; // degrees
 
 // About the origin, where the cases are.
-SurfaceModel CentredReference(const std::filesystem::path& file)
+OrganModel CentredReference(const std::filesystem::path& file)
 {
-  const SurfaceModel model = ReadModel(file).Surface;
-  SurfaceModel aligned = model;
+  const OrganModel model = ReadModel(file).Surface;
+  OrganModel aligned = model;
   const Status status = AlignShape(model, AlignmentAxes::Patient, aligned);
   if (!status.IsOk())
   {
@@ -33,9 +33,9 @@ SurfaceModel CentredReference(const std::filesystem::path& file)
 }
 
 // Of the body: of radial models the parameters turn with it.
-double TurnOf(const SurfaceModel& model, const SphereRotation& rotation)
+double TurnOf(const OrganModel& model, const SphereRotation& rotation)
 {
-  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(model);
+  const bool isRadial = std::holds_alternative<RadialModel>(model);
   const Matrix3& turn = isRadial ? rotation.Parameters : rotation.Body;
   return 180.0 / M_PI * AngleOf(turn);
 }
@@ -84,13 +84,13 @@ CohortAlignment AlignCohortGroup(CohortGroup& group, bool isScaled,
                                  const std::filesystem::path& reference,
                                  const KernelProgress& progress)
 {
-  std::optional<SurfaceModel> target;
+  std::optional<OrganModel> target;
   if (!reference.empty())
   {
     target = CentredReference(reference);
     const int degree = std::max(DegreeOf(*target), DegreeOf(group.Models.front()));
     target = WithDegree(*target, degree);
-    for (SurfaceModel& model : group.Models)
+    for (OrganModel& model : group.Models)
     {
       model = WithDegree(model, degree);
     }

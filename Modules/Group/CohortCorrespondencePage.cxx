@@ -30,10 +30,10 @@ std::vector<SoftwareRenderer::Color> SphereColors()
   return colors;
 }
 
-double LargestExtent(const std::vector<SurfaceModel>& models)
+double LargestExtent(const std::vector<OrganModel>& models)
 {
   double extent = 0.0;
-  for (const SurfaceModel& model : models)
+  for (const OrganModel& model : models)
   {
     extent = std::max(extent, ColoredShape{DrawModel(model, ThumbnailFrequency), {}}.Extent());
   }
@@ -82,7 +82,7 @@ void AddCohortCorrespondence(ReportPage& page, const CohortGroup& group,
   }
   const std::vector<SoftwareRenderer::Color> colors = SphereColors();
   const ShapeFigures drawing(ThumbnailMargin * LargestExtent(group.Models), 1.0, ThumbnailSize);
-  const auto add = [&](const SurfaceModel& model, const std::string& caption, bool isMarked)
+  const auto add = [&](const OrganModel& model, const std::string& caption, bool isMarked)
   {
     ReportFigure figure =
         drawing.Figure(DrawModel(model, ThumbnailFrequency), colors, ViewSide::Anterior, caption);

@@ -16,9 +16,9 @@ namespace palpate
 {
 namespace
 {
-SurfaceModel InPrincipalAxes(const SurfaceModel& model, const std::string& name)
+OrganModel InPrincipalAxes(const OrganModel& model, const std::string& name)
 {
-  SurfaceModel aligned = model;
+  OrganModel aligned = model;
   if (const Status status = AlignShape(model, AlignmentAxes::Ellipsoid, aligned); !status.IsOk())
   {
     throw InputError(name + ": " + status.Message());
@@ -53,8 +53,7 @@ void ExportCohort(const CohortGroup& group, const std::filesystem::path& folder,
     ReportProgress(progress, static_cast<double>(i) / static_cast<double>(group.Rows.size()),
                    "export");
     const std::string name = FreeName(group.Rows[i].Case, taken);
-    const SurfaceModel patient =
-        ReadModel((folder / group.Rows[i].Model).lexically_normal()).Surface;
+    const OrganModel patient = ReadModel((folder / group.Rows[i].Model).lexically_normal()).Surface;
     if (particles)
     {
       particles->Add(name, patient, group.Models[i]);

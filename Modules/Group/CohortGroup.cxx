@@ -99,13 +99,13 @@ void Check(const Status& status, const std::string& name)
 }
 
 // Leaves out the cases whose kind of model is the rarer one; radial if they are as many.
-void KeepOneKind(std::vector<SurfaceModel>& models, CohortGroup& group)
+void KeepOneKind(std::vector<OrganModel>& models, CohortGroup& group)
 {
-  const auto isRadial = [](const SurfaceModel& model)
-  { return std::holds_alternative<SphericalHarmonicModel>(model); };
+  const auto isRadial = [](const OrganModel& model)
+  { return std::holds_alternative<RadialModel>(model); };
   const auto radial = std::count_if(models.begin(), models.end(), isRadial);
   const bool keepsRadial = 2 * static_cast<std::size_t>(radial) >= models.size();
-  std::vector<SurfaceModel> kept;
+  std::vector<OrganModel> kept;
   std::vector<CohortRow> rows;
   for (std::size_t i = 0; i < models.size(); ++i)
   {
@@ -132,10 +132,10 @@ void KeepOneKind(std::vector<SurfaceModel>& models, CohortGroup& group)
   group.Rows = std::move(rows);
 }
 
-void NoteOn(CohortGroup& group, const std::string& name, const SurfaceModel& model,
+void NoteOn(CohortGroup& group, const std::string& name, const OrganModel& model,
             const BodyMoments& body)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  const auto* radial = std::get_if<RadialModel>(&model);
   const double offset =
       radial != nullptr ? (body.CentroidWorld - radial->CenterWorld()).norm() : 0.0;
   if (offset > LargestOffset * std::cbrt(body.SemiAxes.prod()))
@@ -174,9 +174,9 @@ std::string CaseTable(const CohortGroup& group, const std::vector<std::string>& 
   return text;
 }
 
-std::vector<std::string> CoefficientColumns(const SurfaceModel& model)
+std::vector<std::string> CoefficientColumns(const OrganModel& model)
 {
-  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(model);
+  const bool isRadial = std::holds_alternative<RadialModel>(model);
   std::vector<std::string> columns;
   for (const std::string& series :
        isRadial ? std::vector<std::string>{"c"} : std::vector<std::string>{"x", "y", "z"})
@@ -205,9 +205,9 @@ std::string VarianceTable(const ShapeModes& modes)
 }
 
 // Over the directions; of a surface model the radius of the ball of its volume.
-double MeanRadius(const SurfaceModel& model, const BodyMoments& body)
+double MeanRadius(const OrganModel& model, const BodyMoments& body)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  const auto* radial = std::get_if<RadialModel>(&model);
   return radial != nullptr ? radial->Coefficients().front() / std::sqrt(4.0 * M_PI)
                            : std::cbrt(0.75 * body.Volume / M_PI);
 }
@@ -332,10 +332,10 @@ void TakeProvenance(const ModelProvenance& provenance, bool isFirst, CohortGroup
       group.FitSettings.end());
 }
 
-std::vector<SurfaceModel> ReadModels(const std::filesystem::path& folder,
-                                     const KernelProgress& progress, CohortGroup& group)
+std::vector<OrganModel> ReadModels(const std::filesystem::path& folder,
+                                   const KernelProgress& progress, CohortGroup& group)
 {
-  std::vector<SurfaceModel> models;
+  std::vector<OrganModel> models;
   for (const CohortRow& row : group.Rows)
   {
     Report(progress, ReadingShare * Share(models.size(), group.Rows.size()));
@@ -346,10 +346,10 @@ std::vector<SurfaceModel> ReadModels(const std::filesystem::path& folder,
   return models;
 }
 
-void AddAligned(const SurfaceModel& model, const std::string& name, CohortGroup& group)
+void AddAligned(const OrganModel& model, const std::string& name, CohortGroup& group)
 {
   BodyMoments body;
-  SurfaceModel aligned = model;
+  OrganModel aligned = model;
   Check(std::visit([&](const auto& one) { return MeasureBody(one, body); }, model), name);
   Check(AlignShape(model, group.Axes, aligned), name);
   group.Bodies.push_back(body);
@@ -364,7 +364,7 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
   CohortGroup group;
   group.Axes = axes;
   group.Rows = Choose(table, structure, group.Notes);
-  std::vector<SurfaceModel> models = ReadModels(folder, progress, group);
+  std::vector<OrganModel> models = ReadModels(folder, progress, group);
   KeepOneKind(models, group);
   int degree = 0;
   for (std::size_t i = 0; i < models.size(); ++i)
@@ -375,7 +375,7 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
     NoteOn(group, name, models[i], group.Bodies.back());
     degree = std::max(degree, DegreeOf(models[i]));
   }
-  for (SurfaceModel& model : group.Models)
+  for (OrganModel& model : group.Models)
   {
     model = WithDegree(model, degree);
   }
@@ -412,7 +412,7 @@ Eigen::MatrixXd CoefficientsOf(const CohortGroup& group)
   return matrix;
 }
 
-SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations)
+OrganModel ShapeOf(const CohortGroup& group, int mode, double deviations)
 {
   Eigen::VectorXd scores = Eigen::VectorXd::Zero(group.Modes.Deviations.size());
   if (mode >= 0)
@@ -432,7 +432,7 @@ std::vector<std::string> ModeNames(Eigen::Index count)
   return names;
 }
 
-SurfaceModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores)
+OrganModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores)
 {
   return ShapeFrom(group.Modes.Mean + group.Modes.Modes * scores, group.Models.front());
 }

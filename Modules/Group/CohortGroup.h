@@ -3,10 +3,10 @@
 #include "CohortTable.h"
 #include "KernelProgress.h"
 #include "ModelMeasures.h"
+#include "OrganModel.h"
 #include "PalpateGroupModule.h"
 #include "ShapeAlignment.h"
 #include "ShapeModes.h"
-#include "SurfaceModel.h"
 
 #include <filesystem>
 #include <string>
@@ -27,9 +27,9 @@ struct CohortNote
 struct CohortGroup
 {
   AlignmentAxes Axes = AlignmentAxes::Patient;
-  std::vector<CohortRow> Rows;      ///< those with a model of that kind
-  std::vector<SurfaceModel> Models; ///< aligned, of one kind and degree: the highest of all
-  std::vector<BodyMoments> Bodies;  ///< of the models in their patients' frames
+  std::vector<CohortRow> Rows;     ///< those with a model of that kind
+  std::vector<OrganModel> Models;  ///< aligned, of one kind and degree: the highest of all
+  std::vector<BodyMoments> Bodies; ///< of the models in their patients' frames
   ShapeModes Modes;
   std::vector<CohortNote> Notes; ///< omitted cases and warnings
 
@@ -64,10 +64,10 @@ PALPATEGROUP_EXPORT Eigen::MatrixXd CoefficientsOf(const CohortGroup& group);
 
 /// The mean shape plus a mode times its standard deviation times `deviations`; the mean for mode
 /// -1.
-PALPATEGROUP_EXPORT SurfaceModel ShapeOf(const CohortGroup& group, int mode, double deviations);
+PALPATEGROUP_EXPORT OrganModel ShapeOf(const CohortGroup& group, int mode, double deviations);
 
 /// The mean shape plus the modes times these scores (mm), one per mode.
-PALPATEGROUP_EXPORT SurfaceModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores);
+PALPATEGROUP_EXPORT OrganModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores);
 /// mode_1, mode_2, ...: columns of tables.
 PALPATEGROUP_EXPORT std::vector<std::string> ModeNames(Eigen::Index count);
 

@@ -81,8 +81,8 @@ std::string CorrespondenceText(bool isRadial, const CohortGroup& group)
 
 std::string ModelText(const CohortGroup& group)
 {
-  const SurfaceModel& first = group.Models.front();
-  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(first);
+  const OrganModel& first = group.Models.front();
+  const bool isRadial = std::holds_alternative<RadialModel>(first);
   return std::to_string(group.Models.size()) + " shapes were described by " +
          (isRadial ? "the radius about the centre as a function of the direction"
                    : "three coordinates as functions on a parameter sphere") +
@@ -104,7 +104,7 @@ std::string ModesText(const CohortGroup& group, const CohortOutput& output)
   std::string text =
       "Modes are the principal components of the coefficients (singular values of the centred "
       "matrix, variances over n - 1), which are those of the " +
-      std::string(std::holds_alternative<SphericalHarmonicModel>(group.Models.front())
+      std::string(std::holds_alternative<RadialModel>(group.Models.front())
                       ? "radius over the directions"
                       : "position over the parameters") +
       "; " + std::to_string(group.Modes.Modes.cols()) +

@@ -75,7 +75,7 @@ std::vector<std::string> NoteTexts(const CohortGroup& group, bool showsNames)
 std::string ModeTitle(const CohortGroup& group, int mode)
 {
   const ShapeModes& modes = group.Modes;
-  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(group.Models.front());
+  const bool isRadial = std::holds_alternative<RadialModel>(group.Models.front());
   return "Mode " + std::to_string(mode + 1) + ": " + FixedText(100.0 * modes.Explained[mode], 1) +
          " % of the variance, standard deviation " +
          FixedText(modes.Deviations[mode] / std::sqrt(4.0 * M_PI), 2) + " mm (RMS of the " +
@@ -85,7 +85,7 @@ std::string ModeTitle(const CohortGroup& group, int mode)
 // The mean first, then the two shapes of each shown mode.
 std::vector<ColoredShape> DrawAll(const CohortGroup& group, double deviations)
 {
-  const SurfaceModel mean = ShapeOf(group, -1, 0.0);
+  const OrganModel mean = ShapeOf(group, -1, 0.0);
   std::vector<ColoredShape> drawn{DrawOffsets(mean, mean)};
   for (int mode = 0; mode < ShownModes(group); ++mode)
   {

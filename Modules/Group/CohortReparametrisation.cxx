@@ -69,15 +69,15 @@ CohortReparametrisation ReparametriseCohortGroup(CohortGroup& group,
                                                  const RandomShapeSettings& random,
                                                  const KernelProgress& progress)
 {
-  std::vector<ParametricSphericalSurface> surfaces;
-  for (const SurfaceModel& model : group.Models)
+  std::vector<SurfaceModel> surfaces;
+  for (const OrganModel& model : group.Models)
   {
-    if (!std::holds_alternative<ParametricSphericalSurface>(model))
+    if (!std::holds_alternative<SurfaceModel>(model))
     {
       throw InputError("--reparametrise needs surface models, but these are radial ones, whose "
                        "directions correspond; fit with --model surface");
     }
-    surfaces.push_back(std::get<ParametricSphericalSurface>(model));
+    surfaces.push_back(std::get<SurfaceModel>(model));
   }
   bool isCancelled = false;
   const KernelProgress watched = [&](double done)

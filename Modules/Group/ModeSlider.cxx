@@ -22,7 +22,7 @@ std::string StepCaption(double deviations)
 std::string ModeSlider(const CohortGroup& group, int mode, double deviations,
                        const ShapeFigures& figures)
 {
-  const SurfaceModel mean = ShapeOf(group, -1, 0.0);
+  const OrganModel mean = ShapeOf(group, -1, 0.0);
   std::string images;
   for (int step = -StepsToASide; step <= StepsToASide; ++step)
   {

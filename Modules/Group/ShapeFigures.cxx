@@ -32,7 +32,7 @@ SoftwareRenderer::Color Paled(const SoftwareRenderer::Color& color)
 }
 } // namespace
 
-ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean)
+ColoredShape DrawOffsets(const OrganModel& shape, const OrganModel& mean)
 {
   ColoredShape drawn{DrawModel(shape, OffsetFrequency), {}};
   const IcosahedronDirections sphere(OffsetFrequency);
@@ -40,14 +40,14 @@ ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean)
   {
     Vector3 point;
     drawn.Mesh->GetPoint(p, point.data());
-    if (const auto* radial = std::get_if<SphericalHarmonicModel>(&mean))
+    if (const auto* radial = std::get_if<RadialModel>(&mean))
     {
       // The centre is the origin, so a point's own direction is the mean's too.
       drawn.Values.push_back(point.norm() - radial->Radius(point.normalized()));
     }
     else
     {
-      const auto& surface = std::get<ParametricSphericalSurface>(mean);
+      const auto& surface = std::get<SurfaceModel>(mean);
       const Vector3& parameter = sphere.Directions()[static_cast<std::size_t>(p)];
       drawn.Values.push_back(surface.Normal(parameter).dot(point - surface.Point(parameter)));
     }

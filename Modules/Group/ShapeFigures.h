@@ -1,10 +1,10 @@
 #pragma once
 
 #include "AnatomicalView.h"
+#include "OrganModel.h"
 #include "PalpateGroupModule.h"
 #include "ReportPage.h"
 #include "SoftwareRenderer.h"
-#include "SurfaceModel.h"
 
 #include "vtkLookupTable.h"
 #include "vtkPolyData.h"
@@ -28,7 +28,7 @@ struct ColoredShape
 };
 
 /// A model of a group with the distance of each point outside the mean (mm).
-PALPATEGROUP_EXPORT ColoredShape DrawOffsets(const SurfaceModel& shape, const SurfaceModel& mean);
+PALPATEGROUP_EXPORT ColoredShape DrawOffsets(const OrganModel& shape, const OrganModel& mean);
 
 /// Draws shapes at the same scale, with the common centre in the image's centre.
 class PALPATEGROUP_EXPORT ShapeFigures

@@ -36,7 +36,7 @@ std::map<int, double> DeviationsOf(const std::string& text)
 }
 } // namespace
 
-SurfaceModel SynthesizeShape(const CohortGroup& group, const std::string& text)
+OrganModel SynthesizeShape(const CohortGroup& group, const std::string& text)
 {
   const auto modes = static_cast<int>(group.Modes.Modes.cols());
   Eigen::VectorXd scores = group.Modes.Deviations * 0.0;
@@ -49,8 +49,8 @@ SurfaceModel SynthesizeShape(const CohortGroup& group, const std::string& text)
     }
     scores[mode - 1] = several * group.Modes.Deviations[mode - 1];
   }
-  SurfaceModel shape = ShapeWith(group, scores);
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&shape);
+  OrganModel shape = ShapeWith(group, scores);
+  const auto* radial = std::get_if<RadialModel>(&shape);
   if (radial != nullptr && FindRadiusRange(*radial, RadiusTolerance).LowestFound <= 0.0)
   {
     throw InputError("the shape " + text +

@@ -12,7 +12,7 @@ namespace palpate
 /// deviations of mode 1 and minus one of mode 3; "0" is the mean itself. Throws InputError if the
 /// text is something else, a mode is named twice or does not exist, or the surface of a radial
 /// model would pass through its centre.
-PALPATEGROUP_EXPORT SurfaceModel SynthesizeShape(const CohortGroup& group, const std::string& text);
+PALPATEGROUP_EXPORT OrganModel SynthesizeShape(const CohortGroup& group, const std::string& text);
 
 /// Writes that shape as shape.json into an existing folder. Throws InputError.
 PALPATEGROUP_EXPORT void WriteSynthesis(const CohortGroup& group, const std::string& text,

@@ -16,17 +16,17 @@ namespace
 {
 constexpr int ParticleFrequency = 10; // 1,002 points
 
-Vector3 PointOn(const SphericalHarmonicModel& model, const Vector3& direction)
+Vector3 PointOn(const RadialModel& model, const Vector3& direction)
 {
   return model.CenterWorld() + model.Radius(direction) * direction;
 }
 
-Vector3 PointOn(const ParametricSphericalSurface& surface, const Vector3& parameter)
+Vector3 PointOn(const SurfaceModel& surface, const Vector3& parameter)
 {
   return surface.Point(parameter);
 }
 
-std::string ParticleText(const SurfaceModel& model)
+std::string ParticleText(const OrganModel& model)
 {
   std::string text;
   const IcosahedronDirections sphere(ParticleFrequency);
@@ -49,8 +49,8 @@ ShapeWorksFolder::ShapeWorksFolder(std::filesystem::path folder) : Folder(std::m
   }
 }
 
-void ShapeWorksFolder::Add(const std::string& name, const SurfaceModel& patient,
-                           const SurfaceModel& aligned)
+void ShapeWorksFolder::Add(const std::string& name, const OrganModel& patient,
+                           const OrganModel& aligned)
 {
   WriteWholeFile(this->Folder / (name + "_local.particles"), ParticleText(patient));
   WriteWholeFile(this->Folder / (name + "_world.particles"), ParticleText(aligned));

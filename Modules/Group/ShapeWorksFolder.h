@@ -1,7 +1,7 @@
 #pragma once
 
+#include "OrganModel.h"
 #include "PalpateGroupModule.h"
-#include "SurfaceModel.h"
 
 #include <filesystem>
 #include <string>
@@ -20,7 +20,7 @@ public:
   explicit ShapeWorksFolder(std::filesystem::path folder);
 
   /// Throws InputError.
-  void Add(const std::string& name, const SurfaceModel& patient, const SurfaceModel& aligned);
+  void Add(const std::string& name, const OrganModel& patient, const OrganModel& aligned);
   /// Writes the project with what was added. Throws InputError.
   void Finish() const;
 

@@ -22,11 +22,10 @@ constexpr int AxisLongitudes = 100;
 /// A named number at each point.
 using PointNumbers = std::pair<std::string, std::vector<double>>;
 
-ParametricSphericalSurface ParametricOf(const SurfaceModel& model)
+SurfaceModel SurfaceModelOf(const OrganModel& model)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
-  return radial != nullptr ? ParametricSphericalSurface::FromModel(*radial)
-                           : std::get<ParametricSphericalSurface>(model);
+  const auto* radial = std::get_if<RadialModel>(&model);
+  return radial != nullptr ? SurfaceModel::FromModel(*radial) : std::get<SurfaceModel>(model);
 }
 
 // LPS to RAS and back: a half turn, which leaves triangles outward.
@@ -86,8 +85,7 @@ std::string MeshText(const std::vector<Vector3>& points, const IcosahedronDirect
   return text + ArraysText(points.size(), arrays);
 }
 
-std::vector<Vector3> PointsOf(const ParametricSphericalSurface& surface,
-                              const IcosahedronDirections& sphere)
+std::vector<Vector3> PointsOf(const SurfaceModel& surface, const IcosahedronDirections& sphere)
 {
   std::vector<Vector3> points;
   for (const Vector3& parameter : sphere.Directions())
@@ -205,10 +203,10 @@ void WriteMedialMesh(const LatitudeAxis& axis, const std::string& base)
                      ArraysText(axis.Points.size(), numbers));
 }
 
-void WritePose(const SurfaceModel& model, const IcosahedronDirections& sphere,
+void WritePose(const OrganModel& model, const IcosahedronDirections& sphere,
                const std::string& base, const std::vector<PointNumbers>& arrays)
 {
-  WriteWholeFile(base + ".vtk", MeshText(PointsOf(ParametricOf(model), sphere), sphere, arrays));
+  WriteWholeFile(base + ".vtk", MeshText(PointsOf(SurfaceModelOf(model), sphere), sphere, arrays));
   WriteWholeFile(base + ".coef", SurfaceToSpharmPdm(model, base));
 }
 } // namespace
@@ -216,7 +214,7 @@ void WritePose(const SurfaceModel& model, const IcosahedronDirections& sphere,
 void WriteSpharmPdmCase(const SpharmPdmCase& one, const std::filesystem::path& folder)
 {
   const IcosahedronDirections sphere(PdmFrequency);
-  const ParametricSphericalSurface patient = ParametricOf(one.Patient);
+  const SurfaceModel patient = SurfaceModelOf(one.Patient);
   const std::filesystem::path second = folder / "Step2_GenParaMesh";
   const std::filesystem::path third = folder / "Step3_ParaToSPHARMMesh";
   std::filesystem::create_directories(second);
@@ -230,7 +228,7 @@ void WriteSpharmPdmCase(const SpharmPdmCase& one, const std::filesystem::path& f
   WritePose(one.Patient, sphere, base + "_SPHARM", numbers);
   WritePose(one.Ellipsoid, sphere, base + "_SPHARM_ellalign", numbers);
   WriteWholeFile(base + "_SPHARM_procalign.vtk",
-                 MeshText(PointsOf(ParametricOf(one.Group), sphere), sphere, numbers));
+                 MeshText(PointsOf(SurfaceModelOf(one.Group), sphere), sphere, numbers));
   WriteWholeFile(base + "_para.vtk", parameters);
   for (const auto& [name, values] : numbers)
   {

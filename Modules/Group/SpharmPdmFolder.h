@@ -1,7 +1,7 @@
 #pragma once
 
+#include "OrganModel.h"
 #include "PalpateGroupModule.h"
-#include "SurfaceModel.h"
 
 #include <filesystem>
 #include <string>
@@ -11,10 +11,10 @@ namespace palpate
 /// The three poses of a case that SPHARM-PDM writes.
 struct SpharmPdmCase
 {
-  std::string Name;       ///< of files, plain
-  SurfaceModel Patient;   ///< in the patient's frame
-  SurfaceModel Ellipsoid; ///< in its principal axes
-  SurfaceModel Group;     ///< as the group is aligned
+  std::string Name;     ///< of files, plain
+  OrganModel Patient;   ///< in the patient's frame
+  OrganModel Ellipsoid; ///< in its principal axes
+  OrganModel Group;     ///< as the group is aligned
 };
 
 /// Writes a case under the names that scripts around SPHARM-PDM look for, into `folder`:

@@ -100,7 +100,7 @@ Status ComparedBody::OfMesh(IndexedMesh mesh, ComparedBody& made)
   return status;
 }
 
-Status ComparedBody::OfModel(const SurfaceModel& model, ComparedBody& made)
+Status ComparedBody::OfModel(const OrganModel& model, ComparedBody& made)
 {
   ComparedBody body;
   const auto foot = std::make_shared<const ModelFoot>(model);

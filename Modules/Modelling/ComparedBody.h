@@ -6,8 +6,8 @@
 #include "KernelProgress.h"
 #include "ModelFoot.h"
 #include "NearestOnMesh.h"
+#include "OrganModel.h"
 #include "Status.h"
-#include "SurfaceModel.h"
 #include "VoxelMask.h"
 
 #include <memory>
@@ -38,7 +38,7 @@ public:
   static Status OfMesh(IndexedMesh mesh, ComparedBody& made);
   /// A model, at points on itself; distances from it are those from the model, not from triangles.
   /// Fails if its points are not finite or enclose no volume. All fail beyond FarthestCompared.
-  static Status OfModel(const SurfaceModel& model, ComparedBody& made);
+  static Status OfModel(const OrganModel& model, ComparedBody& made);
 
   const IndexedMesh& Surface() const noexcept { return this->Mesh; }
   /// Triangles that enclose the body: the surface; of a model, whose drawing lies inside it where

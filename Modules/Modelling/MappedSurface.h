@@ -14,7 +14,7 @@
 namespace palpate
 {
 /// A closed genus-0 surface of a structure with its place on the parameter sphere: the input of
-/// FitParametricSurface.
+/// FitSurfaceModel.
 struct MappedSurface
 {
   IndexedMesh Mesh;                ///< world mm, outward

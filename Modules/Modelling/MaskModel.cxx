@@ -4,9 +4,9 @@
 #include "MappedSurface.h"
 #include "MaskComponents.h"
 #include "MaskSurface.h"
-#include "ParametricFit.h"
+#include "RadialModelFit.h"
 #include "RadialSampling.h"
-#include "SphericalHarmonicFit.h"
+#include "SurfaceModelFit.h"
 
 #include <cctype>
 #include <numeric>
@@ -43,8 +43,8 @@ Status OfMask(const Status& status)
              : status;
 }
 
-Status FitParametric(const VoxelMask& mask, const IndexToWorld& toWorld, int degree,
-                     const TopologyChange& leftOut, SurfaceModel& model, TopologyReport& changes)
+Status FitSurface(const VoxelMask& mask, const IndexToWorld& toWorld, int degree,
+                  const TopologyChange& leftOut, OrganModel& model, TopologyReport& changes)
 {
   MappedSurface mapped;
   Status status = MakeMappedSurface(mask, toWorld, {}, {}, mapped);
@@ -56,10 +56,10 @@ Status FitParametric(const VoxelMask& mask, const IndexToWorld& toWorld, int deg
   {
     return OfMask(changed.IsOk() ? status : changed);
   }
-  ParametricFitOptions options;
+  SurfaceModelFitOptions options;
   options.Degree = degree;
-  ParametricFitResult fit;
-  status = FitParametricSurface(mapped.Mesh, mapped.Directions, options, fit);
+  SurfaceModelFitResult fit;
+  status = FitSurfaceModel(mapped.Mesh, mapped.Directions, options, fit);
   if (status.IsOk())
   {
     model = fit.Surface;
@@ -67,7 +67,7 @@ Status FitParametric(const VoxelMask& mask, const IndexToWorld& toWorld, int deg
   return status;
 }
 
-Status FitRadii(const IndexedMesh& mesh, const MaskModelSettings& settings, SurfaceModel& model)
+Status FitRadii(const IndexedMesh& mesh, const MaskModelSettings& settings, OrganModel& model)
 {
   const RadialSampling sampling = SampleRadially(mesh, VolumeCentroid(mesh), Frequency, {});
   if (sampling.Seen.HiddenPercent > settings.MaximumHiddenPercent)
@@ -76,21 +76,20 @@ Status FitRadii(const IndexedMesh& mesh, const MaskModelSettings& settings, Surf
         "the mask is not star-shaped: " + FixedText(sampling.Seen.HiddenPercent, 1) +
         " % of its surface is hidden from its centre");
   }
-  SphericalHarmonicFitOptions options;
+  RadialModelFitOptions options;
   options.Degree = settings.Degree;
-  SphericalHarmonicFitResult fit;
-  const Status status =
-      FitSphericalHarmonics(SamplesOf(sampling, RadialWeight::Area), options, fit);
+  RadialModelFitResult fit;
+  const Status status = FitRadialModel(SamplesOf(sampling, RadialWeight::Area), options, fit);
   if (status.IsOk())
   {
-    model = SphericalHarmonicModel(settings.Degree, fit.Coefficients, sampling.CenterWorld);
+    model = RadialModel(settings.Degree, fit.Coefficients, sampling.CenterWorld);
   }
   return status;
 }
 
 Status FitStar(const VoxelMask& mask, const IndexToWorld& toWorld,
-               const MaskModelSettings& settings, const TopologyChange& leftOut,
-               SurfaceModel& model, TopologyReport& changes)
+               const MaskModelSettings& settings, const TopologyChange& leftOut, OrganModel& model,
+               TopologyReport& changes)
 {
   MaskSurfaceSettings surfaceSettings;
   surfaceSettings.Shape.CellsOnSurface = MaskSurfaceSettings::CellsOfModel;
@@ -108,7 +107,7 @@ Status FitStar(const VoxelMask& mask, const IndexToWorld& toWorld,
 } // namespace
 
 Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSettings& settings,
-               SurfaceModel& model, TopologyReport* changes)
+               OrganModel& model, TopologyReport* changes)
 {
   if (mask.Count() == 0)
   {
@@ -119,8 +118,8 @@ Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSetti
   const TopologyChange smaller = SmallerParts(parts, mask.VoxelVolume());
   const double all = mask.VoxelVolume() * static_cast<double>(mask.Count());
   const bool isTooMuch = 100.0 * smaller.Volume > TopologyLimits().ChangedPercent * all;
-  const bool takesInParts = smaller.Count > 0 && !settings.IsStarShaped;
-  Status status = takesInParts ? FitParametric(mask, toWorld, settings.Degree, {}, model, made)
+  const bool takesInParts = smaller.Count > 0 && !settings.IsRadial;
+  Status status = takesInParts ? FitSurface(mask, toWorld, settings.Degree, {}, model, made)
                                : Status::Failure({});
   if (!status.IsOk() && takesInParts && isTooMuch)
   {
@@ -129,9 +128,8 @@ Status FitMask(VoxelMask mask, const IndexToWorld& toWorld, const MaskModelSetti
   if (!status.IsOk())
   {
     parts.Keep(0, mask);
-    status = settings.IsStarShaped
-                 ? FitStar(mask, toWorld, settings, smaller, model, made)
-                 : FitParametric(mask, toWorld, settings.Degree, smaller, model, made);
+    status = settings.IsRadial ? FitStar(mask, toWorld, settings, smaller, model, made)
+                               : FitSurface(mask, toWorld, settings.Degree, smaller, model, made);
   }
   if (changes != nullptr)
   {

@@ -17,7 +17,7 @@ namespace
 {
 // Up to degree 40, triangles' sides are some 2.5 times as short as the shortest half-wave, so that
 // the nearest triangle leads Newton's method to the right place. Beyond, time counts. Even.
-int FrequencyOf(const SurfaceModel& model)
+int FrequencyOf(const OrganModel& model)
 {
   return 2 * std::clamp(static_cast<int>(std::ceil(1.25 * DegreeOf(model))), 20, 50);
 }
@@ -57,22 +57,21 @@ void TurnInsideOut(std::vector<std::array<int, 3>>& triangles)
   }
 }
 
-ParametricSphericalSurface AsParametric(const SurfaceModel& model)
+SurfaceModel AsSurfaceModel(const OrganModel& model)
 {
-  const auto* star = std::get_if<SphericalHarmonicModel>(&model);
-  return star != nullptr ? ParametricSphericalSurface::FromModel(*star)
-                         : std::get<ParametricSphericalSurface>(model);
+  const auto* star = std::get_if<RadialModel>(&model);
+  return star != nullptr ? SurfaceModel::FromModel(*star) : std::get<SurfaceModel>(model);
 }
 
-double SignedVolumeOf(const SurfaceModel& model)
+double SignedVolumeOf(const OrganModel& model)
 {
-  const auto* star = std::get_if<SphericalHarmonicModel>(&model);
-  return star != nullptr ? VolumeOf(*star) : std::get<ParametricSphericalSurface>(model).Volume();
+  const auto* star = std::get_if<RadialModel>(&model);
+  return star != nullptr ? VolumeOf(*star) : std::get<SurfaceModel>(model).Volume();
 }
 } // namespace
 
-ModelFoot::ModelFoot(const SurfaceModel& model)
-    : Frequency(FrequencyOf(model)), Shape(AsParametric(model)),
+ModelFoot::ModelFoot(const OrganModel& model)
+    : Frequency(FrequencyOf(model)), Shape(AsSurfaceModel(model)),
       Outward(SignedVolumeOf(model) < 0.0 ? -1.0 : 1.0),
       EnclosedVolume(std::abs(SignedVolumeOf(model))),
       SurfaceArea(std::visit([](const auto& surface) { return AreaOf(surface); }, model))
@@ -127,7 +126,7 @@ double ModelFoot::SignedDistance(const Vector3& query,
   constexpr double ShortStep = 1e-7; // rad; the rest of the way is straight
   const Vector3 from = query - this->Shape.CenterWorld();
   Vector3 parameter = this->ParameterAt(near);
-  ParametricShape::SecondOrderSample sample = this->Shape.EvaluateSecondOrder(parameter);
+  CenteredSurface::SecondOrderSample sample = this->Shape.EvaluateSecondOrder(parameter);
   for (int i = 0; i < MostSteps; ++i)
   {
     const SquaredDistance distance(parameter, sample, from);
@@ -143,7 +142,7 @@ double ModelFoot::SignedDistance(const Vector3& query,
       break;
     }
     const Vector3 next = Moved(parameter, step);
-    const ParametricShape::SecondOrderSample there = this->Shape.EvaluateSecondOrder(next);
+    const CenteredSurface::SecondOrderSample there = this->Shape.EvaluateSecondOrder(next);
     if (!((from - there.Point).squaredNorm() < (from - sample.Point).squaredNorm()))
     {
       break;

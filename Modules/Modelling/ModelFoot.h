@@ -1,9 +1,9 @@
 #pragma once
 
+#include "CenteredSurface.h"
 #include "IndexedMesh.h"
 #include "NearestOnMesh.h"
-#include "ParametricShape.h"
-#include "SurfaceModel.h"
+#include "OrganModel.h"
 
 #include <vector>
 
@@ -16,7 +16,7 @@ namespace palpate
 class ModelFoot
 {
 public:
-  explicit ModelFoot(const SurfaceModel& model);
+  explicit ModelFoot(const OrganModel& model);
 
   /// Points of the surface (mm, patient LPS), outward orientation; 32,000 triangles or more, after
   /// the model's degree.
@@ -38,7 +38,7 @@ private:
   Vector3 ParameterAt(const NearestOnMesh::Result& near) const noexcept;
 
   int Frequency; // of the icosahedron; even
-  ParametricShape Shape;
+  CenteredSurface Shape;
   std::vector<Vector3> Parameters; // of the drawing's points
   IndexedMesh Drawing;
   double Outward; // -1 if the surface is parametrised inside out

@@ -45,7 +45,7 @@ int vtkModelReader::RequestData(vtkInformation*, vtkInformationVector**,
 {
   try
   {
-    const palpate::SurfaceModel model =
+    const palpate::OrganModel model =
         palpate::ReadModel(this->FileName ? this->FileName : "").Surface;
     vtkPolyData* output = vtkPolyData::GetData(outputs);
     output->ShallowCopy(palpate::DrawModel(model, palpate::DrawnFrequency(model, this->Frequency)));

@@ -37,7 +37,7 @@ BoundModel CreateModel(const py::object& given, const py::object& center)
   if (array.ndim() == 2 && array.shape(0) == 3)
   {
     const int degree = DegreeOfCount(array.shape(1));
-    return {Owned<palpate_model>(Call(palpate_model_create_parametric, degree, values.data()))};
+    return {Owned<palpate_model>(Call(palpate_model_create_surface, degree, values.data()))};
   }
   if (array.ndim() != 1)
   {
@@ -70,22 +70,43 @@ BoundModel FitPoints(const py::object& given, int degree, const py::object& cent
       Call(palpate_model_fit, points.Data(), points.Count(), middle.data(), degree))};
 }
 
+void Deprecated(const std::string& message)
+{
+  if (PyErr_WarnEx(PyExc_DeprecationWarning, message.c_str(), 1) != 0)
+  {
+    throw py::error_already_set();
+  }
+}
+
+// Up to version 0.2 the kinds had other names.
+bool IsRadialKind(const std::string& kind)
+{
+  const bool isFormerRadial = kind == "star-shaped";
+  if (isFormerRadial || kind == "parametric")
+  {
+    Deprecated("kind='" + kind + "' is now kind='" + (isFormerRadial ? "radial" : "surface") + "'");
+    return isFormerRadial;
+  }
+  if (kind != "surface" && kind != "radial")
+  {
+    throw py::value_error("kind: has to be 'surface' or 'radial', and is '" + kind + "'");
+  }
+  return kind == "radial";
+}
+
 BoundModel FitToMask(const py::object& given, int degree, const std::string& kind,
                      const GridArguments& place)
 {
-  if (kind != "parametric" && kind != "star-shaped")
-  {
-    throw py::value_error("kind: has to be 'parametric' or 'star-shaped', and is '" + kind + "'");
-  }
+  const bool isRadial = IsRadialKind(kind);
   const py::array array = RealArray(given, "mask");
   const GridPlace grid = PlaceOfGrid(array, "mask", place);
   const py::array_t<bool, py::array::f_style | py::array::forcecast> inside(array);
   static_assert(sizeof(bool) == 1, "NumPy's booleans are bytes");
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(inside.data());
   const py::gil_scoped_release others;
-  return {Owned<palpate_model>(Call(palpate_model_fit_mask, bytes, grid.Size.data(),
-                                    grid.Origin.data(), grid.Spacing.data(), grid.Axes.data(),
-                                    degree, kind == "star-shaped" ? 1 : 0))};
+  return {
+      Owned<palpate_model>(Call(palpate_model_fit_mask, bytes, grid.Size.data(), grid.Origin.data(),
+                                grid.Spacing.data(), grid.Axes.data(), degree, isRadial ? 1 : 0))};
 }
 
 BoundModel ReadGivenModel(const std::filesystem::path& path)
@@ -197,9 +218,9 @@ Numbers Spectrum(const BoundModel& model)
 Numbers Coefficients(const BoundModel& model)
 {
   const auto count = palpate_model_coefficients(model.Handle.get(), nullptr, 0);
-  const bool isStarShaped = palpate_model_is_star_shaped(model.Handle.get()) != 0;
+  const bool isRadial = palpate_model_is_radial(model.Handle.get()) != 0;
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(count)};
-  if (!isStarShaped)
+  if (!isRadial)
   {
     shape = {3, static_cast<py::ssize_t>(count / 3)};
   }
@@ -219,7 +240,7 @@ std::string Representation(const BoundModel& model)
 {
   const palpate_model* handle = model.Handle.get();
   return std::string("<palpate.Model: ") +
-         (palpate_model_is_star_shaped(handle) != 0 ? "star-shaped" : "parametric") + ", degree " +
+         (palpate_model_is_radial(handle) != 0 ? "radial" : "surface") + ", degree " +
          std::to_string(palpate_model_degree(handle)) +
          (palpate_model_yields(handle) != 0 ? ", yields>" : ">");
 }
@@ -233,19 +254,26 @@ void AddProperties(ModelClass& type)
           [](const BoundModel& model) { return palpate_model_degree(model.Handle.get()); },
           "Degree of the spherical harmonics.")
       .def_property_readonly(
+          "is_radial",
+          [](const BoundModel& model) { return palpate_model_is_radial(model.Handle.get()) != 0; },
+          "Whether the model is a radius around a centre; else it is three coordinates.")
+      .def_property_readonly(
           "is_star_shaped",
           [](const BoundModel& model)
-          { return palpate_model_is_star_shaped(model.Handle.get()) != 0; },
-          "Whether the model is a radius around a centre; else it is three coordinates.")
+          {
+            Deprecated("is_star_shaped is now is_radial");
+            return palpate_model_is_radial(model.Handle.get()) != 0;
+          },
+          "The former name of is_radial.")
       .def_property_readonly(
           "yields",
           [](const BoundModel& model) { return palpate_model_yields(model.Handle.get()) != 0; },
           "Whether the model has an elasticity, which its file brings.")
       .def_property_readonly("coefficients", &Coefficients,
-                             "A copy, mm: (n,), or (3, n) of a parametric model, at l (l + 1) + m; "
+                             "A copy, mm: (n,), or (3, n) of a surface model, at l (l + 1) + m; "
                              "real, orthonormal, without the Condon-Shortley phase.")
       .def_property_readonly("center", &Center,
-                             "(3,), mm: the centre, or the mean of a parametric surface.");
+                             "(3,), mm: the centre, or the mean of a surface model.");
 }
 
 void AddEvaluations(ModelClass& type)
@@ -266,24 +294,24 @@ void AddEvaluations(ModelClass& type)
           "radii",
           [](const BoundModel& model, const py::object& directions)
           { return EvaluateOne(model, directions, &palpate_evaluation::radii, {}); },
-          py::arg("directions"), "(n,), mm: radii of a star-shaped model.")
+          py::arg("directions"), "(n,), mm: radii of a radial model.")
       .def(
           "gradients",
           [](const BoundModel& model, const py::object& directions)
           { return EvaluateOne(model, directions, &palpate_evaluation::gradients, {3}); },
           py::arg("directions"),
-          "(n, 3), mm/rad: gradients of a star-shaped model's radius over the unit sphere.")
+          "(n, 3), mm/rad: gradients of a radial model's radius over the unit sphere.")
       .def("curvature", &Curvature, py::arg("directions"),
            "Curvature of the surface; a sphere of radius a has the mean curvature 1/a.")
       .def("nearest", &Nearest, py::arg("points"),
            "The surface's points nearest to points (n, 3), mm. The first call prepares the search, "
-           "which may take seconds for a parametric model.")
+           "which may take seconds for a surface model.")
       .def("mesh", &Mesh, py::arg("frequency") = 20, "A closed mesh of 10 frequency^2 + 2 points.")
       .def("measures", &Measures, "Volume, area, centroid and semi-axes.")
       .def("spectrum", &Spectrum,
            "(degree + 1,), mm^2: sum of the squared coefficients of each degree.")
       .def("write", &WriteGivenModel, py::arg("path"),
-           "Writes a .json, a .coef (SPHARM-PDM; always parametric) or a .csv.");
+           "Writes a .json, a .coef (SPHARM-PDM; always a surface model) or a .csv.");
 }
 } // namespace
 
@@ -299,7 +327,7 @@ void BindModels(py::module_& module)
   AddEvaluations(type);
   module.def("fit_points", &FitPoints, py::arg("points"), py::arg("degree") = 12,
              py::arg("center") = py::none(),
-             "Fits a star-shaped model to points (n, 3) of a surface, mm, by least squares.\n\n"
+             "Fits a radial model to points (n, 3) of a surface, mm, by least squares.\n\n"
              "center: (3,), inside; the mean of the points unless given.");
   module.def(
       "fit_mask",
@@ -307,12 +335,12 @@ void BindModels(py::module_& module)
          const py::object& origin, const py::object& direction, const py::object& affine) {
         return FitToMask(mask, degree, kind, {spacing, origin, direction, affine});
       },
-      py::arg("mask"), py::arg("degree") = 20, py::arg("kind") = "parametric", py::kw_only(),
+      py::arg("mask"), py::arg("degree") = 20, py::arg("kind") = "surface", py::kw_only(),
       py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
       py::arg("direction") = py::none(), py::arg("affine") = py::none(),
       "Fits a model to a mask (i, j, k), inside where not 0. Small parts that are far from the "
       "largest are left out.\n\n"
-      "kind: 'parametric' for any shape, or 'star-shaped'.\n"
+      "kind: 'surface' for any shape, or 'radial' for star-shaped ones.\n"
       "spacing: (3,), mm. origin: (3,), mm, of the centre of voxel 0, 0, 0. direction: (3, 3), "
       "whose columns are the axes.\n"
       "affine: (4, 4) instead, from index to mm in patient LPS.");

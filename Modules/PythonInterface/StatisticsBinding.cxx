@@ -242,9 +242,9 @@ py::object Displacement(const BoundModel& model, int frequency)
   Numbers normals({points, py::ssize_t{3}});
   Numbers areas(points);
   py::array_t<std::int32_t> triangles({20 * parts * parts, py::ssize_t{3}});
-  const bool isParametric = palpate_model_is_star_shaped(model.Handle.get()) == 0;
+  const bool isSurface = palpate_model_is_radial(model.Handle.get()) == 0;
   const py::ssize_t degree = palpate_model_degree(model.Handle.get());
-  Numbers map({points, (isParametric ? 3 : 1) * (degree + 1) * (degree + 1)});
+  Numbers map({points, (isSurface ? 3 : 1) * (degree + 1) * (degree + 1)});
   Call(palpate_model_displacement, model.Handle.get(), frequency, places.mutable_data(),
        normals.mutable_data(), areas.mutable_data(), triangles.mutable_data(), map.mutable_data());
   return Result("Displacement", places, normals, areas, triangles, map);

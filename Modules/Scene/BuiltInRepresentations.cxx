@@ -18,9 +18,9 @@ namespace palpate
 {
 namespace
 {
-SceneProduct HarmonicContactOf(const FitResult& fit, HarmonicContactMode mode)
+SceneProduct ModelContactOf(const FitResult& fit, RadialContactMode mode)
 {
-  return std::make_shared<const TouchContact>(MakeHarmonicContact(fit.Model, mode, fit.Input));
+  return std::make_shared<const TouchContact>(MakeModelContact(fit.Model, mode, fit.Input));
 }
 
 // Only a sphere can touch it. The degree of a model is its own.
@@ -44,7 +44,7 @@ std::vector<ContactSetting> VaryHarmonics(ContactSetting standard, const TouchTo
     }
   }
   settings.push_back(standard);
-  for (const HarmonicContactMode mode : {HarmonicContactMode::Nearest, HarmonicContactMode::Radial})
+  for (const RadialContactMode mode : {RadialContactMode::Nearest, RadialContactMode::Radial})
   {
     settings.push_back(standard);
     settings.back().Structure.Mode = mode;
@@ -61,28 +61,28 @@ std::string DegreeText(const ContactSetting& setting, const std::string& before)
 
 bool IsNearest(const ContactSetting& setting)
 {
-  return setting.Structure.Mode == HarmonicContactMode::Nearest;
+  return setting.Structure.Mode == RadialContactMode::Nearest;
 }
 
-void PlanHarmonicContact(StructurePlan& plan)
+void PlanContactOfModel(StructurePlan& plan)
 {
-  const HarmonicContactMode mode = plan.Settings().Mode;
+  const RadialContactMode mode = plan.Settings().Mode;
   plan.AddContact(SceneKey("harmonics", static_cast<int>(mode)), plan.AddModel(),
                   [mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
-                  { return HarmonicContactOf(*ProductAs<FitResult>(inputs.data()), mode); });
+                  { return ModelContactOf(*ProductAs<FitResult>(inputs.data()), mode); });
 }
 
 // A model from a file yields if it says so.
 void PlanModelContact(StructurePlan& plan)
 {
-  const HarmonicContactMode mode = plan.Settings().Mode;
+  const RadialContactMode mode = plan.Settings().Mode;
   plan.AddContact(SceneKey("model", static_cast<int>(mode)), plan.AddModel(),
                   [mode](const StructurePlan::Inputs& inputs, const ProgressFunction&)
                   {
                     const auto fit = ProductAs<FitResult>(inputs.data());
                     return fit->Elasticity != nullptr
                                ? std::make_shared<const TouchContact>(ElasticContactOf(*fit))
-                               : HarmonicContactOf(*fit, mode);
+                               : ModelContactOf(*fit, mode);
                   });
 }
 
@@ -222,7 +222,7 @@ void PlanModelOrField(StructurePlan& plan)
   {
     if (structure.IsTouchable && plan.Find(model) != nullptr)
     {
-      PlanHarmonicContact(plan);
+      PlanContactOfModel(plan);
     }
     else if (structure.IsTouchable)
     {
@@ -256,13 +256,13 @@ void PlanFieldContact(StructurePlan& plan)
       { return FieldContactOf(structure, inputs); });
 }
 
-SceneRepresentation HarmonicRepresentation()
+SceneRepresentation ModelRepresentation()
 {
   SceneRepresentation harmonics;
   harmonics.Name = harmonics.Label = TouchRepresentation::Harmonics;
   harmonics.Sources = {SceneSource::Label, SceneSource::Model, SceneSource::Surface};
   harmonics.Appearance = SceneAppearance::Model;
-  harmonics.PlanContact = PlanHarmonicContact;
+  harmonics.PlanContact = PlanContactOfModel;
   harmonics.PlanDisplay = [](StructurePlan& plan) { plan.AddModel(); };
   harmonics.Describe = [](const ContactSetting& setting)
   {

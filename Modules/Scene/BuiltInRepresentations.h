@@ -5,7 +5,7 @@
 namespace palpate
 {
 /// Spherical harmonics: fitted to a label, or read from a model file.
-SceneRepresentation HarmonicRepresentation();
+SceneRepresentation ModelRepresentation();
 
 /// The triangles of a label's surface, or of a surface from a file.
 SceneRepresentation FacetRepresentation();

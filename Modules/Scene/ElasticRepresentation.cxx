@@ -73,7 +73,7 @@ SceneProduct Place(const std::vector<SceneStructure>& inclusions,
 {
   auto placed = std::make_shared<SceneInclusions>();
   const auto fit = ProductAs<FitResult>(inputs.data());
-  const SphericalHarmonicModel* model = fit->Radial();
+  const RadialModel* model = fit->Radial();
   const bool isSoftened = model != nullptr && fit->Elasticity == nullptr;
   for (std::size_t i = 0; isSoftened && i < inclusions.size(); ++i)
   {

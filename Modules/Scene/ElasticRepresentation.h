@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Structures that yield: star-shaped models fitted to labels or read from files, softened by the
+/// Structures that yield: radial models fitted to labels or read from files, softened by the
 /// scene's numbers unless the file says how they yield.
 SceneRepresentation ElasticRepresentation();
 

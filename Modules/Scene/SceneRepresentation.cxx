@@ -14,7 +14,7 @@ namespace
 {
 std::deque<SceneRepresentation>& All()
 {
-  static std::deque<SceneRepresentation> all{AutomaticRepresentation(),    HarmonicRepresentation(),
+  static std::deque<SceneRepresentation> all{AutomaticRepresentation(),    ModelRepresentation(),
                                              FacetRepresentation(),        FieldRepresentation(),
                                              ModelOrFieldRepresentation(), ElasticRepresentation()};
   return all;

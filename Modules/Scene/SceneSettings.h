@@ -4,9 +4,9 @@
 #include "FieldBuilder.h"
 #include "FitSettings.h"
 #include "GuideSettings.h"
-#include "HarmonicContactModel.h"
 #include "LeftHandedAxes.h"
 #include "PalpateSceneModule.h"
+#include "RadialContactModel.h"
 #include "SurfaceFriction.h"
 #include "TouchToolSettings.h"
 
@@ -84,8 +84,8 @@ struct SceneStructure
   SceneAppearance Appearance = SceneAppearance::Automatic;
 
   std::string Representation = TouchRepresentation::Automatic; ///< its name
-  int Degree = 12;                                         ///< of the harmonics fitted to a label
-  HarmonicContactMode Mode = HarmonicContactMode::Nearest; ///< of harmonics
+  int Degree = 12;                                     ///< of the harmonics fitted to a label
+  RadialContactMode Mode = RadialContactMode::Nearest; ///< of harmonics
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
   double Smoothing = 1.0; ///< of a label's field, in voxels
 

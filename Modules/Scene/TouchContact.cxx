@@ -3,57 +3,56 @@
 #include "ElasticContactModel.h"
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
-#include "ParametricContactModel.h"
 #include "Refusal.h"
+#include "SurfaceContactModel.h"
 #include "TriangleMesh.h"
 
 namespace palpate
 {
 namespace
 {
-Status MakeModel(const SphericalHarmonicModel& model, HarmonicContactMode mode,
+Status MakeModel(const RadialModel& model, RadialContactMode mode,
                  std::shared_ptr<const ContactModel>& contact)
 {
-  return HarmonicContactModel::Make(std::make_shared<const SphericalHarmonicModel>(model), mode,
-                                    contact);
+  return RadialContactModel::Make(std::make_shared<const RadialModel>(model), mode, contact);
 }
 
-Status MakeModel(const ParametricSphericalSurface& surface, HarmonicContactMode mode,
+Status MakeModel(const SurfaceModel& surface, RadialContactMode mode,
                  std::shared_ptr<const ContactModel>& contact)
 {
-  return mode == HarmonicContactMode::Nearest
-             ? ParametricContactModel::Make(surface, contact)
+  return mode == RadialContactMode::Nearest
+             ? SurfaceContactModel::Make(surface, contact)
              : Status::Failure("A surface model has no radius in each direction, so it cannot be "
                                "touched radially; choose the nearest point.");
 }
 } // namespace
 
-TouchContact MakeHarmonicContact(const SurfaceModel& model, HarmonicContactMode mode,
-                                 const std::filesystem::path& file)
+TouchContact MakeModelContact(const OrganModel& model, RadialContactMode mode,
+                              const std::filesystem::path& file)
 {
   TouchContact made;
   RequireInput(std::visit([&](const auto& one) { return MakeModel(one, mode, made.Model); }, model),
                file.string());
-  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(model);
+  const bool isRadial = std::holds_alternative<RadialModel>(model);
   made.Represented = (isRadial ? "harmonics of degree " : "surface harmonics of degree ") +
                      std::to_string(DegreeOf(model)) +
-                     (mode == HarmonicContactMode::Nearest ? ", nearest point" : ", radial");
+                     (mode == RadialContactMode::Nearest ? ", nearest point" : ", radial");
   return made;
 }
 
-TouchContact MakeElasticContact(const SurfaceModel& model, const ComplianceMaps& maps,
+TouchContact MakeElasticContact(const OrganModel& model, const ComplianceMaps& maps,
                                 const std::string& tissue, const std::filesystem::path& file)
 {
-  const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+  const auto* radial = std::get_if<RadialModel>(&model);
   if (radial == nullptr)
   {
-    Refuse(file, "is a surface model, and only a star-shaped one can yield",
+    Refuse(file, "is a surface model, and only a radial one can yield",
            "fit it with --model radial");
   }
   TouchContact made;
-  RequireInput(ElasticContactModel::Make(std::make_shared<const SphericalHarmonicModel>(*radial),
-                                         maps, made.Model),
-               file.string());
+  RequireInput(
+      ElasticContactModel::Make(std::make_shared<const RadialModel>(*radial), maps, made.Model),
+      file.string());
   made.Represented = "elastic, " + (tissue.empty() ? tissue : tissue + ", ") +
                      "harmonics of degree " + std::to_string(radial->Degree());
   made.Yields = true;

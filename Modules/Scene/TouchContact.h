@@ -3,10 +3,10 @@
 #include "ComplianceMaps.h"
 #include "ContactModel.h"
 #include "ContentDigest.h"
-#include "HarmonicContactModel.h"
+#include "OrganModel.h"
 #include "PalpateSceneModule.h"
+#include "RadialContactModel.h"
 #include "ScalarField.h"
-#include "SurfaceModel.h"
 #include "TouchScene.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -41,12 +41,11 @@ struct TouchContact
 };
 
 /// The kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched;
-/// a parametric model has no radius for HarmonicContactMode::Radial.
-PALPATESCENE_EXPORT TouchContact MakeHarmonicContact(const SurfaceModel& model,
-                                                     HarmonicContactMode mode,
-                                                     const std::filesystem::path& file);
+/// a surface model has no radius for RadialContactMode::Radial.
+PALPATESCENE_EXPORT TouchContact MakeModelContact(const OrganModel& model, RadialContactMode mode,
+                                                  const std::filesystem::path& file);
 /// Throws InputError also for a surface model. `tissue` describes what it is made of; may be empty.
-PALPATESCENE_EXPORT TouchContact MakeElasticContact(const SurfaceModel& model,
+PALPATESCENE_EXPORT TouchContact MakeElasticContact(const OrganModel& model,
                                                     const ComplianceMaps& maps,
                                                     const std::string& tissue,
                                                     const std::filesystem::path& file);

@@ -15,7 +15,7 @@
 
 namespace palpate
 {
-void ToTable(const SphericalHarmonicModel& model, vtkTable* table)
+void ToTable(const RadialModel& model, vtkTable* table)
 {
   vtkNew<vtkIntArray> degrees;
   degrees->SetName("Degree");
@@ -43,7 +43,7 @@ void ToTable(const SphericalHarmonicModel& model, vtkTable* table)
   table->GetFieldData()->AddArray(center);
 }
 
-bool FromTable(vtkTable* table, SphericalHarmonicModel& model)
+bool FromTable(vtkTable* table, RadialModel& model)
 {
   auto* degrees = vtkDataArray::SafeDownCast(table->GetColumnByName("Degree"));
   auto* orders = vtkDataArray::SafeDownCast(table->GetColumnByName("Order"));
@@ -72,7 +72,7 @@ bool FromTable(vtkTable* table, SphericalHarmonicModel& model)
     }
     values[SphericalHarmonicBasis::Index(l, m)] = coefficients->GetTuple1(row);
   }
-  model = SphericalHarmonicModel(degree, std::move(values), Vector3(center->GetTuple(0)));
+  model = RadialModel(degree, std::move(values), Vector3(center->GetTuple(0)));
   return true;
 }
 } // namespace palpate

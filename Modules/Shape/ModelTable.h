@@ -1,7 +1,7 @@
 #pragma once
 
 #include "PalpateShapeModule.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 class vtkTable;
 
@@ -10,9 +10,9 @@ namespace palpate
 /// A model as VTK data: a table with one row per coefficient (columns "Degree", "Order",
 /// "Coefficient", the last in mm) and the centre (world mm) in the field data array "Center". The
 /// convention is that of SphericalHarmonicBasis.
-PALPATESHAPE_EXPORT void ToTable(const SphericalHarmonicModel& model, vtkTable* table);
+PALPATESHAPE_EXPORT void ToTable(const RadialModel& model, vtkTable* table);
 
 /// Reads such a table; rows may come in any order, missing ones are zero. Returns false if the
 /// table does not hold a model.
-PALPATESHAPE_EXPORT bool FromTable(vtkTable* table, SphericalHarmonicModel& model);
+PALPATESHAPE_EXPORT bool FromTable(vtkTable* table, RadialModel& model);
 } // namespace palpate

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-Status PhantomNodule::Place(const SphericalHarmonicModel& body, double diameter, double depth,
+Status PhantomNodule::Place(const RadialModel& body, double diameter, double depth,
                             PhantomNodule& nodule)
 {
   // A nodule may touch the surface; roundings of the search must not decide.
@@ -23,7 +23,7 @@ Status PhantomNodule::Place(const SphericalHarmonicModel& body, double diameter,
   const Vector3 posterior = Vector3::UnitY();
   const double radius = 0.5 * diameter;
   const Vector3 center = body.PointWorld(posterior) - (depth + radius) * body.Normal(posterior);
-  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(body));
+  const ClosestPointSearch search(std::make_shared<const RadialModel>(body));
   const ClosestPoint nearest = search.Nearest(center);
   // The signed distance is negative inside.
   const double room = -nearest.SignedDistance - nearest.DistanceError;

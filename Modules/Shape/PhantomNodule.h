@@ -1,7 +1,7 @@
 #pragma once
 
 #include "PalpateShapeModule.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -28,7 +28,7 @@ struct PhantomNodule
   /// palpates a prostate: under the surface's point behind the body's centre, along the normal
   /// there, with its top `depth` mm below the surface. Fails, with the reason, if the diameter is
   /// not positive, the depth negative, or the ball not inside the body; allocates.
-  PALPATESHAPE_EXPORT static Status Place(const SphericalHarmonicModel& body, double diameter,
-                                          double depth, PhantomNodule& nodule);
+  PALPATESHAPE_EXPORT static Status Place(const RadialModel& body, double diameter, double depth,
+                                          PhantomNodule& nodule);
 };
 } // namespace palpate

@@ -1,7 +1,7 @@
 #include "PhantomSampler.h"
 
+#include "RadialSpectrum.h"
 #include "SeededNoise.h"
-#include "SphericalHarmonicSpectrum.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -41,13 +41,13 @@ vtkSmartPointer<vtkImageData> EmptyImage(const PhantomGrid& grid, int type, cons
 }
 } // namespace
 
-PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+PhantomSampler::PhantomSampler(const RadialModel& model, const PhantomGrid& grid,
                                const PhantomAppearance& appearance)
     : Model(model), Grid(grid), Appearance(appearance),
       StepWorld(grid.Direction * grid.Spacing.asDiagonal()), HalfDiagonal(0.5 * grid.Spacing.norm())
 {
   this->LargestRadius = RadiusBound(model);
-  this->SlopeBound = SphericalHarmonicSpectrum(model).Slope();
+  this->SlopeBound = RadialSpectrum(model).Slope();
   SeededNoise noise(appearance.Seed, BiasStream);
   double sum = 0.0;
   for (double& term : this->BiasTerms)
@@ -61,9 +61,9 @@ PhantomSampler::PhantomSampler(const SphericalHarmonicModel& model, const Phanto
   }
 }
 
-double PhantomSampler::RadiusBound(const SphericalHarmonicModel& model)
+double PhantomSampler::RadiusBound(const RadialModel& model)
 {
-  const SphericalHarmonicSpectrum spectrum(model);
+  const RadialSpectrum spectrum(model);
   return spectrum.MeanRadius() + spectrum.Relief();
 }
 
@@ -200,7 +200,7 @@ void PhantomSampler::AddNoise(int j, int k, float* intensities) const
   }
 }
 
-PhantomImages MakePhantom(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+PhantomImages MakePhantom(const RadialModel& model, const PhantomGrid& grid,
                           const PhantomAppearance& appearance,
                           const std::function<void(double)>& progress)
 {

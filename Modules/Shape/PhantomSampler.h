@@ -2,7 +2,7 @@
 
 #include "PalpateShapeModule.h"
 #include "PhantomNodule.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -73,7 +73,7 @@ struct PhantomAppearance
 class PALPATESHAPE_EXPORT PhantomSampler
 {
 public:
-  PhantomSampler(const SphericalHarmonicModel& model, const PhantomGrid& grid,
+  PhantomSampler(const RadialModel& model, const PhantomGrid& grid,
                  const PhantomAppearance& appearance);
 
   /// Row (j, k) of the grid: Size[0] values each.
@@ -84,7 +84,7 @@ public:
   double BiasAt(const Vector3& index) const;
 
   /// An upper bound of the model's radius (mm), from its power spectrum.
-  static double RadiusBound(const SphericalHarmonicModel& model);
+  static double RadiusBound(const RadialModel& model);
 
 private:
   /// Of the point at `offset` from the model's centre, `distance` from it, where R is `radius`.
@@ -98,7 +98,7 @@ private:
   double VariationWithin(double distance) const;
   void AddNoise(int j, int k, float* intensities) const;
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   PhantomGrid Grid;
   PhantomAppearance Appearance;
   Eigen::Matrix3d StepWorld; ///< columns: the step of one voxel along each axis, mm
@@ -119,7 +119,6 @@ struct PhantomImages
 /// oblique ones, by PhantomSampler. The result does not depend on the number of threads. `progress`
 /// is called with the part that is done, by the calling thread, and may throw to end the work.
 PALPATESHAPE_EXPORT PhantomImages MakePhantom(
-    const SphericalHarmonicModel& model, const PhantomGrid& grid,
-    const PhantomAppearance& appearance = {},
+    const RadialModel& model, const PhantomGrid& grid, const PhantomAppearance& appearance = {},
     const std::function<void(double)>& progress = [](double) {});
 } // namespace palpate

@@ -27,8 +27,7 @@ double SmoothRadius(const Vector3& u)
 
 } // namespace
 
-SphericalHarmonicModel MakeProstateLikeModel(int degree, std::uint64_t seed,
-                                             const Vector3& centerWorld)
+RadialModel MakeProstateLikeModel(int degree, std::uint64_t seed, const Vector3& centerWorld)
 {
   // The body is smooth: its harmonics beyond degree 40 are below rounding.
   std::vector<double> coefficients = ProjectOnHarmonics(degree, degree + 40, SmoothRadius);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "PalpateShapeModule.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <cstdint>
 
@@ -14,6 +14,6 @@ namespace palpate
 ///
 /// The shape is projected onto the harmonics up to `degree` >= 0, so the returned model is exact by
 /// definition: its coefficients are the ground truth.
-PALPATESHAPE_EXPORT SphericalHarmonicModel MakeProstateLikeModel(int degree, std::uint64_t seed,
-                                                                 const Vector3& centerWorld);
+PALPATESHAPE_EXPORT RadialModel MakeProstateLikeModel(int degree, std::uint64_t seed,
+                                                      const Vector3& centerWorld);
 } // namespace palpate

@@ -25,8 +25,7 @@ vtkNew<vtkDoubleArray> MakeArray(const char* name, std::size_t count, int compon
   return array;
 }
 
-void AddGeometry(const SphericalHarmonicModel& model, const IcosahedronDirections& sphere,
-                 vtkPolyData* output)
+void AddGeometry(const RadialModel& model, const IcosahedronDirections& sphere, vtkPolyData* output)
 {
   const std::vector<Vector3>& directions = sphere.Directions();
   vtkNew<vtkPoints> points;
@@ -53,7 +52,7 @@ void AddGeometry(const SphericalHarmonicModel& model, const IcosahedronDirection
   output->GetPointData()->SetNormals(normals);
 }
 
-void AddComparison(const SphericalHarmonicModel& model, const std::vector<Vector3>& directions,
+void AddComparison(const RadialModel& model, const std::vector<Vector3>& directions,
                    const IndexedMesh& mesh, vtkPolyData* output)
 {
   const auto crossings = DirectionCaster(directions).Cast(mesh, model.CenterWorld());
@@ -80,7 +79,7 @@ void AddComparison(const SphericalHarmonicModel& model, const std::vector<Vector
 }
 } // namespace
 
-vtkSmartPointer<vtkPolyData> DrawRadialModel(const SphericalHarmonicModel& model, int frequency,
+vtkSmartPointer<vtkPolyData> DrawRadialModel(const RadialModel& model, int frequency,
                                              const RadialComparison& compared)
 {
   const IcosahedronDirections sphere(frequency);

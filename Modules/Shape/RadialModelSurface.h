@@ -2,7 +2,7 @@
 
 #include "IndexedMesh.h"
 #include "PalpateShapeModule.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -24,6 +24,5 @@ struct RadialComparison
 /// "Residual" (mm, the original's outermost radius minus the model's; NaN along directions that
 /// miss the original).
 PALPATESHAPE_EXPORT vtkSmartPointer<vtkPolyData>
-DrawRadialModel(const SphericalHarmonicModel& model, int frequency,
-                const RadialComparison& compared = {});
+DrawRadialModel(const RadialModel& model, int frequency, const RadialComparison& compared = {});
 } // namespace palpate

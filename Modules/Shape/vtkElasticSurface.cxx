@@ -77,7 +77,7 @@ struct vtkElasticSurface::Softened
   vtkMTimeType TableTime = 0;
   vtkMTimeType ImageTime = 0;
   std::array<double, 8> Tissue{};
-  palpate::SphericalHarmonicModel Model;
+  palpate::RadialModel Model;
   palpate::ComplianceMaps Maps;
 };
 

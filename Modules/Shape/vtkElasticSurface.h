@@ -9,7 +9,7 @@
 class vtkImageData;
 class vtkTable;
 
-/// Makes a star-shaped spherical-harmonic model yield, and draws it with the dent of a ball.
+/// Makes a radial model yield, and draws it with the dent of a ball.
 ///
 /// Port 0: the model as a table (see palpate::ToTable). Port 1, optional: an image of Young's
 /// modulus (kPa), which counts where it has positive values. Output: triangles in world mm, point

@@ -88,7 +88,7 @@ bool StructureTrade::Yields() const
 std::shared_ptr<const FitResult> StructureTrade::ModelFromFile(const ProgressFunction& progress)
 {
   ContactSetting rigid = SettingOf(this->Scene, TouchRepresentation::Harmonics);
-  rigid.Structure.Mode = HarmonicContactMode::Nearest;
+  rigid.Structure.Mode = RadialContactMode::Nearest;
   this->ContactFor(rigid, progress);
   return ProductAs<FitResult>(
       this->Made.ProductAt(SceneStep::Model, this->Scene.Structures.front().Id));

@@ -3,9 +3,9 @@
 #include "ClosestPointSearch.h"
 #include "ElasticForce.h"
 #include "InputError.h"
-#include "ParametricTouchSurface.h"
 #include "Refusal.h"
 #include "SceneTool.h"
+#include "TouchableSurfaceModel.h"
 #include "TradeRow.h"
 
 #include <algorithm>
@@ -146,18 +146,18 @@ private:
   std::optional<Matrix3> WorldToIndex; // of a mask's voxels
 };
 
-CertifiedReference::Touch SearchOf(const SphericalHarmonicModel& model, double toolRadius)
+CertifiedReference::Touch SearchOf(const RadialModel& model, double toolRadius)
 {
-  const auto search = std::make_shared<const ClosestPointSearch>(
-      std::make_shared<const SphericalHarmonicModel>(model));
+  const auto search =
+      std::make_shared<const ClosestPointSearch>(std::make_shared<const RadialModel>(model));
   return [search, toolRadius](const Vector3& probeWorld)
   { return search->TouchAnywhere(probeWorld, toolRadius); };
 }
 
-CertifiedReference::Touch SearchOf(const ParametricSphericalSurface& surface, double toolRadius)
+CertifiedReference::Touch SearchOf(const SurfaceModel& surface, double toolRadius)
 {
-  std::shared_ptr<const ParametricTouchSurface> touch;
-  RequireInput(ParametricTouchSurface::Make(surface, touch));
+  std::shared_ptr<const TouchableSurfaceModel> touch;
+  RequireInput(TouchableSurfaceModel::Make(surface, touch));
   return [touch, toolRadius](const Vector3& probeWorld) -> std::optional<ToolContact>
   {
     const auto nearest = touch->Search().Nearest(probeWorld);
@@ -189,14 +189,14 @@ UncertainReference(std::unique_ptr<TradeReference> best,
   return std::make_unique<UncertainProxy>(std::move(best), std::move(others), voxels);
 }
 
-std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
+std::unique_ptr<TradeReference> ModelReference(const OrganModel& model,
                                                const TouchToolSettings& tool)
 {
   if (tool.Kind != TouchToolSettings::Shape::Sphere)
   {
     throw InputError("only a sphere can touch a model; choose a spherical tool");
   }
-  const TouchContact contact = MakeHarmonicContact(model, HarmonicContactMode::Nearest, {});
+  const TouchContact contact = MakeModelContact(model, RadialContactMode::Nearest, {});
   return std::make_unique<CertifiedReference>(
       "the model itself, of degree " + std::to_string(DegreeOf(model)) +
           ", by the certified search over its whole surface",

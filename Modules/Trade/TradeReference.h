@@ -1,8 +1,8 @@
 #pragma once
 
+#include "OrganModel.h"
 #include "PalpateTradeModule.h"
 #include "Progress.h"
-#include "SurfaceModel.h"
 #include "TouchContact.h"
 #include "TouchToolSettings.h"
 
@@ -66,7 +66,7 @@ UncertainReference(std::unique_ptr<TradeReference> best,
                    std::vector<std::unique_ptr<TradeReference>> others,
                    const std::optional<Matrix3>& voxels);
 /// The model itself, by the certified search over its whole surface.
-PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ModelReference(const SurfaceModel& model,
+PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ModelReference(const OrganModel& model,
                                                                    const TouchToolSettings& tool);
 /// The elasticity of a structure that yields, whose force `what` describes.
 PALPATETRADE_EXPORT std::unique_ptr<TradeReference> ElasticReference(const TouchContact& elastic,

@@ -61,7 +61,7 @@ std::vector<ContactSetting> CandidatesFor(const SceneSettings& scene, int highes
   if (yields && !candidates.empty())
   {
     candidates.push_back(SettingOf(scene, TouchRepresentation::Harmonics));
-    candidates.back().Structure.Mode = HarmonicContactMode::Nearest;
+    candidates.back().Structure.Mode = RadialContactMode::Nearest;
   }
   return candidates;
 }

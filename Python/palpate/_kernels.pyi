@@ -31,6 +31,8 @@ class Model:
     @property
     def degree(self) -> int: ...
     @property
+    def is_radial(self) -> bool: ...
+    @property
     def is_star_shaped(self) -> bool: ...
     @property
     def yields(self) -> bool: ...
@@ -53,7 +55,7 @@ def fit_points(points: ArrayLike, degree: int = 12, center: Optional[ArrayLike] 
 def fit_mask(
     mask: ArrayLike,
     degree: int = 20,
-    kind: Literal["parametric", "star-shaped"] = "parametric",
+    kind: Literal["surface", "radial"] = "surface",
     *,
     spacing: Optional[ArrayLike] = None,
     origin: Optional[ArrayLike] = None,

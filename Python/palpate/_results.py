@@ -163,7 +163,7 @@ class Displacement(NamedTuple):
     """A model at n points, and how coefficients move them."""
 
     points: NDArray[float64]
-    """(n, 3), mm: of a star-shaped model relative to its centre."""
+    """(n, 3), mm: of a radial model relative to its centre."""
     normals: NDArray[float64]
     """(n, 3), outwards."""
     areas: NDArray[float64]

@@ -17,7 +17,7 @@ import pyvista
 from ._kernels import Model, fit_mask
 from ._results import Mesh
 
-Kind = Literal["parametric", "star-shaped"]
+Kind = Literal["surface", "radial"]
 
 
 def to_pyvista(surface: Union[Model, Mesh], frequency: int = 20) -> pyvista.PolyData:
@@ -33,7 +33,7 @@ def to_pyvista(surface: Union[Model, Mesh], frequency: int = 20) -> pyvista.Poly
     return poly
 
 
-def fit_image(image: Any, label: int = 1, degree: int = 20, kind: Kind = "parametric", name: str = "") -> Model:
+def fit_image(image: Any, label: int = 1, degree: int = 20, kind: Kind = "surface", name: str = "") -> Model:
     """The model of the voxels of an image (pyvista.ImageData) that have a label, as fit_mask makes it.
 
     `name` is that of the array, else the active scalars count. Values of points are voxels around them, values of cells are voxels.
@@ -67,7 +67,7 @@ class Accessor:
     def __init__(self, dataset: Any) -> None:
         self._dataset = dataset
 
-    def fit(self, label: int = 1, degree: int = 20, kind: Kind = "parametric", name: str = "") -> Model:
+    def fit(self, label: int = 1, degree: int = 20, kind: Kind = "surface", name: str = "") -> Model:
         """fit_image of this image."""
         return fit_image(self._dataset, label, degree, kind, name)
 

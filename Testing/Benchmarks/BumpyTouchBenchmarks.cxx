@@ -1,7 +1,7 @@
 #include "BumpyTouchBenchmarks.h"
 
-#include "HarmonicContactModel.h"
-#include "HarmonicWedge.h"
+#include "ContactWedge.h"
+#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "SearchedWedge.h"
 
@@ -22,7 +22,7 @@ constexpr double BumpDepth = 1.5;      // mm
 constexpr double BumpToolRadius = 6.0; // mm, of the sphere
 
 // A probe that wanders `depth` below where a tool of this radius touches.
-std::vector<Vector3> PathOn(const SphericalHarmonicModel& organ, double toolRadius)
+std::vector<Vector3> PathOn(const RadialModel& organ, double toolRadius)
 {
   test::Random random(71);
   std::vector<Vector3> path;
@@ -37,10 +37,10 @@ std::vector<Vector3> PathOn(const SphericalHarmonicModel& organ, double toolRadi
   return path;
 }
 
-std::shared_ptr<const SphericalHarmonicModel> OrganOf(int degree)
+std::shared_ptr<const RadialModel> OrganOf(int degree)
 {
   test::Random random(12);
-  return std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, degree));
+  return std::make_shared<const RadialModel>(test::RandomOrgan(random, degree));
 }
 
 // The part of ticks whose places are more than `most` (mm) apart.
@@ -70,8 +70,8 @@ public:
   {
     const auto organ = OrganOf(degree);
     this->Path = PathOn(*organ, BumpToolRadius);
-    std::shared_ptr<const HarmonicSurface> surface;
-    if (HarmonicSurface::Make(organ, surface).IsOk())
+    std::shared_ptr<const TouchableRadialModel> surface;
+    if (TouchableRadialModel::Make(organ, surface).IsOk())
     {
       this->Nearest = surface->Search().Nearest(this->Path.front());
       this->Proving.emplace(surface, BumpToolRadius);
@@ -104,7 +104,7 @@ private:
 
   std::vector<Vector3> Path;
   ClosestPoint Nearest;
-  std::optional<HarmonicWedge> Proving;
+  std::optional<ContactWedge> Proving;
   std::optional<test::SearchedWedge> Searching;
   std::vector<Vector3> Ours{BumpTicks};
   std::vector<Vector3> Theirs{BumpTicks};

@@ -111,13 +111,13 @@ public:
   }
 
 private:
-  static SphericalHarmonicModel Organ()
+  static RadialModel Organ()
   {
     test::Random random(12);
     return test::RandomOrgan(random, 12);
   }
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   ComplianceAtlas Atlas;
   std::vector<GslHarmonics> Maps;
   std::vector<Vector3> Places;
@@ -140,7 +140,7 @@ PairedBenchmark TickBenchmark(int degree)
 ComplianceMaps LesionMaps(int degree)
 {
   test::Random random(74);
-  SphericalHarmonicModel organ = test::RandomOrgan(random, 4);
+  RadialModel organ = test::RandomOrgan(random, 4);
   const Vector3 towards = Vector3(1.0, -2.0, 0.5).normalized();
   ElasticSolid solid{TissueMap(0.02), 0.49, ElasticBed(1e-3)};
   solid.Tissue.AddInclusion(test::BallFraction(organ.PointWorld(towards) - 7.0 * towards, 5.0),

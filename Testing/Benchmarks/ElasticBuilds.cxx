@@ -78,7 +78,7 @@ struct Body
   }
 
   bool HasCore;
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   ElasticSolid Solid{TissueMap(Tissue), Poisson, ElasticBed(Bed)};
   LayeredSphere Sphere;
   test::UnilateralSphere Contact;

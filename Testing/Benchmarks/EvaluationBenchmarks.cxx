@@ -2,9 +2,9 @@
 
 #include "GslHarmonics.h"
 #include "IcosahedronDirections.h"
+#include "RadialEvaluator.h"
 #include "RandomShapes.h"
 #include "SharpGrid.h"
-#include "SphericalHarmonicEvaluator.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -17,7 +17,7 @@ namespace palpate::bench
 {
 namespace
 {
-using Evaluator = SphericalHarmonicEvaluator;
+using Evaluator = RadialEvaluator;
 using Sample = Evaluator::Sample;
 using Formulation = EvaluationFormulation;
 

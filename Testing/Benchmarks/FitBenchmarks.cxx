@@ -6,9 +6,9 @@
 #include "IcosahedronDirections.h"
 #include "MomentSolver.h"
 #include "OrthogonalSolver.h"
+#include "RadialModelFit.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicFit.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace
 {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-using Options = SphericalHarmonicFitOptions;
+using Options = RadialModelFitOptions;
 
 constexpr int FitDegree = 12;
 
@@ -35,7 +35,7 @@ public:
   {
     const IcosahedronDirections sphere(20);
     test::Random random(12);
-    const SphericalHarmonicModel organ = test::RandomOrgan(random, FitDegree);
+    const RadialModel organ = test::RandomOrgan(random, FitDegree);
     std::normal_distribution<double> noise(0.0, 0.1);
     const SphericalHarmonicBasis basis(FitDegree);
     this->Samples = {sphere.Directions(), {}, sphere.SolidAngles()};
@@ -147,7 +147,7 @@ protected:
   Matrix WeightedDesign;
   Vector WeightedRadii;
   MomentSolver Moments; // keeps its tables from fit to fit
-  SphericalHarmonicFitResult Result;
+  RadialModelFitResult Result;
   Status Outcome = Status::Failure("the fit did not run");
   Vector Ours = Vector::Zero((FitDegree + 1) * (FitDegree + 1));
   Vector Solution;

@@ -14,7 +14,7 @@ GslHarmonics::GslHarmonics(int degree, std::vector<double> coefficients)
 {
 }
 
-SphericalHarmonicModel::Sample GslHarmonics::Evaluate(const Vector3& direction)
+RadialModel::Sample GslHarmonics::Evaluate(const Vector3& direction)
 {
   constexpr double WithoutPhase = 1.0;
   gsl_sf_legendre_deriv_alt_array_e(GSL_SF_LEGENDRE_SPHARM, static_cast<std::size_t>(this->Degree),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <vector>
 
@@ -14,7 +14,7 @@ class GslHarmonics
 public:
   GslHarmonics(int degree, std::vector<double> coefficients);
 
-  SphericalHarmonicModel::Sample Evaluate(const Vector3& direction);
+  RadialModel::Sample Evaluate(const Vector3& direction);
   double Radius(const Vector3& direction);
 
 private:

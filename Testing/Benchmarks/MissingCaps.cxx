@@ -1,8 +1,8 @@
 #include "MissingCaps.h"
 
 #include "IcosahedronDirections.h"
+#include "RadialModelFit.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicFit.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ namespace palpate::bench
 {
 namespace
 {
-using Options = SphericalHarmonicFitOptions;
+using Options = RadialModelFitOptions;
 
 constexpr int CapDegree = 12;
 constexpr double Noise = 0.3; // mm
@@ -43,7 +43,7 @@ bool IsMissing(const Vector3& direction, double capDegrees)
   return capDegrees > 0.0 && direction.z() > std::cos(capDegrees * M_PI / 180.0);
 }
 
-RadialSamples Samples(const IcosahedronDirections& sphere, const SphericalHarmonicModel& body,
+RadialSamples Samples(const IcosahedronDirections& sphere, const RadialModel& body,
                       double capDegrees, test::Random& random)
 {
   std::normal_distribution<double> noise(0.0, Noise);
@@ -76,15 +76,15 @@ Errors Fit(const IcosahedronDirections& sphere, double capDegrees, const Penalty
            unsigned seed)
 {
   test::Random random(seed);
-  const SphericalHarmonicModel body = test::RandomOrgan(random, CapDegree);
+  const RadialModel body = test::RandomOrgan(random, CapDegree);
   const Options options = FitOptions(penalty.Kind, penalty.Strength);
-  SphericalHarmonicFitResult result;
+  RadialModelFitResult result;
   constexpr double NoFit = std::numeric_limits<double>::infinity();
-  if (!FitSphericalHarmonics(Samples(sphere, body, capDegrees, random), options, result).IsOk())
+  if (!FitRadialModel(Samples(sphere, body, capDegrees, random), options, result).IsOk())
   {
     return {NoFit, NoFit, 0.0};
   }
-  const SphericalHarmonicModel fitted(CapDegree, result.Coefficients, Vector3::Zero());
+  const RadialModel fitted(CapDegree, result.Coefficients, Vector3::Zero());
   Errors errors;
   errors.Strength = result.Roughness;
   for (const Vector3& direction : sphere.Directions())
@@ -112,12 +112,12 @@ MissingCapRow MakeCapRow(const IcosahedronDirections& sphere, double capDegrees,
   std::sort(strengths.begin(), strengths.end());
   row.Strength = strengths[strengths.size() / 2];
   test::Random random(1);
-  const RadialSamples samples = Samples(sphere, SphericalHarmonicModel(), capDegrees, random);
+  const RadialSamples samples = Samples(sphere, RadialModel(), capDegrees, random);
   const Options options = FitOptions(
       row.Strength > 0.0 ? Options::Penalty::Given : Options::Penalty::None, row.Strength);
   DirectionCoverage coverage;
-  SphericalHarmonicFitResult fit;
-  Status status = FitSphericalHarmonics(samples, options, fit);
+  RadialModelFitResult fit;
+  Status status = FitRadialModel(samples, options, fit);
   if (status.IsOk())
   {
     status = AssessCoverage(samples.Directions, samples.Weights, fit, coverage);

@@ -27,14 +27,14 @@ namespace
 {
 constexpr int NearestTicks = 4000;
 
-std::shared_ptr<const SphericalHarmonicModel> MakeModel()
+std::shared_ptr<const RadialModel> MakeModel()
 {
   test::Random random(12);
-  return std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
+  return std::make_shared<const RadialModel>(test::RandomOrgan(random, 12));
 }
 
 // A probe that slides over the surface, 0.05 mm per tick: 50 mm/s at 1 kHz.
-std::vector<Vector3> MakePath(const SphericalHarmonicModel& model)
+std::vector<Vector3> MakePath(const RadialModel& model)
 {
   test::Random random(14);
   std::vector<Vector3> path;
@@ -53,7 +53,7 @@ std::vector<Vector3> MakePath(const SphericalHarmonicModel& model)
   return path;
 }
 
-void MakeMesh(const SphericalHarmonicModel& model, vtkPolyData* mesh)
+void MakeMesh(const RadialModel& model, vtkPolyData* mesh)
 {
   const IcosahedronDirections sphere(20);
   vtkNew<vtkPoints> points;
@@ -222,7 +222,7 @@ public:
   double Items() const { return static_cast<double>(this->Directions.size()); }
 
 private:
-  std::shared_ptr<const SphericalHarmonicModel> Model;
+  std::shared_ptr<const RadialModel> Model;
   std::vector<Vector3> Directions;
   std::vector<double> Ours;
   std::vector<double> Theirs;

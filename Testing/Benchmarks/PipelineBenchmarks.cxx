@@ -35,7 +35,7 @@ class PipelineCase
 public:
   PipelineCase()
   {
-    const SphericalHarmonicModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
+    const RadialModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
     this->TrueVolume = VolumeOf(body);
     PhantomGrid grid;
     grid.Size = {384, 384, 23};
@@ -138,7 +138,7 @@ public:
 private:
   static IndexedMesh SurfaceOf(int frequency)
   {
-    const SphericalHarmonicModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
+    const RadialModel body = MakeProstateLikeModel(8, 1, Vector3::Zero());
     const IcosahedronDirections sphere(frequency);
     IndexedMesh mesh{sphere.Directions(), sphere.Triangles()};
     for (Vector3& point : mesh.Points)

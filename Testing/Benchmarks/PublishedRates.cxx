@@ -5,10 +5,10 @@
 #include "FieldBuilder.h"
 #include "FieldContactModel.h"
 #include "FieldSampler.h"
-#include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
 #include "ProceduralFields.h"
 #include "PublishedShell.h"
+#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "ServoStroke.h"
 #include "Units.h"
@@ -142,7 +142,7 @@ void AddHarmonics(PublishedComparison& made)
   constexpr double Depth = 1.5;
   constexpr int Frequency = 20; // 8,000 facets
   test::Random random(12);
-  const auto organ = std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
+  const auto organ = std::make_shared<const RadialModel>(test::RandomOrgan(random, 12));
   const ClosestPointSearch search(organ);
   const Truth truth = [&](const Vector3& probe)
   {
@@ -163,8 +163,8 @@ void AddHarmonics(PublishedComparison& made)
   std::shared_ptr<const ContactModel> radial;
   std::shared_ptr<const ContactModel> nearest;
   std::shared_ptr<const ContactModel> facets;
-  RequireRate(HarmonicContactModel::Make(organ, HarmonicContactMode::Radial, radial));
-  RequireRate(HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, nearest));
+  RequireRate(RadialContactModel::Make(organ, RadialContactMode::Radial, radial));
+  RequireRate(RadialContactModel::Make(organ, RadialContactMode::Nearest, nearest));
   RequireRate(FacetContactModel::Make(corners, sphere.Triangles(), facets));
   const ToolShape point = ToolShape::Sphere(0.0);
   made.Rows.push_back(

@@ -89,7 +89,7 @@ void SharpGrid::Run()
                 Flags, nullptr, nullptr);
 }
 
-SphericalHarmonicModel::Sample SharpGrid::At(std::size_t node) const
+RadialModel::Sample SharpGrid::At(std::size_t node) const
 {
   const Vector3& u = this->Nodes[node];
   const Vector3 across(u.x(), u.y(), 0.0);

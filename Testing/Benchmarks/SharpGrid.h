@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <memory>
 #include <vector>
@@ -21,7 +21,7 @@ public:
   const std::vector<Vector3>& Directions() const { return this->Nodes; }
   void Run();
   /// Result of the last run at a node.
-  SphericalHarmonicModel::Sample At(std::size_t node) const;
+  RadialModel::Sample At(std::size_t node) const;
 
 private:
   struct Plan;

@@ -1,7 +1,7 @@
 #include "StructureStroke.h"
 
-#include "HarmonicContactModel.h"
 #include "ManyStructures.h"
+#include "RadialContactModel.h"
 #include "RandomShapes.h"
 
 #include <stdexcept>
@@ -14,14 +14,14 @@ constexpr double Apart = 60.0;      // mm
 constexpr double StrokeStep = 0.05; // mm per tick: 50 mm/s at 1 kHz
 constexpr double StrokeDepth = 1.5; // mm
 
-SphericalHarmonicModel OrganAtOrigin()
+RadialModel OrganAtOrigin()
 {
   test::Random random(12);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
+  const RadialModel organ = test::RandomOrgan(random, 12);
   return {organ.Degree(), organ.Coefficients(), Vector3::Zero()};
 }
 
-std::vector<Vector3> StrokeOverStructures(const SphericalHarmonicModel& organ, double toolRadius)
+std::vector<Vector3> StrokeOverStructures(const RadialModel& organ, double toolRadius)
 {
   std::vector<Vector3> path;
   Vector3 u = Vector3::UnitX();
@@ -37,9 +37,9 @@ std::vector<Vector3> StrokeOverStructures(const SphericalHarmonicModel& organ, d
 std::shared_ptr<const TouchScene> StrokeSceneOf(int count)
 {
   auto scene = std::make_shared<TouchScene>(test::ManyStructures(count, Apart));
-  const auto organ = std::make_shared<const SphericalHarmonicModel>(OrganAtOrigin());
-  const Status status = HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest,
-                                                   scene->Structures.front().Model);
+  const auto organ = std::make_shared<const RadialModel>(OrganAtOrigin());
+  const Status status =
+      RadialContactModel::Make(organ, RadialContactMode::Nearest, scene->Structures.front().Model);
   if (!status.IsOk())
   {
     throw std::runtime_error(status.Message());

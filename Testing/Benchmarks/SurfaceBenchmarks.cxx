@@ -2,8 +2,8 @@
 
 #include "GslHarmonics.h"
 #include "IcosahedronDirections.h"
-#include "ParametricSurfaceEvaluator.h"
 #include "RandomShapes.h"
+#include "SurfaceEvaluator.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -16,8 +16,8 @@ namespace palpate::bench
 {
 namespace
 {
-using Together = ParametricSurfaceEvaluator;
-using Series = SphericalHarmonicEvaluator;
+using Together = SurfaceEvaluator;
+using Series = RadialEvaluator;
 
 Together::Coefficients SurfaceCoefficients(int degree)
 {

@@ -6,7 +6,7 @@
 
 namespace palpate::bench
 {
-/// A parametric surface's point and derivatives against three separate series with the same
+/// A surface model's point and derivatives against three separate series with the same
 /// instruction set, and against GSL.
 std::vector<PairedBenchmark> SurfaceBenchmarks();
 } // namespace palpate::bench

@@ -3,8 +3,8 @@
 #include "IcosahedronDirections.h"
 #include "MappedSurface.h"
 #include "NoisyMask.h"
-#include "ParametricFit.h"
 #include "ShapeField.h"
+#include "SurfaceModelFit.h"
 
 #include <algorithm>
 #include <functional>
@@ -21,7 +21,7 @@ constexpr double Coarser = 1.17;
 constexpr double Far = 5.0; // mm
 
 Status FitLabel(const PlacedLabel& label, bool isRepaired, double coarser,
-                std::optional<ParametricSphericalSurface>& model)
+                std::optional<SurfaceModel>& model)
 {
   MappedSurfaceSettings settings;
   settings.Surface.Field.Spacing =
@@ -33,12 +33,12 @@ Status FitLabel(const PlacedLabel& label, bool isRepaired, double coarser,
   {
     status = CheckTopology(mapped.Topology, {});
   }
-  ParametricFitOptions options;
+  SurfaceModelFitOptions options;
   options.Degree = SurfaceDegree;
-  ParametricFitResult fit;
+  SurfaceModelFitResult fit;
   if (status.IsOk())
   {
-    status = FitParametricSurface(mapped.Mesh, mapped.Directions, options, fit);
+    status = FitSurfaceModel(mapped.Mesh, mapped.Directions, options, fit);
   }
   if (status.IsOk())
   {
@@ -72,7 +72,7 @@ PlacedLabel Mirrored(const PlacedLabel& label)
   return mirrored;
 }
 
-SurfaceCorrespondence::Distance DistanceOf(const ParametricSphericalSurface& model,
+SurfaceCorrespondence::Distance DistanceOf(const SurfaceModel& model,
                                            const std::function<Vector3(const Vector3&)>& other)
 {
   const IcosahedronDirections sphere(10);
@@ -94,7 +94,7 @@ Status MeasureCorrespondence(const PlacedLabel& label, bool isRepaired,
   std::mt19937_64 random(21);
   PlacedLabel noisy = label;
   noisy.Mask = test::WithNoise(label.Mask, 0.15, random);
-  std::optional<ParametricSphericalSurface> model, noise, grid, mirror;
+  std::optional<SurfaceModel> model, noise, grid, mirror;
   Status status = FitLabel(label, isRepaired, 1.0, model);
   for (const auto& [variant, coarser, fitted] :
        {std::tuple(noisy, 1.0, &noise), std::tuple(label, Coarser, &grid),

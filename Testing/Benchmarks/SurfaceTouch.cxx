@@ -1,7 +1,7 @@
 #include "SurfaceTouch.h"
 
-#include "ParametricContactModel.h"
-#include "ParametricPath.h"
+#include "SurfaceContactModel.h"
+#include "SurfaceModelPath.h"
 #include "WanderingDirection.h"
 #include "WanderingHand.h"
 
@@ -19,18 +19,18 @@ using TickClock = std::chrono::steady_clock;
 
 struct Touched
 {
-  std::shared_ptr<const ParametricTouchSurface> Surface;
+  std::shared_ptr<const TouchableSurfaceModel> Surface;
   std::unique_ptr<ContactTracker> Tracker;
 };
 
-Touched MakeTouched(const ParametricSphericalSurface& surface, double toolRadius)
+Touched MakeTouched(const SurfaceModel& surface, double toolRadius)
 {
   Touched touched;
   std::shared_ptr<const ContactModel> model;
-  Status status = ParametricTouchSurface::Make(surface, touched.Surface);
+  Status status = TouchableSurfaceModel::Make(surface, touched.Surface);
   if (status.IsOk())
   {
-    status = ParametricContactModel::Make(surface, model);
+    status = SurfaceContactModel::Make(surface, model);
   }
   if (status.IsOk())
   {
@@ -53,7 +53,7 @@ ToolPose PoseAt(const Vector3& place)
 class LagWatch
 {
 public:
-  LagWatch(const ParametricTouchSurface& surface, double radius) : Surface(surface), Radius(radius)
+  LagWatch(const TouchableSurfaceModel& surface, double radius) : Surface(surface), Radius(radius)
   {
   }
 
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  ParametricTouchSurface::ClosestPoint NearestTo(const Vector3& place) const
+  TouchableSurfaceModel::ClosestPoint NearestTo(const Vector3& place) const
   {
     return this->Surface.SeenFrom(place, this->Surface.Search().Nearest(place, 5000));
   }
@@ -87,14 +87,13 @@ private:
            this->NearestTo(place).SignedDistance > this->Radius;
   }
 
-  const ParametricTouchSurface& Surface;
+  const TouchableSurfaceModel& Surface;
   double Radius;
   long Held = 0;
 };
 
 // A path for times: without jumps.
-std::vector<Vector3> StrokeOver(const ParametricSphericalSurface& surface, double toolRadius,
-                                long ticks)
+std::vector<Vector3> StrokeOver(const SurfaceModel& surface, double toolRadius, long ticks)
 {
   test::Random random(9203);
   std::uniform_real_distribution<double> step(0.02, 0.1); // mm
@@ -117,7 +116,7 @@ std::vector<Vector3> StrokeOver(const ParametricSphericalSurface& surface, doubl
 }
 } // namespace
 
-TouchedPaths TouchPaths(const ParametricSphericalSurface& surface, double toolRadius, long paths)
+TouchedPaths TouchPaths(const SurfaceModel& surface, double toolRadius, long paths)
 {
   const Touched touched = MakeTouched(surface, toolRadius);
   test::SurfaceTouchTruth truth(touched.Surface, toolRadius);
@@ -144,7 +143,7 @@ TouchedPaths TouchPaths(const ParametricSphericalSurface& surface, double toolRa
   return result;
 }
 
-TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolRadius, long ticks)
+TouchedTicks TouchByHand(const SurfaceModel& surface, double toolRadius, long ticks)
 {
   const Touched touched = MakeTouched(surface, toolRadius);
   test::Random random(9202);
@@ -166,8 +165,7 @@ TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolR
   return result;
 }
 
-std::vector<float> TimeTouch(const ParametricSphericalSurface& surface, double toolRadius,
-                             long ticks)
+std::vector<float> TimeTouch(const SurfaceModel& surface, double toolRadius, long ticks)
 {
   constexpr int Runs = 5;
   const std::vector<Vector3> path = StrokeOver(surface, toolRadius, ticks);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
+#include "SurfaceModel.h"
 #include "SurfaceTouchTruth.h"
 
 #include <vector>
@@ -14,7 +14,7 @@ struct TouchedPaths
   long Paths = 0; ///< begun where the tool is free
   test::SurfaceTouchTruth::Counts Counts;
 };
-TouchedPaths TouchPaths(const ParametricSphericalSurface& surface, double toolRadius, long paths);
+TouchedPaths TouchPaths(const SurfaceModel& surface, double toolRadius, long paths);
 
 /// A random hand in and out of a surface.
 struct TouchedTicks
@@ -28,10 +28,9 @@ struct TouchedTicks
   long LongestLag = 0;
   long Jumps = 0; ///< of the force by more than 1 N while the hand does not jump
 };
-TouchedTicks TouchByHand(const ParametricSphericalSurface& surface, double toolRadius, long ticks);
+TouchedTicks TouchByHand(const SurfaceModel& surface, double toolRadius, long ticks);
 
 /// Times of ticks (us), each the shortest of five runs of the same path: 0.02 to 0.1 mm a tick over
 /// the surface, from 0.75 mm above to 2.25 mm below it.
-std::vector<float> TimeTouch(const ParametricSphericalSurface& surface, double toolRadius,
-                             long ticks);
+std::vector<float> TimeTouch(const SurfaceModel& surface, double toolRadius, long ticks);
 } // namespace palpate::bench

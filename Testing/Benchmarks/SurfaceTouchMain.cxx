@@ -4,7 +4,7 @@
 // model and of the ticks of all.
 #include "GslHarmonics.h"
 #include "ModelFile.h"
-#include "ParametricPhantoms.h"
+#include "SurfacePhantoms.h"
 #include "SurfaceTouch.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace palpate::bench
 {
 namespace
 {
-using Named = std::pair<std::string, ParametricSphericalSurface>;
+using Named = std::pair<std::string, SurfaceModel>;
 
 std::vector<Named> Phantoms()
 {
@@ -43,8 +43,7 @@ std::vector<Named> ModelsOf(int count, char** names)
   models.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
   {
-    models.emplace_back(names[i],
-                        std::get<ParametricSphericalSurface>(ReadModel(names[i]).Surface));
+    models.emplace_back(names[i], std::get<SurfaceModel>(ReadModel(names[i]).Surface));
   }
   return models;
 }

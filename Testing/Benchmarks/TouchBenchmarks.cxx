@@ -3,14 +3,14 @@
 #include "FacetContactModel.h"
 #include "FieldBuilder.h"
 #include "FieldContactModel.h"
-#include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
-#include "ParametricContactModel.h"
-#include "ParametricPhantoms.h"
 #include "ProceduralFields.h"
 #include "PublishedShell.h"
+#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "StructureStroke.h"
+#include "SurfaceContactModel.h"
+#include "SurfacePhantoms.h"
 
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"
@@ -109,18 +109,17 @@ public:
   OrganCase()
   {
     test::Random random(12);
-    const auto organ =
-        std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
+    const auto organ = std::make_shared<const RadialModel>(test::RandomOrgan(random, 12));
     for (const Vector3& u : Wander(TouchStep / 20.0))
     {
       this->PointPath.push_back(organ->PointWorld(u) - 1.5 * organ->Normal(u));
       this->SpherePath.push_back(organ->PointWorld(u) + (SphereRadius - 1.5) * organ->Normal(u));
     }
     std::shared_ptr<const ContactModel> model;
-    if (HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model).IsOk())
+    if (RadialContactModel::Make(organ, RadialContactMode::Nearest, model).IsOk())
     {
       this->Harmonic = TrackerOf(model, ToolShape::Sphere(0.0));
-      this->HarmonicSphere = TrackerOf(model, ToolShape::Sphere(SphereRadius));
+      this->RadialSphere = TrackerOf(model, ToolShape::Sphere(SphereRadius));
     }
     this->MakeMesh(*organ);
     for (const int frequency : {20, 40, 80})
@@ -129,16 +128,16 @@ public:
     }
   }
 
-  void FollowHarmonic() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Ours); }
+  void FollowRadial() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Ours); }
   void FollowHarmonicAsTheirs() { FollowAll(*this->Harmonic, this->PointPath, this->Pairs.Theirs); }
   void TouchHarmonicPoint() { TouchAll(*this->Harmonic, 0.0, this->PointPath, this->Pairs.Theirs); }
   void TouchHarmonicSphere()
   {
-    TouchAll(*this->HarmonicSphere, SphereRadius, this->SpherePath, this->Pairs.Ours);
+    TouchAll(*this->RadialSphere, SphereRadius, this->SpherePath, this->Pairs.Ours);
   }
   void FollowHarmonicSphere()
   {
-    FollowAll(*this->HarmonicSphere, this->SpherePath, this->Pairs.Ours);
+    FollowAll(*this->RadialSphere, this->SpherePath, this->Pairs.Ours);
   }
   void FollowFacets(std::size_t size)
   {
@@ -176,7 +175,7 @@ public:
 private:
   static constexpr double SphereRadius = 2.0; // mm
 
-  void MakeMesh(const SphericalHarmonicModel& organ)
+  void MakeMesh(const RadialModel& organ)
   {
     const IcosahedronDirections sphere(20);
     vtkNew<vtkPoints> points;
@@ -197,7 +196,7 @@ private:
     this->Distance->SetInput(this->Mesh);
   }
 
-  void MakeFacets(const SphericalHarmonicModel& organ, int frequency)
+  void MakeFacets(const RadialModel& organ, int frequency)
   {
     const IcosahedronDirections sphere(frequency);
     std::vector<Vector3> corners;
@@ -216,7 +215,7 @@ private:
   std::vector<Vector3> PointPath;
   std::vector<Vector3> SpherePath;
   std::unique_ptr<ContactTracker> Harmonic;
-  std::unique_ptr<ContactTracker> HarmonicSphere;
+  std::unique_ptr<ContactTracker> RadialSphere;
   std::vector<std::unique_ptr<ContactTracker>> Facets;
   std::vector<std::unique_ptr<ContactTracker>> FacetsSphere;
   Proxies Pairs;
@@ -226,17 +225,17 @@ private:
   vtkNew<vtkImplicitPolyDataDistance> Distance;
 };
 
-// A parametric surface and its mesh of 8,000 triangles, touched 1.5 mm deep by a point.
-class ParametricCase
+// A surface model and its mesh of 8,000 triangles, touched 1.5 mm deep by a point.
+class SurfaceCase
 {
 public:
-  explicit ParametricCase(const ParametricSphericalSurface& surface)
+  explicit SurfaceCase(const SurfaceModel& surface)
   {
     this->MakePath(surface);
     std::shared_ptr<const ContactModel> model;
-    if (ParametricContactModel::Make(surface, model).IsOk())
+    if (SurfaceContactModel::Make(surface, model).IsOk())
     {
-      this->Parametric = TrackerOf(model, ToolShape::Sphere(0.0));
+      this->Mapped = TrackerOf(model, ToolShape::Sphere(0.0));
     }
     const IcosahedronDirections sphere(20);
     std::vector<Vector3> corners;
@@ -249,24 +248,24 @@ public:
       this->Facets = TrackerOf(model, ToolShape::Sphere(0.0));
     }
   }
-  void AddStar(const std::shared_ptr<const SphericalHarmonicModel>& organ)
+  void AddStar(const std::shared_ptr<const RadialModel>& organ)
   {
     std::shared_ptr<const ContactModel> model;
-    if (HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, model).IsOk())
+    if (RadialContactModel::Make(organ, RadialContactMode::Nearest, model).IsOk())
     {
       this->Star = TrackerOf(model, ToolShape::Sphere(0.0));
     }
   }
 
-  void FollowParametric() { FollowAll(*this->Parametric, this->Path, this->Pairs.Ours); }
+  void FollowSurface() { FollowAll(*this->Mapped, this->Path, this->Pairs.Ours); }
   void FollowFacets() { FollowAll(*this->Facets, this->Path, this->Pairs.Theirs); }
   void FollowStar() { FollowAll(*this->Star, this->Path, this->Pairs.Theirs); }
-  // As for FacetsDisagreement; a star-shaped model has the same surface, tracked to 1e-5 mm.
+  // As for FacetsDisagreement; a radial model has the same surface, tracked to 1e-5 mm.
   std::string Disagreement() const { return this->Pairs.Disagreement(0.6); }
   std::string StarDisagreement() const { return this->Pairs.Disagreement(2e-5); }
 
 private:
-  void MakePath(const ParametricSphericalSurface& surface)
+  void MakePath(const SurfaceModel& surface)
   {
     // Parameters are stretched differently everywhere: turns of any angle that moves by a step.
     test::Random random(61);
@@ -285,28 +284,28 @@ private:
   }
 
   std::vector<Vector3> Path;
-  std::unique_ptr<ContactTracker> Parametric;
+  std::unique_ptr<ContactTracker> Mapped;
   std::unique_ptr<ContactTracker> Facets;
   std::unique_ptr<ContactTracker> Star;
   Proxies Pairs;
 };
 
-std::vector<PairedBenchmark> ParametricBenchmarks()
+std::vector<PairedBenchmark> SurfaceTouchBenchmarks()
 {
   test::Random random(12);
-  // In parametric form the degree is one higher.
-  const auto organ = std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 15));
-  const auto body = std::make_shared<ParametricCase>(ParametricSphericalSurface::FromModel(*organ));
+  // As a surface model the degree is one higher.
+  const auto organ = std::make_shared<const RadialModel>(test::RandomOrgan(random, 15));
+  const auto body = std::make_shared<SurfaceCase>(SurfaceModel::FromModel(*organ));
   body->AddStar(organ);
-  const auto ring = std::make_shared<ParametricCase>(test::OpenRing());
-  return {{"touch/parametric/degree16", "god-object on 8,000 triangles (ours)",
-           [body] { body->FollowParametric(); }, [body] { body->FollowFacets(); },
+  const auto ring = std::make_shared<SurfaceCase>(test::OpenRing());
+  return {{"touch/surface/degree16", "god-object on 8,000 triangles (ours)",
+           [body] { body->FollowSurface(); }, [body] { body->FollowFacets(); },
            [body] { return body->Disagreement(); }, TouchTicks},
-          {"touch/parametric/degree16/star", "the same as a star-shaped model (ours)",
-           [body] { body->FollowParametric(); }, [body] { body->FollowStar(); },
+          {"touch/surface/degree16/star", "the same as a radial model (ours)",
+           [body] { body->FollowSurface(); }, [body] { body->FollowStar(); },
            [body] { return body->StarDisagreement(); }, TouchTicks},
-          {"touch/parametric/degree16/ring", "god-object on 8,000 triangles (ours)",
-           [ring] { ring->FollowParametric(); }, [ring] { ring->FollowFacets(); },
+          {"touch/surface/degree16/ring", "god-object on 8,000 triangles (ours)",
+           [ring] { ring->FollowSurface(); }, [ring] { ring->FollowFacets(); },
            [ring] { return ring->Disagreement(); }, TouchTicks}};
 }
 
@@ -405,9 +404,9 @@ std::vector<PairedBenchmark> TouchBenchmarks()
   };
   std::vector<PairedBenchmark> all{
       {"touch/sh/degree12", "vtkStaticCellLocator, 8,000 triangles",
-       [organ] { organ->FollowHarmonic(); }, [organ] { organ->Locate(); }, agree, TouchTicks},
+       [organ] { organ->FollowRadial(); }, [organ] { organ->Locate(); }, agree, TouchTicks},
       {"touch/sh/degree12/signed", "vtkImplicitPolyDataDistance, 8,000 triangles",
-       [organ] { organ->FollowHarmonic(); }, [organ] { organ->EvaluateDistance(); }, agree,
+       [organ] { organ->FollowRadial(); }, [organ] { organ->EvaluateDistance(); }, agree,
        TouchTicks},
       {"touch/sh/degree12/sphere", "god-object on 8,000 triangles (ours), sphere of 2 mm",
        [organ] { organ->FollowHarmonicSphere(); }, [organ] { organ->FollowFacetsSphere(); }, agree,
@@ -427,8 +426,8 @@ std::vector<PairedBenchmark> TouchBenchmarks()
       {"touch/subvoxel/26", "the published law (ours)", [field] { field->FollowSolved(); },
        [field] { field->FollowPublished(); }, [field] { return field->LawsDisagreement(); },
        TouchTicks}};
-  const std::vector<PairedBenchmark> parametric = ParametricBenchmarks();
-  all.insert(all.end(), parametric.begin(), parametric.end());
+  const std::vector<PairedBenchmark> surfaces = SurfaceTouchBenchmarks();
+  all.insert(all.end(), surfaces.begin(), surfaces.end());
   return all;
 }
 } // namespace palpate::bench

@@ -6,9 +6,9 @@
 #include "FieldBuilder.h"
 #include "FieldContactModel.h"
 #include "ForceQuality.h"
-#include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
 #include "PublishedShell.h"
+#include "RadialContactModel.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ struct Path
   Path(const ClosestPointSearch& search, double toolRadius) : ToolRadius(toolRadius)
   {
     test::Random random(64);
-    const SphericalHarmonicModel& body = search.Model();
+    const RadialModel& body = search.Model();
     Vector3 u = test::RandomDirection(random);
     Vector3 axis = u.unitOrthogonal();
     this->Start = body.PointWorld(u) + (toolRadius + 1.0) * body.Normal(u);
@@ -171,15 +171,15 @@ private:
   std::vector<Vector3> Felt;
 };
 
-std::shared_ptr<const ContactModel>
-HarmonicOf(const std::shared_ptr<const SphericalHarmonicModel>& body, HarmonicContactMode mode)
+std::shared_ptr<const ContactModel> RadialOf(const std::shared_ptr<const RadialModel>& body,
+                                             RadialContactMode mode)
 {
   std::shared_ptr<const ContactModel> model;
-  RequireQuality(HarmonicContactModel::Make(body, mode, model));
+  RequireQuality(RadialContactModel::Make(body, mode, model));
   return model;
 }
 
-std::shared_ptr<const ContactModel> FacetsOf(const SphericalHarmonicModel& body, int frequency)
+std::shared_ptr<const ContactModel> FacetsOf(const RadialModel& body, int frequency)
 {
   const IcosahedronDirections sphere(frequency);
   std::vector<Vector3> corners;
@@ -193,7 +193,7 @@ std::shared_ptr<const ContactModel> FacetsOf(const SphericalHarmonicModel& body,
 }
 
 // A cube of 64 mm around the body, inside where its radius exceeds the distance.
-std::shared_ptr<const ScalarField> FieldOf(const SphericalHarmonicModel& body, int nodes,
+std::shared_ptr<const ScalarField> FieldOf(const RadialModel& body, int nodes,
                                            FieldInterpolation interpolation)
 {
   const double spacing = 64.0 / nodes;
@@ -236,10 +236,10 @@ std::shared_ptr<const ContactModel> PublishedOf(const std::shared_ptr<const Scal
   return model;
 }
 
-void AddHarmonicRows(const std::shared_ptr<const SphericalHarmonicModel>& body,
+void AddHarmonicRows(const std::shared_ptr<const RadialModel>& body,
                      const ClosestPointSearch& search, std::vector<TouchQualityRow>& rows)
 {
-  const auto nearest = HarmonicOf(body, HarmonicContactMode::Nearest);
+  const auto nearest = RadialOf(body, RadialContactMode::Nearest);
   for (const double radius : {0.0, 1.0, 4.0})
   {
     std::ostringstream name;
@@ -248,7 +248,7 @@ void AddHarmonicRows(const std::shared_ptr<const SphericalHarmonicModel>& body,
     rows.push_back(Rehearsal(*nearest, ToolShape::Sphere(radius), Path(search, radius))
                        .Assess(name.str(), search));
   }
-  const auto radial = HarmonicOf(body, HarmonicContactMode::Radial);
+  const auto radial = RadialOf(body, RadialContactMode::Radial);
   rows.push_back(Rehearsal(*radial, ToolShape::Sphere(0.0), Path(search, 0.0))
                      .Assess("spherical harmonics, the published radial law, point", search));
 }
@@ -257,7 +257,7 @@ void AddHarmonicRows(const std::shared_ptr<const SphericalHarmonicModel>& body,
 std::vector<TouchQualityRow> TouchQuality()
 {
   test::Random random(63);
-  const auto body = std::make_shared<const SphericalHarmonicModel>(test::BumpyBody(random));
+  const auto body = std::make_shared<const RadialModel>(test::BumpyBody(random));
   const ClosestPointSearch search(body);
   std::vector<TouchQualityRow> rows;
   AddHarmonicRows(body, search, rows);

@@ -1,8 +1,8 @@
 #include "TradeOff.h"
 
 #include "IcosahedronDirections.h"
+#include "RadialEvaluator.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicEvaluator.h"
 #include "TextbookHarmonics.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ std::vector<Variant> AllVariants()
   return variants;
 }
 
-SphericalHarmonicModel TradedBody()
+RadialModel TradedBody()
 {
   test::Random random(20261120);
   std::vector<double> coefficients = test::RandomCoefficients(random, BodyDegree, 2.5);
@@ -96,10 +96,10 @@ public:
   double Radius(std::size_t direction) const { return this->Samples[direction].Radius; }
 
 private:
-  SphericalHarmonicEvaluator Evaluator;
+  RadialEvaluator Evaluator;
   bool IsBatch;
   std::vector<Vector3> Directions;
-  std::vector<SphericalHarmonicEvaluator::Sample> Samples;
+  std::vector<RadialEvaluator::Sample> Samples;
 };
 
 PairedBenchmark Pair(const Variant& variant, const std::vector<double>& coefficients)
@@ -130,7 +130,7 @@ PairedBenchmark Pair(const Variant& variant, const std::vector<double>& coeffici
 // Largest error of the radius of the truncated body, for a few directions: the oracle is slow.
 double Rounding(const Variant& variant, const std::vector<double>& coefficients)
 {
-  const SphericalHarmonicEvaluator evaluator(variant.Degree, coefficients, variant.Formulation);
+  const RadialEvaluator evaluator(variant.Degree, coefficients, variant.Formulation);
   test::Random random(4);
   double worst = 0.0;
   for (const Vector3& direction : test::RandomDirections(random, 20))
@@ -151,15 +151,15 @@ double Rounding(const Variant& variant, const std::vector<double>& coefficients)
 }
 
 // Root mean square over all directions (Parseval).
-double LostRms(const SphericalHarmonicModel& body, int degree)
+double LostRms(const RadialModel& body, int degree)
 {
   const std::vector<double> power = body.PowerSpectrum();
   return std::sqrt(std::accumulate(power.begin() + degree + 1, power.end(), 0.0) / (4.0 * M_PI));
 }
 
-double LargestLoss(const SphericalHarmonicModel& body, int degree)
+double LargestLoss(const RadialModel& body, int degree)
 {
-  const SphericalHarmonicModel truncated = body.WithDegree(degree);
+  const RadialModel truncated = body.WithDegree(degree);
   const IcosahedronDirections sphere(20);
   double worst = 0.0;
   for (const Vector3& direction : sphere.Directions())
@@ -172,7 +172,7 @@ double LargestLoss(const SphericalHarmonicModel& body, int degree)
 
 std::vector<PairedBenchmark> TradeOffBenchmarks()
 {
-  const SphericalHarmonicModel body = TradedBody();
+  const RadialModel body = TradedBody();
   std::vector<PairedBenchmark> pairs;
   for (const Variant& variant : AllVariants())
   {
@@ -184,7 +184,7 @@ std::vector<PairedBenchmark> TradeOffBenchmarks()
 
 std::vector<TradeOffRow> TradeOffRows(const std::vector<Comparison>& comparisons)
 {
-  const SphericalHarmonicModel body = TradedBody();
+  const RadialModel body = TradedBody();
   std::vector<TradeOffRow> rows;
   for (const Variant& variant : AllVariants())
   {

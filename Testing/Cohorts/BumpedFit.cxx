@@ -79,7 +79,7 @@ vtkSmartPointer<vtkImageData> BumpedImage(vtkImageData* image, int label,
                      shift * toWorld.Axes.col(2));
 }
 
-SphericalHarmonicModel RadialFitOf(vtkImageData* image, int degree)
+RadialModel RadialFitOf(vtkImageData* image, int degree)
 {
   Segment segment;
   segment.Label = 1;

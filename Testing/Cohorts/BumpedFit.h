@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "SurfaceBump.h"
 
 #include "vtkImageData.h"
@@ -31,5 +31,5 @@ vtkSmartPointer<vtkImageData> BumpedImage(vtkImageData* image, int label,
 
 /// The radial model of a degree that `palpate fit` makes of an image's label 1. Throws
 /// std::runtime_error.
-SphericalHarmonicModel RadialFitOf(vtkImageData* image, int degree);
+RadialModel RadialFitOf(vtkImageData* image, int degree);
 } // namespace palpate::test

@@ -38,7 +38,7 @@ struct FolderOfBump
   SurfaceBump Bump;
 };
 
-std::vector<FolderOfBump> FoldersOf(const std::string& place, const SphericalHarmonicModel& mean,
+std::vector<FolderOfBump> FoldersOf(const std::string& place, const RadialModel& mean,
                                     const std::filesystem::path& out)
 {
   if (place == "flat")
@@ -88,7 +88,7 @@ int FitAll(const std::string& folder, const std::filesystem::path& out, const st
 {
   const CohortGroup group = MakeCohortGroup(CohortTable::Read(folder + "/cohort.csv"), folder, "",
                                             AlignmentAxes::Patient);
-  const auto mean = std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0));
+  const auto mean = std::get<RadialModel>(ShapeOf(group, -1, 0.0));
   const std::vector<FolderOfBump> folders = FoldersOf(place, mean, out);
   int lost = 0;
   int index = 0;

@@ -51,7 +51,7 @@ SplitCohorts::SplitCohorts(CohortGroup group, std::uint64_t seed)
 
 SurfaceBump SplitCohorts::BumpAt(const BumpPlace& place, double height) const
 {
-  return {std::get<SphericalHarmonicModel>(ShapeOf(this->Group, -1, 0.0)), place.Direction, height,
+  return {std::get<RadialModel>(ShapeOf(this->Group, -1, 0.0)), place.Direction, height,
           BumpExtent};
 }
 
@@ -61,7 +61,7 @@ Eigen::MatrixXd SplitCohorts::ReadCoefficients(const std::filesystem::path& fold
   for (Eigen::Index row = 0; row < masks.rows(); ++row)
   {
     const std::string& name = this->Group.Rows[static_cast<std::size_t>(row)].Case;
-    const SurfaceModel model = ReadModel(folder / (name + ".json")).Surface;
+    const OrganModel model = ReadModel(folder / (name + ".json")).Surface;
     masks.row(row) = VectorOf(WithDegree(model, DegreeOf(this->Group.Models[0])));
   }
   return masks;
@@ -89,9 +89,9 @@ Vector3 SplitCohorts::ShiftOf(Eigen::Index row, const Eigen::VectorXd& added) co
   const auto centroid = [&](const Eigen::VectorXd& coefficients)
   {
     BodyMoments body;
-    const SphericalHarmonicModel model(
-        DegreeOf(this->Group.Models[0]),
-        std::vector<double>(coefficients.begin(), coefficients.end()), Vector3::Zero());
+    const RadialModel model(DegreeOf(this->Group.Models[0]),
+                            std::vector<double>(coefficients.begin(), coefficients.end()),
+                            Vector3::Zero());
     if (!MeasureBody(model, body).IsOk())
     {
       throw std::runtime_error("a body has no centre");
@@ -105,8 +105,7 @@ Vector3 SplitCohorts::ShiftOf(Eigen::Index row, const Eigen::VectorXd& added) co
 // What moving the body does to its radii, along the mean's normal at the points; of first order.
 Eigen::VectorXd SplitCohorts::MovedBy(const Vector3& shift, Eigen::Index row) const
 {
-  const auto& model =
-      std::get<SphericalHarmonicModel>(this->Group.Models[static_cast<std::size_t>(row)]);
+  const auto& model = std::get<RadialModel>(this->Group.Models[static_cast<std::size_t>(row)]);
   Eigen::VectorXd moved(static_cast<Eigen::Index>(this->Directions.size()));
   for (std::size_t i = 0; i < this->Directions.size(); ++i)
   {

@@ -5,8 +5,7 @@
 
 namespace palpate::test
 {
-SurfaceBump::SurfaceBump(SphericalHarmonicModel mean, const Vector3& place, double height,
-                         double extent)
+SurfaceBump::SurfaceBump(RadialModel mean, const Vector3& place, double height, double extent)
     : Mean(std::move(mean)), Direction(place), PlacePoint(Mean.Radius(place) * place), Peak(height),
       Width(extent)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 
 namespace palpate::test
@@ -12,7 +12,7 @@ class SurfaceBump
 {
 public:
   /// `mean` has its centre at the origin; `place` is a unit vector; height and extent are in mm.
-  SurfaceBump(SphericalHarmonicModel mean, const Vector3& place, double height, double extent);
+  SurfaceBump(RadialModel mean, const Vector3& place, double height, double extent);
 
   const Vector3& Place() const { return this->Direction; }
   double Height() const { return this->Peak; }
@@ -24,7 +24,7 @@ public:
 private:
   double DistanceOf(const Vector3& direction) const;
 
-  SphericalHarmonicModel Mean;
+  RadialModel Mean;
   Vector3 Direction;
   Vector3 PlacePoint;
   double Peak;

@@ -15,7 +15,7 @@ using test::SurfaceBump;
 constexpr double Radius = 22.0; // mm
 const Vector3 Place = Vector3(1.0, 2.0, -0.5).normalized();
 
-SphericalHarmonicModel Sphere()
+RadialModel Sphere()
 {
   return {0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()};
 }
@@ -75,7 +75,7 @@ TEST(SurfaceBump, FallsAsASquaredCosineOfTheDistance)
 
 TEST(SurfaceBump, MovesAlongTheRadiusByWhatItsNormalNeeds)
 {
-  const SphericalHarmonicModel oval(2, {70.0, 0, 0, 0, 0, 0, 4.0, 0, 6.0}, Vector3::Zero());
+  const RadialModel oval(2, {70.0, 0, 0, 0, 0, 0, 4.0, 0, 6.0}, Vector3::Zero());
   const SurfaceBump bump(oval, Place, 1.0, 20.0);
   const Vector3 direction = (Place + 0.1 * Vector3::UnitX()).normalized();
   EXPECT_NEAR(bump.AlongRadius(direction) * oval.Normal(direction).dot(direction),

@@ -23,7 +23,7 @@ constexpr int Degree = 12;
 constexpr double Height = 2.0; // mm
 const test::BumpPlace& Place = test::BumpPlaces()[1];
 
-SphericalHarmonicModel RandomGland(std::mt19937_64& random)
+RadialModel RandomGland(std::mt19937_64& random)
 {
   std::normal_distribution<double> normal(0.0, 1.0);
   std::vector<double> coefficients = MakeProstateLikeModel(6, 1, Vector3::Zero()).Coefficients();
@@ -35,7 +35,7 @@ SphericalHarmonicModel RandomGland(std::mt19937_64& random)
 }
 
 // On voxels of 0.9 x 0.9 x 2.5 mm.
-vtkSmartPointer<vtkImageData> MaskOf(const SphericalHarmonicModel& gland)
+vtkSmartPointer<vtkImageData> MaskOf(const RadialModel& gland)
 {
   PhantomGrid grid;
   grid.Size = {84, 84, 26};
@@ -46,7 +46,7 @@ vtkSmartPointer<vtkImageData> MaskOf(const SphericalHarmonicModel& gland)
   return MakePhantom(gland, grid, look).Mask;
 }
 
-void Add(const SphericalHarmonicModel& model, CohortGroup& group)
+void Add(const RadialModel& model, CohortGroup& group)
 {
   CohortRow row;
   row.Case = std::to_string(group.Rows.size());
@@ -55,8 +55,7 @@ void Add(const SphericalHarmonicModel& model, CohortGroup& group)
   EXPECT_TRUE(MeasureBody(model, body).IsOk());
   group.Rows.push_back(row);
   group.Bodies.push_back(body);
-  group.Models.emplace_back(
-      SphericalHarmonicModel(model.Degree(), model.Coefficients(), Vector3::Zero()));
+  group.Models.emplace_back(RadialModel(model.Degree(), model.Coefficients(), Vector3::Zero()));
 }
 
 CohortGroup RandomGroup(int cases, std::uint64_t seed)
@@ -73,7 +72,7 @@ CohortGroup RandomGroup(int cases, std::uint64_t seed)
 
 test::SurfaceBump BumpOf(const CohortGroup& group, double height = Height)
 {
-  return {std::get<SphericalHarmonicModel>(ShapeOf(group, -1, 0.0)), Place.Direction, height,
+  return {std::get<RadialModel>(ShapeOf(group, -1, 0.0)), Place.Direction, height,
           test::BumpExtent};
 }
 
@@ -176,7 +175,7 @@ TEST(SplitCohorts, BodiesWithABumpAreCentredAgain)
   const Eigen::VectorXd moved = CoefficientsOf(group).row(0) + bumped.MovedCoefficients.row(0);
   BodyMoments before;
   BodyMoments after;
-  ASSERT_TRUE(MeasureBody(std::get<SphericalHarmonicModel>(group.Models[0]), before).IsOk());
+  ASSERT_TRUE(MeasureBody(std::get<RadialModel>(group.Models[0]), before).IsOk());
   ASSERT_TRUE(MeasureBody({6, {moved.begin(), moved.end()}, Vector3::Zero()}, after).IsOk());
   // The bump, which moves centres by 0.1 mm, is not of degree 6: the rest is its projection's.
   EXPECT_LT((after.CentroidWorld - before.CentroidWorld).norm(), 0.02);

@@ -23,7 +23,7 @@ Vector3 DirectionOf(const FreePlace& place)
   return {aside.x(), std::cos(angle), aside.y()};
 }
 
-SphericalHarmonicModel Ellipsoid()
+RadialModel Ellipsoid()
 {
   // The harmonics above add up to less than 0.0001 mm.
   constexpr int Degree = 8;

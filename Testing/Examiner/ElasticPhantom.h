@@ -2,7 +2,7 @@
 
 #include "ComplianceAtlas.h"
 #include "FreePlace.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -49,7 +49,7 @@ public:
 
 private:
   std::optional<HiddenNodule> Hidden;
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   std::shared_ptr<const ComplianceAtlas> Atlas;
 };
 } // namespace palpate::test

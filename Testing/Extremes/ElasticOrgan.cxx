@@ -5,9 +5,9 @@
 
 namespace palpate::test
 {
-ElasticOrgan::ElasticOrgan(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+ElasticOrgan::ElasticOrgan(const RadialModel& model, const ElasticSolid& solid,
                            const CoarseNumbers& numbers)
-    : Search(std::make_shared<const SphericalHarmonicModel>(model))
+    : Search(std::make_shared<const RadialModel>(model))
 {
   OrganSoftening softening;
   softening.ElementsAcross = numbers.ElementsAcross;

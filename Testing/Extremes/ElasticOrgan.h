@@ -22,10 +22,10 @@ class ElasticOrgan
 {
 public:
   /// Throws std::runtime_error if it cannot be made, or would not be read from a file.
-  ElasticOrgan(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+  ElasticOrgan(const RadialModel& model, const ElasticSolid& solid,
                const CoarseNumbers& numbers = {});
 
-  const SphericalHarmonicModel& Model() const { return this->Search.Model(); }
+  const RadialModel& Model() const { return this->Search.Model(); }
   const ComplianceMaps& Maps() const { return this->Values; }
 
   /// mm/N, under a Hertz bump (mm).

@@ -96,7 +96,7 @@ double LargestDifference(const std::vector<Vector3>& directions, const std::vect
   {
     difference[k] -= found[k];
   }
-  const SphericalHarmonicModel model(Degree, difference, Vector3::Zero());
+  const RadialModel model(Degree, difference, Vector3::Zero());
   WorstCase largest;
   for (const Vector3& u : directions)
   {
@@ -105,21 +105,20 @@ double LargestDifference(const std::vector<Vector3>& directions, const std::vect
   return largest.Value();
 }
 
-FitPrecision MakeRow(const HardDirections& hard, const SphericalHarmonicModel& organ,
-                     double roughness)
+FitPrecision MakeRow(const HardDirections& hard, const RadialModel& organ, double roughness)
 {
   const RadialSamples samples = SamplesAlong(hard, organ);
   const Eigen::MatrixXd system = WeightedSystem(samples, roughness);
   const std::vector<double> exact =
       roughness > 0.0 ? Orthogonal<long double>(system) : organ.Coefficients();
-  SphericalHarmonicFitOptions options;
+  RadialModelFitOptions options;
   options.Degree = Degree;
   options.MaximumCondition = std::numeric_limits<double>::infinity();
   options.Roughness = roughness;
-  options.PenaltyKind = roughness > 0.0 ? SphericalHarmonicFitOptions::Penalty::Given
-                                        : SphericalHarmonicFitOptions::Penalty::None;
-  SphericalHarmonicFitResult fit;
-  const bool isFitted = FitSphericalHarmonics(samples, options, fit).IsOk();
+  options.PenaltyKind = roughness > 0.0 ? RadialModelFitOptions::Penalty::Given
+                                        : RadialModelFitOptions::Penalty::None;
+  RadialModelFitResult fit;
+  const bool isFitted = FitRadialModel(samples, options, fit).IsOk();
   const auto off = [&](const std::vector<double>& found)
   { return LargestDifference(IcosahedronDirections(12).Directions(), found, exact); };
   FitPrecision row;
@@ -143,7 +142,7 @@ std::string Written(double number)
 HardDirections AllBut(double capDegrees)
 {
   const RadialSamples kept =
-      WithoutCap(SamplesOf(SphericalHarmonicModel(), Frequency), capDegrees * M_PI / 180.0);
+      WithoutCap(SamplesOf(RadialModel(), Frequency), capDegrees * M_PI / 180.0);
   const auto whole = static_cast<int>(capDegrees);
   return {capDegrees > 0.0 ? "all but a cap of " + std::to_string(whole) + "°" : "all",
           kept.Directions, kept.Weights};
@@ -211,7 +210,7 @@ std::vector<HardDirections> AllHardDirections()
   return all;
 }
 
-RadialSamples SamplesAlong(const HardDirections& hard, const SphericalHarmonicModel& organ)
+RadialSamples SamplesAlong(const HardDirections& hard, const RadialModel& organ)
 {
   RadialSamples samples{hard.Directions, {}, hard.Weights};
   for (const Vector3& u : samples.Directions)
@@ -224,7 +223,7 @@ RadialSamples SamplesAlong(const HardDirections& hard, const SphericalHarmonicMo
 std::vector<FitPrecision> MeasureFitPrecision()
 {
   Random random(8832);
-  const SphericalHarmonicModel organ = RandomOrgan(random, Degree);
+  const RadialModel organ = RandomOrgan(random, Degree);
   std::vector<FitPrecision> rows;
   for (const HardDirections& hard : AllHardDirections())
   {

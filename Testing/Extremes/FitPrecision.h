@@ -1,7 +1,7 @@
 #pragma once
 
+#include "RadialModel.h"
 #include "RadialSamples.h"
-#include "SphericalHarmonicModel.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct HardDirections
 std::vector<HardDirections> AllHardDirections();
 
 /// Samples of an organ of degree 12 along directions, without noise.
-RadialSamples SamplesAlong(const HardDirections& hard, const SphericalHarmonicModel& organ);
+RadialSamples SamplesAlong(const HardDirections& hard, const RadialModel& organ);
 
 /// Effect of rounding alone on a fit of an organ of degree 12, of 20 mm: the largest difference
 /// (mm) over the whole sphere between the fitted radius and that of exact arithmetic.
@@ -36,7 +36,7 @@ struct FitPrecision
   double FloatOrthogonal = 0.0;
   ///@}
   double DoubleNormalEquations = 0.0; ///< Eigen's LLT
-  double Ours = 0.0;                  ///< FitSphericalHarmonics
+  double Ours = 0.0;                  ///< FitRadialModel
 };
 
 /// One row for each set of directions, without a penalty and with a typical one. The exact result

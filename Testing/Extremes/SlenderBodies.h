@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ProjectedShapes.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ struct SlenderBody
   double Length;    ///< mm, from the centre to the tips or the rim
   double Thickness; ///< mm, from the centre to the waist or the faces
 
-  SphericalHarmonicModel Model(const Vector3& centerWorld = Vector3::Zero()) const
+  RadialModel Model(const Vector3& centerWorld = Vector3::Zero()) const
   {
     const auto radius = [this](const Vector3& u)
     {
@@ -32,7 +32,7 @@ struct SlenderBody
 /// The unsigned distance (mm) from a place to such a body's surface: the nearest point lies in the
 /// half plane of the place and the axis, which is searched in steps of a 20,000th and then by
 /// golden sections.
-inline double DistanceInMeridian(const SphericalHarmonicModel& model, const Vector3& queryWorld)
+inline double DistanceInMeridian(const RadialModel& model, const Vector3& queryWorld)
 {
   const Vector3 q = queryWorld - model.CenterWorld();
   const double aside = std::hypot(q[0], q[1]);

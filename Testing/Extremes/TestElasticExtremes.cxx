@@ -28,7 +28,7 @@ using test::ElasticOrgan;
 constexpr double Thousandfold = 1000.0;
 
 // A bumpy body without hollows for the tools, and the direction of its lesion.
-SphericalHarmonicModel Body()
+RadialModel Body()
 {
   std::mt19937_64 random(8820);
   return test::RandomModel(random, 4, 0.012);
@@ -38,7 +38,7 @@ const Vector3 Towards = Vector3(2.0, -1.0, 1.5).normalized();
 // A ball of another modulus; `depth` is that of its centre below the surface.
 void AddBall(ElasticSolid& solid, double depth, double radius, double modulus)
 {
-  const SphericalHarmonicModel body = Body();
+  const RadialModel body = Body();
   solid.Tissue.AddInclusion(test::BallFraction(body.PointWorld(Towards) - depth * Towards, radius),
                             modulus);
 }

@@ -17,7 +17,7 @@ namespace
 using test::HardDirections;
 using test::Random;
 using test::WorstCase;
-using Options = SphericalHarmonicFitOptions;
+using Options = RadialModelFitOptions;
 
 constexpr int Degree = 12;
 constexpr double Voxel = 1.0; // mm
@@ -31,10 +31,10 @@ Options Unlimited(Options::Penalty penalty)
   return options;
 }
 
-SphericalHarmonicFitResult Fit(const RadialSamples& samples, const Options& options)
+RadialModelFitResult Fit(const RadialSamples& samples, const Options& options)
 {
-  SphericalHarmonicFitResult result;
-  const Status status = FitSphericalHarmonics(samples, options, result);
+  RadialModelFitResult result;
+  const Status status = FitRadialModel(samples, options, result);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return result;
 }
@@ -79,8 +79,8 @@ TEST(FitExtremes, SinglePrecisionFailsForMissingDirections)
   EXPECT_GE(broken, 3);
 }
 
-RadialSamples NoisySamples(const HardDirections& hard, const SphericalHarmonicModel& organ,
-                           double noise, unsigned seed)
+RadialSamples NoisySamples(const HardDirections& hard, const RadialModel& organ, double noise,
+                           unsigned seed)
 {
   Random random(seed);
   RadialSamples samples = test::SamplesAlong(hard, organ);
@@ -92,10 +92,10 @@ RadialSamples NoisySamples(const HardDirections& hard, const SphericalHarmonicMo
 }
 
 // Largest ratio of the radius error to its stated deviation, over the whole sphere.
-double LargestSurprise(const RadialSamples& samples, const SphericalHarmonicModel& organ)
+double LargestSurprise(const RadialSamples& samples, const RadialModel& organ)
 {
-  const SphericalHarmonicFitResult fit = Fit(samples, Unlimited(Options::Penalty::None));
-  const SphericalHarmonicModel fitted(Degree, fit.Coefficients, Vector3::Zero());
+  const RadialModelFitResult fit = Fit(samples, Unlimited(Options::Penalty::None));
+  const RadialModel fitted(Degree, fit.Coefficients, Vector3::Zero());
   const SphericalHarmonicBasis basis(Degree);
   std::vector<double> values(basis.Size());
   WorstCase surprise;
@@ -113,7 +113,7 @@ double LargestSurprise(const RadialSamples& samples, const SphericalHarmonicMode
 TEST(FitExtremes, ErrorsStayWithinStatedDeviationForAnyDirections)
 {
   Random random(8840);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+  const RadialModel organ = test::RandomOrgan(random, Degree);
   for (const HardDirections& hard : test::AllHardDirections())
   {
     if (hard.Directions.size() == 169)
@@ -132,7 +132,7 @@ TEST(FitExtremes, ErrorsStayWithinStatedDeviationForAnyDirections)
 TEST(FitExtremes, PenaltyFillsGapsWithinTheOrgansRelief)
 {
   Random random(8842);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+  const RadialModel organ = test::RandomOrgan(random, Degree);
   const IcosahedronDirections sphere(12);
   WorstCase relief;
   for (const Vector3& u : sphere.Directions())
@@ -145,7 +145,7 @@ TEST(FitExtremes, PenaltyFillsGapsWithinTheOrgansRelief)
     {
       const Options options = Unlimited(Options::Penalty::GeneralisedCrossValidation);
       const auto fit = Fit(NoisySamples(hard, organ, noise, 8843), options);
-      const SphericalHarmonicModel fitted(Degree, fit.Coefficients, Vector3::Zero());
+      const RadialModel fitted(Degree, fit.Coefficients, Vector3::Zero());
       WorstCase error;
       for (const Vector3& u : sphere.Directions())
       {
@@ -160,13 +160,13 @@ TEST(FitExtremes, PenaltyFillsGapsWithinTheOrgansRelief)
 TEST(FitExtremes, RejectsUndeterminedFitsAndSuggestsAPenalty)
 {
   Random random(8844);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+  const RadialModel organ = test::RandomOrgan(random, Degree);
   for (const HardDirections& hard : test::AllHardDirections())
   {
     const RadialSamples samples = test::SamplesAlong(hard, organ);
     const double condition = Fit(samples, Unlimited(Options::Penalty::None)).Condition;
-    SphericalHarmonicFitResult result;
-    const Status status = FitSphericalHarmonics(samples, Options(), result);
+    RadialModelFitResult result;
+    const Status status = FitRadialModel(samples, Options(), result);
     EXPECT_EQ(status.IsOk(), condition <= Options().MaximumCondition) << hard.Name;
     EXPECT_EQ(status.IsOk(), status.Message().find("add a roughness penalty") == std::string::npos)
         << status.Message();
@@ -177,7 +177,7 @@ TEST(FitExtremes, RejectsUndeterminedFitsAndSuggestsAPenalty)
 TEST(FitExtremes, MinimalFitInterpolatesAndOneSampleLessIsRejected)
 {
   Random random(8845);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+  const RadialModel organ = test::RandomOrgan(random, Degree);
   RadialSamples samples = NoisySamples(test::AllHardDirections().back(), organ, Voxel, 8846);
   ASSERT_EQ(samples.Radii.size(), 169U);
   const auto fit = Fit(samples, Unlimited(Options::Penalty::None));
@@ -185,15 +185,15 @@ TEST(FitExtremes, MinimalFitInterpolatesAndOneSampleLessIsRejected)
   samples.Directions.pop_back();
   samples.Radii.pop_back();
   samples.Weights.pop_back();
-  SphericalHarmonicFitResult result;
-  EXPECT_FALSE(FitSphericalHarmonics(samples, Unlimited(Options::Penalty::None), result).IsOk());
+  RadialModelFitResult result;
+  EXPECT_FALSE(FitRadialModel(samples, Unlimited(Options::Penalty::None), result).IsOk());
 }
 
 // Contradicting samples along one direction count as their mean.
 TEST(FitExtremes, RepeatedSamplesCountAsTheirMean)
 {
   Random random(8847);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+  const RadialModel organ = test::RandomOrgan(random, Degree);
   RadialSamples many = test::SamplesOf(organ, 8);
   RadialSamples one = many;
   const Vector3 u = many.Directions[100];
@@ -218,7 +218,7 @@ TEST(FitExtremes, RepeatedSamplesCountAsTheirMean)
 TEST(FitExtremes, RadiiOfAnySizeGiveTheSameFit)
 {
   Random random(8848);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, Degree);
+  const RadialModel organ = test::RandomOrgan(random, Degree);
   const RadialSamples samples = NoisySamples(test::AllHardDirections()[3], organ, 0.3, 8849);
   const Options options = Unlimited(Options::Penalty::GeneralisedCrossValidation);
   const auto expected = Fit(samples, options);
@@ -251,7 +251,7 @@ TEST(FitExtremes, FitsTwelveDecadesBetweenDegreesToRoundingOfTheLargest)
       coefficients[SphericalHarmonicBasis::Index(l, m)] *= 20.0 * std::pow(10.0, -l);
     }
   }
-  const SphericalHarmonicModel model(Degree, coefficients, Vector3::Zero());
+  const RadialModel model(Degree, coefficients, Vector3::Zero());
   const auto fit = Fit(test::SamplesOf(model, 12), Unlimited(Options::Penalty::None));
   WorstCase off;
   for (std::size_t k = 0; k < coefficients.size(); ++k)

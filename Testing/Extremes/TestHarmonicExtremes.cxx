@@ -89,7 +89,7 @@ struct Errors
 // Relative to the largest value that coefficients of this length can reach.
 Errors ErrorsOf(int degree, const PeakedModel& peaked, const std::vector<Vector3>& directions)
 {
-  const SphericalHarmonicEvaluator evaluator(degree, peaked.Coefficients);
+  const RadialEvaluator evaluator(degree, peaked.Coefficients);
   const test::ReferenceScale scale(degree, peaked.Coefficients);
   Errors errors;
   for (const Vector3& u : directions)
@@ -131,7 +131,7 @@ TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
   const std::vector<Vector3> directions = ExtremeDirections(test::RandomDirection(random));
   for (const int degree : {12, 40})
   {
-    const SphericalHarmonicModel model = test::RandomOrgan(random, degree);
+    const RadialModel model = test::RandomOrgan(random, degree);
     for (const int exponent : {-25, 15}) // 20 mm become 6e-7 mm and 7e5 mm
     {
       std::vector<double> coefficients = model.Coefficients();
@@ -139,7 +139,7 @@ TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
       {
         c = std::ldexp(c, exponent);
       }
-      const SphericalHarmonicModel scaled(degree, coefficients, model.CenterWorld());
+      const RadialModel scaled(degree, coefficients, model.CenterWorld());
       for (const Vector3& u : directions)
       {
         const auto expected = model.EvaluateSecondOrder(u);
@@ -160,8 +160,8 @@ TEST(HarmonicExtremes, RadiiFromANanometreToAKilometreHaveTheSameDigits)
 TEST(HarmonicExtremes, PointTenMetresAwayIsOnlyRounded)
 {
   Random random(8803);
-  const SphericalHarmonicModel here = test::RandomOrgan(random, 12);
-  const SphericalHarmonicModel there(12, here.Coefficients(), {1e4, -1e4, 1e4});
+  const RadialModel here = test::RandomOrgan(random, 12);
+  const RadialModel there(12, here.Coefficients(), {1e4, -1e4, 1e4});
   const double ulp = std::numeric_limits<double>::epsilon() * 1e4;
   for (const Vector3& u : ExtremeDirections(test::RandomDirection(random)))
   {
@@ -189,7 +189,7 @@ TEST(HarmonicExtremes, TwelveDecadesBetweenDegreesLoseOnlyRoundingOfTheLargest)
             20.0 * std::pow(10.0, isRising ? l - Degree : -l);
       }
     }
-    const SphericalHarmonicEvaluator evaluator(Degree, coefficients);
+    const RadialEvaluator evaluator(Degree, coefficients);
     const SphericalHarmonicBasis basis(Degree);
     const test::ReferenceScale scale(Degree, coefficients);
     std::vector<double> values(basis.Size());
@@ -217,7 +217,7 @@ TEST(HarmonicExtremes, NoOrderOfDegree2000OverflowsOrIsLost)
   {
     const std::size_t index = SphericalHarmonicBasis::Index(HighestDegree, order);
     coefficients[index] = 1e150;
-    const SphericalHarmonicEvaluator evaluator(HighestDegree, coefficients);
+    const RadialEvaluator evaluator(HighestDegree, coefficients);
     coefficients[index] = 0.0;
     for (const double sine : {1e-4, 0.3, 0.6, 0.99})
     {

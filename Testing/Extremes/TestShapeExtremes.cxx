@@ -50,11 +50,11 @@ const SlenderCase SlenderCases[] = {
 class SlenderShapes : public ::testing::TestWithParam<SlenderCase>
 {
 protected:
-  const SphericalHarmonicModel Model = GetParam().Body.Model({3.0, -7.0, 11.0});
+  const RadialModel Model = GetParam().Body.Model({3.0, -7.0, 11.0});
 };
 
 // Near the surface and around the body.
-std::vector<Vector3> OrdinaryPlaces(const SphericalHarmonicModel& model)
+std::vector<Vector3> OrdinaryPlaces(const RadialModel& model)
 {
   Random random(8810);
   std::vector<Vector3> places;
@@ -69,7 +69,7 @@ std::vector<Vector3> OrdinaryPlaces(const SphericalHarmonicModel& model)
 }
 
 // At a tip and at the rim, on the axis, and at the centre.
-std::vector<Vector3> SpecialPlaces(const SphericalHarmonicModel& model)
+std::vector<Vector3> SpecialPlaces(const RadialModel& model)
 {
   std::vector<Vector3> places;
   for (const Vector3& u : {Vector3(0, 0, 1), Vector3(1, 0, 0), Vector3(0, -1, 0)})
@@ -82,7 +82,7 @@ std::vector<Vector3> SpecialPlaces(const SphericalHarmonicModel& model)
   return places;
 }
 
-void ExpectAsNearAsItSays(const SphericalHarmonicModel& model, const std::vector<Vector3>& places,
+void ExpectAsNearAsItSays(const RadialModel& model, const std::vector<Vector3>& places,
                           double unproven)
 {
   const ClosestPointSearch search(test::Shared(model));
@@ -107,7 +107,7 @@ TEST_P(SlenderShapes, NearestPointIsWithinItsErrorBound)
 TEST_P(SlenderShapes, PointLiesOnTheSurfaceAndSphereHardlyOverlaps)
 {
   Random random(8811);
-  const auto contact = test::HarmonicContact(this->Model);
+  const auto contact = test::RadialContact(this->Model);
   for (const double radius : {0.0, 0.2, 1.0})
   {
     const auto tracker = test::TrackerOf(*contact, ToolShape::Sphere(radius));
@@ -151,10 +151,10 @@ struct TouchedOrgan
 {
   TouchedOrgan(double scale, const Vector3& centerWorld) : Model(Scaled(scale, centerWorld))
   {
-    this->Tracker = test::TrackerOf(*test::HarmonicContact(this->Model), ToolShape::Sphere(scale));
+    this->Tracker = test::TrackerOf(*test::RadialContact(this->Model), ToolShape::Sphere(scale));
   }
 
-  static SphericalHarmonicModel Scaled(double scale, const Vector3& centerWorld)
+  static RadialModel Scaled(double scale, const Vector3& centerWorld)
   {
     Random random(8812);
     std::vector<double> coefficients = test::RandomOrgan(random, 12).Coefficients();
@@ -165,7 +165,7 @@ struct TouchedOrgan
     return {12, coefficients, centerWorld};
   }
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   std::unique_ptr<ContactTracker> Tracker;
 };
 

@@ -24,8 +24,7 @@ std::vector<std::string> Seeds()
   {
     std::vector<double> coefficients = SomeElasticModel().Coefficients();
     coefficients.resize(SphericalHarmonicBasis::CoefficientCount(degree), 0.5);
-    ModelDocument document{
-        SphericalHarmonicModel(degree, coefficients, SomeElasticModel().CenterWorld()), {}};
+    ModelDocument document{RadialModel(degree, coefficients, SomeElasticModel().CenterWorld()), {}};
     ComplianceMaps maps = SomeMaps(degree);
     maps.LongWaves.Degree = 0;
     maps.LongWaves.Roots.assign(3, 0.5);
@@ -106,10 +105,10 @@ void ChangeNumbers(std::string& text, Random& random)
 
 std::vector<FuzzTarget> ElasticTargets()
 {
-  const Mutator json = JsonMutator(
-      {"elasticity", "degree", "largest_patch_mm", "poisson_ratio", "long_waves",
-       "compliance_mm2_per_n", "mean_curvature_per_mm", "fit_error", "rms", "largest", "patch_mm",
-       "direction", "surface", "center_mm", "coefficients_mm", "star-shaped", "parametric"});
+  const Mutator json = JsonMutator({"elasticity", "degree", "largest_patch_mm", "poisson_ratio",
+                                    "long_waves", "compliance_mm2_per_n", "mean_curvature_per_mm",
+                                    "fit_error", "rms", "largest", "patch_mm", "direction",
+                                    "surface", "center_mm", "coefficients_mm", "model", "radial"});
   return {{"model-elastic", "a.json", Seeds,
            OneOf({json, ChangeNumbers, ChangeNumbers, MutateBytes}),
            []

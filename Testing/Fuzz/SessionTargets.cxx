@@ -95,7 +95,7 @@ std::string CohortTableSeed()
   fitted.Key = "0123456789abcdef";
   fitted.Result.State = FitResult::Outcome::Fitted;
   fitted.Result.Structure.Label = 1;
-  fitted.Result.Model = SphericalHarmonicModel(4, std::vector<double>(25, 0.0), Vector3(1, 2, 3));
+  fitted.Result.Model = RadialModel(4, std::vector<double>(25, 0.0), Vector3(1, 2, 3));
   CohortRow refused = fitted;
   refused.Result.State = FitResult::Outcome::Refused;
   refused.Result.Message = "hides 12 %, of its surface";

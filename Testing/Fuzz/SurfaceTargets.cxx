@@ -297,14 +297,14 @@ InputReader ModelReader(const std::string& fileName)
                     { ModelToJson(ReadModel(file), "out.json"); });
 }
 
-ModelDocument SomeModel(bool isParametric)
+ModelDocument SomeModel(bool isSurface)
 {
   Random random(5);
   const ModelProvenance provenance{"palpate 1", "a.nii", "2", "", {{"degree", "3"}}};
-  const SphericalHarmonicModel star(3, RandomNumbers(random, 16, 5.0), Vector3(1, 2, 3));
-  if (isParametric)
+  const RadialModel star(3, RandomNumbers(random, 16, 5.0), Vector3(1, 2, 3));
+  if (isSurface)
   {
-    return {ParametricSphericalSurface::FromModel(star), provenance};
+    return {SurfaceModel::FromModel(star), provenance};
   }
   return {star, provenance};
 }
@@ -318,9 +318,9 @@ std::vector<std::string> ModelSeeds(const Write& write)
 
 std::vector<FuzzTarget> SurfaceTargets()
 {
-  const Mutator json =
-      JsonMutator({"format", "version", "surface", "degree", "center_mm", "coefficients_mm", "x",
-                   "y", "z", "star-shaped", "parametric", "provenance", "settings"});
+  const Mutator json = JsonMutator({"format", "version", "surface", "degree", "center_mm",
+                                    "coefficients_mm", "x", "y", "z", "model", "radial", "surface",
+                                    "star-shaped", "parametric", "provenance", "settings"});
   const Mutator coefficients = TextMutator({{}, {{"{", "}"}}, ""});
   return {{"vtp", "a.vtp", VtpSeeds, VtpMutator(), [] { return SurfaceReader("a.vtp"); }},
           {"stl", "a.stl", StlSeeds, StlMutator(), [] { return SurfaceReader("a.stl"); }},

@@ -111,7 +111,7 @@ inline void WriteTorus(const std::filesystem::path& path)
 }
 
 /// The sphere of 10 mm around (1, 2, 3) mm, as a model of degree 1 with a small tilt.
-inline SphericalHarmonicModel NearlyASphere()
+inline RadialModel NearlyASphere()
 {
   const double root = std::sqrt(4.0 * 3.14159265358979323846);
   return {1, {10.0 * root, 0.0, 0.25, 0.0}, Vector3(1.0, 2.0, 3.0)};

@@ -26,7 +26,7 @@ using Json = nlohmann::json;
 void WriteSphere(const std::filesystem::path& path, double radius, const Vector3& center)
 {
   ModelDocument document;
-  document.Surface = SphericalHarmonicModel(0, {radius * std::sqrt(4.0 * M_PI)}, center);
+  document.Surface = RadialModel(0, {radius * std::sqrt(4.0 * M_PI)}, center);
   WriteModel(path, document);
 }
 

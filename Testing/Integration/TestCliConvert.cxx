@@ -41,7 +41,7 @@ TEST(CliConvert, CoefOutputReportsLossUnlessQuiet)
   EXPECT_EQ(RunPalpate({"convert", "a.json", "a.coef", "--quiet"}, folder.Path()).Errors, "");
 }
 
-TEST(CliConvert, StarShapedAndParametricFormsGiveSameSurface)
+TEST(CliConvert, RadialAndSurfaceFormsGiveSameSurface)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");

@@ -36,7 +36,7 @@ TEST(CliEvaluate, JsonNumbersEqualKernelsBitForBit)
 {
   const TemporaryFolder folder;
   const Json result = Evaluate(folder, {"--direction", "0,0,-2"});
-  const SphericalHarmonicModel model = NearlyASphere();
+  const RadialModel model = NearlyASphere();
   const Vector3 down(0.0, 0.0, -1.0);
   EXPECT_EQ(result.at("degree"), 1);
   EXPECT_EQ(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0);
@@ -93,15 +93,15 @@ TEST(CliEvaluate, TextStatesUnitsAndFrame)
   }
 }
 
-TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
+TEST(CliEvaluate, SurfaceModelHasSameVolumeAndArea)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");
   RunPalpate({"convert", "a.json", "a.coef"}, folder.Path());
   const Json result =
       Json::parse(RunPalpate({"evaluate", "a.coef", "--json"}, folder.Path()).Output);
-  const SphericalHarmonicModel model = NearlyASphere();
-  EXPECT_EQ(result.at("surface"), "parametric");
+  const RadialModel model = NearlyASphere();
+  EXPECT_EQ(result.at("model"), "surface");
   EXPECT_EQ(result.at("inside_out"), false);
   // Both are sums of some hundred terms of equal magnitude.
   EXPECT_NEAR(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0, 1e-12);
@@ -109,7 +109,7 @@ TEST(CliEvaluate, ParametricFormHasSameVolumeAndArea)
 }
 
 // The same sphere, seen by its nearest points instead of its radii.
-TEST(CliEvaluate, ParametricFormKnowsInsideAndDistance)
+TEST(CliEvaluate, SurfaceModelKnowsInsideAndDistance)
 {
   const TemporaryFolder folder;
   WriteNearlyASphere(folder / "a.json");

@@ -53,7 +53,7 @@ TEST(CliFit, OneStructureGivesNumbersFilesAndReport)
     EXPECT_TRUE(std::filesystem::exists(folder / "out" / file)) << file;
   }
   const auto document = palpate::ReadModel(folder / "out" / "model.json");
-  const auto& model = std::get<palpate::SphericalHarmonicModel>(document.Surface);
+  const auto& model = std::get<palpate::RadialModel>(document.Surface);
   EXPECT_EQ(model.Degree(), 6);
   // Report and JSON agree with the model's file.
   EXPECT_DOUBLE_EQ(VolumeOf(model) / 1000.0, result.at("volume_ml").at("model").get<double>());

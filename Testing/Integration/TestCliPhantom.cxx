@@ -50,8 +50,8 @@ TEST(CliPhantom, FilesMatchGroundTruth)
                     "5", "--degree", "9", "--format", format},
                    folder.Path());
     EXPECT_EQ(run.Code, 0) << run.Errors;
-    const auto truth = std::get<palpate::SphericalHarmonicModel>(
-        palpate::ReadModel(folder / "p/truth.json").Surface);
+    const auto truth =
+        std::get<palpate::RadialModel>(palpate::ReadModel(folder / "p/truth.json").Surface);
     EXPECT_EQ(truth.Coefficients(),
               palpate::MakeProstateLikeModel(9, 5, palpate::Vector3::Zero()).Coefficients());
     const std::string mask = std::string("p/mask.") + format;

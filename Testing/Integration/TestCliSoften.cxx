@@ -262,7 +262,7 @@ TEST_F(CliSoften, RefusesWhatCannotYield)
 TEST_F(CliSoften, RefusesWithTheReason)
 {
   palpate::WriteModel(this->Folder / "surface.json",
-                      {palpate::ParametricSphericalSurface::FromModel(NearlyASphere()), {}});
+                      {palpate::SurfaceModel::FromModel(NearlyASphere()), {}});
   std::vector<std::string> afloat{"gland.json", "--free-angle", "170"};
   for (const char* side : {"left", "right"})
   {

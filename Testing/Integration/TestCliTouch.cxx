@@ -144,7 +144,7 @@ TEST(CliTouch, ModelsHaveNoLabels)
 {
   const TemporaryFolder folder;
   ModelDocument document;
-  document.Surface = SphericalHarmonicModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  document.Surface = RadialModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   WriteModel(folder / "a.json", document);
   const CommandRun run = RunPalpate({"touch", "a.json", "--label", "1"}, folder.Path());
   EXPECT_EQ(run.Code, 2);
@@ -162,7 +162,7 @@ TEST(CliTouch, SceneStatesItsStructuresItself)
 {
   const TemporaryFolder folder;
   ModelDocument document;
-  document.Surface = SphericalHarmonicModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  document.Surface = RadialModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   WriteModel(folder / "a.json", document);
   std::ofstream(folder / "a.scene.json")
       << R"({"format": "palpate-scene", "structures": [{"file": "a.json"}]})";

@@ -7,9 +7,9 @@
 #include "MarkupCheck.h"
 #include "ModelFile.h"
 #include "ModelMeasures.h"
-#include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
+#include "SurfacePhantoms.h"
 #include "TemporaryFolder.h"
 #include "TurnedModel.h"
 #include "WorstCase.h"
@@ -29,7 +29,7 @@ using palpate::test::TemporaryFolder;
 class Cohort
 {
 public:
-  void Add(const std::string& name, const SurfaceModel& model, int label = 1)
+  void Add(const std::string& name, const OrganModel& model, int label = 1)
   {
     const std::string file = PlainFile(name) + "_" + std::to_string(label) + ".json";
     WriteModel(this->Folder / file, {model, {}});
@@ -66,7 +66,7 @@ private:
 void AddKnownCases(Cohort& cohort)
 {
   Random random(21);
-  const SphericalHarmonicModel mean = palpate::test::RandomOrgan(random, 5);
+  const RadialModel mean = palpate::test::RandomOrgan(random, 5);
   const double scores[4][2] = {{2.0, 0.5}, {-2.0, 0.5}, {2.0, -0.5}, {-2.0, -0.5}};
   const char* const names[4] = {"a", "b, with \"quotes\"", "c", "d"};
   for (int i = 0; i < 4; ++i)
@@ -74,7 +74,7 @@ void AddKnownCases(Cohort& cohort)
     std::vector<double> coefficients = mean.Coefficients();
     coefficients[6] += scores[i][0];
     coefficients[10] += scores[i][1];
-    cohort.Add(names[i], SphericalHarmonicModel(5, coefficients, Vector3(10.0 * i, 3.0, -4.0)));
+    cohort.Add(names[i], RadialModel(5, coefficients, Vector3(10.0 * i, 3.0, -4.0)));
   }
 }
 
@@ -82,21 +82,21 @@ void AddKnownCases(Cohort& cohort)
 void AddTubes(Cohort& cohort)
 {
   Random random(22);
-  const ParametricSphericalSurface mean = palpate::test::BumpyTube(random, 5);
+  const SurfaceModel mean = palpate::test::BumpyTube(random, 5);
   const double scores[3] = {1.0, 0.0, -1.0};
   for (int i = 0; i < 3; ++i)
   {
     std::vector<double> x = mean.Coefficients(0);
     x[20] += scores[i];
-    const ParametricSphericalSurface tube(5, {x, mean.Coefficients(1), mean.Coefficients(2)});
+    const SurfaceModel tube(5, {x, mean.Coefficients(1), mean.Coefficients(2)});
     cohort.Add(std::string(1, static_cast<char>('t' + i)),
                tube.Transformed(Matrix3::Identity(), Vector3(10.0 * i, 3.0, -4.0)));
   }
 }
 
-const std::vector<double>& CoefficientsOf(const SurfaceModel& model)
+const std::vector<double>& CoefficientsOf(const OrganModel& model)
 {
-  return std::get<SphericalHarmonicModel>(model).Coefficients();
+  return std::get<RadialModel>(model).Coefficients();
 }
 
 double Field(const CsvRecord& record, const std::string& column)
@@ -111,9 +111,8 @@ TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
   const CohortGroup group = cohort.Group(AlignmentAxes::Patient);
   WriteCohortGroup(group, {}, cohort.Folder / "out", "test");
   Random random(21);
-  const SphericalHarmonicModel mean = palpate::test::RandomOrgan(random, 5);
-  const auto read =
-      std::get<SphericalHarmonicModel>(ReadModel(cohort.Folder / "out/mean.json").Surface);
+  const RadialModel mean = palpate::test::RandomOrgan(random, 5);
+  const auto read = std::get<RadialModel>(ReadModel(cohort.Folder / "out/mean.json").Surface);
   palpate::test::WorstCase worst;
   for (std::size_t k = 0; k < mean.Coefficients().size(); ++k)
   {
@@ -130,7 +129,7 @@ TEST(CohortGroup, FilesRestoreKnownMeanAndModes)
   EXPECT_NEAR(Field(scores[1], "mode_1"), -2.0, 1e-12);
   EXPECT_NEAR(Field(scores[2], "mode_2"), -0.5, 1e-12);
   const auto plus =
-      std::get<SphericalHarmonicModel>(ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
+      std::get<RadialModel>(ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
   EXPECT_NEAR(plus.Coefficients()[6] - mean.Coefficients()[6], 2.0 * std::sqrt(16.0 / 3.0), 1e-12);
 }
 
@@ -148,8 +147,8 @@ TEST(CohortGroup, SurfaceModelsVaryInTheirThreeCoordinates)
       CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "out/coefficients.csv"));
   EXPECT_NEAR(Field(coefficients[0], "x_4_0") - Field(coefficients[2], "x_4_0"), 2.0, 1e-9);
   EXPECT_NEAR(Field(coefficients[0], "z_4_0"), Field(coefficients[2], "z_4_0"), 1e-9);
-  const auto plus = std::get<ParametricSphericalSurface>(
-      ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
+  const auto plus =
+      std::get<SurfaceModel>(ReadModel(cohort.Folder / "out/mode_1_plus.json").Surface);
   EXPECT_EQ(plus.Degree(), 5);
   EXPECT_EQ(palpate::test::MarkupError(palpate::test::ReadAll(cohort.Folder / "out/cohort.html")),
             "");
@@ -179,7 +178,7 @@ TEST(CohortGroup, TablesHaveOneRowPerCase)
   ASSERT_EQ(coefficients.size(), 4U);
   const std::size_t row = table.find('\n') + 1;
   EXPECT_EQ(std::count(&table[row], &table[table.find('\n', row)], ','), 36 + 1);
-  const SphericalHarmonicModel& last = *cohort.Table.Rows()[3].Result.Radial();
+  const RadialModel& last = *cohort.Table.Rows()[3].Result.Radial();
   EXPECT_EQ(Field(coefficients[3], "c_0_0"), last.Coefficients()[0]);
   EXPECT_EQ(Field(coefficients[3], "c_1_-1"), last.Coefficients()[1]);
   EXPECT_EQ(Field(coefficients[3], "c_5_5"), last.Coefficients()[35]);
@@ -191,7 +190,7 @@ TEST(CohortGroup, TablesHaveOneRowPerCase)
 TEST(CohortGroup, RotatedAndMovedCopiesAlignToOneShape)
 {
   Random random(22);
-  const SphericalHarmonicModel model = palpate::test::RandomOrgan(random, 6);
+  const RadialModel model = palpate::test::RandomOrgan(random, 6);
   Cohort cohort;
   cohort.Add("0", model);
   for (int copy = 1; copy < 5; ++copy)
@@ -201,7 +200,7 @@ TEST(CohortGroup, RotatedAndMovedCopiesAlignToOneShape)
   }
   const CohortGroup group = cohort.Group(AlignmentAxes::Ellipsoid);
   palpate::test::WorstCase worst;
-  for (const SurfaceModel& aligned : group.Models)
+  for (const OrganModel& aligned : group.Models)
   {
     for (std::size_t k = 0; k < CoefficientsOf(aligned).size(); ++k)
     {
@@ -252,10 +251,10 @@ CohortGroup NumberedGroup(const std::vector<int>& numbers, bool isRadial, Alignm
     Random random(100 + static_cast<unsigned>(number));
     const Vector3 center(3.0 * number, -number, 40.0);
     const std::string name(1, static_cast<char>('a' + number));
-    const SphericalHarmonicModel organ = palpate::test::RandomOrgan(random, 5);
+    const RadialModel organ = palpate::test::RandomOrgan(random, 5);
     if (isRadial)
     {
-      cohort.Add(name, SphericalHarmonicModel(5, organ.Coefficients(), center));
+      cohort.Add(name, RadialModel(5, organ.Coefficients(), center));
     }
     else
     {
@@ -365,8 +364,8 @@ TEST(CohortGroup, CommandRatesAlignsAndSynthesizes)
   EXPECT_EQ(CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "alignment.csv")).size(), 4U);
   EXPECT_EQ(CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "distances.csv")).size(), 4U);
   EXPECT_GE(CsvRecordsIn(palpate::test::ReadAll(cohort.Folder / "model_quality.csv")).size(), 2U);
-  const SurfaceModel shape = ReadModel(cohort.Folder / "shape.json").Surface;
-  const SurfaceModel plus = ReadModel(cohort.Folder / "mode_1_plus.json").Surface;
+  const OrganModel shape = ReadModel(cohort.Folder / "shape.json").Surface;
+  const OrganModel plus = ReadModel(cohort.Folder / "mode_1_plus.json").Surface;
   EXPECT_EQ(CoefficientsOf(shape), CoefficientsOf(plus));
   for (const auto& wrong : {std::vector<std::string>{"--scale"},
                             {"--align-to", "mean.json"},

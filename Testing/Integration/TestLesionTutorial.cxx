@@ -68,7 +68,7 @@ void LesionTutorialTest::Feel()
   this->Study->Change("Show the model", next);
   this->BeginTouch();
   this->Action("Slices follow the probe")->trigger();
-  const SphericalHarmonicModel& gland = *this->Fit().Radial();
+  const RadialModel& gland = *this->Fit().Radial();
   const Vector3 over = gland.PointWorld(Vector3::UnitY()) + 5.0 * Vector3::UnitY();
   this->HoldStill(over, Vector3::UnitY()); // 3 mm deep
   const double atNodule = this->Force();

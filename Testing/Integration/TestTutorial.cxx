@@ -17,7 +17,7 @@ protected:
   // 1.4 mm below the point where the line to the eye leaves the gland.
   void HoldInGland()
   {
-    const SphericalHarmonicModel& gland = *this->Fit().Radial();
+    const RadialModel& gland = *this->Fit().Radial();
     const Vector3 toEye = this->Window->Views()->Space()->Axes().col(2);
     this->HoldStill(gland.CenterWorld() + (gland.Radius(toEye) - 1.4) * toEye, toEye);
   }

@@ -53,7 +53,7 @@ TEST(Version010, TouchesSceneWithEveryKey)
 TEST(Version010, ModelOpens)
 {
   const ModelDocument document = ReadModel(Folder / "model.json");
-  const auto& model = std::get<SphericalHarmonicModel>(document.Surface);
+  const auto& model = std::get<RadialModel>(document.Surface);
   EXPECT_EQ(model.Degree(), 6);
   EXPECT_EQ(model.Coefficients()[0], 76.62410670927625);
 }

@@ -61,7 +61,7 @@ double RadiusAt(const Vector3& direction)
          blend * std::log(std::exp((least - sphere) / blend) + std::exp((least - cleft) / blend));
 }
 
-SphericalHarmonicModel NotchModel()
+RadialModel NotchModel()
 {
   const auto& shape = Reference()["shape"];
   const int degree = shape["degree"];
@@ -80,14 +80,14 @@ SphericalHarmonicModel NotchModel()
 // Elements of 3 mm carry the harmonics that a cleft of that size needs.
 struct Notch
 {
-  std::shared_ptr<const SphericalHarmonicModel> Model;
+  std::shared_ptr<const RadialModel> Model;
   ComplianceMaps Maps;
   std::shared_ptr<const ContactModel> Contact;
 };
 
 Notch MakeNotch()
 {
-  Notch notch{std::make_shared<const SphericalHarmonicModel>(NotchModel()), {}, nullptr};
+  Notch notch{std::make_shared<const RadialModel>(NotchModel()), {}, nullptr};
   const double tissue = Reference()["tissue_kpa"];
   const double bed = Reference()["bed_kpa_per_mm"];
   const ElasticSolid solid{TissueMap(1e-3 * tissue), Reference()["poisson_ratio"],

@@ -34,14 +34,14 @@ SofteningSettings SettingsOf(const nlohmann::json& reference)
   return settings;
 }
 
-ComplianceAtlas AtlasOf(const SphericalHarmonicModel& model, const SofteningSettings& settings)
+ComplianceAtlas AtlasOf(const RadialModel& model, const SofteningSettings& settings)
 {
   return ComplianceAtlas(*SoftenModel(model, "organ", settings, {}).Elasticity);
 }
 
 // Along the normal, N.
-double PushAt(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-              const Vector3& direction, double depth)
+double PushAt(const ComplianceAtlas& atlas, const RadialModel& model, const Vector3& direction,
+              double depth)
 {
   return ElasticForce::Of(atlas, model, direction, depth, Ball)
       .ForceWorld.dot(model.Normal(direction));
@@ -50,8 +50,8 @@ double PushAt(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
 TEST(ElasticReference, SphereAgrees)
 {
   const nlohmann::json reference = Reference("sphere.json");
-  const SphericalHarmonicModel ball(0, {double(reference["radius_mm"]) * std::sqrt(4.0 * M_PI)},
-                                    Vector3::Zero());
+  const RadialModel ball(0, {double(reference["radius_mm"]) * std::sqrt(4.0 * M_PI)},
+                         Vector3::Zero());
   const ComplianceAtlas atlas = AtlasOf(ball, SettingsOf(reference));
   for (std::size_t i = 0; i < reference["depths_mm"].size(); ++i)
   {
@@ -112,7 +112,7 @@ protected:
 
   std::filesystem::path Lesion;
   nlohmann::json Expected;
-  SphericalHarmonicModel Model{0, {1.0}, Vector3::Zero()};
+  RadialModel Model{0, {1.0}, Vector3::Zero()};
 };
 
 TEST_P(ElasticGland, ForcesAndContrastAgree)

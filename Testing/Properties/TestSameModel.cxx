@@ -11,9 +11,9 @@
 #include "vtkIcosahedronDirections.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
+#include "vtkRadialModelFit.h"
 #include "vtkRadialSampler.h"
 #include "vtkSegmentationSurface.h"
-#include "vtkSphericalHarmonicFit.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -41,15 +41,15 @@ std::string TextOf(const std::vector<double>& numbers)
 }
 
 // Degree, centre and coefficients as hexadecimal floats; a surface model has no centre.
-std::string TextOf(const SurfaceModel& model)
+std::string TextOf(const OrganModel& model)
 {
-  if (const auto* radial = std::get_if<SphericalHarmonicModel>(&model))
+  if (const auto* radial = std::get_if<RadialModel>(&model))
   {
     const Vector3& c = radial->CenterWorld();
     return TextOf({c[0], c[1], c[2]}) + TextOf(radial->Coefficients());
   }
   std::vector<double> all;
-  const auto& surface = std::get<ParametricSphericalSurface>(model);
+  const auto& surface = std::get<SurfaceModel>(model);
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double>& one = surface.Coefficients(axis);
@@ -76,7 +76,7 @@ void WriteMask(int number, const std::filesystem::path& file)
     }
   }
   grid.CenterOnOrigin();
-  const SphericalHarmonicModel body = test::RandomOrgan(random, 4);
+  const RadialModel body = test::RandomOrgan(random, 4);
   const double scale = 14.0 / body.Radius(Vector3::UnitX());
   const auto isInside = [&](double x, double y, double z)
   {
@@ -98,13 +98,13 @@ std::string ByFilters(vtkImageData* image, const FitSettings& settings)
   vtkNew<vtkRadialSampler> sampler;
   sampler->SetInputConnection(surface->GetOutputPort());
   sampler->SetDirectionsConnection(directions->GetOutputPort());
-  vtkNew<vtkSphericalHarmonicFit> fit;
+  vtkNew<vtkRadialModelFit> fit;
   fit->SetInputConnection(sampler->GetOutputPort());
   fit->SetDegree(settings.Degree);
   fit->Update();
-  SphericalHarmonicModel model;
+  RadialModel model;
   EXPECT_TRUE(FromTable(fit->GetOutput(), model));
-  return TextOf(SurfaceModel(model));
+  return TextOf(OrganModel(model));
 }
 
 std::string ByLibraryForC(vtkImageData* image, const FitSettings& settings)

@@ -41,7 +41,7 @@ struct Sources
 {
   explicit Sources(Random& random)
   {
-    const SphericalHarmonicModel sphere(0, {6.0 * std::sqrt(4.0 * M_PI)}, Vector3(10.0, 9.0, 0.0));
+    const RadialModel sphere(0, {6.0 * std::sqrt(4.0 * M_PI)}, Vector3(10.0, 9.0, 0.0));
     WriteModel(this->Model, {sphere, {}});
     WriteSurface(this->Surface, DrawModel(sphere, 3));
     test::LabelGrid grid;
@@ -142,14 +142,14 @@ SceneStructure RandomStructure(Random& random, const Sources& sources, int id)
   structure.Degree = RandomWhole(random, 2, 9);
   structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
   structure.Smoothing = RandomNumber(random, 0.0, 1.5);
-  structure.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
+  structure.Mode = static_cast<RadialContactMode>(RandomWhole(random, 0, 1));
   structure.Damping = RandomNumber(random, 0.0, 0.002);
   SetRandomEffects(random, sources, structure);
   structure.Stiffness = RandomNumber(random, 0.1, 1.5);
   const double friction = RandomNumber(random, 0.0, 0.5);
   structure.Friction = {friction + RandomNumber(random, 0.0, 0.5), friction};
   structure.IsForbidden = id == 2 && RandomWhole(random, 0, 3) == 0;
-  if (structure.Mode == HarmonicContactMode::Radial)
+  if (structure.Mode == RadialContactMode::Radial)
   {
     structure.Friction = {}; // the radial method has none
   }

@@ -16,13 +16,13 @@ class SpharmPdmConvention : public testing::TestWithParam<const char*>
 {
 };
 
-ParametricSphericalSurface ReadSurface(const std::filesystem::path& path)
+SurfaceModel ReadSurface(const std::filesystem::path& path)
 {
-  return std::get<ParametricSphericalSurface>(ReadModel(path).Surface);
+  return std::get<SurfaceModel>(ReadModel(path).Surface);
 }
 
 // The same surface, with another scale for the coefficients of order m > 0.
-ParametricSphericalSurface Rescaled(const ParametricSphericalSurface& surface, double factor)
+SurfaceModel Rescaled(const SurfaceModel& surface, double factor)
 {
   std::array<std::vector<double>, 3> coefficients;
   for (int k = 0; k < 3; ++k)
@@ -42,7 +42,7 @@ ParametricSphericalSurface Rescaled(const ParametricSphericalSurface& surface, d
 
 // Spread of the area to which a solid angle of the parameter sphere is mapped, relative to its
 // mean.
-double AreaDistortion(const ParametricSphericalSurface& surface)
+double AreaDistortion(const SurfaceModel& surface)
 {
   const SphereQuadrature sphere(60);
   double sum = 0.0;
@@ -50,14 +50,14 @@ double AreaDistortion(const ParametricSphericalSurface& surface)
   for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
   {
     const auto sample = surface.Evaluate(sphere.Directions[i]);
-    const double area = ParametricSphericalSurface::AreaVector(sample).norm();
+    const double area = SurfaceModel::AreaVector(sample).norm();
     sum += sphere.Weights[i] * area / (4 * M_PI);
     squares += sphere.Weights[i] * area * area / (4 * M_PI);
   }
   return std::sqrt(squares - sum * sum) / sum;
 }
 
-Vector3 FirstOrder(const ParametricSphericalSurface& surface, int order)
+Vector3 FirstOrder(const SurfaceModel& surface, int order)
 {
   const std::size_t index = SphericalHarmonicBasis::Index(1, order);
   return {surface.Coefficients(0)[index], surface.Coefficients(1)[index],
@@ -68,7 +68,7 @@ TEST_P(SpharmPdmConvention, AreasAreBestPreservedWithOurScale)
 {
   const std::filesystem::path path = test::DataPath(GetParam());
   PALPATE_REQUIRE_FILE(path);
-  const ParametricSphericalSurface surface = ReadSurface(path);
+  const SurfaceModel surface = ReadSurface(path);
   const double ours = AreaDistortion(surface);
   EXPECT_LT(ours, AreaDistortion(Rescaled(surface, std::sqrt(2.0))));
   EXPECT_LT(ours, AreaDistortion(Rescaled(surface, std::sqrt(0.5))));
@@ -78,7 +78,7 @@ TEST_P(SpharmPdmConvention, FirstOrderEllipsoidHasOrthogonalAxes)
 {
   const std::filesystem::path path = test::DataPath(GetParam());
   PALPATE_REQUIRE_FILE(path);
-  const ParametricSphericalSurface surface = ReadSurface(path);
+  const SurfaceModel surface = ReadSurface(path);
   for (const auto& [a, b] : {std::pair(-1, 0), std::pair(0, 1), std::pair(-1, 1)})
   {
     const Vector3 first = FirstOrder(surface, a);

@@ -1,10 +1,10 @@
 #include "LabelMask.h"
 #include "MeshDistances.h"
 #include "NoisyMask.h"
-#include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "SegmentationFile.h"
 #include "SurfaceChain.h"
+#include "SurfacePhantoms.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ IndexedMesh Moved(IndexedMesh mesh, const Matrix3& turn, const Vector3& shift)
 
 // The truth is the tessellation that was voxelised. A mask tells a boundary to some tenth of a
 // voxel, and nowhere better than to its diagonal.
-void ExpectRecovered(const ParametricSphericalSurface& surface)
+void ExpectRecovered(const SurfaceModel& surface)
 {
   const IndexedMesh truth = Tessellated(surface);
   const PlacedMask placed = Voxelised(truth, Isotropic);
@@ -227,7 +227,7 @@ TEST(SurfaceChain, IsDeterministic)
   }
 }
 
-double MeanGap(const ParametricSphericalSurface& a, const std::function<Vector3(const Vector3&)>& b,
+double MeanGap(const SurfaceModel& a, const std::function<Vector3(const Vector3&)>& b,
                double& largest)
 {
   const IcosahedronDirections sphere(10);
@@ -248,7 +248,7 @@ TEST(SurfaceChain, SameDirectionsAreTheSamePlaces)
   std::mt19937_64 random(21);
   const PlacedMask placed = Voxelised(Tessellated(Bowl(12)), {0.5, 0.5, 3.0});
   const VoxelMask& mask = placed.Mask;
-  const ParametricSphericalSurface model = ChainOf(mask, 12).Fit.Surface;
+  const SurfaceModel model = ChainOf(mask, 12).Fit.Surface;
   const auto same = [&](const Vector3& u) { return model.Point(u); };
   double largest = 0.0;
   EXPECT_LT(MeanGap(ChainOf(WithNoise(mask, 0.15, random), 12).Fit.Surface, same, largest), 0.6);
@@ -269,7 +269,7 @@ TEST(SurfaceChain, NoiseKeepsThePlacesOfHorns)
   PALPATE_REQUIRE_FILE(file);
   const Segmentation zones = ReadSegmentation(file);
   const VoxelMask mask = CopyLabelMask(zones.Layers.front(), 1, 1).Mask;
-  const ParametricSphericalSurface model = ChainOf(mask, 12).Fit.Surface;
+  const SurfaceModel model = ChainOf(mask, 12).Fit.Surface;
   const auto same = [&](const Vector3& u) { return model.Point(u); };
   std::mt19937_64 random(21);
   for (int variant = 0; variant < 3; ++variant)

@@ -83,7 +83,7 @@ class Models(unittest.TestCase):
         for coordinate, (index, semi_axis) in enumerate(((3, 15.0), (1, 9.0), (2, 6.0))):
             coefficients[coordinate, index] = semi_axis * UNIT / numpy.sqrt(3)
         model = palpate.Model(coefficients)
-        self.assertFalse(model.is_star_shaped)
+        self.assertFalse(model.is_radial)
         numpy.testing.assert_array_equal(model.coefficients, coefficients)
         numpy.testing.assert_allclose(model.points(numpy.eye(3)), CENTER + numpy.diag([15.0, 9.0, 6.0]), atol=1e-12)
         measures = model.measures()
@@ -118,9 +118,9 @@ class Masks(unittest.TestCase):
         numpy.testing.assert_allclose(measures.centroid, self.center, atol=0.08)
 
     def test_models_are_placed_by_direction(self):
-        for kind in ("parametric", "star-shaped"):
+        for kind in ("surface", "radial"):
             model = self.fitted(kind=kind, spacing=self.spacing, origin=self.origin, direction=self.direction)
-            self.assertEqual(model.is_star_shaped, kind == "star-shaped")
+            self.assertEqual(model.is_radial, kind == "radial")
             self.check(model)
 
     def test_affine_is_the_same_place(self):
@@ -281,7 +281,7 @@ class Arguments(unittest.TestCase):
         self.refused(palpate.Error, "absent.json", palpate.read_model, "absent.json")
         self.refused(palpate.Error, "no voxels", palpate.fit_mask, numpy.zeros((4, 4, 4)))
         self.refused(palpate.Error, "above 0", palpate.fit_mask, numpy.ones((4, 4, 4)), spacing=(1, 1, -1))
-        self.refused(palpate.Error, "star-shaped", palpate.Model(numpy.eye(3, 4)).radii, [1, 0, 0])
+        self.refused(palpate.Error, "radial", palpate.Model(numpy.eye(3, 4)).radii, [1, 0, 0])
         self.refused(palpate.Error, "id", palpate.Scene().add, ball(), id=0)
 
 

@@ -24,13 +24,12 @@ constexpr int StudyFrequency = 12; // 1,442 points
 constexpr int Searches = 8;
 constexpr std::size_t Candidates = 8; // the nearest at equal parameters
 
-IndexedMesh MeshOf(const SurfaceModel& surface)
+IndexedMesh MeshOf(const OrganModel& surface)
 {
-  return Tessellated(std::get<ParametricSphericalSurface>(surface),
-                     IcosahedronDirections(StudyFrequency));
+  return Tessellated(std::get<SurfaceModel>(surface), IcosahedronDirections(StudyFrequency));
 }
 
-double RmsBetween(const SurfaceModel& one, const SurfaceModel& other)
+double RmsBetween(const OrganModel& one, const OrganModel& other)
 {
   MeshDistances distances;
   const Status status = MeasureMeshDistances(MeshOf(one), MeshOf(other), distances);
@@ -67,7 +66,7 @@ Eigen::MatrixXd Spread(const Eigen::MatrixXd& coefficients, const IcosahedronDir
 }
 } // namespace
 
-ShapeModes ModesOf(const std::vector<SurfaceModel>& shapes)
+ShapeModes ModesOf(const std::vector<OrganModel>& shapes)
 {
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(shapes.size()), VectorOf(shapes.front()).size());
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -83,7 +82,7 @@ ShapeModes ModesOf(const std::vector<SurfaceModel>& shapes)
   return modes;
 }
 
-double DistanceFromModel(const ShapeModes& modes, Eigen::Index count, const SurfaceModel& surface)
+double DistanceFromModel(const ShapeModes& modes, Eigen::Index count, const OrganModel& surface)
 {
   count = std::min(count, modes.Modes.cols());
   const IcosahedronDirections sphere(StudyFrequency);
@@ -128,7 +127,7 @@ double DistanceFromModel(const ShapeModes& modes, Eigen::Index count, const Surf
 }
 
 double SpecificityOf(const ShapeModes& modes, Eigen::Index count,
-                     const std::vector<SurfaceModel>& cases, int random)
+                     const std::vector<OrganModel>& cases, int random)
 {
   count = std::min(count, modes.Modes.cols());
   double sum = 0.0;
@@ -136,7 +135,7 @@ double SpecificityOf(const ShapeModes& modes, Eigen::Index count,
   {
     const Eigen::VectorXd scores = RandomScores(modes, 1, static_cast<std::uint64_t>(shape));
     const Eigen::VectorXd values = modes.Mean + modes.Modes.leftCols(count) * scores.head(count);
-    const SurfaceModel drawn = ShapeFrom(values, cases.front());
+    const OrganModel drawn = ShapeFrom(values, cases.front());
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < cases.size(); ++i)
     {

@@ -16,14 +16,14 @@ namespace palpate
 {
 namespace
 {
-std::vector<SurfaceModel> Reparametrised(const std::vector<SurfaceModel>& models,
-                                         const ReparametrisationSettings& settings,
-                                         ReparametrisationResult& result)
+std::vector<OrganModel> Reparametrised(const std::vector<OrganModel>& models,
+                                       const ReparametrisationSettings& settings,
+                                       ReparametrisationResult& result)
 {
-  std::vector<ParametricSphericalSurface> surfaces;
-  for (const SurfaceModel& model : models)
+  std::vector<SurfaceModel> surfaces;
+  for (const OrganModel& model : models)
   {
-    surfaces.push_back(std::get<ParametricSphericalSurface>(model));
+    surfaces.push_back(std::get<SurfaceModel>(model));
   }
   const Status status = ReparametriseGroup(surfaces, settings, result);
   if (!status.IsOk())
@@ -33,7 +33,7 @@ std::vector<SurfaceModel> Reparametrised(const std::vector<SurfaceModel>& models
   return {result.Surfaces.begin(), result.Surfaces.end()};
 }
 
-void PrintModel(const char* name, const std::vector<SurfaceModel>& models)
+void PrintModel(const char* name, const std::vector<OrganModel>& models)
 {
   const ShapeModes modes = ModesOf(models);
   const ShapeModelQuality quality = MeasureShapeModel(modes, {});
@@ -80,7 +80,7 @@ void PrintCases(const ReparametrisationResult& result)
             << ", worst " << worst << ", largest " << largest << " mm\n";
 }
 
-void CrossValidate(const std::vector<SurfaceModel>& all, std::size_t folds, int random,
+void CrossValidate(const std::vector<OrganModel>& all, std::size_t folds, int random,
                    const ReparametrisationSettings& settings)
 {
   const std::vector<Eigen::Index> counts{10, 20};
@@ -91,19 +91,19 @@ void CrossValidate(const std::vector<SurfaceModel>& all, std::size_t folds, int 
   std::vector<double> movedRandom(counts.size());
   for (std::size_t fold = 0; fold < folds; ++fold)
   {
-    std::vector<SurfaceModel> training;
-    std::vector<SurfaceModel> left;
+    std::vector<OrganModel> training;
+    std::vector<OrganModel> left;
     for (std::size_t i = 0; i < all.size(); ++i)
     {
       (i % folds == fold ? left : training).push_back(all[i]);
     }
     ReparametrisationResult result;
-    const std::vector<SurfaceModel> better = Reparametrised(training, settings, result);
+    const std::vector<OrganModel> better = Reparametrised(training, settings, result);
     const ShapeModes before = ModesOf(training);
     const ShapeModes after = ModesOf(better);
     for (std::size_t k = 0; k < counts.size(); ++k)
     {
-      for (const SurfaceModel& one : left)
+      for (const OrganModel& one : left)
       {
         const double first = DistanceFromModel(before, counts[k], one);
         const double second = DistanceFromModel(after, counts[k], one);
@@ -142,13 +142,13 @@ int Run(int count, char** arguments)
   const auto folds = static_cast<std::size_t>(number(4, 0));
   const CohortGroup group = MakeCohortGroup(CohortTable::Read(folder + "/cohort.csv"), folder, "",
                                             AlignmentAxes::Patient);
-  std::vector<SurfaceModel> models = group.Models;
+  std::vector<OrganModel> models = group.Models;
   models.resize(std::min(models.size(), static_cast<std::size_t>(number(5, 1e9))), models.front());
   settings.ToleranceMillimeters = number(7, settings.ToleranceMillimeters);
   settings.Damping = number(8, settings.Damping);
   const auto start = std::chrono::steady_clock::now();
   ReparametrisationResult result;
-  const std::vector<SurfaceModel> better = Reparametrised(models, settings, result);
+  const std::vector<OrganModel> better = Reparametrised(models, settings, result);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   std::cout << std::unitbuf << models.size() << " cases, field degree " << settings.FieldDegree
             << ", noise " << settings.NoiseMillimeters << " mm: " << took.count() << " s\n";

@@ -31,7 +31,7 @@ protected:
   {
     constexpr double Radius = 20.0; // mm
     WriteModel(this->Folder / "sphere.json",
-               {SphericalHarmonicModel(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+               {RadialModel(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
   }
   SceneSettings SceneWith(const std::string& entry) const
   {

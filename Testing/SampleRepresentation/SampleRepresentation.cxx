@@ -16,9 +16,8 @@ SceneProduct MakeContact(const FitResult& found, double margin)
   const double radius = std::cbrt(0.75 * volume / M_PI) + margin;
   double center[3];
   found.Surface->GetCenter(center);
-  const SphericalHarmonicModel sphere(0, {radius * std::sqrt(4.0 * M_PI)},
-                                      {center[0], center[1], center[2]});
-  TouchContact contact = MakeHarmonicContact(sphere, HarmonicContactMode::Nearest, found.Input);
+  const RadialModel sphere(0, {radius * std::sqrt(4.0 * M_PI)}, {center[0], center[1], center[2]});
+  TouchContact contact = MakeModelContact(sphere, RadialContactMode::Nearest, found.Input);
   contact.Represented = "sphere";
   return std::make_shared<const TouchContact>(std::move(contact));
 }

@@ -10,13 +10,13 @@ namespace palpate::test
 {
 /// The body of published comparisons of haptics libraries: 25 mm (1 + 0.15 b), where b is of
 /// degrees 3 and 4 and at most 1. Centre off the origin.
-inline SphericalHarmonicModel BumpyBody(Random& random)
+inline RadialModel BumpyBody(Random& random)
 {
   constexpr double Radius = 25.0; // mm
   constexpr double Height = 0.15;
   std::vector<double> coefficients = RandomCoefficients(random, 4);
   std::fill(coefficients.begin(), coefficients.begin() + 9, 0.0); // degrees 0 to 2
-  const SphericalHarmonicModel bumps(4, coefficients, Vector3::Zero());
+  const RadialModel bumps(4, coefficients, Vector3::Zero());
   double highest = 0.0;
   const IcosahedronDirections sphere(20);
   for (const Vector3& u : sphere.Directions())

@@ -28,14 +28,13 @@ constexpr double Stiffer = 0.08; // N/mm^2
 constexpr double Poisson = 0.49;
 constexpr double Bed = 1e-3; // N/mm^3
 
-inline SphericalHarmonicModel SphereModel(double radius = Radius)
+inline RadialModel SphereModel(double radius = Radius)
 {
   return {0, {radius * std::sqrt(4.0 * Pi)}, Vector3(3.0, -2.0, 5.0)};
 }
 
 /// A bumpy star shape.
-inline SphericalHarmonicModel RandomModel(std::mt19937_64& random, int degree = 4,
-                                          double roughness = 0.06)
+inline RadialModel RandomModel(std::mt19937_64& random, int degree = 4, double roughness = 0.06)
 {
   std::normal_distribution<double> normal;
   std::vector<double> coefficients(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
@@ -54,7 +53,7 @@ inline Vector3 HollowDirection()
 }
 
 /// With a deep hollow, into which no ball fits that is used as a tool.
-inline SphericalHarmonicModel HollowModel()
+inline RadialModel HollowModel()
 {
   const auto radius = [](const Vector3& d)
   { return 24.0 - 9.0 * std::exp(12.0 * (d.dot(HollowDirection()) - 1.0)); };
@@ -84,7 +83,7 @@ inline ElasticSolid PlainSolid()
 /// A model with its solid and what is made of them.
 struct ElasticCase
 {
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   ElasticSolid Solid = PlainSolid();
   StarMesh Mesh;
   StiffnessMatrix Stiffness;

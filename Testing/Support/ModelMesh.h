@@ -1,7 +1,7 @@
 #pragma once
 
 #include "IcosahedronDirections.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -14,8 +14,7 @@
 namespace palpate::test
 {
 /// The surface of a model over the directions of an icosahedron, without arrays.
-inline vtkSmartPointer<vtkPolyData> MakeModelMesh(const SphericalHarmonicModel& model,
-                                                  int frequency)
+inline vtkSmartPointer<vtkPolyData> MakeModelMesh(const RadialModel& model, int frequency)
 {
   const IcosahedronDirections directions(frequency);
   vtkNew<vtkPoints> points;
@@ -36,7 +35,7 @@ inline vtkSmartPointer<vtkPolyData> MakeModelMesh(const SphericalHarmonicModel& 
 }
 
 /// A sphere's model; lengths mm.
-inline SphericalHarmonicModel SphereModel(double radius, const Vector3& centerWorld)
+inline RadialModel SphereModel(double radius, const Vector3& centerWorld)
 {
   return {0, {radius * std::sqrt(4.0 * M_PI)}, centerWorld};
 }

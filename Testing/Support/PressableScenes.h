@@ -3,9 +3,9 @@
 #include "FacetContactModel.h"
 #include "FieldBuilder.h"
 #include "FieldContactModel.h"
-#include "HarmonicContactModel.h"
 #include "IcosahedronDirections.h"
 #include "ProceduralFields.h"
+#include "RadialContactModel.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "TouchDoubles.h"
@@ -67,13 +67,13 @@ inline std::shared_ptr<const ContactModel> Voxels(const Vector3& centerIndex, do
 inline std::vector<PressableScene> MakePressableScenes(Random& random)
 {
   using namespace pressable;
-  const auto organ = std::make_shared<const SphericalHarmonicModel>(RandomOrgan(random, 12));
+  const auto organ = std::make_shared<const RadialModel>(RandomOrgan(random, 12));
   const Vector3 place = RandomDirection(random);
   const Vector3 normal = organ->Normal(place);
   const Vector3 center = organ->PointWorld(place) + ToolRadius * normal;
   std::shared_ptr<const ContactModel> harmonics;
   const bool isHarmonics =
-      HarmonicContactModel::Make(organ, HarmonicContactMode::Nearest, harmonics).IsOk();
+      RadialContactModel::Make(organ, RadialContactMode::Nearest, harmonics).IsOk();
   const IcosahedronDirections sphere(20);
   std::vector<Vector3> corners;
   for (const Vector3& u : sphere.Directions())

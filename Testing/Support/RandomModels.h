@@ -41,7 +41,7 @@ inline std::vector<double> RandomBits(std::mt19937_64& random, std::size_t count
 }
 
 /// A star-shaped body of about 20 mm radius off the origin.
-inline SphericalHarmonicModel RandomModel(std::mt19937_64& random, int degree)
+inline RadialModel RandomModel(std::mt19937_64& random, int degree)
 {
   std::vector<double> values =
       RandomNumbers(random, SphericalHarmonicBasis::CoefficientCount(degree), 0.5);
@@ -50,7 +50,7 @@ inline SphericalHarmonicModel RandomModel(std::mt19937_64& random, int degree)
   return {degree, values, Vector3(center[0], center[1], center[2])};
 }
 
-inline ParametricSphericalSurface RandomParametric(std::mt19937_64& random, int degree)
+inline SurfaceModel RandomSurfaceModel(std::mt19937_64& random, int degree)
 {
   std::array<std::vector<double>, 3> coordinates;
   for (auto& coordinate : coordinates)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "RadialModel.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
 #include <cmath>
@@ -54,7 +54,7 @@ inline std::vector<double> RandomCoefficients(Random& random, int degree, double
 
 /// An organ-like body: mean radius 20 mm, a few millimetres of smooth relief, centre off the
 /// origin.
-inline SphericalHarmonicModel RandomOrgan(Random& random, int degree)
+inline RadialModel RandomOrgan(Random& random, int degree)
 {
   std::vector<double> coefficients = RandomCoefficients(random, degree, 2.0);
   for (double& c : coefficients)

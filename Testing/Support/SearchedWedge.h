@@ -1,7 +1,7 @@
 #pragma once
 
 #include "HalfSpaces.h"
-#include "HarmonicSurface.h"
+#include "TouchableRadialModel.h"
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace palpate::test
 {
-/// Reference for HarmonicWedge: the same by certified searches of the whole surface, one per step.
+/// Reference for ContactWedge: the same by certified searches of the whole surface, one per step.
 class SearchedWedge
 {
 public:
-  SearchedWedge(std::shared_ptr<const HarmonicSurface> surface, double radius)
+  SearchedWedge(std::shared_ptr<const TouchableRadialModel> surface, double radius)
       : Surface(std::move(surface)), Radius(radius),
         LongestStep(this->Surface->SmallestRadius() / 16.0)
   {
@@ -37,7 +37,7 @@ private:
   void FollowWalls() noexcept;
   void Meet(const ClosestPoint& wall) noexcept;
 
-  std::shared_ptr<const HarmonicSurface> Surface;
+  std::shared_ptr<const TouchableRadialModel> Surface;
   double Radius;
   double LongestStep; // mm
   Vector3 Center = Vector3::Zero();

@@ -40,7 +40,7 @@ inline ComplianceMaps SomeMaps(int degree = 2)
 }
 
 /// The sphere of those maps, around a place.
-inline SphericalHarmonicModel SomeElasticModel()
+inline RadialModel SomeElasticModel()
 {
   return {0, {20.0 * std::sqrt(4.0 * 3.14159265358979323846)}, Vector3(1.0, 2.0, 3.0)};
 }

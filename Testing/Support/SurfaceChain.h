@@ -2,8 +2,8 @@
 
 #include "GenusZeroSurface.h"
 #include "MeshDecimation.h"
-#include "ParametricFit.h"
 #include "SphericalParametrisation.h"
+#include "SurfaceModelFit.h"
 #include "SurfaceTessellation.h"
 #include "WindingNumbers.h"
 
@@ -20,7 +20,7 @@ struct SurfaceChain
   GenusZeroSurface Surface;
   IndexedMesh Mesh;
   SphericalParametrisation Map;
-  ParametricFitResult Fit;
+  SurfaceModelFitResult Fit;
 };
 
 inline Status RunSurfaceChain(const VoxelMask& mask, int degree, SurfaceChain& chain,
@@ -49,19 +49,19 @@ inline Status RunSurfaceChain(const VoxelMask& mask, int degree, SurfaceChain& c
   {
     status = CheckSphereMap(chain.Map.Quality);
   }
-  ParametricFitOptions options;
+  SurfaceModelFitOptions options;
   options.Degree = degree;
-  return status.IsOk() ? FitParametricSurface(chain.Mesh, chain.Map.Directions, options, chain.Fit)
+  return status.IsOk() ? FitSurfaceModel(chain.Mesh, chain.Map.Directions, options, chain.Fit)
                        : status;
 }
 
-inline IndexedMesh Tessellated(const ParametricSphericalSurface& surface)
+inline IndexedMesh Tessellated(const SurfaceModel& surface)
 {
   return palpate::Tessellated(surface, IcosahedronDirections(40));
 }
 
 /// The voxels of a mask that a surface in its frame encloses, and how they agree.
-inline WindingOverlap OverlapOf(const ParametricSphericalSurface& surface, const VoxelMask& mask)
+inline WindingOverlap OverlapOf(const SurfaceModel& surface, const VoxelMask& mask)
 {
   VoxelCenters centers;
   for (int axis = 0; axis < 3; ++axis)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Contact.h"
-#include "ParametricTouchSurface.h"
+#include "TouchableSurfaceModel.h"
 #include "WorstCase.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace palpate::test
 {
-/// Judges each tick of a spherical tool that starts outside of a parametric surface, by searches of
+/// Judges each tick of a spherical tool that starts outside of a surface model, by searches of
 /// the whole surface and by following the wall that the tool met in sixteenths of a tick.
 class SurfaceTouchTruth
 {
@@ -33,7 +33,7 @@ public:
     WorstCase LateDepth, EarlyGap, Overlap; ///< mm
   };
 
-  SurfaceTouchTruth(std::shared_ptr<const ParametricTouchSurface> surface, double radius)
+  SurfaceTouchTruth(std::shared_ptr<const TouchableSurfaceModel> surface, double radius)
       : Surface(std::move(surface)), Radius(radius)
   {
   }
@@ -73,7 +73,7 @@ public:
   }
 
 private:
-  using ClosestPoint = ParametricTouchSurface::ClosestPoint;
+  using ClosestPoint = TouchableSurfaceModel::ClosestPoint;
   static constexpr int Parts = 16;
   static constexpr double LeastOverlap = 1e-5; // mm, about the gap that counts as contact
   static constexpr double LeastError = 1e-9;   // N
@@ -171,7 +171,7 @@ private:
            this->NearestTo(place).SignedDistance < this->Radius + margin - LeastOverlap;
   }
 
-  std::shared_ptr<const ParametricTouchSurface> Surface;
+  std::shared_ptr<const TouchableSurfaceModel> Surface;
   double Radius;
   ClosestPoint Foot{}; // of the wall that the tool met
   Vector3 Probe = Vector3::Zero();

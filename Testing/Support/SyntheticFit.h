@@ -54,7 +54,7 @@ struct SyntheticFit
   static inline const Vector3 Center{10.0, -20.0, 55.0};
   FitResult Result;
   Volume Mri;
-  SphericalHarmonicModel Truth;
+  RadialModel Truth;
 
 private:
   // Differences along the radius: close enough to distances for an image.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
 #include "RandomShapes.h"
+#include "SurfaceModel.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace palpate::test
 class WanderingHand
 {
 public:
-  WanderingHand(const ParametricSphericalSurface& surface, double toolRadius, Random& random)
+  WanderingHand(const SurfaceModel& surface, double toolRadius, Random& random)
       : Surface(surface), ToolRadius(toolRadius), Source(random), Parameter(RandomDirection(random))
   {
   }
@@ -31,7 +31,7 @@ public:
   bool IsJumping() const { return this->Jump.norm() > 0.01; }
 
 private:
-  const ParametricSphericalSurface& Surface;
+  const SurfaceModel& Surface;
   double ToolRadius;
   Random& Source;
   Vector3 Parameter;

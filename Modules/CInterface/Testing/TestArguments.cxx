@@ -137,6 +137,7 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   const auto ball = test::BallModel();
   palpate_model* m = ball.get();
   SURVIVES(palpate_model_create, 0, b.A.data(), Origin, e);
+  SURVIVES(palpate_model_create_surface, 1, b.A.data(), e);
   SURVIVES(palpate_model_create_parametric, 1, b.A.data(), e);
   SURVIVES(palpate_model_fit, b.A.data(), 4, Origin, 0, e);
   SURVIVES(palpate_model_fit_mask, b.Mask.data(), Size, Origin, Spacing, Axes, 2, 1, e);
@@ -145,6 +146,7 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   SURVIVES(palpate_model_free, m);
   SURVIVES(palpate_model_changes, m);
   SURVIVES(palpate_model_degree, m);
+  SURVIVES(palpate_model_is_radial, m);
   SURVIVES(palpate_model_is_star_shaped, m);
   SURVIVES(palpate_model_yields, m);
   SURVIVES(palpate_model_coefficients, m, b.A.data(), 10);
@@ -328,7 +330,7 @@ TEST(Arguments, AbsurdGridsAndDegreesAreRefusedInOwnWords)
   for (const int absurd : {-1, most, std::numeric_limits<int>::min()})
   {
     refused(palpate_model_create(absurd, b.A.data(), Origin, e));
-    refused(palpate_model_create_parametric(absurd, b.A.data(), e));
+    refused(palpate_model_create_surface(absurd, b.A.data(), e));
     refused(palpate_model_fit(b.A.data(), 4, Origin, absurd, e));
     refused(palpate_model_fit_mask(b.Mask.data(), Size, Origin, Spacing, Axes, absurd, 0, e));
     refused(palpate_model_fit_mask(b.Mask.data(), Size, Origin, Spacing, Axes, absurd, 1, e));

@@ -18,13 +18,13 @@ using test::Owned;
 constexpr int Degree = 6;
 constexpr std::size_t Count = 300; // more than are evaluated at once
 
-Owned<palpate_model> StarHandle(const SphericalHarmonicModel& model)
+Owned<palpate_model> StarHandle(const RadialModel& model)
 {
   return Owned<palpate_model>(palpate_model_create(model.Degree(), model.Coefficients().data(),
                                                    model.CenterWorld().data(), nullptr));
 }
 
-Owned<palpate_model> ParametricHandle(const ParametricSphericalSurface& surface)
+Owned<palpate_model> SurfaceHandle(const SurfaceModel& surface)
 {
   std::vector<double> values;
   for (int coordinate = 0; coordinate < 3; ++coordinate)
@@ -34,12 +34,12 @@ Owned<palpate_model> ParametricHandle(const ParametricSphericalSurface& surface)
   }
   palpate_error error{};
   Owned<palpate_model> handle(
-      palpate_model_create_parametric(surface.Degree(), values.data(), &error));
+      palpate_model_create_surface(surface.Degree(), values.data(), &error));
   EXPECT_NE(handle, nullptr) << error.text;
   return handle;
 }
 
-SphericalHarmonicModel Bumpy()
+RadialModel Bumpy()
 {
   test::Random random(5);
   return test::RandomOrgan(random, Degree);
@@ -52,12 +52,12 @@ struct Results
   std::array<std::array<double, 2>, Count> Principal;
   std::array<std::array<Vector3, 2>, Count> Tangents;
 
-  palpate_evaluation Of(bool isStarShaped)
+  palpate_evaluation Of(bool isRadial)
   {
     return {Points[0].data(),
             Normals[0].data(),
-            isStarShaped ? Radii.data() : nullptr,
-            isStarShaped ? Gradients[0].data() : nullptr,
+            isRadial ? Radii.data() : nullptr,
+            isRadial ? Gradients[0].data() : nullptr,
             Mean.data(),
             Gaussian.data(),
             Principal[0].data(),
@@ -89,23 +89,23 @@ void ExpectCurvature(const SurfaceCurvature& wanted, const Results& results, std
 
 TEST(BatchEvaluation, BatchesHaveTheResultsOfSinglePoints)
 {
-  const SphericalHarmonicModel model = Bumpy();
-  const ParametricSphericalSurface surface = ParametricSphericalSurface::FromModel(model);
+  const RadialModel model = Bumpy();
+  const SurfaceModel surface = SurfaceModel::FromModel(model);
   test::Random random(7);
   const std::vector<Vector3> directions = test::RandomDirections(random, Count);
   const auto star = StarHandle(model);
-  const auto parametric = ParametricHandle(surface);
+  const auto surfaceModel = SurfaceHandle(surface);
   Results of[2];
   const palpate_evaluation stars = of[0].Of(true);
   const palpate_evaluation others = of[1].Of(false);
   ASSERT_EQ(palpate_model_evaluate(star.get(), directions[0].data(), Count, &stars, nullptr), 1);
-  ASSERT_EQ(palpate_model_evaluate(parametric.get(), directions[0].data(), Count, &others, nullptr),
-            1);
+  ASSERT_EQ(
+      palpate_model_evaluate(surfaceModel.get(), directions[0].data(), Count, &others, nullptr), 1);
   for (std::size_t i = 0; i < Count; ++i)
   {
     const Vector3& u = directions[i];
     ExpectPlace(star.get(), u, of[0], i);
-    ExpectPlace(parametric.get(), u, of[1], i);
+    ExpectPlace(surfaceModel.get(), u, of[1], i);
     EXPECT_NEAR(of[0].Radii[i], model.Radius(u), 1e-12);
     EXPECT_LT((of[0].Gradients[i] - model.Evaluate(u).SurfaceGradient).norm(), 1e-12);
     ExpectCurvature(CurvatureAt(u, model.EvaluateSecondOrder(u)), of[0], i);
@@ -124,16 +124,16 @@ TEST(BatchEvaluation, ResultsThatAreNullAreLeftOut)
   EXPECT_NEAR(radius, Bumpy().Radius(Vector3::UnitZ()), 1e-12);
 }
 
-TEST(BatchEvaluation, RefusesDirectionsThatAreZeroAndRadiiOfParametricModels)
+TEST(BatchEvaluation, RefusesDirectionsThatAreZeroAndRadiiOfSurfaceModels)
 {
-  const auto parametric = ParametricHandle(ParametricSphericalSurface::FromModel(Bumpy()));
+  const auto surfaceModel = SurfaceHandle(SurfaceModel::FromModel(Bumpy()));
   const double directions[6] = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
   double radii[2] = {-1.0, -1.0};
   palpate_evaluation results{};
   results.radii = radii;
   palpate_error error{};
-  EXPECT_EQ(palpate_model_evaluate(parametric.get(), directions, 1, &results, &error), 0);
-  EXPECT_NE(std::strstr(error.text, "star-shaped"), nullptr) << error.text;
+  EXPECT_EQ(palpate_model_evaluate(surfaceModel.get(), directions, 1, &results, &error), 0);
+  EXPECT_NE(std::strstr(error.text, "radial"), nullptr) << error.text;
   EXPECT_EQ(palpate_model_evaluate(StarHandle(Bumpy()).get(), directions, 2, &results, &error), 0);
   EXPECT_NE(std::strstr(error.text, "direction 1"), nullptr) << error.text;
   EXPECT_EQ(radii[0], -1.0) << "outputs are left alone";

@@ -21,13 +21,13 @@ namespace
 {
 using test::Owned;
 
-SphericalHarmonicModel Bumpy()
+RadialModel Bumpy()
 {
   test::Random random(5);
   return test::RandomOrgan(random, 8);
 }
 
-Owned<palpate_model> HandleOf(const SphericalHarmonicModel& model)
+Owned<palpate_model> HandleOf(const RadialModel& model)
 {
   palpate_error error{};
   Owned<palpate_model> handle(palpate_model_create(model.Degree(), model.Coefficients().data(),
@@ -45,10 +45,10 @@ std::vector<double> CoefficientsOf(const palpate_model* model)
 
 TEST(ModelHandle, PointsAreThoseOfTheModel)
 {
-  const SphericalHarmonicModel model = Bumpy();
+  const RadialModel model = Bumpy();
   const auto handle = HandleOf(model);
   EXPECT_EQ(palpate_model_degree(handle.get()), 8);
-  EXPECT_EQ(palpate_model_is_star_shaped(handle.get()), 1);
+  EXPECT_EQ(palpate_model_is_radial(handle.get()), 1);
   EXPECT_EQ(palpate_model_yields(handle.get()), 0);
   EXPECT_EQ(CoefficientsOf(handle.get()), model.Coefficients());
   const Vector3 direction = Vector3(1.0, -2.0, 0.5);
@@ -62,7 +62,7 @@ TEST(ModelHandle, PointsAreThoseOfTheModel)
 
 TEST(ModelHandle, FitRestoresTheCoefficients)
 {
-  const SphericalHarmonicModel model = Bumpy();
+  const RadialModel model = Bumpy();
   std::vector<double> points;
   const IcosahedronDirections sphere(10);
   for (const Vector3& direction : sphere.Directions())
@@ -99,12 +99,12 @@ TEST(ModelHandle, FitToAMaskHasItsBody)
   const double spacing[3] = {1.0, 1.5, 2.0};
   const double axes[9] = {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0};
   palpate_error error{};
-  for (const int isStarShaped : {0, 1})
+  for (const int isRadial : {0, 1})
   {
-    const Owned<palpate_model> model(palpate_model_fit_mask(inside.data(), size, origin, spacing,
-                                                            axes, 16, isStarShaped, &error));
+    const Owned<palpate_model> model(
+        palpate_model_fit_mask(inside.data(), size, origin, spacing, axes, 16, isRadial, &error));
     ASSERT_NE(model, nullptr) << error.text;
-    EXPECT_EQ(palpate_model_is_star_shaped(model.get()), isStarShaped);
+    EXPECT_EQ(palpate_model_is_radial(model.get()), isRadial);
     palpate_body body;
     ASSERT_EQ(palpate_model_body(model.get(), &body, &error), 1) << error.text;
     EXPECT_NEAR(body.volume / (20.0 * 24.0 * 16.0), 1.0, 0.02) << "corners are round";
@@ -121,7 +121,7 @@ TEST(ModelHandle, FitToAMaskHasItsBody)
   EXPECT_STREQ(error.text, "the mask has no voxels");
 }
 
-// SPHARM-PDM's format has parametric surfaces only: the other kind of model.
+// SPHARM-PDM's format has surface models only: the other kind of model.
 TEST(ModelHandle, FilesBringModelsBack)
 {
   const test::TemporaryFolder folder;
@@ -134,14 +134,14 @@ TEST(ModelHandle, FilesBringModelsBack)
   const Owned<palpate_model> star(palpate_model_read(json.c_str(), &error));
   ASSERT_NE(star, nullptr) << error.text;
   EXPECT_EQ(CoefficientsOf(star.get()), CoefficientsOf(handle.get()));
-  const Owned<palpate_model> parametric(palpate_model_read(coef.c_str(), &error));
-  ASSERT_NE(parametric, nullptr) << error.text;
-  EXPECT_EQ(palpate_model_is_star_shaped(parametric.get()), 0);
-  EXPECT_EQ(CoefficientsOf(parametric.get()).size(), 300U);
+  const Owned<palpate_model> surfaceModel(palpate_model_read(coef.c_str(), &error));
+  ASSERT_NE(surfaceModel, nullptr) << error.text;
+  EXPECT_EQ(palpate_model_is_radial(surfaceModel.get()), 0);
+  EXPECT_EQ(CoefficientsOf(surfaceModel.get()).size(), 300U);
   double volumes[2];
   double areas[2];
   ASSERT_EQ(palpate_model_measure(star.get(), volumes, areas, &error), 1) << error.text;
-  ASSERT_EQ(palpate_model_measure(parametric.get(), volumes + 1, areas + 1, &error), 1);
+  ASSERT_EQ(palpate_model_measure(surfaceModel.get(), volumes + 1, areas + 1, &error), 1);
   EXPECT_NEAR(volumes[1] / volumes[0], 1.0, 1e-9);
   EXPECT_NEAR(areas[1] / areas[0], 1.0, 1e-6);
 }
@@ -179,8 +179,8 @@ TEST(ModelHandle, NearestPointIsThatOfASphere)
   const std::string coef = folder.Path() / "ball.coef";
   const auto ball = test::BallModel();
   ASSERT_EQ(palpate_model_write(ball.get(), coef.c_str(), nullptr), 1);
-  const Owned<palpate_model> parametric(palpate_model_read(coef.c_str(), nullptr));
-  for (palpate_model* model : {ball.get(), parametric.get()})
+  const Owned<palpate_model> surfaceModel(palpate_model_read(coef.c_str(), nullptr));
+  for (palpate_model* model : {ball.get(), surfaceModel.get()})
   {
     const double query[3] = {0.0, 15.0, 0.0};
     Vector3 point;
@@ -205,7 +205,7 @@ TEST(ModelHandle, BodyIsThatOfAnEllipsoid)
   const double coefficients[12] = {0.0, 0.0, 0.0, 9.0 * unit, 0.0,        15.0 * unit,
                                    0.0, 0.0, 0.0, 0.0,        6.0 * unit, 0.0};
   palpate_error error{};
-  const Owned<palpate_model> model(palpate_model_create_parametric(1, coefficients, &error));
+  const Owned<palpate_model> model(palpate_model_create_surface(1, coefficients, &error));
   ASSERT_NE(model, nullptr) << error.text;
   palpate_body body;
   ASSERT_EQ(palpate_model_body(model.get(), &body, &error), 1) << error.text;

@@ -86,7 +86,7 @@ TEST(TrackerHandle, ModelsThatYieldPushBackByTheirOwnForce)
 {
   const test::TemporaryFolder folder;
   const std::string file = folder.Path() / "soft.json";
-  const SphericalHarmonicModel model = test::SomeElasticModel();
+  const RadialModel model = test::SomeElasticModel();
   const auto maps = std::make_shared<const ComplianceMaps>(test::SomeMaps());
   WriteModel(file, {model, {}, maps});
   palpate_error error{};

@@ -14,7 +14,7 @@ ComplianceAtlas::ComplianceAtlas(const ComplianceMaps& maps)
 std::size_t ComplianceAtlas::Bytes() const noexcept
 {
   std::size_t bytes = sizeof(*this);
-  for (const SphericalHarmonicEvaluator& evaluator : this->Evaluators)
+  for (const RadialEvaluator& evaluator : this->Evaluators)
   {
     bytes += sizeof(evaluator) + evaluator.TableBytes();
   }

@@ -2,7 +2,7 @@
 
 #include "ComplianceMaps.h"
 #include "PatchCompliance.h"
-#include "SphericalHarmonicEvaluator.h"
+#include "RadialEvaluator.h"
 #include "Vector3.h"
 
 #include <array>
@@ -41,6 +41,6 @@ private:
   int MaximumDegree;
   double PatchLimit; // mm
   double Poisson;
-  std::vector<SphericalHarmonicEvaluator> Evaluators; // of each map
+  std::vector<RadialEvaluator> Evaluators; // of each map
 };
 } // namespace palpate

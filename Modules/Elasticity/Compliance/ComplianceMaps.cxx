@@ -164,7 +164,7 @@ bool SampleMaps(const ComplianceSampler& sampler, const std::vector<Vector3>& di
 }
 } // namespace
 
-Status ComplianceMaps::Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+Status ComplianceMaps::Fit(const RadialModel& model, const ElasticSolid& solid,
                            const ReducedCompliance& reduced, const Settings& settings,
                            const KernelProgress& progress, ComplianceMaps& maps)
 {

@@ -4,8 +4,8 @@
 #include "KernelProgress.h"
 #include "PackedCompliance.h"
 #include "PatchCompliance.h"
+#include "RadialModel.h"
 #include "ReducedCompliance.h"
-#include "SphericalHarmonicModel.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -54,7 +54,7 @@ struct ComplianceMaps
   /// overshoot to what no body is are smoothed until they pass Check or are too smooth for it;
   /// FitError has what that costs. Fails for settings outside their limits and if `progress`
   /// cancels. Allocates.
-  static Status Fit(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+  static Status Fit(const RadialModel& model, const ElasticSolid& solid,
                     const ReducedCompliance& reduced, const Settings& settings,
                     const KernelProgress& progress, ComplianceMaps& maps);
 

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-ComplianceSampler::ComplianceSampler(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+ComplianceSampler::ComplianceSampler(const RadialModel& model, const ElasticSolid& solid,
                                      const ReducedCompliance& reduced)
     : Model(&model), Reduced(&reduced), Local(solid, model.CenterWorld(), reduced.Degree())
 {

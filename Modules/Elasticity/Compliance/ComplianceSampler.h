@@ -4,8 +4,8 @@
 #include "HexElasticity.h"
 #include "LocalCompliance.h"
 #include "PatchCompliance.h"
+#include "RadialModel.h"
 #include "ReducedCompliance.h"
-#include "SphericalHarmonicModel.h"
 
 namespace palpate
 {
@@ -15,7 +15,7 @@ class ComplianceSampler
 {
 public:
   /// Keeps the addresses, which must outlive it.
-  ComplianceSampler(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+  ComplianceSampler(const RadialModel& model, const ElasticSolid& solid,
                     const ReducedCompliance& reduced);
 
   /// A patch of radius `radius` (mm) on the surface in a direction.
@@ -26,7 +26,7 @@ public:
   PatchCompliance At(const Vector3& direction, double largestRadius) const;
 
 private:
-  const SphericalHarmonicModel* Model;
+  const RadialModel* Model;
   const ReducedCompliance* Reduced;
   LocalCompliance Local;
 };

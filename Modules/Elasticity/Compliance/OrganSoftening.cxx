@@ -21,7 +21,7 @@ bool IsHeld(const StarMesh& mesh, const ElasticBed& bed)
 }
 } // namespace
 
-double OrganSoftening::SharpestHollow(const SphericalHarmonicModel& model)
+double OrganSoftening::SharpestHollow(const RadialModel& model)
 {
   constexpr int LeastDegree = 30;
   double sharpest = 0.0;
@@ -34,7 +34,7 @@ double OrganSoftening::SharpestHollow(const SphericalHarmonicModel& model)
   return 1.0 / sharpest;
 }
 
-int OrganSoftening::DegreeFor(const SphericalHarmonicModel& model) const
+int OrganSoftening::DegreeFor(const RadialModel& model) const
 {
   const int carried = MostDegreePerElement * this->ElementsAcross;
   if (this->Degree > 0)
@@ -47,7 +47,7 @@ int OrganSoftening::DegreeFor(const SphericalHarmonicModel& model) const
                                              : std::min(UsualDegree, this->ElementsAcross);
 }
 
-Status OrganSoftening::Make(const SphericalHarmonicModel& model, const ElasticSolid& solid,
+Status OrganSoftening::Make(const RadialModel& model, const ElasticSolid& solid,
                             const KernelProgress& progress, ComplianceMaps& maps,
                             Account& account) const
 {

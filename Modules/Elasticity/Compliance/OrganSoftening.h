@@ -25,9 +25,9 @@ struct OrganSoftening
   ComplianceMaps::Settings Maps;
 
   /// The degree that Make takes for this surface, at most what the elements carry.
-  int DegreeFor(const SphericalHarmonicModel& model) const;
+  int DegreeFor(const RadialModel& model) const;
   /// Radius of the sharpest hollow of a surface, mm; infinite if there is none.
-  static double SharpestHollow(const SphericalHarmonicModel& model);
+  static double SharpestHollow(const RadialModel& model);
 
   /// What was built.
   struct Account
@@ -39,7 +39,7 @@ struct OrganSoftening
   /// Fails with the reasons of its parts (see StarMesh, AssembleStiffness, ReducedCompliance and
   /// ComplianceMaps), for an organ that nothing holds, and for maps that their Check would refuse.
   /// Takes seconds and, with 16 elements across, 0.7 GB.
-  Status Make(const SphericalHarmonicModel& model, const ElasticSolid& solid,
-              const KernelProgress& progress, ComplianceMaps& maps, Account& account) const;
+  Status Make(const RadialModel& model, const ElasticSolid& solid, const KernelProgress& progress,
+              ComplianceMaps& maps, Account& account) const;
 };
 } // namespace palpate

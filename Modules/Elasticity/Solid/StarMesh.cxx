@@ -214,7 +214,7 @@ bool IsValid(const std::vector<Vector3>& nodes, const std::vector<StarMesh::Elem
 }
 } // namespace
 
-Status StarMesh::Make(const SphericalHarmonicModel& model, int elementsAcross, StarMesh& mesh)
+Status StarMesh::Make(const RadialModel& model, int elementsAcross, StarMesh& mesh)
 {
   if (elementsAcross < FewestElements || elementsAcross > MostElements || elementsAcross % 2 != 0)
   {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Status.h"
 #include "Vector3.h"
 
@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Hexahedra that fill a star-shaped model: a rounded cube of n x n x n in the middle and n/2
+/// Hexahedra that fill a radial model: a rounded cube of n x n x n in the middle and n/2
 /// layers on each of its six sides, n elements along a quarter of a great circle. A point of the
 /// unit ball with direction d is moved along d only, to p (R0 + (R(d) - R0) |p|), which is one to
 /// one where R(d) > R0/2. Positions are relative to the model's centre, in its axes (patient LPS).
@@ -42,7 +42,7 @@ public:
 
   /// `elementsAcross` is n: even, from FewestElements to MostElements. Fails for a model whose
   /// radius is not positive everywhere, or so rough that elements overlap. Allocates.
-  static Status Make(const SphericalHarmonicModel& model, int elementsAcross, StarMesh& mesh);
+  static Status Make(const RadialModel& model, int elementsAcross, StarMesh& mesh);
 
   const std::vector<Vector3>& Nodes() const noexcept { return this->NodePoints; }
   /// Of each node.

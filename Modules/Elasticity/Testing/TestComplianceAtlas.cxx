@@ -158,10 +158,10 @@ TEST(ComplianceMaps, OfADeepHollowAreThoseOfABody)
 
 TEST(OrganSoftening, DegreeIsWhatTheSurfaceNeedsAndElementsCarry)
 {
-  const SphericalHarmonicModel ball(0, {20.0 * std::sqrt(4.0 * Pi)}, Vector3::Zero());
+  const RadialModel ball(0, {20.0 * std::sqrt(4.0 * Pi)}, Vector3::Zero());
   const auto groove = [](const Vector3& direction)
   { return 20.0 - 4.0 * std::exp(-std::pow(direction.x() / 0.15, 2)); };
-  const SphericalHarmonicModel cleft(24, ProjectOnHarmonics(24, 96, groove), Vector3::Zero());
+  const RadialModel cleft(24, ProjectOnHarmonics(24, 96, groove), Vector3::Zero());
   EXPECT_EQ(OrganSoftening::SharpestHollow(ball), std::numeric_limits<double>::infinity());
   // 0.75 mm before its harmonics above 24 are left out.
   EXPECT_NEAR(OrganSoftening::SharpestHollow(cleft), 1.0, 0.3);

@@ -28,7 +28,7 @@ struct TouchedOrgan
     EXPECT_TRUE(status.IsOk()) << status.Message();
     this->Atlas = std::make_unique<ComplianceAtlas>(maps);
     this->Search = std::make_unique<ClosestPointSearch>(
-        std::make_shared<const SphericalHarmonicModel>(this->Organ.Model));
+        std::make_shared<const RadialModel>(this->Organ.Model));
   }
 
   // Of a ball, whose centre is at a place.

@@ -37,7 +37,7 @@ protected:
     return stiffness;
   }
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   StarMesh Mesh;
 };
 

@@ -15,7 +15,7 @@ TEST(StarMesh, FillsTheModel)
   std::mt19937_64 random(3);
   for (int i = 0; i < 8; ++i)
   {
-    const SphericalHarmonicModel model = test::RandomModel(random);
+    const RadialModel model = test::RandomModel(random);
     StarMesh mesh;
     ASSERT_TRUE(StarMesh::Make(model, 16, mesh).IsOk());
     // Flat faces of 16 a quarter cut off about (pi/32)^2 of the volume.
@@ -28,7 +28,7 @@ TEST(StarMesh, FillsTheModel)
 TEST(StarMesh, SurfaceNodesLieOnTheModel)
 {
   std::mt19937_64 random(4);
-  const SphericalHarmonicModel model = test::RandomModel(random);
+  const RadialModel model = test::RandomModel(random);
   StarMesh mesh;
   ASSERT_TRUE(StarMesh::Make(model, 8, mesh).IsOk());
   for (const StarMesh::Face& face : mesh.Faces())
@@ -71,20 +71,19 @@ TEST(StarMesh, AcceptsRadiiThatVaryManyfold)
   const double slope = 12.0 / std::sqrt(3.0 / (4.0 * Pi));
   StarMesh mesh;
   const Status status =
-      StarMesh::Make(SphericalHarmonicModel(1, {mean, 0.0, slope, 0.0}, Vector3::Zero()), 8, mesh);
+      StarMesh::Make(RadialModel(1, {mean, 0.0, slope, 0.0}, Vector3::Zero()), 8, mesh);
   EXPECT_TRUE(status.IsOk()) << status.Message();
 }
 
 TEST(StarMesh, RefusesWhatHasNoInside)
 {
   StarMesh mesh;
-  EXPECT_FALSE(StarMesh::Make(SphericalHarmonicModel(), 8, mesh).IsOk());
+  EXPECT_FALSE(StarMesh::Make(RadialModel(), 8, mesh).IsOk());
   const double mean = 20.0 * std::sqrt(4.0 * Pi);
   EXPECT_FALSE(
-      StarMesh::Make(SphericalHarmonicModel(1, {mean, 0.0, mean, 0.0}, Vector3::Zero()), 8, mesh)
-          .IsOk());
+      StarMesh::Make(RadialModel(1, {mean, 0.0, mean, 0.0}, Vector3::Zero()), 8, mesh).IsOk());
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(StarMesh::Make(SphericalHarmonicModel(0, {nan}, Vector3::Zero()), 8, mesh).IsOk());
+  EXPECT_FALSE(StarMesh::Make(RadialModel(0, {nan}, Vector3::Zero()), 8, mesh).IsOk());
 }
 
 TEST(StarMesh, RefusesOtherNumbersOfElements)

@@ -14,8 +14,8 @@ namespace
 class Solver
 {
 public:
-  Solver(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-         const CoupledPatches::Wall* walls, std::size_t count, double ballRadius) noexcept
+  Solver(const ComplianceAtlas& atlas, const RadialModel& model, const CoupledPatches::Wall* walls,
+         std::size_t count, double ballRadius) noexcept
       : Count(std::min(count, CoupledPatches::MostWalls)), Ball(ballRadius), Width(0.5 * ballRadius)
   {
     std::array<CoupledPatches::Wall, CoupledPatches::MostWalls> ordered;
@@ -167,7 +167,7 @@ private:
 };
 } // namespace
 
-ElasticForce CoupledPatches::Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+ElasticForce CoupledPatches::Of(const ComplianceAtlas& atlas, const RadialModel& model,
                                 const Wall* walls, std::size_t count, double ballRadius,
                                 const Hold& hold, PressedPlace* places) noexcept
 {

@@ -45,12 +45,12 @@ public:
   /// PatchRadius is the largest patch's; Slope is that along the force. Of walls above MostWalls
   /// the last are left out. `places`, if not null, gets a place for each wall, in any order. Does
   /// not allocate.
-  static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-                         const Wall* walls, std::size_t count, double ballRadius, const Hold& hold,
+  static ElasticForce Of(const ComplianceAtlas& atlas, const RadialModel& model, const Wall* walls,
+                         std::size_t count, double ballRadius, const Hold& hold,
                          PressedPlace* places = nullptr) noexcept;
   /// For walls that stay wherever the ball goes.
-  static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-                         const Wall* walls, std::size_t count, double ballRadius) noexcept
+  static ElasticForce Of(const ComplianceAtlas& atlas, const RadialModel& model, const Wall* walls,
+                         std::size_t count, double ballRadius) noexcept
   {
     return Of(atlas, model, walls, count, ballRadius, Hold());
   }

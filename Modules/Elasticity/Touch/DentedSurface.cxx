@@ -122,7 +122,7 @@ void KeepOut(const DentedSurface::Ball& ball, const std::vector<Vector3>& normal
 }
 } // namespace
 
-DentedSurface::DentedSurface(const SphericalHarmonicModel& model, const ComplianceMaps& maps,
+DentedSurface::DentedSurface(const RadialModel& model, const ComplianceMaps& maps,
                              const std::vector<Vector3>& directions)
     : Model(model), Atlas(maps), LongWaves(maps.LongWaves.Unpacked())
 {

@@ -2,8 +2,8 @@
 
 #include "ComplianceAtlas.h"
 #include "PressedPlace.h"
+#include "RadialModel.h"
 #include "ReducedCompliance.h"
-#include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ class DentedSurface
 public:
   /// Of a model with its maps, which have long waves, drawn with vertices in these unit directions
   /// from the model's centre.
-  DentedSurface(const SphericalHarmonicModel& model, const ComplianceMaps& maps,
+  DentedSurface(const RadialModel& model, const ComplianceMaps& maps,
                 const std::vector<Vector3>& directions);
 
   /// What presses, and where it does: on both walls of a notch, for example.
@@ -45,7 +45,7 @@ private:
   HertzPatch PatchAt(const Vector3& direction, double patchRadius) const;
   std::vector<double> Dents(const HertzPatch& patch, double force) const;
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   ComplianceAtlas Atlas;
   ReducedCompliance LongWaves;
   Eigen::MatrixXd Harmonics; // a row for each vertex

@@ -4,7 +4,7 @@
 
 namespace palpate
 {
-ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+ElasticForce ElasticForce::Of(const ComplianceAtlas& atlas, const RadialModel& model,
                               const Vector3& direction, double depth, double ballRadius,
                               double start) noexcept
 {

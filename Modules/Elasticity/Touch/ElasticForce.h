@@ -5,7 +5,7 @@
 namespace palpate
 {
 class ComplianceAtlas;
-class SphericalHarmonicModel;
+class RadialModel;
 
 /// What a rigid ball feels that is pressed into an elastic organ: minus the gradient of the energy
 /// of BallContact by the ball's place. Its part along the normal is the force of the contact; the
@@ -24,7 +24,7 @@ struct ElasticForce
   /// For the nearest point of the model's surface to the ball's centre, in the unit vector
   /// `direction` from the model's, and the depth (mm) of the ball. `start` is the last patch's
   /// radius or 0. Does not allocate.
-  static ElasticForce Of(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+  static ElasticForce Of(const ComplianceAtlas& atlas, const RadialModel& model,
                          const Vector3& direction, double depth, double ballRadius,
                          double start = 0.0) noexcept;
 };

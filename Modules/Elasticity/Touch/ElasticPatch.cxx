@@ -1,6 +1,6 @@
 #include "ElasticPatch.h"
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -22,11 +22,11 @@ Vector3 SoftnessSlopeOf(const ComplianceAtlas::Place& place, double radius) noex
 }
 } // namespace
 
-ElasticPatch::ElasticPatch(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
+ElasticPatch::ElasticPatch(const ComplianceAtlas& atlas, const RadialModel& model,
                            const Vector3& direction, double depth, double ballRadius) noexcept
     : Place(atlas.At(direction)), Direction(direction), Deep(depth), Ball(ballRadius)
 {
-  const SphericalHarmonicModel::SecondOrderSample sample = model.EvaluateSecondOrder(direction);
+  const RadialModel::SecondOrderSample sample = model.EvaluateSecondOrder(direction);
   this->Curvature = CurvatureAt(direction, sample);
   this->SurfaceRadius = sample.Radius;
   this->Foot = sample.Radius * direction;

@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-class SphericalHarmonicModel;
+class RadialModel;
 
 /// One place of an elastic organ into which a ball is pressed.
 class ElasticPatch
@@ -17,8 +17,8 @@ public:
   ElasticPatch() = default;
   /// At the nearest point of the model's surface to the ball's centre, in the unit vector
   /// `direction` from the model's; `depth` (mm) of the ball there. Does not allocate.
-  ElasticPatch(const ComplianceAtlas& atlas, const SphericalHarmonicModel& model,
-               const Vector3& direction, double depth, double ballRadius) noexcept;
+  ElasticPatch(const ComplianceAtlas& atlas, const RadialModel& model, const Vector3& direction,
+               double depth, double ballRadius) noexcept;
 
   /// Solves the contact at a depth (mm), which is less than the ball's where another patch has
   /// moved the place. `start` as in BallContact.

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-FeltStiffness FeltStiffness::Of(const SphericalHarmonicModel& model, const ComplianceMaps& maps,
+FeltStiffness FeltStiffness::Of(const RadialModel& model, const ComplianceMaps& maps,
                                 double ballRadius, const std::vector<Vector3>& directions)
 {
   constexpr double DepthOfOrgan = 0.1;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ComplianceMaps.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 
 #include <vector>
@@ -27,7 +27,7 @@ struct FeltStiffness
 
   /// For a ball of `ballRadius` mm, in these unit vectors from the model's centre. The median is
   /// over places spread evenly, whatever the directions are. Allocates.
-  static FeltStiffness Of(const SphericalHarmonicModel& model, const ComplianceMaps& maps,
-                          double ballRadius, const std::vector<Vector3>& directions);
+  static FeltStiffness Of(const RadialModel& model, const ComplianceMaps& maps, double ballRadius,
+                          const std::vector<Vector3>& directions);
 };
 } // namespace palpate

@@ -42,7 +42,7 @@ bool Has(const std::string& text, const std::string& part)
   return text.find(part) != std::string::npos;
 }
 
-TEST(ModelCsv, KeepsEveryBitOfStarShapedModel)
+TEST(ModelCsv, KeepsEveryBitOfRadialModel)
 {
   std::mt19937_64 random(2);
   for (const int degree : {0, 1, 12, 40})
@@ -50,7 +50,7 @@ TEST(ModelCsv, KeepsEveryBitOfStarShapedModel)
     const std::vector<double> values =
         RandomBits(random, SphericalHarmonicBasis::CoefficientCount(degree));
     const std::vector<double> center = RandomBits(random, 3);
-    const SphericalHarmonicModel model(degree, values, {center[0], center[1], center[2]});
+    const RadialModel model(degree, values, {center[0], center[1], center[2]});
     const std::string table = ModelToCsv({model, {}}, "f");
     EXPECT_TRUE(SameBits(NumbersOf(table), values)) << "degree " << degree;
     EXPECT_TRUE(Has(table, "# center_mm: " + ExactText(center[0]) + " " + ExactText(center[1]) +
@@ -59,10 +59,10 @@ TEST(ModelCsv, KeepsEveryBitOfStarShapedModel)
   }
 }
 
-TEST(ModelCsv, KeepsEveryBitOfParametricSurface)
+TEST(ModelCsv, KeepsEveryBitOfSurfaceModel)
 {
   std::mt19937_64 random(3);
-  const ParametricSphericalSurface surface = RandomParametric(random, 7);
+  const SurfaceModel surface = RandomSurfaceModel(random, 7);
   const std::vector<double> numbers = NumbersOf(ModelToCsv({surface, {}}, "f"));
   ASSERT_EQ(numbers.size(), 3U * 64U);
   for (std::size_t i = 0; i < 64; ++i)
@@ -76,7 +76,7 @@ TEST(ModelCsv, KeepsEveryBitOfParametricSurface)
 
 TEST(ModelCsv, RowsListDegreesAndOrders)
 {
-  const SphericalHarmonicModel model(1, {1.0, 2.0, 3.0, 4.0}, Vector3::Zero());
+  const RadialModel model(1, {1.0, 2.0, 3.0, 4.0}, Vector3::Zero());
   EXPECT_TRUE(
       Has(ModelToCsv({model, {}}, "f"), "\nl,m,coefficient_mm\n0,0,1\n1,-1,2\n1,0,3\n1,1,4\n"));
 }
@@ -102,8 +102,7 @@ TEST(ModelCsv, CommentsAreOneCell)
 
 TEST(ModelCsv, RejectsNonFiniteNumbers)
 {
-  EXPECT_THROW(ModelToCsv({SphericalHarmonicModel(0, {std::nan("")}, Vector3::Zero()), {}}, "f"),
-               InputError);
+  EXPECT_THROW(ModelToCsv({RadialModel(0, {std::nan("")}, Vector3::Zero()), {}}, "f"), InputError);
 }
 } // namespace
 } // namespace palpate::model_csv_test

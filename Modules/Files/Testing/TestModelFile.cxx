@@ -22,11 +22,11 @@ TEST(ModelFile, EndingSelectsFormat)
   {
     WriteModel(folder / name, document);
     const ModelDocument back = ReadModel(folder / name);
-    EXPECT_TRUE(std::holds_alternative<SphericalHarmonicModel>(back.Surface)) << name;
+    EXPECT_TRUE(std::holds_alternative<RadialModel>(back.Surface)) << name;
   }
   WriteModel(folder / "a.coef", document);
   const ModelDocument back = ReadModel(folder / "a.coef");
-  EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(back.Surface));
+  EXPECT_TRUE(std::holds_alternative<SurfaceModel>(back.Surface));
 }
 
 TEST(ModelFile, TablesAreWriteOnly)
@@ -63,7 +63,7 @@ TEST(ModelFile, UnwritableModelKeepsOldFile)
 {
   const TemporaryFolder folder;
   WriteAll(folder / "a.json", "old");
-  const SphericalHarmonicModel broken(0, {std::nan("")}, Vector3::Zero());
+  const RadialModel broken(0, {std::nan("")}, Vector3::Zero());
   EXPECT_THROW(WriteModel(folder / "a.json", {broken, {}}), InputError);
   std::mt19937_64 random(4);
   {

@@ -41,7 +41,7 @@ void ExpectRefusal(const Json& file, const std::string& fact)
   EXPECT_NE(message.find(';'), std::string::npos) << "no way out: " << message;
 }
 
-TEST(ModelJson, RoundTripsStarShapedModelBitForBit)
+TEST(ModelJson, RoundTripsRadialModelBitForBit)
 {
   std::mt19937_64 random(2);
   for (const int degree : {0, 1, 5, 12, 40})
@@ -49,9 +49,9 @@ TEST(ModelJson, RoundTripsStarShapedModelBitForBit)
     const std::vector<double> values =
         RandomBits(random, SphericalHarmonicBasis::CoefficientCount(degree));
     const std::vector<double> center = RandomBits(random, 3);
-    const SphericalHarmonicModel model(degree, values, {center[0], center[1], center[2]});
+    const RadialModel model(degree, values, {center[0], center[1], center[2]});
     const ModelDocument back = ModelFromJson(ModelToJson({model, {}}, "f"), "f");
-    const auto& read = std::get<SphericalHarmonicModel>(back.Surface);
+    const auto& read = std::get<RadialModel>(back.Surface);
     EXPECT_EQ(read.Degree(), degree);
     EXPECT_TRUE(SameBits(read.Coefficients(), values)) << "degree " << degree;
     EXPECT_TRUE(SameBits(read.CenterWorld(), model.CenterWorld())) << "degree " << degree;
@@ -62,17 +62,17 @@ TEST(ModelJson, RoundTripsSignedZeroAndSubnormals)
 {
   const double smallest = std::numeric_limits<double>::denorm_min();
   const std::vector<double> values{-0.0, 0.0, smallest, -smallest};
-  const ModelDocument back = ModelFromJson(
-      ModelToJson({SphericalHarmonicModel(1, values, {-0.0, smallest, 0.0}), {}}, "f"), "f");
-  EXPECT_TRUE(SameBits(std::get<SphericalHarmonicModel>(back.Surface).Coefficients(), values));
+  const ModelDocument back =
+      ModelFromJson(ModelToJson({RadialModel(1, values, {-0.0, smallest, 0.0}), {}}, "f"), "f");
+  EXPECT_TRUE(SameBits(std::get<RadialModel>(back.Surface).Coefficients(), values));
 }
 
-TEST(ModelJson, RoundTripsParametricSurfaceBitForBit)
+TEST(ModelJson, RoundTripsSurfaceModelBitForBit)
 {
   std::mt19937_64 random(3);
-  const ParametricSphericalSurface surface = RandomParametric(random, 7);
+  const SurfaceModel surface = RandomSurfaceModel(random, 7);
   const ModelDocument back = ModelFromJson(ModelToJson({surface, {}}, "f"), "f");
-  const auto& read = std::get<ParametricSphericalSurface>(back.Surface);
+  const auto& read = std::get<SurfaceModel>(back.Surface);
   for (int k = 0; k < 3; ++k)
   {
     EXPECT_TRUE(SameBits(read.Coefficients(k), surface.Coefficients(k)));
@@ -97,7 +97,7 @@ TEST(ModelJson, StatesItsConvention)
 {
   const Json file = SmallFile();
   EXPECT_EQ(file["format"], "palpate spherical-harmonic model");
-  EXPECT_EQ(file["version"], 1);
+  EXPECT_EQ(file["version"], 2);
   EXPECT_EQ(file["basis"]["normalization"], "orthonormal over the unit sphere");
   EXPECT_EQ(file["basis"]["phase"], "no Condon-Shortley phase");
   EXPECT_EQ(file["basis"]["polar_axis"], "+z");
@@ -129,7 +129,7 @@ TEST(ModelJson, RejectsOtherConvention)
     file["basis"].erase(key);
     ExpectRefusal(file, key);
   }
-  for (const char* key : {"frame", "unit", "format", "surface"})
+  for (const char* key : {"frame", "unit", "format", "model"})
   {
     Json file = SmallFile();
     file[key] = "RAS";
@@ -137,9 +137,31 @@ TEST(ModelJson, RejectsOtherConvention)
   }
 }
 
+TEST(ModelJson, ReadsTheFirstVersionsNames)
+{
+  std::mt19937_64 random(8);
+  const std::pair<OrganModel, const char*> models[] = {
+      {RandomModel(random, 3), "star-shaped"}, {RandomSurfaceModel(random, 3), "parametric"}};
+  for (const auto& [model, name] : models)
+  {
+    const Json today = Json::parse(ModelToJson({model, {}}, "f"));
+    Json file = today;
+    file["version"] = 1;
+    file["surface"] = name;
+    file.erase("model");
+    const ModelDocument back = ModelFromJson(file.dump(), "f");
+    EXPECT_EQ(Json::parse(ModelToJson(back, "f")), today);
+    file["surface"] = "radial";
+    ExpectRefusal(file, "model");
+    file["surface"] = name;
+    file["version"] = 2;
+    ExpectRefusal(file, "model");
+  }
+}
+
 TEST(ModelJson, RejectsOtherVersion)
 {
-  for (const Json& version : {Json(2), Json(0), Json("1"), Json(nullptr), Json(1.5)})
+  for (const Json& version : {Json(3), Json(0), Json("1"), Json(nullptr), Json(1.5)})
   {
     Json file = SmallFile();
     file["version"] = version;
@@ -162,7 +184,7 @@ TEST(ModelJson, RejectsWrongCountsAndTypes)
       {"coefficients_mm", Json::array({1, 2, 3, 4, 5, 6, 7, 8, "9"})},
       {"coefficients_mm", Json::object()},
       {"basis", Json(3)},
-      {"surface", Json(3)}};
+      {"model", Json(3)}};
   for (const auto& [key, value] : changes)
   {
     Json file = SmallFile();
@@ -182,10 +204,8 @@ TEST(ModelJson, DoesNotWriteNonFiniteNumbers)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(ModelToJson({SphericalHarmonicModel(0, {nan}, Vector3::Zero()), {}}, "f"),
-               InputError);
-  EXPECT_THROW(ModelToJson({SphericalHarmonicModel(0, {1.0}, {0.0, infinity, 0.0}), {}}, "f"),
-               InputError);
+  EXPECT_THROW(ModelToJson({RadialModel(0, {nan}, Vector3::Zero()), {}}, "f"), InputError);
+  EXPECT_THROW(ModelToJson({RadialModel(0, {1.0}, {0.0, infinity, 0.0}), {}}, "f"), InputError);
 }
 
 TEST(ModelJson, RejectsEveryTruncation)

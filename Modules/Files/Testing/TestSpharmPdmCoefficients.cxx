@@ -91,7 +91,7 @@ TEST(SpharmPdmCoefficients, RealFilesMatchReferenceInLps)
   {
     PALPATE_REQUIRE_FILE(DataPath(name));
     const std::string text = ReadAll(DataPath(name));
-    const ParametricSphericalSurface surface = SurfaceFromSpharmPdm(text, name);
+    const SurfaceModel surface = SurfaceFromSpharmPdm(text, name);
     const auto rows = ScanRows(text);
     const IcosahedronDirections sphere(3);
     for (const Vector3& u : sphere.Directions())
@@ -125,14 +125,13 @@ TEST(SpharmPdmCoefficients, RealFilesRoundTripEveryDecimal)
   }
 }
 
-TEST(SpharmPdmCoefficients, StarShapedModelGivesSameSurface)
+TEST(SpharmPdmCoefficients, RadialModelGivesSameSurface)
 {
   std::mt19937_64 random(7);
   for (const int degree : {0, 1, 4, 12})
   {
-    const SphericalHarmonicModel model = RandomModel(random, degree);
-    const ParametricSphericalSurface back =
-        SurfaceFromSpharmPdm(SurfaceToSpharmPdm(model, "f"), "f");
+    const RadialModel model = RandomModel(random, degree);
+    const SurfaceModel back = SurfaceFromSpharmPdm(SurfaceToSpharmPdm(model, "f"), "f");
     EXPECT_EQ(back.Degree(), degree + 1);
     const IcosahedronDirections sphere(4);
     for (const Vector3& u : sphere.Directions())
@@ -148,8 +147,7 @@ TEST(SpharmPdmCoefficients, StarShapedModelGivesSameSurface)
 TEST(SpharmPdmCoefficients, SphereInRasHasFlippedCenter)
 {
   const double root = std::sqrt(4.0 * 3.14159265358979323846);
-  const std::string text =
-      SurfaceToSpharmPdm(SphericalHarmonicModel(0, {10.0 * root}, {1.0, 2.0, 3.0}), "f");
+  const std::string text = SurfaceToSpharmPdm(RadialModel(0, {10.0 * root}, {1.0, 2.0, 3.0}), "f");
   const auto rows = ScanRows(text);
   // Row 0 is the mean point times sqrt(4 pi): RAS is (-1, -2, 3).
   EXPECT_NEAR(rows[0][0], -1.0 * root, 1e-13); // rounding of numbers near 10
@@ -157,12 +155,11 @@ TEST(SpharmPdmCoefficients, SphereInRasHasFlippedCenter)
   EXPECT_NEAR(rows[2][0], 3.0 * root, 1e-13);
 }
 
-TEST(SpharmPdmCoefficients, RoundTripsParametricSurface)
+TEST(SpharmPdmCoefficients, RoundTripsSurfaceModel)
 {
   std::mt19937_64 random(8);
-  const ParametricSphericalSurface surface = RandomParametric(random, 6);
-  const ParametricSphericalSurface back =
-      SurfaceFromSpharmPdm(SurfaceToSpharmPdm(surface, "f"), "f");
+  const SurfaceModel surface = RandomSurfaceModel(random, 6);
+  const SurfaceModel back = SurfaceFromSpharmPdm(SurfaceToSpharmPdm(surface, "f"), "f");
   for (int k = 0; k < 3; ++k)
   {
     for (std::size_t i = 0; i < surface.Coefficients(k).size(); ++i)

@@ -12,7 +12,7 @@
 #include "SegmentationFile.h"
 #include "TestData.h"
 #include "VoxelMinimum.h"
-#include "vtkSphericalHarmonicSurface.h"
+#include "vtkRadialModelSurface.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -47,7 +47,7 @@ FitResult Fit(const Segmentation& segmentation, const FitSettings& settings = {}
 }
 
 // The mask of a body on cubes of `step` mm.
-vtkSmartPointer<vtkImageData> PhantomMask(const palpate::SphericalHarmonicModel& model, double step)
+vtkSmartPointer<vtkImageData> PhantomMask(const palpate::RadialModel& model, double step)
 {
   const int size = static_cast<int>(64.0 / step);
   palpate::PhantomGrid grid;
@@ -59,11 +59,11 @@ vtkSmartPointer<vtkImageData> PhantomMask(const palpate::SphericalHarmonicModel&
 }
 
 // Root mean square distance (mm) of the fitted surface from the true body's.
-double ErrorOf(const FitResult& result, const palpate::SphericalHarmonicModel& truth)
+double ErrorOf(const FitResult& result, const palpate::RadialModel& truth)
 {
   vtkNew<vtkTable> table;
   palpate::ToTable(truth, table);
-  vtkNew<vtkSphericalHarmonicSurface> surface;
+  vtkNew<vtkRadialModelSurface> surface;
   surface->SetInputData(table);
   surface->SetFrequency(80); // facets within 1 micrometre
   surface->Update();

@@ -9,7 +9,7 @@ namespace palpate::inclusion_share_test
 {
 namespace
 {
-SphericalHarmonicModel Ball()
+RadialModel Ball()
 {
   return {0, {14.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()};
 }

@@ -3,9 +3,9 @@
 #include "ComplianceAtlas.h"
 #include "InputError.h"
 #include "LabelImages.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
 #include "SphericalHarmonicProjection.h"
+#include "SurfacePhantoms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
-SphericalHarmonicModel Ball()
+RadialModel Ball()
 {
   return {0, {14.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()};
 }
@@ -99,8 +99,7 @@ TEST(ModelSoftening, TellsOfASharpHollow)
       const double part = std::acos(std::clamp(direction.z(), -1.0, 1.0)) / angle;
       return 20.0 - depth * std::exp(-part * part);
     };
-    return SphericalHarmonicModel(Degree, ProjectOnHarmonics(Degree, 4 * Degree, radius),
-                                  Vector3::Zero());
+    return RadialModel(Degree, ProjectOnHarmonics(Degree, 4 * Degree, radius), Vector3::Zero());
   };
   SofteningSettings settings = Quick();
   const auto warnings = SoftenModel(holed(5.0, 0.3), "holed", settings, GoOn).Warnings();

@@ -28,7 +28,7 @@ bool GoOn(double, const std::string&)
   return true;
 }
 
-SphericalHarmonicModel Ball(double radius = 14.0)
+RadialModel Ball(double radius = 14.0)
 {
   return {0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()};
 }
@@ -262,7 +262,7 @@ TEST(SofteningKey, DiffersWithEveryInput)
       [](SofteningSettings& s) { s.Numbers.Maps.Degree = 7; },
       [](SofteningSettings& s) { s.Numbers.Maps.LargestPatch = 4.0; }};
   std::set<std::string> keys{SofteningKey(Ball(15.0), Quick()).Text()};
-  const SphericalHarmonicModel moved(0, Ball().Coefficients(), Vector3::UnitX());
+  const RadialModel moved(0, Ball().Coefficients(), Vector3::UnitX());
   keys.insert(SofteningKey(moved, Quick()).Text());
   for (const auto& change : changes)
   {

@@ -14,7 +14,7 @@ struct Softened
   {
     return SofteningReport(this->Model, this->Softness, name, ball);
   }
-  ModelDocument Model{SphericalHarmonicModel(0, {1.0}, Vector3::Zero()), {}};
+  ModelDocument Model{RadialModel(0, {1.0}, Vector3::Zero()), {}};
   ModelSoftness Softness;
 };
 

@@ -5,9 +5,9 @@
 #include "FitStructure.h"
 #include "MeshGltf.h"
 #include "ModelSurface.h"
-#include "ParametricPhantoms.h"
 #include "SinglePrecision.h"
 #include "SurfaceFile.h"
+#include "SurfacePhantoms.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
 #include "TriangleMesh.h"
@@ -35,7 +35,7 @@ FitSettings Settings(FitSettings::ModelKind model, int degree)
 }
 
 // A phantom's surface in single precision, which every format keeps.
-vtkSmartPointer<vtkPolyData> SurfaceOf(const ParametricSphericalSurface& phantom, int frequency)
+vtkSmartPointer<vtkPolyData> SurfaceOf(const SurfaceModel& phantom, int frequency)
 {
   TriangleMesh mesh = TrianglesOf(DrawModel(phantom, frequency), "phantom");
   for (Vector3& point : mesh.PointsWorld)
@@ -54,14 +54,14 @@ FitResult Fit(vtkPolyData* surface, const FitSettings& settings)
 
 std::vector<double> CoefficientsOf(const FitResult& result)
 {
-  if (const SphericalHarmonicModel* radial = result.Radial())
+  if (const RadialModel* radial = result.Radial())
   {
     return radial->Coefficients();
   }
   std::vector<double> all;
   for (const int coordinate : {0, 1, 2})
   {
-    const auto& one = std::get<ParametricSphericalSurface>(result.Model).Coefficients(coordinate);
+    const auto& one = std::get<SurfaceModel>(result.Model).Coefficients(coordinate);
     all.insert(all.end(), one.begin(), one.end());
   }
   return all;

@@ -6,11 +6,11 @@
 #include "LabelImages.h"
 #include "MeshDistances.h"
 #include "ModelSurface.h"
-#include "ParametricMask.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
 #include "RepairRemarks.h"
 #include "SegmentationFile.h"
+#include "SurfaceModelMask.h"
+#include "SurfacePhantoms.h"
 #include "TestData.h"
 #include "TriangleMesh.h"
 
@@ -52,13 +52,13 @@ palpate::test::LabelGrid Cubes(double step)
   return grid;
 }
 
-const ParametricSphericalSurface& SurfaceOf(const FitResult& result)
+const SurfaceModel& SurfaceOf(const FitResult& result)
 {
-  return std::get<ParametricSphericalSurface>(result.Model);
+  return std::get<SurfaceModel>(result.Model);
 }
 
 // Root mean square distance (mm) of the drawn model's points from the true surface.
-double ErrorOf(const FitResult& result, const ParametricSphericalSurface& truth)
+double ErrorOf(const FitResult& result, const SurfaceModel& truth)
 {
   constexpr int Fine = 60;
   palpate::TriangleMesh mesh;
@@ -77,12 +77,12 @@ double ErrorOf(const FitResult& result, const ParametricSphericalSurface& truth)
 
 vtkSmartPointer<vtkImageData> Ring(double step)
 {
-  return palpate::test::ParametricMask(palpate::test::OpenRing(), Cubes(step));
+  return palpate::test::SurfaceModelMask(palpate::test::OpenRing(), Cubes(step));
 }
 
 TEST(SurfaceModels, RecoverATubeToTheVoxelsLimit)
 {
-  const ParametricSphericalSurface truth = palpate::test::OpenRing();
+  const SurfaceModel truth = palpate::test::OpenRing();
   for (const double step : {2.0, 1.0})
   {
     const FitResult result = FitMask(Ring(step), SurfaceOfDegree(16));
@@ -97,9 +97,9 @@ TEST(SurfaceModels, RecoverATubeToTheVoxelsLimit)
 
 TEST(SurfaceModels, RecoverABowl)
 {
-  const ParametricSphericalSurface truth = palpate::test::Bowl();
+  const SurfaceModel truth = palpate::test::Bowl();
   const FitResult result =
-      FitMask(palpate::test::ParametricMask(truth, Cubes(1.0)), SurfaceOfDegree(16));
+      FitMask(palpate::test::SurfaceModelMask(truth, Cubes(1.0)), SurfaceOfDegree(16));
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
   EXPECT_LT(ErrorOf(result, truth), 0.15);
   EXPECT_GT(result.Dice, 0.97);
@@ -114,9 +114,9 @@ TEST(SurfaceModels, AreChosenOnlyWhereARadiusDoesNot)
   EXPECT_EQ(ring.Radial(), nullptr);
   EXPECT_GT(ring.HiddenPercent, automatic.MaximumHiddenPercent);
 
-  const ParametricSphericalSurface ellipsoid =
-      palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0));
-  const FitResult round = FitMask(palpate::test::ParametricMask(ellipsoid, Cubes(2.0)), automatic);
+  const SurfaceModel ellipsoid = palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0));
+  const FitResult round =
+      FitMask(palpate::test::SurfaceModelMask(ellipsoid, Cubes(2.0)), automatic);
   ASSERT_EQ(round.State, Outcome::Fitted) << round.Message;
   EXPECT_NE(round.Radial(), nullptr);
 }
@@ -133,11 +133,12 @@ TEST(SurfaceModels, AreRefusedAsRadialOnes)
 // The same structure on a grid whose axes are turned and mirrored.
 TEST(SurfaceModels, DoNotDependOnTheFilesAxes)
 {
-  const ParametricSphericalSurface truth = palpate::test::OpenRing();
+  const SurfaceModel truth = palpate::test::OpenRing();
   palpate::test::LabelGrid turned = Cubes(1.0);
   turned.Direction = {0, 0, -1, 1, 0, 0, 0, 1, 0}; // left-handed
   const FitResult straight = FitMask(Ring(1.0), SurfaceOfDegree(8));
-  const FitResult other = FitMask(palpate::test::ParametricMask(truth, turned), SurfaceOfDegree(8));
+  const FitResult other =
+      FitMask(palpate::test::SurfaceModelMask(truth, turned), SurfaceOfDegree(8));
   ASSERT_EQ(straight.State, Outcome::Fitted) << straight.Message;
   ASSERT_EQ(other.State, Outcome::Fitted) << other.Message;
   double squares = 0.0;
@@ -160,12 +161,12 @@ TEST(SurfaceModels, AreDrawnAsFineAsTheirDegree)
   {
     const auto count = static_cast<std::size_t>((degree + 1) * (degree + 1));
     const std::vector<double> zeros(count, 0.0);
-    return palpate::SurfaceModel(ParametricSphericalSurface(degree, {{zeros, zeros, zeros}}));
+    return palpate::OrganModel(SurfaceModel(degree, {{zeros, zeros, zeros}}));
   };
   EXPECT_EQ(palpate::DrawnFrequency(degrees(12), 20), 20);
   EXPECT_EQ(palpate::DrawnFrequency(degrees(25), 20), 40);
   EXPECT_EQ(palpate::DrawnFrequency(degrees(25), 64), 64);
-  const palpate::SurfaceModel radial = palpate::SphericalHarmonicModel(0, {1.0}, Vector3::Zero());
+  const palpate::OrganModel radial = palpate::RadialModel(0, {1.0}, Vector3::Zero());
   EXPECT_EQ(palpate::DrawnFrequency(radial, 5), 5);
 }
 
@@ -275,7 +276,7 @@ TEST(SurfaceModels, AreTakenWhereARadiusIsNotGoodEnough)
   ASSERT_EQ(FitMask(Rod(), radial).State, Outcome::Refused);
   const FitResult result = FitMask(Rod());
   ASSERT_EQ(result.State, Outcome::Fitted) << result.Message;
-  EXPECT_TRUE(std::holds_alternative<ParametricSphericalSurface>(result.Model));
+  EXPECT_TRUE(std::holds_alternative<SurfaceModel>(result.Model));
   EXPECT_GT(result.Dice, 0.95);
 }
 
@@ -303,7 +304,7 @@ TEST(SurfaceModels, AreTakenByTheFirstRulesOnlyIfTheyOverlapMore)
   std::set<bool> taken;
   for (const double step : {2.0, 4.0, 5.0})
   {
-    const auto mask = palpate::test::ParametricMask(
+    const auto mask = palpate::test::SurfaceModelMask(
         palpate::test::EllipsoidPhantom(Vector3(20.0, 16.0, 12.0)), Cubes(step));
     FitSettings settings;
     settings.Rules = 1;

@@ -23,14 +23,14 @@ using palpate::test::CsvRecordsIn;
 using palpate::test::Random;
 using palpate::test::TemporaryFolder;
 
-void AddTo(CohortGroup& group, const std::string& name, const SurfaceModel& model)
+void AddTo(CohortGroup& group, const std::string& name, const OrganModel& model)
 {
   CohortRow row;
   row.Case = name;
   row.Result.Structure.Label = 1;
   group.Rows.push_back(row);
   BodyMoments body;
-  EXPECT_TRUE(MeasureBody(std::get<SphericalHarmonicModel>(model), body).IsOk());
+  EXPECT_TRUE(MeasureBody(std::get<RadialModel>(model), body).IsOk());
   group.Bodies.push_back(body);
   group.Models.push_back(model);
 }
@@ -39,8 +39,7 @@ void AddTo(CohortGroup& group, const std::string& name, const SurfaceModel& mode
 CohortGroup TurnedGroup()
 {
   Random random(95);
-  const SphericalHarmonicModel organ(5, test::RandomOrgan(random, 5).Coefficients(),
-                                     Vector3::Zero());
+  const RadialModel organ(5, test::RandomOrgan(random, 5).Coefficients(), Vector3::Zero());
   CohortGroup group;
   for (const double degrees : {0.0, 5.0, 10.0, -5.0, -10.0, 180.0})
   {
@@ -109,7 +108,7 @@ TEST(CohortAlignment, ReferenceOfHigherDegreeRaisesThatOfTheCases)
 {
   CohortGroup group = TurnedGroup();
   const TemporaryFolder folder;
-  const auto& first = std::get<SphericalHarmonicModel>(group.Models.front());
+  const auto& first = std::get<RadialModel>(group.Models.front());
   WriteModel(folder / "mean.json", {first.WithDegree(7), {}});
   AlignCohortGroup(group, false, folder / "mean.json");
   EXPECT_EQ(DegreeOf(group.Models.back()), 7);
@@ -130,8 +129,8 @@ TEST(CohortAlignment, RejectsReferenceOfAnotherKind)
 {
   CohortGroup group = TurnedGroup();
   const TemporaryFolder folder;
-  const auto& first = std::get<SphericalHarmonicModel>(group.Models.front());
-  WriteModel(folder / "surface.json", {ParametricSphericalSurface::FromModel(first), {}});
+  const auto& first = std::get<RadialModel>(group.Models.front());
+  WriteModel(folder / "surface.json", {SurfaceModel::FromModel(first), {}});
   EXPECT_THROW(AlignCohortGroup(group, false, folder / "surface.json"), InputError);
   EXPECT_THROW(AlignCohortGroup(group, false, folder / "missing.json"), InputError);
 }

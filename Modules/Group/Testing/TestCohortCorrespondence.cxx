@@ -5,9 +5,9 @@
 #include "CsvRecords.h"
 #include "MarkupCheck.h"
 #include "ModelMeasures.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
 #include "ReportPage.h"
+#include "SurfacePhantoms.h"
 #include "TemporaryFolder.h"
 
 #include <Eigen/Geometry>
@@ -39,7 +39,7 @@ std::string SectionOf(const CohortGroup& group, const CohortCorrespondence& foun
 CohortGroup FlippedGroup()
 {
   Random random(401);
-  const ParametricSphericalSurface tube = test::BumpyTube(random, 8);
+  const SurfaceModel tube = test::BumpyTube(random, 8);
   CohortGroup group;
   for (std::size_t i = 0; i < 10; ++i)
   {
@@ -54,7 +54,7 @@ CohortGroup FlippedGroup()
         sums[k] = (i == Far ? 1.5 : 1.0) * (k == 0 ? 0.0 : sums[k] + 0.3 * relief[k]);
       }
     }
-    SurfaceModel model = ParametricSphericalSurface(8, coefficients);
+    OrganModel model = SurfaceModel(8, coefficients);
     if (i == Flipped)
     {
       const Matrix3 turn = Eigen::AngleAxisd(M_PI, Vector3::UnitZ()).toRotationMatrix();
@@ -65,7 +65,7 @@ CohortGroup FlippedGroup()
     row.Result.Structure.Label = 1;
     group.Rows.push_back(row);
     BodyMoments body;
-    EXPECT_TRUE(MeasureBody(std::get<ParametricSphericalSurface>(model), body).IsOk());
+    EXPECT_TRUE(MeasureBody(std::get<SurfaceModel>(model), body).IsOk());
     group.Bodies.push_back(body);
     group.Models.push_back(model);
   }

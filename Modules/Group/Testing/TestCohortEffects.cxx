@@ -5,11 +5,11 @@
 #include "IcosahedronDirections.h"
 #include "InputError.h"
 #include "MarkupCheck.h"
-#include "ParametricPhantoms.h"
 #include "RandomShapes.h"
 #include "ReportPage.h"
 #include "SphericalHarmonicBasis.h"
 #include "SurfaceFile.h"
+#include "SurfacePhantoms.h"
 #include "TemporaryFolder.h"
 
 #include "vtkPointData.h"
@@ -79,7 +79,7 @@ private:
     CohortRow row;
     row.Case = name;
     this->Group.Rows.push_back(row);
-    this->Group.Models.emplace_back(SphericalHarmonicModel(
+    this->Group.Models.emplace_back(RadialModel(
         Degree, std::vector<double>(values.data(), values.data() + 25), Vector3::Zero()));
     this->Group.Bodies.emplace_back();
     this->Group.Bodies.back().Volume = 1000.0 + static_cast<double>(this->Group.Rows.size());

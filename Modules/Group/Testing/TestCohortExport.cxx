@@ -1,12 +1,12 @@
 #include "CohortExport.h"
 #include "LatitudeAxis.h"
 #include "ModelFile.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "SpharmPdmCoefficients.h"
 #include "SurfaceFile.h"
+#include "SurfacePhantoms.h"
 #include "TemporaryFolder.h"
 #include "WholeFile.h"
 
@@ -39,7 +39,7 @@ public:
     Random random(4);
     for (const char* name : {"a b", "a_b"})
     {
-      const ParametricSphericalSurface tube =
+      const SurfaceModel tube =
           BumpyTube(random, 4).Transformed(Matrix3::Identity(), Vector3(30.0, -10.0, 5.0));
       CohortRow row;
       row.Case = name;
@@ -58,7 +58,7 @@ public:
 
   TemporaryFolder Folder;
   CohortGroup Group;
-  std::vector<ParametricSphericalSurface> Tubes;
+  std::vector<SurfaceModel> Tubes;
 };
 
 // As ParaToSPHARMMesh names and fills them.
@@ -67,8 +67,7 @@ TEST(CohortExport, SpharmPdmFilesHoldTheModelInThreePoses)
   const ExportedCohort cohort;
   cohort.Export(ExportKind::SpharmPdm);
   const std::filesystem::path base = cohort.Folder / "out/Step3_ParaToSPHARMMesh/a_b_pp_surf";
-  const ParametricSphericalSurface read =
-      SurfaceFromSpharmPdm(ReadAll(base.string() + "_SPHARM.coef"), "test");
+  const SurfaceModel read = SurfaceFromSpharmPdm(ReadAll(base.string() + "_SPHARM.coef"), "test");
   const auto surface = ReadSurface(base.string() + "_SPHARM.vtk");
   const auto parameters = ReadSurface(base.string() + "_para.vtk");
   const auto aligned = ReadSurface(base.string() + "_SPHARM_procalign.vtk");
@@ -125,7 +124,7 @@ TEST(CohortExport, SpharmPdmParametersTellPointsApart)
 }
 
 // x = 30 cos, y = 20 ..., z = 10 ...: coefficients of degree 1, (Y_1,-1, Y_1,0, Y_1,1) = (y, z, x).
-ParametricSphericalSurface Ellipsoid()
+SurfaceModel Ellipsoid()
 {
   const double unit = std::sqrt(4.0 * M_PI / 3.0);
   return {1,
@@ -162,7 +161,7 @@ TEST(CohortExport, SpharmPdmAxisFollowsTheBody)
   {
     const Matrix3 turn = RandomOrientation(random);
     const Vector3 centre(40.0, -5.0, 12.0);
-    const ParametricSphericalSurface turned = WithLongAxisFirst(
+    const SurfaceModel turned = WithLongAxisFirst(
         Ellipsoid().Transformed(turn, centre).Reparametrized(RandomOrientation(random)));
     const LatitudeAxis axis = FindLatitudeAxis(turned, 9, 65);
     const Vector3 along = turn.col(0);

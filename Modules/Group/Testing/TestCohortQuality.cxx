@@ -30,7 +30,7 @@ void AddCase(CohortGroup& group, const std::string& name, std::vector<double> co
   row.Case = name;
   row.Result.Structure.Label = 1;
   group.Rows.push_back(row);
-  const SphericalHarmonicModel model(5, std::move(coefficients), Vector3::Zero());
+  const RadialModel model(5, std::move(coefficients), Vector3::Zero());
   BodyMoments body;
   EXPECT_TRUE(MeasureBody(model, body).IsOk());
   group.Bodies.push_back(body);

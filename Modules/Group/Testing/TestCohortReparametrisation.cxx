@@ -1,9 +1,9 @@
 #include "CohortReparametrisation.h"
 
 #include "MessageOf.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
 #include "ReportPage.h"
+#include "SurfacePhantoms.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST(CohortReparametrisation, ChangesModelsAndModesAndTellsWhatItDid)
 TEST(CohortReparametrisation, RefusesRadialModels)
 {
   CohortGroup group = Ellipsoids();
-  group.Models.assign(Cases, SphericalHarmonicModel(1, {30.0, 0.0, 1.0, 0.0}, Vector3::Zero()));
+  group.Models.assign(Cases, RadialModel(1, {30.0, 0.0, 1.0, 0.0}, Vector3::Zero()));
   const std::string message = test::MessageOf([&] { ReparametriseCohortGroup(group, {}); });
   EXPECT_NE(message.find("--model surface"), std::string::npos) << message;
 }

@@ -1,12 +1,12 @@
+#include "CenteredSurface.h"
 #include "ClosestPointSearch.h"
 #include "FitStructure.h"
 #include "GroupReparametrisation.h"
 #include "IcosahedronDirections.h"
-#include "ParametricMask.h"
-#include "ParametricPhantoms.h"
-#include "ParametricShape.h"
 #include "ShapeAlignment.h"
 #include "SphericalPlacement.h"
+#include "SurfaceModelMask.h"
+#include "SurfacePhantoms.h"
 
 #include <Eigen/Geometry>
 
@@ -28,7 +28,7 @@ constexpr int Cases = 8;
 /// A bent, flattened body with a bulge on its left, and its variant: stretched along the axes, bent
 /// and bulging more or less, turned as patients lie by some 6 degrees. The same parameter is the
 /// same place of each variant.
-ParametricSphericalSurface Variant(Random& random)
+SurfaceModel Variant(Random& random)
 {
   std::normal_distribution<double> normal;
   const double bend = 0.012 * (1.0 + 0.4 * normal(random)); // 1/mm
@@ -51,33 +51,33 @@ ParametricSphericalSurface Variant(Random& random)
       });
 }
 
-ParametricSphericalSurface FitOf(const ParametricSphericalSurface& truth)
+SurfaceModel FitOf(const SurfaceModel& truth)
 {
   test::LabelGrid grid;
   grid.Spacing = {0.8, 0.8, 1.6};
   Segmentation segmentation;
-  segmentation.Layers = {test::ParametricMask(truth, grid)};
+  segmentation.Layers = {test::SurfaceModelMask(truth, grid)};
   segmentation.Segments = {Segment{1, 1, 0, "body"}};
   FitSettings settings;
   settings.Model = FitSettings::ModelKind::Surface;
   settings.Degree = 14;
   const FitResult result = FitStructure(segmentation, segmentation.Segments.front(), settings);
   EXPECT_EQ(result.State, FitResult::Outcome::Fitted) << result.Message;
-  return std::get<ParametricSphericalSurface>(result.Model);
+  return std::get<SurfaceModel>(result.Model);
 }
 
 /// A case's landmarks, and their places on its model.
 struct Landmarks
 {
-  ParametricSphericalSurface Model;
+  SurfaceModel Model;
   std::vector<Vector3> Places;     ///< mm
   std::vector<Vector3> Parameters; ///< of the closest points of the model
 };
 
 void FindParameters(Landmarks& marks)
 {
-  const ClosestPointSearchOf<ParametricShape> search(
-      std::make_shared<ParametricShape>(marks.Model));
+  const ClosestPointSearchOf<CenteredSurface> search(
+      std::make_shared<CenteredSurface>(marks.Model));
   marks.Parameters.clear();
   for (const Vector3& place : marks.Places)
   {
@@ -85,7 +85,7 @@ void FindParameters(Landmarks& marks)
   }
 }
 
-Landmarks LandmarksOf(const ParametricSphericalSurface& truth)
+Landmarks LandmarksOf(const SurfaceModel& truth)
 {
   Landmarks marks{FitOf(truth), {}, {}};
   const IcosahedronDirections sphere(4); // 162 landmarks
@@ -102,7 +102,7 @@ std::vector<Landmarks> Centred(std::vector<Landmarks> cases)
 {
   for (Landmarks& marks : cases)
   {
-    ParametricSphericalSurface centred = marks.Model;
+    SurfaceModel centred = marks.Model;
     EXPECT_TRUE(AlignShape(marks.Model, AlignmentAxes::Patient, centred).IsOk());
     const Vector3 pole = Vector3::UnitZ();
     const Vector3 moved = centred.Point(pole) - marks.Model.Point(pole);
@@ -120,7 +120,7 @@ std::vector<Landmarks> Reparametrised(std::vector<Landmarks> cases,
                                       const ReparametrisationSettings& settings,
                                       ReparametrisationResult& result)
 {
-  std::vector<ParametricSphericalSurface> surfaces;
+  std::vector<SurfaceModel> surfaces;
   for (const Landmarks& marks : cases)
   {
     surfaces.push_back(marks.Model);
@@ -136,7 +136,7 @@ std::vector<Landmarks> Reparametrised(std::vector<Landmarks> cases,
 }
 
 /// The rotation of the parameters that places them by the ellipsoid of degree 1.
-Matrix3 EllipsoidTurn(const ParametricSphericalSurface& model)
+Matrix3 EllipsoidTurn(const SurfaceModel& model)
 {
   Matrix3 degreeOne;
   for (int axis = 0; axis < 3; ++axis)

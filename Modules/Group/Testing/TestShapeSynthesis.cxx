@@ -22,9 +22,9 @@ CohortGroup TwoModes()
   {
     const double factor = std::sqrt(3.0 / 4.0); // deviations over cases - 1
     group.Rows.emplace_back();
-    group.Models.emplace_back(SphericalHarmonicModel(
-        1, {unit * (20.0 + 2.0 * factor * size), 0.0, relief * factor * unit, 0.0},
-        Vector3::Zero()));
+    group.Models.emplace_back(
+        RadialModel(1, {unit * (20.0 + 2.0 * factor * size), 0.0, relief * factor * unit, 0.0},
+                    Vector3::Zero()));
   }
   EXPECT_TRUE(FindShapeModes(CoefficientsOf(group), group.Modes).IsOk());
   return group;
@@ -35,7 +35,7 @@ TEST(ShapeSynthesis, AddsStandardDeviationsOfModesToTheMean)
   const CohortGroup group = TwoModes();
   const test::TemporaryFolder folder;
   WriteSynthesis(group, "1:2,2:-1", folder.Path(), "test");
-  const auto shape = std::get<SphericalHarmonicModel>(ReadModel(folder / "shape.json").Surface);
+  const auto shape = std::get<RadialModel>(ReadModel(folder / "shape.json").Surface);
   const double unit = std::sqrt(4.0 * M_PI);
   EXPECT_NEAR(shape.Coefficients()[0], 24.0 * unit, 1e-12);
   EXPECT_NEAR(shape.Coefficients()[2], -0.5 * unit, 1e-12);
@@ -44,7 +44,7 @@ TEST(ShapeSynthesis, AddsStandardDeviationsOfModesToTheMean)
 
 TEST(ShapeSynthesis, ZeroIsTheMean)
 {
-  const auto mean = std::get<SphericalHarmonicModel>(SynthesizeShape(TwoModes(), "0"));
+  const auto mean = std::get<RadialModel>(SynthesizeShape(TwoModes(), "0"));
   EXPECT_NEAR(mean.Coefficients()[0], 20.0 * std::sqrt(4.0 * M_PI), 1e-12);
   EXPECT_NEAR(mean.Coefficients()[2], 0.0, 1e-12);
 }

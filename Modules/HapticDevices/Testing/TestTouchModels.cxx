@@ -1,7 +1,7 @@
 // The servo with the real contact models: a hand strokes a sphere of 15 mm of each kind.
 #include "FieldContactCases.h"
-#include "HarmonicContactModel.h"
 #include "MeshCases.h"
+#include "RadialContactModel.h"
 #include "RecordedSession.h"
 #include "TouchReplay.h"
 
@@ -15,17 +15,17 @@ namespace
 {
 constexpr double Radius = 15.0; // mm
 
-std::shared_ptr<const SphericalHarmonicModel> SphereBody()
+std::shared_ptr<const RadialModel> SphereBody()
 {
   std::vector<double> coefficients(25, 0.0);
   coefficients[0] = Radius * std::sqrt(4.0 * M_PI);
-  return std::make_shared<SphericalHarmonicModel>(4, coefficients, Vector3::Zero());
+  return std::make_shared<RadialModel>(4, coefficients, Vector3::Zero());
 }
 
-std::shared_ptr<const ContactModel> Harmonic(HarmonicContactMode mode)
+std::shared_ptr<const ContactModel> Harmonic(RadialContactMode mode)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = HarmonicContactModel::Make(SphereBody(), mode, contact);
+  const Status status = RadialContactModel::Make(SphereBody(), mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }
@@ -55,8 +55,8 @@ void PrintTo(const ModelCase& c, std::ostream* stream)
 std::vector<ModelCase> AllModels()
 {
   return {
-      {"HarmonicNearest", [] { return Harmonic(HarmonicContactMode::Nearest); }, 1e-6, true},
-      {"HarmonicRadial", [] { return Harmonic(HarmonicContactMode::Radial); }, 1e-6, false},
+      {"RadialNearest", [] { return Harmonic(RadialContactMode::Nearest); }, 1e-6, true},
+      {"RadialByRadius", [] { return Harmonic(RadialContactMode::Radial); }, 1e-6, false},
       // Facets of 4,002 corners lie up to 0.02 mm inside the sphere.
       {"Facets", [] { return test::FacetContact(test::MeshOf(*SphereBody(), 20)); }, 0.03, true},
       // Trilinear between voxels of 0.5 mm, and a sphere of points instead of one.

@@ -42,7 +42,7 @@ double ClearMotion::Minima::Nearest() const noexcept
   return nearest;
 }
 
-ClearMotion::ClearMotion(const ParametricTouchSurface& surface, const WedgePlaces& places,
+ClearMotion::ClearMotion(const TouchableSurfaceModel& surface, const WedgePlaces& places,
                          double radius, double stride, double exactness,
                          std::shared_ptr<Proof> clearance)
     : Surface(&surface), Places(&places), Radius(radius), Free(radius + surface.Margin()),

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ClearanceProof.h"
-#include "ParametricTouchSurface.h"
 #include "ProvenBall.h"
+#include "TouchableSurfaceModel.h"
 #include "WedgePlaces.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-/// Moves a spherical tool without contact along its path, at a parametric surface.
+/// Moves a spherical tool without contact along its path, at a surface model.
 ///
 /// As far above the surface as WedgePlaces found room, the nearest point is the minimum of the
 /// distance that Newton's method continues: one evaluation a tick. Elsewhere a ClearanceProof shows
@@ -25,14 +25,14 @@ namespace palpate
 class ClearMotion
 {
 public:
-  using ClosestPoint = ParametricTouchSurface::ClosestPoint;
-  using Proof = ClearanceProofOf<ParametricTouchSurface::Shape>;
+  using ClosestPoint = TouchableSurfaceModel::ClosestPoint;
+  using Proof = ClearanceProofOf<TouchableSurfaceModel::Shape>;
 
   /// `radius` is the tool's (mm), which the surface's margin enlarges at `places`; `stride` the
   /// longest step that stays with a minimum, `exactness` that of a minimum's distance (mm).
   /// Keeps the addresses of surface and places, which must outlive it. `clearance` is the proof of
   /// whoever else moves this tool at the surface; null for one of its own.
-  ClearMotion(const ParametricTouchSurface& surface, const WedgePlaces& places, double radius,
+  ClearMotion(const TouchableSurfaceModel& surface, const WedgePlaces& places, double radius,
               double stride, double exactness, std::shared_ptr<Proof> clearance);
 
   /// Begins at a place (mm) where the tool is free, at the outer side of this minimum of the
@@ -110,7 +110,7 @@ private:
     return minimum.Converged() && minimum.DistanceError <= this->Exactness;
   }
 
-  const ParametricTouchSurface* Surface;
+  const TouchableSurfaceModel* Surface;
   const WedgePlaces* Places;
   double Radius;
   // mm from the centre of the tool, where nothing unknown may be; but see SearchAt.

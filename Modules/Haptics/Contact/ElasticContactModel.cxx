@@ -9,13 +9,13 @@
 
 namespace palpate
 {
-Status ElasticContactModel::Make(std::shared_ptr<const SphericalHarmonicModel> model,
+Status ElasticContactModel::Make(std::shared_ptr<const RadialModel> model,
                                  const ComplianceMaps& maps,
                                  std::shared_ptr<const ContactModel>& contact)
 {
-  std::shared_ptr<const HarmonicSurface> surface;
+  std::shared_ptr<const TouchableRadialModel> surface;
   const Status isBody = maps.Check();
-  Status status = isBody.IsOk() ? HarmonicSurface::Make(std::move(model), surface) : isBody;
+  Status status = isBody.IsOk() ? TouchableRadialModel::Make(std::move(model), surface) : isBody;
   if (status.IsOk())
   {
     contact.reset(
@@ -24,7 +24,7 @@ Status ElasticContactModel::Make(std::shared_ptr<const SphericalHarmonicModel> m
   return status;
 }
 
-ElasticContactModel::ElasticContactModel(std::shared_ptr<const HarmonicSurface> surface,
+ElasticContactModel::ElasticContactModel(std::shared_ptr<const TouchableRadialModel> surface,
                                          std::shared_ptr<const ComplianceAtlas> atlas)
     : Surface(std::move(surface)), Atlas(std::move(atlas))
 {

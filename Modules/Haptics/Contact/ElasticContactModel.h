@@ -2,21 +2,21 @@
 
 #include "ComplianceAtlas.h"
 #include "ContactModel.h"
-#include "HarmonicSurface.h"
+#include "TouchableRadialModel.h"
 
 #include <memory>
 
 namespace palpate
 {
-/// A structure that yields: a star-shaped surface with the compliance of its places. Supports
+/// A structure that yields: a radial model with the compliance of its places. Supports
 /// spherical tools. Its force is its own, in N in the world; of the scene's force law only the
 /// damping counts.
 class ElasticContactModel final : public ContactModel
 {
 public:
-  /// `maps` were made for `model`. Fails as HarmonicSurface::Make and ComplianceMaps::Check.
-  static Status Make(std::shared_ptr<const SphericalHarmonicModel> model,
-                     const ComplianceMaps& maps, std::shared_ptr<const ContactModel>& contact);
+  /// `maps` were made for `model`. Fails as TouchableRadialModel::Make and ComplianceMaps::Check.
+  static Status Make(std::shared_ptr<const RadialModel> model, const ComplianceMaps& maps,
+                     std::shared_ptr<const ContactModel>& contact);
 
   Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Surface->BoundsWorld(); }
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
@@ -25,10 +25,10 @@ public:
   std::size_t Bytes() const noexcept override;
 
 private:
-  ElasticContactModel(std::shared_ptr<const HarmonicSurface> surface,
+  ElasticContactModel(std::shared_ptr<const TouchableRadialModel> surface,
                       std::shared_ptr<const ComplianceAtlas> atlas);
 
-  std::shared_ptr<const HarmonicSurface> Surface;
+  std::shared_ptr<const TouchableRadialModel> Surface;
   std::shared_ptr<const ComplianceAtlas> Atlas;
 };
 } // namespace palpate

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-ElasticHold::ElasticHold(const HarmonicSurface& surface, double ballRadius,
+ElasticHold::ElasticHold(const TouchableRadialModel& surface, double ballRadius,
                          const ClosestPoint* walls, std::size_t count, const Vector3& probeWorld,
                          const Vector3& guessWorld) noexcept
     : Ball(ballRadius), Reach(0.05 * ballRadius), Probe(probeWorld), Center(guessWorld),
@@ -43,7 +43,7 @@ ElasticHold::Push ElasticHold::PushAt(double gap) const noexcept
                                 : Push{-Stiffness * gap, -Stiffness};
 }
 
-void ElasticHold::GoTo(const HarmonicSurface& surface, const Vector3& place) noexcept
+void ElasticHold::GoTo(const TouchableRadialModel& surface, const Vector3& place) noexcept
 {
   this->Center = place;
   const std::size_t before = this->Count;

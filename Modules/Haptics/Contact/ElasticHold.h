@@ -2,7 +2,7 @@
 
 #include "ClosestPoint.h"
 #include "CoupledPatches.h"
-#include "HarmonicSurface.h"
+#include "TouchableRadialModel.h"
 #include "Vector3.h"
 
 #include <array>
@@ -23,7 +23,7 @@ public:
 
   /// `walls` are minima of the distance, near the ball's place `guessWorld`; those that are one at
   /// the end are kept once. Takes some evaluations of the surface for each. Does not allocate.
-  ElasticHold(const HarmonicSurface& surface, double ballRadius, const ClosestPoint* walls,
+  ElasticHold(const TouchableRadialModel& surface, double ballRadius, const ClosestPoint* walls,
               std::size_t count, const Vector3& probeWorld, const Vector3& guessWorld) noexcept;
 
   const Vector3& CenterWorld() const noexcept { return this->Center; }
@@ -46,7 +46,7 @@ private:
     double Slope; // by the gap
   };
   Push PushAt(double gap) const noexcept;
-  void GoTo(const HarmonicSurface& surface, const Vector3& place) noexcept;
+  void GoTo(const TouchableRadialModel& surface, const Vector3& place) noexcept;
   Vector3 Rest(Eigen::Matrix3d& slope) const noexcept;
 
   double Ball;  // its radius, mm

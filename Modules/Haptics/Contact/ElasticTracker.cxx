@@ -16,7 +16,7 @@ namespace
 constexpr double Ahead = 0.5;
 } // namespace
 
-ElasticTracker::ElasticTracker(std::shared_ptr<const HarmonicSurface> surface,
+ElasticTracker::ElasticTracker(std::shared_ptr<const TouchableRadialModel> surface,
                                std::shared_ptr<const ComplianceAtlas> atlas, double toolRadius,
                                const SurfaceFriction& friction)
     : Rigid(surface, toolRadius, SurfaceFriction(), Ahead * toolRadius),

@@ -4,7 +4,7 @@
 #include "ContactTracker.h"
 #include "CoupledPatches.h"
 #include "ElasticForce.h"
-#include "HarmonicNearestTracker.h"
+#include "NearestPointTracker.h"
 #include "PressedPlace.h"
 
 #include <array>
@@ -27,7 +27,7 @@ namespace palpate
 class ElasticTracker final : public ContactTracker
 {
 public:
-  ElasticTracker(std::shared_ptr<const HarmonicSurface> surface,
+  ElasticTracker(std::shared_ptr<const TouchableRadialModel> surface,
                  std::shared_ptr<const ComplianceAtlas> atlas, double toolRadius,
                  const SurfaceFriction& friction);
 
@@ -49,8 +49,8 @@ private:
   void Rub(const Vector3& probe) noexcept;
   void LetGo() noexcept;
 
-  HarmonicNearestTracker Rigid;
-  std::shared_ptr<const HarmonicSurface> Surface;
+  NearestPointTracker Rigid;
+  std::shared_ptr<const TouchableRadialModel> Surface;
   std::shared_ptr<const ComplianceAtlas> Atlas;
   double ToolRadius; // mm
   SurfaceFriction Friction;

@@ -6,7 +6,7 @@ namespace palpate
 {
 namespace
 {
-using Wall = ParametricTouchSurface::ClosestPoint;
+using Wall = TouchableSurfaceModel::ClosestPoint;
 
 // How fast (1/mm) a wall's normal turns where the sphere moves along a unit vector across it: the
 // second derivative of the distance. 0 if unknown.

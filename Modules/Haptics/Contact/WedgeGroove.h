@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ParametricTouchSurface.h"
+#include "TouchableSurfaceModel.h"
 #include "Vector3.h"
 
 namespace palpate
@@ -16,8 +16,8 @@ public:
   WedgeGroove() = default;
   /// Between two walls that push the sphere from the goal to the place that their planes allow
   /// (`push`, mm, a sum of their normals).
-  WedgeGroove(const ParametricTouchSurface::ClosestPoint& one,
-              const ParametricTouchSurface::ClosestPoint& other, const Vector3& push) noexcept;
+  WedgeGroove(const TouchableSurfaceModel::ClosestPoint& one,
+              const TouchableSurfaceModel::ClosestPoint& other, const Vector3& push) noexcept;
 
   bool IsKnown() const noexcept { return this->Part > 0.0; }
   /// The part of a step to the place that the planes allow.

@@ -2,12 +2,12 @@
 
 namespace palpate
 {
-/// How exact a HarmonicWedge is, and how much work it may do.
+/// How exact a ContactWedge is, and how much work it may do.
 struct WedgeLimits
 {
   // Relative to the smallest radius, so that units do not matter: the path between two proofs,
   // where a slide ends, and how deep the sphere may be in a wall that is not known yet. At a
-  // parametric surface that is about 0.01 mm, and what is left to the next tick 0.03 mm, less than
+  // surface model that is about 0.01 mm, and what is left to the next tick 0.03 mm, less than
   // a hand feels: for less, many more ticks take long.
   static constexpr double RelativeStep = 1.0 / 16.0;
   static constexpr double RelativeEnd = 6e-6;
@@ -19,7 +19,7 @@ struct WedgeLimits
   // no time for the whole proof.
   static constexpr double LeastProven = 0.5;
   static constexpr int Steps = 6;
-  // At a parametric surface a proof takes much longer: a sphere that has farther to go arrives
+  // At a surface model a proof takes much longer: a sphere that has farther to go arrives
   // later.
   static constexpr int Proofs = 12;
   static constexpr int ProofsAtFolds = 3;

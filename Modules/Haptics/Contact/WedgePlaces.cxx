@@ -14,7 +14,7 @@ namespace
 // About nine directions per shortest wavelength of the surface, up to degree 40, and as many cells:
 // a hollow's edge is known to a small part of a tool's radius, so that few places next to it need
 // the wedge.
-int FrequencyOf(const ParametricTouchSurface& surface)
+int FrequencyOf(const TouchableSurfaceModel& surface)
 {
   constexpr int Most = 120;
   return std::min(3 * std::max(6, surface.Model().Degree()), Most);
@@ -26,7 +26,7 @@ constexpr double LargerTool = 1.05;
 constexpr double LargerRoom = 1.1;
 } // namespace
 
-WedgePlaces::WedgePlaces(const ParametricTouchSurface& surface, double radius, double reach)
+WedgePlaces::WedgePlaces(const TouchableSurfaceModel& surface, double radius, double reach)
     : Frequency(FrequencyOf(surface)), Radius(radius), Largest(radius + reach),
       Cells(6 * static_cast<std::size_t>(Frequency * Frequency),
             Cell{Fits, static_cast<float>(Largest)})
@@ -90,7 +90,7 @@ void WedgePlaces::AddAround(const Vector3& parameter, double free, double width)
   }
 }
 
-void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
+void WedgePlaces::AddHollows(const TouchableSurfaceModel& surface)
 {
   const double most = LargerRoom * this->Largest;
   const IcosahedronDirections sphere(this->Frequency);
@@ -111,7 +111,7 @@ void WedgePlaces::AddHollows(const ParametricTouchSurface& surface)
 
 // A tool that touches both sheets next to a crossing is up to some radii away from it, since they
 // meet at any angle.
-void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double radius)
+void WedgePlaces::AddCrossings(const TouchableSurfaceModel& surface, double radius)
 {
   const std::vector<Vector3>& crossings = surface.CrossingsWorld();
   if (crossings.empty())
@@ -119,7 +119,7 @@ void WedgePlaces::AddCrossings(const ParametricTouchSurface& surface, double rad
     return;
   }
   // Of a surface that crosses itself nearly everywhere not all places are known.
-  const double reach = crossings.size() < ParametricTouchSurface::MostCrossings
+  const double reach = crossings.size() < TouchableSurfaceModel::MostCrossings
                            ? 4.0 * radius + 0.25 * surface.SmallestRadius()
                            : std::numeric_limits<double>::infinity();
   // Wider, since a tessellation knows crossings as finely as its triangles.

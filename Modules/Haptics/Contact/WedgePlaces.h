@@ -1,14 +1,14 @@
 #pragma once
 
-#include "ParametricSample.h"
-#include "ParametricTouchSurface.h"
+#include "CenteredSurfaceSample.h"
+#include "TouchableSurfaceModel.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace palpate
 {
-/// How much room a spherical tool has above a parametric surface, and where it needs HarmonicWedge:
+/// How much room a spherical tool has above a surface model, and where it needs ContactWedge:
 /// where the surface crosses itself, and where another part of the surface is nearer to the tool
 /// than it is large. Elsewhere the nearest point alone holds it, in a twentieth of the time.
 /// Parameters are sorted into cells on the sides of a cube.
@@ -17,7 +17,7 @@ class WedgePlaces
 public:
   /// Tests some ten thousand places for tools up to `radius` + `reach` (mm, without the surface's
   /// margin); takes some 100 milliseconds.
-  WedgePlaces(const ParametricTouchSurface& surface, double radius, double reach);
+  WedgePlaces(const TouchableSurfaceModel& surface, double radius, double reach);
 
   bool AreFor(double radius, double reach) const noexcept
   {
@@ -42,7 +42,7 @@ public:
   }
   /// Whether this minimum of the distance to a place outside is the nearest point of the surface,
   /// since there is room. False if that is not known.
-  bool IsNearest(const ParametricTouchSurface::ClosestPoint& minimum) const noexcept
+  bool IsNearest(const TouchableSurfaceModel::ClosestPoint& minimum) const noexcept
   {
     constexpr double PartOfFocus = 0.5; // nearer to it, minima of the same hollow are about equal
     return minimum.SignedDistance < this->RoomAt(minimum.Direction) &&
@@ -65,8 +65,8 @@ private:
 
   std::size_t CellOf(const Vector3& parameter) const noexcept;
   void AddAround(const Vector3& parameter, double free, double width);
-  void AddHollows(const ParametricTouchSurface& surface);
-  void AddCrossings(const ParametricTouchSurface& surface, double radius);
+  void AddHollows(const TouchableSurfaceModel& surface);
+  void AddCrossings(const TouchableSurfaceModel& surface, double radius);
 
   int Frequency; // of the directions that are tested; as many cells are on an edge of the cube
   double Radius;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ContactModel.h"
-#include "HarmonicContactModel.h"
 #include "ProjectedShapes.h"
+#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "WanderingDirection.h"
 
@@ -13,17 +13,16 @@
 
 namespace palpate::test
 {
-inline std::shared_ptr<const SphericalHarmonicModel> Shared(SphericalHarmonicModel model)
+inline std::shared_ptr<const RadialModel> Shared(RadialModel model)
 {
-  return std::make_shared<const SphericalHarmonicModel>(std::move(model));
+  return std::make_shared<const RadialModel>(std::move(model));
 }
 
 inline std::shared_ptr<const ContactModel>
-HarmonicContact(const SphericalHarmonicModel& model,
-                HarmonicContactMode mode = HarmonicContactMode::Nearest)
+RadialContact(const RadialModel& model, RadialContactMode mode = RadialContactMode::Nearest)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = HarmonicContactModel::Make(Shared(model), mode, contact);
+  const Status status = RadialContactModel::Make(Shared(model), mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

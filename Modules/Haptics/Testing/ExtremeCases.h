@@ -12,8 +12,8 @@ namespace palpate::test
 {
 enum class Representation
 {
-  HarmonicNearest,
-  HarmonicRadial,
+  RadialNearest,
+  RadialByRadius,
   Facets,
   FieldProxy,
   FieldShell
@@ -57,7 +57,7 @@ inline Mesh Joined(Mesh mesh, const Mesh& other)
   return mesh;
 }
 
-inline SphericalHarmonicModel ExtremeHarmonics(ExtremeShape shape)
+inline RadialModel ExtremeHarmonics(ExtremeShape shape)
 {
   const auto ellipsoid = [](const Vector3& axes)
   {
@@ -167,10 +167,10 @@ inline ExtremeCase ExtremeFieldCase(ExtremeShape shape, bool isPublished)
   return made;
 }
 
-inline ExtremeCase ExtremeHarmonicCase(ExtremeShape shape, HarmonicContactMode mode)
+inline ExtremeCase ExtremeHarmonicCase(ExtremeShape shape, RadialContactMode mode)
 {
-  const SphericalHarmonicModel model = ExtremeHarmonics(shape);
-  ExtremeCase made{HarmonicContact(model, mode), {}};
+  const RadialModel model = ExtremeHarmonics(shape);
+  ExtremeCase made{RadialContact(model, mode), {}};
   for (const Vector3& u : ProbingDirections())
   {
     made.SurfacePoints.push_back(model.PointWorld(u));
@@ -195,10 +195,10 @@ inline ExtremeCase MadeExtremeCase(Representation representation, ExtremeShape s
 {
   switch (representation)
   {
-  case Representation::HarmonicNearest:
-    return ExtremeHarmonicCase(shape, HarmonicContactMode::Nearest);
-  case Representation::HarmonicRadial:
-    return ExtremeHarmonicCase(shape, HarmonicContactMode::Radial);
+  case Representation::RadialNearest:
+    return ExtremeHarmonicCase(shape, RadialContactMode::Nearest);
+  case Representation::RadialByRadius:
+    return ExtremeHarmonicCase(shape, RadialContactMode::Radial);
   case Representation::Facets:
     return ExtremeFacetCase(shape);
   case Representation::FieldProxy:

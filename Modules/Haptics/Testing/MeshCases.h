@@ -23,7 +23,7 @@ struct Mesh
 };
 
 /// With one vertex for each direction of an icosahedron.
-inline Mesh MeshOf(const SphericalHarmonicModel& model, int frequency)
+inline Mesh MeshOf(const RadialModel& model, int frequency)
 {
   const IcosahedronDirections sphere(frequency);
   Mesh mesh;

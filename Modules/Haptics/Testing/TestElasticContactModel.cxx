@@ -3,7 +3,7 @@
 #include "ElasticContactModel.h"
 #include "ElasticForce.h"
 #include "ElasticHold.h"
-#include "HarmonicNearestTracker.h"
+#include "NearestPointTracker.h"
 #include "StiffnessAdvice.h"
 #include "StructureFollower.h"
 
@@ -351,7 +351,7 @@ TEST(ElasticContactModel, AdviceCountsRelaxationAsDamping)
 class HollowOrgan
 {
 public:
-  explicit HollowOrgan(const SphericalHarmonicModel& model)
+  explicit HollowOrgan(const RadialModel& model)
   {
     this->Case.Model = model;
     this->Case.Build(8, 8);
@@ -435,7 +435,7 @@ const HollowOrgan& RoundHollow()
 }
 
 // Across the top; the larger the number, the narrower.
-SphericalHarmonicModel GrooveModel(double narrowness)
+RadialModel GrooveModel(double narrowness)
 {
   const auto radius = [narrowness](const Vector3& d)
   {
@@ -458,8 +458,9 @@ struct HeldBall
 {
   explicit HeldBall(double height)
   {
-    EXPECT_TRUE(HarmonicSurface::Make(test::Shared(Groove().Case.Model), this->Surface).IsOk());
-    HarmonicNearestTracker rigid(this->Surface, Radius, {}, 0.5 * Radius);
+    EXPECT_TRUE(
+        TouchableRadialModel::Make(test::Shared(Groove().Case.Model), this->Surface).IsOk());
+    NearestPointTracker rigid(this->Surface, Radius, {}, 0.5 * Radius);
     for (double h = 40.0; h > height; h -= 0.1)
     {
       rigid.Follow(test::At(Groove().Place(h, 0.3)));
@@ -475,7 +476,7 @@ struct HeldBall
   }
 
   static constexpr double Radius = 8.0; // mm
-  std::shared_ptr<const HarmonicSurface> Surface;
+  std::shared_ptr<const TouchableRadialModel> Surface;
   std::vector<ClosestPoint> Walls;
   Vector3 Probe;
   Vector3 Proxy;

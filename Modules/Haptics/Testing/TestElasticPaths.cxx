@@ -54,7 +54,7 @@ TEST_P(ElasticPaths, ForceIsThatOfTheNearestPlaceAndDoesNotJump)
     Vector3 last = Vector3::Zero(); // force, N
     Vector3 place = Vector3::Zero();
     test::FollowTouchPath(
-        test::HarmonicWalk(this->Organ.Model, random), ball,
+        test::RadialWalk(this->Organ.Model, random), ball,
         [&](const Vector3& probe)
         {
           const Contact& contact = tracker->Follow(test::At(probe));

@@ -67,7 +67,7 @@ TEST(FacetTracker, RestsOnBothOfTwoBoxes)
 TEST(FacetTracker, ProxiesAreNearestPlacesAlongServoPaths)
 {
   Random random(6201);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
+  const RadialModel organ = test::RandomOrgan(random, 12);
   const auto mesh = test::MeshOf(organ, 20);
   const auto tree = test::TreeOf(mesh);
   const auto model = FacetContact(mesh);
@@ -130,7 +130,7 @@ TEST(FacetTracker, SticksWithinTheFrictionConeAndSlipsToIt)
 TEST(FacetTracker, ProxiesAreFiniteAndOutsideForAnyPose)
 {
   Random random(6203);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 6);
+  const RadialModel organ = test::RandomOrgan(random, 6);
   const auto mesh = test::MeshOf(organ, 6);
   const auto tree = test::TreeOf(mesh);
   const auto model = FacetContact(mesh);

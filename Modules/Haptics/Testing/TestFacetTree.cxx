@@ -74,7 +74,7 @@ TEST(FacetTree, NearestPointEqualsBruteForce)
 TEST(FacetTree, SweptSphereStopsAtFirstContact)
 {
   Random random(6103);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
+  const RadialModel organ = test::RandomOrgan(random, 8);
   const Mesh mesh = test::MeshOf(organ, 8);
   const auto tree = test::TreeOf(mesh);
   int hits = 0;
@@ -108,7 +108,7 @@ TEST(FacetTree, SweptSphereStopsAtFirstContact)
 TEST(FacetTree, DistinguishesInsideFromOutside)
 {
   Random random(6104);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
+  const RadialModel organ = test::RandomOrgan(random, 8);
   const auto tree = test::TreeOf(test::MeshOf(organ, 12));
   for (int sample = 0; sample < 500; ++sample)
   {

@@ -1,11 +1,11 @@
 // Thin structures hold a tool that is pressed on, however deep and fast, and until it slides off.
 #include "ElasticContactModel.h"
 #include "ExtremeCases.h"
-#include "ParametricContactModel.h"
-#include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "ServoRun.h"
 #include "SomeMaps.h"
+#include "SurfaceContactModel.h"
+#include "SurfacePhantoms.h"
 
 #include <functional>
 
@@ -139,8 +139,7 @@ test::Mesh Shell()
 {
   const auto sphere = [](double radius)
   {
-    const SphericalHarmonicModel model(0, {radius * std::sqrt(4.0 * M_PI)},
-                                       Vector3(0.0, 0.0, -Half));
+    const RadialModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3(0.0, 0.0, -Half));
     return test::MeshOf(model, 16);
   };
   test::Mesh inner = sphere(Half - Thickness);
@@ -166,16 +165,16 @@ Thin OfFacets(const std::string& name, const test::Mesh& mesh, Random& random)
 Thin OfHarmonics(Random& random)
 {
   const Matrix3 rotation = test::RandomOrientation(random).matrix();
-  const SphericalHarmonicModel lens = test::Ellipsoid({20.0, 20.0, 5.0}, rotation, 16);
+  const RadialModel lens = test::Ellipsoid({20.0, 20.0, 5.0}, rotation, 16);
   const Vector3 top = lens.PointWorld(rotation.col(2));
-  return {"lens of harmonics", test::HarmonicContact(lens), rotation, top};
+  return {"lens of harmonics", test::RadialContact(lens), rotation, top};
 }
 
 Thin OfSurfaceModel()
 {
   const Vector3 axes(20.0, 20.0, 0.6);
   Thin thin{"plate as a surface model", nullptr, Matrix3::Identity(), {12.0, -7.0, 40.6}};
-  const Status status = ParametricContactModel::Make(test::EllipsoidPhantom(axes), thin.Model);
+  const Status status = SurfaceContactModel::Make(test::EllipsoidPhantom(axes), thin.Model);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return thin;
 }
@@ -185,7 +184,7 @@ Thin Yielding(Random& random)
   Thin thin = OfHarmonics(random);
   thin.Name = "lens that yields";
   thin.IsElastic = true;
-  const SphericalHarmonicModel lens = test::Ellipsoid({20.0, 20.0, 5.0}, thin.Rotation, 16);
+  const RadialModel lens = test::Ellipsoid({20.0, 20.0, 5.0}, thin.Rotation, 16);
   const Status status = ElasticContactModel::Make(test::Shared(lens), test::SomeMaps(), thin.Model);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return thin;
@@ -300,7 +299,7 @@ TEST(PressedThrough, HeldStructureIsFarFromTheHandAmongMany)
     const Vector3 center =
         plate.Top + plate.Rotation * Vector3(3.0 * (n % 8) - 10.0, 6.0, -20.0 + 4.0 * (n / 8));
     scene.Structures.push_back({"sphere",
-                                test::HarmonicContact({0, {0.5 * std::sqrt(4.0 * M_PI)}, center}),
+                                test::RadialContact({0, {0.5 * std::sqrt(4.0 * M_PI)}, center}),
                                 {Stiffness, 0.0},
                                 {}});
   }

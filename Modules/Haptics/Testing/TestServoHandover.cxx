@@ -33,9 +33,9 @@ FieldGrid CenteredGrid(int size)
           Matrix3::Identity()};
 }
 
-std::shared_ptr<const ContactModel> HarmonicSphere(double radius)
+std::shared_ptr<const ContactModel> RadialSphere(double radius)
 {
-  return test::HarmonicContact({0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()});
+  return test::RadialContact({0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()});
 }
 
 std::shared_ptr<const ContactModel> VoxelSphere(double radius)
@@ -46,11 +46,11 @@ std::shared_ptr<const ContactModel> VoxelSphere(double radius)
 
 std::shared_ptr<const ContactModel> SphereOfFacets(double radius)
 {
-  const SphericalHarmonicModel sphere(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  const RadialModel sphere(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   return test::FacetContact(test::MeshOf(sphere, 12));
 }
 
-const std::vector<ModelMaker> Spheres = {HarmonicSphere, VoxelSphere, SphereOfFacets};
+const std::vector<ModelMaker> Spheres = {RadialSphere, VoxelSphere, SphereOfFacets};
 
 // Plates with their top at z = 0.5, so thin that a tool placed below it would stay there.
 std::vector<std::shared_ptr<const ContactModel>> Plates()
@@ -247,7 +247,7 @@ const std::vector<std::pair<std::string, std::function<void(TouchScene&, const M
         {"much larger shape", [](TouchScene& scene, const ModelMaker& sphere)
          { scene.Structures[0].Model = sphere(Radius + 6.0); }},
         {"other kind", [](TouchScene& scene, const ModelMaker&)
-         { scene.Structures[0].Model = HarmonicSphere(Radius); }},
+         { scene.Structures[0].Model = RadialSphere(Radius); }},
         {"larger tool", [](TouchScene& scene, const ModelMaker&)
          { scene.Tool = ToolShape::SpherePoints(2.5, ToolShape::NeighbourCount); }},
         {"smaller scale", [](TouchScene& scene, const ModelMaker&)
@@ -448,10 +448,10 @@ TEST(ServoHandover, TakeoverCostsTwoExtraQueries)
 
 TEST(ServoHandover, KeepsTheForceUntilANewSample)
 {
-  test::ServoRun run(SceneOf(HarmonicSphere(Radius)));
+  test::ServoRun run(SceneOf(RadialSphere(Radius)));
   const Vector3 force = run.MoveAndRest(Outside, Pressed);
-  TouchScene two = SceneOf(HarmonicSphere(Radius));
-  two.Structures.insert(two.Structures.begin(), SceneOf(HarmonicSphere(3.0)).Structures[0]);
+  TouchScene two = SceneOf(RadialSphere(Radius));
+  two.Structures.insert(two.Structures.begin(), SceneOf(RadialSphere(3.0)).Structures[0]);
   two.Structures[0].Id = 3;
   Continue(run, two);
   run.Device.RepeatsSample = true;
@@ -459,7 +459,7 @@ TEST(ServoHandover, KeepsTheForceUntilANewSample)
   EXPECT_EQ(run.Loop.Latest().Structure, 1);
   run.Device.RepeatsSample = false;
   // Two in a row: the second one is adopted after the first has begun.
-  Continue(run, SceneOf(HarmonicSphere(Radius)));
+  Continue(run, SceneOf(RadialSphere(Radius)));
   EXPECT_LE((run.TickAt(Pressed) - force).norm(), 1e-9);
   EXPECT_LE((run.TickAt(Pressed) - force).norm(), 1e-9);
   EXPECT_EQ(run.Loop.Latest().Scene, 3U);
@@ -467,14 +467,14 @@ TEST(ServoHandover, KeepsTheForceUntilANewSample)
 
 TEST(ServoHandover, ContinuesNothingAtTheStartAndAfterRearm)
 {
-  test::ServoRun run(SceneOf(HarmonicSphere(Radius)));
-  Continue(run, SceneOf(HarmonicSphere(Radius)));
+  test::ServoRun run(SceneOf(RadialSphere(Radius)));
+  Continue(run, SceneOf(RadialSphere(Radius)));
   run.TickAt(Outside);
   EXPECT_FALSE(run.Loop.Latest().WasContinued);
   EXPECT_TRUE(run.Loop.Latest().Safety.IsRamping);
   run.MoveAndRest(Outside, Pressed);
   run.Loop.Rearm();
-  Continue(run, SceneOf(HarmonicSphere(Radius)));
+  Continue(run, SceneOf(RadialSphere(Radius)));
   EXPECT_EQ(run.TickAt(Pressed), Vector3::Zero());
   EXPECT_TRUE(run.Loop.Latest().Safety.IsRamping);
   EXPECT_EQ(run.RestAt(Pressed), Vector3::Zero());
@@ -486,7 +486,7 @@ TEST(ServoHandover, NoTakeoverCausesAStep)
 {
   test::Random random(90210);
   std::uniform_real_distribution<double> part(0.0, 1.0);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 4);
+  const RadialModel organ = test::RandomOrgan(random, 4);
   const Matrix3 turn = test::RandomOrientation(random);
   // One scene of five has nothing in common with the last one.
   const auto scene = [&]
@@ -496,7 +496,7 @@ TEST(ServoHandover, NoTakeoverCausesAStep)
         (isOther ? test::RandomOrgan(random, 4) : organ).Coefficients();
     coefficients[0] *= 0.98 + 0.04 * part(random);
     TouchScene made =
-        SceneOf(test::HarmonicContact({4, coefficients, Vector3::Zero()}), 0.2 + part(random));
+        SceneOf(test::RadialContact({4, coefficients, Vector3::Zero()}), 0.2 + part(random));
     made.Tool = ToolShape::Sphere(2.0 * part(random));
     made.Structures[0].Friction = {0.4, 0.3};
     made.Structures[0].Law.Damping = 0.0005;

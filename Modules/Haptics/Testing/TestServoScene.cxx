@@ -66,9 +66,9 @@ bool AreSameBits(const Vector3& a, const Vector3& b)
 }
 
 // Organs so close that some lie within others.
-SphericalHarmonicModel CloseOrgan(test::Random& random)
+RadialModel CloseOrgan(test::Random& random)
 {
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 4);
+  const RadialModel organ = test::RandomOrgan(random, 4);
   return {organ.Degree(), organ.Coefficients(), 0.5 * organ.CenterWorld()};
 }
 
@@ -91,7 +91,7 @@ TouchScene RandomScene(test::Random& random)
   };
   for (int n = 0; n < 12; ++n)
   {
-    add(test::HarmonicContact(CloseOrgan(random)));
+    add(test::RadialContact(CloseOrgan(random)));
     add(test::FacetContact(test::MeshOf(CloseOrgan(random), 3)));
     add(test::FacetSphere(100.0 * test::RandomDirection(random), 10.0 * part(random)));
   }

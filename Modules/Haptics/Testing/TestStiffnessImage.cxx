@@ -140,7 +140,7 @@ TEST(StiffnessImage, ClosedPathsOnASphereGainNoMoreThanStated)
   const auto ramp = [](const Vector3& place) { return 100.0 + 25.0 * place[0]; };
   scene.Structures.push_back(
       {"sphere",
-       test::HarmonicContact({0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()}),
+       test::RadialContact({0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()}),
        {0.6, 0.0},
        {}});
   scene.Structures[0].Effects = {ImageOf(test::FeltField(test::FeltGrid(52), ramp))};

@@ -18,7 +18,7 @@ using test::Random;
 using test::Representation;
 using test::WorstCase;
 
-const char* const RepresentationNames[] = {"HarmonicNearest", "HarmonicRadial", "Facets",
+const char* const RepresentationNames[] = {"RadialNearest", "RadialByRadius", "Facets",
                                            "FieldProxy", "FieldShell"};
 const char* const ShapeNames[] = {"Ball", "ThinWall", "Needle", "Cleft", "OneVoxel"};
 
@@ -234,8 +234,8 @@ TEST_P(TouchExtremes, ForceIsFiniteAndWithinTheDevicesLimitForAnyStiffness)
 
 INSTANTIATE_TEST_SUITE_P(
     Each, TouchExtremes,
-    ::testing::Combine(::testing::Values(Representation::HarmonicNearest,
-                                         Representation::HarmonicRadial, Representation::Facets,
+    ::testing::Combine(::testing::Values(Representation::RadialNearest,
+                                         Representation::RadialByRadius, Representation::Facets,
                                          Representation::FieldProxy, Representation::FieldShell),
                        ::testing::Values(ExtremeShape::Sphere, ExtremeShape::ThinWall,
                                          ExtremeShape::Needle, ExtremeShape::Cleft,

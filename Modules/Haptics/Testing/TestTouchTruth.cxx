@@ -16,7 +16,7 @@ namespace
 using test::At;
 using test::FieldWalk;
 using test::ForceQuality;
-using test::HarmonicWalk;
+using test::RadialWalk;
 using test::Random;
 using test::TrackerOf;
 using test::WorstCase;
@@ -79,17 +79,17 @@ void CompareOnPath(ContactTracker& tracker, const Walk& walk, double toolRadius,
                         });
 }
 
-struct HarmonicCase
+struct RadialCase
 {
   const char* Name;
-  SphericalHarmonicModel Model;
+  RadialModel Model;
 };
 
-std::vector<HarmonicCase> HarmonicCases()
+std::vector<RadialCase> RadialCases()
 {
   Random random(8101);
   const Matrix3 turned = Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, 3.0).normalized()).matrix();
-  std::vector<HarmonicCase> cases{
+  std::vector<RadialCase> cases{
       {"Sphere", test::Sphere(20.0, {30.0, -80.0, 12.0})},
       {"Ellipsoid", test::Ellipsoid({25.0, 20.0, 16.0}, turned, 24)},
       {"OffCenterSphere", test::OffCenterSphere(20.0, {6.0, -3.0, 4.0}, 24)}};
@@ -98,12 +98,12 @@ std::vector<HarmonicCase> HarmonicCases()
   return cases;
 }
 
-class TouchTruthOnHarmonics : public ::testing::TestWithParam<HarmonicCase>
+class TouchTruthOnHarmonics : public ::testing::TestWithParam<RadialCase>
 {
 protected:
-  SphericalHarmonicModel Body = GetParam().Model;
+  RadialModel Body = GetParam().Model;
   ClosestPointSearch Search{test::Shared(Body)};
-  std::shared_ptr<const ContactModel> Model = test::HarmonicContact(Body);
+  std::shared_ptr<const ContactModel> Model = test::RadialContact(Body);
 };
 
 // 5 bodies, 3 tools, 7,000 paths each: 105,000.
@@ -120,7 +120,7 @@ TEST_P(TouchTruthOnHarmonics, ForcesAreThoseOfTheNearestPointForAnyRadius)
     ForceQuality quality;
     for (int path = 0; path < Paths; ++path)
     {
-      CompareOnPath(*tracker, HarmonicWalk(this->Body, random), toolRadius, 1e-3, truth, quality);
+      CompareOnPath(*tracker, RadialWalk(this->Body, random), toolRadius, 1e-3, truth, quality);
     }
     EXPECT_GE(quality.Ticks(), Paths * 26U); // of 29, the first two are above the surface
     ExpectTruth(quality, AskedFor);
@@ -161,9 +161,8 @@ TEST_P(TouchTruthOnHarmonics, ForcesAreIndependentOfTheUnitOfLength)
   {
     c *= Scale;
   }
-  const SphericalHarmonicModel metres(this->Body.Degree(), coefficients,
-                                      Scale * this->Body.CenterWorld());
-  const auto small = test::HarmonicContact(metres);
+  const RadialModel metres(this->Body.Degree(), coefficients, Scale * this->Body.CenterWorld());
+  const auto small = test::RadialContact(metres);
   Random random(8104);
   for (const double toolRadius : {0.0, 1.0})
   {
@@ -174,7 +173,7 @@ TEST_P(TouchTruthOnHarmonics, ForcesAreIndependentOfTheUnitOfLength)
     {
       here->Release();
       there->Release();
-      test::FollowTouchPath(HarmonicWalk(this->Body, random), toolRadius,
+      test::FollowTouchPath(RadialWalk(this->Body, random), toolRadius,
                             [&](const Vector3& probe)
                             {
                               const Contact& one = here->Follow(At(probe));
@@ -188,14 +187,14 @@ TEST_P(TouchTruthOnHarmonics, ForcesAreIndependentOfTheUnitOfLength)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, TouchTruthOnHarmonics, ::testing::ValuesIn(HarmonicCases()),
+INSTANTIATE_TEST_SUITE_P(Bodies, TouchTruthOnHarmonics, ::testing::ValuesIn(RadialCases()),
                          [](const auto& each) { return std::string(each.param.Name); });
 
 TEST(TouchTruth, ForcesOnConvexBodiesAreIndependentOfTheRadius)
 {
   Random random(8105);
-  const SphericalHarmonicModel body = test::Ellipsoid({25.0, 20.0, 16.0}, Matrix3::Identity(), 24);
-  const auto model = test::HarmonicContact(body);
+  const RadialModel body = test::Ellipsoid({25.0, 20.0, 16.0}, Matrix3::Identity(), 24);
+  const auto model = test::RadialContact(body);
   const auto point = TrackerOf(*model, ToolShape::Sphere(0.0));
   for (const double toolRadius : {0.1, 1.0, 10.0})
   {
@@ -203,7 +202,7 @@ TEST(TouchTruth, ForcesOnConvexBodiesAreIndependentOfTheRadius)
     WorstCase difference;
     for (int path = 0; path < 1000; ++path)
     {
-      const HarmonicWalk walk(body, random);
+      const RadialWalk walk(body, random);
       std::vector<Vector3> forces;
       point->Release();
       sphere->Release();
@@ -243,7 +242,7 @@ struct FieldCase
   const char* Name;
   std::shared_ptr<const ScalarField> (*Make)(FieldInterpolation);
   // Of the body in mm around the centre; null if the exact nearest point is unknown.
-  SphericalHarmonicModel (*Truth)();
+  RadialModel (*Truth)();
 };
 
 template <typename Procedure>
@@ -334,7 +333,7 @@ TEST_P(TouchTruthOnFields, ForcesEqualThoseOfTheExactBody)
   {
     GTEST_SKIP() << "the nearest point of this surface is unknown";
   }
-  const SphericalHarmonicModel body = this->Case().Truth();
+  const RadialModel body = this->Case().Truth();
   const ClosestPointSearch search(test::Shared(body));
   // The exact surface of the trilinear field, which is rendered, is not the body's: within a voxel
   // h its normal deviates by up to h / 2R, 1.2 degrees of the sphere's, in each axis.
@@ -351,7 +350,7 @@ TEST_P(TouchTruthOnFields, ForcesEqualThoseOfTheExactBody)
     {
       // A shell's points may lie 0.05 voxel, 0.0125 N, above the place where a sphere touches
       // first.
-      CompareOnPath(*tracker, HarmonicWalk(body, random), toolRadius, 0.02, truth, quality);
+      CompareOnPath(*tracker, RadialWalk(body, random), toolRadius, 0.02, truth, quality);
     }
     ExpectTruth(quality, most);
   }
@@ -373,7 +372,7 @@ TEST(TouchTruth, FacetForcesAreIndependentOfTheUnitOfLength)
 {
   constexpr double Scale = 0x1p-10; // a power of two changes no digit
   Random random(8108);
-  const SphericalHarmonicModel body = test::BumpyBody(random);
+  const RadialModel body = test::BumpyBody(random);
   const test::Mesh mesh = test::MeshOf(body, 60); // 72,000 triangles
   test::Mesh metres = mesh;
   for (Vector3& point : metres.Points)
@@ -388,7 +387,7 @@ TEST(TouchTruth, FacetForcesAreIndependentOfTheUnitOfLength)
   {
     here->Release();
     there->Release();
-    test::FollowTouchPath(HarmonicWalk(body, random), 1.0,
+    test::FollowTouchPath(RadialWalk(body, random), 1.0,
                           [&](const Vector3& probe)
                           {
                             const Contact& one = here->Follow(At(probe));

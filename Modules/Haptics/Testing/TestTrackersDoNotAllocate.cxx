@@ -4,8 +4,8 @@
 #include "FieldContactCases.h"
 #include "MeshCases.h"
 #include "NearestByBruteForce.h"
-#include "ParametricContactModel.h"
-#include "ParametricPhantoms.h"
+#include "SurfaceContactModel.h"
+#include "SurfacePhantoms.h"
 
 #include <utility>
 #include <vector>
@@ -75,12 +75,12 @@ TEST(TrackersDoNotAllocate, OnStructuresThatYield)
 TEST(TrackersDoNotAllocate, OnSphericalHarmonics)
 {
   test::Random random(7102);
-  SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
+  RadialModel organ = test::RandomOrgan(random, 12);
   for (const double radius : {0.0, 2.0})
   {
-    const auto nearest = test::HarmonicContact(organ);
+    const auto nearest = test::RadialContact(organ);
     EXPECT_GT(TouchesWithoutAllocation(*nearest, ToolShape::Sphere(radius), {0.3, 0.2}), 300);
-    const auto radial = test::HarmonicContact(organ, HarmonicContactMode::Radial);
+    const auto radial = test::RadialContact(organ, RadialContactMode::Radial);
     EXPECT_GT(TouchesWithoutAllocation(*radial, ToolShape::Sphere(radius), {}), 300);
   }
 }
@@ -88,18 +88,18 @@ TEST(TrackersDoNotAllocate, OnSphericalHarmonics)
 TEST(TrackersDoNotAllocate, OfASphereTooLargeForSomeHollows)
 {
   test::Random random(7103);
-  const auto model = test::HarmonicContact(test::RandomRough(random, 12, 15.0));
+  const auto model = test::RadialContact(test::RandomRough(random, 12, 15.0));
   const ToolShape sphere = ToolShape::Sphere(4.0);
   EXPECT_GT(test::TrackerOf(*model, sphere)->Bytes(), 100000U); // with its proof
   EXPECT_GT(TouchesWithoutAllocation(*model, sphere, {0.3, 0.2}), 300);
 }
 
-TEST(TrackersDoNotAllocate, OnParametricSurfaces)
+TEST(TrackersDoNotAllocate, OnSurfaceModels)
 {
-  for (const ParametricSphericalSurface& surface : {test::OpenRing(8), test::CrossingRing(8)})
+  for (const SurfaceModel& surface : {test::OpenRing(8), test::CrossingRing(8)})
   {
     std::shared_ptr<const ContactModel> model;
-    ASSERT_TRUE(ParametricContactModel::Make(surface, model).IsOk());
+    ASSERT_TRUE(SurfaceContactModel::Make(surface, model).IsOk());
     for (const double radius : {0.0, 2.0})
     {
       EXPECT_GT(TouchesWithoutAllocation(*model, ToolShape::Sphere(radius), {0.3, 0.2}), 100);

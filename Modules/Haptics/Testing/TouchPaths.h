@@ -17,11 +17,11 @@ struct TouchPath
   static constexpr int Ticks = ApproachTicks + SlideTicks;
 };
 
-/// Walks over a star-shaped surface, along a great circle of directions.
-class HarmonicWalk
+/// Walks over a radial model, along a great circle of directions.
+class RadialWalk
 {
 public:
-  HarmonicWalk(const SphericalHarmonicModel& model, Random& random)
+  RadialWalk(const RadialModel& model, Random& random)
       : Model(model), Place(RandomDirection(random)),
         Axis(Place.cross(RandomDirection(random)).normalized())
   {
@@ -35,7 +35,7 @@ public:
   }
 
 private:
-  const SphericalHarmonicModel& Model;
+  const RadialModel& Model;
   Vector3 Place;
   Vector3 Axis;
 };

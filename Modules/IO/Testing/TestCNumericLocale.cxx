@@ -107,7 +107,7 @@ std::string BitsOf(vtkPolyData* surface)
 
 std::string BitsOf(const ModelDocument& document)
 {
-  const auto& model = std::get<SphericalHarmonicModel>(document.Surface);
+  const auto& model = std::get<RadialModel>(document.Surface);
   const double* const center = model.CenterWorld().data();
   return BytesOf(model.Coefficients()) + BytesOf(std::vector<double>(center, center + 3));
 }
@@ -135,8 +135,7 @@ std::map<std::string, std::string> ReadAllOf(const TemporaryFolder& folder,
   const ModelDocument document = ReadModel(folder / "a.coef");
   for (const int coordinate : {0, 1, 2})
   {
-    bits["a.coef"] +=
-        BytesOf(std::get<ParametricSphericalSurface>(document.Surface).Coefficients(coordinate));
+    bits["a.coef"] += BytesOf(std::get<SurfaceModel>(document.Surface).Coefficients(coordinate));
   }
   return bits;
 }

@@ -10,7 +10,7 @@
 
 namespace palpate::test
 {
-inline ComparedBody BodyOfModel(const SurfaceModel& model)
+inline ComparedBody BodyOfModel(const OrganModel& model)
 {
   ComparedBody body;
   const Status status = ComparedBody::OfModel(model, body);
@@ -26,18 +26,18 @@ inline ComparedBody BodyOfMesh(IndexedMesh mesh)
   return body;
 }
 
-inline SurfaceModel SphereModel(double radius, const Vector3& center = Vector3::Zero())
+inline OrganModel SphereModel(double radius, const Vector3& center = Vector3::Zero())
 {
-  return SphericalHarmonicModel(0, {radius * std::sqrt(4.0 * M_PI)}, center);
+  return RadialModel(0, {radius * std::sqrt(4.0 * M_PI)}, center);
 }
 
 /// Exactly the ellipsoid with these semi-axes: degree 1, at l (l + 1) + m = 3, 1, 2 for x, y, z.
-inline SurfaceModel EllipsoidModel(const Vector3& semiAxes)
+inline OrganModel EllipsoidModel(const Vector3& semiAxes)
 {
   const Vector3 scaled = std::sqrt(4.0 * M_PI / 3.0) * semiAxes;
-  return ParametricSphericalSurface(1, {std::vector<double>{0.0, 0.0, 0.0, scaled.x()},
-                                        {0.0, scaled.y(), 0.0, 0.0},
-                                        {0.0, 0.0, scaled.z(), 0.0}});
+  return SurfaceModel(1, {std::vector<double>{0.0, 0.0, 0.0, scaled.x()},
+                          {0.0, scaled.y(), 0.0, 0.0},
+                          {0.0, 0.0, scaled.z(), 0.0}});
 }
 
 /// The voxels of a grid whose centres (mm) satisfy a condition, in a box that begins at `start`.

@@ -211,12 +211,11 @@ TEST(BodyComparison, DistancesFromEllipsoidAreExact)
   }
 }
 
-TEST(BodyComparison, StarShapedAndParametricModelsOfOneBodyAreEqual)
+TEST(BodyComparison, RadialAndSurfaceModelsOfOneBodyAreEqual)
 {
-  const SphericalHarmonicModel star(2, {70.0, 3.0, -2.0, 1.0, 2.0, -1.5, 4.0, 0.5, 1.0},
-                                    {5.0, -3.0, 40.0});
+  const RadialModel star(2, {70.0, 3.0, -2.0, 1.0, 2.0, -1.5, 4.0, 0.5, 1.0}, {5.0, -3.0, 40.0});
   const BodyComparison found =
-      Compared(BodyOfModel(star), BodyOfModel(ParametricSphericalSurface::FromModel(star)));
+      Compared(BodyOfModel(star), BodyOfModel(SurfaceModel::FromModel(star)));
   EXPECT_LT(found.Both.Largest, 1e-9);
   EXPECT_NEAR(found.Overlap->Dice(), 1.0, 1e-12);
   EXPECT_EQ(found.Tolerances.front().SurfaceDice, 1.0);

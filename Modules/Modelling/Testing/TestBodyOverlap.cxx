@@ -3,8 +3,8 @@
 #include "BodyComparison.h"
 #include "ComparedCases.h"
 #include "MaskSurface.h"
-#include "ParametricPhantoms.h"
 #include "RandomShapes.h"
+#include "SurfacePhantoms.h"
 #include "SurfaceTopology.h"
 #include "WindingNumbers.h"
 
@@ -132,7 +132,7 @@ TEST(BodyOverlap, NumbersOfMaskAndModelAreInTheirOrder)
   EXPECT_EQ(back.Both, overlap.Both);
 }
 
-BodyOverlap OverlapOf(const SurfaceModel& one, const SurfaceModel& other)
+BodyOverlap OverlapOf(const OrganModel& one, const OrganModel& other)
 {
   BodyComparison found;
   EXPECT_TRUE(
@@ -148,16 +148,16 @@ double SharedBall(double shift)
   return shift >= 2.0 ? 0.0 : (4.0 + shift) * (2.0 - shift) * (2.0 - shift) / 16.0;
 }
 
-SurfaceModel Shifted(const SurfaceModel& model, const Vector3& shift)
+OrganModel Shifted(const OrganModel& model, const Vector3& shift)
 {
-  const auto& surface = std::get<ParametricSphericalSurface>(model);
+  const auto& surface = std::get<SurfaceModel>(model);
   std::array<std::vector<double>, 3> coefficients;
   for (int axis = 0; axis < 3; ++axis)
   {
     coefficients[static_cast<std::size_t>(axis)] = surface.Coefficients(axis);
     coefficients[static_cast<std::size_t>(axis)][0] += std::sqrt(4.0 * M_PI) * shift[axis];
   }
-  return ParametricSphericalSurface(surface.Degree(), coefficients);
+  return SurfaceModel(surface.Degree(), coefficients);
 }
 
 TEST(ModelOverlap, OfShiftedSpheresIsALens)
@@ -180,7 +180,7 @@ TEST(ModelOverlap, OfShiftedEllipsoidsIsThatOfSpheresOfOneRadius)
   {
     const Vector3 axes(semiAxis(random), semiAxis(random), semiAxis(random));
     const Vector3 shift(normal(random), normal(random), normal(random)); // of the unit ball
-    const SurfaceModel one = test::EllipsoidModel(axes);
+    const OrganModel one = test::EllipsoidModel(axes);
     const BodyOverlap overlap = OverlapOf(one, Shifted(one, axes.cwiseProduct(shift)));
     EXPECT_NEAR(overlap.Dice(), SharedBall(shift.norm()), 1e-5) << trial;
   }
@@ -197,8 +197,8 @@ TEST(ModelOverlap, OfABodyWithinAnotherIsItsVolume)
 TEST(ModelOverlap, OfAModelWithItselfIsWhole)
 {
   test::Random random(8);
-  for (const SurfaceModel& model :
-       {SurfaceModel(test::RandomOrgan(random, 12)), SurfaceModel(test::BumpyTube(random, 8))})
+  for (const OrganModel& model :
+       {OrganModel(test::RandomOrgan(random, 12)), OrganModel(test::BumpyTube(random, 8))})
   {
     EXPECT_NEAR(OverlapOf(model, model).Dice(), 1.0, 1e-12);
   }
@@ -210,10 +210,10 @@ TEST(ModelOverlap, OfRandomOrgansIsWhatCubesCount)
   test::Random random(31);
   for (int trial = 0; trial < 3; ++trial)
   {
-    const SphericalHarmonicModel one = test::RandomOrgan(random, 8);
-    const SphericalHarmonicModel other(8, test::RandomOrgan(random, 8).Coefficients(),
-                                       one.CenterWorld() + Vector3(7.0, -4.0, 3.0));
-    const auto isIn = [](const SphericalHarmonicModel& model, const Vector3& point)
+    const RadialModel one = test::RandomOrgan(random, 8);
+    const RadialModel other(8, test::RandomOrgan(random, 8).Coefficients(),
+                            one.CenterWorld() + Vector3(7.0, -4.0, 3.0));
+    const auto isIn = [](const RadialModel& model, const Vector3& point)
     {
       const Vector3 offset = point - model.CenterWorld();
       return offset.norm() < model.Radius(offset.normalized());

@@ -61,7 +61,7 @@ IndexToWorld Mirrored()
   return toWorld;
 }
 
-BodyMoments BodyOf(const SurfaceModel& model)
+BodyMoments BodyOf(const OrganModel& model)
 {
   BodyMoments moments{};
   const Status status =
@@ -70,7 +70,7 @@ BodyMoments BodyOf(const SurfaceModel& model)
   return moments;
 }
 
-void ExpectEllipsoid(const SurfaceModel& model)
+void ExpectEllipsoid(const OrganModel& model)
 {
   const BodyMoments body = BodyOf(model);
   const double volume = 4.0 / 3.0 * M_PI * SemiAxes.prod();
@@ -82,17 +82,17 @@ void ExpectEllipsoid(const SurfaceModel& model)
 
 TEST(MaskModel, BothKindsHaveTheBodyOfTheMask)
 {
-  for (const bool isStarShaped : {true, false})
+  for (const bool isRadial : {true, false})
   {
-    SurfaceModel model;
-    const Status status = FitMask(Ellipsoid(), Mirrored(), {8, isStarShaped}, model);
+    OrganModel model;
+    const Status status = FitMask(Ellipsoid(), Mirrored(), {8, isRadial}, model);
     ASSERT_TRUE(status.IsOk()) << status.Message();
-    EXPECT_EQ(std::holds_alternative<SphericalHarmonicModel>(model), isStarShaped);
+    EXPECT_EQ(std::holds_alternative<RadialModel>(model), isRadial);
     EXPECT_EQ(DegreeOf(model), 8);
     ExpectEllipsoid(model);
-    if (const auto* parametric = std::get_if<ParametricSphericalSurface>(&model))
+    if (const auto* mapped = std::get_if<SurfaceModel>(&model))
     {
-      EXPECT_GT(parametric->Volume(), 0.0) << "not inside out";
+      EXPECT_GT(mapped->Volume(), 0.0) << "not inside out";
     }
   }
 }
@@ -101,16 +101,16 @@ TEST(MaskModel, SmallPartsFarAwayAreLeftOut)
 {
   VoxelMask mask = Ellipsoid();
   Fill({3.0, 3.0, 3.0}, {2.5, 2.5, 2.5}, 1, mask);
-  for (const bool isStarShaped : {true, false})
+  for (const bool isRadial : {true, false})
   {
-    SurfaceModel model;
-    const Status status = FitMask(mask, Mirrored(), {8, isStarShaped}, model);
+    OrganModel model;
+    const Status status = FitMask(mask, Mirrored(), {8, isRadial}, model);
     ASSERT_TRUE(status.IsOk()) << status.Message();
     ExpectEllipsoid(model);
   }
 }
 
-TEST(MaskModel, ParametricModelsTakeInPartsThatAreNear)
+TEST(MaskModel, SurfaceModelsTakeInPartsThatAreNear)
 {
   VoxelMask mask = Ellipsoid();
   const long long whole = mask.Count();
@@ -118,7 +118,7 @@ TEST(MaskModel, ParametricModelsTakeInPartsThatAreNear)
   {
     mask.Inside[voxel] = 0; // a slice of 1.5 mm
   }
-  SurfaceModel model;
+  OrganModel model;
   const Status status = FitMask(mask, Mirrored(), {8, false}, model);
   ASSERT_TRUE(status.IsOk()) << status.Message();
   EXPECT_GT(BodyOf(model).Volume, 0.85 * static_cast<double>(whole) * mask.VoxelVolume());
@@ -129,23 +129,23 @@ TEST(MaskModel, RefusesTwoLargePartsThatAreFarApart)
   VoxelMask mask = Empty(90, 51, 31);
   Fill(Center, SemiAxes, 1, mask);
   Fill(Center + Vector3(45.0, 0.0, 0.0), SemiAxes, 1, mask);
-  SurfaceModel model;
-  for (const bool isStarShaped : {true, false})
+  OrganModel model;
+  for (const bool isRadial : {true, false})
   {
-    const Status status = FitMask(mask, Mirrored(), {8, isStarShaped}, model);
+    const Status status = FitMask(mask, Mirrored(), {8, isRadial}, model);
     EXPECT_NE(status.Message().find("parts"), std::string::npos) << status.Message();
   }
 }
 
 TEST(MaskModel, RefusesEmptyAndHollowMasks)
 {
-  SurfaceModel model;
+  OrganModel model;
   EXPECT_FALSE(FitMask(Empty(4, 4, 4), {}, {}, model).IsOk());
   VoxelMask hollow = Ellipsoid();
   Fill(Center, 0.6 * SemiAxes, 0, hollow);
-  for (const bool isStarShaped : {true, false})
+  for (const bool isRadial : {true, false})
   {
-    const Status status = FitMask(hollow, Mirrored(), {8, isStarShaped}, model);
+    const Status status = FitMask(hollow, Mirrored(), {8, isRadial}, model);
     EXPECT_EQ(status.Message().rfind("the mask has a cavity", 0), 0U) << status.Message();
   }
 }
@@ -163,7 +163,7 @@ TEST(MaskModel, RefusesRadiiWhereMuchIsHidden)
       }
     }
   }
-  SurfaceModel model;
+  OrganModel model;
   const Status status = FitMask(mask, Mirrored(), {8, true}, model);
   EXPECT_NE(status.Message().find("is not star-shaped"), std::string::npos) << status.Message();
 }

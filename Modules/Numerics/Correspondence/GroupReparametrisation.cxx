@@ -19,8 +19,8 @@ constexpr int MostHalvedFlows = 3;
 constexpr double LeastTurn = 1e-6; // rad; less is no move
 
 // Moves less far while that would change the surface; leaves it alone if even that does.
-void MoveWithin(double tolerance, const ParametricSphericalSurface& surface, SphereFlow flow,
-                ParametricSphericalSurface& moved, ReparametrisedCase& one)
+void MoveWithin(double tolerance, const SurfaceModel& surface, SphereFlow flow, SurfaceModel& moved,
+                ReparametrisedCase& one)
 {
   for (int shortening = 0; !flow.IsIdentity() && shortening < MostHalvedFlows; ++shortening)
   {
@@ -35,21 +35,21 @@ void MoveWithin(double tolerance, const ParametricSphericalSurface& surface, Sph
   }
 }
 
-Status CheckGroup(const std::vector<ParametricSphericalSurface>& surfaces)
+Status CheckGroup(const std::vector<SurfaceModel>& surfaces)
 {
   if (surfaces.size() < 3)
   {
     return Status::Failure("parameters of a group need at least three surfaces");
   }
   const bool isOneDegree = std::all_of(surfaces.begin(), surfaces.end(),
-                                       [&](const ParametricSphericalSurface& surface)
+                                       [&](const SurfaceModel& surface)
                                        { return surface.Degree() == surfaces.front().Degree(); });
   return isOneDegree ? Status::Success()
                      : Status::Failure("the surfaces of a group must have one degree");
 }
 } // namespace
 
-Status ReparametriseGroup(const std::vector<ParametricSphericalSurface>& surfaces,
+Status ReparametriseGroup(const std::vector<SurfaceModel>& surfaces,
                           const ReparametrisationSettings& settings,
                           ReparametrisationResult& result, const KernelProgress& progress)
 {

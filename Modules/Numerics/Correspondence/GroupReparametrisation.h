@@ -1,8 +1,8 @@
 #pragma once
 
 #include "KernelProgress.h"
-#include "ParametricSphericalSurface.h"
 #include "Status.h"
+#include "SurfaceModel.h"
 
 #include <vector>
 
@@ -33,7 +33,7 @@ struct ReparametrisedCase
 
 struct ReparametrisationResult
 {
-  std::vector<ParametricSphericalSurface> Surfaces;
+  std::vector<SurfaceModel> Surfaces;
   std::vector<ReparametrisedCase> Cases;
   std::vector<double> Lengths; ///< DescriptionLength of the given parameters and after each round
   double LengthBefore = 0.0;   ///< of the given surfaces
@@ -56,7 +56,7 @@ struct ReparametrisationResult
 /// `surfaces` of one degree, in common axes. The order has no influence beyond rounding, the number
 /// of threads none at all. Fails for fewer than three surfaces, which say nothing about each other,
 /// for different degrees, and if `progress` cancels.
-Status ReparametriseGroup(const std::vector<ParametricSphericalSurface>& surfaces,
+Status ReparametriseGroup(const std::vector<SurfaceModel>& surfaces,
                           const ReparametrisationSettings& settings,
                           ReparametrisationResult& result, const KernelProgress& progress = {});
 } // namespace palpate

@@ -32,7 +32,7 @@ Eigen::Index SizeOf(std::size_t count)
 }
 } // namespace
 
-ParameterDescent::ParameterDescent(const std::vector<ParametricSphericalSurface>& surfaces,
+ParameterDescent::ParameterDescent(const std::vector<SurfaceModel>& surfaces,
                                    const ReparametrisationSettings& settings)
     : Surfaces(surfaces), Settings(settings), Sphere(NodeFrequency(surfaces.front().Degree())),
       Flows(surfaces.size(), SphereFlow(settings.FieldDegree)),
@@ -62,7 +62,7 @@ ParameterDescent::ParameterDescent(const std::vector<ParametricSphericalSurface>
                                        settings.NoiseMillimeters * settings.NoiseMillimeters, true);
 }
 
-Eigen::VectorXd ParameterDescent::ColumnOf(const ParametricSphericalSurface& surface,
+Eigen::VectorXd ParameterDescent::ColumnOf(const SurfaceModel& surface,
                                            const std::vector<Vector3>& nodes) const
 {
   Eigen::VectorXd column(3 * SizeOf(nodes.size()));
@@ -87,7 +87,7 @@ ParameterDescent::Wish ParameterDescent::WishOf(std::size_t i, const Eigen::Matr
   {
     const Vector3& u = places[static_cast<std::size_t>(k)];
     basis.Evaluate(u, harmonics.col(k).data());
-    const ParametricSphericalSurface::Sample sample = this->Surfaces[i].Evaluate(u);
+    const SurfaceModel::Sample sample = this->Surfaces[i].Evaluate(u);
     const Matrix3 along = this->Roots[k] * (sample.First[0] * sample.Tangents[0].transpose() +
                                             sample.First[1] * sample.Tangents[1].transpose());
     const Matrix3 square = along.transpose() * along;
@@ -255,8 +255,7 @@ void ParameterDescent::DropUselessMoves()
   }
 }
 
-DescriptionLength
-ParameterDescent::Measure(const std::vector<ParametricSphericalSurface>& surfaces) const
+DescriptionLength ParameterDescent::Measure(const std::vector<SurfaceModel>& surfaces) const
 {
   Eigen::MatrixXd shapes(this->Shapes.rows(), this->Shapes.cols());
   ForEachCase(surfaces.size(), this->Settings.Threads,

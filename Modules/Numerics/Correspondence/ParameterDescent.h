@@ -16,7 +16,7 @@ namespace palpate
 class ParameterDescent
 {
 public:
-  ParameterDescent(const std::vector<ParametricSphericalSurface>& surfaces,
+  ParameterDescent(const std::vector<SurfaceModel>& surfaces,
                    const ReparametrisationSettings& settings);
 
   double Length() const noexcept { return this->Now.Value; }
@@ -28,7 +28,7 @@ public:
   /// Gives those back their own parameters that are as well off with them.
   void DropUselessMoves();
   /// Of other surfaces, with the same weights.
-  DescriptionLength Measure(const std::vector<ParametricSphericalSurface>& surfaces) const;
+  DescriptionLength Measure(const std::vector<SurfaceModel>& surfaces) const;
 
 private:
   /// A case's minimiser of its squared distance from what the others predict.
@@ -38,14 +38,13 @@ private:
     Eigen::VectorXd Step;    ///< coefficients of the field, harmonic by harmonic
   };
 
-  Eigen::VectorXd ColumnOf(const ParametricSphericalSurface& surface,
-                           const std::vector<Vector3>& nodes) const;
+  Eigen::VectorXd ColumnOf(const SurfaceModel& surface, const std::vector<Vector3>& nodes) const;
   Wish WishOf(std::size_t i, const Eigen::MatrixXd& pulled) const;
   std::vector<SphereFlow::Field> FieldsOf(const std::vector<Wish>& wishes) const;
   double UnfoldedShare(std::size_t i, const std::vector<Vector3>& tangents, double share) const;
   bool Try(const std::vector<SphereFlow::Field>& fields, double share);
 
-  const std::vector<ParametricSphericalSurface>& Surfaces;
+  const std::vector<SurfaceModel>& Surfaces;
   const ReparametrisationSettings& Settings;
   IcosahedronDirections Sphere;
   Eigen::VectorXd Roots; // of the nodes' shares of the mean surface

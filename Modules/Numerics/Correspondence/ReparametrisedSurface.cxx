@@ -2,8 +2,8 @@
 
 #include "IcosahedronDirections.h"
 #include "MeshDistances.h"
-#include "ParametricSolver.h"
 #include "SphereMapQuality.h"
+#include "SurfaceModelSolver.h"
 #include "SurfaceSamples.h"
 
 #include <algorithm>
@@ -21,10 +21,10 @@ constexpr double RefitRidge = 1e-7; // the samples determine the surface
 constexpr double TangentShare = 0.05;
 constexpr int RefitIterations = 15;
 
-using FirstOrder = ParametricSphericalSurface::Sample;
+using FirstOrder = SurfaceModel::Sample;
 
-SurfaceSamples SamplesAt(const ParametricSphericalSurface& surface,
-                         const std::vector<Vector3>& places, const IcosahedronDirections& sphere)
+SurfaceSamples SamplesAt(const SurfaceModel& surface, const std::vector<Vector3>& places,
+                         const IcosahedronDirections& sphere)
 {
   SurfaceSamples samples;
   samples.Parameters = sphere.Directions();
@@ -32,7 +32,7 @@ SurfaceSamples SamplesAt(const ParametricSphericalSurface& surface,
   {
     const FirstOrder sample = surface.Evaluate(place);
     samples.Points.push_back(sample.Point);
-    samples.Normals.push_back(ParametricSphericalSurface::AreaVector(sample).normalized());
+    samples.Normals.push_back(SurfaceModel::AreaVector(sample).normalized());
   }
   samples.Weights = PointAreas({samples.Points, sphere.Triangles()});
   const double total = std::accumulate(samples.Weights.begin(), samples.Weights.end(), 0.0);
@@ -44,7 +44,7 @@ SurfaceSamples SamplesAt(const ParametricSphericalSurface& surface,
 }
 
 // From the nearest point of the surface that Gauss-Newton steps reach from `place`.
-double DistanceFrom(const ParametricSphericalSurface& surface, const Vector3& point, Vector3 place)
+double DistanceFrom(const SurfaceModel& surface, const Vector3& point, Vector3 place)
 {
   constexpr int Steps = 5;
   constexpr double Longest = 0.1; // rad
@@ -92,8 +92,7 @@ void MeasureMap(const IcosahedronDirections& sphere, const std::vector<Vector3>&
 }
 } // namespace
 
-ReparametrisedSurface Reparametrise(const ParametricSphericalSurface& surface,
-                                    const SphereFlow& flow)
+ReparametrisedSurface Reparametrise(const SurfaceModel& surface, const SphereFlow& flow)
 {
   const IcosahedronDirections sphere(std::max(LeastFrequency, 2 * surface.Degree()));
   std::vector<Vector3> places = sphere.Directions();
@@ -101,7 +100,7 @@ ReparametrisedSurface Reparametrise(const ParametricSphericalSurface& surface,
   ReparametrisedSurface result;
   MeasureMap(sphere, places, result);
   const SurfaceSamples samples = SamplesAt(surface, places, sphere);
-  ParametricSolver solver(surface.Degree(), RefitRidge);
+  SurfaceModelSolver solver(surface.Degree(), RefitRidge);
   if (!solver.FitPoints(samples))
   {
     result.IsOneToOne = false;

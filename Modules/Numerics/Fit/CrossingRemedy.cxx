@@ -23,7 +23,7 @@ struct CrossingEnd
 class CrossingSearch
 {
 public:
-  CrossingSearch(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+  CrossingSearch(const SurfaceModel& surface, const SurfaceSamples& samples,
                  const IcosahedronDirections& sphere, const IndexedMesh& mesh)
       : Samples(samples), Sphere(sphere), Mesh(mesh), Winding(mesh.Points, mesh.Triangles),
         HalfWave(M_PI / surface.Degree())
@@ -100,8 +100,8 @@ private:
 };
 
 // What is to be changed where a tessellation crosses itself.
-Status AddRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
-                 int frequency, CrossingRemedy& remedy)
+Status AddRemedy(const SurfaceModel& surface, const SurfaceSamples& samples, int frequency,
+                 CrossingRemedy& remedy)
 {
   constexpr std::size_t Most = 20000;
   const IcosahedronDirections sphere(frequency);
@@ -140,12 +140,12 @@ Status AddRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples
 }
 } // namespace
 
-double HalfWavelengthOf(const ParametricSphericalSurface& surface)
+double HalfWavelengthOf(const SurfaceModel& surface)
 {
   return std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree();
 }
 
-Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+Status FindCrossingRemedy(const SurfaceModel& surface, const SurfaceSamples& samples,
                           std::size_t vertices, CrossingRemedy& remedy)
 {
   remedy = {0, std::vector<double>(vertices), std::vector<char>(vertices)};

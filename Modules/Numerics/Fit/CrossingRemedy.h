@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
 #include "Status.h"
+#include "SurfaceModel.h"
 #include "SurfaceSamples.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Where a parametric surface, fitted to the vertices of a mesh that does not cross itself, crosses
+/// Where a surface model, fitted to the vertices of a mesh that does not cross itself, crosses
 /// itself all the same, and what of the fit is to be changed there:
 ///
 /// - where two sheets have grown through a gap, or through the thin wall that they bound, the
@@ -33,12 +33,12 @@ struct CrossingRemedy
 
 /// Half the shortest wavelength of a surface of degree 1 or more on a sphere of its area, mm: about
 /// the smallest feature that its degree resolves.
-double HalfWavelengthOf(const ParametricSphericalSurface& surface);
+double HalfWavelengthOf(const SurfaceModel& surface);
 
 /// `vertices` of the first samples are the mesh's. Sheets are moved by a twentieth of half the
 /// surface's shortest wavelength at once, and as far around a crossing as it resolves: several
 /// rounds of fits are needed. Looks at 200 crossings, of 20,000 that are counted at most, of each
 /// of two tessellations. Fails for a surface that is not finite.
-Status FindCrossingRemedy(const ParametricSphericalSurface& surface, const SurfaceSamples& samples,
+Status FindCrossingRemedy(const SurfaceModel& surface, const SurfaceSamples& samples,
                           std::size_t vertices, CrossingRemedy& remedy);
 } // namespace palpate

@@ -20,19 +20,19 @@ Status MissedTolerance(const DegreeSearch& search, int highest, double rms)
 }
 } // namespace
 
-Status FindDegree(const RadialSamples& samples, SphericalHarmonicFitOptions options,
+Status FindDegree(const RadialSamples& samples, RadialModelFitOptions options,
                   const DegreeSearch& search, int& found)
 {
   const bool isBounded = search.Supported <= search.Maximum;
   const int highest = std::max(std::min(search.Maximum, search.Supported), search.Least);
-  options.PenaltyKind = SphericalHarmonicFitOptions::Penalty::None;
-  options.RobustKind = SphericalHarmonicFitOptions::Robust::None;
+  options.PenaltyKind = RadialModelFitOptions::Penalty::None;
+  options.RobustKind = RadialModelFitOptions::Robust::None;
   // A moderate degree first, because the work grows with the degree's fourth power.
   options.Degree = std::min(std::max(12, search.Least), highest);
   while (true)
   {
-    SphericalHarmonicFitResult result;
-    if (Status status = FitSphericalHarmonics(samples, options, result); !status.IsOk())
+    RadialModelFitResult result;
+    if (Status status = FitRadialModel(samples, options, result); !status.IsOk())
     {
       return status;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "RadialModelFit.h"
 #include "RadialSamples.h"
-#include "SphericalHarmonicFit.h"
 #include "Status.h"
 
 namespace palpate
@@ -19,7 +19,7 @@ struct DegreeSearch
 };
 
 /// Searches by the residuals of plain fits, whatever penalty and weights `options` have. Fails as
-/// FitSphericalHarmonics and if no degree up to the maximum meets the tolerance.
-Status FindDegree(const RadialSamples& samples, SphericalHarmonicFitOptions options,
+/// FitRadialModel and if no degree up to the maximum meets the tolerance.
+Status FindDegree(const RadialSamples& samples, RadialModelFitOptions options,
                   const DegreeSearch& search, int& found);
 } // namespace palpate

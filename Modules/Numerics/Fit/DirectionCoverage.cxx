@@ -2,9 +2,9 @@
 
 #include "CoefficientCovariance.h"
 #include "IcosahedronDirections.h"
+#include "RadialModelFit.h"
 #include "SphericalHarmonicBasis.h"
 #include "SphericalHarmonicConventions.h"
-#include "SphericalHarmonicFit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +131,7 @@ double DirectionCoverage::WidestGap(int degree)
 }
 
 Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
-                      const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage)
+                      const RadialModelFitResult& fit, DirectionCoverage& coverage)
 {
   const int degree = DegreeOfCount(fit.Coefficients.size());
   const std::vector<double> radii(directions.size(), 0.0);

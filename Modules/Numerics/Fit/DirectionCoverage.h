@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-struct SphericalHarmonicFitResult;
+struct RadialModelFitResult;
 
 /// How well directions determine a fit, independent of the measured radii.
 struct DirectionCoverage
@@ -53,5 +53,5 @@ struct DirectionCoverage
 /// information), or a maximum of the noise gain above HighestNoiseGain. Fails if CheckSamples does.
 /// Some milliseconds for 4,002 directions at degree 12.
 Status AssessCoverage(const std::vector<Vector3>& directions, const std::vector<double>& weights,
-                      const SphericalHarmonicFitResult& fit, DirectionCoverage& coverage);
+                      const RadialModelFitResult& fit, DirectionCoverage& coverage);
 } // namespace palpate

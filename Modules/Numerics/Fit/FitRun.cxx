@@ -12,7 +12,7 @@
 
 namespace palpate
 {
-using Options = SphericalHarmonicFitOptions;
+using Options = RadialModelFitOptions;
 
 namespace
 {
@@ -38,7 +38,7 @@ double RmsDifference(const CacheLineVector<double>& a, const CacheLineVector<dou
 }
 } // namespace
 
-FitRun::FitRun(const RadialSamples& samples, const SphericalHarmonicFitOptions& options,
+FitRun::FitRun(const RadialSamples& samples, const RadialModelFitOptions& options,
                LeastSquaresSolver& solver)
     : Samples(samples), Settings(options), Solver(solver),
       Weights(NormalisedWeights(samples.Weights)),
@@ -46,7 +46,7 @@ FitRun::FitRun(const RadialSamples& samples, const SphericalHarmonicFitOptions& 
 {
 }
 
-Status FitRun::Run(SphericalHarmonicFitResult& result)
+Status FitRun::Run(RadialModelFitResult& result)
 {
   result = {};
   this->IsAble = this->Solver.Reduce(this->View(this->Weights));
@@ -120,8 +120,7 @@ CoefficientCovariance FitRun::Covariance() const
 }
 
 // Results common to plain and robust fits; returns the weighted sum of squared residuals.
-double FitRun::FinishCommon(const std::vector<double>& weights,
-                            SphericalHarmonicFitResult& result) const
+double FitRun::FinishCommon(const std::vector<double>& weights, RadialModelFitResult& result) const
 {
   const CacheLineVector<double>& coefficients = this->Solver.Coefficients();
   result.Coefficients.assign(coefficients.begin(),
@@ -139,7 +138,7 @@ double FitRun::FinishCommon(const std::vector<double>& weights,
   return squares;
 }
 
-Status FitRun::Finish(SphericalHarmonicFitResult& result)
+Status FitRun::Finish(RadialModelFitResult& result)
 {
   const double squares = this->FinishCommon(this->Weights, result);
   result.Covariance = this->Covariance();
@@ -158,7 +157,7 @@ Status FitRun::Finish(SphericalHarmonicFitResult& result)
 }
 
 // The leading block of the triangle solves the problem of the leading columns.
-void FitRun::FindRmsByDegree(SphericalHarmonicFitResult& result) const
+void FitRun::FindRmsByDegree(RadialModelFitResult& result) const
 {
   const CacheLineVector<double>& projection = this->Solver.Projection();
   double squares = this->Solver.Unreachable();
@@ -175,7 +174,7 @@ void FitRun::FindRmsByDegree(SphericalHarmonicFitResult& result) const
 }
 
 // Iteratively reweighted least squares, starting from the last solution.
-Status FitRun::FinishRobust(SphericalHarmonicFitResult& result)
+Status FitRun::FinishRobust(RadialModelFitResult& result)
 {
   constexpr int MostSteps = 50;
   constexpr int FreeSteps = 10;
@@ -209,7 +208,7 @@ Status FitRun::FinishRobust(SphericalHarmonicFitResult& result)
 }
 
 Status FitRun::FinishHuber(const HuberWeights& huber, const std::vector<double>& weights,
-                           SphericalHarmonicFitResult& result)
+                           RadialModelFitResult& result)
 {
   this->FinishCommon(weights, result);
   result.RobustFactors = huber.Factors();

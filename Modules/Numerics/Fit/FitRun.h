@@ -1,8 +1,8 @@
 #pragma once
 
 #include "LeastSquaresSolver.h"
+#include "RadialModelFit.h"
 #include "RadialSamples.h"
-#include "SphericalHarmonicFit.h"
 #include "Status.h"
 
 #include <vector>
@@ -11,17 +11,17 @@ namespace palpate
 {
 class HuberWeights;
 
-/// The steps of FitSphericalHarmonics with one solver: condition, strength of the penalty,
+/// The steps of FitRadialModel with one solver: condition, strength of the penalty,
 /// solution, robust iterations, and the statistics of the result. Keeps references to its
 /// arguments.
 class FitRun
 {
 public:
   /// Samples and options must have been checked.
-  FitRun(const RadialSamples& samples, const SphericalHarmonicFitOptions& options,
+  FitRun(const RadialSamples& samples, const RadialModelFitOptions& options,
          LeastSquaresSolver& solver);
 
-  Status Run(SphericalHarmonicFitResult& result);
+  Status Run(RadialModelFitResult& result);
   /// After Run: false if the solver gave up, so that another one may succeed.
   bool Able() const { return this->IsAble; }
 
@@ -31,16 +31,16 @@ private:
   bool IsCancelled() const;
   bool FindStrength();
   CoefficientCovariance Covariance() const;
-  double FinishCommon(const std::vector<double>& weights, SphericalHarmonicFitResult& result) const;
-  Status Finish(SphericalHarmonicFitResult& result);
-  void FindRmsByDegree(SphericalHarmonicFitResult& result) const;
-  Status FinishRobust(SphericalHarmonicFitResult& result);
+  double FinishCommon(const std::vector<double>& weights, RadialModelFitResult& result) const;
+  Status Finish(RadialModelFitResult& result);
+  void FindRmsByDegree(RadialModelFitResult& result) const;
+  Status FinishRobust(RadialModelFitResult& result);
   Status FinishHuber(const HuberWeights& huber, const std::vector<double>& weights,
-                     SphericalHarmonicFitResult& result);
+                     RadialModelFitResult& result);
   double RmsRadius() const;
 
   const RadialSamples& Samples;
-  const SphericalHarmonicFitOptions& Settings;
+  const RadialModelFitOptions& Settings;
   LeastSquaresSolver& Solver;
   std::vector<double> Weights; // normalised
   double Count;                // of samples with positive weight

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// Samples of a closed surface for a parametric fit: one entry of each array per point.
+/// Samples of a closed surface for a fit of a surface model: one entry of each array per point.
 struct SurfaceSamples
 {
   std::vector<Vector3> Points;     ///< mm

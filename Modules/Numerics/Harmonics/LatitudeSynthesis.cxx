@@ -5,7 +5,7 @@
 
 namespace palpate
 {
-LatitudeSynthesis::LatitudeSynthesis(const SphericalHarmonicModel& model, int longitudeCount)
+LatitudeSynthesis::LatitudeSynthesis(const RadialModel& model, int longitudeCount)
     : Basis(model.Degree()), Coefficients(model.Coefficients()), Harmonics(Basis.Size()),
       Sums(static_cast<std::size_t>(model.Degree()) + 1)
 {
@@ -37,7 +37,7 @@ Vector3 LatitudeSynthesis::Direction(double z, std::size_t j) const noexcept
   return {s * this->StepCosine[j], s * this->StepSine[j], z};
 }
 
-const std::vector<SphericalHarmonicModel::Sample>& LatitudeSynthesis::Evaluate(double z)
+const std::vector<RadialModel::Sample>& LatitudeSynthesis::Evaluate(double z)
 {
   const double s = std::sqrt((1.0 - z) * (1.0 + z));
   this->SumDegrees(z, s);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "RadialModel.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
 #include <cstddef>
@@ -17,13 +17,13 @@ class LatitudeSynthesis
 {
 public:
   /// `longitudeCount` >= 1. Keeps a copy of the model's coefficients.
-  LatitudeSynthesis(const SphericalHarmonicModel& model, int longitudeCount);
+  LatitudeSynthesis(const RadialModel& model, int longitudeCount);
 
   /// (s cos a, s sin a, z) with s = sqrt(1 - z^2) and a = 2 pi j / longitudeCount.
   Vector3 Direction(double z, std::size_t j) const noexcept;
   /// Samples at Direction(z, j) for every j; valid until the next call. -1 < z < 1: gradients at
   /// the poles are NaN.
-  const std::vector<SphericalHarmonicModel::Sample>& Evaluate(double z);
+  const std::vector<RadialModel::Sample>& Evaluate(double z);
 
 private:
   // Factors of the cosine and the sine of an order's longitude, on one circle.
@@ -53,6 +53,6 @@ private:
   std::vector<double> Radius;
   std::vector<double> SouthSlope;
   std::vector<double> EastSlope; // times s
-  std::vector<SphericalHarmonicModel::Sample> Samples;
+  std::vector<RadialModel::Sample> Samples;
 };
 } // namespace palpate

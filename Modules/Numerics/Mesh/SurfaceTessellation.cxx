@@ -4,10 +4,9 @@
 
 namespace palpate
 {
-IndexedMesh Tessellated(const ParametricSphericalSurface& surface,
-                        const IcosahedronDirections& parameters)
+IndexedMesh Tessellated(const SurfaceModel& surface, const IcosahedronDirections& parameters)
 {
-  std::vector<ParametricSphericalSurface::Sample> samples(parameters.Directions().size());
+  std::vector<SurfaceModel::Sample> samples(parameters.Directions().size());
   surface.EvaluateBatch(parameters.Directions().data(), samples.size(), samples.data());
   IndexedMesh mesh;
   mesh.Triangles = parameters.Triangles();

@@ -2,11 +2,10 @@
 
 #include "IcosahedronDirections.h"
 #include "IndexedMesh.h"
-#include "ParametricSphericalSurface.h"
+#include "SurfaceModel.h"
 
 namespace palpate
 {
 /// The surface's points (mm) at the directions as parameters, and the directions' triangles.
-IndexedMesh Tessellated(const ParametricSphericalSurface& surface,
-                        const IcosahedronDirections& parameters);
+IndexedMesh Tessellated(const SurfaceModel& surface, const IcosahedronDirections& parameters);
 } // namespace palpate

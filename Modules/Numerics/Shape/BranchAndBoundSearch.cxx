@@ -30,14 +30,14 @@ bool Contains(const StretchedBasin& basin, const Vector3& around, const Vector3&
 }
 
 // Often the point in the query's direction.
-Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<SphericalHarmonicModel>&)
+Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<RadialModel>&)
 {
   const double distance = query.norm();
   return distance > 0.0 ? Vector3(query / distance) : Vector3(Vector3::UnitZ());
 }
 
 // Down the tree, to the nearest centres.
-Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<ParametricShape>& tree)
+Vector3 StartFor(const Vector3& query, const SurfacePatchTreeOf<CenteredSurface>& tree)
 {
   const auto nearestOf = [&](int first, int count)
   {
@@ -289,6 +289,6 @@ ClosestPointOf<Surface> BranchAndBoundSearch<Surface>::Run(const ClosestPoint* n
   return this->Best;
 }
 
-template class BranchAndBoundSearch<SphericalHarmonicModel>;
-template class BranchAndBoundSearch<ParametricShape>;
+template class BranchAndBoundSearch<RadialModel>;
+template class BranchAndBoundSearch<CenteredSurface>;
 } // namespace palpate

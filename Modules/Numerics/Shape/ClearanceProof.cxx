@@ -557,6 +557,6 @@ void ClearanceProofOf<Surface>::AddGroup(std::size_t group) noexcept
   this->AddOpenOf(group);
 }
 
-template class ClearanceProofOf<SphericalHarmonicModel>;
-template class ClearanceProofOf<ParametricShape>;
+template class ClearanceProofOf<RadialModel>;
+template class ClearanceProofOf<CenteredSurface>;
 } // namespace palpate

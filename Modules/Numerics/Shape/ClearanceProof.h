@@ -148,5 +148,5 @@ private:
   InstructionSet Set;
   bool IsTurned = false; // those that lack least come first
 };
-using ClearanceProof = ClearanceProofOf<SphericalHarmonicModel>;
+using ClearanceProof = ClearanceProofOf<RadialModel>;
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "SquaredDistance.h"
 #include "SurfaceKind.h"
 #include "Vector3.h"
@@ -40,5 +40,5 @@ struct ClosestPointOf
 
   bool Converged() const noexcept { return this->State == Outcome::Minimum; }
 };
-using ClosestPoint = ClosestPointOf<SphericalHarmonicModel>;
+using ClosestPoint = ClosestPointOf<RadialModel>;
 } // namespace palpate

@@ -38,7 +38,7 @@ struct LocalBounds
     const double second = this->Second + angle * this->Third;
     const double first = this->First + angle * second;
     double product = 3.0 * first * second;
-    if constexpr (std::is_same_v<Surface, ParametricShape>)
+    if constexpr (std::is_same_v<Surface, CenteredSurface>)
     {
       const double change = second * second + first * this->Third;
       product = std::min(product, this->Product + 3.0 * angle * change);
@@ -76,11 +76,11 @@ LocalBounds<Surface> BoundsAt(const SampleOf<Surface>& sample, const SquaredDist
           sizes.First * rounding};
 }
 
-// A tracked point of a parametric surface stays on its side of the surface.
+// A tracked point of a surface model stays on its side of the surface.
 template <typename Surface>
 void KeepSide(const ClosestPointOf<Surface>& previous, ClosestPointOf<Surface>& point) noexcept
 {
-  if constexpr (std::is_same_v<Surface, ParametricShape>)
+  if constexpr (std::is_same_v<Surface, CenteredSurface>)
   {
     if (previous.Normal.dot(AreaVector(previous.Sample)) < 0.0)
     {
@@ -403,7 +403,7 @@ RoundBasin ClosestPointDescent::BasinAround(const Vector3& query,
   {
     return {};
   }
-  const LocalBounds<SphericalHarmonicModel> bounds = BoundsAt<SphericalHarmonicModel>(
+  const LocalBounds<RadialModel> bounds = BoundsAt<RadialModel>(
       point.Sample, distance, this->Derivatives.PointThird, this->Rounding(query));
   const double smallest = bounds.Eigenvalue;
   const Vector3 step = distance.NewtonStep();
@@ -435,7 +435,7 @@ RoundBasin ClosestPointDescent::BasinAround(const Vector3& query,
 
 template <>
 StretchedBasin
-ClosestPointDescentOf<ParametricShape>::BasinAround(const Vector3& query,
+ClosestPointDescentOf<CenteredSurface>::BasinAround(const Vector3& query,
                                                     const ClosestPoint& point) const noexcept
 {
   return StretchedBasinAround(point.SampleDirection, point.Sample, point.Expansion.Offset,
@@ -466,7 +466,7 @@ double ClosestPointDescent::LowerDistance(const Vector3& query, const Vector3& d
 
 // Along the sample's own tangents, which takes half as long.
 template <>
-double ClosestPointDescentOf<ParametricShape>::LowerDistance(const Vector3& query, const Vector3&,
+double ClosestPointDescentOf<CenteredSurface>::LowerDistance(const Vector3& query, const Vector3&,
                                                              const Sample& sample, double reach,
                                                              const CapBounds& cap) const noexcept
 {
@@ -481,6 +481,6 @@ double ClosestPointDescentOf<ParametricShape>::LowerDistance(const Vector3& quer
   return DistanceWithin(reach, offset.norm(), change, cap);
 }
 
-template class ClosestPointDescentOf<SphericalHarmonicModel>;
-template class ClosestPointDescentOf<ParametricShape>;
+template class ClosestPointDescentOf<RadialModel>;
+template class ClosestPointDescentOf<CenteredSurface>;
 } // namespace palpate

@@ -42,7 +42,7 @@ public:
                    double tolerance, int evaluationLimit) const noexcept;
 
   /// The same from the result of the last tick, for a nearby query; `evaluationLimit` >= 1. On a
-  /// parametric surface the normal stays on the side of the previous one, also where that was
+  /// surface model the normal stays on the side of the previous one, also where that was
   /// turned round.
   ClosestPoint Continue(const Vector3& query, const ClosestPoint& previous, double tolerance,
                         int evaluationLimit) const noexcept;
@@ -110,5 +110,5 @@ private:
   double LongestStep;  // rad
   InstructionSet Set;
 };
-using ClosestPointDescent = ClosestPointDescentOf<SphericalHarmonicModel>;
+using ClosestPointDescent = ClosestPointDescentOf<RadialModel>;
 } // namespace palpate

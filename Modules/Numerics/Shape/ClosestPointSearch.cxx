@@ -44,12 +44,12 @@ ClosestPointOf<Surface> Unusable(const Surface& model)
   return point;
 }
 
-std::size_t BytesOf(const SphericalHarmonicModel& model)
+std::size_t BytesOf(const RadialModel& model)
 {
   return model.Coefficients().size() * sizeof(double);
 }
 
-std::size_t BytesOf(const ParametricShape& shape)
+std::size_t BytesOf(const CenteredSurface& shape)
 {
   return shape.Bytes();
 }
@@ -153,6 +153,6 @@ ToolContact ClosestPointSearchOf<Surface>::TouchAnywhere(const Vector3& toolCent
   return contact;
 }
 
-template class ClosestPointSearchOf<SphericalHarmonicModel>;
-template class ClosestPointSearchOf<ParametricShape>;
+template class ClosestPointSearchOf<RadialModel>;
+template class ClosestPointSearchOf<CenteredSurface>;
 } // namespace palpate

@@ -86,5 +86,5 @@ private:
   ClosestPointDescentOf<Surface> LocalSearch;
   SurfacePatchTreeOf<Surface> Parts;
 };
-using ClosestPointSearch = ClosestPointSearchOf<SphericalHarmonicModel>;
+using ClosestPointSearch = ClosestPointSearchOf<RadialModel>;
 } // namespace palpate

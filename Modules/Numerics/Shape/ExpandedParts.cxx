@@ -20,9 +20,9 @@ void ExpandedParts::Put(std::size_t part, const Vector3& vector, Coordinates& la
   }
 }
 
-void ExpandedParts::Set(std::size_t part, const ParametricShape::SecondOrderSample& sample,
+void ExpandedParts::Set(std::size_t part, const CenteredSurface::SecondOrderSample& sample,
                         double reach,
-                        const ClosestPointDescentOf<ParametricShape>::CapBounds& bounds) noexcept
+                        const ClosestPointDescentOf<CenteredSurface>::CapBounds& bounds) noexcept
 {
   const auto& [first, second] = sample.First;
   Put(part, sample.Point, this->Point);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "CenteredSurface.h"
 #include "ClosestPointDescent.h"
 #include "FourLanes.h"
 #include "InstructionSet.h"
-#include "ParametricShape.h"
 #include "Vector3.h"
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace palpate
 {
-/// Lower bounds of the distances of four parts of a parametric surface from a place, each by the
-/// expansion at its middle: ClosestPointDescentOf<ParametricShape>::LowerDistance, four at once,
+/// Lower bounds of the distances of four parts of a surface model from a place, each by the
+/// expansion at its middle: ClosestPointDescentOf<CenteredSurface>::LowerDistance, four at once,
 /// since the time of one is that of its roots and divisions one after another.
 class alignas(sizeof(FourLanes)) ExpandedParts
 {
@@ -26,8 +26,8 @@ public:
     this->Third = FourLanes{} + Unbounded;
   }
   /// The part over the cap of the angle `reach` (rad) around the sample's parameter.
-  void Set(std::size_t part, const ParametricShape::SecondOrderSample& sample, double reach,
-           const ClosestPointDescentOf<ParametricShape>::CapBounds& bounds) noexcept;
+  void Set(std::size_t part, const CenteredSurface::SecondOrderSample& sample, double reach,
+           const ClosestPointDescentOf<CenteredSurface>::CapBounds& bounds) noexcept;
   /// The part is within the extent (mm) of this point, relative to the surface's centre.
   Vector3 PointOf(std::size_t part) const noexcept
   {

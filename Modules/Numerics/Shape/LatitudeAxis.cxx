@@ -11,7 +11,7 @@ namespace palpate
 {
 namespace
 {
-void AddCircle(const ParametricSphericalSurface& surface, double theta, LatitudeAxis& axis)
+void AddCircle(const SurfaceModel& surface, double theta, LatitudeAxis& axis)
 {
   const int distinct = axis.Longitudes - 1;
   std::vector<Vector3> points;
@@ -43,8 +43,7 @@ void AddCircle(const ParametricSphericalSurface& surface, double theta, Latitude
 }
 } // namespace
 
-LatitudeAxis FindLatitudeAxis(const ParametricSphericalSurface& surface, int latitudes,
-                              int longitudes)
+LatitudeAxis FindLatitudeAxis(const SurfaceModel& surface, int latitudes, int longitudes)
 {
   LatitudeAxis axis;
   axis.Longitudes = longitudes;
@@ -55,7 +54,7 @@ LatitudeAxis FindLatitudeAxis(const ParametricSphericalSurface& surface, int lat
   return axis;
 }
 
-ParametricSphericalSurface WithLongAxisFirst(const ParametricSphericalSurface& surface)
+SurfaceModel WithLongAxisFirst(const SurfaceModel& surface)
 {
   if (surface.Degree() < 1)
   {

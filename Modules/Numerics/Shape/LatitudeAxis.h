@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
+#include "SurfaceModel.h"
 #include "Vector3.h"
 
 #include <vector>
@@ -29,11 +29,10 @@ struct LatitudeAxis
 };
 
 /// `latitudes` >= 2 from pole to pole, `longitudes` >= 4 points on each. Allocates.
-LatitudeAxis FindLatitudeAxis(const ParametricSphericalSurface& surface, int latitudes,
-                              int longitudes);
+LatitudeAxis FindLatitudeAxis(const SurfaceModel& surface, int latitudes, int longitudes);
 
 /// The same surface with its parameters turned, so that their x axis points along the longest axis
 /// of its ellipsoid of degree 1 and z along the shortest, as SPHARM-PDM's do; which of two opposite
 /// directions is that of PlaceByEllipsoid. Unchanged if it has no such axes. Allocates.
-ParametricSphericalSurface WithLongAxisFirst(const ParametricSphericalSurface& surface);
+SurfaceModel WithLongAxisFirst(const SurfaceModel& surface);
 } // namespace palpate

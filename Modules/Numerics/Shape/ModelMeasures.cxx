@@ -14,12 +14,12 @@ namespace palpate
 {
 namespace
 {
-using RadialSample = SphericalHarmonicModel::Sample;
+using RadialSample = RadialModel::Sample;
 
 // Visits the nodes of a quadrature that is exact for polynomials of this degree: Gauss-Legendre in
 // z, equal steps in longitude, as SphereQuadrature, but circle by circle.
 template <typename Add>
-void ForEachSample(const SphericalHarmonicModel& model, int degree, Add add)
+void ForEachSample(const RadialModel& model, int degree, Add add)
 {
   const GaussLegendre latitude(degree / 2 + 1);
   const int longitudes = degree + 1;
@@ -36,7 +36,7 @@ void ForEachSample(const SphericalHarmonicModel& model, int degree, Add add)
   }
 }
 
-double AreaByQuadrature(const SphericalHarmonicModel& model, int degree)
+double AreaByQuadrature(const RadialModel& model, int degree)
 {
   double sum = 0.0;
   ForEachSample(model, degree,
@@ -48,14 +48,14 @@ double AreaByQuadrature(const SphericalHarmonicModel& model, int degree)
   return sum;
 }
 
-double AreaByQuadrature(const ParametricSphericalSurface& surface, int degree)
+double AreaByQuadrature(const SurfaceModel& surface, int degree)
 {
   const SphereQuadrature sphere(degree);
   double sum = 0.0;
   for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
   {
     const auto sample = surface.Evaluate(sphere.Directions[i]);
-    sum += sphere.Weights[i] * ParametricSphericalSurface::AreaVector(sample).norm();
+    sum += sphere.Weights[i] * SurfaceModel::AreaVector(sample).norm();
   }
   return sum;
 }
@@ -87,14 +87,14 @@ struct ConeMoments
   Vector3 First = Vector3::Zero();
   Matrix3 Second = Matrix3::Zero();
 
-  explicit ConeMoments(const SphericalHarmonicModel& model) : Origin(model.CenterWorld())
+  explicit ConeMoments(const RadialModel& model) : Origin(model.CenterWorld())
   {
     ForEachSample(model, 5 * model.Degree() + 2,
                   [this](const RadialSample& sample, const Vector3& direction, double weight)
                   { this->Add(sample.Radius * direction, weight * std::pow(sample.Radius, 3)); });
   }
 
-  explicit ConeMoments(const ParametricSphericalSurface& surface)
+  explicit ConeMoments(const SurfaceModel& surface)
       : Origin(Vector3(surface.Coefficients(0)[0], surface.Coefficients(1)[0],
                        surface.Coefficients(2)[0]) /
                std::sqrt(4.0 * M_PI)) // the surface's mean point
@@ -104,7 +104,7 @@ struct ConeMoments
     {
       const auto sample = surface.Evaluate(sphere.Directions[i]);
       const Vector3 x = sample.Point - this->Origin;
-      this->Add(x, sphere.Weights[i] * x.dot(ParametricSphericalSurface::AreaVector(sample)));
+      this->Add(x, sphere.Weights[i] * x.dot(SurfaceModel::AreaVector(sample)));
     }
   }
 
@@ -153,7 +153,7 @@ BodyMoments MomentsOf(const ConeMoments& cones)
 }
 } // namespace
 
-double VolumeOf(const SphericalHarmonicModel& model)
+double VolumeOf(const RadialModel& model)
 {
   double sum = 0.0;
   ForEachSample(model, 3 * model.Degree(),
@@ -162,17 +162,17 @@ double VolumeOf(const SphericalHarmonicModel& model)
   return sum / 3.0;
 }
 
-double AreaOf(const SphericalHarmonicModel& model, double relativeTolerance)
+double AreaOf(const RadialModel& model, double relativeTolerance)
 {
   return ConvergedArea(model, relativeTolerance);
 }
 
-double AreaOf(const ParametricSphericalSurface& surface, double relativeTolerance)
+double AreaOf(const SurfaceModel& surface, double relativeTolerance)
 {
   return ConvergedArea(surface, relativeTolerance);
 }
 
-Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments)
+Status MeasureBody(const RadialModel& model, BodyMoments& moments)
 {
   const ConeMoments cones(model);
   if (!(cones.Volume > 0.0) || !cones.IsFinite())
@@ -183,7 +183,7 @@ Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments)
   return Status::Success();
 }
 
-Status MeasureBody(const ParametricSphericalSurface& surface, BodyMoments& moments)
+Status MeasureBody(const SurfaceModel& surface, BodyMoments& moments)
 {
   const ConeMoments cones(surface);
   constexpr double Rounding = 1e-12;

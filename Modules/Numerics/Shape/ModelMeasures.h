@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Status.h"
+#include "SurfaceModel.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace palpate
 /// Enclosed volume (mm^3), the integral of R^3 / 3 over the directions: exact up to rounding, since
 /// the quadrature is exact for R^3, a polynomial of degree 3L. Parts with negative R count as
 /// negative. Allocates.
-double VolumeOf(const SphericalHarmonicModel& model);
+double VolumeOf(const RadialModel& model);
 
 /// Surface area (mm^2), of |R| sqrt(R^2 + |grad R|^2) or of |N| with N = dX x dX, which are not
 /// polynomials: quadratures of degrees that grow by half until two in a row agree to
@@ -20,8 +20,8 @@ double VolumeOf(const SphericalHarmonicModel& model);
 /// so the error is usually far smaller than the last change: where the surface has a tangent plane
 /// everywhere it falls geometrically with the degree. A radial model that passes through its centre
 /// has a kink there, and the error is large. Allocates.
-double AreaOf(const SphericalHarmonicModel& model, double relativeTolerance = 1e-9);
-double AreaOf(const ParametricSphericalSurface& surface, double relativeTolerance = 1e-9);
+double AreaOf(const RadialModel& model, double relativeTolerance = 1e-9);
+double AreaOf(const SurfaceModel& surface, double relativeTolerance = 1e-9);
 
 /// A body of uniform density 1 (per mm^3), in the frame of the model (patient LPS).
 struct BodyMoments
@@ -44,6 +44,6 @@ struct BodyMoments
 /// that it winds around several times count as often. Fails for non-finite coefficients, if the
 /// volume of a radial model is not positive, and if that of a surface is zero up to rounding, since
 /// no centroid exists then. Allocates.
-Status MeasureBody(const SphericalHarmonicModel& model, BodyMoments& moments);
-Status MeasureBody(const ParametricSphericalSurface& surface, BodyMoments& moments);
+Status MeasureBody(const RadialModel& model, BodyMoments& moments);
+Status MeasureBody(const SurfaceModel& surface, BodyMoments& moments);
 } // namespace palpate

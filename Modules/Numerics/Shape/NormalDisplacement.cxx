@@ -17,20 +17,20 @@ struct MovablePoint
   std::array<double, 3> Factors;
 };
 
-MovablePoint PointAt(const SphericalHarmonicModel& model, const Vector3& direction)
+MovablePoint PointAt(const RadialModel& model, const Vector3& direction)
 {
   const auto sample = model.EvaluateSecondOrder(direction);
   const Vector3 normal = (sample.Radius * direction - sample.SurfaceGradient).normalized();
   return {sample.Radius * direction, normal, {normal.dot(direction), 0.0, 0.0}};
 }
 
-MovablePoint PointAt(const ParametricSphericalSurface& surface, const Vector3& parameter)
+MovablePoint PointAt(const SurfaceModel& surface, const Vector3& parameter)
 {
   const Vector3 normal = surface.Normal(parameter);
   return {surface.Point(parameter), normal, {normal.x(), normal.y(), normal.z()}};
 }
 
-void AddPoints(const SurfaceModel& shape, const IcosahedronDirections& sphere,
+void AddPoints(const OrganModel& shape, const IcosahedronDirections& sphere,
                NormalDisplacement& result)
 {
   const SphericalHarmonicBasis basis(DegreeOf(shape));
@@ -77,7 +77,7 @@ void AddAreasAndEdges(NormalDisplacement& result)
 }
 } // namespace
 
-NormalDisplacement FindNormalDisplacement(const SurfaceModel& shape, int frequency)
+NormalDisplacement FindNormalDisplacement(const OrganModel& shape, int frequency)
 {
   const IcosahedronDirections sphere(frequency);
   NormalDisplacement result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SurfaceModel.h"
+#include "OrganModel.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -21,10 +21,10 @@ struct NormalDisplacement
   std::vector<std::array<int, 3>> Triangles;
   std::vector<std::pair<int, int>> Edges; ///< of the triangles, each once
   /// Points x coefficients (mm per mm): of a radial model the harmonic times the cosine between
-  /// direction and normal, of a parametric one the harmonics times the normal's x, y and z.
+  /// direction and normal, of a surface model the harmonics times the normal's x, y and z.
   Eigen::MatrixXd PerCoefficient;
 };
 
 /// At the directions of an icosahedron of this frequency (IcosahedronDirections). Allocates.
-NormalDisplacement FindNormalDisplacement(const SurfaceModel& shape, int frequency);
+NormalDisplacement FindNormalDisplacement(const OrganModel& shape, int frequency);
 } // namespace palpate

@@ -41,9 +41,9 @@ std::vector<Matrix3> CubeTurns()
   return turns;
 }
 
-bool IsRadial(const SurfaceModel& shape)
+bool IsRadial(const OrganModel& shape)
 {
-  return std::holds_alternative<SphericalHarmonicModel>(shape);
+  return std::holds_alternative<RadialModel>(shape);
 }
 
 // 1 over each shape's distance from the geometric median (one shape per column).
@@ -74,7 +74,7 @@ Eigen::VectorXd MedianWeights(const Eigen::MatrixXd& shapes)
 class OrientationSearch
 {
 public:
-  OrientationSearch(const SurfaceModel& shape, const SurfaceModel& target)
+  OrientationSearch(const OrganModel& shape, const OrganModel& target)
       : Shape(shape), Target(target)
   {
   }
@@ -160,7 +160,7 @@ private:
     found.TurnedDistance = this->Other.ShapeResidual;
   }
 
-  const SurfaceModel& Shape;
+  const OrganModel& Shape;
   ShapeSuperposition Target;
   SuperposedShape Own = Infinite();
   SuperposedShape Other = Infinite();
@@ -183,7 +183,7 @@ double ParameterCorrespondence::TurnAngle() const
   return AngleOf(this->TurnsBody ? this->Turn.Body : this->Turn.Parameters);
 }
 
-Status CompareParameters(const std::vector<SurfaceModel>& shapes, const KernelProgress& progress,
+Status CompareParameters(const std::vector<OrganModel>& shapes, const KernelProgress& progress,
                          std::vector<ParameterCorrespondence>& cases)
 {
   cases.clear();
@@ -207,10 +207,10 @@ Status CompareParameters(const std::vector<SurfaceModel>& shapes, const KernelPr
     {
       return Status::Failure("cancelled");
     }
-    const SurfaceModel& shape = shapes[static_cast<std::size_t>(i)];
+    const OrganModel& shape = shapes[static_cast<std::size_t>(i)];
     const Eigen::VectorXd others =
         (sum - weights[i] * vectors.col(i)) / (weights.sum() - weights[i]);
-    const SurfaceModel low = WithDegree(shape, degree);
+    const OrganModel low = WithDegree(shape, degree);
     ParameterCorrespondence one;
     one.Distance = RmsOverSphere(vectors.col(i) - others);
     OrientationSearch(low, WithDegree(ShapeFrom(others, shape), degree)).Run(turns, one);

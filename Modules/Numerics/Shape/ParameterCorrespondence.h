@@ -1,9 +1,9 @@
 #pragma once
 
 #include "KernelProgress.h"
+#include "OrganModel.h"
 #include "ShapeSuperposition.h"
 #include "Status.h"
-#include "SurfaceModel.h"
 
 #include <vector>
 
@@ -43,7 +43,7 @@ struct ParameterCorrespondence
 /// models from half turns of the body about the frame's axes; they are looked for and compared in
 /// the harmonics up to degree 6, which know a body's orientation. Fails for fewer than three
 /// shapes, since one of two cannot be the turned one, and if `progress` cancels. Allocates.
-Status CompareParameters(const std::vector<SurfaceModel>& shapes, const KernelProgress& progress,
+Status CompareParameters(const std::vector<OrganModel>& shapes, const KernelProgress& progress,
                          std::vector<ParameterCorrespondence>& cases);
 
 /// The upper fence of positive numbers on a logarithmic scale: the third quartile plus 1.5 times

@@ -1,7 +1,7 @@
 #include "PointDerivativeBounds.h"
 
+#include "CenteredSurfaceSample.h"
 #include "IcosahedronDirections.h"
-#include "ParametricSample.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace
 class ThirdDerivatives
 {
 public:
-  explicit ThirdDerivatives(const ParametricShape& shape)
+  explicit ThirdDerivatives(const CenteredSurface& shape)
   {
     const int degree = shape.Degree() + 1;
     for (Eigen::Index component = 0; component < 9; ++component)
@@ -33,10 +33,10 @@ public:
 
   /// The largest |x'''| over the great circles through a parameter. As a function of their angle it
   /// is the length of a trigonometric polynomial of degree 3, to which the same inequality applies.
-  double LargestAt(const ParametricShape::SecondOrderSample& sample, const Vector3& u) const
+  double LargestAt(const CenteredSurface::SecondOrderSample& sample, const Vector3& u) const
   {
     constexpr int Angles = 12; // in half a turn, after which the derivatives repeat negatively
-    std::array<SphericalHarmonicEvaluator::SecondOrderSample, 9> samples;
+    std::array<RadialEvaluator::SecondOrderSample, 9> samples;
     std::transform(this->Components.begin(), this->Components.end(), samples.begin(),
                    [&](const auto& component) { return component.EvaluateSecondOrder(u); });
     double largest = 0.0;
@@ -51,14 +51,14 @@ public:
 
 private:
   // Row k: the surface gradient of coordinate k.
-  static Matrix3 Gradients(const ParametricShape::SecondOrderSample& sample)
+  static Matrix3 Gradients(const CenteredSurface::SecondOrderSample& sample)
   {
     return sample.First[0] * sample.Tangents[0].transpose() +
            sample.First[1] * sample.Tangents[1].transpose();
   }
 
   static Vector3 Along(const Vector3& t,
-                       const std::array<SphericalHarmonicEvaluator::SecondOrderSample, 9>& samples)
+                       const std::array<RadialEvaluator::SecondOrderSample, 9>& samples)
   {
     Vector3 third = Vector3::Zero();
     for (std::size_t component = 0; component < samples.size(); ++component)
@@ -71,7 +71,7 @@ private:
     return third;
   }
 
-  std::vector<SphericalHarmonicEvaluator> Components; // of matrices, column by column
+  std::vector<RadialEvaluator> Components; // of matrices, column by column
 };
 
 // rad.
@@ -91,7 +91,7 @@ double LongestEdge(const IcosahedronDirections& sphere)
 }
 } // namespace
 
-PointDerivativeBounds::PointDerivativeBounds(const ParametricShape& shape) : Point{}
+PointDerivativeBounds::PointDerivativeBounds(const CenteredSurface& shape) : Point{}
 {
   constexpr int MostParts = 36;
   const ThirdDerivatives thirds(shape);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CapMaxima.h"
-#include "ParametricShape.h"
+#include "CenteredSurface.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Bounds that hold at every parameter u of a parametric surface and along every great circle
+/// Bounds that hold at every parameter u of a surface model and along every great circle
 /// through it, with derivatives of the point x by the circle's angle.
 ///
 /// Along a great circle every component v.x of the point is a trigonometric polynomial of degree L.
@@ -21,7 +21,7 @@ namespace palpate
 /// evaluated at about 10 L^2 parameters.
 struct PointDerivativeBounds
 {
-  explicit PointDerivativeBounds(const ParametricShape& shape);
+  explicit PointDerivativeBounds(const CenteredSurface& shape);
 
   double Largest() const noexcept { return this->Point[0]; } ///< bound of |x|, mm
   /// The same as PointThird in the cap of the angle (rad) around a unit vector of parameters.

@@ -17,33 +17,33 @@ namespace
 constexpr double RoundsShare = 0.7; // of the progress; the rest is flips
 
 // x to -x. A surface's parameters are mirrored too, so that it stays outside out.
-SurfaceModel MirrorImage(const SurfaceModel& shape)
+OrganModel MirrorImage(const OrganModel& shape)
 {
   const Matrix3 mirror = Vector3(-1.0, 1.0, 1.0).asDiagonal();
-  if (std::holds_alternative<SphericalHarmonicModel>(shape))
+  if (std::holds_alternative<RadialModel>(shape))
   {
     return TurnShape(shape, {Matrix3::Identity(), mirror});
   }
   return TurnShape(shape, {mirror, mirror});
 }
 
-SurfaceModel Scaled(const SurfaceModel& shape, double factor)
+OrganModel Scaled(const OrganModel& shape, double factor)
 {
   return ShapeFrom(factor * VectorOf(shape), shape);
 }
 
 // RMS over the sphere, mm.
-double DistanceBetween(const SurfaceModel& a, const SurfaceModel& b)
+double DistanceBetween(const OrganModel& a, const OrganModel& b)
 {
   return RmsOverSphere(VectorOf(a) - VectorOf(b));
 }
 
-Status MeasureShape(const SurfaceModel& shape, BodyMoments& body)
+Status MeasureShape(const OrganModel& shape, BodyMoments& body)
 {
   return std::visit([&](const auto& one) { return MeasureBody(one, body); }, shape);
 }
 
-Status CheckShapes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* reference)
+Status CheckShapes(const std::vector<OrganModel>& shapes, const OrganModel* reference)
 {
   if (shapes.empty())
   {
@@ -58,7 +58,7 @@ Status CheckShapes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* 
     return Status::Failure("the reference has another degree than the shapes");
   }
   BodyMoments body;
-  for (const SurfaceModel& shape : shapes)
+  for (const OrganModel& shape : shapes)
   {
     if (Status status = MeasureShape(shape, body); !status.IsOk())
     {
@@ -68,10 +68,10 @@ Status CheckShapes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* 
   return Status::Success();
 }
 
-void ScaleShapes(const SurfaceModel* reference, ProcrustesResult& result)
+void ScaleShapes(const OrganModel* reference, ProcrustesResult& result)
 {
   double size = 0.0;
-  for (const SurfaceModel& shape : result.Aligned)
+  for (const OrganModel& shape : result.Aligned)
   {
     size += RmsSizeOf(shape) / static_cast<double>(result.Aligned.size());
   }
@@ -84,7 +84,7 @@ void ScaleShapes(const SurfaceModel* reference, ProcrustesResult& result)
 }
 
 // From where each shape is; of surfaces from the polar factor too, the first time.
-bool TurnToMean(const std::vector<SurfaceModel>& shapes, const KernelProgress& progress,
+bool TurnToMean(const std::vector<OrganModel>& shapes, const KernelProgress& progress,
                 ProcrustesResult& result)
 {
   const bool isFirst = result.Rounds == 0;
@@ -98,7 +98,7 @@ bool TurnToMean(const std::vector<SurfaceModel>& shapes, const KernelProgress& p
       return false;
     }
     SuperposedShape best = mean.Fit(shapes[i], result.Cases[i].Rotation);
-    if (isFirst && std::holds_alternative<ParametricSphericalSurface>(shapes[i]))
+    if (isFirst && std::holds_alternative<SurfaceModel>(shapes[i]))
     {
       const SuperposedShape other =
           mean.Fit(shapes[i], mean.StartFor(shapes[i], Matrix3::Identity()));
@@ -113,12 +113,12 @@ bool TurnToMean(const std::vector<SurfaceModel>& shapes, const KernelProgress& p
 }
 
 // Of the best orientation near a half turn of an aligned shape.
-double FlippedResidual(const ShapeSuperposition& mean, const SurfaceModel& aligned,
+double FlippedResidual(const ShapeSuperposition& mean, const OrganModel& aligned,
                        const Matrix3& flip)
 {
   const SphereRotation start = mean.StartFor(aligned, flip);
   const SuperposedShape found = mean.Fit(aligned, start);
-  const bool isRadial = std::holds_alternative<SphericalHarmonicModel>(aligned);
+  const bool isRadial = std::holds_alternative<RadialModel>(aligned);
   const double turn = AngleOf(isRadial ? found.Rotation.Parameters : found.Rotation.Body);
   return (turn < SmallestOtherTurn ? mean.At(aligned, start) : found).ShapeResidual;
 }
@@ -138,7 +138,7 @@ bool CompareWithFlips(const KernelProgress& progress, ProcrustesResult& result)
       return false;
     }
     ProcrustesCase& one = result.Cases[i];
-    const SurfaceModel& aligned = result.Aligned[i];
+    const OrganModel& aligned = result.Aligned[i];
     one.FlippedResidual = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -183,7 +183,7 @@ bool ProcrustesCase::IsMirrored() const
   return this->MirrorRatio() > 1.0 / AmbiguousRatio;
 }
 
-Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* reference,
+Status AlignByProcrustes(const std::vector<OrganModel>& shapes, const OrganModel* reference,
                          const ProcrustesSettings& settings, ProcrustesResult& result,
                          const KernelProgress& progress)
 {
@@ -198,7 +198,7 @@ Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceM
   {
     ScaleShapes(reference, result);
   }
-  const std::vector<SurfaceModel> scaled = result.Aligned;
+  const std::vector<OrganModel> scaled = result.Aligned;
   result.Mean = reference != nullptr ? *reference : MeanShape(scaled);
   while (result.Rounds < settings.MostRounds && !result.HasConverged)
   {
@@ -207,7 +207,7 @@ Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceM
       return Status::Failure("cancelled");
     }
     ++result.Rounds;
-    const SurfaceModel mean = reference != nullptr ? *reference : MeanShape(result.Aligned);
+    const OrganModel mean = reference != nullptr ? *reference : MeanShape(result.Aligned);
     result.HasConverged = DistanceBetween(mean, result.Mean) <= settings.Tolerance;
     result.Mean = mean;
   }

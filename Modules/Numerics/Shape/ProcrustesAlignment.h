@@ -1,9 +1,9 @@
 #pragma once
 
 #include "KernelProgress.h"
+#include "OrganModel.h"
 #include "ShapeSuperposition.h"
 #include "Status.h"
-#include "SurfaceModel.h"
 
 #include <vector>
 
@@ -41,8 +41,8 @@ struct ProcrustesCase
 
 struct ProcrustesResult
 {
-  std::vector<SurfaceModel> Aligned;
-  SurfaceModel Mean;
+  std::vector<OrganModel> Aligned;
+  OrganModel Mean;
   std::vector<ProcrustesCase> Cases;
   int Rounds = 0;
   bool HasConverged = false;
@@ -64,7 +64,7 @@ constexpr double AmbiguousRatio = 0.8;
 /// of another kind or degree, if there are no shapes, if a shape has no volume, or if `progress`
 /// cancels. How many rounds there will be is unknown, so that the progress of one is a part of what
 /// is left.
-Status AlignByProcrustes(const std::vector<SurfaceModel>& shapes, const SurfaceModel* reference,
+Status AlignByProcrustes(const std::vector<OrganModel>& shapes, const OrganModel* reference,
                          const ProcrustesSettings& settings, ProcrustesResult& result,
                          const KernelProgress& progress = {});
 } // namespace palpate

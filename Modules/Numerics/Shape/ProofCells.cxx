@@ -120,6 +120,6 @@ void ProofCells<Surface>::Evaluate(std::size_t index) noexcept
   }
 }
 
-template struct ProofCells<SphericalHarmonicModel>;
-template struct ProofCells<ParametricShape>;
+template struct ProofCells<RadialModel>;
+template struct ProofCells<CenteredSurface>;
 } // namespace palpate

@@ -18,7 +18,7 @@ double Norm(const Matrix3& hessian)
 }
 } // namespace
 
-RadiusDerivativeBounds::RadiusDerivativeBounds(const SphericalHarmonicModel& model) : Radius{}
+RadiusDerivativeBounds::RadiusDerivativeBounds(const RadialModel& model) : Radius{}
 {
   const double degree = model.Degree();
   const IcosahedronDirections sphere(std::max(1, model.Degree()));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 #include <array>
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace palpate
 /// the second derivative bounds the third. The model is evaluated in about 10 L^2 directions.
 struct RadiusDerivativeBounds
 {
-  explicit RadiusDerivativeBounds(const SphericalHarmonicModel& model);
+  explicit RadiusDerivativeBounds(const RadialModel& model);
 
   double Largest() const noexcept { return this->Radius[0]; } ///< bound of |x| from the centre, mm
   static constexpr std::size_t Bytes() noexcept { return 0; }

@@ -1,6 +1,6 @@
 #include "RadiusRange.h"
 
-#include "SphericalHarmonicSpectrum.h"
+#include "RadialSpectrum.h"
 #include "SphericalTriangle.h"
 
 #include <algorithm>
@@ -32,8 +32,7 @@ struct Extreme
 class ExtremeSearch
 {
 public:
-  ExtremeSearch(const SphericalHarmonicModel& model, const SphericalHarmonicSpectrum& spectrum,
-                double sign)
+  ExtremeSearch(const RadialModel& model, const RadialSpectrum& spectrum, double sign)
       : Model(model), Spectrum(spectrum), Sign(sign)
   {
   }
@@ -67,7 +66,7 @@ private:
   void Add(const SphericalTriangle& triangle)
   {
     const SphericalCap cap = triangle.Cap();
-    const SphericalHarmonicModel::Sample sample = this->Model.Evaluate(cap.Center);
+    const RadialModel::Sample sample = this->Model.Evaluate(cap.Center);
     const RadiusInterval interval = this->Spectrum.RadiusAround(sample, cap.Radius);
     this->Found = std::max(this->Found, this->Sign * sample.Radius);
     const double upper = this->Sign > 0.0 ? interval.Upper : -interval.Lower;
@@ -78,8 +77,8 @@ private:
     ++this->EvaluationCount;
   }
 
-  const SphericalHarmonicModel& Model;
-  const SphericalHarmonicSpectrum& Spectrum;
+  const RadialModel& Model;
+  const RadialSpectrum& Spectrum;
   double Sign;
   std::priority_queue<RangeCell> Cells;
   double Found = -std::numeric_limits<double>::infinity();
@@ -87,9 +86,9 @@ private:
 };
 } // namespace
 
-RadiusRange FindRadiusRange(const SphericalHarmonicModel& model, double tolerance)
+RadiusRange FindRadiusRange(const RadialModel& model, double tolerance)
 {
-  const SphericalHarmonicSpectrum spectrum(model);
+  const RadialSpectrum spectrum(model);
   // No tolerance below the error of evaluation can be reached.
   const double reachable = std::max(4.0 * spectrum.EvaluationError(), tolerance);
   if (!std::isfinite(spectrum.EvaluationError()))

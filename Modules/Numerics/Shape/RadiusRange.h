@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 
 namespace palpate
 {
@@ -19,5 +19,5 @@ struct RadiusRange
 /// of evaluations for an organ of degree 12 and 1e-3 mm; after a million it returns the bounds
 /// reached so far (a ring or a field of equal extremes takes many). Allocates: for preparation, not
 /// for the servo thread. Non-finite coefficients give NaN.
-RadiusRange FindRadiusRange(const SphericalHarmonicModel& model, double tolerance);
+RadiusRange FindRadiusRange(const RadialModel& model, double tolerance);
 } // namespace palpate

@@ -2,7 +2,7 @@
 
 namespace palpate
 {
-/// Directions around a closest point of a star-shaped surface within which no point is closer than
+/// Directions around a closest point of a radial model within which no point is closer than
 /// `LowerDistance`.
 struct RoundBasin
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ParametricSample.h"
-#include "ParametricShape.h"
-#include "SphericalHarmonicModel.h"
+#include "CenteredSurface.h"
+#include "CenteredSurfaceSample.h"
+#include "RadialModel.h"
 #include "SquaredDistance.h"
 #include "Vector3.h"
 
@@ -27,21 +27,21 @@ inline Vector3 Moved(const Vector3& direction, const Vector3& step) noexcept
 }
 
 /// A size of the surface at the sample, mm/rad.
-inline double ScaleOf(const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+inline double ScaleOf(const RadialModel::SecondOrderSample& sample) noexcept
 {
   return sample.Radius;
 }
-inline double ScaleOf(const ParametricShape::SecondOrderSample& sample) noexcept
+inline double ScaleOf(const CenteredSurface::SecondOrderSample& sample) noexcept
 {
   return std::sqrt(0.5 * (sample.First[0].squaredNorm() + sample.First[1].squaredNorm()));
 }
 
 /// At least |x'|^2 in every direction, mm^2/rad^2.
-inline double SquaredStretch(const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+inline double SquaredStretch(const RadialModel::SecondOrderSample& sample) noexcept
 {
   return sample.Radius * sample.Radius + sample.SurfaceGradient.squaredNorm();
 }
-inline double SquaredStretch(const ParametricShape::SecondOrderSample& sample) noexcept
+inline double SquaredStretch(const CenteredSurface::SecondOrderSample& sample) noexcept
 {
   return sample.First[0].squaredNorm() + sample.First[1].squaredNorm();
 }
@@ -56,7 +56,7 @@ struct SampleSizes
   double Distance; ///< |x - q|, mm
   double Gradient; ///< of the squared distance's half, mm^2/rad
 };
-inline SampleSizes SizesOf(const SphericalHarmonicModel::SecondOrderSample& sample,
+inline SampleSizes SizesOf(const RadialModel::SecondOrderSample& sample,
                            const SquaredDistance& distance) noexcept
 {
   // Square roots are slow, and two take no longer than one.
@@ -69,7 +69,7 @@ inline SampleSizes SizesOf(const SphericalHarmonicModel::SecondOrderSample& samp
   const Pair lengths = Pair(distance.Offset.squaredNorm(), distance.Gradient.squaredNorm()).sqrt();
   return {sizes[1], roots[0], 3.0 * sizes[1] * roots[0], roots[1], lengths[0], lengths[1]};
 }
-inline SampleSizes SizesOf(const ParametricShape::SecondOrderSample& sample,
+inline SampleSizes SizesOf(const CenteredSurface::SecondOrderSample& sample,
                            const SquaredDistance& distance) noexcept
 {
   using Pair = Eigen::Array2d;
@@ -89,7 +89,7 @@ struct CurveSizes
   double Second;
   double Product;
 };
-inline CurveSizes CurveSizesOf(const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+inline CurveSizes CurveSizesOf(const RadialModel::SecondOrderSample& sample) noexcept
 {
   const double slope = sample.SurfaceGradient.squaredNorm();
   const double first = std::sqrt(sample.Radius * sample.Radius + slope);
@@ -97,18 +97,18 @@ inline CurveSizes CurveSizesOf(const SphericalHarmonicModel::SecondOrderSample& 
   const double second = std::sqrt(bend * bend + 4.0 * slope);
   return {first, second, 3.0 * first * second};
 }
-inline CurveSizes CurveSizesOf(const ParametricShape::SecondOrderSample& sample) noexcept
+inline CurveSizes CurveSizesOf(const CenteredSurface::SecondOrderSample& sample) noexcept
 {
   return {LargestFirst(sample), LargestSecond(sample), LargestProduct(sample)};
 }
 
 /// The surface's point, relative to its centre, mm.
 inline Vector3 PointOf(const Vector3& direction,
-                       const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+                       const RadialModel::SecondOrderSample& sample) noexcept
 {
   return sample.Radius * direction;
 }
-inline Vector3 PointOf(const Vector3&, const ParametricShape::SecondOrderSample& sample) noexcept
+inline Vector3 PointOf(const Vector3&, const CenteredSurface::SecondOrderSample& sample) noexcept
 {
   return sample.Point;
 }
@@ -121,7 +121,7 @@ struct EndOfStep
   Vector3 Normal;
 };
 /// The end of a short step (rad, tangent to the sphere) from the sample at `u`, by its expansion.
-inline EndOfStep Expanded(const Vector3& u, const SphericalHarmonicModel::SecondOrderSample& sample,
+inline EndOfStep Expanded(const Vector3& u, const RadialModel::SecondOrderSample& sample,
                           const Vector3& step) noexcept
 {
   const Vector3& g = sample.SurfaceGradient;
@@ -132,7 +132,7 @@ inline EndOfStep Expanded(const Vector3& u, const SphericalHarmonicModel::Second
   const Vector3 surface = radius * end;
   return {end, surface, surface - (g + bent - slope * u)};
 }
-inline EndOfStep Expanded(const Vector3& u, const ParametricShape::SecondOrderSample& sample,
+inline EndOfStep Expanded(const Vector3& u, const CenteredSurface::SecondOrderSample& sample,
                           const Vector3& step) noexcept
 {
   const double s = step.dot(sample.Tangents[0]);

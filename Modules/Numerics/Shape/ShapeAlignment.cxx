@@ -26,7 +26,7 @@ Vector3 SkewnessOf(const Vector3& thirds, const BodyMoments& body)
 
 // Along an axis a point is r p - q, so the integral over a ray is a polynomial of degree 6 in its
 // radius.
-Vector3 Skewness(const SphericalHarmonicModel& model, const BodyMoments& body)
+Vector3 Skewness(const RadialModel& model, const BodyMoments& body)
 {
   const SphereQuadrature sphere(6 * model.Degree() + 3);
   const Vector3 q = body.PrincipalAxes.transpose() * (body.CentroidWorld - model.CenterWorld());
@@ -45,17 +45,16 @@ Vector3 Skewness(const SphericalHarmonicModel& model, const BodyMoments& body)
 }
 
 // By the divergence theorem: div (x x_k^3) = 6 x_k^3.
-Vector3 Skewness(const ParametricSphericalSurface& surface, const BodyMoments& body)
+Vector3 Skewness(const SurfaceModel& surface, const BodyMoments& body)
 {
   const SphereQuadrature sphere(6 * surface.Degree());
-  std::vector<ParametricSphericalSurface::Sample> samples(sphere.Directions.size());
+  std::vector<SurfaceModel::Sample> samples(sphere.Directions.size());
   surface.EvaluateBatch(sphere.Directions.data(), samples.size(), samples.data());
   Vector3 sum = Vector3::Zero();
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     const Vector3 point = body.PrincipalAxes.transpose() * (samples[i].Point - body.CentroidWorld);
-    const Vector3 area =
-        body.PrincipalAxes.transpose() * ParametricSphericalSurface::AreaVector(samples[i]);
+    const Vector3 area = body.PrincipalAxes.transpose() * SurfaceModel::AreaVector(samples[i]);
     sum += sphere.Weights[i] / 6.0 * point.dot(area) * point.array().cube().matrix();
   }
   return SkewnessOf(surface.Volume() < 0.0 ? Vector3(-sum) : sum, body);
@@ -83,8 +82,7 @@ Matrix3 SignedAxes(const Model& model, const BodyMoments& body)
 }
 } // namespace
 
-Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
-                  SphericalHarmonicModel& aligned)
+Status AlignShape(const RadialModel& model, AlignmentAxes axes, RadialModel& aligned)
 {
   BodyMoments body;
   if (Status status = MeasureBody(model, body); !status.IsOk())
@@ -103,8 +101,7 @@ Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
   return Status::Success();
 }
 
-Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
-                  ParametricSphericalSurface& aligned)
+Status AlignShape(const SurfaceModel& surface, AlignmentAxes axes, SurfaceModel& aligned)
 {
   BodyMoments body;
   Status status = MeasureBody(surface, body);
@@ -120,7 +117,7 @@ Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
   return status;
 }
 
-Status AlignShape(const SurfaceModel& shape, AlignmentAxes axes, SurfaceModel& aligned)
+Status AlignShape(const OrganModel& shape, AlignmentAxes axes, OrganModel& aligned)
 {
   return std::visit(
       [&](const auto& one)

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
-#include "SphericalHarmonicModel.h"
+#include "OrganModel.h"
+#include "RadialModel.h"
 #include "Status.h"
 #include "SurfaceModel.h"
 
@@ -27,12 +27,10 @@ enum class AlignmentAxes
 /// So copies of a body in any orientation align to each other up to rounding divided by the
 /// difference of the two closest second moments; if two of these, or two tails, are equal, the
 /// result is arbitrary. Fails where MeasureBody does. Allocates.
-Status AlignShape(const SphericalHarmonicModel& model, AlignmentAxes axes,
-                  SphericalHarmonicModel& aligned);
-/// The same for a parametric surface, whose centroid moves to the origin; its parameters turn with
+Status AlignShape(const RadialModel& model, AlignmentAxes axes, RadialModel& aligned);
+/// The same for a surface model, whose centroid moves to the origin; its parameters turn with
 /// it.
-Status AlignShape(const ParametricSphericalSurface& surface, AlignmentAxes axes,
-                  ParametricSphericalSurface& aligned);
+Status AlignShape(const SurfaceModel& surface, AlignmentAxes axes, SurfaceModel& aligned);
 /// Of either kind.
-Status AlignShape(const SurfaceModel& shape, AlignmentAxes axes, SurfaceModel& aligned);
+Status AlignShape(const OrganModel& shape, AlignmentAxes axes, OrganModel& aligned);
 } // namespace palpate

@@ -23,14 +23,14 @@ constexpr int MostTurnHalvings = 30;
 // Curvatures below this fraction of the largest are rounding.
 constexpr double SmallestCurvature = 1e-9;
 
-std::vector<SphericalHarmonicModel> SeriesOf(const SurfaceModel& shape)
+std::vector<RadialModel> SeriesOf(const OrganModel& shape)
 {
-  if (const auto* radial = std::get_if<SphericalHarmonicModel>(&shape))
+  if (const auto* radial = std::get_if<RadialModel>(&shape))
   {
     return {*radial};
   }
-  const auto& surface = std::get<ParametricSphericalSurface>(shape);
-  std::vector<SphericalHarmonicModel> series;
+  const auto& surface = std::get<SurfaceModel>(shape);
+  std::vector<RadialModel> series;
   for (int axis = 0; axis < 3; ++axis)
   {
     series.emplace_back(surface.Degree(), surface.Coefficients(axis), Vector3::Zero());
@@ -77,9 +77,9 @@ Eigen::VectorXd NewtonTurn(const Eigen::VectorXd& gradient, const Eigen::MatrixX
 
 // Columns: the derivatives of the point by the parameter, from the harmonics of degree 1, which are
 // y, z and x up to a factor.
-Matrix3 LinearPart(const SurfaceModel& shape)
+Matrix3 LinearPart(const OrganModel& shape)
 {
-  const auto& surface = std::get<ParametricSphericalSurface>(shape);
+  const auto& surface = std::get<SurfaceModel>(shape);
   Matrix3 linear = Matrix3::Zero();
   for (int axis = 0; axis < 3 && surface.Degree() > 0; ++axis)
   {
@@ -90,17 +90,17 @@ Matrix3 LinearPart(const SurfaceModel& shape)
 }
 } // namespace
 
-SurfaceModel TurnShape(const SurfaceModel& shape, const SphereRotation& rotation)
+OrganModel TurnShape(const OrganModel& shape, const SphereRotation& rotation)
 {
   const Matrix3 back = rotation.Parameters.transpose();
-  if (const auto* radial = std::get_if<SphericalHarmonicModel>(&shape))
+  if (const auto* radial = std::get_if<RadialModel>(&shape))
   {
     const auto radius = [&](const Vector3& u) { return radial->Radius(back * u); };
-    return SphericalHarmonicModel(
-        radial->Degree(), ProjectOnHarmonics(radial->Degree(), 2 * radial->Degree(), radius),
-        Vector3::Zero());
+    return RadialModel(radial->Degree(),
+                       ProjectOnHarmonics(radial->Degree(), 2 * radial->Degree(), radius),
+                       Vector3::Zero());
   }
-  return std::get<ParametricSphericalSurface>(shape)
+  return std::get<SurfaceModel>(shape)
       .Transformed(rotation.Body, Vector3::Zero())
       .Reparametrized(back);
 }
@@ -110,12 +110,12 @@ double AngleOf(const Matrix3& rotation)
   return Eigen::AngleAxisd(rotation).angle();
 }
 
-double RmsSizeOf(const SurfaceModel& shape)
+double RmsSizeOf(const OrganModel& shape)
 {
   return RmsOverSphere(VectorOf(shape));
 }
 
-ShapeSuperposition::ShapeSuperposition(const SurfaceModel& target)
+ShapeSuperposition::ShapeSuperposition(const OrganModel& target)
     : Sphere(2 * DegreeOf(target)),
       Weights(Eigen::Map<const Eigen::VectorXd>(Sphere.Weights.data(),
                                                 static_cast<Eigen::Index>(Sphere.Weights.size()))),
@@ -123,9 +123,8 @@ ShapeSuperposition::ShapeSuperposition(const SurfaceModel& target)
 {
 }
 
-ShapeSuperposition::Field
-ShapeSuperposition::FieldOf(const std::vector<SphericalHarmonicModel>& series,
-                            const SphereRotation& rotation) const
+ShapeSuperposition::Field ShapeSuperposition::FieldOf(const std::vector<RadialModel>& series,
+                                                      const SphereRotation& rotation) const
 {
   const std::size_t count = this->Sphere.Directions.size();
   std::vector<Vector3> directions(count);
@@ -134,7 +133,7 @@ ShapeSuperposition::FieldOf(const std::vector<SphericalHarmonicModel>& series,
   const auto rows = static_cast<Eigen::Index>(count);
   const auto columns = static_cast<Eigen::Index>(series.size());
   Field own{Eigen::MatrixXd(rows, columns), {}};
-  std::vector<SphericalHarmonicModel::Sample> samples(count);
+  std::vector<RadialModel::Sample> samples(count);
   for (Eigen::Index c = 0; c < columns; ++c)
   {
     series[static_cast<std::size_t>(c)].EvaluateBatch(directions.data(), count, samples.data());
@@ -208,22 +207,21 @@ void ShapeSuperposition::AddBodyTurns(const Field& field, Product& product) cons
   }
 }
 
-SuperposedShape ShapeSuperposition::Fit(const SurfaceModel& shape,
-                                        const SphereRotation& start) const
+SuperposedShape ShapeSuperposition::Fit(const OrganModel& shape, const SphereRotation& start) const
 {
   return this->Climb(shape, start, true);
 }
 
-SuperposedShape ShapeSuperposition::FitParameters(const SurfaceModel& shape,
+SuperposedShape ShapeSuperposition::FitParameters(const OrganModel& shape,
                                                   const SphereRotation& start) const
 {
   return this->Climb(shape, start, false);
 }
 
-SuperposedShape ShapeSuperposition::Climb(const SurfaceModel& shape, const SphereRotation& start,
+SuperposedShape ShapeSuperposition::Climb(const OrganModel& shape, const SphereRotation& start,
                                           bool turnsBody) const
 {
-  const std::vector<SphericalHarmonicModel> series = SeriesOf(shape);
+  const std::vector<RadialModel> series = SeriesOf(shape);
   SphereRotation rotation = start;
   Field field = this->FieldOf(series, rotation);
   Product product = this->ProductWith(field, turnsBody);
@@ -271,15 +269,15 @@ SuperposedShape ShapeSuperposition::Compare(const Field& field,
   return {rotation, rms(1.0), rms(square > 0.0 ? product / square : 1.0)};
 }
 
-SuperposedShape ShapeSuperposition::At(const SurfaceModel& shape,
+SuperposedShape ShapeSuperposition::At(const OrganModel& shape,
                                        const SphereRotation& rotation) const
 {
   return this->Compare(this->FieldOf(SeriesOf(shape), rotation), rotation);
 }
 
-SphereRotation ShapeSuperposition::StartFor(const SurfaceModel& shape, const Matrix3& body) const
+SphereRotation ShapeSuperposition::StartFor(const OrganModel& shape, const Matrix3& body) const
 {
-  if (std::holds_alternative<SphericalHarmonicModel>(shape))
+  if (std::holds_alternative<RadialModel>(shape))
   {
     return {Matrix3::Identity(), body};
   }

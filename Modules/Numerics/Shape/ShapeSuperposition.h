@@ -1,7 +1,7 @@
 #pragma once
 
+#include "OrganModel.h"
 #include "SphereQuadrature.h"
-#include "SurfaceModel.h"
 #include "Vector3.h"
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ struct SphereRotation
 };
 
 /// Turns a shape about the origin, exactly up to rounding. Allocates.
-SurfaceModel TurnShape(const SurfaceModel& shape, const SphereRotation& rotation);
+OrganModel TurnShape(const OrganModel& shape, const SphereRotation& rotation);
 
 /// The angle of a rotation, rad.
 double AngleOf(const Matrix3& rotation);
@@ -28,7 +28,7 @@ constexpr double SmallestOtherTurn = 0.25 * M_PI;
 
 /// RMS over the sphere (mm) of a shape's radius or distance from the origin: the length of its
 /// coefficients over sqrt(4 pi).
-double RmsSizeOf(const SurfaceModel& shape);
+double RmsSizeOf(const OrganModel& shape);
 
 /// A shape that is turned towards a target.
 struct SuperposedShape
@@ -46,25 +46,25 @@ class ShapeSuperposition
 {
 public:
   /// `target` about the origin; shapes must be of its kind and of at most its degree.
-  explicit ShapeSuperposition(const SurfaceModel& target);
+  explicit ShapeSuperposition(const OrganModel& target);
 
   /// The local optimum reached from `start`: Newton's method on the rotation group for the integral
   /// of the product with the target. A quadrature evaluates it and its first two derivatives
   /// exactly (a rotation's generators are antisymmetric, so the second ones need first derivatives
   /// of both shapes only). Converges to some 1e-10 rad where the optimum is unique; turns without
   /// effect, as of a ball, are left out. Allocates.
-  SuperposedShape Fit(const SurfaceModel& shape, const SphereRotation& start) const;
+  SuperposedShape Fit(const OrganModel& shape, const SphereRotation& start) const;
 
   /// The same by turns of the parameters alone: a surface's body stays as `start` turns it.
-  SuperposedShape FitParameters(const SurfaceModel& shape, const SphereRotation& start) const;
+  SuperposedShape FitParameters(const OrganModel& shape, const SphereRotation& start) const;
 
   /// What `rotation` itself leaves. Allocates.
-  SuperposedShape At(const SurfaceModel& shape, const SphereRotation& rotation) const;
+  SuperposedShape At(const OrganModel& shape, const SphereRotation& rotation) const;
 
   /// Parameters that bring a surface model's terms of degree 1 closest to the target's, once its
   /// body is turned by `body` (the polar factor; Kabsch, Acta Cryst. A 32, 1976). For radial
   /// models: `body`.
-  SphereRotation StartFor(const SurfaceModel& shape, const Matrix3& body) const;
+  SphereRotation StartFor(const OrganModel& shape, const Matrix3& body) const;
 
 private:
   /// One column per coordinate, or one for the radius, and its derivatives by turns of the sphere
@@ -83,10 +83,8 @@ private:
     Eigen::MatrixXd Hessian;
   };
 
-  SuperposedShape Climb(const SurfaceModel& shape, const SphereRotation& start,
-                        bool turnsBody) const;
-  Field FieldOf(const std::vector<SphericalHarmonicModel>& series,
-                const SphereRotation& rotation) const;
+  SuperposedShape Climb(const OrganModel& shape, const SphereRotation& start, bool turnsBody) const;
+  Field FieldOf(const std::vector<RadialModel>& series, const SphereRotation& rotation) const;
   SuperposedShape Compare(const Field& field, const SphereRotation& rotation) const;
   Product ProductWith(const Field& field, bool turnsBody) const;
   void AddBodyTurns(const Field& field, Product& product) const;
@@ -94,6 +92,6 @@ private:
   SphereQuadrature Sphere;
   Eigen::VectorXd Weights;
   Field Target;
-  SurfaceModel Shape;
+  OrganModel Shape;
 };
 } // namespace palpate

@@ -13,13 +13,13 @@ Eigen::VectorXd SeriesVector(const std::vector<double>& series)
 }
 } // namespace
 
-Eigen::VectorXd VectorOf(const SurfaceModel& shape)
+Eigen::VectorXd VectorOf(const OrganModel& shape)
 {
-  if (const auto* radial = std::get_if<SphericalHarmonicModel>(&shape))
+  if (const auto* radial = std::get_if<RadialModel>(&shape))
   {
     return SeriesVector(radial->Coefficients());
   }
-  const auto& surface = std::get<ParametricSphericalSurface>(shape);
+  const auto& surface = std::get<SurfaceModel>(shape);
   const auto count = static_cast<Eigen::Index>(surface.Coefficients(0).size());
   Eigen::VectorXd all(3 * count);
   for (int axis = 0; axis < 3; ++axis)
@@ -34,13 +34,13 @@ double RmsOverSphere(const Eigen::Ref<const Eigen::VectorXd>& coefficients)
   return coefficients.norm() / std::sqrt(4.0 * M_PI);
 }
 
-SurfaceModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const SurfaceModel& like)
+OrganModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const OrganModel& like)
 {
   const int degree = DegreeOf(like);
-  if (std::holds_alternative<SphericalHarmonicModel>(like))
+  if (std::holds_alternative<RadialModel>(like))
   {
-    return SphericalHarmonicModel(
-        degree, std::vector<double>(values.data(), values.data() + values.size()), Vector3::Zero());
+    return RadialModel(degree, std::vector<double>(values.data(), values.data() + values.size()),
+                       Vector3::Zero());
   }
   const Eigen::Index count = values.size() / 3;
   const auto series = [&](Eigen::Index axis)
@@ -48,10 +48,10 @@ SurfaceModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const Su
     const double* first = values.data() + axis * count;
     return std::vector<double>(first, first + count);
   };
-  return ParametricSphericalSurface(degree, {series(0), series(1), series(2)});
+  return SurfaceModel(degree, {series(0), series(1), series(2)});
 }
 
-SurfaceModel MeanShape(const std::vector<SurfaceModel>& shapes)
+OrganModel MeanShape(const std::vector<OrganModel>& shapes)
 {
   Eigen::VectorXd sum = VectorOf(shapes.front());
   for (std::size_t i = 1; i < shapes.size(); ++i)
@@ -61,9 +61,9 @@ SurfaceModel MeanShape(const std::vector<SurfaceModel>& shapes)
   return ShapeFrom(sum / static_cast<double>(shapes.size()), shapes.front());
 }
 
-SurfaceModel WithDegree(const SurfaceModel& shape, int degree)
+OrganModel WithDegree(const OrganModel& shape, int degree)
 {
-  return std::visit([degree](const auto& one) -> SurfaceModel { return one.WithDegree(degree); },
+  return std::visit([degree](const auto& one) -> OrganModel { return one.WithDegree(degree); },
                     shape);
 }
 } // namespace palpate

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SurfaceModel.h"
+#include "OrganModel.h"
 
 #include <Eigen/Core>
 
@@ -8,8 +8,8 @@
 
 namespace palpate
 {
-/// A model's coefficients (mm) as one vector: of a parametric surface x, then y, then z. Allocates.
-Eigen::VectorXd VectorOf(const SurfaceModel& shape);
+/// A model's coefficients (mm) as one vector: of a surface model x, then y, then z. Allocates.
+Eigen::VectorXd VectorOf(const OrganModel& shape);
 
 /// RMS over the sphere of the radii or points (mm) with these coefficients, of a shape or of the
 /// difference of two: as the harmonics are orthonormal, their length over sqrt(4 pi).
@@ -17,11 +17,11 @@ double RmsOverSphere(const Eigen::Ref<const Eigen::VectorXd>& coefficients);
 
 /// The model of a kind and degree with these coefficients, about the origin. `values` as from
 /// VectorOf(like). Allocates.
-SurfaceModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const SurfaceModel& like);
+OrganModel ShapeFrom(const Eigen::Ref<const Eigen::VectorXd>& values, const OrganModel& like);
 
 /// The mean of shapes of one kind and degree, about the origin; at least one. Allocates.
-SurfaceModel MeanShape(const std::vector<SurfaceModel>& shapes);
+OrganModel MeanShape(const std::vector<OrganModel>& shapes);
 
 /// The model with zeros for further degrees, or without those above. Allocates.
-SurfaceModel WithDegree(const SurfaceModel& shape, int degree);
+OrganModel WithDegree(const OrganModel& shape, int degree);
 } // namespace palpate

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ParametricShape.h"
-#include "SphericalHarmonicModel.h"
+#include "CenteredSurface.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -12,18 +12,18 @@ namespace palpate
 {
 /// f(u) = |x(u) - q|^2 / 2 (mm^2) as a function of the direction u, to second order at one
 /// direction: the objective of the closest-point search on the unit sphere. Points are relative to
-/// the surface's centre. For a star-shaped surface, with a = u.(q - x) and d the rest of q - x,
+/// the surface's centre. For a radial model, with a = u.(q - x) and d the rest of q - x,
 /// which is tangent to the sphere,
 ///   grad f = -a g - R d,
 ///   Hess f = R^2 I + g g' - a H - g d' - d g' + R a I,
-/// the first two terms being the surface's metric; for a parametric one
+/// the first two terms being the surface's metric; for a surface model
 ///   f_a = -(q - x).x_a,   f_ab = x_a.x_b - (q - x).x_ab.
 /// In the plane a matrix A has the adjugate
 /// tr(A) I - A, so no basis of the tangent plane is needed.
 struct SquaredDistance
 {
   SquaredDistance() = default;
-  SquaredDistance(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
+  SquaredDistance(const Vector3& direction, const RadialModel::SecondOrderSample& sample,
                   const Vector3& query) noexcept
   {
     // Sums are grouped to shorten the dependency chain of a servo tick.
@@ -57,7 +57,7 @@ struct SquaredDistance
     this->Determinant = (this->Xx * this->Yy - this->Xy * this->Xy) +
                         (sumOfTwo * this->Zz - (this->Xz * this->Xz + this->Yz * this->Yz));
   }
-  SquaredDistance(const Vector3&, const ParametricShape::SecondOrderSample& sample,
+  SquaredDistance(const Vector3&, const CenteredSurface::SecondOrderSample& sample,
                   const Vector3& query) noexcept
   {
     this->Aim(sample, query);
@@ -80,12 +80,12 @@ struct SquaredDistance
 
   /// Changes the query at the same direction. The Hessian is not updated; its error is proportional
   /// to the change.
-  void MoveQuery(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
+  void MoveQuery(const Vector3& direction, const RadialModel::SecondOrderSample& sample,
                  const Vector3& query) noexcept
   {
     this->Aim(direction, sample, query);
   }
-  void MoveQuery(const Vector3&, const ParametricShape::SecondOrderSample& sample,
+  void MoveQuery(const Vector3&, const CenteredSurface::SecondOrderSample& sample,
                  const Vector3& query) noexcept
   {
     this->Aim(sample, query);
@@ -175,7 +175,7 @@ private:
   };
 
   // Computes everything but the Hessian; returns the parts of q - x.
-  Parts Aim(const Vector3& u, const SphericalHarmonicModel::SecondOrderSample& sample,
+  Parts Aim(const Vector3& u, const RadialModel::SecondOrderSample& sample,
             const Vector3& query) noexcept
   {
     const double radius = sample.Radius;
@@ -185,7 +185,7 @@ private:
     this->Gradient = -along * sample.SurfaceGradient - radius * across;
     return {along, across};
   }
-  void Aim(const ParametricShape::SecondOrderSample& sample, const Vector3& query) noexcept
+  void Aim(const CenteredSurface::SecondOrderSample& sample, const Vector3& query) noexcept
   {
     this->Offset = query - sample.Point;
     this->Gradient = -this->Offset.dot(sample.First[0]) * sample.Tangents[0] -

@@ -1,13 +1,13 @@
 #include "StretchedBasin.h"
 
-#include "ParametricSample.h"
+#include "CenteredSurfaceSample.h"
 
 namespace palpate
 {
 namespace
 {
 // A sample by steps of unit length on the surface instead of unit angles of the parameters.
-ParametricShape::SecondOrderSample Unstretched(const ParametricShape::SecondOrderSample& sample,
+CenteredSurface::SecondOrderSample Unstretched(const CenteredSurface::SecondOrderSample& sample,
                                                const std::array<double, 3>& metric) noexcept
 {
   const auto& [aa, ab, bb] = metric;
@@ -16,7 +16,7 @@ ParametricShape::SecondOrderSample Unstretched(const ParametricShape::SecondOrde
   const double b = 1.0 / std::sqrt(bb - shear * ab);
   const auto& [xa, xb] = sample.First;
   const auto& [xaa, xab, xbb] = sample.Second;
-  ParametricShape::SecondOrderSample even = sample;
+  CenteredSurface::SecondOrderSample even = sample;
   even.First = {a * xa, b * (xb - shear * xa)};
   even.Second = {a * a * xaa, a * b * (xab - shear * xaa),
                  b * b * (xbb - 2.0 * shear * xab + shear * shear * xaa)};
@@ -52,7 +52,7 @@ struct ExpansionInBasin
   }
 };
 
-ExpansionInBasin ExpansionOf(const ParametricShape::SecondOrderSample& even,
+ExpansionInBasin ExpansionOf(const CenteredSurface::SecondOrderSample& even,
                              const Vector3& offset) noexcept
 {
   const double aa = 1.0 - offset.dot(even.Second[0]);
@@ -77,7 +77,7 @@ ExpansionInBasin ExpansionOf(const ParametricShape::SecondOrderSample& even,
 } // namespace
 
 StretchedBasin StretchedBasinAround(const Vector3& parameter,
-                                    const ParametricShape::SecondOrderSample& sample,
+                                    const CenteredSurface::SecondOrderSample& sample,
                                     const Vector3& offset, const PointDerivativeBounds& bounds,
                                     double rounding) noexcept
 {

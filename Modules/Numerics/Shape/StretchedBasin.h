@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ParametricShape.h"
+#include "CenteredSurface.h"
 #include "PointDerivativeBounds.h"
 #include "Vector3.h"
 
@@ -10,7 +10,7 @@
 
 namespace palpate
 {
-/// Parameters around a closest point of a parametric surface within which no point is closer than
+/// Parameters around a closest point of a surface model within which no point is closer than
 /// `LowerDistance`. The parameters may be stretched far more in one direction than in the other, so
 /// that they are an ellipse: those whose step from the closest point is at most `Reach` mm on the
 /// surface, to first order.
@@ -75,7 +75,7 @@ private:
 /// point of the sample to the query, `rounding` (mm) that of distances. Without one if the distance
 /// is not convex at the sample.
 StretchedBasin StretchedBasinAround(const Vector3& parameter,
-                                    const ParametricShape::SecondOrderSample& sample,
+                                    const CenteredSurface::SecondOrderSample& sample,
                                     const Vector3& offset, const PointDerivativeBounds& bounds,
                                     double rounding) noexcept;
 } // namespace palpate

@@ -1,13 +1,13 @@
 #include "SurfaceBox.h"
 
-#include "ParametricSample.h"
+#include "CenteredSurfaceSample.h"
 
 namespace palpate
 {
 namespace
 {
 // In the tangent plane at the sample, where the parameters are stretched most.
-Vector3 MostStretched(const ParametricShape::SecondOrderSample& sample, const Vector3& normal)
+Vector3 MostStretched(const CenteredSurface::SecondOrderSample& sample, const Vector3& normal)
 {
   const auto& [a, b] = sample.First;
   const double angle = 0.5 * std::atan2(2.0 * a.dot(b), a.squaredNorm() - b.squaredNorm());
@@ -20,7 +20,7 @@ Vector3 MostStretched(const ParametricShape::SecondOrderSample& sample, const Ve
 
 // Along each great circle x(s) = x + s x' + s^2 x'' / 2 up to s^3 |x'''| / 6; so is each
 // coordinate.
-SurfaceBox::SurfaceBox(const Vector3&, const ParametricShape::SecondOrderSample& sample,
+SurfaceBox::SurfaceBox(const Vector3&, const CenteredSurface::SecondOrderSample& sample,
                        double reach, double pointThird) noexcept
     : Point(sample.Point)
 {

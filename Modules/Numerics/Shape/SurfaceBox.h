@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ParametricShape.h"
+#include "CenteredSurface.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace palpate
 {
-/// The same as SurfacePatch for a parametric surface: a box along the normal and the direction in
+/// The same as SurfacePatch for a surface model: a box along the normal and the direction in
 /// which the parameters are stretched most, since they may be stretched far more in one direction
 /// than in the other. Points are relative to the surface's centre, mm.
 struct SurfaceBox
@@ -16,7 +16,7 @@ struct SurfaceBox
   SurfaceBox() = default;
   /// For the cap of the angle `reach` (rad) around the sample's parameter; `pointThird` bounds
   /// |x'''| (PointDerivativeBounds).
-  SurfaceBox(const Vector3& parameter, const ParametricShape::SecondOrderSample& sample,
+  SurfaceBox(const Vector3& parameter, const CenteredSurface::SecondOrderSample& sample,
              double reach, double pointThird) noexcept;
 
   /// Lower bound (mm) of the distance from the query to the part, up to rounding.

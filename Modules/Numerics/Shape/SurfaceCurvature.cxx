@@ -25,7 +25,7 @@ SurfaceCurvature FromSecondForm(const std::array<double, 3>& form,
 } // namespace
 
 SurfaceCurvature CurvatureAt(const Vector3& direction,
-                             const SphericalHarmonicModel::SecondOrderSample& sample) noexcept
+                             const RadialModel::SecondOrderSample& sample) noexcept
 {
   const double radius = sample.Radius;
   const double size = std::abs(radius);
@@ -50,7 +50,7 @@ SurfaceCurvature CurvatureAt(const Vector3& direction,
                         {onSurface(t[0]), onSurface(t[1])});
 }
 
-SurfaceCurvature CurvatureAt(const ParametricSphericalSurface::SecondOrderSample& sample) noexcept
+SurfaceCurvature CurvatureAt(const SurfaceModel::SecondOrderSample& sample) noexcept
 {
   const auto& [xa, xb] = sample.First;
   const auto& [xaa, xab, xbb] = sample.Second;

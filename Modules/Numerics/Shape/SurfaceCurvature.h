@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ParametricSphericalSurface.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
+#include "SurfaceModel.h"
 #include "Vector3.h"
 
 #include <array>
@@ -20,18 +20,18 @@ struct SurfaceCurvature
   std::array<Vector3, 2> Directions;
 };
 
-/// Of a star-shaped surface x(u) = centre + R(u) u with the normal R u - grad R.
+/// Of a radial model x(u) = centre + R(u) u with the normal R u - grad R.
 /// Curvature where the unit vector `direction` meets the surface, from the radius and its first two
-/// derivatives there (SphericalHarmonicModel::EvaluateSecondOrder). If R < 0 it is that of the
+/// derivatives there (RadialModel::EvaluateSecondOrder). If R < 0 it is that of the
 /// surface through centre + R u, still with the normal pointing away from the centre. If R = 0 the
 /// surface has no tangent plane, and all results are NaN. The fundamental forms are in README.md.
 /// Source: do Carmo, Differential Geometry of Curves and Surfaces (1976), sections 2-5 and 3-3, for
 /// x(u) = R u.
 SurfaceCurvature CurvatureAt(const Vector3& direction,
-                             const SphericalHarmonicModel::SecondOrderSample& sample) noexcept;
+                             const RadialModel::SecondOrderSample& sample) noexcept;
 
-/// Of a parametric surface with the normal X_a x X_b: if the surface is parametrised inside out, a
+/// Of a surface model with the normal X_a x X_b: if the surface is parametrised inside out, a
 /// sphere's curvature is negative. Where the surface has no tangent plane, all results are NaN or
 /// dominated by rounding.
-SurfaceCurvature CurvatureAt(const ParametricSphericalSurface::SecondOrderSample& sample) noexcept;
+SurfaceCurvature CurvatureAt(const SurfaceModel::SecondOrderSample& sample) noexcept;
 } // namespace palpate

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ParametricShape.h"
+#include "CenteredSurface.h"
 #include "PointDerivativeBounds.h"
+#include "RadialModel.h"
 #include "RadiusDerivativeBounds.h"
 #include "RoundBasin.h"
-#include "SphericalHarmonicModel.h"
 #include "StretchedBasin.h"
 #include "SurfaceBox.h"
 #include "SurfacePatch.h"
@@ -19,7 +19,7 @@ template <typename Surface>
 struct SurfaceKind;
 
 template <>
-struct SurfaceKind<SphericalHarmonicModel>
+struct SurfaceKind<RadialModel>
 {
   using Bounds = RadiusDerivativeBounds;
   using Patch = SurfacePatch;
@@ -41,7 +41,7 @@ struct SurfaceKind<SphericalHarmonicModel>
 };
 
 template <>
-struct SurfaceKind<ParametricShape>
+struct SurfaceKind<CenteredSurface>
 {
   using Bounds = PointDerivativeBounds;
   using Patch = SurfaceBox;

@@ -2,9 +2,8 @@
 
 namespace palpate
 {
-SurfacePatch::SurfacePatch(const Vector3& direction,
-                           const SphericalHarmonicModel::SecondOrderSample& sample, double reach,
-                           double pointThird) noexcept
+SurfacePatch::SurfacePatch(const Vector3& direction, const RadialModel::SecondOrderSample& sample,
+                           double reach, double pointThird) noexcept
     : Point(sample.Radius * direction)
 {
   const double radius = sample.Radius;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct SurfacePatch
   SurfacePatch() = default;
   /// For the cap of the angle `reach` (rad) around the unit vector `direction`; `pointThird` bounds
   /// |x'''| (RadiusDerivativeBounds).
-  SurfacePatch(const Vector3& direction, const SphericalHarmonicModel::SecondOrderSample& sample,
-               double reach, double pointThird) noexcept;
+  SurfacePatch(const Vector3& direction, const RadialModel::SecondOrderSample& sample, double reach,
+               double pointThird) noexcept;
 
   /// Lower bound (mm) of the distance from the query to the patch, up to rounding.
   double LowerDistance(const Vector3& query) const noexcept

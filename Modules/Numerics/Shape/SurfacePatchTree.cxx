@@ -1,6 +1,6 @@
 #include "SurfacePatchTree.h"
 
-#include "ParametricSample.h"
+#include "CenteredSurfaceSample.h"
 
 #include <limits>
 
@@ -15,7 +15,7 @@ struct Range
 };
 
 // Of R over a cap.
-Range RangeOver(const SphericalCap& cap, const SampleOf<SphericalHarmonicModel>& sample,
+Range RangeOver(const SphericalCap& cap, const SampleOf<RadialModel>& sample,
                 const RadiusDerivativeBounds& bounds)
 {
   const double reach = cap.Radius;
@@ -26,7 +26,7 @@ Range RangeOver(const SphericalCap& cap, const SampleOf<SphericalHarmonicModel>&
 }
 
 // Of the distance from the centre, which may be inside or outside.
-Range RangeOver(const SphericalCap& cap, const SampleOf<ParametricShape>& sample,
+Range RangeOver(const SphericalCap& cap, const SampleOf<CenteredSurface>& sample,
                 const PointDerivativeBounds& bounds)
 {
   const double reach = cap.Radius;
@@ -132,6 +132,6 @@ SphericalTriangle SurfacePatchTreeOf<Surface>::Triangle(int node) const noexcept
   return triangle;
 }
 
-template class SurfacePatchTreeOf<SphericalHarmonicModel>;
-template class SurfacePatchTreeOf<ParametricShape>;
+template class SurfacePatchTreeOf<RadialModel>;
+template class SurfacePatchTreeOf<CenteredSurface>;
 } // namespace palpate

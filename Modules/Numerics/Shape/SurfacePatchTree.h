@@ -82,7 +82,7 @@ public:
            this->Patches.size() * sizeof(Patch) + this->Expanded.size() * sizeof(ExpandedParts);
   }
 
-  /// Bounds of the distance of the surface from its centre, mm; the lower one is 0 for parametric
+  /// Bounds of the distance of the surface from its centre, mm; the lower one is 0 for other
   /// surfaces.
   double LeastRadius() const noexcept { return std::max({0.0, this->Lowest, -this->Highest}); }
   double LargestRadius() const noexcept { return std::max(-this->Lowest, this->Highest); }
@@ -104,5 +104,5 @@ private:
   double Lowest;                       // bounds of R, or of the distance from the centre
   double Highest;
 };
-using SurfacePatchTree = SurfacePatchTreeOf<SphericalHarmonicModel>;
+using SurfacePatchTree = SurfacePatchTreeOf<RadialModel>;
 } // namespace palpate

@@ -1,6 +1,6 @@
 #include "TangentSphere.h"
 
-#include "ParametricSample.h"
+#include "CenteredSurfaceSample.h"
 #include "SurfaceCurvature.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace
 {
 constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
-using Tree = SurfacePatchTreeOf<ParametricShape>;
+using Tree = SurfacePatchTreeOf<CenteredSurface>;
 
 struct Place
 {
@@ -37,7 +37,7 @@ constexpr double Beside = 1e-6;
 
 // Along the normal to the first centre of curvature, at most `largest`; 0 where the surface has no
 // tangent plane.
-double FocusWithin(double largest, const ParametricShape::SecondOrderSample& sample,
+double FocusWithin(double largest, const CenteredSurface::SecondOrderSample& sample,
                    const Vector3& normal) noexcept
 {
   const auto [most, least] = CurvatureAt(sample).Principal;
@@ -119,7 +119,7 @@ private:
 };
 
 // The middle of a part may be beside the nearest point.
-double Shrunk(const ClosestPointSearchOf<ParametricShape>& search, const Place& place,
+double Shrunk(const ClosestPointSearchOf<CenteredSurface>& search, const Place& place,
               const Limit& limit) noexcept
 {
   constexpr int Spheres = 4;
@@ -145,8 +145,8 @@ double Shrunk(const ClosestPointSearchOf<ParametricShape>& search, const Place& 
 }
 } // namespace
 
-double LargestTangentSphere(const ClosestPointSearchOf<ParametricShape>& search,
-                            const ParametricShape::SecondOrderSample& sample, const Vector3& normal,
+double LargestTangentSphere(const ClosestPointSearchOf<CenteredSurface>& search,
+                            const CenteredSurface::SecondOrderSample& sample, const Vector3& normal,
                             double largest) noexcept
 {
   const Place place{sample.Point, normal};

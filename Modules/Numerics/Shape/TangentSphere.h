@@ -1,12 +1,12 @@
 #pragma once
 
+#include "CenteredSurface.h"
 #include "ClosestPointSearch.h"
-#include "ParametricShape.h"
 #include "Vector3.h"
 
 namespace palpate
 {
-/// The radius (mm) of the largest sphere, up to `largest` > 0, that touches a parametric surface at
+/// The radius (mm) of the largest sphere, up to `largest` > 0, that touches a surface model at
 /// the point of `sample` on the side of the unit normal, is no wider than the surface is curved
 /// there and meets no other part of it. By trials, not by proof. Takes some microseconds; does not
 /// allocate.
@@ -17,7 +17,7 @@ namespace palpate
 /// through the middles of the parts of the search's tree is found by one descent of the tree, since
 /// a sphere that touches a ball of the radius b has (d^2 - b^2) / 2 (h + b). Then it shrinks to the
 /// nearest point of the surface around that middle, a few times.
-double LargestTangentSphere(const ClosestPointSearchOf<ParametricShape>& search,
-                            const ParametricShape::SecondOrderSample& sample, const Vector3& normal,
+double LargestTangentSphere(const ClosestPointSearchOf<CenteredSurface>& search,
+                            const CenteredSurface::SecondOrderSample& sample, const Vector3& normal,
                             double largest) noexcept;
 } // namespace palpate

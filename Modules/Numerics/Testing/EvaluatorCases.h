@@ -1,8 +1,8 @@
 #pragma once
 
 #include "InstructionSets.h"
+#include "RadialEvaluator.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicEvaluator.h"
 
 #include <cmath>
 #include <vector>

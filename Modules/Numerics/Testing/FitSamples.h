@@ -2,8 +2,8 @@
 
 #include "FitRun.h"
 #include "IcosahedronDirections.h"
+#include "RadialModelFit.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicFit.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace palpate::test
 {
 /// Noise-free samples of a model along an icosahedron's directions, weighted by solid angle.
-inline RadialSamples SamplesOf(const SphericalHarmonicModel& model, int frequency)
+inline RadialSamples SamplesOf(const RadialModel& model, int frequency)
 {
   const IcosahedronDirections sphere(frequency);
   RadialSamples samples{sphere.Directions(), {}, sphere.SolidAngles()};
@@ -70,11 +70,10 @@ inline RadialSamples SilenceEvery(std::size_t step, RadialSamples& samples)
 
 /// A fit by one solver only.
 template <typename Solver>
-SphericalHarmonicFitResult FitBy(const RadialSamples& samples,
-                                 const SphericalHarmonicFitOptions& options)
+RadialModelFitResult FitBy(const RadialSamples& samples, const RadialModelFitOptions& options)
 {
   Solver solver(options.Degree);
-  SphericalHarmonicFitResult result;
+  RadialModelFitResult result;
   const Status status = FitRun(samples, options, solver).Run(result);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return result;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "IcosahedronDirections.h"
+#include "RadialModel.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicModel.h"
 #include "Vector3.h"
 
 #include <limits>
@@ -15,7 +15,7 @@ namespace palpate::test
 class NearestByBruteForce
 {
 public:
-  explicit NearestByBruteForce(const SphericalHarmonicModel& model) : Model(model)
+  explicit NearestByBruteForce(const RadialModel& model) : Model(model)
   {
     for (const Vector3& u : Directions())
     {
@@ -76,17 +76,17 @@ private:
     return least;
   }
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   std::vector<Vector3> Points;
 };
 
 /// A rough body: slowly decreasing power, and radii down to 30 % of the mean. `size` is the mean
 /// radius in mm.
-inline SphericalHarmonicModel RandomRough(Random& random, int degree, double size)
+inline RadialModel RandomRough(Random& random, int degree, double size)
 {
   std::vector<double> coefficients = RandomCoefficients(random, degree, 1.5);
   coefficients[0] = 0.0;
-  const SphericalHarmonicModel relief(degree, coefficients, Vector3::Zero());
+  const RadialModel relief(degree, coefficients, Vector3::Zero());
   double lowest = 0.0;
   const IcosahedronDirections sphere(20);
   for (const Vector3& u : sphere.Directions())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <algorithm>
@@ -12,23 +12,22 @@ namespace palpate::test
 {
 /// The model of a given degree closest to a radius function (mm): coefficients by quadrature fine
 /// enough for the terms that the degree omits.
-inline SphericalHarmonicModel Project(int degree,
-                                      const std::function<double(const Vector3&)>& radius,
-                                      const Vector3& centerWorld = Vector3::Zero())
+inline RadialModel Project(int degree, const std::function<double(const Vector3&)>& radius,
+                           const Vector3& centerWorld = Vector3::Zero())
 {
   const int fine = std::max(4 * degree, 2 * degree + 80);
   return {degree, ProjectOnHarmonics(degree, fine, radius), centerWorld};
 }
 
 /// An ellipsoid with these half axes along the columns of `rotation`.
-inline SphericalHarmonicModel Ellipsoid(const Vector3& axes, const Matrix3& rotation, int degree)
+inline RadialModel Ellipsoid(const Vector3& axes, const Matrix3& rotation, int degree)
 {
   return Project(degree, [axes, rotation](const Vector3& u)
                  { return 1.0 / (rotation.transpose() * u).cwiseQuotient(axes).norm(); });
 }
 
 /// A sphere whose centre is `offset` from the model's centre; exact for offset zero.
-inline SphericalHarmonicModel OffCenterSphere(double radius, const Vector3& offset, int degree)
+inline RadialModel OffCenterSphere(double radius, const Vector3& offset, int degree)
 {
   return Project(degree,
                  [radius, offset](const Vector3& u)
@@ -39,7 +38,7 @@ inline SphericalHarmonicModel OffCenterSphere(double radius, const Vector3& offs
 }
 
 /// The sphere around `centerWorld`.
-inline SphericalHarmonicModel Sphere(double radius, const Vector3& centerWorld = Vector3::Zero())
+inline RadialModel Sphere(double radius, const Vector3& centerWorld = Vector3::Zero())
 {
   return {0, {radius * std::sqrt(4.0 * M_PI)}, centerWorld};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "EvaluatorCases.h"
-#include "ParametricSphericalSurface.h"
+#include "SurfaceModel.h"
 
 #include <array>
 #include <vector>
@@ -23,7 +23,7 @@ struct SurfaceCase
   }
 
   const std::vector<Vector3>& Directions() const { return this->Axis[0].Directions; }
-  /// The promise of ParametricSurfaceEvaluator for this degree.
+  /// The promise of SurfaceEvaluator for this degree.
   double Bound() const { return this->Degree > 16 ? 1e-12 : 2e-14; }
 
   using Case = EvaluatorCase;
@@ -33,7 +33,7 @@ struct SurfaceCase
 };
 
 /// x(u) = axes * u.
-inline ParametricSphericalSurface ParametricEllipsoid(const Vector3& axes)
+inline SurfaceModel SurfaceModelEllipsoid(const Vector3& axes)
 {
   const double scale = std::sqrt(4.0 * M_PI / 3.0);
   return {1,
@@ -44,12 +44,12 @@ inline ParametricSphericalSurface ParametricEllipsoid(const Vector3& axes)
 
 /// A smooth body that is not star-shaped in general: an ellipsoid with random terms of all degrees,
 /// off the origin.
-inline ParametricSphericalSurface RandomSurface(Random& random, int degree)
+inline SurfaceModel RandomSurface(Random& random, int degree)
 {
   std::array<std::vector<double>, 3> coefficients;
   const Vector3 axes(40.0, 30.0, 20.0);
   std::uniform_real_distribution<double> offset(-200.0, 200.0);
-  const ParametricSphericalSurface ellipsoid = ParametricEllipsoid(axes).WithDegree(degree);
+  const SurfaceModel ellipsoid = SurfaceModelEllipsoid(axes).WithDegree(degree);
   for (std::size_t k = 0; k < 3; ++k)
   {
     coefficients[k] = RandomCoefficients(random, degree, 2.0);

@@ -13,12 +13,12 @@ namespace
 using Outcome = ClosestPoint::Outcome;
 using test::Random;
 
-ClosestPointSearch SearchOn(const SphericalHarmonicModel& model)
+ClosestPointSearch SearchOn(const RadialModel& model)
 {
-  return ClosestPointSearch(std::make_shared<const SphericalHarmonicModel>(model));
+  return ClosestPointSearch(std::make_shared<const RadialModel>(model));
 }
 
-double MeanRadius(const SphericalHarmonicModel& model)
+double MeanRadius(const RadialModel& model)
 {
   return model.Coefficients()[0] / std::sqrt(4.0 * M_PI);
 }
@@ -27,7 +27,7 @@ double MeanRadius(const SphericalHarmonicModel& model)
 // line inwards from a surface point, where that point stops being the closest one.
 std::vector<Vector3> Queries(Random& random, const ClosestPointSearch& search, int count)
 {
-  const SphericalHarmonicModel& model = search.Model();
+  const RadialModel& model = search.Model();
   std::uniform_real_distribution<double> uniform;
   std::vector<Vector3> queries{model.CenterWorld()};
   for (int i = 0; i < count; ++i)
@@ -52,8 +52,7 @@ std::vector<Vector3> Queries(Random& random, const ClosestPointSearch& search, i
   return queries;
 }
 
-void ExpectConsistent(const SphericalHarmonicModel& model, const Vector3& query,
-                      const ClosestPoint& found)
+void ExpectConsistent(const RadialModel& model, const Vector3& query, const ClosestPoint& found)
 {
   const double scale =
       (query - model.CenterWorld()).norm() + MeanRadius(model) + model.CenterWorld().norm();
@@ -136,11 +135,11 @@ TEST(ClosestPointSearch, AgreesWithEquationOfEllipsoid)
 TEST(ClosestPointSearch, MatchesBruteForceWithinReportedError)
 {
   Random random(933);
-  const std::vector<SphericalHarmonicModel> models{
+  const std::vector<RadialModel> models{
       test::RandomOrgan(random, 12),      test::RandomOrgan(random, 20),
       test::RandomRough(random, 12, 20.), test::RandomRough(random, 8, 1e-3),
       test::RandomRough(random, 10, 1e4), test::RandomRough(random, 3, 20.)};
-  for (const SphericalHarmonicModel& model : models)
+  for (const RadialModel& model : models)
   {
     const ClosestPointSearch search = SearchOn(model);
     const test::NearestByBruteForce oracle(model);
@@ -167,7 +166,7 @@ TEST(ClosestPointSearch, ErrorBoundHoldsForFewEvaluations)
   Random random(934);
   for (int sample = 0; sample < 4; ++sample)
   {
-    const SphericalHarmonicModel model =
+    const RadialModel model =
         sample % 2 == 0 ? test::RandomOrgan(random, 10) : test::RandomRough(random, 10, 20.0);
     const ClosestPointSearch search = SearchOn(model);
     for (const Vector3& query : Queries(random, search, 4))
@@ -212,7 +211,7 @@ TEST(ClosestPointSearch, ClearanceIsSafeAndProvesTwoThirds)
 {
   Random random(930);
   int spared = 0;
-  for (const SphericalHarmonicModel& model :
+  for (const RadialModel& model :
        {test::RandomOrgan(random, 12), test::RandomRough(random, 12, 20.0)})
   {
     const ClosestPointSearch search = SearchOn(model);
@@ -242,7 +241,7 @@ TEST(ClosestPointSearch, ReturnsQueriesOnTheSurface)
   {
     const ClosestPointSearch search =
         SearchOn(rough ? test::RandomRough(random, 12, 20.0) : test::RandomOrgan(random, 12));
-    const SphericalHarmonicModel& model = search.Model();
+    const RadialModel& model = search.Model();
     std::vector<Vector3> directions = test::RandomDirections(random, 60);
     directions.insert(directions.end(), {Vector3::UnitZ(), -Vector3::UnitZ()});
     for (const Vector3& u : directions)
@@ -304,7 +303,7 @@ TEST(ClosestPointSearch, SupportsNegativeRadii)
 {
   Random random(939);
   std::vector<double> coefficients = test::RandomCoefficients(random, 6, 0.5);
-  const SphericalHarmonicModel model(6, coefficients, Vector3(1.0, 2.0, 3.0));
+  const RadialModel model(6, coefficients, Vector3(1.0, 2.0, 3.0));
   const ClosestPointSearch search = SearchOn(model);
   const test::NearestByBruteForce oracle(model);
   for (int i = 0; i < 40; ++i)
@@ -322,7 +321,7 @@ TEST(ClosestPointSearch, SupportsNegativeRadii)
 
 TEST(ClosestPointSearch, SupportsModelOfRadiusZero)
 {
-  const ClosestPointSearch search = SearchOn(SphericalHarmonicModel());
+  const ClosestPointSearch search = SearchOn(RadialModel());
   const ClosestPoint found = search.Nearest({3.0, 0.0, 4.0});
   EXPECT_NEAR(found.SignedDistance, 5.0, 1e-14);
   EXPECT_EQ(found.PointWorld, Vector3::Zero());

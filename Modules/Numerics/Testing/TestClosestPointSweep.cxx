@@ -20,7 +20,7 @@ using test::Random;
 class SurfacePoints
 {
 public:
-  explicit SurfacePoints(const SphericalHarmonicModel& model)
+  explicit SurfacePoints(const RadialModel& model)
   {
     const IcosahedronDirections sphere(16);
     this->Points.resize(3, static_cast<Eigen::Index>(sphere.Directions().size()));
@@ -48,7 +48,7 @@ enum class Place
   Focal   ///< the centre of the surface's strongest curvature: an end of the medial axis
 };
 
-Vector3 QueryAt(Place place, const SphericalHarmonicModel& model, Random& random)
+Vector3 QueryAt(Place place, const RadialModel& model, Random& random)
 {
   std::uniform_real_distribution<double> uniform;
   const Vector3 u = test::RandomDirection(random);
@@ -77,11 +77,11 @@ class ClosestPointSweep : public testing::TestWithParam<Place>
 TEST_P(ClosestPointSweep, NoSurfacePointIsCloser)
 {
   Random random(960 + static_cast<unsigned>(GetParam()));
-  for (const SphericalHarmonicModel& model :
+  for (const RadialModel& model :
        {test::RandomOrgan(random, 12), test::RandomOrgan(random, 6),
         test::RandomRough(random, 12, 20.0), test::RandomRough(random, 5, 20.0)})
   {
-    const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(model));
+    const ClosestPointSearch search(std::make_shared<const RadialModel>(model));
     const SurfacePoints points(model);
     test::WorstCase excess;
     test::WorstCase off;

@@ -17,9 +17,9 @@ using test::NameOf;
 using test::Random;
 using test::RunnableInstructionSets;
 
-ClosestPointSearch SearchOn(const SphericalHarmonicModel& model)
+ClosestPointSearch SearchOn(const RadialModel& model)
 {
-  return ClosestPointSearch(std::make_shared<const SphericalHarmonicModel>(model));
+  return ClosestPointSearch(std::make_shared<const RadialModel>(model));
 }
 
 // Tracks from any unit vector.
@@ -36,7 +36,7 @@ ClosestPoint TrackFrom(const ClosestPointSearch& search, const Vector3& queryWor
 class Path
 {
 public:
-  Path(Random& random, const SphericalHarmonicModel& model, double step)
+  Path(Random& random, const RadialModel& model, double step)
       : Source(random), Model(model), Step(step), Velocity(test::RandomDirection(random)),
         Query(model.PointWorld(test::RandomDirection(random)))
   {
@@ -56,7 +56,7 @@ public:
 
 private:
   Random& Source;
-  const SphericalHarmonicModel& Model;
+  const RadialModel& Model;
   double Step;
   Vector3 Velocity;
   Vector3 Query;
@@ -152,7 +152,7 @@ TEST(ClosestPointTracking, DescendsFromAnyDirection)
 {
   Random random(954);
   const ClosestPointSearch search = SearchOn(test::RandomRough(random, 12, 20.0));
-  const SphericalHarmonicModel& model = search.Model();
+  const RadialModel& model = search.Model();
   int converged = 0;
   for (int i = 0; i < 2000; ++i)
   {
@@ -199,7 +199,7 @@ TEST(ClosestPointTracking, ErrorBoundsHoldAgainstTighterSolve)
   Random random(956);
   for (const double size : {1e-3, 20.0, 1e4})
   {
-    const SphericalHarmonicModel model = test::RandomRough(random, 10, size);
+    const RadialModel model = test::RandomRough(random, 10, size);
     const ClosestPointDescent descent(model);
     for (int i = 0; i < 500; ++i)
     {
@@ -226,7 +226,7 @@ TEST(ClosestPointTracking, ErrorBoundsHoldAgainstTighterSolve)
 TEST(ClosestPointTracking, InstructionSetsTrackTheSamePoint)
 {
   Random random(958);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
+  const RadialModel model = test::RandomOrgan(random, 12);
   for (const InstructionSet set : RunnableInstructionSets())
   {
     const ClosestPointDescent descent(model, set);
@@ -253,7 +253,7 @@ TEST(ClosestPointTracking, InstructionSetsTrackTheSamePoint)
 TEST(ClosestPointTracking, WrongCurvatureCostsOnlyEvaluations)
 {
   Random random(959);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 12);
+  const RadialModel model = test::RandomOrgan(random, 12);
   const ClosestPointDescent descent(model);
   Path path(random, model, 0.5);
   const Vector3 u = (path.Next() - model.CenterWorld()).normalized();
@@ -282,7 +282,7 @@ TEST(ClosestPointTracking, WrongCurvatureCostsOnlyEvaluations)
 TEST(ClosestPointTracking, NoPointInBasinIsCloser)
 {
   Random random(957);
-  const SphericalHarmonicModel model = test::RandomRough(random, 8, 20.0);
+  const RadialModel model = test::RandomRough(random, 8, 20.0);
   const ClosestPointDescent descent(model);
   int basins = 0;
   for (int i = 0; i < 300; ++i)
@@ -359,7 +359,7 @@ TEST(ToolContact, SphericalToolIsCloserByItsRadius)
 TEST(ToolContact, ToolIsPushedOutOfNarrowHollows)
 {
   // Two lobes with a waist that is narrower than the tool.
-  const SphericalHarmonicModel model =
+  const RadialModel model =
       test::Project(8, [](const Vector3& u) { return 10.0 * (0.4 + u.z() * u.z()); });
   const ClosestPointSearch search = SearchOn(model);
   constexpr double ToolRadius = 9.0;

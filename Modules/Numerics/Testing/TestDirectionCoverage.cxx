@@ -2,8 +2,8 @@
 
 #include "FitSamples.h"
 #include "MissingCaps.h"
+#include "RadialModelFit.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicFit.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -36,16 +36,16 @@ std::vector<Vector3> WithoutCap(const std::vector<Vector3>& directions, const Ve
   return kept;
 }
 
-SphericalHarmonicFitResult Fit(const RadialSamples& samples, int degree, double strength = 0.0)
+RadialModelFitResult Fit(const RadialSamples& samples, int degree, double strength = 0.0)
 {
-  SphericalHarmonicFitOptions options;
+  RadialModelFitOptions options;
   options.Degree = degree;
-  options.PenaltyKind = strength > 0.0 ? SphericalHarmonicFitOptions::Penalty::Given
-                                       : SphericalHarmonicFitOptions::Penalty::None;
+  options.PenaltyKind =
+      strength > 0.0 ? RadialModelFitOptions::Penalty::Given : RadialModelFitOptions::Penalty::None;
   options.Roughness = strength;
   options.MaximumCondition = std::numeric_limits<double>::infinity();
-  SphericalHarmonicFitResult fit;
-  const Status status = FitSphericalHarmonics(samples, options, fit);
+  RadialModelFitResult fit;
+  const Status status = FitRadialModel(samples, options, fit);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return fit;
 }
@@ -145,13 +145,13 @@ TEST(DirectionCoverage, IgnoresZeroWeightDirections)
 TEST(DirectionCoverage, NoiseGainIsRelativeRadiusDeviation)
 {
   Random random(1620);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 8);
+  const RadialModel truth = test::RandomOrgan(random, 8);
   RadialSamples samples = test::WithoutCap(test::SamplesOf(truth, 10), 20.0 * Deg);
   samples.Weights.assign(samples.Radii.size(), 1.0);
   test::AddNoise(random, 0.3, samples);
   for (const double strength : {0.0, 1e-4})
   {
-    const SphericalHarmonicFitResult fit = Fit(samples, 8, strength);
+    const RadialModelFitResult fit = Fit(samples, 8, strength);
     const DirectionCoverage coverage = Assess(samples.Directions, 8, strength);
     const SphericalHarmonicBasis basis(8);
     std::vector<double> values(basis.Size());
@@ -213,7 +213,7 @@ TEST(DirectionCoverage, RejectsWhatFitRejects)
   DirectionCoverage coverage;
   const std::vector<Vector3> directions = IcosahedronDirections(3).Directions();
   const std::vector<double> weights(directions.size(), 1.0);
-  const SphericalHarmonicFitResult fit = Fit(UnitSamples(directions), 3);
+  const RadialModelFitResult fit = Fit(UnitSamples(directions), 3);
   EXPECT_FALSE(AssessCoverage(directions, {}, fit, coverage).IsOk());
   EXPECT_FALSE(AssessCoverage({}, {}, fit, coverage).IsOk());
   const std::vector<Vector3> few(directions.begin(), directions.begin() + 15);

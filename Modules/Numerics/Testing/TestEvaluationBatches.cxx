@@ -1,4 +1,4 @@
-#include "SphericalHarmonicEvaluator.h"
+#include "RadialEvaluator.h"
 
 #include "EvaluatorCases.h"
 #include "WorstCase.h"
@@ -18,7 +18,7 @@ using test::WorstCase;
 // row that no batch may change.
 struct Batches
 {
-  using Evaluator = SphericalHarmonicEvaluator;
+  using Evaluator = RadialEvaluator;
   static constexpr double Untouched = -77.0;
 
   Batches(const Evaluator& evaluator, const Vector3* directions, std::size_t count)
@@ -49,8 +49,7 @@ TEST(EvaluationBatches, AgreeWithSingleCalls)
     const std::vector<Vector3>& directions = c.Directions;
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      const SphericalHarmonicEvaluator evaluator(degree, c.Coefficients, kind.Formulation,
-                                                 kind.Set);
+      const RadialEvaluator evaluator(degree, c.Coefficients, kind.Formulation, kind.Set);
       const Batches batches(evaluator, directions.data(), directions.size());
       WorstCase radius;
       WorstCase gradient;
@@ -80,7 +79,7 @@ TEST(EvaluationBatches, AreIndependentOfCountAndPosition)
   const std::vector<Vector3>& directions = c.Directions;
   for (const EvaluatorKind& kind : AllEvaluatorKinds())
   {
-    const SphericalHarmonicEvaluator evaluator(12, c.Coefficients, kind.Formulation, kind.Set);
+    const RadialEvaluator evaluator(12, c.Coefficients, kind.Formulation, kind.Set);
     const Batches all(evaluator, directions.data(), directions.size());
     for (std::size_t start = 0; start < 9; ++start)
     {
@@ -108,8 +107,7 @@ TEST(EvaluationBatches, InvalidDirectionAffectsOnlyItsOwnResult)
     const EvaluatorCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      const SphericalHarmonicEvaluator evaluator(degree, c.Coefficients, kind.Formulation,
-                                                 kind.Set);
+      const RadialEvaluator evaluator(degree, c.Coefficients, kind.Formulation, kind.Set);
       for (const Vector3& wrong : {Vector3(0, 0, 0), Vector3(std::nan(""), 0, 1), Vector3(0, 2, 0)})
       {
         std::vector<Vector3> directions = c.Directions;

@@ -1,8 +1,8 @@
-// The two solvers of FitSphericalHarmonics against each other: moments with refinement, and the
+// The two solvers of FitRadialModel against each other: moments with refinement, and the
 // orthogonal factorisation.
 #include "MomentSolver.h"
 #include "OrthogonalSolver.h"
-#include "SphericalHarmonicFit.h"
+#include "RadialModelFit.h"
 
 #include "FitSamples.h"
 #include "SinglePrecision.h"
@@ -16,7 +16,7 @@ namespace palpate::fit_methods_test
 namespace
 {
 using test::Random;
-using Options = SphericalHarmonicFitOptions;
+using Options = RadialModelFitOptions;
 using test::FitBy;
 
 Options OfDegree(int degree)
@@ -27,10 +27,10 @@ Options OfDegree(int degree)
   return options;
 }
 
-SphericalHarmonicFitResult Fit(const RadialSamples& samples, const Options& options)
+RadialModelFitResult Fit(const RadialSamples& samples, const Options& options)
 {
-  SphericalHarmonicFitResult result;
-  const Status status = FitSphericalHarmonics(samples, options, result);
+  RadialModelFitResult result;
+  const Status status = FitRadialModel(samples, options, result);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return result;
 }
@@ -51,8 +51,8 @@ TEST(FitMethods, Agree)
     {
       const RadialSamples samples =
           NoisyCap(1000U + static_cast<unsigned>(degree), degree + 2, cap);
-      const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, OfDegree(degree));
-      const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(degree));
+      const RadialModelFitResult fast = FitBy<MomentSolver>(samples, OfDegree(degree));
+      const RadialModelFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(degree));
       // Rounding of radii of 20 mm, times a condition of up to 200 at degree 20.
       const double tolerance = 1e-13 * slow.Condition * test::Norm(slow.Coefficients);
       EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), tolerance) << degree;
@@ -79,8 +79,8 @@ TEST(FitMethods, AgreeWithPenalty)
       Options options = OfDegree(12);
       options.PenaltyKind = Options::Penalty::Given;
       options.Roughness = roughness;
-      const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, options);
-      const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, options);
+      const RadialModelFitResult fast = FitBy<MomentSolver>(samples, options);
+      const RadialModelFitResult slow = FitBy<OrthogonalSolver>(samples, options);
       // The weakest penalty leaves a condition of 2e3.
       EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients), 1e-9);
       EXPECT_NEAR(fast.DegreesOfFreedom / slow.DegreesOfFreedom, 1.0, 1e-8);
@@ -98,8 +98,8 @@ TEST(FitMethods, ChooseSameStrengthByCrossValidation)
   const RadialSamples samples = NoisyCap(1110, 12, 45.0);
   Options options = OfDegree(12);
   options.PenaltyKind = Options::Penalty::GeneralisedCrossValidation;
-  const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, options);
-  const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, options);
+  const RadialModelFitResult fast = FitBy<MomentSolver>(samples, options);
+  const RadialModelFitResult slow = FitBy<OrthogonalSolver>(samples, options);
   // The search ends within a thousandth on both sides.
   EXPECT_NEAR(fast.Roughness / slow.Roughness, 1.0, 2e-3);
 }
@@ -107,13 +107,13 @@ TEST(FitMethods, ChooseSameStrengthByCrossValidation)
 TEST(FitMethods, RefinedMomentsAreAsAccurateAsOrthogonal)
 {
   Random random(1120);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
+  const RadialModel truth = test::RandomOrgan(random, 12);
   const RadialSamples sphere = test::SamplesOf(truth, 20);
   // Conditions of 80, 2e3 and 8e4; one step without refinement leaves 1e-6 in the last.
   for (const double cap : {30.0, 45.0, 60.0})
   {
     const RadialSamples samples = test::WithoutCap(sphere, cap * M_PI / 180.0);
-    const SphericalHarmonicFitResult fit = FitBy<MomentSolver>(samples, OfDegree(12));
+    const RadialModelFitResult fit = FitBy<MomentSolver>(samples, OfDegree(12));
     // The requirement at a condition of 1e5: the radii's own rounding, 1e-16, times the condition,
     // distributed over all samples.
     EXPECT_LE(test::Distance(fit.Coefficients, truth.Coefficients()),
@@ -126,14 +126,14 @@ TEST(FitMethods, RefinedMomentsAreAsAccurateAsOrthogonal)
 TEST(FitMethods, AutomaticUsesOrthogonalAboveLimit)
 {
   Random random(1130);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 12);
+  const RadialModel truth = test::RandomOrgan(random, 12);
   const RadialSamples sphere = test::SamplesOf(truth, 20);
   const RadialSamples narrow = test::WithoutCap(sphere, 68.0 * M_PI / 180.0);
-  const SphericalHarmonicFitResult below = Fit(narrow, OfDegree(12));
+  const RadialModelFitResult below = Fit(narrow, OfDegree(12));
   EXPECT_LT(below.Condition, 1e6);
   EXPECT_EQ(below.Coefficients, FitBy<MomentSolver>(narrow, OfDegree(12)).Coefficients);
   const RadialSamples wide = test::WithoutCap(sphere, 70.0 * M_PI / 180.0);
-  const SphericalHarmonicFitResult above = Fit(wide, OfDegree(12));
+  const RadialModelFitResult above = Fit(wide, OfDegree(12));
   EXPECT_GT(above.Condition, 1e6);
   EXPECT_EQ(above.Coefficients, FitBy<OrthogonalSolver>(wide, OfDegree(12)).Coefficients);
   for (const auto* result : {&below, &above})
@@ -149,7 +149,7 @@ TEST(FitMethods, MomentsFailAboveLimit)
   Random random(1130);
   const RadialSamples samples =
       test::WithoutCap(test::SamplesOf(test::RandomOrgan(random, 12), 20), 70.0 * M_PI / 180.0);
-  SphericalHarmonicFitResult result;
+  RadialModelFitResult result;
   const Options options = OfDegree(12);
   MomentSolver solver(12);
   FitRun run(samples, options, solver);
@@ -162,12 +162,12 @@ TEST(FitMethods, AutomaticFitsUnderdeterminedPenalisedProblem)
 {
   // All on one half: singular to rounding without the penalty.
   Random random(1140);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
+  const RadialModel truth = test::RandomOrgan(random, 4);
   const RadialSamples samples = test::WithoutCap(test::SamplesOf(truth, 14), 100.0 * M_PI / 180.0);
   Options options = OfDegree(12);
   options.PenaltyKind = Options::Penalty::Given;
   options.Roughness = 1e-6;
-  const SphericalHarmonicFitResult fit = Fit(samples, options);
+  const RadialModelFitResult fit = Fit(samples, options);
   EXPECT_LT(fit.Rms, 0.1); // the samples are exact, the penalty weak
   for (const double c : fit.Coefficients)
   {
@@ -182,7 +182,7 @@ TEST(FitMethods, ReusedSolverReproducesBits)
   for (unsigned seed = 1150; seed < 1153; ++seed)
   {
     const RadialSamples samples = NoisyCap(seed, 8, seed == 1151 ? 20.0 : 0.0);
-    SphericalHarmonicFitResult result;
+    RadialModelFitResult result;
     ASSERT_TRUE(FitRun(samples, options, solver).Run(result).IsOk());
     EXPECT_EQ(result.Coefficients, Fit(samples, options).Coefficients);
   }
@@ -195,7 +195,7 @@ TEST(FitMethods, ReusedSolverRecoversFromOverflow)
   const RadialSamples good = NoisyCap(1155, 8, 0.0);
   RadialSamples huge = good;
   huge.Radii.assign(huge.Radii.size(), 1e308);
-  SphericalHarmonicFitResult result;
+  RadialModelFitResult result;
   EXPECT_FALSE(FitRun(huge, options, solver).Run(result).IsOk());
   ASSERT_TRUE(FitRun(good, options, solver).Run(result).IsOk());
   EXPECT_EQ(result.Coefficients, Fit(good, options).Coefficients);
@@ -204,7 +204,7 @@ TEST(FitMethods, ReusedSolverRecoversFromOverflow)
 TEST(FitMethods, FitIsIndependentOfWeightScale)
 {
   RadialSamples samples = NoisyCap(1160, 6, 0.0);
-  const SphericalHarmonicFitResult fit = Fit(samples, OfDegree(6));
+  const RadialModelFitResult fit = Fit(samples, OfDegree(6));
   for (const double scale : {1e-280, 1e300})
   {
     RadialSamples scaled = samples;
@@ -212,7 +212,7 @@ TEST(FitMethods, FitIsIndependentOfWeightScale)
     {
       weight *= scale;
     }
-    const SphericalHarmonicFitResult other = Fit(scaled, OfDegree(6));
+    const RadialModelFitResult other = Fit(scaled, OfDegree(6));
     EXPECT_LE(test::Distance(fit.Coefficients, other.Coefficients), 1e-11) << scale;
     EXPECT_NEAR(other.Rms / fit.Rms, 1.0, 1e-11) << scale;
   }
@@ -225,8 +225,8 @@ TEST(FitMethods, AcceptsSinglePrecisionDirections)
   {
     direction = test::InSinglePrecision(direction);
   }
-  const SphericalHarmonicFitResult fast = FitBy<MomentSolver>(samples, OfDegree(12));
-  const SphericalHarmonicFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(12));
+  const RadialModelFitResult fast = FitBy<MomentSolver>(samples, OfDegree(12));
+  const RadialModelFitResult slow = FitBy<OrthogonalSolver>(samples, OfDegree(12));
   EXPECT_LE(test::Distance(fast.Coefficients, slow.Coefficients),
             1e-11 * test::Norm(slow.Coefficients));
 }
@@ -235,7 +235,7 @@ TEST(FitMethods, ZeroRadiiGiveZeroCoefficients)
 {
   RadialSamples samples = NoisyCap(1180, 4, 0.0);
   samples.Radii.assign(samples.Radii.size(), 0.0);
-  for (const SphericalHarmonicFitResult& fit :
+  for (const RadialModelFitResult& fit :
        {FitBy<MomentSolver>(samples, OfDegree(4)), FitBy<OrthogonalSolver>(samples, OfDegree(4))})
   {
     EXPECT_EQ(test::Norm(fit.Coefficients), 0.0);

@@ -10,10 +10,10 @@ namespace palpate::latitude_synthesis_test
 {
 namespace
 {
-using Sample = SphericalHarmonicModel::Sample;
+using Sample = RadialModel::Sample;
 
 // Largest difference from single evaluations on a circle.
-double Difference(const SphericalHarmonicModel& model, int longitudes, double z)
+double Difference(const RadialModel& model, int longitudes, double z)
 {
   LatitudeSynthesis circle(model, longitudes);
   const std::vector<Sample>& samples = circle.Evaluate(z);
@@ -32,8 +32,7 @@ TEST(LatitudeSynthesis, EqualsSingleEvaluations)
   test::Random random(451);
   for (const int degree : {0, 1, 2, 12, 40, 100})
   {
-    const SphericalHarmonicModel model(degree, test::RandomCoefficients(random, degree),
-                                       Vector3::Zero());
+    const RadialModel model(degree, test::RandomCoefficients(random, degree), Vector3::Zero());
     for (const double z : {-0.9, -0.3, 0.0, 0.5, 0.99})
     {
       // Values of about L, gradients of about L^2; angles accumulate L rounding errors.
@@ -46,7 +45,7 @@ TEST(LatitudeSynthesis, EqualsSingleEvaluations)
 TEST(LatitudeSynthesis, IsAccurateOnSmallCirclesAboutPoles)
 {
   test::Random random(452);
-  const SphericalHarmonicModel model(12, test::RandomCoefficients(random, 12), Vector3::Zero());
+  const RadialModel model(12, test::RandomCoefficients(random, 12), Vector3::Zero());
   for (const double z : {-1.0 + 1e-8, -1.0 + 1.2e-16, 1.0 - 1.2e-16, 1.0 - 1e-8})
   {
     EXPECT_LE(Difference(model, 7, z), 1e-12) << z; // gradients of up to 500
@@ -55,7 +54,7 @@ TEST(LatitudeSynthesis, IsAccurateOnSmallCirclesAboutPoles)
 
 TEST(LatitudeSynthesis, HasEquallySpacedUnitDirections)
 {
-  const LatitudeSynthesis circle(SphericalHarmonicModel(), 8);
+  const LatitudeSynthesis circle(RadialModel(), 8);
   for (std::size_t j = 0; j < 8; ++j)
   {
     const Vector3 u = circle.Direction(0.6, j);
@@ -70,7 +69,7 @@ TEST(LatitudeSynthesis, HasEquallySpacedUnitDirections)
 TEST(LatitudeSynthesis, CirclesAreIndependent)
 {
   test::Random random(453);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 9);
+  const RadialModel model = test::RandomOrgan(random, 9);
   LatitudeSynthesis circle(model, 5);
   const std::vector<Sample> first = circle.Evaluate(0.25);
   circle.Evaluate(-0.75);
@@ -85,8 +84,7 @@ TEST(LatitudeSynthesis, CirclesAreIndependent)
 TEST(LatitudeSynthesis, IsAccurateAtDegree1000)
 {
   test::Random random(454);
-  const SphericalHarmonicModel model(1000, test::RandomCoefficients(random, 1000, 1.0),
-                                     Vector3::Zero());
+  const RadialModel model(1000, test::RandomCoefficients(random, 1000, 1.0), Vector3::Zero());
   for (const double z : {0.999, 0.1})
   {
     // Radii of about 3, gradients of about 1000; both sides sum 500,000 terms in their own order.

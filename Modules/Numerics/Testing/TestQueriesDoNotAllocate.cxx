@@ -32,7 +32,7 @@ TEST(QueriesDoNotAllocate, Evaluator)
     const EvaluatorCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      using Evaluator = SphericalHarmonicEvaluator;
+      using Evaluator = RadialEvaluator;
       const Evaluator evaluator(degree, c.Coefficients, kind.Formulation, kind.Set);
       const std::size_t count = c.Directions.size();
       std::vector<double> radii(count);
@@ -60,9 +60,9 @@ TEST(QueriesDoNotAllocate, SurfaceEvaluator)
     const test::SurfaceCase c(degree);
     for (const EvaluatorKind& kind : AllEvaluatorKinds())
     {
-      using Evaluator = ParametricSurfaceEvaluator;
+      using Evaluator = SurfaceEvaluator;
       const Evaluator evaluator(degree, c.Coefficients, kind.Formulation, kind.Set);
-      const ParametricSphericalSurface surface(degree, c.Coefficients);
+      const SurfaceModel surface(degree, c.Coefficients);
       const std::size_t count = c.Directions().size();
       std::vector<Vector3> points(count);
       std::vector<Evaluator::Sample> samples(count);
@@ -92,7 +92,7 @@ TEST(QueriesDoNotAllocate, Basis)
 TEST(QueriesDoNotAllocate, ClosestPoint)
 {
   test::Random random(1301);
-  const auto model = std::make_shared<const SphericalHarmonicModel>(test::RandomOrgan(random, 12));
+  const auto model = std::make_shared<const RadialModel>(test::RandomOrgan(random, 12));
   const ClosestPointSearch search(model);
   const Vector3 outside = model->CenterWorld() + Vector3(30.0, 10.0, -5.0);
   const std::size_t before = AllocationCount();

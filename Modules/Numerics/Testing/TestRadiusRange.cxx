@@ -1,8 +1,8 @@
 #include "RadiusRange.h"
 
 #include "IcosahedronDirections.h"
+#include "RadialSpectrum.h"
 #include "RandomShapes.h"
-#include "SphericalHarmonicSpectrum.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -13,10 +13,10 @@ namespace
 {
 using test::Random;
 
-// Allowed error of an evaluated radius, see SphericalHarmonicSpectrum.
-double Rounding(const SphericalHarmonicModel& model)
+// Allowed error of an evaluated radius, see RadialSpectrum.
+double Rounding(const RadialModel& model)
 {
-  return 2.0 * SphericalHarmonicSpectrum(model).EvaluationError();
+  return 2.0 * RadialSpectrum(model).EvaluationError();
 }
 
 TEST(RadiusRange, EnclosesSamplesWithinTolerance)
@@ -25,7 +25,7 @@ TEST(RadiusRange, EnclosesSamplesWithinTolerance)
   const IcosahedronDirections directions(20);
   for (const int degree : {2, 5, 12, 25})
   {
-    const SphericalHarmonicModel model = test::RandomOrgan(random, degree);
+    const RadialModel model = test::RandomOrgan(random, degree);
     for (const double tolerance : {1.0, 1e-2, 1e-5})
     {
       const RadiusRange range = FindRadiusRange(model, tolerance);
@@ -49,7 +49,7 @@ TEST(RadiusRange, MatchesLinearFunction)
   for (int sample = 0; sample < 20; ++sample)
   {
     const std::vector<double> c = test::RandomCoefficients(random, 1);
-    const SphericalHarmonicModel model(1, c, Vector3::Zero());
+    const RadialModel model(1, c, Vector3::Zero());
     const double mean = c[0] / std::sqrt(4 * M_PI);
     const double length = std::sqrt(3 / (4 * M_PI)) * Vector3(c[1], c[2], c[3]).norm();
     const RadiusRange range = FindRadiusRange(model, 1e-8);

@@ -1,8 +1,8 @@
 #include "IcosahedronDirections.h"
 #include "InstructionSets.h"
+#include "RadialEvaluator.h"
+#include "RadialModel.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicEvaluator.h"
-#include "SphericalHarmonicModel.h"
 #include "SphericalHarmonicReferences.h"
 #include "WorstCase.h"
 
@@ -19,7 +19,7 @@ using test::NameOf;
 using test::ReferenceKind;
 using test::RunnableInstructionSets;
 using test::SphericalHarmonicReference;
-using Sample = SphericalHarmonicModel::Sample;
+using Sample = RadialModel::Sample;
 using Evaluation = std::function<Sample(const Vector3&)>;
 
 // Largest errors, in units of ReferenceScale.
@@ -66,21 +66,21 @@ Errors Compare(int degree, ReferenceKind kind,
   return errors;
 }
 
-auto ByModel(int degree, SphericalHarmonicModel::Formulation formulation)
+auto ByModel(int degree, RadialModel::Formulation formulation)
 {
   return [=](const std::vector<double>& coefficients) -> Evaluation
   {
-    const SphericalHarmonicModel model(degree, coefficients, Vector3::Zero(), formulation);
+    const RadialModel model(degree, coefficients, Vector3::Zero(), formulation);
     return [model](const Vector3& direction) { return model.Evaluate(direction); };
   };
 }
 
 // Radius-only evaluation uses other kernels.
-auto ByRadius(int degree, SphericalHarmonicModel::Formulation formulation)
+auto ByRadius(int degree, RadialModel::Formulation formulation)
 {
   return [=](const std::vector<double>& coefficients) -> Evaluation
   {
-    const SphericalHarmonicModel model(degree, coefficients, Vector3::Zero(), formulation);
+    const RadialModel model(degree, coefficients, Vector3::Zero(), formulation);
     return [model](const Vector3& direction) {
       return Sample{model.Radius(direction), model.Evaluate(direction).SurfaceGradient};
     };
@@ -91,8 +91,7 @@ auto ByInstructions(int degree, InstructionSet set)
 {
   return [=](const std::vector<double>& coefficients) -> Evaluation
   {
-    const SphericalHarmonicEvaluator evaluator(degree, coefficients,
-                                               EvaluationFormulation::Automatic, set);
+    const RadialEvaluator evaluator(degree, coefficients, EvaluationFormulation::Automatic, set);
     return [evaluator](const Vector3& direction) { return evaluator.Evaluate(direction); };
   };
 }
@@ -102,7 +101,7 @@ auto ByBatch(int degree)
 {
   return [degree](const std::vector<double>& coefficients) -> Evaluation
   {
-    const SphericalHarmonicModel model(degree, coefficients, Vector3::Zero());
+    const RadialModel model(degree, coefficients, Vector3::Zero());
     return [model](const Vector3& direction)
     {
       std::vector<Vector3> directions = IcosahedronDirections(1).Directions();
@@ -145,7 +144,7 @@ void ExpectWithin(double bound, const Errors& errors, int degree, ReferenceKind 
 }
 
 // Radii, with and without gradients, in all places.
-void ExpectTrue(double bound, int degree, SphericalHarmonicModel::Formulation formulation)
+void ExpectTrue(double bound, int degree, RadialModel::Formulation formulation)
 {
   for (const ReferenceKind kind : UnitKinds)
   {
@@ -157,7 +156,7 @@ void ExpectTrue(double bound, int degree, SphericalHarmonicModel::Formulation fo
   }
 }
 
-void ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation formulation)
+void ExpectTrueUpToDegree16(RadialModel::Formulation formulation)
 {
   for (const int degree : {0, 1, 2, 12, 16})
   {
@@ -167,7 +166,7 @@ void ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation formulation)
 
 TEST(References, PolynomialsHave14DigitsUpToDegree16)
 {
-  ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation::Automatic);
+  ExpectTrueUpToDegree16(RadialModel::Formulation::Automatic);
 }
 
 TEST(References, AllKernelsHave14DigitsAtDegree12)
@@ -185,14 +184,14 @@ TEST(References, AllKernelsHave14DigitsAtDegree12)
 
 TEST(References, RecurrenceHas14DigitsUpToDegree16)
 {
-  ExpectTrueUpToDegree16(SphericalHarmonicModel::Formulation::Recurrence);
+  ExpectTrueUpToDegree16(RadialModel::Formulation::Recurrence);
 }
 
 TEST(References, RecurrenceHas12DigitsUpToDegree1000)
 {
   for (const int degree : {40, 100, 300, 1000})
   {
-    ExpectTrue(HighDegreeBound, degree, SphericalHarmonicModel::Formulation::Automatic);
+    ExpectTrue(HighDegreeBound, degree, RadialModel::Formulation::Automatic);
   }
 }
 
@@ -226,7 +225,7 @@ TEST(References, AcceptsRoundedDirections)
 {
   const auto normalised = [](const std::vector<double>& coefficients) -> Evaluation
   {
-    const SphericalHarmonicModel model(12, coefficients, Vector3::Zero());
+    const RadialModel model(12, coefficients, Vector3::Zero());
     return [model](const Vector3& direction) { return model.Evaluate(direction.normalized()); };
   };
   ExpectWithin(LowDegreeBound, Compare(12, ReferenceKind::Float, normalised), 12,
@@ -235,7 +234,7 @@ TEST(References, AcceptsRoundedDirections)
 
 TEST(References, HessiansHave14DigitsUpToDegree16And11UpToDegree1000)
 {
-  std::optional<SphericalHarmonicModel> model;
+  std::optional<RadialModel> model;
   std::optional<std::uint64_t> seed;
   for (const SphericalHarmonicReference& reference : test::SphericalHarmonicReferences)
   {

@@ -2,7 +2,7 @@
 #include "HuberWeights.h"
 #include "MomentSolver.h"
 #include "OrthogonalSolver.h"
-#include "SphericalHarmonicFit.h"
+#include "RadialModelFit.h"
 
 #include "FitSamples.h"
 #include "SphericalHarmonicBasis.h"
@@ -15,7 +15,7 @@ namespace palpate::robust_fit_test
 namespace
 {
 using test::Random;
-using Options = SphericalHarmonicFitOptions;
+using Options = RadialModelFitOptions;
 
 constexpr double Noise = 0.3;
 
@@ -27,10 +27,10 @@ Options Huber(int degree)
   return options;
 }
 
-SphericalHarmonicFitResult Fit(const RadialSamples& samples, const Options& options)
+RadialModelFitResult Fit(const RadialSamples& samples, const Options& options)
 {
-  SphericalHarmonicFitResult result;
-  const Status status = FitSphericalHarmonics(samples, options, result);
+  RadialModelFitResult result;
+  const Status status = FitRadialModel(samples, options, result);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return result;
 }
@@ -53,14 +53,14 @@ TEST(RobustFit, IsAccurateDespiteOutliers)
   for (const double part : {0.05, 0.1, 0.2})
   {
     Random random(1200);
-    const SphericalHarmonicModel truth = test::RandomOrgan(random, 8);
+    const RadialModel truth = test::RandomOrgan(random, 8);
     RadialSamples samples = test::SamplesOf(truth, 14); // 1,962 of them, 81 coefficients
     test::AddNoise(random, Noise, samples);
     AddOutliers(random, part, samples);
     Options options = Huber(8);
-    const SphericalHarmonicFitResult robust = Fit(samples, options);
+    const RadialModelFitResult robust = Fit(samples, options);
     options.RobustKind = Options::Robust::None;
-    const SphericalHarmonicFitResult plain = Fit(samples, options);
+    const RadialModelFitResult plain = Fit(samples, options);
     const double robustError = test::Distance(robust.Coefficients, truth.Coefficients());
     const double plainError = test::Distance(plain.Coefficients, truth.Coefficients());
     // Outliers on one side shift the centre of the rest by about part / (1 - part) times 1.345
@@ -81,7 +81,7 @@ TEST(RobustFit, IdentifiesOutliers)
   {
     samples.Radii[i] -= 8.0;
   }
-  const SphericalHarmonicFitResult fit = Fit(samples, Huber(6));
+  const RadialModelFitResult fit = Fit(samples, Huber(6));
   ASSERT_EQ(fit.RobustFactors.size(), samples.Radii.size());
   std::size_t below = 0;
   for (std::size_t i = 0; i < samples.Radii.size(); ++i)
@@ -108,7 +108,7 @@ TEST(RobustFit, FactorsFollowFromResiduals)
   samples.Weights.assign(samples.Radii.size(), 2.0);
   test::AddNoise(random, Noise, samples);
   AddOutliers(random, 0.1, samples);
-  const SphericalHarmonicFitResult fit = Fit(samples, Huber(4));
+  const RadialModelFitResult fit = Fit(samples, Huber(4));
   for (std::size_t i = 0; i < samples.Radii.size(); ++i)
   {
     const double limit = HuberWeights::Tuning * fit.NoiseDeviation;
@@ -124,7 +124,7 @@ TEST(RobustFit, LosesLittleEfficiencyWithoutOutliers)
   for (unsigned seed = 1230; seed < 1290; ++seed)
   {
     Random random(seed);
-    const SphericalHarmonicModel truth = test::RandomOrgan(random, 6);
+    const RadialModel truth = test::RandomOrgan(random, 6);
     RadialSamples samples = test::SamplesOf(truth, 8);
     test::AddNoise(random, Noise, samples);
     Options options = Huber(6);
@@ -139,7 +139,7 @@ TEST(RobustFit, LosesLittleEfficiencyWithoutOutliers)
 TEST(RobustFit, DeviationsCoverSpreadDespiteOutliers)
 {
   Random random(1300);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
+  const RadialModel truth = test::RandomOrgan(random, 4);
   RadialSamples exact = test::SamplesOf(truth, 6);
   exact.Weights.assign(exact.Radii.size(), 1.0);
   constexpr int Trials = 200;
@@ -151,7 +151,7 @@ TEST(RobustFit, DeviationsCoverSpreadDespiteOutliers)
     RadialSamples samples = exact;
     test::AddNoise(random, Noise, samples);
     AddOutliers(random, 0.05, samples);
-    const SphericalHarmonicFitResult fit = Fit(samples, Huber(4));
+    const RadialModelFitResult fit = Fit(samples, Huber(4));
     const Eigen::MatrixXd factor = fit.Covariance.Factor();
     for (std::size_t k = 0; k < 25; ++k)
     {
@@ -173,7 +173,7 @@ TEST(RobustFit, DeviationsCoverSpreadDespiteOutliers)
 TEST(RobustFit, SupportsPenaltiesAndOrthogonalMethod)
 {
   Random random(1310);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 6);
+  const RadialModel truth = test::RandomOrgan(random, 6);
   RadialSamples samples = test::SamplesOf(truth, 8);
   test::AddNoise(random, Noise, samples);
   AddOutliers(random, 0.1, samples);
@@ -183,8 +183,8 @@ TEST(RobustFit, SupportsPenaltiesAndOrthogonalMethod)
     Options options = Huber(6);
     options.PenaltyKind = penalty;
     options.Roughness = 1e-5;
-    const SphericalHarmonicFitResult fast = test::FitBy<MomentSolver>(samples, options);
-    const SphericalHarmonicFitResult slow = test::FitBy<OrthogonalSolver>(samples, options);
+    const RadialModelFitResult fast = test::FitBy<MomentSolver>(samples, options);
+    const RadialModelFitResult slow = test::FitBy<OrthogonalSolver>(samples, options);
     EXPECT_LE(test::Distance(fast.Coefficients, truth.Coefficients()),
               std::sqrt(4.0 * M_PI) * Noise);
     // Both stop where a step moves the radius by 1e-4 of the noise; cross-validation within 1e-3.
@@ -196,9 +196,9 @@ TEST(RobustFit, SupportsPenaltiesAndOrthogonalMethod)
 TEST(RobustFit, EndsForExactAndDegenerateSamples)
 {
   Random random(1320);
-  const SphericalHarmonicModel truth = test::RandomOrgan(random, 4);
+  const RadialModel truth = test::RandomOrgan(random, 4);
   const RadialSamples exact = test::SamplesOf(truth, 6);
-  const SphericalHarmonicFitResult fit = Fit(exact, Huber(4));
+  const RadialModelFitResult fit = Fit(exact, Huber(4));
   EXPECT_LE(test::Distance(fit.Coefficients, truth.Coefficients()), 1e-10);
   // Exact but for one sample in five.
   RadialSamples some = exact;
@@ -229,8 +229,8 @@ TEST(RobustFit, IgnoresZeroWeightSamples)
   test::AddNoise(random, Noise, samples);
   AddOutliers(random, 0.05, samples);
   const RadialSamples kept = test::SilenceEvery(4, samples);
-  const SphericalHarmonicFitResult all = Fit(samples, Huber(4));
-  const SphericalHarmonicFitResult some = Fit(kept, Huber(4));
+  const RadialModelFitResult all = Fit(samples, Huber(4));
+  const RadialModelFitResult some = Fit(kept, Huber(4));
   EXPECT_LE(test::Distance(all.Coefficients, some.Coefficients), 1e-10);
   EXPECT_EQ(all.DownWeighted, some.DownWeighted);
 }
@@ -243,8 +243,8 @@ TEST(RobustFit, EndsWhenCancelled)
   Options options = Huber(4);
   int asked = 0;
   options.IsCancelled = [&asked] { return asked++ >= 2; };
-  SphericalHarmonicFitResult result;
-  EXPECT_EQ(FitSphericalHarmonics(samples, options, result).Message(), "cancelled");
+  RadialModelFitResult result;
+  EXPECT_EQ(FitRadialModel(samples, options, result).Message(), "cancelled");
 }
 } // namespace
 } // namespace palpate::robust_fit_test

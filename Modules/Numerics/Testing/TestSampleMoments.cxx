@@ -41,7 +41,7 @@ struct Case
       }
     }
     this->Truth = test::RandomCoefficients(random, degree);
-    const SphericalHarmonicModel model(degree, this->Truth, Vector3::Zero());
+    const RadialModel model(degree, this->Truth, Vector3::Zero());
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (const Vector3& u : this->Directions)
     {
@@ -253,8 +253,8 @@ TEST(ResidualMoments, MatchModelEvaluation)
       const Case c(degree);
       const auto tables = std::make_shared<const MomentTables>(degree, kernel.Lanes);
       ResidualMoments residual(tables, kernel);
-      const SphericalHarmonicModel model(degree, c.Truth, Vector3::Zero(),
-                                         SphericalHarmonicModel::Formulation::Recurrence);
+      const RadialModel model(degree, c.Truth, Vector3::Zero(),
+                              RadialModel::Formulation::Recurrence);
       for (const std::size_t count :
            {std::size_t{1}, std::size_t{31}, std::size_t{32}, std::size_t{33}, c.Radii.size()})
       {

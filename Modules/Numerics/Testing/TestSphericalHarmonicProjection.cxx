@@ -17,7 +17,7 @@ TEST(SphericalHarmonicProjection, ReproducesModels)
   Random random(306);
   for (const int degree : {0, 1, 7, 30})
   {
-    const SphericalHarmonicModel model = test::RandomOrgan(random, degree);
+    const RadialModel model = test::RandomOrgan(random, degree);
     const std::vector<double> projected = ProjectOnHarmonics(
         degree + 2, 2 * degree + 2, [&model](const Vector3& u) { return model.Radius(u); });
     const std::vector<double> expected = model.WithDegree(degree + 2).Coefficients();
@@ -32,10 +32,10 @@ TEST(SphericalHarmonicProjection, ReproducesModels)
 TEST(SphericalHarmonicProjection, TurnsModelsAboutPoint)
 {
   Random random(311);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 10);
+  const RadialModel model = test::RandomOrgan(random, 10);
   const Matrix3 turn = test::RandomOrientation(random);
   const Vector3 pivot(10.0, -20.0, 30.0);
-  const SphericalHarmonicModel turned = test::TurnedModel(model, turn, pivot);
+  const RadialModel turned = test::TurnedModel(model, turn, pivot);
   for (const Vector3& u : test::RandomDirections(random, 50))
   {
     const Vector3 expected = pivot + turn * (model.PointWorld(u) - pivot);

@@ -1,8 +1,8 @@
 // Theorems about the harmonics as a whole, at degrees where a reference for each would be too slow.
+#include "RadialModel.h"
 #include "RandomShapes.h"
 #include "SphereQuadrature.h"
 #include "SphericalHarmonicBasis.h"
-#include "SphericalHarmonicModel.h"
 #include "WorstCase.h"
 
 #include <Eigen/Core>
@@ -59,8 +59,7 @@ TEST(SphericalHarmonicProperties, ObeysParseval)
   Random random(502);
   for (const int degree : {16, 17, 64, 100})
   {
-    const SphericalHarmonicModel model(degree, test::RandomCoefficients(random, degree, 1.0),
-                                       Vector3::Zero());
+    const RadialModel model(degree, test::RandomCoefficients(random, degree, 1.0), Vector3::Zero());
     const SphereQuadrature sphere(2 * degree);
     double integral = 0.0;
     for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
@@ -111,7 +110,7 @@ TEST(SphericalHarmonicProperties, SquaredSlopesOfDegreeSumEvenly)
     {
       std::vector<double> c(SphericalHarmonicBasis::CoefficientCount(degree), 0.0);
       c[SphericalHarmonicBasis::Index(degree, m)] = 1.0;
-      const SphericalHarmonicModel model(degree, c, Vector3::Zero());
+      const RadialModel model(degree, c, Vector3::Zero());
       for (std::size_t i = 0; i < directions.size(); ++i)
       {
         const Vector3 gradient = model.Evaluate(directions[i]).SurfaceGradient;

@@ -15,7 +15,7 @@ namespace
 using test::Random;
 using test::WorstCase;
 
-SurfaceCurvature CurvatureOf(const SphericalHarmonicModel& model, const Vector3& u)
+SurfaceCurvature CurvatureOf(const RadialModel& model, const Vector3& u)
 {
   return CurvatureAt(u, model.EvaluateSecondOrder(u));
 }
@@ -40,7 +40,7 @@ Matrix3 RandomRotation(Random& random)
   return rotation;
 }
 
-void ExpectOrthonormalTangents(const SphericalHarmonicModel& model, const Vector3& u,
+void ExpectOrthonormalTangents(const RadialModel& model, const Vector3& u,
                                const SurfaceCurvature& curvature)
 {
   const auto& [a, b] = curvature.Directions;
@@ -57,7 +57,7 @@ TEST(SurfaceCurvature, SphereHasCurvatureOfItsRadius)
   Random random(901);
   for (const double radius : {1e-3, 7.0, 1e4})
   {
-    const SphericalHarmonicModel sphere = test::Sphere(radius);
+    const RadialModel sphere = test::Sphere(radius);
     for (const Vector3& u : DirectionsAndPoles(random, 20))
     {
       const SurfaceCurvature found = CurvatureOf(sphere, u);
@@ -74,7 +74,7 @@ TEST(SurfaceCurvature, SphereHasCurvatureOfItsRadius)
 TEST(SurfaceCurvature, OffCentreSphereHasConstantCurvature)
 {
   Random random(902);
-  const SphericalHarmonicModel sphere = test::OffCenterSphere(10.0, {2.0, -1.0, 1.5}, 32);
+  const RadialModel sphere = test::OffCenterSphere(10.0, {2.0, -1.0, 1.5}, 32);
   for (const Vector3& u : DirectionsAndPoles(random, 50))
   {
     const SurfaceCurvature found = CurvatureOf(sphere, u);
@@ -93,7 +93,7 @@ TEST(SurfaceCurvature, RotatedEllipsoidMatchesTextbook)
   for (int turn = 0; turn < 3; ++turn)
   {
     const Matrix3 rotation = turn == 0 ? Matrix3(Matrix3::Identity()) : RandomRotation(random);
-    const SphericalHarmonicModel ellipsoid = test::Ellipsoid(axes, rotation, 48);
+    const RadialModel ellipsoid = test::Ellipsoid(axes, rotation, 48);
     WorstCase mean;
     WorstCase gaussian;
     for (const Vector3& u : DirectionsAndPoles(random, 40))
@@ -125,8 +125,8 @@ TEST(SurfaceCurvature, ConvergesToEllipsoidWithDegree)
   double last = 1.0;
   for (const int degree : {6, 12, 18, 24})
   {
-    const SphericalHarmonicModel ellipsoid = test::Ellipsoid(axes, Matrix3::Identity(), degree);
-    const SphericalHarmonicModel finer = test::Ellipsoid(axes, Matrix3::Identity(), 48);
+    const RadialModel ellipsoid = test::Ellipsoid(axes, Matrix3::Identity(), degree);
+    const RadialModel finer = test::Ellipsoid(axes, Matrix3::Identity(), 48);
     WorstCase error;
     for (const Vector3& u : directions)
     {
@@ -142,7 +142,7 @@ TEST(SurfaceCurvature, ConvergesToEllipsoidWithDegree)
 TEST(SurfaceCurvature, NormalRotatesByPrincipalCurvature)
 {
   Random random(905);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
+  const RadialModel organ = test::RandomOrgan(random, 12);
   for (const Vector3& u : DirectionsAndPoles(random, 40))
   {
     const SurfaceCurvature found = CurvatureOf(organ, u);
@@ -172,7 +172,7 @@ TEST(SurfaceCurvature, GaussianCurvatureIntegratesToFourPi)
   const SphereQuadrature sphere(120);
   for (int sample = 0; sample < 3; ++sample)
   {
-    const SphericalHarmonicModel organ = test::RandomOrgan(random, 7);
+    const RadialModel organ = test::RandomOrgan(random, 7);
     double integral = 0.0;
     for (std::size_t i = 0; i < sphere.Weights.size(); ++i)
     {
@@ -189,7 +189,7 @@ TEST(SurfaceCurvature, GaussianCurvatureIntegratesToFourPi)
 TEST(SurfaceCurvature, OffsetAreaGrowsByMeanCurvature)
 {
   Random random(907);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 5);
+  const RadialModel organ = test::RandomOrgan(random, 5);
   const SphereQuadrature sphere(40);
   constexpr double Step = 1e-4;   // rad
   constexpr double Offset = 0.01; // mm
@@ -226,7 +226,7 @@ TEST(SurfaceCurvature, OffsetAreaGrowsByMeanCurvature)
 TEST(SurfaceCurvature, MirroredRadiusHasSameCurvature)
 {
   Random random(908);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 8);
+  const RadialModel organ = test::RandomOrgan(random, 8);
   std::vector<double> mirrored = organ.Coefficients();
   for (int l = 0; l <= 8; ++l) // -R(-u): a change of sign for even degrees
   {
@@ -235,7 +235,7 @@ TEST(SurfaceCurvature, MirroredRadiusHasSameCurvature)
       mirrored[SphericalHarmonicBasis::Index(l, m)] *= l % 2 == 0 ? -1.0 : 1.0;
     }
   }
-  const SphericalHarmonicModel negative(8, mirrored, organ.CenterWorld());
+  const RadialModel negative(8, mirrored, organ.CenterWorld());
   for (const Vector3& u : test::RandomDirections(random, 20))
   {
     const SurfaceCurvature expected = CurvatureOf(organ, -u);
@@ -249,21 +249,21 @@ TEST(SurfaceCurvature, MirroredRadiusHasSameCurvature)
 
 TEST(SurfaceCurvature, IsNanWhereSurfaceMeetsCentre)
 {
-  const SurfaceCurvature point = CurvatureOf(SphericalHarmonicModel(), Vector3::UnitX());
+  const SurfaceCurvature point = CurvatureOf(RadialModel(), Vector3::UnitX());
   EXPECT_TRUE(std::isnan(point.Mean));
   EXPECT_TRUE(std::isnan(point.Gaussian));
   EXPECT_TRUE(std::isnan(point.Principal[0]));
   EXPECT_TRUE(point.Directions[0].array().isNaN().all());
   // R = x on the sphere: zero with a slope.
-  const SphericalHarmonicModel touching(1, {0.0, 0.0, 0.0, 1.0}, Vector3::Zero());
+  const RadialModel touching(1, {0.0, 0.0, 0.0, 1.0}, Vector3::Zero());
   EXPECT_TRUE(std::isnan(CurvatureOf(touching, Vector3::UnitZ()).Mean));
 }
 
-TEST(SurfaceCurvature, ParametricSurfaceHasThatOfItsModel)
+TEST(SurfaceCurvature, SurfaceModelHasThatOfItsModel)
 {
   Random random(931);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 8);
-  const ParametricSphericalSurface surface = ParametricSphericalSurface::FromModel(model);
+  const RadialModel model = test::RandomOrgan(random, 8);
+  const SurfaceModel surface = SurfaceModel::FromModel(model);
   for (const Vector3& u : DirectionsAndPoles(random, 50))
   {
     const SurfaceCurvature exact = CurvatureOf(model, u);
@@ -281,11 +281,11 @@ TEST(SurfaceCurvature, ParametricSurfaceHasThatOfItsModel)
   }
 }
 
-TEST(SurfaceCurvature, ParametricEllipsoidHasKnownCurvature)
+TEST(SurfaceCurvature, SurfaceModelEllipsoidHasKnownCurvature)
 {
   Random random(932);
   const Vector3 axes(3.0, 5.0, 8.0);
-  const ParametricSphericalSurface surface = test::ParametricEllipsoid(axes);
+  const SurfaceModel surface = test::SurfaceModelEllipsoid(axes);
   for (const Vector3& u : DirectionsAndPoles(random, 50))
   {
     const SurfaceCurvature found = CurvatureAt(surface.EvaluateSecondOrder(u));
@@ -302,9 +302,9 @@ TEST(SurfaceCurvature, ParametricEllipsoidHasKnownCurvature)
 TEST(SurfaceCurvature, ParametricCurvatureDoesNotDependOnParameters)
 {
   Random random(933);
-  const ParametricSphericalSurface surface = test::RandomSurface(random, 8);
+  const SurfaceModel surface = test::RandomSurface(random, 8);
   const Matrix3 turn = RandomRotation(random);
-  const ParametricSphericalSurface turned = surface.Reparametrized(turn);
+  const SurfaceModel turned = surface.Reparametrized(turn);
   for (const Vector3& u : DirectionsAndPoles(random, 30))
   {
     const SurfaceCurvature a = CurvatureAt(turned.EvaluateSecondOrder(u));
@@ -316,7 +316,7 @@ TEST(SurfaceCurvature, ParametricCurvatureDoesNotDependOnParameters)
 
 TEST(SurfaceCurvature, ParametricPointHasNone)
 {
-  const ParametricSphericalSurface point(0, {std::vector<double>{1.0}, {2.0}, {3.0}});
+  const SurfaceModel point(0, {std::vector<double>{1.0}, {2.0}, {3.0}});
   EXPECT_TRUE(std::isnan(CurvatureAt(point.EvaluateSecondOrder(Vector3::UnitZ())).Mean));
 }
 } // namespace

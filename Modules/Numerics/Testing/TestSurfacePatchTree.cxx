@@ -36,7 +36,7 @@ TEST(RadiusDerivativeBounds, HoldEverywhereAndAreTight)
   Random random(922);
   for (const int degree : {0, 1, 2, 5, 12, 24})
   {
-    const SphericalHarmonicModel model = test::RandomOrgan(random, degree);
+    const RadialModel model = test::RandomOrgan(random, degree);
     const RadiusDerivativeBounds bounds(model);
     std::array<double, 5> largest{};
     for (int i = 0; i < 3000; ++i)
@@ -82,7 +82,7 @@ TEST(SurfacePatch, ContainsItsPartOfSurface)
   {
     std::vector<double> c = test::RandomCoefficients(random, 12, decay);
     c[0] = 10.0;
-    const SphericalHarmonicModel model(12, c, Vector3::Zero());
+    const RadialModel model(12, c, Vector3::Zero());
     const double third = RadiusDerivativeBounds(model).PointThird;
     for (int i = 0; i < 300; ++i)
     {
@@ -111,8 +111,8 @@ TEST(SurfacePatch, ContainsItsPartOfSurface)
 TEST(SurfacePatchTree, NoPartIsCloserThanItsBound)
 {
   Random random(924);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 12);
-  const SphericalHarmonicModel model(12, organ.Coefficients(), Vector3::Zero());
+  const RadialModel organ = test::RandomOrgan(random, 12);
+  const RadialModel model(12, organ.Coefficients(), Vector3::Zero());
   const SurfacePatchTree tree(model, RadiusDerivativeBounds(model), 3);
   ASSERT_EQ(tree.InnerCount(), 20 + 80 + 320);
   ASSERT_EQ(tree.NodeCount(), 20 + 80 + 320 + 1280);
@@ -133,7 +133,7 @@ TEST(SurfacePatchTree, NoPartIsCloserThanItsBound)
 
 TEST(SurfacePatchTree, PartsOfNodeArePartsOfTriangle)
 {
-  const SphericalHarmonicModel model;
+  const RadialModel model;
   const SurfacePatchTree tree(model, RadiusDerivativeBounds(model), 3);
   for (int node = 0; node < tree.InnerCount(); ++node)
   {

@@ -21,8 +21,7 @@ bool GoOn(double, const std::string&)
 SceneProduct Ball(double radius, const Vector3& center)
 {
   FitSurface surface;
-  surface.Found.Surface =
-      DrawModel(SphericalHarmonicModel(0, {radius * std::sqrt(4.0 * M_PI)}, center), 60);
+  surface.Found.Surface = DrawModel(RadialModel(0, {radius * std::sqrt(4.0 * M_PI)}, center), 60);
   return std::make_shared<const FitSurface>(std::move(surface));
 }
 

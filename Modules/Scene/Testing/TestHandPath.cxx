@@ -1,8 +1,8 @@
 #include "HandPath.h"
 
-#include "HarmonicContactModel.h"
 #include "InputError.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialContactModel.h"
+#include "RadialModel.h"
 #include "TemporaryFolder.h"
 #include "WholeFile.h"
 
@@ -58,11 +58,11 @@ HandPath Sweep(const Vector3& center, double longest)
 {
   TouchScene scene;
   TouchStructure sphere;
-  EXPECT_TRUE(HarmonicContactModel::Make(
-                  std::make_shared<const SphericalHarmonicModel>(
-                      0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
-                  HarmonicContactMode::Nearest, sphere.Model)
-                  .IsOk());
+  EXPECT_TRUE(
+      RadialContactModel::Make(std::make_shared<const RadialModel>(
+                                   0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
+                               RadialContactMode::Nearest, sphere.Model)
+          .IsOk());
   scene.Structures = {sphere};
   scene.Tool = ToolShape::Sphere(ToolRadius);
   HandPath path;

@@ -5,8 +5,8 @@
 #include "LabelImages.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
-#include "ParametricPhantoms.h"
 #include "SurfaceFile.h"
+#include "SurfacePhantoms.h"
 #include "SurfaceTexture.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
@@ -45,7 +45,7 @@ protected:
     }
     WriteImage(this->MaskPath, image);
     WriteModel(this->ModelPath,
-               {SphericalHarmonicModel(0, {5.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+               {RadialModel(0, {5.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
   }
 
   SceneStructure Entry(const std::filesystem::path& file, bool isTouched) const
@@ -101,7 +101,7 @@ TEST_F(SceneBuilderTest, TouchesAModelOfThreeCoordinates)
   const Eigen::AlignedBox3d bounds = made.Touched[0].Touch.Model->BoundsWorld();
   EXPECT_TRUE(bounds.contains(test::OpenRing(8).Point(Vector3::UnitX())));
   SceneStructure radial = this->Entry(this->Folder / "ring.json", true);
-  radial.Mode = HarmonicContactMode::Radial;
+  radial.Mode = RadialContactMode::Radial;
   EXPECT_THROW(this->Make({radial}), InputError);
 }
 

@@ -58,7 +58,7 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   SceneStructure gland;
   gland.Name = "gland";
   gland.File = this->Folder / "models/gland.json";
-  gland.Mode = HarmonicContactMode::Radial;
+  gland.Mode = RadialContactMode::Radial;
   gland.Stiffness = 1.25;
   gland.Damping = 0.002;
   SceneStructure bone;
@@ -108,7 +108,7 @@ TEST_F(TouchSceneFile, RoundTripsAllSettings)
   EXPECT_EQ(back.Guides, settings.Guides);
   ASSERT_EQ(back.Structures.size(), 3U);
   EXPECT_EQ(back.Structures[0].File.lexically_normal(), gland.File.lexically_normal());
-  EXPECT_EQ(back.Structures[0].Mode, HarmonicContactMode::Radial);
+  EXPECT_EQ(back.Structures[0].Mode, RadialContactMode::Radial);
   EXPECT_EQ(back.Structures[1].Iso, -300.5);
   EXPECT_EQ(back.Structures[1].Opacity, 0.25);
   EXPECT_EQ(back.Structures[0].Opacity, 1.0) << "the default, which is not written";

@@ -25,7 +25,7 @@ protected:
   void SetUp() override
   {
     WriteModel(this->Folder / "ball.json",
-               {SphericalHarmonicModel(0, {5.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+               {RadialModel(0, {5.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
     test::LabelGrid grid;
     grid.Size = {{12, 12, 12}};
     WriteImage(this->Folder / "mask.nii.gz",

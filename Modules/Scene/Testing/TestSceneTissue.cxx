@@ -5,9 +5,9 @@
 #include "LabelImages.h"
 #include "ModelFile.h"
 #include "ModelSoftening.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
 #include "SceneFile.h"
+#include "SurfacePhantoms.h"
 #include "TemporaryFolder.h"
 #include "TouchRun.h"
 #include "WholeFile.h"
@@ -262,7 +262,7 @@ TEST_F(SceneTissueTest, ModelThatYieldsKeepsItsOwnElasticity)
 {
   SceneStructure rigid;
   rigid.File = this->Folder / "ball.json";
-  const SphericalHarmonicModel ball(0, {14.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  const RadialModel ball(0, {14.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   WriteModel(rigid.File, {ball, {}});
   rigid.Representation = TouchRepresentation::Elastic;
   rigid.SetNumber(TissueKey::Elements, 4.0);

@@ -16,8 +16,8 @@ constexpr double Radius = 20.0;
 
 TouchContact Sphere()
 {
-  const SphericalHarmonicModel model(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
-  return MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball");
+  const RadialModel model(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  return MakeModelContact(model, RadialContactMode::Nearest, "ball");
 }
 
 bool GoOn(double /*fraction*/, const std::string& /*stage*/)

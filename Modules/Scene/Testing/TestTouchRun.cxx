@@ -58,7 +58,7 @@ protected:
   void SetUp() override
   {
     WriteModel(this->ModelPath,
-               {SphericalHarmonicModel(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+               {RadialModel(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
     test::LabelGrid grid;
     grid.Size = {{40, 40, 40}};
     grid.CenterOnOrigin();
@@ -276,8 +276,7 @@ TEST_F(TouchRun, GuideActsInFreeSpaceAndReplaysBitForBit)
 TEST_F(TouchRun, StructureThatIsNotTouchedGuidesAndReplaysBitForBit)
 {
   const auto large = this->Folder / "large.json";
-  WriteModel(large,
-             {SphericalHarmonicModel(0, {24.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+  WriteModel(large, {RadialModel(0, {24.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
   SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   settings.Structures.push_back(settings.Structures.front());
   settings.Structures[1].File = large;
@@ -400,7 +399,7 @@ TEST_F(TouchRun, HandReachesAllOfALargeScene)
 {
   SceneSettings settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
   WriteModel(this->ModelPath,
-             {SphericalHarmonicModel(0, {100.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
+             {RadialModel(0, {100.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()), {}});
   EXPECT_GT(PrepareTouch(settings, {}, GoOn).Frame.Scale, 100.0 / 40.0);
   settings.Placement.Scale = 1.5;
   EXPECT_EQ(PrepareTouch(settings, {}, GoOn).Frame.Scale, 1.5);

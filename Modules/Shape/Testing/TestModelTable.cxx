@@ -17,12 +17,12 @@ namespace
 TEST(ModelTable, RoundTripsBitForBit)
 {
   palpate::test::Random random(5);
-  const SphericalHarmonicModel model(7, palpate::test::RandomCoefficients(random, 7),
-                                     palpate::Vector3(1.5, -20.25, 1e-3));
+  const RadialModel model(7, palpate::test::RandomCoefficients(random, 7),
+                          palpate::Vector3(1.5, -20.25, 1e-3));
   vtkNew<vtkTable> table;
   palpate::ToTable(model, table);
   EXPECT_EQ(table->GetNumberOfRows(), 64);
-  SphericalHarmonicModel back;
+  RadialModel back;
   ASSERT_TRUE(palpate::FromTable(table, back));
   EXPECT_EQ(back.Coefficients(), model.Coefficients());
   EXPECT_EQ(back.CenterWorld(), model.CenterWorld());
@@ -30,13 +30,13 @@ TEST(ModelTable, RoundTripsBitForBit)
 
 TEST(ModelTable, RejectsOtherTables)
 {
-  SphericalHarmonicModel model;
+  RadialModel model;
   vtkNew<vtkTable> table;
   EXPECT_FALSE(palpate::FromTable(table, model));
-  palpate::ToTable(SphericalHarmonicModel(), table);
+  palpate::ToTable(RadialModel(), table);
   table->GetFieldData()->RemoveArray("Center");
   EXPECT_FALSE(palpate::FromTable(table, model));
-  palpate::ToTable(SphericalHarmonicModel(), table);
+  palpate::ToTable(RadialModel(), table);
   table->SetValueByName(0, "Order", 1); // |m| > l
   EXPECT_FALSE(palpate::FromTable(table, model));
 }

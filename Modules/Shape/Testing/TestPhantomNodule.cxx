@@ -16,12 +16,12 @@ namespace
 {
 const Vector3 TestCenter(12.3, -45.6, 78.9);
 
-palpate::SphericalHarmonicModel Body()
+palpate::RadialModel Body()
 {
   return palpate::MakeProstateLikeModel(8, 3, TestCenter);
 }
 
-palpate::SphericalHarmonicModel Sphere(double radius)
+palpate::RadialModel Sphere(double radius)
 {
   return {0, {radius * std::sqrt(4.0 * M_PI)}, TestCenter};
 }
@@ -67,7 +67,7 @@ TEST(PhantomNodule, LiesBehindCentreOfSphere)
 
 TEST(PhantomNodule, TopLiesAtDepthAlongNormal)
 {
-  const palpate::SphericalHarmonicModel body = Body();
+  const palpate::RadialModel body = Body();
   const Vector3 behind = Vector3::UnitY();
   for (const double depth : {0.0, 2.0, 8.0})
   {

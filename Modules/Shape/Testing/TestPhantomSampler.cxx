@@ -22,7 +22,7 @@ namespace
 {
 const Vector3 TestCenter(12.3, -45.6, 78.9);
 
-palpate::SphericalHarmonicModel TestModel(std::uint64_t seed = 3)
+palpate::RadialModel TestModel(std::uint64_t seed = 3)
 {
   return palpate::MakeProstateLikeModel(8, seed, TestCenter);
 }
@@ -72,7 +72,7 @@ Vector3 VoxelWorld(vtkImageData* image, vtkIdType voxel)
   return Vector3(point);
 }
 
-Vector3 Centroid(const palpate::SphericalHarmonicModel& model)
+Vector3 Centroid(const palpate::RadialModel& model)
 {
   const palpate::SphereQuadrature sphere(4 * model.Degree() + 1);
   Vector3 moment = Vector3::Zero();
@@ -93,7 +93,7 @@ double CountingDeviation(double areaSquareMillimeters, double spacing)
 
 TEST(Phantom, MaskVolumeConvergesToModelVolume)
 {
-  const palpate::SphericalHarmonicModel model = TestModel();
+  const palpate::RadialModel model = TestModel();
   for (const double spacing : {4.0, 2.0, 1.0, 0.5})
   {
     const PhantomImages phantom = MakePhantom(model, ObliqueGrid(spacing, 25.0));
@@ -108,7 +108,7 @@ TEST(Phantom, MaskVolumeConvergesToModelVolume)
 
 TEST(Phantom, MaskHoldsVoxelsWithCentreInside)
 {
-  const palpate::SphericalHarmonicModel model = TestModel();
+  const palpate::RadialModel model = TestModel();
   const PhantomImages phantom = MakePhantom(model, ObliqueGrid(2.0, 40.0));
   const std::vector<unsigned char> mask = MaskOf(phantom);
   for (std::size_t v = 0; v < mask.size(); ++v)
@@ -128,7 +128,7 @@ TEST(Phantom, MaskIsAtModelCentreOnObliqueGrids)
 {
   for (const double degrees : {0.0, 17.0, 90.0, 133.0})
   {
-    const palpate::SphericalHarmonicModel model = TestModel();
+    const palpate::RadialModel model = TestModel();
     const PhantomImages phantom = MakePhantom(model, ObliqueGrid(1.0, degrees));
     const std::vector<unsigned char> mask = MaskOf(phantom);
     Vector3 sum = Vector3::Zero();
@@ -149,7 +149,7 @@ TEST(Phantom, MaskIsAtModelCentreOnObliqueGrids)
 
 TEST(Phantom, PartialVolumesSumToModelVolume)
 {
-  const palpate::SphericalHarmonicModel model = TestModel();
+  const palpate::RadialModel model = TestModel();
   const std::vector<float> fractions =
       Intensities(MakePhantom(model, ObliqueGrid(2.0, 25.0), OneInsideZeroOutside()));
   double sum = 0.0;
@@ -166,7 +166,7 @@ TEST(Phantom, PartialVolumesSumToModelVolume)
 TEST(Phantom, SkippingPureVoxelsChangesNothing)
 {
   // Slow reference: every voxel subdivided, on an anisotropic grid with strong bumps.
-  palpate::SphericalHarmonicModel model = palpate::MakeProstateLikeModel(8, 11, TestCenter);
+  palpate::RadialModel model = palpate::MakeProstateLikeModel(8, 11, TestCenter);
   palpate::PhantomAppearance look;
   look.Subdivision = 3;
   look.Nodule.emplace();
@@ -203,7 +203,7 @@ TEST(Phantom, SkippingPureVoxelsChangesNothing)
 
 TEST(Phantom, IntensityIsExactAwayFromBoundaries)
 {
-  const palpate::SphericalHarmonicModel model = TestModel();
+  const palpate::RadialModel model = TestModel();
   const palpate::PhantomAppearance look;
   const PhantomImages phantom = MakePhantom(model, ObliqueGrid(1.0, 25.0), look);
   const std::vector<float> values = Intensities(phantom);

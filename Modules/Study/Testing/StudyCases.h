@@ -54,7 +54,7 @@ inline SceneStructure RandomStructure(Random& random)
   structure.Representation =
       SceneRepresentations().at(static_cast<std::size_t>(RandomWhole(random, 0, 5))).Name;
   structure.Degree = RandomWhole(random, 0, 40);
-  structure.Mode = static_cast<HarmonicContactMode>(RandomWhole(random, 0, 1));
+  structure.Mode = static_cast<RadialContactMode>(RandomWhole(random, 0, 1));
   structure.Interpolation = static_cast<FieldInterpolation>(RandomWhole(random, 0, 1));
   structure.Smoothing = RandomNumber(random, 0.0, 4.0);
   structure.Stiffness = RandomNumber(random, 0.0, 3.0);

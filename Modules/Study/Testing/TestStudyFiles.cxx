@@ -31,8 +31,7 @@ TEST(StudyFiles, WrittenProductsCanBeTouchedAgain)
 
   const auto fit = pipeline.Newest<FitResult>(SceneStep::Model, 1);
   const ModelDocument document = ReadModel(out / "mask_1/model.json");
-  EXPECT_EQ(std::get<SphericalHarmonicModel>(document.Surface).Coefficients(),
-            fit->Radial()->Coefficients());
+  EXPECT_EQ(std::get<RadialModel>(document.Surface).Coefficients(), fit->Radial()->Coefficients());
   for (const char* name : {"mask_1/report.html", "mask_2_bow/surface.vtp", "markups.csv",
                            "markups.mrk.json", "scene.json"})
   {

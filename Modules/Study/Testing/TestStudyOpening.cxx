@@ -155,7 +155,7 @@ TEST_F(StudyOpeningTest, SceneIsAddedToWhatIsOpen)
   StudyState own = this->Open.State();
   own.Fit.Degree = 7;
   this->Open.Change("Change the degree", own);
-  const SphericalHarmonicModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  const RadialModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   WriteModel(this->Phantom.Folder / "ball.json", {sphere, {}});
   SceneSettings scene;
   scene.Structures.resize(2);

@@ -212,7 +212,7 @@ TEST(StudyPlan, EveryInputOfAProductIsInItsKey)
        {"field's smoothing", OfEach([](SceneStructure& s) { s.Smoothing = 0.5; }),
         And(FieldPlaces, BonePlaces)},
        {"mode",
-        first(&SceneStructure::Mode, HarmonicContactMode::Radial),
+        first(&SceneStructure::Mode, RadialContactMode::Radial),
         {{Step::Touch, Harmonics}, {Step::Cost, Harmonics}}},
        {"tool's shape", tool(&TouchToolSettings::Radius, 1.5), CostPlaces},
        {"tool's length", tool(&TouchToolSettings::Length, 1.5), CostPlaces},

@@ -146,7 +146,7 @@ TEST(StudyThresholds, TakeTheVolumesSeries)
 
 TEST_F(StudyThresholdTest, StructuresOfEverySourceReopenAsSaved)
 {
-  const SphericalHarmonicModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  const RadialModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   WriteModel(this->Phantom.Folder / "ball.json", {sphere, {}});
   WriteSurface(this->Phantom.Folder / "ball.stl", DrawModel(sphere, 6));
   this->Open.AddStructure(this->Phantom.Folder / "ball.json");

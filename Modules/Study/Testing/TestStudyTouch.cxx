@@ -30,9 +30,9 @@ RealtimeRequest Ordinary()
 
 SceneContact Sphere(int label, double radius)
 {
-  const SphericalHarmonicModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+  const RadialModel model(0, {radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
   return {label, std::make_shared<const TouchContact>(
-                     MakeHarmonicContact(model, HarmonicContactMode::Nearest, "ball"))};
+                     MakeModelContact(model, RadialContactMode::Nearest, "ball"))};
 }
 
 StudyState SphereState(int label)

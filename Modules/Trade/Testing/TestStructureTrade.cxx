@@ -4,8 +4,8 @@
 #include "InputError.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
-#include "ParametricPhantoms.h"
 #include "Progress.h"
+#include "SurfacePhantoms.h"
 #include "TradeCases.h"
 #include "TradeErrors.h"
 
@@ -72,8 +72,8 @@ TEST(TradeMeasure, TickTimeExcludesTheClocksOverhead)
     mutable std::int64_t Time = 0;
   };
   const test::ModelTrade trade(0.5);
-  const TradeRow row = trade.Measure(
-      MakeHarmonicContact(*trade.Model, HarmonicContactMode::Nearest, {}), GlanceClock());
+  const TradeRow row =
+      trade.Measure(MakeModelContact(*trade.Model, RadialContactMode::Nearest, {}), GlanceClock());
   // Times are at least a nanosecond.
   EXPECT_EQ(row.TickMedian, 1.0);
   EXPECT_DOUBLE_EQ(row.Rate, 1e9);
@@ -167,7 +167,7 @@ TEST(StructureTrade, SurfaceModelsAreMeasuredAgainstThemselves)
   EXPECT_NE(row.Represented.find("surface harmonics of degree 8"), std::string::npos);
 
   ContactSetting radial = SettingOf(scene, TouchRepresentation::Harmonics);
-  radial.Structure.Mode = HarmonicContactMode::Radial;
+  radial.Structure.Mode = RadialContactMode::Radial;
   const TradeRow refused = trade.Measure(radial, GoOn);
   EXPECT_EQ(refused.State, TradeRow::Outcome::Refused);
   EXPECT_NE(refused.Message.find("nearest point"), std::string::npos) << refused.Message;

@@ -27,7 +27,7 @@ inline bool GoOn(double /*fraction*/, const std::string& /*stage*/)
 constexpr double SphereRadius = 20.0; // mm
 
 /// A sphere of 20 mm with bumps of degree 6 of this height (mm) at the pole; 0 for none.
-inline SphericalHarmonicModel BumpyModel(double height)
+inline RadialModel BumpyModel(double height)
 {
   constexpr int Degree = 6;
   std::vector<double> coefficients(49, 0.0);
@@ -59,7 +59,7 @@ inline ContactSetting Harmonics(int degree)
 struct ModelTrade
 {
   explicit ModelTrade(double height, double toolRadius = 2.0)
-      : Model(std::make_shared<const SphericalHarmonicModel>(BumpyModel(height)))
+      : Model(std::make_shared<const RadialModel>(BumpyModel(height)))
   {
     this->Touch.Tool.Radius = toolRadius;
     this->Touch.Runs = 1;
@@ -74,11 +74,11 @@ struct ModelTrade
   }
   TradeRow MeasureDegree(int degree) const
   {
-    return this->Measure(MakeHarmonicContact(this->Model->WithDegree(degree),
-                                             HarmonicContactMode::Nearest, "bumpy.json"));
+    return this->Measure(MakeModelContact(this->Model->WithDegree(degree),
+                                          RadialContactMode::Nearest, "bumpy.json"));
   }
 
-  std::shared_ptr<const SphericalHarmonicModel> Model;
+  std::shared_ptr<const RadialModel> Model;
   TradeTouch Touch;
   std::unique_ptr<TradeReference> Reference;
   TradePath Path;

@@ -20,7 +20,7 @@ constexpr int PictureFrequency = 12; // 1,442 points
 constexpr int PictureSize = 48;      // pixels
 constexpr double ReadingShare = 0.6; // of the progress; the rest is pictures
 
-QImage PictureOf(const SurfaceModel& model)
+QImage PictureOf(const OrganModel& model)
 {
   SoftwareRenderer renderer(DrawModel(model, PictureFrequency));
   renderer.SetColor({214, 160, 120});
@@ -84,7 +84,7 @@ void CohortReading::Read(const QString& folder)
         MakeCohortGroup(table, path, "", AlignmentAxes::Patient,
                         [this](double done) { return this->Report(ReadingShare * done); });
     const auto count = static_cast<double>(product->Group.Models.size());
-    for (const SurfaceModel& model : product->Group.Models)
+    for (const OrganModel& model : product->Group.Models)
     {
       const double drawn = static_cast<double>(product->Pictures.size()) / count;
       if (!this->Report(ReadingShare + (1.0 - ReadingShare) * drawn))

@@ -133,7 +133,7 @@ void StructureDialog::AddModelMembers()
   this->AddChoice("Harmonics", "mode", {"nearest point", "radial"},
                   static_cast<int>(this->Structure.Mode),
                   [](SceneStructure& structure, int choice)
-                  { structure.Mode = static_cast<HarmonicContactMode>(choice); });
+                  { structure.Mode = static_cast<RadialContactMode>(choice); });
   this->AddChoice("Interpolation", "interpolation", {"linear", "cubic"},
                   static_cast<int>(this->Structure.Interpolation),
                   [](SceneStructure& structure, int choice)

@@ -24,7 +24,7 @@ protected:
   void SetUp() override
   {
     test::WindowTest::SetUp();
-    const SphericalHarmonicModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
+    const RadialModel sphere(0, {8.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero());
     WriteModel(this->Model, {sphere, {}});
     WriteSurface(this->Surface, DrawModel(sphere, 6));
   }
@@ -139,7 +139,7 @@ TEST_F(AddedStructures, DialogIsOneUndoStep)
   const SceneStructure& first = this->Study->State().Structures.front();
   EXPECT_EQ(first.Damping, 0.002);
   EXPECT_EQ(first.Number("viscosity_ns_per_mm"), 0.003);
-  EXPECT_EQ(first.Mode, HarmonicContactMode::Radial);
+  EXPECT_EQ(first.Mode, RadialContactMode::Radial);
   this->Study->Undo();
   EXPECT_EQ(this->Study->State().Structures.front().Damping, 0.0);
 }

@@ -42,8 +42,7 @@ protected:
       row.Result.State = FitResult::Outcome::Fitted;
       row.Result.Structure.Label = 1;
       row.Result.Dice = 0.9 + 0.01 * i;
-      WriteModel(folder / row.Model,
-                 {SphericalHarmonicModel(2, coefficients, Vector3::Zero()), {}});
+      WriteModel(folder / row.Model, {RadialModel(2, coefficients, Vector3::Zero()), {}});
       table.Add({row});
       covariates += row.Case + "," + std::to_string(70 - i) + "," + (i % 2 == 0 ? "a" : "b") + "\n";
     }

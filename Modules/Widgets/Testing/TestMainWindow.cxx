@@ -128,7 +128,7 @@ TEST_F(MainWindowTest, SlicesFollowModelsWhereThereIsNoVolume)
   const auto open = [this](const char* name, const Vector3& center, std::size_t count)
   {
     const std::filesystem::path file = this->Phantom.Folder / name;
-    WriteModel(file, {SphericalHarmonicModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, center), {}});
+    WriteModel(file, {RadialModel(0, {20.0 * std::sqrt(4.0 * M_PI)}, center), {}});
     this->Study->OpenFiles({file});
     WaitUntil([&] { return this->Window->Contents().Surfaces().size() == count; });
     DrawAll(*this->Window->Views());

@@ -33,7 +33,7 @@ const ModelDocument& SoftBall()
 
 std::unique_ptr<YieldingSurface> DrawnBall()
 {
-  return std::make_unique<YieldingSurface>(std::get<SphericalHarmonicModel>(SoftBall().Surface),
+  return std::make_unique<YieldingSurface>(std::get<RadialModel>(SoftBall().Surface),
                                            SoftBall().Elasticity);
 }
 
@@ -181,7 +181,7 @@ TEST_F(YieldingStructureTest, EachStructureHasItsDent)
   this->OpenSoftBall();
   const auto file = this->Phantom.Folder / "second.json";
   ModelDocument second = SoftBall();
-  auto& moved = std::get<SphericalHarmonicModel>(second.Surface);
+  auto& moved = std::get<RadialModel>(second.Surface);
   moved = {0, {15.0 * std::sqrt(4.0 * Pi)}, Vector3(-15.0, 36.0, 0.0)};
   WriteModel(file, second);
   StudyState next = this->Study->State();

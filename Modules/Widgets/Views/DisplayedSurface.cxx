@@ -1,8 +1,8 @@
 #include "DisplayedSurface.h"
 
 #include "FitResult.h"
+#include "RadialModel.h"
 #include "SceneRepresentation.h"
-#include "SphericalHarmonicModel.h"
 #include "YieldingSurface.h"
 
 #include "vtkPolyData.h"
@@ -65,7 +65,7 @@ std::shared_ptr<const FitResult> YieldingModelOf(const StudyPipeline& pipeline,
   model = model != nullptr ? model : pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   const bool yields = !isRigid && WantsModel(structure) && model != nullptr &&
                       model->Elasticity != nullptr &&
-                      std::holds_alternative<SphericalHarmonicModel>(model->Model);
+                      std::holds_alternative<RadialModel>(model->Model);
   return yields ? model : nullptr;
 }
 

@@ -5,8 +5,8 @@
 #include "ImageAxes.h"
 #include "OwnCopy.h"
 #include "PlainVector3.h"
+#include "RadialModel.h"
 #include "SceneTool.h"
-#include "SphericalHarmonicModel.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
 
@@ -171,8 +171,8 @@ vtkPolyData* ViewContents::ShowYielding(const SceneStructure& structure,
   auto& yielding = this->Yielding[structure.Id];
   if (yielding == nullptr || yielding->Maps() != model->Elasticity.get())
   {
-    yielding = std::make_unique<YieldingSurface>(std::get<SphericalHarmonicModel>(model->Model),
-                                                 model->Elasticity);
+    yielding =
+        std::make_unique<YieldingSurface>(std::get<RadialModel>(model->Model), model->Elasticity);
   }
   if (structure.Appearance == SceneAppearance::StiffnessMap)
   {

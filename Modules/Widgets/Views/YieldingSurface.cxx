@@ -20,14 +20,14 @@ namespace
 constexpr int Frequency = 30; // triangles of about 1 mm on a gland, so that none cuts into a ball
 }
 
-YieldingSurface::YieldingSurface(const SphericalHarmonicModel& model,
+YieldingSurface::YieldingSurface(const RadialModel& model,
                                  std::shared_ptr<const ComplianceMaps> maps)
     : Model(model), Compliance(std::move(maps)), Drawn(vtkSmartPointer<vtkPolyData>::New())
 {
   const IcosahedronDirections sphere(Frequency);
   this->Directions = sphere.Directions();
   this->Triangles = sphere.Triangles();
-  this->Drawn->DeepCopy(DrawModel(SurfaceModel(model), Frequency));
+  this->Drawn->DeepCopy(DrawModel(OrganModel(model), Frequency));
   vtkDataArray* normals = this->Drawn->GetPointData()->GetNormals();
   std::vector<Vector3> points;
   for (vtkIdType p = 0; p < this->Drawn->GetNumberOfPoints(); ++p)
@@ -81,9 +81,9 @@ bool YieldingSurface::HasHand(double ballRadius)
   {
     return true;
   }
-  std::shared_ptr<const HarmonicSurface> surface;
+  std::shared_ptr<const TouchableRadialModel> surface;
   const Status status =
-      HarmonicSurface::Make(std::make_shared<const SphericalHarmonicModel>(this->Model), surface);
+      TouchableRadialModel::Make(std::make_shared<const RadialModel>(this->Model), surface);
   if (!status.IsOk())
   {
     return false;

@@ -3,7 +3,7 @@
 #include "ComplianceMaps.h"
 #include "DentedSurface.h"
 #include "ElasticTracker.h"
-#include "SphericalHarmonicModel.h"
+#include "RadialModel.h"
 #include "Vector3.h"
 
 #include "vtkPolyData.h"
@@ -23,7 +23,7 @@ public:
   /// In just noticeable differences of the force from its median (see FeltStiffness).
   static constexpr const char* StiffnessArray = "NoticedStiffness";
 
-  YieldingSurface(const SphericalHarmonicModel& model, std::shared_ptr<const ComplianceMaps> maps);
+  YieldingSurface(const RadialModel& model, std::shared_ptr<const ComplianceMaps> maps);
 
   vtkPolyData* Surface() const { return this->Drawn; }
   /// What it was made from.
@@ -44,7 +44,7 @@ private:
   void Move(const std::vector<Vector3>& points);
   std::vector<Vector3> NormalsOf(const std::vector<Vector3>& points) const;
 
-  SphericalHarmonicModel Model;
+  RadialModel Model;
   std::shared_ptr<const ComplianceMaps> Compliance;
   std::unique_ptr<DentedSurface> Dented; // null: its maps have no long waves
   // Tells where a ball of the radius (mm) presses.

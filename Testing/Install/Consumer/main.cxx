@@ -1,5 +1,5 @@
 // Uses one kernel and one VTK module of an installed Palpate.
-#include <SphericalHarmonicModel.h>
+#include <RadialModel.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -12,8 +12,7 @@
 int main()
 {
   const double radius = 2.0; // mm
-  const palpate::SphericalHarmonicModel sphere(0, {radius * std::sqrt(4.0 * M_PI)},
-                                               palpate::Vector3::Zero());
+  const palpate::RadialModel sphere(0, {radius * std::sqrt(4.0 * M_PI)}, palpate::Vector3::Zero());
 
   vtkNew<vtkImageData> mask;
   mask->SetDimensions(9, 9, 9);

@@ -1,5 +1,5 @@
-#include "HarmonicContactModel.h"
 #include "ModelMeasures.h"
+#include "RadialContactModel.h"
 
 #include <cmath>
 #include <memory>
@@ -10,11 +10,11 @@ extern "C" int PalpateWorksInC(void);
 int main()
 {
   using namespace palpate;
-  const auto sphere = std::make_shared<const SphericalHarmonicModel>(
+  const auto sphere = std::make_shared<const RadialModel>(
       0, std::vector<double>{10.0 * std::sqrt(4.0 * 3.14159265358979323846)}, Vector3::Zero());
   std::shared_ptr<const ContactModel> contact;
   const bool isTouched =
-      HarmonicContactModel::Make(sphere, HarmonicContactMode::Nearest, contact).IsOk();
+      RadialContactModel::Make(sphere, RadialContactMode::Nearest, contact).IsOk();
   const bool isRight = std::abs(VolumeOf(*sphere) - 4188.79) < 0.01;
   return isTouched && isRight && PalpateWorksInC() != 0 ? 0 : 1;
 }

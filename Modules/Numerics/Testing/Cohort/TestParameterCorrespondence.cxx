@@ -1,9 +1,9 @@
 #include "ParameterCorrespondence.h"
 
 #include "ModelMeasures.h"
-#include "ParametricPhantoms.h"
 #include "RandomShapes.h"
 #include "ShapeVector.h"
+#include "SurfacePhantoms.h"
 
 #include <Eigen/Geometry>
 
@@ -22,12 +22,11 @@ Matrix3 HalfTurn(int axis)
 }
 
 /// Variants of a shape about the origin, with a relief of some `size` mm.
-std::vector<SurfaceModel> VariantsOf(const SurfaceModel& shape, Random& random, int count,
-                                     double size)
+std::vector<OrganModel> VariantsOf(const OrganModel& shape, Random& random, int count, double size)
 {
-  std::vector<SurfaceModel> shapes;
+  std::vector<OrganModel> shapes;
   const Eigen::VectorXd mean = VectorOf(shape);
-  const Eigen::Index series = std::holds_alternative<SphericalHarmonicModel>(shape) ? 1 : 3;
+  const Eigen::Index series = std::holds_alternative<RadialModel>(shape) ? 1 : 3;
   for (int i = 0; i < count; ++i)
   {
     Eigen::VectorXd values = mean;
@@ -45,15 +44,15 @@ std::vector<SurfaceModel> VariantsOf(const SurfaceModel& shape, Random& random, 
   return shapes;
 }
 
-SurfaceModel CentredTube(Random& random, int degree)
+OrganModel CentredTube(Random& random, int degree)
 {
-  const ParametricSphericalSurface tube = test::BumpyTube(random, degree);
+  const SurfaceModel tube = test::BumpyTube(random, degree);
   BodyMoments body;
   EXPECT_TRUE(MeasureBody(tube, body).IsOk());
   return tube.Transformed(Matrix3::Identity(), -body.CentroidWorld);
 }
 
-std::vector<ParameterCorrespondence> Compare(const std::vector<SurfaceModel>& shapes)
+std::vector<ParameterCorrespondence> Compare(const std::vector<OrganModel>& shapes)
 {
   std::vector<ParameterCorrespondence> cases;
   const Status status = CompareParameters(shapes, {}, cases);
@@ -65,8 +64,8 @@ std::vector<ParameterCorrespondence> Compare(const std::vector<SurfaceModel>& sh
 TEST(ParameterCorrespondence, DistanceIsThatFromTheWeightedMeanOfTheOthers)
 {
   Random random(301);
-  const SurfaceModel organ =
-      SphericalHarmonicModel(4, test::RandomOrgan(random, 4).Coefficients(), Vector3::Zero());
+  const OrganModel organ =
+      RadialModel(4, test::RandomOrgan(random, 4).Coefficients(), Vector3::Zero());
   const Eigen::VectorXd mean = VectorOf(organ);
   const Eigen::VectorXd step = Eigen::VectorXd::Unit(mean.size(), 6);
   const auto at = [&](double place) { return ShapeFrom(mean + place * step, organ); };
@@ -84,7 +83,7 @@ TEST(ParameterCorrespondence, DistanceIsThatFromTheWeightedMeanOfTheOthers)
 TEST(ParameterCorrespondence, FlippedShapesHardlyMoveWhatTheOthersAreComparedWith)
 {
   Random random(306);
-  std::vector<SurfaceModel> shapes = VariantsOf(CentredTube(random, 6), random, 9, 0.2);
+  std::vector<OrganModel> shapes = VariantsOf(CentredTube(random, 6), random, 9, 0.2);
   const auto before = Compare(shapes);
   for (const std::size_t flipped : {0U, 4U, 8U})
   {
@@ -106,7 +105,7 @@ TEST(ParameterCorrespondence, FlippedParametersAreFoundAboutEachAxisAndOthersAre
   for (int axis = 0; axis < 3; ++axis)
   {
     Random random(302);
-    std::vector<SurfaceModel> shapes = VariantsOf(CentredTube(random, 8), random, 8, 0.4);
+    std::vector<OrganModel> shapes = VariantsOf(CentredTube(random, 8), random, 8, 0.4);
     shapes[3] = TurnShape(shapes[3], {Matrix3::Identity(), HalfTurn(axis)});
     const auto cases = Compare(shapes);
     for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -122,7 +121,7 @@ TEST(ParameterCorrespondence, FlippedParametersAreFoundAboutEachAxisAndOthersAre
 TEST(ParameterCorrespondence, BodyTurnedWithItsParametersIsFound)
 {
   Random random(303);
-  std::vector<SurfaceModel> shapes = VariantsOf(CentredTube(random, 8), random, 8, 0.2);
+  std::vector<OrganModel> shapes = VariantsOf(CentredTube(random, 8), random, 8, 0.2);
   shapes[5] = TurnShape(shapes[5], {HalfTurn(1), HalfTurn(1)});
   const auto cases = Compare(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -137,7 +136,7 @@ TEST(ParameterCorrespondence, ArbitraryLargeTurnOfTheParametersIsFound)
   for (int trial = 0; trial < 10; ++trial)
   {
     Random random(310 + trial);
-    std::vector<SurfaceModel> shapes = VariantsOf(CentredTube(random, 6), random, 5, 0.1);
+    std::vector<OrganModel> shapes = VariantsOf(CentredTube(random, 6), random, 5, 0.1);
     const double angle = 1.0 + 0.2 * trial; // rad
     shapes[0] = TurnShape(
         shapes[0], {Matrix3::Identity(),
@@ -152,9 +151,9 @@ TEST(ParameterCorrespondence, ArbitraryLargeTurnOfTheParametersIsFound)
 TEST(ParameterCorrespondence, FlippedRadialModelIsFound)
 {
   Random random(304);
-  const SurfaceModel organ =
-      SphericalHarmonicModel(6, test::RandomOrgan(random, 6).Coefficients(), Vector3::Zero());
-  std::vector<SurfaceModel> shapes = VariantsOf(organ, random, 8, 0.2);
+  const OrganModel organ =
+      RadialModel(6, test::RandomOrgan(random, 6).Coefficients(), Vector3::Zero());
+  std::vector<OrganModel> shapes = VariantsOf(organ, random, 8, 0.2);
   shapes[7] = TurnShape(shapes[7], {Matrix3::Identity(), HalfTurn(2)});
   const auto cases = Compare(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -165,12 +164,12 @@ TEST(ParameterCorrespondence, FlippedRadialModelIsFound)
 
 TEST(ParameterCorrespondence, BallsHaveNoFlips)
 {
-  std::vector<SurfaceModel> shapes;
+  std::vector<OrganModel> shapes;
   for (const double radius : {70.0, 80.0, 90.0})
   {
     std::vector<double> coefficients(16, 0.0);
     coefficients[0] = radius;
-    shapes.emplace_back(SphericalHarmonicModel(3, coefficients, Vector3::Zero()));
+    shapes.emplace_back(RadialModel(3, coefficients, Vector3::Zero()));
   }
   for (const ParameterCorrespondence& one : Compare(shapes))
   {
@@ -182,7 +181,7 @@ TEST(ParameterCorrespondence, BallsHaveNoFlips)
 TEST(ParameterCorrespondence, FailsForTwoShapesAndIfCancelled)
 {
   Random random(305);
-  const std::vector<SurfaceModel> shapes = VariantsOf(CentredTube(random, 3), random, 3, 0.1);
+  const std::vector<OrganModel> shapes = VariantsOf(CentredTube(random, 3), random, 3, 0.1);
   std::vector<ParameterCorrespondence> cases;
   EXPECT_FALSE(CompareParameters({shapes[0], shapes[1]}, {}, cases).IsOk());
   EXPECT_FALSE(CompareParameters(

@@ -1,9 +1,9 @@
 #include "ProcrustesAlignment.h"
 
 #include "ModelMeasures.h"
-#include "ParametricPhantoms.h"
 #include "RandomShapes.h"
 #include "SphericalHarmonicProjection.h"
+#include "SurfacePhantoms.h"
 #include "WorstCase.h"
 
 #include <Eigen/Geometry>
@@ -21,12 +21,12 @@ namespace
 using test::Random;
 using test::WorstCase;
 
-const SphericalHarmonicModel& Radial(const SurfaceModel& shape)
+const RadialModel& Radial(const OrganModel& shape)
 {
-  return std::get<SphericalHarmonicModel>(shape);
+  return std::get<RadialModel>(shape);
 }
 
-double LargestDifference(const SurfaceModel& a, const SurfaceModel& b)
+double LargestDifference(const OrganModel& a, const OrganModel& b)
 {
   WorstCase worst;
   for (std::size_t k = 0; k < Radial(a).Coefficients().size(); ++k)
@@ -36,14 +36,14 @@ double LargestDifference(const SurfaceModel& a, const SurfaceModel& b)
   return worst.Value();
 }
 
-SurfaceModel Organ(Random& random, int degree)
+OrganModel Organ(Random& random, int degree)
 {
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, degree);
-  return SphericalHarmonicModel(degree, organ.Coefficients(), Vector3::Zero());
+  const RadialModel organ = test::RandomOrgan(random, degree);
+  return RadialModel(degree, organ.Coefficients(), Vector3::Zero());
 }
 
 /// The shape with a relief of `size` mm more, turned by up to 0.3 rad.
-SurfaceModel Variant(Random& random, const SurfaceModel& shape, double size)
+OrganModel Variant(Random& random, const OrganModel& shape, double size)
 {
   std::vector<double> coefficients = Radial(shape).Coefficients();
   const std::vector<double> relief = test::RandomCoefficients(random, DegreeOf(shape), 1.0);
@@ -51,17 +51,17 @@ SurfaceModel Variant(Random& random, const SurfaceModel& shape, double size)
   {
     coefficients[k] += size * relief[k];
   }
-  const SphericalHarmonicModel varied(DegreeOf(shape), coefficients, Vector3::Zero());
+  const RadialModel varied(DegreeOf(shape), coefficients, Vector3::Zero());
   std::uniform_real_distribution<double> angle(0.0, 0.3);
   return TurnShape(
       varied, {Matrix3::Identity(),
                Eigen::AngleAxisd(angle(random), test::RandomDirection(random)).toRotationMatrix()});
 }
 
-std::vector<SurfaceModel> Variants(Random& random, int count, double size)
+std::vector<OrganModel> Variants(Random& random, int count, double size)
 {
-  const SurfaceModel organ = Organ(random, 6);
-  std::vector<SurfaceModel> shapes;
+  const OrganModel organ = Organ(random, 6);
+  std::vector<OrganModel> shapes;
   for (int i = 0; i < count; ++i)
   {
     shapes.push_back(Variant(random, organ, size));
@@ -69,8 +69,7 @@ std::vector<SurfaceModel> Variants(Random& random, int count, double size)
   return shapes;
 }
 
-ProcrustesResult Align(const std::vector<SurfaceModel>& shapes,
-                       const SurfaceModel* reference = nullptr,
+ProcrustesResult Align(const std::vector<OrganModel>& shapes, const OrganModel* reference = nullptr,
                        const ProcrustesSettings& settings = {})
 {
   ProcrustesResult result;
@@ -97,7 +96,7 @@ TEST(ProcrustesAlignment, TurnedCopiesBecomeOneShape)
 TEST(ProcrustesAlignment, OrderOfCasesDoesNotMatter)
 {
   Random random(82);
-  std::vector<SurfaceModel> shapes = Variants(random, 7, 0.4);
+  std::vector<OrganModel> shapes = Variants(random, 7, 0.4);
   const ProcrustesResult result = Align(shapes);
   std::reverse(shapes.begin(), shapes.end());
   const ProcrustesResult reversed = Align(shapes);
@@ -110,7 +109,7 @@ TEST(ProcrustesAlignment, OrderOfCasesDoesNotMatter)
 TEST(ProcrustesAlignment, VariesLessThanInThePatientsAxes)
 {
   Random random(83);
-  const std::vector<SurfaceModel> shapes = Variants(random, 7, 0.4);
+  const std::vector<OrganModel> shapes = Variants(random, 7, 0.4);
   const ProcrustesResult result = Align(shapes);
   const ShapeSuperposition mean(result.Mean);
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -126,8 +125,8 @@ TEST(ProcrustesAlignment, VariesLessThanInThePatientsAxes)
 TEST(ProcrustesAlignment, ReferenceKeepsCasesFromChangingEachOther)
 {
   Random random(84);
-  std::vector<SurfaceModel> shapes = Variants(random, 5, 0.4);
-  const SurfaceModel reference = Align(shapes).Mean;
+  std::vector<OrganModel> shapes = Variants(random, 5, 0.4);
+  const OrganModel reference = Align(shapes).Mean;
   const ProcrustesSettings scaled{true};
   const ProcrustesResult five = Align(shapes, &reference, scaled);
   shapes.push_back(Variant(random, shapes.front(), 1.5));
@@ -141,8 +140,8 @@ TEST(ProcrustesAlignment, ReferenceKeepsCasesFromChangingEachOther)
 TEST(ProcrustesAlignment, ScaledCopiesHaveTheMeanSize)
 {
   Random random(85);
-  const SurfaceModel organ = Organ(random, 4);
-  std::vector<SurfaceModel> shapes;
+  const OrganModel organ = Organ(random, 4);
+  std::vector<OrganModel> shapes;
   for (const double size : {0.8, 1.0, 1.5})
   {
     std::vector<double> coefficients = Radial(organ).Coefficients();
@@ -150,7 +149,7 @@ TEST(ProcrustesAlignment, ScaledCopiesHaveTheMeanSize)
     {
       c *= size;
     }
-    shapes.emplace_back(SphericalHarmonicModel(4, coefficients, Vector3::Zero()));
+    shapes.emplace_back(RadialModel(4, coefficients, Vector3::Zero()));
   }
   const ProcrustesResult result = Align(shapes, nullptr, {true});
   EXPECT_NEAR(result.Cases[0].Scale, 1.1 / 0.8, 1e-12);
@@ -161,7 +160,7 @@ TEST(ProcrustesAlignment, ScaledCopiesHaveTheMeanSize)
 TEST(ProcrustesAlignment, MirroredShapeIsReportedAndNotTurnedInto)
 {
   Random random(86);
-  std::vector<SurfaceModel> shapes = Variants(random, 8, 0.1);
+  std::vector<OrganModel> shapes = Variants(random, 8, 0.1);
   const Matrix3 mirror = Vector3(-1.0, 1.0, 1.0).asDiagonal();
   shapes.push_back(TurnShape(Align(shapes).Mean, {Matrix3::Identity(), mirror}));
   const ProcrustesResult result = Align(shapes);
@@ -176,13 +175,12 @@ TEST(ProcrustesAlignment, MirroredShapeIsReportedAndNotTurnedInto)
 // Half a turn about any of its axes leaves an ellipsoid as it is.
 TEST(ProcrustesAlignment, SymmetricBodiesAreAmbiguous)
 {
-  std::vector<SurfaceModel> shapes;
+  std::vector<OrganModel> shapes;
   for (const double x : {29.0, 30.0, 31.0})
   {
     const auto radius = [&](const Vector3& u)
     { return 1.0 / u.cwiseQuotient(Vector3(x, 22.0, 17.0)).norm(); };
-    shapes.emplace_back(
-        SphericalHarmonicModel(8, ProjectOnHarmonics(8, 40, radius), Vector3::Zero()));
+    shapes.emplace_back(RadialModel(8, ProjectOnHarmonics(8, 40, radius), Vector3::Zero()));
   }
   for (const ProcrustesCase& one : Align(shapes).Cases)
   {
@@ -195,7 +193,7 @@ TEST(ProcrustesAlignment, SymmetricBodiesAreAmbiguous)
 TEST(ProcrustesAlignment, FlippedCaseIsReported)
 {
   Random random(87);
-  std::vector<SurfaceModel> shapes = Variants(random, 8, 0.1);
+  std::vector<OrganModel> shapes = Variants(random, 8, 0.1);
   const ProcrustesResult before = Align(shapes);
   const Matrix3 flip = Eigen::AngleAxisd(M_PI, Vector3::UnitZ()).toRotationMatrix();
   shapes.push_back(TurnShape(before.Aligned[0], {Matrix3::Identity(), flip}));
@@ -207,11 +205,11 @@ TEST(ProcrustesAlignment, FlippedCaseIsReported)
 TEST(ProcrustesAlignment, SurfaceModelsWithOtherParametersBecomeOneShape)
 {
   Random random(88);
-  const ParametricSphericalSurface tube = test::BumpyTube(random, 5);
+  const SurfaceModel tube = test::BumpyTube(random, 5);
   BodyMoments body;
   ASSERT_TRUE(MeasureBody(tube, body).IsOk());
-  const SurfaceModel centred = tube.Transformed(Matrix3::Identity(), -body.CentroidWorld);
-  std::vector<SurfaceModel> shapes;
+  const OrganModel centred = tube.Transformed(Matrix3::Identity(), -body.CentroidWorld);
+  std::vector<OrganModel> shapes;
   for (int i = 0; i < 5; ++i)
   {
     const auto turn = [&](double angle)
@@ -228,14 +226,14 @@ TEST(ProcrustesAlignment, SurfaceModelsWithOtherParametersBecomeOneShape)
 TEST(ProcrustesAlignment, SizeDoesNotHideHowWellAShapeFits)
 {
   Random random(92);
-  const SurfaceModel reference = Organ(random, 5);
-  const SurfaceModel small = Variant(random, reference, 0.4);
+  const OrganModel reference = Organ(random, 5);
+  const OrganModel small = Variant(random, reference, 0.4);
   std::vector<double> coefficients = Radial(small).Coefficients();
   for (double& c : coefficients)
   {
     c *= 1.4;
   }
-  const SphericalHarmonicModel large(5, coefficients, Vector3::Zero());
+  const RadialModel large(5, coefficients, Vector3::Zero());
   const ProcrustesResult result = Align({small, large}, &reference);
   EXPECT_GT(result.Cases[1].Residual, result.Cases[0].Residual + 5.0); // mm
   EXPECT_NEAR(result.Cases[1].ShapeResidual, result.Cases[0].ShapeResidual, 1e-7);
@@ -246,8 +244,8 @@ TEST(ProcrustesAlignment, SizeDoesNotHideHowWellAShapeFits)
 TEST(ProcrustesAlignment, HalfTurnThatLeadsBackIsNotAmbiguous)
 {
   Random random(90);
-  const ParametricSphericalSurface tube = test::BumpyTube(random, 8);
-  std::vector<SurfaceModel> shapes;
+  const SurfaceModel tube = test::BumpyTube(random, 8);
+  std::vector<OrganModel> shapes;
   for (int i = 0; i < 6; ++i)
   {
     std::array<std::vector<double>, 3> coefficients;
@@ -259,7 +257,7 @@ TEST(ProcrustesAlignment, HalfTurnThatLeadsBackIsNotAmbiguous)
       std::transform(sums.begin(), sums.end(), relief.begin(), sums.begin(), std::plus<>());
       sums[0] = 0.0;
     }
-    shapes.emplace_back(ParametricSphericalSurface(8, coefficients));
+    shapes.emplace_back(SurfaceModel(8, coefficients));
   }
   for (const ProcrustesCase& one : Align(shapes).Cases)
   {
@@ -271,7 +269,7 @@ TEST(ProcrustesAlignment, HalfTurnThatLeadsBackIsNotAmbiguous)
 TEST(ProcrustesAlignment, ProgressGrowsAndCancels)
 {
   Random random(93);
-  const std::vector<SurfaceModel> shapes = Variants(random, 5, 0.4);
+  const std::vector<OrganModel> shapes = Variants(random, 5, 0.4);
   double last = -1.0;
   bool grows = true;
   const KernelProgress watch = [&](double done)
@@ -294,14 +292,14 @@ TEST(ProcrustesAlignment, ProgressGrowsAndCancels)
 TEST(ProcrustesAlignment, RejectsWhatCannotBeAligned)
 {
   Random random(89);
-  const SurfaceModel organ = Organ(random, 3);
-  const SurfaceModel finer = Organ(random, 4);
-  const SurfaceModel tube = test::BumpyTube(random, 3);
+  const OrganModel organ = Organ(random, 3);
+  const OrganModel finer = Organ(random, 4);
+  const OrganModel tube = test::BumpyTube(random, 3);
   ProcrustesResult result;
   EXPECT_FALSE(AlignByProcrustes({}, nullptr, {}, result).IsOk());
   EXPECT_FALSE(AlignByProcrustes({organ}, &tube, {}, result).IsOk());
   EXPECT_FALSE(AlignByProcrustes({organ}, &finer, {}, result).IsOk());
-  EXPECT_FALSE(AlignByProcrustes({organ, SphericalHarmonicModel()}, nullptr, {}, result).IsOk());
+  EXPECT_FALSE(AlignByProcrustes({organ, RadialModel()}, nullptr, {}, result).IsOk());
 }
 } // namespace
 } // namespace palpate::procrustes_alignment_test

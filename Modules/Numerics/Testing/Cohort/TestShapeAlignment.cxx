@@ -1,9 +1,9 @@
 #include "ShapeAlignment.h"
 
 #include "ModelMeasures.h"
-#include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
+#include "SurfacePhantoms.h"
 #include "TurnedModel.h"
 #include "WorstCase.h"
 
@@ -17,9 +17,9 @@ namespace
 using test::Random;
 using test::WorstCase;
 
-SphericalHarmonicModel Align(const SphericalHarmonicModel& model, AlignmentAxes axes)
+RadialModel Align(const RadialModel& model, AlignmentAxes axes)
 {
-  SphericalHarmonicModel aligned;
+  RadialModel aligned;
   const Status status = AlignShape(model, axes, aligned);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return aligned;
@@ -28,8 +28,8 @@ SphericalHarmonicModel Align(const SphericalHarmonicModel& model, AlignmentAxes 
 TEST(ShapeAlignment, PatientAxesOnlyMoveTheCentre)
 {
   Random random(1);
-  const SphericalHarmonicModel model = test::RandomOrgan(random, 7);
-  const SphericalHarmonicModel aligned = Align(model, AlignmentAxes::Patient);
+  const RadialModel model = test::RandomOrgan(random, 7);
+  const RadialModel aligned = Align(model, AlignmentAxes::Patient);
   EXPECT_EQ(aligned.Coefficients(), model.Coefficients());
   EXPECT_EQ(aligned.CenterWorld(), Vector3::Zero());
 }
@@ -40,9 +40,9 @@ TEST(ShapeAlignment, RotatedCopiesAlign)
   WorstCase worst;
   for (int trial = 0; trial < 50; ++trial)
   {
-    const SphericalHarmonicModel model = test::RandomOrgan(random, 2 + trial % 9);
-    const SphericalHarmonicModel aligned = Align(model, AlignmentAxes::Ellipsoid);
-    const SphericalHarmonicModel copy =
+    const RadialModel model = test::RandomOrgan(random, 2 + trial % 9);
+    const RadialModel aligned = Align(model, AlignmentAxes::Ellipsoid);
+    const RadialModel copy =
         Align(test::TurnedModel(model, test::RandomOrientation(random), {5.0, -70.0, 11.0}),
               AlignmentAxes::Ellipsoid);
     for (std::size_t k = 0; k < aligned.Coefficients().size(); ++k)
@@ -71,7 +71,7 @@ TEST(ShapeAlignment, ExtendsMostAlongXAndLeastAlongZ)
 }
 
 // Slow reference for the third moment: a sum over thin shells of a grid of voxels.
-double ThirdMoment(const SphericalHarmonicModel& model, int axis)
+double ThirdMoment(const RadialModel& model, int axis)
 {
   BodyMoments body;
   EXPECT_TRUE(MeasureBody(model, body).IsOk());
@@ -98,8 +98,7 @@ TEST(ShapeAlignment, MostSkewedAxesPointToLongerTail)
   Random random(4);
   for (int trial = 0; trial < 5; ++trial)
   {
-    const SphericalHarmonicModel aligned =
-        Align(test::RandomOrgan(random, 4), AlignmentAxes::Ellipsoid);
+    const RadialModel aligned = Align(test::RandomOrgan(random, 4), AlignmentAxes::Ellipsoid);
     int positive = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -109,15 +108,15 @@ TEST(ShapeAlignment, MostSkewedAxesPointToLongerTail)
   }
 }
 
-ParametricSphericalSurface Align(const ParametricSphericalSurface& surface, AlignmentAxes axes)
+SurfaceModel Align(const SurfaceModel& surface, AlignmentAxes axes)
 {
-  ParametricSphericalSurface aligned = surface;
+  SurfaceModel aligned = surface;
   const Status status = AlignShape(surface, axes, aligned);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return aligned;
 }
 
-double LargestDifference(const ParametricSphericalSurface& a, const ParametricSphericalSurface& b)
+double LargestDifference(const SurfaceModel& a, const SurfaceModel& b)
 {
   WorstCase worst;
   for (int axis = 0; axis < 3; ++axis)
@@ -130,50 +129,47 @@ double LargestDifference(const ParametricSphericalSurface& a, const ParametricSp
   return worst.Value();
 }
 
-TEST(ShapeAlignment, ParametricSurfacesAlignLikeTheStarShapedOnesTheyAre)
+TEST(ShapeAlignment, SurfaceModelsAlignLikeTheStarShapedOnesTheyAre)
 {
   Random random(5);
   for (int trial = 0; trial < 5; ++trial)
   {
-    const SphericalHarmonicModel model = test::RandomOrgan(random, 4);
-    const ParametricSphericalSurface aligned =
-        Align(ParametricSphericalSurface::FromModel(model), AlignmentAxes::Ellipsoid);
+    const RadialModel model = test::RandomOrgan(random, 4);
+    const SurfaceModel aligned = Align(SurfaceModel::FromModel(model), AlignmentAxes::Ellipsoid);
     BodyMoments body;
-    BodyMoments parametric;
+    BodyMoments mapped;
     ASSERT_TRUE(MeasureBody(Align(model, AlignmentAxes::Ellipsoid), body).IsOk());
-    ASSERT_TRUE(MeasureBody(aligned, parametric).IsOk());
-    EXPECT_LT((body.SecondMoments - parametric.SecondMoments).norm(),
-              1e-9 * body.SecondMoments.norm());
-    EXPECT_LT(parametric.CentroidWorld.norm(), 1e-9);
-    // The same signs: the point of a direction of the star-shaped one lies on the other.
-    const SphericalHarmonicModel star = Align(model, AlignmentAxes::Ellipsoid);
+    ASSERT_TRUE(MeasureBody(aligned, mapped).IsOk());
+    EXPECT_LT((body.SecondMoments - mapped.SecondMoments).norm(), 1e-9 * body.SecondMoments.norm());
+    EXPECT_LT(mapped.CentroidWorld.norm(), 1e-9);
+    // The same signs: the point of a direction of the radial one lies on the other.
+    const RadialModel star = Align(model, AlignmentAxes::Ellipsoid);
     const Vector3 along = star.PointWorld(Vector3::UnitX()) - body.CentroidWorld;
     EXPECT_LT((aligned.Point(Vector3::UnitX()) - along).norm(), 1e-9);
   }
 }
 
-TEST(ShapeAlignment, RotatedCopiesOfParametricSurfacesAlign)
+TEST(ShapeAlignment, RotatedCopiesOfSurfaceModelsAlign)
 {
   Random random(6);
   double worst = 0.0;
   for (int trial = 0; trial < 5; ++trial)
   {
-    const ParametricSphericalSurface tube = test::BumpyTube(random, 8);
+    const SurfaceModel tube = test::BumpyTube(random, 8);
     const Matrix3 turn = test::RandomOrientation(random);
-    const ParametricSphericalSurface copy =
+    const SurfaceModel copy =
         tube.Transformed(turn, Vector3(7.0, -31.0, 12.0)).Reparametrized(turn.transpose());
     worst = std::max(worst, LargestDifference(Align(tube, AlignmentAxes::Ellipsoid),
                                               Align(copy, AlignmentAxes::Ellipsoid)));
   }
-  EXPECT_LE(worst, 1e-8); // mm; as for star-shaped ones, coefficients are larger
+  EXPECT_LE(worst, 1e-8); // mm; as for radial ones, coefficients are larger
 }
 
 TEST(ShapeAlignment, RejectsModelWithoutVolume)
 {
-  SphericalHarmonicModel aligned;
-  EXPECT_FALSE(AlignShape(SphericalHarmonicModel(), AlignmentAxes::Patient, aligned).IsOk());
-  const SphericalHarmonicModel broken(0, {std::numeric_limits<double>::quiet_NaN()},
-                                      Vector3::Zero());
+  RadialModel aligned;
+  EXPECT_FALSE(AlignShape(RadialModel(), AlignmentAxes::Patient, aligned).IsOk());
+  const RadialModel broken(0, {std::numeric_limits<double>::quiet_NaN()}, Vector3::Zero());
   EXPECT_FALSE(AlignShape(broken, AlignmentAxes::Ellipsoid, aligned).IsOk());
 }
 } // namespace

@@ -1,9 +1,9 @@
 #include "ShapeSuperposition.h"
 
 #include "ModelMeasures.h"
-#include "ParametricPhantoms.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
+#include "SurfacePhantoms.h"
 #include "WorstCase.h"
 
 #include <Eigen/Geometry>
@@ -24,12 +24,12 @@ Matrix3 Turn(Random& random, double angle)
   return Eigen::AngleAxisd(angle, test::RandomDirection(random)).toRotationMatrix();
 }
 
-SurfaceModel Centred(const SphericalHarmonicModel& organ)
+OrganModel Centred(const RadialModel& organ)
 {
-  return SphericalHarmonicModel(organ.Degree(), organ.Coefficients(), Vector3::Zero());
+  return RadialModel(organ.Degree(), organ.Coefficients(), Vector3::Zero());
 }
 
-SurfaceModel Centred(const ParametricSphericalSurface& surface)
+OrganModel Centred(const SurfaceModel& surface)
 {
   BodyMoments body;
   EXPECT_TRUE(MeasureBody(surface, body).IsOk());
@@ -43,9 +43,9 @@ TEST(ShapeSuperposition, KnownRotationOfARadialModelIsRecovered)
   WorstCase residual;
   for (int trial = 0; trial < 20; ++trial)
   {
-    const SurfaceModel organ = Centred(test::RandomOrgan(random, 3 + trial % 8));
+    const OrganModel organ = Centred(test::RandomOrgan(random, 3 + trial % 8));
     const Matrix3 turn = Turn(random, 0.5);
-    const SurfaceModel turned = TurnShape(organ, {Matrix3::Identity(), turn});
+    const OrganModel turned = TurnShape(organ, {Matrix3::Identity(), turn});
     const SuperposedShape found = ShapeSuperposition(organ).Fit(turned, {});
     worst.Add((found.Rotation.Parameters * turn - Matrix3::Identity()).norm());
     residual.Add(found.Residual);
@@ -61,7 +61,7 @@ TEST(ShapeSuperposition, KnownRotationsOfBodyAndParametersAreRecovered)
   WorstCase worst;
   for (int trial = 0; trial < 5; ++trial)
   {
-    const SurfaceModel tube = Centred(test::BumpyTube(random, 6));
+    const OrganModel tube = Centred(test::BumpyTube(random, 6));
     const SphereRotation turn{Turn(random, 0.3), Turn(random, 0.4)};
     const SuperposedShape found = ShapeSuperposition(tube).Fit(TurnShape(tube, turn), {});
     worst.Add((found.Rotation.Body * turn.Body - Matrix3::Identity()).norm());
@@ -77,8 +77,8 @@ TEST(ShapeSuperposition, PolarFactorFindsAnyRotationOfTheParameters)
   WorstCase worst;
   for (int trial = 0; trial < 5; ++trial)
   {
-    const SurfaceModel tube = Centred(test::BumpyTube(random, 6));
-    const SurfaceModel turned =
+    const OrganModel tube = Centred(test::BumpyTube(random, 6));
+    const OrganModel turned =
         TurnShape(tube, {Matrix3::Identity(), test::RandomOrientation(random)});
     const ShapeSuperposition target(tube);
     worst.Add(target.Fit(turned, target.StartFor(turned, Matrix3::Identity())).Residual);
@@ -90,8 +90,8 @@ TEST(ShapeSuperposition, PolarFactorFindsAnyRotationOfTheParameters)
 template <typename Shapes>
 void ExpectOptimum(const Shapes& shape, bool hasBody, Random& random)
 {
-  const SurfaceModel target = shape();
-  const SurfaceModel other = shape();
+  const OrganModel target = shape();
+  const OrganModel other = shape();
   const ShapeSuperposition superposition(target);
   const SuperposedShape found = superposition.Fit(other, {});
   for (int trial = 0; trial < 20; ++trial)
@@ -102,17 +102,17 @@ void ExpectOptimum(const Shapes& shape, bool hasBody, Random& random)
     {
       near.Body = Turn(random, 1e-3) * near.Body;
     }
-    const SurfaceModel turned = TurnShape(other, near);
+    const OrganModel turned = TurnShape(other, near);
     double squares = 0.0;
     const SphereQuadrature sphere(2 * DegreeOf(target));
     for (std::size_t i = 0; i < sphere.Directions.size(); ++i)
     {
-      const auto point = [&](const SurfaceModel& model)
+      const auto point = [&](const OrganModel& model)
       {
-        const auto* radial = std::get_if<SphericalHarmonicModel>(&model);
+        const auto* radial = std::get_if<RadialModel>(&model);
         return radial != nullptr
                    ? Vector3(radial->Radius(sphere.Directions[i]) * sphere.Directions[i])
-                   : std::get<ParametricSphericalSurface>(model).Point(sphere.Directions[i]);
+                   : std::get<SurfaceModel>(model).Point(sphere.Directions[i]);
       };
       squares += sphere.Weights[i] * (point(turned) - point(target)).squaredNorm();
     }
@@ -130,19 +130,19 @@ TEST(ShapeSuperposition, DifferentShapesReachAnOptimum)
 TEST(ShapeSuperposition, TurnedShapeHasTheSameBody)
 {
   Random random(75);
-  const SurfaceModel tube = Centred(test::BumpyTube(random, 5));
+  const OrganModel tube = Centred(test::BumpyTube(random, 5));
   const SphereRotation turn{test::RandomOrientation(random), test::RandomOrientation(random)};
-  const auto turned = std::get<ParametricSphericalSurface>(TurnShape(tube, turn));
+  const auto turned = std::get<SurfaceModel>(TurnShape(tube, turn));
   const Vector3 parameter = test::RandomDirection(random);
-  const Vector3 expected = turn.Body * std::get<ParametricSphericalSurface>(tube).Point(
-                                           turn.Parameters.transpose() * parameter);
+  const Vector3 expected =
+      turn.Body * std::get<SurfaceModel>(tube).Point(turn.Parameters.transpose() * parameter);
   EXPECT_LE((turned.Point(parameter) - expected).norm(), 1e-11);
   EXPECT_NEAR(RmsSizeOf(turned), RmsSizeOf(tube), 1e-11);
 }
 
 TEST(ShapeSuperposition, BallStaysAsItIs)
 {
-  const SphericalHarmonicModel ball(
+  const RadialModel ball(
       4,
       []
       {

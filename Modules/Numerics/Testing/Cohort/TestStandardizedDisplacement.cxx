@@ -1,7 +1,7 @@
 #include "StandardizedDisplacement.h"
 
-#include "ParametricPhantoms.h"
 #include "RandomScatter.h"
+#include "SurfacePhantoms.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Eigen::VectorXd Flat(const std::vector<double>& values)
 TEST(StandardizedDisplacement, IsThatOfTheOtherCasesAtEachPoint)
 {
   Random random(61);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 4);
+  const RadialModel organ = test::RandomOrgan(random, 4);
   const Eigen::MatrixXd offsets = test::NormalMatrix(random, 12, 25);
   const ShapeModes modes = ModesAround(Flat(organ.Coefficients()), offsets);
   const NormalDisplacement mean = FindNormalDisplacement(organ, Frequency);
@@ -55,7 +55,7 @@ TEST(StandardizedDisplacement, OfSpheresIsTheirRadiusOverItsDeviation)
   Eigen::MatrixXd radii(4, 1);
   radii << -1.0, 0.0, 1.0, 3.0;
   const double perRadius = std::sqrt(4.0 * M_PI);
-  const SphericalHarmonicModel mean(0, {20.75 * perRadius}, Vector3::Zero());
+  const RadialModel mean(0, {20.75 * perRadius}, Vector3::Zero());
   const ShapeModes modes =
       ModesAround(Eigen::VectorXd::Constant(1, 20.0 * perRadius), radii * perRadius);
   const StandardizedDisplacement standardized(FindNormalDisplacement(mean, Frequency), modes);
@@ -68,7 +68,7 @@ TEST(StandardizedDisplacement, OfSpheresIsTheirRadiusOverItsDeviation)
 TEST(StandardizedDisplacement, OfMovedSurfacesIsTheNormalPartOfTheMove)
 {
   // Three of the cases are moved, each along one axis.
-  const ParametricSphericalSurface ball = test::EllipsoidPhantom(Vector3(10.0, 10.0, 10.0));
+  const SurfaceModel ball = test::EllipsoidPhantom(Vector3(10.0, 10.0, 10.0));
   const NormalDisplacement mean = FindNormalDisplacement(ball, 1);
   Eigen::MatrixXd offsets = Eigen::MatrixXd::Zero(4, 12);
   offsets(1, 8) = 1.0;
@@ -89,7 +89,7 @@ TEST(StandardizedDisplacement, OfMovedSurfacesIsTheNormalPartOfTheMove)
 TEST(StandardizedDisplacement, NeedsTwoOtherCases)
 {
   Random random(62);
-  const SphericalHarmonicModel organ = test::RandomOrgan(random, 2);
+  const RadialModel organ = test::RandomOrgan(random, 2);
   const ShapeModes modes =
       ModesAround(Flat(organ.Coefficients()), test::NormalMatrix(random, 2, 9));
   const StandardizedDisplacement standardized(FindNormalDisplacement(organ, 1), modes);

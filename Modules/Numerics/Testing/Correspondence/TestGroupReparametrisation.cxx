@@ -2,8 +2,8 @@
 
 #include "IcosahedronDirections.h"
 #include "MeshDistances.h"
-#include "ParametricPhantoms.h"
 #include "ReparametrisedSurface.h"
+#include "SurfacePhantoms.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@ namespace palpate::group_reparametrisation_test
 namespace
 {
 using test::Random;
-using Surfaces = std::vector<ParametricSphericalSurface>;
+using Surfaces = std::vector<SurfaceModel>;
 
 constexpr int Degree = 10;
 
 // About the origin; no symmetry, relief of some millimetres.
-ParametricSphericalSurface Body(double stretch, double bulge)
+SurfaceModel Body(double stretch, double bulge)
 {
   return test::ProjectMap(Degree,
                           [=](const Vector3& u)
@@ -77,8 +77,7 @@ ReparametrisationResult ResultOf(const Surfaces& surfaces,
   return result;
 }
 
-double LargestDifference(const ParametricSphericalSurface& one,
-                         const ParametricSphericalSurface& other)
+double LargestDifference(const SurfaceModel& one, const SurfaceModel& other)
 {
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -122,7 +121,7 @@ TEST(GroupReparametrisation, SurfacesStayWithinTheTolerance)
   settings.ToleranceMillimeters = 0.05;
   const ReparametrisationResult result = ResultOf(before, settings);
   const IcosahedronDirections sphere(24);
-  const auto mesh = [&](const ParametricSphericalSurface& surface)
+  const auto mesh = [&](const SurfaceModel& surface)
   {
     IndexedMesh made;
     made.Triangles = sphere.Triangles();
@@ -199,7 +198,7 @@ TEST(GroupReparametrisation, LeavesAllAloneIfNoChangeIsTolerated)
 TEST(GroupReparametrisation, RefusesWhatIsNoGroup)
 {
   ReparametrisationResult result;
-  const ParametricSphericalSurface body = Body(1.0, 5.0);
+  const SurfaceModel body = Body(1.0, 5.0);
   EXPECT_FALSE(ReparametriseGroup({body, body}, {}, result).IsOk());
   EXPECT_FALSE(ReparametriseGroup({body, body, body.WithDegree(8)}, {}, result).IsOk());
   std::array<std::vector<double>, 3> broken{
@@ -228,7 +227,7 @@ TEST(GroupReparametrisation, CancelsWithinARound)
 TEST(Reparametrise, KeepsTheSurfaceAndMovesItsParameters)
 {
   Random random(23);
-  const ParametricSphericalSurface body = Body(1.0, 5.0);
+  const SurfaceModel body = Body(1.0, 5.0);
   const SphereFlow flow = SmallFlow(random, 0.05);
   const ReparametrisedSurface moved = Reparametrise(body, flow);
   EXPECT_TRUE(moved.IsOneToOne);

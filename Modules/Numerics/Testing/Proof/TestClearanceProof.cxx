@@ -22,7 +22,7 @@ constexpr int ProvingEvaluations = 20000;
 class Glide
 {
 public:
-  Glide(const SphericalHarmonicModel& model, Random& random) : Model(model), Direction(random) {}
+  Glide(const RadialModel& model, Random& random) : Model(model), Direction(random) {}
   Vector3 Next(double height)
   {
     const Vector3& u = this->Direction.Next(0.004);
@@ -30,7 +30,7 @@ public:
   }
 
 private:
-  const SphericalHarmonicModel& Model;
+  const RadialModel& Model;
   test::WanderingDirection Direction;
 };
 
@@ -38,8 +38,8 @@ class ClearanceProofOfDegree : public testing::TestWithParam<int>
 {
 protected:
   Random Source{static_cast<unsigned>(1600 + GetParam())};
-  const SphericalHarmonicModel Rough = test::RandomRough(Source, GetParam(), 20.0);
-  const ClosestPointSearch Search{std::make_shared<const SphericalHarmonicModel>(Rough)};
+  const RadialModel Rough = test::RandomRough(Source, GetParam(), 20.0);
+  const ClosestPointSearch Search{std::make_shared<const RadialModel>(Rough)};
 };
 
 TEST_P(ClearanceProofOfDegree, AgreesWithGlobalSearch)
@@ -166,8 +166,8 @@ TEST(ClearanceProof, AnyLittleWorkEnds)
 {
   constexpr int Most = 2000; // times
   Random random(947);
-  const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
-  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(rough));
+  const RadialModel rough = test::RandomRough(random, 12, 20.0);
+  const ClosestPointSearch search(std::make_shared<const RadialModel>(rough));
   for (int little = 8; little <= 16; ++little)
   {
     for (int trial = 0; trial < 10; ++trial)
@@ -188,8 +188,8 @@ TEST(ClearanceProof, AnyLittleWorkEnds)
 TEST(ClearanceProof, IsDeterministic)
 {
   Random random(1649);
-  const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
-  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(rough));
+  const RadialModel rough = test::RandomRough(random, 12, 20.0);
+  const ClosestPointSearch search(std::make_shared<const RadialModel>(rough));
   ClearanceProof one(search, 3.0, 1e-4);
   ClearanceProof other(search, 3.0, 1e-4);
   Glide glide(rough, random);
@@ -213,8 +213,8 @@ TEST(ClearanceProof, IsDeterministic)
 TEST(ClearanceProof, LongPathsKeepBoundsValid)
 {
   Random random(1650);
-  const SphericalHarmonicModel rough = test::RandomRough(random, 12, 20.0);
-  const ClosestPointSearch search(std::make_shared<const SphericalHarmonicModel>(rough));
+  const RadialModel rough = test::RandomRough(random, 12, 20.0);
+  const ClosestPointSearch search(std::make_shared<const RadialModel>(rough));
   ClearanceProof proof(search, 2.0, 1e-4);
   for (int step = 0; step < 200; ++step)
   {

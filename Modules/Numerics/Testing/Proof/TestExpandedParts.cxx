@@ -1,8 +1,8 @@
 #include "ExpandedParts.h"
 
-#include "ParametricPhantoms.h"
-#include "ParametricSample.h"
+#include "CenteredSurfaceSample.h"
 #include "SphericalTriangle.h"
+#include "SurfacePhantoms.h"
 
 #include <array>
 #include <gtest/gtest.h>
@@ -13,17 +13,17 @@ namespace palpate::expanded_parts_test
 namespace
 {
 using test::Random;
-using Descent = ClosestPointDescentOf<ParametricShape>;
+using Descent = ClosestPointDescentOf<CenteredSurface>;
 
 struct Part
 {
   SphericalCap Cap;
-  ParametricShape::SecondOrderSample Sample;
+  CenteredSurface::SecondOrderSample Sample;
   Descent::CapBounds Bounds;
 };
 
 // Over the cap of a random triangle, quartered up to seven times.
-Part RandomPart(const ParametricShape& shape, const Descent& descent, Random& random)
+Part RandomPart(const CenteredSurface& shape, const Descent& descent, Random& random)
 {
   SphericalTriangle triangle = SphericalTriangle::Icosahedron()[random() % 20];
   for (std::size_t split = random() % 8; split > 0; --split)
@@ -48,7 +48,7 @@ std::vector<InstructionSet> SupportedSets()
 TEST(ExpandedParts, FourBoundsAreThoseOfEachPart)
 {
   Random random(9411);
-  const ParametricShape shape(test::BumpyTube(random));
+  const CenteredSurface shape(test::BumpyTube(random));
   const Descent descent(shape);
   std::uniform_real_distribution<double> height(-8.0, 8.0); // mm
   for (int trial = 0; trial < 2000; ++trial)
@@ -85,7 +85,7 @@ TEST(ExpandedParts, FourBoundsAreThoseOfEachPart)
 TEST(ExpandedParts, MissingPartsDoNotDisturbTheOthers)
 {
   Random random(9412);
-  const ParametricShape shape(test::Bowl());
+  const CenteredSurface shape(test::Bowl());
   const Descent descent(shape);
   const Part part = RandomPart(shape, descent, random);
   const Vector3 place = part.Sample.Point + 3.0 * NormalOf(part.Sample);
@@ -109,7 +109,7 @@ TEST(ExpandedParts, MissingPartsDoNotDisturbTheOthers)
 TEST(ExpandedParts, ForgottenPartsHaveNoBound)
 {
   Random random(9413);
-  const ParametricShape shape(test::Bowl());
+  const CenteredSurface shape(test::Bowl());
   const Descent descent(shape);
   ExpandedParts parts;
   Part part{};
@@ -136,7 +136,7 @@ TEST(ExpandedParts, ForgottenPartsHaveNoBound)
 TEST(ExpandedParts, PointAndExtentEncloseThePart)
 {
   Random random(9414);
-  const ParametricShape shape(test::BumpyTube(random));
+  const CenteredSurface shape(test::BumpyTube(random));
   const Descent descent(shape);
   ExpandedParts parts;
   for (int trial = 0; trial < 200; ++trial)

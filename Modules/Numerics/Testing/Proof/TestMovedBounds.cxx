@@ -1,7 +1,7 @@
 #include "MovedBounds.h"
 
-#include "ParametricPhantoms.h"
 #include "SphericalTriangle.h"
+#include "SurfacePhantoms.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ struct SampledPart
 };
 
 // Of a random triangle of parameters, quartered up to five times.
-SampledPart RandomPart(const ParametricSphericalSurface& surface, Random& random)
+SampledPart RandomPart(const SurfaceModel& surface, Random& random)
 {
   constexpr int Samples = 24; // along a side
   SphericalTriangle triangle = SphericalTriangle::Icosahedron()[random() % 20];
@@ -58,7 +58,7 @@ SampledPart RandomPart(const ParametricSphericalSurface& surface, Random& random
 TEST(MovedBounds, AreLowerBoundsWhereverThePlaceMoves)
 {
   Random random(9401);
-  const ParametricSphericalSurface surface = test::BumpyTube(random);
+  const SurfaceModel surface = test::BumpyTube(random);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (int trial = 0; trial < 300; ++trial)
   {

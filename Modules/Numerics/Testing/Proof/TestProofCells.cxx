@@ -1,7 +1,7 @@
 #include "ProofCells.h"
 
-#include "ParametricPhantoms.h"
-#include "ParametricSample.h"
+#include "CenteredSurfaceSample.h"
+#include "SurfacePhantoms.h"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -11,13 +11,13 @@ namespace palpate::proof_cells_test
 namespace
 {
 using test::Random;
-using Cells = ProofCells<ParametricShape>;
-using Search = ClosestPointSearchOf<ParametricShape>;
+using Cells = ProofCells<CenteredSurface>;
+using Search = ClosestPointSearchOf<CenteredSurface>;
 
-std::shared_ptr<const ParametricShape> Tube()
+std::shared_ptr<const CenteredSurface> Tube()
 {
   Random random(9521);
-  return std::make_shared<ParametricShape>(test::BumpyTube(random));
+  return std::make_shared<CenteredSurface>(test::BumpyTube(random));
 }
 
 // Cuts the cell of this number, and one of the parts at random, down to a finest node; returns its
@@ -40,7 +40,7 @@ protected:
     this->Cut->Begin(this->Searched);
   }
 
-  std::shared_ptr<const ParametricShape> Shape;
+  std::shared_ptr<const CenteredSurface> Shape;
   Search Searched;
   std::unique_ptr<Cells> Cut;
 };
@@ -74,7 +74,7 @@ TEST_F(ProofCellsOfATube, FinestNodesAreExpandedWithoutBeingEvaluated)
   Random random(9522);
   const auto& descent = this->Searched.Descent();
   std::uniform_real_distribution<double> height(0.5, 8.0); // mm
-  for (std::size_t root = 0; root < SurfacePatchTreeOf<ParametricShape>::RootCount; ++root)
+  for (std::size_t root = 0; root < SurfacePatchTreeOf<CenteredSurface>::RootCount; ++root)
   {
     EXPECT_EQ(this->Cut->ExpandedOf(root / Cells::Count), nullptr);
     const std::size_t group = CutToFinest(*this->Cut, this->Searched, root, random);

@@ -1,7 +1,7 @@
 #include "CrossingRemedy.h"
 
 #include "MeshCrossings.h"
-#include "ParametricFit.h"
+#include "SurfaceModelFit.h"
 #include "SurfaceTessellation.h"
 
 #include <algorithm>
@@ -86,20 +86,20 @@ MappedMesh UnevenPlate(double unevenness)
   return plate;
 }
 
-ParametricFitResult Fitted(const MappedMesh& mapped, int degree, int separations, int refits = 4)
+SurfaceModelFitResult Fitted(const MappedMesh& mapped, int degree, int separations, int refits = 4)
 {
-  ParametricFitOptions options;
+  SurfaceModelFitOptions options;
   options.Degree = degree;
   options.Refits = refits;
   options.MostSeparations = separations;
-  ParametricFitResult result;
-  const Status status = FitParametricSurface(mapped.Mesh, mapped.Parameters, options, result);
+  SurfaceModelFitResult result;
+  const Status status = FitSurfaceModel(mapped.Mesh, mapped.Parameters, options, result);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return result;
 }
 
 // By finer triangles than those in which the fit looks for them.
-std::int64_t CrossingsOf(const ParametricSphericalSurface& surface)
+std::int64_t CrossingsOf(const SurfaceModel& surface)
 {
   const IndexedMesh mesh = Tessellated(surface, IcosahedronDirections(5 * surface.Degree()));
   MeshCrossings found;
@@ -107,7 +107,7 @@ std::int64_t CrossingsOf(const ParametricSphericalSurface& surface)
   return found.Count;
 }
 
-CrossingRemedy RemedyFor(const ParametricSphericalSurface& surface, const MappedMesh& mapped)
+CrossingRemedy RemedyFor(const SurfaceModel& surface, const MappedMesh& mapped)
 {
   CrossingRemedy remedy;
   EXPECT_TRUE(FindCrossingRemedy(surface, SampleMesh(mapped.Mesh, mapped.Parameters, 1.0),
@@ -138,18 +138,18 @@ TEST(CrossingRemedy, SurfacesOfDegreeOneAndLessNeedNone)
 TEST(CrossingRemedy, FitIsCancelledWhileItIsTakenApart)
 {
   const MappedMesh ring = OpenRing(0.3);
-  ParametricFitOptions options;
+  SurfaceModelFitOptions options;
   options.Degree = 8;
-  ParametricFitResult result;
-  EXPECT_FALSE(FitParametricSurface(ring.Mesh, ring.Parameters, options, result,
-                                    [](double part) { return part < 0.85; })
+  SurfaceModelFitResult result;
+  EXPECT_FALSE(FitSurfaceModel(ring.Mesh, ring.Parameters, options, result,
+                               [](double part) { return part < 0.85; })
                    .IsOk());
 }
 
 TEST(CrossingRemedy, BothSidesOfAGapRetreat)
 {
   const MappedMesh ring = OpenRing(0.3);
-  ParametricFitResult fit = Fitted(ring, 8, 0);
+  SurfaceModelFitResult fit = Fitted(ring, 8, 0);
   const CrossingRemedy remedy = RemedyFor(fit.Surface, {ring.Mesh, fit.Parameters});
   ASSERT_GT(remedy.Crossings, 0);
   EXPECT_FALSE(remedy.HasPleats());
@@ -172,7 +172,7 @@ TEST(CrossingRemedy, BothSidesOfAGapRetreat)
 
 TEST(CrossingRemedy, BothFacesOfAThinWallMoveOutwards)
 {
-  const ParametricSphericalSurface inverted = Fitted(Disc(-1.0), 8, 0, 0).Surface;
+  const SurfaceModel inverted = Fitted(Disc(-1.0), 8, 0, 0).Surface;
   const CrossingRemedy remedy = RemedyFor(inverted, Disc(0.3));
   ASSERT_GT(remedy.Crossings, 0);
   EXPECT_FALSE(remedy.HasPleats());
@@ -193,7 +193,7 @@ TEST(CrossingRemedy, CrossingsOnlyAsDrawnCountToo)
     }
     return disc;
   };
-  const ParametricSphericalSurface surface = Fitted(tilted(Disc(-0.01)), 6, 0, 0).Surface;
+  const SurfaceModel surface = Fitted(tilted(Disc(-0.01)), 6, 0, 0).Surface;
   MeshCrossings finer;
   ASSERT_TRUE(FindMeshCrossings(Tessellated(surface, IcosahedronDirections(12)), {}, finer).IsOk());
   ASSERT_EQ(finer.Count, 0);
@@ -203,7 +203,7 @@ TEST(CrossingRemedy, CrossingsOnlyAsDrawnCountToo)
 TEST(CrossingRemedy, PleatsAreToldFromSheetsThatMeet)
 {
   const MappedMesh plate = UnevenPlate(3.0);
-  const ParametricFitResult fit = Fitted(plate, 8, 0);
+  const SurfaceModelFitResult fit = Fitted(plate, 8, 0);
   const CrossingRemedy remedy = RemedyFor(fit.Surface, {plate.Mesh, fit.Parameters});
   ASSERT_GT(remedy.Crossings, 0);
   EXPECT_TRUE(remedy.HasPleats());
@@ -218,8 +218,8 @@ class FitAcrossAGap : public testing::TestWithParam<int>
 TEST_P(FitAcrossAGap, DoesNotCrossItself)
 {
   const MappedMesh ring = OpenRing(0.3);
-  const ParametricFitResult before = Fitted(ring, GetParam(), 0);
-  const ParametricFitResult after = Fitted(ring, GetParam(), 12);
+  const SurfaceModelFitResult before = Fitted(ring, GetParam(), 0);
+  const SurfaceModelFitResult after = Fitted(ring, GetParam(), 12);
   EXPECT_GT(CrossingsOf(before.Surface), 0);
   EXPECT_EQ(CrossingsOf(after.Surface), 0);
   // The ends are moved by less than the degree resolves.
@@ -230,7 +230,7 @@ TEST_P(FitAcrossAGap, DoesNotCrossItself)
 INSTANTIATE_TEST_SUITE_P(Degrees, FitAcrossAGap, testing::Values(6, 8, 12));
 
 // mm: half the shortest wavelength.
-double ResolutionOf(const ParametricSphericalSurface& surface)
+double ResolutionOf(const SurfaceModel& surface)
 {
   return std::sqrt(surface.Area() / (4.0 * M_PI)) * M_PI / surface.Degree();
 }
@@ -242,8 +242,8 @@ class FitWithUnevenParameters : public testing::TestWithParam<int>
 TEST_P(FitWithUnevenParameters, HasNoPleats)
 {
   const MappedMesh plate = UnevenPlate(5.0);
-  const ParametricFitResult before = Fitted(plate, GetParam(), 0);
-  const ParametricFitResult after = Fitted(plate, GetParam(), 12);
+  const SurfaceModelFitResult before = Fitted(plate, GetParam(), 0);
+  const SurfaceModelFitResult after = Fitted(plate, GetParam(), 12);
   EXPECT_GT(CrossingsOf(before.Surface), 0);
   EXPECT_EQ(CrossingsOf(after.Surface), 0);
   EXPECT_EQ(after.Folded, 0);
@@ -267,8 +267,8 @@ class FitThatCannotBeTakenApart : public testing::TestWithParam<UnevenFit>
 TEST_P(FitThatCannotBeTakenApart, IsOnlyGivenUpForABetterOne)
 {
   const MappedMesh plate = UnevenPlate(GetParam().Unevenness);
-  const ParametricFitResult before = Fitted(plate, GetParam().Degree, 0);
-  const ParametricFitResult after = Fitted(plate, GetParam().Degree, 12);
+  const SurfaceModelFitResult before = Fitted(plate, GetParam().Degree, 0);
+  const SurfaceModelFitResult after = Fitted(plate, GetParam().Degree, 12);
   const double rise = (after.NormalRms - before.NormalRms) / ResolutionOf(before.Surface);
   ASSERT_GT(CrossingsOf(after.Surface), 0);
   EXPECT_LE(rise, 0.0075);
@@ -281,8 +281,8 @@ INSTANTIATE_TEST_SUITE_P(Plates, FitThatCannotBeTakenApart,
 TEST(CrossingRemedy, FewerCrossingsAreBetterThanMany)
 {
   const MappedMesh plate = UnevenPlate(7.0);
-  const ParametricFitResult before = Fitted(plate, 12, 0);
-  const ParametricFitResult after = Fitted(plate, 12, 12);
+  const SurfaceModelFitResult before = Fitted(plate, 12, 0);
+  const SurfaceModelFitResult after = Fitted(plate, 12, 12);
   EXPECT_LT(2 * CrossingsOf(after.Surface), CrossingsOf(before.Surface));
 }
 } // namespace

@@ -1,8 +1,8 @@
 #include "TangentSphere.h"
 
+#include "CenteredSurfaceSample.h"
 #include "IcosahedronDirections.h"
-#include "ParametricPhantoms.h"
-#include "ParametricSample.h"
+#include "SurfacePhantoms.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace palpate::tangent_sphere_test
 namespace
 {
 using test::Random;
-using Search = ClosestPointSearchOf<ParametricShape>;
+using Search = ClosestPointSearchOf<CenteredSurface>;
 
 double RadiusAt(const Search& search, const Vector3& parameter, double side, double largest)
 {
@@ -28,7 +28,7 @@ TEST(TangentSphere, InAnEllipsoidItIsThatOfTheCurvatureOrTheAxis)
   for (const auto& [a, c] : {std::pair(20.0, 12.0), std::pair(12.0, 20.0), std::pair(15.0, 15.0)})
   {
     const Search search(
-        std::make_shared<const ParametricShape>(test::EllipsoidPhantom(Vector3(a, a, c))));
+        std::make_shared<const CenteredSurface>(test::EllipsoidPhantom(Vector3(a, a, c))));
     constexpr double Largest = 50.0; // mm
     const double expected = std::min(a, c * c / a);
     EXPECT_NEAR(RadiusAt(search, Vector3::UnitX(), -1.0, Largest), expected, 0.01 * expected);
@@ -41,7 +41,7 @@ TEST(TangentSphere, OutsideAnEllipsoidNothingLimitsIt)
 {
   constexpr double Largest = 5.0; // mm
   const Search search(
-      std::make_shared<const ParametricShape>(test::EllipsoidPhantom({25.0, 18.0, 9.0}, 16)));
+      std::make_shared<const CenteredSurface>(test::EllipsoidPhantom({25.0, 18.0, 9.0}, 16)));
   for (const int frequency : {6, 15, 48})
   {
     const IcosahedronDirections sphere(frequency);
@@ -60,10 +60,9 @@ TEST(TangentSphere, IsTheLargestThatIsFree)
   // Of the radius: the trials end there, and a search is exact.
   constexpr double Allowed = 0.02;
   Random random(9433);
-  for (const ParametricSphericalSurface& surface :
-       {test::BumpyTube(random), test::Bowl(), test::CleftBlob()})
+  for (const SurfaceModel& surface : {test::BumpyTube(random), test::Bowl(), test::CleftBlob()})
   {
-    const Search search(std::make_shared<const ParametricShape>(surface));
+    const Search search(std::make_shared<const CenteredSurface>(surface));
     int limited = 0;
     for (int trial = 0; trial < 2000; ++trial)
     {
