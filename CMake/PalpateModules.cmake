@@ -35,22 +35,21 @@ macro(palpate_build_vtk_modules)
     # Tests are added by palpate_add_module_tests, after all modules exist.
     TEST_DIRECTORY_NAME NONE
     CMAKE_DESTINATION "${PALPATE_VTK_CMAKE_DIR}"
-    HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/palpate"
     VERSION "${PROJECT_VERSION}"
     SOVERSION "${PALPATE_CXX_SOVERSION}"
     TARGET_NAMESPACE Palpate)
 endmacro()
 
-# Adds a VTK module: VTK classes (header and source pairs, wrapped), kernel classes (not wrapped), and
+# Adds a VTK module: VTK classes (header and source pairs, wrapped and installed), kernel classes (private), and
 # our compiler settings. Folders are header folders relative to the module's own.
-#   palpate_add_vtk_module(Module CLASSES vtkA… KERNELS Sub/B… HEADERS C… FOLDERS Sub…)
+#   palpate_add_vtk_module(Module CLASSES vtkA… KERNELS Sub/B… FOLDERS Sub…)
 function(palpate_add_vtk_module module)
-  cmake_parse_arguments(arg "" "" "CLASSES;KERNELS;HEADERS;FOLDERS" ${ARGN})
-  list(TRANSFORM arg_HEADERS APPEND ".h")
+  cmake_parse_arguments(arg "" "" "CLASSES;KERNELS;FOLDERS" ${ARGN})
   vtk_module_add_module(Palpate::${module}
     CLASSES ${arg_CLASSES}
-    NOWRAP_CLASSES ${arg_KERNELS}
-    NOWRAP_HEADERS ${arg_HEADERS})
+    PRIVATE_CLASSES ${arg_KERNELS}
+    HEADERS_SUBDIR palpate)
+  palpate_link_public_headers(${module} . "${arg_CLASSES}" unused)
   # A module may hold headers only.
   set_target_properties(${module} PROPERTIES LINKER_LANGUAGE CXX)
   palpate_compile_settings(${module})
@@ -64,10 +63,10 @@ function(palpate_add_vtk_module module)
 endfunction()
 
 # Adds the library of a module without VTK, with its alias, settings, header folders (relative to the
-# module's own), installed headers and export.
-#   palpate_add_kernel_module(Module SOURCES a.cxx… HEADERS a.h… FOLDERS . Sub… LIBRARIES t…)
+# module's own), public headers and export.
+#   palpate_add_kernel_module(Module SOURCES a.cxx… FOLDERS . Sub… LIBRARIES t…)
 function(palpate_add_kernel_module module)
-  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;FOLDERS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;FOLDERS;LIBRARIES" ${ARGN})
   add_library(${module} ${arg_SOURCES})
   add_library(Palpate::${module} ALIAS ${module})
   palpate_compile_settings(${module})
@@ -84,12 +83,12 @@ function(palpate_add_kernel_module module)
     cmake_path(ABSOLUTE_PATH folder NORMALIZE)
     target_include_directories(${module} PUBLIC $<BUILD_INTERFACE:${folder}>)
   endforeach()
-  target_include_directories(${module} PUBLIC
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/palpate>)
+  target_include_directories(${module} PUBLIC $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${module} PUBLIC ${arg_LIBRARIES})
   install(TARGETS ${module} EXPORT PalpateKernels
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT kernels NAMELINK_COMPONENT development
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-  install(FILES ${arg_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpate
+  palpate_link_public_headers(${module} "${arg_FOLDERS}" "" public)
+  install(FILES ${public} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpate
     COMPONENT development)
 endfunction()

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ComplianceMaps.h"
 #include "OrganModel.h"
 
 #include <memory>
@@ -10,6 +9,8 @@
 
 namespace palpate
 {
+class ComplianceMaps;
+
 /// Origin of a model. Empty entries are unknown and are not written.
 struct ModelProvenance
 {

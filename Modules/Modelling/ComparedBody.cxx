@@ -6,6 +6,7 @@
 #include "MeshMending.h"
 #include "MeshRefinement.h"
 #include "MeshVoxels.h"
+#include "ModelFoot.h"
 #include "SignedMeshDistances.h"
 #include "SpatialOrder.h"
 #include "StarShape.h"
@@ -175,6 +176,11 @@ void ComparedBody::GiveSigns(const std::vector<Vector3>& points,
     double& distance = distances[order[i]];
     distance = inside[tests[i]] != 0 ? -distance : distance;
   }
+}
+
+IndexedMesh ComparedBody::CoarseSurface() const
+{
+  return this->Foot->CoarseMesh();
 }
 
 Status ComparedBody::DistancesOf(const std::vector<Vector3>& points, const KernelProgress& progress,

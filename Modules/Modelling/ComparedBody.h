@@ -4,7 +4,6 @@
 #include "IndexToWorld.h"
 #include "IndexedMesh.h"
 #include "KernelProgress.h"
-#include "ModelFoot.h"
 #include "NearestOnMesh.h"
 #include "OrganModel.h"
 #include "Status.h"
@@ -15,6 +14,8 @@
 
 namespace palpate
 {
+class ModelFoot;
+
 /// A mask on its grid.
 struct PlacedMask
 {
@@ -48,7 +49,7 @@ public:
     return this->Scaled != nullptr ? *this->Scaled : this->Mesh;
   }
   /// Of a model only: the same points with a quarter of the triangles. Allocates.
-  IndexedMesh CoarseSurface() const { return this->Foot->CoarseMesh(); }
+  IndexedMesh CoarseSurface() const;
   bool IsClosed() const noexcept { return this->Holes == 0; }
   int HoleCount() const noexcept { return this->Holes; }
   /// As SurfaceTopology::IsConsistent; of masks and models true.

@@ -4,7 +4,7 @@ Modules may include only the modules and packages that the table permits, and on
 level; each permission is used; Documentation/Architecture.md lists the same; vtk.module files name no
 other modules; folders do not include each other in circles; every source has its header, every module its
 README, no file and no folder is too long, no type is defined twice in a namespace, sources that may be compiled
-as one share no names, comments hold no unfinished work, and pages have short lines and no broken links. Prints one line per violation; exits with 1 if there is any.
+as one share no names, public headers are few and include no others, comments hold no unfinished work, and pages have short lines and no broken links. Prints one line per violation; exits with 1 if there is any.
 """
 
 import argparse
@@ -86,6 +86,7 @@ class Checker:
             self.check_folder_circles(self.root / path)
             self.check_own_names(self.root / path)
         self.check_types_are_defined_once()
+        self.check_public_headers()
         self.check_modules_are_in_the_table()
         self.check_permissions_are_used()
         self.check_page()
@@ -291,6 +292,22 @@ class Checker:
                     first = defined.setdefault((outer, name), source)
                     if first != source:
                         self.report(source, f"defines {name}, as {first.relative_to(self.root)} does")
+
+    def check_public_headers(self):
+        """Those of CMake/PalpatePublicHeaders.cmake and the VTK classes."""
+        page = self.root / "CMake/PalpatePublicHeaders.cmake"
+        listed = re.search(r"set\(PALPATE_PUBLIC_HEADERS\s([^)]*)\)", page.read_text())[1].split()
+        sources = {path.name: path for module in self.modules for path in self.sources_of(self.root / module)}
+        public = {f"{name}.h" for name in listed}
+        for name in sorted(public - sources.keys()):
+            self.report(page, f"lists {name}, which does not exist")
+        public |= {name for name in sources if name.startswith("vtk") and name.endswith(".h")}
+        if len(public) > self.table["most_public_headers"]:
+            self.report(page, f"makes {len(public)} headers public; the limit is {self.table['most_public_headers']}")
+        for name in sorted(public & sources.keys()):
+            for included in INCLUDE.findall(sources[name].read_text()):
+                if included in sources and included not in public:
+                    self.report(sources[name], f"is public and includes {included}, which is not")
 
     def check_folder_sizes(self):
         """The lines of a folder's own sources, without those of its sub-folders."""

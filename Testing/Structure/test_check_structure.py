@@ -16,6 +16,7 @@ TABLE = {
     "sources": ["Modules"],
     "largest_file_lines": 20,
     "largest_folder_lines": 30,
+    "most_public_headers": 4,
 }
 PAGE = (
     "| level | module | purpose | may use | packages |\n"
@@ -23,6 +24,7 @@ PAGE = (
     "| 1 | `Modules/High` | things | Low | VTK |\n"
 )
 CLEAN = {
+    "CMake/PalpatePublicHeaders.cmake": "set(PALPATE_PUBLIC_HEADERS\n  Vector)\n",
     "Documentation/Architecture.md": PAGE,
     "Modules/Low/README.md": "",
     "Modules/Low/Vector.h": "#include <Eigen/Core>\n#include <vector>\n#include <sys/stat.h>\n",
@@ -111,6 +113,7 @@ class CheckStructure(unittest.TestCase):
 
     def test_folders_that_include_each_other(self):
         files = {
+            "CMake/PalpatePublicHeaders.cmake": "set(PALPATE_PUBLIC_HEADERS Inner Shared Vector)",
             "Modules/Low/Vector.h": '#include "Inner.h"\n#include <Eigen/Core>\n',
             "Modules/Low/Sub/Inner.h": '#include "Shared.h"\n',
             "Modules/Low/Other/Shared.h": "\n",
@@ -150,6 +153,14 @@ class CheckStructure(unittest.TestCase):
         self.assertEqual(self.violations(**files, **{"Modules/High/Plane.h": header("palpate::other")}), [])
         self.assertEqual(self.violations(**files, **{"Modules/High/Plane.h": header("palpate", own=True)}), [])
         self.assert_one("defines Plane, as Modules/Low/Vector.h", **files, **{"Modules/High/Plane.h": header("palpate")})
+
+    def test_public_headers(self):
+        page = "CMake/PalpatePublicHeaders.cmake"
+        extra = {f"Modules/Low/{name}.h": "\n" for name in ("One", "Two", "Three")}
+        self.assert_one("makes 5 headers public", **extra, **{page: "set(PALPATE_PUBLIC_HEADERS One Two Three Vector)"})
+        violations = self.violations(**{page: "set(PALPATE_PUBLIC_HEADERS Gone Vector)"})
+        self.assertIn(f"{page}: lists Gone.h, which does not exist", violations)
+        self.assert_one("is public and includes Vector.h", **{page: "set(PALPATE_PUBLIC_HEADERS\n)"})
 
     def test_folder_that_is_too_long(self):
         files = {f"Modules/High/Testing/Test{name}.cxx": "\n" * 20 for name in "AB"}

@@ -1,8 +1,10 @@
 #include "ElasticContactModel.h"
 
+#include "ComplianceAtlas.h"
 #include "ElasticTracker.h"
 #include "FrictionCone.h"
 #include "SphereQuadrature.h"
+#include "TouchableRadialModel.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,6 +30,11 @@ ElasticContactModel::ElasticContactModel(std::shared_ptr<const TouchableRadialMo
                                          std::shared_ptr<const ComplianceAtlas> atlas)
     : Surface(std::move(surface)), Atlas(std::move(atlas))
 {
+}
+
+Eigen::AlignedBox3d ElasticContactModel::BoundsWorld() const noexcept
+{
+  return this->Surface->BoundsWorld();
 }
 
 std::size_t ElasticContactModel::Bytes() const noexcept

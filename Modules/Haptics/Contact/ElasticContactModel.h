@@ -1,13 +1,16 @@
 #pragma once
 
-#include "ComplianceAtlas.h"
 #include "ContactModel.h"
-#include "TouchableRadialModel.h"
 
 #include <memory>
 
 namespace palpate
 {
+class ComplianceAtlas;
+class ComplianceMaps;
+class RadialModel;
+class TouchableRadialModel;
+
 /// A structure that yields: a radial model with the compliance of its places. Supports
 /// spherical tools. Its force is its own, in N in the world; of the scene's force law only the
 /// damping counts.
@@ -18,7 +21,7 @@ public:
   static Status Make(std::shared_ptr<const RadialModel> model, const ComplianceMaps& maps,
                      std::shared_ptr<const ContactModel>& contact);
 
-  Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Surface->BoundsWorld(); }
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
   double OwnStiffness(const ToolShape& tool) const override;

@@ -3,6 +3,7 @@
 #include "FrictionCone.h"
 #include "NearestPointTracker.h"
 #include "RadialTracker.h"
+#include "TouchableRadialModel.h"
 
 #include <utility>
 
@@ -24,6 +25,11 @@ RadialContactModel::RadialContactModel(std::shared_ptr<const TouchableRadialMode
                                        RadialContactMode mode)
     : Surface(std::move(surface)), Mode(mode)
 {
+}
+
+Eigen::AlignedBox3d RadialContactModel::BoundsWorld() const noexcept
+{
+  return this->Surface->BoundsWorld();
 }
 
 std::size_t RadialContactModel::Bytes() const noexcept

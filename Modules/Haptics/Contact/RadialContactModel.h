@@ -1,12 +1,14 @@
 #pragma once
 
 #include "ContactModel.h"
-#include "TouchableRadialModel.h"
 
 #include <memory>
 
 namespace palpate
 {
+class RadialModel;
+class TouchableRadialModel;
+
 /// How a tool's proxy is placed on a radial model.
 enum class RadialContactMode
 {
@@ -22,7 +24,7 @@ public:
   static Status Make(std::shared_ptr<const RadialModel> model, RadialContactMode mode,
                      std::shared_ptr<const ContactModel>& contact);
 
-  Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Surface->BoundsWorld(); }
+  Eigen::AlignedBox3d BoundsWorld() const noexcept override;
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
   std::size_t Bytes() const noexcept override;

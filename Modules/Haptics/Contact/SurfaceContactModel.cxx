@@ -2,6 +2,7 @@
 
 #include "FrictionCone.h"
 #include "NearestPointTracker.h"
+#include "TouchableSurfaceModel.h"
 
 #include <utility>
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "ContactModel.h"
-#include "TouchableSurfaceModel.h"
 
 #include <memory>
 
 namespace palpate
 {
+class SurfaceModel;
+class TouchableSurfaceModel;
+
 /// A structure whose surface is three coordinates in spherical harmonics. Supports spherical tools,
 /// with friction.
 class SurfaceContactModel final : public ContactModel

@@ -1,9 +1,9 @@
 // Uses one kernel and one VTK module of an installed Palpate.
-#include <RadialModel.h>
+#include <palpate/RadialModel.h>
+#include <palpate/vtkSegmentationSurface.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSegmentationSurface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "ModelMeasures.h"
-#include "RadialContactModel.h"
+#include <palpate/ModelMeasures.h>
+#include <palpate/RadialContactModel.h>
+#include <palpate/RadialModel.h>
 
 #include <cmath>
 #include <memory>
