@@ -78,12 +78,25 @@ function(palpate_add_gtest name)
   endif()
 endfunction()
 
+# palpate_add_study(name SOURCES a.cxx… LIBRARIES t…): a program that only a script of Utilities runs, for a page of
+# Documentation/Evidence. It is built by name, and with the benchmarks.
+function(palpate_add_study name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  palpate_compile_settings(${name})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES})
+  if(NOT PALPATE_BUILD_BENCHMARKS)
+    set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endfunction()
+
 # palpate_add_test_library(name SOURCES a.cxx… LIBRARIES t…): what several programs for tests share, compiled
 # once.
 function(palpate_add_test_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   palpate_compile_settings(${name})
+  palpate_compile_sooner(${name})
   target_include_directories(${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name} PUBLIC ${arg_LIBRARIES} Palpate::TestSupport)
 endfunction()

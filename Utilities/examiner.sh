@@ -4,6 +4,6 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
+Utilities/build.sh PalpateExaminer
 build/release/bin/PalpateExaminer build/release/examiner.json
 exec /usr/bin/python3 Utilities/examiner.py build/release/examiner.json

@@ -4,6 +4,6 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
+Utilities/build.sh PalpateLimits
 build/release/bin/PalpateLimits build/release/fit-precision.md
 exec /usr/bin/python3 Utilities/limits.py build/release/fit-precision.md

@@ -1,10 +1,14 @@
 #!/bin/sh
-# Builds and runs a part of the tests under the sanitizers, each preset in its own build tree:
-# kernels, readers and servo under AddressSanitizer and UndefinedBehaviorSanitizer, exchange between
-# threads under ThreadSanitizer. For all tests (slow):
+# Builds and runs a part of the tests under the sanitizers, each preset in its own build tree: programs that lead
+# through all kernels (fields, contact, masks to models, servo) and readers under AddressSanitizer and
+# UndefinedBehaviorSanitizer, exchange between threads under ThreadSanitizer.
+#   Utilities/sanitize.sh [--all]    with --all also the other tests of kernels and readers, twice as long
+# For all tests (slow):
 #   cmake --preset asan-ubsan && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
 set -eu
 cd "$(dirname "$0")/.."
+others=
+[ "${1-}" != --all ] || others="NumericsTests HapticsTests ElasticityTests FuzzTests"
 
 # under PRESET PROGRAM[:TESTS]…: TESTS is a prefix of test names. Each is run separately, so that a
 # prefix that selects no test fails.
@@ -26,11 +30,10 @@ under() {
 }
 
 failed=
-under asan-ubsan NumericsTests FieldTests HapticsTests ServoTests IOTests FuzzTests
+# shellcheck disable=SC2086 # a list of programs
+under asan-ubsan FieldTests ModellingTests TouchTests ServoTests IOTests $others
 cmake --build --preset asan-ubsan --parallel "$(nproc)" --target PalpateFuzz
-under tsan RealtimeTests ServoTests \
-  FieldTests:FieldThreads FieldTests:EditedField \
-  HapticsTests:ServoDrill HapticsTests:ServoHandover HapticsTests:DrillEditor
+under tsan ThreadTests
 if [ -n "$failed" ]; then
   echo "Failed:$failed" >&2
   exit 1

@@ -2,6 +2,7 @@
 #include "InputError.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "ProofCount.h"
 #include "SceneContacts.h"
 #include "SceneFile.h"
 #include "SceneRepresentation.h"
@@ -34,7 +35,7 @@ using test::RandomChoice;
 using test::RandomNumber;
 using test::RandomWhole;
 
-constexpr int Cases = 40;
+const int Cases = test::ProofCount(16, 40);
 
 // A phantom with a source of each kind, and an image for textures.
 struct Sources

@@ -79,10 +79,16 @@ class Configurations(unittest.TestCase):
         for file, command in demonstration.items():
             self.assertEqual(everything[file], command)
 
-    def test_each_absent_package_leaves_out_what_needs_it_and_says_so(self):
-        for name, (_, word) in PACKAGES.items():
-            with self.subTest(name):
-                self.assertIn(word, configure(self.folder, *hide(name)))
+    def test_absent_packages_leave_out_what_needs_them_and_say_so(self):
+        # Two groups, since one package's message may hide another's; each alone with PALPATE_PROVE.
+        groups = [["GTest", "OpenIGTLink", "pybind11", "Qt5"], ["benchmark", "GSL", "OpenMP", "Python3"]]
+        if "PALPATE_PROVE" in os.environ:
+            groups = [[name] for name in PACKAGES]
+        for group in groups:
+            output = configure(self.folder, *hide(*group))
+            for name in group:
+                with self.subTest(name):
+                    self.assertIn(PACKAGES[name][1], output)
 
     def test_nothing_but_googletest_may_be_there(self):
         searches = [f"-D{search}=" for search in SEARCHES]

@@ -155,15 +155,5 @@ TEST_F(FalconInWindowTest, UnpluggingEndsForcesAndReplugRestoresTouch)
   ASSERT_NO_FATAL_FAILURE(this->TouchTheSphere());
   this->FeelDespiteDelaysUntil([this] { return this->Window->Contents().Probe()->GetInContact(); });
 }
-
-TEST_F(FalconInWindowTest, ClosingWhileTouchingSwitchesMotorsOff)
-{
-  this->Bed.Plug(this->Bus, 2);
-  ASSERT_NO_FATAL_FAILURE(this->TouchTheSphere());
-  EXPECT_TRUE(this->Window->close());
-  EXPECT_EQ(this->Bus.WithFalcon([](VirtualFalcon& falcon)
-                                 { return falcon.Mechanism().MotorForce().norm(); }),
-            0.0);
-}
 } // namespace
 } // namespace palpate::falcon_in_window_test
