@@ -1,17 +1,17 @@
 # The modules without VTK, ITK and Qt, each after those that it uses.
 set(PALPATE_KERNEL_MODULES
-  Core Numerics Statistics Field Realtime Elasticity Modelling Files Haptics HapticDevices CInterface)
+  Core Mesh Harmonics ShapeSpace Statistics Field Realtime Elasticity Contact Model Files Haptics HapticDevices CInterface)
 if(OpenIGTLink_FOUND)
   list(INSERT PALPATE_KERNEL_MODULES 1 Network)
 endif()
 
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
-set(palpate_vtk_modules IO Shape VolumeRendering Display Interaction Report Fit Group Comparison Scene Trade
+set(palpate_vtk_modules IO Filters VolumeRendering Display Interaction Report Fit Group Comparison Scene Trade
   Study)
 if(PALPATE_BUILD_PARAVIEW)
-  set(PALPATE_KERNEL_MODULES Core Numerics Field Elasticity Modelling Files)
-  set(palpate_vtk_modules IO Shape VolumeRendering Display Report Fit ParaView)
+  set(PALPATE_KERNEL_MODULES Core Mesh Harmonics Field Elasticity Contact Model Files)
+  set(palpate_vtk_modules IO Filters VolumeRendering Display Report Fit ParaView)
 endif()
 set(PALPATE_VTK_MODULE_FILES)
 foreach(module IN LISTS palpate_vtk_modules)

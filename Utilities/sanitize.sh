@@ -8,7 +8,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 others=
-[ "${1-}" != --all ] || others="NumericsTests HapticsTests ElasticityTests FuzzTests"
+[ "${1-}" != --all ] || others="HarmonicsTests MeshTests ContactTests HapticsTests ElasticityTests FuzzTests"
 
 # under PRESET PROGRAM[:TESTS]…: TESTS is a prefix of test names. Each is run separately, so that a
 # prefix that selects no test fails.
@@ -31,7 +31,7 @@ under() {
 
 failed=
 # shellcheck disable=SC2086 # a list of programs
-under asan-ubsan FieldTests ModellingTests TouchTests ServoTests IOTests $others
+under asan-ubsan FieldTests ModelTests TouchTests ServoTests IOTests $others
 cmake --build --preset asan-ubsan --parallel "$(nproc)" --target PalpateFuzz
 under tsan ThreadTests
 if [ -n "$failed" ]; then

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs what is missing, builds, and runs every test. Arguments go to ctest, for example
-#   Utilities/test.sh -R Numerics
+#   Utilities/test.sh -R Harmonics
 # The exit code is that of ctest.
 set -eu
 cd "$(dirname "$0")/.."

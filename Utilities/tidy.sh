@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs clang-tidy over our own sources, in parallel on all cores. Arguments select sources by a part
 # of their path:
-#   Utilities/tidy.sh Modules/Numerics
+#   Utilities/tidy.sh Modules/Harmonics
 # The preset dev is configured for it, which compiles each source on its own; it need not be built.
 set -eu
 cd "$(dirname "$0")/.."

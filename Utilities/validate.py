@@ -46,7 +46,7 @@ Measured on 29 November 2026 on a two-core AMD EPYC, two masks at a time. Distan
 those of radial models are 3 to 4 % longer. With `--repair`, 10319_1000325's peripheral zone is modelled at degree 20
 with Dice 0.955, 0.39 % repaired. Models of a mask with noise, on another grid and mirrored have the same parameter
 within 0.51 mm in the mean over zones, 2.6 mm in the worst zone
-([parametrisation](../../Modules/Numerics/Parametrisation/README.md)).
+([parametrisation](../../Modules/Mesh/Parametrisation/README.md)).
 """
 
 

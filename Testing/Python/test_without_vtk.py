@@ -49,7 +49,7 @@ assert (contacts["id"] == 0).all()
             BLOCK
             + """
 import palpate
-for name in ("vtkSegmentationSurface", "PalpateShape"):
+for name in ("vtkSegmentationSurface", "PalpateFilters"):
     try:
         getattr(palpate, name)
     except ImportError as error:

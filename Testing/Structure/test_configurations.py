@@ -68,18 +68,18 @@ class Configurations(unittest.TestCase):
     def test_demonstration_needs_no_optional_package_and_tests_follow_in_its_folder(self):
         configure(self.folder, preset="demo")
         demonstration = commands(self.folder)
-        for part in ["NumericsTests", "PalpateBenchmarks", "pybind11"]:
+        for part in ["HarmonicsTests", "PalpateBenchmarks", "pybind11"]:
             self.assertNotIn(part, rules(self.folder))
         output = configure(self.folder)
         self.assertNotIn("left out", output)
-        for part in ["NumericsTests", "PalpateBenchmarks", "pybind11"]:
+        for part in ["HarmonicsTests", "PalpateBenchmarks", "pybind11"]:
             self.assertIn(part, rules(self.folder))
         everything = commands(self.folder)
         self.assertGreater(len(everything), len(demonstration))
         for file, command in demonstration.items():
             self.assertEqual(everything[file], command)
 
-    def test_absent_packages_leave_out_what_needs_them_and_say_so(self):
+    def test_each_absent_package_leaves_out_what_needs_it_and_says_so(self):
         # Two groups, since one package's message may hide another's; each alone with PALPATE_PROVE.
         groups = [["GTest", "OpenIGTLink", "pybind11", "Qt5"], ["benchmark", "GSL", "OpenMP", "Python3"]]
         if "PALPATE_PROVE" in os.environ:

@@ -1,3 +1,4 @@
+#include "ComplianceMaps.h"
 #include "InputError.h"
 #include "ModelJson.h"
 #include "RandomModels.h"

@@ -1,6 +1,7 @@
 // Rendered contacts compared with exact ones, on 100,000 short paths over bodies that are known
 // exactly.
 #include "BumpyBody.h"
+#include "ClosestPointSearch.h"
 #include "ForceQuality.h"
 #include "MeshCases.h"
 #include "TouchPaths.h"
