@@ -59,9 +59,9 @@ std::string EvaluationAsText(const ModelEvaluation& evaluation)
 {
   TextTable table;
   table.AddRow({"model", evaluation.File});
-  table.AddRow({"model", evaluation.IsRadial    ? "radial"
-                         : evaluation.InsideOut ? "surface, parametrised inside out"
-                                                : "surface"});
+  table.AddRow({"kind", evaluation.IsRadial    ? "radial"
+                        : evaluation.InsideOut ? "surface, parametrised inside out"
+                                               : "surface"});
   table.AddRow({"degree", std::to_string(evaluation.Degree)});
   table.AddRow({"frame", "patient LPS, mm"});
   if (evaluation.CenterWorld)
@@ -90,7 +90,7 @@ std::string EvaluationAsJson(const ModelEvaluation& evaluation)
   Json result;
   result[JsonSchemaKey] = JsonSchemaVersion;
   result["model"] = evaluation.File;
-  result["model"] = evaluation.IsRadial ? "radial" : "surface";
+  result["kind"] = evaluation.IsRadial ? "radial" : "surface";
   result["degree"] = evaluation.Degree;
   result["frame"] = "patient LPS";
   if (evaluation.CenterWorld)

@@ -10,16 +10,10 @@ namespace palpate
 namespace
 {
 constexpr double Endless = std::numeric_limits<double>::infinity();
-// Work, in evaluations of the surface: of a proof, and of looking ahead when the probe was
-// followed. Where a proof does not end the whole surface is searched, since a tool that waits meets
-// its wall too late. The most of a tick is reached where a surface crosses itself: then the tool
-// waits.
+// Work, in evaluations of the surface, of a proof. Where that does not end the whole surface is
+// searched, since a tool that waits meets its wall too late.
 constexpr int MotionEvaluationsOfProof = 160;
-constexpr int MotionEvaluationsOfShortStep = 16;
-constexpr int MotionEvaluationsAhead = 8;
-constexpr int MotionEvaluationsOfSearch = 256;
-constexpr int MotionEvaluationsOfTick = 1024;
-constexpr int MotionEvaluationsAtCrossings = 256; // where proofs hardly ever end
+constexpr int MotionEvaluationsOfSearch = 128;
 constexpr int MotionSteps = 32;
 constexpr int MotionProofs = 5;
 constexpr int MotionMeetings = 4;          // of walls in one step
@@ -63,12 +57,11 @@ void ClearMotion::Begin(const Vector3& placeWorld, const ClosestPoint& minimum) 
   this->BallRadius = 0.0;
 }
 
-bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
+bool ClearMotion::MoveTo(const Vector3& probeWorld, int evaluations) noexcept
 {
-  int left =
-      this->Surface->CrossesItself() ? MotionEvaluationsAtCrossings : MotionEvaluationsOfTick;
+  this->EvaluationsLeft = evaluations;
   double longest = this->Stride;
-  for (int step = 0; step < MotionSteps && left > 0; ++step)
+  for (int step = 0; this->EvaluationsLeft > 0 && step < MotionSteps; ++step)
   {
     const Vector3 start = this->EndOfBall(probeWorld);
     const Vector3 path = probeWorld - start;
@@ -77,13 +70,10 @@ bool ClearMotion::MoveTo(const Vector3& probeWorld) noexcept
     this->Start = start;
     if (!(length > 0.0))
     {
-      this->LookAhead();
       return true;
     }
     const Vector3 goal = length > longest ? Vector3(start + (longest / length) * path) : probeWorld;
-    this->EvaluationsLeft = MotionEvaluationsOfProof;
     const Step result = this->StepTo(start, goal);
-    left -= MotionEvaluationsOfProof - this->EvaluationsLeft;
     if (result == Step::Met)
     {
       return false;
@@ -175,7 +165,7 @@ ClearMotion::Step ClearMotion::StepTo(const Vector3& start, const Vector3& goal)
 }
 
 // A sphere keeps two sheets apart without the margin, which can't be proven above a hollow as round
-// as the sphere: there the sphere would wait in vain. With the margin little work is tried first.
+// as the sphere: there the sphere would wait in vain.
 ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& goal,
                                            Minima& minima) noexcept
 {
@@ -184,11 +174,7 @@ ClearMotion::Step ClearMotion::StepShortly(const Vector3& start, const Vector3& 
   Step proven = Step::Open;
   if (margin > 0.0)
   {
-    const int most = this->EvaluationsLeft;
-    const int little = std::min(most, MotionEvaluationsOfShortStep);
-    this->EvaluationsLeft = little;
     proven = this->Prove(start, goal, this->Free, minima);
-    this->EvaluationsLeft += most - little;
   }
   if (proven == Step::Open && this->EvaluationsLeft > 0)
   {
@@ -223,33 +209,6 @@ bool ClearMotion::IsAlone(const ClosestPoint& last, const ClosestPoint& next) co
 {
   constexpr double LeastCosine = 0.5;
   return this->Places->IsNearest(next) && next.Normal.dot(last.Normal) > LeastCosine;
-}
-
-// Proves the next ball while there is room in the last one, or while none is needed.
-void ClearMotion::LookAhead() noexcept
-{
-  constexpr double Early = 0.5;
-  if (this->Known.Count == 0)
-  {
-    return;
-  }
-  const ClosestPoint& nearest = this->Known.Each[0];
-  const double room = this->Places->RoomAt(nearest.Direction) - this->Radius;
-  const bool isEarly = this->BallRadius > 0.0
-                           ? (this->Place - this->BallCenter).norm() < Early * this->BallRadius
-                           : nearest.SignedDistance - this->Radius < Early * room;
-  if (isEarly)
-  {
-    return;
-  }
-  this->EvaluationsLeft = MotionEvaluationsAhead;
-  Minima minima = this->Continued(this->Place);
-  if (minima.Count > 0 && this->Touched(minima) == nullptr)
-  {
-    constexpr double LeastPart = 0.25;
-    const Vector3 place = this->Place;
-    this->Prove(place, place, this->PartOfGap(LeastPart, minima.Nearest()), minima);
-  }
 }
 
 // Without those that cannot be followed, or that may have become others.
@@ -295,9 +254,9 @@ void ClearMotion::MeetFirst(const Vector3& start, const Vector3& goal,
   for (int met = 1; met < MotionMeetings && !this->Places->IsNearest(this->Wall); ++met)
   {
     const auto answer = this->Clearance->AskWithin(
-        this->Free + this->Clearance->Tolerance(), this->Place, &this->Wall, 1,
-        MotionEvaluationsOfShortStep, Apart,
-        {this->Free - std::max(this->Slack, this->Exactness), MotionEvaluationsOfProof});
+        this->Free - std::max(this->Slack, this->Exactness) + this->Clearance->Tolerance(),
+        this->Place, &this->Wall, 1, MotionEvaluationsOfProof, Apart);
+    this->EvaluationsLeft -= answer.Evaluations;
     const ClosestPoint found = this->Surface->SeenFromOutside(answer.Minimum);
     if (answer.State != Proof::Finding::Nearer ||
         found.SignedDistance > this->RadiusAt(found) - this->Exactness)
@@ -334,23 +293,20 @@ double ClearMotion::Wanted(double needed, const Minima& minima) const noexcept
                                             : this->PartOfGap(WantedPart, minima.Nearest()));
 }
 
-// Looks for others that the goal is too near to, and goes there if there are none. After a short
-// step of a sphere the rest of a proof may wait for the next tick.
+// Looks for others that the goal is too near to, and goes there if there are none.
 ClearMotion::Step ClearMotion::Prove(const Vector3& start, const Vector3& goal, double needed,
                                      Minima& minima) noexcept
 {
   const bool isShort = needed <= this->Free && this->IsShort(start, goal);
   const double enough = isShort ? needed - this->Slack : needed;
   double wanted = this->Wanted(needed, minima);
-  for (int proof = 0; proof<MotionProofs&& this->EvaluationsLeft> 0; ++proof)
+  for (int proof = 0; this->EvaluationsLeft > 0 && proof < MotionProofs; ++proof)
   {
     constexpr double Apart = 0.0; // minima are not merged however near they are
     const double asked = wanted + 0.5 * this->Exactness;
-    const int usual = isShort ? std::min(this->EvaluationsLeft, MotionEvaluationsOfShortStep)
-                              : this->EvaluationsLeft;
-    const auto answer = this->Clearance->AskWithin(asked + this->Clearance->Tolerance(), goal,
-                                                   minima.Each.data(), minima.Count, usual, Apart,
-                                                   {enough, this->EvaluationsLeft - usual});
+    const auto answer = this->Clearance->AskWithin(
+        asked + this->Clearance->Tolerance(), goal, minima.Each.data(), minima.Count,
+        std::min(this->EvaluationsLeft, MotionEvaluationsOfProof), Apart);
     this->EvaluationsLeft -= answer.Evaluations;
     if (answer.State != Proof::Finding::Nearer)
     {

@@ -20,8 +20,8 @@ namespace palpate
 /// takes no evaluation.
 ///
 /// The work of a proof is limited; where it does not end, a search of the whole surface takes its
-/// place. The work of a tick is limited too, to less than a millisecond: a step that is not
-/// proven by then is left to the next tick. For one thread; does not allocate.
+/// place. A step that the work of a tick does not prove is left to the next tick. For one thread;
+/// does not allocate.
 class ClearMotion
 {
 public:
@@ -38,9 +38,11 @@ public:
   /// Begins at a place (mm) where the tool is free, at the outer side of this minimum of the
   /// distance to it.
   void Begin(const Vector3& placeWorld, const ClosestPoint& minimum) noexcept;
-  /// Moves towards the probe (mm), as far as the work of a tick allows. Returns false on contact
-  /// with Met() at PlaceWorld().
-  bool MoveTo(const Vector3& probeWorld) noexcept;
+  /// Moves towards the probe (mm), as far as about so many evaluations of the surface allow.
+  /// Returns false on contact with Met() at PlaceWorld().
+  bool MoveTo(const Vector3& probeWorld, int evaluations) noexcept;
+  /// What the last MoveTo left of them.
+  int Left() const noexcept { return this->EvaluationsLeft; }
 
   /// Without a proof that it shares.
   std::size_t Bytes() const noexcept
@@ -86,7 +88,6 @@ private:
   bool IsHeldUp(const Vector3& probe) noexcept;
   bool IsFar(const Vector3& place) noexcept;
   bool IsAlone(const ClosestPoint& last, const ClosestPoint& next) const noexcept;
-  void LookAhead() noexcept;
   Minima Continued(const Vector3& goal) noexcept;
   const ClosestPoint* Touched(const Minima& minima) const noexcept;
   void MeetFirst(const Vector3& start, const Vector3& goal, const ClosestPoint& minimum) noexcept;

@@ -18,6 +18,8 @@ struct Contact
   /// Of a structure that yields, its force, instead of that of a spring to the proxy; null if it is
   /// rigid. The tracker's own, so valid until its next call.
   const ElasticForce* Elastic = nullptr;
+  /// The work of a tick ended before the proxy reached its place: it goes on in the next tick.
+  bool IsBehind = false;
   /// False for a pose that is not finite: then there is no contact, and the other members are
   /// undefined.
   bool IsValid = false;

@@ -99,20 +99,15 @@ bool ContactWedgeOf<Surface>::IsNeededAt(const Surface& surface, const Vector3& 
 }
 
 template <typename Surface>
-void ContactWedgeOf<Surface>::Prepare(const ClosestPoint& wall) noexcept
-{
-  const Vector3 place = wall.PointWorld + this->Radius * wall.Normal;
-  const ClosestPoint seen = SeenFrom(place, this->Touched->Model().CenterWorld(), wall);
-  this->Clear->Ask(place, &seen, 1, WedgeLimits::EvaluationsOfPreparation);
-}
-
-template <typename Surface>
 void ContactWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBall& known) noexcept
 {
   this->Around = known;
   this->Center =
       nearest.PointWorld + std::max(this->Radius, nearest.SignedDistance) * nearest.Normal;
   this->IsClear = false;
+  // Where the work of a tick may end before the first step.
+  this->IsKeptBack = this->IsKeptBack || Surface::CountsAllWork;
+  this->IsAtGoal = false;
   this->JointNormal = nearest.Normal;
   this->Known[0] = SeenFrom(this->Center, this->Touched->Model().CenterWorld(), nearest);
   this->KnownCount = 1;
@@ -120,8 +115,9 @@ void ContactWedgeOf<Surface>::Begin(const ClosestPoint& nearest, const ProvenBal
 }
 
 template <typename Surface>
-void ContactWedgeOf<Surface>::MoveTo(const Vector3& goalWorld) noexcept
+void ContactWedgeOf<Surface>::MoveTo(const Vector3& goalWorld, int evaluations) noexcept
 {
+  this->EvaluationsLeft = evaluations;
   // Planes at a goal that is far away would be lost in rounding.
   const double far = 4.0 * (this->Touched->LargestRadius() + this->Radius);
   const Vector3 path = goalWorld - this->Center;
@@ -165,27 +161,12 @@ void ContactWedgeOf<Surface>::LookAhead() noexcept
 }
 
 template <typename Surface>
-bool ContactWedgeOf<Surface>::MayProve(int proofs, int evaluationsLeft) const noexcept
-{
-  const bool isMore =
-      this->Touched->CrossesItself() && evaluationsLeft > -WedgeLimits::MoreAtCrossings;
-  return proofs < (!Surface::MayCrossItself ? WedgeLimits::Proofs
-                   : isMore                 ? WedgeLimits::ProofsAtCrossings
-                                            : WedgeLimits::ProofsAtFolds);
-}
-
-template <typename Surface>
 void ContactWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
 {
-  // The rest of the first proof of a contact may wait, and that of a proof after another wall was
-  // found: where the sphere was free is near.
-  bool mayWait = !this->IsClear;
-  bool hasProven = false; // as far as it goes, in this tick
-  const Vector3 start = this->Center;
-  Leash leash{start, this->LongestStep};
-  int left =
-      Surface::MayCrossItself ? WedgeLimits::EvaluationsAtFolds : WedgeLimits::EvaluationsOfMove;
-  for (int proof = 0; this->MayProve(proof, left); ++proof)
+  bool hasProven = false; // in this tick
+  Leash leash{this->Center, this->LongestStep};
+  this->IsAtGoal = false;
+  for (int proof = 0; this->EvaluationsLeft > 0 && proof < WedgeLimits::Proofs; ++proof)
   {
     // An overlapping sphere is first pushed out by the shortest path.
     const Vector3 goal = this->IsClear ? this->NextGoal(goalWorld, leash) : this->Center;
@@ -194,6 +175,7 @@ void ContactWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     if (hasProven && this->IsClear && isThere &&
         (this->Center - leash.ClearWorld).norm() <= this->End)
     {
+      this->IsAtGoal = true;
       return;
     }
     if (!this->IsClearOfWalls() || this->IsFartherOff(goal, isThere, leash))
@@ -201,11 +183,12 @@ void ContactWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
       this->Shorten(leash);
       continue;
     }
-    const typename Proof::Answer answer = this->ProofHere(left, mayWait);
+    const typename Proof::Answer answer =
+        this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, this->EvaluationsLeft);
+    this->Count(answer.Evaluations);
     if (answer.State == Proof::Finding::Nearer)
     {
       this->Meet(this->Sided(answer.Minimum));
-      mayWait = true;
       continue;
     }
     const double lower = std::max(answer.LowerDistance, this->Around.DistanceAt(this->Center));
@@ -215,9 +198,10 @@ void ContactWedgeOf<Surface>::Approach(const Vector3& goalWorld) noexcept
     }
     this->Around = {this->Center, std::min(lower, this->Radius - this->End)};
     leash = {this->Center, std::min(2.0 * leash.Length, this->LongestStep)};
-    hasProven = Surface::MayCrossItself || answer.State == Proof::Finding::Clear;
-    if (std::exchange(this->IsClear, true) && (isThere || !this->MayStep(start, left)))
+    hasProven = answer.State == Proof::Finding::Clear;
+    if (std::exchange(this->IsClear, true) && isThere)
     {
+      this->IsAtGoal = hasProven;
       return;
     }
   }
@@ -233,51 +217,6 @@ void ContactWedgeOf<Surface>::GoBack(const Leash& leash) noexcept
 {
   this->GoTo(leash.ClearWorld, nullptr);
   this->IsClear = !Surface::MayCrossItself || this->IsClearOfWalls();
-}
-
-// With little work where that leaves only parts open that are hardly in the sphere, or where it
-// `mayWait` since enough is known around.
-template <typename Surface>
-typename ContactWedgeOf<Surface>::Proof::Answer
-ContactWedgeOf<Surface>::ProofHere(int& evaluationsLeft, bool mayWait) noexcept
-{
-  const auto ask = [&](int evaluations, const typename Proof::Rest& rest) {
-    return this->Clear->Ask(this->Center, this->Known.data(), this->KnownCount, evaluations, rest);
-  };
-  if constexpr (Surface::MayCrossItself)
-  {
-    const double enough =
-        this->Radius - WedgeLimits::RelativeSlack * this->Touched->SmallestRadius();
-    const bool isKnown =
-        this->Around.DistanceAt(this->Center) >= WedgeLimits::LeastProven * this->Radius;
-    const int rest = mayWait && isKnown ? 0 : WedgeLimits::RestOf(this->Touched->CrossesItself());
-    const int most = std::max(WedgeLimits::LeastEvaluations, evaluationsLeft);
-    typename Proof::Answer answer = ask(most, {enough, rest});
-    evaluationsLeft -= std::min(most, answer.Evaluations);
-    this->IsOpen = answer.State == Proof::Finding::Nearer || answer.LowerDistance < enough;
-    return answer;
-  }
-  else
-  {
-    return ask(evaluationsLeft, {});
-  }
-}
-
-template <typename Surface>
-void ContactWedgeOf<Surface>::Stay() noexcept
-{
-  if (!this->IsOpen)
-  {
-    return;
-  }
-  int left = WedgeLimits::EvaluationsAtFolds;
-  const typename Proof::Answer answer = this->ProofHere(left, true);
-  if (answer.State == Proof::Finding::Nearer)
-  {
-    this->Meet(this->Sided(answer.Minimum));
-    this->PushOut();
-    this->IsClear = this->IsClearOfWalls();
-  }
 }
 
 // The goal, or a point on the path to it whose held place is in reach: a place clipped from a
@@ -503,6 +442,7 @@ ContactWedgeOf<Surface>::AtGoal(const Vector3& goalWorld, const ClosestPoint& wa
                       (place - leash.ClearWorld).norm() <= leash.Length;
   this->Rolled = {wall.Direction, goalWorld,
                   this->Touched->Search().Track(goalWorld, isNear ? last : wall)};
+  this->Count(this->Rolled.Wall.Evaluations);
   return this->Rolled.Wall;
 }
 
@@ -550,6 +490,7 @@ void ContactWedgeOf<Surface>::GoTo(const Vector3& placeWorld, const ClosestPoint
         isTouched ? SeenFrom(placeWorld, this->Touched->Model().CenterWorld(), *touched)
                   : this->Sided(
                         this->Touched->Search().Track(placeWorld, walls[i], WedgeLimits::Tracking));
+    this->Count(isTouched ? 0 : wall.Evaluations);
     // A minimum that is not strict, as around the axis of a round hollow, is a wall too.
     if (isTouched || wall.SignedDistance < this->Radius + this->Kept)
     {

@@ -43,19 +43,18 @@ public:
   /// The same at one place, by its direction or parameter.
   static bool IsNeededAt(const Surface& surface, const Vector3& direction, double radius);
 
-  /// Proves a part of what Begin and MoveTo will need if the sphere, which this wall alone holds,
-  /// comes to a hollow.
-  void Prepare(const ClosestPoint& wall) noexcept;
   /// Starts at the surface's nearest point to the sphere: in place if the sphere is free there,
   /// else pushed out by that wall. What is known to be free near there lets it move on where the
   /// proof does not end at once.
   void Begin(const ClosestPoint& nearest, const ProvenBall& known = {}) noexcept;
-  /// Moves from the last place towards the goal; Normal() is then the combined normal of the walls.
-  void MoveTo(const Vector3& goalWorld) noexcept;
-
-  /// Goes on with the proof of the place of a sphere that stays there, where MoveTo left much of it
-  /// to the next tick.
-  void Stay() noexcept;
+  /// Moves from the last place towards the goal with at most about so many evaluations of the
+  /// surface, or in each proof so many where the surface does not count all work; Normal() is then
+  /// the combined normal of the walls.
+  void MoveTo(const Vector3& goalWorld, int evaluations = WedgeLimits::EvaluationsOfProof) noexcept;
+  /// What the last MoveTo left of them.
+  int Left() const noexcept { return this->EvaluationsLeft; }
+  /// Whether the last MoveTo ended at the place nearest to the goal; else the next one goes on.
+  bool HasArrived() const noexcept { return this->IsAtGoal; }
 
   /// Searches for walls that the sphere does not touch yet: those that a sphere larger by `ahead`
   /// would touch if the walls that hold this one held it. Between two walls that enclose an angle
@@ -117,16 +116,10 @@ private:
   };
 
   void Approach(const Vector3& goalWorld) noexcept;
-  bool MayProve(int proofs, int evaluationsLeft) const noexcept;
-  // Whether there is time for another step. Where a surface crosses itself, and for small spheres,
-  // steps are too short for one a tick.
-  bool MayStep(const Vector3& startWorld, int evaluationsLeft) const noexcept
+  void Count(int evaluations) noexcept
   {
-    const double enough = WedgeLimits::RelativeMove * this->Touched->SmallestRadius();
-    return !Surface::MayCrossItself || this->Touched->CrossesItself() || evaluationsLeft > 0 ||
-           (this->Center - startWorld).squaredNorm() < enough * enough;
+    this->EvaluationsLeft -= Surface::CountsAllWork ? evaluations : 0;
   }
-  typename Proof::Answer ProofHere(int& evaluationsLeft, bool mayWait) noexcept;
   void GoBack(const Leash& leash) noexcept;
   void Shorten(Leash& leash) noexcept;
   Vector3 NextGoal(const Vector3& goalWorld, const Leash& leash) const noexcept;
@@ -159,7 +152,8 @@ private:
   std::unique_ptr<Proof> ClearanceAhead;
   Vector3 Center = Vector3::Zero();
   bool IsClear = false; // proven for the centre
-  bool IsOpen = false;  // the last proof left parts deep in the sphere
+  bool IsAtGoal = false;
+  int EvaluationsLeft = 0; // in this tick
   bool IsKeptBack = false;
   Vector3 JointNormal = Vector3::UnitZ();
   std::array<ClosestPoint, MostWalls> Known{}; // at the centre

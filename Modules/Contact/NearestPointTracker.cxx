@@ -18,10 +18,8 @@ constexpr double RelativeReach = 0.25;
 constexpr int MostPartsOfMove = 4;
 constexpr int MostFreeSteps = 16;
 constexpr int MostStridesOfMove = 32;
-// Evaluations of the radius with its derivatives in searches of the whole surface: of one search,
-// and of all in a tick, after which every search is limited to a few. Rough bodies need many.
+// Of a search of the whole surface, and where the work of a tick has ended. Rough bodies need many.
 constexpr int EvaluationsOfSearch = 256;
-constexpr int EvaluationsOfTick = 500;
 constexpr int FewEvaluations = 20;
 
 // How far (rad) a proxy may turn about the centre while the probe moves by `motion` times the
@@ -91,9 +89,8 @@ const Contact& NearestPointTrackerOf<Surface>::Follow(const ToolPose& pose) noex
     this->Felt = Contact();
     return this->Felt;
   }
-  this->EvaluationsLeft = EvaluationsOfTick;
+  this->EvaluationsLeft = this->Touched->EvaluationsOfTick();
   this->Advance(pose.PositionWorld);
-  this->PrepareWedge();
   if (this->IsWedging && this->Known == State::Touching)
   {
     this->DragWedge(pose.PositionWorld);
@@ -169,7 +166,8 @@ bool NearestPointTrackerOf<Surface>::MoveFree(const Vector3& probe) noexcept
 {
   if constexpr (Surface::MayCrossItself)
   {
-    const bool isFree = this->Motion->MoveTo(probe);
+    const bool isFree = this->Motion->MoveTo(probe, this->EvaluationsLeft);
+    this->EvaluationsLeft = this->Motion->Left();
     this->ProbeWorld = this->Motion->PlaceWorld();
     if (!isFree)
     {
@@ -289,7 +287,8 @@ void NearestPointTrackerOf<Surface>::Slide(const Vector3& probe) noexcept
   const double length = path.norm();
   const int strides =
       1 + static_cast<int>(std::min(length / this->Stride, MostStridesOfMove - 1.0));
-  for (int i = 1; i <= strides; ++i)
+  const auto mayGoOn = [&] { return !Surface::CountsAllWork || this->EvaluationsLeft > 0; };
+  for (int i = 1; i <= strides && (i == 1 || mayGoOn()); ++i)
   {
     const Vector3 next = i == strides ? probe : Vector3(start + (1.0 * i / strides) * path);
     const ProvenBall before = this->RoomOfOneWall();
@@ -361,10 +360,15 @@ void NearestPointTrackerOf<Surface>::Leave(const ClosestPoint& next, const Vecto
 // a descent from far away may end in another one.
 template <typename Surface>
 typename NearestPointTrackerOf<Surface>::ClosestPoint
-NearestPointTrackerOf<Surface>::Tracked(const Vector3& start, const Vector3& probe) const noexcept
+NearestPointTrackerOf<Surface>::Tracked(const Vector3& start, const Vector3& probe) noexcept
 {
-  const auto& search = this->Touched->Search();
-  ClosestPoint next = search.Track(probe, this->Closest);
+  const auto track = [&](const Vector3& place, const ClosestPoint& last)
+  {
+    const ClosestPoint tracked = this->Touched->Search().Track(place, last);
+    this->EvaluationsLeft -= Surface::CountsAllWork ? tracked.Evaluations : 0;
+    return tracked;
+  };
+  const ClosestPoint next = track(probe, this->Closest);
   if constexpr (Surface::MayCrossItself)
   {
     constexpr int Parts = 16;
@@ -378,11 +382,11 @@ NearestPointTrackerOf<Surface>::Tracked(const Vector3& start, const Vector3& pro
     for (int part = 1; part <= Parts && isFollowed; ++part)
     {
       const ClosestPoint last = followed;
-      followed = search.Track(start + (1.0 * part / Parts) * path, last);
+      followed = track(start + (1.0 * part / Parts) * path, last);
       isFollowed = this->IsContinued(last, followed, path.norm() / Parts);
     }
     return isFollowed                                   ? followed
-           : next.State == ClosestPoint::Outcome::Limit ? search.Track(probe, next)
+           : next.State == ClosestPoint::Outcome::Limit ? track(probe, next)
                                                         : next;
   }
   return next;
@@ -432,38 +436,26 @@ void NearestPointTrackerOf<Surface>::Drag(const Vector3& probe) noexcept
   }
 }
 
-// Next to where the wedge will be needed.
-template <typename Surface>
-void NearestPointTrackerOf<Surface>::PrepareWedge() noexcept
-{
-  if constexpr (Surface::MayCrossItself)
-  {
-    const bool isHeldByOne = this->Known == State::Touching && !this->IsWedging;
-    if (isHeldByOne && this->Wedge && this->Places->IsBeside(this->Closest.Direction))
-    {
-      this->Wedge->Prepare(this->Closest);
-    }
-  }
-}
-
 // Once per tick: it takes short steps itself.
 template <typename Surface>
 void NearestPointTrackerOf<Surface>::DragWedge(const Vector3& probe) noexcept
 {
   const Vector3& held = this->Wedge->CenterWorld();
   const Vector3& normal = this->Wedge->Normal();
-  if (this->IsHovering)
+  const bool sticks = !this->IsHovering && !this->Friction.IsFrictionless() &&
+                      this->Friction.Sticks(FrictionCone::Pull(probe - held, normal));
+  const Vector3 goal = this->IsHovering ? probe : this->Friction.DrawnTo(probe, held, normal);
+  if constexpr (Surface::CountsAllWork)
   {
-    this->Wedge->MoveTo(probe);
+    if (!sticks || !this->Wedge->HasArrived())
+    {
+      this->Wedge->MoveTo(goal, this->EvaluationsLeft);
+      this->EvaluationsLeft = this->Wedge->Left();
+    }
   }
-  else if (this->Friction.IsFrictionless() ||
-           !this->Friction.Sticks(FrictionCone::Pull(probe - held, normal)))
+  else if (!sticks)
   {
-    this->Wedge->MoveTo(this->Friction.DrawnTo(probe, held, normal));
-  }
-  else
-  {
-    this->Wedge->Stay();
+    this->Wedge->MoveTo(goal);
   }
 }
 
@@ -567,6 +559,12 @@ void NearestPointTrackerOf<Surface>::Report(const Vector3& probe) noexcept
                         : Vector3(this->Held.PointWorld + this->ToolRadius * this->Held.Normal);
     this->Felt.Depth = (probe - this->Felt.ProxyWorld).norm();
     this->WithoutMargin(probe);
+  }
+  if constexpr (Surface::CountsAllWork)
+  {
+    this->Felt.IsBehind = this->Known == State::Touching && this->IsWedging
+                              ? !this->Wedge->HasArrived()
+                              : this->ProbeWorld != probe;
   }
 }
 

@@ -97,7 +97,7 @@ private:
   }
   void Leave(const ClosestPoint& next, const Vector3& probe) noexcept;
   void LetGoOutside(const ClosestPoint& nearest, const Vector3& probe) noexcept;
-  ClosestPoint Tracked(const Vector3& start, const Vector3& probe) const noexcept;
+  ClosestPoint Tracked(const Vector3& start, const Vector3& probe) noexcept;
   bool IsContinued(const ClosestPoint& last, const ClosestPoint& next,
                    double motion) const noexcept;
   ClosestPoint Continued(const Vector3& start, const Vector3& probe) noexcept;
@@ -110,7 +110,6 @@ private:
   {
     return this->Wedge && (!this->Places || this->Places->Contains(direction));
   }
-  void PrepareWedge() noexcept;
   void EndWedge(const Vector3& probe) noexcept;
   void DragWedge(const Vector3& probe) noexcept;
   void LeaveWedge(const Vector3& probe) noexcept;
@@ -129,7 +128,7 @@ private:
   double TouchingGap; // mm; smaller distances count as contact
   double Stride;      // mm; the longest step of the probe that stays with its minimum
 
-  int EvaluationsLeft = 0; // in this tick, for searches of the whole surface
+  int EvaluationsLeft = 0; // in this tick
   State Known = State::Nothing;
   Vector3 ProbeWorld = Vector3::Zero(); // end of the probe's path that has been followed
   // Without contact at a radial model: the tool is free while its centre is in this sphere.

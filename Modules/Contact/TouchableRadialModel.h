@@ -16,6 +16,9 @@ public:
   using Shape = RadialModel;
   using ClosestPoint = ClosestPointOf<Shape>;
   static constexpr bool MayCrossItself = false;
+  /// Evaluations in a tick: of searches of the whole surface alone, or of all work.
+  static constexpr int EvaluationsOfTick() noexcept { return 500; }
+  static constexpr bool CountsAllWork = false;
 
   /// A point of the surface, by its direction from the centre.
   struct Place

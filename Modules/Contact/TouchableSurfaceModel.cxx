@@ -131,6 +131,16 @@ SurfacePoint OtherSide(SurfacePoint point) noexcept
   return point;
 }
 
+// Above degree 16 evaluations take longer, in proportion to the number of coefficients.
+int TouchableSurfaceModel::EvaluationsOfTick() const noexcept
+{
+  constexpr int Most = 700;
+  constexpr int Least = 100;
+  constexpr int Coefficients = 17 * 17;
+  const int side = this->Model().Degree() + 1;
+  return std::clamp(Most * Coefficients / (side * side), Least, Most);
+}
+
 Status TouchableSurfaceModel::Make(const SurfaceModel& surface,
                                    std::shared_ptr<const TouchableSurfaceModel>& touch)
 {

@@ -26,6 +26,10 @@ public:
   using Shape = CenteredSurface;
   using ClosestPoint = ClosestPointOf<Shape>;
   static constexpr bool MayCrossItself = true;
+  static constexpr bool CountsAllWork = true;
+  /// Evaluations in a tick, of about 0.6 µs on a core of an AMD EPYC up to degree 16. They are
+  /// counted, not timed, so that a recording replays bit for bit.
+  int EvaluationsOfTick() const noexcept;
 
   /// A point of the surface, by its parameter.
   struct Place

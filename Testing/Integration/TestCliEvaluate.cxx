@@ -101,7 +101,7 @@ TEST(CliEvaluate, SurfaceModelHasSameVolumeAndArea)
   const Json result =
       Json::parse(RunPalpate({"evaluate", "a.coef", "--json"}, folder.Path()).Output);
   const RadialModel model = NearlyASphere();
-  EXPECT_EQ(result.at("model"), "surface");
+  EXPECT_EQ(result.at("kind"), "surface");
   EXPECT_EQ(result.at("inside_out"), false);
   // Both are sums of some hundred terms of equal magnitude.
   EXPECT_NEAR(result.at("volume_ml").get<double>(), VolumeOf(model) / 1000.0, 1e-12);

@@ -24,11 +24,13 @@ enum class WallFault
   NoNormal ///< the zero vector
 };
 
-/// Counters of a wall's tracker, and its fault, settable from any thread.
+/// Counters of a wall's tracker, its fault and whether its proxy is behind, settable from any
+/// thread.
 struct WallControl
 {
   std::atomic<int> Questions{0};
   std::atomic<WallFault> Fault{WallFault::None};
+  std::atomic<bool> IsBehind{false};
 };
 
 /// The half-space below a height along z, a metre wide; the simplest exact contact model.
@@ -89,6 +91,7 @@ private:
       this->Felt.IsTouching = depth > 0.0;
       this->Felt.Depth = this->Felt.IsTouching ? depth : 0.0;
       this->Felt.ProxyWorld = pose.PositionWorld + Vector3(0.0, 0.0, this->Felt.Depth);
+      this->Felt.IsBehind = this->Control->IsBehind;
     }
     void Spoil(WallFault fault) noexcept
     {

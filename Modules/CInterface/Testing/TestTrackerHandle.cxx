@@ -1,4 +1,5 @@
 #include "AllocationCounter.h"
+#include "ComplianceAtlas.h"
 #include "ComplianceMaps.h"
 #include "ElasticContactModel.h"
 #include "ElasticForce.h"

@@ -17,23 +17,12 @@ constexpr double MinimumTolerance = 1e-9; // rad
 constexpr int EvaluationsOfDescent = 8;   // nearly always enough
 constexpr int LeastForDescent = 5;        // it usually ends before
 constexpr std::size_t FirstCells = 32;    // to which little is done without work, too
-
-template <typename Object>
-void PrefetchObject(const Object& object) noexcept
-{
-  constexpr std::size_t CacheLine = 64; // bytes
-  for (std::size_t at = 0; at < sizeof(Object); at += CacheLine)
-  {
-    __builtin_prefetch(reinterpret_cast<const char*>(&object) + at);
-  }
-}
 } // namespace
 
 template <typename Surface>
 ClearanceProofOf<Surface>::ClearanceProofOf(const ClosestPointSearchOf<Surface>& search,
                                             double distance, double tolerance) noexcept
-    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed),
-      Set(FastestInstructionSet())
+    : Search(&search), LeftOpen(tolerance), Needed(distance - tolerance), Asked(Needed)
 {
   this->BeginAfresh();
 }
@@ -128,36 +117,6 @@ void ClearanceProofOf<Surface>::MoveBounds(double rounding) noexcept
   }
 }
 
-// Compiled twice, like the tracking of closest points: everything is inlined here.
-template <typename Surface>
-[[gnu::flatten]] void ClearanceProofOf<Surface>::FindOpenPortably(double rounding) noexcept
-{
-  this->MoveBounds(rounding);
-}
-
-template <typename Surface>
-#if defined(__x86_64__)
-[[gnu::target("avx2,fma")]]
-#endif
-[[gnu::flatten]] void
-ClearanceProofOf<Surface>::FindOpenByAvx2(double rounding) noexcept
-{
-  this->MoveBounds(rounding);
-}
-
-template <typename Surface>
-void ClearanceProofOf<Surface>::FindOpen(double rounding) noexcept
-{
-  if (this->Set == InstructionSet::Avx2)
-  {
-    this->FindOpenByAvx2(rounding);
-  }
-  else
-  {
-    this->FindOpenPortably(rounding);
-  }
-}
-
 // Most cells that are not clear by their last bounds only lack bounds from here. An eighth of the
 // work, and enough for a descent, is left for those that stay open.
 template <typename Surface>
@@ -167,10 +126,9 @@ void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
   this->Open.Clear();
   for (std::size_t i = 0; i < this->MovedCount; ++i)
   {
-    this->PrefetchMoved(i + 2);
     const std::size_t group = this->Moved[i];
     if (task.WorkLeft >= least + WorkOfGroup && !this->IsBounded(group) &&
-        this->Cells.HasBounds(group))
+        this->Cells.FirstNodes[group] != None)
     {
       task.WorkLeft -= WorkOfGroup;
       this->BoundGroup(task, group);
@@ -179,7 +137,7 @@ void ClearanceProofOf<Surface>::BoundMoved(Task& task) noexcept
   }
 }
 
-// Bounds at the query of the group's cells that lack them, by their nodes and expansions; also of
+// Bounds at the query of the group's cells that lack them, by their nodes; also of
 // cells in a basin, since to find that out takes as long.
 template <typename Surface>
 void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) noexcept
@@ -197,21 +155,6 @@ void ClearanceProofOf<Surface>::BoundGroup(const Task& task, std::size_t group) 
       const auto& ball = tree.BallOf(each);
       this->Improve(task, first + part, tree.LowerDistance(each, this->Query), ball.Center,
                     ball.Radius);
-    }
-  }
-  const ExpandedParts* expanded = this->Cells.ExpandedOf(group);
-  if (expanded == nullptr || !this->IsUsedUp(group, used))
-  {
-    return;
-  }
-  alignas(sizeof(FourLanes)) FourLanes lower;
-  expanded->LowerDistance(this->Query, this->Set, lower);
-  for (std::size_t part = 0; part < MovedBounds::Count; ++part)
-  {
-    if (this->Cells.ClearUntil[first + part] < used)
-    {
-      this->Improve(task, first + part, lower[part], expanded->PointOf(part),
-                    expanded->ExtentOf(part));
     }
   }
 }
@@ -249,18 +192,17 @@ int ClearanceProofOf<Surface>::WorkOfLook(int workLeft) const noexcept
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::Ask(const Vector3& queryWorld, const ClosestPoint* known,
-                               std::size_t knownCount, int evaluationLimit,
-                               const Rest& rest) noexcept
+                               std::size_t knownCount, int evaluationLimit) noexcept
 {
   return this->AskWithin(this->Needed + this->LeftOpen, queryWorld, known, knownCount,
-                         evaluationLimit, Apart, rest);
+                         evaluationLimit);
 }
 
 template <typename Surface>
 typename ClearanceProofOf<Surface>::Answer
 ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
                                      const ClosestPoint* known, std::size_t knownCount,
-                                     int evaluationLimit, double apart, const Rest& rest) noexcept
+                                     int evaluationLimit, double apart) noexcept
 {
   this->Asked = distance - this->LeftOpen;
   this->GoTo(queryWorld - this->Search->Model().CenterWorld());
@@ -269,8 +211,6 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
   task.Known = known;
   task.KnownCount = std::min(knownCount, MostKnown);
   task.WorkLeft = WorkOfEvaluation * evaluationLimit;
-  task.WorkOfRest = WorkOfEvaluation * rest.Evaluations;
-  task.EnoughUntil = Infinite;
   task.Rounding = descent.Rounding(this->Query);
   task.Result.State = Finding::Clear;
   task.Result.LowerDistance = this->Asked;
@@ -280,66 +220,39 @@ ClearanceProofOf<Surface>::AskWithin(double distance, const Vector3& queryWorld,
     Widen(basin, apart);
     task.Add(basin, known[i].SampleDirection, Infinite);
   }
-  this->FindOpen(task.Rounding);
+  this->MoveBounds(task.Rounding);
   task.WorkLeft -= this->WorkOfLook(task.WorkLeft);
   this->BoundMoved(task);
   // The nearest first, where minima are found soonest. Next to a minimum in a hollow as round as
   // the distance some are never clear, so that every other query at a place begins with those that
   // lack least.
   this->Open.Sort(this->IsTurned);
-  const double enoughUntil = this->PathLength + (rest.Enough - this->Needed);
   for (std::size_t i = 0; i < this->Open.Count() && task.Result.State != Finding::Nearer; ++i)
   {
-    if (i >= FirstCells && task.WorkLeft < WorkOfEvaluation && !task.TakeRest(enoughUntil))
+    if (i >= FirstCells && task.WorkLeft < WorkOfEvaluation)
     {
       this->LeaveOpen(task, i);
       break;
     }
-    this->Prefetch(i + 2);
-    this->Settle(task, this->Open[i], enoughUntil);
+    this->Settle(task, this->Open[i]);
   }
-  const int most = evaluationLimit + rest.Evaluations;
-  task.Result.Evaluations = most - (task.WorkLeft + task.WorkOfRest) / WorkOfEvaluation;
+  task.Result.Evaluations = evaluationLimit - task.WorkLeft / WorkOfEvaluation;
   return task.Result;
 }
 
 template <typename Surface>
-void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index, double enoughUntil) noexcept
+void ClearanceProofOf<Surface>::Settle(Task& task, std::size_t index) noexcept
 {
   Step step = Step::Again;
   while (step == Step::Again)
   {
-    const double until = this->Cells.ClearUntil[index];
-    step = until >= this->Used()              ? Step::Settled
-           : until >= task.EnoughUntil        ? Step::Open
-           : this->Cells.Nodes[index] != None ? this->SettleNode(task, index)
-                                              : this->SettleTriangle(task, index);
-    const bool mayGoOn = step == Step::Open && this->Cells.ClearUntil[index] < enoughUntil;
-    step = mayGoOn && task.TakeRest(enoughUntil) ? Step::Again : step;
+    step = this->Cells.ClearUntil[index] >= this->Used() ? Step::Settled
+           : this->Cells.Nodes[index] != None            ? this->SettleNode(task, index)
+                                                         : this->SettleTriangle(task, index);
   }
   if (step == Step::Open)
   {
     this->LeaveOpen(task, this->Cells.ClearUntil[index]);
-  }
-}
-
-template <typename Surface>
-void ClearanceProofOf<Surface>::Prefetch(std::size_t i) const noexcept
-{
-  if (i < this->Open.Count() && this->Cells.Nodes[this->Open[i]] == None)
-  {
-    PrefetchObject(this->Cells.Triangles[this->Open[i]]);
-  }
-}
-
-template <typename Surface>
-void ClearanceProofOf<Surface>::PrefetchMoved(std::size_t i) const noexcept
-{
-  const ExpandedParts* expanded =
-      i < this->MovedCount ? this->Cells.ExpandedOf(this->Moved[i]) : nullptr;
-  if (expanded != nullptr)
-  {
-    PrefetchObject(*expanded);
   }
 }
 
@@ -441,33 +354,19 @@ ClearanceProofOf<Surface>::SettleTriangle(Task& task, std::size_t index) noexcep
   {
     return Step::Settled;
   }
-  const std::size_t group = index / MovedBounds::Count;
-  if (MayBoundTogether && cell.IsEvaluated && !this->IsBounded(group))
+  const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
+  if (task.WorkLeft < work)
   {
-    if (task.WorkLeft <= 0)
-    {
-      return Step::Open;
-    }
-    task.WorkLeft -= WorkOfGroup;
-    this->BoundGroup(task, group);
-    return Step::Again;
+    return Step::Open;
   }
-  if (!cell.IsEvaluated || !MayBoundTogether)
+  task.WorkLeft -= work;
+  if (!cell.IsEvaluated)
   {
-    const int work = cell.IsEvaluated ? WorkOfBound : WorkOfEvaluation;
-    if (task.WorkLeft < work)
-    {
-      return Step::Open;
-    }
-    task.WorkLeft -= work;
-    if (!cell.IsEvaluated)
-    {
-      this->Cells.Evaluate(index);
-    }
-    if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
-    {
-      return Step::Settled;
-    }
+    this->Cells.Evaluate(index);
+  }
+  if (this->Clears(this->LowerDistanceOf(index) - task.Rounding, index))
+  {
+    return Step::Settled;
   }
   const Step step = this->Descend(task, cell);
   if (step != Step::Again || this->Clears(task.LowerDistance(cell.Cap), index))

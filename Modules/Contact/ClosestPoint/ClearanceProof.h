@@ -2,7 +2,6 @@
 
 #include "ClosestPoint.h"
 #include "ClosestPointSearch.h"
-#include "InstructionSet.h"
 #include "MovedBounds.h"
 #include "OpenCells.h"
 #include "ProofCells.h"
@@ -37,14 +36,6 @@ public:
     ClosestPoint Minimum; ///< of Nearer
   };
 
-  /// More work, in evaluations, for a query whose own leaves parts nearer than `Enough` (mm) open:
-  /// only for such parts.
-  struct Rest
-  {
-    double Enough = 0.0;
-    int Evaluations = 0;
-  };
-
   /// Minima whose directions differ by less (rad) count as one.
   static constexpr double Apart = 0.003;
 
@@ -57,12 +48,11 @@ public:
   /// MostKnown. Works as long as about `evaluationLimit` evaluations of the surface with its first
   /// two derivatives take; what remains open is continued by the next query.
   Answer Ask(const Vector3& queryWorld, const ClosestPoint* known, std::size_t knownCount,
-             int evaluationLimit, const Rest& rest = {}) noexcept;
+             int evaluationLimit) noexcept;
   /// The same for another distance, up to the tolerance, preferably less. Known minima count for
   /// everything within the angle `apart` (rad).
   Answer AskWithin(double distance, const Vector3& queryWorld, const ClosestPoint* known,
-                   std::size_t knownCount, int evaluationLimit, double apart = Apart,
-                   const Rest& rest = {}) noexcept;
+                   std::size_t knownCount, int evaluationLimit, double apart = Apart) noexcept;
   static constexpr std::size_t MostKnown = 8;
 
 private:
@@ -80,7 +70,6 @@ private:
   static constexpr int WorkOfEvaluation = SurfaceKind<Surface>::WorkOfEvaluation;
   static constexpr int WorkOfBound = SurfaceKind<Surface>::WorkOfBound;
   static constexpr int WorkOfGroup = SurfaceKind<Surface>::WorkOfGroup;
-  static constexpr bool MayBoundTogether = SurfaceKind<Surface>::MayBoundTogether;
   static constexpr std::size_t Groups = ProofCells<Surface>::Groups;
   static constexpr std::size_t CellCapacity = ProofCells<Surface>::Capacity;
 
@@ -88,9 +77,6 @@ private:
   bool IsNearlyFull() noexcept;
   void GatherNear() noexcept;
   void GoTo(const Vector3& query) noexcept;
-  void FindOpen(double rounding) noexcept;
-  void FindOpenPortably(double rounding) noexcept;
-  void FindOpenByAvx2(double rounding) noexcept;
   int WorkOfLook(int workLeft) const noexcept;
   void MoveBounds(double rounding) noexcept;
   void BoundMoved(Task& task) noexcept;
@@ -104,11 +90,9 @@ private:
   {
     return this->BoundedAt[group] == this->Bounded;
   }
-  void Prefetch(std::size_t i) const noexcept;
-  void PrefetchMoved(std::size_t i) const noexcept;
   void LeaveOpen(Task& task, double until) const noexcept;
   void LeaveOpen(Task& task, std::size_t first) const noexcept;
-  void Settle(Task& task, std::size_t index, double enoughUntil) noexcept;
+  void Settle(Task& task, std::size_t index) noexcept;
   Step SettleNode(Task& task, std::size_t index) noexcept;
   Step SettleTriangle(Task& task, std::size_t index) noexcept;
   Step Descend(Task& task, const Triangle& cell) noexcept;
@@ -118,7 +102,7 @@ private:
   bool SettlesByBasin(const Task& task, const SphericalCap& cap, std::size_t index) noexcept;
   double LowerDistanceOf(std::size_t index) noexcept;
   void KeepBound(std::size_t index, double lower, const Vector3& point, double extent) noexcept;
-  // Whether that is less than a path length; where it is compiled for AVX2, in half the time.
+  // Whether that is less than a path length.
   bool IsUsedUp(std::size_t group, double used) const noexcept
   {
     const auto isUsed = reinterpret_cast<const Clearances&>(
@@ -145,8 +129,7 @@ private:
   OpenCells<CellCapacity> Open; // at the query
   double BoundedFor = 0.0;      // Used() where groups were bounded, mm
   std::uint32_t Bounded = 0;    // a number for that place
-  InstructionSet Set;
-  bool IsTurned = false; // those that lack least come first
+  bool IsTurned = false;        // those that lack least come first
 };
 using ClearanceProof = ClearanceProofOf<RadialModel>;
 } // namespace palpate

@@ -475,10 +475,8 @@ double ClosestPointDescentOf<CenteredSurface>::LowerDistance(const Vector3& quer
   const double aa = first.squaredNorm() - offset.dot(sample.Second[0]);
   const double ab = first.dot(second) - offset.dot(sample.Second[1]);
   const double bb = second.squaredNorm() - offset.dot(sample.Second[2]);
-  const TangentQuadratic<double> quadratic{aa, ab, bb, -offset.dot(first), -offset.dot(second)};
-  double change;
-  quadratic.LeastChange(reach, change);
-  return DistanceWithin(reach, offset.norm(), change, cap);
+  const TangentQuadratic quadratic{aa, ab, bb, -offset.dot(first), -offset.dot(second)};
+  return DistanceWithin(reach, offset.norm(), quadratic.LeastChange(reach), cap);
 }
 
 template class ClosestPointDescentOf<RadialModel>;

@@ -1,13 +1,27 @@
 #pragma once
 
-#include "FourLanes.h"
 #include "Vector3.h"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
 namespace palpate
 {
+/// Four numbers at once, by GCC and Clang's vector extension. Functions take and give them by
+/// reference, since their calling convention as values depends on the instruction set.
+typedef double FourLanes __attribute__((vector_size(4 * sizeof(double))));
+
+/// Of negative numbers 0.
+inline void SquareRoot(const FourLanes& square, FourLanes& root) noexcept
+{
+  const FourLanes positive = square > 0.0 ? square : FourLanes{};
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    root[i] = std::sqrt(positive[i]);
+  }
+}
+
 /// Lower bounds of the distances of four parts of a surface, each known for a place of its own, for
 /// other places. For a step d from the place p of a bound b, a part within e of the point x is at
 /// least sqrt(b^2 - 2 (d.(x - p) + |d| e) + |d|^2) away: steps along the surface hardly change it.

@@ -29,7 +29,6 @@ void ProofCells<Surface>::BeginGroup(std::size_t group, int firstNode, double cl
 {
   this->Bounds[group].Forget();
   this->FirstNodes[group] = firstNode;
-  this->IsExpanded[group] = false;
   for (std::size_t part = 0; part < Count; ++part)
   {
     this->ClearUntil[Count * group + part] = clearUntil;
@@ -105,19 +104,6 @@ void ProofCells<Surface>::Evaluate(std::size_t index) noexcept
   triangle.Sample = this->Search->Model().EvaluateSecondOrder(cap.Center);
   triangle.Bounds = this->Search->Descent().BoundsWithin(cap.Center, triangle.Sample, cap.Radius);
   triangle.IsEvaluated = true;
-  if constexpr (MayBoundTogether)
-  {
-    const std::size_t group = index / Count;
-    if (this->FirstNodes[group] != None)
-    {
-      return; // the tree keeps its expansions
-    }
-    if (!std::exchange(this->IsExpanded[group], true))
-    {
-      this->Expanded[group].Forget();
-    }
-    this->Expanded[group].Set(index % Count, triangle.Sample, cap.Radius, triangle.Bounds);
-  }
 }
 
 template struct ProofCells<RadialModel>;

@@ -2,7 +2,6 @@
 
 #include "ClosestPointDescent.h"
 #include "ClosestPointSearch.h"
-#include "ExpandedParts.h"
 #include "MovedBounds.h"
 #include "QuarteredCells.h"
 #include "SphericalTriangle.h"
@@ -25,7 +24,6 @@ struct ProofCells
   static constexpr std::size_t Count = MovedBounds::Count; // of a group
   static constexpr std::size_t Groups = SurfaceKind<Surface>::ProofCells / Count;
   static constexpr std::size_t Capacity = Count * Groups;
-  static constexpr bool MayBoundTogether = SurfaceKind<Surface>::MayBoundTogether;
 
   struct Triangle
   {
@@ -46,23 +44,6 @@ struct ProofCells
   {
     const double* until = &this->ClearUntil[Count * group];
     return std::min(std::min(until[0], until[1]), std::min(until[2], until[3]));
-  }
-  /// Whether nodes or parts that were evaluated bound some of its cells.
-  bool HasBounds(std::size_t group) const noexcept
-  {
-    return this->FirstNodes[group] != None || this->IsExpanded[group];
-  }
-  /// Of finest nodes and of triangles that were evaluated; else null, as where four are never
-  /// bounded at once.
-  const ExpandedParts* ExpandedOf(std::size_t group) const noexcept
-  {
-    const SurfacePatchTreeOf<Surface>& tree = this->Search->Tree();
-    const int node = this->FirstNodes[group];
-    if (!MayBoundTogether || (node == None ? !this->IsExpanded[group] : tree.IsInner(node)))
-    {
-      return nullptr;
-    }
-    return node == None ? &this->Expanded[group] : &tree.ExpandedFrom(node);
   }
   /// The parts of a cell take its place, with its clearance: of a node that is not a finest one,
   /// and of a triangle. Returns their group; Groups without memory.
@@ -85,9 +66,6 @@ struct ProofCells
   std::array<int, Groups> FirstNodes; // None for groups of triangles
   std::array<int, Capacity> Nodes;    // None for triangles
   std::array<Triangle, Capacity> Triangles;
-  // Of triangles in no finest node's group that were evaluated, where four are bounded at once.
-  std::array<ExpandedParts, MayBoundTogether ? Groups : 0> Expanded;
-  std::array<bool, Groups> IsExpanded;
   QuarteredCells<Groups> Parts;
 
 private:

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace palpate
 {
@@ -63,24 +62,10 @@ struct ClearanceProofOf<Surface>::Task
                        });
   }
 
-  // Goes on with the work of the rest; false without any.
-  bool TakeRest(double enoughUntil) noexcept
-  {
-    if (this->WorkOfRest <= 0)
-    {
-      return false;
-    }
-    this->WorkLeft += std::exchange(this->WorkOfRest, 0);
-    this->EnoughUntil = enoughUntil;
-    return true;
-  }
-
   Vector3 Query;
   const ClosestPoint* Known;
   std::size_t KnownCount;
-  int WorkLeft;   // in bounds of nodes
-  int WorkOfRest; // the same, for cells that are not clear until then
-  double EnoughUntil;
+  int WorkLeft;    // in bounds of nodes
   double Rounding; // of distances, mm
   Answer Result;
   std::array<Basin, 2 * MostKnown> Basins;

@@ -32,12 +32,10 @@ struct SurfaceKind<RadialModel>
   /// Memory of a ClearanceProof.
   static constexpr std::size_t ProofCells = 1280;
   /// A proof's evaluation, with the bounds that it leads to, another bound of an evaluated part,
-  /// and bounds of four nodes or parts at once take as long as this many bounds of nodes.
+  /// and bounds of four nodes at once take as long as this many bounds of nodes.
   static constexpr int WorkOfEvaluation = 16;
   static constexpr int WorkOfBound = 4;
   static constexpr int WorkOfGroup = 2;
-  /// Whether ExpandedParts bounds four parts at once; the tree keeps those of its finest nodes.
-  static constexpr bool MayBoundTogether = false;
 };
 
 template <>
@@ -53,7 +51,6 @@ struct SurfaceKind<CenteredSurface>
   static constexpr int WorkOfEvaluation = 6;
   static constexpr int WorkOfBound = 2;
   static constexpr int WorkOfGroup = 1;
-  static constexpr bool MayBoundTogether = true;
 };
 
 template <typename Surface>

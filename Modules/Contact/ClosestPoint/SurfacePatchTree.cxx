@@ -1,6 +1,7 @@
 #include "SurfacePatchTree.h"
 
 #include "CenteredSurfaceSample.h"
+#include "ClosestPointDescent.h"
 
 #include <limits>
 
@@ -54,7 +55,6 @@ SurfacePatchTreeOf<Surface>::SurfacePatchTreeOf(const Surface& surface, const Bo
   this->Caps.resize(inner + finest);
   this->Spheres.resize(inner + finest);
   this->Patches.resize(finest);
-  this->Expanded.resize(SurfaceKind<Surface>::MayBoundTogether ? finest / ExpandedParts::Count : 0);
   for (int root = 0; root < RootCount; ++root)
   {
     this->Build(surface, bounds, root, this->Roots[static_cast<std::size_t>(root)]);
@@ -103,11 +103,6 @@ SurfacePatchTreeOf<Surface>::BuildPatch(const Surface& surface, const Bounds& bo
   const Patch patch(direction, sample, reach, within.Third);
   const auto finest = static_cast<std::size_t>(node - this->InnerCount());
   this->Patches[finest] = patch;
-  if constexpr (SurfaceKind<Surface>::MayBoundTogether)
-  {
-    this->Expanded[finest / ExpandedParts::Count].Set(finest % ExpandedParts::Count, sample, reach,
-                                                      within);
-  }
   return this->Spheres[static_cast<std::size_t>(node)] = {patch.Center(), patch.Extent()};
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ExpandedParts.h"
 #include "SphericalTriangle.h"
 #include "SurfaceKind.h"
 
@@ -11,9 +10,8 @@ namespace palpate
 {
 /// A hierarchy of volumes around the parts of a surface: the triangles of an icosahedron,
 /// each split into four a number of times. All have a sphere around them, the finest a SurfacePatch
-/// or SurfaceBox too, and expansions where SurfaceKind::MayBoundTogether. Nodes are numbered level
-/// by level; points are relative to the surface's centre, mm. Immutable; its queries are const,
-/// thread-safe and allocation-free.
+/// or SurfaceBox too. Nodes are numbered level by level; points are relative to the surface's
+/// centre, mm. Immutable; its queries are const, thread-safe and allocation-free.
 template <typename Surface>
 class SurfacePatchTreeOf
 {
@@ -58,12 +56,6 @@ public:
   {
     return this->IsInner(node) ? this->BallOf(node) : Ball{this->PatchOf(node).Point, 0.0};
   }
-  /// Of the four finest nodes from this one on.
-  const ExpandedParts& ExpandedFrom(int node) const noexcept
-  {
-    return this
-        ->Expanded[static_cast<std::size_t>(node - this->InnerCount()) / ExpandedParts::Count];
-  }
   /// Square of the distance (mm^2) from the query to the middle of the node.
   double SquaredCenterDistance(int node, const Vector3& query) const noexcept
   {
@@ -79,7 +71,7 @@ public:
   {
     return this->Roots.size() * sizeof(SphericalTriangle) +
            this->Caps.size() * sizeof(SphericalCap) + this->Spheres.size() * sizeof(Ball) +
-           this->Patches.size() * sizeof(Patch) + this->Expanded.size() * sizeof(ExpandedParts);
+           this->Patches.size() * sizeof(Patch);
   }
 
   /// Bounds of the distance of the surface from its centre, mm; the lower one is 0 for other
@@ -100,8 +92,7 @@ private:
   std::vector<SphericalCap> Caps;
   std::vector<Ball> Spheres;
   std::vector<Patch> Patches;
-  std::vector<ExpandedParts> Expanded; // of four finest nodes each
-  double Lowest;                       // bounds of R, or of the distance from the centre
+  double Lowest; // bounds of R, or of the distance from the centre
   double Highest;
 };
 using SurfacePatchTree = SurfacePatchTreeOf<RadialModel>;

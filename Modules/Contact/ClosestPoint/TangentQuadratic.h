@@ -1,70 +1,56 @@
 #pragma once
 
-#include "FourLanes.h"
-
+#include <algorithm>
+#include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace palpate
 {
 /// The quadratic g.s + s.H s / 2 of steps s in a tangent plane, by two orthonormal tangents a, b:
-/// what SquaredDistance::LeastChange, which see, needs of a SquaredDistance. One (`Number` is
-/// double) or four at once (FourLanes).
-template <typename Number>
+/// what SquaredDistance::LeastChange (see there) needs of a SquaredDistance.
 struct TangentQuadratic
 {
-  Number Aa, Ab, Bb; ///< H
-  Number A, B;       ///< g
+  double Aa, Ab, Bb; ///< H
+  double A, B;       ///< g
 
   /// A lower bound, at most 0, within the length `reach` > 0.
-  void LeastChange(const Number& reach, Number& change) const noexcept
+  double LeastChange(double reach) const noexcept
   {
-    const Number square = reach * reach;
-    const Number half = 0.5 * (this->Aa + this->Bb);
-    const Number determinant = this->Aa * this->Bb - this->Ab * this->Ab;
-    Number spread, slope, squaredLength, length;
-    SquareRoot(half * half - determinant, spread);
-    const Number smallest = half > 0.0 ? determinant / (half + spread) : half - spread;
-    this->Step(Number{}, slope, squaredLength);
-    const Number within = 0.5 * slope;
-    if constexpr (std::is_same_v<Number, double>)
+    const double square = reach * reach;
+    const double half = 0.5 * (this->Aa + this->Bb);
+    const double determinant = this->Aa * this->Bb - this->Ab * this->Ab;
+    const double spread = std::sqrt(std::max(0.0, half * half - determinant));
+    const double smallest = half > 0.0 ? determinant / (half + spread) : half - spread;
+    double slope = 0.0;
+    double squaredLength = 0.0;
+    this->Step(0.0, slope, squaredLength);
+    if (smallest > 0.0 && squaredLength <= square)
     {
-      if (smallest > 0.0 && squaredLength <= square)
-      {
-        change = within;
-        return;
-      }
+      return 0.5 * slope;
     }
-    const auto isShort = squaredLength <= square;
-    const Number least = (half > 0.0 ? 2e-6 * half : -2e-6 * half) - smallest;
-    const Number perReach = 1.0 / reach;
-    SquareRoot(this->A * this->A + this->B * this->B, length);
-    Number shift = length * perReach - smallest; // the step is then no longer
-    change = Number{} - std::numeric_limits<double>::infinity();
+    const double least = 2e-6 * std::abs(half) - smallest;
+    double shift = std::hypot(this->A, this->B) / reach - smallest; // the step is then no longer
+    double change = -std::numeric_limits<double>::infinity();
     constexpr int Shifts = 3;
     for (int i = 0; i < Shifts; ++i)
     {
-      shift = shift > least ? shift : least;
-      shift = shift > 0.0 ? shift : Number{};
+      shift = std::max({0.0, shift, least});
       this->Step(shift, slope, squaredLength);
-      const Number dual = 0.5 * (slope - shift * square);
-      change = dual > change ? dual : change;
-      SquareRoot(squaredLength, length);
-      shift = (smallest + shift) * length * perReach - smallest;
+      change = std::max(change, 0.5 * (slope - shift * square));
+      shift = (smallest + shift) * std::sqrt(squaredLength) / reach - smallest;
     }
-    const Number convex = isShort ? within : change;
-    change = smallest > 0.0 ? convex : change;
+    return change;
   }
 
 private:
   // To the minimum with `shift` times the identity added to H; the slope is g.s.
-  void Step(const Number& shift, Number& slope, Number& squaredLength) const noexcept
+  void Step(double shift, double& slope, double& squaredLength) const noexcept
   {
-    const Number aa = this->Aa + shift;
-    const Number bb = this->Bb + shift;
-    const Number scale = 1.0 / (aa * bb - this->Ab * this->Ab);
-    const Number a = scale * (this->Ab * this->B - bb * this->A);
-    const Number b = scale * (this->Ab * this->A - aa * this->B);
+    const double aa = this->Aa + shift;
+    const double bb = this->Bb + shift;
+    const double scale = 1.0 / (aa * bb - this->Ab * this->Ab);
+    const double a = scale * (this->Ab * this->B - bb * this->A);
+    const double b = scale * (this->Ab * this->A - aa * this->B);
     slope = this->A * a + this->B * b;
     squaredLength = a * a + b * b;
   }

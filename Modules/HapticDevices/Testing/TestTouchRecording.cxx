@@ -44,7 +44,7 @@ TEST(TouchRecordingFormat, TicksRoundTripBitForBit)
     {
       word = random();
     }
-    words[5] &= 0x1fff;      // thirteen flags
+    words[5] &= 0xffff;      // sixteen flags
     words[6] %= 5;           // states
     words[7] %= 10;          // faults
     words[16] &= 0xffffffff; // buttons
@@ -84,7 +84,7 @@ TEST(TouchRecordingFormat, RejectsInvalidTick)
   TouchState state;
   ASSERT_TRUE(TouchRecordingFormat::Decode(good, state));
   const std::pair<std::size_t, std::uint64_t> bad[] = {
-      {5, 0x8000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
+      {5, 0x10000}, {6, 5}, {7, 11}, {16, std::uint64_t{1} << 32}, {31, std::uint64_t{1} << 40},
       {34, 5}};
   for (const auto& [word, value] : bad)
   {

@@ -345,6 +345,7 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.Scene = this->SceneCount;
   state.IsClutched = this->IsClutched;
   state.IsBuried = this->Current.Felt.IsBuried;
+  state.IsBehind = this->Current.Felt.IsBehind;
   state.IsDrilling = this->IsDrilling;
   state.DrillVersion = scene != nullptr ? scene->VersionNumber() : 0;
   state.DrillOrders = this->OrderCount;

@@ -271,6 +271,7 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
     const Contact& contact = follower.Touched();
     feeling.IsValid = feeling.IsValid && contact.IsValid;
     feeling.IsBuried = feeling.IsBuried || follower.IsSilent();
+    feeling.IsBehind = feeling.IsBehind || contact.IsBehind;
     if (contact.IsTouching && (feeling.Structure < 0 || contact.Depth > feeling.Deepest.Depth))
     {
       feeling.Structure = static_cast<int>(this->Near[i]);

@@ -40,6 +40,7 @@ public:
     Contact Deepest;                 ///< of that structure
     bool IsValid = true;             ///< every model gave a valid result
     bool IsBuried = false;           ///< a structure contains the tool, which did not move there
+    bool IsBehind = false;           ///< a proxy has not reached its place (Contact::IsBehind)
   };
 
   static Status Make(std::shared_ptr<const TouchScene> scene, double velocityTimeConstant,

@@ -33,6 +33,7 @@ struct TouchState
   bool WasRearmed = false;     ///< the user switched forces on again before this tick
   bool WasContinued = false;   ///< the adopted scene continued the previous one
   bool IsBuried = false;       ///< a structure around the tool is silent until it left
+  bool IsBehind = false;       ///< the work of the tick ended before a proxy reached its place
   bool IsClutched = false;     ///< the clutch is held: nothing is felt
   bool IsDrilling = false;     ///< the drill was requested to run
   DrillCommand Command = DrillCommand::None; ///< consumed before this tick

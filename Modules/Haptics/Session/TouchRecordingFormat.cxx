@@ -71,6 +71,7 @@ void VisitFlags(State& s, Visitor visit)
   visit(s.Safety.WillResume);
   visit(s.IsClutched);
   visit(s.IsBuried);
+  visit(s.IsBehind);
 }
 
 std::uint64_t FlagsOf(const TouchState& state) noexcept

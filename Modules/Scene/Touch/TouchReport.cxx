@@ -148,6 +148,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["seconds"] = result.Trace.Duration();
   summary["ticks"] = result.Ticks;
   summary["lost_ticks"] = result.LostTicks;
+  summary["behind_ticks"] = result.BehindTicks;
   summary["touching_percent"] = TouchingPercent(result);
   summary["beyond_linear_percent"] = PercentOf(result, result.BeyondLinearSeconds);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
@@ -246,6 +247,7 @@ ReportRows NumberRows(const PreparedTouch& touch, const TouchResult& result)
       {"tick time, 99.9 %", micro(result.Durations.Quantile(Almost))},
       {"tick time, longest", micro(result.Durations.Max())},
       {"late ticks", std::to_string(result.Durations.Misses())},
+      {"ticks whose work was left to the next", std::to_string(result.BehindTicks)},
       {"skipped ticks", std::to_string(result.Periods.Misses())},
       {"forces", result.Fault == SafetyFault::None ? "on until the end" : FaultText(result)}};
   if (result.BeyondLinearSeconds > 0.0)

@@ -118,6 +118,7 @@ public:
       this->Result.TouchedSeconds[static_cast<std::size_t>(state.Structure)] += passed;
       this->Result.BeyondLinearSeconds += state.IsBeyondLinear ? passed : 0.0;
     }
+    this->Result.BehindTicks += state.IsBehind ? 1 : 0;
     this->Result.LeastEnergy = std::min(this->Result.LeastEnergy, state.Safety.Energy);
     const bool isLasting = state.Safety.Fault != SafetyFault::None && !state.Safety.WillResume;
     if (this->Result.Fault == SafetyFault::None || (this->Result.HasResumed && isLasting))

@@ -65,6 +65,7 @@ struct TouchResult
   PeriodStatistics Durations; ///< of ticks; its misses are late ticks
   PeriodStatistics Periods;   ///< from tick to tick; its misses are skipped ticks
   std::uint64_t Ticks = 0;
+  std::uint64_t BehindTicks = 0;         ///< their work ended before a proxy reached its place
   std::uint64_t LostTicks = 0;           ///< executed but missing in the trace
   std::vector<double> TouchedSeconds;    ///< by structure, the one touched most deeply
   double BeyondLinearSeconds = 0.0;      ///< of them, beyond linear elasticity

@@ -134,38 +134,5 @@ TEST(SurfaceClearanceProof, LittleWorkEndsAfterAStepBesideAKnownMinimum)
     }
   }
 }
-
-TEST(SurfaceClearanceProof, TheRestOfTheWorkIsForPartsNearerThanEnough)
-{
-  constexpr double Enough = Distance - 0.05;
-  constexpr int Rest = 5000;
-  for (const SurfaceModel& surface : Phantoms())
-  {
-    const Search search(std::make_shared<const CenteredSurface>(surface));
-    Proof proof(search, Distance, Tolerance);
-    Random random(9423);
-    Stroke stroke(surface, random);
-    int open = 0;
-    int more = 0;
-    for (int step = 0; step < 600; ++step)
-    {
-      const Vector3 query = stroke.Next(Distance + 0.5 * std::sin(0.05 * step));
-      const double nearest = std::abs(search.Nearest(query, ProvingEvaluations).SignedDistance);
-      const auto limit = static_cast<int>(random() % 8);
-      const Proof::Answer answer = proof.Ask(query, nullptr, 0, limit, {Enough, Rest});
-      more += answer.Evaluations > limit ? 1 : 0;
-      if (answer.State == Finding::Nearer)
-      {
-        ASSERT_LT(std::abs(answer.Minimum.SignedDistance), Distance);
-        continue;
-      }
-      open += answer.State == Finding::Open ? 1 : 0;
-      ASSERT_GE(answer.LowerDistance, Enough) << step;
-      ASSERT_LE(answer.LowerDistance, nearest + 1e-9) << step; // rounding
-    }
-    EXPECT_GT(more, 20);
-    EXPECT_GT(open, 5);
-  }
-}
 } // namespace
 } // namespace palpate::parametric_clearance_proof_test

@@ -24,6 +24,7 @@ TEST(ClearMotion, ContactBeginsAtTheFirstWallOfAStep)
   constexpr double Step = 0.3;   // mm
   const double stride = surface->SmallestRadius() / 16.0;
   constexpr double Exactness = 1e-5; // mm
+  constexpr int Evaluations = 1000;
   const WedgePlaces places(*surface, Radius, 0.0);
   ClearMotion motion(*surface, places, Radius, stride, Exactness, nullptr);
   Random random(9301);
@@ -48,7 +49,7 @@ TEST(ClearMotion, ContactBeginsAtTheFirstWallOfAStep)
     for (int tick = 0; tick < 30 && isFree; ++tick)
     {
       place += step;
-      isFree = motion.MoveTo(place);
+      isFree = motion.MoveTo(place, Evaluations);
     }
     if (!isFree)
     {

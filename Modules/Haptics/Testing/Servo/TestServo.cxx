@@ -385,6 +385,18 @@ TEST(Servo, InvalidContactIsAFault)
   }
 }
 
+TEST(Servo, TicksTellThatAProxyIsBehind)
+{
+  CountedWall first;
+  first.Scene.Structures.push_back(WallScene(-0.5, {1.0, 0.0}).Structures[0]);
+  test::ServoRun run(first.Scene);
+  run.RestAt({0.0, 0.0, -1.0});
+  EXPECT_FALSE(run.Loop.Latest().IsBehind);
+  first.Control->IsBehind = true;
+  run.TickAt({0.0, 0.0, -1.0});
+  EXPECT_TRUE(run.Loop.Latest().IsBehind);
+}
+
 TEST(Servo, NoForceWithoutAScene)
 {
   test::ScriptedDevice device;
