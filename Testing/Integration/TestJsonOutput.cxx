@@ -131,7 +131,7 @@ protected:
 private:
   void Add(const Json& object)
   {
-    EXPECT_EQ(object.value("schema_version", 0), 3) << object;
+    EXPECT_EQ(object.value("schema_version", 0), 4) << object;
     AddJsonPaths(object, "", this->Paths);
   }
 
