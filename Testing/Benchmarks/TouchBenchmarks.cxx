@@ -226,10 +226,10 @@ private:
 };
 
 // A surface model and its mesh of 8,000 triangles, touched 1.5 mm deep by a point.
-class SurfaceCase
+class SurfaceTouchCase
 {
 public:
-  explicit SurfaceCase(const SurfaceModel& surface)
+  explicit SurfaceTouchCase(const SurfaceModel& surface)
   {
     this->MakePath(surface);
     std::shared_ptr<const ContactModel> model;
@@ -295,9 +295,9 @@ std::vector<PairedBenchmark> SurfaceTouchBenchmarks()
   test::Random random(12);
   // As a surface model the degree is one higher.
   const auto organ = std::make_shared<const RadialModel>(test::RandomOrgan(random, 15));
-  const auto body = std::make_shared<SurfaceCase>(SurfaceModel::FromModel(*organ));
+  const auto body = std::make_shared<SurfaceTouchCase>(SurfaceModel::FromModel(*organ));
   body->AddStar(organ);
-  const auto ring = std::make_shared<SurfaceCase>(test::OpenRing());
+  const auto ring = std::make_shared<SurfaceTouchCase>(test::OpenRing());
   return {{"touch/surface/degree16", "god-object on 8,000 triangles (ours)",
            [body] { body->FollowSurface(); }, [body] { body->FollowFacets(); },
            [body] { return body->Disagreement(); }, TouchTicks},
