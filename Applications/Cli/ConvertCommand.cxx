@@ -185,7 +185,7 @@ void ConvertCommand::ConvertModel(Console& console) const
                      ListOfEndings(ReadableModelEndings()) + ", .csv or a surface format.");
   }
   WriteModel(this->Output, document);
-  if (std::holds_alternative<RadialModel>(document.Surface) && !KeepsStarShape(this->Output))
+  if (std::holds_alternative<RadialModel>(document.Surface) && !KeepsRadialModel(this->Output))
   {
     console.Note(this->Output.string() + " holds the same surface as a surface model of one "
                                          "degree more; its format cannot store the centre.");

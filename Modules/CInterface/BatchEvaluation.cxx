@@ -31,10 +31,10 @@ void Put(double number, double* array, std::size_t entry)
 }
 
 template <typename Sample>
-void PutPlace(const RadialModel& star, const Vector3& u, const Sample& sample,
+void PutPlace(const RadialModel& radial, const Vector3& u, const Sample& sample,
               const palpate_evaluation& results, std::size_t i)
 {
-  Put(star.CenterWorld() + sample.Radius * u, results.points, i);
+  Put(radial.CenterWorld() + sample.Radius * u, results.points, i);
   Put((sample.Radius * u - sample.SurfaceGradient).normalized(), results.normals, i);
   Put(sample.Radius, results.radii, i);
   Put(sample.SurfaceGradient, results.gradients, i);

@@ -30,7 +30,7 @@ palpate_model* HandleOf(OrganModel surface)
   return new palpate_model({std::move(surface), {}, nullptr});
 }
 
-const RadialModel* StarOf(const palpate_model& model)
+const RadialModel* RadialOf(const palpate_model& model)
 {
   return std::get_if<RadialModel>(&model.Document.Surface);
 }
@@ -71,9 +71,9 @@ void PlaceAt(const OrganModel& surface, const Vector3& direction, double* point,
       Copy(outward, normal);
     }
   };
-  if (const auto* star = std::get_if<RadialModel>(&surface))
+  if (const auto* radial = std::get_if<RadialModel>(&surface))
   {
-    place(star->PointWorld(direction), star->Normal(direction));
+    place(radial->PointWorld(direction), radial->Normal(direction));
     return;
   }
   const auto& organ = std::get<SurfaceModel>(surface);
@@ -82,10 +82,10 @@ void PlaceAt(const OrganModel& surface, const Vector3& direction, double* point,
 
 void PrepareSearch(palpate_model& model)
 {
-  if (const RadialModel* star = StarOf(model))
+  if (const RadialModel* radial = RadialOf(model))
   {
-    model.StarSearch =
-        std::make_unique<const ClosestPointSearch>(std::make_shared<const RadialModel>(*star));
+    model.RadialSearch =
+        std::make_unique<const ClosestPointSearch>(std::make_shared<const RadialModel>(*radial));
     return;
   }
   model.SurfaceSearch = std::make_unique<const ClosestPointSearchOf<CenteredSurface>>(
@@ -253,7 +253,7 @@ int palpate_model_degree(const palpate_model* model)
 
 int palpate_model_is_radial(const palpate_model* model)
 {
-  return model != nullptr && StarOf(*model) != nullptr ? 1 : 0;
+  return model != nullptr && RadialOf(*model) != nullptr ? 1 : 0;
 }
 
 int palpate_model_is_star_shaped(const palpate_model* model)
@@ -280,9 +280,9 @@ size_t palpate_model_coefficients(const palpate_model* model, double* coefficien
     std::copy_n(values.begin(), std::min(left, values.size()), coefficients + count);
     count += values.size();
   };
-  if (const RadialModel* star = StarOf(*model))
+  if (const RadialModel* radial = RadialOf(*model))
   {
-    append(star->Coefficients());
+    append(radial->Coefficients());
     return count;
   }
   const auto& surface = std::get<SurfaceModel>(model->Document.Surface);
@@ -396,8 +396,8 @@ int palpate_model_nearest(palpate_model* model, const double query[3], double po
                  {
                    std::call_once(model->HasSearch, [&] { PrepareSearch(*model); });
                    const Vector3 from = VectorOf(query);
-                   return model->StarSearch != nullptr
-                              ? Nearest(*model->StarSearch, from, point, normal, distance, error)
+                   return model->RadialSearch != nullptr
+                              ? Nearest(*model->RadialSearch, from, point, normal, distance, error)
                               : Nearest(*model->SurfaceSearch, from, point, normal, distance,
                                         error);
                  });

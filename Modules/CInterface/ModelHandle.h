@@ -17,6 +17,6 @@ struct palpate_model
   palpate::ModelDocument Document;
   std::string Changes; ///< by the fit to a mask, see ChangeText
   std::once_flag HasSearch;
-  std::unique_ptr<const palpate::ClosestPointSearch> StarSearch;
+  std::unique_ptr<const palpate::ClosestPointSearch> RadialSearch;
   std::unique_ptr<const palpate::ClosestPointSearchOf<palpate::CenteredSurface>> SurfaceSearch;
 };

@@ -61,10 +61,10 @@ Status ContactOf(const ModelDocument& document, std::shared_ptr<const ContactMod
   {
     return SurfaceContactModel::Make(*surface, contact);
   }
-  const auto star = std::make_shared<const RadialModel>(std::get<RadialModel>(document.Surface));
+  const auto radial = std::make_shared<const RadialModel>(std::get<RadialModel>(document.Surface));
   return document.Elasticity != nullptr
-             ? ElasticContactModel::Make(star, *document.Elasticity, contact)
-             : RadialContactModel::Make(star, RadialContactMode::Nearest, contact);
+             ? ElasticContactModel::Make(radial, *document.Elasticity, contact)
+             : RadialContactModel::Make(radial, RadialContactMode::Nearest, contact);
 }
 
 // Adds what `make` makes.

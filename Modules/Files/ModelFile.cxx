@@ -18,7 +18,7 @@ struct ModelFormat : FileFormat
 {
   ModelDocument (*Read)(const std::string& text, const std::string& fileName); ///< may be null
   std::string (*Write)(const ModelDocument& document, const std::string& fileName);
-  bool KeepsStarShape;
+  bool KeepsRadialModel;
 };
 
 ModelDocument FromCoefficients(const std::string& text, const std::string& fileName)
@@ -62,9 +62,9 @@ bool IsModelFile(const std::filesystem::path& path)
   return Formats().Writer(path) != nullptr;
 }
 
-bool KeepsStarShape(const std::filesystem::path& path)
+bool KeepsRadialModel(const std::filesystem::path& path)
 {
-  return FormatOf(path).KeepsStarShape;
+  return FormatOf(path).KeepsRadialModel;
 }
 
 ModelDocument ReadModel(const std::filesystem::path& path)

@@ -15,7 +15,7 @@ std::vector<std::string> ReadableModelEndings();
 
 /// Whether a file of this ending preserves a radial model; SPHARM-PDM has only surface
 /// surfaces.
-bool KeepsStarShape(const std::filesystem::path& path);
+bool KeepsRadialModel(const std::filesystem::path& path);
 
 /// Reads a model by its ending: Palpate's JSON (see ModelToJson) or SPHARM-PDM's .coef
 /// (SurfaceFromSpharmPdm). Lengths mm, frame patient LPS. Throws InputError, also for a .csv.
