@@ -168,11 +168,11 @@ TEST(DrillRun, MinutesOfStrokesTakeBoundedMemory)
                                       });
   EXPECT_EQ(result.Ticks, 5000u * static_cast<unsigned>(strokes));
   EXPECT_EQ(result.Fault, SafetyFault::None);
-  EXPECT_GT(result.DrillOrders, 80u * static_cast<unsigned>(strokes));
-  EXPECT_GT(result.RemovedVolumes[0], 0.4 * strokes);
+  EXPECT_GT(result.DrillOrders, 10000u * static_cast<unsigned>(strokes) / 120u);
+  EXPECT_GT(result.RemovedVolumes[0], 50.0 * strokes / 120.0);
   // Strokes that can be undone keep their changes: a few hundred blocks of 2 kB each.
   ASSERT_GT(settled, 1.0);
-  EXPECT_LT(test::ResidentMebibytes() - settled, 8.0 + 0.27 * strokes);
+  EXPECT_LT(test::ResidentMebibytes() - settled, 8.0 + 32.0 * strokes / 120.0);
   EXPECT_LT(touch.Drill->Editor().Bytes(), std::size_t{40} << 20);
 }
 
