@@ -4,7 +4,8 @@ Modules may include only the modules and packages that the table permits, and on
 level; each permission is used; Documentation/Architecture.md lists the same; vtk.module files name no
 other modules; folders do not include each other in circles; every source has its header, every module its
 README, no file and no folder is too long, no type is defined twice in a namespace, sources that may be compiled
-as one share no names, public headers are few and include no others, comments hold no unfinished work, and pages have short lines and no broken links. Prints one line per violation; exits with 1 if there is any.
+as one share no names, public headers are few and include no others, comments hold no unfinished work, and pages
+have short lines and no broken links. Prints one line per violation; exits with 1 if there is any.
 """
 
 import argparse
