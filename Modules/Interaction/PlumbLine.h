@@ -12,8 +12,9 @@ class vtkRenderer;
 
 namespace palpate
 {
-/// A line in 3D from a tool without contact to the nearest place of what is around, with its
-/// length: a picture alone does not tell how deep the tool is.
+/// What a hand would feel, beside the tool in 3D: without contact a line to the nearest place of
+/// what is around, with its length, since an image alone does not tell how deep the tool is; in
+/// contact a bar of the force, with newtons and depth.
 class PALPATEINTERACTION_EXPORT PlumbLine
 {
 public:
@@ -24,7 +25,10 @@ public:
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
+  void ShowForce(vtkProbeRepresentation* probe, LengthUnit unit);
+
   CurveActor Line;
+  CurveActor Bar; // of the force
   PointLabels Length;
 };
 } // namespace palpate

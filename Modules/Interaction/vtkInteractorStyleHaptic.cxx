@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ vtkStandardNewMacro(vtkInteractorStyleHaptic);
 namespace
 {
 constexpr unsigned long PollInterval = 16; // ms
-constexpr double Notch = 2.0;              // mm in depth, to reach distant surfaces quickly
+constexpr double StrongestPush = 4.0;      // N, of the mouse as a hand
 } // namespace
 
 struct vtkInteractorStyleHaptic::Live
@@ -42,6 +43,7 @@ struct vtkInteractorStyleHaptic::Live
   vtkNew<vtkProbeRepresentation> Probe;
   palpate::ProbeInSpace Drawn;
   vtkWeakPointer<vtkRenderer> DrawnIn;
+  int AimedAt = -1;                     // the structure that MostPush is for
   palpate::TouchSession Session{Clock}; // ends first
 };
 
@@ -49,8 +51,10 @@ vtkInteractorStyleHaptic::vtkInteractorStyleHaptic() : Inner(std::make_unique<Li
 {
   this->SetDeviceName("simulated");
   this->Inner->Probe->VisibilityOff();
-  this->SetNotchMillimeters(Notch);
+  this->NeedsTimer = false;
   this->AddObserver(HandMovedEvent, this, &vtkInteractorStyleHaptic::TakeHand);
+  this->AddObserver(AimedEvent, this, &vtkInteractorStyleHaptic::FindRest);
+  this->AddObserver(PressedEvent, this, &vtkInteractorStyleHaptic::PressHand);
 }
 
 vtkInteractorStyleHaptic::~vtkInteractorStyleHaptic()
@@ -343,9 +347,9 @@ void vtkInteractorStyleHaptic::Poll()
 
 void vtkInteractorStyleHaptic::OnTimer()
 {
+  this->Superclass::OnTimer();
   if (!this->IsTouching())
   {
-    this->Superclass::OnTimer();
     return;
   }
   const vtkMTimeType before = this->Inner->Probe->GetMTime();
@@ -354,6 +358,37 @@ void vtkInteractorStyleHaptic::OnTimer()
   {
     this->Interactor->Render();
   }
+}
+
+// The hand hovers without contact until it is pressed, so that it passes over everything.
+void vtkInteractorStyleHaptic::FindRest()
+{
+  Live& inner = *this->Inner;
+  if (!this->IsTouching())
+  {
+    return;
+  }
+  const std::optional<palpate::TouchRay::Rest> rest = inner.Session.RestBetween(
+      palpate::Vector3(this->GetSightFrom()), palpate::Vector3(this->GetSightTo()));
+  if (!rest)
+  {
+    return;
+  }
+  if (rest->Structure != inner.AimedAt)
+  {
+    inner.AimedAt = rest->Structure;
+    this->SetMostPush(inner.Session.PushFor(StrongestPush, rest->Structure));
+  }
+  this->SetRest(rest->ToolWorld.data(), rest->NormalWorld.data());
+  if (!this->IsPressed())
+  {
+    inner.Session.LiftHand();
+  }
+}
+
+void vtkInteractorStyleHaptic::PressHand()
+{
+  this->Inner->Session.PressHand();
 }
 
 // Moves a simulated hand to the mouse's target, but not beyond the device's workspace.

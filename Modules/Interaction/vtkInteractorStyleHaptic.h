@@ -10,8 +10,8 @@
  *   to rest, forces fade in again. Initially workspace and scene have the same centre.
  * - While the clutch button is held there is no force, and the tool stays in place: so the hand can
  *   reach points beyond its workspace.
- * - The mouse is the hand of the simulated device: the hand is under the pointer, and the wheel
- *   moves it in depth. It starts in front of everything.
+ * - The mouse is the hand of the simulated device: the tool rests on the surface under the pointer,
+ *   and a left press, or the wheel, pushes it in.
  * - Esc switches forces off, f switches them on again.
  *
  * Any fault results in 0 N and a FaultEvent; GetStatusText says what to do. Destroying the style,
@@ -143,6 +143,8 @@ private:
   void ShowNewest();
   void TellChanges();
   void TakeHand();
+  void FindRest();
+  void PressHand();
   vtkRenderer* Led();
 
   char* DeviceName = nullptr;

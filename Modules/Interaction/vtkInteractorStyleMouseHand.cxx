@@ -14,6 +14,12 @@ vtkStandardNewMacro(vtkInteractorStyleMouseHand);
 
 namespace
 {
+constexpr double ShareOfHeight = 0.02; // of a view, that a notch moves along the line of sight
+constexpr double PushPerNotch = 0.05;
+constexpr double FirstPush = 0.1;
+constexpr int GrowthInterval = 20;      // ms
+constexpr double GrowthPerTimer = 0.01; // the strongest push after 1.8 s
+
 void TakeNumbers(const double from[3], double to[3])
 {
   if (std::all_of(from, from + 3, [](double value) { return std::isfinite(value); }))
@@ -31,6 +37,13 @@ void vtkInteractorStyleMouseHand::SetHandWorld(const double position[3])
 void vtkInteractorStyleMouseHand::SetDraggedWorld(const double position[3])
 {
   TakeNumbers(position, this->DraggedWorld);
+}
+
+void vtkInteractorStyleMouseHand::SetRest(const double position[3], const double normal[3])
+{
+  TakeNumbers(position, this->Rest);
+  TakeNumbers(normal, this->RestNormal);
+  this->HasRest = true;
 }
 
 bool vtkInteractorStyleMouseHand::IsForCamera()
@@ -57,16 +70,102 @@ void vtkInteractorStyleMouseHand::WorldAtPointer(const double depthOf[3], const 
   std::copy_n(found, 3, world);
 }
 
+// Asks where the tool would rest under the pointer.
+void vtkInteractorStyleMouseHand::Aim()
+{
+  const int* pointer = this->Interactor->GetEventPosition();
+  for (int end = 0; end < 2; ++end)
+  {
+    double world[4];
+    this->ComputeDisplayToWorld(pointer[0], pointer[1], end, world);
+    std::copy_n(world, 3, end == 0 ? this->SightFrom : this->SightTo);
+  }
+  this->HasRest = false;
+  this->InvokeEvent(AimedEvent);
+}
+
+// The hand from the rest by the push.
+void vtkInteractorStyleMouseHand::TellHand()
+{
+  double along[3];
+  vtkMath::Subtract(this->SightTo, this->SightFrom, along);
+  vtkMath::Normalize(along);
+  double world[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    const double direction = this->PushAlongSight ? along[a] : -this->RestNormal[a];
+    world[a] = this->Rest[a] + this->Push * this->MostPush * direction;
+  }
+  this->SetHandWorld(world);
+  this->InvokeEvent(HandMovedEvent);
+}
+
 void vtkInteractorStyleMouseHand::MoveHandToPointer()
 {
   if (!this->FindRenderer())
   {
     return;
   }
+  this->Aim();
+  if (this->HasRest)
+  {
+    this->TellHand();
+    return;
+  }
+  if (this->Presses)
+  {
+    return; // off the edge of the surface: the push waits until the pointer comes back
+  }
   double world[3];
   this->WorldAtPointer(this->HandWorld, this->Interactor->GetEventPosition(), world);
   this->SetHandWorld(world);
   this->InvokeEvent(HandMovedEvent);
+}
+
+void vtkInteractorStyleMouseHand::Press(double push)
+{
+  if (!this->Presses)
+  {
+    this->TellHand(); // at the rest
+    this->Presses = true;
+    this->InvokeEvent(PressedEvent);
+  }
+  this->Push = std::min(push, 1.0);
+  this->TellHand();
+}
+
+void vtkInteractorStyleMouseHand::SetPush(double push)
+{
+  if (!(push > 0.0))
+  {
+    this->Lift();
+  }
+  else if (this->HasRest)
+  {
+    this->Press(push);
+  }
+}
+
+void vtkInteractorStyleMouseHand::Lift()
+{
+  if (this->Growing != 0 && this->Interactor != nullptr)
+  {
+    this->Interactor->DestroyTimer(this->Growing);
+  }
+  this->Growing = 0;
+  if (this->IsButtonDown)
+  {
+    this->IsButtonDown = false;
+    this->ReleaseFocus();
+  }
+  if (!this->Presses)
+  {
+    return;
+  }
+  this->Presses = false;
+  this->Push = 0.0;
+  this->TellHand();
+  this->InvokeEvent(LiftedEvent);
 }
 
 void vtkInteractorStyleMouseHand::DragToPointer()
@@ -99,9 +198,18 @@ void vtkInteractorStyleMouseHand::Deepen(double notches, double world[3])
     vtkMath::Subtract(world, camera->GetPosition(), sight);
     vtkMath::Normalize(sight);
   }
+  // The view's height there, in mm.
+  double display[3];
+  this->ComputeWorldToDisplay(world[0], world[1], world[2], display);
+  double low[4];
+  double high[4];
+  const int* size = this->CurrentRenderer->GetSize();
+  this->ComputeDisplayToWorld(display[0], 0.0, display[2], low);
+  this->ComputeDisplayToWorld(display[0], size[1], display[2], high);
+  const double notch = ShareOfHeight * std::sqrt(vtkMath::Distance2BetweenPoints(low, high));
   for (int a = 0; a < 3; ++a)
   {
-    world[a] += notches * this->NotchMillimeters * sight[a];
+    world[a] += notches * notch * sight[a];
   }
 }
 
@@ -110,6 +218,11 @@ bool vtkInteractorStyleMouseHand::MoveDeeper(double notches)
   if (this->IsForCamera() || !this->FindRenderer())
   {
     return false;
+  }
+  if (!this->Dragging && this->HasRest)
+  {
+    this->SetPush(this->Push + PushPerNotch * notches);
+    return true;
   }
   this->Deepen(notches, this->Dragging ? this->DraggedWorld : this->HandWorld);
   if (this->Dragging)
@@ -154,7 +267,18 @@ void vtkInteractorStyleMouseHand::OnLeftButtonDown()
   {
     this->Superclass::OnLeftButtonDown();
   }
-  else if (this->IsForCamera() && this->FindRenderer())
+  else if (!this->FindRenderer())
+  {
+    return;
+  }
+  else if (this->AimsAtSurface())
+  {
+    this->GrabFocus(this->EventCallbackCommand);
+    this->IsButtonDown = true;
+    this->Growing = this->NeedsTimer ? this->Interactor->CreateRepeatingTimer(GrowthInterval) : 0;
+    this->Press(std::max(this->Push, FirstPush));
+  }
+  else
   {
     this->GrabFocus(this->EventCallbackCommand);
     if (this->Interactor->GetShiftKey() != 0)
@@ -177,7 +301,38 @@ void vtkInteractorStyleMouseHand::OnLeftButtonUp()
     this->InvokeEvent(DragEndEvent);
     return;
   }
+  if (this->IsButtonDown)
+  {
+    this->Lift();
+    return;
+  }
   this->Superclass::OnLeftButtonUp();
+}
+
+bool vtkInteractorStyleMouseHand::AimsAtSurface()
+{
+  if (this->IsForCamera())
+  {
+    return false;
+  }
+  this->Aim();
+  return this->HasRest;
+}
+
+void vtkInteractorStyleMouseHand::OnLeave()
+{
+  this->Lift();
+  this->Superclass::OnLeave();
+}
+
+// A push that is held grows.
+void vtkInteractorStyleMouseHand::OnTimer()
+{
+  if (this->IsButtonDown && this->HasRest)
+  {
+    this->Press(this->Push + GrowthPerTimer);
+  }
+  this->Superclass::OnTimer();
 }
 
 void vtkInteractorStyleMouseHand::OnMouseWheelForward()
@@ -215,5 +370,6 @@ void vtkInteractorStyleMouseHand::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Dragging: " << (this->Dragging ? "on" : "off") << '\n';
   os << indent << "DraggedWorld: " << this->DraggedWorld[0] << ", " << this->DraggedWorld[1] << ", "
      << this->DraggedWorld[2] << '\n';
-  os << indent << "NotchMillimeters: " << this->NotchMillimeters << '\n';
+  os << indent << "Push: " << this->Push << " of " << this->MostPush << " mm\n";
+  os << indent << "PushAlongSight: " << (this->PushAlongSight ? "on" : "off") << '\n';
 }

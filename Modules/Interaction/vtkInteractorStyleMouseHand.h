@@ -2,11 +2,18 @@
  * @class vtkInteractorStyleMouseHand
  * @brief the mouse as the hand of a simulated haptic device, in a 3D view
  *
- * While Hand is on, the pointer moves the hand in its plane parallel to the screen, and the wheel
- * moves it along the line of sight, forwards away from the viewer. The camera uses the rest: Ctrl
- * with a left drag rotates, Shift with a left drag and a middle drag pan, a right drag and Ctrl
- * with the wheel zoom. Otherwise it is a vtkInteractorStyleTrackballCamera with only the key r
- * (show everything).
+ * While Hand is on, the tool rests on what can be touched under the pointer: for each position of
+ * the pointer the style raises AimedEvent, and an observer calls SetRest if the line of sight
+ * (GetSightFrom, GetSightTo) meets something. There a left press pushes the tool into the surface
+ * (PressedEvent), the harder the longer it is held; the wheel pushes without a button, and SetPush
+ * takes a pen's pressure. While the button is down the pointer strokes along the surface with the
+ * same push. Releasing the button, leaving the view and Lift end it (LiftedEvent).
+ *
+ * The camera uses the rest: a left press on anything else and Ctrl with a left drag rotate, Shift
+ * with a left drag and a middle drag pan, a right drag and Ctrl with the wheel zoom. Without Hand
+ * it is a vtkInteractorStyleTrackballCamera with only the key r (show everything). Where nothing
+ * can be touched under the pointer, the hand follows it in its plane parallel to the screen, and
+ * the wheel moves it along the line of sight, by a fiftieth of the view's height.
  *
  * While Dragging is on, a left drag and the wheel move another object in the same manner, such as
  * the device's workspace; the hand stays.
@@ -32,6 +39,11 @@ public:
   enum Events
   {
     HandMovedEvent = vtkCommand::UserEvent + 721,
+    /** The pointer aims along another line; observers call SetRest. */
+    AimedEvent,
+    /** The tool is pushed into the surface from now on; and no longer. */
+    PressedEvent,
+    LiftedEvent,
     DraggedEvent,
     /** A drag has ended; the object is at its final position. */
     DragEndEvent
@@ -49,6 +61,36 @@ public:
   vtkGetVector3Macro(HandWorld, double);
   ///@}
   ///@{
+  /** The line of sight under the pointer: world, mm, through the whole visible range. */
+  vtkGetVector3Macro(SightFrom, double);
+  vtkGetVector3Macro(SightTo, double);
+  ///@}
+  ///@{
+  /** Where the tool rests on a surface along that line: world, mm, and the unit normal outwards. */
+  void SetRest(const double position[3], const double normal[3]);
+  vtkGetMacro(HasRest, bool);
+  ///@}
+  ///@{
+  /** The push from 0 to 1 of the strongest; a pen sets its pressure. Ignored without a rest. */
+  void SetPush(double push);
+  vtkGetMacro(Push, double);
+  ///@}
+  ///@{
+  /** The strongest push: mm of the world from the rest. Default: 5. */
+  vtkSetClampMacro(MostPush, double, 0.0, 1e6);
+  vtkGetMacro(MostPush, double);
+  ///@}
+  ///@{
+  /** Whether a push is along the line of sight instead of the surface's normal. Off by default. */
+  vtkSetMacro(PushAlongSight, bool);
+  vtkGetMacro(PushAlongSight, bool);
+  vtkBooleanMacro(PushAlongSight, bool);
+  ///@}
+  /** Ends a push. */
+  void Lift();
+  bool IsPressed() const { return this->Presses; }
+
+  ///@{
   /** Whether the mouse moves another object. Off by default. */
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);
@@ -59,20 +101,19 @@ public:
   void SetDraggedWorld(const double position[3]);
   vtkGetVector3Macro(DraggedWorld, double);
   ///@}
-  ///@{
-  /** mm along the line of sight per notch of the wheel. Default: 0.5. */
-  vtkSetClampMacro(NotchMillimeters, double, 0.001, 100.0);
-  vtkGetMacro(NotchMillimeters, double);
-  ///@}
-
   void OnMouseMove() override;
   void OnLeftButtonDown() override;
   void OnLeftButtonUp() override;
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
+  void OnLeave() override;
+  void OnTimer() override;
   void OnChar() override;
 
 protected:
+  /** Subclasses with a repeating timer of about 20 ms set it to false. */
+  bool NeedsTimer = true;
+
   vtkInteractorStyleMouseHand() = default;
   ~vtkInteractorStyleMouseHand() override = default;
 
@@ -81,9 +122,13 @@ private:
   void operator=(const vtkInteractorStyleMouseHand&) = delete;
 
   bool IsForCamera();
+  bool AimsAtSurface();
   bool FindRenderer();
   void WorldAtPointer(const double depthOf[3], const int pointer[2], double world[3]);
   void Deepen(double notches, double world[3]);
+  void Aim();
+  void Press(double push);
+  void TellHand();
   void MoveHandToPointer();
   bool MoveDeeper(double notches);
   void DragToPointer();
@@ -93,7 +138,17 @@ private:
   bool Dragging = false;
   bool IsDragged = false; ///< the button is down
   double DraggedWorld[3] = {0.0, 0.0, 0.0};
-  double NotchMillimeters = 0.5;
+  double SightFrom[3] = {0.0, 0.0, 0.0};
+  double SightTo[3] = {0.0, 0.0, 0.0};
+  bool HasRest = false;
+  double Rest[3] = {0.0, 0.0, 0.0};
+  double RestNormal[3] = {0.0, 0.0, 1.0};
+  double MostPush = 5.0;
+  bool PushAlongSight = false;
+  bool Presses = false;      ///< pushes into a surface
+  bool IsButtonDown = false; ///< and grows with time
+  double Push = 0.0;
+  int Growing = 0; ///< the timer
 };
 
 #endif

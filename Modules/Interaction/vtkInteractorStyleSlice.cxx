@@ -65,10 +65,38 @@ bool vtkInteractorStyleSlice::EndDrag()
   {
     return false;
   }
+  const bool isPush = this->ActiveDrag == PUSH_DRAG;
   this->ActiveDrag = NO_DRAG;
   this->DraggedView = nullptr;
+  if (isPush)
+  {
+    this->InvokeEvent(LiftedEvent);
+  }
   this->InvokeEvent(vtkCommand::EndInteractionEvent);
   return true;
+}
+
+void vtkInteractorStyleSlice::Lift()
+{
+  if (this->ActiveDrag == PUSH_DRAG)
+  {
+    this->EndDrag();
+  }
+}
+
+bool vtkInteractorStyleSlice::Aims()
+{
+  vtkSliceView* view = this->Hand ? this->PokedView() : nullptr;
+  if (view == nullptr || this->Interactor->GetControlKey() != 0 ||
+      this->Interactor->GetShiftKey() != 0)
+  {
+    return false;
+  }
+  const int* pointer = this->Interactor->GetEventPosition();
+  view->DisplayToWorld(pointer[0], pointer[1], this->PointerWorld);
+  this->IsAccepted = false;
+  this->InvokeEvent(AimedEvent);
+  return this->IsAccepted;
 }
 
 void vtkInteractorStyleSlice::Finish()
@@ -105,6 +133,10 @@ void vtkInteractorStyleSlice::Drag()
   case PAN_DRAG:
     this->DraggedView->Pan(right, up);
     break;
+  case PUSH_DRAG:
+    this->DraggedView->DisplayToWorld(now[0], now[1], this->PointerWorld);
+    this->InvokeEvent(HandMovedEvent);
+    break;
   default:
     const int height = std::max(1, this->DraggedView->GetRenderer()->GetSize()[1]);
     this->DraggedView->Zoom(std::exp(DragZoom * up / height), this->StartPosition[0],
@@ -133,6 +165,11 @@ void vtkInteractorStyleSlice::OnMouseMove()
 
 void vtkInteractorStyleSlice::OnLeftButtonDown()
 {
+  if (this->Aims() && this->StartDrag(PUSH_DRAG))
+  {
+    this->InvokeEvent(PressedEvent);
+    return;
+  }
   const bool isOther = this->Interactor->GetControlKey() != 0;
   const bool movesCrosshair = (this->LeftButtonMode == CROSSHAIR) != isOther;
   const bool pans = this->Interactor->GetShiftKey() != 0;

@@ -8,6 +8,9 @@
  * - mouse wheel: slices; with Ctrl: zoom. Middle drag: pan. Right drag: zoom, upwards larger
  * - arrow keys: one slice; page up and down: ten slices; r: fit the view to the volume
  *
+ * While Hand is on, a left press raises AimedEvent; if an observer calls AcceptPress, the drag
+ * leads a haptic tool instead (PressedEvent, HandMovedEvent, LiftedEvent with GetPointerWorld).
+ *
  * It acts on the added view whose renderer is under the pointer. In other renderers of the window
  * it is a vtkInteractorStyleTrackballCamera, so that one style serves slices and a 3D view side by
  * side. It draws its own window; to draw views in other windows, observe the shared objects
@@ -17,6 +20,7 @@
 #define vtkInteractorStyleSlice_h
 
 #include "PalpateInteractionModule.h" // For export macro
+#include "vtkCommand.h"               // For the numbers of the events
 #include "vtkInteractorStyleTrackballCamera.h"
 #include "vtkSmartPointer.h" // For the views
 
@@ -37,7 +41,26 @@ public:
     WINDOW_LEVEL
   };
 
+  enum Events
+  {
+    AimedEvent = vtkCommand::UserEvent + 731,
+    PressedEvent,
+    HandMovedEvent,
+    LiftedEvent
+  };
+
   void AddView(vtkSliceView* view);
+
+  ///@{
+  /** Whether a left press may lead a tool. Off by default. */
+  vtkSetMacro(Hand, bool);
+  vtkGetMacro(Hand, bool);
+  ///@}
+  /** The pointer in the slice of the drag: world, mm. */
+  vtkGetVector3Macro(PointerWorld, double);
+  void AcceptPress() { this->IsAccepted = true; }
+  /** Ends such a drag. */
+  void Lift();
 
   ///@{
   /** Action of a left drag. Default: CROSSHAIR. */
@@ -71,7 +94,8 @@ private:
     CROSSHAIR_DRAG,
     WINDOW_LEVEL_DRAG,
     PAN_DRAG,
-    ZOOM_DRAG
+    ZOOM_DRAG,
+    PUSH_DRAG
   };
 
   /** The added view under the pointer; null if there is none. */
@@ -83,12 +107,17 @@ private:
   void DragWindowLevel(double right, double up);
   bool Wheel(int direction);
   void Finish();
+  /** Whether a press at the pointer leads the tool. */
+  bool Aims();
 
   std::vector<vtkSmartPointer<vtkSliceView>> Views;
   int LeftButtonMode = CROSSHAIR;
   int ActiveDrag = NO_DRAG;
   vtkSmartPointer<vtkSliceView> DraggedView;
   int StartPosition[2] = {0, 0};
+  bool Hand = false;
+  bool IsAccepted = false;
+  double PointerWorld[3] = {0.0, 0.0, 0.0};
 };
 
 #endif

@@ -60,7 +60,7 @@ struct StudyView
   std::string Layout;                    ///< name defined by the window; empty: its first one
   double OverlayOpacity = 0.5;           ///< of the segmentation over the slices, 0..1
   bool UsesVolumeAxes = true;            ///< slices along the volume's axes, else the patient's
-  bool SlicesFollowProbe = false;
+  bool SlicesFollowProbe = true;
   StudyMixing Mixing = StudyMixing::Blend;
   double Curtain = 0.5;             ///< its place as a fraction of a slice's width, 0..1
   std::optional<double> ErrorScale; ///< mm at the ends of error maps' colours; none: two voxels

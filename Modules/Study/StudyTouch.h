@@ -68,6 +68,23 @@ public:
   /// Moves a simulated device's hand towards `targetWorld` (mm), as close as the device reaches.
   /// Returns false, without effect, for a device with its own hand.
   bool MoveHand(const Vector3& targetWorld);
+  /// Where the tool would rest on what can be touched, from `from` to `to` (world, mm).
+  std::optional<TouchRay::Rest> RestBetween(const Vector3& from, const Vector3& to)
+  {
+    return this->Session.RestBetween(from, to);
+  }
+  std::optional<TouchRay::Rest> RestInPlane(const Vector3& point, const Vector3& right,
+                                            const Vector3& up, double reach)
+  {
+    return this->Session.RestInPlane(point, right, up, reach);
+  }
+  /// A pointing hand presses and lifts; see TouchSession.
+  void LiftHand() { this->Session.LiftHand(); }
+  void PressHand() { this->Session.PressHand(); }
+  double PushFor(double force, int structure) const
+  {
+    return this->Session.PushFor(force, structure);
+  }
   /// Places a simulated hand in front of the scene, as seen by a viewer.
   bool PlaceHand(const Vector3& towardsViewerWorld);
   /// Target of the simulated hand (mm); moves with the workspace.

@@ -1,5 +1,7 @@
 #include "Application.h"
 
+#include "CheckStyle.h"
+
 #include <clocale>
 
 namespace palpate
@@ -7,5 +9,6 @@ namespace palpate
 Application::Application(int& argc, char** argv) : QApplication(argc, argv)
 {
   std::setlocale(LC_NUMERIC, "C");
+  QApplication::setStyle(new CheckStyle);
 }
 } // namespace palpate

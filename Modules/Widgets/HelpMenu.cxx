@@ -20,9 +20,10 @@ constexpr const char* MouseText =
     "R fits. Double "
     "click: one view alone, or all again.</p>"
     "<p><b>3-D</b>: left drag rotates, middle drag pans, right drag or wheel zooms. While "
-    "touching, the mouse moves the hand and the wheel sets its depth: forwards is deeper, away "
-    "from "
-    "you; with Ctrl or Shift the mouse moves the camera. With Move workspace on, a left drag moves "
+    "touching, the tool rests on the surface under the pointer: a left press pushes it in, harder "
+    "the longer it is held, the wheel pushes without a button, and dragging strokes along the "
+    "surface; in a slice a left press leads the tool to the pointer. Beside what can be touched, "
+    "and with Ctrl or Shift, the mouse moves the camera. With Move workspace on, a left drag moves "
     "the device's workspace, and the wheel moves it in depth.</p>"
     "<p><b>Return</b>, in a view: ends a curve that is measured. <b>D</b>, held: drills. "
     "<b>Esc</b> stops all force, anywhere in the program.</p>";
@@ -41,8 +42,10 @@ void ShowText(QWidget* window, const QString& title, const QString& html)
   auto* column = new QVBoxLayout(dialog);
   column->addWidget(text, 1);
   column->addWidget(buttons);
-  const QSize wanted(text->fontMetrics().averageCharWidth() * 76,
-                     static_cast<int>(text->document()->size().height()) + 80);
+  // As high as the text at that width, which a document has only when it is given.
+  const int width = text->fontMetrics().averageCharWidth() * 76;
+  text->document()->setTextWidth(width - 40);
+  const QSize wanted(width, static_cast<int>(text->document()->size().height()) + 80);
   dialog->resize(wanted.boundedTo(window->screen()->availableSize() * MostOfScreen));
   dialog->show();
 }

@@ -11,10 +11,15 @@
 #include <QPlainTextEdit>
 #include <QTextEdit>
 
+#include <algorithm>
+#include <optional>
+
 namespace palpate
 {
 namespace
 {
+constexpr double StrongestPush = 4.0; // N, of a hand that points
+
 // Whether the widget takes keys as text.
 bool TakesText(const QWidget* widget)
 {
@@ -37,6 +42,13 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
   connect(&study, &StudyController::Touched, this, &TouchLink::ShowReading);
   connect(&study, &StudyController::DrilledChanged, this, &TouchLink::ShowDrilled);
   connect(views.Space(), &SpacePane::HandMoved, this, &TouchLink::MoveHand);
+  connect(views.Space(), &SpacePane::Aimed, this, &TouchLink::FindRest);
+  connect(views.Space(), &SpacePane::Pressed, this,
+          [this] { this->Study.Current().Touch().PressHand(); });
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->LeadIn(views.Slice(orientation));
+  }
   connect(views.Space(), &SpacePane::Dragged, this,
           [this](const Vector3& world) { this->Study.MoveWorkspace(world, "workspace"); });
   connect(views.Space(), &SpacePane::DragEnded, &study, &StudyController::EndGesture);
@@ -66,6 +78,11 @@ void TouchLink::Begin()
   const bool isSimulated =
       isTouching && this->Study.Current().Touch().PlaceHand(this->Views.Space()->Axes().col(2));
   this->Views.Space()->SetHand(isSimulated, this->Study.Current().Touch().HandWorld());
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Views.Slice(orientation)->SetHand(isSimulated);
+  }
+  this->AimedAt = -1;
   this->ShowProbe();
   this->ShowNotice();
   this->ShowPlace();
@@ -78,7 +95,7 @@ void TouchLink::ShowPlace()
   const bool isTouching = this->Study.IsTouching();
   this->Contents.ShowWorkspace(touch.Frame(),
                                isTouching ? touch.Capabilities().Workspace : Eigen::AlignedBox3d(),
-                               isTouching && this->IsWorkspaceShown);
+                               isTouching && (this->IsWorkspaceShown || this->IsWorkspaceMoved));
   this->Views.Space()->SetDragging(isTouching && this->IsWorkspaceMoved, touch.Frame().CenterWorld);
 }
 
@@ -111,6 +128,73 @@ void TouchLink::ShowNotice()
     QApplication::beep();
   }
   this->IsAlarmed = isAlarm;
+}
+
+void TouchLink::FindRest(const Vector3& from, const Vector3& to)
+{
+  StudyTouch& touch = this->Study.Current().Touch();
+  const std::optional<TouchRay::Rest> rest = touch.RestBetween(from, to);
+  if (!rest)
+  {
+    return;
+  }
+  this->AimAt(rest->Structure);
+  this->Views.Space()->Rest(rest->ToolWorld, rest->NormalWorld, this->MostPush);
+  if (!this->Views.Space()->IsPressed())
+  {
+    touch.LiftHand(); // so that it hovers over everything
+  }
+}
+
+// In a slice a press leads the tool to the pointer: what it is pulled into holds it back.
+void TouchLink::LeadIn(SlicePane* slice)
+{
+  connect(slice, &SlicePane::Aimed, this,
+          [this, slice](const Vector3& point, const Vector3& right, const Vector3& up)
+          {
+            constexpr double NearPixels = 12.0;
+            this->SliceRight = right.normalized();
+            this->SliceUp = up.normalized();
+            this->SliceReach = NearPixels * right.norm();
+            if (this->FindRestInSlice(point))
+            {
+              this->Study.Current().Touch().LiftHand();
+              this->MoveHand(this->SliceRest);
+              slice->AcceptPress();
+            }
+          });
+  connect(slice, &SlicePane::Pressed, this, [this] { this->Study.Current().Touch().PressHand(); });
+  connect(slice, &SlicePane::HandMoved, this,
+          [this](const Vector3& point)
+          {
+            this->FindRestInSlice(point);
+            const Vector3 pull = point - this->SliceRest;
+            const double part = std::min(1.0, this->MostPush / std::max(pull.norm(), 1e-9));
+            this->MoveHand(this->SliceRest + part * pull);
+          });
+  connect(slice, &SlicePane::Lifted, this, [this] { this->MoveHand(this->SliceRest); });
+}
+
+bool TouchLink::FindRestInSlice(const Vector3& point)
+{
+  StudyTouch& touch = this->Study.Current().Touch();
+  const std::optional<TouchRay::Rest> rest =
+      touch.RestInPlane(point, this->SliceRight, this->SliceUp, this->SliceReach);
+  if (rest)
+  {
+    this->AimAt(rest->Structure);
+  }
+  this->SliceRest = rest ? rest->ToolWorld : point;
+  return rest.has_value();
+}
+
+void TouchLink::AimAt(int structure)
+{
+  if (structure != this->AimedAt)
+  {
+    this->AimedAt = structure;
+    this->MostPush = this->Study.Current().Touch().PushFor(StrongestPush, structure);
+  }
 }
 
 void TouchLink::MoveHand(const Vector3& targetWorld)
@@ -161,6 +245,7 @@ bool TouchLink::eventFilter(QObject* object, QEvent* event)
   case QEvent::WindowDeactivate:
     // A release of the key outside the window would not be received.
     this->Study.Current().Touch().RunDrill(false);
+    this->Lift();
     break;
   default:
     break;
@@ -179,6 +264,15 @@ void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
       !receiver->isWindowType() && !TakesText(QApplication::focusWidget()))
   {
     this->Study.Current().Touch().RunDrill(true);
+  }
+}
+
+void TouchLink::Lift()
+{
+  this->Views.Space()->Lift();
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Views.Slice(orientation)->Lift();
   }
 }
 

@@ -42,14 +42,26 @@ private:
   void ShowPlace();
   void TellAxes();
   void MoveHand(const Vector3& targetWorld);
+  void FindRest(const Vector3& from, const Vector3& to);
+  void LeadIn(SlicePane* slice);
+  bool FindRestInSlice(const Vector3& point);
+  void AimAt(int structure);
+  void Lift();
   void ShowHand();
 
   StudyController& Study;
   ViewContents& Contents;
   ViewGrid& Views;
-  bool IsWorkspaceShown = true;
+  bool IsWorkspaceShown = false;
   bool IsWorkspaceMoved = false;
   bool AreAlarmsHeard = false;
   bool IsAlarmed = false;
+  int AimedAt = -1;      // the structure that MostPush is for
+  double MostPush = 0.0; // mm
+  // Of the slice that was last pressed.
+  Vector3 SliceRight = Vector3::UnitX();
+  Vector3 SliceUp = Vector3::UnitY();
+  double SliceReach = 0.0; // mm
+  Vector3 SliceRest = Vector3::Zero();
 };
 } // namespace palpate

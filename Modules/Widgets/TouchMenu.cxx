@@ -34,6 +34,7 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   connect(&study, &StudyController::TouchChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::StepsChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::ReplayChanged, this, &TouchMenu::ShowTouch);
+  connect(&study, &StudyController::Touched, this, &TouchMenu::ShowRecording);
   this->ShowTouch();
 }
 
@@ -42,7 +43,6 @@ void TouchMenu::AddWorkspace()
   this->addSeparator();
   QAction* show = this->addAction("Show the &workspace");
   show->setCheckable(true);
-  show->setChecked(true);
   connect(show, &QAction::toggled, this, &TouchMenu::WorkspaceShown);
   this->Move = this->addAction("&Move workspace");
   this->Move->setCheckable(true);
@@ -58,7 +58,7 @@ void TouchMenu::AddRecording()
   this->addSeparator();
   this->Record =
       this->addAction("", this, &TouchMenu::ToggleRecording, QKeySequence("Ctrl+Shift+R"));
-  this->Record->setIcon(ToolIcon(ToolSign::Record));
+  this->Record->setPriority(QAction::HighPriority); // with its text in the toolbar
   this->addAction("&Open a recording...", this, &TouchMenu::OpenRecording,
                   QKeySequence("Ctrl+Shift+T"));
   this->Play = this->addAction(
@@ -110,6 +110,25 @@ void TouchMenu::Export()
   }
 }
 
+// "REC 0:07" in the toolbar.
+void TouchMenu::ShowRecording()
+{
+  const bool isRecording = this->Study.IsRecording();
+  const auto seconds = static_cast<int>(static_cast<double>(this->Study.Reading().RecordedTicks) /
+                                        this->Study.Current().Touch().Rate());
+  const QString text =
+      isRecording
+          ? QString("REC %1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'))
+          : QString("Record");
+  if (text == this->Record->iconText())
+  {
+    return;
+  }
+  this->Record->setText(isRecording ? "Stop &recording" : "&Record...");
+  this->Record->setIconText(text);
+  this->Record->setIcon(ToolIcon(isRecording ? ToolSign::Recording : ToolSign::Record));
+}
+
 void TouchMenu::ShowTouch()
 {
   const bool isTouching = this->Study.IsTouching();
@@ -118,7 +137,7 @@ void TouchMenu::ShowTouch()
   this->Touch->setIconText(isTouching ? "Stop touching" : "Touch");
   this->StopForce->setEnabled(isTouching);
   this->AllowForce->setEnabled(isTouching);
-  this->Record->setText(this->Study.IsRecording() ? "Stop &recording" : "&Record...");
+  this->ShowRecording();
   for (QAction* action : {this->Record, this->Move, this->Fit})
   {
     action->setEnabled(isTouching);

@@ -36,6 +36,7 @@ private:
   void OpenRecording();
   void Export();
   void ShowTouch();
+  void ShowRecording();
 
   StudyController& Study;
   const FileQuestions& Questions;

@@ -1,9 +1,23 @@
 #include "TouchSession.h"
 
+#include "DrillEditor.h"
+#include "FieldSolid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palpate
 {
+namespace
+{
+// mm of the hand above what it will press: the mechanism's friction may stop it that far from its
+// goal.
+constexpr double Hover = 0.6;
+constexpr int MostPressPolls = 30; // until the hand is pressed wherever it is
+} // namespace
+
 TouchSession::TouchSession(Clock& clock, const RealtimeRequest& request)
     : Time(clock), Request(request)
 {
@@ -132,9 +146,133 @@ void TouchSession::UseEditor(std::shared_ptr<DrillEditor> editor)
 
 bool TouchSession::LeadHand(const Vector3& handDevice)
 {
-  const bool isLed = this->IsOpen() && this->Opened->LeadHand(handDevice);
+  const Vector3& goal = this->PressPolls > 0 ? this->Pressed : handDevice;
+  const bool isLed = this->IsOpen() && this->Opened->LeadHand(goal);
   this->Hand = isLed ? handDevice : this->Hand;
   return isLed;
+}
+
+// The ray goes through the current scene, and through what drilling has left of it.
+void TouchSession::AimThroughScene()
+{
+  if (!this->Ray || this->Ray->Touched() != this->Current)
+  {
+    this->Ray.emplace(this->Current);
+    this->RayNumber = 0;
+  }
+  if (this->Editor == nullptr)
+  {
+    return;
+  }
+  const DrillReading drilled = this->Editor->Newest();
+  if (drilled.Number == this->RayNumber)
+  {
+    return;
+  }
+  std::vector<std::shared_ptr<const FieldSolid>> solids(drilled.Fields.size());
+  for (const TouchStructure& structure : this->Current->Structures)
+  {
+    const auto site = static_cast<std::size_t>(structure.Site);
+    if (structure.Site >= 0 && site < solids.size())
+    {
+      const int material = this->Editor->Site(structure.Site).Material();
+      static_cast<void>(FieldSolid::Make(drilled.Fields[site], material,
+                                         structure.Model->BoundsWorld(), solids[site]));
+    }
+  }
+  this->Ray->UseSolids(std::move(solids));
+  this->RayNumber = drilled.Number;
+}
+
+std::optional<TouchRay::Rest> TouchSession::RestBetween(const Vector3& from, const Vector3& to)
+{
+  if (this->Current == nullptr)
+  {
+    return std::nullopt;
+  }
+  this->AimThroughScene();
+  std::optional<TouchRay::Rest> rest = this->Ray->First(from, to);
+  if (rest)
+  {
+    rest->ToolWorld += this->Place.Scale * Hover * rest->NormalWorld;
+  }
+  return rest;
+}
+
+std::optional<TouchRay::Rest> TouchSession::RestInPlane(const Vector3& point, const Vector3& right,
+                                                        const Vector3& up, double reach)
+{
+  constexpr int Lines = 32;
+  if (this->Current == nullptr || this->Current->Structures.empty())
+  {
+    return std::nullopt;
+  }
+  const Eigen::AlignedBox3d bounds = this->Current->BoundsWorld();
+  const double far = bounds.diagonal().norm() + (point - bounds.center()).norm();
+  std::optional<TouchRay::Rest> inwards;
+  std::optional<TouchRay::Rest> ahead;
+  double toInwards = std::numeric_limits<double>::infinity();
+  double toAhead = reach;
+  bool isFree = false;
+  for (int line = 0; line < Lines; ++line)
+  {
+    const double angle = 2.0 * M_PI * line / Lines;
+    const Vector3 direction = std::cos(angle) * right + std::sin(angle) * up;
+    const auto from = this->RestBetween(point + far * direction, point);
+    isFree = isFree || !from;
+    if (from && (from->ToolWorld - point).norm() < toInwards)
+    {
+      toInwards = (from->ToolWorld - point).norm();
+      inwards = from;
+    }
+    const auto met = this->RestBetween(point, point + reach * direction);
+    if (met && (met->ToolWorld - point).norm() < toAhead)
+    {
+      toAhead = (met->ToolWorld - point).norm();
+      ahead = TouchRay::Rest{point, met->NormalWorld, met->Structure};
+    }
+  }
+  return isFree ? ahead : inwards;
+}
+
+void TouchSession::LiftHand()
+{
+  this->PressPolls = 0;
+  if (this->IsRunning())
+  {
+    this->Loop().HoldClutch();
+  }
+}
+
+// A hand that is still on its way would be pressed where it passes.
+void TouchSession::PressHand()
+{
+  this->PressPolls = MostPressPolls;
+  this->Pressed = this->Hand;
+}
+
+void TouchSession::PressIfThere()
+{
+  const Vector3 hand(this->Reading.Newest.Sample.Position);
+  const bool isThere = (hand - this->Pressed).norm() < Hover;
+  if (this->PressPolls == 0 || (!isThere && --this->PressPolls > 0))
+  {
+    return;
+  }
+  this->PressPolls = 0;
+  this->Loop().ReleaseClutch();
+  static_cast<void>(this->Opened->LeadHand(this->Hand));
+}
+
+double TouchSession::PushFor(double force, int structure) const
+{
+  const TouchStructure& touched = this->Current->Structures[static_cast<std::size_t>(structure)];
+  const double own = touched.Model->OwnStiffness(this->Current->Tool);
+  const double stiffness = own > 0.0 ? own * this->Place.Scale : touched.Law.Stiffness;
+  constexpr double OfHand = 0.5;   // N/mm
+  constexpr double Deepest = 25.0; // mm of the hand
+  const double depth = force * (1.0 / OfHand + (stiffness > 0.0 ? 1.0 / stiffness : 0.0));
+  return this->Place.Scale * (Hover + std::min(depth, Deepest));
 }
 
 void TouchSession::HoldClutch(bool isHeld, const TouchState& now)
@@ -201,6 +339,7 @@ const TouchSessionReading& TouchSession::Poll()
   this->Loop().Reclaim();
   this->Reading.Newest = this->Loop().Latest();
   this->Reading.LostTicks = this->Loop().LostTicks();
+  this->PressIfThere();
   this->Reading.IsClutched = this->Clutch.IsHeld();
   if (this->Reading.IsClutched)
   {

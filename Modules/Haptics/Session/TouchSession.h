@@ -7,6 +7,7 @@
 #include "PeriodStatistics.h"
 #include "RealtimeThread.h"
 #include "ServoThread.h"
+#include "TouchRay.h"
 #include "TouchRecorder.h"
 #include "TouchScene.h"
 #include "TouchWatch.h"
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,6 +90,22 @@ public:
   /// Goal of such a hand (mm); it moves with the workspace.
   Vector3 HandWorld() const { return this->Place.ToWorld(this->Hand); }
 
+  /// Where the tool comes to rest on the scene, as it is drilled, if it moves from `from` to `to`
+  /// (world, mm): 0.6 mm of the hand outside.
+  std::optional<TouchRay::Rest> RestBetween(const Vector3& from, const Vector3& to);
+  /// The rest nearest to a point (world, mm) along lines in a plane that two unit vectors span: of
+  /// a tool at the point if something can be touched, or contains it, within `reach` mm.
+  std::optional<TouchRay::Rest> RestInPlane(const Vector3& point, const Vector3& right,
+                                            const Vector3& up, double reach);
+  /// For hands that point: from LiftHand to PressHand the hand moves without contacts and forces.
+  /// PressHand is for a hand that was led to a rest; it takes effect once the hand is there.
+  void LiftHand();
+  void PressHand();
+  /// How far (mm of the world) beyond a structure's surface such a hand, which holds its device
+  /// with 0.5 N/mm, has to aim to push with `force` (N); at most 25 mm of the hand. Takes
+  /// milliseconds.
+  double PushFor(double force, int structure) const;
+
   /// Returns what happened since the last poll; call it about ten times a second or more often.
   /// Also passes the ticks to a recording.
   const TouchSessionReading& Poll();
@@ -102,6 +120,8 @@ private:
   void MakeServo();
   Status Run();
   void TakeTicks();
+  void AimThroughScene();
+  void PressIfThere();
   void HoldClutch(bool isHeld, const TouchState& now);
   Vector3 ShiftThatKeepsTool(const WorkspaceFrame& frame);
 
@@ -118,7 +138,11 @@ private:
   WorkspaceFrame Place;
   WorkspaceClutch Clutch;
   Vector3 AllMoved = Vector3::Zero();
-  Vector3 Hand = Vector3::Zero(); // mm, in the device
+  Vector3 Hand = Vector3::Zero();    // mm, in the device
+  std::optional<TouchRay> Ray;       // through the current scene
+  std::uint64_t RayNumber = 0;       // of the drilled versions that it knows
+  Vector3 Pressed = Vector3::Zero(); // mm, in the device, where a press begins
+  int PressPolls = 0;                // left to wait for the hand
   TouchWatch Watch;
   std::unique_ptr<TouchRecorder> Recorder;
   TouchSessionReading Reading;

@@ -146,6 +146,14 @@ protected:
       this->Interactor->InvokeEvent(event);
     }
   }
+  // Pushes what is under the pointer with some 2 N.
+  void Press()
+  {
+    EXPECT_TRUE(this->Touch->GetHasRest());
+    this->Interactor->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+    this->Wheel(vtkCommand::MouseWheelForwardEvent, 8);
+  }
+  void Release() { this->Interactor->InvokeEvent(vtkCommand::LeftButtonReleaseEvent); }
   // Starts in front of the sphere, and moves the hand to its right.
   void StartNextToTheSphere()
   {
@@ -169,14 +177,15 @@ protected:
 TEST_F(StyleHapticTest, MouseTouchesSurfacesOfWindow)
 {
   this->StartNextToTheSphere();
-  this->MoveMouse(-36, 0); // to 17 mm, 5 below where the tool first touches
+  this->MoveMouse(-36, 0); // to 17 mm, over the sphere
+  this->Press();
   ASSERT_TRUE(this->Comes(Style::ContactBeginEvent));
   ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
   // Facets lie up to 0.03 mm inside the sphere.
   EXPECT_NEAR(this->Proxy().norm(), SphereRadius + ToolRadius, 0.1);
   EXPECT_LT(this->Probe().norm(), SphereRadius + ToolRadius);
   EXPECT_TRUE(this->Touch->GetProbe()->GetInContact());
-  this->MoveMouse(60, 0);
+  this->Release();
   EXPECT_TRUE(this->Comes(Style::ContactEndEvent));
   EXPECT_TRUE(this->PollUntil([&] { return this->Force() == 0.0; }));
 }
@@ -247,6 +256,7 @@ TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFSwitchesThemOn)
 {
   this->StartNextToTheSphere();
   this->MoveMouse(-36, 0);
+  this->Press();
   ASSERT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
   this->Interactor->SetKeySym("Escape");
   this->Interactor->InvokeEvent(vtkCommand::KeyPressEvent);
@@ -259,9 +269,9 @@ TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFSwitchesThemOn)
   this->Interactor->InvokeEvent(vtkCommand::CharEvent);
   ASSERT_TRUE(
       this->PollUntil([&] { return this->Touch->GetStatusText() == Describe(SafetyFault::None); }));
-  this->MoveMouse(36, 0);
-  ASSERT_TRUE(this->PollUntil([&] { return this->Probe().x() > 30.0; }));
-  this->MoveMouse(-36, 0);
+  this->Release();
+  this->MoveMouse(2, 0); // hovers
+  this->Press();
   EXPECT_TRUE(this->PollUntil([&] { return this->Force() > 0.5; }));
   EXPECT_EQ(this->Touch->GetStatusText(), Describe(SafetyFault::None));
 }
@@ -288,6 +298,7 @@ TEST_F(StyleHapticTest, AddsStructureWhileTouching)
   sphere->Update();
   EXPECT_EQ(this->Touch->AddSurface(sphere->GetOutput(), 0.3), 1);
   this->MoveMouse(0, 26); // 13 mm up
+  this->Press();
   EXPECT_TRUE(this->Comes(Style::ContactBeginEvent));
   this->Touch->RemoveAllStructures();
   EXPECT_TRUE(this->Comes(Style::ContactEndEvent));

@@ -132,6 +132,7 @@ void Draw(ToolSign sign, QPainter& painter)
   case ToolSign::Eye:
     return painter.drawPath(EyePath());
   case ToolSign::Record:
+  case ToolSign::Recording:
     painter.setBrush(painter.pen().color());
     return painter.drawEllipse(QPointF(12, 12), 6, 6);
   }
@@ -146,7 +147,9 @@ public:
              QIcon::State /*state*/) override
   {
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-    const QColor color = QApplication::palette().color(group, QPalette::ButtonText);
+    const QColor color = this->Sign == ToolSign::Recording
+                             ? QColor(0xd6, 0x27, 0x28)
+                             : QApplication::palette().color(group, QPalette::ButtonText);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(rect.topLeft());

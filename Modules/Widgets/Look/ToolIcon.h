@@ -16,6 +16,7 @@ enum class ToolSign
   Screenshot,
   Touch,
   Record,
+  Recording, ///< red
   Eye
 };
 

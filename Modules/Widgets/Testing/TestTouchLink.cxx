@@ -154,11 +154,68 @@ TEST_F(TouchLinkTest, ModifierMovesCameraInsteadOfHand)
   EXPECT_GE(moved, 1); // VTK 9.6 tells it twice, with Qt's event of hovering
 }
 
+// One movement and one press; releasing lifts.
+TEST_F(TouchLinkTest, PressPushesWhatIsUnderThePointer)
+{
+  this->StartTouch();
+  QWidget* canvas = this->Window->Views()->Space()->Canvas();
+  const QPointF place = this->PlaceOf(this->SphereCenter);
+  Move(canvas, place);
+  EXPECT_EQ(Norm(this->AfterSomeTicks().ForceWorld), 0.0) << "the tool only rests";
+  SendMouse(canvas, QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+  this->FeelUntil(
+      [this]
+      {
+        return this->Study->Reading().TouchedId == 1 &&
+               Norm(this->Study->Reading().Newest.ForceWorld) > 1.0;
+      });
+  SendMouse(canvas, QEvent::MouseButtonRelease, place, Qt::LeftButton, Qt::NoButton);
+  this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceWorld) == 0.0; });
+}
+
+TEST_F(TouchLinkTest, StrokeStaysOnTheSurface)
+{
+  this->StartTouch();
+  QWidget* canvas = this->Window->Views()->Space()->Canvas();
+  QPointF place = this->PlaceOf(this->SphereCenter);
+  Move(canvas, place);
+  SendMouse(canvas, QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
+  this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceWorld) > 1.0; });
+  const double tool = this->Study->State().Tool.Radius;
+  for (int step = 0; step < 20; ++step)
+  {
+    place += QPointF(1.0, 0.5);
+    SendMouse(canvas, QEvent::MouseMove, place, Qt::NoButton, Qt::LeftButton);
+    const TouchState& felt = this->AfterSomeTicks();
+    EXPECT_GT(Norm(felt.ForceWorld), 0.3) << "step " << step;
+    // A sphere of 9 mm, within a voxel.
+    EXPECT_NEAR((Vector3(felt.ProxyWorld) - this->SphereCenter).norm(), 9.0 + tool, 1.0);
+  }
+}
+
+TEST_F(TouchLinkTest, PressInASlicePushes)
+{
+  this->StartTouch();
+  this->Window->Contents().Crosshair()->SetPositionWorld(
+      this->SphereCenter.x(), this->SphereCenter.y(), this->SphereCenter.z());
+  DrawAll(*this->Window->Views());
+  SlicePane* slice = this->Window->Views()->Slice(SliceOrientation::Axial);
+  const QPointF edge = PlaceIn(*slice, this->SphereCenter + Vector3(9.5, 0.0, 0.0));
+  const QPointF inside = PlaceIn(*slice, this->SphereCenter + Vector3(4.0, 0.0, 0.0));
+  SendMouse(slice->Canvas(), QEvent::MouseButtonPress, edge, Qt::LeftButton, Qt::LeftButton);
+  this->AfterSomeTicks();
+  SendMouse(slice->Canvas(), QEvent::MouseMove, inside, Qt::NoButton, Qt::LeftButton);
+  this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceWorld) > 0.5; });
+  EXPECT_GT(this->Study->Reading().Newest.ForceWorld.X, 0.4) << "pushed back the way it came";
+  SendMouse(slice->Canvas(), QEvent::MouseButtonRelease, inside, Qt::LeftButton, Qt::NoButton);
+  this->FeelUntil([this] { return Norm(this->Study->Reading().Newest.ForceWorld) == 0.0; });
+}
+
 TEST_F(TouchLinkTest, WheelStopsAtWorkspaceLimit)
 {
   this->StartTouch();
   SpacePane* space = this->Window->Views()->Space();
-  const QPointF place = this->PlaceOf(this->SphereCenter);
+  const QPointF place(10.0, 10.0); // beside everything
   Move(space->Canvas(), place);
   const double reach = this->Study->Current().Touch().Capabilities().Workspace.max().x();
   const WorkspaceFrame& frame = this->Study->Current().Touch().Frame();
@@ -179,12 +236,13 @@ TEST_F(TouchLinkTest, WorkspaceIsShownAndDraggedByMouse)
   vtkSurfaceDisplay* shown = this->Window->Contents().Workspace();
   EXPECT_FALSE(shown->GetVisibility());
   this->StartTouch();
-  EXPECT_TRUE(shown->GetVisibility());
+  EXPECT_FALSE(shown->GetVisibility());
   const StudyTouch& touch = this->Study->Current().Touch();
   const Vector3 before = touch.Frame().CenterWorld;
   SpacePane* space = this->Window->Views()->Space();
   QWidget* canvas = space->Canvas();
   this->Action("Move workspace")->trigger();
+  EXPECT_TRUE(shown->GetVisibility()) << "while it is moved";
   const Vector3 hand = touch.HandWorld();
   Move(canvas, {100.0, 100.0});
   EXPECT_EQ(touch.HandWorld(), hand) << "the mouse must not move the hand meanwhile";
@@ -206,14 +264,15 @@ TEST_F(TouchLinkTest, WorkspaceIsShownAndDraggedByMouse)
   EXPECT_LT((touch.Frame().CenterWorld - before - path).norm(), 1e-9);
   this->Action("Undo")->trigger();
   EXPECT_EQ(touch.Frame().CenterWorld, before);
-  this->Action("Show the workspace")->trigger();
+  this->Action("Move workspace")->trigger();
   EXPECT_FALSE(shown->GetVisibility());
+  this->Action("Show the workspace")->trigger();
+  EXPECT_TRUE(shown->GetVisibility());
 }
 
 TEST_F(TouchLinkTest, SlicesFollowTheProbe)
 {
   this->StartTouch();
-  this->Action("Slices follow the probe")->trigger();
   this->PressByMouse();
   const PlainVector3 proxy = this->Study->Reading().Newest.ProxyWorld;
   const double* cross = this->Window->Contents().Crosshair()->GetPositionWorld();

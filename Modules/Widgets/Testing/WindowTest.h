@@ -124,11 +124,14 @@ protected:
   /// Position of a point in the 3D view, in Qt pixels.
   QPointF PlaceOf(const Vector3& world) const
   {
-    SpacePane* space = this->Window->Views()->Space();
-    space->Renderer()->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
-    space->Renderer()->WorldToDisplay();
-    const double* display = space->Renderer()->GetDisplayPoint();
-    return {display[0], space->Canvas()->height() - 1 - display[1]};
+    return PlaceIn(*this->Window->Views()->Space(), world);
+  }
+  static QPointF PlaceIn(const ViewPane& pane, const Vector3& world)
+  {
+    pane.Renderer()->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
+    pane.Renderer()->WorldToDisplay();
+    const double* display = pane.Renderer()->GetDisplayPoint();
+    return {display[0], pane.Canvas()->height() - 1 - display[1]};
   }
   /// WaitUntil, with forces on or switched off. Any other fault ends the test: with a PacedClock
   /// the machine cannot be the cause.

@@ -19,6 +19,10 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
   this->Show(this->Slice, contents);
   this->Style->AddView(this->Slice);
   this->SetStyle(this->Style);
+  this->Style->AddObserver(vtkInteractorStyleSlice::AimedEvent, this, &SlicePane::TellAim);
+  this->Style->AddObserver(vtkInteractorStyleSlice::PressedEvent, this, &SlicePane::Pressed);
+  this->Style->AddObserver(vtkInteractorStyleSlice::HandMovedEvent, this, &SlicePane::TellHand);
+  this->Style->AddObserver(vtkInteractorStyleSlice::LiftedEvent, this, &SlicePane::Lifted);
   connect(this, &ViewPane::Rendered, this,
           [this]
           {
@@ -45,6 +49,18 @@ Vector3 SlicePane::PointAt(double x, double y) const
   Vector3 point;
   this->Slice->DisplayToWorld(x, y, point.data());
   return point;
+}
+
+void SlicePane::TellAim()
+{
+  const Vector3 corner = this->PointAt(0.0, 0.0);
+  Q_EMIT Aimed(Vector3(this->Style->GetPointerWorld()), this->PointAt(1.0, 0.0) - corner,
+               this->PointAt(0.0, 1.0) - corner);
+}
+
+void SlicePane::TellHand()
+{
+  Q_EMIT HandMoved(Vector3(this->Style->GetPointerWorld()));
 }
 
 void SlicePane::ShowPlace(const Vector3& pointWorld)

@@ -30,7 +30,17 @@ public:
   /// See vtkSliceView::ShowPoint.
   void ShowPlace(const Vector3& pointWorld);
 
+  /// Whether a press may lead a tool: then it is Aimed, and pressed if AcceptPress was called.
+  void SetHand(bool isOn) { this->Style->SetHand(isOn); }
+  void AcceptPress() { this->Style->AcceptPress(); }
+  void Lift() { this->Style->Lift(); }
+
 Q_SIGNALS:
+  /// The pointer may lead a tool from here (world, mm), with the vectors of a pixel.
+  void Aimed(const Vector3& pointWorld, const Vector3& right, const Vector3& up);
+  void Pressed();
+  void HandMoved(const Vector3& pointWorld);
+  void Lifted();
   /// The point under the pointer (world, mm).
   void PointedAt(const Vector3& pointWorld);
   void ClickedAt(const Vector3& pointWorld);
@@ -41,6 +51,8 @@ private:
   void ChooseSlice(int number);
   Vector3 PointAt(double x, double y) const;
   void TellPoint();
+  void TellAim();
+  void TellHand();
 
   vtkNew<vtkSliceView> Slice;
   vtkNew<vtkInteractorStyleSlice> Style;

@@ -15,6 +15,8 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->ShowSlices(false);
   this->SetStyle(this->Style);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::HandMovedEvent, this, &SpacePane::TellHand);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::AimedEvent, this, &SpacePane::TellAim);
+  this->Style->AddObserver(vtkInteractorStyleMouseHand::PressedEvent, this, &SpacePane::Pressed);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::DraggedEvent, this, &SpacePane::TellDrag);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this, &SpacePane::DragEnded);
   this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::TakeCamera);
@@ -37,6 +39,26 @@ void SpacePane::ShowAllUnlessLed()
 void SpacePane::TellHand()
 {
   Q_EMIT HandMoved(Vector3(this->Style->GetHandWorld()));
+}
+
+void SpacePane::TellAim()
+{
+  Q_EMIT Aimed(Vector3(this->Style->GetSightFrom()), Vector3(this->Style->GetSightTo()));
+  this->ShowCursor();
+}
+
+// A hand where a press pushes, an arrow where it moves the camera.
+void SpacePane::ShowCursor()
+{
+  this->setCursor(!this->Style->GetHasRest() ? Qt::ArrowCursor
+                  : this->Style->IsPressed() ? Qt::ClosedHandCursor
+                                             : Qt::PointingHandCursor);
+}
+
+void SpacePane::Rest(const Vector3& toolWorld, const Vector3& normalWorld, double mostPush)
+{
+  this->Style->SetRest(toolWorld.data(), normalWorld.data());
+  this->Style->SetMostPush(mostPush);
 }
 
 void SpacePane::TellDrag()

@@ -40,6 +40,13 @@ public:
   void SetHand(bool isOn, const Vector3& handWorld);
   /// Corrects the hand's position (mm).
   void PlaceHand(const Vector3& handWorld) { this->Style->SetHandWorld(handWorld.data()); }
+  /// Answers Aimed: where the tool rests, with the normal there, and the strongest push (mm).
+  void Rest(const Vector3& toolWorld, const Vector3& normalWorld, double mostPush);
+  bool IsPressed() const { return this->Style->IsPressed(); }
+  /// Ends a push.
+  void Lift() { this->Style->Lift(); }
+  /// A pen's pressure, 0 to 1.
+  void Press(double pressure) { this->Style->SetPush(pressure); }
   Vector3 HandWorld() const { return Vector3(this->Style->GetHandWorld()); }
   /// Whether the mouse drags an object at `world` (mm) instead.
   void SetDragging(bool isOn, const Vector3& world);
@@ -48,6 +55,9 @@ public:
 
 Q_SIGNALS:
   void HandMoved(const Vector3& targetWorld);
+  /// The pointer aims along this line (world, mm); see Rest.
+  void Aimed(const Vector3& from, const Vector3& to);
+  void Pressed();
   void CameraTurned();
   void Dragged(const Vector3& world); ///< the object's new position
   void DragEnded();
@@ -56,6 +66,8 @@ private:
   using Props = std::set<vtkSmartPointer<vtkProp>>;
   void ShowOnly(Props& shown, const std::set<vtkProp*>& props);
   void TellHand();
+  void TellAim();
+  void ShowCursor();
   void TellDrag();
   void TakeCamera();
 
