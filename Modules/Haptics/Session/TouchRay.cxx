@@ -16,7 +16,12 @@ struct TouchRay::Way
   double Begin = 0.0;
   double End = 0.0; // mm from From
 
-  Vector3 At(double along) const { return this->From + along * this->Direction; }
+  ToolPose At(double along) const
+  {
+    ToolPose pose;
+    pose.PositionWorld = this->From + along * this->Direction;
+    return pose;
+  }
   // Keeps what lies in a box; false if nothing does.
   bool Clip(const Eigen::AlignedBox3d& box)
   {
@@ -78,10 +83,10 @@ std::optional<TouchRay::Rest> TouchRay::FirstOn(std::size_t structure, const Way
   }
   const double extent = this->Scene->Structures[structure].Model->BoundsWorld().sizes().maxCoeff();
   const double step = std::max(this->Scene->Tool.BoundingRadius(), extent / Steps);
-  const auto follow = [&](double along) { return tracker->Follow({way.At(along), {}}); };
+  const auto follow = [&](double along) { return tracker->Follow(way.At(along)); };
   tracker->Release();
   double free = way.Begin;
-  if (!tracker->IsFreeAt({way.At(free), {}}))
+  if (!tracker->IsFreeAt(way.At(free)))
   {
     return std::nullopt; // the line begins inside
   }
@@ -104,7 +109,7 @@ std::optional<TouchRay::Rest> TouchRay::FirstOn(std::size_t structure, const Way
       (tried.IsTouching ? held : free) = middle;
       met = tried.IsTouching ? tried : met;
     }
-    return Rest{way.At(free), met.NormalWorld, static_cast<int>(structure)};
+    return Rest{way.At(free).PositionWorld, met.NormalWorld, static_cast<int>(structure)};
   }
   return std::nullopt;
 }

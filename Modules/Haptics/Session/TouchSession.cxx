@@ -15,7 +15,9 @@ namespace
 // mm of the hand above what it will press: the mechanism's friction may stop it that far from its
 // goal.
 constexpr double Hover = 0.6;
-constexpr int MostPressPolls = 30; // until the hand is pressed wherever it is
+// Ticks until a press takes effect, and until the hand is pressed wherever it is.
+constexpr std::uint64_t LeastPressTicks = 5;
+constexpr std::uint64_t MostPressTicks = 500;
 } // namespace
 
 TouchSession::TouchSession(Clock& clock, const RealtimeRequest& request)
@@ -146,7 +148,7 @@ void TouchSession::UseEditor(std::shared_ptr<DrillEditor> editor)
 
 bool TouchSession::LeadHand(const Vector3& handDevice)
 {
-  const Vector3& goal = this->PressPolls > 0 ? this->Pressed : handDevice;
+  const Vector3& goal = this->IsPressing ? this->Pressed : handDevice;
   const bool isLed = this->IsOpen() && this->Opened->LeadHand(goal);
   this->Hand = isLed ? handDevice : this->Hand;
   return isLed;
@@ -237,7 +239,7 @@ std::optional<TouchRay::Rest> TouchSession::RestInPlane(const Vector3& point, co
 
 void TouchSession::LiftHand()
 {
-  this->PressPolls = 0;
+  this->IsPressing = false;
   if (this->IsRunning())
   {
     this->Loop().HoldClutch();
@@ -247,19 +249,26 @@ void TouchSession::LiftHand()
 // A hand that is still on its way would be pressed where it passes.
 void TouchSession::PressHand()
 {
-  this->PressPolls = MostPressPolls;
+  this->IsPressing = true;
+  this->PressedAt = this->Reading.Newest.Tick.Number;
   this->Pressed = this->Hand;
 }
 
+// The servo has to have taken the lift first.
 void TouchSession::PressIfThere()
 {
-  const Vector3 hand(this->Reading.Newest.Sample.Position);
-  const bool isThere = (hand - this->Pressed).norm() < Hover;
-  if (this->PressPolls == 0 || (!isThere && --this->PressPolls > 0))
+  if (!this->IsPressing)
   {
     return;
   }
-  this->PressPolls = 0;
+  const std::uint64_t passed = this->Reading.Newest.Tick.Number - this->PressedAt;
+  const Vector3 hand(this->Reading.Newest.Sample.Position);
+  const bool isThere = (hand - this->Pressed).norm() < Hover;
+  if (passed < LeastPressTicks || (!isThere && passed < MostPressTicks))
+  {
+    return;
+  }
+  this->IsPressing = false;
   this->Loop().ReleaseClutch();
   static_cast<void>(this->Opened->LeadHand(this->Hand));
 }

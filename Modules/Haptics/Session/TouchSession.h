@@ -141,8 +141,9 @@ private:
   Vector3 Hand = Vector3::Zero();    // mm, in the device
   std::optional<TouchRay> Ray;       // through the current scene
   std::uint64_t RayNumber = 0;       // of the drilled versions that it knows
-  Vector3 Pressed = Vector3::Zero(); // mm, in the device, where a press begins
-  int PressPolls = 0;                // left to wait for the hand
+  bool IsPressing = false;           // as soon as the hand is there
+  Vector3 Pressed = Vector3::Zero(); // mm, in the device
+  std::uint64_t PressedAt = 0;       // tick
   TouchWatch Watch;
   std::unique_ptr<TouchRecorder> Recorder;
   TouchSessionReading Reading;
