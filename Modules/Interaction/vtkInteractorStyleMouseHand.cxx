@@ -142,6 +142,7 @@ void vtkInteractorStyleMouseHand::SetPush(double push)
   }
   else if (this->HasRest)
   {
+    this->Grows = false;
     this->Press(push);
   }
 }
@@ -275,6 +276,7 @@ void vtkInteractorStyleMouseHand::OnLeftButtonDown()
   {
     this->GrabFocus(this->EventCallbackCommand);
     this->IsButtonDown = true;
+    this->Grows = this->Push == 0.0; // a pen has set it before
     this->Growing = this->NeedsTimer ? this->Interactor->CreateRepeatingTimer(GrowthInterval) : 0;
     this->Press(std::max(this->Push, FirstPush));
   }
@@ -328,7 +330,7 @@ void vtkInteractorStyleMouseHand::OnLeave()
 // A push that is held grows.
 void vtkInteractorStyleMouseHand::OnTimer()
 {
-  if (this->IsButtonDown && this->HasRest)
+  if (this->IsButtonDown && this->Grows && this->HasRest)
   {
     this->Press(this->Push + GrowthPerTimer);
   }

@@ -146,7 +146,8 @@ private:
   double MostPush = 5.0;
   bool PushAlongSight = false;
   bool Presses = false;      ///< pushes into a surface
-  bool IsButtonDown = false; ///< and grows with time
+  bool IsButtonDown = false;
+  bool Grows = false; ///< with time, until it is set by a wheel or a pen
   double Push = 0.0;
   int Growing = 0; ///< the timer
 };

@@ -261,6 +261,9 @@ void MainWindow::ConnectViews()
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
   connect(this->Touching, &TouchMenu::WorkspaceMoved, link, &TouchLink::MoveWorkspace);
+  this->Grid->Space()->PushAlongSight(this->Touching->PushAlongSight()->isChecked());
+  connect(this->Touching->PushAlongSight(), &QAction::toggled, this->Grid->Space(),
+          &SpacePane::PushAlongSight);
   link->SoundAlarms(this->Touching->AlarmSound()->isChecked());
   connect(this->Touching->AlarmSound(), &QAction::toggled, link, &TouchLink::SoundAlarms);
 }

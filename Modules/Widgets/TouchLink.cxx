@@ -41,7 +41,12 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
   connect(&study, &StudyController::ReplayChanged, this, &TouchLink::ShowProbe);
   connect(&study, &StudyController::Touched, this, &TouchLink::ShowReading);
   connect(&study, &StudyController::DrilledChanged, this, &TouchLink::ShowDrilled);
-  connect(views.Space(), &SpacePane::HandMoved, this, &TouchLink::MoveHand);
+  connect(views.Space(), &SpacePane::HandMoved, this,
+          [this](const Vector3& targetWorld)
+          {
+            this->IsLedInSlice = false;
+            this->MoveHand(targetWorld);
+          });
   connect(views.Space(), &SpacePane::Aimed, this, &TouchLink::FindRest);
   connect(views.Space(), &SpacePane::Pressed, this,
           [this] { this->Study.Current().Touch().PressHand(); });
@@ -82,6 +87,8 @@ void TouchLink::Begin()
   {
     this->Views.Slice(orientation)->SetHand(isSimulated);
   }
+  this->IsPointing = isSimulated;
+  this->IsLedInSlice = false;
   this->AimedAt = -1;
   this->ShowProbe();
   this->ShowNotice();
@@ -158,6 +165,7 @@ void TouchLink::LeadIn(SlicePane* slice)
             this->SliceReach = NearPixels * right.norm();
             if (this->FindRestInSlice(point))
             {
+              this->IsLedInSlice = true;
               this->Study.Current().Touch().LiftHand();
               this->MoveHand(this->SliceRest);
               slice->AcceptPress();
@@ -227,9 +235,29 @@ void TouchLink::ShowReading()
   this->ShowPlace();
   if (reading.Newest.HasSample && this->Study.State().View.SlicesFollowProbe)
   {
-    const PlainVector3& proxy = reading.Newest.ProxyWorld;
-    this->Contents.Crosshair()->SetPositionWorld(proxy.X, proxy.Y, proxy.Z);
+    this->FollowProbe();
   }
+}
+
+// A mouse leaves the crosshair to the user until it leads the tool, and while the tool rests; a slice
+// that is pressed stays.
+void TouchLink::FollowProbe()
+{
+  constexpr double Still = 0.1; // mm
+  Vector3 place(this->Study.Reading().Newest.ProxyWorld);
+  const bool isStill = this->AimedAt < 0 || (place - this->Followed).norm() < Still;
+  if (this->IsPointing && isStill)
+  {
+    return;
+  }
+  this->Followed = place;
+  if (this->IsLedInSlice)
+  {
+    const Vector3 normal = this->SliceRight.cross(this->SliceUp);
+    const Vector3 slice(this->Contents.Crosshair()->GetPositionWorld());
+    place -= (place - slice).dot(normal) * normal;
+  }
+  this->Contents.Crosshair()->SetPositionWorld(place.data());
 }
 
 bool TouchLink::eventFilter(QObject* object, QEvent* event)

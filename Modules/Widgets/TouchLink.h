@@ -48,6 +48,7 @@ private:
   void AimAt(int structure);
   void Lift();
   void ShowHand();
+  void FollowProbe();
 
   StudyController& Study;
   ViewContents& Contents;
@@ -56,8 +57,11 @@ private:
   bool IsWorkspaceMoved = false;
   bool AreAlarmsHeard = false;
   bool IsAlarmed = false;
-  int AimedAt = -1;      // the structure that MostPush is for
-  double MostPush = 0.0; // mm
+  bool IsPointing = false; // the mouse is the hand
+  int AimedAt = -1;        // the structure that MostPush is for; none before the first
+  double MostPush = 0.0;   // mm
+  Vector3 Followed = Vector3::Zero(); // the probe, by the slices
+  bool IsLedInSlice = false;
   // Of the slice that was last pressed.
   Vector3 SliceRight = Vector3::UnitX();
   Vector3 SliceUp = Vector3::UnitY();

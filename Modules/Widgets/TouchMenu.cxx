@@ -10,6 +10,7 @@ namespace
 {
 constexpr const char* RecordingEnding = ".touch";
 constexpr const char* SoundKey = "alarm-sound";
+constexpr const char* PushKey = "push-along-sight";
 constexpr const char* RecordingFilter = "Recorded touches (*.touch *.part)";
 } // namespace
 
@@ -29,6 +30,7 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   this->Sound->setChecked(QSettings().value(SoundKey, false).toBool());
   connect(this->Sound, &QAction::toggled, this,
           [](bool isOn) { QSettings().setValue(SoundKey, isOn); });
+  this->AddPush();
   this->AddWorkspace();
   this->AddRecording();
   connect(&study, &StudyController::TouchChanged, this, &TouchMenu::ShowTouch);
@@ -36,6 +38,17 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   connect(&study, &StudyController::ReplayChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::Touched, this, &TouchMenu::ShowRecording);
   this->ShowTouch();
+}
+
+void TouchMenu::AddPush()
+{
+  this->AlongSight = this->addAction("&Push along the line of sight");
+  this->AlongSight->setToolTip("A press of the mouse pushes away from the viewer instead of along "
+                               "the surface's normal");
+  this->AlongSight->setCheckable(true);
+  this->AlongSight->setChecked(QSettings().value(PushKey, false).toBool());
+  connect(this->AlongSight, &QAction::toggled, this,
+          [](bool isOn) { QSettings().setValue(PushKey, isOn); });
 }
 
 void TouchMenu::AddWorkspace()

@@ -22,6 +22,7 @@ public:
   QList<QAction*> Tools() const { return {this->Touch, this->Record}; }
   /// Also used by a panel's buttons.
   QAction* AlarmSound() const { return this->Sound; }
+  QAction* PushAlongSight() const { return this->AlongSight; }
   QAction* MoveWorkspace() const { return this->Move; }
   QAction* FitWorkspace() const { return this->Fit; }
 
@@ -32,6 +33,7 @@ Q_SIGNALS:
 private:
   void ToggleTouch();
   void AddWorkspace();
+  void AddPush();
   void AddRecording();
   void OpenRecording();
   void Export();
@@ -45,6 +47,7 @@ private:
   QAction* StopForce;
   QAction* AllowForce;
   QAction* Sound;
+  QAction* AlongSight = nullptr;
   QAction* Move;
   QAction* Fit;
   QAction* Record;

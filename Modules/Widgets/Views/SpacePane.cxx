@@ -5,6 +5,8 @@
 
 #include "vtkCamera.h"
 
+#include <QTabletEvent>
+
 namespace palpate
 {
 SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
@@ -45,6 +47,21 @@ void SpacePane::TellAim()
 {
   Q_EMIT Aimed(Vector3(this->Style->GetSightFrom()), Vector3(this->Style->GetSightTo()));
   this->ShowCursor();
+}
+
+// A pen pushes by its pressure; its position comes as that of a mouse.
+bool SpacePane::eventFilter(QObject* object, QEvent* event)
+{
+  if (event->type() == QEvent::TabletPress || event->type() == QEvent::TabletMove)
+  {
+    const double pressure = static_cast<QTabletEvent*>(event)->pressure();
+    if (pressure > 0.0)
+    {
+      this->Style->SetPush(pressure);
+    }
+    event->ignore();
+  }
+  return ViewPane::eventFilter(object, event);
 }
 
 // A hand where a press pushes, an arrow where it moves the camera.

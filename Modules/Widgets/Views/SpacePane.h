@@ -45,8 +45,8 @@ public:
   bool IsPressed() const { return this->Style->IsPressed(); }
   /// Ends a push.
   void Lift() { this->Style->Lift(); }
-  /// A pen's pressure, 0 to 1.
-  void Press(double pressure) { this->Style->SetPush(pressure); }
+  /// Whether a push is along the line of sight instead of the surface's normal.
+  void PushAlongSight(bool isOn) { this->Style->SetPushAlongSight(isOn); }
   Vector3 HandWorld() const { return Vector3(this->Style->GetHandWorld()); }
   /// Whether the mouse drags an object at `world` (mm) instead.
   void SetDragging(bool isOn, const Vector3& world);
@@ -67,6 +67,7 @@ private:
   void ShowOnly(Props& shown, const std::set<vtkProp*>& props);
   void TellHand();
   void TellAim();
+  bool eventFilter(QObject* object, QEvent* event) override;
   void ShowCursor();
   void TellDrag();
   void TakeCamera();
