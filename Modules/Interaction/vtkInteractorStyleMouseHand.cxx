@@ -4,11 +4,14 @@
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <string>
 
 vtkStandardNewMacro(vtkInteractorStyleMouseHand);
 
@@ -274,11 +277,7 @@ void vtkInteractorStyleMouseHand::OnLeftButtonDown()
   }
   else if (this->AimsAtSurface())
   {
-    this->GrabFocus(this->EventCallbackCommand);
-    this->IsButtonDown = true;
-    this->Grows = this->Push == 0.0; // a pen has set it before
-    this->Growing = this->NeedsTimer ? this->Interactor->CreateRepeatingTimer(GrowthInterval) : 0;
-    this->Press(std::max(this->Push, FirstPush));
+    this->BeginPush();
   }
   else
   {
@@ -309,6 +308,65 @@ void vtkInteractorStyleMouseHand::OnLeftButtonUp()
     return;
   }
   this->Superclass::OnLeftButtonUp();
+}
+
+void vtkInteractorStyleMouseHand::BeginPush()
+{
+  this->GrabFocus(this->EventCallbackCommand);
+  this->IsButtonDown = true;
+  this->Grows = this->Push == 0.0; // a pen has set it before
+  this->Growing = this->NeedsTimer ? this->Interactor->CreateRepeatingTimer(GrowthInterval) : 0;
+  this->Press(std::max(this->Push, FirstPush));
+}
+
+// An arrow key moves the pointer by a hundredth of the view's height, from its middle at first.
+bool vtkInteractorStyleMouseHand::MovePointer(const char* key)
+{
+  const std::string name = key != nullptr ? key : "";
+  const int right = name == "Right" ? 1 : name == "Left" ? -1 : 0;
+  const int up = name == "Up" ? 1 : name == "Down" ? -1 : 0;
+  if ((right == 0 && up == 0) || this->Interactor->GetRenderWindow() == nullptr)
+  {
+    return false;
+  }
+  const int* size = this->Interactor->GetRenderWindow()->GetSize();
+  const int* pointer = this->Interactor->GetEventPosition();
+  const bool isNowhere = pointer[0] == 0 && pointer[1] == 0;
+  const int step = std::max(1, size[1] / 100);
+  const int x = isNowhere ? size[0] / 2 : pointer[0] + right * step;
+  const int y = isNowhere ? size[1] / 2 : pointer[1] + up * step;
+  this->Interactor->SetEventPosition(std::clamp(x, 1, std::max(1, size[0] - 1)),
+                                     std::clamp(y, 1, std::max(1, size[1] - 1)));
+  this->MoveHandToPointer();
+  return true;
+}
+
+void vtkInteractorStyleMouseHand::OnKeyPress()
+{
+  const char* key = this->Interactor->GetKeySym();
+  const bool isHand = this->Hand && !this->Dragging && !this->IsForCamera();
+  if (isHand && this->MovePointer(key))
+  {
+    return;
+  }
+  const bool isSpace = key != nullptr && std::strcmp(key, "space") == 0;
+  if (isHand && isSpace && !this->IsButtonDown && this->FindRenderer() && this->AimsAtSurface())
+  {
+    this->BeginPush();
+    return;
+  }
+  this->Superclass::OnKeyPress();
+}
+
+void vtkInteractorStyleMouseHand::OnKeyRelease()
+{
+  const char* key = this->Interactor->GetKeySym();
+  if (this->IsButtonDown && key != nullptr && std::strcmp(key, "space") == 0)
+  {
+    this->Lift();
+    return;
+  }
+  this->Superclass::OnKeyRelease();
 }
 
 bool vtkInteractorStyleMouseHand::AimsAtSurface()

@@ -7,7 +7,8 @@
  * (GetSightFrom, GetSightTo) meets something. There a left press pushes the tool into the surface
  * (PressedEvent), the harder the longer it is held; the wheel pushes without a button, and SetPush
  * takes a pen's pressure. While the button is down the pointer strokes along the surface with the
- * same push. Releasing the button, leaving the view and Lift end it (LiftedEvent).
+ * same push. Releasing the button, leaving the view and Lift end it (LiftedEvent). By keyboard:
+ * arrows move the pointer, and the space bar is the button.
  *
  * The camera uses the rest: a left press on anything else and Ctrl with a left drag rotate, Shift
  * with a left drag and a middle drag pan, a right drag and Ctrl with the wheel zoom. Without Hand
@@ -108,6 +109,8 @@ public:
   void OnMouseWheelBackward() override;
   void OnLeave() override;
   void OnTimer() override;
+  void OnKeyPress() override;
+  void OnKeyRelease() override;
   void OnChar() override;
 
 protected:
@@ -123,6 +126,8 @@ private:
 
   bool IsForCamera();
   bool AimsAtSurface();
+  void BeginPush();
+  bool MovePointer(const char* key);
   bool FindRenderer();
   void WorldAtPointer(const double depthOf[3], const int pointer[2], double world[3]);
   void Deepen(double notches, double world[3]);
@@ -145,7 +150,7 @@ private:
   double RestNormal[3] = {0.0, 0.0, 1.0};
   double MostPush = 5.0;
   bool PushAlongSight = false;
-  bool Presses = false;      ///< pushes into a surface
+  bool Presses = false; ///< pushes into a surface
   bool IsButtonDown = false;
   bool Grows = false; ///< with time, until it is set by a wheel or a pen
   double Push = 0.0;

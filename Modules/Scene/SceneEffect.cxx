@@ -115,7 +115,7 @@ SceneEffectKind GradientKind()
       {"gradient_n_mm", "Energy between both values, N mm", MostEnergy, 3},
       {"gradient_from_value", "From this value", LargestImageValue, 6, {}, -LargestImageValue},
       {"gradient_to_value", "Towards this value", LargestImageValue, 6, {}, -LargestImageValue},
-      {"gradient_largest_n", "Largest force, N (0: 0.5)", MostForce, 3},
+      {"gradient_largest_n", "Largest force", MostForce, 3, {}, 0.0, "N", "0.5 N (default)"},
       {"gradient_smoothing_mm", "Smoothing of the image, mm", MostSmoothing, 2}};
   kind.ImageKey = "gradient_image";
   kind.ImageLabel = "Gradient image";

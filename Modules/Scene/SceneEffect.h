@@ -28,7 +28,10 @@ struct SceneNumber
   int Decimals = 3; ///< 0 for a whole number
   /// Of a choice: words in files, of which the number is the index.
   std::vector<std::string> Words = {};
-  double Least = 0.0; ///< at most 0, which is the default of every number
+  double Least = 0.0;     ///< at most 0, which is the default of every number
+  std::string Unit = {};  ///< after the number in the window
+  std::string Zero = {};  ///< what 0 stands for, in words: "20 kPa (default)"
+  std::string Group = {}; ///< of rows in the window; empty: the main one
 };
 
 /// What a force effect is made from.

@@ -111,6 +111,12 @@ std::string TitleOf(const SceneStructure& structure)
   }
 }
 
+bool HasTouchable(const SceneSettings& scene)
+{
+  return std::any_of(scene.Structures.begin(), scene.Structures.end(),
+                     [](const SceneStructure& one) { return one.IsTouchable; });
+}
+
 const SceneStructure* FindStructure(const SceneSettings& scene, int id)
 {
   const auto found = std::find_if(scene.Structures.begin(), scene.Structures.end(),

@@ -163,6 +163,9 @@ PALPATESCENE_EXPORT std::string TitleOf(const SceneStructure& structure);
 /// The structure with this id, or null.
 PALPATESCENE_EXPORT const SceneStructure* FindStructure(const SceneSettings& scene, int id);
 
+/// Whether any structure is touchable.
+PALPATESCENE_EXPORT bool HasTouchable(const SceneSettings& scene);
+
 /// Whether a guide is made by the structure with this id.
 PALPATESCENE_EXPORT bool IsGuide(const SceneSettings& scene, int id);
 

@@ -320,10 +320,19 @@ StudyStepState StudyPipeline::StateOf(SceneStep step, int id) const
 
 StudyStepState StudyPipeline::StateOf(SceneStep step) const
 {
+  using Kind = StudyStepState::Kind;
   StudyStepState worst;
+  double all = 0.0;
+  std::size_t wanted = 0;
+  std::size_t done = 0;
   const auto add = [&](int id)
   {
     const StudyStepState one = this->StateOf(step, id);
+    const bool isOpen = one.Is == Kind::Running || one.Is == Kind::NeedsUpdate;
+    const bool isDone = one.Is != Kind::NotWanted && !isOpen;
+    wanted += one.Is != Kind::NotWanted ? 1 : 0;
+    done += isDone ? 1 : 0;
+    all += isDone ? 1.0 : one.Fraction;
     worst = one.Is > worst.Is ? one : worst;
   };
   if (step == SceneStep::Volume || step == SceneStep::Segmentation || step == SceneStep::Tool)
@@ -334,12 +343,15 @@ StudyStepState StudyPipeline::StateOf(SceneStep step) const
   {
     std::for_each(this->State.Volumes.begin(), this->State.Volumes.end(),
                   [&](const StudyVolume& volume) { add(volume.Id); });
-    return worst;
   }
-  for (const SceneStructure& structure : this->State.Structures)
+  else
   {
-    add(structure.Id);
+    std::for_each(this->State.Structures.begin(), this->State.Structures.end(),
+                  [&](const SceneStructure& structure) { add(structure.Id); });
   }
+  worst.Fraction = wanted > 0 ? all / static_cast<double>(wanted) : 0.0;
+  worst.Wanted = wanted;
+  worst.Done = done;
   return worst;
 }
 

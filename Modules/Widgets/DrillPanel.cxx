@@ -7,54 +7,18 @@
 #include "TextContrast.h"
 #include "TouchNotice.h"
 
-#include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
-#include <QHeaderView>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace palpate
 {
 namespace
 {
-constexpr int MostRows = 8; // of the table at once
-
-// A structure's drill role. Wear and feel are plausible, not measured.
-struct DrillRole
-{
-  const char* Name;
-  DrillLaw Law;
-  bool IsForbidden;
-};
-const std::array<DrillRole, 4> Roles{{{"Not drilled", {0.0, 0.0, 0.0}, false},
-                                      {"Cortical bone", {0.05, 0.002, 0.25}, false},
-                                      {"Soft tissue", {0.5, 0.001, 0.05}, false},
-                                      {"Forbidden", {0.0, 0.0, 0.0}, true}}};
-
-enum Column
-{
-  SiteColumn,
-  RoleColumn,
-  AlarmColumn,
-  StandColumn,
-  Columns
-};
-
-int RoleOf(const SceneStructure& structure)
-{
-  if (structure.IsForbidden)
-  {
-    return 3;
-  }
-  const double wear = structure.Drill.Wear;
-  return wear > 0.0 ? (wear > Roles[1].Law.Wear ? 2 : 1) : 0;
-}
-
 QDoubleSpinBox* MakeSpin(QWidget* parent, const QString& name, double least, double most,
                          double step, const QString& unit)
 {
@@ -66,35 +30,10 @@ QDoubleSpinBox* MakeSpin(QWidget* parent, const QString& name, double least, dou
   spin->setKeyboardTracking(false);
   return spin;
 }
-
-// Does not repaint if the text is unchanged.
-void SetText(QTableWidgetItem* item, const QString& text)
-{
-  if (item->text() != text)
-  {
-    item->setText(text);
-  }
-}
-// Distance of the drill to a structure, or the status of its protection.
-QString TextOf(const StudyForbidden& forbidden, const StudyDrillReading& reading, bool isTouching)
-{
-  for (const DrillApproach& one : reading.Approaches)
-  {
-    if (forbidden.IsReady() && one.Name == forbidden.Name)
-    {
-      const QString least = QString::number(one.Least, 'f', 1);
-      return isTouching
-                 ? QString("%1 mm away (minimum %2 mm)").arg(one.Distance, 0, 'f', 1).arg(least)
-                 : QString("Minimum %1 mm in the last touch").arg(least);
-    }
-  }
-  return QString::fromStdString(ProtectionText(forbidden));
-}
 } // namespace
 
 DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, QWidget* parent)
-    : QWidget(parent), Study(study), Questions(questions), Table(new QTableWidget(this)),
-      Alarm(new QLabel(this))
+    : QWidget(parent), Study(study), Questions(questions), Alarm(new QLabel(this))
 {
   this->Alarm->setTextFormat(Qt::PlainText);
   auto* column = new QVBoxLayout(this);
@@ -102,11 +41,9 @@ DrillPanel::DrillPanel(StudyController& study, const FileQuestions& questions, Q
   auto* buttons = new QWidget(this);
   this->MakeBurr(burr);
   this->MakeButtons(buttons);
-  this->MakeTable();
   this->Alarm->setObjectName("drill-alarm");
   this->Alarm->setWordWrap(true);
   column->addWidget(burr);
-  column->addWidget(this->Table, 1);
   column->addWidget(this->Alarm);
   column->addWidget(buttons);
   connect(&study, &StudyController::StateChanged, this, &DrillPanel::ShowState);
@@ -175,91 +112,6 @@ void DrillPanel::MakeButtons(QWidget* row)
   this->AddButton(row, "Export...", "drill-export", [this] { this->Export(); });
 }
 
-void DrillPanel::MakeTable()
-{
-  this->Table->setObjectName("drill-structures");
-  this->Table->setColumnCount(Columns);
-  this->Table->setHorizontalHeaderLabels({"Structure", "Drill role", "Alarm", "Status"});
-  this->Table->verticalHeader()->hide();
-  this->Table->horizontalHeader()->setSectionResizeMode(StandColumn, QHeaderView::Stretch);
-  this->Table->setTextElideMode(Qt::ElideMiddle); // left and right differ at the end
-  this->Table->setMinimumHeight(MostRows * this->Table->verticalHeader()->defaultSectionSize());
-  this->Table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
-}
-
-void DrillPanel::ChangeStructure(int label, const QString& message,
-                                 const std::function<void(SceneStructure&)>& change)
-{
-  StudyState next = this->Study.State();
-  for (SceneStructure& structure : next.Structures)
-  {
-    if (structure.Id == label)
-    {
-      change(structure);
-    }
-  }
-  this->Study.Change(message, next);
-}
-
-void DrillPanel::MakeRow(int row, const SceneStructure& structure)
-{
-  const QString title = ScreenString(TitleOf(structure));
-  auto* name = new QTableWidgetItem(title);
-  name->setData(Qt::UserRole, structure.Id);
-  this->Table->setItem(row, SiteColumn, name);
-  this->Table->setItem(row, StandColumn, new QTableWidgetItem);
-  auto* role = new QComboBox(this->Table);
-  for (const DrillRole& one : Roles)
-  {
-    role->addItem(one.Name);
-  }
-  auto* alarm = MakeSpin(this->Table, "alarm", 0.0, DrillLimits::Alarm, 0.5, " mm");
-  const int label = structure.Id;
-  connect(role, qOverload<int>(&QComboBox::activated), this,
-          [this, label, title](int chosen)
-          {
-            const DrillRole& to = Roles.at(static_cast<std::size_t>(chosen));
-            this->ChangeStructure(label, "Change the drill role of " + title + " to " + to.Name,
-                                  [&to](SceneStructure& one)
-                                  {
-                                    one.Drill = to.Law;
-                                    one.IsForbidden = to.IsForbidden;
-                                  });
-          });
-  connect(alarm, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this, label, title](double distance)
-          {
-            this->ChangeStructure(label, "Change the alarm distance of " + title,
-                                  [distance](SceneStructure& one)
-                                  { one.AlarmDistance = distance; });
-          });
-  this->Table->setCellWidget(row, RoleColumn, role);
-  this->Table->setCellWidget(row, AlarmColumn, alarm);
-}
-
-void DrillPanel::ShowRow(int row, const SceneStructure& structure)
-{
-  SetText(this->Table->item(row, SiteColumn), ScreenString(TitleOf(structure)));
-  auto* role = qobject_cast<QComboBox*>(this->Table->cellWidget(row, RoleColumn));
-  auto* alarm = qobject_cast<QDoubleSpinBox*>(this->Table->cellWidget(row, AlarmColumn));
-  const QSignalBlocker quiet(alarm);
-  role->setCurrentIndex(RoleOf(structure));
-  alarm->setValue(structure.AlarmDistance);
-  alarm->setEnabled(structure.IsForbidden);
-}
-
-bool DrillPanel::HasRowsOf(const StudyState& state) const
-{
-  bool hasAll = this->Table->rowCount() == static_cast<int>(state.Structures.size());
-  for (int row = 0; hasAll && row < this->Table->rowCount(); ++row)
-  {
-    hasAll = this->Table->item(row, SiteColumn)->data(Qt::UserRole).toInt() ==
-             state.Structures[static_cast<std::size_t>(row)].Id;
-  }
-  return hasAll;
-}
-
 void DrillPanel::ShowState()
 {
   const StudyState& state = this->Study.State();
@@ -268,19 +120,6 @@ void DrillPanel::ShowState()
     const QSignalBlocker quietTurns(this->Turns);
     this->Radius->setValue(state.Tool.Radius);
     this->Turns->setValue(state.Drill.Turns);
-  }
-  if (!this->HasRowsOf(state))
-  {
-    this->Table->setRowCount(0);
-    this->Table->setRowCount(static_cast<int>(state.Structures.size()));
-    for (int row = 0; row < this->Table->rowCount(); ++row)
-    {
-      this->MakeRow(row, state.Structures[static_cast<std::size_t>(row)]);
-    }
-  }
-  for (int row = 0; row < this->Table->rowCount(); ++row)
-  {
-    this->ShowRow(row, state.Structures[static_cast<std::size_t>(row)]);
   }
   this->ShowReading();
 }
@@ -295,28 +134,6 @@ void DrillPanel::ShowReading()
   this->Pedal->setEnabled(isTouching && !reading.Drilled.empty() && reading.Hold.empty());
   this->Undo->setEnabled(isTouching && reading.CanUndo);
   this->Redo->setEnabled(isTouching && reading.CanRedo);
-  for (int row = 0; row < this->Table->rowCount(); ++row)
-  {
-    const QTableWidgetItem* name = this->Table->item(row, SiteColumn);
-    const int label = name->data(Qt::UserRole).toInt();
-    QString text;
-    for (const StudyDrilled& one : reading.Drilled)
-    {
-      if (one.Id == label)
-      {
-        text = QString::number(one.RemovedVolume, 'f', 1) + " mm\u00b3 removed";
-      }
-    }
-    for (const StudyForbidden& one : forbidden)
-    {
-      if (one.Id == label)
-      {
-        text = TextOf(one, reading, isTouching);
-      }
-    }
-    SetText(this->Table->item(row, StandColumn), text);
-    this->Table->item(row, StandColumn)->setToolTip(text);
-  }
   this->ShowAlarm(isTouching ? reading : StudyDrillReading(), forbidden);
 }
 
@@ -392,10 +209,11 @@ void DrillPanel::Open()
 
 void DrillPanel::Export()
 {
-  const int row = this->Table->currentRow();
-  const auto& drilled = this->Study.Reading().Drill.Drilled;
-  int label = drilled.empty() ? 0 : drilled.front().Id;
-  label = row >= 0 ? this->Table->item(row, SiteColumn)->data(Qt::UserRole).toInt() : label;
+  const auto& drilled = this->Study.Current().Touch().Drill().Last().Drilled;
+  const bool isChosen =
+      std::any_of(drilled.begin(), drilled.end(),
+                  [this](const StudyDrilled& one) { return one.Id == this->Chosen; });
+  const int label = isChosen || drilled.empty() ? this->Chosen : drilled.front().Id;
   const QString file = this->Questions.ToSave(
       this, "Export the drilled structure", "drilled.stl",
       QString::fromStdString("Surfaces and images (" +

@@ -6,7 +6,6 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QWidget>
 
 #include <functional>
@@ -15,8 +14,8 @@
 
 namespace palpate
 {
-/// Drilling: each structure's drill role, the burr and its pedal, removed volumes, distances to
-/// forbidden structures, and undo and redo.
+/// Drilling: the burr and its pedal, alarms, undo and redo. Roles and removed volumes are columns
+/// of the structures' table.
 class DrillPanel : public QWidget
 {
   Q_OBJECT
@@ -27,23 +26,19 @@ public:
 
   /// The panel's text on forbidden structures near the drill, and on why it does not cut.
   QString AlarmWords() const { return this->Alarm->text(); }
+  /// The structure that is exported, if it is drilled; else the first one that is.
+  void Choose(int id) { this->Chosen = id; }
 
 private:
   void MakeBurr(QWidget* row);
   void MakeButtons(QWidget* row);
-  void MakeTable();
   QPushButton* AddButton(QWidget* row, const QString& text, const QString& name,
                          const std::function<void()>& act);
   void ShowState();
-  void MakeRow(int row, const SceneStructure& structure);
-  void ShowRow(int row, const SceneStructure& structure);
-  bool HasRowsOf(const StudyState& state) const;
   void ShowReading();
   void ShowAlarm(const StudyDrillReading& reading, const std::vector<StudyForbidden>& forbidden);
   std::string HoldText(const StudyDrillReading& reading,
                        std::vector<StudyForbidden> forbidden) const;
-  void ChangeStructure(int label, const QString& message,
-                       const std::function<void(SceneStructure&)>& change);
   void Press(bool isDown);
   void Save();
   void Open();
@@ -56,7 +51,7 @@ private:
   QPushButton* Redo = nullptr;
   QDoubleSpinBox* Radius = nullptr; // mm
   QDoubleSpinBox* Turns = nullptr;  // per second
-  QTableWidget* Table;
   QLabel* Alarm;
+  int Chosen = 0;
 };
 } // namespace palpate

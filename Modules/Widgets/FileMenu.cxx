@@ -92,16 +92,17 @@ void FileMenu::AddOpening()
       "Add vol&ume over it...", this,
       [this] { this->Open("Add a volume over the first one", &StudyController::AddVolume); },
       QKeySequence("Ctrl+Alt+V"));
-  this->addAction(
+  QAction* labels = this->addAction(
       "Add structures of a se&gmentation...", this,
       [this] { this->Open("Add structures of a segmentation", &StudyController::AddSegmentation); },
       QKeySequence("Ctrl+Alt+S"));
-  this->addAction(
+  QAction* models = this->addAction(
       "Add &model, surface or scene...", this,
       [this] { this->OpenAny("Add models, surfaces or scenes", SceneFilter()); },
       QKeySequence("Ctrl+Alt+M"));
-  this->addAction("Add structure from &image values...", this, &FileMenu::AddFromValues,
-                  QKeySequence("Ctrl+Alt+I"));
+  QAction* values = this->addAction("Add structure from &image values...", this,
+                                    &FileMenu::AddFromValues, QKeySequence("Ctrl+Alt+I"));
+  this->ForAdding = {labels, values, models};
   this->addAction(
       "Open s&tudy...", this,
       [this]

@@ -22,10 +22,14 @@ public:
   bool MayLeave();
   /// Those for the toolbar.
   const QList<QAction*>& Tools() const { return this->ForTools; }
+  /// Those that add structures.
+  const QList<QAction*>& Adding() const { return this->ForAdding; }
   /// Asks for files of any kind, and opens them.
   void OpenFiles();
   /// Asks for a folder of DICOM slices, and opens it.
   void OpenFolder();
+  /// Opens the dialog that adds a structure from image values.
+  void AddFromValues();
   /// The last one first.
   static QStringList RecentFiles();
   void OpenRecent(const QString& file);
@@ -40,7 +44,6 @@ private:
   void AddSaving();
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);
-  void AddFromValues();
   void OpenCohort();
 #ifdef PALPATE_HAS_NETWORK
   void OpenLink();
@@ -57,5 +60,6 @@ private:
   QWidget* Window;
   QMenu* Recent;
   QList<QAction*> ForTools;
+  QList<QAction*> ForAdding;
 };
 } // namespace palpate

@@ -77,7 +77,8 @@ void FitPanel::AddImportant(QFormLayout* form)
   this->Coverage->setWordWrap(true);
   this->Coverage->setToolTip(
       "Reliability of the models: whether samples in all directions determine them");
-  form->addRow("Coverage", this->Coverage);
+  this->CoverageTitle = new QLabel("Coverage", this);
+  form->addRow(this->CoverageTitle, this->Coverage);
 }
 
 void FitPanel::AddOthers(QFormLayout* form)
@@ -205,9 +206,9 @@ void FitPanel::ShowCoverage()
       warnings += ScreenString(structure.Name + ": " + fit->Coverage.Message);
     }
   }
-  this->Coverage->setText(models == 0          ? QString("no model yet")
-                          : warnings.isEmpty() ? QString("good")
-                                               : warnings.join("\n"));
+  this->Coverage->setText(warnings.isEmpty() ? QString("good") : warnings.join("\n"));
+  this->Coverage->setVisible(models > 0);
+  this->CoverageTitle->setVisible(models > 0);
 }
 
 void FitPanel::Show()

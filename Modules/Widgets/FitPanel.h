@@ -43,6 +43,7 @@ private:
 
   StudyController& Study;
   QLabel* Coverage = nullptr;
+  QLabel* CoverageTitle = nullptr;
   std::vector<std::function<void(const StudyState&)>> Shows; ///< one per option
 };
 } // namespace palpate

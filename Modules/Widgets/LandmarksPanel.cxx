@@ -1,6 +1,7 @@
 #include "LandmarksPanel.h"
 
 #include "GuideSettings.h"
+#include "SidedLength.h"
 #include "StudyMarkups.h"
 #include "ToolIcon.h"
 
@@ -42,7 +43,7 @@ void FillMarkRow(QTableWidget* table, int row, const std::string& name, const QS
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    table->setItem(row, FirstPlaceColumn + axis, FixedItem(LengthNumber(place[axis], unit)));
+    table->setItem(row, FirstPlaceColumn + axis, FixedItem(SidedLength(place, axis, unit, 2)));
   }
 }
 
@@ -238,9 +239,9 @@ void LandmarksPanel::ShowState()
 {
   const QSignalBlocker quiet(this->Table);
   QStringList heads{"Name", "Kind", "Value", "Unit"};
-  for (const char* axis : {"L", "P", "S"})
+  for (const char* axis : {"R, L", "A, P", "I, S"})
   {
-    heads += QString("%1, %2").arg(axis, SymbolOf(this->Unit));
+    heads += QString("%1 (%2)").arg(axis, SymbolOf(this->Unit));
   }
   this->Table->setHorizontalHeaderLabels(heads);
   const StudyState& state = this->Study.State();
@@ -248,7 +249,11 @@ void LandmarksPanel::ShowState()
   this->Guide->setCurrentIndex(guide == state.Guides.end() ? 0
                                                            : 1 + static_cast<int>(guide->Shape));
   this->EndCurve->setEnabled(this->Points->HasOpenCurve());
-  this->Table->setRowCount(static_cast<int>(state.Landmarks.size() + state.Measurements.size()));
+  const int all = static_cast<int>(state.Landmarks.size() + state.Measurements.size());
+  const bool isLonger = all > this->Table->rowCount();
+  const bool hasNewMark = static_cast<int>(state.Landmarks.size()) > this->MarkCount;
+  this->MarkCount = static_cast<int>(state.Landmarks.size());
+  this->Table->setRowCount(all);
   int row = 0;
   for (const StudyLandmark& mark : state.Landmarks)
   {
@@ -259,6 +264,10 @@ void LandmarksPanel::ShowState()
   {
     FillMarkRow(this->Table, row++, measurement.Name, FactsOf(measurement, this->Unit),
                 LabelPlaceOf(measurement), this->Unit);
+  }
+  if (isLonger)
+  {
+    this->Table->scrollToItem(this->Table->item(hasNewMark ? this->MarkCount - 1 : all - 1, 0));
   }
 }
 

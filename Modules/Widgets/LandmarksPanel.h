@@ -57,6 +57,7 @@ private:
 
   StudyController& Study;
   LengthUnit Unit = LengthUnit::Millimeter;
+  int MarkCount = 0; ///< landmarks that are listed
   const FileQuestions& Questions;
   QTableWidget* Table;
   MarkPlacer* Points;

@@ -5,7 +5,7 @@
 #include "FormManners.h"
 #include "HelpMenu.h"
 #include "PictureDialog.h"
-#include "PipelinePanel.h"
+#include "PipelineLine.h"
 #include "PlotsPanel.h"
 #include "PreferencesDialog.h"
 #include "QualityPanel.h"
@@ -13,6 +13,7 @@
 #include "ScreenString.h"
 #include "StructureLink.h"
 #include "StructuresPanel.h"
+#include "ThresholdDialog.h"
 #include "ToolRow.h"
 #include "TouchLink.h"
 #include "TouchPanel.h"
@@ -36,7 +37,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeftWidth = 320; // pixels
+constexpr int LeftWidth = 340; // pixels
 constexpr int BottomHeight = 150;
 
 // Names an action after the step of the study that it undoes or redoes.
@@ -158,14 +159,18 @@ void MainWindow::MakeColumn()
   connect(structures, &StructuresPanel::OpacityChosen, this,
           [this](double opacity) { this->Shown.Images()->SetLabelOpacity(opacity); });
   auto* touch = new TouchPanel(this->Study, this);
+  connect(touch, &TouchPanel::StartAsked, this->Touching, &TouchMenu::ToggleTouch);
+  connect(this->Touching, &TouchMenu::ValuesAsked, this,
+          [this]
+          {
+            this->Files->AddFromValues();
+            connect(this->findChild<ThresholdDialog*>(), &QDialog::accepted, &this->Study,
+                    &StudyController::StartTouchSoon, Qt::UniqueConnection);
+          });
   connect(touch, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
   touch->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
-  auto* files = new QWidget(this);
-  auto* rows = new QVBoxLayout(files);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addWidget(new VolumePanel(this->Study, this->Shown, files));
-  rows->addWidget(new PipelinePanel(this->Study, files));
-  this->AddSection("Data", files, true);
+  structures->AddAdding(this->Files->Adding());
+  this->AddSection("Data", new VolumePanel(this->Study, this->Shown, this), true);
   this->AddSection("Structures", structures, true);
   auto* model = new QWidget(this);
   auto* options = new QVBoxLayout(model);
@@ -174,12 +179,26 @@ void MainWindow::MakeColumn()
   options->addWidget(new FitPanel(this->Study, model));
   this->AddSection("Model", model, false);
   this->AddSection("Touch", touch, true);
-  this->AddSection("Drilling", new DrillPanel(this->Study, this->Questions, this), false);
+  auto* drill = new DrillPanel(this->Study, this->Questions, this);
+  connect(structures, &StructuresPanel::SelectionChanged, drill,
+          [structures, drill]
+          {
+            const std::vector<int> ids = structures->SelectedIds();
+            drill->Choose(ids.empty() ? 0 : ids.front());
+          });
+  this->AddSection("Drilling", drill, false);
   auto* dock = new QDockWidget(this);
   dock->setObjectName("Work");
   dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
   dock->setTitleBarWidget(new QWidget(dock)); // none
-  dock->setWidget(this->Column);
+  // The line is above what scrolls.
+  auto* left = new QWidget(dock);
+  auto* rows = new QVBoxLayout(left);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(0);
+  rows->addWidget(new PipelineLine(this->Study, left));
+  rows->addWidget(this->Column, 1);
+  dock->setWidget(left);
   this->addDockWidget(Qt::LeftDockWidgetArea, dock);
   this->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   this->resizeDocks({dock}, {LeftWidth}, Qt::Horizontal);
@@ -264,6 +283,13 @@ void MainWindow::ConnectViews()
   this->Grid->Space()->PushAlongSight(this->Touching->PushAlongSight()->isChecked());
   connect(this->Touching->PushAlongSight(), &QAction::toggled, this->Grid->Space(),
           &SpacePane::PushAlongSight);
+  connect(this->Marks->Tool(), &QAction::toggled, link, &TouchLink::LeaveClicks);
+  connect(link, &TouchLink::Escaped, this,
+          [this]
+          {
+            this->Marks->Tool()->setChecked(false);
+            this->Touching->MoveWorkspace()->setChecked(false);
+          });
   link->SoundAlarms(this->Touching->AlarmSound()->isChecked());
   connect(this->Touching->AlarmSound(), &QAction::toggled, link, &TouchLink::SoundAlarms);
 }

@@ -2,24 +2,11 @@
 
 #include "PlainLabel.h"
 #include "ScreenString.h"
+#include "SidedLength.h"
 #include "TouchNotice.h"
-
-#include <cmath>
 
 namespace palpate
 {
-namespace
-{
-// "R 10.3": with the side's letter instead of a sign.
-QString SidedLength(double coordinate, char positive, char negative, LengthUnit unit)
-{
-  const double shown = std::round(10.0 * coordinate) / 10.0;
-  return QString("%1 %2")
-      .arg(QChar(shown < 0.0 ? negative : positive))
-      .arg(std::abs(LengthIn(unit, shown)), 0, 'f', DecimalsIn(unit, 1));
-}
-} // namespace
-
 StatusLine::StatusLine(StudyController& study, QWidget* parent)
     : QStatusBar(parent), Study(study), Point(MakePlainLabel("point", this)),
       Jobs(MakePlainLabel("jobs", this)), Cancel(new QToolButton(this)),
@@ -50,26 +37,15 @@ StatusLine::StatusLine(StudyController& study, QWidget* parent)
 
 void StatusLine::ShowPoint(const Vector3& pointWorld, const std::string& text)
 {
-  const QString place = SidedLength(pointWorld.x(), 'L', 'R', this->Unit) + "  " +
-                        SidedLength(pointWorld.y(), 'P', 'A', this->Unit) + "  " +
-                        SidedLength(pointWorld.z(), 'S', 'I', this->Unit) + " " +
-                        SymbolOf(this->Unit);
+  const QString place = SidedLength(pointWorld, 0, this->Unit, 1) + "  " +
+                        SidedLength(pointWorld, 1, this->Unit, 1) + "  " +
+                        SidedLength(pointWorld, 2, this->Unit, 1) + " " + SymbolOf(this->Unit);
   this->Point->setText(text.empty() ? place : place + "   " + ScreenString(text));
 }
 
 void StatusLine::ShowJobs()
 {
   QStringList running;
-  for (const SceneStep step : {SceneStep::Volume, SceneStep::Segmentation, SceneStep::Surface,
-                               SceneStep::Samples, SceneStep::Model, SceneStep::Elasticity,
-                               SceneStep::Field, SceneStep::Protection, SceneStep::Guide})
-  {
-    const StudyStepState state = this->Study.Current().Pipeline().StateOf(step);
-    if (state.Is == StudyStepState::Kind::Running)
-    {
-      running += QString("%1 %2 %").arg(NameOf(step)).arg(std::lround(100.0 * state.Fraction));
-    }
-  }
   const std::vector<StudyWriting::File> files = this->Study.Current().Writing().Waiting();
   for (const StudyWriting::File& file : files)
   {

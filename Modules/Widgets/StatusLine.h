@@ -9,8 +9,8 @@
 
 namespace palpate
 {
-/// The place under the pointer, what is being computed or written, and the state of touch. It never
-/// makes the window wider.
+/// The place under the pointer, what is being written, and the state of touch. It never makes the
+/// window wider.
 class StatusLine : public QStatusBar
 {
   Q_OBJECT

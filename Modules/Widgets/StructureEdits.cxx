@@ -1,5 +1,6 @@
 #include "StructureEdits.h"
 
+#include "DrillRole.h"
 #include "ScreenString.h"
 
 #include <algorithm>
@@ -54,6 +55,12 @@ void StructureEdits::SetTouchable(const std::vector<int>& ids, bool isTouchable)
 {
   this->Change(ids, isTouchable ? "Make touchable %1" : "Make untouchable %1",
                [=](SceneStructure& structure) { structure.IsTouchable = isTouchable; });
+}
+
+void StructureEdits::SetDrillRole(const std::vector<int>& ids, int role)
+{
+  this->Change(ids, "Change %1: drill role " + DrillRole::Names().value(role),
+               [=](SceneStructure& structure) { DrillRole::Set(structure, role); });
 }
 
 void StructureEdits::SetColor(const std::vector<int>& ids, const QColor& color)

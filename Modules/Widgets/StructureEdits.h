@@ -21,6 +21,8 @@ public:
   /// Hides all others.
   void ShowOnly(const std::vector<int>& ids);
   void SetTouchable(const std::vector<int>& ids, bool isTouchable);
+  /// See DrillRole.
+  void SetDrillRole(const std::vector<int>& ids, int role);
   void SetColor(const std::vector<int>& ids, const QColor& color);
   /// Calls with the same `gesture` are one step; see StudyHistory.
   void SetOpacity(const std::vector<int>& ids, int percent, const QString& gesture = {});

@@ -59,6 +59,11 @@ bool StructureFilterModel::filterAcceptsRow(int row, const QModelIndex& parent) 
   {
     return false;
   }
+  if (this->Kind == Kept::Drilled &&
+      cell(StructureTableModel::DrillColumn).data(Qt::EditRole).toInt() == 0)
+  {
+    return false;
+  }
   const QString name = cell(StructureTableModel::NameColumn).data().toString();
   return std::all_of(this->Words.begin(), this->Words.end(),
                      [&name](const QString& word)

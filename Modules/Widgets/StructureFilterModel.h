@@ -19,7 +19,8 @@ public:
   {
     All,
     Visible,
-    Touchable
+    Touchable,
+    Drilled ///< or forbidden
   };
 
   explicit StructureFilterModel(QObject* parent);

@@ -8,7 +8,10 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QScrollBar>
+#include <QSettings>
 #include <QStyle>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -36,9 +39,13 @@ QString WidestTextOf(int column)
   switch (column)
   {
   case StructureTableModel::OpacityColumn:
-    return "Opacity";
+    return "100 %";
   case StructureTableModel::NameColumn:
-    return "Frontal_Sup_Medial_R";
+    return "Frontal_Sup_Or";
+  case StructureTableModel::DrillColumn:
+    return "Cortical bone00";
+  case StructureTableModel::StatusColumn:
+    return "10.0 mm away, least 10.0 mm";
   case StructureTableModel::AppearanceColumn:
     return "sub-voxel volume000";
   case StructureTableModel::RepresentationColumn:
@@ -46,6 +53,26 @@ QString WidestTextOf(int column)
   default:
     return "0.000";
   }
+}
+
+// A name that does not fit keeps its end, by which left and right differ.
+class NameDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+  {
+    this->QStyledItemDelegate::initStyleOption(option, index);
+    option->textElideMode = Qt::ElideLeft;
+  }
+};
+
+// Of a width that the user chose.
+QString WidthKey(int column)
+{
+  return QString("structure-columns/%1").arg(column);
 }
 } // namespace
 
@@ -62,14 +89,49 @@ StructureTable::StructureTable(QWidget* parent) : QTableView(parent)
   this->verticalHeader()->setDefaultSectionSize(this->fontMetrics().height() + 6);
   this->horizontalHeader()->setSectionsClickable(true);
   this->horizontalHeader()->setHighlightSections(false);
+  this->setItemDelegateForColumn(StructureTableModel::NameColumn, new NameDelegate(this));
   connect(this->horizontalHeader(), &QHeaderView::sectionCountChanged, this,
           &StructureTable::SetWidths);
+  connect(this->horizontalHeader(), &QHeaderView::sectionResized, this, &StructureTable::KeepWidth);
+}
+
+void StructureTable::setModel(QAbstractItemModel* model)
+{
+  QTableView::setModel(model);
+  connect(model, &QAbstractItemModel::modelReset, this, &StructureTable::FitName);
+}
+
+// Only those that the user drags: the others follow the contents.
+void StructureTable::KeepWidth(int column, int /*before*/, int width)
+{
+  if (QApplication::mouseButtons() & Qt::LeftButton)
+  {
+    QSettings().setValue(WidthKey(column), width);
+  }
+}
+
+void StructureTable::scrollTo(const QModelIndex& cell, ScrollHint hint)
+{
+  const int left = this->columnViewportPosition(cell.column());
+  const bool isSeen =
+      left < this->viewport()->width() && left + this->columnWidth(cell.column()) > 0;
+  const int before = this->horizontalScrollBar()->value();
+  QTableView::scrollTo(cell, hint);
+  if (isSeen)
+  {
+    this->horizontalScrollBar()->setValue(before);
+  }
 }
 
 // From samples: widths that follow the contents would measure every row at every change. The
 // columns before the name are narrow, so that it is read without scrolling.
 int StructureTable::WidthOf(int column) const
 {
+  const QVariant kept = QSettings().value(WidthKey(column));
+  if (kept.isValid())
+  {
+    return kept.toInt();
+  }
   const QFontMetrics font = this->fontMetrics();
   if (column < StructureTableModel::OpacityColumn)
   {
@@ -91,16 +153,30 @@ void StructureTable::SetWidths()
   this->FitName();
 }
 
-// The name takes the width that the other columns leave.
+int StructureTable::WidthOfNames() const
+{
+  int widest = 0;
+  for (int row = 0; row < this->model()->rowCount(); ++row)
+  {
+    const QModelIndex name = this->model()->index(row, StructureTableModel::NameColumn);
+    widest = std::max(widest, this->fontMetrics().horizontalAdvance(name.data().toString()));
+  }
+  return widest + 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
+}
+
+// As wide as the names are, if drill roles are still seen without scrolling.
 void StructureTable::FitName()
 {
   constexpr int Name = StructureTableModel::NameColumn;
   QHeaderView* header = this->horizontalHeader();
-  if (header->count() > Name)
+  if (header->count() <= Name || QSettings().contains(WidthKey(Name)))
   {
-    const int others = header->length() - header->sectionSize(Name);
-    header->resizeSection(Name, std::max(this->WidthOf(Name), this->viewport()->width() - others));
+    return;
   }
+  const int left = header->sectionPosition(Name);
+  const int role = header->sectionSize(StructureTableModel::DrillColumn);
+  const int free = this->viewport()->width() - left - role;
+  header->resizeSection(Name, std::max(this->WidthOf(Name), std::min(this->WidthOfNames(), free)));
 }
 
 void StructureTable::resizeEvent(QResizeEvent* event)

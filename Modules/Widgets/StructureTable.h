@@ -18,6 +18,7 @@ class StructureTable : public QTableView
 public:
   explicit StructureTable(QWidget* parent);
 
+  void setModel(QAbstractItemModel* model) override;
   /// Ids of the selected rows, in their order.
   std::vector<int> SelectedIds() const;
   /// The structure of the row with the cursor if that is selected, else of the first selected row;
@@ -26,6 +27,8 @@ public:
   void SelectIds(const std::vector<int>& ids);
   /// Edits the name in the row of the cursor.
   void Rename();
+  /// Sideways only if the cell cannot be seen: names stay where they are read.
+  void scrollTo(const QModelIndex& cell, ScrollHint hint = EnsureVisible) override;
 
 Q_SIGNALS:
   /// A check box of this structure was clicked, or switched by the space bar.
@@ -48,6 +51,8 @@ protected:
 
 private:
   int WidthOf(int column) const;
+  int WidthOfNames() const;
+  static void KeepWidth(int column, int before, int width);
   void SetWidths();
   void FitName();
   bool Press(const QMouseEvent& event);

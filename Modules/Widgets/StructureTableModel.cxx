@@ -1,6 +1,8 @@
 #include "StructureTableModel.h"
 
 #include "ContactLimits.h"
+#include "DrillLimits.h"
+#include "DrillRole.h"
 #include "SceneRepresentation.h"
 #include "ScreenString.h"
 #include "ToolIcon.h"
@@ -34,12 +36,33 @@ QString NumberText(const std::optional<double>& number, int decimals)
   return number ? QString::number(*number, 'f', decimals) : QString("\u2013");
 }
 
+// A number within its range; `told` says so if the value is outside of it.
+double Within(const QVariant& value, double most, const QString& name, QString& told)
+{
+  const double within = std::clamp(value.toDouble(), 0.0, most);
+  if (within != value.toDouble())
+  {
+    told = QString("%1 %2 is out of range, which is from 0 to %3: %4 is used.")
+               .arg(name)
+               .arg(value.toDouble())
+               .arg(most)
+               .arg(within);
+  }
+  return within;
+}
+
 // Writes a cell into a structure, and returns the change's description; empty if the cell cannot be
 // written.
-QString Write(SceneStructure& structure, int column, const QVariant& value)
+QString Write(SceneStructure& structure, int column, const QVariant& value, QString& told)
 {
   switch (column)
   {
+  case StructureTableModel::DrillColumn:
+    DrillRole::Set(structure, value.toInt());
+    return "drill role " + DrillRole::Names().value(value.toInt());
+  case StructureTableModel::AlarmColumn:
+    structure.AlarmDistance = Within(value, DrillLimits::Alarm, "Alarm distance", told);
+    return QString("alarm at %1 mm").arg(structure.AlarmDistance);
   case StructureTableModel::AppearanceColumn:
     structure.Appearance = static_cast<SceneAppearance>(value.toInt());
     return QString("shown as ") + NameOf(structure.Appearance);
@@ -48,13 +71,13 @@ QString Write(SceneStructure& structure, int column, const QVariant& value)
         SceneRepresentations().at(static_cast<std::size_t>(value.toInt())).Name;
     return "representation " + StructureTableModel::RepresentationNames().value(value.toInt());
   case StructureTableModel::DegreeColumn:
-    structure.Degree = std::clamp(value.toInt(), 0, 64);
+    structure.Degree = static_cast<int>(Within(value, 64.0, "Degree", told));
     return "degree " + QString::number(structure.Degree);
   case StructureTableModel::StiffnessColumn:
-    structure.Stiffness = std::clamp(value.toDouble(), 0.0, ContactLimits::Stiffness);
+    structure.Stiffness = Within(value, ContactLimits::Stiffness, "Stiffness", told);
     return QString("stiffness %1 N/mm").arg(structure.Stiffness);
   case StructureTableModel::FrictionColumn:
-    structure.Friction.Static = std::clamp(value.toDouble(), 0.0, 10.0);
+    structure.Friction.Static = Within(value, ContactLimits::Friction, "Friction", told);
     structure.Friction.Dynamic = SlipShare * structure.Friction.Static;
     return QString("friction %1").arg(structure.Friction.Static);
   case StructureTableModel::NameColumn:
@@ -99,6 +122,11 @@ StructureTableModel::StructureTableModel(StudyController& study, QObject* parent
 {
   connect(&study, &StudyController::StateChanged, this, &StructureTableModel::TakeState);
   connect(&study, &StudyController::ProductsChanged, this, &StructureTableModel::TakeState);
+  connect(&study, &StudyController::StateChanged, this, &StructureTableModel::TakeDrill);
+  connect(&study, &StudyController::StepsChanged, this, &StructureTableModel::TakeDrill);
+  connect(&study, &StudyController::Touched, this, &StructureTableModel::TakeDrill);
+  connect(&study, &StudyController::TouchChanged, this, &StructureTableModel::TakeDrill);
+  connect(&study, &StudyController::DrilledChanged, this, &StructureTableModel::TakeDrill);
   this->TakeState();
 }
 
@@ -136,6 +164,27 @@ void StructureTableModel::TakeState()
                    return a.Products.Error == b.Products.Error &&
                           a.Products.Tick == b.Products.Tick;
                  });
+}
+
+// What drilling says of each structure.
+void StructureTableModel::TakeDrill()
+{
+  std::map<int, QString> next = DrillTexts(this->Study);
+  next.swap(this->Drilled);
+  for (std::size_t r = 0; r < this->Rows.size(); ++r)
+  {
+    const int id = this->Rows[r].Structure.Id;
+    const auto text = [id](const std::map<int, QString>& all)
+    {
+      const auto found = all.find(id);
+      return found != all.end() ? found->second : QString();
+    };
+    if (text(next) != text(this->Drilled))
+    {
+      const QModelIndex cell = this->index(static_cast<int>(r), StatusColumn);
+      Q_EMIT dataChanged(cell, cell);
+    }
+  }
 }
 
 // Tells views of all rows that differ by one signal.
@@ -198,15 +247,19 @@ int StructureTableModel::columnCount(const QModelIndex& parent) const
 
 QVariant StructureTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-  static const QStringList Titles{"Visible",   "Touchable",  "Colour",      "Opacity",
-                                  "Structure", "Display as", "Touch model", "Degree",
-                                  "N/mm",      "Friction",   "Error, mm",   "Tick, \u00B5s"};
+  static const QStringList Titles{"Visible",    "Touchable",   "Colour",       "Opacity",
+                                  "Structure",  "Drill role",  "Status",       "Alarm, mm",
+                                  "Display as", "Touch model", "Degree",       "N/mm",
+                                  "Friction",   "Error, mm",   "Tick, \u00B5s"};
   static const QStringList Tips{
       "Visible: whether the structure is displayed; of a selected row, all selected ones",
       "Touchable: whether the structure can be touched; of a selected row, all selected ones",
       "Colour; double click to change it",
       "In 3-D and over the slices; drag over the cell to change it, double click to type it",
       "Name; F2 to change it",
+      "Drill role: what a drill does to it; of a selected row, all selected ones",
+      "What was removed, or how near the drill is to a forbidden structure",
+      "Distance of the drill to a forbidden structure that raises the alarm",
       "Automatic: as the touch model",
       "Automatic: harmonics for models, facets for surfaces, the sub-voxel field for voxels; model "
       "or field: harmonics if they fit, otherwise the field",
@@ -237,10 +290,21 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
   }
 }
 
-QVariant StructureTableModel::TextOf(const Row& row, int column)
+QVariant StructureTableModel::TextOf(const Row& row, int column) const
 {
   switch (column)
   {
+  case DrillColumn:
+    return DrillRole::Of(row.Structure) != 0
+               ? QVariant(DrillRole::Names().value(DrillRole::Of(row.Structure)))
+               : QVariant("\u2013");
+  case StatusColumn:
+  {
+    const auto text = this->Drilled.find(row.Structure.Id);
+    return text != this->Drilled.end() ? QVariant(text->second) : QVariant("");
+  }
+  case AlarmColumn:
+    return row.Structure.IsForbidden ? QVariant(row.Structure.AlarmDistance) : QVariant("\u2013");
   case OpacityColumn:
     return QString("%1 %").arg(PercentOf(row.Structure));
   case AppearanceColumn:
@@ -267,6 +331,10 @@ QVariant StructureTableModel::ValueOf(const Row& row, int column)
     return PercentOf(structure);
   case NameColumn:
     return ScreenString(TitleOf(structure));
+  case DrillColumn:
+    return DrillRole::Of(structure);
+  case AlarmColumn:
+    return structure.AlarmDistance;
   case AppearanceColumn:
     return static_cast<int>(structure.Appearance);
   case RepresentationColumn:
@@ -284,7 +352,7 @@ QVariant StructureTableModel::ValueOf(const Row& row, int column)
 }
 
 // What is on comes first, and what is not measured last.
-QVariant StructureTableModel::SortValueOf(const Row& row, int column)
+QVariant StructureTableModel::SortValueOf(const Row& row, int column) const
 {
   constexpr double Last = std::numeric_limits<double>::infinity();
   switch (column)
@@ -295,9 +363,14 @@ QVariant StructureTableModel::SortValueOf(const Row& row, int column)
     return row.Structure.IsTouchable ? 0.0 : 1.0;
   case ColorColumn:
     return ColorOf(row.Structure).hueF();
+  case DrillColumn:
+    return -DrillRole::Of(row.Structure);
+  case AlarmColumn:
+    return row.Structure.IsForbidden ? row.Structure.AlarmDistance : Last;
+  case StatusColumn:
   case AppearanceColumn:
   case RepresentationColumn:
-    return TextOf(row, column);
+    return this->TextOf(row, column);
   case QualityColumn:
     return row.Products.Error.value_or(Last);
   case CostColumn:
@@ -328,7 +401,9 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
   case Qt::EditRole:
     return ValueOf(row, column);
   case Qt::ToolTipRole:
-    return column == RepresentationColumn && !row.Products.Represented.isEmpty()
+    return column == NameColumn || column == StatusColumn
+               ? QVariant(PlainToolTip(this->TextOf(row, column).toString()))
+           : column == RepresentationColumn && !row.Products.Represented.isEmpty()
                ? QVariant(row.Products.Represented)
                : QVariant();
   case Qt::DecorationRole:
@@ -374,7 +449,12 @@ bool StructureTableModel::setData(const QModelIndex& index, const QVariant& valu
     return false;
   }
   const QString title = ScreenString(TitleOf(*structure));
-  const QString change = Write(*structure, column, value);
+  QString told;
+  const QString change = Write(*structure, column, value, told);
+  if (!told.isEmpty())
+  {
+    this->Study.Report(told.toStdString());
+  }
   if (!change.isEmpty())
   {
     this->Study.Change("Change " + title + ": " + change, next);
@@ -391,9 +471,14 @@ Qt::ItemFlags StructureTableModel::flags(const QModelIndex& index) const
   case TouchableColumn:
     return flags | Qt::ItemIsUserCheckable;
   case ColorColumn:
+  case StatusColumn:
   case QualityColumn:
   case CostColumn:
     return flags;
+  case AlarmColumn:
+    return this->Rows.at(static_cast<std::size_t>(index.row())).Structure.IsForbidden
+               ? flags | Qt::ItemIsEditable
+               : flags;
   default:
     return flags | Qt::ItemIsEditable;
   }

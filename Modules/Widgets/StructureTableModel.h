@@ -6,6 +6,7 @@
 #include <QAbstractTableModel>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,9 @@ public:
     ColorColumn,
     OpacityColumn,
     NameColumn,
+    DrillColumn,
+    StatusColumn,
+    AlarmColumn,
     AppearanceColumn,
     RepresentationColumn,
     DegreeColumn,
@@ -70,16 +74,18 @@ private:
   };
 
   void TakeState();
+  void TakeDrill();
   void TellRows(const std::vector<Row>& before, int firstColumn, int lastColumn,
                 const std::function<bool(const Row& before, const Row& now)>& isSame);
   Made MadeOf(const SceneStructure& structure) const;
-  static QVariant TextOf(const Row& row, int column);
+  QVariant TextOf(const Row& row, int column) const;
   static QVariant ValueOf(const Row& row, int column);
-  static QVariant SortValueOf(const Row& row, int column);
+  QVariant SortValueOf(const Row& row, int column) const;
   static QVariant CheckOf(const Row& row, int column);
 
   StudyController& Study;
   StructureEdits Edits;
-  std::vector<Row> Rows; ///< as told to views
+  std::vector<Row> Rows;          ///< as told to views
+  std::map<int, QString> Drilled; ///< by ids, as told to views
 };
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "StructuresPanel.h"
 
 #include "ChoiceDelegate.h"
+#include "DrillRole.h"
 #include "GuideDialog.h"
 #include "OpacityDelegate.h"
 #include "StructureDialog.h"
@@ -31,13 +32,21 @@ StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
     : QWidget(parent), Study(study), Edits(study), Model(new StructureTableModel(study, this)),
       Listed(new StructureFilterModel(this)), Table(new StructureTable(this)),
       Menu(new StructureMenu(this)), Search(new QLineEdit(this)), Kept(new QComboBox(this)),
-      Opacity(new QSlider(Qt::Horizontal, this))
+      Add(new QMenu(this)), Opacity(new QSlider(Qt::Horizontal, this))
 {
   this->Listed->setSourceModel(this->Model);
   this->Table->setModel(this->Listed);
   this->Table->setObjectName("structures");
   this->Table->setItemDelegateForColumn(StructureTableModel::OpacityColumn,
                                         new OpacityDelegate(this));
+  this->Table->setItemDelegateForColumn(
+      StructureTableModel::DrillColumn,
+      new ChoiceDelegate(DrillRole::Names(), this,
+                         [this](const QModelIndex& cell, int role)
+                         {
+                           const int id = cell.data(StructureTableModel::IdRole).toInt();
+                           this->Edits.SetDrillRole(this->WithSelected(id), role);
+                         }));
   this->Table->setItemDelegateForColumn(
       StructureTableModel::AppearanceColumn,
       new ChoiceDelegate(StructureTableModel::AppearanceNames(), this));
@@ -88,28 +97,37 @@ QBoxLayout* StructuresPanel::MakeSearch()
   this->Search->installEventFilter(this);
   connect(this->Search, &QLineEdit::textChanged, this->Listed, &StructureFilterModel::Search);
   this->Kept->setObjectName("structure-filter");
-  this->Kept->addItems({"All", "Visible", "Touchable"}); // in the order of Kept
+  this->Kept->addItems({"All", "Visible", "Touchable", "Drilled"}); // in the order of Kept
   this->Kept->setToolTip("Which structures are listed");
   connect(this->Kept, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this](int kept) { this->Listed->Keep(static_cast<StructureFilterModel::Kept>(kept)); });
+  auto* add = new QToolButton(this);
+  add->setObjectName("structure-add-menu");
+  add->setText("Add");
+  add->setPopupMode(QToolButton::InstantPopup);
+  add->setMenu(this->Add);
   auto* show = new QToolButton(this);
   this->MakeShowMenu(show);
   auto* row = new QHBoxLayout;
   row->addWidget(this->Search, 1);
   row->addWidget(this->Kept);
   row->addWidget(show);
+  row->addWidget(add);
   return row;
 }
 
 QBoxLayout* StructuresPanel::MakeTools()
 {
   this->Opacity->setMinimumWidth(this->fontMetrics().horizontalAdvance("00000000"));
-  auto* label = new QLabel("Label opacity", this);
+  auto* label = new QLabel("Labels", this);
   label->setToolTip("Opacity of all labels over the slices");
   auto* row = new QHBoxLayout;
   row->addWidget(this->MakeButton("Details...", "structure-details",
                                   "All touch settings of the selected structure",
                                   &StructuresPanel::ShowDetails));
+  row->addWidget(this->MakeButton("Guide...", "structure-guide-button",
+                                  "Guide the tool along the selected structure, or keep it away",
+                                  &StructuresPanel::ShowGuide));
   row->addWidget(this->MakeButton("Remove", "structure-remove",
                                   "Remove the selected structures from the study",
                                   &StructuresPanel::Remove));
@@ -259,8 +277,10 @@ bool StructuresPanel::eventFilter(QObject* object, QEvent* event)
 
 void StructuresPanel::OpenCell(const QModelIndex& index)
 {
-  const bool isChoice = index.column() == StructureTableModel::AppearanceColumn ||
-                        index.column() == StructureTableModel::RepresentationColumn;
+  const int column = index.column();
+  const bool isChoice = column == StructureTableModel::DrillColumn ||
+                        column == StructureTableModel::AppearanceColumn ||
+                        column == StructureTableModel::RepresentationColumn;
   if (isChoice && QGuiApplication::keyboardModifiers() == Qt::NoModifier)
   {
     this->Table->edit(index);

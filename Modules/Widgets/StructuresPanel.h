@@ -29,6 +29,8 @@ public:
   explicit StructuresPanel(StudyController& study, QWidget* parent = nullptr);
 
   std::vector<int> SelectedIds() const { return this->Table->SelectedIds(); }
+  /// What adds structures, for the menu of a button.
+  void AddAdding(const QList<QAction*>& actions) { this->Add->addActions(actions); }
   /// Selects the row of a structure, which is listed again if the search left it out. Tells
   /// SelectionChanged, but not Selected.
   void Select(int id);
@@ -76,6 +78,7 @@ private:
   StructureMenu* Menu;
   QLineEdit* Search;
   QComboBox* Kept;
+  QMenu* Add;
   QSlider* Opacity;
   std::vector<int> SelectedBefore; ///< while the list changes
   bool IsQuiet = false;            ///< while the selection is changed by the program

@@ -71,6 +71,23 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
   QApplication::instance()->installEventFilter(this);
 }
 
+void TouchLink::TakeHand()
+{
+  const bool isHand = this->IsPointing && !this->AreClicksForMarks;
+  this->Views.Space()->SetHand(isHand, this->Study.Current().Touch().HandWorld());
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Views.Slice(orientation)->SetHand(isHand);
+  }
+}
+
+void TouchLink::LeaveClicks(bool areForMarks)
+{
+  this->Lift();
+  this->AreClicksForMarks = areForMarks;
+  this->TakeHand();
+}
+
 void TouchLink::TellAxes()
 {
   this->Study.Current().TurnAxes(this->Views.Space()->Axes());
@@ -82,12 +99,8 @@ void TouchLink::Begin()
   const bool isTouching = this->Study.IsTouching();
   const bool isSimulated =
       isTouching && this->Study.Current().Touch().PlaceHand(this->Views.Space()->Axes().col(2));
-  this->Views.Space()->SetHand(isSimulated, this->Study.Current().Touch().HandWorld());
-  for (const SliceOrientation orientation : AllSliceOrientations)
-  {
-    this->Views.Slice(orientation)->SetHand(isSimulated);
-  }
   this->IsPointing = isSimulated;
+  this->TakeHand();
   this->IsLedInSlice = false;
   this->AimedAt = -1;
   this->ShowProbe();
@@ -239,8 +252,8 @@ void TouchLink::ShowReading()
   }
 }
 
-// A mouse leaves the crosshair to the user until it leads the tool, and while the tool rests; a slice
-// that is pressed stays.
+// A mouse leaves the crosshair to the user until it leads the tool, and while the tool rests; a
+// slice that is pressed stays.
 void TouchLink::FollowProbe()
 {
   constexpr double Still = 0.1; // mm
@@ -287,6 +300,8 @@ void TouchLink::PressKey(const QKeyEvent& key, const QObject* receiver)
   if (key.key() == Qt::Key_Escape)
   {
     this->Study.Current().Touch().SwitchForcesOff();
+    this->Lift();
+    Q_EMIT Escaped();
   }
   if (key.key() == Qt::Key_D && key.modifiers() == Qt::NoModifier && !key.isAutoRepeat() &&
       !receiver->isWindowType() && !TakesText(QApplication::focusWidget()))

@@ -25,8 +25,14 @@ public:
   /// The workspace is shown while touching, and moved by the mouse.
   void ShowWorkspace(bool isShown);
   void MoveWorkspace(bool isMoved);
+  /// While clicks place marks, they do not push.
+  void LeaveClicks(bool areForMarks);
   /// Whether an alarm begins with a sound.
   void SoundAlarms(bool areHeard) { this->AreAlarmsHeard = areHeard; }
+
+Q_SIGNALS:
+  /// Escape was pressed: force is off, and modes of the mouse end.
+  void Escaped();
 
 protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -48,6 +54,7 @@ private:
   void AimAt(int structure);
   void Lift();
   void ShowHand();
+  void TakeHand();
   void FollowProbe();
 
   StudyController& Study;
@@ -58,8 +65,9 @@ private:
   bool AreAlarmsHeard = false;
   bool IsAlarmed = false;
   bool IsPointing = false; // the mouse is the hand
-  int AimedAt = -1;        // the structure that MostPush is for; none before the first
-  double MostPush = 0.0;   // mm
+  bool AreClicksForMarks = false;
+  int AimedAt = -1;                   // the structure that MostPush is for; none before the first
+  double MostPush = 0.0;              // mm
   Vector3 Followed = Vector3::Zero(); // the probe, by the slices
   bool IsLedInSlice = false;
   // Of the slice that was last pressed.

@@ -35,6 +35,7 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   this->AddRecording();
   connect(&study, &StudyController::TouchChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::StepsChanged, this, &TouchMenu::ShowTouch);
+  connect(&study, &StudyController::StateChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::ReplayChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::Touched, this, &TouchMenu::ShowRecording);
   this->ShowTouch();
@@ -84,7 +85,18 @@ void TouchMenu::AddRecording()
 
 void TouchMenu::ToggleTouch()
 {
-  this->Study.IsTouching() ? this->Study.StopTouch() : this->Study.StartTouch();
+  if (this->Study.IsTouching() || this->Study.Current().IsOpeningDevice())
+  {
+    this->Study.StopTouch();
+  }
+  else if (!this->Study.CanTouch() && this->Study.HasValues())
+  {
+    Q_EMIT ValuesAsked();
+  }
+  else
+  {
+    this->Study.StartTouch();
+  }
 }
 
 void TouchMenu::ToggleRecording()
@@ -146,7 +158,12 @@ void TouchMenu::ShowTouch()
 {
   const bool isTouching = this->Study.IsTouching();
   const StudyReplay* replay = this->Study.Current().Replay();
-  this->Touch->setText(isTouching ? "&Stop touching" : "&Start touching");
+  const bool takesValues = !this->Study.CanTouch() && this->Study.HasValues();
+  this->Touch->setText(isTouching    ? "&Stop touching"
+                       : takesValues ? "&Touch image values..."
+                                     : "&Start touching");
+  this->Touch->setEnabled(isTouching || this->Study.CanTouch() || takesValues ||
+                          this->Study.Current().IsOpeningDevice());
   this->Touch->setIconText(isTouching ? "Stop touching" : "Touch");
   this->StopForce->setEnabled(isTouching);
   this->AllowForce->setEnabled(isTouching);

@@ -27,6 +27,8 @@ public:
   QAction* FitWorkspace() const { return this->Fit; }
 
 Q_SIGNALS:
+  /// There is nothing to touch yet but the values of an image.
+  void ValuesAsked();
   void WorkspaceShown(bool isShown);
   void WorkspaceMoved(bool isMoved); ///< whether the mouse moves it
 

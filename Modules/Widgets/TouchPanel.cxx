@@ -114,14 +114,7 @@ void TouchPanel::MakeButtons()
   connect(this->Start, &QPushButton::clicked, this,
           [this]
           {
-            if (this->Study.IsTouching() || this->Study.Current().IsOpeningDevice())
-            {
-              this->Study.StopTouch();
-            }
-            else
-            {
-              this->Study.StartTouch();
-            }
+            Q_EMIT StartAsked();
             this->ShowTouch();
           });
   connect(this->Record, &QPushButton::clicked, this, &TouchPanel::RecordAsked);
@@ -204,10 +197,11 @@ void TouchPanel::ShowTouch()
                        : isOpening   ? "Opening the device... (stop)"
                        : isReplaying ? "Close the replay and touch"
                                      : "Start touching");
-  const auto& structures = this->Study.State().Structures;
-  const bool canTouch = std::any_of(structures.begin(), structures.end(),
-                                    [](const SceneStructure& one) { return one.IsTouchable; });
-  this->Start->setEnabled(isTouching || isOpening || canTouch);
+  const bool canTouch = this->Study.CanTouch();
+  const bool takesValues = !canTouch && this->Study.HasValues();
+  this->Start->setText(takesValues && !isTouching && !isOpening ? "Touch image values..."
+                                                                : this->Start->text());
+  this->Start->setEnabled(isTouching || isOpening || canTouch || takesValues);
   this->Start->setToolTip(this->Start->isEnabled() ? "" : "Make a structure touchable first");
   this->Record->setEnabled(isTouching);
   this->Device->setEnabled(!isTouching && !isOpening);

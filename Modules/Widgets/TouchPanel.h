@@ -32,6 +32,8 @@ public:
   QString RecordingWords() const { return this->Recording->text(); }
 
 Q_SIGNALS:
+  /// The user asks to start or stop touching.
+  void StartAsked();
   /// The user asks to begin or end a recording.
   void RecordAsked();
 

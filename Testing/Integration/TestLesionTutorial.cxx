@@ -67,8 +67,8 @@ void LesionTutorialTest::Feel()
   this->GlandOf(next).Appearance = SceneAppearance::Automatic;
   this->Study->Change("Show the model", next);
   this->BeginTouch();
-  this->Action("Slices follow the probe")->trigger();
   const RadialModel& gland = *this->Fit().Radial();
+  this->Press(gland.CenterWorld(), 0.3); // by mouse; from here on to exact places
   const Vector3 over = gland.PointWorld(Vector3::UnitY()) + 5.0 * Vector3::UnitY();
   this->HoldStill(over, Vector3::UnitY()); // 3 mm deep
   const double atNodule = this->Force();

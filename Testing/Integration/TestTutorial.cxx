@@ -12,7 +12,7 @@ namespace
 class TutorialTest : public test::TutorialWindow
 {
 protected:
-  // With the pointer over the gland, one wheel step after the other until it is touched.
+  // With the pointer on the gland, one step of the wheel after the other until it is felt.
   void PressByWheel() { this->Press(CenterOf(this->Fit().Model), 0.6); }
   // 1.4 mm below the point where the line to the eye leaves the gland.
   void HoldInGland()
@@ -65,7 +65,6 @@ void TutorialTest::Touch()
   this->Button("start-touch")->click();
   WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
   ASSERT_TRUE(this->Study->IsTouching()) << this->Messages();
-  this->Action("Slices follow the probe")->trigger();
   this->PressByWheel();
   this->HoldInGland();
   this->Button("add-touched")->click();

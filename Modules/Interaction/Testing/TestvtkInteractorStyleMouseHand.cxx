@@ -193,6 +193,28 @@ TEST_F(MouseHandPressTest, WheelAndPenPushWithoutAButton)
   EXPECT_EQ(this->Lifts, 2);
 }
 
+TEST_F(MouseHandPressTest, ArrowsAimAndTheSpaceBarPushes)
+{
+  const auto key = [this](unsigned long event, const char* name)
+  {
+    this->Interactor->SetKeyEventInformation(0, 0, 0, 0, name);
+    this->Interactor->InvokeEvent(event);
+  };
+  for (int n = 0; n < 31; ++n) // to the view's middle, then by a pixel each
+  {
+    key(vtkCommand::KeyPressEvent, "Right");
+  }
+  EXPECT_EQ(this->Interactor->GetEventPosition()[0], 130);
+  EXPECT_EQ(this->Presses, 0);
+  key(vtkCommand::KeyPressEvent, "space");
+  EXPECT_EQ(this->Presses, 1);
+  const double first = this->Hand().z();
+  this->Wait(20);
+  EXPECT_LT(this->Hand().z(), first);
+  key(vtkCommand::KeyReleaseEvent, "space");
+  EXPECT_EQ(this->Lifts, 1);
+}
+
 TEST_F(MouseHandPressTest, LeavingTheViewAndLiftEndAPush)
 {
   this->Send(vtkCommand::LeftButtonPressEvent, 130, 40);

@@ -317,6 +317,7 @@ void StudyController::Change(const QString& message, const StudyState& next, con
 {
   if (this->Open.Change(message.toStdString(), next, gesture.toStdString()))
   {
+    this->WantsTouch = false;
     this->Announce();
   }
 }
@@ -361,13 +362,21 @@ void StudyController::ResumeStep(SceneStep step)
 
 void StudyController::StartTouch()
 {
+  this->WantsTouch = false;
   this->Open.StartTouch();
   this->LookAtProblems(); // what is tried again is told again
   this->Look();
 }
 
+void StudyController::StartTouchSoon()
+{
+  this->WantsTouch = true;
+  this->LookSoon();
+}
+
 void StudyController::StopTouch()
 {
+  this->WantsTouch = false;
   this->Open.StopTouch();
   this->Look();
 }
@@ -469,6 +478,10 @@ void StudyController::Look()
   {
     this->Revision = this->Open.Pipeline().Revision();
     Q_EMIT ProductsChanged();
+  }
+  if (this->WantsTouch && !this->Open.Contacts().empty())
+  {
+    this->StartTouch();
   }
   // Progress is for reading, so it is updated less often.
   if (this->LooksToSteps-- <= 0)

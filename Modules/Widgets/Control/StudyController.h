@@ -37,6 +37,9 @@ public:
   const StudyState& State() const { return this->Open.State(); }
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
+  /// Whether a structure is touchable; and whether there is an image whose values could be.
+  bool CanTouch() const { return HasTouchable(this->State()); }
+  bool HasValues() { return this->Open.Pipeline().Newest<Volume>(SceneStep::Volume) != nullptr; }
   bool IsRecording() { return this->Open.Touch().IsRecording(); }
   /// Whether a recorded touch is replayed; Reading is then the one at its current time.
   bool IsReplaying() const { return this->Open.Replay() != nullptr; }
@@ -92,6 +95,8 @@ public:
   void ResumeStep(SceneStep step);
 
   void StartTouch();
+  /// As soon as something that can be touched is made, unless the study changes before.
+  void StartTouchSoon();
   void StopTouch();
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
   void FitWorkspace();
@@ -169,6 +174,7 @@ private:
   int LooksToSteps = 0;
   bool IsMaking = false;
   bool WasTouching = false;
+  bool WantsTouch = false;
   const StudyReplay* Replayed = nullptr; ///< at the last look
   bool IsClosed = false;
   bool IsEnded = false;

@@ -111,21 +111,57 @@ void StructureDialog::AddRepresentation()
     {
       continue;
     }
-    auto* group = new QGroupBox(QString::fromStdString(one.Label), this);
-    this->Form->addRow(group);
-    this->Rows = new QFormLayout(group);
-    this->AddNumbers(one.Numbers);
-    this->AddImage(one.ImageLabel, one.ImageKey);
-    this->Rows = this->Form;
-    const int own = static_cast<int>(place - names.begin());
-    group->setVisible(choice->currentIndex() == own);
+    QWidget* own = this->MakeRows(one);
+    this->Form->addRow(own);
+    const int number = static_cast<int>(place - names.begin());
+    own->setVisible(choice->currentIndex() == number);
     connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-            [this, group, own](int index)
+            [this, own, number](int index)
             {
-              group->setVisible(index == own);
+              own->setVisible(index == number);
               this->adjustSize();
             });
   }
+}
+
+// What a representation needs, in groups.
+QWidget* StructureDialog::MakeRows(const SceneRepresentation& representation)
+{
+  auto* own = new QWidget(this);
+  auto* groups = new QVBoxLayout(own);
+  groups->setContentsMargins(0, 0, 0, 0);
+  const auto add = [&](const QString& title)
+  {
+    auto* group = new QGroupBox(title, own);
+    groups->addWidget(group);
+    this->Rows = new QFormLayout(group);
+  };
+  const bool yields = representation.Name == TouchRepresentation::Elastic;
+  add(yields ? "Tissue" : QString::fromStdString(representation.Label));
+  std::string title;
+  std::vector<SceneNumber> others;
+  for (const SceneNumber& number : representation.Numbers)
+  {
+    number.Group.empty() ? this->AddOne(number) : others.push_back(number);
+  }
+  this->AddImage(representation.ImageLabel, representation.ImageKey);
+  if (yields)
+  {
+    this->Lesion = new LesionForm(this->Study.State(), this->Structure.Id, own);
+    this->Lesion->AddPresets(this->Rows, own->findChild<QDoubleSpinBox*>(TissueKey::Modulus));
+    groups->addWidget(this->Lesion);
+  }
+  for (const SceneNumber& number : others)
+  {
+    if (number.Group != title)
+    {
+      title = number.Group;
+      add(QString::fromStdString(title));
+    }
+    this->AddOne(number);
+  }
+  this->Rows = this->Form;
+  return own;
 }
 
 void StructureDialog::AddModelMembers()
@@ -157,21 +193,22 @@ void StructureDialog::AddContactMembers()
 void StructureDialog::AddNumber(const QString& label, const QString& name, double most,
                                 int decimals, const std::function<double&(SceneStructure&)>& member)
 {
-  this->AddBox(label, name, 0.0, most, decimals, member(this->Structure),
+  this->AddBox({name.toStdString(), label.toStdString(), most, decimals}, member(this->Structure),
                [member](SceneStructure& structure, double value) { member(structure) = value; });
 }
 
-void StructureDialog::AddBox(const QString& label, const QString& name, double least, double most,
-                             int decimals, double value,
-                             const std::function<void(SceneStructure&, double)>& set)
+QDoubleSpinBox* StructureDialog::AddBox(const SceneNumber& number, double value,
+                                        const std::function<void(SceneStructure&, double)>& set)
 {
   auto* box = new QDoubleSpinBox(this);
-  box->setObjectName(name);
-  box->setDecimals(decimals);
-  box->setRange(least, most);
-  box->setSingleStep(decimals == 0 ? 1.0 : 0.1);
+  box->setObjectName(QString::fromStdString(number.Key));
+  box->setDecimals(number.Decimals);
+  box->setRange(number.Least, number.Largest);
+  box->setSingleStep(number.Decimals == 0 ? 1.0 : 0.1);
+  box->setSuffix(number.Unit.empty() ? QString() : " " + QString::fromStdString(number.Unit));
+  box->setSpecialValueText(QString::fromStdString(number.Zero));
   box->setValue(value);
-  this->Rows->addRow(label, box);
+  this->Rows->addRow(QString::fromStdString(number.Label), box);
   // A value that the box rounds is kept until it is edited.
   this->Writes.emplace_back(
       [box, set, shown = box->value()](SceneStructure& structure)
@@ -181,6 +218,7 @@ void StructureDialog::AddBox(const QString& label, const QString& name, double l
           set(structure, box->value());
         }
       });
+  return box;
 }
 
 QComboBox* StructureDialog::AddChoice(const QString& label, const QString& name,
@@ -201,23 +239,27 @@ void StructureDialog::AddNumbers(const std::vector<SceneNumber>& numbers)
 {
   for (const SceneNumber& number : numbers)
   {
-    const QString label = QString::fromStdString(number.Label);
-    const QString name = QString::fromStdString(number.Key);
-    const double value = this->Structure.Number(number.Key);
-    const auto set = [key = number.Key](SceneStructure& structure, double chosen)
-    { structure.SetNumber(key, chosen); };
-    if (number.Words.empty())
-    {
-      this->AddBox(label, name, number.Least, number.Largest, number.Decimals, value, set);
-      continue;
-    }
-    QStringList words;
-    for (const std::string& word : number.Words)
-    {
-      words += QString::fromStdString(word);
-    }
-    this->AddChoice(label, name, words, static_cast<int>(value), set);
+    this->AddOne(number);
   }
+}
+
+void StructureDialog::AddOne(const SceneNumber& number)
+{
+  const double value = this->Structure.Number(number.Key);
+  const auto set = [key = number.Key](SceneStructure& structure, double chosen)
+  { structure.SetNumber(key, chosen); };
+  if (number.Words.empty())
+  {
+    this->AddBox(number, value, set);
+    return;
+  }
+  QStringList words;
+  for (const std::string& word : number.Words)
+  {
+    words += QString::fromStdString(word);
+  }
+  this->AddChoice(QString::fromStdString(number.Label), QString::fromStdString(number.Key), words,
+                  static_cast<int>(value), set);
 }
 
 QStringList StructureDialog::OpenVolumes() const
@@ -282,6 +324,10 @@ void StructureDialog::accept()
         write(structure);
       }
     }
+  }
+  if (this->Lesion != nullptr)
+  {
+    this->Lesion->Write(next);
   }
   this->Study.Change(
       "Change how " + QString::fromStdString(TitleOf(this->Structure)) + " is touched", next);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LesionForm.h"
 #include "SceneRepresentation.h"
 #include "StudyController.h"
 
@@ -29,15 +30,17 @@ public:
 
 private:
   void AddRepresentation();
+  QWidget* MakeRows(const SceneRepresentation& representation);
   void AddModelMembers();
   void AddContactMembers();
   void AddNumber(const QString& label, const QString& name, double most, int decimals,
                  const std::function<double&(SceneStructure&)>& member);
   QComboBox* AddChoice(const QString& label, const QString& name, const QStringList& choices,
                        int value, const std::function<void(SceneStructure&, int)>& set);
-  void AddBox(const QString& label, const QString& name, double least, double most, int decimals,
-              double value, const std::function<void(SceneStructure&, double)>& set);
+  QDoubleSpinBox* AddBox(const SceneNumber& number, double value,
+                         const std::function<void(SceneStructure&, double)>& set);
   void AddNumbers(const std::vector<SceneNumber>& numbers);
+  void AddOne(const SceneNumber& number);
   void AddEffect(const SceneEffectKind& kind, QVBoxLayout* groups);
   QStringList OpenVolumes() const;
   void AddImage(const std::string& label, const std::string& key);
@@ -47,5 +50,6 @@ private:
   QFormLayout* Form = nullptr; ///< of the tab that is filled
   QFormLayout* Rows = nullptr; ///< to which rows are added
   std::vector<std::function<void(SceneStructure&)>> Writes;
+  LesionForm* Lesion = nullptr; ///< of a structure that can yield
 };
 } // namespace palpate

@@ -62,6 +62,12 @@ void ChoiceDelegate::setEditorData(QWidget* editor, const QModelIndex& index) co
 void ChoiceDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
                                   const QModelIndex& index) const
 {
-  model->setData(index, qobject_cast<QComboBox*>(editor)->currentIndex(), Qt::EditRole);
+  const int choice = qobject_cast<QComboBox*>(editor)->currentIndex();
+  if (this->TakeChoice)
+  {
+    this->TakeChoice(index, choice);
+    return;
+  }
+  model->setData(index, choice, Qt::EditRole);
 }
 } // namespace palpate

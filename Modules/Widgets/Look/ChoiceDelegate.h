@@ -3,6 +3,9 @@
 #include <QStringList>
 #include <QStyledItemDelegate>
 
+#include <functional>
+#include <utility>
+
 namespace palpate
 {
 /// A cell that holds the number of one of a few choices. It looks like a combo box, and its list
@@ -12,8 +15,11 @@ class ChoiceDelegate : public QStyledItemDelegate
   Q_OBJECT
 
 public:
-  ChoiceDelegate(const QStringList& choices, QObject* parent)
-      : QStyledItemDelegate(parent), Choices(choices)
+  using Taking = std::function<void(const QModelIndex& cell, int choice)>;
+
+  /// A choice is set in the model, or passed to `take`.
+  ChoiceDelegate(const QStringList& choices, QObject* parent, Taking take = {})
+      : QStyledItemDelegate(parent), Choices(choices), TakeChoice(std::move(take))
   {
   }
 
@@ -29,5 +35,6 @@ private:
   void Take();
 
   QStringList Choices;
+  Taking TakeChoice;
 };
 } // namespace palpate

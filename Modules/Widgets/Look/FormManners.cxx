@@ -73,7 +73,7 @@ void TellRange(QDoubleSpinBox* box, const QString& before)
   {
     QToolTip::showText(
         box->mapToGlobal(QPoint(0, box->height())),
-        QString("From %1 to %2")
+        QString("Out of range: from %1 to %2")
             .arg(box->textFromValue(box->minimum()), box->textFromValue(box->maximum())),
         box);
   }

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "StructureTableModel.h"
 #include "WindowTest.h"
 
 #include "vtkSubVoxelVolumeMapper.h"
 
-#include <QComboBox>
 #include <QKeyEvent>
-#include <QTableWidget>
+#include <QTableView>
 
 namespace palpate::test
 {
@@ -14,12 +14,21 @@ namespace palpate::test
 class DrillWindowTest : public WindowTest
 {
 protected:
-  QTableWidget* Table() const { return this->Window->findChild<QTableWidget*>("drill-structures"); }
+  QAbstractItemModel* Table() const
+  {
+    return this->Window->findChild<QTableView*>("structures")->model();
+  }
   void Choose(int row, int role)
   {
-    auto* choice = qobject_cast<QComboBox*>(this->Table()->cellWidget(row, 1));
-    choice->setCurrentIndex(role);
-    Q_EMIT choice->activated(role);
+    this->Table()->setData(this->Table()->index(row, StructureTableModel::DrillColumn), role);
+  }
+  std::string StatusOf(int row) const
+  {
+    return this->Table()
+        ->index(row, StructureTableModel::StatusColumn)
+        .data()
+        .toString()
+        .toStdString();
   }
   /// Starts touching the sphere alone, as soft tissue.
   void StartDrilling()

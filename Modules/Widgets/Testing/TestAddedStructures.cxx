@@ -168,6 +168,33 @@ TEST_F(AddedStructures, DialogLetsAStructureYield)
   EXPECT_EQ(first.Number("support_kpa_per_mm"), 0.0);
 }
 
+TEST_F(AddedStructures, TissueAndLesionAreInOneDialog)
+{
+  this->OpenPhantom();
+  StructureDialog dialog(*this->Study, 1);
+  dialog.findChild<QComboBox*>("representation")->setCurrentText("elastic");
+  auto* modulus = dialog.findChild<QDoubleSpinBox*>("modulus_kpa");
+  EXPECT_EQ(modulus->text(), "20 kPa (default)");
+  auto* presets = dialog.findChild<QComboBox*>("tissue-preset");
+  EXPECT_TRUE(presets->itemData(2, Qt::ToolTipRole).toString().contains("Ahn et al. 2010"));
+  presets->setCurrentIndex(2);
+  Q_EMIT presets->activated(2);
+  EXPECT_EQ(modulus->value(), 17.0);
+  dialog.findChild<QComboBox*>("lesion")->setCurrentIndex(2); // label 3
+  dialog.accept();
+  const auto& structures = this->Study->State().Structures;
+  EXPECT_EQ(structures[0].Number("modulus_kpa"), 17.0);
+  EXPECT_EQ(structures[2].Number("inclusion_kpa"), 24.1);
+  StructureDialog again(*this->Study, 1);
+  auto* lesion = again.findChild<QComboBox*>("lesion");
+  EXPECT_EQ(lesion->currentIndex(), 2);
+  lesion->setCurrentIndex(0);
+  again.accept();
+  EXPECT_EQ(this->Study->State().Structures[2].Number("inclusion_kpa"), 0.0);
+  this->Study->Undo();
+  EXPECT_EQ(this->Study->State().Structures[2].Number("inclusion_kpa"), 24.1) << "one undo step";
+}
+
 TEST_F(AddedStructures, DialogLetsAnOpenVolumeBeFeltAsStiffness)
 {
   this->OpenPhantom();

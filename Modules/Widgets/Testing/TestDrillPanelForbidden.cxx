@@ -1,10 +1,6 @@
 #include "DrillPanel.h"
+#include "DrillWindowTest.h"
 #include "ForbiddenPhantom.h"
-#include "WindowTest.h"
-
-#include <QComboBox>
-#include <QKeyEvent>
-#include <QTableWidget>
 
 #include <future>
 
@@ -15,7 +11,7 @@ namespace
 using test::ForbiddenPhantom;
 
 // Twelve labels in the window; only the first is visible and touchable.
-class DrillPanelForbiddenTest : public test::WindowTest
+class DrillPanelForbiddenTest : public test::DrillWindowTest
 {
 protected:
   static constexpr int BoneRow = 0;
@@ -26,17 +22,9 @@ protected:
     Forbidden = 3
   };
 
-  QTableWidget* Table() const { return this->Window->findChild<QTableWidget*>("drill-structures"); }
   std::string Words() const
   {
     return this->Window->findChild<DrillPanel*>()->AlarmWords().toStdString();
-  }
-  std::string StatusOf(int row) const { return this->Table()->item(row, 3)->text().toStdString(); }
-  void Choose(int row, int role)
-  {
-    auto* choice = qobject_cast<QComboBox*>(this->Table()->cellWidget(row, 1));
-    choice->setCurrentIndex(role);
-    Q_EMIT choice->activated(role);
   }
   void PressAndRelease()
   {

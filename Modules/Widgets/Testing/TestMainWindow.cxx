@@ -100,7 +100,9 @@ TEST_F(MainWindowTest, UndoNamesTheStep)
 
 TEST_F(MainWindowTest, RobustIsUndoStepAndCoverageIsShown)
 {
+  EXPECT_TRUE(this->Window->findChild<QLabel*>("coverage")->isHidden()) << "without a model";
   this->OpenPhantom();
+  EXPECT_FALSE(this->Window->findChild<QLabel*>("coverage")->isHidden());
   EXPECT_EQ(this->Window->findChild<QLabel*>("coverage")->text(), "good");
   auto* robust = this->Window->findChild<QComboBox*>("Robust");
   Q_EMIT robust->activated(1);
@@ -275,7 +277,7 @@ TEST_F(MainWindowTest, TouchThatFailsTellsItsMessageEachTime)
 {
   for (int n = 0; n < 4; ++n)
   {
-    this->Action("Start touching")->trigger();
+    this->Study->StartTouch();
     WaitUntil([this] { return this->Messages().find("nothing to touch") != std::string::npos; });
     this->Button("close")->click();
   }

@@ -38,6 +38,10 @@ TEST_F(StructureTableTest, EditIsUndoStep)
   EXPECT_EQ(this->First().Friction.Dynamic, 0.4);
   EXPECT_TRUE(this->Write(0, StructureTableModel::DegreeColumn, 1000));
   EXPECT_EQ(this->First().Degree, 64);
+  EXPECT_NE(
+      this->Messages().find("Degree 1000 is out of range, which is from 0 to 64: 64 is used."),
+      std::string::npos)
+      << this->Messages();
   for (int step = 0; step < 5; ++step)
   {
     this->Study->Undo();

@@ -1,5 +1,6 @@
 #include "StructuresPanel.h"
 
+#include "DrillRole.h"
 #include "QualityPanel.h"
 #include "WidgetTest.h"
 
@@ -7,6 +8,8 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScrollBar>
+#include <QSettings>
 #include <QSpinBox>
 #include <QTest>
 
@@ -478,6 +481,61 @@ TEST_F(StructuresPanelTest, ToolsNeedNoWiderColumn)
     EXPECT_GE(widget->width(), widget->minimumSizeHint().width()) << name;
     EXPECT_LE(widget->geometry().right(), this->Panel->width()) << name;
   }
+}
+
+TEST_F(StructuresPanelTest, RoleIsGivenToAllSelectedRows)
+{
+  this->ClickCell(0, Column::NameColumn);
+  this->ClickCell(2, Column::NameColumn, Qt::ControlModifier);
+  const QModelIndex role = this->Table->model()->index(2, Column::DrillColumn);
+  QComboBox box;
+  box.addItems(DrillRole::Names());
+  box.setCurrentIndex(3);
+  this->Table->itemDelegateForColumn(Column::DrillColumn)
+      ->setModelData(&box, this->Table->model(), role);
+  for (const int id : {1, 3})
+  {
+    EXPECT_TRUE(this->StructureOf(id).IsForbidden) << id;
+  }
+  EXPECT_FALSE(this->StructureOf(2).IsForbidden);
+  EXPECT_EQ(this->UndoText(), "Change 2 structures: drill role Forbidden");
+  this->Panel->findChild<QComboBox*>("structure-filter")->setCurrentIndex(3);
+  EXPECT_EQ(this->Table->model()->rowCount(), 2) << "only those with a role";
+}
+
+TEST_F(StructuresPanelTest, RolesAreSeenBesideNamesAndDoNotScroll)
+{
+  this->Panel->resize(330, 500); // as in the window
+  QApplication::processEvents();
+  const QRect role = this->Table->visualRect(this->Table->model()->index(0, Column::DrillColumn));
+  EXPECT_LE(role.right(), this->Table->viewport()->width());
+  const QModelIndex status = this->Table->model()->index(60, Column::StatusColumn);
+  QScrollBar* bar = this->Table->horizontalScrollBar();
+  bar->setValue(bar->maximum() / 4);
+  const int before = bar->value();
+  this->Table->scrollTo(status.siblingAtColumn(Column::DrillColumn));
+  EXPECT_EQ(bar->value(), before);
+}
+
+TEST_F(StructuresPanelTest, ColumnsKeepWidthsThatWereDragged)
+{
+  QHeaderView* header = this->Table->horizontalHeader();
+  const int drag = header->sectionViewportPosition(Column::DrillColumn) - 1;
+  const int before = header->sectionSize(Column::NameColumn);
+  QTest::mousePress(header->viewport(), Qt::LeftButton, Qt::NoModifier, {drag, 5});
+  QTest::mouseMove(header->viewport(), {drag + 30, 5});
+  QTest::mouseRelease(header->viewport(), Qt::LeftButton, Qt::NoModifier, {drag + 30, 5});
+  const int dragged = header->sectionSize(Column::NameColumn);
+  ASSERT_NE(dragged, before);
+  StructuresPanel next(*this->Study);
+  next.resize(500, 300);
+  next.show();
+  QApplication::processEvents();
+  EXPECT_EQ(next.findChild<StructureTable*>("structures")
+                ->horizontalHeader()
+                ->sectionSize(Column::NameColumn),
+            dragged);
+  QSettings().clear();
 }
 } // namespace
 } // namespace palpate::structures_panel_test

@@ -1,4 +1,5 @@
 #include "PlotsPanel.h"
+#include "ThresholdDialog.h"
 #include "TouchPanel.h"
 #include "WindowTest.h"
 
@@ -411,6 +412,41 @@ TEST_F(TouchLinkTest, SessionReopensUnchanged)
   EXPECT_FALSE(this->Study->IsTouching());
   this->ExpectSameStudyAfterReopening();
   EXPECT_EQ(this->Window->Contents().Landmarks()->GetCurves().size(), 1U);
+}
+
+TEST_F(TouchLinkTest, EscapeEndsModesAndAllowsNoForce)
+{
+  this->StartTouch();
+  QAction* marks = this->Action("Add landmarks by click");
+  QAction* workspace = this->Action("Move workspace");
+  marks->setChecked(true);
+  workspace->setChecked(true);
+  this->SendKey(QEvent::KeyPress, Qt::Key_Escape, {});
+  EXPECT_FALSE(marks->isChecked());
+  EXPECT_FALSE(workspace->isChecked());
+  const auto fault = [this] { return this->AfterSomeTicks().Safety.Fault; };
+  EXPECT_EQ(fault(), SafetyFault::SwitchedOff);
+  marks->trigger();
+  marks->trigger();
+  EXPECT_EQ(fault(), SafetyFault::SwitchedOff) << "ending a mode allows no force";
+}
+
+TEST_F(TouchLinkTest, VolumeAloneOffersItsValues)
+{
+  QAction* start = this->Action("Start touching");
+  EXPECT_FALSE(start->isEnabled()) << "as the button";
+  this->Study->OpenVolume(this->VolumeFile());
+  WaitUntil([this] { return this->Button("start-touch")->isEnabled(); });
+  EXPECT_EQ(this->Button("start-touch")->text(), "Touch image values...");
+  EXPECT_TRUE(start->isEnabled());
+  this->Button("start-touch")->click();
+  auto* dialog = this->Window->findChild<ThresholdDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->isVisible());
+  EXPECT_EQ(this->Messages(), "");
+  dialog->accept();
+  WaitUntil([this] { return this->Study->IsTouching() || !this->Messages().empty(); });
+  EXPECT_EQ(this->Messages(), "") << "touch begins when the structure is made";
 }
 } // namespace
 } // namespace palpate::touch_link_test

@@ -1,96 +1,24 @@
-#include "DrillWindowTest.h"
 #include "FieldNodes.h"
 #include "StartPage.h"
 #include "StatusLine.h"
 #include "StructureTable.h"
 #include "ThresholdDialog.h"
 #include "TouchNotice.h"
+#include "TrialWindow.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QDropEvent>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QMimeData>
 #include <QSlider>
-#include <QTest>
-
-#include <random>
 
 namespace palpate::trial_test
 {
 namespace
 {
-constexpr double BoneRadius = 10.0; // mm
-constexpr double NerveRadius = 2.0; // mm
-constexpr double Voxel = 0.8;       // mm
-
-// The work of Documentation/HowTo/Viewer.md, in its order, by mouse and keyboard. The files: a CT
-// of a round mastoid with air cells, through which a nerve runs upwards; the nerve as a label on a
-// coarser grid; an MR volume on an oblique and anisotropic grid.
-class TrialTest : public test::DrillWindowTest
+// The work of Documentation/HowTo/Viewer.md, in its order, by mouse and keyboard.
+class TrialTest : public test::TrialWindow
 {
 protected:
-  void SetUp() override
-  {
-    test::DrillWindowTest::SetUp();
-    std::mt19937_64 random(23);
-    test::LabelGrid grid;
-    grid.Size = {{40, 40, 40}};
-    grid.Spacing = {{Voxel, Voxel, Voxel}};
-    grid.CenterOnOrigin();
-    const auto ct = test::MakeLabelImage<short>(grid, [](double x, double y, double z)
-                                                { return std::hypot(x, y, z) < BoneRadius; });
-    auto* values = static_cast<short*>(ct->GetScalarPointer());
-    std::uniform_int_distribution<int> noise(-20, 20); // HU
-    for (vtkIdType voxel = 0; voxel < ct->GetNumberOfPoints(); ++voxel)
-    {
-      const Vector3 place(ct->GetPoint(voxel));
-      const bool isCell = (place - Vector3(0.0, 4.0, 5.0)).norm() < 1.5;
-      values[voxel] =
-          static_cast<short>((values[voxel] == 0 || isCell ? -1000 : 1200) + noise(random));
-    }
-    WriteImage(this->Ct, ct);
-    grid.Size = {{20, 20, 32}};
-    grid.Spacing = {{1.0, 1.0, 1.0}};
-    grid.CenterOnOrigin();
-    WriteImage(this->Nerve, test::MakeLabelImage(grid, [](double x, double y, double)
-                                                 { return std::hypot(x, y) < NerveRadius; }));
-    grid.Size = {{36, 30, 12}};
-    grid.Spacing = {{1.1, 1.3, 4.0}};
-    grid.Direction = test::RandomRotation(random);
-    grid.CenterOnOrigin();
-    WriteImage(this->Mr, test::MakeLabelImage<short>(
-                             grid, [](double x, double, double z) { return x + z < 0.0; }, 100));
-    Activate(*this->Window);
-  }
-  // A key combination of the menus.
-  void Type(Qt::Key key, Qt::KeyboardModifiers modifiers)
-  {
-    Activate(*this->Window);
-    this->Window->setFocus();
-    QTest::keyClick(this->Window.get(), key, modifiers);
-  }
-  static void ClickOn(QWidget* widget)
-  {
-    ASSERT_NE(widget, nullptr);
-    QTest::mouseClick(widget, Qt::LeftButton);
-    QApplication::processEvents();
-  }
-  void Drop(const std::filesystem::path& file)
-  {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(file.string()))});
-    QDragEnterEvent enter({300, 300}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(this->Window.get(), &enter);
-    QDropEvent drop(QPointF(300.0, 300.0), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(this->Window.get(), &drop);
-  }
-  void Choose(const std::filesystem::path& file)
-  {
-    this->Opened = QStringList(QString::fromStdString(file.string()));
-  }
-
   void OpenCt()
   {
     EXPECT_TRUE(this->Window->findChild<StartPage*>()->isVisible());
@@ -185,17 +113,23 @@ protected:
   // Bone as soft tissue, so that little servo time is needed; the nerve forbidden.
   void ChooseRoles()
   {
-    const auto press = [this](int row, int times)
+    // The cell opens by a click, its list by itself.
+    const auto choose = [this](int row, int role)
     {
-      auto* role = qobject_cast<QComboBox*>(this->Table()->cellWidget(row, 1));
-      for (int n = 0; n < times; ++n)
-      {
-        QTest::keyClick(role, Qt::Key_Down);
-      }
+      auto* table = this->Window->findChild<StructureTable*>("structures");
+      const QModelIndex cell = table->model()->index(row, StructureTableModel::DrillColumn);
+      QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier,
+                        table->visualRect(cell).center());
+      auto* list = table->viewport()->findChild<QComboBox*>();
+      ASSERT_NE(list, nullptr);
+      list->setCurrentIndex(role);
+      Q_EMIT list->activated(role);
+      list->hidePopup();
+      QApplication::processEvents();
     };
     this->Action("Drilling")->trigger();
-    press(0, 2);
-    press(1, 3);
+    choose(0, 2);
+    choose(1, 3);
     EXPECT_TRUE(this->Study->State().Structures[0].IsDrilled());
     EXPECT_TRUE(this->Study->State().Structures[1].IsForbidden);
     auto* burr = this->Window->findChild<QDoubleSpinBox*>("burr-radius");
@@ -274,10 +208,6 @@ protected:
     DrawAll(*this->Window->Views());
   }
 
-  std::filesystem::path Ct = this->Phantom.Folder / "ct.nrrd";
-  std::filesystem::path Nerve = this->Phantom.Folder / "nerve.nrrd";
-  std::filesystem::path Mr = this->Phantom.Folder / "mr.nrrd";
-  std::filesystem::path MovedMr = this->Phantom.Folder / "moved.nrrd";
   std::filesystem::path File = this->Phantom.Folder / "trial.palpate.json";
 };
 

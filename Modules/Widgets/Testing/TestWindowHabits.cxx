@@ -1,3 +1,4 @@
+#include "StructureTableModel.h"
 #include "WindowTest.h"
 
 #include <QComboBox>
@@ -7,7 +8,7 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QScrollBar>
-#include <QTableWidget>
+#include <QTableView>
 #include <QTextBrowser>
 #include <QToolTip>
 
@@ -57,18 +58,15 @@ TEST_F(WindowHabitsTest, WheelOverANumberWithoutFocusScrolls)
   EXPECT_EQ(degree->value(), before - 1.0);
 }
 
-TEST_F(WindowHabitsTest, WheelOverTheDrillTableForbidsNothing)
+TEST_F(WindowHabitsTest, WheelOverTheTableForbidsNothing)
 {
   this->OpenPhantom();
-  this->Degree();
   const StudyState before = this->Study->State();
-  auto* table = this->Window->findChild<QTableWidget*>("drill-structures");
-  for (int row = 0; row < table->rowCount(); ++row)
+  auto* table = this->Window->findChild<QTableView*>("structures");
+  for (int row = 0; row < table->model()->rowCount(); ++row)
   {
-    for (const int column : {1, 2})
-    {
-      Wheel(table->cellWidget(row, column), {5.0, 5.0}, -3);
-    }
+    const QModelIndex role = table->model()->index(row, StructureTableModel::DrillColumn);
+    Wheel(table->viewport(), table->visualRect(role).center(), -3);
   }
   EXPECT_EQ(this->Study->State(), before);
 }
@@ -100,7 +98,7 @@ TEST_F(WindowHabitsTest, DigitThatIsNotTakenIsAnsweredWithTheRange)
   type(Qt::Key_9, "9");
   EXPECT_FALSE(QToolTip::isVisible());
   type(Qt::Key_9, "9");
-  EXPECT_EQ(QToolTip::text(), "From 0 to 64");
+  EXPECT_EQ(QToolTip::text(), "Out of range: from 0 to 64");
   EXPECT_EQ(degree->cleanText(), "9");
   QToolTip::hideText();
 }

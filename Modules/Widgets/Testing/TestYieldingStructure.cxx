@@ -5,29 +5,36 @@
 
 #include "vtkPointData.h"
 #include "vtkProbeRepresentation.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkTextActor.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace palpate::yielding_structure_test
 {
 namespace
 {
-// A ball of 15 mm like the phantom's, of 20 kPa, with a harder one inside on its left.
+// A ball of 15 mm like the phantom's, of 20 kPa, with a harder one inside on its left; its modulus
+// `inclusion` in N/mm^2.
+ModelDocument BallWith(double inclusion)
+{
+  test::ElasticCase organ;
+  organ.Model = {0, {15.0 * std::sqrt(4.0 * Pi)}, Vector3(-15.0, 0.0, 0.0)};
+  organ.Solid.Tissue.AddInclusion(test::BallFraction(Vector3(-6.0, 0.0, 0.0), 4.0), inclusion);
+  organ.Build(8, 10);
+  ComplianceMaps maps;
+  const Status status =
+      ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, {12, 0.0}, {}, maps);
+  EXPECT_TRUE(status.IsOk()) << status.Message();
+  return ModelDocument{organ.Model, {}, std::make_shared<const ComplianceMaps>(maps)};
+}
+
 const ModelDocument& SoftBall()
 {
-  static const ModelDocument ball = []
-  {
-    test::ElasticCase organ;
-    organ.Model = {0, {15.0 * std::sqrt(4.0 * Pi)}, Vector3(-15.0, 0.0, 0.0)};
-    organ.Solid.Tissue.AddInclusion(test::BallFraction(Vector3(-6.0, 0.0, 0.0), 4.0), 0.2);
-    organ.Build(8, 10);
-    ComplianceMaps maps;
-    const Status status =
-        ComplianceMaps::Fit(organ.Model, organ.Solid, organ.Reduced, {12, 0.0}, {}, maps);
-    EXPECT_TRUE(status.IsOk()) << status.Message();
-    return ModelDocument{organ.Model, {}, std::make_shared<const ComplianceMaps>(maps)};
-  }();
+  static const ModelDocument ball = BallWith(0.2);
   return ball;
 }
 
@@ -136,11 +143,11 @@ class YieldingStructureTest : public test::WindowTest
 {
 protected:
   // The phantom with the soft ball instead of its structures.
-  void OpenSoftBall()
+  void OpenSoftBall(const ModelDocument& ball = SoftBall())
   {
     this->OpenPhantom();
     const auto file = this->Phantom.Folder / "soft.json";
-    WriteModel(file, SoftBall());
+    WriteModel(file, ball);
     StudyState next = this->Study->State();
     next.Structures.resize(1);
     next.Structures[0].File = file;
@@ -150,6 +157,49 @@ protected:
     this->Study->Change("Open a soft ball", next);
     this->Settle();
     DrawAll(*this->Window->Views());
+  }
+  // Newtons per millimetre, by the text beside the tool.
+  double StiffnessRead() const
+  {
+    vtkPropCollection* props = this->Window->Views()->Space()->Renderer()->GetViewProps();
+    for (int p = 0; p < props->GetNumberOfItems(); ++p)
+    {
+      auto* text = vtkTextActor::SafeDownCast(props->GetItemAsObject(p));
+      double force = 0.0;
+      double depth = 0.0;
+      if (text != nullptr &&
+          std::sscanf(text->GetInput(), " %lf N, %lf mm deep", &force, &depth) == 2 && depth > 0.0)
+      {
+        return force / depth;
+      }
+    }
+    return 0.0;
+  }
+  // Pushes there by the wheel, reads, and lifts.
+  double PushAt(const QPointF& place)
+  {
+    QWidget* canvas = this->Window->Views()->Space()->Canvas();
+    Move(canvas, place);
+    constexpr int Notches = 8;
+    for (int notch = 0; notch < Notches; ++notch)
+    {
+      Wheel(canvas, place, 1);
+    }
+    this->FeelUntil([this] { return this->Study->Reading().TouchedId == 1; });
+    this->Wait(1000); // until the hand is where it was led to
+    DrawAll(*this->Window->Views());
+    const double read = this->StiffnessRead();
+    for (int notch = 0; notch < Notches; ++notch)
+    {
+      Wheel(canvas, place, -1);
+    }
+    this->FeelUntil([this] { return this->Study->Reading().TouchedId == 0; });
+    return read;
+  }
+  void Wait(std::uint64_t ticks)
+  {
+    const std::uint64_t now = this->Study->Reading().Newest.Tick.Number;
+    this->FeelUntil([&] { return this->Study->Reading().Newest.Tick.Number > now + ticks; });
   }
   vtkSurfaceDisplay* Shown() const { return this->Window->Contents().Surfaces().at(1); }
 };
@@ -234,6 +284,26 @@ TEST_F(YieldingStructureTest, StiffnessMapColoursTheSurface)
   EXPECT_STREQ(this->Shown()->GetColorArray(), YieldingSurface::StiffnessArray);
   EXPECT_NE(this->Shown()->GetSurface()->GetPointData()->GetArray(YieldingSurface::StiffnessArray),
             nullptr);
+}
+
+// A lesion of 3 : 1, 2 mm below the surface, by someone who feels nothing and reads what is drawn.
+TEST_F(YieldingStructureTest, LesionIsFoundByWhatIsDrawn)
+{
+  this->OpenSoftBall(BallWith(0.06));
+  this->Window->Views()->Space()->LookFrom(vtkSpaceView::LEFT);
+  this->BeginTouch();
+  const Vector3 center(-15.0, 0.0, 0.0);
+  const auto read = [&](double y, double z)
+  { return this->PushAt(this->PlaceOf(center + 15.0 * Vector3(1.0, y, z).normalized())); };
+  const double over = read(0.0, 0.0);
+  for (const Vector3& beside : {Vector3(0.0, 0.8, 0.0), Vector3(0.0, -0.8, 0.0),
+                                Vector3(0.0, 0.0, 0.8), Vector3(0.0, 0.0, -0.8)})
+  {
+    const double soft = read(beside.y(), beside.z());
+    ASSERT_GT(soft, 0.0);
+    // More than the last digit of either number could make.
+    EXPECT_GT(over, 1.08 * soft) << beside.transpose();
+  }
 }
 } // namespace
 } // namespace palpate::yielding_structure_test

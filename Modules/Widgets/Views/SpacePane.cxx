@@ -5,6 +5,7 @@
 
 #include "vtkCamera.h"
 
+#include <QKeyEvent>
 #include <QTabletEvent>
 
 namespace palpate
@@ -60,6 +61,15 @@ bool SpacePane::eventFilter(QObject* object, QEvent* event)
       this->Style->SetPush(pressure);
     }
     event->ignore();
+  }
+  // A space bar that is held is one press.
+  if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
+  {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Space && key->isAutoRepeat())
+    {
+      return true;
+    }
   }
   return ViewPane::eventFilter(object, event);
 }
