@@ -165,6 +165,7 @@ protected:
     this->Events.clear();
   }
 
+  SteadyClock Time; // of devices, which live until the touch ends
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkGenericRenderWindowInteractor> Interactor;
@@ -213,8 +214,7 @@ TEST_F(StyleHapticTest, DeviceAxesEqualCameraAxesAtRest)
 
 TEST_F(StyleHapticTest, ClutchHoldsToolWithoutForce)
 {
-  SteadyClock clock;
-  auto owned = std::make_unique<test::PlacedDevice>(clock);
+  auto owned = std::make_unique<test::PlacedDevice>(this->Time);
   test::PlacedDevice* device = owned.get();
   const auto move = [&](double from, double to)
   {
@@ -278,8 +278,7 @@ TEST_F(StyleHapticTest, EscapeSwitchesForcesOffAndFSwitchesThemOn)
 
 TEST_F(StyleHapticTest, LostDeviceRaisesFaultWithInstructions)
 {
-  SteadyClock clock;
-  auto owned = std::make_unique<SimulatedDevice>(clock, SimulatedSettings());
+  auto owned = std::make_unique<SimulatedDevice>(this->Time, SimulatedSettings());
   SimulatedDevice* device = owned.get();
   ASSERT_TRUE(owned->Open().IsOk());
   ASSERT_TRUE(this->Touch->StartTouch(std::move(owned)));
