@@ -38,6 +38,13 @@ namespace palpate
 {
 namespace
 {
+// A part of the tree that may hold something nearer than its square of a distance.
+struct PendingNode
+{
+  int Node;
+  double Square;
+};
+
 // Squared. Single precision would need margins, and is not faster here.
 double DistanceToBox(const Vector3& p, const FloatBox& box) noexcept
 {
@@ -164,11 +171,6 @@ NearestOnMesh::Corners NearestOnMesh::Segment(const Corners& flat) const
 
 NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) const noexcept
 {
-  struct Pending
-  {
-    int Node;
-    double Square;
-  };
   Result result;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](int place)
@@ -185,7 +187,7 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
     }
   };
   consider(this->Places[start]);
-  std::array<Pending, TriangleTree::MostPending> pending;
+  std::array<PendingNode, TriangleTree::MostPending> pending;
   int count = 0;
   int at = 0;
   for (;;)
@@ -193,8 +195,8 @@ NearestOnMesh::Result NearestOnMesh::FindFrom(const Vector3& point, int start) c
     const TriangleTree::Node& node = this->Nodes[at];
     if (node.Count == 0)
     {
-      Pending near{at + 1, DistanceToBox(point, this->Nodes[at + 1].Box)};
-      Pending far{node.Second, DistanceToBox(point, this->Nodes[node.Second].Box)};
+      PendingNode near{at + 1, DistanceToBox(point, this->Nodes[at + 1].Box)};
+      PendingNode far{node.Second, DistanceToBox(point, this->Nodes[node.Second].Box)};
       if (far.Square < near.Square)
       {
         std::swap(near, far);
