@@ -66,7 +66,8 @@ void PlumbLine::ShowForce(vtkProbeRepresentation* probe, LengthUnit unit)
   const double* color = probe->GetContactColor();
   this->Bar.SetCurves({{{foot, foot + force * BarPixels * pixel * up}, false}}, Vector3::Zero());
   this->Bar.SetStyle({{color[0], color[1], color[2]}}, 1.0, BarWidth * PointPixels(this->Renderer));
-  const std::string depth = LengthText(unit, (hand - tool).norm(), 1);
+  const double deep = probe->GetDepth() < 0.0 ? (hand - tool).norm() : probe->GetDepth();
+  const std::string depth = LengthText(unit, deep, 1);
   this->Length.Update({{FixedText(force, 2) + " N, " + depth + " deep", foot}}, {{1.0, 1.0, 1.0}});
 }
 

@@ -277,7 +277,10 @@ void vtkInteractorStyleMouseHand::OnLeftButtonDown()
   }
   else if (this->AimsAtSurface())
   {
-    this->BeginPush();
+    if (this->ButtonPushes)
+    {
+      this->BeginPush();
+    }
   }
   else
   {

@@ -87,6 +87,12 @@ public:
   vtkGetMacro(PushAlongSight, bool);
   vtkBooleanMacro(PushAlongSight, bool);
   ///@}
+  ///@{
+  /** Whether a left press pushes; otherwise it is left to others, such as what places marks. On by
+   * default. */
+  vtkSetMacro(ButtonPushes, bool);
+  vtkGetMacro(ButtonPushes, bool);
+  ///@}
   /** Ends a push. */
   void Lift();
   bool IsPressed() const { return this->Presses; }
@@ -151,6 +157,7 @@ private:
   double MostPush = 5.0;
   bool PushAlongSight = false;
   bool Presses = false; ///< pushes into a surface
+  bool ButtonPushes = true;
   bool IsButtonDown = false;
   bool Grows = false; ///< with time, until it is set by a wheel or a pen
   double Push = 0.0;

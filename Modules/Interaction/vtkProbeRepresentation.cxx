@@ -130,6 +130,7 @@ void vtkProbeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ForceScale: " << this->ForceScale << '\n';
   os << indent << "InContact: " << this->InContact << '\n';
   os << indent << "ContactRadius: " << this->ContactRadius << '\n';
+  os << indent << "Depth: " << this->Depth << '\n';
   os << indent << "HasNearestPoint: " << this->HasNearestPoint << '\n';
   os << indent << "Visibility: " << this->Visibility << '\n';
 }

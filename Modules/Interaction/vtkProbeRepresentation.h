@@ -83,6 +83,12 @@ public:
   vtkGetMacro(ContactRadius, double);
   ///@}
   ///@{
+  /** How deep the tool is, mm, as is written beside it; negative, the default: the distance of probe
+   * and proxy. What yields is shown with both at one place. */
+  vtkSetMacro(Depth, double);
+  vtkGetMacro(Depth, double);
+  ///@}
+  ///@{
   /** The nearest place of what is around (world, mm), to which 3D views draw a line with its length
    * while the tool is not in contact. None by default. */
   void SetNearestPoint(double x, double y, double z);
@@ -123,6 +129,7 @@ private:
   double ForceScale = 10.0;
   bool InContact = false;
   double ContactRadius = 4.0;
+  double Depth = -1.0;
   double NearestPoint[3] = {0.0, 0.0, 0.0};
   bool HasNearestPoint = false;
   double ContactColor[3] = {0.84, 0.37, 0.0};

@@ -30,13 +30,13 @@ struct StudyStepState
     Running
   };
   Kind Is = Kind::NotWanted;
-  double Fraction = 0.0;  ///< while running; of a step, over all that it makes
-  std::size_t Wanted = 0; ///< of a step: number of products
-  std::size_t Done = 0;   ///< of these, no longer waiting or running
-  std::string Stage;      ///< while running, one word
-  std::string Message;    ///< why it failed, or its replacement
+  double Fraction = 0.0; ///< while running; of a step, over all that it makes
+  std::string Stage;     ///< while running, one word
+  std::string Message;   ///< why it failed, or its replacement
   /// It needs an update that will not start by itself, since it or one of its inputs was cancelled.
   bool IsCancelled = false;
+  std::size_t Wanted = 0; ///< of a step: number of products
+  std::size_t Done = 0;   ///< of these, no longer waiting or running
 };
 
 /// "not wanted", "up to date", ...

@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QSettings>
 #include <QStyle>
@@ -90,8 +91,6 @@ StructureTable::StructureTable(QWidget* parent) : QTableView(parent)
   this->horizontalHeader()->setSectionsClickable(true);
   this->horizontalHeader()->setHighlightSections(false);
   this->setItemDelegateForColumn(StructureTableModel::NameColumn, new NameDelegate(this));
-  connect(this->horizontalHeader(), &QHeaderView::sectionCountChanged, this,
-          &StructureTable::SetWidths);
   connect(this->horizontalHeader(), &QHeaderView::sectionResized, this, &StructureTable::KeepWidth);
 }
 
@@ -99,12 +98,13 @@ void StructureTable::setModel(QAbstractItemModel* model)
 {
   QTableView::setModel(model);
   connect(model, &QAbstractItemModel::modelReset, this, &StructureTable::FitName);
+  this->SetWidths();
 }
 
 // Only those that the user drags: the others follow the contents.
 void StructureTable::KeepWidth(int column, int /*before*/, int width)
 {
-  if (QApplication::mouseButtons() & Qt::LeftButton)
+  if (!this->IsFitting)
   {
     QSettings().setValue(WidthKey(column), width);
   }
@@ -146,6 +146,7 @@ int StructureTable::WidthOf(int column) const
 
 void StructureTable::SetWidths()
 {
+  const QScopedValueRollback<bool> fitting(this->IsFitting, true);
   for (int column = 0; column < this->horizontalHeader()->count(); ++column)
   {
     this->horizontalHeader()->resizeSection(column, this->WidthOf(column));
@@ -176,6 +177,7 @@ void StructureTable::FitName()
   const int left = header->sectionPosition(Name);
   const int role = header->sectionSize(StructureTableModel::DrillColumn);
   const int free = this->viewport()->width() - left - role;
+  const QScopedValueRollback<bool> fitting(this->IsFitting, true);
   header->resizeSection(Name, std::max(this->WidthOf(Name), std::min(this->WidthOfNames(), free)));
 }
 

@@ -52,7 +52,7 @@ protected:
 private:
   int WidthOf(int column) const;
   int WidthOfNames() const;
-  static void KeepWidth(int column, int before, int width);
+  void KeepWidth(int column, int before, int width);
   void SetWidths();
   void FitName();
   bool Press(const QMouseEvent& event);
@@ -62,5 +62,6 @@ private:
   QPersistentModelIndex Pressed; ///< the cell that the mouse went down on, unless it only selects
   QPoint PressedAt;
   bool IsDragging = false;
+  bool IsFitting = false; ///< widths are changed by the program
 };
 } // namespace palpate

@@ -93,7 +93,7 @@ QBoxLayout* StructuresPanel::MakeSearch()
   this->Search->setPlaceholderText("Search");
   this->Search->setToolTip("List only structures whose names contain these words");
   this->Search->setClearButtonEnabled(true);
-  this->Search->setMinimumWidth(this->fontMetrics().horizontalAdvance("Search 00000"));
+  this->Search->setMinimumWidth(this->fontMetrics().horizontalAdvance("Search 00"));
   this->Search->installEventFilter(this);
   connect(this->Search, &QLineEdit::textChanged, this->Listed, &StructureFilterModel::Search);
   this->Kept->setObjectName("structure-filter");
@@ -116,6 +116,14 @@ QBoxLayout* StructuresPanel::MakeSearch()
   return row;
 }
 
+void StructuresPanel::AddAdding(const QList<QAction*>& actions)
+{
+  this->Add->addActions(actions);
+  this->Add->addSeparator();
+  this->Add->addAction("&Guide of the tool by the selected structure...", this,
+                       &StructuresPanel::ShowGuide);
+}
+
 QBoxLayout* StructuresPanel::MakeTools()
 {
   this->Opacity->setMinimumWidth(this->fontMetrics().horizontalAdvance("00000000"));
@@ -125,9 +133,6 @@ QBoxLayout* StructuresPanel::MakeTools()
   row->addWidget(this->MakeButton("Details...", "structure-details",
                                   "All touch settings of the selected structure",
                                   &StructuresPanel::ShowDetails));
-  row->addWidget(this->MakeButton("Guide...", "structure-guide-button",
-                                  "Guide the tool along the selected structure, or keep it away",
-                                  &StructuresPanel::ShowGuide));
   row->addWidget(this->MakeButton("Remove", "structure-remove",
                                   "Remove the selected structures from the study",
                                   &StructuresPanel::Remove));

@@ -30,7 +30,7 @@ public:
 
   std::vector<int> SelectedIds() const { return this->Table->SelectedIds(); }
   /// What adds structures, for the menu of a button.
-  void AddAdding(const QList<QAction*>& actions) { this->Add->addActions(actions); }
+  void AddAdding(const QList<QAction*>& actions);
   /// Selects the row of a structure, which is listed again if the search left it out. Tells
   /// SelectionChanged, but not Selected.
   void Select(int id);

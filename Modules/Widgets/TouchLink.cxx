@@ -74,7 +74,8 @@ TouchLink::TouchLink(StudyController& study, ViewContents& contents, ViewGrid& v
 void TouchLink::TakeHand()
 {
   const bool isHand = this->IsPointing && !this->AreClicksForMarks;
-  this->Views.Space()->SetHand(isHand, this->Study.Current().Touch().HandWorld());
+  this->Views.Space()->SetHand(this->IsPointing, this->Study.Current().Touch().HandWorld());
+  this->Views.Space()->SetButtonPushes(!this->AreClicksForMarks);
   for (const SliceOrientation orientation : AllSliceOrientations)
   {
     this->Views.Slice(orientation)->SetHand(isHand);

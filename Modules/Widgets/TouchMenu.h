@@ -24,6 +24,7 @@ public:
   QAction* AlarmSound() const { return this->Sound; }
   QAction* PushAlongSight() const { return this->AlongSight; }
   QAction* MoveWorkspace() const { return this->Move; }
+  void ToggleTouch();
   QAction* FitWorkspace() const { return this->Fit; }
 
 Q_SIGNALS:
@@ -33,7 +34,6 @@ Q_SIGNALS:
   void WorkspaceMoved(bool isMoved); ///< whether the mouse moves it
 
 private:
-  void ToggleTouch();
   void AddWorkspace();
   void AddPush();
   void AddRecording();

@@ -19,6 +19,8 @@ protected:
   void FeelByCommandLine();
 
   SceneStructure& GlandOf(StudyState& state) { return state.Structures[0]; }
+  // N/mm; friction decides how deep a hand comes to rest.
+  double Stiffness() const { return this->Force() / this->Study->Reading().Newest.Depth; }
   vtkSurfaceDisplay* Gland() const { return this->Window->Contents().Surfaces().at(1); }
 };
 
@@ -71,13 +73,13 @@ void LesionTutorialTest::Feel()
   this->Press(gland.CenterWorld(), 0.3); // by mouse; from here on to exact places
   const Vector3 over = gland.PointWorld(Vector3::UnitY()) + 5.0 * Vector3::UnitY();
   this->HoldStill(over, Vector3::UnitY()); // 3 mm deep
-  const double atNodule = this->Force();
+  const double atNodule = this->Stiffness();
   EXPECT_GT(this->Study->Reading().Newest.PatchRadius, 1.0);
   this->ExpectBaseline("lesion-touch.png");
   const Vector3 aside = (Vector3::UnitY() + 0.8 * Vector3::UnitX()).normalized();
   const Vector3 beside = gland.Normal(aside);
   this->HoldStill(gland.PointWorld(aside) + 5.0 * beside, beside);
-  EXPECT_GT(atNodule, 1.2 * this->Force());
+  EXPECT_GT(atNodule, 1.2 * this->Stiffness());
   this->Button("start-touch")->click();
 }
 

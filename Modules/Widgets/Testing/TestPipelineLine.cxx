@@ -26,7 +26,7 @@ TEST_F(PipelineLineTest, TellsWhatRunsWithoutMovingAnything)
   EXPECT_EQ(this->Line()->Text(), "Nothing is open");
   EXPECT_TRUE(this->Act()->isHidden());
   const int top = this->ColumnTop();
-  const QSize size = this->Line()->size();
+  const int height = this->Line()->height();
   QStringList told;
   QObject::connect(this->Study.get(), &StudyController::StepsChanged,
                    [&]
@@ -34,7 +34,7 @@ TEST_F(PipelineLineTest, TellsWhatRunsWithoutMovingAnything)
                      told += this->Line()->Text();
                      QApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
                      EXPECT_EQ(this->ColumnTop(), top);
-                     EXPECT_EQ(this->Line()->size(), size);
+                     EXPECT_EQ(this->Line()->height(), height);
                    });
   this->OpenPhantom();
   EXPECT_TRUE(told.filter(" of 3").size() > 0) << told.join(", ").toStdString();

@@ -81,11 +81,11 @@ TEST_F(PreferencesTest, LengthsAreInThePreferredUnitEverywhere)
   next.Measurements = {line};
   this->Study->Change("Measure", next);
   const auto* table = this->Window->findChild<QTableWidget*>("landmarks");
-  EXPECT_EQ(table->horizontalHeaderItem(4)->text(), "L, mm");
-  EXPECT_EQ(table->item(0, 4)->text(), "12.50");
+  EXPECT_EQ(table->horizontalHeaderItem(4)->text(), "R, L (mm)");
+  EXPECT_EQ(table->item(0, 4)->text(), "L 12.50");
   Choose(this->OpenDialog(), "preferred-unit", 1);
-  EXPECT_EQ(table->horizontalHeaderItem(4)->text(), "L, cm");
-  EXPECT_EQ(table->item(0, 4)->text(), "1.250");
+  EXPECT_EQ(table->horizontalHeaderItem(4)->text(), "R, L (cm)");
+  EXPECT_EQ(table->item(0, 4)->text(), "L 1.250");
   EXPECT_EQ(table->item(1, 2)->text(), "1.230");
   EXPECT_EQ(table->item(1, 3)->text(), "cm");
   auto* status = this->Window->findChild<StatusLine*>();

@@ -120,8 +120,10 @@ protected:
       const QModelIndex cell = table->model()->index(row, StructureTableModel::DrillColumn);
       QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier,
                         table->visualRect(cell).center());
-      auto* list = table->viewport()->findChild<QComboBox*>();
-      ASSERT_NE(list, nullptr);
+      // Former ones may still be there.
+      const auto lists = table->viewport()->findChildren<QComboBox*>();
+      ASSERT_FALSE(lists.isEmpty());
+      QComboBox* list = lists.last();
       list->setCurrentIndex(role);
       Q_EMIT list->activated(role);
       list->hidePopup();

@@ -167,7 +167,7 @@ protected:
       auto* text = vtkTextActor::SafeDownCast(props->GetItemAsObject(p));
       double force = 0.0;
       double depth = 0.0;
-      if (text != nullptr &&
+      if (text != nullptr && text->GetInput() != nullptr &&
           std::sscanf(text->GetInput(), " %lf N, %lf mm deep", &force, &depth) == 2 && depth > 0.0)
       {
         return force / depth;

@@ -162,8 +162,6 @@ protected:
   void Press(const Vector3& towardsWorld, double force, int id = 1)
   {
     QWidget* canvas = this->Window->Views()->Space()->Canvas();
-    const QPointF place = this->PlaceOf(towardsWorld);
-    Move(canvas, place);
     // One notch per 20 ticks near a structure: the hand follows slowly, and a faster target would
     // pass through.
     const auto isFar = [probe = this->Window->Contents().Probe()](const TouchState& state)
@@ -182,6 +180,8 @@ protected:
           if (!isFelt && newest.Tick.Number >= last + 20)
           {
             last = newest.Tick.Number;
+            const QPointF place = this->PlaceOf(towardsWorld); // panels may still open
+            Move(canvas, place);
             for (int notch = isFar(newest) ? 5 : 1; notch > 0; --notch)
             {
               Wheel(canvas, place, 1);

@@ -38,6 +38,8 @@ public:
 
   /// Whether the mouse moves the hand, which is at `handWorld` (mm).
   void SetHand(bool isOn, const Vector3& handWorld);
+  /// Whether a left press pushes the hand.
+  void SetButtonPushes(bool isOn) { this->Style->SetButtonPushes(isOn); }
   /// Corrects the hand's position (mm).
   void PlaceHand(const Vector3& handWorld) { this->Style->SetHandWorld(handWorld.data()); }
   /// Answers Aimed: where the tool rests, with the normal there, and the strongest push (mm).

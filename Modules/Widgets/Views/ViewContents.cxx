@@ -439,6 +439,7 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0);
+  this->ProbeShown->SetDepth(state.Depth);
   this->ShowDepth(proxy);
   // Okabe and Ito's vermilion; yellow where the force is an estimate. Grey: no force.
   constexpr std::array<double, 3> Known{{0.84, 0.37, 0.0}};
