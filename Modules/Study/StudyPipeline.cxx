@@ -325,6 +325,7 @@ StudyStepState StudyPipeline::StateOf(SceneStep step) const
   double all = 0.0;
   std::size_t wanted = 0;
   std::size_t done = 0;
+  bool isCancelled = false;
   const auto add = [&](int id)
   {
     const StudyStepState one = this->StateOf(step, id);
@@ -333,6 +334,7 @@ StudyStepState StudyPipeline::StateOf(SceneStep step) const
     wanted += one.Is != Kind::NotWanted ? 1 : 0;
     done += isDone ? 1 : 0;
     all += isDone ? 1.0 : one.Fraction;
+    isCancelled = isCancelled || one.IsCancelled;
     worst = one.Is > worst.Is ? one : worst;
   };
   if (step == SceneStep::Volume || step == SceneStep::Segmentation || step == SceneStep::Tool)
@@ -350,6 +352,7 @@ StudyStepState StudyPipeline::StateOf(SceneStep step) const
                   [&](const SceneStructure& structure) { add(structure.Id); });
   }
   worst.Fraction = wanted > 0 ? all / static_cast<double>(wanted) : 0.0;
+  worst.IsCancelled = isCancelled;
   worst.Wanted = wanted;
   worst.Done = done;
   return worst;

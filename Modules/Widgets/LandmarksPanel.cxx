@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -267,7 +268,11 @@ void LandmarksPanel::ShowState()
   }
   if (isLonger)
   {
-    this->Table->scrollToItem(this->Table->item(hasNewMark ? this->MarkCount - 1 : all - 1, 0));
+    // Once the table has laid out its rows.
+    const int newest = hasNewMark ? this->MarkCount - 1 : all - 1;
+    QTimer::singleShot(0, this->Table,
+                       [table = this->Table, newest]
+                       { table->scrollTo(table->model()->index(newest, 0)); });
   }
 }
 

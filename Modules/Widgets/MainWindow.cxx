@@ -37,7 +37,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeftWidth = 340; // pixels
+constexpr int LeftWidth = 360; // pixels
 constexpr int BottomHeight = 150;
 
 // Names an action after the step of the study that it undoes or redoes.

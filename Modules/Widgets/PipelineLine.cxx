@@ -116,7 +116,7 @@ void PipelineLine::Show()
     {
       return this->ShowRunning(step, state);
     }
-    if (state.Is == Kind::NeedsUpdate && state.IsCancelled && !waiting)
+    if (state.IsCancelled && !waiting)
     {
       waiting = step;
     }

@@ -40,11 +40,11 @@ QString WidestTextOf(int column)
   switch (column)
   {
   case StructureTableModel::OpacityColumn:
-    return "100 %";
+    return "Opacity0";
   case StructureTableModel::NameColumn:
     return "Frontal_Sup_Or";
   case StructureTableModel::DrillColumn:
-    return "Cortical bone00";
+    return "Cortical bone0";
   case StructureTableModel::StatusColumn:
     return "10.0 mm away, least 10.0 mm";
   case StructureTableModel::AppearanceColumn:

@@ -100,6 +100,12 @@ void TouchLink::Begin()
   const bool isTouching = this->Study.IsTouching();
   const bool isSimulated =
       isTouching && this->Study.Current().Touch().PlaceHand(this->Views.Space()->Axes().col(2));
+  if (isSimulated)
+  {
+    // To its first place without contacts.
+    this->Study.Current().Touch().LiftHand();
+    this->Study.Current().Touch().PressHand();
+  }
   this->IsPointing = isSimulated;
   this->TakeHand();
   this->IsLedInSlice = false;

@@ -15,9 +15,10 @@ namespace
 // mm of the hand above what it will press: the mechanism's friction may stop it that far from its
 // goal.
 constexpr double Hover = 0.6;
-// Ticks until a press takes effect, and until the hand is pressed wherever it is.
+// Ticks until a press takes effect, and after which a hand that does not move has come to rest.
 constexpr std::uint64_t LeastPressTicks = 5;
-constexpr std::uint64_t MostPressTicks = 500;
+constexpr std::uint64_t StillTicks = 100;
+constexpr double Still = 0.02; // mm
 } // namespace
 
 TouchSession::TouchSession(Clock& clock, const RealtimeRequest& request)
@@ -252,19 +253,26 @@ void TouchSession::PressHand()
   this->IsPressing = true;
   this->PressedAt = this->Reading.Newest.Tick.Number;
   this->Pressed = this->Hand;
+  this->StillSince = this->PressedAt;
 }
 
-// The servo has to have taken the lift first.
+// The servo has to have taken the lift first. Pressed earlier, a hand may be inside of what it
+// touches, where nothing is felt.
 void TouchSession::PressIfThere()
 {
   if (!this->IsPressing)
   {
     return;
   }
-  const std::uint64_t passed = this->Reading.Newest.Tick.Number - this->PressedAt;
+  const std::uint64_t now = this->Reading.Newest.Tick.Number;
   const Vector3 hand(this->Reading.Newest.Sample.Position);
-  const bool isThere = (hand - this->Pressed).norm() < Hover;
-  if (passed < LeastPressTicks || (!isThere && passed < MostPressTicks))
+  if ((hand - this->StillAt).norm() > Still)
+  {
+    this->StillAt = hand;
+    this->StillSince = now;
+  }
+  const bool isThere = (hand - this->Pressed).norm() < Hover || now - this->StillSince > StillTicks;
+  if (now < this->PressedAt + LeastPressTicks || !isThere)
   {
     return;
   }

@@ -144,6 +144,8 @@ private:
   bool IsPressing = false;           // as soon as the hand is there
   Vector3 Pressed = Vector3::Zero(); // mm, in the device
   std::uint64_t PressedAt = 0;       // tick
+  Vector3 StillAt = Vector3::Zero(); // where the hand that is pressed was last seen to move
+  std::uint64_t StillSince = 0;      // tick
   TouchWatch Watch;
   std::unique_ptr<TouchRecorder> Recorder;
   TouchSessionReading Reading;

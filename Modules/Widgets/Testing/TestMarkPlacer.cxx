@@ -280,14 +280,17 @@ TEST_F(MarkPlacerTest, TableTellsSidesByLettersAndShowsTheNewRow)
     next.Landmarks.push_back({"F-" + std::to_string(n + 1), Vector3(-18.35, 2.0, 0.0)});
   }
   this->Action("Add landmarks by click")->setChecked(true); // which opens the panel
+  auto* table = this->Window->findChild<QTableWidget*>("landmarks");
+  DrawAll(*this->Window->Views());
+  EXPECT_TRUE(table->isVisible());
   this->Study->Change("Add many", next);
   QApplication::processEvents();
-  auto* table = this->Window->findChild<QTableWidget*>("landmarks");
   EXPECT_EQ(table->item(39, 4)->text(), "R 18.35");
   EXPECT_EQ(table->item(39, 5)->text(), "P 2.00");
   EXPECT_EQ(table->item(39, 6)->text(), "S 0.00");
   const QRect last = table->visualItemRect(table->item(39, 0));
-  EXPECT_TRUE(table->viewport()->rect().intersects(last));
+  EXPECT_TRUE(table->viewport()->rect().intersects(last))
+      << last.y() << " of " << table->viewport()->height();
 }
 } // namespace
 } // namespace palpate::mark_placer_test
