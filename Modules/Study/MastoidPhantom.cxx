@@ -83,10 +83,11 @@ double FromAir(const Vector3& place)
   return least;
 }
 
-// From one value to another where a signed distance becomes positive, within a voxel.
+// From one value to another where a signed distance becomes positive, within two voxels: as smooth
+// as a scanner's, so that the surface has no steps.
 double Edge(double inside, double outside, double distance)
 {
-  return inside + (outside - inside) * std::clamp(0.5 + distance / Spacing, 0.0, 1.0);
+  return inside + (outside - inside) * std::clamp(0.5 + 0.5 * distance / Spacing, 0.0, 1.0);
 }
 
 double ValueAt(const Vector3& place)
