@@ -180,7 +180,7 @@ void FileMenu::AddFromValues()
   dialog->show();
 }
 
-void FileMenu::OpenCohort()
+CohortWindow* FileMenu::OpenCohort()
 {
   auto* cohort = this->Window->findChild<CohortWindow*>();
   if (cohort == nullptr)
@@ -191,6 +191,7 @@ void FileMenu::OpenCohort()
   cohort->show();
   cohort->raise();
   cohort->activateWindow();
+  return cohort;
 }
 
 #ifdef PALPATE_HAS_NETWORK
@@ -248,7 +249,7 @@ bool FileMenu::Save()
 
 bool FileMenu::SaveAs()
 {
-  const std::filesystem::path& former = this->Study.Current().File();
+  const std::filesystem::path& former = this->Study.Current().ProposedFile();
   const QString proposal =
       former.empty() ? QString("study") + StudyEnding : QString::fromStdString(former.string());
   QString file = this->Questions.ToSave(this->Window, "Save the study", proposal, StudyFilter);

@@ -8,6 +8,8 @@
 
 namespace palpate
 {
+class CohortWindow;
+
 /// Opening, saving and recent files.
 class FileMenu : public QMenu
 {
@@ -29,6 +31,8 @@ public:
   /// The last one first.
   static QStringList RecentFiles();
   void OpenRecent(const QString& file);
+  /// Shows the window of a cohort.
+  CohortWindow* OpenCohort();
   /// Asks for each missing file of the study.
   void AskForMissing();
 
@@ -41,7 +45,6 @@ private:
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);
   void AddFromValues();
-  void OpenCohort();
 #ifdef PALPATE_HAS_NETWORK
   void OpenLink();
 #endif
