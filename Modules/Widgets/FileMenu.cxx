@@ -6,20 +6,18 @@
 #include "LinkDialog.h"
 #endif
 #include "ModelFile.h"
+#include "RecentFiles.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
 #include "ThresholdDialog.h"
 #include "ToolIcon.h"
 
 #include <QFileInfo>
-#include <QSettings>
 
 namespace palpate
 {
 namespace
 {
-constexpr int MostRecent = 10;
-constexpr const char* RecentKey = "recent";
 constexpr const char* StudyFilter = "Palpate studies (*.palpate.json)";
 
 QString ImageFilter()
@@ -62,7 +60,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
   this->AddSaving();
   this->addSeparator();
   this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
-  connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
+  connect(&study, &StudyController::FileOpened, this, &RememberRecent);
 }
 
 void FileMenu::AddOpening()
@@ -301,19 +299,5 @@ void FileMenu::OpenRecent(const QString& file)
   {
     this->Study.OpenFiles({PathOf(file)});
   }
-}
-
-QStringList FileMenu::RecentFiles()
-{
-  return QSettings().value(RecentKey).toStringList();
-}
-
-void FileMenu::Remember(const QString& file)
-{
-  QSettings settings;
-  QStringList files = RecentFiles();
-  files.removeAll(file);
-  files.prepend(file);
-  settings.setValue(RecentKey, QStringList(files.mid(0, MostRecent)));
 }
 } // namespace palpate

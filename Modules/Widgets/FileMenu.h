@@ -28,8 +28,6 @@ public:
   void OpenFiles();
   /// Asks for a folder of DICOM slices, and opens it.
   void OpenFolder();
-  /// The last one first.
-  static QStringList RecentFiles();
   void OpenRecent(const QString& file);
   /// Shows the window of a cohort.
   CohortWindow* OpenCohort();
@@ -52,7 +50,6 @@ private:
   bool SaveAs();
   void OpenSession(const QString& file);
   void ListRecent();
-  static void Remember(const QString& file);
 
   StudyController& Study;
   const FileQuestions& Questions;

@@ -9,6 +9,7 @@
 #include "PlotsPanel.h"
 #include "PreferencesDialog.h"
 #include "QualityPanel.h"
+#include "RecentFiles.h"
 #include "ReplayBar.h"
 #include "ScreenString.h"
 #include "StartLink.h"
@@ -316,7 +317,7 @@ void MainWindow::ShowCentre()
                        state.Structures.empty() && !this->Study.IsReplaying();
   if (isEmpty && !this->Start->isVisible())
   {
-    this->Start->ShowRecent(FileMenu::RecentFiles());
+    this->Start->ShowRecent(RecentFiles());
   }
   this->Start->setVisible(isEmpty);
   this->Grid->setVisible(!isEmpty);

@@ -1,7 +1,7 @@
 #include "StudyThumbnails.h"
 
-#include "FileMenu.h"
 #include "InputError.h"
+#include "RecentFiles.h"
 #include "ViewPicture.h"
 
 #include <QCryptographicHash>
@@ -27,7 +27,7 @@ QString NameOf(const QString& file)
 void RemoveOthers(const QDir& folder, const QString& kept)
 {
   QStringList names{kept};
-  for (const QString& file : FileMenu::RecentFiles())
+  for (const QString& file : RecentFiles())
   {
     names += NameOf(file);
   }
