@@ -112,8 +112,13 @@ TEST_F(StartPageTest, CoachLetsTheWindowBeSmall)
   WaitUntil([this] { return this->Steps->findChild<QLabel*>("coach-2")->isVisible(); });
 }
 
-TEST_F(StartPageTest, SceneIsSeenAsAWhole)
+TEST_F(StartPageTest, SceneIsSeenAsAWholeAfterAnother)
 {
+  this->Window->resize(1280, 800);
+  this->OpenCard("prostate");
+  this->StartTouch();
+  DrawAll(*this->Window->Views());
+  this->Study->New();
   this->OpenCard("mastoid");
   this->Settle();
   DrawAll(*this->Window->Views());
