@@ -32,8 +32,16 @@ int Run(int argc, char* argv[], const palpate::ViewerOptions& options)
   palpate::MainWindow window(study);
   window.resize(options.Size);
   window.show();
+  // A program that only takes a picture changes nothing.
+  palpate::RecoveryLink* recovery = options.Screenshot.isEmpty()
+                                        ? window.KeepRecovery(palpate::RecoveryLink::UserFolder())
+                                        : nullptr;
   const palpate::ViewerRun run(study, window, options);
   const int code = QApplication::exec();
+  if (recovery != nullptr)
+  {
+    recovery->End(code == 0); // a signal ends it without a question to the user
+  }
   if (!study.HasEnded() && !study.Close())
   {
     // Some work does not react to cancellation; do not wait for it.

@@ -1,6 +1,9 @@
 #include "QualityReport.h"
 
 #include "DecimalText.h"
+#include "FileStamp.h"
+#include "FitSettingsJson.h"
+#include "SceneReading.h"
 #include "StructureTrade.h"
 #include "TradeAdvice.h"
 #include "Units.h"
@@ -58,6 +61,15 @@ std::optional<double> Largest(const std::vector<QualityLine>& lines,
   return largest;
 }
 } // namespace
+
+std::string QualityKey(const SceneSettings& scene, const SceneStructure& structure)
+{
+  const TouchToolSettings& tool = scene.Tool;
+  return SceneKey(structure.File.string(), StampOf(structure.File), structure.Labels.front(),
+                  structure.Smoothing, structure.Stiffness, FitSettingsJson(scene.Fit).dump(),
+                  static_cast<int>(tool.Kind), tool.Radius, tool.Length, tool.SemiAxes.transpose(),
+                  tool.File, tool.Points);
+}
 
 QualityMeasurement MeasureQuality(const SceneSettings& scene, const SceneStructure& structure,
                                   const Clock& clock, const ProgressFunction& progress)

@@ -19,6 +19,10 @@ struct QualityMeasurement
   std::vector<TradeRow> Presets; ///< in order; only degrees that the structure supports
 };
 
+/// Identifies all settings of the measurement of a structure's presets, a label.
+PALPATESTUDY_EXPORT std::string QualityKey(const SceneSettings& scene,
+                                           const SceneStructure& structure);
+
 /// Measures every preset at a label of a scene with short strokes, timed by `clock`. Throws
 /// InputError if the tool cannot touch it at all, FilterError and Cancelled.
 PALPATESTUDY_EXPORT QualityMeasurement MeasureQuality(const SceneSettings& scene,

@@ -1,13 +1,11 @@
 #include "Study.h"
 
-#include "FileStamp.h"
-#include "FitSettingsJson.h"
 #include "InputError.h"
 #include "OpenBuiltInDevice.h"
-#include "SceneReading.h"
 #include "SegmentationFile.h"
 #include "SteadyClock.h"
 #include "StudyFile.h"
+#include "StudyRecovery.h"
 #include "StudyStructures.h"
 #include "TouchRecording.h"
 #include "TouchTicksFile.h"
@@ -17,19 +15,6 @@
 
 namespace palpate
 {
-namespace
-{
-// Identifies all settings of the measurement of a structure's presets.
-std::string QualityKey(const StudyState& state, const SceneStructure& structure)
-{
-  const TouchToolSettings& tool = state.Tool;
-  return SceneKey(structure.File.string(), StampOf(structure.File), structure.Labels.front(),
-                  structure.Smoothing, structure.Stiffness, FitSettingsJson(state.Fit).dump(),
-                  static_cast<int>(tool.Kind), tool.Radius, tool.Length, tool.SemiAxes.transpose(),
-                  tool.File, tool.Points);
-}
-} // namespace
-
 Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(clock, request) {}
 
 void Study::Begin(const StudyState& state, const std::filesystem::path& file)
@@ -45,6 +30,7 @@ void Study::Begin(const StudyState& state, const std::filesystem::path& file)
   this->Adding.clear();
   this->Steps.Reset(state);
   this->SessionFile = file;
+  this->FormerFile.clear();
   this->Unread.clear();
   if (LacksStructures(state))
   {
@@ -58,11 +44,25 @@ void Study::Open(const std::filesystem::path& file)
   std::filesystem::path drilled;
   const StudyState state = ReadStudy(file, &drilled);
   this->Begin(state, StudyPath(file));
-  if (!drilled.empty())
+  this->ReadDrilled(drilled);
+}
+
+void Study::ReadDrilled(const std::filesystem::path& file)
+{
+  if (!file.empty())
   {
-    this->DrillFiles.Read(drilled, [this](const std::vector<DrillRecord>& records)
+    this->DrillFiles.Read(file, [this](const std::vector<DrillRecord>& records)
                           { this->Felt.Drill().Await(records); });
   }
+}
+
+void Study::Recover(const std::filesystem::path& folder)
+{
+  const RecoveredStudy kept = ReadRecovery(folder);
+  this->Begin(kept.State, {});
+  this->FormerFile = kept.FormerFile;
+  this->Steps.MarkUnsaved();
+  this->ReadDrilled(kept.Drilled);
 }
 
 void Study::Save(const std::filesystem::path& file)
@@ -74,6 +74,7 @@ void Study::Save(const std::filesystem::path& file)
   const StudyDrillSnapshot drilled = this->Felt.Drill().Take();
   WriteStudy(file, this->State(), SaveDrilled(file, drilled));
   this->SessionFile = StudyPath(file);
+  this->FormerFile.clear();
   this->Steps.MarkSaved();
   this->Felt.Drill().MarkSaved(drilled);
   this->DrillFiles.Cancel(); // what could not be read is no longer part of the session
@@ -256,6 +257,10 @@ void Study::PrepareTouch()
 
 void Study::FollowByTouch()
 {
+  if (this->LacksContacts && !this->Contacts().empty())
+  {
+    this->StopTouch(); // it did not start; now there is something to touch
+  }
   if (this->Felt.IsRunning())
   {
     this->PrepareTouch();
@@ -391,7 +396,9 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
     return;
   }
   this->PrepareTouch();
-  this->Problem = this->Felt.Start(std::move(device), this->WithTool(), this->Contacts()).Message();
+  const std::vector<SceneContact> contacts = this->Contacts();
+  this->LacksContacts = contacts.empty();
+  this->Problem = this->Felt.Start(std::move(device), this->WithTool(), contacts).Message();
 }
 
 void Study::MoveWorkspace(const Vector3& centerWorld, const std::string& gesture)
@@ -425,6 +432,7 @@ void Study::StopTouch()
   }
   this->Felt.Stop();
   this->Problem.clear();
+  this->LacksContacts = false;
 }
 
 // A replay that is open stays until this one has been read.

@@ -57,10 +57,18 @@ public:
   /// Opens a session file. Throws InputError, in which case the open study is unchanged; missing
   /// files that it names are no error (see MissingFiles).
   void Open(const std::filesystem::path& file);
+  /// Opens what StudyRecovery kept in a folder, as a study that was changed and has no file, as
+  /// Open. Throws InputError.
+  void Recover(const std::filesystem::path& folder);
   /// Saves the session, and what was drilled in a file next to it. Throws InputError.
   void Save(const std::filesystem::path& file);
   /// The session file; empty if there is none yet.
   const std::filesystem::path& File() const { return this->SessionFile; }
+  /// Where to save it: the session file, or that of a recovered study; may be empty.
+  const std::filesystem::path& ProposedFile() const
+  {
+    return this->SessionFile.empty() ? this->FormerFile : this->SessionFile;
+  }
   /// Whether there is something to be saved, not counting the view.
   bool IsChanged() const { return this->Steps.IsChanged() || this->Felt.Drill().IsChanged(); }
   /// Files that are written in the background.
@@ -165,6 +173,7 @@ private:
   void PrepareTouch();
   void FollowByTouch();
   void FollowByDrill();
+  void ReadDrilled(const std::filesystem::path& file);
   const QualityMeasurement* QualityOf(const SceneStructure& structure) const;
   void TakeDevice(std::unique_ptr<HapticDevice> device);
   StudyState WithTool();
@@ -177,6 +186,7 @@ private:
   StudyDrillFiles DrillFiles{Work};
   StudyWriting Written{Work};
   std::filesystem::path SessionFile;
+  std::filesystem::path FormerFile;       ///< of a recovered study
   std::set<std::filesystem::path> Unread; ///< segmentations whose structures are not yet taken over
   std::set<StudyJobs::Id> Adding;         ///< segmentations that are being read
   std::optional<StudyJobs::Id> Opening;
@@ -184,6 +194,7 @@ private:
   std::unique_ptr<StudyReplay> Played;
   TouchToolSettings ReadTool; ///< the last usable one, with its surface
   std::string Problem;
+  bool LacksContacts = false; ///< which is the problem
   std::string Unplayable;
   // Measurement of a structure's presets.
   struct Quality

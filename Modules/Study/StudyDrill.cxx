@@ -294,28 +294,41 @@ void StudyDrill::Await(const std::vector<DrillRecord>& records)
 
 StudyDrillSnapshot StudyDrill::Take() const
 {
-  StudyDrillSnapshot snapshot;
+  const StudyDrillCopy copy = this->Copy();
+  return {copy.Records(), copy.Removed};
+}
+
+StudyDrillCopy StudyDrill::Copy() const
+{
+  StudyDrillCopy copy;
   if (this->Context != nullptr)
   {
-    snapshot.Removed = this->Context->Editor().Removed();
+    copy.Removed = this->Context->Editor().Removed();
   }
-  for (std::size_t site = 0; site < snapshot.Removed.size(); ++site)
+  for (State& removed : copy.Removed)
   {
-    State& removed = snapshot.Removed[site];
-    if (removed->Corners().empty())
-    {
-      removed.reset();
-    }
-    else
-    {
-      snapshot.Records.push_back(RecordOf(*this->Context, site, *removed));
-    }
+    removed = removed->Corners().empty() ? nullptr : removed;
   }
+  std::vector<DrillRecord> aside;
   for (const SetAside& one : this->Aside)
   {
-    snapshot.Records.push_back(one.Record);
+    aside.push_back(one.Record);
   }
-  return snapshot;
+  copy.SetAside = aside.size();
+  copy.Records = [context = this->Context, removed = copy.Removed, aside = std::move(aside)]
+  {
+    std::vector<DrillRecord> records;
+    for (std::size_t site = 0; site < removed.size(); ++site)
+    {
+      if (removed[site] != nullptr)
+      {
+        records.push_back(RecordOf(*context, site, *removed[site]));
+      }
+    }
+    records.insert(records.end(), aside.begin(), aside.end());
+    return records;
+  };
+  return copy;
 }
 
 void StudyDrill::MarkSaved(const StudyDrillSnapshot& snapshot)

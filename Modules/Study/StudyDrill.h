@@ -8,6 +8,7 @@
 #include "StudyForbidden.h"
 #include "StudyState.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -43,6 +44,20 @@ struct StudyDrillSnapshot
   std::vector<DrillRecord> Records; ///< empty if nothing was removed
   /// Of each drilled structure; null: nothing.
   std::vector<std::shared_ptr<const RemovedDistances>> Removed;
+};
+
+/// The same, of which the records are made later, on any thread.
+struct StudyDrillCopy
+{
+  std::vector<std::shared_ptr<const RemovedDistances>> Removed; ///< as in StudyDrillSnapshot
+  std::size_t SetAside = 0;                                     ///< number of regions
+  std::function<std::vector<DrillRecord>()> Records;            ///< owns all that it needs
+
+  /// Whether nothing was removed, restored or set aside between the two.
+  bool IsLike(const StudyDrillCopy& other) const
+  {
+    return this->Removed == other.Removed && this->SetAside == other.SetAside;
+  }
 };
 
 /// Drilling in a study: kept between touches. What was removed from a structure that is no longer
@@ -91,6 +106,8 @@ public:
   const std::string& RestoreProblem() const { return this->Unfit; }
   /// To be saved, including what is set aside. Ends the current stroke.
   StudyDrillSnapshot Take() const;
+  /// The same without the work of making records.
+  StudyDrillCopy Copy() const;
   void MarkSaved(const StudyDrillSnapshot& snapshot);
   /// Whether anything was removed, or undone, since it was saved.
   bool IsChanged() const;

@@ -101,6 +101,6 @@ bool StudyHistory::Redo()
 
 bool StudyHistory::IsChanged() const
 {
-  return WithView(this->Saved, this->Now.View) != this->Now;
+  return !this->Saved || WithView(*this->Saved, this->Now.View) != this->Now;
 }
 } // namespace palpate

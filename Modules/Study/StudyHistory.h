@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace palpate
@@ -44,6 +45,8 @@ public:
 
   /// Marks the current state as saved.
   void MarkSaved() { this->Saved = this->Now; }
+  /// No state counts as saved until MarkSaved, not even this one.
+  void MarkUnsaved() { this->Saved.reset(); }
   /// Whether there are unsaved changes, not counting the view.
   bool IsChanged() const;
 
@@ -57,9 +60,9 @@ private:
   void Swap(std::deque<Step>& from, std::deque<Step>& to);
 
   StudyState Now;
-  StudyState Saved;
-  std::deque<Step> Past;   ///< oldest first
-  std::deque<Step> Future; ///< next step last
+  std::optional<StudyState> Saved; ///< none: nothing was saved
+  std::deque<Step> Past;           ///< oldest first
+  std::deque<Step> Future;         ///< next step last
   std::size_t MostSteps;
   std::string Gesture; ///< of the last step
 };

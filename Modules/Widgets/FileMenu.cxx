@@ -6,20 +6,18 @@
 #include "LinkDialog.h"
 #endif
 #include "ModelFile.h"
+#include "RecentFiles.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
 #include "ThresholdDialog.h"
 #include "ToolIcon.h"
 
 #include <QFileInfo>
-#include <QSettings>
 
 namespace palpate
 {
 namespace
 {
-constexpr int MostRecent = 10;
-constexpr const char* RecentKey = "recent";
 constexpr const char* StudyFilter = "Palpate studies (*.palpate.json)";
 
 QString ImageFilter()
@@ -62,7 +60,7 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
   this->AddSaving();
   this->addSeparator();
   this->addAction("&Quit", window, &QWidget::close, QKeySequence::Quit);
-  connect(&study, &StudyController::FileOpened, this, &FileMenu::Remember);
+  connect(&study, &StudyController::FileOpened, this, &RememberRecent);
 }
 
 void FileMenu::AddOpening()
@@ -181,7 +179,7 @@ void FileMenu::AddFromValues()
   dialog->show();
 }
 
-void FileMenu::OpenCohort()
+CohortWindow* FileMenu::OpenCohort()
 {
   auto* cohort = this->Window->findChild<CohortWindow*>();
   if (cohort == nullptr)
@@ -192,6 +190,7 @@ void FileMenu::OpenCohort()
   cohort->show();
   cohort->raise();
   cohort->activateWindow();
+  return cohort;
 }
 
 #ifdef PALPATE_HAS_NETWORK
@@ -249,7 +248,7 @@ bool FileMenu::Save()
 
 bool FileMenu::SaveAs()
 {
-  const std::filesystem::path& former = this->Study.Current().File();
+  const std::filesystem::path& former = this->Study.Current().ProposedFile();
   const QString proposal =
       former.empty() ? QString("study") + StudyEnding : QString::fromStdString(former.string());
   QString file = this->Questions.ToSave(this->Window, "Save the study", proposal, StudyFilter);
@@ -301,19 +300,5 @@ void FileMenu::OpenRecent(const QString& file)
   {
     this->Study.OpenFiles({PathOf(file)});
   }
-}
-
-QStringList FileMenu::RecentFiles()
-{
-  return QSettings().value(RecentKey).toStringList();
-}
-
-void FileMenu::Remember(const QString& file)
-{
-  QSettings settings;
-  QStringList files = RecentFiles();
-  files.removeAll(file);
-  files.prepend(file);
-  settings.setValue(RecentKey, QStringList(files.mid(0, MostRecent)));
 }
 } // namespace palpate

@@ -8,6 +8,8 @@
 
 namespace palpate
 {
+class CohortWindow;
+
 /// Opening, saving and recent files.
 class FileMenu : public QMenu
 {
@@ -30,9 +32,9 @@ public:
   void OpenFolder();
   /// Opens the dialog that adds a structure from image values.
   void AddFromValues();
-  /// The last one first.
-  static QStringList RecentFiles();
   void OpenRecent(const QString& file);
+  /// Shows the window of a cohort.
+  CohortWindow* OpenCohort();
   /// Asks for each missing file of the study.
   void AskForMissing();
 
@@ -44,7 +46,6 @@ private:
   void AddSaving();
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);
-  void OpenCohort();
 #ifdef PALPATE_HAS_NETWORK
   void OpenLink();
 #endif
@@ -52,7 +53,6 @@ private:
   bool SaveAs();
   void OpenSession(const QString& file);
   void ListRecent();
-  static void Remember(const QString& file);
 
   StudyController& Study;
   const FileQuestions& Questions;

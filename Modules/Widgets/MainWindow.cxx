@@ -9,10 +9,13 @@
 #include "PlotsPanel.h"
 #include "PreferencesDialog.h"
 #include "QualityPanel.h"
+#include "RecentFiles.h"
 #include "ReplayBar.h"
 #include "ScreenString.h"
+#include "StartLink.h"
 #include "StructureLink.h"
 #include "StructuresPanel.h"
+#include "StudyThumbnails.h"
 #include "ThresholdDialog.h"
 #include "ToolRow.h"
 #include "TouchLink.h"
@@ -113,16 +116,7 @@ void MainWindow::MakeMenus()
   this->Study.AskForSeries([this](const std::vector<DicomSeriesChoice>& series)
                            { return this->Questions.Series(this, series); });
   connect(this->Files, &FileMenu::PictureAsked, this, &MainWindow::AskForPicture);
-  connect(this->Start, &StartPage::OpenAsked, this->Files, &FileMenu::OpenFiles);
-  connect(this->Start, &StartPage::FolderAsked, this->Files, &FileMenu::OpenFolder);
-  connect(this->Start, &StartPage::FilesChosen, this,
-          [this](const QStringList& files)
-          {
-            for (const QString& file : files)
-            {
-              this->Files->OpenRecent(file);
-            }
-          });
+  this->MakeStart();
   this->menuBar()->addMenu(this->Files);
   QMenu* edit = this->menuBar()->addMenu("&Edit");
   this->Undo = edit->addAction("&Undo", &this->Study, &StudyController::Undo,
@@ -137,6 +131,22 @@ void MainWindow::MakeMenus()
   this->menuBar()->addMenu(this->Touching);
   this->Panels = this->menuBar()->addMenu("Pa&nels");
   this->menuBar()->addMenu(new HelpMenu(this));
+}
+
+void MainWindow::MakeStart()
+{
+  auto* coach = new Coach(this->Study, this->centralWidget());
+  qobject_cast<QVBoxLayout*>(this->centralWidget()->layout())->insertWidget(0, coach);
+  new StartLink(this->Study, this->Questions, *this->Files, *this->Start, *coach, *this->Grid);
+  new StudyThumbnails(this->Study, *this->Grid, this);
+}
+
+RecoveryLink* MainWindow::KeepRecovery(const std::filesystem::path& root)
+{
+  auto* link = new RecoveryLink(
+      this->Study, root, [this] { return this->Files->MayLeave(); }, this);
+  qobject_cast<QVBoxLayout*>(this->centralWidget()->layout())->insertWidget(0, link->Offer());
+  return link;
 }
 
 void MainWindow::AddSection(const QString& title, QWidget* content, bool isOpen)
@@ -333,7 +343,7 @@ void MainWindow::ShowCentre()
                        state.Structures.empty() && !this->Study.IsReplaying();
   if (isEmpty && !this->Start->isVisible())
   {
-    this->Start->ShowRecent(FileMenu::RecentFiles());
+    this->Start->ShowRecent(RecentFiles());
   }
   this->Start->setVisible(isEmpty);
   this->Grid->setVisible(!isEmpty);
@@ -341,9 +351,9 @@ void MainWindow::ShowCentre()
 
 void MainWindow::ShowTitle()
 {
-  const std::filesystem::path& file = this->Study.Current().File();
-  const QString name =
-      file.empty() ? "New study" : TitleString(ScreenString(file.filename().string()));
+  const std::filesystem::path& file = this->Study.Current().ProposedFile();
+  QString name = file.empty() ? "New study" : TitleString(ScreenString(file.filename().string()));
+  name += file == this->Study.Current().File() ? "" : " (recovered)";
   this->setWindowTitle(name + "[*] - Palpate");
   this->ShowChange();
 }

@@ -6,6 +6,7 @@
 #include "LandmarksPanel.h"
 #include "MessageArea.h"
 #include "Preferences.h"
+#include "RecoveryLink.h"
 #include "StartPage.h"
 #include "StatusLine.h"
 #include "StudyController.h"
@@ -38,6 +39,8 @@ public:
   const ViewContents& Contents() const { return this->Shown; }
   /// Text about the point under the pointer.
   QString PointText() const { return this->Status->PointText(); }
+  /// Keeps what is not saved in a folder of its own below this one, and offers what is left there.
+  RecoveryLink* KeepRecovery(const std::filesystem::path& root);
   /// Saves the window as a PNG file. Returns false, with a message, if it cannot be written.
   bool SaveScreenshot(const QString& file);
 
@@ -49,6 +52,7 @@ protected:
 private:
   void EndEditing();
   void MakeCentre();
+  void MakeStart();
   void MakeMenus();
   void MakePanels();
   void ConnectViews();

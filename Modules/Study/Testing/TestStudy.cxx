@@ -424,6 +424,17 @@ TEST_F(StudyTest, DraggedWorkspaceIsOneUndoableStep)
   EXPECT_EQ(this->Open.Touch().Frame().CenterWorld, moved);
 }
 
+TEST_F(StudyTest, NothingToTouchIsOverOnceThereIsSomething)
+{
+  this->Open.StartTouch();
+  this->Settle();
+  ASSERT_NE(this->Open.TouchProblem().find("nothing to touch"), std::string::npos);
+  this->OpenFiles();
+  this->Settle();
+  ASSERT_FALSE(this->Open.Contacts().empty());
+  EXPECT_EQ(this->Open.TouchProblem(), "");
+}
+
 TEST_F(StudyTest, ReportsWhyTouchCannotStart)
 {
   this->Open.StartTouch();

@@ -148,5 +148,16 @@ TEST(StudyHistory, ReportsUnsavedChanges)
   history.Redo();
   EXPECT_FALSE(history.IsChanged());
 }
+
+TEST(StudyHistory, StateThatIsMarkedUnsavedIsChangedUntilSaved)
+{
+  StudyHistory history(WithDegree({}, 14));
+  history.MarkUnsaved();
+  EXPECT_TRUE(history.IsChanged());
+  history.Amend(WithDegree({}, 15));
+  EXPECT_TRUE(history.IsChanged());
+  history.MarkSaved();
+  EXPECT_FALSE(history.IsChanged());
+}
 } // namespace
 } // namespace palpate::study_history_test

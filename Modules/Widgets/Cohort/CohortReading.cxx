@@ -3,14 +3,17 @@
 #include "CohortTable.h"
 #include "ExceptionMessage.h"
 #include "InputError.h"
+#include "MaskFolderFit.h"
 #include "ModelSurface.h"
 #include "Progress.h"
 #include "SoftwareRenderer.h"
+#include "SoftwareVersions.h"
 
 #include <QMetaType>
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace palpate
 {
@@ -18,7 +21,8 @@ namespace
 {
 constexpr int PictureFrequency = 12; // 1,442 points
 constexpr int PictureSize = 48;      // pixels
-constexpr double ReadingShare = 0.6; // of the progress; the rest is pictures
+constexpr double FittingShare = 0.9; // of the progress, if masks are fitted
+constexpr double ReadingShare = 0.6; // of the rest, which then is pictures
 
 QImage PictureOf(const OrganModel& model)
 {
@@ -38,12 +42,47 @@ QImage PictureOf(const OrganModel& model)
 
 void CohortReading::Start(const QString& folder)
 {
+  this->Run([this, folder] { this->Read(folder, 0.0); });
+}
+
+void CohortReading::StartFit(const QString& masks, const QString& output)
+{
+  this->Run([this, masks, output] { this->Fit(masks, output); });
+}
+
+void CohortReading::Run(std::function<void()> work)
+{
   this->Cancel();
   qRegisterMetaType<std::shared_ptr<palpate::CohortReading::Product>>(
       "std::shared_ptr<palpate::CohortReading::Product>");
   this->IsCancelled = false;
+  this->IsStopped = false;
   this->Percent = 0;
-  this->Thread = std::thread([this, folder] { this->Read(folder); });
+  this->Thread = std::thread(
+      [this, work = std::move(work)]
+      {
+        try
+        {
+          work();
+        }
+        catch (const Cancelled&)
+        {
+          if (this->IsStopped)
+          {
+            Q_EMIT this->Stopped();
+          }
+        }
+        catch (const std::exception& error)
+        {
+          Q_EMIT this->Failed(QString::fromStdString(MessageOf(error)));
+        }
+      });
+}
+
+void CohortReading::Stop()
+{
+  this->IsStopped = true;
+  this->IsCancelled = true;
 }
 
 void CohortReading::Cancel()
@@ -66,42 +105,43 @@ bool CohortReading::Report(double fraction)
   return !this->IsCancelled;
 }
 
-void CohortReading::Read(const QString& folder)
+void CohortReading::Fit(const QString& masks, const QString& output)
 {
-  try
+  const std::string program = "palpate-viewer " + SoftwareVersions().front().second;
+  FitMaskFolder(masks.toStdString(), output.toStdString(), FitSettings(), program,
+                [this](double done, const std::string& stage)
+                {
+                  Q_EMIT this->StageReached(QString::fromStdString(stage));
+                  return this->Report(FittingShare * done);
+                });
+  this->Read(output, FittingShare);
+}
+
+void CohortReading::Read(const QString& folder, double from)
+{
+  const std::filesystem::path path = folder.toStdString();
+  const auto report = [this, from](double done)
+  { return this->Report(from + (1.0 - from) * done); };
+  auto product = std::make_shared<Product>();
+  const CohortTable table = CohortTable::Read(path / "cohort.csv");
+  if (table.Rows().empty())
   {
-    const std::filesystem::path path = folder.toStdString();
-    auto product = std::make_shared<Product>();
-    const CohortTable table = CohortTable::Read(path / "cohort.csv");
-    if (table.Rows().empty())
+    throw InputError(path.string() +
+                     " has no cohort.csv; choose a folder that `palpate fit` wrote from a folder "
+                     "of masks, or fit the masks here");
+  }
+  product->Group = MakeCohortGroup(table, path, "", AlignmentAxes::Patient,
+                                   [&report](double done) { return report(ReadingShare * done); });
+  const auto count = static_cast<double>(product->Group.Models.size());
+  for (const OrganModel& model : product->Group.Models)
+  {
+    const double drawn = static_cast<double>(product->Pictures.size()) / count;
+    if (!report(ReadingShare + (1.0 - ReadingShare) * drawn))
     {
-      throw InputError(
-          path.string() +
-          " has no cohort.csv; choose a folder that `palpate fit` wrote from a folder of "
-          "masks");
+      throw Cancelled();
     }
-    product->Group =
-        MakeCohortGroup(table, path, "", AlignmentAxes::Patient,
-                        [this](double done) { return this->Report(ReadingShare * done); });
-    const auto count = static_cast<double>(product->Group.Models.size());
-    for (const OrganModel& model : product->Group.Models)
-    {
-      const double drawn = static_cast<double>(product->Pictures.size()) / count;
-      if (!this->Report(ReadingShare + (1.0 - ReadingShare) * drawn))
-      {
-        return;
-      }
-      product->Pictures.push_back(PictureOf(model));
-    }
-    Q_EMIT this->Done(product);
+    product->Pictures.push_back(PictureOf(model));
   }
-  catch (const Cancelled&)
-  {
-    return;
-  }
-  catch (const std::exception& error)
-  {
-    Q_EMIT this->Failed(QString::fromStdString(MessageOf(error)));
-  }
+  Q_EMIT this->Done(product);
 }
 } // namespace palpate

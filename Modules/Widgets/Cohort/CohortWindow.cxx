@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <filesystem>
 
 namespace palpate
 {
@@ -48,10 +49,7 @@ private:
 CohortWindow::CohortWindow(const FileQuestions& questions, QWidget* parent)
     : QDialog(parent), Questions(questions), Table(new QTableWidget(this)),
       View(new CohortShapeView(this)), Horizontal(new QComboBox(this)),
-      Vertical(new QComboBox(this)), Scatter(new ScatterChart(this)),
-      FolderButton(new QPushButton("Open &folder...", this)),
-      CovariateButton(new QPushButton("Add &covariates...", this)),
-      MeanButton(new QPushButton("Show &mean", this)), Busy(new QProgressBar(this)),
+      Vertical(new QComboBox(this)), Scatter(new ScatterChart(this)), Busy(new QProgressBar(this)),
       State(new QLabel(this))
 {
   this->setWindowTitle("Cohort");
@@ -98,42 +96,76 @@ CohortWindow::CohortWindow(const FileQuestions& questions, QWidget* parent)
   connect(&this->Reading, &CohortReading::Done, this, &CohortWindow::Take);
   connect(&this->Reading, &CohortReading::Failed, this, &CohortWindow::Refuse);
   connect(&this->Reading, &CohortReading::Progressed, this->Busy, &QProgressBar::setValue);
+  connect(&this->Reading, &CohortReading::Stopped, this, [this] { this->Refuse("Cancelled."); });
+  connect(&this->Reading, &CohortReading::StageReached, this,
+          [this](const QString& stage)
+          { this->State->setText("Fitting mask " + ScreenString(stage.toStdString())); });
   this->resize(1000, 700);
+}
+
+QPushButton* CohortWindow::AddButton(QLayout* row, const QString& text, const QString& tip,
+                                     void (CohortWindow::*act)())
+{
+  auto* button = new QPushButton(text, this);
+  button->setToolTip(tip);
+  button->setAutoDefault(false);
+  row->addWidget(button);
+  connect(button, &QPushButton::clicked, this, act);
+  return button;
 }
 
 void CohortWindow::AddButtons(QLayout* column)
 {
   auto* row = new QHBoxLayout;
-  row->addWidget(this->FolderButton);
-  row->addWidget(this->CovariateButton);
-  row->addWidget(this->MeanButton);
+  this->FitButton = this->AddButton(row, "Fit &masks...", "Fits a folder with a mask for each case",
+                                    &CohortWindow::FitMasks);
+  this->FolderButton = this->AddButton(row, "Open &folder...", "A folder with a cohort.csv",
+                                       &CohortWindow::AskForFolder);
+  this->CovariateButton = this->AddButton(
+      row, "Add &covariates...", "A table with a row per case (CSV), for the columns and the dots",
+      &CohortWindow::AskForCovariates);
+  this->MeanButton = this->AddButton(
+      row, "Show &mean", "The mean, moved along the modes by the sliders", &CohortWindow::ShowMean);
+  this->KeepButton =
+      this->AddButton(row, "&Keep models...", "Copies the models and their table into a folder",
+                      &CohortWindow::KeepModels);
   row->addWidget(this->State, 1);
   row->addWidget(this->Busy);
+  this->CancelButton = this->AddButton(row, "Cancel", "Ends the work", &CohortWindow::Stop);
   static_cast<QVBoxLayout*>(column)->addLayout(row);
   this->State->setObjectName("cohort-state");
+  this->State->setTextFormat(Qt::PlainText);
   this->State->setWordWrap(true);
-  this->State->setText("Open a folder that `palpate fit` wrote from a folder of masks.");
+  this->State->setText("Fit a folder of masks, or open a folder that `palpate fit` wrote.");
   this->Busy->setRange(0, 100);
   this->Busy->setMaximumWidth(120);
-  this->Busy->hide();
+  this->CancelButton->setObjectName("cohort-cancel");
+  this->KeepButton->hide();
   this->CovariateButton->setEnabled(false);
   this->MeanButton->setEnabled(false);
-  this->FolderButton->setToolTip("A folder with a cohort.csv");
-  this->CovariateButton->setToolTip(
-      "A table with a row per case (CSV), for the columns and the dots");
-  this->MeanButton->setToolTip("The mean, moved along the modes by the sliders");
-  connect(this->FolderButton, &QPushButton::clicked, this, &CohortWindow::AskForFolder);
-  connect(this->CovariateButton, &QPushButton::clicked, this, &CohortWindow::AskForCovariates);
-  connect(this->MeanButton, &QPushButton::clicked, this,
-          [this]
-          {
-            for (QSlider* slider : this->Sliders)
-            {
-              const QSignalBlocker quiet(slider);
-              slider->setValue(0);
-            }
-            this->Choose(-1);
-          });
+  this->SetBusy(false);
+}
+
+void CohortWindow::SetBusy(bool isBusy)
+{
+  if (isBusy)
+  {
+    this->Busy->setValue(0);
+  }
+  this->Busy->setVisible(isBusy);
+  this->CancelButton->setVisible(isBusy);
+  this->FitButton->setEnabled(!isBusy);
+  this->FolderButton->setEnabled(!isBusy);
+}
+
+void CohortWindow::ShowMean()
+{
+  for (QSlider* slider : this->Sliders)
+  {
+    const QSignalBlocker quiet(slider);
+    slider->setValue(0);
+  }
+  this->Choose(-1);
 }
 
 QWidget* CohortWindow::MakeSliders()
@@ -171,23 +203,53 @@ void CohortWindow::AskForFolder()
 void CohortWindow::Open(const QString& folder)
 {
   this->State->setText("Reading " + ScreenString(folder.toStdString()) + "...");
-  this->Busy->setValue(0);
-  this->Busy->show();
-  this->FolderButton->setEnabled(false);
+  this->SetBusy(true);
+  this->KeepButton->hide();
+  this->IsFitted = false;
   this->Reading.Start(folder);
+}
+
+void CohortWindow::FitMasks()
+{
+  const QString masks = this->Questions.Folder(this, "Choose a folder of masks");
+  if (masks.isEmpty())
+  {
+    return;
+  }
+  this->State->setText("Fitting " + ScreenString(masks.toStdString()) + "...");
+  this->SetBusy(true);
+  this->KeepButton->hide();
+  this->Reading.Cancel(); // before what it may write is removed
+  this->IsFitted = true;
+  this->Fitted = std::make_unique<QTemporaryDir>();
+  this->Reading.StartFit(masks, this->Fitted->path());
+}
+
+void CohortWindow::KeepModels()
+{
+  const QString folder = this->Questions.Folder(this, "Keep the models in a folder");
+  if (folder.isEmpty())
+  {
+    return;
+  }
+  std::error_code failure;
+  std::filesystem::copy(this->Fitted->path().toStdString(), folder.toStdString(),
+                        std::filesystem::copy_options::recursive, failure);
+  this->State->setText(failure ? ScreenString("The models were not copied into " +
+                                              folder.toStdString() + ": " + failure.message())
+                               : "Kept in " + ScreenString(folder.toStdString()));
 }
 
 void CohortWindow::Refuse(const QString& sentence)
 {
-  this->Busy->hide();
-  this->FolderButton->setEnabled(true);
+  this->SetBusy(false);
   this->State->setText(ScreenString(sentence.toStdString()));
 }
 
 void CohortWindow::Take(const std::shared_ptr<CohortReading::Product>& product)
 {
-  this->Busy->hide();
-  this->FolderButton->setEnabled(true);
+  this->SetBusy(false);
+  this->KeepButton->setVisible(this->IsFitted);
   this->View->SetGroup(nullptr);
   this->Product = product;
   this->Covariates.reset();
@@ -219,7 +281,7 @@ void CohortWindow::Take(const std::shared_ptr<CohortReading::Product>& product)
   this->Columns = ColumnsOf(group, nullptr);
   this->FillTable();
   this->FillChoices();
-  this->MeanButton->click();
+  this->ShowMean();
 }
 
 void CohortWindow::AskForCovariates()

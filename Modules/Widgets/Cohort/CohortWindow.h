@@ -13,14 +13,16 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTableWidget>
+#include <QTemporaryDir>
 
 #include <memory>
 #include <vector>
 
 namespace palpate
 {
-/// A cohort that `palpate fit` wrote: a table of its cases with pictures, the mean and its modes in
-/// 3-D with sliders, and any two columns as dots; a case that is chosen in one is shown in all.
+/// A cohort that `palpate fit` wrote, or of masks that are fitted here: a table of its cases with
+/// pictures, the mean and its modes in 3-D with sliders, and any two columns as dots; a case that
+/// is chosen in one is shown in all.
 class CohortWindow : public QDialog
 {
   Q_OBJECT
@@ -31,12 +33,20 @@ public:
 
   /// Reads a folder with a cohort.csv in the background.
   void Open(const QString& folder);
+  /// Asks for a folder of masks, fits them in the background, and shows the result.
+  void FitMasks();
   /// The index of the chosen case, -1 for the mean and its modes.
   int Chosen() const { return this->ChosenCase; }
 
 private:
   void AddButtons(QLayout* column);
   QWidget* MakeSliders();
+  QPushButton* AddButton(QLayout* row, const QString& text, const QString& tip,
+                         void (CohortWindow::*act)());
+  void SetBusy(bool isBusy);
+  void KeepModels();
+  void Stop() { this->Reading.Stop(); }
+  void ShowMean();
   void AskForFolder();
   void AskForCovariates();
   void Take(const std::shared_ptr<CohortReading::Product>& product);
@@ -48,6 +58,8 @@ private:
   void ShowScatter();
 
   const FileQuestions& Questions;
+  std::unique_ptr<QTemporaryDir> Fitted; ///< models that were fitted here; before what writes it
+  bool IsFitted = false;                 ///< whether what is read or shown was
   CohortReading Reading;
   std::shared_ptr<CohortReading::Product> Product;
   std::unique_ptr<CovariateTable> Covariates;
@@ -59,9 +71,12 @@ private:
   QComboBox* Horizontal;
   QComboBox* Vertical;
   ScatterChart* Scatter;
-  QPushButton* FolderButton;
-  QPushButton* CovariateButton;
-  QPushButton* MeanButton;
+  QPushButton* FitButton = nullptr;
+  QPushButton* FolderButton = nullptr;
+  QPushButton* CovariateButton = nullptr;
+  QPushButton* MeanButton = nullptr;
+  QPushButton* KeepButton = nullptr;
+  QPushButton* CancelButton = nullptr;
   QProgressBar* Busy;
   QLabel* State;
   int ChosenCase = -1;

@@ -78,10 +78,29 @@ void StudyController::Try(const std::function<void()>& act)
 
 void StudyController::New()
 {
+  this->OpenState(this->First);
+}
+
+void StudyController::OpenState(const StudyState& state)
+{
+  Q_EMIT Leaving();
   this->Roles.clear();
   this->Opening.Cancel();
-  this->Open.New(this->First);
+  this->Open.New(state);
   this->Announce();
+}
+
+bool StudyController::Recover(const std::filesystem::path& folder)
+{
+  bool isOpen = false;
+  this->Try(
+      [&]
+      {
+        this->Open.Recover(folder);
+        this->Opening.Cancel();
+        isOpen = true;
+      });
+  return isOpen;
 }
 
 void StudyController::BeginWith(const StudyState& first)
@@ -288,6 +307,7 @@ void StudyController::OpenSession(const std::filesystem::path& file)
   this->Try(
       [&]
       {
+        Q_EMIT Leaving();
         this->Open.Open(file);
         this->Opening.Cancel();
         Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
@@ -308,6 +328,7 @@ bool StudyController::Save(const std::filesystem::path& file)
       {
         this->Open.Save(file);
         isSaved = true;
+        Q_EMIT Saved();
         Q_EMIT FileOpened(QString::fromStdString(StudyPath(file).string()));
       });
   return isSaved;

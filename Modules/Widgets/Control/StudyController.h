@@ -61,6 +61,10 @@ public:
     this->WhichSeries = std::move(series);
   }
   void New();
+  /// Starts a new study with this state, which does not count as changed.
+  void OpenState(const StudyState& state);
+  /// See Study::Recover. Returns false, with a message, if that fails.
+  bool Recover(const std::filesystem::path& folder);
   /// What new studies begin with, and with them one in which nothing was done yet.
   void BeginWith(const StudyState& first);
   /// Opens files of any kind, one after the other; their kinds are detected in the background.
@@ -129,6 +133,8 @@ Q_SIGNALS:
   void ProductsChanged();               ///< the pipeline has new results
   void StepsChanged();                  ///< status of the pipeline's steps
   void FileOpened(const QString& file); ///< it could be read
+  void Saved();                         ///< to Study::File
+  void Leaving();                       ///< the study is about to be replaced
   void TouchChanged();                  ///< began or ended
   void Touched();                       ///< a new reading
   void DrilledChanged();                ///< what was drilled, while touch is off

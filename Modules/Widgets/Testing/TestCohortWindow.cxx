@@ -186,6 +186,42 @@ TEST_F(CohortWindowTest, SaysWhatIsNoCohort)
   EXPECT_EQ(this->Table()->rowCount(), 0);
 }
 
+TEST_F(CohortWindowTest, FitsMasksAndKeepsTheModelsWhereAsked)
+{
+  const std::filesystem::path masks = this->Phantom.Folder / "masks";
+  const std::filesystem::path kept = this->Phantom.Folder / "kept";
+  std::filesystem::create_directory(masks);
+  std::filesystem::create_directory(kept);
+  std::filesystem::copy_file(this->MaskFile(), masks / "a.nii.gz");
+  std::filesystem::copy_file(this->MaskFile(), masks / "b.nii.gz");
+  this->Chosen = QString::fromStdString(masks.string());
+  EXPECT_FALSE(this->Button("&Keep models...")->isVisible());
+  this->Button("Fit &masks...")->click();
+  WaitUntil([this] { return this->State().startsWith("2 cases"); });
+  this->Chosen = QString::fromStdString(kept.string());
+  ASSERT_TRUE(this->Button("&Keep models...")->isVisible());
+  this->Button("&Keep models...")->click();
+  EXPECT_EQ(CohortTable::Read(kept / "cohort.csv").Rows().size(), 2U);
+  this->Button("Open &folder...")->click();
+  WaitUntil([this] { return this->State().startsWith("2 cases"); });
+}
+
+TEST_F(CohortWindowTest, FitCanBeCancelled)
+{
+  const std::filesystem::path masks = this->Phantom.Folder / "masks";
+  std::filesystem::create_directory(masks);
+  for (int n = 0; n < 50; ++n)
+  {
+    std::filesystem::copy_file(this->MaskFile(), masks / (std::to_string(n) + ".nii.gz"));
+  }
+  this->Chosen = QString::fromStdString(masks.string());
+  this->Button("Fit &masks...")->click();
+  WaitUntil([this] { return this->State().contains(" of 50"); });
+  this->Cohort->findChild<QPushButton*>("cohort-cancel")->click();
+  WaitUntil([this] { return this->State() == "Cancelled."; });
+  EXPECT_TRUE(this->Button("Fit &masks...")->isEnabled());
+}
+
 TEST_F(CohortWindowTest, MayBeClosedWhileItReads)
 {
   this->Button("Open &folder...")->click();

@@ -211,10 +211,10 @@ TEST_F(WindowLayoutTest, EmptyWindowOffersFilesInsteadOfViews)
   this->Settle();
   this->Action("New study")->trigger();
   WaitUntil([&] { return start->isVisible(); });
-  auto* recent = start->findChild<QLabel*>("start-recent");
-  EXPECT_TRUE(recent->text().contains("mask.nii.gz"));
-  const QString link = recent->text().section("href=\"", 1, 1).section('"', 0, 0);
-  Q_EMIT recent->linkActivated(link);
+  auto* recent =
+      qobject_cast<StartTile*>(start->findChild<TileGrid*>("start-recent")->Tiles().front());
+  EXPECT_EQ(recent->text(), "mask.nii.gz");
+  recent->click();
   WaitUntil([this] { return this->Window->Views()->isVisible(); });
   EXPECT_EQ(this->Study->State().SegmentationFile, this->MaskFile());
 }
