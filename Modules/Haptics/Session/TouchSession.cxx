@@ -251,9 +251,8 @@ void TouchSession::LiftHand()
 void TouchSession::PressHand()
 {
   this->IsPressing = true;
-  this->PressedAt = this->Reading.Newest.Tick.Number;
+  this->PressedAt.reset();
   this->Pressed = this->Hand;
-  this->StillSince = this->PressedAt;
 }
 
 // The servo has to have taken the lift first. Pressed earlier, a hand may be inside of what it
@@ -266,13 +265,18 @@ void TouchSession::PressIfThere()
   }
   const std::uint64_t now = this->Reading.Newest.Tick.Number;
   const Vector3 hand(this->Reading.Newest.Sample.Position);
+  if (!this->PressedAt)
+  {
+    this->PressedAt = now; // the last reading before the press may be old
+    this->StillSince = now;
+  }
   if ((hand - this->StillAt).norm() > Still)
   {
     this->StillAt = hand;
     this->StillSince = now;
   }
   const bool isThere = (hand - this->Pressed).norm() < Hover || now - this->StillSince > StillTicks;
-  if (now < this->PressedAt + LeastPressTicks || !isThere)
+  if (now < *this->PressedAt + LeastPressTicks || !isThere)
   {
     return;
   }

@@ -138,14 +138,14 @@ private:
   WorkspaceFrame Place;
   WorkspaceClutch Clutch;
   Vector3 AllMoved = Vector3::Zero();
-  Vector3 Hand = Vector3::Zero();    // mm, in the device
-  std::optional<TouchRay> Ray;       // through the current scene
-  std::uint64_t RayNumber = 0;       // of the drilled versions that it knows
-  bool IsPressing = false;           // as soon as the hand is there
-  Vector3 Pressed = Vector3::Zero(); // mm, in the device
-  std::uint64_t PressedAt = 0;       // tick
-  Vector3 StillAt = Vector3::Zero(); // where the hand that is pressed was last seen to move
-  std::uint64_t StillSince = 0;      // tick
+  Vector3 Hand = Vector3::Zero();         // mm, in the device
+  std::optional<TouchRay> Ray;            // through the current scene
+  std::uint64_t RayNumber = 0;            // of the drilled versions that it knows
+  bool IsPressing = false;                // as soon as the hand is there
+  Vector3 Pressed = Vector3::Zero();      // mm, in the device
+  std::optional<std::uint64_t> PressedAt; // tick of the first reading after it
+  Vector3 StillAt = Vector3::Zero();      // where the hand that is pressed was last seen to move
+  std::uint64_t StillSince = 0;           // tick
   TouchWatch Watch;
   std::unique_ptr<TouchRecorder> Recorder;
   TouchSessionReading Reading;

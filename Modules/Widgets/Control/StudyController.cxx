@@ -389,12 +389,6 @@ void StudyController::StartTouch()
   this->Look();
 }
 
-void StudyController::StartTouchSoon()
-{
-  this->WantsTouch = true;
-  this->LookSoon();
-}
-
 void StudyController::StopTouch()
 {
   this->WantsTouch = false;
@@ -405,12 +399,6 @@ void StudyController::StopTouch()
 void StudyController::MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
 {
   this->Open.MoveWorkspace(centerWorld, gesture.toStdString());
-  this->Announce();
-}
-
-void StudyController::FitWorkspace()
-{
-  this->Open.FitWorkspace();
   this->Announce();
 }
 

@@ -100,10 +100,18 @@ public:
 
   void StartTouch();
   /// As soon as something that can be touched is made, unless the study changes before.
-  void StartTouchSoon();
+  void StartTouchSoon()
+  {
+    this->WantsTouch = true;
+    this->LookSoon();
+  }
   void StopTouch();
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
-  void FitWorkspace();
+  void FitWorkspace()
+  {
+    this->Open.FitWorkspace();
+    this->Announce();
+  }
   /// See Study::OpenDrilled.
   void OpenDrilled(const std::filesystem::path& file);
   /// Writes a file in the background; see StudyWriting.
