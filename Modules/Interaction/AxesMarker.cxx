@@ -8,6 +8,7 @@
 #include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
 #include "vtkTextActor.h"
+#include "vtkTextProperty.h"
 
 namespace palpate
 {
@@ -35,6 +36,15 @@ AxesMarker::AxesMarker()
     letter->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     SetViewText(letter, OrientationLetters(Vector3::Unit(part)));
     this->Add(letter);
+  }
+}
+
+void AxesMarker::SetGrey(double grey)
+{
+  this->Axes->GetProperty()->SetColor(grey, grey, grey);
+  for (const auto& letter : this->Letters)
+  {
+    letter->GetTextProperty()->SetColor(grey, grey, grey);
   }
 }
 

@@ -22,6 +22,8 @@ public:
   AxesMarker();
   /// For a view of `width` pixels, with `pointPixels` pixels per point.
   void Update(const ViewFrame& frame, int width, double pointPixels);
+  /// Of its text, 0 to 1.
+  void SetGrey(double grey);
 
 private:
   vtkNew<vtkPolyData> Lines;

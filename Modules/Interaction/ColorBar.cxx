@@ -39,6 +39,12 @@ ColorBar::ColorBar() : Title(MakeViewText(BarLeft, BarBottom + Height + TitleGap
   this->Add(this->Title);
 }
 
+void ColorBar::SetGrey(double grey)
+{
+  this->Bar->GetLabelTextProperty()->SetColor(grey, grey, grey);
+  this->Title->GetTextProperty()->SetColor(grey, grey, grey);
+}
+
 void ColorBar::Update(vtkLookupTable* colors, const std::string& array)
 {
   this->SetVisible(colors != nullptr);

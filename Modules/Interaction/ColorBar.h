@@ -20,6 +20,8 @@ public:
   ColorBar();
   /// Null hides it.
   void Update(vtkLookupTable* colors, const std::string& array);
+  /// Of its text, 0 to 1.
+  void SetGrey(double grey);
 
 private:
   vtkNew<vtkScalarBarActor> Bar;

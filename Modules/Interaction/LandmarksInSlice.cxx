@@ -119,16 +119,19 @@ void AddCurves(vtkLandmarks& landmarks, const SlicePosition& slice, Drawing& dra
 
 void LandmarksInSlice::SetRenderer(vtkRenderer* renderer)
 {
-  if (this->Renderer != nullptr)
+  for (vtkActor* actor : this->Marks.Actors())
   {
-    this->Renderer->RemoveViewProp(this->Marks.Actor());
+    if (this->Renderer != nullptr)
+    {
+      this->Renderer->RemoveViewProp(actor);
+    }
+    if (renderer != nullptr)
+    {
+      renderer->AddViewProp(actor);
+    }
   }
   this->Labels.SetRenderer(renderer);
   this->Renderer = renderer;
-  if (renderer != nullptr)
-  {
-    renderer->AddViewProp(this->Marks.Actor());
-  }
 }
 
 void LandmarksInSlice::Update(vtkLandmarks* landmarks, const SlicePosition& slice)

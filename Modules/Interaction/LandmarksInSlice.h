@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CurveActor.h"
+#include "HaloCurve.h"
 #include "PalpateInteractionModule.h"
 #include "PointLabels.h"
 #include "SlicePosition.h"
@@ -22,7 +22,7 @@ public:
 
 private:
   vtkSmartPointer<vtkRenderer> Renderer;
-  CurveActor Marks;
+  HaloCurve Marks;
   PointLabels Labels;
 };
 } // namespace palpate

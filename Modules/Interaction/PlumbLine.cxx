@@ -36,6 +36,15 @@ double MillimetersPerPixel(vtkRenderer* renderer, const Vector3& point)
 }
 } // namespace
 
+std::string PressText(vtkProbeRepresentation* probe, LengthUnit unit)
+{
+  vtkMatrix4x4* pose = probe->GetProbeMatrix();
+  const Vector3 hand(pose->GetElement(0, 3), pose->GetElement(1, 3), pose->GetElement(2, 3));
+  const double depth = probe->GetDepth();
+  return FixedText(Vector3(probe->GetForce()).norm(), 2) + " N, " +
+         LengthText(unit, depth < 0.0 ? (hand - probe->ProxyWorld()).norm() : depth, 1) + " deep";
+}
+
 void PlumbLine::SetRenderer(vtkRenderer* renderer)
 {
   if (this->Renderer != nullptr)
@@ -56,8 +65,6 @@ void PlumbLine::ShowForce(vtkProbeRepresentation* probe, LengthUnit unit)
 {
   const Vector3 tool = probe->ProxyWorld();
   const double force = Vector3(probe->GetForce()).norm();
-  vtkMatrix4x4* pose = probe->GetProbeMatrix();
-  const Vector3 hand(pose->GetElement(0, 3), pose->GetElement(1, 3), pose->GetElement(2, 3));
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const double pixel = MillimetersPerPixel(this->Renderer, tool);
   const Vector3 up = Vector3(camera->GetViewUp()).normalized();
@@ -66,9 +73,7 @@ void PlumbLine::ShowForce(vtkProbeRepresentation* probe, LengthUnit unit)
   const double* color = probe->GetContactColor();
   this->Bar.SetCurves({{{foot, foot + force * BarPixels * pixel * up}, false}}, Vector3::Zero());
   this->Bar.SetStyle({{color[0], color[1], color[2]}}, 1.0, BarWidth * PointPixels(this->Renderer));
-  const double deep = probe->GetDepth() < 0.0 ? (hand - tool).norm() : probe->GetDepth();
-  const std::string depth = LengthText(unit, deep, 1);
-  this->Length.Update({{FixedText(force, 2) + " N, " + depth + " deep", foot}}, {{1.0, 1.0, 1.0}});
+  this->Length.Update({{PressText(probe, unit), foot}}, {{1.0, 1.0, 1.0}});
 }
 
 void PlumbLine::Update(vtkProbeRepresentation* probe, LengthUnit unit)
@@ -95,7 +100,6 @@ void PlumbLine::Update(vtkProbeRepresentation* probe, LengthUnit unit)
   const double* color = probe->GetColor();
   this->Line.SetCurves({{{tool, nearest}, false}}, Vector3::Zero());
   this->Line.SetStyle({{color[0], color[1], color[2]}}, 1.0, PlumbWidth);
-  this->Length.Update({{LengthText(unit, distance, 1), 0.5 * (tool + nearest)}},
-                      {{color[0], color[1], color[2]}});
+  this->Length.Update({{LengthText(unit, distance, 1), 0.5 * (tool + nearest)}}, {{1.0, 1.0, 1.0}});
 }
 } // namespace palpate

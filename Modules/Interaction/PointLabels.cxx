@@ -48,6 +48,7 @@ void PointLabels::Update(const std::vector<Label>& labels, const std::array<doub
     const Vector3& place = labels[l].PositionWorld;
     this->Texts[l]->GetPositionCoordinate()->SetValue(place.x(), place.y(), place.z());
     this->Texts[l]->GetTextProperty()->SetColor(color[0], color[1], color[2]);
+    this->Texts[l]->SetReach(this->Reach);
   }
 }
 } // namespace palpate

@@ -1,8 +1,11 @@
 #include "ProbeInSlice.h"
 
+#include "PlumbLine.h"
+#include "ViewText.h"
 #include "vtkProbeRepresentation.h"
 
 #include "vtkActor.h"
+#include "vtkCoordinate.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
 
@@ -17,6 +20,9 @@ constexpr double ProbeWidth = 1.0; // points
 constexpr double ProxyWidth = 2.0;
 constexpr double ArrowWidth = 2.0;
 constexpr double HeadPoints = 9.0;
+constexpr double CrossPoints = 3.5;
+constexpr double TextGap = 5.0; // points from the tool
+constexpr int TextSize = 11;
 
 std::array<double, 3> ToArray(const double* color)
 {
@@ -59,14 +65,42 @@ std::vector<SurfaceCurve> FlatArrow(const Vector3& from, const Vector3& vector,
           {{back + 0.5 * head * across, tip, back - 0.5 * head * across}, false}};
 }
 
-ProbeInSlice::ProbeInSlice()
+ProbeInSlice::ProbeInSlice() : Text(MakeViewText(0.0, 0.5, TextSize))
 {
-  this->Add(this->Probe.Actor());
-  this->Add(this->Proxy.Actor());
-  this->Add(this->Arrow.Actor());
+  for (const HaloCurve* curve : {&this->Probe, &this->Proxy, &this->Arrow, &this->Contact})
+  {
+    for (vtkActor* actor : curve->Actors())
+    {
+      this->Add(actor);
+    }
+  }
+  this->Text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  this->Add(this->Text);
 }
 
-void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& slice)
+// Where the tool's surface is pressed, and how strongly.
+void ProbeInSlice::ShowContact(vtkProbeRepresentation* probe, const SlicePosition& slice,
+                               LengthUnit unit)
+{
+  const Vector3 force(probe->GetForce());
+  const Vector3 proxy = probe->ProxyWorld();
+  const Vector3 place = slice.Projected(
+      force.norm() > 0.0 ? Vector3(proxy - probe->GetToolRadius() * force.normalized()) : proxy);
+  const double pixel = slice.PointPixels * slice.PixelMillimeters;
+  const Vector3 right = CrossPoints * pixel * slice.Frame.RightWorld;
+  const Vector3 up = CrossPoints * pixel * slice.Frame.UpWorld;
+  this->Contact.SetCurves({{{place - right - up, place + right + up}, false},
+                           {{place - right + up, place + right - up}, false}},
+                          slice.Lift(ArrowLayer));
+  this->Contact.SetStyle(ToArray(probe->GetContactColor()), 1.0, ArrowWidth * slice.PointPixels);
+  const Vector3 edge =
+      slice.Projected(proxy) + (probe->GetToolRadius() + TextGap * pixel) * slice.Frame.RightWorld;
+  this->Text->GetPositionCoordinate()->SetValue(edge.x(), edge.y(), edge.z());
+  SetViewText(this->Text, PressText(probe, unit));
+}
+
+void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& slice,
+                          LengthUnit unit)
 {
   const bool isShown = probe != nullptr && probe->GetVisibility() && probe->GetTool() != nullptr;
   this->SetVisible(isShown);
@@ -92,5 +126,15 @@ void ProbeInSlice::Update(vtkProbeRepresentation* probe, const SlicePosition& sl
                                                   HeadPoints * size * slice.PixelMillimeters),
                         slice.Lift(ArrowLayer));
   this->Arrow.SetStyle(ToArray(probe->GetContactColor()), 1.0, ArrowWidth * size);
+  const bool isPressed = probe->GetInContact() && !proxy.empty();
+  this->Text->SetVisibility(isPressed ? 1 : 0);
+  for (vtkActor* actor : this->Contact.Actors())
+  {
+    actor->SetVisibility(isPressed ? 1 : 0);
+  }
+  if (isPressed)
+  {
+    this->ShowContact(probe, slice, unit);
+  }
 }
 } // namespace palpate

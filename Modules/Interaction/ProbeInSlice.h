@@ -1,6 +1,8 @@
 #pragma once
 
-#include "CurveActor.h"
+#include "HaloCurve.h"
+#include "HaloText.h"
+#include "LengthText.h"
 #include "PalpateInteractionModule.h"
 #include "SlicePosition.h"
 #include "ViewProps.h"
@@ -25,18 +27,23 @@ PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve>
 FlatArrow(const Vector3& from, const Vector3& vector, const Vector3& normal, double headLength);
 
 /// A probe in a slice: a thin outline at the probe, a thick one at the proxy, and from there the
-/// force's component in the plane. Nothing if the slice does not cut the tool.
+/// force's component in the plane; in contact also a cross at the contact point, and newtons and
+/// depth. Nothing if the slice does not cut the tool.
 class PALPATEINTERACTION_EXPORT ProbeInSlice : public ViewProps
 {
 public:
   ProbeInSlice();
 
   /// Null shows nothing.
-  void Update(vtkProbeRepresentation* probe, const SlicePosition& slice);
+  void Update(vtkProbeRepresentation* probe, const SlicePosition& slice, LengthUnit unit);
 
 private:
-  CurveActor Probe;
-  CurveActor Proxy;
-  CurveActor Arrow;
+  void ShowContact(vtkProbeRepresentation* probe, const SlicePosition& slice, LengthUnit unit);
+
+  HaloCurve Probe;
+  HaloCurve Proxy;
+  HaloCurve Arrow;
+  HaloCurve Contact;
+  vtkSmartPointer<HaloText> Text;
 };
 } // namespace palpate

@@ -14,6 +14,8 @@ class PALPATEINTERACTION_EXPORT SliceAnnotation : public ViewProps
 {
 public:
   SliceAnnotation();
+  /// Whether the plane's name and the slice's number are part of the text; on by default.
+  void SetTitled(bool isTitled) { this->IsTitled = isTitled; }
   /// `placeWorld` is a point of the slice.
   void Update(SliceOrientation orientation, const SliceGeometry& geometry,
               const SlicePosition& slice, const Vector3& placeWorld, LengthUnit unit);
@@ -21,6 +23,7 @@ public:
 private:
   EdgeLetters Letters;
   ScaleBar Bar;
-  vtkSmartPointer<vtkTextActor> Text;
+  bool IsTitled = true;
+  vtkSmartPointer<HaloText> Text;
 };
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "SliceContours.h"
 
+#include "ViewColors.h"
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkActor.h"
@@ -80,14 +81,15 @@ void SliceContours::Update(const SlicePosition& slice)
 void SliceContours::Update(Contour& contour, const SlicePosition& slice)
 {
   vtkSurfaceDisplay* surface = contour.Surface;
-  const bool isShown = surface->GetVisibility() && surface->GetContourVisibility() &&
-                       surface->GetSurface() != nullptr;
+  const bool isForbidden = surface->GetForbidden();
+  const bool isShown = (isForbidden || surface->GetVisibility()) &&
+                       surface->GetContourVisibility() && surface->GetSurface() != nullptr;
   contour.Curves->SetVisible(isShown);
   if (!isShown)
   {
     return;
   }
-  const double* color = surface->GetColor();
+  const double* color = isForbidden ? ForbiddenColor.data() : surface->GetColor();
   const double width = (surface->GetHighlight() ? 2.0 : 1.0) * surface->GetLineWidth();
   contour.Curves->SetStyle({{color[0], color[1], color[2]}}, 1.0, width * slice.PointPixels);
   const Vector3& normal = slice.Frame.TowardsViewerWorld;

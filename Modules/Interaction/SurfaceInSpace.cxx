@@ -4,6 +4,7 @@
 #include "SurfaceMaterial.h"
 #include "SurfaceNormals.h"
 #include "ToolShadow.h"
+#include "ViewColors.h"
 #include "vtkSurfaceDisplay.h"
 
 #include "vtkCamera.h"
@@ -35,9 +36,24 @@ constexpr const char* ContactShader = R"(//VTK::Color::Impl
   }
 )";
 
-// ToolShadow::ShareAt, after the normal is known and before the lights. The contact keeps its
-// colour.
-constexpr const char* ShadowShader = R"(if (shadowRadius > 0.0)
+constexpr double SelectionWidth = 2.0; // points
+constexpr double EdgeShare = 0.8;      // of full opacity, at the rim of a translucent surface
+
+// After the normal is known and before the lights. ToolShadow::ShareAt; the contact keeps its
+// colour. What a background takes from the light of a translucent surface is given back as far as
+// nothing burns out.
+constexpr const char* LightShader = R"(if (edgeShare > 0.0)
+  {
+    float edge = 1.0 - abs(dot(normalVCVSOutput, normalize(-vertexVC.xyz)));
+    float clear = 1.0 - opacity;
+    float most = max(max(diffuseColor.r, diffuseColor.g), diffuseColor.b) +
+      max(max(ambientColor.r, ambientColor.g), ambientColor.b);
+    float light = min(1.0 + clear, 0.92 / max(most, 0.4));
+    diffuseColor *= light;
+    ambientColor *= light;
+    opacity = mix(opacity, 1.0, edgeShare * edge * edge);
+  }
+  if (shadowRadius > 0.0)
   {
     vec3 shadowPath = shadowCenter - vertexVC.xyz;
     float shadowDistance = max(length(shadowPath), shadowRadius);
@@ -46,6 +62,7 @@ constexpr const char* ShadowShader = R"(if (shadowRadius > 0.0)
       (shadowDistance * shadowDistance);
     diffuseColor *= 1.0 - shadowShare;
     ambientColor *= 1.0 - shadowShare;
+    specularColor *= 1.0 - shadowShare;
   }
   //VTK::Light::Impl
 )";
@@ -62,21 +79,24 @@ std::array<float, 3> InCamera(const Vector3& world, vtkCamera* camera)
 SurfaceInSpace::SurfaceInSpace(vtkSurfaceDisplay* display) : Shown(display)
 {
   this->Surface->SetMapper(this->Mapper);
-  this->Surface->GetProperty()->SetSpecularPower(SurfaceMaterial::SpecularPower);
+  SurfaceMaterial::Set(this->Surface->GetProperty());
   this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
                                                                    ContactShader, false);
   this->Surface->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
-                                                                   ShadowShader, false);
+                                                                   LightShader, false);
+  this->Add(this->Surface);
+  this->Add(this->Outline);
   this->UpdateContact({}, nullptr);
   this->UpdateShadow({}, nullptr);
 }
 
 void SurfaceInSpace::Update()
 {
-  const bool isShown = this->Shown->GetVisibility() && this->Shown->GetSurface() != nullptr;
+  const bool isThere = this->Shown->GetSurface() != nullptr;
+  const bool isShown = isThere && this->Shown->GetVisibility();
   this->Surface->SetVisibility(isShown ? 1 : 0);
   const std::uint64_t time = this->Shown->GetMTime();
-  if (!isShown)
+  if (!isShown && !(isThere && this->Shown->GetForbidden()))
   {
     this->Time = 0;
     this->Range.reset();
@@ -90,19 +110,50 @@ void SurfaceInSpace::Update()
   this->Mapper->SetInputData(WithNormals(this->Shown->GetSurface()));
   const bool isWireframe = this->Shown->GetWireframe();
   this->Surface->SetPickable(isWireframe ? 0 : 1);
+  this->Surface->GetProperty()->SetRepresentation(isWireframe ? VTK_WIREFRAME : VTK_SURFACE);
+  this->SetMaterial();
+  this->ColorByArray();
+  if (!isShown)
+  {
+    this->Range.reset();
+  }
+}
+
+void SurfaceInSpace::SetMaterial()
+{
+  constexpr double Evenness = 0.6; // how much light that has no direction a clear surface gets
+  const double opacity = this->Shown->GetOpacity();
+  const bool isTranslucent = opacity > 0.0 && opacity < 1.0;
+  const bool isWireframe = this->Shown->GetWireframe();
+  const double even = isTranslucent ? Evenness * (1.0 - opacity) * SurfaceMaterial::Diffuse : 0.0;
   vtkProperty* property = this->Surface->GetProperty();
-  property->SetRepresentation(isWireframe ? VTK_WIREFRAME : VTK_SURFACE);
   // Edges look unlit. Without VTK's lighting the contact's shader would have no positions.
-  property->SetAmbient(isWireframe                   ? 1.0
-                       : this->Shown->GetHighlight() ? SurfaceMaterial::HighlightAmbient
-                                                     : SurfaceMaterial::Ambient);
-  property->SetDiffuse(isWireframe ? 0.0 : SurfaceMaterial::Diffuse);
+  property->SetAmbient(isWireframe ? 1.0 : SurfaceMaterial::Ambient + even);
+  property->SetDiffuse(isWireframe ? 0.0 : SurfaceMaterial::Diffuse - even);
   property->SetSpecular(isWireframe ? 0.0 : SurfaceMaterial::Specular);
   property->SetColor(this->Shown->GetColor());
-  property->SetOpacity(this->Shown->GetOpacity());
+  property->SetOpacity(opacity);
   // Through a translucent surface one sees what lies in it, not its far side.
-  property->SetBackfaceCulling(this->Shown->GetOpacity() < 1.0);
-  this->ColorByArray();
+  property->SetBackfaceCulling(opacity < 1.0);
+  this->Surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf(
+      "edgeShare", isTranslucent && !isWireframe ? static_cast<float>(EdgeShare) : 0.0F);
+}
+
+void SurfaceInSpace::UpdateOutline(bool isGroundLight, double pixels)
+{
+  const bool isForbidden = this->Shown->GetForbidden();
+  const bool isSelected = this->Shown->GetHighlight() && this->Shown->GetVisibility() &&
+                          this->Shown->GetOpacity() > 0.0;
+  if (this->Shown->GetSurface() == nullptr || !(isForbidden || isSelected))
+  {
+    this->Outline.Update(nullptr, ForbiddenColor, 0.0, false);
+    return;
+  }
+  const double grey = isGroundLight ? 0.1 : 1.0;
+  this->Outline.Update(this->Mapper->GetInput(),
+                       isForbidden ? ForbiddenColor : std::array<double, 3>{{grey, grey, grey}},
+                       (isForbidden && isSelected ? 1.6 : 1.0) * SelectionWidth * pixels,
+                       isForbidden);
 }
 
 void SurfaceInSpace::ColorByArray()

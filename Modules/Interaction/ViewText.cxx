@@ -21,14 +21,12 @@ double PointPixels(vtkRenderer* renderer)
   return window == nullptr ? 1.0 : window->GetDPI() / PointsPerInch;
 }
 
-vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size)
+vtkSmartPointer<HaloText> MakeViewText(double x, double y, int size)
 {
-  auto text = vtkSmartPointer<vtkTextActor>::New();
+  auto text = vtkSmartPointer<HaloText>::New();
   vtkTextProperty* style = text->GetTextProperty();
   style->SetFontSize(size);
   style->SetColor(1.0, 1.0, 1.0);
-  style->ShadowOn();
-  style->SetShadowOffset(1, -1);
   style->SetJustification(x < 0.3 ? VTK_TEXT_LEFT : x > 0.7 ? VTK_TEXT_RIGHT : VTK_TEXT_CENTERED);
   style->SetVerticalJustification(y < 0.3   ? VTK_TEXT_BOTTOM
                                   : y > 0.7 ? VTK_TEXT_TOP

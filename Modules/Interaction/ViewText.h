@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AnatomicalView.h"
+#include "HaloText.h"
 #include "PalpateInteractionModule.h"
 #include "ViewProps.h"
 
@@ -14,9 +15,9 @@ namespace palpate
 /// Pixels per point of a renderer's window; 1 without a window.
 PALPATEINTERACTION_EXPORT double PointPixels(vtkRenderer* renderer);
 
-/// A white text with a shadow at a position of a view, 0 to 1 from its lower left corner; near an
-/// edge it is justified to it. Size in points.
-PALPATEINTERACTION_EXPORT vtkSmartPointer<vtkTextActor> MakeViewText(double x, double y, int size);
+/// A white text at a position of a view, 0 to 1 from its lower left corner; near an edge it is
+/// justified to it. Size in points.
+PALPATEINTERACTION_EXPORT vtkSmartPointer<HaloText> MakeViewText(double x, double y, int size);
 
 /// Sets the text if it changed: rendering text takes longer than drawing it.
 PALPATEINTERACTION_EXPORT void SetViewText(vtkTextActor* actor, const std::string& text);
@@ -29,9 +30,9 @@ public:
   void Update(const ViewFrame& frame);
 
   /// Left, right, top, bottom.
-  const std::array<vtkSmartPointer<vtkTextActor>, 4>& Texts() const { return this->Letters; }
+  const std::array<vtkSmartPointer<HaloText>, 4>& Texts() const { return this->Letters; }
 
 private:
-  std::array<vtkSmartPointer<vtkTextActor>, 4> Letters;
+  std::array<vtkSmartPointer<HaloText>, 4> Letters;
 };
 } // namespace palpate

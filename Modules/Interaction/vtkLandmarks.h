@@ -2,9 +2,10 @@
  * @class vtkLandmarks
  * @brief named points, distances between them and labelled curves, shared by linked views
  *
- * In 3D a landmark is a small sphere, in slices its cross-section: visible if the slice passes
- * within Radius of it. A curve is a line through points with a label; slices show its parts within
- * Radius. A distance is a curve between two landmarks with its length in mm as its label.
+ * All have dark rims. In 3D a landmark is a small sphere, faint where something hides it, in slices
+ * its cross-section: visible if the slice passes within Radius of it. A curve is a line through
+ * points with a label; slices show its parts within Radius. A distance is a curve between two
+ * landmarks with its length in mm as its label.
  */
 #ifndef vtkLandmarks_h
 #define vtkLandmarks_h
@@ -47,6 +48,7 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
   ///@{
+  /** Of points, lines and texts. Default: a light green, unlike tools, contacts and outlines. */
   vtkSetVector3Macro(Color, double);
   vtkGetVector3Macro(Color, double);
   ///@}
@@ -84,7 +86,7 @@ private:
   void operator=(const vtkLandmarks&) = delete;
 
   double Radius = 2.0;
-  double Color[3] = {0.34, 0.71, 0.91};
+  double Color[3] = {0.62, 0.98, 0.45};
 #ifndef __VTK_WRAP__
   std::vector<Landmark> Landmarks;
   std::vector<Curve> Curves;

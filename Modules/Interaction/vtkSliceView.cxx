@@ -1,6 +1,7 @@
 #include "vtkSliceView.h"
 
 #include "CrosshairInSlice.h"
+#include "FieldContours.h"
 #include "ImageAxes.h"
 #include "LandmarksInSlice.h"
 #include "ProbeInSlice.h"
@@ -21,6 +22,7 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
+#include "vtkVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +81,7 @@ struct vtkSliceView::State
   vtkMTimeType PaintedTime = 0;
   int PaintCount = 0;
   palpate::SliceContours Contours;
+  palpate::FieldContours Fields;
   palpate::LandmarksInSlice Marks;
   palpate::ProbeInSlice Tool;
   palpate::CrosshairInSlice Pointer;
@@ -115,6 +118,7 @@ void vtkSliceView::AddTo(vtkRenderer* renderer)
   State& state = *this->Inner;
   renderer->AddViewProp(state.Patch.Actor());
   state.Contours.SetRenderer(renderer);
+  state.Fields.SetRenderer(renderer);
   state.Marks.SetRenderer(renderer);
   state.Tool.AddTo(renderer);
   state.Pointer.AddTo(renderer);
@@ -126,6 +130,7 @@ void vtkSliceView::RemoveFrom(vtkRenderer* renderer)
   State& state = *this->Inner;
   renderer->RemoveViewProp(state.Patch.Actor());
   state.Contours.SetRenderer(nullptr);
+  state.Fields.SetRenderer(nullptr);
   state.Marks.SetRenderer(nullptr);
   state.Tool.RemoveFrom(renderer);
   state.Pointer.RemoveFrom(renderer);
@@ -152,6 +157,18 @@ void vtkSliceView::RemoveSurface(vtkSurfaceDisplay* surface)
   const bool isEmpty =
       !HasImage(this->GetImageDisplay()) && this->Inner->Contours.Bounds().isEmpty();
   this->Inner->NeedsFit = this->Inner->NeedsFit || isEmpty;
+  this->Modified();
+}
+
+void vtkSliceView::AddField(vtkVolume* field)
+{
+  this->Inner->Fields.Add(field);
+  this->Modified();
+}
+
+void vtkSliceView::RemoveField(vtkVolume* field)
+{
+  this->Inner->Fields.Remove(field);
   this->Modified();
 }
 
@@ -214,7 +231,7 @@ int vtkSliceView::GetPaintCount() const
 
 int vtkSliceView::GetCutCount() const
 {
-  return this->Inner->Contours.CutCount();
+  return this->Inner->Contours.CutCount() + this->Inner->Fields.CutCount();
 }
 
 double vtkSliceView::GetPixelMillimeters()
@@ -327,13 +344,15 @@ void vtkSliceView::UpdateFor(vtkRenderer* renderer)
   this->PlaceCamera(renderer, position);
   this->UpdateImage(position);
   state.Contours.Update(position);
+  state.Fields.Update(position);
   state.Marks.Update(this->GetLandmarks(), position);
-  state.Tool.Update(this->GetProbe(), position);
+  state.Tool.Update(this->GetProbe(), position, this->UnitOfLength());
   const auto orientation = static_cast<SliceOrientation>(this->Orientation);
   state.Pointer.Update(this->GetCrosshair(), orientation, position);
   state.Annotation.SetVisible(this->GetAnnotationVisibility());
   if (this->GetAnnotationVisibility())
   {
+    state.Annotation.SetTitled(this->TitleVisibility);
     state.Annotation.Update(orientation, state.Geometry(this), position, state.Focus(this),
                             this->UnitOfLength());
   }
@@ -380,5 +399,6 @@ void vtkSliceView::PrintSelf(ostream& os, vtkIndent indent)
      << "Orientation: " << palpate::NameOf(static_cast<SliceOrientation>(this->Orientation))
      << '\n';
   os << indent << "Neurological: " << this->Neurological << '\n';
+  os << indent << "TitleVisibility: " << this->TitleVisibility << '\n';
   os << indent << "PixelMillimeters: " << this->GetPixelMillimeters() << '\n';
 }

@@ -19,6 +19,7 @@
 
 #include <memory> // For what is drawn
 
+class vtkVolume;
 namespace palpate
 {
 struct SlicePosition;
@@ -45,6 +46,12 @@ public:
   void RemoveSurface(vtkSurfaceDisplay* surface) override;
 
   ///@{
+  /** A vtkSubVoxelVolume, shown as a contour. */
+  void AddField(vtkVolume* field);
+  void RemoveField(vtkVolume* field);
+  ///@}
+
+  ///@{
   vtkSetClampMacro(Orientation, int, AXIAL, SAGITTAL);
   vtkGetMacro(Orientation, int);
   ///@}
@@ -55,6 +62,13 @@ public:
   vtkSetMacro(Neurological, bool);
   vtkGetMacro(Neurological, bool);
   vtkBooleanMacro(Neurological, bool);
+  ///@}
+
+  ///@{
+  /** Whether the annotation begins with the plane's name and the slice's number. On by default. */
+  vtkSetMacro(TitleVisibility, bool);
+  vtkGetMacro(TitleVisibility, bool);
+  vtkBooleanMacro(TitleVisibility, bool);
   ///@}
 
   /** Shows the whole volume, or without one all surfaces, centred, in the next frame. */
@@ -104,6 +118,7 @@ private:
 
   int Orientation = AXIAL;
   bool Neurological = false;
+  bool TitleVisibility = true;
 
   struct State;
   std::unique_ptr<State> Inner;

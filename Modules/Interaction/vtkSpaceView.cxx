@@ -6,6 +6,7 @@
 #include "CameraAxes.h"
 #include "ColorBar.h"
 #include "ContactMark.h"
+#include "GradedGround.h"
 #include "LandmarksInSpace.h"
 #include "PlumbLine.h"
 #include "ProbeInSpace.h"
@@ -53,7 +54,9 @@ constexpr double FitCloseness = 1.15;
 // Of the scene's size. A smaller bias darkens surfaces by their own facets.
 constexpr double OcclusionReach = 0.1;
 constexpr double OcclusionBias = 0.001;
-constexpr unsigned int OcclusionSamples = 64;
+constexpr unsigned int OcclusionSamples = 32;
+
+constexpr int MostPeels = 4;
 
 // Rotates the camera around its focal point.
 void Look(vtkCamera* camera, const palpate::ViewFrame& frame)
@@ -95,8 +98,16 @@ palpate::ToolShadow ShadowOf(vtkProbeRepresentation* probe)
                  : palpate::ToolShadow{};
 }
 
+// Texts on it are dark.
+bool IsGroundLight(vtkRenderer* renderer)
+{
+  const double* ground = renderer->GetBackground();
+  return 0.3 * ground[0] + 0.6 * ground[1] + 0.1 * ground[2] > 0.5;
+}
+
 void MarkVolumes(vtkRenderer* renderer, const palpate::ContactMark& contact)
 {
+  const double grey = IsGroundLight(renderer) ? 0.1 : 1.0;
   vtkVolumeCollection* volumes = renderer->GetVolumes();
   vtkCollectionSimpleIterator place;
   volumes->InitTraversal(place);
@@ -105,6 +116,7 @@ void MarkVolumes(vtkRenderer* renderer, const palpate::ContactMark& contact)
     if (auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(volume->GetMapper()))
     {
       mapper->SetContact(contact);
+      mapper->SetOutlineColor(grey, grey, grey);
     }
   }
 }
@@ -124,7 +136,8 @@ struct vtkSpaceView::State
   palpate::AxesMarker Axes;
   palpate::ArrayScales Scales;
   palpate::ColorBar Bar;
-  vtkNew<vtkLight> Lamp;
+  vtkNew<palpate::GradedGround> Ground;
+  std::array<vtkNew<vtkLight>, palpate::SurfaceMaterial::Lamps.size()> Lamps;
 
   // The actor of a surface or a slice, or null.
   vtkActor* PickPolygons(vtkRenderer* renderer, double x, double y, double world[3])
@@ -148,6 +161,18 @@ struct vtkSpaceView::State
     return picker->GetActor();
   }
 
+  // A single one needs no order.
+  std::ptrdiff_t TranslucentCount() const
+  {
+    return std::count_if(this->Surfaces.begin(), this->Surfaces.end(),
+                         [](const auto& surface)
+                         {
+                           const double opacity = surface->Display()->GetOpacity();
+                           return surface->Actor()->GetVisibility() != 0 && opacity > 0.0 &&
+                                  opacity < 1.0;
+                         });
+  }
+
   // The surface that an actor draws, or null if it draws a slice.
   vtkSurfaceDisplay* DisplayOf(vtkActor* actor) const
   {
@@ -160,10 +185,11 @@ struct vtkSpaceView::State
 
 vtkSpaceView::vtkSpaceView() : Inner(std::make_unique<State>())
 {
-  this->Inner->Lamp->SetLightTypeToCameraLight();
-  this->Inner->Lamp->SetPosition(palpate::SurfaceMaterial::Lamp[0],
-                                 palpate::SurfaceMaterial::Lamp[1],
-                                 palpate::SurfaceMaterial::Lamp[2]);
+  using palpate::SurfaceMaterial;
+  for (std::size_t lamp = 0; lamp < SurfaceMaterial::Lamps.size(); ++lamp)
+  {
+    SurfaceMaterial::Set(this->Inner->Lamps[lamp].Get(), SurfaceMaterial::Lamps[lamp]);
+  }
 }
 
 vtkSpaceView::~vtkSpaceView()
@@ -176,7 +202,7 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   State& state = *this->Inner;
   for (const auto& surface : state.Surfaces)
   {
-    renderer->AddViewProp(surface->Actor());
+    surface->AddTo(renderer);
   }
   for (const palpate::SliceInSpace& slice : state.Slices)
   {
@@ -187,7 +213,13 @@ void vtkSpaceView::AddTo(vtkRenderer* renderer)
   state.Depth.SetRenderer(renderer);
   state.Axes.AddTo(renderer);
   state.Bar.AddTo(renderer);
-  renderer->AddLight(state.Lamp);
+  renderer->AddViewProp(state.Ground);
+  for (const auto& lamp : state.Lamps)
+  {
+    renderer->AddLight(lamp);
+  }
+  renderer->SetOcclusionRatio(0.0);
+  renderer->SetMaximumNumberOfPeels(MostPeels);
   // Now, since the camera may be reset before anything is drawn.
   Look(renderer->GetActiveCamera(), palpate::ObliqueFrame());
   state.NeedsReset = true;
@@ -198,7 +230,7 @@ void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
   State& state = *this->Inner;
   for (const auto& surface : state.Surfaces)
   {
-    renderer->RemoveViewProp(surface->Actor());
+    surface->RemoveFrom(renderer);
   }
   for (const palpate::SliceInSpace& slice : state.Slices)
   {
@@ -209,7 +241,11 @@ void vtkSpaceView::RemoveFrom(vtkRenderer* renderer)
   state.Depth.SetRenderer(nullptr);
   state.Axes.RemoveFrom(renderer);
   state.Bar.RemoveFrom(renderer);
-  renderer->RemoveLight(state.Lamp);
+  renderer->RemoveViewProp(state.Ground);
+  for (const auto& lamp : state.Lamps)
+  {
+    renderer->RemoveLight(lamp);
+  }
 }
 
 void vtkSpaceView::AddSurface(vtkSurfaceDisplay* surface)
@@ -217,7 +253,7 @@ void vtkSpaceView::AddSurface(vtkSurfaceDisplay* surface)
   this->Inner->Surfaces.push_back(std::make_unique<palpate::SurfaceInSpace>(surface));
   if (vtkRenderer* renderer = this->GetRenderer())
   {
-    renderer->AddViewProp(this->Inner->Surfaces.back()->Actor());
+    this->Inner->Surfaces.back()->AddTo(renderer);
   }
   this->Modified();
 }
@@ -232,7 +268,7 @@ void vtkSpaceView::RemoveSurface(vtkSurfaceDisplay* surface)
   {
     if (vtkRenderer* renderer = this->GetRenderer())
     {
-      renderer->RemoveViewProp((*gone)->Actor());
+      (*gone)->RemoveFrom(renderer);
     }
     surfaces.erase(gone);
     this->Modified();
@@ -272,6 +308,20 @@ void vtkSpaceView::ResetCamera()
     renderer->GetActiveCamera()->Dolly(FitCloseness);
     this->Inner->NeedsReset = false;
   }
+}
+
+bool vtkSpaceView::IsCameraInside()
+{
+  vtkRenderer* renderer = this->GetRenderer();
+  if (renderer == nullptr)
+  {
+    return false;
+  }
+  this->UpdateContents();
+  double bounds[6];
+  renderer->ComputeVisiblePropBounds(bounds);
+  return vtkMath::AreBoundsInitialized(bounds) &&
+         vtkBoundingBox(bounds).ContainsPoint(renderer->GetActiveCamera()->GetPosition());
 }
 
 void vtkSpaceView::LookFrom(int side)
@@ -355,6 +405,7 @@ void vtkSpaceView::UpdateFor(vtkRenderer* renderer)
   {
     surface->UpdateContact(contact, renderer->GetActiveCamera());
     surface->UpdateShadow(shadow, renderer->GetActiveCamera());
+    surface->UpdateOutline(IsGroundLight(renderer), palpate::PointPixels(renderer));
   }
   MarkVolumes(renderer, contact);
   this->UpdateAnnotation(renderer);
@@ -363,9 +414,13 @@ void vtkSpaceView::UpdateFor(vtkRenderer* renderer)
 
 void vtkSpaceView::UpdateQuality(vtkRenderer* renderer)
 {
-  renderer->SetUseFXAA(this->Antialiasing);
-  renderer->SetUseSSAO(this->AmbientOcclusion);
-  if (!this->AmbientOcclusion)
+  renderer->SetUseFXAA(this->Antialiasing && !this->Moving);
+  const bool isOccluded =
+      this->AmbientOcclusion && !this->Moving && renderer->GetVolumes()->GetNumberOfItems() == 0;
+  renderer->SetUseSSAO(isOccluded);
+  this->Inner->Ground->SetVisibility(isOccluded && renderer->GetGradientBackground());
+  renderer->SetUseDepthPeeling(this->Inner->TranslucentCount() > 1);
+  if (!isOccluded)
   {
     return;
   }
@@ -385,7 +440,10 @@ void vtkSpaceView::UpdateAnnotation(vtkRenderer* renderer)
 {
   State& state = *this->Inner;
   const bool isShown = this->GetAnnotationVisibility();
+  const double grey = IsGroundLight(renderer) ? 0.1 : 1.0;
   state.Bar.Update(isShown ? state.Scales.FirstColors() : nullptr, state.Scales.FirstArray());
+  state.Bar.SetGrey(grey);
+  state.Axes.SetGrey(grey);
   state.Axes.SetVisible(isShown);
   const palpate::Matrix3 axes = palpate::CameraAxes(renderer->GetActiveCamera());
   state.Axes.Update({axes.col(0), axes.col(1), axes.col(2)}, renderer->GetSize()[0],
@@ -398,5 +456,6 @@ void vtkSpaceView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Surfaces: " << this->Inner->Surfaces.size() << '\n';
   os << indent << "Antialiasing: " << this->Antialiasing << '\n';
   os << indent << "AmbientOcclusion: " << this->AmbientOcclusion << '\n';
+  os << indent << "Moving: " << this->Moving << '\n';
   os << indent << "ToolShadow: " << this->ToolShadow << '\n';
 }

@@ -6,6 +6,10 @@
  * the shared vtkCrosshair; a haptic tool with its force and contact. For contents and links see
  * vtkLinkedView. Add other props, such as a vtkSubVoxelVolume, to the renderer itself.
  *
+ * Three white lights follow the camera; no surface burns out. Texts and outlines are light or dark,
+ * by the renderer's background. Several translucent surfaces are blended in the order of their
+ * depths.
+ *
  * The camera is the renderer's: any interactor style may move it. At first, and after LookFrom, it
  * shows everything.
  */
@@ -41,18 +45,26 @@ public:
   void SetSliceVisibility(int orientation, bool visibility);
 
   ///@{
-  /** Smooth edges of surfaces (FXAA; text is smooth anyway). Off by default: software OpenGL needs
-   * several milliseconds a frame for it. */
+  /** Smooth edges of surfaces (FXAA; text is smooth anyway). Off by default. */
   vtkSetMacro(Antialiasing, bool);
   vtkGetMacro(Antialiasing, bool);
   vtkBooleanMacro(Antialiasing, bool);
   ///@}
   ///@{
   /** Darkens clefts and places where surfaces meet, within a tenth of the scene's size
-   * (screen-space ambient occlusion). Off by default; only for OpenGL hardware. */
+   * (screen-space ambient occlusion). Off by default. Volumes have none, so nothing has where there
+   * is one. */
   vtkSetMacro(AmbientOcclusion, bool);
   vtkGetMacro(AmbientOcclusion, bool);
   vtkBooleanMacro(AmbientOcclusion, bool);
+  ///@}
+
+  ///@{
+  /** Whether a next frame comes soon: it is drawn without smooth edges and ambient occlusion. Off
+   * by default. */
+  vtkSetMacro(Moving, bool);
+  vtkGetMacro(Moving, bool);
+  vtkBooleanMacro(Moving, bool);
   ///@}
 
   ///@{
@@ -67,6 +79,8 @@ public:
   void LookFrom(int side);
   /** Shows everything from the camera's current direction. */
   void ResetCamera();
+  /** Whether the camera is among what it shows, where it sees little of it. */
+  bool IsCameraInside();
 
   /**
    * The nearest point (world, mm) of a surface, a slice or a sub-voxel volume at a position of the
@@ -96,6 +110,7 @@ private:
 
   bool Antialiasing = false;
   bool AmbientOcclusion = false;
+  bool Moving = false;
   bool ToolShadow = true;
   struct State;
   std::unique_ptr<State> Inner;

@@ -51,11 +51,18 @@ public:
   vtkBooleanMacro(ContourVisibility, bool);
   ///@}
   ///@{
-  /** Whether it is brighter in 3D and its contour thicker, as what the user has selected. Off by
+  /** Whether it is outlined in 3D and its contour is thicker, as what the user has selected. Off by
    * default. */
   vtkSetMacro(Highlight, bool);
   vtkGetMacro(Highlight, bool);
   vtkBooleanMacro(Highlight, bool);
+  ///@}
+  ///@{
+  /** Whether it is outlined in red in 3D, also where something hides it, and its contour is red,
+   * even if it is not visible otherwise: a tool must not touch it. Off by default. */
+  vtkSetMacro(Forbidden, bool);
+  vtkGetMacro(Forbidden, bool);
+  vtkBooleanMacro(Forbidden, bool);
   ///@}
   ///@{
   /** Line width of contours, in points. */
@@ -98,6 +105,7 @@ private:
   bool Visibility = true;
   bool ContourVisibility = true;
   bool Highlight = false;
+  bool Forbidden = false;
   double LineWidth = 1.5;
   bool Wireframe = false;
   std::string ColorArray;

@@ -84,10 +84,12 @@ SceneRenderer::SceneRenderer()
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(4);
   this->Window->AddRenderer(this->Renderer);
-  vtkNew<vtkLight> lamp;
-  lamp->SetLightTypeToCameraLight();
-  lamp->SetPosition(SurfaceMaterial::Lamp[0], SurfaceMaterial::Lamp[1], SurfaceMaterial::Lamp[2]);
-  this->Renderer->AddLight(lamp);
+  for (const SurfaceMaterial::Lamp& lamp : SurfaceMaterial::Lamps)
+  {
+    vtkNew<vtkLight> light;
+    SurfaceMaterial::Set(light.Get(), lamp);
+    this->Renderer->AddLight(light);
+  }
   this->SetBackground(this->Background);
 }
 

@@ -38,6 +38,8 @@ SceneStructure StructureOf(const Segment& segment, const std::filesystem::path& 
   return structure;
 }
 
+constexpr double DistinctDistance = 0.2; // of the RGB cube's edge
+
 // The least distance of a colour from those of the state's structures.
 double DistanceFromColors(const std::array<double, 3>& color, const StudyState& state)
 {
@@ -54,11 +56,10 @@ double DistanceFromColors(const std::array<double, 3>& color, const StudyState& 
 // the default colours which differs most.
 std::array<double, 3> DistinctColor(const std::array<double, 3>& own, const StudyState& state)
 {
-  constexpr double Distinct = 0.2; // of the RGB cube's edge
-  constexpr int Candidates = 32;
+  constexpr int Candidates = 256;
   std::array<double, 3> best = own;
   double distance = DistanceFromColors(own, state);
-  for (int label = 1; distance < Distinct && label <= Candidates; ++label)
+  for (int label = 1; distance < DistinctDistance && label <= Candidates; ++label)
   {
     const std::array<double, 3> color = DefaultSegmentColor(label);
     const double found = DistanceFromColors(color, state);
@@ -66,6 +67,21 @@ std::array<double, 3> DistinctColor(const std::array<double, 3>& own, const Stud
     distance = std::max(found, distance);
   }
   return best;
+}
+
+// Structures of several files that a scene gives no colours: those of labels begin anew in each
+// file.
+void GiveDefaultsDistinctColors(StudyState& state)
+{
+  StudyState before = state;
+  before.Structures.clear();
+  for (SceneStructure& one : state.Structures)
+  {
+    const bool isDefault =
+        one.Color == SceneStructure().Color || one.Color == DefaultSegmentColor(one.Id);
+    one.Color = isDefault ? DistinctColor(one.Color, before) : one.Color;
+    before.Structures.push_back(one);
+  }
 }
 
 // The name of an added structure: its own if its title is unique; otherwise that of its file if it
@@ -137,16 +153,27 @@ StudyState WithStructuresOf(const StudyState& state, const Segmentation& segment
 {
   StudyState next = state;
   next.Structures.clear();
+  StudyState others = state;
+  others.Structures.erase(std::remove_if(others.Structures.begin(), others.Structures.end(),
+                                         [&state](const SceneStructure& one)
+                                         { return one.File == state.SegmentationFile; }),
+                          others.Structures.end());
   for (const Segment& segment : segmentation.Segments)
   {
     const bool isShown =
         next.Structures.empty() || segmentation.Segments.size() <= Study::MostShownUnasked;
     next.Structures.push_back(
         StructureOf(segment, state.SegmentationFile, state.Fit.Degree, isShown));
+    // A file's own colours stay, unless they are in use for other files.
+    auto& color = next.Structures.back().Color;
+    if (DistanceFromColors(color, others) < DistinctDistance)
+    {
+      StudyState used = others;
+      used.Structures.insert(used.Structures.end(), next.Structures.begin(), next.Structures.end());
+      color = DistinctColor(color, used);
+    }
   }
-  std::copy_if(state.Structures.begin(), state.Structures.end(),
-               std::back_inserter(next.Structures),
-               [&state](const SceneStructure& one) { return one.File != state.SegmentationFile; });
+  next.Structures.insert(next.Structures.end(), others.Structures.begin(), others.Structures.end());
   DropLooseGuides(next);
   return next;
 }
@@ -245,7 +272,11 @@ StudyState WithScene(const StudyState& state, const SceneSettings& scene)
   StudyState next = state;
   SceneSettings& own = next;
   own = scene;
-  if (!state.Structures.empty())
+  if (state.Structures.empty())
+  {
+    GiveDefaultsDistinctColors(next);
+  }
+  else
   {
     own.Structures = state.Structures;
     own.Fit = state.Fit;

@@ -24,12 +24,27 @@ const char* const FragmentShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D colors;
 uniform sampler2D depths;
+uniform vec3 outlineColor;
+uniform vec2 outlineReach;
 void main()
 {
   vec4 color = texture(colors, texCoord);
   if (color.a == 0.0)
   {
-    discard;
+    float nearest = 1.0;
+    for (int k = 0; outlineReach.x > 0.0 && k < 16; ++k)
+    {
+      float angle = 0.3926991 * float(k);
+      nearest = min(nearest,
+        texture(depths, texCoord + outlineReach * vec2(cos(angle), sin(angle))).r);
+    }
+    if (nearest == 1.0)
+    {
+      discard;
+    }
+    gl_FragData[0] = vec4(outlineColor, 1.0);
+    gl_FragDepth = nearest;
+    return;
   }
   gl_FragData[0] = color;
   gl_FragDepth = texture(depths, texCoord).r;
@@ -55,6 +70,16 @@ void DepthImage::Load(vtkOpenGLRenderWindow* window, const FieldImage& image)
   this->Depths->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT,
                                 const_cast<float*>(image.Depths.data()));
+}
+
+void DepthImage::SetOutline(const Vector3& color, double across, double down)
+{
+  for (int part = 0; part < 3; ++part)
+  {
+    this->OutlineColor[part] = static_cast<float>(color[part]);
+  }
+  this->OutlineReach[0] = static_cast<float>(across);
+  this->OutlineReach[1] = static_cast<float>(down);
 }
 
 void DepthImage::Draw(vtkRenderer* renderer, const FieldImage& image, bool writesDepths)
@@ -89,6 +114,8 @@ void DepthImage::Draw(vtkRenderer* renderer, const FieldImage& image, bool write
   this->Depths->Activate();
   this->Quad->Program->SetUniformi("colors", this->Colors->GetTextureUnit());
   this->Quad->Program->SetUniformi("depths", this->Depths->GetTextureUnit());
+  this->Quad->Program->SetUniform3f("outlineColor", this->OutlineColor);
+  this->Quad->Program->SetUniform2f("outlineReach", this->OutlineReach);
   this->Quad->Render();
   this->Depths->Deactivate();
   this->Colors->Deactivate();

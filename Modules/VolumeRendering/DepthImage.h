@@ -2,6 +2,7 @@
 
 #include "FieldImage.h"
 #include "PalpateVolumeRenderingModule.h"
+#include "Vector3.h"
 
 #include "vtkNew.h"
 
@@ -26,6 +27,9 @@ public:
   DepthImage& operator=(const DepthImage&) = delete;
   ~DepthImage();
 
+  /// A line around what the image shows, as wide as these fractions of its width and height; 0, the
+  /// default: none.
+  void SetOutline(const Vector3& color, double across, double down);
   /// `writesDepths`: also hides props that are drawn later.
   void Draw(vtkRenderer* renderer, const FieldImage& raster, bool writesDepths);
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -36,5 +40,7 @@ private:
   vtkNew<vtkTextureObject> Colors;
   vtkNew<vtkTextureObject> Depths;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  float OutlineColor[3] = {0.0F, 0.0F, 0.0F};
+  float OutlineReach[2] = {0.0F, 0.0F};
 };
 } // namespace palpate

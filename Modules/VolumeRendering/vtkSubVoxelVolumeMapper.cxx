@@ -317,6 +317,8 @@ void vtkSubVoxelVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->TimeToDraw = vtkTimerLog::GetUniversalTime() - start;
     this->Inner->SecondsPerRay = this->TimeToDraw / (1.0 * width * height);
+    this->Inner->Drawing.SetOutline(palpate::Vector3(this->OutlineColor),
+                                    this->OutlineWidth / size[0], this->OutlineWidth / size[1]);
     this->Inner->Drawing.Draw(renderer, *this->RasterImage, isOpaque);
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
@@ -374,4 +376,5 @@ void vtkSubVoxelVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << '\n';
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << '\n';
   os << indent << "KeepHits: " << this->KeepHits << '\n';
+  os << indent << "OutlineWidth: " << this->OutlineWidth << '\n';
 }

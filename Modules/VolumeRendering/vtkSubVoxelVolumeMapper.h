@@ -82,6 +82,13 @@ public:
   double GetMaterialOpacity(int material);
   ///@}
 #ifndef __VTK_WRAP__
+  ///@{
+  /** A line of this width (pixels) and colour around the surfaces. Default: 0, none. */
+  vtkSetClampMacro(OutlineWidth, double, 0.0, 20.0);
+  vtkGetMacro(OutlineWidth, double);
+  vtkSetVector3Macro(OutlineColor, double);
+  vtkGetVector3Macro(OutlineColor, double);
+  ///@}
   /** Where the surface is coloured differently; see ContactMark. Default: nowhere. */
   void SetContact(const palpate::ContactMark& contact);
 #endif
@@ -156,6 +163,8 @@ private:
   bool AutoAdjustSampleDistances = true;
   double ImageSampleDistance = 1.0;
   bool KeepHits = false;
+  double OutlineWidth = 0.0;
+  double OutlineColor[3] = {1.0, 1.0, 1.0};
 
   struct State;
   std::unique_ptr<State> Inner;

@@ -125,7 +125,7 @@ void MainWindow::MakeMenus()
                                QKeySequence(QKeySequence::Redo));
   edit->addSeparator();
   edit->addAction("&Preferences...", this, &MainWindow::AskForPreferences, QKeySequence("Ctrl+,"));
-  this->Viewing = new ViewMenu(this->Study, *this->Grid, this->Shown, this);
+  this->Viewing = new ViewMenu(this->Study, this->Questions, *this->Grid, this->Shown, this);
   this->menuBar()->addMenu(this->Viewing);
   this->Touching = new TouchMenu(this->Study, this->Questions, this);
   this->menuBar()->addMenu(this->Touching);

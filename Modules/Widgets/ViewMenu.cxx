@@ -3,21 +3,26 @@
 #include "OpenGLDriver.h"
 #include "Preferences.h"
 #include "ToolIcon.h"
+#include "ViewPicture.h"
 
 #include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
 #include <QSettings>
 
 #include <algorithm>
 
 namespace palpate
 {
-ViewMenu::ViewMenu(StudyController& study, ViewGrid& views, ViewContents& contents, QWidget* window)
-    : QMenu("&View", window), Study(study), Views(views), Contents(contents)
+ViewMenu::ViewMenu(StudyController& study, const FileQuestions& questions, ViewGrid& views,
+                   ViewContents& contents, QWidget* window)
+    : QMenu("&View", window), Study(study), Questions(questions), Views(views), Contents(contents)
 {
   this->AddLayouts();
   this->AddMouse();
   this->AddContents();
   this->AddCameras();
+  this->AddPictures();
   connect(&study, &StudyController::StateChanged, this, &ViewMenu::ShowView);
   connect(&study, &StudyController::ViewChanged, this, &ViewMenu::ShowView);
   this->ShowView();
@@ -125,16 +130,75 @@ void ViewMenu::AddQuality(const QString& text, const QString& key, bool isDefaul
   connect(action, &QAction::toggled, this, [key](bool isOn) { QSettings().setValue(key, isOn); });
 }
 
-// Without a graphics card smooth edges cost frames, and occlusion would take seconds.
+// Without a graphics card what costs frames waits for a rest.
 void ViewMenu::AddQuality()
 {
-  const bool hasCard = IsGraphicsCard(OpenGLDriver());
-  this->AddQuality("Smooth ed&ges in 3-D", "smooth-edges", hasCard, &SpacePane::SmoothEdges);
+  this->Views.Space()->WaitForRest(!IsGraphicsCard(OpenGLDriver()));
+  this->AddGrounds();
+  this->AddQuality("Smooth ed&ges in 3-D", "smooth-edges", true, &SpacePane::SmoothEdges);
   this->AddQuality("S&hadow of the tool in 3-D", "tool-shadow", true, &SpacePane::ShowToolShadow);
-  if (hasCard)
+  this->AddQuality("Am&bient occlusion in 3-D", "ambient-occlusion", true,
+                   &SpacePane::ShowOcclusion);
+}
+
+void ViewMenu::AddGrounds()
+{
+  constexpr std::array<const char*, 4> Texts{"As the &theme", "&Dark", "&Light",
+                                             "&White, for print"};
+  constexpr const char* Key = "ground";
+  QMenu* menu = this->addMenu("Back&ground of 3-D");
+  auto* group = new QActionGroup(this);
+  const ViewGround kept = ViewGroundOf(QSettings().value(Key).toString());
+  this->Views.Space()->SetGround(kept);
+  for (const ViewGround ground : AllViewGrounds)
   {
-    this->AddQuality("Am&bient occlusion in 3-D", "ambient-occlusion", false,
-                     &SpacePane::ShowOcclusion);
+    QAction* action = menu->addAction(Texts[static_cast<std::size_t>(ground)]);
+    action->setCheckable(true);
+    action->setChecked(ground == kept);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this,
+            [this, ground, Key]
+            {
+              this->Views.Space()->SetGround(ground);
+              QSettings().setValue(Key, NameOf(ground));
+            });
+  }
+}
+
+void ViewMenu::AddPictures()
+{
+  this->addSeparator();
+  QMenu* copies = this->addMenu("Copy &image");
+  QMenu* files = this->addMenu("Sa&ve image \u00D72, white background");
+  for (ViewPane* pane : this->Views.Panes())
+  {
+    const auto copy = [this, pane] { this->CopyPicture(*pane); };
+    const auto save = [this, pane] { this->SavePicture(*pane); };
+    copies->addAction(pane->Name(), this, copy);
+    files->addAction(pane->Name(), this, save);
+    pane->AddToHeader("Copy image", copy);
+    pane->AddToHeader("Save image \u00D72, white background...", save);
+  }
+}
+
+void ViewMenu::CopyPicture(ViewPane& pane) const
+{
+  const QSize size = pane.devicePixelRatioF() * pane.Canvas()->size();
+  QApplication::clipboard()->setImage(PictureOf(pane, size, PictureGround::AsShown));
+}
+
+void ViewMenu::SavePicture(ViewPane& pane)
+{
+  constexpr double Enlargement = 2.0; // for print
+  QString file = this->Questions.ToSave(this->window(), "Save the image",
+                                        pane.objectName() + ".png", "Images (*.png)");
+  if (!file.isEmpty())
+  {
+    file += file.endsWith(".png", Qt::CaseInsensitive) ? "" : ".png";
+    const QSize size = Enlargement * pane.devicePixelRatioF() * pane.Canvas()->size();
+    this->Study.Write(file.toStdString(), [picture = PictureOf(pane, size, PictureGround::White),
+                                           file](const ProgressFunction&)
+                      { WritePicture(picture, file.toStdString()); });
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FileQuestions.h"
 #include "StudyController.h"
 #include "ViewGrid.h"
 
@@ -12,14 +13,15 @@
 
 namespace palpate
 {
-/// Layouts, contents and cameras of views, and mouse modes.
+/// Layouts, contents, looks and cameras of views, pictures of them, and mouse modes.
 class ViewMenu : public QMenu
 {
   Q_OBJECT
 
 public:
   /// Keeps the addresses.
-  ViewMenu(StudyController& study, ViewGrid& views, ViewContents& contents, QWidget* window);
+  ViewMenu(StudyController& study, const FileQuestions& questions, ViewGrid& views,
+           ViewContents& contents, QWidget* window);
 
   /// What a left drag on slices does.
   void AdjustWindowByLeftDrag(bool isOn) { this->WindowLevel->setChecked(isOn); }
@@ -32,6 +34,10 @@ private:
   void AddMouse();
   void AddContents();
   void AddErrorScales();
+  void AddGrounds();
+  void AddPictures();
+  void CopyPicture(ViewPane& pane) const;
+  void SavePicture(ViewPane& pane);
   void AddQuality();
   void AddQuality(const QString& text, const QString& key, bool isDefault,
                   void (SpacePane::*apply)(bool));
@@ -41,6 +47,7 @@ private:
   QAction* AddSwitch(const QString& text, const QKeySequence& key, bool StudyView::*field);
 
   StudyController& Study;
+  const FileQuestions& Questions;
   ViewGrid& Views;
   ViewContents& Contents;
   std::array<QAction*, 3> Layouts{};

@@ -3,6 +3,7 @@
 #include "InputError.h"
 #include "ManualClock.h"
 #include "SceneContacts.h"
+#include "SegmentColor.h"
 #include "StructureColor.h"
 #include "StudyCases.h"
 #include "StudyFile.h"
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 #include <thread>
 
 namespace palpate::study_test
@@ -165,6 +167,72 @@ TEST(AddedStructuresOfSegmentations, ColoursStayApart)
       EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0.2) << one << ", " << other;
     }
   }
+}
+
+// Each file without colours begins with the same orange.
+TEST(AddedStructuresOfSegmentations, StructuresOfSeveralFilesNeverGetTheSameColourByAccident)
+{
+  Segmentation read;
+  for (const int label : {1, 2, 3})
+  {
+    Segment segment;
+    segment.Label = segment.Value = label;
+    segment.Color = DefaultSegmentColor(label);
+    read.Segments.push_back(segment);
+  }
+  const auto expectApart = [](const StudyState& state)
+  {
+    for (const SceneStructure& one : state.Structures)
+    {
+      for (const SceneStructure& other : state.Structures)
+      {
+        if (one.File != other.File)
+        {
+          EXPECT_GT(std::hypot(one.Color[0] - other.Color[0], one.Color[1] - other.Color[1],
+                               one.Color[2] - other.Color[2]),
+                    0.1)
+              << TitleOf(one) << ", " << TitleOf(other);
+        }
+      }
+    }
+  };
+  StudyState replaced = WithAddedStructuresOf({}, "/a.nii.gz", read);
+  replaced = WithAddedStructuresOf(replaced, "/b.nii.gz", read);
+  expectApart(replaced);
+  replaced.SegmentationFile = "/c.nii.gz";
+  replaced = WithStructuresOf(replaced, read);
+  ASSERT_EQ(replaced.Structures.size(), 9U);
+  expectApart(replaced);
+  SceneSettings scene;
+  for (const int file : {1, 2, 3})
+  {
+    SceneStructure structure;
+    structure.Id = file;
+    structure.File = "/" + std::to_string(file) + ".nii.gz";
+    structure.Labels = {"1"};
+    structure.Color = DefaultSegmentColor(1);
+    scene.Structures.push_back(structure);
+  }
+  expectApart(WithScene({}, scene));
+  scene.Structures[0].Color = scene.Structures[1].Color = {{1.0, 0.0, 0.0}};
+  EXPECT_EQ(WithScene({}, scene).Structures[1].Color, scene.Structures[0].Color)
+      << "on purpose they may";
+}
+
+TEST(AddedStructuresOfSegmentations, EvenManyFilesHaveColoursOfTheirOwn)
+{
+  Segmentation read;
+  Segment segment;
+  segment.Label = segment.Value = 1;
+  read.Segments.push_back(segment);
+  StudyState state;
+  std::set<std::array<double, 3>> colors;
+  for (int file = 0; file < 60; ++file)
+  {
+    state = WithAddedStructuresOf(state, "/" + std::to_string(file) + ".nii.gz", read);
+    colors.insert(state.Structures.back().Color);
+  }
+  EXPECT_EQ(colors.size(), 60U);
 }
 
 TEST_F(StudyTest, FirstAddedSegmentationIsThatOfTheSlices)

@@ -10,6 +10,7 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProperty.h"
@@ -57,9 +58,13 @@ CohortShapeView::CohortShapeView(QWidget* parent)
   this->Shading->ConsistencyOff();
   this->Mapper->SetInputConnection(this->Shading->GetOutputPort());
   this->Actor->SetMapper(this->Mapper);
-  this->Actor->GetProperty()->SetAmbient(SurfaceMaterial::Ambient);
-  this->Actor->GetProperty()->SetDiffuse(SurfaceMaterial::Diffuse);
-  this->Actor->GetProperty()->SetSpecular(SurfaceMaterial::Specular);
+  SurfaceMaterial::Set(this->Actor->GetProperty());
+  for (const SurfaceMaterial::Lamp& lamp : SurfaceMaterial::Lamps)
+  {
+    vtkNew<vtkLight> light;
+    SurfaceMaterial::Set(light.Get(), lamp);
+    this->Renderer->AddLight(light);
+  }
   // The canvas draws when it is told to (see ViewCanvas).
   this->Requests->Connect(this->Drawing->interactor(), vtkCommand::RenderEvent, this,
                           SLOT(RequestRender()));

@@ -103,6 +103,30 @@ TEST_F(CohortWindowTest, ListsCasesWithPicturesAndNumbers)
   EXPECT_EQ(this->Table()->item(0, 0)->text(), "case 5"); // the highest Dice
 }
 
+// It is white where it is the mean.
+TEST_F(CohortWindowTest, MeanShapeIsShadedAndBurnsOutNowhere)
+{
+  this->Open();
+  QApplication::processEvents();
+  const QImage image = this->View()->Canvas()->grabFramebuffer();
+  int brightest = 0;
+  int dim = 0;
+  int bright = 0;
+  for (int y = 0; y < image.height(); ++y)
+  {
+    for (int x = 0; x < image.width(); ++x)
+    {
+      const int grey = qRed(image.pixel(x, y));
+      brightest = std::max(brightest, grey);
+      bright += grey > 200 ? 1 : 0;
+      dim += grey > 80 && grey <= 200 ? 1 : 0;
+    }
+  }
+  EXPECT_LT(brightest, 252);
+  EXPECT_GT(bright, 100);
+  EXPECT_GT(dim, bright / 3);
+}
+
 TEST_F(CohortWindowTest, SlidersMoveTheMeanAlongModes)
 {
   this->Open();

@@ -129,5 +129,29 @@ TEST_F(DrillPanelForbiddenTest, ReportsFailedProtectionOnceWithFix)
   EXPECT_EQ(said.find(start), said.rfind(start)) << said;
   this->ExpectNothingCut();
 }
+
+// A nerve in bone: hidden, it is outlined still, since it is protected.
+TEST_F(DrillPanelForbiddenTest, ForbiddenStructureIsOutlinedEvenIfHidden)
+{
+  this->StartDrilling();
+  const auto& outlines = this->Window->Contents().Outlines();
+  EXPECT_TRUE(outlines.empty());
+  this->Choose(NerveRow, Forbidden);
+  this->Settle();
+  const StudyState& state = this->Study->State();
+  const SceneStructure& nerve = state.Structures[NerveRow];
+  ASSERT_TRUE(nerve.IsForbidden && !nerve.IsVisible);
+  WaitUntil([&] { return outlines.count(nerve.Id) > 0; });
+  EXPECT_FALSE(outlines.at(nerve.Id)->GetVisibility());
+  EXPECT_TRUE(outlines.at(nerve.Id)->GetForbidden());
+  EXPECT_GT(outlines.at(nerve.Id)->GetSurface()->GetNumberOfCells(), 0);
+  StudyState next = state;
+  next.Structures[NerveRow].IsVisible = true;
+  this->Study->Change("Show the nerve", next);
+  const auto& surfaces = this->Window->Contents().Surfaces();
+  WaitUntil([&] { return surfaces.count(nerve.Id) > 0; });
+  EXPECT_TRUE(surfaces.at(nerve.Id)->GetForbidden());
+  EXPECT_EQ(outlines.count(nerve.Id), 0U);
+}
 } // namespace
 } // namespace palpate::drill_panel_forbidden_test

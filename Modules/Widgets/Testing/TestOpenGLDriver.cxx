@@ -2,6 +2,8 @@
 
 #include "WindowTest.h"
 
+#include <QMenu>
+
 namespace palpate::open_gl_driver_test
 {
 namespace
@@ -23,17 +25,26 @@ TEST_F(OpenGLDriverTest, IsNamed)
   EXPECT_FALSE(OpenGLDriver().isEmpty());
 }
 
-TEST_F(OpenGLDriverTest, OnlyAGraphicsCardIsOfferedOcclusionAndSmoothsByDefault)
+TEST_F(OpenGLDriverTest, EffectsAreOnEverywhereAndWaitForRestWithoutAGraphicsCard)
 {
-  const bool hasCard = IsGraphicsCard(OpenGLDriver());
-  int occlusions = 0;
-  for (const QAction* action : this->Window->findChildren<QAction*>())
-  {
-    occlusions += action->text().contains("occlusion") ? 1 : 0;
-  }
-  EXPECT_EQ(occlusions, hasCard ? 1 : 0);
-  EXPECT_EQ(this->Action("Smooth edges")->isChecked(), hasCard);
-  EXPECT_EQ(this->Window->Views()->Space()->View()->GetAntialiasing(), hasCard);
+  SpacePane* space = this->Window->Views()->Space();
+  EXPECT_TRUE(this->Action("Smooth edges")->isChecked());
+  EXPECT_TRUE(this->Action("Ambient occlusion")->isChecked());
+  EXPECT_TRUE(space->View()->GetAntialiasing());
+  EXPECT_TRUE(space->View()->GetAmbientOcclusion());
+  space->RequestRender();
+  EXPECT_EQ(space->View()->GetMoving(), !IsGraphicsCard(OpenGLDriver()));
+}
+
+TEST_F(OpenGLDriverTest, GroundIsKept)
+{
+  QMenu* grounds = this->Action("Background of 3-D")->menu();
+  ASSERT_EQ(grounds->actions().size(), 4);
+  EXPECT_TRUE(grounds->actions().front()->isChecked()) << "that of the theme";
+  grounds->actions().back()->trigger();
+  EXPECT_EQ(this->Window->Views()->Space()->Renderer()->GetBackground()[0], 1.0);
+  const MainWindow next(*this->Study);
+  EXPECT_EQ(next.Views()->Space()->Renderer()->GetBackground()[0], 1.0);
 }
 
 TEST_F(OpenGLDriverTest, SmoothEdgesAreKept)

@@ -131,9 +131,9 @@ TEST_F(StructureLinkTest, SubVoxelVolumeHasOpacityAndHighlight)
   vtkVolume* volume = shown.Fields().at(1);
   auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(volume->GetMapper());
   EXPECT_EQ(mapper->GetMaterialOpacity(0), 0.4);
-  const double plain = volume->GetProperty()->GetAmbient();
+  EXPECT_EQ(mapper->GetOutlineWidth(), 0.0);
   this->Panel()->Select(1);
-  EXPECT_GT(volume->GetProperty()->GetAmbient(), plain);
+  EXPECT_GT(mapper->GetOutlineWidth(), 0.0);
   EXPECT_EQ(shown.StructureAt(volume, this->SphereCenter), 1);
 }
 } // namespace

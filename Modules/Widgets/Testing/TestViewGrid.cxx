@@ -1,7 +1,9 @@
 #include "LabelImages.h"
 #include "ViewGrid.h"
 #include "WidgetTest.h"
+#include "WindowLook.h"
 
+#include "vtkCamera.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 
 #include <QImage>
@@ -164,6 +166,82 @@ TEST_F(ViewGridTest, LayoutsShowTheirViews)
   {
     EXPECT_EQ(LayoutOf(WordOf(layout)), layout);
   }
+}
+
+TEST_F(ViewGridTest, NoticeIsShownOnce)
+{
+  const auto banners = [this]
+  {
+    std::set<QString> shown;
+    for (ViewPane* pane : this->Views->Panes())
+    {
+      const auto* banner = pane->findChild<ViewBanner*>();
+      if (!banner->isHidden() && pane->isVisible())
+      {
+        shown.insert(pane->Name());
+        EXPECT_LT(5 * banner->height(), pane->height() + 5 * 30) << "short where it is small";
+        EXPECT_TRUE(banner->text().startsWith("No force")) << banner->text().toStdString();
+      }
+    }
+    return shown;
+  };
+  this->Views->resize(400, 250);
+  this->Views->ShowNotice({TouchNotice::Kind::NoForce,
+                           "No force. The device was switched off by the user, who may allow "
+                           "force again by the button in the toolbar."});
+  EXPECT_EQ(banners(), std::set<QString>{"3-D"});
+  EXPECT_EQ(this->Views->Space()->findChild<ViewBanner*>()->text(), "No force");
+  this->Views->resize(1600, 1200);
+  QApplication::processEvents();
+  EXPECT_TRUE(this->Views->Space()->findChild<ViewBanner*>()->text().endsWith("toolbar."));
+  this->Views->ToggleMaximized(this->Views->Slice(SliceOrientation::Coronal));
+  EXPECT_EQ(banners(), std::set<QString>{"Coronal"});
+  this->Views->ShowNotice({});
+  EXPECT_TRUE(banners().empty());
+}
+
+TEST_F(ViewGridTest, SlicesInSpaceNeverSurroundTheCamera)
+{
+  SpacePane* space = this->Views->Space();
+  vtkCamera* camera = space->Renderer()->GetActiveCamera();
+  camera->SetPosition(2.0, -5.0, 3.0); // within the volume
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  space->ShowSlices(true);
+  EXPECT_GT(Vector3(camera->GetPosition()).norm(), 40.0);
+  const Vector3 outside(camera->GetPosition());
+  space->ShowSlices(false);
+  space->ShowSlices(true);
+  EXPECT_EQ(Vector3(camera->GetPosition()), outside) << "it stays where it sees them";
+}
+
+TEST_F(ViewGridTest, EffectsReturnWithinAMomentOfRest)
+{
+  SpacePane* space = this->Views->Space();
+  space->SmoothEdges(true);
+  EXPECT_TRUE(space->View()->GetMoving());
+  const int before = space->RenderCount();
+  WaitUntil([&] { return space->RenderCount() == before + 1; });
+  EXPECT_TRUE(space->View()->GetMoving());
+  WaitUntil([&] { return space->RenderCount() == before + 2; });
+  EXPECT_FALSE(space->View()->GetMoving());
+  EXPECT_LE(SpacePane::RestTime, 300);
+  space->WaitForRest(false);
+  space->RequestRender();
+  EXPECT_FALSE(space->View()->GetMoving());
+}
+
+TEST_F(ViewGridTest, GroundFollowsTheTheme)
+{
+  SpacePane* space = this->Views->Space();
+  const auto grey = [space] { return space->Renderer()->GetBackground2()[0]; };
+  for (const WindowLook look : {WindowLook::Dark, WindowLook::Light})
+  {
+    space->setPalette(PaletteOf(look));
+    EXPECT_EQ(grey() < 0.5, look == WindowLook::Dark);
+  }
+  space->SetGround(ViewGround::White);
+  EXPECT_EQ(space->Renderer()->GetBackground()[0], 1.0);
+  EXPECT_FALSE(space->Renderer()->GetGradientBackground());
 }
 
 TEST_F(ViewGridTest, DoesNotDrawHiddenViews)

@@ -6,7 +6,9 @@
 
 #include "vtkCamera.h"
 
+#include <QClipboard>
 #include <QDialogButtonBox>
+#include <QMenu>
 #include <QSpinBox>
 
 #include <cstdlib>
@@ -68,7 +70,7 @@ TEST_F(ViewPictureTest, HasItsOwnSizeAndLeavesTheViewAsItWas)
   for (ViewPane* pane : this->Views().Panes())
   {
     const QImage before = pane->Canvas()->grab().toImage();
-    const QImage picture = PictureOf(*pane, QSize(1234, 777), false);
+    const QImage picture = PictureOf(*pane, QSize(1234, 777), PictureGround::AsShown);
     EXPECT_EQ(picture.size(), QSize(1234, 777));
     EXPECT_FALSE(picture.hasAlphaChannel());
     EXPECT_EQ(pane->Canvas()->grab().toImage(), before) << pane->objectName().toStdString();
@@ -81,7 +83,7 @@ TEST_F(ViewPictureTest, ShowsWhatTheViewShows)
   for (ViewPane* pane : this->Views().Panes())
   {
     const QImage shown = pane->Canvas()->grab().toImage();
-    const QImage picture = PictureOf(*pane, 3 * shown.size(), false);
+    const QImage picture = PictureOf(*pane, 3 * shown.size(), PictureGround::AsShown);
     const QImage small =
         picture.scaled(shown.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     // Edges and letters differ by their smoothing; without the same text size it is above 10.
@@ -98,8 +100,9 @@ TEST_F(ViewPictureTest, NarrowPictureShowsTheWholeWidth)
        {static_cast<ViewPane*>(&this->Axial()), static_cast<ViewPane*>(this->Views().Space())})
   {
     const QSize shown = pane->Canvas()->size();
-    const QImage alike = PictureOf(*pane, shown, false);
-    const QImage narrow = PictureOf(*pane, QSize(shown.width() / 2, 2 * shown.height()), false);
+    const QImage alike = PictureOf(*pane, shown, PictureGround::AsShown);
+    const QImage narrow =
+        PictureOf(*pane, QSize(shown.width() / 2, 2 * shown.height()), PictureGround::AsShown);
     const QRect bright = BrightOf(alike);
     ASSERT_GT(bright.width(), shown.width() / 8);
     EXPECT_NEAR(BrightOf(narrow).width(), 0.5 * bright.width(), 3.0)
@@ -111,8 +114,8 @@ TEST_F(ViewPictureTest, BackgroundIsTransparentIfAsked)
 {
   this->OpenPhantom();
   SpacePane* space = this->Views().Space();
-  const QImage clear = PictureOf(*space, QSize(400, 300), true);
-  const QImage opaque = PictureOf(*space, QSize(400, 300), false);
+  const QImage clear = PictureOf(*space, QSize(400, 300), PictureGround::Transparent);
+  const QImage opaque = PictureOf(*space, QSize(400, 300), PictureGround::AsShown);
   EXPECT_EQ(qAlpha(clear.pixel(2, 2)), 0);
   int covered = 0;
   for (int x = 0; x < clear.width(); ++x)
@@ -123,13 +126,55 @@ TEST_F(ViewPictureTest, BackgroundIsTransparentIfAsked)
   EXPECT_EQ(qAlpha(opaque.pixel(2, 2)), 255);
 }
 
+TEST_F(ViewPictureTest, BackgroundIsWhiteIfAsked)
+{
+  this->OpenPhantom();
+  for (ViewPane* pane : this->Views().Panes())
+  {
+    const QImage image = PictureOf(*pane, QSize(600, 200), PictureGround::White);
+    EXPECT_EQ(image.pixelColor(image.width() - 20, 60), QColor(Qt::white))
+        << pane->Name().toStdString();
+    EXPECT_FALSE(image.hasAlphaChannel());
+  }
+}
+
+TEST_F(ViewPictureTest, HeaderAndMenuCopyAViewAndSaveItForPrint)
+{
+  this->OpenPhantom();
+  SpacePane* space = this->Views().Space();
+  const auto entries = space->findChild<ViewHeader*>()->actions();
+  ASSERT_EQ(entries.size(), 2);
+  EXPECT_EQ(space->findChild<ViewHeader*>()->contextMenuPolicy(), Qt::ActionsContextMenu);
+  QApplication::clipboard()->clear();
+  entries[0]->trigger();
+  EXPECT_EQ(QApplication::clipboard()->image().size(), space->Canvas()->size());
+  this->SavedTo = QString::fromStdString((this->Phantom.Folder / "figure").string());
+  entries[1]->trigger();
+  this->FinishWriting();
+  const QImage saved(this->SavedTo + ".png");
+  EXPECT_EQ(saved.size(), 2 * space->Canvas()->size());
+  EXPECT_EQ(saved.pixelColor(2, 2), QColor(Qt::white));
+  int menus = 0;
+  for (const QAction* action : this->Window->findChildren<QAction*>())
+  {
+    const QString text = QString(action->text()).remove('&');
+    if (action->menu() != nullptr &&
+        (text.startsWith("Copy image") || text.startsWith("Save image")))
+    {
+      ++menus;
+      EXPECT_EQ(action->menu()->actions().size(), 4) << "one for each view";
+    }
+  }
+  EXPECT_EQ(menus, 2);
+}
+
 TEST_F(ViewPictureTest, FourViewsAreThoseOfEachView)
 {
   this->OpenPhantom();
-  const QImage all = PictureOf(this->Views(), QSize(802, 602), false);
+  const QImage all = PictureOf(this->Views(), QSize(802, 602), PictureGround::AsShown);
   ASSERT_EQ(all.size(), QSize(802, 602));
-  const QImage axial = PictureOf(this->Axial(), QSize(400, 300), false);
-  const QImage space = PictureOf(*this->Views().Space(), QSize(400, 300), false);
+  const QImage axial = PictureOf(this->Axial(), QSize(400, 300), PictureGround::AsShown);
+  const QImage space = PictureOf(*this->Views().Space(), QSize(400, 300), PictureGround::AsShown);
   EXPECT_LT(DifferenceOf(all.copy(0, 0, 400, 300), axial), 0.01);
   EXPECT_LT(DifferenceOf(all.copy(402, 0, 400, 300), space), 0.01);
 }
@@ -142,7 +187,7 @@ TEST_F(ViewPictureTest, ViewThatIsNotShownIsDrawnToo)
   WaitUntil([this] { return this->Window->Contents().Images()->GetImage() != nullptr; });
   DrawAll(this->Views());
   ASSERT_FALSE(this->Axial().isVisible());
-  const QImage picture = PictureOf(this->Axial(), QSize(300, 300), false);
+  const QImage picture = PictureOf(this->Axial(), QSize(300, 300), PictureGround::AsShown);
   EXPECT_GT(BrightOf(picture).width(), 100);
   EXPECT_FALSE(this->Axial().isVisible());
 }

@@ -31,6 +31,8 @@ protected:
       structure.IsVisible = structure.IsTouchable = false;
     }
     this->Study->Change("Hide all", next);
+    this->Space()->Renderer()->GradientBackgroundOff();
+    this->Space()->Renderer()->SetBackground(0.0, 0.0, 0.0);
     this->Draw();
   }
   QCheckBox* Tick() const { return this->Window->findChild<QCheckBox*>("volume-in-3d"); }

@@ -54,14 +54,8 @@ protected:
   }
   bool IsBannerShown() const
   {
-    for (const auto* banner : this->Window->findChildren<ViewBanner*>())
-    {
-      if (!banner->isVisible() || banner->text().isEmpty())
-      {
-        return false;
-      }
-    }
-    return true;
+    const auto* banner = this->Window->Views()->Space()->findChild<ViewBanner*>();
+    return banner->isVisible() && !banner->text().isEmpty();
   }
 };
 

@@ -82,7 +82,7 @@ protected:
       QApplication::processEvents(QEventLoop::AllEvents, 20);
     }
   }
-  /// Until nothing is left to be drawn.
+  /// Until nothing is left to be drawn, and the 3-D view is drawn as at rest.
   static void DrawAll(ViewGrid& views)
   {
     for (ViewPane* pane : views.Panes())
@@ -92,6 +92,7 @@ protected:
       WaitUntil([&] { return pane->RenderCount() > drawn || !pane->isVisible(); });
     }
     QApplication::processEvents();
+    views.Space()->Settle();
   }
 
   static void SendMouse(QWidget* widget, QEvent::Type type, const QPointF& place,

@@ -190,13 +190,18 @@ protected:
           return isFelt;
         });
   }
+  /// The action of this text, or else the first one that begins with it.
   QAction* Action(const QString& start) const
   {
-    for (QAction* action : this->Window->findChildren<QAction*>())
+    for (const bool isWhole : {true, false})
     {
-      if (action->text().remove('&').startsWith(start))
+      for (QAction* action : this->Window->findChildren<QAction*>())
       {
-        return action;
+        const QString text = action->text().remove('&');
+        if (isWhole ? text == start : text.startsWith(start))
+        {
+          return action;
+        }
       }
     }
     ADD_FAILURE() << "no action " << start.toStdString();

@@ -83,14 +83,14 @@ void PictureDialog::ProposeSize()
 QImage PictureDialog::Picture() const
 {
   const QSize size(this->Across->value(), this->Down->value());
-  const bool isTransparent = this->Transparent->isChecked();
+  const PictureGround ground =
+      this->Transparent->isChecked() ? PictureGround::Transparent : PictureGround::AsShown;
   if (this->IsOfWindow())
   {
     return PictureOf(this->Views, *this->Window);
   }
   ViewPane* view = this->View();
-  return view != nullptr ? PictureOf(*view, size, isTransparent)
-                         : PictureOf(this->Views, size, isTransparent);
+  return view != nullptr ? PictureOf(*view, size, ground) : PictureOf(this->Views, size, ground);
 }
 
 QString PictureDialog::ProposedName() const

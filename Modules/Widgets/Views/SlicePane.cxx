@@ -16,6 +16,7 @@ SlicePane::SlicePane(SliceOrientation orientation, const ViewContents& contents,
 {
   this->setObjectName(QString(NameOf(orientation)).toLower());
   this->Slice->SetOrientation(static_cast<int>(orientation));
+  this->Slice->TitleVisibilityOff(); // the header has it
   this->Show(this->Slice, contents);
   this->Style->AddView(this->Slice);
   this->SetStyle(this->Style);
@@ -80,6 +81,27 @@ void SlicePane::TellPoint()
 void SlicePane::SetNeurological(bool isNeurological)
 {
   this->Slice->SetNeurological(isNeurological);
+  this->RequestRender();
+}
+
+void SlicePane::ShowFields(const std::set<vtkVolume*>& fields)
+{
+  const std::set<vtkSmartPointer<vtkVolume>> next(fields.begin(), fields.end());
+  if (next == this->Fields)
+  {
+    return;
+  }
+  for (const auto& field : this->Fields)
+  {
+    this->Slice->RemoveField(field);
+    this->Unfollow(field);
+  }
+  for (const auto& field : next)
+  {
+    this->Slice->AddField(field);
+    this->Follow(field);
+  }
+  this->Fields = next;
   this->RequestRender();
 }
 

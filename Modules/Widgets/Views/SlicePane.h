@@ -10,6 +10,7 @@
 #include <QPointF>
 
 #include <optional>
+#include <set>
 
 namespace palpate
 {
@@ -27,6 +28,8 @@ public:
   void SetLeftButtonMode(int mode) { this->Style->SetLeftButtonMode(mode); }
   void SetNeurological(bool isNeurological);
   void FitToImage();
+  /// Shows the contours of these sub-voxel volumes, and no others.
+  void ShowFields(const std::set<vtkVolume*>& fields);
   /// See vtkSliceView::ShowPoint.
   void ShowPlace(const Vector3& pointWorld);
 
@@ -56,6 +59,7 @@ private:
 
   vtkNew<vtkSliceView> Slice;
   vtkNew<vtkInteractorStyleSlice> Style;
+  std::set<vtkSmartPointer<vtkVolume>> Fields;
   std::optional<QPointF> Pointer; // over the canvas
 };
 } // namespace palpate

@@ -11,8 +11,17 @@
 namespace palpate
 {
 SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
-    : ViewPane("3-D", QColor(170, 170, 170), parent)
+    : ViewPane("3-D", QColor(170, 170, 170), parent), Pause(new QTimer(this))
 {
+  this->Pause->setSingleShot(true);
+  this->Pause->setInterval(RestTime);
+  connect(this->Pause, &QTimer::timeout, this,
+          [this]
+          {
+            this->Space->MovingOff();
+            this->RequestFrame();
+          });
+  this->SetGround(this->Ground);
   this->setObjectName("space");
   this->Show(this->Space, contents);
   this->ShowSlices(false);
@@ -23,6 +32,40 @@ SpacePane::SpacePane(const ViewContents& contents, QWidget* parent)
   this->Style->AddObserver(vtkInteractorStyleMouseHand::DraggedEvent, this, &SpacePane::TellDrag);
   this->Style->AddObserver(vtkInteractorStyleMouseHand::DragEndEvent, this, &SpacePane::DragEnded);
   this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &SpacePane::TakeCamera);
+}
+
+void SpacePane::Stir()
+{
+  const bool hasEffects = this->Space->GetAntialiasing() || this->Space->GetAmbientOcclusion();
+  if (this->AreEffectsWaiting && hasEffects)
+  {
+    this->Space->MovingOn();
+    this->Pause->start();
+  }
+}
+
+void SpacePane::Settle()
+{
+  this->Pause->stop();
+  this->Space->MovingOff();
+  ViewPane::Settle();
+}
+
+void SpacePane::SetGround(ViewGround ground)
+{
+  constexpr int Middle = 128; // of lightness
+  this->Ground = ground;
+  Lay(ground, this->palette().color(QPalette::Window).lightness() < Middle, this->Renderer());
+  this->RequestRender();
+}
+
+void SpacePane::changeEvent(QEvent* event)
+{
+  if (event->type() == QEvent::PaletteChange)
+  {
+    this->SetGround(this->Ground);
+  }
+  ViewPane::changeEvent(event);
 }
 
 void SpacePane::TakeCamera()
@@ -136,6 +179,11 @@ void SpacePane::ShowSlices(bool areShown)
   for (const SliceOrientation orientation : AllSliceOrientations)
   {
     this->Space->SetSliceVisibility(static_cast<int>(orientation), areShown);
+  }
+  // It would see little from within the volume.
+  if (areShown && this->Space->IsCameraInside())
+  {
+    this->ShowAll();
   }
   this->RequestRender();
 }

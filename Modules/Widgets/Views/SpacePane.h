@@ -1,10 +1,13 @@
 #pragma once
 
 #include "ViewContents.h"
+#include "ViewGround.h"
 #include "ViewPane.h"
 
 #include "vtkInteractorStyleMouseHand.h"
 #include "vtkSpaceView.h"
+
+#include <QTimer>
 
 #include <set>
 
@@ -28,6 +31,13 @@ public:
   void ShowSlices(bool areShown);
   /// See vtkSpaceView::SetAntialiasing, SetAmbientOcclusion and SetToolShadow.
   void SmoothEdges(bool areSmooth);
+  /// Whether smooth edges and ambient occlusion wait until nothing has moved for a moment, so that
+  /// they cost no frames. On by default.
+  void WaitForRest(bool areWaiting) { this->AreEffectsWaiting = areWaiting; }
+  /// Milliseconds without a change until a view is at rest.
+  static constexpr int RestTime = 200;
+  void Settle() override;
+  void SetGround(ViewGround ground);
   void ShowOcclusion(bool isShown);
   void ShowToolShadow(bool isShown);
   void LookFrom(int side);
@@ -64,6 +74,10 @@ Q_SIGNALS:
   void Dragged(const Vector3& world); ///< the object's new position
   void DragEnded();
 
+protected:
+  void Stir() override;
+  void changeEvent(QEvent* event) override;
+
 private:
   using Props = std::set<vtkSmartPointer<vtkProp>>;
   void ShowOnly(Props& shown, const std::set<vtkProp*>& props);
@@ -78,6 +92,9 @@ private:
   vtkNew<vtkInteractorStyleMouseHand> Style;
   Props Fields;
   Props Volumes;
+  QTimer* Pause;
+  bool AreEffectsWaiting = true;
+  ViewGround Ground = ViewGround::Theme;
   bool IsLed = false;
 };
 } // namespace palpate

@@ -32,9 +32,9 @@ void ViewBanner::Show(const TouchNotice& notice)
     this->setPalette(colors);
     this->setVisible(notice.Is != TouchNotice::Kind::None);
   }
-  if (this->text() != notice.Text)
+  if (this->Whole != notice.Text)
   {
-    this->setText(notice.Text);
+    this->Whole = notice.Text;
     this->setAccessibleName(notice.Text);
     this->Place();
   }
@@ -42,7 +42,13 @@ void ViewBanner::Show(const TouchNotice& notice)
 
 void ViewBanner::Place()
 {
+  constexpr int LargestShare = 5; // the notice's height in that of the view
   const int width = this->parentWidget()->width();
+  this->setText(this->Whole);
+  if (LargestShare * this->heightForWidth(width) > this->parentWidget()->height())
+  {
+    this->setText(this->Whole.section(". ", 0, 0));
+  }
   this->setGeometry(0, 0, width, this->heightForWidth(width));
   this->raise();
 }

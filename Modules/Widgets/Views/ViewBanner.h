@@ -6,7 +6,8 @@
 
 namespace palpate
 {
-/// A notice over the upper edge of a view. It lets the mouse through and does not move the view.
+/// A notice over the upper edge of a view: in a small one, only its first sentence. It lets the
+/// mouse through and does not move the view.
 class ViewBanner : public QLabel
 {
   Q_OBJECT
@@ -23,5 +24,6 @@ private:
   void Place();
 
   TouchNotice::Kind Kind = TouchNotice::Kind::None;
+  QString Whole;
 };
 } // namespace palpate

@@ -6,6 +6,7 @@
 #include "OwnCopy.h"
 #include "PlainVector3.h"
 #include "RadialModel.h"
+#include "SceneProtection.h"
 #include "SceneTool.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
@@ -156,6 +157,44 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
   KeepOnly(this->FieldSources, fields);
   KeepOnly(this->Yielding, surfaces);
   this->ShowOpacities(state);
+  this->ShowOutlines(state, pipeline);
+}
+
+// A forbidden structure is outlined whether it is visible or not. Its protection has a surface,
+// too.
+void ViewContents::ShowOutlines(const StudyState& state, const StudyPipeline& pipeline)
+{
+  std::set<int> outlines;
+  for (const SceneStructure& structure : state.Structures)
+  {
+    if (!structure.IsForbidden || this->SurfacesShown.count(structure.Id) > 0)
+    {
+      continue;
+    }
+    const auto protection = pipeline.Newest<SceneProtection>(SceneStep::Protection, structure.Id);
+    vtkPolyData* surface =
+        protection != nullptr ? protection->Structure->Surface() : SurfaceOf(pipeline, structure);
+    if (surface == nullptr)
+    {
+      continue;
+    }
+    outlines.insert(structure.Id);
+    auto& shown = this->OutlinesShown[structure.Id];
+    if (shown == nullptr)
+    {
+      shown = vtkSmartPointer<vtkSurfaceDisplay>::New();
+      shown->VisibilityOff();
+      shown->ForbiddenOn();
+      this->OutlineSources.erase(structure.Id);
+    }
+    if (this->OutlineSources[structure.Id] != surface)
+    {
+      this->OutlineSources[structure.Id] = surface;
+      shown->SetSurface(OwnCopy(surface));
+    }
+  }
+  KeepOnly(this->OutlinesShown, outlines);
+  KeepOnly(this->OutlineSources, outlines);
 }
 
 // The surface of a structure that yields, or null.
@@ -231,6 +270,7 @@ void ViewContents::ShowSurface(const SceneStructure& structure, vtkPolyData* sur
   }
   shown->SetColor(structure.Color[0], structure.Color[1], structure.Color[2]);
   shown->SetColorArray(ColorArrayOf(structure.Appearance));
+  shown->SetForbidden(structure.IsForbidden);
 }
 
 void ViewContents::ShowField(const SceneStructure& structure,
@@ -280,11 +320,15 @@ void ViewContents::ShowHighlight(int id)
     surface->second->SetHighlight(isOn);
   }
   const auto field = this->FieldsShown.find(id);
-  const double ambient = isOn ? SurfaceMaterial::HighlightAmbient : SurfaceMaterial::Ambient;
-  if (field != this->FieldsShown.end() && field->second->GetProperty()->GetAmbient() != ambient)
+  if (field != this->FieldsShown.end())
   {
-    field->second->GetProperty()->SetAmbient(ambient);
-    field->second->Modified(); // views check its modification time
+    constexpr double Width = 2.0; // pixels
+    auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(field->second->GetMapper());
+    if ((mapper->GetOutlineWidth() > 0.0) != isOn)
+    {
+      mapper->SetOutlineWidth(isOn ? Width : 0.0);
+      field->second->Modified(); // views check its modification time
+    }
   }
 }
 

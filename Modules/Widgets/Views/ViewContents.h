@@ -67,10 +67,16 @@ public:
   }
   /// Removed parts of drilled structures, as outlines in slices; by the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Cuts() const { return this->CutsShown; }
-  /// Sub-voxel structures, for the 3D view.
+  /// Surfaces of forbidden structures that are not shown as surfaces; only their outlines are
+  /// drawn.
+  const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Outlines() const
+  {
+    return this->OutlinesShown;
+  }
+  /// Sub-voxel structures: themselves in the 3D view, their contours in slices.
   const std::map<int, vtkSmartPointer<vtkVolume>>& Fields() const { return this->FieldsShown; }
 
-  /// Makes these structures brighter in 3D and their contours thicker in slices, and no others.
+  /// Outlines these structures in 3D and makes their contours thicker in slices, and no others.
   void Highlight(const std::set<int>& ids);
 
   /// The visible structure of the labels at a point (world, mm); 0 if there is none.
@@ -87,6 +93,7 @@ public:
 
 private:
   void ShowSurfaces(const StudyState& state, const StudyPipeline& pipeline);
+  void ShowOutlines(const StudyState& state, const StudyPipeline& pipeline);
   void FollowSurfaces();
   void ShowSurface(const SceneStructure& structure, vtkPolyData* surface);
   vtkPolyData* ShowYielding(const SceneStructure& structure, const StudyPipeline& pipeline);
@@ -109,6 +116,7 @@ private:
   vtkNew<vtkSurfaceDisplay> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;
+  std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> OutlinesShown;
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
   std::map<int, std::unique_ptr<YieldingSurface>> Yielding;
   std::set<int> Touchable; // ids
@@ -117,6 +125,7 @@ private:
 
   // The displayed products; they are shared and never changed.
   std::map<int, vtkPolyData*> SurfaceSources;
+  std::map<int, vtkPolyData*> OutlineSources;
   std::map<int, std::shared_ptr<const ScalarField>> FieldSources;
   std::map<int, std::shared_ptr<const ScalarField>> DrilledFields;
   ///@{ Of FollowSurfaces: the structures, and where it left the crosshair.

@@ -1,5 +1,7 @@
 #include "ViewGrid.h"
 
+#include <algorithm>
+
 namespace palpate
 {
 const char* WordOf(ViewLayout layout)
@@ -104,12 +106,14 @@ void ViewGrid::Arrange()
       this->Grid->setColumnStretch(line, 1);
     }
   }
+  this->ShowNotice(this->Notice);
 }
 
 void ViewGrid::TakeContents()
 {
   std::set<vtkSmartPointer<vtkSurfaceDisplay>> next;
-  for (const auto* shown : {&this->Contents.Surfaces(), &this->Contents.Cuts()})
+  for (const auto* shown :
+       {&this->Contents.Surfaces(), &this->Contents.Cuts(), &this->Contents.Outlines()})
   {
     for (const auto& [label, surface] : *shown)
     {
@@ -138,12 +142,16 @@ void ViewGrid::TakeContents()
   }
   const bool areOthers = next != this->Surfaces;
   this->Surfaces = next;
-  std::set<vtkProp*> fields;
+  std::set<vtkVolume*> fields;
   for (const auto& [label, field] : this->Contents.Fields())
   {
     fields.insert(field);
   }
-  this->InSpace->ShowFields(fields);
+  this->InSpace->ShowFields({fields.begin(), fields.end()});
+  for (SlicePane* slice : this->Slices)
+  {
+    slice->ShowFields(fields);
+  }
   this->FitToAnotherImage();
   if (areOthers)
   {
@@ -197,9 +205,13 @@ void ViewGrid::SetLengthUnit(LengthUnit unit)
 
 void ViewGrid::ShowNotice(const TouchNotice& notice)
 {
+  this->Notice = notice;
+  // The 3D view, or the only one.
+  const auto seen = std::find_if(this->All.rbegin(), this->All.rend(),
+                                 [](const ViewPane* pane) { return !pane->isHidden(); });
   for (ViewPane* pane : this->All)
   {
-    pane->ShowNotice(notice);
+    pane->ShowNotice(seen != this->All.rend() && pane == *seen ? notice : TouchNotice());
   }
 }
 

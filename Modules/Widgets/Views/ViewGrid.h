@@ -59,7 +59,7 @@ public:
   void SetNeurological(bool isNeurological);
   void SetLengthUnit(LengthUnit unit);
   void FitAll();
-  /// In every view.
+  /// In the 3D view, or in the only visible one.
   void ShowNotice(const TouchNotice& notice);
 
 private:
@@ -74,6 +74,7 @@ private:
   QGridLayout* Grid;
   ViewLayout Shown = ViewLayout::Four;
   ViewPane* Alone = nullptr;
+  TouchNotice Notice;
   ViewPane* One; ///< the view of layout One
   std::set<vtkSmartPointer<vtkSurfaceDisplay>> Surfaces;
   vtkSmartPointer<vtkImageData> Image; ///< the image that the views were fitted to

@@ -8,6 +8,7 @@ namespace palpate
 ViewHeader::ViewHeader(const QString& name, const QColor& color, QWidget* parent)
     : QWidget(parent), Number(new QLabel(this)), Slider(new QSlider(Qt::Horizontal, this))
 {
+  this->setContextMenuPolicy(Qt::ActionsContextMenu);
   auto* title = new QLabel(name, this);
   title->setStyleSheet(QString("background: %1; color: black; font-weight: bold; padding: 1px 6px;")
                            .arg(color.name()));

@@ -9,7 +9,7 @@
 namespace palpate
 {
 /// The thin bar over a view: its name in its colour, the slice's number and their count, a slider,
-/// and a button that maximises.
+/// and a button that maximises. Its actions are its context menu.
 class ViewHeader : public QWidget
 {
   Q_OBJECT

@@ -19,6 +19,7 @@ ViewCanvas::ViewCanvas(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
 {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
+  window->SetAlphaBitPlanes(1); // depth peeling needs them
   this->setRenderWindow(window);
   this->interactor()->EnableRenderOff();
   this->setMouseTracking(true);
@@ -35,8 +36,8 @@ void ViewCanvas::paintGL()
 }
 
 ViewPane::ViewPane(const QString& name, const QColor& color, QWidget* parent)
-    : QWidget(parent), Bar(new ViewHeader(name, color, this)), RasterImage(new ViewCanvas(this)),
-      Banner(new ViewBanner(RasterImage))
+    : QWidget(parent), Title(name), Bar(new ViewHeader(name, color, this)),
+      RasterImage(new ViewCanvas(this)), Banner(new ViewBanner(RasterImage))
 {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -108,6 +109,12 @@ void ViewPane::Unfollow(vtkObject* shared)
 }
 
 void ViewPane::RequestRender()
+{
+  this->Stir();
+  this->RequestFrame();
+}
+
+void ViewPane::RequestFrame()
 {
   if (!this->IsDue)
   {

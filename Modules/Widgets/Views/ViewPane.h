@@ -8,8 +8,11 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
+#include <QAction>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
+
+#include <utility>
 
 class vtkInteractorStyle;
 class vtkLinkedView;
@@ -44,8 +47,23 @@ public:
   vtkRenderer* Renderer() const { return this->Scene; }
   /// Over its upper edge.
   void ShowNotice(const TouchNotice& notice) { this->Banner->Show(notice); }
+  const QString& Name() const { return this->Title; }
+  /// An entry of the header's context menu.
+  template <typename Function>
+  void AddToHeader(const QString& text, Function&& run)
+  {
+    auto* action = new QAction(text, this->Bar);
+    connect(action, &QAction::triggered, this, std::forward<Function>(run));
+    this->Bar->addAction(action);
+  }
   /// Draws now if a frame is due.
   void RenderNow();
+  /// Draws now, as at rest.
+  virtual void Settle()
+  {
+    this->RequestFrame();
+    this->RenderNow();
+  }
   /// Number of frames drawn.
   int RenderCount() const { return this->Drawn; }
 
@@ -78,10 +96,15 @@ protected:
   /// Sets the view that the pane draws, of `contents`, which outlive it.
   void Show(vtkLinkedView* view, const ViewContents& contents);
   bool eventFilter(QObject* object, QEvent* event) override;
+  /// Before a frame is requested because something changed.
+  virtual void Stir() {}
+  /// Draws soon, without Stir.
+  void RequestFrame();
 
 private:
   bool TakeMouse(QEvent* event);
 
+  QString Title;
   ViewHeader* Bar;
   ViewCanvas* RasterImage;
   ViewBanner* Banner;

@@ -25,7 +25,7 @@ constexpr int Gap = 2; // pixels between views
 class ChangedView
 {
 public:
-  ChangedView(ViewPane& pane, const QSize& size)
+  ChangedView(ViewPane& pane, const QSize& size, PictureGround ground)
       : Pane(pane), Slice(qobject_cast<SlicePane*>(&pane)), Space(qobject_cast<SpacePane*>(&pane)),
         Window(vtkGenericOpenGLRenderWindow::SafeDownCast(pane.Canvas()->renderWindow()))
   {
@@ -45,23 +45,26 @@ public:
     // A view keeps its height; in a narrower one everything becomes smaller.
     this->Zoomed = std::min(1.0, across / down);
     this->Zoom(this->Zoomed);
-    if (this->Space != nullptr)
-    {
-      this->WasSmooth = this->Space->View()->GetAntialiasing();
-      this->Space->View()->AntialiasingOn();
-    }
+    this->Look(ground);
   }
   ~ChangedView()
   {
     this->Zoom(1.0 / this->Zoomed);
+    vtkRenderer* renderer = this->Pane.Renderer();
+    renderer->SetBackground(this->Ground.data());
+    renderer->SetGradientBackground(this->WasGraded);
     if (this->Space != nullptr)
     {
       this->Space->View()->SetAntialiasing(this->WasSmooth);
+      this->Space->View()->SetMoving(this->WasMoving);
+    }
+    else
+    {
+      this->Slice->View()->TitleVisibilityOff();
     }
     this->Window->SetDPI(this->Points);
     this->Window->SetSize(this->Size[0], this->Size[1]);
-    this->Pane.RequestRender();
-    this->Pane.RenderNow();
+    this->Pane.Settle();
   }
   ChangedView(const ChangedView&) = delete;
   ChangedView& operator=(const ChangedView&) = delete;
@@ -69,6 +72,29 @@ public:
   vtkGenericOpenGLRenderWindow* Canvas() const { return this->Window; }
 
 private:
+  void Look(PictureGround ground)
+  {
+    vtkRenderer* renderer = this->Pane.Renderer();
+    std::copy_n(renderer->GetBackground(), 3, this->Ground.begin());
+    this->WasGraded = renderer->GetGradientBackground();
+    if (ground != PictureGround::AsShown)
+    {
+      const double grey = ground == PictureGround::White ? 1.0 : 0.0;
+      renderer->SetBackground(grey, grey, grey);
+      renderer->GradientBackgroundOff();
+    }
+    if (this->Space != nullptr)
+    {
+      this->WasSmooth = this->Space->View()->GetAntialiasing();
+      this->WasMoving = this->Space->View()->GetMoving();
+      this->Space->View()->AntialiasingOn();
+      this->Space->View()->MovingOff();
+    }
+    else
+    {
+      this->Slice->View()->TitleVisibilityOn();
+    }
+  }
   // Around the view's centre.
   void Zoom(double factor)
   {
@@ -91,13 +117,16 @@ private:
   int Points = 0; // per inch
   std::array<int, 2> Size{};
   double Zoomed = 1.0;
+  std::array<double, 3> Ground{};
+  bool WasGraded = false;
   bool WasSmooth = false;
+  bool WasMoving = false;
 };
 } // namespace
 
-QImage PictureOf(ViewPane& pane, const QSize& size, bool isTransparent)
+QImage PictureOf(ViewPane& pane, const QSize& size, PictureGround ground)
 {
-  const ChangedView changed(pane, size);
+  const ChangedView changed(pane, size, ground);
   vtkGenericOpenGLRenderWindow* window = changed.Canvas();
   window->Render();
   // Qt has bound its own buffer, which VTK does not notice.
@@ -107,6 +136,7 @@ QImage PictureOf(ViewPane& pane, const QSize& size, bool isTransparent)
   const int top = size.height() - 1;
   constexpr int Back = 0;
   constexpr int Mono = 0;
+  const bool isTransparent = ground == PictureGround::Transparent;
   if (isTransparent)
   {
     window->GetRGBACharPixelData(0, 0, right, top, Back, pixels.Get(), Mono);
@@ -121,7 +151,7 @@ QImage PictureOf(ViewPane& pane, const QSize& size, bool isTransparent)
   return QImage(pixels->GetPointer(0), size.width(), size.height(), rowBytes, format).mirrored();
 }
 
-QImage PictureOf(const ViewGrid& views, const QSize& size, bool isTransparent)
+QImage PictureOf(const ViewGrid& views, const QSize& size, PictureGround ground)
 {
   const int left = std::max(1, (size.width() - Gap) / 2);
   const int top = std::max(1, (size.height() - Gap) / 2);
@@ -132,12 +162,13 @@ QImage PictureOf(const ViewGrid& views, const QSize& size, bool isTransparent)
        {views.Space(), {left + Gap, 0, right, top}},
        {views.Slice(SliceOrientation::Coronal), {0, top + Gap, left, bottom}},
        {views.Slice(SliceOrientation::Sagittal), {left + Gap, top + Gap, right, bottom}}}};
+  const bool isTransparent = ground == PictureGround::Transparent;
   QImage all(size, isTransparent ? QImage::Format_RGBA8888_Premultiplied : QImage::Format_RGB888);
   all.fill(isTransparent ? Qt::transparent : Qt::darkGray);
   QPainter painter(&all);
   for (const auto& [pane, place] : places)
   {
-    painter.drawImage(place, PictureOf(*pane, place.size(), isTransparent));
+    painter.drawImage(place, PictureOf(*pane, place.size(), ground));
   }
   return all;
 }
@@ -146,7 +177,7 @@ QImage PictureOf(const ViewGrid& views, QWidget& window)
 {
   for (ViewPane* pane : views.Panes())
   {
-    pane->RenderNow();
+    pane->Settle();
   }
   return window.grab().toImage();
 }
