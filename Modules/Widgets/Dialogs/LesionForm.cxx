@@ -17,7 +17,7 @@ struct TissuePreset
   double Lesion;
   const char* Source;
 };
-constexpr std::array<TissuePreset, 4> Presets{
+constexpr std::array<TissuePreset, 4> TissuePresets{
     {{"Phantom, lesion 3 : 1", 20.0, 60.0, "An assumption of this program, not a measurement."},
      {"Prostate and its cancer, ex vivo", 17.0, 24.1,
       "Ahn et al. 2010, indentation: 17.0 \u00b1 9.0 and 24.1 \u00b1 14.5 kPa."},
@@ -39,7 +39,7 @@ LesionForm::LesionForm(const StudyState& state, int id, QWidget* parent)
   this->Modulus->setRange(0.001, Largest);
   this->Modulus->setDecimals(3);
   this->Modulus->setSuffix(" kPa");
-  this->Modulus->setValue(Presets[0].Lesion);
+  this->Modulus->setValue(TissuePresets[0].Lesion);
   for (const SceneStructure& one : state.Structures)
   {
     if (one.Id == id || one.Source() != SceneSource::Label)
@@ -68,7 +68,7 @@ void LesionForm::AddPresets(QFormLayout* tissue, QDoubleSpinBox* modulus)
   auto* presets = new QComboBox(this);
   presets->setObjectName("tissue-preset");
   presets->addItem("Own values");
-  for (const TissuePreset& preset : Presets)
+  for (const TissuePreset& preset : TissuePresets)
   {
     presets->addItem(preset.Name);
     presets->setItemData(presets->count() - 1, preset.Source, Qt::ToolTipRole);
@@ -82,7 +82,7 @@ void LesionForm::AddPresets(QFormLayout* tissue, QDoubleSpinBox* modulus)
           {
             if (chosen > 0)
             {
-              const TissuePreset& preset = Presets.at(static_cast<std::size_t>(chosen - 1));
+              const TissuePreset& preset = TissuePresets.at(static_cast<std::size_t>(chosen - 1));
               modulus->setValue(preset.Tissue);
               this->Modulus->setValue(preset.Lesion);
               source->setText(preset.Source);

@@ -99,7 +99,8 @@ void StudyThumbnails::Keep()
   const QString name = NameOf(QString::fromStdString(file.string()));
   try
   {
-    WritePicture(palpate::PictureOf(*pane, KeptSize, false), (Folder() + "/" + name).toStdString());
+    WritePicture(palpate::PictureOf(*pane, KeptSize, PictureGround::AsShown),
+                 (Folder() + "/" + name).toStdString());
     RemoveOthers(QDir(Folder()), name);
   }
   catch (const InputError&)

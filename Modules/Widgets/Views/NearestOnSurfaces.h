@@ -1,6 +1,5 @@
 #pragma once
 
-#include "PalpateInteractionModule.h"
 #include "Vector3.h"
 
 #include "vtkPolyData.h"
@@ -15,7 +14,7 @@ namespace palpate
 {
 /// Finds the place of some surfaces that is nearest to a point. A surface is prepared when it first
 /// comes into question, and again when it changes.
-class PALPATEINTERACTION_EXPORT NearestOnSurfaces
+class NearestOnSurfaces
 {
 public:
   void SetSurfaces(const std::vector<vtkPolyData*>& surfaces);
