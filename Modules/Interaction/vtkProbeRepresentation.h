@@ -83,8 +83,8 @@ public:
   vtkGetMacro(ContactRadius, double);
   ///@}
   ///@{
-  /** How deep the tool is, mm, as is written beside it; negative, the default: the distance of probe
-   * and proxy. What yields is shown with both at one place. */
+  /** How deep the tool is, mm, as is written beside it; negative, the default: the distance of
+   * probe and proxy. What yields is shown with both at one place. */
   vtkSetMacro(Depth, double);
   vtkGetMacro(Depth, double);
   ///@}

@@ -9,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -268,11 +267,8 @@ void LandmarksPanel::ShowState()
   }
   if (isLonger)
   {
-    // Once the table has laid out its rows.
-    const int newest = hasNewMark ? this->MarkCount - 1 : all - 1;
-    QTimer::singleShot(0, this->Table,
-                       [table = this->Table, newest]
-                       { table->scrollTo(table->model()->index(newest, 0)); });
+    this->Table->doItemsLayout(); // otherwise it has no place to scroll to yet
+    this->Table->scrollToItem(this->Table->item(hasNewMark ? this->MarkCount - 1 : all - 1, 0));
   }
 }
 

@@ -40,11 +40,11 @@ QString WidestTextOf(int column)
   switch (column)
   {
   case StructureTableModel::OpacityColumn:
-    return "Opacity0";
+    return "100 %";
   case StructureTableModel::NameColumn:
-    return "Frontal_Sup_Or";
+    return "Frontal_Sup_Medial_R";
   case StructureTableModel::DrillColumn:
-    return "Cortical bone0";
+    return "Forbidden0";
   case StructureTableModel::StatusColumn:
     return "10.0 mm away, least 10.0 mm";
   case StructureTableModel::AppearanceColumn:
@@ -135,11 +135,11 @@ int StructureTable::WidthOf(int column) const
   const QFontMetrics font = this->fontMetrics();
   if (column < StructureTableModel::OpacityColumn)
   {
-    return font.height() * 3 / 2 + 4;
+    return font.height() + 8;
   }
   const int margin = 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
   const int text = font.horizontalAdvance(WidestTextOf(column)) + margin;
-  return column <= StructureTableModel::NameColumn
+  return column <= StructureTableModel::DrillColumn
              ? text
              : std::max(text, this->horizontalHeader()->sectionSizeHint(column));
 }
@@ -165,7 +165,8 @@ int StructureTable::WidthOfNames() const
   return widest + 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
 }
 
-// As wide as the names are, if drill roles are still seen without scrolling.
+// As wide as the names are, if drill roles are still seen without scrolling; in a wide table what
+// the other columns leave.
 void StructureTable::FitName()
 {
   constexpr int Name = StructureTableModel::NameColumn;
@@ -176,9 +177,11 @@ void StructureTable::FitName()
   }
   const int left = header->sectionPosition(Name);
   const int role = header->sectionSize(StructureTableModel::DrillColumn);
-  const int free = this->viewport()->width() - left - role;
+  const int beside = this->viewport()->width() - left - role;
+  const int free = this->viewport()->width() - header->length() + header->sectionSize(Name);
   const QScopedValueRollback<bool> fitting(this->IsFitting, true);
-  header->resizeSection(Name, std::max(this->WidthOf(Name), std::min(this->WidthOfNames(), free)));
+  const int names = std::max(std::min(this->WidthOfNames(), beside), free);
+  header->resizeSection(Name, std::max(this->WidthOf(Name), names));
 }
 
 void StructureTable::resizeEvent(QResizeEvent* event)

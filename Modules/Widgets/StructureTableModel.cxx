@@ -276,7 +276,9 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
   {
   case Qt::DisplayRole:
     // Narrow columns leave the space to the name.
-    return section < OpacityColumn ? QString() : Titles.value(section);
+    return section < OpacityColumn    ? QString()
+           : section == OpacityColumn ? QString("%")
+                                      : Titles.value(section);
   case Qt::DecorationRole:
     return section == VisibleColumn     ? QVariant(ToolIcon(ToolSign::Eye))
            : section == TouchableColumn ? QVariant(ToolIcon(ToolSign::Touch))

@@ -396,12 +396,6 @@ void StudyController::StopTouch()
   this->Look();
 }
 
-void StudyController::MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
-{
-  this->Open.MoveWorkspace(centerWorld, gesture.toStdString());
-  this->Announce();
-}
-
 void StudyController::OpenDrilled(const std::filesystem::path& file)
 {
   this->Open.OpenDrilled(file, [this](const std::string& message) { this->Report(message); });

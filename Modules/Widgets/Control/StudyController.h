@@ -106,7 +106,11 @@ public:
     this->LookSoon();
   }
   void StopTouch();
-  void MoveWorkspace(const Vector3& centerWorld, const QString& gesture);
+  void MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
+  {
+    this->Open.MoveWorkspace(centerWorld, gesture.toStdString());
+    this->Announce();
+  }
   void FitWorkspace()
   {
     this->Open.FitWorkspace();

@@ -44,9 +44,12 @@ TEST_F(ScreenStringTest, ShowsNamesAsPlainTextEverywhere)
     const QAbstractItemModel* model = view->model();
     for (int row = 0; model != nullptr && row < model->rowCount(); ++row)
     {
-      const QString text = model->index(row, 0).data().toString();
-      EXPECT_TRUE(IsPlain(text)) << text.toStdString();
-      seen += text.startsWith("<b>evil</b>\\x0a&") ? 1 : 0;
+      for (int column = 0; column < model->columnCount(); ++column)
+      {
+        const QString text = model->index(row, column).data().toString();
+        EXPECT_TRUE(IsPlain(text)) << text.toStdString();
+        seen += text.startsWith("<b>evil</b>\\x0a&") ? 1 : 0;
+      }
     }
   }
   EXPECT_GE(seen, 2) << "the test must check a table with the name";

@@ -505,7 +505,7 @@ TEST_F(StructuresPanelTest, RoleIsGivenToAllSelectedRows)
 
 TEST_F(StructuresPanelTest, RolesAreSeenBesideNamesAndDoNotScroll)
 {
-  this->Panel->resize(330, 500); // as in the window
+  this->Panel->resize(360, 500); // as in the window
   QApplication::processEvents();
   const QRect role = this->Table->visualRect(this->Table->model()->index(0, Column::DrillColumn));
   EXPECT_LE(role.right(), this->Table->viewport()->width());

@@ -282,11 +282,12 @@ TEST_F(TasksTest, RecordAndReplay)
 // Open, select, touch, measure, save.
 TEST_F(TasksTest, AllOfItByKeyboard)
 {
-  const auto tabTo = [](QWidget* wanted)
+  const auto tabTo = [this](QWidget* wanted)
   {
-    for (int tabs = 0; tabs < 100 && QApplication::focusWidget() != wanted; ++tabs)
+    for (int tabs = 0; tabs < 200 && QApplication::focusWidget() != wanted; ++tabs)
     {
-      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      QWidget* focus = QApplication::focusWidget();
+      QTest::keyClick(focus != nullptr ? focus : this->Window.get(), Qt::Key_Tab);
     }
     ASSERT_EQ(QApplication::focusWidget(), wanted);
   };
@@ -295,6 +296,7 @@ TEST_F(TasksTest, AllOfItByKeyboard)
   WaitUntil([this] { return this->Study->State().Structures.size() == 3; });
   this->Settle();
   DrawAll(*this->Window->Views());
+  Activate(*this->Window);
   tabTo(this->Rows());
   QTest::keyClick(this->Rows(), Qt::Key_Down);
   QTest::keyClick(this->Rows(), Qt::Key_Up);
