@@ -114,12 +114,25 @@ def page_of(measures):
     return page
 
 
+TASKS = """
+## Usual tasks
+
+Actions from what is open before: a click, a key, a drag, a dialog that is answered; movements of the pointer are free.
+`TasksTest` does them by real events, and fails if one takes more. Seconds are those of a program, which does not think.
+
+| task | actions | s |
+| --- | --- | --- |
+"""
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("measures", type=pathlib.Path)
+    parser.add_argument("tasks", type=pathlib.Path, help="rows that TasksTest wrote")
     parser.add_argument("--page", type=pathlib.Path, default=ROOT / "Documentation" / "Evidence" / "Window.md")
     arguments = parser.parse_args()
-    arguments.page.write_text(page_of(json.loads(arguments.measures.read_text())))
+    page = page_of(json.loads(arguments.measures.read_text()))
+    arguments.page.write_text(page + TASKS + arguments.tasks.read_text())
 
 
 if __name__ == "__main__":

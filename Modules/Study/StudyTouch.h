@@ -78,6 +78,10 @@ public:
   {
     return this->Session.RestInPlane(point, right, up, reach);
   }
+  bool HasRestAround(const Vector3& point, const Vector3& right, const Vector3& up, double reach)
+  {
+    return this->Session.HasRestAround(point, right, up, reach);
+  }
   /// A pointing hand presses and lifts; see TouchSession.
   void LiftHand() { this->Session.LiftHand(); }
   void PressHand() { this->Session.PressHand(); }

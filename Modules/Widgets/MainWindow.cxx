@@ -40,7 +40,7 @@ namespace palpate
 {
 namespace
 {
-constexpr int LeftWidth = 380; // pixels
+constexpr int LeftWidth = 396; // pixels
 constexpr int BottomHeight = 150;
 
 // Names an action after the step of the study that it undoes or redoes.

@@ -176,13 +176,19 @@ void TouchLink::FindRest(const Vector3& from, const Vector3& to)
 // In a slice a press leads the tool to the pointer: what it is pulled into holds it back.
 void TouchLink::LeadIn(SlicePane* slice)
 {
-  connect(slice, &SlicePane::Aimed, this,
-          [this, slice](const Vector3& point, const Vector3& right, const Vector3& up)
+  connect(slice, &SlicePane::PointedAt, this,
+          [this, slice](const Vector3& point)
           {
-            constexpr double NearPixels = 12.0;
-            this->SliceRight = right.normalized();
-            this->SliceUp = up.normalized();
-            this->SliceReach = NearPixels * right.norm();
+            const bool isHand = this->IsPointing && !this->AreClicksForMarks;
+            this->TakePlane(*slice);
+            slice->ShowHand(isHand &&
+                            this->Study.Current().Touch().HasRestAround(
+                                point, this->SliceRight, this->SliceUp, this->SliceReach));
+          });
+  connect(slice, &SlicePane::Aimed, this,
+          [this, slice](const Vector3& point)
+          {
+            this->TakePlane(*slice);
             if (this->FindRestInSlice(point))
             {
               this->IsLedInSlice = true;
@@ -201,6 +207,15 @@ void TouchLink::LeadIn(SlicePane* slice)
             this->MoveHand(this->SliceRest + part * pull);
           });
   connect(slice, &SlicePane::Lifted, this, [this] { this->MoveHand(this->SliceRest); });
+}
+
+void TouchLink::TakePlane(const SlicePane& slice)
+{
+  constexpr double NearPixels = 12.0;
+  const Vector3 right = slice.PixelRight();
+  this->SliceRight = right.normalized();
+  this->SliceUp = slice.PixelUp().normalized();
+  this->SliceReach = NearPixels * right.norm();
 }
 
 bool TouchLink::FindRestInSlice(const Vector3& point)

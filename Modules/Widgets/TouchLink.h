@@ -51,6 +51,7 @@ private:
   void FindRest(const Vector3& from, const Vector3& to);
   void LeadIn(SlicePane* slice);
   bool FindRestInSlice(const Vector3& point);
+  void TakePlane(const SlicePane& slice);
   void AimAt(int structure);
   void Lift();
   void ShowHand();

@@ -114,6 +114,31 @@ std::optional<TouchRay::Rest> TouchRay::FirstOn(std::size_t structure, const Way
   return std::nullopt;
 }
 
+bool TouchRay::IsFree(const Vector3& toolWorld)
+{
+  const Way here{toolWorld, Vector3::UnitX(), 0.0, 0.0};
+  const double margin = this->Scene->Tool.BoundingRadius();
+  for (std::size_t s = 0; s < this->Scene->Structures.size(); ++s)
+  {
+    const Eigen::AlignedBox3d bounds = this->Scene->Structures[s].Model->BoundsWorld();
+    Way way = here;
+    ContactTracker* tracker =
+        way.Clip({bounds.min().array() - margin, bounds.max().array() + margin})
+            ? this->TrackerOf(s)
+            : nullptr;
+    if (tracker == nullptr)
+    {
+      continue;
+    }
+    tracker->Release();
+    if (!tracker->IsFreeAt(here.At(0.0)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::optional<TouchRay::Rest> TouchRay::First(const Vector3& from, const Vector3& to)
 {
   const double length = (to - from).norm();

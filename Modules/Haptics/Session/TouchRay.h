@@ -33,6 +33,9 @@ public:
   /// a hundredth of a step; nothing where the line meets no structure, or begins inside of one.
   std::optional<Rest> First(const Vector3& from, const Vector3& to);
 
+  /// Whether the tool touches nothing at a place (world, mm).
+  bool IsFree(const Vector3& toolWorld);
+
 private:
   struct Way;
   ContactTracker* TrackerOf(std::size_t structure);

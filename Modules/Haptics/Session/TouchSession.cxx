@@ -238,6 +238,24 @@ std::optional<TouchRay::Rest> TouchSession::RestInPlane(const Vector3& point, co
   return isFree ? ahead : inwards;
 }
 
+bool TouchSession::HasRestAround(const Vector3& point, const Vector3& right, const Vector3& up,
+                                 double reach)
+{
+  constexpr int Places = 8;
+  if (this->Current == nullptr)
+  {
+    return false;
+  }
+  this->AimThroughScene();
+  bool isFree = this->Ray->IsFree(point);
+  for (int place = 0; isFree && place < Places; ++place)
+  {
+    const double angle = 2.0 * M_PI * place / Places;
+    isFree = this->Ray->IsFree(point + reach * (std::cos(angle) * right + std::sin(angle) * up));
+  }
+  return !isFree;
+}
+
 void TouchSession::LiftHand()
 {
   this->IsPressing = false;
@@ -259,7 +277,7 @@ void TouchSession::PressHand()
 // touches, where nothing is felt.
 void TouchSession::PressIfThere()
 {
-  if (!this->IsPressing)
+  if (!this->IsPressing || !this->Reading.Newest.HasSample)
   {
     return;
   }

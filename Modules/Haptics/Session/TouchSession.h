@@ -97,6 +97,8 @@ public:
   /// a tool at the point if something can be touched, or contains it, within `reach` mm.
   std::optional<TouchRay::Rest> RestInPlane(const Vector3& point, const Vector3& right,
                                             const Vector3& up, double reach);
+  /// Whether RestInPlane may find one: tried at the point and at eight around it.
+  bool HasRestAround(const Vector3& point, const Vector3& right, const Vector3& up, double reach);
   /// For hands that point: from LiftHand to PressHand the hand moves without contacts and forces.
   /// PressHand is for a hand that was led to a rest; it takes effect once the hand is there.
   void LiftHand();

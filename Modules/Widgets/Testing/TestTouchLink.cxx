@@ -203,6 +203,10 @@ TEST_F(TouchLinkTest, PressInASlicePushes)
   SlicePane* slice = this->Window->Views()->Slice(SliceOrientation::Axial);
   const QPointF edge = PlaceIn(*slice, this->SphereCenter + Vector3(9.5, 0.0, 0.0));
   const QPointF inside = PlaceIn(*slice, this->SphereCenter + Vector3(4.0, 0.0, 0.0));
+  Move(slice->Canvas(), QPointF(3.0, 3.0));
+  EXPECT_EQ(slice->cursor().shape(), Qt::ArrowCursor);
+  Move(slice->Canvas(), edge);
+  EXPECT_EQ(slice->cursor().shape(), Qt::PointingHandCursor) << "a press pushes";
   SendMouse(slice->Canvas(), QEvent::MouseButtonPress, edge, Qt::LeftButton, Qt::LeftButton);
   this->AfterSomeTicks();
   SendMouse(slice->Canvas(), QEvent::MouseMove, inside, Qt::NoButton, Qt::LeftButton);

@@ -54,9 +54,7 @@ Vector3 SlicePane::PointAt(double x, double y) const
 
 void SlicePane::TellAim()
 {
-  const Vector3 corner = this->PointAt(0.0, 0.0);
-  Q_EMIT Aimed(Vector3(this->Style->GetPointerWorld()), this->PointAt(1.0, 0.0) - corner,
-               this->PointAt(0.0, 1.0) - corner);
+  Q_EMIT Aimed(Vector3(this->Style->GetPointerWorld()));
 }
 
 void SlicePane::TellHand()

@@ -36,11 +36,18 @@ public:
   /// Whether a press may lead a tool: then it is Aimed, and pressed if AcceptPress was called.
   void SetHand(bool isOn) { this->Style->SetHand(isOn); }
   void AcceptPress() { this->Style->AcceptPress(); }
+  /// A hand as the cursor where a press would lead the tool.
+  void ShowHand(bool isHand) { this->setCursor(isHand ? Qt::PointingHandCursor : Qt::ArrowCursor); }
+  ///@{
+  /// A pixel to the right and up, as vectors (world, mm).
+  Vector3 PixelRight() const { return this->PointAt(1.0, 0.0) - this->PointAt(0.0, 0.0); }
+  Vector3 PixelUp() const { return this->PointAt(0.0, 1.0) - this->PointAt(0.0, 0.0); }
+  ///@}
   void Lift() { this->Style->Lift(); }
 
 Q_SIGNALS:
-  /// The pointer may lead a tool from here (world, mm), with the vectors of a pixel.
-  void Aimed(const Vector3& pointWorld, const Vector3& right, const Vector3& up);
+  /// The pointer may lead a tool from here (world, mm).
+  void Aimed(const Vector3& pointWorld);
   void Pressed();
   void HandMoved(const Vector3& pointWorld);
   void Lifted();

@@ -1,3 +1,4 @@
+#include "CohortWindow.h"
 #include "StructureDialog.h"
 #include "StructureTable.h"
 #include "ThresholdDialog.h"
@@ -277,6 +278,41 @@ TEST_F(TasksTest, RecordAndReplay)
   EXPECT_TRUE(this->Study->IsReplaying()) << this->Messages();
   this->Press(Qt::Key_P);
   this->End("Record a touch and replay it", 6);
+}
+
+TEST_F(TasksTest, CohortFromMasks)
+{
+  const std::filesystem::path folder = this->Phantom.Folder / "masks";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"a", "b", "c"})
+  {
+    std::filesystem::copy(this->MaskFile(), folder / (std::string(name) + ".nii.gz"));
+  }
+  this->Begin();
+  ++this->Actions;
+  this->Chosen = QString::fromStdString(folder.string());
+  this->ClickButton(this->Window->findChild<QAbstractButton*>("card-cohort"));
+  auto* cohort = this->Window->findChild<CohortWindow*>();
+  ASSERT_NE(cohort, nullptr);
+  WaitUntil([&] { return cohort->findChild<QTableWidget*>()->rowCount() == 3; });
+  this->End("Make a cohort of a folder of masks", 2);
+}
+
+TEST_F(TasksTest, SaveAnImage)
+{
+  this->OpenPhantom();
+  this->Begin();
+  this->Answer(this->Phantom.Folder / "view.png");
+  this->Actions += 2; // the menu of a view's header, and its entry
+  for (const QMenu* menu : this->Window->findChildren<QMenu*>())
+  {
+    if (menu->title().startsWith("Sa&ve image"))
+    {
+      menu->actions().last()->trigger(); // as the header's entry does
+    }
+  }
+  WaitUntil([this] { return std::filesystem::exists(this->Phantom.Folder / "view.png"); });
+  this->End("Save an image of a view for print", 3);
 }
 
 // Open, select, touch, measure, save.
