@@ -65,6 +65,7 @@ protected:
   void ClickCell(int row, int column, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
   {
     ++this->Actions;
+    Activate(*this->Window); // a window in the background gives no focus
     const QModelIndex cell = this->Rows()->model()->index(row, column);
     this->Rows()->scrollTo(cell);
     QTest::mouseClick(this->Rows()->viewport(), Qt::LeftButton, modifiers,
