@@ -274,13 +274,14 @@ void TouchLink::ShowReading()
   }
 }
 
-// A mouse leaves the crosshair to the user until it leads the tool, and while the tool rests; a
-// slice that is pressed stays.
+// A mouse leaves the crosshair to the user until it leads the tool or the tool touches something,
+// and while the tool rests; a slice that is pressed stays.
 void TouchLink::FollowProbe()
 {
   constexpr double Still = 0.1; // mm
   Vector3 place(this->Study.Reading().Newest.ProxyWorld);
-  const bool isStill = this->AimedAt < 0 || (place - this->Followed).norm() < Still;
+  const bool isUnled = this->AimedAt < 0 && this->Study.Reading().TouchedId == 0;
+  const bool isStill = isUnled || (place - this->Followed).norm() < Still;
   if (this->IsPointing && isStill)
   {
     return;

@@ -61,6 +61,7 @@ void OpenHead(StudyController& study)
     structure.IsVisible = isChosen;
     structure.IsTouchable = isChosen;
   }
+  next.Fit.Model = FitSettings::ModelKind::Radial;
   next.View.SlicesFollowProbe = true;
   study.Change("Choose one structure", next);
 }
