@@ -279,7 +279,14 @@ void TouchLink::ShowReading()
 void TouchLink::FollowProbe()
 {
   constexpr double Still = 0.1; // mm
-  Vector3 place(this->Study.Reading().Newest.ProxyWorld);
+  const TouchState& newest = this->Study.Reading().Newest;
+  const Vector3 force(newest.ForceWorld);
+  Vector3 place(newest.ProxyWorld);
+  if (this->Study.Reading().TouchedId != 0 && force.norm() > 0.0)
+  {
+    // Where it touches: slices through the middle of a large tool may miss what is touched.
+    place -= this->Contents.Probe()->GetToolRadius() * force.normalized();
+  }
   const bool isUnled = this->AimedAt < 0 && this->Study.Reading().TouchedId == 0;
   const bool isStill = isUnled || (place - this->Followed).norm() < Still;
   if (this->IsPointing && isStill)

@@ -279,11 +279,12 @@ TEST_F(TouchLinkTest, SlicesFollowTheProbe)
 {
   this->StartTouch();
   this->PressByMouse();
-  const PlainVector3 proxy = this->Study->Reading().Newest.ProxyWorld;
-  const double* cross = this->Window->Contents().Crosshair()->GetPositionWorld();
+  const TouchState& felt = this->Study->Reading().Newest;
+  const Vector3 cross(this->Window->Contents().Crosshair()->GetPositionWorld());
+  const double tool = this->Study->State().Tool.Radius;
   constexpr double Still = 0.1; // mm that slices do not follow
-  EXPECT_NEAR(cross[0], proxy.X, Still);
-  EXPECT_NEAR(cross[2], proxy.Z, Still);
+  EXPECT_NEAR((cross - Vector3(felt.ProxyWorld)).norm(), tool, Still) << "the place of contact";
+  EXPECT_NEAR((cross - this->SphereCenter).norm(), 9.0, 1.0) << "on the sphere, within a voxel";
 }
 
 // Record, drop the file on the window: the touch is shown again, and nothing is touched meanwhile.
