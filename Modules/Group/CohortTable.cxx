@@ -7,6 +7,7 @@
 #include "InputError.h"
 #include "InputKey.h"
 #include "ModelConvention.h"
+#include "ModelMeasures.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 namespace palpate
 {
@@ -157,6 +159,24 @@ private:
   const std::filesystem::path& File;
 };
 } // namespace
+
+CohortRow RowOf(const std::string& name, FitResult result)
+{
+  result.Mask = nullptr;
+  result.Surface = nullptr;
+  result.ModelSurface = nullptr;
+  CohortRow row;
+  row.Case = name;
+  row.Degree = DegreeOf(result.Model);
+  row.CenterWorld = CenterOf(result.Model);
+  result.Model = {};
+  if (result.IsOfSurface)
+  {
+    result.Structure = {}; // its name is the file's, and would differ from case to case
+  }
+  row.Result = std::move(result);
+  return row;
+}
 
 std::string CohortKey(const std::filesystem::path& mask, const std::filesystem::path& volume,
                       const std::vector<std::string>& labels, const FitSettings& settings,

@@ -22,6 +22,10 @@ struct CohortRow
   std::string Key;                       ///< of its inputs, see CohortKey
 };
 
+/// A row without a file of its model and without a key; meshes of a whole cohort would fill the
+/// memory, and are dropped.
+PALPATEGROUP_EXPORT CohortRow RowOf(const std::string& name, FitResult result);
+
 /// Identifies everything that a case's result depends on: its mask's and its volume's path, size
 /// and time, the requested labels, the settings, the program. 16 hexadecimal digits.
 PALPATEGROUP_EXPORT std::string CohortKey(const std::filesystem::path& mask,

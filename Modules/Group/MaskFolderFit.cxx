@@ -5,7 +5,6 @@
 #include "FitStructure.h"
 #include "InputError.h"
 #include "ModelFile.h"
-#include "ModelMeasures.h"
 #include "OutputFolder.h"
 #include "SegmentationFile.h"
 #include "SurfaceFile.h"
@@ -39,22 +38,6 @@ FitResult FitMaskFile(const std::filesystem::path& mask, std::string& label,
     refused.Message = error.what();
     return refused;
   }
-}
-
-// A table keeps numbers and messages alone.
-CohortRow RowOf(const std::string& name, FitResult result)
-{
-  CohortRow row;
-  row.Case = name;
-  row.Degree = DegreeOf(result.Model);
-  row.CenterWorld = CenterOf(result.Model);
-  result.Mask = nullptr;
-  result.Surface = nullptr;
-  result.ModelSurface = nullptr;
-  result.Model = {};
-  result.Structure = result.IsOfSurface ? Segment() : result.Structure;
-  row.Result = std::move(result);
-  return row;
 }
 } // namespace
 

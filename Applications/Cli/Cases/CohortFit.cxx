@@ -28,25 +28,6 @@ namespace
 {
 // Held while the table is read, changed and written.
 constexpr const char* TableLock = ".palpate-cohort.lock";
-
-// A table keeps numbers and messages; meshes of a whole cohort would fill the memory.
-CohortRow RowOf(const CohortCase& one, FitResult result)
-{
-  result.Mask = nullptr;
-  result.Surface = nullptr;
-  result.ModelSurface = nullptr;
-  CohortRow row;
-  row.Case = one.Name;
-  row.Degree = DegreeOf(result.Model);
-  row.CenterWorld = CenterOf(result.Model);
-  result.Model = {};
-  if (result.IsOfSurface)
-  {
-    result.Structure = {}; // its name is the file's, and would differ from case to case
-  }
-  row.Result = std::move(result);
-  return row;
-}
 } // namespace
 
 CohortFit::CohortFit(const FitSettings& settings, const std::vector<std::string>& labels,
@@ -285,7 +266,7 @@ void CohortFit::RecordLost(const CohortCase& one, const std::string& reason, Con
   {
     console.Relay(FitResultJson(result, {}) + '\n', {});
   }
-  this->Rows[one.Name] = {RowOf(one, std::move(result))};
+  this->Rows[one.Name] = {RowOf(one.Name, std::move(result))};
   this->Mine.insert(one.Name);
   this->WriteTable();
 }
@@ -316,7 +297,7 @@ std::vector<CohortRow> CohortFit::FitOne(std::size_t number, Console& console) c
           [&](FitResult&& result, const std::filesystem::path& place, bool)
           {
             const bool isFitted = result.State == FitResult::Outcome::Fitted;
-            rows.push_back(RowOf(one, std::move(result)));
+            rows.push_back(RowOf(one.Name, std::move(result)));
             rows.back().Model = isFitted ? place / "model.json" : "";
           });
   return rows;
