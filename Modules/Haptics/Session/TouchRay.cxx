@@ -65,7 +65,9 @@ ContactTracker* TouchRay::TrackerOf(std::size_t structure)
         !touched.Model->MakeTracker(this->Scene->Tool, SurfaceFriction(), tracker).IsOk();
   }
   const auto site = static_cast<std::size_t>(touched.Site);
-  if (tracker != nullptr && touched.Site >= 0 && site < this->Solids.size())
+  // A version that no solid could be made of leaves the one before.
+  if (tracker != nullptr && touched.Site >= 0 && site < this->Solids.size() &&
+      this->Solids[site] != nullptr)
   {
     tracker->UseSolid(*this->Solids[site]);
   }
@@ -116,22 +118,19 @@ std::optional<TouchRay::Rest> TouchRay::FirstOn(std::size_t structure, const Way
 
 bool TouchRay::IsFree(const Vector3& toolWorld)
 {
-  const Way here{toolWorld, Vector3::UnitX(), 0.0, 0.0};
-  const double margin = this->Scene->Tool.BoundingRadius();
+  ToolPose pose;
+  pose.PositionWorld = toolWorld;
   for (std::size_t s = 0; s < this->Scene->Structures.size(); ++s)
   {
     const Eigen::AlignedBox3d bounds = this->Scene->Structures[s].Model->BoundsWorld();
-    Way way = here;
-    ContactTracker* tracker =
-        way.Clip({bounds.min().array() - margin, bounds.max().array() + margin})
-            ? this->TrackerOf(s)
-            : nullptr;
+    const bool isNear = bounds.exteriorDistance(toolWorld) <= this->Scene->Tool.BoundingRadius();
+    ContactTracker* tracker = isNear ? this->TrackerOf(s) : nullptr;
     if (tracker == nullptr)
     {
       continue;
     }
     tracker->Release();
-    if (!tracker->IsFreeAt(here.At(0.0)))
+    if (!tracker->IsFreeAt(pose))
     {
       return false;
     }

@@ -22,11 +22,11 @@ public:
     int Structure = -1;                     ///< in the scene
   };
 
-  /// `solids` are the newest versions of drilled fields, by site; none without drilling.
   explicit TouchRay(std::shared_ptr<const TouchScene> scene) : Scene(std::move(scene)) {}
 
   const std::shared_ptr<const TouchScene>& Touched() const noexcept { return this->Scene; }
-  /// The newest versions of drilled fields, by site (TouchStructure::Site), for the next query.
+  /// The newest versions of drilled fields, by site (TouchStructure::Site), for the next query;
+  /// null leaves a site as it was.
   void UseSolids(std::vector<std::shared_ptr<const FieldSolid>> solids);
 
   /// The first rest on the way from `from` to `to` (world, mm), within 1 % of the tool's radius or
