@@ -170,6 +170,10 @@ void StructureTableModel::TakeState()
 void StructureTableModel::TakeDrill()
 {
   std::map<int, QString> next = DrillTexts(this->Study);
+  if (next == this->Drilled) // as nearly always while touching
+  {
+    return;
+  }
   next.swap(this->Drilled);
   for (std::size_t r = 0; r < this->Rows.size(); ++r)
   {
