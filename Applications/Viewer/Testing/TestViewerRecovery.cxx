@@ -58,6 +58,11 @@ protected:
     ASSERT_EQ(this->Viewer.state(), QProcess::Running);
   }
 
+  // For QProcess.
+  char Name[12] = "ViewerTests";
+  char* Arguments[2] = {Name, nullptr};
+  int Count = 1;
+  QCoreApplication Program{Count, Arguments};
   test::StudyPhantom Phantom;
   std::filesystem::path Session = Phantom.Folder / "case.palpate.json";
   std::filesystem::path Data = Phantom.Folder / "data";
@@ -66,10 +71,6 @@ protected:
 
 TEST_F(ViewerRecoveryTest, KilledWindowLeavesItsChangesAndItsFile)
 {
-  char name[] = "ViewerTests";
-  char* all[] = {name, nullptr};
-  int count = 1;
-  const QCoreApplication application(count, all);
   ASSERT_NO_FATAL_FAILURE(this->Start());
   ASSERT_NO_FATAL_FAILURE(this->WaitUntilKept());
   this->Viewer.kill();
@@ -83,10 +84,6 @@ TEST_F(ViewerRecoveryTest, KilledWindowLeavesItsChangesAndItsFile)
 
 TEST_F(ViewerRecoveryTest, TerminatedWindowLeavesItsChangesToo)
 {
-  char name[] = "ViewerTests";
-  char* all[] = {name, nullptr};
-  int count = 1;
-  const QCoreApplication application(count, all);
   ASSERT_NO_FATAL_FAILURE(this->Start());
   ASSERT_NO_FATAL_FAILURE(this->WaitUntilKept());
   this->Viewer.terminate();
