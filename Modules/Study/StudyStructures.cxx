@@ -69,8 +69,8 @@ std::array<double, 3> DistinctColor(const std::array<double, 3>& own, const Stud
   return best;
 }
 
-// Structures of several files that a scene gives no colours: those of labels begin anew in each
-// file.
+// Gives structures without colours of their own distinct ones: default colours are chosen by label,
+// and labels of several files are often the same.
 void GiveDefaultsDistinctColors(StudyState& state)
 {
   StudyState before = state;

@@ -284,7 +284,7 @@ void TouchLink::FollowProbe()
   Vector3 place(newest.ProxyWorld);
   if (this->Study.Reading().TouchedId != 0 && force.norm() > 0.0)
   {
-    // Where it touches: slices through the middle of a large tool may miss what is touched.
+    // The place of contact: slices through the centre of a large tool may miss the structure.
     place -= this->Contents.Probe()->GetToolRadius() * force.normalized();
   }
   const bool isUnled = this->AimedAt < 0 && this->Study.Reading().TouchedId == 0;
