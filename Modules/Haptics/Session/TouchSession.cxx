@@ -10,17 +10,6 @@
 
 namespace palpate
 {
-namespace
-{
-// mm of the hand above what it will press: the mechanism's friction may stop it that far from its
-// goal.
-constexpr double Hover = 0.6;
-// Ticks until a press takes effect, and after which a hand that does not move has come to rest.
-constexpr std::uint64_t LeastPressTicks = 5;
-constexpr std::uint64_t StillTicks = 100;
-constexpr double Still = 0.02; // mm
-} // namespace
-
 TouchSession::TouchSession(Clock& clock, const RealtimeRequest& request)
     : Time(clock), Request(request)
 {
@@ -59,12 +48,16 @@ Status TouchSession::Start(TouchScene scene, const WorkspaceFrame& frame)
   return status.IsOk() ? this->Run() : status;
 }
 
-// A servo numbers its orders from 0.
+// A servo numbers its orders and ticks from 0.
 void TouchSession::MakeServo()
 {
   if (this->Editor != nullptr)
   {
     this->Editor->ForNextServo();
+  }
+  if (this->Press.IsWaiting())
+  {
+    this->Press.Await(this->Press.Rest(), 0);
   }
   this->Thread = std::make_unique<ServoThread>(*this->Opened, this->Time, this->Settings);
 }
@@ -149,7 +142,7 @@ void TouchSession::UseEditor(std::shared_ptr<DrillEditor> editor)
 
 bool TouchSession::LeadHand(const Vector3& handDevice)
 {
-  const Vector3& goal = this->IsPressing ? this->Pressed : handDevice;
+  const Vector3& goal = this->Press.IsWaiting() ? this->Press.Rest() : handDevice;
   const bool isLed = this->IsOpen() && this->Opened->LeadHand(goal);
   this->Hand = isLed ? handDevice : this->Hand;
   return isLed;
@@ -197,7 +190,7 @@ std::optional<TouchRay::Rest> TouchSession::RestBetween(const Vector3& from, con
   std::optional<TouchRay::Rest> rest = this->Ray->First(from, to);
   if (rest)
   {
-    rest->ToolWorld += this->Place.Scale * Hover * rest->NormalWorld;
+    rest->ToolWorld += this->Place.Scale * HandPress::Hover * rest->NormalWorld;
   }
   return rest;
 }
@@ -258,49 +251,16 @@ bool TouchSession::HasRestAround(const Vector3& point, const Vector3& right, con
 
 void TouchSession::LiftHand()
 {
-  this->IsPressing = false;
+  this->Press.GiveUp();
   if (this->IsRunning())
   {
     this->Loop().HoldClutch();
   }
 }
 
-// A hand that is still on its way would be pressed where it passes.
 void TouchSession::PressHand()
 {
-  this->IsPressing = true;
-  this->PressedAt.reset();
-  this->Pressed = this->Hand;
-}
-
-// The servo has to have taken the lift first. Pressed earlier, a hand may be inside of what it
-// touches, where nothing is felt.
-void TouchSession::PressIfThere()
-{
-  if (!this->IsPressing || !this->Reading.Newest.HasSample)
-  {
-    return;
-  }
-  const std::uint64_t now = this->Reading.Newest.Tick.Number;
-  const Vector3 hand(this->Reading.Newest.Sample.Position);
-  if (!this->PressedAt)
-  {
-    this->PressedAt = now; // the last reading before the press may be old
-    this->StillSince = now;
-  }
-  if ((hand - this->StillAt).norm() > Still)
-  {
-    this->StillAt = hand;
-    this->StillSince = now;
-  }
-  const bool isThere = (hand - this->Pressed).norm() < Hover || now - this->StillSince > StillTicks;
-  if (now < *this->PressedAt + LeastPressTicks || !isThere)
-  {
-    return;
-  }
-  this->IsPressing = false;
-  this->Loop().ReleaseClutch();
-  static_cast<void>(this->Opened->LeadHand(this->Hand));
+  this->Press.Await(this->Hand, this->IsRunning() ? this->Loop().Latest().Tick.Number : 0);
 }
 
 double TouchSession::PushFor(double force, int structure) const
@@ -311,7 +271,7 @@ double TouchSession::PushFor(double force, int structure) const
   constexpr double OfHand = 0.5;   // N/mm
   constexpr double Deepest = 25.0; // mm of the hand
   const double depth = force * (1.0 / OfHand + (stiffness > 0.0 ? 1.0 / stiffness : 0.0));
-  return this->Place.Scale * (Hover + std::min(depth, Deepest));
+  return this->Place.Scale * (HandPress::Hover + std::min(depth, Deepest));
 }
 
 void TouchSession::HoldClutch(bool isHeld, const TouchState& now)
@@ -344,6 +304,11 @@ void TouchSession::TakeTicks()
   {
     this->Reading.NewTicks.push_back(state);
     this->Watch.Take(state, this->Reading.Changes);
+    if (this->Press.Take(state))
+    {
+      this->Loop().ReleaseClutch();
+      static_cast<void>(this->Opened->LeadHand(this->Hand));
+    }
     if (this->IsRecording())
     {
       const Status status = this->Recorder->Take(state);
@@ -378,7 +343,6 @@ const TouchSessionReading& TouchSession::Poll()
   this->Loop().Reclaim();
   this->Reading.Newest = this->Loop().Latest();
   this->Reading.LostTicks = this->Loop().LostTicks();
-  this->PressIfThere();
   this->Reading.IsClutched = this->Clutch.IsHeld();
   if (this->Reading.IsClutched)
   {

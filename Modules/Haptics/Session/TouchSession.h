@@ -3,6 +3,7 @@
 #include "Clock.h"
 #include "DrillWorker.h"
 #include "EndBeforeExit.h"
+#include "HandPress.h"
 #include "HapticDevice.h"
 #include "PeriodStatistics.h"
 #include "RealtimeThread.h"
@@ -123,7 +124,6 @@ private:
   Status Run();
   void TakeTicks();
   void AimThroughScene();
-  void PressIfThere();
   void HoldClutch(bool isHeld, const TouchState& now);
   Vector3 ShiftThatKeepsTool(const WorkspaceFrame& frame);
 
@@ -140,14 +140,10 @@ private:
   WorkspaceFrame Place;
   WorkspaceClutch Clutch;
   Vector3 AllMoved = Vector3::Zero();
-  Vector3 Hand = Vector3::Zero();         // mm, in the device
-  std::optional<TouchRay> Ray;            // through the current scene
-  std::uint64_t RayNumber = 0;            // of the drilled versions that it knows
-  bool IsPressing = false;                // as soon as the hand is there
-  Vector3 Pressed = Vector3::Zero();      // mm, in the device
-  std::optional<std::uint64_t> PressedAt; // tick of the first reading after it
-  Vector3 StillAt = Vector3::Zero();      // where the hand that is pressed was last seen to move
-  std::uint64_t StillSince = 0;           // tick
+  Vector3 Hand = Vector3::Zero(); // mm, in the device
+  std::optional<TouchRay> Ray;    // through the current scene
+  std::uint64_t RayNumber = 0;    // of the drilled versions that it knows
+  HandPress Press;
   TouchWatch Watch;
   std::unique_ptr<TouchRecorder> Recorder;
   TouchSessionReading Reading;

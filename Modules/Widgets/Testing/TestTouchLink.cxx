@@ -49,6 +49,7 @@ protected:
   bool IsPedalWith(QWidget* focused)
   {
     focused->show();
+    Activate(*this->Window);
     focused->setFocus();
     EXPECT_EQ(this->Window->focusWidget(), focused);
     this->SendKey(QEvent::KeyPress, Qt::Key_D, "d");

@@ -166,7 +166,7 @@ protected:
           const auto& near = now.Drill.Approaches;
           const bool isAlarm = !near.empty() && near[0].IsAlarmed;
           alarmed = isAlarm && alarmed == 0 ? tick : alarmed;
-          return alarmed > 0 && tick > alarmed + Longer;
+          return isAlarm && tick > alarmed + Longer;
         });
     EXPECT_EQ(this->Window->findChild<StatusLine*>()->TouchText(),
               TouchNotice::AlarmText(this->Study->Reading().Drill));
