@@ -143,7 +143,7 @@ void vtkInteractorStyleMouseHand::SetPush(double push)
   {
     this->Lift();
   }
-  else if (this->HasRest)
+  else if (this->HasRest && !this->IsForCamera())
   {
     this->Grows = false;
     this->Press(push);

@@ -144,7 +144,8 @@ void MainWindow::MakeStart()
 RecoveryLink* MainWindow::KeepRecovery(const std::filesystem::path& root)
 {
   auto* link = new RecoveryLink(
-      this->Study, root, [this] { return this->Files->MayLeave(); }, this);
+      this->Study, root, [this] { return this->Files->MayLeave(); },
+      [this](const QString& title) { return this->Questions.WhetherToDelete(this, title); }, this);
   qobject_cast<QVBoxLayout*>(this->centralWidget()->layout())->insertWidget(0, link->Offer());
   return link;
 }

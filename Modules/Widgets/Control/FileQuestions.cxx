@@ -44,6 +44,14 @@ FileQuestions::Answer AskWhetherToSave(QWidget* parent)
          : button == QMessageBox::Discard ? FileQuestions::Answer::Discard
                                           : FileQuestions::Answer::Cancel;
 }
+
+bool AskWhetherToDelete(QWidget* parent, const QString& title)
+{
+  const auto button =
+      QMessageBox::question(parent, "Palpate", title + "\n\nDelete what was kept of it?",
+                            QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel);
+  return button == QMessageBox::Discard;
+}
 } // namespace
 
 FileQuestions AskByDialogs()
@@ -59,6 +67,7 @@ FileQuestions AskByDialogs()
   questions.Series = AskForSeries;
   questions.Missing = AskForMissing;
   questions.WhetherToSave = AskWhetherToSave;
+  questions.WhetherToDelete = AskWhetherToDelete;
   return questions;
 }
 } // namespace palpate

@@ -34,6 +34,8 @@ struct FileQuestions
   /// New path of a missing file of a session.
   std::function<QString(QWidget* parent, const StudyMissingFile& missing)> Missing;
   std::function<Answer(QWidget* parent)> WhetherToSave;
+  /// Whether to delete what was kept of a study of this title.
+  std::function<bool(QWidget* parent, const QString& title)> WhetherToDelete;
 };
 
 /// Asks with the system's dialogs.

@@ -68,8 +68,10 @@ QString TitleOf(const std::filesystem::path& folder)
 } // namespace
 
 RecoveryLink::RecoveryLink(StudyController& study, const std::filesystem::path& root,
-                           std::function<bool()> mayLeave, QWidget* window)
+                           std::function<bool()> mayLeave,
+                           std::function<bool(const QString&)> mayDelete, QWidget* window)
     : QObject(window), Study(study), Root(root), MayLeave(std::move(mayLeave)),
+      MayDelete(std::move(mayDelete)),
       Recovery(study.Current(),
                root / QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString())
 {
@@ -264,6 +266,10 @@ void RecoveryLink::Recover()
 void RecoveryLink::Discard()
 {
   const std::filesystem::path folder = this->All.front().Folder;
+  if (!this->MayDelete(TitleOf(folder)))
+  {
+    return;
+  }
   RemoveRecovery(folder);
   this->All.pop_front();
   QDir().rmdir(TextOf(folder));

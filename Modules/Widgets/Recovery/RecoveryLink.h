@@ -24,9 +24,11 @@ class RecoveryLink : public QObject
 
 public:
   /// Keeps the address. Folders are made below `root`; `mayLeave` asks whether to save what is open
-  /// before it is replaced.
+  /// before it is replaced, and
+  /// `mayDelete` before what was kept of a study of this title is deleted.
   RecoveryLink(StudyController& study, const std::filesystem::path& root,
-               std::function<bool()> mayLeave, QWidget* window);
+               std::function<bool()> mayLeave, std::function<bool(const QString& title)> mayDelete,
+               QWidget* window);
   ~RecoveryLink() override;
 
   /// The user's folder for this program.
@@ -62,6 +64,7 @@ private:
   StudyController& Study;
   std::filesystem::path Root;
   std::function<bool()> MayLeave;
+  std::function<bool(const QString&)> MayDelete;
   StudyRecovery Recovery;
   std::unique_ptr<QLockFile> Own; ///< of Recovery's folder; null before it is needed
   std::deque<Left> All;

@@ -22,7 +22,7 @@ struct Lesson
   StartCard::Kind Kind;
   std::array<const char*, Coach::StepCount> Steps;
 };
-constexpr const char* StartStep = "Start touching (Ctrl+T)";
+constexpr const char* StartStep = "Start touching";
 constexpr std::array<Lesson, 4> Lessons{
     {{StartCard::Kind::Prostate,
       {StartStep, "Point at the gland in 3-D and press the left button",

@@ -56,6 +56,11 @@ protected:
       ++this->TimesAskedToSave;
       return this->Leaving;
     };
+    questions.WhetherToDelete = [this](QWidget*, const QString& title)
+    {
+      this->ToDelete = title;
+      return this->MayDelete;
+    };
     this->Window = std::make_unique<MainWindow>(*this->Study, questions);
     this->Window->resize(1000, 700);
     this->Window->show();
@@ -224,6 +229,8 @@ protected:
   std::vector<StudyMissingFile> AskedFor;
   FileQuestions::Answer Leaving = FileQuestions::Answer::Discard;
   int TimesAskedToSave = 0;
+  QString ToDelete;
+  bool MayDelete = true;
   std::unique_ptr<StudyController> Study;
   std::unique_ptr<MainWindow> Window;
 };

@@ -99,7 +99,7 @@ bool SpacePane::eventFilter(QObject* object, QEvent* event)
   if (event->type() == QEvent::TabletPress || event->type() == QEvent::TabletMove)
   {
     const double pressure = static_cast<QTabletEvent*>(event)->pressure();
-    if (pressure > 0.0)
+    if (pressure > 0.0 && this->Style->GetButtonPushes())
     {
       this->Style->SetPush(pressure);
     }

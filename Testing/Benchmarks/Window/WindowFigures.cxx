@@ -158,6 +158,24 @@ StructureTimes TimeOnce(const std::vector<SceneStructure>& structures)
   Require(CountVisible(open.Study) == 0, "none is visible");
   return times;
 }
+
+// From the file to all surfaces in the 3-D view, over a head that is drawn; ms.
+double OpenAndShowAll()
+{
+  OpenWindow open;
+  open.Study.OpenVolume(Templates + "ch2.nii.gz");
+  open.UntilDrawn(0);
+  QElapsedTimer timer;
+  timer.start();
+  open.Study.OpenSegmentation(Templates + "aal.nii.gz");
+  OpenWindow::Until([&] { return open.Study.State().Structures.size() == 116; });
+  open.Window.findChild<QAction*>("structures-show-all")->trigger();
+  const auto& surfaces = open.Window.Contents().Surfaces();
+  OpenWindow::Until([&] { return !open.Study.IsBusy() && surfaces.size() == 116; });
+  open.UntilDrawn(0);
+  Require(CountVisible(open.Study) == 116, "all are visible");
+  return 1e-6 * static_cast<double>(timer.nsecsElapsed());
+}
 } // namespace
 
 VolumeMemory MeasureVolumeMemory()
@@ -203,6 +221,7 @@ StructureTimes MeasureStructures()
     shortest.ShowAll = std::min(shortest.ShowAll, times.ShowAll);
     shortest.ShowNone = std::min(shortest.ShowNone, times.ShowNone);
   }
+  shortest.Opened = OpenAndShowAll();
   return shortest;
 }
 

@@ -20,6 +20,7 @@ struct StructureTimes
   double Search = 0.0;
   double ShowAll = 0.0;
   double ShowNone = 0.0;
+  double Opened = 0.0; ///< from the file to surfaces of all of them, drawn
 };
 
 /// Time from the start of a process, ms.

@@ -57,7 +57,8 @@ nlohmann::json Figures(const char* program)
            {{"list", structures.List},
             {"search", structures.Search},
             {"show_all", structures.ShowAll},
-            {"show_none", structures.ShowNone}}},
+            {"show_none", structures.ShowNone},
+            {"opened", structures.Opened}}},
           {"start", {{"window", start.Window}, {"head", start.Head}}}};
 }
 

@@ -152,6 +152,13 @@ TEST_F(RecoveryLinkTest, DiscardRemovesAndLaterKeeps)
   EXPECT_TRUE(std::filesystem::exists(RecoverySession(left)));
   this->StartAgain();
   ASSERT_TRUE(this->IsOffered());
+  this->MayDelete = false;
+  this->Choice("recovery-discard")->click();
+  EXPECT_TRUE(this->ToDelete.startsWith("A study without a file, kept on "))
+      << this->ToDelete.toStdString();
+  EXPECT_TRUE(this->IsOffered());
+  EXPECT_TRUE(std::filesystem::exists(RecoverySession(left)));
+  this->MayDelete = true;
   this->Choice("recovery-discard")->click();
   EXPECT_FALSE(this->IsOffered());
   EXPECT_FALSE(std::filesystem::exists(left));
