@@ -37,6 +37,7 @@ for {touching:.0f} % of the ticks.
 | searched | {search:.0f} ms | 100 ms |
 | all shown, all hidden | {show_all:.0f}, {show_none:.0f} ms | 100 ms |
 | opened from the file, all drawn in 3-D (once) | {seconds:.1f} s | 8 s |
+| and all modelled | {models:.0f} s | |
 | frames/s in contact, one volume | {one:.1f} | |
 | with a second one blended | {two:.1f} ({cost:.0f} % fewer) | 25 % |
 """
@@ -93,6 +94,7 @@ def figures_of(measures):
         cost=100.0 * (1.0 - two["frames"] / one["frames"]),
         touching=100.0 * min(one["touching"], two["touching"]),
         seconds=1e-3 * figures["structures"]["opened"],
+        models=1e-3 * figures["structures"]["modelled"],
         **figures["structures"])
 
 

@@ -20,7 +20,8 @@ struct StructureTimes
   double Search = 0.0;
   double ShowAll = 0.0;
   double ShowNone = 0.0;
-  double Opened = 0.0; ///< from the file to surfaces of all of them, drawn
+  double Opened = 0.0;   ///< from the file to surfaces of all of them, drawn
+  double Modelled = 0.0; ///< from the file to models of all of them
 };
 
 /// Time from the start of a process, ms.

@@ -58,7 +58,8 @@ nlohmann::json Figures(const char* program)
             {"search", structures.Search},
             {"show_all", structures.ShowAll},
             {"show_none", structures.ShowNone},
-            {"opened", structures.Opened}}},
+            {"opened", structures.Opened},
+            {"modelled", structures.Modelled}}},
           {"start", {{"window", start.Window}, {"head", start.Head}}}};
 }
 
