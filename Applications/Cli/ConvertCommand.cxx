@@ -2,14 +2,12 @@
 
 #include "Console.h"
 #include "FileType.h"
-#include "FitStructure.h"
 #include "ImageContent.h"
 #include "ImageFormat.h"
 #include "ImageWriter.h"
 #include "InputError.h"
 #include "Interruption.h"
-#include "MaskCollection.h"
-#include "MaskFolders.h"
+#include "MaskFolder.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "Progress.h"
@@ -111,16 +109,10 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
       ->capture_default_str();
 }
 
-bool ConvertCommand::IsOfFolder() const
-{
-  return this->Masks.size() != 1 || this->Masks.front() != this->Input.string();
-}
-
 int ConvertCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Tally = {};
-  this->Masks = WithMasksOfFolders({this->Input.string()});
   const bool isWhole =
       IsModelFile(this->Input) || IsSurfaceFile(this->Input) || IsTouchRecording(this->Input);
   if (isWhole && !this->Label.empty())
@@ -201,7 +193,7 @@ void ConvertCommand::ConvertImage(Console& console)
                      ListOfEndings(ImageFormats().WrittenEndings()) +
                      ", or palpate mesh for a surface.");
   }
-  if (this->IsOfFolder() || !this->Label.empty() || IsSlicerSegmentation(this->Output))
+  if (IsMaskFolder(this->Input) || !this->Label.empty() || IsSlicerSegmentation(this->Output))
   {
     this->ConvertSegmentation(console);
     return;
@@ -237,31 +229,24 @@ void ConvertCommand::WriteLabels(const Segmentation& segmentation) const
 
 Segmentation ConvertCommand::ReadLabels(Console& console)
 {
-  if (!this->IsOfFolder())
+  if (!IsMaskFolder(this->Input))
   {
     Segmentation segmentation = ReadSegmentation(this->Input, this->Images.Choice());
     PassOn(segmentation.Notes, console);
     return segmentation;
   }
-  MaskCollection masks(this->Input);
-  for (const std::string& mask : this->Masks)
+  const MaskFolder folder(this->Input, this->Images.Choice(), false,
+                          [](std::size_t, std::size_t) { RequireGoingOn(); });
+  // An empty or broken mask, or one on another grid, leaves the others.
+  for (const std::string& message : folder.LeftOut())
   {
     ++this->Tally.Cases;
-    try
-    {
-      RequireGoingOn();
-      const Segmentation segmentation = ReadSegmentation(mask, this->Images.Choice());
-      masks.Add(segmentation, CaseNameOf(mask));
-      PassOn(segmentation.Notes, console);
-    }
-    catch (const InputError& error)
-    {
-      // An empty or broken mask, or one on another grid, leaves the others.
-      ++this->Tally.BadInputs;
-      console.Error(error.what());
-    }
+    ++this->Tally.BadInputs;
+    console.Error(message);
   }
-  return masks.Result();
+  this->Tally.Cases += static_cast<int>(folder.Count());
+  PassOn(folder.Structures().Notes, console);
+  return folder.Structures();
 }
 
 void ConvertCommand::ConvertSegmentation(Console& console)

@@ -30,15 +30,13 @@ private:
   void ConvertTouch(Console& console) const;
   void ConvertImage(Console& console);
   void ConvertSegmentation(Console& console);
-  bool IsOfFolder() const;
   /// Reads the input's segmentation, or the masks of its folder as one.
   Segmentation ReadLabels(Console& console);
   void WriteLabels(const Segmentation& segmentation) const;
 
   std::filesystem::path Input;
   std::filesystem::path Output;
-  std::vector<std::string> Masks; ///< of a folder, otherwise the input
-  CaseTally Tally;                ///< of the masks of a folder
+  CaseTally Tally; ///< of the masks of a folder
   std::string Label;
   ImageOptions Images;
   int Frequency = 20;

@@ -1,7 +1,6 @@
 #include "InfoCommand.h"
 
 #include "AvailableMemory.h"
-#include "CaseTally.h"
 #include "Console.h"
 #include "FileType.h"
 #include "ImageContent.h"
@@ -9,10 +8,12 @@
 #include "InfoReport.h"
 #include "InputError.h"
 #include "LabelStatistics.h"
+#include "MaskFolder.h"
 #include "MaskFolders.h"
 
 #include <CLI/CLI.hpp>
 #include <ostream>
+#include <utility>
 
 namespace palpate::cli
 {
@@ -34,11 +35,11 @@ void InfoCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--json", this->Json, "Print one JSON object per line instead of text");
 }
 
-void InfoCommand::Describe(const std::string& input, Console& console) const
+void InfoCommand::Describe(const std::string& input, ImageContent content, Console& console) const
 {
   InfoReport report;
   report.Input = input;
-  report.Content = ReadImageContent(input, this->Images.Choice());
+  report.Content = std::move(content);
   if (report.Content.Labels)
   {
     report.Labels = MeasureLabels(*report.Content.Labels);
@@ -56,32 +57,74 @@ void InfoCommand::RecordLost(const std::string& input, const std::string& status
   }
 }
 
+void InfoCommand::Attempt(const std::string& input, const std::function<void()>& describe,
+                          Console& console)
+{
+  ++this->Tally.Cases;
+  try
+  {
+    describe();
+  }
+  catch (const InputError& error)
+  {
+    ++this->Tally.BadInputs;
+    this->RecordLost(input, "bad-input", error.what(), console);
+  }
+  catch (const std::exception& error)
+  {
+    if (!SaysMemoryIsShort(error))
+    {
+      throw;
+    }
+    ++this->Tally.Failures;
+    this->RecordLost(input, "failed",
+                     input + " needs more memory than there is; crop or resample it.", console);
+  }
+}
+
+// Masks of a folder are one segmentation if they are structures of one patient, else a file each.
+bool InfoCommand::DescribeAsOne(const std::string& input, Console& console)
+{
+  if (!IsMaskFolder(input))
+  {
+    return false;
+  }
+  const MaskFolder folder(input, this->Images.Choice(), true);
+  if (!folder.IsOneSegmentation())
+  {
+    return false;
+  }
+  for (const std::string& message : folder.LeftOut())
+  {
+    this->Attempt(
+        input, [&] { throw InputError(message); }, console);
+  }
+  ImageContent content;
+  content.Kind = "folder of masks";
+  content.KindReason = folder.Why();
+  content.Labels = folder.Structures();
+  this->Attempt(
+      input, [&] { this->Describe(input, content, console); }, console);
+  return true;
+}
+
 int InfoCommand::Run(Console& console)
 {
-  CaseTally tally;
-  for (const std::string& input : WithMasksOfFolders(this->Inputs))
+  this->Tally = {};
+  for (const std::string& input : this->Inputs)
   {
-    ++tally.Cases;
-    try
+    if (this->DescribeAsOne(input, console))
     {
-      this->Describe(input, console);
+      continue;
     }
-    catch (const InputError& error)
+    for (const std::string& file : WithMasksOfFolders({input}))
     {
-      ++tally.BadInputs;
-      this->RecordLost(input, "bad-input", error.what(), console);
-    }
-    catch (const std::exception& error)
-    {
-      if (!SaysMemoryIsShort(error))
-      {
-        throw;
-      }
-      ++tally.Failures;
-      this->RecordLost(input, "failed",
-                       input + " needs more memory than there is; crop or resample it.", console);
+      this->Attempt(
+          file,
+          [&] { this->Describe(file, ReadImageContent(file, this->Images.Choice()), console); },
+          console);
     }
   }
-  return tally.ExitCode();
+  return this->Tally.ExitCode();
 }
 } // namespace palpate::cli

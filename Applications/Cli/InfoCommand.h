@@ -1,8 +1,11 @@
 #pragma once
 
+#include "CaseTally.h"
 #include "Command.h"
+#include "ImageContent.h"
 #include "ImageOptions.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,12 +23,15 @@ public:
   int Run(Console& console) override;
 
 private:
-  void Describe(const std::string& input, Console& console) const;
+  void Describe(const std::string& input, ImageContent content, Console& console) const;
+  bool DescribeAsOne(const std::string& input, Console& console);
+  void Attempt(const std::string& input, const std::function<void()>& describe, Console& console);
   void RecordLost(const std::string& input, const std::string& status, const std::string& message,
                   Console& console) const;
 
   std::vector<std::string> Inputs;
   ImageOptions Images;
   bool Json = false;
+  CaseTally Tally;
 };
 } // namespace palpate::cli

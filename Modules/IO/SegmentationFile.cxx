@@ -8,6 +8,7 @@
 #include "ImageFormat.h"
 #include "LabelMap.h"
 #include "LabelValues.h"
+#include "MaskFolder.h"
 #include "OrthogonalResampling.h"
 #include "Refusal.h"
 #include "RightHandedAxes.h"
@@ -111,6 +112,18 @@ Segmentation ReadDicomLabels(const std::filesystem::path& file, const VolumeChoi
   RefuseValueChoice(file, choice);
   return IsDicomStructureSet(file) ? ReadDicomStructureSet(file) : ReadDicomSegmentation(file);
 }
+
+Segmentation StructuresOf(const MaskFolder& folder, const std::filesystem::path& path)
+{
+  if (folder.Is() == MaskFolder::Kind::Structures)
+  {
+    Segmentation all = folder.Structures();
+    all.Notes.insert(all.Notes.end(), folder.LeftOut().begin(), folder.LeftOut().end());
+    return all;
+  }
+  Refuse(path, "holds " + folder.Why() + ", so they are not the structures of one patient",
+         "read them one by one, or join them by palpate convert");
+}
 } // namespace
 
 Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes leftHanded)
@@ -123,6 +136,10 @@ Segmentation ReadSegmentation(const std::filesystem::path& path, LeftHandedAxes 
 Segmentation ReadSegmentation(const std::filesystem::path& path, const VolumeChoice& choice)
 {
   std::error_code failure;
+  if (IsMaskFolder(path))
+  {
+    return StructuresOf(MaskFolder(path, choice, true), path);
+  }
   if (std::filesystem::is_directory(path, failure))
   {
     return ReadDicomLabels(FindDicomSegmentation(path), choice);

@@ -9,7 +9,8 @@ namespace palpate
 {
 /// Reads a label map (a file of ImageFormats), 3D Slicer's .seg.nrrd, a DICOM segmentation
 /// object or structure set. A file of names next to a label map (such as MRIcron's `aal.nii.txt`
-/// next to `aal.nii.gz`) is used. Throws InputError, also if no voxel is labelled.
+/// next to `aal.nii.gz`) is used. Also a folder of masks, if they are structures
+/// (MaskFolder). Throws InputError, also if no voxel is labelled.
 PALPATEIO_EXPORT Segmentation ReadSegmentation(const std::filesystem::path& path,
                                                LeftHandedAxes leftHanded = LeftHandedAxes::Reverse);
 

@@ -1,6 +1,7 @@
 #include "StudyFile.h"
 
 #include "ImageContent.h"
+#include "MaskFolder.h"
 #include "ModelFile.h"
 #include "Refusal.h"
 #include "SceneFile.h"
@@ -120,6 +121,10 @@ StudyFileRole RoleOf(const std::filesystem::path& file)
     return *named;
   }
   std::error_code failure;
+  if (IsMaskFolder(file))
+  {
+    return StudyFileRole::Segmentation;
+  }
   if (std::filesystem::is_directory(file, failure))
   {
     return StudyFileRole::Volume; // of DICOM slices; the user chooses the series

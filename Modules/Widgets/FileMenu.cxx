@@ -85,7 +85,7 @@ void FileMenu::AddOpening()
       "Open &segmentation...", this,
       [this] { this->Open("Open a segmentation", &StudyController::OpenSegmentation); },
       QKeySequence("Ctrl+Shift+O"));
-  this->addAction("Open &DICOM folder...", this, &FileMenu::OpenFolder, QKeySequence("Ctrl+D"));
+  this->addAction("Open &folder...", this, &FileMenu::OpenFolder, QKeySequence("Ctrl+D"));
   this->addAction(
       "Add vol&ume over it...", this,
       [this] { this->Open("Add a volume over the first one", &StudyController::AddVolume); },
@@ -211,7 +211,7 @@ void FileMenu::OpenLink()
 
 void FileMenu::OpenFolder()
 {
-  const QString folder = this->Questions.Folder(this->Window, "Open a folder of DICOM slices");
+  const QString folder = this->Questions.Folder(this->Window, "Open a folder of DICOM slices or of masks");
   if (!folder.isEmpty())
   {
     this->Study.OpenVolume(PathOf(folder));

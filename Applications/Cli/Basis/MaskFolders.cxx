@@ -10,7 +10,7 @@ namespace palpate::cli
 {
 namespace
 {
-bool IsMaskFolder(const std::string& input)
+bool IsFolderOfFiles(const std::string& input)
 {
   std::error_code ignored;
   return std::filesystem::is_directory(input, ignored) && DicomFilesIn(input).empty();
@@ -24,7 +24,7 @@ std::vector<std::string> WithMasksOfFolders(const std::vector<std::string>& inpu
   {
     try
     {
-      if (IsMaskFolder(input))
+      if (IsFolderOfFiles(input))
       {
         for (const std::filesystem::path& mask : FindMasks(input))
         {

@@ -12,6 +12,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "LabelParts.h"
+#include "OrderedTasks.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
 #include "Refusal.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <exception>
 #include <iomanip>
+#include <mutex>
 #include <numeric>
 #include <ostream>
 #include <sstream>
@@ -199,14 +201,16 @@ private:
     structure.Name = CaseNameOf(this->Mask.Mask);
     FitSettings settings = this->Mask.Settings;
     settings.IsAlone = settings.IsAlone || this->Mask.KeepsLargestPart;
-    this->FitOne(structure, 0, 1, readTime.front().second,
-                 [&](const ProgressFunction& progress)
-                 { return FitSurfaceFile(this->Mask.Mask, surface, settings, progress); });
+    this->Begin(structure, 0, 1);
+    this->Conclude(structure, readTime.front().second,
+                   FitSurfaceFile(this->Mask.Mask, surface, settings,
+                                  [this](double fraction, const std::string& stage)
+                                  { return this->GoesOn(0, fraction, stage); }));
   }
 
   void FitStructures()
   {
-    if (SurfaceFormats().Reader(this->Mask.Mask) != nullptr)
+    if (this->Mask.Read == nullptr && SurfaceFormats().Reader(this->Mask.Mask) != nullptr)
     {
       this->FitSurfaceOfFile();
       return;
@@ -214,7 +218,9 @@ private:
     this->CheckMaskOptions();
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
-    const Segmentation segmentation = ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());
+    const Segmentation segmentation =
+        this->Mask.Read != nullptr ? *this->Mask.Read
+                                   : ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());
     this->ReadSlices();
     clock.EndStage("read");
     for (const std::string& note : segmentation.Notes)
@@ -230,14 +236,39 @@ private:
     this->FileNotes = segmentation.Notes.size();
     const std::vector<StructureToFit> structures = this->Expanded(segmentation, choice.Found);
     this->IsOnly = this->IsOnly && structures.size() == 1;
+    OrderedTasks<FitResult> fits(
+        structures.size(), this->Mask.AtATime,
+        [&](std::size_t n)
+        {
+          return FitStructure(segmentation, structures[n].Structure, structures[n].Settings,
+                              [&, n](double fraction, const std::string& stage)
+                              { return this->GoesOn(n, fraction, stage); });
+        });
     for (std::size_t n = 0; n < structures.size(); ++n)
     {
-      this->FitOne(structures[n].Structure, n, structures.size(), readTime.front().second,
-                   [&](const ProgressFunction& progress) {
-                     return FitStructure(segmentation, structures[n].Structure,
-                                         structures[n].Settings, progress);
-                   });
+      this->Begin(structures[n].Structure, n, structures.size());
+      this->Conclude(structures[n].Structure, readTime.front().second, fits.Next());
     }
+  }
+
+  // Several structures are fitted at a time; the next one to end is shown.
+  void Begin(const Segment& structure, std::size_t number, std::size_t count)
+  {
+    const std::scoped_lock lock(this->ProgressLock);
+    this->Shown = {number, count, this->Mask.TitleOf(number + 1, count, structure)};
+  }
+
+  bool GoesOn(std::size_t number, double fraction, const std::string& stage)
+  {
+    const std::scoped_lock lock(this->ProgressLock);
+    if (number == this->Shown.Number)
+    {
+      const double part =
+          (this->Mask.To - this->Mask.From) / static_cast<double>(this->Shown.Count);
+      const double from = this->Mask.From + static_cast<double>(number) * part;
+      this->Output.Progress(from + part * fraction, this->Shown.Title + ": " + stage);
+    }
+    return !Interruption::WasAsked();
   }
 
   // The structures, or their parts (--component each).
@@ -284,19 +315,8 @@ private:
     }
   }
 
-  template <typename Fit>
-  void FitOne(const Segment& structure, std::size_t number, std::size_t count, double readSeconds,
-              const Fit& fit)
+  void Conclude(const Segment& structure, double readSeconds, FitResult result)
   {
-    const double part = (this->Mask.To - this->Mask.From) / static_cast<double>(count);
-    const double from = this->Mask.From + static_cast<double>(number) * part;
-    const std::string title = this->Mask.TitleOf(number + 1, count, structure);
-    FitResult result = fit(
-        [&](double fraction, const std::string& stage)
-        {
-          this->Output.Progress(from + part * fraction, title + ": " + stage);
-          return !Interruption::WasAsked();
-        });
     result.Message = WithHint(result.Message, result.OptionHint);
     result.Seconds.insert(result.Seconds.begin(), {"read", readSeconds});
     BlameInput(result);
@@ -371,6 +391,14 @@ private:
   const Volume* Slices = nullptr;
   bool IsOnly = false;
   std::size_t FileNotes = 0;
+  struct InProgress
+  {
+    std::size_t Number = 0; // from 0
+    std::size_t Count = 1;
+    std::string Title;
+  };
+  std::mutex ProgressLock;
+  InProgress Shown;
 };
 } // namespace
 

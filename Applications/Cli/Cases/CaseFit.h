@@ -20,6 +20,7 @@ std::string ShortTitle(const Segment& structure);
 struct MaskToFit
 {
   std::filesystem::path Mask;
+  const Segmentation* Read = nullptr; ///< its content if it was read before
   std::string Name;                ///< in notes about the whole file
   std::vector<std::string> Labels; ///< empty for all structures
   FitSettings Settings;
@@ -34,7 +35,8 @@ struct MaskToFit
   /// The only mask of the run: the files of a single structure lie in Output itself, and a refused
   /// Output is bad input.
   bool IsAlone = false;
-  bool Json = false; ///< on standard output, instead of a line
+  bool Json = false;    ///< on standard output, instead of a line
+  unsigned AtATime = 1; ///< structures that are fitted at a time
 
   ///@{ This mask's part of the whole run, and the title of its progress for a structure, its number
   /// from 1, and their count.

@@ -12,6 +12,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "Progress.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
 
@@ -48,6 +49,10 @@ void FitCommand::DeclareOptions(CLI::App& app)
   app.add_option("--case", this->Cases, "Fit only these cases of a folder or manifest")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  app.add_option("--as", this->As,
+                 "What a folder of masks holds: structures of one patient, or cases of one "
+                 "structure (default: structures if they lie on one grid and hardly overlap)")
+      ->check(CLI::IsMember({"structures", "cases"}));
   this->Options.DeclareLabels(app);
   this->Options.DeclareModel(app);
   this->Options.DeclareSurface(app);
@@ -62,7 +67,8 @@ void FitCommand::DeclareOptions(CLI::App& app)
       ->check(FileType::OutputFolder(
           {"report.html", "model.json", "model.csv", "model.vtp", "surface.vtp"}));
   app.add_option("--jobs", this->Jobs,
-                 "Cases of a folder or manifest fitted at a time (default: one per processor)")
+                 "Cases of a folder or manifest, or structures of a mask, fitted at a time "
+                 "(default: one per processor)")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   app.add_flag("--json", this->Json, "Print one JSON object per case");
@@ -104,11 +110,70 @@ int FitCommand::RunCohort(Console& console) const
   return fit.Run(this->OutputFolder, console);
 }
 
+// A table that is there is continued as it was begun.
+bool FitCommand::MayBeStructures() const
+{
+  std::error_code ignored;
+  return this->As != "cases" && this->Manifest.empty() && this->Cases.empty() &&
+         this->Inputs.size() == 1 && IsMaskFolder(this->Inputs.front()) &&
+         (this->OutputFolder.empty() ||
+          !std::filesystem::exists(std::filesystem::path(this->OutputFolder) / "cohort.csv",
+                                   ignored));
+}
+
+// Masks of a folder as one segmentation, if they are structures of one patient. If none can be
+// read, each is a case with its message.
+void FitCommand::ReadFolder(Console& console)
+{
+  const std::string& input = this->Inputs.front();
+  const bool judges = this->As.empty();
+  const auto tell = [&](std::size_t done, std::size_t count)
+  {
+    if (Interruption::WasAsked())
+    {
+      throw Cancelled();
+    }
+    console.Progress(0.0, "reading " + CountedCase(done + 1, count, input));
+  };
+  std::optional<MaskFolder> folder;
+  try
+  {
+    folder.emplace(input, this->Images.Choice(), judges, tell);
+  }
+  catch (const InputError&)
+  {
+    return;
+  }
+  console.EndProgress();
+  if (judges && folder->Is() == MaskFolder::Kind::Unclear)
+  {
+    throw InputError(input + " holds " + folder->Why() +
+                     "; say by --as structures that they are of one patient, or by --as cases "
+                     "that each is a case");
+  }
+  const bool areStructures = !judges || folder->IsOneSegmentation();
+  if (judges)
+  {
+    console.Note(input + ": " + folder->Why() + ", taken as " +
+                 (areStructures ? "structures of one patient (--as cases: each is a case)"
+                                : "cases (--as structures: of one patient)"));
+  }
+  if (areStructures)
+  {
+    this->Folder = std::move(folder);
+  }
+}
+
 int FitCommand::Run(Console& console)
 {
   const Interruption interruption;
   this->Settings = this->Options.Settings();
-  if (this->IsCohort())
+  this->Folder.reset();
+  if (this->MayBeStructures())
+  {
+    this->ReadFolder(console);
+  }
+  if (!this->Folder && this->IsCohort())
   {
     return this->RunCohort(console);
   }
@@ -130,6 +195,14 @@ int FitCommand::Run(Console& console)
   {
     volume = ReadVolume(this->VolumePath, this->Images.ChoiceOfVolume());
   }
+  if (this->Folder)
+  {
+    for (const std::string& message : this->Folder->LeftOut())
+    {
+      this->Tally.Add(FitResult::Outcome::BadInput);
+      this->Messages.push_back(message);
+    }
+  }
   for (std::size_t file = 0; file < this->Inputs.size(); ++file)
   {
     this->FitFile(file, volume ? &*volume : nullptr, console);
@@ -143,6 +216,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   MaskToFit mask;
   mask.Mask = this->Inputs[file];
   mask.Name = mask.Mask.filename().string();
+  mask.Read = this->Folder ? &this->Folder->Structures() : nullptr;
   mask.Labels = this->Options.Labels();
   mask.Settings = this->Settings;
   mask.KeepsLargestPart = this->Options.NamesLargest();
@@ -151,6 +225,7 @@ void FitCommand::FitFile(std::size_t file, const Volume* volume, Console& consol
   mask.PlaceOf = [&](const Segment& structure) { return this->Names.Take(file, structure); };
   mask.IsAlone = count == 1;
   mask.Json = this->Json;
+  mask.AtATime = this->Jobs > 0 ? this->Jobs : ProcessorCount();
   mask.From = static_cast<double>(file) / static_cast<double>(count);
   mask.To = static_cast<double>(file + 1) / static_cast<double>(count);
   mask.TitleOf = [&](std::size_t number, std::size_t all, const Segment& structure)

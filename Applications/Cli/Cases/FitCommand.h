@@ -6,8 +6,10 @@
 #include "FitOptions.h"
 #include "FitResult.h"
 #include "ImageOptions.h"
+#include "MaskFolder.h"
 #include "ReportIndex.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,8 @@ private:
   /// Whether the input is a folder or a manifest: its cases are kept in a table, which a later run
   /// resumes.
   bool IsCohort() const;
+  bool MayBeStructures() const;
+  void ReadFolder(Console& console);
   int RunCohort(Console& console) const;
   /// Does not throw for errors of one file.
   void FitFile(std::size_t file, const Volume* volume, Console& console);
@@ -40,6 +44,7 @@ private:
   std::vector<std::string> Inputs;
   std::string Manifest;
   std::vector<std::string> Cases;
+  std::string As;
   FitOptions Options;
   std::string VolumePath;
   ImageOptions Images;
@@ -52,5 +57,6 @@ private:
   CaseTally Tally;
   std::vector<std::string> Messages; ///< errors, printed at the end
   ReportIndex Index;
+  std::optional<MaskFolder> Folder; ///< of structures
 };
 } // namespace palpate::cli

@@ -8,6 +8,6 @@
 namespace palpate
 {
 /// Made of the modification time and size of a file and of its companion files: it changes when one
-/// of them is written again. Reads no file content.
+/// of them is written again. Of a folder, of all its files. Reads no file content.
 PALPATEIO_EXPORT std::string StampOf(const std::filesystem::path& file);
 } // namespace palpate

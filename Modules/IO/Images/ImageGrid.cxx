@@ -195,4 +195,14 @@ ImageGrid GridOf(vtkImageData* image)
       image->GetDirectionMatrix()->GetData());
   return grid;
 }
+
+bool IsSameGrid(const ImageGrid& a, const ImageGrid& b)
+{
+  constexpr double Tolerance = 1e-3; // of a voxel
+  const double voxel = a.Spacing.minCoeff();
+  const double extent = Vector3(a.Size[0], a.Size[1], a.Size[2]).maxCoeff();
+  return a.Size == b.Size && (a.OriginWorld - b.OriginWorld).norm() <= Tolerance * voxel &&
+         (a.Spacing - b.Spacing).norm() * extent <= Tolerance * voxel &&
+         (a.Direction - b.Direction).norm() * extent <= Tolerance;
+}
 } // namespace palpate

@@ -56,4 +56,7 @@ PALPATEIO_EXPORT vtkSmartPointer<vtkImageData> MakeImage(const ImageGrid& grid,
                                                          vtkDataArray* voxels);
 
 PALPATEIO_EXPORT ImageGrid GridOf(vtkImageData* image);
+
+/// Whether no voxel lies elsewhere by more than a thousandth of a voxel, as by rounded headers.
+PALPATEIO_EXPORT bool IsSameGrid(const ImageGrid& a, const ImageGrid& b);
 } // namespace palpate

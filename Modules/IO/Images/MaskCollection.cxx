@@ -5,7 +5,9 @@
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+#include "vtkSetGet.h"
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -13,36 +15,38 @@ namespace palpate
 {
 namespace
 {
-// Up to rounding of their headers.
-bool IsSameGrid(const ImageGrid& a, const ImageGrid& b)
+template <typename T>
+void FindRuns(const T* voxels, vtkIdType count, T value, std::vector<VoxelRun>& runs)
 {
-  constexpr double Tolerance = 1e-3; // of a voxel
-  const double voxel = a.Spacing.minCoeff();
-  const double extent = Vector3(a.Size[0], a.Size[1], a.Size[2]).maxCoeff();
-  return a.Size == b.Size && (a.OriginWorld - b.OriginWorld).norm() <= Tolerance * voxel &&
-         (a.Spacing - b.Spacing).norm() * extent <= Tolerance * voxel &&
-         (a.Direction - b.Direction).norm() * extent <= Tolerance;
+  const T* const end = voxels + count;
+  for (const T* first = std::find(voxels, end, value); first != end;)
+  {
+    const T* const after = std::find_if(first, end, [value](T voxel) { return voxel != value; });
+    runs.push_back({first - voxels, after - first});
+    first = std::find(after, end, value);
+  }
 }
 
 std::vector<VoxelRun> RunsOf(vtkImageData* layer, int value)
 {
   vtkDataArray* voxels = layer->GetPointData()->GetScalars();
-  const vtkIdType count = voxels->GetNumberOfTuples();
   std::vector<VoxelRun> runs;
-  for (vtkIdType start = 0; start < count;)
+  switch (voxels->GetDataType())
   {
-    vtkIdType end = start;
-    while (end < count && voxels->GetComponent(end, 0) == value)
-    {
-      ++end;
-    }
-    if (end > start)
-    {
-      runs.push_back({start, end - start});
-    }
-    start = end + 1;
+    vtkTemplateMacro(FindRuns(static_cast<const VTK_TT*>(voxels->GetVoidPointer(0)),
+                              voxels->GetNumberOfTuples(), static_cast<VTK_TT>(value), runs));
   }
   return runs;
+}
+
+std::int64_t CountOf(const std::vector<VoxelRun>& runs)
+{
+  std::int64_t count = 0;
+  for (const VoxelRun& run : runs)
+  {
+    count += run.Count;
+  }
+  return count;
 }
 
 constexpr int MostStructures = std::numeric_limits<unsigned short>::max();
@@ -68,6 +72,13 @@ void MaskCollection::Add(const Segmentation& segmentation, const std::string& na
     Refuse(segmentation.Source, "lies on another grid than the masks before it",
            "convert it on its own");
   }
+  for (const std::string& note : segmentation.Notes)
+  {
+    if (std::find(this->All.Notes.begin(), this->All.Notes.end(), note) == this->All.Notes.end())
+    {
+      this->All.Notes.push_back(note);
+    }
+  }
   for (const Segment& one : segmentation.Segments)
   {
     Segment segment = one;
@@ -78,10 +89,26 @@ void MaskCollection::Add(const Segmentation& segmentation, const std::string& na
           segmentation.Segments.size() == 1 ? name : name + " " + std::to_string(one.Label);
       segment.Color = DefaultSegmentColor(segment.Label);
     }
-    segment.Layer = this->Layers->Add(
-        segment.Label, RunsOf(segmentation.Layers[static_cast<std::size_t>(one.Layer)], one.Value));
+    const std::vector<VoxelRun> runs =
+        RunsOf(segmentation.Layers[static_cast<std::size_t>(one.Layer)], one.Value);
+    this->Compare(runs);
+    segment.Layer = this->Layers->Add(segment.Label, runs);
     this->All.Segments.push_back(segment);
   }
+}
+
+// The next segment with those before it.
+void MaskCollection::Compare(const std::vector<VoxelRun>& runs)
+{
+  const std::int64_t own = CountOf(runs);
+  for (const auto& [label, shared] : this->Layers->Shared(runs))
+  {
+    const auto other = static_cast<std::size_t>(label - 1);
+    this->Found.push_back(
+        {other, this->Voxels.size(),
+         2.0 * static_cast<double>(shared) / static_cast<double>(own + this->Voxels[other])});
+  }
+  this->Voxels.push_back(own);
 }
 
 Segmentation MaskCollection::Result()

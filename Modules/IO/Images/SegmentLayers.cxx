@@ -36,6 +36,26 @@ void Fill(T* layer, const std::vector<VoxelRun>& runs, int label)
   }
 }
 
+template <typename T>
+void CountShared(const T* layer, const std::vector<VoxelRun>& runs,
+                 std::map<int, std::int64_t>& shared)
+{
+  for (const VoxelRun& run : runs)
+  {
+    const T* const end = layer + run.First + run.Count;
+    for (const T* voxel = layer + run.First; voxel != end;)
+    {
+      const T label = *voxel;
+      const T* const first = voxel;
+      voxel = std::find_if(first, end, [label](T value) { return value != label; });
+      if (label != T(0))
+      {
+        shared[static_cast<int>(label)] += voxel - first;
+      }
+    }
+  }
+}
+
 bool TryFill(vtkDataArray* layer, const std::vector<VoxelRun>& runs, int label)
 {
   bool isFree = false;
@@ -86,6 +106,20 @@ int SegmentLayers::Add(int label, const std::vector<VoxelRun>& runs)
     }
   }
   return static_cast<int>(place);
+}
+
+std::map<int, std::int64_t> SegmentLayers::Shared(const std::vector<VoxelRun>& runs) const
+{
+  std::map<int, std::int64_t> shared;
+  for (const auto& layer : this->Layers)
+  {
+    const void* data = layer->GetVoidPointer(0);
+    switch (layer->GetDataType())
+    {
+      vtkTemplateMacro(CountShared(static_cast<const VTK_TT*>(data), runs, shared));
+    }
+  }
+  return shared;
 }
 
 std::vector<vtkSmartPointer<vtkImageData>> SegmentLayers::Images() const

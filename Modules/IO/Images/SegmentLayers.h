@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <vector>
 
 namespace palpate
@@ -29,6 +30,8 @@ public:
   /// Adds the voxels of a segment; returns its layer. Throws InputError if it needs another layer
   /// and all layers together would exceed `mostBytes`, not fit into memory, or be more than 1,024.
   int Add(int label, const std::vector<VoxelRun>& runs);
+  /// Voxels that the runs share with each label added before.
+  std::map<int, std::int64_t> Shared(const std::vector<VoxelRun>& runs) const;
   /// The layers as images; at least one.
   std::vector<vtkSmartPointer<vtkImageData>> Images() const;
 

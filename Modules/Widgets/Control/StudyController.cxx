@@ -2,6 +2,7 @@
 
 #include "DicomPreview.h"
 #include "ExceptionMessage.h"
+#include "MaskFolder.h"
 #include "Progress.h"
 #include "SeriesDialog.h"
 
@@ -230,6 +231,10 @@ void StudyController::ReadVolume(const std::filesystem::path& file, VolumeOpenin
   if (RoleByName(file))
   {
     this->OpenFiles({file});
+  }
+  else if (IsMaskFolder(file))
+  {
+    this->OpenSegmentation(file);
   }
   else if (std::filesystem::is_directory(file, failure))
   {

@@ -78,7 +78,7 @@ void StartPage::AddOpening()
   title->setFont(large);
   auto* open = new QPushButton("Open files...", this);
   open->setObjectName("start-open");
-  auto* folder = new QPushButton("Open DICOM folder...", this);
+  auto* folder = new QPushButton("Open folder...", this);
   folder->setObjectName("start-folder");
   connect(open, &QPushButton::clicked, this, &StartPage::OpenAsked);
   connect(folder, &QPushButton::clicked, this, &StartPage::FolderAsked);

@@ -81,7 +81,7 @@ protected:
   void OpenFolder(const std::filesystem::path& folder)
   {
     this->Chosen = QString::fromStdString(folder.string());
-    this->Action("Open DICOM folder")->trigger();
+    this->Action("Open folder")->trigger();
     WaitUntil([this] { return !this->Study->IsBusy(); });
   }
 };
