@@ -211,7 +211,8 @@ void FileMenu::OpenLink()
 
 void FileMenu::OpenFolder()
 {
-  const QString folder = this->Questions.Folder(this->Window, "Open a folder of DICOM slices or of masks");
+  const QString folder =
+      this->Questions.Folder(this->Window, "Open a folder of DICOM slices or of masks");
   if (!folder.isEmpty())
   {
     this->Study.OpenVolume(PathOf(folder));

@@ -218,9 +218,9 @@ private:
     this->CheckMaskOptions();
     std::vector<std::pair<std::string, double>> readTime;
     StageClock clock(readTime);
-    const Segmentation segmentation =
-        this->Mask.Read != nullptr ? *this->Mask.Read
-                                   : ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());
+    const Segmentation segmentation = this->Mask.Read != nullptr
+                                          ? *this->Mask.Read
+                                          : ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());
     this->ReadSlices();
     clock.EndStage("read");
     for (const std::string& note : segmentation.Notes)

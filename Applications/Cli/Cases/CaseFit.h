@@ -21,8 +21,8 @@ struct MaskToFit
 {
   std::filesystem::path Mask;
   const Segmentation* Read = nullptr; ///< its content if it was read before
-  std::string Name;                ///< in notes about the whole file
-  std::vector<std::string> Labels; ///< empty for all structures
+  std::string Name;                   ///< in notes about the whole file
+  std::vector<std::string> Labels;    ///< empty for all structures
   FitSettings Settings;
   bool KeepsLargestPart = false; ///< of a surface file (FitOptions::NamesLargest)
   /// The image for the report's slices: already read, or a file to read, or none.

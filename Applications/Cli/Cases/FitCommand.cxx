@@ -84,6 +84,14 @@ bool FitCommand::IsCohort() const
                      });
 }
 
+void FitCommand::TellTaken(Console& console) const
+{
+  if (!this->Taken.empty())
+  {
+    console.Note(this->Taken);
+  }
+}
+
 int FitCommand::RunCohort(Console& console) const
 {
   if (this->OutputFolder.empty())
@@ -107,6 +115,7 @@ int FitCommand::RunCohort(Console& console) const
     fit.TakeManifest(this->Manifest, this->Inputs);
   }
   fit.ChooseCases(this->Cases);
+  this->TellTaken(console);
   return fit.Run(this->OutputFolder, console);
 }
 
@@ -154,9 +163,9 @@ void FitCommand::ReadFolder(Console& console)
   const bool areStructures = !judges || folder->IsOneSegmentation();
   if (judges)
   {
-    console.Note(input + ": " + folder->Why() + ", taken as " +
-                 (areStructures ? "structures of one patient (--as cases: each is a case)"
-                                : "cases (--as structures: of one patient)"));
+    this->Taken = input + ": " + folder->Why() + ", taken as " +
+                  (areStructures ? "structures of one patient (--as cases: each is a case)"
+                                 : "cases (--as structures: of one patient)");
   }
   if (areStructures)
   {
@@ -169,6 +178,7 @@ int FitCommand::Run(Console& console)
   const Interruption interruption;
   this->Settings = this->Options.Settings();
   this->Folder.reset();
+  this->Taken.clear();
   if (this->MayBeStructures())
   {
     this->ReadFolder(console);
@@ -195,6 +205,7 @@ int FitCommand::Run(Console& console)
   {
     volume = ReadVolume(this->VolumePath, this->Images.ChoiceOfVolume());
   }
+  this->TellTaken(console);
   if (this->Folder)
   {
     for (const std::string& message : this->Folder->LeftOut())

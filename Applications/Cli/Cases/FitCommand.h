@@ -35,6 +35,7 @@ private:
   bool IsCohort() const;
   bool MayBeStructures() const;
   void ReadFolder(Console& console);
+  void TellTaken(Console& console) const;
   int RunCohort(Console& console) const;
   /// Does not throw for errors of one file.
   void FitFile(std::size_t file, const Volume* volume, Console& console);
@@ -58,5 +59,6 @@ private:
   std::vector<std::string> Messages; ///< errors, printed at the end
   ReportIndex Index;
   std::optional<MaskFolder> Folder; ///< of structures
+  std::string Taken;                ///< what a folder was judged to be; empty if it was not
 };
 } // namespace palpate::cli
