@@ -3,6 +3,8 @@
 #include "VolumeViscosity.h"
 #include "WindowTest.h"
 
+#include "ImageWriter.h"
+#include "LabelImages.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
 #include "SceneFile.h"
@@ -28,6 +30,21 @@ protected:
     WriteModel(this->Model, {sphere, {}});
     WriteSurface(this->Surface, DrawModel(sphere, 6));
   }
+  // Two spheres, each in a file of its own.
+  std::filesystem::path WriteMaskFolder() const
+  {
+    const std::filesystem::path folder = this->Phantom.Folder / "organs";
+    std::filesystem::create_directory(folder);
+    test::LabelGrid grid;
+    grid.Size = {{48, 24, 24}};
+    for (const auto& [name, middle] : {std::pair("liver", 12.0), std::pair("spleen", 36.0)})
+    {
+      WriteImage(folder / (std::string(name) + ".nii.gz"),
+                 test::MakeLabelImage(grid, [x0 = middle](double x, double y, double z)
+                                      { return std::hypot(x - x0, y - 12.0, z - 12.0) < 8.0; }));
+    }
+    return folder;
+  }
   const SceneStructure& Last() const { return this->Study->State().Structures.back(); }
   std::shared_ptr<const TouchContact> Contact() const
   {
@@ -44,6 +61,21 @@ protected:
   std::filesystem::path Model = this->Phantom.Folder / "ball.json";
   std::filesystem::path Surface = this->Phantom.Folder / "ball.stl";
 };
+
+TEST_F(AddedStructures, FolderOfMasksOpensAsStructuresNamedAfterFilesAndReopens)
+{
+  this->Chosen = QString::fromStdString(this->WriteMaskFolder().string());
+  this->Action("Open folder")->trigger();
+  WaitUntil([this] { return this->Study->State().Structures.size() == 2; });
+  EXPECT_EQ(this->Study->State().Structures[0].Name, "liver");
+  EXPECT_EQ(this->Study->State().Structures[1].Name, "spleen");
+  this->Settle();
+  this->ExpectSameStudyAfterReopening();
+  // Dropped on the window.
+  this->Study->New();
+  this->Study->OpenFiles({this->Phantom.Folder / "organs"});
+  WaitUntil([this] { return this->Study->State().Structures.size() == 2; });
+}
 
 TEST_F(AddedStructures, ModelIsTouchedAndDisplayed)
 {
