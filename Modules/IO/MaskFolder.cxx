@@ -35,7 +35,13 @@ struct Collected
 
   void Add(const std::filesystem::path& mask, const VolumeChoice& choice)
   {
-    this->All.Add(ReadSegmentation(mask, choice), NameOf(mask));
+    Segmentation read = ReadSegmentation(mask, choice);
+    // A table of names beside them is for label maps; 3D Slicer's files name their segments.
+    if (read.Segments.size() == 1 && EndingOf(mask, {".seg.nrrd"}).empty())
+    {
+      read.Segments.front().Name.clear();
+    }
+    this->All.Add(read, NameOf(mask));
     this->MaskOf.resize(this->All.Count(), this->Count);
     ++this->Count;
   }

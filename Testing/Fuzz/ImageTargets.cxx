@@ -354,6 +354,12 @@ std::vector<FuzzTarget> ImageTargets()
           {"label-names", "a.nii.txt",
            [] { return std::vector<std::string>{"1 Precentral_L 2001\n2 Precentral_R 2002\n"}; },
            OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.nii.txt"); }},
+          {"label-table", "a.tsv",
+           [] { return std::vector<std::string>{"index\tname\tcolor\n1\tliver\t#ff8800\n"}; },
+           OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.tsv"); }},
+          {"label-dataset", "dataset.json",
+           [] { return std::vector<std::string>{R"({"labels": {"background": 0, "liver": 1}})"}; },
+           OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("dataset.json"); }},
           {"label-colours", "a.nii.lut", [] { return std::vector<std::string>{ColorTable()}; },
            MutateBytes, [] { return NextToLabelMap("a.nii.lut"); }}};
 }

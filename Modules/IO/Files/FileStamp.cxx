@@ -1,5 +1,7 @@
 #include "FileStamp.h"
 
+#include "LabelNamesFile.h"
+
 #include <cstddef>
 #include <functional>
 #include <system_error>
@@ -47,9 +49,10 @@ std::string StampOf(const std::filesystem::path& file)
   std::filesystem::path stem = file;
   const bool isCompressed = stem.extension() == ".gz";
   stem = isCompressed ? stem.replace_extension() : stem;
-  for (const char* ending : {".txt", ".lut"})
+  stamps += "|" + OwnStampOf(std::filesystem::path(stem).concat(".lut"));
+  for (const std::filesystem::path& table : LabelTablesOf(file))
   {
-    stamps += "|" + OwnStampOf(std::filesystem::path(stem).concat(ending));
+    stamps += "|" + OwnStampOf(table);
   }
   for (const char* ending : {".raw", ".zraw", ".raw.gz", ".img"})
   {

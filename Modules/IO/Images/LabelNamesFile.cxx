@@ -1,10 +1,14 @@
 #include "LabelNamesFile.h"
 
+#include "FileFormat.h"
+#include "ImageFormat.h"
+#include "LabelTable.h"
+
 #include <cstdint>
 #include <fstream>
-#include <map>
+#include <iterator>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -22,7 +26,16 @@ std::filesystem::path NextTo(std::filesystem::path image, const char* ending)
   return image;
 }
 
-constexpr std::uintmax_t LargestNames = 1U << 20;
+// STEM.nii.gz without both.
+std::filesystem::path StemOf(const std::filesystem::path& image)
+{
+  std::filesystem::path stem = image;
+  stem.replace_filename(image.filename().string().substr(
+      0, image.filename().string().size() - EndingOf(image, ReadableImageEndings()).size()));
+  return stem;
+}
+
+constexpr std::uintmax_t LargestTable = 1U << 20;
 
 // Bytes of a regular file, 0 of anything else.
 std::uintmax_t SizeOf(const std::filesystem::path& file)
@@ -33,32 +46,20 @@ std::uintmax_t SizeOf(const std::filesystem::path& file)
   return failure ? 0 : bytes;
 }
 
-// Empty if the file is absent, too large for such a list, or has a line of another format.
-std::optional<std::map<int, std::string>> ReadNames(const std::filesystem::path& file)
+std::optional<LabelTable> ReadTable(const std::filesystem::path& file)
 {
-  std::map<int, std::string> names;
-  if (SizeOf(file) == 0 || SizeOf(file) > LargestNames)
+  if (SizeOf(file) == 0 || SizeOf(file) > LargestTable)
   {
     return std::nullopt;
   }
-  std::ifstream stream(file);
-  std::string line;
-  while (std::getline(stream, line))
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (file.extension() == ".json")
   {
-    std::istringstream words(line);
-    int label = 0;
-    std::string name;
-    if (line.find_first_not_of(" \t\r") == std::string::npos)
-    {
-      continue;
-    }
-    if (!(words >> label >> name))
-    {
-      return std::nullopt;
-    }
-    names[label] = name;
+    return LabelsOfDataset(text);
   }
-  return names;
+  const auto columns = LabelColumns(text);
+  return columns ? columns : LabelLines(text);
 }
 
 void ApplyColors(const std::filesystem::path& file, Segmentation& segmentation)
@@ -82,29 +83,61 @@ void ApplyColors(const std::filesystem::path& file, Segmentation& segmentation)
     }
   }
 }
+
+// Whether it knows any of the labels.
+bool Apply(const LabelTable& table, Segmentation& segmentation)
+{
+  bool isKnown = false;
+  for (Segment& segment : segmentation.Segments)
+  {
+    const auto entry = table.find(segment.Value);
+    if (entry != table.end())
+    {
+      isKnown = true;
+      segment.Name = entry->second.Name;
+      segment.Color = entry->second.Color.value_or(segment.Color);
+    }
+  }
+  return isKnown;
+}
 } // namespace
+
+std::vector<std::filesystem::path> LabelTablesOf(const std::filesystem::path& image)
+{
+  std::vector<std::filesystem::path> files{NextTo(image, ".txt")};
+  const std::filesystem::path stem = StemOf(image);
+  for (const char* ending : {".label", ".lbl", ".label.txt", ".label.tsv", ".label.csv", ".tsv",
+                             ".csv", ".txt", ".ctab", ".ctbl"})
+  {
+    files.emplace_back(stem.string() + ending);
+  }
+  const std::filesystem::path folder = image.parent_path();
+  files.push_back(folder / "FreeSurferColorLUT.txt");
+  files.push_back(folder / "dataset.json");
+  files.push_back(folder / ".." / "dataset.json"); // of nnU-Net's labelsTr
+  return files;
+}
 
 void ApplyLabelNames(Segmentation& segmentation)
 {
-  const std::filesystem::path namesFile = NextTo(segmentation.Source, ".txt");
   ApplyColors(NextTo(segmentation.Source, ".lut"), segmentation);
+  const std::vector<std::filesystem::path> files = LabelTablesOf(segmentation.Source);
+  for (const std::filesystem::path& file : files)
+  {
+    const auto table = ReadTable(file);
+    if (table && Apply(*table, segmentation))
+    {
+      segmentation.Notes.push_back("Names of the labels are from " +
+                                   file.lexically_normal().string() + ".");
+      return;
+    }
+  }
+  // The others may be anything.
   std::error_code isNoFile; // such as a name that is too long with the ending
-  if (!std::filesystem::exists(namesFile, isNoFile))
+  if (std::filesystem::exists(files.front(), isNoFile))
   {
-    return;
-  }
-  const auto names = ReadNames(namesFile);
-  if (!names)
-  {
-    segmentation.Notes.push_back(namesFile.string() +
+    segmentation.Notes.push_back(files.front().string() +
                                  " is not a list of label names and was not used.");
-    return;
   }
-  for (Segment& segment : segmentation.Segments)
-  {
-    const auto name = names->find(segment.Value);
-    segment.Name = name == names->end() ? segment.Name : name->second;
-  }
-  segmentation.Notes.push_back("Names of the labels are from " + namesFile.string() + ".");
 }
 } // namespace palpate

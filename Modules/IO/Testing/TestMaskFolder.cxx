@@ -78,6 +78,14 @@ TEST_F(MaskFolderTest, MasksThatHardlyOverlapAreStructuresNamedAfterTheirFiles)
   }
 }
 
+TEST_F(MaskFolderTest, TablesOfLabelMapsDoNotNameMasks)
+{
+  WriteCube("spleen", 0);
+  WriteCube("liver", 20);
+  WriteAll(this->Folder / "dataset.json", R"({"labels": {"kidney": 1}})");
+  EXPECT_EQ(ReadSegmentation(this->Folder.Path()).Segments[1].Name, "spleen");
+}
+
 TEST_F(MaskFolderTest, SmallOverlapsAreKeptAsLayers)
 {
   LabelGrid grid;
