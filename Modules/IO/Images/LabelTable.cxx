@@ -14,7 +14,7 @@ namespace
 using Color = std::array<double, 3>;
 constexpr double Full = 255.0;
 
-std::string Trimmed(const std::string& text)
+std::string Bare(const std::string& text)
 {
   constexpr const char* Blank = " \t\r\"";
   const auto first = text.find_first_not_of(Blank);
@@ -80,7 +80,7 @@ bool TakeLine(const std::string& line, LabelTable& table)
   }
   if (quote != std::string::npos)
   {
-    table[*index] = {Trimmed(line.substr(quote)), ColorIn(words, 1)};
+    table[*index] = {Bare(line.substr(quote)), ColorIn(words, 1)};
     return true;
   }
   // A table of numbers has no names.
@@ -101,7 +101,7 @@ std::vector<std::string> FieldsOf(const std::string& line, char separator)
   std::istringstream stream(line);
   for (std::string field; std::getline(stream, field, separator);)
   {
-    fields.push_back(Trimmed(field));
+    fields.push_back(Bare(field));
   }
   return fields;
 }
