@@ -12,6 +12,7 @@
 #include "MaskFolders.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <ostream>
 #include <utility>
 
@@ -89,20 +90,28 @@ bool InfoCommand::DescribeAsOne(const std::string& input, Console& console)
   {
     return false;
   }
-  const MaskFolder folder(input, this->Images.Choice(), true);
-  if (!folder.IsOneSegmentation())
+  std::optional<MaskFolder> folder;
+  try
+  {
+    folder.emplace(input, this->Images.Choice(), true);
+  }
+  catch (const InputError&)
+  {
+    return false; // each file has its own message
+  }
+  if (!folder->IsOneSegmentation())
   {
     return false;
   }
-  for (const std::string& message : folder.LeftOut())
+  for (const std::string& message : folder->LeftOut())
   {
     this->Attempt(
         input, [&] { throw InputError(message); }, console);
   }
   ImageContent content;
   content.Kind = "folder of masks";
-  content.KindReason = folder.Why();
-  content.Labels = folder.Structures();
+  content.KindReason = folder->Why();
+  content.Labels = folder->Structures();
   this->Attempt(
       input, [&] { this->Describe(input, content, console); }, console);
   return true;

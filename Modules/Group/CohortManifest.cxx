@@ -3,6 +3,7 @@
 #include "CsvText.h"
 #include "ImageFormat.h"
 #include "InputError.h"
+#include "MaskFolder.h"
 #include "OutputNames.h"
 #include "SurfaceFile.h"
 #include "TableEncoding.h"
@@ -84,17 +85,13 @@ std::vector<CohortCase> ReadManifest(const std::filesystem::path& file,
 
 std::vector<std::filesystem::path> FindMasks(const std::filesystem::path& folder)
 {
-  std::error_code error;
-  std::vector<std::filesystem::path> masks;
+  std::vector<std::filesystem::path> masks = ImagesIn(folder);
   std::vector<std::filesystem::path> surfaces;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end;
+       masks.empty() && !error && entry != end; entry.increment(error))
   {
-    if (HasEnding(entry->path(), ReadableImageEndings()))
-    {
-      masks.push_back(entry->path());
-    }
-    else if (HasEnding(entry->path(), SurfaceFormats().ReadEndings()))
+    if (HasEnding(entry->path(), SurfaceFormats().ReadEndings()))
     {
       surfaces.push_back(entry->path());
     }

@@ -7,6 +7,7 @@
 #include "MaskCollection.h"
 #include "Refusal.h"
 #include "SegmentationFile.h"
+#include "SegmentationWriter.h"
 
 #include <algorithm>
 #include <set>
@@ -21,13 +22,6 @@ constexpr double HardlyOverlaps = 0.1; // Dice
 constexpr double ShareOnOneGrid = 0.8;
 constexpr std::size_t EnoughForCases = 8; // masks
 
-std::string NameOf(const std::filesystem::path& mask)
-{
-  std::string name = mask.filename().string();
-  name.erase(name.size() - EndingOf(mask, ReadableImageEndings()).size());
-  return name;
-}
-
 // Masks as they are collected; each may have several structures.
 struct Collected
 {
@@ -37,11 +31,11 @@ struct Collected
   {
     Segmentation read = ReadSegmentation(mask, choice);
     // A table of names beside them is for label maps; 3D Slicer's files name their segments.
-    if (read.Segments.size() == 1 && EndingOf(mask, {".seg.nrrd"}).empty())
+    if (read.Segments.size() == 1 && !IsSlicerSegmentation(mask))
     {
       read.Segments.front().Name.clear();
     }
-    this->All.Add(read, NameOf(mask));
+    this->All.Add(read, ImageNameOf(mask));
     this->MaskOf.resize(this->All.Count(), this->Count);
     ++this->Count;
   }
@@ -77,7 +71,8 @@ std::vector<std::filesystem::path> ImagesIn(const std::filesystem::path& folder)
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
   {
-    if (!EndingOf(entry->path(), ReadableImageEndings()).empty())
+    std::error_code ignored;
+    if (!EndingOf(entry->path(), ReadableImageEndings()).empty() && entry->is_regular_file(ignored))
     {
       images.push_back(entry->path());
     }

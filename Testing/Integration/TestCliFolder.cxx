@@ -161,6 +161,18 @@ TEST_F(CliFolder, InfoIsOneTableOfStructures)
   EXPECT_EQ(Lines(broken.Output).size(), 2U) << "the broken one, and the others";
 }
 
+TEST_F(CliFolder, FolderWithoutAReadableMaskStopsNoOtherInput)
+{
+  WriteAll(this->Folder / "masks/broken.nii.gz", "no image");
+  std::filesystem::rename(this->Folder / "masks", this->Folder / "bad");
+  std::filesystem::create_directory(this->Folder / "masks");
+  WriteSphere("a", 10.0);
+  const CommandRun run = RunPalpate({"info", "bad", "masks/a.nii.gz"}, this->Folder.Path());
+  EXPECT_EQ(run.Code, 1);
+  EXPECT_TRUE(Has(run.Errors, "bad/broken.nii.gz")) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "masks/a.nii.gz")) << run.Output;
+}
+
 TEST_F(CliFolder, InfoOfCasesIsThatOfEachFile)
 {
   WriteSphere("a", 10.0);

@@ -151,6 +151,10 @@ void FitCommand::ReadFolder(Console& console)
   }
   catch (const InputError&)
   {
+    if (!judges)
+    {
+      throw;
+    }
     return;
   }
   console.EndProgress();

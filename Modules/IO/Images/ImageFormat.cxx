@@ -54,4 +54,11 @@ std::vector<std::string> ReadableImageEndings()
   endings.insert(endings.end(), DicomEndings.begin(), DicomEndings.end());
   return endings;
 }
+
+std::string ImageNameOf(const std::filesystem::path& file)
+{
+  std::string name = file.filename().string();
+  name.erase(name.size() - EndingOf(file, ReadableImageEndings()).size());
+  return name;
+}
 } // namespace palpate

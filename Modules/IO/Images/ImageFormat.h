@@ -36,4 +36,7 @@ PALPATEIO_EXPORT std::unique_ptr<ImageFile> OpenImage(const std::filesystem::pat
 
 /// Endings of all readable images and segmentations, including DICOM.
 PALPATEIO_EXPORT std::vector<std::string> ReadableImageEndings();
+
+/// A file's name without its folder and such an ending.
+PALPATEIO_EXPORT std::string ImageNameOf(const std::filesystem::path& file);
 } // namespace palpate

@@ -1,6 +1,5 @@
 #include "LabelNamesFile.h"
 
-#include "FileFormat.h"
 #include "ImageFormat.h"
 #include "LabelTable.h"
 
@@ -24,15 +23,6 @@ std::filesystem::path NextTo(std::filesystem::path image, const char* ending)
   }
   image += ending;
   return image;
-}
-
-// STEM.nii.gz without both.
-std::filesystem::path StemOf(const std::filesystem::path& image)
-{
-  std::filesystem::path stem = image;
-  stem.replace_filename(image.filename().string().substr(
-      0, image.filename().string().size() - EndingOf(image, ReadableImageEndings()).size()));
-  return stem;
 }
 
 constexpr std::uintmax_t LargestTable = 1U << 20;
@@ -105,13 +95,13 @@ bool Apply(const LabelTable& table, Segmentation& segmentation)
 std::vector<std::filesystem::path> LabelTablesOf(const std::filesystem::path& image)
 {
   std::vector<std::filesystem::path> files{NextTo(image, ".txt")};
-  const std::filesystem::path stem = StemOf(image);
+  const std::filesystem::path folder = image.parent_path();
+  const std::string name = ImageNameOf(image);
   for (const char* ending : {".label", ".lbl", ".label.txt", ".label.tsv", ".label.csv", ".tsv",
                              ".csv", ".txt", ".ctab", ".ctbl"})
   {
-    files.emplace_back(stem.string() + ending);
+    files.push_back(folder / (name + ending));
   }
-  const std::filesystem::path folder = image.parent_path();
   files.push_back(folder / "FreeSurferColorLUT.txt");
   files.push_back(folder / "dataset.json");
   files.push_back(folder / ".." / "dataset.json"); // of nnU-Net's labelsTr

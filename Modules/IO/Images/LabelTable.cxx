@@ -1,5 +1,8 @@
 #include "LabelTable.h"
 
+#include "InputError.h"
+#include "JsonText.h"
+
 #include <algorithm>
 #include <cctype>
 #include <initializer_list>
@@ -187,7 +190,15 @@ std::optional<LabelTable> LabelColumns(const std::string& text)
 
 std::optional<LabelTable> LabelsOfDataset(const std::string& json)
 {
-  const nlohmann::json document = nlohmann::json::parse(json, nullptr, false);
+  nlohmann::json document;
+  try
+  {
+    document = ParseJson(json, "dataset.json", "");
+  }
+  catch (const InputError&)
+  {
+    return std::nullopt;
+  }
   if (!document.is_object() || !document.contains("labels") || !document["labels"].is_object())
   {
     return std::nullopt;
