@@ -4,16 +4,20 @@
 #include "DisplayCheck.h"
 #include "FileQuestions.h"
 #include "MainWindow.h"
+#include "OwnDisplay.h"
 #include "SteadyClock.h"
 #include "TemporaryFolder.h"
 
 #include <QMouseEvent>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include <functional>
 #include <gtest/gtest.h>
+#include <stdexcept>
+#include <string>
 
 namespace palpate::test
 {
@@ -24,6 +28,7 @@ public:
   /// Throws std::runtime_error without a display.
   static TestApplication& Get()
   {
+    static const OwnDisplay display;
     RequireDisplay();
     static TestApplication only;
     return only;
@@ -64,12 +69,22 @@ class WidgetTest : public testing::Test
 protected:
   void SetUp() override { ASSERT_NO_THROW(TestApplication::Get()); }
 
-  /// Processes events until it is true. The condition must depend on events; a test that waits in
-  /// vain ends by its time limit.
-  static void WaitUntil(const std::function<bool()>& isTrue)
+  /// Processes events until it is true. The condition must depend on events. Throws
+  /// std::runtime_error that names the place if it waits in vain, so that the next tests still run.
+  static void WaitUntil(const std::function<bool()>& isTrue, const char* file = __builtin_FILE(),
+                        int line = __builtin_LINE())
   {
+    constexpr int Limit = 150000; // ms, several times what the longest takes on a busy machine
+    QTimer limit;
+    limit.setSingleShot(true);
+    limit.start(Limit);
     while (!isTrue())
     {
+      if (!limit.isActive())
+      {
+        throw std::runtime_error("waited in vain at " + std::string(file) + ":" +
+                                 std::to_string(line));
+      }
       QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
   }

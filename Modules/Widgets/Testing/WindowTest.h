@@ -140,7 +140,8 @@ protected:
   }
   /// WaitUntil, with forces on or switched off. Any other fault ends the test: with a PacedClock
   /// the machine cannot be the cause.
-  void FeelUntil(const std::function<bool()>& isTrue)
+  void FeelUntil(const std::function<bool()>& isTrue, const char* file = __builtin_FILE(),
+                 int line = __builtin_LINE())
   {
     WaitUntil(
         [&]
@@ -151,7 +152,8 @@ protected:
             throw std::runtime_error(Describe(fault));
           }
           return isTrue();
-        });
+        },
+        file, line);
   }
   /// Touches what is open.
   void BeginTouch()

@@ -347,6 +347,7 @@ TEST_F(TasksTest, AllOfItByKeyboard)
   {
     QTest::keyClick(space, Qt::Key_Left); // from the view's middle to the sphere
   }
+  ASSERT_EQ(space->cursor().shape(), Qt::PointingHandCursor);
   QTest::keyPress(space, Qt::Key_Space);
   this->FeelUntil([this] { return test::Norm(this->Study->Reading().Newest.ForceWorld) > 0.3; });
   QTest::keyClick(space, Qt::Key_A, Qt::ShiftModifier);
