@@ -1,6 +1,6 @@
 # The modules without VTK, ITK and Qt, each after those that it uses.
 set(PALPATE_KERNEL_MODULES
-  Core Mesh Harmonics ShapeSpace Statistics Field Realtime Elasticity Contact Model Files Haptics HapticDevices
+  Core Mesh Harmonics ShapeSpace Statistics Field Realtime Elasticity Contact Model Relation Files Haptics HapticDevices
   CInterface)
 if(OpenIGTLink_FOUND)
   list(INSERT PALPATE_KERNEL_MODULES 1 Network)

@@ -197,18 +197,29 @@ private:
 };
 } // namespace
 
+Status GapSurface::Make(const IndexedMesh& mesh, GapSurface& made)
+{
+  made.Mesh = &mesh;
+  return TriangleTree::Make(mesh, made.Tree);
+}
+
+MeshGap GapSurface::To(const GapSurface& other) const
+{
+  return GapSearch(*this->Mesh, *other.Mesh, this->Tree, other.Tree).Find();
+}
+
 Status FindMeshGap(const IndexedMesh& one, const IndexedMesh& other, MeshGap& gap)
 {
-  TriangleTree treeOfOne;
-  TriangleTree treeOfOther;
-  Status status = TriangleTree::Make(one, treeOfOne);
+  GapSurface here;
+  GapSurface there;
+  Status status = GapSurface::Make(one, here);
   if (status.IsOk())
   {
-    status = TriangleTree::Make(other, treeOfOther);
+    status = GapSurface::Make(other, there);
   }
   if (status.IsOk())
   {
-    gap = GapSearch(one, other, treeOfOne, treeOfOther).Find();
+    gap = here.To(there);
   }
   return status;
 }

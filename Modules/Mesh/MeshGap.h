@@ -2,6 +2,7 @@
 
 #include "IndexedMesh.h"
 #include "Status.h"
+#include "TriangleTree.h"
 
 namespace palpate
 {
@@ -14,6 +15,21 @@ struct MeshGap
   double Distance = 0.0; ///< mm
 };
 
-/// Exact to rounding. Fails as TriangleTree::Make does.
+/// A mesh that is prepared for gaps to several others. It refers to the mesh, which has to stay.
+class GapSurface
+{
+public:
+  /// Fails as TriangleTree::Make does.
+  static Status Make(const IndexedMesh& mesh, GapSurface& made);
+
+  /// Exact to rounding.
+  MeshGap To(const GapSurface& other) const;
+
+private:
+  const IndexedMesh* Mesh = nullptr;
+  TriangleTree Tree;
+};
+
+/// The gap between two meshes alone. Fails as TriangleTree::Make does.
 Status FindMeshGap(const IndexedMesh& one, const IndexedMesh& other, MeshGap& gap);
 } // namespace palpate

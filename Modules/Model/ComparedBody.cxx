@@ -63,11 +63,34 @@ Status ComparedBody::OfMask(VoxelMask mask, const IndexToWorld& toWorld, Compare
   {
     return status;
   }
-  body.EnclosedVolume = static_cast<double>(mask.Count()) * VoxelVolumeOf(toWorld);
-  body.Voxels = std::make_shared<const PlacedMask>(PlacedMask{std::move(mask), toWorld});
+  body.TakeMask(std::move(mask), toWorld);
   Status status = body.Finish();
   made = std::move(body);
   return status;
+}
+
+Status ComparedBody::OfMaskShape(VoxelMask mask, const IndexToWorld& toWorld, ComparedBody& made)
+{
+  MaskSurfaceSettings settings;
+  settings.Component = 0;
+  settings.Shape.CellsOnSurface = MaskSurfaceSettings::CellsOfModel;
+  MaskSurface surface;
+  ComparedBody body;
+  if (Status status = MakeMaskSurface(mask, toWorld, settings, {}, surface); !status.IsOk())
+  {
+    return status;
+  }
+  body.Mesh = std::move(surface.Mesh);
+  body.TakeMask(std::move(mask), toWorld);
+  Status status = body.Finish();
+  made = std::move(body);
+  return status;
+}
+
+void ComparedBody::TakeMask(VoxelMask mask, const IndexToWorld& toWorld)
+{
+  this->EnclosedVolume = static_cast<double>(mask.Count()) * VoxelVolumeOf(toWorld);
+  this->Voxels = std::make_shared<const PlacedMask>(PlacedMask{std::move(mask), toWorld});
 }
 
 Status ComparedBody::OfMesh(IndexedMesh mesh, ComparedBody& made)

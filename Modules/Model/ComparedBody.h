@@ -33,6 +33,9 @@ class ComparedBody
 public:
   /// The mask's boundary half way between voxel centres (MakeMaskBoundary). Fails as that does.
   static Status OfMask(VoxelMask mask, const IndexToWorld& toWorld, ComparedBody& made);
+  /// The mask's shape, closer to what it was drawn from than its steps (MakeMaskSurface with all
+  /// components); still with the volume of its voxels. Fails as that does.
+  static Status OfMaskShape(VoxelMask mask, const IndexToWorld& toWorld, ComparedBody& made);
   /// A surface, closed or open: equal points are merged, triangles turned outwards, and long edges
   /// split, so that the surface has some 20,000 points. Fails for a mesh without triangles with
   /// area, points that are not finite, and indices out of range.
@@ -68,6 +71,11 @@ public:
   /// Fails only if `progress` cancels.
   Status DistancesOf(const std::vector<Vector3>& points, const KernelProgress& progress,
                      std::vector<double>& distances) const;
+  /// Distances (mm) of points from the triangles of Surface(), without sign.
+  std::vector<double> DistancesOfTriangles(const std::vector<Vector3>& points) const
+  {
+    return this->Nearest.DistancesOf(points);
+  }
   /// Distances over this surface from another body's, as that measures them (SampleDistances). The
   /// first samples are the points of Surface(); all are on the model, of one. Fails only if
   /// `progress` cancels.
@@ -76,6 +84,7 @@ public:
 
 private:
   Status Finish();
+  void TakeMask(VoxelMask mask, const IndexToWorld& toWorld);
   Status Measure(const std::vector<Vector3>& points, const KernelProgress& progress,
                  std::vector<double>& distances) const;
   void GiveSigns(const std::vector<Vector3>& points, std::vector<double>& distances) const;

@@ -6,7 +6,7 @@
 #include <future>
 #include <utility>
 
-namespace palpate::cli
+namespace palpate
 {
 /// Numbered tasks on threads, at most so many at a time and no further ahead than that; their
 /// results come in the order of the numbers. The destructor waits for those that have begun.
@@ -38,4 +38,4 @@ private:
   std::size_t Begun = 0;
   std::deque<std::future<Result>> Running; // ends first, and waits
 };
-} // namespace palpate::cli
+} // namespace palpate

@@ -1,0 +1,165 @@
+#include "RelatedOrgan.h"
+
+#include "DistanceSamples.h"
+#include "ImageIndexToWorld.h"
+#include "InputError.h"
+#include "LabelMask.h"
+#include "LocalThickness.h"
+#include "MeshDistances.h"
+#include "Units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+std::string NameOfOrgan(const ComparedFile& file, const Segment& structure)
+{
+  const std::filesystem::path& path = file.Path();
+  const bool isNumbered = file.Labels() != nullptr && file.Labels()->Segments.size() > 1;
+  if (!structure.Name.empty() && structure.Label != 0)
+  {
+    return structure.Name;
+  }
+  // A model that `fit` wrote is named after its folder.
+  const std::string name = NameOfCompared(path) == "model" && path.has_parent_path()
+                               ? std::filesystem::absolute(path).parent_path().filename().string()
+                               : NameOfCompared(path);
+  return isNumbered ? name + " " + std::to_string(structure.Label) : name;
+}
+
+// Of a mask's shape; its steps where it is too thin for that.
+ComparedBody BodyOfMask(const VoxelMask& mask, const IndexToWorld& toWorld, MaskMesh mesh,
+                        RelatedOrgan& organ)
+{
+  ComparedBody body;
+  Status status = mesh == MaskMesh::Ibsi ? ComparedBody::OfMask(mask, toWorld, body)
+                                         : ComparedBody::OfMaskShape(mask, toWorld, body);
+  if (!status.IsOk() && mesh == MaskMesh::SubVoxel)
+  {
+    organ.Notes.push_back(status.Message() + ": measured with the steps of its voxels");
+    status = ComparedBody::OfMask(mask, toWorld, body);
+  }
+  if (!status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+  return body;
+}
+
+std::vector<Vector3> VoxelCentersOf(const PlacedMask& mask)
+{
+  std::vector<Vector3> centers;
+  const auto& size = mask.Voxels.Size;
+  std::size_t voxel = 0;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i, ++voxel)
+      {
+        if (mask.Voxels.Inside[voxel] != 0)
+        {
+          const auto& start = mask.Voxels.StartIndex;
+          centers.push_back(mask.ToWorld(Vector3(i + start[0], j + start[1], k + start[2])));
+        }
+      }
+    }
+  }
+  return centers;
+}
+
+RelatedOrgan::Thickness Summary(const IndexedMesh& mesh, const std::vector<double>& thickness)
+{
+  const std::vector<double> areas = PointAreas(mesh);
+  std::vector<WeightedValue> values;
+  double sum = 0.0;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < areas.size(); ++i)
+  {
+    values.push_back({thickness[i], areas[i]});
+    sum += areas[i] * thickness[i];
+    whole += areas[i];
+  }
+  return {sum / whole, WeightedQuantile(values, 0.95 * whole),
+          WeightedQuantile(values, 0.5 * whole), WeightedQuantile(values, 0.05 * whole)};
+}
+
+ComparedBody BodyOf(const ComparedFile& file, const Segment& structure, MaskMesh mesh,
+                    RelatedOrgan& organ)
+{
+  const Segmentation* labels = file.Labels();
+  if (labels == nullptr)
+  {
+    return file.Body(structure);
+  }
+  vtkImageData* layer = labels->Layers[static_cast<std::size_t>(structure.Layer)];
+  LabelMask label = CopyLabelMask(layer, structure.Value, 1);
+  if (label.TouchesBorder)
+  {
+    organ.IsCut = true;
+    organ.Notes.emplace_back("is cut by the border of the image: its volume is a part of the "
+                             "organ's, and the cut counts as surface");
+  }
+  return BodyOfMask(label.Mask, IndexToWorldOf(layer), mesh, organ);
+}
+
+void Describe(MaskMesh mesh, RelatedOrgan& organ)
+{
+  const ComparedBody& body = organ.Body->Body();
+  const bool isIbsi = mesh == MaskMesh::Ibsi && body.Mask() != nullptr;
+  const PointSpread spread =
+      isIbsi ? PointSpread::OfPoints(VoxelCentersOf(*body.Mask())) : organ.Body->Spread();
+  const Status status =
+      MeasureShapeFeatures(isIbsi ? body.Surface() : body.Enclosure(), spread, organ.Features);
+  if (!status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+  if (body.Mask() != nullptr)
+  {
+    organ.Milliliters = body.Volume() / CubicMillimetersPerMilliliter;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    organ.Extent[2 * static_cast<std::size_t>(axis)] = organ.Body->Box().min()[axis];
+    organ.Extent[2 * static_cast<std::size_t>(axis) + 1] = organ.Body->Box().max()[axis];
+  }
+  const ThicknessSettings thickness =
+      body.Mask() != nullptr
+          ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes.colwise().norm().minCoeff())
+          : ThicknessSettings();
+  organ.ThicknessMap = LocalThicknessOf(body.Surface(), thickness);
+  organ.Thick = Summary(body.Surface(), organ.ThicknessMap);
+}
+} // namespace
+
+RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, MaskMesh mesh)
+{
+  RelatedOrgan organ;
+  organ.File = file.Path();
+  organ.Structure = structure;
+  organ.Kind = file.Kind();
+  organ.Name = NameOfOrgan(file, structure);
+  try
+  {
+    RelatedBody body;
+    if (const Status status = RelatedBody::Make(BodyOf(file, structure, mesh, organ), body);
+        !status.IsOk())
+    {
+      throw InputError(status.Message());
+    }
+    organ.Body = std::make_shared<const RelatedBody>(std::move(body));
+    Describe(mesh, organ);
+  }
+  catch (const InputError& error)
+  {
+    organ.Message = error.what();
+    organ.Body = nullptr;
+  }
+  return organ;
+}
+} // namespace palpate

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "ComparedFile.h"
+#include "PalpateComparisonModule.h"
+#include "RelatedBody.h"
+#include "Segmentation.h"
+#include "ShapeFeatures.h"
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// The surface of a mask that is measured. Surfaces and models are what they are.
+enum class MaskMesh
+{
+  SubVoxel, ///< the shape that its voxels were drawn from (ComparedBody::OfMaskShape)
+  Ibsi      ///< half way between voxel centres, as the Image Biomarker Standardisation Initiative
+};
+
+/// One of several organs that are related, with what describes it alone.
+struct RelatedOrgan
+{
+  struct Thickness
+  {
+    double Mean = std::numeric_limits<double>::quiet_NaN(); ///< mm, over the surface's area
+    double Percentile5 = Mean;
+    double Median = Mean;
+    double Percentile95 = Mean;
+  };
+
+  std::filesystem::path File;
+  Segment Structure;              ///< label 0 of a surface or a model
+  std::string Kind;               ///< of the file: "segmentation", "surface" or "model"
+  std::string Name;               ///< for people; different for each organ
+  std::string Message;            ///< why it is not measured; empty if it is
+  std::vector<std::string> Notes; ///< what is not as the caller may think
+  bool IsCut = false;             ///< its mask ends at the border of the image
+  double Milliliters = std::numeric_limits<double>::quiet_NaN(); ///< of a mask's voxels
+  std::shared_ptr<const RelatedBody> Body;                       ///< null if it is not measured
+  std::vector<ShapeFeature> Features;
+  std::array<double, 6> Extent{}; ///< mm: least and largest x, y, z, patient LPS
+  Thickness Thick;
+  ///@{ At the points of Body: thickness; the least distance from any other organ (negative inside
+  /// it), and its number in the list of organs, -1 beyond the reach.
+  std::vector<double> ThicknessMap;
+  std::vector<double> DistanceMap;
+  std::vector<double> NeighbourMap;
+  ///@}
+
+  bool IsMeasured() const { return this->Body != nullptr; }
+};
+
+/// A structure of a file, measured; problems of it are in Message and Notes.
+PALPATECOMPARISON_EXPORT RelatedOrgan MeasureOrgan(const ComparedFile& file,
+                                                   const Segment& structure, MaskMesh mesh);
+} // namespace palpate

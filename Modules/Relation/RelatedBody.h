@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ComparedBody.h"
+#include "MeshGap.h"
+#include "ShapeFeatures.h"
+#include "Status.h"
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// A closed body that is prepared for relations with others. Immutable.
+class RelatedBody
+{
+public:
+  /// Fails for an open surface, and one that encloses no volume.
+  static Status Make(ComparedBody body, RelatedBody& made);
+
+  const ComparedBody& Body() const noexcept { return *this->Compared; }
+  const GapSurface& Gap() const noexcept { return this->Surface; }
+  const Eigen::AlignedBox3d& Box() const noexcept { return this->Bounds; }
+  /// Of what it encloses.
+  const PointSpread& Spread() const noexcept { return this->Points; }
+  /// The centres of some 10,000 equal cubes inside it, mm.
+  const std::vector<Vector3>& Inside() const noexcept { return this->Centers; }
+
+private:
+  std::shared_ptr<const ComparedBody> Compared; // where it stays
+  GapSurface Surface;
+  Eigen::AlignedBox3d Bounds;
+  PointSpread Points;
+  std::vector<Vector3> Centers;
+};
+} // namespace palpate
