@@ -128,10 +128,9 @@ void Describe(MaskMesh mesh, RelatedOrgan& organ)
     organ.Extent[2 * static_cast<std::size_t>(axis)] = organ.Body->Box().min()[axis];
     organ.Extent[2 * static_cast<std::size_t>(axis) + 1] = organ.Body->Box().max()[axis];
   }
-  const ThicknessSettings thickness =
-      body.Mask() != nullptr
-          ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes.colwise().norm().minCoeff())
-          : ThicknessSettings();
+  const ThicknessSettings thickness = body.Mask() != nullptr
+                                          ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes)
+                                          : ThicknessSettings();
   organ.ThicknessMap = LocalThicknessOf(body.Surface(), thickness);
   organ.Thick = Summary(body.Surface(), organ.ThicknessMap);
 }

@@ -236,8 +236,8 @@ std::string RelationText(const OrganRelations& relations)
     }
   }
   TextTable pairs;
-  pairs.AlignRight({3, 4});
-  pairs.AddRow({"pair", "", "lies", "mm", "contact mm2", "second is"});
+  pairs.AlignRight({3, 4, 5});
+  pairs.AddRow({"pair", "", "lies", "mm", "wall mm", "contact mm2", "second is"});
   const std::vector<std::size_t> near = relations.NearPairs();
   for (std::size_t n = 0; n < std::min(near.size(), MostPairsOfText); ++n)
   {
@@ -245,6 +245,7 @@ std::string RelationText(const OrganRelations& relations)
     const BodyRelation& found = pair.Relation;
     pairs.AddRow({relations.Organs[pair.One].Name, relations.Organs[pair.Other].Name,
                   RelationWord(found.Is), FixedText(found.Distance(), 2),
+                  FixedText(found.Wall.Distance, 2),
                   FixedText(0.5 * (found.One.ContactArea + found.Other.ContactArea), 1),
                   OffsetSideOf(found.Offset).Name});
   }

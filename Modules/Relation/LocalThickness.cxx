@@ -168,6 +168,12 @@ private:
 };
 } // namespace
 
+ThicknessSettings ThicknessSettings::OfVoxels(const Matrix3& steps)
+{
+  const Vector3 sizes = steps.colwise().norm();
+  return {0.2 * std::cbrt(sizes.prod()), 4};
+}
+
 std::vector<double> LocalThicknessOf(const IndexedMesh& mesh, const ThicknessSettings& settings)
 {
   return mesh.Points.empty() ? std::vector<double>() : BallFit(mesh, settings).Diameters();

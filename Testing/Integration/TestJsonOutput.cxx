@@ -181,6 +181,12 @@ TEST_F(JsonOutput, CompareIsDocumented)
   this->ExpectDocumented("compare");
 }
 
+TEST_F(JsonOutput, RelateIsDocumented)
+{
+  this->Run({"relate", "ball.json", "a.nii.gz", "bad.nii.gz", "--output", "related", "--json"});
+  this->ExpectDocumented("relate");
+}
+
 TEST_F(JsonOutput, EvaluateIsDocumented)
 {
   this->Run({"evaluate", "ball.json", "--direction", "1,0,0", "--point", "1,2,3", "--json"});
