@@ -1,14 +1,18 @@
 #include "ComparedHandle.h"
 
 #include "BodyComparison.h"
+#include "BodyRelation.h"
 #include "ErrorText.h"
 #include "GridArgument.h"
+#include "LocalThickness.h"
 #include "ModelHandle.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,13 +25,56 @@ constexpr double None = std::numeric_limits<double>::quiet_NaN();
 
 // Messages of kernels are sentences, or begin with what the body has or is.
 palpate_compared* Compared(const Status& status, const std::string& name, ComparedBody&& body,
-                           palpate_error* error)
+                           palpate_error* error, SpreadOf spread = SpreadOf::VoxelCenters)
 {
   const std::string& message = status.Message();
   const bool isPredicate =
       !message.empty() && std::islower(static_cast<unsigned char>(message.front())) != 0;
   const Status named = isPredicate ? Status::Failure(name + " " + message) : status;
-  return Told(named, error) != 0 ? new palpate_compared{std::move(body)} : nullptr;
+  if (Told(named, error) == 0)
+  {
+    return nullptr;
+  }
+  auto made = std::make_unique<palpate_compared>();
+  made->Body = std::move(body);
+  made->Spread = spread;
+  return made.release();
+}
+
+// A mask on a grid, as the interface has it.
+struct MaskArgument
+{
+  const uint8_t* Inside;
+  const int* Size;
+  const double* Origin;
+  const double* Spacing;
+  const double* Axes;
+};
+
+palpate_compared* MaskOf(const MaskArgument& mask,
+                         Status (*make)(VoxelMask, const IndexToWorld&, ComparedBody&),
+                         SpreadOf spread, palpate_error* error)
+{
+  return Guarded(error,
+                 {{mask.Inside, "inside"},
+                  {mask.Size, "size"},
+                  {mask.Origin, "origin"},
+                  {mask.Spacing, "spacing"},
+                  {mask.Axes, "axes"}},
+                 [&]() -> palpate_compared*
+                 {
+                   IndexToWorld toWorld;
+                   const Status placed =
+                       PlaceGrid(mask.Size, mask.Origin, mask.Spacing, mask.Axes, toWorld);
+                   if (Told(placed, error) == 0)
+                   {
+                     return nullptr;
+                   }
+                   ComparedBody body;
+                   const Status status =
+                       make(CroppedMask(mask.Inside, mask.Size, mask.Spacing), toWorld, body);
+                   return Compared(status, "the mask", std::move(body), error, spread);
+                 });
 }
 
 palpate_distances DistancesOf(const DistanceSummary& summary, double signedMean)
@@ -63,6 +110,65 @@ void CopyValues(const DistanceMap& map, double* distances)
     std::copy(map.Values.begin(), map.Values.end(), distances);
   }
 }
+
+constexpr std::size_t FeatureCount = 20; // the first members of palpate_shape
+
+// Null, with the error set, of a body that has no inside.
+std::shared_ptr<const RelatedBody> RelatedOf(const palpate_compared& body, const char* name,
+                                             palpate_error* error)
+{
+  const std::scoped_lock lock(body.Making);
+  if (body.Related == nullptr)
+  {
+    RelatedBody made;
+    if (const Status status = RelatedBody::Make(body.Body, body.Spread, made); !status.IsOk())
+    {
+      Told(Status::Failure(std::string(name) + " " + status.Message()), error);
+      return nullptr;
+    }
+    body.Related = std::make_shared<const RelatedBody>(std::move(made));
+  }
+  return body.Related;
+}
+
+void CopyShape(const RelatedBody& body, const std::vector<ShapeFeature>& features,
+               palpate_shape& shape)
+{
+  double* number = &shape.volume;
+  for (const ShapeFeature& feature : features)
+  {
+    *number++ = feature.Value;
+  }
+  Copy(body.Spread().Mean, shape.centroid);
+  const Matrix3 axes = body.Spread().Axes();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Copy(axes.col(axis), shape.axes + 3 * axis);
+  }
+}
+
+palpate_relation RelationOf(const BodyRelation& found)
+{
+  palpate_relation relation{};
+  relation.kind = static_cast<int>(found.Is);
+  relation.distance = found.Distance();
+  relation.wall = found.Wall.Distance;
+  Copy(found.Wall.PointOfOne, relation.first_point);
+  Copy(found.Wall.PointOfOther, relation.second_point);
+  relation.shared_volume = found.SharedVolume;
+  relation.contact_areas[0] = found.One.ContactArea;
+  relation.contact_areas[1] = found.Other.ContactArea;
+  Copy(found.Offset, relation.offset);
+  relation.axes_angle = found.AxesAngle;
+  return relation;
+}
+
+bool AreMargins(double contact, const std::vector<double>& margins)
+{
+  const auto isGood = [](double margin) { return std::isfinite(margin) && margin >= 0.0; };
+  return isGood(contact) && std::all_of(margins.begin(), margins.end(), isGood) &&
+         std::is_sorted(margins.begin(), margins.end());
+}
 } // namespace
 } // namespace palpate
 
@@ -72,25 +178,16 @@ palpate_compared* palpate_compared_of_mask(const uint8_t* inside, const int size
                                            const double origin[3], const double spacing[3],
                                            const double axes[9], palpate_error* error)
 {
-  return Guarded(error,
-                 {{inside, "inside"},
-                  {size, "size"},
-                  {origin, "origin"},
-                  {spacing, "spacing"},
-                  {axes, "axes"}},
-                 [&]() -> palpate_compared*
-                 {
-                   IndexToWorld toWorld;
-                   const Status placed = PlaceGrid(size, origin, spacing, axes, toWorld);
-                   if (Told(placed, error) == 0)
-                   {
-                     return nullptr;
-                   }
-                   ComparedBody body;
-                   const Status status =
-                       ComparedBody::OfMask(CroppedMask(inside, size, spacing), toWorld, body);
-                   return Compared(status, "the mask", std::move(body), error);
-                 });
+  return MaskOf({inside, size, origin, spacing, axes}, ComparedBody::OfMask, SpreadOf::VoxelCenters,
+                error);
+}
+
+palpate_compared* palpate_compared_of_mask_shape(const uint8_t* inside, const int size[3],
+                                                 const double origin[3], const double spacing[3],
+                                                 const double axes[9], palpate_error* error)
+{
+  return MaskOf({inside, size, origin, spacing, axes}, ComparedBody::OfMaskShape, SpreadOf::Inside,
+                error);
 }
 
 palpate_compared* palpate_compared_of_mesh(const double* points, size_t point_count,
@@ -192,6 +289,84 @@ int palpate_compare(const palpate_compared* first, const palpate_compared* refer
         }
         CopyValues(found.OneToOther, first_distances);
         CopyValues(found.OtherToOne, reference_distances);
+        return 1;
+      });
+}
+
+int palpate_compared_shape(const palpate_compared* body, palpate_shape* shape, palpate_error* error)
+{
+  return Guarded(error, {{body, "body"}, {shape, "shape"}},
+                 [&]
+                 {
+                   const auto related = RelatedOf(*body, "the body", error);
+                   std::vector<ShapeFeature> features;
+                   if (related == nullptr || Told(related->Features(features), error) == 0)
+                   {
+                     return 0;
+                   }
+                   static_assert(offsetof(palpate_shape, centroid) ==
+                                 FeatureCount * sizeof(double));
+                   CopyShape(*related, features, *shape);
+                   return 1;
+                 });
+}
+
+int palpate_compared_thickness(const palpate_compared* body, double* thickness,
+                               palpate_error* error)
+{
+  return Guarded(error, {{body, "body"}, {thickness, "thickness"}},
+                 [&]
+                 {
+                   if (RelatedOf(*body, "the body", error) == nullptr)
+                   {
+                     return 0;
+                   }
+                   const PlacedMask* mask = body->Body.Mask();
+                   const std::vector<double> found = LocalThicknessOf(
+                       body->Body.Surface(), mask != nullptr
+                                                 ? ThicknessSettings::OfVoxels(mask->ToWorld.Axes)
+                                                 : ThicknessSettings());
+                   std::copy(found.begin(), found.end(), thickness);
+                   return 1;
+                 });
+}
+
+int palpate_relate(const palpate_compared* first, const palpate_compared* second, double contact,
+                   const double* margins, size_t margin_count, palpate_relation* relation,
+                   double* near_areas, double* near_volumes, palpate_error* error)
+{
+  return Guarded(
+      error,
+      {{first, "first"},
+       {second, "second"},
+       {margins, "margins", margin_count},
+       {relation, "relation"},
+       {near_areas, "near_areas", margin_count},
+       {near_volumes, "near_volumes", margin_count}},
+      [&]
+      {
+        const RelationSettings settings{contact, {margins, margins + margin_count}};
+        if (!AreMargins(contact, settings.Margins))
+        {
+          SetError(error, "a margin is negative, not finite, or less than the one "
+                          "before it");
+          return 0;
+        }
+        const auto one = RelatedOf(*first, "the first body", error);
+        const auto other = one != nullptr ? RelatedOf(*second, "the second body", error) : nullptr;
+        BodyRelation found;
+        if (other == nullptr || Told(RelateBodies(*one, *other, settings, {}, found), error) == 0)
+        {
+          return 0;
+        }
+        *relation = RelationOf(found);
+        for (std::size_t i = 0; i < margin_count; ++i)
+        {
+          near_areas[2 * i] = found.One.Near[i].Area;
+          near_areas[2 * i + 1] = found.Other.Near[i].Area;
+          near_volumes[2 * i] = found.One.Near[i].Volume;
+          near_volumes[2 * i + 1] = found.Other.Near[i].Volume;
+        }
         return 1;
       });
 }

@@ -1,9 +1,18 @@
 #pragma once
 
 #include "ComparedBody.h"
+#include "RelatedBody.h"
 
-/// A body of the C interface's comparisons.
+#include <memory>
+#include <mutex>
+
+/// A body of the C interface's comparisons and relations.
 struct palpate_compared
 {
   palpate::ComparedBody Body;
+  palpate::SpreadOf Spread = palpate::SpreadOf::VoxelCenters;
+  ///@{ Made when it is first asked for.
+  mutable std::mutex Making;
+  mutable std::shared_ptr<const palpate::RelatedBody> Related;
+  ///@}
 };

@@ -187,6 +187,66 @@ extern "C"
                       palpate_comparison* comparison, double* surface_dice, double* first_distances,
                       double* reference_distances, palpate_error* error);
 
+  /* Relations of two closed bodies, and the shape of one. */
+
+  /* A mask as the shape that its voxels were drawn from, closer to the organ than their steps. */
+  palpate_compared* palpate_compared_of_mask_shape(const uint8_t* inside, const int size[3],
+                                                   const double origin[3], const double spacing[3],
+                                                   const double axes[9], palpate_error* error);
+
+  /* The shape features of the Image Biomarker Standardisation Initiative, in mm, mm^2 and mm^3. The
+   * Initiative's numbers are those of palpate_compared_of_mask. */
+  typedef struct palpate_shape
+  {
+    double volume;                   /* RNU0 */
+    double area;                     /* C0JK */
+    double surface_to_volume_ratio;  /* 2PR5 */
+    double compactness_1;            /* SKGS */
+    double compactness_2;            /* BQWJ */
+    double spherical_disproportion;  /* KRCK */
+    double sphericity;               /* QCFX */
+    double asphericity;              /* 25C7 */
+    double maximum_diameter;         /* L0JK */
+    double major_axis_length;        /* TDIC: four standard deviations along a principal axis */
+    double minor_axis_length;        /* P9VJ */
+    double least_axis_length;        /* 7J51 */
+    double elongation;               /* Q3CK */
+    double flatness;                 /* N17B */
+    double volume_density_box;       /* PBX1: over the box along the axes of the world */
+    double area_density_box;         /* R59B */
+    double volume_density_ellipsoid; /* 6BDE: over the approximate enclosing ellipsoid */
+    double area_density_ellipsoid;   /* RDD2 */
+    double volume_density_hull;      /* R3ER: over the convex hull */
+    double area_density_hull;        /* 7T7F */
+    double centroid[3];
+    double axes[9]; /* unit vectors, one after the other, the longest axis first */
+  } palpate_shape;
+  int palpate_compared_shape(const palpate_compared* body, palpate_shape* shape,
+                             palpate_error* error);
+  /* The diameter (mm) of the largest ball that touches the surface at each of its points from
+   * inside. */
+  int palpate_compared_thickness(const palpate_compared* body, double* thickness,
+                                 palpate_error* error);
+
+  typedef struct palpate_relation
+  {
+    int kind;              /* the first is 0 apart from, 1 overlapping, 2 in, 3 around the other */
+    double distance;       /* mm; 0 unless they are apart */
+    double wall;           /* mm between the surfaces, also of bodies in each other */
+    double first_point[3]; /* where they are nearest */
+    double second_point[3];
+    double shared_volume;    /* mm^3 */
+    double contact_areas[2]; /* mm^2 of each surface within the contact distance of the other one */
+    double offset[3];        /* mm, from the first centroid to the second */
+    double axes_angle;       /* degrees between the longest axes, 0 to 90 */
+  } palpate_relation;
+  /* `contact` and the ascending `margins` are mm. `near_areas` and `near_volumes` get two numbers
+   * for each margin: the share of the first body's surface or volume that lies in the second or
+   * within the margin of it, and of the second body's. */
+  int palpate_relate(const palpate_compared* first, const palpate_compared* second, double contact,
+                     const double* margins, size_t margin_count, palpate_relation* relation,
+                     double* near_areas, double* near_volumes, palpate_error* error);
+
   /* Statistics: linear models of many outcomes on covariates. */
 
   /* `formula` is in R's notation: "~ age + log(psa) + a * b". `values` has the text of each case,

@@ -50,28 +50,6 @@ ComparedBody BodyOfMask(const VoxelMask& mask, const IndexToWorld& toWorld, Mask
   return body;
 }
 
-std::vector<Vector3> VoxelCentersOf(const PlacedMask& mask)
-{
-  std::vector<Vector3> centers;
-  const auto& size = mask.Voxels.Size;
-  std::size_t voxel = 0;
-  for (int k = 0; k < size[2]; ++k)
-  {
-    for (int j = 0; j < size[1]; ++j)
-    {
-      for (int i = 0; i < size[0]; ++i, ++voxel)
-      {
-        if (mask.Voxels.Inside[voxel] != 0)
-        {
-          const auto& start = mask.Voxels.StartIndex;
-          centers.push_back(mask.ToWorld(Vector3(i + start[0], j + start[1], k + start[2])));
-        }
-      }
-    }
-  }
-  return centers;
-}
-
 RelatedOrgan::Thickness Summary(const IndexedMesh& mesh, const std::vector<double>& thickness)
 {
   const std::vector<double> areas = PointAreas(mesh);
@@ -107,15 +85,10 @@ ComparedBody BodyOf(const ComparedFile& file, const Segment& structure, MaskMesh
   return BodyOfMask(label.Mask, IndexToWorldOf(layer), mesh, organ);
 }
 
-void Describe(MaskMesh mesh, RelatedOrgan& organ)
+void Describe(RelatedOrgan& organ)
 {
   const ComparedBody& body = organ.Body->Body();
-  const bool isIbsi = mesh == MaskMesh::Ibsi && body.Mask() != nullptr;
-  const PointSpread spread =
-      isIbsi ? PointSpread::OfPoints(VoxelCentersOf(*body.Mask())) : organ.Body->Spread();
-  const Status status =
-      MeasureShapeFeatures(isIbsi ? body.Surface() : body.Enclosure(), spread, organ.Features);
-  if (!status.IsOk())
+  if (const Status status = organ.Body->Features(organ.Features); !status.IsOk())
   {
     throw InputError(status.Message());
   }
@@ -146,13 +119,14 @@ RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, Ma
   try
   {
     RelatedBody body;
-    if (const Status status = RelatedBody::Make(BodyOf(file, structure, mesh, organ), body);
+    const SpreadOf spread = mesh == MaskMesh::Ibsi ? SpreadOf::VoxelCenters : SpreadOf::Inside;
+    if (const Status status = RelatedBody::Make(BodyOf(file, structure, mesh, organ), spread, body);
         !status.IsOk())
     {
       throw InputError(status.Message());
     }
     organ.Body = std::make_shared<const RelatedBody>(std::move(body));
-    Describe(mesh, organ);
+    Describe(organ);
   }
   catch (const InputError& error)
   {

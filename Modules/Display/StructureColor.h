@@ -10,5 +10,5 @@ namespace palpate
 /// nearly so, which would be a hole in 3D. Then one that colour-blind people can tell from its
 /// neighbours', determined by `id`.
 PALPATEDISPLAY_EXPORT std::array<double, 3> StructureColor(const std::array<double, 3>& ofFile,
-                                                         int id);
+                                                           int id);
 } // namespace palpate

@@ -6,4 +6,6 @@ namespace palpate
 {
 /// compare.
 void BindComparisons(pybind11::module_& module);
+/// relate and shape.
+void BindRelations(pybind11::module_& module);
 } // namespace palpate

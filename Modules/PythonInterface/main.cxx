@@ -18,6 +18,7 @@ PYBIND11_MODULE(_kernels, module)
   module.attr("__version__") = palpate_version();
   palpate::BindModels(module);
   palpate::BindComparisons(module);
+  palpate::BindRelations(module);
   palpate::BindFields(module);
   palpate::BindScenes(module);
   palpate::BindSessions(module);

@@ -36,9 +36,31 @@ Status FindCenters(const ComparedBody& body, std::vector<Vector3>& centers)
   }
   return Status::Success();
 }
+
+std::vector<Vector3> VoxelCentersOf(const PlacedMask& mask)
+{
+  std::vector<Vector3> centers;
+  const auto& size = mask.Voxels.Size;
+  const auto& start = mask.Voxels.StartIndex;
+  std::size_t voxel = 0;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i, ++voxel)
+      {
+        if (mask.Voxels.Inside[voxel] != 0)
+        {
+          centers.push_back(mask.ToWorld(Vector3(i + start[0], j + start[1], k + start[2])));
+        }
+      }
+    }
+  }
+  return centers;
+}
 } // namespace
 
-Status RelatedBody::Make(ComparedBody body, RelatedBody& made)
+Status RelatedBody::Make(ComparedBody body, SpreadOf spread, RelatedBody& made)
 {
   if (!body.IsClosed())
   {
@@ -55,7 +77,9 @@ Status RelatedBody::Make(ComparedBody body, RelatedBody& made)
   {
     related.Bounds.extend(point);
   }
-  related.Points = PointSpread::OfInside(kept.Enclosure());
+  related.Points = spread == SpreadOf::VoxelCenters && kept.Mask() != nullptr
+                       ? PointSpread::OfPoints(VoxelCentersOf(*kept.Mask()))
+                       : PointSpread::OfInside(kept.Enclosure());
   Status status = GapSurface::Make(kept.Surface(), related.Surface);
   if (status.IsOk())
   {

@@ -11,18 +11,29 @@
 
 namespace palpate
 {
+/// Of which points a body's spread is.
+enum class SpreadOf
+{
+  Inside,      ///< all that its surface encloses
+  VoxelCenters ///< of a mask, as the Image Biomarker Standardisation Initiative has it
+};
+
 /// A closed body that is prepared for relations with others. Immutable.
 class RelatedBody
 {
 public:
   /// Fails for an open surface, and one that encloses no volume.
-  static Status Make(ComparedBody body, RelatedBody& made);
+  static Status Make(ComparedBody body, SpreadOf spread, RelatedBody& made);
 
   const ComparedBody& Body() const noexcept { return *this->Compared; }
   const GapSurface& Gap() const noexcept { return this->Surface; }
   const Eigen::AlignedBox3d& Box() const noexcept { return this->Bounds; }
-  /// Of what it encloses.
   const PointSpread& Spread() const noexcept { return this->Points; }
+  /// Its shape features. Fails as MeasureShapeFeatures does.
+  Status Features(std::vector<ShapeFeature>& features) const
+  {
+    return MeasureShapeFeatures(this->Compared->Enclosure(), this->Points, features);
+  }
   /// The centres of some 10,000 equal cubes inside it, mm.
   const std::vector<Vector3>& Inside() const noexcept { return this->Centers; }
 

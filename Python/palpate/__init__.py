@@ -31,6 +31,8 @@ from ._kernels import displacement as displacement
 from ._kernels import fit_mask as fit_mask
 from ._kernels import fit_points as fit_points
 from ._kernels import read_model as read_model
+from ._kernels import relate as relate
+from ._kernels import shape as shape
 from ._results import Coefficients as Coefficients
 from ._results import ComparedSurface as ComparedSurface
 from ._results import Comparison as Comparison
@@ -42,6 +44,8 @@ from ._results import Mesh as Mesh
 from ._results import MultivariateTest as MultivariateTest
 from ._results import Nearest as Nearest
 from ._results import PermutationTest as PermutationTest
+from ._results import Relation as Relation
+from ._results import Shape as Shape
 from ._results import State as State
 from ._results import Statistic as Statistic
 from ._results import TermTest as TermTest

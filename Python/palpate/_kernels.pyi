@@ -15,6 +15,8 @@ from ._results import (
     MultivariateTest,
     Nearest,
     PermutationTest,
+    Relation,
+    Shape,
     State,
     TermTest,
 )
@@ -72,6 +74,27 @@ def compare(
     direction: Optional[ArrayLike] = None,
     affine: Optional[ArrayLike] = None,
 ) -> Comparison: ...
+def shape(
+    body: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    definition: Literal["subvoxel", "ibsi"] = "subvoxel",
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> Shape: ...
+def relate(
+    first: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    second: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    contact: float = 1.0,
+    margins: Optional[ArrayLike] = None,
+    definition: Literal["subvoxel", "ibsi"] = "subvoxel",
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> Relation: ...
 
 class LinearModel:
     def __init__(

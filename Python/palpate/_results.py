@@ -103,6 +103,85 @@ class Comparison(NamedTuple):
     reference: ComparedSurface
 
 
+class Shape(NamedTuple):
+    """A closed body's shape features, under their codes in the manual of the Image Biomarker Standardisation
+    Initiative; mm, mm^2, mm^3."""
+
+    volume: float
+    """RNU0, of the surface."""
+    area: float
+    """C0JK."""
+    surface_to_volume_ratio: float
+    """2PR5."""
+    compactness_1: float
+    """SKGS."""
+    compactness_2: float
+    """BQWJ."""
+    spherical_disproportion: float
+    """KRCK."""
+    sphericity: float
+    """QCFX."""
+    asphericity: float
+    """25C7."""
+    maximum_diameter: float
+    """L0JK."""
+    major_axis_length: float
+    """TDIC: four standard deviations along the principal axis."""
+    minor_axis_length: float
+    """P9VJ."""
+    least_axis_length: float
+    """7J51."""
+    elongation: float
+    """Q3CK."""
+    flatness: float
+    """N17B."""
+    volume_density_box: float
+    """PBX1: over the box along the axes of the world."""
+    area_density_box: float
+    """R59B."""
+    volume_density_ellipsoid: float
+    """6BDE: over the approximate enclosing ellipsoid."""
+    area_density_ellipsoid: float
+    """RDD2."""
+    volume_density_hull: float
+    """R3ER: over the convex hull."""
+    area_density_hull: float
+    """7T7F."""
+    centroid: NDArray[float64]
+    """(3,), mm."""
+    axes: NDArray[float64]
+    """(3, 3): row i is a unit vector along a principal axis, the longest first."""
+    thickness: ComparedSurface
+    """The surface; its `distances` are the diameters of the largest balls that touch it from inside."""
+
+
+class Relation(NamedTuple):
+    """How two closed bodies lie to each other."""
+
+    kind: str
+    """The first is "apart" from the second, "overlapping" it, "inside" it or "around" it."""
+    distance: float
+    """mm; 0 unless they are apart."""
+    wall: float
+    """mm between the surfaces, also of bodies in each other."""
+    first_point: NDArray[float64]
+    """(3,), mm: where the surfaces are nearest."""
+    second_point: NDArray[float64]
+    shared_volume: float
+    """mm^3."""
+    contact_areas: NDArray[float64]
+    """(2,), mm^2 of each surface within the contact distance of the other one."""
+    near_areas: NDArray[float64]
+    """(n, 2): at each margin, the share of the first body's surface that lies in the second or as near, and of the
+    second's."""
+    near_volumes: NDArray[float64]
+    """(n, 2): the same of the volumes."""
+    offset: NDArray[float64]
+    """(3,), mm: from the first centroid to the second."""
+    axes_angle: float
+    """Degrees between the longest axes, 0 to 90."""
+
+
 class Coefficients(NamedTuple):
     """A linear model's coefficients: k of the design, for m outcomes."""
 

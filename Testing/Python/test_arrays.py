@@ -385,6 +385,43 @@ class Threads(unittest.TestCase):
         numpy.testing.assert_array_equal(numpy.concatenate(parts), wanted)
 
 
+class Relations(unittest.TestCase):
+    def test_two_boxes_are_as_far_as_their_faces(self):
+        mask = numpy.zeros((40, 20, 20), bool)
+        one, other = mask.copy(), mask.copy()
+        one[3:13, 4:16, 4:16] = True
+        other[21:33, 4:16, 4:16] = True
+        found = palpate.relate(one, other, margins=[5, 12], definition="ibsi")
+        self.assertEqual(found.kind, "apart")
+        self.assertAlmostEqual(found.distance, 8.0, places=9)
+        self.assertAlmostEqual(found.offset[0], 19.0, places=6)
+        self.assertEqual(found.near_areas.shape, (2, 2))
+        self.assertEqual(found.near_volumes[0, 0], 0.0)
+        self.assertGreater(found.near_volumes[1, 0], 0.2)
+
+    def test_shape_of_a_model_is_that_of_its_ball(self):
+        model = palpate.Model([5.0 * numpy.sqrt(4.0 * numpy.pi)])
+        shape = palpate.shape(model)
+        self.assertAlmostEqual(shape.sphericity, 1.0, places=3)
+        self.assertAlmostEqual(shape.area, 100.0 * numpy.pi, delta=0.1)
+        self.assertAlmostEqual(shape.thickness.distances.mean(), 10.0, delta=0.02)
+
+    def test_definitions_differ_in_the_steps_of_voxels(self):
+        axes = numpy.arange(30) - 14.5
+        ball = sum(numpy.meshgrid(axes**2, axes**2, axes**2)) < 100.0
+        smooth = palpate.shape(ball)
+        steps = palpate.shape(palpate.Mask(ball, affine=numpy.eye(4)), definition="ibsi")
+        self.assertGreater(steps.area, 1.05 * smooth.area)
+        self.assertAlmostEqual(smooth.area, 400.0 * numpy.pi, delta=30.0)
+        with self.assertRaises(ValueError):
+            palpate.shape(ball, definition="voxels")
+
+    def test_open_meshes_are_refused(self):
+        mesh = palpate.Model([5.0]).mesh(4)
+        with self.assertRaises(palpate.Error):
+            palpate.relate((mesh.points, mesh.triangles[:50]), mesh)
+
+
 class Statistics(unittest.TestCase):
     def setUp(self):
         random = numpy.random.default_rng(3)

@@ -174,6 +174,7 @@ TEST(Arguments, ComparisonsSurviveEveryNull)
   ASSERT_NE(compared, nullptr);
   const palpate_compared* c = compared.get();
   SURVIVES(palpate_compared_of_mask, b.Mask.data(), Size, Origin, Spacing, Axes, e);
+  SURVIVES(palpate_compared_of_mask_shape, b.Mask.data(), Size, Origin, Spacing, Axes, e);
   SURVIVES(palpate_compared_of_mesh, b.A.data(), 3, b.Triangles.data(), 1, e);
   SURVIVES(palpate_compared_of_model, ball.get(), e);
   SURVIVES(palpate_compared_free, compared.get());
@@ -183,6 +184,11 @@ TEST(Arguments, ComparisonsSurviveEveryNull)
   std::vector<int32_t> triangles(3 * palpate_compared_triangle_count(c));
   SURVIVES(palpate_compared_surface, c, points.data(), triangles.data());
   palpate_comparison comparison{};
+  palpate_shape shape{};
+  SURVIVES(palpate_compared_shape, c, &shape, e);
+  SURVIVES(palpate_compared_thickness, c, points.data(), e);
+  palpate_relation relation{};
+  SURVIVES(palpate_relate, c, c, 1.0, b.A.data(), 2, &relation, b.B.data(), points.data(), e);
   SURVIVES(palpate_compare, c, c, b.A.data(), 2, &comparison, b.B.data(), points.data(),
            points.data(), e);
 }

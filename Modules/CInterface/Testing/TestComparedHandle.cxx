@@ -44,6 +44,46 @@ TEST(ComparedHandle, ModelsOfSpheresHaveTheirExactDistances)
   EXPECT_NEAR(found.dice, 2.0 / (1.0 + std::pow(1.1, 3)), 3e-4);
 }
 
+TEST(ComparedHandle, ABallInAnotherIsRelatedToIt)
+{
+  const Owned<palpate_compared> inner = BallOf(7.0);
+  const Owned<palpate_compared> outer = BallOf(9.0);
+  const double margins[2] = {1.0, 3.0};
+  palpate_relation found{};
+  double areas[4];
+  double volumes[4];
+  palpate_error error{};
+  ASSERT_EQ(
+      palpate_relate(inner.get(), outer.get(), 2.5, margins, 2, &found, areas, volumes, &error), 1)
+      << error.text;
+  EXPECT_EQ(found.kind, 2);
+  EXPECT_EQ(found.distance, 0.0);
+  EXPECT_NEAR(found.wall, 2.0, 0.01);
+  EXPECT_NEAR(found.shared_volume, 4.0 / 3.0 * M_PI * 343.0, 1e-6);
+  EXPECT_NEAR(found.contact_areas[0], 196.0 * M_PI, 0.2);
+  EXPECT_EQ(areas[0], 1.0) << "it lies inside";
+  EXPECT_EQ(areas[1], 0.0) << "nothing is within 1 mm of the smaller one";
+  EXPECT_EQ(areas[3], 1.0);
+  const double unsorted[2] = {3.0, 1.0};
+  EXPECT_EQ(
+      palpate_relate(inner.get(), outer.get(), 1.0, unsorted, 2, &found, areas, volumes, nullptr),
+      0);
+}
+
+TEST(ComparedHandle, ABallIsRoundAndAsThickAsItsDiameter)
+{
+  const Owned<palpate_compared> ball = BallOf(7.0);
+  palpate_shape shape{};
+  ASSERT_EQ(palpate_compared_shape(ball.get(), &shape, nullptr), 1);
+  EXPECT_NEAR(shape.sphericity, 1.0, 1e-3);
+  EXPECT_NEAR(shape.maximum_diameter, 14.0, 0.01);
+  EXPECT_NEAR(shape.volume_density_hull, 1.0, 1e-6);
+  EXPECT_NEAR(shape.centroid[2], 3.0, 1e-3);
+  std::vector<double> thickness(palpate_compared_point_count(ball.get()));
+  ASSERT_EQ(palpate_compared_thickness(ball.get(), thickness.data(), nullptr), 1);
+  EXPECT_NEAR(*std::min_element(thickness.begin(), thickness.end()), 14.0, 0.03);
+}
+
 TEST(ComparedHandle, MasksAreComparedByVoxels)
 {
   const int size[3] = {10, 8, 6};

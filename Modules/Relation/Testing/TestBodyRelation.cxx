@@ -16,7 +16,7 @@ namespace
 RelatedBody Prepared(ComparedBody body)
 {
   RelatedBody related;
-  const Status status = RelatedBody::Make(std::move(body), related);
+  const Status status = RelatedBody::Make(std::move(body), SpreadOf::Inside, related);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return related;
 }
@@ -171,7 +171,7 @@ TEST(RelatedBody, RefusesAnOpenSurface)
   IndexedMesh open = test::Sphere(10, 5.0);
   open.Triangles.resize(open.Triangles.size() / 2);
   RelatedBody related;
-  const Status status = RelatedBody::Make(test::BodyOfMesh(open), related);
+  const Status status = RelatedBody::Make(test::BodyOfMesh(open), SpreadOf::Inside, related);
   EXPECT_FALSE(status.IsOk());
   EXPECT_EQ(status.Message(), "is open, so that it has no inside");
 }
