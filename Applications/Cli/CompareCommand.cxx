@@ -3,11 +3,13 @@
 #include "CaseProcesses.h"
 #include "CaseTally.h"
 #include "FileFormat.h"
+#include "FileKind.h"
 #include "FileType.h"
 #include "FiniteNumber.h"
 #include "FolderComparison.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "MaskFolder.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
 #include "SurfaceFile.h"
@@ -40,7 +42,8 @@ std::string CompareCommand::Examples() const
          "  palpate compare scan.stl model.json --json             a surface and a model\n"
          "  palpate compare readers/1 readers/2 --output compared  files of the same names\n"
          "  palpate compare masks fitted --output compared         a folder, and what fit made of "
-         "it";
+         "it\n"
+         "  palpate compare masks labels.seg.nrrd                  a folder of structures, by name";
 }
 
 void CompareCommand::DeclareOptions(CLI::App& app)
@@ -107,6 +110,12 @@ int CompareCommand::Run(Console& console)
   const bool isFolder = IsFolder(this->First);
   if (isFolder != IsFolder(this->Reference))
   {
+    // A folder may be one segmentation.
+    const std::filesystem::path& folder = isFolder ? this->First : this->Reference;
+    if (IsMaskFolder(folder) || !DicomFilesIn(folder).empty())
+    {
+      return this->RunFiles(console);
+    }
     throw InputError((isFolder ? this->First : this->Reference).string() +
                      " is a folder, and the other one is not; give two files or two folders");
   }

@@ -5,6 +5,7 @@
 #include "Refusal.h"
 
 #include <algorithm>
+#include <set>
 
 namespace palpate
 {
@@ -17,11 +18,37 @@ std::vector<Segment> Chosen(const ComparedFile& file, const std::string& label)
                                             : std::vector<Segment>{labels->Find(label)};
 }
 
-const Segment* WithLabel(const std::vector<Segment>& segments, int label)
+// Names that are all given and all different.
+std::set<std::string> NamesOf(const std::vector<Segment>& segments)
 {
-  const auto found =
-      std::find_if(segments.begin(), segments.end(),
-                   [label](const Segment& segment) { return segment.Label == label; });
+  std::set<std::string> names;
+  for (const Segment& segment : segments)
+  {
+    if (segment.Name.empty() || !names.insert(segment.Name).second)
+    {
+      return {};
+    }
+  }
+  return names;
+}
+
+// Numbers are those of a file, or of a folder's order, so names go first where both have them.
+bool HaveNamesInCommon(const std::vector<Segment>& first, const std::vector<Segment>& second)
+{
+  const std::set<std::string> names = NamesOf(first);
+  const std::set<std::string> others = NamesOf(second);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return others.count(name) > 0; });
+}
+
+const Segment* PartnerOf(const Segment& structure, const std::vector<Segment>& segments,
+                         bool isByName)
+{
+  const auto found = std::find_if(segments.begin(), segments.end(),
+                                  [&](const Segment& segment) {
+                                    return isByName ? segment.Name == structure.Name
+                                                    : segment.Label == structure.Label;
+                                  });
   return found != segments.end() ? &*found : nullptr;
 }
 
@@ -31,13 +58,14 @@ std::string Alone(const ComparedFile& file, const Segment& structure, const Comp
          other.Path().filename().string();
 }
 
-StructurePairs ByLabel(const ComparedFile& one, const std::vector<Segment>& first,
-                       const ComparedFile& other, const std::vector<Segment>& second)
+StructurePairs AllPairs(const ComparedFile& one, const std::vector<Segment>& first,
+                        const ComparedFile& other, const std::vector<Segment>& second)
 {
+  const bool isByName = HaveNamesInCommon(first, second);
   StructurePairs pairs;
   for (const Segment& segment : first)
   {
-    if (const Segment* partner = WithLabel(second, segment.Label))
+    if (const Segment* partner = PartnerOf(segment, second, isByName))
     {
       pairs.Pairs.push_back({segment, *partner});
     }
@@ -48,7 +76,7 @@ StructurePairs ByLabel(const ComparedFile& one, const std::vector<Segment>& firs
   }
   for (const Segment& segment : second)
   {
-    if (WithLabel(first, segment.Label) == nullptr)
+    if (PartnerOf(segment, first, isByName) == nullptr)
     {
       pairs.Unpaired.push_back(Alone(other, segment, one));
     }
@@ -78,10 +106,10 @@ StructurePairs StructurePairs::Of(const ComparedFile& one, const ComparedFile& o
     Refuse(several.Path(), "has several structures, and the other file is one body",
            "choose one with --label");
   }
-  StructurePairs pairs = ByLabel(one, first, other, second);
+  StructurePairs pairs = AllPairs(one, first, other, second);
   if (pairs.Pairs.empty())
   {
-    Refuse(one.Path(), "and " + other.Path().string() + " have no label in common",
+    Refuse(one.Path(), "and " + other.Path().string() + " have no name and no label in common",
            "choose a structure of each with --label and --reference-label");
   }
   return pairs;

@@ -21,7 +21,8 @@ struct StructurePairs
   std::vector<std::string> Unpaired; ///< a sentence for each structure without a partner
 
   /// With a label (number or name), that structure of each segmentation; `otherLabel` is that of
-  /// the second one, if it differs. Without labels, the structures of the same number; two files of
+  /// the second one, if it differs. Without labels, the structures of the same name, if all of both
+  /// files have different names and some are in both, else those of the same number; two files of
   /// one structure each are always a pair. Throws InputError if that leaves no pair, if a label is
   /// not found, and if a label is given but neither file is a segmentation.
   PALPATECOMPARISON_EXPORT static StructurePairs Of(const ComparedFile& one,

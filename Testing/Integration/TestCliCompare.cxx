@@ -109,6 +109,31 @@ TEST(CliCompare, StructuresOfOneNumberArePaired)
   }
 }
 
+// A folder's structures are numbered in the order of their names, a file's as it likes.
+TEST(CliCompare, FolderOfStructuresIsPairedWithAFileByName)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "masks");
+  WriteTwoSpheres(folder / "both.nii.gz");
+  for (const auto& [name, label] : {std::pair("zone", "1"), std::pair("apex", "2")})
+  {
+    ASSERT_EQ(RunPalpate({"convert", "both.nii.gz", std::string("masks/") + name + ".nii.gz",
+                          "--label", label},
+                         folder.Path())
+                  .Code,
+              0);
+  }
+  WriteAll(folder / "both.nii.txt", "1 zone 1\n2 apex 2\n");
+  const auto pairs = Compare(folder, {"masks", "both.nii.gz"});
+  ASSERT_EQ(pairs.size(), 2U);
+  for (const Json& pair : pairs)
+  {
+    EXPECT_EQ(pair.at("first").at("name"), pair.at("reference").at("name"));
+    EXPECT_NE(pair.at("first").at("label"), pair.at("reference").at("label"));
+    EXPECT_EQ(pair.at("overlap").at("dice"), 1.0);
+  }
+}
+
 TEST(CliCompare, OtherLabelIsChosenForTheReference)
 {
   const TemporaryFolder folder;
