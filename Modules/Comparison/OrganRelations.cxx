@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <system_error>
@@ -43,6 +44,18 @@ std::vector<std::filesystem::path> FilesFor(const std::filesystem::path& input)
   }
   std::sort(models.begin(), models.end());
   return models.empty() ? std::vector<std::filesystem::path>{input} : models; // DICOM
+}
+
+void MeasureAll(std::size_t count, const std::function<RelatedOrgan(std::size_t)>& measure,
+                std::size_t jobs, const ProgressFunction& progress,
+                std::vector<RelatedOrgan>& organs)
+{
+  OrderedTasks<RelatedOrgan> tasks(count, jobs, measure);
+  for (std::size_t n = 0; n < count; ++n)
+  {
+    organs.push_back(tasks.Next());
+    ReportProgress(progress, static_cast<double>(n + 1) / static_cast<double>(count), "shapes");
+  }
 }
 
 // Structures of files that stay in memory while they are measured.
@@ -83,19 +96,14 @@ public:
 
   void Measure(const ProgressFunction& progress)
   {
-    OrderedTasks<RelatedOrgan> tasks(this->Structures.size(), this->Settings.Jobs,
-                                     [this](std::size_t n)
-                                     {
-                                       const auto& [file, structure] = this->Structures[n];
-                                       return MeasureOrgan(*file, structure, this->Settings.Mesh);
-                                     });
-    for (std::size_t n = 0; n < this->Structures.size(); ++n)
-    {
-      this->Made.Organs.push_back(tasks.Next());
-      ReportProgress(progress,
-                     static_cast<double>(n + 1) / static_cast<double>(this->Structures.size()),
-                     "shapes");
-    }
+    MeasureAll(
+        this->Structures.size(),
+        [this](std::size_t n)
+        {
+          const auto& [file, structure] = this->Structures[n];
+          return MeasureOrgan(*file, structure, this->Settings.Mesh);
+        },
+        this->Settings.Jobs, progress, this->Made.Organs);
   }
 
 private:
@@ -259,6 +267,21 @@ void EndMaps(double reach, std::vector<RelatedOrgan>& organs)
     }
   }
 }
+
+void RelateAll(const OrganRelationSettings& settings, const ProgressFunction& progress,
+               OrganRelations& made)
+{
+  const auto isMeasured = [](const RelatedOrgan& organ) { return organ.IsMeasured(); };
+  if (std::none_of(made.Organs.begin(), made.Organs.end(), isMeasured))
+  {
+    throw InputError(made.Organs.empty() ? "no organ can be measured"
+                                         : made.Organs.front().Message);
+  }
+  MakeNamesDifferent(made.Organs);
+  BeginMaps(made.Organs);
+  RelationTasks(settings, made).Run(progress);
+  EndMaps(settings.Relation.Reach(), made.Organs);
+}
 } // namespace
 
 OrganRelations OrganRelations::Of(const std::vector<std::filesystem::path>& files,
@@ -280,16 +303,20 @@ OrganRelations OrganRelations::Of(const std::vector<std::filesystem::path>& file
     }
     list.Measure(PartOf(progress, ReadPart, MeasuredPart));
   }
-  const auto isMeasured = [](const RelatedOrgan& organ) { return organ.IsMeasured(); };
-  if (std::none_of(made.Organs.begin(), made.Organs.end(), isMeasured))
-  {
-    throw InputError(made.Organs.empty() ? "no organ can be measured"
-                                         : made.Organs.front().Message);
-  }
-  MakeNamesDifferent(made.Organs);
-  BeginMaps(made.Organs);
-  RelationTasks(settings, made).Run(PartOf(progress, MeasuredPart, 1.0));
-  EndMaps(settings.Relation.Reach(), made.Organs);
+  RelateAll(settings, PartOf(progress, MeasuredPart, 1.0), made);
+  return made;
+}
+
+OrganRelations OrganRelations::Of(const std::vector<NamedSurface>& surfaces,
+                                  const OrganRelationSettings& settings,
+                                  const ProgressFunction& progress)
+{
+  OrganRelations made;
+  made.Settings = settings.Relation;
+  MeasureAll(
+      surfaces.size(), [&](std::size_t n) { return MeasureOrgan(surfaces[n]); }, settings.Jobs,
+      PartOf(progress, 0.0, MeasuredPart), made.Organs);
+  RelateAll(settings, PartOf(progress, MeasuredPart, 1.0), made);
   return made;
 }
 

@@ -46,6 +46,11 @@ struct OrganRelations
                                                     const OrganRelationSettings& settings,
                                                     const ProgressFunction& progress);
 
+  /// The same of surfaces; of the settings, those of labels and images do not count.
+  PALPATECOMPARISON_EXPORT static OrganRelations Of(const std::vector<NamedSurface>& surfaces,
+                                                    const OrganRelationSettings& settings,
+                                                    const ProgressFunction& progress);
+
   /// The places of the pairs within the reach, the nearest first.
   PALPATECOMPARISON_EXPORT std::vector<std::size_t> NearPairs() const;
 };

@@ -107,21 +107,15 @@ void Describe(RelatedOrgan& organ)
   organ.ThicknessMap = LocalThicknessOf(body.Surface(), thickness);
   organ.Thick = Summary(body.Surface(), organ.ThicknessMap);
 }
-} // namespace
 
-RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, MaskMesh mesh)
+// `make` throws InputError.
+template <typename MakeBody>
+void Measure(const MakeBody& make, SpreadOf spread, RelatedOrgan& organ)
 {
-  RelatedOrgan organ;
-  organ.File = file.Path();
-  organ.Structure = structure;
-  organ.Kind = file.Kind();
-  organ.Name = NameOfOrgan(file, structure);
   try
   {
     RelatedBody body;
-    const SpreadOf spread = mesh == MaskMesh::Ibsi ? SpreadOf::VoxelCenters : SpreadOf::Inside;
-    if (const Status status = RelatedBody::Make(BodyOf(file, structure, mesh, organ), spread, body);
-        !status.IsOk())
+    if (const Status status = RelatedBody::Make(make(), spread, body); !status.IsOk())
     {
       throw InputError(status.Message());
     }
@@ -133,6 +127,38 @@ RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, Ma
     organ.Message = error.what();
     organ.Body = nullptr;
   }
+}
+} // namespace
+
+RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, MaskMesh mesh)
+{
+  RelatedOrgan organ;
+  organ.File = file.Path();
+  organ.Structure = structure;
+  organ.Kind = file.Kind();
+  organ.Name = NameOfOrgan(file, structure);
+  Measure([&] { return BodyOf(file, structure, mesh, organ); },
+          mesh == MaskMesh::Ibsi ? SpreadOf::VoxelCenters : SpreadOf::Inside, organ);
+  return organ;
+}
+
+RelatedOrgan MeasureOrgan(const NamedSurface& surface)
+{
+  RelatedOrgan organ;
+  organ.Name = surface.Name;
+  organ.Kind = "surface";
+  organ.Structure.Color = surface.Color;
+  Measure(
+      [&]
+      {
+        ComparedBody body;
+        if (const Status status = ComparedBody::OfMesh(surface.Mesh, body); !status.IsOk())
+        {
+          throw InputError(status.Message());
+        }
+        return body;
+      },
+      SpreadOf::Inside, organ);
   return organ;
 }
 } // namespace palpate

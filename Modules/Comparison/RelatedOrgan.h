@@ -58,4 +58,13 @@ struct RelatedOrgan
 /// A structure of a file, measured; problems of it are in Message and Notes.
 PALPATECOMPARISON_EXPORT RelatedOrgan MeasureOrgan(const ComparedFile& file,
                                                    const Segment& structure, MaskMesh mesh);
+
+/// A surface without a file (world mm, patient LPS).
+struct NamedSurface
+{
+  std::string Name;
+  std::array<double, 3> Color{}; ///< red, green, blue in 0..1
+  IndexedMesh Mesh;
+};
+PALPATECOMPARISON_EXPORT RelatedOrgan MeasureOrgan(const NamedSurface& surface);
 } // namespace palpate

@@ -10,6 +10,7 @@
 #include "PreferencesDialog.h"
 #include "QualityPanel.h"
 #include "RecentFiles.h"
+#include "RelationsPanel.h"
 #include "ReplayBar.h"
 #include "ScreenString.h"
 #include "StartLink.h"
@@ -233,7 +234,11 @@ void MainWindow::MakePanels()
   this->Marks = new LandmarksPanel(this->Study, this->Shown, this->Questions, this);
   QDockWidget* plots = this->AddPanel("Plots", new PlotsPanel(this->Study, this));
   QDockWidget* marks = this->AddPanel("Landmarks and measurements", this->Marks);
+  auto* relations = new RelationsPanel(this->Study, this->Shown, this->Questions, this);
+  QDockWidget* related = this->AddPanel("Relations", relations);
+  connect(relations, &RelationsPanel::Chosen, this, &MainWindow::LookAtPlace);
   this->tabifyDockWidget(plots, marks);
+  this->tabifyDockWidget(marks, related);
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
   connect(this->Marks->Tool(), &QAction::toggled, this,
           [marks](bool isOn)
@@ -260,6 +265,11 @@ void MainWindow::MakePanels()
   this->addToolBar(tools);
 }
 
+void MainWindow::LookAtPlace(const Vector3& place)
+{
+  this->Shown.Crosshair()->SetPositionWorld(place.data());
+}
+
 void MainWindow::ConnectViews()
 {
   for (const SliceOrientation orientation : AllSliceOrientations)
@@ -279,9 +289,7 @@ void MainWindow::ConnectViews()
               this->TakeClick(point);
             }
           });
-  connect(this->Marks, &LandmarksPanel::Chosen, this,
-          [this](const Vector3& place)
-          { this->Shown.Crosshair()->SetPositionWorld(place.data()); });
+  connect(this->Marks, &LandmarksPanel::Chosen, this, &MainWindow::LookAtPlace);
   this->Shown.Crosshair()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   new StructureLink(

@@ -67,6 +67,7 @@ private:
   void TakeClick(const Vector3& pointWorld);
   void TakeFile(const QString& file);
   void ShowCentre();
+  void LookAtPlace(const Vector3& place);
   void AskForPicture();
   void AskForPreferences();
   void Follow(const Preferences& preferences);
