@@ -246,7 +246,7 @@ void BeginMaps(std::vector<RelatedOrgan>& organs)
 {
   for (RelatedOrgan& organ : organs)
   {
-    const std::size_t count = organ.IsMeasured() ? organ.Body->Body().Surface().Points.size() : 0;
+    const std::size_t count = organ.IsMeasured() ? organ.Body->Samples().Points.size() : 0;
     organ.DistanceMap.assign(count, std::numeric_limits<double>::infinity());
     organ.NeighbourMap.assign(count, -1.0);
   }

@@ -104,8 +104,8 @@ void Describe(RelatedOrgan& organ)
   const ThicknessSettings thickness = body.Mask() != nullptr
                                           ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes)
                                           : ThicknessSettings();
-  organ.ThicknessMap = LocalThicknessOf(body.Surface(), thickness);
-  organ.Thick = Summary(body.Surface(), organ.ThicknessMap);
+  organ.ThicknessMap = LocalThicknessOf(organ.Body->Samples(), thickness);
+  organ.Thick = Summary(organ.Body->Samples(), organ.ThicknessMap);
 }
 
 // `make` throws InputError.

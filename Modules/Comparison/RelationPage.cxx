@@ -48,7 +48,7 @@ SoftwareRenderer RendererOfAll(const OrganRelations& relations)
     const bool isDefault = organ.Structure.Color == Segment().Color;
     const auto color = StructureColor(isDefault ? std::array<double, 3>{} : organ.Structure.Color,
                                       static_cast<int>(n) + 1);
-    const IndexedMesh& mesh = organ.Body->Body().Surface();
+    const IndexedMesh& mesh = organ.Body->Samples();
     const auto first = static_cast<int>(all.PointsWorld.size());
     all.PointsWorld.insert(all.PointsWorld.end(), mesh.Points.begin(), mesh.Points.end());
     for (const auto& [a, b, c] : mesh.Triangles)
@@ -170,7 +170,7 @@ std::string RelationDefinitions(const OrganRelations& relations)
 
 vtkSmartPointer<vtkPolyData> MappedOrgan(const RelatedOrgan& organ)
 {
-  const IndexedMesh& surface = organ.Body->Body().Surface();
+  const IndexedMesh& surface = organ.Body->Samples();
   TriangleMesh mesh;
   mesh.PointsWorld = surface.Points;
   mesh.Triangles = surface.Triangles;

@@ -63,6 +63,18 @@ DistanceSamples ComparedSurface::SamplesFrom(const ComparedSurface& other) const
   return samples;
 }
 
+double AreaWithin(const IndexedMesh& mesh, const std::vector<double>& distances, double limit)
+{
+  double area = 0.0;
+  for (const std::array<int, 3>& t : mesh.Triangles)
+  {
+    const Vector3& a = mesh.Points[t[0]];
+    area += 0.5 * (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm() *
+            ShareBelow({distances[t[0]] - limit, distances[t[1]] - limit, distances[t[2]] - limit});
+  }
+  return area;
+}
+
 double VolumeWithin(const IndexedMesh& mesh, const Vector3& from,
                     const std::vector<double>& distances, double limit)
 {

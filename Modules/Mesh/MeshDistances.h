@@ -34,6 +34,10 @@ private:
   NearestOnMesh Nearest;
 };
 
+/// The area (mm^2) of the part of a surface at which `distances` (at its points, finite, linear in
+/// the triangles) are at most `limit`. The indices must be valid.
+double AreaWithin(const IndexedMesh& mesh, const std::vector<double>& distances, double limit);
+
 /// The signed volume (mm^3) between a point and the part of a surface at which `distances` (at its
 /// points, linear in the triangles) are at most `limit`; of a closed surface and the whole of it,
 /// the volume that it encloses. The indices must be valid.

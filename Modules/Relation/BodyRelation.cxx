@@ -1,7 +1,8 @@
 #include "BodyRelation.h"
 
 #include "BodyOverlap.h"
-#include "SurfaceShare.h"
+#include "MeshDistances.h"
+#include "SurfaceTopology.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -13,10 +14,10 @@ namespace palpate
 {
 namespace
 {
-constexpr double Beyond = std::numeric_limits<double>::infinity();
+constexpr double Beyond = 1e30; // mm
 
-// Distances from a body of points near its box, infinite ones of the others; signed if points may
-// lie inside.
+// Distances from a body of points near its box, Beyond of the others; signed if points may lie
+// inside.
 Status DistancesNear(const std::vector<Vector3>& points, const RelatedBody& body, double reach,
                      bool isSigned, const KernelProgress& progress, std::vector<double>& distances)
 {
@@ -51,8 +52,8 @@ Status DistancesNear(const std::vector<Vector3>& points, const RelatedBody& body
 
 double AreaBetween(const IndexedMesh& mesh, const std::vector<double>& distances, double limit)
 {
-  return AreaBelow(mesh, distances, limit) -
-         AreaBelow(mesh, distances, std::nextafter(-limit, -Beyond));
+  return AreaWithin(mesh, distances, limit) -
+         AreaWithin(mesh, distances, std::nextafter(-limit, -Beyond));
 }
 
 // What of `body` is near `from`.
@@ -61,7 +62,7 @@ Status MeasureSide(const RelatedBody& body, const RelatedBody& from,
                    RelatedSide& side)
 {
   const double reach = settings.Reach();
-  const IndexedMesh& surface = body.Body().Surface();
+  const IndexedMesh& surface = body.Samples();
   std::vector<double> within;
   Status status = DistancesNear(surface.Points, from, reach, isSigned, PartOf(progress, 0.0, 0.7),
                                 side.Distances);
@@ -75,11 +76,11 @@ Status MeasureSide(const RelatedBody& body, const RelatedBody& from,
     return status;
   }
   side.ContactArea = AreaBetween(surface, side.Distances, settings.Contact);
-  const double area = AreaBelow(surface, side.Distances, Beyond);
+  const double area = MeasureEnclosed(surface).Area;
   for (NearShare& share : side.Near)
   {
     const double limit = share.Millimeters;
-    share.Area = AreaBelow(surface, side.Distances, limit) / area;
+    share.Area = AreaWithin(surface, side.Distances, limit) / area;
     const auto count = std::count_if(within.begin(), within.end(),
                                      [limit](double distance) { return distance <= limit; });
     share.Volume =
@@ -97,27 +98,18 @@ bool LiesIn(const RelatedBody& inner, const RelatedBody& outer)
          distance.front() < 0.0;
 }
 
-// Far away any value will do, since signs matter.
-std::vector<double> Finite(std::vector<double> distances)
-{
-  constexpr double Far = 1e6;
-  for (double& distance : distances)
-  {
-    distance = std::min(distance, Far);
-  }
-  return distances;
-}
-
+// Of masks, their voxels. Else, by the divergence theorem, the volume between a point and the parts
+// of each surface that lie in the other body; near the point where they cross errors are least.
 double SharedVolumeOf(const RelatedBody& one, const RelatedBody& other,
                       const BodyRelation& relation)
 {
-  BodyOverlap overlap;
-  if (one.Body().IsModel() && other.Body().IsModel())
+  if (one.Body().Mask() == nullptr || other.Body().Mask() == nullptr)
   {
-    overlap = BodyOverlap::OfModels(one.Body(), Finite(relation.One.Distances), other.Body(),
-                                    Finite(relation.Other.Distances));
-    return overlap.Both;
+    const Vector3& from = relation.Wall.PointOfOne;
+    return VolumeWithin(one.Samples(), from, relation.One.Distances, 0.0) +
+           VolumeWithin(other.Samples(), from, relation.Other.Distances, 0.0);
   }
+  BodyOverlap overlap;
   return FindBodyOverlap(one.Body(), other.Body(), overlap).IsOk()
              ? overlap.Both * overlap.Spacing.prod()
              : std::numeric_limits<double>::quiet_NaN();

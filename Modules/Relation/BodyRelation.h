@@ -33,7 +33,7 @@ struct RelatedSide
 {
   double ContactArea = 0.0; ///< mm^2 of its surface within the contact distance of the other's
   std::vector<NearShare> Near;
-  /// Distances (mm) of the surface's points from the other body, negative inside it, infinite far
+  /// Distances (mm) of the surface's points from the other body, negative inside it, 1e30 far
   /// beyond the reach; empty if all of it is.
   std::vector<double> Distances;
 };

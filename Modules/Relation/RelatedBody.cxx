@@ -2,6 +2,7 @@
 
 #include "MeshVoxels.h"
 
+#include <array>
 #include <utility>
 
 namespace palpate
@@ -9,7 +10,28 @@ namespace palpate
 namespace
 {
 // Around the body, of which organs fill about half.
-constexpr double CubesAroundBody = 20000.0;
+constexpr double CubesAroundBody = 10000.0;
+
+// Without points that no triangle has.
+IndexedMesh Compact(const IndexedMesh& mesh)
+{
+  IndexedMesh compact;
+  std::vector<int> places(mesh.Points.size(), -1);
+  for (std::array<int, 3> triangle : mesh.Triangles)
+  {
+    for (int& corner : triangle)
+    {
+      if (places[corner] < 0)
+      {
+        places[corner] = static_cast<int>(compact.Points.size());
+        compact.Points.push_back(mesh.Points[corner]);
+      }
+      corner = places[corner];
+    }
+    compact.Triangles.push_back(triangle);
+  }
+  return compact;
+}
 
 Status FindCenters(const ComparedBody& body, std::vector<Vector3>& centers)
 {
@@ -77,6 +99,7 @@ Status RelatedBody::Make(ComparedBody body, SpreadOf spread, RelatedBody& made)
   {
     related.Bounds.extend(point);
   }
+  related.Sampled = kept.IsModel() ? Compact(kept.CoarseSurface()) : kept.Surface();
   related.Points = spread == SpreadOf::VoxelCenters && kept.Mask() != nullptr
                        ? PointSpread::OfPoints(VoxelCentersOf(*kept.Mask()))
                        : PointSpread::OfInside(kept.Enclosure());

@@ -26,6 +26,9 @@ public:
   static Status Make(ComparedBody body, SpreadOf spread, RelatedBody& made);
 
   const ComparedBody& Body() const noexcept { return *this->Compared; }
+  /// The surface at whose points maps are: that of the body; of a model, whose drawing is finer, a
+  /// quarter of its triangles, with points on the model.
+  const IndexedMesh& Samples() const noexcept { return this->Sampled; }
   const GapSurface& Gap() const noexcept { return this->Surface; }
   const Eigen::AlignedBox3d& Box() const noexcept { return this->Bounds; }
   const PointSpread& Spread() const noexcept { return this->Points; }
@@ -34,11 +37,12 @@ public:
   {
     return MeasureShapeFeatures(this->Compared->Enclosure(), this->Points, features);
   }
-  /// The centres of some 10,000 equal cubes inside it, mm.
+  /// The centres of some 5,000 equal cubes inside it, mm.
   const std::vector<Vector3>& Inside() const noexcept { return this->Centers; }
 
 private:
   std::shared_ptr<const ComparedBody> Compared; // where it stays
+  IndexedMesh Sampled;
   GapSurface Surface;
   Eigen::AlignedBox3d Bounds;
   PointSpread Points;
