@@ -6,6 +6,7 @@
 #include "CohortQuality.h"
 #include "CohortReparametrisation.h"
 #include "DecimalText.h"
+#include "RepeatedEffectFiles.h"
 #include "SoftwareVersions.h"
 
 #include <algorithm>
@@ -174,6 +175,10 @@ std::vector<std::string> CohortMethods(const CohortGroup& group, const CohortOut
   if (output.Effects != nullptr)
   {
     paragraphs.push_back(CohortEffectMethods(*output.Effects));
+  }
+  if (output.Repeated != nullptr)
+  {
+    paragraphs.push_back(RepeatedEffectMethods(*output.Repeated));
   }
   paragraphs.push_back(VersionsText(program));
   return paragraphs;

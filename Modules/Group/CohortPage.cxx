@@ -8,6 +8,7 @@
 #include "CohortReparametrisation.h"
 #include "DecimalText.h"
 #include "ModeSlider.h"
+#include "RepeatedEffectFiles.h"
 #include "ReportPage.h"
 #include "ReportTable.h"
 #include "ShapeFigures.h"
@@ -151,6 +152,10 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
   if (output.Effects != nullptr)
   {
     AddCohortEffects(page, *output.Effects);
+  }
+  if (output.Repeated != nullptr)
+  {
+    AddRepeatedEffects(page, *output.Repeated);
   }
   if (output.Quality != nullptr)
   {

@@ -240,9 +240,9 @@ Status MixedModel::Make(const Eigen::MatrixXd& fixed, const std::vector<Eigen::I
   {
     return Status::Failure(
         model.Rows.HasSlopes
-            ? "slopes of subjects cannot be told from residuals: they need more or other times"
-            : "subjects cannot be told from residuals: none has several measurements that differ "
-              "in nothing else");
+            ? "the times are too few to separate slopes of subjects from residuals"
+            : "variation between and within subjects cannot be separated: none has several "
+              "measurements that differ in nothing else");
   }
   return Status::Success();
 }

@@ -52,8 +52,8 @@ class MixedModel
 {
 public:
   /// `fixed` has a row per measurement and full column rank, `subjects` a number from 0 on for each
-  /// row, `times` a number per row or, without slopes, none. Fails if the variances cannot be told
-  /// apart: no subject has several measurements, or slopes have too few.
+  /// row, `times` a number per row or, without slopes, none. Fails if the variances cannot be
+  /// separated: no subject has several measurements, or slopes have too few times.
   static Status Make(const Eigen::MatrixXd& fixed, const std::vector<Eigen::Index>& subjects,
                      const Eigen::VectorXd& times, MixedModel& model);
 

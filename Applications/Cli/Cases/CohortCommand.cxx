@@ -15,6 +15,7 @@
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
+#include "RepeatedEffectFiles.h"
 #include "ScreenText.h"
 #include "ShapeSynthesis.h"
 
@@ -55,11 +56,25 @@ CohortTable JoinCohorts(const std::vector<std::string>& folders,
 // Without cohort.csv, which is read before it is replaced, and those of --export.
 std::vector<std::string> WrittenNames()
 {
-  return {"cohort.html",        "mean.json",     "mean.vtp",      "shape.json",
-          "coefficients.csv",   "modes.csv",     "variance.csv",  "measures.csv",
-          "effects.csv",        "effects.vtp",   "design.csv",    "alignment.csv",
-          "correspondence.csv", "distances.csv", "distances.vtp", "reparametrisation.csv",
-          "model_quality.csv",  "repeated.csv",  "repeated.R"};
+  return {"cohort.html",
+          "mean.json",
+          "mean.vtp",
+          "shape.json",
+          "coefficients.csv",
+          "modes.csv",
+          "variance.csv",
+          "measures.csv",
+          "effects.csv",
+          "effects.vtp",
+          "design.csv",
+          "alignment.csv",
+          "correspondence.csv",
+          "distances.csv",
+          "distances.vtp",
+          "reparametrisation.csv",
+          "model_quality.csv",
+          "repeated.csv",
+          "repeated_variances.csv"};
 }
 } // namespace
 
@@ -70,6 +85,10 @@ std::string CohortCommand::Examples() const
          "  palpate cohort a b c --output all       cases that were fitted separately\n"
          "  palpate cohort out --covariates patients.csv --formula \"~ age + log(psa) + center\"\n"
          "                                          what explains the shape, with p-values\n"
+         "  palpate cohort out --covariates scans.csv --repeated patient --time months --formula "
+         "\"~ "
+         "months * drug\"\n"
+         "                                          patients who were scanned several times\n"
          "  palpate cohort out --masks glands --covariates patients.csv --formula \"~ age\"\n"
          "                                          the same from the masks, in one command";
 }
@@ -174,11 +193,14 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
   app.add_option("--seed", this->Request.Effects.Permutations.Seed,
                  "Of permutations and random shapes")
       ->capture_default_str();
-  app.add_option("--repeated", this->Request.Patient,
-                 "Column with the patients, of whom some have several cases: writes a script for R "
-                 "instead of tests")
-      ->type_name("COLUMN")
-      ->excludes(app.get_option("--anonymous"));
+  app.add_option("--repeated", this->Request.Repeated.Patient,
+                 "Column with the patients, of whom some have several cases: mixed models with a "
+                 "random intercept of each patient instead of permutations")
+      ->type_name("COLUMN");
+  app.add_option("--time", this->Request.Repeated.Time,
+                 "Column with the time of each case, part of the formula: with --repeated also a "
+                 "random slope of each patient")
+      ->type_name("COLUMN");
 }
 
 int CohortCommand::FitMasks(Console& console) const
@@ -238,7 +260,7 @@ void CohortCommand::WriteOthers(const CohortGroup& group, const CohortTable& tab
 }
 
 void CohortCommand::Print(const CohortGroup& group, const std::vector<std::string>& notes,
-                          const CohortEffects* effects, Console& console) const
+                          const CovariateModel& model, Console& console) const
 {
   for (const CohortNote& note : group.Notes)
   {
@@ -248,9 +270,13 @@ void CohortCommand::Print(const CohortGroup& group, const std::vector<std::strin
   {
     console.Note(note);
   }
-  if (effects != nullptr)
+  if (model.Effects() != nullptr)
   {
-    console.Output() << CohortEffectText(*effects);
+    console.Output() << CohortEffectText(*model.Effects());
+  }
+  if (model.Repeated() != nullptr)
+  {
+    console.Output() << RepeatedEffectText(*model.Repeated());
   }
   console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
                    << ", " << group.Modes.Modes.cols() << " modes";
@@ -302,11 +328,10 @@ int CohortCommand::Run(Console& console)
   console.EndProgress();
   WriteCohortGroup(group,
                    {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr,
-                    &correspondence, moved ? &*moved : nullptr},
+                    &correspondence, moved ? &*moved : nullptr, model.Repeated()},
                    output, ProgramVersion());
-  model.WriteRepeated(group, output);
   this->WriteOthers(group, table, console);
-  this->Print(group, notes, model.Effects(), console);
+  this->Print(group, notes, model, console);
   return code;
 }
 } // namespace palpate::cli

@@ -41,7 +41,7 @@ private:
   /// Exports, the synthesised shape, and the table of joined cohorts.
   void WriteOthers(const CohortGroup& group, const CohortTable& table, Console& console) const;
   void Print(const CohortGroup& group, const std::vector<std::string>& notes,
-             const CohortEffects* effects, Console& console) const;
+             const CovariateModel& model, Console& console) const;
 
   std::vector<std::string> Folders;
   std::string Masks;
