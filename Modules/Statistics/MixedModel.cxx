@@ -235,8 +235,7 @@ Status MixedModel::Make(const Eigen::MatrixXd& fixed, const std::vector<Eigen::I
       SubjectWhitening(model.Rows, Eigen::Vector3d::Zero()).Differentiate(model.Rows).Information;
   const Eigen::VectorXd scale = information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   information = scale.asDiagonal() * information * scale.asDiagonal();
-  if (model.Rows.SubjectCount < 2 ||
-      !(SymmetricEigen(information, false).Values[0] > LeastInformation))
+  if (!(SymmetricEigen(information, false).Values[0] > LeastInformation))
   {
     return Status::Failure(
         model.Rows.HasSlopes

@@ -69,6 +69,16 @@ TEST(MixedModel, CriterionIsTheDenseOneAndNoNeighbourHasALowerOne)
   }
 }
 
+// A study with another minimum, 1.63 higher, where variances are smaller.
+TEST(MixedModel, IsTheLowestOfSeveralMinima)
+{
+  const RepeatedStudy study({10, 1, 5, 1.0, 0.5, 0.3, 1.0, 0.0, true}, 1271);
+  Eigen::Matrix2d higher;
+  higher << 0.936509, 0.305678, 0.305678, 0.0997735;
+  EXPECT_NEAR(DenseCriterion(study, 1.45492, higher), 87.600844, 1e-5);
+  EXPECT_NEAR(study.Fit().Criterion, 85.971431, 1e-5);
+}
+
 // Searle, Casella and McCulloch, Variance Components, 1992, section 4.4.
 TEST(MixedModel, OfBalancedSubjectsIsTheAnalysisOfVariance)
 {
