@@ -101,30 +101,35 @@ void AddCohortEffects(ReportPage& page, const CohortEffects& effects)
   AddDesignNotes(page, effects.Design);
 }
 
-void AddDisplacementFigures(ReportPage& page, const TermDisplacement& effect,
-                            const Eigen::VectorXd& p, const NormalDisplacement& surface)
+void AddMapFigures(ReportPage& page, const std::string& title, const Eigen::VectorXd& map,
+                   double limit, const Eigen::VectorXd& p, const NormalDisplacement& surface)
 {
   ColoredShape shape;
   shape.Mesh = MeanSurface(surface);
-  const ShapeFigures drawing(MarginShare * shape.Extent(),
-                             std::max(effect.LargestMillimeters(), LeastLimit));
+  shape.Values.assign(map.data(), map.data() + map.size());
+  const ShapeFigures drawing(MarginShare * shape.Extent(), std::max(limit, LeastLimit));
   std::vector<bool> isPale;
   for (const double one : p)
   {
     isPale.push_back(one >= ShownSignificance);
   }
-  for (const ColumnEffect& column : effect.Columns)
+  page.Subheading(title + ", full colour at " + SignificantText(drawing.Limit(), 3) + " mm");
+  for (const ViewSide side : EffectSides)
   {
-    const Eigen::VectorXd shown = effect.ShownUnits() * column.PerUnit;
-    shape.Values.assign(shown.data(), shown.data() + shown.size());
-    page.Subheading(column.Name + ", " + effect.UnitText() + ", full colour at " +
-                    SignificantText(drawing.Limit(), 3) + " mm");
-    for (const ViewSide side : EffectSides)
-    {
-      page.Figure("views", drawing.Figure(shape, side, NameOf(side), isPale));
-    }
+    page.Figure("views", drawing.Figure(shape, side, NameOf(side), isPale));
   }
 }
+
+void AddDisplacementFigures(ReportPage& page, const TermDisplacement& effect,
+                            const Eigen::VectorXd& p, const NormalDisplacement& surface)
+{
+  for (const ColumnEffect& column : effect.Columns)
+  {
+    AddMapFigures(page, column.Name + ", " + effect.UnitText(),
+                  effect.ShownUnits() * column.PerUnit, effect.LargestMillimeters(), p, surface);
+  }
+}
+
 void AddDesignNotes(ReportPage& page, const LinearDesign& design)
 {
   std::vector<std::string> notes = InflationNotes(design);

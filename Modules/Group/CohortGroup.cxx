@@ -1,6 +1,7 @@
 #include "CohortGroup.h"
 
 #include "CohortAlignment.h"
+#include "CohortAsymmetry.h"
 #include "CohortCorrespondence.h"
 #include "CohortEffectFiles.h"
 #include "CohortPage.h"
@@ -272,6 +273,10 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
   if (output.Repeated != nullptr)
   {
     WriteRepeatedEffects(group, *output.Repeated, folder);
+  }
+  if (output.Asymmetry != nullptr)
+  {
+    WriteCohortAsymmetry(group, *output.Asymmetry, folder);
   }
   if (output.Alignment != nullptr)
   {

@@ -80,6 +80,7 @@ PALPATEGROUP_EXPORT std::vector<std::string> ModeNames(Eigen::Index count);
 struct CohortEffects;
 struct CohortQuality;
 struct CohortAlignment;
+struct CohortAsymmetry;
 struct CohortCorrespondence;
 struct CohortReparametrisation;
 struct RepeatedEffects;
@@ -93,7 +94,8 @@ struct CohortOutput
   const CohortAlignment* Alignment = nullptr; ///< of axes Procrustes; may be null
   const CohortCorrespondence* Correspondence = nullptr;       ///< of the cases; may be null
   const CohortReparametrisation* Reparametrisation = nullptr; ///< may be null
-  const RepeatedEffects* Repeated = nullptr; ///< of patients with several cases; may be null
+  const RepeatedEffects* Repeated = nullptr;  ///< of patients with several cases; may be null
+  const CohortAsymmetry* Asymmetry = nullptr; ///< of left and right; may be null
 };
 
 /// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
@@ -101,8 +103,8 @@ struct CohortOutput
 /// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
 /// modes), cohort.html, alignment.csv (AlignmentTable), correspondence.csv (CorrespondenceTable),
 /// reparametrisation.csv (ReparametrisationTable), and the files of WriteCohortEffects,
-/// WriteRepeatedEffects and WriteCohortQuality into the folder, all of them or none. Throws
-/// InputError.
+/// WriteRepeatedEffects, WriteCohortAsymmetry and WriteCohortQuality into the folder, all of them
+/// or none. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
                                           const std::filesystem::path& folder,
                                           const std::string& program);

@@ -1,6 +1,7 @@
 #include "CohortMethods.h"
 
 #include "CohortAlignment.h"
+#include "CohortAsymmetry.h"
 #include "CohortCorrespondence.h"
 #include "CohortEffectPage.h"
 #include "CohortQuality.h"
@@ -179,6 +180,10 @@ std::vector<std::string> CohortMethods(const CohortGroup& group, const CohortOut
   if (output.Repeated != nullptr)
   {
     paragraphs.push_back(RepeatedEffectMethods(*output.Repeated));
+  }
+  if (output.Asymmetry != nullptr)
+  {
+    paragraphs.push_back(CohortAsymmetryMethods(*output.Asymmetry));
   }
   paragraphs.push_back(VersionsText(program));
   return paragraphs;

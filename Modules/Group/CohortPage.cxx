@@ -1,6 +1,7 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
+#include "CohortAsymmetry.h"
 #include "CohortCorrespondencePage.h"
 #include "CohortEffectPage.h"
 #include "CohortMethods.h"
@@ -156,6 +157,10 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
   if (output.Repeated != nullptr)
   {
     AddRepeatedEffects(page, *output.Repeated);
+  }
+  if (output.Asymmetry != nullptr)
+  {
+    AddCohortAsymmetry(page, *output.Asymmetry);
   }
   if (output.Quality != nullptr)
   {

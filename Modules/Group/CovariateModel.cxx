@@ -14,25 +14,6 @@ namespace palpate
 {
 namespace
 {
-CovariateTable TableOf(const CohortGroup& group, const CovariateRequest& request,
-                       std::vector<std::string>& notes)
-{
-  std::vector<std::string> cases;
-  std::vector<std::string> volumes;
-  std::vector<std::string> areas;
-  for (std::size_t i = 0; i < group.Rows.size(); ++i)
-  {
-    cases.push_back(group.Rows[i].Case);
-    volumes.push_back(ExactText(group.Bodies[i].Volume / 1000.0));
-    areas.push_back(ExactText(group.Rows[i].Result.ModelAreaSquareMillimeters));
-  }
-  CovariateTable table = request.File.empty()
-                             ? CovariateTable(cases)
-                             : ReadCovariates(request.File, request.Id, cases, notes);
-  table.Add("volume_ml", volumes);
-  table.Add("area_mm2", areas);
-  return table;
-}
 void NoteMissingCodes(const CovariateTable& table, const ModelFormula& formula,
                       std::vector<std::string>& notes)
 {
@@ -79,19 +60,39 @@ ModelFormula FormulaOf(const CovariateRequest& request)
 }
 } // namespace
 
+CovariateTable CovariatesOf(const CohortGroup& group, const CovariateRequest& request,
+                            std::vector<std::string>& notes)
+{
+  std::vector<std::string> cases;
+  std::vector<std::string> volumes;
+  std::vector<std::string> areas;
+  for (std::size_t i = 0; i < group.Rows.size(); ++i)
+  {
+    cases.push_back(group.Rows[i].Case);
+    volumes.push_back(ExactText(group.Bodies[i].Volume / 1000.0));
+    areas.push_back(ExactText(group.Rows[i].Result.ModelAreaSquareMillimeters));
+  }
+  CovariateTable table = request.File.empty()
+                             ? CovariateTable(cases)
+                             : ReadCovariates(request.File, request.Id, cases, notes);
+  table.Add("volume_ml", volumes);
+  table.Add("area_mm2", areas);
+  return table;
+}
+
 CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest& request,
                                std::vector<std::string>& notes, const KernelProgress& progress)
 {
   const ModelFormula formula = FormulaOf(request);
   if (formula.Terms().empty())
   {
-    if (!request.File.empty() || !request.Repeated.Patient.empty())
+    if ((!request.File.empty() && !request.IsForSides) || !request.Repeated.Patient.empty())
     {
       throw InputError("covariates need a formula, such as \"~ age\"");
     }
     return;
   }
-  const CovariateTable table = TableOf(group, request, notes);
+  const CovariateTable table = CovariatesOf(group, request, notes);
   NoteMissingCodes(table, formula, notes);
   std::map<std::string, std::string> references;
   if (const Status status = ParseReferences(request.References, references); !status.IsOk())

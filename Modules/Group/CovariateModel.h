@@ -20,7 +20,13 @@ struct CovariateRequest
   std::vector<std::string> References; ///< COLUMN=LEVEL
   RepeatedColumns Repeated;            ///< may be empty
   EffectSettings Effects;
+  bool IsForSides = false; ///< the file has sides (FindSidePairs), so needs no formula
 };
+
+/// The table of a request, with volume_ml and area_mm2 of the models. Throws InputError.
+PALPATEGROUP_EXPORT CovariateTable CovariatesOf(const CohortGroup& group,
+                                                const CovariateRequest& request,
+                                                std::vector<std::string>& notes);
 
 /// The model that a request asks for: mixed models if there are patients with several cases, which
 /// are not independent; none without a formula. Beside the file's columns there are volume_ml and

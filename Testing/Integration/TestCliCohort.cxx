@@ -515,6 +515,29 @@ TEST_F(CliCovariates, OfRepeatedScansAreTestedByMixedModelsThatNameNobody)
   EXPECT_FALSE(Has(page, "_scan"));
 }
 
+TEST_F(CliCovariates, SidesAreComparedInPairsAndInTheMidline)
+{
+  this->FromMasks("~ age");
+  CommandRun run = this->Cohort({"--asymmetry", "midline", "--permutations", "199"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "asymmetry of 10 shapes against their mirror images")) << run.Output;
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "out/cohort.html"), "Asymmetry"));
+  std::string table = "case,patient,side\n";
+  for (int i = 0; i < 10; ++i)
+  {
+    table += "p0" + std::to_string(i) + "_scan,q" + std::to_string(i / 2) +
+             (i % 2 == 0 ? ",left\n" : ",right\n");
+  }
+  WriteAll(this->Folder / "sides.csv", table);
+  run = this->Cohort(
+      {"--asymmetry", "patient,side", "--covariates", "sides.csv", "--permutations", "199"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "asymmetry of 5 pairs")) << run.Output;
+  EXPECT_EQ(CsvRecordsIn(ReadAll(this->Folder / "out/asymmetry.csv")).size(), 5U);
+  EXPECT_EQ(this->Cohort({"--asymmetry", "patient,side"}).Code, 2);
+  EXPECT_EQ(this->Cohort({"--asymmetry", "middle"}).Code, 2);
+}
+
 TEST_F(CliCovariates, AreRefusedInOneSentence)
 {
   this->FromMasks("~ age");

@@ -74,7 +74,10 @@ std::vector<std::string> WrittenNames()
           "reparametrisation.csv",
           "model_quality.csv",
           "repeated.csv",
-          "repeated_variances.csv"};
+          "repeated_variances.csv",
+          "asymmetry.csv",
+          "asymmetry_anova.csv",
+          "asymmetry.vtp"};
 }
 } // namespace
 
@@ -201,6 +204,31 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
                  "Column with the time of each case, part of the formula: with --repeated also a "
                  "random slope of each patient")
       ->type_name("COLUMN");
+  app.add_option("--asymmetry", this->Sides,
+                 "Compare left with right: midline for organs and their own mirror images, or the "
+                 "columns of patient and side (left, right) of pairs, as PATIENT,SIDE")
+      ->delimiter(',')
+      ->expected(1, 2)
+      ->type_name("midline|COLUMN,COLUMN");
+}
+
+std::vector<SidePair> CohortCommand::PairSides(CohortGroup& group,
+                                               std::vector<std::string>& notes) const
+{
+  if (this->Sides.size() != 2)
+  {
+    return {};
+  }
+  if (this->Request.File.empty())
+  {
+    throw InputError("--asymmetry of pairs needs --covariates with " + this->Sides[0] + " and " +
+                     this->Sides[1]);
+  }
+  std::vector<std::string> ofTable; // told with the covariates
+  const CovariateTable table = CovariatesOf(group, this->Request, ofTable);
+  std::vector<SidePair> pairs = FindSidePairs(group, table, this->Sides[0], this->Sides[1], notes);
+  MirrorRightSides(group, pairs);
+  return pairs;
 }
 
 int CohortCommand::FitMasks(Console& console) const
@@ -228,6 +256,10 @@ int CohortCommand::FitMasks(Console& console) const
 
 void CohortCommand::CheckOutputs() const
 {
+  if (this->Sides.size() == 1 && this->Sides.front() != "midline")
+  {
+    throw InputError("--asymmetry is midline or two columns, such as patient,side");
+  }
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
     throw InputError("--output is required for several cohorts: the folder of their joint results");
@@ -260,7 +292,8 @@ void CohortCommand::WriteOthers(const CohortGroup& group, const CohortTable& tab
 }
 
 void CohortCommand::Print(const CohortGroup& group, const std::vector<std::string>& notes,
-                          const CovariateModel& model, Console& console) const
+                          const CovariateModel& model, const std::string& asymmetry,
+                          Console& console) const
 {
   for (const CohortNote& note : group.Notes)
   {
@@ -278,6 +311,7 @@ void CohortCommand::Print(const CohortGroup& group, const std::vector<std::strin
   {
     console.Output() << RepeatedEffectText(*model.Repeated());
   }
+  console.Output() << asymmetry;
   console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
                    << ", " << group.Modes.Modes.cols() << " modes";
   if (group.Modes.Modes.cols() > 0)
@@ -302,6 +336,8 @@ int CohortCommand::Run(Console& console)
       MakeCohortGroup(table, output, this->Label,
                       this->Axes == "ellipsoid" ? AlignmentAxes::Ellipsoid : AlignmentAxes::Patient,
                       stage("models"));
+  std::vector<std::string> notes;
+  const std::vector<SidePair> pairs = this->PairSides(group, notes);
   const std::optional<CohortAlignment> alignment = this->Align(group, stage("alignment"));
   RandomShapeSettings random;
   random.Seed = this->Request.Effects.Permutations.Seed;
@@ -314,8 +350,14 @@ int CohortCommand::Run(Console& console)
   {
     SynthesizeShape(group, this->Shape); // a mistake in it is told before the long work
   }
-  std::vector<std::string> notes;
-  const CovariateModel model(group, this->Request, notes, stage("permutations"));
+  CovariateRequest request = this->Request;
+  request.IsForSides = this->Sides.size() == 2;
+  const CovariateModel model(group, request, notes, stage("permutations"));
+  std::optional<CohortAsymmetry> asymmetry;
+  if (!this->Sides.empty())
+  {
+    asymmetry = FindCohortAsymmetry(group, pairs, request.Effects.Permutations, stage("sides"));
+  }
   console.EndProgress();
   if (this->IsAnonymous)
   {
@@ -328,10 +370,11 @@ int CohortCommand::Run(Console& console)
   console.EndProgress();
   WriteCohortGroup(group,
                    {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr,
-                    &correspondence, moved ? &*moved : nullptr, model.Repeated()},
+                    &correspondence, moved ? &*moved : nullptr, model.Repeated(),
+                    asymmetry ? &*asymmetry : nullptr},
                    output, ProgramVersion());
   this->WriteOthers(group, table, console);
-  this->Print(group, notes, model, console);
+  this->Print(group, notes, model, asymmetry ? asymmetry->Text() : std::string(), console);
   return code;
 }
 } // namespace palpate::cli
