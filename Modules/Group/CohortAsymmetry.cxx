@@ -37,7 +37,8 @@ OrganModel MirroredTowards(const OrganModel& shape, const OrganModel& target)
     return mirrored;
   }
   const ShapeSuperposition superposition(target);
-  return TurnShape(mirrored, superposition.FitParameters(mirrored, {}).Rotation);
+  const SphereRotation start = superposition.StartFor(mirrored, Matrix3::Identity());
+  return TurnShape(mirrored, superposition.FitParameters(mirrored, start).Rotation);
 }
 
 /// Shapes of both sides, the right ones mirrored.
@@ -92,15 +93,21 @@ Eigen::MatrixXd RowsOf(const std::vector<OrganModel>& shapes)
   return rows;
 }
 
-SideDifference DifferenceOf(const CohortGroup& group, const SidePair& rows, const OrganModel& left,
-                            const OrganModel& right)
+// Over the surface, of displacements at its points, mm.
+double RmsOverPoints(const NormalDisplacement& surface, const Eigen::VectorXd& displacements)
 {
-  SideDifference one{rows, 0.0, RmsOverSphere(VectorOf(left) - VectorOf(right)), 0.0};
-  one.ShapePercent = 100.0 * one.ShapeMillimeters / RmsSizeOf(left);
+  const Eigen::Map<const Eigen::ArrayXd> areas(surface.Areas.data(),
+                                               static_cast<Eigen::Index>(surface.Areas.size()));
+  return std::sqrt((areas * displacements.array().square()).sum() / areas.sum());
+}
+
+SideDifference DifferenceOf(const CohortGroup& group, const SidePair& rows, double shape,
+                            const OrganModel& left)
+{
   const double leftVolume = group.Bodies[rows.Left].Volume;
   const double rightVolume = group.Bodies[rows.Right].Volume;
-  one.VolumePercent = 200.0 * (leftVolume - rightVolume) / (leftVolume + rightVolume);
-  return one;
+  return {rows, 200.0 * (leftVolume - rightVolume) / (leftVolume + rightVolume), shape,
+          100.0 * shape / RmsSizeOf(left)};
 }
 
 // Coordinates that mirroring keeps.
@@ -136,18 +143,6 @@ std::array<AnovaRow, 3> AnovaRows(const SideAnova& anova)
   return {{{"individual", anova.Individual},
            {"side (directional)", anova.Side},
            {"individual x side (fluctuating)", anova.Interaction}}};
-}
-
-// RMS over the sphere of the mean difference, mm: the ANOVA is of half differences, twice.
-double DirectionalSize(const CohortAsymmetry& asymmetry)
-{
-  const auto count = static_cast<double>(asymmetry.Individuals.size());
-  return std::sqrt(2.0 * asymmetry.Anova.Side.Squares / count / (4.0 * M_PI));
-}
-double FluctuatingSize(const CohortAsymmetry& asymmetry)
-{
-  const auto others = static_cast<double>(asymmetry.Individuals.size() - 1);
-  return std::sqrt(2.0 * asymmetry.Anova.Interaction.Squares / others / (4.0 * M_PI));
 }
 } // namespace
 
@@ -218,11 +213,6 @@ CohortAsymmetry FindCohortAsymmetry(const CohortGroup& group, const std::vector<
     throw InputError("asymmetry needs at least 3 individuals, but there are " +
                      std::to_string(sides.Left.size()));
   }
-  for (std::size_t i = 0; i < sides.Left.size(); ++i)
-  {
-    result.Individuals.push_back(DifferenceOf(group, result.IsPaired ? pairs[i] : SidePair{i, i},
-                                              sides.Left[i], sides.Right[i]));
-  }
   const Eigen::MatrixXd left = RowsOf(sides.Left);
   const Eigen::MatrixXd right = RowsOf(sides.Right);
   const Eigen::Index symmetric = result.IsPaired ? left.cols() : SymmetricCount(sides.Left.front());
@@ -230,8 +220,16 @@ CohortAsymmetry FindCohortAsymmetry(const CohortGroup& group, const std::vector<
                                result.IsPaired ? left.cols() : left.cols() - symmetric);
   const Eigen::VectorXd mean = 0.5 * (left + right).colwise().mean().transpose();
   result.Surface = FindNormalDisplacement(ShapeFrom(mean, sides.Left.front()), EffectFrequency);
-  if (!TestSides((left - right) * result.Surface.PerCoefficient.transpose(), result.Surface.Areas,
-                 flips, PartOf(progress, AlignmentShare, 1.0), result.Points)
+  const Eigen::MatrixXd differences = (left - right) * result.Surface.PerCoefficient.transpose();
+  for (std::size_t i = 0; i < sides.Left.size(); ++i)
+  {
+    const double shape =
+        RmsOverPoints(result.Surface, differences.row(static_cast<Eigen::Index>(i)).transpose());
+    result.Individuals.push_back(
+        DifferenceOf(group, result.IsPaired ? pairs[i] : SidePair{i, i}, shape, sides.Left[i]));
+  }
+  if (!TestSides(differences, result.Surface.Areas, flips, PartOf(progress, AlignmentShare, 1.0),
+                 result.Points)
            .IsOk())
   {
     throw Cancelled();
@@ -245,11 +243,11 @@ std::string CohortAsymmetry::Text() const
   return "asymmetry of " + std::to_string(this->Individuals.size()) +
          (this->IsPaired ? " pairs: directional "
                          : " shapes against their mirror images: directional ") +
-         FixedText(DirectionalSize(*this), 2) + " mm (F " +
+         FixedText(RmsOverPoints(this->Surface, this->Points.Mean), 2) + " mm (F " +
          SignificantText(this->Anova.SideF(), 3) + ", p " +
          SignificantText(this->Points.WholeP, 3) + "), least p at a point " +
          SignificantText(this->Points.FamilyP.minCoeff(), 3) + "; fluctuating " +
-         FixedText(FluctuatingSize(*this), 2) + " mm\n";
+         FixedText(RmsOverPoints(this->Surface, this->Points.Deviation), 2) + " mm\n";
 }
 
 void WriteCohortAsymmetry(const CohortGroup& group, const CohortAsymmetry& asymmetry,

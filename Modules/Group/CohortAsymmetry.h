@@ -25,11 +25,10 @@ struct SidePair
 /// How one individual's sides differ.
 struct SideDifference
 {
-  SidePair Rows;              ///< the same row twice for an organ of the midline
-  double VolumePercent = 0.0; ///< left minus right over their mean; of pairs
-  double ShapeMillimeters =
-      0;                   ///< of the left side from the mirrored right one, RMS over the sphere
-  double ShapePercent = 0; ///< the same of the left side's RMS size
+  SidePair Rows;                 ///< the same row twice for an organ of the midline
+  double VolumePercent = 0.0;    ///< left minus right over their mean; of pairs
+  double ShapeMillimeters = 0.0; ///< along the normals, RMS over the mean surface
+  double ShapePercent = 0.0;     ///< the same of the left side's RMS size
 };
 
 /// Left against right in a cohort: of pairs, or of organs of the midline against their own mirror

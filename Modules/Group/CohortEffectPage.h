@@ -17,7 +17,7 @@ PALPATEGROUP_EXPORT std::string CohortEffectMethods(const CohortEffects& effects
 PALPATEGROUP_EXPORT void AddCohortEffects(ReportPage& page, const CohortEffects& effects);
 
 ///@{ Parts of such a section: the mean coloured by a map (mm) or by a term, pale where `p` is 0.05
-///or more; cases
+/// or more; cases
 /// that are omitted, and terms that others inflate.
 void AddMapFigures(ReportPage& page, const std::string& title, const Eigen::VectorXd& map,
                    double limit, const Eigen::VectorXd& p, const NormalDisplacement& surface);

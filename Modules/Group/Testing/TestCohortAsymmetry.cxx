@@ -9,6 +9,8 @@
 
 #include "vtkPointData.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -158,6 +160,26 @@ TEST(CohortAsymmetry, OfSymmetricShapesIsNone)
   EXPECT_EQ(asymmetry.Anova.Side.Squares, 0.0);
   EXPECT_EQ(asymmetry.Anova.Interaction.Squares, 0.0);
   EXPECT_EQ(asymmetry.Points.WholeP, 1.0);
+}
+
+// Ellipsoids with turned parameters, whose mirror images have others.
+TEST(CohortAsymmetry, OfSurfacesDoesNotDependOnTheirParameters)
+{
+  SideCohort cohort;
+  for (int i = 0; i < 4; ++i)
+  {
+    cohort.Add("c", cohort.Shape());
+    const double n = std::sqrt(4.0 * M_PI / 3.0);
+    // Coefficients of y, z and x of degree 1.
+    const SurfaceModel ellipsoid(1, {std::vector<double>{0.0, 0.0, 0.0, 20.0 * n},
+                                     {0.0, (15.0 + i) * n, 0.0, 0.0},
+                                     {0.0, 0.0, 12.0 * n, 0.0}});
+    cohort.Group.Models.back() = ellipsoid.Reparametrized(
+        Eigen::AngleAxisd(0.1 + 0.8 * i, Vector3(0.3, 0.5, 0.8).normalized()).toRotationMatrix());
+  }
+  const CohortAsymmetry asymmetry = FindCohortAsymmetry(cohort.Group, {}, Flips(), {});
+  EXPECT_LT(asymmetry.Anova.Side.Squares, 1e-12); // mm^2, of Newton's steps
+  EXPECT_LT(asymmetry.Anova.Interaction.Squares, 1e-12);
 }
 
 TEST(CohortAsymmetry, FilesAndSectionHoldNumbersAndMaps)
