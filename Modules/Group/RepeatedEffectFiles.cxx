@@ -15,87 +15,107 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
+#include <iterator>
 
 namespace palpate
 {
 namespace
 {
-// Calls with each figure or mode, each tested term and its place, and each column of it.
-using RepeatedRow =
-    std::function<void(const RepeatedFigure&, const DesignTerm&, std::size_t, Eigen::Index)>;
-void ForEachRow(const RepeatedEffects& effects, const RepeatedRow& row)
+/// Rows of texts under a head.
+using TextRows = std::vector<std::vector<std::string>>;
+using NumberText = std::function<std::string(double)>;
+
+std::string CsvOf(const TextRows& rows)
 {
-  for (const std::vector<RepeatedFigure>* figures : {&effects.Figures, &effects.Modes})
+  std::string text;
+  for (const std::vector<std::string>& row : rows)
   {
-    for (const RepeatedFigure& figure : *figures)
+    text += CsvLine(row);
+  }
+  return text;
+}
+
+ReportTable PageTableOf(const TextRows& rows, const std::vector<std::size_t>& columns)
+{
+  const auto chosen = [&](const std::vector<std::string>& row)
+  {
+    std::vector<std::string> cells;
+    for (const std::size_t column : columns)
     {
-      for (std::size_t t = 0; t < effects.Terms.size(); ++t)
+      cells.push_back(row[column]);
+    }
+    return cells;
+  };
+  ReportTable table(chosen(rows.front()));
+  for (std::size_t i = 1; i < rows.size(); ++i)
+  {
+    for (const std::string& cell : chosen(rows[i]))
+    {
+      ParseNumber(cell) ? table.Value(cell) : table.Text(cell);
+    }
+  }
+  return table;
+}
+
+void Append(const std::vector<double>& numbers, const NumberText& format,
+            std::vector<std::string>& row)
+{
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(row),
+                 [&](double number)
+                 { return std::isnan(number) ? std::string() : format(number); });
+}
+
+std::vector<RepeatedFigure> AllFigures(const RepeatedEffects& effects)
+{
+  std::vector<RepeatedFigure> all = effects.Figures;
+  all.insert(all.end(), effects.Modes.begin(), effects.Modes.end());
+  return all;
+}
+
+TextRows CoefficientRows(const RepeatedEffects& effects, const NumberText& format)
+{
+  TextRows rows{{"figure", "term", "column", "estimate", "standard_error", "degrees", "t", "p",
+                 "term_f", "term_df1", "term_df2", "term_p", "term_q"}};
+  for (const RepeatedFigure& figure : AllFigures(effects))
+  {
+    for (std::size_t t = 0; t < effects.Terms.size(); ++t)
+    {
+      const DesignTerm& term = effects.Terms[t].Term;
+      const FixedTest& all = figure.Tests[t];
+      for (Eigen::Index k = term.First; k < term.First + term.Count; ++k)
       {
-        const DesignTerm& term = effects.Terms[t].Term;
-        for (Eigen::Index k = term.First; k < term.First + term.Count; ++k)
-        {
-          row(figure, term, t, k);
-        }
+        const FixedTest one = MixedModel::Test(figure.Fit, k, 1);
+        const double estimate = figure.Fit.Coefficients[k];
+        rows.push_back(
+            {figure.Name, term.Name, effects.Design.Columns[static_cast<std::size_t>(k)]});
+        Append({estimate, std::sqrt(figure.Fit.Covariance(k, k)), one.DenominatorDegrees,
+                std::copysign(std::sqrt(one.F), estimate), one.P, all.F, all.NumeratorDegrees,
+                all.DenominatorDegrees, all.P, figure.Discovery[t]},
+               format, rows.back());
       }
     }
   }
+  return rows;
 }
 
-std::string CoefficientTable(const RepeatedEffects& effects)
+// The correlation is empty if it is not defined.
+TextRows VarianceRows(const RepeatedEffects& effects, const NumberText& format)
 {
-  std::string text = CsvLine({"figure", "term", "column", "estimate", "standard_error", "degrees",
-                              "t", "p", "term_f", "term_df1", "term_df2", "term_p", "term_q"});
-  ForEachRow(
-      effects,
-      [&](const RepeatedFigure& figure, const DesignTerm& term, std::size_t t, Eigen::Index column)
-      {
-        const FixedTest one = MixedModel::Test(figure.Fit, column, 1);
-        const FixedTest& all = figure.Tests[t];
-        const double estimate = figure.Fit.Coefficients[column];
-        std::vector<std::string> fields{figure.Name, term.Name,
-                                        effects.Design.Columns[static_cast<std::size_t>(column)]};
-        for (const double number :
-             {estimate, std::sqrt(figure.Fit.Covariance(column, column)), one.DenominatorDegrees,
-              std::copysign(std::sqrt(one.F), estimate), one.P, all.F, all.NumeratorDegrees,
-              all.DenominatorDegrees, all.P, figure.Discovery[t]})
-        {
-          fields.push_back(ExactText(number));
-        }
-        text += CsvLine(fields);
-      });
-  return text;
-}
-
-// Standard deviations between patients, of slopes, and within; the correlation of the first two.
-std::vector<double> VariancesOf(const MixedFit& fit)
-{
-  const double between = std::sqrt(fit.SubjectCovariance(0, 0));
-  const double slope = std::sqrt(fit.SubjectCovariance(1, 1));
-  const double correlation = between * slope > 0.0 ? fit.SubjectCovariance(1, 0) / (between * slope)
-                                                   : std::numeric_limits<double>::quiet_NaN();
-  return {between, slope, correlation, std::sqrt(fit.ResidualVariance)};
-}
-
-std::string VarianceComponentTable(const RepeatedEffects& effects)
-{
-  std::string text = CsvLine({"figure", "sd_between", "sd_slope", "correlation", "sd_within",
-                              "singular", "reml_criterion"});
-  for (const std::vector<RepeatedFigure>* figures : {&effects.Figures, &effects.Modes})
+  TextRows rows{{"figure", "sd_between", "sd_slope", "correlation", "sd_within", "singular",
+                 "reml_criterion"}};
+  for (const RepeatedFigure& figure : AllFigures(effects))
   {
-    for (const RepeatedFigure& figure : *figures)
-    {
-      std::vector<std::string> fields{figure.Name};
-      for (const double number : VariancesOf(figure.Fit))
-      {
-        fields.push_back(std::isnan(number) ? std::string() : ExactText(number));
-      }
-      fields.emplace_back(figure.Fit.IsSingular ? "1" : "0");
-      fields.push_back(ExactText(figure.Fit.Criterion));
-      text += CsvLine(fields);
-    }
+    const MixedFit& fit = figure.Fit;
+    const double between = std::sqrt(fit.SubjectCovariance(0, 0));
+    const double slope = std::sqrt(fit.SubjectCovariance(1, 1));
+    rows.push_back({figure.Name});
+    Append({between, slope, fit.SubjectCovariance(1, 0) / (between * slope),
+            std::sqrt(fit.ResidualVariance)},
+           format, rows.back());
+    rows.back().emplace_back(fit.IsSingular ? "yes" : "no");
+    Append({fit.Criterion}, format, rows.back());
   }
-  return text;
+  return rows;
 }
 
 std::string PointTermTable(const RepeatedEffects& effects)
@@ -157,59 +177,34 @@ double LeastRate(const std::vector<RepeatedFigure>& figures, std::size_t term)
   return least;
 }
 
-ReportTable FigureTable(const RepeatedEffects& effects)
+// Least false-discovery rates of the terms, and the largest displacement.
+TextRows TermRows(const RepeatedEffects& effects)
 {
-  ReportTable table({"Figure", "Effect", "estimate", "standard error", "df", "p", "q of the term"});
-  ForEachRow(
-      effects,
-      [&](const RepeatedFigure& figure, const DesignTerm&, std::size_t t, Eigen::Index column)
-      {
-        const FixedTest one = MixedModel::Test(figure.Fit, column, 1);
-        table.Text(figure.Name)
-            .Text(effects.Design.Columns[static_cast<std::size_t>(column)])
-            .Value(SignificantText(figure.Fit.Coefficients[column], 3))
-            .Value(SignificantText(std::sqrt(figure.Fit.Covariance(column, column)), 3))
-            .Value(SignificantText(one.DenominatorDegrees, 3))
-            .Value(SignificantText(one.P, 2))
-            .Value(SignificantText(figure.Discovery[t], 2));
-      });
-  return table;
-}
-
-ReportTable DeviationTable(const RepeatedEffects& effects)
-{
-  ReportTable table({"Figure", "sd between", "sd of slopes", "correlation", "sd within", "fit"});
-  for (const std::vector<RepeatedFigure>* figures : {&effects.Figures, &effects.Modes})
+  TextRows rows{{"term", "q, figures", "q, modes", "q, surface", "largest, mm"}};
+  for (std::size_t t = 0; t < effects.Terms.size(); ++t)
   {
-    for (const RepeatedFigure& figure : *figures)
-    {
-      table.Text(figure.Name);
-      for (const double number : VariancesOf(figure.Fit))
-      {
-        std::isnan(number) ? table.Nothing() : table.Value(SignificantText(number, 3));
-      }
-      table.Text(figure.Fit.IsSingular ? "singular" : "");
-    }
+    const RepeatedTerm& term = effects.Terms[t];
+    rows.push_back({term.Term.Name, SignificantText(LeastRate(effects.Figures, t), 3),
+                    SignificantText(LeastRate(effects.Modes, t), 3),
+                    SignificantText(term.Discovery.minCoeff(), 3),
+                    FixedText(term.LargestMillimeters(), 2) + " " + term.UnitText()});
   }
-  return table;
+  return rows;
 }
 } // namespace
 
 std::string RepeatedEffectText(const RepeatedEffects& effects)
 {
-  const auto right = [](const std::string& text, std::size_t width)
-  { return std::string(width - std::min(width - 1, text.size()), ' ') + text; };
-  std::string table = RepeatedHeading(effects) +
-                      "\nterm                 q, figures    q, modes  q, surface  largest, mm\n";
-  for (std::size_t t = 0; t < effects.Terms.size(); ++t)
+  std::string table = RepeatedHeading(effects) + "\n";
+  for (const std::vector<std::string>& row : TermRows(effects))
   {
-    const RepeatedTerm& term = effects.Terms[t];
-    std::string name = Printable(term.Term.Name);
-    name.resize(std::max<std::size_t>(name.size(), 20), ' ');
-    table += name + right(SignificantText(LeastRate(effects.Figures, t), 3), 11) +
-             right(SignificantText(LeastRate(effects.Modes, t), 3), 12) +
-             right(SignificantText(term.Discovery.minCoeff(), 3), 12) +
-             right(FixedText(term.LargestMillimeters(), 2), 13) + " " + term.UnitText() + "\n";
+    std::string line = Printable(row.front());
+    for (std::size_t k = 1; k < row.size(); ++k)
+    {
+      line.resize(std::max(line.size() + 2, 20 + 12 * (k - 1)), ' ');
+      line += row[k];
+    }
+    table += line + "\n";
   }
   return table + effects.SingularText() + "\n";
 }
@@ -235,17 +230,10 @@ void AddRepeatedEffects(ReportPage& page, const RepeatedEffects& effects)
             ". Least false-discovery rates (q) of each term; in the images red is outward, blue "
             "inward; what is pale is not significant (q at the point, 0.05). " +
             effects.SingularText() + ".");
-  ReportTable terms({"Term", "q, figures", "q, modes", "q, surface", "largest, mm"});
-  for (std::size_t t = 0; t < effects.Terms.size(); ++t)
-  {
-    const RepeatedTerm& term = effects.Terms[t];
-    terms.Text(term.Term.Name)
-        .Value(SignificantText(LeastRate(effects.Figures, t), 2))
-        .Value(SignificantText(LeastRate(effects.Modes, t), 2))
-        .Value(SignificantText(term.Discovery.minCoeff(), 2))
-        .Value(FixedText(term.LargestMillimeters(), 2) + " " + term.UnitText());
-  }
-  page.Table(terms).Table(FigureTable(effects)).Table(DeviationTable(effects));
+  const auto shortText = [](double number) { return SignificantText(number, 3); };
+  page.Table(PageTableOf(TermRows(effects), {0, 1, 2, 3, 4}))
+      .Table(PageTableOf(CoefficientRows(effects, shortText), {0, 2, 3, 4, 5, 7, 12}))
+      .Table(PageTableOf(VarianceRows(effects, shortText), {0, 1, 2, 3, 4, 5}));
   for (const RepeatedTerm& term : effects.Terms)
   {
     AddDisplacementFigures(page, term, term.Discovery, effects.Surface);
@@ -256,8 +244,9 @@ void AddRepeatedEffects(ReportPage& page, const RepeatedEffects& effects)
 void WriteRepeatedEffects(const CohortGroup& group, const RepeatedEffects& effects,
                           const std::filesystem::path& folder)
 {
-  WriteWholeFile(folder / "repeated.csv", CoefficientTable(effects));
-  WriteWholeFile(folder / "repeated_variances.csv", VarianceComponentTable(effects));
+  const auto exact = [](double number) { return ExactText(number); };
+  WriteWholeFile(folder / "repeated.csv", CsvOf(CoefficientRows(effects, exact)));
+  WriteWholeFile(folder / "repeated_variances.csv", CsvOf(VarianceRows(effects, exact)));
   WriteWholeFile(folder / "effects.csv", PointTermTable(effects));
   WriteWholeFile(folder / "design.csv", DesignTable(group, effects.Design));
   WriteSurface(folder / "effects.vtp", RepeatedSurface(effects));

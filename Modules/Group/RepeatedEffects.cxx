@@ -84,23 +84,27 @@ MixedModel ModelOf(const CovariateTable& table, RepeatedEffects& effects,
   return model;
 }
 
-std::vector<RepeatedFigure> FitFigures(const MixedModel& model, const LinearDesign& design,
+// Of those that are no covariates and vary.
+std::vector<RepeatedFigure> FitFigures(const MixedModel& model, const RepeatedEffects& effects,
                                        const std::vector<std::string>& names,
                                        const Eigen::MatrixXd& values)
 {
+  const std::vector<std::string> covariates = effects.Formula.Columns();
   std::vector<RepeatedFigure> figures;
   for (std::size_t k = 0; k < names.size(); ++k)
   {
     const Eigen::VectorXd column = values.col(static_cast<Eigen::Index>(k));
-    RepeatedFigure figure{names[k], model.Fit(column(design.Cases)), {}, {}};
-    for (const DesignTerm& term : design.Terms)
+    RepeatedFigure figure{names[k], model.Fit(column(effects.Design.Cases)), {}, {}};
+    for (const DesignTerm& term : effects.Design.Terms)
     {
       if (term.IsTested)
       {
         figure.Tests.push_back(MixedModel::Test(figure.Fit, term.First, term.Count));
       }
     }
-    if (figure.Fit.IsFound)
+    const bool isCovariate =
+        std::find(covariates.begin(), covariates.end(), names[k]) != covariates.end();
+    if (figure.Fit.IsFound && !isCovariate)
     {
       figures.push_back(std::move(figure));
     }
@@ -117,28 +121,6 @@ std::vector<RepeatedFigure> FitFigures(const MixedModel& model, const LinearDesi
     }
   }
   return figures;
-}
-
-void FitFiguresAndModes(const CohortGroup& group, const MixedModel& model, RepeatedEffects& effects)
-{
-  std::vector<std::string> names = FigureNames();
-  const Eigen::MatrixXd all = FiguresOf(group);
-  const std::vector<std::string> covariates = effects.Formula.Columns();
-  Eigen::MatrixXd figures(all.rows(), 0);
-  std::vector<std::string> kept;
-  for (std::size_t k = 0; k < names.size(); ++k)
-  {
-    if (std::find(covariates.begin(), covariates.end(), names[k]) == covariates.end())
-    {
-      kept.push_back(names[k]);
-      figures.conservativeResize(Eigen::NoChange, figures.cols() + 1);
-      figures.rightCols(1) = all.col(static_cast<Eigen::Index>(k));
-    }
-  }
-  effects.Figures = FitFigures(model, effects.Design, kept, figures);
-  effects.Modes = FitFigures(model, effects.Design,
-                             ModeNames(std::min(MostRepeatedModes, group.Modes.Scores.cols())),
-                             group.Modes.Scores);
 }
 
 void AllocatePoints(RepeatedEffects& effects)
@@ -272,7 +254,9 @@ RepeatedEffects FindRepeatedEffects(const CohortGroup& group, const CovariateTab
   }
   CheckRepeated(MakeLinearDesign(covariates, formula, references, effects.Design, needed));
   const MixedModel model = ModelOf(covariates, effects, notes);
-  FitFiguresAndModes(group, model, effects);
+  effects.Figures = FitFigures(model, effects, FigureNames(), FiguresOf(group));
+  const Eigen::Index modes = std::min(MostRepeatedModes, group.Modes.Scores.cols());
+  effects.Modes = FitFigures(model, effects, ModeNames(modes), group.Modes.Scores);
   FitPoints(group, model, progress, effects);
   return effects;
 }
