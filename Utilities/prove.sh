@@ -7,6 +7,6 @@ cd "$(dirname "$0")/.."
 
 Utilities/build.sh
 export PALPATE_PROVE=1
-proofs='WholeGland|EveryOtherMask|SameModel\.|SameScene\.|ForMinutes|MinutesOfStrokes|Structure\.Configurations'
+proofs='WholeGland|EveryOtherMask|SameModel\.|SameScene\.|ForMinutes|MinutesOfStrokes|Structure\.Configurations|MixedModel(TypeOne|AgainstR)|SideAsymmetryTypeOne\.'
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" ctest --preset release -R "$proofs" --timeout 900 "$@"
 exec build/release/bin/PalpateFuzz --inputs 500 --output build/release/fuzz-failures

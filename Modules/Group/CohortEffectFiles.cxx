@@ -24,11 +24,7 @@ vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
   auto surface = MeanSurface(effects.Surface);
   for (const TermEffect& effect : effects.Terms)
   {
-    for (const ColumnEffect& column : effect.Columns)
-    {
-      AddPointMap(surface, column.Name + " (mm)", column.PerUnit);
-      AddPointMap(surface, column.Name + " 95% half width (mm)", column.HalfWidth);
-    }
+    AddDisplacementMaps(surface, effect);
     const std::string& name = effect.Term.Name;
     AddPointMap(surface, name + (effect.Term.Count == 1 ? " t" : " root F"),
                 effect.Points.Statistic);
@@ -39,16 +35,6 @@ vtkSmartPointer<vtkPolyData> EffectSurface(const CohortEffects& effects)
     AddPointMap(surface, name + " q", effect.Discovery);
   }
   return surface;
-}
-
-double SignificantArea(const NormalDisplacement& surface, const Eigen::VectorXd& p)
-{
-  double area = 0.0;
-  for (std::size_t i = 0; i < surface.Areas.size(); ++i)
-  {
-    area += p[static_cast<Eigen::Index>(i)] < Significance ? surface.Areas[i] : 0.0;
-  }
-  return area;
 }
 
 std::string TermTable(const CohortEffects& effects)
@@ -99,6 +85,26 @@ std::string TermTable(const CohortEffects& effects)
   }
   return text;
 }
+} // namespace
+
+void AddDisplacementMaps(vtkPolyData* surface, const TermDisplacement& term)
+{
+  for (const ColumnEffect& column : term.Columns)
+  {
+    AddPointMap(surface, column.Name + " (mm)", column.PerUnit);
+    AddPointMap(surface, column.Name + " 95% half width (mm)", column.HalfWidth);
+  }
+}
+
+double SignificantArea(const NormalDisplacement& surface, const Eigen::VectorXd& p)
+{
+  double area = 0.0;
+  for (std::size_t i = 0; i < surface.Areas.size(); ++i)
+  {
+    area += p[static_cast<Eigen::Index>(i)] < Significance ? surface.Areas[i] : 0.0;
+  }
+  return area;
+}
 
 std::string DesignTable(const CohortGroup& group, const LinearDesign& design)
 {
@@ -116,7 +122,6 @@ std::string DesignTable(const CohortGroup& group, const LinearDesign& design)
   }
   return text;
 }
-} // namespace
 
 std::string CohortEffectText(const CohortEffects& effects)
 {

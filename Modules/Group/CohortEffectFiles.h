@@ -3,6 +3,8 @@
 #include "CohortEffects.h"
 #include "PalpateGroupModule.h"
 
+#include "vtkPolyData.h"
+
 #include <filesystem>
 #include <string>
 
@@ -16,4 +18,11 @@ PALPATEGROUP_EXPORT std::string CohortEffectText(const CohortEffects& effects);
 /// existing folder. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortEffects(const CohortGroup& group, const CohortEffects& effects,
                                             const std::filesystem::path& folder);
+
+///@{ Parts of such files: the maps of ColumnEffect; the area where `p` is below 0.05, mm^2; the
+/// matrix of a model.
+void AddDisplacementMaps(vtkPolyData* surface, const TermDisplacement& term);
+double SignificantArea(const NormalDisplacement& surface, const Eigen::VectorXd& p);
+std::string DesignTable(const CohortGroup& group, const LinearDesign& design);
+///@}
 } // namespace palpate

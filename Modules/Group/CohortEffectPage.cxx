@@ -70,30 +70,6 @@ std::string FormulaText(const CohortEffects& effects)
          " In the images red is outward, blue inward; what is pale is not significant (TFCE, "
          "0.05).";
 }
-
-void AddFigures(ReportPage& page, const TermEffect& effect, vtkPolyData* mean)
-{
-  ColoredShape shape;
-  shape.Mesh = mean;
-  const ShapeFigures drawing(MarginShare * shape.Extent(),
-                             std::max(effect.LargestMillimeters(), LeastLimit));
-  std::vector<bool> isPale;
-  for (const double p : effect.Points.EnhancedP)
-  {
-    isPale.push_back(p >= ShownSignificance);
-  }
-  for (const ColumnEffect& column : effect.Columns)
-  {
-    const Eigen::VectorXd shown = effect.ShownUnits() * column.PerUnit;
-    shape.Values.assign(shown.data(), shown.data() + shown.size());
-    page.Subheading(column.Name + ", " + effect.UnitText() + ", full colour at " +
-                    SignificantText(drawing.Limit(), 3) + " mm");
-    for (const ViewSide side : EffectSides)
-    {
-      page.Figure("views", drawing.Figure(shape, side, NameOf(side), isPale));
-    }
-  }
-}
 } // namespace
 
 std::string CohortEffectMethods(const CohortEffects& effects)
@@ -118,15 +94,48 @@ std::string CohortEffectMethods(const CohortEffects& effects)
 void AddCohortEffects(ReportPage& page, const CohortEffects& effects)
 {
   page.Section("Covariates").Text(FormulaText(effects)).Table(TermsOf(effects));
-  const vtkSmartPointer<vtkPolyData> mean = MeanSurface(effects.Surface);
   for (const TermEffect& effect : effects.Terms)
   {
-    AddFigures(page, effect, mean);
+    AddDisplacementFigures(page, effect, effect.Points.EnhancedP, effects.Surface);
   }
-  std::vector<std::string> notes = InflationNotes(effects.Design);
-  if (!effects.Design.Omitted.empty())
+  AddDesignNotes(page, effects.Design);
+}
+
+void AddMapFigures(ReportPage& page, const std::string& title, const Eigen::VectorXd& map,
+                   double limit, const Eigen::VectorXd& p, const NormalDisplacement& surface)
+{
+  ColoredShape shape;
+  shape.Mesh = MeanSurface(surface);
+  shape.Values.assign(map.data(), map.data() + map.size());
+  const ShapeFigures drawing(MarginShare * shape.Extent(), std::max(limit, LeastLimit));
+  std::vector<bool> isPale;
+  for (const double one : p)
   {
-    notes.push_back(effects.Design.OmissionText());
+    isPale.push_back(one >= ShownSignificance);
+  }
+  page.Subheading(title + ", full colour at " + SignificantText(drawing.Limit(), 3) + " mm");
+  for (const ViewSide side : EffectSides)
+  {
+    page.Figure("views", drawing.Figure(shape, side, NameOf(side), isPale));
+  }
+}
+
+void AddDisplacementFigures(ReportPage& page, const TermDisplacement& effect,
+                            const Eigen::VectorXd& p, const NormalDisplacement& surface)
+{
+  for (const ColumnEffect& column : effect.Columns)
+  {
+    AddMapFigures(page, column.Name + ", " + effect.UnitText(),
+                  effect.ShownUnits() * column.PerUnit, effect.LargestMillimeters(), p, surface);
+  }
+}
+
+void AddDesignNotes(ReportPage& page, const LinearDesign& design)
+{
+  std::vector<std::string> notes = InflationNotes(design);
+  if (!design.Omitted.empty())
+  {
+    notes.push_back(design.OmissionText());
   }
   page.Notes(notes);
 }

@@ -14,7 +14,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int EffectFrequency = 16; // 2,562 points, some 3 mm apart on a prostate
 constexpr double Confidence = 0.95;
 
 Eigen::MatrixXd KeptRows(const Eigen::MatrixXd& all, const std::vector<std::size_t>& cases)
@@ -87,7 +86,7 @@ TermEffect FindTermEffect(const CohortEffects& effects, const FittedEffects& fit
 }
 } // namespace
 
-double TermEffect::LargestMillimeters() const
+double TermDisplacement::LargestMillimeters() const
 {
   double largest = 0.0;
   for (const ColumnEffect& column : this->Columns)
@@ -97,7 +96,7 @@ double TermEffect::LargestMillimeters() const
   return largest;
 }
 
-std::string TermEffect::UnitText() const
+std::string TermDisplacement::UnitText() const
 {
   return this->Term.IsNumeric ? "per sd (" + SignificantText(this->Term.Deviation, 3) + ")"
                               : "per level";

@@ -22,15 +22,14 @@ struct ColumnEffect
   Eigen::VectorXd HalfWidth; ///< of its 95 % confidence interval
 };
 
-/// What a term of the model explains, given all others.
-struct TermEffect
+/// Points of the mean surface: 2,562, some 3 mm apart on a prostate.
+constexpr int EffectFrequency = 16;
+
+/// How the columns of a term move the mean surface.
+struct TermDisplacement
 {
   DesignTerm Term;
   std::vector<ColumnEffect> Columns;
-  MultivariateTest Scores;   ///< on the scores of the first modes together
-  PermutationTest Points;    ///< at the points of the mean surface
-  Eigen::VectorXd Discovery; ///< false-discovery rates of Points.P
-  Eigen::VectorXd PartialR2;
 
   /// The largest displacement (mm) of a column: per standard deviation of a number, per level of a
   /// factor.
@@ -38,6 +37,15 @@ struct TermEffect
   std::string UnitText() const; ///< "per sd (7.1)" or "per level"
   /// By what PerUnit is multiplied to be seen: a number's standard deviation, 1 for a factor.
   double ShownUnits() const { return this->Term.IsNumeric ? this->Term.Deviation : 1.0; }
+};
+
+/// What a term of the model explains, given all others.
+struct TermEffect : TermDisplacement
+{
+  MultivariateTest Scores;   ///< on the scores of the first modes together
+  PermutationTest Points;    ///< at the points of the mean surface
+  Eigen::VectorXd Discovery; ///< false-discovery rates of Points.P
+  Eigen::VectorXd PartialR2;
 };
 
 struct EffectSettings

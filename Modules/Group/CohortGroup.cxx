@@ -1,6 +1,7 @@
 #include "CohortGroup.h"
 
 #include "CohortAlignment.h"
+#include "CohortAsymmetry.h"
 #include "CohortCorrespondence.h"
 #include "CohortEffectFiles.h"
 #include "CohortPage.h"
@@ -14,6 +15,7 @@
 #include "ModelSurface.h"
 #include "OutputFolder.h"
 #include "Progress.h"
+#include "RepeatedEffectFiles.h"
 #include "ShapeVector.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
@@ -204,7 +206,6 @@ std::string VarianceTable(const ShapeModes& modes)
   return text;
 }
 
-// Over the directions; of a surface model the radius of the ball of its volume.
 double MeanRadius(const OrganModel& model, const BodyMoments& body)
 {
   const auto* radial = std::get_if<RadialModel>(&model);
@@ -214,24 +215,18 @@ double MeanRadius(const OrganModel& model, const BodyMoments& body)
 
 std::string MeasureTable(const CohortGroup& group)
 {
-  const std::vector<std::string> columns{"volume_ml",      "area_mm2",
-                                         "mean_radius_mm", "semi_axis_1_mm",
-                                         "semi_axis_2_mm", "semi_axis_3_mm",
-                                         "centroid_x_mm",  "centroid_y_mm",
-                                         "centroid_z_mm",  "mask_ml",
-                                         "mean_mm",        "p95_mm",
-                                         "max_mm",         "dice"};
-  Eigen::MatrixXd numbers(static_cast<Eigen::Index>(group.Rows.size()),
-                          static_cast<Eigen::Index>(columns.size()));
+  std::vector<std::string> columns = FigureNames();
+  columns.insert(columns.end(), {"centroid_x_mm", "centroid_y_mm", "centroid_z_mm", "mask_ml",
+                                 "mean_mm", "p95_mm", "max_mm", "dice"});
+  const Eigen::MatrixXd figures = FiguresOf(group);
+  Eigen::MatrixXd numbers(figures.rows(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t row = 0; row < group.Rows.size(); ++row)
   {
     const FitResult& fit = group.Rows[row].Result;
-    const BodyMoments& body = group.Bodies[row];
-    numbers.row(static_cast<Eigen::Index>(row)) << body.Volume / 1000.0,
-        fit.ModelAreaSquareMillimeters, MeanRadius(group.Models[row], body), body.SemiAxes[0],
-        body.SemiAxes[1], body.SemiAxes[2], body.CentroidWorld[0], body.CentroidWorld[1],
-        body.CentroidWorld[2], fit.MaskMilliliters, fit.ModelToMask.Mean,
-        fit.ModelToMask.Percentile95, fit.ModelToMask.Maximum, fit.Dice;
+    const auto index = static_cast<Eigen::Index>(row);
+    numbers.row(index) << figures.row(index), group.Bodies[row].CentroidWorld.transpose(),
+        fit.MaskMilliliters, fit.ModelToMask.Mean, fit.ModelToMask.Percentile95,
+        fit.ModelToMask.Maximum, fit.Dice;
   }
   return CaseTable(group, columns, numbers);
 }
@@ -274,6 +269,14 @@ void WriteGroupFiles(const CohortGroup& group, const CohortOutput& output,
   if (output.Effects != nullptr)
   {
     WriteCohortEffects(group, *output.Effects, folder);
+  }
+  if (output.Repeated != nullptr)
+  {
+    WriteRepeatedEffects(group, *output.Repeated, folder);
+  }
+  if (output.Asymmetry != nullptr)
+  {
+    WriteCohortAsymmetry(group, *output.Asymmetry, folder);
   }
   if (output.Alignment != nullptr)
   {
@@ -381,6 +384,25 @@ CohortGroup MakeCohortGroup(const CohortTable& table, const std::filesystem::pat
   }
   Check(FindShapeModes(CoefficientsOf(group), group.Modes), folder.string());
   return group;
+}
+
+std::vector<std::string> FigureNames()
+{
+  return {"volume_ml",      "area_mm2",       "mean_radius_mm",
+          "semi_axis_1_mm", "semi_axis_2_mm", "semi_axis_3_mm"};
+}
+
+Eigen::MatrixXd FiguresOf(const CohortGroup& group)
+{
+  Eigen::MatrixXd figures(static_cast<Eigen::Index>(group.Rows.size()), 6);
+  for (std::size_t row = 0; row < group.Rows.size(); ++row)
+  {
+    const BodyMoments& body = group.Bodies[row];
+    figures.row(static_cast<Eigen::Index>(row)) << body.Volume / 1000.0,
+        group.Rows[row].Result.ModelAreaSquareMillimeters, MeanRadius(group.Models[row], body),
+        body.SemiAxes.transpose();
+  }
+  return figures;
 }
 
 void NumberCases(CohortGroup& group)

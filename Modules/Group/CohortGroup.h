@@ -68,14 +68,22 @@ PALPATEGROUP_EXPORT OrganModel ShapeOf(const CohortGroup& group, int mode, doubl
 
 /// The mean shape plus the modes times these scores (mm), one per mode.
 PALPATEGROUP_EXPORT OrganModel ShapeWith(const CohortGroup& group, const Eigen::VectorXd& scores);
+///@{ Figures of the bodies in their patients' frames: volume_ml, area_mm2, mean_radius_mm (over the
+/// directions; of a surface model that of the ball of its volume) and semi_axis_1_mm to
+/// semi_axis_3_mm; one case per row.
+PALPATEGROUP_EXPORT std::vector<std::string> FigureNames();
+PALPATEGROUP_EXPORT Eigen::MatrixXd FiguresOf(const CohortGroup& group);
+///@}
 /// mode_1, mode_2, ...: columns of tables.
 PALPATEGROUP_EXPORT std::vector<std::string> ModeNames(Eigen::Index count);
 
 struct CohortEffects;
 struct CohortQuality;
 struct CohortAlignment;
+struct CohortAsymmetry;
 struct CohortCorrespondence;
 struct CohortReparametrisation;
+struct RepeatedEffects;
 
 /// What is written of a group beside its shapes.
 struct CohortOutput
@@ -86,14 +94,17 @@ struct CohortOutput
   const CohortAlignment* Alignment = nullptr; ///< of axes Procrustes; may be null
   const CohortCorrespondence* Correspondence = nullptr;       ///< of the cases; may be null
   const CohortReparametrisation* Reparametrisation = nullptr; ///< may be null
+  const RepeatedEffects* Repeated = nullptr;  ///< of patients with several cases; may be null
+  const CohortAsymmetry* Asymmetry = nullptr; ///< of left and right; may be null
 };
 
 /// Writes coefficients.csv (one row per case, columns c_l_m, of surfaces x_l_m, y_l_m and z_l_m,
 /// mm), modes.csv (scores, mm), variance.csv (one row per mode), measures.csv, mean.json, mean.vtp,
 /// mode_K_minus.json and mode_K_plus.json (the mean and two standard deviations, for the first five
 /// modes), cohort.html, alignment.csv (AlignmentTable), correspondence.csv (CorrespondenceTable),
-/// reparametrisation.csv (ReparametrisationTable), and the files of WriteCohortEffects and
-/// WriteCohortQuality into the folder, all of them or none. Throws InputError.
+/// reparametrisation.csv (ReparametrisationTable), and the files of WriteCohortEffects,
+/// WriteRepeatedEffects, WriteCohortAsymmetry and WriteCohortQuality into the folder, all of them
+/// or none. Throws InputError.
 PALPATEGROUP_EXPORT void WriteCohortGroup(const CohortGroup& group, const CohortOutput& output,
                                           const std::filesystem::path& folder,
                                           const std::string& program);

@@ -1,11 +1,13 @@
 #include "CohortMethods.h"
 
 #include "CohortAlignment.h"
+#include "CohortAsymmetry.h"
 #include "CohortCorrespondence.h"
 #include "CohortEffectPage.h"
 #include "CohortQuality.h"
 #include "CohortReparametrisation.h"
 #include "DecimalText.h"
+#include "RepeatedEffectFiles.h"
 #include "SoftwareVersions.h"
 
 #include <algorithm>
@@ -174,6 +176,14 @@ std::vector<std::string> CohortMethods(const CohortGroup& group, const CohortOut
   if (output.Effects != nullptr)
   {
     paragraphs.push_back(CohortEffectMethods(*output.Effects));
+  }
+  if (output.Repeated != nullptr)
+  {
+    paragraphs.push_back(RepeatedEffectMethods(*output.Repeated));
+  }
+  if (output.Asymmetry != nullptr)
+  {
+    paragraphs.push_back(CohortAsymmetryMethods(*output.Asymmetry));
   }
   paragraphs.push_back(VersionsText(program));
   return paragraphs;

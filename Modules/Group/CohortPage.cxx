@@ -1,6 +1,7 @@
 #include "CohortPage.h"
 
 #include "AnatomicalView.h"
+#include "CohortAsymmetry.h"
 #include "CohortCorrespondencePage.h"
 #include "CohortEffectPage.h"
 #include "CohortMethods.h"
@@ -8,6 +9,7 @@
 #include "CohortReparametrisation.h"
 #include "DecimalText.h"
 #include "ModeSlider.h"
+#include "RepeatedEffectFiles.h"
 #include "ReportPage.h"
 #include "ReportTable.h"
 #include "ShapeFigures.h"
@@ -151,6 +153,14 @@ std::string CohortPage(const CohortGroup& group, const CohortOutput& output, dou
   if (output.Effects != nullptr)
   {
     AddCohortEffects(page, *output.Effects);
+  }
+  if (output.Repeated != nullptr)
+  {
+    AddRepeatedEffects(page, *output.Repeated);
+  }
+  if (output.Asymmetry != nullptr)
+  {
+    AddCohortAsymmetry(page, *output.Asymmetry);
   }
   if (output.Quality != nullptr)
   {

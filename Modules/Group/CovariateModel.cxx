@@ -4,9 +4,9 @@
 #include "CovariateFile.h"
 #include "DecimalText.h"
 #include "InputError.h"
-#include "RepeatedScans.h"
 #include "VarianceInflation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -14,8 +14,54 @@ namespace palpate
 {
 namespace
 {
-CovariateTable TableOf(const CohortGroup& group, const CovariateRequest& request,
-                       std::vector<std::string>& notes)
+void NoteMissingCodes(const CovariateTable& table, const ModelFormula& formula,
+                      std::vector<std::string>& notes)
+{
+  for (const std::string& name : formula.Columns())
+  {
+    const Covariate* column = table.Find(name);
+    const double code = column == nullptr ? NAN : column->LikelyMissingCode();
+    if (!std::isnan(code))
+    {
+      notes.push_back(name + " is " + SignificantText(code, 6) +
+                      " in some cases, which looks like a code for a missing value and was taken "
+                      "for a number; if it is one, leave these cells empty");
+    }
+  }
+}
+
+// Without one, an empty formula.
+ModelFormula FormulaOf(const CovariateRequest& request)
+{
+  ModelFormula formula;
+  const RepeatedColumns& repeated = request.Repeated;
+  if (!repeated.Time.empty() && repeated.Patient.empty())
+  {
+    throw InputError("a time needs a column of patients with several cases (--repeated)");
+  }
+  const auto parse = [&](const std::string& text)
+  {
+    if (const Status status = ModelFormula::Parse(text, formula); !status.IsOk())
+    {
+      throw InputError(status.Message());
+    }
+  };
+  if (!request.Formula.empty())
+  {
+    parse(request.Formula);
+  }
+  const std::vector<std::string> columns = formula.Columns();
+  if (!repeated.Time.empty() &&
+      std::find(columns.begin(), columns.end(), repeated.Time) == columns.end())
+  {
+    parse((request.Formula.empty() ? "~" : request.Formula + " +") + " `" + repeated.Time + "`");
+  }
+  return formula;
+}
+} // namespace
+
+CovariateTable CovariatesOf(const CohortGroup& group, const CovariateRequest& request,
+                            std::vector<std::string>& notes)
 {
   std::vector<std::string> cases;
   std::vector<std::string> volumes;
@@ -33,71 +79,46 @@ CovariateTable TableOf(const CohortGroup& group, const CovariateRequest& request
   table.Add("area_mm2", areas);
   return table;
 }
-void NoteMissingCodes(const CovariateTable& table, const ModelFormula& formula,
-                      std::vector<std::string>& notes)
-{
-  for (const std::string& name : formula.Columns())
-  {
-    const Covariate* column = table.Find(name);
-    const double code = column == nullptr ? NAN : column->LikelyMissingCode();
-    if (!std::isnan(code))
-    {
-      notes.push_back(name + " is " + SignificantText(code, 6) +
-                      " in some cases, which looks like a code for a missing value and was taken "
-                      "for a number; if it is one, leave these cells empty");
-    }
-  }
-}
-} // namespace
 
 CovariateModel::CovariateModel(const CohortGroup& group, const CovariateRequest& request,
                                std::vector<std::string>& notes, const KernelProgress& progress)
-    : Patient(request.Patient), Table({})
 {
-  if (request.Formula.empty())
+  const ModelFormula formula = FormulaOf(request);
+  if (formula.Terms().empty())
   {
-    if (!request.File.empty() || !request.Patient.empty())
+    if ((!request.File.empty() && !request.IsForSides) || !request.Repeated.Patient.empty())
     {
       throw InputError("covariates need a formula, such as \"~ age\"");
     }
     return;
   }
-  if (const Status status = ModelFormula::Parse(request.Formula, this->Formula); !status.IsOk())
-  {
-    throw InputError(status.Message());
-  }
-  this->Table = TableOf(group, request, notes);
-  NoteMissingCodes(this->Table, this->Formula, notes);
-  if (!this->Patient.empty())
-  {
-    notes.push_back("repeated.R fits the model with a random intercept per " + this->Patient +
-                    "; tests here would take the cases of a patient for independent ones and are "
-                    "left out");
-    return;
-  }
+  const CovariateTable table = CovariatesOf(group, request, notes);
+  NoteMissingCodes(table, formula, notes);
   std::map<std::string, std::string> references;
   if (const Status status = ParseReferences(request.References, references); !status.IsOk())
   {
     throw InputError(status.Message());
   }
-  this->Tested =
-      FindCohortEffects(group, this->Table, this->Formula, references, request.Effects, progress);
-  const LinearDesign& design = this->Tested->Design;
+  if (request.Repeated.Patient.empty())
+  {
+    this->Tested = FindCohortEffects(group, table, formula, references, request.Effects, progress);
+  }
+  else if (request.Effects.BeyondModes > 0)
+  {
+    throw InputError("tests beyond modes are not for patients with several cases");
+  }
+  else
+  {
+    this->Mixed =
+        FindRepeatedEffects(group, table, formula, references, request.Repeated, notes, progress);
+  }
+  const LinearDesign& design = this->Tested ? this->Tested->Design : this->Mixed->Design;
   const std::vector<std::string> inflated = InflationNotes(design);
   notes.insert(notes.end(), inflated.begin(), inflated.end());
   if (!design.Omitted.empty())
   {
     notes.push_back(design.OmissionText() + "; the first is " +
                     group.Rows[design.Omitted.front()].Case);
-  }
-}
-
-void CovariateModel::WriteRepeated(const CohortGroup& group,
-                                   const std::filesystem::path& folder) const
-{
-  if (!this->Patient.empty())
-  {
-    WriteRepeatedScans(group, this->Table, this->Formula, this->Patient, folder);
   }
 }
 } // namespace palpate

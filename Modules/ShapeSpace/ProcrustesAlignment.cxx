@@ -1,6 +1,7 @@
 #include "ProcrustesAlignment.h"
 
 #include "ModelMeasures.h"
+#include "ShapeMirror.h"
 #include "ShapeVector.h"
 
 #include <Eigen/Geometry>
@@ -15,17 +16,6 @@ namespace palpate
 namespace
 {
 constexpr double RoundsShare = 0.7; // of the progress; the rest is flips
-
-// x to -x. A surface's parameters are mirrored too, so that it stays outside out.
-OrganModel MirrorImage(const OrganModel& shape)
-{
-  const Matrix3 mirror = Vector3(-1.0, 1.0, 1.0).asDiagonal();
-  if (std::holds_alternative<RadialModel>(shape))
-  {
-    return TurnShape(shape, {Matrix3::Identity(), mirror});
-  }
-  return TurnShape(shape, {mirror, mirror});
-}
 
 OrganModel Scaled(const OrganModel& shape, double factor)
 {
@@ -150,7 +140,7 @@ bool CompareWithFlips(const KernelProgress& progress, ProcrustesResult& result)
         one.FlipAxis = axis;
       }
     }
-    one.MirroredResidual = mean.Fit(MirrorImage(aligned), {}).ShapeResidual;
+    one.MirroredResidual = mean.Fit(MirrorShape(aligned), {}).ShapeResidual;
   }
   return true;
 }

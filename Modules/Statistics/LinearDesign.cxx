@@ -59,14 +59,14 @@ Status CheckColumns(const CovariateTable& table, const ModelFormula& formula)
   return Status::Success();
 }
 
-void KeepCompleteCases(const CovariateTable& table, const ModelFormula& formula,
+void KeepCompleteCases(const CovariateTable& table, const std::vector<std::string>& columns,
                        LinearDesign& design)
 {
   std::set<std::string> lacking;
   for (std::size_t row = 0; row < table.Cases().size(); ++row)
   {
     bool isComplete = true;
-    for (const std::string& name : formula.Columns())
+    for (const std::string& name : columns)
     {
       if (table.Find(name)->IsMissing(row))
       {
@@ -337,18 +337,21 @@ Status ParseReferences(const std::vector<std::string>& texts,
 }
 
 Status MakeLinearDesign(const CovariateTable& table, const ModelFormula& formula,
-                        const std::map<std::string, std::string>& references, LinearDesign& design)
+                        const std::map<std::string, std::string>& references, LinearDesign& design,
+                        const std::vector<std::string>& needed)
 {
   design = LinearDesign();
   if (Status status = CheckColumns(table, formula); !status.IsOk())
   {
     return status;
   }
-  KeepCompleteCases(table, formula, design);
+  std::vector<std::string> columns = formula.Columns();
+  columns.insert(columns.end(), needed.begin(), needed.end());
+  KeepCompleteCases(table, columns, design);
   if (design.Cases.size() < FewestCases)
   {
     return Status::Failure("only " + std::to_string(design.Cases.size()) +
-                           " cases have a value of each of " + Listed(formula.Columns()) +
+                           " cases have a value of each of " + Listed(columns) +
                            "; a linear model needs at least 3");
   }
   design.Matrix = Eigen::MatrixXd::Ones(static_cast<Eigen::Index>(design.Cases.size()), 1);

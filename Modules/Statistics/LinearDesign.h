@@ -46,12 +46,13 @@ Status ParseReferences(const std::vector<std::string>& texts,
 
 /// Makes the design of a formula. `references` has the reference level of factors (columns), whose
 /// default is the first one in the order of their bytes. Cases that lack a value of a used column
-/// are omitted. Fails, with a sentence that names what is wrong, if a column is unknown, a category
-/// is used as a number or has as many levels as cases, a factor has one level, a logarithm or root
-/// is not defined, an interaction lacks its parts, a column of the matrix is a combination of those
-/// before it, or the kept cases are no more than the columns.
+/// or of a `needed` one are omitted. Fails, with a sentence that names what is wrong, if a column
+/// is unknown, a category is used as a number or has as many levels as cases, a factor has one
+/// level, a logarithm or root is not defined, an interaction lacks its parts, a column of the
+/// matrix is a combination of those before it, or the kept cases are no more than the columns.
 Status MakeLinearDesign(const CovariateTable& table, const ModelFormula& formula,
-                        const std::map<std::string, std::string>& references, LinearDesign& design);
+                        const std::map<std::string, std::string>& references, LinearDesign& design,
+                        const std::vector<std::string>& needed = {});
 
 /// The design with further columns, one per column of `values`, a row per kept case. They belong to
 /// no term, so all terms are tested given them.

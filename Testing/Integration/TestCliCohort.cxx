@@ -489,6 +489,55 @@ TEST_F(CliCovariates, AnonymousOutputNumbersCasesThatWereMatchedByName)
   EXPECT_FALSE(std::filesystem::exists(this->Folder / "shared/cohort.csv")) << "it names masks";
 }
 
+TEST_F(CliCovariates, OfRepeatedScansAreTestedByMixedModelsThatNameNobody)
+{
+  this->FromMasks("~ age");
+  std::string table = "case,patient,months\n";
+  for (int i = 0; i < 10; ++i)
+  {
+    table += "p0" + std::to_string(i) + "_scan,q" + std::to_string(i / 2) + "," +
+             std::to_string(i % 2 * 6) + "\n";
+  }
+  WriteAll(this->Folder / "scans.csv", table);
+  const CommandRun run = this->Cohort({"--covariates", "scans.csv", "--repeated", "patient",
+                                       "--time", "months", "--anonymous", "--output", "shared"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "~ months, random intercept of each patient; 10 cases of 5 patients"))
+      << run.Output;
+  EXPECT_TRUE(Has(run.Errors + run.Output, "the times are too few")) << run.Errors;
+  const std::vector<palpate::CsvRecord> rows =
+      CsvRecordsIn(ReadAll(this->Folder / "shared/repeated.csv"));
+  ASSERT_GT(rows.size(), 6U);
+  EXPECT_EQ(*rows[0].Find("figure"), "volume_ml");
+  EXPECT_EQ(*rows[0].Find("degrees"), *rows[0].Find("term_df2"));
+  const std::string page = ReadAll(this->Folder / "shared/cohort.html");
+  EXPECT_TRUE(Has(page, "Repeated scans"));
+  EXPECT_FALSE(Has(page, "_scan"));
+}
+
+TEST_F(CliCovariates, SidesAreComparedInPairsAndInTheMidline)
+{
+  this->FromMasks("~ age");
+  CommandRun run = this->Cohort({"--asymmetry", "midline", "--permutations", "199"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "asymmetry of 10 shapes against their mirror images")) << run.Output;
+  EXPECT_TRUE(Has(ReadAll(this->Folder / "out/cohort.html"), "Asymmetry"));
+  std::string table = "case,patient,side\n";
+  for (int i = 0; i < 10; ++i)
+  {
+    table += "p0" + std::to_string(i) + "_scan,q" + std::to_string(i / 2) +
+             (i % 2 == 0 ? ",left\n" : ",right\n");
+  }
+  WriteAll(this->Folder / "sides.csv", table);
+  run = this->Cohort(
+      {"--asymmetry", "patient,side", "--covariates", "sides.csv", "--permutations", "199"});
+  EXPECT_EQ(run.Code, 0) << run.Errors;
+  EXPECT_TRUE(Has(run.Output, "asymmetry of 5 pairs")) << run.Output;
+  EXPECT_EQ(CsvRecordsIn(ReadAll(this->Folder / "out/asymmetry.csv")).size(), 5U);
+  EXPECT_EQ(this->Cohort({"--asymmetry", "patient,side"}).Code, 2);
+  EXPECT_EQ(this->Cohort({"--asymmetry", "middle"}).Code, 2);
+}
+
 TEST_F(CliCovariates, AreRefusedInOneSentence)
 {
   this->FromMasks("~ age");

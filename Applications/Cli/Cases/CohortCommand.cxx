@@ -15,6 +15,7 @@
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
+#include "RepeatedEffectFiles.h"
 #include "ScreenText.h"
 #include "ShapeSynthesis.h"
 
@@ -55,11 +56,28 @@ CohortTable JoinCohorts(const std::vector<std::string>& folders,
 // Without cohort.csv, which is read before it is replaced, and those of --export.
 std::vector<std::string> WrittenNames()
 {
-  return {"cohort.html",        "mean.json",     "mean.vtp",      "shape.json",
-          "coefficients.csv",   "modes.csv",     "variance.csv",  "measures.csv",
-          "effects.csv",        "effects.vtp",   "design.csv",    "alignment.csv",
-          "correspondence.csv", "distances.csv", "distances.vtp", "reparametrisation.csv",
-          "model_quality.csv",  "repeated.csv",  "repeated.R"};
+  return {"cohort.html",
+          "mean.json",
+          "mean.vtp",
+          "shape.json",
+          "coefficients.csv",
+          "modes.csv",
+          "variance.csv",
+          "measures.csv",
+          "effects.csv",
+          "effects.vtp",
+          "design.csv",
+          "alignment.csv",
+          "correspondence.csv",
+          "distances.csv",
+          "distances.vtp",
+          "reparametrisation.csv",
+          "model_quality.csv",
+          "repeated.csv",
+          "repeated_variances.csv",
+          "asymmetry.csv",
+          "asymmetry_anova.csv",
+          "asymmetry.vtp"};
 }
 } // namespace
 
@@ -70,6 +88,10 @@ std::string CohortCommand::Examples() const
          "  palpate cohort a b c --output all       cases that were fitted separately\n"
          "  palpate cohort out --covariates patients.csv --formula \"~ age + log(psa) + center\"\n"
          "                                          what explains the shape, with p-values\n"
+         "  palpate cohort out --covariates scans.csv --repeated patient --time months --formula "
+         "\"~ "
+         "months * drug\"\n"
+         "                                          patients who were scanned several times\n"
          "  palpate cohort out --masks glands --covariates patients.csv --formula \"~ age\"\n"
          "                                          the same from the masks, in one command";
 }
@@ -174,11 +196,39 @@ void CohortCommand::DeclareCovariates(CLI::App& app)
   app.add_option("--seed", this->Request.Effects.Permutations.Seed,
                  "Of permutations and random shapes")
       ->capture_default_str();
-  app.add_option("--repeated", this->Request.Patient,
-                 "Column with the patients, of whom some have several cases: writes a script for R "
-                 "instead of tests")
-      ->type_name("COLUMN")
-      ->excludes(app.get_option("--anonymous"));
+  app.add_option("--repeated", this->Request.Repeated.Patient,
+                 "Column with the patients, of whom some have several cases: mixed models with a "
+                 "random intercept of each patient instead of permutations")
+      ->type_name("COLUMN");
+  app.add_option("--time", this->Request.Repeated.Time,
+                 "Column with the time of each case, part of the formula: with --repeated also a "
+                 "random slope of each patient")
+      ->type_name("COLUMN");
+  app.add_option("--asymmetry", this->Sides,
+                 "Compare left with right: midline for organs and their own mirror images, or the "
+                 "columns of patient and side (left, right) of pairs, as PATIENT,SIDE")
+      ->delimiter(',')
+      ->expected(1, 2)
+      ->type_name("midline|COLUMN,COLUMN");
+}
+
+std::vector<SidePair> CohortCommand::PairSides(CohortGroup& group,
+                                               std::vector<std::string>& notes) const
+{
+  if (this->Sides.size() != 2)
+  {
+    return {};
+  }
+  if (this->Request.File.empty())
+  {
+    throw InputError("--asymmetry of pairs needs --covariates with " + this->Sides[0] + " and " +
+                     this->Sides[1]);
+  }
+  std::vector<std::string> ofTable; // told with the covariates
+  const CovariateTable table = CovariatesOf(group, this->Request, ofTable);
+  std::vector<SidePair> pairs = FindSidePairs(group, table, this->Sides[0], this->Sides[1], notes);
+  MirrorRightSides(group, pairs);
+  return pairs;
 }
 
 int CohortCommand::FitMasks(Console& console) const
@@ -206,6 +256,10 @@ int CohortCommand::FitMasks(Console& console) const
 
 void CohortCommand::CheckOutputs() const
 {
+  if (this->Sides.size() == 1 && this->Sides.front() != "midline")
+  {
+    throw InputError("--asymmetry is midline or two columns, such as patient,side");
+  }
   if (this->OutputFolder.empty() && this->Folders.size() > 1)
   {
     throw InputError("--output is required for several cohorts: the folder of their joint results");
@@ -238,7 +292,8 @@ void CohortCommand::WriteOthers(const CohortGroup& group, const CohortTable& tab
 }
 
 void CohortCommand::Print(const CohortGroup& group, const std::vector<std::string>& notes,
-                          const CohortEffects* effects, Console& console) const
+                          const CovariateModel& model, const std::string& asymmetry,
+                          Console& console) const
 {
   for (const CohortNote& note : group.Notes)
   {
@@ -248,10 +303,15 @@ void CohortCommand::Print(const CohortGroup& group, const std::vector<std::strin
   {
     console.Note(note);
   }
-  if (effects != nullptr)
+  if (model.Effects() != nullptr)
   {
-    console.Output() << CohortEffectText(*effects);
+    console.Output() << CohortEffectText(*model.Effects());
   }
+  if (model.Repeated() != nullptr)
+  {
+    console.Output() << RepeatedEffectText(*model.Repeated());
+  }
+  console.Output() << asymmetry;
   console.Output() << group.Rows.size() << " cases, degree " << DegreeOf(group.Models.front())
                    << ", " << group.Modes.Modes.cols() << " modes";
   if (group.Modes.Modes.cols() > 0)
@@ -276,6 +336,8 @@ int CohortCommand::Run(Console& console)
       MakeCohortGroup(table, output, this->Label,
                       this->Axes == "ellipsoid" ? AlignmentAxes::Ellipsoid : AlignmentAxes::Patient,
                       stage("models"));
+  std::vector<std::string> notes;
+  const std::vector<SidePair> pairs = this->PairSides(group, notes);
   const std::optional<CohortAlignment> alignment = this->Align(group, stage("alignment"));
   RandomShapeSettings random;
   random.Seed = this->Request.Effects.Permutations.Seed;
@@ -288,8 +350,14 @@ int CohortCommand::Run(Console& console)
   {
     SynthesizeShape(group, this->Shape); // a mistake in it is told before the long work
   }
-  std::vector<std::string> notes;
-  const CovariateModel model(group, this->Request, notes, stage("permutations"));
+  CovariateRequest request = this->Request;
+  request.IsForSides = this->Sides.size() == 2;
+  const CovariateModel model(group, request, notes, stage("permutations"));
+  std::optional<CohortAsymmetry> asymmetry;
+  if (!this->Sides.empty())
+  {
+    asymmetry = FindCohortAsymmetry(group, pairs, request.Effects.Permutations, stage("sides"));
+  }
   console.EndProgress();
   if (this->IsAnonymous)
   {
@@ -302,11 +370,11 @@ int CohortCommand::Run(Console& console)
   console.EndProgress();
   WriteCohortGroup(group,
                    {model.Effects(), this->ShowsNames, &quality, alignment ? &*alignment : nullptr,
-                    &correspondence, moved ? &*moved : nullptr},
+                    &correspondence, moved ? &*moved : nullptr, model.Repeated(),
+                    asymmetry ? &*asymmetry : nullptr},
                    output, ProgramVersion());
-  model.WriteRepeated(group, output);
   this->WriteOthers(group, table, console);
-  this->Print(group, notes, model.Effects(), console);
+  this->Print(group, notes, model, asymmetry ? asymmetry->Text() : std::string(), console);
   return code;
 }
 } // namespace palpate::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CohortAlignment.h"
+#include "CohortAsymmetry.h"
 #include "Command.h"
 #include "CovariateModel.h"
 #include "FitOptions.h"
@@ -37,11 +38,13 @@ private:
   }
   void CheckOutputs() const;
   int FitMasks(Console& console) const;
+  /// Of --asymmetry by columns; right sides become their mirror images.
+  std::vector<SidePair> PairSides(CohortGroup& group, std::vector<std::string>& notes) const;
   std::optional<CohortAlignment> Align(CohortGroup& group, const KernelProgress& progress) const;
   /// Exports, the synthesised shape, and the table of joined cohorts.
   void WriteOthers(const CohortGroup& group, const CohortTable& table, Console& console) const;
   void Print(const CohortGroup& group, const std::vector<std::string>& notes,
-             const CohortEffects* effects, Console& console) const;
+             const CovariateModel& model, const std::string& asymmetry, Console& console) const;
 
   std::vector<std::string> Folders;
   std::string Masks;
@@ -57,5 +60,6 @@ private:
   bool IsAnonymous = false;
   std::string Shape;
   CovariateRequest Request;
+  std::vector<std::string> Sides; ///< midline, or the columns of patient and side
 };
 } // namespace palpate::cli

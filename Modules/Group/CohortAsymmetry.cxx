@@ -1,0 +1,324 @@
+#include "CohortAsymmetry.h"
+
+#include "CohortEffectPage.h"
+#include "CohortEffects.h"
+#include "CsvText.h"
+#include "DecimalText.h"
+#include "FalseDiscovery.h"
+#include "InputError.h"
+#include "MappedMean.h"
+#include "ProcrustesAlignment.h"
+#include "Progress.h"
+#include "ReportPage.h"
+#include "ReportTable.h"
+#include "ShapeMirror.h"
+#include "ShapeVector.h"
+#include "SurfaceFile.h"
+#include "WholeFile.h"
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t FewestIndividuals = 3;
+constexpr double AlignmentShare = 0.5; // of the progress
+
+// Parameters of the mirror image of a surface start elsewhere than those of the other side.
+OrganModel MirroredTowards(const OrganModel& shape, const OrganModel& target)
+{
+  const OrganModel mirrored = MirrorShape(shape);
+  if (std::holds_alternative<RadialModel>(shape))
+  {
+    return mirrored;
+  }
+  const ShapeSuperposition superposition(target);
+  const SphereRotation start = superposition.StartFor(mirrored, Matrix3::Identity());
+  return TurnShape(mirrored, superposition.FitParameters(mirrored, start).Rotation);
+}
+
+/// Shapes of both sides, the right ones mirrored.
+struct ComparedSides
+{
+  std::vector<OrganModel> Left;
+  std::vector<OrganModel> Right;
+};
+
+ComparedSides PairedSides(const CohortGroup& group, const std::vector<SidePair>& pairs)
+{
+  ComparedSides sides;
+  for (const SidePair& pair : pairs)
+  {
+    sides.Left.push_back(group.Models[pair.Left]);
+    sides.Right.push_back(group.Models[pair.Right]);
+  }
+  return sides;
+}
+
+ComparedSides MirroredSides(const CohortGroup& group, const KernelProgress& progress)
+{
+  ComparedSides sides{group.Models, {}};
+  for (const OrganModel& model : group.Models)
+  {
+    sides.Right.push_back(MirroredTowards(model, model));
+  }
+  if (group.Axes != AlignmentAxes::Procrustes)
+  {
+    return sides;
+  }
+  std::vector<OrganModel> all = sides.Left;
+  all.insert(all.end(), sides.Right.begin(), sides.Right.end());
+  ProcrustesResult result;
+  if (const Status status =
+          AlignByProcrustes(all, nullptr, {}, result, PartOf(progress, 0.0, AlignmentShare));
+      !status.IsOk())
+  {
+    throw Cancelled();
+  }
+  const auto middle = result.Aligned.begin() + static_cast<std::ptrdiff_t>(sides.Left.size());
+  return {{result.Aligned.begin(), middle}, {middle, result.Aligned.end()}};
+}
+
+Eigen::MatrixXd RowsOf(const std::vector<OrganModel>& shapes)
+{
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(shapes.size()), VectorOf(shapes.front()).size());
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    rows.row(static_cast<Eigen::Index>(i)) = VectorOf(shapes[i]);
+  }
+  return rows;
+}
+
+// Over the surface, of displacements at its points, mm.
+double RmsOverPoints(const NormalDisplacement& surface, const Eigen::VectorXd& displacements)
+{
+  const Eigen::Map<const Eigen::ArrayXd> areas(surface.Areas.data(),
+                                               static_cast<Eigen::Index>(surface.Areas.size()));
+  return std::sqrt((areas * displacements.array().square()).sum() / areas.sum());
+}
+
+SideDifference DifferenceOf(const CohortGroup& group, const SidePair& rows, double shape,
+                            const OrganModel& left)
+{
+  const double leftVolume = group.Bodies[rows.Left].Volume;
+  const double rightVolume = group.Bodies[rows.Right].Volume;
+  return {rows, 200.0 * (leftVolume - rightVolume) / (leftVolume + rightVolume), shape,
+          100.0 * shape / RmsSizeOf(left)};
+}
+
+// Coordinates that mirroring keeps.
+Eigen::Index SymmetricCount(const OrganModel& like)
+{
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(VectorOf(like).size());
+  return (VectorOf(MirrorShape(ShapeFrom(ones, like))).array() > 0.0).count();
+}
+
+bool IsLeft(const std::string& side)
+{
+  const int letter = side.empty() ? 0 : std::tolower(static_cast<unsigned char>(side.front()));
+  if (letter != 'l' && letter != 'r')
+  {
+    throw InputError("the side \"" + side + "\" begins neither with l nor with r");
+  }
+  return letter == 'l';
+}
+
+const Covariate& SideColumn(const CovariateTable& table, const std::string& name)
+{
+  const Covariate* column = table.Find(name);
+  if (column == nullptr)
+  {
+    throw InputError("the covariates have no column " + name);
+  }
+  return *column;
+}
+
+using AnovaRow = std::pair<const char*, SideAnova::Effect>;
+std::array<AnovaRow, 3> AnovaRows(const SideAnova& anova)
+{
+  return {{{"individual", anova.Individual},
+           {"side (directional)", anova.Side},
+           {"individual x side (fluctuating)", anova.Interaction}}};
+}
+} // namespace
+
+std::vector<SidePair> FindSidePairs(const CohortGroup& group, const CovariateTable& table,
+                                    const std::string& individual, const std::string& side,
+                                    std::vector<std::string>& notes)
+{
+  const Covariate& individuals = SideColumn(table, individual);
+  const Covariate& sides = SideColumn(table, side);
+  std::map<std::string, std::array<std::optional<std::size_t>, 2>> found;
+  for (std::size_t row = 0; row < group.Rows.size(); ++row)
+  {
+    if (individuals.IsMissing(row) || sides.IsMissing(row))
+    {
+      continue;
+    }
+    std::optional<std::size_t>& place =
+        found[individuals.Texts()[row]][IsLeft(sides.Texts()[row]) ? 0 : 1];
+    if (place)
+    {
+      throw InputError(individuals.Texts()[row] + " has two cases of one side");
+    }
+    place = row;
+  }
+  std::vector<SidePair> pairs;
+  for (const auto& [name, rows] : found)
+  {
+    if (rows[0] && rows[1])
+    {
+      pairs.push_back({*rows[0], *rows[1]});
+    }
+  }
+  if (pairs.empty())
+  {
+    throw InputError("no " + individual + " has cases of both sides");
+  }
+  if (2 * pairs.size() < group.Rows.size())
+  {
+    notes.push_back(std::to_string(group.Rows.size() - 2 * pairs.size()) +
+                    " cases have no other side and are left out of the asymmetry");
+  }
+  return pairs;
+}
+
+void MirrorRightSides(CohortGroup& group, const std::vector<SidePair>& pairs)
+{
+  for (const SidePair& pair : pairs)
+  {
+    group.Models[pair.Right] = MirroredTowards(group.Models[pair.Right], group.Models[pair.Left]);
+  }
+  if (const Status status = FindShapeModes(CoefficientsOf(group), group.Modes); !status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+}
+
+CohortAsymmetry FindCohortAsymmetry(const CohortGroup& group, const std::vector<SidePair>& pairs,
+                                    const PermutationSettings& flips,
+                                    const KernelProgress& progress)
+{
+  CohortAsymmetry result;
+  result.IsPaired = !pairs.empty();
+  result.Flips = flips;
+  const ComparedSides sides =
+      result.IsPaired ? PairedSides(group, pairs) : MirroredSides(group, progress);
+  if (sides.Left.size() < FewestIndividuals)
+  {
+    throw InputError("asymmetry needs at least 3 individuals, but there are " +
+                     std::to_string(sides.Left.size()));
+  }
+  const Eigen::MatrixXd left = RowsOf(sides.Left);
+  const Eigen::MatrixXd right = RowsOf(sides.Right);
+  const Eigen::Index symmetric = result.IsPaired ? left.cols() : SymmetricCount(sides.Left.front());
+  result.Anova = FindSideAnova(left, right, symmetric,
+                               result.IsPaired ? left.cols() : left.cols() - symmetric);
+  const Eigen::VectorXd mean = 0.5 * (left + right).colwise().mean().transpose();
+  result.Surface = FindNormalDisplacement(ShapeFrom(mean, sides.Left.front()), EffectFrequency);
+  const Eigen::MatrixXd differences = (left - right) * result.Surface.PerCoefficient.transpose();
+  for (std::size_t i = 0; i < sides.Left.size(); ++i)
+  {
+    const double shape =
+        RmsOverPoints(result.Surface, differences.row(static_cast<Eigen::Index>(i)).transpose());
+    result.Individuals.push_back(
+        DifferenceOf(group, result.IsPaired ? pairs[i] : SidePair{i, i}, shape, sides.Left[i]));
+  }
+  if (!TestSides(differences, result.Surface.Areas, flips, PartOf(progress, AlignmentShare, 1.0),
+                 result.Points)
+           .IsOk())
+  {
+    throw Cancelled();
+  }
+  result.Discovery = FalseDiscoveryRates(result.Points.P);
+  return result;
+}
+
+std::string CohortAsymmetry::Text() const
+{
+  return "asymmetry of " + std::to_string(this->Individuals.size()) +
+         (this->IsPaired ? " pairs: directional "
+                         : " shapes against their mirror images: directional ") +
+         FixedText(RmsOverPoints(this->Surface, this->Points.Mean), 2) + " mm (F " +
+         SignificantText(this->Anova.SideF(), 3) + ", p " +
+         SignificantText(this->Points.WholeP, 3) + "), least p at a point " +
+         SignificantText(this->Points.FamilyP.minCoeff(), 3) + "; fluctuating " +
+         FixedText(RmsOverPoints(this->Surface, this->Points.Deviation), 2) + " mm\n";
+}
+
+void WriteCohortAsymmetry(const CohortGroup& group, const CohortAsymmetry& asymmetry,
+                          const std::filesystem::path& folder)
+{
+  std::string table =
+      CsvLine({"case", "other_side", "volume_percent", "shape_mm", "shape_percent"});
+  for (const SideDifference& one : asymmetry.Individuals)
+  {
+    table += CsvLine({group.Rows[one.Rows.Left].Case,
+                      asymmetry.IsPaired ? group.Rows[one.Rows.Right].Case : "mirror image",
+                      asymmetry.IsPaired ? ExactText(one.VolumePercent) : std::string(),
+                      ExactText(one.ShapeMillimeters), ExactText(one.ShapePercent)});
+  }
+  std::string anova = CsvLine({"effect", "squares_mm2", "degrees", "mean_square", "f", "p"});
+  for (const auto& [name, effect] : AnovaRows(asymmetry.Anova))
+  {
+    const bool isSide = effect.Squares == asymmetry.Anova.Side.Squares;
+    anova += CsvLine({name, ExactText(effect.Squares), ExactText(effect.Degrees),
+                      ExactText(effect.Mean()),
+                      isSide ? ExactText(asymmetry.Anova.SideF()) : std::string(),
+                      isSide ? ExactText(asymmetry.Points.WholeP) : std::string()});
+  }
+  WriteWholeFile(folder / "asymmetry.csv", table);
+  WriteWholeFile(folder / "asymmetry_anova.csv", anova);
+  const auto surface = MeanSurface(asymmetry.Surface);
+  AddPointMap(surface, "left minus right (mm)", asymmetry.Points.Mean);
+  AddPointMap(surface, "sd (mm)", asymmetry.Points.Deviation);
+  AddPointMap(surface, "t", asymmetry.Points.Statistic);
+  AddPointMap(surface, "p", asymmetry.Points.P);
+  AddPointMap(surface, "p family", asymmetry.Points.FamilyP);
+  AddPointMap(surface, "q", asymmetry.Discovery);
+  WriteSurface(folder / "asymmetry.vtp", surface);
+}
+
+void AddCohortAsymmetry(ReportPage& page, const CohortAsymmetry& asymmetry)
+{
+  page.Section("Asymmetry")
+      .Text(asymmetry.Text() +
+            (asymmetry.IsPaired
+                 ? "Right sides are mirrored; in the images red is where the left side is larger, "
+                   "blue where the right one is; "
+                 : "In the images red is where the shape stands out farther than on its other "
+                   "side, blue less far; ") +
+            "what is pale is not significant (maximum, 0.05).");
+  ReportTable table({"Effect", "squares, mm\xC2\xB2", "df", "mean square"});
+  for (const auto& [name, effect] : AnovaRows(asymmetry.Anova))
+  {
+    table.Text(name)
+        .Value(SignificantText(effect.Squares, 4))
+        .Value(SignificantText(effect.Degrees, 6))
+        .Value(SignificantText(effect.Mean(), 3));
+  }
+  page.Table(table);
+  AddMapFigures(page, "Directional asymmetry", asymmetry.Points.Mean,
+                asymmetry.Points.Mean.cwiseAbs().maxCoeff(), asymmetry.Points.FamilyP,
+                asymmetry.Surface);
+}
+
+std::string CohortAsymmetryMethods(const CohortAsymmetry& asymmetry)
+{
+  return std::string(
+             "Left and right were compared in an analysis of variance by individual and "
+             "side, summed over the coefficients (Klingenberg, Barluenga and Meyer 2002); ") +
+         (asymmetry.IsPaired ? "right sides were mirrored at the sagittal plane"
+                             : "the other side of a shape is its mirror image at the sagittal "
+                               "plane through its centre") +
+         ". The mean difference was tested by exchanging sides of random individuals, " +
+         std::to_string(asymmetry.Flips.Count) + " times, seed " +
+         std::to_string(asymmetry.Flips.Seed) +
+         ": as a whole, and at each point corrected for all by the largest t. Without repeated "
+         "measurements fluctuating asymmetry contains their error.";
+}
+} // namespace palpate
