@@ -82,6 +82,7 @@ std::string ConvertCommand::Examples() const
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
          "  palpate convert labels.nii.gz labels.seg.nrrd      for 3D Slicer, with names and "
          "colours\n"
+         "  palpate convert labels.seg.nrrd labels.txt         the names alone, for ITK-SNAP\n"
          "  palpate convert probability.nii.gz mask.nii.gz --threshold 0.5\n"
          "  palpate convert tilted.nii.gz upright.nii.gz --resample\n"
          "  palpate convert masks labels.seg.nrrd              a folder of masks, named by file\n"
@@ -186,14 +187,16 @@ void ConvertCommand::ConvertModel(Console& console) const
 
 void ConvertCommand::ConvertImage(Console& console)
 {
-  if (!IsWritableImage(this->Output))
+  const bool isText = IsLabelDescription(this->Output);
+  if (!IsWritableImage(this->Output) && !isText)
   {
     throw InputError(this->Output.string() + " is not an image file that can be written, but " +
                      this->Input.string() + " is read as an image; use " +
                      ListOfEndings(ImageFormats().WrittenEndings()) +
-                     ", or palpate mesh for a surface.");
+                     ", .txt for its names, or palpate mesh for a surface.");
   }
-  if (IsMaskFolder(this->Input) || !this->Label.empty() || IsSlicerSegmentation(this->Output))
+  if (IsMaskFolder(this->Input) || !this->Label.empty() || IsSlicerSegmentation(this->Output) ||
+      isText)
   {
     this->ConvertSegmentation(console);
     return;
@@ -207,24 +210,7 @@ void ConvertCommand::ConvertImage(Console& console)
     return;
   }
   PassOn(content.Labels->Notes, console);
-  this->WriteLabels(*content.Labels);
-}
-
-void ConvertCommand::WriteLabels(const Segmentation& segmentation) const
-{
-  if (IsSlicerSegmentation(this->Output))
-  {
-    WriteSegmentation(this->Output, segmentation);
-    return;
-  }
-  if (segmentation.Layers.size() != 1)
-  {
-    throw InputError(this->Input.string() + " has structures in " +
-                     std::to_string(segmentation.Layers.size()) +
-                     " layers, more than one image can hold; write .seg.nrrd, or choose a "
-                     "structure with --label.");
-  }
-  WriteImage(this->Output, segmentation.Layers.front());
+  WriteSegmentation(this->Output, *content.Labels);
 }
 
 Segmentation ConvertCommand::ReadLabels(Console& console)
@@ -255,6 +241,6 @@ void ConvertCommand::ConvertSegmentation(Console& console)
   const Segmentation chosen =
       this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label));
   RequireGoingOn();
-  this->WriteLabels(chosen);
+  WriteSegmentation(this->Output, chosen);
 }
 } // namespace palpate::cli

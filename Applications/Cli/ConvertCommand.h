@@ -32,7 +32,6 @@ private:
   void ConvertSegmentation(Console& console);
   /// Reads the input's segmentation, or the masks of its folder as one.
   Segmentation ReadLabels(Console& console);
-  void WriteLabels(const Segmentation& segmentation) const;
 
   std::filesystem::path Input;
   std::filesystem::path Output;

@@ -3,8 +3,10 @@
 #include "AtomicFile.h"
 #include "DecimalText.h"
 #include "FileFormat.h"
+#include "ImageWriter.h"
 #include "LabelStatistics.h"
 #include "Refusal.h"
+#include "WholeFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkMatrix3x3.h"
@@ -169,18 +171,53 @@ bool AppendVoxels(const std::filesystem::path& file, const Segmentation& segment
   }
   return gzflush(stream.get(), Z_FINISH) == Z_OK && isWritten;
 }
+// Without names, the file is as without a table.
+void WriteLabelMap(const std::filesystem::path& path, const Segmentation& segmentation)
+{
+  const std::size_t layers = segmentation.Layers.size();
+  if (layers != 1)
+  {
+    Refuse(segmentation.Source,
+           "has structures in " + std::to_string(layers) + " layers, more than one image can hold",
+           "write .seg.nrrd, or choose a structure (--label)");
+  }
+  const bool isNamed = std::any_of(segmentation.Segments.begin(), segmentation.Segments.end(),
+                                   [](const Segment& segment) { return !segment.Name.empty(); });
+  WriteImage(path, segmentation.Layers.front(), isNamed ? LabelsOf(segmentation) : LabelTable());
+}
 } // namespace
+
+LabelTable LabelsOf(const Segmentation& segmentation)
+{
+  LabelTable table;
+  for (const Segment& segment : segmentation.Segments)
+  {
+    table[segment.Label] = {segment.Name, segment.Color};
+  }
+  return table;
+}
 
 bool IsSlicerSegmentation(const std::filesystem::path& path)
 {
   return !EndingOf(path, {SegmentationEnding}).empty();
 }
 
+bool IsLabelDescription(const std::filesystem::path& path)
+{
+  return !EndingOf(path, {".txt", ".label"}).empty();
+}
+
 void WriteSegmentation(const std::filesystem::path& path, const Segmentation& segmentation)
 {
+  if (IsLabelDescription(path))
+  {
+    WriteWholeFile(path, ItkSnapTextOf(LabelsOf(segmentation)));
+    return;
+  }
   if (!IsSlicerSegmentation(path))
   {
-    Refuse(path, "does not have the ending of a segmentation", "use .seg.nrrd");
+    WriteLabelMap(path, segmentation);
+    return;
   }
   AtomicFile file(path);
   std::ofstream header(file.TemporaryPath(), std::ios::binary);

@@ -204,6 +204,18 @@ std::string NiftiBytes(const NiftiSpec& spec)
                     std::string(spec.VoxelCount() * static_cast<std::size_t>(spec.Bits) / 8, '\0'));
 }
 
+std::string WithNiftiExtension(std::string bytes, const std::string& text, std::int32_t code)
+{
+  const auto size = static_cast<std::int32_t>((text.size() + 8 + 15) / 16 * 16);
+  std::string extension = BytesOf(std::vector<std::int32_t>{size, code}) + text;
+  extension.resize(static_cast<std::size_t>(size), '\0');
+  bytes.insert(352, extension);
+  bytes[348] = 1;
+  const auto offset = static_cast<float>(352 + size);
+  std::memcpy(&bytes[108], &offset, sizeof offset);
+  return bytes;
+}
+
 std::string NrrdBytes(const std::vector<std::string>& lines, const std::string& voxels)
 {
   std::string bytes = "NRRD0005\n";
