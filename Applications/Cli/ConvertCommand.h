@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
 namespace palpate::cli
 {
 /// `palpate convert IN OUT`: models, surfaces and images from one format to another, by their
@@ -30,6 +32,9 @@ private:
   void ConvertTouch(Console& console) const;
   void ConvertImage(Console& console);
   void ConvertSegmentation(Console& console);
+  /// Throws InputError for --source and --contours where they mean nothing, or are missing.
+  void CheckDicomOptions() const;
+  void WriteSurfaceTo(vtkPolyData* surface) const;
   /// Reads the input's segmentation, or the masks of its folder as one.
   Segmentation ReadLabels(Console& console);
 
@@ -37,6 +42,8 @@ private:
   std::filesystem::path Output;
   CaseTally Tally; ///< of the masks of a folder
   std::string Label;
+  std::filesystem::path Source; ///< series of DICOM output
+  bool AsContours = false;
   ImageOptions Images;
   int Frequency = 20;
 };

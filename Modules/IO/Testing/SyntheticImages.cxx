@@ -285,6 +285,10 @@ void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& sp
   PutText(item, DCM_SOPInstanceUID, "1.2.3.4." + std::to_string(spec.Value));
   PutText(item, DCM_Modality, "MR");
   PutText(item, DCM_PatientName, "Secret^Patient");
+  PutText(item, DCM_PatientID, "secret-1");
+  PutText(item, DCM_InstitutionName, "Secret Clinic");
+  PutText(item, DCM_StudyInstanceUID, "1.2.3.1");
+  PutText(item, DCM_FrameOfReferenceUID, "1.2.3.2");
   PutText(item, DCM_SeriesInstanceUID, spec.SeriesUid);
   PutText(item, DCM_SeriesDescription, spec.Description);
   if (!spec.Date.empty())
