@@ -244,10 +244,11 @@ void ConvertCommand::ConvertImage(Console& console)
                               IsSlicerSegmentation(this->Output);
   if (!IsWritableImage(this->Output) && !isSegmentation)
   {
+    std::vector<std::string> endings = ImageFormats().WrittenEndings();
+    endings.insert(endings.end(), {".seg.nrrd", ".dcm", ".txt", ".label"});
     throw InputError(this->Output.string() + " is not an image file that can be written, but " +
-                     this->Input.string() + " is read as an image; use " +
-                     ListOfEndings(ImageFormats().WrittenEndings()) +
-                     ", .dcm, .txt for its names, or palpate mesh for a surface.");
+                     this->Input.string() + " is read as an image; use " + ListOfEndings(endings) +
+                     ", or palpate mesh for a surface.");
   }
   if (IsMaskFolder(this->Input) || !this->Label.empty() || isSegmentation)
   {

@@ -67,9 +67,9 @@ std::vector<SegmentFrame> FramesOf(const std::filesystem::path& path,
   return frames;
 }
 
-// Without padding between frames (PS3.5, 8.1.1).
+// Without padding between frames (PS3.5, 8.1.1). Takes the bits.
 std::vector<std::uint8_t> Packed(const std::filesystem::path& path,
-                                 const std::vector<SegmentFrame>& frames, std::size_t pixels)
+                                 std::vector<SegmentFrame>& frames, std::size_t pixels)
 {
   constexpr double Most = 4294967294.0; // an even length of 32 bits
   const double bytes = static_cast<double>(frames.size()) * static_cast<double>(pixels) / 8.0;
@@ -81,7 +81,7 @@ std::vector<std::uint8_t> Packed(const std::filesystem::path& path,
   CheckMemory(path, 2.0 * bytes);
   std::vector<std::uint8_t> packed((frames.size() * pixels + 15) / 16 * 2, 0);
   std::size_t place = 0;
-  for (const SegmentFrame& frame : frames)
+  for (SegmentFrame& frame : frames)
   {
     // A frame may begin within a byte.
     const std::size_t shift = place % 8;
@@ -95,6 +95,7 @@ std::vector<std::uint8_t> Packed(const std::filesystem::path& path,
       }
     }
     place += pixels;
+    frame.Bits = {};
   }
   return packed;
 }
@@ -227,7 +228,7 @@ bool WriteDicomSegmentation(const std::filesystem::path& path, const Segmentatio
 {
   const FramePlanes planes(GridOf(segmentation.Layers.front()), source,
                            FramePlanes::OtherVoxels::KeepOwn);
-  const std::vector<SegmentFrame> frames = FramesOf(path, segmentation, planes);
+  std::vector<SegmentFrame> frames = FramesOf(path, segmentation, planes);
   const ImageGrid& grid = planes.Grid();
   const std::vector<std::uint8_t> pixels =
       Packed(path, frames,

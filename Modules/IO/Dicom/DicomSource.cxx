@@ -8,6 +8,9 @@
 #include "RepeatedSlices.h"
 #include "SliceStack.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "dcmtk/config/osconfig.h"
 
 #include "dcmtk/dcmdata/dctk.h"
@@ -16,30 +19,8 @@ namespace palpate
 {
 namespace
 {
-// Patient, clinical trial subject left out; general study, patient study; frame of reference
-// (PS3.3, C.7.1.1, C.7.2.1, C.7.2.2, C.7.4.1).
-const DcmTagKey KeptTags[] = {DCM_PatientName,
-                              DCM_PatientID,
-                              DCM_IssuerOfPatientID,
-                              DCM_PatientBirthDate,
-                              DCM_PatientSex,
-                              DCM_PatientIdentityRemoved,
-                              DCM_DeidentificationMethod,
-                              DCM_DeidentificationMethodCodeSequence,
-                              DCM_StudyInstanceUID,
-                              DCM_StudyDate,
-                              DCM_StudyTime,
-                              DCM_StudyID,
-                              DCM_StudyDescription,
-                              DCM_AccessionNumber,
-                              DCM_ReferringPhysicianName,
-                              DCM_PatientAge,
-                              DCM_PatientSize,
-                              DCM_PatientWeight,
-                              DCM_FrameOfReferenceUID,
-                              DCM_PositionReferenceIndicator};
-
-// Of type 2: present even if they are empty.
+// Of patient, general and patient study, and frame of reference (PS3.3, C.7.1.1, C.7.2.1, C.7.2.2,
+// C.7.4.1): those that have to be present even if they are empty, and others.
 const DcmTagKey RequiredTags[] = {DCM_PatientName,
                                   DCM_PatientID,
                                   DCM_PatientBirthDate,
@@ -50,6 +31,16 @@ const DcmTagKey RequiredTags[] = {DCM_PatientName,
                                   DCM_AccessionNumber,
                                   DCM_ReferringPhysicianName,
                                   DCM_PositionReferenceIndicator};
+const DcmTagKey OptionalTags[] = {DCM_IssuerOfPatientID,
+                                  DCM_PatientIdentityRemoved,
+                                  DCM_DeidentificationMethod,
+                                  DCM_DeidentificationMethodCodeSequence,
+                                  DCM_StudyInstanceUID,
+                                  DCM_StudyDescription,
+                                  DCM_PatientAge,
+                                  DCM_PatientSize,
+                                  DCM_PatientWeight,
+                                  DCM_FrameOfReferenceUID};
 
 DicomSeries SeriesAt(const std::filesystem::path& path)
 {
@@ -68,21 +59,20 @@ DicomSeries SeriesAt(const std::filesystem::path& path)
 std::unique_ptr<DcmDataset> KeptOf(const std::filesystem::path& file, DcmItem& root)
 {
   auto kept = std::make_unique<DcmDataset>();
-  for (const DcmTagKey& tag : KeptTags)
+  for (const DcmTagKey& tag : RequiredTags)
+  {
+    PutDicomText(*kept, tag, "");
+  }
+  const auto keep = [&](const DcmTagKey& tag)
   {
     DcmElement* element = nullptr;
     if (root.findAndGetElement(tag, element, OFFalse, OFTrue).good())
     {
-      kept->insert(element);
+      kept->insert(element, OFTrue);
     }
-  }
-  for (const DcmTagKey& tag : RequiredTags)
-  {
-    if (!kept->tagExists(tag))
-    {
-      PutDicomText(*kept, tag, "");
-    }
-  }
+  };
+  std::for_each(std::begin(RequiredTags), std::end(RequiredTags), keep);
+  std::for_each(std::begin(OptionalTags), std::end(OptionalTags), keep);
   const std::string set = DicomText(root, DCM_SpecificCharacterSet);
   if (!set.empty() && set != "ISO_IR 6" && set != "ISO_IR 192")
   {
