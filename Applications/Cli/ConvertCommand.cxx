@@ -260,7 +260,8 @@ void ConvertCommand::ConvertImage(Console& console)
   if (content.Image)
   {
     PassOn(content.Image->Notes, console);
-    WriteImage(this->Output, content.Image->Image);
+    WriteImage(this->Output, content.Image->Image,
+               content.Labels ? LabelsOf(*content.Labels) : LabelTable());
     return;
   }
   PassOn(content.Labels->Notes, console);

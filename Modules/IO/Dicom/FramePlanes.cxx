@@ -13,7 +13,7 @@ namespace palpate
 {
 namespace
 {
-Eigen::Matrix3d StepsOf(const ImageGrid& grid)
+Eigen::Matrix3d VoxelSteps(const ImageGrid& grid)
 {
   return grid.Direction * grid.Spacing.asDiagonal();
 }
@@ -21,7 +21,7 @@ Eigen::Matrix3d StepsOf(const ImageGrid& grid)
 // From a voxel index of one grid to that of another one.
 Vector3 IndexIn(const ImageGrid& grid, const Vector3& pointWorld)
 {
-  return StepsOf(grid).inverse() * (pointWorld - grid.OriginWorld);
+  return VoxelSteps(grid).inverse() * (pointWorld - grid.OriginWorld);
 }
 
 Vector3 LastOf(const ImageGrid& grid)
@@ -44,7 +44,7 @@ std::pair<Vector3, Vector3> BoxIn(const ImageGrid& grid, const ImageGrid& of)
   for (int corner = 0; corner < 8; ++corner)
   {
     const Vector3 world =
-        of.OriginWorld + StepsOf(of) * CornerShare(corner).cwiseProduct(LastOf(of));
+        of.OriginWorld + VoxelSteps(of) * CornerShare(corner).cwiseProduct(LastOf(of));
     const Vector3 index = IndexIn(grid, world);
     least = least.cwiseMin(index);
     most = most.cwiseMax(index);
@@ -81,7 +81,7 @@ FramePlanes::FramePlanes(const ImageGrid& mask, const DicomSource& source, Other
            "specify the series that it was made on");
   }
   this->Start = IndexIn(mask, this->Planes.OriginWorld);
-  this->Steps = StepsOf(mask).inverse() * StepsOf(this->Planes);
+  this->Steps = VoxelSteps(mask).inverse() * VoxelSteps(this->Planes);
   const bool isInside = (least.array() > -0.5).all() && ((most - last).array() < 0.5).all();
   this->Exact = isInside && AreWhole(this->Start, this->Steps, last);
   if (!this->Exact && others == OtherVoxels::KeepOwn)
@@ -101,7 +101,7 @@ Vector3 FramePlanes::OriginWorld(int plane) const
 {
   return this->IsOnSeries()
              ? this->Origins[static_cast<std::size_t>(plane)]
-             : Vector3(this->Planes.OriginWorld + StepsOf(this->Planes) * Vector3(0, 0, plane));
+             : Vector3(this->Planes.OriginWorld + VoxelSteps(this->Planes) * Vector3(0, 0, plane));
 }
 
 void FramePlanes::Read(vtkImageData* layer, int plane, std::vector<int>& values) const

@@ -104,9 +104,10 @@ std::string CData(std::string text)
 
 std::optional<LabelTable> LabelsOfCaret(const std::string& xml)
 {
-  // Entities could expand to gigabytes; these texts have none.
-  const bool isBounded =
-      xml.size() <= std::numeric_limits<int>::max() && xml.find("<!ENTITY") == std::string::npos;
+  // Entities could expand to gigabytes; these texts have none, and are not in UTF-16.
+  const bool isBounded = xml.size() <= std::numeric_limits<int>::max() &&
+                         xml.find("<!ENTITY") == std::string::npos &&
+                         xml.find('\0') == std::string::npos;
   vtkNew<CaretParser> parser;
   const bool isXml = isBounded && parser->InitializeParser() != 0 &&
                      parser->ParseChunk(xml.data(), static_cast<unsigned int>(xml.size())) != 0;

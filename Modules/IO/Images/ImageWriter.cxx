@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -119,7 +120,9 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image, const La
   try
   {
     format->Write(file.TemporaryPath(), image, voxels);
-    if (format->AddLabels && !labels.empty())
+    if (format->AddLabels &&
+        std::any_of(labels.begin(), labels.end(),
+                    [](const auto& label) { return !label.second.Name.empty(); }))
     {
       format->AddLabels(file.TemporaryPath(), voxels, labels);
     }

@@ -173,7 +173,6 @@ bool AppendVoxels(const std::filesystem::path& file, const Segmentation& segment
   }
   return gzflush(stream.get(), Z_FINISH) == Z_OK && isWritten;
 }
-// Without names, the file is as without a table.
 void WriteLabelMap(const std::filesystem::path& path, const Segmentation& segmentation)
 {
   const std::size_t layers = segmentation.Layers.size();
@@ -183,9 +182,7 @@ void WriteLabelMap(const std::filesystem::path& path, const Segmentation& segmen
            "has structures in " + std::to_string(layers) + " layers, more than one image can hold",
            "write .seg.nrrd, or choose a structure (--label)");
   }
-  const bool isNamed = std::any_of(segmentation.Segments.begin(), segmentation.Segments.end(),
-                                   [](const Segment& segment) { return !segment.Name.empty(); });
-  WriteImage(path, segmentation.Layers.front(), isNamed ? LabelsOf(segmentation) : LabelTable());
+  WriteImage(path, segmentation.Layers.front(), LabelsOf(segmentation));
 }
 } // namespace
 
