@@ -273,11 +273,14 @@ TEST_F(DicomWriting, RejectsSeriesElsewhere)
 {
   const SourceSeries series(this->Images, Oblique(11));
   Segmentation mask = this->Mask(series);
-  mask.Layers[0]->SetOrigin(500.0, 0.0, 0.0);
   const DicomSource source(this->Images);
-  EXPECT_NE(
-      MessageOf([&] { WriteDicomSegmentation(this->File, mask, source); }).find("lies outside of"),
-      std::string::npos);
+  for (const double offset : {500.0, -500.0})
+  {
+    mask.Layers[0]->SetOrigin(offset, offset, offset);
+    const std::string message =
+        MessageOf([&] { WriteDicomSegmentation(this->File, mask, source); });
+    EXPECT_NE(message.find("lies outside of"), std::string::npos) << message;
+  }
   EXPECT_FALSE(std::filesystem::exists(this->File));
 }
 
