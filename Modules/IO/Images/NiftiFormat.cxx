@@ -45,6 +45,7 @@ void WriteNifti(const std::filesystem::path& file, vtkImageData* image, vtkDataA
 {
   WriteWithItk(ItkFormat::Nifti, file, image, voxels, !EndingOf(file, {".gz"}).empty());
 }
+
 // The extension of a header: its size, a multiple of 16, its code, its text, zeros.
 std::string CaretExtension(const LabelTable& labels)
 {
@@ -57,20 +58,6 @@ std::string CaretExtension(const LabelTable& labels)
   bytes += text;
   bytes.resize(static_cast<std::size_t>(head[0]), '\0');
   return bytes;
-}
-
-void WriteBytes(gzFile_s* stream, const void* bytes, std::size_t count)
-{
-  constexpr std::size_t AtOnce = std::size_t{1} << 20;
-  const auto* next = static_cast<const char*>(bytes);
-  for (std::size_t part = 0; count > 0; next += part, count -= part)
-  {
-    part = std::min(count, AtOnce);
-    if (gzwrite(stream, next, static_cast<unsigned int>(part)) != static_cast<int>(part))
-    {
-      throw std::runtime_error("writing stopped early");
-    }
-  }
 }
 
 // ITK writes a header without extensions, which stays but for the place of the voxels.
@@ -88,16 +75,12 @@ void AddNiftiLabels(const std::filesystem::path& file, vtkDataArray* voxels,
   header[MarkPlace] = 1;
   const char* mode = written.IsCompressed() ? "wb6" : "wbT";
   std::unique_ptr<gzFile_s, int (*)(gzFile_s*)> stream(gzopen(file.c_str(), mode), gzclose);
-  if (!stream)
-  {
-    throw std::runtime_error("cannot be opened");
-  }
-  WriteBytes(stream.get(), header.data(), header.size());
-  WriteBytes(stream.get(), extension.data(), extension.size());
-  WriteBytes(stream.get(), voxels->GetVoidPointer(0),
-             static_cast<std::size_t>(voxels->GetNumberOfValues()) *
-                 static_cast<std::size_t>(voxels->GetDataTypeSize()));
-  if (gzclose(stream.release()) != Z_OK)
+  const auto count = static_cast<std::size_t>(voxels->GetNumberOfValues());
+  const auto size = static_cast<std::size_t>(voxels->GetDataTypeSize());
+  header += extension;
+  if (!stream || gzfwrite(header.data(), header.size(), 1, stream.get()) != 1 ||
+      gzfwrite(voxels->GetVoidPointer(0), size, count, stream.get()) != count ||
+      gzclose(stream.release()) != Z_OK)
   {
     throw std::runtime_error("writing stopped early");
   }

@@ -225,6 +225,26 @@ TEST_F(DicomWriting, OtherGridsKeepTheirOwnPlanes)
       5U);
 }
 
+TEST_F(DicomWriting, PartOfTheVoxelsLiesOnTheSeries)
+{
+  const SourceSeries series(this->Images, Oblique(18));
+  SourceSeries part = series;
+  part.Grid.Size = {5, 4, 3};
+  part.Grid.OriginWorld = series.PositionOf(2, 1, 1);
+  Segmentation mask = this->Mask(series);
+  mask.Layers[0] = part.Labels([](int i, int, int k) { return i == 4   ? 2
+                                                              : k == 2 ? 1
+                                                                       : 0; },
+                               RightHandedOrders()[7]);
+  EXPECT_TRUE(WriteDicomSegmentation(this->Folder / "a.dcm", mask, DicomSource(this->Images)));
+  const auto read = ReadSegmentation(this->Folder / "a.dcm").Layers[0];
+  EXPECT_EQ(read->GetDimensions()[0], 9);
+  EXPECT_EQ(ValueAt(read, series.PositionOf(6, 1, 1)), 2);
+  EXPECT_EQ(ValueAt(read, series.PositionOf(5, 4, 3)), 1);
+  EXPECT_EQ(ValueAt(read, series.PositionOf(5, 4, 2)), 0);
+  EXPECT_EQ(ValueAt(read, series.PositionOf(7, 1, 1)), 0);
+}
+
 // Voxels of half the size, so that nearest ones have the same labels.
 TEST_F(DicomWriting, ContoursOfFinerVoxelsLieOnSlices)
 {
