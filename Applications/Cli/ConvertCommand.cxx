@@ -1,6 +1,10 @@
 #include "ConvertCommand.h"
 
 #include "Console.h"
+#include "DicomSegmentationWriter.h"
+#include "DicomSource.h"
+#include "DicomStructureSetWriter.h"
+#include "DicomSurfaceWriter.h"
 #include "FileType.h"
 #include "ImageContent.h"
 #include "ImageFormat.h"
@@ -61,6 +65,11 @@ vtkSmartPointer<vtkImageData> MaskOf(const Segmentation& segmentation, const Seg
   return mask;
 }
 
+bool IsDicomOutput(const std::filesystem::path& path)
+{
+  return !EndingOf(path, {".dcm"}).empty();
+}
+
 Segmentation OnlyOf(const Segmentation& segmentation, Segment structure)
 {
   Segmentation only;
@@ -82,7 +91,11 @@ std::string ConvertCommand::Examples() const
          "  palpate convert mask.seg.nrrd gland.nii.gz --label Prostate\n"
          "  palpate convert labels.nii.gz labels.seg.nrrd      for 3D Slicer, with names and "
          "colours\n"
+         "  palpate convert labels.seg.nrrd labels.txt         the names alone, for ITK-SNAP\n"
          "  palpate convert probability.nii.gz mask.nii.gz --threshold 0.5\n"
+         "  palpate convert labels.nii.gz labels.dcm --source series   DICOM segmentation for a "
+         "PACS\n"
+         "  palpate convert labels.nii.gz rs.dcm --source series --contours   structure set\n"
          "  palpate convert tilted.nii.gz upright.nii.gz --resample\n"
          "  palpate convert masks labels.seg.nrrd              a folder of masks, named by file\n"
          "  palpate convert felt/session.touch ticks.csv       one line per tick";
@@ -100,6 +113,15 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
   app.add_option("--label", this->Label,
                  "Write only this structure of a segmentation, as a mask of 0 and 1")
       ->type_name("N|NAME");
+  app.add_option("--source", this->Source,
+                 "DICOM series (its folder or one of its files) that the input was made on, for "
+                 "output named .dcm: a segmentation, or a surface as encapsulated STL (.obj.dcm: "
+                 "OBJ). Patient and study, with their names, are copied from this series and from "
+                 "nowhere else")
+      ->type_name("DICOM")
+      ->check(FileType::Input("file"));
+  app.add_flag("--contours", this->AsContours,
+               "Write the structures to .dcm as contours (structure set) instead of voxels");
   this->Images.Declare(app, "folder");
   this->Images.DeclareValues(app);
   this->Images.DeclareResampling(app);
@@ -120,13 +142,14 @@ int ConvertCommand::Run(Console& console)
     throw InputError("--label needs a segmentation, which " + this->Input.string() +
                      " is not; leave it out");
   }
+  this->CheckDicomOptions();
   if (IsModelFile(this->Input))
   {
     this->ConvertModel(console);
   }
   else if (IsSurfaceFile(this->Input))
   {
-    if (!IsSurfaceFile(this->Output))
+    if (!IsSurfaceFile(this->Output) && !IsDicomOutput(this->Output))
     {
       throw InputError(this->Output.string() + " is not a surface file, but " +
                        this->Input.string() + " is; use " +
@@ -135,7 +158,7 @@ int ConvertCommand::Run(Console& console)
     }
     const auto surface = ReadSurface(this->Input);
     RequireGoingOn();
-    WriteSurface(this->Output, surface);
+    this->WriteSurfaceTo(surface);
   }
   else if (IsTouchRecording(this->Input))
   {
@@ -146,6 +169,37 @@ int ConvertCommand::Run(Console& console)
     this->ConvertImage(console);
   }
   return this->Tally.ExitCode();
+}
+
+void ConvertCommand::CheckDicomOptions() const
+{
+  if (IsDicomOutput(this->Output) && this->Source.empty())
+  {
+    throw InputError(this->Output.string() +
+                     " is a DICOM file, which belongs to a patient and a study; name the series "
+                     "that " +
+                     this->Input.string() + " was made on by --source.");
+  }
+  if (!IsDicomOutput(this->Output) && (this->AsContours || !this->Source.empty()))
+  {
+    throw InputError("--source and --contours are for an output named .dcm, not " +
+                     this->Output.string() + "; leave them out.");
+  }
+  if (this->AsContours && (IsModelFile(this->Input) || IsSurfaceFile(this->Input)))
+  {
+    throw InputError("--contours needs a segmentation, which " + this->Input.string() +
+                     " is not; leave it out.");
+  }
+}
+
+void ConvertCommand::WriteSurfaceTo(vtkPolyData* surface) const
+{
+  if (IsDicomOutput(this->Output))
+  {
+    WriteDicomSurface(this->Output, surface, DicomSource(this->Source));
+    return;
+  }
+  WriteSurface(this->Output, surface);
 }
 
 void ConvertCommand::ConvertTouch(Console& console) const
@@ -165,9 +219,9 @@ void ConvertCommand::ConvertModel(Console& console) const
 {
   const ModelDocument document = ReadModel(this->Input);
   RequireGoingOn();
-  if (IsSurfaceFile(this->Output))
+  if (IsSurfaceFile(this->Output) || IsDicomOutput(this->Output))
   {
-    WriteSurface(this->Output, DrawModel(document.Surface, this->Frequency));
+    this->WriteSurfaceTo(DrawModel(document.Surface, this->Frequency));
     return;
   }
   if (!IsModelFile(this->Output))
@@ -186,14 +240,17 @@ void ConvertCommand::ConvertModel(Console& console) const
 
 void ConvertCommand::ConvertImage(Console& console)
 {
-  if (!IsWritableImage(this->Output))
+  const bool isSegmentation = IsLabelDescription(this->Output) || IsDicomOutput(this->Output) ||
+                              IsSlicerSegmentation(this->Output);
+  if (!IsWritableImage(this->Output) && !isSegmentation)
   {
+    std::vector<std::string> endings = ImageFormats().WrittenEndings();
+    endings.insert(endings.end(), {".seg.nrrd", ".dcm", ".txt", ".label"});
     throw InputError(this->Output.string() + " is not an image file that can be written, but " +
-                     this->Input.string() + " is read as an image; use " +
-                     ListOfEndings(ImageFormats().WrittenEndings()) +
+                     this->Input.string() + " is read as an image; use " + ListOfEndings(endings) +
                      ", or palpate mesh for a surface.");
   }
-  if (IsMaskFolder(this->Input) || !this->Label.empty() || IsSlicerSegmentation(this->Output))
+  if (IsMaskFolder(this->Input) || !this->Label.empty() || isSegmentation)
   {
     this->ConvertSegmentation(console);
     return;
@@ -203,28 +260,12 @@ void ConvertCommand::ConvertImage(Console& console)
   if (content.Image)
   {
     PassOn(content.Image->Notes, console);
-    WriteImage(this->Output, content.Image->Image);
+    WriteImage(this->Output, content.Image->Image,
+               content.Labels ? LabelsOf(*content.Labels) : LabelTable());
     return;
   }
   PassOn(content.Labels->Notes, console);
-  this->WriteLabels(*content.Labels);
-}
-
-void ConvertCommand::WriteLabels(const Segmentation& segmentation) const
-{
-  if (IsSlicerSegmentation(this->Output))
-  {
-    WriteSegmentation(this->Output, segmentation);
-    return;
-  }
-  if (segmentation.Layers.size() != 1)
-  {
-    throw InputError(this->Input.string() + " has structures in " +
-                     std::to_string(segmentation.Layers.size()) +
-                     " layers, more than one image can hold; write .seg.nrrd, or choose a "
-                     "structure with --label.");
-  }
-  WriteImage(this->Output, segmentation.Layers.front());
+  WriteSegmentation(this->Output, *content.Labels);
 }
 
 Segmentation ConvertCommand::ReadLabels(Console& console)
@@ -255,6 +296,19 @@ void ConvertCommand::ConvertSegmentation(Console& console)
   const Segmentation chosen =
       this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label));
   RequireGoingOn();
-  this->WriteLabels(chosen);
+  if (!IsDicomOutput(this->Output))
+  {
+    WriteSegmentation(this->Output, chosen);
+    return;
+  }
+  const DicomSource source(this->Source);
+  const bool isExact = this->AsContours ? WriteDicomStructureSet(this->Output, chosen, source)
+                                        : WriteDicomSegmentation(this->Output, chosen, source);
+  if (!isExact)
+  {
+    console.Note(this->Input.string() + " does not have the voxels of the series; " +
+                 (this->AsContours ? "contours follow its nearest ones."
+                                   : "frames have its own, in the same frame of reference."));
+  }
 }
 } // namespace palpate::cli

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+class vtkPolyData;
+
 namespace palpate::cli
 {
 /// `palpate convert IN OUT`: models, surfaces and images from one format to another, by their
@@ -30,14 +32,18 @@ private:
   void ConvertTouch(Console& console) const;
   void ConvertImage(Console& console);
   void ConvertSegmentation(Console& console);
+  /// Throws InputError for --source and --contours where they mean nothing, or are missing.
+  void CheckDicomOptions() const;
+  void WriteSurfaceTo(vtkPolyData* surface) const;
   /// Reads the input's segmentation, or the masks of its folder as one.
   Segmentation ReadLabels(Console& console);
-  void WriteLabels(const Segmentation& segmentation) const;
 
   std::filesystem::path Input;
   std::filesystem::path Output;
   CaseTally Tally; ///< of the masks of a folder
   std::string Label;
+  std::filesystem::path Source; ///< series of DICOM output
+  bool AsContours = false;
   ImageOptions Images;
   int Frequency = 20;
 };

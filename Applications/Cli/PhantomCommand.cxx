@@ -235,6 +235,7 @@ void PhantomCommand::PrintFiles(Console& console, const RadialModel& model,
 int PhantomCommand::Run(Console& console)
 {
   const Interruption interruption;
+  CheckOutputFolder(this->OutputFolder);
   const RadialModel model = this->TrueModel();
   const PhantomGrid grid = this->GridAround(model);
   const ProgressFunction progress = ProgressOn(console);

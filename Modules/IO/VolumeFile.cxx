@@ -40,6 +40,7 @@ Volume ReadImageFile(const std::filesystem::path& path, const VolumeChoice& choi
   MakeRightHanded(path, choice.LeftHanded, grid, voxels, volume.Notes);
   volume.Image = MakeImage(grid, voxels);
   volume.IsOriented = grid.IsOriented;
+  volume.Labels = choice.Values.Threshold ? LabelTable() : file->Labels();
   return volume;
 }
 

@@ -83,7 +83,8 @@ TextTable GeometryTable(const ImageContent& content)
   return table;
 }
 
-TextTable LabelTable(const Segmentation& segmentation, const std::vector<LabelStatistics>& labels)
+TextTable TableOfLabels(const Segmentation& segmentation,
+                        const std::vector<LabelStatistics>& labels)
 {
   const bool layered = segmentation.Layers.size() > 1;
   TextTable table;
@@ -157,7 +158,7 @@ std::string InfoReport::Text() const
   }
   if (this->Content.Labels)
   {
-    text += LabelTable(*this->Content.Labels, this->Labels).Text();
+    text += TableOfLabels(*this->Content.Labels, this->Labels).Text();
   }
   return text + '\n';
 }

@@ -1,6 +1,7 @@
 #include "ImageTargets.h"
 
 #include "BinaryFields.h"
+#include "CaretLabels.h"
 #include "GzipMutator.h"
 #include "ImageReading.h"
 #include "StoredImages.h"
@@ -19,6 +20,11 @@ std::string Labels()
   return std::string(60, '\0') + std::string(30, '\1') + std::string(30, '\2');
 }
 
+std::string LabelExtension()
+{
+  return CaretTextOf({{1, {"liver", {}}}, {2, {"spleen", {}}}});
+}
+
 std::vector<std::string> NiftiSeeds()
 {
   NiftiSpec reals;
@@ -26,6 +32,7 @@ std::vector<std::string> NiftiSeeds()
   reals.Bits = 32;
   reals.QFormCode = 1;
   return {NiftiBytes({}, Labels()),
+          WithNiftiExtension(NiftiBytes({}, Labels()), LabelExtension(), 0),
           NiftiBytes(reals, BytesOf(std::vector<float>(reals.VoxelCount(), 1.0F)))};
 }
 
@@ -52,8 +59,10 @@ Mutator NiftiMutator()
                                   {123, 1}, // units
                                   {252, 2},
                                   {254, 2},
-                                  {344, 4},  // the magic string
-                                  {348, 4}}; // extensions
+                                  {344, 4}, // the magic string
+                                  {348, 4}, // extensions
+                                  {352, 4},
+                                  {356, 4}};
   for (const auto& more : {FieldsFrom(40, 8, 2), FieldsFrom(40, 8, 2), FieldsFrom(68, 3, 2),
                            FieldsFrom(76, 8, 4, Type::Real), FieldsFrom(256, 18, 4, Type::Real)})
   {
@@ -335,32 +344,43 @@ FuzzTarget ImageTarget(const std::string& name, const std::string& file,
 std::vector<FuzzTarget> ImageTargets()
 {
   const Mutator nrrd = NrrdMutator();
-  return {ImageTarget("nifti", "a.nii", NiftiSeeds, NiftiMutator()),
-          ImageTarget("nifti-gzip", "a.nii.gz", CompressedNiftiSeeds, GzipMutator(NiftiMutator())),
-          ImageTarget("nifti-2", "a.nii", Nifti2Seeds, Nifti2Mutator()),
-          {"nifti-pair", "a.hdr", PairSeeds, OneOf({NiftiMutator(), MutateBytes}), PairReader},
-          ImageTarget("freesurfer", "a.mgh", MghSeeds, MghMutator()),
-          ImageTarget("freesurfer-gzip", "a.mgz", CompressedMghSeeds, GzipMutator(MghMutator())),
-          ImageTarget("gipl", "a.gipl", GiplSeeds, GiplMutator()),
-          ImageTarget("nrrd", "a.nrrd", NrrdSeeds, nrrd),
-          ImageTarget("nrrd-gzip", "a.nrrd", CompressedNrrdSeeds,
-                      OneOf({nrrd, Behind(NrrdHeadEnd, GzipMutator(MutateBytes))})),
-          {"nrrd-header", "a.nhdr", [] { return std::vector<std::string>{NrrdHeaderSeed()}; }, nrrd,
-           [] { return HeaderReader("a.nhdr"); }},
-          ImageTarget("slicer-segmentation", "a.seg.nrrd", SlicerSeeds, nrrd),
-          ImageTarget("metaimage", "a.mha", MetaImageSeeds, MetaImageMutator()),
-          {"metaimage-header", "a.mhd", [] { return std::vector<std::string>{MetaHeaderSeed()}; },
-           MetaImageMutator(), [] { return HeaderReader("a.mhd"); }},
-          {"label-names", "a.nii.txt",
-           [] { return std::vector<std::string>{"1 Precentral_L 2001\n2 Precentral_R 2002\n"}; },
-           OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.nii.txt"); }},
-          {"label-table", "a.tsv",
-           [] { return std::vector<std::string>{"index\tname\tcolor\n1\tliver\t#ff8800\n"}; },
-           OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.tsv"); }},
-          {"label-dataset", "dataset.json",
-           [] { return std::vector<std::string>{R"({"labels": {"background": 0, "liver": 1}})"}; },
-           OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("dataset.json"); }},
-          {"label-colours", "a.nii.lut", [] { return std::vector<std::string>{ColorTable()}; },
-           MutateBytes, [] { return NextToLabelMap("a.nii.lut"); }}};
+  return {
+      ImageTarget("nifti", "a.nii", NiftiSeeds, NiftiMutator()),
+      ImageTarget("nifti-gzip", "a.nii.gz", CompressedNiftiSeeds, GzipMutator(NiftiMutator())),
+      ImageTarget("nifti-2", "a.nii", Nifti2Seeds, Nifti2Mutator()),
+      {"nifti-pair", "a.hdr", PairSeeds, OneOf({NiftiMutator(), MutateBytes}), PairReader},
+      ImageTarget("freesurfer", "a.mgh", MghSeeds, MghMutator()),
+      ImageTarget("freesurfer-gzip", "a.mgz", CompressedMghSeeds, GzipMutator(MghMutator())),
+      ImageTarget("gipl", "a.gipl", GiplSeeds, GiplMutator()),
+      ImageTarget("nrrd", "a.nrrd", NrrdSeeds, nrrd),
+      ImageTarget("nrrd-gzip", "a.nrrd", CompressedNrrdSeeds,
+                  OneOf({nrrd, Behind(NrrdHeadEnd, GzipMutator(MutateBytes))})),
+      {"nrrd-header", "a.nhdr", [] { return std::vector<std::string>{NrrdHeaderSeed()}; }, nrrd,
+       [] { return HeaderReader("a.nhdr"); }},
+      ImageTarget("slicer-segmentation", "a.seg.nrrd", SlicerSeeds, nrrd),
+      ImageTarget("metaimage", "a.mha", MetaImageSeeds, MetaImageMutator()),
+      {"metaimage-header", "a.mhd", [] { return std::vector<std::string>{MetaHeaderSeed()}; },
+       MetaImageMutator(), [] { return HeaderReader("a.mhd"); }},
+      {"label-names", "a.nii.txt",
+       [] { return std::vector<std::string>{"1 Precentral_L 2001\n2 Precentral_R 2002\n"}; },
+       OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.nii.txt"); }},
+      {"label-table", "a.tsv",
+       [] { return std::vector<std::string>{"index\tname\tcolor\n1\tliver\t#ff8800\n"}; },
+       OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("a.tsv"); }},
+      {"label-extension", "a.xml", [] { return std::vector<std::string>{LabelExtension()}; },
+       OneOf({TextMutator({{"<!ENTITY a \"b\">", "<![CDATA[", "]]>", "<LabelTable>", "Key=\"-1\""},
+                           {{"<Label Key=\"1\">", "</Label>"}},
+                           {}}),
+              MutateBytes}),
+       []
+       {
+         return FileReader("a.xml",
+                           [](const std::filesystem::path& file) { LabelsOfCaret(ReadAll(file)); });
+       }},
+      {"label-dataset", "dataset.json",
+       [] { return std::vector<std::string>{R"({"labels": {"background": 0, "liver": 1}})"}; },
+       OneOf({TextMutator({}), MutateBytes}), [] { return NextToLabelMap("dataset.json"); }},
+      {"label-colours", "a.nii.lut", [] { return std::vector<std::string>{ColorTable()}; },
+       MutateBytes, [] { return NextToLabelMap("a.nii.lut"); }}};
 }
 } // namespace palpate::test

@@ -136,6 +136,86 @@ TEST(CliConvert, SlicerSegmentationKeepsSegmentsAndTheirNames)
   EXPECT_EQ(MeasureLabels(one)[0].Voxels, MeasureLabels(both)[1].Voxels);
 }
 
+TEST(CliConvert, NamesAndColoursSurviveNiftiAndItkSnapTables)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  RunPalpate({"convert", "a.nii.gz", "b.seg.nrrd"}, folder.Path());
+  Segmentation named = ReadSegmentation(folder / "b.seg.nrrd");
+  named.Segments[0].Name = "big <one>";
+  named.Segments[1].Name = "small";
+  named.Segments[1].Color = {0.0, 1.0, 0.2};
+  WriteSegmentation(folder / "b.seg.nrrd", named);
+  ASSERT_EQ(RunPalpate({"convert", "b.seg.nrrd", "c.nii.gz"}, folder.Path()).Code, 0);
+  ASSERT_EQ(RunPalpate({"convert", "c.nii.gz", "d.nii"}, folder.Path()).Code, 0);
+  ASSERT_EQ(RunPalpate({"convert", "c.nii.gz", "e.mha"}, folder.Path()).Code, 0);
+  ASSERT_EQ(RunPalpate({"convert", "c.nii.gz", "e.txt"}, folder.Path()).Code, 0);
+  for (const char* name : {"c.nii.gz", "d.nii", "e.mha"})
+  {
+    const Segmentation read = ReadSegmentation(folder / name);
+    EXPECT_EQ(read.Segments[0].Name, "big <one>") << name;
+    EXPECT_EQ(read.Segments[1].Name, "small") << name;
+    EXPECT_EQ(read.Segments[1].Color, named.Segments[1].Color) << name;
+  }
+}
+
+TEST(CliConvert, DicomNeedsItsSourceSeries)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  WriteNearlyASphere(folder / "a.json");
+  ExpectRefused(RunPalpate({"convert", "a.nii.gz", "b.dcm"}, folder.Path()), "--source");
+  ExpectRefused(RunPalpate({"convert", "a.json", "b.dcm"}, folder.Path()), "--source");
+  ExpectRefused(RunPalpate({"convert", "a.nii.gz", "b.mha", "--source", "."}, folder.Path()),
+                "named .dcm");
+  ExpectRefused(
+      RunPalpate({"convert", "a.json", "b.dcm", "--source", ".", "--contours"}, folder.Path()),
+      "--contours needs a segmentation");
+  ExpectRefused(RunPalpate({"convert", "a.nii.gz", "b.dcm", "--source", "none"}, folder.Path()),
+                "none");
+  EXPECT_EQ(folder.EntryCount(), 2u);
+}
+
+TEST(CliConvert, RealLiverGoesBackToItsSeries)
+{
+  const std::string series = DataPath("dicom_seg/ct_3slice").string();
+  PALPATE_REQUIRE_FILE(series);
+  const TemporaryFolder folder;
+  const std::string liver = DataPath("dicom_seg/liver.dcm").string();
+  std::filesystem::copy(series, folder / "series");
+  ASSERT_EQ(RunPalpate({"convert", liver, "l.seg.nrrd"}, folder.Path()).Code, 0);
+  ASSERT_EQ(RunPalpate({"convert", liver, "l.nii.gz"}, folder.Path()).Code, 0);
+  for (const std::string name : {"l.seg.nrrd", "l.nii.gz"})
+  {
+    ASSERT_EQ(RunPalpate({"convert", name, "a.dcm", "--source", series}, folder.Path()).Code, 0);
+    ASSERT_EQ(RunPalpate({"convert", name, "series/rs.dcm", "--source", "series", "--contours"},
+                         folder.Path())
+                  .Code,
+              0);
+    for (const char* made : {"a.dcm", "series/rs.dcm"})
+    {
+      const Segmentation read = ReadSegmentation(folder / made);
+      EXPECT_EQ(read.Segments[0].Name, "Liver");
+      EXPECT_EQ(MeasureLabels(read)[0].Voxels, 107098) << made;
+    }
+    EXPECT_EQ(ReadSegmentation(folder / "a.dcm").Segments[0].Codes.Type.Value,
+              name == "l.nii.gz" ? "10200004" : "T-62000");
+    std::filesystem::remove(folder / "series/rs.dcm");
+  }
+}
+
+TEST(CliConvert, UnknownEndingListsThoseThatAreWritten)
+{
+  const TemporaryFolder folder;
+  WriteTwoSpheres(folder / "a.nii.gz");
+  const CommandRun run = RunPalpate({"convert", "a.nii.gz", "b.foo"}, folder.Path());
+  ExpectRefused(run, "b.foo");
+  for (const char* ending : {".nii.gz", ".seg.nrrd", ".dcm", ".txt"})
+  {
+    EXPECT_NE(run.Errors.find(ending), std::string::npos) << ending;
+  }
+}
+
 TEST(CliConvert, MissingLabelListsExistingLabels)
 {
   const TemporaryFolder folder;

@@ -141,5 +141,13 @@ TEST(CliPhantom, RejectsInvalidSettingsAndLeavesNothing)
     EXPECT_EQ(folder.EntryCount(), 1U) << more.front();
   }
 }
+
+TEST(CliPhantom, RejectsFolderNamedLikeAFile)
+{
+  const TemporaryFolder folder;
+  const CommandRun run = RunPalpate({"phantom", "--output", "p.msh"}, folder.Path());
+  EXPECT_EQ(run.Code, 2);
+  EXPECT_NE(run.Errors.find("has the ending of a file"), std::string::npos) << run.Errors;
+}
 } // namespace
 } // namespace palpate::cli_phantom_test

@@ -24,6 +24,31 @@ namespace
 constexpr const char* SegmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
 constexpr const char* LabelMapClass = "1.2.840.10008.5.1.4.1.1.66.7";
 
+// The first term of a sequence; `item` may be null.
+CodedTerm ReadTerm(DcmItem* item, const DcmTagKey& sequence)
+{
+  DcmItem* const term = item ? DicomItem(*item, sequence) : nullptr;
+  if (!term)
+  {
+    return {};
+  }
+  const std::string value = DicomText(*term, DCM_CodeValue);
+  return {DicomText(*term, DCM_CodingSchemeDesignator),
+          value.empty() ? DicomText(*term, DCM_LongCodeValue) : value,
+          DicomText(*term, DCM_CodeMeaning)};
+}
+
+SegmentCodes ReadSegmentCodes(DcmItem& item)
+{
+  DcmItem* const type = DicomItem(item, DCM_SegmentedPropertyTypeCodeSequence);
+  DcmItem* const region = DicomItem(item, DCM_AnatomicRegionSequence);
+  return {ReadTerm(&item, DCM_SegmentedPropertyCategoryCodeSequence),
+          ReadTerm(&item, DCM_SegmentedPropertyTypeCodeSequence),
+          ReadTerm(type, DCM_SegmentedPropertyTypeModifierCodeSequence),
+          ReadTerm(&item, DCM_AnatomicRegionSequence),
+          ReadTerm(region, DCM_AnatomicRegionModifierSequence)};
+}
+
 std::vector<Segment> DescribedSegments(const DicomDataset& dataset)
 {
   std::vector<Segment> segments;
@@ -46,6 +71,7 @@ std::vector<Segment> DescribedSegments(const DicomDataset& dataset)
     {
       segment.Color = CieLabToRgb(lab);
     }
+    segment.Codes = ReadSegmentCodes(*item);
     if (segment.Label > 0)
     {
       segments.push_back(segment);

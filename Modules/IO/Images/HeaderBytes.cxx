@@ -16,6 +16,14 @@ HeaderBytes::HeaderBytes(const std::filesystem::path& file, std::size_t count) :
   this->Bytes.resize(static_cast<std::size_t>(std::max(got, 0)));
 }
 
+std::string HeaderBytes::TextAt(std::size_t first, std::size_t end) const
+{
+  std::string text(this->Bytes.begin() + static_cast<std::ptrdiff_t>(first),
+                   this->Bytes.begin() + static_cast<std::ptrdiff_t>(end));
+  text.resize(text.find_last_not_of('\0') + 1);
+  return text;
+}
+
 void HeaderBytes::SetBigEndian()
 {
   const std::uint16_t one = 1;

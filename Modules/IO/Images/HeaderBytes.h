@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace palpate
@@ -24,6 +25,8 @@ public:
   bool IsSwapped() const { return this->Swap; }
   void SetSwapped(bool isSwapped) { this->Swap = isSwapped; }
   void SetBigEndian();
+  /// The bytes from `first` up to `end`, without zeros at their end; they must lie within Size().
+  std::string TextAt(std::size_t first, std::size_t end) const;
 
   /// The number at an offset; it must lie within Size().
   template <typename T>

@@ -2,6 +2,7 @@
 
 #include "ImageGrid.h"
 #include "ItkImageHeader.h"
+#include "LabelTable.h"
 #include "PalpateIOModule.h"
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -36,6 +37,8 @@ public:
   int ScalarType() const { return this->Header.VtkType; }
   /// Text entries of the header (NRRD's key/value pairs).
   const std::map<std::string, std::string>& Entries() const { return this->Header.Entries; }
+  /// Names and colours of the values as labels; empty if the header has none.
+  const LabelTable& Labels() const { return this->HeaderLabels; }
   /// Notes on the interpretation of the header, as sentences.
   const std::vector<std::string>& Notes() const { return this->HeaderNotes; }
 
@@ -63,6 +66,7 @@ protected:
   ItkImageHeader Header;
   ImageGrid FileGrid;
   std::vector<std::string> HeaderNotes;
+  LabelTable HeaderLabels;
   std::int64_t ChosenVolume = 0; ///< from 0
 };
 } // namespace palpate

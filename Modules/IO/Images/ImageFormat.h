@@ -22,6 +22,11 @@ struct ImageFormat : FileFormat
       Write;
   /// Writes numbers through C++ streams (see CNumericLocale::RequireOfStreams).
   bool WritesThroughStreams = false;
+  /// Adds names and colours of labels to a file that Write has just written, whose voxels are
+  /// these; throws a std::exception if it cannot. Null if the format has no place for them.
+  std::function<void(const std::filesystem::path& file, vtkDataArray* voxels,
+                     const LabelTable& labels)>
+      AddLabels = nullptr;
 };
 
 /// NIfTI, Analyze, NRRD, MetaImage, FreeSurfer, GIPL and added formats.

@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -90,15 +91,16 @@ bool IsWritableImage(const std::filesystem::path& path)
   return ImageFormats().Writer(path) != nullptr;
 }
 
-void WriteImage(const std::filesystem::path& path, vtkImageData* image)
+void WriteImage(const std::filesystem::path& path, vtkImageData* image, const LabelTable& labels)
 {
   if (IsSlicerSegmentation(path))
   {
     CheckWritable(path, image->GetPointData()->GetScalars());
-    Volume labels;
-    labels.Image = image;
-    labels.Source = path;
-    WriteSegmentation(path, LabelMapOf(labels));
+    Volume volume;
+    volume.Image = image;
+    volume.Source = path;
+    volume.Labels = labels;
+    WriteSegmentation(path, LabelMapOf(volume));
     return;
   }
   const ImageFormat* const format = ImageFormats().Writer(path);
@@ -118,6 +120,12 @@ void WriteImage(const std::filesystem::path& path, vtkImageData* image)
   try
   {
     format->Write(file.TemporaryPath(), image, voxels);
+    if (format->AddLabels &&
+        std::any_of(labels.begin(), labels.end(),
+                    [](const auto& label) { return !label.second.Name.empty(); }))
+    {
+      format->AddLabels(file.TemporaryPath(), voxels, labels);
+    }
     // ITK's writers of NRRD and MetaImage do not notice a full disk, so the file is read again.
     complete = HoldsVoxels(file.TemporaryPath(), voxels);
   }

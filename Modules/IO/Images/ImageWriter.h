@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LabelTable.h"
 #include "PalpateIOModule.h"
 #include "vtkImageData.h"
 
@@ -16,6 +17,8 @@ PALPATEIO_EXPORT bool IsWritableImage(const std::filesystem::path& path);
 /// single precision. 64-bit integers are written as 32-bit ones. Under the name of a 3D Slicer
 /// segmentation (.seg.nrrd) each value above 0 becomes a segment. Throws InputError, also for more
 /// than one component, for 64-bit integers that do not fit, and for a segmentation of values that
-/// are no labels.
-PALPATEIO_EXPORT void WriteImage(const std::filesystem::path& path, vtkImageData* image);
+/// are no labels. `labels` are names and colours of its values, which NIfTI
+/// stores in its header if there is a name.
+PALPATEIO_EXPORT void WriteImage(const std::filesystem::path& path, vtkImageData* image,
+                                 const LabelTable& labels = {});
 } // namespace palpate

@@ -84,7 +84,7 @@ Segmentation LabelMapOf(const Volume& volume)
   segmentation.Layers.push_back(labels == voxels ? volume.Image
                                                  : MakeImage(GridOf(volume.Image), labels));
   CompleteSegments(segmentation);
-  ApplyLabelNames(segmentation);
+  ApplyLabelNames(segmentation, volume.Labels);
   return segmentation;
 }
 

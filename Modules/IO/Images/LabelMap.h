@@ -7,8 +7,9 @@
 namespace palpate
 {
 /// Converts a volume to a label map: shares its image if that has a label type, otherwise copies it
-/// to the smallest one. Names and colours come from files next to the volume's source
-/// (LabelNamesFile). Throws InputError for values that are not labels, and if no voxel is labelled.
+/// to the smallest one. Names and colours come from the file or from files next
+/// to it (LabelNamesFile). Throws InputError for values that are not labels, and if no voxel is
+/// labelled.
 PALPATEIO_EXPORT Segmentation LabelMapOf(const Volume& volume);
 
 /// Why a volume is greyscale and not a label map, as a phrase; empty if it is a label map. A label

@@ -1,7 +1,6 @@
 #include "LabelNamesFile.h"
 
 #include "ImageFormat.h"
-#include "LabelTable.h"
 
 #include <cstdint>
 #include <fstream>
@@ -25,6 +24,8 @@ std::filesystem::path NextTo(std::filesystem::path image, const char* ending)
   return image;
 }
 
+constexpr const char* FreeSurferTable = "FreeSurferColorLUT.txt";
+constexpr const char* DatasetTable = "dataset.json"; // nnU-Net's
 constexpr std::uintmax_t LargestTable = 1U << 20;
 
 // Bytes of a regular file, 0 of anything else.
@@ -74,6 +75,12 @@ void ApplyColors(const std::filesystem::path& file, Segmentation& segmentation)
   }
 }
 
+// Not named after an image.
+bool IsForFolder(const std::filesystem::path& table)
+{
+  return table.filename() == FreeSurferTable || table.filename() == DatasetTable;
+}
+
 // Whether it knows any of the labels.
 bool Apply(const LabelTable& table, Segmentation& segmentation)
 {
@@ -102,19 +109,20 @@ std::vector<std::filesystem::path> LabelTablesOf(const std::filesystem::path& im
   {
     files.push_back(folder / (name + ending));
   }
-  files.push_back(folder / "FreeSurferColorLUT.txt");
-  files.push_back(folder / "dataset.json");
-  files.push_back(folder / ".." / "dataset.json"); // of nnU-Net's labelsTr
+  files.push_back(folder / FreeSurferTable);
+  files.push_back(folder / DatasetTable);
+  files.push_back(folder / ".." / DatasetTable); // of nnU-Net's labelsTr
   return files;
 }
 
-void ApplyLabelNames(Segmentation& segmentation)
+void ApplyLabelNames(Segmentation& segmentation, const LabelTable& own)
 {
+  const bool isNamed = Apply(own, segmentation);
   ApplyColors(NextTo(segmentation.Source, ".lut"), segmentation);
   const std::vector<std::filesystem::path> files = LabelTablesOf(segmentation.Source);
   for (const std::filesystem::path& file : files)
   {
-    const auto table = ReadTable(file);
+    const auto table = isNamed && IsForFolder(file) ? std::nullopt : ReadTable(file);
     if (table && Apply(*table, segmentation))
     {
       segmentation.Notes.push_back("Names of the labels are from " +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LabelTable.h"
 #include "PalpateIOModule.h"
 #include "Segmentation.h"
 
@@ -18,6 +19,8 @@ LabelTablesOf(const std::filesystem::path& image);
 
 /// Sets names and colours of a label map's segments from the first of these files that is such a
 /// table (LabelTable) and knows one of the labels, with a note; and colours from MRIcron's
-/// `a.nii.lut` (256 red, 256 green, 256 blue bytes). Labels without an entry keep their default.
-PALPATEIO_EXPORT void ApplyLabelNames(Segmentation& segmentation);
+/// `a.nii.lut` (256 red, 256 green, 256 blue bytes). `own` is the image's own table, which counts
+/// less than files named after the image, and more than those for a whole folder. Labels without an
+/// entry keep their default.
+PALPATEIO_EXPORT void ApplyLabelNames(Segmentation& segmentation, const LabelTable& own = {});
 } // namespace palpate

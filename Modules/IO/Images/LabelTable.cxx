@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -149,6 +150,25 @@ std::optional<LabelTable> LabelLines(const std::string& text)
     }
   }
   return UnlessEmpty(std::move(table));
+}
+
+std::string ItkSnapTextOf(const LabelTable& table)
+{
+  std::string text = "# ITK-SnAP Label Description File\n# index, red, green, blue, opacity, "
+                     "visibility, mesh visibility, name\n0 0 0 0 0 0 0 \"Clear Label\"\n";
+  for (const auto& [value, entry] : table)
+  {
+    text += std::to_string(value);
+    for (const double channel : entry.Color.value_or(Color{1.0, 1.0, 1.0}))
+    {
+      text += " " + std::to_string(std::lround(channel * Full));
+    }
+    std::string name = entry.Name.empty() ? "label " + std::to_string(value) : entry.Name;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == '"'; }, '\'');
+    text += " 1 1 1 \"" + name + "\"\n";
+  }
+  return text;
 }
 
 std::optional<LabelTable> LabelColumns(const std::string& text)

@@ -23,6 +23,10 @@ using LabelTable = std::map<int, LabelEntry>;
 /// (`1 255 0 0 1 1 1 "Left lung"`); `#` begins a comment. None if a line is none of them.
 PALPATEIO_EXPORT std::optional<LabelTable> LabelLines(const std::string& text);
 
+/// The table in the format of ITK-SNAP's label descriptions, with the background as entry 0.
+/// Labels without a colour are white; quotes in names become apostrophes.
+PALPATEIO_EXPORT std::string ItkSnapTextOf(const LabelTable& table);
+
 /// A table with a head, separated by tabs or commas: columns `index` (or `label`, `value`, `id`,
 /// `key`, `labelvalue`), `name` (or `structure`, `region`, `label_name`), and if present `color`
 /// (`#ff8800`, as in the *_dseg.tsv of BIDS) or `r`, `g`, `b` (0 to 255). None without the first

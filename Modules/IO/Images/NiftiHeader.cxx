@@ -1,5 +1,6 @@
 #include "NiftiHeader.h"
 
+#include "CaretLabels.h"
 #include "DecimalText.h"
 #include "FileFormat.h"
 #include "HeaderBytes.h"
@@ -116,10 +117,10 @@ constexpr std::size_t MarkBytes = 4;
 
 // Where the extensions of a single file's header end: chained blocks of their size, a multiple of
 // 16, and a code, which is even. Follows the chain up to `end`; equals the first block's start if
-// there is none, whatever the mark says.
+// there is none, whatever the mark says. Takes the first table of labels.
 // Source: nifti1.h, "Extended header"; codes: nifti1_io.h.
 std::uint64_t ExtensionEnd(const std::filesystem::path& file, const NiftiFields& fields,
-                           std::uint64_t end)
+                           std::uint64_t end, LabelTable& labels)
 {
   constexpr std::size_t LargestCode = 1024;
   constexpr std::size_t Read = std::size_t{1} << 20;
@@ -143,14 +144,19 @@ std::uint64_t ExtensionEnd(const std::filesystem::path& file, const NiftiFields&
     {
       return place;
     }
-    place += static_cast<std::size_t>(size);
+    const std::size_t next = place + static_cast<std::size_t>(size);
+    if (labels.empty() && next <= bytes.Size())
+    {
+      labels = LabelsOfCaret(bytes.TextAt(place + 8, next)).value_or(LabelTable());
+    }
+    place = next;
   } while (place < end);
   return place;
 }
 
 // The data of a single file start behind its header and its extensions.
 std::uint64_t VoxelOffset(const std::filesystem::path& file, const NiftiFields& fields,
-                          std::vector<std::string>& notes)
+                          NiftiHeader& header)
 {
   const double offset = fields.VoxelOffset;
   if (!std::isfinite(offset) || offset > 1e9)
@@ -165,7 +171,7 @@ std::uint64_t VoxelOffset(const std::filesystem::path& file, const NiftiFields& 
   const std::uint64_t first = fields.HeaderBytes() + MarkBytes;
   const bool isStated = stated >= fields.HeaderBytes();
   const std::uint64_t start = isStated ? stated : first;
-  const std::uint64_t end = ExtensionEnd(file, fields, std::max(start, first));
+  const std::uint64_t end = ExtensionEnd(file, fields, std::max(start, first), header.Labels);
   if (end > std::max(start, first))
   {
     Refuse(file,
@@ -175,9 +181,9 @@ std::uint64_t VoxelOffset(const std::filesystem::path& file, const NiftiFields& 
   }
   if (start < first || !isStated)
   {
-    notes.push_back("The header says that voxels start at byte " + std::to_string(stated) +
-                    ", within the header; they were read from byte " + std::to_string(start) +
-                    " on.");
+    header.Notes.push_back("The header says that voxels start at byte " + std::to_string(stated) +
+                           ", within the header; they were read from byte " +
+                           std::to_string(start) + " on.");
   }
   return start;
 }
@@ -249,13 +255,13 @@ std::filesystem::path VoxelFile(const std::filesystem::path& header)
 }
 
 VoxelLayout LayoutOf(const std::filesystem::path& file, const NiftiFields& fields,
-                     const std::array<int, 3>& size, std::vector<std::string>& notes)
+                     NiftiHeader& header)
 {
   VoxelLayout layout;
   layout.File = fields.IsPair ? VoxelFile(file) : file;
   layout.Type = NiftiType(file, fields.Type);
-  layout.Offset = VoxelOffset(file, fields, notes);
-  layout.Voxels = CountVoxels(file, size);
+  layout.Offset = VoxelOffset(file, fields, header);
+  layout.Voxels = CountVoxels(file, header.Size);
   layout.Volumes = fields.Dimensions[0] > 3 ? std::max<std::int64_t>(1, fields.Dimensions[4]) : 1;
   layout.IsSwapped = fields.IsSwapped;
   layout.Slope = FiniteOrZero(fields.Slope);
@@ -278,7 +284,7 @@ NiftiHeader ReadNiftiHeader(const std::filesystem::path& file, bool isPair)
     header.Size[axis] = static_cast<int>(fields.Dimensions[axis + 1]);
     header.Spacing[static_cast<Eigen::Index>(axis)] = unit * fields.PixelDimensions[axis + 1];
   }
-  header.Voxels = LayoutOf(file, fields, header.Size, header.Notes);
+  header.Voxels = LayoutOf(file, fields, header);
   header.IsAnalyze = fields.Kind == NiftiFields::Version::Analyze;
   header.Orientation.QFormCode = fields.QFormCode;
   header.Orientation.SFormCode = fields.SFormCode;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LabelTable.h"
 #include "NiftiOrientation.h"
 #include "PalpateIOModule.h"
 #include "StoredVoxels.h"
@@ -21,6 +22,7 @@ struct NiftiHeader
   VoxelLayout Voxels;
   bool IsAnalyze = false;         ///< whose orientation is absent
   std::vector<std::string> Notes; ///< on where the voxels start, as sentences
+  LabelTable Labels; ///< of an extension of the header (CaretLabels); empty if there is none
 };
 
 /// Reads and checks the header of a NIfTI-1 or NIfTI-2 file, plain or compressed, or of a pair of

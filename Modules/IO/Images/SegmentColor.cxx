@@ -31,4 +31,14 @@ std::array<double, 3> CieLabToRgb(const std::array<std::uint16_t, 3>& encoded) n
                  [](double part) { return std::clamp(part, 0.0, 1.0); });
   return rgb;
 }
+
+std::array<std::uint16_t, 3> RgbToCieLab(const std::array<double, 3>& rgb) noexcept
+{
+  double lab[3];
+  vtkMath::RGBToLab(rgb.data(), lab);
+  const auto encoded = [](double share)
+  { return static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * 65535.0)); };
+  return {encoded(lab[0] / 100.0), encoded((lab[1] + 128.0) / 255.0),
+          encoded((lab[2] + 128.0) / 255.0)};
+}
 } // namespace palpate

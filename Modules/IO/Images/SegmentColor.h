@@ -18,4 +18,8 @@ PALPATEIO_EXPORT std::array<double, 3> DefaultSegmentColor(int label);
 /// colours are read as they were chosen there.
 PALPATEIO_EXPORT std::array<double, 3>
 CieLabToRgb(const std::array<std::uint16_t, 3>& encoded) noexcept;
+
+/// The same colour encoded.
+PALPATEIO_EXPORT std::array<std::uint16_t, 3>
+RgbToCieLab(const std::array<double, 3>& rgb) noexcept;
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "PalpateIOModule.h"
+#include "SegmentCodes.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
@@ -19,6 +20,7 @@ struct Segment
   int Layer = 0;    ///< index into Segmentation::Layers
   std::string Name; ///< empty if the file has none
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
+  SegmentCodes Codes = {};                      ///< empty if the file has none
 };
 
 /// A label map, or several if structures overlap. Layers are one-component images of type unsigned

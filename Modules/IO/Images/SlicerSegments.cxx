@@ -58,6 +58,7 @@ std::vector<Segment> SlicerSegments(const Entries& headerEntries)
     segment.Layer = NumberOf(headerEntries, prefix + "Layer", hasValue ? 0 : number);
     segment.Name = TextOf(headerEntries, prefix + "Name");
     segment.Color = ColorOf(headerEntries, prefix + "Color", number + 1);
+    segment.Codes = CodesOfSlicerTags(TextOf(headerEntries, prefix + "Tags"));
     segments.push_back(segment);
   }
 }

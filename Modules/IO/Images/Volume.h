@@ -1,5 +1,6 @@
 #pragma once
 
+#include "LabelTable.h"
 #include "LeftHandedAxes.h"
 #include "ShearedAxes.h"
 #include "ValueChoice.h"
@@ -21,6 +22,7 @@ struct Volume
   /// Changes made to the file's data (an axis reversed, ...), as sentences.
   std::vector<std::string> Notes;
   bool IsOriented = true; ///< false: the file does not state its axes in the patient
+  LabelTable Labels = {}; ///< names and colours of its values in the file itself, if it has any
 };
 
 struct VolumeChoice

@@ -9,6 +9,7 @@
 #include "InputError.h"
 #include "LegacyVtkReader.h"
 #include "MeshFormats.h"
+#include "MeshGifti.h"
 #include "MeshGltf.h"
 #include "ObjReader.h"
 #include "PlyReader.h"
@@ -187,8 +188,8 @@ vtkSmartPointer<vtkPolyData> ReadGltf(const std::filesystem::path& path)
   return PolyDataOf(MeshFromGltf(ReadWholeFile(path, MaximumBytes), path.string()));
 }
 
-// STL, glTF and X3D hold single precision, in which a small surface far from the origin loses its
-// shape.
+// STL, glTF, X3D and GIfTI hold single precision, in which a small surface far from the origin
+// loses its shape.
 void RequireSinglePrecision(const TriangleMesh& mesh, const std::filesystem::path& path)
 {
   constexpr double CoarsestStep = 1e-3; // of the surface's size
@@ -223,6 +224,20 @@ std::string WriteSingle(const TriangleMesh& mesh, vtkPolyData*, const std::files
   RequireSinglePrecision(mesh, path);
   return Write(mesh);
 }
+std::string WriteGifti(const TriangleMesh& mesh, vtkPolyData*, const std::filesystem::path& path)
+{
+  if (EndingOf(path, {".shape.gii"}).empty())
+  {
+    RequireSinglePrecision(mesh, path);
+    return MeshToGifti(mesh);
+  }
+  if (mesh.Values.empty())
+  {
+    Refuse(path, "cannot be written: the surface has no values at its points",
+           "write the surface itself (.surf.gii)");
+  }
+  return ValuesToGifti(mesh);
+}
 } // namespace
 
 FormatList<SurfaceFormat>& SurfaceFormats()
@@ -233,7 +248,7 @@ FormatList<SurfaceFormat>& SurfaceFormats()
        {{"PLY", {".ply"}, {".ply"}}, &ReadPly, &WriteMesh<&MeshToPly>},
        {{"OBJ", {".obj"}, {".obj"}}, &ReadObj, &WriteMesh<&MeshToObj>},
        {{"legacy VTK", {".vtk"}, {}}, &ReadLegacyVtk, nullptr},
-       {{"GIfTI", {".gii", ".surf.gii"}, {}}, &ReadGifti, nullptr},
+       {{"GIfTI", {".gii", ".surf.gii"}, {".surf.gii", ".shape.gii"}}, &ReadGifti, &WriteGifti},
        {{"glTF", {".gltf"}, {".gltf"}}, &ReadGltf, &WriteSingle<&MeshToGltf>},
        {{"binary glTF", {".glb"}, {".glb"}}, &ReadGltf, &WriteSingle<&MeshToGlb>},
        {{"X3D", {}, {".x3d"}}, nullptr, &WriteSingle<&MeshToX3d>}});

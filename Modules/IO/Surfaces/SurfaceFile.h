@@ -30,7 +30,8 @@ PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 
 /// Writes a surface (patient LPS, mm) in the format of the ending, under AtomicFile's rules. Needs
 /// no display. Throws InputError, also for a surface without triangles, and for one that a
-/// format of single precision (STL, glTF, X3D) would change by more than a thousandth of its size.
+/// format of single precision (STL, glTF, X3D, GIfTI) would change by more than a thousandth of its
+/// size.
 PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
 
 /// Reads a file of SurfaceFormats into patient LPS in mm. A file that states SPACE=RAS as in 3D

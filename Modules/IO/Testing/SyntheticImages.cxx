@@ -204,6 +204,18 @@ std::string NiftiBytes(const NiftiSpec& spec)
                     std::string(spec.VoxelCount() * static_cast<std::size_t>(spec.Bits) / 8, '\0'));
 }
 
+std::string WithNiftiExtension(std::string bytes, const std::string& text, std::int32_t code)
+{
+  const auto size = static_cast<std::int32_t>((text.size() + 8 + 15) / 16 * 16);
+  std::string extension = BytesOf(std::vector<std::int32_t>{size, code}) + text;
+  extension.resize(static_cast<std::size_t>(size), '\0');
+  bytes.insert(352, extension);
+  bytes[348] = 1;
+  const auto offset = static_cast<float>(352 + size);
+  std::memcpy(&bytes[108], &offset, sizeof offset);
+  return bytes;
+}
+
 std::string NrrdBytes(const std::vector<std::string>& lines, const std::string& voxels)
 {
   std::string bytes = "NRRD0005\n";
@@ -273,6 +285,10 @@ void WriteDicomSlice(const std::filesystem::path& file, const DicomSliceSpec& sp
   PutText(item, DCM_SOPInstanceUID, "1.2.3.4." + std::to_string(spec.Value));
   PutText(item, DCM_Modality, "MR");
   PutText(item, DCM_PatientName, "Secret^Patient");
+  PutText(item, DCM_PatientID, "secret-1");
+  PutText(item, DCM_InstitutionName, "Secret Clinic");
+  PutText(item, DCM_StudyInstanceUID, "1.2.3.1");
+  PutText(item, DCM_FrameOfReferenceUID, "1.2.3.2");
   PutText(item, DCM_SeriesInstanceUID, spec.SeriesUid);
   PutText(item, DCM_SeriesDescription, spec.Description);
   if (!spec.Date.empty())

@@ -49,6 +49,8 @@ struct NiftiSpec
 std::string NiftiBytes(const NiftiSpec& spec, const std::string& voxels);
 /// Zeros for voxels.
 std::string NiftiBytes(const NiftiSpec& spec);
+/// Such a file with an extension of its header: a text under this code.
+std::string WithNiftiExtension(std::string bytes, const std::string& text, std::int32_t code);
 
 /// A header of lines, an empty line, the data.
 std::string NrrdBytes(const std::vector<std::string>& lines, const std::string& voxels);
