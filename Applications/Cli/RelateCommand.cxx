@@ -17,7 +17,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <ostream>
 
 namespace palpate::cli
@@ -58,13 +57,11 @@ void RelateCommand::DeclareOptions(CLI::App& app)
       ->allow_extra_args(false)
       ->check(FiniteNumber::Between(0.0, 1000.0))
       ->capture_default_str();
-  const std::map<std::string, MaskMesh> meshes{{"subvoxel", MaskMesh::SubVoxel},
-                                               {"ibsi", MaskMesh::Ibsi}};
-  app.add_option("--definition", this->Settings.Mesh,
+  app.add_option("--definition", this->Definition,
                  "Surface of masks: the shape behind the voxels (subvoxel), or that of the Image "
                  "Biomarker Standardisation Initiative, for comparison with radiomics (ibsi)")
-      ->transform(CLI::CheckedTransformer(meshes, CLI::ignore_case))
-      ->option_text("subvoxel|ibsi [subvoxel]");
+      ->check(CLI::IsMember({"subvoxel", "ibsi"}))
+      ->capture_default_str();
   this->Images.Declare(app, "folder");
   this->Images.DeclareValues(app);
   app.add_option("--output", this->Output,
@@ -86,6 +83,7 @@ int RelateCommand::Run(Console& console)
     CheckOutputFolder(this->Output);
   }
   this->Settings.Images = this->Images.Choice();
+  this->Settings.Mesh = this->Definition == "ibsi" ? MaskMesh::Ibsi : MaskMesh::SubVoxel;
   this->Settings.Jobs = this->Jobs > 0 ? static_cast<std::size_t>(this->Jobs) : ProcessorCount();
   std::vector<double>& margins = this->Settings.Relation.Margins;
   std::sort(margins.begin(), margins.end());

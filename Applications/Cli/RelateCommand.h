@@ -5,6 +5,7 @@
 #include "OrganRelations.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace palpate::cli
@@ -26,6 +27,7 @@ private:
   std::vector<std::filesystem::path> Inputs;
   ImageOptions Images;
   OrganRelationSettings Settings;
+  std::string Definition = "subvoxel";
   std::filesystem::path Output;
   int Jobs = 0;
   bool Json = false;

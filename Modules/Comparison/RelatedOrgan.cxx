@@ -8,8 +8,10 @@
 #include "MeshDistances.h"
 #include "Units.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace palpate
@@ -80,7 +82,7 @@ ComparedBody BodyOf(const ComparedFile& file, const Segment& structure, MaskMesh
   {
     organ.IsCut = true;
     organ.Notes.emplace_back("is cut by the border of the image: its volume is a part of the "
-                             "organ's, and the cut counts as surface");
+                             "organ's");
   }
   return BodyOfMask(label.Mask, IndexToWorldOf(layer), mesh, organ);
 }
@@ -106,6 +108,31 @@ void Describe(RelatedOrgan& organ)
                                           : ThicknessSettings();
   organ.ThicknessMap = LocalThicknessOf(organ.Body->Samples(), thickness);
   organ.Thick = Summary(organ.Body->Samples(), organ.ThicknessMap);
+}
+
+// The triangles beyond the centres of an image's border voxels.
+double CutAreaOf(const IndexedMesh& mesh, const IndexToWorld& toWorld, const int size[3])
+{
+  const Matrix3 toIndex = toWorld.Axes.inverse();
+  double area = 0.0;
+  for (const std::array<int, 3>& corners : mesh.Triangles)
+  {
+    Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
+    Vector3 largest = -least;
+    for (const int corner : corners)
+    {
+      const Vector3 index = toIndex * (mesh.Points[corner] - toWorld.Origin);
+      least = least.cwiseMin(index);
+      largest = largest.cwiseMax(index);
+    }
+    const Vector3 last = Vector3(size[0], size[1], size[2]) - Vector3::Ones();
+    if (largest.minCoeff() < 0.0 || (least - last).maxCoeff() > 0.0)
+    {
+      const Vector3& a = mesh.Points[corners[0]];
+      area += 0.5 * (mesh.Points[corners[1]] - a).cross(mesh.Points[corners[2]] - a).norm();
+    }
+  }
+  return area;
 }
 
 // `make` throws InputError.
@@ -139,6 +166,11 @@ RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, Ma
   organ.Name = NameOfOrgan(file, structure);
   Measure([&] { return BodyOf(file, structure, mesh, organ); },
           mesh == MaskMesh::Ibsi ? SpreadOf::VoxelCenters : SpreadOf::Inside, organ);
+  if (organ.IsMeasured() && organ.IsCut)
+  {
+    vtkImageData* layer = file.Labels()->Layers[static_cast<std::size_t>(structure.Layer)];
+    organ.CutArea = CutAreaOf(organ.Body->Samples(), IndexToWorldOf(layer), layer->GetDimensions());
+  }
   return organ;
 }
 

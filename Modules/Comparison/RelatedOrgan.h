@@ -40,6 +40,7 @@ struct RelatedOrgan
   std::string Message;            ///< why it is not measured; empty if it is
   std::vector<std::string> Notes; ///< what is not as the caller may think
   bool IsCut = false;             ///< its mask ends at the border of the image
+  double CutArea = 0.0;           ///< mm^2 of its surface that is such an end
   double Milliliters = std::numeric_limits<double>::quiet_NaN(); ///< of a mask's voxels
   std::shared_ptr<const RelatedBody> Body;                       ///< null if it is not measured
   std::vector<ShapeFeature> Features;

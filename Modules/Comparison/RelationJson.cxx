@@ -36,6 +36,7 @@ Json OrganJson(const RelatedOrgan& organ)
   {
     return json;
   }
+  json["cut_mm2"] = organ.CutArea;
   json["volume_ml"] = NumberOrNull(organ.Milliliters);
   for (const ShapeFeature& feature : organ.Features)
   {

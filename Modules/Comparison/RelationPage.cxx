@@ -34,6 +34,12 @@ double MillilitersOf(const RelatedOrgan& organ)
                                           : 1e-3 * FeatureOf(organ, "volume_mesh");
 }
 
+// mm^2, without where the image cuts it.
+double AreaOf(const RelatedOrgan& organ)
+{
+  return FeatureOf(organ, "surface_area") - organ.CutArea;
+}
+
 SoftwareRenderer RendererOfAll(const OrganRelations& relations)
 {
   TriangleMesh all;
@@ -74,7 +80,7 @@ ReportTable OrganRows(const OrganRelations& relations)
     {
       table.Text(organ.Name)
           .Number(MillilitersOf(organ), 2)
-          .Number(0.01 * FeatureOf(organ, "surface_area"), 1)
+          .Number(0.01 * AreaOf(organ), 1)
           .Number(FeatureOf(organ, "major_axis_length"), 1)
           .Number(FeatureOf(organ, "minor_axis_length"), 1)
           .Number(FeatureOf(organ, "least_axis_length"), 1)
@@ -227,12 +233,11 @@ std::string RelationText(const OrganRelations& relations)
   {
     if (organ.IsMeasured())
     {
-      organs.AddRow({organ.Name, FixedText(MillilitersOf(organ), 2),
-                     FixedText(0.01 * FeatureOf(organ, "surface_area"), 1),
-                     FixedText(FeatureOf(organ, "major_axis_length"), 1),
-                     FixedText(FeatureOf(organ, "minor_axis_length"), 1),
-                     FixedText(FeatureOf(organ, "least_axis_length"), 1),
-                     FixedText(organ.Thick.Median, 1)});
+      organs.AddRow(
+          {organ.Name, FixedText(MillilitersOf(organ), 2), FixedText(0.01 * AreaOf(organ), 1),
+           FixedText(FeatureOf(organ, "major_axis_length"), 1),
+           FixedText(FeatureOf(organ, "minor_axis_length"), 1),
+           FixedText(FeatureOf(organ, "least_axis_length"), 1), FixedText(organ.Thick.Median, 1)});
     }
   }
   TextTable pairs;

@@ -39,6 +39,7 @@ Row RowOf(const RelatedOrgan& organ, const std::vector<ShapeFeature>& features)
           {"status", organ.IsMeasured() ? "measured" : "refused"},
           {"message", organ.Message},
           {"cut_by_border", organ.IsCut ? "yes" : "no"},
+          {"cut_mm2", CellOf(organ.CutArea)},
           {"volume_ml", CellOf(organ.Milliliters)}};
   for (const ShapeFeature& feature : features)
   {

@@ -77,6 +77,17 @@ TEST_F(CliRelate, MasksOfAFolderAreNamedAndMeasured)
   }
 }
 
+TEST_F(CliRelate, CutOfTheBorderIsMeasured)
+{
+  this->WriteOrgans();
+  const Json found = this->Relate({"masks"});
+  // A disc 3.5 mm from the middle of the ball.
+  const Json& kidney = found.at("organs").at(0);
+  EXPECT_EQ(kidney.at("name"), "kidney_left");
+  EXPECT_NEAR(kidney.at("cut_mm2").get<double>(), M_PI * (49.0 - 3.5 * 3.5), 15.0);
+  EXPECT_EQ(found.at("organs").at(1).at("cut_mm2"), 0.0);
+}
+
 TEST_F(CliRelate, ModelsAreRelatedExactly)
 {
   this->WriteOrgans();
