@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <queue>
 
@@ -20,7 +21,12 @@ struct NodePair
   double Least; // squared
   int One;
   int Other;
-  bool operator<(const NodePair& pair) const noexcept { return this->Least > pair.Least; }
+  std::size_t Number; // of those that were found
+  // The nearest first; of boxes that overlap the newest, which leads to triangles soonest.
+  bool operator<(const NodePair& pair) const noexcept
+  {
+    return this->Least > pair.Least || (this->Least == pair.Least && this->Number < pair.Number);
+  }
 };
 
 double SquaredGap(const FloatBox& one, const FloatBox& other) noexcept
@@ -105,6 +111,17 @@ void OfferCrossing(MeshGap& gap, const Vector3& p, const Vector3& q, const Corne
   gap = {point, point, 0.0};
 }
 
+// Whether the boxes of two triangles are apart by as much as a distance: most of two leaves are.
+bool AreApart(const Corners& one, const Corners& other, double distance)
+{
+  const Vector3 low = one[0].cwiseMin(one[1]).cwiseMin(one[2]);
+  const Vector3 high = one[0].cwiseMax(one[1]).cwiseMax(one[2]);
+  const Vector3 otherLow = other[0].cwiseMin(other[1]).cwiseMin(other[2]);
+  const Vector3 otherHigh = other[0].cwiseMax(other[1]).cwiseMax(other[2]);
+  const Vector3 between = (low - otherHigh).cwiseMax(otherLow - high).cwiseMax(0.0);
+  return between.squaredNorm() > distance * distance;
+}
+
 void OfferTriangles(MeshGap& gap, const Corners& one, const Corners& other)
 {
   for (std::size_t i = 0; i < 3; ++i)
@@ -152,7 +169,7 @@ private:
         SquaredGap(this->TreeOfOne.Nodes()[one].Box, this->TreeOfOther.Nodes()[other].Box);
     if (least < this->Gap.Distance * this->Gap.Distance)
     {
-      this->Open.push({least, one, other});
+      this->Open.push({least, one, other, this->Count++});
     }
   }
 
@@ -183,7 +200,11 @@ private:
       const Corners corners = CornersOf(this->One, this->TreeOfOne.Order()[i]);
       for (int j = other.Second; j < other.Second + other.Count; ++j)
       {
-        OfferTriangles(this->Gap, corners, CornersOf(this->Other, this->TreeOfOther.Order()[j]));
+        const Corners others = CornersOf(this->Other, this->TreeOfOther.Order()[j]);
+        if (!AreApart(corners, others, this->Gap.Distance))
+        {
+          OfferTriangles(this->Gap, corners, others);
+        }
       }
     }
   }
@@ -193,6 +214,7 @@ private:
   const TriangleTree& TreeOfOne;
   const TriangleTree& TreeOfOther;
   std::priority_queue<NodePair> Open;
+  std::size_t Count = 0;
   MeshGap Gap;
 };
 } // namespace
