@@ -90,6 +90,7 @@ TEST(BodyRelation, OfABodyInAnotherNamesTheWall)
   EXPECT_NEAR(found.Wall.Distance, 3.0, 0.02);
   EXPECT_NEAR(found.SharedVolume / (256.0 / 3.0 * M_PI), 1.0, 1e-3);
   EXPECT_EQ(found.One.Near.front().Volume, 1.0);
+  EXPECT_EQ(found.One.ContactArea, 0.0) << "the wall is thicker than what counts as contact";
   const BodyRelation back = Related(organ, lesion);
   EXPECT_EQ(back.Is, BodyRelation::Kind::Around);
   EXPECT_NEAR(back.Other.ContactArea, found.One.ContactArea, 1e-9);
