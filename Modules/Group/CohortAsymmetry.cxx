@@ -137,12 +137,17 @@ const Covariate& SideColumn(const CovariateTable& table, const std::string& name
   return *column;
 }
 
-using AnovaRow = std::pair<const char*, SideAnova::Effect>;
+struct AnovaRow
+{
+  const char* Name;
+  SideAnova::Effect Effect;
+  bool IsTested; // it has F and p
+};
 std::array<AnovaRow, 3> AnovaRows(const SideAnova& anova)
 {
-  return {{{"individual", anova.Individual},
-           {"side (directional)", anova.Side},
-           {"individual x side (fluctuating)", anova.Interaction}}};
+  return {{{"individual", anova.Individual, false},
+           {"side (directional)", anova.Side, true},
+           {"individual x side (fluctuating)", anova.Interaction, false}}};
 }
 } // namespace
 
@@ -263,13 +268,12 @@ void WriteCohortAsymmetry(const CohortGroup& group, const CohortAsymmetry& asymm
                       ExactText(one.ShapeMillimeters), ExactText(one.ShapePercent)});
   }
   std::string anova = CsvLine({"effect", "squares_mm2", "degrees", "mean_square", "f", "p"});
-  for (const auto& [name, effect] : AnovaRows(asymmetry.Anova))
+  for (const auto& [name, effect, isTested] : AnovaRows(asymmetry.Anova))
   {
-    const bool isSide = effect.Squares == asymmetry.Anova.Side.Squares;
     anova += CsvLine({name, ExactText(effect.Squares), ExactText(effect.Degrees),
                       ExactText(effect.Mean()),
-                      isSide ? ExactText(asymmetry.Anova.SideF()) : std::string(),
-                      isSide ? ExactText(asymmetry.Points.WholeP) : std::string()});
+                      isTested ? ExactText(asymmetry.Anova.SideF()) : std::string(),
+                      isTested ? ExactText(asymmetry.Points.WholeP) : std::string()});
   }
   WriteWholeFile(folder / "asymmetry.csv", table);
   WriteWholeFile(folder / "asymmetry_anova.csv", anova);
@@ -294,7 +298,7 @@ void AddCohortAsymmetry(ReportPage& page, const CohortAsymmetry& asymmetry)
                    "side, blue less far; ") +
             "what is pale is not significant (maximum, 0.05).");
   ReportTable table({"Effect", "squares, mm\xC2\xB2", "df", "mean square"});
-  for (const auto& [name, effect] : AnovaRows(asymmetry.Anova))
+  for (const auto& [name, effect, isTested] : AnovaRows(asymmetry.Anova))
   {
     table.Text(name)
         .Value(SignificantText(effect.Squares, 4))

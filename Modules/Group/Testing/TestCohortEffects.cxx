@@ -3,8 +3,8 @@
 #include "CovariateModel.h"
 #include "DecimalText.h"
 #include "IcosahedronDirections.h"
-#include "InputError.h"
 #include "MarkupCheck.h"
+#include "MessageOf.h"
 #include "RandomShapes.h"
 #include "ReportPage.h"
 #include "SphericalHarmonicBasis.h"
@@ -227,15 +227,7 @@ TEST(CovariateModel, RefusesInOneSentence)
   const auto refusal = [&](CovariateRequest request)
   {
     std::vector<std::string> notes;
-    try
-    {
-      const CovariateModel model(cohort.Group, request, notes, {});
-    }
-    catch (const InputError& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::MessageOf([&] { CovariateModel(cohort.Group, request, notes, {}); });
   };
   EXPECT_NE(refusal(cohort.Request("")).find("need a formula"), std::string::npos);
   EXPECT_NE(refusal(cohort.Request("~ weight")).find("no column weight"), std::string::npos);

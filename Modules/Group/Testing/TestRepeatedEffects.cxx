@@ -1,6 +1,6 @@
 #include "CovariateModel.h"
-#include "InputError.h"
 #include "MarkupCheck.h"
+#include "MessageOf.h"
 #include "ProbabilityDistributions.h"
 #include "RepeatedEffectFiles.h"
 #include "ReportPage.h"
@@ -242,15 +242,7 @@ TEST(RepeatedEffects, AreRefusedInOneSentence)
   const auto refusal = [&](const CovariateRequest& request)
   {
     std::vector<std::string> notes;
-    try
-    {
-      const CovariateModel model(cohort.Group, request, notes, {});
-    }
-    catch (const InputError& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::MessageOf([&] { CovariateModel(cohort.Group, request, notes, {}); });
   };
   CovariateRequest request = cohort.Request("~ group", "");
   request.Repeated = {"", "months"};
