@@ -116,7 +116,7 @@ int CompareCommand::Run(Console& console)
     {
       return this->RunFiles(console);
     }
-    throw InputError((isFolder ? this->First : this->Reference).string() +
+    throw InputError(folder.string() +
                      " is a folder, and the other one is not; give two files or two folders");
   }
   return isFolder && !IsDicomSeriesChosen(this->Settings.Images)

@@ -98,11 +98,6 @@ void Describe(RelatedOrgan& organ)
   {
     organ.Milliliters = body.Volume() / CubicMillimetersPerMilliliter;
   }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    organ.Extent[2 * static_cast<std::size_t>(axis)] = organ.Body->Box().min()[axis];
-    organ.Extent[2 * static_cast<std::size_t>(axis) + 1] = organ.Body->Box().max()[axis];
-  }
   const ThicknessSettings thickness = body.Mask() != nullptr
                                           ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes)
                                           : ThicknessSettings();

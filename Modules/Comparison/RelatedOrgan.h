@@ -44,7 +44,6 @@ struct RelatedOrgan
   double Milliliters = std::numeric_limits<double>::quiet_NaN(); ///< of a mask's voxels
   std::shared_ptr<const RelatedBody> Body;                       ///< null if it is not measured
   std::vector<ShapeFeature> Features;
-  std::array<double, 6> Extent{}; ///< mm: least and largest x, y, z, patient LPS
   Thickness Thick;
   ///@{ At the points of Body: thickness; the least distance from any other organ (negative inside
   /// it), and its number in the list of organs, -1 beyond the reach.

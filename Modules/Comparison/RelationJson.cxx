@@ -47,8 +47,10 @@ Json OrganJson(const RelatedOrgan& organ)
                        {"median_mm", organ.Thick.Median},
                        {"p95_mm", organ.Thick.Percentile95}};
   json["centroid_mm"] = PointJson(organ.Body->Spread().Mean);
-  const auto& extent = organ.Extent;
-  json["extent_mm"] = {{extent[0], extent[1]}, {extent[2], extent[3]}, {extent[4], extent[5]}};
+  const Eigen::AlignedBox3d& box = organ.Body->Box();
+  json["extent_mm"] = {{box.min().x(), box.max().x()},
+                       {box.min().y(), box.max().y()},
+                       {box.min().z(), box.max().z()}};
   const Matrix3 axes = organ.Body->Spread().Axes();
   json["axes"] = {PointJson(axes.col(0)), PointJson(axes.col(1)), PointJson(axes.col(2))};
   return json;

@@ -1,7 +1,6 @@
 #include "RelationsPanel.h"
 
 #include "DecimalText.h"
-#include "InputError.h"
 #include "RelationFiles.h"
 #include "ScreenString.h"
 #include "TriangleMesh.h"
@@ -106,11 +105,11 @@ std::vector<NamedSurface> RelationsPanel::Displayed() const
   for (const SceneStructure& structure : this->Study.State().Structures)
   {
     const auto shown = this->Contents.Surfaces().find(structure.Id);
-    if (structure.IsVisible && shown != this->Contents.Surfaces().end() &&
-        shown->second->GetSurface() != nullptr &&
-        shown->second->GetSurface()->GetNumberOfPolys() > 0)
+    vtkPolyData* surface =
+        shown != this->Contents.Surfaces().end() ? shown->second->GetSurface() : nullptr;
+    if (structure.IsVisible && surface != nullptr && surface->GetNumberOfPolys() > 0)
     {
-      TriangleMesh mesh = TrianglesOf(shown->second->GetSurface(), TitleOf(structure));
+      TriangleMesh mesh = TrianglesOf(surface, TitleOf(structure));
       surfaces.push_back({TitleOf(structure),
                           structure.Color,
                           {std::move(mesh.PointsWorld), std::move(mesh.Triangles)}});
@@ -127,10 +126,10 @@ void RelationsPanel::MeasureOrCancel()
     this->End("Cancelled.");
     return;
   }
-  this->Start();
+  this->Measure();
 }
 
-void RelationsPanel::Start()
+void RelationsPanel::Measure()
 {
   const auto surfaces = std::make_shared<const std::vector<NamedSurface>>(this->Displayed());
   if (surfaces->empty())
@@ -138,17 +137,24 @@ void RelationsPanel::Start()
     this->End("Nothing is displayed as a surface: show a structure as its model or its surface.");
     return;
   }
+  this->Run(
+      [this, surfaces](const ProgressFunction& progress)
+      {
+        auto found =
+            std::make_shared<const OrganRelations>(OrganRelations::Of(*surfaces, {}, progress));
+        return [this, found] { this->Take(found); };
+      });
+}
+
+void RelationsPanel::Run(std::function<StudyJob::Delivery(const ProgressFunction& progress)> work)
+{
   StudyJob job;
   job.IsUrgent = true;
-  job.Work = [this, surfaces](const ProgressFunction& progress)
-  {
-    auto found =
-        std::make_shared<const OrganRelations>(OrganRelations::Of(*surfaces, {}, progress));
-    return StudyJob::Delivery([this, found] { this->Take(found); });
-  };
+  job.Work = std::move(work);
   job.Fail = [this](const std::string& message) { this->End(ScreenString(message)); };
   this->Job = this->Study.Current().Jobs().Start(std::move(job));
   this->Measuring->setText("Cancel");
+  this->Saving->setEnabled(false);
   constexpr int LookMilliseconds = 200;
   this->Watch.start(LookMilliseconds);
   this->ShowProgress();
@@ -259,14 +265,11 @@ void RelationsPanel::Save()
   {
     return;
   }
-  try
-  {
-    WriteRelationFiles(*this->Found, folder.toStdString());
-    this->Line->setText("Written: " + folder + "/report.html");
-  }
-  catch (const InputError& error)
-  {
-    this->Line->setText(ScreenString(error.what()));
-  }
+  this->Run(
+      [this, folder, found = this->Found](const ProgressFunction&)
+      {
+        WriteRelationFiles(*found, folder.toStdString());
+        return [this, folder] { this->End("Written: " + folder + "/report.html"); };
+      });
 }
 } // namespace palpate

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -35,7 +36,9 @@ private:
   QTableWidget* MakeTable(const char* name, const QStringList& heads);
   std::vector<NamedSurface> Displayed() const;
   void MeasureOrCancel();
-  void Start();
+  void Measure();
+  /// Runs it in the background; what it returns is called in the window's thread.
+  void Run(std::function<StudyJob::Delivery(const ProgressFunction& progress)> work);
   void End(const QString& text);
   void ShowProgress();
   void Take(std::shared_ptr<const OrganRelations> found);

@@ -71,6 +71,7 @@ TEST_F(RelationsPanelTest, PageIsWrittenIntoTheChosenFolder)
   const std::filesystem::path folder = this->Phantom.Folder / "related";
   this->Chosen = QString::fromStdString(folder.string());
   this->Button("relations-save")->click();
+  WaitUntil([this] { return this->Button("relations-save")->isEnabled(); });
   EXPECT_TRUE(std::filesystem::exists(folder / "report.html")) << this->Line().toStdString();
   EXPECT_TRUE(std::filesystem::exists(folder / "pairs.csv"));
 }
