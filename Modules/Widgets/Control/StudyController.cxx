@@ -119,6 +119,10 @@ void StudyController::BeginWith(const StudyState& first)
 void StudyController::OpenFiles(const std::vector<std::filesystem::path>& files)
 {
   const bool isWaiting = !this->Roles.empty();
+  if (!isWaiting)
+  {
+    this->Opened.clear();
+  }
   this->Roles.insert(this->Roles.end(), files.begin(), files.end());
   if (!isWaiting)
   {
@@ -167,6 +171,7 @@ void StudyController::TakeRole()
 
 void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& file)
 {
+  const bool isFirst = this->Opened.insert(role).second;
   switch (role)
   {
   case StudyFileRole::Session:
@@ -176,10 +181,10 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
     }
     break;
   case StudyFileRole::Segmentation:
-    this->OpenSegmentation(file);
+    isFirst ? this->OpenSegmentation(file) : this->AddSegmentation(file);
     break;
   case StudyFileRole::Volume:
-    this->OpenVolume(file);
+    isFirst ? this->OpenVolume(file) : this->AddVolume(file);
     break;
   case StudyFileRole::Recording:
     this->OpenReplay(file);

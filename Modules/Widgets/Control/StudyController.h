@@ -67,7 +67,8 @@ public:
   bool Recover(const std::filesystem::path& folder);
   /// What new studies begin with, and with them one in which nothing was done yet.
   void BeginWith(const StudyState& first);
-  /// Opens files of any kind, one after the other; their kinds are detected in the background.
+  /// Opens files of any kind, one after the other; their kinds are detected in the background. Of
+  /// several volumes or segmentations the first replaces what is open, the others are added.
   void OpenFiles(const std::vector<std::filesystem::path>& files);
   /// A file, or a folder of DICOM slices. These two read in the background first: a file that
   /// cannot be read gives a message and changes nothing. Sessions, scenes, models and surfaces are
@@ -182,6 +183,7 @@ private:
   StudyTouchReading Felt;
   QTimer Timer;
   std::vector<std::filesystem::path> Roles; ///< files whose kind is not yet known
+  std::set<StudyFileRole> Opened;           ///< kinds of the files that were asked for with them
   int Folders = 0;                          ///< number of folders whose series are being listed
   std::function<bool()> MayLeave;
   std::function<int(const std::vector<DicomSeriesChoice>&)> WhichSeries;

@@ -352,6 +352,23 @@ TEST_F(AddedStructures, MenuAddsStructuresOfASegmentation)
   EXPECT_EQ(this->Study->State().Structures.size(), 6U);
 }
 
+TEST_F(AddedStructures, SegmentationsOpenedTogetherAreAllThere)
+{
+  this->WriteMaskFolder();
+  const std::filesystem::path folder = this->Phantom.Folder / "organs";
+  const std::vector<std::filesystem::path> masks{folder / "liver.nii.gz", folder / "spleen.nii.gz"};
+  this->Study->OpenFiles(masks);
+  WaitUntil([this] { return this->Study->State().Structures.size() == 2; });
+  this->Settle();
+  const StudyState both = this->Study->State();
+  ASSERT_EQ(both.Structures.size(), 2U);
+  EXPECT_EQ(both.Structures[0].File, masks[0]);
+  EXPECT_EQ(both.Structures[1].File, masks[1]);
+  // Asked for again, one replaces what is open.
+  this->Study->OpenFiles({masks[1]});
+  WaitUntil([&] { return this->Study->State().SegmentationFile == masks[1]; });
+}
+
 TEST_F(AddedStructures, DialogHasTheNumbersOfAddedEffects)
 {
   SceneEffectKind kind;

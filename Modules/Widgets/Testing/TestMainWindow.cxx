@@ -20,20 +20,28 @@ namespace palpate::main_window_test
 {
 namespace
 {
-using MainWindowTest = test::WindowTest;
+class MainWindowTest : public test::WindowTest
+{
+protected:
+  // Grey values that vary more than those of a label map.
+  std::filesystem::path WriteGrey(const std::string& name) const
+  {
+    const test::LabelGrid grid;
+    const auto image =
+        test::MakeLabelImage<float>(grid, [](double, double, double) { return true; });
+    for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
+    {
+      static_cast<float*>(image->GetScalarPointer())[v] =
+          std::sin(0.37F * static_cast<float>(v % 1009));
+    }
+    WriteImage(this->Phantom.Folder / name, image);
+    return this->Phantom.Folder / name;
+  }
+};
 
 TEST_F(MainWindowTest, DetectsFileKinds)
 {
-  // A sphere with grey values that vary more than those of a label map.
-  const auto grey = this->Phantom.Folder / "grey.nrrd";
-  test::LabelGrid grid;
-  const auto image = test::MakeLabelImage<float>(grid, [](double, double, double) { return true; });
-  for (vtkIdType v = 0; v < image->GetNumberOfPoints(); ++v)
-  {
-    static_cast<float*>(image->GetScalarPointer())[v] =
-        std::sin(0.37F * static_cast<float>(v % 1009));
-  }
-  WriteImage(grey, image);
+  const std::filesystem::path grey = this->WriteGrey("grey.nrrd");
   this->Study->OpenFiles({grey, this->MaskFile()});
   WaitUntil([this] { return this->Study->State().Structures.size() == 3; });
   this->Settle();
@@ -42,6 +50,16 @@ TEST_F(MainWindowTest, DetectsFileKinds)
   const ViewContents& shown = this->Window->Contents();
   EXPECT_EQ(shown.Surfaces().count(1), 1U);
   EXPECT_NE(shown.Images()->GetImage(), nullptr);
+}
+
+TEST_F(MainWindowTest, VolumesOpenedTogetherAreAllThere)
+{
+  const std::filesystem::path first = this->WriteGrey("first.nrrd");
+  const std::filesystem::path second = this->WriteGrey("second.nrrd");
+  this->Study->OpenFiles({first, second});
+  WaitUntil([this] { return this->Study->State().Volumes.size() == 1; });
+  EXPECT_EQ(this->Study->State().VolumeFile, first);
+  EXPECT_EQ(this->Study->State().Volumes.front().File, second);
 }
 
 TEST_F(MainWindowTest, DroppedFilesAreOpened)
