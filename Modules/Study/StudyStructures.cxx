@@ -22,12 +22,14 @@ namespace palpate
 {
 namespace
 {
-SceneStructure StructureOf(const Segment& segment, const std::filesystem::path& file, int degree,
-                           bool isShown)
+// The only structure of a file is named after it, unless the file has a name for it.
+SceneStructure StructureOf(const Segment& segment, const Segmentation& segmentation,
+                           const std::filesystem::path& file, int degree, bool isShown)
 {
+  const bool isOnly = segmentation.Segments.size() == 1;
   SceneStructure structure;
   structure.Id = segment.Label;
-  structure.Name = segment.Name;
+  structure.Name = isOnly && segment.Name.empty() ? CaseNameOf(file) : segment.Name;
   structure.File = file;
   structure.Labels = {std::to_string(segment.Label)};
   structure.Color = StructureColor(segment.Color, segment.Label);
@@ -163,7 +165,7 @@ StudyState WithStructuresOf(const StudyState& state, const Segmentation& segment
     const bool isShown =
         next.Structures.empty() || segmentation.Segments.size() <= Study::MostShownUnasked;
     next.Structures.push_back(
-        StructureOf(segment, state.SegmentationFile, state.Fit.Degree, isShown));
+        StructureOf(segment, segmentation, state.SegmentationFile, state.Fit.Degree, isShown));
     // A file's own colours stay, unless they are in use for other files.
     auto& color = next.Structures.back().Color;
     if (DistanceFromColors(color, others) < DistinctDistance)
@@ -187,7 +189,7 @@ StudyState WithAddedStructuresOf(const StudyState& state, const std::filesystem:
   {
     const bool isFirst = &segment == segmentation.Segments.data();
     const bool isShown = isFirst || segmentation.Segments.size() <= Study::MostShownUnasked;
-    SceneStructure added = StructureOf(segment, file, state.Fit.Degree, isShown);
+    SceneStructure added = StructureOf(segment, segmentation, file, state.Fit.Degree, isShown);
     const bool isThere = std::any_of(state.Structures.begin(), state.Structures.end(),
                                      [&added](const SceneStructure& one) {
                                        return one.File == added.File && one.Labels == added.Labels;

@@ -115,6 +115,18 @@ TEST_F(StudyTest, AddsStructuresOfAFurtherSegmentationInOneStep)
   EXPECT_EQ(this->Open.State(), added) << "each label once";
 }
 
+TEST(StructuresOfSegmentation, OnlyOneIsNamedAfterItsFileUnlessItHasAName)
+{
+  StudyState state;
+  state.SegmentationFile = "/liver.nii.gz";
+  Segmentation read;
+  read.Segments.resize(1);
+  read.Segments[0].Label = read.Segments[0].Value = 1;
+  EXPECT_EQ(WithStructuresOf(state, read).Structures.front().Name, "liver");
+  read.Segments[0].Name = "Hepar";
+  EXPECT_EQ(WithStructuresOf(state, read).Structures.front().Name, "Hepar");
+}
+
 TEST(AddedStructuresOfSegmentations, NamesAreTakenOnce)
 {
   Segmentation read;
