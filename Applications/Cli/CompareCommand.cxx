@@ -43,7 +43,9 @@ std::string CompareCommand::Examples() const
          "  palpate compare readers/1 readers/2 --output compared  files of the same names\n"
          "  palpate compare masks fitted --output compared         a folder, and what fit made of "
          "it\n"
-         "  palpate compare masks labels.seg.nrrd                  a folder of structures, by name";
+         "  palpate compare masks labels.seg.nrrd                  a folder of structures, by "
+         "name\n"
+         "  palpate compare left.json right.json --mirror          left against right";
 }
 
 void CompareCommand::DeclareOptions(CLI::App& app)
@@ -66,12 +68,16 @@ void CompareCommand::DeclareOptions(CLI::App& app)
   app.add_option("--reference-label", this->Settings.ReferenceLabel,
                  "Structure of REFERENCE, if it is another one")
       ->type_name("N|NAME");
-  app.add_option("--tolerance", this->Settings.Tolerances, "Tolerances of the surface Dice, mm")
+  app.add_option("--tolerance", this->Settings.Pair.Tolerances,
+                 "Tolerances of the surface Dice, mm")
       ->type_name("MM")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(FiniteNumber::Between(0.0, 1000.0))
       ->capture_default_str();
+  app.add_flag("--mirror", this->Settings.Pair.IsMirrored,
+               "Compare with the mirror image of REFERENCE at the sagittal plane, brought onto "
+               "FIRST: left against right, or an organ of the midline with itself");
   this->Settings.Images.Declare(app, "folder");
   this->Settings.Images.DeclareValues(app);
   app.add_option(
@@ -90,7 +96,8 @@ void CompareCommand::DeclareOptions(CLI::App& app)
 int CompareCommand::Run(Console& console)
 {
   const Interruption interruption;
-  std::sort(this->Settings.Tolerances.begin(), this->Settings.Tolerances.end());
+  std::vector<double>& tolerances = this->Settings.Pair.Tolerances;
+  std::sort(tolerances.begin(), tolerances.end());
   if (!this->Settings.Output.empty())
   {
     CheckOutputFolder(this->Settings.Output);
@@ -157,6 +164,10 @@ CasePairs CompareCommand::Chosen(CasePairs cases) const
 
 int CompareCommand::RunCases(const CasePairs& all, Console& console) const
 {
+  if (this->Settings.Pair.IsMirrored)
+  {
+    throw InputError("--mirror is for two files; palpate cohort --asymmetry is for groups");
+  }
   FolderComparison comparison(this->Chosen(all), this->Settings);
   comparison.SetJobs(this->Jobs > 0 ? this->Jobs : ProcessorCount());
   return comparison.Run(console);

@@ -83,6 +83,19 @@ Json BiasJson(const std::optional<SideBias>& bias)
   return {{"sides", sides}, {"octants", octants}};
 }
 
+Json MirrorJson(const PairComparison& pair)
+{
+  if (!pair.Mirror)
+  {
+    return nullptr;
+  }
+  const Vector3& shift = pair.Mirror->Shift;
+  return {{"turn_deg", pair.Mirror->Turn * 180.0 / M_PI},
+          {"shift_mm", {shift.x(), shift.y(), shift.z()}},
+          {"volume_asymmetry_percent", OrNull(pair.VolumeAsymmetryPercent())},
+          {"shape_asymmetry_percent", OrNull(pair.ShapeAsymmetryPercent())}};
+}
+
 Json NumbersJson(const PairComparison& pair)
 {
   const BodyComparison& found = pair.Numbers;
@@ -103,6 +116,7 @@ Json NumbersJson(const PairComparison& pair)
             {"least_mm", found.LeastDistance}}},
           {"surface_dice", tolerances},
           {"bias", BiasJson(found.Bias)},
+          {"mirror", MirrorJson(pair)},
           {"seconds", pair.Seconds}};
 }
 } // namespace

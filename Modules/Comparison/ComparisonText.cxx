@@ -59,7 +59,7 @@ std::string ComparisonText(const PairComparison& pair)
   const BodyComparison& found = pair.Numbers;
   TextTable table;
   table.AddRow({"first", TitleOf(pair.One)});
-  table.AddRow({"reference", TitleOf(pair.Other)});
+  table.AddRow({"reference", TitleOf(pair.Other) + (pair.Mirror ? ", mirrored" : "")});
   if (found.Overlap)
   {
     table.AddRow({"Dice", FixedText(found.Overlap->Dice(), 4) + ", Jaccard " +
@@ -71,6 +71,12 @@ std::string ComparisonText(const PairComparison& pair)
     table.AddRow({"volume", FixedText(pair.One.Milliliters, 3) + " ml, reference " +
                                 FixedText(pair.Other.Milliliters, 3) + " ml (" +
                                 SignedText(pair.VolumeDifferencePercent(), 2) + " %)"});
+  }
+  if (pair.Mirror && std::isfinite(pair.VolumeDifference()))
+  {
+    table.AddRow({"asymmetry", "of volume " + SignedText(pair.VolumeAsymmetryPercent(), 2) +
+                                   " %, of shape " + FixedText(pair.ShapeAsymmetryPercent(), 2) +
+                                   " % of a radius"});
   }
   table.AddRow({"distance", Distances(found.Both)});
   table.AddRow({"  first to reference", Direction(found.OneToOther)});

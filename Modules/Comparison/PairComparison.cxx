@@ -43,6 +43,28 @@ bool AreOfOneName(const PairComparison& pair)
                   : pair.One.File.filename() == pair.Other.File.filename());
 }
 
+std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const ComparedFile& other,
+                                                const PairSettings& settings, KernelWatch& watch)
+{
+  ComparedBody body = other.Body(pair.Other.Structure);
+  if (settings.IsMirrored)
+  {
+    Measure(body, pair.Other);
+    MirrorMatch match;
+    const Status status = MirrorOnto(*pair.OneBody, watch.Of(0.1, 0.2), body, match);
+    watch.Require();
+    if (!status.IsOk())
+    {
+      throw InputError("the mirror image " + status.Message());
+    }
+    pair.Mirror = match;
+    pair.Notes.push_back("the reference is its mirror image at the sagittal plane, turned by " +
+                         FixedText(match.Turn * 180.0 / M_PI, 1) + " degrees and moved by " +
+                         FixedText(match.Shift.norm(), 1) + " mm onto the first");
+  }
+  return std::make_shared<const ComparedBody>(std::move(body));
+}
+
 void RemarkOn(PairComparison& pair)
 {
   for (const ComparedSide* side : {&pair.One, &pair.Other})
@@ -74,6 +96,12 @@ void RemarkOn(PairComparison& pair)
 }
 } // namespace
 
+double PairComparison::ShapeAsymmetryPercent() const
+{
+  const double volume = CubicMillimetersPerMilliliter * this->One.Milliliters;
+  return 100.0 * this->Numbers.Both.Rms / std::cbrt(3.0 * volume / (4.0 * M_PI));
+}
+
 void PairComparison::Forget()
 {
   this->OneBody = nullptr;
@@ -89,9 +117,14 @@ std::pair<std::string, std::string> TitlesOf(const PairComparison& pair)
 {
   const std::string one = pair.One.Structure.Name;
   const std::string other = pair.Other.Structure.Name;
-  if (!one.empty() && !other.empty() && one != other)
+  if (!pair.Mirror && !one.empty() && !other.empty() && one != other)
   {
     return {one, other};
+  }
+  if (pair.Mirror)
+  {
+    const std::string& mirrored = other.empty() ? pair.Other.File.filename().string() : other;
+    return {one.empty() ? pair.One.File.filename().string() : one, "mirrored " + mirrored};
   }
   const std::string oneFile = pair.One.File.filename().string();
   const std::string otherFile = pair.Other.File.filename().string();
@@ -100,7 +133,7 @@ std::pair<std::string, std::string> TitlesOf(const PairComparison& pair)
 
 PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
                            const ComparedFile& other, const Segment& otherStructure,
-                           const std::vector<double>& tolerances, const ProgressFunction& progress)
+                           const PairSettings& settings, const ProgressFunction& progress)
 {
   PairComparison pair;
   pair.One = SideOf(one, oneStructure);
@@ -113,7 +146,7 @@ PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
     pair.OneBody = std::make_shared<const ComparedBody>(one.Body(oneStructure));
     watch.Of(0.0, 1.0)(0.1);
     watch.Require();
-    pair.OtherBody = std::make_shared<const ComparedBody>(other.Body(otherStructure));
+    pair.OtherBody = OtherBodyOf(pair, other, settings, watch);
   }
   catch (const InputError& error)
   {
@@ -122,8 +155,8 @@ PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
     pair.Forget();
     return pair;
   }
-  const Status status =
-      CompareBodies(*pair.OneBody, *pair.OtherBody, tolerances, watch.Of(0.2, 1.0), pair.Numbers);
+  const Status status = CompareBodies(*pair.OneBody, *pair.OtherBody, settings.Tolerances,
+                                      watch.Of(0.2, 1.0), pair.Numbers);
   watch.Require();
   if (!status.IsOk())
   {
@@ -133,7 +166,10 @@ PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
     return pair;
   }
   Measure(*pair.OneBody, pair.One);
-  Measure(*pair.OtherBody, pair.Other);
+  if (!pair.Mirror)
+  {
+    Measure(*pair.OtherBody, pair.Other);
+  }
   RemarkOn(pair);
   clock.EndStage("compare");
   pair.Seconds = stages.front().second;

@@ -3,11 +3,13 @@
 #include "BodyComparison.h"
 #include "ComparedFile.h"
 #include "FitResult.h"
+#include "MirroredBody.h"
 #include "PalpateComparisonModule.h"
 #include "Progress.h"
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +37,7 @@ struct PairComparison
   FitResult::Outcome State = FitResult::Outcome::Fitted; ///< or BadInput, Failed
   std::string Message;                                   ///< why it is not compared
   std::vector<std::string> Notes;
+  std::optional<MirrorMatch> Mirror; ///< if the second is its mirror image
   BodyComparison Numbers;
   ///@{ The surfaces; null if the pair was not compared, or once Forget was called.
   std::shared_ptr<const ComparedBody> OneBody;
@@ -54,6 +57,14 @@ struct PairComparison
   {
     return 100.0 * this->VolumeDifference() / this->Other.Milliliters;
   }
+  ///@{ Of a mirror image: first minus second over their mean, %; RMS distance over the radius of a
+  /// ball with the first's volume, %.
+  double VolumeAsymmetryPercent() const
+  {
+    return 200.0 * this->VolumeDifference() / (this->One.Milliliters + this->Other.Milliliters);
+  }
+  PALPATECOMPARISON_EXPORT double ShapeAsymmetryPercent() const;
+  ///@}
   /// Frees what a table does not need.
   PALPATECOMPARISON_EXPORT void Forget();
 };
@@ -62,11 +73,15 @@ struct PairComparison
 /// equal or missing.
 PALPATECOMPARISON_EXPORT std::pair<std::string, std::string> TitlesOf(const PairComparison& pair);
 
+/// What else ComparePair is asked for.
+struct PairSettings
+{
+  std::vector<double> Tolerances; ///< mm, ascending
+  bool IsMirrored = false;        ///< the second is replaced as by MirrorOnto
+};
+
 /// Compares two structures; problems of them are in State and Message. Throws Cancelled.
-PALPATECOMPARISON_EXPORT PairComparison ComparePair(const ComparedFile& one,
-                                                    const Segment& oneStructure,
-                                                    const ComparedFile& other,
-                                                    const Segment& otherStructure,
-                                                    const std::vector<double>& tolerances,
-                                                    const ProgressFunction& progress);
+PALPATECOMPARISON_EXPORT PairComparison ComparePair(
+    const ComparedFile& one, const Segment& oneStructure, const ComparedFile& other,
+    const Segment& otherStructure, const PairSettings& settings, const ProgressFunction& progress);
 } // namespace palpate

@@ -2,6 +2,8 @@
 #include "IsSoon.h"
 #include "JsonLines.h"
 #include "MeshShapes.h"
+#include "ShapeMirror.h"
+#include "ShapeSuperposition.h"
 #include "StartedCommand.h"
 #include "SurfaceFile.h"
 #include "SyntheticFiles.h"
@@ -38,6 +40,21 @@ void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh)
   WriteSurface(path, PolyDataOf(triangles));
 }
 
+// A lump without a plane of symmetry.
+OrganModel Lump()
+{
+  return RadialModel(
+      3, {70.0, 3.0, -2.0, 4.0, 5.0, -3.0, 6.0, 2.0, -4.0, 1.0, 3.0, -2.0, 2.0, 1.0, -3.0, 2.0},
+      Vector3(30.0, -10.0, 5.0));
+}
+
+void WriteOrgan(const std::filesystem::path& path, const OrganModel& organ)
+{
+  ModelDocument document;
+  document.Surface = organ;
+  WriteModel(path, document);
+}
+
 std::vector<Json> Compare(const TemporaryFolder& folder, std::vector<std::string> words,
                           int code = 0)
 {
@@ -52,6 +69,47 @@ std::vector<Json> Compare(const TemporaryFolder& folder, std::vector<std::string
     objects.push_back(Json::parse(line));
   }
   return objects;
+}
+
+TEST(CliCompare, MirroredSideHasNoAsymmetry)
+{
+  const TemporaryFolder folder;
+  // Turned, too; TurnShape is about the origin.
+  const Matrix3 turn = Eigen::AngleAxisd(0.2, Vector3(1.0, 2.0, -1.0).normalized()).matrix();
+  WriteOrgan(folder / "left.json", Lump());
+  WriteOrgan(folder / "right.json", TurnShape(MirrorShape(Lump()), {turn, turn}));
+  const Json pair = Compare(folder, {"left.json", "right.json", "--mirror"}).at(0);
+  const Json& mirror = pair.at("mirror");
+  EXPECT_NEAR(mirror.at("turn_deg").get<double>(), 0.2 * 180.0 / M_PI, 0.05); // of triangles
+  EXPECT_LT(mirror.at("shape_asymmetry_percent").get<double>(), 0.1);
+  EXPECT_NEAR(mirror.at("volume_asymmetry_percent").get<double>(), 0.0, 1e-3);
+  EXPECT_GT(pair.at("overlap").at("dice").get<double>(), 0.999);
+}
+
+TEST(CliCompare, AsymmetryIsThatOfSizeAndShape)
+{
+  const TemporaryFolder folder;
+  WriteSphere(folder / "left.json", 11.0, Vector3(30.0, 0.0, 0.0));
+  WriteSphere(folder / "right.json", 10.0, Vector3(-30.0, 2.0, 0.0));
+  const Json mirror = Compare(folder, {"left.json", "right.json", "--mirror"}).at(0).at("mirror");
+  EXPECT_NEAR(mirror.at("volume_asymmetry_percent").get<double>(),
+              200.0 * (1331.0 - 1000.0) / (1331.0 + 1000.0), 1e-6);
+  EXPECT_NEAR(mirror.at("shape_asymmetry_percent").get<double>(), 100.0 / 11.0, 0.05); // triangles
+  EXPECT_NEAR(mirror.at("shift_mm").at(1).get<double>(), -2.0, 0.01);
+  EXPECT_TRUE(Compare(folder, {"left.json", "right.json"}).at(0).at("mirror").is_null());
+}
+
+TEST(CliCompare, MirrorIsForTwoFiles)
+{
+  const TemporaryFolder folder;
+  for (const char* side : {"a", "b"})
+  {
+    std::filesystem::create_directory(folder / side);
+    WriteOrgan(folder / side / "organ.json", Lump());
+  }
+  EXPECT_NE(RunPalpate({"compare", "a", "b", "--mirror"}, folder.Path())
+                .Errors.find("--mirror is for two files"),
+            std::string::npos);
 }
 
 TEST(CliCompare, ThresholdMakesStructuresOfImagesOnly)

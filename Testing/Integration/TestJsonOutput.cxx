@@ -177,7 +177,8 @@ TEST_F(JsonOutput, MeshIsDocumented)
 
 TEST_F(JsonOutput, CompareIsDocumented)
 {
-  this->Run({"compare", "ball.json", "a.nii.gz", "--label", "1", "--output", "compared", "--json"});
+  this->Run({"compare", "ball.json", "a.nii.gz", "--label", "1", "--output", "compared", "--json",
+             "--mirror"});
   this->ExpectDocumented("compare");
 }
 

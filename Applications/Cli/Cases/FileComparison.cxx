@@ -67,7 +67,7 @@ std::vector<PairComparison> CompareFiles(const CasePairs::Pair& files,
                        part.Title + (part.Title.empty() ? "" : ": ") + stage);
       return !Interruption::WasAsked();
     };
-    results.push_back(ComparePair(one, two.One, other, two.Other, settings.Tolerances, progress));
+    results.push_back(ComparePair(one, two.One, other, two.Other, settings.Pair, progress));
     results.back().Case = files.Case;
     from += share;
     FinishPair(results.back(), settings, isOfMany, isOnly, console);

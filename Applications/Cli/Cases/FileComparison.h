@@ -17,7 +17,7 @@ struct CompareSettings
 {
   std::string Label;                             ///< by number or name; empty for all
   std::string ReferenceLabel;                    ///< of the reference, if it is another one
-  std::vector<double> Tolerances{1.0, 2.0, 3.0}; ///< mm, ascending
+  PairSettings Pair{{1.0, 2.0, 3.0}};
   ImageOptions Images;
   std::filesystem::path Output; ///< empty to write nothing
   bool Json = false;

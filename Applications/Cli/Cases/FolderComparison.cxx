@@ -36,7 +36,7 @@ std::string FolderComparison::KeyOf(const CasePairs::Pair& files) const
       this->Settings.Label, this->Settings.ReferenceLabel,
       choice.Series,        std::to_string(static_cast<int>(choice.LeftHanded)),
       ProgramVersion()};
-  for (const double tolerance : this->Settings.Tolerances)
+  for (const double tolerance : this->Settings.Pair.Tolerances)
   {
     words.push_back(ExactText(tolerance));
   }
@@ -62,8 +62,8 @@ std::vector<std::size_t> FolderComparison::KeepDone()
   std::map<std::string, std::vector<PairComparison>> earlier;
   if (!this->Settings.Output.empty())
   {
-    for (PairComparison& pair :
-         ReadComparisonTable(this->Settings.Output / "comparison.csv", this->Settings.Tolerances))
+    for (PairComparison& pair : ReadComparisonTable(this->Settings.Output / "comparison.csv",
+                                                    this->Settings.Pair.Tolerances))
     {
       earlier[pair.Key].push_back(std::move(pair));
     }
@@ -140,7 +140,7 @@ void FolderComparison::Take(std::size_t number, std::vector<PairComparison> resu
   this->Results[number] = std::move(results);
   if (!this->Settings.Output.empty())
   {
-    WriteComparisonTable(this->AllResults(), this->Settings.Tolerances,
+    WriteComparisonTable(this->AllResults(), this->Settings.Pair.Tolerances,
                          this->Settings.Output / "comparison.csv");
   }
 }
@@ -176,12 +176,14 @@ int FolderComparison::RunAlone(Console& console)
   const std::vector<std::size_t> pending = this->KeepDone();
   RunCases(
       pending.size(), this->Jobs, console,
-      [&](std::size_t number, Console& own) {
-        return ComparisonTable(this->CompareCase(pending[number], own), this->Settings.Tolerances);
+      [&](std::size_t number, Console& own)
+      {
+        return ComparisonTable(this->CompareCase(pending[number], own),
+                               this->Settings.Pair.Tolerances);
       },
       [&](std::size_t number, const std::string& record, const std::string& reason)
       {
-        std::vector<PairComparison> results = PairsInTable(record, this->Settings.Tolerances);
+        std::vector<PairComparison> results = PairsInTable(record, this->Settings.Pair.Tolerances);
         if (!reason.empty())
         {
           results = {
@@ -216,7 +218,7 @@ int FolderComparison::Conclude(Console& console) const
   }
   if (!this->Settings.Output.empty())
   {
-    WriteComparisonOverview(all, unpaired, this->Settings.Tolerances, this->Settings.Output);
+    WriteComparisonOverview(all, unpaired, this->Settings.Pair.Tolerances, this->Settings.Output);
     console.Note("overview: " + (this->Settings.Output / "report.html").string());
   }
   if (!this->Settings.Json)

@@ -119,13 +119,10 @@ void StudyController::BeginWith(const StudyState& first)
 void StudyController::OpenFiles(const std::vector<std::filesystem::path>& files)
 {
   const bool isWaiting = !this->Roles.empty();
-  if (!isWaiting)
-  {
-    this->Opened.clear();
-  }
   this->Roles.insert(this->Roles.end(), files.begin(), files.end());
   if (!isWaiting)
   {
+    this->Opened.clear();
     this->TakeRole();
   }
 }
@@ -201,18 +198,6 @@ void StudyController::OpenAs(StudyFileRole role, const std::filesystem::path& fi
     break;
   }
   this->LookSoon();
-}
-
-void StudyController::MeasureQuality()
-{
-  this->Open.MeasureQuality();
-  this->Announce();
-}
-
-void StudyController::UseRecommendedQuality()
-{
-  this->Open.UseRecommendedQuality();
-  this->Announce();
 }
 
 void StudyController::AddThreshold(const StudyThreshold& threshold)

@@ -92,8 +92,16 @@ public:
   void Redo();
 
   /// See Study.
-  void MeasureQuality();
-  void UseRecommendedQuality();
+  void MeasureQuality()
+  {
+    this->Open.MeasureQuality();
+    this->Announce();
+  }
+  void UseRecommendedQuality()
+  {
+    this->Open.UseRecommendedQuality();
+    this->Announce();
+  }
   void AddThreshold(const StudyThreshold& threshold);
 
   void CancelStep(SceneStep step);
