@@ -13,6 +13,7 @@
 #include "ModelFile.h"
 #include "OutputFolder.h"
 #include "SurfaceFile.h"
+#include "VectorText.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -45,7 +46,8 @@ std::string CompareCommand::Examples() const
          "it\n"
          "  palpate compare masks labels.seg.nrrd                  a folder of structures, by "
          "name\n"
-         "  palpate compare left.json right.json --mirror          left against right";
+         "  palpate compare left.json right.json --mirror          left against right\n"
+         "  palpate compare heart4d.nii.gz --time 40 --output beat    phases 40 ms apart";
 }
 
 void CompareCommand::DeclareOptions(CLI::App& app)
@@ -78,6 +80,21 @@ void CompareCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--mirror", this->Settings.Pair.IsMirrored,
                "Compare with the mirror image of REFERENCE at the sagittal plane, brought onto "
                "FIRST: left against right, or an organ of the midline with itself");
+  app.add_option("--time", this->Times,
+                 "FIRST is an image over time: compare each of its volumes with its first one; the "
+                 "time of each, or the step from one to the next, in any unit")
+      ->type_name("T,…")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(FiniteNumber::Any());
+  app.add_flag("--motion", this->Settings.Pair.FindsMotion,
+               "How REFERENCE moves to FIRST: turn, shift, and what is left (always with --time)");
+  app.add_option(
+         "--landmark", this->LandmarkWords,
+         "A point (mm, LPS) of REFERENCE that moves with its surface; implies --motion; may "
+         "be repeated")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
   this->Settings.Images.Declare(app, "folder");
   this->Settings.Images.DeclareValues(app);
   app.add_option(
@@ -96,7 +113,13 @@ void CompareCommand::DeclareOptions(CLI::App& app)
 int CompareCommand::Run(Console& console)
 {
   const Interruption interruption;
-  std::vector<double>& tolerances = this->Settings.Pair.Tolerances;
+  PairSettings& pair = this->Settings.Pair;
+  for (const std::string& word : this->LandmarkWords)
+  {
+    pair.Landmarks.push_back(ParseVector("--landmark", word));
+  }
+  pair.FindsMotion = pair.FindsMotion || !pair.Landmarks.empty() || !this->Times.empty();
+  std::vector<double>& tolerances = pair.Tolerances;
   std::sort(tolerances.begin(), tolerances.end());
   if (!this->Settings.Output.empty())
   {
@@ -109,6 +132,10 @@ int CompareCommand::Run(Console& console)
       throw InputError("--pairs lists the files; leave out FIRST and REFERENCE");
     }
     return this->RunCases(CasePairs::OfTable(this->List), console);
+  }
+  if (!this->Times.empty())
+  {
+    return this->RunTimes(console);
   }
   if (this->First.empty() || this->Reference.empty())
   {
@@ -129,6 +156,15 @@ int CompareCommand::Run(Console& console)
   return isFolder && !IsDicomSeriesChosen(this->Settings.Images)
              ? this->RunCases(CasePairs::OfFolders(this->First, this->Reference), console)
              : this->RunFiles(console);
+}
+
+int CompareCommand::RunTimes(Console& console) const
+{
+  if (this->First.empty() || !this->Reference.empty() || IsDicomSeriesChosen(this->Settings.Images))
+  {
+    throw InputError("--time takes FIRST alone, without REFERENCE and --series");
+  }
+  return this->RunCases(CasePairs::OfTimes(this->First, this->Times), console);
 }
 
 int CompareCommand::RunFiles(Console& console) const

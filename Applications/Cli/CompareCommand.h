@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace palpate::cli
 {
@@ -27,11 +28,14 @@ private:
   /// Those with the label that was asked for; throws InputError if there are none.
   CasePairs Chosen(CasePairs cases) const;
   int RunFiles(Console& console) const;
+  int RunTimes(Console& console) const;
   int RunCases(const CasePairs& all, Console& console) const;
 
   std::filesystem::path First;
   std::filesystem::path Reference;
   std::filesystem::path List;
+  std::vector<double> Times;
+  std::vector<std::string> LandmarkWords;
   CompareSettings Settings;
   unsigned Jobs = 0; ///< 0: one a processor
 };

@@ -4,7 +4,9 @@
 #include "CohortTable.h"
 #include "ComparedFile.h"
 #include "CsvText.h"
+#include "DecimalText.h"
 #include "FileFormat.h"
+#include "ImageFormat.h"
 #include "InputError.h"
 #include "ModelFile.h"
 #include "OutputNames.h"
@@ -170,6 +172,30 @@ CasePairs CasePairs::OfFolders(const std::filesystem::path& one, const std::file
   {
     Refuse(one, "and " + other.string() + " have no two files of one name",
            "name partners alike, or list them in a table for --pairs");
+  }
+  return pairs;
+}
+
+CasePairs CasePairs::OfTimes(const std::filesystem::path& file, const std::vector<double>& times)
+{
+  const auto count = static_cast<std::size_t>(OpenImage(file)->VolumeCount());
+  if (count < 2)
+  {
+    Refuse(file, "has one volume", "leave out --time, or give an image over time");
+  }
+  if (times.size() != 1 && times.size() != count)
+  {
+    Refuse(file, "has " + std::to_string(count) + " volumes",
+           "give one time for each, or the step from one to the next");
+  }
+  CasePairs pairs;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double time = times.size() == 1 ? times[0] * static_cast<double>(i) : times[i];
+    std::string number = std::to_string(i + 1);
+    number.insert(0, std::to_string(count).size() - number.size(), '0');
+    pairs.Pairs.push_back({"volume " + number + " at " + SignificantText(time, 6), file, file, "",
+                           std::to_string(i + 1), "1", time});
   }
   return pairs;
 }

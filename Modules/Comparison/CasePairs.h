@@ -3,6 +3,7 @@
 #include "PalpateComparisonModule.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct CasePairs
     std::filesystem::path One;
     std::filesystem::path Other;
     std::string Label; ///< by number or name; empty for all
+    ///@{ Of images over time; otherwise empty: see VolumeChoice, and the first one's time.
+    std::string Series = {};
+    std::string OtherSeries = {};
+    std::optional<double> Time = {};
+    ///@}
   };
 
   std::vector<Pair> Pairs;           ///< by case
@@ -28,6 +34,11 @@ struct CasePairs
   /// none, or if no two belong together.
   PALPATECOMPARISON_EXPORT static CasePairs OfFolders(const std::filesystem::path& one,
                                                       const std::filesystem::path& other);
+
+  /// The volumes of an image over time, each with its first one. `times` has a number for each, or
+  /// one step. Throws InputError for other numbers of times, and a file of one volume.
+  PALPATECOMPARISON_EXPORT static CasePairs OfTimes(const std::filesystem::path& file,
+                                                    const std::vector<double>& times);
 
   /// The rows of a table with the columns `first` and `reference` (paths relative to the table's
   /// folder), and optionally `case` and `label`. Throws InputError.

@@ -96,6 +96,24 @@ Json MirrorJson(const PairComparison& pair)
           {"shape_asymmetry_percent", OrNull(pair.ShapeAsymmetryPercent())}};
 }
 
+Json MotionJson(const PairComparison& pair)
+{
+  if (!pair.Motion)
+  {
+    return nullptr;
+  }
+  const auto place = [](const Vector3& point) { return Json{point.x(), point.y(), point.z()}; };
+  Json landmarks = Json::array();
+  for (const Vector3& landmark : pair.Motion->Landmarks)
+  {
+    landmarks.push_back(place(landmark));
+  }
+  return {{"turn_deg", pair.Motion->Turn * 180.0 / M_PI},
+          {"shift_mm", place(pair.Motion->Shift)},
+          {"rest_mm", pair.Motion->Rest},
+          {"landmarks_mm", landmarks}};
+}
+
 Json NumbersJson(const PairComparison& pair)
 {
   const BodyComparison& found = pair.Numbers;
@@ -117,6 +135,7 @@ Json NumbersJson(const PairComparison& pair)
           {"surface_dice", tolerances},
           {"bias", BiasJson(found.Bias)},
           {"mirror", MirrorJson(pair)},
+          {"motion", MotionJson(pair)},
           {"seconds", pair.Seconds}};
 }
 } // namespace
@@ -125,6 +144,7 @@ std::string ComparisonJson(const PairComparison& pair, const std::string& folder
 {
   Json json{{JsonSchemaKey, JsonSchemaVersion},
             {"case", pair.Case},
+            {"time", pair.Time ? Json(*pair.Time) : Json()},
             {"first", SideJson(pair.One, pair.IsCompared())},
             {"reference", SideJson(pair.Other, pair.IsCompared())},
             {"status", pair.IsCompared() ? "compared" : TextOf(pair.State).Word},

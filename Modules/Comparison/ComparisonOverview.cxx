@@ -6,10 +6,13 @@
 #include "ReportPage.h"
 #include "ReportTable.h"
 #include "ReportVerdict.h"
+#include "SvgChart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace palpate
 {
@@ -47,6 +50,34 @@ ReportTable SummaryTable(const std::vector<PairComparison>& pairs)
         .Number(one.Summary.Largest, one.Digits);
   }
   return table;
+}
+
+// Volumes, shifts and what turn and shift leave, over time.
+void AddTimes(ReportPage& page, const std::vector<PairComparison>& pairs)
+{
+  std::map<int, std::array<SvgChart::Points, 3>> structures;
+  for (const PairComparison& pair : pairs)
+  {
+    if (pair.IsCompared() && pair.Time && pair.Motion)
+    {
+      auto& [volumes, shifts, rests] = structures[pair.One.Structure.Label];
+      volumes.emplace_back(*pair.Time, pair.One.Milliliters);
+      shifts.emplace_back(*pair.Time, pair.Motion->Shift.norm());
+      rests.emplace_back(*pair.Time, pair.Motion->Rest);
+    }
+  }
+  const std::array<const char*, 3> axes{"volume, ml", "shift from the first, mm",
+                                        "rest after turn and shift, mm"};
+  for (const auto& [label, lines] : structures)
+  {
+    page.Section("Label " + std::to_string(label) + " over time");
+    for (std::size_t k = 0; k < axes.size(); ++k)
+    {
+      SvgChart chart("time", axes[k]);
+      chart.SetLine(lines[k]);
+      page.Chart(chart, "");
+    }
+  }
 }
 
 ReportTable PairTable(const std::vector<PairComparison>& pairs)
@@ -147,9 +178,9 @@ std::string ComparisonOverview(const std::vector<PairComparison>& pairs,
   ReportPage page;
   page.Header("comparisons", CountText(static_cast<std::int64_t>(compared), "pair", "pairs"))
       .Section("Summary")
-      .Table(SummaryTable(pairs))
-      .Section("Pairs")
-      .Table(PairTable(pairs));
+      .Table(SummaryTable(pairs));
+  AddTimes(page, pairs);
+  page.Section("Pairs").Table(PairTable(pairs));
   page.Section("Not compared").Notes(lost).Section("Without a partner").Notes(unpaired);
   return page.Whole("Palpate comparisons");
 }

@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <system_error>
 
 namespace palpate
@@ -55,7 +57,8 @@ std::vector<std::string> Head(const std::vector<double>& tolerances)
   {
     head.push_back(std::string("bias_") + side.Name + "_mm");
   }
-  head.insert(head.end(), {"unpaired", "key"});
+  head.insert(head.end(), {"time", "turn_deg", "shift_x_mm", "shift_y_mm", "shift_z_mm", "rest_mm",
+                           "landmarks_mm", "unpaired", "key"});
   return head;
 }
 
@@ -83,8 +86,42 @@ std::vector<double> NumbersOf(const PairComparison& pair)
   {
     numbers.push_back(found.Bias ? found.Bias->Sides[side].Mean : None);
   }
+  numbers.push_back(pair.Time.value_or(None));
+  if (pair.Motion)
+  {
+    const Vector3& shift = pair.Motion->Shift;
+    numbers.insert(numbers.end(), {pair.Motion->Turn * 180.0 / M_PI, shift.x(), shift.y(),
+                                   shift.z(), pair.Motion->Rest});
+  }
   return numbers;
 }
+
+// Points in a cell: x, y and z with spaces, and semicolons between them.
+std::string LandmarksCell(const PairComparison& pair)
+{
+  std::string cell;
+  for (const Vector3& point : pair.Motion ? pair.Motion->Landmarks : std::vector<Vector3>())
+  {
+    cell += (cell.empty() ? "" : "; ") + Cell(point.x()) + " " + Cell(point.y()) + " " +
+            Cell(point.z());
+  }
+  return cell;
+}
+
+std::vector<Vector3> LandmarksOf(const std::string& cell)
+{
+  std::vector<Vector3> points;
+  std::istringstream numbers(cell);
+  numbers.imbue(std::locale::classic());
+  for (Vector3 point; numbers >> point[0] >> point[1] >> point[2];)
+  {
+    points.push_back(point);
+    char separator = 0;
+    numbers >> separator;
+  }
+  return points;
+}
+
 std::string Joined(const std::vector<std::string>& sentences)
 {
   std::string text;
@@ -162,6 +199,14 @@ private:
           this->Number(std::string("bias_") + PatientSides()[side].Name + "_mm");
     }
     found.Bias = bias;
+    pair.Time = ParseNumber(this->Text("time"));
+    if (!this->Text("turn_deg").empty())
+    {
+      pair.Motion = {this->Number("turn_deg") * M_PI / 180.0,
+                     Vector3(this->Number("shift_x_mm"), this->Number("shift_y_mm"),
+                             this->Number("shift_z_mm")),
+                     this->Number("rest_mm"), LandmarksOf(this->Text("landmarks_mm"))};
+    }
   }
 
   const CsvRecord& Record;
@@ -186,7 +231,8 @@ std::string ComparisonTable(const std::vector<PairComparison>& pairs,
         row.push_back(Cell(number));
       }
     }
-    row.resize(head.size() - 2);
+    row.resize(head.size() - 3);
+    row.push_back(LandmarksCell(pair));
     row.push_back(Joined(pair.Unpaired));
     row.push_back(pair.Key);
     text += CsvLine(row);

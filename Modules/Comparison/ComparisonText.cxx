@@ -42,6 +42,13 @@ std::string SurfaceDiceText(const BodyComparison& found)
   return text;
 }
 
+std::string MotionText(const BodyMotion& motion)
+{
+  return "moved by " + FixedText(motion.Shift.norm(), 2) + " mm, turned by " +
+         FixedText(motion.Turn * 180.0 / M_PI, 1) + " degrees, " + FixedText(motion.Rest, 2) +
+         " mm left";
+}
+
 std::string BiasText(const SideBias& bias)
 {
   std::string text;
@@ -94,6 +101,16 @@ std::string ComparisonText(const PairComparison& pair)
   {
     table.AddRow({"bias", BiasText(*found.Bias)});
   }
+  if (pair.Motion)
+  {
+    table.AddRow({"motion", MotionText(*pair.Motion)});
+    for (const Vector3& landmark : pair.Motion->Landmarks)
+    {
+      table.AddRow({"  landmark at", FixedText(landmark.x(), 2) + ", " +
+                                         FixedText(landmark.y(), 2) + ", " +
+                                         FixedText(landmark.z(), 2) + " mm"});
+    }
+  }
   return table.Text();
 }
 
@@ -107,7 +124,8 @@ std::string ComparisonLine(const PairComparison& pair)
                 (found.Overlap ? "Dice " + FixedText(found.Overlap->Dice(), 4) + ", " : "") +
                 "distance mean " + FixedText(found.Both.Mean, 3) + ", 95 % Hausdorff " +
                 FixedText(found.Hausdorff95(), 3) + ", maximum " +
-                FixedText(found.Both.Largest, 3) + " mm, surface Dice " + SurfaceDiceText(found)});
+                FixedText(found.Both.Largest, 3) + " mm, surface Dice " + SurfaceDiceText(found) +
+                (pair.Motion ? ", " + MotionText(*pair.Motion) : "")});
   return table.Text();
 }
 

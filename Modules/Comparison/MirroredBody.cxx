@@ -1,6 +1,6 @@
 #include "MirroredBody.h"
 
-#include "SurfaceRegistration.h"
+#include "BodyMotion.h"
 
 #include <utility>
 
@@ -8,8 +8,6 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t MostPoints = 5000; // of a registration
-
 Vector3 MirroredPoint(const Vector3& point)
 {
   return {-point.x(), point.y(), point.z()};
@@ -27,18 +25,6 @@ IndexedMesh MirroredMesh(IndexedMesh mesh)
   }
   return mesh;
 }
-
-// Every n-th point.
-std::vector<Vector3> SomePoints(const std::vector<Vector3>& points)
-{
-  const std::size_t step = points.size() / MostPoints + 1;
-  std::vector<Vector3> some;
-  for (std::size_t i = 0; i < points.size(); i += step)
-  {
-    some.push_back(points[i]);
-  }
-  return some;
-}
 } // namespace
 
 Status MirrorOnto(const ComparedBody& fixed, const KernelProgress& progress, ComparedBody& body,
@@ -46,12 +32,8 @@ Status MirrorOnto(const ComparedBody& fixed, const KernelProgress& progress, Com
 {
   IndexedMesh mesh = MirroredMesh(body.Surface());
   const Vector3 middle = MirroredPoint(body.Centroid());
-  Eigen::Affine3d start = Eigen::Affine3d::Identity();
-  start.translation() = fixed.Centroid() - middle;
   SurfaceRegistration found;
-  if (Status status =
-          RegisterToSurface(SomePoints(mesh.Points), fixed.Surface(), start, {}, progress, found);
-      !status.IsOk())
+  if (Status status = RegisterToBody(mesh, middle, fixed, progress, found); !status.IsOk())
   {
     return status;
   }

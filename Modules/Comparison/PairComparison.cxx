@@ -65,6 +65,22 @@ std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const Comp
   return std::make_shared<const ComparedBody>(std::move(body));
 }
 
+void TakeMotion(const PairSettings& settings, KernelWatch& watch, PairComparison& pair)
+{
+  BodyMotion motion;
+  const Status status = FindBodyMotion(*pair.OtherBody, *pair.OneBody, settings.Landmarks,
+                                       watch.Of(0.9, 1.0), motion);
+  watch.Require();
+  if (status.IsOk())
+  {
+    pair.Motion = std::move(motion);
+  }
+  else
+  {
+    pair.Notes.push_back("its motion is not known: it " + status.Message());
+  }
+}
+
 void RemarkOn(PairComparison& pair)
 {
   for (const ComparedSide* side : {&pair.One, &pair.Other})
@@ -169,6 +185,10 @@ PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
   if (!pair.Mirror)
   {
     Measure(*pair.OtherBody, pair.Other);
+  }
+  if (settings.FindsMotion)
+  {
+    TakeMotion(settings, watch, pair);
   }
   RemarkOn(pair);
   clock.EndStage("compare");

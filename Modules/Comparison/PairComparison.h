@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BodyComparison.h"
+#include "BodyMotion.h"
 #include "ComparedFile.h"
 #include "FitResult.h"
 #include "MirroredBody.h"
@@ -38,6 +39,8 @@ struct PairComparison
   std::string Message;                                   ///< why it is not compared
   std::vector<std::string> Notes;
   std::optional<MirrorMatch> Mirror; ///< if the second is its mirror image
+  std::optional<BodyMotion> Motion;  ///< from the second to the first, if that was asked for
+  std::optional<double> Time;        ///< of the first, of images over time
   BodyComparison Numbers;
   ///@{ The surfaces; null if the pair was not compared, or once Forget was called.
   std::shared_ptr<const ComparedBody> OneBody;
@@ -76,8 +79,10 @@ PALPATECOMPARISON_EXPORT std::pair<std::string, std::string> TitlesOf(const Pair
 /// What else ComparePair is asked for.
 struct PairSettings
 {
-  std::vector<double> Tolerances; ///< mm, ascending
+  std::vector<double> Tolerances{1.0, 2.0, 3.0}; ///< mm, ascending
   bool IsMirrored = false;        ///< the second is replaced as by MirrorOnto
+  bool FindsMotion = false;
+  std::vector<Vector3> Landmarks; ///< on the second, mm: they move with it
 };
 
 /// Compares two structures; problems of them are in State and Message. Throws Cancelled.

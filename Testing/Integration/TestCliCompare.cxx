@@ -10,6 +10,7 @@
 #include "TemporaryFolder.h"
 #include "TestData.h"
 #include "TriangleMesh.h"
+#include "TwoVolumes.h"
 
 #include <cmath>
 #include <csignal>
@@ -41,11 +42,11 @@ void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh)
 }
 
 // A lump without a plane of symmetry.
-OrganModel Lump()
+OrganModel Lump(const Vector3& center = Vector3(30.0, -10.0, 5.0))
 {
   return RadialModel(
       3, {70.0, 3.0, -2.0, 4.0, 5.0, -3.0, 6.0, 2.0, -4.0, 1.0, 3.0, -2.0, 2.0, 1.0, -3.0, 2.0},
-      Vector3(30.0, -10.0, 5.0));
+      center);
 }
 
 void WriteOrgan(const std::filesystem::path& path, const OrganModel& organ)
@@ -97,6 +98,64 @@ TEST(CliCompare, AsymmetryIsThatOfSizeAndShape)
   EXPECT_NEAR(mirror.at("shape_asymmetry_percent").get<double>(), 100.0 / 11.0, 0.05); // triangles
   EXPECT_NEAR(mirror.at("shift_mm").at(1).get<double>(), -2.0, 0.01);
   EXPECT_TRUE(Compare(folder, {"left.json", "right.json"}).at(0).at("mirror").is_null());
+}
+
+TEST(CliCompare, MotionIsThatOfTheBodyAndItsLandmarks)
+{
+  const TemporaryFolder folder;
+  const Vector3 shift(3.0, -4.0, 2.0);
+  const Vector3 before(30.0, -10.0, 5.0);
+  WriteOrgan(folder / "before.json", Lump(before));
+  WriteOrgan(folder / "after.json", Lump(before + shift));
+  const Vector3 place =
+      before + std::get<RadialModel>(Lump()).Radius(Vector3::UnitY()) * Vector3::UnitY();
+  std::ostringstream landmark;
+  landmark << place.x() << ',' << place.y() << ',' << place.z();
+  const Json motion = Compare(folder, {"after.json", "before.json", "--landmark=" + landmark.str()})
+                          .at(0)
+                          .at("motion");
+  EXPECT_NEAR(motion.at("turn_deg").get<double>(), 0.0, 0.01);
+  EXPECT_NEAR(motion.at("rest_mm").get<double>(), 0.0, 0.01);
+  const std::vector<double> moved = motion.at("landmarks_mm").at(0);
+  const std::vector<double> way = motion.at("shift_mm");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(way[axis], shift[axis], 0.01);
+    EXPECT_NEAR(moved[axis], place[axis] + shift[axis], 0.01);
+  }
+}
+
+TEST(CliCompare, VolumesOverTimeAreComparedWithTheFirst)
+{
+  const TemporaryFolder folder;
+  WriteTwoVolumes(folder / "beat.nii"); // balls of 6 and 9 mm about one centre
+  const std::vector<Json> phases =
+      Compare(folder, {"beat.nii", "--time", "40", "--output", "beat", "--jobs", "1"});
+  ASSERT_EQ(phases.size(), 2U);
+  EXPECT_EQ(phases[0].at("time"), 0.0);
+  EXPECT_EQ(phases[1].at("time"), 40.0);
+  EXPECT_NEAR(phases[0].at("motion").at("rest_mm").get<double>(), 0.0, 1e-9);
+  EXPECT_NEAR(phases[1].at("motion").at("rest_mm").get<double>(), 3.0, 0.25); // voxels of 1 mm
+  EXPECT_NEAR(phases[1].at("first").at("volume_ml").get<double>(), 3.054, 0.15);
+  EXPECT_NE(ReadAll(folder / "beat" / "report.html").find("over time"), std::string::npos);
+  // Resumed from the table: nothing is compared again, and the page keeps its charts.
+  EXPECT_TRUE(Compare(folder, {"beat.nii", "--time", "40", "--output", "beat"}).empty());
+  EXPECT_NE(ReadAll(folder / "beat" / "report.html").find("over time"), std::string::npos);
+}
+
+TEST(CliCompare, TimesFitTheVolumes)
+{
+  const TemporaryFolder folder;
+  WriteTwoVolumes(folder / "beat.nii");
+  const auto errors = [&folder](const std::vector<std::string>& words)
+  { return RunPalpate(words, folder.Path()).Errors; };
+  EXPECT_NE(errors({"compare", "beat.nii", "--time", "1,2,3"}).find("has 2 volumes"),
+            std::string::npos);
+  EXPECT_NE(errors({"compare", "beat.nii", "beat.nii", "--time", "1"}).find("without REFERENCE"),
+            std::string::npos);
+  WriteTwoSpheres(folder / "one.nii.gz");
+  EXPECT_NE(errors({"compare", "one.nii.gz", "--time", "1"}).find("has one volume"),
+            std::string::npos);
 }
 
 TEST(CliCompare, MirrorIsForTwoFiles)

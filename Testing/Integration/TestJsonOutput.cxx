@@ -178,7 +178,7 @@ TEST_F(JsonOutput, MeshIsDocumented)
 TEST_F(JsonOutput, CompareIsDocumented)
 {
   this->Run({"compare", "ball.json", "a.nii.gz", "--label", "1", "--output", "compared", "--json",
-             "--mirror"});
+             "--mirror", "--landmark", "1,2,3"});
   this->ExpectDocumented("compare");
 }
 

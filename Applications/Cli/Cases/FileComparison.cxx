@@ -24,6 +24,14 @@ void NoteChanges(const ComparedFile& file, Console& console)
   }
 }
 
+// Of images over time, the volume.
+VolumeChoice ChoiceOf(const CompareSettings& settings, const std::string& series)
+{
+  VolumeChoice choice = settings.Images.Choice();
+  choice.Series = series.empty() ? choice.Series : series;
+  return choice;
+}
+
 void FinishPair(PairComparison& pair, const CompareSettings& settings, bool isOfMany, bool isOnly,
                 Console& console)
 {
@@ -42,8 +50,8 @@ std::vector<PairComparison> CompareFiles(const CasePairs::Pair& files,
                                          const CompareSettings& settings, bool isOfMany,
                                          const ComparisonPart& part, Console& console)
 {
-  const ComparedFile one = ComparedFile::Read(files.One, settings.Images.Choice());
-  const ComparedFile other = ComparedFile::Read(files.Other, settings.Images.Choice());
+  const ComparedFile one = ComparedFile::Read(files.One, ChoiceOf(settings, files.Series));
+  const ComparedFile other = ComparedFile::Read(files.Other, ChoiceOf(settings, files.OtherSeries));
   if (one.Labels() == nullptr && other.Labels() == nullptr && !settings.Images.ValueText().empty())
   {
     throw InputError("--threshold and --background are for images; leave them out");
@@ -69,6 +77,7 @@ std::vector<PairComparison> CompareFiles(const CasePairs::Pair& files,
     };
     results.push_back(ComparePair(one, two.One, other, two.Other, settings.Pair, progress));
     results.back().Case = files.Case;
+    results.back().Time = files.Time;
     from += share;
     FinishPair(results.back(), settings, isOfMany, isOnly, console);
   }

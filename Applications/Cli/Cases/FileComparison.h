@@ -17,7 +17,7 @@ struct CompareSettings
 {
   std::string Label;                             ///< by number or name; empty for all
   std::string ReferenceLabel;                    ///< of the reference, if it is another one
-  PairSettings Pair{{1.0, 2.0, 3.0}};
+  PairSettings Pair;
   ImageOptions Images;
   std::filesystem::path Output; ///< empty to write nothing
   bool Json = false;

@@ -40,6 +40,14 @@ std::string FolderComparison::KeyOf(const CasePairs::Pair& files) const
   {
     words.push_back(ExactText(tolerance));
   }
+  words.push_back(files.Series + (this->Settings.Pair.FindsMotion ? " moved" : ""));
+  for (const Vector3& landmark : this->Settings.Pair.Landmarks)
+  {
+    for (const double coordinate : landmark)
+    {
+      words.push_back(ExactText(coordinate));
+    }
+  }
   return KeyOfInputs({files.One, files.Other}, words);
 }
 

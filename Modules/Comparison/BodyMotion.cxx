@@ -1,0 +1,64 @@
+#include "BodyMotion.h"
+
+#include "NearestOnMesh.h"
+
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t MostPoints = 5000; // of a registration
+
+// Every n-th point.
+std::vector<Vector3> SomePoints(const std::vector<Vector3>& points)
+{
+  const std::size_t step = points.size() / MostPoints + 1;
+  std::vector<Vector3> some;
+  for (std::size_t i = 0; i < points.size(); i += step)
+  {
+    some.push_back(points[i]);
+  }
+  return some;
+}
+} // namespace
+
+Status RegisterToBody(const IndexedMesh& moving, const Vector3& middle, const ComparedBody& fixed,
+                      const KernelProgress& progress, SurfaceRegistration& made)
+{
+  Eigen::Affine3d start = Eigen::Affine3d::Identity();
+  start.translation() = fixed.Centroid() - middle;
+  return RegisterToSurface(SomePoints(moving.Points), fixed.Surface(), start, {}, progress, made);
+}
+
+Status FindBodyMotion(const ComparedBody& from, const ComparedBody& to,
+                      const std::vector<Vector3>& landmarks, const KernelProgress& progress,
+                      BodyMotion& motion)
+{
+  SurfaceRegistration found;
+  if (Status status = RegisterToBody(from.Surface(), from.Centroid(), to, progress, found);
+      !status.IsOk())
+  {
+    return status;
+  }
+  NearestOnMesh before;
+  NearestOnMesh after;
+  Status status = NearestOnMesh::Make(from.Surface(), before);
+  status = status.IsOk() ? NearestOnMesh::Make(to.Surface(), after) : status;
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  BodyMotion made;
+  made.Turn = Eigen::AngleAxisd(found.Map.linear()).angle();
+  made.Shift = found.Map * from.Centroid() - from.Centroid();
+  made.Rest = found.Rms;
+  for (const Vector3& landmark : landmarks)
+  {
+    const Vector3 carried = found.Map * before.Find(landmark).Point;
+    made.Landmarks.emplace_back(found.Map * landmark + after.Find(carried).Point - carried);
+  }
+  motion = std::move(made);
+  return Status::Success();
+}
+} // namespace palpate
