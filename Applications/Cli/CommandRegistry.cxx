@@ -14,6 +14,7 @@
 #include "ManualCommand.h"
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
+#include "RegisterCommand.h"
 #include "RelateCommand.h"
 #include "RenderCommand.h"
 #include "SceneCommand.h"
@@ -32,6 +33,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<CohortCommand>());
   commands.push_back(std::make_unique<CompareCommand>());
   commands.push_back(std::make_unique<RelateCommand>());
+  commands.push_back(std::make_unique<RegisterCommand>());
   commands.push_back(std::make_unique<MeshCommand>());
   commands.push_back(std::make_unique<EvaluateCommand>());
   commands.push_back(std::make_unique<ConvertCommand>());

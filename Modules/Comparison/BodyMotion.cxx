@@ -10,25 +10,25 @@ namespace
 {
 constexpr std::size_t MostPoints = 5000; // of a registration
 
-// Every n-th point.
-std::vector<Vector3> SomePoints(const std::vector<Vector3>& points)
+} // namespace
+
+std::vector<Vector3> SomePoints(const IndexedMesh& mesh)
 {
-  const std::size_t step = points.size() / MostPoints + 1;
+  const std::size_t step = mesh.Points.size() / MostPoints + 1;
   std::vector<Vector3> some;
-  for (std::size_t i = 0; i < points.size(); i += step)
+  for (std::size_t i = 0; i < mesh.Points.size(); i += step)
   {
-    some.push_back(points[i]);
+    some.push_back(mesh.Points[i]);
   }
   return some;
 }
-} // namespace
 
 Status RegisterToBody(const IndexedMesh& moving, const Vector3& middle, const ComparedBody& fixed,
                       const KernelProgress& progress, SurfaceRegistration& made)
 {
   Eigen::Affine3d start = Eigen::Affine3d::Identity();
   start.translation() = fixed.Centroid() - middle;
-  return RegisterToSurface(SomePoints(moving.Points), fixed.Surface(), start, {}, progress, made);
+  return RegisterToSurface(SomePoints(moving), fixed.Surface(), start, {}, progress, made);
 }
 
 Status FindBodyMotion(const ComparedBody& from, const ComparedBody& to,

@@ -19,6 +19,8 @@ struct BodyMotion
   std::vector<Vector3> Landmarks;  ///< where they are after it, mm
 };
 
+/// Every n-th point of a surface, at most 5,000: enough to register it.
+std::vector<Vector3> SomePoints(const IndexedMesh& mesh);
 /// Brings a surface from its centroid at that of a body onto it by a rigid map (RegisterToSurface,
 /// of some points). Fails as that does.
 Status RegisterToBody(const IndexedMesh& moving, const Vector3& middle, const ComparedBody& fixed,

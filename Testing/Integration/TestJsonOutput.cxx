@@ -4,6 +4,7 @@
 #include "InputError.h"
 #include "JsonPaths.h"
 #include "SceneFile.h"
+#include "StudyMarkups.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TouchReport.h"
@@ -180,6 +181,16 @@ TEST_F(JsonOutput, CompareIsDocumented)
   this->Run({"compare", "ball.json", "a.nii.gz", "--label", "1", "--output", "compared", "--json",
              "--mirror", "--landmark", "1,2,3"});
   this->ExpectDocumented("compare");
+}
+
+TEST_F(JsonOutput, RegisterIsDocumented)
+{
+  StudyMarkups markups;
+  markups.Landmarks = {{"a", {0, 0, 0}}, {"b", {10, 0, 0}}, {"c", {0, 10, 0}}};
+  WriteMarkups(this->Folder / "a.mrk.json", markups);
+  this->Run({"register", "ball.json", "ball.json", "--moving-landmarks", "a.mrk.json",
+             "--fixed-landmarks", "a.mrk.json", "--output", "a.tfm", "--json"});
+  this->ExpectDocumented("register");
 }
 
 TEST_F(JsonOutput, RelateIsDocumented)
