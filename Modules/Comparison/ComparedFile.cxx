@@ -73,15 +73,15 @@ std::vector<std::string> ComparedFile::Notes() const
   return labels != nullptr ? labels->Notes : std::vector<std::string>();
 }
 
-ComparedBody ComparedFile::Body(const Segment& structure) const
+ComparedBody ComparedFile::Body(const Segment& structure, MaskBody ofMask) const
 {
   ComparedBody body;
   Status status = Status::Success();
   if (const Segmentation* labels = this->Labels())
   {
     vtkImageData* layer = labels->Layers[static_cast<std::size_t>(structure.Layer)];
-    status = ComparedBody::OfMask(CopyLabelMask(layer, structure.Value, 0).Mask,
-                                  IndexToWorldOf(layer), body);
+    const auto make = ofMask == MaskBody::Shape ? ComparedBody::OfMaskShape : ComparedBody::OfMask;
+    status = make(CopyLabelMask(layer, structure.Value, 0).Mask, IndexToWorldOf(layer), body);
   }
   else if (const auto* mesh = std::get_if<IndexedMesh>(&this->Content))
   {

@@ -16,6 +16,13 @@ namespace palpate
 /// A file's name without the ending of its format, a model's too.
 PALPATECOMPARISON_EXPORT std::string NameOfCompared(const std::filesystem::path& file);
 
+/// What stands for a mask's surface.
+enum class MaskBody
+{
+  Boundary, ///< half way between voxels: for agreement
+  Shape     ///< without their steps: for positions, which steps of thick slices would turn
+};
+
 /// A file whose bodies can be compared: a segmentation, a triangle surface or a model.
 class PALPATECOMPARISON_EXPORT ComparedFile
 {
@@ -34,7 +41,7 @@ public:
   std::vector<std::string> Notes() const;
 
   /// Throws InputError if the structure has no surface that can be measured.
-  ComparedBody Body(const Segment& structure) const;
+  ComparedBody Body(const Segment& structure, MaskBody ofMask = MaskBody::Boundary) const;
 
 private:
   std::filesystem::path Source;

@@ -41,7 +41,7 @@ ComparedBody BodyOf(const std::filesystem::path& path, const std::string& label,
     Refuse(path, "has " + std::to_string(pairs.Pairs.size()) + " structures",
            "choose one by --label, of the fixed file by --fixed-label");
   }
-  return file.Body(pairs.Pairs.front().One);
+  return file.Body(pairs.Pairs.front().One, MaskBody::Shape);
 }
 
 // One registration, step by step.

@@ -43,7 +43,8 @@ bool AreOfOneName(const PairComparison& pair)
                   : pair.One.File.filename() == pair.Other.File.filename());
 }
 
-std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const ComparedFile& other,
+std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const ComparedFile& one,
+                                                const ComparedFile& other,
                                                 const PairSettings& settings, KernelWatch& watch)
 {
   ComparedBody body = other.Body(pair.Other.Structure);
@@ -51,7 +52,9 @@ std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const Comp
   {
     Measure(body, pair.Other);
     MirrorMatch match;
-    const Status status = MirrorOnto(*pair.OneBody, watch.Of(0.1, 0.2), body, match);
+    body = other.Body(pair.Other.Structure, MaskBody::Shape);
+    const Status status =
+        MirrorOnto(one.Body(pair.One.Structure, MaskBody::Shape), watch.Of(0.1, 0.2), body, match);
     watch.Require();
     if (!status.IsOk())
     {
@@ -65,11 +68,13 @@ std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const Comp
   return std::make_shared<const ComparedBody>(std::move(body));
 }
 
-void TakeMotion(const PairSettings& settings, KernelWatch& watch, PairComparison& pair)
+void TakeMotion(const ComparedFile& one, const ComparedFile& other, const PairSettings& settings,
+                KernelWatch& watch, PairComparison& pair)
 {
   BodyMotion motion;
-  const Status status = FindBodyMotion(*pair.OtherBody, *pair.OneBody, settings.Landmarks,
-                                       watch.Of(0.9, 1.0), motion);
+  const Status status = FindBodyMotion(other.Body(pair.Other.Structure, MaskBody::Shape),
+                                       one.Body(pair.One.Structure, MaskBody::Shape),
+                                       settings.Landmarks, watch.Of(0.9, 1.0), motion);
   watch.Require();
   if (status.IsOk())
   {
@@ -162,7 +167,7 @@ PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
     pair.OneBody = std::make_shared<const ComparedBody>(one.Body(oneStructure));
     watch.Of(0.0, 1.0)(0.1);
     watch.Require();
-    pair.OtherBody = OtherBodyOf(pair, other, settings, watch);
+    pair.OtherBody = OtherBodyOf(pair, one, other, settings, watch);
   }
   catch (const InputError& error)
   {
@@ -188,7 +193,7 @@ PairComparison ComparePair(const ComparedFile& one, const Segment& oneStructure,
   }
   if (settings.FindsMotion)
   {
-    TakeMotion(settings, watch, pair);
+    TakeMotion(one, other, settings, watch, pair);
   }
   RemarkOn(pair);
   clock.EndStage("compare");
