@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <system_error>
@@ -101,7 +102,7 @@ public:
         [this](std::size_t n)
         {
           const auto& [file, structure] = this->Structures[n];
-          return MeasureOrgan(*file, structure, this->Settings.Mesh);
+          return MeasureOrgan(*file, structure, this->Settings.Measures);
         },
         this->Settings.Jobs, progress, this->Made.Organs);
   }
@@ -147,6 +148,17 @@ void MakeNamesDifferent(std::vector<RelatedOrgan>& organs)
       organ.Name += " " + std::to_string(again + 1);
     }
   }
+}
+
+// Distances beyond the reach are only known for some points.
+std::vector<float> MapWithin(const std::vector<double>& distances, double reach)
+{
+  std::vector<float> map(distances.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < map.size(); ++i)
+  {
+    map[i] = distances[i] > reach ? map[i] : static_cast<float>(distances[i]);
+  }
+  return map;
 }
 
 // The relations of one organ with those that follow it, or with all others if it is the only one
@@ -222,10 +234,14 @@ private:
     return row;
   }
 
-  // Keeps the nearest of all others at each point.
+  // Keeps the map of a near pair, and the nearest of all others at each point.
   void TakeMap(RelatedSide& side, std::size_t organ, std::size_t other)
   {
     RelatedOrgan& of = this->Made.Organs[organ];
+    if (!side.Distances.empty())
+    {
+      of.PairMaps.push_back({other, MapWithin(side.Distances, this->Settings.Relation.Reach())});
+    }
     for (std::size_t i = 0; i < side.Distances.size(); ++i)
     {
       if (side.Distances[i] < of.DistanceMap[i])
@@ -290,7 +306,7 @@ OrganRelations OrganRelations::Of(const std::vector<std::filesystem::path>& file
 {
   OrganRelations made;
   made.Settings = settings.Relation;
-  made.Mesh = settings.Mesh;
+  made.Measures = settings.Measures;
   {
     OrganList list(settings, made);
     for (const std::filesystem::path& input : files)
@@ -313,9 +329,10 @@ OrganRelations OrganRelations::Of(const std::vector<NamedSurface>& surfaces,
 {
   OrganRelations made;
   made.Settings = settings.Relation;
+  made.Measures = settings.Measures;
   MeasureAll(
-      surfaces.size(), [&](std::size_t n) { return MeasureOrgan(surfaces[n]); }, settings.Jobs,
-      PartOf(progress, 0.0, MeasuredPart), made.Organs);
+      surfaces.size(), [&](std::size_t n) { return MeasureOrgan(surfaces[n], settings.Measures); },
+      settings.Jobs, PartOf(progress, 0.0, MeasuredPart), made.Organs);
   RelateAll(settings, PartOf(progress, MeasuredPart, 1.0), made);
   return made;
 }
@@ -341,6 +358,11 @@ const char* RelationWord(BodyRelation::Kind kind)
 {
   constexpr const char* Words[] = {"apart", "overlapping", "inside", "around"};
   return Words[static_cast<std::size_t>(kind)];
+}
+
+const char* ThicknessWord(ThicknessRule rule)
+{
+  return rule == ThicknessRule::Rays ? "rays" : "spheres";
 }
 
 OffsetSide OffsetSideOf(const Vector3& offset)
