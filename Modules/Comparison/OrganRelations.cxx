@@ -59,6 +59,15 @@ void MeasureAll(std::size_t count, const std::function<RelatedOrgan(std::size_t)
   }
 }
 
+RelatedOrgan LostOrgan(const std::filesystem::path& file, const std::string& message)
+{
+  RelatedOrgan lost;
+  lost.File = file;
+  lost.Name = NameOfCompared(file);
+  lost.Message = message;
+  return lost;
+}
+
 // Structures of files that stay in memory while they are measured.
 class OrganList
 {
@@ -77,17 +86,26 @@ public:
     }
     catch (const InputError& error)
     {
-      RelatedOrgan lost;
-      lost.File = path;
-      lost.Name = NameOfCompared(path);
-      lost.Message = error.what();
-      this->Made.Organs.push_back(std::move(lost));
+      this->Made.Organs.push_back(LostOrgan(path, error.what()));
       return;
     }
     const ComparedFile& file = *this->Files.back();
+    const std::vector<std::filesystem::path> masks =
+        file.Labels() != nullptr ? ImagesIn(path) : std::vector<std::filesystem::path>();
     for (const std::string& note : file.Notes())
     {
-      this->Made.Notes.push_back(path.filename().string() + ": " + note);
+      // A note on a mask of a folder begins with its path: it was left out.
+      const auto lost = std::find_if(masks.begin(), masks.end(),
+                                     [&](const std::filesystem::path& mask)
+                                     { return note.rfind(mask.string() + " ", 0) == 0; });
+      if (lost != masks.end())
+      {
+        this->Made.Organs.push_back(LostOrgan(*lost, note));
+      }
+      else
+      {
+        this->Made.Notes.push_back(path.filename().string() + ": " + note);
+      }
     }
     for (const Segment& structure : this->Chosen(file))
     {
