@@ -21,6 +21,28 @@
 
 namespace palpate::cli
 {
+namespace
+{
+void PrintNotes(const OrganRelations& found, Console& console)
+{
+  for (const std::string& note : found.Notes)
+  {
+    console.Note(note);
+  }
+  for (const RelatedOrgan& organ : found.Organs)
+  {
+    for (const std::string& note : organ.Notes)
+    {
+      console.Note(organ.Name + " " + note);
+    }
+    if (organ.Tube.IsLong && !organ.TubeMessage.empty())
+    {
+      console.Note(organ.Name + " " + organ.TubeMessage + ": it has no calibre");
+    }
+  }
+}
+} // namespace
+
 std::string RelateCommand::Examples() const
 {
   return "  palpate relate masks --output related              a folder of masks, all pairs\n"
@@ -62,6 +84,15 @@ void RelateCommand::DeclareOptions(CLI::App& app)
                  "Biomarker Standardisation Initiative, for comparison with radiomics (ibsi)")
       ->check(CLI::IsMember({"subvoxel", "ibsi"}))
       ->capture_default_str();
+  app.add_option("--thickness", this->Thickness,
+                 "Thickness at a point: the largest ball that touches the surface there from "
+                 "inside (spheres), or the inward normal up to the opposite side (rays)")
+      ->check(CLI::IsMember({"spheres", "rays"}))
+      ->capture_default_str();
+  app.add_flag("--calibre", this->Settings.Measures.Calibre,
+               "Also measure tubes along their axes: organs at least five times as long as wide");
+  app.add_flag("--keep-cuts", this->Settings.Measures.KeepCuts,
+               "Count where the border of an image cuts an organ as its surface");
   this->Images.Declare(app, "folder");
   this->Images.DeclareValues(app);
   app.add_option("--output", this->Output,
@@ -83,7 +114,9 @@ int RelateCommand::Run(Console& console)
     CheckOutputFolder(this->Output);
   }
   this->Settings.Images = this->Images.Choice();
-  this->Settings.Mesh = this->Definition == "ibsi" ? MaskMesh::Ibsi : MaskMesh::SubVoxel;
+  OrganMeasures& measures = this->Settings.Measures;
+  measures.Mesh = this->Definition == "ibsi" ? MaskMesh::Ibsi : MaskMesh::SubVoxel;
+  measures.Thickness = this->Thickness == "rays" ? ThicknessRule::Rays : ThicknessRule::Spheres;
   this->Settings.Jobs = this->Jobs > 0 ? static_cast<std::size_t>(this->Jobs) : ProcessorCount();
   std::vector<double>& margins = this->Settings.Relation.Margins;
   std::sort(margins.begin(), margins.end());
@@ -99,17 +132,10 @@ int RelateCommand::Run(Console& console)
     WriteRelationFiles(found, this->Output);
   }
   console.EndProgress();
-  for (const std::string& note : found.Notes)
-  {
-    console.Note(note);
-  }
+  PrintNotes(found, console);
   CaseTally tally;
   for (const RelatedOrgan& organ : found.Organs)
   {
-    for (const std::string& note : organ.Notes)
-    {
-      console.Note(organ.Name + " " + note);
-    }
     tally.Add(organ.IsMeasured() ? FitResult::Outcome::Fitted : FitResult::Outcome::BadInput);
     if (!organ.IsMeasured())
     {

@@ -28,6 +28,7 @@ private:
   ImageOptions Images;
   OrganRelationSettings Settings;
   std::string Definition = "subvoxel";
+  std::string Thickness = "spheres";
   std::filesystem::path Output;
   int Jobs = 0;
   bool Json = false;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <system_error>
@@ -58,6 +59,15 @@ void MeasureAll(std::size_t count, const std::function<RelatedOrgan(std::size_t)
   }
 }
 
+RelatedOrgan LostOrgan(const std::filesystem::path& file, const std::string& message)
+{
+  RelatedOrgan lost;
+  lost.File = file;
+  lost.Name = NameOfCompared(file);
+  lost.Message = message;
+  return lost;
+}
+
 // Structures of files that stay in memory while they are measured.
 class OrganList
 {
@@ -76,17 +86,26 @@ public:
     }
     catch (const InputError& error)
     {
-      RelatedOrgan lost;
-      lost.File = path;
-      lost.Name = NameOfCompared(path);
-      lost.Message = error.what();
-      this->Made.Organs.push_back(std::move(lost));
+      this->Made.Organs.push_back(LostOrgan(path, error.what()));
       return;
     }
     const ComparedFile& file = *this->Files.back();
+    const std::vector<std::filesystem::path> masks =
+        file.Labels() != nullptr ? ImagesIn(path) : std::vector<std::filesystem::path>();
     for (const std::string& note : file.Notes())
     {
-      this->Made.Notes.push_back(path.filename().string() + ": " + note);
+      // A note on a mask of a folder begins with its path: it was left out.
+      const auto lost = std::find_if(masks.begin(), masks.end(),
+                                     [&](const std::filesystem::path& mask)
+                                     { return note.rfind(mask.string() + " ", 0) == 0; });
+      if (lost != masks.end())
+      {
+        this->Made.Organs.push_back(LostOrgan(*lost, note));
+      }
+      else
+      {
+        this->Made.Notes.push_back(path.filename().string() + ": " + note);
+      }
     }
     for (const Segment& structure : this->Chosen(file))
     {
@@ -101,7 +120,7 @@ public:
         [this](std::size_t n)
         {
           const auto& [file, structure] = this->Structures[n];
-          return MeasureOrgan(*file, structure, this->Settings.Mesh);
+          return MeasureOrgan(*file, structure, this->Settings.Measures);
         },
         this->Settings.Jobs, progress, this->Made.Organs);
   }
@@ -147,6 +166,17 @@ void MakeNamesDifferent(std::vector<RelatedOrgan>& organs)
       organ.Name += " " + std::to_string(again + 1);
     }
   }
+}
+
+// Distances beyond the reach are only known for some points.
+std::vector<float> MapWithin(const std::vector<double>& distances, double reach)
+{
+  std::vector<float> map(distances.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < map.size(); ++i)
+  {
+    map[i] = distances[i] > reach ? map[i] : static_cast<float>(distances[i]);
+  }
+  return map;
 }
 
 // The relations of one organ with those that follow it, or with all others if it is the only one
@@ -222,10 +252,14 @@ private:
     return row;
   }
 
-  // Keeps the nearest of all others at each point.
+  // Keeps the map of a near pair, and the nearest of all others at each point.
   void TakeMap(RelatedSide& side, std::size_t organ, std::size_t other)
   {
     RelatedOrgan& of = this->Made.Organs[organ];
+    if (!side.Distances.empty())
+    {
+      of.PairMaps.push_back({other, MapWithin(side.Distances, this->Settings.Relation.Reach())});
+    }
     for (std::size_t i = 0; i < side.Distances.size(); ++i)
     {
       if (side.Distances[i] < of.DistanceMap[i])
@@ -290,7 +324,7 @@ OrganRelations OrganRelations::Of(const std::vector<std::filesystem::path>& file
 {
   OrganRelations made;
   made.Settings = settings.Relation;
-  made.Mesh = settings.Mesh;
+  made.Measures = settings.Measures;
   {
     OrganList list(settings, made);
     for (const std::filesystem::path& input : files)
@@ -313,9 +347,10 @@ OrganRelations OrganRelations::Of(const std::vector<NamedSurface>& surfaces,
 {
   OrganRelations made;
   made.Settings = settings.Relation;
+  made.Measures = settings.Measures;
   MeasureAll(
-      surfaces.size(), [&](std::size_t n) { return MeasureOrgan(surfaces[n]); }, settings.Jobs,
-      PartOf(progress, 0.0, MeasuredPart), made.Organs);
+      surfaces.size(), [&](std::size_t n) { return MeasureOrgan(surfaces[n], settings.Measures); },
+      settings.Jobs, PartOf(progress, 0.0, MeasuredPart), made.Organs);
   RelateAll(settings, PartOf(progress, MeasuredPart, 1.0), made);
   return made;
 }
@@ -341,6 +376,11 @@ const char* RelationWord(BodyRelation::Kind kind)
 {
   constexpr const char* Words[] = {"apart", "overlapping", "inside", "around"};
   return Words[static_cast<std::size_t>(kind)];
+}
+
+const char* ThicknessWord(ThicknessRule rule)
+{
+  return rule == ThicknessRule::Rays ? "rays" : "spheres";
 }
 
 OffsetSide OffsetSideOf(const Vector3& offset)

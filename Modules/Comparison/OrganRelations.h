@@ -15,7 +15,7 @@ namespace palpate
 struct OrganRelationSettings
 {
   RelationSettings Relation;
-  MaskMesh Mesh = MaskMesh::SubVoxel;
+  OrganMeasures Measures;
   std::vector<std::string> Labels; ///< of segmentations, by number or name; empty for all
   std::string Of;                  ///< only pairs with the organ of this name; empty for all
   VolumeChoice Images;
@@ -37,7 +37,7 @@ struct OrganRelations
   std::vector<OrganPair> Pairs;   ///< in the order of the organs
   std::vector<std::string> Notes; ///< on the files
   RelationSettings Settings;
-  MaskMesh Mesh = MaskMesh::SubVoxel;
+  OrganMeasures Measures;
 
   /// Files as ComparedFile::Read takes them, folders of masks, and folders in which `fit` has
   /// written models. Throws InputError if nothing can be measured or a name is unknown, and
@@ -57,6 +57,8 @@ struct OrganRelations
 
 /// "apart", "overlapping", "inside" or "around": how the first of a pair lies to the other.
 PALPATECOMPARISON_EXPORT const char* RelationWord(BodyRelation::Kind kind);
+/// "spheres" or "rays".
+PALPATECOMPARISON_EXPORT const char* ThicknessWord(ThicknessRule rule);
 /// The side of the patient to which an offset (mm, LPS) points most: "left"; and the angle
 /// (degrees) between them.
 struct OffsetSide

@@ -6,12 +6,13 @@
 #include "LabelMask.h"
 #include "LocalThickness.h"
 #include "MeshDistances.h"
+#include "ScanBorder.h"
+#include "SurfaceTopology.h"
 #include "Units.h"
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpate
@@ -60,9 +61,16 @@ RelatedOrgan::Thickness Summary(const IndexedMesh& mesh, const std::vector<doubl
   double whole = 0.0;
   for (std::size_t i = 0; i < areas.size(); ++i)
   {
-    values.push_back({thickness[i], areas[i]});
-    sum += areas[i] * thickness[i];
-    whole += areas[i];
+    if (std::isfinite(thickness[i]))
+    {
+      values.push_back({thickness[i], areas[i]});
+      sum += areas[i] * thickness[i];
+      whole += areas[i];
+    }
+  }
+  if (!(whole > 0.0))
+  {
+    return {};
   }
   return {sum / whole, WeightedQuantile(values, 0.95 * whole),
           WeightedQuantile(values, 0.5 * whole), WeightedQuantile(values, 0.05 * whole)};
@@ -87,7 +95,7 @@ ComparedBody BodyOf(const ComparedFile& file, const Segment& structure, MaskMesh
   return BodyOfMask(label.Mask, IndexToWorldOf(layer), mesh, organ);
 }
 
-void Describe(RelatedOrgan& organ)
+void Describe(const OrganMeasures& measures, RelatedOrgan& organ)
 {
   const ComparedBody& body = organ.Body->Body();
   if (const Status status = organ.Body->Features(organ.Features); !status.IsOk())
@@ -98,51 +106,40 @@ void Describe(RelatedOrgan& organ)
   {
     organ.Milliliters = body.Volume() / CubicMillimetersPerMilliliter;
   }
-  const ThicknessSettings thickness = body.Mask() != nullptr
-                                          ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes)
-                                          : ThicknessSettings();
-  organ.ThicknessMap = LocalThicknessOf(organ.Body->Samples(), thickness);
-  organ.Thick = Summary(organ.Body->Samples(), organ.ThicknessMap);
-}
-
-// The triangles beyond the centres of an image's border voxels.
-double CutAreaOf(const IndexedMesh& mesh, const IndexToWorld& toWorld, const int size[3])
-{
-  const Matrix3 toIndex = toWorld.Axes.inverse();
-  double area = 0.0;
-  for (const std::array<int, 3>& corners : mesh.Triangles)
+  ThicknessSettings thickness = body.Mask() != nullptr
+                                    ? ThicknessSettings::OfVoxels(body.Mask()->ToWorld.Axes)
+                                    : ThicknessSettings();
+  thickness.Rule = measures.Thickness;
+  organ.ThicknessMap = LocalThicknessOf(organ.Body->Own(), thickness);
+  organ.Thick = Summary(organ.Body->Own(), organ.ThicknessMap);
+  if (measures.Calibre)
   {
-    Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
-    Vector3 largest = -least;
-    for (const int corner : corners)
-    {
-      const Vector3 index = toIndex * (mesh.Points[corner] - toWorld.Origin);
-      least = least.cwiseMin(index);
-      largest = largest.cwiseMax(index);
-    }
-    const Vector3 last = Vector3(size[0], size[1], size[2]) - Vector3::Ones();
-    if (largest.minCoeff() < 0.0 || (least - last).maxCoeff() > 0.0)
-    {
-      const Vector3& a = mesh.Points[corners[0]];
-      area += 0.5 * (mesh.Points[corners[1]] - a).cross(mesh.Points[corners[2]] - a).norm();
-    }
+    organ.TubeMessage = MeasureCalibre(organ.Body->Samples(), organ.Tube).Message();
   }
-  return area;
 }
 
-// `make` throws InputError.
+std::array<int, 3> ImageSizeOf(const ComparedFile& file, const Segment& structure)
+{
+  std::array<int, 3> size{};
+  file.Labels()->Layers[static_cast<std::size_t>(structure.Layer)]->GetDimensions(size.data());
+  return size;
+}
+
+// `make` makes its body; throws InputError.
 template <typename MakeBody>
-void Measure(const MakeBody& make, SpreadOf spread, RelatedOrgan& organ)
+void Measure(const MakeBody& make, const OrganMeasures& measures, RelatedOrgan& organ)
 {
   try
   {
+    const SpreadOf spread =
+        measures.Mesh == MaskMesh::Ibsi ? SpreadOf::VoxelCenters : SpreadOf::Inside;
     RelatedBody body;
-    if (const Status status = RelatedBody::Make(make(), spread, body); !status.IsOk())
+    if (const Status status = make(spread, body); !status.IsOk())
     {
       throw InputError(status.Message());
     }
     organ.Body = std::make_shared<const RelatedBody>(std::move(body));
-    Describe(organ);
+    Describe(measures, organ);
   }
   catch (const InputError& error)
   {
@@ -152,40 +149,43 @@ void Measure(const MakeBody& make, SpreadOf spread, RelatedOrgan& organ)
 }
 } // namespace
 
-RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure, MaskMesh mesh)
+RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure,
+                          const OrganMeasures& measures)
 {
   RelatedOrgan organ;
   organ.File = file.Path();
   organ.Structure = structure;
   organ.Kind = file.Kind();
   organ.Name = NameOfOrgan(file, structure);
-  Measure([&] { return BodyOf(file, structure, mesh, organ); },
-          mesh == MaskMesh::Ibsi ? SpreadOf::VoxelCenters : SpreadOf::Inside, organ);
-  if (organ.IsMeasured() && organ.IsCut)
+  const auto make = [&](SpreadOf spread, RelatedBody& made)
   {
-    vtkImageData* layer = file.Labels()->Layers[static_cast<std::size_t>(structure.Layer)];
-    organ.CutArea = CutAreaOf(organ.Body->Samples(), IndexToWorldOf(layer), layer->GetDimensions());
-  }
+    ComparedBody body = BodyOf(file, structure, measures.Mesh, organ);
+    if (!organ.IsCut)
+    {
+      return RelatedBody::Make(std::move(body), spread, made);
+    }
+    const std::array<int, 3> size = ImageSizeOf(file, structure);
+    organ.CutArea = MeasureEnclosed(body.Surface()).Area -
+                    MeasureEnclosed(WithoutCut(body.Surface(), *body.Mask(), size)).Area;
+    return RelatedBody::Make(std::move(body), spread, made, measures.KeepCuts ? nullptr : &size);
+  };
+  Measure(make, measures, organ);
   return organ;
 }
 
-RelatedOrgan MeasureOrgan(const NamedSurface& surface)
+RelatedOrgan MeasureOrgan(const NamedSurface& surface, const OrganMeasures& measures)
 {
   RelatedOrgan organ;
   organ.Name = surface.Name;
   organ.Kind = "surface";
   organ.Structure.Color = surface.Color;
-  Measure(
-      [&]
-      {
-        ComparedBody body;
-        if (const Status status = ComparedBody::OfMesh(surface.Mesh, body); !status.IsOk())
-        {
-          throw InputError(status.Message());
-        }
-        return body;
-      },
-      SpreadOf::Inside, organ);
+  const auto make = [&](SpreadOf spread, RelatedBody& made)
+  {
+    ComparedBody body;
+    Status status = ComparedBody::OfMesh(surface.Mesh, body);
+    return status.IsOk() ? RelatedBody::Make(std::move(body), spread, made) : status;
+  };
+  Measure(make, measures, organ);
   return organ;
 }
 } // namespace palpate

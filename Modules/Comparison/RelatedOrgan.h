@@ -1,12 +1,15 @@
 #pragma once
 
+#include "Calibre.h"
 #include "ComparedFile.h"
+#include "LocalThickness.h"
 #include "PalpateComparisonModule.h"
 #include "RelatedBody.h"
 #include "Segmentation.h"
 #include "ShapeFeatures.h"
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -22,15 +25,34 @@ enum class MaskMesh
   Ibsi      ///< half way between voxel centres, as the Image Biomarker Standardisation Initiative
 };
 
+/// What is measured of each organ, and how.
+struct OrganMeasures
+{
+  MaskMesh Mesh = MaskMesh::SubVoxel;
+  ThicknessRule Thickness = ThicknessRule::Spheres;
+  bool Calibre = false; ///< also along the axes of tubes
+  /// Where the border of an image cuts an organ counts as its surface.
+  bool KeepCuts = false;
+};
+
 /// One of several organs that are related, with what describes it alone.
 struct RelatedOrgan
 {
   struct Thickness
   {
-    double Mean = std::numeric_limits<double>::quiet_NaN(); ///< mm, over the surface's area
+    /// mm, over the area of its own surface where there is a thickness.
+    double Mean = std::numeric_limits<double>::quiet_NaN();
     double Percentile5 = Mean;
     double Median = Mean;
     double Percentile95 = Mean;
+  };
+
+  /// Distances (mm, negative inside, NaN beyond the reach) of the points of Body from another
+  /// organ.
+  struct PairMap
+  {
+    std::size_t Other; ///< its number in the list of organs
+    std::vector<float> Distances;
   };
 
   std::filesystem::path File;
@@ -51,13 +73,17 @@ struct RelatedOrgan
   std::vector<double> DistanceMap;
   std::vector<double> NeighbourMap;
   ///@}
+  std::vector<PairMap> PairMaps; ///< of the organs within the reach
+  Calibre Tube;                  ///< without sections if it is none, or not asked for
+  std::string TubeMessage;       ///< why it is none
 
   bool IsMeasured() const { return this->Body != nullptr; }
 };
 
 /// A structure of a file, measured; problems of it are in Message and Notes.
 PALPATECOMPARISON_EXPORT RelatedOrgan MeasureOrgan(const ComparedFile& file,
-                                                   const Segment& structure, MaskMesh mesh);
+                                                   const Segment& structure,
+                                                   const OrganMeasures& measures);
 
 /// A surface without a file (world mm, patient LPS).
 struct NamedSurface
@@ -66,5 +92,6 @@ struct NamedSurface
   std::array<double, 3> Color{}; ///< red, green, blue in 0..1
   IndexedMesh Mesh;
 };
-PALPATECOMPARISON_EXPORT RelatedOrgan MeasureOrgan(const NamedSurface& surface);
+PALPATECOMPARISON_EXPORT RelatedOrgan MeasureOrgan(const NamedSurface& surface,
+                                                   const OrganMeasures& measures);
 } // namespace palpate

@@ -22,7 +22,33 @@ Json PointJson(const Vector3& point)
   return {point.x(), point.y(), point.z()};
 }
 
-Json OrganJson(const RelatedOrgan& organ)
+Json CalibreJson(const RelatedOrgan& organ)
+{
+  const Calibre& tube = organ.Tube;
+  Json json{{"status", tube.Sections.empty() ? "refused" : "measured"},
+            {"message", organ.TubeMessage}};
+  if (tube.Sections.empty())
+  {
+    return json;
+  }
+  json["length_mm"] = tube.Length;
+  json["least_diameter_mm"] = tube.At(0.0).Diameter();
+  json["median_diameter_mm"] = tube.At(0.5).Diameter();
+  json["largest_diameter_mm"] = tube.At(1.0).Diameter();
+  for (const CalibreSection& section : tube.Sections)
+  {
+    json["sections"].push_back({{"along_mm", section.Along},
+                                {"center_mm", PointJson(section.Center)},
+                                {"axis", PointJson(section.Axis)},
+                                {"area_mm2", section.Area},
+                                {"diameter_mm", section.Diameter()},
+                                {"least_mm", section.Least},
+                                {"largest_mm", section.Largest}});
+  }
+  return json;
+}
+
+Json OrganJson(const RelatedOrgan& organ, const OrganMeasures& measures)
 {
   Json json{{"name", organ.Name},
             {"file", organ.File.string()},
@@ -42,10 +68,14 @@ Json OrganJson(const RelatedOrgan& organ)
   {
     json["shape"][KeyWithUnit(feature)] = NumberOrNull(feature.Value);
   }
-  json["thickness"] = {{"mean_mm", organ.Thick.Mean},
-                       {"p5_mm", organ.Thick.Percentile5},
-                       {"median_mm", organ.Thick.Median},
-                       {"p95_mm", organ.Thick.Percentile95}};
+  json["thickness"] = {{"mean_mm", NumberOrNull(organ.Thick.Mean)},
+                       {"p5_mm", NumberOrNull(organ.Thick.Percentile5)},
+                       {"median_mm", NumberOrNull(organ.Thick.Median)},
+                       {"p95_mm", NumberOrNull(organ.Thick.Percentile95)}};
+  if (measures.Calibre)
+  {
+    json["calibre"] = CalibreJson(organ);
+  }
   json["centroid_mm"] = PointJson(organ.Body->Spread().Mean);
   const Eigen::AlignedBox3d& box = organ.Body->Box();
   json["extent_mm"] = {{box.min().x(), box.max().x()},
@@ -93,10 +123,11 @@ Json OrganPairJson(const OrganPair& pair, const std::vector<RelatedOrgan>& organ
 
 std::string RelationJson(const OrganRelations& relations, const std::string& folder)
 {
+  const OrganMeasures& measures = relations.Measures;
   Json organs = Json::array();
   for (const RelatedOrgan& organ : relations.Organs)
   {
-    organs.push_back(OrganJson(organ));
+    organs.push_back(OrganJson(organ, measures));
   }
   Json pairs = Json::array();
   for (const OrganPair& pair : relations.Pairs)
@@ -104,7 +135,9 @@ std::string RelationJson(const OrganRelations& relations, const std::string& fol
     pairs.push_back(OrganPairJson(pair, relations.Organs));
   }
   const Json json{{JsonSchemaKey, JsonSchemaVersion},
-                  {"definition", relations.Mesh == MaskMesh::Ibsi ? "ibsi" : "subvoxel"},
+                  {"definition", measures.Mesh == MaskMesh::Ibsi ? "ibsi" : "subvoxel"},
+                  {"thickness_rule", ThicknessWord(measures.Thickness)},
+                  {"keeps_cuts", measures.KeepCuts},
                   {"contact_mm", relations.Settings.Contact},
                   {"organs", organs},
                   {"pairs", pairs},

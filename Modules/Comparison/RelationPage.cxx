@@ -95,6 +95,38 @@ ReportTable OrganRows(const OrganRelations& relations)
   return table;
 }
 
+// Those with a calibre.
+std::vector<const RelatedOrgan*> TubesOf(const OrganRelations& relations)
+{
+  std::vector<const RelatedOrgan*> tubes;
+  for (const RelatedOrgan& organ : relations.Organs)
+  {
+    if (!organ.Tube.Sections.empty())
+    {
+      tubes.push_back(&organ);
+    }
+  }
+  return tubes;
+}
+
+ReportTable TubeRows(const std::vector<const RelatedOrgan*>& tubes)
+{
+  ReportTable table({"Tube", "Length, mm", "Diameter: least, mm", "median", "largest",
+                     "Least at, mm", "Largest at, mm"});
+  for (const RelatedOrgan* organ : tubes)
+  {
+    const Calibre& tube = organ->Tube;
+    table.Text(organ->Name)
+        .Number(tube.Length, 1)
+        .Number(tube.At(0.0).Diameter(), 2)
+        .Number(tube.At(0.5).Diameter(), 2)
+        .Number(tube.At(1.0).Diameter(), 2)
+        .Number(tube.At(0.0).Along, 1)
+        .Number(tube.At(1.0).Along, 1);
+  }
+  return table;
+}
+
 ReportTable PairRows(const OrganRelations& relations, const std::vector<std::size_t>& near)
 {
   ReportTable table({"First", "Second", "Lies", "Distance, mm", "Wall, mm", "Contact, mm²",
@@ -157,7 +189,7 @@ std::vector<std::string> RefusedOrgans(const OrganRelations& relations)
 std::string RelationDefinitions(const OrganRelations& relations)
 {
   const std::string surface =
-      relations.Mesh == MaskMesh::Ibsi
+      relations.Measures.Mesh == MaskMesh::Ibsi
           ? "A mask’s surface lies half way between the centres of its voxels and others, and its "
             "axes are those of its voxels’ centres, as the Image Biomarker Standardisation "
             "Initiative defines them. "
@@ -168,9 +200,16 @@ std::string RelationDefinitions(const OrganRelations& relations)
          "the wall is the distance of the surfaces. Contact is the area of one surface within " +
          ToleranceText(relations.Settings.Contact) +
          " mm of the other one, the mean of both. Length, width and depth are four standard "
-         "deviations along the principal axes. Thickness is the diameter of the largest ball that "
-         "touches the surface at a point from inside; percentiles are over the area. Convex is the "
-         "volume over that of the convex hull.";
+         "deviations along the principal axes. Thickness is " +
+         (relations.Measures.Thickness == ThicknessRule::Rays
+              ? "the length of the inward normal up to the opposite side"
+              : "the diameter of the largest ball that touches the surface at a point from "
+                "inside") +
+         "; percentiles are over the area. Where the border of an image cuts an organ " +
+         (relations.Measures.KeepCuts ? "counts as its surface"
+                                      : "is not its surface: it has no contact and no thickness") +
+         ". Convex is the volume over that of the convex hull. A tube’s diameters are of circles "
+         "with the area of its sections, perpendicular to its axis.";
 }
 } // namespace
 
@@ -203,6 +242,10 @@ std::string RelationPage(const OrganRelations& relations)
       .Section("All organs");
   AddSixViews(page, RendererOfAll(relations));
   page.Section("Shapes").Table(OrganRows(relations));
+  if (const auto tubes = TubesOf(relations); !tubes.empty())
+  {
+    page.Section("Calibre of tubes").Table(TubeRows(tubes));
+  }
   if (!near.empty())
   {
     page.Section("Pairs within " + reach + " mm").Table(PairRows(relations, near));
@@ -254,11 +297,22 @@ std::string RelationText(const OrganRelations& relations)
                   FixedText(0.5 * (found.One.ContactArea + found.Other.ContactArea), 1),
                   OffsetSideOf(found.Offset).Name});
   }
+  TextTable calibres;
+  calibres.AlignRight({1, 2, 3, 4});
+  calibres.AddRow({"tube", "length mm", "least mm", "median mm", "largest mm"});
+  const std::vector<const RelatedOrgan*> tubes = TubesOf(relations);
+  for (const RelatedOrgan* organ : tubes)
+  {
+    const Calibre& tube = organ->Tube;
+    calibres.AddRow({organ->Name, FixedText(tube.Length, 1), FixedText(tube.At(0.0).Diameter(), 2),
+                     FixedText(tube.At(0.5).Diameter(), 2), FixedText(tube.At(1.0).Diameter(), 2)});
+  }
   const std::string rest =
       near.size() > MostPairsOfText
           ? "and " + std::to_string(near.size() - MostPairsOfText) +
                 " more pairs within the largest margin; --output and --json have all\n"
           : "";
-  return organs.Text() + (near.empty() ? "" : "\n" + pairs.Text() + rest);
+  return organs.Text() + (tubes.empty() ? "" : "\n" + calibres.Text()) +
+         (near.empty() ? "" : "\n" + pairs.Text() + rest);
 }
 } // namespace palpate

@@ -29,7 +29,19 @@ void AddPoint(const std::string& key, const Vector3& point, Row& row)
   }
 }
 
-Row RowOf(const RelatedOrgan& organ, const std::vector<ShapeFeature>& features)
+void AddCalibre(const Calibre& tube, Row& row)
+{
+  const auto diameter = [&](double part)
+  { return tube.Sections.empty() ? std::nan("") : tube.At(part).Diameter(); };
+  row.insert(row.end(),
+             {{"calibre_length_mm", CellOf(tube.Sections.empty() ? std::nan("") : tube.Length)},
+              {"calibre_least_mm", CellOf(diameter(0.0))},
+              {"calibre_median_mm", CellOf(diameter(0.5))},
+              {"calibre_largest_mm", CellOf(diameter(1.0))}});
+}
+
+Row RowOf(const RelatedOrgan& organ, const std::vector<ShapeFeature>& features,
+          const OrganMeasures& measures)
 {
   const bool isLabel = organ.Structure.Label != 0;
   Row row{{"name", organ.Name},
@@ -49,6 +61,10 @@ Row RowOf(const RelatedOrgan& organ, const std::vector<ShapeFeature>& features)
                          {"thickness_p5_mm", CellOf(organ.Thick.Percentile5)},
                          {"thickness_median_mm", CellOf(organ.Thick.Median)},
                          {"thickness_p95_mm", CellOf(organ.Thick.Percentile95)}});
+  if (measures.Calibre)
+  {
+    AddCalibre(organ.Tube, row);
+  }
   const Vector3 centroid =
       organ.IsMeasured() ? organ.Body->Spread().Mean : Vector3::Constant(std::nan(""));
   AddPoint("centroid", centroid, row);
@@ -120,7 +136,23 @@ std::string OrganTable(const OrganRelations& relations)
   std::vector<Row> rows;
   for (const RelatedOrgan& organ : relations.Organs)
   {
-    rows.push_back(RowOf(organ, features));
+    rows.push_back(RowOf(organ, features, relations.Measures));
+  }
+  return TableOf(rows);
+}
+
+std::string CalibreTable(const Calibre& tube)
+{
+  std::vector<Row> rows;
+  for (const CalibreSection& section : tube.Sections)
+  {
+    Row row{{"along_mm", CellOf(section.Along)},
+            {"area_mm2", CellOf(section.Area)},
+            {"diameter_mm", CellOf(section.Diameter())},
+            {"least_mm", CellOf(section.Least)},
+            {"largest_mm", CellOf(section.Largest)}};
+    AddPoint("center", section.Center, row);
+    rows.push_back(std::move(row));
   }
   return TableOf(rows);
 }

@@ -62,10 +62,9 @@ Status MeasureSide(const RelatedBody& body, const RelatedBody& from,
                    RelatedSide& side)
 {
   const double reach = settings.Reach();
-  const IndexedMesh& surface = body.Samples();
   std::vector<double> within;
-  Status status = DistancesNear(surface.Points, from, reach, isSigned, PartOf(progress, 0.0, 0.7),
-                                side.Distances);
+  Status status = DistancesNear(body.Samples().Points, from, reach, isSigned,
+                                PartOf(progress, 0.0, 0.7), side.Distances);
   if (status.IsOk())
   {
     status =
@@ -75,12 +74,13 @@ Status MeasureSide(const RelatedBody& body, const RelatedBody& from,
   {
     return status;
   }
-  side.ContactArea = AreaBetween(surface, side.Distances, settings.Contact);
-  const double area = MeasureEnclosed(surface).Area;
+  const IndexedMesh& own = body.Own();
+  side.ContactArea = AreaBetween(own, side.Distances, settings.Contact);
+  const double area = std::max(std::numeric_limits<double>::min(), MeasureEnclosed(own).Area);
   for (NearShare& share : side.Near)
   {
     const double limit = share.Millimeters;
-    share.Area = AreaWithin(surface, side.Distances, limit) / area;
+    share.Area = AreaWithin(own, side.Distances, limit) / area;
     const auto count = std::count_if(within.begin(), within.end(),
                                      [limit](double distance) { return distance <= limit; });
     share.Volume =

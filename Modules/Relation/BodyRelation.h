@@ -24,14 +24,14 @@ struct RelationSettings
 struct NearShare
 {
   double Millimeters = 0.0;
-  double Area = 0.0;   ///< of the surface, 0 to 1
+  double Area = 0.0;   ///< of its own surface (RelatedBody::Own), 0 to 1
   double Volume = 0.0; ///< 0 to 1, from the centres in RelatedBody::Inside
 };
 
 /// One of two related bodies.
 struct RelatedSide
 {
-  double ContactArea = 0.0; ///< mm^2 of its surface within the contact distance of the other's
+  double ContactArea = 0.0; ///< mm^2 of its own surface within the contact distance of the other's
   std::vector<NearShare> Near;
   /// Distances (mm) of the surface's points from the other body, negative inside it, 1e30 far
   /// beyond the reach; empty if all of it is.

@@ -1,5 +1,6 @@
 #include "LocalThickness.h"
 
+#include "MeshRays.h"
 #include "NearestOnMesh.h"
 #include "SpatialOrder.h"
 
@@ -66,17 +67,6 @@ public:
       : Mesh(mesh), Tolerance(settings.Tolerance),
         Normals(NormalsAtPoints(mesh, settings.NormalSmoothing)), Corners(mesh.Points.size())
   {
-    const std::vector<int> order = SpatialOrder(mesh.Points);
-    for (std::size_t i = 0; i < order.size(); ++i)
-    {
-      if (i % BlockSize == 0)
-      {
-        this->Blocks.emplace_back();
-      }
-      this->Blocks.back().Points.push_back(order[i]);
-      this->Blocks.back().Box.extend(mesh.Points[order[i]]);
-      this->Bounds.extend(mesh.Points[order[i]]);
-    }
     for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
     {
       for (const int corner : mesh.Triangles[t])
@@ -84,11 +74,26 @@ public:
         this->Corners[corner].push_back(static_cast<int>(t));
       }
     }
+    for (const int point : SpatialOrder(mesh.Points))
+    {
+      if (this->Corners[point].empty())
+      {
+        continue;
+      }
+      if (this->Blocks.empty() || this->Blocks.back().Points.size() == BlockSize)
+      {
+        this->Blocks.emplace_back();
+      }
+      this->Blocks.back().Points.push_back(point);
+      this->Blocks.back().Box.extend(mesh.Points[point]);
+      this->Bounds.extend(mesh.Points[point]);
+    }
   }
 
   std::vector<double> Diameters()
   {
-    std::vector<double> diameters(this->Mesh.Points.size());
+    std::vector<double> diameters(this->Mesh.Points.size(),
+                                  std::numeric_limits<double>::quiet_NaN());
     for (const PointBlock& block : this->Blocks)
     {
       for (const int point : block.Points)
@@ -166,16 +171,38 @@ private:
   Eigen::AlignedBox3d Bounds;
   std::size_t Last = 0;
 };
+// Along the inward normals. NaN if the mesh is none that rays can be sent through.
+std::vector<double> RayLengths(const IndexedMesh& mesh, const ThicknessSettings& settings)
+{
+  std::vector<double> lengths(mesh.Points.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::vector<Vector3> normals = NormalsAtPoints(mesh, settings.NormalSmoothing);
+  MeshRays rays;
+  if (MeshRays::Make(mesh, rays).IsOk())
+  {
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+    {
+      const bool hasNormal = normals[i].squaredNorm() > 0.5;
+      lengths[i] =
+          hasNormal ? rays.ExitFrom(mesh.Points[i], -normals[i], static_cast<int>(i)) : lengths[i];
+    }
+  }
+  return lengths;
+}
 } // namespace
 
 ThicknessSettings ThicknessSettings::OfVoxels(const Matrix3& steps)
 {
   const Vector3 sizes = steps.colwise().norm();
-  return {0.2 * std::cbrt(sizes.prod()), 4};
+  return {ThicknessRule::Spheres, 0.2 * std::cbrt(sizes.prod()), 4};
 }
 
 std::vector<double> LocalThicknessOf(const IndexedMesh& mesh, const ThicknessSettings& settings)
 {
-  return mesh.Points.empty() ? std::vector<double>() : BallFit(mesh, settings).Diameters();
+  if (mesh.Triangles.empty())
+  {
+    return std::vector<double>(mesh.Points.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  return settings.Rule == ThicknessRule::Rays ? RayLengths(mesh, settings)
+                                              : BallFit(mesh, settings).Diameters();
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "RelatedBody.h"
 
 #include "MeshVoxels.h"
+#include "ScanBorder.h"
 
 #include <array>
 #include <utility>
@@ -82,7 +83,8 @@ std::vector<Vector3> VoxelCentersOf(const PlacedMask& mask)
 }
 } // namespace
 
-Status RelatedBody::Make(ComparedBody body, SpreadOf spread, RelatedBody& made)
+Status RelatedBody::Make(ComparedBody body, SpreadOf spread, RelatedBody& made,
+                         const std::array<int, 3>* imageSize)
 {
   if (!body.IsClosed())
   {
@@ -100,6 +102,11 @@ Status RelatedBody::Make(ComparedBody body, SpreadOf spread, RelatedBody& made)
     related.Bounds.extend(point);
   }
   related.Sampled = kept.IsModel() ? Compact(kept.CoarseSurface()) : kept.Surface();
+  if (imageSize != nullptr && kept.Mask() != nullptr)
+  {
+    related.Uncut =
+        std::make_shared<const IndexedMesh>(WithoutCut(related.Sampled, *kept.Mask(), *imageSize));
+  }
   related.Points = spread == SpreadOf::VoxelCenters && kept.Mask() != nullptr
                        ? PointSpread::OfPoints(VoxelCentersOf(*kept.Mask()))
                        : PointSpread::OfInside(kept.Enclosure());

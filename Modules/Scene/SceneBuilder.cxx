@@ -1,6 +1,7 @@
 #include "SceneBuilder.h"
 
 #include "InputError.h"
+#include "LabelMask.h"
 #include "ModelSurface.h"
 #include "Refusal.h"
 #include "SceneLabels.h"
@@ -47,6 +48,7 @@ public:
     {
       this->Made.Warnings.push_back(std::move(note.Text));
     }
+    this->WarnOfCuts();
     const TouchScene touch = MakeTouchScene(this->Made.Settings, this->Made.Contacts, {});
     std::size_t contact = 0;
     for (std::size_t s = 0; s < this->Made.Settings.Structures.size(); ++s)
@@ -101,6 +103,27 @@ private:
         throw InputError("the scene has no structure with the id " +
                          std::to_string(guide.Structure) +
                          ", by which a guide is made; correct \"structure\" in \"guides\"");
+      }
+    }
+  }
+
+  // What lies beyond the image is not known: a cut is felt as the voxels end there.
+  void WarnOfCuts()
+  {
+    for (const SceneStructure& structure : this->Planned.Structures)
+    {
+      if (!structure.IsTouchable || structure.Source() != SceneSource::Label)
+      {
+        continue;
+      }
+      const auto file = this->SegmentationOf(structure.File); // read before
+      const Segment& segment = SegmentOf(structure, *file);
+      vtkImageData* layer = file->Layers[static_cast<std::size_t>(segment.Layer)];
+      if (CopyLabelMask(layer, segment.Value, 0).TouchesBorder)
+      {
+        this->Made.Warnings.push_back(TitleOf(structure) +
+                                      " is cut by the border of its image; the cut is felt as if "
+                                      "the organ ended there");
       }
     }
   }

@@ -39,8 +39,9 @@ struct BuiltScene
   std::vector<BuiltStructure> Touched;      ///< one for each contact
   std::vector<DrillProtection> Protections; ///< of forbidden structures, touched or not
   SceneAccount Account;
-  std::vector<std::string> Warnings; ///< on what structures yield by, see SofteningNotes
-  std::vector<std::string> LeftOut;  ///< why, of each mask (BadMasks::LeaveOut)
+  std::vector<std::string>
+      Warnings; ///< on what structures yield by (SofteningNotes), and on cut ones
+  std::vector<std::string> LeftOut; ///< why, of each mask (BadMasks::LeaveOut)
 };
 
 /// Reads the files and makes the models on the caller's thread, only what the settings require;

@@ -1,8 +1,10 @@
 // Compares Documentation/JsonOutput.md with every command's --json output.
 #include "CommandRun.h"
 #include "DrillBlock.h"
+#include "ImageWriter.h"
 #include "InputError.h"
 #include "JsonPaths.h"
+#include "LabelImages.h"
 #include "SceneFile.h"
 #include "StudyMarkups.h"
 #include "SyntheticFiles.h"
@@ -195,7 +197,11 @@ TEST_F(JsonOutput, RegisterIsDocumented)
 
 TEST_F(JsonOutput, RelateIsDocumented)
 {
-  this->Run({"relate", "ball.json", "a.nii.gz", "bad.nii.gz", "--output", "related", "--json"});
+  WriteImage(this->Folder / "tube.nii.gz",
+             MakeLabelImage({}, [](double x, double y, double)
+                            { return std::hypot(x - 10.0, y - 10.0) < 2.0; }));
+  this->Run({"relate", "ball.json", "a.nii.gz", "tube.nii.gz", "bad.nii.gz", "--calibre",
+             "--output", "related", "--json"});
   this->ExpectDocumented("relate");
 }
 

@@ -49,7 +49,8 @@ std::int64_t CountOf(const std::vector<VoxelRun>& runs)
   return count;
 }
 
-constexpr int MostStructures = std::numeric_limits<unsigned short>::max();
+// For which a byte a voxel suffices; more take two.
+constexpr int FewStructures = std::numeric_limits<unsigned char>::max();
 } // namespace
 
 MaskCollection::MaskCollection(const std::filesystem::path& source)
@@ -64,7 +65,7 @@ void MaskCollection::Add(const Segmentation& segmentation, const std::string& na
   {
     this->Grid = grid;
     this->All.IsOriented = segmentation.IsOriented;
-    this->Layers.emplace(this->All.Source, grid, MostStructures,
+    this->Layers.emplace(this->All.Source, grid, FewStructures,
                          std::numeric_limits<double>::infinity());
   }
   if (!IsSameGrid(*this->Grid, grid))

@@ -95,8 +95,25 @@ void SegmentLayers::AddLayer()
   this->Layers.push_back(layer);
 }
 
+void SegmentLayers::Widen(int label)
+{
+  this->Type = LabelType(label);
+  for (vtkSmartPointer<vtkDataArray>& layer : this->Layers)
+  {
+    auto wide = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(this->Type));
+    CheckMemory(this->File,
+                static_cast<double>(layer->GetNumberOfTuples()) * wide->GetDataTypeSize());
+    wide->DeepCopy(layer);
+    layer = wide;
+  }
+}
+
 int SegmentLayers::Add(int label, const std::vector<VoxelRun>& runs)
 {
+  if (label > this->Layers.front()->GetDataTypeMax())
+  {
+    this->Widen(label);
+  }
   std::size_t place = 0;
   while (!TryFill(this->Layers[place], runs, label))
   {

@@ -22,12 +22,13 @@ struct VoxelRun
 class PALPATEIO_EXPORT SegmentLayers
 {
 public:
-  /// `largestLabel` determines the layers' scalar type. `file` is for messages. Throws InputError
-  /// if the first layer exceeds `mostBytes` bytes or does not fit into memory.
+  /// `largestLabel` determines the layers' scalar type, up to a larger one. `file` is for messages.
+  /// Throws InputError if the first layer exceeds `mostBytes` bytes or does not fit into memory.
   SegmentLayers(const std::filesystem::path& file, const ImageGrid& grid, int largestLabel,
                 double mostBytes);
 
-  /// Adds the voxels of a segment; returns its layer. Throws InputError if it needs another layer
+  /// Adds the voxels of a segment; returns its layer. A label that the scalar type cannot hold
+  /// changes that of all layers. Throws InputError if it needs another layer
   /// and all layers together would exceed `mostBytes`, not fit into memory, or be more than 1,024.
   int Add(int label, const std::vector<VoxelRun>& runs);
   /// Voxels that the runs share with each label added before.
@@ -37,6 +38,7 @@ public:
 
 private:
   void AddLayer();
+  void Widen(int label);
 
   std::filesystem::path File;
   ImageGrid Grid;

@@ -41,8 +41,7 @@ namespace
 // More than any surface that fits into memory; a wrong file must not fill the memory.
 constexpr std::uintmax_t MaximumBytes = std::uintmax_t{4} << 30;
 
-std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
-                         const std::filesystem::path& path)
+std::string PolyDataToVtp(vtkPolyData* surface, const std::filesystem::path& path)
 {
   vtkNew<vtkPolyData> copy;
   copy->ShallowCopy(surface);
@@ -64,6 +63,12 @@ std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
     Refuse(path, "cannot be written: " + errors.Message(), "choose another format");
   }
   return writer->GetOutputString();
+}
+
+std::string SurfaceToVtp(const TriangleMesh&, vtkPolyData* surface,
+                         const std::filesystem::path& path)
+{
+  return PolyDataToVtp(surface, path);
 }
 
 // VTK's reader trusts the triangle count of a binary file and silently accepts fewer. It takes a
@@ -270,6 +275,11 @@ void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface)
   }
   const TriangleMesh mesh = TrianglesOf(surface, path);
   WriteWholeFile(path, format->Write(mesh, surface, path));
+}
+
+void WriteLines(const std::filesystem::path& path, vtkPolyData* lines)
+{
+  WriteWholeFile(path, PolyDataToVtp(lines, path));
 }
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::filesystem::path& path)

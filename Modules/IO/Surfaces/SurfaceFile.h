@@ -34,6 +34,9 @@ PALPATEIO_EXPORT bool IsSurfaceFile(const std::filesystem::path& path);
 /// size.
 PALPATEIO_EXPORT void WriteSurface(const std::filesystem::path& path, vtkPolyData* surface);
 
+/// Writes curves (patient LPS, mm) as VTK's XML, whatever the ending. Throws InputError.
+PALPATEIO_EXPORT void WriteLines(const std::filesystem::path& path, vtkPolyData* lines);
+
 /// Reads a file of SurfaceFormats into patient LPS in mm. A file that states SPACE=RAS as in 3D
 /// Slicer is converted; without a statement it is LPS (see SurfaceSpace). STL has no shared points,
 /// so equal ones are merged, which closes a closed surface again. PLY keeps normals, colours and

@@ -78,10 +78,12 @@ TEST(LocalThickness, OfAnEllipsoidIsThatOfItsDefinition)
   EXPECT_LT(worst, 0.1);
 }
 
-TEST(LocalThickness, OfAWedgeGrowsFromItsEdge)
+constexpr double Half = 0.35; // half of the angle between a wedge's faces
+constexpr double Length = 20.0;
+
+// Of which y is the edge.
+ComparedBody Wedge()
 {
-  constexpr double Half = 0.35; // half of the angle between the faces
-  constexpr double Length = 20.0;
   const double height = Length * std::tan(Half);
   const IndexedMesh wedge{{{0.0, 0.0, 0.0},
                            {0.0, 40.0, 0.0},
@@ -97,7 +99,12 @@ TEST(LocalThickness, OfAWedgeGrowsFromItsEdge)
                            {{2, 5, 3}},
                            {{0, 4, 2}},
                            {{1, 3, 5}}}};
-  const ComparedBody body = test::BodyOfMesh(wedge);
+  return test::BodyOfMesh(wedge);
+}
+
+TEST(LocalThickness, OfAWedgeGrowsFromItsEdge)
+{
+  const ComparedBody body = Wedge();
   const std::vector<double> thickness = LocalThicknessOf(body.Surface(), {});
   int seen = 0;
   for (std::size_t i = 0; i < thickness.size(); ++i)
@@ -115,6 +122,106 @@ TEST(LocalThickness, OfAWedgeGrowsFromItsEdge)
     }
   }
   EXPECT_GT(seen, 100);
+}
+
+ThicknessSettings Rays()
+{
+  ThicknessSettings settings;
+  settings.Rule = ThicknessRule::Rays;
+  return settings;
+}
+
+TEST(RayThickness, OfABallIsItsDiameter)
+{
+  for (const double thickness :
+       LocalThicknessOf(test::BodyOfModel(test::SphereModel(8.0)).Surface(), Rays()))
+  {
+    ASSERT_NEAR(thickness, 16.0, 0.03);
+  }
+}
+
+TEST(RayThickness, OfAShellIsItsWallOnBothSides)
+{
+  const IndexedMesh shell =
+      test::Join(test::Sphere(60, 12.0), test::Reversed(test::Sphere(60, 10.5)));
+  for (const double thickness : LocalThicknessOf(shell, Rays()))
+  {
+    EXPECT_NEAR(thickness, 1.5, 0.01);
+  }
+}
+
+// The line p + t n meets x^T A x = 1 again at t = -2 p^T A n / n^T A n.
+TEST(RayThickness, OfAnEllipsoidIsItsChordAlongTheNormal)
+{
+  const Vector3 axes(15.0, 9.0, 6.0);
+  const IndexedMesh mesh = Ellipsoid(60, axes);
+  const Vector3 form = axes.cwiseProduct(axes).cwiseInverse();
+  const std::vector<double> thickness = LocalThicknessOf(mesh, Rays());
+  for (std::size_t i = 0; i < thickness.size(); ++i)
+  {
+    const Vector3& point = mesh.Points[i];
+    const Vector3 inward = -point.cwiseProduct(form).normalized();
+    const double chord =
+        -2.0 * point.cwiseProduct(form).dot(inward) / inward.cwiseProduct(form).dot(inward);
+    ASSERT_NEAR(thickness[i], chord, 0.05) << point.transpose();
+  }
+}
+
+TEST(RayThickness, OfAWedgeIsTheTangentOfItsAngle)
+{
+  const ComparedBody body = Wedge();
+  const std::vector<double> thickness = LocalThicknessOf(body.Surface(), Rays());
+  int seen = 0;
+  for (std::size_t i = 0; i < thickness.size(); ++i)
+  {
+    const Vector3& point = body.Surface().Points[i];
+    const double along = std::hypot(point.x(), point.z());
+    const bool isOnFace = std::abs(std::abs(point.z()) - point.x() * std::tan(Half)) < 1e-9;
+    // Away from edges, and where the ray ends on the other face.
+    const bool isFree = along > 1.0 && point.y() > 1.0 && point.y() < 39.0 &&
+                        along / std::cos(2.0 * Half) < Length / std::cos(Half) - 0.5;
+    if (isOnFace && isFree)
+    {
+      EXPECT_NEAR(thickness[i], along * std::tan(2.0 * Half), 1e-6) << point.transpose();
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 100);
+}
+
+// A ball with the diameter 2 r has a chord of 2 r along the normal.
+TEST(RayThickness, IsAtLeastThatOfSpheres)
+{
+  const IndexedMesh mesh = test::Lobed(40);
+  const std::vector<double> spheres = LocalThicknessOf(mesh, {});
+  const std::vector<double> rays = LocalThicknessOf(mesh, Rays());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    ASSERT_GE(rays[i], spheres[i] - 0.05);
+  }
+}
+
+// A cap of a ball: its cut, which is not there, limits neither.
+TEST(LocalThickness, IgnoresWhatIsLeftOut)
+{
+  IndexedMesh mesh = test::Sphere(40, 8.0);
+  const auto isLow = [&](const std::array<int, 3>& t) {
+    return std::min({mesh.Points[t[0]].z(), mesh.Points[t[1]].z(), mesh.Points[t[2]].z()}) < 2.0;
+  };
+  mesh.Triangles.erase(std::remove_if(mesh.Triangles.begin(), mesh.Triangles.end(), isLow),
+                       mesh.Triangles.end());
+  const std::vector<double> spheres = LocalThicknessOf(mesh, {});
+  const std::vector<double> rays = LocalThicknessOf(mesh, Rays());
+  for (std::size_t i = 0; i < spheres.size(); ++i)
+  {
+    const bool isThere = mesh.Points[i].z() > 2.3;
+    if (isThere)
+    {
+      EXPECT_NEAR(spheres[i], 6.0, 0.3); // the least extent
+    }
+    EXPECT_TRUE(isThere || mesh.Points[i].z() > 1.9 || std::isnan(spheres[i]));
+    EXPECT_TRUE(std::isnan(rays[i]));
+  }
 }
 
 // Masks have noise, which balls see as curvature: the middle of the errors is as good.

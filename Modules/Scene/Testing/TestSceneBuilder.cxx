@@ -92,6 +92,26 @@ TEST_F(SceneBuilderTest, RefusesALabelWithoutAnyShape)
   EXPECT_THROW(this->Make({entry}), InputError);
 }
 
+TEST_F(SceneBuilderTest, NamesStructuresThatTheBorderCuts)
+{
+  test::LabelGrid grid;
+  grid.Size = {{20, 20, 20}};
+  std::vector<SceneStructure> entries;
+  for (const auto& [name, middle] : {std::pair("whole", 9.5), std::pair("ended", 2.0)})
+  {
+    const auto file = this->Folder / (std::string(name) + ".nii.gz");
+    WriteImage(file,
+               test::MakeLabelImage(grid, [middle = middle](double x, double y, double z)
+                                    { return std::hypot(x - middle, y - 9.5, z - 9.5) < 6.0; }));
+    entries.push_back(this->Entry(file, true));
+  }
+  const std::vector<std::string> warnings = this->Make(entries).Warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings.front().find("ended is cut by the border"), std::string::npos) << warnings[0];
+  entries.back().IsTouchable = false;
+  EXPECT_TRUE(this->Make(entries).Warnings.empty());
+}
+
 TEST_F(SceneBuilderTest, TouchesAModelOfThreeCoordinates)
 {
   WriteModel(this->Folder / "ring.json", {test::OpenRing(8), {}});

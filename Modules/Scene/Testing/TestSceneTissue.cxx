@@ -222,7 +222,7 @@ TEST_F(SceneTissueTest, WarnsOfInclusionsThatLieMostlyOutside)
 TEST_F(SceneTissueTest, InclusionInOneOfTwoOrgansIsNoWarning)
 {
   const std::filesystem::path other = this->Folder / "other.nii.gz";
-  this->WriteBall(other, -11.0, 5.0);
+  this->WriteBall(other, -10.0, 5.0);
   SceneStructure small = this->Gland();
   small.Id = 3;
   small.File = other;
