@@ -250,9 +250,9 @@ def speed(program, folder):
 
 
 def section_of(page, title):
-    """With its heading and the line break that parts it from the next one."""
+    """With its heading and the line break that parts it from the next one; empty if it is not there."""
     found = re.search(rf"^## {re.escape(title)}\n.*?(?=^## |\Z)", page, re.MULTILINE | re.DOTALL)
-    return found[0].rstrip("\n") + "\n"
+    return found[0].rstrip("\n") + "\n" if found else ""
 
 
 def main():
@@ -287,14 +287,16 @@ def main():
          "mask. Empty: refused. Slices of the cochlea and the tooth are 1 and 5 times as thick "
          "as a voxel is wide.", lambda: organs(program)),
     ]
-    text = ["# Validation", "", "Made by `Utilities/validate.py`; default settings (degree 12, "
-            "frequency 20) unless stated otherwise.", ""]
+    head = "\n".join(["# Validation", "", "Made by `Utilities/validate.py`; default settings (degree 12, "
+                      "frequency 20) unless stated otherwise.", ""])
+    page = arguments.output.read_text() if arguments.output.exists() else ""
+    parts = {title: section_of(page, title) for title, _, _ in sections}
     for title, remark, make in sections:
         if arguments.only and not title.startswith(arguments.only):
-            text += [section_of(arguments.output.read_text(), title)]
             continue
-        text += [f"## {title}", ""] + ([wrapped(remark), ""] if remark else []) + [make()]
-    arguments.output.write_text("\n".join(text))
+        parts[title] = "\n".join([f"## {title}", ""] + ([wrapped(remark), ""] if remark else []) + [make()])
+        # All takes hours: what is made stays if the rest is not.
+        arguments.output.write_text("\n".join([head, *(part for part in parts.values() if part)]))
     print(f"wrote {arguments.output}")
 
 
