@@ -40,8 +40,9 @@ struct Calibre
 /// The calibre of a closed body that is one long tube (mm, oriented outwards), of its largest sheet
 /// of triangles. The first axis runs through the curves of equal distance from an end, as in
 /// Verroust and Lazarus, "Extracting skeletal curves from 3D scattered data", Visual Computer 16
-/// (2000). Planes perpendicular to it then give sections, whose centroids are the next axis, four
-/// times. It ends where it leaves the body, straight on from the last section.
+/// (2000), and goes on straight from section to section towards the ends. Planes perpendicular to
+/// it give the sections, whose centroids are the axis. It ends where it leaves the body, straight
+/// on from the last section.
 ///
 /// Fails for a body that is not long, one with branches or rings (two curves of equal distance from
 /// an end over more than 0.6 of the mean diameter, the smaller at least 0.3 of the larger), and if

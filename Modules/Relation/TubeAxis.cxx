@@ -14,7 +14,6 @@ namespace
 {
 constexpr std::size_t LeastSections = 5;
 constexpr std::size_t MostSections = 4000;
-constexpr int Rounds = 2;
 // Sections whose centres give a direction: 1.5 diameters.
 constexpr std::size_t PointsOfDirection = 7;
 
@@ -62,20 +61,11 @@ Status TubeAxis::Measure(const IndexedMesh& tube, std::vector<Vector3> points, d
     return status;
   }
   const auto isShort = [&] { return axis.Points.size() < LeastSections; };
-  for (int round = 0; round < Rounds && !isShort(); ++round)
-  {
-    axis.Center();
-    axis.Space();
-  }
   if (!isShort())
   {
     axis.Extend();
     std::reverse(axis.Points.begin(), axis.Points.end());
     axis.Extend();
-  }
-  for (int round = 0; round < Rounds && !isShort(); ++round)
-  {
-    axis.Center();
   }
   return isShort() ? Status::Failure("has no axis") : axis.Finish(measured);
 }
@@ -116,50 +106,6 @@ std::vector<Vector3> TubeAxis::Directions() const
   return directions;
 }
 
-// Moves each point to the centroid of its section; those without one, or behind the one before, are
-// left out.
-void TubeAxis::Center()
-{
-  const std::vector<Vector3> directions = this->Directions();
-  std::vector<Vector3> centers;
-  for (std::size_t i = 0; i < this->Points.size(); ++i)
-  {
-    Loop loop;
-    if (!this->FindLoop(this->Points[i], directions[i], loop))
-    {
-      continue;
-    }
-    const Vector3 center = EnclosedBy(loop, directions[i]).Center;
-    if (centers.empty() || (center - centers.back()).dot(directions[i]) > 0.1 * this->Step)
-    {
-      centers.push_back(center);
-    }
-  }
-  this->Points = std::move(centers);
-}
-
-// Makes the points as far from each other as they should be.
-void TubeAxis::Space()
-{
-  const std::vector<double> lengths = LengthsAlong(this->Points);
-  const double count = std::max(1.0, std::round(lengths.back() / this->Step));
-  std::vector<Vector3> spaced;
-  std::size_t segment = 0;
-  for (double n = 0.0; n <= count; n += 1.0)
-  {
-    const double at = lengths.back() * n / count;
-    while (segment + 2 < lengths.size() && lengths[segment + 1] < at)
-    {
-      ++segment;
-    }
-    const double part =
-        (at - lengths[segment]) / std::max(1e-12, lengths[segment + 1] - lengths[segment]);
-    spaced.push_back(this->Points[segment] +
-                     std::min(1.0, part) * (this->Points[segment + 1] - this->Points[segment]));
-  }
-  this->Points = std::move(spaced);
-}
-
 // Adds points at the end of the list as long as one more lies at least a radius inside the end.
 void TubeAxis::Extend()
 {
@@ -191,25 +137,34 @@ void TubeAxis::Extend()
 Status TubeAxis::Finish(Calibre& measured) const
 {
   const std::vector<Vector3> directions = this->Directions();
-  const std::vector<double> lengths = LengthsAlong(this->Points);
-  const double before = this->Rays.ExitFrom(this->Points.front(), -directions.front());
-  const double after = this->Rays.ExitFrom(this->Points.back(), directions.back());
-  if (!std::isfinite(before + after))
-  {
-    return Status::Failure("has an axis without ends");
-  }
-  measured.Length = before + lengths.back() + after;
+  std::vector<Vector3> centers;
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
     Loop loop;
     if (this->FindLoop(this->Points[i], directions[i], loop))
     {
       const LoopSection section = SectionOf(loop, directions[i]);
-      measured.Sections.push_back({before + lengths[i], section.Center, directions[i], section.Area,
-                                   section.Least, section.Largest});
+      centers.push_back(section.Center);
+      measured.Sections.push_back(
+          {0.0, section.Center, directions[i], section.Area, section.Least, section.Largest});
     }
   }
-  return measured.Sections.size() < LeastSections ? Status::Failure("has no sections")
-                                                  : Status::Success();
+  if (centers.size() < LeastSections)
+  {
+    return Status::Failure("has no sections");
+  }
+  const double before = this->Rays.ExitFrom(centers.front(), -measured.Sections.front().Axis);
+  const double after = this->Rays.ExitFrom(centers.back(), measured.Sections.back().Axis);
+  if (!std::isfinite(before + after))
+  {
+    return Status::Failure("has an axis without ends");
+  }
+  const std::vector<double> lengths = LengthsAlong(centers);
+  for (std::size_t i = 0; i < centers.size(); ++i)
+  {
+    measured.Sections[i].Along = before + lengths[i];
+  }
+  measured.Length = before + lengths.back() + after;
+  return Status::Success();
 }
 } // namespace palpate

@@ -11,7 +11,7 @@
 
 namespace palpate
 {
-/// Makes the axis of a tube run through the centroids of its sections.
+/// Makes the axis of a tube, through the centroids of its sections.
 class TubeAxis
 {
 public:
@@ -28,8 +28,6 @@ private:
 
   bool FindLoop(const Vector3& point, const Vector3& axis, Loop& loop) const;
   std::vector<Vector3> Directions() const;
-  void Center();
-  void Space();
   void Extend();
   Status Finish(Calibre& measured) const;
 

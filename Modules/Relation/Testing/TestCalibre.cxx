@@ -131,6 +131,17 @@ TEST(Calibre, OfATorusIsThatOfItsTube)
   }
 }
 
+// A bend so tight that curves of equal distance from an end are far from sections.
+TEST(Calibre, OfATightTorusIsThatOfItsTube)
+{
+  const Calibre calibre = CalibreOf(Measured(Bent(9.0, 5.2, 4.0)));
+  EXPECT_NEAR(calibre.Length, 46.8, 3 * Percent * 46.8); // it goes straight on at the ends
+  for (const CalibreSection& section : calibre.Sections)
+  {
+    EXPECT_NEAR(section.Diameter(), 8.0, 2 * Percent * 8.0);
+  }
+}
+
 TEST(Calibre, OfAConeGrowsAlongIt)
 {
   TubeShape cone = Straight(80.0, 0.0, 0.0);
