@@ -1,7 +1,7 @@
 # The modules without VTK, ITK and Qt, each after those that it uses.
 set(PALPATE_KERNEL_MODULES
-  Core Mesh Harmonics ShapeSpace Registration Statistics Field Realtime Elasticity Contact Model Relation Files Haptics
-  HapticDevices CInterface)
+  Core Mesh Harmonics ShapeSpace Registration Statistics Field Realtime Elasticity Contact Model Check Relation Files
+  Haptics HapticDevices CInterface)
 if(OpenIGTLink_FOUND)
   list(INSERT PALPATE_KERNEL_MODULES 1 Network)
 endif()

@@ -1,5 +1,6 @@
 #include "CommandRegistry.h"
 
+#include "CheckCommand.h"
 #include "CohortCommand.h"
 #include "CompareCommand.h"
 #include "CompletionCommand.h"
@@ -34,6 +35,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<CompareCommand>());
   commands.push_back(std::make_unique<RelateCommand>());
   commands.push_back(std::make_unique<RegisterCommand>());
+  commands.push_back(std::make_unique<CheckCommand>());
   commands.push_back(std::make_unique<MeshCommand>());
   commands.push_back(std::make_unique<EvaluateCommand>());
   commands.push_back(std::make_unique<ConvertCommand>());

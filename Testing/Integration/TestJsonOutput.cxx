@@ -205,6 +205,12 @@ TEST_F(JsonOutput, RelateIsDocumented)
   this->ExpectDocumented("relate");
 }
 
+TEST_F(JsonOutput, CheckIsDocumented)
+{
+  this->Run({"check", "a.nii.gz", "bad.nii.gz", "--output", "checked", "--json"});
+  this->ExpectDocumented("check");
+}
+
 TEST_F(JsonOutput, EvaluateIsDocumented)
 {
   this->Run({"evaluate", "ball.json", "--direction", "1,0,0", "--point", "1,2,3", "--json"});

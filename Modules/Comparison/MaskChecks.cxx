@@ -1,0 +1,297 @@
+#include "MaskChecks.h"
+
+#include "CaseNames.h"
+#include "CohortManifest.h"
+#include "ImageIndexToWorld.h"
+#include "InputError.h"
+#include "LabelMask.h"
+#include "LabelOverlaps.h"
+#include "MaskFolder.h"
+#include "OrderedTasks.h"
+#include "SegmentationFile.h"
+
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <limits>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+namespace palpate
+{
+namespace
+{
+constexpr std::size_t MostOfWhole = 8;        // structures that are judged as one body, too
+constexpr double LargestOfWhole = 0.9;        // of its volume that is one part
+constexpr std::size_t MostDoubtfulMasks = 60; // kept for pictures
+
+bool IsFolder(const std::filesystem::path& path)
+{
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored);
+}
+
+std::vector<std::filesystem::path> FoldersOfMasksIn(const std::filesystem::path& folder)
+{
+  std::vector<std::filesystem::path> found;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+  {
+    if (IsFolder(entry->path()) && IsMaskFolder(entry->path()))
+    {
+      found.push_back(entry->path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+// The cases that an input stands for.
+std::vector<std::filesystem::path> CasesOf(const std::filesystem::path& input,
+                                           const CheckSettings& settings,
+                                           std::vector<std::string>& notes)
+{
+  if (!IsFolder(input) || settings.As == "structures")
+  {
+    return {input};
+  }
+  if (!IsMaskFolder(input))
+  {
+    std::vector<std::filesystem::path> folders = FoldersOfMasksIn(input);
+    return folders.empty() ? std::vector{input} : folders; // DICOM, or refused when it is read
+  }
+  if (settings.As == "cases")
+  {
+    return FindMasks(input);
+  }
+  const MaskFolder folder(input, settings.Images, true);
+  if (folder.IsOneSegmentation())
+  {
+    notes.push_back(input.string() + ": " + folder.Why() +
+                    ", taken as structures of one patient (--as cases: each is a case)");
+    notes.insert(notes.end(), folder.LeftOut().begin(), folder.LeftOut().end());
+    return {input};
+  }
+  if (folder.Is() == MaskFolder::Kind::Unclear)
+  {
+    throw InputError(input.string() + " holds " + folder.Why() +
+                     "; say by --as structures that they are of one patient, or by --as cases that "
+                     "each is a case");
+  }
+  return FindMasks(input);
+}
+
+std::string NameOf(const Segment& structure)
+{
+  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+}
+
+CheckedMask MaskOf(const Segmentation& labels, const Segment& structure)
+{
+  vtkImageData* const layer = labels.Layers[static_cast<std::size_t>(structure.Layer)];
+  CheckedMask mask;
+  mask.Voxels = CopyLabelMask(layer, structure.Value, 1).Mask;
+  mask.ToWorld = IndexToWorldOf(layer);
+  layer->GetDimensions(mask.ImageSize.data());
+  return mask;
+}
+
+bool AreOnOneGrid(const Segmentation& labels)
+{
+  return std::all_of(labels.Layers.begin(), labels.Layers.end(),
+                     [&](vtkImageData* layer)
+                     {
+                       const int* const size = layer->GetDimensions();
+                       return std::equal(size, size + 3, labels.Layers.front()->GetDimensions());
+                     });
+}
+
+// Reads and measures cases; used by several threads.
+class CaseReader
+{
+public:
+  CaseReader(const CheckSettings& settings, std::size_t cases)
+      : Settings(settings), JobsInCase(cases > 1 ? 1 : settings.Jobs)
+  {
+  }
+
+  CaseCheck Measure(const std::filesystem::path& file, const std::string& name)
+  {
+    CaseCheck check;
+    check.File = file;
+    check.Name = name;
+    try
+    {
+      this->MeasureLabels(this->Read(file), check);
+    }
+    catch (const Cancelled&)
+    {
+      throw;
+    }
+    catch (const std::exception& error)
+    {
+      check.Message = error.what();
+      check.Patient.Organs.clear();
+    }
+    return check;
+  }
+
+private:
+  Segmentation Read(const std::filesystem::path& file)
+  {
+    const std::lock_guard<std::mutex> lock(this->Reading); // the readers are not all thread-safe
+    return this->Settings.As == "structures" && IsMaskFolder(file)
+               ? MaskFolder(file, this->Settings.Images, false).Structures()
+               : ReadSegmentation(file, this->Settings.Images);
+  }
+
+  void MeasureLabels(const Segmentation& labels, CaseCheck& check)
+  {
+    check.Notes = labels.Notes;
+    check.Patient.IsOriented = labels.IsOriented;
+    OrderedTasks<CheckedOrgan> tasks(labels.Segments.size(), this->JobsInCase,
+                                     [&](std::size_t n)
+                                     {
+                                       const Segment& structure = labels.Segments[n];
+                                       return CheckedOrgan{
+                                           NameOf(structure), false,
+                                           MeasureMask(MaskOf(labels, structure), this->Probe)};
+                                     });
+    for (std::size_t n = 0; n < labels.Segments.size(); ++n)
+    {
+      check.Patient.Organs.push_back(tasks.Next());
+    }
+    this->AddWhole(labels, check.Patient);
+    AddOverlaps(labels, check.Patient);
+    MeasureSides(check.Patient);
+    this->Judge(labels, check);
+  }
+
+  void AddWhole(const Segmentation& labels, CheckedCase& patient) const
+  {
+    const std::size_t count = labels.Segments.size();
+    if (count < 2 || count > MostOfWhole || !AreOnOneGrid(labels))
+    {
+      return;
+    }
+    CheckedMask all = UnionOf(labels);
+    CheckedOrgan whole{CheckedCase::WholeName, true, MeasureMask(std::move(all), this->Probe)};
+    if (whole.Measured.Statistics.front().Value <= 1.0 - LargestOfWhole)
+    {
+      patient.Organs.push_back(std::move(whole));
+    }
+  }
+
+  static CheckedMask UnionOf(const Segmentation& labels)
+  {
+    std::vector<CheckedMask> masks;
+    for (const Segment& structure : labels.Segments)
+    {
+      masks.push_back(MaskOf(labels, structure));
+    }
+    return palpate::UnionOf(masks);
+  }
+
+  void Judge(const Segmentation& labels, CaseCheck& check) const
+  {
+    if (this->Settings.Group != nullptr)
+    {
+      check.Judgements = this->Settings.Group->Judge(check.Patient, this->Settings.Rate);
+    }
+    else
+    {
+      std::transform(check.Patient.Organs.begin(), check.Patient.Organs.end(),
+                     std::back_inserter(check.Judgements),
+                     [](const CheckedOrgan& organ) { return JudgeByRules(organ); });
+    }
+    for (std::size_t n = 0; n < check.Judgements.size(); ++n)
+    {
+      if (check.Judgements[n].Is != OrganJudgement::Verdict::Plausible &&
+          check.Doubtful.size() < MostDoubtfulMasks)
+      {
+        check.Doubtful[n] =
+            check.Patient.Organs[n].IsWhole ? UnionOf(labels) : MaskOf(labels, labels.Segments[n]);
+      }
+    }
+  }
+
+  const CheckSettings& Settings;
+  std::size_t JobsInCase;
+  RadialProbe Probe;
+  std::mutex Reading;
+};
+} // namespace
+
+OrganJudgement::Verdict CaseCheck::Worst() const
+{
+  OrganJudgement::Verdict worst = OrganJudgement::Verdict::Plausible;
+  for (const OrganJudgement& one : this->Judgements)
+  {
+    worst = std::max(worst, one.Is);
+  }
+  return worst;
+}
+
+MaskChecks MaskChecks::Measure(const std::vector<std::filesystem::path>& inputs,
+                               const CheckSettings& settings, const ProgressFunction& progress)
+{
+  MaskChecks checks;
+  checks.Rate = settings.Rate;
+  checks.IsByGroup = settings.Group != nullptr;
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path& input : inputs)
+  {
+    const std::vector<std::filesystem::path> cases = CasesOf(input, settings, checks.Notes);
+    files.insert(files.end(), cases.begin(), cases.end());
+  }
+  std::vector<std::string> texts(files.size());
+  std::transform(files.begin(), files.end(), texts.begin(),
+                 [](const std::filesystem::path& file) { return file.string(); });
+  const CaseNames names(texts);
+  CaseReader reader(settings, files.size());
+  OrderedTasks<CaseCheck> tasks(files.size(), settings.Jobs,
+                                [&](std::size_t n)
+                                { return reader.Measure(files[n], names.OfInput(n)); });
+  std::size_t doubtful = 0;
+  for (std::size_t n = 0; n < files.size(); ++n)
+  {
+    checks.Cases.push_back(tasks.Next());
+    doubtful += checks.Cases.back().Doubtful.size();
+    if (doubtful > MostDoubtfulMasks)
+    {
+      checks.Cases.back().Doubtful.clear();
+    }
+    ReportProgress(progress, static_cast<double>(n + 1) / static_cast<double>(files.size()),
+                   "checking");
+  }
+  return checks;
+}
+
+MaskChecks MaskChecks::Of(const std::vector<std::filesystem::path>& inputs,
+                          const CheckSettings& settings, const ProgressFunction& progress)
+{
+  MaskChecks checks = Measure(inputs, settings, progress);
+  const auto scoreOf = [](const CaseCheck& check)
+  {
+    double score = std::numeric_limits<double>::infinity();
+    for (const OrganJudgement& one : check.Judgements)
+    {
+      score = std::min(score, one.Score);
+    }
+    return score;
+  };
+  std::stable_sort(checks.Cases.begin(), checks.Cases.end(),
+                   [&](const CaseCheck& a, const CaseCheck& b)
+                   {
+                     if (a.IsChecked() != b.IsChecked())
+                     {
+                       return a.IsChecked();
+                     }
+                     return a.Worst() != b.Worst() ? a.Worst() > b.Worst()
+                                                   : scoreOf(a) < scoreOf(b);
+                   });
+  return checks;
+}
+} // namespace palpate
