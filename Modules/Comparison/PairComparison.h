@@ -80,7 +80,7 @@ PALPATECOMPARISON_EXPORT std::pair<std::string, std::string> TitlesOf(const Pair
 struct PairSettings
 {
   std::vector<double> Tolerances{1.0, 2.0, 3.0}; ///< mm, ascending
-  bool IsMirrored = false;        ///< the second is replaced as by MirrorOnto
+  bool IsMirrored = false;                       ///< the second is replaced as by MirrorOnto
   bool FindsMotion = false;
   std::vector<Vector3> Landmarks; ///< on the second, mm: they move with it
 };

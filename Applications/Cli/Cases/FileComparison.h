@@ -15,8 +15,8 @@ class Console;
 /// What `palpate compare` is asked for.
 struct CompareSettings
 {
-  std::string Label;                             ///< by number or name; empty for all
-  std::string ReferenceLabel;                    ///< of the reference, if it is another one
+  std::string Label;          ///< by number or name; empty for all
+  std::string ReferenceLabel; ///< of the reference, if it is another one
   PairSettings Pair;
   ImageOptions Images;
   std::filesystem::path Output; ///< empty to write nothing
