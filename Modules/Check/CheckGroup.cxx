@@ -481,7 +481,8 @@ OrganJudgement CheckGroup::JudgeOrgan(const GroupOrgan& organ, const CheckedOrga
 OrganJudgement JudgeByRules(const CheckedOrgan& organ, bool byFactsOnly)
 {
   OrganJudgement judgement;
-  judgement.Score = std::numeric_limits<double>::infinity();
+  judgement.Score = 1.0;
+  const CheckRule* first = nullptr; // in the order of the sentences
   for (const MaskStatistic& one : organ.Measured.Statistics)
   {
     const CheckRule* const rule = FindCheckRule(one.Key);
@@ -491,9 +492,7 @@ OrganJudgement JudgeByRules(const CheckedOrgan& organ, bool byFactsOnly)
     }
     const auto verdict = one.Value >= rule->Implausible ? OrganJudgement::Verdict::Implausible
                                                         : OrganJudgement::Verdict::LookHere;
-    const auto order = static_cast<double>(rule - CheckRules().data()); // of the sentences
-    const bool isFirst =
-        verdict > judgement.Is || (verdict == judgement.Is && order < judgement.Score);
+    const bool isFirst = verdict > judgement.Is || (verdict == judgement.Is && rule < first);
     if (judgement.Is != OrganJudgement::Verdict::Plausible)
     {
       judgement.Others.push_back(isFirst ? judgement.Reason : one);
@@ -502,10 +501,9 @@ OrganJudgement JudgeByRules(const CheckedOrgan& organ, bool byFactsOnly)
     {
       judgement.Is = verdict;
       judgement.Reason = one;
-      judgement.Score = order;
+      first = rule;
     }
   }
-  judgement.Score = 1.0;
   return judgement;
 }
 } // namespace palpate

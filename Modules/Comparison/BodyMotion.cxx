@@ -10,6 +10,25 @@ namespace
 {
 constexpr std::size_t MostPoints = 5000; // of a registration
 
+// Carried by the rigid map, then by the nearest point of the surface.
+Status MoveLandmarks(const IndexedMesh& from, const IndexedMesh& to, const Eigen::Affine3d& map,
+                     const std::vector<Vector3>& landmarks, std::vector<Vector3>& moved)
+{
+  NearestOnMesh before;
+  NearestOnMesh after;
+  Status status = NearestOnMesh::Make(from, before);
+  status = status.IsOk() ? NearestOnMesh::Make(to, after) : status;
+  if (!status.IsOk())
+  {
+    return status;
+  }
+  for (const Vector3& landmark : landmarks)
+  {
+    const Vector3 carried = map * before.Find(landmark).Point;
+    moved.emplace_back(map * landmark + after.Find(carried).Point - carried);
+  }
+  return status;
+}
 } // namespace
 
 std::vector<Vector3> SomePoints(const IndexedMesh& mesh)
@@ -41,24 +60,17 @@ Status FindBodyMotion(const ComparedBody& from, const ComparedBody& to,
   {
     return status;
   }
-  NearestOnMesh before;
-  NearestOnMesh after;
-  Status status = NearestOnMesh::Make(from.Surface(), before);
-  status = status.IsOk() ? NearestOnMesh::Make(to.Surface(), after) : status;
-  if (!status.IsOk())
-  {
-    return status;
-  }
   BodyMotion made;
   made.Turn = Eigen::AngleAxisd(found.Map.linear()).angle();
   made.Shift = found.Map * from.Centroid() - from.Centroid();
   made.Rest = found.Rms;
-  for (const Vector3& landmark : landmarks)
+  const Status status = landmarks.empty() ? Status::Success()
+                                          : MoveLandmarks(from.Surface(), to.Surface(), found.Map,
+                                                          landmarks, made.Landmarks);
+  if (status.IsOk())
   {
-    const Vector3 carried = found.Map * before.Find(landmark).Point;
-    made.Landmarks.emplace_back(found.Map * landmark + after.Find(carried).Point - carried);
+    motion = std::move(made);
   }
-  motion = std::move(made);
-  return Status::Success();
+  return status;
 }
 } // namespace palpate

@@ -4,6 +4,7 @@
 #include "ComparisonNames.h"
 #include "JsonSchema.h"
 #include "PatientSides.h"
+#include "Units.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -90,7 +91,7 @@ Json MirrorJson(const PairComparison& pair)
     return nullptr;
   }
   const Vector3& shift = pair.Mirror->Shift;
-  return {{"turn_deg", pair.Mirror->Turn * 180.0 / M_PI},
+  return {{"turn_deg", pair.Mirror->Turn * DegreesPerRadian},
           {"shift_mm", {shift.x(), shift.y(), shift.z()}},
           {"volume_asymmetry_percent", OrNull(pair.VolumeAsymmetryPercent())},
           {"shape_asymmetry_percent", OrNull(pair.ShapeAsymmetryPercent())}};
@@ -108,7 +109,7 @@ Json MotionJson(const PairComparison& pair)
   {
     landmarks.push_back(place(landmark));
   }
-  return {{"turn_deg", pair.Motion->Turn * 180.0 / M_PI},
+  return {{"turn_deg", pair.Motion->Turn * DegreesPerRadian},
           {"shift_mm", place(pair.Motion->Shift)},
           {"rest_mm", pair.Motion->Rest},
           {"landmarks_mm", landmarks}};

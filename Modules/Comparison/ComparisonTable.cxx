@@ -5,6 +5,7 @@
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "PatientSides.h"
+#include "Units.h"
 #include "WholeFile.h"
 
 #include <cmath>
@@ -90,7 +91,7 @@ std::vector<double> NumbersOf(const PairComparison& pair)
   if (pair.Motion)
   {
     const Vector3& shift = pair.Motion->Shift;
-    numbers.insert(numbers.end(), {pair.Motion->Turn * 180.0 / M_PI, shift.x(), shift.y(),
+    numbers.insert(numbers.end(), {pair.Motion->Turn * DegreesPerRadian, shift.x(), shift.y(),
                                    shift.z(), pair.Motion->Rest});
   }
   return numbers;
@@ -202,7 +203,7 @@ private:
     pair.Time = ParseNumber(this->Text("time"));
     if (!this->Text("turn_deg").empty())
     {
-      pair.Motion = {this->Number("turn_deg") * M_PI / 180.0,
+      pair.Motion = {this->Number("turn_deg") / DegreesPerRadian,
                      Vector3(this->Number("shift_x_mm"), this->Number("shift_y_mm"),
                              this->Number("shift_z_mm")),
                      this->Number("rest_mm"), LandmarksOf(this->Text("landmarks_mm"))};

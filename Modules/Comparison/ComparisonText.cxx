@@ -6,6 +6,7 @@
 #include "DecimalText.h"
 #include "PatientSides.h"
 #include "TextTable.h"
+#include "Units.h"
 
 #include <cmath>
 
@@ -45,7 +46,7 @@ std::string SurfaceDiceText(const BodyComparison& found)
 std::string MotionText(const BodyMotion& motion)
 {
   return "moved by " + FixedText(motion.Shift.norm(), 2) + " mm, turned by " +
-         FixedText(motion.Turn * 180.0 / M_PI, 1) + " degrees, " + FixedText(motion.Rest, 2) +
+         FixedText(motion.Turn * DegreesPerRadian, 1) + " degrees, " + FixedText(motion.Rest, 2) +
          " mm left";
 }
 

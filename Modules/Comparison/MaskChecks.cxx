@@ -67,18 +67,12 @@ std::vector<std::filesystem::path> CasesOf(const std::filesystem::path& input,
     return FindMasks(input);
   }
   const MaskFolder folder(input, settings.Images, true);
+  folder.RequireClear();
   if (folder.IsOneSegmentation())
   {
-    notes.push_back(input.string() + ": " + folder.Why() +
-                    ", taken as structures of one patient (--as cases: each is a case)");
+    notes.push_back(folder.TakenText());
     notes.insert(notes.end(), folder.LeftOut().begin(), folder.LeftOut().end());
     return {input};
-  }
-  if (folder.Is() == MaskFolder::Kind::Unclear)
-  {
-    throw InputError(input.string() + " holds " + folder.Why() +
-                     "; say by --as structures that they are of one patient, or by --as cases that "
-                     "each is a case");
   }
   return FindMasks(input);
 }

@@ -43,18 +43,30 @@ bool AreOfOneName(const PairComparison& pair)
                   : pair.One.File.filename() == pair.Other.File.filename());
 }
 
-std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const ComparedFile& one,
-                                                const ComparedFile& other,
-                                                const PairSettings& settings, KernelWatch& watch)
+using BodyPointer = std::shared_ptr<const ComparedBody>;
+
+// A mask without its steps; a surface or a model is its own shape, as it was made.
+BodyPointer ShapeOf(const ComparedFile& file, const Segment& structure, const BodyPointer& made)
+{
+  return file.Labels() == nullptr
+             ? made
+             : std::make_shared<const ComparedBody>(file.Body(structure, MaskBody::Shape));
+}
+
+BodyPointer OtherBodyOf(PairComparison& pair, const ComparedFile& one, const ComparedFile& other,
+                        const PairSettings& settings, KernelWatch& watch)
 {
   ComparedBody body = other.Body(pair.Other.Structure);
   if (settings.IsMirrored)
   {
     Measure(body, pair.Other);
     MirrorMatch match;
-    body = other.Body(pair.Other.Structure, MaskBody::Shape);
-    const Status status =
-        MirrorOnto(one.Body(pair.One.Structure, MaskBody::Shape), watch.Of(0.1, 0.2), body, match);
+    if (other.Labels() != nullptr)
+    {
+      body = other.Body(pair.Other.Structure, MaskBody::Shape);
+    }
+    const Status status = MirrorOnto(*ShapeOf(one, pair.One.Structure, pair.OneBody),
+                                     watch.Of(0.1, 0.2), body, match);
     watch.Require();
     if (!status.IsOk())
     {
@@ -62,7 +74,7 @@ std::shared_ptr<const ComparedBody> OtherBodyOf(PairComparison& pair, const Comp
     }
     pair.Mirror = match;
     pair.Notes.push_back("the reference is its mirror image at the sagittal plane, turned by " +
-                         FixedText(match.Turn * 180.0 / M_PI, 1) + " degrees and moved by " +
+                         FixedText(match.Turn * DegreesPerRadian, 1) + " degrees and moved by " +
                          FixedText(match.Shift.norm(), 1) + " mm onto the first");
   }
   return std::make_shared<const ComparedBody>(std::move(body));
@@ -72,8 +84,12 @@ void TakeMotion(const ComparedFile& one, const ComparedFile& other, const PairSe
                 KernelWatch& watch, PairComparison& pair)
 {
   BodyMotion motion;
-  const Status status = FindBodyMotion(other.Body(pair.Other.Structure, MaskBody::Shape),
-                                       one.Body(pair.One.Structure, MaskBody::Shape),
+  // The mirror image is not what moves.
+  const BodyPointer from =
+      pair.Mirror
+          ? std::make_shared<const ComparedBody>(other.Body(pair.Other.Structure, MaskBody::Shape))
+          : ShapeOf(other, pair.Other.Structure, pair.OtherBody);
+  const Status status = FindBodyMotion(*from, *ShapeOf(one, pair.One.Structure, pair.OneBody),
                                        settings.Landmarks, watch.Of(0.9, 1.0), motion);
   watch.Require();
   if (status.IsOk())

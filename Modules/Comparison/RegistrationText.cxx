@@ -3,6 +3,7 @@
 #include "DecimalText.h"
 #include "JsonSchema.h"
 #include "TextTable.h"
+#include "Units.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,11 +13,6 @@ namespace palpate
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-double Degrees(double radians)
-{
-  return radians * 180.0 / M_PI;
-}
 
 Json FiniteOrNull(double number)
 {
@@ -53,7 +49,7 @@ std::string RegistrationText(const FileRegistration& found)
 {
   TextTable table;
   table.AddRow({"shift", FixedText(found.Shift.norm(), 2) + " mm"});
-  table.AddRow({"turn", FixedText(Degrees(found.Turn), 2) + " degrees"});
+  table.AddRow({"turn", FixedText(DegreesPerRadian * found.Turn, 2) + " degrees"});
   if (std::abs(found.Size - 1.0) > 1e-9)
   {
     table.AddRow({"size", FixedText(found.Size, 4)});
@@ -77,10 +73,11 @@ std::string RegistrationText(const FileRegistration& found)
   }
   if (found.Error.Shift > 0.0)
   {
-    table.AddRow({"predicted error", FixedText(found.Error.Shift, 3) + " mm, " +
-                                         (std::isfinite(found.Error.Turn)
-                                              ? FixedText(Degrees(found.Error.Turn), 2) + " degrees"
-                                              : "any turn")});
+    table.AddRow({"predicted error",
+                  FixedText(found.Error.Shift, 3) + " mm, " +
+                      (std::isfinite(found.Error.Turn)
+                           ? FixedText(DegreesPerRadian * found.Error.Turn, 2) + " degrees"
+                           : "any turn")});
   }
   return table.Text();
 }
@@ -100,10 +97,10 @@ std::string RegistrationJson(const FileRegistration& found, const RegisteredSide
                   {"fixed", fixed.File.string()},
                   {"map", rows},
                   {"shift_mm", {shift.x(), shift.y(), shift.z()}},
-                  {"turn_deg", Degrees(found.Turn)},
+                  {"turn_deg", DegreesPerRadian * found.Turn},
                   {"size", found.Size},
                   {"predicted_shift_mm", FiniteOrNull(found.Error.Shift)},
-                  {"predicted_turn_deg", FiniteOrNull(Degrees(found.Error.Turn))},
+                  {"predicted_turn_deg", FiniteOrNull(DegreesPerRadian * found.Error.Turn)},
                   {"landmarks", LandmarksJson(found)},
                   {"surface", SurfaceJson(found)},
                   {"notes", found.Notes},

@@ -186,4 +186,21 @@ void MaskFolder::Read(const std::vector<std::filesystem::path>& masks, const Vol
                                                   : ", of which some overlap");
   this->All = collected.All.Result();
 }
+
+void MaskFolder::RequireClear() const
+{
+  if (this->Found == Kind::Unclear)
+  {
+    throw InputError(this->Folder.string() + " holds " + this->Reason +
+                     "; say by --as structures that they are of one patient, or by --as cases that "
+                     "each is a case");
+  }
+}
+
+std::string MaskFolder::TakenText() const
+{
+  return this->Folder.string() + ": " + this->Reason + ", taken as " +
+         (this->IsOneSegmentation() ? "structures of one patient (--as cases: each is a case)"
+                                    : "cases (--as structures: of one patient)");
+}
 } // namespace palpate

@@ -46,6 +46,10 @@ public:
   Kind Is() const { return this->Found; }
   /// Why, as a phrase: "116 masks on one grid that hardly overlap".
   const std::string& Why() const { return this->Reason; }
+  /// Throws InputError, which names the options for both ways, if it is unclear.
+  void RequireClear() const;
+  /// How it is taken, and the option for the other way, as a sentence.
+  std::string TakenText() const;
   /// Several structures on one grid that hardly overlap.
   bool IsOneSegmentation() const { return this->Found == Kind::Structures && this->MaskCount > 1; }
   /// Masks that were read.

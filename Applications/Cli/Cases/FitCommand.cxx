@@ -158,20 +158,12 @@ void FitCommand::ReadFolder(Console& console)
     return;
   }
   console.EndProgress();
-  if (judges && folder->Is() == MaskFolder::Kind::Unclear)
-  {
-    throw InputError(input + " holds " + folder->Why() +
-                     "; say by --as structures that they are of one patient, or by --as cases "
-                     "that each is a case");
-  }
-  const bool areStructures = !judges || folder->IsOneSegmentation();
   if (judges)
   {
-    this->Taken = input + ": " + folder->Why() + ", taken as " +
-                  (areStructures ? "structures of one patient (--as cases: each is a case)"
-                                 : "cases (--as structures: of one patient)");
+    folder->RequireClear();
+    this->Taken = folder->TakenText();
   }
-  if (areStructures)
+  if (!judges || folder->IsOneSegmentation())
   {
     this->Folder = std::move(folder);
   }

@@ -3,6 +3,7 @@
 #include "RegistrationStep.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <random>
 
 namespace palpate::test
@@ -34,5 +35,27 @@ struct MapSize
   }
   double Turn;
   double Shift;
+};
+
+/// Root mean squares of errors of many registrations, over those that they predicted.
+class ErrorRatios
+{
+public:
+  void Add(const Eigen::Affine3d& left, const PredictedPoseError& predicted)
+  {
+    const MapSize size(left);
+    this->Turns += size.Turn * size.Turn;
+    this->Shifts += size.Shift * size.Shift;
+    this->PredictedTurns += predicted.Turn * predicted.Turn;
+    this->PredictedShifts += predicted.Shift * predicted.Shift;
+  }
+  double Turn() const { return std::sqrt(this->Turns / this->PredictedTurns); }
+  double Shift() const { return std::sqrt(this->Shifts / this->PredictedShifts); }
+
+private:
+  double Turns = 0.0;
+  double Shifts = 0.0;
+  double PredictedTurns = 0.0;
+  double PredictedShifts = 0.0;
 };
 } // namespace palpate::test

@@ -107,10 +107,7 @@ TEST(SurfaceRegistration, PredictsItsErrorWithinAThird)
   const IndexedMesh mesh = Lump(20);
   for (const std::size_t count : {std::size_t{40}, std::size_t{100}})
   {
-    double turns = 0.0;
-    double shifts = 0.0;
-    double predictedTurns = 0.0;
-    double predictedShifts = 0.0;
+    test::ErrorRatios errors;
     for (int draw = 0; draw < 200; ++draw)
     {
       std::vector<Vector3> points = Some(mesh, count, random);
@@ -122,14 +119,9 @@ TEST(SurfaceRegistration, PredictsItsErrorWithinAThird)
       ASSERT_TRUE(RegisterToSurface(points, mesh, Eigen::Affine3d::Identity(),
                                     {RegistrationKind::Rigid, 1.0, 200}, {}, made)
                       .IsOk());
-      const test::MapSize left(made.Map);
-      turns += left.Turn * left.Turn;
-      shifts += left.Shift * left.Shift;
-      predictedTurns += made.Error.Turn * made.Error.Turn;
-      predictedShifts += made.Error.Shift * made.Error.Shift;
+      errors.Add(made.Map, made.Error);
     }
-    for (const double ratio :
-         {std::sqrt(turns / predictedTurns), std::sqrt(shifts / predictedShifts)})
+    for (const double ratio : {errors.Turn(), errors.Shift()})
     {
       EXPECT_GT(ratio, 1.0 / 1.3) << count;
       EXPECT_LT(ratio, 1.3) << count;
