@@ -2,6 +2,7 @@
 
 #include "ClosestPointDistances.h"
 #include "DecimalText.h"
+#include "DegreeBracket.h"
 #include "DegreeGoal.h"
 #include "FitDeviation.h"
 #include "FitQuality.h"
@@ -42,8 +43,7 @@ Status JudgeDrawn(FitResult& result)
   return CheckRegularity(overlap);
 }
 
-// The degree asked for, or the smallest that meets the tolerance: first upwards by quarters, then
-// by bisection.
+// The degree asked for, or the smallest that meets the tolerance.
 Status FitDegree(const FitResult& found, int supported, SurfaceModelFitResult& fit,
                  KernelWatch& watched)
 {
@@ -64,27 +64,20 @@ Status FitDegree(const FitResult& found, int supported, SurfaceModelFitResult& f
   {
     return fitTo(goal ? highest : settings.Degree, 0.0, 1.0, fit);
   }
-  const auto partOf = [highest](int degree) { return static_cast<double>(degree) / highest; };
-  int below = least - 1;
-  int degree = least;
-  Status status = fitTo(degree, 0.0, partOf(degree), fit);
-  while (status.IsOk() && fit.NormalRms > goal->Tolerance && degree < highest)
+  DegreeBracket bracket(goal->Tolerance, least, highest);
+  const double unlimited = options.LargestRms;
+  Status status = Status::Success();
+  double begin = 0.0;
+  for (std::optional<int> degree = bracket.Next(); status.IsOk() && degree; degree = bracket.Next())
   {
-    below = degree;
-    degree = std::min(degree + std::max(1, degree / 4), highest);
-    status = fitTo(degree, partOf(below), partOf(degree), fit);
-  }
-  const double reached = partOf(degree);
-  while (status.IsOk() && fit.NormalRms <= goal->Tolerance && degree - below > 1)
-  {
-    const int between = (below + degree) / 2;
-    SurfaceModelFitResult smaller;
-    status = fitTo(between, reached, reached, smaller);
-    const bool meets = smaller.NormalRms <= goal->Tolerance;
-    (meets ? degree : below) = between;
-    if (meets)
+    const double end = (1.0 + begin) / 2.0;
+    options.LargestRms = *degree < highest ? goal->Tolerance : unlimited;
+    SurfaceModelFitResult tried;
+    status = fitTo(*degree, begin, end, tried);
+    begin = end;
+    if (status.IsOk() && bracket.Add(*degree, tried.NormalRms))
     {
-      fit = std::move(smaller);
+      fit = std::move(tried);
     }
   }
   return status;

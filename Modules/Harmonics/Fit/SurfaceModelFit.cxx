@@ -157,11 +157,12 @@ public:
     constexpr double LargestRise = 0.04;            // of a fit without crossings
     constexpr double LargestRiseIfCrossed = 0.0075; // of one with less than half of them
     CrossingRemedy remedy;
-    if (!this->FindRemedy(this->Fitted.Surface, remedy) || remedy.Crossings == 0)
+    const double before = this->NormalRms(this->Fitted);
+    if (before > this->Options.LargestRms || !this->FindRemedy(this->Fitted.Surface, remedy) ||
+        remedy.Crossings == 0)
     {
       return true;
     }
-    const double before = this->NormalRms(this->Fitted);
     std::int64_t fewest = (remedy.Crossings + 1) / 2;
     int degreeOfPleats = this->Options.Degree;
     for (int round = 1; round <= this->Options.MostSeparations && remedy.Crossings > 0; ++round)

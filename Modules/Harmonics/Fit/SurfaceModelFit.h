@@ -7,6 +7,7 @@
 #include "SurfaceModel.h"
 #include "Vector3.h"
 
+#include <limits>
 #include <vector>
 
 namespace palpate
@@ -37,6 +38,8 @@ struct SurfaceModelFitOptions
   /// at most 4 % of half its shortest wavelength, with which the rounds end; else the one with the
   /// fewest, if these are less than half and that distance rises by at most 0.75 %.
   int MostSeparations = 12;
+  /// A fit that leaves more than this (mm, NormalRms) keeps its crossings, since it is not wanted.
+  double LargestRms = std::numeric_limits<double>::infinity();
 };
 
 struct SurfaceModelFitResult
