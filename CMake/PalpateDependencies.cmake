@@ -85,6 +85,7 @@ endif()
 
 find_package(ITK 5.2 REQUIRED COMPONENTS ITKCommon ITKIOImageBase ITKIONIFTI ITKIONRRD ITKIOMeta
   ITKTransform ITKIOTransformBase ITKIOTransformInsightLegacy
+  ITKMetricsv4 ITKOptimizersv4 ITKRegistrationMethodsv4
   ITKImageLabel ITKConnectedComponents ITKLabelMap ITKImageFunction)
 find_package(DCMTK REQUIRED)
 # Debian packages OpenJPEG's programs separately from its library, and CMake reports each as absent.

@@ -97,6 +97,8 @@ std::string ConvertCommand::Examples() const
          "PACS\n"
          "  palpate convert labels.nii.gz rs.dcm --source series --contours   structure set\n"
          "  palpate convert tilted.nii.gz upright.nii.gz --resample\n"
+         "  palpate convert mask.nii.gz moved.nii.gz --transform moved.tfm --reference "
+         "scan.nii.gz\n"
          "  palpate convert masks labels.seg.nrrd              a folder of masks, named by file\n"
          "  palpate convert felt/session.touch ticks.csv       one line per tick";
 }
@@ -125,6 +127,7 @@ void ConvertCommand::DeclareOptions(CLI::App& app)
   this->Images.Declare(app, "folder");
   this->Images.DeclareValues(app);
   this->Images.DeclareResampling(app);
+  this->Move.Declare(app);
   app.add_option("--frequency", this->Frequency,
                  "Subdivision F of the icosahedron for drawing a model: 20 F^2 triangles")
       ->check(CLI::Range(1, 200))
@@ -143,6 +146,11 @@ int ConvertCommand::Run(Console& console)
                      " is not; leave it out");
   }
   this->CheckDicomOptions();
+  if (IsTouchRecording(this->Input) && this->Move.IsGiven())
+  {
+    throw InputError("--transform moves no recorded touch; leave it out");
+  }
+  this->Move.Read(this->Input);
   if (IsModelFile(this->Input))
   {
     this->ConvertModel(console);
@@ -156,7 +164,7 @@ int ConvertCommand::Run(Console& console)
                        ListOfEndings(SurfaceFormats().WrittenEndings()) +
                        ", or palpate fit on its mask for a model.");
     }
-    const auto surface = ReadSurface(this->Input);
+    const vtkSmartPointer<vtkPolyData> surface = this->Move.Moved(ReadSurface(this->Input));
     RequireGoingOn();
     this->WriteSurfaceTo(surface);
   }
@@ -217,7 +225,8 @@ void ConvertCommand::ConvertTouch(Console& console) const
 
 void ConvertCommand::ConvertModel(Console& console) const
 {
-  const ModelDocument document = ReadModel(this->Input);
+  ModelDocument document = ReadModel(this->Input);
+  document.Surface = this->Move.Moved(document.Surface);
   RequireGoingOn();
   if (IsSurfaceFile(this->Output) || IsDicomOutput(this->Output))
   {
@@ -260,12 +269,14 @@ void ConvertCommand::ConvertImage(Console& console)
   if (content.Image)
   {
     PassOn(content.Image->Notes, console);
-    WriteImage(this->Output, content.Image->Image,
+    WriteImage(this->Output,
+               this->Move.Moved(content.Image->Image,
+                                content.Labels ? ResamplingKind::Nearest : ResamplingKind::Linear),
                content.Labels ? LabelsOf(*content.Labels) : LabelTable());
     return;
   }
   PassOn(content.Labels->Notes, console);
-  WriteSegmentation(this->Output, *content.Labels);
+  WriteSegmentation(this->Output, this->Move.Moved(*content.Labels));
 }
 
 Segmentation ConvertCommand::ReadLabels(Console& console)
@@ -292,7 +303,7 @@ Segmentation ConvertCommand::ReadLabels(Console& console)
 
 void ConvertCommand::ConvertSegmentation(Console& console)
 {
-  const Segmentation segmentation = this->ReadLabels(console);
+  const Segmentation segmentation = this->Move.Moved(this->ReadLabels(console));
   const Segmentation chosen =
       this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label));
   RequireGoingOn();

@@ -3,6 +3,7 @@
 #include "CaseTally.h"
 #include "Command.h"
 #include "ImageOptions.h"
+#include "MoveOptions.h"
 #include "Segmentation.h"
 
 #include <filesystem>
@@ -45,6 +46,7 @@ private:
   std::filesystem::path Source; ///< series of DICOM output
   bool AsContours = false;
   ImageOptions Images;
+  MoveOptions Move;
   int Frequency = 20;
 };
 } // namespace palpate::cli

@@ -4,6 +4,7 @@
 #include "FileFormat.h"
 #include "FileType.h"
 #include "FiniteNumber.h"
+#include "ImageFormat.h"
 #include "InputError.h"
 #include "Interruption.h"
 #include "ModelFile.h"
@@ -55,7 +56,8 @@ std::string RegisterCommand::Examples() const
          "  palpate register atlas.nii.gz scan.nii.gz --label 3 --kind similarity\n"
          "  palpate register model.json touched.mrk.json --noise 1         points that were "
          "touched\n"
-         "  palpate register a.mrk.json b.mrk.json --output a-to-b.lta     landmarks";
+         "  palpate register a.mrk.json b.mrk.json --output a-to-b.lta     landmarks\n"
+         "  palpate register t1.nii.gz t2.nii.gz --images --output t1-to-t2.mat";
 }
 
 void RegisterCommand::DeclareOptions(CLI::App& app)
@@ -82,10 +84,16 @@ void RegisterCommand::DeclareOptions(CLI::App& app)
   app.add_option("--fixed-landmarks", this->FixedLandmarks,
                  "Their partners of FIXED, by name or order (.mrk.json)")
       ->check(FileType::Input("file", ".mrk.json"));
+  app.add_flag("--images", this->Settings.IsOfImages,
+               "Both are images, matched by their values (mutual information)");
+  app.add_option("--initial", this->Initial,
+                 "Transform to start from: " + ListOfEndings(TransformEndings()))
+      ->type_name("FILE")
+      ->check(FileType::Input("file"));
   app.add_option("--start", this->Start,
-                 "Start of two bodies without landmarks: centroids on each other, or as they lie")
-      ->check(CLI::IsMember({"centroids", "frame"}))
-      ->capture_default_str();
+                 "Start without landmarks and --initial: centroids on each other (bodies by "
+                 "default), or as they lie (images by default)")
+      ->check(CLI::IsMember({"centroids", "frame"}));
   app.add_option("--noise", this->Settings.Noise,
                  "Standard deviation of points, mm (default: judged by what remains)")
       ->type_name("MM")
@@ -104,8 +112,13 @@ FileRegistrationSettings RegisterCommand::ReadSettings() const
 {
   FileRegistrationSettings settings = this->Settings;
   settings.Kind = KindOf(this->Kind);
-  settings.StartsAtCentroids = this->Start == "centroids";
+  settings.StartsAtCentroids =
+      this->Start.empty() ? !settings.IsOfImages : this->Start == "centroids";
   settings.Images = this->Images.Choice();
+  if (!this->Initial.empty())
+  {
+    settings.Start = ReadTransform(this->Initial, this->TransformFrames());
+  }
   if (this->MovingLandmarks.empty() != this->FixedLandmarks.empty())
   {
     throw InputError("--moving-landmarks and --fixed-landmarks belong together; give both");
@@ -116,6 +129,14 @@ FileRegistrationSettings RegisterCommand::ReadSettings() const
     settings.FixedLandmarks = PointsOf(this->FixedLandmarks);
   }
   return settings;
+}
+
+// FLIRT's matrices are in the frames of images.
+TransformImages RegisterCommand::TransformFrames() const
+{
+  const auto imageOf = [](const std::filesystem::path& file)
+  { return EndingOf(file, ReadableImageEndings()).empty() ? std::filesystem::path() : file; };
+  return {imageOf(this->Moving), imageOf(this->Fixed)};
 }
 
 int RegisterCommand::Run(Console& console)
@@ -129,6 +150,10 @@ int RegisterCommand::Run(Console& console)
   }
   const RegisteredSide moving = SideOf(this->Moving);
   const RegisteredSide fixed = SideOf(this->Fixed);
+  if (moving.Points && fixed.Points && (!this->Initial.empty() || this->Settings.IsOfImages))
+  {
+    throw InputError("--initial and --images mean nothing for two lists of points; leave them out");
+  }
   const FileRegistration found = RegisterFiles(moving, fixed, this->ReadSettings(),
                                                [&](double fraction, const std::string& stage)
                                                {
@@ -138,7 +163,7 @@ int RegisterCommand::Run(Console& console)
   console.EndProgress();
   if (!this->Output.empty())
   {
-    WriteTransform(this->Output, found.Map);
+    WriteTransform(this->Output, found.Map, this->TransformFrames());
   }
   for (const std::string& note : found.Notes)
   {

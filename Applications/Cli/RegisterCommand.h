@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "FileRegistration.h"
 #include "ImageOptions.h"
+#include "TransformFile.h"
 
 #include <filesystem>
 #include <string>
@@ -16,7 +17,7 @@ public:
   std::string Name() const override { return "register"; }
   std::string Summary() const override
   {
-    return "Bring two bodies together by their surfaces, touched points or landmarks";
+    return "Bring two bodies or images together by surfaces, touched points, landmarks or values";
   }
   std::string Examples() const override;
   void DeclareOptions(CLI::App& app) override;
@@ -24,6 +25,7 @@ public:
 
 private:
   FileRegistrationSettings ReadSettings() const;
+  TransformImages TransformFrames() const;
 
   std::filesystem::path Moving;
   std::filesystem::path Fixed;
@@ -32,7 +34,8 @@ private:
   ImageOptions Images;
   FileRegistrationSettings Settings;
   std::string Kind = "rigid";
-  std::string Start = "centroids";
+  std::string Start; ///< empty: by the kind of the sides
+  std::filesystem::path Initial;
   std::filesystem::path Output;
   bool Json = false;
 };

@@ -5,6 +5,7 @@
 #include "KernelWatch.h"
 #include "Refusal.h"
 #include "StructurePairs.h"
+#include "VolumeFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,25 @@ ComparedBody BodyOf(const std::filesystem::path& path, const std::string& label,
   return file.Body(pairs.Pairs.front().One, MaskBody::Shape);
 }
 
+Vector3 MiddleOf(vtkImageData* image)
+{
+  const ImageGrid grid = GridOf(image);
+  const Eigen::Map<const Eigen::Vector3i> size(grid.Size.data());
+  const Vector3 steps = 0.5 * (size.cast<double>() - Vector3::Ones());
+  return grid.OriginWorld + grid.Direction * grid.Spacing.cwiseProduct(steps);
+}
+
+MapRows RowsOf(const Eigen::Affine3d& map)
+{
+  MapRows rows{};
+  for (int row = 0; row < 3; ++row)
+  {
+    Eigen::Map<Eigen::RowVector4d>(rows[static_cast<std::size_t>(row)].data()) =
+        map.matrix().row(row);
+  }
+  return rows;
+}
+
 // One registration, step by step.
 class Registration
 {
@@ -67,7 +87,11 @@ public:
     {
       this->TakeLandmarks(*this->Settings.MovingLandmarks, *this->Settings.FixedLandmarks);
     }
-    if (fixed.Points)
+    if (this->Settings.IsOfImages)
+    {
+      this->OfImages(moving.File, fixed.File);
+    }
+    else if (fixed.Points)
     {
       this->OfBodyOntoPoints(moving, fixed.Points->Points);
     }
@@ -109,6 +133,47 @@ private:
     this->Found.Landmarks = std::move(made);
   }
 
+  // What is given, landmarks, or the middles onto each other.
+  Eigen::Affine3d StartOf(const Vector3& moving, const Vector3& fixed, bool hasCentroids) const
+  {
+    Eigen::Affine3d start = Eigen::Affine3d::Identity();
+    if (this->Found.Landmarks)
+    {
+      start = this->Found.Landmarks->Map;
+    }
+    else if (this->Settings.Start)
+    {
+      start = this->IsInverse ? this->Settings.Start->inverse() : *this->Settings.Start;
+    }
+    else if (hasCentroids && this->Settings.StartsAtCentroids)
+    {
+      start.translation() = fixed - moving;
+    }
+    return start;
+  }
+
+  void OfImages(const std::filesystem::path& movingFile, const std::filesystem::path& fixedFile)
+  {
+    const Volume moving = ReadVolume(movingFile, this->Settings.Images);
+    const Volume fixed = ReadVolume(fixedFile, this->Settings.Images);
+    const Vector3 middle = MiddleOf(moving.Image);
+    const Eigen::Affine3d start = this->StartOf(middle, MiddleOf(fixed.Image), true);
+    this->Found.Images =
+        RegisterImages(moving.Image, fixed.Image,
+                       {this->Settings.Kind == RegistrationKind::Similarity,
+                        this->Settings.Kind == RegistrationKind::Affine, RowsOf(start.inverse())},
+                       this->Watch.Of(0.1, 1.0));
+    this->Watch.Require();
+    Eigen::Affine3d back = Eigen::Affine3d::Identity();
+    for (int row = 0; row < 3; ++row)
+    {
+      back.matrix().row(row) = Eigen::Map<const Eigen::RowVector4d>(
+          this->Found.Images->Back[static_cast<std::size_t>(row)].data());
+    }
+    this->Found.Map = back.inverse();
+    this->Conclude(middle);
+  }
+
   void OntoBody(const RegisteredSide& moving, const RegisteredSide& fixed)
   {
     const std::string& other = this->Settings.FixedLabel;
@@ -132,6 +197,7 @@ private:
     {
       this->Found.Landmarks->Map = this->Found.Landmarks->Map.inverse();
     }
+    this->IsInverse = true;
     this->Match(points, MiddleOf(points), from, false);
     this->Found.Map = this->Found.Map.inverse();
     this->Conclude(from.Centroid());
@@ -140,15 +206,7 @@ private:
   void Match(const std::vector<Vector3>& points, const Vector3& middle, const ComparedBody& body,
              bool isBody)
   {
-    Eigen::Affine3d start = Eigen::Affine3d::Identity();
-    if (this->Found.Landmarks)
-    {
-      start = this->Found.Landmarks->Map;
-    }
-    else if (isBody && this->Settings.StartsAtCentroids)
-    {
-      start.translation() = body.Centroid() - middle;
-    }
+    const Eigen::Affine3d start = this->StartOf(middle, body.Centroid(), isBody);
     SurfaceRegistration made;
     const Status status = RegisterToSurface(points, body.Surface(), start,
                                             {this->Settings.Kind, this->Settings.Noise, 300},
@@ -186,6 +244,7 @@ private:
   const FileRegistrationSettings& Settings;
   KernelWatch Watch;
   FileRegistration Found;
+  bool IsInverse = false; // the fixed side's points are brought onto the moving body
 };
 } // namespace
 

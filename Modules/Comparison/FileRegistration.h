@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ComparedFile.h"
+#include "ImageRegistration.h"
 #include "LandmarkRegistration.h"
 #include "PalpateComparisonModule.h"
 #include "Progress.h"
@@ -29,11 +30,13 @@ struct RegisteredSide
 
 struct FileRegistrationSettings
 {
+  bool IsOfImages = false; ///< both sides are images, which are matched by their values
   RegistrationKind Kind = RegistrationKind::Rigid;
-  double Noise = 0.0; ///< of points, mm; 0: judged by what remains
-  bool StartsAtCentroids = true;
-  std::string Label;      ///< of a segmentation; empty if it has one structure
-  std::string FixedLabel; ///< of the fixed one, if it is another
+  double Noise = 0.0;                   ///< of points, mm; 0: judged by what remains
+  std::optional<Eigen::Affine3d> Start; ///< of the moving side (mm); else one of:
+  bool StartsAtCentroids = true;        ///< of bodies and of images' boxes; false: as they lie
+  std::string Label;                    ///< of a segmentation; empty if it has one structure
+  std::string FixedLabel;               ///< of the fixed one, if it is another
   VolumeChoice Images;
   ///@{ Pairs of landmarks to start from, besides bodies; both or none.
   std::optional<NamedPoints> MovingLandmarks;
@@ -52,6 +55,7 @@ struct FileRegistration
   std::optional<LandmarkRegistration> Landmarks;
   std::vector<std::string> LandmarkNames; ///< of the pairs
   std::optional<SurfaceRegistration> Surface;
+  std::optional<ImageRegistration> Images;
   std::size_t PointCount = 0; ///< that were brought onto the surface
   std::vector<std::string> Notes;
 };
@@ -62,8 +66,8 @@ void PairPoints(const NamedPoints& moving, const NamedPoints& fixed, NamedPoints
                 NamedPoints& pairedFixed);
 
 /// Brings points onto their partners, points onto a body, or a body onto another one (by points of
-/// its surface); of a body and points, the points onto the body, whose inverse it is. Throws
-/// InputError and Cancelled.
+/// its surface); of a body and points, the points onto the body, whose inverse it is; or an image
+/// onto another one. Landmarks onto landmarks need no start. Throws InputError and Cancelled.
 PALPATECOMPARISON_EXPORT FileRegistration RegisterFiles(const RegisteredSide& moving,
                                                         const RegisteredSide& fixed,
                                                         const FileRegistrationSettings& settings,

@@ -43,6 +43,16 @@ Json SurfaceJson(const FileRegistration& found)
           {"steps", found.Surface->Steps},
           {"has_converged", found.Surface->HasConverged}};
 }
+Json ImagesJson(const FileRegistration& found)
+{
+  if (!found.Images)
+  {
+    return nullptr;
+  }
+  return {{"mutual_information_before", found.Images->InformationBefore},
+          {"mutual_information", found.Images->InformationAfter},
+          {"steps", found.Images->Steps}};
+}
 } // namespace
 
 std::string RegistrationText(const FileRegistration& found)
@@ -70,6 +80,12 @@ std::string RegistrationText(const FileRegistration& found)
     table.AddRow({"surface", std::to_string(found.PointCount) + " points, distance RMS " +
                                  FixedText(found.Surface->Rms, 3) + ", median " +
                                  FixedText(found.Surface->Median, 3) + " mm"});
+  }
+  if (found.Images)
+  {
+    table.AddRow({"mutual information", FixedText(found.Images->InformationBefore, 3) + " to " +
+                                            FixedText(found.Images->InformationAfter, 3) + " in " +
+                                            std::to_string(found.Images->Steps) + " steps"});
   }
   if (found.Error.Shift > 0.0)
   {
@@ -103,6 +119,7 @@ std::string RegistrationJson(const FileRegistration& found, const RegisteredSide
                   {"predicted_turn_deg", FiniteOrNull(DegreesPerRadian * found.Error.Turn)},
                   {"landmarks", LandmarksJson(found)},
                   {"surface", SurfaceJson(found)},
+                  {"images", ImagesJson(found)},
                   {"notes", found.Notes},
                   {"transform", transform.empty() ? Json() : Json(transform)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -1,12 +1,15 @@
 #include "CommandRun.h"
 #include "LabelStatistics.h"
+#include "ModelFile.h"
 #include "SegmentationFile.h"
 #include "SegmentationWriter.h"
 #include "SurfaceFile.h"
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TestData.h"
+#include "TransformFile.h"
 #include "VolumeFile.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
@@ -319,6 +322,78 @@ TEST(CliConvert, ThresholdBackgroundAndResampleMendWhatIsRefused)
   ExpectRefused(RunPalpate({"convert", sheared, "u.nii.gz"}, folder.Path()), "--resample");
   EXPECT_EQ(RunPalpate({"convert", sheared, "u.nii.gz", "--resample"}, folder.Path()).Code, 0);
   EXPECT_EQ(ReadSegmentation(folder / "u.nii.gz").Segments.size(), 1u);
+}
+
+// A turn by 30 degrees about z, and a shift.
+Eigen::Affine3d Turned()
+{
+  return Eigen::Translation3d(30.0, -10.0, 20.0) *
+         Eigen::Affine3d(Eigen::AngleAxisd(M_PI / 6.0, Vector3::UnitZ()));
+}
+
+Vector3 MiddleOf(const std::filesystem::path& mask)
+{
+  const Segmentation read = ReadSegmentation(mask);
+  vtkImageData* image = read.Layers.front();
+  Vector3 sum = Vector3::Zero();
+  double count = 0.0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    if (image->GetPointData()->GetScalars()->GetTuple1(i) > 0.0)
+    {
+      sum += Vector3(image->GetPoint(i));
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+TEST(CliConvert, TransformMovesMasksSurfacesAndModelsAlike)
+{
+  const TemporaryFolder folder;
+  WriteEllipsoid(folder / "mask.nii.gz", 12.0, 9.0, 8.0);
+  WriteNearlyASphere(folder / "model.json");
+  WriteTransform(folder / "t.tfm", Turned());
+  const auto run = [&folder](std::vector<std::string> words)
+  {
+    words.insert(words.begin(), "convert");
+    words.insert(words.end(), {"--transform", "t.tfm"});
+    const CommandRun done = RunPalpate(words, folder.Path());
+    EXPECT_EQ(done.Code, 0) << done.Errors;
+  };
+  run({"mask.nii.gz", "moved.nii.gz"});
+  const Vector3 there = Turned() * MiddleOf(folder / "mask.nii.gz");
+  EXPECT_LT((MiddleOf(folder / "moved.nii.gz") - there).norm(), 1e-3); // single precision
+  run({"mask.nii.gz", "resampled.nii.gz", "--reference", "moved.nii.gz"});
+  EXPECT_LT((MiddleOf(folder / "resampled.nii.gz") - there).norm(), 0.1); // of nearest voxels
+  run({"model.json", "moved.json"});
+  const OrganModel moved = ReadModel(folder / "moved.json").Surface;
+  EXPECT_LT((CenterOf(moved) - Turned() * NearlyASphere().CenterWorld()).norm(), 0.1);
+  RunPalpate({"convert", "model.json", "a.vtp"}, folder.Path());
+  run({"a.vtp", "b.vtp"});
+  const auto before = ReadSurface(folder / "a.vtp");
+  const auto after = ReadSurface(folder / "b.vtp");
+  const Vector3 point(before->GetPoint(7));
+  EXPECT_LT((Turned() * point - Vector3(after->GetPoint(7))).norm(), 1e-4);
+}
+
+TEST(CliConvert, TransformsThatNeedReferenceOrMissTheImageAreRefused)
+{
+  const TemporaryFolder folder;
+  WriteEllipsoid(folder / "mask.nii.gz", 12.0, 9.0, 8.0);
+  WriteTransform(folder / "large.tfm", Eigen::Affine3d(Vector3(1.1, 1.0, 1.0).asDiagonal()));
+  WriteTransform(folder / "far.tfm", Eigen::Affine3d(Eigen::Translation3d(900.0, 0.0, 0.0)));
+  WriteTransform(folder / "mirror.tfm", Eigen::Affine3d(Vector3(-1.0, 1.0, 1.0).asDiagonal()));
+  const auto refusal = [&folder](std::vector<std::string> words)
+  {
+    words.insert(words.begin(), {"convert", "mask.nii.gz", "a.seg.nrrd"});
+    return RunPalpate(words, folder.Path());
+  };
+  ExpectRefused(refusal({"--transform", "large.tfm"}), "--reference");
+  ExpectRefused(refusal({"--transform", "mirror.tfm"}), "mirrors");
+  ExpectRefused(refusal({"--transform", "far.tfm", "--reference", "mask.nii.gz"}), "no structure");
+  ExpectRefused(refusal({"--reference", "mask.nii.gz"}), "needs --transform");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.seg.nrrd"));
 }
 } // namespace
 } // namespace palpate::cli_convert_test

@@ -4,6 +4,7 @@
 #include "SyntheticFiles.h"
 #include "TemporaryFolder.h"
 #include "TransformFile.h"
+#include "VolumeFile.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -174,6 +175,56 @@ TEST_F(CliRegister, RefusesWithTheWayOut)
   EXPECT_NE(this->RefusalOf({"two.mrk.json", "two.mrk.json"}).find("at least three pairs"),
             std::string::npos);
   EXPECT_NE(this->RefusalOf({"three.mrk.json", "a.json"}).find("at least 6 points"),
+            std::string::npos);
+}
+
+TEST_F(CliRegister, ImagesAndTheirMasksFindTheSameWay)
+{
+  ASSERT_EQ(
+      RunPalpate({"phantom", "--output", "p", "--spacing", "1.5,1.5,2"}, this->Folder.Path()).Code,
+      0);
+  const Eigen::Affine3d truth =
+      Eigen::Translation3d(4.0, -3.0, 5.0) *
+      Eigen::Affine3d(Eigen::AngleAxisd(0.1, Vector3(1.0, 2.0, 2.0) / 3.0));
+  const std::filesystem::path volume = this->Folder / "p/volume.nii.gz";
+  WriteTransform(this->Folder / "truth.mat", truth.inverse(), {volume, volume});
+  ASSERT_EQ(RunPalpate({"convert", "p/volume.nii.gz", "moved.nii.gz", "--transform", "truth.mat",
+                        "--reference", "p/volume.nii.gz"},
+                       this->Folder.Path())
+                .Code,
+            0);
+  const Json found =
+      this->Register({"moved.nii.gz", "p/volume.nii.gz", "--images", "--output", "found.mat"});
+  const Eigen::Affine3d map = ReadTransform(this->Folder / "found.mat", {volume, volume});
+  const Volume read = ReadVolume(volume);
+  Vector3 center;
+  read.Image->GetCenter(center.data());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 point = center + 25.0 * Vector3::Unit(axis);
+    EXPECT_LT((map * point - truth * point).norm(), 1.0); // half a slice; the gland is nearly round
+    EXPECT_LT((Mapped(found, point) - map * point).norm(), 1e-6);
+  }
+  EXPECT_GT(found.at("images").at("steps").get<int>(), 0);
+  // From the truth on, it stays there.
+  const Json again =
+      this->Register({"moved.nii.gz", "p/volume.nii.gz", "--images", "--initial", "found.mat"});
+  EXPECT_LT((Mapped(again, center) - map * center).norm(), 0.3);
+}
+
+TEST_F(CliRegister, InitialTransformReplacesTheStart)
+{
+  this->Write("before.json", LumpAt(this->Before));
+  this->Write("after.json", LumpAt(this->After));
+  WriteTransform(this->Folder / "start.tfm",
+                 Eigen::Affine3d(Eigen::Translation3d(this->After - this->Before)));
+  const Json found = this->Register({"before.json", "after.json", "--initial", "start.tfm"});
+  EXPECT_LT((Mapped(found, this->Before) - this->After).norm(), 0.01);
+  this->WritePoints("a.mrk.json", SurfacePoints(LumpAt(this->Before)));
+  EXPECT_NE(
+      this->RefusalOf({"a.mrk.json", "a.mrk.json", "--initial", "start.tfm"}).find("--initial"),
+      std::string::npos);
+  EXPECT_NE(this->RefusalOf({"before.json", "after.json", "--output", "a.mat"}).find("two images"),
             std::string::npos);
 }
 } // namespace

@@ -192,6 +192,7 @@ TEST_F(JsonOutput, RegisterIsDocumented)
   WriteMarkups(this->Folder / "a.mrk.json", markups);
   this->Run({"register", "ball.json", "ball.json", "--moving-landmarks", "a.mrk.json",
              "--fixed-landmarks", "a.mrk.json", "--output", "a.tfm", "--json"});
+  this->Run({"register", "a.nii.gz", "a.nii.gz", "--images", "--json"});
   this->ExpectDocumented("register");
 }
 

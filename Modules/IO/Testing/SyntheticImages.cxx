@@ -1,5 +1,6 @@
 #include "SyntheticImages.h"
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
@@ -214,6 +215,25 @@ std::string WithNiftiExtension(std::string bytes, const std::string& text, std::
   const auto offset = static_cast<float>(352 + size);
   std::memcpy(&bytes[108], &offset, sizeof offset);
   return bytes;
+}
+
+std::vector<Eigen::Matrix3d> AllAxisOrders()
+{
+  std::vector<Eigen::Matrix3d> orders;
+  std::array<int, 3> worldAxes{0, 1, 2};
+  do
+  {
+    for (int signs = 0; signs < 8; ++signs)
+    {
+      Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
+      for (int i = 0; i < 3; ++i)
+      {
+        axes(worldAxes[static_cast<std::size_t>(i)], i) = (signs >> i) % 2 == 0 ? 1.0 : -1.0;
+      }
+      orders.push_back(axes);
+    }
+  } while (std::next_permutation(worldAxes.begin(), worldAxes.end()));
+  return orders;
 }
 
 std::string NrrdBytes(const std::vector<std::string>& lines, const std::string& voxels)

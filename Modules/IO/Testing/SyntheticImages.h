@@ -52,6 +52,9 @@ std::string NiftiBytes(const NiftiSpec& spec);
 /// Such a file with an extension of its header: a text under this code.
 std::string WithNiftiExtension(std::string bytes, const std::string& text, std::int32_t code);
 
+/// All 48 assignments of three index axes to three world axes, with signs; columns are index axes.
+std::vector<Eigen::Matrix3d> AllAxisOrders();
+
 /// A header of lines, an empty line, the data.
 std::string NrrdBytes(const std::vector<std::string>& lines, const std::string& voxels);
 /// Header of a raw 4 x 5 x 6 NRRD of a type, LPS, 2 mm.

@@ -25,26 +25,6 @@ const Vector3 Origin(10.0, -20.0, 30.0);
 // Factors between RAS and LPS coordinates, in both directions.
 const Vector3 HalfTurn(-1.0, -1.0, 1.0);
 
-// All assignments of three index axes to three world axes; columns are index axes.
-std::vector<Eigen::Matrix3d> AllAxisOrders()
-{
-  std::vector<Eigen::Matrix3d> orders;
-  std::array<int, 3> worldAxes{0, 1, 2};
-  do
-  {
-    for (int signs = 0; signs < 8; ++signs)
-    {
-      Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();
-      for (int i = 0; i < 3; ++i)
-      {
-        axes(worldAxes[static_cast<std::size_t>(i)], i) = (signs >> i) % 2 == 0 ? 1.0 : -1.0;
-      }
-      orders.push_back(axes);
-    }
-  } while (std::next_permutation(worldAxes.begin(), worldAxes.end()));
-  return orders;
-}
-
 // 4 x 5 x 6 voxels, each with a unique value: its number in the file.
 std::string CountingVoxels()
 {

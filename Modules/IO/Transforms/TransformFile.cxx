@@ -2,6 +2,8 @@
 
 #include "DecimalText.h"
 #include "FileFormat.h"
+#include "FslSpace.h"
+#include "ImageFormat.h"
 #include "InputError.h"
 #include "ItkTransform.h"
 #include "Refusal.h"
@@ -164,6 +166,51 @@ std::string XfmText(const Eigen::Affine3d& map)
   return text;
 }
 
+// From FSL's coordinates of an image to the patient.
+Eigen::Affine3d FslSpaceOf(const std::filesystem::path& file, const std::filesystem::path& image)
+{
+  if (image.empty())
+  {
+    Refuse(file, "is a matrix of FLIRT, which is in the frames of two images",
+           "name both images, or take " + ListOfEndings({".tfm", ".lta", ".xfm"}));
+  }
+  return FslSpaceOf(OpenImage(image)->Grid());
+}
+
+Eigen::Affine3d ReadFlirt(const std::filesystem::path& file, const std::string& text,
+                          const TransformImages& images)
+{
+  std::istringstream numbers(text);
+  numbers.imbue(std::locale::classic());
+  Eigen::Matrix4d rows = Eigen::Matrix4d::Zero();
+  bool isWhole = true;
+  for (int i = 0; i < 16; ++i)
+  {
+    isWhole = isWhole && numbers >> rows(i / 4, i % 4);
+  }
+  std::string more;
+  if (!isWhole || numbers >> more || rows.row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
+  {
+    Refuse(file, "is no text of four rows of four numbers, as FLIRT writes them",
+           "write it again with flirt -omat, or write ITK's as text (.tfm)");
+  }
+  return FslSpaceOf(file, images.Fixed) * Eigen::Affine3d(rows) *
+         FslSpaceOf(file, images.Moving).inverse();
+}
+
+std::string FlirtText(const std::filesystem::path& file, const Eigen::Affine3d& map,
+                      const TransformImages& images)
+{
+  const Eigen::Affine3d own =
+      FslSpaceOf(file, images.Fixed).inverse() * map * FslSpaceOf(file, images.Moving);
+  std::string text;
+  for (int row = 0; row < 4; ++row)
+  {
+    text += RowText(own, row) + "\n";
+  }
+  return text;
+}
+
 [[noreturn]] void RefuseEnding(const std::filesystem::path& file)
 {
   Refuse(file, "is no transform by its name", "name it " + ListOfEndings(TransformEndings()));
@@ -172,11 +219,11 @@ std::string XfmText(const Eigen::Affine3d& map)
 
 const std::vector<std::string>& TransformEndings()
 {
-  static const std::vector<std::string> Endings{".tfm", ".txt", ".lta", ".xfm"};
+  static const std::vector<std::string> Endings{".tfm", ".txt", ".lta", ".xfm", ".mat"};
   return Endings;
 }
 
-Eigen::Affine3d ReadTransform(const std::filesystem::path& file)
+Eigen::Affine3d ReadTransform(const std::filesystem::path& file, const TransformImages& images)
 {
   const std::string ending = EndingOf(file, TransformEndings());
   if (ending.empty())
@@ -186,6 +233,7 @@ Eigen::Affine3d ReadTransform(const std::filesystem::path& file)
   const std::string text = ReadWholeFile(file, LargestTransform);
   Eigen::Affine3d map = ending == ".lta"   ? ReadLta(file, text)
                         : ending == ".xfm" ? ReadXfm(file, text)
+                        : ending == ".mat" ? ReadFlirt(file, text, images)
                                            : ReadItk(file, text);
   const double determinant = map.linear().determinant();
   if (!map.matrix().allFinite() || !(std::abs(determinant) > LeastDeterminant))
@@ -196,7 +244,8 @@ Eigen::Affine3d ReadTransform(const std::filesystem::path& file)
   return ending == ".tfm" || ending == ".txt" ? map.inverse() : map;
 }
 
-void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& map)
+void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& map,
+                    const TransformImages& images)
 {
   const std::string ending = EndingOf(file, TransformEndings());
   if (ending.empty())
@@ -206,6 +255,7 @@ void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& ma
   const Eigen::Affine3d otherFrame = OtherFrame(map);
   WriteWholeFile(file, ending == ".lta"   ? LtaText(otherFrame)
                        : ending == ".xfm" ? XfmText(otherFrame)
+                       : ending == ".mat" ? FlirtText(file, map, images)
                                           : TfmText(map));
 }
 } // namespace palpate

@@ -9,6 +9,13 @@
 
 namespace palpate
 {
+/// Files of the images whose frames FLIRT's matrices are in; empty where there are none.
+struct TransformImages
+{
+  std::filesystem::path Moving;
+  std::filesystem::path Fixed;
+};
+
 /// Endings of files that ReadTransform reads and WriteTransform writes.
 PALPATEIO_EXPORT const std::vector<std::string>& TransformEndings();
 
@@ -19,11 +26,15 @@ PALPATEIO_EXPORT const std::vector<std::string>& TransformEndings();
 ///   linear transform that moves the moving volume onto the fixed one.
 /// - .lta: FreeSurfer, type 1 (RAS to RAS), from the moving to the fixed volume.
 /// - .xfm: MINC, linear, from the moving (native) to the fixed space (RAS).
-/// Throws InputError for damaged files, other kinds of transforms, several of them, numbers that
-/// are not finite, and maps that cannot be inverted.
-PALPATEIO_EXPORT Eigen::Affine3d ReadTransform(const std::filesystem::path& file);
+/// - .mat: FSL's FLIRT, from the moving (in) to the fixed image (ref), in their own coordinates
+///   (FslSpaceOf), so it needs the headers of both images.
+/// Throws InputError for images that are missing, damaged files, other kinds of transforms, several
+/// of them, numbers that are not finite, and maps that cannot be inverted.
+PALPATEIO_EXPORT Eigen::Affine3d ReadTransform(const std::filesystem::path& file,
+                                               const TransformImages& images = {});
 
 /// Writes such a map in full precision; an .lta without the volumes' geometry (valid = 0). Throws
 /// InputError for other endings, and a file that cannot be written.
-PALPATEIO_EXPORT void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& map);
+PALPATEIO_EXPORT void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& map,
+                                     const TransformImages& images = {});
 } // namespace palpate

@@ -1,7 +1,6 @@
 #include "OrthogonalResampling.h"
 
 #include "AvailableMemory.h"
-#include "ImageGrid.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageReslice.h"
@@ -58,41 +57,51 @@ ImageGrid GridAround(const ImageGrid& sheared)
   return grid;
 }
 
-// From indices of `to` to continuous indices of `from`.
-vtkSmartPointer<vtkMatrix4x4> IndexTransform(const ImageGrid& from, const ImageGrid& to)
-{
-  const Eigen::Matrix3d inverse = StepsOf(from).inverse();
-  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows =
-      Eigen::Matrix<double, 4, 4, Eigen::RowMajor>::Identity();
-  rows.topLeftCorner<3, 3>() = inverse * StepsOf(to);
-  rows.topRightCorner<3, 1>() = inverse * (to.OriginWorld - from.OriginWorld);
-  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
-  matrix->DeepCopy(rows.data());
-  return matrix;
-}
 } // namespace
+
+Eigen::Affine3d IndexMap(const ImageGrid& from, const Eigen::Affine3d& steps)
+{
+  Eigen::Affine3d own = Eigen::Affine3d::Identity();
+  own.linear() = StepsOf(from);
+  own.translation() = from.OriginWorld;
+  return own.inverse() * steps;
+}
+
+vtkSmartPointer<vtkDataArray> ResampledVoxels(const std::filesystem::path& file,
+                                              vtkImageData* image, const std::array<int, 3>& size,
+                                              const Eigen::Affine3d& indices, ResamplingKind kind)
+{
+  vtkDataArray* voxels = image->GetPointData()->GetScalars();
+  const double count = static_cast<double>(size[0]) * size[1] * size[2];
+  CheckMemory(file, count * voxels->GetDataTypeSize());
+  // In indices, since VTK 9.1's filter ignores directions.
+  vtkNew<vtkImageData> indexed;
+  indexed->SetDimensions(image->GetDimensions());
+  indexed->GetPointData()->SetScalars(voxels);
+  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = indices.matrix();
+  vtkNew<vtkMatrix4x4> axes;
+  axes->DeepCopy(rows.data());
+  vtkNew<vtkImageReslice> reslice;
+  reslice->SetInputData(indexed);
+  reslice->SetResliceAxes(axes);
+  reslice->SetOutputSpacing(1.0, 1.0, 1.0);
+  reslice->SetOutputOrigin(0.0, 0.0, 0.0);
+  reslice->SetOutputExtent(0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1);
+  reslice->SetInterpolationMode(kind == ResamplingKind::Nearest ? VTK_RESLICE_NEAREST
+                                                                : VTK_RESLICE_LINEAR);
+  reslice->SetBackgroundLevel(kind == ResamplingKind::Nearest ? 0.0 : voxels->GetRange()[0]);
+  reslice->Update();
+  return reslice->GetOutput()->GetPointData()->GetScalars();
+}
 
 vtkSmartPointer<vtkImageData> ResampleSheared(const std::filesystem::path& file,
                                               vtkImageData* sheared, ResamplingKind kind)
 {
   const ImageGrid from = GridOf(sheared);
   const ImageGrid to = GridAround(from);
-  vtkDataArray* voxels = sheared->GetPointData()->GetScalars();
-  CheckMemory(file, static_cast<double>(to.VoxelCount()) * voxels->GetDataTypeSize());
-  // In indices, since VTK 9.1's filter ignores directions.
-  vtkNew<vtkImageData> indexed;
-  indexed->SetDimensions(from.Size.data());
-  indexed->GetPointData()->SetScalars(voxels);
-  vtkNew<vtkImageReslice> reslice;
-  reslice->SetInputData(indexed);
-  reslice->SetResliceAxes(IndexTransform(from, to));
-  reslice->SetOutputSpacing(1.0, 1.0, 1.0);
-  reslice->SetOutputOrigin(0.0, 0.0, 0.0);
-  reslice->SetOutputExtent(0, to.Size[0] - 1, 0, to.Size[1] - 1, 0, to.Size[2] - 1);
-  reslice->SetInterpolationMode(kind == ResamplingKind::Nearest ? VTK_RESLICE_NEAREST
-                                                                : VTK_RESLICE_LINEAR);
-  reslice->SetBackgroundLevel(kind == ResamplingKind::Nearest ? 0.0 : voxels->GetRange()[0]);
-  reslice->Update();
-  return MakeImage(to, reslice->GetOutput()->GetPointData()->GetScalars());
+  Eigen::Affine3d steps = Eigen::Affine3d::Identity();
+  steps.linear() = StepsOf(to);
+  steps.translation() = to.OriginWorld;
+  return MakeImage(to, ResampledVoxels(file, sheared, to.Size, IndexMap(from, steps), kind));
 }
 } // namespace palpate

@@ -3,10 +3,10 @@
 
 #include "CNumericLocale.h"
 #include "ItkCompiler.h"
+#include "ItkMapRows.h"
 #include "QuietStandardStreams.h"
 #include "Refusal.h"
 
-#include "itkMatrixOffsetTransformBase.h"
 #include "itkTransformFactoryBase.h"
 #include "itkTranslationTransform.h"
 #include "itkTxtTransformIO.h"
@@ -21,20 +21,6 @@ using Linear = itk::MatrixOffsetTransformBase<double, 3, 3>;
 using Translation = itk::TranslationTransform<double, 3>;
 
 using Rows = std::array<std::array<double, 4>, 3>;
-
-Rows RowsOf(const Linear& linear)
-{
-  Rows rows{};
-  for (unsigned row = 0; row < 3; ++row)
-  {
-    for (unsigned column = 0; column < 3; ++column)
-    {
-      rows[row][column] = linear.GetMatrix()(row, column);
-    }
-    rows[row][3] = linear.GetOffset()[row];
-  }
-  return rows;
-}
 
 Rows RowsOf(const Translation& shift)
 {
