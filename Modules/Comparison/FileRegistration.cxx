@@ -150,9 +150,9 @@ private:
       start.translation() = body.Centroid() - middle;
     }
     SurfaceRegistration made;
-    const Status status = RegisterToSurface(points, body.Surface(), start,
-                                            {this->Settings.Kind, this->Settings.Noise, 300},
-                                            this->Watch.Of(0.1, 1.0), made);
+    const Status status = RegisterToSurface(
+        points, body.Surface(), start, {this->Settings.Kind, this->Settings.Noise, StepsFromAfar},
+        this->Watch.Of(0.1, 1.0), made);
     this->Watch.Require();
     if (!status.IsOk())
     {
