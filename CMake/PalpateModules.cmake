@@ -1,6 +1,6 @@
 # The modules without VTK, ITK and Qt, each after those that it uses.
 set(PALPATE_KERNEL_MODULES
-  Core Mesh Harmonics ShapeSpace Registration Statistics Field Realtime Elasticity Contact Model Check Relation Files
+  Core Mesh Harmonics Statistics ShapeSpace Registration Field Realtime Elasticity Contact Files Model Check Relation
   Haptics HapticDevices CInterface)
 if(OpenIGTLink_FOUND)
   list(INSERT PALPATE_KERNEL_MODULES 1 Network)

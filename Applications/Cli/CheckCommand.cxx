@@ -84,9 +84,7 @@ int CheckCommand::MakeGroup(const MaskChecks& measured, Console& console) const
   const CheckGroup group = CheckGroup::Of(patients, this->Settings.Jobs);
   if (group.Organs.empty())
   {
-    throw InputError("a group needs " + std::to_string(CheckGroup::LeastCases) +
-                     " clean cases of a structure, but there are " +
-                     std::to_string(patients.size()) + "; check without a group instead");
+    throw InputError(FewCasesText(patients.size()));
   }
   WriteCheckGroup(group, this->GroupToMake);
   for (const CheckGroup::Odd& odd : group.Dropped)

@@ -1,10 +1,12 @@
 #include "ComparedHandle.h"
 
 #include "BodyComparison.h"
+#include "BodyMotion.h"
 #include "BodyRelation.h"
 #include "ErrorText.h"
 #include "GridArgument.h"
 #include "LocalThickness.h"
+#include "MirroredBody.h"
 #include "ModelHandle.h"
 
 #include <algorithm>
@@ -147,6 +149,53 @@ void CopyShape(const RelatedBody& body, const std::vector<ShapeFeature>& feature
   }
 }
 
+int CopyThickness(const palpate_compared* body, ThicknessRule rule, double* thickness,
+                  palpate_error* error)
+{
+  return Guarded(
+      error, {{body, "body"}, {thickness, "thickness"}},
+      [&]
+      {
+        if (RelatedOf(*body, "the body", error) == nullptr)
+        {
+          return 0;
+        }
+        const PlacedMask* mask = body->Body.Mask();
+        ThicknessSettings settings =
+            mask != nullptr ? ThicknessSettings::OfVoxels(mask->ToWorld.Axes) : ThicknessSettings();
+        settings.Rule = rule;
+        const std::vector<double> found = LocalThicknessOf(body->Body.Surface(), settings);
+        std::copy(found.begin(), found.end(), thickness);
+        return 1;
+      });
+}
+
+// Null, with the error set, of a body that is no tube.
+std::shared_ptr<const Calibre> TubeOf(const palpate_compared& body, palpate_error* error)
+{
+  const auto related = RelatedOf(body, "the body", error);
+  const std::scoped_lock lock(body.Making);
+  if (related != nullptr && body.Tube == nullptr)
+  {
+    Calibre made;
+    if (const Status status = MeasureCalibre(related->Samples(), made); !status.IsOk())
+    {
+      Told(Status::Failure("the body " + status.Message()), error);
+      return nullptr;
+    }
+    body.Tube = std::make_shared<const Calibre>(std::move(made));
+  }
+  return related != nullptr ? body.Tube : nullptr;
+}
+
+palpate_section SectionOf(const CalibreSection& from)
+{
+  palpate_section section{from.Along, {}, {}, from.Area, from.Least, from.Largest};
+  Copy(from.Center, section.center);
+  Copy(from.Axis, section.axis);
+  return section;
+}
+
 palpate_relation RelationOf(const BodyRelation& found)
 {
   palpate_relation relation{};
@@ -256,6 +305,72 @@ void palpate_compared_surface(const palpate_compared* body, double* points, int3
   }
 }
 
+void palpate_compared_measure(const palpate_compared* body, double* volume, double* area)
+{
+  if (AreGiven({{body, "body"}, {volume, "volume"}, {area, "area"}}, nullptr))
+  {
+    *volume = body->Body.Volume();
+    *area = body->Body.Area();
+  }
+}
+
+palpate_compared* palpate_compared_mirror(const palpate_compared* body,
+                                          const palpate_compared* onto, double* turn,
+                                          double shift[3], palpate_error* error)
+{
+  return Guarded(error, {{body, "body"}, {onto, "onto"}, {turn, "turn"}, {shift, "shift"}},
+                 [&]
+                 {
+                   ComparedBody mirrored = body->Body;
+                   MirrorMatch match;
+                   const Status status = MirrorOnto(onto->Body, {}, mirrored, match);
+                   palpate_compared* const made =
+                       Compared(status, "the mirror image", std::move(mirrored), error);
+                   if (made != nullptr)
+                   {
+                     *turn = match.Turn;
+                     Copy(match.Shift, shift);
+                   }
+                   return made;
+                 });
+}
+
+int palpate_compared_motion(const palpate_compared* from, const palpate_compared* to,
+                            const double* landmarks, size_t landmark_count, palpate_motion* motion,
+                            double* moved, palpate_error* error)
+{
+  return Guarded(error,
+                 {{from, "from"},
+                  {to, "to"},
+                  {landmarks, "landmarks", landmark_count},
+                  {motion, "motion"},
+                  {moved, "moved", landmark_count}},
+                 [&]
+                 {
+                   std::vector<Vector3> places;
+                   for (std::size_t i = 0; i < landmark_count; ++i)
+                   {
+                     places.push_back(VectorOf(landmarks + 3 * i));
+                   }
+                   BodyMotion found;
+                   if (const Status status =
+                           FindBodyMotion(from->Body, to->Body, places, {}, found);
+                       !status.IsOk())
+                   {
+                     SetError(error, "the body " + status.Message());
+                     return 0;
+                   }
+                   *motion = {found.Turn, {}, found.Rest};
+                   Copy(found.Shift, motion->shift);
+                   for (const Vector3& landmark : found.Landmarks)
+                   {
+                     Copy(landmark, moved);
+                     moved += 3;
+                   }
+                   return 1;
+                 });
+}
+
 int palpate_compare(const palpate_compared* first, const palpate_compared* reference,
                     const double* tolerances, size_t tolerance_count,
                     palpate_comparison* comparison, double* surface_dice, double* first_distances,
@@ -314,20 +429,32 @@ int palpate_compared_shape(const palpate_compared* body, palpate_shape* shape, p
 int palpate_compared_thickness(const palpate_compared* body, double* thickness,
                                palpate_error* error)
 {
-  return Guarded(error, {{body, "body"}, {thickness, "thickness"}},
+  return CopyThickness(body, ThicknessRule::Spheres, thickness, error);
+}
+
+int palpate_compared_ray_thickness(const palpate_compared* body, double* thickness,
+                                   palpate_error* error)
+{
+  return CopyThickness(body, ThicknessRule::Rays, thickness, error);
+}
+
+size_t palpate_compared_calibre(const palpate_compared* body, palpate_section* sections,
+                                size_t capacity, double* length, palpate_error* error)
+{
+  return Guarded(error, {{body, "body"}, {sections, "sections", capacity}, {length, "length"}},
                  [&]
                  {
-                   if (RelatedOf(*body, "the body", error) == nullptr)
+                   const auto tube = TubeOf(*body, error);
+                   if (tube == nullptr)
                    {
-                     return 0;
+                     return std::size_t{0};
                    }
-                   const PlacedMask* mask = body->Body.Mask();
-                   const std::vector<double> found = LocalThicknessOf(
-                       body->Body.Surface(), mask != nullptr
-                                                 ? ThicknessSettings::OfVoxels(mask->ToWorld.Axes)
-                                                 : ThicknessSettings());
-                   std::copy(found.begin(), found.end(), thickness);
-                   return 1;
+                   *length = tube->Length;
+                   const std::size_t count = std::min(capacity, tube->Sections.size());
+                   std::transform(tube->Sections.begin(),
+                                  tube->Sections.begin() + static_cast<std::ptrdiff_t>(count),
+                                  sections, SectionOf);
+                   return tube->Sections.size();
                  });
 }
 

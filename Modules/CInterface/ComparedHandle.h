@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Calibre.h"
 #include "ComparedBody.h"
 #include "RelatedBody.h"
 
@@ -14,5 +15,6 @@ struct palpate_compared
   ///@{ Made when it is first asked for.
   mutable std::mutex Making;
   mutable std::shared_ptr<const palpate::RelatedBody> Related;
+  mutable std::shared_ptr<const palpate::Calibre> Tube;
   ///@}
 };

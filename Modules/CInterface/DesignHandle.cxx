@@ -3,9 +3,11 @@
 #include "ErrorText.h"
 #include "InputError.h"
 #include "LinearModel.h"
+#include "MixedModel.h"
 #include "ModelHandle.h"
 #include "MultivariateTest.h"
 #include "NormalDisplacement.h"
+#include "OrderedTasks.h"
 #include "PermutationTest.h"
 
 #include <algorithm>
@@ -13,6 +15,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -86,6 +89,70 @@ void CopyVector(const Eigen::VectorXd& values, double* numbers)
   {
     std::copy(values.data(), values.data() + values.size(), numbers);
   }
+}
+
+// Of the kept cases. Throws what the caller's guard tells.
+MixedModel MixedModelOf(const palpate_design* design, const int32_t* subjects, const double* times)
+{
+  std::map<int32_t, Eigen::Index> numbers;
+  std::vector<Eigen::Index> subject;
+  Eigen::VectorXd time(times != nullptr ? static_cast<Eigen::Index>(design->Design.Cases.size())
+                                        : 0);
+  for (const std::size_t given : design->Design.Cases)
+  {
+    const auto row = static_cast<Eigen::Index>(subject.size());
+    subject.push_back(
+        numbers.emplace(subjects[given], static_cast<Eigen::Index>(numbers.size())).first->second);
+    if (times != nullptr)
+    {
+      time[row] = times[given];
+    }
+  }
+  if (!time.allFinite())
+  {
+    throw InputError("the time of a case with all covariates is not finite");
+  }
+  MixedModel model;
+  if (const Status status = MixedModel::Make(design->Design.Matrix, subject, time, model);
+      !status.IsOk())
+  {
+    throw InputError(status.Message());
+  }
+  return model;
+}
+
+// Writes what was found in the outcome k of `count`.
+void TakeMixedFit(const LinearDesign& design, const MixedFit& fit, double confidence, std::size_t k,
+                  std::size_t count, const palpate_mixed& to)
+{
+  const auto put = [&](double* rows, std::size_t row, double value)
+  {
+    if (rows != nullptr)
+    {
+      rows[row * count + k] = value;
+    }
+  };
+  for (std::size_t c = 0; c < design.Columns.size(); ++c)
+  {
+    const auto column = static_cast<Eigen::Index>(c);
+    put(to.coefficients, c, fit.Coefficients[column]);
+    put(to.errors, c, std::sqrt(fit.Covariance(column, column)));
+    put(to.half_widths, c, MixedModel::ConfidenceWidth(fit, column, confidence));
+  }
+  for (std::size_t t = 0; t < design.Terms.size(); ++t)
+  {
+    const FixedTest test = MixedModel::Test(fit, design.Terms[t].First, design.Terms[t].Count);
+    put(to.f, t, test.F);
+    put(to.numerator_degrees, t, test.NumeratorDegrees);
+    put(to.denominator_degrees, t, test.DenominatorDegrees);
+    put(to.p, t, test.P);
+  }
+  put(to.criterion, 0, fit.Criterion);
+  put(to.residual_variance, 0, fit.ResidualVariance);
+  put(to.subject_covariance, 0, fit.SubjectCovariance(0, 0));
+  put(to.subject_covariance, 1, fit.SubjectCovariance(0, 1));
+  put(to.subject_covariance, 2, fit.SubjectCovariance(1, 1));
+  put(to.is_singular, 0, fit.IsSingular ? 1.0 : 0.0);
 }
 
 SurfaceGraph GraphOf(std::size_t count, const double* areas, const int32_t* triangles,
@@ -234,6 +301,36 @@ int palpate_design_fit(const palpate_design* design, const double* outcomes, siz
                    CopyRows(model.ConfidenceWidths(confidence), half_widths);
                    return 1;
                  });
+}
+
+int palpate_design_fit_mixed(const palpate_design* design, const int32_t* subjects,
+                             const double* times, const double* outcomes, size_t outcome_count,
+                             double confidence, const palpate_mixed* results, palpate_error* error)
+{
+  return Guarded(
+      error,
+      {{design, "design"},
+       {subjects, "subjects"},
+       {outcomes, "outcomes", SizeOf(design, outcome_count)},
+       {results, "results"}},
+      [&]
+      {
+        if (!(confidence > 0.0 && confidence < 1.0))
+        {
+          SetError(error, "the confidence is not between 0 and 1");
+          return 0;
+        }
+        const Eigen::MatrixXd kept = OutcomesOf(design, outcomes, outcome_count);
+        const MixedModel model = MixedModelOf(design, subjects, times);
+        OrderedTasks<MixedFit> fits(
+            outcome_count, std::max(1U, std::thread::hardware_concurrency()),
+            [&](std::size_t k) { return model.Fit(kept.col(static_cast<Eigen::Index>(k))); });
+        for (std::size_t k = 0; k < outcome_count; ++k)
+        {
+          TakeMixedFit(design->Design, fits.Next(), confidence, k, outcome_count, *results);
+        }
+        return 1;
+      });
 }
 
 int palpate_design_test(const palpate_design* design, size_t term, const double* outcomes,

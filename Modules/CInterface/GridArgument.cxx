@@ -4,8 +4,6 @@
 #include "ErrorText.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace palpate
@@ -32,22 +30,11 @@ void CheckVoxels(const int size[3])
 
 VoxelMask CroppedMask(const uint8_t* inside, const int size[3], const double spacing[3])
 {
-  const std::array<int, 3> of{size[0], size[1], size[2]};
   CheckVoxels(size);
   std::vector<uint8_t> ones(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
                             static_cast<std::size_t>(size[2]));
   std::transform(inside, inside + ones.size(), ones.begin(),
                  [](uint8_t voxel) { return voxel != 0 ? 1 : 0; });
-  LabelBounds box = FindLabelBounds<uint8_t>(ones.data(), of, 1);
-  if (box.IsEmpty())
-  {
-    return {};
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    --box.First[axis];
-    ++box.Last[axis];
-  }
-  return CopyLabel<uint8_t>(ones.data(), of, {spacing[0], spacing[1], spacing[2]}, box, 1);
+  return CroppedLabel<uint8_t>(ones.data(), size, spacing, 1);
 }
 } // namespace palpate

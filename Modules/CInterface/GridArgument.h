@@ -4,6 +4,8 @@
 #include "Status.h"
 #include "VoxelMask.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace palpate
@@ -15,6 +17,24 @@ Status PlaceGrid(const int size[3], const double origin[3], const double spacing
 
 /// Throws InputError if the machine cannot hold a byte for each voxel: then the size is wrong.
 void CheckVoxels(const int size[3]);
+
+/// The voxels of a label, with a voxel around them; empty if there are none.
+template <typename T>
+VoxelMask CroppedLabel(const T* voxels, const int size[3], const double spacing[3], T label)
+{
+  const std::array<int, 3> of{size[0], size[1], size[2]};
+  LabelBounds box = FindLabelBounds<T>(voxels, of, label);
+  if (box.IsEmpty())
+  {
+    return {};
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    --box.First[axis];
+    ++box.Last[axis];
+  }
+  return CopyLabel<T>(voxels, of, {spacing[0], spacing[1], spacing[2]}, box, label);
+}
 
 /// What is inside (not 0), with a voxel around it; empty if there is nothing.
 /// Throws InputError as CheckVoxels does.

@@ -37,6 +37,9 @@ extern "C"
   typedef struct palpate_scene palpate_scene;
   typedef struct palpate_tracker palpate_tracker;
   typedef struct palpate_compared palpate_compared;
+  typedef struct palpate_case palpate_case;
+  typedef struct palpate_check_group palpate_check_group;
+  typedef struct palpate_checked palpate_checked;
   typedef struct palpate_design palpate_design;
   typedef struct palpate_session palpate_session;
 
@@ -153,6 +156,13 @@ extern "C"
   size_t palpate_compared_point_count(const palpate_compared* body);
   size_t palpate_compared_triangle_count(const palpate_compared* body);
   void palpate_compared_surface(const palpate_compared* body, double* points, int32_t* triangles);
+  /* mm^3, NaN of an open mesh, and mm^2. */
+  void palpate_compared_measure(const palpate_compared* body, double* volume, double* area);
+  /* A body's mirror image at the sagittal plane x = 0, turned (rad) and, at its centroid, shifted
+   * (mm) onto another body: for asymmetry. Masks are best given as their shapes. */
+  palpate_compared* palpate_compared_mirror(const palpate_compared* body,
+                                            const palpate_compared* onto, double* turn,
+                                            double shift[3], palpate_error* error);
 
   /* mm; over a surface's area. */
   typedef struct palpate_distances
@@ -227,6 +237,36 @@ extern "C"
    * inside. */
   int palpate_compared_thickness(const palpate_compared* body, double* thickness,
                                  palpate_error* error);
+  /* The length of the inward normal there up to the opposite side; NaN if there is none. */
+  int palpate_compared_ray_thickness(const palpate_compared* body, double* thickness,
+                                     palpate_error* error);
+
+  /* A section of a tube, perpendicular to its axis. */
+  typedef struct palpate_section
+  {
+    double along; /* mm of the axis, from its first end */
+    double center[3];
+    double axis[3];
+    double area;  /* mm^2 */
+    double least; /* mm: its least and its largest width */
+    double largest;
+  } palpate_section;
+  /* The calibre of a body that is one long tube: the length (mm) of its axis, and its sections, of
+   * which at most `capacity` are copied. Returns how many there are. */
+  size_t palpate_compared_calibre(const palpate_compared* body, palpate_section* sections,
+                                  size_t capacity, double* length, palpate_error* error);
+
+  typedef struct palpate_motion
+  {
+    double turn;     /* rad */
+    double shift[3]; /* mm, of the centroid */
+    double rest;     /* mm: RMS distance of the surfaces after turn and shift */
+  } palpate_motion;
+  /* How a body moved from one place to another. Landmarks (x, y, z of each, mm) on the first move
+   * with it. Masks are best given as their shapes. */
+  int palpate_compared_motion(const palpate_compared* from, const palpate_compared* to,
+                              const double* landmarks, size_t landmark_count,
+                              palpate_motion* motion, double* moved, palpate_error* error);
 
   typedef struct palpate_relation
   {
@@ -246,6 +286,89 @@ extern "C"
   int palpate_relate(const palpate_compared* first, const palpate_compared* second, double contact,
                      const double* margins, size_t margin_count, palpate_relation* relation,
                      double* near_areas, double* near_volumes, palpate_error* error);
+
+  /* Registration: points brought to where they belong. */
+
+  typedef struct palpate_registration
+  {
+    double map[16];    /* of the moving points: a matrix, row after row */
+    double rms;        /* mm, of what remains */
+    double turn_error; /* predicted standard deviations, rad and mm; of affine maps NaN */
+    double shift_error;
+    double median; /* mm; of landmarks NaN */
+    int has_converged;
+  } palpate_registration;
+  /* `kind` of the map: 0 rigid, 1 similarity, 2 affine. `noise` is the standard deviation of a
+   * coordinate (mm); 0: judged by what remains. Landmarks are in the order of their partners;
+   * `residuals` (mm) and `weights` (near 0: a wrong pair) get a number for each pair. */
+  int palpate_register_landmarks(const double* moving, const double* fixed, size_t count, int kind,
+                                 double noise, palpate_registration* found, double* residuals,
+                                 double* weights, palpate_error* error);
+  /* Points onto a surface, from a start near it; NULL: from where they are. */
+  int palpate_register_points(const double* points, size_t count, const palpate_compared* surface,
+                              int kind, double noise, const double start[16],
+                              palpate_registration* found, palpate_error* error);
+
+  /* Checks: whether masks can be believed. They use all processors. */
+
+  /* Measures the structures of one patient: the labels `values` of a grid of size[0] size[1]
+   * size[2] numbers, i fastest, with their names ("": "label N"), or masks that may overlap. An
+   * `axes` of NULL is x, y and z, of which nobody says that they are the patient's: sides are then
+   * judged by pairs of names alone. */
+  palpate_case* palpate_case_of_labels(const int32_t* labels, const int size[3],
+                                       const double origin[3], const double spacing[3],
+                                       const double axes[9], size_t structure_count,
+                                       const int32_t* values, const char* const* names,
+                                       palpate_error* error);
+  palpate_case* palpate_case_of_masks(const uint8_t* const* masks, const int size[3],
+                                      const double origin[3], const double spacing[3],
+                                      const double axes[9], size_t structure_count,
+                                      const char* const* names, palpate_error* error);
+  void palpate_case_free(palpate_case* one);
+  /* What clean cases look like, twenty of a structure at least; files are those of `palpate
+   * check`. */
+  palpate_check_group* palpate_check_group_create(const palpate_case* const* cases,
+                                                  size_t case_count, palpate_error* error);
+  palpate_check_group* palpate_check_group_read(const char* path, palpate_error* error);
+  int palpate_check_group_write(const palpate_check_group* group, const char* path,
+                                palpate_error* error);
+  void palpate_check_group_free(palpate_check_group* group);
+  /* The least rate of false alarms that it can hold, 0 to 1. */
+  double palpate_check_group_least_rate(const palpate_check_group* group);
+  /* Why the k-th odd case, with its place among those given, does not count; NULL if there is no
+   * k-th. Not in files. */
+  const char* palpate_check_group_dropped(const palpate_check_group* group, size_t k,
+                                          size_t* place);
+  /* Judges a case against a group at a rate of false alarms of the whole case (0 to 1), or by fixed
+   * limits if `group` is NULL. */
+  palpate_checked* palpate_case_check(const palpate_case* one, const palpate_check_group* group,
+                                      double false_alarms, palpate_error* error);
+  void palpate_checked_free(palpate_checked* checked);
+
+  /* Texts are valid as long as `checked`. */
+  typedef struct palpate_verdict
+  {
+    const char* name;
+    const char* sentence; /* what is suspicious, without the name */
+    const char* rule;     /* that gave the verdict; empty of a plausible structure */
+    int verdict;          /* 0 plausible, 1 look here, 2 implausible */
+    double place[3];      /* mm; NaN of a plausible structure */
+    double p;             /* of a clean case to look as bad; NaN without the group */
+    double volume;        /* mm^3 */
+  } palpate_verdict;
+  typedef struct palpate_rule
+  {
+    const char* key;
+    double value;
+    double place[3]; /* mm */
+    double p;        /* of a clean structure to have as large a value; NaN without the group */
+    int is_alarm;    /* whether this rule alone gives a verdict */
+  } palpate_rule;
+  /* Of a structure, in the order given; the last may be "all structures". 0 if there is none. */
+  int palpate_checked_verdict(const palpate_checked* checked, size_t structure,
+                              palpate_verdict* found);
+  int palpate_checked_rule(const palpate_checked* checked, size_t structure, size_t rule,
+                           palpate_rule* found);
 
   /* Statistics: linear models of many outcomes on covariates. */
 
@@ -287,6 +410,29 @@ extern "C"
                           size_t outcome_count, double* f, double* p, double* partial_r2,
                           palpate_error* error);
 
+  /* Where a mixed model's numbers go: rows have a number for each outcome, NaN where the outcome
+   * does not vary. NULL leaves one out. */
+  typedef struct palpate_mixed
+  {
+    double* coefficients; /* one row per column of the design, also of the next two */
+    double* errors;       /* with Kenward and Roger's correction */
+    double* half_widths;
+    double* f; /* one row per term, of Kenward and Roger's test, also of the next three */
+    double* numerator_degrees;
+    double* denominator_degrees;
+    double* p;
+    double* criterion;          /* one row: -2 log restricted likelihood */
+    double* residual_variance;  /* one row */
+    double* subject_covariance; /* three rows: of intercepts, with slopes, of slopes */
+    double* is_singular;        /* one row: 0 or 1 */
+  } palpate_mixed;
+  /* A random intercept of each subject and, unless `times` is NULL, a slope, by restricted maximum
+   * likelihood. `subjects` (any numbers) and `times` have one per case that was given. */
+  int palpate_design_fit_mixed(const palpate_design* design, const int32_t* subjects,
+                               const double* times, const double* outcomes, size_t outcome_count,
+                               double confidence, const palpate_mixed* results,
+                               palpate_error* error);
+
   typedef struct palpate_statistic
   {
     double value;
@@ -322,6 +468,28 @@ extern "C"
   int palpate_model_displacement(const palpate_model* model, int frequency, double* points,
                                  double* normals, double* areas, int32_t* triangles,
                                  double* per_coefficient, palpate_error* error);
+
+  typedef struct palpate_asymmetry
+  {
+    double squares[3]; /* mm^2: of individuals, sides (directional), both (fluctuating) */
+    double degrees[3];
+    double f; /* of the sides */
+    double p;
+    double* individuals; /* mm, RMS of each; this and the next, which have a number per point of
+                          * the mean at this frequency, may be NULL */
+    double* mean;        /* left minus right along the mean's normals, mm */
+    double* deviations;  /* mm */
+    double* statistic;   /* paired t */
+    double* point_p;
+    double* family_p; /* corrected for all points */
+    double* points;   /* x, y, z of each */
+  } palpate_asymmetry;
+  /* Procrustes analysis of variance of left models and mirrored right ones, or, if `right` is NULL,
+   * of models and their own mirror images; p by `flips` random exchanges of sides. All are moved to
+   * the origin, and with `turns_to_mean` turned to their common mean. */
+  int palpate_find_asymmetry(const palpate_model* const* left, const palpate_model* const* right,
+                             size_t count, int turns_to_mean, int frequency, int flips,
+                             uint64_t seed, palpate_asymmetry* found, palpate_error* error);
 
   /* Fields: volumes as they are touched, between voxels. */
 

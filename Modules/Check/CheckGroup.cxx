@@ -435,6 +435,16 @@ double CheckGroup::ProbabilityOf(double score) const
   return (atMost + part) / (count + 1.0);
 }
 
+double CheckGroup::ProbabilityOf(const std::string& organ, const MaskStatistic& one) const
+{
+  const GroupOrgan* const known = this->Find(organ);
+  if (known == nullptr || known->Statistics.count(one.Key) == 0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return known->Statistics.at(one.Key).Of(one.Value);
+}
+
 double CheckGroup::ScoreAt(double probability) const
 {
   const double rank = probability * static_cast<double>(this->Scores.size() + 1);

@@ -72,6 +72,8 @@ public:
   double LeastRate() const { return 1.0 / static_cast<double>(this->Scores.size() + 1); }
   /// Of a clean case to have a score as small, at least LeastRate.
   double ProbabilityOf(double score) const;
+  /// Of a clean case's organ of this name to have a statistic as large; NaN where none is known.
+  double ProbabilityOf(const std::string& organ, const MaskStatistic& one) const;
   /// The score with that probability.
   double ScoreAt(double probability) const;
   /// For each organ of a case, at a rate of false alarms (0..1) of the whole case.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "JudgementText.h"
 #include "MaskChecks.h"
 #include "PalpateComparisonModule.h"
 
@@ -7,17 +8,8 @@
 
 namespace palpate
 {
-/// "plausible", "look here" or "implausible".
-PALPATECOMPARISON_EXPORT const char* VerdictWord(OrganJudgement::Verdict verdict);
 /// A page's style for it: "good", "poor" or "bad".
 const char* VerdictStyle(OrganJudgement::Verdict verdict);
-
-/// What is suspicious about a structure, in one sentence without its name: "has a hole of 1.2 ml
-/// (7 % of its volume)"; of a plausible one "shows nothing unusual".
-PALPATECOMPARISON_EXPORT std::string JudgementSentence(const OrganJudgement& judgement);
-
-/// Why a case does not describe its group: "liver has an odd shape".
-PALPATECOMPARISON_EXPORT std::string OddCaseText(const CheckGroup::Odd& odd);
 
 /// "L 12.3, A 4.0, S 55.1": a place in the patient, mm.
 PALPATECOMPARISON_EXPORT std::string PatientPlace(const Vector3& world);

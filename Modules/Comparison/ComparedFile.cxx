@@ -81,7 +81,7 @@ ComparedBody ComparedFile::Body(const Segment& structure, MaskBody ofMask) const
   {
     vtkImageData* layer = labels->Layers[static_cast<std::size_t>(structure.Layer)];
     const auto make = ofMask == MaskBody::Shape ? ComparedBody::OfMaskShape : ComparedBody::OfMask;
-    status = make(CopyLabelMask(layer, structure.Value, 0).Mask, IndexToWorldOf(layer), body);
+    status = make(CopyLabelMask(layer, structure.Value, 1).Mask, IndexToWorldOf(layer), body);
   }
   else if (const auto* mesh = std::get_if<IndexedMesh>(&this->Content))
   {

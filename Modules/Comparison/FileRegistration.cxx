@@ -208,9 +208,9 @@ private:
   {
     const Eigen::Affine3d start = this->StartOf(middle, body.Centroid(), isBody);
     SurfaceRegistration made;
-    const Status status = RegisterToSurface(points, body.Surface(), start,
-                                            {this->Settings.Kind, this->Settings.Noise, 300},
-                                            this->Watch.Of(0.1, 1.0), made);
+    const Status status = RegisterToSurface(
+        points, body.Surface(), start, {this->Settings.Kind, this->Settings.Noise, StepsFromAfar},
+        this->Watch.Of(0.1, 1.0), made);
     this->Watch.Require();
     if (!status.IsOk())
     {

@@ -1,18 +1,17 @@
 #include "MaskChecks.h"
 
+#include "CaseMasks.h"
 #include "CaseNames.h"
 #include "CohortManifest.h"
 #include "ImageIndexToWorld.h"
 #include "InputError.h"
 #include "LabelMask.h"
-#include "LabelOverlaps.h"
 #include "MaskFolder.h"
 #include "OrderedTasks.h"
 #include "SegmentationFile.h"
 
 #include <algorithm>
 #include <exception>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <system_error>
@@ -22,8 +21,6 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t MostOfWhole = 8;        // structures that are judged as one body, too
-constexpr double LargestOfWhole = 0.9;        // of its volume that is one part
 constexpr std::size_t MostDoubtfulMasks = 60; // kept for pictures
 
 bool IsFolder(const std::filesystem::path& path)
@@ -77,11 +74,6 @@ std::vector<std::filesystem::path> CasesOf(const std::filesystem::path& input,
   return FindMasks(input);
 }
 
-std::string NameOf(const Segment& structure)
-{
-  return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
-}
-
 CheckedMask MaskOf(const Segmentation& labels, const Segment& structure)
 {
   vtkImageData* const layer = labels.Layers[static_cast<std::size_t>(structure.Layer)];
@@ -100,6 +92,20 @@ bool AreOnOneGrid(const Segmentation& labels)
                        const int* const size = layer->GetDimensions();
                        return std::equal(size, size + 3, labels.Layers.front()->GetDimensions());
                      });
+}
+
+CaseMasks MasksOf(const Segmentation& labels)
+{
+  CaseMasks masks;
+  for (const Segment& structure : labels.Segments)
+  {
+    masks.Structures.push_back({structure.Name, structure.Label, structure.Layer});
+  }
+  masks.MaskOf = [&labels](std::size_t n) { return MaskOf(labels, labels.Segments[n]); };
+  masks.IsOriented = labels.IsOriented;
+  masks.AreOnOneGrid = AreOnOneGrid(labels);
+  masks.LayerCount = labels.Layers.size();
+  return masks;
 }
 
 // Reads and measures cases; used by several threads.
@@ -143,70 +149,16 @@ private:
 
   void MeasureLabels(const Segmentation& labels, CaseCheck& check)
   {
+    const CaseMasks masks = MasksOf(labels);
     check.Notes = labels.Notes;
-    check.Patient.IsOriented = labels.IsOriented;
-    OrderedTasks<CheckedOrgan> tasks(labels.Segments.size(), this->JobsInCase,
-                                     [&](std::size_t n)
-                                     {
-                                       const Segment& structure = labels.Segments[n];
-                                       return CheckedOrgan{
-                                           NameOf(structure), false,
-                                           MeasureMask(MaskOf(labels, structure), this->Probe)};
-                                     });
-    for (std::size_t n = 0; n < labels.Segments.size(); ++n)
-    {
-      check.Patient.Organs.push_back(tasks.Next());
-    }
-    this->AddWhole(labels, check.Patient);
-    AddOverlaps(labels, check.Patient);
-    MeasureSides(check.Patient);
-    this->Judge(labels, check);
-  }
-
-  void AddWhole(const Segmentation& labels, CheckedCase& patient) const
-  {
-    const std::size_t count = labels.Segments.size();
-    if (count < 2 || count > MostOfWhole || !AreOnOneGrid(labels))
-    {
-      return;
-    }
-    CheckedMask all = UnionOf(labels);
-    CheckedOrgan whole{CheckedCase::WholeName, true, MeasureMask(std::move(all), this->Probe)};
-    if (whole.Measured.Statistics.front().Value <= 1.0 - LargestOfWhole)
-    {
-      patient.Organs.push_back(std::move(whole));
-    }
-  }
-
-  static CheckedMask UnionOf(const Segmentation& labels)
-  {
-    std::vector<CheckedMask> masks;
-    for (const Segment& structure : labels.Segments)
-    {
-      masks.push_back(MaskOf(labels, structure));
-    }
-    return palpate::UnionOf(masks);
-  }
-
-  void Judge(const Segmentation& labels, CaseCheck& check) const
-  {
-    if (this->Settings.Group != nullptr)
-    {
-      check.Judgements = this->Settings.Group->Judge(check.Patient, this->Settings.Rate);
-    }
-    else
-    {
-      std::transform(check.Patient.Organs.begin(), check.Patient.Organs.end(),
-                     std::back_inserter(check.Judgements),
-                     [](const CheckedOrgan& organ) { return JudgeByRules(organ); });
-    }
+    check.Patient = MeasureCase(masks, this->Probe, this->JobsInCase);
+    check.Judgements = JudgeCase(check.Patient, this->Settings.Group, this->Settings.Rate);
     for (std::size_t n = 0; n < check.Judgements.size(); ++n)
     {
       if (check.Judgements[n].Is != OrganJudgement::Verdict::Plausible &&
           check.Doubtful.size() < MostDoubtfulMasks)
       {
-        check.Doubtful[n] =
-            check.Patient.Organs[n].IsWhole ? UnionOf(labels) : MaskOf(labels, labels.Segments[n]);
+        check.Doubtful[n] = check.Patient.Organs[n].IsWhole ? masks.Union() : masks.MaskOf(n);
       }
     }
   }

@@ -7,11 +7,10 @@
 #include "FalseDiscovery.h"
 #include "InputError.h"
 #include "MappedMean.h"
-#include "ProcrustesAlignment.h"
 #include "Progress.h"
 #include "ReportPage.h"
 #include "ReportTable.h"
-#include "ShapeMirror.h"
+#include "ShapeAsymmetry.h"
 #include "ShapeVector.h"
 #include "SurfaceFile.h"
 #include "WholeFile.h"
@@ -25,80 +24,17 @@ namespace palpate
 {
 namespace
 {
-constexpr std::size_t FewestIndividuals = 3;
 constexpr double AlignmentShare = 0.5; // of the progress
 
-// Parameters of the mirror image of a surface start elsewhere than those of the other side.
-OrganModel MirroredTowards(const OrganModel& shape, const OrganModel& target)
+ShapeSides PairedSides(const CohortGroup& group, const std::vector<SidePair>& pairs)
 {
-  const OrganModel mirrored = MirrorShape(shape);
-  if (std::holds_alternative<RadialModel>(shape))
-  {
-    return mirrored;
-  }
-  const ShapeSuperposition superposition(target);
-  const SphereRotation start = superposition.StartFor(mirrored, Matrix3::Identity());
-  return TurnShape(mirrored, superposition.FitParameters(mirrored, start).Rotation);
-}
-
-/// Shapes of both sides, the right ones mirrored.
-struct ComparedSides
-{
-  std::vector<OrganModel> Left;
-  std::vector<OrganModel> Right;
-};
-
-ComparedSides PairedSides(const CohortGroup& group, const std::vector<SidePair>& pairs)
-{
-  ComparedSides sides;
+  ShapeSides sides;
   for (const SidePair& pair : pairs)
   {
     sides.Left.push_back(group.Models[pair.Left]);
     sides.Right.push_back(group.Models[pair.Right]);
   }
   return sides;
-}
-
-ComparedSides MirroredSides(const CohortGroup& group, const KernelProgress& progress)
-{
-  ComparedSides sides{group.Models, {}};
-  for (const OrganModel& model : group.Models)
-  {
-    sides.Right.push_back(MirroredTowards(model, model));
-  }
-  if (group.Axes != AlignmentAxes::Procrustes)
-  {
-    return sides;
-  }
-  std::vector<OrganModel> all = sides.Left;
-  all.insert(all.end(), sides.Right.begin(), sides.Right.end());
-  ProcrustesResult result;
-  if (const Status status =
-          AlignByProcrustes(all, nullptr, {}, result, PartOf(progress, 0.0, AlignmentShare));
-      !status.IsOk())
-  {
-    throw Cancelled();
-  }
-  const auto middle = result.Aligned.begin() + static_cast<std::ptrdiff_t>(sides.Left.size());
-  return {{result.Aligned.begin(), middle}, {middle, result.Aligned.end()}};
-}
-
-Eigen::MatrixXd RowsOf(const std::vector<OrganModel>& shapes)
-{
-  Eigen::MatrixXd rows(static_cast<Eigen::Index>(shapes.size()), VectorOf(shapes.front()).size());
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-  {
-    rows.row(static_cast<Eigen::Index>(i)) = VectorOf(shapes[i]);
-  }
-  return rows;
-}
-
-// Over the surface, of displacements at its points, mm.
-double RmsOverPoints(const NormalDisplacement& surface, const Eigen::VectorXd& displacements)
-{
-  const Eigen::Map<const Eigen::ArrayXd> areas(surface.Areas.data(),
-                                               static_cast<Eigen::Index>(surface.Areas.size()));
-  return std::sqrt((areas * displacements.array().square()).sum() / areas.sum());
 }
 
 SideDifference DifferenceOf(const CohortGroup& group, const SidePair& rows, double shape,
@@ -108,13 +44,6 @@ SideDifference DifferenceOf(const CohortGroup& group, const SidePair& rows, doub
   const double rightVolume = group.Bodies[rows.Right].Volume;
   return {rows, 200.0 * (leftVolume - rightVolume) / (leftVolume + rightVolume), shape,
           100.0 * shape / RmsSizeOf(left)};
-}
-
-// Coordinates that mirroring keeps.
-Eigen::Index SymmetricCount(const OrganModel& like)
-{
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(VectorOf(like).size());
-  return (VectorOf(MirrorShape(ShapeFrom(ones, like))).array() > 0.0).count();
 }
 
 bool IsLeft(const std::string& side)
@@ -211,33 +140,35 @@ CohortAsymmetry FindCohortAsymmetry(const CohortGroup& group, const std::vector<
   CohortAsymmetry result;
   result.IsPaired = !pairs.empty();
   result.Flips = flips;
-  const ComparedSides sides =
-      result.IsPaired ? PairedSides(group, pairs) : MirroredSides(group, progress);
-  if (sides.Left.size() < FewestIndividuals)
+  ShapeSides sides;
+  if (result.IsPaired)
   {
-    throw InputError("asymmetry needs at least 3 individuals, but there are " +
-                     std::to_string(sides.Left.size()));
+    sides = PairedSides(group, pairs);
   }
-  const Eigen::MatrixXd left = RowsOf(sides.Left);
-  const Eigen::MatrixXd right = RowsOf(sides.Right);
-  const Eigen::Index symmetric = result.IsPaired ? left.cols() : SymmetricCount(sides.Left.front());
-  result.Anova = FindSideAnova(left, right, symmetric,
-                               result.IsPaired ? left.cols() : left.cols() - symmetric);
-  const Eigen::VectorXd mean = 0.5 * (left + right).colwise().mean().transpose();
-  result.Surface = FindNormalDisplacement(ShapeFrom(mean, sides.Left.front()), EffectFrequency);
-  const Eigen::MatrixXd differences = (left - right) * result.Surface.PerCoefficient.transpose();
-  for (std::size_t i = 0; i < sides.Left.size(); ++i)
-  {
-    const double shape =
-        RmsOverPoints(result.Surface, differences.row(static_cast<Eigen::Index>(i)).transpose());
-    result.Individuals.push_back(
-        DifferenceOf(group, result.IsPaired ? pairs[i] : SidePair{i, i}, shape, sides.Left[i]));
-  }
-  if (!TestSides(differences, result.Surface.Areas, flips, PartOf(progress, AlignmentShare, 1.0),
-                 result.Points)
-           .IsOk())
+  else if (!MakeMirroredSides(group.Models, group.Axes == AlignmentAxes::Procrustes,
+                              PartOf(progress, 0.0, AlignmentShare), sides)
+                .IsOk())
   {
     throw Cancelled();
+  }
+  ShapeAsymmetry shapes;
+  const Status status = FindShapeAsymmetry(sides, result.IsPaired, EffectFrequency, flips,
+                                           PartOf(progress, AlignmentShare, 1.0), shapes);
+  if (!status.IsOk() && sides.Left.size() < ShapeAsymmetry::FewestIndividuals)
+  {
+    throw InputError(status.Message());
+  }
+  if (!status.IsOk())
+  {
+    throw Cancelled();
+  }
+  result.Anova = shapes.Anova;
+  result.Surface = std::move(shapes.Surface);
+  result.Points = std::move(shapes.Points);
+  for (std::size_t i = 0; i < sides.Left.size(); ++i)
+  {
+    result.Individuals.push_back(DifferenceOf(group, result.IsPaired ? pairs[i] : SidePair{i, i},
+                                              shapes.Individuals[i], sides.Left[i]));
   }
   result.Discovery = FalseDiscoveryRates(result.Points.P);
   return result;

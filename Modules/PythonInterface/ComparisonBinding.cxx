@@ -1,13 +1,11 @@
 #include "ComparisonBinding.h"
 
 #include "Arrays.h"
-#include "Call.h"
-#include "GridArray.h"
-#include "ModelBinding.h"
+#include "BodyArgument.h"
 #include "Results.h"
 
-#include <cmath>
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,74 +15,6 @@ namespace palpate
 {
 namespace
 {
-using Compared = Owned<palpate_compared>;
-
-using MaskFunction = decltype(&palpate_compared_of_mask);
-
-Compared OfMask(const py::object& given, const char* name, const GridArguments& place,
-                MaskFunction make)
-{
-  const py::array array = RealArray(given, name);
-  const GridPlace grid = PlaceOfGrid(array, name, place);
-  const py::array_t<bool, py::array::f_style | py::array::forcecast> inside(array);
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(inside.data());
-  const py::gil_scoped_release others;
-  return Compared(Call(make, bytes, grid.Size.data(), grid.Origin.data(), grid.Spacing.data(),
-                       grid.Axes.data()));
-}
-
-Compared OfMesh(const py::object& givenPoints, const py::object& givenTriangles)
-{
-  const VectorArray points(givenPoints, "points");
-  const std::vector<std::int32_t> triangles = TrianglesOf(givenTriangles, points.Count());
-  const py::gil_scoped_release others;
-  return Compared(Call(palpate_compared_of_mesh, points.Data(), points.Count(), triangles.data(),
-                       triangles.size() / 3));
-}
-
-bool IsInput(const py::object& given, const char* type)
-{
-  return py::isinstance(given, py::module_::import("palpate._inputs").attr(type));
-}
-
-// A Model, a Mask, a mesh (points and triangles), or an array: a mask on the grid of the call.
-Compared BodyOf(const py::object& given, const char* name, const GridArguments& place,
-                MaskFunction make = palpate_compared_of_mask)
-{
-  if (py::isinstance<BoundModel>(given))
-  {
-    const auto& model = given.cast<const BoundModel&>();
-    const py::gil_scoped_release others;
-    return Compared(Call(palpate_compared_of_model, model.Handle.get()));
-  }
-  if (IsInput(given, "Mask"))
-  {
-    return OfMask(given.attr("values"), name,
-                  {given.attr("spacing"), given.attr("origin"), given.attr("direction"),
-                   given.attr("affine")},
-                  make);
-  }
-  if (py::hasattr(given, "points") && py::hasattr(given, "triangles"))
-  {
-    return OfMesh(given.attr("points"), given.attr("triangles"));
-  }
-  if (py::isinstance<py::tuple>(given) && py::len(given) == 2)
-  {
-    return OfMesh(given[py::int_(0)], given[py::int_(1)]);
-  }
-  return OfMask(given, name, place, make);
-}
-
-py::object SurfaceOf(const Compared& body, const Numbers& distances)
-{
-  const auto points = static_cast<py::ssize_t>(palpate_compared_point_count(body.get()));
-  const auto faces = static_cast<py::ssize_t>(palpate_compared_triangle_count(body.get()));
-  Numbers place(std::vector<py::ssize_t>{points, 3});
-  py::array_t<std::int32_t> triangles(std::vector<py::ssize_t>{faces, 3});
-  palpate_compared_surface(body.get(), place.mutable_data(), triangles.mutable_data());
-  return Result("ComparedSurface", place, triangles, distances);
-}
-
 py::object DistancesFrom(const palpate_distances& found)
 {
   return Result("Distances", found.mean, found.rms, found.percentile95, found.maximum,
@@ -96,14 +26,32 @@ Numbers Pair(const double numbers[2])
   return Numbers(2, numbers);
 }
 
+// Replaces the reference by its mirror image on the first, both as shapes.
+py::object MirrorOnto(const py::object& first, const py::object& reference,
+                      const GridArguments& place, Compared& mirrored)
+{
+  const Compared onto = BodyOf(first, "first", place, palpate_compared_of_mask_shape);
+  const Compared shape = BodyOf(reference, "reference", place, palpate_compared_of_mask_shape);
+  double turn = 0.0;
+  double shift[3];
+  {
+    const py::gil_scoped_release others;
+    mirrored.reset(Call(palpate_compared_mirror, shape.get(), onto.get(), &turn, shift));
+  }
+  return Result("Mirror", turn, Numbers(3, shift));
+}
+
 py::object Compare(const py::object& first, const py::object& reference,
-                   const py::object& givenTolerances, const GridArguments& place)
+                   const py::object& givenTolerances, bool mirror, const GridArguments& place)
 {
   const py::array given = RealArray(
       givenTolerances.is_none() ? py::make_tuple(1.0, 2.0, 3.0) : givenTolerances, "tolerances");
   const py::array_t<double, py::array::c_style | py::array::forcecast> tolerances(given);
   const Compared one = BodyOf(first, "first", place);
-  const Compared other = BodyOf(reference, "reference", place);
+  Compared other = BodyOf(reference, "reference", place);
+  double measures[2];
+  palpate_compared_measure(other.get(), &measures[0], &measures[1]);
+  const py::object mirrored = mirror ? MirrorOnto(first, reference, place, other) : py::none();
   Numbers surfaceDice(tolerances.size());
   Numbers oneDistances(static_cast<py::ssize_t>(palpate_compared_point_count(one.get())));
   Numbers otherDistances(static_cast<py::ssize_t>(palpate_compared_point_count(other.get())));
@@ -117,11 +65,31 @@ py::object Compare(const py::object& first, const py::object& reference,
     const py::gil_scoped_release others;
     Call(palpate_compare, one.get(), other.get(), limits, count, &found, dice, there, back);
   }
+  found.volumes[1] = measures[0]; // of the reference as it was given
+  found.areas[1] = measures[1];
   return Result("Comparison", found.dice, found.jaccard, Pair(found.volumes), Pair(found.areas),
                 DistancesFrom(found.both), DistancesFrom(found.to_reference),
                 DistancesFrom(found.to_first), found.hausdorff95, surfaceDice,
                 Numbers(6, found.side_bias), SurfaceOf(one, oneDistances),
-                SurfaceOf(other, otherDistances));
+                SurfaceOf(other, otherDistances), mirrored);
+}
+
+py::object Motion(const py::object& before, const py::object& after, const py::object& given,
+                  const GridArguments& place)
+{
+  const VectorArray landmarks(given.is_none() ? Numbers(std::vector<py::ssize_t>{0, 3}) : given,
+                              "landmarks");
+  const Compared from = BodyOf(before, "before", place, palpate_compared_of_mask_shape);
+  const Compared to = BodyOf(after, "after", place, palpate_compared_of_mask_shape);
+  palpate_motion found{};
+  Numbers moved = landmarks.Results({3});
+  double* const places = moved.mutable_data();
+  {
+    const py::gil_scoped_release others;
+    Call(palpate_compared_motion, from.get(), to.get(), landmarks.Data(), landmarks.Count(), &found,
+         places);
+  }
+  return Result("Motion", found.turn, Numbers(3, found.shift), found.rest, moved);
 }
 
 MaskFunction MakerOf(const std::string& definition)
@@ -133,9 +101,47 @@ MaskFunction MakerOf(const std::string& definition)
   return definition == "ibsi" ? palpate_compared_of_mask : palpate_compared_of_mask_shape;
 }
 
-py::object ShapeOf(const py::object& given, const std::string& definition,
+using ThicknessFunction = decltype(&palpate_compared_thickness);
+
+ThicknessFunction ThicknessBy(const std::string& rule)
+{
+  if (rule != "spheres" && rule != "rays")
+  {
+    throw py::value_error("thickness is \"spheres\" or \"rays\"");
+  }
+  return rule == "rays" ? palpate_compared_ray_thickness : palpate_compared_thickness;
+}
+
+py::object CalibreOf(const py::object& given, const std::string& definition,
+                     const GridArguments& place)
+{
+  const Compared body = BodyOf(given, "body", place, MakerOf(definition));
+  double length = 0.0;
+  std::vector<palpate_section> sections;
+  {
+    const py::gil_scoped_release others;
+    sections.resize(Call(palpate_compared_calibre, body.get(), nullptr, std::size_t{0}, &length));
+    Call(palpate_compared_calibre, body.get(), sections.data(), sections.size(), &length);
+  }
+  const auto column = [&](std::size_t offset, py::ssize_t width)
+  {
+    const auto rows = static_cast<py::ssize_t>(sections.size());
+    Numbers numbers(width > 1 ? std::vector{rows, width} : std::vector{rows});
+    double* to = numbers.mutable_data();
+    for (const palpate_section& one : sections)
+    {
+      to = std::copy_n(&one.along + offset, width, to);
+    }
+    return numbers;
+  };
+  return Result("Calibre", length, column(0, 1), column(1, 3), column(4, 3), column(7, 1),
+                column(8, 1), column(9, 1));
+}
+
+py::object ShapeOf(const py::object& given, const std::string& definition, const std::string& rule,
                    const GridArguments& place)
 {
+  const ThicknessFunction thicknessBy = ThicknessBy(rule);
   const Compared body = BodyOf(given, "body", place, MakerOf(definition));
   palpate_shape shape{};
   Numbers thickness(static_cast<py::ssize_t>(palpate_compared_point_count(body.get())));
@@ -143,7 +149,7 @@ py::object ShapeOf(const py::object& given, const std::string& definition,
   {
     const py::gil_scoped_release others;
     Call(palpate_compared_shape, body.get(), &shape);
-    Call(palpate_compared_thickness, body.get(), thick);
+    Call(thicknessBy, body.get(), thick);
   }
   py::list members;
   for (const double* number = &shape.volume; number != shape.centroid; ++number)
@@ -194,19 +200,37 @@ void BindRelations(py::module_& module)
 {
   module.def(
       "shape",
-      [](const py::object& body, const std::string& definition, const py::object& spacing,
-         const py::object& origin, const py::object& direction, const py::object& affine) {
-        return ShapeOf(body, definition, {spacing, origin, direction, affine});
+      [](const py::object& body, const std::string& definition, const std::string& thickness,
+         const py::object& spacing, const py::object& origin, const py::object& direction,
+         const py::object& affine) {
+        return ShapeOf(body, definition, thickness, {spacing, origin, direction, affine});
       },
       py::arg("body"), py::kw_only(), py::arg("definition") = "subvoxel",
-      py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
-      py::arg("direction") = py::none(), py::arg("affine") = py::none(),
+      py::arg("thickness") = "spheres", py::arg("spacing") = py::none(),
+      py::arg("origin") = py::none(), py::arg("direction") = py::none(),
+      py::arg("affine") = py::none(),
       (std::string(
            "The shape features of the Image Biomarker Standardisation Initiative, principal axes, "
            "and the thickness at each point of the surface.\n\n"
            "body: as for compare; closed.\n"
            "definition: of masks, \"subvoxel\" for the shape behind their voxels, \"ibsi\" for the "
-           "Initiative's own surface.\n") +
+           "Initiative's own surface.\n"
+           "thickness: \"spheres\", the largest ball that touches the surface there from inside, "
+           "or \"rays\", the inward normal up to the opposite side; NaN where it finds none.\n") +
+       GridHelp)
+          .c_str());
+  module.def(
+      "calibre",
+      [](const py::object& body, const std::string& definition, const py::object& spacing,
+         const py::object& origin, const py::object& direction, const py::object& affine) {
+        return CalibreOf(body, definition, {spacing, origin, direction, affine});
+      },
+      py::arg("body"), py::kw_only(), py::arg("definition") = "subvoxel",
+      py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
+      py::arg("direction") = py::none(), py::arg("affine") = py::none(),
+      (std::string("The axis of one long tube and its sections, a quarter of its mean diameter "
+                   "apart.\n\n"
+                   "body, definition: as for shape.\n") +
        GridHelp)
           .c_str());
   module.def(
@@ -237,12 +261,12 @@ void BindComparisons(py::module_& module)
   module.def(
       "compare",
       [](const py::object& first, const py::object& reference, const py::object& tolerances,
-         const py::object& spacing, const py::object& origin, const py::object& direction,
-         const py::object& affine) {
-        return Compare(first, reference, tolerances, {spacing, origin, direction, affine});
+         bool mirror, const py::object& spacing, const py::object& origin,
+         const py::object& direction, const py::object& affine) {
+        return Compare(first, reference, tolerances, mirror, {spacing, origin, direction, affine});
       },
       py::arg("first"), py::arg("reference"), py::kw_only(), py::arg("tolerances") = py::none(),
-      py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
+      py::arg("mirror") = false, py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
       py::arg("direction") = py::none(), py::arg("affine") = py::none(),
       "Compares two bodies: Dice, Jaccard, distances, normalised surface Dice, bias by side.\n\n"
       "first, reference: a Model; a mask (i, j, k), inside where not 0; a Mask, which has a grid "
@@ -251,6 +275,24 @@ void BindComparisons(py::module_& module)
       "an "
       "open mesh has not is NaN.\n"
       "tolerances: mm, of the surface Dice; 1, 2 and 3 unless given.\n"
+      "mirror: whether the reference is replaced by its mirror image at the sagittal plane, "
+      "brought "
+      "onto the first: left against right.\n"
       "spacing, origin, direction, affine: the grid of masks that are arrays, as for fit_mask.");
+  module.def(
+      "motion",
+      [](const py::object& before, const py::object& after, const py::object& landmarks,
+         const py::object& spacing, const py::object& origin, const py::object& direction,
+         const py::object& affine) {
+        return Motion(before, after, landmarks, {spacing, origin, direction, affine});
+      },
+      py::arg("before"), py::arg("after"), py::kw_only(), py::arg("landmarks") = py::none(),
+      py::arg("spacing") = py::none(), py::arg("origin") = py::none(),
+      py::arg("direction") = py::none(), py::arg("affine") = py::none(),
+      (std::string("How a body moved as a whole, and what that leaves.\n\n"
+                   "before, after: as for compare; masks count as the shapes behind their voxels.\n"
+                   "landmarks: (n, 3), mm, on the body before: they move with it.\n") +
+       GridHelp)
+          .c_str());
 }
 } // namespace palpate

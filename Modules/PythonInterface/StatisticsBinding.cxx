@@ -8,6 +8,8 @@
 #include "palpate.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <pybind11/stl.h>
 #include <string>
 #include <utility>
@@ -122,6 +124,17 @@ public:
     }
     return names;
   }
+  std::size_t TermCount() const { return palpate_design_term_count(this->Get()); }
+  /// Their places among all terms.
+  std::vector<std::size_t> TestedTerms() const
+  {
+    std::vector<std::size_t> places;
+    for (const std::string& name : this->TermNames())
+    {
+      places.push_back(this->TermIndex(name));
+    }
+    return places;
+  }
   std::size_t TermIndex(const std::string& name) const
   {
     palpate_term term{};
@@ -234,6 +247,114 @@ py::object Permute(const BoundLinearModel& model, const std::string& term, const
   return Result("PermutationTest", statistic, p, family, enhanced, wholeF, wholeP);
 }
 
+/// Subjects of any kind as numbers, one per case.
+py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>
+NumbersOfSubjects(const py::object& subjects, py::ssize_t cases)
+{
+  const py::module_ numpy = py::module_::import("numpy");
+  const py::object array = numpy.attr("asarray")(subjects);
+  const py::tuple shape = array.attr("shape");
+  if (shape.size() != 1 || shape[0].cast<py::ssize_t>() != cases)
+  {
+    throw py::value_error("subjects: the shape is not (" + std::to_string(cases) +
+                          ",): one per case of the covariates");
+  }
+  const py::tuple found = numpy.attr("unique")(array, py::arg("return_inverse") = true);
+  return py::object(found[1]);
+}
+
+py::object FitMixed(const BoundLinearModel& model, const py::object& given,
+                    const py::object& givenSubjects, const py::object& givenTimes,
+                    double confidence)
+{
+  const Numbers outcomes = model.Outcomes(given);
+  const py::ssize_t count = outcomes.shape(1);
+  const auto subjects = NumbersOfSubjects(givenSubjects, outcomes.shape(0));
+  const Numbers times = givenTimes.is_none() ? Numbers(0) : Numbers(RealArray(givenTimes, "times"));
+  if (!givenTimes.is_none() && (times.ndim() != 1 || times.shape(0) != outcomes.shape(0)))
+  {
+    throw py::value_error("times: the shape is not (" + std::to_string(outcomes.shape(0)) +
+                          ",): one per case of the covariates");
+  }
+  const std::vector<std::size_t> terms = model.TestedTerms();
+  const auto rows = [count](std::size_t k) {
+    return Numbers({static_cast<py::ssize_t>(k), count});
+  };
+  const std::size_t columns = model.ColumnNames().size();
+  Numbers values[3] = {rows(columns), rows(columns), rows(columns)};
+  Numbers tests[4] = {rows(model.TermCount()), rows(model.TermCount()), rows(model.TermCount()),
+                      rows(model.TermCount())};
+  Numbers scalars[2] = {Numbers(count), Numbers(count)};
+  Numbers covariance = rows(3);
+  Numbers singular(count);
+  const palpate_mixed results{
+      values[0].mutable_data(),  values[1].mutable_data(),  values[2].mutable_data(),
+      tests[0].mutable_data(),   tests[1].mutable_data(),   tests[2].mutable_data(),
+      tests[3].mutable_data(),   scalars[0].mutable_data(), scalars[1].mutable_data(),
+      covariance.mutable_data(), singular.mutable_data()};
+  const double* const time = givenTimes.is_none() ? nullptr : times.data();
+  const double* const outcome = outcomes.data();
+  const std::int32_t* const subject = subjects.data();
+  {
+    const py::gil_scoped_release others;
+    Call(palpate_design_fit_mixed, model.Get(), subject, time, outcome,
+         static_cast<std::size_t>(count), confidence, &results);
+  }
+  const auto tested = [&](const Numbers& all) { return all.attr("take")(terms, 0); };
+  return Result("MixedFit", values[0], values[1], values[2], tested(tests[0]), tested(tests[1]),
+                tested(tests[2]), tested(tests[3]), scalars[0], scalars[1], covariance,
+                singular.attr("astype")("bool"));
+}
+
+using Models = std::vector<const BoundModel*>;
+
+std::vector<const palpate_model*> HandlesOf(const Models& models)
+{
+  std::vector<const palpate_model*> handles;
+  for (const BoundModel* const model : models)
+  {
+    handles.push_back(model != nullptr ? model->Handle.get() : nullptr);
+  }
+  return handles;
+}
+
+py::object Asymmetry(const Models& left, const std::optional<Models>& right,
+                     const std::string& align, int frequency, int flips, std::uint64_t seed)
+{
+  if (align != "patient" && align != "procrustes")
+  {
+    throw py::value_error("align is \"patient\" or \"procrustes\"");
+  }
+  if (right && right->size() != left.size())
+  {
+    throw py::value_error("right: there are " + std::to_string(right->size()) + " models for " +
+                          std::to_string(left.size()) + " left ones");
+  }
+  const std::vector<const palpate_model*> lefts = HandlesOf(left);
+  const std::vector<const palpate_model*> rights = HandlesOf(right.value_or(Models()));
+  const py::ssize_t parts = std::max(std::min(frequency, 100), 1);
+  const py::ssize_t points = 10 * parts * parts + 2;
+  Numbers individuals(static_cast<py::ssize_t>(left.size()));
+  Numbers maps[5] = {Numbers(points), Numbers(points), Numbers(points), Numbers(points),
+                     Numbers(points)};
+  Numbers places({points, py::ssize_t{3}});
+  palpate_asymmetry found{};
+  found.individuals = individuals.mutable_data();
+  found.mean = maps[0].mutable_data();
+  found.deviations = maps[1].mutable_data();
+  found.statistic = maps[2].mutable_data();
+  found.point_p = maps[3].mutable_data();
+  found.family_p = maps[4].mutable_data();
+  found.points = places.mutable_data();
+  {
+    const py::gil_scoped_release others;
+    Call(palpate_find_asymmetry, lefts.data(), right ? rights.data() : nullptr, lefts.size(),
+         align == "procrustes" ? 1 : 0, frequency, flips, seed, &found);
+  }
+  return Result("Asymmetry", Numbers(3, found.squares), Numbers(3, found.degrees), found.f, found.p,
+                individuals, places, maps[0], maps[1], maps[2], maps[3], maps[4]);
+}
+
 py::object Displacement(const BoundModel& model, int frequency)
 {
   const py::ssize_t parts = std::max(std::min(frequency, 100), 1);
@@ -280,11 +401,29 @@ void BindStatistics(py::module_& module)
            "F-tests of a term given all others, one for each outcome.")
       .def("test_together", &TestAll, py::arg("term"), py::arg("outcomes"),
            "Multivariate analysis of variance of all outcomes together.")
+      .def("fit_mixed", &FitMixed, py::arg("outcomes"), py::arg("subjects"), py::kw_only(),
+           py::arg("times") = py::none(), py::arg("confidence") = 0.95,
+           "A linear mixed model by restricted maximum likelihood, with Kenward and Roger's tests: "
+           "a random intercept of each subject and, with times, a slope.\n\n"
+           "subjects: who each case is of, in any words or numbers.\n"
+           "times: a number for each case.")
       .def("permute", &Permute, py::arg("term"), py::arg("outcomes"), py::arg("areas"),
            py::arg("triangles"), py::kw_only(), py::arg("permutations") = 10000,
            py::arg("seed") = 1,
            "Permutation tests (Freedman and Lane) at the points of a surface. areas: (m,), mm^2; "
            "triangles: (t, 3).");
+  module.def(
+      "asymmetry", &Asymmetry, py::arg("left"), py::arg("right") = py::none(), py::kw_only(),
+      py::arg("align") = "patient", py::arg("frequency") = 16, py::arg("flips") = 10000,
+      py::arg("seed") = 1,
+      "Procrustes analysis of variance of left against right.\n\n"
+      "left: models. right: those of the other side, in the same order, which are mirrored; "
+      "without "
+      "them each model is compared with its own mirror image.\n"
+      "align: \"patient\", the axes as they are, or \"procrustes\", turned to the common mean. "
+      "All are moved to the origin.\n"
+      "frequency: of the points, whose triangles are those of displacement.\n"
+      "flips: random exchanges of sides, for p.");
   module.def(
       "displacement", &Displacement, py::arg("model"), py::kw_only(), py::arg("frequency") = 16,
       "A model's 10 frequency^2 + 2 points, and how far each moves along its normal per mm of each "

@@ -1,7 +1,9 @@
 #include "Call.h"
+#include "CheckBinding.h"
 #include "ComparisonBinding.h"
 #include "FieldBinding.h"
 #include "ModelBinding.h"
+#include "RegistrationBinding.h"
 #include "SceneBinding.h"
 #include "SessionBinding.h"
 #include "StatisticsBinding.h"
@@ -19,6 +21,8 @@ PYBIND11_MODULE(_kernels, module)
   palpate::BindModels(module);
   palpate::BindComparisons(module);
   palpate::BindRelations(module);
+  palpate::BindRegistrations(module);
+  palpate::BindChecks(module);
   palpate::BindFields(module);
   palpate::BindScenes(module);
   palpate::BindSessions(module);

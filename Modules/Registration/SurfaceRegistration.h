@@ -9,6 +9,9 @@
 
 namespace palpate
 {
+/// Enough for points whose start is far away.
+constexpr int StepsFromAfar = 300;
+
 struct SurfaceRegistrationSettings
 {
   RegistrationKind Kind = RegistrationKind::Rigid;

@@ -17,38 +17,56 @@ import pkgutil
 from typing import Any
 
 from ._inputs import Mask as Mask
+from ._kernels import CheckGroup as CheckGroup
 from ._kernels import Error as Error
 from ._kernels import Field as Field
 from ._kernels import LinearModel as LinearModel
+from ._kernels import MaskCase as MaskCase
 from ._kernels import Model as Model
 from ._kernels import Scene as Scene
 from ._kernels import Session as Session
 from ._kernels import Tracker as Tracker
 from ._kernels import __version__ as __version__
+from ._kernels import asymmetry as asymmetry
+from ._kernels import calibre as calibre
+from ._kernels import check as check
 from ._kernels import compare as compare
 from ._kernels import contact_dtype as contact_dtype
 from ._kernels import displacement as displacement
 from ._kernels import fit_mask as fit_mask
 from ._kernels import fit_points as fit_points
+from ._kernels import motion as motion
+from ._kernels import read_check_group as read_check_group
 from ._kernels import read_model as read_model
+from ._kernels import register_landmarks as register_landmarks
+from ._kernels import register_points as register_points
 from ._kernels import relate as relate
 from ._kernels import shape as shape
+from ._results import Asymmetry as Asymmetry
+from ._results import Calibre as Calibre
+from ._results import CheckedRule as CheckedRule
 from ._results import Coefficients as Coefficients
 from ._results import ComparedSurface as ComparedSurface
 from ._results import Comparison as Comparison
 from ._results import Curvature as Curvature
 from ._results import Displacement as Displacement
 from ._results import Distances as Distances
+from ._results import LandmarkRegistration as LandmarkRegistration
 from ._results import Measures as Measures
 from ._results import Mesh as Mesh
+from ._results import Mirror as Mirror
+from ._results import MixedFit as MixedFit
+from ._results import Motion as Motion
 from ._results import MultivariateTest as MultivariateTest
 from ._results import Nearest as Nearest
 from ._results import PermutationTest as PermutationTest
+from ._results import PointRegistration as PointRegistration
 from ._results import Relation as Relation
 from ._results import Shape as Shape
 from ._results import State as State
 from ._results import Statistic as Statistic
 from ._results import TermTest as TermTest
+from ._results import Verdict as Verdict
 
 _OTHERS = ("importlib", "pkgutil", "Any")
 _CORE = [name for name in globals() if not name.startswith("_") and name not in _OTHERS]

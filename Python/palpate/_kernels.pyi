@@ -1,24 +1,31 @@
 from os import PathLike
-from typing import Any, Iterable, List, Literal, Mapping, Optional, Tuple, Union
+from typing import Any, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
 from ._inputs import Mask
 from ._results import (
+    Asymmetry,
+    Calibre,
     Coefficients,
     Comparison,
     Curvature,
     Displacement,
+    LandmarkRegistration,
     Measures,
     Mesh,
+    MixedFit,
+    Motion,
     MultivariateTest,
     Nearest,
     PermutationTest,
+    PointRegistration,
     Relation,
     Shape,
     State,
     TermTest,
+    Verdict,
 )
 
 __version__: str
@@ -69,6 +76,7 @@ def compare(
     reference: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
     *,
     tolerances: Optional[ArrayLike] = None,
+    mirror: bool = False,
     spacing: Optional[ArrayLike] = None,
     origin: Optional[ArrayLike] = None,
     direction: Optional[ArrayLike] = None,
@@ -78,11 +86,87 @@ def shape(
     body: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
     *,
     definition: Literal["subvoxel", "ibsi"] = "subvoxel",
+    thickness: Literal["spheres", "rays"] = "spheres",
     spacing: Optional[ArrayLike] = None,
     origin: Optional[ArrayLike] = None,
     direction: Optional[ArrayLike] = None,
     affine: Optional[ArrayLike] = None,
 ) -> Shape: ...
+def calibre(
+    body: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    definition: Literal["subvoxel", "ibsi"] = "subvoxel",
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> Calibre: ...
+def motion(
+    before: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    after: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    landmarks: Optional[ArrayLike] = None,
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> Motion: ...
+def register_landmarks(
+    moving: ArrayLike,
+    fixed: ArrayLike,
+    *,
+    kind: Literal["rigid", "similarity", "affine"] = "rigid",
+    noise: float = 0.0,
+) -> LandmarkRegistration: ...
+def register_points(
+    points: ArrayLike,
+    surface: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    kind: Literal["rigid", "similarity", "affine"] = "rigid",
+    noise: float = 0.0,
+    start: Optional[ArrayLike] = None,
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> PointRegistration: ...
+
+Masks = Union[ArrayLike, Mapping[str, ArrayLike], Sequence[ArrayLike]]
+Names = Union[Mapping[int, str], Sequence[str]]
+
+class MaskCase:
+    def __init__(
+        self,
+        masks: Masks,
+        *,
+        names: Optional[Names] = None,
+        spacing: Optional[ArrayLike] = None,
+        origin: Optional[ArrayLike] = None,
+        direction: Optional[ArrayLike] = None,
+        affine: Optional[ArrayLike] = None,
+    ) -> None: ...
+    def check(self, *, group: Optional[CheckGroup] = None, false_alarms: float = 0.05) -> List[Verdict]: ...
+
+class CheckGroup:
+    def __init__(self, cases: Sequence[MaskCase]) -> None: ...
+    @property
+    def least_false_alarms(self) -> float: ...
+    @property
+    def dropped(self) -> List[Tuple[int, str]]: ...
+    def write(self, path: Union[str, PathLike[str]]) -> None: ...
+
+def read_check_group(path: Union[str, PathLike[str]]) -> CheckGroup: ...
+def check(
+    masks: Masks,
+    *,
+    names: Optional[Names] = None,
+    group: Optional[CheckGroup] = None,
+    false_alarms: float = 0.05,
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> List[Verdict]: ...
 def relate(
     first: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
     second: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
@@ -114,6 +198,14 @@ class LinearModel:
     def matrix(self) -> Floats: ...
     def fit(self, outcomes: ArrayLike, *, confidence: float = 0.95) -> Coefficients: ...
     def test(self, term: str, outcomes: ArrayLike) -> TermTest: ...
+    def fit_mixed(
+        self,
+        outcomes: ArrayLike,
+        subjects: Iterable[Any],
+        *,
+        times: Optional[ArrayLike] = None,
+        confidence: float = 0.95,
+    ) -> MixedFit: ...
     def test_together(self, term: str, outcomes: ArrayLike) -> MultivariateTest: ...
     def permute(
         self,
@@ -126,6 +218,15 @@ class LinearModel:
         seed: int = 1,
     ) -> PermutationTest: ...
 
+def asymmetry(
+    left: Sequence[Model],
+    right: Optional[Sequence[Model]] = None,
+    *,
+    align: Literal["patient", "procrustes"] = "patient",
+    frequency: int = 16,
+    flips: int = 10000,
+    seed: int = 1,
+) -> Asymmetry: ...
 def displacement(model: Model, *, frequency: int = 16) -> Displacement: ...
 def read_model(path: Union[str, PathLike[str]]) -> Model: ...
 

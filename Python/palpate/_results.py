@@ -1,8 +1,8 @@
 """What queries return."""
 
-from typing import NamedTuple
+from typing import List, NamedTuple, Optional
 
-from numpy import float64, int32
+from numpy import bool_, float64, int32
 from numpy.typing import NDArray
 
 
@@ -78,6 +78,15 @@ class ComparedSurface(NamedTuple):
     """(n,), mm, from the other body: negative inside, if that is closed."""
 
 
+class Mirror(NamedTuple):
+    """How a mirror image at the sagittal plane was brought onto another body."""
+
+    turn: float
+    """rad."""
+    shift: NDArray[float64]
+    """(3,), mm, of its centroid."""
+
+
 class Comparison(NamedTuple):
     """A body compared with a reference. NaN is what an open mesh has not."""
 
@@ -101,6 +110,85 @@ class Comparison(NamedTuple):
     side of the reference's centroid."""
     first: ComparedSurface
     reference: ComparedSurface
+    """With `mirror`, of the mirror image; volumes and areas stay those of the body that was given."""
+    mirror: Optional[Mirror] = None
+
+
+class Motion(NamedTuple):
+    """How a body moved as a whole, and what that leaves."""
+
+    turn: float
+    """rad."""
+    shift: NDArray[float64]
+    """(3,), mm, of the centroid."""
+    rest: float
+    """mm: RMS distance of the surfaces after turn and shift."""
+    landmarks: NDArray[float64]
+    """(n, 3), mm: where they are after it."""
+
+
+class LandmarkRegistration(NamedTuple):
+    """Landmarks brought to their partners."""
+
+    map: NDArray[float64]
+    """(4, 4): of the moving landmarks, mm."""
+    rms: float
+    """mm, weighted, of what remains."""
+    turn_error: float
+    """Predicted standard deviations, rad and mm; NaN of an affine map."""
+    shift_error: float
+    residuals: NDArray[float64]
+    """(n,), mm: of each pair."""
+    weights: NDArray[float64]
+    """(n,), 0 to 1: near 0 for a wrong pair."""
+
+
+class PointRegistration(NamedTuple):
+    """Points brought onto a surface."""
+
+    map: NDArray[float64]
+    """(4, 4): of the points, mm."""
+    rms: float
+    """mm, of the distances that remain."""
+    median: float
+    turn_error: float
+    """Predicted standard deviations, rad and mm; NaN of an affine map."""
+    shift_error: float
+    has_converged: bool
+    """If not, start it closer."""
+
+
+class CheckedRule(NamedTuple):
+    """A statistic of a mask, the larger the more suspicious."""
+
+    rule: str
+    value: float
+    place: NDArray[float64]
+    """(3,), mm: where it comes from."""
+    p: float
+    """Of a clean structure of the group to have as large a value; NaN without one."""
+    is_alarm: bool
+    """Whether it alone gives a verdict."""
+
+
+class Verdict(NamedTuple):
+    """How believable a structure's mask is."""
+
+    name: str
+    verdict: str
+    """One of "plausible", "look here" and "implausible"."""
+    sentence: str
+    """What is suspicious, without the name."""
+    rule: str
+    """That gave the verdict; empty of a plausible structure."""
+    place: NDArray[float64]
+    """(3,), mm; NaN of a plausible structure."""
+    p: float
+    """Of a clean case to look as bad; NaN without a group."""
+    volume: float
+    """mm^3."""
+    rules: List[CheckedRule]
+    """All that was measured."""
 
 
 class Shape(NamedTuple):
@@ -152,7 +240,27 @@ class Shape(NamedTuple):
     axes: NDArray[float64]
     """(3, 3): row i is a unit vector along a principal axis, the longest first."""
     thickness: ComparedSurface
-    """The surface; its `distances` are the diameters of the largest balls that touch it from inside."""
+    """The surface; its `distances` are the diameters of the largest balls that touch it from inside, or the lengths of
+    its inward normals."""
+
+
+class Calibre(NamedTuple):
+    """The axis of a tube, and its n sections."""
+
+    length: float
+    """mm of the axis, from one end of the body to the other."""
+    along: NDArray[float64]
+    """(n,), mm of the axis, from its first end."""
+    centers: NDArray[float64]
+    """(n, 3), mm: here the axis is."""
+    axes: NDArray[float64]
+    """(n, 3): unit vectors along it."""
+    areas: NDArray[float64]
+    """(n,), mm^2."""
+    least: NDArray[float64]
+    """(n,), mm: the least width of each section."""
+    largest: NDArray[float64]
+    """(n,), mm: the largest."""
 
 
 class Relation(NamedTuple):
@@ -191,6 +299,57 @@ class Coefficients(NamedTuple):
     """(k, m): standard errors."""
     half_widths: NDArray[float64]
     """(k, m): of the confidence intervals."""
+
+
+class MixedFit(NamedTuple):
+    """A linear mixed model: k coefficients and t testable terms of a design, for m outcomes; NaN where one does not
+    vary."""
+
+    values: NDArray[float64]
+    """(k, m): coefficients."""
+    errors: NDArray[float64]
+    """(k, m): standard errors, with Kenward and Roger's correction."""
+    half_widths: NDArray[float64]
+    """(k, m): of the confidence intervals."""
+    f: NDArray[float64]
+    """(t, m): Kenward and Roger's tests of the terms, in the order of LinearModel.terms."""
+    numerator_degrees: NDArray[float64]
+    denominator_degrees: NDArray[float64]
+    p: NDArray[float64]
+    criterion: NDArray[float64]
+    """(m,): -2 log restricted likelihood."""
+    residual_variance: NDArray[float64]
+    """(m,)."""
+    subject_covariance: NDArray[float64]
+    """(3, m): variance of intercepts (at time 0), covariance with slopes, variance of slopes."""
+    is_singular: NDArray[bool_]
+    """(m,): no variance of subjects, or slopes that follow from intercepts."""
+
+
+class Asymmetry(NamedTuple):
+    """Left against right of n individuals, and at p points of the mean."""
+
+    squares: NDArray[float64]
+    """(3,), mm^2: of individuals, sides (directional) and their interaction (fluctuating)."""
+    degrees: NDArray[float64]
+    """(3,): of freedom."""
+    f: float
+    """Of the sides."""
+    p: float
+    individuals: NDArray[float64]
+    """(n,), mm: left minus right along the mean's normals, root mean square."""
+    points: NDArray[float64]
+    """(p, 3), mm."""
+    mean: NDArray[float64]
+    """(p,), mm: left minus right along the normals."""
+    deviations: NDArray[float64]
+    """(p,), mm."""
+    statistic: NDArray[float64]
+    """(p,): paired t."""
+    point_p: NDArray[float64]
+    """(p,)."""
+    family_p: NDArray[float64]
+    """(p,): corrected for all points, by the largest t."""
 
 
 class TermTest(NamedTuple):

@@ -16,6 +16,9 @@ struct FreeHandle
   void operator()(palpate_scene* handle) const { palpate_scene_free(handle); }
   void operator()(palpate_tracker* handle) const { palpate_tracker_free(handle); }
   void operator()(palpate_compared* handle) const { palpate_compared_free(handle); }
+  void operator()(palpate_case* handle) const { palpate_case_free(handle); }
+  void operator()(palpate_check_group* handle) const { palpate_check_group_free(handle); }
+  void operator()(palpate_checked* handle) const { palpate_checked_free(handle); }
   void operator()(palpate_design* handle) const { palpate_design_free(handle); }
   void operator()(palpate_session* handle) const { palpate_session_free(handle); }
 };

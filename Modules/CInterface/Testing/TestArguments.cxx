@@ -121,6 +121,7 @@ constexpr double Origin[3] = {0.0, 0.0, 0.0};
 constexpr double Spacing[3] = {1.0, 1.0, 1.0};
 constexpr double Axes[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 constexpr int Size[3] = {10, 10, 10};
+constexpr double Identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 test::Owned<palpate_design> Design()
 {
@@ -187,10 +188,51 @@ TEST(Arguments, ComparisonsSurviveEveryNull)
   palpate_shape shape{};
   SURVIVES(palpate_compared_shape, c, &shape, e);
   SURVIVES(palpate_compared_thickness, c, points.data(), e);
+  SURVIVES(palpate_compared_ray_thickness, c, points.data(), e);
+  SURVIVES(palpate_compared_measure, c, &b.Number, &b.Number);
+  std::vector<palpate_section> sections(10);
+  SURVIVES(palpate_compared_calibre, c, sections.data(), 10, &b.Number, e);
+  SURVIVES(palpate_compared_mirror, c, c, &b.Number, b.B.data(), e);
+  palpate_motion motion{};
+  SURVIVES(palpate_compared_motion, c, c, b.A.data(), 1, &motion, b.B.data(), e);
+  palpate_registration registration{};
+  SURVIVES(palpate_register_landmarks, b.A.data(), b.B.data(), 5, 0, 0.0, &registration, b.C.data(),
+           b.D.data(), e);
+  SURVIVES(palpate_register_points, points.data(), 50, c, 0, 0.0, Identity, &registration, e);
   palpate_relation relation{};
   SURVIVES(palpate_relate, c, c, 1.0, b.A.data(), 2, &relation, b.B.data(), points.data(), e);
   SURVIVES(palpate_compare, c, c, b.A.data(), 2, &comparison, b.B.data(), points.data(),
            points.data(), e);
+}
+
+TEST(Arguments, ChecksSurviveEveryNull)
+{
+  Buffers b;
+  palpate_error* e = &b.Error;
+  const std::vector<int32_t> labels(1000, 1);
+  const int32_t values[] = {1};
+  const char* const names[] = {"a"};
+  const std::uint8_t* const masks[] = {b.Mask.data()};
+  SURVIVES(palpate_case_of_labels, labels.data(), Size, Origin, Spacing, Axes, 1, values, names, e);
+  SURVIVES(palpate_case_of_masks, masks, Size, Origin, Spacing, Axes, 1, names, e);
+  const test::Owned<palpate_case> one(
+      palpate_case_of_masks(masks, Size, Origin, Spacing, Axes, 1, names, e));
+  ASSERT_NE(one, nullptr) << b.Error.text;
+  const palpate_case* const cases[] = {one.get(), one.get()};
+  SURVIVES(palpate_check_group_create, cases, 2, e);
+  SURVIVES(palpate_check_group_read, "absent.json", e);
+  SURVIVES(palpate_check_group_write, nullptr, "/absent/folder/a.json", e);
+  SURVIVES(palpate_check_group_least_rate, nullptr);
+  SURVIVES(palpate_check_group_dropped, nullptr, 0, b.Cases.data());
+  SURVIVES(palpate_check_group_free, nullptr);
+  SURVIVES(palpate_case_check, one.get(), nullptr, 0.05, e);
+  const test::Owned<palpate_checked> checked(palpate_case_check(one.get(), nullptr, 0.05, e));
+  palpate_verdict verdict{};
+  palpate_rule rule{};
+  SURVIVES(palpate_checked_verdict, checked.get(), 0, &verdict);
+  SURVIVES(palpate_checked_rule, checked.get(), 0, 0, &rule);
+  SURVIVES(palpate_checked_free, checked.get());
+  SURVIVES(palpate_case_free, one.get());
 }
 
 TEST(Arguments, StatisticsSurviveEveryNull)
@@ -218,6 +260,15 @@ TEST(Arguments, StatisticsSurviveEveryNull)
   SURVIVES(palpate_design_matrix, d, b.Cases.data(), b.A.data());
   SURVIVES(palpate_design_fit, d, b.A.data(), 3, 0.95, b.B.data(), b.C.data(), b.D.data(), e);
   SURVIVES(palpate_design_test, d, 0, b.A.data(), 3, b.B.data(), b.C.data(), b.D.data(), e);
+  const int32_t subjects[] = {1, 1, 2, 2, 2};
+  palpate_mixed mixed{};
+  mixed.coefficients = b.B.data();
+  SURVIVES(palpate_design_fit_mixed, d, subjects, b.C.data(), b.A.data(), 2, 0.95, &mixed, e);
+  const auto ball = test::BallModel();
+  const palpate_model* const models[] = {ball.get(), ball.get(), ball.get()};
+  palpate_asymmetry asymmetry{};
+  asymmetry.mean = b.B.data();
+  SURVIVES(palpate_find_asymmetry, models, models, 3, 0, 2, 9, 1, &asymmetry, e);
   palpate_multivariate multivariate{};
   SURVIVES(palpate_design_test_together, d, 0, b.A.data(), 2, &multivariate, e);
   SURVIVES(palpate_design_permute, d, 0, b.A.data(), 3, b.B.data(), b.Triangles.data(), 1, 5, 1,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string>
 #include <vector>
 
 namespace palpate::compared_handle_test
@@ -68,6 +69,93 @@ TEST(ComparedHandle, ABallInAnotherIsRelatedToIt)
   EXPECT_EQ(
       palpate_relate(inner.get(), outer.get(), 1.0, unsorted, 2, &found, areas, volumes, nullptr),
       0);
+}
+
+TEST(ComparedHandle, AMirrorImageComesBackOntoItsBody)
+{
+  // An egg that mirroring turns round, at the other side of the plane.
+  std::vector<double> coefficients(16, 0.0);
+  coefficients[0] = 20.0 * std::sqrt(4.0 * M_PI);
+  coefficients[3] = 5.0; // along x
+  coefficients[7] = 4.0;
+  coefficients[12] = 3.0;
+  const double here[3] = {30.0, 4.0, 5.0};
+  const Owned<palpate_model> model(palpate_model_create(3, coefficients.data(), here, nullptr));
+  coefficients[3] = -5.0;
+  coefficients[7] = -4.0; // harmonics of odd order along x
+  const double there[3] = {-30.0, 4.0, 5.0};
+  const Owned<palpate_model> other(palpate_model_create(3, coefficients.data(), there, nullptr));
+  const Owned<palpate_compared> left(palpate_compared_of_model(model.get(), nullptr));
+  const Owned<palpate_compared> right(palpate_compared_of_model(other.get(), nullptr));
+  double turn = 1.0;
+  double shift[3];
+  palpate_error error{};
+  const Owned<palpate_compared> mirrored(
+      palpate_compared_mirror(right.get(), left.get(), &turn, shift, &error));
+  ASSERT_NE(mirrored, nullptr) << error.text;
+  EXPECT_NEAR(turn, 0.0, 1e-3);
+  palpate_comparison found{};
+  ASSERT_EQ(palpate_compare(left.get(), mirrored.get(), nullptr, 0, &found, &turn, nullptr, nullptr,
+                            &error),
+            1)
+      << error.text;
+  EXPECT_LT(found.both.mean, 0.02); // of its triangles
+  double volume = 0.0;
+  double area = 0.0;
+  palpate_compared_measure(right.get(), &volume, &area);
+  EXPECT_NEAR(found.volumes[0], volume, 1e-6);
+}
+
+TEST(ComparedHandle, RaysFromTheTipsOfAnEllipsoidAreItsLength)
+{
+  std::vector<double> points(3 * palpate_mesh_point_count(16));
+  std::vector<int32_t> triangles(3 * palpate_mesh_triangle_count(16));
+  palpate_model_mesh(BallModel().get(), 16, points.data(), nullptr, triangles.data(), nullptr);
+  for (std::size_t i = 0; i < points.size(); i += 3)
+  {
+    points[i] *= 1.5;
+  }
+  const Owned<palpate_compared> body(palpate_compared_of_mesh(
+      points.data(), points.size() / 3, triangles.data(), triangles.size() / 3, nullptr));
+  std::vector<double> thickness(palpate_compared_point_count(body.get()));
+  ASSERT_EQ(palpate_compared_ray_thickness(body.get(), thickness.data(), nullptr), 1);
+  EXPECT_NEAR(*std::max_element(thickness.begin(), thickness.end()), 60.0, 0.1); // of triangles
+  ASSERT_EQ(palpate_compared_thickness(body.get(), thickness.data(), nullptr), 1);
+  EXPECT_LT(*std::max_element(thickness.begin(), thickness.end()), 41.0) << "balls do not reach";
+}
+
+TEST(ComparedHandle, ATubeHasItsCalibre)
+{
+  std::vector<uint8_t> inside(static_cast<std::size_t>(20) * 20 * 80, 0);
+  for (std::size_t v = 0; v < inside.size(); ++v)
+  {
+    const double x = static_cast<double>(v % 20) - 9.5;
+    const double y = static_cast<double>(v / 20 % 20) - 9.5;
+    const std::size_t z = v / 400;
+    inside[v] = std::hypot(x, y) <= 5.0 && z >= 5 && z < 75 ? 1 : 0;
+  }
+  const int size[3] = {20, 20, 80};
+  const double origin[3] = {0.0, 0.0, 0.0};
+  const double spacing[3] = {1.0, 1.0, 1.0};
+  const double axes[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  palpate_error error{};
+  const Owned<palpate_compared> tube(
+      palpate_compared_of_mask_shape(inside.data(), size, origin, spacing, axes, &error));
+  ASSERT_NE(tube, nullptr) << error.text;
+  double length = 0.0;
+  const std::size_t count = palpate_compared_calibre(tube.get(), nullptr, 0, &length, &error);
+  ASSERT_GT(count, 10U) << error.text;
+  EXPECT_NEAR(length, 70.0, 1.0);
+  std::vector<palpate_section> sections(count);
+  EXPECT_EQ(palpate_compared_calibre(tube.get(), sections.data(), count, &length, &error), count);
+  for (const palpate_section& one : sections)
+  {
+    EXPECT_NEAR(one.area, 25.0 * M_PI, 4.0); // of voxels
+    EXPECT_NEAR(one.center[0], 9.5, 0.1);
+    EXPECT_NEAR(std::abs(one.axis[2]), 1.0, 0.01);
+  }
+  EXPECT_EQ(palpate_compared_calibre(BallOf(7.0).get(), nullptr, 0, &length, &error), 0U);
+  EXPECT_EQ(std::string(error.text).find("the body is not long"), 0U) << error.text;
 }
 
 TEST(ComparedHandle, ABallIsRoundAndAsThickAsItsDiameter)

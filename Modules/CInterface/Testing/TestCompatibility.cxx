@@ -71,6 +71,13 @@ TEST(CInterface, StructuresHaveTheSizesOfItsVersion)
   EXPECT_EQ(sizeof(palpate_state), 136U);
   EXPECT_EQ(sizeof(palpate_term), 32U);
   EXPECT_EQ(sizeof(palpate_multivariate), 160U);
+  EXPECT_EQ(sizeof(palpate_section), 80U);
+  EXPECT_EQ(sizeof(palpate_motion), 40U);
+  EXPECT_EQ(sizeof(palpate_registration), 168U);
+  EXPECT_EQ(sizeof(palpate_verdict), 72U);
+  EXPECT_EQ(sizeof(palpate_rule), 56U);
+  EXPECT_EQ(sizeof(palpate_mixed), 88U);
+  EXPECT_EQ(sizeof(palpate_asymmetry), 120U);
 }
 
 TEST(CInterface, LongMessagesEndAtACharacter)

@@ -53,6 +53,56 @@ TEST(DesignHandle, FitsWhatOutcomesAreMadeOf)
   EXPECT_NEAR(coefficients[2], -2.0, 1e-11);
 }
 
+// Pairs: the paired t-test, and the analysis of variance of their means (Searle, Linear Models,
+// 1971).
+TEST(DesignHandle, MixedModelOfPairsIsTheirPairedTest)
+{
+  const std::array<const char*, 1> name{{"time"}};
+  const std::array<const char*, 6> times{{"0", "0", "1", "0", "1", "1"}};
+  palpate_error error{};
+  const Owned<palpate_design> design(
+      palpate_design_create("~ time", 6, 1, name.data(), times.data(), 0, nullptr, &error));
+  ASSERT_NE(design, nullptr) << error.text;
+  const std::array<int32_t, 6> subjects{5, -3, 5, 9, -3, 9};
+  const std::array<double, 6> outcomes{4.0, 9.0, 5.0, 1.0, 10.5, 3.0};
+  const double spread = 0.25; // variance of the differences 1, 1.5 and 2
+  const std::array<double, 3> means{4.5, 9.75, 2.0};
+  double between = 0.0;
+  for (const double mean : means)
+  {
+    between += 0.5 * std::pow(mean - (4.5 + 9.75 + 2.0) / 3.0, 2);
+  }
+  std::array<double, 2> coefficients{};
+  std::array<double, 2> errors{};
+  std::array<double, 1> residual{};
+  std::array<double, 3> covariance{};
+  std::array<double, 2> f{};
+  std::array<double, 2> degrees{};
+  palpate_mixed results{};
+  results.coefficients = coefficients.data();
+  results.errors = errors.data();
+  results.residual_variance = residual.data();
+  results.subject_covariance = covariance.data();
+  results.f = f.data();
+  results.denominator_degrees = degrees.data();
+  ASSERT_EQ(palpate_design_fit_mixed(design.get(), subjects.data(), nullptr, outcomes.data(), 1,
+                                     0.95, &results, &error),
+            1)
+      << error.text;
+  EXPECT_NEAR(coefficients[1], 1.5, 1e-9);
+  EXPECT_NEAR(errors[1], std::sqrt(spread / 3.0), 1e-6); // of the search for the optimum, as below
+  EXPECT_NEAR(residual[0], 0.5 * spread, 1e-6);
+  EXPECT_NEAR(covariance[0], between - 0.25 * spread, 1e-4);
+  const std::size_t term = palpate_design_term_count(design.get()) - 1;
+  EXPECT_NEAR(f[term], 1.5 * 1.5 * 3.0 / spread, 1e-4);
+  EXPECT_NEAR(degrees[term], 2.0, 1e-4);
+  const std::array<int32_t, 6> alone{1, 2, 3, 4, 5, 6};
+  EXPECT_EQ(palpate_design_fit_mixed(design.get(), alone.data(), nullptr, outcomes.data(), 1, 0.95,
+                                     &results, &error),
+            0);
+  EXPECT_NE(error.text[0], '\0');
+}
+
 TEST(DesignHandle, TermsHaveTheirColumns)
 {
   const Owned<palpate_design> design = DesignOf("~ age + group", nullptr);

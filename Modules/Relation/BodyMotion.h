@@ -2,7 +2,6 @@
 
 #include "ComparedBody.h"
 #include "KernelProgress.h"
-#include "PalpateComparisonModule.h"
 #include "Status.h"
 #include "SurfaceRegistration.h"
 
@@ -29,7 +28,7 @@ Status RegisterToBody(const IndexedMesh& moving, const Vector3& middle, const Co
 /// The motion from one body to another. A landmark (mm) on or near the first one's surface moves
 /// with the body, and from there with the surface at the nearest point. Fails as RegisterToSurface
 /// does.
-PALPATECOMPARISON_EXPORT Status FindBodyMotion(const ComparedBody& from, const ComparedBody& to,
-                                               const std::vector<Vector3>& landmarks,
-                                               const KernelProgress& progress, BodyMotion& motion);
+Status FindBodyMotion(const ComparedBody& from, const ComparedBody& to,
+                      const std::vector<Vector3>& landmarks, const KernelProgress& progress,
+                      BodyMotion& motion);
 } // namespace palpate
