@@ -50,8 +50,11 @@ const std::map<std::string, SentenceOf>& Sentences()
       {"part",
        [](One one)
        {
+         const std::string beside = !one.Other           ? ""
+                                    : one.Other->empty() ? ", which touches no other structure"
+                                                         : ", which lies against " + *one.Other;
          return "has a part of " + VolumeText(one.Amount) + " apart from the rest (" +
-                PercentText(one.Value) + " of its volume in all)";
+                PercentText(one.Value) + " of its volume in all)" + beside;
        }},
       {"hole",
        [](One one)
@@ -62,8 +65,9 @@ const std::map<std::string, SentenceOf>& Sentences()
       {"overlap",
        [](One one)
        {
-         return "shares " + VolumeText(one.Amount) + " with another structure (" +
-                PercentText(one.Value) + " of the smaller)";
+         return "shares " + VolumeText(one.Amount) + " with " +
+                one.Other.value_or("another structure") + " (" + PercentText(one.Value) +
+                " of the smaller)";
        }},
       {"pair",
        [](One one)
@@ -191,6 +195,15 @@ std::string CheckBasis(const MaskChecks& checks)
   return checks.IsByGroup ? "against a group, at false alarms in " +
                                 FixedText(100.0 * checks.Rate, 1) + " % of clean cases"
                           : "by fixed limits, without a group: the rate of false alarms is unknown";
+}
+
+std::string TooFewCasesText(const CheckGroup& group, double rate)
+{
+  return rate >= group.LeastRate()
+             ? std::string()
+             : "the group's " + std::to_string(group.Scores.size()) +
+                   " cases are too few for false alarms in " + FixedText(100.0 * rate, 1) +
+                   " % of cases; judged by fixed limits, without the group";
 }
 
 std::string CheckText(const MaskChecks& checks)

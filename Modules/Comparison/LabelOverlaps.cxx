@@ -106,7 +106,8 @@ void AddOverlaps(const Segmentation& labels, CheckedCase& patient)
     const double least =
         CubicMillimetersPerMilliliter *
         std::min(one->second->Measured.Milliliters, other->second->Measured.Milliliters);
-    for (CheckedOrgan* organ : {one->second, other->second})
+    for (const auto& [organ, with] :
+         {std::pair(one->second, other->second), std::pair(other->second, one->second)})
     {
       MaskStatistic& overlap = OverlapOf(*organ);
       const double share = volume / least;
@@ -114,6 +115,7 @@ void AddOverlaps(const Segmentation& labels, CheckedCase& patient)
       {
         overlap.Value = share;
         overlap.Amount = volume;
+        overlap.Other = with->Name;
       }
     }
   }

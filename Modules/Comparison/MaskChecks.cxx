@@ -4,6 +4,7 @@
 #include "CohortManifest.h"
 #include "ImageIndexToWorld.h"
 #include "InputError.h"
+#include "IslandNeighbour.h"
 #include "LabelMask.h"
 #include "LabelOverlaps.h"
 #include "MaskFolder.h"
@@ -71,7 +72,6 @@ std::vector<std::filesystem::path> CasesOf(const std::filesystem::path& input,
   if (folder.IsOneSegmentation())
   {
     notes.push_back(folder.TakenText());
-    notes.insert(notes.end(), folder.LeftOut().begin(), folder.LeftOut().end());
     return {input};
   }
   return FindMasks(input);
@@ -80,6 +80,14 @@ std::vector<std::filesystem::path> CasesOf(const std::filesystem::path& input,
 std::string NameOf(const Segment& structure)
 {
   return structure.Name.empty() ? "label " + std::to_string(structure.Label) : structure.Name;
+}
+
+// Names the structure that an island lies against.
+void NameNeighbour(const Segmentation& labels, const Segment& structure, const CheckedMask& mask,
+                   MaskStatistic& part)
+{
+  const Segment* const neighbour = NeighbourOfIsland(labels, structure, mask);
+  part.Other = neighbour != nullptr ? NameOf(*neighbour) : std::string();
 }
 
 CheckedMask MaskOf(const Segmentation& labels, const Segment& structure)
@@ -118,7 +126,7 @@ public:
     check.Name = name;
     try
     {
-      this->MeasureLabels(this->Read(file), check);
+      this->MeasureLabels(this->Read(file), {}, check);
     }
     catch (const Cancelled&)
     {
@@ -132,18 +140,10 @@ public:
     return check;
   }
 
-private:
-  Segmentation Read(const std::filesystem::path& file)
-  {
-    const std::lock_guard<std::mutex> lock(this->Reading); // the readers are not all thread-safe
-    return this->Settings.As == "structures" && IsMaskFolder(file)
-               ? MaskFolder(file, this->Settings.Images, false).Structures()
-               : ReadSegmentation(file, this->Settings.Images);
-  }
-
-  void MeasureLabels(const Segmentation& labels, CaseCheck& check)
+  void MeasureLabels(const Segmentation& labels, const ProgressFunction& progress, CaseCheck& check)
   {
     check.Notes = labels.Notes;
+    check.Refused = labels.Refused;
     check.Patient.IsOriented = labels.IsOriented;
     OrderedTasks<CheckedOrgan> tasks(labels.Segments.size(), this->JobsInCase,
                                      [&](std::size_t n)
@@ -156,11 +156,28 @@ private:
     for (std::size_t n = 0; n < labels.Segments.size(); ++n)
     {
       check.Patient.Organs.push_back(tasks.Next());
+      ReportProgress(progress,
+                     static_cast<double>(n + 1) / static_cast<double>(labels.Segments.size()),
+                     "checking");
     }
     this->AddWhole(labels, check.Patient);
     AddOverlaps(labels, check.Patient);
     MeasureSides(check.Patient);
     this->Judge(labels, check);
+  }
+
+private:
+  Segmentation Read(const std::filesystem::path& file)
+  {
+    const std::lock_guard<std::mutex> lock(this->Reading); // the readers are not all thread-safe
+    if (this->Settings.As != "structures" || !IsMaskFolder(file))
+    {
+      return ReadSegmentation(file, this->Settings.Images);
+    }
+    const MaskFolder folder(file, this->Settings.Images, false);
+    Segmentation all = folder.Structures();
+    all.Refused = folder.LeftOut();
+    return all;
   }
 
   void AddWhole(const Segmentation& labels, CheckedCase& patient) const
@@ -202,12 +219,26 @@ private:
     }
     for (std::size_t n = 0; n < check.Judgements.size(); ++n)
     {
-      if (check.Judgements[n].Is != OrganJudgement::Verdict::Plausible &&
-          check.Doubtful.size() < MostDoubtfulMasks)
+      if (check.Judgements[n].Is != OrganJudgement::Verdict::Plausible)
       {
-        check.Doubtful[n] =
-            check.Patient.Organs[n].IsWhole ? UnionOf(labels) : MaskOf(labels, labels.Segments[n]);
+        this->Describe(labels, n, check);
       }
+    }
+  }
+
+  // A structure that is not plausible.
+  static void Describe(const Segmentation& labels, std::size_t n, CaseCheck& check)
+  {
+    const bool isWhole = check.Patient.Organs[n].IsWhole;
+    CheckedMask mask = isWhole ? UnionOf(labels) : MaskOf(labels, labels.Segments[n]);
+    MaskStatistic& reason = check.Judgements[n].Reason;
+    if (reason.Key == "part" && !isWhole && labels.Segments.size() > 1)
+    {
+      NameNeighbour(labels, labels.Segments[n], mask, reason);
+    }
+    if (check.Doubtful.size() < MostDoubtfulMasks)
+    {
+      check.Doubtful[n] = std::move(mask);
     }
   }
 
@@ -260,6 +291,19 @@ MaskChecks MaskChecks::Measure(const std::vector<std::filesystem::path>& inputs,
     ReportProgress(progress, static_cast<double>(n + 1) / static_cast<double>(files.size()),
                    "checking");
   }
+  return checks;
+}
+
+MaskChecks MaskChecks::Of(const Segmentation& labels, const CheckSettings& settings,
+                          const ProgressFunction& progress)
+{
+  MaskChecks checks;
+  checks.Rate = settings.Rate;
+  checks.IsByGroup = settings.Group != nullptr;
+  CaseCheck check;
+  check.File = labels.Source;
+  CaseReader(settings, 1).MeasureLabels(labels, progress, check);
+  checks.Cases.push_back(std::move(check));
   return checks;
 }
 
