@@ -98,6 +98,7 @@ CheckPanel::CheckPanel(StudyController& study, StructureVerdicts& verdicts,
   settings->addRow("False alarms", this->FalseAlarms);
   auto* text = new QScrollArea(this); // there may be many lines
   text->setWidget(this->Line);
+  this->Line->setMargin(4);
   text->setWidgetResizable(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 2, 4, 2);
@@ -188,7 +189,7 @@ void CheckPanel::Take(const StructureVerdicts::Masks& masks, const MaskChecks& f
     return;
   }
   const CaseCheck& checked = found.Cases.front();
-  QString text = ScreenString(CheckTally(found)) + ",\n" + ScreenString(CheckBasis(found)) + ".\n";
+  QString text = ScreenString(CheckTally(found) + ", " + CheckBasis(found)) + ".\n";
   text += note.isEmpty() ? QString() : note + ".\n";
   text += SentenceOfWhole(checked);
   for (const RefusedMask& mask : checked.Refused)

@@ -172,7 +172,8 @@ int StructureTable::WidthBesideNames() const
   const QHeaderView* header = this->horizontalHeader();
   const int next = header->logicalIndex(header->visualIndex(StructureTableModel::NameColumn) + 1);
   return next == StructureTableModel::StatusColumn
-             ? this->fontMetrics().horizontalAdvance("\u2716 implausible; ...")
+             ? this->fontMetrics().horizontalAdvance("\u2716 implausible") +
+                   2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2)
              : header->sectionSize(next);
 }
 
@@ -200,7 +201,10 @@ void StructureTable::FitName()
   const int free = this->viewport()->width() - header->length() + header->sectionSize(Name);
   const QScopedValueRollback<bool> fitting(this->IsFitting, true);
   const int names = std::max(std::min(this->WidthOfNames(), beside), free);
-  header->resizeSection(Name, std::max(this->WidthOf(Name), names));
+  // Names keep their ends; a verdict needs its beginning.
+  const bool isVerdictNext =
+      header->visualIndex(StructureTableModel::StatusColumn) == header->visualIndex(Name) + 1;
+  header->resizeSection(Name, std::max(this->WidthOf(Name) / (isVerdictNext ? 2 : 1), names));
 }
 
 void StructureTable::resizeEvent(QResizeEvent* event)

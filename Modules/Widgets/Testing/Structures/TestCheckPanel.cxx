@@ -8,10 +8,13 @@
 #include "WindowLook.h"
 #include "WindowTest.h"
 
+#include "vtkCamera.h"
+
 #include <QContextMenuEvent>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <algorithm>
@@ -282,7 +285,7 @@ TEST_F(CheckPanelTest, GroupAndRateAreUsedAndRemembered)
   WriteGroup(this->Phantom.Folder / "clean", file);
   this->Open();
   this->ShowPanel();
-  this->Opened = {QString::fromStdString(file.string())};
+  this->Opened = QStringList(QString::fromStdString(file.string()));
   QTest::mouseClick(this->Button("check-choose-group"), Qt::LeftButton);
   EXPECT_EQ(this->Window->findChild<QLabel*>("check-group")->text(), "group.json");
   auto* rate = this->Window->findChild<QDoubleSpinBox*>("check-false-alarms");
@@ -311,7 +314,7 @@ TEST_F(CheckPanelTest, MalformedGroupIsNamedAndMarksNothing)
   std::ofstream(file) << R"({"format": 3})";
   this->Open();
   this->ShowPanel();
-  this->Opened = {QString::fromStdString(file.string())};
+  this->Opened = QStringList(QString::fromStdString(file.string()));
   QTest::mouseClick(this->Button("check-choose-group"), Qt::LeftButton);
   this->Check();
   EXPECT_TRUE(this->Line().contains("bad.json")) << this->Line().toStdString();
