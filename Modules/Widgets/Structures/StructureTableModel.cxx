@@ -317,7 +317,8 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
   case Qt::AccessibleTextRole:
     return Titles.value(section);
   case Qt::TextAlignmentRole: // a wide column, of which the beginning is seen
-    return section == StatusColumn ? QVariant(Qt::AlignLeft | Qt::AlignVCenter) : QVariant();
+    return section == StatusColumn ? QVariant(static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter))
+                                   : QVariant();
   case Qt::ToolTipRole:
     return Tips.value(section);
   default:
