@@ -14,8 +14,8 @@ namespace palpate
 {
 class ScalarField;
 
-/// Samples of a field of tricubic voxels that take 5 ms.
-constexpr int MostFieldSamples = 40000;
+/// Samples that take 5 ms in a tricubic field, and 1.6 ms in a trilinear one.
+constexpr int MostFieldSamples = 70000;
 
 /// The contour of a field's material in a plane, within the pixels of a box, from samples at every
 /// pixel; of more than MostFieldSamples at every second one.
