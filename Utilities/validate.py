@@ -42,9 +42,9 @@ limits and reports what it changed.
 
 # Measured by hand beside the table.
 REMARKS = """
-Measured on 29 November 2026 on a two-core AMD EPYC, two masks at a time. Distances are from another boundary than now;
-those of radial models are 3 to 4 % longer. With `--repair`, 10319_1000325's peripheral zone is modelled at degree 20
-with Dice 0.955, 0.39 % repaired. Models of a mask with noise, on another grid and mirrored have the same parameter
+Measured on 30 November 2026 on two cores of an Intel Xeon, two masks at a time; other programs ran now and then, so
+seconds are up to twice those of a quiet machine. With `--repair`, 10319_1000325's peripheral zone is modelled at degree
+20 with Dice 0.955, 0.39 % repaired. Models of a mask with noise, on another grid and mirrored have the same parameter
 within 0.51 mm in the mean over zones, 2.6 mm in the worst zone
 ([parametrisation](../../Modules/Mesh/Parametrisation/README.md)).
 """
@@ -274,8 +274,8 @@ def main():
          "once or inside out.", lambda: series(program, arguments.data) + REMARKS),
         ("The degree that is found", "`--degree auto` next to the default of 12, both with `--model "
          "automatic`. *Worse*: structures whose Dice is lower by more than 0.0005, or whose 95 % "
-         "distance is longer by more than 0.005 mm, than at degree 12. Measured on 29 November 2026 "
-         "on two cores of an Intel Xeon, two masks at a time; AAL's times while other programs ran.",
+         "distance is longer by more than 0.005 mm, than at degree 12. Measured on 30 November 2026 "
+         "on two cores of an Intel Xeon, two masks at a time, while other programs took most of the machine.",
          lambda: found_degree(program, arguments.data)),
         ("Against SPHARM-PDM", "", lambda: COMPARISON),
         ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 around their true "

@@ -103,13 +103,12 @@ int CheckCommand::MakeGroup(const MaskChecks& measured, Console& console) const
 
 const CheckGroup* CheckCommand::UsableGroup(const CheckGroup& group, Console& console) const
 {
-  if (this->Settings.Rate >= group.LeastRate())
+  const std::string tooFew = TooFewCasesText(group, this->Settings.Rate);
+  if (tooFew.empty())
   {
     return &group;
   }
-  console.Note("the group's " + std::to_string(group.Scores.size()) +
-               " cases are too few for false alarms in " + FixedText(this->Percent, 1) +
-               " % of cases; judged by fixed limits, without the group");
+  console.Note(tooFew);
   return nullptr;
 }
 
@@ -154,6 +153,11 @@ int CheckCommand::Run(Console& console)
     if (!one.IsChecked())
     {
       console.Error(one.Message);
+    }
+    for (const RefusedMask& mask : one.Refused)
+    {
+      tally.Add(FitResult::Outcome::BadInput);
+      console.Error(mask.Message);
     }
     isImplausible = isImplausible || one.Worst() == OrganJudgement::Verdict::Implausible;
   }

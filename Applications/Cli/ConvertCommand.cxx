@@ -290,11 +290,11 @@ Segmentation ConvertCommand::ReadLabels(Console& console)
   const MaskFolder folder(this->Input, this->Images.Choice(), false,
                           [](std::size_t, std::size_t) { RequireGoingOn(); });
   // An empty or broken mask, or one on another grid, leaves the others.
-  for (const std::string& message : folder.LeftOut())
+  for (const RefusedMask& mask : folder.LeftOut())
   {
     ++this->Tally.Cases;
     ++this->Tally.BadInputs;
-    console.Error(message);
+    console.Error(mask.Message);
   }
   this->Tally.Cases += static_cast<int>(folder.Count());
   PassOn(folder.Structures().Notes, console);

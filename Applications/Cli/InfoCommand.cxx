@@ -103,10 +103,10 @@ bool InfoCommand::DescribeAsOne(const std::string& input, Console& console)
   {
     return false;
   }
-  for (const std::string& message : folder->LeftOut())
+  for (const RefusedMask& mask : folder->LeftOut())
   {
     this->Attempt(
-        input, [&] { throw InputError(message); }, console);
+        input, [&] { throw InputError(mask.Message); }, console);
   }
   ImageContent content;
   content.Kind = "folder of masks";

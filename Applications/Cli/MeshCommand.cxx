@@ -160,7 +160,7 @@ void MeshCommand::MeshFile(std::size_t file, Console& console)
                      console);
     return;
   }
-  for (const std::string& note : segmentation.Notes)
+  for (const std::string& note : segmentation.Remarks())
   {
     console.Note(input.string() + ": " + note);
   }

@@ -1,5 +1,6 @@
 #include "CaseMasks.h"
 
+#include "IslandNeighbours.h"
 #include "OrderedTasks.h"
 #include "Units.h"
 
@@ -47,13 +48,14 @@ long long SharedVoxels(const VoxelMask& a, const VoxelMask& b)
 }
 
 // Keeps the larger share of an organ.
-void TakeOverlap(double share, double volume, CheckedOrgan& organ)
+void TakeOverlap(double share, double volume, const CheckedOrgan& other, CheckedOrgan& organ)
 {
   MaskStatistic& overlap = organ.Measured.Statistics.back();
   if (share <= NestedShare && share > overlap.Value)
   {
     overlap.Value = share;
     overlap.Amount = volume;
+    overlap.Other = other.Name;
   }
 }
 
@@ -81,8 +83,8 @@ void AddOverlaps(const CaseMasks& masks, CheckedCase& patient)
       CheckedOrgan& other = patient.Organs[b];
       const double least = CubicMillimetersPerMilliliter *
                            std::min(one.Measured.Milliliters, other.Measured.Milliliters);
-      TakeOverlap(volume / least, volume, one);
-      TakeOverlap(volume / least, volume, other);
+      TakeOverlap(volume / least, volume, other, one);
+      TakeOverlap(volume / least, volume, one, other);
     }
   }
 }
@@ -112,7 +114,8 @@ CheckedMask CaseMasks::Union() const
   return UnionOf(masks);
 }
 
-CheckedCase MeasureCase(const CaseMasks& masks, const RadialProbe& probe, std::size_t atATime)
+CheckedCase MeasureCase(const CaseMasks& masks, const RadialProbe& probe, std::size_t atATime,
+                        const std::function<void(double)>& report)
 {
   CheckedCase patient;
   patient.IsOriented = masks.IsOriented;
@@ -123,6 +126,15 @@ CheckedCase MeasureCase(const CaseMasks& masks, const RadialProbe& probe, std::s
   {
     patient.Organs.push_back(
         {one.Name.empty() ? "label " + std::to_string(one.Label) : one.Name, false, tasks.Next()});
+    if (report)
+    {
+      report(static_cast<double>(patient.Organs.size()) /
+             static_cast<double>(masks.Structures.size()));
+    }
+  }
+  if (masks.Structures.size() > 1 && masks.AreOnOneGrid)
+  {
+    NameIslandNeighbours(masks, patient);
   }
   if (masks.LayerCount > 1 && masks.AreOnOneGrid)
   {

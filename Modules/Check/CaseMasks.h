@@ -35,8 +35,11 @@ struct CaseMasks
 /// Measures each structure (`atATime` threads); two to eight that have one body together as one,
 /// too (CheckedCase::WholeName); between layers "overlap": the largest share of the smaller of two
 /// structures that is in both, unless that is more than nine tenths (a part of an organ may be a
-/// structure of its own; Amount: mm^3); and sides (MeasureSides). Rethrows what MaskOf throws.
-CheckedCase MeasureCase(const CaseMasks& masks, const RadialProbe& probe, std::size_t atATime);
+/// structure of its own; Amount: mm^3); what islands lie against (NameIslandNeighbours); and sides
+/// (MeasureSides). `report`, which may be empty, receives the part of the structures that are
+/// measured. Rethrows what it and MaskOf throw.
+CheckedCase MeasureCase(const CaseMasks& masks, const RadialProbe& probe, std::size_t atATime,
+                        const std::function<void(double)>& report = {});
 
 /// Of each organ of a case: against a group at a rate of false alarms (CheckGroup::Judge), or
 /// without one (null) by fixed limits.

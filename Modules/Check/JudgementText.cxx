@@ -45,8 +45,11 @@ const std::map<std::string, SentenceOf>& Sentences()
       {"part",
        [](One one)
        {
+         const std::string beside = !one.Other           ? ""
+                                    : one.Other->empty() ? ", which touches no other structure"
+                                                         : ", which lies against " + *one.Other;
          return "has a part of " + VolumeText(one.Amount) + " apart from the rest (" +
-                PercentText(one.Value) + " of its volume in all)";
+                PercentText(one.Value) + " of its volume in all)" + beside;
        }},
       {"hole",
        [](One one)
@@ -57,8 +60,9 @@ const std::map<std::string, SentenceOf>& Sentences()
       {"overlap",
        [](One one)
        {
-         return "shares " + VolumeText(one.Amount) + " with another structure (" +
-                PercentText(one.Value) + " of the smaller)";
+         return "shares " + VolumeText(one.Amount) + " with " +
+                one.Other.value_or("another structure") + " (" + PercentText(one.Value) +
+                " of the smaller)";
        }},
       {"pair",
        [](One one)

@@ -2,6 +2,7 @@
 
 #include "Vector3.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct MaskStatistic
   double Value = 0.0;
   Vector3 Place = Vector3::Zero(); ///< world, mm
   double Amount = 0.0;             ///< for the sentence, in the rule's unit
+  /// The name of the other structure that it concerns; empty if there is none where it was looked
+  /// for.
+  std::optional<std::string> Other = {};
 };
 
 using MaskStatistics = std::vector<MaskStatistic>;

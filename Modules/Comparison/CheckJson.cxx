@@ -58,11 +58,16 @@ std::string CheckJson(const MaskChecks& checks, const std::string& folder)
     {
       organs.push_back(OrganCheckJson(one.Patient.Organs[n], one.Judgements[n]));
     }
+    std::vector<std::string> notes = one.Notes;
+    for (const RefusedMask& mask : one.Refused)
+    {
+      notes.push_back(mask.Message);
+    }
     cases.push_back({{"name", one.Name},
                      {"file", one.File.string()},
                      {"verdict", one.IsChecked() ? Json(VerdictWord(one.Worst())) : Json()},
                      {"message", one.Message},
-                     {"notes", one.Notes},
+                     {"notes", notes},
                      {"structures", organs}});
   }
   const Json json{{JsonSchemaKey, JsonSchemaVersion},
@@ -82,6 +87,20 @@ std::string CheckTable(const MaskChecks& checks)
     if (!one.IsChecked())
     {
       text += CsvLine({one.Name, {}, "not checked", one.Message, {}, {}, {}, {}, {}, {}, {}});
+    }
+    for (const RefusedMask& mask : one.Refused)
+    {
+      text += CsvLine({one.Name,
+                       mask.File.filename().string(),
+                       "not checked",
+                       mask.Message,
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {},
+                       {}});
     }
     for (std::size_t n = 0; n < one.Judgements.size(); ++n)
     {

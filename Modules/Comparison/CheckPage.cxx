@@ -145,6 +145,10 @@ std::string CheckPage(const MaskChecks& checks)
     {
       notes.push_back(one.Name + ": " + note);
     }
+    for (const RefusedMask& mask : one.Refused)
+    {
+      unchecked.push_back(one.Name + ": " + mask.Message);
+    }
     if (!one.IsChecked())
     {
       unchecked.push_back(one.Name + ": " + one.Message);

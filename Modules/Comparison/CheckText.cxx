@@ -53,6 +53,15 @@ std::string CheckBasis(const MaskChecks& checks)
                           : "by fixed limits, without a group: the rate of false alarms is unknown";
 }
 
+std::string TooFewCasesText(const CheckGroup& group, double rate)
+{
+  return rate >= group.LeastRate()
+             ? std::string()
+             : "the group's " + std::to_string(group.Scores.size()) +
+                   " cases are too few for false alarms in " + FixedText(100.0 * rate, 1) +
+                   " % of cases; judged by fixed limits, without the group";
+}
+
 std::string CheckText(const MaskChecks& checks)
 {
   TextTable table;

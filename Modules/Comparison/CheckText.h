@@ -17,7 +17,9 @@ PALPATECOMPARISON_EXPORT std::string PatientPlace(const Vector3& world);
 /// What the command prints: a line for each structure that is not plausible, the worst case first.
 PALPATECOMPARISON_EXPORT std::string CheckText(const MaskChecks& checks);
 /// "8 structures of 3 cases: 6 plausible, 1 to look at, 1 implausible".
-std::string CheckTally(const MaskChecks& checks);
+PALPATECOMPARISON_EXPORT std::string CheckTally(const MaskChecks& checks);
 /// By what was judged, with the rate of false alarms.
-std::string CheckBasis(const MaskChecks& checks);
+PALPATECOMPARISON_EXPORT std::string CheckBasis(const MaskChecks& checks);
+/// Why a group cannot hold a rate of false alarms (0..1) and the limits apply; empty if it can.
+PALPATECOMPARISON_EXPORT std::string TooFewCasesText(const CheckGroup& group, double rate);
 } // namespace palpate

@@ -70,7 +70,7 @@ std::vector<Segment> ComparedFile::Structures() const
 std::vector<std::string> ComparedFile::Notes() const
 {
   const Segmentation* labels = this->Labels();
-  return labels != nullptr ? labels->Notes : std::vector<std::string>();
+  return labels != nullptr ? labels->Remarks() : std::vector<std::string>();
 }
 
 ComparedBody ComparedFile::Body(const Segment& structure, MaskBody ofMask) const

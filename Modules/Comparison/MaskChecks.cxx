@@ -68,7 +68,6 @@ std::vector<std::filesystem::path> CasesOf(const std::filesystem::path& input,
   if (folder.IsOneSegmentation())
   {
     notes.push_back(folder.TakenText());
-    notes.insert(notes.end(), folder.LeftOut().begin(), folder.LeftOut().end());
     return {input};
   }
   return FindMasks(input);
@@ -124,7 +123,7 @@ public:
     check.Name = name;
     try
     {
-      this->MeasureLabels(this->Read(file), check);
+      this->MeasureLabels(this->Read(file), {}, check);
     }
     catch (const Cancelled&)
     {
@@ -138,20 +137,14 @@ public:
     return check;
   }
 
-private:
-  Segmentation Read(const std::filesystem::path& file)
-  {
-    const std::lock_guard<std::mutex> lock(this->Reading); // the readers are not all thread-safe
-    return this->Settings.As == "structures" && IsMaskFolder(file)
-               ? MaskFolder(file, this->Settings.Images, false).Structures()
-               : ReadSegmentation(file, this->Settings.Images);
-  }
-
-  void MeasureLabels(const Segmentation& labels, CaseCheck& check)
+  void MeasureLabels(const Segmentation& labels, const ProgressFunction& progress, CaseCheck& check)
   {
     const CaseMasks masks = MasksOf(labels);
     check.Notes = labels.Notes;
-    check.Patient = MeasureCase(masks, this->Probe, this->JobsInCase);
+    check.Refused = labels.Refused;
+    check.Patient =
+        MeasureCase(masks, this->Probe, this->JobsInCase,
+                    [&progress](double part) { ReportProgress(progress, part, "checking"); });
     check.Judgements = JudgeCase(check.Patient, this->Settings.Group, this->Settings.Rate);
     for (std::size_t n = 0; n < check.Judgements.size(); ++n)
     {
@@ -161,6 +154,20 @@ private:
         check.Doubtful[n] = check.Patient.Organs[n].IsWhole ? masks.Union() : masks.MaskOf(n);
       }
     }
+  }
+
+private:
+  Segmentation Read(const std::filesystem::path& file)
+  {
+    const std::lock_guard<std::mutex> lock(this->Reading); // the readers are not all thread-safe
+    if (this->Settings.As != "structures" || !IsMaskFolder(file))
+    {
+      return ReadSegmentation(file, this->Settings.Images);
+    }
+    const MaskFolder folder(file, this->Settings.Images, false);
+    Segmentation all = folder.Structures();
+    all.Refused = folder.LeftOut();
+    return all;
   }
 
   const CheckSettings& Settings;
@@ -212,6 +219,19 @@ MaskChecks MaskChecks::Measure(const std::vector<std::filesystem::path>& inputs,
     ReportProgress(progress, static_cast<double>(n + 1) / static_cast<double>(files.size()),
                    "checking");
   }
+  return checks;
+}
+
+MaskChecks MaskChecks::Of(const Segmentation& labels, const CheckSettings& settings,
+                          const ProgressFunction& progress)
+{
+  MaskChecks checks;
+  checks.Rate = settings.Rate;
+  checks.IsByGroup = settings.Group != nullptr;
+  CaseCheck check;
+  check.File = labels.Source;
+  CaseReader(settings, 1).MeasureLabels(labels, progress, check);
+  checks.Cases.push_back(std::move(check));
   return checks;
 }
 

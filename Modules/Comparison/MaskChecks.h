@@ -4,6 +4,7 @@
 #include "CheckedCase.h"
 #include "PalpateComparisonModule.h"
 #include "Progress.h"
+#include "Segmentation.h"
 #include "Volume.h"
 
 #include <cstddef>
@@ -30,6 +31,7 @@ struct CaseCheck
   std::string Name;
   std::string Message; ///< why it is not checked; empty if it is
   std::vector<std::string> Notes;
+  std::vector<RefusedMask> Refused; ///< that the case lacks
   CheckedCase Patient;
   std::vector<OrganJudgement> Judgements;      ///< of each organ
   std::map<std::size_t, CheckedMask> Doubtful; ///< masks of organs that are not plausible, by place
@@ -53,6 +55,9 @@ struct MaskChecks
   PALPATECOMPARISON_EXPORT static MaskChecks Of(const std::vector<std::filesystem::path>& inputs,
                                                 const CheckSettings& settings,
                                                 const ProgressFunction& progress);
+  /// A segmentation that was read, as one case. Throws Cancelled.
+  PALPATECOMPARISON_EXPORT static MaskChecks
+  Of(const Segmentation& labels, const CheckSettings& settings, const ProgressFunction& progress);
   /// Measures the same for a group: in the order of the inputs, without judgements.
   PALPATECOMPARISON_EXPORT static MaskChecks
   Measure(const std::vector<std::filesystem::path>& inputs, const CheckSettings& settings,

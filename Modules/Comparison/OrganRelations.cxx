@@ -90,19 +90,13 @@ public:
       return;
     }
     const ComparedFile& file = *this->Files.back();
-    const std::vector<std::filesystem::path> masks =
-        file.Labels() != nullptr ? ImagesIn(path) : std::vector<std::filesystem::path>();
-    for (const std::string& note : file.Notes())
+    if (const Segmentation* labels = file.Labels())
     {
-      // A note on a mask of a folder begins with its path: it was left out.
-      const auto lost = std::find_if(masks.begin(), masks.end(),
-                                     [&](const std::filesystem::path& mask)
-                                     { return note.rfind(mask.string() + " ", 0) == 0; });
-      if (lost != masks.end())
+      for (const RefusedMask& mask : labels->Refused)
       {
-        this->Made.Organs.push_back(LostOrgan(*lost, note));
+        this->Made.Organs.push_back(LostOrgan(mask.File, mask.Message));
       }
-      else
+      for (const std::string& note : labels->Notes)
       {
         this->Made.Notes.push_back(path.filename().string() + ": " + note);
       }

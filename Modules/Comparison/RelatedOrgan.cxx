@@ -7,7 +7,6 @@
 #include "LocalThickness.h"
 #include "MeshDistances.h"
 #include "ScanBorder.h"
-#include "SurfaceTopology.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -165,8 +164,7 @@ RelatedOrgan MeasureOrgan(const ComparedFile& file, const Segment& structure,
       return RelatedBody::Make(std::move(body), spread, made);
     }
     const std::array<int, 3> size = ImageSizeOf(file, structure);
-    organ.CutArea = MeasureEnclosed(body.Surface()).Area -
-                    MeasureEnclosed(WithoutCut(body.Surface(), *body.Mask(), size)).Area;
+    organ.CutArea = CutAreaOf(body.Surface(), *body.Mask(), size);
     return RelatedBody::Make(std::move(body), spread, made, measures.KeepCuts ? nullptr : &size);
   };
   Measure(make, measures, organ);

@@ -73,6 +73,7 @@ struct FitResult
   vtkSmartPointer<vtkImageData> Mask; ///< the label layer, on its own grid
   double MaskMilliliters = 0.0;       ///< of the fitted component
   bool TouchesBorder = false;
+  double CutArea = 0.0; ///< mm^2 of Surface where the border of the image cuts it (CutAreaOf)
   std::vector<double> ComponentMilliliters; ///< descending
   int CavityCount = 0;
   double CavityMilliliters = 0.0;

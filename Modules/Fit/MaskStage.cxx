@@ -7,11 +7,13 @@
 #include "LabelMask.h"
 #include "MaskSurface.h"
 #include "MeshConversion.h"
+#include "ScanBorder.h"
 #include "StageClock.h"
 #include "StructureRemarks.h"
 #include "Units.h"
 #include "VoxelMinimum.h"
 
+#include <array>
 #include <utility>
 
 namespace palpate
@@ -40,6 +42,13 @@ MaskSurface SurfaceOf(const FitResult& result, LabelMask label, int component, b
     throw FilterError(status.Message());
   }
   return surface;
+}
+
+double CutOf(const MaskSurface& surface, const FitResult& result)
+{
+  std::array<int, 3> size{};
+  result.Mask->GetDimensions(size.data());
+  return CutAreaOf(surface.Mesh, {LabelVoxels(result).Mask, IndexToWorldOf(result.Mask)}, size);
 }
 
 void TakeSurface(const MaskSurface& surface, FitResult& result)
@@ -74,6 +83,7 @@ void RunMaskSurface(FitSurface& made, const ProgressFunction& progress)
   const MaskSurface surface = SurfaceOf(result, std::move(label), result.Settings.Component,
                                         isPlain, PartOf(progress, 0.0, 0.8));
   TakeSurface(surface, result);
+  result.CutArea = result.TouchesBorder ? CutOf(surface, result) : 0.0;
   clock.EndStage("surface");
   result.Message = TooFewVoxels(surface.MaskVolume, result.Mask);
   if (!result.Message.empty())

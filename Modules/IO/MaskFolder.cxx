@@ -123,8 +123,9 @@ void MaskFolder::RefuseGrid(const std::vector<std::filesystem::path>& masks)
 {
   for (const std::filesystem::path& mask : masks)
   {
-    this->Refused.push_back(mask.string() + " lies on another grid than most masks of its folder; "
-                                            "resample it, or read it on its own.");
+    this->Refused.push_back({mask, mask.string() +
+                                       " lies on another grid than most masks of its folder; "
+                                       "resample it, or read it on its own."});
   }
 }
 
@@ -144,7 +145,7 @@ std::vector<MaskFolder::OneGrid> MaskFolder::SortByGrid(const VolumeChoice& choi
     }
     catch (const InputError& error)
     {
-      this->Refused.emplace_back(error.what());
+      this->Refused.push_back({mask, error.what()});
     }
   }
   if (grids.empty())
@@ -171,7 +172,7 @@ void MaskFolder::Read(const std::vector<std::filesystem::path>& masks, const Vol
     }
     catch (const InputError& error)
     {
-      this->Refused.emplace_back(error.what());
+      this->Refused.push_back({masks[n], error.what()});
     }
     areCases = judges && collected.Count == EnoughForCases && collected.MostlyOverlap();
   }

@@ -56,8 +56,8 @@ public:
   std::size_t Count() const { return this->MaskCount; }
   /// All masks that were read, in layers if some overlap; with `judges`, not all if they are cases.
   const Segmentation& Structures() const { return this->All; }
-  /// Messages about masks that were left out.
-  const std::vector<std::string>& LeftOut() const { return this->Refused; }
+  /// Masks that were left out.
+  const std::vector<RefusedMask>& LeftOut() const { return this->Refused; }
 
 private:
   struct OneGrid
@@ -75,6 +75,6 @@ private:
   std::size_t MaskCount = 0; // that were read
   std::string Reason;
   Segmentation All;
-  std::vector<std::string> Refused;
+  std::vector<RefusedMask> Refused;
 };
 } // namespace palpate

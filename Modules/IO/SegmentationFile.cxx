@@ -118,7 +118,7 @@ Segmentation StructuresOf(const MaskFolder& folder, const std::filesystem::path&
   if (folder.Is() == MaskFolder::Kind::Structures)
   {
     Segmentation all = folder.Structures();
-    all.Notes.insert(all.Notes.end(), folder.LeftOut().begin(), folder.LeftOut().end());
+    all.Refused = folder.LeftOut();
     return all;
   }
   Refuse(path, "holds " + folder.Why() + ", so they are not the structures of one patient",

@@ -13,12 +13,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSegmentationReader);
 
 struct vtkSegmentationReader::ReadState
 {
   palpate::Segmentation Segmentation;
+  std::vector<std::string> Remarks;
   std::optional<std::string> FileName; ///< of the file that was read
   bool RefuseLeftHanded = false;       ///< when it was read
 
@@ -85,12 +87,12 @@ void vtkSegmentationReader::GetSegmentColor(int index, double color[3])
 
 int vtkSegmentationReader::GetNumberOfNotes()
 {
-  return static_cast<int>(this->State->Segmentation.Notes.size());
+  return static_cast<int>(this->State->Remarks.size());
 }
 
 const char* vtkSegmentationReader::GetNote(int index)
 {
-  const auto& notes = this->State->Segmentation.Notes;
+  const auto& notes = this->State->Remarks;
   const bool exists = index >= 0 && index < static_cast<int>(notes.size());
   return exists ? notes[static_cast<std::size_t>(index)].c_str() : nullptr;
 }
@@ -114,6 +116,7 @@ bool vtkSegmentationReader::ReadFile()
     vtkErrorMacro(<< palpate::MessageOf(error));
     return false;
   }
+  this->State->Remarks = this->State->Segmentation.Remarks();
   for (const auto& layer : this->State->Segmentation.Layers)
   {
     // ParaView shows named arrays only.

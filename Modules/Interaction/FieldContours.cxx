@@ -8,7 +8,6 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkRenderer.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -19,7 +18,6 @@ namespace palpate
 {
 namespace
 {
-constexpr int SampleStep = 2;          // pixels between samples
 constexpr double FieldLineWidth = 1.5; // points, like those of surfaces
 constexpr double SelectedFieldWidth = 3.0;
 
@@ -42,7 +40,7 @@ double MarginAt(const FieldSampler& sampler, const FieldMaterial& material, cons
 // The pixels of a slice that a box (world, mm) covers, from the lower left; empty if it is not cut.
 PixelGrid PixelsOf(const SlicePosition& slice, const double box[6])
 {
-  constexpr int Edge = 2 * SampleStep;
+  constexpr int Edge = 4; // two samples of the coarse contour
   PixelGrid pixels = slice.Pixels();
   Eigen::AlignedBox3d covered; // column, row, height
   for (int corner = 0; corner < 8; ++corner)
@@ -69,8 +67,9 @@ PixelGrid PixelsOf(const SlicePosition& slice, const double box[6])
 std::vector<SurfaceCurve> ContourOfField(const std::shared_ptr<const ScalarField>& field,
                                          int material, const PixelGrid& pixels)
 {
-  const int columns = pixels.Width / SampleStep + 1;
-  const int rows = pixels.Height / SampleStep + 1;
+  const int step = pixels.Width * pixels.Height > MostFieldSamples ? 2 : 1; // pixels
+  const int columns = pixels.Width / step + 1;
+  const int rows = pixels.Height / step + 1;
   std::vector<SurfaceCurve> curves;
   if (field == nullptr || material >= field->MaterialCount() || pixels.Width < 1 ||
       pixels.Height < 1)
@@ -86,7 +85,7 @@ std::vector<SurfaceCurve> ContourOfField(const std::shared_ptr<const ScalarField
   {
     for (int column = 0; column < columns; ++column)
     {
-      const Vector3 world = pixels.PixelWorld(SampleStep * column, SampleStep * row);
+      const Vector3 world = pixels.PixelWorld(step * column, step * row);
       *margin++ = static_cast<float>(MarginAt(sampler, field->Material(material), world));
     }
   }
@@ -99,7 +98,7 @@ std::vector<SurfaceCurve> ContourOfField(const std::shared_ptr<const ScalarField
   const auto place = [&](vtkIdType point)
   {
     const double* at = found->GetPoint(point);
-    return pixels.PixelWorld(SampleStep * at[0], SampleStep * at[1]);
+    return pixels.PixelWorld(step * at[0], step * at[1]);
   };
   const auto lines = vtk::TakeSmartPointer(found->GetLines()->NewIterator());
   for (lines->GoToFirstCell(); !lines->IsDoneWithTraversal(); lines->GoToNextCell())
@@ -112,55 +111,13 @@ std::vector<SurfaceCurve> ContourOfField(const std::shared_ptr<const ScalarField
   return curves;
 }
 
-void FieldContours::SetRenderer(vtkRenderer* renderer)
-{
-  for (const Contour& contour : this->Contours)
-  {
-    if (this->Renderer != nullptr)
-    {
-      this->Renderer->RemoveViewProp(contour.Curves->Actor());
-    }
-    if (renderer != nullptr)
-    {
-      renderer->AddViewProp(contour.Curves->Actor());
-    }
-  }
-  this->Renderer = renderer;
-}
-
-void FieldContours::Add(vtkVolume* volume)
-{
-  Contour contour;
-  contour.Volume = volume;
-  contour.Curves = std::make_unique<CurveActor>();
-  if (this->Renderer != nullptr)
-  {
-    this->Renderer->AddViewProp(contour.Curves->Actor());
-  }
-  this->Contours.push_back(std::move(contour));
-}
-
-void FieldContours::Remove(vtkVolume* volume)
-{
-  const auto gone = std::find_if(this->Contours.begin(), this->Contours.end(),
-                                 [volume](const Contour& one) { return one.Volume == volume; });
-  if (gone != this->Contours.end())
-  {
-    if (this->Renderer != nullptr)
-    {
-      this->Renderer->RemoveViewProp(gone->Curves->Actor());
-    }
-    this->Contours.erase(gone);
-  }
-}
-
 void FieldContours::Update(const SlicePosition& slice)
 {
-  for (Contour& contour : this->Contours)
+  for (Entry& contour : this->Entries)
   {
-    auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(contour.Volume->GetMapper());
+    auto* mapper = vtkSubVoxelVolumeMapper::SafeDownCast(contour.Of->GetMapper());
     const auto field = mapper != nullptr ? mapper->GetField() : nullptr;
-    const bool isShown = field != nullptr && contour.Volume->GetVisibility() != 0;
+    const bool isShown = field != nullptr && contour.Of->GetVisibility() != 0;
     contour.Curves->SetVisible(isShown);
     if (!isShown)
     {
@@ -172,12 +129,11 @@ void FieldContours::Update(const SlicePosition& slice)
         color, 1.0,
         (mapper->GetOutlineWidth() > 0.0 ? SelectedFieldWidth : FieldLineWidth) *
             slice.PointPixels);
-    const PixelGrid pixels = PixelsOf(slice, contour.Volume->GetBounds());
-    if (field != contour.Field || pixels != contour.Pixels)
+    const PixelGrid pixels = PixelsOf(slice, contour.Of->GetBounds());
+    if (field != contour.Last.Field || pixels != contour.Last.Pixels)
     {
       contour.Curves->SetCurves(ContourOfField(field, 0, pixels), slice.Lift(ContourLayer));
-      contour.Field = field;
-      contour.Pixels = pixels;
+      contour.Last = {field, pixels};
       ++this->Cuts;
     }
   }

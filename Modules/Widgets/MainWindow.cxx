@@ -1,5 +1,6 @@
 #include "MainWindow.h"
 
+#include "CheckPanel.h"
 #include "DrillPanel.h"
 #include "FitPanel.h"
 #include "FormManners.h"
@@ -239,6 +240,7 @@ void MainWindow::MakePanels()
   connect(relations, &RelationsPanel::Chosen, this, &MainWindow::LookAtPlace);
   this->tabifyDockWidget(plots, marks);
   this->tabifyDockWidget(marks, related);
+  this->tabifyDockWidget(related, this->MakeCheck());
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
   connect(this->Marks->Tool(), &QAction::toggled, this,
           [marks](bool isOn)
@@ -263,6 +265,21 @@ void MainWindow::MakePanels()
   tools->Add({this->Marks->Tool()});
   tools->Add(this->Touching->Tools());
   this->addToolBar(tools);
+}
+
+QDockWidget* MainWindow::MakeCheck()
+{
+  auto* structures = this->findChild<StructuresPanel*>();
+  auto* check = new CheckPanel(this->Study, structures->Verdicts(), this->Questions, this);
+  QDockWidget* dock = this->AddPanel("Check structures", check);
+  connect(structures, &StructuresPanel::CheckAsked, check,
+          [dock, check]
+          {
+            dock->show();
+            dock->raise();
+            check->Check();
+          });
+  return dock;
 }
 
 void MainWindow::LookAtPlace(const Vector3& place)

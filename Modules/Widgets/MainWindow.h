@@ -59,6 +59,7 @@ private:
   void MakeColumn();
   void AddSection(const QString& title, QWidget* content, bool isOpen);
   QDockWidget* AddPanel(const QString& title, QWidget* panel);
+  QDockWidget* MakeCheck();
   void ShowState();
   void ShowTitle();
   void ShowChange();

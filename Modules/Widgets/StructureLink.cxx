@@ -9,6 +9,7 @@ StructureLink::StructureLink(StructuresPanel& table, ViewContents& contents, Vie
     : QObject(parent), Table(table), Contents(contents), Views(views), MayPick(std::move(mayPick))
 {
   connect(&table, &StructuresPanel::Selected, this, &StructureLink::Centre);
+  connect(&table, &StructuresPanel::PlaceChosen, this, &StructureLink::ShowPlace);
   connect(&table, &StructuresPanel::SelectionChanged, this, &StructureLink::Highlight);
   connect(views.Space(), &ViewPane::Tapped, this, &StructureLink::TakeSpaceClick);
   for (const SliceOrientation orientation : AllSliceOrientations)
@@ -21,12 +22,23 @@ void StructureLink::Centre(int id)
 {
   if (const auto center = this->Contents.CenterOf(id))
   {
-    this->Contents.Crosshair()->SetPositionWorld(center->data());
-    for (const SliceOrientation orientation : AllSliceOrientations)
-    {
-      this->Views.Slice(orientation)->ShowPlace(*center);
-    }
+    this->ShowInSlices(*center);
   }
+}
+
+void StructureLink::ShowInSlices(const Vector3& placeWorld)
+{
+  this->Contents.Crosshair()->SetPositionWorld(placeWorld.data());
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Views.Slice(orientation)->ShowPlace(placeWorld);
+  }
+}
+
+void StructureLink::ShowPlace(const Vector3& placeWorld)
+{
+  this->ShowInSlices(placeWorld);
+  this->Views.Space()->LookAt(placeWorld);
 }
 
 void StructureLink::Highlight()

@@ -11,7 +11,8 @@
 namespace palpate
 {
 /// Links the table of structures with the views: a row that the user selects is centred in the
-/// slices, selected rows are highlighted, and a click on a structure selects its row.
+/// slices, selected rows are highlighted, a place that a row's mark names is shown in all views,
+/// and a click on a structure selects its row.
 class StructureLink : public QObject
 {
   Q_OBJECT
@@ -23,6 +24,8 @@ public:
 
 private:
   void Centre(int id);
+  void ShowInSlices(const Vector3& placeWorld);
+  void ShowPlace(const Vector3& placeWorld);
   void Highlight();
   void TakeSliceClick(const Vector3& pointWorld);
   void TakeSpaceClick(double x, double y);

@@ -192,6 +192,67 @@ TEST_F(CliCheck, FoldersOfMasksAreOneCaseEach)
   EXPECT_EQ(this->Check({"patients/p1"}).at("cases").size(), 1U);
 }
 
+// A ball with a cube of the other one's that lies at its far end, or alone.
+TEST_F(CliCheck, IslandNamesWhatItLiesAgainst)
+{
+  const auto write = [this](const std::string& file, double island)
+  {
+    LabelGrid grid;
+    grid.Size = {{60, 24, 24}};
+    const auto labels = MakeLabelImage(grid, [](double x, double y, double z)
+                                       { return std::hypot(x - 11, y - 11, z - 11) < 8; });
+    const auto others = MakeLabelImage(grid, [](double x, double y, double z)
+                                       { return std::hypot(x - 38, y - 11, z - 11) < 8; });
+    for (vtkIdType voxel = 0; voxel < labels->GetNumberOfPoints(); ++voxel)
+    {
+      double at[3];
+      labels->GetPoint(voxel, at);
+      auto* value = static_cast<unsigned char*>(labels->GetScalarPointer()) + voxel;
+      const bool isIsland = std::abs(at[0] - island) < 3 && std::hypot(at[1] - 11, at[2] - 11) < 3;
+      const bool isOther = static_cast<unsigned char*>(others->GetScalarPointer())[voxel] != 0;
+      *value = isIsland ? 1 : isOther ? 2 : *value;
+    }
+    WriteImage(this->Folder / file, labels);
+  };
+  write("against.nii.gz", 45.0);
+  write("apart.nii.gz", 56.0);
+  const auto sentence = [this](const std::string& file)
+  {
+    const Json organ = this->Check({file}).at("cases")[0].at("structures")[0];
+    EXPECT_EQ(organ.at("rule"), "part");
+    return organ.at("sentence").get<std::string>();
+  };
+  EXPECT_NE(sentence("against.nii.gz").find(", which lies against label 2"), std::string::npos);
+  EXPECT_NE(sentence("apart.nii.gz").find(", which touches no other structure"), std::string::npos);
+}
+
+TEST_F(CliCheck, RefusedMasksOfAFolderAreNamed)
+{
+  std::filesystem::create_directory(this->Folder / "masks");
+  for (const auto& [name, middle] : std::map<std::string, double>{{"a", 10.0}, {"b", 30.0}})
+  {
+    LabelGrid grid;
+    grid.Size = {{40, 20, 20}};
+    WriteImage(this->Folder / "masks" / (name + ".nii.gz"),
+               MakeLabelImage(grid, [middle = middle](double x, double y, double z)
+                              { return std::hypot(x - middle, y - 9.5, z - 9.5) < 7.0; }));
+  }
+  std::ofstream(this->Folder / "masks/c.nii.gz") << "broken";
+  for (const std::vector<std::string>& as :
+       {std::vector<std::string>{}, std::vector<std::string>{"--as", "structures"}})
+  {
+    std::vector<std::string> words{"masks", "--json", "--output", "out"};
+    words.insert(words.end(), as.begin(), as.end());
+    const CommandRun run = this->Run(words);
+    EXPECT_EQ(run.Code, 1) << run.Errors;
+    EXPECT_NE(run.Errors.find("c.nii.gz"), std::string::npos);
+    const Json one = Json::parse(run.Output).at("cases")[0];
+    EXPECT_EQ(one.at("structures").size(), 2U);
+    EXPECT_NE(one.at("notes").dump().find("c.nii.gz"), std::string::npos);
+    EXPECT_NE(this->TextOf("out/structures.csv").find("c.nii.gz,not checked"), std::string::npos);
+  }
+}
+
 TEST_F(CliCheck, OverlappingStructuresAreLookedAt)
 {
   std::filesystem::create_directory(this->Folder / "masks");
@@ -206,6 +267,7 @@ TEST_F(CliCheck, OverlappingStructuresAreLookedAt)
   const Json found = this->Check({"masks", "--as", "structures"});
   const Json organ = found.at("cases")[0].at("structures")[0];
   EXPECT_EQ(organ.at("rule"), "overlap");
+  EXPECT_NE(organ.at("sentence").get<std::string>().find(" with b ("), std::string::npos);
   // Two balls of 7 mm at 9 mm: the lens is (2 r - d)^2 (d + 4 r) / (16 r^3) of one.
   for (const Json& one : organ.at("statistics"))
   {

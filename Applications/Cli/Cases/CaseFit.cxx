@@ -223,7 +223,7 @@ private:
                                           : ReadSegmentation(this->Mask.Mask, this->ChoiceOfMask());
     this->ReadSlices();
     clock.EndStage("read");
-    for (const std::string& note : segmentation.Notes)
+    for (const std::string& note : segmentation.Remarks())
     {
       this->Output.Note(this->Mask.Name + ": " + note);
     }

@@ -204,10 +204,10 @@ int FitCommand::Run(Console& console)
   this->TellTaken(console);
   if (this->Folder)
   {
-    for (const std::string& message : this->Folder->LeftOut())
+    for (const RefusedMask& mask : this->Folder->LeftOut())
     {
       this->Tally.Add(FitResult::Outcome::BadInput);
-      this->Messages.push_back(message);
+      this->Messages.push_back(mask.Message);
     }
   }
   for (std::size_t file = 0; file < this->Inputs.size(); ++file)

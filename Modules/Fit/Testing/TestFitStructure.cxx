@@ -78,6 +78,20 @@ double ErrorOf(const FitResult& result, const palpate::RadialModel& truth)
   return std::sqrt(squares / static_cast<double>(distances.size()));
 }
 
+TEST(FitStructure, CutHasAnArea)
+{
+  test::LabelGrid grid;
+  grid.Size = {{30, 30, 24}};
+  const auto ballAt = [&](double z)
+  {
+    return SegmentationOf(test::MakeLabelImage(grid, [z](double x, double y, double w)
+                                               { return std::hypot(x - 15, y - 15, w - z) < 9; }));
+  };
+  // 4.5 mm above its equator: the radius of the section is 7.8 mm; half a voxel around it.
+  EXPECT_NEAR(Fit(ballAt(19.0)).CutArea, M_PI * (81.0 - 4.5 * 4.5), M_PI * 7.8);
+  EXPECT_EQ(Fit(ballAt(12.0)).CutArea, 0.0);
+}
+
 TEST(FitStructure, ConvergesAsVoxelsShrink)
 {
   const auto truth = palpate::MakeProstateLikeModel(8, 3, Vector3(12.0, -34.0, 56.0));

@@ -39,4 +39,14 @@ const Segment& Segmentation::Find(const std::string& labelOrName) const
   Refuse(this->Source, "has no label " + (labelOrName.empty() ? "''" : labelOrName),
          "choose one of those it has: " + list);
 }
+
+std::vector<std::string> Segmentation::Remarks() const
+{
+  std::vector<std::string> remarks = this->Notes;
+  for (const RefusedMask& mask : this->Refused)
+  {
+    remarks.push_back(mask.Message);
+  }
+  return remarks;
+}
 } // namespace palpate

@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
+#include <map>
 
 namespace palpate::mask_folder_test
 {
@@ -173,10 +174,21 @@ TEST_F(MaskFolderTest, LeavesOutBrokenEmptyAndMisplacedMasksWithALineEach)
   EXPECT_EQ(folder.Is(), Kind::Structures);
   EXPECT_EQ(folder.Structures().Segments.size(), 6U);
   ASSERT_EQ(folder.LeftOut().size(), 3U);
-  EXPECT_NE(folder.LeftOut()[0].find("broken.nii.gz"), std::string::npos);
-  EXPECT_NE(folder.LeftOut()[1].find("elsewhere.nii.gz lies on another grid"), std::string::npos);
-  EXPECT_NE(folder.LeftOut()[2].find("nothing.nii.gz has no labelled voxels"), std::string::npos);
-  EXPECT_EQ(ReadSegmentation(this->Folder.Path()).Notes, folder.LeftOut());
+  const std::map<std::string, std::string> reasons{{"broken.nii.gz", ""},
+                                                   {"elsewhere.nii.gz", " lies on another grid"},
+                                                   {"nothing.nii.gz", " has no labelled voxels"}};
+  const Segmentation read = ReadSegmentation(this->Folder.Path());
+  ASSERT_EQ(read.Refused.size(), 3U);
+  EXPECT_TRUE(read.Notes.empty());
+  std::size_t n = 0;
+  for (const auto& [name, reason] : reasons)
+  {
+    EXPECT_EQ(folder.LeftOut()[n].File, this->Folder / name);
+    EXPECT_NE(folder.LeftOut()[n].Message.find(name + reason), std::string::npos);
+    EXPECT_EQ(read.Refused[n].File, folder.LeftOut()[n].File);
+    EXPECT_EQ(read.Remarks()[n], folder.LeftOut()[n].Message);
+    ++n;
+  }
 }
 
 TEST_F(MaskFolderTest, OneMaskIsReadAndIsNoQuestion)

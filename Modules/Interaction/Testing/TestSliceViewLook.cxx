@@ -62,6 +62,8 @@ TEST_F(SliceViewLook, ContourOfAFieldIsWhereItsSurfaceIs)
   ASSERT_GT(curves.size(), 20U);
   for (const SurfaceCurve& curve : curves)
   {
+    // From every pixel: a line crosses one at most.
+    EXPECT_LT((curve.Points[0] - curve.Points[1]).norm(), 0.5 * std::sqrt(2.0) + 1e-6);
     for (const Vector3& point : curve.Points)
     {
       EXPECT_NEAR(test::Ramp(point), 110.0, 1e-3); // values are floats

@@ -10,18 +10,14 @@ namespace palpate
 {
 namespace
 {
-template <typename Image>
-std::vector<std::string> NotesOf(const std::shared_ptr<const Image>& image)
+std::vector<std::string> RemarksOf(const Volume& volume)
 {
-  std::vector<std::string> notes;
-  if (image != nullptr)
-  {
-    for (const std::string& note : image->Notes)
-    {
-      notes.push_back(image->Source.filename().string() + ": " + note);
-    }
-  }
-  return notes;
+  return volume.Notes;
+}
+
+std::vector<std::string> RemarksOf(const Segmentation& labels)
+{
+  return labels.Remarks();
 }
 } // namespace
 
@@ -54,9 +50,12 @@ void StudyProblems::AddNotes()
   const StudyPipeline& pipeline = this->Open.Pipeline();
   const auto add = [this](const auto& image)
   {
-    for (const std::string& note : NotesOf(image))
+    if (image != nullptr)
     {
-      this->Add(note);
+      for (const std::string& note : RemarksOf(*image))
+      {
+        this->Add(image->Source.filename().string() + ": " + note);
+      }
     }
   };
   add(pipeline.Newest<Volume>(SceneStep::Volume));

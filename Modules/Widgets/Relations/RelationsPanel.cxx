@@ -49,13 +49,12 @@ RelationsPanel::RelationsPanel(StudyController& study, ViewContents& contents,
       Shapes(this->MakeTable("relation-shapes",
                              {"Structure", "Volume, ml", "Area, cm²", "Length, mm", "Width, mm",
                               "Depth, mm", "Thickness, mm", "Sphericity"})),
-      Measuring(new QPushButton(this)), Saving(new QPushButton("Save page...", this)),
-      Line(new QLabel(this))
+      Measuring(new QPushButton("Measure", this)), Saving(new QPushButton("Save page...", this)),
+      Line(new QLabel(this)), Job(new PanelJob(study, this->Measuring, this->Line, this))
 {
   this->Measuring->setObjectName("relations-measure");
   this->Saving->setObjectName("relations-save");
   this->Line->setObjectName("relations-line");
-  this->Line->setTextFormat(Qt::PlainText);
   auto* tabs = new QTabWidget(this);
   tabs->addTab(this->Pairs, "Pairs");
   tabs->addTab(this->Shapes, "Shapes");
@@ -64,7 +63,6 @@ RelationsPanel::RelationsPanel(StudyController& study, ViewContents& contents,
   buttons->addWidget(this->Saving);
   buttons->addWidget(this->Line);
   buttons->addStretch(1);
-  this->Line->setWordWrap(true);
   this->Line->setFixedWidth(18 * this->fontMetrics().averageCharWidth());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(4, 2, 4, 2);
@@ -72,19 +70,12 @@ RelationsPanel::RelationsPanel(StudyController& study, ViewContents& contents,
   row->addLayout(buttons);
   this->Pairs->horizontalHeader()->setSortIndicator(3, Qt::AscendingOrder); // the nearest first
   this->Shapes->horizontalHeader()->setSortIndicator(0, Qt::AscendingOrder);
-  connect(this->Measuring, &QPushButton::clicked, this, &RelationsPanel::MeasureOrCancel);
+  connect(this->Job, &PanelJob::Asked, this, &RelationsPanel::Measure);
+  connect(this->Job, &PanelJob::Changed, this,
+          [this] { this->Saving->setEnabled(!this->Job->IsRunning() && this->Found != nullptr); });
   connect(this->Saving, &QPushButton::clicked, this, &RelationsPanel::Save);
   connect(this->Pairs, &QTableWidget::cellDoubleClicked, this, &RelationsPanel::ShowPlaceOf);
-  connect(&this->Watch, &QTimer::timeout, this, &RelationsPanel::ShowProgress);
-  this->End("Distances, contact and shapes of the structures that are displayed as surfaces.");
-}
-
-RelationsPanel::~RelationsPanel()
-{
-  if (this->Job)
-  {
-    this->Study.Current().Jobs().Cancel(*this->Job);
-  }
+  this->Job->End("Distances, contact and shapes of the structures that are displayed as surfaces.");
 }
 
 QTableWidget* RelationsPanel::MakeTable(const char* name, const QStringList& heads)
@@ -118,65 +109,22 @@ std::vector<NamedSurface> RelationsPanel::Displayed() const
   return surfaces;
 }
 
-void RelationsPanel::MeasureOrCancel()
-{
-  if (this->Job)
-  {
-    this->Study.Current().Jobs().Cancel(*this->Job);
-    this->End("Cancelled.");
-    return;
-  }
-  this->Measure();
-}
-
 void RelationsPanel::Measure()
 {
   const auto surfaces = std::make_shared<const std::vector<NamedSurface>>(this->Displayed());
   if (surfaces->empty())
   {
-    this->End("Nothing is displayed as a surface: show a structure as its model or its surface.");
+    this->Job->End(
+        "Nothing is displayed as a surface: show a structure as its model or its surface.");
     return;
   }
-  this->Run(
+  this->Job->Run(
       [this, surfaces](const ProgressFunction& progress)
       {
         auto found =
             std::make_shared<const OrganRelations>(OrganRelations::Of(*surfaces, {}, progress));
         return [this, found] { this->Take(found); };
       });
-}
-
-void RelationsPanel::Run(std::function<StudyJob::Delivery(const ProgressFunction& progress)> work)
-{
-  StudyJob job;
-  job.IsUrgent = true;
-  job.Work = std::move(work);
-  job.Fail = [this](const std::string& message) { this->End(ScreenString(message)); };
-  this->Job = this->Study.Current().Jobs().Start(std::move(job));
-  this->Measuring->setText("Cancel");
-  this->Saving->setEnabled(false);
-  constexpr int LookMilliseconds = 200;
-  this->Watch.start(LookMilliseconds);
-  this->ShowProgress();
-}
-
-void RelationsPanel::End(const QString& text)
-{
-  this->Job.reset();
-  this->Watch.stop();
-  this->Measuring->setText("Measure");
-  this->Saving->setEnabled(this->Found != nullptr);
-  this->Line->setText(text);
-}
-
-void RelationsPanel::ShowProgress()
-{
-  const auto progress =
-      this->Job ? this->Study.Current().Jobs().ProgressOf(*this->Job) : std::nullopt;
-  if (progress)
-  {
-    this->Line->setText(QString("%1 %").arg(std::lround(100.0 * progress->Fraction)));
-  }
 }
 
 void RelationsPanel::Take(std::shared_ptr<const OrganRelations> found)
@@ -196,7 +144,7 @@ void RelationsPanel::Take(std::shared_ptr<const OrganRelations> found)
       text += "\n" + ScreenString(organ.Name + ": " + organ.Message);
     }
   }
-  this->End(text);
+  this->Job->End(text);
 }
 
 void RelationsPanel::FillPairs()
@@ -265,11 +213,11 @@ void RelationsPanel::Save()
   {
     return;
   }
-  this->Run(
+  this->Job->Run(
       [this, folder, found = this->Found](const ProgressFunction&)
       {
         WriteRelationFiles(*found, folder.toStdString());
-        return [this, folder] { this->End("Written: " + folder + "/report.html"); };
+        return [this, folder] { this->Job->End("Written: " + folder + "/report.html"); };
       });
 }
 } // namespace palpate

@@ -2,18 +2,16 @@
 
 #include "FileQuestions.h"
 #include "OrganRelations.h"
+#include "PanelJob.h"
 #include "StudyController.h"
 #include "ViewContents.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
-#include <QTimer>
 #include <QWidget>
 
-#include <functional>
 #include <memory>
-#include <optional>
 
 namespace palpate
 {
@@ -26,7 +24,6 @@ public:
   /// Keeps the addresses.
   RelationsPanel(StudyController& study, ViewContents& contents, const FileQuestions& questions,
                  QWidget* parent = nullptr);
-  ~RelationsPanel() override;
 
 Q_SIGNALS:
   /// The user chose a pair: show where it is nearest (world, mm).
@@ -35,12 +32,7 @@ Q_SIGNALS:
 private:
   QTableWidget* MakeTable(const char* name, const QStringList& heads);
   std::vector<NamedSurface> Displayed() const;
-  void MeasureOrCancel();
   void Measure();
-  /// Runs it in the background; what it returns is called in the window's thread.
-  void Run(std::function<StudyJob::Delivery(const ProgressFunction& progress)> work);
-  void End(const QString& text);
-  void ShowProgress();
   void Take(std::shared_ptr<const OrganRelations> found);
   void FillPairs();
   void FillShapes();
@@ -55,8 +47,7 @@ private:
   QPushButton* Measuring;
   QPushButton* Saving;
   QLabel* Line;
-  QTimer Watch; ///< of the job
-  std::optional<StudyJobs::Id> Job;
+  PanelJob* Job;
   std::shared_ptr<const OrganRelations> Found;
 };
 } // namespace palpate

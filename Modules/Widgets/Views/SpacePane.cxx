@@ -213,6 +213,17 @@ void SpacePane::LookFrom(int side)
   this->TakeCamera();
 }
 
+void SpacePane::LookAt(const Vector3& world)
+{
+  vtkCamera* camera = this->Renderer()->GetActiveCamera();
+  const Vector3 eye = world + Vector3(camera->GetPosition()) - Vector3(camera->GetFocalPoint());
+  camera->SetFocalPoint(world.data());
+  camera->SetPosition(eye.data());
+  this->Renderer()->ResetCameraClippingRange();
+  this->RequestRender();
+  this->TakeCamera();
+}
+
 void SpacePane::ShowAll()
 {
   this->Space->ResetCamera();

@@ -41,6 +41,9 @@ public:
   void ShowOcclusion(bool isShown);
   void ShowToolShadow(bool isShown);
   void LookFrom(int side);
+  /// Moves the camera so that it turns around a point (mm), as far from it as it was from what it
+  /// turned around.
+  void LookAt(const Vector3& world);
   void ShowAll();
   /// The same, unless the user has moved the camera since FreeCamera.
   void ShowAllUnlessLed();

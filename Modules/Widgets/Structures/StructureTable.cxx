@@ -165,8 +165,29 @@ int StructureTable::WidthOfNames() const
   return widest + 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
 }
 
-// As wide as the names are, if drill roles are still seen without scrolling; in a wide table what
-// the other columns leave.
+// Of what is seen next to the names without scrolling: drill roles, or the verdict that a status
+// begins with.
+int StructureTable::WidthBesideNames() const
+{
+  const QHeaderView* header = this->horizontalHeader();
+  const int next = header->logicalIndex(header->visualIndex(StructureTableModel::NameColumn) + 1);
+  return next == StructureTableModel::StatusColumn
+             ? this->fontMetrics().horizontalAdvance("\u2716 implausible") +
+                   2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2)
+             : header->sectionSize(next);
+}
+
+void StructureTable::PutStatusFirst(bool isFirst)
+{
+  QHeaderView* header = this->horizontalHeader();
+  header->moveSection(header->visualIndex(StructureTableModel::StatusColumn),
+                      isFirst ? StructureTableModel::DrillColumn
+                              : StructureTableModel::StatusColumn);
+  this->FitName();
+}
+
+// As wide as the names are, if what is next to them is still seen without scrolling; in a wide
+// table what the other columns leave.
 void StructureTable::FitName()
 {
   constexpr int Name = StructureTableModel::NameColumn;
@@ -176,12 +197,14 @@ void StructureTable::FitName()
     return;
   }
   const int left = header->sectionPosition(Name);
-  const int role = header->sectionSize(StructureTableModel::DrillColumn);
-  const int beside = this->viewport()->width() - left - role;
+  const int beside = this->viewport()->width() - left - this->WidthBesideNames();
   const int free = this->viewport()->width() - header->length() + header->sectionSize(Name);
   const QScopedValueRollback<bool> fitting(this->IsFitting, true);
   const int names = std::max(std::min(this->WidthOfNames(), beside), free);
-  header->resizeSection(Name, std::max(this->WidthOf(Name), names));
+  // Names keep their ends; a verdict needs its beginning.
+  const bool isVerdictNext =
+      header->visualIndex(StructureTableModel::StatusColumn) == header->visualIndex(Name) + 1;
+  header->resizeSection(Name, std::max(this->WidthOf(Name) / (isVerdictNext ? 2 : 1), names));
 }
 
 void StructureTable::resizeEvent(QResizeEvent* event)

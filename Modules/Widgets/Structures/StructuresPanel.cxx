@@ -29,7 +29,8 @@ constexpr double SliderSteps = 100.0;
 }
 
 StructuresPanel::StructuresPanel(StudyController& study, QWidget* parent)
-    : QWidget(parent), Study(study), Edits(study), Model(new StructureTableModel(study, this)),
+    : QWidget(parent), Study(study), Edits(study), Checked(new StructureVerdicts(study, this)),
+      Model(new StructureTableModel(study, *this->Checked, this)),
       Listed(new StructureFilterModel(this)), Table(new StructureTable(this)),
       Menu(new StructureMenu(this)), Search(new QLineEdit(this)), Kept(new QComboBox(this)),
       Add(new QMenu(this)), Opacity(new QSlider(Qt::Horizontal, this))
@@ -78,6 +79,9 @@ void StructuresPanel::ConnectTable()
   connect(this->Table, &StructureTable::Typed, this, &StructuresPanel::TakeText);
   connect(this->Table, &StructureTable::MenuAsked, this, &StructuresPanel::OpenMenu);
   connect(this->Table, &QTableView::clicked, this, &StructuresPanel::OpenCell);
+  connect(this->Table, &QTableView::activated, this, &StructuresPanel::ShowFinding);
+  connect(this->Checked, &StructureVerdicts::Changed, this,
+          [this] { this->Table->PutStatusFirst(!this->Checked->IsEmpty()); });
   connect(this->Table, &QTableView::doubleClicked, this, &StructuresPanel::ChooseColorOf);
   connect(this->Menu, &StructureMenu::Chosen, this, &StructuresPanel::Act);
   connect(this->Table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -286,9 +290,29 @@ void StructuresPanel::OpenCell(const QModelIndex& index)
   const bool isChoice = column == StructureTableModel::DrillColumn ||
                         column == StructureTableModel::AppearanceColumn ||
                         column == StructureTableModel::RepresentationColumn;
-  if (isChoice && QGuiApplication::keyboardModifiers() == Qt::NoModifier)
+  if (QGuiApplication::keyboardModifiers() != Qt::NoModifier)
+  {
+    return;
+  }
+  if (isChoice)
   {
     this->Table->edit(index);
+  }
+  this->ShowFinding(index);
+}
+
+// By a click on the mark, or the key that activates it.
+void StructuresPanel::ShowFinding(const QModelIndex& index)
+{
+  const SceneStructure* structure =
+      FindStructure(this->Study.State(), index.data(StructureTableModel::IdRole).toInt());
+  const StructureVerdict* verdict =
+      index.column() == StructureTableModel::StatusColumn && structure != nullptr
+          ? this->Checked->Of(*structure)
+          : nullptr;
+  if (verdict != nullptr && verdict->Is != OrganJudgement::Verdict::Plausible)
+  {
+    Q_EMIT PlaceChosen(verdict->PlaceWorld);
   }
 }
 
@@ -325,6 +349,9 @@ void StructuresPanel::Act(int entry)
     return this->Table->Rename();
   case StructureMenu::Centre:
     Q_EMIT Selected(this->Table->CurrentId());
+    return;
+  case StructureMenu::Check:
+    Q_EMIT CheckAsked();
     return;
   case StructureMenu::Remove:
     return this->Remove();

@@ -13,4 +13,8 @@ namespace palpate
 /// mask's shape rounds the edge of the cut. All points stay.
 IndexedMesh WithoutCut(const IndexedMesh& surface, const PlacedMask& mask,
                        const std::array<int, 3>& size);
+
+/// The area of what WithoutCut leaves out, mm^2.
+double CutAreaOf(const IndexedMesh& surface, const PlacedMask& mask,
+                 const std::array<int, 3>& size);
 } // namespace palpate

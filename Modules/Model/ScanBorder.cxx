@@ -1,5 +1,7 @@
 #include "ScanBorder.h"
 
+#include "SurfaceTopology.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -112,5 +114,10 @@ IndexedMesh WithoutCut(const IndexedMesh& surface, const PlacedMask& mask,
     }
   }
   return rest;
+}
+
+double CutAreaOf(const IndexedMesh& surface, const PlacedMask& mask, const std::array<int, 3>& size)
+{
+  return MeasureEnclosed(surface).Area - MeasureEnclosed(WithoutCut(surface, mask, size)).Area;
 }
 } // namespace palpate

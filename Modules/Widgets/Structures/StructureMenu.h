@@ -26,6 +26,7 @@ public:
     Guide, ///< the tool by this structure
     Rename,
     Centre,
+    Check, ///< all masks
     Remove,
     EntryCount
   };

@@ -117,8 +117,9 @@ QStringList StructureTableModel::RepresentationNames()
   return names;
 }
 
-StructureTableModel::StructureTableModel(StudyController& study, QObject* parent)
-    : QAbstractTableModel(parent), Study(study), Edits(study)
+StructureTableModel::StructureTableModel(StudyController& study, const StructureVerdicts& verdicts,
+                                         QObject* parent)
+    : QAbstractTableModel(parent), Study(study), Verdicts(verdicts), Edits(study)
 {
   connect(&study, &StudyController::StateChanged, this, &StructureTableModel::TakeState);
   connect(&study, &StudyController::ProductsChanged, this, &StructureTableModel::TakeState);
@@ -127,6 +128,7 @@ StructureTableModel::StructureTableModel(StudyController& study, QObject* parent
   connect(&study, &StudyController::Touched, this, &StructureTableModel::TakeDrill);
   connect(&study, &StudyController::TouchChanged, this, &StructureTableModel::TakeDrill);
   connect(&study, &StudyController::DrilledChanged, this, &StructureTableModel::TakeDrill);
+  connect(&verdicts, &StructureVerdicts::Changed, this, &StructureTableModel::TakeVerdicts);
   this->TakeState();
 }
 
@@ -159,6 +161,8 @@ void StructureTableModel::TakeState()
                  });
   this->TellRows(next, StiffnessColumn, StiffnessColumn,
                  [](const Row& a, const Row& b) { return a.Products.Yields == b.Products.Yields; });
+  this->TellRows(next, StatusColumn, StatusColumn,
+                 [](const Row& a, const Row& b) { return a.Products.Cut == b.Products.Cut; });
   this->TellRows(next, QualityColumn, CostColumn,
                  [](const Row& a, const Row& b) {
                    return a.Products.Error == b.Products.Error &&
@@ -191,6 +195,15 @@ void StructureTableModel::TakeDrill()
   }
 }
 
+void StructureTableModel::TakeVerdicts()
+{
+  if (!this->Rows.empty())
+  {
+    Q_EMIT dataChanged(this->index(0, StatusColumn),
+                       this->index(static_cast<int>(this->Rows.size()) - 1, StatusColumn));
+  }
+}
+
 // Tells views of all rows that differ by one signal.
 void StructureTableModel::TellRows(
     const std::vector<Row>& before, int firstColumn, int lastColumn,
@@ -218,6 +231,7 @@ StructureTableModel::Made StructureTableModel::MadeOf(const SceneStructure& stru
   const auto contact = pipeline.Newest<TouchContact>(SceneStep::Touch, structure.Id);
   const auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
   const auto cost = pipeline.Newest<TouchCost>(SceneStep::Cost, structure.Id);
+  const auto surface = pipeline.Newest<FitSurface>(SceneStep::Surface, structure.Id);
   Made made;
   made.Representation = QString::fromStdString(palpate::RepresentationOf(structure).Label);
   if (contact != nullptr)
@@ -236,7 +250,18 @@ StructureTableModel::Made StructureTableModel::MadeOf(const SceneStructure& stru
   {
     made.Tick = 1e-3 * cost->MedianNanoseconds;
   }
+  if (surface != nullptr && surface->Found.TouchesBorder)
+  {
+    made.Cut = surface->Found.CutArea;
+  }
   return made;
+}
+
+StructureStatus StructureTableModel::StatusOf(const Row& row) const
+{
+  const auto drilled = this->Drilled.find(row.Structure.Id);
+  return {this->Verdicts.Of(row.Structure), row.Products.Cut,
+          drilled != this->Drilled.end() ? drilled->second : QString()};
 }
 
 int StructureTableModel::rowCount(const QModelIndex& parent) const
@@ -262,7 +287,9 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
       "In 3-D and over the slices; drag over the cell to change it, double click to type it",
       "Name; F2 to change it",
       "Drill role: what a drill does to it; of a selected row, all selected ones",
-      "What was removed, or how near the drill is to a forbidden structure",
+      "Whether the mask is believable, once it is checked (a click shows where it is not); whether "
+      "the border of the image cuts the structure; what was removed, or how near the drill is to a "
+      "forbidden structure",
       "Distance of the drill to a forbidden structure that raises the alarm",
       "Automatic: as the touch model",
       "Automatic: harmonics for models, facets for surfaces, the sub-voxel field for voxels; model "
@@ -289,6 +316,9 @@ QVariant StructureTableModel::headerData(int section, Qt::Orientation orientatio
                                         : QVariant();
   case Qt::AccessibleTextRole:
     return Titles.value(section);
+  case Qt::TextAlignmentRole: // a wide column, of which the beginning is seen
+    return section == StatusColumn ? QVariant(static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter))
+                                   : QVariant();
   case Qt::ToolTipRole:
     return Tips.value(section);
   default:
@@ -305,10 +335,7 @@ QVariant StructureTableModel::TextOf(const Row& row, int column) const
                ? QVariant(DrillRole::Names().value(DrillRole::Of(row.Structure)))
                : QVariant("\u2013");
   case StatusColumn:
-  {
-    const auto text = this->Drilled.find(row.Structure.Id);
-    return text != this->Drilled.end() ? QVariant(text->second) : QVariant("");
-  }
+    return this->StatusOf(row).Text();
   case AlarmColumn:
     return row.Structure.IsForbidden ? QVariant(row.Structure.AlarmDistance) : QVariant("\u2013");
   case OpacityColumn:
@@ -374,6 +401,7 @@ QVariant StructureTableModel::SortValueOf(const Row& row, int column) const
   case AlarmColumn:
     return row.Structure.IsForbidden ? row.Structure.AlarmDistance : Last;
   case StatusColumn:
+    return this->StatusOf(row).SortText();
   case AppearanceColumn:
   case RepresentationColumn:
     return this->TextOf(row, column);
@@ -407,8 +435,8 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
   case Qt::EditRole:
     return ValueOf(row, column);
   case Qt::ToolTipRole:
-    return column == NameColumn || column == StatusColumn
-               ? QVariant(PlainToolTip(this->TextOf(row, column).toString()))
+    return column == NameColumn     ? QVariant(PlainToolTip(this->TextOf(row, column).toString()))
+           : column == StatusColumn ? QVariant(PlainToolTip(this->StatusOf(row).ToolTip()))
            : column == RepresentationColumn && !row.Products.Represented.isEmpty()
                ? QVariant(row.Products.Represented)
                : QVariant();
@@ -417,6 +445,8 @@ QVariant StructureTableModel::data(const QModelIndex& index, int role) const
     return column == ColorColumn ? QVariant(ColorOf(row.Structure)) : QVariant();
   case Qt::CheckStateRole:
     return CheckOf(row, column);
+  case Qt::ForegroundRole:
+    return column == StatusColumn ? this->StatusOf(row).Color() : QVariant();
   case SortRole:
     return SortValueOf(row, column);
   case IdRole:

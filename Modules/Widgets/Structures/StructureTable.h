@@ -27,6 +27,8 @@ public:
   void SelectIds(const std::vector<int>& ids);
   /// Edits the name in the row of the cursor.
   void Rename();
+  /// Whether the status is next to the name, before drill roles.
+  void PutStatusFirst(bool isFirst);
   /// Sideways only if the cell cannot be seen: names stay where they are read.
   void scrollTo(const QModelIndex& cell, ScrollHint hint = EnsureVisible) override;
 
@@ -52,6 +54,7 @@ protected:
 private:
   int WidthOf(int column) const;
   int WidthOfNames() const;
+  int WidthBesideNames() const;
   void KeepWidth(int column, int before, int width);
   void SetWidths();
   void FitName();

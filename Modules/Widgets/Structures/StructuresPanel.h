@@ -5,6 +5,7 @@
 #include "StructureMenu.h"
 #include "StructureTable.h"
 #include "StructureTableModel.h"
+#include "StructureVerdicts.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -29,6 +30,8 @@ public:
   explicit StructuresPanel(StudyController& study, QWidget* parent = nullptr);
 
   std::vector<int> SelectedIds() const { return this->Table->SelectedIds(); }
+  /// Of the masks, which the table marks.
+  StructureVerdicts& Verdicts() { return *this->Checked; }
   /// What adds structures, for the menu of a button.
   void AddAdding(const QList<QAction*>& actions);
   /// Selects the row of a structure, which is listed again if the search left it out. Tells
@@ -39,6 +42,9 @@ Q_SIGNALS:
   void OpacityChosen(double opacity);
   /// The user selected a row, or asked to centre the views at it.
   void Selected(int id);
+  /// The user chose the mark of a mask that is not plausible: show where (world, mm).
+  void PlaceChosen(const Vector3& placeWorld);
+  void CheckAsked();
   /// Other rows are selected, for whatever reason.
   void SelectionChanged();
 
@@ -59,6 +65,7 @@ private:
   void TakeOpacity(int id, int percent, bool isLast);
   void TakeText(const QString& text);
   void OpenCell(const QModelIndex& index);
+  void ShowFinding(const QModelIndex& index);
   void OpenMenu(const QPoint& global);
   void Act(int entry);
   void ShowOnlySelected();
@@ -72,6 +79,7 @@ private:
 
   StudyController& Study;
   StructureEdits Edits;
+  StructureVerdicts* Checked;
   StructureTableModel* Model;
   StructureFilterModel* Listed;
   StructureTable* Table;

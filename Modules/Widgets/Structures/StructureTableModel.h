@@ -1,6 +1,8 @@
 #pragma once
 
 #include "StructureEdits.h"
+#include "StructureStatus.h"
+#include "StructureVerdicts.h"
 #include "StudyController.h"
 
 #include <QAbstractTableModel>
@@ -47,8 +49,8 @@ public:
   /// In the order of SceneRepresentations.
   static QStringList RepresentationNames();
 
-  /// Keeps the address.
-  StructureTableModel(StudyController& study, QObject* parent);
+  /// Keeps the addresses.
+  StructureTableModel(StudyController& study, const StructureVerdicts& verdicts, QObject* parent);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -66,6 +68,7 @@ private:
     bool Yields = false;         ///< then its stiffness does not count
     std::optional<double> Error; ///< mm
     std::optional<double> Tick;  ///< microseconds
+    std::optional<double> Cut;   ///< mm^2 of its surface that the border of the image cuts
   };
   struct Row
   {
@@ -75,15 +78,18 @@ private:
 
   void TakeState();
   void TakeDrill();
+  void TakeVerdicts();
   void TellRows(const std::vector<Row>& before, int firstColumn, int lastColumn,
                 const std::function<bool(const Row& before, const Row& now)>& isSame);
   Made MadeOf(const SceneStructure& structure) const;
+  StructureStatus StatusOf(const Row& row) const;
   QVariant TextOf(const Row& row, int column) const;
   static QVariant ValueOf(const Row& row, int column);
   QVariant SortValueOf(const Row& row, int column) const;
   static QVariant CheckOf(const Row& row, int column);
 
   StudyController& Study;
+  const StructureVerdicts& Verdicts;
   StructureEdits Edits;
   std::vector<Row> Rows;          ///< as told to views
   std::map<int, QString> Drilled; ///< by ids, as told to views

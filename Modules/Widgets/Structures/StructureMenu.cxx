@@ -18,6 +18,7 @@ StructureMenu::StructureMenu(QWidget* parent) : QMenu(parent)
   this->Add(Rename, "Re&name\tF2", "structure-rename");
   this->addSeparator();
   this->Add(Centre, "Centre &views", "structure-centre");
+  this->Add(Check, "Chec&k all structures", "structure-check");
   this->addSeparator();
   this->Add(Remove, "&Remove", "structure-menu-remove");
 }
@@ -42,6 +43,7 @@ void StructureMenu::Offer(const std::vector<SceneStructure>& selected)
   {
     action->setEnabled(!selected.empty());
   }
+  this->Entries[Check]->setEnabled(true);
   for (const Entry entry : {Details, Guide, Rename, Centre})
   {
     this->Entries.at(entry)->setEnabled(selected.size() == 1);
