@@ -14,10 +14,10 @@ namespace
 {
 constexpr int MostSteps = 40;
 constexpr int MostHalvings = 12;
-constexpr double LargestCenterStep = 6.0;  // mm
-constexpr double LargestSizeStep = 0.28;   // of the logarithm of the mean radius
-constexpr double LeastStep = 1e-3;         // mm
-constexpr double LeastDeviation = 0.01;    // mm
+constexpr double LargestCenterStep = 6.0; // mm
+constexpr double LargestSizeStep = 0.28;  // of the logarithm of the mean radius
+constexpr double LeastStep = 5e-3;        // mm: the last step, whose error is a tenth of it or less
+constexpr double LeastDeviation = 0.01;   // mm
 constexpr double LargestDeviation = 100.0; // mm
 constexpr double FarthestPoint = 1000.0;   // mm, from the click
 
@@ -62,7 +62,8 @@ ShapeCompletion::ShapeCompletion(std::shared_ptr<const ShapePrior> prior, const 
     : Given(std::move(prior)), Click(clickWorld), Equations(this->Given->Degree()),
       Last(this->PriorState()), Target(this->Last), Trial(this->Last)
 {
-  this->Factorise(this->Last);
+  this->CostOf(this->Last);
+  this->Factorise();
 }
 
 Status ShapeCompletion::Check(const std::vector<SurfaceTouch>& touches) const
@@ -116,15 +117,14 @@ ShapeCompletion::State ShapeCompletion::SphereState(const std::vector<SurfaceTou
 
 double ShapeCompletion::CostOf(const State& state)
 {
-  this->Equations.Evaluate(state.Surface, false);
+  this->Equations.Evaluate(state.Surface, true);
   return state.Pull.dot(state.Surface.Coefficients - this->Given->Mean()) +
          state.CenterPull.dot(state.Surface.CenterWorld - this->Click) + this->Equations.Misfit();
 }
 
-// The equations at a surface, and the factor of their rows' covariance.
-void ShapeCompletion::Factorise(const State& state)
+// The factor of the covariance of the rows, at the surface of the last CostOf.
+void ShapeCompletion::Factorise()
 {
-  this->Equations.Evaluate(state.Surface, true);
   const Eigen::MatrixXd& slopes = this->Equations.ByCoefficients();
   this->PriorBySlopes.resize(slopes.rows(), slopes.cols());
   this->PriorBySlopes.noalias() = this->Given->Covariance() * slopes;
@@ -143,7 +143,7 @@ void ShapeCompletion::Factorise(const State& state)
 // The optimum of the linearised equations.
 void ShapeCompletion::FindTarget(const State& state)
 {
-  this->Factorise(state);
+  this->Factorise();
   const Eigen::MatrixXd& slopes = this->Equations.ByCoefficients();
   this->Weights.resize(slopes.cols());
   this->Weights.noalias() = slopes.transpose() * (state.Surface.Coefficients - this->Given->Mean());
@@ -173,6 +173,12 @@ double ShapeCompletion::ChangeBetween(const State& one, const State& other) cons
 bool ShapeCompletion::Step(State& state)
 {
   this->FindTarget(state);
+  if (this->ChangeBetween(this->Target, state) < LeastStep)
+  {
+    this->Target.Cost = state.Cost;
+    std::swap(this->Target, state);
+    return false;
+  }
   const double shift = (this->Target.Surface.CenterWorld - state.Surface.CenterWorld).norm();
   const double growth =
       ShapePrior::ConstantHarmonic *
@@ -192,11 +198,11 @@ bool ShapeCompletion::Step(State& state)
     this->Trial.Cost = this->CostOf(this->Trial);
     if (this->Trial.Cost < state.Cost)
     {
-      const double change = this->ChangeBetween(this->Trial, state);
       std::swap(this->Trial, state);
-      return change > LeastStep;
+      return true;
     }
   }
+  state.Cost = this->CostOf(state);
   return false;
 }
 
@@ -209,7 +215,6 @@ void ShapeCompletion::Descend(State& state)
     ++steps;
   }
   this->StepCount += steps;
-  this->Equations.Evaluate(state.Surface, false);
 }
 
 bool ShapeCompletion::FitsBadly() const noexcept
@@ -238,7 +243,8 @@ Status ShapeCompletion::Update(const std::vector<SurfaceTouch>& touches)
         std::swap(start, this->Last);
       }
     }
-    this->Factorise(this->Last);
+    this->CostOf(this->Last);
+    this->Factorise();
   }
   return Status::Success();
 }

@@ -66,7 +66,7 @@ private:
   State PriorState() const;
   State SphereState(const std::vector<SurfaceTouch>& touches) const;
   void Descend(State& state);
-  void Factorise(const State& state);
+  void Factorise();
   void FindTarget(const State& state);
   bool Step(State& state);
   double CostOf(const State& state);

@@ -34,6 +34,7 @@ TouchEquations::TouchEquations(int degree)
 {
   std::fill(this->First.begin(), this->First.end(), this->Harmonics);
   std::fill(this->Second.begin(), this->Second.end(), this->Harmonics);
+  this->SetTouches({});
 }
 
 void TouchEquations::SetTouches(const std::vector<SurfaceTouch>& touches)

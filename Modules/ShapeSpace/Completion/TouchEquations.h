@@ -29,7 +29,8 @@ class TouchEquations
 public:
   /// What a surface of a degree leaves out, mm: part of each point's variance.
   static constexpr double ModelDeviation = 0.4;
-  static constexpr double NormalDeviation = 0.2; ///< rad
+  /// Of normals, 0.2 of the touch and as much as such a surface leaves out, rad.
+  static constexpr double NormalDeviation = 0.3;
   static constexpr double StrokeDeviation = 0.5; ///< of the offset of a stroke, mm
 
   explicit TouchEquations(int degree);

@@ -64,7 +64,7 @@ TEST(DeviationMap, IsThePosteriorInClosedForm)
   touches[2].Normal = touches[2].PointWorld - Center;
   touches[4].Stroke = touches[5].Stroke = touches[6].Stroke = 3;
   ShapeCompletion completion(prior, Center);
-  // Twice: the derivatives are those at the last but one surface, some 1e-3 mm away at first.
+  // Twice: the derivatives are those of the last but one surface, less than 5e-3 mm away.
   ASSERT_TRUE(completion.Update(touches).IsOk() && completion.Update(touches).IsOk());
   DeviationMap map(prior, 3);
   const Eigen::MatrixXd slopes = SurfaceSlopes(completion, map.Directions());
@@ -72,7 +72,7 @@ TEST(DeviationMap, IsThePosteriorInClosedForm)
       slopes * Information(completion, touches).inverse() * slopes.transpose();
   const Eigen::VectorXd wanted =
       (posterior.diagonal().array() + DeviationMap::LeftOut * DeviationMap::LeftOut).sqrt();
-  EXPECT_LT((map.Evaluate(completion) - wanted).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT((map.Evaluate(completion) - wanted).cwiseAbs().maxCoeff(), 2e-4);
 }
 
 TEST(DeviationMap, TouchesMakeItSurerThereAndNowhereLessSure)
