@@ -80,6 +80,19 @@ extern "C"
    */
   palpate_model* palpate_model_read(const char* path, palpate_error* error);
   int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error);
+  /* Radial, completed from `count` touched points of an organ (x, y, z of each) of a standard
+   * deviation `sigma` (mm). Any of the following may be NULL: `normals` (of length 0 for a point
+   * without), `strokes` (points of the same number above 0 share an offset, as of a line drawn too
+   * wide), `prior` (a file that palpate cohort --prior wrote; else the organ is smooth), `center`
+   * (near the organ's; else the middle of the points). Of the outputs, which may be NULL,
+   * `deviations` gets a standard deviation (mm, along the normal) for each point of
+   * palpate_model_mesh of frequency 8, and `next` six points (x, y, z of each): where to touch
+   * next. Fails if the points are farther from any likely star-shaped surface than `sigma`
+   * explains. */
+  palpate_model* palpate_complete(const double* points, const double* normals,
+                                  const int32_t* strokes, size_t count, const char* prior,
+                                  double sigma, const double center[3], double* deviations,
+                                  double* next, palpate_error* error);
   void palpate_model_free(palpate_model* model);
 
   int palpate_model_degree(const palpate_model* model);
