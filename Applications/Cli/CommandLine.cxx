@@ -89,7 +89,7 @@ bool NamesInputs(const std::string& command)
 {
   static const std::set<std::string> commands{"fit",      "compare",  "relate", "mesh",
                                               "evaluate", "convert",  "soften", "touch",
-                                              "tradeoff", "register", "check"};
+                                              "tradeoff", "register", "check",  "complete"};
   return commands.count(command) > 0;
 }
 

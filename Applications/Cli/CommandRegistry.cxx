@@ -3,6 +3,7 @@
 #include "CheckCommand.h"
 #include "CohortCommand.h"
 #include "CompareCommand.h"
+#include "CompleteCommand.h"
 #include "CompletionCommand.h"
 #include "ConvertCommand.h"
 #include "DevicesCommand.h"
@@ -35,6 +36,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<CompareCommand>());
   commands.push_back(std::make_unique<RelateCommand>());
   commands.push_back(std::make_unique<RegisterCommand>());
+  commands.push_back(std::make_unique<CompleteCommand>());
   commands.push_back(std::make_unique<CheckCommand>());
   commands.push_back(std::make_unique<MeshCommand>());
   commands.push_back(std::make_unique<EvaluateCommand>());

@@ -1,6 +1,7 @@
 #include "ModelHandle.h"
 
 #include "BatchEvaluation.h"
+#include "DeviationMap.h"
 #include "ErrorText.h"
 #include "GridArgument.h"
 #include "IcosahedronDirections.h"
@@ -9,12 +10,15 @@
 #include "ModelFile.h"
 #include "ModelMeasures.h"
 #include "RadialModelFit.h"
+#include "ShapePriorFile.h"
 #include "SphericalHarmonicBasis.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -106,6 +110,29 @@ int Nearest(const Search& search, const Vector3& query, double point[3], double 
   Copy(found.Normal, normal);
   *distance = found.SignedDistance;
   return 1;
+}
+
+constexpr int DeviationFrequency = 8;
+constexpr int CandidateFrequency = 6;
+constexpr int NextPlaces = 6;
+
+void DescribeCompletion(const ShapeCompletion& completion, double* deviations, double* next)
+{
+  if (deviations != nullptr)
+  {
+    const Eigen::VectorXd found =
+        DeviationMap(completion.Prior(), DeviationFrequency).Evaluate(completion);
+    std::copy(found.begin(), found.end(), deviations);
+  }
+  if (next != nullptr)
+  {
+    for (const Vector3& place :
+         DeviationMap(completion.Prior(), CandidateFrequency).NextTouches(completion, NextPlaces))
+    {
+      Copy(place, next);
+      next += 3;
+    }
+  }
 }
 } // namespace
 } // namespace palpate
@@ -218,6 +245,50 @@ palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
                    palpate_model* handle = HandleOf(std::move(model));
                    handle->Changes = ChangeText(changes);
                    return handle;
+                 });
+}
+
+palpate_model* palpate_complete(const double* points, const double* normals, const int32_t* strokes,
+                                size_t count, const char* prior, double sigma,
+                                const double center[3], double* deviations, double* next,
+                                palpate_error* error)
+{
+  return Guarded(error, {{points, "points", count}},
+                 [&]() -> palpate_model*
+                 {
+                   if (count > ShapeCompletion::MostTouches)
+                   {
+                     SetError(error, "there are more than 1,000 touched points");
+                     return nullptr;
+                   }
+                   std::vector<SurfaceTouch> touches(count);
+                   for (std::size_t n = 0; n < count; ++n)
+                   {
+                     touches[n] = {VectorOf(points + 3 * n), sigma};
+                     touches[n].Stroke = strokes != nullptr ? strokes[n] : 0;
+                     if (normals != nullptr && VectorOf(normals + 3 * n) != Vector3::Zero())
+                     {
+                       touches[n].Normal = VectorOf(normals + 3 * n);
+                     }
+                   }
+                   std::shared_ptr<const ShapePrior> given;
+                   if (prior != nullptr)
+                   {
+                     given = std::make_shared<const ShapePrior>(ReadShapePrior(prior));
+                   }
+                   std::optional<Vector3> click;
+                   if (center != nullptr)
+                   {
+                     click = VectorOf(center);
+                   }
+                   std::unique_ptr<ShapeCompletion> made;
+                   if (Told(CompleteSurface(touches, given, click, made), error) == 0 ||
+                       Told(made->Judge(), error) == 0)
+                   {
+                     return nullptr;
+                   }
+                   DescribeCompletion(*made, deviations, next);
+                   return HandleOf(made->Model());
                  });
 }
 

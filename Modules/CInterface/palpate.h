@@ -50,7 +50,6 @@ extern "C"
 
   /* Models of organs in spherical harmonics: radial models (a radius around a centre) and surface
    * models (three coordinates). */
-
   /* Radial, of (degree + 1)^2 coefficients (mm): real, orthonormal, no Condon-Shortley phase,
    * at l (l + 1) + m. */
   palpate_model* palpate_model_create(int degree, const double* coefficients,
@@ -80,6 +79,14 @@ extern "C"
    */
   palpate_model* palpate_model_read(const char* path, palpate_error* error);
   int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error);
+  /* Radial, completed from `count` touched points (x, y, z of each) of a standard deviation `sigma`
+   * (mm). May be NULL: `normals` (0 for none), `strokes` (points of one number above 0 share an
+   * offset), `prior` (a file of palpate cohort --prior), `center` (near the organ's), `deviations`
+   * (mm, of the points of palpate_model_mesh of frequency 8), `next` (6 places to touch next). */
+  palpate_model* palpate_complete(const double* points, const double* normals,
+                                  const int32_t* strokes, size_t count, const char* prior,
+                                  double sigma, const double center[3], double* deviations,
+                                  double* next, palpate_error* error);
   void palpate_model_free(palpate_model* model);
 
   int palpate_model_degree(const palpate_model* model);
@@ -141,7 +148,6 @@ extern "C"
                          int32_t* triangles, palpate_error* error);
 
   /* Comparisons of two bodies, each a mask, a closed or open mesh, or a model; on any grid. */
-
   /* A mask, as palpate_model_fit_mask has it: its surface lies half way between the centres of
    * voxels inside and outside. */
   palpate_compared* palpate_compared_of_mask(const uint8_t* inside, const int size[3],
@@ -198,7 +204,6 @@ extern "C"
                       double* reference_distances, palpate_error* error);
 
   /* Relations of two closed bodies, and the shape of one. */
-
   /* A mask as the shape that its voxels were drawn from, closer to the organ than their steps. */
   palpate_compared* palpate_compared_of_mask_shape(const uint8_t* inside, const int size[3],
                                                    const double origin[3], const double spacing[3],
@@ -288,7 +293,6 @@ extern "C"
                      double* near_areas, double* near_volumes, palpate_error* error);
 
   /* Registration: points brought to where they belong. */
-
   typedef struct palpate_registration
   {
     double map[16];    /* of the moving points: a matrix, row after row */
@@ -310,7 +314,6 @@ extern "C"
                               palpate_registration* found, palpate_error* error);
 
   /* Checks: whether masks can be believed. They use all processors. */
-
   /* Measures the structures of one patient: the labels `values` of a grid of size[0] size[1]
    * size[2] numbers, i fastest, with their names ("": "label N"), or masks that may overlap. An
    * `axes` of NULL is x, y and z, of which nobody says that they are the patient's: sides are then
@@ -371,7 +374,6 @@ extern "C"
                            palpate_rule* found);
 
   /* Statistics: linear models of many outcomes on covariates. */
-
   /* `formula` is in R's notation: "~ age + log(psa) + a * b". `values` has the text of each case,
    * column after column; empty or NA is missing, and a column with a word is a factor. Cases
    * without a value of a used column are left out. `references` are levels of factors,

@@ -1,69 +1,23 @@
 #include "ShapeGroup.h"
 
+#include "CoefficientDistribution.h"
 #include "IcosahedronDirections.h"
 #include "OrderedTasks.h"
-#include "ShapeMirror.h"
 #include "SphericalHarmonicBasis.h"
 #include "Units.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palpate
 {
 namespace
 {
-constexpr double GroupShare = 0.6; // of the covariance; the rest is its diagonal by degree
-constexpr double OddLimit = 2.2;   // times the median
+constexpr double OddLimit = 2.2; // times the median
 constexpr int TemplateFrequency = 6;
 constexpr double TemplateDegrees[OutlineTemplates::Widths] = {8.0, 14.0, 22.0, 35.0};
 constexpr Eigen::Index Count = (RadialProbe::Degree + 1) * (RadialProbe::Degree + 1);
-
-// Whether mirroring changes the mean by less than half of the cases' own spread.
-bool IsSymmetric(const Eigen::MatrixXd& cases, const Eigen::VectorXd& signs)
-{
-  const Eigen::VectorXd mean = cases.colwise().mean();
-  const Eigen::MatrixXd rest = cases.rowwise() - mean.transpose();
-  double odd = 0.0;
-  double spread = 0.0;
-  for (Eigen::Index c = 0; c < cases.cols(); ++c)
-  {
-    if (signs[c] < 0.0)
-    {
-      odd += mean[c] * mean[c];
-      spread += rest.col(c).squaredNorm() / static_cast<double>(cases.rows() - 1);
-    }
-  }
-  return odd <= 0.25 * spread;
-}
-
-Eigen::VectorXd MirrorSigns()
-{
-  Eigen::VectorXd signs(Count);
-  Eigen::Index at = 0;
-  for (int degree = 0; degree <= RadialProbe::Degree; ++degree)
-  {
-    for (int order = -degree; order <= degree; ++order)
-    {
-      signs[at++] = MirrorSign(order);
-    }
-  }
-  return signs;
-}
-
-Eigen::MatrixXd Shrunk(const Eigen::MatrixXd& covariance)
-{
-  Eigen::MatrixXd made = GroupShare * covariance;
-  Eigen::Index at = 0;
-  for (int degree = 0; degree <= RadialProbe::Degree; ++degree)
-  {
-    const Eigen::Index orders = 2 * degree + 1;
-    const double mean = covariance.diagonal().segment(at, orders).mean();
-    made.diagonal().segment(at, orders).array() += (1.0 - GroupShare) * mean + 1e-12;
-    at += orders;
-  }
-  return made;
-}
 } // namespace
 
 OutlineTemplates::OutlineTemplates()
@@ -95,20 +49,9 @@ OutlineTemplates::OutlineTemplates()
 
 ShapeGroup::ShapeGroup(const Eigen::MatrixXd& cases, const OutlineTemplates& templates)
 {
-  const Eigen::VectorXd signs = MirrorSigns();
-  Eigen::MatrixXd rows = cases;
-  if (IsSymmetric(cases, signs))
-  {
-    rows.conservativeResize(2 * cases.rows(), Eigen::NoChange);
-    rows.bottomRows(cases.rows()) = cases * signs.asDiagonal();
-  }
-  this->Mean_ = rows.colwise().mean();
-  rows.rowwise() -= this->Mean_.transpose();
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(Count, Count);
-  covariance.selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose(),
-                                                        1.0 / static_cast<double>(rows.rows() - 1));
-  covariance.triangularView<Eigen::StrictlyUpper>() = covariance.transpose();
-  this->Factorise(Shrunk(covariance), templates);
+  CoefficientDistribution group(cases);
+  this->Mean_ = std::move(group.Mean);
+  this->Factorise(group.Covariance, templates);
 }
 
 ShapeGroup::ShapeGroup(Eigen::VectorXd mean, const Eigen::MatrixXd& covariance,

@@ -21,11 +21,8 @@ struct OutlineTemplates
   static constexpr int Widths = 4;
 };
 
-/// The normal distribution of an organ's outlines over a group, and how far an outline lies outside
-/// of it. With S the covariance of the cases, mirrored copies among them if the mean is almost
-/// symmetric, and D the diagonal of its mean variance for each degree, the covariance is
-/// 0.6 S + 0.4 D (shrinkage as Ledoit and Wolf, J. Multivariate Analysis 88, 2004, with a fixed
-/// share).
+/// The normal distribution of an organ's outlines over a group (CoefficientDistribution), and how
+/// far an outline lies outside of it.
 class ShapeGroup
 {
 public:

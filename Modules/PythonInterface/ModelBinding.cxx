@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <string>
 #include <vector>
@@ -68,6 +71,45 @@ BoundModel FitPoints(const py::object& given, int degree, const py::object& cent
   const py::gil_scoped_release others;
   return {Owned<palpate_model>(
       Call(palpate_model_fit, points.Data(), points.Count(), middle.data(), degree))};
+}
+
+py::object Complete(const py::object& givenPoints, const py::object& givenNormals,
+                    const std::optional<std::filesystem::path>& prior, double sigma,
+                    const py::object& center, const py::object& givenStrokes)
+{
+  constexpr int DeviationFrequency = 8;
+  const VectorArray points(givenPoints, "points");
+  std::optional<VectorArray> normals;
+  if (!givenNormals.is_none())
+  {
+    normals.emplace(givenNormals, "normals");
+  }
+  py::array_t<std::int32_t, py::array::c_style | py::array::forcecast> strokes;
+  if (!givenStrokes.is_none())
+  {
+    strokes = decltype(strokes)(RealArray(givenStrokes, "strokes"));
+  }
+  const auto isOther = [&points](std::size_t count) { return count != points.Count(); };
+  if ((normals && isOther(normals->Count())) ||
+      (!givenStrokes.is_none() && isOther(static_cast<std::size_t>(strokes.size()))))
+  {
+    throw py::value_error("normals and strokes: there has to be one for each point");
+  }
+  const auto middle = center.is_none() ? std::array<double, 3>{} : TripleOf(center, "center");
+  const std::string file = prior ? prior->string() : std::string();
+  Numbers deviations(static_cast<py::ssize_t>(palpate_mesh_point_count(DeviationFrequency)));
+  Numbers next(std::vector<py::ssize_t>{6, 3});
+  double* const deviation = deviations.mutable_data();
+  double* const places = next.mutable_data();
+  const std::int32_t* const numbers = givenStrokes.is_none() ? nullptr : strokes.data();
+  BoundModel model;
+  {
+    const py::gil_scoped_release others;
+    model.Handle.reset(Call(palpate_complete, points.Data(), normals ? normals->Data() : nullptr,
+                            numbers, points.Count(), prior ? file.c_str() : nullptr, sigma,
+                            center.is_none() ? nullptr : middle.data(), deviation, places));
+  }
+  return Result("Completion", std::move(model), deviations, next);
 }
 
 void Deprecated(const std::string& message)
@@ -329,6 +371,16 @@ void BindModels(py::module_& module)
              py::arg("center") = py::none(),
              "Fits a radial model to points (n, 3) of a surface, mm, by least squares.\n\n"
              "center: (3,), inside; the mean of the points unless given.");
+  module.def(
+      "complete", &Complete, py::arg("points"), py::arg("normals") = py::none(),
+      py::arg("prior") = py::none(), py::arg("sigma") = 1.0, py::arg("center") = py::none(),
+      py::kw_only(), py::arg("strokes") = py::none(),
+      "Completes an organ's surface from a few touched points (n, 3), mm.\n\n"
+      "normals: (n, 3), 0 for a point without. prior: a file of palpate cohort --prior; else "
+      "the organ is smooth.\n"
+      "sigma: standard deviation of the points, mm. center: (3,), near the organ's; the "
+      "middle of the points unless given.\n"
+      "strokes: (n,): points of the same number above 0 share an offset.");
   module.def(
       "fit_mask",
       [](const py::object& mask, int degree, const std::string& kind, const py::object& spacing,

@@ -31,6 +31,7 @@ from ._kernels import asymmetry as asymmetry
 from ._kernels import calibre as calibre
 from ._kernels import check as check
 from ._kernels import compare as compare
+from ._kernels import complete as complete
 from ._kernels import contact_dtype as contact_dtype
 from ._kernels import displacement as displacement
 from ._kernels import fit_mask as fit_mask
@@ -48,6 +49,7 @@ from ._results import CheckedRule as CheckedRule
 from ._results import Coefficients as Coefficients
 from ._results import ComparedSurface as ComparedSurface
 from ._results import Comparison as Comparison
+from ._results import Completion as Completion
 from ._results import Curvature as Curvature
 from ._results import Displacement as Displacement
 from ._results import Distances as Distances

@@ -10,6 +10,7 @@ from ._results import (
     Calibre,
     Coefficients,
     Comparison,
+    Completion,
     Curvature,
     Displacement,
     LandmarkRegistration,
@@ -61,6 +62,15 @@ class Model:
     def write(self, path: Union[str, PathLike[str]]) -> None: ...
 
 def fit_points(points: ArrayLike, degree: int = 12, center: Optional[ArrayLike] = None) -> Model: ...
+def complete(
+    points: ArrayLike,
+    normals: Optional[ArrayLike] = None,
+    prior: Optional[Union[str, PathLike[str]]] = None,
+    sigma: float = 1.0,
+    center: Optional[ArrayLike] = None,
+    *,
+    strokes: Optional[ArrayLike] = None,
+) -> Completion: ...
 def fit_mask(
     mask: ArrayLike,
     degree: int = 20,

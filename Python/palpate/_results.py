@@ -1,9 +1,12 @@
 """What queries return."""
 
-from typing import List, NamedTuple, Optional
+from typing import TYPE_CHECKING, List, NamedTuple, Optional
 
 from numpy import bool_, float64, int32
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from ._kernels import Model
 
 
 class Curvature(NamedTuple):
@@ -288,6 +291,17 @@ class Relation(NamedTuple):
     """(3,), mm: from the first centroid to the second."""
     axes_angle: float
     """Degrees between the longest axes, 0 to 90."""
+
+
+class Completion(NamedTuple):
+    """A surface completed from touched points."""
+
+    model: "Model"
+    """A radial model."""
+    deviations: NDArray[float64]
+    """(642,), mm: standard deviations along the normals at the points of model.mesh(8)."""
+    next: NDArray[float64]
+    """(6, 3), mm: where to touch next, the best place first."""
 
 
 class Coefficients(NamedTuple):

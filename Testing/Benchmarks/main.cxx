@@ -2,6 +2,7 @@
 #include "BodyBenchmarks.h"
 #include "BumpyTouchBenchmarks.h"
 #include "ComparisonReport.h"
+#include "CompletionBenchmarks.h"
 #include "DisplayCheck.h"
 #include "DrillBenchmarks.h"
 #include "ElasticBenchmarks.h"
@@ -56,13 +57,13 @@ std::vector<PairedBenchmark> DrawingBenchmarks()
 std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
-  for (auto& group :
-       {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
-        palpate::bench::FitBenchmarks(), palpate::bench::NearestBenchmarks(),
-        palpate::bench::BodyBenchmarks(), palpate::bench::FieldBenchmarks(), DrawingBenchmarks(),
-        palpate::bench::TouchBenchmarks(), palpate::bench::BumpyTouchBenchmarks(),
-        palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
-        palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
+                      palpate::bench::FitBenchmarks(), palpate::bench::CompletionBenchmarks(),
+                      palpate::bench::NearestBenchmarks(), palpate::bench::BodyBenchmarks(),
+                      palpate::bench::FieldBenchmarks(), DrawingBenchmarks(),
+                      palpate::bench::TouchBenchmarks(), palpate::bench::BumpyTouchBenchmarks(),
+                      palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
+                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

@@ -196,6 +196,13 @@ TEST_F(JsonOutput, RegisterIsDocumented)
   this->ExpectDocumented("register");
 }
 
+TEST_F(JsonOutput, CompleteIsDocumented)
+{
+  WriteAll(this->Folder / "a.csv", "x,y,z\n9,0,0\n-9,0,0\n0,9,0\n0,-9,0\n0,0,9\n0,0,-9\n");
+  this->Run({"complete", "a.csv", "--output", "completed", "--json"});
+  this->ExpectDocumented("complete");
+}
+
 TEST_F(JsonOutput, RelateIsDocumented)
 {
   WriteImage(this->Folder / "tube.nii.gz",

@@ -28,6 +28,22 @@ def directions(count=500):
     return vectors / numpy.linalg.norm(vectors, axis=1, keepdims=True)
 
 
+class Completion(unittest.TestCase):
+    def test_touches_and_normals_of_a_ball_give_the_ball(self):
+        along = palpate.Model([UNIT]).mesh(1).points
+        made = palpate.complete(CENTER + 22 * along, normals=along, sigma=0.5, strokes=numpy.arange(12))
+        numpy.testing.assert_allclose(made.model.radii(directions()), 22.0, atol=0.05)
+        self.assertEqual((made.deviations.shape, made.next.shape), ((642,), (6, 3)))
+
+    def test_refuses_other_counts_and_what_is_not_star_shaped(self):
+        points = 20 * directions(30)
+        with self.assertRaisesRegex(ValueError, "one for each point"):
+            palpate.complete(points, normals=points[:3])
+        points[::2] *= 0.5
+        with self.assertRaisesRegex(palpate.Error, "not star-shaped"):
+            palpate.complete(points, center=(0, 0, 0), sigma=0.3)
+
+
 class Models(unittest.TestCase):
     def test_points_are_centre_and_radius(self):
         model, along = bumpy(), directions()

@@ -5,6 +5,7 @@
 #include "CohortEffectFiles.h"
 #include "CohortExport.h"
 #include "CohortFit.h"
+#include "CohortPrior.h"
 #include "CohortQuality.h"
 #include "CohortReparametrisation.h"
 #include "CommandProgress.h"
@@ -92,6 +93,8 @@ std::string CohortCommand::Examples() const
          "\"~ "
          "months * drug\"\n"
          "                                          patients who were scanned several times\n"
+         "  palpate cohort out --masks glands --model radial --prior prior.json\n"
+         "                                          what palpate complete takes\n"
          "  palpate cohort out --masks glands --covariates patients.csv --formula \"~ age\"\n"
          "                                          the same from the masks, in one command";
 }
@@ -131,6 +134,11 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "Write shape.json: the mean plus standard deviations of modes, such as 1:2,3:-1 "
                  "(0: the mean)")
       ->type_name("MODE:SD,...");
+  app.add_option("--prior", this->Prior,
+                 "Also write what the cases' radial models say of the organ, for palpate complete "
+                 "(no case is named)")
+      ->type_name("FILE")
+      ->check(FileType::Output("file", ".json"));
   this->DeclareCovariates(app);
 }
 
@@ -349,6 +357,10 @@ int CohortCommand::Run(Console& console)
   if (!this->Shape.empty())
   {
     SynthesizeShape(group, this->Shape); // a mistake in it is told before the long work
+  }
+  if (!this->Prior.empty())
+  {
+    WriteCohortPrior(group, this->Prior);
   }
   CovariateRequest request = this->Request;
   request.IsForSides = this->Sides.size() == 2;

@@ -59,6 +59,7 @@ private:
   bool ShowsNames = false;
   bool IsAnonymous = false;
   std::string Shape;
+  std::string Prior;
   CovariateRequest Request;
   std::vector<std::string> Sides; ///< midline, or the columns of patient and side
 };

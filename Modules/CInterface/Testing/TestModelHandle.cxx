@@ -43,6 +43,34 @@ std::vector<double> CoefficientsOf(const palpate_model* model)
   return values;
 }
 
+TEST(ModelHandle, CompletesABallFromItsCorners)
+{
+  std::vector<double> points;
+  const IcosahedronDirections corners(1);
+  for (const Vector3& direction : corners.Directions())
+  {
+    const Vector3 point = Vector3(5.0, 6.0, 7.0) + 24.0 * direction;
+    points.insert(points.end(), point.begin(), point.end());
+  }
+  palpate_error error{};
+  std::vector<double> deviations(palpate_mesh_point_count(8), -1.0);
+  std::vector<double> next(18, -1.0);
+  const Owned<palpate_model> made(palpate_complete(points.data(), nullptr, nullptr, 12, nullptr,
+                                                   0.5, nullptr, deviations.data(), next.data(),
+                                                   &error));
+  ASSERT_NE(made, nullptr) << error.text;
+  double volume = 0.0;
+  double area = 0.0;
+  ASSERT_EQ(palpate_model_measure(made.get(), &volume, &area, &error), 1);
+  EXPECT_NEAR(volume, 4.0 / 3.0 * M_PI * std::pow(24.0, 3), 30.0); // 0.01 mm of radius
+  EXPECT_GT(*std::min_element(deviations.begin(), deviations.end()), 0.3);
+  EXPECT_NEAR(std::hypot(next[0] - 5.0, next[1] - 6.0, next[2] - 7.0), 24.0, 0.1);
+  EXPECT_EQ(palpate_complete(points.data(), nullptr, nullptr, 12, "absent.json", 0.5, nullptr,
+                             nullptr, nullptr, &error),
+            nullptr);
+  EXPECT_NE(std::string(error.text).find("absent.json"), std::string::npos);
+}
+
 TEST(ModelHandle, PointsAreThoseOfTheModel)
 {
   const RadialModel model = Bumpy();

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "PalpateStudyModule.h"
+#include "SurfaceTouch.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace palpate
+{
+/// Endings of files of touched points: .csv, .mrk.json, .fcsv.
+PALPATESTUDY_EXPORT std::vector<std::string> TouchedPointsEndings();
+
+/// Reads points that were touched on an organ (mm, patient LPS), of a standard deviation (mm)
+/// unless the file says otherwise. 3D Slicer's markups (ReadMarkups): points of lists by
+/// themselves, each curve as a stroke; its older .fcsv, from RAS too. A table, with a header and
+/// any of CsvSeparator's separators: x, y, z or x_mm, y_mm, z_mm; where it has them nx, ny, nz (a
+/// normal, empty for none), sd (mm), stroke (a number from 1) and outside (1: the organ does not
+/// reach that far). Throws InputError, naming the line, for what is not such a file, without points
+/// or of more than 16 MiB.
+PALPATESTUDY_EXPORT std::vector<SurfaceTouch> ReadTouchedPoints(const std::filesystem::path& file,
+                                                                double deviation);
+} // namespace palpate
