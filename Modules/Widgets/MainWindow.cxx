@@ -81,6 +81,8 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
 MainWindow::~MainWindow()
 {
   this->EndEditing();
+  // It watches all events, also those of an open menu whose end follows that of the views.
+  delete this->findChild<TouchLink*>(QString(), Qt::FindDirectChildrenOnly);
 }
 
 // A number that is being typed is taken when its box loses the focus: while all that it changes is

@@ -42,8 +42,8 @@ bool HasLogarithm(const RadialModel& model)
 
 ShapePrior::ShapePrior(int degree, Eigen::VectorXd mean, Eigen::MatrixXd covariance,
                        std::size_t cases)
-    : HighestDegree(degree), Mean_(std::move(mean)), Covariance_(std::move(covariance)),
-      CaseCount(cases)
+    : HighestDegree(degree), MeanLogarithm(std::move(mean)),
+      LogarithmCovariance(std::move(covariance)), CaseCount(cases)
 {
 }
 

@@ -39,9 +39,9 @@ public:
   ShapePrior() : ShapePrior(Smooth(25.0)) {}
 
   int Degree() const noexcept { return this->HighestDegree; }
-  Eigen::Index Size() const noexcept { return this->Mean_.size(); }
-  const Eigen::VectorXd& Mean() const noexcept { return this->Mean_; }
-  const Eigen::MatrixXd& Covariance() const noexcept { return this->Covariance_; }
+  Eigen::Index Size() const noexcept { return this->MeanLogarithm.size(); }
+  const Eigen::VectorXd& Mean() const noexcept { return this->MeanLogarithm; }
+  const Eigen::MatrixXd& Covariance() const noexcept { return this->LogarithmCovariance; }
   /// Models of the group; 0 of smoothness alone.
   std::size_t Cases() const noexcept { return this->CaseCount; }
 
@@ -49,8 +49,8 @@ private:
   ShapePrior(int degree, Eigen::VectorXd mean, Eigen::MatrixXd covariance, std::size_t cases);
 
   int HighestDegree;
-  Eigen::VectorXd Mean_;
-  Eigen::MatrixXd Covariance_;
+  Eigen::VectorXd MeanLogarithm;
+  Eigen::MatrixXd LogarithmCovariance;
   std::size_t CaseCount;
 };
 
