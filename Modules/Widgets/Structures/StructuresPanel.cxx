@@ -312,7 +312,12 @@ void StructuresPanel::ShowFinding(const QModelIndex& index)
           : nullptr;
   if (verdict != nullptr && verdict->Is != OrganJudgement::Verdict::Plausible)
   {
-    Q_EMIT PlaceChosen(verdict->PlaceWorld);
+    const Vector3 place = verdict->PlaceWorld;
+    if (!structure->IsVisible)
+    {
+      this->Edits.SetVisible({structure->Id}, true);
+    }
+    Q_EMIT PlaceChosen(place);
   }
 }
 

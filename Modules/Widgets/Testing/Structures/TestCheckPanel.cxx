@@ -150,6 +150,20 @@ TEST_F(CheckPanelTest, ClickOnAMarkShowsThePlaceInAllViews)
   EXPECT_EQ(this->Focus(), focus);
 }
 
+TEST_F(CheckPanelTest, ClickOnAMarkShowsAHiddenStructure)
+{
+  this->Open();
+  this->Check();
+  StudyState next = this->Study->State();
+  next.Structures[1].IsVisible = false;
+  this->Study->Change("Hide", next);
+  this->ClickStatus(2);
+  EXPECT_TRUE(this->Study->State().Structures[1].IsVisible);
+  EXPECT_LT((this->Cross() - Hole).norm(), 0.5);
+  this->Study->Undo();
+  EXPECT_FALSE(this->Study->State().Structures[1].IsVisible);
+}
+
 TEST_F(CheckPanelTest, KeyOnAMarkShowsThePlace)
 {
   this->Open();
