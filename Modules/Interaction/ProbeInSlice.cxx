@@ -8,6 +8,7 @@
 #include "vtkCoordinate.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPolyData.h"
+#include "vtkTextProperty.h"
 
 #include <algorithm>
 
@@ -23,6 +24,7 @@ constexpr double HeadPoints = 9.0;
 constexpr double CrossPoints = 3.5;
 constexpr double TextGap = 5.0; // points from the tool
 constexpr int TextSize = 11;
+constexpr double TextWidth = 120.0; // points, of "10.00 N, 10.0 mm deep"
 
 std::array<double, 3> ToArray(const double* color)
 {
@@ -65,6 +67,13 @@ std::vector<SurfaceCurve> FlatArrow(const Vector3& from, const Vector3& vector,
           {{back + 0.5 * head * across, tip, back - 0.5 * head * across}, false}};
 }
 
+bool HasRoomAtRight(const SlicePosition& slice, const Vector3& beginWorld)
+{
+  const double begin =
+      (beginWorld - slice.CenterWorld).dot(slice.Frame.RightWorld) / slice.PixelMillimeters;
+  return begin + TextWidth * slice.PointPixels <= 0.5 * slice.Width;
+}
+
 ProbeInSlice::ProbeInSlice() : Text(MakeViewText(0.0, 0.5, TextSize))
 {
   for (const HaloCurve* curve : {&this->Probe, &this->Proxy, &this->Arrow, &this->Contact})
@@ -93,8 +102,10 @@ void ProbeInSlice::ShowContact(vtkProbeRepresentation* probe, const SlicePositio
                            {{place - right + up, place + right - up}, false}},
                           slice.Lift(ArrowLayer));
   this->Contact.SetStyle(ToArray(probe->GetContactColor()), 1.0, ArrowWidth * slice.PointPixels);
-  const Vector3 edge =
-      slice.Projected(proxy) + (probe->GetToolRadius() + TextGap * pixel) * slice.Frame.RightWorld;
+  const Vector3 aside = (probe->GetToolRadius() + TextGap * pixel) * slice.Frame.RightWorld;
+  const bool isAtRight = HasRoomAtRight(slice, proxy + aside);
+  const Vector3 edge = slice.Projected(isAtRight ? Vector3(proxy + aside) : Vector3(proxy - aside));
+  this->Text->GetTextProperty()->SetJustification(isAtRight ? VTK_TEXT_LEFT : VTK_TEXT_RIGHT);
   this->Text->GetPositionCoordinate()->SetValue(edge.x(), edge.y(), edge.z());
   SetViewText(this->Text, PressText(probe, unit));
 }

@@ -26,9 +26,14 @@ PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve> ToolSection(vtkPolyData* too
 PALPATEINTERACTION_EXPORT std::vector<SurfaceCurve>
 FlatArrow(const Vector3& from, const Vector3& vector, const Vector3& normal, double headLength);
 
+/// Whether the text of force and depth, which begins here, ends before the right edge of the view.
+PALPATEINTERACTION_EXPORT bool HasRoomAtRight(const SlicePosition& slice,
+                                              const Vector3& beginWorld);
+
 /// A probe in a slice: a thin outline at the probe, a thick one at the proxy, and from there the
 /// force's component in the plane; in contact also a cross at the contact point, and newtons and
-/// depth. Nothing if the slice does not cut the tool.
+/// depth at the right of the tool, or at its left if the view ends there. Nothing if the slice does
+/// not cut the tool.
 class PALPATEINTERACTION_EXPORT ProbeInSlice : public ViewProps
 {
 public:

@@ -57,6 +57,20 @@ TEST(ProbeInSlice, DistantToolIsNotCut)
           .empty());
 }
 
+TEST(ProbeInSlice, TextChangesSideWhereTheViewEnds)
+{
+  palpate::SlicePosition slice;
+  slice.Frame = palpate::FrameOf(palpate::ViewSide::Anterior);
+  slice.Width = 400;
+  slice.PixelMillimeters = 0.5;
+  const Vector3 right = slice.Frame.RightWorld;
+  EXPECT_TRUE(palpate::HasRoomAtRight(slice, slice.CenterWorld));
+  EXPECT_TRUE(palpate::HasRoomAtRight(slice, slice.CenterWorld + 39.0 * right)); // 78 + 120 pixels
+  EXPECT_FALSE(palpate::HasRoomAtRight(slice, slice.CenterWorld + 41.0 * right));
+  slice.PointPixels = 2.0;
+  EXPECT_FALSE(palpate::HasRoomAtRight(slice, slice.CenterWorld));
+}
+
 TEST(ProbeInSlice, ArrowEndsAtItsVectorsTip)
 {
   const auto arrow =
