@@ -276,8 +276,8 @@ def main():
          "automatic`. *Worse*: structures whose Dice is lower by more than 0.0005, or whose 95 % "
          "distance is longer by more than 0.005 mm, than at degree 12. Measured on 30 November 2026 "
          "on two cores of an Intel Xeon, two masks at a time, while other programs took most of the "
-         "machine: all 116 of AAL took 313 s (510 s of processors) with little else running, two of them a "
-         "half of that.",
+         "machine: all 116 of AAL took 254 s (449 s of processors) with nothing else running, two of them 106 s "
+         "of that.",
          lambda: found_degree(program, arguments.data)),
         ("Against SPHARM-PDM", "", lambda: COMPARISON),
         ("Known bodies", "Prostate-like phantoms of degree 8, fitted at degree 12 around their true "
