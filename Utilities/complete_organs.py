@@ -24,7 +24,7 @@ from check_errors import Labels
 
 FOLDS = 5
 SIGMA = 1.0  # mm, of the hand
-EYE = 0.5  # mm, of what is seen
+EYE = 0.5  # mm, noise of the eye
 TILT = 0.2  # rad, of normals
 CLICK = 5.0  # mm, RMS distance of the click from the centroid
 STROKE = 0.5  # mm, of the offset of a stroke

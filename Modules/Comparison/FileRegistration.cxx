@@ -1,5 +1,6 @@
 #include "FileRegistration.h"
 
+#include "AffineRows.h"
 #include "BodyMotion.h"
 #include "InputError.h"
 #include "KernelWatch.h"
@@ -47,21 +48,9 @@ ComparedBody BodyOf(const std::filesystem::path& path, const std::string& label,
 
 Vector3 MiddleOf(vtkImageData* image)
 {
-  const ImageGrid grid = GridOf(image);
-  const Eigen::Map<const Eigen::Vector3i> size(grid.Size.data());
-  const Vector3 steps = 0.5 * (size.cast<double>() - Vector3::Ones());
-  return grid.OriginWorld + grid.Direction * grid.Spacing.cwiseProduct(steps);
-}
-
-MapRows RowsOf(const Eigen::Affine3d& map)
-{
-  MapRows rows{};
-  for (int row = 0; row < 3; ++row)
-  {
-    Eigen::Map<Eigen::RowVector4d>(rows[static_cast<std::size_t>(row)].data()) =
-        map.matrix().row(row);
-  }
-  return rows;
+  Vector3 middle;
+  image->GetCenter(middle.data());
+  return middle;
 }
 
 // One registration, step by step.
@@ -158,19 +147,13 @@ private:
     const Volume fixed = ReadVolume(fixedFile, this->Settings.Images);
     const Vector3 middle = MiddleOf(moving.Image);
     const Eigen::Affine3d start = this->StartOf(middle, MiddleOf(fixed.Image), true);
-    this->Found.Images =
-        RegisterImages(moving.Image, fixed.Image,
-                       {this->Settings.Kind == RegistrationKind::Similarity,
-                        this->Settings.Kind == RegistrationKind::Affine, RowsOf(start.inverse())},
-                       this->Watch.Of(0.1, 1.0));
+    this->Found.Images = RegisterImages(moving.Image, fixed.Image,
+                                        {this->Settings.Kind == RegistrationKind::Similarity,
+                                         this->Settings.Kind == RegistrationKind::Affine,
+                                         ToMapRows(start.inverse())},
+                                        this->Watch.Of(0.1, 1.0));
     this->Watch.Require();
-    Eigen::Affine3d back = Eigen::Affine3d::Identity();
-    for (int row = 0; row < 3; ++row)
-    {
-      back.matrix().row(row) = Eigen::Map<const Eigen::RowVector4d>(
-          this->Found.Images->Back[static_cast<std::size_t>(row)].data());
-    }
-    this->Found.Map = back.inverse();
+    this->Found.Map = ToAffine(this->Found.Images->Back).inverse();
     this->Conclude(middle);
   }
 

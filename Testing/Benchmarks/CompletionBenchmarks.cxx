@@ -65,7 +65,7 @@ public:
     Eigen::MatrixXd information;
     for (double change = 1.0; change > 1e-6;)
     {
-      equations.Evaluate(surface, true);
+      equations.Evaluate(surface);
       slopes.leftCols(count) = equations.ByCoefficients().transpose();
       slopes.rightCols<3>() = equations.ByCenter().transpose();
       information = slopes.transpose() * slopes / Variance;
@@ -115,7 +115,7 @@ private:
     }
     TouchEquations equations(this->Prior->Degree());
     equations.SetTouches(points);
-    equations.Evaluate(surface, true);
+    equations.Evaluate(surface);
     Eigen::MatrixXd slopes(this->Prior->Size() + 3, equations.Rows());
     slopes.topRows(this->Prior->Size()) = equations.ByCoefficients();
     slopes.bottomRows<3>() = equations.ByCenter();

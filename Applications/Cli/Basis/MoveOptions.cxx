@@ -4,6 +4,7 @@
 #include "FileType.h"
 #include "ImageContent.h"
 #include "InputError.h"
+#include "LabelValues.h"
 #include "SurfaceModel.h"
 #include "TransformFile.h"
 #include "TransformedImage.h"
@@ -17,32 +18,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 #include <variant>
 
 namespace palpate::cli
 {
-namespace
-{
-std::set<int> ValuesOf(vtkImageData* layer)
-{
-  vtkDataArray* values = layer->GetPointData()->GetScalars();
-  std::set<int> found;
-  int last = 0;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    const int value = static_cast<int>(values->GetComponent(i, 0));
-    if (value != last)
-    {
-      found.insert(value);
-      last = value;
-    }
-  }
-  return found;
-}
-} // namespace
-
 void MoveOptions::Declare(CLI::App& app)
 {
   app.add_option("--transform", this->File,
@@ -96,18 +77,18 @@ Segmentation MoveOptions::Moved(Segmentation segmentation) const
   {
     return segmentation;
   }
-  std::vector<std::set<int>> values;
+  std::vector<std::map<int, vtkIdType>> counts;
   for (vtkSmartPointer<vtkImageData>& layer : segmentation.Layers)
   {
     layer = this->Moved(layer, ResamplingKind::Nearest);
-    values.push_back(ValuesOf(layer));
+    counts.push_back(CountLabels(layer->GetPointData()->GetScalars()));
   }
   // Structures that lie outside of the new grid.
   auto& segments = segmentation.Segments;
   segments.erase(
       std::remove_if(segments.begin(), segments.end(),
-                     [&values](const Segment& one)
-                     { return values[static_cast<std::size_t>(one.Layer)].count(one.Value) == 0; }),
+                     [&counts](const Segment& one)
+                     { return counts[static_cast<std::size_t>(one.Layer)].count(one.Value) == 0; }),
       segments.end());
   if (segments.empty())
   {

@@ -18,7 +18,7 @@ constexpr double Slack = 0.5;
 } // namespace
 
 DegreeBracket::DegreeBracket(double tolerance, int least, int highest) noexcept
-    : Tolerance(tolerance), Highest(std::max(least, highest)), Below(least - 1), Decay(UsualDecay)
+    : Tolerance(tolerance), Least(least), Highest(std::max(least, highest)), Decay(UsualDecay)
 {
 }
 
@@ -31,33 +31,33 @@ std::optional<int> DegreeBracket::Next() const noexcept
 {
   if (!this->Missed && !this->Met)
   {
-    return std::clamp(UsualDegree, this->Below + 1, this->Highest);
+    return std::clamp(UsualDegree, this->Below() + 1, this->Highest);
   }
   if (!this->Met)
   {
-    return this->Below < this->Highest ? std::optional<int>(this->NextUpwards()) : std::nullopt;
+    return this->Below() < this->Highest ? std::optional<int>(this->NextUpwards()) : std::nullopt;
   }
   const int below = this->Met->Degree - 1;
-  if (this->Below >= below)
+  if (this->Below() >= below)
   {
     return {};
   }
   if (below < UsualDegree)
   {
-    return (this->Below + this->Met->Degree) / 2;
+    return (this->Below() + this->Met->Degree) / 2;
   }
   const double crossing = this->Crossing();
-  return crossing > below - Slack
-             ? std::nullopt
-             : std::optional<int>(std::max(static_cast<int>(std::ceil(crossing)), this->Below + 1));
+  return crossing > below - Slack ? std::nullopt
+                                  : std::optional<int>(std::max(
+                                        static_cast<int>(std::ceil(crossing)), this->Below() + 1));
 }
 
 // A degree that just misses costs a fit more; one that is a degree too high hardly anything.
 int DegreeBracket::NextUpwards() const noexcept
 {
-  const int longest = std::min(static_cast<int>(LongestStep * (this->Below + 1)), this->Highest);
+  const int longest = std::min(static_cast<int>(LongestStep * (this->Below() + 1)), this->Highest);
   const double wanted = std::min<double>(std::ceil(this->Crossing() + Slack), longest);
-  return std::max(static_cast<int>(wanted), this->Below + 1);
+  return std::max(static_cast<int>(wanted), this->Below() + 1);
 }
 
 bool DegreeBracket::Add(int degree, double rms) noexcept
@@ -69,7 +69,6 @@ bool DegreeBracket::Add(int degree, double rms) noexcept
   const std::optional<Tried>& other = misses ? this->Met : this->Missed;
   const std::optional<Tried> from = other ? other : end;
   end = Tried{degree, excess};
-  this->Below = misses ? degree : this->Below;
   const double decay = from ? (from->Excess - excess) / (degree - from->Degree) : UsualDecay;
   this->Decay = decay > 0.0 ? decay : UsualDecay;
   return !misses || !this->Met;

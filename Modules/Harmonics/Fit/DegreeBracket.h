@@ -30,10 +30,12 @@ private:
   /// Of the line through both ends, or through the last two that missed, with the tolerance.
   double Crossing() const noexcept;
   int NextUpwards() const noexcept;
+  /// The highest degree that misses, or that is not to be tried.
+  int Below() const noexcept { return this->Missed ? this->Missed->Degree : this->Least - 1; }
 
   double Tolerance;
+  int Least;
   int Highest;
-  int Below;                   ///< the highest degree that is known to miss
   std::optional<Tried> Missed; ///< at Below
   std::optional<Tried> Met;    ///< the lowest
   double Decay;                ///< of the logarithm per degree

@@ -1,5 +1,6 @@
 #include "ImageRegistration.h"
 
+#include "AffineRows.h"
 #include "ImageGrid.h"
 #include "InputError.h"
 
@@ -55,31 +56,6 @@ vtkSmartPointer<vtkImageData> ImageOf(const Eigen::Affine3d& map, const Eigen::M
   return MakeImage(grid, voxels);
 }
 
-MapRows RowsOf(const Eigen::Affine3d& map)
-{
-  MapRows rows{};
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-          map.matrix()(row, column);
-    }
-  }
-  return rows;
-}
-
-Eigen::Affine3d MapOf(const MapRows& rows)
-{
-  Eigen::Affine3d map = Eigen::Affine3d::Identity();
-  for (int row = 0; row < 3; ++row)
-  {
-    map.matrix().row(row) =
-        Eigen::Map<const Eigen::RowVector4d>(rows[static_cast<std::size_t>(row)].data());
-  }
-  return map;
-}
-
 double Plain(double density)
 {
   return density;
@@ -112,7 +88,7 @@ double Apart(const Eigen::Affine3d& a, const Eigen::Affine3d& b)
   return largest;
 }
 
-const MapRows Still = RowsOf(Eigen::Affine3d::Identity());
+const MapRows Still = ToMapRows(Eigen::Affine3d::Identity());
 
 TEST(ImageRegistration, FindsMovedImageOfAnotherModality)
 {
@@ -124,7 +100,7 @@ TEST(ImageRegistration, FindsMovedImageOfAnotherModality)
   const auto found = RegisterImages(moving, fixed, {false, false, Still}, {});
   ASSERT_TRUE(found);
   // A tenth of a voxel.
-  EXPECT_LT(Apart(MapOf(found->Back).inverse(), truth), 0.2);
+  EXPECT_LT(Apart(ToAffine(found->Back).inverse(), truth), 0.2);
   EXPECT_GT(found->InformationAfter, found->InformationBefore);
 }
 
@@ -140,7 +116,7 @@ TEST(ImageRegistration, FindsSizeAndShearIfTheyMayChange)
     const Eigen::Affine3d& truth = isAffine ? sheared : similar;
     const auto moving = ImageOf(truth.inverse(), Eigen::Matrix3d::Identity(), Plain);
     const auto found = RegisterImages(moving, fixed, {!isAffine, isAffine, Still}, {});
-    EXPECT_LT(Apart(MapOf(found->Back).inverse(), truth), 0.3) << isAffine;
+    EXPECT_LT(Apart(ToAffine(found->Back).inverse(), truth), 0.3) << isAffine;
   }
 }
 
@@ -150,15 +126,15 @@ TEST(ImageRegistration, GoesOnFromItsStart)
   const auto fixed = ImageOf(Eigen::Affine3d::Identity(), Eigen::Matrix3d::Identity(), Plain);
   const auto moving = ImageOf(truth.inverse(), Eigen::Matrix3d::Identity(), Inverse);
   const Eigen::Affine3d start = Moved(36.0, 30.0);
-  const auto found = RegisterImages(moving, fixed, {false, false, RowsOf(start.inverse())}, {});
-  EXPECT_LT(Apart(MapOf(found->Back).inverse(), truth), 0.2);
+  const auto found = RegisterImages(moving, fixed, {false, false, ToMapRows(start.inverse())}, {});
+  EXPECT_LT(Apart(ToAffine(found->Back).inverse(), truth), 0.2);
 }
 
 TEST(ImageRegistration, RefusesImagesThatDoNotOverlapOrHaveOneValue)
 {
   const auto fixed = ImageOf(Eigen::Affine3d::Identity(), Eigen::Matrix3d::Identity(), Plain);
   const Eigen::Affine3d away(Eigen::Translation3d(500.0, 0.0, 0.0));
-  EXPECT_THROW(RegisterImages(fixed, fixed, {false, false, RowsOf(away)}, {}), InputError);
+  EXPECT_THROW(RegisterImages(fixed, fixed, {false, false, ToMapRows(away)}, {}), InputError);
   const auto flat =
       ImageOf(Eigen::Affine3d::Identity(), Eigen::Matrix3d::Identity(), [](double) { return 7.0; });
   EXPECT_THROW(RegisterImages(flat, fixed, {false, false, Still}, {}), InputError);

@@ -1,18 +1,15 @@
 #pragma once
 
 #include "KernelProgress.h"
+#include "MapRows.h"
 #include "PalpateIOModule.h"
 #include "vtkImageData.h"
 
-#include <array>
 #include <optional>
 
 namespace palpate
 {
-/// Three rows of a matrix and a shift (patient LPS, mm).
-using MapRows = std::array<std::array<double, 4>, 3>;
-
-/// Where a moving image belongs. Without Eigen, since ITK has one of its own.
+/// Where a moving image belongs.
 struct ImageRegistration
 {
   MapRows Back{}; ///< from the fixed image to the moving one

@@ -1,16 +1,15 @@
 #pragma once
 
-#include "itkMatrixOffsetTransformBase.h"
+#include "MapRows.h"
 
-#include <array>
+#include "itkMatrixOffsetTransformBase.h"
 
 namespace palpate
 {
 /// Three rows of a matrix and a shift, of a linear transform of ITK.
-inline std::array<std::array<double, 4>, 3>
-RowsOf(const itk::MatrixOffsetTransformBase<double, 3, 3>& linear)
+inline MapRows RowsOf(const itk::MatrixOffsetTransformBase<double, 3, 3>& linear)
 {
-  std::array<std::array<double, 4>, 3> rows{};
+  MapRows rows{};
   for (unsigned row = 0; row < 3; ++row)
   {
     for (unsigned column = 0; column < 3; ++column)

@@ -20,11 +20,9 @@ namespace
 using Linear = itk::MatrixOffsetTransformBase<double, 3, 3>;
 using Translation = itk::TranslationTransform<double, 3>;
 
-using Rows = std::array<std::array<double, 4>, 3>;
-
-Rows RowsOf(const Translation& shift)
+MapRows RowsOf(const Translation& shift)
 {
-  Rows rows{};
+  MapRows rows{};
   for (unsigned row = 0; row < 3; ++row)
   {
     rows[row][row] = 1.0;
@@ -34,7 +32,7 @@ Rows RowsOf(const Translation& shift)
 }
 } // namespace
 
-std::array<std::array<double, 4>, 3> ReadItkTransform(const std::filesystem::path& file)
+MapRows ReadItkTransform(const std::filesystem::path& file)
 {
   const auto reader = itk::TxtTransformIOTemplate<double>::New();
   try

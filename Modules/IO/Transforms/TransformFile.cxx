@@ -1,5 +1,6 @@
 #include "TransformFile.h"
 
+#include "AffineRows.h"
 #include "DecimalText.h"
 #include "FileFormat.h"
 #include "FslSpace.h"
@@ -102,13 +103,7 @@ Eigen::Affine3d ReadItk(const std::filesystem::path& file, const std::string& te
   {
     Refuse(file, "is not a transform of ITK, or is cut off", "write it again as text (.tfm)");
   }
-  Eigen::Affine3d map = Eigen::Affine3d::Identity();
-  const std::array<std::array<double, 4>, 3> rows = ReadItkTransform(file);
-  for (int row = 0; row < 3; ++row)
-  {
-    map.matrix().row(row) = Eigen::Map<const Eigen::RowVector4d>(rows[row].data());
-  }
-  return map;
+  return ToAffine(ReadItkTransform(file));
 }
 
 Eigen::Affine3d ReadXfm(const std::filesystem::path& file, const std::string& text)

@@ -117,7 +117,7 @@ ShapeCompletion::State ShapeCompletion::SphereState(const std::vector<SurfaceTou
 
 double ShapeCompletion::CostOf(const State& state)
 {
-  this->Equations.Evaluate(state.Surface, true);
+  this->Equations.Evaluate(state.Surface);
   return state.Pull.dot(state.Surface.Coefficients - this->Given->Mean()) +
          state.CenterPull.dot(state.Surface.CenterWorld - this->Click) + this->Equations.Misfit();
 }

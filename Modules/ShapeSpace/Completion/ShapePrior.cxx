@@ -2,6 +2,7 @@
 
 #include "CoefficientDistribution.h"
 #include "IcosahedronDirections.h"
+#include "SphericalHarmonicConventions.h"
 #include "SphericalHarmonicProjection.h"
 
 #include <Eigen/Cholesky>
@@ -21,11 +22,6 @@ constexpr double LeastRadiusShare = 0.05; // of the mean radius
 constexpr double SmallestRadius = 0.1;    // mm
 constexpr double LargestRadius = 1000.0;  // mm
 constexpr int ProjectionDegree = 60;      // of the quadrature
-
-int DegreeOfCount(Eigen::Index count)
-{
-  return static_cast<int>(std::lround(std::sqrt(static_cast<double>(count)))) - 1;
-}
 
 bool HasLogarithm(const RadialModel& model)
 {
@@ -94,7 +90,7 @@ Status ShapePrior::OfGroup(const std::vector<RadialModel>& models, ShapePrior& p
 Status ShapePrior::Of(Eigen::VectorXd mean, Eigen::MatrixXd covariance, std::size_t cases,
                       ShapePrior& prior)
 {
-  const int degree = DegreeOfCount(mean.size());
+  const int degree = DegreeOfCount(static_cast<std::size_t>(mean.size()));
   const Eigen::Index count = mean.size();
   if (degree < 1 || degree > LargestDegree ||
       count != static_cast<Eigen::Index>(degree + 1) * (degree + 1) || covariance.rows() != count ||
@@ -124,8 +120,8 @@ Eigen::VectorXd LogarithmOf(const RadialModel& model, int degree)
 
 RadialModel RadialModelOf(const Eigen::VectorXd& logarithm, int degree, const Vector3& centerWorld)
 {
-  const RadialModel exponent(DegreeOfCount(logarithm.size()), {logarithm.begin(), logarithm.end()},
-                             Vector3::Zero());
+  const RadialModel exponent(DegreeOfCount(static_cast<std::size_t>(logarithm.size())),
+                             {logarithm.begin(), logarithm.end()}, Vector3::Zero());
   return {degree,
           ProjectOnHarmonics(degree, ProjectionDegree,
                              [&exponent](const Vector3& u)

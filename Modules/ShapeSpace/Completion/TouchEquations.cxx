@@ -119,42 +119,36 @@ TouchEquations::Place TouchEquations::PlaceOf(const SurfaceTouch& touch,
   return place;
 }
 
-void TouchEquations::PointRow(const Place& place, Eigen::Index row, bool derives) noexcept
+void TouchEquations::PointRow(const Place& place, Eigen::Index row) noexcept
 {
   const double scale = place.Distance / place.Slant;
   this->Values[row] = scale * place.Excess;
-  if (derives)
-  {
-    const double bent = scale * place.Excess / place.Slant; // as |v| changes
-    const Vector3& n = place.Normal;
-    this->Turns.Turn(-bent * place.Direction.cross(n), this->Harmonics.data(), this->Turned.data());
-    this->Slopes.col(row) = this->Turned - scale * this->Harmonics;
-    this->CenterSlopes.col(row) = -n - place.Excess / place.Slant * place.Direction -
-                                  bent * place.NormalSlope.transpose() * n;
-  }
+  const double bent = scale * place.Excess / place.Slant; // as |v| changes
+  const Vector3& n = place.Normal;
+  this->Turns.Turn(-bent * place.Direction.cross(n), this->Harmonics.data(), this->Turned.data());
+  this->Slopes.col(row) = this->Turned - scale * this->Harmonics;
+  this->CenterSlopes.col(row) =
+      -n - place.Excess / place.Slant * place.Direction - bent * place.NormalSlope.transpose() * n;
 }
 
-void TouchEquations::TangentRow(const Place& place, const Vector3& tangent, Eigen::Index row,
-                                bool derives) noexcept
+void TouchEquations::TangentRow(const Place& place, const Vector3& tangent,
+                                Eigen::Index row) noexcept
 {
   this->Values[row] = tangent.dot(place.Normal);
-  if (derives)
-  {
-    const Vector3 part = (tangent - this->Values[row] * place.Normal) / place.Slant;
-    this->Turns.Turn(place.Direction.cross(part), this->Harmonics.data(), this->Turned.data());
-    this->Slopes.col(row) = this->Turned;
-    this->CenterSlopes.col(row) = place.NormalSlope.transpose() * part;
-  }
+  const Vector3 part = (tangent - this->Values[row] * place.Normal) / place.Slant;
+  this->Turns.Turn(place.Direction.cross(part), this->Harmonics.data(), this->Turned.data());
+  this->Slopes.col(row) = this->Turned;
+  this->CenterSlopes.col(row) = place.NormalSlope.transpose() * part;
 }
 
-void TouchEquations::Evaluate(const LogSurface& surface, bool derives) noexcept
+void TouchEquations::Evaluate(const LogSurface& surface) noexcept
 {
   this->PrepareDerivatives(surface);
   Eigen::Index row = 0;
   for (const SurfaceTouch& touch : this->Touches)
   {
     const Place place = this->PlaceOf(touch, surface);
-    this->PointRow(place, row, derives);
+    this->PointRow(place, row);
     if (touch.IsOutside && this->Values[row] > 0.0)
     {
       this->Values[row] = 0.0;
@@ -165,8 +159,8 @@ void TouchEquations::Evaluate(const LogSurface& surface, bool derives) noexcept
     if (touch.Normal && !touch.IsOutside)
     {
       const Vector3 tangent = touch.Normal->unitOrthogonal();
-      this->TangentRow(place, tangent, row++, derives);
-      this->TangentRow(place, touch.Normal->normalized().cross(tangent), row++, derives);
+      this->TangentRow(place, tangent, row++);
+      this->TangentRow(place, touch.Normal->normalized().cross(tangent), row++);
     }
   }
 }

@@ -40,8 +40,8 @@ public:
   Eigen::Index Rows() const noexcept { return this->Values.size(); }
   std::size_t TouchCount() const noexcept { return this->Touches.size(); }
 
-  /// Evaluates the residuals; with `derives` also their derivatives. Does not allocate.
-  void Evaluate(const LogSurface& surface, bool derives) noexcept;
+  /// Evaluates the residuals and their derivatives. Does not allocate.
+  void Evaluate(const LogSurface& surface) noexcept;
 
   const Eigen::VectorXd& Residuals() const noexcept { return this->Values; }
   /// Derivatives by the coefficients, a column each row of the equations, and by the centre.
@@ -59,9 +59,8 @@ public:
 private:
   struct Place;
   Place PlaceOf(const SurfaceTouch& touch, const LogSurface& surface) noexcept;
-  void PointRow(const Place& place, Eigen::Index row, bool derives) noexcept;
-  void TangentRow(const Place& place, const Vector3& tangent, Eigen::Index row,
-                  bool derives) noexcept;
+  void PointRow(const Place& place, Eigen::Index row) noexcept;
+  void TangentRow(const Place& place, const Vector3& tangent, Eigen::Index row) noexcept;
   void PrepareDerivatives(const LogSurface& surface) noexcept;
 
   SphericalHarmonicBasis Basis;

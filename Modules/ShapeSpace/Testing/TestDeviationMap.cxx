@@ -37,7 +37,7 @@ Eigen::MatrixXd Information(const ShapeCompletion& completion,
 {
   TouchEquations equations(completion.Prior()->Degree());
   equations.SetTouches(touches);
-  equations.Evaluate(completion.Surface(), true);
+  equations.Evaluate(completion.Surface());
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(equations.Rows(), equations.Rows());
   equations.AddCovariance(covariance);
   const Eigen::MatrixXd slopes = AllSlopes(equations);
@@ -51,7 +51,7 @@ Eigen::MatrixXd SurfaceSlopes(const ShapeCompletion& completion,
 {
   TouchEquations equations(completion.Prior()->Degree());
   equations.SetTouches(TouchesOf(completion.Surface(), directions, 1.0));
-  equations.Evaluate(completion.Surface(), true);
+  equations.Evaluate(completion.Surface());
   return AllSlopes(equations);
 }
 

@@ -77,7 +77,7 @@ TEST(ShapeCompletion, IsStationaryAtTheEnd)
   ASSERT_TRUE(completion.Update(touches).IsOk());
   TouchEquations equations(12);
   equations.SetTouches(touches);
-  equations.Evaluate(completion.Surface(), true);
+  equations.Evaluate(completion.Surface());
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(equations.Rows(), equations.Rows());
   equations.AddCovariance(covariance);
   const Eigen::MatrixXd slopes = AllSlopes(equations);

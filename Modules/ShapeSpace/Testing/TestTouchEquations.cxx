@@ -44,14 +44,14 @@ TEST(TouchEquations, DerivativesAreThoseOfTheResiduals)
   const LogSurface surface = Lump(random);
   TouchEquations equations(Degree);
   equations.SetTouches(SomeTouches(random, surface));
-  equations.Evaluate(surface, true);
+  equations.Evaluate(surface);
   const Eigen::MatrixXd slopes = AllSlopes(equations);
   constexpr double Step = 1e-5; // second differences of some 100 mm: 1e-8
   const auto moved = [&](Eigen::Index unknown, double step)
   {
     LogSurface other = surface;
     (unknown < 49 ? other.Coefficients[unknown] : other.CenterWorld[unknown - 49]) += step;
-    equations.Evaluate(other, false);
+    equations.Evaluate(other);
     return Eigen::VectorXd(equations.Residuals());
   };
   for (Eigen::Index unknown = 0; unknown < slopes.cols(); ++unknown)
@@ -69,7 +69,7 @@ TEST(TouchEquations, PointsNearASurfaceHaveTheirDistance)
   std::vector<SurfaceTouch> touches = TouchesOf(surface, RandomDirections(random, 50), 1.0);
   TouchEquations equations(Degree);
   equations.SetTouches(touches);
-  equations.Evaluate(surface, true);
+  equations.Evaluate(surface);
   EXPECT_LT(equations.Residuals().cwiseAbs().maxCoeff(), 1e-12);
   // The slopes by the centre are the normals, against the way of the centre.
   constexpr double Lift = 0.01; // mm; curvature below 1/mm: 1e-4 mm of it
@@ -78,7 +78,7 @@ TEST(TouchEquations, PointsNearASurfaceHaveTheirDistance)
     touches[n].PointWorld -= Lift * equations.ByCenter().col(static_cast<Eigen::Index>(n));
   }
   equations.SetTouches(touches);
-  equations.Evaluate(surface, false);
+  equations.Evaluate(surface);
   EXPECT_LT((equations.Residuals().array() - Lift).abs().maxCoeff(), 1e-4);
   EXPECT_NEAR(equations.Distance(), Lift, 1e-4);
 }
@@ -90,14 +90,14 @@ TEST(TouchEquations, NormalsOfTheSurfaceLeaveNoResidualOnEitherSide)
   std::vector<SurfaceTouch> touches = TouchesOf(surface, RandomDirections(random, 20), 1.0);
   TouchEquations equations(Degree);
   equations.SetTouches(touches);
-  equations.Evaluate(surface, true);
+  equations.Evaluate(surface);
   for (std::size_t n = 0; n < touches.size(); ++n)
   {
     touches[n].Normal =
         (n % 2 == 0 ? 3.0 : -1.0) * equations.ByCenter().col(static_cast<Eigen::Index>(n));
   }
   equations.SetTouches(touches);
-  equations.Evaluate(surface, false);
+  equations.Evaluate(surface);
   ASSERT_EQ(equations.Rows(), 60);
   EXPECT_LT(equations.Residuals().cwiseAbs().maxCoeff(), 1e-12);
 }
@@ -108,7 +108,7 @@ TEST(TouchEquations, MisfitIsTheSquareOverTheCovariance)
   const LogSurface surface = Lump(random);
   TouchEquations equations(Degree);
   equations.SetTouches(SomeTouches(random, surface));
-  equations.Evaluate(surface, false);
+  equations.Evaluate(surface);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(equations.Rows(), equations.Rows());
   equations.AddCovariance(covariance);
   const double square = equations.Residuals().dot(covariance.llt().solve(equations.Residuals()));
@@ -124,7 +124,7 @@ TEST(TouchEquations, OutsideCountsOnlyWhereTheSurfaceReachesBeyond)
   TouchEquations equations(Degree);
   equations.SetTouches({{surface.CenterWorld + 1.1 * arm, 1.0, {}, 0, true},
                         {surface.CenterWorld + 0.9 * arm, 1.0, {}, 0, true}});
-  equations.Evaluate(surface, true);
+  equations.Evaluate(surface);
   EXPECT_EQ(equations.Residuals()[0], 0.0);
   EXPECT_EQ(equations.ByCoefficients().col(0).norm(), 0.0);
   EXPECT_LT(equations.Residuals()[1], 0.0);

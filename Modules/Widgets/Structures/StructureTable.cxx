@@ -165,8 +165,8 @@ int StructureTable::WidthOfNames() const
   return widest + 2 * (this->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 2);
 }
 
-// Of what is seen next to the names without scrolling: drill roles, or the verdict that a status
-// begins with.
+// Drill roles, or the verdict that a status begins with, are seen next to the names without
+// scrolling; this is their width.
 int StructureTable::WidthBesideNames() const
 {
   const QHeaderView* header = this->horizontalHeader();
