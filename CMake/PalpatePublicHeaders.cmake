@@ -6,10 +6,10 @@ set(PALPATE_PUBLIC_HEADERS
   DeviceState DirectionCoverage DistanceSamples ElasticContactModel EvaluationKernel FieldContactModel FieldGrid
   FieldHit FieldMaterial FieldSampler FieldSolid HapticDevice IndexToWorld IndexedMesh InstructionSet
   KernelProgress LargestEmptyCap MaskModel MaskShape MaskSurface MaterialMap ModelDocument ModelFile
-  ModelMeasures NearestOnMesh OrganModel PackedTriangle PlainVector3 RadialContactModel RadialEvaluator
+  ModelMeasures NearestOnMesh OrganContact OrganModel PackedTriangle PlainVector3 RadialEvaluator
   RadialModel RadialModelFit RadialSamples RayCaster ScalarField ScalarType ShapeAlignment ShapeField ShapeModes
   SideBias SphericalHarmonicBasis SphericalHarmonicRecurrence SphericalPlacement SphericalTriangle Status
-  SurfaceContactModel SurfaceCurvature SurfaceEvaluator SurfaceFriction SurfaceModel SurfaceModelFit ToolPose
+  SurfaceCurvature SurfaceEvaluator SurfaceFriction SurfaceModel SurfaceModelFit ToolPose
   ToolShape TopologyReport TriangleKernel TriangleTree Vector3 VoxelMask WindingNumbers)
 
 # The folder of <palpate/NAME.h> for programs that use a build tree.

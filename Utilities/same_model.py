@@ -4,11 +4,12 @@
 
 Python's module has to be on PYTHONPATH; runs build/release/bin/palpate with every structure, both kinds of model and
 two degrees. Prints structures that differ, and a line with the counts; exits with 1 if one differs. Where one of the
-two refuses, the other has to refuse, too.
+two refuses, the other has to refuse, too. Files of folders that are no masks are left out.
 """
 
 import concurrent.futures
 import gzip
+import itertools
 import json
 import pathlib
 import subprocess
@@ -25,8 +26,9 @@ TYPES = {"short": "i2", "unsigned short": "u2", "unsigned char": "u1", "int": "i
 
 
 def info_of(image):
-    run = subprocess.run([PROGRAM, "info", image, "--json"], capture_output=True, text=True, check=True)
-    return json.loads(run.stdout.splitlines()[0])
+    """What `palpate info` says; none of a file that it refuses."""
+    run = subprocess.run([PROGRAM, "info", image, "--json"], capture_output=True, text=True)
+    return json.loads(run.stdout.splitlines()[0]) if run.returncode == 0 else {}
 
 
 def read_nrrd(path):
@@ -39,13 +41,17 @@ def read_nrrd(path):
     return voxels, {"spacing": grid["spacing_mm"], "origin": grid["origin_mm"], "direction": numpy.array(grid["axes"]).T}
 
 
-def by_command_line(image, label, model, degree, folder):
-    command = [PROGRAM, "fit", image, "--label", str(label), "--model", model, "--degree", str(degree)]
+def by_command_line(image, model, degree, folder):
+    """Each label's model, or why there is none."""
+    command = [PROGRAM, "fit", image, "--model", model, "--degree", str(degree), "--min-dice", "0"]
     run = subprocess.run([*command, "--output", folder, "--json"], capture_output=True, text=True)
-    result = json.loads(run.stdout.splitlines()[0])
-    if result["status"] != "fitted":
-        return None, result["message"]
-    return palpate.read_model(next(pathlib.Path(folder).glob("*model*.json"))), ""
+    made = {}
+    for result in map(json.loads, run.stdout.splitlines()):
+        if result["status"] == "fitted":
+            made[result["label"]] = palpate.read_model(pathlib.Path(result["folder"]) / "model.json"), ""
+        else:
+            made[result["label"]] = None, result["message"]
+    return made
 
 
 def by_python(voxels, label, model, degree, place):
@@ -55,36 +61,41 @@ def by_python(voxels, label, model, degree, place):
         return None, str(error)
 
 
-def compare(image, label, model, degree):
-    with tempfile.TemporaryDirectory() as folder:
-        copy = pathlib.Path(folder) / "mask.nrrd"
-        subprocess.run([PROGRAM, "convert", image, copy], check=True, capture_output=True)
-        voxels, place = read_nrrd(copy)
-        one, why = by_command_line(copy, label, model, degree, f"{folder}/out")
-        other, reason = by_python(voxels, label, model, degree, place)
+def judgement(one, why, other, reason):
     if one is None or other is None:
         return "refused" if one is other else f"refused by one alone: {why or reason}"
     same = numpy.array_equal(one.coefficients, other.coefficients) and numpy.array_equal(one.center, other.center)
     return "same" if same else f"differ by {numpy.abs(one.coefficients - other.coefficients).max():.2g} mm"
 
 
-def labels_of(image):
-    return [structure["label"] for structure in info_of(image)["labels"]]
+def compare(image):
+    """A line and a judgement of every structure, kind of model and degree."""
+    if not info_of(image).get("labels"):
+        return []
+    found = []
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder) / "mask.nrrd"
+        subprocess.run([PROGRAM, "convert", image, copy], check=True, capture_output=True)
+        voxels, place = read_nrrd(copy)
+        for model, degree in itertools.product(KINDS, DEGREES):
+            for label, (one, why) in by_command_line(copy, model, degree, f"{folder}/{model}{degree}").items():
+                other, reason = by_python(voxels, label, model, degree, place)
+                found.append((f"{image} {label} {model} {degree}", judgement(one, why, other, reason)))
+    return found
 
 
 def main():
     images = []
     for given in map(pathlib.Path, sys.argv[1:]):
         images += sorted(given.rglob("*.nii.gz")) if given.is_dir() else [given]
-    jobs = [(i, label, model, degree) for i in images for label in labels_of(i) for model in KINDS for degree in DEGREES]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        found = list(pool.map(lambda job: compare(*job), jobs))
-    differing = 0
-    for job, result in zip(jobs, found):
+        found = [each for image in pool.map(compare, images) for each in image]
+    judged = [result for _, result in found]
+    for job, result in found:
         if result not in ("same", "refused"):
-            differing += 1
-            print(*job, result)
-    print(f"{len(jobs)} models: {found.count('same')} the same, {found.count('refused')} refused by both, {differing} others")
+            print(job, result)
+    differing = len(found) - judged.count("same") - judged.count("refused")
+    print(f"{len(found)} models: {judged.count('same')} the same, {judged.count('refused')} refused by both, {differing} others")
     return 1 if differing else 0
 
 

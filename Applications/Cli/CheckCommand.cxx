@@ -13,6 +13,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "ProcessorCount.h"
 
 #include <CLI/CLI.hpp>
 #include <ostream>

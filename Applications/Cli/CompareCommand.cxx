@@ -12,6 +12,7 @@
 #include "MaskFolder.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
+#include "ProcessorCount.h"
 #include "SurfaceFile.h"
 #include "VectorText.h"
 

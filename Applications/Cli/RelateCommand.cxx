@@ -9,6 +9,7 @@
 #include "Interruption.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
+#include "ProcessorCount.h"
 #include "RelationFiles.h"
 #include "RelationJson.h"
 #include "RelationPage.h"

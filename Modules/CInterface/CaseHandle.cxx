@@ -6,23 +6,18 @@
 #include "GridArgument.h"
 #include "InputError.h"
 #include "JudgementText.h"
+#include "ProcessorCount.h"
 #include "Units.h"
 
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <thread>
 
 namespace palpate
 {
 namespace
 {
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t ProcessorCount()
-{
-  return std::max(1U, std::thread::hardware_concurrency());
-}
 
 // A grid, as the interface has it; its axes may be missing.
 struct CaseGrid

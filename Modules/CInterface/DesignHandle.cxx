@@ -9,13 +9,13 @@
 #include "NormalDisplacement.h"
 #include "OrderedTasks.h"
 #include "PermutationTest.h"
+#include "ProcessorCount.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -322,9 +322,9 @@ int palpate_design_fit_mixed(const palpate_design* design, const int32_t* subjec
         }
         const Eigen::MatrixXd kept = OutcomesOf(design, outcomes, outcome_count);
         const MixedModel model = MixedModelOf(design, subjects, times);
-        OrderedTasks<MixedFit> fits(
-            outcome_count, std::max(1U, std::thread::hardware_concurrency()),
-            [&](std::size_t k) { return model.Fit(kept.col(static_cast<Eigen::Index>(k))); });
+        OrderedTasks<MixedFit> fits(outcome_count, ProcessorCount(),
+                                    [&](std::size_t k)
+                                    { return model.Fit(kept.col(static_cast<Eigen::Index>(k))); });
         for (std::size_t k = 0; k < outcome_count; ++k)
         {
           TakeMixedFit(design->Design, fits.Next(), confidence, k, outcome_count, *results);

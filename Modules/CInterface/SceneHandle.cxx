@@ -8,8 +8,7 @@
 #include "FieldContactModel.h"
 #include "FieldHandle.h"
 #include "ModelHandle.h"
-#include "RadialContactModel.h"
-#include "SurfaceContactModel.h"
+#include "OrganContact.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -59,12 +58,12 @@ Status ContactOf(const ModelDocument& document, std::shared_ptr<const ContactMod
 {
   if (const auto* surface = std::get_if<SurfaceModel>(&document.Surface))
   {
-    return SurfaceContactModel::Make(*surface, contact);
+    return MakeOrganContact(*surface, contact);
   }
   const auto radial = std::make_shared<const RadialModel>(std::get<RadialModel>(document.Surface));
   return document.Elasticity != nullptr
              ? ElasticContactModel::Make(radial, *document.Elasticity, contact)
-             : RadialContactModel::Make(radial, RadialContactMode::Nearest, contact);
+             : MakeOrganContact(radial, RadialContactMode::Nearest, contact);
 }
 
 // Adds what `make` makes.

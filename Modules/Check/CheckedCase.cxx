@@ -1,5 +1,6 @@
 #include "CheckedCase.h"
 
+#include "Median.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -18,13 +19,6 @@ struct Pair
   CheckedOrgan* Left = nullptr;
   CheckedOrgan* Right = nullptr;
 };
-
-double MedianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<std::string> WordsOf(const std::string& name)
 {
@@ -87,7 +81,7 @@ void MeasurePairs(const std::vector<Pair>& pairs, double midline)
     {
       offsets.push_back(OffsetOf(pair, midline)[axis]);
     }
-    usual[axis] = MedianOf(offsets); // of a head that is turned a little
+    usual[axis] = UpperMedian(offsets); // of a head that is turned a little
   }
   for (const Pair& pair : pairs)
   {
@@ -150,7 +144,7 @@ void MeasureSides(CheckedCase& patient)
   {
     return;
   }
-  const double midline = MedianOf(middles);
+  const double midline = UpperMedian(middles);
   const double direction = DirectionOfPairs(pairs, patient.IsOriented);
   for (const auto& [name, pair] : byName)
   {

@@ -3,6 +3,7 @@
 #include "CheckText.h"
 #include "CsvText.h"
 #include "DecimalText.h"
+#include "JsonNumbers.h"
 #include "JsonSchema.h"
 
 #include <cmath>
@@ -13,11 +14,6 @@ namespace palpate
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-Json PlaceJson(const Vector3& place)
-{
-  return {place.x(), place.y(), place.z()};
-}
 
 Json OrganCheckJson(const CheckedOrgan& organ, const OrganJudgement& judgement)
 {
@@ -37,7 +33,7 @@ Json OrganCheckJson(const CheckedOrgan& organ, const OrganJudgement& judgement)
           {"verdict", VerdictWord(judgement.Is)},
           {"sentence", organ.Name + " " + JudgementSentence(judgement)},
           {"rule", isPlausible ? Json() : Json(judgement.Reason.Key)},
-          {"place_mm", isPlausible ? Json::array() : PlaceJson(judgement.Reason.Place)},
+          {"place_mm", isPlausible ? Json::array() : PointJson(judgement.Reason.Place)},
           {"by", judgement.IsByGroup ? "group" : "limits"},
           {"p_case", judgement.IsByGroup ? Json(judgement.Probability) : Json()},
           {"score",

@@ -2,6 +2,7 @@
 
 #include "CaseText.h"
 #include "ComparisonNames.h"
+#include "JsonNumbers.h"
 #include "JsonSchema.h"
 #include "PatientSides.h"
 #include "Units.h"
@@ -92,7 +93,7 @@ Json MirrorJson(const PairComparison& pair)
   }
   const Vector3& shift = pair.Mirror->Shift;
   return {{"turn_deg", pair.Mirror->Turn * DegreesPerRadian},
-          {"shift_mm", {shift.x(), shift.y(), shift.z()}},
+          {"shift_mm", PointJson(shift)},
           {"volume_asymmetry_percent", OrNull(pair.VolumeAsymmetryPercent())},
           {"shape_asymmetry_percent", OrNull(pair.ShapeAsymmetryPercent())}};
 }
@@ -103,14 +104,13 @@ Json MotionJson(const PairComparison& pair)
   {
     return nullptr;
   }
-  const auto place = [](const Vector3& point) { return Json{point.x(), point.y(), point.z()}; };
   Json landmarks = Json::array();
   for (const Vector3& landmark : pair.Motion->Landmarks)
   {
-    landmarks.push_back(place(landmark));
+    landmarks.push_back(PointJson(landmark));
   }
   return {{"turn_deg", pair.Motion->Turn * DegreesPerRadian},
-          {"shift_mm", place(pair.Motion->Shift)},
+          {"shift_mm", PointJson(pair.Motion->Shift)},
           {"rest_mm", pair.Motion->Rest},
           {"landmarks_mm", landmarks}};
 }

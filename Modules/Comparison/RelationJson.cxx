@@ -1,5 +1,6 @@
 #include "RelationJson.h"
 
+#include "JsonNumbers.h"
 #include "JsonSchema.h"
 #include "RelationTable.h"
 
@@ -15,11 +16,6 @@ using Json = nlohmann::ordered_json;
 Json NumberOrNull(double number)
 {
   return std::isfinite(number) ? Json(number) : Json();
-}
-
-Json PointJson(const Vector3& point)
-{
-  return {point.x(), point.y(), point.z()};
 }
 
 Json CalibreJson(const RelatedOrgan& organ)

@@ -1,10 +1,10 @@
 #include "TouchableRadialModel.h"
 
 #include "RadiusRange.h"
+#include "UnprovenPoint.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace palpate
@@ -65,21 +65,6 @@ TouchableRadialModel::Place TouchableRadialModel::PlaceAt(const Vector3& directi
 ClosestPoint TouchableRadialModel::PointAt(const Vector3& direction,
                                            const Vector3& queryWorld) const noexcept
 {
-  const Vector3 query = queryWorld - this->Model().CenterWorld();
-  ClosestPoint point;
-  point.Direction = direction;
-  point.SampleDirection = direction;
-  point.Sample = this->Model().EvaluateSecondOrder(direction);
-  point.Expansion = SquaredDistance(direction, point.Sample, query);
-  const Vector3 surface = point.Sample.Radius * direction;
-  point.Normal = (surface - point.Sample.SurfaceGradient).normalized();
-  point.PointWorld = this->Model().CenterWorld() + surface;
-  const Vector3 offset = query - surface;
-  point.SignedDistance = std::copysign(offset.norm(), offset.dot(point.Normal));
-  point.DistanceError = std::numeric_limits<double>::infinity();
-  point.PositionError = std::numeric_limits<double>::infinity();
-  point.Evaluations = 1;
-  point.State = ClosestPoint::Outcome::Limit;
-  return point;
+  return UnprovenPoint(this->Model(), direction, queryWorld);
 }
 } // namespace palpate

@@ -3,12 +3,12 @@
 #include "CenteredSurfaceSample.h"
 #include "IcosahedronDirections.h"
 #include "MeshCrossings.h"
+#include "UnprovenPoint.h"
 #include "WedgePlaces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -248,7 +248,7 @@ SurfacePoint TouchableSurfaceModel::WayOut(const Vector3& queryWorld,
                                          return (a.PointWorld - queryWorld).squaredNorm() <
                                                 (b.PointWorld - queryWorld).squaredNorm();
                                        });
-  const ClosestPoint point = this->RawPointAt(exit.Parameter, queryWorld);
+  const ClosestPoint point = UnprovenPoint(this->Model(), exit.Parameter, queryWorld);
   return point.Normal.dot(exit.Normal) > 0.0 ? point : OtherSide(point);
 }
 
@@ -289,30 +289,10 @@ TouchableSurfaceModel::Place TouchableSurfaceModel::PlaceAt(const Vector3& param
   return place;
 }
 
-SurfacePoint TouchableSurfaceModel::RawPointAt(const Vector3& parameter,
-                                               const Vector3& queryWorld) const noexcept
-{
-  const Vector3 query = queryWorld - this->Model().CenterWorld();
-  ClosestPoint point;
-  point.Direction = parameter;
-  point.SampleDirection = parameter;
-  point.Sample = this->Model().EvaluateSecondOrder(parameter);
-  point.Expansion = SquaredDistance(parameter, point.Sample, query);
-  point.Normal = NormalOf(point.Sample);
-  point.PointWorld = this->Model().CenterWorld() + point.Sample.Point;
-  const Vector3 offset = query - point.Sample.Point;
-  point.SignedDistance = std::copysign(offset.norm(), offset.dot(point.Normal));
-  point.DistanceError = std::numeric_limits<double>::infinity();
-  point.PositionError = std::numeric_limits<double>::infinity();
-  point.Evaluations = 1;
-  point.State = ClosestPoint::Outcome::Limit;
-  return point;
-}
-
 SurfacePoint TouchableSurfaceModel::PointAt(const Vector3& parameter, const Vector3& queryWorld,
                                             const ClosestPoint& like) const noexcept
 {
-  const ClosestPoint point = this->RawPointAt(parameter, queryWorld);
+  const ClosestPoint point = UnprovenPoint(this->Model(), parameter, queryWorld);
   return IsTurned(like) ? OtherSide(point) : point;
 }
 } // namespace palpate

@@ -99,7 +99,6 @@ private:
   TouchableSurfaceModel(const SurfaceModel& surface, double smallest);
   int WindingNumberNear(const Vector3& queryWorld, const ClosestPoint& nearest) const noexcept;
   ClosestPoint WayOut(const Vector3& queryWorld, const ClosestPoint& nearest) const noexcept;
-  ClosestPoint RawPointAt(const Vector3& parameter, const Vector3& queryWorld) const noexcept;
 
   ClosestPointSearchOf<Shape> Closest;
   double Smallest;

@@ -1,5 +1,6 @@
 #include "ComplianceJson.h"
 
+#include "JsonNumbers.h"
 #include "Refusal.h"
 #include "SphericalHarmonicBasis.h"
 
@@ -170,7 +171,7 @@ Json ComplianceAsJson(const ComplianceMaps& maps, const std::string& fileName)
   error["rms"] = maps.FitError.Rms;
   error["largest"] = maps.FitError.Largest;
   error["patch_mm"] = maps.FitError.PatchRadius;
-  error["direction"] = {maps.FitError.Worst.x(), maps.FitError.Worst.y(), maps.FitError.Worst.z()};
+  error["direction"] = PointJson(maps.FitError.Worst);
   return entry;
 }
 

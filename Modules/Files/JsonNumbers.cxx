@@ -28,6 +28,11 @@ nlohmann::ordered_json ShortNumbers(const double* first, std::size_t count)
   return list;
 }
 
+nlohmann::ordered_json PointJson(const Vector3& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
+
 nlohmann::ordered_json LowerTriangle(const Eigen::MatrixXd& matrix)
 {
   std::vector<double> values;

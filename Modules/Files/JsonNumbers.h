@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Vector3.h"
+
 #include <Eigen/Core>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,8 @@ namespace palpate
 {
 /// Numbers in the shortest text of a float: seven digits, which shapes are not known to.
 nlohmann::ordered_json ShortNumbers(const double* first, std::size_t count);
+/// A point or direction as a list of its coordinates.
+nlohmann::ordered_json PointJson(const Vector3& point);
 /// The lower triangle of a symmetric matrix, row by row, and the matrix of one; of `count` rows.
 nlohmann::ordered_json LowerTriangle(const Eigen::MatrixXd& matrix);
 Eigen::MatrixXd SymmetricMatrix(const std::vector<double>& triangle, Eigen::Index count);

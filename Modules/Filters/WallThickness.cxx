@@ -11,30 +11,22 @@ namespace
 {
 constexpr double LeastCosine = 0.75; // of normals on one side of an edge
 
-Vector3 TriangleNormal(const IndexedMesh& mesh, const std::array<int, 3>& t)
-{
-  const Vector3& a = mesh.Points[t[0]];
-  return (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).normalized();
-}
-
 // Of each corner of a triangle: the normals around it up to sharp edges, weighted by their angles.
 std::array<Vector3, 3> CornerNormals(const IndexedMesh& mesh, int triangle)
 {
   const std::array<int, 3>& corners = mesh.Triangles[triangle];
-  const Vector3 own = TriangleNormal(mesh, corners);
+  const Vector3 own = AreaVector(mesh, corners).normalized();
   std::array<Vector3, 3> normals{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
   for (const std::array<int, 3>& t : mesh.Triangles)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto found = std::find(corners.begin(), corners.end(), t[k]);
-      if (found != corners.end() && TriangleNormal(mesh, t).dot(own) >= LeastCosine)
+      const Vector3 normal = AreaVector(mesh, t).normalized();
+      if (found != corners.end() && normal.dot(own) >= LeastCosine)
       {
-        const Vector3 one = mesh.Points[t[(k + 1) % 3]] - mesh.Points[t[k]];
-        const Vector3 other = mesh.Points[t[(k + 2) % 3]] - mesh.Points[t[k]];
-        const double angle = std::atan2(one.cross(other).norm(), one.dot(other));
         normals[static_cast<std::size_t>(found - corners.begin())] +=
-            angle * TriangleNormal(mesh, t);
+            CornerAngle(mesh, t, k) * normal;
       }
     }
   }

@@ -5,6 +5,7 @@
 #include "ImageIndexToWorld.h"
 #include "ImageWriter.h"
 #include "InputError.h"
+#include "JsonNumbers.h"
 #include "JsonSchema.h"
 #include "MeshConversion.h"
 #include "MeshVoxels.h"
@@ -36,11 +37,6 @@ using CompletionObject = nlohmann::ordered_json;
 constexpr int CompletedFrequency = 20; // 4,002 points
 constexpr int MaskFrequency = 60;      // chords within 0.01 mm of an organ
 constexpr int DesignFrequency = 6;     // 362 candidates
-
-CompletionObject PointJson(const Vector3& point)
-{
-  return {point[0], point[1], point[2]};
-}
 
 vtkSmartPointer<vtkImageData> MaskOn(vtkImageData* grid, const RadialModel& model)
 {

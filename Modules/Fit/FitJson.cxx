@@ -1,6 +1,7 @@
 #include "FitJson.h"
 
 #include "CaseText.h"
+#include "JsonNumbers.h"
 #include "JsonSchema.h"
 #include "StructureChanges.h"
 #include "Units.h"
@@ -45,7 +46,7 @@ Json CoverageJson(const DirectionCoverage& coverage)
   return {{"verdict", CoverageWord(coverage)},
           {"message", coverage.Message},
           {"largest_gap_degrees", coverage.LargestGap.Radius * DegreesPerRadian},
-          {"gap_direction", {gap.x(), gap.y(), gap.z()}},
+          {"gap_direction", PointJson(gap)},
           {"noise_gain_rms", coverage.NoiseGainRms},
           {"noise_gain_max", coverage.NoiseGainMaximum}};
 }
@@ -68,7 +69,7 @@ Json ChangesJson(const TopologyReport& report)
                          {"mm3", change->Volume},
                          {"largest_mm3", change->LargestVolume},
                          {"largest_extent_mm", change->LargestExtent},
-                         {"largest_center_mm", {center.x(), center.y(), center.z()}}});
+                         {"largest_center_mm", PointJson(center)}});
     }
   }
   return changes;
@@ -127,7 +128,7 @@ Json FitJsonOf(const FitResult& result, bool fitted)
           {"down_weighted", result.DownWeighted},
           {"coverage", CoverageJson(result.Coverage)},
           {"rms_by_degree_mm", result.RmsByDegree},
-          {"center_mm", {center.x(), center.y(), center.z()}},
+          {"center_mm", PointJson(center)},
           {"power_mm2", PowerSpectrumOf(result.Model)}};
 }
 

@@ -33,8 +33,7 @@ std::vector<double> PointAreas(const IndexedMesh& mesh)
   std::vector<double> areas(mesh.Points.size(), 0.0);
   for (const std::array<int, 3>& t : mesh.Triangles)
   {
-    const Vector3& a = mesh.Points[t[0]];
-    const double third = (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm() / 6.0;
+    const double third = AreaVector(mesh, t).norm() / 3.0;
     for (const int corner : t)
     {
       areas[corner] += third;
@@ -68,8 +67,7 @@ double AreaWithin(const IndexedMesh& mesh, const std::vector<double>& distances,
   double area = 0.0;
   for (const std::array<int, 3>& t : mesh.Triangles)
   {
-    const Vector3& a = mesh.Points[t[0]];
-    area += 0.5 * (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm() *
+    area += AreaVector(mesh, t).norm() *
             ShareBelow({distances[t[0]] - limit, distances[t[1]] - limit, distances[t[2]] - limit});
   }
   return area;

@@ -122,12 +122,6 @@ int KeepPoints(IndexedMesh& mesh, std::vector<int> kept)
   return before - count;
 }
 
-Vector3 AreaVector(const IndexedMesh& mesh, const std::array<int, 3>& t)
-{
-  const Vector3& a = mesh.Points[t[0]];
-  return 0.5 * (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a);
-}
-
 // Enclosed by each sheet once its triangles agree.
 std::vector<double> SheetVolumes(const IndexedMesh& mesh, const MeshSheets& sheets)
 {

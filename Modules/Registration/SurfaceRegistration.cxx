@@ -1,5 +1,6 @@
 #include "SurfaceRegistration.h"
 
+#include "Median.h"
 #include "NearestOnMesh.h"
 
 #include <Eigen/Cholesky>
@@ -59,9 +60,7 @@ private:
     {
       return (place - near.Point) / near.Distance;
     }
-    const auto& [a, b, c] = this->Fixed.Triangles[static_cast<std::size_t>(near.Triangle)];
-    const Vector3& first = this->Fixed.Points[a];
-    return (this->Fixed.Points[b] - first).cross(this->Fixed.Points[c] - first).stableNormalized();
+    return AreaVector(this->Fixed, this->Fixed.Triangles[near.Triangle]).stableNormalized();
   }
 
   const std::vector<Vector3>& Moving;
@@ -74,9 +73,7 @@ double MedianOf(const std::vector<Residual>& residuals)
   std::vector<double> distances(residuals.size());
   std::transform(residuals.begin(), residuals.end(), distances.begin(),
                  [](const Residual& one) { return one.Distance; });
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return UpperMedian(distances);
 }
 
 double RmsOf(const std::vector<Residual>& residuals)

@@ -23,14 +23,10 @@ std::vector<Vector3> NormalsAtPoints(const IndexedMesh& mesh, int smoothing)
   std::vector<Vector3> normals(mesh.Points.size(), Vector3::Zero());
   for (const std::array<int, 3>& corners : mesh.Triangles)
   {
-    const std::array<Vector3, 3> p{mesh.Points[corners[0]], mesh.Points[corners[1]],
-                                   mesh.Points[corners[2]]};
-    const Vector3 normal = (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
+    const Vector3 normal = AreaVector(mesh, corners).stableNormalized();
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const Vector3 one = p[(k + 1) % 3] - p[k];
-      const Vector3 other = p[(k + 2) % 3] - p[k];
-      normals[corners[k]] += std::atan2(one.cross(other).norm(), one.dot(other)) * normal;
+      normals[corners[k]] += CornerAngle(mesh, corners, k) * normal;
     }
   }
   for (int round = 0;; ++round)

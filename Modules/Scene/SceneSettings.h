@@ -5,8 +5,8 @@
 #include "FitSettings.h"
 #include "GuideSettings.h"
 #include "LeftHandedAxes.h"
+#include "OrganContact.h"
 #include "PalpateSceneModule.h"
-#include "RadialContactModel.h"
 #include "SurfaceFriction.h"
 #include "TouchToolSettings.h"
 

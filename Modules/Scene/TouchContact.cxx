@@ -3,8 +3,8 @@
 #include "ElasticContactModel.h"
 #include "FacetContactModel.h"
 #include "FieldContactModel.h"
+#include "OrganContact.h"
 #include "Refusal.h"
-#include "SurfaceContactModel.h"
 #include "TriangleMesh.h"
 
 namespace palpate
@@ -14,14 +14,14 @@ namespace
 Status MakeModel(const RadialModel& model, RadialContactMode mode,
                  std::shared_ptr<const ContactModel>& contact)
 {
-  return RadialContactModel::Make(std::make_shared<const RadialModel>(model), mode, contact);
+  return MakeOrganContact(std::make_shared<const RadialModel>(model), mode, contact);
 }
 
 Status MakeModel(const SurfaceModel& surface, RadialContactMode mode,
                  std::shared_ptr<const ContactModel>& contact)
 {
   return mode == RadialContactMode::Nearest
-             ? SurfaceContactModel::Make(surface, contact)
+             ? MakeOrganContact(surface, contact)
              : Status::Failure("A surface model has no radius in each direction, so it cannot be "
                                "touched radially; choose the nearest point.");
 }

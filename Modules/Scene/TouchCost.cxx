@@ -1,6 +1,7 @@
 #include "TouchCost.h"
 
 #include "HandPath.h"
+#include "Median.h"
 #include "Progress.h"
 #include "Refusal.h"
 #include "SceneTool.h"
@@ -16,13 +17,6 @@ namespace palpate
 namespace
 {
 constexpr double Period = 1e-3; // s
-
-double MedianOf(std::vector<double>& numbers)
-{
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
 } // namespace
 
 TouchCost MeasureTouchCost(const TouchContact& contact, const TouchToolSettings& tool,
@@ -61,6 +55,6 @@ TouchCost MeasureTouchCost(const TouchContact& contact, const TouchToolSettings&
       durations.push_back(static_cast<double>(ended - began));
     }
   }
-  return durations.empty() ? TouchCost() : TouchCost{MedianOf(durations), durations.size()};
+  return durations.empty() ? TouchCost() : TouchCost{UpperMedian(durations), durations.size()};
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #include "PermutationTest.h"
 
 #include "ClusterEnhancement.h"
+#include "ProcessorCount.h"
 
 #include <algorithm>
 #include <atomic>
@@ -262,8 +263,7 @@ Eigen::VectorXd SharesOf(const Eigen::VectorXd& values, std::vector<double> larg
 
 unsigned ThreadsOf(const PermutationSettings& settings)
 {
-  const unsigned wanted =
-      settings.Threads != 0 ? settings.Threads : std::thread::hardware_concurrency();
+  const unsigned wanted = settings.Threads != 0 ? settings.Threads : ProcessorCount();
   const auto batches = static_cast<unsigned>((settings.Count + BatchSize - 1) / BatchSize);
   return std::clamp(wanted, 1U, std::max(batches, 1U));
 }

@@ -1,7 +1,7 @@
 #include "BumpyTouchBenchmarks.h"
 
 #include "ContactWedge.h"
-#include "RadialContactModel.h"
+#include "OrganContact.h"
 #include "RandomShapes.h"
 #include "SearchedWedge.h"
 

@@ -6,9 +6,9 @@
 #include "FieldContactModel.h"
 #include "FieldSampler.h"
 #include "IcosahedronDirections.h"
+#include "OrganContact.h"
 #include "ProceduralFields.h"
 #include "PublishedShell.h"
-#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "ServoStroke.h"
 #include "Units.h"
@@ -163,8 +163,8 @@ void AddHarmonics(PublishedComparison& made)
   std::shared_ptr<const ContactModel> radial;
   std::shared_ptr<const ContactModel> nearest;
   std::shared_ptr<const ContactModel> facets;
-  RequireRate(RadialContactModel::Make(organ, RadialContactMode::Radial, radial));
-  RequireRate(RadialContactModel::Make(organ, RadialContactMode::Nearest, nearest));
+  RequireRate(MakeOrganContact(organ, RadialContactMode::Radial, radial));
+  RequireRate(MakeOrganContact(organ, RadialContactMode::Nearest, nearest));
   RequireRate(FacetContactModel::Make(corners, sphere.Triangles(), facets));
   const ToolShape point = ToolShape::Sphere(0.0);
   made.Rows.push_back(

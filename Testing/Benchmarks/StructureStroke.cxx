@@ -1,7 +1,7 @@
 #include "StructureStroke.h"
 
 #include "ManyStructures.h"
-#include "RadialContactModel.h"
+#include "OrganContact.h"
 #include "RandomShapes.h"
 
 #include <stdexcept>
@@ -39,7 +39,7 @@ std::shared_ptr<const TouchScene> StrokeSceneOf(int count)
   auto scene = std::make_shared<TouchScene>(test::ManyStructures(count, Apart));
   const auto organ = std::make_shared<const RadialModel>(OrganAtOrigin());
   const Status status =
-      RadialContactModel::Make(organ, RadialContactMode::Nearest, scene->Structures.front().Model);
+      MakeOrganContact(organ, RadialContactMode::Nearest, scene->Structures.front().Model);
   if (!status.IsOk())
   {
     throw std::runtime_error(status.Message());

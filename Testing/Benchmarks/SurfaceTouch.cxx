@@ -1,6 +1,6 @@
 #include "SurfaceTouch.h"
 
-#include "SurfaceContactModel.h"
+#include "OrganContact.h"
 #include "SurfaceModelPath.h"
 #include "WanderingDirection.h"
 #include "WanderingHand.h"
@@ -30,7 +30,7 @@ Touched MakeTouched(const SurfaceModel& surface, double toolRadius)
   Status status = TouchableSurfaceModel::Make(surface, touched.Surface);
   if (status.IsOk())
   {
-    status = SurfaceContactModel::Make(surface, model);
+    status = MakeOrganContact(surface, model);
   }
   if (status.IsOk())
   {

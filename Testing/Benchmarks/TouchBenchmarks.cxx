@@ -4,12 +4,11 @@
 #include "FieldBuilder.h"
 #include "FieldContactModel.h"
 #include "IcosahedronDirections.h"
+#include "OrganContact.h"
 #include "ProceduralFields.h"
 #include "PublishedShell.h"
-#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "StructureStroke.h"
-#include "SurfaceContactModel.h"
 #include "SurfacePhantoms.h"
 
 #include "vtkCellArray.h"
@@ -116,7 +115,7 @@ public:
       this->SpherePath.push_back(organ->PointWorld(u) + (SphereRadius - 1.5) * organ->Normal(u));
     }
     std::shared_ptr<const ContactModel> model;
-    if (RadialContactModel::Make(organ, RadialContactMode::Nearest, model).IsOk())
+    if (MakeOrganContact(organ, RadialContactMode::Nearest, model).IsOk())
     {
       this->Harmonic = TrackerOf(model, ToolShape::Sphere(0.0));
       this->RadialSphere = TrackerOf(model, ToolShape::Sphere(SphereRadius));
@@ -233,7 +232,7 @@ public:
   {
     this->MakePath(surface);
     std::shared_ptr<const ContactModel> model;
-    if (SurfaceContactModel::Make(surface, model).IsOk())
+    if (MakeOrganContact(surface, model).IsOk())
     {
       this->Mapped = TrackerOf(model, ToolShape::Sphere(0.0));
     }
@@ -251,7 +250,7 @@ public:
   void AddStar(const std::shared_ptr<const RadialModel>& organ)
   {
     std::shared_ptr<const ContactModel> model;
-    if (RadialContactModel::Make(organ, RadialContactMode::Nearest, model).IsOk())
+    if (MakeOrganContact(organ, RadialContactMode::Nearest, model).IsOk())
     {
       this->Star = TrackerOf(model, ToolShape::Sphere(0.0));
     }

@@ -7,8 +7,8 @@
 #include "FieldContactModel.h"
 #include "ForceQuality.h"
 #include "IcosahedronDirections.h"
+#include "OrganContact.h"
 #include "PublishedShell.h"
-#include "RadialContactModel.h"
 #include "Units.h"
 
 #include <algorithm>
@@ -175,7 +175,7 @@ std::shared_ptr<const ContactModel> RadialOf(const std::shared_ptr<const RadialM
                                              RadialContactMode mode)
 {
   std::shared_ptr<const ContactModel> model;
-  RequireQuality(RadialContactModel::Make(body, mode, model));
+  RequireQuality(MakeOrganContact(body, mode, model));
   return model;
 }
 

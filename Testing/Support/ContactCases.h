@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ContactModel.h"
+#include "OrganContact.h"
 #include "ProjectedShapes.h"
-#include "RadialContactModel.h"
 #include "RandomShapes.h"
 #include "WanderingDirection.h"
 
@@ -22,7 +22,7 @@ inline std::shared_ptr<const ContactModel>
 RadialContact(const RadialModel& model, RadialContactMode mode = RadialContactMode::Nearest)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = RadialContactModel::Make(Shared(model), mode, contact);
+  const Status status = MakeOrganContact(Shared(model), mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

@@ -4,8 +4,8 @@
 #include "FieldBuilder.h"
 #include "FieldContactModel.h"
 #include "IcosahedronDirections.h"
+#include "OrganContact.h"
 #include "ProceduralFields.h"
-#include "RadialContactModel.h"
 #include "RandomOrientation.h"
 #include "RandomShapes.h"
 #include "TouchDoubles.h"
@@ -72,8 +72,7 @@ inline std::vector<PressableScene> MakePressableScenes(Random& random)
   const Vector3 normal = organ->Normal(place);
   const Vector3 center = organ->PointWorld(place) + ToolRadius * normal;
   std::shared_ptr<const ContactModel> harmonics;
-  const bool isHarmonics =
-      RadialContactModel::Make(organ, RadialContactMode::Nearest, harmonics).IsOk();
+  const bool isHarmonics = MakeOrganContact(organ, RadialContactMode::Nearest, harmonics).IsOk();
   const IcosahedronDirections sphere(20);
   std::vector<Vector3> corners;
   for (const Vector3& u : sphere.Directions())

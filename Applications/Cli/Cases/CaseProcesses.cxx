@@ -18,7 +18,6 @@
 #include <stdexcept>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -278,10 +277,5 @@ void RunCases(std::size_t count, unsigned jobs, Console& console,
     }
   }
   console.EndProgress();
-}
-
-unsigned ProcessorCount()
-{
-  return std::max(1U, std::thread::hardware_concurrency());
 }
 } // namespace palpate::cli

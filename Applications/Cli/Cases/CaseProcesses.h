@@ -37,7 +37,4 @@ void RunCases(std::size_t count, unsigned jobs, Console& console,
               const std::function<std::string(std::size_t, Console&)>& run,
               const std::function<void(std::size_t, const std::string& record,
                                        const std::string& reason)>& take);
-
-/// The number of processors that this process may use.
-unsigned ProcessorCount();
 } // namespace palpate::cli

@@ -14,6 +14,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "ProcessorCount.h"
 #include "ProgramVersion.h"
 #include "Progress.h"
 #include "RepeatedEffectFiles.h"

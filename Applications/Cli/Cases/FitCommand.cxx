@@ -12,6 +12,7 @@
 #include "InputError.h"
 #include "Interruption.h"
 #include "OutputFolder.h"
+#include "ProcessorCount.h"
 #include "Progress.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"

@@ -113,6 +113,17 @@ inline Vector3 PointOf(const Vector3&, const CenteredSurface::SecondOrderSample&
   return sample.Point;
 }
 
+/// Unit normal.
+inline Vector3 NormalOf(const Vector3& direction,
+                        const RadialModel::SecondOrderSample& sample) noexcept
+{
+  return (sample.Radius * direction - sample.SurfaceGradient).normalized();
+}
+inline Vector3 NormalOf(const Vector3&, const CenteredSurface::SecondOrderSample& sample) noexcept
+{
+  return NormalOf(sample);
+}
+
 /// A direction, the point there relative to the centre (mm), and a normal of any length.
 struct EndOfStep
 {

@@ -4,7 +4,7 @@
 #include "FieldContactCases.h"
 #include "MeshCases.h"
 #include "NearestByBruteForce.h"
-#include "SurfaceContactModel.h"
+#include "OrganContact.h"
 #include "SurfacePhantoms.h"
 
 #include <utility>
@@ -99,7 +99,7 @@ TEST(TrackersDoNotAllocate, OnSurfaceModels)
   for (const SurfaceModel& surface : {test::OpenRing(8), test::CrossingRing(8)})
   {
     std::shared_ptr<const ContactModel> model;
-    ASSERT_TRUE(SurfaceContactModel::Make(surface, model).IsOk());
+    ASSERT_TRUE(MakeOrganContact(surface, model).IsOk());
     for (const double radius : {0.0, 2.0})
     {
       EXPECT_GT(TouchesWithoutAllocation(*model, ToolShape::Sphere(radius), {0.3, 0.2}), 100);

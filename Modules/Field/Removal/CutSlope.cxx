@@ -1,5 +1,7 @@
 #include "CutSlope.h"
 
+#include "Median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,18 +11,6 @@ namespace palpate
 {
 namespace
 {
-// Infinite for no values.
-double Median(std::vector<double>& values)
-{
-  if (values.empty())
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Statistics of some cells of a brick.
 struct CellFacts
 {
@@ -71,8 +61,8 @@ double SlopeOfCuts(const ScalarField& field, const FieldCondition& condition)
       facts.Add(corners, field.Grid());
     }
   }
-  const double steepest = Median(facts.Depths) / field.Grid().Spacing().norm();
-  const double slope = std::min(Median(facts.Slopes), steepest);
+  const double steepest = UpperMedian(facts.Depths) / field.Grid().Spacing().norm();
+  const double slope = std::min(UpperMedian(facts.Slopes), steepest);
   return std::isfinite(slope) ? slope : 1.0;
 }
 } // namespace palpate

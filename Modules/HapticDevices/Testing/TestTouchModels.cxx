@@ -1,7 +1,7 @@
 // The servo with the real contact models: a hand strokes a sphere of 15 mm of each kind.
 #include "FieldContactCases.h"
 #include "MeshCases.h"
-#include "RadialContactModel.h"
+#include "OrganContact.h"
 #include "RecordedSession.h"
 #include "TouchReplay.h"
 
@@ -25,7 +25,7 @@ std::shared_ptr<const RadialModel> SphereBody()
 std::shared_ptr<const ContactModel> Harmonic(RadialContactMode mode)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = RadialContactModel::Make(SphereBody(), mode, contact);
+  const Status status = MakeOrganContact(SphereBody(), mode, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

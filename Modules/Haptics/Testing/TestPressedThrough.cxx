@@ -1,10 +1,10 @@
 // Thin structures hold a tool that is pressed on, however deep and fast, and until it slides off.
 #include "ElasticContactModel.h"
 #include "ExtremeCases.h"
+#include "OrganContact.h"
 #include "RandomOrientation.h"
 #include "ServoRun.h"
 #include "SomeMaps.h"
-#include "SurfaceContactModel.h"
 #include "SurfacePhantoms.h"
 
 #include <functional>
@@ -174,7 +174,7 @@ Thin OfSurfaceModel()
 {
   const Vector3 axes(20.0, 20.0, 0.6);
   Thin thin{"plate as a surface model", nullptr, Matrix3::Identity(), {12.0, -7.0, 40.6}};
-  const Status status = SurfaceContactModel::Make(test::EllipsoidPhantom(axes), thin.Model);
+  const Status status = MakeOrganContact(test::EllipsoidPhantom(axes), thin.Model);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return thin;
 }

@@ -1,5 +1,6 @@
 #include "HuberWeights.h"
 
+#include "Median.h"
 #include "RadialSamples.h"
 
 #include <algorithm>
@@ -31,10 +32,9 @@ void HuberWeights::Rescale(const std::vector<double>& residuals, double fitted, 
       this->Work.push_back(std::abs(this->Standardised(residuals[i], i)));
     }
   }
-  const auto median = this->Work.begin() + static_cast<std::ptrdiff_t>(this->Work.size() / 2);
-  std::nth_element(this->Work.begin(), median, this->Work.end());
   const double free = std::max(1.0, this->Count - fitted);
-  this->Deviation = std::max(smallest, *median / MedianOfNormal * std::sqrt(this->Count / free));
+  this->Deviation =
+      std::max(smallest, UpperMedian(this->Work) / MedianOfNormal * std::sqrt(this->Count / free));
 }
 
 void HuberWeights::Update(const std::vector<double>& residuals)

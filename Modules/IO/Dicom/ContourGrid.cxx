@@ -1,6 +1,7 @@
 #include "ContourGrid.h"
 
 #include "DecimalText.h"
+#include "Median.h"
 #include "Refusal.h"
 #include "SliceStack.h"
 
@@ -92,9 +93,7 @@ double MedianPointDistance(const DicomContours& contours)
                      distances.push_back((contour[i] - contour[i - 1]).norm());
                    }
                  });
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return UpperMedian(distances);
 }
 } // namespace
 

@@ -1,7 +1,7 @@
 #include "HandPath.h"
 
 #include "InputError.h"
-#include "RadialContactModel.h"
+#include "OrganContact.h"
 #include "RadialModel.h"
 #include "TemporaryFolder.h"
 #include "WholeFile.h"
@@ -58,11 +58,10 @@ HandPath Sweep(const Vector3& center, double longest)
 {
   TouchScene scene;
   TouchStructure sphere;
-  EXPECT_TRUE(
-      RadialContactModel::Make(std::make_shared<const RadialModel>(
+  EXPECT_TRUE(MakeOrganContact(std::make_shared<const RadialModel>(
                                    0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
                                RadialContactMode::Nearest, sphere.Model)
-          .IsOk());
+                  .IsOk());
   scene.Structures = {sphere};
   scene.Tool = ToolShape::Sphere(ToolRadius);
   HandPath path;

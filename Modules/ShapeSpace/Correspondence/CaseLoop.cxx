@@ -1,5 +1,7 @@
 #include "CaseLoop.h"
 
+#include "ProcessorCount.h"
+
 #include <algorithm>
 #include <atomic>
 #include <thread>
@@ -9,8 +11,7 @@ namespace palpate
 {
 void ForEachCase(std::size_t count, int threads, const std::function<void(std::size_t)>& work)
 {
-  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads)
-                                         : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted = threads > 0 ? static_cast<std::size_t>(threads) : ProcessorCount();
   std::atomic<std::size_t> next{0};
   const auto run = [&]
   {

@@ -1,7 +1,7 @@
 #include "ContactCases.h"
 #include "IcosahedronDirections.h"
+#include "OrganContact.h"
 #include "SimplePhantoms.h"
-#include "SurfaceContactModel.h"
 #include "SurfaceModelPath.h"
 #include "SurfacePhantoms.h"
 #include "SurfaceTouchTruth.h"
@@ -24,7 +24,7 @@ using test::TrackerOf;
 std::shared_ptr<const ContactModel> PathContact(const SurfaceModel& surface)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = SurfaceContactModel::Make(surface, contact);
+  const Status status = MakeOrganContact(surface, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }

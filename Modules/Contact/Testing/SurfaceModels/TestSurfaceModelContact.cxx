@@ -1,7 +1,7 @@
 #include "ClosestPointSearch.h"
 #include "ContactCases.h"
+#include "OrganContact.h"
 #include "SimplePhantoms.h"
-#include "SurfaceContactModel.h"
 #include "SurfaceModelPath.h"
 #include "SurfacePhantoms.h"
 #include "SurfaceTessellation.h"
@@ -27,7 +27,7 @@ constexpr double Stiffness = 0.5; // N/mm
 std::shared_ptr<const ContactModel> SurfaceContact(const SurfaceModel& surface)
 {
   std::shared_ptr<const ContactModel> contact;
-  const Status status = SurfaceContactModel::Make(surface, contact);
+  const Status status = MakeOrganContact(surface, contact);
   EXPECT_TRUE(status.IsOk()) << status.Message();
   return contact;
 }
@@ -49,7 +49,7 @@ Vector3 NearestOnEllipsoid(const Vector3& axes, const Vector3& point)
   return at(0.5 * (low + high));
 }
 
-TEST(SurfaceContactModel, ForcesOfAnEllipsoidAreExact)
+TEST(SurfaceModelContact, ForcesOfAnEllipsoidAreExact)
 {
   const Vector3 axes(25.0, 20.0, 16.0);
   const SurfaceModel surface = test::EllipsoidPhantom(axes, 8);
@@ -82,7 +82,7 @@ TEST(SurfaceContactModel, ForcesOfAnEllipsoidAreExact)
   }
 }
 
-TEST(SurfaceContactModel, ForcesEqualThoseOfTheRadialModel)
+TEST(SurfaceModelContact, ForcesEqualThoseOfTheRadialModel)
 {
   Random random(9102);
   const RadialModel organ = test::RandomOrgan(random, 8);
@@ -113,7 +113,7 @@ TEST(SurfaceContactModel, ForcesEqualThoseOfTheRadialModel)
 }
 
 // A proxy at a farther point is one that keeps to the minimum that it met.
-TEST(SurfaceContactModel, ProxiesAreAtTheNearestPoint)
+TEST(SurfaceModelContact, ProxiesAreAtTheNearestPoint)
 {
   for (const auto& [name, surface] : test::SimplePhantoms())
   {
@@ -150,7 +150,7 @@ TEST(SurfaceContactModel, ProxiesAreAtTheNearestPoint)
 
 // A tool that begins outside of a surface that does not cross itself is never inside without
 // contact, however it moves: slowly over the surface, in and out, or 5 mm in a tick.
-TEST(SurfaceContactModel, NoToolIsInsideWithoutContact)
+TEST(SurfaceModelContact, NoToolIsInsideWithoutContact)
 {
   for (const auto& [name, surface] : test::SimplePhantoms())
   {
@@ -223,7 +223,7 @@ WindingMesh MeshOf(const SurfaceModel& surface)
   return {mesh.Points, mesh.Triangles};
 }
 
-TEST(SurfaceContactModel, ProxyStaysOutOfASurfaceThatCrossesItself)
+TEST(SurfaceModelContact, ProxyStaysOutOfASurfaceThatCrossesItself)
 {
   const SurfaceModel surface = test::CrossingRing();
   const WindingMesh mesh = MeshOf(surface);
@@ -256,7 +256,7 @@ TEST(SurfaceContactModel, ProxyStaysOutOfASurfaceThatCrossesItself)
   }
 }
 
-TEST(SurfaceContactModel, StaysFiniteWhateverTheProbeDoes)
+TEST(SurfaceModelContact, StaysFiniteWhateverTheProbeDoes)
 {
   Random random(9105);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -289,7 +289,7 @@ TEST(SurfaceContactModel, StaysFiniteWhateverTheProbeDoes)
 
 // Work that a tick has no time for must not delay the next contact: down to the surface and up
 // again at 0.1 m/s, with a turn along it in between.
-TEST(SurfaceContactModel, MeetsTheSurfaceInTime)
+TEST(SurfaceModelContact, MeetsTheSurfaceInTime)
 {
   for (const auto& [name, surface] : test::SimplePhantoms())
   {
@@ -311,7 +311,7 @@ TEST(SurfaceContactModel, MeetsTheSurfaceInTime)
   }
 }
 
-TEST(SurfaceContactModel, FrictionHoldsTheProxy)
+TEST(SurfaceModelContact, FrictionHoldsTheProxy)
 {
   const SurfaceModel surface = test::OpenRing();
   const auto model = SurfaceContact(surface);
@@ -329,7 +329,7 @@ TEST(SurfaceContactModel, FrictionHoldsTheProxy)
   EXPECT_GT((slipped.ProxyWorld - place).norm(), 0.2);
 }
 
-TEST(SurfaceContactModel, TurnsASurfaceThatIsInsideOut)
+TEST(SurfaceModelContact, TurnsASurfaceThatIsInsideOut)
 {
   const SurfaceModel bowl = test::Bowl();
   // A mirrored parameter sphere.
@@ -353,12 +353,12 @@ TEST(SurfaceContactModel, TurnsASurfaceThatIsInsideOut)
   }
 }
 
-TEST(SurfaceContactModel, RejectsSurfacesThatCannotBeTouched)
+TEST(SurfaceModelContact, RejectsSurfacesThatCannotBeTouched)
 {
   const auto refused = [](const SurfaceModel& surface)
   {
     std::shared_ptr<const ContactModel> contact;
-    const Status status = SurfaceContactModel::Make(surface, contact);
+    const Status status = MakeOrganContact(surface, contact);
     EXPECT_EQ(contact, nullptr);
     return !status.IsOk() && !status.Message().empty();
   };
@@ -374,7 +374,7 @@ TEST(SurfaceContactModel, RejectsSurfacesThatCannotBeTouched)
   }
 }
 
-TEST(SurfaceContactModel, RejectsOtherToolsThanSpheres)
+TEST(SurfaceModelContact, RejectsOtherToolsThanSpheres)
 {
   const auto model = SurfaceContact(test::EllipsoidPhantom({20.0, 15.0, 10.0}));
   std::unique_ptr<ContactTracker> tracker;
@@ -419,7 +419,7 @@ TEST(TouchableSurfaceModel, KnowsWhereItCrossesItself)
 
 // Outside of the places at a crossing the nearest point alone holds a tool, so forces are exact: as
 // long as the probe is on the normal through the place that it came down on, that is the foot.
-TEST(SurfaceContactModel, ForcesAwayFromACrossingAreExact)
+TEST(SurfaceModelContact, ForcesAwayFromACrossingAreExact)
 {
   const SurfaceModel surface = test::CrossingRing();
   const auto touch = TouchSurfaceOf(surface);

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-namespace palpate::harmonic_contact_model_test
+namespace palpate::radial_model_contact_test
 {
 namespace
 {
@@ -16,7 +16,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 // Of coordinates of some 100 mm.
 constexpr double Rounding = 1e-12;
 
-TEST(RadialContactModel, BoundsContainTheSurfaceTightly)
+TEST(RadialModelContact, BoundsContainTheSurfaceTightly)
 {
   Random random(4301);
   const RadialModel organ = test::RandomOrgan(random, 12);
@@ -30,7 +30,7 @@ TEST(RadialContactModel, BoundsContainTheSurfaceTightly)
   EXPECT_LE((bounds.max() - organ.CenterWorld()).maxCoeff(), 1.01 * largest);
 }
 
-TEST(RadialContactModel, RejectsInvalidModels)
+TEST(RadialModelContact, RejectsInvalidModels)
 {
   const double mean = 20.0 * std::sqrt(4.0 * M_PI);
   const std::vector<RadialModel> bad{
@@ -43,13 +43,13 @@ TEST(RadialContactModel, RejectsInvalidModels)
   {
     std::shared_ptr<const ContactModel> contact;
     const Status status =
-        RadialContactModel::Make(test::Shared(model), RadialContactMode::Nearest, contact);
+        MakeOrganContact(test::Shared(model), RadialContactMode::Nearest, contact);
     EXPECT_FALSE(status.IsOk());
     EXPECT_EQ(contact, nullptr);
   }
 }
 
-TEST(RadialContactModel, SupportsSpheresOnly)
+TEST(RadialModelContact, SupportsSpheresOnly)
 {
   for (const auto mode : {RadialContactMode::Nearest, RadialContactMode::Radial})
   {
@@ -62,7 +62,7 @@ TEST(RadialContactModel, SupportsSpheresOnly)
   }
 }
 
-TEST(RadialContactModel, TrackersOutliveTheirModel)
+TEST(RadialModelContact, TrackersOutliveTheirModel)
 {
   auto model = RadialContact(test::Sphere(20.0));
   const auto tracker = TrackerOf(*model, ToolShape::Sphere(0.0));
@@ -130,4 +130,4 @@ TEST(RadialTracker, HasNoFriction)
   EXPECT_FALSE(model->MakeTracker(ToolShape::Sphere(0.0), {0.3, 0.2}, tracker).IsOk());
 }
 } // namespace
-} // namespace palpate::harmonic_contact_model_test
+} // namespace palpate::radial_model_contact_test
