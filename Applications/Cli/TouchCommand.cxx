@@ -143,6 +143,9 @@ void TouchCommand::DeclareStructure(CLI::App& app)
                  "Smoothing of sub-voxel structures, in voxels")
       ->check(FiniteNumber::Between(0.0, 8.0))
       ->capture_default_str();
+  app.add_flag("--keep-cuts", this->Structure.KeepsCuts,
+               "Feel where the border of an image cuts a label as if the structure ended there; "
+               "otherwise the tool passes there without force");
   app.add_option("--stiffness", this->Structure.Stiffness,
                  "Stiffness, N per mm of hand displacement")
       ->type_name("N/MM")

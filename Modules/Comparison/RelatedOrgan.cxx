@@ -85,7 +85,7 @@ ComparedBody BodyOf(const ComparedFile& file, const Segment& structure, MaskMesh
   }
   vtkImageData* layer = labels->Layers[static_cast<std::size_t>(structure.Layer)];
   LabelMask label = CopyLabelMask(layer, structure.Value, 1);
-  if (label.TouchesBorder)
+  if (label.TouchesBorder())
   {
     organ.IsCut = true;
     organ.Notes.emplace_back("is cut by the border of the image: its volume is a part of the "

@@ -24,7 +24,7 @@ LabelMask CopyLabelMask(vtkImageData* image, int label, int rim)
     using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(voxels)>>;
     const auto wanted = static_cast<Voxel>(label);
     LabelBounds bounds = FindLabelBounds(voxels, size, wanted);
-    copied.TouchesBorder = bounds.Touches(size);
+    copied.TouchesFace = bounds.Touches(size);
     if (!bounds.IsEmpty())
     {
       for (std::size_t axis = 0; axis < 3; ++axis)

@@ -3,6 +3,9 @@
 #include "PalpateFiltersModule.h"
 #include "VoxelMask.h"
 
+#include <algorithm>
+#include <array>
+
 class vtkImageData;
 
 namespace palpate
@@ -11,7 +14,13 @@ namespace palpate
 struct LabelMask
 {
   VoxelMask Mask; ///< empty if there are none, or if the scalars are not of an integer type
-  bool TouchesBorder = false;
+  /// Whether it reaches the image's first and last i, j, k.
+  std::array<bool, 6> TouchesFace{};
+  bool TouchesBorder() const noexcept
+  {
+    return std::find(this->TouchesFace.begin(), this->TouchesFace.end(), true) !=
+           this->TouchesFace.end();
+  }
 };
 
 /// Copies the voxels with `label` and a margin of `rim` voxels around them.

@@ -47,7 +47,7 @@ int vtkSegmentationSurface::RequestData(vtkInformation*, vtkInformationVector** 
     return 0;
   }
   palpate::LabelMask copied = palpate::CopyLabelMask(image, this->Label, 1);
-  this->TouchesBorder = copied.TouchesBorder;
+  this->TouchesBorder = copied.TouchesBorder();
   if (copied.Mask.Inside.empty())
   {
     vtkErrorMacro("no voxel has label " << this->Label);

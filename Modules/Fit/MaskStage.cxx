@@ -79,7 +79,7 @@ void RunMaskSurface(FitSurface& made, const ProgressFunction& progress)
   StageClock clock(result.Seconds);
   const bool isPlain = result.Settings.Method == FitSettings::SurfaceMethod::Plain;
   LabelMask label = LabelVoxels(result);
-  result.TouchesBorder = label.TouchesBorder;
+  result.TouchesBorder = label.TouchesBorder();
   const MaskSurface surface = SurfaceOf(result, std::move(label), result.Settings.Component,
                                         isPlain, PartOf(progress, 0.0, 0.8));
   TakeSurface(surface, result);

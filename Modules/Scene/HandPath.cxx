@@ -145,6 +145,16 @@ Vector3 OnSpiral(double part)
   return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
           std::cos(polar)};
 }
+// Whether a tool there would pass by a cut, which may be as near as the surface above it.
+bool IsBehindCut(const TouchScene& scene, const Vector3& place, double depth)
+{
+  const double reach = depth + scene.Tool.BoundingRadius();
+  const auto isNear = [&](const ScanCut& cut)
+  { return place.dot(cut.NormalWorld) + reach > cut.Offset - cut.Depth; };
+  return std::any_of(scene.Structures.begin(), scene.Structures.end(),
+                     [&](const TouchStructure& structure)
+                     { return std::any_of(structure.Cuts.begin(), structure.Cuts.end(), isNear); });
+}
 } // namespace
 
 Vector3 HandPath::At(double time) const noexcept
@@ -209,12 +219,22 @@ Status SweepOf(const TouchScene& scene, double depth, double speed, double longe
     return status;
   }
   const double outside = 1.05 * probe.Extent();
-  Walk walk(probe.Center() + outside * OnSpiral(0.0), speed);
+  Vector3 last = OnSpiral(0.0);
+  Walk walk(probe.Center() + outside * last, speed);
+  bool wasTouched = true; // the first way is along its direction
   for (int knot = 0; knot <= Knots && walk.Time() < longest; ++knot)
   {
     const Vector3 direction = OnSpiral(static_cast<double>(knot) / Knots);
     const double touch = probe.FirstTouch(direction);
-    walk.GoTo(probe.Center() + (touch < 0.0 ? outside : std::max(touch - depth, 0.0)) * direction);
+    const Vector3 place = probe.Center() + std::max(touch - depth, 0.0) * direction;
+    const bool isTouched = touch >= 0.0 && !IsBehindCut(scene, place, depth);
+    if (isTouched != wasTouched)
+    {
+      walk.GoTo(probe.Center() + outside * (wasTouched ? last : direction)); // never through a wall
+    }
+    wasTouched = isTouched;
+    last = direction;
+    walk.GoTo(isTouched ? place : Vector3(probe.Center() + outside * direction));
   }
   walk.GoTo(probe.Center() + outside * OnSpiral(1.0));
   path = walk.Path();

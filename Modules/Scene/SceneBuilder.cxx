@@ -1,9 +1,9 @@
 #include "SceneBuilder.h"
 
 #include "InputError.h"
-#include "LabelMask.h"
 #include "ModelSurface.h"
 #include "Refusal.h"
+#include "SceneCuts.h"
 #include "SceneLabels.h"
 #include "SceneRun.h"
 #include "Servo.h"
@@ -107,7 +107,6 @@ private:
     }
   }
 
-  // What lies beyond the image is not known: a cut is felt as the voxels end there.
   void WarnOfCuts()
   {
     for (const SceneStructure& structure : this->Planned.Structures)
@@ -117,13 +116,12 @@ private:
         continue;
       }
       const auto file = this->SegmentationOf(structure.File); // read before
-      const Segment& segment = SegmentOf(structure, *file);
-      vtkImageData* layer = file->Layers[static_cast<std::size_t>(segment.Layer)];
-      if (CopyLabelMask(layer, segment.Value, 0).TouchesBorder)
+      if (!CutsOf(*file, SegmentOf(structure, *file)).empty())
       {
-        this->Made.Warnings.push_back(TitleOf(structure) +
-                                      " is cut by the border of its image; the cut is felt as if "
-                                      "the organ ended there");
+        const bool isFelt = structure.KeepsCuts || structure.IsDrilled();
+        this->Made.Warnings.push_back(
+            TitleOf(structure) + " is cut by the border of its image; the cut is " +
+            (isFelt ? "felt as if the organ ended there" : "not felt: the tool passes there"));
       }
     }
   }

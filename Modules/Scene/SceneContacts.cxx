@@ -124,6 +124,7 @@ TouchScene MakeTouchScene(const SceneSettings& scene, const std::vector<SceneCon
     touch.Law = {structure.Stiffness, structure.Damping,
                  PerMillisecond * structure.Number("relaxation_ms")};
     touch.Friction = structure.Friction;
+    touch.Cuts = contact.Contact->Cuts;
     touch.Effects = MakeEffects(structure, contact, made.Tool.BoundingRadius());
     touch.Drill = structure.Drill;
     made.Structures.push_back(std::move(touch));

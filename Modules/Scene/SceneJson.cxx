@@ -168,6 +168,10 @@ void ExchangeStructure(JsonFields& fields, SceneStructure& structure)
   fields.Exchange("mode", structure.Mode, ModeWords);
   fields.Exchange("interpolation", structure.Interpolation, InterpolationWords);
   fields.Exchange("smoothing_voxels", structure.Smoothing, 0.0, 8.0);
+  if (fields.IsReading() || structure.KeepsCuts)
+  {
+    fields.Exchange("keeps_cuts", structure.KeepsCuts);
+  }
   fields.Exchange("stiffness_n_per_mm", structure.Stiffness, 0.0, ContactLimits::Stiffness);
   fields.Exchange("damping_ns_per_mm", structure.Damping, 0.0, ContactLimits::Damping);
   fields.Exchange("static_friction", structure.Friction.Static, 0.0, ContactLimits::Friction);

@@ -88,6 +88,9 @@ struct SceneStructure
   RadialContactMode Mode = RadialContactMode::Nearest; ///< of harmonics
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
   double Smoothing = 1.0; ///< of a label's field, in voxels
+  /// Where the border of its image cuts a label: felt as if the structure ended there. Otherwise a
+  /// tool passes there without force; a drilled structure always keeps them.
+  bool KeepsCuts = false;
 
   double Stiffness = 0.5; ///< N/mm
   double Damping = 0.0;   ///< N s/mm

@@ -8,6 +8,7 @@
 #include "InputError.h"
 #include "ProtectedSurface.h"
 #include "Refusal.h"
+#include "SceneCuts.h"
 #include "SceneField.h"
 #include "SceneIsoSurface.h"
 #include "SceneLabels.h"
@@ -38,6 +39,21 @@ TouchToolSettings ToolWith(const std::vector<SceneProduct>& inputs, TouchToolSet
 {
   settings.Surface = inputs.size() > 1 ? ProductAs<SurfaceTool>(&inputs[1]) : nullptr;
   return settings;
+}
+
+// A contact that has the cuts by the border of the segmentation, which is the second input.
+StructurePlan::Making WithCuts(const SceneStructure& structure, StructurePlan::Making make)
+{
+  return [structure, make = std::move(make)](StructurePlan::Inputs inputs,
+                                             const ProgressFunction& progress) -> SceneProduct
+  {
+    const auto read = ProductAs<Segmentation>(&inputs[1]);
+    inputs.resize(1);
+    const SceneProduct made = make(inputs, progress);
+    TouchContact contact = *ProductAs<TouchContact>(&made);
+    contact.Cuts = CutsOf(*read, SegmentOf(structure, *read));
+    return std::make_shared<const TouchContact>(std::move(contact));
+  };
 }
 
 // Adds the name of the structure to a filter's errors.
@@ -412,11 +428,17 @@ void StructurePlan::AddRefusal(const std::string& fact, const std::string& remed
 void StructurePlan::AddContact(const std::string& kind, const std::string& input, Making make)
 {
   std::vector<std::string> inputs{input};
+  std::string key = SceneKey(input, "touch", kind);
   if (this->Structure.IsDrilled())
   {
     inputs.push_back(this->AddVoxels());
   }
-  std::string key = SceneKey(input, "touch", kind);
+  else if (this->Source == SceneSource::Label && !this->Structure.KeepsCuts)
+  {
+    inputs.push_back(this->AddSegmentation());
+    key = SceneKey(key, "cuts");
+    make = WithCuts(this->Structure, std::move(make));
+  }
   for (const SceneNumber& number : RepresentationOf(this->Structure).Numbers)
   {
     key = SceneKey(key, this->Structure.Number(number.Key));

@@ -7,6 +7,7 @@
 #include "OrganModel.h"
 #include "PalpateSceneModule.h"
 #include "ScalarField.h"
+#include "ScanCut.h"
 #include "TouchScene.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -38,6 +39,7 @@ struct TouchContact
   std::string Represented;                  ///< "harmonics of degree 12, nearest point"
   bool Yields = false;                      ///< then the scene's stiffness does not count
   DrillSource Drilled;                      ///< for a field that keeps its inside
+  std::vector<ScanCut> Cuts;                ///< that are not felt
 };
 
 /// The kinds of contacts. `file` is for messages. Throw InputError if it cannot be touched;

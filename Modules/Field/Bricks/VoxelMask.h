@@ -41,16 +41,16 @@ struct LabelBounds
   std::array<int, 3> Last{0, 0, 0};
 
   bool IsEmpty() const noexcept { return this->First[0] > this->Last[0]; }
-  bool Touches(const std::array<int, 3>& imageSize) const noexcept
+  /// Faces of an image that it reaches: first and last i, j, k.
+  std::array<bool, 6> Touches(const std::array<int, 3>& imageSize) const noexcept
   {
+    std::array<bool, 6> faces{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      if (this->First[axis] == 0 || this->Last[axis] == imageSize[axis] - 1)
-      {
-        return !this->IsEmpty();
-      }
+      faces[2 * axis] = !this->IsEmpty() && this->First[axis] == 0;
+      faces[2 * axis + 1] = !this->IsEmpty() && this->Last[axis] == imageSize[axis] - 1;
     }
-    return false;
+    return faces;
   }
 };
 

@@ -317,12 +317,14 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   }
   if (!this->Follows || this->IsBuried)
   {
-    this->Last = Untouched(step.Now.PositionWorld);
-    this->Force.setZero();
-    this->OfFields = this->Follows ? this->FieldForceAt(step.Now.PositionWorld) : Vector3::Zero();
-    return Vector3::Zero();
+    return this->BeSilent(step);
   }
   ContactOffset felt = this->Felt(step);
+  if (step.AsksModel && this->EntersByCut())
+  {
+    this->IsBuried = true;
+    return this->BeSilent(step);
+  }
   if (this->Feed != nullptr && felt.IsTouching)
   {
     felt.Offset = this->Feed->Meet(step.Now, felt.Offset, this->IsCut(step));
@@ -347,6 +349,23 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
     this->Force += this->Drill(step, felt, this->Factor * touch.ContactForce.dot(felt.Normal));
   }
   return this->Force;
+}
+
+Vector3 StructureFollower::BeSilent(const FollowStep& step) noexcept
+{
+  this->Last = Untouched(step.Now.PositionWorld);
+  this->Force.setZero();
+  this->OfFields = this->Follows ? this->FieldForceAt(step.Now.PositionWorld) : Vector3::Zero();
+  return Vector3::Zero();
+}
+
+// Once inside, a side wall would push out as well; so nothing is felt until the tool has left.
+bool StructureFollower::EntersByCut() const noexcept
+{
+  const Vector3& normal = this->Last.NormalWorld;
+  return this->Last.IsTouching &&
+         IsOnCut(this->Structure->Cuts, this->Last.ProxyWorld - this->ToolRadiusWorld * normal,
+                 normal);
 }
 
 // Feeds the tool towards the probe; returns the drilling force in addition to the contact's.

@@ -118,7 +118,7 @@ public:
   /// N/mm of the hand, of the last contact.
   double StiffnessDevice() const noexcept;
   bool IsFollowing() const noexcept { return this->Follows; }
-  /// Whether it contains the tool, which did not move there, and is silent.
+  /// Whether it contains the tool, which did not move there through its surface, and is silent.
   bool IsSilent() const noexcept { return this->IsBuried; }
   int Id() const noexcept { return this->Structure->Id; }
 
@@ -140,6 +140,8 @@ private:
   {
     return step.IsDrilling && this->Structure->Drill.Wear > 0.0;
   }
+  bool EntersByCut() const noexcept;
+  Vector3 BeSilent(const FollowStep& step) noexcept;
   Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
   bool FindStart(const FollowStep& step, ToolPose& start) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
@@ -163,7 +165,7 @@ private:
   Contact Last;
   Vector3 LastProbe = Vector3::Zero(); // at which it was computed, mm
   bool Follows = false;
-  bool IsBuried = false;                  // around a tool that did not enter it by moving
+  bool IsBuried = false; // around a tool that did not enter it by moving, or by a cut
   const FollowedBefore* Before = nullptr; // from which it carries on
   RampIn Weight{0.0};                     // fade-in of its force
   double Factor = 1.0;                    // of the weight, last value

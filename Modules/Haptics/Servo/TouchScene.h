@@ -6,6 +6,7 @@
 #include "DrillForce.h"
 #include "DrillLink.h"
 #include "ForceEffect.h"
+#include "ScanCut.h"
 #include "Status.h"
 #include "SurfaceFriction.h"
 #include "ToolShape.h"
@@ -31,6 +32,8 @@ struct TouchStructure
   int Id = 0;
   DrillLaw Drill = {}; ///< response while the scene's drill runs
   int Site = -1;       ///< in DrillVersions; -1: not drilled
+  /// A tool that meets one of them passes, without force until it has left the structure.
+  std::vector<ScanCut> Cuts = {};
 };
 
 /// The tool as a drill.

@@ -54,7 +54,7 @@ constexpr double Depth = 1.5;
 constexpr double Speed = 40.0;
 
 // Over a sphere, for at least `longest` seconds if it is that long.
-HandPath Sweep(const Vector3& center, double longest)
+HandPath Sweep(const Vector3& center, double longest, std::vector<ScanCut> cuts = {})
 {
   TouchScene scene;
   TouchStructure sphere;
@@ -62,6 +62,7 @@ HandPath Sweep(const Vector3& center, double longest)
                                    0, std::vector<double>{Radius * std::sqrt(4.0 * M_PI)}, center),
                                RadialContactMode::Nearest, sphere.Model)
                   .IsOk());
+  sphere.Cuts = std::move(cuts);
   scene.Structures = {sphere};
   scene.Tool = ToolShape::Sphere(ToolRadius);
   HandPath path;
@@ -82,6 +83,28 @@ TEST(HandPath, SweepFindsNoMorePlacesThanItsTimeTakes)
     EXPECT_EQ(part.List()[p].PointWorld, whole.List()[p].PointWorld);
   }
   EXPECT_GE(part.List()[part.List().size() - 2].Time, 1.0);
+}
+
+TEST(HandPath, SweepGoesAroundWhereTheScanCuts)
+{
+  const HandPath path = Sweep(Vector3::Zero(), std::numeric_limits<double>::infinity(),
+                              {{Vector3::UnitZ(), 10.0, 1.0}});
+  const double outside = path.List().front().PointWorld.norm();
+  int touching = 0;
+  for (std::size_t p = 1; p + 1 < path.List().size(); ++p)
+  {
+    const Vector3& place = path.List()[p].PointWorld;
+    const bool isIn = place.norm() < Radius + ToolRadius;
+    touching += isIn ? 1 : 0;
+    EXPECT_TRUE(isIn ? place.z() < 9.0 : place.norm() > outside - 1e-9) << place.transpose();
+    // It gets in and out along a ray from the centre.
+    const Vector3& before = path.List()[p - 1].PointWorld;
+    if (isIn != (before.norm() < Radius + ToolRadius))
+    {
+      EXPECT_NEAR(before.normalized().dot(place.normalized()), 1.0, 1e-9);
+    }
+  }
+  EXPECT_GT(touching, 200) << "of 400 places";
 }
 
 TEST(HandPath, SweepFollowsASphereAtItsDepth)

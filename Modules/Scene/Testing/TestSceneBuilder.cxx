@@ -5,6 +5,8 @@
 #include "LabelImages.h"
 #include "ModelFile.h"
 #include "ModelSurface.h"
+#include "Refusal.h"
+#include "StructureFollower.h"
 #include "SurfaceFile.h"
 #include "SurfacePhantoms.h"
 #include "SurfaceTexture.h"
@@ -90,6 +92,76 @@ TEST_F(SceneBuilderTest, RefusesALabelWithoutAnyShape)
   entry.Representation = TouchRepresentation::ModelOrField;
   // The field is tried after the surface was refused.
   EXPECT_THROW(this->Make({entry}), InputError);
+}
+
+// A ball that the border of its image cuts at x = -3.5 mm.
+std::shared_ptr<test::TemporaryFolder> FolderWithACutBall(std::filesystem::path& file)
+{
+  auto folder = std::make_shared<test::TemporaryFolder>();
+  test::LabelGrid grid;
+  grid.Size = {{20, 20, 20}};
+  grid.Origin = {-3.0, -9.5, -9.5};
+  file = *folder / "ended.nii.gz";
+  WriteImage(file, test::MakeLabelImage(grid, [](double x, double y, double z)
+                                        { return std::hypot(x, y, z) < 7.0; }));
+  return folder;
+}
+
+// N, of a point that is pushed from a place into the only structure by 3 mm.
+double ForceOfAPush(const BuiltScene& made, const Vector3& from, const Vector3& along)
+{
+  TouchScene scene;
+  scene.Tool = ToolShape::Sphere(0.0);
+  scene.Structures = {made.Touched.front().Touch};
+  std::vector<StructureFollower> followers;
+  RequireInput(StructureFollower::Make(scene.Structures[0], scene, 0.003, followers));
+  FollowStep step;
+  step.Passed = 0.001;
+  step.Now.PositionWorld = from;
+  double most = 0.0;
+  for (int tick = 0; tick < 100; ++tick)
+  {
+    step.Last = step.Now;
+    step.Now.PositionWorld += 0.1 * along;
+    most = std::max(most, followers[0].Follow(step).norm());
+  }
+  return most;
+}
+
+TEST_F(SceneBuilderTest, CutsByTheBorderAreFeltOnlyIfAsked)
+{
+  std::filesystem::path file;
+  const auto folder = FolderWithACutBall(file);
+  for (const char* representation :
+       {TouchRepresentation::Harmonics, TouchRepresentation::Facets, TouchRepresentation::SubVoxel,
+        TouchRepresentation::ModelOrField})
+  {
+    SceneStructure entry = this->Entry(file, true);
+    entry.Representation = representation;
+    const BuiltScene passed = this->Make({entry});
+    entry.KeepsCuts = true;
+    const BuiltScene kept = this->Make({entry});
+    const Vector3 outside = -9.0 * Vector3::UnitX();
+    EXPECT_EQ(ForceOfAPush(passed, outside, Vector3::UnitX()), 0.0) << representation;
+    EXPECT_GT(ForceOfAPush(kept, outside, Vector3::UnitX()), 0.5) << representation;
+    // Its own surface is felt, opposite of the cut and beside it.
+    const Vector3 opposite = 12.0 * Vector3::UnitX();
+    EXPECT_GT(ForceOfAPush(passed, opposite, -Vector3::UnitX()), 0.5) << representation;
+    const Vector3 beside = 12.0 * Vector3::UnitY();
+    EXPECT_EQ(ForceOfAPush(passed, beside, -Vector3::UnitY()),
+              ForceOfAPush(kept, beside, -Vector3::UnitY()))
+        << representation;
+  }
+}
+
+TEST_F(SceneBuilderTest, DrilledStructuresKeepTheirCuts)
+{
+  std::filesystem::path file;
+  const auto folder = FolderWithACutBall(file);
+  SceneStructure entry = this->Entry(file, true);
+  EXPECT_EQ(this->Make({entry}).Touched.front().Touch.Cuts.size(), 1U);
+  entry.Drill.Wear = 0.1;
+  EXPECT_TRUE(this->Make({entry}).Touched.front().Touch.Cuts.empty());
 }
 
 TEST_F(SceneBuilderTest, NamesStructuresThatTheBorderCuts)

@@ -53,6 +53,10 @@ StructureDialog::StructureDialog(StudyController& study, int id, QWidget* parent
   if (this->Structure.Source() == SceneSource::Label)
   {
     this->AddNumbers(SurroundingNumbers());
+    this->AddChoice("Where the scan cuts it", "keeps-cuts", {"not felt", "felt as its surface"},
+                    this->Structure.KeepsCuts ? 1 : 0,
+                    [](SceneStructure& structure, int choice)
+                    { structure.KeepsCuts = choice == 1; });
   }
   auto* groups = new QVBoxLayout(images);
   for (const SceneEffectKind& kind : SceneEffectKinds())

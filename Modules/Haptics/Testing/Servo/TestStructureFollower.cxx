@@ -1,7 +1,10 @@
 #include "StructureFollower.h"
 
+#include "OrganContact.h"
+#include "RadialModel.h"
 #include "TouchDoubles.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace palpate::structure_follower_test
@@ -98,6 +101,54 @@ TEST_F(StructureFollowerTest, NonFinitePositionIsNotTouched)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(this->MoveTo({nan, nan, nan}), Vector3::Zero());
+}
+
+// A sphere of 10 mm that a scan's border cuts at z = 8 mm.
+class CutSphereTest : public StructureFollowerTest
+{
+protected:
+  void SetUp() override
+  {
+    TouchStructure& sphere = this->Scene.Structures.emplace_back();
+    sphere.Law = {1.0, 0.0};
+    sphere.Cuts = {{Vector3::UnitZ(), 8.0, 0.5}};
+    ASSERT_TRUE(
+        MakeOrganContact(std::make_shared<const RadialModel>(
+                             0, std::vector<double>{10.0 * std::sqrt(4.0 * M_PI)}, Vector3::Zero()),
+                         RadialContactMode::Nearest, sphere.Model)
+            .IsOk());
+    ASSERT_TRUE(StructureFollower::Make(sphere, this->Scene, 0.003, this->Followers).IsOk());
+  }
+  // In steps of a tenth of a millimetre; returns the largest force.
+  double Glide(const Vector3& end)
+  {
+    const Vector3 start = this->Place;
+    const int steps = static_cast<int>(std::ceil((end - start).norm() / 0.1));
+    double most = 0.0;
+    for (int step = 1; step <= steps; ++step)
+    {
+      most = std::max(most, this->MoveTo(start + (end - start) * step / steps).norm());
+    }
+    return most;
+  }
+};
+
+TEST_F(CutSphereTest, IsEnteredAndLeftWithoutForceWhereItIsCut)
+{
+  this->Place = {0.0, 0.0, 12.0};
+  EXPECT_EQ(this->Glide({0.0, 0.0, 0.0}), 0.0);
+  EXPECT_EQ(this->Glide({12.0, 0.0, 0.0}), 0.0) << "through the wall from inside";
+  EXPECT_NEAR(this->Glide({9.0, 0.0, 0.0}), 1.0, 1e-9) << "from outside again";
+}
+
+TEST_F(CutSphereTest, LetsGoOfAToolThatSlidesOntoTheCut)
+{
+  this->Place = {12.0, 0.0, 0.0};
+  EXPECT_GT(this->Glide({9.0, 0.0, 0.0}), 0.9);
+  EXPECT_GT(this->Glide({6.0, 0.0, 6.0}), 0.9);
+  this->Glide({1.0, 0.0, 9.0});
+  EXPECT_EQ(this->MoveTo({1.0, 0.0, 9.0}), Vector3::Zero());
+  EXPECT_EQ(this->Glide({4.0, 0.0, 0.0}), 0.0);
 }
 } // namespace
 } // namespace palpate::structure_follower_test
