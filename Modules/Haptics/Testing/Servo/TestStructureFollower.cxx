@@ -109,6 +109,7 @@ class CutSphereTest : public StructureFollowerTest
 protected:
   void SetUp() override
   {
+    this->Scene.Tool = ToolShape::Sphere(0.0);
     TouchStructure& sphere = this->Scene.Structures.emplace_back();
     sphere.Law = {1.0, 0.0};
     sphere.Cuts = {{Vector3::UnitZ(), 8.0, 0.5}};
