@@ -79,6 +79,9 @@ struct SceneStructure
   /// not opened.
   bool IsVisible = true;
   bool IsTouchable = true;
+  /// Where the border of its image cuts a label: felt as if the structure ended there. Otherwise a
+  /// tool passes there without force; a drilled structure always keeps them.
+  bool KeepsCuts = false;
   std::array<double, 3> Color{{0.9, 0.6, 0.4}}; ///< red, green, blue in 0..1
   double Opacity = 1.0; ///< in 3D and over slices, 0..1; does not affect touch
   SceneAppearance Appearance = SceneAppearance::Automatic;
@@ -88,9 +91,6 @@ struct SceneStructure
   RadialContactMode Mode = RadialContactMode::Nearest; ///< of harmonics
   FieldInterpolation Interpolation = FieldInterpolation::Trilinear;
   double Smoothing = 1.0; ///< of a label's field, in voxels
-  /// Where the border of its image cuts a label: felt as if the structure ended there. Otherwise a
-  /// tool passes there without force; a drilled structure always keeps them.
-  bool KeepsCuts = false;
 
   double Stiffness = 0.5; ///< N/mm
   double Damping = 0.0;   ///< N s/mm
