@@ -87,9 +87,9 @@ void DeclareDescription(CLI::App& app)
 // Whether results of a command name its inputs; a cohort's cases are renamed by the command.
 bool NamesInputs(const std::string& command)
 {
-  static const std::set<std::string> commands{"fit",      "compare",  "relate", "mesh",
-                                              "evaluate", "convert",  "soften", "touch",
-                                              "tradeoff", "register", "check",  "complete"};
+  static const std::set<std::string> commands{
+      "fit",   "compare",  "relate",   "mesh",  "evaluate", "convert", "soften",
+      "touch", "tradeoff", "register", "check", "complete", "measure"};
   return commands.count(command) > 0;
 }
 

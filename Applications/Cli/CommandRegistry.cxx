@@ -14,6 +14,7 @@
 #include "LinkCommand.h"
 #endif
 #include "ManualCommand.h"
+#include "MeasureCommand.h"
 #include "MeshCommand.h"
 #include "PhantomCommand.h"
 #include "RegisterCommand.h"
@@ -35,6 +36,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<CohortCommand>());
   commands.push_back(std::make_unique<CompareCommand>());
   commands.push_back(std::make_unique<RelateCommand>());
+  commands.push_back(std::make_unique<MeasureCommand>());
   commands.push_back(std::make_unique<RegisterCommand>());
   commands.push_back(std::make_unique<CompleteCommand>());
   commands.push_back(std::make_unique<CheckCommand>());

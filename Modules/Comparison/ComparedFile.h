@@ -35,6 +35,8 @@ public:
   const char* Kind() const;
   /// The segmentation; null of a surface or a model.
   const Segmentation* Labels() const { return std::get_if<Segmentation>(&this->Content); }
+  /// The model; null of others.
+  const OrganModel* Model() const { return std::get_if<OrganModel>(&this->Content); }
   /// Every structure of a segmentation; of a surface or a model, one with the label 0.
   std::vector<Segment> Structures() const;
   /// Changes made to the file's data.

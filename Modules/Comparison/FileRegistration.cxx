@@ -36,14 +36,9 @@ ComparedBody BodyOf(const std::filesystem::path& path, const std::string& label,
                     const VolumeChoice& images)
 {
   const ComparedFile file = ComparedFile::Read(path, images);
-  const std::string own = file.Labels() != nullptr ? label : std::string();
-  const StructurePairs pairs = StructurePairs::Of(file, file, own, own);
-  if (pairs.Pairs.size() != 1)
-  {
-    Refuse(path, "has " + std::to_string(pairs.Pairs.size()) + " structures",
-           "choose one by --label, of the fixed file by --fixed-label");
-  }
-  return file.Body(pairs.Pairs.front().One, MaskBody::Shape);
+  const Segment structure =
+      OnlyStructure(file, label, "choose one by --label, of the fixed file by --fixed-label");
+  return file.Body(structure, MaskBody::Shape);
 }
 
 Vector3 MiddleOf(vtkImageData* image)

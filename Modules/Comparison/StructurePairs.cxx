@@ -114,4 +114,15 @@ StructurePairs StructurePairs::Of(const ComparedFile& one, const ComparedFile& o
   }
   return pairs;
 }
+
+Segment OnlyStructure(const ComparedFile& file, const std::string& label, const std::string& advice)
+{
+  const std::string own = file.Labels() != nullptr ? label : std::string();
+  const StructurePairs pairs = StructurePairs::Of(file, file, own, own);
+  if (pairs.Pairs.size() != 1)
+  {
+    Refuse(file.Path(), "has " + std::to_string(pairs.Pairs.size()) + " structures", advice);
+  }
+  return pairs.Pairs.front().One;
+}
 } // namespace palpate

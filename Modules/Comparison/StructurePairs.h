@@ -30,4 +30,9 @@ struct StructurePairs
                                                     const std::string& label,
                                                     const std::string& otherLabel);
 };
+
+/// The only structure of a file, or the one that is named; a label means nothing for others than
+/// segmentations. Throws InputError, with the advice how to choose one, if there are several.
+PALPATECOMPARISON_EXPORT Segment OnlyStructure(const ComparedFile& file, const std::string& label,
+                                               const std::string& advice);
 } // namespace palpate

@@ -1,5 +1,6 @@
 #include "SurfacePaths.h"
 
+#include "GeodesicDistances.h"
 #include "MeshMending.h"
 #include "StripPath.h"
 
@@ -65,8 +66,10 @@ Vector3 SurfacePaths::MiddleOf(int halfEdge) const noexcept
 
 // A* over the midpoints of edges.
 std::vector<int> SurfacePaths::Search(const NearestOnMesh::Result& from,
-                                      const NearestOnMesh::Result& to) const
+                                      const NearestOnMesh::Result& to,
+                                      const std::vector<bool>& corridor) const
 {
+  constexpr double Outside = 10.0; // so much longer are ways outside of the corridor
   const std::size_t count = 3 * this->Surface.Triangles.size();
   std::vector<double> lengths(count, std::numeric_limits<double>::infinity());
   std::vector<int> parents(count, -1);
@@ -100,9 +103,10 @@ std::vector<int> SurfacePaths::Search(const NearestOnMesh::Result& from,
       std::reverse(crossed.begin(), crossed.end());
       return crossed;
     }
+    const double factor = corridor.empty() || corridor[entered / 3] ? 1.0 : Outside;
     for (const int next : {NextInTriangle(entered), PreviousInTriangle(entered)})
     {
-      visit(next, at, lengths[at] + (this->MiddleOf(next) - this->MiddleOf(at)).norm());
+      visit(next, at, lengths[at] + factor * (this->MiddleOf(next) - this->MiddleOf(at)).norm());
     }
   }
   return {};
@@ -176,6 +180,28 @@ void SurfacePaths::RemoveLoops(std::vector<int>& crossed) const
   crossed = std::move(kept);
 }
 
+// An end on an edge or at a corner lies in several triangles: the strip is one from the last that
+// holds its start to the first that holds its end, so that it does not turn around an end.
+void SurfacePaths::CutEnds(std::vector<int>& crossed, const Vector3& from, const Vector3& to) const
+{
+  constexpr double Near = 1e-9; // of an edge
+  const auto holds = [this](int triangle, const Vector3& point)
+  {
+    const std::array<int, 3>& t = this->Surface.Triangles[triangle];
+    const Vector3& a = this->Surface.Points[t[0]];
+    const Vector3& b = this->Surface.Points[t[1]];
+    const Vector3 nearest = NearestOnTriangle(point, a, b, this->Surface.Points[t[2]]);
+    return (nearest - point).norm() <= Near * (b - a).norm();
+  };
+  const auto end = std::find_if(crossed.begin(), crossed.end(),
+                                [&](int halfEdge) { return holds(halfEdge / 3, to); });
+  crossed.erase(end, crossed.end());
+  const auto start =
+      std::find_if(crossed.rbegin(), crossed.rend(),
+                   [&](int halfEdge) { return holds(this->AcrossOf(halfEdge) / 3, from); });
+  crossed.erase(crossed.begin(), start.base());
+}
+
 // Leads the strip around the other side of each corner where that shortens the path nearby; corners
 // whose surroundings meet wait for the next pass. Returns whether it changed.
 bool SurfacePaths::PassCorners(const StripPath& path, std::vector<int>& crossed) const
@@ -210,19 +236,19 @@ bool SurfacePaths::PassCorners(const StripPath& path, std::vector<int>& crossed)
   return isChanged;
 }
 
-Status SurfacePaths::Find(const Vector3& from, const Vector3& to, Path& found) const
+Status SurfacePaths::FindIn(const NearestOnMesh::Result& start, const NearestOnMesh::Result& end,
+                            const std::vector<bool>& corridor, Path& found) const
 {
-  const NearestOnMesh::Result start = this->Places.Find(from);
-  const NearestOnMesh::Result end = this->Places.Find(to);
   std::vector<int> crossed;
   if (start.Triangle != end.Triangle)
   {
-    crossed = this->Search(start, end);
+    crossed = this->Search(start, end, corridor);
     if (crossed.empty())
     {
       return Status::Failure("The points lie on parts of the surface that are not connected.");
     }
   }
+  this->CutEnds(crossed, start.Point, end.Point);
   StripPath path = this->PathOf(crossed, start.Point, end.Point);
   const std::size_t mostPasses = 100 + crossed.size();
   for (std::size_t pass = 0; pass < mostPasses && this->PassCorners(path, crossed); ++pass)
@@ -236,5 +262,24 @@ Status SurfacePaths::Find(const Vector3& from, const Vector3& to, Path& found) c
                   [least](const Vector3& a, const Vector3& b) { return (a - b).norm() <= least; });
   found = {{path.Points.begin(), last}, path.Length};
   return Status::Success();
+}
+
+Status SurfacePaths::Find(const Vector3& from, const Vector3& to, Path& found) const
+{
+  return this->FindIn(this->Places.Find(from), this->Places.Find(to), {}, found);
+}
+
+Status SurfacePaths::FindShortest(const Vector3& from, const Vector3& to,
+                                  const KernelProgress& progress, Path& found) const
+{
+  const NearestOnMesh::Result start = this->Places.Find(from);
+  const NearestOnMesh::Result end = this->Places.Find(to);
+  std::vector<double> distances;
+  Status status = FindGeodesicDistances(this->Surface, start, progress, distances);
+  if (status.IsOk())
+  {
+    status = this->FindIn(start, end, CorridorBack(this->Surface, distances, end), found);
+  }
+  return status;
 }
 } // namespace palpate

@@ -119,12 +119,11 @@ Vector3 ModelFoot::ParameterAt(const NearestOnMesh::Result& near) const noexcept
                                        : this->Parameters[corners[0]];
 }
 
-double ModelFoot::SignedDistance(const Vector3& query,
-                                 const NearestOnMesh::Result& near) const noexcept
+ModelFoot::Foot ModelFoot::FindFoot(const Vector3& from,
+                                    const NearestOnMesh::Result& near) const noexcept
 {
   constexpr int MostSteps = 12;
   constexpr double ShortStep = 1e-7; // rad; the rest of the way is straight
-  const Vector3 from = query - this->Shape.CenterWorld();
   Vector3 parameter = this->ParameterAt(near);
   CenteredSurface::SecondOrderSample sample = this->Shape.EvaluateSecondOrder(parameter);
   for (int i = 0; i < MostSteps; ++i)
@@ -139,6 +138,7 @@ double ModelFoot::SignedDistance(const Vector3& query,
     {
       sample.Point += sample.Tangents[0].dot(step) * sample.First[0] +
                       sample.Tangents[1].dot(step) * sample.First[1];
+      parameter = Moved(parameter, step);
       break;
     }
     const Vector3 next = Moved(parameter, step);
@@ -150,8 +150,21 @@ double ModelFoot::SignedDistance(const Vector3& query,
     parameter = next;
     sample = there;
   }
+  return {parameter, sample};
+}
+
+double ModelFoot::SignedDistance(const Vector3& query,
+                                 const NearestOnMesh::Result& near) const noexcept
+{
+  const Vector3 from = query - this->Shape.CenterWorld();
+  const CenteredSurface::SecondOrderSample sample = this->FindFoot(from, near).Sample;
   const Vector3 offset = from - sample.Point;
   const double side = this->Outward * offset.dot(sample.First[0].cross(sample.First[1]));
   return side < 0.0 ? -offset.norm() : offset.norm();
+}
+
+Vector3 ModelFoot::FootOf(const Vector3& query, const NearestOnMesh::Result& near) const noexcept
+{
+  return this->FindFoot(query - this->Shape.CenterWorld(), near).Parameter;
 }
 } // namespace palpate

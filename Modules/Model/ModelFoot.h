@@ -30,12 +30,22 @@ public:
   double Volume() const noexcept { return this->EnclosedVolume; } ///< mm^3, positive
   double Area() const noexcept { return this->SurfaceArea; }      ///< mm^2
 
+  /// The parameter, a unit vector, of a point of the drawing; interpolated in its triangle.
+  Vector3 ParameterAt(const NearestOnMesh::Result& near) const noexcept;
   /// Distance (mm) of a point from the surface, negative inside; `near` is the drawing's point
   /// nearest to it.
   double SignedDistance(const Vector3& query, const NearestOnMesh::Result& near) const noexcept;
+  /// The parameter of the surface's point nearest to `query`, found as SignedDistance does.
+  Vector3 FootOf(const Vector3& query, const NearestOnMesh::Result& near) const noexcept;
 
 private:
-  Vector3 ParameterAt(const NearestOnMesh::Result& near) const noexcept;
+  // Where Newton's method ends; `from` is relative to the surface's centre.
+  struct Foot
+  {
+    Vector3 Parameter;
+    CenteredSurface::SecondOrderSample Sample;
+  };
+  Foot FindFoot(const Vector3& from, const NearestOnMesh::Result& near) const noexcept;
 
   int Frequency; // of the icosahedron; even
   CenteredSurface Shape;

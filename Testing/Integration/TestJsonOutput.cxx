@@ -203,6 +203,13 @@ TEST_F(JsonOutput, CompleteIsDocumented)
   this->ExpectDocumented("complete");
 }
 
+TEST_F(JsonOutput, MeasureIsDocumented)
+{
+  this->Run({"measure", "ball.json", "--from", "9,0,0", "--to", "0,9,0", "--path", "p.vtp", "--map",
+             "m.vtp", "--json"});
+  this->ExpectDocumented("measure");
+}
+
 TEST_F(JsonOutput, RelateIsDocumented)
 {
   WriteImage(this->Folder / "tube.nii.gz",
