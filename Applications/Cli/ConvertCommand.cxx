@@ -303,9 +303,9 @@ Segmentation ConvertCommand::ReadLabels(Console& console)
 
 void ConvertCommand::ConvertSegmentation(Console& console)
 {
-  const Segmentation segmentation = this->Move.Moved(this->ReadLabels(console));
-  const Segmentation chosen =
-      this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label));
+  const Segmentation segmentation = this->ReadLabels(console);
+  const Segmentation chosen = this->Move.Moved(
+      this->Label.empty() ? segmentation : OnlyOf(segmentation, segmentation.Find(this->Label)));
   RequireGoingOn();
   if (!IsDicomOutput(this->Output))
   {

@@ -1,4 +1,6 @@
 #include "CommandRun.h"
+#include "ImageWriter.h"
+#include "LabelImages.h"
 #include "LabelStatistics.h"
 #include "ModelFile.h"
 #include "SegmentationFile.h"
@@ -394,6 +396,27 @@ TEST(CliConvert, TransformsThatNeedReferenceOrMissTheImageAreRefused)
   ExpectRefused(refusal({"--transform", "far.tfm", "--reference", "mask.nii.gz"}), "no structure");
   ExpectRefused(refusal({"--reference", "mask.nii.gz"}), "needs --transform");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.seg.nrrd"));
+}
+
+TEST(CliConvert, LabelIsChosenBeforeItMoves)
+{
+  const TemporaryFolder folder;
+  const auto mask = MakeLabelImage({}, [](double x, double, double) { return x < 10.0; });
+  vtkDataArray* labels = mask->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < mask->GetNumberOfPoints(); ++i)
+  {
+    labels->SetTuple1(i, mask->GetPoint(i)[0] > 22.0 ? 2.0 : labels->GetTuple1(i));
+  }
+  WriteImage(folder / "mask.nii.gz", mask);
+  WriteTransform(folder / "t.tfm", Eigen::Affine3d(Eigen::Translation3d(15.0, 0.0, 0.0)));
+  const auto convert = [&folder](const char* label)
+  {
+    return RunPalpate({"convert", "mask.nii.gz", "a.nii.gz", "--label", label, "--transform",
+                       "t.tfm", "--reference", "mask.nii.gz"},
+                      folder.Path());
+  };
+  ExpectRefused(convert("2"), "no structure within");
+  EXPECT_EQ(convert("1").Code, 0);
 }
 } // namespace
 } // namespace palpate::cli_convert_test
