@@ -19,6 +19,8 @@ namespace palpate
 {
 namespace
 {
+constexpr std::size_t MostForShortest = 150000; // triangles: some 20 s
+
 void RequirePath(const Status& status, const KernelWatch& watch)
 {
   watch.Require();
@@ -67,8 +69,11 @@ BodyGeodesics::Length BodyGeodesics::Find(const Vector3& from, const Vector3& to
   {
     SurfacePaths::Path path;
     RequirePath(this->OnTriangles->Find(from, to, path), watch);
-    SurfacePaths::Path other;
-    RequirePath(this->OnTriangles->FindShortest(from, to, watch.Of(0.0, 1.0), other), watch);
+    SurfacePaths::Path other = path;
+    if (this->OnTriangles->Mesh().Triangles.size() <= MostForShortest)
+    {
+      RequirePath(this->OnTriangles->FindShortest(from, to, watch.Of(0.0, 1.0), other), watch);
+    }
     SurfacePaths::Path& shorter = other.Length < path.Length ? other : path;
     length.Along = shorter.Length;
     length.Points = std::move(shorter.Points);
