@@ -1,0 +1,61 @@
+#pragma once
+
+#include "CorrectionStep.h"
+#include "MaskCorrection.h"
+#include "Status.h"
+#include "SurfaceCorrection.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace palpate
+{
+/// A mask under correction: a function of the mask at the start and the list of steps. Pulls that
+/// follow each other move one surface, that of the mask before them; an edit makes a new one. Each
+/// step can be undone, back to the start. World mm, patient LPS. Not thread-safe.
+class CorrectedMask
+{
+public:
+  static constexpr std::size_t MostEdits = 100; ///< each keeps the mask before it, for undoing
+
+  CorrectedMask() = default;
+  /// `mask` is of an image of this size, and has a rim of voxels outside. Pulls add no voxel of the
+  /// barrier.
+  CorrectedMask(VoxelMask mask, const IndexToWorld& toWorld, const std::array<int, 3>& imageSize,
+                MaskCorrection::Barrier barrier = {});
+
+  /// Fails, leaving the mask as it is, as SurfaceCorrection and MaskCorrection do, for numbers out
+  /// of range, after MostEdits, and for an edit that removes every voxel.
+  Status Apply(const CorrectionStep& step);
+  /// Removes the last step; false if there is none.
+  bool Undo();
+
+  const std::vector<CorrectionStep>& Steps() const noexcept { return this->List; }
+  /// The mask as it is now; as MaskCorrection::Moved. Allocates; after a pull some 0.1 s, else
+  /// fast.
+  const VoxelMask& Mask();
+  /// The surface that is pulled, before its pulls (triangles, normals), and the pulls. Fails as
+  /// MaskCorrection::Make.
+  Status Surface(const MaskCorrection*& surface, const SurfaceCorrection*& pulls);
+
+private:
+  struct Stage
+  {
+    VoxelMask Start;
+    std::optional<MaskCorrection> Surface; ///< made for the first pull
+    SurfaceCorrection Pulls;
+    std::optional<VoxelMask> Result; ///< of the pulls
+  };
+
+  Status Edit(const CorrectionStep& step);
+  Status Prepare();
+
+  std::vector<Stage> Stages;
+  std::vector<CorrectionStep> List;
+  IndexToWorld ToWorld;
+  std::array<int, 3> ImageSize{};
+  MaskCorrection::Barrier Closed;
+};
+} // namespace palpate

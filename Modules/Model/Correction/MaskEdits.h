@@ -1,0 +1,29 @@
+#pragma once
+
+#include "IndexToWorld.h"
+#include "VoxelMask.h"
+
+#include <array>
+
+namespace palpate
+{
+/// The same mask in a box from and to these image indices (inclusive), which enclose its own.
+VoxelMask InBox(const VoxelMask& mask, const std::array<int, 3>& first,
+                const std::array<int, 3>& last);
+
+/// Plain edits of a mask whose box has a rim of voxels outside; the box stays. Lengths mm, patient
+/// LPS.
+
+/// Removes all but the largest part of voxels that share faces. Returns how many voxels went.
+long long RemoveIslands(VoxelMask& mask);
+
+/// Smooths the mask's surface: its signed distance is blurred by a Gaussian of this standard
+/// deviation and cut at the level that keeps the number of voxels, up to equal values. Details
+/// smaller than the deviation vanish, size stays. Allocates 16 bytes a voxel of the box, which
+/// should have a rim of two deviations.
+void SmoothMask(double deviation, VoxelMask& mask);
+
+/// Removes the voxels whose centres lie beyond a plane, on the side to which `normal` points.
+void CutMask(const Vector3& pointWorld, const Vector3& normal, const IndexToWorld& toWorld,
+             VoxelMask& mask);
+} // namespace palpate

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "Vector3.h"
+
+#include <optional>
+
+namespace palpate
+{
+/// One pull at a surface, or a push. Lengths mm, patient LPS.
+struct SurfacePull
+{
+  Vector3 PlaceWorld = Vector3::Zero(); ///< the nearest point of the surface as it is now is pulled
+  double Displacement = 0.0;            ///< outwards
+  /// Where the surface shall pass instead of a displacement: of a target beside the point's line of
+  /// motion, the foot on that line counts.
+  std::optional<Vector3> TargetWorld;
+  /// Standard deviations of the Gaussian displacement along the surface: of one, or the mean of
+  /// two. With a second width of 0 there is one.
+  double Width = 8.0;
+  double SecondWidth = 0.0;
+};
+} // namespace palpate
