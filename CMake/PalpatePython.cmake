@@ -8,7 +8,7 @@ mark_as_advanced(PALPATE_PYTHON_DIR)
 
 add_subdirectory(Modules/PythonInterface)
 set(palpate_package "${PALPATE_PYTHON_DIR}/palpate")
-foreach(file __init__.py _inputs.py _results.py pyvista.py _kernels.pyi py.typed)
+foreach(file __init__.py _correct.py _inputs.py _results.py pyvista.py _kernels.pyi py.typed)
   configure_file(Python/palpate/${file} "${CMAKE_BINARY_DIR}/${palpate_package}/${file}" COPYONLY)
   install(FILES Python/palpate/${file} DESTINATION "${palpate_package}" COMPONENT python)
 endforeach()

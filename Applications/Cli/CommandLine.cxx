@@ -89,7 +89,7 @@ bool NamesInputs(const std::string& command)
 {
   static const std::set<std::string> commands{
       "fit",   "compare",  "relate",   "mesh",  "evaluate", "convert", "soften",
-      "touch", "tradeoff", "register", "check", "complete", "measure"};
+      "touch", "tradeoff", "register", "check", "complete", "measure", "correct"};
   return commands.count(command) > 0;
 }
 

@@ -6,6 +6,7 @@
 #include "CompleteCommand.h"
 #include "CompletionCommand.h"
 #include "ConvertCommand.h"
+#include "CorrectCommand.h"
 #include "DevicesCommand.h"
 #include "EvaluateCommand.h"
 #include "FitCommand.h"
@@ -39,6 +40,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<MeasureCommand>());
   commands.push_back(std::make_unique<RegisterCommand>());
   commands.push_back(std::make_unique<CompleteCommand>());
+  commands.push_back(std::make_unique<CorrectCommand>());
   commands.push_back(std::make_unique<CheckCommand>());
   commands.push_back(std::make_unique<MeshCommand>());
   commands.push_back(std::make_unique<EvaluateCommand>());

@@ -79,14 +79,6 @@ extern "C"
    */
   palpate_model* palpate_model_read(const char* path, palpate_error* error);
   int palpate_model_write(const palpate_model* model, const char* path, palpate_error* error);
-  /* Radial, completed from `count` touched points (x, y, z of each) of a standard deviation `sigma`
-   * (mm). May be NULL: `normals` (0 for none), `strokes` (points of one number above 0 share an
-   * offset), `prior` (a file of palpate cohort --prior), `center` (near the organ's), `deviations`
-   * (mm, of the points of palpate_model_mesh of frequency 8), `next` (6 places to touch next). */
-  palpate_model* palpate_complete(const double* points, const double* normals,
-                                  const int32_t* strokes, size_t count, const char* prior,
-                                  double sigma, const double center[3], double* deviations,
-                                  double* next, palpate_error* error);
   void palpate_model_free(palpate_model* model);
 
   int palpate_model_degree(const palpate_model* model);
@@ -596,5 +588,7 @@ extern "C"
 #ifdef __cplusplus
 }
 #endif
+
+#include "palpate_shape.h"
 
 #endif

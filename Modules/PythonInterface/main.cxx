@@ -1,6 +1,7 @@
 #include "Call.h"
 #include "CheckBinding.h"
 #include "ComparisonBinding.h"
+#include "CorrectionBinding.h"
 #include "FieldBinding.h"
 #include "ModelBinding.h"
 #include "RegistrationBinding.h"
@@ -19,6 +20,7 @@ PYBIND11_MODULE(_kernels, module)
       "What Palpate refuses, as one sentence.";
   module.attr("__version__") = palpate_version();
   palpate::BindModels(module);
+  palpate::BindCorrections(module);
   palpate::BindComparisons(module);
   palpate::BindRelations(module);
   palpate::BindRegistrations(module);

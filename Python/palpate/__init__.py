@@ -16,8 +16,10 @@ import importlib
 import pkgutil
 from typing import Any
 
+from ._correct import correct as correct
 from ._inputs import Mask as Mask
 from ._kernels import CheckGroup as CheckGroup
+from ._kernels import Correction as Correction
 from ._kernels import Error as Error
 from ._kernels import Field as Field
 from ._kernels import LinearModel as LinearModel

@@ -210,6 +210,15 @@ TEST_F(JsonOutput, MeasureIsDocumented)
   this->ExpectDocumented("measure");
 }
 
+TEST_F(JsonOutput, CorrectIsDocumented)
+{
+  this->Run({"correct", "a.nii.gz", "--label", "1", "--pull", "9,0,0:2:4+8", "--pull",
+             "-9,0,0:-11,0,0", "--islands", "--fill", "--smooth", "1", "--cut", "0,0,7:0,0,1",
+             "--output", "corrected", "--json"});
+  this->Run({"correct", "ball.json", "--pull", "9,0,0:2", "--json"});
+  this->ExpectDocumented("correct");
+}
+
 TEST_F(JsonOutput, RelateIsDocumented)
 {
   WriteImage(this->Folder / "tube.nii.gz",

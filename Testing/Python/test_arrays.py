@@ -44,6 +44,75 @@ class Completion(unittest.TestCase):
             palpate.complete(points, center=(0, 0, 0), sigma=0.3)
 
 
+class Correction(unittest.TestCase):
+    def sphere(self):
+        index = numpy.stack(numpy.meshgrid(*[numpy.arange(40.0)] * 3, indexing="ij"), axis=-1)
+        return numpy.linalg.norm(index - 20.0, axis=-1) < 12.0
+
+    def test_a_pulled_mask_grows_there_and_is_undone(self):
+        start = self.sphere()
+        correction = palpate.Correction(start, origin=CENTER)
+        before = correction.mask
+        numpy.testing.assert_array_equal(before, start)
+        shown = correction.preview(CENTER + [32.0, 20.0, 20.0], 4.0, width=5.0)
+        correction.pull(CENTER + [32.0, 20.0, 20.0], 4.0, width=5.0)
+        numpy.testing.assert_array_equal(correction.displacements, shown)
+        self.assertAlmostEqual(shown.max(), 4.0, 3)
+        grown = correction.mask
+        self.assertTrue(grown[35, 20, 20] and not grown[37, 20, 20])
+        self.assertTrue((grown >= start).all())
+        numpy.testing.assert_array_equal(grown[:20], start[:20])
+        self.assertEqual(len(correction.surface.points), len(shown))
+        self.assertTrue(correction.undo())
+        numpy.testing.assert_array_equal(correction.mask, start)
+        self.assertFalse(correction.undo())
+
+    def test_pulls_stop_at_a_barrier(self):
+        wall = numpy.zeros((40, 40, 40), bool)
+        wall[34] = True
+        correction = palpate.Correction(self.sphere(), barrier=wall)
+        correction.pull((32, 20, 20), 6.0, width=5.0)
+        grown = correction.mask
+        self.assertTrue(grown[33, 20, 20] and not grown[34:].any())
+
+    def test_steps_are_those_of_the_file(self):
+        start = self.sphere()
+        start[2, 2, 2] = True
+        start[20, 20, 20] = False
+        steps = [
+            {"do": "islands"},
+            {"do": "fill"},
+            {"do": "pull", "place_mm": (32, 20, 20), "displacement_mm": 3, "width_mm": 4, "second_width_mm": 9},
+            {"do": "smooth", "deviation_mm": 1.0},
+            {"do": "cut", "point_mm": (10, 20, 20), "normal": (-1, 0, 0)},
+        ]
+        made = palpate.correct(start, steps).mask
+        self.assertFalse(made[2, 2, 2] or made[:10].any())
+        self.assertTrue(made[20, 20, 20] and made[34, 20, 20])
+        with self.assertRaisesRegex(ValueError, "'do' has to be"):
+            palpate.correct(start, [{"do": "paint"}])
+
+    def test_a_pulled_model_passes_through_its_target(self):
+        for start in (ball(), palpate.fit_points(20 * directions(2000), degree=4)):
+            model = palpate.correct(start, [{"do": "pull", "place_mm": (20, 0, 0), "target_mm": (23, 0, 0)}]).model
+            self.assertAlmostEqual(model.nearest([23.0, 0, 0]).distances, 0.0, 1)
+            self.assertAlmostEqual(model.nearest([-20.0, 0, 0]).distances, 0.0, 2)
+
+    def test_refuses_in_words(self):
+        with self.assertRaisesRegex(palpate.Error, "no voxels to edit"):
+            palpate.Correction(ball()).fill()
+        with self.assertRaisesRegex(palpate.Error, "no mask"):
+            palpate.Correction(ball()).mask
+        with self.assertRaisesRegex(palpate.Error, "width"):
+            palpate.Correction(ball()).pull((20, 0, 0), 1.0, width=0.1)
+        with self.assertRaisesRegex(ValueError, "by, or a target"):
+            palpate.Correction(ball()).pull((20, 0, 0))
+        with self.assertRaisesRegex(palpate.Error, "no voxels"):
+            palpate.Correction(numpy.zeros((4, 4, 4)))
+        with self.assertRaisesRegex(ValueError, "that of the mask"):
+            palpate.Correction(self.sphere(), barrier=numpy.zeros((3, 3, 3)))
+
+
 class Models(unittest.TestCase):
     def test_points_are_centre_and_radius(self):
         model, along = bumpy(), directions()

@@ -145,6 +145,26 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   const double touched[] = {20, 0, 0, -20, 0, 0, 0, 20, 0, 0, -20, 0, 0, 0, 20, 0, 0, -20};
   SURVIVES(palpate_complete, touched, touched, b.Triangles.data(), 6, nullptr, 1.0, Origin,
            b.A.data(), b.B.data(), e);
+  SURVIVES(palpate_correction_of_model, m, e);
+  SURVIVES(palpate_correction_of_mask, b.Mask.data(), nullptr, Size, Origin, Spacing, Axes, e);
+  test::Owned<palpate_correction> correction(palpate_correction_of_model(m, nullptr));
+  palpate_correction* c = correction.get();
+  const palpate_pull pull{{20, 0, 0}, 1.0, 0, {0, 0, 0}, 8.0, 0.0};
+  std::vector<double> moved(5762);
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  SURVIVES(palpate_correction_pull, c, &pull, e);
+  SURVIVES(palpate_correction_preview, c, &pull, moved.data(), e);
+  SURVIVES(palpate_correction_remove_islands, c, e);
+  SURVIVES(palpate_correction_fill, c, e);
+  SURVIVES(palpate_correction_smooth, c, 1.0, e);
+  SURVIVES(palpate_correction_cut, c, Origin, Axes, e);
+  SURVIVES(palpate_correction_undo, c);
+  SURVIVES(palpate_correction_surface, c, &points, &triangles, nullptr, nullptr, moved.data(),
+           nullptr, e);
+  SURVIVES(palpate_correction_mask, c, b.Mask.data(), e);
+  SURVIVES(palpate_correction_model, c, e);
+  SURVIVES(palpate_correction_free, nullptr);
   SURVIVES(palpate_model_read, "absent.json", e);
   SURVIVES(palpate_model_write, m, "/absent/folder/a.json", e);
   SURVIVES(palpate_model_free, m);

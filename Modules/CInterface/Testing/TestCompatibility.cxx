@@ -52,7 +52,8 @@ TEST(CInterface, FunctionsAreThoseOfItsVersion)
   std::istringstream listed(
       TextOf("Testing/functions-" + std::to_string(PALPATE_API_VERSION) + ".txt"));
   const std::set<std::string> wanted{std::istream_iterator<std::string>(listed), {}};
-  const std::set<std::string> declared = FunctionsIn(TextOf("palpate.h"));
+  const std::set<std::string> declared =
+      FunctionsIn(TextOf("palpate.h") + TextOf("palpate_shape.h"));
   EXPECT_EQ(declared, wanted);
   for (const std::string& name : declared)
   {
@@ -78,6 +79,7 @@ TEST(CInterface, StructuresHaveTheSizesOfItsVersion)
   EXPECT_EQ(sizeof(palpate_rule), 56U);
   EXPECT_EQ(sizeof(palpate_mixed), 88U);
   EXPECT_EQ(sizeof(palpate_asymmetry), 120U);
+  EXPECT_EQ(sizeof(palpate_pull), 80U);
 }
 
 TEST(CInterface, LongMessagesEndAtACharacter)

@@ -145,19 +145,6 @@ Status MaskCorrection::Make(VoxelMask mask, const IndexToWorld& toWorld,
   return status;
 }
 
-bool MaskCorrection::IsInside(const VoxelIndex& index) const noexcept
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const int in = index[axis] - this->Start.StartIndex[axis];
-    if (in < 0 || in >= this->Start.Size[axis])
-    {
-      return false;
-    }
-  }
-  return this->Start.Inside[OffsetIn(this->Start, index)] != 0;
-}
-
 MaskCorrection::Box MaskCorrection::BoxOf(const Eigen::VectorXd& displacements) const
 {
   const Matrix3 toIndex = this->ToWorld.Axes.inverse();
@@ -219,7 +206,7 @@ void MaskCorrection::MoveSlice(int k, const Box& box, const Eigen::VectorXd& dis
   {
     for (int i = box.First[0]; i <= box.Last[0]; ++i)
     {
-      if (this->IsInside({i, j, k}) ? box.Inwards < 0.0 : box.Outwards > 0.0)
+      if (HasVoxel(this->Start, {i, j, k}) ? box.Inwards < 0.0 : box.Outwards > 0.0)
       {
         indices.push_back({i, j, k});
         points.push_back(this->ToWorld(VectorOfIndex(indices.back())));
@@ -235,7 +222,7 @@ void MaskCorrection::MoveSlice(int k, const Box& box, const Eigen::VectorXd& dis
     double by = 0.0;
     const double distance = this->SignedDistance(nearest[n], points[n], displacements, by);
     const std::size_t at = OffsetIn(moved, indices[n]);
-    if (this->IsInside(indices[n]))
+    if (HasVoxel(this->Start, indices[n]))
     {
       const bool isLeft = by <= -LeastDisplacement && distance >= by && distance < slack;
       moved.Inside[at] = isLeft ? 0 : 1;

@@ -45,7 +45,6 @@ public:
 private:
   struct Box;
   Box BoxOf(const Eigen::VectorXd& displacements) const;
-  bool IsInside(const std::array<int, 3>& index) const noexcept;
   double SignedDistance(const NearestOnMesh::Result& nearest, const Vector3& point,
                         const Eigen::VectorXd& displacements, double& moved) const noexcept;
   void MoveSlice(int k, const Box& box, const Eigen::VectorXd& displacements,

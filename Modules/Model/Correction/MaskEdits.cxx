@@ -99,6 +99,20 @@ VoxelMask InBox(const VoxelMask& mask, const std::array<int, 3>& first,
   return wide;
 }
 
+bool HasVoxel(const VoxelMask& mask, const std::array<int, 3>& index) noexcept
+{
+  std::array<int, 3> at{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    at[axis] = index[axis] - mask.StartIndex[axis];
+    if (at[axis] < 0 || at[axis] >= mask.Size[axis])
+    {
+      return false;
+    }
+  }
+  return mask.Inside[mask.Offset(at[0], at[1], at[2])] != 0;
+}
+
 long long RemoveIslands(VoxelMask& mask)
 {
   const MaskComponents parts(mask);

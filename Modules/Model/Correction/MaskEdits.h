@@ -11,6 +11,9 @@ namespace palpate
 VoxelMask InBox(const VoxelMask& mask, const std::array<int, 3>& first,
                 const std::array<int, 3>& last);
 
+/// Whether a voxel of the image is in a mask; outside of its box none is.
+bool HasVoxel(const VoxelMask& mask, const std::array<int, 3>& index) noexcept;
+
 /// Plain edits of a mask whose box has a rim of voxels outside; the box stays. Lengths mm, patient
 /// LPS.
 

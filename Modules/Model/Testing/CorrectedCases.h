@@ -51,21 +51,6 @@ inline VoxelMask BallMask(double radius)
                    { return (point - CorrectedMiddle()).norm() < radius; });
 }
 
-/// Whether a voxel of the image is in a mask whose box may be any.
-inline bool Has(const VoxelMask& mask, const std::array<int, 3>& index)
-{
-  std::array<int, 3> at{};
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    at[axis] = index[axis] - mask.StartIndex[axis];
-    if (at[axis] < 0 || at[axis] >= mask.Size[axis])
-    {
-      return false;
-    }
-  }
-  return mask.Inside[mask.Offset(at[0], at[1], at[2])] != 0;
-}
-
 /// Calls `visit` with each voxel of the image and its centre (world mm).
 template <typename Visit>
 void ForEachVoxel(const Visit& visit)

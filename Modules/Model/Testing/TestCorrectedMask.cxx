@@ -1,5 +1,6 @@
 #include "CorrectedCases.h"
 #include "CorrectedMask.h"
+#include "MaskEdits.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -44,7 +45,7 @@ std::vector<bool> VoxelsOf(const VoxelMask& mask)
 {
   std::vector<bool> voxels;
   ForEachVoxel([&](const std::array<int, 3>& index, const Vector3&)
-               { voxels.push_back(Has(mask, index)); });
+               { voxels.push_back(HasVoxel(mask, index)); });
   return voxels;
 }
 
@@ -59,10 +60,10 @@ TEST(CorrectedMask, EachStepDoesItsPartAndIsUndone)
     states.push_back(VoxelsOf(corrected.Mask()));
     EXPECT_NE(states.back(), states[states.size() - 2]);
   }
-  EXPECT_TRUE(Has(corrected.Mask(), {32, 48, 16}));  // pulled
-  EXPECT_TRUE(Has(corrected.Mask(), {32, 37, 16}));  // filled
-  EXPECT_FALSE(Has(corrected.Mask(), {54, 31, 16})); // the island
-  EXPECT_FALSE(Has(corrected.Mask(), {21, 31, 16})); // cut
+  EXPECT_TRUE(HasVoxel(corrected.Mask(), {32, 48, 16}));  // pulled
+  EXPECT_TRUE(HasVoxel(corrected.Mask(), {32, 37, 16}));  // filled
+  EXPECT_FALSE(HasVoxel(corrected.Mask(), {54, 31, 16})); // the island
+  EXPECT_FALSE(HasVoxel(corrected.Mask(), {21, 31, 16})); // cut
   for (std::size_t n = states.size() - 1; n > 0; --n)
   {
     ASSERT_TRUE(corrected.Undo());

@@ -1,5 +1,6 @@
 #include "CorrectedCases.h"
 #include "MaskCorrection.h"
+#include "MaskEdits.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ TEST(MaskCorrection, ABallGetsItsBumpOrDent)
           const double excess =
               arm.norm() - Radius - BumpAt(arm.norm() > 0.0 ? arm.normalized() : arm, height);
           // Voxels of 1 x 1 x 2 mm say where the ball's surface is to half of that.
-          wrong += std::abs(excess) > 0.8 && Has(moved, index) != (excess < 0.0) ? 1 : 0;
+          wrong += std::abs(excess) > 0.8 && HasVoxel(moved, index) != (excess < 0.0) ? 1 : 0;
         });
     EXPECT_LT(wrong, 3) << height;
   }
@@ -85,9 +86,9 @@ TEST(MaskCorrection, FarVoxelsStayAndNothingTurnsRound)
     ForEachVoxel(
         [&](const std::array<int, 3>& index, const Vector3& point)
         {
-          const bool was = Has(start, index);
+          const bool was = HasVoxel(start, index);
           const Vector3 arm = point - CorrectedMiddle();
-          if (was == Has(moved, index))
+          if (was == HasVoxel(moved, index))
           {
             return;
           }
@@ -110,11 +111,11 @@ TEST(MaskCorrection, PullsStopAtNeighbours)
   ForEachVoxel(
       [&](const std::array<int, 3>& index, const Vector3&)
       {
-        EXPECT_FALSE(Has(moved, index) && index[0] >= 52);
-        before += Has(moved, index) && index[0] == 51 ? 1 : 0;
+        EXPECT_FALSE(HasVoxel(moved, index) && index[0] >= 52);
+        before += HasVoxel(moved, index) && index[0] == 51 ? 1 : 0;
       });
   EXPECT_GT(before, 20);
-  EXPECT_TRUE(Has(correction.Moved(Bump(correction, 8.0)), {55, 31, 16}));
+  EXPECT_TRUE(HasVoxel(correction.Moved(Bump(correction, 8.0)), {55, 31, 16}));
 }
 
 TEST(MaskCorrection, StaysWithinTheImage)
@@ -123,9 +124,9 @@ TEST(MaskCorrection, StaysWithinTheImage)
   const VoxelMask moved = correction.Moved(Bump(correction, 40.0));
   long long within = 0;
   ForEachVoxel([&](const std::array<int, 3>& index, const Vector3&)
-               { within += Has(moved, index) ? 1 : 0; });
+               { within += HasVoxel(moved, index) ? 1 : 0; });
   EXPECT_EQ(within, moved.Count());
-  EXPECT_TRUE(Has(moved, {63, 31, 16}));
+  EXPECT_TRUE(HasVoxel(moved, {63, 31, 16}));
 }
 
 TEST(MaskCorrection, SmallDisplacementsChangeNothing)
@@ -152,10 +153,10 @@ TEST(MaskCorrection, AThinPlateCanBePulled)
     displacements[n] = correction.Normals()[static_cast<std::size_t>(n)][2] > 0.5 ? 3.5 : 0.0;
   }
   const VoxelMask moved = correction.Moved(displacements);
-  EXPECT_TRUE(Has(moved, {32, 31, 17}));
-  EXPECT_TRUE(Has(moved, {32, 31, 18}));
-  EXPECT_FALSE(Has(moved, {32, 31, 19}));
-  EXPECT_FALSE(Has(moved, {32, 31, 15}));
+  EXPECT_TRUE(HasVoxel(moved, {32, 31, 17}));
+  EXPECT_TRUE(HasVoxel(moved, {32, 31, 18}));
+  EXPECT_FALSE(HasVoxel(moved, {32, 31, 19}));
+  EXPECT_FALSE(HasVoxel(moved, {32, 31, 15}));
 }
 
 TEST(MaskCorrection, RefusesAnEmptyMask)

@@ -37,16 +37,16 @@ TEST(MaskEdits, SmoothingRemovesBristlesAndKeepsTheSize)
   };
   VoxelMask mask = MaskWhere(bristled);
   const long long before = mask.Count();
-  ASSERT_TRUE(Has(mask, {50, 31, 16}));
+  ASSERT_TRUE(HasVoxel(mask, {50, 31, 16}));
   SmoothMask(2.0, mask);
-  EXPECT_FALSE(Has(mask, {50, 31, 16}));
+  EXPECT_FALSE(HasVoxel(mask, {50, 31, 16}));
   EXPECT_NEAR(static_cast<double>(mask.Count()), static_cast<double>(before), 60.0); // equal values
   int wrong = 0;
   ForEachVoxel(
       [&](const std::array<int, 3>& index, const Vector3& point)
       {
         const double excess = (point - CorrectedMiddle()).norm() - 15.0;
-        wrong += std::abs(excess) > 1.0 && Has(mask, index) != (excess < 0.0) ? 1 : 0;
+        wrong += std::abs(excess) > 1.0 && HasVoxel(mask, index) != (excess < 0.0) ? 1 : 0;
       });
   EXPECT_EQ(wrong, 0);
 }
@@ -59,8 +59,10 @@ TEST(MaskEdits, ACutRemovesOneSideOfItsPlane)
   const Vector3 point = CorrectedMiddle() + Vector3(3.0, 0.0, 0.0);
   CutMask(point, normal, CorrectedFrame(), mask);
   ForEachVoxel(
-      [&](const std::array<int, 3>& index, const Vector3& at)
-      { EXPECT_EQ(Has(mask, index), Has(before, index) && (at - point).dot(normal) <= 0.0); });
+      [&](const std::array<int, 3>& index, const Vector3& at) {
+        EXPECT_EQ(HasVoxel(mask, index),
+                  HasVoxel(before, index) && (at - point).dot(normal) <= 0.0);
+      });
 }
 } // namespace
 } // namespace palpate::mask_edits_test

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "CorrectionStep.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace palpate
+{
+/// The steps as a JSON array: {"do": "pull", "place_mm", "displacement_mm" or "target_mm",
+/// "width_mm", "second_width_mm" if there is one}, {"do": "islands"}, {"do": "fill"}, {"do":
+/// "smooth", "deviation_mm"}, {"do": "cut", "point_mm", "normal"}.
+nlohmann::ordered_json CorrectionJson(const std::vector<CorrectionStep>& steps);
+
+/// Writes the steps (format "palpate-corrections", version 1; mm, patient LPS) under AtomicFile's
+/// rules. Throws InputError.
+void WriteCorrections(const std::vector<CorrectionStep>& steps, const std::filesystem::path& file);
+/// Throws InputError if the file is not such a list, or has more than 1,100 steps. Numbers are
+/// finite; their limits are the kernel's.
+std::vector<CorrectionStep> ReadCorrections(const std::filesystem::path& file);
+} // namespace palpate
