@@ -158,13 +158,13 @@ int palpate_correction_preview(palpate_correction* correction, const palpate_pul
                  [&]
                  {
                    const SurfaceCorrection* pulls = nullptr;
-                   Eigen::VectorXd found;
+                   Eigen::Matrix3Xd found;
                    if (Told(PullsOf(*correction, pulls), error) == 0 ||
                        Told(pulls->Preview(PullOf(*pull), found), error) == 0)
                    {
                      return 0;
                    }
-                   std::copy(found.begin(), found.end(), displacements);
+                   std::copy_n(found.data(), found.size(), displacements);
                    return 1;
                  });
 }
@@ -230,8 +230,8 @@ int palpate_correction_surface(palpate_correction* correction, size_t* point_cou
                    CopyAll(pulls->Directions(), normals);
                    if (displacements != nullptr)
                    {
-                     std::copy(pulls->Displacements().begin(), pulls->Displacements().end(),
-                               displacements);
+                     std::copy_n(pulls->Displacements().data(), pulls->Displacements().size(),
+                                 displacements);
                    }
                    for (std::size_t n = 0; n < faces.size() && triangles != nullptr; ++n)
                    {

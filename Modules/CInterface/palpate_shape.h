@@ -29,7 +29,7 @@ extern "C"
     double place[3];     /* mm: the nearest point of the surface as it is now is pulled */
     double displacement; /* mm, outwards: along its normal, or a radial model's ray */
     int has_target;      /* else the next is not read */
-    double target[3];    /* mm: where the surface shall pass, instead of a displacement */
+    double target[3];    /* mm: where that point goes instead; of a radial model, along its ray */
     double width;        /* mm: standard deviation of the Gaussian along the surface */
     double second_width; /* mm: then the mean of two Gaussians; 0 for one */
   } palpate_pull;
@@ -47,7 +47,7 @@ extern "C"
   /* Former pulls' places stay where they are, but for those within half the width. */
   int palpate_correction_pull(palpate_correction* correction, const palpate_pull* pull,
                               palpate_error* error);
-  /* The displacements (mm, of each point of the surface) if this pull were added. */
+  /* The displacements (mm, x, y, z of each point of the surface) if this pull were added. */
   int palpate_correction_preview(palpate_correction* correction, const palpate_pull* pull,
                                  double* displacements, palpate_error* error);
   /* Plain edits, of masks only: all but the largest part removed; cavities filled; the surface
@@ -62,8 +62,8 @@ extern "C"
   /* Removes the last step; 0 if there is none. */
   int palpate_correction_undo(palpate_correction* correction);
 
-  /* The surface before the pulls since the last edit, and how far they moved its points along
-   * `normals` (a radial model's rays). With NULL arrays only the counts, which an edit changes. */
+  /* The surface before the pulls since the last edit, its normals (a radial model's rays), and how
+   * far the pulls moved its points. With NULL arrays only the counts, which an edit changes. */
   int palpate_correction_surface(palpate_correction* correction, size_t* point_count,
                                  size_t* triangle_count, double* points, double* normals,
                                  double* displacements, int32_t* triangles, palpate_error* error);

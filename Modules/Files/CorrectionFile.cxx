@@ -15,19 +15,14 @@ constexpr const char* CorrectionRemedy = "write one with palpate correct --outpu
 constexpr std::uintmax_t MostCorrectionBytes = 1U << 20U;
 constexpr std::size_t MostSteps = 1100;
 
-nlohmann::ordered_json TripleJson(const Vector3& vector)
-{
-  return {vector[0], vector[1], vector[2]};
-}
-
 struct StepJson
 {
   nlohmann::ordered_json operator()(const SurfacePull& pull) const
   {
-    nlohmann::ordered_json json{{"do", "pull"}, {"place_mm", TripleJson(pull.PlaceWorld)}};
+    nlohmann::ordered_json json{{"do", "pull"}, {"place_mm", PointJson(pull.PlaceWorld)}};
     if (pull.TargetWorld)
     {
-      json["target_mm"] = TripleJson(*pull.TargetWorld);
+      json["target_mm"] = PointJson(*pull.TargetWorld);
     }
     else
     {
@@ -48,9 +43,8 @@ struct StepJson
   }
   nlohmann::ordered_json operator()(const PlaneCut& cut) const
   {
-    return {{"do", "cut"},
-            {"point_mm", TripleJson(cut.PointWorld)},
-            {"normal", TripleJson(cut.Normal)}};
+    return {
+        {"do", "cut"}, {"point_mm", PointJson(cut.PointWorld)}, {"normal", PointJson(cut.Normal)}};
   }
 };
 

@@ -204,19 +204,19 @@ std::string StepName(std::size_t number)
   return "step " + std::to_string(number + 1);
 }
 
-// Means over the area of a surface.
+// Mean without sign over the area of a surface.
 double MeanOver(const IndexedMesh& mesh, const std::vector<double>& distances)
 {
   double sum = 0.0;
   double area = 0.0;
-  for (const auto& [a, b, c] : mesh.Triangles)
+  for (const std::array<int, 3>& triangle : mesh.Triangles)
   {
-    const auto at = [](int point) { return static_cast<std::size_t>(point); };
-    const Vector3& corner = mesh.Points[at(a)];
-    const double part = (mesh.Points[at(b)] - corner).cross(mesh.Points[at(c)] - corner).norm();
-    sum += part / 3.0 *
-           (std::abs(distances[at(a)]) + std::abs(distances[at(b)]) + std::abs(distances[at(c)]));
+    const double part = AreaVector(mesh, triangle).norm();
     area += part;
+    for (const int corner : triangle)
+    {
+      sum += part / 3.0 * std::abs(distances[static_cast<std::size_t>(corner)]);
+    }
   }
   return area > 0.0 ? sum / area : 0.0;
 }

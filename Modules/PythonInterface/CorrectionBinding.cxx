@@ -113,7 +113,7 @@ py::object SurfaceMesh(const BoundCorrection& correction)
 Numbers CorrectionDisplacements(const BoundCorrection& correction)
 {
   auto counts = CountsOf(correction);
-  Numbers displacements(static_cast<py::ssize_t>(counts[0]));
+  Numbers displacements(std::vector<py::ssize_t>{static_cast<py::ssize_t>(counts[0]), 3});
   Call(palpate_correction_surface, correction.Handle.get(), &counts[0], &counts[1], nullptr,
        nullptr, displacements.mutable_data(), nullptr);
   return displacements;
@@ -121,7 +121,8 @@ Numbers CorrectionDisplacements(const BoundCorrection& correction)
 
 Numbers PreviewPull(const BoundCorrection& correction, const palpate_pull& pull)
 {
-  Numbers displacements(static_cast<py::ssize_t>(CountsOf(correction)[0]));
+  Numbers displacements(
+      std::vector<py::ssize_t>{static_cast<py::ssize_t>(CountsOf(correction)[0]), 3});
   Call(palpate_correction_preview, correction.Handle.get(), &pull, displacements.mutable_data());
   return displacements;
 }
@@ -150,7 +151,7 @@ void AddPulls(CorrectionClass& type)
           py::arg("place"), py::arg("by") = py::none(), py::kw_only(), py::arg("to") = py::none(),
           py::arg("width") = 8.0,
           "Pulls the surface at its point, as it is now, that is nearest to a place (3,), mm.\n\n"
-          "by: mm outwards, inwards below 0; or to: (3,), where it shall pass. width: mm, the "
+          "by: mm outwards, inwards below 0; or to: (3,), where that point goes. width: mm, the "
           "standard deviation of the Gaussian along the surface, or two of which the mean is "
           "taken. Former pulls' places stay, but for those within half the width.")
       .def(
@@ -159,7 +160,7 @@ void AddPulls(CorrectionClass& type)
              const std::optional<double>& by, const py::object& to, const py::object& width)
           { return PreviewPull(correction, GivenPull(place, by, to, width)); },
           py::arg("place"), py::arg("by") = py::none(), py::kw_only(), py::arg("to") = py::none(),
-          py::arg("width") = 8.0, "The displacements, (n,), mm, if this pull were added.")
+          py::arg("width") = 8.0, "The displacements, (n, 3), mm, if this pull were added.")
       .def(
           "undo",
           [](BoundCorrection& correction)
@@ -215,10 +216,10 @@ void BindCorrections(py::module_& module)
   AddPulls(type);
   AddEdits(type);
   type.def_property_readonly("surface", &SurfaceMesh,
-                             "Mesh before the pulls since the last edit; points move along its "
-                             "normals, of a radial model rays.")
+                             "Mesh before the pulls since the last edit; its normals are rays of a "
+                             "radial model.")
       .def_property_readonly("displacements", &CorrectionDisplacements,
-                             "(n,), mm: of the surface's points, by the pulls.")
+                             "(n, 3), mm: of the surface's points, by the pulls.")
       .def_property_readonly("mask", &MaskNow, "(i, j, k), bool: the corrected mask.")
       .def_property_readonly(
           "model",

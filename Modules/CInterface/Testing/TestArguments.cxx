@@ -150,7 +150,7 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   test::Owned<palpate_correction> correction(palpate_correction_of_model(m, nullptr));
   palpate_correction* c = correction.get();
   const palpate_pull pull{{20, 0, 0}, 1.0, 0, {0, 0, 0}, 8.0, 0.0};
-  std::vector<double> moved(5762);
+  std::vector<double> moved(std::size_t{3} * 5762);
   std::size_t points = 0;
   std::size_t triangles = 0;
   SURVIVES(palpate_correction_pull, c, &pull, e);

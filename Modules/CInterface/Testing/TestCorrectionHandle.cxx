@@ -100,8 +100,8 @@ TEST(CorrectionHandle, AModelIsPulledToItsTarget)
             1);
   EXPECT_EQ(points, palpate_mesh_point_count(24));
   EXPECT_EQ(triangles, palpate_mesh_triangle_count(24));
-  std::vector<double> shown(points);
-  std::vector<double> moved(points);
+  std::vector<double> shown(3 * points);
+  std::vector<double> moved(3 * points);
   ASSERT_EQ(palpate_correction_preview(correction.get(), &pull, shown.data(), nullptr), 1);
   ASSERT_EQ(palpate_correction_pull(correction.get(), &pull, nullptr), 1);
   ASSERT_EQ(palpate_correction_surface(correction.get(), &points, &triangles, nullptr, nullptr,

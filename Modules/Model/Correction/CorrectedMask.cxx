@@ -74,7 +74,8 @@ Status CorrectedMask::Prepare()
   Status status = MaskCorrection::Make(stage.Start, this->ToWorld, this->ImageSize, surface);
   if (status.IsOk())
   {
-    stage.Pulls = SurfaceCorrection(surface.Surface().Points, surface.Normals());
+    stage.Pulls = SurfaceCorrection(surface.Surface().Points, surface.Normals(),
+                                    SurfaceCorrection::Motion::Free);
     stage.Surface = std::move(surface);
   }
   return status;

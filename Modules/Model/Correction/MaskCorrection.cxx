@@ -2,9 +2,11 @@
 
 #include "MaskEdits.h"
 #include "MaskSurface.h"
+#include "MeshVoxels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -16,25 +18,44 @@ using VoxelIndex = std::array<int, 3>;
 
 constexpr unsigned char Candidate = 2;
 
-Vector3 VectorOfIndex(const VoxelIndex& index)
-{
-  return {static_cast<double>(index[0]), static_cast<double>(index[1]),
-          static_cast<double>(index[2])};
-}
-
-// Shares of a triangle's corners in a point on it, by areas; equal ones if it has no area.
-Vector3 SharesOf(const Vector3& point, const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const Vector3 areas((b - point).cross(c - point).norm(), (c - point).cross(a - point).norm(),
-                      (a - point).cross(b - point).norm());
-  const double sum = areas.sum();
-  return sum > 0.0 ? Vector3(areas / sum) : Vector3::Constant(1.0 / 3.0);
-}
-
 std::size_t OffsetIn(const VoxelMask& mask, const VoxelIndex& index)
 {
   return mask.Offset(index[0] - mask.StartIndex[0], index[1] - mask.StartIndex[1],
                      index[2] - mask.StartIndex[2]);
+}
+
+// Calls `visit` with each voxel between two surfaces, and those next to it that both have on the
+// side of the second; and whether that is inside.
+template <typename Visit>
+void ForEachSwept(const std::array<int, 3>& size, const std::vector<std::uint8_t>& old,
+                  const std::vector<std::uint8_t>& now, const Visit& visit)
+{
+  const std::array<std::ptrdiff_t, 3> steps{1, size[0],
+                                            static_cast<std::ptrdiff_t>(size[0]) * size[1]};
+  const auto at = [](std::ptrdiff_t place) { return static_cast<std::size_t>(place); };
+  std::ptrdiff_t place = 0;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i, ++place)
+      {
+        const std::array<int, 3> index{i, j, k};
+        bool isSwept = old[at(place)] != now[at(place)];
+        for (std::size_t axis = 0; axis < 3 && !isSwept; ++axis)
+        {
+          const auto sweeps = [&](std::ptrdiff_t next)
+          { return old[at(next)] != now[at(next)] && now[at(next)] == now[at(place)]; };
+          isSwept = (index[axis] > 0 && sweeps(place - steps[axis])) ||
+                    (index[axis] + 1 < size[axis] && sweeps(place + steps[axis]));
+        }
+        if (isSwept)
+        {
+          visit(i, j, k, now[at(place)] != 0);
+        }
+      }
+    }
+  }
 }
 
 // Turns candidates that hang together with the mask into voxels of it, and clears the others. The
@@ -93,21 +114,19 @@ struct MaskCorrection::Box
 {
   VoxelIndex First{1, 1, 1};
   VoxelIndex Last{0, 0, 0};
-  double Inwards = 0.0; // the least displacement
-  double Outwards = 0.0;
+
+  bool IsEmpty() const { return this->First[0] > this->Last[0]; }
 };
 
 std::vector<Vector3> PointNormals(const IndexedMesh& mesh)
 {
   std::vector<Vector3> normals(mesh.Points.size(), Vector3::Zero());
-  const auto at = [](int point) { return static_cast<std::size_t>(point); };
   for (const std::array<int, 3>& triangle : mesh.Triangles)
   {
-    const Vector3& a = mesh.Points[at(triangle[0])];
-    const Vector3 area = (mesh.Points[at(triangle[1])] - a).cross(mesh.Points[at(triangle[2])] - a);
+    const Vector3 area = AreaVector(mesh, triangle);
     for (const int corner : triangle)
     {
-      normals[at(corner)] += area;
+      normals[static_cast<std::size_t>(corner)] += area;
     }
   }
   for (Vector3& normal : normals)
@@ -137,125 +156,108 @@ Status MaskCorrection::Make(VoxelMask mask, const IndexToWorld& toWorld,
   correction.ToWorld = toWorld;
   correction.ImageSize = imageSize;
   correction.Outward = PointNormals(correction.Mesh);
-  Status status = NearestOnMesh::Make(correction.Mesh, correction.Nearest);
-  if (status.IsOk())
-  {
-    made = std::move(correction);
-  }
-  return status;
+  made = std::move(correction);
+  return Status::Success();
 }
 
-MaskCorrection::Box MaskCorrection::BoxOf(const Eigen::VectorXd& displacements) const
+// Around the triangles that differ.
+MaskCorrection::Box MaskCorrection::BoxOf(const IndexedMesh& after) const
 {
   const Matrix3 toIndex = this->ToWorld.Axes.inverse();
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 high = -low;
-  Box box;
-  for (std::size_t n = 0; n < this->Mesh.Points.size(); ++n)
+  const auto hasMoved = [&](int point)
   {
-    const double moved = displacements[static_cast<Eigen::Index>(n)];
-    if (std::abs(moved) < LeastDisplacement)
+    const auto at = static_cast<std::size_t>(point);
+    return after.Points[at] != this->Mesh.Points[at];
+  };
+  for (const std::array<int, 3>& triangle : this->Mesh.Triangles)
+  {
+    if (!std::any_of(triangle.begin(), triangle.end(), hasMoved))
     {
       continue;
     }
-    const Vector3 index = toIndex * (this->Mesh.Points[n] - this->ToWorld.Origin);
-    low = low.cwiseMin(index);
-    high = high.cwiseMax(index);
-    box.Inwards = std::min(box.Inwards, moved);
-    box.Outwards = std::max(box.Outwards, moved);
+    for (const int corner : triangle)
+    {
+      for (const IndexedMesh* mesh : {&this->Mesh, &after})
+      {
+        const Vector3 index =
+            toIndex * (mesh->Points[static_cast<std::size_t>(corner)] - this->ToWorld.Origin);
+        low = low.cwiseMin(index);
+        high = high.cwiseMax(index);
+      }
+    }
   }
-  const double most = std::max(-box.Inwards, box.Outwards);
-  for (std::size_t axis = 0; axis < 3 && most > 0.0; ++axis)
+  Box box;
+  for (std::size_t axis = 0; axis < 3 && (low.array() <= high.array()).all(); ++axis)
   {
-    const double margin = most / this->Start.Spacing[axis] + 1.0;
     const auto a = static_cast<Eigen::Index>(axis);
     const double end = this->ImageSize[axis] - 1.0;
-    box.First[axis] = static_cast<int>(std::clamp(std::floor(low[a] - margin), 0.0, end));
-    box.Last[axis] = static_cast<int>(std::clamp(std::ceil(high[a] + margin), 0.0, end));
+    box.First[axis] = static_cast<int>(std::clamp(std::floor(low[a]) - 1.0, 0.0, end));
+    box.Last[axis] = static_cast<int>(std::clamp(std::ceil(high[a]) + 1.0, 0.0, end));
   }
   return box;
 }
 
-double MaskCorrection::SignedDistance(const NearestOnMesh::Result& nearest, const Vector3& point,
-                                      const Eigen::VectorXd& displacements,
-                                      double& moved) const noexcept
+void MaskCorrection::Change(const Box& box, const IndexedMesh& after, const Barrier& barrier,
+                            VoxelMask& moved) const
 {
-  const std::array<int, 3>& corners =
-      this->Mesh.Triangles[static_cast<std::size_t>(nearest.Triangle)];
-  const auto at = [&](std::size_t corner) { return static_cast<std::size_t>(corners[corner]); };
-  const Vector3 shares = SharesOf(nearest.Point, this->Mesh.Points[at(0)], this->Mesh.Points[at(1)],
-                                  this->Mesh.Points[at(2)]);
-  Vector3 normal = Vector3::Zero();
-  moved = 0.0;
-  for (std::size_t corner = 0; corner < 3; ++corner)
+  VoxelCenters grid{
+      this->ToWorld(Vector3(box.First[0], box.First[1], box.First[2])), this->ToWorld.Axes, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double share = shares[static_cast<Eigen::Index>(corner)];
-    normal += share * this->Outward[at(corner)];
-    moved += share * displacements[corners[corner]];
+    grid.Size[axis] = box.Last[axis] - box.First[axis] + 1;
   }
-  const bool isOutside = (point - nearest.Point).dot(normal) > 0.0;
-  return isOutside ? nearest.Distance : -nearest.Distance;
+  std::vector<std::uint8_t> old;
+  std::vector<std::uint8_t> now;
+  if (!FindInside(this->Mesh, grid, true, old).IsOk() || !FindInside(after, grid, true, now).IsOk())
+  {
+    return; // which finite points and a box in an image do not do
+  }
+  ForEachSwept(grid.Size, old, now,
+               [&](int i, int j, int k, bool isInside)
+               {
+                 const VoxelIndex index{box.First[0] + i, box.First[1] + j, box.First[2] + k};
+                 const bool was = HasVoxel(this->Start, index);
+                 unsigned char& voxel = moved.Inside[OffsetIn(moved, index)];
+                 if (was && !isInside)
+                 {
+                   voxel = 0;
+                 }
+                 else if (!was && isInside && !(barrier && barrier(index)))
+                 {
+                   voxel = Candidate;
+                 }
+               });
 }
 
-void MaskCorrection::MoveSlice(int k, const Box& box, const Eigen::VectorXd& displacements,
-                               const Barrier& barrier, VoxelMask& moved) const
+VoxelMask MaskCorrection::Moved(const Eigen::Matrix3Xd& displacements, const Barrier& barrier) const
 {
-  std::vector<VoxelIndex> indices;
-  std::vector<Vector3> points;
-  for (int j = box.First[1]; j <= box.Last[1]; ++j)
+  IndexedMesh after = this->Mesh;
+  for (std::size_t n = 0; n < after.Points.size(); ++n)
   {
-    for (int i = box.First[0]; i <= box.Last[0]; ++i)
+    const Vector3 by = displacements.col(static_cast<Eigen::Index>(n));
+    if (by.norm() >= LeastDisplacement)
     {
-      if (HasVoxel(this->Start, {i, j, k}) ? box.Inwards < 0.0 : box.Outwards > 0.0)
-      {
-        indices.push_back({i, j, k});
-        points.push_back(this->ToWorld(VectorOfIndex(indices.back())));
-      }
+      after.Points[n] += by;
     }
   }
-  const std::vector<NearestOnMesh::Result> nearest = this->Nearest.FindAll(points);
-  // The surface passes between voxels inside and outside: elsewhere it is another part's, a
-  // cavity's, or none's.
-  const double slack = *std::max_element(moved.Spacing.begin(), moved.Spacing.end());
-  for (std::size_t n = 0; n < indices.size(); ++n)
-  {
-    double by = 0.0;
-    const double distance = this->SignedDistance(nearest[n], points[n], displacements, by);
-    const std::size_t at = OffsetIn(moved, indices[n]);
-    if (HasVoxel(this->Start, indices[n]))
-    {
-      const bool isLeft = by <= -LeastDisplacement && distance >= by && distance < slack;
-      moved.Inside[at] = isLeft ? 0 : 1;
-    }
-    else if (by >= LeastDisplacement && distance < by && distance > -slack &&
-             !(barrier && barrier(indices[n])))
-    {
-      moved.Inside[at] = Candidate;
-    }
-  }
-}
-
-VoxelMask MaskCorrection::Moved(const Eigen::VectorXd& displacements, const Barrier& barrier) const
-{
-  const Box box = this->BoxOf(displacements);
+  const Box box = this->BoxOf(after);
   VoxelIndex first = this->Start.StartIndex;
   VoxelIndex last{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     last[axis] = first[axis] + this->Start.Size[axis] - 1;
-    if (box.First[0] <= box.Last[0])
+    if (!box.IsEmpty())
     {
       first[axis] = std::min(first[axis], box.First[axis] - 1);
       last[axis] = std::max(last[axis], box.Last[axis] + 1);
     }
   }
   VoxelMask moved = InBox(this->Start, first, last);
-  for (int k = box.First[2]; k <= box.Last[2]; ++k)
+  if (!box.IsEmpty())
   {
-    this->MoveSlice(k, box, displacements, barrier, moved);
-  }
-  if (box.Outwards > 0.0)
-  {
+    this->Change(box, after, barrier, moved);
     JoinCandidates(moved);
   }
   return moved;

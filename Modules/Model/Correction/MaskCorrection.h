@@ -2,7 +2,6 @@
 
 #include "IndexToWorld.h"
 #include "IndexedMesh.h"
-#include "NearestOnMesh.h"
 #include "Status.h"
 #include "VoxelMask.h"
 
@@ -33,29 +32,26 @@ public:
   const std::vector<Vector3>& Normals() const noexcept { return this->Outward; } ///< of its points
   const VoxelMask& Mask() const noexcept { return this->Start; }
 
-  /// The mask after its surface's points moved along their normals (mm, one number each): a voxel
-  /// whose centre is at the signed distance t from the surface, and next to a point that moved by
-  /// d, is inside where t < d. Where |d| is below LeastDisplacement, and beyond d, voxels stay as
-  /// they were, so do cavities and loose parts; where d > 0 none is removed, where d < 0 none
-  /// added. What is added hangs together, over faces, with the mask and stays in the image and
-  /// outside of the barrier. The box of the result is that of the mask or larger, with a rim.
-  /// Allocates; some 0.5 us for each voxel of the box around what moved.
-  VoxelMask Moved(const Eigen::VectorXd& displacements, const Barrier& barrier = {}) const;
+  /// The mask after its surface's points moved (mm, a column each): voxels whose centres lie
+  /// between the surface before and after are added or removed, and with them those next to such
+  /// voxels that the surface, which is smoother than the mask, has on the same side. All others
+  /// stay as they were, and motions below LeastDisplacement count as none. What is added hangs
+  /// together, over faces, with the mask and stays in the image and outside of the barrier. The box
+  /// of the result is that of the mask or larger, with a rim. Allocates; some 10 ns for each voxel
+  /// of the box around what moved.
+  VoxelMask Moved(const Eigen::Matrix3Xd& displacements, const Barrier& barrier = {}) const;
 
 private:
   struct Box;
-  Box BoxOf(const Eigen::VectorXd& displacements) const;
-  double SignedDistance(const NearestOnMesh::Result& nearest, const Vector3& point,
-                        const Eigen::VectorXd& displacements, double& moved) const noexcept;
-  void MoveSlice(int k, const Box& box, const Eigen::VectorXd& displacements,
-                 const Barrier& barrier, VoxelMask& moved) const;
+  Box BoxOf(const IndexedMesh& after) const;
+  void Change(const Box& box, const IndexedMesh& after, const Barrier& barrier,
+              VoxelMask& moved) const;
 
   VoxelMask Start;
   IndexToWorld ToWorld;
   std::array<int, 3> ImageSize{};
   IndexedMesh Mesh;
   std::vector<Vector3> Outward;
-  NearestOnMesh Nearest;
 };
 
 /// The unit normals of a mesh's points: sums of the area vectors of their triangles; zero where

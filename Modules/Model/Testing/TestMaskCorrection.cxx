@@ -27,14 +27,14 @@ double BumpAt(const Vector3& direction, double height)
   return height * std::exp(-(direction - Vector3::UnitX()).squaredNorm() / (2.0 * 0.3 * 0.3));
 }
 
-Eigen::VectorXd Bump(const MaskCorrection& correction, double height)
+Eigen::Matrix3Xd Bump(const MaskCorrection& correction, double height)
 {
-  Eigen::VectorXd displacements(static_cast<Eigen::Index>(correction.Surface().Points.size()));
-  for (Eigen::Index n = 0; n < displacements.size(); ++n)
+  Eigen::Matrix3Xd displacements(3, correction.Surface().Points.size());
+  for (Eigen::Index n = 0; n < displacements.cols(); ++n)
   {
     const Vector3 arm =
         correction.Surface().Points[static_cast<std::size_t>(n)] - CorrectedMiddle();
-    displacements[n] = BumpAt(arm.normalized(), height);
+    displacements.col(n) = BumpAt(arm.normalized(), height) * arm.normalized();
   }
   return displacements;
 }
@@ -59,7 +59,7 @@ TEST(MaskCorrection, ABallGetsItsBumpOrDent)
   }
 }
 
-TEST(MaskCorrection, FarVoxelsStayAndNothingTurnsRound)
+TEST(MaskCorrection, FarVoxelsAndCavitiesStay)
 {
   // With a cavity and a loose part, and speckle at the surface.
   const VoxelMask start = MaskWhere(
@@ -74,15 +74,17 @@ TEST(MaskCorrection, FarVoxelsStayAndNothingTurnsRound)
   for (const double height : {3.0, -3.0})
   {
     const MaskCorrection correction = Made(start);
-    Eigen::VectorXd displacements(static_cast<Eigen::Index>(correction.Surface().Points.size()));
-    for (Eigen::Index n = 0; n < displacements.size(); ++n)
+    Eigen::Matrix3Xd displacements(3, correction.Surface().Points.size());
+    for (Eigen::Index n = 0; n < displacements.cols(); ++n)
     {
       const Vector3 arm =
           correction.Surface().Points[static_cast<std::size_t>(n)] - CorrectedMiddle();
-      displacements[n] = arm.norm() > 14.5 ? BumpAt(arm.normalized(), height) : 0.0;
+      const double by = arm.norm() > 14.5 ? BumpAt(arm.normalized(), height) : 0.0;
+      displacements.col(n) = by * arm.normalized();
     }
     const VoxelMask moved = correction.Moved(displacements);
     int changed = 0;
+    int turned = 0;
     ForEachVoxel(
         [&](const std::array<int, 3>& index, const Vector3& point)
         {
@@ -93,11 +95,12 @@ TEST(MaskCorrection, FarVoxelsStayAndNothingTurnsRound)
             return;
           }
           ++changed;
-          EXPECT_EQ(was, height < 0.0);
-          EXPECT_GT(arm[0], 10.0);                                // near the bump
+          turned += was != (height < 0.0) ? 1 : 0;
+          EXPECT_GT(arm[0], 8.0);                                 // near the bump
           EXPECT_GE((arm - Vector3(11.0, 0.0, 0.0)).norm(), 3.0); // not the cavity's
         });
     EXPECT_GT(changed, 50) << height;
+    EXPECT_LT(turned, changed / 20); // speckle that is carried aside
   }
 }
 
@@ -133,7 +136,7 @@ TEST(MaskCorrection, SmallDisplacementsChangeNothing)
 {
   const VoxelMask start = BallMask(Radius);
   const MaskCorrection correction = Made(start);
-  const Eigen::VectorXd small = Bump(correction, 0.99 * MaskCorrection::LeastDisplacement);
+  const Eigen::Matrix3Xd small = Bump(correction, 0.99 * MaskCorrection::LeastDisplacement);
   EXPECT_EQ(correction.Moved(small).Inside, start.Inside);
 }
 
@@ -147,10 +150,11 @@ TEST(MaskCorrection, AThinPlateCanBePulled)
         return std::abs(arm[2]) < 0.1 && arm.head<2>().norm() < 10.0;
       });
   const MaskCorrection correction = Made(start);
-  Eigen::VectorXd displacements(static_cast<Eigen::Index>(correction.Surface().Points.size()));
-  for (Eigen::Index n = 0; n < displacements.size(); ++n)
+  Eigen::Matrix3Xd displacements(3, correction.Surface().Points.size());
+  for (Eigen::Index n = 0; n < displacements.cols(); ++n)
   {
-    displacements[n] = correction.Normals()[static_cast<std::size_t>(n)][2] > 0.5 ? 3.5 : 0.0;
+    const double by = correction.Normals()[static_cast<std::size_t>(n)][2] > 0.5 ? 3.5 : 0.0;
+    displacements.col(n) = by * Vector3::UnitZ();
   }
   const VoxelMask moved = correction.Moved(displacements);
   EXPECT_TRUE(HasVoxel(moved, {32, 31, 17}));

@@ -21,7 +21,7 @@ Status CorrectRadial(const RadialModel& start, const SurfaceCorrection& correcti
   double least = std::numeric_limits<double>::infinity();
   const auto radius = [&](const Vector3& u)
   {
-    const double moved = start.Radius(u) + correction.DisplacementAt(start.PointWorld(u), u);
+    const double moved = start.Radius(u) + correction.DisplacementAt(start.PointWorld(u), u).dot(u);
     least = std::min(least, moved);
     return moved;
   };
@@ -51,7 +51,9 @@ SurfaceCorrection StartOfModel(const OrganModel& start, int frequency)
     points[n] = surface.Point(rays[n]);
     directions[n] = surface.Normal(rays[n]);
   }
-  return {std::move(points), std::move(directions)};
+  return {std::move(points), std::move(directions),
+          std::holds_alternative<RadialModel>(start) ? SurfaceCorrection::Motion::AlongDirections
+                                                     : SurfaceCorrection::Motion::Free};
 }
 
 Status ModelCorrection::Apply(const OrganModel& start, const SurfaceCorrection& correction,
@@ -63,15 +65,12 @@ Status ModelCorrection::Apply(const OrganModel& start, const SurfaceCorrection& 
     return CorrectRadial(*radial, correction, degree, corrected);
   }
   const auto& surface = std::get<SurfaceModel>(start);
-  corrected = SurfaceModel(
-      degree, ProjectPointsOnHarmonics(degree, 3 * degree,
-                                       [&](const Vector3& u) -> Vector3
-                                       {
-                                         const Vector3 point = surface.Point(u);
-                                         const Vector3 normal = surface.Normal(u);
-                                         return point +
-                                                correction.DisplacementAt(point, normal) * normal;
-                                       }));
+  const auto moved = [&](const Vector3& u) -> Vector3
+  {
+    const Vector3 point = surface.Point(u);
+    return point + correction.DisplacementAt(point, surface.Normal(u));
+  };
+  corrected = SurfaceModel(degree, ProjectPointsOnHarmonics(degree, 3 * degree, moved));
   return Status::Success();
 }
 } // namespace palpate

@@ -7,7 +7,7 @@ namespace palpate
 {
 /// A model's surface, ready to be pulled: points at the directions of an icosahedron of this
 /// frequency. Those of a radial model move along their rays from its centre, so that it stays
-/// radial; those of a surface model along their normals at the start. Allocates.
+/// radial; those of a surface model as they are pulled. Allocates.
 SurfaceCorrection StartOfModel(const OrganModel& start, int frequency);
 
 /// The model with its surface moved as the pulls say, projected on the degree of the start, but on

@@ -42,9 +42,10 @@ double KernelOf(const Vector3& a, const Vector3& wayOfA, const Vector3& b, const
 }
 } // namespace
 
-SurfaceCorrection::SurfaceCorrection(std::vector<Vector3> points, std::vector<Vector3> directions)
+SurfaceCorrection::SurfaceCorrection(std::vector<Vector3> points, std::vector<Vector3> directions,
+                                     Motion motion)
     : Places(std::move(points)), Ways(std::move(directions)),
-      Moved(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(Places.size())))
+      Moved(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(Places.size()))), Rule(motion)
 {
 }
 
@@ -73,7 +74,7 @@ Status SurfaceCorrection::Check(const SurfacePull& pull) const
 
 Vector3 SurfaceCorrection::PointNow(std::size_t number) const
 {
-  return this->Places[number] + this->Moved[static_cast<Eigen::Index>(number)] * this->Ways[number];
+  return this->Places[number] + this->Moved.col(static_cast<Eigen::Index>(number));
 }
 
 std::size_t SurfaceCorrection::NearestNow(const Vector3& place) const
@@ -94,8 +95,13 @@ std::size_t SurfaceCorrection::NearestNow(const Vector3& place) const
 
 SurfaceCorrection::Field SurfaceCorrection::FieldOf(const SurfacePull& pull) const
 {
-  Field field{pull.Width, pull.SecondWidth, {this->NearestNow(pull.PlaceWorld)}, {}};
-  const std::size_t pulled = field.Centers.front();
+  const std::size_t pulled = this->NearestNow(pull.PlaceWorld);
+  Field field{pull.Width, pull.SecondWidth, pull.Displacement * this->Ways[pulled], {pulled}, {}};
+  if (pull.TargetWorld)
+  {
+    field.Along = *pull.TargetWorld - this->PointNow(pulled);
+    field.Along *= std::min(1.0, LargestDisplacement / std::max(field.Along.norm(), 1.0));
+  }
   const double widest = WidestOf(pull.Width, pull.SecondWidth);
   const double narrowest =
       pull.SecondWidth > 0.0 ? std::min(pull.Width, pull.SecondWidth) : pull.Width;
@@ -122,17 +128,12 @@ SurfaceCorrection::Field SurfaceCorrection::FieldOf(const SurfacePull& pull) con
     }
   }
   kernel.diagonal().array() += Ridge;
-  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(count);
-  wanted[0] = pull.TargetWorld
-                  ? (*pull.TargetWorld - this->PointNow(pulled)).dot(this->Ways[pulled])
-                  : pull.Displacement;
-  wanted[0] = std::clamp(wanted[0], -LargestDisplacement, LargestDisplacement);
-  field.Weights = kernel.ldlt().solve(wanted);
+  field.Weights = kernel.ldlt().solve(Eigen::VectorXd::Unit(count, 0));
   return field;
 }
 
-double SurfaceCorrection::ValueOf(const Field& field, const Vector3& point,
-                                  const Vector3& direction) const noexcept
+Vector3 SurfaceCorrection::ValueOf(const Field& field, const Vector3& point,
+                                   const Vector3& direction) const noexcept
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < field.Centers.size(); ++i)
@@ -142,19 +143,21 @@ double SurfaceCorrection::ValueOf(const Field& field, const Vector3& point,
            KernelOf(point, direction, this->Places[center], this->Ways[center], field.Width,
                     field.SecondWidth);
   }
-  return sum;
+  return this->Rule == Motion::AlongDirections
+             ? Vector3(sum * field.Along.dot(direction) * direction)
+             : Vector3(sum * field.Along);
 }
 
-void SurfaceCorrection::Add(const Field& field, Eigen::VectorXd& displacements) const noexcept
+void SurfaceCorrection::Add(const Field& field, Eigen::Matrix3Xd& displacements) const noexcept
 {
   for (std::size_t n = 0; n < this->Places.size(); ++n)
   {
-    displacements[static_cast<Eigen::Index>(n)] +=
+    displacements.col(static_cast<Eigen::Index>(n)) +=
         this->ValueOf(field, this->Places[n], this->Ways[n]);
   }
 }
 
-Status SurfaceCorrection::Preview(const SurfacePull& pull, Eigen::VectorXd& displacements) const
+Status SurfaceCorrection::Preview(const SurfacePull& pull, Eigen::Matrix3Xd& displacements) const
 {
   const Status status = this->Check(pull);
   if (status.IsOk())
@@ -194,10 +197,10 @@ void SurfaceCorrection::Undo()
   }
 }
 
-double SurfaceCorrection::DisplacementAt(const Vector3& point,
-                                         const Vector3& direction) const noexcept
+Vector3 SurfaceCorrection::DisplacementAt(const Vector3& point,
+                                          const Vector3& direction) const noexcept
 {
-  double sum = 0.0;
+  Vector3 sum = Vector3::Zero();
   for (const Field& field : this->Fields)
   {
     sum += this->ValueOf(field, point, direction);

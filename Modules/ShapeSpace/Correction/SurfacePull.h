@@ -10,9 +10,9 @@ namespace palpate
 struct SurfacePull
 {
   Vector3 PlaceWorld = Vector3::Zero(); ///< the nearest point of the surface as it is now is pulled
-  double Displacement = 0.0;            ///< outwards
-  /// Where the surface shall pass instead of a displacement: of a target beside the point's line of
-  /// motion, the foot on that line counts.
+  double Displacement = 0.0;            ///< along its direction, outwards
+  /// Where that point goes instead. Of a radial model, whose points stay on their rays, the foot on
+  /// the ray counts.
   std::optional<Vector3> TargetWorld;
   /// Standard deviations of the Gaussian displacement along the surface: of one, or the mean of
   /// two. With a second width of 0 there is one.

@@ -45,11 +45,11 @@ TEST(ModelCorrection, RadialModelsMoveAlongTheirRays)
   {
     // What degree 20 leaves out of a width of 0.36 of the radius.
     EXPECT_NEAR(radial.Radius(correction.Directions()[n]),
-                Radius + correction.Displacements()[static_cast<Eigen::Index>(n)], 0.01);
+                (correction.PointNow(n) - radial.CenterWorld()).norm(), 0.01);
   }
 }
 
-TEST(ModelCorrection, SurfaceModelsMoveAlongTheirNormals)
+TEST(ModelCorrection, SurfaceModelsMoveAsTheyArePulled)
 {
   const OrganModel start = SurfaceModel::FromModel(Ball());
   SurfaceCorrection correction = StartOfModel(start, 8);

@@ -22,7 +22,7 @@ SurfaceCorrection Sphere(int frequency = 10)
   {
     points.emplace_back(Radius * direction);
   }
-  return {points, directions};
+  return {points, directions, SurfaceCorrection::Motion::Free};
 }
 
 SurfacePull PullAt(const Vector3& place, double by, double width, double second = 0.0)
@@ -30,7 +30,7 @@ SurfacePull PullAt(const Vector3& place, double by, double width, double second 
   return {place, by, {}, width, second};
 }
 
-double At(const SurfaceCorrection& correction, const Vector3& direction)
+Vector3 At(const SurfaceCorrection& correction, const Vector3& direction)
 {
   return correction.DisplacementAt(Radius * direction, direction);
 }
@@ -44,10 +44,10 @@ TEST(SurfaceCorrection, OnePullIsItsKernel)
   for (std::size_t n = 0; n < correction.Points().size(); ++n)
   {
     const double square = (correction.Points()[n] - place).squaredNorm();
-    const double wanted =
-        4.0 * std::exp(-square / 72.0) * 0.5 * (1.0 + way.dot(correction.Directions()[n]));
+    const Vector3 wanted =
+        4.0 * std::exp(-square / 72.0) * 0.5 * (1.0 + way.dot(correction.Directions()[n])) * way;
     // Beyond 4.5 widths the kernel ends.
-    EXPECT_NEAR(correction.Displacements()[static_cast<Eigen::Index>(n)], wanted, 2e-4);
+    EXPECT_LT((correction.Displacements().col(static_cast<Eigen::Index>(n)) - wanted).norm(), 2e-4);
   }
 }
 
@@ -60,7 +60,7 @@ TEST(SurfaceCorrection, TwoWidthsAreTheirMean)
   ASSERT_TRUE(one.Pull(PullAt(place, 4.0, 5.0)).IsOk());
   ASSERT_TRUE(other.Pull(PullAt(place, 4.0, 11.0)).IsOk());
   ASSERT_TRUE(sum.Pull(PullAt(place, 4.0, 5.0, 11.0)).IsOk());
-  const Eigen::VectorXd mean = 0.5 * (one.Displacements() + other.Displacements());
+  const Eigen::Matrix3Xd mean = 0.5 * (one.Displacements() + other.Displacements());
   EXPECT_LT((sum.Displacements() - mean).cwiseAbs().maxCoeff(), 2e-4); // the ends of the kernels
 }
 
@@ -73,7 +73,7 @@ TEST(SurfaceCorrection, PlacesOfFormerPullsStay)
   const std::vector<Vector3> places = IcosahedronDirections(2).Directions();
   for (std::size_t n = 0; n < places.size(); ++n)
   {
-    std::vector<double> before;
+    std::vector<Vector3> before;
     for (const Vector3& place : places)
     {
       before.push_back(At(correction, place));
@@ -81,14 +81,14 @@ TEST(SurfaceCorrection, PlacesOfFormerPullsStay)
     const double by = number(random);
     const double second = n % 2 == 0 ? 0.0 : 4.0;
     ASSERT_TRUE(
-        correction.Pull(PullAt((Radius + before[n]) * places[n], by, 6.0 + std::abs(by), second))
+        correction.Pull(PullAt(Radius * places[n] + before[n], by, 6.0 + std::abs(by), second))
             .IsOk());
     for (std::size_t former = 0; former < n; ++former)
     {
       // Kernels end, and end in steps: 4e-5 of each weight.
-      EXPECT_NEAR(At(correction, places[former]), before[former], 5e-3);
+      EXPECT_LT((At(correction, places[former]) - before[former]).norm(), 5e-3);
     }
-    EXPECT_NEAR(At(correction, places[n]), before[n] + by, 1e-4);
+    EXPECT_LT((At(correction, places[n]) - before[n] - by * places[n]).norm(), 1e-4);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(SurfaceCorrection, ATargetIsReached)
   ASSERT_TRUE(correction.Pull(PullAt(Vector3(Radius, 3.0, 0.0), 2.0, 9.0)).IsOk());
   SurfacePull pull;
   pull.PlaceWorld = correction.PointNow(40);
-  pull.TargetWorld = correction.PointNow(40) - 3.5 * correction.Directions()[40];
+  pull.TargetWorld = correction.PointNow(40) + Vector3(1.0, -2.0, 3.0);
   ASSERT_TRUE(correction.Pull(pull).IsOk());
   EXPECT_LT((correction.PointNow(40) - *pull.TargetWorld).norm(), 1e-4);
 }
@@ -109,11 +109,27 @@ TEST(SurfaceCorrection, APlaceIsPulledAgain)
   for (int n = 1; n <= 3; ++n)
   {
     ASSERT_TRUE(correction.Pull(PullAt(correction.PointNow(5), 2.0, 8.0)).IsOk());
-    EXPECT_NEAR(correction.Displacements()[5], 2.0 * n, 1e-4);
+    EXPECT_NEAR(correction.Displacements().col(5).norm(), 2.0 * n, 1e-4);
   }
   // Nothing overshoots next to it.
-  EXPECT_NEAR(correction.Displacements().maxCoeff(), 6.0, 1e-4);
-  EXPECT_GE(correction.Displacements().minCoeff(), 0.0);
+  EXPECT_NEAR(correction.Displacements().colwise().norm().maxCoeff(), 6.0, 1e-4);
+}
+
+TEST(SurfaceCorrection, PointsMayKeepToTheirDirections)
+{
+  const SurfaceCorrection sphere = Sphere();
+  SurfaceCorrection correction(sphere.Points(), sphere.Directions(),
+                               SurfaceCorrection::Motion::AlongDirections);
+  SurfacePull pull = PullAt(correction.Points()[7], 0.0, 9.0);
+  pull.TargetWorld = Vector3(correction.Points()[7] * 1.2 + Vector3(1.0, 1.0, 1.0));
+  ASSERT_TRUE(correction.Pull(pull).IsOk());
+  for (Eigen::Index n = 0; n < correction.Displacements().cols(); ++n)
+  {
+    const Vector3 way = correction.Directions()[static_cast<std::size_t>(n)];
+    EXPECT_LT(correction.Displacements().col(n).cross(way).norm(), 1e-9); // rounding
+  }
+  const Vector3 way = correction.Directions()[7];
+  EXPECT_NEAR(correction.PointNow(7).dot(way), pull.TargetWorld->dot(way), 1e-4);
 }
 
 TEST(SurfaceCorrection, UndoneBitForBit)
@@ -121,7 +137,7 @@ TEST(SurfaceCorrection, UndoneBitForBit)
   Random random(2);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
   SurfaceCorrection correction = Sphere(6);
-  std::vector<Eigen::VectorXd> states{correction.Displacements()};
+  std::vector<Eigen::Matrix3Xd> states{correction.Displacements()};
   for (int n = 0; n < 12; ++n)
   {
     const Vector3 place(number(random), number(random), number(random));
@@ -143,8 +159,8 @@ TEST(SurfaceCorrection, APreviewIsThePull)
   SurfaceCorrection correction = Sphere();
   ASSERT_TRUE(correction.Pull(PullAt(correction.Points()[1], 3.0, 6.0)).IsOk());
   const SurfacePull pull = PullAt(correction.Points()[9], -2.0, 10.0);
-  const Eigen::VectorXd before = correction.Displacements();
-  Eigen::VectorXd shown;
+  const Eigen::Matrix3Xd before = correction.Displacements();
+  Eigen::Matrix3Xd shown;
   ASSERT_TRUE(correction.Preview(pull, shown).IsOk());
   EXPECT_EQ(correction.Displacements(), before);
   ASSERT_TRUE(correction.Pull(pull).IsOk());
@@ -161,13 +177,13 @@ TEST(SurfaceCorrection, TheOtherWallOfASheetStays)
     points.emplace_back(n / 2 % 10, n / 20, isAbove ? 1.0 : -1.0);
     directions.emplace_back(0.0, 0.0, isAbove ? 1.0 : -1.0);
   }
-  SurfaceCorrection correction(points, directions);
+  SurfaceCorrection correction(points, directions, SurfaceCorrection::Motion::Free);
   ASSERT_TRUE(correction.Pull(PullAt(Vector3(4.0, 4.0, 1.2), 3.0, 8.0)).IsOk());
   for (int n = 1; n < 200; n += 2)
   {
-    EXPECT_EQ(correction.Displacements()[n], 0.0);
+    EXPECT_TRUE(correction.Displacements().col(n).isZero(0.0));
   }
-  EXPECT_NEAR(correction.Displacements().maxCoeff(), 3.0, 1e-4);
+  EXPECT_NEAR(correction.Displacements().row(2).maxCoeff(), 3.0, 1e-4);
 }
 
 TEST(SurfaceCorrection, RefusesWithoutAnEffect)
